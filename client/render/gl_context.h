@@ -1,0 +1,26 @@
+#pragma once
+// Where OpenGL 3.3 core comes from: EGL surfaceless, OSMesa, or a window. One renderer serves them all.
+
+#include <memory>
+#include <string>
+
+namespace prosector {
+
+/// A current context with a framebuffer of width × height. Not thread safe: used by the thread that made it.
+class GlContext {
+ public:
+  virtual ~GlContext() = default;
+  virtual void* proc(const char* name) const = 0;  // address of a GL function
+  virtual int width() const = 0;
+  virtual int height() const = 0;
+  virtual void present() = 0;                   // swaps a window's buffers; offscreen: nothing
+  virtual std::string description() const = 0;  // "EGL surfaceless, llvmpipe (…), Mesa 22.3.6"
+};
+
+/// Throw InputError saying what is missing and what to install or set.
+std::unique_ptr<GlContext> make_egl_context(int width, int height);
+std::unique_ptr<GlContext> make_osmesa_context(int width, int height);
+/// EGL surfaceless, else OSMesa.
+std::unique_ptr<GlContext> make_offscreen_context(int width, int height);
+
+}  // namespace prosector

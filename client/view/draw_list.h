@@ -1,0 +1,70 @@
+#pragma once
+// What to draw, without any GL: made by the view from the replica, consumed only by the renderer.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/math.h"
+#include "common/messages.h"
+
+namespace prosector {
+
+/// Geometry that the renderer keeps on the GPU under `id`; a higher `revision` replaces its content.
+struct DrawMesh {
+  std::uint64_t id = 0;
+  std::uint64_t revision = 0;            // topology: triangles changed
+  std::uint64_t positions_revision = 0;  // positions or normals changed (soft bodies, skinned hands)
+  std::vector<Eigen::Vector3f> positions;
+  std::vector<Eigen::Vector3f> normals;
+  std::vector<Eigen::Vector3f> rest_positions;  // for textures that stick to tissue; empty: positions
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+enum class Surface : std::uint8_t { plain, tissue, bone, metal, skin, cloth, floor, wall, emissive };
+
+struct DrawItem {
+  std::shared_ptr<const DrawMesh> mesh;
+  Pose pose;
+  Surface surface = Surface::plain;
+  Appearance appearance;
+  bool casts_shadow = true;
+};
+
+/// Screen-space line, for axes and overlays; drawn after everything, depth tested or not.
+struct DrawLine {
+  Vec3 a, b;  // room frame, or for `overlay` normalised device coordinates (x, y in −1…1)
+  Vec3 color = Vec3::Ones();
+  double width = 2;  // pixels
+  bool overlay = false;
+};
+
+/// Text in the overlay or at a place in the room (names above heads).
+struct DrawText {
+  std::string text;
+  Vec3 at = Vec3::Zero();  // overlay: pixels from the top left in x, y; else room frame
+  bool overlay = true;
+  double height = 14;  // pixels
+  Vec3 color = Vec3::Ones();
+};
+
+/// One eye's camera. Off-axis frustum: tangents of the four half angles.
+struct DrawCamera {
+  Pose pose;                                                    // −z looks ahead, +y up
+  double left = -0.6, right = 0.6, bottom = -0.45, top = 0.45;  // tangents
+  double near = 0.02, far = 30;                                 // m
+  int x = 0, y = 0, width = 800, height = 600;                  // viewport, pixels, from the lower left
+};
+
+struct DrawList {
+  std::vector<DrawCamera> cameras;  // one, or two for stereo side by side
+  std::vector<DrawItem> items;
+  std::vector<LightInfo> lights;
+  std::vector<DrawLine> lines;
+  std::vector<DrawText> texts;
+  Vec3 ambient = {0.10, 0.11, 0.12};
+  Vec3 background = {0.05, 0.06, 0.07};
+};
+
+}  // namespace prosector

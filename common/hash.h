@@ -1,0 +1,42 @@
+#pragma once
+// Two hashes: one to name content (assets, caches), one to prove state. Both are xxHash3, not cryptographic.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace prosector {
+
+/// Names a piece of content; equal bytes have equal hashes on every machine.
+using ContentHash = std::array<std::uint8_t, 16>;
+
+ContentHash content_hash(std::span<const std::byte> bytes);
+std::string to_hex(const ContentHash& hash);
+std::string to_hex(std::uint64_t hash);
+
+/// Feeds the bits of state in a fixed order; the digest is equal if and only if (but for collisions) every
+/// bit was.
+class StateHasher {
+ public:
+  StateHasher();
+  ~StateHasher();
+  StateHasher(const StateHasher&) = delete;
+  StateHasher& operator=(const StateHasher&) = delete;
+
+  void add(std::span<const std::byte> bytes);
+  template <class T>
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void add(const T& value) { add(std::as_bytes(std::span<const T, 1>(&value, 1))); }
+  /// `count` contiguous numbers, for instance an Eigen vector's data().
+  void add(const double* values, std::size_t count) { add(std::as_bytes(std::span(values, count))); }
+  std::uint64_t digest() const;
+
+ private:
+  void* state_;
+};
+
+}  // namespace prosector

@@ -1,0 +1,31 @@
+#pragma once
+// The vectors and poses that all of Prosector speaks: SI units, right-handed, y up.
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace prosector {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+using VecX = Eigen::VectorXd;
+using Quat = Eigen::Quaterniond;  // in files and on the wire: w, x, y, z
+
+/// A rigid transform. As a frame `pose_a_b` it maps points of frame b into frame a: x_a = q * x_b + p.
+struct Pose {
+  Vec3 p = Vec3::Zero();      // metres
+  Quat q = Quat::Identity();  // unit
+
+  Vec3 operator*(const Vec3& x) const { return q * x + p; }
+  Pose operator*(const Pose& b) const { return {q * b.p + p, (q * b.q).normalized()}; }
+  Pose inverse() const { return {q.conjugate() * -p, q.conjugate()}; }
+};
+
+inline bool is_finite(const Vec3& v) {
+  return v.allFinite();
+}
+inline bool is_finite(const Pose& x) {
+  return x.p.allFinite() && x.q.coeffs().allFinite();
+}
+
+}  // namespace prosector

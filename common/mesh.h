@@ -1,0 +1,50 @@
+#pragma once
+// Meshes as plain data, and the sparse map that embeds a surface in tetrahedra.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "common/math.h"
+
+namespace prosector {
+
+/// A triangle surface; counter-clockwise seen from outside.
+struct TriangleMesh {
+  std::vector<Vec3> positions;                          // metres
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // into positions
+};
+
+/// A volume of linear tetrahedra; det(x1−x0, x2−x0, x3−x0) > 0.
+struct TetMesh {
+  std::vector<Vec3> positions;                     // metres
+  std::vector<std::array<std::uint32_t, 4>> tets;  // into positions
+};
+
+/// x_surface = W·x_nodes and, transposed, f_nodes = Wᵀ·f_surface: at most 4 nodes a row, weights sum to 1.
+/// No surface index is a degree of freedom; a surface may be finer or coarser than the elements that carry
+/// it.
+struct SparseMap {
+  struct Row {
+    std::array<std::uint32_t, 4> node{};  // unused entries: weight 0
+    std::array<double, 4> weight{};
+  };
+  std::vector<Row> rows;
+
+  Vec3 apply(std::size_t row, const double* nodes) const {
+    const Row& r = rows[row];
+    Vec3 x = Vec3::Zero();
+    for (std::size_t k = 0; k < 4; ++k) x += r.weight[k] * Eigen::Map<const Vec3>(nodes + 3 * r.node[k]);
+    return x;
+  }
+};
+
+/// A deformable as geometry: tetrahedra that carry the mechanics, and the surface they carry, which is
+/// touched and drawn.
+struct Anatomy {
+  TetMesh tets;
+  TriangleMesh surface;  // rest shape; surface.positions[i] = W.row(i)·tets.positions
+  SparseMap embedding;   // W, one row per surface vertex
+};
+
+}  // namespace prosector

@@ -1,0 +1,265 @@
+#pragma once
+// What travels between server and clients, as plain data. `idl/` turns each into its wire form and back, with
+// all checks; nobody else knows DDS. Units: SI, seconds, metres, newtons, radians; colours are linear RGB in
+// [0, 1]. Directions and QoS: docs/network.md. Limits that the edge enforces stand here, beside the field
+// they bound.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "common/hash.h"
+#include "common/math.h"
+
+namespace prosector {
+
+inline constexpr std::uint32_t protocol_version = 1;
+
+using ParticipantId = std::uint64_t;  // drawn at random by each client; 0 is nobody
+using BodyId = std::uint32_t;         // index into SceneInfo::bodies
+
+enum class Role : std::uint8_t { observer, dissector, host };
+enum class Gesture : std::uint8_t { none, fist, point, two, three, little, index_little, flat, pinch };
+enum class Tool : std::uint8_t { none, probe, scalpel };
+
+inline constexpr std::size_t max_name_length = 63;    // bytes, UTF-8: session, participant, body names
+inline constexpr std::size_t max_text_length = 1023;  // bytes: descriptions, reasons
+inline constexpr std::size_t max_bodies = 4096;
+inline constexpr std::size_t max_lights = 16;
+inline constexpr double max_coordinate = 1000.0;  // metres: a pose farther out is not a pose in this room
+inline constexpr std::size_t fingers = 5;         // thumb, index, middle, ring, little
+
+/// Simulated time. A rewind starts a new epoch, so (epoch, tick) never repeats.
+struct SimTime {
+  std::uint32_t epoch = 0;
+  std::uint64_t tick = 0;
+  auto operator<=>(const SimTime&) const = default;
+};
+
+/// server → all; the first thing a client reads, and enough to refuse with a clear message.
+struct SessionInfo {
+  std::uint32_t version = protocol_version;
+  std::string session;           // also the DDS partition
+  std::string scene;             // the scene's name
+  ContentHash scene_hash{};      // of the compiled scene: geometry, materials, settings
+  double tick_rate = 60;         // Hz
+  std::uint32_t capacity = 0;    // participants that fit
+  std::uint64_t server_run = 0;  // differs from run to run: a client that sees it change starts over
+};
+
+/// participant → server; written once, liveliness 1 s. Disposal or loss of liveliness is leaving.
+struct Presence {
+  ParticipantId participant = 0;
+  std::uint32_t version = protocol_version;
+  std::string name;
+  Role role = Role::observer;  // what the participant asks for; the server's Roster says what it got
+  std::string devices;         // for people: "fastrak, 5dt-serial"
+};
+
+/// server → all; one per participant, removed (disposed) when it leaves.
+struct RosterEntry {
+  ParticipantId participant = 0;
+  std::string name;
+  Role role = Role::observer;
+  Vec3 color = Vec3::Ones();
+  std::string devices;
+};
+
+struct HandPose {
+  bool tracked = false;  // false: no pose this time; the server holds the last for a while
+  Pose pose;             // wrist in the room: −z towards the fingers, +y out of the back of the hand
+  std::array<double, fingers> flexion{};  // 0 open … 1 closed fist, thumb first
+  Gesture gesture = Gesture::none;
+  std::uint32_t buttons = 0;  // bit per button
+};
+
+inline constexpr std::size_t left_hand = 0, right_hand = 1;
+
+/// participant → server, best effort, 120 Hz. Dropped by role: an observer's changes nothing.
+struct HandInput {
+  ParticipantId participant = 0;
+  std::uint64_t sequence =
+      0;  // rises by one a sample; the journal keys inputs by (tick, participant, sequence)
+  std::int64_t time_ns = 0;  // sender's monotonic clock when the device's record began; informative
+  bool head_tracked = false;
+  Pose head;  // eyes in the room: −z looks ahead
+  std::array<HandPose, 2> hands{};
+};
+
+/// server → all, best effort: where everyone is, as the server has it.
+struct UserState {
+  ParticipantId participant = 0;
+  SimTime time;
+  std::uint64_t input_sequence = 0;  // the last HandInput consumed
+  bool head_tracked = false;
+  Pose head;
+  std::array<HandPose, 2>
+      hands{};  // where the physical hand is, which may rest on things short of its target
+};
+
+enum class CommandKind : std::uint8_t { join, grasp, release, reset, leave };
+
+/// participant → server, reliable; each is answered by one CommandResult with the same participant and
+/// sequence.
+struct Command {
+  ParticipantId participant = 0;
+  std::uint64_t sequence = 0;
+  CommandKind kind = CommandKind::join;
+  std::uint8_t hand = right_hand;  // for grasp and release
+  BodyId body = 0;                 // for reset: the body to put back to rest
+};
+
+struct CommandResult {
+  ParticipantId participant = 0;
+  std::uint64_t sequence = 0;
+  bool accepted = false;
+  std::string reason;  // why not; empty when accepted
+};
+
+enum class BodyKind : std::uint8_t { rigid, soft };
+
+/// What a body looks like; enough for a renderer to choose its material.
+struct Appearance {
+  Vec3 color = {0.7, 0.7, 0.7};
+  double roughness = 0.6;  // 0 mirror … 1 matt
+  double wetness = 0;      // 0 dry … 1: a thin film of liquid over the surface
+  bool operator==(const Appearance&) const = default;
+};
+
+struct SceneBody {
+  std::string name;
+  std::string description;
+  BodyKind kind = BodyKind::rigid;
+  std::int32_t parent = -1;  // body that it belongs to in the scene graph, −1: the room
+  bool moves = false;        // false: never in RigidState
+  Pose pose;                 // at scene start (rigid) / body frame of quantisation (soft)
+  ContentHash mesh{};  // Asset: triangle surface, in the body's frame (rigid) or the room's rest shape (soft)
+  ContentHash map{};   // Asset, soft only: SparseMap from the streamed points to surface vertices
+  std::uint32_t points = 0;        // soft only: how many points are streamed
+  std::uint32_t chunk_points = 0;  // soft only: points per SoftState chunk (the last may hold fewer)
+  Appearance appearance;
+};
+
+enum class LightKind : std::uint8_t { directional, point, spot };
+
+struct LightInfo {
+  std::string name;
+  LightKind kind = LightKind::point;
+  Vec3 position = Vec3::Zero();
+  Vec3 direction = {0, -1, 0};
+  Vec3 color = Vec3::Ones();
+  double intensity = 1;
+  double cone = 0.5;      // spot: half angle, rad
+  double softness = 0.2;  // spot: share of the cone over which it fades
+};
+
+struct CameraInfo {
+  Vec3 eye = {0, 1.6, 1.2};
+  Vec3 target = {0, 1, 0};
+  double fov = 0.8;  // vertical, rad
+};
+
+/// server → all, reliable, transient-local: the scene graph. Meshes follow as Assets.
+struct SceneInfo {
+  std::string name;
+  std::string description;
+  std::vector<SceneBody> bodies;
+  std::vector<LightInfo> lights;
+  CameraInfo camera;
+};
+
+inline constexpr std::size_t asset_chunk_bytes = 256 * 1024;
+inline constexpr std::size_t max_asset_bytes = 256u * 1024 * 1024;
+
+/// server → all, reliable, transient-local, keyed (hash, chunk): clients need no files.
+struct AssetChunk {
+  ContentHash hash{};
+  std::uint32_t chunk = 0;
+  std::uint32_t chunks = 0;
+  std::uint32_t total_bytes = 0;
+  std::vector<std::uint8_t> bytes;  // asset_chunk_bytes each, the last one shorter
+};
+
+/// server → all, best effort, keyed by body: only what moves.
+struct RigidState {
+  BodyId body = 0;
+  SimTime time;
+  Pose pose;
+  Vec3 linear_velocity = Vec3::Zero();   // m/s
+  Vec3 angular_velocity = Vec3::Zero();  // rad/s
+  bool settled = false;                  // last sample before sleep
+};
+
+inline constexpr std::size_t max_chunk_points = 256;
+
+/// server → all, best effort, keyed (body, chunk): absolute positions and velocities of some streamed points,
+/// so one lost datagram costs one chunk. On the wire quantised within the chunk's own box; here decoded.
+struct SoftState {
+  BodyId body = 0;
+  std::uint32_t chunk = 0;
+  SimTime time;
+  std::uint32_t revision = 0;  // topology revision that the points belong to
+  std::uint32_t first_point = 0;
+  std::vector<Vec3> positions;   // metres, room frame
+  std::vector<Vec3> velocities;  // m/s, coarse: for Hermite interpolation
+};
+
+/// server → all, reliable, transient-local, keyed by body: a body went to sleep here, at full precision, so
+/// that a lost last chunk never stays wrong and a late joiner has the rest shape.
+struct Settled {
+  BodyId body = 0;
+  SimTime time;
+  std::uint32_t revision = 0;
+  std::uint64_t hash = 0;                  // StateHasher over the float positions
+  std::vector<Eigen::Vector3f> positions;  // all streamed points, metres, room frame
+};
+
+/// server → all, reliable, transient-local: the ordered log of topology. Revision 0 is the compiled scene:
+/// every soft body announces it, and later revisions chain to it.
+struct TopologyRevision {
+  BodyId body = 0;
+  std::uint32_t revision = 0;
+  std::uint64_t previous_hash = 0;  // chain hash of revision − 1 (0 for the first)
+  std::uint64_t chain_hash = 0;     // over previous_hash and content_hash
+  std::uint64_t content_hash = 0;   // connectivity, rest shape, masses
+};
+
+/// server → all, best effort, keyed by (participant, hand): what a hand touches most.
+struct ContactSample {
+  ParticipantId participant = 0;
+  std::uint8_t hand = right_hand;
+  SimTime time;
+  bool touching = false;
+  BodyId body = 0;
+  Vec3 point = Vec3::Zero();  // room frame
+  Vec3 normal = {0, 1, 0};    // out of the touched body
+  double depth = 0;           // metres, > 0 penetrates
+  double impulse = 0;         // N·s over the last tick, all contacts of this hand
+};
+
+inline constexpr std::size_t step_phases = 8;
+
+/// server → all, 10 Hz.
+struct ServerStatus {
+  SimTime time;
+  double real_time_factor = 0;
+  double step_ms_p50 = 0, step_ms_p99 = 0;  // over the last second
+  std::array<double, step_phases>
+      phase_ms{};              // mean over the last second, in step order (server/physics/step_report.h)
+  double solver_residual = 0;  // worst relative residual of the last second
+  double energy = 0;           // J: kinetic + elastic + gravitational
+  std::uint32_t participants = 0, observers = 0;
+  std::uint32_t awake_bodies = 0, asleep_bodies = 0;
+  std::uint64_t invalid_dropped = 0;  // samples refused at the edge since start
+  std::uint64_t state_hash = 0;       // of `time`
+  std::string degraded;               // bodies reset, not converged or slowed, by name; empty is well
+};
+
+/// Everything that a Bus carries. Order is not meaning.
+using Message =
+    std::variant<SessionInfo, Presence, RosterEntry, HandInput, UserState, Command, CommandResult, SceneInfo,
+                 AssetChunk, RigidState, SoftState, Settled, TopologyRevision, ContactSample, ServerStatus>;
+
+}  // namespace prosector

@@ -1,0 +1,22 @@
+#pragma once
+// Scene files (TOML) to SceneDesc.
+
+#include <filesystem>
+#include <iosfwd>
+#include <string_view>
+
+#include "common/scene/scene.h"
+
+namespace prosector {
+
+/// Throws InputError with file, line, field and what is allowed. Unknown keys are errors. Opens no other
+/// file.
+SceneDesc load_scene(const std::filesystem::path& file);
+
+/// The same from text; `file` is only for messages and for resolving paths later.
+SceneDesc parse_scene(std::string_view toml, const std::filesystem::path& file);
+
+/// docs/scene.md, from the same field table.
+void write_scene_manual(std::ostream& out);
+
+}  // namespace prosector

@@ -1,0 +1,129 @@
+#pragma once
+// What the author of a scene wrote, validated. Defaults stand here, in the initialisers, and nowhere else;
+// units, ranges and descriptions stand in the field table (scene_fields.cpp), from which the loader, its
+// errors and docs/scene.md come. SI units; orientations as quaternions w, x, y, z; y is up. What a scene
+// doesn't name is not modelled.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/hash.h"
+#include "common/math.h"
+#include "common/messages.h"
+
+namespace prosector {
+
+/// [[rigid.part]]: one primitive of a rigid body, in the body's frame.
+struct PartDesc {
+  std::string shape = "box";  // box | sphere | capsule | cylinder | ellipsoid (capsule, cylinder: axis y)
+  Vec3 size = {
+      0.1, 0.1,
+      0.1};   // m: box full extents; sphere: diameter in x; capsule, cylinder: diameter in x, height in y
+  Pose pose;  // position, rotation
+  double rounding = 0;  // m: radius of the edges, drawn only
+};
+
+/// [[rigid]]
+struct RigidDesc {
+  std::string name;
+  std::string description;
+  std::string parent;  // body it belongs to in the scene graph; empty: the room
+  std::string mesh;    // surface file; empty: parts
+  std::string
+      fallback;      // implicit shape (anatomy/implicit.h) used, with a clear line, when `mesh` is missing
+  double scale = 1;  // file units → metres
+  double surface_cell = 0;  // m: thin the mesh to about this edge length; 0: as it is
+  std::vector<PartDesc> parts;
+  std::string collision =
+      "hull";  // mesh bodies: hull | mesh | none; parts are their own collision shape unless none
+  Pose pose;
+  bool fixed = false;     // true: part of the room, never moves
+  double density = 1000;  // kg/m³
+  double mass = 0;        // kg; 0: from density and volume
+  double friction = 0.5;
+  double restitution = 0;
+  std::string tool = "none";  // none | probe | scalpel: what a hand that grasps it holds
+  Appearance appearance;
+};
+
+/// [[soft.attach]]: tissue that holds the organ to its place: nodes inside the sphere are tied to their rest
+/// position.
+struct AttachDesc {
+  Vec3 center = Vec3::Zero();  // m, room frame
+  double radius = 0.05;        // m
+  double stiffness = 2e5;      // N/m per m³ of tied tissue … Winkler foundation: N/m⁴·m³ = N/m
+};
+
+/// [[soft]]
+struct SoftDesc {
+  std::string name;
+  std::string description;
+  std::string parent;
+  std::string volume;           // labelled or grey volume: .inr[.gz], .nii[.gz]
+  int label = -1;               // label to take; −1: use threshold
+  double threshold = 0;         // grey volumes: inside is above it
+  std::string mesh;             // or a tetrahedral mesh: .msh, .vtk
+  std::string shape;            // or an implicit shape: liver | kidney | gallbladder | block | ball | beam
+  std::string fallback;         // implicit shape when volume or mesh is missing
+  Vec3 size = {0.1, 0.1, 0.1};  // m: implicit shapes: bounding box
+  double scale = 1;             // mesh files: file units → metres (volumes carry their voxel size in mm)
+  double cell = 0.012;          // m: tetrahedra's edge length, about
+  double surface_cell = 0.006;  // m: triangles' edge length of the drawn and touched surface, about
+  double smoothing = 1.5;       // voxels: Gaussian σ on the mask before the surface is drawn through it
+  Pose pose;                    // volume or mesh frame → room. Volumes: origin at the volume's centre
+
+  std::string model = "fem_corotational";
+  std::string integrator = "implicit_euler";
+  std::string solver = "cg";
+  double youngs_modulus = 5400;  // Pa
+  double poisson_ratio = 0.45;
+  double density = 1060;            // kg/m³
+  double damping_mass = 0.5;        // 1/s   Rayleigh: C = damping_mass·M + damping_stiffness·K
+  double damping_stiffness = 0.01;  // s
+  double friction = 0.3;
+  bool gravity = true;             // false: the imaged shape already carries it
+  int newton_iterations = 3;       // at most, per tick
+  int solver_iterations = 60;      // linear solver, at most, per Newton iteration
+  double solver_tolerance = 1e-3;  // relative residual at which it stops
+  std::vector<AttachDesc> attach;
+  Appearance appearance;
+};
+
+/// [[light]]
+struct LightDesc : LightInfo {};
+
+/// [session]
+struct SessionDesc {
+  std::string name = "prosector";
+  int capacity = 64;           // participants
+  int observers = 16;          // of them observers, at most
+  double input_timeout = 0.5;  // s without a HandInput after which a hand is let go
+};
+
+/// [hand]: the virtual coupling between a tracked hand and its physical one.
+struct HandDesc {
+  double mass = 0.4;        // kg
+  double stiffness = 2000;  // N/m towards the tracked pose
+  double max_force = 40;    // N
+  double friction = 0.6;
+};
+
+struct SceneDesc {
+  std::string name;
+  std::string description;
+  Vec3 gravity = {0, -9.81, 0};   // m/s²
+  double tick_rate = 60;          // Hz
+  double contact_stiffness = 20;  // times the soft body's own stiffness over one surface cell
+  SessionDesc session;
+  HandDesc hand;
+  CameraInfo camera;
+  std::vector<RigidDesc> rigid;
+  std::vector<SoftDesc> soft;
+  std::vector<LightDesc> lights;
+
+  std::filesystem::path file;  // where it came from, for messages
+};
+
+}  // namespace prosector

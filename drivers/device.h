@@ -1,0 +1,91 @@
+#pragma once
+// A device as the client sees it: poll it, it never blocks, it heals by itself.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/math.h"
+#include "common/messages.h"
+
+namespace prosector {
+
+enum class DeviceHealth : std::uint8_t {
+  connecting,  // opened, no valid record yet
+  streaming,   // valid records arrive
+  silent,      // open but nothing valid for a while; the driver is reopening or resetting it
+  babbling,    // bytes arrive but most are no records
+  absent,      // cannot be opened; retried
+};
+
+/// One reading of one station (a tracker's receiver, a glove). Flags say which fields hold something.
+struct DeviceSample {
+  std::uint32_t station = 0;  // tracker: 0-based receiver; glove: 0
+  std::uint64_t record = 0;   // counts valid records of this station since the device was opened
+  std::int64_t time_ns = 0;   // monotonic_ns() when the first byte of the record was read
+  bool has_pose = false;
+  Pose pose;  // in the room, after alignment; metres
+  std::array<float, 7>
+      raw_pose{};  // as the device sent it: x y z q0 q1 q2 q3 (or az el roll 0), its own units and frame
+  bool has_flexion = false;
+  std::array<double, fingers> flexion{};  // calibrated, 0 open … 1 closed
+  std::array<std::uint16_t, fingers> raw_flexion{};
+  Gesture gesture = Gesture::none;
+  std::uint32_t buttons = 0;
+  char error = ' ';  // the device's own error character, ' ' is well
+};
+
+struct DeviceStatus {
+  DeviceHealth health = DeviceHealth::connecting;
+  std::uint64_t records = 0;  // valid
+  std::uint64_t resyncs = 0;  // times garbage was skipped
+  std::uint64_t skipped_bytes = 0;
+  std::uint64_t reopens = 0;
+  std::string message;  // for people: what is wrong and what to do
+};
+
+class Device {
+ public:
+  virtual ~Device() = default;
+  /// Reads what arrived, never blocks; appends samples in order. Reopens a lost device on its own schedule.
+  virtual void poll(std::vector<DeviceSample>& out) = 0;
+  virtual DeviceStatus status() const = 0;
+  /// A descriptor that becomes readable when poll() has work, or −1.
+  virtual int descriptor() const = 0;
+};
+
+/// "fastrak:/dev/ttyS0", "5dt:/dev/ttyS1", "5dt-usb:/dev/hidraw0", "recorded:hand.csv": driver, then what it
+/// opens.
+struct DeviceAddress {
+  std::string driver;
+  std::string path;
+};
+
+/// One row of the table of drivers.
+struct DriverRow {
+  const char* name;
+  const char* help;  // one line for --help
+  std::unique_ptr<Device> (*open)(const std::string& path, const struct DeviceConfig& config);
+};
+
+/// How a device stands in the room and what its gestures mean. Loaded from the client's configuration.
+struct DeviceConfig {
+  Pose room_device;             // pose of the device's own frame (tracker: transmitter) in the room
+  bool binary = true;           // fastrak: binary records
+  std::uint32_t stations = 1;   // fastrak: bit mask of active stations
+  Vec3 hemisphere = {1, 0, 0};  // fastrak: zenith of the operational hemisphere, transmitter frame
+  bool boresight = false;       // fastrak: boresight every station when it starts
+  std::optional<std::array<double, 9>> alignment;  // fastrak: O, X, Y points of the alignment frame, cm
+  bool left = false;                               // glove: left hand
+  double closed_above = 0.65, open_below = 0.35;   // glove: gesture thresholds
+};
+
+const std::vector<DriverRow>& drivers();
+
+/// Opens by address; an unknown driver is an InputError that lists the known ones.
+std::unique_ptr<Device> open_device(const std::string& address, const DeviceConfig& config);
+
+}  // namespace prosector

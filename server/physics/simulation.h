@@ -1,0 +1,114 @@
+#pragma once
+// The physics by itself: usable without network or session. Compile a scene, step it with inputs, read its
+// state.
+//
+// Same binary, same inputs, same hash: for any thread count, after save and restore, on replay. The step
+// reads no clock (StepReport's times are measured around it and decide nothing).
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/mesh.h"
+#include "common/messages.h"
+#include "common/scene/scene.h"
+#include "server/physics/step_report.h"
+
+namespace prosector {
+
+class SoftBody;
+struct SoftBodyState;
+
+/// One participant's hand as the step wants it: a target for the virtual coupling. Inputs are ordered by
+/// (participant, hand).
+struct HandTarget {
+  ParticipantId participant = 0;
+  std::size_t hand = right_hand;
+  Pose target;
+  std::array<double, fingers> flexion{};
+};
+
+/// Discrete events, journalled with the tick they are consumed in.
+struct HandEvent {
+  enum class Kind : std::uint8_t { appear, vanish, grasp, release, reset_body } kind;
+  ParticipantId participant = 0;
+  std::size_t hand = right_hand;
+  BodyId body = 0;  // for reset_body
+};
+
+/// All that a tick consumes, in canonical order.
+struct TickInput {
+  std::vector<HandEvent> events;
+  std::vector<HandTarget> targets;  // of hands present this tick; one without a target holds its last
+};
+
+/// Where a physical hand ended up, and what it touches most.
+struct HandState {
+  ParticipantId participant = 0;
+  std::size_t hand = right_hand;
+  Pose pose;
+  std::array<double, fingers> flexion{};
+  std::optional<BodyId> holding;
+  ContactSample contact;
+};
+
+struct RigidBodyState {
+  Pose pose;  // of the body's own frame (not its centre of mass)
+  Vec3 linear_velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
+  bool asleep = false;
+};
+
+struct CompileOptions {
+  int threads = 0;  // 0: all cores
+  std::vector<std::filesystem::path>
+      data_dirs;                    // where sources that the scene names are looked up, after its own folder
+  std::filesystem::path cache_dir;  // meshes and equilibria by content hash; empty: none
+  std::function<void(const std::string&)> progress;  // lines for people
+};
+
+class Simulation {
+ public:
+  /// Compiles: meshes, masses, matrices, and the equilibrium under gravity, so that nothing sags at first
+  /// touch. Throws InputError for what the scene got wrong.
+  Simulation(const SceneDesc& scene, const CompileOptions& options);
+  ~Simulation();
+
+  // ---- Model
+  const SceneDesc& scene() const;
+  std::size_t body_count() const;  // rigid bodies first, in scene order, then soft ones
+  BodyKind kind(BodyId body) const;
+  const std::string& name(BodyId body) const;
+  const TriangleMesh& surface(BodyId body) const;  // rigid: body frame; soft: rest shape, room frame
+  const SoftBody& soft(BodyId body) const;
+  std::size_t tet_count() const;
+  ContentHash content_hash() const;  // of everything compiled
+
+  // ---- Running
+  /// Advances one tick. Never throws for what users did; what went wrong is in the report.
+  const StepReport& step(const TickInput& input);
+  SimTime time() const;
+  RigidBodyState rigid_state(BodyId body) const;
+  const SoftBodyState& soft_state(BodyId body) const;
+  bool asleep(BodyId body) const;
+  std::span<const HandState> hands() const;  // canonical order
+  double max_displacement(
+      BodyId soft_body) const;  // m: largest distance of a surface vertex from its equilibrium
+
+  /// Over every bit that changes the next tick.
+  std::uint64_t state_hash() const;
+  /// At a checkpoint both the run that goes on and the one that restores rebuild their caches canonically, so
+  /// they stay equal.
+  std::vector<std::uint8_t> checkpoint();
+  /// Throws InputError when the bytes are no checkpoint of this compiled scene.
+  void restore(std::span<const std::uint8_t> bytes);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace prosector

@@ -1,0 +1,46 @@
+#pragma once
+// Hyperelastic laws: energy, stress and tangent from the deformation gradient.
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/math.h"
+
+namespace prosector {
+
+using Mat9 = Eigen::Matrix<double, 9, 9>;
+
+/// Elastic constants as Lamé's. From E and ν: λ = Eν/((1+ν)(1−2ν)), μ = E/(2(1+ν)).
+struct Lame {
+  double lambda;  // Pa
+  double mu;      // Pa
+};
+Lame lame(double youngs_modulus, double poisson_ratio);
+
+/// W(F): works on batches of elements so that a law can be vectorised without touching who calls it.
+/// All spans have one entry per element. Every law reduces to linear elasticity at F = I:
+/// C₁₁₁₁ = λ + 2μ, C₁₁₂₂ = λ, C₁₂₁₂ = μ.
+class ConstitutiveLaw {
+ public:
+  virtual ~ConstitutiveLaw() = default;
+  /// W, J/m³.
+  virtual void energy_density(std::span<const Mat3> F, std::span<double> W) const = 0;
+  /// First Piola stress P = ∂W/∂F, Pa.
+  virtual void stress(std::span<const Mat3> F, std::span<Mat3> P) const = 0;
+  /// ∂vec(P)/∂vec(F), Pa, column-major vec, with its negative eigenvalues projected to 0 so that Newton
+  /// descends.
+  virtual void tangent(std::span<const Mat3> F, std::span<Mat9> dPdF) const = 0;
+};
+
+/// One row of the table of laws: `model` in a scene file.
+struct LawRow {
+  const char* name;
+  const char* help;
+  std::unique_ptr<ConstitutiveLaw> (*make)(const Lame&);
+};
+const std::vector<LawRow>& laws();
+std::unique_ptr<ConstitutiveLaw> make_law(const std::string& name, const Lame& constants);
+
+}  // namespace prosector

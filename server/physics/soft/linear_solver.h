@@ -1,0 +1,53 @@
+#pragma once
+// Symmetric positive definite systems of one island: soft nodes (3×3 blocks) and rigid bodies (6×6 blocks)
+// together.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/math.h"
+
+namespace prosector {
+
+/// H as the solvers see it. Unknowns: the island's soft nodes (3 each), then its rigid bodies (6 each).
+class LinearOperator {
+ public:
+  virtual ~LinearOperator() = default;
+  virtual Eigen::Index size() const = 0;
+  virtual void multiply(const VecX& p, VecX& Hp) const = 0;
+  /// z = P⁻¹·r with the block-diagonal part of H (3×3 and 6×6 blocks, contacts included).
+  virtual void block_jacobi(const VecX& r, VecX& z) const = 0;
+  /// z = A⁻¹·r with A the soft bodies' elastic matrices (without contacts) factored exactly, block-diagonal
+  /// elsewhere. Factors lazily, reusing the symbolic factorisation.
+  virtual void elastic_factor(const VecX& r, VecX& z) const = 0;
+};
+
+struct SolverSettings {
+  int max_iterations = 60;
+  double tolerance = 1e-3;  // on ‖r‖/‖b‖ in the preconditioner's norm
+};
+
+struct SolveReport {
+  int iterations = 0;
+  double residual = 0;  // relative, reached
+  bool converged = false;
+};
+
+class LinearSolver {
+ public:
+  virtual ~LinearSolver() = default;
+  /// Improves `x` (a warm start) towards H·x = b.
+  virtual SolveReport solve(const LinearOperator& H, const VecX& b, const SolverSettings& settings,
+                            VecX& x) = 0;
+};
+
+struct SolverRow {
+  const char* name;
+  const char* help;
+  std::unique_ptr<LinearSolver> (*make)();
+};
+const std::vector<SolverRow>& solvers();
+std::unique_ptr<LinearSolver> make_solver(const std::string& name);
+
+}  // namespace prosector

@@ -1,0 +1,39 @@
+#pragma once
+// What a step did and cost.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/messages.h"
+
+namespace prosector {
+
+/// Phases in the order in which a step runs them; reading order of Simulation::step is this order.
+enum class Phase : std::uint8_t { inputs, broad, narrow, islands, coupled, rigid, constraints, report };
+inline constexpr std::array<const char*, step_phases> phase_names = {
+    "inputs", "broad", "narrow", "islands", "coupled", "rigid", "constraints", "report"};
+
+struct BodyReport {
+  std::string body;
+  int newton_iterations = 0;
+  int solver_iterations = 0;
+  double residual = 0;  // relative, of the last linear solve
+  bool converged = true;
+  bool reset = false;  // went non-finite: put back to its last good state
+  std::string note;    // for people
+};
+
+struct StepReport {
+  SimTime time;                               // of the state after the step
+  std::array<double, step_phases> seconds{};  // wall time per phase; measured outside what decides anything
+  double total_seconds = 0;
+  std::uint32_t contacts = 0;
+  std::uint32_t mixed_islands = 0;
+  std::uint32_t awake_bodies = 0, asleep_bodies = 0;
+  double kinetic_energy = 0, elastic_energy = 0, potential_energy = 0;  // J
+  std::vector<BodyReport> bodies;  // soft bodies that were solved, and any body with something to report
+};
+
+}  // namespace prosector
