@@ -71,19 +71,36 @@ struct DriverRow {
   std::unique_ptr<Device> (*open)(const std::string& path, const struct DeviceConfig& config);
 };
 
+inline constexpr std::size_t max_stations = 4;  // receivers of one tracker
+
+/// What a glove's raw counts mean; without one the driver learns each sensor's range from what it sees.
+struct GloveCalibration {
+  std::array<double, fingers> open{},
+      closed{};  // counts; open may be the larger where counts fall on bending
+};
+
 /// How a device stands in the room and what its gestures mean. Loaded from the client's configuration.
 struct DeviceConfig {
-  Pose room_device;             // pose of the device's own frame (tracker: transmitter) in the room
-  bool binary = true;           // fastrak: binary records
-  std::uint32_t stations = 1;   // fastrak: bit mask of active stations
+  Pose room_device;    // pose of the device's frame (tracker: x right, y up, −z forward) in the room
+  bool binary = true;  // fastrak: binary records
+  std::uint32_t stations = 1;  // fastrak: bit mask of active stations
+  std::array<Pose, max_stations>
+      mount;                    // fastrak: pose of the tracked thing (wrist, eyes) in its receiver's frame
   Vec3 hemisphere = {1, 0, 0};  // fastrak: zenith of the operational hemisphere, transmitter frame
   bool boresight = false;       // fastrak: boresight every station when it starts
   std::optional<std::array<double, 9>> alignment;  // fastrak: O, X, Y points of the alignment frame, cm
   bool left = false;                               // glove: left hand
-  double closed_above = 0.65, open_below = 0.35;   // glove: gesture thresholds
+  double closed_above = 0.65, open_below = 0.35;   // glove: gesture thresholds, flexion
+  double hysteresis = 0.05;                     // glove: how far past its threshold a finger keeps its state
+  bool pinch = false;                           // glove: thumb and index closed, the others open, is a pinch
+  bool falls_on_bending = false;                // glove: counts fall when a finger bends (some USB gloves)
+  std::optional<GloveCalibration> calibration;  // glove: fixed counts instead of learning them
 };
 
 const std::vector<DriverRow>& drivers();
+
+/// Throws InputError for an unknown driver (listing the known ones) or a missing path.
+DeviceAddress parse_device_address(const std::string& address);
 
 /// Opens by address; an unknown driver is an InputError that lists the known ones.
 std::unique_ptr<Device> open_device(const std::string& address, const DeviceConfig& config);

@@ -1,0 +1,43 @@
+#pragma once
+// The client's configuration file (TOML): which devices, how they stand in the room, what gestures do.
+// deploy/client.toml is a documented sample.
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "common/messages.h"
+#include "drivers/device.h"
+
+namespace prosector {
+
+/// What a tracker's receiver is fixed to.
+enum class StationRole : std::uint8_t { none, head, left_hand, right_hand };
+
+/// What making a gesture asks of the server.
+enum class GestureEvent : std::uint8_t { none, grasp, release, reset };
+
+struct GloveSettings {
+  std::string address;  // empty: no such glove
+  DeviceConfig device;
+};
+
+struct ClientConfig {
+  std::string tracker;  // address; empty: no tracker
+  DeviceConfig tracker_device;
+  std::array<StationRole, max_stations> stations{StationRole::right_hand};
+  std::array<GloveSettings, 2> gloves;  // left_hand, right_hand; `left` is set
+  std::map<Gesture, GestureEvent> gestures = {{Gesture::fist, GestureEvent::grasp},
+                                              {Gesture::flat, GestureEvent::release}};
+
+  ClientConfig() { gloves[left_hand].device.left = true; }
+};
+
+/// Throws InputError with file, line, key and what is allowed; unknown keys are errors.
+ClientConfig load_client_config(const std::filesystem::path& file);
+/// The same from text; `file` is only for messages.
+ClientConfig parse_client_config(std::string_view toml, const std::string& file);
+
+}  // namespace prosector

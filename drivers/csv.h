@@ -1,0 +1,40 @@
+#pragma once
+// Small CSV files with a header line that names the columns; '#' starts a comment line.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace prosector {
+
+class CsvTable {
+ public:
+  /// Throws InputError with file and line: unreadable, empty, unknown or repeated columns, rows of a wrong
+  /// length. `known` are the columns allowed.
+  CsvTable(const std::filesystem::path& file, const std::vector<std::string>& known);
+
+  std::size_t rows() const { return rows_.size(); }
+  bool has(std::string_view column) const { return find(column).has_value(); }
+  /// The text of a cell; empty when the column is absent.
+  std::string_view text(std::size_t row, std::string_view column) const;
+  /// The number in a cell, nothing when it is empty; InputError when it isn't a finite number.
+  std::optional<double> number(std::size_t row, std::string_view column) const;
+  /// The same where a number must be.
+  double required(std::size_t row, std::string_view column) const;
+  [[noreturn]] void fail(std::size_t row, const std::string& what) const;
+
+ private:
+  struct Row {
+    std::size_t line;
+    std::vector<std::string> cells;
+  };
+  std::optional<std::size_t> find(std::string_view column) const;
+
+  std::filesystem::path file_;
+  std::vector<std::string> columns_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace prosector

@@ -1,0 +1,48 @@
+// The table of drivers.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/error.h"
+#include "drivers/device.h"
+#include "drivers/fastrak.h"
+#include "drivers/five_dt.h"
+#include "drivers/recorded.h"
+
+namespace prosector {
+
+const std::vector<DriverRow>& drivers() {
+  static const std::vector<DriverRow> rows = {
+      {"fastrak", "Polhemus FASTRAK tracker on a serial port, fastrak:/dev/ttyS0", open_fastrak},
+      {"5dt", "5DT Data Glove 5 on a serial port, 5dt:/dev/ttyS1", open_five_dt},
+      {"5dt-usb", "5DT Data Glove Ultra over USB, 5dt-usb:/dev/hidraw0", open_five_dt_usb},
+      {"recorded", "samples from a CSV file, played once, recorded:hand.csv", open_recorded},
+      {"recorded-loop", "the same, again and again, recorded-loop:hand.csv", open_recorded_loop},
+  };
+  return rows;
+}
+
+DeviceAddress parse_device_address(const std::string& address) {
+  const auto colon = address.find(':');
+  const DeviceAddress parsed = {address.substr(0, colon),
+                                colon == std::string::npos ? "" : address.substr(colon + 1)};
+  std::string known;
+  for (const DriverRow& row : drivers()) known += fmt::format("{}{}", known.empty() ? "" : ", ", row.name);
+  const bool found = std::any_of(drivers().begin(), drivers().end(),
+                                 [&](const DriverRow& row) { return parsed.driver == row.name; });
+  if (!found)
+    throw InputError(fmt::format("device '{}': there is no driver '{}'; known are {} (DRIVER:PATH)", address,
+                                 parsed.driver, known));
+  if (parsed.path.empty())
+    throw InputError(fmt::format("device '{}': a path must follow, as in {}:PATH", address, parsed.driver));
+  return parsed;
+}
+
+std::unique_ptr<Device> open_device(const std::string& address, const DeviceConfig& config) {
+  const DeviceAddress parsed = parse_device_address(address);
+  const auto row = std::find_if(drivers().begin(), drivers().end(),
+                                [&](const DriverRow& r) { return parsed.driver == r.name; });
+  return row->open(parsed.path, config);
+}
+
+}  // namespace prosector

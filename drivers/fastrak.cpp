@@ -1,0 +1,200 @@
+#include "drivers/fastrak.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace prosector {
+namespace {
+
+constexpr unsigned fastrak_baud = 115200;
+constexpr std::int64_t stop_ns = 100'000'000;    // to let what was on its way arrive before it is flushed
+constexpr std::int64_t answer_ns = 500'000'000;  // for the answer to S
+constexpr std::int64_t gap_ns = 50'000'000;      // between commands: the device may drop what comes faster
+constexpr std::size_t status_width = 55;
+constexpr std::size_t max_error_record = 256;
+constexpr double metres_per_cm = 0.01;
+
+bool is_active(const DeviceConfig& config, std::size_t station) {
+  return (config.stations >> station & 1u) != 0;
+}
+
+std::string_view text(std::span<const std::uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace
+
+std::vector<std::string> fastrak_commands(const DeviceConfig& config) {
+  std::vector<std::string> commands = {"u", config.binary ? "f" : "F"};
+  for (std::size_t i = 0; i < max_stations; ++i) {
+    const std::size_t s = i + 1;
+    commands.push_back(fmt::format("l{},{}\r", s, is_active(config, i) ? 1 : 0));
+    if (!is_active(config, i)) continue;
+    commands.push_back(fmt::format("O{},2,11,1\r", s));
+    commands.push_back(fmt::format("R{}\r", s));
+    const Vec3& h = config.hemisphere;
+    commands.push_back(fmt::format("H{},{:.4f},{:.4f},{:.4f}\r", s, h.x(), h.y(), h.z()));
+    if (config.alignment) {
+      std::string points = fmt::format("A{}", s);
+      for (const double x : *config.alignment) points += fmt::format(",{:.2f}", x);
+      commands.push_back(points + "\r");
+    }
+    commands.push_back(fmt::format("{}{}\r", config.boresight ? 'B' : 'b', s));
+  }
+  commands.push_back("C");
+  return commands;
+}
+
+FastrakDevice::FastrakDevice(const std::string& path, const DeviceConfig& config)
+    : StreamDevice(path, fastrak_baud),
+      config_(config),
+      format_{config.binary, {2, 11, 1}},
+      commands_(fastrak_commands(config)) {}
+
+void FastrakDevice::started(std::int64_t now_ns) {
+  answered_ = false;
+  send(
+      "\x11"
+      "c");  // resume output if it was suspended, then stop continuous output
+  phase_ = Phase::stopping;
+  due_ns_ = now_ns + stop_ns;
+}
+
+void FastrakDevice::advance(std::int64_t now_ns) {
+  if (phase_ == Phase::streaming) {
+    if (now_ns >= due_ns_ && health().quiet_ns(now_ns) > silence_limit_ns) started(now_ns);
+    return;
+  }
+  if (now_ns < due_ns_) return;
+  if (phase_ == Phase::stopping) {
+    buffer().clear();
+    run_ = 0;
+    send("S");
+    phase_ = Phase::asked;
+    due_ns_ = now_ns + answer_ns;
+  } else if (phase_ == Phase::asked) {
+    started(now_ns);  // no answer in time
+  } else {
+    send(commands_[next_command_++]);
+    due_ns_ = now_ns + gap_ns;
+    if (next_command_ < commands_.size()) return;
+    phase_ = Phase::streaming;
+    due_ns_ = now_ns + silence_limit_ns;
+  }
+}
+
+void FastrakDevice::parse(std::int64_t now_ns, std::vector<DeviceSample>& out) {
+  if (phase_ == Phase::asked) {
+    parse_status();
+    if (answered_) {
+      phase_ = Phase::configuring;
+      next_command_ = 0;
+      due_ns_ = now_ns;
+    }
+  } else if (phase_ == Phase::configuring || phase_ == Phase::streaming) {
+    parse_records(now_ns, out);
+  }
+}
+
+void FastrakDevice::parse_status() {
+  const std::string_view bytes = text(buffer().bytes());
+  for (std::size_t i = 0; i + status_width <= bytes.size(); ++i) {
+    const std::string_view s = bytes.substr(i, status_width);
+    if (s[0] != '2' || s[2] != 'S' || s.substr(status_width - 2) != "\r\n") continue;
+    buffer().drop(i + status_width);
+    answered_ = true;
+    return;
+  }
+  if (bytes.size() > 4 * status_width) buffer().drop(bytes.size() - status_width);
+}
+
+int FastrakDevice::error_record_length() const {
+  constexpr std::string_view mark = "*ERROR*";
+  const std::string_view bytes = text(buffer().bytes());
+  if (bytes.size() < 3) return !bytes.empty() && bytes[0] == '2' ? -1 : 0;
+  if (bytes[0] != '2' || bytes[2] != 'E') return 0;
+  const std::string_view head = bytes.substr(3, mark.size());
+  if (mark.substr(0, head.size()) != head) return 0;
+  const std::size_t end = bytes.find("\r\n", 0);
+  if (end != std::string_view::npos && end < max_error_record) return static_cast<int>(end) + 2;
+  return bytes.size() < max_error_record ? -1 : 0;
+}
+
+void FastrakDevice::parse_records(std::int64_t now_ns, std::vector<DeviceSample>& out) {
+  const std::size_t width = fastrak::record_width(format_);
+  const auto end_run = [&] {
+    health().garbage(now_ns, run_);
+    run_ = 0;
+  };
+  while (!buffer().bytes().empty()) {
+    if (const int length = error_record_length(); length < 0) {
+      break;
+    } else if (length > 0) {
+      ++command_errors_;
+      command_error_ = std::string(text(buffer().bytes().first(static_cast<std::size_t>(length) - 2)));
+      buffer().drop(static_cast<std::size_t>(length));
+      continue;
+    }
+    if (buffer().bytes()[0] == '0' && buffer().bytes().size() < width) break;
+    const auto record =
+        buffer().bytes()[0] == '0' ? fastrak::decode(buffer().bytes().first(width), format_) : std::nullopt;
+    if (!record) {
+      ++run_;
+      buffer().drop(1);
+      continue;
+    }
+    end_run();
+    health().record(now_ns, width);
+    out.push_back(sample(*record));
+    buffer().drop(width);
+  }
+  end_run();
+}
+
+DeviceSample FastrakDevice::sample(const fastrak::Record& record) {
+  DeviceSample out;
+  out.station = record.station;
+  out.record = records_[record.station]++;
+  out.time_ns = buffer().time_ns();
+  out.error = station_error_[record.station] = record.error;
+  const auto& p = *record.position;
+  const auto& q = *record.quaternion;
+  out.raw_pose = {p[0], p[1], p[2], q[0], q[1], q[2], q[3]};
+  out.has_pose = record.error == ' ';  // with an error the device itself doesn't trust the pose
+  const Pose transmitter = {metres_per_cm * Vec3(p[0], p[1], p[2]),
+                            Quat(q[0], q[1], q[2], q[3]).normalized()};
+  out.pose = config_.room_device * fastrak::from_transmitter(transmitter) * config_.mount[record.station];
+  return out;
+}
+
+DeviceStatus FastrakDevice::status() const {
+  DeviceStatus status = StreamDevice::status();
+  const auto add = [&](const std::string& what) {
+    status.message += (status.message.empty() ? "" : "; ") + what;
+  };
+  if (command_errors_ > 0)
+    add(fmt::format("the tracker refused {} command(s), last: {}", command_errors_, command_error_));
+  for (std::size_t i = 0; i < max_stations; ++i)
+    if (station_error_[i] != ' ')
+      add(fmt::format("receiver {} reports error '{}': check its distance to the transmitter and to metal",
+                      i + 1, station_error_[i]));
+  return status;
+}
+
+std::string FastrakDevice::silent_hint() const {
+  return answered_ ? "it answers but sends no records: check that receivers are plugged in"
+                   : fmt::format("it does not answer: check power, cable and that it is set to {} baud",
+                                 fastrak_baud);
+}
+
+std::string FastrakDevice::babble_hint() const {
+  return fmt::format("check that it is a FASTRAK at {} baud, 8 data bits, no parity", fastrak_baud);
+}
+
+std::unique_ptr<Device> open_fastrak(const std::string& path, const DeviceConfig& config) {
+  return std::make_unique<FastrakDevice>(path, config);
+}
+
+}  // namespace prosector

@@ -1,0 +1,64 @@
+#pragma once
+// Polhemus FASTRAK data records: which items a station sends, how wide they are, and how to read them.
+// After the FASTRAK manual, revision G (2012).
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/math.h"
+
+namespace prosector::fastrak {
+
+/// One row of the table of output items.
+struct ItemRow {
+  int code;
+  std::size_t numbers;       // how many numbers it holds
+  std::size_t ascii_width;   // bytes of the whole item
+  std::size_t binary_width;  // bytes of the whole item
+  int decimals;              // of each number in ASCII
+  const char* name;
+};
+std::span<const ItemRow> item_table();
+/// The row of an item code, or nullptr.
+const ItemRow* find_item(int code);
+
+inline constexpr std::size_t max_items = 32;
+inline constexpr std::size_t number_width = 7;  // ASCII, each number
+inline constexpr std::size_t header_width = 3;  // '0', station, error character
+
+struct Format {
+  bool binary = false;
+  std::vector<int> items = {2, 4, 1};  // output list; the default of the device
+};
+std::size_t record_width(const Format& format);
+
+/// The device's frames are right-handed, +X forward, +Y right, +Z down; angles in degrees.
+struct Record {
+  std::uint32_t station = 0;  // 0-based
+  char error = ' ';
+  std::optional<std::array<float, 3>> position;                // the device's units
+  std::optional<std::array<float, 3>> angles;                  // azimuth, elevation, roll
+  std::array<std::optional<std::array<float, 3>>, 3> cosines;  // rows of the rotation matrix
+  std::optional<std::array<float, 4>> quaternion;              // scalar first
+  std::optional<bool> stylus;
+};
+
+/// Reads one record of exactly record_width(format) bytes. Nothing unless all of it is plausible: header,
+/// separators, numbers finite and in range, quaternion near unit length.
+std::optional<Record> decode(std::span<const std::uint8_t> bytes, const Format& format);
+
+/// R = Rz(azimuth)·Ry(elevation)·Rx(roll), degrees.
+Quat rotation(const std::array<float, 3>& angles);
+/// The inverse: azimuth and roll in (−180, 180], elevation in [−90, 90] degrees.
+std::array<double, 3> euler_angles(const Quat& q);
+
+/// The transmitter's frame (+X forward, +Y right, +Z down) to Prosector's (x right, y up, −z forward):
+/// x′ = Y, y′ = −Z, z′ = −X; for positions and, conjugated, for orientations.
+Pose from_transmitter(const Pose& transmitter);
+Pose to_transmitter(const Pose& device);
+
+}  // namespace prosector::fastrak

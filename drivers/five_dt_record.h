@@ -1,0 +1,36 @@
+#pragma once
+// What 5DT data gloves send: 9-byte packets on a serial line, 64-byte reports over USB.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "common/messages.h"
+
+namespace prosector::five_dt {
+
+inline constexpr char reset_command = 'A', stream_command = 'D', sample_command = 'C', info_command = 'G';
+inline constexpr std::uint8_t reset_answer = 0x55, packet_header = 0x80;
+inline constexpr std::size_t info_width = 32;
+
+/// Header, five fingers (0 open … 255 flexed), pitch, roll, XOR of the seven data bytes.
+inline constexpr std::size_t packet_width = 9;
+using Packet = std::array<std::uint8_t, packet_width>;
+
+/// 16 big-endian words (0–4095) and 32 bytes whose meaning isn't known; a 5-sensor glove's fingers are at
+/// words 0, 3, 6, 9, 12.
+inline constexpr std::size_t report_width = 64, report_words = 16, report_finger_stride = 3;
+inline constexpr std::uint16_t max_word = 4095;
+using Report = std::array<std::uint8_t, report_width>;
+
+using Counts = std::array<std::uint16_t, fingers>;  // thumb first
+
+/// Right gloves send thumb to little finger, left ones the reverse.
+Packet encode_packet(const Counts& counts, std::uint8_t pitch, std::uint8_t roll, bool left);
+std::optional<Counts> decode_packet(std::span<const std::uint8_t> bytes, bool left);
+
+Report encode_report(const Counts& counts);
+std::optional<Counts> decode_report(std::span<const std::uint8_t> bytes);
+
+}  // namespace prosector::five_dt

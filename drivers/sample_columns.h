@@ -1,0 +1,25 @@
+#pragma once
+// The columns that recordings and motion scripts share.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/math.h"
+#include "common/messages.h"
+#include "drivers/csv.h"
+
+namespace prosector {
+
+/// time, station, x y z, qw qx qy qz, thumb … little, gesture, buttons.
+const std::vector<std::string>& sample_columns();
+
+/// All throw InputError with file and line. Stations are counted from 1 in files, from 0 here; default 1.
+std::uint32_t read_station(const CsvTable& table, std::size_t row);
+/// Nothing when all its cells are empty; without a quaternion, the identity. Normalised.
+std::optional<Pose> read_pose(const CsvTable& table, std::size_t row);
+/// Nothing when all its cells are empty; each in [0, 1].
+std::optional<std::array<double, fingers>> read_flexion(const CsvTable& table, std::size_t row);
+
+}  // namespace prosector

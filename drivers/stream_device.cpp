@@ -1,0 +1,75 @@
+#include "drivers/stream_device.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/clock.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::int64_t first_reopen_ns = 100'000'000, last_reopen_ns = 2'000'000'000;
+constexpr std::size_t poll_bytes = 65536;  // a babbling device must not hold poll() for ever
+
+}  // namespace
+
+StreamDevice::StreamDevice(const std::string& path, unsigned baud)
+    : port_(path, baud), open_delay_ns_(first_reopen_ns) {}
+
+void StreamDevice::open(std::int64_t now_ns) {
+  if (port_.open()) {
+    open_delay_ns_ = first_reopen_ns;
+    buffer_.clear();
+    health_.opened(now_ns);
+    started(now_ns);
+  } else {
+    next_open_ns_ = now_ns + open_delay_ns_;
+    open_delay_ns_ = std::min(2 * open_delay_ns_, last_reopen_ns);
+  }
+}
+
+void StreamDevice::poll(std::vector<DeviceSample>& out) {
+  const std::int64_t now_ns = monotonic_ns();
+  if (!port_.is_open() && now_ns >= next_open_ns_) open(now_ns);
+  if (!port_.is_open()) return;
+  chunk_.clear();
+  port_.read(chunk_, poll_bytes);
+  buffer_.append(chunk_, monotonic_ns());
+  parse(now_ns, out);
+  if (port_.is_open()) advance(now_ns);
+  if (!port_.is_open()) {
+    health_.lost();
+    next_open_ns_ = now_ns + first_reopen_ns;
+  }
+}
+
+DeviceStatus StreamDevice::status() const {
+  DeviceStatus status;
+  status.health = health_.health(monotonic_ns());
+  status.records = health_.records();
+  status.resyncs = health_.resyncs();
+  status.skipped_bytes = health_.skipped_bytes();
+  status.reopens = health_.reopens();
+  switch (status.health) {
+    case DeviceHealth::absent:
+      status.message =
+          fmt::format("{}; check that it is plugged in and that you may read it; retrying",
+                      port_.error().empty() ? fmt::format("{} is not open", port_.path()) : port_.error());
+      break;
+    case DeviceHealth::silent:
+      status.message = fmt::format("{} is silent; {}; retrying", port_.path(), silent_hint());
+      break;
+    case DeviceHealth::babbling:
+      status.message = fmt::format("{} sends no valid records; {}", port_.path(), babble_hint());
+      break;
+    case DeviceHealth::connecting:
+      status.message = fmt::format("{} is starting", port_.path());
+      break;
+    case DeviceHealth::streaming:
+      break;
+  }
+  return status;
+}
+
+}  // namespace prosector
