@@ -49,11 +49,12 @@ struct RigidDesc {
 };
 
 /// [[soft.attach]]: tissue that holds the organ to its place: nodes inside the sphere are tied to their rest
-/// position.
+/// position by springs, a Winkler foundation over the tied volume, so that the total does not depend on the
+/// mesh: a node that carries V m³ gets stiffness·V N/m. From about 1e12 on it is a pin.
 struct AttachDesc {
   Vec3 center = Vec3::Zero();  // m, room frame
   double radius = 0.05;        // m
-  double stiffness = 2e5;      // N/m per m³ of tied tissue … Winkler foundation: N/m⁴·m³ = N/m
+  double stiffness = 2e5;      // N/m⁴: N/m per m³ of tied tissue
 };
 
 /// [[soft]]

@@ -17,6 +17,7 @@ struct Lame {
   double lambda;  // Pa
   double mu;      // Pa
 };
+/// Throws InputError unless E > 0 and −1 < ν < ½.
 Lame lame(double youngs_modulus, double poisson_ratio);
 
 /// W(F): works on batches of elements so that a law can be vectorised without touching who calls it.
@@ -30,7 +31,7 @@ class ConstitutiveLaw {
   /// First Piola stress P = ∂W/∂F, Pa.
   virtual void stress(std::span<const Mat3> F, std::span<Mat3> P) const = 0;
   /// ∂vec(P)/∂vec(F), Pa, column-major vec, with its negative eigenvalues projected to 0 so that Newton
-  /// descends.
+  /// descends (all laws project exactly, by known eigenvectors). Finite for every finite F.
   virtual void tangent(std::span<const Mat3> F, std::span<Mat9> dPdF) const = 0;
 };
 
@@ -41,6 +42,7 @@ struct LawRow {
   std::unique_ptr<ConstitutiveLaw> (*make)(const Lame&);
 };
 const std::vector<LawRow>& laws();
+/// Throws InputError that lists the names there are.
 std::unique_ptr<ConstitutiveLaw> make_law(const std::string& name, const Lame& constants);
 
 }  // namespace prosector

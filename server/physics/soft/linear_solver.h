@@ -25,19 +25,20 @@ class LinearOperator {
 
 struct SolverSettings {
   int max_iterations = 60;
-  double tolerance = 1e-3;  // on ‖r‖/‖b‖ in the preconditioner's norm
+  double tolerance = 1e-3;  // on ‖b − Hx‖/‖b‖ in the preconditioner's norm √(vᵀP⁻¹v)
 };
 
 struct SolveReport {
   int iterations = 0;
-  double residual = 0;  // relative, reached
+  double residual = 0;  // relative, of the returned x, recomputed from H·x; infinity: not finite, x is 0
   bool converged = false;
 };
 
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
-  /// Improves `x` (a warm start) towards H·x = b.
+  /// Improves `x` (a warm start, sized like b) towards H·x = b. Same input, same bits; allocates only when
+  /// the size changes.
   virtual SolveReport solve(const LinearOperator& H, const VecX& b, const SolverSettings& settings,
                             VecX& x) = 0;
 };
@@ -48,6 +49,7 @@ struct SolverRow {
   std::unique_ptr<LinearSolver> (*make)();
 };
 const std::vector<SolverRow>& solvers();
+/// Throws InputError that lists the names there are.
 std::unique_ptr<LinearSolver> make_solver(const std::string& name);
 
 }  // namespace prosector

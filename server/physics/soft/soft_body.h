@@ -2,9 +2,10 @@
 // One deformable: mesh + ConstitutiveLaw + TimeIntegrator + LinearSolver, chosen per object.
 //
 // What the island solver needs of it is its incremental potential and the derivatives
-//   E(x) = α/2·‖x − y‖²_M + W(x) + Σ_attach ½k‖x − x₀‖² + ½/h_d·‖x − x_n‖²_C
-// with C = damping_mass·M + damping_stiffness·K(x_n) (Rayleigh). Unknowns x: node positions, 3n, metres, room
-// frame.
+//   E(x) = α/2·‖x − y‖²_M + W(x) + Σ_attach ½k‖x − x₀‖² + 1/(2·dxdv)·‖x − x_v‖²_C
+// with C = damping_mass·M + damping_stiffness·K(x_n) (Rayleigh; K: the projected elastic tangent at the
+// step's start, so that C is constant while E is minimised) and α, y, x_v, dxdv as in time_integrator.h.
+// Unknowns x: node positions, 3n, metres, room frame.
 
 #include <memory>
 #include <span>
@@ -20,15 +21,15 @@ namespace prosector {
 /// State of one soft body: everything that changes the next tick's bits.
 struct SoftBodyState {
   Motion motion;
-  VecX warm_start;  // 3n: last step's change of velocity·h, starts Newton
+  VecX warm_start;  // 3n, m: last step's change of velocity times h, see SoftBody::initial_guess
   bool asleep = true;
   int quiet_ticks = 0;
 };
 
 class SoftBody {
  public:
-  /// `anatomy` is already in the room frame. Throws InputError for unknown rows, degenerate meshes, constants
-  /// out of range.
+  /// `anatomy` is already in the room frame. Throws InputError for unknown rows, a mesh without a usable
+  /// tetrahedron, indices or constants out of range. Degenerate tetrahedra are left out, their mass is not.
   SoftBody(const SoftDesc& desc, Anatomy anatomy);
   ~SoftBody();
   SoftBody(SoftBody&&) noexcept;
@@ -37,34 +38,49 @@ class SoftBody {
   const SoftDesc& desc() const;
   const Anatomy& anatomy() const;
   Eigen::Index nodes() const;
-  const VecX& node_mass() const;  // n, kg, lumped ρV/4
+  const VecX& node_mass() const;  // n, kg, lumped ρV/4; positive (see least_mass_share)
   double total_mass() const;      // kg
   std::span<const double> surface_area()
       const;  // m², of each surface vertex at rest (a third of its triangles)
   const TimeIntegrator& integrator() const;
-  std::uint64_t content_hash() const;  // connectivity, rest shape, masses: topology revision 0
+  std::size_t elements() const;              // that carry stress
+  std::size_t dropped_elements() const;      // degenerate ones
+  const VecX& attachment_stiffness() const;  // n, N/m; 0: free
+  std::uint64_t content_hash() const;        // connectivity, rest shape, masses: topology revision 0
 
   SoftBodyState initial_state() const;  // rest shape, at rest, asleep
 
-  // ---- One step. Caches (matrix, element batches) are members; nothing allocates after the constructor.
-  /// Starts a stage: y and α from the integrator; `x_n` (state.motion.x) fixes the damping matrix.
+  // ---- One step. Caches (matrix, element batches) are members; nothing allocates after the constructor,
+  // except Eigen's numeric factorisation within factor_solve.
+  /// Starts a stage: α, y, x_v from the integrator; state.motion.x fixes the damping matrix.
   void begin_stage(int stage_index, double h, const Vec3& gravity, const SoftBodyState& state);
-  /// E(x), J.
-  double energy(const VecX& x);
+  const Stage& stage() const;
+  /// Where Newton may start: x_n + h·v_n + warm_start, what constant acceleration would lead to.
+  void initial_guess(double h, const SoftBodyState& state, Eigen::Ref<VecX> x) const;
+  /// E(x), J. Not finite only for positions that are not, or so far away that it overflows.
+  double energy(const Eigen::Ref<const VecX>& x);
   /// ∂E/∂x into `g` (3n, N).
-  void gradient(const VecX& x, VecX& g);
-  /// Assembles the (projected, SPD) Hessian at x for multiply, diagonal and factor.
-  void assemble(const VecX& x);
+  void gradient(const Eigen::Ref<const VecX>& x, Eigen::Ref<VecX> g);
+  /// Assembles the (projected, SPD) Hessian at x for multiply, diagonal and factor_solve.
+  void assemble(const Eigen::Ref<const VecX>& x);
+  /// The same at x_n: costs next to nothing when damping_stiffness > 0, because begin_stage has K(x_n). As a
+  /// first Newton matrix near x_n it is as good.
+  void assemble_at_start();
   void multiply(const double* p, double* Hp) const;  // 3n each
   void diagonal(std::span<Mat3> blocks) const;       // n
-  void factor_solve(const double* r,
-                    double* z) const;  // z = H⁻¹r, sparse Cholesky of the last assemble(), lazily
+  /// z = H⁻¹r by sparse Cholesky of the last assemble(), lazily factored; 3n each. Not for two threads at
+  /// once on one body.
+  void factor_solve(const double* r, double* z) const;
   /// Takes the minimiser into the state.
-  void finish_stage(int stage_index, double h, const VecX& x, SoftBodyState& state) const;
+  void finish_stage(int stage_index, double h, const Eigen::Ref<const VecX>& x, SoftBodyState& state) const;
 
   /// Elastic + attachment energy at x, J (for reports; without inertia and damping).
-  double elastic_energy(const VecX& x);
-  double kinetic_energy(const SoftBodyState& state) const;
+  double elastic_energy(const Eigen::Ref<const VecX>& x);
+  double kinetic_energy(const SoftBodyState& state) const;  // J
+
+  /// A node that no tetrahedron, or only flat ones, give a mass gets this share of the mean one: every
+  /// unknown needs inertia.
+  static constexpr double least_mass_share = 1e-6;
 
  private:
   struct Impl;

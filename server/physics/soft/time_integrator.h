@@ -1,5 +1,14 @@
 #pragma once
 // Time integrators as stages of a minimisation, so that an island of several bodies can be solved as one.
+//
+// M·v̇ = M·g − ∂W/∂x − C·v, ẋ = v. An implicit stage closes with
+//   x = x_v + c·v,   v = v_h + c·a(x)        (c: `dxdv`; x_v, v_h: combinations of past states)
+// and thus minimises
+//   E(x) = α/2·‖x − y‖²_M + W(x) + 1/(2c)·‖x − x_v‖²_C,   α = 1/c²,   y = x_v + c·v_h + c²·g;
+// its velocity is v = (x − x_v)/c. Gravity is in y, so that ‖x − y‖ is what forces other than gravity do.
+//   implicit Euler: c = h,     x_v = x_n,                v_h = v_n
+//   BDF2:           c = 2h/3,  x_v = (4x_n − x_{n−1})/3, v_h = (4v_n − v_{n−1})/3
+// (Gear 1971; as a minimisation: Gast et al. 2015.)
 
 #include <memory>
 #include <string>
@@ -11,16 +20,19 @@ namespace prosector {
 
 /// The part of a soft body's state that integrators read and write; everything here is saved and hashed.
 struct Motion {
-  VecX x, v;                 // 3n: metres, m/s
-  VecX x_prev, v_prev;       // one step ago, for multistep methods
-  bool has_history = false;  // false after a start, a cut or a reset: multistep methods restart
+  VecX x, v;            // 3n: metres, m/s
+  VecX x_prev, v_prev;  // one step ago, for multistep methods
+  /// False after a start, a cut or a reset: multistep methods restart. Whoever changes h, x or v from
+  /// outside sets it to false.
+  bool has_history = false;
 };
 
-/// The next x minimises  alpha/2·‖x − y‖²_M + W(x) + ½/h_d·‖x − x_n‖²_{C} − external work.
+/// What a stage minimises, see above.
 struct Stage {
-  double alpha = 0;  // 1/s²: 1/h² for implicit Euler
-  VecX y;            // 3n, m: where inertia (and gravity) alone would take the nodes
-  double dxdv = 0;   // s: velocity after the step is (x − y_v)/dxdv, and h_d of the damping term
+  double alpha = 0;  // 1/s²
+  double dxdv = 0;   // s: c
+  VecX y;            // 3n, m: where inertia and gravity alone would take the nodes
+  VecX x_v;          // 3n, m: the velocity after the stage is (x − x_v)/dxdv
 };
 
 class TimeIntegrator {
@@ -30,8 +42,9 @@ class TimeIntegrator {
   /// `h` s, `gravity` m/s² (zero for bodies without). Writes into `stage` without allocating once sized.
   virtual void begin(int stage_index, double h, const Vec3& gravity, const Motion& motion,
                      Stage& stage) const = 0;
-  /// Takes the minimiser x of the stage into the motion.
-  virtual void finish(int stage_index, double h, const Stage& stage, const VecX& x, Motion& motion) const = 0;
+  /// Takes the minimiser x of the stage into the motion; after the last stage the step is done.
+  virtual void finish(int stage_index, double h, const Stage& stage, const Eigen::Ref<const VecX>& x,
+                      Motion& motion) const = 0;
 };
 
 struct IntegratorRow {
@@ -40,6 +53,7 @@ struct IntegratorRow {
   std::unique_ptr<TimeIntegrator> (*make)();
 };
 const std::vector<IntegratorRow>& integrators();
+/// Throws InputError that lists the names there are.
 std::unique_ptr<TimeIntegrator> make_integrator(const std::string& name);
 
 }  // namespace prosector

@@ -1,0 +1,38 @@
+#pragma once
+// Loops in parallel whose results don't depend on how many threads ran them.
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace prosector {
+
+/// How many chunks `parallel_chunks` cuts n items into.
+constexpr std::size_t chunk_count(std::size_t n, std::size_t chunk) {
+  return (n + chunk - 1) / chunk;
+}
+
+/// Calls f(begin, end, chunk_index) for fixed ranges of `chunk` items of [0, n). The ranges depend on n and
+/// `chunk` alone, so whoever writes only to its own items, or sums within a chunk and then over the chunks in
+/// order, gets equal bits for any number of threads. Runs in the caller's tbb::task_arena and within tbb's
+/// global limits.
+template <class F>
+void parallel_chunks(std::size_t n, std::size_t chunk, const F& f) {
+  const std::size_t chunks = chunk_count(n, chunk);
+  const auto run = [&](std::size_t c) { f(c * chunk, std::min(n, (c + 1) * chunk), c); };
+  if (chunks <= 1) {
+    if (chunks == 1) run(0);
+    return;
+  }
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, chunks),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t c = range.begin(); c != range.end(); ++c) run(c);
+      },
+      tbb::auto_partitioner());
+}
+
+}  // namespace prosector

@@ -1,0 +1,95 @@
+#include "server/physics/soft/block_matrix.h"
+
+#include <algorithm>
+#include <set>
+
+#include "server/physics/parallel.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t rows_per_chunk = 128;
+
+}  // namespace
+
+BlockPattern::BlockPattern(std::size_t nodes, const Tet4Elements& elements) {
+  std::vector<std::set<std::uint32_t>> neighbours(nodes);
+  for (std::uint32_t i = 0; i < nodes; ++i) neighbours[i].insert(i);
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    for (std::uint32_t i : elements.nodes(e)) {
+      neighbours[i].insert(elements.nodes(e).begin(), elements.nodes(e).end());
+    }
+  }
+  row_begin_.push_back(0);
+  for (const auto& row : neighbours) {
+    column_.insert(column_.end(), row.begin(), row.end());
+    row_begin_.push_back(column_.size());
+  }
+  const auto find = [&](std::uint32_t i, std::uint32_t j) {
+    const auto first = column_.begin() + static_cast<std::ptrdiff_t>(row_begin_[i]);
+    const auto last = column_.begin() + static_cast<std::ptrdiff_t>(row_begin_[i + 1]);
+    return static_cast<std::size_t>(std::lower_bound(first, last, j) - column_.begin());
+  };
+
+  std::vector<std::vector<Term>> sums(column_.size());
+  for (std::uint32_t e = 0; e < elements.size(); ++e) {
+    const auto& n = elements.nodes(e);
+    for (int a = 0; a < Tet4Elements::nodes_per_element; ++a) {
+      for (int b = a; b < Tet4Elements::nodes_per_element; ++b) {
+        const std::uint32_t i = n[static_cast<std::size_t>(a)], j = n[static_cast<std::size_t>(b)];
+        const auto pair = static_cast<std::uint8_t>(Tet4Elements::pair_index(a, b));
+        sums[find(std::min(i, j), std::max(i, j))].push_back({e, pair, i > j});
+      }
+    }
+  }
+  term_begin_.push_back(0);
+  for (const auto& sum : sums) {
+    terms_.insert(terms_.end(), sum.begin(), sum.end());
+    term_begin_.push_back(terms_.size());
+  }
+  mirror_.resize(column_.size());
+  for (std::uint32_t i = 0; i < nodes; ++i) {
+    diagonal_.push_back(find(i, i));
+    for (std::size_t k = begin(i); k < end(i); ++k) mirror_[k] = find(column_[k], i);
+  }
+}
+
+void BlockPattern::gather(std::span<const Tet4Elements::Stiffness> elements, std::span<Mat3> values) const {
+  parallel_chunks(rows(), rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i) {
+      for (std::size_t k = diagonal_[i]; k < end(i); ++k) {
+        Mat3 sum = Mat3::Zero();
+        for (std::size_t t = term_begin_[k]; t < term_begin_[k + 1]; ++t) {
+          const Mat3& block = elements[terms_[t].element][terms_[t].pair];
+          if (terms_[t].transposed) {
+            sum += block.transpose();
+          } else {
+            sum += block;
+          }
+        }
+        values[k] = sum;
+        if (k != diagonal_[i]) values[mirror_[k]] = sum.transpose();
+      }
+    }
+  });
+}
+
+void BlockPattern::multiply(std::span<const Mat3> values, const double* x, double* y) const {
+  parallel_chunks(rows(), rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i) {
+      double y0 = 0, y1 = 0, y2 = 0;
+      for (std::size_t k = begin(i); k < end(i); ++k) {
+        const double* A = values[k].data();
+        const double* p = x + 3 * std::size_t{column_[k]};
+        y0 += A[0] * p[0] + A[3] * p[1] + A[6] * p[2];
+        y1 += A[1] * p[0] + A[4] * p[1] + A[7] * p[2];
+        y2 += A[2] * p[0] + A[5] * p[1] + A[8] * p[2];
+      }
+      y[3 * i] = y0;
+      y[3 * i + 1] = y1;
+      y[3 * i + 2] = y2;
+    }
+  });
+}
+
+}  // namespace prosector

@@ -1,0 +1,47 @@
+#pragma once
+// Symmetric sparse matrices of 3×3 blocks, one row of blocks per node.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "server/physics/soft/tet4.h"
+
+namespace prosector {
+
+/// Where the blocks of a body's matrices are, and which element blocks each of them sums: both triangles are
+/// stored, so that a product reads rows only and rows may run in parallel.
+class BlockPattern {
+ public:
+  BlockPattern(std::size_t nodes, const Tet4Elements& elements);
+
+  std::size_t rows() const { return row_begin_.size() - 1; }
+  std::size_t blocks() const { return column_.size(); }
+  std::size_t begin(std::size_t row) const { return row_begin_[row]; }
+  std::size_t end(std::size_t row) const { return row_begin_[row + 1]; }
+  std::uint32_t column(std::size_t block) const { return column_[block]; }
+  std::size_t diagonal(std::size_t row) const { return diagonal_[row]; }
+
+  /// values[block] = Σ over the elements, each sum in order of the elements: no matter who computes it, its
+  /// bits are the same.
+  void gather(std::span<const Tet4Elements::Stiffness> elements, std::span<Mat3> values) const;
+
+  /// y = A·x for 3n vectors.
+  void multiply(std::span<const Mat3> values, const double* x, double* y) const;
+
+ private:
+  /// One element's block in a sum.
+  struct Term {
+    std::uint32_t element;
+    std::uint8_t pair;
+    bool transposed;
+  };
+  std::vector<std::size_t> row_begin_;
+  std::vector<std::uint32_t> column_;  // ascending within a row
+  std::vector<std::size_t> diagonal_;
+  std::vector<std::size_t> mirror_;      // per block of the upper triangle: its transpose
+  std::vector<std::size_t> term_begin_;  // per block; the lower triangle has none
+  std::vector<Term> terms_;
+};
+
+}  // namespace prosector

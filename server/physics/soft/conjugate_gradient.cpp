@@ -1,0 +1,82 @@
+#include "server/physics/soft/conjugate_gradient.h"
+
+#include <cmath>
+#include <limits>
+
+namespace prosector {
+namespace {
+
+using Preconditioner = void (LinearOperator::*)(const VecX& r, VecX& z) const;
+
+class ConjugateGradient final : public LinearSolver {
+ public:
+  explicit ConjugateGradient(Preconditioner preconditioner) : precondition_(preconditioner) {}
+
+  SolveReport solve(const LinearOperator& H, const VecX& b, const SolverSettings& settings,
+                    VecX& x) override {
+    resize(b.size());
+    SolveReport report;
+    const double b_norm = preconditioned_norm(H, b);
+    if (b_norm == 0) {
+      x.setZero();
+      report.converged = true;
+      return report;
+    }
+    const double goal = settings.tolerance * b_norm;
+    if (!x.allFinite()) x.setZero();
+    residual(H, b, x);
+    (H.*precondition_)(r_, z_);
+    double rho = r_.dot(z_);
+    p_ = z_;
+    while (report.iterations < settings.max_iterations && std::sqrt(rho) > goal) {
+      H.multiply(p_, q_);
+      const double curvature = p_.dot(q_);
+      if (!(curvature > 0) || !std::isfinite(curvature)) break;  // not positive definite, or not finite
+      const double step = rho / curvature;
+      x += step * p_;
+      r_ -= step * q_;
+      ++report.iterations;
+      (H.*precondition_)(r_, z_);
+      const double rho_next = r_.dot(z_);
+      p_ = z_ + (rho_next / rho) * p_;
+      rho = rho_next;
+    }
+    // The recurrence's residual drifts from the true one: report the true.
+    residual(H, b, x);
+    report.residual = preconditioned_norm(H, r_) / b_norm;
+    report.converged = report.residual <= 1.01 * settings.tolerance;
+    if (!std::isfinite(report.residual)) {
+      x.setZero();
+      report.residual = std::numeric_limits<double>::infinity();
+    }
+    return report;
+  }
+
+ private:
+  void resize(Eigen::Index n) {
+    for (VecX* v : {&r_, &z_, &p_, &q_}) v->resize(n);
+  }
+  void residual(const LinearOperator& H, const VecX& b, const VecX& x) {
+    H.multiply(x, q_);
+    r_ = b - q_;
+  }
+  double preconditioned_norm(const LinearOperator& H, const VecX& v) {
+    (H.*precondition_)(v, z_);
+    return std::sqrt(v.dot(z_));
+  }
+
+  Preconditioner precondition_;
+  VecX r_, z_, p_, q_;
+};
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> make_cg() {
+  return std::make_unique<ConjugateGradient>(&LinearOperator::block_jacobi);
+}
+
+std::unique_ptr<LinearSolver> make_direct() {
+  return std::make_unique<ConjugateGradient>(&LinearOperator::elastic_factor);
+}
+
+}  // namespace prosector

@@ -1,0 +1,43 @@
+#include "server/physics/soft/constitutive_law.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "common/error.h"
+#include "server/physics/soft/fem_laws.h"
+#include "server/physics/soft/find_row.h"
+
+namespace prosector {
+
+Lame lame(double youngs_modulus, double poisson_ratio) {
+  if (!(youngs_modulus > 0) || !std::isfinite(youngs_modulus)) {
+    throw InputError(fmt::format("youngs_modulus is {}; allowed: positive, in Pa", youngs_modulus));
+  }
+  if (!(poisson_ratio > -1 && poisson_ratio < 0.5)) {
+    throw InputError(
+        fmt::format("poisson_ratio is {}; allowed: above -1, below 0.5 (at 0.5 the volume cannot change)",
+                    poisson_ratio));
+  }
+  return {youngs_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio)),
+          youngs_modulus / (2 * (1 + poisson_ratio))};
+}
+
+const std::vector<LawRow>& laws() {
+  static const std::vector<LawRow> rows = {
+      {"fem_linear", "small strain, constant matrix; for small rotations", make_fem_linear},
+      {"fem_corotational", "linear in the material's own frame; moderate strain, any rotation",
+       make_fem_corotational},
+      {"fem_neo_hookean", "stable neo-Hookean that recovers from collapse; large strain",
+       make_fem_neo_hookean},
+      {"fem_neo_hookean_polynomial", "stable neo-Hookean without the logarithm; large strain, no collapse",
+       make_fem_neo_hookean_polynomial},
+  };
+  return rows;
+}
+
+std::unique_ptr<ConstitutiveLaw> make_law(const std::string& name, const Lame& constants) {
+  return find_row(laws(), "model", name).make(constants);
+}
+
+}  // namespace prosector

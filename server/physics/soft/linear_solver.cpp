@@ -1,0 +1,21 @@
+#include "server/physics/soft/linear_solver.h"
+
+#include "server/physics/soft/conjugate_gradient.h"
+#include "server/physics/soft/find_row.h"
+
+namespace prosector {
+
+const std::vector<SolverRow>& solvers() {
+  static const std::vector<SolverRow> rows = {
+      {"cg", "conjugate gradients, block Jacobi: little work for little accuracy", make_cg},
+      {"direct", "sparse Cholesky, refined over contacts: stiff, nearly incompressible or slender bodies",
+       make_direct},
+  };
+  return rows;
+}
+
+std::unique_ptr<LinearSolver> make_solver(const std::string& name) {
+  return find_row(solvers(), "solver", name).make();
+}
+
+}  // namespace prosector

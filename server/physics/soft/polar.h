@@ -1,0 +1,24 @@
+#pragma once
+// The rotation in a deformation gradient.
+
+#include "common/math.h"
+
+namespace prosector {
+
+/// F = R·S with R the proper rotation closest to F (it maximises tr(RᵀF)) and S symmetric. For det F < 0 the
+/// smallest principal stretch in S is negative. In terms of principal stretches σ₁ ≥ σ₂ ≥ |σ₃| every sum
+/// σᵢ + σⱼ ≥ 0, and R is unique unless σ₂ + σ₃ = 0.
+struct Polar {
+  Mat3 R, S;
+};
+
+/// For every finite F, also flat, a line, a point or mirrored, R is a proper rotation to rounding (one of the
+/// closest where there are several; the identity for a point or a non-finite F).
+///
+/// Method: the unit quaternion of R is the eigenvector of Horn's symmetric 4×4 matrix (Horn 1987, JOSA A 4)
+/// for its largest eigenvalue, σ₁+σ₂+σ₃: Newton on the characteristic quartic from the bound √3‖F‖ (Theobald
+/// 2005, Acta Cryst. A61), then a column of the adjugate. Where the two largest eigenvalues nearly coincide
+/// an orthogonal eigensolver takes over.
+Polar polar(const Mat3& F);
+
+}  // namespace prosector

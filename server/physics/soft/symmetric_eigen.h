@@ -1,0 +1,17 @@
+#pragma once
+// Eigenvalues of symmetric 3×3 matrices: cyclic Jacobi rotations (Golub & Van Loan, §8.5), which keep the
+// vectors orthonormal however close the values are.
+
+#include "common/math.h"
+
+namespace prosector {
+
+struct SymmetricEigen {
+  Vec3 values;   // in no particular order
+  Mat3 vectors;  // orthonormal columns
+};
+
+/// `A` must be symmetric and finite; only its upper triangle is read.
+SymmetricEigen symmetric_eigen(const Mat3& A);
+
+}  // namespace prosector

@@ -1,0 +1,104 @@
+#include "server/physics/soft/tet4.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace prosector {
+namespace {
+
+/// Edges from node 0 as columns.
+Mat3 edges(const TetMesh& mesh, const Tet4Elements::Nodes& tet) {
+  Mat3 D;
+  for (int a = 0; a < 3; ++a) {
+    D.col(a) = mesh.positions[tet[static_cast<std::size_t>(a) + 1]] - mesh.positions[tet[0]];
+  }
+  return D;
+}
+
+double longest_edge(const Mat3& D) {
+  const double from_0 = D.colwise().squaredNorm().maxCoeff();
+  const double others = std::max({(D.col(0) - D.col(1)).squaredNorm(), (D.col(1) - D.col(2)).squaredNorm(),
+                                  (D.col(2) - D.col(0)).squaredNorm()});
+  return std::sqrt(std::max(from_0, others));
+}
+
+}  // namespace
+
+Tet4Elements::Tet4Elements(const TetMesh& mesh) {
+  nodes_.reserve(mesh.tets.size());
+  gradients_.reserve(mesh.tets.size());
+  volume_.reserve(mesh.tets.size());
+  for (Nodes tet : mesh.tets) {
+    Mat3 D = edges(mesh, tet);
+    if (D.determinant() < 0) {
+      std::swap(tet[2], tet[3]);
+      D.col(1).swap(D.col(2));
+    }
+    const double six_volumes = D.determinant(), length = longest_edge(D);
+    if (!(six_volumes > least_quality * length * length * length)) {
+      ++dropped_;
+      continue;
+    }
+    nodes_.push_back(tet);
+    gradients_.push_back(D.inverse().transpose());
+    volume_.push_back(six_volumes / 6);
+  }
+}
+
+Mat3 Tet4Elements::deformation_gradient(std::size_t e, const double* x) const {
+  const Nodes& n = nodes_[e];
+  const auto at = [&](std::size_t a) { return Eigen::Map<const Vec3>(x + 3 * std::size_t{n[a]}); };
+  const Vec3 x0 = at(0);
+  Mat3 D;
+  D.col(0) = at(1) - x0;
+  D.col(1) = at(2) - x0;
+  D.col(2) = at(3) - x0;
+  return D * gradients_[e].transpose();
+}
+
+void Tet4Elements::forces(std::size_t e, const Mat3& P, Forces& f) const {
+  const Mat3 G = volume_[e] * P * gradients_[e];
+  f[1] = G.col(0);
+  f[2] = G.col(1);
+  f[3] = G.col(2);
+  f[0] = -(f[1] + f[2] + f[3]);
+}
+
+void Tet4Elements::stiffness(std::size_t e, const Mat9& dPdF, Stiffness& K) const {
+  const Mat3& B = gradients_[e];
+  // Columns contracted with b_b: rows are still those of vec(P).
+  std::array<Eigen::Matrix<double, 9, 3>, 3> Q;
+  for (int b = 0; b < 3; ++b) {
+    const Vec3 w = volume_[e] * B.col(b);
+    Q[static_cast<std::size_t>(b)] =
+        w[0] * dPdF.leftCols<3>() + w[1] * dPdF.middleCols<3>(3) + w[2] * dPdF.rightCols<3>();
+  }
+  const auto block = [&](int a, int b) -> Mat3& { return K[static_cast<std::size_t>(pair_index(a, b))]; };
+  for (int a = 0; a < 3; ++a) {
+    for (int b = a; b < 3; ++b) {
+      const auto& q = Q[static_cast<std::size_t>(b)];
+      block(a + 1, b + 1) =
+          B(0, a) * q.topRows<3>() + B(1, a) * q.middleRows<3>(3) + B(2, a) * q.bottomRows<3>();
+    }
+  }
+  // Node 0 from the others: rows and columns of K sum to zero.
+  block(0, 1) = -(block(1, 1) + block(1, 2).transpose() + block(1, 3).transpose());
+  block(0, 2) = -(block(1, 2) + block(2, 2) + block(2, 3).transpose());
+  block(0, 3) = -(block(1, 3) + block(2, 3) + block(3, 3));
+  block(0, 0) = -(block(0, 1) + block(0, 2) + block(0, 3));
+  // Exactly symmetric, which rounding in the sum above would spoil.
+  const Mat3 symmetric = 0.5 * (block(0, 0) + block(0, 0).transpose());
+  block(0, 0) = symmetric;
+}
+
+VecX Tet4Elements::lumped_volume(const TetMesh& mesh) {
+  VecX volume = VecX::Zero(static_cast<Eigen::Index>(mesh.positions.size()));
+  for (const Nodes& tet : mesh.tets) {
+    const double share = std::abs(edges(mesh, tet).determinant()) / 24;
+    for (std::uint32_t node : tet) volume[node] += share;
+  }
+  return volume;
+}
+
+}  // namespace prosector

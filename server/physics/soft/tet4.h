@@ -1,0 +1,56 @@
+#pragma once
+// Linear tetrahedra: the element type that SoftBody is built of. Everything that knows the shape functions
+// stands here; another element type is another such file.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "common/mesh.h"
+#include "server/physics/soft/constitutive_law.h"
+
+namespace prosector {
+
+/// Shape functions are linear, so one F and one P per element: F = Σ_a x_a b_aᵀ with b_a = ∇N_a at rest.
+class Tet4Elements {
+ public:
+  static constexpr int nodes_per_element = 4;
+  using Nodes = std::array<std::uint32_t, nodes_per_element>;
+  using Forces = std::array<Vec3, nodes_per_element>;
+  /// Upper triangle of the element's stiffness by node pairs, in the order of pair_index.
+  using Stiffness = std::array<Mat3, nodes_per_element*(nodes_per_element + 1) / 2>;
+  /// Index of the pair a ≤ b in Stiffness.
+  static constexpr int pair_index(int a, int b) { return a * (7 - a) / 2 + b; }
+
+  /// Takes the elements that can strain: a tetrahedron flatter than `least_quality` or of no volume would
+  /// only bring 1/0 and is left out (its mass is not, see lumped_volume). Mirrored numbering is turned round.
+  /// Node indices must be in range.
+  explicit Tet4Elements(const TetMesh& mesh);
+
+  std::size_t size() const { return nodes_.size(); }
+  std::size_t dropped() const { return dropped_; }
+  const Nodes& nodes(std::size_t e) const { return nodes_[e]; }
+  double volume(std::size_t e) const { return volume_[e]; }  // m³, at rest
+
+  /// F at node positions x (3n).
+  Mat3 deformation_gradient(std::size_t e, const double* x) const;
+  /// V·P·b_a: the gradient of the element's energy.
+  void forces(std::size_t e, const Mat3& P, Forces& f) const;
+  /// V·b_aᵀ·(∂P/∂F)·b_b for a ≤ b.
+  void stiffness(std::size_t e, const Mat9& dPdF, Stiffness& K) const;
+
+  /// m³ of each node: a quarter of every tetrahedron around it, dropped ones included. Times the density
+  /// this is the lumped mass.
+  static VecX lumped_volume(const TetMesh& mesh);
+
+  /// 6V over the cube of the longest edge; 0.71 for the regular tetrahedron.
+  static constexpr double least_quality = 1e-4;
+
+ private:
+  std::vector<Nodes> nodes_;
+  std::vector<Mat3> gradients_;  // columns b_1, b_2, b_3; b_0 = −(b_1 + b_2 + b_3)
+  std::vector<double> volume_;
+  std::size_t dropped_ = 0;
+};
+
+}  // namespace prosector

@@ -1,0 +1,103 @@
+#pragma once
+// Steps one free soft body: projected Newton with a line search. The server's island solver does this for
+// many bodies and contacts; tests need just this much.
+
+#include <cmath>
+#include <vector>
+
+#include "server/physics/soft/soft_body.h"
+
+namespace prosector {
+
+class BodyOperator final : public LinearOperator {
+ public:
+  explicit BodyOperator(const SoftBody& body) : body_(body), inverse_(blocks()) {}
+  void update() {
+    body_.diagonal(inverse_);
+    for (Mat3& block : inverse_) block = block.inverse().eval();
+  }
+  Eigen::Index size() const override { return 3 * body_.nodes(); }
+  void multiply(const VecX& p, VecX& Hp) const override { body_.multiply(p.data(), Hp.data()); }
+  void block_jacobi(const VecX& r, VecX& z) const override {
+    for (Eigen::Index i = 0; i < body_.nodes(); ++i) {
+      z.segment<3>(3 * i) = inverse_[static_cast<std::size_t>(i)] * r.segment<3>(3 * i);
+    }
+  }
+  void elastic_factor(const VecX& r, VecX& z) const override { body_.factor_solve(r.data(), z.data()); }
+
+ private:
+  std::size_t blocks() const { return static_cast<std::size_t>(body_.nodes()); }
+  const SoftBody& body_;
+  std::vector<Mat3> inverse_;
+};
+
+struct StepperSettings {
+  int newton_iterations = 50;
+  double tolerance = 1e-10;  // on ‖gradient‖ relative to the step's first
+  SolverSettings solver = {2000, 1e-8};
+};
+
+class Stepper {
+ public:
+  explicit Stepper(SoftBody& body, StepperSettings settings = {})
+      : body_(body), settings_(settings), H_(body), solver_(make_solver(body.desc().solver)) {}
+
+  /// Newton iterations taken.
+  int step(double h, const Vec3& gravity, SoftBodyState& state) {
+    int iterations = 0;
+    for (int stage = 0; stage < body_.integrator().stages(); ++stage) {
+      body_.begin_stage(stage, h, gravity, state);
+      VecX x = state.motion.x;
+      iterations += minimise(x);
+      body_.finish_stage(stage, h, x, state);
+    }
+    return iterations;
+  }
+
+  /// Steps so long that inertia vanishes: the static equilibrium.
+  void settle(const Vec3& gravity, SoftBodyState& state, int steps = 4, double h = 100) {
+    for (int i = 0; i < steps; ++i) {
+      step(h, gravity, state);
+      state.motion.v.setZero();
+      state.motion.has_history = false;
+    }
+  }
+
+ private:
+  int minimise(VecX& x) {
+    VecX g(x.size()), dx = VecX::Zero(x.size()), trial(x.size());
+    double first = 0;
+    for (int iteration = 0; iteration < settings_.newton_iterations; ++iteration) {
+      body_.gradient(x, g);
+      if (iteration == 0) first = g.norm();
+      if (g.norm() <= settings_.tolerance * first) return iteration;
+      body_.assemble(x);
+      H_.update();
+      dx.setZero();
+      solver_->solve(H_, -g, settings_.solver, dx);
+      if (!line_search(x, g, dx, trial)) return iteration + 1;
+    }
+    return settings_.newton_iterations;
+  }
+
+  /// Armijo, up to the energy's rounding; false when no descent is left.
+  bool line_search(VecX& x, const VecX& g, const VecX& dx, VecX& trial) {
+    const double start = body_.energy(x), slope = g.dot(dx);
+    const double rounding = 1e-13 * std::abs(start);
+    for (double t = 1; t > 1e-6; t /= 2) {
+      trial = x + t * dx;
+      if (body_.energy(trial) <= start + 1e-4 * t * slope + rounding) {
+        x = trial;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  SoftBody& body_;
+  StepperSettings settings_;
+  BodyOperator H_;
+  std::unique_ptr<LinearSolver> solver_;
+};
+
+}  // namespace prosector
