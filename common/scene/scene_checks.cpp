@@ -1,0 +1,144 @@
+#include "common/scene/scene_checks.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <vector>
+
+#include "common/error.h"
+#include "common/scene/suggest.h"
+
+namespace prosector {
+namespace {
+
+/// A body, whichever kind, and where it was written.
+struct Entry {
+  std::string table;  // "soft[0]"
+  std::string where;  // [[soft]] "liver"
+  const std::string* name;
+  const std::string* parent;
+};
+
+class Checker {
+ public:
+  Checker(const SceneDesc& scene, const SourceLines& lines) : scene_(scene), lines_(lines) {
+    add("rigid", scene.rigid);
+    add("soft", scene.soft);
+  }
+
+  void run() const {
+    if (bodies_.size() > max_bodies)
+      fail("", "", "", fmt::format("{} bodies: at most {} are allowed", bodies_.size(), max_bodies));
+    check_names();
+    check_parents();
+    for (std::size_t i = 0; i < scene_.rigid.size(); ++i) check_rigid(scene_.rigid[i], bodies_[i]);
+    for (std::size_t i = 0; i < scene_.soft.size(); ++i)
+      check_soft(scene_.soft[i], bodies_[scene_.rigid.size() + i]);
+    check_lights();
+    if (scene_.camera.eye == scene_.camera.target)
+      fail("camera", "target", "[camera]", "target is the eye's own place: there is nothing to look at");
+  }
+
+ private:
+  template <class Desc>
+  void add(const std::string& key, const std::vector<Desc>& list) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+      bodies_.push_back({fmt::format("{}[{}]", key, i), fmt::format("[[{}]] \"{}\"", key, list[i].name),
+                         &list[i].name, &list[i].parent});
+  }
+
+  [[noreturn]] void fail(const std::string& table, const std::string& key, const std::string& where,
+                         const std::string& what) const {
+    throw InputError(fmt::format("{}:{}: {}{}{}", scene_.file.string(), lines_.of(table, key), where,
+                                 where.empty() ? "" : ": ", what));
+  }
+  [[noreturn]] void fail(const Entry& body, const std::string& key, const std::string& what) const {
+    fail(body.table, key, body.where, what);
+  }
+
+  void check_names() const {
+    std::map<std::string_view, const Entry*> seen;
+    for (const Entry& body : bodies_) {
+      const auto [first, fresh] = seen.emplace(*body.name, &body);
+      if (!fresh)
+        fail(body, "name",
+             fmt::format("this name is taken by the body of line {}; names must differ",
+                         lines_.of(first->second->table, "name")));
+    }
+  }
+
+  void check_parents() const {
+    std::map<std::string_view, const Entry*> by_name;
+    std::vector<std::string_view> names;
+    for (const Entry& body : bodies_) {
+      by_name[*body.name] = &body;
+      names.push_back(*body.name);
+    }
+    for (const Entry& body : bodies_) {
+      if (!body.parent->empty() && !by_name.contains(*body.parent))
+        fail(body, "parent",
+             fmt::format("parent = \"{}\": no body has this name{}", *body.parent,
+                         suggest(*body.parent, names)));
+    }
+    for (const Entry& body : bodies_) {
+      const Entry* above = &body;
+      for (std::size_t depth = 0; !above->parent->empty(); ++depth) {
+        above = by_name.at(*above->parent);
+        if (above == &body || depth > bodies_.size())
+          fail(body, "parent",
+               fmt::format("parent = \"{}\": a body can't be its own ancestor", *body.parent));
+      }
+    }
+  }
+
+  void check_rigid(const RigidDesc& rigid, const Entry& body) const {
+    if (rigid.mesh.empty() == rigid.parts.empty())
+      fail(body, "mesh",
+           rigid.mesh.empty() ? "has no geometry: give either a mesh or [[rigid.part]]s"
+                              : "has both a mesh and [[rigid.part]]s: give either");
+    if (!rigid.fallback.empty() && rigid.mesh.empty())
+      fail(body, "fallback", "fallback stands in for a mesh file, but there is no mesh");
+  }
+
+  void check_soft(const SoftDesc& soft, const Entry& body) const {
+    const int sources = !soft.volume.empty() + !soft.mesh.empty() + !soft.shape.empty();
+    if (sources != 1)
+      fail(body, soft.shape.empty() ? "mesh" : "shape",
+           fmt::format("has {} of volume, mesh and shape: give exactly one", sources));
+    if (!soft.fallback.empty() && !soft.shape.empty())
+      fail(body, "fallback", "fallback stands in for a volume or mesh file, but there is only a shape");
+    if (soft.label >= 0 && soft.volume.empty()) fail(body, "label", "label needs a volume");
+  }
+
+  void check_lights() const {
+    std::map<std::string_view, std::size_t> seen;
+    for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
+      const LightDesc& light = scene_.lights[i];
+      const std::string table = fmt::format("light[{}]", i);
+      const std::string where = light.name.empty() ? fmt::format("[[light]] {}", i + 1)
+                                                   : fmt::format("[[light]] \"{}\"", light.name);
+      if (light.direction.isZero(1e-9)) fail(table, "direction", where, "direction is zero");
+      if (!light.name.empty() && !seen.emplace(light.name, i).second)
+        fail(table, "name", where, "this name is taken by another light; names must differ");
+    }
+  }
+
+  const SceneDesc& scene_;
+  const SourceLines& lines_;
+  std::vector<Entry> bodies_;
+};
+
+}  // namespace
+
+int SourceLines::of(const std::string& table, const std::string& key) const {
+  if (const auto line = lines_.find(table.empty() ? key : table + "." + key); line != lines_.end())
+    return line->second;
+  const auto line = lines_.find(table);
+  return line == lines_.end() ? 1 : line->second;
+}
+
+void check_scene(const SceneDesc& scene, const SourceLines& lines) {
+  Checker(scene, lines).run();
+}
+
+}  // namespace prosector

@@ -1,0 +1,26 @@
+#pragma once
+// What no single field can tell: names, the scene graph, which keys go together.
+
+#include <map>
+#include <string>
+
+#include "common/scene/scene.h"
+
+namespace prosector {
+
+/// Line of each table and key that the author wrote: "soft[0]", "soft[0].parent", "soft[0].attach[1]".
+class SourceLines {
+ public:
+  void set(const std::string& path, int line) { lines_[path] = line; }
+  /// The key's line, or its table's where the key was not given.
+  int of(const std::string& table, const std::string& key) const;
+
+ private:
+  std::map<std::string, int> lines_;
+};
+
+/// Throws InputError when bodies' names clash, parents are unknown or form a cycle, a body has no geometry or
+/// two, or a direction is zero.
+void check_scene(const SceneDesc& scene, const SourceLines& lines);
+
+}  // namespace prosector

@@ -1,0 +1,320 @@
+#include "common/scene/scene_fields.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace prosector {
+namespace {
+
+constexpr Range coordinate{-max_coordinate, max_coordinate};
+constexpr Range unit_interval{0, 1};
+constexpr Range density{1, 25000};
+constexpr Range friction{0, 10};
+constexpr Range scale{0, 1e6, true};
+
+/// The field that a chain of member pointers leads to: in<RigidDesc, &RigidDesc::pose, &Pose::p>.
+template <class Struct, auto... Path>
+FieldRef in(void* object) {
+  return &(*static_cast<Struct*>(object).*....*Path);
+}
+
+template <class Struct>
+std::shared_ptr<void> fresh() {
+  return std::make_shared<Struct>();
+}
+
+template <class Struct, auto List>
+void* append(void* object) {
+  return &(static_cast<Struct*>(object)->*List).emplace_back();
+}
+
+template <auto Member>
+void* member(void* scene) {
+  return &(static_cast<SceneDesc*>(scene)->*Member);
+}
+
+// ---- One function per kind of value; each row of a table below is one call.
+
+template <class Struct, auto... Path>
+Field number(std::string_view key, std::string_view unit, Range range, std::string_view description) {
+  return {.key = key, .in = in<Struct, Path...>, .unit = unit, .range = range, .description = description};
+}
+
+template <class Struct, auto... Path>
+Field plain(std::string_view key, std::string_view description) {  // bool, quaternion
+  return {.key = key, .in = in<Struct, Path...>, .description = description};
+}
+
+template <class Struct, auto... Path>
+Field words(std::string_view key, std::vector<std::string_view> words, std::string_view description) {
+  return {.key = key, .in = in<Struct, Path...>, .words = std::move(words), .description = description};
+}
+
+template <class Struct, auto... Path>
+Field text(std::string_view key, std::string_view description) {
+  return {.key = key, .in = in<Struct, Path...>, .max_length = max_text_length, .description = description};
+}
+
+template <class Struct, auto... Path>
+Field name(std::string_view key, bool required, std::string_view description) {
+  return {.key = key,
+          .in = in<Struct, Path...>,
+          .text = Text::name,
+          .required = required,
+          .description = description};
+}
+
+template <class Struct, auto... Path>
+Field identifier(std::string_view key, std::string_view description) {
+  return {.key = key, .in = in<Struct, Path...>, .text = Text::identifier, .description = description};
+}
+
+/// What rigid parts, rigid bodies and soft bodies share.
+template <class Struct>
+void add_pose(std::vector<Field>& fields, std::string_view frames) {
+  fields.push_back(number<Struct, &Struct::pose, &Pose::p>("position", "m", coordinate, frames));
+  fields.push_back(plain<Struct, &Struct::pose, &Pose::q>(
+      "rotation", "orientation as a quaternion [w, x, y, z]; normalised when read, never all zero"));
+}
+
+template <class Struct>
+void add_appearance(std::vector<Field>& fields) {
+  fields.push_back(number<Struct, &Struct::appearance, &Appearance::color>("color", "", unit_interval,
+                                                                           "linear red, green, blue"));
+  fields.push_back(number<Struct, &Struct::appearance, &Appearance::roughness>("roughness", "", unit_interval,
+                                                                               "0 is a mirror, 1 matt"));
+  fields.push_back(number<Struct, &Struct::appearance, &Appearance::wetness>(
+      "wetness", "", unit_interval, "0 is dry, 1 a thin film of liquid over the surface"));
+}
+
+// ---- The tables.
+
+const Table& session_table() {
+  using S = SessionDesc;
+  static const Table table{
+      "[session]",
+      "Who may be there.",
+      {name<S, &S::name>("name", false, "name under which clients find the session"),
+       number<S, &S::capacity>("capacity", "participants", {1, 1024}, "how many fit, observers included"),
+       number<S, &S::observers>("observers", "participants", {0, 1024}, "how many of them may be observers"),
+       number<S, &S::input_timeout>("input_timeout", "s", {0.05, 60},
+                                    "time without input after which a hand is let go")},
+      {},
+      fresh<S>};
+  return table;
+}
+
+const Table& hand_table() {
+  using H = HandDesc;
+  static const Table table{
+      "[hand]",
+      "The virtual coupling that pulls a physical hand to the tracked one.",
+      {number<H, &H::mass>("mass", "kg", {0.01, 10}, "the physical hand's mass"),
+       number<H, &H::stiffness>("stiffness", "N/m", {0, 1e5, true}, "of the pull towards the tracked pose"),
+       number<H, &H::max_force>("max_force", "N", {0, 1000, true}, "bound of that pull"),
+       number<H, &H::friction>("friction", "", friction, "Coulomb coefficient of the skin")},
+      {},
+      fresh<H>};
+  return table;
+}
+
+const Table& camera_table() {
+  using C = CameraInfo;
+  static const Table table{
+      "[camera]",
+      "Where someone who follows nobody looks from.",
+      {number<C, &C::eye>("eye", "m", coordinate, "place of the eye in the room"),
+       number<C, &C::target>("target", "m", coordinate, "point that it looks at; not the eye's own place"),
+       number<C, &C::fov>("fov", "rad", {0, 3, true}, "vertical field of view")},
+      {},
+      fresh<C>};
+  return table;
+}
+
+const Table& part_table() {
+  using P = PartDesc;
+  static const Table table = [] {
+    Table t{"[[rigid.part]]",
+            "A primitive of a rigid body; together the parts are what it looks and collides like.",
+            {words<P, &P::shape>("shape", {"box", "sphere", "capsule", "cylinder", "ellipsoid"},
+                                 "capsule and cylinder stand along y"),
+             number<P, &P::size>("size", "m", {0, 100, true},
+                                 "box, ellipsoid: full extents; sphere: diameter in x; capsule, cylinder: "
+                                 "diameter in x, whole height in y"),
+             number<P, &P::rounding>("rounding", "m", {0, 1}, "radius of a box's edges, drawn only")},
+            {},
+            fresh<P>};
+    add_pose<P>(t.fields, "the part's centre in the body's frame");
+    return t;
+  }();
+  return table;
+}
+
+const Table& rigid_table() {
+  using R = RigidDesc;
+  static const Table table = [] {
+    Table t{"[[rigid]]",
+            "A body that keeps its shape: furniture, instruments, bones. It has either a `mesh` or parts.",
+            {name<R, &R::name>("name", true, "unique among all bodies"),
+             text<R, &R::description>("description", "for people"),
+             name<R, &R::parent>("parent", false,
+                                 "body that it belongs to in the scene graph; not given: the room"),
+             text<R, &R::mesh>("mesh", "surface file: .obj .stl .ply .off .gltf .glb"),
+             identifier<R, &R::fallback>(
+                 "fallback", "implicit shape used, with a clear line, when the mesh file is missing"),
+             number<R, &R::scale>("scale", "", scale, "file units to metres"),
+             number<R, &R::surface_cell>("surface_cell", "m", {0, 1},
+                                         "thin the mesh to about this edge length; 0: leave it as it is"),
+             words<R, &R::collision>("collision", {"hull", "mesh", "none"},
+                                     "collision shape of a mesh; parts collide as they are, unless none"),
+             plain<R, &R::fixed>("fixed", "true: part of the room, never moves"),
+             number<R, &R::density>("density", "kg/m³", density, "of the solid body"),
+             number<R, &R::mass>("mass", "kg", {0, 1e6}, "0: from density and volume"),
+             number<R, &R::friction>("friction", "", friction, "Coulomb coefficient"),
+             number<R, &R::restitution>("restitution", "", unit_interval, "0: lands dead, 1: bounces back"),
+             words<R, &R::tool>("tool", {"none", "probe", "scalpel"}, "what a hand that grasps it holds")},
+            {{"part", part_table, true, 256, append<R, &R::parts>}},
+            fresh<R>};
+    add_pose<R>(t.fields, "the body's or mesh's origin in the room");
+    add_appearance<R>(t.fields);
+    return t;
+  }();
+  return table;
+}
+
+const Table& attach_table() {
+  using A = AttachDesc;
+  static const Table table{
+      "[[soft.attach]]",
+      "Tissue that holds an organ to its place: what lies inside the sphere is tied elastically to where it "
+      "rests.",
+      {number<A, &A::center>("center", "m", coordinate, "of the sphere, in the room"),
+       number<A, &A::radius>("radius", "m", {0, 10, true}, "of the sphere"),
+       number<A, &A::stiffness>("stiffness", "N/m per m³", {0, 1e12},
+                                "of the ties, for each cubic metre of tissue that they hold")},
+      {},
+      fresh<A>};
+  return table;
+}
+
+const Table& soft_table() {
+  using S = SoftDesc;
+  static const Table table = [] {
+    Table t{
+        "[[soft]]",
+        "A body that deforms. Its geometry is exactly one of `volume`, `mesh` and `shape`.",
+        {name<S, &S::name>("name", true, "unique among all bodies"),
+         text<S, &S::description>("description", "for people"),
+         name<S, &S::parent>("parent", false,
+                             "body that it belongs to in the scene graph; not given: the room"),
+         text<S, &S::volume>("volume", "labelled or grey medical volume: .inr .inr.gz .nii .nii.gz"),
+         number<S, &S::label>("label", "", {-1, 65535},
+                              "volumes: label to take; -1: what is above threshold"),
+         number<S, &S::threshold>("threshold", "", {-1e6, 1e6}, "grey volumes: inside is above it"),
+         text<S, &S::mesh>("mesh", "tetrahedral mesh: .msh .vtk"),
+         words<S, &S::shape>("shape", {"liver", "kidney", "gallbladder", "block", "ball", "beam"},
+                             "implicit shape, `size` large"),
+         words<S, &S::fallback>(
+             "fallback", {"liver", "kidney", "gallbladder", "block", "ball", "beam"},
+             "implicit shape used, with a clear line, when the volume or mesh file is missing"),
+         number<S, &S::size>("size", "m", {0, 10, true}, "bounding box of the implicit shape"),
+         number<S, &S::scale>("scale", "", scale, "mesh files: file units to metres (volumes know theirs)"),
+         number<S, &S::cell>("cell", "m", {5e-4, 1}, "edge length of the tetrahedra, about"),
+         number<S, &S::surface_cell>("surface_cell", "m", {5e-4, 1},
+                                     "edge length of the surface that is touched and drawn, about"),
+         number<S, &S::smoothing>("smoothing", "voxels", {0, 10}, "volumes: Gaussian σ on the label's mask"),
+         identifier<S, &S::model>("model", "constitutive law, for instance fem_corotational"),
+         identifier<S, &S::integrator>("integrator", "time integrator, for instance implicit_euler"),
+         identifier<S, &S::solver>("solver", "linear solver, for instance cg"),
+         number<S, &S::youngs_modulus>("youngs_modulus", "Pa", {0, 1e12, true}, "stiffness in tension"),
+         number<S, &S::poisson_ratio>("poisson_ratio", "", {0, 0.5, false, true},
+                                      "sideways over lengthways strain; towards 0.5 the volume is kept"),
+         number<S, &S::density>("density", "kg/m³", density, ""),
+         number<S, &S::damping_mass>("damping_mass", "1/s", {0, 1000}, "Rayleigh damping: share of the mass"),
+         number<S, &S::damping_stiffness>("damping_stiffness", "s", {0, 10},
+                                          "Rayleigh damping: share of the stiffness"),
+         number<S, &S::friction>("friction", "", friction, "Coulomb coefficient"),
+         plain<S, &S::gravity>("gravity", "false: the imaged shape already carries its weight"),
+         number<S, &S::newton_iterations>("newton_iterations", "", {1, 100}, "at most, per tick"),
+         number<S, &S::solver_iterations>("solver_iterations", "", {1, 100000},
+                                          "of the linear solver, at most, per Newton iteration"),
+         number<S, &S::solver_tolerance>("solver_tolerance", "", {0, 0.5, true},
+                                         "relative residual at which the linear solver stops")},
+        {{"attach", attach_table, true, 64, append<S, &S::attach>}},
+        fresh<S>};
+    add_pose<S>(t.fields, "the mesh's origin, or the volume's or shape's centre, in the room");
+    add_appearance<S>(t.fields);
+    return t;
+  }();
+  return table;
+}
+
+const Table& light_table() {
+  using L = LightDesc;
+  static const Table table{
+      "[[light]]",
+      "",
+      {name<L, &L::name>("name", false, "unique among the lights"),
+       words<L, &L::kind>("kind", {"directional", "point", "spot"}, ""),
+       number<L, &L::position>("position", "m", coordinate, "point, spot: place in the room"),
+       number<L, &L::direction>("direction", "", {-1000, 1000},
+                                "directional, spot: where the light goes; any length but zero"),
+       number<L, &L::color>("color", "", unit_interval, "linear red, green, blue"),
+       number<L, &L::intensity>("intensity", "", {0, 1000}, "times the colour"),
+       number<L, &L::cone>("cone", "rad", {0, 1.57, true}, "spot: half angle"),
+       number<L, &L::softness>("softness", "", unit_interval, "spot: share of the cone over which it fades")},
+      {},
+      fresh<L>};
+  return table;
+}
+
+std::string interval(const Range& r) {
+  return fmt::format("{}{}, {}{}", r.open_min ? '(' : '[', r.min, r.max, r.open_max ? ')' : ']');
+}
+
+}  // namespace
+
+const Table& scene_table() {
+  using SD = SceneDesc;
+  static const Table table{
+      "",
+      "Keys at the top of the file, before the first table.",
+      {name<SD, &SD::name>("name", true, "the scene's name"),
+       text<SD, &SD::description>("description", "for people"),
+       number<SD, &SD::gravity>("gravity", "m/s²", {-100, 100}, "y is up"),
+       number<SD, &SD::tick_rate>("tick_rate", "Hz", {10, 1000}, "steps per simulated second"),
+       number<SD, &SD::contact_stiffness>(
+           "contact_stiffness", "", {0, 1e4, true},
+           "of contact with a soft body, times that body's own stiffness over one surface cell")},
+      {{"session", session_table, false, 1, member<&SD::session>},
+       {"hand", hand_table, false, 1, member<&SD::hand>},
+       {"camera", camera_table, false, 1, member<&SD::camera>},
+       {"rigid", rigid_table, true, max_bodies, append<SD, &SD::rigid>},
+       {"soft", soft_table, true, max_bodies, append<SD, &SD::soft>},
+       {"light", light_table, true, max_lights, append<SD, &SD::lights>}},
+      fresh<SD>};
+  return table;
+}
+
+std::string allowed(const Field& field, const FieldRef& value) {
+  if (!field.words.empty()) return fmt::format("one of: {}", fmt::join(field.words, ", "));
+  struct {
+    const Field& f;
+    std::string operator()(double*) const { return "in " + interval(f.range); }
+    std::string operator()(int*) const { return "a whole number in " + interval(f.range); }
+    std::string operator()(bool*) const { return "true or false"; }
+    std::string operator()(Vec3*) const { return "three numbers in " + interval(f.range); }
+    std::string operator()(Quat*) const { return "four numbers [w, x, y, z], not all zero"; }
+    std::string operator()(LightKind*) const { return ""; }
+    std::string operator()(std::string*) const {
+      if (f.text == Text::identifier)
+        return "a word of a-z, 0-9 and _ that starts with a letter, at most " + std::to_string(f.max_length);
+      const char* what = f.text == Text::name ? "1 to {} bytes of text without control characters"
+                                              : "text of at most {} bytes";
+      return fmt::format(fmt::runtime(what), f.max_length);
+    }
+  } describe{field};
+  return std::visit(describe, value);
+}
+
+}  // namespace prosector
