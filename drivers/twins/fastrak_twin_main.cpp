@@ -1,0 +1,31 @@
+// prosector-fastrak-twin: a simulated Polhemus FASTRAK on a pseudo-terminal.
+#include "drivers/twins/fastrak_twin.h"
+#include "drivers/twins/twin_program.h"
+
+int main(int argc, char** argv) {
+  using namespace prosector;
+  CLI::App app("A simulated Polhemus FASTRAK on a pseudo-terminal, whose path is the first line printed.");
+  TwinProgramOptions options;
+  add_options(app, options);
+  FastrakTwinOptions fastrak;
+  std::vector<double> room = {0, 0, 0, 1, 0, 0, 0};
+  app.add_option("--room-device", room, "x,y,z,qw,qx,qy,qz: pose of the transmitter in the room")
+      ->expected(7)
+      ->delimiter(',');
+  app.add_option("--noise-cm", fastrak.noise_cm, "standard deviation of positions")
+      ->check(CLI::Range(0.0, 100.0));
+  app.add_option("--noise-deg", fastrak.noise_deg, "standard deviation of orientations")
+      ->check(CLI::Range(0.0, 90.0));
+  app.add_option("--baud", fastrak.baud, "limits the rate of wide records")
+      ->check(CLI::Range(1200u, 921600u))
+      ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  return run_twin(options, [&](MotionScript script, std::int64_t now_ns) {
+    fastrak.script = std::move(script);
+    fastrak.room_device = {Vec3(room[0], room[1], room[2]),
+                           Quat(room[3], room[4], room[5], room[6]).normalized()};
+    fastrak.timing = options.timing;
+    fastrak.seed = options.seed;
+    return std::make_unique<FastrakTwin>(fastrak, now_ns);
+  });
+}

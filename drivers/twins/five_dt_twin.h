@@ -1,0 +1,42 @@
+#pragma once
+// A simulated 5DT glove: the serial Data Glove 5, or the Ultra's USB reports.
+
+#include <random>
+
+#include "drivers/five_dt_record.h"
+#include "drivers/twins/motion_script.h"
+#include "drivers/twins/twin.h"
+
+namespace prosector {
+
+struct FiveDtTwinOptions {
+  MotionScript script;
+  std::size_t station = 0;  // whose flexions of the script
+  TwinTiming timing;
+  bool hid = false;  // 64-byte reports without asking, instead of packets on demand
+  bool left = false;
+  double noise_counts = 0;  // standard deviation
+  std::uint64_t seed = 1;
+  double rate = 100;  // Hz
+};
+
+class FiveDtTwin final : public Twin {
+ public:
+  FiveDtTwin(const FiveDtTwinOptions& options, std::int64_t now_ns);
+  void receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns,
+               std::vector<TwinOutput>& out) override;
+  void produce(std::int64_t now_ns, std::vector<TwinOutput>& out) override;
+  std::int64_t due_ns(std::int64_t now_ns) const override;
+
+ private:
+  TwinOutput record(std::int64_t now_ns);
+
+  FiveDtTwinOptions options_;
+  ScriptClock clock_;
+  std::mt19937_64 random_;
+  std::int64_t period_ns_, next_ns_;
+  bool streaming_;
+  std::uint64_t records_ = 0;
+};
+
+}  // namespace prosector

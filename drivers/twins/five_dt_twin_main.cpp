@@ -1,0 +1,30 @@
+// prosector-5dt-twin: a simulated 5DT data glove on a pseudo-terminal.
+#include "drivers/twins/five_dt_twin.h"
+#include "drivers/twins/twin_program.h"
+
+int main(int argc, char** argv) {
+  using namespace prosector;
+  CLI::App app("A simulated 5DT data glove on a pseudo-terminal, whose path is the first line printed.");
+  TwinProgramOptions options;
+  add_options(app, options);
+  FiveDtTwinOptions glove;
+  std::size_t station = 1;
+  app.add_flag("--hid", glove.hid, "send the Ultra's 64-byte USB reports instead of serial packets");
+  app.add_flag("--left", glove.left, "a left glove");
+  app.add_option("--station", station, "whose flexions of the script")
+      ->check(CLI::Range(1, 4))
+      ->capture_default_str();
+  app.add_option("--noise-counts", glove.noise_counts, "standard deviation of counts")
+      ->check(CLI::Range(0.0, 1000.0));
+  app.add_option("--rate", glove.rate, "packets a second")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  return run_twin(options, [&](MotionScript script, std::int64_t now_ns) {
+    glove.script = std::move(script);
+    glove.station = station - 1;
+    glove.timing = options.timing;
+    glove.seed = options.seed;
+    return std::make_unique<FiveDtTwin>(glove, now_ns);
+  });
+}

@@ -1,0 +1,46 @@
+#pragma once
+// What a simulated device's wearer does: keyframes from a CSV file, moved through smoothly.
+//
+// Columns: time (s), station (from 1; default 1), x y z (m), qw qx qy qz in the room, thumb index middle ring
+// little (0 open … 1 closed). A row may give a pose, flexions or both.
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "common/math.h"
+#include "drivers/device.h"
+
+namespace prosector {
+
+class MotionScript {
+ public:
+  /// Throws InputError with file and line; times must rise within a station.
+  static MotionScript load(const std::filesystem::path& file);
+
+  void add(std::size_t station, double time, const Pose& pose) { poses_[station].push_back({time, pose}); }
+  void add(std::size_t station, double time, const std::array<double, fingers>& flexion) {
+    flexions_[station].push_back({time, flexion});
+  }
+
+  /// Between keyframes x = a + s·(b − a), s = 6u⁵ − 15u⁴ + 10u³ (twice continuously differentiable, at rest
+  /// at each keyframe), rotations by slerp; held before the first and after the last. Identity and open hand
+  /// for a station without keyframes. With `loop`, time starts again after the last keyframe of all.
+  Pose pose(std::size_t station, double time, bool loop) const;
+  std::array<double, fingers> flexion(std::size_t station, double time, bool loop) const;
+  double duration() const;
+
+ private:
+  template <class T>
+  struct Key {
+    double time;
+    T value;
+  };
+  double wrapped(double time, bool loop) const;
+
+  std::array<std::vector<Key<Pose>>, max_stations> poses_;
+  std::array<std::vector<Key<std::array<double, fingers>>>, max_stations> flexions_;
+};
+
+}  // namespace prosector

@@ -1,0 +1,29 @@
+#pragma once
+// What both twin programs share: their options and their life.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drivers/twins/motion_script.h"
+#include "drivers/twins/twin_server.h"
+
+namespace prosector {
+
+struct TwinProgramOptions {
+  std::string script;
+  TwinTiming timing;
+  TwinServerOptions server;
+  std::vector<double> silence, unplug, babble;
+  std::uint64_t seed = 1;
+};
+
+void add_options(CLI::App& app, TwinProgramOptions& options);
+
+/// Makes the twin, serves it until SIGINT or SIGTERM; the exit status. Bad input goes to stderr.
+int run_twin(TwinProgramOptions& options,
+             const std::function<std::unique_ptr<Twin>(MotionScript, std::int64_t now_ns)>& make);
+
+}  // namespace prosector
