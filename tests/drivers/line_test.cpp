@@ -1,0 +1,168 @@
+// Drivers against their twins over real pseudo-terminals.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <thread>
+
+#include "common/clock.h"
+#include "drivers/device.h"
+#include "drivers/twins/fastrak_twin.h"
+#include "drivers/twins/five_dt_twin.h"
+#include "drivers/twins/twin_server.h"
+
+namespace prosector {
+namespace {
+
+/// A twin served in a thread on a link of its own.
+class Line {
+ public:
+  Line(std::unique_ptr<Twin> twin, TwinServerOptions options) : twin_(std::move(twin)) {
+    static int count = 0;
+    link_ = (std::filesystem::temp_directory_path() /
+             ("prosector-line-" + std::to_string(getpid()) + "-" + std::to_string(count++)))
+                .string();
+    options.link = link_;
+    thread_ = std::thread([this, options] {
+      serve_twin(*twin_, options, stop_, [this](const std::string&) { ready_ = true; });
+    });
+    while (!ready_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ~Line() {
+    stop_ = true;
+    thread_.join();
+  }
+  const std::string& link() const { return link_; }
+
+ private:
+  std::unique_ptr<Twin> twin_;
+  std::string link_;
+  std::atomic<bool> stop_ = false, ready_ = false;
+  std::thread thread_;
+};
+
+using Samples = std::vector<DeviceSample>;
+
+/// Polls until `done` or the time is over; true if done.
+bool poll_until(Device& device, Samples& samples, double seconds, const std::function<bool()>& done) {
+  const std::int64_t end = monotonic_ns() + static_cast<std::int64_t>(seconds * 1e9);
+  while (monotonic_ns() < end) {
+    device.poll(samples);
+    if (done()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+
+const Pose hand{{0.2, 1.1, -0.3}, Quat(0.9, 0.2, -0.1, 0.3).normalized()};
+const Pose head{{-0.1, 1.7, -0.2}, Quat(0.7, -0.2, 0.5, 0.1).normalized()};
+const Pose transmitter{{0, 0.9, 0}, Quat(Eigen::AngleAxisd(0.4, Vec3::UnitY()))};
+
+std::unique_ptr<Twin> tracker() {
+  FastrakTwinOptions options;
+  options.script.add(0, 0, hand);
+  options.script.add(1, 0, head);
+  options.room_device = transmitter;
+  return std::make_unique<FastrakTwin>(options, monotonic_ns());
+}
+
+DeviceConfig tracker_config(bool binary) {
+  DeviceConfig config;
+  config.room_device = transmitter;
+  config.stations = 3;
+  config.binary = binary;
+  return config;
+}
+
+TEST(Line, FastrakReportsRoomPosesOfSeveralStations) {
+  for (const bool binary : {true, false}) {
+    Line line(tracker(), {});
+    const auto device = open_device("fastrak:" + line.link(), tracker_config(binary));
+    Samples samples;
+    ASSERT_TRUE(poll_until(*device, samples, 5, [&] { return samples.size() >= 20; }))
+        << device->status().message;
+    for (const DeviceSample& s : samples) {
+      const Pose& expected = s.station == 0 ? hand : head;
+      EXPECT_TRUE(s.has_pose);
+      EXPECT_LT((s.pose.p - expected.p).norm(), 2e-4);
+      EXPECT_NEAR(std::abs(s.pose.q.dot(expected.q)), 1, 1e-6);
+    }
+    EXPECT_NE(samples[18].station, samples[19].station);
+    EXPECT_EQ(device->status().health, DeviceHealth::streaming);
+    EXPECT_EQ(device->status().resyncs, 0u);
+  }
+}
+
+TEST(Line, FastrakSurvivesGarbage) {
+  TwinServerOptions faults;
+  faults.garbage = 0.3;
+  Line line(tracker(), faults);
+  const auto device = open_device("fastrak:" + line.link(), tracker_config(true));
+  Samples samples;
+  ASSERT_TRUE(poll_until(*device, samples, 8, [&] { return samples.size() >= 100; }));
+  EXPECT_GT(device->status().resyncs, 0u);
+  for (const DeviceSample& s : samples) EXPECT_LT((s.pose.p - (s.station == 0 ? hand : head).p).norm(), 1e-5);
+}
+
+TEST(Line, FaultsAreReportedAndHeal) {
+  struct Case {
+    const char* name;
+    DeviceHealth health;
+    TwinServerOptions faults;
+  };
+  std::array<Case, 3> cases = {{{"silence", DeviceHealth::silent, {}},
+                                {"unplug", DeviceHealth::absent, {}},
+                                {"babble", DeviceHealth::babbling, {}}}};
+  cases[0].faults.silence = FaultSpan{1.5, 3.5};
+  cases[1].faults.unplug = FaultSpan{1.5, 2.2};
+  cases[2].faults.babble = FaultSpan{1.5, 3.0};
+  for (const Case& c : cases) {
+    Line line(tracker(), c.faults);
+    const auto device = open_device("fastrak:" + line.link(), tracker_config(true));
+    Samples samples;
+    const auto is = [&](DeviceHealth health) {
+      return [&, health] { return device->status().health == health; };
+    };
+    ASSERT_TRUE(poll_until(*device, samples, 1.4, is(DeviceHealth::streaming))) << c.name;
+    ASSERT_TRUE(poll_until(*device, samples, 4, is(c.health))) << c.name;
+    EXPECT_FALSE(device->status().message.empty());
+    ASSERT_TRUE(poll_until(*device, samples, 6, is(DeviceHealth::streaming))) << c.name;
+    const std::size_t before = samples.size();
+    ASSERT_TRUE(poll_until(*device, samples, 2, [&] { return samples.size() > before + 10; })) << c.name;
+  }
+}
+
+TEST(Line, AbsentDeviceIsReportedNotThrown) {
+  const auto device = open_device("fastrak:/nonexistent/tracker", {});
+  Samples samples;
+  device->poll(samples);
+  EXPECT_EQ(device->status().health, DeviceHealth::absent);
+  EXPECT_NE(device->status().message.find("/nonexistent/tracker"), std::string::npos);
+}
+
+TEST(Line, GlovesReportFlexionBothWays) {
+  for (const bool hid : {false, true})
+    for (const bool left : {false, true}) {
+      FiveDtTwinOptions options;
+      options.script.add(0, 0, std::array<double, fingers>{0, 0, 1, 1, 1});
+      options.hid = hid;
+      options.left = left;
+      Line line(std::make_unique<FiveDtTwin>(options, monotonic_ns()), {});
+      DeviceConfig config;
+      config.left = left;
+      const double open = hid ? 800 : 0, closed = hid ? 1300 : 255;
+      config.calibration = GloveCalibration{};
+      config.calibration->open.fill(open);
+      config.calibration->closed.fill(closed);
+      const auto device = open_device((hid ? "5dt-usb:" : "5dt:") + line.link(), config);
+      Samples samples;
+      ASSERT_TRUE(poll_until(*device, samples, 3, [&] { return samples.size() >= 10; }));
+      EXPECT_EQ(samples.back().flexion, (std::array<double, fingers>{0, 0, 1, 1, 1}));
+      EXPECT_EQ(samples.back().gesture, Gesture::point);
+    }
+}
+
+}  // namespace
+}  // namespace prosector
