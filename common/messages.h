@@ -28,6 +28,7 @@ inline constexpr std::size_t max_name_length = 63;    // bytes, UTF-8: session, 
 inline constexpr std::size_t max_text_length = 1023;  // bytes: descriptions, reasons
 inline constexpr std::size_t max_bodies = 4096;
 inline constexpr std::size_t max_lights = 16;
+inline constexpr std::size_t max_streamed_points = 1024 * 1024;  // of one soft body
 inline constexpr double max_coordinate = 1000.0;  // metres: a pose farther out is not a pose in this room
 inline constexpr std::size_t fingers = 5;         // thumb, index, middle, ring, little
 
@@ -193,6 +194,7 @@ struct RigidState {
 };
 
 inline constexpr std::size_t max_chunk_points = 256;
+inline constexpr std::size_t soft_chunk_points = 112;  // what a server uses: one datagram, ≤ 1,200 bytes
 
 /// server → all, best effort, keyed (body, chunk): absolute positions and velocities of some streamed points,
 /// so one lost datagram costs one chunk. On the wire quantised within the chunk's own box; here decoded.

@@ -1,0 +1,178 @@
+#include "idl/cyclone_bus.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+
+#include "common/clock.h"
+#include "common/error.h"
+#include "idl/counters.h"
+#include "idl/dds/node.h"
+#include "idl/dds/qos.h"
+#include "idl/dds/writer_ids.h"
+#include "idl/rate_gate.h"
+#include "idl/wire/codec.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::uint32_t samples_a_take = 64;
+
+struct Endpoint {
+  Entity topic, writer, reader, arrived;  // arrived: read condition, true while the reader holds anything
+};
+
+class CycloneBus final : public Bus {
+ public:
+  /// With entity_mutex() held.
+  explicit CycloneBus(const BusConfig& config);
+  ~CycloneBus() override;
+
+  bool publish(const Message& message) override;
+  void dispose(const Message& message) override;
+  void take(std::vector<Received>& out) override;
+  bool wait(std::chrono::milliseconds timeout) override;
+  BusCounters counters() const override { return counters_.read(); }
+
+ private:
+  void take_topic(std::size_t topic, std::vector<Received>& out);
+  void accept(std::size_t topic, const void* sample, const dds_sample_info_t& info,
+              std::vector<Received>& out);
+  bool nobody_reads(dds_entity_t writer) const;
+
+  std::unique_ptr<Node> node_;
+  Entity publisher_, subscriber_, waitset_;
+  std::array<Endpoint, topic_count> endpoints_;
+  std::mutex take_mutex_;  // of the two below
+  WriterIds writer_ids_;
+  RateGate gate_;
+  EdgeCounters counters_;
+};
+
+CycloneBus::CycloneBus(const BusConfig& config) : node_(std::make_unique<Node>(config)) {
+  const dds_entity_t participant = node_->participant.get();
+  const Qos partition = partition_qos(config.session);
+  publisher_ = Entity(dds_create_publisher(participant, partition.get(), nullptr), "publisher");
+  subscriber_ = Entity(dds_create_subscriber(participant, partition.get(), nullptr), "subscriber");
+  waitset_ = Entity(dds_create_waitset(participant), "waitset");
+  for (std::size_t i = 0; i < topic_count; ++i) {
+    const TopicSpec& spec = topics[i];
+    const bool in = reads(config.end, spec), out = writes(config.end, spec);
+    if (!in && !out) continue;
+    Endpoint& endpoint = endpoints_[i];
+    const Qos qos = endpoint_qos(spec);
+    endpoint.topic = Entity(
+        dds_create_topic(participant, wire_codec(i).descriptor, spec.name, nullptr, nullptr), spec.name);
+    if (out)
+      endpoint.writer =
+          Entity(dds_create_writer(publisher_.get(), endpoint.topic.get(), qos.get(), nullptr), spec.name);
+    if (!in) continue;
+    endpoint.reader =
+        Entity(dds_create_reader(subscriber_.get(), endpoint.topic.get(), qos.get(), nullptr), spec.name);
+    endpoint.arrived = Entity(dds_create_readcondition(endpoint.reader.get(), DDS_ANY_STATE), spec.name);
+    dds_waitset_attach(waitset_.get(), endpoint.arrived.get(), 0);
+  }
+}
+
+CycloneBus::~CycloneBus() {
+  const std::scoped_lock lock(entity_mutex());
+  node_.reset();  // the domain takes all its entities along
+}
+
+bool CycloneBus::nobody_reads(dds_entity_t writer) const {
+  dds_publication_matched_status_t status{};
+  return dds_get_publication_matched_status(writer, &status) != DDS_RETCODE_OK || status.current_count == 0;
+}
+
+bool CycloneBus::publish(const Message& message) {
+  const std::size_t topic = message.index();
+  const dds_entity_t writer = endpoints_[topic].writer.get();
+  const auto refused = [&](Refusal why) {
+    counters_.dropped(topic, why);
+    return false;
+  };
+  if (writer == 0) return refused("not written by this end");
+  if (topics[topic].needs_reader && nobody_reads(writer)) return refused("no server to hear it");
+  WireArena arena;
+  void* sample = nullptr;
+  if (const Refusal refusal = wire_codec(topic).encode(message, arena, sample)) return refused(refusal);
+  if (dds_write(writer, sample) != DDS_RETCODE_OK) return refused("not sent in time");
+  counters_.published(wire_codec(topic).payload_bytes(sample));
+  return true;
+}
+
+void CycloneBus::dispose(const Message& message) {
+  const dds_entity_t writer = endpoints_[message.index()].writer.get();
+  WireArena arena;
+  void* sample = nullptr;
+  if (writer == 0 || wire_codec(message.index()).encode(message, arena, sample)) return;
+  dds_dispose(writer, sample);
+  dds_unregister_instance(writer, sample);  // or the instance would be kept for late joiners for ever
+}
+
+void CycloneBus::take(std::vector<Received>& out) {
+  const std::scoped_lock lock(take_mutex_);
+  out.clear();
+  for (std::size_t i = 0; i < topic_count; ++i)
+    if (endpoints_[i].reader) take_topic(i, out);
+}
+
+void CycloneBus::take_topic(std::size_t topic, std::vector<Received>& out) {
+  const dds_entity_t reader = endpoints_[topic].reader.get();
+  for (;;) {
+    std::array<void*, samples_a_take> samples{};  // null: Cyclone lends its own
+    std::array<dds_sample_info_t, samples_a_take> infos;
+    const dds_return_t count = dds_take(reader, samples.data(), infos.data(), samples.size(),
+                                        static_cast<std::uint32_t>(samples.size()));
+    if (count <= 0) return;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+      accept(topic, samples[i], infos[i], out);
+    dds_return_loan(reader, samples.data(), count);
+    if (static_cast<std::size_t>(count) < samples.size()) return;
+  }
+}
+
+void CycloneBus::accept(std::size_t topic, const void* sample, const dds_sample_info_t& info,
+                        std::vector<Received>& out) {
+  const WireCodec& codec = wire_codec(topic);
+  Received received;
+  received.arrival_ns = monotonic_ns();
+  received.writer = writer_ids_.of(endpoints_[topic].reader.get(), info.publication_handle);
+  if (info.valid_data) {
+    counters_.received(codec.payload_bytes(sample));
+    if (!gate_.admits(topic, received.writer, received.arrival_ns))
+      counters_.dropped(topic, "too many a second");
+    else if (const Refusal refusal = codec.decode(sample, received.message))
+      counters_.dropped(topic, refusal);
+    else {
+      counters_.taken();
+      out.push_back(received);
+    }
+  }
+  const bool last_of_instance = info.sample_rank == 0;
+  if (topics[topic].announces_gone && info.instance_state != DDS_IST_ALIVE && last_of_instance) {
+    codec.decode_key(sample, received.message);
+    received.liveness = Liveness::gone;
+    out.push_back(std::move(received));
+  }
+}
+
+bool CycloneBus::wait(std::chrono::milliseconds timeout) {
+  const dds_duration_t duration = DDS_MSECS(static_cast<dds_duration_t>(std::max<long>(0, timeout.count())));
+  return dds_waitset_wait(waitset_.get(), nullptr, 0, duration) > 0;
+}
+
+}  // namespace
+
+std::unique_ptr<Bus> make_cyclone_bus(const BusConfig& config) {
+  if (!valid_name(config.session) || config.session.find_first_of("*?[]") != std::string::npos)
+    throw InputError(fmt::format(
+        "session name \"{}\" is not valid: 1 to {} bytes of UTF-8 without control characters and * ? [ ]",
+        config.session, max_name_length));
+  const std::scoped_lock lock(entity_mutex());
+  return std::make_unique<CycloneBus>(config);
+}
+
+}  // namespace prosector

@@ -1,0 +1,42 @@
+#include "idl/dds/node.h"
+
+#include <fmt/format.h>
+
+#include "common/error.h"
+#include "idl/dds/profile.h"
+
+namespace prosector {
+namespace {
+
+/// Several nodes may live in one process, so the local domain number is any free one; the number on the
+/// network is the profile's ExternalDomainId.
+Entity create_domain(const BusConfig& config) {
+  const std::string xml = profile_xml(config);
+  dds_entity_t handle = DDS_RETCODE_ERROR;
+  for (dds_domainid_t local = 1000; local < 3000; ++local) {
+    handle = dds_create_domain(local, xml.c_str());
+    if (handle != DDS_RETCODE_PRECONDITION_NOT_MET) break;
+  }
+  if (handle > 0) return {handle, "domain"};
+  if (config.end == BusEnd::server)
+    throw InputError(fmt::format(
+        "can't open the network: UDP port {} is taken (another server with index {} runs here; give another "
+        "index, 0 to {}), or interface or profile don't fit",
+        server_port(config.domain, config.server_index), config.server_index, servers_per_host - 1));
+  throw InputError("can't open the network: interface or profile don't fit this machine");
+}
+
+}  // namespace
+
+std::mutex& entity_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+Node::Node(const BusConfig& config) : domain(create_domain(config)) {
+  dds_domainid_t local = 0;
+  dds_get_domainid(domain.get(), &local);
+  participant = Entity(dds_create_participant(local, nullptr, nullptr), "participant");
+}
+
+}  // namespace prosector

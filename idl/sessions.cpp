@@ -1,0 +1,107 @@
+// What there is on the network before one joins: a reader of SessionInfo in every partition.
+
+#include <algorithm>
+#include <map>
+
+#include "common/clock.h"
+#include "common/error.h"
+#include "idl/cyclone_bus.h"
+#include "idl/dds/node.h"
+#include "idl/dds/profile.h"
+#include "idl/dds/qos.h"
+#include "idl/wire/codec.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t session_info = 0;  // its place in the Message variant
+static_assert(std::is_same_v<std::variant_alternative_t<session_info, Message>, SessionInfo>);
+
+class SessionListener {
+ public:
+  explicit SessionListener(BusConfig config, const std::string& partition) {
+    config.end = BusEnd::observer;
+    const std::scoped_lock lock(entity_mutex());
+    node_ = std::make_unique<Node>(config);
+    const dds_entity_t participant = node_->participant.get();
+    const dds_entity_t subscriber =
+        dds_create_subscriber(participant, partition_qos(partition).get(), nullptr);
+    const TopicSpec& spec = topics[session_info];
+    const dds_entity_t topic =
+        dds_create_topic(participant, wire_codec(session_info).descriptor, spec.name, nullptr, nullptr);
+    reader_ = dds_create_reader(subscriber, topic, endpoint_qos(spec).get(), nullptr);
+    waitset_ = dds_create_waitset(participant);
+    dds_waitset_attach(waitset_, dds_create_readcondition(reader_, DDS_ANY_STATE), 0);
+  }
+  ~SessionListener() {
+    const std::scoped_lock lock(entity_mutex());
+    node_.reset();
+  }
+
+  /// Waits until `deadline_ns` at most, then keeps what arrived.
+  void listen(std::int64_t deadline_ns) {
+    const std::int64_t left = std::max<std::int64_t>(0, deadline_ns - monotonic_ns());
+    if (dds_waitset_wait(waitset_, nullptr, 0, left) <= 0) return;
+    void* sample = nullptr;
+    dds_sample_info_t info;
+    while (dds_take(reader_, &sample, &info, 1, 1) > 0) {
+      Message message;
+      const bool alive = info.valid_data && info.instance_state == DDS_IST_ALIVE;
+      if (!alive) {
+        wire_codec(session_info).decode_key(sample, message);
+        found_.erase(instance_key(message));
+      } else if (wire_codec(session_info).decode(sample, message) == nullptr) {
+        found_[instance_key(message)] = std::get<SessionInfo>(message);
+      }
+      dds_return_loan(reader_, &sample, 1);
+      sample = nullptr;
+    }
+  }
+  const std::map<InstanceKey, SessionInfo>& found() const { return found_; }
+
+ private:
+  std::unique_ptr<Node> node_;
+  dds_entity_t reader_ = 0, waitset_ = 0;  // die with their domain
+  std::map<InstanceKey, SessionInfo> found_;
+};
+
+std::int64_t deadline_after(std::chrono::milliseconds timeout) {
+  return monotonic_ns() + std::chrono::nanoseconds(timeout).count();
+}
+
+}  // namespace
+
+std::vector<SessionInfo> list_sessions(const BusConfig& config, std::chrono::milliseconds timeout) {
+  SessionListener listener(config, "*");
+  for (const std::int64_t deadline = deadline_after(timeout); monotonic_ns() < deadline;)
+    listener.listen(deadline);
+  std::vector<SessionInfo> sessions;
+  for (const auto& [key, info] : listener.found()) sessions.push_back(info);
+  std::ranges::sort(sessions, {}, &SessionInfo::session);
+  return sessions;
+}
+
+std::optional<SessionInfo> probe_session(const BusConfig& config, std::chrono::milliseconds timeout) {
+  SessionListener listener(config, config.session);
+  for (const std::int64_t deadline = deadline_after(timeout); monotonic_ns() < deadline;) {
+    listener.listen(deadline);
+    if (!listener.found().empty()) return listener.found().begin()->second;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::uint32_t> free_server_index(const BusConfig& config) {
+  BusConfig attempt = config;
+  attempt.end = BusEnd::server;
+  for (attempt.server_index = 0; attempt.server_index < servers_per_host; ++attempt.server_index) {
+    try {
+      const std::scoped_lock lock(entity_mutex());
+      const Node node(attempt);
+      return attempt.server_index;
+    } catch (const InputError&) {  // taken: try the next
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace prosector

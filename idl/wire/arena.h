@@ -1,0 +1,27 @@
+#pragma once
+// Storage that the sequences of one outgoing sample point into, freed as a whole.
+
+#include <cstddef>
+#include <memory_resource>
+#include <new>
+#include <type_traits>
+
+namespace prosector {
+
+class WireArena {
+ public:
+  /// `count` value-initialised elements, valid as long as the arena; nullptr for none.
+  template <class T>
+  T* make(std::size_t count) {
+    static_assert(std::is_trivially_destructible_v<T>);
+    if (count == 0) return nullptr;
+    T* first = static_cast<T*>(memory_.allocate(count * sizeof(T), alignof(T)));
+    for (std::size_t i = 0; i < count; ++i) new (first + i) T{};
+    return first;
+  }
+
+ private:
+  std::pmr::monotonic_buffer_resource memory_;
+};
+
+}  // namespace prosector

@@ -1,0 +1,54 @@
+#pragma once
+// Numbers of 0–32 bits, packed without gaps, low bits first.
+
+#include <cstdint>
+#include <span>
+
+namespace prosector {
+
+class BitWriter {
+ public:
+  /// `bytes` are zero and large enough for everything that is put.
+  explicit BitWriter(std::span<std::uint8_t> bytes) : bytes_(bytes) {}
+
+  void put(std::uint32_t value, unsigned bits) {
+    for (unsigned done = 0; done < bits;) {
+      const unsigned offset = position_ % 8;
+      const unsigned take = bits - done < 8 - offset ? bits - done : 8 - offset;
+      const std::uint32_t piece = (value >> done) & ((1u << take) - 1);
+      bytes_[position_ / 8] = static_cast<std::uint8_t>(bytes_[position_ / 8] | piece << offset);
+      position_ += take;
+      done += take;
+    }
+  }
+
+ private:
+  std::span<std::uint8_t> bytes_;
+  std::size_t position_ = 0;  // bits
+};
+
+class BitReader {
+ public:
+  /// `bytes` hold everything that is got.
+  explicit BitReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+  std::uint32_t get(unsigned bits) {
+    std::uint32_t value = 0;
+    for (unsigned done = 0; done < bits;) {
+      const unsigned offset = position_ % 8;
+      const unsigned take = bits - done < 8 - offset ? bits - done : 8 - offset;
+      const std::uint32_t piece =
+          (static_cast<std::uint32_t>(bytes_[position_ / 8]) >> offset) & ((1u << take) - 1);
+      value |= piece << done;
+      position_ += take;
+      done += take;
+    }
+    return value;
+  }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+  std::size_t position_ = 0;  // bits
+};
+
+}  // namespace prosector

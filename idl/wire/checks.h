@@ -1,0 +1,69 @@
+#pragma once
+// The questions that the edge asks of every sample.
+
+#include <cmath>
+#include <string_view>
+
+#include "common/messages.h"
+
+namespace prosector {
+
+/// Why a sample is refused, for people; nullptr: accepted. Always a literal.
+using Refusal = const char*;
+
+inline constexpr double max_speed = 1000.0;         // m/s
+inline constexpr double max_angular_speed = 1.0e4;  // rad/s
+inline constexpr double flexion_slack = 0.05;       // a glove may report a little outside [0, 1]
+inline constexpr double quaternion_slack = 0.01;    // | |q| − 1 | that is re-normalised rather than refused
+
+/// Keeps the first reason of a row of checks.
+class Checks {
+ public:
+  Checks& that(bool ok, Refusal otherwise) {
+    if (!ok && refusal_ == nullptr) refusal_ = otherwise;
+    return *this;
+  }
+  Refusal refusal() const { return refusal_; }
+
+ private:
+  Refusal refusal_ = nullptr;
+};
+
+bool valid_utf8(std::string_view text);
+/// 1 … max_name_length bytes of UTF-8 without control characters.
+bool valid_name(std::string_view name);
+/// At most max_text_length bytes of UTF-8; no control characters but line feed and tab.
+bool valid_text(std::string_view text);
+
+/// Finite and at most `limit` in each component's magnitude.
+bool within(const Vec3& v, double limit);
+inline bool within(double x, double low, double high) {
+  return std::isfinite(x) && x >= low && x <= high;
+}
+template <class E>
+bool enum_within(E value, E last) {
+  return static_cast<std::uint8_t>(value) <= static_cast<std::uint8_t>(last);
+}
+
+/// Position in the room and a quaternion that is unit within quaternion_slack, which is then re-normalised.
+Refusal check_pose(Pose& pose);
+Refusal check_color(const Vec3& color);
+
+// All checks of one message, the same before sending and after receiving; poses are re-normalised in place.
+Refusal check(SessionInfo& m);
+Refusal check(Presence& m);
+Refusal check(RosterEntry& m);
+Refusal check(HandInput& m);
+Refusal check(UserState& m);
+Refusal check(Command& m);
+Refusal check(CommandResult& m);
+Refusal check(SceneInfo& m);
+Refusal check(AssetChunk& m);
+Refusal check(RigidState& m);
+Refusal check(SoftState& m);
+Refusal check(Settled& m);
+Refusal check(TopologyRevision& m);
+Refusal check(ContactSample& m);
+Refusal check(ServerStatus& m);
+
+}  // namespace prosector

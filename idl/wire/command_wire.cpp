@@ -1,0 +1,55 @@
+// What people ask for and are answered: Command, CommandResult.
+
+#include "idl/wire/primitives.h"
+
+namespace prosector {
+
+void to_wire(const Command& m, prosector_Command& w, WireArena&) {
+  w.participant = m.participant;
+  w.number = m.sequence;
+  w.kind = static_cast<std::uint8_t>(m.kind);
+  w.hand = m.hand;
+  w.body = m.body;
+}
+
+Refusal from_wire(const prosector_Command& w, Command& m) {
+  m.participant = w.participant;
+  m.sequence = w.number;
+  m.kind = static_cast<CommandKind>(w.kind);
+  m.hand = w.hand;
+  m.body = w.body;
+  return nullptr;
+}
+
+Refusal check(Command& m) {
+  return Checks()
+      .that(m.participant != 0, "participant id 0")
+      .that(enum_within(m.kind, CommandKind::leave), "unknown kind")
+      .that(m.hand <= right_hand, "no such hand")
+      .that(m.body < max_bodies, "no such body")
+      .refusal();
+}
+
+void to_wire(const CommandResult& m, prosector_CommandResult& w, WireArena&) {
+  w.participant = m.participant;
+  w.number = m.sequence;
+  w.accepted = m.accepted;
+  to_wire(m.reason, w.reason);
+}
+
+Refusal from_wire(const prosector_CommandResult& w, CommandResult& m) {
+  m.participant = w.participant;
+  m.sequence = w.number;
+  m.accepted = w.accepted != 0;
+  m.reason = from_wire(w.reason);
+  return nullptr;
+}
+
+Refusal check(CommandResult& m) {
+  return Checks()
+      .that(m.participant != 0, "participant id 0")
+      .that(valid_text(m.reason), "reason not valid text")
+      .refusal();
+}
+
+}  // namespace prosector

@@ -1,0 +1,184 @@
+// What is there to see: SceneInfo and its meshes as AssetChunks.
+
+#include "idl/wire/primitives.h"
+
+namespace prosector {
+namespace {
+
+void body_to_wire(const SceneBody& m, prosector_SceneBody& w) {
+  to_wire(m.name, w.name);
+  to_wire(m.description, w.description);
+  w.kind = static_cast<std::uint8_t>(m.kind);
+  w.parent = m.parent;
+  w.moves = m.moves;
+  to_wire(m.pose, w.pose);
+  w.mesh = to_wire(m.mesh);
+  w.embedding = to_wire(m.map);
+  w.points = m.points;
+  w.chunk_points = m.chunk_points;
+  to_wire(m.appearance.color, w.color);
+  w.roughness = m.appearance.roughness;
+  w.wetness = m.appearance.wetness;
+}
+
+SceneBody body_from_wire(const prosector_SceneBody& w) {
+  SceneBody m;
+  m.name = from_wire(w.name);
+  m.description = from_wire(w.description);
+  m.kind = static_cast<BodyKind>(w.kind);
+  m.parent = w.parent;
+  m.moves = w.moves != 0;
+  m.pose = from_wire(w.pose);
+  m.mesh = from_wire(w.mesh);
+  m.map = from_wire(w.embedding);
+  m.points = w.points;
+  m.chunk_points = w.chunk_points;
+  m.appearance = {from_wire(w.color), w.roughness, w.wetness};
+  return m;
+}
+
+Refusal check_body(SceneBody& m) {
+  if (const Refusal pose = check_pose(m.pose)) return pose;
+  if (const Refusal color = check_color(m.appearance.color)) return color;
+  const bool soft = m.kind == BodyKind::soft;
+  return Checks()
+      .that(valid_name(m.name), "body name not valid")
+      .that(valid_text(m.description), "description not valid text")
+      .that(enum_within(m.kind, BodyKind::soft), "unknown body kind")
+      .that(m.points <= max_streamed_points, "too many points")
+      .that(!soft || (m.points > 0 && m.chunk_points > 0), "soft body without points")
+      .that(m.chunk_points <= max_chunk_points, "chunks too large")
+      .that(within(m.appearance.roughness, 0, 1), "roughness outside [0, 1]")
+      .that(within(m.appearance.wetness, 0, 1), "wetness outside [0, 1]")
+      .refusal();
+}
+
+/// True when every parent is a body of the scene and no chain of parents closes on itself.
+bool parents_form_a_forest(const std::vector<SceneBody>& bodies) {
+  const auto count = static_cast<std::int32_t>(bodies.size());
+  std::vector<std::int32_t> walked_from(bodies.size(), -1);  // first body whose walk passed here
+  for (std::int32_t start = 0; start < count; ++start) {
+    for (std::int32_t at = start; at != -1; at = bodies[static_cast<std::size_t>(at)].parent) {
+      if (at < 0 || at >= count) return false;
+      std::int32_t& mark = walked_from[static_cast<std::size_t>(at)];
+      if (mark == start) return false;
+      if (mark != -1) break;
+      mark = start;
+    }
+  }
+  return true;
+}
+
+void light_to_wire(const LightInfo& m, prosector_LightInfo& w) {
+  to_wire(m.name, w.name);
+  w.kind = static_cast<std::uint8_t>(m.kind);
+  to_wire(m.position, w.position);
+  to_wire(m.direction, w.direction);
+  to_wire(m.color, w.color);
+  w.intensity = m.intensity;
+  w.cone = m.cone;
+  w.softness = m.softness;
+}
+
+LightInfo light_from_wire(const prosector_LightInfo& w) {
+  LightInfo m;
+  m.name = from_wire(w.name);
+  m.kind = static_cast<LightKind>(w.kind);
+  m.position = from_wire(w.position);
+  m.direction = from_wire(w.direction);
+  m.color = from_wire(w.color);
+  m.intensity = w.intensity;
+  m.cone = w.cone;
+  m.softness = w.softness;
+  return m;
+}
+
+Refusal check_light(const LightInfo& m) {
+  if (const Refusal color = check_color(m.color)) return color;
+  return Checks()
+      .that(m.name.empty() || valid_name(m.name), "light name not valid")
+      .that(enum_within(m.kind, LightKind::spot), "unknown light kind")
+      .that(within(m.position, max_coordinate), "light out of range")
+      .that(within(m.direction, max_coordinate) && m.direction.norm() > 0, "light without direction")
+      .that(within(m.intensity, 0, 1e9), "intensity out of range")
+      .that(within(m.cone, 0, 3.2), "cone out of range")
+      .that(within(m.softness, 0, 1), "softness outside [0, 1]")
+      .refusal();
+}
+
+}  // namespace
+
+void to_wire(const SceneInfo& m, prosector_SceneInfo& w, WireArena& arena) {
+  to_wire(m.name, w.name);
+  to_wire(m.description, w.description);
+  make_sequence<prosector_SceneBody>(w.bodies, m.bodies.size(), arena);
+  for (std::size_t i = 0; i < m.bodies.size(); ++i) body_to_wire(m.bodies[i], w.bodies._buffer[i]);
+  make_sequence<prosector_LightInfo>(w.lights, m.lights.size(), arena);
+  for (std::size_t i = 0; i < m.lights.size(); ++i) light_to_wire(m.lights[i], w.lights._buffer[i]);
+  to_wire(m.camera.eye, w.camera_eye);
+  to_wire(m.camera.target, w.camera_target);
+  w.camera_fov = m.camera.fov;
+}
+
+Refusal from_wire(const prosector_SceneInfo& w, SceneInfo& m) {
+  if (!sequence_within(w.bodies, max_bodies)) return "too many bodies";
+  if (!sequence_within(w.lights, max_lights)) return "too many lights";
+  m.name = from_wire(w.name);
+  m.description = from_wire(w.description);
+  m.bodies.clear();
+  for (std::size_t i = 0; i < w.bodies._length; ++i) m.bodies.push_back(body_from_wire(w.bodies._buffer[i]));
+  m.lights.clear();
+  for (std::size_t i = 0; i < w.lights._length; ++i) m.lights.push_back(light_from_wire(w.lights._buffer[i]));
+  m.camera = {from_wire(w.camera_eye), from_wire(w.camera_target), w.camera_fov};
+  return nullptr;
+}
+
+Refusal check(SceneInfo& m) {
+  if (m.bodies.size() > max_bodies) return "too many bodies";
+  if (m.lights.size() > max_lights) return "too many lights";
+  for (SceneBody& body : m.bodies)
+    if (const Refusal refusal = check_body(body)) return refusal;
+  for (const LightInfo& light : m.lights)
+    if (const Refusal refusal = check_light(light)) return refusal;
+  return Checks()
+      .that(valid_name(m.name), "scene name not valid")
+      .that(valid_text(m.description), "description not valid text")
+      .that(parents_form_a_forest(m.bodies), "parents form no tree")
+      .that(within(m.camera.eye, max_coordinate) && within(m.camera.target, max_coordinate),
+            "camera out of range")
+      .that(within(m.camera.fov, 0.01, 3.1), "field of view out of range")
+      .refusal();
+}
+
+void to_wire(const AssetChunk& m, prosector_AssetChunk& w, WireArena& arena) {
+  const prosector_Digest hash = to_wire(m.hash);
+  w.hash_high = hash.high;
+  w.hash_low = hash.low;
+  w.chunk = m.chunk;
+  w.chunks = m.chunks;
+  w.total_bytes = m.total_bytes;
+  make_sequence<std::uint8_t>(w.bytes, m.bytes.size(), arena);
+  if (!m.bytes.empty()) std::memcpy(w.bytes._buffer, m.bytes.data(), m.bytes.size());
+}
+
+Refusal from_wire(const prosector_AssetChunk& w, AssetChunk& m) {
+  if (!sequence_within(w.bytes, asset_chunk_bytes)) return "chunk too large";
+  m.hash = from_wire(prosector_Digest{w.hash_high, w.hash_low});
+  m.chunk = w.chunk;
+  m.chunks = w.chunks;
+  m.total_bytes = w.total_bytes;
+  m.bytes.assign(w.bytes._buffer, w.bytes._buffer + w.bytes._length);
+  return nullptr;
+}
+
+Refusal check(AssetChunk& m) {
+  if (m.total_bytes == 0 || m.total_bytes > max_asset_bytes) return "asset size out of range";
+  if (m.chunks != (m.total_bytes + asset_chunk_bytes - 1) / asset_chunk_bytes)
+    return "wrong number of chunks";
+  if (m.chunk >= m.chunks) return "no such chunk";
+  const std::size_t before = m.chunk * asset_chunk_bytes;
+  if (m.bytes.size() != std::min(asset_chunk_bytes, m.total_bytes - before)) return "wrong chunk size";
+  return nullptr;
+}
+
+}  // namespace prosector

@@ -1,0 +1,35 @@
+#pragma once
+// A token bucket: lets `rate` samples a second through on average and `burst` at once.
+
+#include <algorithm>
+#include <cstdint>
+
+namespace prosector {
+
+class TokenBucket {
+ public:
+  /// `rate` in 1/s, `burst` in samples; both > 0.
+  TokenBucket(double rate, double burst) : rate_(rate), burst_(burst), tokens_(burst) {}
+
+  /// Takes one token at time `now_ns` (monotonic); false when there is none.
+  bool take(std::int64_t now_ns) {
+    tokens_ = tokens_at(now_ns);
+    last_ns_ = std::max(last_ns_, now_ns);
+    if (tokens_ < 1) return false;
+    tokens_ -= 1;
+    return true;
+  }
+  /// True when nothing was taken for so long that a new bucket would be the same.
+  bool full(std::int64_t now_ns) const { return tokens_at(now_ns) >= burst_; }
+
+ private:
+  double tokens_at(std::int64_t now_ns) const {
+    if (last_ns_ < 0 || now_ns <= last_ns_) return tokens_;
+    return std::min(burst_, tokens_ + rate_ * 1e-9 * static_cast<double>(now_ns - last_ns_));
+  }
+
+  double rate_, burst_, tokens_;
+  std::int64_t last_ns_ = -1;
+};
+
+}  // namespace prosector

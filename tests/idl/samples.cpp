@@ -1,0 +1,99 @@
+#include "tests/idl/samples.h"
+
+#include <numbers>
+
+namespace prosector {
+namespace {
+
+// Values that floats hold exactly, so that streams of floats come back equal.
+const Pose some_pose{{0.25, 1.5, -0.125}, {0.5, 0.5, -0.5, 0.5}};
+
+HandPose some_hand() {
+  return {true, some_pose, {0, 0.25, 0.5, 0.75, 1}, Gesture::point, 5};
+}
+
+AssetChunk some_chunk() {
+  AssetChunk m;
+  m.hash = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
+  m.chunk = 1;
+  m.chunks = 2;
+  m.total_bytes = asset_chunk_bytes + 1000;
+  m.bytes.assign(1000, 0x5a);
+  return m;
+}
+
+SceneInfo some_scene() {
+  SceneInfo m;
+  m.name = "abdomen";
+  m.description = "A table,\na lamp";
+  SceneBody table;
+  table.name = "table";
+  table.pose = some_pose;
+  table.mesh = {1, 2, 3};
+  SceneBody liver;
+  liver.name = "liver";
+  liver.description = "Größte Drüse";
+  liver.kind = BodyKind::soft;
+  liver.parent = 0;
+  liver.moves = true;
+  liver.map = {9, 8, 7};
+  liver.points = 700;
+  liver.chunk_points = soft_chunk_points;
+  liver.appearance = {{0.5, 0.25, 0.125}, 0.3, 0.9};
+  m.bodies = {table, liver};
+  m.lights = {{"lamp", LightKind::spot, {0, 2, 0}, {0, -1, 0}, {1, 1, 0.9}, 10, 0.6, 0.3}};
+  return m;
+}
+
+SoftState some_soft_state() {
+  SoftState m{.body = 1,
+              .chunk = 3,
+              .time = {1, 77},
+              .revision = 2,
+              .first_point = 336,
+              .positions = {},
+              .velocities = {}};
+  for (int i = 0; i < 112; ++i) {
+    const double t = i * 2 * std::numbers::pi / 112;
+    m.positions.emplace_back(0.1 * std::cos(t), 1 + 0.05 * std::sin(t), 0.001 * i);
+    m.velocities.emplace_back(-std::sin(t), std::cos(t), 0.1);
+  }
+  return m;
+}
+
+Settled some_settled() {
+  Settled m{.body = 1, .time = {1, 99}, .revision = 2, .hash = 0x123456789abcdef0, .positions = {}};
+  for (int i = 0; i < 700; ++i) m.positions.emplace_back(0.001f * static_cast<float>(i), 1.0f, -0.5f);
+  return m;
+}
+
+}  // namespace
+
+std::vector<Message> sample_messages() {
+  const std::array<HandPose, 2> hands{some_hand(), some_hand()};
+  ServerStatus status;
+  status.time = {1, 60};
+  status.real_time_factor = 0.99;
+  status.step_ms_p50 = 4;
+  status.step_ms_p99 = 9;
+  status.phase_ms = {1, 2, 3, 4, 5, 6, 7, 8};
+  status.energy = -3;
+  status.degraded = "liver: not converged";
+  return {SessionInfo{protocol_version, "prosector", "abdomen", {1, 2}, 60, 64, 42},
+          Presence{7, protocol_version, "Zoë", Role::dissector, "fastrak, 5dt"},
+          RosterEntry{7, "Zoë", Role::dissector, {1, 0.5, 0}, "fastrak, 5dt"},
+          HandInput{7, 12, 123456789, true, some_pose, hands},
+          UserState{7, {1, 60}, 12, true, some_pose, hands},
+          Command{7, 3, CommandKind::grasp, left_hand, 1},
+          CommandResult{7, 3, false, "nothing within reach"},
+          some_scene(),
+          some_chunk(),
+          RigidState{2, {1, 60}, some_pose, {1, 2, 3}, {4, 5, 6}, true},
+          some_soft_state(),
+          some_settled(),
+          TopologyRevision{1, 2, 10, 11, 12},
+          ContactSample{7, left_hand, {1, 60}, true, 1, {0.5, 1, 0.5}, {0, 1, 0}, 0.0078125, 0.5},
+          status};
+}
+
+}  // namespace prosector
