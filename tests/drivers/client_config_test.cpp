@@ -1,0 +1,80 @@
+#include "drivers/client_config.h"
+
+#include <gtest/gtest.h>
+
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+TEST(ClientConfig, TheSampleSaysTheDefaults) {
+  const ClientConfig sample = load_client_config(PROSECTOR_SOURCE_DIR "/deploy/client.toml");
+  const ClientConfig defaults;
+  EXPECT_EQ(sample.tracker, "fastrak:/dev/ttyS0");
+  EXPECT_EQ(sample.tracker_device.binary, defaults.tracker_device.binary);
+  EXPECT_EQ(sample.tracker_device.hemisphere, defaults.tracker_device.hemisphere);
+  EXPECT_EQ(sample.tracker_device.stations, defaults.tracker_device.stations);
+  EXPECT_EQ(sample.stations, defaults.stations);
+  EXPECT_EQ(sample.gestures, defaults.gestures);
+  const DeviceConfig &a = sample.gloves[right_hand].device, &b = defaults.gloves[right_hand].device;
+  EXPECT_EQ(a.closed_above, b.closed_above);
+  EXPECT_EQ(a.open_below, b.open_below);
+  EXPECT_EQ(a.hysteresis, b.hysteresis);
+}
+
+TEST(ClientConfig, ReadsStationsAndRoom) {
+  const ClientConfig config = parse_client_config(
+      "[tracker]\naddress = 'fastrak:/dev/x'\nroom.position = [0, 1, 2]\n"
+      "[tracker.stations]\nhead.station = 2\nleft.station = 4\nleft.mount.position = [0, 0, 1]\n",
+      "c.toml");
+  EXPECT_EQ(config.tracker_device.stations, 10u);
+  EXPECT_EQ(config.stations[1], StationRole::head);
+  EXPECT_EQ(config.stations[3], StationRole::left_hand);
+  EXPECT_EQ(config.tracker_device.mount[3].p, Vec3(0, 0, 1));
+  EXPECT_EQ(config.tracker_device.room_device.p, Vec3(0, 1, 2));
+}
+
+TEST(ClientConfig, BadInputSaysWhereAndWhat) {
+  struct Case {
+    const char* toml;
+    const char* says;
+  };
+  const Case cases[] = {
+      {"x = 1", "c.toml:1: x: unknown key"},
+      {"[tracker]\naddress = 'fastrack:/dev/x'", "c.toml:2: tracker.address"},
+      {"[tracker]\naddress = 'fastrak:'", "path must follow"},
+      {"[tracker]\naddress = 'fastrak:/x'\nhemisphere = [1, 2]", "c.toml:3: tracker.hemisphere"},
+      {"[tracker]\naddress = 'fastrak:/x'\nalignment = [0,0,0,1,0,0,2,0,0]", "line"},
+      {"[tracker]\naddress = 'fastrak:/x'\nroom.position = [nan, 0, 0]", "tracker.room.position"},
+      {"[tracker]\naddress = 'fastrak:/x'\nroom.orientation = [0, 0, 0, 0]", "unit quaternion"},
+      {"[tracker]\naddress = 'fastrak:/x'\nstations.head.station = 5", "from 1 to 4"},
+      {"[tracker]\naddress = 'fastrak:/x'\nstations.head.station = 1\nstations.left.station = 1",
+       "another role"},
+      {"[glove.right]\naddress = '5dt:/x'\nclosed_above = 0.3", "must exceed open_below"},
+      {"[glove.right]\naddress = '5dt:/x'\nopen = [1,2,3,4,5]", "together"},
+      {"[glove.middle]\naddress = '5dt:/x'", "allowed here are left, right"},
+      {"[gestures]\nfist = 'explode'", "none, grasp, release or reset"},
+      {"[gestures]\nwave = 'grasp'", "unknown key"},
+      {"[tracker", "c.toml:1"},
+  };
+  for (const Case& c : cases) {
+    try {
+      parse_client_config(c.toml, "c.toml");
+      ADD_FAILURE() << "accepted: " << c.toml;
+    } catch (const InputError& e) {
+      EXPECT_NE(std::string(e.what()).find(c.says), std::string::npos) << e.what();
+    }
+  }
+}
+
+TEST(OpenDevice, UnknownDriversListTheKnown) {
+  try {
+    open_device("mouse:/dev/x", {});
+    FAIL();
+  } catch (const InputError& e) {
+    for (const DriverRow& row : drivers()) EXPECT_NE(std::string(e.what()).find(row.name), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace prosector

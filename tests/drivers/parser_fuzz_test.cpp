@@ -1,0 +1,114 @@
+// Device bytes, cut, mixed with garbage and mutated: what comes out must be what went in, or nothing.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "common/error.h"
+#include "drivers/fastrak_record.h"
+#include "drivers/five_dt_record.h"
+#include "drivers/recorded.h"
+#include "drivers/stamped_buffer.h"
+#include "drivers/twins/motion_script.h"
+
+namespace prosector {
+namespace {
+
+TEST(ParserFuzz, RandomBytesNeverMakeImplausibleRecords) {
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 300000; ++i) {
+    fastrak::Format format{random() % 2 == 0, {2, 11, 1}};
+    std::vector<std::uint8_t> bytes(fastrak::record_width(format));
+    for (auto& b : bytes) b = static_cast<std::uint8_t>(random());
+    bytes[0] = '0';
+    bytes[1] = static_cast<std::uint8_t>('1' + random() % 4);
+    bytes[2] = ' ';
+    bytes[bytes.size() - 2] = '\r';
+    bytes[bytes.size() - 1] = '\n';
+    if (const auto r = fastrak::decode(bytes, format)) {
+      for (const float x : *r->position) EXPECT_TRUE(std::abs(x) <= 1000);
+      for (const float x : *r->quaternion) EXPECT_TRUE(std::abs(x) <= 1.01f);
+    }
+    bytes.resize(random() % 70);
+    five_dt::decode_report(bytes);
+    five_dt::decode_packet(bytes, false);
+    fastrak::decode(bytes, format);
+  }
+}
+
+TEST(StampedBuffer, EveryByteKeepsItsChunksTime) {
+  StampedBuffer buffer;
+  const std::array<std::uint8_t, 3> a = {1, 2, 3};
+  buffer.append(a, 10);
+  buffer.append(a, 20);
+  buffer.drop(2);
+  EXPECT_EQ(buffer.time_ns(), 10);
+  buffer.drop(1);
+  EXPECT_EQ(buffer.time_ns(), 20);
+  buffer.append(a, 30);
+  buffer.drop(4);
+  EXPECT_EQ(buffer.time_ns(), 30);
+  EXPECT_EQ(buffer.bytes().size(), 2u);
+  buffer.drop(99);
+  EXPECT_EQ(buffer.time_ns(), 0);
+}
+
+class Files : public testing::Test {
+ protected:
+  std::filesystem::path path_ =
+      std::filesystem::temp_directory_path() / ("prosector-files-" + std::to_string(getpid()) + ".csv");
+  void write(const std::string& text) { std::ofstream(path_) << text; }
+  void TearDown() override { std::filesystem::remove(path_); }
+};
+
+TEST_F(Files, RecordingsRoundTrip) {
+  DeviceSample a;
+  a.station = 2;
+  a.time_ns = 5'000'000'000;
+  a.has_pose = true;
+  a.pose = {{0.1, -0.2, 1.0 / 3}, Quat(0.5, 0.5, -0.5, 0.5)};
+  DeviceSample b;
+  b.time_ns = 5'250'000'000;
+  b.has_flexion = true;
+  b.flexion = {0, 0.25, 0.5, 0.75, 1};
+  b.gesture = Gesture::two;
+  b.buttons = 3;
+  ASSERT_TRUE(SampleRecorder(path_).write({a, b}));
+  const auto read = load_recording(path_);
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(read[0].sample.station, 2u);
+  EXPECT_EQ(read[0].sample.pose.p, a.pose.p);
+  EXPECT_FALSE(read[0].sample.has_flexion);
+  EXPECT_DOUBLE_EQ(read[1].time, 0.25);
+  EXPECT_FALSE(read[1].sample.has_pose);
+  EXPECT_EQ(read[1].sample.flexion, b.flexion);
+  EXPECT_EQ(read[1].sample.gesture, Gesture::two);
+  EXPECT_EQ(read[1].sample.buttons, 3u);
+}
+
+TEST_F(Files, ScriptsRestAtKeyframesAndLoop) {
+  write("time,x,y,z\n0,0,0,0\n2,1,0,0\n");
+  const MotionScript script = MotionScript::load(path_);
+  EXPECT_EQ(script.pose(0, -1, false).p.x(), 0);
+  EXPECT_DOUBLE_EQ(script.pose(0, 1, false).p.x(), 0.5);
+  EXPECT_EQ(script.pose(0, 9, false).p.x(), 1);
+  EXPECT_DOUBLE_EQ(script.pose(0, 3, true).p.x(), 0.5);
+  EXPECT_LT(script.pose(0, 0.01, false).p.x(), 1e-5);
+}
+
+TEST_F(Files, BadFilesSayWhere) {
+  for (const char* text : {"", "time,wrong\n0,1\n", "time,x,y,z\n0,1\n", "time,x,y,z\n0,1,nan,2\n",
+                           "time,x,y,z\n0,1,,2\n", "time,thumb\n0,2\n", "time,station,x,y,z\n0,7,0,0,0\n",
+                           "time,x,y,z\n1,0,0,0\n0,0,0,0\n", "time,x,y,z,qw,qx,qy,qz\n0,0,0,0,2,0,0,0\n"}) {
+    write(text);
+    EXPECT_THROW(MotionScript::load(path_), InputError) << text;
+    EXPECT_THROW(load_recording(path_), InputError) << text;
+  }
+  EXPECT_THROW(load_recording("/nonexistent.csv"), InputError);
+  EXPECT_THROW(SampleRecorder("/nonexistent/x.csv"), InputError);
+}
+
+}  // namespace
+}  // namespace prosector
