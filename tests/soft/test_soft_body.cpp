@@ -1,0 +1,287 @@
+// The incremental potential of a body, its derivatives and what they conserve.
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <random>
+#include <string>
+
+#include "common/error.h"
+#include "tests/soft/kuhn.h"
+#include "tests/soft/stepper.h"
+
+namespace prosector {
+namespace {
+
+const Vec3 gravity(0, -9.81, 0);
+const Vec3 cube_size(0.1, 0.1, 0.1);
+constexpr double h = 1. / 60;
+
+SoftDesc description(const char* model) {
+  SoftDesc desc;
+  desc.name = "cube";
+  desc.model = model;
+  desc.solver = "direct";
+  return desc;
+}
+
+VecX random_vector(Eigen::Index n, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  return VecX::NullaryExpr(n, [&] { return std::uniform_real_distribution<double>(-1, 1)(random); });
+}
+
+class Bodies : public testing::TestWithParam<LawRow> {};
+INSTANTIATE_TEST_SUITE_P(Table, Bodies, testing::ValuesIn(laws()),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST_P(Bodies, GradientAndHessianAreThoseOfTheEnergy) {
+  SoftDesc desc = description(GetParam().name);
+  desc.attach.push_back({Vec3::Zero(), 0.06, 2e6});
+  desc.damping_mass = 2;
+  SoftBody body(desc, kuhn_anatomy({2, 2, 2}, cube_size));
+  SoftBodyState state = body.initial_state();
+  const Eigen::Index n = state.motion.x.size();
+  state.motion.x += 1e-4 * random_vector(n, 1);
+  state.motion.v = random_vector(n, 2);
+  body.begin_stage(0, h, gravity, state);
+  // Slightly swollen, so that every law's Hessian is definite and nothing is projected.
+  const VecX x = 1.01 * state.motion.x + 1e-4 * random_vector(n, 3), dx = random_vector(n, 4);
+  VecX g(n), g_plus(n), g_minus(n), Hdx(n);
+  const double e = 1e-7;
+  body.gradient(x, g);
+  const double slope = (body.energy(x + e * dx) - body.energy(x - e * dx)) / (2 * e);
+  EXPECT_NEAR(g.dot(dx), slope, 1e-6 * std::abs(slope));
+  body.gradient(x + e * dx, g_plus);
+  body.gradient(x - e * dx, g_minus);
+  body.assemble(x);
+  body.multiply(dx.data(), Hdx.data());
+  EXPECT_LT((Hdx - (g_plus - g_minus) / (2 * e)).norm(), 1e-5 * Hdx.norm());
+
+  VecX z(n);
+  body.factor_solve(Hdx.data(), z.data());
+  EXPECT_LT((z - dx).norm(), 1e-9 * dx.norm());
+  body.assemble(state.motion.x);
+  body.multiply(dx.data(), Hdx.data());
+  body.assemble_at_start();
+  VecX at_start(n);
+  body.multiply(dx.data(), at_start.data());
+  EXPECT_EQ(Hdx, at_start);
+}
+
+TEST_P(Bodies, PassThePatchTest) {
+  std::mt19937_64 random(5);
+  Anatomy anatomy = kuhn_anatomy({3, 3, 3}, cube_size);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto draw = [&](std::mt19937_64& r) { return uniform(r); };
+  auto bound = [&] { return draw(random); };
+  jitter_interior(anatomy.tets, cube_size, 0.008, bound);
+  SoftBody body(description(GetParam().name), anatomy);
+  SoftBodyState state = body.initial_state();
+  Mat3 A = Mat3::Identity();
+  A += 0.1 * Mat3::NullaryExpr([&] { return uniform(random); });
+  const VecX rest = state.motion.x;
+  state.motion.x = (A * rest.reshaped(3, rest.size() / 3)).reshaped();
+  // Gravity off and v = 0: what is left of the gradient at x = x_n is the elastic force.
+  body.begin_stage(0, h, Vec3::Zero(), state);
+  VecX g(rest.size());
+  body.gradient(state.motion.x, g);
+  double inside = 0, boundary = 0;
+  for (Eigen::Index i = 0; i < body.nodes(); ++i) {
+    const Vec3 X = rest.segment<3>(3 * i);
+    const bool interior = (X.array() > 1e-9).all() && (X.array() < 0.1 - 1e-9).all();
+    (interior ? inside : boundary) = std::max(interior ? inside : boundary, g.segment<3>(3 * i).norm());
+  }
+  EXPECT_GT(boundary, 1e-3);
+  EXPECT_LT(inside, 1e-12 * 1e3 * boundary);
+}
+
+TEST_P(Bodies, ConserveMomentum) {
+  SoftDesc desc = description(GetParam().name);
+  desc.damping_mass = 0;
+  for (const IntegratorRow& row : integrators()) {
+    desc.integrator = row.name;
+    SoftBody body(desc, kuhn_anatomy({3, 2, 2}, cube_size));
+    SoftBodyState state = body.initial_state();
+    state.motion.v = 0.3 * random_vector(state.motion.x.size(), 6);
+    const auto momentum = [&] {
+      Vec3 p = Vec3::Zero();
+      for (Eigen::Index i = 0; i < body.nodes(); ++i)
+        p += body.node_mass()[i] * state.motion.v.segment<3>(3 * i);
+      return p;
+    };
+    const Vec3 before = momentum();
+    Stepper stepper(body);
+    for (int i = 0; i < 20; ++i) stepper.step(h, Vec3::Zero(), state);
+    EXPECT_LT((momentum() - before).norm(), 1e-9 * body.total_mass()) << row.name;
+  }
+}
+
+TEST_P(Bodies, RestStaysAtRestAndFallsAsOne) {
+  SoftDesc desc = description(GetParam().name);
+  desc.damping_mass = 0;
+  SoftBody body(desc, kuhn_anatomy({2, 2, 2}, cube_size));
+  SoftBodyState state = body.initial_state();
+  Stepper stepper(body);
+  const VecX rest = state.motion.x;
+  for (int i = 0; i < 60; ++i) stepper.step(h, gravity, state);
+  VecX fallen = rest;
+  fallen.reshaped(3, rest.size() / 3).row(1).array() += -4.98675;
+  EXPECT_LT((state.motion.x - fallen).cwiseAbs().maxCoeff(), 1e-8);
+}
+
+TEST_P(Bodies, SameBitsForAnyNumberOfThreads) {
+  SoftBodyState results[2];
+  for (std::size_t threads : {1u, 2u}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    SoftDesc desc = description(GetParam().name);
+    desc.solver = "cg";
+    desc.attach.push_back({Vec3::Zero(), 0.05, 1e7});
+    SoftBody body(desc, kuhn_anatomy({7, 7, 7}, cube_size));
+    SoftBodyState& state = results[threads - 1];
+    state = body.initial_state();
+    Stepper stepper(body, {3, 1e-6, {60, 1e-3}});
+    for (int i = 0; i < 5; ++i) stepper.step(h, gravity, state);
+  }
+  EXPECT_EQ(results[0].motion.x, results[1].motion.x);
+  EXPECT_EQ(results[0].motion.v, results[1].motion.v);
+  EXPECT_EQ(results[0].warm_start, results[1].warm_start);
+}
+
+/// Steps from a bad shape: finite always, and never more energy than it started with. (Step by step implicit
+/// Euler may gain a little where W is not convex.)
+SoftBodyState recover(SoftBody& body, const VecX& from, int steps) {
+  SoftBodyState state = body.initial_state();
+  state.motion.x = from;
+  Stepper stepper(body, {30, 1e-6, {200, 1e-4}});
+  const double start = body.elastic_energy(from);
+  for (int i = 0; i < steps; ++i) {
+    stepper.step(h, Vec3::Zero(), state);
+    EXPECT_TRUE(state.motion.x.allFinite());
+    const double after = body.elastic_energy(state.motion.x) + body.kinetic_energy(state);
+    EXPECT_LE(after, start * 1.01 + 1e-12);
+  }
+  return state;
+}
+
+TEST_P(Bodies, SurviveRuinedShapes) {
+  SoftDesc desc = description(GetParam().name);
+  // Rayleigh damping with the K of a ruined shape also resists its way back, which may end in a tangle.
+  desc.damping_stiffness = 0;
+  SoftBody body(desc, kuhn_anatomy({2, 2, 2}, cube_size));
+  const VecX rest = body.initial_state().motion.x;
+  const auto mapped = [&](const Mat3& A) -> VecX {
+    return (A * rest.reshaped(3, rest.size() / 3)).reshaped();
+  };
+  const double rest_energy = body.elastic_energy(mapped(0.9 * Mat3::Identity()));
+  struct Case {
+    const char* name;
+    VecX x;
+  };
+  const Case cases[] = {
+      {"mirrored", mapped(Vec3(-1, 1, 1).asDiagonal())},      {"flat", mapped(Vec3(1, 0, 1).asDiagonal())},
+      {"line", mapped(Vec3(1, 0, 0).asDiagonal())},           {"small", mapped(0.05 * Mat3::Identity())},
+      {"random", rest + 0.1 * random_vector(rest.size(), 8)}, {"far", 1e3 * rest}};
+  const std::string model = GetParam().name;
+  for (const Case& c : cases) {
+    const SoftBodyState state = recover(body, c.x, 120);
+    if (model == "fem_corotational" || model == "fem_linear") {
+      EXPECT_LT(body.elastic_energy(state.motion.x), 1e-2 * rest_energy) << c.name;
+    }
+  }
+}
+
+TEST(SoftBody, RecoversFromNearCollapseWithTheBarrier) {
+  SoftBody body(description("fem_neo_hookean"), kuhn_anatomy({2, 2, 2}, cube_size));
+  const VecX rest = body.initial_state().motion.x;
+  const SoftBodyState state = recover(body, 0.05 * rest, 240);
+  EXPECT_LT(body.elastic_energy(state.motion.x), 1e-3 * body.elastic_energy(0.9 * rest));
+}
+
+TEST(SoftBody, MassIsThatOfTheVolumeAlsoWithFlatTetrahedra) {
+  Anatomy anatomy = kuhn_anatomy({2, 2, 2}, cube_size);
+  const SoftBody whole(description("fem_linear"), anatomy);
+  EXPECT_NEAR(whole.total_mass(), 1060 * 1e-3, 1e-12);
+  EXPECT_EQ(whole.dropped_elements(), 0u);
+  anatomy.tets.tets.push_back({0, 1, 2, 2});
+  anatomy.tets.tets.push_back({0, 1, 2, 3});                    // along an edge of the box
+  std::swap(anatomy.tets.tets[0][0], anatomy.tets.tets[0][1]);  // mirrored numbering
+  anatomy.tets.positions.emplace_back(1, 1, 1);                 // a node of nothing
+  const SoftBody body(description("fem_linear"), anatomy);
+  EXPECT_EQ(body.dropped_elements(), 2u);
+  EXPECT_EQ(body.elements(), whole.elements());
+  EXPECT_NEAR(body.total_mass(), 1060 * 1e-3, 1e-6);
+  EXPECT_GT(body.node_mass().minCoeff(), 0);
+}
+
+TEST(SoftBody, AttachmentsAreAWinklerFoundation) {
+  for (std::uint32_t cells : {2u, 5u}) {
+    SoftDesc desc = description("fem_corotational");
+    desc.attach.push_back({Vec3(0.05, 0.05, 0.05), 1, 3e6});
+    SoftBody body(desc, kuhn_anatomy({cells, cells, cells}, cube_size));
+    EXPECT_NEAR(body.attachment_stiffness().sum(), 3e6 * 1e-3, 1e-6);
+    SoftBodyState state = body.initial_state();
+    Stepper(body).settle(gravity, state);
+    const double sag =
+        -(state.motion.x - body.initial_state().motion.x).reshaped(3, body.nodes()).row(1).mean();
+    EXPECT_NEAR(sag, 1060 * 9.81 / 3e6, 1e-8);
+  }
+}
+
+TEST(SoftBody, ContentHashIsStableAndSensitive) {
+  const Anatomy anatomy = kuhn_anatomy({2, 2, 2}, cube_size);
+  const auto hash = [](const SoftDesc& desc, const Anatomy& a) { return SoftBody(desc, a).content_hash(); };
+  const SoftDesc desc = description("fem_linear");
+  const std::uint64_t reference = hash(desc, anatomy);
+  EXPECT_EQ(hash(desc, anatomy), reference);
+  Anatomy moved = anatomy;
+  moved.tets.positions[5][1] += 1e-12;
+  EXPECT_NE(hash(desc, moved), reference);
+  Anatomy renumbered = anatomy;
+  std::swap(renumbered.tets.tets[0], renumbered.tets.tets[1]);
+  EXPECT_NE(hash(desc, renumbered), reference);
+  SoftDesc heavier = desc;
+  heavier.density += 1;
+  EXPECT_NE(hash(heavier, anatomy), reference);
+}
+
+TEST(SoftBody, SurfaceAreaIsSharedAmongVertices) {
+  Anatomy anatomy = kuhn_anatomy({1, 1, 1}, cube_size);
+  anatomy.surface.positions = {Vec3(0, 0, 0), Vec3(0.1, 0, 0), Vec3(0, 0.1, 0)};
+  anatomy.surface.triangles = {{0, 1, 2}};
+  anatomy.embedding.rows.resize(3);
+  const SoftBody body(description("fem_linear"), anatomy);
+  for (double area : body.surface_area()) EXPECT_NEAR(area, 0.005 / 3, 1e-15);
+}
+
+TEST(SoftBody, RefusesWhatItCannotModel) {
+  const Anatomy good = kuhn_anatomy({1, 1, 1}, cube_size);
+  const auto refuse = [&](auto change, const char* named) {
+    SoftDesc desc = description("fem_linear");
+    Anatomy anatomy = good;
+    change(desc, anatomy);
+    try {
+      SoftBody body(desc, anatomy);
+      ADD_FAILURE() << named;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(named), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("\"cube\""), std::string::npos) << error.what();
+    }
+  };
+  refuse([](SoftDesc& d, Anatomy&) { d.model = "putty"; }, "model");
+  refuse([](SoftDesc& d, Anatomy&) { d.integrator = "leap"; }, "integrator");
+  refuse([](SoftDesc& d, Anatomy&) { d.solver = "magic"; }, "solver");
+  refuse([](SoftDesc& d, Anatomy&) { d.poisson_ratio = 0.5; }, "poisson_ratio");
+  refuse([](SoftDesc& d, Anatomy&) { d.youngs_modulus = -1; }, "youngs_modulus");
+  refuse([](SoftDesc& d, Anatomy&) { d.density = 0; }, "density");
+  refuse([](SoftDesc& d, Anatomy&) { d.damping_stiffness = NAN; }, "damping_stiffness");
+  refuse([](SoftDesc& d, Anatomy&) { d.damping_mass = -1; }, "damping_mass");
+  refuse([](SoftDesc& d, Anatomy&) { d.attach.push_back({Vec3::Zero(), 1, -1}); }, "attach");
+  refuse([](SoftDesc&, Anatomy& a) { a.tets.tets.clear(); }, "no tetrahedra");
+  refuse([](SoftDesc&, Anatomy& a) { a.tets.tets[0][0] = 99; }, "names node 99");
+  refuse([](SoftDesc&, Anatomy& a) { a.tets.positions[0][0] = NAN; }, "not finite");
+  refuse([](SoftDesc&, Anatomy& a) { a.surface.positions.resize(1); }, "surface");
+  refuse([](SoftDesc&, Anatomy& a) { a.tets.tets = {{0, 1, 2, 2}}; }, "flat");
+}
+
+}  // namespace
+}  // namespace prosector
