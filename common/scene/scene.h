@@ -29,12 +29,12 @@ struct PartDesc {
 struct RigidDesc {
   std::string name;
   std::string description;
-  std::string parent;  // body it belongs to in the scene graph; empty: the room
-  std::string mesh;    // surface file; empty: parts
-  std::string
-      fallback;      // implicit shape (anatomy/implicit.h) used, with a clear line, when `mesh` is missing
-  double scale = 1;  // file units → metres
-  double surface_cell = 0;  // m: thin the mesh to about this edge length; 0: as it is
+  std::string parent;    // body it belongs to in the scene graph; empty: the room
+  std::string mesh;      // surface file; empty: parts
+  std::string fallback;  // implicit shape (as of SoftDesc) used, with a clear line, when `mesh` is missing
+  Vec3 size = {0.1, 0.1, 0.1};  // m: bounding box of the fallback, its centre at the body's origin
+  double scale = 1;             // file units → metres
+  double surface_cell = 0;      // m: thin the mesh to about this edge length; 0: as it is
   std::vector<PartDesc> parts;
   std::string collision =
       "hull";  // mesh bodies: hull | mesh | none; parts are their own collision shape unless none
@@ -68,7 +68,8 @@ struct SoftDesc {
   std::string mesh;             // or a tetrahedral mesh: .msh, .vtk
   std::string shape;            // or an implicit shape: liver | kidney | gallbladder | block | ball | beam
   std::string fallback;         // implicit shape when volume or mesh is missing
-  Vec3 size = {0.1, 0.1, 0.1};  // m: implicit shapes: bounding box
+  Vec3 size = {0.1, 0.1, 0.1};  // m: implicit shapes and fallbacks: bounding box
+  Vec3 fallback_center = Vec3::Zero();  // m, body's frame: where the fallback's centre lies
   double scale = 1;             // mesh files: file units → metres (volumes carry their voxel size in mm)
   double cell = 0.012;          // m: tetrahedra's edge length, about
   double surface_cell = 0.006;  // m: triangles' edge length of the drawn and touched surface, about

@@ -12,6 +12,11 @@ constexpr Range density{1, 25000};
 constexpr Range friction{0, 10};
 constexpr Range scale{0, 1e6, true};
 
+/// Shapes that common/anatomy can make by itself.
+std::vector<std::string_view> implicit_shapes() {
+  return {"liver", "kidney", "gallbladder", "block", "ball", "beam"};
+}
+
 /// The field that a chain of member pointers leads to: in<RigidDesc, &RigidDesc::pose, &Pose::p>.
 template <class Struct, auto... Path>
 FieldRef in(void* object) {
@@ -160,8 +165,10 @@ const Table& rigid_table() {
              name<R, &R::parent>("parent", false,
                                  "body that it belongs to in the scene graph; not given: the room"),
              text<R, &R::mesh>("mesh", "surface file: .obj .stl .ply .off .gltf .glb"),
-             identifier<R, &R::fallback>(
-                 "fallback", "implicit shape used, with a clear line, when the mesh file is missing"),
+             words<R, &R::fallback>("fallback", implicit_shapes(),
+                                    "implicit shape used, with a clear line, when the mesh file is missing"),
+             number<R, &R::size>("size", "m", {0, 10, true},
+                                 "bounding box of the fallback, centred at the body's origin"),
              number<R, &R::scale>("scale", "", scale, "file units to metres"),
              number<R, &R::surface_cell>("surface_cell", "m", {0, 1},
                                          "thin the mesh to about this edge length; 0: leave it as it is"),
@@ -212,12 +219,13 @@ const Table& soft_table() {
                               "volumes: label to take; -1: what is above threshold"),
          number<S, &S::threshold>("threshold", "", {-1e6, 1e6}, "grey volumes: inside is above it"),
          text<S, &S::mesh>("mesh", "tetrahedral mesh: .msh .vtk"),
-         words<S, &S::shape>("shape", {"liver", "kidney", "gallbladder", "block", "ball", "beam"},
-                             "implicit shape, `size` large"),
+         words<S, &S::shape>("shape", implicit_shapes(), "implicit shape, `size` large"),
          words<S, &S::fallback>(
-             "fallback", {"liver", "kidney", "gallbladder", "block", "ball", "beam"},
+             "fallback", implicit_shapes(),
              "implicit shape used, with a clear line, when the volume or mesh file is missing"),
-         number<S, &S::size>("size", "m", {0, 10, true}, "bounding box of the implicit shape"),
+         number<S, &S::size>("size", "m", {0, 10, true}, "bounding box of the implicit shape or fallback"),
+         number<S, &S::fallback_center>("fallback_center", "m", {-10, 10},
+                                        "where the fallback's centre lies in the body's frame"),
          number<S, &S::scale>("scale", "", scale, "mesh files: file units to metres (volumes know theirs)"),
          number<S, &S::cell>("cell", "m", {5e-4, 1}, "edge length of the tetrahedra, about"),
          number<S, &S::surface_cell>("surface_cell", "m", {5e-4, 1},

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Who may include whom (docs/architecture.md): each rule is files, what they must not include, and why.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+bad=0
+# forbid WHY REGEX FILES...: no file may hold an #include whose path matches REGEX.
+forbid() {
+  local why=$1 regex=$2
+  shift 2
+  [ $# -gt 0 ] || return 0
+  if grep -nHE "^[[:space:]]*#[[:space:]]*include[[:space:]]*[<\"]($regex)" "$@"; then
+    echo "  ^ $why"
+    bad=1
+  fi
+}
+
+# sources PATTERN [EXCEPT]: our C++ files below folders matching PATTERN, without those matching EXCEPT.
+all=$(git ls-files --cached --others --exclude-standard '*.h' '*.cpp')
+sources() { grep -E "^($1)" <<<"$all" | { if [ $# -gt 1 ]; then grep -vE "$2"; else cat; fi; } || true; }
+
+forbid "common includes nothing of ours but common" '(idl|drivers|server|client|tests)/' $(sources common/)
+forbid "idl includes common only" '(drivers|server|client|tests)/' $(sources idl/)
+forbid "drivers include common only" '(idl|server|client|tests)/' $(sources drivers/)
+forbid "the server never knows a device or a client" '(drivers|client|tests)/' $(sources server/)
+forbid "the client never knows the server" '(server|tests)/' $(sources client/)
+forbid "physics knows no network" 'idl/' $(sources server/physics/)
+forbid "of idl, others include its bus headers only" 'idl/[a-z_]*(wire|convert|topic|dds/)' $(sources '(server|client)/')
+forbid "of drivers, the client's stations include device.h and the driver table only" \
+  'drivers/[a-z0-9_]+/' $(sources client/)
+forbid "only idl/*.cpp know DDS" '(dds/|ddsc/|prosector\.h|bus_wire\.h)' \
+  $(sources '(common|drivers|server|client)/') $(sources idl/ '\.cpp$')
+forbid "Bullet only in .cpp files of server/physics" '(bullet/|bt[A-Z]|Bullet(Collision|Dynamics)|LinearMath)' \
+  $(sources '(common|idl|drivers|client|server/session)/') $(sources server/physics/ '\.cpp$')
+forbid "OpenGL only in client/render and client/display" '(GL/|GLFW/|EGL/|GLES)' \
+  $(sources '(common|idl|drivers|server)/') $(sources client/ '^client/(render|display)/')
+forbid "toml++, assimp, OpenCV and SQLite only in .cpp files" '(toml|assimp/|opencv|sqlite3)' \
+  $(sources '(common|idl|drivers|server|client)/' '\.cpp$')
+
+[ $bad -eq 0 ] || { echo "includes: move the code or the seam, not the rule" >&2; exit 1; }
+echo "includes: good"
