@@ -1,0 +1,138 @@
+#include "client/app/connection.h"
+
+#include <fmt/format.h>
+
+#include <random>
+
+#include "common/clock.h"
+#include "common/error.h"
+#include "idl/cyclone_bus.h"
+
+namespace prosector {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds poll_interval{20};
+
+ParticipantId draw_participant_id() {
+  std::random_device entropy;
+  ParticipantId id = 0;
+  while (id == 0) id = (ParticipantId{entropy()} << 32) | entropy();
+  return id;
+}
+
+std::string where_we_looked(const BusConfig& config) {
+  if (!config.peers.empty()) return fmt::format("asked {}", fmt::join(config.peers, ", "));
+  if (config.profile.empty())
+    return "looked on this machine only (loopback); name a machine with --peer, or a network with --lan";
+  return fmt::format("looked where {} says", config.profile);
+}
+
+std::string no_server(const BusConfig& config) {
+  std::string others;
+  for (const SessionInfo& s : list_sessions(config, std::chrono::milliseconds(600)))
+    others += fmt::format("{}'{}' (scene {})", others.empty() ? "" : ", ", s.session, s.scene);
+  return fmt::format("no server found for session '{}' in domain {}: {}. {}", config.session, config.domain,
+                     where_we_looked(config),
+                     others.empty() ? "Start one: prosector-server deploy/scenes/abdomen.toml"
+                                    : "Sessions that do run: " + others + "; choose with --session");
+}
+
+}  // namespace
+
+Connection::Connection(const BusConfig& config, const JoinRequest& request)
+    : bus_(make_cyclone_bus(config)),
+      presence_{.participant = draw_participant_id(),
+                .name = request.name,
+                .role = request.role,
+                .devices = request.devices} {
+  find_session(config, request.patience);
+  ask_to_join(request.patience);
+}
+
+Connection::~Connection() {
+  thread_.request_stop();
+  if (thread_.joinable()) thread_.join();
+  bus_->publish(Command{
+      .participant = presence_.participant, .sequence = ++command_sequence_, .kind = CommandKind::leave});
+  bus_->dispose(presence_);
+}
+
+void Connection::find_session(const BusConfig& config, std::chrono::milliseconds patience) {
+  const auto deadline = Clock::now() + patience;
+  std::vector<Received> received;
+  while (!replica_.session()) {
+    if (Clock::now() > deadline) throw InputError(no_server(config));
+    bus_->wait(poll_interval);
+    bus_->take(received);
+    for (const Received& r : received) replica_.apply(r);
+  }
+  const SessionInfo& session = *replica_.session();
+  if (session.version != protocol_version)
+    throw InputError(fmt::format(
+        "session '{}' speaks protocol version {}, this client speaks {}: install the same release on both",
+        session.session, session.version, protocol_version));
+}
+
+// The command may overtake the presence, or be lost to a server that is just matching: ask again until
+// answered.
+void Connection::ask_to_join(std::chrono::milliseconds patience) {
+  const auto deadline = Clock::now() + patience;
+  auto next_try = Clock::now();
+  std::vector<Received> received;
+  while (Clock::now() < deadline) {
+    if (Clock::now() >= next_try) {
+      bus_->publish(presence_);
+      bus_->publish(Command{
+          .participant = presence_.participant, .sequence = ++command_sequence_, .kind = CommandKind::join});
+      next_try = Clock::now() + std::chrono::milliseconds(500);
+    }
+    bus_->wait(poll_interval);
+    bus_->take(received);
+    for (const Received& r : received) {
+      replica_.apply(r);
+      const auto* result = std::get_if<CommandResult>(&r.message);
+      if (result == nullptr || result->participant != presence_.participant) continue;
+      if (result->accepted) return;
+      throw InputError(fmt::format("session '{}' refused {}: {}", replica_.session()->session, presence_.name,
+                                   result->reason));
+    }
+  }
+  throw InputError(fmt::format("session '{}' was found but did not answer within {} s: is its server stuck?",
+                               replica_.session()->session, static_cast<double>(patience.count()) / 1e3));
+}
+
+void Connection::start() {
+  thread_ = std::jthread([this](std::stop_token stop) { run(stop); });
+}
+
+void Connection::run(std::stop_token stop) {
+  std::vector<Received> received;
+  while (!stop.stop_requested()) {
+    if (!bus_->wait(std::chrono::milliseconds(100))) continue;
+    bus_->take(received);
+    if (on_received_)
+      for (const Received& r : received) on_received_(r);
+    std::lock_guard lock(mutex_);
+    for (const Received& r : received) {
+      replica_.apply(r);
+      const auto* result = std::get_if<CommandResult>(&r.message);
+      if (result != nullptr && result->participant == presence_.participant && !result->accepted)
+        refusal_ = result->reason;
+    }
+  }
+}
+
+void Connection::command(CommandKind kind, std::size_t hand) {
+  bus_->publish(Command{.participant = presence_.participant,
+                        .sequence = ++command_sequence_,
+                        .kind = kind,
+                        .hand = static_cast<std::uint8_t>(hand)});
+}
+
+std::string Connection::last_refusal() {
+  std::lock_guard lock(mutex_);
+  return std::exchange(refusal_, {});
+}
+
+}  // namespace prosector

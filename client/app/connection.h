@@ -1,0 +1,68 @@
+#pragma once
+// Finding a session, being let in, and leaving it.
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "client/replica/replica.h"
+#include "idl/bus.h"
+
+namespace prosector {
+
+struct JoinRequest {
+  std::string name;
+  Role role = Role::observer;
+  std::string devices;
+  std::chrono::milliseconds patience{5000};  // how long to look for the session
+};
+
+/// A joined session: a thread takes samples into the replica as they arrive, whatever the drawing does.
+class Connection {
+ public:
+  /// Throws InputError with what to do: no server found (and where it looked, and which sessions there are),
+  /// another protocol version, refused by the server and why.
+  Connection(const BusConfig& config, const JoinRequest& request);
+  ~Connection();
+
+  ParticipantId participant() const { return presence_.participant; }
+  const std::string& name() const { return presence_.name; }
+
+  /// Runs `f(replica)` while the network thread waits.
+  template <class F>
+  auto with_replica(F&& f) {
+    std::lock_guard lock(mutex_);
+    return f(replica_);
+  }
+
+  /// Called on the network thread for every sample, before the replica takes it. Set it before start().
+  void on_received(std::function<void(const Received&)> f) { on_received_ = std::move(f); }
+  void start();
+
+  void publish(const HandInput& input) { bus_->publish(input); }
+  void command(CommandKind kind, std::size_t hand);
+  BusCounters counters() const { return bus_->counters(); }
+  /// The last refusal of a command, for people; empty when all went well.
+  std::string last_refusal();
+
+ private:
+  std::unique_ptr<Bus> bus_;
+  Presence presence_;
+  std::mutex mutex_;
+  Replica replica_;
+  std::string refusal_;
+  std::atomic<std::uint64_t> command_sequence_ = 0;
+  std::function<void(const Received&)> on_received_;
+  std::jthread thread_;
+
+  void find_session(const BusConfig& config, std::chrono::milliseconds patience);
+  void ask_to_join(std::chrono::milliseconds patience);
+  void run(std::stop_token stop);
+};
+
+}  // namespace prosector

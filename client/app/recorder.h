@@ -1,0 +1,28 @@
+#pragma once
+// Video files of what was drawn.
+
+#include <filesystem>
+#include <memory>
+
+#include "client/render/renderer.h"
+
+namespace prosector {
+
+/// Writes frames at a fixed rate. A full disk ends the recording with a message, never the session.
+class Recorder {
+ public:
+  /// `.avi` (motion JPEG) or `.mp4`. Throws InputError for another ending, or when the file cannot be begun.
+  Recorder(const std::filesystem::path& file, int width, int height, double frames_per_second);
+  ~Recorder();
+
+  void add(const Image& image);
+  /// What ended the recording early; empty while all is well.
+  const std::string& failure() const;
+  std::size_t frames() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace prosector

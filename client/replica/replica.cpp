@@ -1,0 +1,221 @@
+#include "client/replica/replica.h"
+
+#include <fmt/format.h>
+
+#include "common/asset.h"
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t max_early_chunks = 4096;  // soft samples kept until their body is known
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+
+Pose interpolate(const Pose& a, const Vec3& va, const Pose& b, const Vec3& vb, double h, double s) {
+  return {hermite(a.p, va, b.p, vb, h, s), a.q.slerp(s, b.q)};
+}
+
+Pose interpolate(const Pose& a, const Pose& b, double s) {
+  return {a.p + s * (b.p - a.p), a.q.slerp(s, b.q)};
+}
+
+}  // namespace
+
+void Replica::apply(const Received& received) {
+  if (received.liveness == Liveness::gone)
+    forget(received.message);
+  else
+    apply(received.message, received.arrival_ns);
+  if (!complete_ && session_ && scene_) build_bodies();
+}
+
+void Replica::apply(const Message& message, std::int64_t arrival_ns) {
+  const auto timed = [&](const SimTime& time) {
+    if (clock_) clock_->arrived(time, arrival_ns);
+  };
+  std::visit(Overloaded{
+                 [&](const SessionInfo& m) {
+                   if (session_ && session_->server_run != m.server_run) start_over();
+                   session_ = m;
+                   server_gone_ = false;
+                   if (!clock_) clock_.emplace(m.tick_rate);
+                 },
+                 [&](const SceneInfo& m) {
+                   if (!scene_) scene_ = m;
+                 },
+                 [&](const AssetChunk& m) { assets_.add(m); },
+                 [&](const RosterEntry& m) { roster_[m.participant] = m; },
+                 [&](const UserState& m) {
+                   timed(m.time);
+                   users_[m.participant].add(m);
+                 },
+                 [&](const RigidState& m) {
+                   timed(m.time);
+                   if (!scene_ || m.body < scene_->bodies.size())
+                     rigid_[m.body].track.add(m);
+                   else
+                     ++refused_;
+                 },
+                 [&](const SoftState& m) {
+                   timed(m.time);
+                   if (const auto it = soft_.find(m.body); it != soft_.end())
+                     it->second.add(m);
+                   else if (early_soft_.size() < max_early_chunks)
+                     early_soft_.push_back(m);
+                 },
+                 [&](const Settled& m) {
+                   settled_[m.body] = m;
+                   if (const auto it = soft_.find(m.body); it != soft_.end()) it->second.add(m);
+                 },
+                 [&](const TopologyRevision& m) { topology_[m.body] = m; },
+                 [&](const ContactSample& m) {
+                   contacts_[{m.participant, m.hand}] = m;
+                 },
+                 [&](const ServerStatus& m) {
+                   timed(m.time);
+                   status_ = m;
+                 },
+                 [](const auto&) {},  // what only the server reads
+             },
+             message);
+}
+
+void Replica::forget(const Message& message) {
+  std::visit(Overloaded{
+                 [&](const SessionInfo&) { server_gone_ = true; },
+                 [&](const RosterEntry& m) {
+                   roster_.erase(m.participant);
+                   users_.erase(m.participant);
+                   std::erase_if(contacts_, [&](const auto& c) { return c.first.first == m.participant; });
+                 },
+                 [](const auto&) {},
+             },
+             message);
+}
+
+// Another server run has other bodies, other topology and another clock: only assets, named by content, stay
+// good.
+void Replica::start_over() {
+  AssetStore assets = std::move(assets_);
+  *this = Replica();
+  assets_ = std::move(assets);
+}
+
+void Replica::build_bodies() {
+  for (BodyId id = 0; id < scene_->bodies.size(); ++id) {
+    const SceneBody& body = scene_->bodies[id];
+    try {
+      build(id, body);
+    } catch (const InputError&) {
+      ++refused_;
+    }
+  }
+  complete_ = missing().empty();
+}
+
+void Replica::build(BodyId id, const SceneBody& body) {
+  const auto mesh = assets_.find(body.mesh);
+  if (!mesh) return;
+  if (body.kind == BodyKind::rigid) {
+    RigidReplica& rigid = rigid_[id];
+    if (!rigid.mesh.positions.empty()) return;
+    rigid.mesh = decode_triangle_mesh(*mesh);
+    rigid.scene_pose = body.pose;
+    return;
+  }
+  const auto map_bytes = assets_.find(body.map);
+  if (!map_bytes || soft_.contains(id) || body.points == 0 || body.chunk_points == 0) return;
+  TriangleMesh rest = decode_triangle_mesh(*mesh);
+  SparseMap map = decode_sparse_map(*map_bytes);
+  if (map.rows.size() != rest.positions.size()) throw InputError("asset: map and surface differ in size");
+  for (const SparseMap::Row& row : map.rows)
+    for (auto node : row.node)
+      if (node >= body.points) throw InputError("asset: map names a point that isn't streamed");
+  auto [it, added] = soft_.emplace(id, SoftReplica(body, std::move(rest), std::move(map)));
+  if (const auto settled = settled_.find(id); settled != settled_.end()) it->second.add(settled->second);
+  for (const SoftState& chunk : early_soft_)
+    if (chunk.body == id) it->second.add(chunk);
+  std::erase_if(early_soft_, [&](const SoftState& chunk) { return chunk.body == id; });
+}
+
+std::string Replica::missing() const {
+  if (!session_) return "waiting for the session's description";
+  if (!scene_) return "waiting for the scene";
+  std::size_t meshes = 0, states = 0, topologies = 0;
+  for (BodyId id = 0; id < scene_->bodies.size(); ++id) {
+    if (scene_->bodies[id].kind == BodyKind::rigid) {
+      const auto it = rigid_.find(id);
+      meshes += it == rigid_.end() || it->second.mesh.positions.empty();
+    } else {
+      const auto it = soft_.find(id);
+      meshes += it == soft_.end();
+      states += it == soft_.end() || !it->second.complete();
+      topologies += !topology_.contains(id);
+    }
+  }
+  if (meshes + states + topologies == 0) return "";
+  return fmt::format("waiting for {} of {} meshes, {} first states, {} topology logs", meshes,
+                     scene_->bodies.size(), states, topologies);
+}
+
+std::uint64_t Replica::topology_hash() const {
+  StateHasher hasher;
+  for (const auto& [body, revision] : topology_) {
+    hasher.add(body);
+    hasher.add(revision.chain_hash);
+  }
+  return hasher.digest();
+}
+
+const ContactSample* Replica::contact(ParticipantId participant, std::size_t hand) const {
+  const auto it = contacts_.find({participant, static_cast<std::uint8_t>(hand)});
+  return it == contacts_.end() ? nullptr : &it->second;
+}
+
+const RigidReplica* Replica::rigid(BodyId body) const {
+  const auto it = rigid_.find(body);
+  return it == rigid_.end() ? nullptr : &it->second;
+}
+
+SoftReplica* Replica::soft(BodyId body) {
+  const auto it = soft_.find(body);
+  return it == soft_.end() ? nullptr : &it->second;
+}
+
+double Replica::advance(std::int64_t now_ns) {
+  return clock_ ? clock_->playhead(now_ns) : 0;
+}
+
+Pose Replica::rigid_pose(BodyId body, double tick) const {
+  const RigidReplica* rigid = this->rigid(body);
+  if (rigid == nullptr) return {};
+  const auto b = rigid->track.at(tick, tick_seconds());
+  if (b.from == nullptr) return rigid->scene_pose;
+  if (b.from == b.to) return b.from->pose;
+  return interpolate(b.from->pose, b.from->linear_velocity, b.to->pose, b.to->linear_velocity, b.seconds,
+                     b.share);
+}
+
+std::optional<UserState> Replica::user(ParticipantId participant, double tick) const {
+  const auto it = users_.find(participant);
+  if (it == users_.end()) return std::nullopt;
+  const auto b = it->second.at(tick, tick_seconds());
+  if (b.from == nullptr) return std::nullopt;
+  if (b.from == b.to) return *b.from;
+  UserState out = *b.to;
+  out.head = interpolate(b.from->head, b.to->head, b.share);
+  for (std::size_t h = 0; h < out.hands.size(); ++h) {
+    if (!b.from->hands[h].tracked || !b.to->hands[h].tracked) continue;
+    out.hands[h].pose = interpolate(b.from->hands[h].pose, b.to->hands[h].pose, b.share);
+    for (std::size_t f = 0; f < fingers; ++f)
+      out.hands[h].flexion[f] =
+          b.from->hands[h].flexion[f] + b.share * (b.to->hands[h].flexion[f] - b.from->hands[h].flexion[f]);
+  }
+  return out;
+}
+
+}  // namespace prosector

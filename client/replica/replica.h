@@ -1,0 +1,83 @@
+#pragma once
+// What a client knows of the session, made only from what arrived. Fed by the network thread, read by the
+// view: lock it.
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/replica/asset_store.h"
+#include "client/replica/playout_clock.h"
+#include "client/replica/soft_replica.h"
+#include "client/replica/track.h"
+#include "common/messages.h"
+#include "idl/bus.h"
+
+namespace prosector {
+
+struct RigidReplica {
+  TriangleMesh mesh;
+  Pose scene_pose;  // where it stands until a RigidState says otherwise
+  Track<RigidState> track;
+};
+
+class Replica {
+ public:
+  /// Takes one sample. What contradicts itself (a body that isn't in the scene, an asset that is no mesh) is
+  /// counted, not believed.
+  void apply(const Received& received);
+
+  /// True once the scene, every asset, the topology log and a first state of every deformable are there.
+  bool complete() const { return complete_; }
+  /// What is still missing, for people: "waiting for 3 of 12 meshes".
+  std::string missing() const;
+  /// Chain hash over the latest topology revision of every soft body: equal on every client that sees the
+  /// same cut.
+  std::uint64_t topology_hash() const;
+
+  const std::optional<SessionInfo>& session() const { return session_; }
+  const std::optional<SceneInfo>& scene() const { return scene_; }
+  const std::map<ParticipantId, RosterEntry>& roster() const { return roster_; }
+  const std::optional<ServerStatus>& status() const { return status_; }
+  const ContactSample* contact(ParticipantId participant, std::size_t hand) const;
+  const RigidReplica* rigid(BodyId body) const;
+  SoftReplica* soft(BodyId body);
+  bool server_gone() const { return server_gone_; }
+  std::uint64_t refused() const { return refused_ + assets_.refused(); }
+
+  // ---- At the playhead
+  /// Moves the playhead to `now_ns`; returns the tick to draw.
+  double advance(std::int64_t now_ns);
+  Pose rigid_pose(BodyId body, double tick) const;
+  std::optional<UserState> user(ParticipantId participant, double tick) const;
+  double tick_seconds() const { return session_ ? 1 / session_->tick_rate : 1.0 / 60; }
+  double playout_delay_ms() const { return clock_ ? clock_->delay_ms() : 0; }
+
+ private:
+  AssetStore assets_;
+  std::optional<SessionInfo> session_;
+  std::optional<SceneInfo> scene_;
+  std::optional<PlayoutClock> clock_;
+  std::map<ParticipantId, RosterEntry> roster_;
+  std::map<ParticipantId, Track<UserState>> users_;
+  std::map<std::pair<ParticipantId, std::uint8_t>, ContactSample> contacts_;
+  std::map<BodyId, RigidReplica> rigid_;
+  std::map<BodyId, SoftReplica> soft_;
+  std::map<BodyId, TopologyRevision> topology_;
+  std::vector<SoftState> early_soft_;  // arrived before the scene or its assets
+  std::map<BodyId, Settled> settled_;
+  std::optional<ServerStatus> status_;
+  bool complete_ = false, server_gone_ = false;
+  std::uint64_t refused_ = 0;
+
+  void apply(const Message& message, std::int64_t arrival_ns);
+  void forget(const Message& message);
+  void start_over();
+  void build_bodies();
+  void build(BodyId id, const SceneBody& body);
+};
+
+}  // namespace prosector

@@ -1,0 +1,69 @@
+#pragma once
+// Samples of something that moves, and its value between them.
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+
+#include "common/math.h"
+#include "common/messages.h"
+
+namespace prosector {
+
+/// Cubic Hermite between (x0, v0) and (x1, v1), `h` seconds apart, at share s in [0, 1]. Linear interpolation
+/// would err by a·h²/8 under acceleration a.
+inline Vec3 hermite(const Vec3& x0, const Vec3& v0, const Vec3& x1, const Vec3& v1, double h, double s) {
+  const double s2 = s * s, s3 = s2 * s;
+  return (2 * s3 - 3 * s2 + 1) * x0 + (s3 - 2 * s2 + s) * h * v0 + (3 * s2 - 2 * s3) * x1 +
+         (s3 - s2) * h * v1;
+}
+
+/// The last few samples of one keyed instance, in order of time; late ones are sorted in, other epochs are
+/// dropped.
+template <class Sample>
+class Track {
+ public:
+  void add(Sample sample) {
+    if (!samples_.empty() && sample.time.epoch < samples_.back().time.epoch) return;
+    if (!samples_.empty() && sample.time.epoch > samples_.back().time.epoch) samples_.clear();
+    auto at = std::upper_bound(samples_.begin(), samples_.end(), sample.time.tick,
+                               [](std::uint64_t tick, const Sample& s) { return tick < s.time.tick; });
+    if (at != samples_.begin() && std::prev(at)->time.tick == sample.time.tick)
+      *std::prev(at) = std::move(sample);
+    else
+      samples_.insert(at, std::move(sample));
+    while (samples_.size() > capacity) samples_.pop_front();
+  }
+
+  struct Bracket {
+    const Sample* from = nullptr;
+    const Sample* to = nullptr;  // == from: hold
+    double seconds = 0;          // between them, as far as interpolation is meant to bridge
+    double share = 0;            // 0 at `from`, 1 at `to`
+  };
+
+  /// What to interpolate at `tick`. A gap longer than `bridge` ticks means that nothing moved in it: `from`
+  /// is held until `bridge` ticks before `to`.
+  Bracket at(double tick, double dt, double bridge = 4) const {
+    Bracket out;
+    if (samples_.empty()) return out;
+    auto to = std::find_if(samples_.begin(), samples_.end(),
+                           [&](const Sample& s) { return static_cast<double>(s.time.tick) > tick; });
+    if (to == samples_.begin()) return {&*to, &*to, 0, 0};
+    const Sample& from = *std::prev(to);
+    if (to == samples_.end()) return {&from, &from, 0, 0};
+    const double end = static_cast<double>(to->time.tick);
+    const double gap = std::min(end - static_cast<double>(from.time.tick), bridge);
+    if (tick <= end - gap) return {&from, &from, 0, 0};
+    return {&from, &*to, gap * dt, (tick - (end - gap)) / gap};
+  }
+
+  bool empty() const { return samples_.empty(); }
+  const Sample& newest() const { return samples_.back(); }
+
+ private:
+  static constexpr std::size_t capacity = 16;  // a quarter of a second at 60 Hz: more than any playout delay
+  std::deque<Sample> samples_;
+};
+
+}  // namespace prosector
