@@ -1,0 +1,110 @@
+#include "client/app/device_rig.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+
+namespace prosector {
+namespace {
+
+constexpr std::int64_t pose_lifetime_ns = 250'000'000;  // a pose older than this is no pose any more
+
+const char* name_of(DeviceHealth health) {
+  constexpr std::array names = {"connecting", "streaming", "silent", "babbling", "absent"};
+  return names[static_cast<std::size_t>(health)];
+}
+
+}  // namespace
+
+DeviceRig::DeviceRig(const ClientConfig& config) : config_(config) {
+  if (!config_.tracker.empty()) open("tracker", config_.tracker, config_.tracker_device, std::nullopt);
+  for (std::size_t hand : {left_hand, right_hand})
+    if (const GloveSettings& glove = config_.gloves[hand]; !glove.address.empty())
+      open(hand == right_hand ? "right glove" : "left glove", glove.address, glove.device, hand);
+}
+
+void DeviceRig::open(const std::string& role, const std::string& address, const DeviceConfig& config,
+                     std::optional<std::size_t> glove_hand) {
+  devices_.push_back({fmt::format("{} {}", role, address), open_device(address, config), glove_hand});
+}
+
+void DeviceRig::wait(int timeout_ms) const {
+  std::vector<pollfd> descriptors;
+  for (const Entry& entry : devices_)
+    if (const int fd = entry.device->descriptor(); fd >= 0) descriptors.push_back({fd, POLLIN, 0});
+  ::poll(descriptors.data(), descriptors.size(), timeout_ms);
+}
+
+bool DeviceRig::poll(std::int64_t now_ns) {
+  bool changed = false;
+  for (Entry& entry : devices_) {
+    samples_.clear();
+    entry.device->poll(samples_);
+    for (const DeviceSample& sample : samples_) {
+      if (sample.has_pose) take_tracker(sample);
+      if (sample.has_flexion) take_glove(entry.glove_hand.value_or(right_hand), sample);
+      changed = true;
+    }
+  }
+  expire(now_ns);
+  return changed;
+}
+
+void DeviceRig::take_tracker(const DeviceSample& sample) {
+  const StationRole role =
+      sample.station < max_stations ? config_.stations[sample.station] : StationRole::none;
+  input_.time_ns = sample.time_ns;
+  if (role == StationRole::head) {
+    input_.head_tracked = true;
+    input_.head = sample.pose;
+    head_seen_ns_ = sample.time_ns;
+  } else if (role != StationRole::none) {
+    const std::size_t hand = role == StationRole::right_hand ? right_hand : left_hand;
+    input_.hands[hand].tracked = true;
+    input_.hands[hand].pose = sample.pose;
+    input_.hands[hand].buttons = sample.buttons;
+    tracker_sample_[hand] = sample;
+    hand_seen_ns_[hand] = sample.time_ns;
+  }
+}
+
+void DeviceRig::take_glove(std::size_t hand, const DeviceSample& sample) {
+  input_.hands[hand].flexion = sample.flexion;
+  input_.hands[hand].gesture = sample.gesture;
+  // Between two gestures a hand makes none; only a new one triggers.
+  if (sample.gesture == Gesture::none || sample.gesture == gesture_[hand]) return;
+  gesture_[hand] = sample.gesture;
+  if (const auto it = config_.gestures.find(sample.gesture); it != config_.gestures.end())
+    triggers_.push_back({it->second, hand});
+}
+
+void DeviceRig::expire(std::int64_t now_ns) {
+  if (now_ns - head_seen_ns_ > pose_lifetime_ns) input_.head_tracked = false;
+  for (std::size_t hand : {left_hand, right_hand})
+    if (now_ns - hand_seen_ns_[hand] > pose_lifetime_ns) {
+      input_.hands[hand].tracked = false;
+      tracker_sample_[hand].reset();
+    }
+}
+
+std::vector<std::string> DeviceRig::take_news() {
+  std::vector<std::string> out;
+  for (Entry& entry : devices_) {
+    const DeviceStatus status = entry.device->status();
+    if (status.health == entry.reported) continue;
+    entry.reported = status.health;
+    out.push_back(fmt::format("{}: {}{}{}", entry.label, name_of(status.health),
+                              status.message.empty() ? "" : ": ", status.message));
+  }
+  return out;
+}
+
+std::string DeviceRig::description() const {
+  std::string out;
+  for (const Entry& entry : devices_) {
+    const std::string address = entry.label.substr(entry.label.rfind(' ') + 1);
+    out += (out.empty() ? "" : ", ") + address.substr(0, address.find(':'));
+  }
+  return out;
+}
+
+}  // namespace prosector

@@ -1,0 +1,70 @@
+#pragma once
+// A user's devices together: tracker stations and gloves become one HandInput and gesture events.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/messages.h"
+#include "drivers/client_config.h"
+#include "drivers/device.h"
+
+namespace prosector {
+
+struct GestureTrigger {
+  GestureEvent event = GestureEvent::none;
+  std::size_t hand = right_hand;
+};
+
+class DeviceRig {
+ public:
+  /// Opens what the configuration names; devices that can't be opened yet are retried and reported, never
+  /// fatal.
+  explicit DeviceRig(const ClientConfig& config);
+
+  /// Blocks until a device has something or the time is over.
+  void wait(int timeout_ms) const;
+  /// Reads all devices. True if any pose or flexion changed.
+  bool poll(std::int64_t now_ns);
+
+  /// Latest state of the user; `participant` and `sequence` are the sender's to fill.
+  const HandInput& input() const { return input_; }
+  /// The tracker sample that `input().hands[hand]` stands on, if it has one.
+  const std::optional<DeviceSample>& tracker_sample(std::size_t hand) const { return tracker_sample_[hand]; }
+  /// What gestures triggered since the last call.
+  std::vector<GestureTrigger> take_triggers() { return std::exchange(triggers_, {}); }
+  /// Lines for people about every device whose state changed since the last call: "tracker
+  /// fastrak:/dev/ttyS0: silent …".
+  std::vector<std::string> take_news();
+  std::string description() const;  // "fastrak, 5dt"
+
+ private:
+  struct Entry {
+    std::string label;
+    std::unique_ptr<Device> device;
+    std::optional<std::size_t> glove_hand;  // nullopt: the tracker
+    DeviceHealth reported = DeviceHealth::connecting;
+  };
+
+  ClientConfig config_;
+  std::vector<Entry> devices_;
+  HandInput input_;
+  std::array<std::optional<DeviceSample>, 2> tracker_sample_;
+  std::array<std::int64_t, 2> hand_seen_ns_{};
+  std::int64_t head_seen_ns_ = 0;
+  std::array<Gesture, 2> gesture_{};
+  std::vector<GestureTrigger> triggers_;
+  std::vector<DeviceSample> samples_;
+
+  void open(const std::string& role, const std::string& address, const DeviceConfig& config,
+            std::optional<std::size_t> glove_hand);
+  void take_tracker(const DeviceSample& sample);
+  void take_glove(std::size_t hand, const DeviceSample& sample);
+  void expire(std::int64_t now_ns);
+};
+
+}  // namespace prosector

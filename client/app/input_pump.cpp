@@ -1,0 +1,79 @@
+#include "client/app/input_pump.h"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include "common/clock.h"
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::int64_t shortest_ns = 5'000'000;  // between two sends: several stations' records share one
+constexpr std::int64_t longest_ns =
+    100'000'000;  // and without news: says that the hand is still (or no longer) there
+
+CommandKind command_of(GestureEvent event) {
+  switch (event) {
+    case GestureEvent::grasp:
+      return CommandKind::grasp;
+    case GestureEvent::reset:
+      return CommandKind::reset;
+    default:
+      return CommandKind::release;
+  }
+}
+
+}  // namespace
+
+InputPump::InputPump(Connection& connection, const ClientConfig& config, const std::filesystem::path& log,
+                     std::function<void(const std::string&)> report)
+    : connection_(connection), rig_(config), report_(std::move(report)) {
+  if (!log.empty()) {
+    log_.open(log);
+    if (!log_) throw InputError(fmt::format("--latency-log {}: cannot be written", log.string()));
+    log_ << "sequence,sent_ns,r0,r1,r2,r3,r4,r5,r6\n";
+  }
+  thread_ = std::jthread([this](std::stop_token stop) { run(stop); });
+}
+
+InputPump::~InputPump() {
+  thread_.request_stop();
+  thread_.join();
+}
+
+HandInput InputPump::latest() const {
+  std::lock_guard lock(mutex_);
+  return latest_;
+}
+
+void InputPump::run(std::stop_token stop) {
+  std::uint64_t sequence = 0;
+  std::int64_t sent_ns = 0;
+  bool news = false;
+  while (!stop.stop_requested()) {
+    rig_.wait(4);
+    const std::int64_t now = monotonic_ns();
+    news |= rig_.poll(now);
+    for (const std::string& line : rig_.take_news()) report_(line);
+    for (const GestureTrigger& trigger : rig_.take_triggers())
+      if (trigger.event != GestureEvent::none) connection_.command(command_of(trigger.event), trigger.hand);
+    if (now - sent_ns < (news ? shortest_ns : longest_ns)) continue;
+    send(now, ++sequence);
+    sent_ns = now;
+    news = false;
+  }
+}
+
+void InputPump::send(std::int64_t now_ns, std::uint64_t sequence) {
+  HandInput input = rig_.input();
+  input.participant = connection_.participant();
+  input.sequence = sequence;
+  connection_.publish(input);
+  if (const auto& sample = rig_.tracker_sample(right_hand); log_.is_open() && sample)
+    fmt::print(log_, "{},{},{}\n", sequence, now_ns, fmt::join(sample->raw_pose, ","));
+  std::lock_guard lock(mutex_);
+  latest_ = input;
+}
+
+}  // namespace prosector

@@ -1,0 +1,41 @@
+#pragma once
+// The thread between devices and network: a hand pose leaves as soon as its record is whole, not when a
+// picture is drawn.
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "client/app/connection.h"
+#include "client/app/device_rig.h"
+
+namespace prosector {
+
+class InputPump {
+ public:
+  /// `log`: if not empty, a CSV with one line per HandInput sent: sequence, monotonic ns, the tracker's raw
+  /// values. It lets latency be measured end to end, by matching the values with those that the device says
+  /// it sent.
+  InputPump(Connection& connection, const ClientConfig& config, const std::filesystem::path& log,
+            std::function<void(const std::string&)> report);
+  ~InputPump();
+
+  /// The user as the devices have them now: drawn at once.
+  HandInput latest() const;
+
+ private:
+  Connection& connection_;
+  DeviceRig rig_;
+  std::ofstream log_;
+  std::function<void(const std::string&)> report_;
+  mutable std::mutex mutex_;
+  HandInput latest_;
+  std::jthread thread_;
+
+  void run(std::stop_token stop);
+  void send(std::int64_t now_ns, std::uint64_t sequence);
+};
+
+}  // namespace prosector
