@@ -1,0 +1,39 @@
+#pragma once
+// What a client measured of its own session, as JSON and as a latency log.
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+
+#include "client/app/connection.h"
+
+namespace prosector {
+
+/// Notes when each input of each participant first showed up in a snapshot here. Called on the network
+/// thread.
+class ArrivalLog {
+ public:
+  /// CSV: arrived_ns, participant, sequence, tick. Throws InputError when it cannot be written.
+  explicit ArrivalLog(const std::filesystem::path& file);
+  void received(const Received& received);
+
+ private:
+  std::ofstream out_;
+  std::map<ParticipantId, std::uint64_t> last_sequence_;
+};
+
+struct ClientReport {
+  std::int64_t started_ns = 0, joined_ns = 0;
+  std::optional<std::int64_t> complete_ns, first_picture_ns;
+  std::uint64_t bytes_at_complete = 0;
+  std::uint64_t pictures = 0;
+  double drawing_seconds = 0;
+  std::string renderer;
+};
+
+void write_report(const ClientReport& report, Connection& connection, const std::filesystem::path& file);
+
+}  // namespace prosector

@@ -1,0 +1,23 @@
+// prosector-client: join or observe a session.
+
+#include <fmt/format.h>
+
+#include "client/app/options.h"
+#include "client/app/run_client.h"
+#include "common/clock.h"
+#include "common/error.h"
+
+int main(int argc, char** argv) {
+  const std::int64_t started_ns = prosector::monotonic_ns();
+  try {
+    const auto parsed = prosector::parse_command_line(argc, argv);
+    if (const int* code = std::get_if<int>(&parsed)) return *code;
+    return prosector::run_client(std::get<prosector::ClientOptions>(parsed), started_ns);
+  } catch (const prosector::InputError& error) {
+    fmt::print(stderr, "prosector-client: {}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "prosector-client: unexpected: {}\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,161 @@
+#include "client/app/options.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdlib>
+#include <map>
+
+#include "client/render/shader_dir.h"
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+const std::map<std::string, Display> displays = {{"window", Display::window},
+                                                 {"stereo", Display::stereo},
+                                                 {"offscreen", Display::offscreen},
+                                                 {"osmesa", Display::osmesa},
+                                                 {"none", Display::none}};
+
+struct RawOptions {
+  std::string tracker, glove, glove_left, config, size = "800x600", lan, user_name;
+  std::vector<std::string> screenshots;
+};
+
+void add_network(CLI::App& app, ClientOptions& o, RawOptions& raw) {
+  app.add_option("--session", o.bus.session, "Name of the session to find")
+      ->capture_default_str()
+      ->group("Network");
+  app.add_option("--domain", o.bus.domain, "DDS domain")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 230))
+      ->group("Network");
+  app.add_option("--peer", o.bus.peers, "A server's machine, HOST or HOST:PORT (repeatable)")
+      ->group("Network");
+  app.add_option("--lan", raw.lan, "Search the network of this interface, for instance eth0")
+      ->group("Network");
+  app.add_option("--profile", o.bus.profile, "DDS profile file, see deploy/dds")
+      ->check(CLI::ExistingFile)
+      ->group("Network");
+  app.add_option_function<double>(
+         "--patience",
+         [&o](double s) { o.join.patience = std::chrono::milliseconds(static_cast<int>(1e3 * s)); },
+         "Seconds to look for the session (default 5)")
+      ->check(CLI::Range(0.1, 600.0))
+      ->group("Network");
+}
+
+void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
+  app.add_option("--display", o.display, "window, stereo (side by side), offscreen, osmesa, none")
+      ->transform(CLI::CheckedTransformer(displays))
+      ->group("Pictures");
+  app.add_option("--size", raw.size, "Picture size, WIDTHxHEIGHT")->capture_default_str()->group("Pictures");
+  app.add_option("--fps", o.frames_per_second, "Pictures per second, at most")
+      ->capture_default_str()
+      ->check(CLI::Range(0.1, 240.0))
+      ->group("Pictures");
+  app.add_option("--follow", o.follow, "See through the eyes of the participant of this name")
+      ->group("Pictures");
+  app.add_option("--screenshot", raw.screenshots,
+                 "PNG at the end, or FILE@SECONDS after joining (repeatable)")
+      ->group("Pictures");
+  app.add_option("--record", o.record, "Video file, .avi or .mp4")->group("Pictures");
+  app.add_option("--shaders", o.shaders, "Folder of the shaders")->group("Pictures");
+  app.add_flag("!--no-overlay", o.overlay, "Leave out figures and axes")->group("Pictures");
+}
+
+void add_run(CLI::App& app, ClientOptions& o, RawOptions& raw) {
+  app.add_option("--name", raw.user_name, "Your name, as others see it (default: your login name)");
+  app.add_option("--seconds", o.seconds, "Leave after this long (default: stay)")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--summary", o.summary, "Write figures of this run as JSON")->group("Measurement");
+  app.add_option("--latency-log", o.latency_log, "Write times of inputs sent or snapshots received as CSV")
+      ->group("Measurement");
+}
+
+void add_devices(CLI::App& app, RawOptions& raw) {
+  app.add_option("--tracker", raw.tracker, "Tracker: DRIVER:PATH, for instance fastrak:/dev/ttyS0")
+      ->group("Devices");
+  app.add_option("--glove", raw.glove, "Right glove: for instance 5dt:/dev/ttyS1 or 5dt-usb:/dev/hidraw0")
+      ->group("Devices");
+  app.add_option("--glove-left", raw.glove_left, "Left glove")->group("Devices");
+  app.add_option("--config", raw.config, "Client configuration, see deploy/client.toml")
+      ->check(CLI::ExistingFile)
+      ->group("Devices");
+}
+
+void parse_size(const std::string& text, int& width, int& height) {
+  const auto x = text.find('x');
+  const auto number = [&](std::size_t from, std::size_t to, int& out) {
+    const auto [end, error] = std::from_chars(text.data() + from, text.data() + to, out);
+    return error == std::errc() && end == text.data() + to && out >= 16 && out <= 8192;
+  };
+  if (x == std::string::npos || !number(0, x, width) || !number(x + 1, text.size(), height))
+    throw InputError("--size " + text + ": give WIDTHxHEIGHT, each 16 to 8192, for instance 800x600");
+}
+
+Screenshot parse_screenshot(const std::string& text) {
+  const auto at = text.rfind('@');
+  if (at == std::string::npos) return {text, std::nullopt};
+  double seconds = 0;
+  const auto [end, error] = std::from_chars(text.data() + at + 1, text.data() + text.size(), seconds);
+  if (error != std::errc() || end != text.data() + text.size() || !(seconds >= 0))
+    throw InputError("--screenshot " + text + ": after @ comes a number of seconds");
+  return {text.substr(0, at), seconds};
+}
+
+std::string login_name() {
+  const char* user = std::getenv("USER");
+  return user != nullptr && *user != '\0' ? user : "guest";
+}
+
+void resolve(const RawOptions& raw, ClientOptions& o) {
+  parse_size(raw.size, o.width, o.height);
+  for (const std::string& text : raw.screenshots) o.screenshots.push_back(parse_screenshot(text));
+  if (!raw.config.empty()) o.devices = load_client_config(raw.config);
+  if (!raw.tracker.empty()) o.devices.tracker = raw.tracker;
+  if (!raw.glove.empty()) o.devices.gloves[right_hand].address = raw.glove;
+  if (!raw.glove_left.empty()) o.devices.gloves[left_hand].address = raw.glove_left;
+  for (const std::string& address :
+       {o.devices.tracker, o.devices.gloves[left_hand].address, o.devices.gloves[right_hand].address})
+    if (!address.empty()) (void)parse_device_address(address);
+  o.join.name = raw.user_name.empty() ? login_name() : raw.user_name;
+  o.bus.interface = raw.lan;
+  o.bus.end = o.join.role == Role::observer ? BusEnd::observer : BusEnd::dissector;
+  if (o.shaders.empty()) o.shaders = default_shader_dir();
+}
+
+}  // namespace
+
+std::variant<ClientOptions, int> parse_command_line(int argc, char** argv) {
+  ClientOptions o;
+  RawOptions raw;
+  CLI::App app{
+      "Join or watch a dissecting room that a prosector-server hosts.\n"
+      "  prosector-client join --name NAME                          mouse and keyboard drive your hand\n"
+      "  prosector-client join --name NAME --tracker fastrak:/dev/ttyS0 --glove 5dt:/dev/ttyS1 --display "
+      "stereo\n"
+      "  prosector-client observe --follow NAME --record session.avi",
+      "prosector-client"};
+  app.require_subcommand(1);
+  CLI::App* join = app.add_subcommand("join", "Take part: touch, hold and move");
+  CLI::App* observe = app.add_subcommand("observe", "Watch: can disturb nothing, may come at any moment");
+  for (CLI::App* command : {join, observe}) {
+    add_run(*command, o, raw);
+    add_network(*command, o, raw);
+    add_pictures(*command, o, raw);
+  }
+  add_devices(*join, raw);
+  try {
+    app.parse(argc, argv);
+    o.join.role = join->parsed() ? Role::dissector : Role::observer;
+    resolve(raw, o);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return o;
+}
+
+}  // namespace prosector

@@ -1,0 +1,38 @@
+#pragma once
+// What the command line of prosector-client says.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/app/connection.h"
+#include "drivers/client_config.h"
+
+namespace prosector {
+
+enum class Display : std::uint8_t { window, stereo, offscreen, osmesa, none };
+
+struct Screenshot {
+  std::filesystem::path file;
+  std::optional<double> at;  // s after joining; nullopt: at the end
+};
+
+struct ClientOptions {
+  BusConfig bus;
+  JoinRequest join;
+  ClientConfig devices;
+  Display display = Display::window;
+  int width = 800, height = 600;
+  double frames_per_second = 30;
+  double seconds = 0;  // 0: until ended
+  std::string follow;  // name of the participant whose eyes to look through; empty: own camera
+  std::vector<Screenshot> screenshots;
+  std::filesystem::path record, latency_log, summary, shaders;
+  bool overlay = true;  // figures and axes
+};
+
+/// Parses; on --help or a wrong line prints to the user and returns the exit code.
+std::variant<ClientOptions, int> parse_command_line(int argc, char** argv);
+
+}  // namespace prosector

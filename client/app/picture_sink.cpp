@@ -1,0 +1,52 @@
+#include "client/app/picture_sink.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/error.h"
+
+namespace prosector {
+
+PictureSink::PictureSink(const ClientOptions& options)
+    : pending_(options.screenshots), frames_per_second_(options.frames_per_second) {
+  if (!options.record.empty())
+    recorder_ = std::make_unique<Recorder>(options.record, options.width, options.height, frames_per_second_);
+}
+
+bool PictureSink::wants(double seconds) const {
+  return recorder_ || std::any_of(pending_.begin(), pending_.end(),
+                                  [&](const Screenshot& s) { return s.at && *s.at <= seconds; });
+}
+
+void PictureSink::take(const Image& image, double seconds) {
+  for (const Screenshot& s : pending_)
+    if (s.at && *s.at <= seconds) write(image, s.file);
+  std::erase_if(pending_, [&](const Screenshot& s) { return s.at && *s.at <= seconds; });
+
+  if (!recorder_) return;
+  if (!recording_since_) recording_since_ = seconds;
+  // A video plays at a fixed rate: a picture that took long stands for all the frames that it took.
+  const auto due = static_cast<std::size_t>((seconds - *recording_since_) * frames_per_second_) + 1;
+  while (recorder_->frames() < due && recorder_->failure().empty()) recorder_->add(image);
+  if (!recorder_->failure().empty() && !std::exchange(failure_told_, true))
+    failures_.push_back(recorder_->failure());
+}
+
+void PictureSink::finish(const Image& image) {
+  for (const Screenshot& s : pending_) write(image, s.file);
+  pending_.clear();
+}
+
+void PictureSink::write(const Image& image, const std::filesystem::path& file) {
+  try {
+    write_png(image, file);
+  } catch (const InputError& error) {
+    failures_.push_back(error.what());
+  }
+}
+
+std::vector<std::string> PictureSink::take_failures() {
+  return std::exchange(failures_, {});
+}
+
+}  // namespace prosector

@@ -1,0 +1,37 @@
+#pragma once
+// Where pictures go besides the screen: screenshots at their times, and a video in real time.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/app/options.h"
+#include "client/app/recorder.h"
+
+namespace prosector {
+
+class PictureSink {
+ public:
+  explicit PictureSink(const ClientOptions& options);
+
+  /// True if a picture taken at `seconds` after joining would be kept.
+  bool wants(double seconds) const;
+  void take(const Image& image, double seconds);
+  /// The last picture, for screenshots without a time.
+  void finish(const Image& image);
+  /// What went wrong since the last call, for people.
+  std::vector<std::string> take_failures();
+
+ private:
+  std::vector<Screenshot> pending_;
+  double frames_per_second_;
+  std::unique_ptr<Recorder> recorder_;
+  std::optional<double> recording_since_;
+  bool failure_told_ = false;
+  std::vector<std::string> failures_;
+
+  void write(const Image& image, const std::filesystem::path& file);
+};
+
+}  // namespace prosector

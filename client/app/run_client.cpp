@@ -1,0 +1,195 @@
+#include "client/app/run_client.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <csignal>
+#include <thread>
+
+#include "client/app/client_report.h"
+#include "client/app/desk.h"
+#include "client/app/input_pump.h"
+#include "client/app/picture_sink.h"
+#include "client/render/renderer.h"
+#include "client/render/window_context.h"
+#include "client/view/scene_view.h"
+#include "common/clock.h"
+
+namespace prosector {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void tell(const std::string& line) {
+  fmt::print("{}\n", line), std::fflush(stdout);
+}
+
+double seconds_since(std::int64_t t) {
+  return 1e-9 * static_cast<double>(monotonic_ns() - t);
+}
+
+/// Everything that draws; absent with --display none.
+struct Stage {
+  std::unique_ptr<GlContext> context;
+  std::unique_ptr<Renderer> renderer;
+  std::unique_ptr<Desk> desk;  // with a window only
+  SceneView view;
+};
+
+std::unique_ptr<Stage> make_stage(const ClientOptions& o) {
+  if (o.display == Display::none) return nullptr;
+  auto stage = std::make_unique<Stage>();
+  if (o.display == Display::offscreen) {
+    stage->context = make_offscreen_context(o.width, o.height);
+  } else if (o.display == Display::osmesa) {
+    stage->context = make_osmesa_context(o.width, o.height);
+  } else {
+    auto window = make_window_context(o.width, o.height, "Prosector: " + o.bus.session);
+    stage->desk = std::make_unique<Desk>(*window);
+    stage->context = std::move(window);
+  }
+  stage->renderer = std::make_unique<Renderer>(*stage->context, o.shaders);
+  return stage;
+}
+
+// The simulation has the first call on a shared machine: pictures can wait a frame, physics can't.
+void yield_to_simulation() {
+  setpriority(PRIO_PROCESS, 0, 5);
+}
+
+class Client {
+ public:
+  Client(const ClientOptions& options, std::int64_t started_ns)
+      : options_(options), connection_(options.bus, request(options)), sink_(options) {
+    report_.started_ns = started_ns;
+    report_.joined_ns = monotonic_ns();
+    tell(fmt::format("{} session '{}' as {}", options.join.role == Role::observer ? "observing" : "joined",
+                     options.bus.session, options.join.name));
+    if (!options.latency_log.empty() && options.join.role == Role::observer) {
+      arrivals_.emplace(options.latency_log);
+      connection_.on_received([this](const Received& r) { arrivals_->received(r); });
+    }
+    connection_.start();
+    if (options.join.role != Role::observer)
+      pump_ = std::make_unique<InputPump>(connection_, options.devices, options.latency_log, tell);
+    stage_ = make_stage(options);
+    if (stage_) report_.renderer = stage_->context->description();
+  }
+
+  int run() {
+    const auto interval = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+        std::chrono::duration<double>(1 / options_.frames_per_second));
+    auto next = std::chrono::steady_clock::now();
+    while (!done()) {
+      note_progress();
+      if (stage_ && report_.complete_ns) draw_if_seen();
+      next = std::max(next + interval, std::chrono::steady_clock::now() - interval);
+      std::this_thread::sleep_until(next);
+    }
+    if (stage_ && report_.complete_ns) sink_.finish(draw());
+    tell_failures();
+    if (!options_.summary.empty()) write_report(report_, connection_, options_.summary);
+    return report_.complete_ns ? 0 : 1;
+  }
+
+ private:
+  const ClientOptions& options_;
+  ClientReport report_;
+  Connection connection_;
+  std::optional<ArrivalLog> arrivals_;
+  PictureSink sink_;
+  std::unique_ptr<InputPump> pump_;
+  std::unique_ptr<Stage> stage_;
+  std::string missing_;
+  bool server_gone_ = false;
+
+  static JoinRequest request(const ClientOptions& o) {
+    JoinRequest out = o.join;
+    if (out.role != Role::observer) out.devices = DeviceRig(o.devices).description();
+    return out;
+  }
+
+  bool done() {
+    const bool over = options_.seconds > 0 && seconds_since(report_.joined_ns) > options_.seconds;
+    return interrupted != 0 || over || (stage_ && stage_->desk && stage_->desk->closed());
+  }
+
+  void note_progress() {
+    std::string missing;
+    const bool gone = connection_.with_replica([&](Replica& replica) {
+      if (!report_.complete_ns && replica.complete()) {
+        report_.complete_ns = monotonic_ns();
+        report_.bytes_at_complete = connection_.counters().bytes_in;
+      }
+      missing = replica.missing();
+      return replica.server_gone();
+    });
+    if (missing != missing_) {
+      missing_ = missing;
+      tell(missing.empty() ? "everything is here" : missing);
+    }
+    if (gone != server_gone_) {
+      server_gone_ = gone;
+      tell(gone ? "the server is gone; waiting for it to come back" : "the server is back");
+    }
+    if (const std::string refusal = connection_.last_refusal(); !refusal.empty())
+      tell("the server refused: " + refusal);
+    tell_failures();
+  }
+
+  void tell_failures() {
+    for (const std::string& failure : sink_.take_failures()) tell(failure);
+  }
+
+  // Offscreen, a picture that nobody keeps is not drawn; the first one proves that drawing works.
+  void draw_if_seen() {
+    const double seconds = seconds_since(report_.joined_ns);
+    const bool kept = sink_.wants(seconds);
+    if (!kept && !stage_->desk && report_.first_picture_ns) return;
+    const Image image = draw();
+    if (kept) sink_.take(image, seconds);
+  }
+
+  Image draw() {
+    const std::int64_t begin = monotonic_ns();
+    LocalUser self{.participant = connection_.participant(), .input = {}, .present = pump_ != nullptr};
+    ViewSettings settings{.width = stage_->context->width(),
+                          .height = stage_->context->height(),
+                          .stereo = options_.display == Display::stereo,
+                          .overlay = options_.overlay,
+                          .follow = options_.follow,
+                          .eye = std::nullopt};
+    if (pump_) self.input = pump_->latest();
+    if (stage_->desk) {
+      const CameraInfo camera = connection_.with_replica([](Replica& r) { return r.scene()->camera; });
+      stage_->desk->update(camera);
+      settings.eye = stage_->desk->eye();
+      if (pump_ && options_.devices.tracker.empty()) self.input = stage_->desk->drive_hand(connection_);
+    }
+    const DrawList* list = nullptr;
+    connection_.with_replica([&](Replica& replica) {
+      list = &stage_->view.build(replica, replica.advance(monotonic_ns()), self, settings);
+    });
+    stage_->renderer->draw(*list);
+    Image image;
+    if (!stage_->desk || sink_.wants(seconds_since(report_.joined_ns)))
+      image = stage_->renderer->read_pixels();
+    stage_->context->present();
+    if (!report_.first_picture_ns) report_.first_picture_ns = monotonic_ns();
+    ++report_.pictures;
+    report_.drawing_seconds += seconds_since(begin);
+    return image;
+  }
+};
+
+}  // namespace
+
+int run_client(const ClientOptions& options, std::int64_t started_ns) {
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  std::signal(SIGTERM, [](int) { interrupted = 1; });
+  yield_to_simulation();
+  return Client(options, started_ns).run();
+}
+
+}  // namespace prosector

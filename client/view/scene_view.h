@@ -1,0 +1,55 @@
+#pragma once
+// Replica, own hand and camera → DrawList: everything that a person sees, without any GL.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/replica/replica.h"
+#include "client/view/draw_list.h"
+
+namespace prosector {
+
+struct ViewSettings {
+  int width = 800, height = 600;
+  bool stereo = false;
+  bool overlay = true;
+  std::string follow;  // name of a participant; empty: own camera
+  std::optional<Pose>
+      eye;  // own camera, for instance from the desk; nullopt: tracked head, else the scene's camera
+};
+
+/// The person at this client, as their own devices have them right now.
+struct LocalUser {
+  ParticipantId participant = 0;
+  HandInput input;
+  bool present = false;  // false: an observer, who has no hands
+};
+
+class SceneView {
+ public:
+  /// Rebuilds the list for the replica's `tick`. Deformed surfaces are refreshed only when they moved.
+  const DrawList& build(Replica& replica, double tick, const LocalUser& self, const ViewSettings& settings);
+
+ private:
+  struct Body {
+    std::shared_ptr<DrawMesh> mesh;
+    std::vector<std::uint32_t> source;  // soft: surface vertex behind each drawn one
+  };
+  std::map<BodyId, Body> bodies_;
+  std::map<std::pair<ParticipantId, std::size_t>, std::shared_ptr<DrawMesh>> hands_;
+  std::uint64_t next_mesh_id_ = 1;
+  std::shared_ptr<const DrawMesh> room_, head_;
+  DrawList list_;
+
+  void add_bodies(Replica& replica, double tick);
+  void add_users(const Replica& replica, double tick, const LocalUser& self, const std::string& seen_through);
+  void add_hand(ParticipantId who, std::size_t hand, const HandPose& pose, const Vec3& color);
+  void add_overlay(const Replica& replica, const LocalUser& self, const ViewSettings& settings);
+  void place_cameras(const Replica& replica, double tick, const LocalUser& self,
+                     const ViewSettings& settings);
+};
+
+}  // namespace prosector
