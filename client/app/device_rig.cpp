@@ -15,6 +15,14 @@ const char* name_of(DeviceHealth health) {
 
 }  // namespace
 
+std::string describe_devices(const ClientConfig& config) {
+  std::string out;
+  for (const std::string& address :
+       {config.tracker, config.gloves[left_hand].address, config.gloves[right_hand].address})
+    if (!address.empty()) out += (out.empty() ? "" : ", ") + parse_device_address(address).driver;
+  return out;
+}
+
 DeviceRig::DeviceRig(const ClientConfig& config) : config_(config) {
   if (!config_.tracker.empty()) open("tracker", config_.tracker, config_.tracker_device, std::nullopt);
   for (std::size_t hand : {left_hand, right_hand})
@@ -94,15 +102,6 @@ std::vector<std::string> DeviceRig::take_news() {
     entry.reported = status.health;
     out.push_back(fmt::format("{}: {}{}{}", entry.label, name_of(status.health),
                               status.message.empty() ? "" : ": ", status.message));
-  }
-  return out;
-}
-
-std::string DeviceRig::description() const {
-  std::string out;
-  for (const Entry& entry : devices_) {
-    const std::string address = entry.label.substr(entry.label.rfind(' ') + 1);
-    out += (out.empty() ? "" : ", ") + address.substr(0, address.find(':'));
   }
   return out;
 }

@@ -20,6 +20,12 @@ struct GestureTrigger {
   std::size_t hand = right_hand;
 };
 
+/// Drivers in use, for people: "fastrak, 5dt"; empty when the configuration names no device.
+std::string describe_devices(const ClientConfig& config);
+inline bool has_devices(const ClientConfig& config) {
+  return !describe_devices(config).empty();
+}
+
 class DeviceRig {
  public:
   /// Opens what the configuration names; devices that can't be opened yet are retried and reported, never
@@ -40,7 +46,6 @@ class DeviceRig {
   /// Lines for people about every device whose state changed since the last call: "tracker
   /// fastrak:/dev/ttyS0: silent …".
   std::vector<std::string> take_news();
-  std::string description() const;  // "fastrak, 5dt"
 
  private:
   struct Entry {

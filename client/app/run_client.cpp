@@ -37,8 +37,16 @@ struct Stage {
   SceneView view;
 };
 
+// On a shared machine the simulation has the first call: pictures can wait a frame, physics can't. Threads
+// that start after this (the software renderer's) inherit it; those that carry hands and snapshots run
+// already.
+void yield_to_simulation() {
+  setpriority(PRIO_PROCESS, 0, 5);
+}
+
 std::unique_ptr<Stage> make_stage(const ClientOptions& o) {
   if (o.display == Display::none) return nullptr;
+  yield_to_simulation();
   auto stage = std::make_unique<Stage>();
   if (o.display == Display::offscreen) {
     stage->context = make_offscreen_context(o.width, o.height);
@@ -51,11 +59,6 @@ std::unique_ptr<Stage> make_stage(const ClientOptions& o) {
   }
   stage->renderer = std::make_unique<Renderer>(*stage->context, o.shaders);
   return stage;
-}
-
-// The simulation has the first call on a shared machine: pictures can wait a frame, physics can't.
-void yield_to_simulation() {
-  setpriority(PRIO_PROCESS, 0, 5);
 }
 
 class Client {
@@ -71,7 +74,7 @@ class Client {
       connection_.on_received([this](const Received& r) { arrivals_->received(r); });
     }
     connection_.start();
-    if (options.join.role != Role::observer)
+    if (has_devices(options.devices))
       pump_ = std::make_unique<InputPump>(connection_, options.devices, options.latency_log, tell);
     stage_ = make_stage(options);
     if (stage_) report_.renderer = stage_->context->description();
@@ -106,7 +109,7 @@ class Client {
 
   static JoinRequest request(const ClientOptions& o) {
     JoinRequest out = o.join;
-    if (out.role != Role::observer) out.devices = DeviceRig(o.devices).description();
+    if (out.role != Role::observer) out.devices = describe_devices(o.devices);
     return out;
   }
 
@@ -165,7 +168,10 @@ class Client {
       const CameraInfo camera = connection_.with_replica([](Replica& r) { return r.scene()->camera; });
       stage_->desk->update(camera);
       settings.eye = stage_->desk->eye();
-      if (pump_ && options_.devices.tracker.empty()) self.input = stage_->desk->drive_hand(connection_);
+      if (!pump_ && options_.join.role != Role::observer) {
+        self.present = true;
+        self.input = stage_->desk->drive_hand(connection_);
+      }
     }
     const DrawList* list = nullptr;
     connection_.with_replica([&](Replica& replica) {
@@ -188,7 +194,6 @@ class Client {
 int run_client(const ClientOptions& options, std::int64_t started_ns) {
   std::signal(SIGINT, [](int) { interrupted = 1; });
   std::signal(SIGTERM, [](int) { interrupted = 1; });
-  yield_to_simulation();
   return Client(options, started_ns).run();
 }
 

@@ -10,7 +10,14 @@ constexpr std::int64_t window_ns = 1'000'000'000;
 constexpr double max_delay = 0.25;  // s: worse jitter than this shows as stutter, not as lag
 constexpr double snap_distance =
     0.5;  // s: farther off than this (start, rewind, long stall) the playhead jumps
-constexpr double correction_rate = 0.15;  // the playhead runs at most this much faster or slower than time
+constexpr double correction_rate =
+    0.15;  // the playhead runs at most this much faster or slower than simulated time
+constexpr double least_window = 0.3;  // s: a shorter one says nothing of the slope
+constexpr double slope_noise = 0.03;  // jitter alone can tilt the line by this much
+
+double seconds(std::int64_t ns) {
+  return 1e-9 * static_cast<double>(ns);
+}
 
 }  // namespace
 
@@ -18,26 +25,42 @@ void PlayoutClock::arrived(const SimTime& time, std::int64_t arrival_ns) {
   if (time.epoch < epoch_) return;
   if (time.epoch > epoch_) {
     epoch_ = time.epoch;
-    offsets_.clear();
+    samples_.clear();
     last_ns_ = 0;
   }
-  const double offset = 1e-9 * static_cast<double>(arrival_ns) - static_cast<double>(time.tick) * dt_;
-  offsets_.push_back({arrival_ns, offset});
-  while (arrival_ns - offsets_.front().arrival_ns > window_ns) offsets_.pop_front();
+  samples_.push_back({arrival_ns, static_cast<double>(time.tick) * dt_});
+  while (arrival_ns - samples_.front().arrival_ns > window_ns) samples_.pop_front();
+}
+
+// Simulated seconds per second.
+double PlayoutClock::slope() const {
+  const double window = seconds(samples_.back().arrival_ns - samples_.front().arrival_ns);
+  if (window < least_window) return 1;
+  const double slope =
+      std::clamp((samples_.back().simulated - samples_.front().simulated) / window, 0.0, 1.0);
+  return slope > 1 - slope_noise ? 1 : slope;
 }
 
 double PlayoutClock::playhead(std::int64_t now_ns) {
-  if (offsets_.empty()) return playhead_ / dt_;
-  const auto [lowest, highest] = std::minmax_element(offsets_.begin(), offsets_.end(),
-                                                     [](auto& a, auto& b) { return a.seconds < b.seconds; });
-  delay_ = std::min(highest->seconds - lowest->seconds + dt_, max_delay);
-  const double target = 1e-9 * static_cast<double>(now_ns) - lowest->seconds - delay_;
+  if (samples_.empty()) return playhead_ / dt_;
+  const double slope = this->slope();
+  const Sample& newest = samples_.back();
+  const auto above_newest = [&](const Sample& s) {
+    return s.simulated - newest.simulated - slope * seconds(s.arrival_ns - newest.arrival_ns);
+  };
+  double highest = 0, lowest = 0;
+  for (const Sample& s : samples_) {
+    highest = std::max(highest, above_newest(s));
+    lowest = std::min(lowest, above_newest(s));
+  }
+  delay_ = std::min(highest - lowest + dt_, max_delay);
+  const double target = newest.simulated + slope * seconds(now_ns - newest.arrival_ns) + highest - delay_;
   if (last_ns_ == 0 || std::abs(target - playhead_) > snap_distance) {
     playhead_ = target;
   } else {
-    const double passed = 1e-9 * static_cast<double>(now_ns - last_ns_);
-    const double slack = correction_rate * passed;
-    playhead_ += passed + std::clamp(target - (playhead_ + passed), -slack, slack);
+    const double passed = slope * seconds(now_ns - last_ns_);
+    const double slack = correction_rate * seconds(now_ns - last_ns_);
+    playhead_ += std::max(0.0, passed + std::clamp(target - (playhead_ + passed), -slack, slack));
   }
   last_ns_ = now_ns;
   playhead_ = std::max(playhead_, 0.0);

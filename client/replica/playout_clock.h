@@ -2,10 +2,9 @@
 // Decides which simulated time to draw now: as late as the network's jitter asks, as early as it allows,
 // never jumping.
 //
-// Every sample says at which tick it was made and when it arrived. The smallest (arrival − tick·dt) of the
-// last second is the fastest way through the network; what others exceed it by is jitter. The playhead runs
-// that far, plus one tick, behind. When the server slows simulated time the offset grows, and the playhead
-// slows with it.
+// Every sample says at which tick it was made and when it arrived. Over the last second, simulated time
+// against arrival makes a line, of slope 1 or less when the server slows simulated time. The sample that lies
+// farthest below it is jitter: the playhead runs that far, plus one tick, behind the line.
 
 #include <cstdint>
 #include <deque>
@@ -24,16 +23,18 @@ class PlayoutClock {
   double delay_ms() const { return 1e3 * delay_; }
 
  private:
-  struct Offset {
+  struct Sample {
     std::int64_t arrival_ns;
-    double seconds;
+    double simulated;  // s
   };
   double dt_;
   std::uint32_t epoch_ = 0;
-  std::deque<Offset> offsets_;  // of the last second
-  double delay_ = 0;            // s behind the fastest sample
+  std::deque<Sample> samples_;  // of the last second
+  double delay_ = 0;            // s behind the line
   double playhead_ = 0;         // s of simulated time
   std::int64_t last_ns_ = 0;
+
+  double slope() const;
 };
 
 }  // namespace prosector
