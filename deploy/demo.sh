@@ -1,0 +1,128 @@
+#!/usr/bin/env bash
+# The main job, shown: a server hosts a scene, a headset user joins through the simulated tracker and glove and presses the
+# liver, 5 s later an observer joins and records. Leaves pictures, a video and summary.json.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+
+usage() {
+  cat <<TXT
+deploy/demo.sh [--headless] [--seconds N] [--out DIR] [--scene FILE] [--skip-setup]
+  --headless     no window; without it, and with a display, you join as a desk user
+  --seconds N    how long the session lasts (default 20; with a window: until you close it)
+  --out DIR      where pictures, video and figures go (default out/demo)
+  --scene FILE   scene to host (default deploy/scenes/abdomen.toml)
+  --skip-setup   don't install, fetch and build first
+TXT
+}
+
+headless=no seconds=20 out=$root/out/demo scene=$root/deploy/scenes/abdomen.toml setup=yes
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --headless) headless=yes ;;
+    --seconds) seconds=${2:?--seconds needs a number}; shift ;;
+    --out) out=${2:?--out needs a folder}; shift ;;
+    --scene) scene=${2:?--scene needs a file}; shift ;;
+    --skip-setup) setup=no ;;
+    -h | --help) usage; exit 0 ;;
+    *) echo "demo: unknown option $1" >&2; usage >&2; exit 2 ;;
+  esac
+  shift
+done
+case "$seconds" in '' | *[!0-9]*) echo "demo: --seconds $seconds: give a whole number" >&2; exit 2 ;; esac
+[ "$seconds" -ge 16 ] || { echo "demo: --seconds $seconds: at least 16, the hand needs that long to press and let go" >&2; exit 2; }
+
+if [ $setup = yes ]; then
+  "$root/deploy/setup.sh"
+  "$root/deploy/fetch_anatomy.sh"
+  "$root/deploy/build.sh" release
+fi
+bin=$root/build/release/bin
+mkdir -p "$out"
+out=$(cd "$out" && pwd)
+rm -f "$out"/*.png "$out"/*.avi "$out"/*.csv "$out"/*.json "$out"/*.log "$out"/journal.sqlite*
+session=demo-$$
+
+# Everything that we start ends with us, by its own process id.
+pids=()
+stop() {
+  local pid
+  for pid in "${pids[@]}"; do kill -TERM "$pid" 2>/dev/null || true; done
+  for pid in "${pids[@]}"; do wait "$pid" 2>/dev/null || true; done
+  pids=()
+}
+trap stop EXIT
+trap 'exit 130' INT TERM
+
+say() { printf '\n== %s\n' "$*"; }
+fail() {
+  echo "demo: $1; see $2:" >&2
+  tail -n 5 "$2" >&2
+  exit 1
+}
+wait_for() {  # FILE PATTERN SECONDS WHAT
+  local waited=0
+  until grep -q -- "$2" "$1" 2>/dev/null; do
+    [ "$waited" -lt "$(($3 * 10))" ] || fail "$4 did not come up within $3 s" "$1"
+    sleep 0.1
+    waited=$((waited + 1))
+  done
+}
+
+say "Hosting $(basename "$scene") as session $session"
+"$bin/prosector-server" "$scene" --session "$session" --journal "$out/journal.sqlite" --summary "$out/server.json" \
+  > "$out/server.log" 2>&1 &
+server=$!
+pids+=("$server")
+wait_for "$out/server.log" "ready" 180 "the server"
+grep -E "models|soft|rigid|session|ready" "$out/server.log" | head -n 12 || true
+
+say "A headset user joins through the simulated tracker and glove"
+"$bin/prosector-fastrak-twin" --script "$root/deploy/demo/hand.csv" --wait-client --link "$out/tracker" \
+  --log "$out/tracker.csv" --noise 0.0002 --seed 1 > "$out/tracker.log" 2>&1 &
+pids+=("$!")
+"$bin/prosector-5dt-twin" --script "$root/deploy/demo/glove.csv" --wait-client --link "$out/glove" \
+  --log "$out/glove.csv" --seed 2 > "$out/glove.log" 2>&1 &
+pids+=("$!")
+for link in tracker glove; do
+  for _ in $(seq 50); do [ -e "$out/$link" ] && break; sleep 0.1; done
+  [ -e "$out/$link" ] || fail "the simulated $link did not come up" "$out/$link.log"
+done
+"$bin/prosector-client" join --session "$session" --name "headset user" --config "$root/deploy/demo/headset.toml" \
+  --tracker "fastrak:$out/tracker" --glove "5dt:$out/glove" --display offscreen --size 640x480 --fps 5 \
+  --screenshot "$out/headset.png@10" --latency-log "$out/headset.csv" --summary "$out/headset.json" \
+  > "$out/headset.log" 2>&1 &
+headset=$!
+pids+=("$headset")
+wait_for "$out/headset.log" "everything is here" 20 "the headset user"
+
+if [ $headless = no ] && [ -n "${DISPLAY:-}" ]; then
+  say "You join at the desk: close the window to end"
+  "$bin/prosector-client" join --session "$session" --name "${USER:-desk}" || true
+  exit 0
+fi
+
+sleep 5
+say "5 s later an observer joins and records"
+LP_NUM_THREADS=1 "$bin/prosector-client" observe --session "$session" --name "observer" --display offscreen --size 800x600 \
+  --fps 8 --record "$out/session.avi" --screenshot "$out/press.png@5" --screenshot "$out/before.png@0.2" \
+  --screenshot "$out/after.png" --latency-log "$out/observer.csv" --summary "$out/observer.json" \
+  --seconds "$((seconds - 5))" > "$out/observer.log" 2>&1 &
+observer=$!
+pids+=("$observer")
+waited=0
+while kill -0 "$observer" 2>/dev/null; do
+  kill -0 "$server" 2>/dev/null || fail "the server ended early" "$out/server.log"
+  tail -n 1 "$out/server.log"
+  sleep 2
+  waited=$((waited + 2))
+  [ "$waited" -lt "$((seconds + 60))" ] || fail "the observer did not end" "$out/observer.log"
+done
+wait "$observer" || fail "the observer failed" "$out/observer.log"
+
+kill -TERM "$headset" && wait "$headset" || fail "the headset user failed" "$out/headset.log"
+kill -TERM "$server" && wait "$server" || fail "the server failed" "$out/server.log"
+stop
+
+say "Figures"
+python3 "$root/deploy/demo_report.py" "$out"
+echo "Pictures and video: $out"
