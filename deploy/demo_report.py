@@ -29,9 +29,9 @@ def percentile(values, share):
 
 def device_to_observer_ms(folder):
     sent = {}
-    for row in rows(folder / "tracker.csv"):
-        values = row["values"].split() if "values" in row else [row[k] for k in row if k.startswith("v")]
-        sent.setdefault(tuple(float32(v) for v in values if v), int(row["time_ns"]))
+    with open(folder / "tracker.csv", newline="") as stream:
+        for time_ns, _station, _record, *values in list(csv.reader(stream))[1:]:
+            sent.setdefault(tuple(float32(v) for v in values), int(time_ns))
     consumed = {}
     for row in rows(folder / "headset.csv"):
         consumed[int(row["sequence"])] = tuple(float32(row[f"r{k}"]) for k in range(7))
