@@ -40,7 +40,9 @@ TEST(PlayoutClock, FollowsASlowedSimulation) {
     const std::int64_t arrival = second + 2 * made_at(tick);  // half speed
     clock.arrived({0, tick}, arrival);
     head = clock.playhead(arrival);
-    if (tick > 60) EXPECT_LE(head, static_cast<double>(tick));  // the first second teaches the slope
+    if (tick > 60) {  // the first second teaches the slope
+      EXPECT_LE(head, static_cast<double>(tick));
+    }
   }
   EXPECT_GT(head, 560);
 }
