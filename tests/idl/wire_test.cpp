@@ -1,0 +1,292 @@
+// Every message through the wire and back, and everything that the edge must refuse.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "idl/wire/codec.h"
+#include "idl/wire/convert.h"
+#include "tests/idl/samples.h"
+
+namespace prosector {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::string as_wire_bytes(const Message& message);
+
+/// What a round trip makes of a message; fails the test when it is refused.
+Message round_trip(const Message& message) {
+  Message received;
+  std::size_t bytes = 0;
+  const Refusal refusal = through_the_wire(message, received, bytes);
+  EXPECT_EQ(refusal, nullptr) << topics[message.index()].name << ": " << refusal;
+  EXPECT_GT(bytes, 0u);
+  return received;
+}
+
+TEST(Wire, EveryMessageComesBackEqual) {
+  for (const Message& message : sample_messages()) {
+    const Message received = round_trip(message);
+    ASSERT_EQ(received.index(), message.index());
+    EXPECT_EQ(instance_key(received), instance_key(message)) << topics[message.index()].name;
+    if (std::holds_alternative<SoftState>(message)) continue;  // quantised: soft_quantizer_test
+    EXPECT_EQ(as_wire_bytes(received), as_wire_bytes(message)) << topics[message.index()].name;
+  }
+}
+
+TEST(Wire, FieldsKeepTheirMeaning) {
+  const auto scene = std::get<SceneInfo>(round_trip(sample_messages()[7]));
+  EXPECT_EQ(scene.bodies[1].description, "Größte Drüse");
+  EXPECT_EQ(scene.bodies[1].parent, 0);
+  EXPECT_EQ(scene.bodies[1].map[1], 8);
+  EXPECT_EQ(scene.lights[0].kind, LightKind::spot);
+  const auto input = std::get<HandInput>(round_trip(sample_messages()[3]));
+  EXPECT_EQ(input.hands[1].pose.q.z(), 0.5);
+  EXPECT_EQ(input.hands[1].flexion[3], 0.75);
+  EXPECT_EQ(input.sequence, 12u);
+  const auto contact = std::get<ContactSample>(round_trip(sample_messages()[13]));
+  EXPECT_EQ(contact.depth, 0.0078125);
+  const auto settled = std::get<Settled>(round_trip(sample_messages()[11]));
+  EXPECT_EQ(settled.positions, std::get<Settled>(sample_messages()[11]).positions);
+}
+
+TEST(Wire, KeyOnlyKeepsTheKey) {
+  for (const Message& message : sample_messages()) {
+    const Message key = key_only(message);
+    EXPECT_EQ(key.index(), message.index());
+    EXPECT_EQ(instance_key(key), instance_key(message)) << topics[message.index()].name;
+  }
+}
+
+TEST(Wire, NearlyUnitQuaternionsAreNormalised) {
+  RigidState m = std::get<RigidState>(sample_messages()[9]);
+  m.pose.q.coeffs() *= 1.005;
+  const auto received = std::get<RigidState>(round_trip(m));
+  EXPECT_NEAR(received.pose.q.norm(), 1, 1e-7);
+}
+
+// A change to a valid message that the edge must refuse.
+struct Spoiled {
+  const char* what;
+  Message message;
+};
+
+template <class M>
+Spoiled spoiled(const char* what, void (*spoil)(M&)) {
+  for (const Message& message : sample_messages()) {
+    if (!std::holds_alternative<M>(message)) continue;
+    M m = std::get<M>(message);
+    spoil(m);
+    return {what, m};
+  }
+  return {what, {}};
+}
+
+std::vector<Spoiled> spoiled_messages() {
+  return {
+      spoiled<SessionInfo>("empty session", [](SessionInfo& m) { m.session.clear(); }),
+      spoiled<SessionInfo>("long session", [](SessionInfo& m) { m.session.assign(64, 'x'); }),
+      spoiled<SessionInfo>("tick rate 0", [](SessionInfo& m) { m.tick_rate = 0; }),
+      spoiled<SessionInfo>("tick rate NaN", [](SessionInfo& m) { m.tick_rate = nan; }),
+      spoiled<Presence>("nobody", [](Presence& m) { m.participant = 0; }),
+      spoiled<Presence>("empty name", [](Presence& m) { m.name.clear(); }),
+      spoiled<Presence>("control character", [](Presence& m) { m.name = "a\x1b[2J"; }),
+      spoiled<Presence>("C1 control", [](Presence& m) { m.name = "a\xc2\x9b"; }),
+      spoiled<Presence>("stray continuation", [](Presence& m) { m.name = "\x80"; }),
+      spoiled<Presence>("overlong form", [](Presence& m) { m.name = "\xc0\xaf"; }),
+      spoiled<Presence>("overlong of three", [](Presence& m) { m.name = "\xe0\x80\xaf"; }),
+      spoiled<Presence>("surrogate", [](Presence& m) { m.name = "\xed\xa0\x80"; }),
+      spoiled<Presence>("past Unicode", [](Presence& m) { m.name = "\xf4\x90\x80\x80"; }),
+      spoiled<Presence>("cut short", [](Presence& m) { m.name = "a\xe2\x82"; }),
+      spoiled<Presence>("unknown role", [](Presence& m) { m.role = static_cast<Role>(3); }),
+      spoiled<Presence>("long devices", [](Presence& m) { m.devices.assign(1024, 'x'); }),
+      spoiled<RosterEntry>("colour", [](RosterEntry& m) { m.color.x() = 1.5; }),
+      spoiled<RosterEntry>("colour NaN", [](RosterEntry& m) { m.color.y() = nan; }),
+      spoiled<HandInput>("nobody", [](HandInput& m) { m.participant = 0; }),
+      spoiled<HandInput>("NaN position", [](HandInput& m) { m.hands[0].pose.p.x() = nan; }),
+      spoiled<HandInput>("infinite head", [](HandInput& m) { m.head.p.z() = infinity; }),
+      spoiled<HandInput>("far away", [](HandInput& m) { m.hands[1].pose.p.y() = 1e6; }),
+      spoiled<HandInput>("quaternion 0", [](HandInput& m) { m.hands[0].pose.q.coeffs().setZero(); }),
+      spoiled<HandInput>("quaternion 2", [](HandInput& m) { m.hands[0].pose.q.coeffs() *= 2; }),
+      spoiled<HandInput>("quaternion NaN", [](HandInput& m) { m.head.q.w() = nan; }),
+      spoiled<HandInput>("flexion 2", [](HandInput& m) { m.hands[0].flexion[2] = 2; }),
+      spoiled<HandInput>("flexion NaN", [](HandInput& m) { m.hands[0].flexion[4] = nan; }),
+      spoiled<HandInput>("gesture", [](HandInput& m) { m.hands[0].gesture = static_cast<Gesture>(200); }),
+      spoiled<UserState>("NaN position", [](UserState& m) { m.hands[0].pose.p.x() = nan; }),
+      spoiled<Command>("nobody", [](Command& m) { m.participant = 0; }),
+      spoiled<Command>("kind", [](Command& m) { m.kind = static_cast<CommandKind>(99); }),
+      spoiled<Command>("third hand", [](Command& m) { m.hand = 2; }),
+      spoiled<Command>("body", [](Command& m) { m.body = max_bodies; }),
+      spoiled<CommandResult>("long reason", [](CommandResult& m) { m.reason.assign(1024, 'x'); }),
+      spoiled<SceneInfo>("parent of none", [](SceneInfo& m) { m.bodies[0].parent = 2; }),
+      spoiled<SceneInfo>("own parent", [](SceneInfo& m) { m.bodies[0].parent = 0; }),
+      spoiled<SceneInfo>("parents in a ring", [](SceneInfo& m) { m.bodies[0].parent = 1; }),
+      spoiled<SceneInfo>("parent −2", [](SceneInfo& m) { m.bodies[0].parent = -2; }),
+      spoiled<SceneInfo>("too many bodies", [](SceneInfo& m) { m.bodies.resize(max_bodies + 1); }),
+      spoiled<SceneInfo>("too many lights", [](SceneInfo& m) { m.lights.resize(max_lights + 1); }),
+      spoiled<SceneInfo>("points", [](SceneInfo& m) { m.bodies[1].points = max_streamed_points + 1; }),
+      spoiled<SceneInfo>("no points", [](SceneInfo& m) { m.bodies[1].points = 0; }),
+      spoiled<SceneInfo>("chunk of 0", [](SceneInfo& m) { m.bodies[1].chunk_points = 0; }),
+      spoiled<SceneInfo>("large chunks",
+                         [](SceneInfo& m) { m.bodies[1].chunk_points = max_chunk_points + 1; }),
+      spoiled<SceneInfo>("light nowhere", [](SceneInfo& m) { m.lights[0].position.x() = nan; }),
+      spoiled<SceneInfo>("light without direction", [](SceneInfo& m) { m.lights[0].direction.setZero(); }),
+      spoiled<SceneInfo>("field of view", [](SceneInfo& m) { m.camera.fov = 4; }),
+      spoiled<AssetChunk>("no such chunk", [](AssetChunk& m) { m.chunk = 2; }),
+      spoiled<AssetChunk>("wrong count", [](AssetChunk& m) { m.chunks = 3; }),
+      spoiled<AssetChunk>("huge", [](AssetChunk& m) { m.total_bytes = 0xffffffff; }),
+      spoiled<AssetChunk>("empty", [](AssetChunk& m) { m.total_bytes = 0; }),
+      spoiled<AssetChunk>("short", [](AssetChunk& m) { m.bytes.pop_back(); }),
+      spoiled<AssetChunk>("long", [](AssetChunk& m) { m.bytes.resize(asset_chunk_bytes + 1); }),
+      spoiled<RigidState>("body", [](RigidState& m) { m.body = max_bodies; }),
+      spoiled<RigidState>("too fast", [](RigidState& m) { m.linear_velocity.x() = 1e9; }),
+      spoiled<RigidState>("spins NaN", [](RigidState& m) { m.angular_velocity.x() = nan; }),
+      spoiled<SoftState>("no points", [](SoftState& m) { m.positions = m.velocities = {}; }),
+      spoiled<SoftState>("too many", [](SoftState& m) { m.positions.resize(257, Vec3::Zero()); }),
+      spoiled<SoftState>("velocity missing", [](SoftState& m) { m.velocities.pop_back(); }),
+      spoiled<SoftState>("NaN", [](SoftState& m) { m.positions[50].z() = nan; }),
+      spoiled<SoftState>("NaN velocity", [](SoftState& m) { m.velocities[50].z() = nan; }),
+      spoiled<SoftState>("far", [](SoftState& m) { m.positions[0].x() = 1e5; }),
+      spoiled<SoftState>("range", [](SoftState& m) { m.first_point = 0xffffffff; }),
+      spoiled<Settled>("no points", [](Settled& m) { m.positions.clear(); }),
+      spoiled<Settled>("NaN", [](Settled& m) { m.positions[600].y() = std::nanf(""); }),
+      spoiled<TopologyRevision>("ancestry", [](TopologyRevision& m) { m.revision = 0; }),
+      spoiled<ContactSample>("third hand", [](ContactSample& m) { m.hand = 2; }),
+      spoiled<ContactSample>("depth", [](ContactSample& m) { m.depth = nan; }),
+      spoiled<ContactSample>("normal", [](ContactSample& m) { m.normal *= 50; }),
+      spoiled<ContactSample>("impulse", [](ContactSample& m) { m.impulse = -1; }),
+      spoiled<ServerStatus>("energy", [](ServerStatus& m) { m.energy = infinity; }),
+      spoiled<ServerStatus>("phase", [](ServerStatus& m) { m.phase_ms[7] = -1; }),
+      spoiled<ServerStatus>("text", [](ServerStatus& m) { m.degraded = "\xff"; }),
+  };
+}
+
+TEST(Wire, SpoiledMessagesAreRefused) {
+  for (const Spoiled& spoiled : spoiled_messages()) {
+    Message received;
+    std::size_t bytes = 0;
+    EXPECT_NE(through_the_wire(spoiled.message, received, bytes), nullptr)
+        << topics[spoiled.message.index()].name << ": " << spoiled.what;
+  }
+}
+
+TEST(Wire, AnotherVersionCanStillSayWhoItIs) {
+  SessionInfo info{protocol_version + 1, "prosector", "", {}, 0, 0, 1};
+  EXPECT_EQ(std::get<SessionInfo>(round_trip(info)).version, protocol_version + 1);
+  Presence presence{1, protocol_version + 1, "Ada", static_cast<Role>(17), ""};
+  EXPECT_EQ(std::get<Presence>(round_trip(presence)).version, protocol_version + 1);
+}
+
+// Wire structs that a well-meaning sender never makes.
+TEST(Wire, SpoiledWireStructsAreRefused) {
+  WireArena arena;
+  prosector_SoftState w{};
+  to_wire(std::get<SoftState>(sample_messages()[10]), w, arena);
+  SoftState m;
+  ASSERT_EQ(from_wire(w, m), nullptr);
+  const auto refused = [&](auto&& spoil) {
+    prosector_SoftState bad = w;
+    spoil(bad);
+    EXPECT_NE(from_wire(bad, m), nullptr);
+  };
+  refused([](auto& bad) { bad.count = 60000; });
+  refused([](auto& bad) { bad.count = 113; });
+  refused([](auto& bad) { bad.bits[1] = 27; });
+  refused([](auto& bad) { bad.bits[1] = 255; });
+  refused([](auto& bad) { bad.extent[0] = -1; });
+  refused([](auto& bad) { bad.extent[0] = std::nanf(""); });
+  refused([](auto& bad) { bad.low[2] = 1e30f; });
+  refused([](auto& bad) { bad.velocity_low[2] = std::nanf(""); });
+  refused([](auto& bad) { bad.packed._length -= 1; });
+  refused([](auto& bad) { bad.packed._buffer = nullptr; });
+
+  prosector_Settled settled{};
+  to_wire(std::get<Settled>(sample_messages()[11]), settled, arena);
+  settled.positions._length -= 1;
+  Settled out;
+  EXPECT_NE(from_wire(settled, out), nullptr);
+
+  prosector_Presence presence{};
+  std::memset(presence.name, 'x', sizeof presence.name);  // no terminating zero
+  Presence named;
+  from_wire(presence, named);
+  named.participant = 1;
+  EXPECT_NE(check(named), nullptr);
+}
+
+std::string as_wire_bytes(const Message& message) {
+  return std::visit(
+      [](const auto& m) -> std::string {
+        using M = std::decay_t<decltype(m)>;
+        std::string text;
+        const auto add = [&text](const auto& value) {
+          text.append(reinterpret_cast<const char*>(&value), sizeof value);
+        };
+        if constexpr (std::is_same_v<M, SceneInfo>) {
+          for (const SceneBody& b : m.bodies) text += b.name + b.description + to_hex(b.mesh) + to_hex(b.map);
+          for (const LightInfo& l : m.lights) add(l.intensity), text += l.name;
+          add(m.camera.fov);
+        } else if constexpr (std::is_same_v<M, AssetChunk>) {
+          text.assign(m.bytes.begin(), m.bytes.end());
+          text += to_hex(m.hash);
+          add(m.total_bytes);
+        } else if constexpr (std::is_same_v<M, Settled>) {
+          for (const auto& x : m.positions) add(x);
+          add(m.hash);
+        } else if constexpr (std::is_same_v<M, ServerStatus>) {
+          add(m.phase_ms);
+          add(m.real_time_factor);
+          add(m.energy);
+          text += m.degraded;
+        } else if constexpr (std::is_same_v<M, SessionInfo>) {
+          text = m.session + m.scene + to_hex(m.scene_hash);
+          add(m.server_run);
+          add(m.tick_rate);
+          add(m.capacity);
+        } else if constexpr (std::is_same_v<M, Presence> || std::is_same_v<M, RosterEntry>) {
+          text = m.name + m.devices;
+          add(m.role);
+          if constexpr (std::is_same_v<M, RosterEntry>) add(m.color);
+        } else if constexpr (std::is_same_v<M, CommandResult>) {
+          text = m.reason;
+          add(m.accepted);
+        } else if constexpr (std::is_same_v<M, HandInput> || std::is_same_v<M, UserState>) {
+          for (const HandPose& hand : m.hands) {
+            add(hand.pose.p);
+            add(hand.pose.q.coeffs());
+            add(hand.flexion);
+            add(hand.buttons);
+          }
+          add(m.head.p);
+          add(m.head_tracked);
+        } else if constexpr (std::is_same_v<M, RigidState>) {
+          add(m.pose.p);
+          add(m.pose.q.coeffs());
+          add(m.linear_velocity);
+          add(m.angular_velocity);
+          add(m.settled);
+        } else if constexpr (std::is_same_v<M, ContactSample>) {
+          add(m.point);
+          add(m.normal);
+          add(m.depth);
+          add(m.impulse);
+          add(m.touching);
+        } else if constexpr (std::is_same_v<M, Command>) {
+          add(m.sequence);
+          add(m.kind);
+          add(m.body);
+        } else if constexpr (std::is_same_v<M, TopologyRevision>) {
+          add(m.previous_hash);
+          add(m.chain_hash);
+          add(m.content_hash);
+        }
+        return text;
+      },
+      message);
+}
+
+}  // namespace
+}  // namespace prosector
