@@ -4,8 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
 #include <functional>
 #include <set>
+#include <thread>
 
 #include "common/clock.h"
 #include "common/error.h"
@@ -106,6 +113,112 @@ TEST(CycloneBus, LeavingIsHeard) {
     return r.liveness == Liveness::gone && std::get<Presence>(r.message).participant == 9;
   }));
   EXPECT_NE(writer, 0u);
+}
+
+/// Milliseconds from starting the second end to the first sample at the client.
+double discovery_ms(bool server_first, std::uint32_t domain) {
+  const SessionInfo info{protocol_version, "prosector", "minimal", {}, 60, 8, 1};
+  std::unique_ptr<Bus> server, client;
+  if (server_first)
+    server = join(BusEnd::server, domain);
+  else
+    client = join(BusEnd::observer, domain);
+  std::this_thread::sleep_for(450ms);  // out of step with the other's announcements
+  const std::int64_t start = monotonic_ns();
+  if (server_first)
+    client = join(BusEnd::observer, domain);
+  else
+    server = join(BusEnd::server, domain);
+  server->publish(info);
+  EXPECT_TRUE(take_until(*client, 5s, is<SessionInfo>()));
+  return static_cast<double>(monotonic_ns() - start) / 1e6;
+}
+
+TEST(CycloneBus, DiscoveryTakesHalfASecondAtMostWhoeverIsFirst) {
+  const double server_first = discovery_ms(true, 65), client_first = discovery_ms(false, 66);
+  EXPECT_LT(server_first, 500);
+  EXPECT_LT(client_first, 500);
+  RecordProperty("server_first_ms", std::to_string(server_first));
+  RecordProperty("client_first_ms", std::to_string(client_first));
+}
+
+TEST(CycloneBus, LateJoinerGetsTwentyMegabytes) {
+  const auto server = join(BusEnd::server, 67);
+  AssetChunk chunk;
+  chunk.chunks = 80;
+  chunk.total_bytes = static_cast<std::uint32_t>(chunk.chunks * asset_chunk_bytes);
+  chunk.bytes.assign(asset_chunk_bytes, 0x5a);
+  for (chunk.chunk = 0; chunk.chunk < chunk.chunks; ++chunk.chunk) ASSERT_TRUE(server->publish(chunk));
+  const std::int64_t start = monotonic_ns();
+  const auto client = join(BusEnd::observer, 67);
+  std::set<std::uint32_t> got;
+  EXPECT_TRUE(take_until(*client, 10s, [&](const Received& r) {
+    if (const auto* asset = std::get_if<AssetChunk>(&r.message)) got.insert(asset->chunk);
+    return got.size() == 80;
+  }));
+  const double ms = static_cast<double>(monotonic_ns() - start) / 1e6;
+  EXPECT_LT(ms, 2000);
+  RecordProperty("late_join_ms", std::to_string(ms));
+}
+
+TEST(CycloneBus, AKilledProcessIsNoticed) {
+  const auto server = join(BusEnd::server, 68);
+  const pid_t child = fork();
+  if (child == 0) {
+    execl(PROSECTOR_PEER, PROSECTOR_PEER, "announce", "5", "68", nullptr);
+    _exit(127);
+  }
+  const bool came = take_until(*server, 10s, is<Presence>());
+  kill(child, SIGKILL);
+  const std::int64_t killed = monotonic_ns();
+  waitpid(child, nullptr, 0);
+  ASSERT_TRUE(came);
+  EXPECT_TRUE(take_until(*server, 2500ms, [](const Received& r) {
+    return r.liveness == Liveness::gone && std::get<Presence>(r.message).participant == 5;
+  }));
+  RecordProperty("noticed_ms", std::to_string(static_cast<double>(monotonic_ns() - killed) / 1e6));
+}
+
+TEST(CycloneBus, SixtyFourClients) {
+  const auto server = join(BusEnd::server, 69);
+  ASSERT_TRUE(server->publish(SessionInfo{protocol_version, "prosector", "minimal", {}, 60, 64, 1}));
+  std::vector<std::unique_ptr<Bus>> clients;
+  for (std::uint64_t i = 0; i < 64; ++i) {
+    clients.push_back(join(i % 4 == 0 ? BusEnd::observer : BusEnd::dissector, 69));
+    ASSERT_TRUE(clients.back()->publish(Presence{i + 1, protocol_version, "client", Role::dissector, ""}));
+  }
+  std::set<std::uint64_t> present, writers;
+  EXPECT_TRUE(take_until(*server, 20s, [&](const Received& r) {
+    if (const auto* presence = std::get_if<Presence>(&r.message)) {
+      present.insert(presence->participant);
+      writers.insert(r.writer);
+    }
+    return present.size() == 64;
+  }));
+  EXPECT_EQ(writers.size(), 64u);
+  for (const auto& client : clients) EXPECT_TRUE(take_until(*client, 5s, is<SessionInfo>()));
+}
+
+TEST(CycloneBus, TheEnvironmentDoesNotWidenTheDefault) {
+  setenv("CYCLONEDDS_URI", "<CycloneDDS><Domain><NoSuchElement/></Domain></CycloneDDS>", 1);
+  const auto server = join(BusEnd::server, 70);
+  EXPECT_NE(server, nullptr);
+  unsetenv("CYCLONEDDS_URI");
+}
+
+TEST(CycloneBus, BadConfigurationsAreNamed) {
+  const auto refused = [](auto&& spoil) {
+    BusConfig config;
+    spoil(config);
+    EXPECT_THROW(make_cyclone_bus(config), InputError);
+  };
+  refused([](BusConfig& c) { c.session = "*"; });
+  refused([](BusConfig& c) { c.session = ""; });
+  refused([](BusConfig& c) { c.domain = 231; });
+  refused([](BusConfig& c) { c.server_index = 10; });
+  refused([](BusConfig& c) { c.profile = "/no/such/file.xml"; });
+  refused([](BusConfig& c) { c.profile = "lan"; });  // without an interface
+  refused([](BusConfig& c) { c.peers = {"\"/><Peer Address=\"1.2.3.4"}; });
 }
 
 }  // namespace

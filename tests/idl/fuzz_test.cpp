@@ -1,0 +1,79 @@
+// Mutated and random wire structs through the edge: whatever arrives, decoding ends, and what is accepted
+// keeps the promises of the checks.
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "idl/wire/codec.h"
+#include "idl/wire/convert.h"
+#include "tests/idl/samples.h"
+
+namespace prosector {
+namespace {
+
+/// The part of a wire struct before its first sequence holds no pointers: any bytes may stand there.
+template <class W>
+constexpr std::size_t plain_bytes() {
+  if constexpr (requires(W w) { w.bodies; })
+    return offsetof(W, bodies);
+  else if constexpr (requires(W w) { w.bytes; })
+    return offsetof(W, bytes);
+  else if constexpr (requires(W w) { w.packed; })
+    return offsetof(W, packed);
+  else if constexpr (requires(W w) { w.positions; })
+    return offsetof(W, positions);
+  else
+    return sizeof(W);
+}
+
+template <class M, class W>
+void fuzz(const M& valid, std::mt19937_64& random) {
+  constexpr int rounds = 3000;
+  int refused = 0;
+  for (int round = 0; round < rounds; ++round) {
+    WireArena arena;
+    W w{};
+    to_wire(valid, w, arena);
+    auto* bytes = reinterpret_cast<std::uint8_t*>(&w);
+    const std::size_t changes = round % 10 == 0 ? plain_bytes<W>() : 1 + random() % 8;
+    for (std::size_t i = 0; i < changes; ++i)
+      bytes[random() % plain_bytes<W>()] = static_cast<std::uint8_t>(random());
+    if constexpr (requires { w.packed; }) w.packed._buffer[random() % w.packed._length] ^= 0xff;
+    Message message;
+    const WireCodec& codec = wire_codec(Message(valid).index());
+    if (codec.decode(&w, message) != nullptr) {
+      ++refused;
+      continue;
+    }
+    Message again;
+    std::size_t size = 0;
+    EXPECT_EQ(through_the_wire(message, again, size), nullptr) << "accepted, but not fit to be sent on";
+  }
+  EXPECT_GT(refused, 0) << topics[Message(valid).index()].name;
+}
+
+TEST(Fuzz, MutatedWireStructs) {
+  std::mt19937_64 random(1);
+  const auto all = sample_messages();
+#define PROSECTOR_FUZZ(M) fuzz<M, prosector_##M>(std::get<M>(all[Message(M{}).index()]), random)
+  PROSECTOR_FUZZ(SessionInfo);
+  PROSECTOR_FUZZ(Presence);
+  PROSECTOR_FUZZ(RosterEntry);
+  PROSECTOR_FUZZ(HandInput);
+  PROSECTOR_FUZZ(UserState);
+  PROSECTOR_FUZZ(Command);
+  PROSECTOR_FUZZ(CommandResult);
+  PROSECTOR_FUZZ(SceneInfo);
+  PROSECTOR_FUZZ(AssetChunk);
+  PROSECTOR_FUZZ(RigidState);
+  PROSECTOR_FUZZ(SoftState);
+  PROSECTOR_FUZZ(Settled);
+  PROSECTOR_FUZZ(TopologyRevision);
+  PROSECTOR_FUZZ(ContactSample);
+  PROSECTOR_FUZZ(ServerStatus);
+#undef PROSECTOR_FUZZ
+}
+
+}  // namespace
+}  // namespace prosector
