@@ -1,0 +1,68 @@
+// What the loader says, and where.
+
+#include <gtest/gtest.h>
+
+#include "tests/scene/scene_texts.h"
+
+namespace prosector {
+namespace {
+
+struct Case {
+  const char* text;
+  const char* says;
+};
+
+TEST(SceneErrors, NameFileLineFieldAndWhatIsAllowed) {
+  const Case cases[] = {
+      {"name = \"s\"\n[[soft]]\nname = \"liver\"\nyoungs_modulus = -3\n",
+       "test.toml:4: [[soft]] \"liver\": youngs_modulus = -3 Pa: must be in (0, "},
+      {"name = \"s\"\ntick_rat = 3\n", "test.toml:2: unknown key \"tick_rat\"; did you mean \"tick_rate\"?"},
+      {"name = \"s\"\n\n[hand]\nqqqqqqqqq = 3\n",
+       "test.toml:4: [hand]: unknown key \"qqqqqqqqq\"; known are: mass"},
+      {"tick_rate = 60\n", "name is missing"},
+      {"name = \"s\"\n[[rigid]]\nmesh = \"a.obj\"\n", "test.toml:2: [[rigid]] 1: name is missing"},
+      {"name = \"s\"\nx = = 1\n", "test.toml:2: "},
+      {"name = \"s\"\nsession = 3\n", "test.toml:2: [session] must be a table"},
+      {"name = \"s\"\n[rigid]\nname = \"a\"\n", "test.toml:2: rigid must be a list of tables"},
+      {"name = \"s\"\n[[rigid]]\nname = \"a\"\nmesh = \"m\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\n",
+       "test.toml:6: [[soft]] \"a\": this name is taken by the body of line 3"},
+      {"name = \"s\"\n[[rigid]]\nname = \"table\"\nmesh = \"m\"\nparent = \"tabel\"\n",
+       "test.toml:5: [[rigid]] \"table\": parent = \"tabel\": no body has this name; did you mean "
+       "\"table\"?"},
+      {"name = \"s\"\n[[rigid]]\nname = \"a\"\nmesh = \"m\"\nparent = \"b\"\n[[rigid]]\nname = \"b\"\nmesh = "
+       "\"m\"\nparent = \"a\"\n",
+       "test.toml:5: [[rigid]] \"a\": parent = \"b\": a body can't be its own ancestor"},
+      {"name = \"s\"\n[[soft]]\nname = \"a\"\n",
+       "test.toml:2: [[soft]] \"a\": has 0 of volume, mesh and shape"},
+      {"name = \"s\"\n[[soft]]\nname = \"a\"\nmesh = \"m\"\nshape = \"ball\"\n",
+       "test.toml:5: [[soft]] \"a\": has 2"},
+      {"name = \"s\"\n[[rigid]]\nname = \"a\"\n", "has no geometry"},
+      {"name = \"s\"\n[[rigid]]\nname = \"a\"\nmesh = \"m\"\nrotation = [0, 0, 0, 0]\n", "not all zero"},
+      {"name = \"s\"\n[[light]]\ndirection = [0, 0, 0]\n", "test.toml:3: [[light]] 1: direction is zero"},
+      {"name = \"s\"\n[[light]]\nkind = \"laser\"\n", "must be one of: directional, point, spot"},
+      {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\nmodel = \"\"\n", "model = "},
+      {"name = \"\\u0000\"\n", "name = "},
+  };
+  for (const Case& c : cases)
+    EXPECT_NE(complaint(c.text).find(c.says), std::string::npos)
+        << complaint(c.text) << "\n  lacks: " << c.says;
+}
+
+TEST(SceneErrors, TooManyLights) {
+  std::string text = "name = \"s\"\n";
+  for (std::size_t i = 0; i <= max_lights; ++i) text += "[[light]]\n";
+  EXPECT_NE(complaint(text).find("at most 16 are allowed"), std::string::npos) << complaint(text);
+}
+
+TEST(SceneErrors, MissingFileAndFolder) {
+  EXPECT_THROW(load_scene("no/such/scene.toml"), InputError);
+  EXPECT_THROW(load_scene("/"), InputError);
+}
+
+TEST(SceneErrors, RotationIsNormalised) {
+  const SceneDesc scene = parse_scene(scene_with("[[soft]]", "rotation = [0, 1e300, 0, 0]"), "test.toml");
+  EXPECT_DOUBLE_EQ(scene.soft[0].pose.q.x(), 1);
+}
+
+}  // namespace
+}  // namespace prosector
