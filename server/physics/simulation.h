@@ -68,6 +68,9 @@ struct CompileOptions {
       data_dirs;                    // where sources that the scene names are looked up, after its own folder
   std::filesystem::path cache_dir;  // meshes and equilibria by content hash; empty: none
   std::function<void(const std::string&)> progress;  // lines for people
+  /// Geometry from the caller (room frame) for the soft bodies it returns some for, instead of the sources
+  /// that the scene names.
+  std::function<std::optional<Anatomy>(const SoftDesc&)> anatomy;
 };
 
 class Simulation {

@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "common/error.h"
+#include "common/primitives.h"
+#include "server/physics/byte_stream.h"
+#include "server/physics/model.h"
+#include "server/physics/sources.h"
+
+namespace prosector {
+namespace {
+
+constexpr double least_share_of_hull = 0.02;  // of its hull's volume that a closed mesh fills, at least
+
+ShapePart to_shape(const PartDesc& part) {
+  const double r = part.size.x() / 2, y = part.size.y() / 2;
+  if (part.shape == "box") return {ShapeKind::box, part.size / 2, part.pose, nullptr};
+  if (part.shape == "sphere") return {ShapeKind::sphere, {r, 0, 0}, part.pose, nullptr};
+  if (part.shape == "capsule") return {ShapeKind::capsule, {r, std::max(0.0, y - r), r}, part.pose, nullptr};
+  if (part.shape == "cylinder") return {ShapeKind::cylinder, {r, y, r}, part.pose, nullptr};
+  return {ShapeKind::ellipsoid, part.size / 2, part.pose, nullptr};
+}
+
+/// A mesh as given, or its hull when it isn't closed: a thin or open surface has no volume of its own.
+MassProperties mesh_mass(const TriangleMesh& mesh, const ShapePart& hull, double density) {
+  const MassProperties of_hull = part_mass(hull, density);
+  ShapePart solid = hull;
+  solid.mesh = std::make_shared<TriangleMesh>(mesh);
+  const MassProperties own = part_mass(solid, density);
+  const bool plausible = own.mass > least_share_of_hull * of_hull.mass && own.mass < 1.01 * of_hull.mass &&
+                         Eigen::SelfAdjointEigenSolver<Mat3>(own.inertia).eigenvalues().minCoeff() > 0;
+  return plausible ? own : of_hull;
+}
+
+struct Solid {
+  std::vector<ShapePart> parts;  // body frame
+  MassProperties mass;
+};
+
+Solid solid_of_parts(const RigidDesc& desc) {
+  Solid out;
+  std::vector<MassProperties> masses;
+  for (const PartDesc& part : desc.parts) {
+    out.parts.push_back(to_shape(part));
+    masses.push_back(part_mass(out.parts.back(), desc.density));
+  }
+  out.mass = combine(masses);
+  return out;
+}
+
+Solid solid_of_mesh(const RigidDesc& desc, const TriangleMesh& surface) {
+  ShapePart hull{
+      ShapeKind::hull, Vec3::Zero(), {}, std::make_shared<TriangleMesh>(convex_hull(surface.positions))};
+  Solid out;
+  out.mass = mesh_mass(surface, hull, desc.density);
+  if (desc.collision == "mesh")
+    out.parts = {{ShapeKind::triangles, Vec3::Zero(), {}, std::make_shared<TriangleMesh>(surface)}};
+  else
+    out.parts = {hull};
+  return out;
+}
+
+RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface) {
+  Solid solid = desc.parts.empty() ? solid_of_mesh(desc, surface) : solid_of_parts(desc);
+  if (desc.collision == "none") solid.parts.clear();
+  if (!(solid.mass.mass > 0) && !desc.fixed)
+    throw InputError(
+        fmt::format("rigid '{}': has no volume, so no mass; give it parts or a closed mesh", desc.name));
+  if (desc.mass > 0 && solid.mass.mass > 0) {
+    solid.mass.inertia *= desc.mass / solid.mass.mass;
+    solid.mass.mass = desc.mass;
+  }
+  RigidModel out;
+  out.name = desc.name;
+  out.surface = std::move(surface);
+  out.start = desc.pose;
+  const Eigen::SelfAdjointEigenSolver<Mat3> principal(solid.mass.inertia);
+  Mat3 axes = principal.eigenvectors();
+  if (axes.determinant() < 0) axes.col(0) *= -1;
+  out.center = {solid.mass.center, Quat(axes).normalized()};
+  if (desc.fixed) out.center = {};
+  out.setup.mass = desc.fixed ? 0 : solid.mass.mass;
+  if (!desc.fixed) out.setup.inertia = principal.eigenvalues();
+  out.setup.friction = desc.friction;
+  out.setup.restitution = desc.restitution;
+  for (ShapePart part : solid.parts) {
+    part.pose = out.center.inverse() * part.pose;
+    out.shape.distances.push_back(make_signed_distance(part));
+    out.shape.parts.push_back(std::move(part));
+  }
+  out.setup.parts = out.shape.parts;
+  return out;
+}
+
+void add_mesh(const TriangleMesh& mesh, ByteWriter& out) {
+  for (const Vec3& x : mesh.positions) out.add(x);
+  for (const auto& t : mesh.triangles) out.raw(t.data(), sizeof t);
+}
+
+/// Everything that changes what a tick computes or what is drawn.
+ContentHash hash_of(const Model& model) {
+  ByteWriter out;
+  const SceneDesc& scene = model.scene;
+  out.add(scene.gravity);
+  out.add(scene.tick_rate);
+  out.add(scene.contact_stiffness);
+  for (const double v : {scene.hand.mass, scene.hand.stiffness, scene.hand.max_force, scene.hand.friction})
+    out.add(v);
+  for (const RigidModel& r : model.rigid) {
+    out.add(r.name);
+    add_mesh(r.surface, out);
+    out.add(r.center);
+    out.add(r.start);
+    for (const double v : {r.setup.mass, r.setup.friction, r.setup.restitution}) out.add(v);
+    out.add(r.setup.inertia);
+    for (const ShapePart& part : r.shape.parts) {
+      out.add(part.kind);
+      out.add(part.half);
+      out.add(part.pose);
+      if (part.mesh) add_mesh(*part.mesh, out);
+    }
+  }
+  for (const auto& s : model.soft) {
+    const SoftDesc& d = s->desc();
+    out.add(d.name);
+    out.add(s->content_hash());
+    add_mesh(s->anatomy().surface, out);
+    for (const std::string& text : {d.model, d.integrator, d.solver}) out.add(text);
+    for (const double v : {d.youngs_modulus, d.poisson_ratio, d.density, d.damping_mass, d.damping_stiffness,
+                           d.friction, d.solver_tolerance, d.surface_cell})
+      out.add(v);
+    for (const int v : {d.newton_iterations, d.solver_iterations, static_cast<int>(d.gravity)}) out.add(v);
+    out.add(s->attachment_stiffness());
+  }
+  return content_hash(std::as_bytes(std::span(out.bytes())));
+}
+
+}  // namespace
+
+double Model::contact_stiffness(std::size_t soft_body, std::size_t vertex) const {
+  const SoftBody& body = *soft[soft_body];
+  return scene.contact_stiffness * body.desc().youngs_modulus * body.surface_area()[vertex] /
+         body.desc().surface_cell;
+}
+
+Model compile(const SceneDesc& scene, const CompileOptions& options) {
+  const auto say = [&](const std::string& line) {
+    if (options.progress) options.progress(line);
+  };
+  if (!(scene.tick_rate > 0) || !std::isfinite(scene.tick_rate))
+    throw InputError(fmt::format("tick_rate: {} Hz must be positive", scene.tick_rate));
+  Model model;
+  model.scene = scene;
+  model.h = 1 / scene.tick_rate;
+  for (const RigidDesc& desc : scene.rigid)
+    model.rigid.push_back(compile_rigid(desc, rigid_surface(desc, scene, options)));
+  for (const SoftDesc& desc : scene.soft) {
+    model.soft.push_back(std::make_unique<SoftBody>(desc, soft_anatomy(desc, scene, options)));
+    say(fmt::format("{}: {} tetrahedra, {} nodes, {} surface vertices", desc.name,
+                    model.soft.back()->anatomy().tets.tets.size(), model.soft.back()->nodes(),
+                    model.soft.back()->anatomy().surface.positions.size()));
+  }
+  for (std::size_t hand = 0; hand < 2; ++hand) model.hands[hand] = make_hand_model(hand, scene.hand);
+  model.hash = hash_of(model);
+  return model;
+}
+
+}  // namespace prosector

@@ -1,0 +1,42 @@
+#pragma once
+// A contact as the coupled solver sees it: two sides, each a point of a soft surface or of a rigid body.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "common/math.h"
+
+namespace prosector {
+
+/// A material point and what moves it.
+struct ContactSide {
+  enum class Kind : std::uint8_t { fixed, soft, rigid } kind = Kind::fixed;
+  std::size_t body = 0;                 // soft: index of the soft body; rigid: slot in the rigid world
+  std::array<std::uint32_t, 4> node{};  // soft: nodes …
+  std::array<double, 4> weight{};       // … and their weights (0: unused)
+  Vec3 arm = Vec3::Zero();              // rigid: m, from the centre of mass to the point, at the tick's start
+};
+
+/// Potential ½·stiffness·min(g, 0)² with g = gap + normal·(u_a − u_b), u the sides' displacements over the
+/// tick; and smoothed Coulomb friction on the tangential part of u_a − u_b (Li et al. 2020, "Incremental
+/// Potential Contact", 5). The normal is fixed over a tick.
+struct Contact {
+  ContactSide a, b;
+  Vec3 point = Vec3::Zero();    // m, room frame, at the tick's start
+  Vec3 normal = Vec3::UnitY();  // unit, from b to a
+  double gap = 0;               // m at the tick's start, < 0 penetrates
+  double stiffness = 0;         // N/m
+  double friction = 0;
+  double force = 0;  // N, normal, after the solve
+};
+
+/// A bounded spring between a point of side a and a point of side b: a hand's hold on tissue.
+struct Tie {
+  ContactSide a, b;
+  Vec3 offset = Vec3::Zero();  // m: a − b − rest, at the tick's start
+  double stiffness = 0;        // N/m
+  double max_force = 0;        // N
+};
+
+}  // namespace prosector

@@ -1,0 +1,37 @@
+#pragma once
+// A mesh's signed distance, sampled on a grid once and interpolated.
+
+#include <array>
+#include <vector>
+
+#include "common/mesh.h"
+#include "server/physics/contact/signed_distance.h"
+
+namespace prosector {
+
+/// Distances are exact to the triangles within a band of some cells around the surface and a lower bound
+/// beyond it. The sign is a majority of ray parities along the three axes, so small holes do no harm.
+/// Between samples: trilinear, with the gradient of the interpolant as the normal.
+class GridDistance final : public SignedDistance {
+ public:
+  explicit GridDistance(const TriangleMesh& mesh);
+  Distance at(const Vec3& x) const override;
+  double cell() const { return cell_; }
+
+ private:
+  using Index3 = std::array<int, 3>;
+  std::size_t index(int i, int j, int k) const;
+  void splat(const TriangleMesh& mesh);
+  void sign(const TriangleMesh& mesh);
+
+  Vec3 origin_;
+  double cell_;  // m
+  Index3 size_;  // samples
+  std::vector<float> samples_;
+};
+
+/// The point of triangle abc that is closest to p (Ericson, Real-Time Collision Detection, 5.1.5), as its
+/// barycentric weights.
+Vec3 closest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+
+}  // namespace prosector

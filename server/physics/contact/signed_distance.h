@@ -1,0 +1,26 @@
+#pragma once
+// Signed distance to a rigid part: closed forms for primitives, a sampled grid for meshes.
+
+#include <memory>
+
+#include "server/physics/rigid/shape.h"
+
+namespace prosector {
+
+struct Distance {
+  double value = 0;             // m, < 0 inside
+  Vec3 normal = Vec3::UnitY();  // unit, outwards
+};
+
+class SignedDistance {
+ public:
+  virtual ~SignedDistance() = default;
+  /// At a point in the part's own frame.
+  virtual Distance at(const Vec3& x) const = 0;
+};
+
+/// Exact outside and inside for box, sphere, capsule and cylinder; for an ellipsoid exact on the surface and
+/// of first order near it; for meshes trilinear between samples (see GridDistance).
+std::unique_ptr<SignedDistance> make_signed_distance(const ShapePart& part);
+
+}  // namespace prosector

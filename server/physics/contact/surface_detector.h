@@ -1,0 +1,84 @@
+#pragma once
+// Soft surfaces against rigid bodies: which surface vertices are inside or near which body.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "common/mesh.h"
+#include "server/physics/contact/contact.h"
+#include "server/physics/contact/signed_distance.h"
+
+namespace prosector {
+
+/// A rigid body as the detector sees it.
+struct Collider {
+  std::size_t slot = 0;
+  Pose pose;                                           // centre of mass in the room
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();  // m/s, rad/s
+  const std::vector<ShapePart>* parts = nullptr;
+  const std::vector<std::unique_ptr<SignedDistance>>* distances = nullptr;
+  std::vector<Pose> part_poses;               // of the parts now: fingers bend
+  double pull = 0;                            // m: how far something may pull it within the tick
+  Vec3 lo = Vec3::Zero(), hi = Vec3::Zero();  // m, box around it
+  double friction = 0;
+  bool fixed = false;
+};
+
+/// One soft surface, in the order that keeps neighbours together, with boxes around runs of vertices.
+class SurfaceDetector {
+ public:
+  SurfaceDetector(const SparseMap& embedding, const TriangleMesh& rest);
+
+  /// Takes the surface to node positions `x` (3n) and refits the boxes.
+  void update(const double* x);
+  const Vec3& lo() const { return lo_; }
+  const Vec3& hi() const { return hi_; }
+  std::span<const Vec3> positions() const { return positions_; }
+
+  /// Calls back, in a fixed order, for every vertex whose gap to the collider is at most `margin`: per vertex
+  /// the closest part.
+  template <class F>
+  void near(const Collider& collider, double margin, const F& f) const;
+  /// Whether any vertex is that near.
+  bool touches(const Collider& collider, double margin) const;
+
+ private:
+  struct Chunk {
+    Vec3 lo, hi;
+  };
+  static constexpr std::size_t chunk_vertices = 32;
+  std::size_t chunk_end(std::size_t chunk) const {
+    return std::min(order_.size(), (chunk + 1) * chunk_vertices);
+  }
+
+  const SparseMap* embedding_;
+  std::vector<std::uint32_t> order_;  // vertices along a space-filling curve through the rest shape
+  std::vector<Vec3> positions_;       // by vertex
+  std::vector<Chunk> chunks_;
+  Vec3 lo_ = Vec3::Zero(), hi_ = Vec3::Zero();
+};
+
+/// Nearest part of the collider at a point of the room; the normal is in the room frame. Parts farther than
+/// `margin` may be skipped: the value is then larger than it.
+Distance distance_to(const Collider& collider, const Vec3& x, double margin);
+
+inline bool boxes_overlap(const Vec3& lo, const Vec3& hi, const Vec3& other_lo, const Vec3& other_hi) {
+  return (lo.array() <= other_hi.array()).all() && (other_lo.array() <= hi.array()).all();
+}
+
+template <class F>
+void SurfaceDetector::near(const Collider& collider, double margin, const F& f) const {
+  const Vec3 lo = collider.lo - Vec3::Constant(margin), hi = collider.hi + Vec3::Constant(margin);
+  if (!boxes_overlap(lo, hi, lo_, hi_)) return;
+  for (std::size_t c = 0; c < chunks_.size(); ++c) {
+    if (!boxes_overlap(lo, hi, chunks_[c].lo, chunks_[c].hi)) continue;
+    for (std::size_t i = c * chunk_vertices; i < chunk_end(c); ++i) {
+      const Vec3& x = positions_[order_[i]];
+      if ((x.array() < lo.array()).any() || (x.array() > hi.array()).any()) continue;
+      if (const Distance d = distance_to(collider, x, margin); d.value <= margin) f(order_[i], d);
+    }
+  }
+}
+
+}  // namespace prosector

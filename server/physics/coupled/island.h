@@ -1,0 +1,58 @@
+#pragma once
+// What the coupled solver minimises: one island of soft bodies, rigid bodies and what joins them.
+//
+//   E(x, ξ) = Σ_soft E_soft(x) + Σ_rigid ½(ξ − ξ̃)ᵀ(M/h²)(ξ − ξ̃) + Σ contacts + Σ ties + Σ pulls
+//
+// Unknowns: the soft nodes' positions x (3 each), then per rigid body the twist ξ of its displacement over
+// the tick: translation of the centre of mass (m), rotation vector about it (rad), both in the room frame.
+
+#include <vector>
+
+#include "server/physics/contact/contact.h"
+#include "server/physics/soft/soft_body.h"
+
+namespace prosector {
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+struct SoftMember {
+  std::size_t index = 0;  // as in ContactSide::body
+  SoftBody* body = nullptr;
+  SoftBodyState* state = nullptr;
+};
+
+/// Pulls a rigid body to a displacement, with bounded force and moment: the virtual coupling of a hand.
+/// Quadratic up to the bound, linear beyond it.
+struct Pull {
+  Vec3 translation = Vec3::Zero(), rotation = Vec3::Zero();  // m, rad: where the twist is pulled to
+  double stiffness = 0, angular_stiffness = 0;               // N/m, N·m/rad
+  double max_force = 0, max_moment = 0;                      // N, N·m
+};
+
+struct RigidMember {
+  std::size_t slot = 0;           // as in ContactSide::body
+  double mass = 0;                // kg
+  Mat3 inertia = Mat3::Zero();    // kg·m², room frame
+  Vec6 predicted = Vec6::Zero();  // ξ̃: h times the velocity without contacts
+  std::optional<Pull> pull;
+  Vec6 twist = Vec6::Zero();  // result
+};
+
+struct Island {
+  std::vector<SoftMember> soft;
+  std::vector<RigidMember> rigid;
+  std::vector<Contact> contacts;
+  std::vector<Tie> ties;
+};
+
+struct IslandReport {
+  int newton_iterations = 0;
+  int solver_iterations = 0;
+  double residual = 0;     // relative, of the last linear solve
+  double last_step = 0;    // m: largest node or body displacement of the last Newton step
+  bool converged = false;  // last step below 0.1 mm
+  bool finite = true;      // false: nothing was taken into the soft states
+};
+
+}  // namespace prosector

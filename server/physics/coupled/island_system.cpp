@@ -1,0 +1,277 @@
+#include "server/physics/coupled/island_system.h"
+
+#include <algorithm>
+
+#include "server/physics/coupled/potentials.h"
+
+namespace prosector {
+namespace {
+
+constexpr double stick_speed = 0.002;  // m/s: below it friction sticks, creeping at most this fast
+
+Mat3 cross_matrix(const Vec3& v) {
+  Mat3 m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
+}
+
+Mat6 inertia_block(const RigidMember& body, double h) {
+  Mat6 m = Mat6::Zero();
+  m.topLeftCorner<3, 3>() = body.mass / (h * h) * Mat3::Identity();
+  m.bottomRightCorner<3, 3>() = body.inertia / (h * h);
+  return m;
+}
+
+}  // namespace
+
+IslandSystem::IslandSystem(Island& island, double h)
+    : island_(island), h_(h), slip_threshold_(stick_speed * h) {
+  for (const SoftMember& m : island.soft) {
+    soft_offset_.push_back(size_);
+    size_ += 3 * m.body->nodes();
+  }
+  rigid_begin_ = size_;
+  size_ += 6 * static_cast<Eigen::Index>(island.rigid.size());
+  for (const Contact& c : island.contacts) contacts_.push_back(join(c.a, c.b));
+  for (const Tie& t : island.ties) ties_.push_back(join(t.a, t.b));
+  lagged_.assign(contacts_.size(), 0);
+  node_blocks_.resize(static_cast<std::size_t>(rigid_begin_ / 3));
+  node_inverse_.resize(node_blocks_.size());
+  rigid_blocks_.resize(island.rigid.size());
+  rigid_sums_.resize(island.rigid.size());
+  rigid_factors_.resize(island.rigid.size());
+}
+
+IslandSystem::Side IslandSystem::resolve(const ContactSide& side) const {
+  Side out;
+  if (side.kind == ContactSide::Kind::soft) {
+    std::size_t m = 0;
+    while (island_.soft[m].index != side.body) ++m;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (side.weight[k] == 0) continue;
+      const auto n = static_cast<std::size_t>(out.nodes++);
+      out.offset[n] = soft_offset_[m] + 3 * static_cast<Eigen::Index>(side.node[k]);
+      out.weight[n] = side.weight[k];
+    }
+  } else if (side.kind == ContactSide::Kind::rigid) {
+    std::size_t m = 0;
+    while (island_.rigid[m].slot != side.body) ++m;
+    out.rigid = rigid_offset(m);
+    out.arm = side.arm;
+  }
+  return out;
+}
+
+IslandSystem::Joint IslandSystem::join(const ContactSide& a, const ContactSide& b) const {
+  const auto start = [&](const ContactSide& side) {
+    Vec3 x = Vec3::Zero();
+    if (side.kind != ContactSide::Kind::soft) return x;
+    for (const SoftMember& m : island_.soft)
+      if (m.index == side.body)
+        for (std::size_t k = 0; k < 4; ++k)
+          x += side.weight[k] * m.state->motion.x.segment<3>(3 * static_cast<Eigen::Index>(side.node[k]));
+    return x;
+  };
+  return {resolve(a), resolve(b), start(a) - start(b), Mat3::Zero()};
+}
+
+Vec3 IslandSystem::read(const Side& side, const VecX& q) {
+  Vec3 u = Vec3::Zero();
+  for (std::size_t k = 0; k < static_cast<std::size_t>(side.nodes); ++k)
+    u += side.weight[k] * q.segment<3>(side.offset[k]);
+  if (side.rigid >= 0) {
+    const Vec3 rotation = q.segment<3>(side.rigid + 3);
+    u += q.segment<3>(side.rigid) + rotation.cross(side.arm);
+  }
+  return u;
+}
+
+void IslandSystem::add(const Side& side, const Vec3& f, VecX& out) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(side.nodes); ++k)
+    out.segment<3>(side.offset[k]) += side.weight[k] * f;
+  if (side.rigid >= 0) {
+    out.segment<3>(side.rigid) += f;
+    out.segment<3>(side.rigid + 3) += side.arm.cross(f);
+  }
+}
+
+VecX IslandSystem::initial_guess() const {
+  VecX q(size_);
+  for (std::size_t m = 0; m < island_.soft.size(); ++m)
+    island_.soft[m].body->initial_guess(h_, *island_.soft[m].state,
+                                        q.segment(soft_offset_[m], 3 * island_.soft[m].body->nodes()));
+  for (std::size_t m = 0; m < island_.rigid.size(); ++m)
+    q.segment<6>(rigid_offset(m)) = island_.rigid[m].predicted;
+  return q;
+}
+
+double IslandSystem::normal_force(const Contact& contact, const VecX& q) const {
+  const auto c = static_cast<std::size_t>(&contact - island_.contacts.data());
+  const double gap = contact.gap + contact.normal.dot(displacement(contacts_[c], q));
+  return contact.stiffness * std::max(0.0, -gap);
+}
+
+void IslandSystem::lag_friction(const VecX& q) {
+  for (std::size_t c = 0; c < contacts_.size(); ++c)
+    lagged_[c] = island_.contacts[c].friction * normal_force(island_.contacts[c], q);
+}
+
+double IslandSystem::contact_energy(std::size_t c, const Vec3& u) const {
+  const Contact& contact = island_.contacts[c];
+  const double along = contact.normal.dot(u), gap = std::min(0.0, contact.gap + along);
+  const double slip = (u - along * contact.normal).norm();
+  return contact.stiffness * gap * gap / 2 + lagged_[c] * FrictionNorm{slip_threshold_}.energy(slip);
+}
+
+Vec3 IslandSystem::contact_force(std::size_t c, const Vec3& u, Mat3* D) const {
+  const Contact& contact = island_.contacts[c];
+  const Vec3& n = contact.normal;
+  const double along = n.dot(u), gap = std::min(0.0, contact.gap + along);
+  const Vec3 slip = u - along * n;
+  const double drag = lagged_[c] > 0 ? lagged_[c] * FrictionNorm{slip_threshold_}.secant(slip.norm()) : 0;
+  if (D) {
+    const Mat3 nn = n * n.transpose();
+    *D = (gap < 0 ? contact.stiffness : 0.0) * nn + drag * (Mat3::Identity() - nn);
+  }
+  return contact.stiffness * gap * n + drag * slip;
+}
+
+double IslandSystem::energy(const VecX& q) {
+  double sum = 0;
+  for (std::size_t m = 0; m < island_.soft.size(); ++m)
+    sum += island_.soft[m].body->energy(q.segment(soft_offset_[m], 3 * island_.soft[m].body->nodes()));
+  for (std::size_t m = 0; m < island_.rigid.size(); ++m) {
+    const RigidMember& body = island_.rigid[m];
+    const Vec6 twist = q.segment<6>(rigid_offset(m)), d = twist - body.predicted;
+    sum +=
+        (body.mass * d.head<3>().squaredNorm() + d.tail<3>().dot(body.inertia * d.tail<3>())) / (2 * h_ * h_);
+    if (body.pull) {
+      const Pull& pull = *body.pull;
+      sum +=
+          BoundedSpring{pull.stiffness, pull.max_force}.energy((twist.head<3>() - pull.translation).norm());
+      sum += BoundedSpring{pull.angular_stiffness, pull.max_moment}.energy(
+          (twist.tail<3>() - pull.rotation).norm());
+    }
+  }
+  for (std::size_t c = 0; c < contacts_.size(); ++c) sum += contact_energy(c, displacement(contacts_[c], q));
+  for (std::size_t t = 0; t < ties_.size(); ++t) {
+    const Tie& tie = island_.ties[t];
+    sum +=
+        BoundedSpring{tie.stiffness, tie.max_force}.energy((tie.offset + displacement(ties_[t], q)).norm());
+  }
+  return sum;
+}
+
+void IslandSystem::gradient(const VecX& q, VecX& g) {
+  g.resize(size_);
+  for (std::size_t m = 0; m < island_.soft.size(); ++m) {
+    const Eigen::Index n = 3 * island_.soft[m].body->nodes();
+    island_.soft[m].body->gradient(q.segment(soft_offset_[m], n), g.segment(soft_offset_[m], n));
+  }
+  for (std::size_t m = 0; m < island_.rigid.size(); ++m) {
+    const RigidMember& body = island_.rigid[m];
+    const Vec6 twist = q.segment<6>(rigid_offset(m)), d = twist - body.predicted;
+    auto out = g.segment<6>(rigid_offset(m));
+    out.head<3>() = body.mass / (h_ * h_) * d.head<3>();
+    out.tail<3>() = body.inertia * d.tail<3>() / (h_ * h_);
+    if (body.pull) {
+      const Pull& pull = *body.pull;
+      const Vec3 e = twist.head<3>() - pull.translation, r = twist.tail<3>() - pull.rotation;
+      out.head<3>() += BoundedSpring{pull.stiffness, pull.max_force}.secant(e.norm()) * e;
+      out.tail<3>() += BoundedSpring{pull.angular_stiffness, pull.max_moment}.secant(r.norm()) * r;
+    }
+  }
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const Vec3 f = contact_force(c, displacement(contacts_[c], q), nullptr);
+    add(contacts_[c].a, f, g);
+    add(contacts_[c].b, -f, g);
+  }
+  for (std::size_t t = 0; t < ties_.size(); ++t) {
+    const Tie& tie = island_.ties[t];
+    const Vec3 d = tie.offset + displacement(ties_[t], q);
+    const Vec3 f = BoundedSpring{tie.stiffness, tie.max_force}.secant(d.norm()) * d;
+    add(ties_[t].a, f, g);
+    add(ties_[t].b, -f, g);
+  }
+}
+
+void IslandSystem::add_block(const Side& side, const Mat3& D) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(side.nodes); ++k)
+    node_blocks_[static_cast<std::size_t>(side.offset[k] / 3)] += side.weight[k] * side.weight[k] * D;
+  if (side.rigid >= 0) {
+    Eigen::Matrix<double, 3, 6> J;
+    J << Mat3::Identity(), -cross_matrix(side.arm);
+    rigid_sums_[static_cast<std::size_t>((side.rigid - rigid_begin_) / 6)] += J.transpose() * D * J;
+  }
+}
+
+void IslandSystem::assemble(const VecX& q) {
+  for (std::size_t m = 0; m < island_.soft.size(); ++m) {
+    SoftBody& body = *island_.soft[m].body;
+    body.assemble(q.segment(soft_offset_[m], 3 * body.nodes()));
+    body.diagonal(
+        std::span(node_blocks_)
+            .subspan(static_cast<std::size_t>(soft_offset_[m] / 3), static_cast<std::size_t>(body.nodes())));
+  }
+  for (std::size_t m = 0; m < island_.rigid.size(); ++m) {
+    const RigidMember& body = island_.rigid[m];
+    Mat6& block = rigid_blocks_[m] = inertia_block(body, h_);
+    if (body.pull) {
+      const Pull& pull = *body.pull;
+      const Vec6 twist = q.segment<6>(rigid_offset(m));
+      const double e = (twist.head<3>() - pull.translation).norm(),
+                   r = (twist.tail<3>() - pull.rotation).norm();
+      block.diagonal().head<3>().array() += BoundedSpring{pull.stiffness, pull.max_force}.secant(e);
+      block.diagonal().tail<3>().array() += BoundedSpring{pull.angular_stiffness, pull.max_moment}.secant(r);
+    }
+    rigid_sums_[m] = block;
+  }
+  for (std::size_t c = 0; c < contacts_.size(); ++c)
+    contact_force(c, displacement(contacts_[c], q), &contacts_[c].D);
+  for (std::size_t t = 0; t < ties_.size(); ++t) {
+    const Tie& tie = island_.ties[t];
+    const double d = (tie.offset + displacement(ties_[t], q)).norm();
+    ties_[t].D = BoundedSpring{tie.stiffness, tie.max_force}.secant(d) * Mat3::Identity();
+  }
+  for (const auto* joints : {&contacts_, &ties_})
+    for (const Joint& joint : *joints) {
+      add_block(joint.a, joint.D);
+      add_block(joint.b, joint.D);
+    }
+  for (std::size_t i = 0; i < node_blocks_.size(); ++i) node_inverse_[i] = node_blocks_[i].inverse();
+  for (std::size_t m = 0; m < rigid_sums_.size(); ++m) rigid_factors_[m].compute(rigid_sums_[m]);
+}
+
+void IslandSystem::multiply(const VecX& p, VecX& Hp) const {
+  Hp.resize(size_);
+  for (std::size_t m = 0; m < island_.soft.size(); ++m)
+    island_.soft[m].body->multiply(p.data() + soft_offset_[m], Hp.data() + soft_offset_[m]);
+  for (std::size_t m = 0; m < island_.rigid.size(); ++m)
+    Hp.segment<6>(rigid_offset(m)) = rigid_blocks_[m] * p.segment<6>(rigid_offset(m));
+  for (const auto* joints : {&contacts_, &ties_})
+    for (const Joint& joint : *joints) {
+      const Vec3 f = joint.D * (read(joint.a, p) - read(joint.b, p));
+      add(joint.a, f, Hp);
+      add(joint.b, -f, Hp);
+    }
+}
+
+void IslandSystem::block_jacobi(const VecX& r, VecX& z) const {
+  z.resize(size_);
+  for (std::size_t i = 0; i < node_inverse_.size(); ++i) {
+    const auto at = 3 * static_cast<Eigen::Index>(i);
+    z.segment<3>(at) = node_inverse_[i] * r.segment<3>(at);
+  }
+  for (std::size_t m = 0; m < rigid_factors_.size(); ++m)
+    z.segment<6>(rigid_offset(m)) = rigid_factors_[m].solve(r.segment<6>(rigid_offset(m)));
+}
+
+void IslandSystem::elastic_factor(const VecX& r, VecX& z) const {
+  z.resize(size_);
+  for (std::size_t m = 0; m < island_.soft.size(); ++m)
+    island_.soft[m].body->factor_solve(r.data() + soft_offset_[m], z.data() + soft_offset_[m]);
+  for (std::size_t m = 0; m < rigid_factors_.size(); ++m)
+    z.segment<6>(rigid_offset(m)) = rigid_factors_[m].solve(r.segment<6>(rigid_offset(m)));
+}
+
+}  // namespace prosector

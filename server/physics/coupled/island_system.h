@@ -1,0 +1,74 @@
+#pragma once
+// An island's energy, gradient and Hessian, the last matrix-free.
+
+#include <Eigen/Cholesky>
+
+#include "server/physics/coupled/island.h"
+
+namespace prosector {
+
+class IslandSystem final : public LinearOperator {
+ public:
+  IslandSystem(Island& island, double h);
+
+  /// Warm start: the soft bodies' own guess, the rigid bodies' prediction.
+  VecX initial_guess() const;
+  /// Normal forces that friction uses until the next call: those at q.
+  void lag_friction(const VecX& q);
+  double energy(const VecX& q);
+  void gradient(const VecX& q, VecX& g);
+  /// Fixes the Hessian at q.
+  void assemble(const VecX& q);
+
+  Eigen::Index size() const override { return size_; }
+  void multiply(const VecX& p, VecX& Hp) const override;
+  void block_jacobi(const VecX& r, VecX& z) const override;
+  void elastic_factor(const VecX& r, VecX& z) const override;
+
+  Eigen::Index soft_offset(std::size_t member) const { return soft_offset_[member]; }
+  Eigen::Index rigid_offset(std::size_t member) const {
+    return rigid_begin_ + 6 * static_cast<Eigen::Index>(member);
+  }
+  /// Normal force of a contact at q, N.
+  double normal_force(const Contact& contact, const VecX& q) const;
+
+ private:
+  /// A contact's or tie's side resolved to unknowns.
+  struct Side {
+    int nodes = 0;
+    std::array<Eigen::Index, 4> offset{};
+    std::array<double, 4> weight{};
+    Eigen::Index rigid = -1;
+    Vec3 arm = Vec3::Zero();
+  };
+  /// The displacement of side a relative to side b, as a linear map of the unknowns, and its 3×3 stiffness.
+  struct Joint {
+    Side a, b;
+    Vec3 at_start;  // the linear map of the positions at the tick's start
+    Mat3 D = Mat3::Zero();
+  };
+
+  Side resolve(const ContactSide& side) const;
+  Joint join(const ContactSide& a, const ContactSide& b) const;
+  static Vec3 read(const Side& side, const VecX& q);
+  static void add(const Side& side, const Vec3& f, VecX& out);
+  Vec3 displacement(const Joint& joint, const VecX& q) const {
+    return read(joint.a, q) - read(joint.b, q) - joint.at_start;
+  }
+  void add_block(const Side& side, const Mat3& D);
+  double contact_energy(std::size_t c, const Vec3& u) const;
+  Vec3 contact_force(std::size_t c, const Vec3& u, Mat3* D) const;
+
+  Island& island_;
+  double h_, slip_threshold_;
+  Eigen::Index size_ = 0, rigid_begin_ = 0;
+  std::vector<Eigen::Index> soft_offset_;
+  std::vector<Joint> contacts_, ties_;
+  std::vector<double> lagged_;  // N, normal force per contact
+  std::vector<Mat3> node_blocks_, node_inverse_;
+  std::vector<Mat6> rigid_blocks_;  // own: inertia and pull
+  std::vector<Mat6> rigid_sums_;    // with contacts
+  std::vector<Eigen::LLT<Mat6>> rigid_factors_;
+};
+
+}  // namespace prosector

@@ -1,0 +1,103 @@
+// The shape in which each soft body rests under gravity, on the fixed things around it: found once per
+// compiled scene by dynamic relaxation (implicit steps much longer than a tick, velocities dropped after
+// each).
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "server/physics/simulation_impl.h"
+
+namespace prosector {
+namespace {
+
+constexpr double relaxation_step = 0.1;  // s
+constexpr int most_relaxation_steps = 150;
+constexpr double at_rest = 2e-6;  // m a step
+
+std::filesystem::path cache_file(const CompileOptions& options, const ContentHash& hash) {
+  return options.cache_dir / (to_hex(hash) + ".equilibrium");
+}
+
+bool read_cache(const std::filesystem::path& file, std::vector<VecX>& shapes) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return false;
+  const std::vector<char> bytes((std::istreambuf_iterator<char>(in)), {});
+  try {
+    ByteReader reader(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()),
+                      file.string());
+    std::vector<VecX> found;
+    for (const VecX& shape : shapes) found.push_back(reader.vector(shape.size()));
+    if (!reader.done()) return false;
+    shapes = std::move(found);
+    return true;
+  } catch (const InputError&) {
+    return false;  // damaged: computed anew
+  }
+}
+
+/// Written beside and renamed, so that a reader never sees half a file. A cache that can't be written is no
+/// error.
+void write_cache(const std::filesystem::path& file, const std::vector<VecX>& shapes) {
+  ByteWriter out;
+  for (const VecX& shape : shapes) out.add(shape);
+  std::error_code ignored;
+  std::filesystem::create_directories(file.parent_path(), ignored);
+  const auto part = std::filesystem::path(file.string() + ".part");
+  std::ofstream stream(part, std::ios::binary);
+  stream.write(reinterpret_cast<const char*>(out.bytes().data()),
+               static_cast<std::streamsize>(out.bytes().size()));
+  stream.close();
+  if (stream)
+    std::filesystem::rename(part, file, ignored);
+  else
+    std::filesystem::remove(part, ignored);
+}
+
+}  // namespace
+
+void Simulation::Impl::relax(std::size_t body) {
+  SoftBodyState& state = soft[body];
+  for (int step = 0; step < most_relaxation_steps; ++step) {
+    surfaces[body].update(state.motion.x.data());
+    Island island;
+    island.soft.push_back({body, model.soft[body].get(), &state});
+    for (const Collider& c : colliders)
+      if (c.parts && c.fixed)
+        surfaces[body].near(c, 0.02, [&](std::uint32_t vertex, const Distance& d) {
+          island.contacts.push_back(soft_contact(body, vertex, d, c));
+        });
+    const VecX before = state.motion.x;
+    const IslandReport solved = solve_island(island, relaxation_step, model.scene.gravity);
+    state.motion.v.setZero();
+    state.warm_start.setZero();
+    state.motion.has_history = false;
+    if (!solved.finite || (state.motion.x - before).lpNorm<Eigen::Infinity>() < at_rest) return;
+  }
+}
+
+void Simulation::Impl::settle(const CompileOptions& options) {
+  refresh_colliders();
+  for (const SoftBodyState& state : soft) equilibrium.push_back(state.motion.x);
+  const bool cached = !options.cache_dir.empty() && read_cache(cache_file(options, model.hash), equilibrium);
+  for (std::size_t i = 0; i < soft.size(); ++i) {
+    if (cached)
+      soft[i].motion.x = equilibrium[i];
+    else
+      relax(i);
+    equilibrium[i] = soft[i].motion.x;
+    soft[i].motion.x_prev = soft[i].motion.x;
+    soft[i].asleep = true;
+    surfaces[i].update(soft[i].motion.x.data());
+    if (options.progress && !cached)
+      options.progress(fmt::format(
+          "{}: settled, {:.1f} mm from its imaged shape", model.soft[i]->desc().name,
+          1e3 * (equilibrium[i] - model.soft[i]->initial_state().motion.x).lpNorm<Eigen::Infinity>()));
+  }
+  if (!cached && !options.cache_dir.empty() && !soft.empty())
+    write_cache(cache_file(options, model.hash), equilibrium);
+}
+
+}  // namespace prosector

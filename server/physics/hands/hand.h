@@ -1,0 +1,57 @@
+#pragma once
+// A hand while it is present: its target, its physical body, and what it holds.
+
+#include <optional>
+#include <vector>
+
+#include "server/physics/contact/contact.h"
+#include "server/physics/coupled/island.h"
+#include "server/physics/model.h"
+
+namespace prosector {
+
+/// A hold is points that hand and thing share, kept together by bounded springs.
+struct Hold {
+  struct Point {
+    Vec3 in_hand;              // m, hand's centre-of-mass frame
+    Vec3 in_body;              // m, rigid: its centre-of-mass frame
+    std::uint32_t vertex = 0;  // soft: surface vertex
+    double stiffness = 0;      // N/m
+    double max_force = 0;      // N
+  };
+  BodyId body = 0;
+  std::vector<Point> points;
+};
+
+struct Hand {
+  ParticipantId participant = 0;
+  std::size_t side = right_hand;
+  std::size_t slot = 0;  // in the rigid world
+  Pose target;           // wrist
+  Pose previous_target;
+  std::array<double, fingers> target_flexion{}, flexion{};
+  std::optional<Hold> hold;
+};
+
+inline constexpr double max_hand_speed = 3;         // m/s, of the effective target
+inline constexpr double max_finger_rate = 8;        // 1/s, of flexion: a fist in 1/8 s
+inline constexpr double grasp_reach_rigid = 0.03;   // m
+inline constexpr double grasp_reach_soft = 0.025;   // m
+inline constexpr std::size_t max_hold_points = 24;  // on tissue
+
+/// The virtual coupling for one tick: critically damped towards the target and its speed, the effective
+/// target never farther away than max_hand_speed allows, force and moment bounded.
+Pull hand_pull(const Hand& hand, const HandModel& model, const HandDesc& desc, const Pose& centre, double h);
+
+/// Points on the hand's surface line, room frame, with the radius around each: what a grasp measures from.
+struct Feeler {
+  Vec3 point;
+  double radius;
+};
+std::vector<Feeler> feelers(const Hand& hand, const HandModel& model, const Pose& centre);
+
+/// Four points around the hand's centre pin a rigid body's pose to the hand's.
+Hold hold_rigid(BodyId body, double body_mass, const HandDesc& desc, const Pose& hand_centre,
+                const Pose& body_centre, double h);
+
+}  // namespace prosector

@@ -1,0 +1,60 @@
+#pragma once
+// The compiled scene: const while running.
+
+#include <memory>
+#include <vector>
+
+#include "common/hash.h"
+#include "common/scene/scene.h"
+#include "server/physics/contact/signed_distance.h"
+#include "server/physics/rigid/rigid_world.h"
+#include "server/physics/simulation.h"
+#include "server/physics/soft/soft_body.h"
+
+namespace prosector {
+
+/// A rigid thing's parts with their distances, in its centre-of-mass frame.
+struct RigidShape {
+  std::vector<ShapePart> parts;
+  std::vector<std::unique_ptr<SignedDistance>> distances;
+};
+
+struct RigidModel {
+  std::string name;
+  TriangleMesh surface;  // body frame
+  RigidShape shape;
+  RigidSetup setup;
+  Pose center;  // centre-of-mass frame in the body's frame
+  Pose start;   // body's frame in the room
+};
+
+/// The physical hand of one side: palm, then the segments in joint order.
+struct HandModel {
+  RigidShape shape;
+  RigidSetup setup;
+  Pose center;  // centre-of-mass frame in the wrist's frame
+};
+
+/// Poses of a hand's parts in its centre-of-mass frame.
+std::vector<Pose> hand_part_poses(std::size_t hand, const std::array<double, fingers>& flexion,
+                                  const Pose& center);
+
+HandModel make_hand_model(std::size_t hand, const HandDesc& desc);
+
+struct Model {
+  SceneDesc scene;
+  double h = 0;  // s, one tick
+  std::vector<RigidModel> rigid;
+  std::vector<std::unique_ptr<SoftBody>> soft;
+  std::array<HandModel, 2> hands;
+  ContentHash hash{};
+
+  /// Stiffness of a contact at a surface vertex, N/m: the body's own over one surface cell, times the
+  /// scene's factor.
+  double contact_stiffness(std::size_t soft_body, std::size_t vertex) const;
+};
+
+/// Throws InputError for what the scene got wrong.
+Model compile(const SceneDesc& scene, const CompileOptions& options);
+
+}  // namespace prosector

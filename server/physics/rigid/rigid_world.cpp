@@ -1,0 +1,313 @@
+#include "server/physics/rigid/rigid_world.h"
+
+#include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
+#include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
+
+#include <algorithm>
+#include <map>
+
+#include "server/physics/rigid/bullet_shape.h"
+#include "server/physics/rigid/bullet_types.h"
+
+namespace prosector {
+namespace {
+
+// Bullet's own 0.8 m/s is for metre-sized things; ours are instruments and bones.
+constexpr btScalar sleep_linear = 0.02F;             // m/s
+constexpr btScalar sleep_angular = 0.1F;             // rad/s
+constexpr btScalar most_quiet_while_coupled = 1.5F;  // s, below the 2 s at which Bullet puts to sleep
+constexpr int group_body = 1, group_hand = 2, group_fixed = 4;
+
+std::size_t slot_of(const btCollisionObject* object) {
+  return static_cast<std::size_t>(object->getUserIndex());
+}
+
+/// Bullet's world with its single step cut open at the constraint stage.
+class PhasedWorld final : public btDiscreteDynamicsWorld {
+ public:
+  using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
+
+  void detect(btScalar h) {
+    saveKinematicState(h);
+    applyGravity();
+    predictUnconstraintMotion(h);
+    btDispatcherInfo& info = getDispatchInfo();
+    info.m_timeStep = h;
+    info.m_stepCount = 0;
+    createPredictiveContacts(h);
+    performDiscreteCollisionDetection();
+  }
+
+  void find_islands(std::span<const std::pair<btRigidBody*, btRigidBody*>> links) {
+    btSimulationIslandManager& islands = *getSimulationIslandManager();
+    islands.updateActivationState(this, getDispatcher());
+    for (const auto& [a, b] : links) islands.getUnionFind().unite(a->getIslandTag(), b->getIslandTag());
+    islands.storeIslandActivationState(this);
+  }
+
+  void solve(btScalar h, btSimulationIslandManager::IslandCallback& callback) {
+    getSolverInfo().m_timeStep = h;
+    getSimulationIslandManager()->buildAndProcessIslands(getDispatcher(), this, &callback);
+    getConstraintSolver()->allSolved(getSolverInfo(), nullptr);
+  }
+
+  void integrate(btScalar h) {
+    integrateTransforms(h);
+    updateActivationState(h);
+    clearForces();
+  }
+};
+
+RigidContact make_contact(const btPersistentManifold& manifold, int i) {
+  const btManifoldPoint& p = manifold.getContactPoint(i);
+  return {slot_of(manifold.getBody0()),
+          slot_of(manifold.getBody1()),
+          from_bullet(p.getPositionWorldOnA()),
+          from_bullet(p.getPositionWorldOnB()),
+          from_bullet(p.m_normalWorldOnB),
+          static_cast<double>(p.getDistance()),
+          static_cast<double>(p.m_combinedFriction)};
+}
+
+/// Gives Bullet's solver the islands of rigid bodies and keeps the others.
+class SplitIslands final : public btSimulationIslandManager::IslandCallback {
+ public:
+  SplitIslands(PhasedWorld& world, const std::vector<char>& coupled, std::vector<MixedIsland>& mixed)
+      : world_(world), coupled_(coupled), mixed_(mixed) {}
+
+  void processIsland(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds,
+                     int manifold_count, int) override {
+    const auto is_coupled = [&](const btCollisionObject* b) { return coupled_[slot_of(b)] != 0; };
+    if (std::none_of(bodies, bodies + body_count, is_coupled)) {
+      world_.getConstraintSolver()->solveGroup(bodies, body_count, manifolds, manifold_count, nullptr, 0,
+                                               world_.getSolverInfo(), nullptr, world_.getDispatcher());
+      return;
+    }
+    MixedIsland& island = mixed_.emplace_back();
+    for (int i = 0; i < body_count; ++i) island.bodies.push_back(slot_of(bodies[i]));
+    std::sort(island.bodies.begin(), island.bodies.end());
+    for (int m = 0; m < manifold_count; ++m)
+      for (int i = 0; i < manifolds[m]->getNumContacts(); ++i)
+        island.contacts.push_back(make_contact(*manifolds[m], i));
+  }
+
+ private:
+  PhasedWorld& world_;
+  const std::vector<char>& coupled_;
+  std::vector<MixedIsland>& mixed_;
+};
+
+}  // namespace
+
+struct RigidWorld::Impl {
+  struct Body {
+    BulletShape shape;
+    std::unique_ptr<btRigidBody> body;  // null: free slot
+  };
+
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  PhasedWorld world{&dispatcher, &broadphase, &solver, &configuration};
+  std::vector<Body> bodies;
+  std::vector<char> coupled;
+  std::vector<MixedIsland> mixed;
+
+  explicit Impl(const Vec3& gravity) {
+    btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
+    world.setGravity(to_bullet(gravity));
+    world.getDispatchInfo().m_deterministicOverlappingPairs = true;
+    solver.setRandSeed(0);
+  }
+  ~Impl() {
+    for (Body& b : bodies)
+      if (b.body) world.removeRigidBody(b.body.get());
+  }
+  btRigidBody& at(std::size_t slot) { return *bodies[slot].body; }
+};
+
+RigidWorld::RigidWorld(const Vec3& gravity) : impl_(std::make_unique<Impl>(gravity)) {}
+RigidWorld::~RigidWorld() = default;
+RigidWorld::RigidWorld(RigidWorld&&) noexcept = default;
+RigidWorld& RigidWorld::operator=(RigidWorld&&) noexcept = default;
+
+std::size_t RigidWorld::add(const RigidSetup& setup, const RigidMotion& motion) {
+  auto& bodies = impl_->bodies;
+  std::size_t slot = 0;
+  while (slot < bodies.size() && bodies[slot].body) ++slot;
+  if (slot == bodies.size()) bodies.emplace_back();
+  Impl::Body& made = bodies[slot];
+  made.shape = make_bullet_shape(setup.parts, setup.mass > 0);
+  if (!made.shape.root) {
+    made.shape.parts.push_back(std::make_unique<btEmptyShape>());
+    made.shape.root = made.shape.parts.back().get();
+  }
+  btRigidBody::btRigidBodyConstructionInfo info(static_cast<btScalar>(setup.mass), nullptr, made.shape.root,
+                                                to_bullet(setup.inertia));
+  info.m_startWorldTransform = to_bullet(motion.pose);
+  info.m_friction = static_cast<btScalar>(setup.friction);
+  info.m_restitution = static_cast<btScalar>(setup.restitution);
+  info.m_linearSleepingThreshold = sleep_linear;
+  info.m_angularSleepingThreshold = sleep_angular;
+  made.body = std::make_unique<btRigidBody>(info);
+  made.body->setUserIndex(static_cast<int>(slot));
+  const bool fixed = !(setup.mass > 0);
+  const int group = fixed ? group_fixed : setup.hand ? group_hand : group_body;
+  const int mask = fixed ? group_body | group_hand
+                         : group_body | group_fixed | (setup.hand ? 0 : static_cast<int>(group_hand));
+  impl_->world.addRigidBody(made.body.get(), group, mask);
+  if (setup.hand) {
+    made.body->setGravity(btVector3(0, 0, 0));
+    made.body->setActivationState(DISABLE_DEACTIVATION);
+  }
+  set_motion(slot, motion);
+  return slot;
+}
+
+void RigidWorld::remove(std::size_t slot) {
+  for (auto& other : impl_->bodies)
+    if (other.body && other.body.get() != &impl_->at(slot))
+      other.body->setIgnoreCollisionCheck(&impl_->at(slot), false);
+  impl_->world.removeRigidBody(&impl_->at(slot));
+  impl_->bodies[slot].body.reset();
+  impl_->bodies[slot].shape = {};
+}
+
+std::size_t RigidWorld::slots() const {
+  return impl_->bodies.size();
+}
+bool RigidWorld::used(std::size_t slot) const {
+  return slot < impl_->bodies.size() && impl_->bodies[slot].body != nullptr;
+}
+bool RigidWorld::dynamic(std::size_t slot) const {
+  return !impl_->at(slot).isStaticObject();
+}
+
+RigidMotion RigidWorld::motion(std::size_t slot) const {
+  const btRigidBody& b = impl_->at(slot);
+  return {from_bullet(b.getWorldTransform()), from_bullet(b.getLinearVelocity()),
+          from_bullet(b.getAngularVelocity()), b.getActivationState() == ISLAND_SLEEPING,
+          static_cast<double>(b.getDeactivationTime())};
+}
+
+void RigidWorld::set_motion(std::size_t slot, const RigidMotion& motion) {
+  btRigidBody& b = impl_->at(slot);
+  const btTransform pose = to_bullet(motion.pose);
+  b.setWorldTransform(pose);
+  b.setInterpolationWorldTransform(pose);
+  set_velocity(slot, motion.linear_velocity, motion.angular_velocity);
+  b.setInterpolationLinearVelocity(b.getLinearVelocity());
+  b.setInterpolationAngularVelocity(b.getAngularVelocity());
+  b.updateInertiaTensor();
+  if (b.isStaticObject() || b.getActivationState() == DISABLE_DEACTIVATION) return;
+  b.forceActivationState(motion.asleep ? ISLAND_SLEEPING : ACTIVE_TAG);
+  b.setDeactivationTime(static_cast<btScalar>(motion.quiet_seconds));
+}
+
+void RigidWorld::set_velocity(std::size_t slot, const Vec3& linear, const Vec3& angular) {
+  btRigidBody& b = impl_->at(slot);
+  b.setLinearVelocity(to_bullet(linear));
+  b.setAngularVelocity(to_bullet(angular));
+}
+
+void RigidWorld::wake(std::size_t slot) {
+  impl_->at(slot).activate();
+}
+
+void RigidWorld::sleep(std::size_t slot) {
+  btRigidBody& b = impl_->at(slot);
+  if (b.getActivationState() == DISABLE_DEACTIVATION) return;
+  b.forceActivationState(ISLAND_SLEEPING);
+  set_velocity(slot, Vec3::Zero(), Vec3::Zero());
+}
+
+void RigidWorld::stay_awake(std::size_t slot) {
+  btRigidBody& b = impl_->at(slot);
+  if (b.getActivationState() == DISABLE_DEACTIVATION) return;
+  b.setDeactivationTime(std::min(b.getDeactivationTime(), most_quiet_while_coupled));
+  b.forceActivationState(ACTIVE_TAG);
+}
+
+void RigidWorld::set_part_pose(std::size_t slot, std::size_t part, const Pose& pose) {
+  impl_->bodies[slot].shape.compound->updateChildTransform(static_cast<int>(part), to_bullet(pose), true);
+}
+
+void RigidWorld::set_collides(std::size_t a, std::size_t b, bool collides) {
+  impl_->at(a).setIgnoreCollisionCheck(&impl_->at(b), !collides);
+  impl_->at(b).setIgnoreCollisionCheck(&impl_->at(a), !collides);
+  // Points that the pair had cached would go on pushing.
+  impl_->broadphase.getOverlappingPairCache()->cleanProxyFromPairs(impl_->at(a).getBroadphaseHandle(),
+                                                                   &impl_->dispatcher);
+}
+
+std::pair<Vec3, Vec3> RigidWorld::bounds(std::size_t slot, double margin) const {
+  btVector3 lo, hi;
+  impl_->at(slot).getAabb(lo, hi);
+  return {from_bullet(lo) - Vec3::Constant(margin), from_bullet(hi) + Vec3::Constant(margin)};
+}
+
+void RigidWorld::detect(double h) {
+  impl_->world.detect(static_cast<btScalar>(h));
+}
+
+void RigidWorld::find_islands(std::span<const std::pair<std::size_t, std::size_t>> links,
+                              std::span<const std::size_t> coupled) {
+  std::vector<std::pair<btRigidBody*, btRigidBody*>> bodies;
+  for (const auto& [a, b] : links) bodies.emplace_back(&impl_->at(a), &impl_->at(b));
+  impl_->world.find_islands(bodies);
+  impl_->coupled.assign(impl_->bodies.size(), 0);
+  for (const std::size_t slot : coupled) impl_->coupled[slot] = 1;
+}
+
+const std::vector<MixedIsland>& RigidWorld::solve(double h) {
+  impl_->mixed.clear();
+  SplitIslands split(impl_->world, impl_->coupled, impl_->mixed);
+  impl_->world.solve(static_cast<btScalar>(h), split);
+  return impl_->mixed;
+}
+
+std::pair<Vec3, Vec3> RigidWorld::predicted_velocity(std::size_t slot, double h) const {
+  const btRigidBody& b = impl_->at(slot);
+  const auto step = static_cast<btScalar>(h);
+  const btVector3 linear = b.getLinearVelocity() + b.getTotalForce() * b.getInvMass() * step;
+  const btVector3 angular = b.getAngularVelocity() + b.computeGyroscopicImpulseImplicit_Body(step);
+  return {from_bullet(linear), from_bullet(angular)};
+}
+
+void RigidWorld::integrate(double h) {
+  impl_->world.integrate(static_cast<btScalar>(h));
+}
+
+std::size_t RigidWorld::contact_count() const {
+  std::size_t count = 0;
+  for (int m = 0; m < impl_->dispatcher.getNumManifolds(); ++m)
+    count += static_cast<std::size_t>(impl_->dispatcher.getManifoldByIndexInternal(m)->getNumContacts());
+  return count;
+}
+
+void RigidWorld::hash(StateHasher& hasher) const {
+  for (std::size_t slot = 0; slot < slots(); ++slot) {
+    if (!used(slot)) continue;
+    const btRigidBody& b = impl_->at(slot);
+    hasher.add(slot);
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column) hasher.add(b.getWorldTransform().getBasis()[row][column]);
+    for (int i = 0; i < 3; ++i) {
+      hasher.add(b.getWorldTransform().getOrigin()[i]);
+      hasher.add(b.getLinearVelocity()[i]);
+      hasher.add(b.getAngularVelocity()[i]);
+    }
+    hasher.add(b.getActivationState());
+    hasher.add(b.getDeactivationTime());
+  }
+  for (int m = 0; m < impl_->dispatcher.getNumManifolds(); ++m) {
+    const btPersistentManifold& manifold = *impl_->dispatcher.getManifoldByIndexInternal(m);
+    for (int i = 0; i < manifold.getNumContacts(); ++i) {
+      hasher.add(manifold.getContactPoint(i).m_distance1);
+      hasher.add(manifold.getContactPoint(i).m_appliedImpulse);
+    }
+  }
+}
+
+}  // namespace prosector

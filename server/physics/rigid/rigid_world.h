@@ -1,0 +1,99 @@
+#pragma once
+// The rigid world: Bullet's collision detection, islands, constraint solver and pose integration, cut into
+// the phases of our step. Bullet solves the islands that hold rigid bodies only; the others are handed out,
+// contacts included, and come back as solved velocities. Poses are integrated once, by Bullet, for all.
+//
+// Frames: a body's frame here is its centre of mass with principal axes. Bullet computes in float.
+
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "common/hash.h"
+#include "server/physics/rigid/shape.h"
+
+namespace prosector {
+
+struct RigidSetup {
+  std::vector<ShapePart> parts;
+  double mass = 0;              // kg; 0: part of the room, never moves
+  Vec3 inertia = Vec3::Zero();  // kg·m², principal
+  double friction = 0.5;
+  double restitution = 0;
+  bool hand = false;  // no gravity, never sleeps, passes through other hands
+};
+
+struct RigidMotion {
+  Pose pose;
+  Vec3 linear_velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();  // m/s, rad/s, room frame
+  bool asleep = false;
+  double quiet_seconds = 0;
+};
+
+/// One point where two rigid bodies touch or nearly do.
+struct RigidContact {
+  std::size_t a, b;       // slots
+  Vec3 point_a, point_b;  // room frame, on either surface
+  Vec3 normal;            // unit, from b to a
+  double gap;             // m, < 0 penetrates
+  double friction;
+};
+
+/// An island that Bullet left to the coupled solver.
+struct MixedIsland {
+  std::vector<std::size_t> bodies;  // slots of dynamic bodies, ascending
+  std::vector<RigidContact> contacts;
+};
+
+class RigidWorld {
+ public:
+  explicit RigidWorld(const Vec3& gravity);
+  ~RigidWorld();
+  RigidWorld(RigidWorld&&) noexcept;
+  RigidWorld& operator=(RigidWorld&&) noexcept;
+
+  /// Adds a body in the lowest free slot.
+  std::size_t add(const RigidSetup& setup, const RigidMotion& motion);
+  void remove(std::size_t slot);
+  std::size_t slots() const;
+  bool used(std::size_t slot) const;
+  bool dynamic(std::size_t slot) const;
+
+  RigidMotion motion(std::size_t slot) const;
+  void set_motion(std::size_t slot, const RigidMotion& motion);
+  void set_velocity(std::size_t slot, const Vec3& linear, const Vec3& angular);
+  void wake(std::size_t slot);
+  void sleep(std::size_t slot);
+  /// Keeps a body that touches something awake that Bullet doesn't know from going to sleep by itself.
+  void stay_awake(std::size_t slot);
+  void set_part_pose(std::size_t slot, std::size_t part, const Pose& pose);
+  /// Two bodies pass through each other from now on, or collide again.
+  void set_collides(std::size_t a, std::size_t b, bool collides);
+  /// Box around the body, grown by `margin`: lowest and highest corner.
+  std::pair<Vec3, Vec3> bounds(std::size_t slot, double margin) const;
+
+  // ---- One step, in this order
+  /// Predicts, then finds pairs and contact points.
+  void detect(double h);
+  /// Islands, transitive through contacts and `links`. `coupled` slots make their island a mixed one.
+  void find_islands(std::span<const std::pair<std::size_t, std::size_t>> links,
+                    std::span<const std::size_t> coupled);
+  /// Solves the rigid islands; returns the mixed ones.
+  const std::vector<MixedIsland>& solve(double h);
+  /// Velocities after the tick if nothing touched the body: gravity and gyroscopic moment.
+  std::pair<Vec3, Vec3> predicted_velocity(std::size_t slot, double h) const;
+  /// Integrates poses from the velocities.
+  void integrate(double h);
+
+  /// Contact points found by the last detect().
+  std::size_t contact_count() const;
+  /// What the next step reads: motions and the cached contact points with their warm starts.
+  void hash(StateHasher& hasher) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace prosector

@@ -1,0 +1,165 @@
+#include "server/physics/simulation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "common/clock.h"
+#include "common/error.h"
+#include "server/physics/simulation_impl.h"
+
+namespace prosector {
+namespace {
+
+/// Writes the time since it was last asked into a phase of the report; decides nothing.
+class PhaseClock {
+ public:
+  explicit PhaseClock(StepReport& report) : report_(report), start_(monotonic_ns()), last_(start_) {}
+  void end(Phase phase) {
+    const std::int64_t now = monotonic_ns();
+    report_.seconds[static_cast<std::size_t>(phase)] += 1e-9 * static_cast<double>(now - last_);
+    last_ = now;
+    report_.total_seconds = 1e-9 * static_cast<double>(now - start_);
+  }
+
+ private:
+  StepReport& report_;
+  std::int64_t start_, last_;
+};
+
+int threads_of(const CompileOptions& options) {
+  return options.threads > 0 ? options.threads
+                             : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}  // namespace
+
+Simulation::Impl::Impl(const SceneDesc& scene, const CompileOptions& options)
+    : model(compile(scene, options)), world(scene.gravity), arena(threads_of(options)) {
+  for (const RigidModel& r : model.rigid) {
+    RigidMotion motion;
+    motion.pose = r.start * r.center;
+    world.add(r.setup, motion);
+  }
+  for (const auto& body : model.soft) {
+    soft.push_back(body->initial_state());
+    surfaces.emplace_back(body->anatomy().embedding, body->anatomy().surface);
+    surfaces.back().update(soft.back().motion.x.data());
+  }
+  soft_contacts.resize(soft.size());
+  arena.execute([&] { settle(options); });
+}
+
+Simulation::Simulation(const SceneDesc& scene, const CompileOptions& options)
+    : impl_(std::make_unique<Impl>(scene, options)) {}
+Simulation::~Simulation() = default;
+
+const StepReport& Simulation::step(const TickInput& input) {
+  Impl& m = *impl_;
+  m.arena.execute([&] {
+    m.report = {};
+    PhaseClock clock(m.report);
+    m.take_inputs(input);
+    clock.end(Phase::inputs);
+    m.world.detect(m.model.h);
+    clock.end(Phase::broad);
+    m.detect_soft_contacts();
+    clock.end(Phase::narrow);
+    const std::vector<MixedIsland>& mixed = m.find_islands();
+    clock.end(Phase::rigid);  // with the islands that Bullet solves at once
+    m.gather(mixed);
+    clock.end(Phase::islands);
+    m.solve_islands();
+    clock.end(Phase::coupled);
+    m.world.integrate(m.model.h);
+    clock.end(Phase::rigid);
+    ++m.time.tick;
+    m.recover();
+    m.fall_asleep();
+    clock.end(Phase::constraints);
+    m.describe();
+    clock.end(Phase::report);
+  });
+  return m.report;
+}
+
+const SceneDesc& Simulation::scene() const {
+  return impl_->model.scene;
+}
+std::size_t Simulation::body_count() const {
+  return impl_->model.rigid.size() + impl_->model.soft.size();
+}
+BodyKind Simulation::kind(BodyId body) const {
+  return impl_->is_soft(body) ? BodyKind::soft : BodyKind::rigid;
+}
+const std::string& Simulation::name(BodyId body) const {
+  return impl_->is_soft(body) ? soft(body).desc().name : impl_->model.rigid.at(body).name;
+}
+const TriangleMesh& Simulation::surface(BodyId body) const {
+  return impl_->is_soft(body) ? soft(body).anatomy().surface : impl_->model.rigid.at(body).surface;
+}
+const SoftBody& Simulation::soft(BodyId body) const {
+  return *impl_->model.soft.at(impl_->soft_index(body));
+}
+std::size_t Simulation::tet_count() const {
+  std::size_t count = 0;
+  for (const auto& body : impl_->model.soft) count += body->anatomy().tets.tets.size();
+  return count;
+}
+ContentHash Simulation::content_hash() const {
+  return impl_->model.hash;
+}
+
+SimTime Simulation::time() const {
+  return impl_->time;
+}
+RigidBodyState Simulation::rigid_state(BodyId body) const {
+  const RigidMotion motion = impl_->world.motion(body);
+  const Pose& center = impl_->model.rigid.at(body).center;
+  const Pose pose = motion.pose * center.inverse();
+  return {pose, motion.linear_velocity + motion.angular_velocity.cross(pose.p - motion.pose.p),
+          motion.angular_velocity, asleep(body)};
+}
+const SoftBodyState& Simulation::soft_state(BodyId body) const {
+  return impl_->soft.at(impl_->soft_index(body));
+}
+bool Simulation::asleep(BodyId body) const {
+  if (impl_->is_soft(body)) return soft_state(body).asleep;
+  return !impl_->world.dynamic(body) || impl_->world.motion(body).asleep;
+}
+std::span<const HandState> Simulation::hands() const {
+  return impl_->hand_states;
+}
+
+double Simulation::max_displacement(BodyId soft_body) const {
+  const SparseMap& map = soft(soft_body).anatomy().embedding;
+  const double* now = soft_state(soft_body).motion.x.data();
+  const double* rest = impl_->equilibrium.at(impl_->soft_index(soft_body)).data();
+  double most = 0;
+  for (std::size_t i = 0; i < map.rows.size(); ++i)
+    most = std::max(most, (map.apply(i, now) - map.apply(i, rest)).squaredNorm());
+  return std::sqrt(most);
+}
+
+std::uint64_t Simulation::state_hash() const {
+  StateHasher hasher;
+  ByteWriter state;
+  impl_->save(state);
+  hasher.add(std::as_bytes(std::span(state.bytes())));
+  impl_->world.hash(hasher);
+  return hasher.digest();
+}
+
+std::vector<std::uint8_t> Simulation::checkpoint() {
+  ByteWriter out;
+  impl_->save(out);
+  impl_->load(out.bytes());
+  return out.bytes();
+}
+
+void Simulation::restore(std::span<const std::uint8_t> bytes) {
+  impl_->load(bytes);
+}
+
+}  // namespace prosector

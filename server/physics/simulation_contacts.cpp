@@ -1,0 +1,121 @@
+// Phase 3: which soft surfaces touch which rigid bodies, and who wakes whom by it.
+
+#include <algorithm>
+
+#include "server/physics/simulation_impl.h"
+
+namespace prosector {
+namespace {
+
+constexpr double contact_margin = 0.002;  // m: gaps up to it may close within the tick
+constexpr double wake_margin = 0.003;     // m
+constexpr double most_reach = 0.05;       // m a tick: faster things are met late
+
+}  // namespace
+
+void Simulation::Impl::refresh_colliders() {
+  colliders.assign(world.slots(), {});
+  for (std::size_t slot = 0; slot < world.slots(); ++slot) {
+    if (!world.used(slot)) continue;
+    Collider& c = colliders[slot];
+    const RigidMotion motion = world.motion(slot);
+    const Hand* hand = hand_at(slot);
+    const RigidShape& shape = hand ? model.hands[hand->side].shape : model.rigid[slot].shape;
+    c.slot = slot;
+    c.pose = motion.pose;
+    c.linear = motion.linear_velocity;
+    c.angular = motion.angular_velocity;
+    c.parts = &shape.parts;
+    c.distances = &shape.distances;
+    if (hand)
+      c.part_poses = hand_part_poses(hand->side, hand->flexion, model.hands[hand->side].center);
+    else
+      for (const ShapePart& part : shape.parts) c.part_poses.push_back(part.pose);
+    std::tie(c.lo, c.hi) = world.bounds(slot, 0);
+    c.friction = body_friction(slot);
+    c.fixed = !world.dynamic(slot);
+    if (hand)
+      c.pull = std::min(most_reach, ((hand->target * model.hands[hand->side].center).p - c.pose.p).norm());
+  }
+}
+
+double Simulation::Impl::body_friction(std::size_t slot) const {
+  return hand_at(slot) ? model.scene.hand.friction : model.rigid[slot].setup.friction;
+}
+double Simulation::Impl::body_mass(std::size_t slot) const {
+  return hand_at(slot) ? model.scene.hand.mass : model.rigid[slot].setup.mass;
+}
+double Simulation::Impl::total_speed(const Collider& c) const {
+  return c.linear.norm() + c.angular.norm() * (c.hi - c.lo).norm() / 2;
+}
+
+ContactSide Simulation::Impl::surface_side(std::size_t body, std::uint32_t vertex) const {
+  const SparseMap::Row& row = model.soft[body]->anatomy().embedding.rows[vertex];
+  ContactSide side;
+  side.kind = ContactSide::Kind::soft;
+  side.body = body;
+  side.node = row.node;
+  side.weight = row.weight;
+  return side;
+}
+
+Contact Simulation::Impl::soft_contact(std::size_t body, std::uint32_t vertex, const Distance& distance,
+                                       const Collider& collider) const {
+  Contact c;
+  c.a = surface_side(body, vertex);
+  c.point = surfaces[body].positions()[vertex];
+  c.normal = distance.normal;
+  c.gap = distance.value;
+  if (!collider.fixed) {
+    c.b.kind = ContactSide::Kind::rigid;
+    c.b.arm = c.point - collider.pose.p;
+  }
+  c.b.body = collider.slot;
+  c.stiffness = model.contact_stiffness(body, vertex);
+  c.friction = std::sqrt(model.soft[body]->desc().friction * collider.friction);
+  return c;
+}
+
+void Simulation::Impl::wake_soft(std::size_t body) {
+  soft[body].asleep = false;
+  soft[body].quiet_ticks = 0;
+}
+
+void Simulation::Impl::detect_soft_contacts() {
+  refresh_colliders();
+  const double h = model.h;
+  for (auto& list : soft_contacts) list.clear();
+  const auto awake = [&](const Collider& c) { return !c.fixed && !world.motion(c.slot).asleep; };
+  // Waking spreads until nobody wakes any more: tissue wakes what rests on it, and the other way round.
+  std::vector<char> done(soft.size(), 0);
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t i = 0; i < soft.size(); ++i) {
+      if (done[i]) continue;
+      if (soft[i].asleep) {
+        const bool touched = std::any_of(colliders.begin(), colliders.end(), [&](const Collider& c) {
+          return c.parts && awake(c) &&
+                 surfaces[i].touches(c, wake_margin + std::min(most_reach, h * total_speed(c)));
+        });
+        if (!touched) continue;
+        wake_soft(i);
+      }
+      done[i] = 1;
+      again = true;
+      surfaces[i].update(soft[i].motion.x.data());
+      const double own = h * soft[i].motion.v.lpNorm<Eigen::Infinity>();
+      for (const Collider& c : colliders) {
+        if (!c.parts) continue;
+        const double reach = std::min(most_reach, own + std::max(c.pull, h * total_speed(c)));
+        bool touched = false;
+        surfaces[i].near(c, contact_margin + reach, [&](std::uint32_t vertex, const Distance& d) {
+          soft_contacts[i].push_back(soft_contact(i, vertex, d, c));
+          touched = true;
+        });
+        if (touched && !c.fixed && world.motion(c.slot).asleep) world.wake(c.slot);
+      }
+    }
+  }
+}
+
+}  // namespace prosector

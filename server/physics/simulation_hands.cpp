@@ -1,0 +1,181 @@
+// Phase 1: inputs. Hands appear, move their targets, bend, take hold and let go.
+
+#include <algorithm>
+
+#include "server/physics/simulation_impl.h"
+
+namespace prosector {
+
+std::vector<Hand>::iterator Simulation::Impl::find_hand(ParticipantId participant, std::size_t side) {
+  const auto at = std::find_if(hands.begin(), hands.end(), [&](const Hand& hand) {
+    return hand.participant == participant && hand.side == side;
+  });
+  return at;
+}
+
+const Hand* Simulation::Impl::hand_at(std::size_t slot) const {
+  for (const Hand& hand : hands)
+    if (hand.slot == slot) return &hand;
+  return nullptr;
+}
+
+void Simulation::Impl::take_inputs(const TickInput& input) {
+  const auto target_of = [&](const HandEvent& event) {
+    return std::find_if(input.targets.begin(), input.targets.end(), [&](const HandTarget& t) {
+      return t.participant == event.participant && t.hand == event.hand;
+    });
+  };
+  for (Hand& hand : hands) hand.previous_target = hand.target;
+  for (const HandEvent& event : input.events) {
+    if (event.kind == HandEvent::Kind::reset_body) {
+      if (event.body < model.rigid.size() + model.soft.size()) reset_body(event.body);
+      continue;
+    }
+    if (event.hand > right_hand) continue;
+    const auto hand = find_hand(event.participant, event.hand);
+    if (event.kind == HandEvent::Kind::appear) {
+      if (hand != hands.end()) continue;
+      appear(event.participant, event.hand);
+      const auto made = find_hand(event.participant, event.hand);
+      if (const auto t = target_of(event); t != input.targets.end() && is_finite(t->target)) {
+        made->target = made->previous_target = t->target;
+        RigidMotion motion;
+        motion.pose = t->target * model.hands[event.hand].center;
+        world.set_motion(made->slot, motion);
+      }
+    } else if (hand == hands.end()) {
+      continue;
+    } else if (event.kind == HandEvent::Kind::vanish) {
+      vanish(hand);
+    } else if (event.kind == HandEvent::Kind::grasp) {
+      grasp(*hand);
+    } else {
+      release(*hand);
+    }
+  }
+  for (const HandTarget& t : input.targets) {
+    const auto hand = find_hand(t.participant, t.hand);
+    if (hand == hands.end() || !is_finite(t.target) || t.target.p.cwiseAbs().maxCoeff() > max_coordinate)
+      continue;
+    hand->target = {t.target.p, t.target.q.normalized()};
+    if (std::all_of(t.flexion.begin(), t.flexion.end(), [](double f) { return std::isfinite(f); }))
+      hand->target_flexion = t.flexion;
+  }
+  for (Hand& hand : hands) {
+    bend(hand);
+    if (hand.hold && !is_soft(hand.hold->body)) world.wake(hand.hold->body);
+  }
+}
+
+void Simulation::Impl::appear(ParticipantId participant, std::size_t side) {
+  Hand hand;
+  hand.participant = participant;
+  hand.side = side;
+  RigidMotion motion;
+  motion.pose = model.hands[side].center;
+  hand.slot = world.add(model.hands[side].setup, motion);
+  const auto at = std::find_if(hands.begin(), hands.end(), [&](const Hand& other) {
+    return std::pair(participant, side) < std::pair(other.participant, other.side);
+  });
+  hands.insert(at, hand);
+}
+
+void Simulation::Impl::vanish(std::vector<Hand>::iterator hand) {
+  release(*hand);
+  for (std::size_t i = 0; i < soft.size(); ++i) soft[i].quiet_ticks = 0;
+  world.remove(hand->slot);
+  hands.erase(hand);
+}
+
+void Simulation::Impl::bend(Hand& hand) {
+  const double most = max_finger_rate * model.h;
+  bool moved = false;
+  for (std::size_t f = 0; f < fingers; ++f) {
+    const double step =
+        std::clamp(std::clamp(hand.target_flexion[f], 0.0, 1.0) - hand.flexion[f], -most, most);
+    hand.flexion[f] += step;
+    moved = moved || step != 0;
+  }
+  if (!moved) return;
+  const auto poses = hand_part_poses(hand.side, hand.flexion, model.hands[hand.side].center);
+  for (std::size_t part = 0; part < poses.size(); ++part) world.set_part_pose(hand.slot, part, poses[part]);
+}
+
+void Simulation::Impl::grasp(Hand& hand) {
+  if (hand.hold) return;
+  refresh_colliders();
+  hand.hold = reach_rigid(hand);
+  if (!hand.hold) hand.hold = reach_soft(hand);
+  if (!hand.hold) return;
+  if (is_soft(hand.hold->body))
+    wake_soft(soft_index(hand.hold->body));
+  else
+    world.set_collides(hand.slot, hand.hold->body, false);
+}
+
+void Simulation::Impl::release(Hand& hand) {
+  if (!hand.hold) return;
+  if (!is_soft(hand.hold->body)) world.set_collides(hand.slot, hand.hold->body, true);
+  hand.hold.reset();
+}
+
+std::optional<Hold> Simulation::Impl::reach_rigid(const Hand& hand) const {
+  const Pose centre = world.motion(hand.slot).pose;
+  const auto points = feelers(hand, model.hands[hand.side], centre);
+  std::optional<BodyId> nearest;
+  double least = grasp_reach_rigid;
+  for (BodyId body = 0; body < model.rigid.size(); ++body) {
+    const bool held = std::any_of(hands.begin(), hands.end(),
+                                  [&](const Hand& other) { return other.hold && other.hold->body == body; });
+    if (!world.dynamic(body) || held) continue;
+    for (const Feeler& f : points) {
+      const double d = distance_to(colliders[body], f.point, grasp_reach_rigid + f.radius).value - f.radius;
+      if (d < least) {
+        least = d;
+        nearest = body;
+      }
+    }
+  }
+  if (!nearest) return std::nullopt;
+  return hold_rigid(*nearest, model.rigid[*nearest].setup.mass, model.scene.hand, centre,
+                    world.motion(*nearest).pose, model.h);
+}
+
+std::optional<Hold> Simulation::Impl::reach_soft(const Hand& hand) {
+  const Collider& collider = colliders[hand.slot];
+  std::vector<std::tuple<double, std::size_t, std::uint32_t>> near;
+  for (std::size_t body = 0; body < soft.size(); ++body)
+    surfaces[body].near(collider, grasp_reach_soft, [&](std::uint32_t vertex, const Distance& d) {
+      near.emplace_back(d.value, body, vertex);
+    });
+  if (near.empty()) return std::nullopt;
+  std::sort(near.begin(), near.end());
+  const std::size_t body = std::get<1>(near.front());
+  Hold hold{soft_id(body), {}};
+  const Pose to_hand = collider.pose.inverse();
+  for (const auto& [d, owner, vertex] : near) {
+    if (owner != body || hold.points.size() == max_hold_points) continue;
+    hold.points.push_back({to_hand * surfaces[body].positions()[vertex], Vec3::Zero(), vertex,
+                           model.contact_stiffness(body, vertex), 0});
+  }
+  for (Hold::Point& p : hold.points)
+    p.max_force = model.scene.hand.max_force / static_cast<double>(hold.points.size());
+  return hold;
+}
+
+void Simulation::Impl::reset_body(BodyId body) {
+  for (Hand& hand : hands)
+    if (hand.hold && hand.hold->body == body) release(hand);
+  if (!is_soft(body)) {
+    RigidMotion motion;
+    motion.pose = model.rigid[body].start * model.rigid[body].center;
+    world.set_motion(body, motion);
+    return;
+  }
+  const std::size_t i = soft_index(body);
+  soft[i] = model.soft[i]->initial_state();
+  soft[i].motion.x = soft[i].motion.x_prev = equilibrium[i];
+  surfaces[i].update(soft[i].motion.x.data());
+}
+
+}  // namespace prosector

@@ -1,0 +1,81 @@
+#pragma once
+// The running state and the phases of a step. Private to the simulation's .cpp files.
+
+#include <tbb/task_arena.h>
+
+#include <utility>
+
+#include "server/physics/byte_stream.h"
+#include "server/physics/contact/surface_detector.h"
+#include "server/physics/coupled/solve_island.h"
+#include "server/physics/hands/hand.h"
+#include "server/physics/model.h"
+
+namespace prosector {
+
+struct Simulation::Impl {
+  Impl(const SceneDesc& scene, const CompileOptions& options);
+
+  // ---- Model
+  Model model;
+  std::vector<VecX> equilibrium;  // per soft body: node positions at rest under gravity
+
+  // ---- State
+  SimTime time;
+  RigidWorld world;
+  std::vector<SoftBodyState> soft;
+  std::vector<Hand> hands;  // by (participant, side)
+
+  // ---- Of the current tick
+  std::vector<SurfaceDetector> surfaces;
+  std::vector<std::vector<Contact>> soft_contacts;  // per soft body
+  std::vector<Collider> colliders;                  // by slot
+  std::vector<RigidMotion> last_good;               // by slot, at the tick's start
+  std::vector<Island> islands;
+  std::vector<HandState> hand_states;
+  StepReport report;
+  tbb::task_arena arena;
+
+  // ---- Phases (in step order)
+  void take_inputs(const TickInput& input);
+  void detect_soft_contacts();
+  const std::vector<MixedIsland>& find_islands();
+  void gather(const std::vector<MixedIsland>& mixed);
+  void solve_islands();
+  void recover();
+  void fall_asleep();
+  void describe();
+
+  // ---- Hands
+  void appear(ParticipantId participant, std::size_t side);
+  void vanish(std::vector<Hand>::iterator hand);
+  void grasp(Hand& hand);
+  void release(Hand& hand);
+  std::optional<Hold> reach_rigid(const Hand& hand) const;
+  std::optional<Hold> reach_soft(const Hand& hand);
+  std::vector<Hand>::iterator find_hand(ParticipantId participant, std::size_t side);
+  const Hand* hand_at(std::size_t slot) const;
+  void bend(Hand& hand);
+
+  // ---- Bodies
+  bool is_soft(BodyId body) const { return body >= model.rigid.size(); }
+  std::size_t soft_index(BodyId body) const { return body - model.rigid.size(); }
+  BodyId soft_id(std::size_t index) const { return static_cast<BodyId>(model.rigid.size() + index); }
+  void reset_body(BodyId body);
+  void refresh_colliders();
+  Contact soft_contact(std::size_t body, std::uint32_t vertex, const Distance& distance,
+                       const Collider& collider) const;
+  ContactSide surface_side(std::size_t body, std::uint32_t vertex) const;
+  void wake_soft(std::size_t body);
+  void settle(const CompileOptions& options);
+  void relax(std::size_t body);
+  double total_speed(const Collider& collider) const;
+  double body_mass(std::size_t slot) const;
+  double body_friction(std::size_t slot) const;
+
+  // ---- Saving
+  void save(ByteWriter& out) const;
+  void load(std::span<const std::uint8_t> bytes);
+};
+
+}  // namespace prosector

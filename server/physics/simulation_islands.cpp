@@ -1,0 +1,202 @@
+// Phases 4 to 6: islands, their coupled solution, recovery, sleep.
+
+#include <algorithm>
+
+#include "server/physics/simulation_impl.h"
+
+namespace prosector {
+namespace {
+
+constexpr double rigid_contact_factor = 20;  // times the heavier body's mass over h²: resting depth < 0.2 mm
+constexpr double quiet_speed = 1e-3;         // m/s, of the fastest node
+constexpr double quiet_rigid_speed = 5e-3;   // m/s
+constexpr double quiet_rigid_spin = 5e-2;    // rad/s
+constexpr int quiet_ticks_to_sleep = 30;
+
+Mat3 room_inertia(const RigidSetup& setup, const Pose& pose) {
+  const Mat3 R = pose.q.toRotationMatrix();
+  return R * setup.inertia.asDiagonal() * R.transpose();
+}
+
+ContactSide rigid_side(const RigidWorld& world, std::size_t slot, const Vec3& point) {
+  ContactSide side;
+  side.body = slot;
+  if (!world.dynamic(slot)) return side;
+  side.kind = ContactSide::Kind::rigid;
+  side.arm = point - world.motion(slot).pose.p;
+  return side;
+}
+
+}  // namespace
+
+const std::vector<MixedIsland>& Simulation::Impl::find_islands() {
+  std::vector<std::pair<std::size_t, std::size_t>> links;
+  std::vector<std::size_t> coupled;
+  std::vector<std::optional<std::size_t>> first(soft.size());  // a dynamic body of each soft body's island
+  const auto link = [&](std::size_t body, std::size_t slot) {
+    if (first[body] && *first[body] != slot) links.emplace_back(*first[body], slot);
+    if (!first[body]) first[body] = slot;
+    coupled.push_back(slot);
+  };
+  for (std::size_t i = 0; i < soft.size(); ++i)
+    for (const Contact& c : soft_contacts[i])
+      if (c.b.kind == ContactSide::Kind::rigid) link(i, c.b.body);
+  for (const Hand& hand : hands) {
+    coupled.push_back(hand.slot);
+    if (!hand.hold) continue;
+    if (is_soft(hand.hold->body))
+      link(soft_index(hand.hold->body), hand.slot);
+    else
+      links.emplace_back(hand.slot, hand.hold->body);
+  }
+  world.find_islands(links, coupled);
+  return world.solve(model.h);
+}
+
+void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
+  islands.clear();
+  std::vector<std::size_t> island_of(world.slots(), 0);
+  for (const MixedIsland& m : mixed) {
+    Island& island = islands.emplace_back();
+    for (const std::size_t slot : m.bodies) {
+      island_of[slot] = islands.size() - 1;
+      const Hand* hand = hand_at(slot);
+      const RigidSetup& setup = hand ? model.hands[hand->side].setup : model.rigid[slot].setup;
+      const Pose pose = world.motion(slot).pose;
+      const auto [linear, angular] = world.predicted_velocity(slot, model.h);
+      RigidMember member;
+      member.slot = slot;
+      member.mass = setup.mass;
+      member.inertia = room_inertia(setup, pose);
+      member.predicted << model.h * linear, model.h * angular;
+      if (hand) member.pull = hand_pull(*hand, model.hands[hand->side], model.scene.hand, pose, model.h);
+      island.rigid.push_back(member);
+    }
+    for (const RigidContact& rc : m.contacts) {
+      Contact c;
+      c.a = rigid_side(world, rc.a, rc.point_a);
+      c.b = rigid_side(world, rc.b, rc.point_b);
+      c.point = (rc.point_a + rc.point_b) / 2;
+      c.normal = rc.normal;
+      c.gap = rc.gap;
+      c.friction = rc.friction;
+      c.stiffness = rigid_contact_factor * std::max(body_mass(rc.a), body_mass(rc.b)) / (model.h * model.h);
+      island.contacts.push_back(c);
+    }
+  }
+  const auto grasped_from = [&](std::size_t body) -> const Hand* {
+    for (const Hand& hand : hands)
+      if (hand.hold && hand.hold->body == soft_id(body)) return &hand;
+    return nullptr;
+  };
+  for (std::size_t i = 0; i < soft.size(); ++i) {
+    if (soft[i].asleep) continue;
+    const auto with_rigid =
+        std::find_if(soft_contacts[i].begin(), soft_contacts[i].end(),
+                     [](const Contact& c) { return c.b.kind == ContactSide::Kind::rigid; });
+    const Hand* grasping = grasped_from(i);
+    if (with_rigid == soft_contacts[i].end() && !grasping) islands.emplace_back();
+    Island& island = with_rigid != soft_contacts[i].end() ? islands[island_of[with_rigid->b.body]]
+                     : grasping                           ? islands[island_of[grasping->slot]]
+                                                          : islands.back();
+    island.soft.push_back({i, model.soft[i].get(), &soft[i]});
+    island.contacts.insert(island.contacts.end(), soft_contacts[i].begin(), soft_contacts[i].end());
+  }
+  for (const Hand& hand : hands) {
+    if (!hand.hold) continue;
+    Island& island = islands[island_of[hand.slot]];
+    const Pose centre = world.motion(hand.slot).pose;
+    for (const Hold::Point& p : hand.hold->points) {
+      Tie tie;
+      const Vec3 at_hand = centre * p.in_hand;
+      Vec3 at_body;
+      if (is_soft(hand.hold->body)) {
+        const std::size_t body = soft_index(hand.hold->body);
+        at_body = surfaces[body].positions()[p.vertex];
+        tie.b = surface_side(body, p.vertex);
+      } else {
+        at_body = world.motion(hand.hold->body).pose * p.in_body;
+        tie.b = rigid_side(world, hand.hold->body, at_body);
+      }
+      tie.a = rigid_side(world, hand.slot, at_hand);
+      tie.offset = at_hand - at_body;
+      tie.stiffness = p.stiffness;
+      tie.max_force = p.max_force;
+      island.ties.push_back(tie);
+    }
+  }
+}
+
+void Simulation::Impl::solve_islands() {
+  last_good.assign(world.slots(), {});
+  for (std::size_t slot = 0; slot < world.slots(); ++slot)
+    if (world.used(slot)) last_good[slot] = world.motion(slot);
+  for (Island& island : islands) {
+    const IslandReport solved = solve_island(island, model.h, model.scene.gravity);
+    for (const RigidMember& r : island.rigid)
+      if (solved.finite) world.set_velocity(r.slot, r.twist.head<3>() / model.h, r.twist.tail<3>() / model.h);
+    for (const SoftMember& s : island.soft) {
+      BodyReport& row = report.bodies.emplace_back();
+      row.body = s.body->desc().name;
+      row.newton_iterations = solved.newton_iterations;
+      row.solver_iterations = solved.solver_iterations;
+      row.residual = solved.residual;
+      row.converged = solved.converged;
+      row.reset = !solved.finite;
+      if (!row.reset) continue;
+      row.note = "not finite: stopped at its last good state";
+      s.state->motion.v.setZero();
+      s.state->warm_start.setZero();
+      s.state->motion.has_history = false;
+    }
+    if (!island.soft.empty() && !island.rigid.empty()) ++report.mixed_islands;
+  }
+}
+
+void Simulation::Impl::recover() {
+  for (std::size_t slot = 0; slot < world.slots(); ++slot) {
+    if (!world.used(slot) || !world.dynamic(slot)) continue;
+    const RigidMotion motion = world.motion(slot);
+    const bool good = is_finite(motion.pose) && motion.linear_velocity.allFinite() &&
+                      motion.angular_velocity.allFinite() &&
+                      motion.pose.p.cwiseAbs().maxCoeff() < max_coordinate;
+    if (good) continue;
+    RigidMotion back = last_good[slot];
+    back.linear_velocity = back.angular_velocity = Vec3::Zero();
+    world.set_motion(slot, back);
+    BodyReport& row = report.bodies.emplace_back();
+    row.body = hand_at(slot) ? "hand" : model.rigid[slot].name;
+    row.reset = true;
+    row.note = "not finite or out of the room: stopped at its last good state";
+  }
+}
+
+void Simulation::Impl::fall_asleep() {
+  for (Island& island : islands) {
+    bool quiet = true;
+    for (const SoftMember& s : island.soft) {
+      const double speed = s.state->motion.v.lpNorm<Eigen::Infinity>();
+      s.state->quiet_ticks =
+          speed < quiet_speed ? std::min(s.state->quiet_ticks + 1, quiet_ticks_to_sleep) : 0;
+      quiet = quiet && s.state->quiet_ticks == quiet_ticks_to_sleep;
+    }
+    for (const RigidMember& r : island.rigid) {
+      const RigidMotion motion = world.motion(r.slot);
+      quiet = quiet && !hand_at(r.slot) && motion.linear_velocity.norm() < quiet_rigid_speed &&
+              motion.angular_velocity.norm() < quiet_rigid_spin;
+    }
+    if (island.soft.empty()) continue;  // hands and what they hold: Bullet puts the rest to sleep
+    for (const RigidMember& r : island.rigid) quiet ? world.sleep(r.slot) : world.stay_awake(r.slot);
+    if (!quiet) continue;
+    for (const SoftMember& s : island.soft) {
+      s.state->asleep = true;
+      s.state->motion.v.setZero();
+      s.state->warm_start.setZero();
+      s.state->motion.has_history = false;
+    }
+  }
+  for (const Island& island : islands)
+    for (const SoftMember& s : island.soft) surfaces[s.index].update(s.state->motion.x.data());
+}
+
+}  // namespace prosector

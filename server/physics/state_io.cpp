@@ -1,0 +1,152 @@
+// Checkpoints. Loading builds the rigid world anew from plain numbers, so whatever Bullet caches is a
+// function of them: a run that goes on after a checkpoint and one that restores it are equal.
+
+#include "server/physics/simulation_impl.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::uint64_t magic = 0x31746e696f704350;  // "PCpoint1"
+constexpr std::size_t most_hands = 1024;
+
+void add(ByteWriter& out, const RigidMotion& motion) {
+  out.add(motion.pose);
+  out.add(motion.linear_velocity);
+  out.add(motion.angular_velocity);
+  out.add(static_cast<std::uint8_t>(motion.asleep));
+  out.add(motion.quiet_seconds);
+}
+
+RigidMotion read_motion(ByteReader& in) {
+  RigidMotion motion;
+  motion.pose = in.pose();
+  motion.linear_velocity = in.vector();
+  motion.angular_velocity = in.vector();
+  motion.asleep = in.flag();
+  motion.quiet_seconds = in.number<double>();
+  return motion;
+}
+
+void add(ByteWriter& out, const SoftBodyState& state) {
+  for (const VecX* v :
+       {&state.motion.x, &state.motion.v, &state.motion.x_prev, &state.motion.v_prev, &state.warm_start})
+    out.add(*v);
+  out.add(static_cast<std::uint8_t>(state.motion.has_history));
+  out.add(static_cast<std::uint8_t>(state.asleep));
+  out.add(state.quiet_ticks);
+}
+
+SoftBodyState read_soft(ByteReader& in, const SoftBodyState& like) {
+  SoftBodyState state;
+  state.motion.x = in.vector(like.motion.x.size());
+  state.motion.v = in.vector(like.motion.v.size());
+  state.motion.x_prev = in.vector(like.motion.x_prev.size());
+  state.motion.v_prev = in.vector(like.motion.v_prev.size());
+  state.warm_start = in.vector(like.warm_start.size());
+  state.motion.has_history = in.flag();
+  state.asleep = in.flag();
+  state.quiet_ticks = in.number<int>();
+  return state;
+}
+
+void add(ByteWriter& out, const Hand& hand) {
+  out.add(hand.participant);
+  out.add(static_cast<std::uint64_t>(hand.side));
+  out.add(hand.target);
+  out.add(hand.previous_target);
+  for (const double f : hand.target_flexion) out.add(f);
+  for (const double f : hand.flexion) out.add(f);
+  out.add(static_cast<std::uint8_t>(hand.hold.has_value()));
+  if (!hand.hold) return;
+  out.add(hand.hold->body);
+  out.add(static_cast<std::uint64_t>(hand.hold->points.size()));
+  for (const Hold::Point& p : hand.hold->points) {
+    out.add(p.in_hand);
+    out.add(p.in_body);
+    out.add(p.vertex);
+    out.add(p.stiffness);
+    out.add(p.max_force);
+  }
+}
+
+Hand read_hand(ByteReader& in, const Model& model) {
+  Hand hand;
+  hand.participant = in.number<ParticipantId>();
+  hand.side = in.count(1);
+  hand.target = in.pose();
+  hand.previous_target = in.pose();
+  for (double& f : hand.target_flexion) f = in.number<double>();
+  for (double& f : hand.flexion) f = in.number<double>();
+  if (!in.flag()) return hand;
+  Hold& hold = hand.hold.emplace();
+  hold.body = in.number<BodyId>();
+  in.require(hold.body < model.rigid.size() + model.soft.size(), "a hold on a body that isn't there");
+  const bool tissue = hold.body >= model.rigid.size();
+  in.require(tissue || model.rigid[hold.body].setup.mass > 0, "a hold on a fixed body");
+  hold.points.resize(in.count(max_hold_points));
+  for (Hold::Point& p : hold.points) {
+    p.in_hand = in.vector();
+    p.in_body = in.vector();
+    p.vertex = in.number<std::uint32_t>();
+    in.require(
+        !tissue || p.vertex < model.soft[hold.body - model.rigid.size()]->anatomy().surface.positions.size(),
+        "a hold on a vertex that isn't there");
+    p.stiffness = in.number<double>();
+    p.max_force = in.number<double>();
+    in.require(p.stiffness > 0 && p.max_force > 0, "a hold without force");
+  }
+  return hand;
+}
+
+}  // namespace
+
+void Simulation::Impl::save(ByteWriter& out) const {
+  out.add(magic);
+  out.raw(model.hash.data(), model.hash.size());
+  out.add(time.epoch);
+  out.add(time.tick);
+  for (std::size_t slot = 0; slot < model.rigid.size(); ++slot) add(out, world.motion(slot));
+  for (const SoftBodyState& state : soft) add(out, state);
+  out.add(static_cast<std::uint64_t>(hands.size()));
+  for (const Hand& hand : hands) {
+    add(out, hand);
+    add(out, world.motion(hand.slot));
+  }
+}
+
+void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
+  ByteReader in(bytes, "checkpoint");
+  in.require(in.number<std::uint64_t>() == magic, "not a checkpoint of this version");
+  for (const std::uint8_t b : model.hash)
+    in.require(in.number<std::uint8_t>() == b, "made from another scene");
+  SimTime new_time;
+  new_time.epoch = in.number<std::uint32_t>();
+  new_time.tick = in.number<std::uint64_t>();
+  RigidWorld new_world(model.scene.gravity);
+  for (const RigidModel& r : model.rigid) new_world.add(r.setup, read_motion(in));
+  std::vector<SoftBodyState> new_soft;
+  for (const SoftBodyState& state : soft) new_soft.push_back(read_soft(in, state));
+  std::vector<Hand> new_hands(in.count(most_hands));
+  for (Hand& hand : new_hands) {
+    hand = read_hand(in, model);
+    const HandModel& shape = model.hands[hand.side];
+    hand.slot = new_world.add(shape.setup, read_motion(in));
+    const auto poses = hand_part_poses(hand.side, hand.flexion, shape.center);
+    for (std::size_t part = 0; part < poses.size(); ++part)
+      new_world.set_part_pose(hand.slot, part, poses[part]);
+    if (hand.hold && hand.hold->body < model.rigid.size())
+      new_world.set_collides(hand.slot, hand.hold->body, false);
+  }
+  for (std::size_t i = 1; i < new_hands.size(); ++i)
+    in.require(std::pair(new_hands[i - 1].participant, new_hands[i - 1].side) <
+                   std::pair(new_hands[i].participant, new_hands[i].side),
+               "hands out of order");
+  in.require(in.done(), "more than a checkpoint holds");
+  time = new_time;
+  world = std::move(new_world);
+  soft = std::move(new_soft);
+  hands = std::move(new_hands);
+  for (std::size_t i = 0; i < soft.size(); ++i) surfaces[i].update(soft[i].motion.x.data());
+}
+
+}  // namespace prosector

@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "server/physics/soft/soft_body.h"
+#include "tests/physics/scenes.h"
+
+namespace prosector::test {
+namespace {
+
+SceneDesc bench() {
+  SceneDesc scene;
+  scene.rigid = {table(), part_body("probe", "capsule", {0.012, 0.2, 0}, {0, 0.006, 0})};
+  scene.rigid[1].pose.q = Quat(Eigen::AngleAxisd(1.5707963267948966, Vec3::UnitZ()));
+  return scene;
+}
+
+TEST(Hand, FollowsItsTargetWithoutLag) {
+  SceneDesc scene;
+  Simulation simulation(scene, options());
+  simulation.step(appear({0, 1, 0}));
+  for (int i = 1; i <= 60; ++i) simulation.step(target({0.01 * i, 1, 0}));
+  EXPECT_NEAR(simulation.hands()[0].pose.p.x(), 0.6, 0.004);
+}
+
+TEST(Hand, TeleportStaysBounded) {
+  SceneDesc scene;
+  scene.rigid = {table()};
+  scene.soft = {block()};
+  Simulation simulation(scene, options());
+  simulation.step(appear({0, 0.1, 0.05}));
+  for (int i = 0; i < 120; ++i) {
+    const double side = i / 20 % 2 == 0 ? 1 : -1;
+    simulation.step(target({side * 0.5, 0.02, side * 0.5}));
+    ASSERT_TRUE(is_finite(simulation.hands()[0].pose));
+    ASSERT_LT(simulation.hands()[0].pose.p.norm(), 3);
+    ASSERT_TRUE(simulation.soft_state(1).motion.x.allFinite());
+  }
+  run(simulation, 400, target({1, 1, 1}));
+  EXPECT_LT(simulation.max_displacement(1), 0.1);
+}
+
+TEST(Hand, ImpossibleTargetsAreIgnored) {
+  SceneDesc scene;
+  Simulation simulation(scene, options());
+  simulation.step(appear({0, 1, 0}));
+  run(simulation, 30, target({std::numeric_limits<double>::quiet_NaN(), 1, 0}));
+  run(simulation, 30, target({1e9, 1, 0}));
+  EXPECT_NEAR(simulation.hands()[0].pose.p.y(), 1, 1e-6);
+  EXPECT_NEAR(simulation.hands()[0].pose.p.x(), 0, 1e-6);
+}
+
+TEST(Hand, StopsAtTheTable) {
+  SceneDesc scene;
+  scene.rigid = {table()};
+  Simulation simulation(scene, options());
+  simulation.step(appear({0, 0.1, 0}));
+  run(simulation, 240, target({0, -0.5, 0}));
+  EXPECT_GT(simulation.hands()[0].pose.p.y(), 0.009);
+  EXPECT_LT(simulation.hands()[0].contact.impulse * 60, 60);
+}
+
+TEST(Hand, LiftsAndDropsTheProbe) {
+  Simulation simulation(bench(), options());
+  run(simulation, 30);
+  simulation.step(appear({0, 0.04, 0.045}));
+  simulation.step(event(HandEvent::Kind::grasp, {0, 0.04, 0.045}));
+  ASSERT_TRUE(simulation.hands()[0].holding);
+  EXPECT_EQ(*simulation.hands()[0].holding, 1U);
+  for (int i = 0; i < 120; ++i) simulation.step(target({0, 0.04 + 0.3 * std::min(1.0, i / 60.0), 0.045}));
+  EXPECT_GT(simulation.rigid_state(1).pose.p.y(), 0.28);
+  simulation.step(event(HandEvent::Kind::release, {0, 0.34, 0.045}));
+  EXPECT_FALSE(simulation.hands()[0].holding);
+  run(simulation, 120, target({0, 0.34, 0.045}));
+  EXPECT_LT(simulation.rigid_state(1).pose.p.y(), 0.05);
+}
+
+TEST(Hand, HoldsTissueAndLetsGo) {
+  SceneDesc scene;
+  scene.rigid = {table()};
+  scene.soft = {block()};
+  Simulation simulation(scene, options());
+  const Vec3 on_top(-0.004, 0.06 + 0.013, 0.045);
+  simulation.step(appear(on_top));
+  simulation.step(event(HandEvent::Kind::grasp, on_top));
+  ASSERT_TRUE(simulation.hands()[0].holding);
+  EXPECT_EQ(*simulation.hands()[0].holding, 1U);
+  for (int i = 0; i < 60; ++i) simulation.step(target(on_top + Vec3(0, 0.0005 * i, 0)));
+  EXPECT_GT(simulation.max_displacement(1), 0.005);
+  simulation.step(event(HandEvent::Kind::vanish, on_top));
+  EXPECT_TRUE(simulation.hands().empty());
+  run(simulation, 300);
+  EXPECT_TRUE(simulation.asleep(1));
+}
+
+TEST(Hand, ResetPutsBodiesBack) {
+  SceneDesc scene = bench();
+  scene.rigid[1].pose.p.y() = 0.5;
+  Simulation simulation(scene, options());
+  run(simulation, 60);
+  TickInput input;
+  input.events.push_back({HandEvent::Kind::reset_body, 0, 0, 1});
+  input.events.push_back({HandEvent::Kind::reset_body, 0, 0, 99});
+  simulation.step(input);
+  EXPECT_NEAR(simulation.rigid_state(1).pose.p.y(), 0.5, 0.01);
+}
+
+}  // namespace
+}  // namespace prosector::test
