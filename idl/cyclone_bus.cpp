@@ -21,7 +21,9 @@ namespace {
 constexpr std::uint32_t samples_a_take = 64;
 
 struct Endpoint {
-  Entity topic, writer, reader, arrived;  // arrived: read condition, true while the reader holds anything
+  Entity topic;
+  std::vector<Entity> writers;  // one a lane
+  Entity reader, arrived;       // arrived: read condition, true while the reader holds anything
 };
 
 class CycloneBus final : public Bus {
@@ -40,6 +42,7 @@ class CycloneBus final : public Bus {
   void take_topic(std::size_t topic, std::vector<Received>& out);
   void accept(std::size_t topic, const void* sample, const dds_sample_info_t& info,
               std::vector<Received>& out);
+  dds_entity_t writer_of(const Message& message) const;
   bool nobody_reads(dds_entity_t writer) const;
 
   std::unique_ptr<Node> node_;
@@ -65,9 +68,9 @@ CycloneBus::CycloneBus(const BusConfig& config) : node_(std::make_unique<Node>(c
     const Qos qos = endpoint_qos(spec);
     endpoint.topic = Entity(
         dds_create_topic(participant, wire_codec(i).descriptor, spec.name, nullptr, nullptr), spec.name);
-    if (out)
-      endpoint.writer =
-          Entity(dds_create_writer(publisher_.get(), endpoint.topic.get(), qos.get(), nullptr), spec.name);
+    for (std::uint32_t k = 0; out && k < spec.lanes; ++k)
+      endpoint.writers.emplace_back(
+          dds_create_writer(publisher_.get(), endpoint.topic.get(), qos.get(), nullptr), spec.name);
     if (!in) continue;
     endpoint.reader =
         Entity(dds_create_reader(subscriber_.get(), endpoint.topic.get(), qos.get(), nullptr), spec.name);
@@ -81,6 +84,12 @@ CycloneBus::~CycloneBus() {
   node_.reset();  // the domain takes all its entities along
 }
 
+/// 0 when this end doesn't write the topic.
+dds_entity_t CycloneBus::writer_of(const Message& message) const {
+  const std::vector<Entity>& writers = endpoints_[message.index()].writers;
+  return writers.empty() ? 0 : writers[lane(message)].get();
+}
+
 bool CycloneBus::nobody_reads(dds_entity_t writer) const {
   dds_publication_matched_status_t status{};
   return dds_get_publication_matched_status(writer, &status) != DDS_RETCODE_OK || status.current_count == 0;
@@ -88,7 +97,7 @@ bool CycloneBus::nobody_reads(dds_entity_t writer) const {
 
 bool CycloneBus::publish(const Message& message) {
   const std::size_t topic = message.index();
-  const dds_entity_t writer = endpoints_[topic].writer.get();
+  const dds_entity_t writer = writer_of(message);
   const auto refused = [&](Refusal why) {
     counters_.dropped(topic, why);
     return false;
@@ -104,7 +113,7 @@ bool CycloneBus::publish(const Message& message) {
 }
 
 void CycloneBus::dispose(const Message& message) {
-  const dds_entity_t writer = endpoints_[message.index()].writer.get();
+  const dds_entity_t writer = writer_of(message);
   WireArena arena;
   void* sample = nullptr;
   if (writer == 0 || wire_codec(message.index()).encode(message, arena, sample)) return;

@@ -81,7 +81,7 @@ bool Hub::publish(End& from, const Message& message) {
   if (const Refusal refusal = through_the_wire(message, sample.received.message, sample.bytes))
     return refused(refusal);
   sample.received.writer = from.id;
-  sample.sequence = ++from.written[topic];
+  sample.sequence = ++from.written[{topic, lane(message)}];
   from.counters.published(sample.bytes);
   if (spec.kept_for_late) {
     auto& history = from.kept[{topic, instance_key(message)}];
@@ -99,7 +99,7 @@ void Hub::dispose(End& from, const Message& message) {
   if (!topics[topic].announces_gone) return;
   Sample sample;
   sample.received = {key_only(message), Liveness::gone, from.id, 0};
-  sample.sequence = ++from.written[topic];
+  sample.sequence = ++from.written[{topic, lane(message)}];
   send_to_readers(from, sample);
 }
 
@@ -110,7 +110,7 @@ void Hub::leave(End& from, std::int64_t noticed_after_ns) {
     if (!topics[key.first].announces_gone) continue;
     Sample sample;
     sample.received = {key_only(history.back().received.message), Liveness::gone, from.id, 0};
-    sample.sequence = ++from.written[key.first];
+    sample.sequence = ++from.written[{key.first, lane(sample.received.message)}];
     const std::int64_t at = now() + noticed_after_ns + transit_ns();
     for (const auto& to : ends)
       if (meet(from, *to, key.first)) to->under_way.emplace(at, sample);
@@ -131,7 +131,7 @@ void Hub::collect_arrivals(End& end) {
 void Hub::deliver(End& to, Sample sample) {
   const std::size_t topic = sample.received.message.index();
   const TopicSpec& spec = topics[topic];
-  std::uint64_t& last = to.last_sequence[{sample.received.writer, topic}];
+  std::uint64_t& last = to.last_sequence[{sample.received.writer, topic, lane(sample.received.message)}];
   if (!spec.reliable && sample.sequence < last) return;  // overtaken: too late
   last = std::max(last, sample.sequence);
   if (sample.received.liveness == Liveness::alive && spec.depth != 0) {

@@ -18,7 +18,7 @@ struct LocalNetwork::Hub {
   struct Sample {
     Received received;
     std::size_t bytes = 0;
-    std::uint64_t sequence = 0;  // of its writer and topic
+    std::uint64_t sequence = 0;  // of its lane
   };
   struct End {
     BusConfig config;
@@ -26,10 +26,11 @@ struct LocalNetwork::Hub {
     bool alive = true;
     std::multimap<std::int64_t, Sample> under_way;  // by arrival
     std::vector<Sample> arrived;                    // in order of arrival, after keep-last
-    std::map<std::pair<std::uint64_t, std::size_t>, std::uint64_t> last_sequence;  // by writer and topic
-    std::map<std::pair<std::uint64_t, std::size_t>, std::int64_t> last_arrival;    // reliable order
-    std::map<std::size_t, std::uint64_t> written;                                  // samples, by topic
-    std::map<std::pair<std::size_t, InstanceKey>, std::deque<Sample>> kept;        // for late joiners
+    std::map<std::tuple<std::uint64_t, std::size_t, std::size_t>, std::uint64_t>
+        last_sequence;                                                           // by writer, topic, lane
+    std::map<std::pair<std::uint64_t, std::size_t>, std::int64_t> last_arrival;  // reliable order
+    std::map<std::pair<std::size_t, std::size_t>, std::uint64_t> written;        // samples, by topic and lane
+    std::map<std::pair<std::size_t, InstanceKey>, std::deque<Sample>> kept;      // for late joiners
     RateGate gate;
     EdgeCounters counters;
   };

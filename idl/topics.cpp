@@ -6,24 +6,24 @@ namespace prosector {
 
 // clang-format off
 const std::array<TopicSpec, topic_count> topics{{
-  //                    writers               reliable late   depth lease gone   reader  rate burst
+  //                    writers               reliable late   depth lease gone   reader  rate burst lanes
   {"SessionInfo",       Writers::server,      true,    true,      1, 0,   true,  false,    0,  0},
   {"Presence",          Writers::clients,     true,    true,      1, 1,   true,  false,    5, 10},
   {"RosterEntry",       Writers::server,      true,    true,      1, 0,   true,  false,    0,  0},
   {"HandInput",         Writers::dissectors,  false,   false,     1, 0,   false, false,  400, 40},
-  {"UserState",         Writers::server,      false,   false,     1, 0,   false, false,    0,  0},
+  {"UserState",         Writers::server,      false,   false,     1, 0,   false, false,    0,  0,    8},
   // A command that nobody hears is not sent, so that a server which starts later never obeys a stale one.
   {"Command",           Writers::clients,     true,    false,     0, 0,   false, true,    50, 50},
   // Results stay a while: the writer never blocks on a stopped client, and none is lost while ends still match.
   {"CommandResult",     Writers::server,      true,    true,     32, 0,   false, false,    0,  0},
   {"SceneInfo",         Writers::server,      true,    true,      1, 0,   false, false,    0,  0},
   {"AssetChunk",        Writers::server,      true,    true,      1, 0,   false, false,    0,  0},
-  {"RigidState",        Writers::server,      false,   false,     1, 0,   false, false,    0,  0},
-  {"SoftState",         Writers::server,      false,   false,     1, 0,   false, false,    0,  0},
+  {"RigidState",        Writers::server,      false,   false,     1, 0,   false, false,    0,  0,    16},
+  {"SoftState",         Writers::server,      false,   false,     1, 0,   false, false,    0,  0,    32},
   {"Settled",           Writers::server,      true,    true,      1, 0,   false, false,    0,  0},
   // Not keep-all: one stopped reader would make each write block and then drop it for everyone.
   {"TopologyRevision",  Writers::server,      true,    true,   4096, 0,   false, false,    0,  0},
-  {"ContactSample",     Writers::server,      false,   false,     1, 0,   false, false,    0,  0},
+  {"ContactSample",     Writers::server,      false,   false,     1, 0,   false, false,    0,  0,    8},
   {"ServerStatus",      Writers::server,      false,   false,     1, 0,   false, false,    0,  0},
 }};
 // clang-format on
@@ -101,6 +101,11 @@ struct KeyOnly {
 
 InstanceKey instance_key(const Message& message) {
   return std::visit(KeyOf(), message);
+}
+
+std::size_t lane(const Message& message) {
+  const auto& [first, second, third] = instance_key(message);
+  return (first + second + third) % topics[message.index()].lanes;
 }
 
 Message key_only(const Message& message) {
