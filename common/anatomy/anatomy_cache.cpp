@@ -1,0 +1,112 @@
+#include "common/anatomy/anatomy_cache.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <span>
+
+#include "common/anatomy/bytes.h"
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::uint32_t magic = 0x31434150;  // "PAC1"
+
+std::filesystem::path file_of(const std::filesystem::path& dir, const ContentHash& key) {
+  return dir / (to_hex(key) + ".anatomy");
+}
+
+template <class T>
+void put(std::vector<std::uint8_t>& out, const std::vector<T>& values) {
+  const std::uint64_t count = values.size();
+  const auto* c = reinterpret_cast<const std::uint8_t*>(&count);
+  out.insert(out.end(), c, c + sizeof(count));
+  const auto* p = reinterpret_cast<const std::uint8_t*>(values.data());
+  out.insert(out.end(), p, p + count * sizeof(T));
+}
+
+template <class T>
+bool get(std::span<const std::uint8_t>& in, std::vector<T>& values) {
+  std::uint64_t count = 0;
+  if (in.size() < sizeof(count)) return false;
+  std::memcpy(&count, in.data(), sizeof(count));
+  in = in.subspan(sizeof(count));
+  if (count > in.size() / sizeof(T)) return false;
+  values.resize(count);
+  std::memcpy(static_cast<void*>(values.data()), in.data(), count * sizeof(T));
+  in = in.subspan(count * sizeof(T));
+  return true;
+}
+
+bool consistent(const Anatomy& a) {
+  const auto in_range = [](const auto& cells, std::size_t count) {
+    return std::all_of(cells.begin(), cells.end(), [&](const auto& cell) {
+      return std::all_of(cell.begin(), cell.end(), [&](std::uint32_t v) { return v < count; });
+    });
+  };
+  return in_range(a.tets.tets, a.tets.positions.size()) &&
+         in_range(a.surface.triangles, a.surface.positions.size()) &&
+         (a.embedding.rows.empty() || a.embedding.rows.size() == a.surface.positions.size()) &&
+         std::all_of(a.embedding.rows.begin(), a.embedding.rows.end(), [&](const SparseMap::Row& row) {
+           return std::all_of(row.node.begin(), row.node.end(),
+                              [&](std::uint32_t n) { return n < a.tets.positions.size(); });
+         });
+}
+
+}  // namespace
+
+std::optional<Anatomy> load_cached(const std::filesystem::path& dir, const ContentHash& key) {
+  if (dir.empty() || !std::filesystem::is_regular_file(file_of(dir, key))) return {};
+  std::vector<std::uint8_t> bytes;
+  try {
+    bytes = read_file(file_of(dir, key));
+  } catch (const InputError&) {
+    return {};
+  }
+  const std::size_t head = sizeof(magic) + sizeof(ContentHash);
+  if (bytes.size() < head || std::memcmp(bytes.data(), &magic, sizeof(magic)) != 0) return {};
+  std::span<const std::uint8_t> body(bytes.data() + head, bytes.size() - head);
+  const ContentHash hash = content_hash(std::as_bytes(body));
+  if (!std::equal(hash.begin(), hash.end(), bytes.begin() + sizeof(magic))) return {};
+  Anatomy out;
+  const bool whole = get(body, out.tets.positions) && get(body, out.tets.tets) &&
+                     get(body, out.surface.positions) && get(body, out.surface.triangles) &&
+                     get(body, out.embedding.rows) && body.empty();
+  if (!whole || !consistent(out)) return {};
+  return out;
+}
+
+bool store_cached(const std::filesystem::path& dir, const ContentHash& key, const Anatomy& a) {
+  if (dir.empty()) return false;
+  std::vector<std::uint8_t> body;
+  put(body, a.tets.positions);
+  put(body, a.tets.tets);
+  put(body, a.surface.positions);
+  put(body, a.surface.triangles);
+  put(body, a.embedding.rows);
+  const ContentHash hash = content_hash(std::as_bytes(std::span(body)));
+  std::error_code error;
+  std::filesystem::create_directories(dir, error);
+  const auto file = file_of(dir, key);
+  const std::filesystem::path aside = file.string() + fmt::format(".{}.tmp", getpid());
+  {
+    std::ofstream out(aside, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(&magic), sizeof(magic));
+    out.write(reinterpret_cast<const char*>(hash.data()), sizeof(hash));
+    out.write(reinterpret_cast<const char*>(body.data()), static_cast<std::streamsize>(body.size()));
+    if (!out.flush()) {
+      out.close();
+      std::filesystem::remove(aside, error);
+      return false;
+    }
+  }
+  std::filesystem::rename(aside, file, error);
+  if (error) std::filesystem::remove(aside, error);
+  return std::filesystem::is_regular_file(file);
+}
+
+}  // namespace prosector

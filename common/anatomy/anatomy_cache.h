@@ -1,0 +1,19 @@
+#pragma once
+// Finished meshes on disk, named by the hash of what they were made from.
+
+#include <filesystem>
+#include <optional>
+
+#include "common/hash.h"
+#include "common/mesh.h"
+
+namespace prosector {
+
+/// Nothing when there is no such file, or it is damaged: the caller builds anew.
+std::optional<Anatomy> load_cached(const std::filesystem::path& dir, const ContentHash& key);
+
+/// Written aside and renamed, so that readers see all or nothing. False when the folder can't be written:
+/// a cache is no reason to fail.
+bool store_cached(const std::filesystem::path& dir, const ContentHash& key, const Anatomy& anatomy);
+
+}  // namespace prosector

@@ -1,0 +1,56 @@
+#include "common/anatomy/bcc_lattice.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "common/error.h"
+
+namespace prosector {
+
+BccLattice::BccLattice(const SolidField& field, double cell, const Vec3& offset) {
+  const Vec3 extent = field.box.size();
+  if (!(cell > 0) || !std::isfinite(cell) || !extent.allFinite() || !(extent.minCoeff() > 0))
+    throw InputError(fmt::format("mesh: cell {} m around a box of {} x {} x {} m; allowed: positive sizes",
+                                 cell, extent[0], extent[1], extent[2]));
+  a_ = cell / 0.86602540378443865;
+  // One cell of margin below (and the offset within it) and one above, so that the surface never meets the
+  // lattice's own border.
+  origin_ = field.box.min - a_ * (Vec3::Constant(1.6) + offset);
+  double points = 2;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double count = std::ceil(extent[static_cast<int>(k)] / a_) + 5;
+    points *= count;
+    if (points > (1u << 26))
+      throw InputError(
+          fmt::format("mesh: a cell of {:.3g} mm needs more than {} lattice points; allowed: a coarser cell",
+                      1000 * cell, 1u << 26));
+    n_[k] = static_cast<int>(count);
+  }
+  grid_ = static_cast<std::size_t>(n_[0]) * static_cast<std::size_t>(n_[1]) * static_cast<std::size_t>(n_[2]);
+}
+
+BccLattice::Index BccLattice::index(std::size_t point) const {
+  std::size_t p = point < grid_ ? point : point - grid_;
+  const auto nx = static_cast<std::size_t>(n_[0]), ny = static_cast<std::size_t>(n_[1]);
+  return {static_cast<int>(p % nx), static_cast<int>(p / nx % ny), static_cast<int>(p / nx / ny)};
+}
+
+Vec3 BccLattice::position(std::size_t point) const {
+  const Index i = index(point);
+  const double shift = point < grid_ ? 0 : 0.5;
+  return origin_ + a_ * (Vec3(i[0], i[1], i[2]) + Vec3::Constant(shift));
+}
+
+bool BccLattice::parity(std::size_t p, std::size_t n) const {
+  const Index i = index(p), j = index(n);
+  // A centre lies half a cell above its index: it's higher where its index isn't lower.
+  bool even = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bool rises = p < grid_ ? j[k] >= i[k] : j[k] > i[k];
+    if (rises) even = !even;
+  }
+  return even;
+}
+
+}  // namespace prosector

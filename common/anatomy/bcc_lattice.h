@@ -1,0 +1,90 @@
+#pragma once
+// The body-centred cubic lattice around a solid: two interlaced cubic grids, and its tetrahedra, all alike:
+// two opposite long edges (the lattice constant a) and four short ones (√3/2 a).
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "common/anatomy/field.h"
+
+namespace prosector {
+
+class BccLattice {
+ public:
+  /// Covers field.box with a margin; `cell` (m) is the short edge; offset in lattice constants. Throws
+  /// InputError when cell is not positive or more than 2^26 points would be needed.
+  BccLattice(const SolidField& field, double cell, const Vec3& offset);
+
+  std::size_t size() const { return 2 * grid_; }
+  Vec3 position(std::size_t point) const;
+  double edge_length(bool is_long) const { return is_long ? a_ : 0.86602540378443865 * a_; }
+  /// Of two joined points: long edges join points of one grid.
+  bool is_long(std::size_t a, std::size_t b) const { return (a < grid_) == (b < grid_); }
+  /// Of a short edge: whether an even number of coordinates rises from p to n.
+  bool parity(std::size_t p, std::size_t n) const;
+
+  /// visit(neighbour, is_long), always in the same order.
+  template <class Visit>
+  void for_neighbors(std::size_t point, Visit&& visit) const {
+    const bool center = point >= grid_;
+    const Index i = index(point);
+    for (int k = 0; k < 3; ++k)
+      for (int d = -1; d <= 1; d += 2) {
+        Index j = i;
+        j[static_cast<std::size_t>(k)] += d;
+        if (inside(j)) visit(number(j, center), true);
+      }
+    for (int corner = 0; corner < 8; ++corner) {
+      Index j = i;
+      for (std::size_t k = 0; k < 3; ++k) j[k] += ((corner >> k) & 1) - (center ? 0 : 1);
+      if (inside(j)) visit(number(j, !center), false);
+    }
+  }
+
+  /// visit({c, c', v, v'}): two cell centres that share a face, and an edge of that face.
+  template <class Visit>
+  void for_tets(Visit&& visit) const {
+    Index i;
+    for (i[2] = 0; i[2] < n_[2]; ++i[2])
+      for (i[1] = 0; i[1] < n_[1]; ++i[1])
+        for (i[0] = 0; i[0] < n_[0]; ++i[0])
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+            Index next = i;
+            ++next[axis];
+            Index ring = next;  // corners of the shared face, in order around it
+            if (next[axis] >= n_[axis] || i[u] + 1 >= n_[u] || i[v] + 1 >= n_[v]) continue;
+            std::array<std::size_t, 4> corner{};
+            for (std::size_t k = 0; k < 4; ++k) {
+              ring[u] = i[u] + (k == 1 || k == 2 ? 1 : 0);
+              ring[v] = i[v] + (k >= 2 ? 1 : 0);
+              corner[k] = number(ring, false);
+            }
+            for (std::size_t k = 0; k < 4; ++k)
+              visit(std::array<std::size_t, 4>{number(i, true), number(next, true), corner[k],
+                                               corner[(k + 1) % 4]});
+          }
+  }
+
+ private:
+  using Index = std::array<int, 3>;
+
+  bool inside(const Index& i) const {
+    return i[0] >= 0 && i[1] >= 0 && i[2] >= 0 && i[0] < n_[0] && i[1] < n_[1] && i[2] < n_[2];
+  }
+  std::size_t number(const Index& i, bool center) const {
+    return (center ? grid_ : 0) + static_cast<std::size_t>(i[0]) +
+           static_cast<std::size_t>(n_[0]) *
+               (static_cast<std::size_t>(i[1]) +
+                static_cast<std::size_t>(n_[1]) * static_cast<std::size_t>(i[2]));
+  }
+  Index index(std::size_t point) const;
+
+  double a_ = 0;  // lattice constant, m
+  Vec3 origin_ = Vec3::Zero();
+  Index n_{};             // points of each grid along each axis
+  std::size_t grid_ = 0;  // points of one grid; centres are numbered after the corners
+};
+
+}  // namespace prosector

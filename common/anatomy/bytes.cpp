@@ -1,0 +1,60 @@
+#include "common/anatomy/bytes.h"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "common/error.h"
+
+namespace prosector {
+
+std::vector<std::uint8_t> read_file(const std::filesystem::path& file, std::size_t max_bytes) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file, error);
+  if (error) throw InputError(fmt::format("{}: cannot be read: {}", file.string(), error.message()));
+  if (size > max_bytes)
+    throw InputError(fmt::format("{}: {} bytes; allowed: at most {}", file.string(), size, max_bytes));
+  std::vector<std::uint8_t> bytes(size);
+  std::ifstream in(file, std::ios::binary);
+  in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (!in) throw InputError(fmt::format("{}: cannot be read to its end", file.string()));
+  return bytes;
+}
+
+bool is_gzip(std::span<const std::uint8_t> bytes) {
+  return bytes.size() >= 2 && bytes[0] == 0x1f && bytes[1] == 0x8b;
+}
+
+std::vector<std::uint8_t> gunzip(std::span<const std::uint8_t> bytes, std::size_t max_bytes,
+                                 const std::string& name) {
+  if (!is_gzip(bytes))
+    return {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), max_bytes))};
+  z_stream stream{};
+  constexpr int gzip_window = 15 + 16;
+  if (inflateInit2(&stream, gzip_window) != Z_OK) throw std::bad_alloc();
+  stream.next_in = const_cast<Bytef*>(bytes.data());
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  std::vector<std::uint8_t> out;
+  int status = Z_OK;
+  while (status == Z_OK && out.size() < max_bytes) {
+    // Grown as data arrives, so that a lie about the size allocates nothing.
+    const std::size_t at = out.size(), chunk = std::min(std::max<std::size_t>(1 << 16, at), max_bytes - at);
+    const auto step = static_cast<uInt>(std::min<std::size_t>(chunk, 1u << 30));
+    out.resize(at + step);
+    stream.next_out = out.data() + at;
+    stream.avail_out = step;
+    status = inflate(&stream, Z_NO_FLUSH);
+    out.resize(at + step - stream.avail_out);
+    if (status == Z_BUF_ERROR) break;
+  }
+  const bool damaged = status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR;
+  const std::string why = damaged && stream.msg != nullptr ? stream.msg : "invalid stream";
+  inflateEnd(&stream);
+  if (damaged)
+    throw InputError(fmt::format("{}: damaged gzip stream after {} bytes ({})", name, out.size(), why));
+  return out;
+}
+
+}  // namespace prosector

@@ -1,0 +1,24 @@
+#pragma once
+// Ties a surface to the tetrahedra that carry it.
+
+#include "common/mesh.h"
+
+namespace prosector {
+
+/// Largest weight of a vertex outside all tetrahedra; beyond it the vertex is drawn in towards its nearest
+/// tetrahedron, so that no small motion of a node is magnified much.
+inline constexpr double max_embedding_weight = 6;
+
+/// Barycentric weights of each surface vertex in the tetrahedron that contains it, or, outside, the nearest
+/// one's, extrapolated. Moves each surface vertex to exactly W.row(i)·nodes, and reports how many lay
+/// outside.
+struct Embedding {
+  Anatomy anatomy;
+  std::size_t outside = 0;
+};
+Embedding embed(TetMesh tets, TriangleMesh surface);
+
+/// surface.positions = W·tets.positions.
+void apply_embedding(Anatomy& anatomy);
+
+}  // namespace prosector

@@ -1,0 +1,34 @@
+#pragma once
+// A solid as a scalar field: what meshing needs to know of an organ, wherever it comes from.
+
+#include <functional>
+
+#include "common/math.h"
+
+namespace prosector {
+
+/// An axis-aligned box, metres.
+struct Box {
+  Vec3 min = Vec3::Zero();
+  Vec3 max = Vec3::Zero();
+
+  Vec3 size() const { return max - min; }
+  Vec3 center() const { return 0.5 * (min + max); }
+};
+
+/// The solid is where `value` is negative; `value` is continuous, and the zero set lies inside `box`.
+/// For signed distance fields `value` is in metres; a level-set field may have any unit.
+struct SolidField {
+  std::function<double(const Vec3&)> value;
+  Box box;
+};
+
+/// Central difference of `value`, step in metres.
+Vec3 gradient(const SolidField& field, const Vec3& x, double step);
+
+/// Where value changes sign between `inside` (value < 0) and `outside` (value >= 0), by bisection with
+/// secant steps; as the fraction of the way from inside to outside, in (0, 1).
+double crossing(const SolidField& field, const Vec3& inside, double f_inside, const Vec3& outside,
+                double f_outside);
+
+}  // namespace prosector

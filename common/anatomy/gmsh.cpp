@@ -1,0 +1,100 @@
+#include <cmath>
+#include <unordered_map>
+
+#include "common/anatomy/tet_io.h"
+#include "common/anatomy/token_reader.h"
+
+namespace prosector {
+namespace {
+
+constexpr int tetrahedron = 4;  // Gmsh's element type: 4 nodes
+
+class GmshReader {
+ public:
+  GmshReader(std::string_view text, const std::string& name) : in_(text, name) {}
+
+  TetMesh read() {
+    if (!in_.skip_to("$MeshFormat")) in_.fail("no $MeshFormat; allowed: Gmsh 2.2 or 4.1 ASCII");
+    const auto version = in_.number<double>("format version");
+    const bool old = version == 2.2;
+    if (!old && version != 4.1) in_.fail(fmt::format("format version {}; allowed: 2.2 or 4.1", version));
+    if (in_.number<int>("file type") != 0) in_.fail("binary file; allowed: ASCII");
+    for (std::string_view w = in_.word(); !w.empty(); w = in_.word()) {
+      if (w == "$Nodes") old ? nodes_2() : nodes_4();
+      if (w == "$Elements") old ? elements_2() : elements_4();
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  void add_node(std::uint64_t tag) {
+    Vec3 x;
+    for (int k = 0; k < 3; ++k) x[k] = in_.number<double>("a coordinate");
+    numbers_[tag] = static_cast<std::uint32_t>(mesh_.positions.size());
+    mesh_.positions.push_back(x);
+  }
+  void add_tet() {
+    std::array<std::uint32_t, 4> tet;
+    for (auto& node : tet) {
+      const auto tag = in_.number<std::uint64_t>("a node number");
+      const auto it = numbers_.find(tag);
+      if (it == numbers_.end()) in_.fail(fmt::format("element uses node {}, which isn't there", tag));
+      node = it->second;
+    }
+    mesh_.tets.push_back(tet);
+  }
+  void nodes_2() {
+    for (auto n = in_.count("number of nodes"); n > 0; --n)
+      add_node(in_.number<std::uint64_t>("a node number"));
+  }
+  void elements_2() {
+    for (auto n = in_.count("number of elements"); n > 0; --n) {
+      in_.number<std::uint64_t>("an element number");
+      const int type = in_.number<int>("an element type");
+      if (type != tetrahedron) {
+        in_.rest();
+        continue;
+      }
+      for (auto tags = in_.count("number of tags"); tags > 0; --tags) in_.number<std::int64_t>("a tag");
+      add_tet();
+    }
+  }
+  void nodes_4() {
+    auto blocks = in_.count("number of node blocks");
+    for (int k = 0; k < 3; ++k) in_.number<std::uint64_t>("a node count");
+    for (; blocks > 0; --blocks) {
+      for (int k = 0; k < 2; ++k) in_.number<int>("an entity");
+      if (in_.number<int>("parametric flag") != 0) in_.fail("parametric nodes; allowed: plain ones");
+      std::vector<std::uint64_t> tags(in_.count("number of nodes"));
+      for (auto& tag : tags) tag = in_.number<std::uint64_t>("a node number");
+      for (const auto tag : tags) add_node(tag);
+    }
+  }
+  void elements_4() {
+    auto blocks = in_.count("number of element blocks");
+    for (int k = 0; k < 3; ++k) in_.number<std::uint64_t>("an element count");
+    for (; blocks > 0; --blocks) {
+      for (int k = 0; k < 2; ++k) in_.number<int>("an entity");
+      const int type = in_.number<int>("an element type");
+      for (auto n = in_.count("number of elements"); n > 0; --n) {
+        in_.number<std::uint64_t>("an element number");
+        if (type == tetrahedron)
+          add_tet();
+        else
+          in_.rest();
+      }
+    }
+  }
+
+  TokenReader in_;
+  TetMesh mesh_;
+  std::unordered_map<std::uint64_t, std::uint32_t> numbers_;
+};
+
+}  // namespace
+
+TetMesh parse_gmsh(std::string_view text, const std::string& name) {
+  return GmshReader(text, name).read();
+}
+
+}  // namespace prosector

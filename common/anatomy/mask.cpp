@@ -1,0 +1,184 @@
+#include "common/anatomy/mask.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+using Index = std::array<std::int64_t, 3>;
+
+std::size_t number(const Volume& v, const Index& i) {
+  return static_cast<std::size_t>(i[0] + v.dims[0] * (i[1] + v.dims[1] * i[2]));
+}
+
+Vec3 as_vector(const Index& i) {
+  return {static_cast<double>(i[0]), static_cast<double>(i[1]), static_cast<double>(i[2])};
+}
+
+// The box of the voxels that are inside, with a margin of zeros, as a volume of its own.
+template <class Inside>
+bool crop(const Volume& whole, int margin, Inside&& inside, Mask& out) {
+  Index low = whole.dims, high = {-1, -1, -1}, i;
+  std::size_t n = 0;
+  for (i[2] = 0; i[2] < whole.dims[2]; ++i[2])
+    for (i[1] = 0; i[1] < whole.dims[1]; ++i[1])
+      for (i[0] = 0; i[0] < whole.dims[0]; ++i[0])
+        if (inside(whole.values[n++]))
+          for (std::size_t k = 0; k < 3; ++k) {
+            low[k] = std::min(low[k], i[k]);
+            high[k] = std::max(high[k], i[k]);
+          }
+  if (high[0] < 0) return false;
+  out.volume.voxel_size = whole.voxel_size;
+  std::size_t size = 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    out.volume.dims[k] = high[k] - low[k] + 1 + 2 * margin;
+    size *= static_cast<std::size_t>(out.volume.dims[k]);
+  }
+  out.volume.values.assign(size, 0.f);
+  out.origin = whole.position(0.5 * (as_vector(low) + as_vector(high)));
+  for (i[2] = low[2]; i[2] <= high[2]; ++i[2])
+    for (i[1] = low[1]; i[1] <= high[1]; ++i[1])
+      for (i[0] = low[0]; i[0] <= high[0]; ++i[0])
+        if (inside(whole.at(i[0], i[1], i[2])))
+          out.volume.values[number(
+              out.volume, {i[0] - low[0] + margin, i[1] - low[1] + margin, i[2] - low[2] + margin})] = 1;
+  return true;
+}
+
+// Flood from `seed` over voxels of equal value; marks them with `mark` and returns how many.
+std::size_t flood(const Volume& v, std::size_t seed, std::vector<std::uint32_t>& piece, std::uint32_t mark) {
+  const float value = v.values[seed];
+  std::vector<std::size_t> queue = {seed};
+  piece[seed] = mark;
+  for (std::size_t head = 0; head < queue.size(); ++head) {
+    const auto n = static_cast<std::int64_t>(queue[head]);
+    const Index at = {n % v.dims[0], n / v.dims[0] % v.dims[1], n / v.dims[0] / v.dims[1]};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const std::int64_t d : {-1, 1}) {
+        Index next = at;
+        next[axis] += d;
+        if (next[axis] < 0 || next[axis] >= v.dims[axis]) continue;
+        const std::size_t m = number(v, next);
+        if (piece[m] != 0 || v.values[m] != value) continue;
+        piece[m] = mark;
+        queue.push_back(m);
+      }
+  }
+  return queue.size();
+}
+
+// Keeps the largest piece; cavities that the outside doesn't reach are filled: noise, not anatomy.
+void keep_largest(Mask& mask) {
+  Volume& v = mask.volume;
+  std::vector<std::uint32_t> piece(v.values.size());
+  std::uint32_t pieces = 0, best = 0;
+  std::size_t most = 0, total = 0;
+  for (std::size_t n = 0; n < v.values.size(); ++n) {
+    if (v.values[n] == 0 || piece[n] != 0) continue;
+    const std::size_t count = flood(v, n, piece, ++pieces);
+    total += count;
+    if (count > most) {
+      most = count;
+      best = pieces;
+    }
+  }
+  mask.dropped_pieces = pieces - 1;
+  mask.dropped_voxels = total - most;
+  for (std::size_t n = 0; n < v.values.size(); ++n) v.values[n] = piece[n] == best ? 1.f : 0.f;
+  std::fill(piece.begin(), piece.end(), 0u);
+  if (v.values.front() == 0) {
+    flood(v, 0, piece, 1);
+    for (std::size_t n = 0; n < v.values.size(); ++n) v.values[n] = piece[n] == 0 ? 1.f : 0.f;
+  }
+}
+
+void blur_axis(Volume& v, std::size_t axis, const std::vector<float>& kernel) {
+  const auto radius = static_cast<std::int64_t>(kernel.size() / 2);
+  const std::int64_t stride = axis == 0 ? 1 : axis == 1 ? v.dims[0] : v.dims[0] * v.dims[1];
+  const std::int64_t length = v.dims[axis];
+  std::vector<float> line(static_cast<std::size_t>(length + 2 * radius), 0.f);
+  const std::size_t u = (axis + 1) % 3, w = (axis + 2) % 3;
+  Index i{};
+  for (i[w] = 0; i[w] < v.dims[w]; ++i[w])
+    for (i[u] = 0; i[u] < v.dims[u]; ++i[u]) {
+      i[axis] = 0;
+      float* first = v.values.data() + number(v, i);
+      bool any = false;
+      for (std::int64_t k = 0; k < length; ++k) {
+        const float value = first[k * stride];
+        line[static_cast<std::size_t>(k + radius)] = value;
+        any = any || value != 0;
+      }
+      if (!any) continue;
+      for (std::int64_t k = 0; k < length; ++k) {
+        float sum = 0;
+        for (std::size_t m = 0; m < kernel.size(); ++m)
+          sum += kernel[m] * line[static_cast<std::size_t>(k) + m];
+        first[k * stride] = sum;
+      }
+    }
+}
+
+}  // namespace
+
+Mask mask_of_label(const Volume& volume, int label, int margin, const std::string& name) {
+  Mask out;
+  const auto wanted = static_cast<float>(label);
+  if (!crop(
+          volume, margin, [&](float v) { return v == wanted; }, out)) {
+    constexpr std::size_t shown = 32;
+    std::set<float> present;
+    for (const float v : volume.values) {
+      if (v != 0 && v == std::floor(v)) present.insert(v);
+      if (present.size() > shown) break;
+    }
+    throw InputError(fmt::format("{}: label {} isn't there; allowed: {}{}", name, label,
+                                 fmt::join(present, ", "),
+                                 present.size() > shown ? ", ... (a grey volume? use threshold)" : ""));
+  }
+  keep_largest(out);
+  return out;
+}
+
+Mask mask_above(const Volume& volume, double threshold, int margin, const std::string& name) {
+  Mask out;
+  const auto [low, high] = std::minmax_element(volume.values.begin(), volume.values.end());
+  const auto inside = [&](float v) { return static_cast<double>(v) > threshold; };
+  if (inside(*low) || !crop(volume, margin, inside, out))
+    throw InputError(fmt::format("{}: threshold {} leaves {}; allowed: from {} to below {}", name, threshold,
+                                 inside(*low) ? "everything inside" : "nothing inside", *low, *high));
+  keep_largest(out);
+  return out;
+}
+
+int smoothing_margin(double sigma) {
+  return static_cast<int>(std::ceil(3 * std::max(sigma, 0.0))) + 2;
+}
+
+SolidField smooth_solid(const Mask& mask, double sigma) {
+  auto volume = std::make_shared<Volume>(mask.volume);
+  if (sigma > 0) {
+    const int radius = static_cast<int>(std::ceil(3 * sigma));
+    std::vector<float> kernel;
+    double sum = 0;
+    for (int k = -radius; k <= radius; ++k) sum += std::exp(-0.5 * k * k / (sigma * sigma));
+    for (int k = -radius; k <= radius; ++k)
+      kernel.push_back(static_cast<float>(std::exp(-0.5 * k * k / (sigma * sigma)) / sum));
+    for (std::size_t axis = 0; axis < 3; ++axis) blur_axis(*volume, axis, kernel);
+  }
+  const Vec3 origin = mask.origin;
+  const Vec3 corner = volume->position(Vec3::Zero());
+  return {[volume, origin](const Vec3& x) { return 0.5 - sample(*volume, x - origin); },
+          {origin + corner, origin - corner}};
+}
+
+}  // namespace prosector

@@ -1,0 +1,35 @@
+#pragma once
+// One structure out of a volume, as a smooth solid.
+
+#include <functional>
+#include <string>
+
+#include "common/anatomy/field.h"
+#include "common/anatomy/volume.h"
+
+namespace prosector {
+
+using Progress = std::function<void(const std::string& line)>;
+
+/// 1 inside, 0 outside, cropped to the structure with a margin of zeros; the frame stays the volume's.
+struct Mask {
+  Volume volume;                   // values 0 or 1
+  Vec3 origin = Vec3::Zero();      // the cropped volume's centre in the whole one's frame, m
+  std::size_t dropped_voxels = 0;  // in other pieces
+  std::size_t dropped_pieces = 0;
+};
+
+/// Voxels equal to `label`, the largest piece (joined through faces), `margin` voxels of border. Throws
+/// InputError that lists the labels present when there are none such.
+Mask mask_of_label(const Volume& volume, int label, int margin, const std::string& name);
+
+/// Voxels above `threshold`; throws InputError with the volume's range when there are none, or only those.
+Mask mask_above(const Volume& volume, double threshold, int margin, const std::string& name);
+
+/// The mask under a Gaussian of σ `sigma` voxels along each axis, as the field 1/2 − mask: negative inside.
+SolidField smooth_solid(const Mask& mask, double sigma);
+
+/// Border that `smooth_solid` needs around the structure, voxels.
+int smoothing_margin(double sigma);
+
+}  // namespace prosector

@@ -1,0 +1,25 @@
+#pragma once
+// What a surface is worth as the skin of a rigid body.
+
+#include <cstddef>
+#include <string>
+
+#include "common/mesh.h"
+
+namespace prosector {
+
+struct SurfaceReport {
+  std::size_t open_edges = 0;          // edges without exactly two, agreeing triangles; 0: closed
+  std::size_t intersecting_pairs = 0;  // pairs of triangles that pass through each other
+  double volume = 0;                   // m³, signed: positive when triangles face outward
+  Vec3 center_of_mass = Vec3::Zero();  // m, of the enclosed solid
+  Mat3 inertia = Mat3::Zero();         // kg m² per kg/m³, about the centre of mass
+
+  /// What a scene's author should know, empty when all is well.
+  std::string warning() const;
+};
+
+/// Mass properties by the divergence theorem (exact for closed surfaces).
+SurfaceReport check_surface(const TriangleMesh& mesh);
+
+}  // namespace prosector

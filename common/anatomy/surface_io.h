@@ -1,0 +1,15 @@
+#pragma once
+// Surfaces from files: OBJ, STL, PLY, OFF, glTF.
+
+#include <filesystem>
+
+#include "common/mesh.h"
+
+namespace prosector {
+
+/// All triangles of the file as one mesh, its nodes' transforms applied, times `scale` (to metres), equal
+/// vertices merged, degenerate triangles dropped. Throws InputError: missing or unreadable file (with the
+/// reader's words), no triangles, a position that isn't finite, an extent above 100 m or under 0.1 mm.
+TriangleMesh load_surface(const std::filesystem::path& file, double scale);
+
+}  // namespace prosector

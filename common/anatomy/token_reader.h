@@ -1,0 +1,70 @@
+#pragma once
+// Words and numbers of a text file, with the line for messages.
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "common/error.h"
+
+namespace prosector {
+
+class TokenReader {
+ public:
+  TokenReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
+
+  /// Empty at the end.
+  std::string_view word() {
+    while (at_ < text_.size() && is_space(text_[at_])) line_ += text_[at_++] == '\n';
+    const std::size_t start = at_;
+    while (at_ < text_.size() && !is_space(text_[at_])) ++at_;
+    return text_.substr(start, at_ - start);
+  }
+  /// The rest of the line.
+  std::string_view rest() {
+    const std::size_t start = at_;
+    while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+    return text_.substr(start, at_ - start);
+  }
+  template <class T>
+  T number(const char* what) {
+    const std::string_view w = word();
+    T value{};
+    const auto [end, error] = std::from_chars(w.data(), w.data() + w.size(), value);
+    if (w.empty()) fail(fmt::format("ends where {} should be", what));
+    if (error != std::errc{} || end != w.data() + w.size())
+      fail(fmt::format("\"{}\" where {} should be", w.substr(0, 32), what));
+    return value;
+  }
+  /// A count of records that each take at least `bytes` of the text still to come: a lie allocates nothing.
+  std::uint64_t count(const char* what, std::size_t bytes = 2) {
+    const auto n = number<std::uint64_t>(what);
+    if (n > (text_.size() - at_) / bytes) fail(fmt::format("{} {}, more than the file can hold", what, n));
+    return n;
+  }
+  void expect(std::string_view wanted) {
+    const std::string_view w = word();
+    if (w != wanted) fail(fmt::format("\"{}\" where {} should be", w.substr(0, 32), wanted));
+  }
+  bool skip_to(std::string_view wanted) {
+    for (std::string_view w = word(); !w.empty(); w = word())
+      if (w == wanted) return true;
+    return false;
+  }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw InputError(fmt::format("{}:{}: {}", name_, line_, what));
+  }
+
+ private:
+  static bool is_space(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
+
+  std::string_view text_;
+  std::string name_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 1;
+};
+
+}  // namespace prosector
