@@ -6,13 +6,14 @@
 
 namespace prosector {
 
-/// A current context with a framebuffer of width × height. Not thread safe: used by the thread that made it.
+/// A current context. Not thread safe: used by the thread that made it, one context per thread at a time.
 class GlContext {
  public:
   virtual ~GlContext() = default;
   virtual void* proc(const char* name) const = 0;  // address of a GL function
-  virtual int width() const = 0;
+  virtual int width() const = 0;                   // of the picture, pixels
   virtual int height() const = 0;
+  virtual bool has_screen() const = 0;          // framebuffer 0 is a window's; offscreen there is none
   virtual void present() = 0;                   // swaps a window's buffers; offscreen: nothing
   virtual std::string description() const = 0;  // "EGL surfaceless, llvmpipe (…), Mesa 22.3.6"
 };
@@ -22,5 +23,12 @@ std::unique_ptr<GlContext> make_egl_context(int width, int height);
 std::unique_ptr<GlContext> make_osmesa_context(int width, int height);
 /// EGL surfaceless, else OSMesa.
 std::unique_ptr<GlContext> make_offscreen_context(int width, int height);
+
+inline constexpr int max_picture_size = 8192;  // pixels, each way
+
+/// For contexts: throws InputError unless 1 ≤ width, height ≤ max_picture_size.
+void check_picture_size(int width, int height);
+/// For contexts: "KIND, renderer, version" of the current context.
+std::string describe_gl(const GlContext& context, const std::string& kind);
 
 }  // namespace prosector

@@ -1,38 +1,38 @@
 #pragma once
 // Draws a DrawList with OpenGL 3.3 core. The only consumer of DrawList, and the only code with shaders.
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <vector>
 
 #include "client/render/gl_context.h"
+#include "client/render/image.h"
+#include "client/render/shader_dir.h"
 #include "client/view/draw_list.h"
 
 namespace prosector {
 
-/// 8-bit sRGB, rows from the top.
-struct Image {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> rgb;
+struct RendererSettings {
+  int samples = 4;         // per pixel, for smooth edges; 1: none
+  int shadow_size = 1024;  // texels, each way, of the first spot light's shadow map; 0: no shadows
 };
 
+/// One code path for every context. Everything is drawn into a target of its own, so a picture is the same
+/// with and without a window; with a window, `draw` also copies it there (call present() to show it).
 class Renderer {
  public:
-  /// `shaders` is the folder with the GLSL files. Throws InputError with file and line when one does not
-  /// compile.
-  Renderer(GlContext& context, const std::filesystem::path& shaders);
+  /// `context` outlives the renderer. `shaders` is the folder with the GLSL files (default_shader_dir()).
+  /// Throws InputError with file and line when one does not compile.
+  Renderer(GlContext& context, const std::filesystem::path& shaders, const RendererSettings& settings = {});
   ~Renderer();
 
+  /// Throws std::invalid_argument when a mesh's normals, rest positions or triangles don't fit its positions.
   void draw(const DrawList& list);
+  /// What was drawn last.
   Image read_pixels();
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// Throws InputError when the file cannot be written.
-void write_png(const Image& image, const std::filesystem::path& file);
 
 }  // namespace prosector

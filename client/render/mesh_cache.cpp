@@ -1,0 +1,110 @@
+#include "client/render/mesh_cache.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace prosector {
+namespace {
+
+using Points = std::vector<Eigen::Vector3f>;
+static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
+
+void check(const DrawMesh& mesh) {
+  const std::size_t n = mesh.positions.size();
+  const auto refuse = [&](const char* what) {
+    throw std::invalid_argument(fmt::format("DrawMesh {}: {} do not fit {} positions", mesh.id, what, n));
+  };
+  if (mesh.normals.size() != n) refuse("normals");
+  if (!mesh.rest_positions.empty() && mesh.rest_positions.size() != n) refuse("rest positions");
+  for (const auto& triangle : mesh.triangles)
+    for (const std::uint32_t index : triangle)
+      if (index >= n) refuse("triangles");
+}
+
+Sphere bounds_of(const Points& points) {
+  if (points.empty()) return {};
+  Eigen::AlignedBox3f box;
+  for (const auto& x : points) box.extend(x);
+  const Eigen::Vector3f center = box.center();
+  float squared = 0;
+  for (const auto& x : points) squared = std::max(squared, (x - center).squaredNorm());
+  return {center.cast<double>(), std::sqrt(static_cast<double>(squared))};
+}
+
+template <class T>
+GLsizeiptr bytes(const std::vector<T>& v) {
+  return static_cast<GLsizeiptr>(v.size() * sizeof(T));
+}
+
+void upload_points(const Gl& gl, GLuint& buffer, GLuint attribute, const Points& points, GLenum usage) {
+  if (buffer == 0) gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  gl.BufferData(GL_ARRAY_BUFFER, bytes(points), points.data(), usage);
+  gl.EnableVertexAttribArray(attribute);
+  gl.VertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+}
+
+}  // namespace
+
+MeshCache::~MeshCache() {
+  for (auto& [id, entry] : entries_) release(entry);
+}
+
+void MeshCache::begin_frame() {
+  ++frame_;
+  std::erase_if(entries_, [this](const auto& item) {
+    const bool unused = item.second.last_frame + frames_kept < frame_;
+    if (unused) release(item.second);
+    return unused;
+  });
+}
+
+const MeshCache::Entry& MeshCache::upload(const DrawMesh& mesh) {
+  const auto [found, is_new] = entries_.try_emplace(mesh.id);
+  Entry& entry = found->second;
+  entry.last_frame = frame_;
+  const bool topology_changed = is_new || entry.revision != mesh.revision;
+  if (!topology_changed && entry.positions_revision == mesh.positions_revision) return entry;
+  try {
+    check(mesh);
+  } catch (...) {
+    if (is_new) entries_.erase(found);
+    throw;
+  }
+  if (is_new) gl_.GenVertexArrays(1, &entry.vertex_array);
+  gl_.BindVertexArray(entry.vertex_array);
+  upload_points(gl_, entry.positions, position_attribute, mesh.positions, GL_DYNAMIC_DRAW);
+  if (topology_changed) {
+    // Without a rest shape the texture follows the positions themselves.
+    if (mesh.rest_positions.empty()) {
+      gl_.EnableVertexAttribArray(rest_attribute);
+      gl_.VertexAttribPointer(rest_attribute, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+    } else {
+      upload_points(gl_, entry.rest, rest_attribute, mesh.rest_positions, GL_STATIC_DRAW);
+    }
+    if (entry.triangles == 0) gl_.GenBuffers(1, &entry.triangles);
+    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, entry.triangles);
+    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, bytes(mesh.triangles), mesh.triangles.data(), GL_STATIC_DRAW);
+    entry.indices = static_cast<GLsizei>(3 * mesh.triangles.size());
+  }
+  upload_points(gl_, entry.normals, normal_attribute, mesh.normals, GL_DYNAMIC_DRAW);
+  gl_.BindVertexArray(0);
+  entry.bounds = bounds_of(mesh.positions);
+  entry.revision = mesh.revision;
+  entry.positions_revision = mesh.positions_revision;
+  return entry;
+}
+
+void MeshCache::draw(const Entry& entry) const {
+  gl_.BindVertexArray(entry.vertex_array);
+  gl_.DrawElements(GL_TRIANGLES, entry.indices, GL_UNSIGNED_INT, nullptr);
+}
+
+void MeshCache::release(const Entry& entry) const {
+  gl_.DeleteVertexArrays(1, &entry.vertex_array);
+  for (const GLuint buffer : {entry.positions, entry.normals, entry.rest, entry.triangles})
+    if (buffer != 0) gl_.DeleteBuffers(1, &buffer);
+}
+
+}  // namespace prosector

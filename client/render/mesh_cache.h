@@ -1,0 +1,45 @@
+#pragma once
+// DrawMeshes on the GPU, by id. Private to client/render.
+
+#include <unordered_map>
+
+#include "client/render/gl.h"
+#include "client/render/projection.h"
+
+namespace prosector {
+
+// Attribute locations, the same in every shader that draws meshes.
+inline constexpr GLuint position_attribute = 0, normal_attribute = 1, rest_attribute = 2;
+
+class MeshCache {
+ public:
+  struct Entry {
+    GLuint vertex_array = 0, positions = 0, normals = 0, rest = 0, triangles = 0;
+    GLsizei indices = 0;
+    std::uint64_t revision = 0, positions_revision = 0;
+    Sphere bounds;  // in the mesh's frame
+    std::uint64_t last_frame = 0;
+  };
+
+  explicit MeshCache(const Gl& gl) : gl_(gl) {}
+  ~MeshCache();
+  MeshCache(const MeshCache&) = delete;
+  MeshCache& operator=(const MeshCache&) = delete;
+
+  /// Frees the buffers of meshes that were not drawn for the last `frames_kept` frames.
+  void begin_frame();
+  /// Uploads what changed. Throws std::invalid_argument when the mesh's arrays don't fit each other.
+  const Entry& upload(const DrawMesh& mesh);
+  void draw(const Entry& entry) const;
+
+ private:
+  static constexpr std::uint64_t frames_kept = 300;
+
+  void release(const Entry& entry) const;
+
+  const Gl& gl_;
+  std::uint64_t frame_ = 0;
+  std::unordered_map<std::uint64_t, Entry> entries_;
+};
+
+}  // namespace prosector

@@ -1,0 +1,34 @@
+#pragma once
+// Cameras and lights as matrices (column vectors, OpenGL clip space), and what they can see.
+
+#include <array>
+
+#include "client/view/draw_list.h"
+
+namespace prosector {
+
+Eigen::Matrix4d matrix_of(const Pose& pose);
+
+/// Off-axis frustum of the camera: clip from eye space.
+Eigen::Matrix4d projection_of(const DrawCamera& camera);
+
+/// Clip from room.
+Eigen::Matrix4d view_projection_of(const DrawCamera& camera);
+
+struct Sphere {
+  Vec3 center = Vec3::Zero();
+  double radius = 0;  // m
+};
+
+/// The six planes of a clip matrix (Gribb and Hartmann 2001).
+class Frustum {
+ public:
+  explicit Frustum(const Eigen::Matrix4d& clip_from_room);
+  /// False only when the sphere is outside.
+  bool may_see(const Sphere& sphere) const;
+
+ private:
+  std::array<Eigen::Vector4d, 6> planes_;  // normal inwards, unit
+};
+
+}  // namespace prosector

@@ -1,0 +1,24 @@
+#pragma once
+// GLSL files as one source text, and compiler logs turned back into file and line.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace prosector {
+
+/// A shader's text after `#include "file"` (relative to the shader folder) was replaced. `files[n]` is source
+/// string n of its #line directives.
+struct ShaderSource {
+  std::string text;
+  std::vector<std::filesystem::path> files;
+};
+
+/// `defines` are names set to 1. Throws InputError when a file is missing or includes itself.
+ShaderSource load_shader_source(const std::filesystem::path& folder, const std::string& file,
+                                const std::vector<std::string>& defines);
+
+/// Mesa's "2:14(3): error: …" and NVIDIA's "2(14) : error …" as "lighting.glsl:14: error: …".
+std::string readable_log(const std::string& log, const ShaderSource& source);
+
+}  // namespace prosector

@@ -1,0 +1,25 @@
+#pragma once
+// A pen-stroke font of our own for ASCII 32…126. No GL.
+
+#include <string_view>
+#include <vector>
+
+#include "common/math.h"
+
+namespace prosector {
+
+struct TextStroke {
+  Eigen::Vector2d a, b;  // pixels right of and below the top left of the first line
+};
+
+/// `height` is that of one line from ascender to descender, pixels. UTF-8: any other character becomes '?'.
+/// '\n' starts a new line.
+std::vector<TextStroke> strokes_of(std::string_view text, double height);
+
+/// Of the longest line, pixels.
+double text_width(std::string_view text, double height);
+
+/// From one line's top to the next one's, pixels.
+double line_spacing(double height);
+
+}  // namespace prosector

@@ -1,0 +1,23 @@
+#include "color.glsl"
+#include "noise.glsl"
+#include "surfaces.glsl"
+#include "lighting.glsl"
+
+in vec3 room_place;
+in vec3 room_normal;
+in vec3 rest_place;
+
+uniform mat4 room_from_mesh;
+uniform vec3 eye;
+
+out vec4 color;
+
+void main() {
+  vec3 smooth_normal = normalize(room_normal);
+  Material material = material_at(rest_place);
+  vec3 slope = mat3(room_from_mesh) * material.slope;
+  vec3 normal = normalize(smooth_normal - (slope - dot(slope, smooth_normal) * smooth_normal));
+  vec3 film_normal = normalize(mix(normal, smooth_normal, 0.5));
+  vec3 radiance = shade(material, room_place, normal, film_normal, normalize(eye - room_place));
+  color = vec4(srgb(tone_map(radiance)), 1.0);
+}

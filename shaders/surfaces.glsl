@@ -1,0 +1,78 @@
+// What each kind of surface is made of, at a point of its rest shape (metres).
+
+struct Material {
+  vec3 albedo;      // diffuse reflectance
+  vec3 f0;          // specular reflectance at normal incidence
+  float roughness;  // 0 mirror … 1 matt
+  float film;       // 0…1: cover by a clear film of liquid
+  vec3 slope;       // gradient of a small relief over the surface, in the mesh's frame
+  vec3 scatter;     // share of light that wraps around the terminator, by colour
+  vec3 glow;        // emitted radiance
+};
+
+uniform vec3 base_color;
+uniform float base_roughness;
+uniform float wetness;
+
+// 1 in the joints of square tiles, of `side` metres.
+float tile_joint(vec2 at, float side, float joint) {
+  vec2 distance_to_edge = (0.5 - abs(fract(at / side) - 0.5)) * side;
+  vec2 blur = fwidth(at) + 1e-4;
+  vec2 inside = smoothstep(vec2(joint) - blur, vec2(joint) + blur, distance_to_edge);
+  // Far away a joint is thinner than a pixel: fade it into its average.
+  float fade = clamp(4.0 * joint / max(blur.x, blur.y), 0.0, 1.0);
+  return (1.0 - inside.x * inside.y) * fade;
+}
+
+Material material_at(vec3 rest) {
+  Material m;
+  m.albedo = base_color;
+  m.f0 = vec3(0.04);
+  m.roughness = base_roughness;
+  m.film = wetness;
+  m.slope = vec3(0.0);
+  m.scatter = vec3(0.0);
+  m.glow = vec3(0.0);
+
+#if defined(SURFACE_TISSUE)
+  // Lobules of some millimetres in fields of some centimetres.
+  vec4 field = noise(rest * 55.0);
+  vec4 lobule = noise(rest * 260.0);
+  m.albedo *= mix(vec3(0.72, 0.62, 0.64), vec3(1.18, 1.2, 1.16), 0.6 * field.x + 0.4 * lobule.x);
+  m.slope = 0.05 * field.yzw + 0.055 * lobule.yzw;
+  m.scatter = vec3(0.30, 0.08, 0.06);
+#elif defined(SURFACE_BONE)
+  vec4 grain = noise(rest * vec3(160.0, 60.0, 160.0));
+  m.albedo *= mix(vec3(0.86, 0.82, 0.74), vec3(1.06), grain.x);
+  m.slope = 0.03 * grain.yzw;
+  m.scatter = vec3(0.10, 0.08, 0.05);
+#elif defined(SURFACE_METAL)
+  vec4 wear = noise(rest * 90.0);
+  m.f0 = base_color;
+  m.albedo = vec3(0.0);
+  m.roughness = clamp(base_roughness * mix(0.8, 1.25, wear.x), 0.05, 1.0);
+#elif defined(SURFACE_SKIN)
+  vec4 blotch = noise(rest * 70.0);
+  vec4 pore = noise(rest * 900.0);
+  m.albedo *= mix(vec3(1.05, 0.90, 0.88), vec3(0.98, 1.05, 1.04), blotch.x);
+  m.slope = 0.035 * pore.yzw;
+  m.f0 = vec3(0.028);
+  m.scatter = vec3(0.28, 0.12, 0.08);
+#elif defined(SURFACE_CLOTH)
+  vec3 weave = 900.0 * rest;
+  m.albedo *= 0.92 + 0.08 * sin(weave.x) * sin(weave.y + weave.z);
+  m.scatter = vec3(0.1);
+#elif defined(SURFACE_FLOOR)
+  float joint = tile_joint(rest.xz, 0.4, 0.003);
+  vec2 tile = floor(rest.xz / 0.4);
+  m.albedo *= mix(0.9, 1.05, lattice(uvec3(ivec3(tile.x, tile.y, 7)))) * mix(1.0, 0.6, joint);
+  m.roughness = mix(m.roughness, 0.9, joint);
+#elif defined(SURFACE_WALL)
+  m.albedo *= mix(0.96, 1.03, noise(rest * 3.0).x);
+#elif defined(SURFACE_EMISSIVE)
+  m.glow = base_color;
+  m.albedo = vec3(0.0);
+  m.f0 = vec3(0.0);
+#endif
+  return m;
+}

@@ -1,0 +1,234 @@
+// The renderer's promises, checked on pictures.
+
+#include "client/render/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "client/render/projection.h"
+#include "common/error.h"
+#include "tests/client/picture.h"
+
+namespace prosector {
+namespace {
+
+using namespace test;
+
+DrawList lit_sphere(const Vec3& light_direction) {
+  DrawList list;
+  list.cameras = {straight_camera({0, 0, 1}, 200, 150)};
+  DrawItem item;
+  item.mesh = sphere_mesh(0.2, 1);
+  item.appearance.color = {0.6, 0.6, 0.6};
+  item.appearance.roughness = 1;
+  list.items = {item};
+  list.lights = {directional(light_direction)};
+  list.ambient = Vec3::Zero();
+  return list;
+}
+
+/// Every kind of surface, shadows, lines, texts and two cameras: whatever the renderer can do.
+DrawList everything() {
+  DrawList list;
+  list.cameras = {straight_camera({-0.03, 0.1, 1}, 160, 160), straight_camera({0.03, 0.1, 1}, 160, 160)};
+  list.cameras[1].x = 160;
+  for (int k = 0; k <= static_cast<int>(Surface::emissive); ++k) {
+    DrawItem item;
+    item.mesh = sphere_mesh(0.07, 1);
+    item.pose.p = {0.2 * (k % 3 - 1), 0.2 * (k / 3 - 1), 0};
+    item.surface = static_cast<Surface>(k);
+    item.appearance = {{0.7, 0.35, 0.3}, 0.5, 0.11 * k};
+    list.items.push_back(item);
+  }
+  list.lights = {lamp({0.6, 1, 0.8}, Vec3::Zero()), directional({1, -1, -1})};
+  list.lights[1].intensity = 0.3;
+  list.lines = {{{0, 0, 0.1}, {0.2, 0.2, 0.1}, {1, 0, 0}, 3, false},
+                {{-0.9, -0.9, 0}, {-0.6, -0.9, 0}, {0, 1, 0}, 2, true}};
+  list.texts = {{"Prosector", {5, 5, 0}, true, 14, {1, 1, 1}}, {"here", {0, 0.3, 0}, false, 12, {1, 1, 0}}};
+  return list;
+}
+
+TEST(Renderer, EglAndOsMesaDrawTheSameBytes) {
+  const DrawList list = everything();
+  const Image egl = picture_of(list, 320, 160, make_egl_context);
+  const Image osmesa = picture_of(list, 320, 160, make_osmesa_context);
+  EXPECT_EQ(egl.width, 320);
+  EXPECT_TRUE(egl == osmesa);
+}
+
+TEST(Renderer, DrawsTheSameTwice) {
+  const auto context = make_offscreen_context(320, 160);
+  Renderer renderer(*context, default_shader_dir());
+  renderer.draw(everything());
+  const Image first = renderer.read_pixels();
+  renderer.draw(everything());
+  EXPECT_TRUE(first == renderer.read_pixels());
+}
+
+// Lambert and a matt highlight are brightest near where the normal meets the light (highlight: halfway). With
+// the light behind the eye both coincide with the point that faces it.
+TEST(Renderer, ASphereIsBrightestWhereItFacesTheLight) {
+  for (const double tilt : {-0.3, 0.0, 0.35}) {
+    const Vec3 direction(-std::sin(tilt), 0, -std::cos(tilt));
+    const Image image = picture_of(lit_sphere(direction), 200, 150);
+    double weight = 0, x_sum = 0, y_sum = 0, brightest = 0;
+    for (int y = 0; y < 150; ++y)
+      for (int x = 0; x < 200; ++x) brightest = std::max(brightest, luminance(image.pixel(x, y)));
+    for (int y = 0; y < 150; ++y)
+      for (int x = 0; x < 200; ++x)
+        if (luminance(image.pixel(x, y)) > brightest - 2.5) {
+          weight += 1;
+          x_sum += x + 0.5;
+          y_sum += y + 0.5;
+        }
+    const Vec3 expected = -0.2 * direction;
+    const double scale = 75 / 0.4 / (1 - expected.z());  // pixels per metre at that depth
+    EXPECT_NEAR(x_sum / weight, 100 + scale * expected.x(), 4) << "tilt " << tilt;
+    EXPECT_NEAR(y_sum / weight, 75, 4) << "tilt " << tilt;
+  }
+}
+
+TEST(Renderer, TheLampCastsAShadow) {
+  DrawList list;
+  list.cameras = {straight_camera({0, 0, 1}, 120, 120)};
+  DrawItem wall;
+  auto quad = std::make_shared<DrawMesh>();
+  quad->id = 1;
+  quad->positions = {{-1, -1, -0.3F}, {1, -1, -0.3F}, {1, 1, -0.3F}, {-1, 1, -0.3F}};
+  quad->normals.assign(4, Eigen::Vector3f::UnitZ());
+  quad->triangles = {{0, 1, 2}, {0, 2, 3}};
+  wall.mesh = quad;
+  DrawItem ball;
+  ball.mesh = sphere_mesh(0.1, 2);
+  list.items = {wall, ball};
+  list.lights = {lamp({0.6, 0, 0.9}, {0, 0, -0.1})};
+  // The line from the lamp through the ball's centre meets the wall at x = −0.2.
+  const int x = static_cast<int>(60 + 60 * (-0.2 / 1.3) / 0.4), y = 60;
+  const double shadowed = luminance(picture_of(list, 120, 120).pixel(x, y));
+  list.items[1].casts_shadow = false;
+  const double lit = luminance(picture_of(list, 120, 120).pixel(x, y));
+  EXPECT_LT(shadowed, 0.6 * lit);
+  list.items[1].casts_shadow = true;
+  RendererSettings no_shadows;
+  no_shadows.shadow_size = 0;
+  EXPECT_NEAR(luminance(picture_of(list, 120, 120, make_offscreen_context, no_shadows).pixel(x, y)), lit, 2);
+}
+
+// A point at depth D seen by eyes e apart with parallel axes is shifted by e/D in tangents.
+TEST(Renderer, StereoDisparityIsEyeDistanceOverDepth) {
+  constexpr double eye_distance = 0.064;
+  for (const double depth : {0.4, 0.8, 1.6}) {
+    DrawList list;
+    for (int eye = 0; eye < 2; ++eye) {
+      list.cameras.push_back(straight_camera({(eye - 0.5) * eye_distance, 0, 0}, 300, 200));
+      list.cameras.back().x = 300 * eye;
+    }
+    DrawItem item;
+    item.mesh = sphere_mesh(0.01 * depth, 1);
+    item.pose.p = {0, 0, -depth};
+    item.surface = Surface::emissive;
+    item.appearance.color = Vec3::Ones();
+    list.items = {item};
+    list.background = Vec3::Zero();
+    const Image image = picture_of(list, 600, 200);
+    std::array<double, 2> weight{}, x_sum{};
+    for (int y = 0; y < 200; ++y)
+      for (int x = 0; x < 600; ++x) {
+        const auto eye = static_cast<std::size_t>(x / 300);
+        const double l = luminance(image.pixel(x, y));
+        weight[eye] += l;
+        x_sum[eye] += l * (x % 300 + 0.5);
+      }
+    ASSERT_GT(weight[0], 0);
+    ASSERT_GT(weight[1], 0);
+    const double disparity = x_sum[0] / weight[0] - x_sum[1] / weight[1];
+    EXPECT_NEAR(disparity, eye_distance / depth * 200 / 0.8, 0.15) << depth;
+  }
+}
+
+TEST(Renderer, RefreshesPositionsAndTopologyByRevision) {
+  const auto context = make_offscreen_context(100, 100);
+  Renderer renderer(*context, default_shader_dir());
+  DrawList list;
+  list.cameras = {straight_camera({0, 0, 1}, 100, 100)};
+  auto mesh = sphere_mesh(0.1, 7);
+  DrawItem item;
+  item.mesh = mesh;
+  item.surface = Surface::emissive;
+  item.appearance.color = Vec3::Ones();
+  list.items = {item};
+  const auto brightness = [&](int x) {
+    renderer.draw(list);
+    return luminance(renderer.read_pixels().pixel(x, 50));
+  };
+  EXPECT_GT(brightness(50), 100);
+  for (auto& p : mesh->positions) p.x() += 0.25F;
+  EXPECT_GT(brightness(50), 100) << "same revision: the cached positions stay";
+  ++mesh->positions_revision;
+  EXPECT_LT(brightness(50), 100);
+  EXPECT_GT(brightness(82), 100);
+  mesh->triangles.clear();
+  ++mesh->revision;
+  EXPECT_LT(brightness(82), 100);
+}
+
+TEST(Renderer, RefusesMeshesThatDoNotFit) {
+  const auto context = make_offscreen_context(10, 10);
+  Renderer renderer(*context, default_shader_dir());
+  DrawList list;
+  list.cameras = {straight_camera({0, 0, 1}, 10, 10)};
+  const auto draw = [&](const std::function<void(DrawMesh&)>& spoil) {
+    auto mesh = sphere_mesh(0.1, 1);
+    spoil(*mesh);
+    DrawItem item;
+    item.mesh = mesh;
+    list.items = {item};
+    renderer.draw(list);
+  };
+  EXPECT_THROW(draw([](DrawMesh& m) { m.normals.pop_back(); }), std::invalid_argument);
+  EXPECT_THROW(draw([](DrawMesh& m) { m.rest_positions.resize(1); }), std::invalid_argument);
+  EXPECT_THROW(draw([](DrawMesh& m) { m.triangles[0][0] = 1 << 30; }), std::invalid_argument);
+  EXPECT_NO_THROW(draw([](DrawMesh&) {}));
+}
+
+TEST(Renderer, CullsOnlyWhatNoCameraSees) {
+  const Frustum frustum(view_projection_of(straight_camera({0, 0, 1}, 100, 100)));
+  EXPECT_TRUE(frustum.may_see({{0, 0, 0}, 0.1}));
+  EXPECT_TRUE(frustum.may_see({{0.45, 0, 0}, 0.1})) << "crosses the right plane";
+  EXPECT_FALSE(frustum.may_see({{0.7, 0, 0}, 0.1}));
+  EXPECT_FALSE(frustum.may_see({{0, -0.7, 0}, 0.1}));
+  EXPECT_FALSE(frustum.may_see({{0, 0, 1.3}, 0.1})) << "behind the eye";
+  EXPECT_FALSE(frustum.may_see({{0, 0, -40}, 0.1})) << "beyond the far plane";
+}
+
+TEST(Renderer, NamesTheFileAndLineOfAShaderError) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "prosector_bad_shaders";
+  std::filesystem::remove_all(folder);
+  std::filesystem::copy(default_shader_dir(), folder, std::filesystem::copy_options::recursive);
+  std::ofstream(folder / "noise.glsl", std::ios::app) << "\nfloat broken() { return nonsense; }\n";
+  std::ifstream in(folder / "noise.glsl");
+  const auto lines = std::count(std::istreambuf_iterator<char>(in), {}, '\n');
+  const auto context = make_offscreen_context(10, 10);
+  try {
+    Renderer renderer(*context, folder);
+    FAIL() << "compiled";
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    EXPECT_NE(what.find("noise.glsl:" + std::to_string(lines) + ":"), std::string::npos) << what;
+    EXPECT_NE(what.find("nonsense"), std::string::npos) << what;
+  }
+  std::filesystem::remove(folder / "noise.glsl");
+  EXPECT_THROW(Renderer(*context, folder), InputError);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Renderer, ContextsRefuseImpossibleSizes) {
+  EXPECT_THROW(make_egl_context(0, 10), InputError);
+  EXPECT_THROW(make_osmesa_context(10, max_picture_size + 1), InputError);
+  EXPECT_THROW(make_offscreen_context(-1, 10), InputError);
+}
+
+}  // namespace
+}  // namespace prosector
