@@ -36,6 +36,7 @@ TEST(Soft, RestsOnTheTableAsleepFromTheStart) {
 TEST(Soft, HandPressesAndTheBlockComesBackAndSleeps) {
   SceneDesc scene = block_on_table();
   scene.soft[0].attach = {{{0, 0, 0}, 0.04, 2e7}};  // or the hand would drag it along the table
+  scene.rigid[0].friction = 0;                      // dry friction may hold a part of the strain
   Simulation simulation(scene, options());
   simulation.step(appear(palm_over(0.03)));
   EXPECT_TRUE(simulation.asleep(1));
