@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <png.h>
 
+#include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <memory>
 
 #include "common/error.h"
 
@@ -29,8 +32,13 @@ void write_png(const Image& image, const std::filesystem::path& file) {
   png.width = static_cast<png_uint_32>(image.width);
   png.height = static_cast<png_uint_32>(image.height);
   png.format = PNG_FORMAT_RGB;
-  if (!png_image_write_to_file(&png, file.c_str(), 0, image.rgb.data(), 0, nullptr))
-    throw InputError(fmt::format("{}: cannot write PNG: {}", file.string(), png.message));
+  // Not png_image_write_to_file, which removes whatever it could not write, be it a device.
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(file.c_str(), "wb"), std::fclose);
+  if (!out) throw InputError(fmt::format("{}: cannot write: {}", file.string(), std::strerror(errno)));
+  if (!png_image_write_to_stdio(&png, out.get(), 0, image.rgb.data(), 0, nullptr) ||
+      std::fflush(out.get()) != 0)
+    throw InputError(fmt::format("{}: cannot write PNG: {}", file.string(),
+                                 png.message[0] != 0 ? png.message : std::strerror(errno)));
 }
 
 Image read_png(const std::filesystem::path& file) {

@@ -26,6 +26,7 @@ TEST(Image, RefusesWhatCannotBe) {
   const Image image{1, 1, {1, 2, 3}};
   EXPECT_THROW(write_png(image, "/nonexistent/folder/a.png"), InputError);
   EXPECT_THROW(write_png(image, "/dev/full"), InputError);
+  EXPECT_TRUE(std::filesystem::exists("/dev/full")) << "a device that refuses must not be removed";
   EXPECT_THROW(write_png(Image{2, 2, {1}}, temporary("never.png")), InputError);
   EXPECT_THROW(read_png(temporary("missing.png")), InputError);
   const auto file = temporary("prosector_not_a.png");
