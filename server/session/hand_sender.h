@@ -1,0 +1,28 @@
+#pragma once
+// Which people and contacts travel this tick: what changes, at once; the rest now and then.
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "common/messages.h"
+#include "server/session/snapshot.h"
+
+namespace prosector {
+
+class HandSender {
+ public:
+  void update(const Snapshot& now, bool everything, std::vector<Message>& out);
+
+ private:
+  struct Sent {
+    std::uint64_t input_sequence = 0, tick = 0;
+    std::array<Vec3, 2> hands;
+  };
+  std::map<ParticipantId, Sent> users_;
+  std::map<std::pair<ParticipantId, std::uint8_t>, std::uint64_t> touched_;  // tick of the last touch
+
+  void update_user(const UserState& user, bool everything, std::vector<Message>& out);
+};
+
+}  // namespace prosector

@@ -1,0 +1,110 @@
+#include "server/session/input_bytes.h"
+
+#include <bit>
+#include <cstring>
+
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "journals are little endian");
+
+template <class T>
+void put(std::vector<std::uint8_t>& out, const T& value) {
+  const std::size_t at = out.size();
+  out.resize(at + sizeof(T));
+  std::memcpy(out.data() + at, &value, sizeof(T));
+}
+
+class Reader {
+ public:
+  explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+  template <class T>
+  T get() {
+    if (bytes_.size() < sizeof(T)) throw InputError("journal: a tick's input is truncated");
+    T value;
+    std::memcpy(&value, bytes_.data(), sizeof(T));
+    bytes_ = bytes_.subspan(sizeof(T));
+    return value;
+  }
+  std::uint32_t count() {
+    const auto n = get<std::uint32_t>();
+    if (n > bytes_.size()) throw InputError("journal: a tick's input is truncated");
+    return n;
+  }
+  void end() const {
+    if (!bytes_.empty()) throw InputError("journal: a tick's input is too long");
+  }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+};
+
+std::size_t get_hand(Reader& in) {
+  const auto hand = in.get<std::uint8_t>();
+  if (hand > right_hand) throw InputError("journal: no such hand");
+  return hand;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_input(const ConsumedInput& input) {
+  std::vector<std::uint8_t> out;
+  if (input.keys.empty() && input.input.events.empty() && input.input.targets.empty()) return out;
+  out.reserve(12 + 16 * input.keys.size() + 16 * input.input.events.size() +
+              112 * input.input.targets.size());
+  put(out, static_cast<std::uint32_t>(input.keys.size()));
+  for (const InputKey& key : input.keys) {
+    put(out, key.participant);
+    put(out, key.sequence);
+  }
+  put(out, static_cast<std::uint32_t>(input.input.events.size()));
+  for (const HandEvent& e : input.input.events) {
+    put(out, e.kind);
+    put(out, e.participant);
+    put(out, static_cast<std::uint8_t>(e.hand));
+    put(out, e.body);
+  }
+  put(out, static_cast<std::uint32_t>(input.input.targets.size()));
+  for (const HandTarget& t : input.input.targets) {
+    put(out, t.participant);
+    put(out, static_cast<std::uint8_t>(t.hand));
+    for (int k = 0; k < 3; ++k) put(out, t.target.p[k]);
+    for (int k = 0; k < 4; ++k) put(out, t.target.q.coeffs()[k]);
+    for (double f : t.flexion) put(out, f);
+  }
+  return out;
+}
+
+ConsumedInput decode_input(std::span<const std::uint8_t> bytes) {
+  ConsumedInput out;
+  if (bytes.empty()) return out;
+  Reader in(bytes);
+  out.keys.resize(in.count());
+  for (InputKey& key : out.keys) {
+    key.participant = in.get<ParticipantId>();
+    key.sequence = in.get<std::uint64_t>();
+  }
+  out.input.events.resize(in.count());
+  for (HandEvent& e : out.input.events) {
+    e.kind = in.get<HandEvent::Kind>();
+    if (e.kind > HandEvent::Kind::reset_body) throw InputError("journal: no such event");
+    e.participant = in.get<ParticipantId>();
+    e.hand = get_hand(in);
+    e.body = in.get<BodyId>();
+  }
+  out.input.targets.resize(in.count());
+  for (HandTarget& t : out.input.targets) {
+    t.participant = in.get<ParticipantId>();
+    t.hand = get_hand(in);
+    for (int k = 0; k < 3; ++k) t.target.p[k] = in.get<double>();
+    for (int k = 0; k < 4; ++k) t.target.q.coeffs()[k] = in.get<double>();
+    for (double& f : t.flexion) f = in.get<double>();
+    if (!is_finite(t.target)) throw InputError("journal: a pose is not finite");
+  }
+  in.end();
+  return out;
+}
+
+}  // namespace prosector

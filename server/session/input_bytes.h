@@ -1,0 +1,17 @@
+#pragma once
+// A tick's inputs as bytes, bit for bit: a replay that rounds is no replay. Little endian.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "server/session/session.h"
+
+namespace prosector {
+
+/// Empty for a tick that consumed nothing.
+std::vector<std::uint8_t> encode_input(const ConsumedInput& input);
+/// Throws InputError when the bytes are no input.
+ConsumedInput decode_input(std::span<const std::uint8_t> bytes);
+
+}  // namespace prosector

@@ -1,0 +1,187 @@
+// prosector-server: hosts a session on a scene.
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "common/error.h"
+#include "common/scene/load_scene.h"
+#include "idl/cyclone_bus.h"
+#include "server/physics/soft/soft_body.h"
+#include "server/session/journal_reader.h"
+#include "server/session/options.h"
+#include "server/session/replay.h"
+#include "server/session/server_loop.h"
+#include "server/session/summary.h"
+
+namespace prosector {
+namespace {
+
+std::atomic<bool> interrupted{false};
+
+void say(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (!in || !(text << in.rdbuf())) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  return text.str();
+}
+
+Simulation compile(const SceneDesc& scene, const ServerOptions& options) {
+  CompileOptions compile;
+  compile.threads = options.threads;
+  compile.data_dirs = options.data;
+  compile.cache_dir = options.cache;
+  compile.progress = [](const std::string& line) { say("  " + line); };
+  say(fmt::format("compiling scene {} ({})", scene.name, scene.file.string()));
+  return Simulation(scene, compile);
+}
+
+/// What the scene models, and at what cost.
+void describe(const Simulation& simulation) {
+  const SceneDesc& scene = simulation.scene();
+  Eigen::Index nodes = 0;
+  std::size_t triangles = 0;
+  for (BodyId b = 0; b < simulation.body_count(); ++b) {
+    triangles += simulation.surface(b).triangles.size();
+    if (simulation.kind(b) == BodyKind::soft) nodes += simulation.soft(b).nodes();
+  }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  say(fmt::format("{}: {} rigid and {} soft bodies, {} tetrahedra on {} nodes, {} surface triangles, {} MB",
+                  scene.name, scene.rigid.size(), scene.soft.size(), simulation.tet_count(), nodes, triangles,
+                  usage.ru_maxrss / 1024));
+  for (const SoftDesc& soft : scene.soft)
+    say(fmt::format("  {}: {}, {}, {}", soft.name, soft.model, soft.integrator, soft.solver));
+}
+
+/// The first free place among this host's servers, after making sure that nobody hosts this session.
+BusConfig find_place(const ServerOptions& options, const std::string& session) {
+  BusConfig config = options.bus();
+  config.session = session;
+  BusConfig probe = config;
+  probe.end = BusEnd::observer;
+  if (const auto other = probe_session(probe, std::chrono::milliseconds(600)))
+    throw InputError(fmt::format(
+        "a server hosts session \"{}\" already (scene {}): join it, or name another with --session", session,
+        other->scene));
+  const auto index = options.index ? options.index : free_server_index(config);
+  if (!index)
+    throw InputError("all ten server places of this host are taken: end a server, or use another --domain");
+  config.server_index = *index;
+  return config;
+}
+
+std::string how_to_join(const ServerOptions& options, const BusConfig& config) {
+  const auto port = 7410 + 250 * config.domain + 2 * config.server_index;
+  std::string more = config.domain != 0 ? fmt::format(" --domain {}", config.domain) : "";
+  if (options.lan) more += " --lan";
+  return fmt::format(
+      "session \"{}\" is open {} (UDP port {})\n"
+      "  take part:  prosector-client join --session {} --name NAME{}\n"
+      "  watch:      prosector-client observe --session {}{}",
+      config.session,
+      config.profile.empty() || config.profile == "loopback" ? "on this machine" : "on the network", port,
+      config.session, more, config.session, more);
+}
+
+int replay_journal(const ServerOptions& options) {
+  const JournalReader journal(options.replay);
+  const JournalHeader& header = journal.header();
+  Simulation simulation = compile(parse_scene(header.scene_text, header.scene_file), options);
+  const std::uint64_t last = journal.last_tick();
+  const ReplayResult result = replay(journal, simulation, [&](std::uint64_t tick) {
+    if (tick % 600 == 0) say(fmt::format("  tick {} of {}", tick, last));
+  });
+  if (!result) {
+    say(fmt::format("DIFFERENT: tick {} is the first whose state hash differs", *result.first_difference));
+    return 1;
+  }
+  say(fmt::format("equal: {} ticks, state hash {}", result.ticks, to_hex(result.last_hash)));
+  return 0;
+}
+
+/// The journal that this run writes to, if any.
+std::unique_ptr<Journal> open_journal(const ServerOptions& options, const Simulation& simulation,
+                                      const std::string& scene_text, const std::string& session) {
+  JournalLimits limits;
+  limits.file_bytes = static_cast<std::uint64_t>(options.journal_mb * 1024 * 1024);
+  if (!options.resume.empty()) return Journal::append_to(options.resume, limits);
+  if (options.journal.empty()) return nullptr;
+  return Journal::create(options.journal,
+                         {simulation.scene().file, scene_text, session, simulation.content_hash()}, limits);
+}
+
+void resume_journal(const JournalReader& journal, Simulation& simulation) {
+  const ReplayResult result = resume(journal, simulation);
+  if (!result)
+    throw InputError(fmt::format("the journal cannot be resumed: tick {} differs when run again",
+                                 *result.first_difference));
+  say(fmt::format("resumed at tick {}, state hash {}", simulation.time().tick, to_hex(result.last_hash)));
+}
+
+void host(const ServerOptions& options) {
+  std::optional<JournalReader> past;
+  if (!options.resume.empty()) past.emplace(options.resume);
+  const std::string text = past ? past->header().scene_text : read_text(options.scene);
+  const SceneDesc scene = parse_scene(text, past ? past->header().scene_file : options.scene);
+  const std::string session = !options.session.empty() ? options.session
+                              : past                   ? past->header().session
+                                                       : scene.session.name;
+  Simulation simulation = compile(scene, options);
+  describe(simulation);
+  if (past) resume_journal(*past, simulation);
+  past.reset();
+  if (options.check) return;
+
+  const BusConfig place = find_place(options, session);
+  const std::unique_ptr<Bus> bus = make_cyclone_bus(place);
+  const std::unique_ptr<Journal> journal = open_journal(options, simulation, text, session);
+  // Steps that wait for a compiler or a browser are late; not being allowed is no error.
+  setpriority(PRIO_PROCESS, 0, -5);
+  ServerLoop loop(simulation, *bus, session, journal.get(), say);
+  say(how_to_join(options, place));
+  loop.run(interrupted, options.seconds, say);
+  loop.finish();
+
+  const RunFigures f = loop.figures();
+  say(fmt::format(
+      "ended after {} ticks: x{:.3f} real time, step {:.1f} ms p50, {:.1f} p99, {} late, {} dropped, "
+      "state hash {}",
+      f.ticks, f.real_time_factor, loop.meter().all().quantile(0.5), loop.meter().all().quantile(0.99),
+      f.late_ticks, f.invalid_dropped, to_hex(f.state_hash)));
+  if (!options.summary.empty() &&
+      !write_summary(options.summary, loop, simulation, journal ? journal->file() : std::filesystem::path()))
+    throw std::runtime_error(fmt::format("--summary {}: cannot be written", options.summary.string()));
+}
+
+}  // namespace
+}  // namespace prosector
+
+int main(int argc, char** argv) {
+  using namespace prosector;
+  ServerOptions options;
+  if (const auto status = parse_options(argc, argv, options)) return *status;
+  std::signal(SIGINT, [](int) { interrupted = true; });
+  std::signal(SIGTERM, [](int) { interrupted = true; });
+  try {
+    if (!options.replay.empty()) return replay_journal(options);
+    host(options);
+    return 0;
+  } catch (const InputError& e) {
+    fmt::print(stderr, "prosector-server: {}\n", e.what());
+    return 2;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "prosector-server: {}\n", e.what());
+    return 1;
+  }
+}

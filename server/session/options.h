@@ -1,0 +1,37 @@
+#pragma once
+// The command line of prosector-server.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "idl/bus.h"
+
+namespace prosector {
+
+struct ServerOptions {
+  std::filesystem::path scene;
+  std::string session;  // empty: the scene's
+  int threads = 0;
+  std::filesystem::path journal, replay, resume, summary;
+  double journal_mb = 0;  // 0: no limit
+  double seconds = 0;     // 0: until interrupted
+  std::uint32_t domain = 0;
+  bool lan = false;
+  std::string interface;
+  std::string profile;
+  std::vector<std::string> peers;
+  std::optional<std::uint32_t> index;
+  std::vector<std::filesystem::path> data;
+  std::filesystem::path cache;
+  bool check = false;
+
+  /// Network settings; the session's name and the index are still to be filled in.
+  BusConfig bus() const;
+};
+
+/// Returns the exit status when the command line asks for no run (--help, --version, a mistake).
+std::optional<int> parse_options(int argc, char** argv, ServerOptions& options);
+
+}  // namespace prosector

@@ -1,0 +1,50 @@
+#pragma once
+// Who is in the session: the rules of joining, in one place.
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+
+#include "common/messages.h"
+
+namespace prosector {
+
+/// What a session lets in. Times in ticks: a replay must not depend on a clock.
+struct SessionRules {
+  std::string session;
+  int capacity = 64;   // participants, observers included
+  int observers = 16;  // of them observers, at most
+  std::uint64_t input_timeout = 30;
+  std::uint64_t presence_timeout = 120;  // ticks that a join waits for its Presence
+  std::size_t bodies = 0;                // BodyId below this exist
+};
+
+struct Participant {
+  Presence presence;
+  std::uint64_t writer = 0;  // the remote process; samples of another in this name are refused
+  std::uint32_t color = 0;   // row of the colour table
+};
+
+class Roster {
+ public:
+  explicit Roster(const SessionRules& rules) : rules_(rules) {}
+
+  /// Empty when `presence` may join now, else why not.
+  std::string refusal(const Presence& presence) const;
+  const Participant& admit(const Presence& presence, std::uint64_t writer);
+  void remove(ParticipantId id) { members_.erase(id); }
+
+  Participant* find(ParticipantId id);
+  const std::map<ParticipantId, Participant>& members() const { return members_; }
+  std::uint32_t observers() const;
+
+  static RosterEntry entry(const Participant& participant);
+
+ private:
+  SessionRules rules_;
+  std::map<ParticipantId, Participant> members_;
+};
+
+}  // namespace prosector

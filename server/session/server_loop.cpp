@@ -1,0 +1,226 @@
+#include "server/session/server_loop.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <limits>
+
+#include "common/clock.h"
+#include "server/session/tick_schedule.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::int64_t second_ns = 1'000'000'000;
+constexpr std::int64_t status_period_ns = second_ns / 10;
+constexpr double presence_timeout = 2;  // s that a join waits for its Presence
+
+void sleep_until(std::int64_t ns) {
+  const timespec due{static_cast<time_t>(ns / second_ns), static_cast<long>(ns % second_ns)};
+  clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr);
+}
+
+SessionInfo info_of(const Simulation& simulation, const std::string& session) {
+  SessionInfo info;
+  info.session = session;
+  info.scene = simulation.scene().name;
+  info.scene_hash = simulation.content_hash();
+  info.tick_rate = simulation.scene().tick_rate;
+  info.capacity = static_cast<std::uint32_t>(simulation.scene().session.capacity);
+  info.server_run = random_server_run();
+  return info;
+}
+
+std::string line_of(const SessionEvent& e) {
+  switch (e.kind) {
+    case SessionEvent::Kind::joined:
+      return fmt::format("{} joins as {}", e.name, e.detail);
+    case SessionEvent::Kind::refused:
+      return fmt::format("\"{}\" was refused: {}", e.name, e.detail);
+    case SessionEvent::Kind::left:
+      return fmt::format("{} leaves", e.name);
+    case SessionEvent::Kind::lost:
+      return fmt::format("{} is gone (left or connection lost)", e.name);
+    case SessionEvent::Kind::hand_timeout:
+      return fmt::format("{}: {} no longer tracked, let go", e.name, e.detail);
+  }
+  return {};
+}
+
+}  // namespace
+
+SessionRules rules_of(const SceneDesc& scene, const std::string& session, std::size_t bodies) {
+  SessionRules rules;
+  rules.session = session;
+  rules.capacity = scene.session.capacity;
+  rules.observers = scene.session.observers;
+  rules.input_timeout = static_cast<std::uint64_t>(std::ceil(scene.session.input_timeout * scene.tick_rate));
+  rules.presence_timeout = static_cast<std::uint64_t>(std::ceil(presence_timeout * scene.tick_rate));
+  rules.bodies = bodies;
+  return rules;
+}
+
+ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& session, Journal* journal,
+                       std::function<void(const std::string&)> say)
+    : simulation_(simulation),
+      bus_(bus),
+      journal_(journal),
+      say_(std::move(say)),
+      content_(make_scene_content(simulation)),
+      session_(rules_of(simulation.scene(), session, simulation.body_count())),
+      meter_(simulation.scene().tick_rate),
+      state_hash_(simulation.state_hash()),
+      publisher_(bus, info_of(simulation, session), content_) {
+  session_.vanish(simulation.hands());  // of a state that was restored
+  last_snapshot_ = take_snapshot(simulation_, session_, nullptr);
+  publisher_.offer(last_snapshot_);
+}
+
+void ServerLoop::tick() {
+  const std::int64_t begun = monotonic_ns();
+  if (!start_) start_ = {simulation_.time().tick, begun};
+  bus_.take(received_);
+  ConsumedInput input = session_.consume(received_, simulation_.time().tick + 1);
+  const StepReport& report = simulation_.step(input.input);
+  session_.finish_tick(simulation_.hands());
+
+  const bool checkpoint = simulation_.time().tick % checkpoint_ticks == 0;
+  std::vector<std::uint8_t> saved;
+  if (checkpoint) saved = simulation_.checkpoint();
+  state_hash_ = simulation_.state_hash();
+  std::vector<SessionEvent> events = session_.take_events();
+  announce(events);
+  journal(std::move(input), std::move(saved), std::move(events));
+  record(report, begun);
+
+  auto snapshot = take_snapshot(simulation_, session_, last_snapshot_.get());
+  if (last_end_ns_ - status_ns_ >= status_period_ns) {
+    snapshot->status = status();
+    status_ns_ = last_end_ns_;
+  }
+  publisher_.say(session_.take_outgoing());
+  publisher_.offer(snapshot);
+  last_snapshot_ = std::move(snapshot);
+}
+
+void ServerLoop::journal(ConsumedInput input, std::vector<std::uint8_t> checkpoint,
+                         std::vector<SessionEvent> events) {
+  if (journal_ == nullptr) return;
+  journal_->append(
+      {simulation_.time().tick, std::move(input), state_hash_, std::move(checkpoint), std::move(events)});
+  if (!journal_trouble_.empty()) return;
+  journal_trouble_ = journal_->trouble();
+  if (!journal_trouble_.empty()) say_(journal_trouble_ + "; the session goes on without");
+}
+
+void ServerLoop::record(const StepReport& report, std::int64_t begun_ns) {
+  last_end_ns_ = monotonic_ns();
+  meter_.add(report, begun_ns, last_end_ns_);
+  energy_ = report.kinetic_energy + report.elastic_energy + report.potential_energy;
+  awake_ = report.awake_bodies;
+  asleep_ = report.asleep_bodies;
+  const auto members = static_cast<std::uint32_t>(session_.roster().members().size());
+  if (members > 0 && !first_participant_) first_participant_ = {simulation_.time().tick, last_end_ns_};
+  figures_.participants = std::max(figures_.participants, members);
+  figures_.observers = std::max(figures_.observers, session_.roster().observers());
+  ++figures_.ticks;
+  for (BodyId b = 0; b < simulation_.body_count(); ++b) {
+    if (simulation_.kind(b) != BodyKind::soft) continue;
+    double& most = figures_.max_displacement_mm[simulation_.name(b)];
+    if (!simulation_.asleep(b)) most = std::max(most, 1e3 * simulation_.max_displacement(b));
+  }
+}
+
+void ServerLoop::announce(const std::vector<SessionEvent>& events) {
+  for (const SessionEvent& e : events) say_(line_of(e));
+}
+
+void ServerLoop::run(const std::atomic<bool>& stop, double seconds,
+                     const std::function<void(const std::string&)>& each_second) {
+  const std::int64_t begin = monotonic_ns();
+  const std::int64_t end = seconds > 0 ? begin + static_cast<std::int64_t>(seconds * 1e9)
+                                       : std::numeric_limits<std::int64_t>::max();
+  TickSchedule schedule(simulation_.scene().tick_rate, begin);
+  std::int64_t next_line = begin + second_ns;
+  while (!stop && schedule.due_ns() < end) {
+    sleep_until(schedule.due_ns());
+    tick();
+    if (last_end_ns_ >= next_line) {
+      each_second(console_line());
+      next_line += second_ns * (1 + (last_end_ns_ - next_line) / second_ns);
+    }
+    schedule.finished(monotonic_ns());
+    figures_.slips = schedule.slips();
+  }
+}
+
+void ServerLoop::finish() {
+  if (journal_ == nullptr || simulation_.time().tick % checkpoint_ticks == 0) return;
+  // The last tick of the run is one more step, at whose end the state is saved.
+  const std::int64_t begun = monotonic_ns();
+  const StepReport& report = simulation_.step({});
+  record(report, begun);
+  std::vector<std::uint8_t> saved = simulation_.checkpoint();
+  state_hash_ = simulation_.state_hash();
+  journal({}, std::move(saved), session_.take_events());
+}
+
+double ServerLoop::real_time_factor(const std::optional<Count>& since) const {
+  if (!since || last_end_ns_ <= since->ns) return 0;
+  return static_cast<double>(simulation_.time().tick - since->tick) / simulation_.scene().tick_rate /
+         (1e-9 * static_cast<double>(last_end_ns_ - since->ns));
+}
+
+RunFigures ServerLoop::figures() const {
+  RunFigures out = figures_;
+  out.late_ticks = meter_.late();
+  out.real_time_factor = real_time_factor(start_);
+  out.real_time_factor_with_participants = real_time_factor(first_participant_);
+  out.invalid_dropped = bus_.counters().dropped_total + session_.dropped_total();
+  out.hand_timeouts = session_.hand_timeouts();
+  out.state_hash = state_hash_;
+  return out;
+}
+
+ServerStatus ServerLoop::status() const {
+  const LastSecond last = meter_.last_second();
+  ServerStatus out;
+  out.time = simulation_.time();
+  out.real_time_factor = last.real_time_factor;
+  out.step_ms_p50 = last.step_ms_p50;
+  out.step_ms_p99 = last.step_ms_p99;
+  out.phase_ms = last.phase_ms;
+  out.solver_residual = last.solver_residual;
+  out.energy = energy_;
+  out.participants = static_cast<std::uint32_t>(session_.roster().members().size());
+  out.observers = session_.roster().observers();
+  out.awake_bodies = awake_;
+  out.asleep_bodies = asleep_;
+  out.invalid_dropped = bus_.counters().dropped_total + session_.dropped_total();
+  out.state_hash = state_hash_;
+  const auto add = [&](const std::string& text) {
+    if (!text.empty()) out.degraded += (out.degraded.empty() ? "" : "; ") + text;
+  };
+  if (last.real_time_factor > 0 && last.real_time_factor < 0.98)
+    add(fmt::format("simulated time slowed to {:.2f} of real time", last.real_time_factor));
+  add(last.degraded);
+  add(journal_trouble_);
+  if (out.degraded.size() > max_text_length) out.degraded.resize(max_text_length);
+  return out;
+}
+
+std::string ServerLoop::console_line() const {
+  const ServerStatus s = status();
+  std::string line = fmt::format(
+      "{:7.1f} s  x{:.2f} real time | step {:.1f} ms p50, {:.1f} p99 | {} participants, {} of them observers "
+      "| "
+      "{} dropped | {} awake, {} asleep",
+      static_cast<double>(s.time.tick) / simulation_.scene().tick_rate, s.real_time_factor, s.step_ms_p50,
+      s.step_ms_p99, s.participants, s.observers, s.invalid_dropped, s.awake_bodies, s.asleep_bodies);
+  if (!s.degraded.empty()) line += " | degraded: " + s.degraded;
+  return line;
+}
+
+}  // namespace prosector

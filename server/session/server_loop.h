@@ -1,0 +1,92 @@
+#pragma once
+// One tick after the other: take, consume, step, journal, snapshot, wait. The only place where the session,
+// the physics and a clock meet.
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "idl/bus.h"
+#include "server/physics/simulation.h"
+#include "server/session/journal.h"
+#include "server/session/publisher.h"
+#include "server/session/scene_content.h"
+#include "server/session/session.h"
+#include "server/session/step_meter.h"
+
+namespace prosector {
+
+// The run that goes on and one restored from a checkpoint are equal from the checkpoint on, so checkpoints
+// are part of the run's bits: always at these ticks, journal or not.
+inline constexpr std::uint64_t checkpoint_ticks = 600;
+
+/// The rules that a scene sets.
+SessionRules rules_of(const SceneDesc& scene, const std::string& session, std::size_t bodies);
+
+struct RunFigures {
+  std::uint64_t ticks = 0, late_ticks = 0, slips = 0;
+  std::uint32_t participants = 0, observers = 0;      // most at once; participants: with observers
+  double real_time_factor = 0;                        // over the whole run
+  double real_time_factor_with_participants = 0;      // since the first one came; 0: nobody did
+  std::map<std::string, double> max_displacement_mm;  // soft body → most over the run
+  std::uint64_t invalid_dropped = 0, hand_timeouts = 0;
+  std::uint64_t state_hash = 0;  // of the last tick
+};
+
+class ServerLoop {
+ public:
+  /// All outlive the loop; `journal` may be null. `say` gets the session's log lines: who came, who left.
+  ServerLoop(Simulation& simulation, Bus& bus, const std::string& session, Journal* journal,
+             std::function<void(const std::string&)> say);
+
+  /// One tick, now.
+  void tick();
+  /// Ticks at the scene's rate until `stop`, or for `seconds` of wall time when above 0. `each_second` gets a
+  /// line for the console.
+  void run(const std::atomic<bool>& stop, double seconds,
+           const std::function<void(const std::string&)>& each_second);
+  /// Ends the journal at a checkpoint, so that a resumed session goes on exactly here.
+  void finish();
+
+  RunFigures figures() const;
+  ServerStatus status() const;
+  std::string console_line() const;
+  const StepMeter& meter() const { return meter_; }
+  const Session& session() const { return session_; }
+  const SceneContent& content() const { return content_; }
+  Publisher& publisher() { return publisher_; }
+
+ private:
+  struct Count {  // ticks and wall time since some moment
+    std::uint64_t tick;
+    std::int64_t ns;
+  };
+  Simulation& simulation_;
+  Bus& bus_;
+  Journal* journal_;
+  std::function<void(const std::string&)> say_;
+  SceneContent content_;
+  Session session_;
+  StepMeter meter_;
+  std::vector<Received> received_;
+  std::shared_ptr<const Snapshot> last_snapshot_;
+  std::uint64_t state_hash_ = 0;
+  double energy_ = 0;
+  std::uint32_t awake_ = 0, asleep_ = 0;
+  std::int64_t status_ns_ = 0, last_end_ns_ = 0;
+  std::optional<Count> start_, first_participant_;
+  RunFigures figures_;
+  std::string journal_trouble_;
+  Publisher publisher_;  // last: its thread ends before what it reads
+
+  void journal(ConsumedInput input, std::vector<std::uint8_t> checkpoint, std::vector<SessionEvent> events);
+  void record(const StepReport& report, std::int64_t begun_ns);
+  void announce(const std::vector<SessionEvent>& events);
+  double real_time_factor(const std::optional<Count>& since) const;
+};
+
+}  // namespace prosector

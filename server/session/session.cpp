@@ -1,0 +1,294 @@
+#include "server/session/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace prosector {
+namespace {
+
+// A visitor costs memory, and anyone can be one.
+constexpr std::size_t max_visitors = 1024;
+// Nobody presses more buttons than this in a tick; what comes beyond is a flood.
+constexpr std::uint32_t max_commands_per_tick = 16;
+constexpr std::size_t max_events = 4096, max_outgoing = 4096;  // between two ticks
+
+const char* role_name(Role role) {
+  switch (role) {
+    case Role::observer:
+      return "observer";
+    case Role::dissector:
+      return "dissector";
+    case Role::host:
+      return "host";
+  }
+  return "unknown";
+}
+
+}  // namespace
+
+Session::Session(const SessionRules& rules) : rules_(rules), roster_(rules) {}
+
+ConsumedInput Session::consume(std::span<const Received> received, std::uint64_t tick) {
+  tick_ = tick;
+  for (auto& [id, seat] : seats_) seat.commands = 0;
+  for (const Received& r : received) take(r);
+  settle_joins();
+
+  ConsumedInput out;
+  // Who left comes first: an id that rejoins in the same tick starts with new hands.
+  std::stable_sort(vanishing_.begin(), vanishing_.end(), [](const HandEvent& a, const HandEvent& b) {
+    return std::pair(a.participant, a.hand) < std::pair(b.participant, b.hand);
+  });
+  out.input.events.swap(vanishing_);
+  for (auto& [id, seat] : seats_) consume_seat(id, seat, out);
+  forget_visitors();
+  return out;
+}
+
+void Session::take(const Received& received) {
+  if (const auto* p = std::get_if<Presence>(&received.message)) return take(*p, received);
+  if (received.liveness == Liveness::gone) return;  // an ended stream says nothing: Presence decides
+  if (const auto* input = std::get_if<HandInput>(&received.message)) return take(*input, received.writer);
+  if (const auto* command = std::get_if<Command>(&received.message)) return take(*command, received.writer);
+  drop("not a message for a server");
+}
+
+void Session::take(const Presence& presence, const Received& received) {
+  const ParticipantId id = presence.participant;
+  Participant* member = roster_.find(id);
+  if (received.liveness == Liveness::gone) {
+    if (member != nullptr && (received.writer == 0 || received.writer == member->writer))
+      leave(id, SessionEvent::Kind::lost);
+    else if (member != nullptr)
+      drop("Presence: ended by another process");
+    else if (const auto it = visitors_.find(id); it != visitors_.end())
+      it->second.join.reset();
+    return;
+  }
+  if (member != nullptr) {
+    if (member->writer != received.writer) return drop("Presence: another process's participant");
+    if (presence.name != member->presence.name || presence.role != member->presence.role)
+      return drop("Presence: name or role changed while in the session");
+    member->presence = presence;
+    outgoing_.push_back({Roster::entry(*member)});
+    return;
+  }
+  Visitor* v = visitor(id, received.writer, "Presence: another process's participant");
+  if (v != nullptr) v->presence = presence;
+}
+
+void Session::take(const HandInput& input, std::uint64_t writer) {
+  const Participant* member = roster_.find(input.participant);
+  if (member == nullptr) {
+    // Samples overtake their Presence, and some are under way when their sender leaves.
+    const auto it = visitors_.find(input.participant);
+    if (it == visitors_.end()) return drop("HandInput: participant not in the session");
+    if (it->second.writer != writer) return drop("HandInput: another process's participant");
+    return;
+  }
+  if (member->writer != writer) return drop("HandInput: another process's participant");
+  if (member->presence.role == Role::observer) return drop("HandInput: from an observer");
+  Seat& seat = seats_[input.participant];
+  if (seat.input && input.sequence <= seat.input->sequence) return;  // overtaken on the way
+  seat.input = input;
+  seat.fresh = true;
+}
+
+void Session::take(const Command& command, std::uint64_t writer) {
+  if (command.kind == CommandKind::join) return join(command, writer);
+  const Participant* member = roster_.find(command.participant);
+  if (member == nullptr) {
+    const auto it = visitors_.find(command.participant);
+    if (it == visitors_.end() || it->second.writer != writer)
+      return drop("Command: participant not in the session");
+    return answer(command, command.kind == CommandKind::leave ? "" : "join first");
+  }
+  if (member->writer != writer) return drop("Command: another process's participant");
+  Seat& seat = seats_[command.participant];
+  if (++seat.commands > max_commands_per_tick) return drop("Command: too many in one tick");
+  obey(command, *member, seat);
+}
+
+void Session::join(const Command& command, std::uint64_t writer) {
+  if (const Participant* member = roster_.find(command.participant)) {
+    if (member->writer != writer) return drop("Command: another process's participant");
+    if (++seats_[command.participant].commands > max_commands_per_tick)
+      return drop("Command: too many in one tick");
+    return answer(command, "");  // already in: a repeated join is no error
+  }
+  Visitor* v = visitor(command.participant, writer, "Command: another process's participant");
+  if (v == nullptr) return;
+  v->join = command;
+  v->join_tick = tick_;
+}
+
+void Session::obey(const Command& command, const Participant& member, Seat& seat) {
+  if (command.kind == CommandKind::leave) {
+    answer(command, "");
+    return leave(command.participant, SessionEvent::Kind::left);
+  }
+  if (member.presence.role == Role::observer) {
+    drop("Command: from an observer");
+    return answer(command, "an observer changes nothing: join as a dissector");
+  }
+  if (command.kind == CommandKind::reset) {
+    if (command.body >= rules_.bodies)
+      return answer(command, fmt::format("no body {}: the scene has {}", command.body, rules_.bodies));
+    seat.asked.push_back({HandEvent::Kind::reset_body, command.participant, command.hand, command.body});
+    return answer(command, "");
+  }
+  if (command.kind != CommandKind::grasp && command.kind != CommandKind::release)
+    return answer(command, "no such command");
+  if (command.hand > right_hand) return answer(command, fmt::format("no hand {}", command.hand));
+  if (!seat.hands[command.hand].present) return answer(command, "the hand is not tracked");
+  const bool grasp = command.kind == CommandKind::grasp;
+  seat.asked.push_back({grasp ? HandEvent::Kind::grasp : HandEvent::Kind::release, command.participant,
+                        command.hand, BodyId{0}});
+  if (grasp)
+    seat.grasps.push_back({command.sequence, command.hand});
+  else
+    answer(command, "");
+}
+
+/// Decided after everything that arrived was read, since Presence and join travel apart.
+void Session::settle_joins() {
+  for (auto it = visitors_.begin(); it != visitors_.end();) {
+    const ParticipantId id = it->first;
+    Visitor& v = it->second;
+    if (v.join) try_join(id, v);
+    it = roster_.find(id) != nullptr ? visitors_.erase(it) : std::next(it);
+  }
+}
+
+void Session::try_join(ParticipantId id, Visitor& v) {
+  std::string refusal;
+  if (v.presence) {
+    refusal = roster_.refusal(*v.presence);
+  } else {
+    if (tick_ - v.join_tick < rules_.presence_timeout) return;
+    refusal = "your Presence has not arrived";
+  }
+  answer(*v.join, refusal);
+  v.join.reset();
+  const std::string name = v.presence ? v.presence->name : "";
+  if (!refusal.empty()) {
+    if (events_.size() < max_events) events_.push_back({SessionEvent::Kind::refused, id, name, refusal});
+    return;
+  }
+  const Participant& member = roster_.admit(*v.presence, v.writer);
+  seats_[id] = {};
+  outgoing_.push_back({Roster::entry(member)});
+  events_.push_back({SessionEvent::Kind::joined, id, name, role_name(member.presence.role)});
+}
+
+/// Frees everything that the participant had; its hands vanish at this tick.
+void Session::leave(ParticipantId id, SessionEvent::Kind how) {
+  const Participant member = *roster_.find(id);
+  const Seat& seat = seats_[id];
+  for (std::size_t h = 0; h < 2; ++h)
+    if (seat.hands[h].present) vanishing_.push_back({HandEvent::Kind::vanish, id, h, BodyId{0}});
+  events_.push_back({how, id, member.presence.name, role_name(member.presence.role)});
+  outgoing_.push_back({Roster::entry(member), true});
+  seats_.erase(id);
+  roster_.remove(id);
+  // Remembered as a visitor: it may come back over a mended network without a new Presence.
+  if (Visitor* v = visitor(id, member.writer, "")) v->presence = member.presence;
+}
+
+void Session::consume_seat(ParticipantId id, Seat& seat, ConsumedInput& out) {
+  for (std::size_t h = 0; h < 2; ++h) {
+    Hand& hand = seat.hands[h];
+    if (seat.fresh && seat.input->hands[h].tracked) {
+      const HandPose& pose = seat.input->hands[h];
+      hand.target = {id, h, pose.pose, pose.flexion};
+      hand.tracked_tick = tick_;
+      if (!hand.present) out.input.events.push_back({HandEvent::Kind::appear, id, h, BodyId{0}});
+      hand.present = true;
+      out.input.targets.push_back(hand.target);
+    } else if (hand.present && tick_ - hand.tracked_tick > rules_.input_timeout) {
+      out.input.events.push_back({HandEvent::Kind::vanish, id, h, BodyId{0}});
+      hand.present = false;
+      ++hand_timeouts_;
+      events_.push_back({SessionEvent::Kind::hand_timeout, id, roster_.find(id)->presence.name,
+                         h == left_hand ? "left hand" : "right hand"});
+    }
+  }
+  if (seat.fresh) out.keys.push_back({id, seat.input->sequence});
+  seat.fresh = false;
+  for (const HandEvent& e : seat.asked)
+    if (e.kind == HandEvent::Kind::reset_body || seat.hands[e.hand].present) out.input.events.push_back(e);
+  seat.asked.clear();
+}
+
+void Session::finish_tick(std::span<const HandState> hands) {
+  for (auto& [id, seat] : seats_) {
+    for (const Grasp& grasp : seat.grasps) {
+      const bool holds = std::any_of(hands.begin(), hands.end(), [&](const HandState& h) {
+        return h.participant == id && h.hand == grasp.hand && h.holding;
+      });
+      outgoing_.push_back({CommandResult{id, grasp.sequence, holds, holds ? "" : "nothing within reach"}});
+    }
+    seat.grasps.clear();
+  }
+}
+
+void Session::vanish(std::span<const HandState> hands) {
+  for (const HandState& h : hands)
+    vanishing_.push_back({HandEvent::Kind::vanish, h.participant, h.hand, BodyId{0}});
+}
+
+/// Null when the id is another process's (counted as `what`) or when too many are at the door.
+Session::Visitor* Session::visitor(ParticipantId id, std::uint64_t writer, const char* what) {
+  if (id == 0) {
+    drop("participant id 0");
+    return nullptr;
+  }
+  auto it = visitors_.find(id);
+  if (it == visitors_.end()) {
+    if (visitors_.size() >= max_visitors) {
+      drop("too many visitors");
+      return nullptr;
+    }
+    it = visitors_.emplace(id, Visitor{}).first;
+    it->second.writer = writer;
+  } else if (it->second.writer != writer) {
+    drop(what);
+    return nullptr;
+  }
+  it->second.seen = tick_;
+  return &it->second;
+}
+
+/// Who has been quiet for long makes room; who came just now waits its turn.
+void Session::forget_visitors() {
+  if (visitors_.size() < max_visitors / 2) return;
+  std::erase_if(visitors_,
+                [&](const auto& v) { return tick_ - v.second.seen > 10 * rules_.presence_timeout; });
+}
+
+std::vector<Outgoing> Session::take_outgoing() {
+  return std::exchange(outgoing_, {});
+}
+
+std::vector<SessionEvent> Session::take_events() {
+  return std::exchange(events_, {});
+}
+
+const HandInput* Session::newest_input(ParticipantId id) const {
+  const auto it = seats_.find(id);
+  return it == seats_.end() || !it->second.input ? nullptr : &*it->second.input;
+}
+
+void Session::answer(const Command& command, const std::string& refusal) {
+  if (outgoing_.size() >= max_outgoing) return drop("Command: too many to answer");
+  outgoing_.push_back({CommandResult{command.participant, command.sequence, refusal.empty(), refusal}});
+}
+
+void Session::drop(const char* reason) {
+  ++dropped_[reason];
+  ++dropped_total_;
+}
+
+}  // namespace prosector

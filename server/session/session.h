@@ -1,0 +1,124 @@
+#pragma once
+// The session: from samples that arrived to what one tick consumes. It reads no clock and knows no network;
+// time is the tick, so a journal of what it returned replays the run.
+//
+// Joining is Presence (who I am) and Command join (let me in), in either order; the answer is a
+// CommandResult, and a RosterEntry tells everyone. A participant's id belongs to the process that named it
+// first: samples from another process in its name are refused and counted.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "idl/bus.h"
+#include "server/physics/simulation.h"
+#include "server/session/roster.h"
+
+namespace prosector {
+
+/// What the server has to say because of what it took; published in this order.
+struct Outgoing {
+  Message message;
+  bool dispose = false;  // end the instance instead
+};
+
+/// The newest sample of each participant that a tick consumed.
+struct InputKey {
+  ParticipantId participant = 0;
+  std::uint64_t sequence = 0;
+};
+
+/// Everything that a tick consumes: what the journal keeps.
+struct ConsumedInput {
+  TickInput input;
+  std::vector<InputKey> keys;
+};
+
+/// A line of the session's own log.
+struct SessionEvent {
+  enum class Kind : std::uint8_t { joined, refused, left, lost, hand_timeout } kind;
+  ParticipantId participant = 0;
+  std::string name;
+  std::string detail;  // role, or why not
+};
+
+class Session {
+ public:
+  explicit Session(const SessionRules& rules);
+
+  /// Takes what arrived before `tick`; returns what the step of that tick consumes, in canonical order.
+  ConsumedInput consume(std::span<const Received> received, std::uint64_t tick);
+  /// After the step: grasps are answered by what the hands hold now.
+  void finish_tick(std::span<const HandState> hands);
+
+  /// Lets go, at the next tick, of hands that nobody here owns: those in a state that was restored.
+  void vanish(std::span<const HandState> hands);
+
+  std::vector<Outgoing> take_outgoing();
+  std::vector<SessionEvent> take_events();
+
+  const Roster& roster() const { return roster_; }
+  /// The newest input of a participant, for UserState; null before the first.
+  const HandInput* newest_input(ParticipantId id) const;
+  std::uint64_t hand_timeouts() const { return hand_timeouts_; }
+  /// Samples that contradict the session, by reason.
+  const std::map<std::string, std::uint64_t>& dropped() const { return dropped_; }
+  std::uint64_t dropped_total() const { return dropped_total_; }
+
+ private:
+  struct Hand {
+    bool present = false;
+    std::uint64_t tracked_tick = 0;
+    HandTarget target;
+  };
+  struct Grasp {
+    std::uint64_t sequence;
+    std::size_t hand;
+  };
+  struct Seat {  // of a member
+    std::optional<HandInput> input;
+    bool fresh = false;
+    std::array<Hand, 2> hands;
+    std::vector<HandEvent> asked;  // by its commands since the last tick
+    std::vector<Grasp> grasps;     // waiting for the step
+    std::uint32_t commands = 0;    // this tick
+  };
+  struct Visitor {  // who has shown itself and isn't a member (yet, or any more)
+    std::uint64_t writer = 0;
+    std::uint64_t seen = 0;  // tick
+    std::optional<Presence> presence;
+    std::optional<Command> join;
+    std::uint64_t join_tick = 0;
+  };
+
+  SessionRules rules_;
+  Roster roster_;
+  std::map<ParticipantId, Seat> seats_;
+  std::map<ParticipantId, Visitor> visitors_;
+  std::vector<HandEvent> vanishing_;
+  std::vector<Outgoing> outgoing_;
+  std::vector<SessionEvent> events_;
+  std::map<std::string, std::uint64_t> dropped_;
+  std::uint64_t dropped_total_ = 0, hand_timeouts_ = 0, tick_ = 0;
+
+  void take(const Received& received);
+  void take(const Presence& presence, const Received& received);
+  void take(const HandInput& input, std::uint64_t writer);
+  void take(const Command& command, std::uint64_t writer);
+  void join(const Command& command, std::uint64_t writer);
+  void obey(const Command& command, const Participant& member, Seat& seat);
+  void settle_joins();
+  void try_join(ParticipantId id, Visitor& visitor);
+  void leave(ParticipantId id, SessionEvent::Kind how);
+  void consume_seat(ParticipantId id, Seat& seat, ConsumedInput& out);
+  Visitor* visitor(ParticipantId id, std::uint64_t writer, const char* what);
+  void forget_visitors();
+  void answer(const Command& command, const std::string& refusal);
+  void drop(const char* reason);
+};
+
+}  // namespace prosector

@@ -1,0 +1,75 @@
+#include "server/session/snapshot.h"
+
+#include "server/physics/soft/soft_body.h"
+
+namespace prosector {
+namespace {
+
+const SoftSnapshot* find(const Snapshot* previous, BodyId body) {
+  if (previous != nullptr)
+    for (const SoftSnapshot& s : previous->soft)
+      if (s.body == body) return &s;
+  return nullptr;
+}
+
+SoftSnapshot take_soft(const Simulation& simulation, BodyId body, const SoftSnapshot* before) {
+  SoftSnapshot out;
+  out.body = body;
+  out.asleep = simulation.asleep(body);
+  const Motion& motion = simulation.soft_state(body).motion;
+  // A reset moves a body without waking it, so a sleeping one is compared rather than trusted.
+  if (out.asleep && before != nullptr && before->asleep && *before->x == motion.x) {
+    out.x = before->x;
+    out.v = before->v;
+  } else {
+    out.x = std::make_shared<VecX>(motion.x);
+    out.v = std::make_shared<VecX>(motion.v);
+  }
+  return out;
+}
+
+std::vector<UserState> take_users(const Simulation& simulation, const Session& session) {
+  std::vector<UserState> out;
+  for (const auto& [id, member] : session.roster().members()) {
+    const HandInput* input = session.newest_input(id);
+    if (input == nullptr) continue;
+    UserState user;
+    user.participant = id;
+    user.time = simulation.time();
+    user.input_sequence = input->sequence;
+    user.head_tracked = input->head_tracked;
+    user.head = input->head;
+    for (const HandState& state : simulation.hands()) {
+      if (state.participant != id) continue;
+      const HandPose& asked = input->hands[state.hand];
+      user.hands[state.hand] = {true, state.pose, state.flexion, asked.gesture, asked.buttons};
+    }
+    out.push_back(user);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::shared_ptr<Snapshot> take_snapshot(const Simulation& simulation, const Session& session,
+                                        const Snapshot* previous) {
+  auto out = std::make_shared<Snapshot>();
+  out->time = simulation.time();
+  for (BodyId b = 0; b < simulation.body_count(); ++b) {
+    if (simulation.kind(b) == BodyKind::soft)
+      out->soft.push_back(take_soft(simulation, b, find(previous, b)));
+    else if (!simulation.scene().rigid[b].fixed)
+      out->rigid.push_back({b, simulation.rigid_state(b)});
+  }
+  out->users = take_users(simulation, session);
+  for (const HandState& hand : simulation.hands()) {
+    out->contacts.push_back(hand.contact);
+    ContactSample& contact = out->contacts.back();
+    contact.participant = hand.participant;
+    contact.hand = static_cast<std::uint8_t>(hand.hand);
+    contact.time = out->time;
+  }
+  return out;
+}
+
+}  // namespace prosector

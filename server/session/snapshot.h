@@ -1,0 +1,40 @@
+#pragma once
+// Everything that clients may know of one tick; made after the step, never changed, read by the publisher's
+// thread.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "common/messages.h"
+#include "server/physics/simulation.h"
+#include "server/session/session.h"
+
+namespace prosector {
+
+struct RigidSnapshot {
+  BodyId body = 0;
+  RigidBodyState state;
+};
+
+struct SoftSnapshot {
+  BodyId body = 0;
+  bool asleep = false;
+  std::uint32_t revision = 0;
+  std::shared_ptr<const VecX> x, v;  // of all nodes; a sleeping body shares its last snapshot's
+};
+
+struct Snapshot {
+  SimTime time;
+  std::vector<RigidSnapshot> rigid;  // bodies that can move
+  std::vector<SoftSnapshot> soft;
+  std::vector<UserState> users;
+  std::vector<ContactSample> contacts;
+  std::optional<ServerStatus> status;
+};
+
+/// `previous` lends the shapes of bodies that slept since; may be null.
+std::shared_ptr<Snapshot> take_snapshot(const Simulation& simulation, const Session& session,
+                                        const Snapshot* previous);
+
+}  // namespace prosector

@@ -1,0 +1,77 @@
+#include "server/session/soft_sender.h"
+
+#include <algorithm>
+
+namespace prosector {
+
+SoftSender::SoftSender(BodyId body, const SurfaceStream& stream, double tick_rate)
+    : body_(body), stream_(stream), dt_(1 / tick_rate) {
+  for (auto* v : {&x_, &v_, &sent_x_, &sent_v_}) v->assign(stream.points, Vec3::Zero());
+}
+
+void SoftSender::update(const SoftSnapshot& now, SimTime time, bool everything, std::vector<Message>& out) {
+  if (now.asleep && settled_ != nullptr && (settled_ == now.x || *settled_ == *now.x)) return;
+  for (std::uint32_t i = 0; i < stream_.points; ++i) {
+    x_[i] = stream_.sources.apply(i, now.x->data());
+    v_[i] = stream_.sources.apply(i, now.v->data());
+  }
+  if (now.asleep) return settle(now, time, out);
+  settled_.reset();
+  const std::uint32_t chunks = stream_.chunks();
+  const auto refreshed = static_cast<std::uint32_t>((chunks + soft_refresh_ticks - 1) / soft_refresh_ticks);
+  for (std::uint32_t c = 0; c < chunks; ++c) {
+    const bool due = (c + chunks - cursor_) % chunks < refreshed;
+    if (everything || due || !any_sent_ || changed(c)) out.push_back(send(c, time, now.revision));
+  }
+  cursor_ = (cursor_ + refreshed) % chunks;
+  any_sent_ = true;
+}
+
+void SoftSender::settle(const SoftSnapshot& now, SimTime time, std::vector<Message>& out) {
+  Settled settled;
+  settled.body = body_;
+  settled.time = time;
+  settled.revision = now.revision;
+  settled.positions.reserve(x_.size());
+  StateHasher hasher;
+  for (const Vec3& x : x_) {
+    const Eigen::Vector3f& f = settled.positions.emplace_back(x.cast<float>());
+    hasher.add(std::as_bytes(std::span<const float>(f.data(), 3)));
+  }
+  settled.hash = hasher.digest();
+  out.push_back(std::move(settled));
+  settled_ = now.x;
+  sent_x_ = x_;
+  std::fill(sent_v_.begin(), sent_v_.end(), Vec3::Zero());
+  any_sent_ = true;
+}
+
+bool SoftSender::changed(std::uint32_t chunk) const {
+  for (std::uint32_t i = begin(chunk); i < end(chunk); ++i) {
+    if ((x_[i] - sent_x_[i]).squaredNorm() > soft_send_threshold * soft_send_threshold) return true;
+    if ((v_[i] - sent_v_[i]).norm() * dt_ > soft_send_threshold) return true;
+  }
+  return false;
+}
+
+std::uint32_t SoftSender::end(std::uint32_t chunk) const {
+  return std::min(begin(chunk) + stream_.chunk_points, stream_.points);
+}
+
+SoftState SoftSender::send(std::uint32_t chunk, SimTime time, std::uint32_t revision) {
+  const auto first = static_cast<std::ptrdiff_t>(begin(chunk)),
+             last = static_cast<std::ptrdiff_t>(end(chunk));
+  SoftState out;
+  out.body = body_;
+  out.chunk = chunk;
+  out.time = time;
+  out.revision = revision;
+  out.first_point = begin(chunk);
+  out.positions.assign(x_.begin() + first, x_.begin() + last);
+  out.velocities.assign(v_.begin() + first, v_.begin() + last);
+  std::copy(x_.begin() + first, x_.begin() + last, sent_x_.begin() + first);
+  std::copy(v_.begin() + first, v_.begin() + last, sent_v_.begin() + first);
+  return out;
+}
+
+}  // namespace prosector

@@ -1,0 +1,43 @@
+#pragma once
+// Which chunks of one deformable travel this tick.
+
+#include <cstdint>
+#include <vector>
+
+#include "common/messages.h"
+#include "server/session/snapshot.h"
+#include "server/session/surface_stream.h"
+
+namespace prosector {
+
+// A chunk travels when a point has moved this far since the chunk was last sent, or would within a tick at
+// its change of speed. With the grid's own error (idl/wire) the drawn surface stays within 0.1 mm.
+inline constexpr double soft_send_threshold = 2e-5;  // m
+// Every chunk of a body in motion travels at least this often: a lost one heals, a late joiner fills up.
+inline constexpr std::uint64_t soft_refresh_ticks = 30;
+
+class SoftSender {
+ public:
+  SoftSender(BodyId body, const SurfaceStream& stream, double tick_rate);
+
+  /// Appends what has to be sent of `now`; `everything`: all chunks, for someone who came just now.
+  void update(const SoftSnapshot& now, SimTime time, bool everything, std::vector<Message>& out);
+
+ private:
+  BodyId body_;
+  const SurfaceStream& stream_;
+  double dt_;
+  std::vector<Vec3> x_, v_;              // now
+  std::vector<Vec3> sent_x_, sent_v_;    // what clients have
+  std::shared_ptr<const VecX> settled_;  // the shape of the last Settled; null while in motion
+  std::uint32_t cursor_ = 0;             // next chunk to refresh
+  bool any_sent_ = false;
+
+  void settle(const SoftSnapshot& now, SimTime time, std::vector<Message>& out);
+  bool changed(std::uint32_t chunk) const;
+  std::uint32_t begin(std::uint32_t chunk) const { return chunk * stream_.chunk_points; }
+  std::uint32_t end(std::uint32_t chunk) const;
+  SoftState send(std::uint32_t chunk, SimTime time, std::uint32_t revision);
+};
+
+}  // namespace prosector

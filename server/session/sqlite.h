@@ -1,0 +1,61 @@
+#pragma once
+// SQLite with owners and exceptions; the only place that includes its header is sqlite.cpp.
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace prosector {
+
+/// What SQLite could not do, in its words: "database or disk is full".
+class SqliteError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class SqliteDatabase {
+ public:
+  enum class Mode : std::uint8_t { read, write };  // write creates the file when there is none
+  SqliteDatabase(const std::filesystem::path& file, Mode mode);
+  ~SqliteDatabase();
+  SqliteDatabase(const SqliteDatabase&) = delete;
+  SqliteDatabase& operator=(const SqliteDatabase&) = delete;
+
+  void execute(const std::string& sql);
+  sqlite3* handle() const { return handle_; }
+
+ private:
+  sqlite3* handle_ = nullptr;
+};
+
+/// A prepared statement; parameters and columns count from 0.
+class SqliteStatement {
+ public:
+  SqliteStatement(SqliteDatabase& database, const std::string& sql);
+  ~SqliteStatement();
+  SqliteStatement(const SqliteStatement&) = delete;
+  SqliteStatement& operator=(const SqliteStatement&) = delete;
+
+  SqliteStatement& bind(int parameter, std::uint64_t value);
+  SqliteStatement& bind(int parameter, const std::string& value);
+  SqliteStatement& bind(int parameter, std::span<const std::uint8_t> value);
+  /// True: a row is there. False: done, and the statement is ready for the next use.
+  bool step();
+
+  std::uint64_t number(int column) const;
+  std::string text(int column) const;
+  std::vector<std::uint8_t> bytes(int column) const;
+
+ private:
+  SqliteDatabase& database_;
+  sqlite3_stmt* statement_ = nullptr;
+};
+
+}  // namespace prosector

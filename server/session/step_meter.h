@@ -1,0 +1,66 @@
+#pragma once
+// What the steps cost: over the last second, for the status; over the whole run, for the summary.
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "server/physics/step_report.h"
+
+namespace prosector {
+
+/// Quantiles of positive durations within 1 %, in constant memory: logarithmic bins.
+class DurationHistogram {
+ public:
+  void add(double ms);
+  /// 0 when empty.
+  double quantile(double q) const;
+  std::uint64_t count() const { return count_; }
+
+ private:
+  static constexpr std::size_t bins = 1700;
+  std::array<std::uint64_t, bins> bin_{};
+  std::uint64_t count_ = 0;
+};
+
+struct LastSecond {
+  double real_time_factor = 0;
+  double step_ms_p50 = 0, step_ms_p99 = 0;
+  std::array<double, step_phases> phase_ms{};  // mean
+  double solver_residual = 0;                  // worst
+  std::string degraded;                        // by name; empty is well
+};
+
+class StepMeter {
+ public:
+  explicit StepMeter(double tick_rate) : dt_(1 / tick_rate) {}
+
+  /// `begun_ns` and `ended_ns`: the whole tick with intake and snapshot, monotonic.
+  void add(const StepReport& report, std::int64_t begun_ns, std::int64_t ended_ns);
+  LastSecond last_second() const;
+
+  const DurationHistogram& all() const { return all_; }
+  const DurationHistogram& awake() const { return awake_; }  // ticks with anything awake
+  std::uint64_t late() const { return late_; }               // ticks longer than their period
+  /// Body → ticks in which it was reset or did not converge, over the run.
+  const std::map<std::string, std::uint64_t>& troubles() const { return troubles_; }
+
+ private:
+  struct Tick {
+    std::int64_t ended_ns;
+    double ms;
+    std::array<double, step_phases> phase_ms;
+    double residual;
+    std::vector<std::string> degraded;
+  };
+  double dt_;
+  std::deque<Tick> ticks_;  // the last second
+  DurationHistogram all_, awake_;
+  std::uint64_t late_ = 0;
+  std::map<std::string, std::uint64_t> troubles_;
+};
+
+}  // namespace prosector

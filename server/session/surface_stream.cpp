@@ -1,0 +1,73 @@
+#include "server/session/surface_stream.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+namespace prosector {
+namespace {
+
+constexpr std::uint32_t unused = ~0u;
+
+/// Halves `items` across the longest side of their box, at a multiple of the chunk size, until each part is
+/// one chunk.
+void sort_into_chunks(std::span<std::uint32_t> items, const std::vector<Vec3>& x, std::size_t chunk) {
+  const std::size_t chunks = (items.size() + chunk - 1) / chunk;
+  if (chunks <= 1) {
+    std::sort(items.begin(), items.end());
+    return;
+  }
+  Eigen::AlignedBox3d box;
+  for (auto i : items) box.extend(x[i]);
+  Eigen::Index axis = 0;
+  box.sizes().maxCoeff(&axis);
+  const auto middle = static_cast<std::ptrdiff_t>((chunks + 1) / 2 * chunk);
+  std::nth_element(items.begin(), items.begin() + middle, items.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(x[a][axis], a) < std::pair(x[b][axis], b);
+  });
+  sort_into_chunks(items.subspan(0, static_cast<std::size_t>(middle)), x, chunk);
+  sort_into_chunks(items.subspan(static_cast<std::size_t>(middle)), x, chunk);
+}
+
+SparseMap::Row one(std::uint32_t node) {
+  SparseMap::Row row;
+  row.node[0] = node;
+  row.weight[0] = 1;
+  return row;
+}
+
+}  // namespace
+
+SurfaceStream make_surface_stream(const Anatomy& anatomy, std::uint32_t chunk_points) {
+  const std::vector<SparseMap::Row>& W = anatomy.embedding.rows;
+  std::vector<std::uint32_t> new_index(anatomy.tets.positions.size(), unused);
+  std::vector<std::uint32_t> streamed;  // nodes, or surface vertices
+  for (const auto& row : W)
+    for (std::size_t k = 0; k < 4; ++k)
+      if (row.weight[k] != 0 && new_index[row.node[k]] == unused) {
+        new_index[row.node[k]] = 0;
+        streamed.push_back(row.node[k]);
+      }
+  const bool nodes = streamed.size() <= W.size();
+  if (!nodes) {
+    streamed.resize(W.size());
+    std::iota(streamed.begin(), streamed.end(), 0u);
+    new_index.assign(W.size(), unused);
+  }
+  sort_into_chunks(streamed, nodes ? anatomy.tets.positions : anatomy.surface.positions, chunk_points);
+  for (std::uint32_t i = 0; i < streamed.size(); ++i) new_index[streamed[i]] = i;
+
+  SurfaceStream out;
+  out.points = static_cast<std::uint32_t>(streamed.size());
+  out.chunk_points = chunk_points;
+  for (auto i : streamed) out.sources.rows.push_back(nodes ? one(i) : W[i]);
+  for (std::uint32_t v = 0; v < W.size(); ++v) {
+    SparseMap::Row row = nodes ? W[v] : one(new_index[v]);
+    if (nodes)
+      for (std::size_t k = 0; k < 4; ++k) row.node[k] = row.weight[k] != 0 ? new_index[row.node[k]] : 0;
+    out.surface.rows.push_back(row);
+  }
+  return out;
+}
+
+}  // namespace prosector

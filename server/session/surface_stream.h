@@ -1,0 +1,26 @@
+#pragma once
+// Which points of a deformable travel, in which order, and how its surface follows from them.
+//
+// The surface hangs on the elements' nodes (x_surface = W·q), so the nodes that W uses say all there is to
+// see; where the surface is coarser than that, its own vertices are fewer. Chosen per body, once.
+
+#include <cstdint>
+#include <vector>
+
+#include "common/mesh.h"
+
+namespace prosector {
+
+struct SurfaceStream {
+  SparseMap sources;         // streamed point ← nodes of the body
+  SparseMap surface;         // surface vertex ← streamed points: the client's asset
+  std::uint32_t points = 0;  // streamed
+  std::uint32_t chunk_points = 0;
+
+  std::uint32_t chunks() const { return (points + chunk_points - 1) / chunk_points; }
+};
+
+/// Chunks are compact in space: what a hand presses is in few of them, and each has a small box to quantise.
+SurfaceStream make_surface_stream(const Anatomy& anatomy, std::uint32_t chunk_points);
+
+}  // namespace prosector

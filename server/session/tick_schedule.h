@@ -1,0 +1,35 @@
+#pragma once
+// When the next tick starts. Sees only the times it is told, so that tests need no clock.
+
+#include <cstdint>
+
+namespace prosector {
+
+/// A fixed rate that doesn't spiral: a late tick may be caught up by the following ones while the lag is at
+/// most one period; beyond that the schedule slips, which slows simulated time.
+class TickSchedule {
+ public:
+  TickSchedule(double tick_rate, std::int64_t start_ns)
+      : period_ns_(static_cast<std::int64_t>(1e9 / tick_rate)), due_ns_(start_ns) {}
+
+  std::int64_t period_ns() const { return period_ns_; }
+  /// When the current tick should start.
+  std::int64_t due_ns() const { return due_ns_; }
+  /// The tick that was due has ended at `now_ns`.
+  void finished(std::int64_t now_ns) {
+    due_ns_ += period_ns_;
+    const std::int64_t slip = now_ns - due_ns_ - period_ns_;
+    if (slip <= 0) return;
+    due_ns_ += slip;
+    slipped_ns_ += slip;
+    ++slips_;
+  }
+  std::uint64_t slips() const { return slips_; }
+  std::int64_t slipped_ns() const { return slipped_ns_; }
+
+ private:
+  std::int64_t period_ns_, due_ns_, slipped_ns_ = 0;
+  std::uint64_t slips_ = 0;
+};
+
+}  // namespace prosector
