@@ -1,21 +1,24 @@
 #include "server/physics/sources.h"
 
-#include <fmt/format.h>
-
-#include "common/error.h"
-#include "common/primitives.h"
+#include "common/anatomy/sources.h"
 
 namespace prosector {
+namespace {
 
-TriangleMesh rigid_surface(const RigidDesc& desc, const SceneDesc&, const CompileOptions&) {
-  if (desc.parts.empty()) throw InputError(fmt::format("rigid '{}': has no parts", desc.name));
-  return mesh_of(desc.parts);
+SourcePaths paths_of(const SceneDesc& scene, const CompileOptions& options) {
+  return {scene.file.parent_path(), options.data_dirs, options.cache_dir};
 }
 
-Anatomy soft_anatomy(const SoftDesc& desc, const SceneDesc&, const CompileOptions& options) {
+}  // namespace
+
+TriangleMesh rigid_surface(const RigidDesc& desc, const SceneDesc& scene, const CompileOptions& options) {
+  return make_surface(desc, paths_of(scene, options), options.progress);
+}
+
+Anatomy soft_anatomy(const SoftDesc& desc, const SceneDesc& scene, const CompileOptions& options) {
   if (options.anatomy)
     if (std::optional<Anatomy> given = options.anatomy(desc)) return std::move(*given);
-  throw InputError(fmt::format("soft '{}': no geometry given", desc.name));
+  return make_anatomy(desc, paths_of(scene, options), options.progress);
 }
 
 }  // namespace prosector
