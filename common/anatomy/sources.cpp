@@ -122,7 +122,9 @@ Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progr
     anatomy = build(desc, file, shape, progress);
     store_cached(paths.cache_dir, key, anatomy);
   }
-  for (Vec3& x : anatomy.tets.positions) x = desc.pose * x;
+  const bool stands_in = desc.shape.empty() && file.empty();
+  const Pose pose = stands_in ? desc.pose * desc.fallback_pose : desc.pose;
+  for (Vec3& x : anatomy.tets.positions) x = pose * x;
   apply_embedding(anatomy);
   return anatomy;
 }
@@ -132,9 +134,10 @@ TriangleMesh make_surface(const RigidDesc& desc, const SourcePaths& paths, const
   const auto file = desc.mesh.empty() ? std::filesystem::path{}
                                       : resolve(desc.name, desc.mesh, desc.fallback, paths, progress);
   if (file.empty()) {
-    const Vec3 size = natural_size(desc.fallback);
-    const double cell = desc.surface_cell > 0 ? desc.surface_cell : size.minCoeff() / 10;
-    return isosurface(implicit_shape(desc.fallback, size), cell);
+    const double cell = desc.surface_cell > 0 ? desc.surface_cell : desc.size.minCoeff() / 10;
+    TriangleMesh surface = isosurface(implicit_shape(desc.fallback, desc.size), cell);
+    for (Vec3& x : surface.positions) x = desc.fallback_pose * x;
+    return surface;
   }
   const ContentHash key =
       hash_of(fmt::format("rigid {} {} {} {}", recipe, file_hash(file), desc.scale, desc.surface_cell));

@@ -32,7 +32,8 @@ struct RigidDesc {
   std::string parent;    // body it belongs to in the scene graph; empty: the room
   std::string mesh;      // surface file; empty: parts
   std::string fallback;  // implicit shape (as of SoftDesc) used, with a clear line, when `mesh` is missing
-  Vec3 size = {0.1, 0.1, 0.1};  // m: bounding box of the fallback, its centre at the body's origin
+  Vec3 size = {0.1, 0.1, 0.1};  // m: bounding box of the fallback, along its own axes
+  Pose fallback_pose;           // of the fallback's centre in the body's frame
   double scale = 1;             // file units → metres
   double surface_cell = 0;      // m: thin the mesh to about this edge length; 0: as it is
   std::vector<PartDesc> parts;
@@ -69,7 +70,7 @@ struct SoftDesc {
   std::string shape;            // or an implicit shape: liver | kidney | gallbladder | block | ball | beam
   std::string fallback;         // implicit shape when volume or mesh is missing
   Vec3 size = {0.1, 0.1, 0.1};  // m: implicit shapes and fallbacks: bounding box
-  Vec3 fallback_center = Vec3::Zero();  // m, body's frame: where the fallback's centre lies
+  Pose fallback_pose;           // of the fallback in the body's frame
   double scale = 1;             // mesh files: file units → metres (volumes carry their voxel size in mm)
   double cell = 0.012;          // m: tetrahedra's edge length, about
   double surface_cell = 0.006;  // m: triangles' edge length of the drawn and touched surface, about

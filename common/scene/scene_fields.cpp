@@ -14,7 +14,7 @@ constexpr Range scale{0, 1e6, true};
 
 /// Shapes that common/anatomy can make by itself.
 std::vector<std::string_view> implicit_shapes() {
-  return {"liver", "kidney", "gallbladder", "block", "ball", "beam"};
+  return {"liver", "kidney", "gallbladder", "femur", "foot", "block", "ball", "beam", "cylinder", "capsule"};
 }
 
 /// The field that a chain of member pointers leads to: in<RigidDesc, &RigidDesc::pose, &Pose::p>.
@@ -80,6 +80,15 @@ void add_pose(std::vector<Field>& fields, std::string_view frames) {
   fields.push_back(number<Struct, &Struct::pose, &Pose::p>("position", "m", coordinate, frames));
   fields.push_back(plain<Struct, &Struct::pose, &Pose::q>(
       "rotation", "orientation as a quaternion [w, x, y, z]; normalised when read, never all zero"));
+}
+
+/// Where a stand-in goes: a missing file's origin and axes need not be its shape's.
+template <class Struct>
+void add_fallback_pose(std::vector<Field>& fields) {
+  fields.push_back(number<Struct, &Struct::fallback_pose, &Pose::p>(
+      "fallback_position", "m", {-10, 10}, "the fallback's centre in the body's frame"));
+  fields.push_back(plain<Struct, &Struct::fallback_pose, &Pose::q>(
+      "fallback_rotation", "the fallback's orientation in the body's frame, as rotation"));
 }
 
 template <class Struct>
@@ -158,31 +167,32 @@ const Table& part_table() {
 const Table& rigid_table() {
   using R = RigidDesc;
   static const Table table = [] {
-    Table t{"[[rigid]]",
-            "A body that keeps its shape: furniture, instruments, bones. It has either a `mesh` or parts.",
-            {name<R, &R::name>("name", true, "unique among all bodies"),
-             text<R, &R::description>("description", "for people"),
-             name<R, &R::parent>("parent", false,
-                                 "body that it belongs to in the scene graph; not given: the room"),
-             text<R, &R::mesh>("mesh", "surface file: .obj .stl .ply .off .gltf .glb"),
-             words<R, &R::fallback>("fallback", implicit_shapes(),
-                                    "implicit shape used, with a clear line, when the mesh file is missing"),
-             number<R, &R::size>("size", "m", {0, 10, true},
-                                 "bounding box of the fallback, centred at the body's origin"),
-             number<R, &R::scale>("scale", "", scale, "file units to metres"),
-             number<R, &R::surface_cell>("surface_cell", "m", {0, 1},
-                                         "thin the mesh to about this edge length; 0: leave it as it is"),
-             words<R, &R::collision>("collision", {"hull", "mesh", "none"},
-                                     "collision shape of a mesh; parts collide as they are, unless none"),
-             plain<R, &R::fixed>("fixed", "true: part of the room, never moves"),
-             number<R, &R::density>("density", "kg/m³", density, "of the solid body"),
-             number<R, &R::mass>("mass", "kg", {0, 1e6}, "0: from density and volume"),
-             number<R, &R::friction>("friction", "", friction, "Coulomb coefficient"),
-             number<R, &R::restitution>("restitution", "", unit_interval, "0: lands dead, 1: bounces back"),
-             words<R, &R::tool>("tool", {"none", "probe", "scalpel"}, "what a hand that grasps it holds")},
-            {{"part", part_table, true, 256, append<R, &R::parts>}},
-            fresh<R>};
+    Table t{
+        "[[rigid]]",
+        "A body that keeps its shape: furniture, instruments, bones. It has either a `mesh` or parts.",
+        {name<R, &R::name>("name", true, "unique among all bodies"),
+         text<R, &R::description>("description", "for people"),
+         name<R, &R::parent>("parent", false,
+                             "body that it belongs to in the scene graph; not given: the room"),
+         text<R, &R::mesh>("mesh", "surface file: .obj .stl .ply .off .gltf .glb"),
+         words<R, &R::fallback>("fallback", implicit_shapes(),
+                                "implicit shape used, with a clear line, when the mesh file is missing"),
+         number<R, &R::size>("size", "m", {0, 10, true}, "bounding box of the fallback, along its own axes"),
+         number<R, &R::scale>("scale", "", scale, "file units to metres"),
+         number<R, &R::surface_cell>("surface_cell", "m", {0, 1},
+                                     "thin the mesh to about this edge length; 0: leave it as it is"),
+         words<R, &R::collision>("collision", {"hull", "mesh", "none"},
+                                 "collision shape of a mesh; parts collide as they are, unless none"),
+         plain<R, &R::fixed>("fixed", "true: part of the room, never moves"),
+         number<R, &R::density>("density", "kg/m³", density, "of the solid body"),
+         number<R, &R::mass>("mass", "kg", {0, 1e6}, "0: from density and volume"),
+         number<R, &R::friction>("friction", "", friction, "Coulomb coefficient"),
+         number<R, &R::restitution>("restitution", "", unit_interval, "0: lands dead, 1: bounces back"),
+         words<R, &R::tool>("tool", {"none", "probe", "scalpel"}, "what a hand that grasps it holds")},
+        {{"part", part_table, true, 256, append<R, &R::parts>}},
+        fresh<R>};
     add_pose<R>(t.fields, "the body's or mesh's origin in the room");
+    add_fallback_pose<R>(t.fields);
     add_appearance<R>(t.fields);
     return t;
   }();
@@ -224,8 +234,6 @@ const Table& soft_table() {
              "fallback", implicit_shapes(),
              "implicit shape used, with a clear line, when the volume or mesh file is missing"),
          number<S, &S::size>("size", "m", {0, 10, true}, "bounding box of the implicit shape or fallback"),
-         number<S, &S::fallback_center>("fallback_center", "m", {-10, 10},
-                                        "where the fallback's centre lies in the body's frame"),
          number<S, &S::scale>("scale", "", scale, "mesh files: file units to metres (volumes know theirs)"),
          number<S, &S::cell>("cell", "m", {5e-4, 1}, "edge length of the tetrahedra, about"),
          number<S, &S::surface_cell>("surface_cell", "m", {5e-4, 1},
@@ -251,6 +259,7 @@ const Table& soft_table() {
         {{"attach", attach_table, true, 64, append<S, &S::attach>}},
         fresh<S>};
     add_pose<S>(t.fields, "the mesh's origin, or the volume's or shape's centre, in the room");
+    add_fallback_pose<S>(t.fields);
     add_appearance<S>(t.fields);
     return t;
   }();
