@@ -137,9 +137,15 @@ Vec3 IslandSystem::contact_force(std::size_t c, const Vec3& u, Mat3* D) const {
 }
 
 double IslandSystem::energy(const VecX& q) {
-  double sum = 0;
+  soft_energy_ = 0;
   for (std::size_t m = 0; m < island_.soft.size(); ++m)
-    sum += island_.soft[m].body->energy(q.segment(soft_offset_[m], 3 * island_.soft[m].body->nodes()));
+    soft_energy_ +=
+        island_.soft[m].body->energy(q.segment(soft_offset_[m], 3 * island_.soft[m].body->nodes()));
+  return soft_energy_ + joint_energy(q);
+}
+
+double IslandSystem::joint_energy(const VecX& q) const {
+  double sum = 0;
   for (std::size_t m = 0; m < island_.rigid.size(); ++m) {
     const RigidMember& body = island_.rigid[m];
     const Vec6 twist = q.segment<6>(rigid_offset(m)), d = twist - body.predicted;
@@ -205,10 +211,13 @@ void IslandSystem::add_block(const Side& side, const Mat3& D) {
   }
 }
 
-void IslandSystem::assemble(const VecX& q) {
+void IslandSystem::assemble(const VecX& q, bool at_start) {
   for (std::size_t m = 0; m < island_.soft.size(); ++m) {
     SoftBody& body = *island_.soft[m].body;
-    body.assemble(q.segment(soft_offset_[m], 3 * body.nodes()));
+    if (at_start)
+      body.assemble_at_start();
+    else
+      body.assemble(q.segment(soft_offset_[m], 3 * body.nodes()));
     body.diagonal(
         std::span(node_blocks_)
             .subspan(static_cast<std::size_t>(soft_offset_[m] / 3), static_cast<std::size_t>(body.nodes())));
