@@ -7,6 +7,8 @@
 namespace prosector {
 namespace {
 
+constexpr double same_tangent =
+    0.1;  // cells that nodes may move while a tangent is still good to descend with
 constexpr double stick_speed = 0.002;  // m/s: below it friction sticks, creeping at most this fast
 
 Mat3 cross_matrix(const Vec3& v) {
@@ -211,13 +213,15 @@ void IslandSystem::add_block(const Side& side, const Mat3& D) {
   }
 }
 
-void IslandSystem::assemble(const VecX& q, bool at_start) {
+void IslandSystem::assemble(const VecX& q) {
   for (std::size_t m = 0; m < island_.soft.size(); ++m) {
     SoftBody& body = *island_.soft[m].body;
-    if (at_start)
+    const auto x = q.segment(soft_offset_[m], 3 * body.nodes());
+    const double moved = (x - island_.soft[m].state->motion.x).lpNorm<Eigen::Infinity>();
+    if (moved <= same_tangent * body.desc().cell)
       body.assemble_at_start();
     else
-      body.assemble(q.segment(soft_offset_[m], 3 * body.nodes()));
+      body.assemble(x);
     body.diagonal(
         std::span(node_blocks_)
             .subspan(static_cast<std::size_t>(soft_offset_[m] / 3), static_cast<std::size_t>(body.nodes())));

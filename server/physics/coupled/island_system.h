@@ -19,9 +19,9 @@ class IslandSystem final : public LinearOperator {
   /// The same at the q of the last energy(), after lag_friction() changed the friction: no elements visited.
   double energy_with_new_friction(const VecX& q) const { return soft_energy_ + joint_energy(q); }
   void gradient(const VecX& q, VecX& g);
-  /// Fixes the Hessian at q. `at_start`: the soft bodies' part at the tick's start instead, which they have
-  /// already.
-  void assemble(const VecX& q, bool at_start);
+  /// Fixes the Hessian at q. Soft bodies that moved little since the tick's start keep the tangent that they
+  /// have from there.
+  void assemble(const VecX& q);
 
   Eigen::Index size() const override { return size_; }
   void multiply(const VecX& p, VecX& Hp) const override;

@@ -54,7 +54,7 @@ IslandReport minimise(IslandSystem& system, const Limits& limits, VecX& q) {
     system.lag_friction(q);
     const double energy = system.energy_with_new_friction(q);
     system.gradient(q, g);
-    system.assemble(q, report.newton_iterations == 0);
+    system.assemble(q);
     g = -g;
     step.setZero();
     const SolveReport solved = solver->solve(system, g, limits.solver, step);
