@@ -77,12 +77,13 @@ class TetGrid {
     return positive / positive.sum();
   }
 
- private:
   Vec3 point(std::uint32_t t, const Weights& w) const {
     Vec3 x = Vec3::Zero();
     for (std::size_t k = 0; k < 4; ++k) x += w[static_cast<int>(k)] * mesh_.positions[mesh_.tets[t][k]];
     return x;
   }
+
+ private:
   Eigen::Vector3i cell(const Vec3& x) const {
     Eigen::Vector3i i;
     for (int k = 0; k < 3; ++k)
@@ -142,6 +143,10 @@ Embedding embed(TetMesh tets, TriangleMesh surface) {
     const Weights w = grid.weights(t, x);
     if (w.minCoeff() < -1e-9) ++out.outside;
     const Weights kept = bounded(w);
+    if (kept != w) {
+      ++out.drawn_in;
+      out.farthest = std::max(out.farthest, (grid.point(t, kept) - x).norm());
+    }
     SparseMap::Row row;
     for (std::size_t k = 0; k < 4; ++k) {
       row.node[k] = tets.tets[t][k];

@@ -10,11 +10,12 @@ namespace prosector {
 inline constexpr double max_embedding_weight = 6;
 
 /// Barycentric weights of each surface vertex in the tetrahedron that contains it, or, outside, the nearest
-/// one's, extrapolated. Moves each surface vertex to exactly W.row(i)·nodes, and reports how many lay
-/// outside.
+/// one's, extrapolated. Each surface vertex then stands exactly at W.row(i)·nodes.
 struct Embedding {
   Anatomy anatomy;
-  std::size_t outside = 0;
+  std::size_t outside = 0;   // surface vertices in no tetrahedron
+  std::size_t drawn_in = 0;  // of them, so far out that the weight limit moved them
+  double farthest = 0;       // m: how far it moved one at most
 };
 Embedding embed(TetMesh tets, TriangleMesh surface);
 

@@ -8,6 +8,7 @@
 
 #include "common/anatomy/bcc_lattice.h"
 #include "common/anatomy/simplify.h"
+#include "common/anatomy/surface_check.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -100,6 +101,28 @@ void relax(TriangleMesh& mesh, const SolidField& field, double cell) {
   }
 }
 
+// In a crease, triangles of the two sides may cross: their vertices move to the middle of their neighbours.
+void untangle(TriangleMesh& mesh) {
+  constexpr int rounds = 10;
+  for (int round = 0; round < rounds; ++round) {
+    const auto pairs = intersecting_triangles(mesh);
+    if (pairs.empty()) return;
+    std::vector<bool> moves(mesh.positions.size());
+    for (const auto& pair : pairs)
+      for (const auto t : pair)
+        for (const auto v : mesh.triangles[t]) moves[v] = true;
+    std::vector<Vec3> sum(mesh.positions.size(), Vec3::Zero());
+    std::vector<double> count(mesh.positions.size());
+    for (const auto& t : mesh.triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        sum[t[k]] += mesh.positions[t[(k + 1) % 3]];
+        count[t[k]] += 1;
+      }
+    for (std::size_t v = 0; v < moves.size(); ++v)
+      if (moves[v]) mesh.positions[v] = sum[v] / count[v];
+  }
+}
+
 }  // namespace
 
 TriangleMesh largest_piece(const TriangleMesh& mesh) {
@@ -131,6 +154,7 @@ TriangleMesh isosurface(const SolidField& field, double cell) {
                     1000 * cell));
   mesh = simplify(largest_piece(mesh), cell, [&](const Vec3& x) { return project(field, x, cell); });
   relax(mesh, field, cell);
+  untangle(mesh);
   return mesh;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <set>
 
@@ -128,6 +129,19 @@ void blur_axis(Volume& v, std::size_t axis, const std::vector<float>& kernel) {
     }
 }
 
+// A Gaussian draws convex shapes in (by about σ²/r): the level at which as many voxels are inside as before.
+double volume_preserving_level(const Volume& smoothed, const Volume& mask) {
+  constexpr float least = 0.02f;  // below it nothing is inside anyhow: spares sorting the empty part
+  std::vector<float> values;
+  for (const float v : smoothed.values)
+    if (v > least) values.push_back(v);
+  const auto inside = static_cast<std::size_t>(std::count(mask.values.begin(), mask.values.end(), 1.f));
+  if (inside >= values.size()) return 0.5;
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(inside);
+  std::nth_element(values.begin(), nth, values.end(), std::greater<>());
+  return std::clamp(static_cast<double>(*nth), 0.1, 0.9);
+}
+
 }  // namespace
 
 Mask mask_of_label(const Volume& volume, int label, int margin, const std::string& name) {
@@ -175,9 +189,10 @@ SolidField smooth_solid(const Mask& mask, double sigma) {
       kernel.push_back(static_cast<float>(std::exp(-0.5 * k * k / (sigma * sigma)) / sum));
     for (std::size_t axis = 0; axis < 3; ++axis) blur_axis(*volume, axis, kernel);
   }
+  const double level = volume_preserving_level(*volume, mask.volume);
   const Vec3 origin = mask.origin;
   const Vec3 corner = volume->position(Vec3::Zero());
-  return {[volume, origin](const Vec3& x) { return 0.5 - sample(*volume, x - origin); },
+  return {[volume, origin, level](const Vec3& x) { return level - sample(*volume, x - origin); },
           {origin + corner, origin - corner}};
 }
 

@@ -26,7 +26,8 @@ Mask mask_of_label(const Volume& volume, int label, int margin, const std::strin
 /// Voxels above `threshold`; throws InputError with the volume's range when there are none, or only those.
 Mask mask_above(const Volume& volume, double threshold, int margin, const std::string& name);
 
-/// The mask under a Gaussian of σ `sigma` voxels along each axis, as the field 1/2 − mask: negative inside.
+/// The mask under a Gaussian of σ `sigma` voxels along each axis, as the field level − mask: negative inside;
+/// the level is the one that keeps the structure's volume.
 SolidField smooth_solid(const Mask& mask, double sigma);
 
 /// Border that `smooth_solid` needs around the structure, voxels.

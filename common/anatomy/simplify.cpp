@@ -58,7 +58,7 @@ bool Collapser::keeps_shape(std::uint32_t moved, std::uint32_t other, const Vec3
     double longest = 0;
     for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, (x[(k + 1) % 3] - x[k]).norm());
     constexpr double max_turn_cos = 0.5;
-    if (longest > 1.5 * edge_) return false;
+    if (longest > 1.6 * edge_) return false;
     if (!(after.dot(before) > max_turn_cos * after.norm() * before.norm())) return false;
     if (after.norm() < 0.1 * longest * longest) return false;
   }
@@ -106,7 +106,7 @@ std::size_t Collapser::sweep() {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto a = t[k], b = t[(k + 1) % 3];
       const double length = (mesh_.positions[a] - mesh_.positions[b]).norm();
-      if (a < b && length < 0.75 * edge_) candidates.push_back({length, a, b});
+      if (a < b && length < edge_) candidates.push_back({length, a, b});
     }
   }
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {

@@ -7,9 +7,9 @@
 
 namespace prosector {
 
-/// Collapses edges until they are about `edge` metres long (mean within some 20 % for surfaces that were
+/// Collapses edges until they are about `edge` metres long (mean within some 30 % for surfaces that were
 /// finer). Only collapses that keep the surface a manifold (link condition), turn no triangle by more than
-/// 60° and make no edge longer than 1.5 edge; borders of open surfaces stay. `project`, if given, puts a new
+/// 60° and make no edge longer than 1.6 edge; borders of open surfaces stay. `project`, if given, puts a new
 /// vertex back onto the surface that the mesh samples.
 TriangleMesh simplify(const TriangleMesh& mesh, double edge,
                       const std::function<Vec3(const Vec3&)>& project = {});

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <span>
+
 #include "common/anatomy/anatomy_cache.h"
 #include "common/anatomy/bytes.h"
 #include "common/anatomy/embedding.h"
@@ -67,6 +69,12 @@ Anatomy mesh_solid(const std::string& name, const SolidField& field, const SoftD
   const Anatomy& a = embedded.anatomy;
   say(progress, fmt::format("{}: surface of {} triangles, {} of {} vertices outside the tetrahedra", name,
                             a.surface.triangles.size(), embedded.outside, a.surface.positions.size()));
+  if (embedded.drawn_in > 0)
+    say(progress,
+        fmt::format(
+            "{}: cell is too coarse for the shape's thin parts: {} surface vertices drawn in by up to "
+            "{:.2g} mm",
+            name, embedded.drawn_in, 1000 * embedded.farthest));
   return std::move(embedded.anatomy);
 }
 
@@ -134,7 +142,7 @@ TriangleMesh make_surface(const RigidDesc& desc, const SourcePaths& paths, const
   const auto file = desc.mesh.empty() ? std::filesystem::path{}
                                       : resolve(desc.name, desc.mesh, desc.fallback, paths, progress);
   if (file.empty()) {
-    const double cell = desc.surface_cell > 0 ? desc.surface_cell : desc.size.minCoeff() / 10;
+    const double cell = desc.surface_cell > 0 ? desc.surface_cell : desc.size.minCoeff() / 20;
     TriangleMesh surface = isosurface(implicit_shape(desc.fallback, desc.size), cell);
     for (Vec3& x : surface.positions) x = desc.fallback_pose * x;
     return surface;

@@ -29,7 +29,9 @@ bool cross_each_other(const Corners& s, const Corners& t) {
   return false;
 }
 
-std::size_t count_intersections(const TriangleMesh& mesh) {
+}  // namespace
+
+std::vector<std::array<std::uint32_t, 2>> intersecting_triangles(const TriangleMesh& mesh) {
   // Sweep along x over the triangles' boxes.
   struct Item {
     Vec3 low, high;
@@ -47,7 +49,7 @@ std::size_t count_intersections(const TriangleMesh& mesh) {
     items.push_back({c[0].cwiseMin(c[1]).cwiseMin(c[2]), c[0].cwiseMax(c[1]).cwiseMax(c[2]), t});
   }
   std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.low[0] < b.low[0]; });
-  std::size_t count = 0;
+  std::vector<std::array<std::uint32_t, 2>> out;
   for (std::size_t i = 0; i < items.size(); ++i)
     for (std::size_t j = i + 1; j < items.size() && items[j].low[0] <= items[i].high[0]; ++j) {
       if ((items[j].low.array() > items[i].high.array()).any() ||
@@ -56,17 +58,16 @@ std::size_t count_intersections(const TriangleMesh& mesh) {
       const auto& s = mesh.triangles[items[i].triangle];
       const auto& t = mesh.triangles[items[j].triangle];
       if (std::find_first_of(s.begin(), s.end(), t.begin(), t.end()) != s.end()) continue;
-      if (cross_each_other(corners(items[i].triangle), corners(items[j].triangle))) ++count;
+      if (cross_each_other(corners(items[i].triangle), corners(items[j].triangle)))
+        out.push_back({items[i].triangle, items[j].triangle});
     }
-  return count;
+  return out;
 }
-
-}  // namespace
 
 SurfaceReport check_surface(const TriangleMesh& mesh) {
   SurfaceReport out;
   out.open_edges = non_manifold_edges(mesh.triangles);
-  out.intersecting_pairs = count_intersections(mesh);
+  out.intersecting_pairs = intersecting_triangles(mesh).size();
   Mat3 second = Mat3::Zero();  // ∫ x xᵀ dV, over tetrahedra from a reference point
   if (mesh.positions.empty()) return out;
   const Vec3 reference = mesh.positions.front();

@@ -1,8 +1,10 @@
 #pragma once
 // What a surface is worth as the skin of a rigid body.
 
+#include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "common/mesh.h"
 
@@ -18,6 +20,9 @@ struct SurfaceReport {
   /// What a scene's author should know, empty when all is well.
   std::string warning() const;
 };
+
+/// Pairs of triangles without a common vertex that pass through each other.
+std::vector<std::array<std::uint32_t, 2>> intersecting_triangles(const TriangleMesh& mesh);
 
 /// Mass properties by the divergence theorem (exact for closed surfaces).
 SurfaceReport check_surface(const TriangleMesh& mesh);

@@ -1,0 +1,159 @@
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <set>
+
+#include "common/anatomy/embedding.h"
+#include "common/anatomy/implicit.h"
+#include "common/anatomy/isosurface.h"
+#include "common/anatomy/kuhn_box.h"
+#include "common/anatomy/mesh_quality.h"
+#include "common/anatomy/stuffing.h"
+#include "common/anatomy/surface_check.h"
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+TEST(KuhnBox, FillsItsBoxWithCongruentTetrahedra) {
+  const TetMesh mesh = kuhn_box({0.4, 0.1, 0.2}, 5, 2, 3);
+  EXPECT_EQ(mesh.positions.size(), 6u * 3 * 4);
+  ASSERT_EQ(mesh.tets.size(), 6u * 5 * 2 * 3);
+  const double each = 0.4 * 0.1 * 0.2 / 180;
+  std::set<std::array<std::uint32_t, 4>> distinct;
+  for (auto t : mesh.tets) {
+    const auto& x = mesh.positions;
+    EXPECT_NEAR(tet_volume(x[t[0]], x[t[1]], x[t[2]], x[t[3]]), each, 1e-15);
+    std::sort(t.begin(), t.end());
+    distinct.insert(t);
+  }
+  EXPECT_EQ(distinct.size(), mesh.tets.size());
+  EXPECT_EQ(boundary_faces(mesh).size(), 4u * (5 * 2 + 2 * 3 + 3 * 5));
+  EXPECT_EQ(non_manifold_edges(boundary_faces(mesh)), 0u);
+  EXPECT_THROW(kuhn_box({1, 1, 1}, 0, 1, 1), InputError);
+  EXPECT_THROW(kuhn_box({1, 1, 1}, 4000, 4000, 4000), InputError);
+  EXPECT_THROW(kuhn_box({1, -1, 1}, 1, 1, 1), InputError);
+}
+
+TEST(TetQuality, RegularTetrahedron) {
+  const TetMesh mesh{{{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}}, {{0, 1, 2, 3}}};
+  TetQuality q = tet_quality(mesh);
+  EXPECT_NEAR(std::abs(q.volume), 8.0 / 3, 1e-12);
+  EXPECT_NEAR(q.min_dihedral_deg, std::acos(1.0 / 3) * 180 / std::numbers::pi, 1e-9);
+  EXPECT_NEAR(q.max_dihedral_deg, q.min_dihedral_deg, 1e-9);
+}
+
+// Every shape of the table at several cells and sizes: bounded angles, one piece, manifold boundary, and a
+// volume that comes near the field's own.
+TEST(Stuffing, EveryShapeAtEveryCell) {
+  for (const ImplicitShape& shape : implicit_shapes())
+    for (const double stretch : {1.0, 1.3})
+      for (const double fraction : {4.0, 7.0}) {
+        const Vec3 size = shape.natural_size.cwiseProduct(Vec3(1, stretch, 1));
+        const SolidField field = implicit_shape(shape.name, size);
+        const double cell = size.minCoeff() / fraction;
+        SCOPED_TRACE(std::string(shape.name) + " at " + std::to_string(cell));
+        const TetMesh mesh = stuff_solid(field, cell);
+        const TetQuality q = tet_quality(mesh);
+        EXPECT_GE(q.min_dihedral_deg, 10);
+        EXPECT_LE(q.max_dihedral_deg, 165);
+        EXPECT_EQ(q.components, 1u);
+        EXPECT_EQ(q.non_manifold_edges, 0u);
+        for (const auto& t : mesh.tets) {
+          const auto& x = mesh.positions;
+          ASSERT_GT(tet_volume(x[t[0]], x[t[1]], x[t[2]], x[t[3]]), 0);
+        }
+      }
+}
+
+TEST(Stuffing, BallVolumeConvergesAtSecondOrder) {
+  const SolidField ball = implicit_shape("ball", Vec3::Constant(0.1));
+  const double exact = 4.0 / 3 * std::numbers::pi * std::pow(0.05, 3);
+  const double coarse = 1 - tet_quality(stuff_solid(ball, 0.016)).volume / exact;
+  const double fine = 1 - tet_quality(stuff_solid(ball, 0.008)).volume / exact;
+  EXPECT_GT(coarse, 0);
+  EXPECT_LT(coarse, 0.06);
+  EXPECT_LT(fine, coarse / 3);
+}
+
+TEST(Stuffing, RefusesWhatCannotBeMeshed) {
+  const SolidField ball = implicit_shape("ball", Vec3::Constant(0.1));
+  EXPECT_THROW(stuff_solid(ball, 1e-6), InputError);
+  EXPECT_THROW(stuff_solid(ball, 0), InputError);
+  EXPECT_THROW(stuff_solid(ball, -1), InputError);
+  const SolidField nothing{[](const Vec3&) { return 1.0; }, {Vec3::Zero(), Vec3::Ones()}};
+  EXPECT_THROW(stuff_solid(nothing, 0.1), InputError);
+  EXPECT_THROW(isosurface(nothing, 0.1), InputError);
+}
+
+TEST(Isosurface, EveryShapeIsClosedAndAboutItsCell) {
+  for (const ImplicitShape& shape : implicit_shapes()) {
+    SCOPED_TRACE(shape.name);
+    const SolidField field = implicit_shape(shape.name, shape.natural_size);
+    const double cell = shape.natural_size.minCoeff() / 20;
+    const TriangleMesh mesh = isosurface(field, cell);
+    const SurfaceReport report = check_surface(mesh);
+    EXPECT_EQ(report.open_edges, 0u);
+    EXPECT_EQ(report.intersecting_pairs, 0u);
+    EXPECT_GT(report.volume, 0);
+    double sum = 0;
+    for (const auto& t : mesh.triangles)
+      for (std::size_t k = 0; k < 3; ++k)
+        sum += (mesh.positions[t[k]] - mesh.positions[t[(k + 1) % 3]]).norm();
+    EXPECT_NEAR(sum / static_cast<double>(3 * mesh.triangles.size()), cell, 0.3 * cell);
+    for (const Vec3& x : mesh.positions) ASSERT_LT(std::abs(field.value(x)), 0.2 * cell);
+  }
+}
+
+TEST(Implicit, BoxIsTheSizeAskedFor) {
+  for (const ImplicitShape& shape : implicit_shapes()) {
+    SCOPED_TRACE(shape.name);
+    const Vec3 size(0.2, 0.15, 0.3);
+    const TriangleMesh mesh = isosurface(implicit_shape(shape.name, size), 0.008);
+    Vec3 low = mesh.positions.front(), high = low;
+    for (const Vec3& x : mesh.positions) {
+      low = low.cwiseMin(x);
+      high = high.cwiseMax(x);
+    }
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(high[k] - low[k], size[k], 0.07 * size[k]) << k;
+  }
+  EXPECT_THROW(implicit_shape("spleen", Vec3::Ones()), InputError);
+  EXPECT_THROW(implicit_shape("ball", {1, 0, 1}), InputError);
+}
+
+TEST(Embedding, RowsSumToOneAndReproduceTheSurface) {
+  for (const char* name : {"liver", "gallbladder", "foot"}) {
+    const Vec3 size = natural_size(name);
+    const SolidField field = implicit_shape(name, size);
+    const double cell = size.minCoeff() / 6;
+    const TriangleMesh surface = isosurface(field, cell / 2);
+    const Embedding e = embed(stuff_solid(field, cell), surface);
+    const Anatomy& a = e.anatomy;
+    ASSERT_EQ(a.embedding.rows.size(), surface.positions.size());
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < surface.positions.size(); ++i) {
+      const SparseMap::Row& row = a.embedding.rows[i];
+      EXPECT_NEAR(row.weight[0] + row.weight[1] + row.weight[2] + row.weight[3], 1, 1e-12);
+      for (const double w : row.weight) EXPECT_LE(std::abs(w), max_embedding_weight + 1e-9);
+      EXPECT_EQ(a.surface.positions[i], a.embedding.apply(i, a.tets.positions[0].data()));
+      if ((a.surface.positions[i] - surface.positions[i]).norm() > 1e-9) ++moved;
+    }
+    EXPECT_EQ(moved, e.drawn_in) << name;
+  }
+}
+
+TEST(Embedding, LinearMapsCarryOver) {
+  Anatomy a = embed(kuhn_box({1, 1, 1}, 3, 3, 3),
+                    {{{0.2, 0.3, 0.4}, {1.1, 0.5, 0.5}, {-0.1, -0.1, 1.2}}, {{0, 1, 2}}})
+                  .anatomy;
+  const auto rest = a.surface.positions;
+  Mat3 f;
+  f << 1, 2, 0, 0.5, 1, -1, 0, 0.25, 3;
+  for (Vec3& x : a.tets.positions) x = f * x;
+  apply_embedding(a);
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    EXPECT_LT((a.surface.positions[i] - f * rest[i]).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace prosector

@@ -1,0 +1,147 @@
+#include "common/anatomy/sources.h"
+
+#include <gtest/gtest.h>
+
+#include "common/anatomy/mesh_quality.h"
+#include "common/anatomy/surface_check.h"
+#include "common/error.h"
+#include "tests/anatomy/files.h"
+
+namespace prosector {
+namespace {
+
+using namespace testing_files;
+
+struct Lines {
+  std::vector<std::string> lines;
+  Progress progress() {
+    return [this](const std::string& line) { lines.push_back(line); };
+  }
+  bool say(const std::string& text) const {
+    for (const auto& line : lines)
+      if (line.find(text) != std::string::npos) return true;
+    return false;
+  }
+};
+
+SoftDesc ball_of(int label) {
+  SoftDesc d;
+  d.name = "ball";
+  d.volume = "balls.inr";
+  d.label = label;
+  d.cell = 0.008;
+  d.surface_cell = 0.004;
+  return d;
+}
+
+TEST(Sources, VolumeToTheRoomsFrameAtThePose) {
+  const TempDir dir;
+  write(dir.path / "balls.inr", two_balls());
+  const SourcePaths paths{"/nonexistent", {"/also/nonexistent", dir.path}, {}};
+  Lines said;
+  SoftDesc d = ball_of(7);
+  d.pose = {{1, 2, 3}, Quat(Eigen::AngleAxisd(1.0, Vec3(1, 2, 2).normalized()))};
+  const Anatomy a = make_anatomy(d, paths, said.progress());
+  const SurfaceReport report = check_surface(a.surface);
+  EXPECT_NEAR((report.center_of_mass - d.pose * (0.002 * (Vec3(15, 18, 20) - Vec3::Constant(19.5)))).norm(),
+              0, 1e-4);
+  EXPECT_NEAR(report.volume, 4.0 / 3 * M_PI * 0.024 * 0.024 * 0.024, 0.05 * report.volume);
+  EXPECT_EQ(report.warning(), "");
+  for (std::size_t i = 0; i < a.surface.positions.size(); ++i)
+    EXPECT_EQ(a.surface.positions[i], a.embedding.apply(i, a.tets.positions[0].data()));
+  EXPECT_TRUE(said.say("kept the largest of 2 pieces (1 voxels dropped)"));
+  EXPECT_TRUE(said.say("dihedral"));
+}
+
+TEST(Sources, MissingFileFallsBackOrSaysWhereItLooked) {
+  const SourcePaths paths{"/nowhere/scenes", {"/nowhere/data"}, {}};
+  SoftDesc d = ball_of(7);
+  try {
+    make_anatomy(d, paths, {});
+    FAIL();
+  } catch (const InputError& e) {
+    const std::string what = e.what();
+    EXPECT_NE(what.find("/nowhere/scenes/balls.inr, /nowhere/data/balls.inr"), std::string::npos) << what;
+  }
+  d.fallback = "kidney";
+  Lines said;
+  EXPECT_FALSE(make_anatomy(d, paths, said.progress()).tets.tets.empty());
+  EXPECT_TRUE(said.say("balls.inr is missing: using the implicit shape \"kidney\" instead"));
+
+  RigidDesc r;
+  r.name = "bone";
+  r.mesh = "femur.off";
+  EXPECT_THROW(make_surface(r, paths, {}), InputError);
+  r.fallback = "femur";
+  EXPECT_EQ(check_surface(make_surface(r, paths, said.progress())).open_edges, 0u);
+  EXPECT_TRUE(said.say("femur.off is missing"));
+  SoftDesc nothing;
+  nothing.name = "nothing";
+  EXPECT_THROW(make_anatomy(nothing, paths, {}), InputError);
+}
+
+TEST(Sources, CacheGivesTheSameBitsAndSurvivesDamage) {
+  const TempDir dir;
+  write(dir.path / "balls.inr", two_balls());
+  const SourcePaths paths{dir.path, {}, dir.path / "cache"};
+  const SoftDesc d = ball_of(9);
+  const Anatomy first = make_anatomy(d, paths, {});
+  const auto same = [&](const Anatomy& a) {
+    return a.tets.positions == first.tets.positions && a.tets.tets == first.tets.tets &&
+           a.surface.positions == first.surface.positions && a.surface.triangles == first.surface.triangles;
+  };
+  const auto cached = [&] {
+    std::vector<std::filesystem::path> out;
+    for (const auto& entry : std::filesystem::directory_iterator(paths.cache_dir))
+      out.push_back(entry.path());
+    return out;
+  };
+  ASSERT_EQ(cached().size(), 1u);
+  Lines said;
+  EXPECT_TRUE(same(make_anatomy(d, paths, said.progress())));
+  EXPECT_TRUE(said.say("(cached)"));
+
+  const auto file = cached().front();
+  const auto size = std::filesystem::file_size(file);
+  for (const auto damage : {0u, 10u, 1000u}) {  // truncated
+    std::filesystem::resize_file(file, damage);
+    Lines again;
+    EXPECT_TRUE(same(make_anatomy(d, paths, again.progress())));
+    EXPECT_FALSE(again.say("(cached)"));
+    EXPECT_EQ(std::filesystem::file_size(file), size);
+  }
+  {
+    std::fstream f(file, std::ios::in | std::ios::out | std::ios::binary);
+    f.seekp(static_cast<std::streamoff>(size / 2));
+    f.put('\x55');
+    f.put('\x2a');
+  }
+  EXPECT_TRUE(same(make_anatomy(d, paths, {})));
+  // Another parameter is another file; the pose is not part of it.
+  SoftDesc finer = d;
+  finer.cell = 0.006;
+  make_anatomy(finer, paths, {});
+  EXPECT_EQ(cached().size(), 2u);
+  SoftDesc moved = d;
+  moved.pose.p = {1, 0, 0};
+  EXPECT_FALSE(same(make_anatomy(moved, paths, {})));
+  EXPECT_EQ(cached().size(), 2u);
+  // A cache that can't be written is no reason to fail.
+  EXPECT_TRUE(same(make_anatomy(d, {dir.path, {}, "/proc/nowhere"}, {})));
+}
+
+TEST(Sources, ShapesScaleToTheirSize) {
+  SoftDesc d;
+  d.name = "liver";
+  d.shape = "liver";
+  d.size = {0.2, 0.15, 0.14};
+  const Anatomy a = make_anatomy(d, {}, {});
+  const TetQuality q = tet_quality(a.tets);
+  EXPECT_GT(q.tets, 1000u);
+  EXPECT_GE(q.min_dihedral_deg, 10);
+  d.shape = "teapot";
+  EXPECT_THROW(make_anatomy(d, {}, {}), InputError);
+}
+
+}  // namespace
+}  // namespace prosector
