@@ -78,7 +78,7 @@ grep -E "models|soft|rigid|session|ready" "$out/server.log" | head -n 12 || true
 
 say "A headset user joins through the simulated tracker and glove"
 "$bin/prosector-fastrak-twin" --script "$root/deploy/demo/hand.csv" --wait-client --link "$out/tracker" \
-  --log "$out/tracker.csv" --noise-cm 0.02 --seed 1 > "$out/tracker.log" 2>&1 &
+  --room-device 0,1,1,1,0,0,0 --log "$out/tracker.csv" --noise-cm 0.02 --seed 1 > "$out/tracker.log" 2>&1 &
 pids+=("$!")
 "$bin/prosector-5dt-twin" --script "$root/deploy/demo/glove.csv" --wait-client --link "$out/glove" \
   --log "$out/glove.csv" --seed 2 > "$out/glove.log" 2>&1 &
