@@ -11,7 +11,7 @@ deploy/demo.sh [--headless] [--seconds N] [--out DIR] [--scene FILE] [--skip-set
   --seconds N    how long the session lasts (default 20; with a window: until you close it)
   --out DIR      where pictures, video and figures go (default out/demo)
   --scene FILE   scene to host (default deploy/scenes/abdomen.toml)
-  --skip-setup   don't install, fetch and build first
+  --skip-setup   don't install, fetch and build first (PROSECTOR_BIN says where the programs are, if not in build/release/bin)
 TXT
 }
 
@@ -36,7 +36,7 @@ if [ $setup = yes ]; then
   "$root/deploy/fetch_anatomy.sh"
   "$root/deploy/build.sh" release
 fi
-bin=$root/build/release/bin
+bin=${PROSECTOR_BIN:-$root/build/release/bin}
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
 rm -f "$out"/*.png "$out"/*.avi "$out"/*.csv "$out"/*.json "$out"/*.log "$out"/journal.sqlite*
