@@ -14,6 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds poll_interval{20};
+constexpr std::chrono::seconds rejoin_interval{1};
 
 ParticipantId draw_participant_id() {
   std::random_device entropy;
@@ -109,7 +110,12 @@ void Connection::start() {
 
 void Connection::run(std::stop_token stop) {
   std::vector<Received> received;
+  auto next_check = Clock::now() + rejoin_interval;
   while (!stop.stop_requested()) {
+    if (Clock::now() > next_check) {
+      rejoin_if_forgotten();
+      next_check = Clock::now() + rejoin_interval;
+    }
     if (!bus_->wait(std::chrono::milliseconds(100))) continue;
     bus_->take(received);
     if (on_received_)
@@ -122,6 +128,16 @@ void Connection::run(std::stop_token stop) {
         refusal_ = result->reason;
     }
   }
+}
+
+// After the network was cut, or the server started again, the roster is without us: say again who we are.
+void Connection::rejoin_if_forgotten() {
+  const bool forgotten = with_replica([&](const Replica& r) {
+    return r.session() && !r.server_gone() && !r.roster().contains(presence_.participant);
+  });
+  if (!forgotten) return;
+  bus_->publish(presence_);
+  command(CommandKind::join, right_hand);
 }
 
 void Connection::command(CommandKind kind, std::size_t hand) {

@@ -63,6 +63,7 @@ class Connection {
   void find_session(const BusConfig& config, std::chrono::milliseconds patience);
   void ask_to_join(std::chrono::milliseconds patience);
   void run(std::stop_token stop);
+  void rejoin_if_forgotten();
 };
 
 }  // namespace prosector

@@ -36,8 +36,7 @@ void add_network(CLI::App& app, ClientOptions& o, RawOptions& raw) {
       ->group("Network");
   app.add_option("--lan", raw.lan, "Search the network of this interface, for instance eth0")
       ->group("Network");
-  app.add_option("--profile", o.bus.profile, "DDS profile file, see deploy/dds")
-      ->check(CLI::ExistingFile)
+  app.add_option("--profile", o.bus.profile, "loopback, lan, wan or a DDS profile file, see docs/network.md")
       ->group("Network");
   app.add_option_function<double>(
          "--patience",
@@ -123,6 +122,8 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
     if (!address.empty()) (void)parse_device_address(address);
   o.join.name = raw.user_name.empty() ? login_name() : raw.user_name;
   o.bus.interface = raw.lan;
+  if (o.bus.profile.empty() && !raw.lan.empty()) o.bus.profile = "lan";
+  if (o.bus.profile.empty() && !o.bus.peers.empty()) o.bus.profile = "wan";
   o.bus.end = o.join.role == Role::observer ? BusEnd::observer : BusEnd::dissector;
   if (o.shaders.empty()) o.shaders = default_shader_dir();
 }
