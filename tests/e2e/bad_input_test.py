@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+"""bad_input_test.py BIN OUT: gives the real programs bad input of every kind and expects one clear line and exit code 2.
+
+Each row: what is bad, how to make it, and the words that the message must hold (what, where, what is allowed).
+"""
+
+import gzip
+import pathlib
+import struct
+import subprocess
+import sys
+
+BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+OUT.mkdir(parents=True, exist_ok=True)
+
+SOFT = '''name = "bad"
+[[soft]]
+name = "organ"
+{}
+'''
+
+
+def write(name, data):
+    path = OUT / name
+    path.write_bytes(data if isinstance(data, bytes) else data.encode())
+    return path
+
+
+def inr(x, y, z, voxels, type_="unsigned fixed", bits=8):
+    header = (f"#INRIMAGE-4#{{\nXDIM={x}\nYDIM={y}\nZDIM={z}\nVDIM=1\nTYPE={type_}\nPIXSIZE={bits} bits\nSCALE=2**0\n"
+              "CPU=decm\nVX=1\nVY=1\nVZ=1\n")
+    return (header + "\n" * (256 - len(header) - 4) + "##}\n").encode() + voxels
+
+
+def nifti(voxels, dims, datatype=16, bits=32):
+    header = bytearray(352)
+    struct.pack_into("<i", header, 0, 348)
+    struct.pack_into("<8h", header, 40, 3, *dims, 1, 1, 1, 1)
+    struct.pack_into("<hh", header, 70, datatype, bits)
+    struct.pack_into("<8f", header, 76, 1, 1, 1, 1, 0, 0, 0, 0)
+    struct.pack_into("<f", header, 108, 352)
+    header[344:348] = b"n+1\0"
+    return bytes(header) + voxels
+
+
+def soft_scene(name, fields):
+    return write(name + ".toml", SOFT.format(fields))
+
+
+def rigid_scene(name, mesh):
+    return write(name + ".toml", f'name = "bad"\n[[rigid]]\nname = "part"\nmesh = "{mesh}"\n')
+
+
+cube = bytes(255 if 4 <= i % 16 < 12 and 4 <= i // 16 % 16 < 12 and 4 <= i // 256 < 12 else 0 for i in range(16**3))
+write("truncated.inr", inr(16, 16, 16, cube[:1000]))
+write("truncated.inr.gz", gzip.compress(inr(16, 16, 16, cube))[:-40])
+write("huge.inr", inr(60000, 60000, 60000, b""))
+write("labels.inr", inr(16, 16, 16, cube))
+write("nan.nii", nifti(struct.pack("<f", float("nan")) * 16**3, (16, 16, 16)))
+write("zero.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n$EndNodes\n$Elements\n0\n$EndElements\n")
+# A tetrahedron and a copy of it pushed half through: two closed shells that cross.
+tet = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+points = tet + [(x + 0.2, y + 0.2, z + 0.2) for x, y, z in tet]
+write("crossing.off", f"OFF\n8 8 0\n" + "".join("%g %g %g\n" % p for p in points)
+      + "".join("3 %d %d %d\n" % f for f in faces + [tuple(i + 4 for i in f) for f in faces]))
+write("nan.off", "OFF\n3 1 0\nnan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+
+CASES = [
+    ("missing scene", OUT / "absent.toml", ["absent.toml"]),
+    ("not TOML", write("syntax.toml", "name = [\n"), ["syntax.toml:"]),
+    ("unknown key", soft_scene("unknown", 'shape = "ball"\nyoung = 3'), ["unknown.toml:", "young", "youngs_modulus"]),
+    ("NaN in a scene", soft_scene("nan", 'shape = "ball"\nyoungs_modulus = nan'), ["nan.toml:", "youngs_modulus"]),
+    ("out of range", soft_scene("range", 'shape = "ball"\npoisson_ratio = 0.6'), ["range.toml:", "poisson_ratio", "0.5"]),
+    ("unknown model", soft_scene("model", 'shape = "ball"\nmodel = "jelly"'), ["jelly", "fem_corotational"]),
+    ("missing volume", soft_scene("missing", 'volume = "absent.inr"\nlabel = 1'), ["absent.inr"]),
+    ("truncated volume", soft_scene("truncated", 'volume = "truncated.inr"\nlabel = 255'), ["truncated.inr"]),
+    ("truncated gzip", soft_scene("gzip", 'volume = "truncated.inr.gz"\nlabel = 255'), ["truncated.inr.gz"]),
+    ("huge volume", soft_scene("huge", 'volume = "huge.inr"\nlabel = 1'), ["huge.inr"]),
+    ("NaN voxels", soft_scene("nanvoxel", 'volume = "nan.nii"\nthreshold = 0.5'), ["nan.nii"]),
+    ("label that isn't there", soft_scene("label", 'volume = "labels.inr"\nlabel = 7'), ["labels.inr", "7", "255"]),
+    ("zero tetrahedra", soft_scene("zero", 'mesh = "zero.msh"'), ["zero.msh"]),
+    ("self-intersecting surface", rigid_scene("crossing", "crossing.off"), ["crossing.off", "intersect"]),
+    ("NaN in a surface", rigid_scene("nanoff", "nan.off"), ["nan.off"]),
+]
+
+failures = 0
+for what, scene, words in CASES:
+    run = subprocess.run([BIN / "prosector-server", str(scene), "--check", "--cache", str(OUT / "cache")],
+                         capture_output=True, text=True, timeout=60)
+    message = run.stderr.strip()
+    good = run.returncode == 2 and all(w in message for w in words) and len(message.splitlines()) <= 3
+    failures += not good
+    print(f"{'ok    ' if good else 'FAILED'} {what}: exit {run.returncode}: {message}"
+          + ("" if good else f"\n       expected exit 2 and {words}\n       stdout: {run.stdout[-400:]}"))
+
+CLIENT_CASES = [
+    ("no server", ["observe", "--session", "nobody-is-here", "--patience", "1", "--display", "none"],
+     ["nobody-is-here", "looked"]),
+    ("bad size", ["observe", "--size", "800"], ["--size", "WIDTHxHEIGHT"]),
+    ("unknown driver", ["join", "--tracker", "magic:/dev/null"], ["magic", "fastrak"]),
+]
+for what, arguments, words in CLIENT_CASES:
+    run = subprocess.run([BIN / "prosector-client", *arguments], capture_output=True, text=True, timeout=60)
+    good = run.returncode == 2 and all(w in run.stderr for w in words)
+    failures += not good
+    print(f"{'ok    ' if good else 'FAILED'} {what}: exit {run.returncode}: {run.stderr.strip()}")
+
+sys.exit(1 if failures else 0)
