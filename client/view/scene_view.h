@@ -34,22 +34,19 @@ class SceneView {
   const DrawList& build(Replica& replica, double tick, const LocalUser& self, const ViewSettings& settings);
 
  private:
-  struct Body {
-    std::shared_ptr<DrawMesh> mesh;
-    std::vector<std::uint32_t> source;  // soft: surface vertex behind each drawn one
-  };
-  std::map<BodyId, Body> bodies_;
+  std::map<BodyId, std::shared_ptr<DrawMesh>> meshes_;
   std::map<std::pair<ParticipantId, std::size_t>, std::shared_ptr<DrawMesh>> hands_;
+  std::vector<DrawItem> room_;
   std::uint64_t next_mesh_id_ = 1;
-  std::shared_ptr<const DrawMesh> room_, head_;
   DrawList list_;
 
+  void place_cameras(const Replica& replica, double tick, const LocalUser& self,
+                     const ViewSettings& settings);
+  void add_room();
   void add_bodies(Replica& replica, double tick);
   void add_users(const Replica& replica, double tick, const LocalUser& self, const std::string& seen_through);
   void add_hand(ParticipantId who, std::size_t hand, const HandPose& pose, const Vec3& color);
-  void add_overlay(const Replica& replica, const LocalUser& self, const ViewSettings& settings);
-  void place_cameras(const Replica& replica, double tick, const LocalUser& self,
-                     const ViewSettings& settings);
+  void add_overlay(const Replica& replica, const ViewSettings& settings);
 };
 
 }  // namespace prosector

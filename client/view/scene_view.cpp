@@ -1,0 +1,149 @@
+#include "client/view/scene_view.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "client/view/avatar.h"
+#include "client/view/camera.h"
+#include "client/view/hand_mesh.h"
+#include "client/view/normals.h"
+#include "client/view/room.h"
+
+namespace prosector {
+namespace {
+
+constexpr double eye_fov = 0.95;  // rad, vertical, through somebody's eyes: one wants to see their hands too
+
+Surface surface_of(const SceneBody& body) {
+  return body.kind == BodyKind::soft ? Surface::tissue : Surface::plain;
+}
+
+const RosterEntry* find_by_name(const Replica& replica, const std::string& name) {
+  for (const auto& [id, entry] : replica.roster())
+    if (entry.name == name) return &entry;
+  return nullptr;
+}
+
+Appearance skin(const Vec3& color) {
+  // A glove in the user's colour, pale enough that shading shows.
+  return {.color = 0.35 * Vec3(0.85, 0.83, 0.8) + 0.55 * color, .roughness = 0.55, .wetness = 0};
+}
+
+}  // namespace
+
+const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser& self,
+                                 const ViewSettings& settings) {
+  list_.items.clear();
+  list_.lines.clear();
+  list_.texts.clear();
+  list_.lights = replica.scene()->lights;
+  place_cameras(replica, tick, self, settings);
+  add_room();
+  add_bodies(replica, tick);
+  add_users(replica, tick, self, settings.follow);
+  if (settings.overlay) add_overlay(replica, settings);
+  return list_;
+}
+
+void SceneView::place_cameras(const Replica& replica, double tick, const LocalUser& self,
+                              const ViewSettings& settings) {
+  const CameraInfo& camera = replica.scene()->camera;
+  Pose eye = look_at(camera.eye, camera.target);
+  double fov = camera.fov;
+  if (settings.eye) eye = *settings.eye;
+  if (!settings.eye && self.present && self.input.head_tracked) {
+    eye = self.input.head;
+    fov = eye_fov;
+  }
+  if (const RosterEntry* followed = find_by_name(replica, settings.follow)) {
+    const auto user = replica.user(followed->participant, tick);
+    if (user && user->head_tracked) {
+      eye = user->head;
+      fov = eye_fov;
+    }
+  }
+  list_.cameras.clear();
+  if (!settings.stereo) {
+    list_.cameras.push_back(mono_camera(eye, fov, settings.width, settings.height));
+    return;
+  }
+  for (const DrawCamera& c : stereo_cameras(eye, StereoProfile{}, settings.width, settings.height))
+    list_.cameras.push_back(c);
+}
+
+void SceneView::add_room() {
+  if (room_.empty()) room_ = make_room(next_mesh_id_);
+  for (const DrawItem& item : room_) list_.items.push_back(item);
+}
+
+void SceneView::add_bodies(Replica& replica, double tick) {
+  const auto& bodies = replica.scene()->bodies;
+  for (BodyId id = 0; id < bodies.size(); ++id) {
+    auto& mesh = meshes_[id];
+    Pose pose;
+    if (bodies[id].kind == BodyKind::rigid) {
+      const RigidReplica* rigid = replica.rigid(id);
+      if (!mesh) mesh = std::make_shared<DrawMesh>(creased_mesh(rigid->mesh, next_mesh_id_++));
+      pose = replica.rigid_pose(id, tick);
+    } else {
+      SoftReplica& soft = *replica.soft(id);
+      const bool moved = soft.sample(tick, replica.tick_seconds());
+      if (!mesh) mesh = std::make_shared<DrawMesh>(smooth_mesh(soft.rest(), next_mesh_id_++));
+      if (moved) {
+        mesh->positions = soft.surface();
+        smooth_normals(*mesh);
+        ++mesh->positions_revision;
+      }
+    }
+    list_.items.push_back(
+        {.mesh = mesh, .pose = pose, .surface = surface_of(bodies[id]), .appearance = bodies[id].appearance});
+  }
+}
+
+// Everyone as the server has them, but oneself as one's own devices have one: that is faster, and is where
+// one feels it.
+void SceneView::add_users(const Replica& replica, double tick, const LocalUser& self,
+                          const std::string& seen_through) {
+  if (self.present) {
+    const auto me = replica.roster().find(self.participant);
+    const Vec3 color = me == replica.roster().end() ? Vec3(Vec3::Ones()) : me->second.color;
+    for (std::size_t hand : {left_hand, right_hand})
+      if (self.input.hands[hand].tracked) add_hand(self.participant, hand, self.input.hands[hand], color);
+  }
+  for (const auto& [id, entry] : replica.roster()) {
+    const auto user = replica.user(id, tick);
+    if (!user || (self.present && id == self.participant)) continue;
+    for (std::size_t hand : {left_hand, right_hand})
+      if (user->hands[hand].tracked) add_hand(id, hand, user->hands[hand], entry.color);
+    if (user->head_tracked && entry.name != seen_through)
+      add_avatar(list_, user->head, entry.name, entry.color, next_mesh_id_);
+  }
+}
+
+void SceneView::add_hand(ParticipantId who, std::size_t hand, const HandPose& pose, const Vec3& color) {
+  auto& mesh = hands_[{who, hand}];
+  if (!mesh) mesh = std::make_shared<DrawMesh>(make_hand_mesh(hand, next_mesh_id_++));
+  skin_hand(hand, pose.flexion, *mesh);
+  list_.items.push_back(
+      {.mesh = mesh, .pose = pose.pose, .surface = Surface::skin, .appearance = skin(color)});
+}
+
+void SceneView::add_overlay(const Replica& replica, const ViewSettings& settings) {
+  add_own_axes(list_, list_.cameras.front().pose);
+  const auto line = [&](int row, std::string text) {
+    list_.texts.push_back({.text = std::move(text), .at = {10, 10 + 18.0 * row, 0}, .height = 14});
+  };
+  const SessionInfo& session = *replica.session();
+  line(0, fmt::format("{} - {}", session.session, session.scene));
+  if (const auto& status = replica.status())
+    line(1, fmt::format("x{:.2f}  step {:.1f} ms  {} users  {} observers", status->real_time_factor,
+                        status->step_ms_p50, status->participants - status->observers, status->observers));
+  if (replica.server_gone()) line(2, "the server is gone; waiting for it");
+  if (!settings.follow.empty())
+    line(3, find_by_name(replica, settings.follow) != nullptr
+                ? fmt::format("through the eyes of {}", settings.follow)
+                : fmt::format("{} is not here; own view", settings.follow));
+}
+
+}  // namespace prosector
