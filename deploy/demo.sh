@@ -73,8 +73,8 @@ say "Hosting $(basename "$scene") as session $session"
   > "$out/server.log" 2>&1 &
 server=$!
 pids+=("$server")
-wait_for "$out/server.log" "ready" 180 "the server"
-grep -E "models|soft|rigid|session|ready" "$out/server.log" | head -n 12 || true
+wait_for "$out/server.log" "take part" 180 "the server"
+grep -E "bodies|session|fem_" "$out/server.log" | head -n 12 || true
 
 say "A headset user joins through the simulated tracker and glove"
 "$bin/prosector-fastrak-twin" --script "$root/deploy/demo/hand.csv" --wait-client --link "$out/tracker" \

@@ -121,7 +121,7 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
        {o.devices.tracker, o.devices.gloves[left_hand].address, o.devices.gloves[right_hand].address})
     if (!address.empty()) (void)parse_device_address(address);
   o.join.name = raw.user_name.empty() ? login_name() : raw.user_name;
-  o.bus.interface = raw.lan;
+  if (raw.lan != "auto") o.bus.interface = raw.lan;
   if (o.bus.profile.empty() && !raw.lan.empty()) o.bus.profile = "lan";
   if (o.bus.profile.empty() && !o.bus.peers.empty()) o.bus.profile = "wan";
   o.bus.end = o.join.role == Role::observer ? BusEnd::observer : BusEnd::dissector;

@@ -104,7 +104,7 @@ class Client {
   PictureSink sink_;
   std::unique_ptr<InputPump> pump_;
   std::unique_ptr<Stage> stage_;
-  std::string missing_;
+  std::string missing_ = "everything";  // what was last told to be missing
   bool server_gone_ = false;
 
   static JoinRequest request(const ClientOptions& o) {

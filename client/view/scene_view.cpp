@@ -25,6 +25,26 @@ const RosterEntry* find_by_name(const Replica& replica, const std::string& name)
   return nullptr;
 }
 
+std::shared_ptr<DrawMesh> rigid_mesh(const TriangleMesh& surface, std::uint64_t id) {
+  CreasedMesh creased = split_creases(surface);
+  auto out = std::make_shared<DrawMesh>();
+  out->id = id;
+  out->positions = std::move(creased.positions);
+  out->normals = std::move(creased.normals);
+  out->triangles = std::move(creased.triangles);
+  return out;
+}
+
+std::shared_ptr<DrawMesh> soft_mesh(const TriangleMesh& rest, std::uint64_t id) {
+  auto out = std::make_shared<DrawMesh>();
+  out->id = id;
+  for (const Vec3& x : rest.positions) out->positions.push_back(x.cast<float>());
+  out->rest_positions = out->positions;
+  out->triangles = rest.triangles;
+  smooth_normals(out->positions, out->triangles, out->normals);
+  return out;
+}
+
 Appearance skin(const Vec3& color) {
   // A glove in the user's colour, pale enough that shading shows.
   return {.color = 0.35 * Vec3(0.85, 0.83, 0.8) + 0.55 * color, .roughness = 0.55, .wetness = 0};
@@ -73,7 +93,10 @@ void SceneView::place_cameras(const Replica& replica, double tick, const LocalUs
 }
 
 void SceneView::add_room() {
-  if (room_.empty()) room_ = make_room(next_mesh_id_);
+  if (room_.empty()) {
+    room_ = room_items(next_mesh_id_);
+    next_mesh_id_ += 2;
+  }
   for (const DrawItem& item : room_) list_.items.push_back(item);
 }
 
@@ -84,15 +107,15 @@ void SceneView::add_bodies(Replica& replica, double tick) {
     Pose pose;
     if (bodies[id].kind == BodyKind::rigid) {
       const RigidReplica* rigid = replica.rigid(id);
-      if (!mesh) mesh = std::make_shared<DrawMesh>(creased_mesh(rigid->mesh, next_mesh_id_++));
+      if (!mesh) mesh = rigid_mesh(rigid->mesh, next_mesh_id_++);
       pose = replica.rigid_pose(id, tick);
     } else {
       SoftReplica& soft = *replica.soft(id);
       const bool moved = soft.sample(tick, replica.tick_seconds());
-      if (!mesh) mesh = std::make_shared<DrawMesh>(smooth_mesh(soft.rest(), next_mesh_id_++));
+      if (!mesh) mesh = soft_mesh(soft.rest(), next_mesh_id_++);
       if (moved) {
         mesh->positions = soft.surface();
-        smooth_normals(*mesh);
+        smooth_normals(mesh->positions, mesh->triangles, mesh->normals);
         ++mesh->positions_revision;
       }
     }
@@ -105,6 +128,7 @@ void SceneView::add_bodies(Replica& replica, double tick) {
 // one feels it.
 void SceneView::add_users(const Replica& replica, double tick, const LocalUser& self,
                           const std::string& seen_through) {
+  if (!head_) head_ = head_mesh(next_mesh_id_++);
   if (self.present) {
     const auto me = replica.roster().find(self.participant);
     const Vec3 color = me == replica.roster().end() ? Vec3(Vec3::Ones()) : me->second.color;
@@ -117,7 +141,7 @@ void SceneView::add_users(const Replica& replica, double tick, const LocalUser& 
     for (std::size_t hand : {left_hand, right_hand})
       if (user->hands[hand].tracked) add_hand(id, hand, user->hands[hand], entry.color);
     if (user->head_tracked && entry.name != seen_through)
-      add_avatar(list_, user->head, entry.name, entry.color, next_mesh_id_);
+      add_avatar(list_, head_, user->head, entry.color, entry.name);
   }
 }
 
@@ -130,7 +154,7 @@ void SceneView::add_hand(ParticipantId who, std::size_t hand, const HandPose& po
 }
 
 void SceneView::add_overlay(const Replica& replica, const ViewSettings& settings) {
-  add_own_axes(list_, list_.cameras.front().pose);
+  add_corner_axes(list_, Quat::Identity(), list_.cameras.front());
   const auto line = [&](int row, std::string text) {
     list_.texts.push_back({.text = std::move(text), .at = {10, 10 + 18.0 * row, 0}, .height = 14});
   };

@@ -37,6 +37,7 @@ class SceneView {
   std::map<BodyId, std::shared_ptr<DrawMesh>> meshes_;
   std::map<std::pair<ParticipantId, std::size_t>, std::shared_ptr<DrawMesh>> hands_;
   std::vector<DrawItem> room_;
+  std::shared_ptr<const DrawMesh> head_;
   std::uint64_t next_mesh_id_ = 1;
   DrawList list_;
 
