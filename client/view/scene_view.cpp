@@ -45,7 +45,7 @@ std::shared_ptr<DrawMesh> soft_mesh(const TriangleMesh& rest, std::uint64_t id) 
   return out;
 }
 
-Appearance skin(const Vec3& color) {
+Appearance glove(const Vec3& color) {
   // A glove in the user's colour, pale enough that shading shows.
   return {.color = 0.35 * Vec3(0.85, 0.83, 0.8) + 0.55 * color, .roughness = 0.55, .wetness = 0};
 }
@@ -146,11 +146,13 @@ void SceneView::add_users(const Replica& replica, double tick, const LocalUser& 
 }
 
 void SceneView::add_hand(ParticipantId who, std::size_t hand, const HandPose& pose, const Vec3& color) {
+  auto& skin = skins_[hand];
+  if (!skin) skin = std::make_unique<HandSkin>(hand);
   auto& mesh = hands_[{who, hand}];
-  if (!mesh) mesh = std::make_shared<DrawMesh>(make_hand_mesh(hand, next_mesh_id_++));
-  skin_hand(hand, pose.flexion, *mesh);
+  if (!mesh) mesh = skin->make_mesh(next_mesh_id_++);
+  skin->bend(*mesh, pose.flexion);
   list_.items.push_back(
-      {.mesh = mesh, .pose = pose.pose, .surface = Surface::skin, .appearance = skin(color)});
+      {.mesh = mesh, .pose = pose.pose, .surface = Surface::skin, .appearance = glove(color)});
 }
 
 void SceneView::add_overlay(const Replica& replica, const ViewSettings& settings) {

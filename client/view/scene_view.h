@@ -1,6 +1,7 @@
 #pragma once
 // Replica, own hand and camera → DrawList: everything that a person sees, without any GL.
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "client/replica/replica.h"
 #include "client/view/draw_list.h"
+#include "client/view/hand_mesh.h"
 
 namespace prosector {
 
@@ -36,6 +38,7 @@ class SceneView {
  private:
   std::map<BodyId, std::shared_ptr<DrawMesh>> meshes_;
   std::map<std::pair<ParticipantId, std::size_t>, std::shared_ptr<DrawMesh>> hands_;
+  std::array<std::unique_ptr<HandSkin>, 2> skins_;  // made when first seen
   std::vector<DrawItem> room_;
   std::shared_ptr<const DrawMesh> head_;
   std::uint64_t next_mesh_id_ = 1;
