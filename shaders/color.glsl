@@ -8,8 +8,8 @@ vec3 srgb(vec3 linear) {
 
 // Reinhard et al. 2002, eq. 4, on luminance so that hues stay; `white` is the luminance that becomes 1.
 vec3 tone_map(vec3 radiance) {
-  const float exposure = 1.6;
-  const float white = 3.5;
+  const float exposure = 1.15;
+  const float white = 3.0;
   vec3 x = exposure * radiance;
   float luminance = max(dot(x, vec3(0.2126, 0.7152, 0.0722)), 1e-5);
   float mapped = luminance * (1.0 + luminance / (white * white)) / (1.0 + luminance);

@@ -47,10 +47,10 @@ Material material_at(vec3 rest) {
   m.slope = 0.03 * grain.yzw;
   m.scatter = vec3(0.10, 0.08, 0.05);
 #elif defined(SURFACE_METAL)
-  vec4 wear = noise(rest * 90.0);
+  vec4 wear = noise(rest * 23.0);
   m.f0 = base_color;
   m.albedo = vec3(0.0);
-  m.roughness = clamp(base_roughness * mix(0.8, 1.25, wear.x), 0.05, 1.0);
+  m.roughness = clamp(base_roughness * mix(0.93, 1.07, wear.x), 0.05, 1.0);
 #elif defined(SURFACE_SKIN)
   vec4 blotch = noise(rest * 70.0);
   vec4 pore = noise(rest * 900.0);

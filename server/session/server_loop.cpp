@@ -80,7 +80,6 @@ ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& sess
 
 void ServerLoop::tick() {
   const std::int64_t begun = monotonic_ns();
-  if (!start_) start_ = {simulation_.time().tick, begun};
   bus_.take(received_);
   ConsumedInput input = session_.consume(received_, simulation_.time().tick + 1);
   const StepReport& report = simulation_.step(input.input);
@@ -117,20 +116,24 @@ void ServerLoop::journal(ConsumedInput input, std::vector<std::uint8_t> checkpoi
 
 void ServerLoop::record(const StepReport& report, std::int64_t begun_ns) {
   last_end_ns_ = monotonic_ns();
-  meter_.add(report, begun_ns, last_end_ns_);
+  last_tick_ = simulation_.time().tick;
+  if (!start_) start_ = {last_tick_, last_end_ns_};
   energy_ = report.kinetic_energy + report.elastic_energy + report.potential_energy;
   awake_ = report.awake_bodies;
   asleep_ = report.asleep_bodies;
   const auto members = static_cast<std::uint32_t>(session_.roster().members().size());
-  if (members > 0 && !first_participant_) first_participant_ = {simulation_.time().tick, last_end_ns_};
+  if (members > 0 && !first_participant_) first_participant_ = {last_tick_, last_end_ns_};
   figures_.participants = std::max(figures_.participants, members);
   figures_.observers = std::max(figures_.observers, session_.roster().observers());
   ++figures_.ticks;
+  bool tissue_awake = false;
   for (BodyId b = 0; b < simulation_.body_count(); ++b) {
-    if (simulation_.kind(b) != BodyKind::soft) continue;
+    if (simulation_.kind(b) != BodyKind::soft || simulation_.asleep(b)) continue;
+    tissue_awake = true;
     double& most = figures_.max_displacement_mm[simulation_.name(b)];
-    if (!simulation_.asleep(b)) most = std::max(most, 1e3 * simulation_.max_displacement(b));
+    most = std::max(most, 1e3 * simulation_.max_displacement(b));
   }
+  meter_.add(report, tissue_awake, begun_ns, last_end_ns_);
 }
 
 void ServerLoop::announce(const std::vector<SessionEvent>& events) {
@@ -159,9 +162,7 @@ void ServerLoop::run(const std::atomic<bool>& stop, double seconds,
 void ServerLoop::finish() {
   if (journal_ == nullptr || simulation_.time().tick % checkpoint_ticks == 0) return;
   // The last tick of the run is one more step, at whose end the state is saved.
-  const std::int64_t begun = monotonic_ns();
-  const StepReport& report = simulation_.step({});
-  record(report, begun);
+  simulation_.step({});
   std::vector<std::uint8_t> saved = simulation_.checkpoint();
   state_hash_ = simulation_.state_hash();
   journal({}, std::move(saved), session_.take_events());
@@ -169,7 +170,7 @@ void ServerLoop::finish() {
 
 double ServerLoop::real_time_factor(const std::optional<Count>& since) const {
   if (!since || last_end_ns_ <= since->ns) return 0;
-  return static_cast<double>(simulation_.time().tick - since->tick) / simulation_.scene().tick_rate /
+  return static_cast<double>(last_tick_ - since->tick) / simulation_.scene().tick_rate /
          (1e-9 * static_cast<double>(last_end_ns_ - since->ns));
 }
 

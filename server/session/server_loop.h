@@ -74,7 +74,7 @@ class ServerLoop {
   StepMeter meter_;
   std::vector<Received> received_;
   std::shared_ptr<const Snapshot> last_snapshot_;
-  std::uint64_t state_hash_ = 0;
+  std::uint64_t state_hash_ = 0, last_tick_ = 0;  // last_tick_: when last_end_ns_ was taken
   double energy_ = 0;
   std::uint32_t awake_ = 0, asleep_ = 0;
   std::int64_t status_ns_ = 0, last_end_ns_ = 0;

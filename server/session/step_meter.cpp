@@ -34,7 +34,8 @@ double DurationHistogram::quantile(double q) const {
   return smallest_ms * std::pow(ratio, static_cast<double>(bin) + 0.5);
 }
 
-void StepMeter::add(const StepReport& report, std::int64_t begun_ns, std::int64_t ended_ns) {
+void StepMeter::add(const StepReport& report, bool tissue_awake, std::int64_t begun_ns,
+                    std::int64_t ended_ns) {
   Tick tick{ended_ns, static_cast<double>(ended_ns - begun_ns) * 1e-6, {}, 0, {}};
   for (std::size_t p = 0; p < step_phases; ++p) tick.phase_ms[p] = report.seconds[p] * 1e3;
   for (const BodyReport& body : report.bodies) {
@@ -45,7 +46,7 @@ void StepMeter::add(const StepReport& report, std::int64_t begun_ns, std::int64_
     }
   }
   all_.add(tick.ms);
-  if (report.awake_bodies > 0) awake_.add(tick.ms);
+  if (tissue_awake) awake_.add(tick.ms);
   if (tick.ms > dt_ * 1e3) ++late_;
   ticks_.push_back(std::move(tick));
   while (ticks_.size() > 2 && ticks_.front().ended_ns < ended_ns - 1'000'000'000) ticks_.pop_front();

@@ -60,7 +60,7 @@ inline LightInfo lamp(const Vec3& at, const Vec3& target) {
   light.kind = LightKind::spot;
   light.position = at;
   light.direction = (target - at).normalized();
-  light.intensity = 2.2 * (target - at).squaredNorm();
+  light.intensity = 1.4 * (target - at).squaredNorm();
   light.cone = 0.5;
   light.softness = 0.4;
   return light;

@@ -7,6 +7,8 @@
 namespace prosector {
 namespace {
 
+constexpr double same_tangent =
+    0.1;  // cells that nodes may move while a tangent is still good to descend with
 constexpr double stick_speed = 0.002;  // m/s: below it friction sticks, creeping at most this fast
 
 Mat3 cross_matrix(const Vec3& v) {
@@ -137,9 +139,15 @@ Vec3 IslandSystem::contact_force(std::size_t c, const Vec3& u, Mat3* D) const {
 }
 
 double IslandSystem::energy(const VecX& q) {
-  double sum = 0;
+  soft_energy_ = 0;
   for (std::size_t m = 0; m < island_.soft.size(); ++m)
-    sum += island_.soft[m].body->energy(q.segment(soft_offset_[m], 3 * island_.soft[m].body->nodes()));
+    soft_energy_ +=
+        island_.soft[m].body->energy(q.segment(soft_offset_[m], 3 * island_.soft[m].body->nodes()));
+  return soft_energy_ + joint_energy(q);
+}
+
+double IslandSystem::joint_energy(const VecX& q) const {
+  double sum = 0;
   for (std::size_t m = 0; m < island_.rigid.size(); ++m) {
     const RigidMember& body = island_.rigid[m];
     const Vec6 twist = q.segment<6>(rigid_offset(m)), d = twist - body.predicted;
@@ -208,7 +216,12 @@ void IslandSystem::add_block(const Side& side, const Mat3& D) {
 void IslandSystem::assemble(const VecX& q) {
   for (std::size_t m = 0; m < island_.soft.size(); ++m) {
     SoftBody& body = *island_.soft[m].body;
-    body.assemble(q.segment(soft_offset_[m], 3 * body.nodes()));
+    const auto x = q.segment(soft_offset_[m], 3 * body.nodes());
+    const double moved = (x - island_.soft[m].state->motion.x).lpNorm<Eigen::Infinity>();
+    if (moved <= same_tangent * body.desc().cell)
+      body.assemble_at_start();
+    else
+      body.assemble(x);
     body.diagonal(
         std::span(node_blocks_)
             .subspan(static_cast<std::size_t>(soft_offset_[m] / 3), static_cast<std::size_t>(body.nodes())));

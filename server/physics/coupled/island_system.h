@@ -16,8 +16,11 @@ class IslandSystem final : public LinearOperator {
   /// Normal forces that friction uses until the next call: those at q.
   void lag_friction(const VecX& q);
   double energy(const VecX& q);
+  /// The same at the q of the last energy(), after lag_friction() changed the friction: no elements visited.
+  double energy_with_new_friction(const VecX& q) const { return soft_energy_ + joint_energy(q); }
   void gradient(const VecX& q, VecX& g);
-  /// Fixes the Hessian at q.
+  /// Fixes the Hessian at q. Soft bodies that moved little since the tick's start keep the tangent that they
+  /// have from there.
   void assemble(const VecX& q);
 
   Eigen::Index size() const override { return size_; }
@@ -56,11 +59,13 @@ class IslandSystem final : public LinearOperator {
     return read(joint.a, q) - read(joint.b, q) - joint.at_start;
   }
   void add_block(const Side& side, const Mat3& D);
+  double joint_energy(const VecX& q) const;  // all but the soft bodies' own
   double contact_energy(std::size_t c, const Vec3& u) const;
   Vec3 contact_force(std::size_t c, const Vec3& u, Mat3* D) const;
 
   Island& island_;
   double h_, slip_threshold_;
+  double soft_energy_ = 0;  // J, of the last energy()
   Eigen::Index size_ = 0, rigid_begin_ = 0;
   std::vector<Eigen::Index> soft_offset_;
   std::vector<Joint> contacts_, ties_;

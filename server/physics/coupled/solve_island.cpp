@@ -31,7 +31,8 @@ Limits limits_of(const Island& island) {
   return limits;
 }
 
-/// Largest step length 1, ½, ¼ … that lowers the energy enough; 0 when none does.
+/// Largest step length 1, ½, ¼ … that lowers the energy enough; 0 when none does. The system's last energy is
+/// then the one at `next`.
 double line_search(IslandSystem& system, const VecX& q, const VecX& step, double energy, double slope,
                    VecX& next) {
   double length = 1;
@@ -48,8 +49,10 @@ IslandReport minimise(IslandSystem& system, const Limits& limits, VecX& q) {
   const auto solver = make_solver(limits.solver_name);
   IslandReport report;
   VecX g(system.size()), step(system.size()), next(system.size());
+  system.energy(q);
   while (report.newton_iterations < limits.newton) {
     system.lag_friction(q);
+    const double energy = system.energy_with_new_friction(q);
     system.gradient(q, g);
     system.assemble(q);
     g = -g;
@@ -60,7 +63,7 @@ IslandReport minimise(IslandSystem& system, const Limits& limits, VecX& q) {
     report.residual = solved.residual;
     const double slope = -g.dot(step);
     if (!(slope < 0)) break;  // at rest, or not finite
-    const double length = line_search(system, q, step, system.energy(q), slope, next);
+    const double length = line_search(system, q, step, energy, slope, next);
     if (length == 0) break;
     q.swap(next);
     report.last_step = length * step.lpNorm<Eigen::Infinity>();

@@ -35,7 +35,7 @@ BlockPattern::BlockPattern(std::size_t nodes, const Tet4Elements& elements) {
   for (std::uint32_t e = 0; e < elements.size(); ++e) {
     const auto& n = elements.nodes(e);
     for (int a = 0; a < Tet4Elements::nodes_per_element; ++a) {
-      for (int b = a; b < Tet4Elements::nodes_per_element; ++b) {
+      for (int b = a + 1; b < Tet4Elements::nodes_per_element; ++b) {
         const std::uint32_t i = n[static_cast<std::size_t>(a)], j = n[static_cast<std::size_t>(b)];
         const auto pair = static_cast<std::uint8_t>(Tet4Elements::pair_index(a, b));
         sums[find(std::min(i, j), std::max(i, j))].push_back({e, pair, i > j});
@@ -54,11 +54,13 @@ BlockPattern::BlockPattern(std::size_t nodes, const Tet4Elements& elements) {
   }
 }
 
-void BlockPattern::gather(std::span<const Tet4Elements::Stiffness> elements, std::span<Mat3> values) const {
+void BlockPattern::gather(std::span<const Tet4Elements::Stiffness> elements, double scale,
+                          std::span<const Mat3> base, std::span<Mat3> values) const {
   parallel_chunks(rows(), rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i) {
-      for (std::size_t k = diagonal_[i]; k < end(i); ++k) {
+      for (std::size_t k = diagonal_[i] + 1; k < end(i); ++k) {
         Mat3 sum = Mat3::Zero();
+        if (!base.empty()) sum = scale * base[k];
         for (std::size_t t = term_begin_[k]; t < term_begin_[k + 1]; ++t) {
           const Mat3& block = elements[terms_[t].element][terms_[t].pair];
           if (terms_[t].transposed) {
@@ -68,8 +70,21 @@ void BlockPattern::gather(std::span<const Tet4Elements::Stiffness> elements, std
           }
         }
         values[k] = sum;
-        if (k != diagonal_[i]) values[mirror_[k]] = sum.transpose();
+        values[mirror_[k]] = sum.transpose();
       }
+    }
+  });
+  close_rows(values);
+}
+
+/// Diagonal blocks from the others; symmetric exactly, which the sum is only to rounding.
+void BlockPattern::close_rows(std::span<Mat3> values) const {
+  parallel_chunks(rows(), rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i) {
+      Mat3 sum = Mat3::Zero();
+      for (std::size_t k = begin(i); k < diagonal_[i]; ++k) sum += values[k];
+      for (std::size_t k = diagonal_[i] + 1; k < end(i); ++k) sum += values[k];
+      values[diagonal_[i]] = -0.5 * (sum + sum.transpose());
     }
   });
 }

@@ -22,14 +22,17 @@ class BlockPattern {
   std::uint32_t column(std::size_t block) const { return column_[block]; }
   std::size_t diagonal(std::size_t row) const { return diagonal_[row]; }
 
-  /// values[block] = Σ over the elements, each sum in order of the elements: no matter who computes it, its
-  /// bits are the same.
-  void gather(std::span<const Tet4Elements::Stiffness> elements, std::span<Mat3> values) const;
+  /// values = scale·base + Σ over the elements, each sum in order of the elements: no matter who computes
+  /// it, its bits are the same. `base` is empty or another matrix of this pattern whose rows sum to zero.
+  void gather(std::span<const Tet4Elements::Stiffness> elements, double scale, std::span<const Mat3> base,
+              std::span<Mat3> values) const;
 
   /// y = A·x for 3n vectors.
   void multiply(std::span<const Mat3> values, const double* x, double* y) const;
 
  private:
+  void close_rows(std::span<Mat3> values) const;
+
   /// One element's block in a sum.
   struct Term {
     std::uint32_t element;
@@ -40,7 +43,7 @@ class BlockPattern {
   std::vector<std::uint32_t> column_;  // ascending within a row
   std::vector<std::size_t> diagonal_;
   std::vector<std::size_t> mirror_;      // per block of the upper triangle: its transpose
-  std::vector<std::size_t> term_begin_;  // per block; the lower triangle has none
+  std::vector<std::size_t> term_begin_;  // per block; the lower triangle and the diagonal have none
   std::vector<Term> terms_;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/error.h"
+#include "server/physics/soft/element_batches.h"
 #include "server/physics/soft/fem_laws.h"
 #include "server/physics/soft/find_row.h"
 
@@ -27,7 +28,7 @@ const std::vector<LawRow>& laws() {
   static const std::vector<LawRow> rows = {
       {"fem_linear", "small strain, constant matrix; for small rotations", make_fem_linear},
       {"fem_corotational", "linear in the material's own frame; moderate strain, any rotation",
-       make_fem_corotational},
+       make_fem_corotational, make_corotational_batches},
       {"fem_neo_hookean", "stable neo-Hookean that recovers from collapse; large strain",
        make_fem_neo_hookean},
       {"fem_neo_hookean_polynomial", "stable neo-Hookean without the logarithm; large strain, no collapse",
@@ -38,6 +39,13 @@ const std::vector<LawRow>& laws() {
 
 std::unique_ptr<ConstitutiveLaw> make_law(const std::string& name, const Lame& constants) {
   return find_row(laws(), "model", name).make(constants);
+}
+
+std::unique_ptr<ElementBatches> make_batches(const std::string& name, const Lame& constants,
+                                             const Tet4Elements& elements) {
+  const LawRow& row = find_row(laws(), "model", name);
+  if (row.make_batches) return row.make_batches(constants, elements);
+  return make_law_batches(row.make(constants), constants, elements);
 }
 
 }  // namespace prosector

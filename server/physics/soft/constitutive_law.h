@@ -10,6 +10,9 @@
 
 namespace prosector {
 
+class ElementBatches;
+class Tet4Elements;
+
 using Mat9 = Eigen::Matrix<double, 9, 9>;
 
 /// Elastic constants as Lamé's. From E and ν: λ = Eν/((1+ν)(1−2ν)), μ = E/(2(1+ν)).
@@ -26,6 +29,8 @@ Lame lame(double youngs_modulus, double poisson_ratio);
 class ConstitutiveLaw {
  public:
   virtual ~ConstitutiveLaw() = default;
+  /// Whether W(QF) = W(F) for rotations Q.
+  virtual bool objective() const { return true; }
   /// W, J/m³.
   virtual void energy_density(std::span<const Mat3> F, std::span<double> W) const = 0;
   /// First Piola stress P = ∂W/∂F, Pa.
@@ -40,9 +45,14 @@ struct LawRow {
   const char* name;
   const char* help;
   std::unique_ptr<ConstitutiveLaw> (*make)(const Lame&);
+  /// The same law for whole batches of elements; null: element_batches.h makes one from `make`.
+  std::unique_ptr<ElementBatches> (*make_batches)(const Lame&, const Tet4Elements&) = nullptr;
 };
 const std::vector<LawRow>& laws();
 /// Throws InputError that lists the names there are.
 std::unique_ptr<ConstitutiveLaw> make_law(const std::string& name, const Lame& constants);
+/// Likewise; `elements` must outlive the result.
+std::unique_ptr<ElementBatches> make_batches(const std::string& name, const Lame& constants,
+                                             const Tet4Elements& elements);
 
 }  // namespace prosector

@@ -44,15 +44,12 @@ class FemCorotational final : public ConstitutiveLaw {
   }
 
  private:
-  /// Pairs of principal stretches below this bend the energy as if they were this far from mirroring.
-  static constexpr double smallest_pair = 1e-2;
-
   void add_twists(const Polar& p, Mat9& H) const {
     const double slope = 2 * (lambda_ * (p.S.trace() - 3) - 2 * mu_);
     const SymmetricEigen eigen = symmetric_eigen(p.S);
     for (int k = 0; k < 3; ++k) {
       const double pair = eigen.values[(k + 1) % 3] + eigen.values[(k + 2) % 3];
-      const double c = std::max(slope / std::max(pair, smallest_pair), -2 * mu_);
+      const double c = std::max(slope / std::max(pair, least_corotational_pair), -2 * mu_);
       add_outer(0.5 * c, vec(p.R * cross_matrix(eigen.vectors.col(k))), H);
     }
   }

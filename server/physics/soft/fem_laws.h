@@ -13,6 +13,10 @@ std::unique_ptr<ConstitutiveLaw> make_fem_linear(const Lame& constants);
 /// 2011).
 std::unique_ptr<ConstitutiveLaw> make_fem_corotational(const Lame& constants);
 
+/// Pairs of principal stretches below this bend the corotational energy as if they were this far from
+/// mirroring, where R turns over.
+inline constexpr double least_corotational_pair = 1e-2;
+
 /// Stable neo-Hookean with the logarithmic barrier against collapse (Smith, de Goes & Kim 2018, eq. 14).
 std::unique_ptr<ConstitutiveLaw> make_fem_neo_hookean(const Lame& constants);
 

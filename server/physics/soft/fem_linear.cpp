@@ -20,6 +20,8 @@ class FemLinear final : public ConstitutiveLaw {
     }
   }
 
+  bool objective() const override { return false; }
+
   void energy_density(std::span<const Mat3> F, std::span<double> W) const override {
     for (std::size_t e = 0; e < F.size(); ++e) {
       const Mat3 eps = strain(F[e]);

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "common/error.h"
@@ -11,12 +11,12 @@
 #include "server/physics/parallel.h"
 #include "server/physics/soft/block_matrix.h"
 #include "server/physics/soft/cholesky.h"
+#include "server/physics/soft/element_batches.h"
 #include "server/physics/soft/tet4.h"
 
 namespace prosector {
 namespace {
 
-constexpr std::size_t elements_per_chunk = 64;
 constexpr std::size_t nodes_per_chunk = 256;
 
 void require(bool ok, const SoftDesc& desc, const std::string& what) {
@@ -115,9 +115,9 @@ std::vector<double> vertex_areas(const TriangleMesh& surface) {
 struct SoftBody::Impl {
   SoftDesc desc;
   Anatomy anatomy;
-  std::unique_ptr<ConstitutiveLaw> law;
   std::unique_ptr<TimeIntegrator> integrator;
   Tet4Elements elements;
+  std::unique_ptr<ElementBatches> batches;
   BlockPattern pattern;
   VecX rest, mass, attached;  // 3n m; n kg; n N/m
   std::vector<double> area;
@@ -130,18 +130,21 @@ struct SoftBody::Impl {
   std::vector<double> element_sums, node_sums;  // one a chunk
   std::vector<Tet4Elements::Forces> element_forces;
   std::vector<Tet4Elements::Stiffness> element_stiffness;
-  std::vector<Mat3> hessian, start_tangent;  // blocks; K(x_n), used when damped
+  std::vector<Mat3> hessian, start_stiffness;  // blocks; K(x_n), used when damped
   bool damped;
   VecX x_n, drift, damping;  // 3n: x_n; x − x_v; K(x_n)·drift
+  VecX moved_to;             // 3n: where `batches` are
+  bool moved = false;
   mutable std::unique_ptr<Cholesky> cholesky;
   mutable bool factored = false;
 
   Impl(const SoftDesc& d, Anatomy a)
       : desc((check_constants(d), d)),
         anatomy((check_mesh(d, a), std::move(a))),
-        law(named(d, [&] { return make_law(d.model, lame(d.youngs_modulus, d.poisson_ratio)); })),
         integrator(named(d, [&] { return make_integrator(d.integrator); })),
         elements(anatomy.tets),
+        batches(named(
+            d, [&] { return make_batches(d.model, lame(d.youngs_modulus, d.poisson_ratio), elements); })),
         pattern(anatomy.tets.positions.size(), elements),
         rest(flattened(anatomy.tets.positions)),
         area(vertex_areas(anatomy.surface)),
@@ -172,27 +175,32 @@ struct SoftBody::Impl {
   }
 
   void reserve() {
-    element_sums.resize(chunk_count(elements.size(), elements_per_chunk));
+    element_sums.resize(chunk_count(elements.size(), elements_per_batch));
     node_sums.resize(chunk_count(node_count(), nodes_per_chunk));
     element_forces.resize(elements.size());
     element_stiffness.resize(elements.size());
     hessian.resize(pattern.blocks());
-    if (damped) start_tangent.resize(pattern.blocks());
-    for (VecX* v : {&x_n, &drift, &damping, &stage.y, &stage.x_v}) *v = VecX::Zero(rest.size());
+    if (damped) start_stiffness.resize(pattern.blocks());
+    for (VecX* v : {&x_n, &drift, &damping, &moved_to, &stage.y, &stage.x_v}) *v = VecX::Zero(rest.size());
     if (desc.solver == "direct") cholesky = std::make_unique<Cholesky>(pattern);
   }
 
-  /// Calls f(first, last, chunk, F of those elements).
+  /// Calls f(batch, first, count) for all batches of elements.
   template <class F>
-  void for_element_batches(const double* x, const F& f) const {
-    parallel_chunks(elements.size(), elements_per_chunk,
-                    [&](std::size_t first, std::size_t last, std::size_t chunk) {
-                      std::array<Mat3, elements_per_chunk> gradients;
-                      for (std::size_t e = first; e < last; ++e) {
-                        gradients[e - first] = elements.deformation_gradient(e, x);
-                      }
-                      f(first, last, chunk, std::span<const Mat3>(gradients.data(), last - first));
-                    });
+  void for_batches(const F& f) const {
+    parallel_chunks(
+        elements.size(), elements_per_batch,
+        [&](std::size_t first, std::size_t last, std::size_t batch) { f(batch, first, last - first); });
+  }
+
+  /// Puts the elements at x, unless they are there: Newton asks for energy, gradient and Hessian at the same
+  /// place, and the next step starts where the last one ended.
+  void move(const double* x) {
+    const auto bytes = static_cast<std::size_t>(moved_to.size()) * sizeof(double);
+    if (moved && std::memcmp(x, moved_to.data(), bytes) == 0) return;
+    std::memcpy(moved_to.data(), x, bytes);
+    moved = true;
+    for_batches([&](std::size_t batch, std::size_t, std::size_t) { batches->move(batch, x); });
   }
 
   static double ordered_sum(const std::vector<double>& sums) {
@@ -202,14 +210,9 @@ struct SoftBody::Impl {
   }
 
   double strain_energy(const double* x) {
-    for_element_batches(x,
-                        [&](std::size_t first, std::size_t last, std::size_t chunk, std::span<const Mat3> F) {
-                          std::array<double, elements_per_chunk> W;
-                          law->energy_density(F, std::span(W.data(), F.size()));
-                          double sum = 0;
-                          for (std::size_t e = first; e < last; ++e) sum += elements.volume(e) * W[e - first];
-                          element_sums[chunk] = sum;
-                        });
+    move(x);
+    for_batches(
+        [&](std::size_t batch, std::size_t, std::size_t) { element_sums[batch] = batches->energy(batch); });
     return ordered_sum(element_sums);
   }
 
@@ -229,31 +232,29 @@ struct SoftBody::Impl {
   void update_damping(const Eigen::Ref<const VecX>& x) {
     if (!damped) return;
     drift = x - stage.x_v;
-    pattern.multiply(start_tangent, drift.data(), damping.data());
+    pattern.multiply(start_stiffness, drift.data(), damping.data());
   }
 
-  void element_tangents(const double* x) {
-    for_element_batches(x, [&](std::size_t first, std::size_t, std::size_t, std::span<const Mat3> F) {
-      std::array<Mat9, elements_per_chunk> dPdF;
-      law->tangent(F, std::span(dPdF.data(), F.size()));
-      for (std::size_t e = 0; e < F.size(); ++e) {
-        elements.stiffness(first + e, dPdF[e], element_stiffness[first + e]);
-      }
+  /// scale·base + K(x) into `values`, see BlockPattern::gather.
+  void tangent(const double* x, double scale, std::span<const Mat3> base, std::vector<Mat3>& values) {
+    move(x);
+    for_batches([&](std::size_t batch, std::size_t first, std::size_t count) {
+      batches->stiffness(batch, std::span(element_stiffness).subspan(first, count));
     });
+    pattern.gather(element_stiffness, scale, base, values);
   }
 
-  /// K(x) into `values`.
-  void tangent(const double* x, std::vector<Mat3>& values) {
-    element_tangents(x);
-    pattern.gather(element_stiffness, values);
+  /// The warped stiffness at x into `values`.
+  void warped_stiffness(const double* x, std::vector<Mat3>& values) {
+    move(x);
+    for_batches([&](std::size_t batch, std::size_t first, std::size_t count) {
+      batches->warped_stiffness(batch, std::span(element_stiffness).subspan(first, count));
+    });
+    pattern.gather(element_stiffness, 0, {}, values);
   }
 
-  /// Adds to `hessian`, which holds K, all that is diagonal, and the damping of K(x_n).
-  void complete_hessian() {
-    if (damped) {
-      const double c = desc.damping_stiffness / stage.dxdv;
-      for (std::size_t k = 0; k < hessian.size(); ++k) hessian[k] += c * start_tangent[k];
-    }
+  /// Adds to `hessian`, which holds what couples nodes, all that is diagonal.
+  void add_diagonal() {
     const double inertia = stage.alpha + desc.damping_mass / stage.dxdv;
     for (std::size_t i = 0; i < node_count(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
@@ -321,7 +322,7 @@ void SoftBody::begin_stage(int stage_index, double h, const Vec3& gravity, const
   Impl& m = *impl_;
   m.integrator->begin(stage_index, h, m.desc.gravity ? gravity : Vec3::Zero(), state.motion, m.stage);
   m.x_n = state.motion.x;
-  if (m.damped) m.tangent(m.x_n.data(), m.start_tangent);
+  if (m.damped) m.warped_stiffness(m.x_n.data(), m.start_stiffness);
 }
 
 const Stage& SoftBody::stage() const {
@@ -350,11 +351,9 @@ double SoftBody::energy(const Eigen::Ref<const VecX>& x) {
 void SoftBody::gradient(const Eigen::Ref<const VecX>& x, Eigen::Ref<VecX> g) {
   Impl& m = *impl_;
   m.update_damping(x);
-  m.for_element_batches(x.data(), [&](std::size_t first, std::size_t, std::size_t, std::span<const Mat3> F) {
-    std::array<Mat3, elements_per_chunk> P;
-    m.law->stress(F, std::span(P.data(), F.size()));
-    for (std::size_t e = 0; e < F.size(); ++e)
-      m.elements.forces(first + e, P[e], m.element_forces[first + e]);
+  m.move(x.data());
+  m.for_batches([&](std::size_t batch, std::size_t first, std::size_t count) {
+    m.batches->forces(batch, std::span(m.element_forces).subspan(first, count));
   });
   const double c = m.desc.damping_mass / m.stage.dxdv, d = m.desc.damping_stiffness / m.stage.dxdv;
   parallel_chunks(m.node_count(), nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
@@ -373,17 +372,20 @@ void SoftBody::gradient(const Eigen::Ref<const VecX>& x, Eigen::Ref<VecX> g) {
 }
 
 void SoftBody::assemble(const Eigen::Ref<const VecX>& x) {
-  impl_->tangent(x.data(), impl_->hessian);
-  impl_->complete_hessian();
+  Impl& m = *impl_;
+  m.tangent(x.data(), m.desc.damping_stiffness / m.stage.dxdv, m.start_stiffness, m.hessian);
+  m.add_diagonal();
 }
 
 void SoftBody::assemble_at_start() {
-  if (impl_->damped) {
-    impl_->hessian = impl_->start_tangent;
+  Impl& m = *impl_;
+  if (m.damped) {
+    const double scale = 1 + m.desc.damping_stiffness / m.stage.dxdv;
+    for (std::size_t k = 0; k < m.hessian.size(); ++k) m.hessian[k] = scale * m.start_stiffness[k];
   } else {
-    impl_->tangent(impl_->x_n.data(), impl_->hessian);
+    m.warped_stiffness(m.x_n.data(), m.hessian);
   }
-  impl_->complete_hessian();
+  m.add_diagonal();
 }
 
 void SoftBody::multiply(const double* p, double* Hp) const {

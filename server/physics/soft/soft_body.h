@@ -3,9 +3,10 @@
 //
 // What the island solver needs of it is its incremental potential and the derivatives
 //   E(x) = α/2·‖x − y‖²_M + W(x) + Σ_attach ½k‖x − x₀‖² + 1/(2·dxdv)·‖x − x_v‖²_C
-// with C = damping_mass·M + damping_stiffness·K(x_n) (Rayleigh; K: the projected elastic tangent at the
-// step's start, so that C is constant while E is minimised) and α, y, x_v, dxdv as in time_integrator.h.
-// Unknowns x: node positions, 3n, metres, room frame.
+// with C = damping_mass·M + damping_stiffness·K(x_n) (Rayleigh; K: Hooke's stiffness turned with each element
+// as it is at the step's start, so that C is constant while E is minimised; not the tangent there, which is
+// without bound next to mirrored elements and would hold a ruined shape as it is) and α, y, x_v, dxdv as in
+// time_integrator.h. Unknowns x: node positions, 3n, metres, room frame.
 
 #include <memory>
 #include <span>
@@ -63,8 +64,9 @@ class SoftBody {
   void gradient(const Eigen::Ref<const VecX>& x, Eigen::Ref<VecX> g);
   /// Assembles the (projected, SPD) Hessian at x for multiply, diagonal and factor_solve.
   void assemble(const Eigen::Ref<const VecX>& x);
-  /// The same at x_n: costs next to nothing when damping_stiffness > 0, because begin_stage has K(x_n). As a
-  /// first Newton matrix near x_n it is as good.
+  /// The same at x_n with Hooke's stiffness turned with each element for the tangent: costs next to nothing
+  /// when damping_stiffness > 0, because begin_stage has it. What it leaves out, the stress's own stiffness
+  /// and the change of rotations, is small while strains are: good as a first Newton matrix.
   void assemble_at_start();
   void multiply(const double* p, double* Hp) const;  // 3n each
   void diagonal(std::span<Mat3> blocks) const;       // n

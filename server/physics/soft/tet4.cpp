@@ -8,7 +8,7 @@ namespace prosector {
 namespace {
 
 /// Edges from node 0 as columns.
-Mat3 edges(const TetMesh& mesh, const Tet4Elements::Nodes& tet) {
+Mat3 rest_edges(const TetMesh& mesh, const Tet4Elements::Nodes& tet) {
   Mat3 D;
   for (int a = 0; a < 3; ++a) {
     D.col(a) = mesh.positions[tet[static_cast<std::size_t>(a) + 1]] - mesh.positions[tet[0]];
@@ -30,7 +30,7 @@ Tet4Elements::Tet4Elements(const TetMesh& mesh) {
   gradients_.reserve(mesh.tets.size());
   volume_.reserve(mesh.tets.size());
   for (Nodes tet : mesh.tets) {
-    Mat3 D = edges(mesh, tet);
+    Mat3 D = rest_edges(mesh, tet);
     if (D.determinant() < 0) {
       std::swap(tet[2], tet[3]);
       D.col(1).swap(D.col(2));
@@ -46,7 +46,7 @@ Tet4Elements::Tet4Elements(const TetMesh& mesh) {
   }
 }
 
-Mat3 Tet4Elements::deformation_gradient(std::size_t e, const double* x) const {
+Mat3 Tet4Elements::edges(std::size_t e, const double* x) const {
   const Nodes& n = nodes_[e];
   const auto at = [&](std::size_t a) { return Eigen::Map<const Vec3>(x + 3 * std::size_t{n[a]}); };
   const Vec3 x0 = at(0);
@@ -54,7 +54,7 @@ Mat3 Tet4Elements::deformation_gradient(std::size_t e, const double* x) const {
   D.col(0) = at(1) - x0;
   D.col(1) = at(2) - x0;
   D.col(2) = at(3) - x0;
-  return D * gradients_[e].transpose();
+  return D;
 }
 
 void Tet4Elements::forces(std::size_t e, const Mat3& P, Forces& f) const {
@@ -66,36 +66,25 @@ void Tet4Elements::forces(std::size_t e, const Mat3& P, Forces& f) const {
 }
 
 void Tet4Elements::stiffness(std::size_t e, const Mat9& dPdF, Stiffness& K) const {
-  const Mat3& B = gradients_[e];
-  // Columns contracted with b_b: rows are still those of vec(P).
-  std::array<Eigen::Matrix<double, 9, 3>, 3> Q;
-  for (int b = 0; b < 3; ++b) {
+  Eigen::Matrix<double, 3, 4> B;
+  B.rightCols<3>() = gradients_[e];
+  B.col(0) = -B.rightCols<3>().rowwise().sum();
+  for (int b = 1; b < nodes_per_element; ++b) {
+    // Columns contracted with b_b: rows are still those of vec(P).
     const Vec3 w = volume_[e] * B.col(b);
-    Q[static_cast<std::size_t>(b)] =
+    const Eigen::Matrix<double, 9, 3> q =
         w[0] * dPdF.leftCols<3>() + w[1] * dPdF.middleCols<3>(3) + w[2] * dPdF.rightCols<3>();
-  }
-  const auto block = [&](int a, int b) -> Mat3& { return K[static_cast<std::size_t>(pair_index(a, b))]; };
-  for (int a = 0; a < 3; ++a) {
-    for (int b = a; b < 3; ++b) {
-      const auto& q = Q[static_cast<std::size_t>(b)];
-      block(a + 1, b + 1) =
+    for (int a = 0; a < b; ++a) {
+      K[static_cast<std::size_t>(pair_index(a, b))] =
           B(0, a) * q.topRows<3>() + B(1, a) * q.middleRows<3>(3) + B(2, a) * q.bottomRows<3>();
     }
   }
-  // Node 0 from the others: rows and columns of K sum to zero.
-  block(0, 1) = -(block(1, 1) + block(1, 2).transpose() + block(1, 3).transpose());
-  block(0, 2) = -(block(1, 2) + block(2, 2) + block(2, 3).transpose());
-  block(0, 3) = -(block(1, 3) + block(2, 3) + block(3, 3));
-  block(0, 0) = -(block(0, 1) + block(0, 2) + block(0, 3));
-  // Exactly symmetric, which rounding in the sum above would spoil.
-  const Mat3 symmetric = 0.5 * (block(0, 0) + block(0, 0).transpose());
-  block(0, 0) = symmetric;
 }
 
 VecX Tet4Elements::lumped_volume(const TetMesh& mesh) {
   VecX volume = VecX::Zero(static_cast<Eigen::Index>(mesh.positions.size()));
   for (const Nodes& tet : mesh.tets) {
-    const double share = std::abs(edges(mesh, tet).determinant()) / 24;
+    const double share = std::abs(rest_edges(mesh, tet).determinant()) / 24;
     for (std::uint32_t node : tet) volume[node] += share;
   }
   return volume;

@@ -17,10 +17,11 @@ class Tet4Elements {
   static constexpr int nodes_per_element = 4;
   using Nodes = std::array<std::uint32_t, nodes_per_element>;
   using Forces = std::array<Vec3, nodes_per_element>;
-  /// Upper triangle of the element's stiffness by node pairs, in the order of pair_index.
-  using Stiffness = std::array<Mat3, nodes_per_element*(nodes_per_element + 1) / 2>;
-  /// Index of the pair a ≤ b in Stiffness.
-  static constexpr int pair_index(int a, int b) { return a * (7 - a) / 2 + b; }
+  /// The element's stiffness by pairs of nodes a < b, in the order of pair_index. Moving as a whole strains
+  /// nothing, so each row sums to zero and the diagonal blocks need not be stored.
+  using Stiffness = std::array<Mat3, nodes_per_element*(nodes_per_element - 1) / 2>;
+  /// Index of the pair a < b in Stiffness.
+  static constexpr int pair_index(int a, int b) { return a * (5 - a) / 2 + b - 1; }
 
   /// Takes the elements that can strain: a tetrahedron flatter than `least_quality` or of no volume would
   /// only bring 1/0 and is left out (its mass is not, see lumped_volume). Mirrored numbering is turned round.
@@ -32,11 +33,13 @@ class Tet4Elements {
   const Nodes& nodes(std::size_t e) const { return nodes_[e]; }
   double volume(std::size_t e) const { return volume_[e]; }  // m³, at rest
 
-  /// F at node positions x (3n).
-  Mat3 deformation_gradient(std::size_t e, const double* x) const;
+  /// Columns b_1, b_2, b_3; b_0 = −(b_1 + b_2 + b_3).
+  const Mat3& gradients(std::size_t e) const { return gradients_[e]; }
+  /// Columns x_a − x_0 at node positions x (3n).
+  Mat3 edges(std::size_t e, const double* x) const;
   /// V·P·b_a: the gradient of the element's energy.
   void forces(std::size_t e, const Mat3& P, Forces& f) const;
-  /// V·b_aᵀ·(∂P/∂F)·b_b for a ≤ b.
+  /// V·b_aᵀ·(∂P/∂F)·b_b for a < b.
   void stiffness(std::size_t e, const Mat9& dPdF, Stiffness& K) const;
 
   /// m³ of each node: a quarter of every tetrahedron around it, dropped ones included. Times the density
@@ -48,7 +51,7 @@ class Tet4Elements {
 
  private:
   std::vector<Nodes> nodes_;
-  std::vector<Mat3> gradients_;  // columns b_1, b_2, b_3; b_0 = −(b_1 + b_2 + b_3)
+  std::vector<Mat3> gradients_;
   std::vector<double> volume_;
   std::size_t dropped_ = 0;
 };

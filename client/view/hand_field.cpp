@@ -1,0 +1,90 @@
+#include "client/view/hand_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prosector {
+namespace {
+
+/// A bone with flesh: a capsule whose radius changes along its length.
+struct Limb {
+  Vec3 a, b;
+  double radius_a, radius_b;
+
+  double distance(const Vec3& x) const {
+    const Vec3 along = b - a;
+    const double t = std::clamp((x - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    return (x - a - t * along).norm() - (radius_a + t * (radius_b - radius_a));
+  }
+};
+
+// Skin over the physical hand's capsules, as a factor of their radii: a touch looks firm, not hovering.
+constexpr double flesh = 1.06;
+
+/// Minimum whose edge is rounded over a band of `blend` metres.
+double smooth_min(double a, double b, double blend) {
+  const double overlap = std::max(blend - std::abs(a - b), 0.0);
+  return std::min(a, b) - overlap * overlap / (4 * blend);
+}
+
+std::size_t finger_of(std::size_t segment) {
+  return segment < 2 ? 0 : 1 + (segment - 2) / 3;
+}
+
+std::array<Limb, hand_joints> phalanges() {
+  const std::array<Pose, hand_joints> open = hand_pose(right_hand, {});
+  std::array<Limb, hand_joints> out;
+  for (const HandSegment& s : hand_segments(right_hand)) {
+    const bool is_tip = s.joint == 1 || (s.joint >= 2 && (s.joint - 2) % 3 == 2);
+    // A capsule reaches one radius beyond its ends; the tip's end is drawn back so that it ends at the
+    // bone's.
+    const double end_radius = flesh * s.radius * (is_tip ? 0.80 : 0.92);
+    const Vec3 end(0, 0, -(s.length - (is_tip ? 0.6 * end_radius : 0)));
+    out[s.joint] = {open[s.joint].p, open[s.joint] * end, flesh * s.radius, end_radius};
+  }
+  return out;
+}
+
+/// Metacarpal bones with the flesh of the palm, from the wrist to each knuckle, and the balls of the thumb
+/// and of the little finger.
+std::array<Limb, 6> palm_limbs() {
+  const auto& segments = hand_segments(right_hand);
+  std::array<Limb, 6> out;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec3 knuckle = segments[2 + 3 * k].origin;
+    out[k] = {{0.45 * knuckle.x(), -0.001, -0.012}, knuckle, 0.0125, 0.0095};
+  }
+  out[4] = {{-0.012, -0.007, -0.012}, segments[0].origin, 0.0140, 0.0125};
+  out[5] = {{0.017, -0.007, -0.016}, {0.029, -0.005, -0.062}, 0.0125, 0.0105};
+  return out;
+}
+
+double wrist(const Vec3& x) {
+  static const Limb round{{0, 0, 0.090}, {0, 0, -0.012}, 0.0195, 0.0175};
+  const Vec3 squeezed(x.x() * 0.70, x.y(), x.z());  // wider than thick
+  const double cut = x.z() - 0.055;                 // the forearm ends here
+  return -smooth_min(-round.distance(squeezed), -cut, 0.008);
+}
+
+}  // namespace
+
+HandField hand_field(const Vec3& at) {
+  static const auto fingers_limbs = phalanges();
+  static const auto palm = palm_limbs();
+
+  double body = wrist(at);
+  for (const Limb& limb : palm) body = smooth_min(body, limb.distance(at), 0.012);
+
+  HandField out;
+  out.finger.fill(1);
+  for (std::size_t k = 0; k < hand_joints; ++k) {
+    double& finger = out.finger[finger_of(k)];
+    finger = smooth_min(finger, fingers_limbs[k].distance(at), 0.0008);
+  }
+  // Each finger melts into the palm, but not into its neighbours.
+  out.solid = body;
+  for (const double finger : out.finger) out.solid = std::min(out.solid, smooth_min(body, finger, 0.010));
+  return out;
+}
+
+}  // namespace prosector

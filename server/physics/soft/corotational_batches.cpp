@@ -1,0 +1,39 @@
+#include "server/physics/soft/corotational_kernel.h"
+#include "server/physics/soft/element_batches.h"
+
+namespace prosector {
+namespace {
+
+class CorotationalBatches final : public ElementBatches {
+ public:
+  using ElementBatches::ElementBatches;
+
+  void move(std::size_t batch, const double* x) override {
+    deform(batch, x);
+    lane_rotations(strain_[batch]);
+  }
+  double energy(std::size_t batch) const override {
+    double each[elements_per_batch], sum = 0;
+    lane_corotational_energy(lame_, rest_[batch], strain_[batch], each);
+    for (std::size_t e = 0; e < count(batch); ++e) sum += each[e];
+    return sum;
+  }
+  void forces(std::size_t batch, std::span<Tet4Elements::Forces> f) const override {
+    lane_corotational_forces(lame_, rest_[batch], strain_[batch], f);
+  }
+  void stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const override {
+    lane_corotational_stiffness(lame_, rest_[batch], strain_[batch], K);
+  }
+  void warped_stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const override {
+    lane_warped_stiffness(lame_, rest_[batch], strain_[batch].R, K);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<ElementBatches> make_corotational_batches(const Lame& constants,
+                                                          const Tet4Elements& elements) {
+  return std::make_unique<CorotationalBatches>(constants, elements);
+}
+
+}  // namespace prosector

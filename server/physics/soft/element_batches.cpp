@@ -1,0 +1,45 @@
+#include "server/physics/soft/element_batches.h"
+
+#include <algorithm>
+
+#include "server/physics/parallel.h"
+#include "server/physics/soft/corotational_kernel.h"
+
+namespace prosector {
+namespace {
+
+void set_lane(LaneMatrix& m, std::size_t lane, const Mat3& A) {
+  for (std::size_t k = 0; k < 9; ++k) m.at[k][lane] = A.data()[k];
+}
+
+}  // namespace
+
+ElementBatches::ElementBatches(const Lame& constants, const Tet4Elements& elements)
+    : lame_(constants),
+      elements_(elements),
+      rest_(chunk_count(elements.size(), elements_per_batch)),
+      strain_(rest_.size()) {
+  for (std::size_t batch = 0; batch < rest_.size(); ++batch) {
+    for (std::size_t lane = 0; lane < elements_per_batch; ++lane) {
+      const bool used = lane < count(batch);
+      const std::size_t e = first(batch) + lane;
+      set_lane(rest_[batch].gradients, lane, used ? elements.gradients(e) : Mat3::Identity());
+      rest_[batch].volume[lane] = used ? elements.volume(e) : 0;
+    }
+  }
+}
+
+std::size_t ElementBatches::count(std::size_t batch) const {
+  return std::min(elements_per_batch, elements_.size() - first(batch));
+}
+
+void ElementBatches::deform(std::size_t batch, const double* x) {
+  LaneMatrix edges;
+  for (std::size_t lane = 0; lane < elements_per_batch; ++lane) {
+    const bool used = lane < count(batch);
+    set_lane(edges, lane, used ? elements_.edges(first(batch) + lane, x) : Mat3::Identity());
+  }
+  lane_gradients(rest_[batch], edges, strain_[batch].F);
+}
+
+}  // namespace prosector

@@ -1,0 +1,53 @@
+#pragma once
+// The strain energy of all elements of a body and its derivatives, batch by batch: the seam at which a law
+// may take over whole batches (corotational_batches.cpp); other laws go element by element
+// (law_batches.cpp).
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "server/physics/soft/constitutive_law.h"
+#include "server/physics/soft/element_lanes.h"
+#include "server/physics/soft/tet4.h"
+
+namespace prosector {
+
+/// Batch k has the elements from k·elements_per_batch on. Different batches may be worked on at once.
+class ElementBatches {
+ public:
+  ElementBatches(const Lame& constants, const Tet4Elements& elements);
+  virtual ~ElementBatches() = default;
+
+  /// Puts a batch at node positions x (3n): what all below share is computed once.
+  virtual void move(std::size_t batch, const double* x) = 0;
+  /// J, of the batch.
+  virtual double energy(std::size_t batch) const = 0;
+  /// V·P·b_a, N, one entry per element of the batch.
+  virtual void forces(std::size_t batch, std::span<Tet4Elements::Forces> f) const = 0;
+  /// The projected tangent, N/m, likewise.
+  virtual void stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const = 0;
+  /// Hooke's stiffness turned with each element: positive semidefinite and of the size it has at rest,
+  /// whatever the shape.
+  virtual void warped_stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const = 0;
+
+ protected:
+  std::size_t first(std::size_t batch) const { return batch * elements_per_batch; }
+  std::size_t count(std::size_t batch) const;
+  /// F of the batch at x, into `strain`.
+  void deform(std::size_t batch, const double* x);
+
+  const Lame lame_;
+  const Tet4Elements& elements_;
+  std::vector<LaneRest> rest_;
+  std::vector<LaneStrain> strain_;
+};
+
+/// From a law; `elements` must outlive the result.
+std::unique_ptr<ElementBatches> make_law_batches(std::unique_ptr<ConstitutiveLaw> law, const Lame& constants,
+                                                 const Tet4Elements& elements);
+/// The same as make_fem_corotational's, vectorised.
+std::unique_ptr<ElementBatches> make_corotational_batches(const Lame& constants,
+                                                          const Tet4Elements& elements);
+
+}  // namespace prosector

@@ -1,0 +1,268 @@
+// Who may join, whose samples count, and when hands come and go: Session by itself, fed by hand.
+
+#include "server/session/session.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace prosector {
+namespace {
+
+SessionRules rules() {
+  SessionRules r;
+  r.session = "test";
+  r.capacity = 4;
+  r.observers = 2;
+  r.input_timeout = 5;
+  r.presence_timeout = 10;
+  r.bodies = 3;
+  return r;
+}
+
+Presence presence(ParticipantId id, const std::string& name, Role role = Role::dissector) {
+  Presence p;
+  p.participant = id;
+  p.name = name;
+  p.role = role;
+  return p;
+}
+
+Command command(ParticipantId id, CommandKind kind, std::uint64_t sequence = 1) {
+  Command c;
+  c.participant = id;
+  c.sequence = sequence;
+  c.kind = kind;
+  return c;
+}
+
+HandInput input(ParticipantId id, std::uint64_t sequence, bool tracked = true) {
+  HandInput i;
+  i.participant = id;
+  i.sequence = sequence;
+  i.hands[right_hand].tracked = tracked;
+  i.hands[right_hand].pose.p = {0.1, 0.2, static_cast<double>(sequence)};
+  return i;
+}
+
+Received from(std::uint64_t writer, Message message, Liveness liveness = Liveness::alive) {
+  Received r;
+  r.message = std::move(message);
+  r.writer = writer;
+  r.liveness = liveness;
+  return r;
+}
+
+/// A session and its tick.
+struct Room {
+  Session session{rules()};
+  std::uint64_t tick = 0;
+  std::vector<CommandResult> results;
+  std::vector<RosterEntry> gone;
+
+  ConsumedInput feed(const std::vector<Received>& received) {
+    ConsumedInput out = session.consume(received, ++tick);
+    session.finish_tick({});
+    for (const Outgoing& o : session.take_outgoing()) {
+      if (const auto* r = std::get_if<CommandResult>(&o.message)) results.push_back(*r);
+      if (const auto* r = std::get_if<RosterEntry>(&o.message); r != nullptr && o.dispose) gone.push_back(*r);
+    }
+    return out;
+  }
+  CommandResult join(const Presence& p, std::uint64_t writer) {
+    feed({from(writer, p), from(writer, command(p.participant, CommandKind::join))});
+    return results.back();
+  }
+};
+
+struct Refused {
+  const char* what;
+  std::function<void(Room&)> before;
+  Presence presence;
+  const char* reason;
+};
+
+TEST(Session, EveryRefusalSaysWhy) {
+  Presence old = presence(9, "old");
+  old.version = protocol_version + 1;
+  const auto nobody = [](Room&) {};
+  const auto full = [](Room& room) {
+    for (ParticipantId id = 1; id <= 4; ++id) room.join(presence(id, "p" + std::to_string(id)), id);
+  };
+  const auto watched = [](Room& room) {
+    for (ParticipantId id = 1; id <= 2; ++id)
+      room.join(presence(id, "o" + std::to_string(id), Role::observer), id);
+  };
+  const std::vector<Refused> table = {
+      {"version", nobody, old, "protocol"},
+      {"empty name", nobody, presence(9, ""), "name is needed"},
+      {"blank name", nobody, presence(9, "  "), "name is needed"},
+      {"control character", nobody, presence(9, "a\nb"), "control"},
+      {"taken name", [](Room& room) { room.join(presence(1, "ada"), 1); }, presence(9, "ada"), "taken"},
+      {"role", nobody, presence(9, "x", static_cast<Role>(7)), "role"},
+      {"two hosts", [](Room& room) { room.join(presence(1, "ada", Role::host), 1); },
+       presence(9, "x", Role::host), "host already"},
+      {"full", full, presence(9, "x"), "full"},
+      {"observers full", watched, presence(9, "x", Role::observer), "observer"},
+  };
+  for (const Refused& row : table) {
+    SCOPED_TRACE(row.what);
+    Room room;
+    row.before(room);
+    const auto members = room.session.roster().members().size();
+    const CommandResult result = room.join(row.presence, 9);
+    EXPECT_FALSE(result.accepted);
+    EXPECT_NE(result.reason.find(row.reason), std::string::npos) << result.reason;
+    EXPECT_EQ(room.session.roster().members().size(), members);
+  }
+}
+
+TEST(Session, PresenceAndJoinComeInEitherOrder) {
+  Room room;
+  room.feed({from(1, command(1, CommandKind::join))});
+  EXPECT_TRUE(room.results.empty());
+  room.feed({from(1, presence(1, "ada"))});
+  ASSERT_EQ(room.results.size(), 1u);
+  EXPECT_TRUE(room.results[0].accepted);
+  EXPECT_EQ(room.session.roster().members().size(), 1u);
+}
+
+TEST(Session, JoinWithoutPresenceIsRefusedAfterATime) {
+  Room room;
+  room.feed({from(1, command(1, CommandKind::join))});
+  for (int i = 0; i < 12; ++i) room.feed({});
+  ASSERT_EQ(room.results.size(), 1u);
+  EXPECT_FALSE(room.results[0].accepted);
+}
+
+TEST(Session, ColoursDifferAndAreFreedOnLeaving) {
+  Room room;
+  for (ParticipantId id = 1; id <= 3; ++id) room.join(presence(id, "p" + std::to_string(id)), id);
+  const auto color = [&](ParticipantId id) {
+    return Roster::entry(room.session.roster().members().at(id)).color;
+  };
+  EXPECT_NE(color(1), color(2));
+  EXPECT_NE(color(2), color(3));
+  const Vec3 second = color(2);
+  room.feed({from(2, command(2, CommandKind::leave, 2))});
+  ASSERT_EQ(room.gone.size(), 1u);
+  room.join(presence(5, "new"), 5);
+  EXPECT_EQ(color(5), second);
+}
+
+TEST(Session, NewestInputIsConsumedOnceInIdOrder) {
+  Room room;
+  for (ParticipantId id : {3, 1, 2}) room.join(presence(id, "p" + std::to_string(id)), id);
+  const ConsumedInput in = room.feed({from(3, input(3, 1)), from(1, input(1, 4)), from(1, input(1, 6)),
+                                      from(1, input(1, 5)), from(2, input(2, 1))});
+  ASSERT_EQ(in.input.targets.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(in.input.targets[i].participant, i + 1);
+    EXPECT_EQ(in.input.events[i].kind, HandEvent::Kind::appear);
+  }
+  EXPECT_EQ(in.input.targets[0].target.p.z(), 6);
+  EXPECT_EQ(in.keys[0].sequence, 6u);
+  EXPECT_TRUE(room.feed({}).input.targets.empty());
+}
+
+TEST(Session, HandVanishesAfterTheTimeoutInTicks) {
+  Room room;
+  room.join(presence(1, "ada"), 1);
+  room.feed({from(1, input(1, 1))});
+  std::uint64_t quiet = 0;
+  ConsumedInput in;
+  do {
+    in = room.feed({from(1, input(1, 2 + quiet, false))});  // alive, but the tracker sees no hand
+    ++quiet;
+  } while (in.input.events.empty() && quiet < 100);
+  EXPECT_EQ(quiet, rules().input_timeout + 1);
+  EXPECT_EQ(in.input.events[0].kind, HandEvent::Kind::vanish);
+  EXPECT_EQ(room.session.hand_timeouts(), 1u);
+  in = room.feed({from(1, input(1, 500))});
+  ASSERT_EQ(in.input.events.size(), 1u);
+  EXPECT_EQ(in.input.events[0].kind, HandEvent::Kind::appear);
+}
+
+TEST(Session, LeavingAndLosingFreeEverything) {
+  for (const bool lost : {false, true}) {
+    Room room;
+    room.join(presence(1, "ada"), 1);
+    room.feed({from(1, input(1, 1))});
+    const Received end =
+        lost ? from(1, presence(1, ""), Liveness::gone) : from(1, command(1, CommandKind::leave, 2));
+    const ConsumedInput in = room.feed({end, from(1, input(1, 2))});
+    ASSERT_EQ(in.input.events.size(), 1u);
+    EXPECT_EQ(in.input.events[0].kind, HandEvent::Kind::vanish);
+    EXPECT_TRUE(in.input.targets.empty());
+    EXPECT_TRUE(room.session.roster().members().empty());
+    EXPECT_EQ(room.gone.size(), 1u);
+    EXPECT_EQ(room.session.dropped_total(), 0u);  // its last sample was under way: no offence
+    EXPECT_TRUE(room.join(presence(2, "ada"), 2).accepted);
+  }
+}
+
+TEST(Session, SamplesInAnothersNameAreDropped) {
+  Room room;
+  room.join(presence(1, "ada"), 1);
+  const ConsumedInput in = room.feed({from(66, input(1, 9)), from(66, command(1, CommandKind::leave, 7)),
+                                      from(66, presence(1, "ada")), from(66, presence(1, ""), Liveness::gone),
+                                      from(66, command(1, CommandKind::join, 8)), from(66, input(5, 1))});
+  EXPECT_TRUE(in.input.events.empty() && in.input.targets.empty());
+  EXPECT_EQ(room.session.roster().members().size(), 1u);
+  EXPECT_EQ(room.session.dropped_total(), 6u);
+  EXPECT_EQ(room.results.size(), 1u);  // nothing is answered to whoever speaks in another's name
+}
+
+TEST(Session, AnObserverChangesNothingAndIsTold) {
+  Room room;
+  room.join(presence(1, "eve", Role::observer), 1);
+  for (CommandKind kind : {CommandKind::grasp, CommandKind::release, CommandKind::reset}) {
+    const ConsumedInput in = room.feed({from(1, input(1, 1)), from(1, command(1, kind, 2))});
+    EXPECT_TRUE(in.input.events.empty() && in.input.targets.empty() && in.keys.empty());
+    EXPECT_FALSE(room.results.back().accepted);
+    EXPECT_NE(room.results.back().reason.find("observer"), std::string::npos);
+  }
+  EXPECT_EQ(room.session.dropped_total(), 6u);
+}
+
+TEST(Session, CommandsAreAnsweredAndChecked) {
+  Room room;
+  room.join(presence(1, "ada"), 1);
+  const auto ask = [&](Command c) {
+    static std::uint64_t sequence = 10;
+    c.sequence = ++sequence;
+    const ConsumedInput in = room.feed({from(1, c)});
+    EXPECT_EQ(room.results.back().sequence, sequence);
+    return in.input.events;
+  };
+  EXPECT_TRUE(ask(command(1, CommandKind::grasp)).empty());  // no hand yet
+  EXPECT_FALSE(room.results.back().accepted);
+  room.feed({from(1, input(1, 1))});
+  EXPECT_EQ(ask(command(1, CommandKind::grasp)).size(), 1u);
+  EXPECT_EQ(room.results.back().reason, "nothing within reach");  // by what the hand holds after the step
+  EXPECT_EQ(ask(command(1, CommandKind::release)).size(), 1u);
+  EXPECT_TRUE(room.results.back().accepted);
+  Command reset = command(1, CommandKind::reset);
+  reset.body = 2;
+  EXPECT_EQ(ask(reset).size(), 1u);
+  reset.body = 3;
+  EXPECT_TRUE(ask(reset).empty());
+  EXPECT_NE(room.results.back().reason.find("no body 3"), std::string::npos);
+  Command third_hand = command(1, CommandKind::grasp);
+  third_hand.hand = 2;
+  EXPECT_TRUE(ask(third_hand).empty());
+}
+
+TEST(Session, AFloodOfStrangersIsCountedAndBounded) {
+  Room room;
+  std::vector<Received> flood;
+  for (ParticipantId id = 1; id <= 5000; ++id) flood.push_back(from(id, command(id, CommandKind::join)));
+  for (int i = 0; i < 5000; ++i) flood.push_back(from(1, command(2, CommandKind::reset)));
+  room.feed(flood);
+  EXPECT_GT(room.session.dropped_total(), 8000u);
+  for (std::uint64_t i = 0; i < 20 * rules().presence_timeout; ++i) room.feed({});
+  EXPECT_TRUE(room.join(presence(9999, "late but welcome"), 9999).accepted);
+}
+
+}  // namespace
+}  // namespace prosector
