@@ -9,6 +9,7 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t rows_per_chunk = 128;
+constexpr std::uint32_t pairs = std::tuple_size_v<Tet4Elements::Stiffness>;
 
 }  // namespace
 
@@ -31,14 +32,13 @@ BlockPattern::BlockPattern(std::size_t nodes, const Tet4Elements& elements) {
     return static_cast<std::size_t>(std::lower_bound(first, last, j) - column_.begin());
   };
 
-  std::vector<std::vector<Term>> sums(column_.size());
+  std::vector<std::vector<std::uint32_t>> sums(column_.size());
   for (std::uint32_t e = 0; e < elements.size(); ++e) {
     const auto& n = elements.nodes(e);
     for (int a = 0; a < Tet4Elements::nodes_per_element; ++a) {
       for (int b = a + 1; b < Tet4Elements::nodes_per_element; ++b) {
         const std::uint32_t i = n[static_cast<std::size_t>(a)], j = n[static_cast<std::size_t>(b)];
-        const auto pair = static_cast<std::uint8_t>(Tet4Elements::pair_index(a, b));
-        sums[find(std::min(i, j), std::max(i, j))].push_back({e, pair, i > j});
+        sums[find(i, j)].push_back(e * pairs + static_cast<std::uint32_t>(Tet4Elements::pair_index(a, b)));
       }
     }
   }
@@ -61,13 +61,10 @@ void BlockPattern::gather(std::span<const Tet4Elements::Stiffness> elements, dou
       for (std::size_t k = diagonal_[i] + 1; k < end(i); ++k) {
         Mat3 sum = Mat3::Zero();
         if (!base.empty()) sum = scale * base[k];
+        double* const total = sum.data();
         for (std::size_t t = term_begin_[k]; t < term_begin_[k + 1]; ++t) {
-          const Mat3& block = elements[terms_[t].element][terms_[t].pair];
-          if (terms_[t].transposed) {
-            sum += block.transpose();
-          } else {
-            sum += block;
-          }
+          const double* const block = elements[terms_[t] / pairs][terms_[t] % pairs].data();
+          for (int entry = 0; entry < 9; ++entry) total[entry] += block[entry];
         }
         values[k] = sum;
         values[mirror_[k]] = sum.transpose();

@@ -33,18 +33,12 @@ class BlockPattern {
  private:
   void close_rows(std::span<Mat3> values) const;
 
-  /// One element's block in a sum.
-  struct Term {
-    std::uint32_t element;
-    std::uint8_t pair;
-    bool transposed;
-  };
   std::vector<std::size_t> row_begin_;
   std::vector<std::uint32_t> column_;  // ascending within a row
   std::vector<std::size_t> diagonal_;
   std::vector<std::size_t> mirror_;      // per block of the upper triangle: its transpose
   std::vector<std::size_t> term_begin_;  // per block; the lower triangle and the diagonal have none
-  std::vector<Term> terms_;
+  std::vector<std::uint32_t> terms_;     // element · pairs + pair: the element blocks in each sum
 };
 
 }  // namespace prosector

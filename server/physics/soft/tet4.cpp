@@ -30,12 +30,9 @@ Tet4Elements::Tet4Elements(const TetMesh& mesh) {
   gradients_.reserve(mesh.tets.size());
   volume_.reserve(mesh.tets.size());
   for (Nodes tet : mesh.tets) {
-    Mat3 D = rest_edges(mesh, tet);
-    if (D.determinant() < 0) {
-      std::swap(tet[2], tet[3]);
-      D.col(1).swap(D.col(2));
-    }
-    const double six_volumes = D.determinant(), length = longest_edge(D);
+    std::sort(tet.begin(), tet.end());
+    const Mat3 D = rest_edges(mesh, tet);
+    const double six_volumes = std::abs(D.determinant()), length = longest_edge(D);
     if (!(six_volumes > least_quality * length * length * length)) {
       ++dropped_;
       continue;

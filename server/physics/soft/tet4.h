@@ -24,7 +24,8 @@ class Tet4Elements {
   static constexpr int pair_index(int a, int b) { return a * (5 - a) / 2 + b - 1; }
 
   /// Takes the elements that can strain: a tetrahedron flatter than `least_quality` or of no volume would
-  /// only bring 1/0 and is left out (its mass is not, see lumped_volume). Mirrored numbering is turned round.
+  /// only bring 1/0 and is left out (its mass is not, see lumped_volume). An element's nodes are sorted: F
+  /// and V don't depend on their order, and no block needs to be transposed to find its place in a matrix.
   /// Node indices must be in range.
   explicit Tet4Elements(const TetMesh& mesh);
 
