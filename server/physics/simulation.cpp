@@ -160,6 +160,8 @@ std::vector<std::uint8_t> Simulation::checkpoint() {
 
 void Simulation::restore(std::span<const std::uint8_t> bytes) {
   impl_->load(bytes);
+  impl_->islands.clear();  // of the state that was: the hands touch nothing until the next step
+  impl_->describe_hands();
 }
 
 }  // namespace prosector

@@ -45,6 +45,7 @@ struct Simulation::Impl {
   void recover();
   void fall_asleep();
   void describe();
+  void describe_hands();  // part of it
 
   // ---- Hands
   void appear(ParticipantId participant, std::size_t side);

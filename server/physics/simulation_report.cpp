@@ -52,6 +52,10 @@ void Simulation::Impl::describe() {
       report.potential_energy -=
           body.node_mass()[n] * model.scene.gravity.dot(soft[i].motion.x.segment<3>(3 * n));
   }
+  describe_hands();
+}
+
+void Simulation::Impl::describe_hands() {
   hand_states.clear();
   for (const Hand& hand : hands) {
     HandState& state = hand_states.emplace_back();

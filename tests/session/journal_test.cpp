@@ -1,0 +1,200 @@
+// What a journal keeps repeats the run bit for bit; what breaks the journal does not break the session.
+
+#include "server/session/journal.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <random>
+#include <thread>
+
+#include "common/error.h"
+#include "server/session/input_bytes.h"
+#include "server/session/replay.h"
+#include "tests/session/hosted.h"
+
+namespace prosector {
+namespace {
+
+using test::Guest;
+using test::Hosted;
+
+/// A file name of its own, gone at the end.
+struct TemporaryFile {
+  std::filesystem::path path;
+  explicit TemporaryFile(const std::string& name)
+      : path(std::filesystem::temp_directory_path() / (name + "." + std::to_string(getpid()))) {
+    remove();
+  }
+  ~TemporaryFile() { remove(); }
+  void remove() const {
+    for (const char* suffix : {"", "-wal", "-shm", "-journal"})
+      std::filesystem::remove(path.string() + suffix);
+  }
+};
+
+JournalHeader header_of(const Simulation& simulation) {
+  return {"scene.toml", "name = \"hosted\"", "prosector", simulation.content_hash()};
+}
+
+/// Records a press of `ticks` ticks; returns the last hash.
+std::uint64_t record(const std::filesystem::path& file, std::uint64_t ticks, int threads = 1) {
+  const auto journal =
+      Journal::create(file, header_of(Simulation(test::hosted_scene(), test::options())), JournalLimits{});
+  Hosted hosted({}, journal.get(), threads);
+  Guest ada = hosted.guest(1, BusEnd::dissector);
+  ada.greet("ada", Role::dissector);
+  for (std::uint64_t t = 0; t < ticks; ++t) {
+    ada.bus->publish(ada.hand_at(test::press(t)));
+    if (t == 70) ada.command(CommandKind::grasp);
+    hosted.tick();
+  }
+  hosted.loop.finish();
+  return hosted.simulation.state_hash();
+}
+
+ConsumedInput random_input(std::mt19937_64& random) {
+  ConsumedInput out;
+  std::normal_distribution<double> x;
+  for (std::uint64_t i = 0; i < random() % 4; ++i) out.keys.push_back({random(), random()});
+  for (std::uint64_t i = 0; i < random() % 4; ++i)
+    out.input.events.push_back({static_cast<HandEvent::Kind>(random() % 5), random(), random() % 2,
+                                static_cast<BodyId>(random() % 100)});
+  for (std::uint64_t i = 0; i < random() % 4; ++i) {
+    HandTarget t;
+    t.participant = random();
+    t.hand = random() % 2;
+    t.target = {Vec3(x(random), x(random), x(random)), Quat::UnitRandom()};
+    for (double& f : t.flexion) f = x(random);
+    out.input.targets.push_back(t);
+  }
+  return out;
+}
+
+TEST(InputBytes, RoundTripBitForBit) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 500; ++i) {
+    const auto bytes = encode_input(random_input(random));
+    EXPECT_EQ(encode_input(decode_input(bytes)), bytes);
+  }
+}
+
+TEST(InputBytes, MutatedBytesAreRefusedOrAreAnInput) {
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 20000; ++i) {
+    auto bytes = encode_input(random_input(random));
+    if (bytes.empty()) continue;
+    if (random() % 2 == 0) bytes.resize(random() % bytes.size());
+    for (std::uint64_t k = 0; k < random() % 4 && !bytes.empty(); ++k)
+      bytes[random() % bytes.size()] = static_cast<std::uint8_t>(random());
+    try {
+      for (const HandTarget& t : decode_input(bytes).input.targets) EXPECT_TRUE(is_finite(t.target));
+    } catch (const InputError&) {
+    }
+  }
+}
+
+TEST(Journal, ReplayIsEqualForAnyThreadCount) {
+  const TemporaryFile file("replay");
+  const std::uint64_t hash = record(file.path, 130, 1);
+  const JournalReader journal(file.path);
+  EXPECT_EQ(journal.last_tick(), 131u);  // and the one that ends it
+  for (int threads : {1, 2}) {
+    Simulation simulation(test::hosted_scene(), test::options(threads));
+    const ReplayResult result = replay(journal, simulation, {});
+    EXPECT_TRUE(result) << *result.first_difference;
+    EXPECT_EQ(result.ticks, 131u);
+    EXPECT_EQ(result.last_hash, hash);
+  }
+}
+
+TEST(Journal, ReplayNamesTheFirstDifference) {
+  const TemporaryFile file("tampered");
+  record(file.path, 30);
+  SqliteDatabase(file.path, SqliteDatabase::Mode::write)
+      .execute("UPDATE tick SET state_hash = state_hash + 1 WHERE tick = 17");
+  Simulation simulation(test::hosted_scene(), test::options());
+  const ReplayResult result = replay(JournalReader(file.path), simulation, {});
+  EXPECT_FALSE(result);
+  EXPECT_EQ(result.first_difference, 17u);
+}
+
+TEST(Journal, AnotherSceneIsRefused) {
+  const TemporaryFile file("other");
+  record(file.path, 5);
+  SceneDesc other = test::hosted_scene();
+  other.soft[0].youngs_modulus *= 2;
+  Simulation simulation(other, test::options());
+  EXPECT_THROW(replay(JournalReader(file.path), simulation, {}), InputError);
+}
+
+TEST(Journal, ResumeGoesOnAsIfNothingHadHappened) {
+  const TemporaryFile file("resume");
+  const std::uint64_t hash = record(file.path, 80);
+  Simulation simulation(test::hosted_scene(), test::options());
+  EXPECT_TRUE(resume(JournalReader(file.path), simulation));
+  EXPECT_EQ(simulation.state_hash(), hash);
+  EXPECT_EQ(simulation.hands().size(), 1u);  // of a participant who is no longer there
+  std::uint64_t end_hash = 0;
+  {
+    const auto journal = Journal::append_to(file.path, JournalLimits{});
+    LocalNetwork network({});
+    const auto bus = network.join(Hosted::config(BusEnd::server));
+    ServerLoop loop(simulation, *bus, "prosector", journal.get(), [](const std::string&) {});
+    for (int i = 0; i < 40; ++i) loop.tick();
+    EXPECT_TRUE(simulation.hands().empty());
+    loop.finish();
+    end_hash = simulation.state_hash();
+  }
+  Simulation again(test::hosted_scene(), test::options());
+  const ReplayResult result = replay(JournalReader(file.path), again, {});
+  EXPECT_TRUE(result);
+  EXPECT_EQ(result.last_hash, end_hash);
+}
+
+TEST(Journal, AFullDiskStopsTheJournalNotTheSession) {
+  const TemporaryFile file("full");
+  JournalLimits limits;
+  limits.file_bytes = 120 * 1024;
+  const auto journal =
+      Journal::create(file.path, header_of(Simulation(test::hosted_scene(), test::options())), limits);
+  Hosted hosted({}, journal.get());
+  Guest ada = hosted.guest(1, BusEnd::dissector);
+  ada.greet("ada", Role::dissector);
+  std::uint64_t t = 0;
+  while (journal->trouble().empty() && t < 20000) {
+    ada.bus->publish(ada.hand_at({0.5, 0.5, 0.001 * static_cast<double>(t++ % 100)}));
+    hosted.tick();
+    ada.take();
+  }
+  EXPECT_NE(journal->trouble().find("full"), std::string::npos) << journal->trouble();
+  const auto before = hosted.simulation.time().tick;
+  for (int i = 0; i < 30; ++i) hosted.tick();
+  EXPECT_EQ(hosted.simulation.time().tick, before + 30);
+  EXPECT_NE(hosted.loop.status().degraded.find("journal stopped"), std::string::npos);
+  EXPECT_TRUE(std::any_of(hosted.log.begin(), hosted.log.end(), [](const std::string& line) {
+    return line.find("journal stopped") != std::string::npos;
+  }));
+  // What was written is sound.
+  Simulation simulation(test::hosted_scene(), test::options());
+  EXPECT_TRUE(replay(JournalReader(file.path), simulation, {}));
+}
+
+TEST(Journal, FilesThatAreNoJournalAreRefused) {
+  const TemporaryFile file("garbage");
+  EXPECT_THROW(JournalReader{file.path}, InputError);
+  std::ofstream(file.path)
+      << "not a journal at all, but long enough to look like some file that somebody named";
+  EXPECT_THROW(JournalReader{file.path}, InputError);
+  EXPECT_THROW(Journal::create(file.path, {}, {}), InputError);    // never overwrites
+  EXPECT_THROW(Journal::create("/dev/full", {}, {}), InputError);  // nor a device
+  EXPECT_THROW(Journal::create("/nowhere/at/all.db", {}, {}), InputError);
+  std::filesystem::remove(file.path);
+  SqliteDatabase(file.path, SqliteDatabase::Mode::write).execute("CREATE TABLE meta(key TEXT, value BLOB)");
+  EXPECT_THROW(JournalReader{file.path}, InputError);
+}
+
+}  // namespace
+}  // namespace prosector
