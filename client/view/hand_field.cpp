@@ -19,7 +19,7 @@ struct Limb {
 };
 
 // Skin over the physical hand's capsules, as a factor of their radii: a touch looks firm, not hovering.
-constexpr double flesh = 1.06;
+constexpr double flesh = 1.04;
 
 /// Minimum whose edge is rounded over a band of `blend` metres.
 double smooth_min(double a, double b, double blend) {
@@ -66,13 +66,23 @@ double wrist(const Vec3& x) {
   return -smooth_min(-round.distance(squeezed), -cut, 0.008);
 }
 
+/// The flesh between the metacarpals: a slab with round edges, inside the physical palm.
+double slab(const Vec3& x) {
+  const Palm palm = hand_palm(right_hand);
+  constexpr double rounding = 0.007;
+  const Vec3 core = palm.half_extents - Vec3(0.008, 0.001, 0.015) - Vec3::Constant(rounding);
+  const Vec3 center = palm.center - Vec3(0, 0, 0.012);  // the wrist is narrower
+  const Vec3 beyond = (x - center).cwiseAbs() - core;
+  return beyond.cwiseMax(0).norm() + std::min(beyond.maxCoeff(), 0.0) - rounding;
+}
+
 }  // namespace
 
 HandField hand_field(const Vec3& at) {
   static const auto fingers_limbs = phalanges();
   static const auto palm = palm_limbs();
 
-  double body = wrist(at);
+  double body = smooth_min(wrist(at), slab(at), 0.012);
   for (const Limb& limb : palm) body = smooth_min(body, limb.distance(at), 0.012);
 
   HandField out;

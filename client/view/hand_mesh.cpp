@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-constexpr double skin_cell = 0.0032;  // m, edge length of the triangles, about
+constexpr double skin_cell = 0.0055;  // m, edge length of the triangles, about
 
 /// Joints of a finger in hand order: the thumb has two.
 std::size_t first_joint(std::size_t finger) {
@@ -18,6 +18,19 @@ std::size_t first_joint(std::size_t finger) {
 }
 std::size_t joints_of(std::size_t finger) {
   return finger == 0 ? 2 : 3;
+}
+
+/// Drawn through a field stretched in width, in which the narrow gaps between the fingers are wide enough for
+/// the lattice to tell the fingers apart.
+TriangleMesh right_hand_surface() {
+  constexpr double stretch = 1.8;
+  const SolidField stretched{[](const Vec3& x) {
+                               return hand_field({x.x() / stretch, x.y(), x.z()}).solid;
+                             },
+                             {{-0.10 * stretch, -0.035, -0.205}, {0.06 * stretch, 0.03, 0.065}}};
+  TriangleMesh mesh = isosurface(stretched, skin_cell);
+  for (Vec3& x : mesh.positions) x.x() /= stretch;
+  return mesh;
 }
 
 double smooth_step(double from, double to, double x) {
@@ -44,10 +57,8 @@ std::array<Hinge, hand_joints> hinges_of(std::size_t hand, const std::array<doub
 }  // namespace
 
 HandSkin::HandSkin(std::size_t hand) : hand_(hand) {
-  const SolidField solid{[](const Vec3& x) { return hand_field(x).solid; },
-                         {{-0.11, -0.045, -0.22}, {0.07, 0.04, 0.075}}};
-  const TriangleMesh mesh = isosurface(solid, skin_cell);
   const bool mirror = hand == left_hand;
+  const TriangleMesh mesh = right_hand_surface();
   for (const Vec3& x : mesh.positions) {
     weigh(x);
     rest_.push_back(Vec3(mirror ? -x.x() : x.x(), x.y(), x.z()).cast<float>());

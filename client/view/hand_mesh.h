@@ -8,10 +8,10 @@
 
 namespace prosector {
 
-/// The skin of a right or left hand with its weights. Made once (some tenths of a second) and shared by all
-/// hands of that side. Wrist frame, metres.
+/// The skin of a right or left hand with its weights, shared by all hands of that side. Wrist frame, metres.
 class HandSkin {
  public:
+  /// Left and right are exact mirror images. Takes some tenths of a second.
   explicit HandSkin(std::size_t hand);
 
   /// A new mesh of the open hand; `rest_positions` hold the open shape, so that texture sticks.

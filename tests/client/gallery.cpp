@@ -12,7 +12,7 @@
 namespace prosector::test {
 namespace {
 
-constexpr int width = 320, height = 240;
+constexpr int width = 256, height = 192;
 
 DrawList stage(const Vec3& eye, const Vec3& target, double fov = 0.6) {
   DrawList list;

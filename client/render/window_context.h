@@ -1,0 +1,88 @@
+#pragma once
+// A window with OpenGL 3.3 core and what people do in it, in types of our own.
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "client/render/gl_context.h"
+
+namespace prosector {
+
+/// Keys that print are their upper-case ASCII character on a US keyboard ('W', '1', ' '); others follow.
+enum class Key : int {
+  space = ' ',
+  escape = 256,
+  enter,
+  tab,
+  backspace,
+  insert,
+  del,
+  right,
+  left,
+  down,
+  up,
+  page_up,
+  page_down,
+  home,
+  end,
+  shift,
+  control,
+  alt,
+  f1,
+  f2,
+  f3,
+  f4,
+  f5,
+  f6,
+  f7,
+  f8,
+  f9,
+  f10,
+  f11,
+  f12,
+};
+constexpr Key key_of(char printed) {
+  return static_cast<Key>(printed);
+}
+
+enum class MouseButton { left, right, middle };
+
+struct MouseMoved {
+  double x, y;  // pixels of the picture, from its top left
+};
+struct MouseButtonEvent {
+  MouseButton button;
+  bool down;
+};
+struct WheelTurned {
+  double x, y;  // notches; y > 0: away from the person
+};
+struct KeyEvent {
+  Key key;
+  bool down;
+  bool repeat;  // a held key's repeated press
+};
+struct Resized {
+  int width, height;  // pixels of the picture
+};
+struct CloseRequested {};
+
+using WindowEvent =
+    std::variant<MouseMoved, MouseButtonEvent, WheelTurned, KeyEvent, Resized, CloseRequested>;
+
+class WindowContext : public GlContext {
+ public:
+  /// What happened since the last call, in order; never waits. width() and height() are those of the last
+  /// Resized.
+  virtual std::vector<WindowEvent> poll_events() = 0;
+  /// True: hides the pointer and keeps it inside, so that moving has no end.
+  virtual void capture_pointer(bool captured) = 0;
+};
+
+/// Only one window at a time, in the main thread. Throws InputError saying what is missing: no display (use
+/// an offscreen one), or no OpenGL 3.3.
+std::unique_ptr<WindowContext> make_window_context(int width, int height, const std::string& title);
+
+}  // namespace prosector

@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "client/render/screen_quads.h"
+#include "client/render/stroke_font.h"
+#include "tests/client/picture.h"
+
+namespace prosector {
+namespace {
+
+using namespace test;
+
+TEST(StrokeFont, EveryGlyphIsDrawnInsideItsCellAndUnlikeAnyOther) {
+  constexpr double height = 16;
+  std::set<std::vector<double>> shapes;
+  for (char c = '!'; c <= '~'; ++c) {
+    const auto strokes = strokes_of(std::string(1, c), height);
+    ASSERT_FALSE(strokes.empty()) << c;
+    std::vector<double> shape;
+    for (const TextStroke& s : strokes)
+      for (const Eigen::Vector2d& p : {s.a, s.b}) {
+        EXPECT_GE(p.x(), 0) << c;
+        EXPECT_LE(p.x(), text_width("x", height)) << c;
+        EXPECT_GE(p.y(), -height / 8) << c;
+        EXPECT_LE(p.y(), height) << c;
+        shape.insert(shape.end(), {p.x(), p.y()});
+      }
+    EXPECT_TRUE(shapes.insert(shape).second) << c << " looks like another glyph";
+  }
+  EXPECT_TRUE(strokes_of(" ", height).empty());
+}
+
+TEST(StrokeFont, LinesAndCharactersBeyondAscii) {
+  EXPECT_DOUBLE_EQ(text_width("abc\nabcde\na", 12), 5 * text_width("a", 12));
+  EXPECT_DOUBLE_EQ(text_width("é", 12), text_width("e", 12)) << "two bytes, one character";
+  EXPECT_EQ(strokes_of("é", 12).size(), strokes_of("?", 12).size());
+  EXPECT_GT(strokes_of("\nx", 12)[0].a.y(), line_spacing(12));
+  EXPECT_EQ(strokes_of("\xff\x80\x01", 12).size(), 2 * strokes_of("?", 12).size());
+}
+
+TEST(ScreenQuads, AreAsWideAsAskedInPixels) {
+  std::vector<ScreenVertex> out;
+  const Viewport viewport{400, 200};
+  add_line(out, {0, -0.5, 0, 1}, {0, 0.5, 0, 1}, Vec3::Ones(), 4, viewport);
+  ASSERT_EQ(out.size(), 6u);
+  float left = 1, right = -1;
+  for (const ScreenVertex& v : out) {
+    left = std::min(left, v.at.x());
+    right = std::max(right, v.at.x());
+  }
+  EXPECT_NEAR((right - left) * 200, 4, 1e-5);
+}
+
+TEST(ScreenQuads, CutOffWhatIsBehindTheEye) {
+  std::vector<ScreenVertex> out;
+  const Viewport viewport{100, 100};
+  add_line(out, {0, 0, -2, -1}, {0, 0, -3, -2}, Vec3::Ones(), 2, viewport);
+  EXPECT_TRUE(out.empty());
+  add_line(out, {0, 0, -2, -1}, {0.5, 0, 0.9, 1}, Vec3::Ones(), 2, viewport);
+  EXPECT_EQ(out.size(), 6u);
+  for (const ScreenVertex& v : out) EXPECT_TRUE(v.at.allFinite());
+}
+
+TEST(Text, IsLegibleOnAnyGround) {
+  for (const double ground : {0.0, 0.5, 1.0}) {
+    DrawList list;
+    list.cameras = {straight_camera({0, 0, 1}, 160, 40)};
+    list.background = Vec3::Constant(ground);
+    list.texts = {{"Prosector", {10, 10, 0}, true, 16, {1, 1, 1}}};
+    const Image image = picture_of(list, 160, 40);
+    int bright = 0, dark = 0;
+    for (int y = 8; y < 30; ++y)
+      for (int x = 8; x < 130; ++x) {
+        bright += luminance(image.pixel(x, y)) > 200 ? 1 : 0;
+        dark += luminance(image.pixel(x, y)) < 60 ? 1 : 0;
+      }
+    EXPECT_GT(bright, 150) << ground;
+    EXPECT_GT(dark, 150) << ground;
+  }
+}
+
+}  // namespace
+}  // namespace prosector

@@ -1,0 +1,219 @@
+// The geometry that the view makes: hands, normals, avatars.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "client/view/avatar.h"
+#include "client/view/hand_mesh.h"
+#include "client/view/normals.h"
+#include "client/view/room.h"
+#include "common/primitives.h"
+
+namespace prosector {
+namespace {
+
+const HandSkin& skin(std::size_t hand) {
+  static const std::array<HandSkin, 2> skins = {HandSkin(left_hand), HandSkin(right_hand)};
+  return skins.at(hand);
+}
+
+std::array<double, fingers> all(double flexion) {
+  return {flexion, flexion, flexion, flexion, flexion};
+}
+
+TEST(HandMesh, IsOneClosedSkin) {
+  for (const std::size_t hand : {left_hand, right_hand}) {
+    const auto mesh = skin(hand).make_mesh(1);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    double volume = 0;
+    for (const auto& t : mesh->triangles) {
+      for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+      volume += mesh->positions[t[0]].dot(mesh->positions[t[1]].cross(mesh->positions[t[2]])) / 6.0;
+    }
+    for (const auto& [edge, count] : edges) {
+      ASSERT_EQ(count, 1);
+      ASSERT_TRUE(edges.contains({edge.second, edge.first}));
+    }
+    // Closed and without handles: V − E + F = 2.
+    EXPECT_EQ(static_cast<long>(mesh->positions.size()) - static_cast<long>(edges.size() / 2) +
+                  static_cast<long>(mesh->triangles.size()),
+              2);
+    EXPECT_GT(volume, 250e-6) << "an adult hand with its wrist displaces 300 to 500 ml";
+    EXPECT_LT(volume, 550e-6);
+    EXPECT_LT(mesh->triangles.size(), 12000u);
+  }
+}
+
+TEST(HandMesh, HasFiniteUnitNormalsAtEveryBend) {
+  for (int step = 0; step <= 8; ++step) {
+    const SkinnedHand bent = skin_hand(skin(right_hand), all(step / 8.0));
+    for (const auto& x : bent.positions) ASSERT_TRUE(x.allFinite());
+    for (const auto& n : bent.normals) ASSERT_NEAR(n.norm(), 1, 1e-4);
+  }
+}
+
+TEST(HandMesh, LeftIsTheMirrorOfRight) {
+  const std::array<double, fingers> flexion = {0.3, 0.9, 0.1, 0.6, 1.0};
+  const SkinnedHand left = skin_hand(skin(left_hand), flexion), right = skin_hand(skin(right_hand), flexion);
+  ASSERT_EQ(left.positions.size(), right.positions.size());
+  for (std::size_t k = 0; k < left.positions.size(); ++k) {
+    const Eigen::Vector3f mirror(-1, 1, 1);
+    ASSERT_LT((left.positions[k] - right.positions[k].cwiseProduct(mirror)).norm(), 1e-5F);
+    ASSERT_LT((left.normals[k] - right.normals[k].cwiseProduct(mirror)).norm(), 2e-3F);
+  }
+}
+
+/// The drawn skin stays on the bones that touch: its nearest vertex to each bone's tip is within a finger's
+/// breadth of the flesh there.
+TEST(HandMesh, FollowsTheBones) {
+  for (const double flexion : {0.0, 0.4, 0.8, 1.0}) {
+    const SkinnedHand bent = skin_hand(skin(right_hand), all(flexion));
+    const auto bones = hand_pose(right_hand, all(flexion));
+    for (const HandSegment& s : hand_segments(right_hand)) {
+      const Vec3 tip = bones[s.joint] * Vec3(0, 0, -s.length);
+      double nearest = 1;
+      for (const auto& x : bent.positions) nearest = std::min(nearest, (x.cast<double>() - tip).norm());
+      EXPECT_LT(nearest, 1.35 * s.radius) << "joint " << s.joint << " flexion " << flexion;
+    }
+  }
+}
+
+TEST(HandMesh, AFistClosesOverThePalm) {
+  const auto open = skin(right_hand).make_mesh(1);
+  const SkinnedHand fist = skin_hand(skin(right_hand), all(1));
+  float open_reach = 0, fist_reach = 0;
+  for (std::size_t k = 0; k < fist.positions.size(); ++k) {
+    open_reach = std::min(open_reach, open->positions[k].z());
+    fist_reach = std::min(fist_reach, fist.positions[k].z());
+  }
+  EXPECT_LT(open_reach, -0.175F);
+  EXPECT_GT(fist_reach, -0.115F) << "only the knuckles are left in front";
+  // The middle fingertip: farthest forward of the open hand.
+  for (std::size_t k = 0; k < fist.positions.size(); ++k)
+    if (open->positions[k].z() < open_reach + 0.004F) {
+      EXPECT_LT(fist.positions[k].y(), -0.005F) << "below the palm";
+      EXPECT_GT(fist.positions[k].y(), -0.05F);
+      EXPECT_GT(fist.positions[k].z(), -0.09F) << "over the palm";
+      EXPECT_LT(fist.positions[k].z(), 0.0F);
+    }
+}
+
+TEST(HandMesh, OneFingerLeavesTheOthersAlone) {
+  const auto open = skin(right_hand).make_mesh(1);
+  const SkinnedHand point = skin_hand(skin(right_hand), {0, 1, 0, 0, 0});
+  const auto bones = hand_pose(right_hand, {});
+  for (const std::size_t tip : {1U, 7U, 10U, 13U}) {
+    const HandSegment& s = hand_segments(right_hand)[tip];
+    const Vec3 middle = bones[tip] * Vec3(0, 0, -s.length / 2);
+    for (std::size_t k = 0; k < point.positions.size(); ++k)
+      if ((open->positions[k].cast<double>() - middle).norm() < 1.2 * s.radius) {
+        ASSERT_LT((open->positions[k] - point.positions[k]).norm(), 1e-3F) << "tip of joint " << tip;
+      }
+  }
+}
+
+TEST(HandMesh, BendingKeepsTheFleshOnTheBackOfTheJoints) {
+  const auto open = skin(right_hand).make_mesh(1);
+  const SkinnedHand fist = skin_hand(skin(right_hand), {0, 0, 1, 0, 0});
+  // The middle finger's PIP: distance of the skin from the joint's centre on its dorsal side.
+  const auto rest = hand_pose(right_hand, {});
+  const auto bent = hand_pose(right_hand, {0, 0, 1, 0, 0});
+  int seen = 0;
+  for (std::size_t k = 0; k < fist.positions.size(); ++k) {
+    const Vec3 local = rest[6].inverse() * open->positions[k].cast<double>();
+    if (std::abs(local.z()) > 0.002 || local.y() < 0.006 || std::abs(local.x()) > 0.008) continue;
+    const double before = local.norm();
+    const double after = (fist.positions[k].cast<double>() - bent[6].p).norm();
+    EXPECT_NEAR(after, before, 0.25 * before);
+    ++seen;
+  }
+  EXPECT_GT(seen, 2);
+}
+
+TEST(Normals, OfASphereAreItsRadii) {
+  PartDesc part;
+  part.shape = "sphere";
+  const TriangleMesh mesh = mesh_of(part);
+  const CreasedMesh creased = split_creases(mesh);
+  EXPECT_EQ(creased.positions.size(), mesh.positions.size()) << "nothing to split";
+  for (std::size_t k = 0; k < creased.positions.size(); ++k)
+    EXPECT_GT(creased.normals[k].dot(creased.positions[k].normalized()), 0.99F);
+}
+
+TEST(Normals, OfABoxAreSharp) {
+  const TriangleMesh mesh = mesh_of(PartDesc{});
+  const CreasedMesh creased = split_creases(mesh);
+  EXPECT_EQ(creased.positions.size(), 24u);
+  ASSERT_EQ(creased.triangles.size(), mesh.triangles.size());
+  for (std::size_t t = 0; t < creased.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = creased.triangles[t][k];
+      EXPECT_EQ(creased.source[v], mesh.triangles[t][k]);
+      EXPECT_NEAR(creased.normals[v].cwiseAbs().maxCoeff(), 1, 1e-6);
+    }
+}
+
+TEST(Normals, SurviveTrianglesWithoutArea) {
+  const std::vector<Eigen::Vector3f> positions(3, Eigen::Vector3f::Ones());
+  const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}};
+  std::vector<Eigen::Vector3f> normals;
+  smooth_normals(positions, triangles, normals);
+  for (const auto& n : normals) EXPECT_EQ(n, Eigen::Vector3f::UnitY());
+  TriangleMesh flat;
+  flat.positions.assign(3, Vec3::Zero());
+  flat.triangles = {{0, 1, 2}};
+  for (const auto& n : split_creases(flat).normals) EXPECT_TRUE(n.allFinite());
+}
+
+TEST(Avatar, HasAHeadThreeAxesAndAName) {
+  DrawList list;
+  const Pose pose{{1, 1.5, 0}, Quat(Eigen::AngleAxisd(0.5, Vec3::UnitY()))};
+  add_avatar(list, head_mesh(1), pose, {1, 0, 0}, "Vesalius");
+  ASSERT_EQ(list.items.size(), 1u);
+  EXPECT_EQ(list.items[0].pose.p, pose.p);
+  ASSERT_EQ(list.lines.size(), 3u);
+  for (int axis = 0; axis < 3; ++axis) {
+    const DrawLine& line = list.lines[static_cast<std::size_t>(axis)];
+    EXPECT_NEAR((line.b - line.a).normalized().dot(pose.q * Vec3::Unit(axis)), 1, 1e-12);
+    int brightest = -1;
+    line.color.maxCoeff(&brightest);
+    EXPECT_EQ(brightest, axis) << "x red, y green, z blue";
+  }
+  ASSERT_EQ(list.texts.size(), 1u);
+  EXPECT_EQ(list.texts[0].text, "Vesalius");
+  EXPECT_GT(list.texts[0].at.y(), pose.p.y());
+}
+
+TEST(Avatar, CornerAxesLieLowerLeftAndTurnWithTheCamera) {
+  DrawCamera camera;
+  camera.pose.q = Quat(Eigen::AngleAxisd(1.5707963, Vec3::UnitY()));  // looks along −x
+  DrawList list;
+  add_corner_axes(list, Quat::Identity(), camera);
+  ASSERT_EQ(list.lines.size(), 3u);
+  for (const DrawLine& line : list.lines) {
+    EXPECT_TRUE(line.overlay);
+    EXPECT_LT(line.b.x(), -0.5);
+    EXPECT_LT(line.b.y(), -0.5);
+  }
+  const Vec3 z = list.lines[2].b - list.lines[2].a;
+  EXPECT_LT(z.x(), -0.05) << "looking along −x, +z is to the left";
+  EXPECT_NEAR((list.lines[0].b - list.lines[0].a).norm(), 0, 1e-6) << "+x comes straight at the eye";
+}
+
+TEST(Room, FacesInwards) {
+  for (const DrawItem& item : room_items(1)) {
+    EXPECT_FALSE(item.casts_shadow);
+    const Eigen::Vector3f middle(0, 1.5F, 0);
+    for (const auto& t : item.mesh->triangles) {
+      const auto& p = item.mesh->positions;
+      const Eigen::Vector3f normal = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
+      EXPECT_GT(normal.dot(middle - p[t[0]]), 0);
+      EXPECT_GT(normal.dot(item.mesh->normals[t[0]]), 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace prosector
