@@ -55,51 +55,79 @@ bool crop(const Volume& whole, int margin, Inside&& inside, Mask& out) {
   return true;
 }
 
-// Flood from `seed` over voxels of equal value; marks them with `mark` and returns how many.
-std::size_t flood(const Volume& v, std::size_t seed, std::vector<std::uint32_t>& piece, std::uint32_t mark) {
-  const float value = v.values[seed];
-  std::vector<std::size_t> queue = {seed};
-  piece[seed] = mark;
-  for (std::size_t head = 0; head < queue.size(); ++head) {
-    const auto n = static_cast<std::int64_t>(queue[head]);
-    const Index at = {n % v.dims[0], n / v.dims[0] % v.dims[1], n / v.dims[0] / v.dims[1]};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (const std::int64_t d : {-1, 1}) {
-        Index next = at;
-        next[axis] += d;
-        if (next[axis] < 0 || next[axis] >= v.dims[axis]) continue;
-        const std::size_t m = number(v, next);
-        if (piece[m] != 0 || v.values[m] != value) continue;
-        piece[m] = mark;
-        queue.push_back(m);
+/// Voxels of equal value in a row along x.
+struct Run {
+  std::int64_t first, end;  // x
+  std::size_t at;           // of the first voxel
+  bool inside;
+  std::uint32_t piece;  // runs joined through faces share it: the number of one of them
+};
+
+// Connected pieces, inside and outside alike, by runs: far fewer than voxels.
+std::vector<Run> find_pieces(const Volume& v) {
+  std::vector<Run> runs;
+  const auto find = [&](std::uint32_t i) {
+    while (runs[i].piece != i) i = runs[i].piece = runs[runs[i].piece].piece;
+    return i;
+  };
+  std::vector<std::uint32_t> row_start;  // first run of each row, and one beyond the last
+  const auto join_rows = [&](std::size_t row, std::size_t other) {
+    std::uint32_t a = row_start[row], b = row_start[other];
+    const auto a_end = static_cast<std::uint32_t>(runs.size());
+    const std::uint32_t b_end = row_start[other + 1];
+    while (a < a_end && b < b_end) {
+      const bool overlap = runs[a].first < runs[b].end && runs[b].first < runs[a].end;
+      if (overlap && runs[a].inside == runs[b].inside) runs[find(a)].piece = find(b);
+      (runs[a].end < runs[b].end ? a : b) += 1;
+    }
+  };
+  const auto ny = static_cast<std::size_t>(v.dims[1]);
+  std::size_t at = 0, row = 0;
+  for (std::int64_t k = 0; k < v.dims[2]; ++k)
+    for (std::int64_t j = 0; j < v.dims[1]; ++j, ++row) {
+      row_start.push_back(static_cast<std::uint32_t>(runs.size()));
+      for (std::int64_t i = 0; i < v.dims[0]; ++i, ++at) {
+        const bool inside = v.values[at] != 0;
+        if (i == 0 || runs.back().inside != inside)
+          runs.push_back({i, i + 1, at, inside, static_cast<std::uint32_t>(runs.size())});
+        else
+          runs.back().end = i + 1;
       }
-  }
-  return queue.size();
+      if (j > 0) join_rows(row, row - 1);
+      if (k > 0) join_rows(row, row - ny);
+    }
+  for (std::uint32_t n = 0; n < runs.size(); ++n) runs[n].piece = find(n);
+  return runs;
+}
+
+void fill(Volume& v, const Run& run, float value) {
+  std::fill_n(v.values.begin() + static_cast<std::ptrdiff_t>(run.at), run.end - run.first, value);
 }
 
 // Keeps the largest piece; cavities that the outside doesn't reach are filled: noise, not anatomy.
 void keep_largest(Mask& mask) {
   Volume& v = mask.volume;
-  std::vector<std::uint32_t> piece(v.values.size());
-  std::uint32_t pieces = 0, best = 0;
-  std::size_t most = 0, total = 0;
-  for (std::size_t n = 0; n < v.values.size(); ++n) {
-    if (v.values[n] == 0 || piece[n] != 0) continue;
-    const std::size_t count = flood(v, n, piece, ++pieces);
-    total += count;
-    if (count > most) {
-      most = count;
-      best = pieces;
-    }
+  const auto runs = find_pieces(v);
+  std::vector<std::size_t> size(runs.size());
+  std::size_t total = 0, best = 0;
+  for (const Run& run : runs) {
+    if (!run.inside) continue;
+    const auto length = static_cast<std::size_t>(run.end - run.first);
+    size[run.piece] += length;
+    total += length;
   }
-  mask.dropped_pieces = pieces - 1;
-  mask.dropped_voxels = total - most;
-  for (std::size_t n = 0; n < v.values.size(); ++n) v.values[n] = piece[n] == best ? 1.f : 0.f;
-  std::fill(piece.begin(), piece.end(), 0u);
-  if (v.values.front() == 0) {
-    flood(v, 0, piece, 1);
-    for (std::size_t n = 0; n < v.values.size(); ++n) v.values[n] = piece[n] == 0 ? 1.f : 0.f;
+  for (std::size_t n = 0; n < size.size(); ++n) {
+    if (size[n] > 0) ++mask.dropped_pieces;
+    if (size[n] > size[best]) best = n;
   }
+  --mask.dropped_pieces;  // all but the largest
+  mask.dropped_voxels = total - size[best];
+  for (const Run& run : runs)
+    if (run.inside && run.piece != best) fill(v, run, 0);
+  if (v.values.front() != 0) return;  // no border: nothing says where outside is
+  const auto cleaned = find_pieces(v);
+  for (const Run& run : cleaned)
+    if (!run.inside && run.piece != cleaned.front().piece) fill(v, run, 1);
 }
 
 void blur_axis(Volume& v, std::size_t axis, const std::vector<float>& kernel) {

@@ -23,7 +23,7 @@
 namespace prosector {
 namespace {
 
-constexpr int recipe = 1;  // raised when the same source gives another mesh: old cache files then don't match
+constexpr int recipe = 2;  // raised when the same source gives another mesh: old cache files then don't match
 
 void say(const Progress& progress, const std::string& line) {
   if (progress) progress(line);

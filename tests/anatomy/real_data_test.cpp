@@ -28,7 +28,7 @@ TEST(RealData, OrgansOfTheAbdominalCt) {
   const std::string file = find_in_data("liver.inr.gz");
   if (file.empty()) GTEST_SKIP() << "liver.inr.gz is not below " << default_data_dir();
   for (const Organ& organ :
-       {Organ{"liver", 255, 1.605e-3, {0.012, 0.014}}, Organ{"right kidney", 127, 0.160e-3, {0.008, 0.01}},
+       {Organ{"liver", 255, 1.605e-3, {0.014}}, Organ{"right kidney", 127, 0.160e-3, {0.01}},
         Organ{"gallbladder", 85, 8.5e-6, {0.004, 0.006}}})
     for (const double cell : organ.cells) {
       SCOPED_TRACE(std::string(organ.name) + " at " + std::to_string(cell));
