@@ -81,10 +81,11 @@ BusConfig find_place(const ServerOptions& options, const std::string& session) {
   return config;
 }
 
-std::string how_to_join(const ServerOptions& options, const BusConfig& config) {
+std::string how_to_join(const BusConfig& config) {
   const auto port = 7410 + 250 * config.domain + 2 * config.server_index;
   std::string more = config.domain != 0 ? fmt::format(" --domain {}", config.domain) : "";
-  if (options.lan) more += " --lan";
+  if (config.profile == "lan") more += " --lan IFACE";
+  if (config.profile == "wan") more += " --profile wan --lan IFACE --peer THIS_HOST";
   return fmt::format(
       "session \"{}\" is open {} (UDP port {})\n"
       "  take part:  prosector-client join --session {} --name NAME{}\n"
@@ -149,7 +150,7 @@ void host(const ServerOptions& options) {
   // Steps that wait for a compiler or a browser are late; not being allowed is no error.
   setpriority(PRIO_PROCESS, 0, -5);
   ServerLoop loop(simulation, *bus, session, journal.get(), say);
-  say(how_to_join(options, place));
+  say(how_to_join(place));
   loop.run(interrupted, options.seconds, say);
   loop.finish();
 

@@ -11,30 +11,34 @@ BusConfig ServerOptions::bus() const {
   config.end = BusEnd::server;
   config.session = session;
   config.domain = domain;
-  config.profile = !profile.empty() ? profile : lan ? "lan" : !peers.empty() ? "wan" : "";
+  config.profile = !profile.empty() ? profile : interface.empty() ? "" : "lan";
   config.interface = interface;
-  config.peers = peers;
   return config;
 }
 
 std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
   CLI::App app{
       "prosector-server: hosts a session on a scene. People join it with prosector-client.\n\n"
-      "  prosector-server deploy/scenes/abdomen.toml          this machine only\n"
-      "  prosector-server deploy/scenes/abdomen.toml --lan    the local network too\n"};
+      "  prosector-server deploy/scenes/abdomen.toml               this machine only\n"
+      "  prosector-server deploy/scenes/abdomen.toml --lan eth0    the local network too\n"};
   app.set_version_flag("--version", "prosector-server 0.1.0, protocol " + std::to_string(protocol_version));
-  auto* scene = app.add_option("SCENE", o.scene, "Scene file (TOML; docs/scene.md)");
+  auto* scene = app.add_option("SCENE", o.scene, "Scene file (TOML; docs/scene.md)")->type_name("");
 
   const char* run = "Session";
-  app.add_option("--session", o.session, "Name that clients join by; default: the scene's")->group(run);
+  app.add_option("--session", o.session, "Name that clients join by; default: the scene's")
+      ->type_name("NAME")
+      ->group(run);
   app.add_option("--seconds", o.seconds, "End after this long; default: Ctrl-C ends the session")
       ->check(CLI::PositiveNumber)
+      ->type_name("S")
       ->group(run);
   app.add_option("--threads", o.threads, "Threads of the physics; 0: one a core. Results don't depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str()
+      ->type_name("N")
       ->group(run);
   app.add_option("--summary", o.summary, "Write the run's figures to this file (JSON) at the end")
+      ->type_name("FILE")
       ->group(run);
   app.add_flag("--check", o.check, "Compile the scene, say what it models and at what cost, and end")
       ->group(run);
@@ -42,41 +46,48 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
   const char* record = "Journal";
   auto* journal =
       app.add_option("--journal", o.journal, "Record inputs, state hashes and checkpoints to this new file");
-  journal->group(record);
+  journal->type_name("FILE")->group(record);
   app.add_option("--journal-mb", o.journal_mb, "Stop journalling at this size; 0: no limit")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str()
+      ->type_name("MB")
       ->group(record);
   auto* replay = app.add_option("--replay", o.replay, "Run a journal again and compare every state hash");
   auto* resume = app.add_option("--resume", o.resume, "Go on where a journal ends, in the same file");
-  replay->group(record)->excludes(journal)->excludes(resume)->excludes(scene);
-  resume->group(record)->excludes(journal)->excludes(scene);
+  replay->type_name("FILE")->group(record)->excludes(journal)->excludes(resume)->excludes(scene);
+  resume->type_name("FILE")->group(record)->excludes(journal)->excludes(scene);
 
   const char* network = "Network (default: this machine only)";
-  app.add_flag("--lan{auto}", o.interface,
-               "Reach the local network; --lan=IFACE names the interface or address")
+  app.add_option("--lan", o.interface,
+                 "Reach the local network too, by this interface or address, for instance eth0")
+      ->type_name("IFACE")
       ->group(network);
-  app.add_option("--peer", o.peers, "Explicit machines instead of discovery: HOST or HOST:PORT")
-      ->group(network);
-  app.add_option("--profile", o.profile, "Network profile: loopback, lan, wan, or a file of deploy/dds")
+  app.add_option(
+         "--profile", o.profile,
+         "Network profile: loopback, lan, wan, or a file; lan and wan go with --lan IFACE (docs/network.md)")
+      ->type_name("PROFILE")
       ->group(network);
   app.add_option("--domain", o.domain, "DDS domain")
       ->check(CLI::Range(0, 230))
       ->capture_default_str()
+      ->type_name("N")
       ->group(network);
   app.add_option("--index", o.index,
                  "Server index on this host, which fixes the port; default: the first free")
       ->check(CLI::Range(0, 9))
+      ->type_name("0..9")
       ->group(network);
 
   const char* files = "Files";
   app.add_option("--data", o.data,
                  "Where files that the scene names are looked up, after its own folder; default: " +
                      default_data_dir().string())
+      ->type_name("DIR")
       ->group(files);
   o.cache = default_cache_dir();
   app.add_option("--cache", o.cache, "Compiled meshes, by content; may be deleted at any time")
       ->capture_default_str()
+      ->type_name("DIR")
       ->group(files);
 
   try {
@@ -86,8 +97,6 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
   }
-  o.lan = !o.interface.empty();
-  if (o.interface == "auto") o.interface.clear();
   if (o.data.empty()) o.data.push_back(default_data_dir());
   return std::nullopt;
 }

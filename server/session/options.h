@@ -18,10 +18,8 @@ struct ServerOptions {
   double journal_mb = 0;  // 0: no limit
   double seconds = 0;     // 0: until interrupted
   std::uint32_t domain = 0;
-  bool lan = false;
-  std::string interface;
+  std::string interface;  // empty: this machine only
   std::string profile;
-  std::vector<std::string> peers;
   std::optional<std::uint32_t> index;
   std::vector<std::filesystem::path> data;
   std::filesystem::path cache;
