@@ -1,30 +1,54 @@
 #pragma once
 // The desk user: mouse and keyboard move the view and drive a hand.
-//
-//   move the mouse        the hand, in a plane across the view      wheel        its distance
-//   left button           grasps while held                         right drag   turns the view around its
-//   target middle drag           shifts the view                           W A S D Q E  fly H this list Esc
-//   leave
+
+#include <chrono>
+#include <optional>
+#include <set>
 
 #include "client/app/connection.h"
 #include "client/render/window_context.h"
 
 namespace prosector {
 
+/// For people; told when a desk user joins.
+inline constexpr const char* desk_help =
+    "mouse: moves your hand    wheel: how far away it is    left button: grasps while held\n"
+    "right drag: turns the view    W A S D Q E: fly    Esc: leave";
+
 class Desk {
  public:
   explicit Desk(WindowContext& window) : window_(window) {}
 
-  /// Reads the window's events. `start` is where the view begins.
+  /// Takes the window's events and moves the view; `start` is where it begins.
   void update(const CameraInfo& start);
-  bool closed() const;
+  bool closed() const { return closed_; }
   const Pose& eye() const { return eye_; }
-  /// The hand as the mouse has it; publishes it, and grasp and release as commands.
+  /// Sends the hand as the mouse has it, and grasp and release as commands; returns it, to be drawn at once.
   HandInput drive_hand(Connection& connection);
 
  private:
   WindowContext& window_;
+  bool closed_ = false;
+
+  // The view: an eye that looks at a target.
+  std::optional<CameraInfo> view_;
   Pose eye_;
+  double yaw_ = 0, pitch_ = 0, distance_ = 1;  // rad, rad, m: the eye about the target
+  bool turning_ = false;
+  std::set<Key> held_keys_;
+  std::chrono::steady_clock::time_point last_update_{};
+
+  // The hand: fingertips on the ray through the pointer.
+  double pointer_x_ = 0, pointer_y_ = 0;  // pixels
+  double reach_ = 0;                      // m from the eye to the fingertips
+  bool grasping_ = false, grasp_sent_ = false;
+  double flexion_ = 0.1;
+  std::uint64_t sequence_ = 0;
+
+  void begin(const CameraInfo& start);
+  void take(const WindowEvent& event);
+  void fly(double seconds);
+  Pose hand_pose() const;
 };
 
 }  // namespace prosector

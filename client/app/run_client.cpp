@@ -77,6 +77,7 @@ class Client {
     if (has_devices(options.devices))
       pump_ = std::make_unique<InputPump>(connection_, options.devices, options.latency_log, tell);
     stage_ = make_stage(options);
+    if (stage_ && stage_->desk && !pump_ && options.join.role != Role::observer) tell(desk_help);
     if (stage_) report_.renderer = stage_->context->description();
   }
 

@@ -1,0 +1,109 @@
+#include "client/app/desk.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "client/view/camera.h"
+#include "common/clock.h"
+
+namespace prosector {
+namespace {
+
+constexpr double turn_per_pixel = 0.005;  // rad
+constexpr double reach_per_notch = 0.02;  // m
+constexpr double fly_speed = 0.6;         // m/s
+constexpr double least_reach = 0.15, most_reach = 4;
+constexpr double steepest = 1.5;              // rad: the view never turns over
+constexpr double wrist_to_fingertips = 0.18;  // m, fingers stretched
+constexpr double hand_pitch = -0.5;           // rad: fingers point into the picture and down
+constexpr double close_per_s = 6;             // flexion per second when the button goes down
+
+}  // namespace
+
+void Desk::begin(const CameraInfo& start) {
+  view_ = start;
+  const Vec3 back = start.eye - start.target;
+  distance_ = back.norm();
+  yaw_ = std::atan2(back.x(), back.z());
+  pitch_ = std::asin(std::clamp(back.y() / distance_, -1.0, 1.0));
+  reach_ = distance_;
+  pointer_x_ = 0.5 * window_.width();
+  pointer_y_ = 0.5 * window_.height();
+  last_update_ = std::chrono::steady_clock::now();
+}
+
+void Desk::update(const CameraInfo& start) {
+  if (!view_) begin(start);
+  for (const WindowEvent& event : window_.poll_events()) take(event);
+  const auto now = std::chrono::steady_clock::now();
+  const double seconds = std::chrono::duration<double>(now - last_update_).count();
+  last_update_ = now;
+  fly(seconds);
+  const double wanted = grasping_ ? 0.9 : 0.1;
+  flexion_ += std::clamp(wanted - flexion_, -close_per_s * seconds, close_per_s * seconds);
+  const Vec3 back(std::sin(yaw_) * std::cos(pitch_), std::sin(pitch_), std::cos(yaw_) * std::cos(pitch_));
+  eye_ = look_at(view_->target + distance_ * back, view_->target);
+}
+
+void Desk::take(const WindowEvent& event) {
+  if (std::get_if<CloseRequested>(&event)) closed_ = true;
+  if (const auto* key = std::get_if<KeyEvent>(&event)) {
+    if (key->key == Key::escape && key->down) closed_ = true;
+    if (key->down)
+      held_keys_.insert(key->key);
+    else
+      held_keys_.erase(key->key);
+  }
+  if (const auto* button = std::get_if<MouseButtonEvent>(&event)) {
+    if (button->button == MouseButton::left) grasping_ = button->down;
+    if (button->button == MouseButton::right) turning_ = button->down;
+  }
+  if (const auto* wheel = std::get_if<WheelTurned>(&event))
+    reach_ = std::clamp(reach_ + reach_per_notch * wheel->y, least_reach, most_reach);
+  if (const auto* mouse = std::get_if<MouseMoved>(&event)) {
+    if (turning_) {
+      yaw_ -= turn_per_pixel * (mouse->x - pointer_x_);
+      pitch_ = std::clamp(pitch_ + turn_per_pixel * (mouse->y - pointer_y_), -steepest, steepest);
+    }
+    pointer_x_ = mouse->x;
+    pointer_y_ = mouse->y;
+  }
+}
+
+void Desk::fly(double seconds) {
+  const auto held = [&](char key) { return held_keys_.contains(key_of(key)) ? 1.0 : 0.0; };
+  const Vec3 step(held('D') - held('A'), held('E') - held('Q'), held('S') - held('W'));
+  const Quat heading(Eigen::AngleAxisd(yaw_, Vec3::UnitY()));
+  view_->target += fly_speed * seconds * (heading * step);
+}
+
+Pose Desk::hand_pose() const {
+  const DrawCamera camera = mono_camera(eye_, view_->fov, window_.width(), window_.height());
+  const double x = camera.left + (camera.right - camera.left) * pointer_x_ / window_.width();
+  const double y = camera.top + (camera.bottom - camera.top) * pointer_y_ / window_.height();
+  const Vec3 fingertips = eye_ * Vec3(reach_ * Vec3(x, y, -1).normalized());
+  const Quat q(Eigen::AngleAxisd(yaw_, Vec3::UnitY()) * Eigen::AngleAxisd(hand_pitch, Vec3::UnitX()));
+  return {fingertips + q * Vec3(0, 0, wrist_to_fingertips), q};
+}
+
+HandInput Desk::drive_hand(Connection& connection) {
+  HandInput input;
+  input.participant = connection.participant();
+  input.sequence = ++sequence_;
+  input.time_ns = monotonic_ns();
+  input.head_tracked = true;
+  input.head = eye_;
+  HandPose& hand = input.hands[right_hand];
+  hand.tracked = true;
+  hand.pose = hand_pose();
+  hand.flexion.fill(flexion_);
+  hand.gesture = grasping_ ? Gesture::fist : Gesture::flat;
+  connection.publish(input);
+  if (grasping_ != grasp_sent_) {
+    grasp_sent_ = grasping_;
+    connection.command(grasping_ ? CommandKind::grasp : CommandKind::release, right_hand);
+  }
+  return input;
+}
+
+}  // namespace prosector
