@@ -10,6 +10,7 @@ import pathlib
 import struct
 import subprocess
 import sys
+import tempfile
 
 BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 OUT.mkdir(parents=True, exist_ok=True)
@@ -95,7 +96,7 @@ for what, scene, words in CASES:
           + ("" if good else f"\n       expected exit 2 and {words}\n       stdout: {run.stdout[-400:]}"))
 
 scene = rigid_scene("crossing", "crossing.off")
-run = subprocess.run([BIN / "prosector-server", str(scene), "--check", "--cache", str(OUT / "cache")],
+run = subprocess.run([BIN / "prosector-server", str(scene), "--check", "--cache", tempfile.mkdtemp(dir=OUT)],
                      capture_output=True, text=True, timeout=60)
 good = run.returncode == 0 and "warning: intersects itself" in run.stdout
 failures += not good
