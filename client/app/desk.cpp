@@ -86,10 +86,8 @@ Pose Desk::hand_pose() const {
   return {fingertips + q * Vec3(0, 0, wrist_to_fingertips), q};
 }
 
-HandInput Desk::drive_hand(Connection& connection) {
+HandInput Desk::input() const {
   HandInput input;
-  input.participant = connection.participant();
-  input.sequence = ++sequence_;
   input.time_ns = monotonic_ns();
   input.head_tracked = true;
   input.head = eye_;
@@ -98,12 +96,13 @@ HandInput Desk::drive_hand(Connection& connection) {
   hand.pose = hand_pose();
   hand.flexion.fill(flexion_);
   hand.gesture = grasping_ ? Gesture::fist : Gesture::flat;
-  connection.publish(input);
-  if (grasping_ != grasp_sent_) {
-    grasp_sent_ = grasping_;
-    connection.command(grasping_ ? CommandKind::grasp : CommandKind::release, right_hand);
-  }
   return input;
+}
+
+std::optional<CommandKind> Desk::take_command() {
+  if (grasping_ == grasp_told_) return std::nullopt;
+  grasp_told_ = grasping_;
+  return grasping_ ? CommandKind::grasp : CommandKind::release;
 }
 
 }  // namespace prosector

@@ -5,8 +5,8 @@
 #include <optional>
 #include <set>
 
-#include "client/app/connection.h"
 #include "client/render/window_context.h"
+#include "common/messages.h"
 
 namespace prosector {
 
@@ -23,8 +23,10 @@ class Desk {
   void update(const CameraInfo& start);
   bool closed() const { return closed_; }
   const Pose& eye() const { return eye_; }
-  /// Sends the hand as the mouse has it, and grasp and release as commands; returns it, to be drawn at once.
-  HandInput drive_hand(Connection& connection);
+  /// The user as mouse and keyboard have them.
+  HandInput input() const;
+  /// Grasp or release, when the button asked for it since the last call.
+  std::optional<CommandKind> take_command();
 
  private:
   WindowContext& window_;
@@ -41,9 +43,8 @@ class Desk {
   // The hand: fingertips on the ray through the pointer.
   double pointer_x_ = 0, pointer_y_ = 0;  // pixels
   double reach_ = 0;                      // m from the eye to the fingertips
-  bool grasping_ = false, grasp_sent_ = false;
+  bool grasping_ = false, grasp_told_ = false;
   double flexion_ = 0.1;
-  std::uint64_t sequence_ = 0;
 
   void begin(const CameraInfo& start);
   void take(const WindowEvent& event);

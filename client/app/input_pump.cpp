@@ -10,6 +10,7 @@ namespace prosector {
 namespace {
 
 constexpr std::int64_t shortest_ns = 5'000'000;  // between two sends: several stations' records share one
+constexpr std::int64_t desk_ns = 16'000'000;     // a desk user's hand
 constexpr std::int64_t longest_ns =
     100'000'000;  // and without news: says that the hand is still (or no longer) there
 
@@ -47,6 +48,11 @@ HandInput InputPump::latest() const {
   return latest_;
 }
 
+void InputPump::set_desk_input(const HandInput& input) {
+  std::lock_guard lock(mutex_);
+  desk_input_ = input;
+}
+
 void InputPump::run(std::stop_token stop) {
   std::uint64_t sequence = 0;
   std::int64_t sent_ns = 0;
@@ -58,15 +64,24 @@ void InputPump::run(std::stop_token stop) {
     for (const std::string& line : rig_.take_news()) report_(line);
     for (const GestureTrigger& trigger : rig_.take_triggers())
       if (trigger.event != GestureEvent::none) connection_.command(command_of(trigger.event), trigger.hand);
-    if (now - sent_ns < (news ? shortest_ns : longest_ns)) continue;
+    if (now - sent_ns < (news ? shortest_ns : desk_driven() ? desk_ns : longest_ns)) continue;
     send(now, ++sequence);
     sent_ns = now;
     news = false;
   }
 }
 
+bool InputPump::desk_driven() const {
+  std::lock_guard lock(mutex_);
+  return desk_input_.has_value();
+}
+
 void InputPump::send(std::int64_t now_ns, std::uint64_t sequence) {
   HandInput input = rig_.input();
+  {
+    std::lock_guard lock(mutex_);
+    if (desk_input_) input = *desk_input_;
+  }
   input.participant = connection_.participant();
   input.sequence = sequence;
   connection_.publish(input);

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "client/app/connection.h"
@@ -24,6 +25,9 @@ class InputPump {
 
   /// The user as the devices have them now: drawn at once.
   HandInput latest() const;
+  /// For a user without devices: what mouse and keyboard make of them. Sent at a steady rate, so that a
+  /// picture that takes long doesn't look like a hand that is gone.
+  void set_desk_input(const HandInput& input);
 
  private:
   Connection& connection_;
@@ -32,9 +36,11 @@ class InputPump {
   std::function<void(const std::string&)> report_;
   mutable std::mutex mutex_;
   HandInput latest_;
+  std::optional<HandInput> desk_input_;
   std::jthread thread_;
 
   void run(std::stop_token stop);
+  bool desk_driven() const;
   void send(std::int64_t now_ns, std::uint64_t sequence);
 };
 

@@ -18,7 +18,9 @@ class PictureSink {
   /// True if a picture taken at `seconds` after joining would be kept.
   bool wants(double seconds) const;
   void take(const Image& image, double seconds);
-  /// The last picture, for screenshots without a time.
+  /// True if a screenshot waits for the last picture.
+  bool wants_last() const { return !pending_.empty(); }
+  /// The last picture, for screenshots without a time, or whose time never came.
   void finish(const Image& image);
   /// What went wrong since the last call, for people.
   std::vector<std::string> take_failures();

@@ -74,10 +74,10 @@ class Client {
       connection_.on_received([this](const Received& r) { arrivals_->received(r); });
     }
     connection_.start();
-    if (has_devices(options.devices))
+    if (options.join.role != Role::observer)
       pump_ = std::make_unique<InputPump>(connection_, options.devices, options.latency_log, tell);
     stage_ = make_stage(options);
-    if (stage_ && stage_->desk && !pump_ && options.join.role != Role::observer) tell(desk_help);
+    if (stage_ && stage_->desk && drives_hand_at_desk()) tell(desk_help);
     if (stage_) report_.renderer = stage_->context->description();
   }
 
@@ -91,7 +91,7 @@ class Client {
       next = std::max(next + interval, std::chrono::steady_clock::now() - interval);
       std::this_thread::sleep_until(next);
     }
-    if (stage_ && report_.complete_ns) sink_.finish(draw());
+    if (stage_ && report_.complete_ns && sink_.wants_last()) sink_.finish(draw(true));
     tell_failures();
     if (!options_.summary.empty()) write_report(report_, connection_, options_.summary);
     return report_.complete_ns ? 0 : 1;
@@ -113,6 +113,8 @@ class Client {
     if (out.role != Role::observer) out.devices = describe_devices(o.devices);
     return out;
   }
+
+  bool drives_hand_at_desk() const { return pump_ && !has_devices(options_.devices); }
 
   bool done() {
     const bool over = options_.seconds > 0 && seconds_since(report_.joined_ns) > options_.seconds;
@@ -151,11 +153,12 @@ class Client {
     const double seconds = seconds_since(report_.joined_ns);
     const bool kept = sink_.wants(seconds);
     if (!kept && !stage_->desk && report_.first_picture_ns) return;
-    const Image image = draw();
+    const Image image = draw(kept);
     if (kept) sink_.take(image, seconds);
   }
 
-  Image draw() {
+  /// Draws a picture; `keep` also reads it back, which costs.
+  Image draw(bool keep) {
     const std::int64_t begin = monotonic_ns();
     LocalUser self{.participant = connection_.participant(), .input = {}, .present = pump_ != nullptr};
     ViewSettings settings{.width = stage_->context->width(),
@@ -169,9 +172,10 @@ class Client {
       const CameraInfo camera = connection_.with_replica([](Replica& r) { return r.scene()->camera; });
       stage_->desk->update(camera);
       settings.eye = stage_->desk->eye();
-      if (!pump_ && options_.join.role != Role::observer) {
-        self.present = true;
-        self.input = stage_->desk->drive_hand(connection_);
+      if (drives_hand_at_desk()) {
+        self.input = stage_->desk->input();
+        pump_->set_desk_input(self.input);
+        if (const auto command = stage_->desk->take_command()) connection_.command(*command, right_hand);
       }
     }
     const DrawList* list = nullptr;
@@ -180,8 +184,7 @@ class Client {
     });
     stage_->renderer->draw(*list);
     Image image;
-    if (!stage_->desk || sink_.wants(seconds_since(report_.joined_ns)))
-      image = stage_->renderer->read_pixels();
+    if (keep) image = stage_->renderer->read_pixels();
     stage_->context->present();
     if (!report_.first_picture_ns) report_.first_picture_ns = monotonic_ns();
     ++report_.pictures;

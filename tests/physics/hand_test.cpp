@@ -24,11 +24,24 @@ TEST(Hand, FollowsItsTargetWithoutLag) {
   EXPECT_NEAR(simulation.hands()[0].pose.p.x(), 0.6, 0.004);
 }
 
+// Largest change of the distance between two nodes: deformation without rigid motion.
+double deformation(const VecX& before, const VecX& after) {
+  double worst = 0;
+  for (Eigen::Index i = 0; i < before.size(); i += 3)
+    for (Eigen::Index j = 0; j < i; j += 3)
+      worst = std::max(worst, std::abs((before.segment<3>(i) - before.segment<3>(j)).norm() -
+                                       (after.segment<3>(i) - after.segment<3>(j)).norm()));
+  return worst;
+}
+
+// A free block may be shoved along the table; it may not stay deformed, nor be thrown out of the hand's
+// reach.
 TEST(Hand, TeleportStaysBounded) {
   SceneDesc scene;
   scene.rigid = {table()};
   scene.soft = {block()};
   Simulation simulation(scene, options());
+  const VecX settled = simulation.soft_state(1).motion.x;
   simulation.step(appear({0, 0.1, 0.05}));
   for (int i = 0; i < 120; ++i) {
     const double side = i / 20 % 2 == 0 ? 1 : -1;
@@ -38,7 +51,8 @@ TEST(Hand, TeleportStaysBounded) {
     ASSERT_TRUE(simulation.soft_state(1).motion.x.allFinite());
   }
   run(simulation, 400, target({1, 1, 1}));
-  EXPECT_LT(simulation.max_displacement(1), 0.1);
+  EXPECT_LT(deformation(settled, simulation.soft_state(1).motion.x), 0.002);
+  EXPECT_LT(simulation.max_displacement(1), 0.5);
 }
 
 TEST(Hand, ImpossibleTargetsAreIgnored) {
