@@ -4,14 +4,17 @@
 const float pi = 3.14159265;
 const int max_lights = 16;
 
-uniform int light_count;
-uniform vec4 light_position[max_lights];   // w: 0 directional, 1 point, 2 spot
+// The renderer defines EACH_LIGHT(DO) as DO(index, kind, has_shadow) for each light: software rasterisers gather
+// from arrays at variable indices and run both sides of branches, which costs several times the shading itself.
+const int directional_light = 0;
+const int spot_light = 2;
+
+uniform vec4 light_position[max_lights];
 uniform vec4 light_direction[max_lights];  // w: cosine of a spot's half angle
 uniform vec4 light_color[max_lights];      // w: cosine inside which a spot is at full strength
 uniform vec3 ambient;
 
 uniform sampler2DShadow shadow_map;
-uniform int shadow_light;
 uniform mat4 shadow_clip_from_room;
 uniform float shadow_texel;
 
@@ -49,9 +52,8 @@ float shadow_at(vec3 place, vec3 normal, float distance_to_light) {
 
 // Towards the light, and what arrives from there. A point or spot light of intensity 1 lights a surface that
 // faces it at 1 m as a directional light of intensity 1 does.
-vec3 arriving(int k, vec3 place, vec3 normal, out vec3 towards) {
-  int kind = int(light_position[k].w + 0.5);
-  if (kind == 0) {
+vec3 arriving(const int k, const int kind, const bool has_shadow, vec3 place, vec3 normal, out vec3 towards) {
+  if (kind == directional_light) {
     towards = -light_direction[k].xyz;
     return light_color[k].rgb;
   }
@@ -59,42 +61,59 @@ vec3 arriving(int k, vec3 place, vec3 normal, out vec3 towards) {
   float squared = max(dot(offset, offset), 1e-4);
   towards = offset * inversesqrt(squared);
   vec3 light = light_color[k].rgb / squared;
-  if (kind == 2) {
+  if (kind == spot_light) {
     float cosine = dot(-towards, light_direction[k].xyz);
     light *= smoothstep(light_direction[k].w, light_color[k].w, cosine);
   }
-  if (k == shadow_light) light *= shadow_at(place, normal, sqrt(squared));
+  if (has_shadow) light *= shadow_at(place, normal, sqrt(squared));
   return light;
 }
 
-// `smooth_normal` is that of the film, which fills the relief.
-vec3 shade(Material m, vec3 place, vec3 normal, vec3 smooth_normal, vec3 view) {
-  const float film_f0 = 0.025;
-  const float film_roughness = 0.16;
-  float ndv = max(dot(normal, view), 1e-3);
-  float film_ndv = max(dot(smooth_normal, view), 1e-3);
-  float film_fresnel = m.film * (film_f0 + (1.0 - film_f0) * schlick(film_ndv));
-  vec3 wet_albedo = m.albedo * mix(1.0, 0.82, m.film);  // light lost to total reflection inside the film
+// A surface under its film, as seen by the eye.
+struct Facing {
+  vec3 normal, film_normal, view;
+  float ndv, film_ndv;
+  vec3 wet_albedo;
+};
 
-  vec3 fresnel = m.f0 + (1.0 - m.f0) * schlick(ndv) * (1.0 - m.roughness);
+const float film_f0 = 0.025;
+const float film_roughness = 0.16;
+
+// Adds what one light sends to the eye by the surface, and by its film.
+void add_light(vec3 light, vec3 towards, Material m, Facing s, inout vec3 base, inout vec3 film) {
+  vec3 halfway = normalize(towards + s.view);
+  float raw = dot(s.normal, towards);
+  float ndl = max(raw, 0.0);
+  float f = schlick(dot(s.view, halfway));
+  vec3 wrapped = max((vec3(raw) + m.scatter) / ((1.0 + m.scatter) * (1.0 + m.scatter)), 0.0);
+  vec3 specular = (m.f0 + (1.0 - m.f0) * f) *
+                  (ggx(ndl, s.ndv, max(dot(s.normal, halfway), 0.0), m.roughness) * pi * ndl);
+  base += light * (s.wet_albedo * wrapped + specular);
+  float film_ndl = max(dot(s.film_normal, towards), 0.0);
+  film += light * (m.film * (film_f0 + (1.0 - film_f0) * f) * pi * film_ndl *
+                   ggx(film_ndl, s.film_ndv, max(dot(s.film_normal, halfway), 0.0), film_roughness));
+}
+
+// `film_normal` is smoother: the film fills the relief.
+vec3 shade(Material m, vec3 place, vec3 normal, vec3 film_normal, vec3 view) {
+  Facing s;
+  s.normal = normal;
+  s.film_normal = film_normal;
+  s.view = view;
+  s.ndv = max(dot(normal, view), 1e-3);
+  s.film_ndv = max(dot(film_normal, view), 1e-3);
+  s.wet_albedo = m.albedo * mix(1.0, 0.82, m.film);  // light lost to total reflection inside the film
+  float film_fresnel = m.film * (film_f0 + (1.0 - film_f0) * schlick(s.film_ndv));
+
+  vec3 fresnel = m.f0 + (1.0 - m.f0) * schlick(s.ndv) * (1.0 - m.roughness);
   vec3 mirrored = surroundings(reflect(-view, normal));
-  vec3 base = wet_albedo * surroundings(normal) + fresnel * mirrored;
-  vec3 film = film_fresnel * surroundings(reflect(-view, smooth_normal));
+  vec3 base = s.wet_albedo * surroundings(normal) + fresnel * mirrored;
+  vec3 film = film_fresnel * surroundings(reflect(-view, film_normal));
 
-  for (int k = 0; k < light_count; ++k) {
-    vec3 towards;
-    vec3 light = arriving(k, place, smooth_normal, towards);
-    vec3 halfway = normalize(towards + view);
-    float raw = dot(normal, towards);
-    float ndl = max(raw, 0.0);
-    float f = schlick(dot(view, halfway));
-    vec3 wrapped = max((vec3(raw) + m.scatter) / ((1.0 + m.scatter) * (1.0 + m.scatter)), 0.0);
-    vec3 specular = (m.f0 + (1.0 - m.f0) * f) *
-                    (ggx(ndl, ndv, max(dot(normal, halfway), 0.0), m.roughness) * pi * ndl);
-    base += light * (wet_albedo * wrapped + specular);
-    float film_ndl = max(dot(smooth_normal, towards), 0.0);
-    film += light * (m.film * (film_f0 + (1.0 - film_f0) * f) * pi * film_ndl *
-                     ggx(film_ndl, film_ndv, max(dot(smooth_normal, halfway), 0.0), film_roughness));
-  }
+  vec3 towards, light;
+#define ADD_LIGHT(K, KIND, HAS_SHADOW)                                    \
+  light = arriving(K, KIND, HAS_SHADOW, place, film_normal, towards);     \
+  add_light(light, towards, m, s, base, film);
+  EACH_LIGHT(ADD_LIGHT)
   return base * (1.0 - film_fresnel) + film + m.glow;
 }

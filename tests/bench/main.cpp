@@ -20,11 +20,23 @@ int main(int argc, char** argv) try {
   soft_command->add_option("--threads", soft.threads, "Threads")->check(CLI::Range(1, 1024));
   soft_command->add_option("--repeats", soft.repeats, "Calls of which the median is told")
       ->check(CLI::Range(1, 1000000));
+
+  prosector::RenderBenchOptions render;
+  CLI::App* render_command = app.add_subcommand("render", "Frames drawn off screen");
+  render_command->add_option("--triangles", render.triangles, "Of all meshes together, about")
+      ->check(CLI::Range(1000, 10000000));
+  render_command->add_option("--width", render.width, "Pixels")->check(CLI::Range(16, 4096));
+  render_command->add_option("--height", render.height, "Pixels")->check(CLI::Range(16, 4096));
+  render_command->add_option("--frames", render.frames, "Frames of which the mean is told")
+      ->check(CLI::Range(1, 100000));
+  render_command->add_option("--pictures", render.picture_folder, "Folder for the last frames, as PNG")
+      ->check(CLI::ExistingDirectory);
   CLI11_PARSE(app, argc, argv);
 
   nlohmann::json report = {{"machine", prosector::machine()}};
   std::cout << report["machine"].dump() << std::endl;
   if (*soft_command) report["soft"] = prosector::bench_soft(soft);
+  if (*render_command) report["render"] = prosector::bench_render(render);
   if (!file.empty() && !(std::ofstream(file) << report.dump(2) << "\n")) {
     std::cerr << "prosector-bench: cannot write " << file << "\n";
     return 1;

@@ -2,6 +2,7 @@
 // What prosector-bench can measure; each prints a table and returns its figures.
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 namespace prosector {
 
@@ -12,5 +13,15 @@ struct SoftBenchOptions {
 };
 /// The calls of a Newton iteration on a pressed box of tetrahedra, for every law.
 nlohmann::json bench_soft(const SoftBenchOptions& options);
+
+struct RenderBenchOptions {
+  unsigned triangles = 31000;  // about
+  int width = 800, height = 600;
+  int frames = 10;
+  std::string picture_folder;  // where to write the pictures drawn; empty: nowhere
+};
+/// Frames of organs on a table in the room, whole and without one thing each. LP_NUM_THREADS=1 for steady
+/// figures.
+nlohmann::json bench_render(const RenderBenchOptions& options);
 
 }  // namespace prosector
