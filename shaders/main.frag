@@ -15,9 +15,13 @@ out vec4 color;
 void main() {
   vec3 smooth_normal = normalize(room_normal);
   Material material = material_at(rest_place);
+  vec3 normal = smooth_normal;
+  vec3 film_normal = smooth_normal;
+#ifdef RELIEF
   vec3 slope = mat3(room_from_mesh) * material.slope;
-  vec3 normal = normalize(smooth_normal - (slope - dot(slope, smooth_normal) * smooth_normal));
-  vec3 film_normal = normalize(mix(normal, smooth_normal, 0.5));
+  normal = normalize(smooth_normal - (slope - dot(slope, smooth_normal) * smooth_normal));
+  film_normal = normalize(normal + smooth_normal);
+#endif
   vec3 radiance = shade(material, room_place, normal, film_normal, normalize(eye - room_place));
   color = vec4(srgb(tone_map(radiance)), 1.0);
 }

@@ -1,12 +1,22 @@
 // What each kind of surface is made of, at a point of its rest shape (metres).
 
+#if defined(SURFACE_TISSUE) || defined(SURFACE_BONE) || defined(SURFACE_SKIN) || defined(SURFACE_CLOTH)
+#define SCATTERS
+#endif
+#if defined(SURFACE_WALL) || defined(SURFACE_CLOTH)
+#define MATT  // no highlight worth its cost
+#endif
+#if defined(SURFACE_TISSUE) || defined(SURFACE_BONE) || defined(SURFACE_SKIN)
+#define RELIEF
+#endif
+
 struct Material {
   vec3 albedo;      // diffuse reflectance
   vec3 f0;          // specular reflectance at normal incidence
   float roughness;  // 0 mirror … 1 matt
   float film;       // 0…1: cover by a clear film of liquid
-  vec3 slope;       // gradient of a small relief over the surface, in the mesh's frame
-  vec3 scatter;     // share of light that wraps around the terminator, by colour
+  vec3 slope;       // RELIEF: gradient of a small relief over the surface, in the mesh's frame
+  vec3 scatter;     // SCATTERS: share of light that wraps around the terminator, by colour
   vec3 glow;        // emitted radiance
 };
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 namespace prosector {
 namespace {
@@ -16,6 +18,20 @@ constexpr std::array<const char*, 9> surface_defines = {
 Eigen::Vector4f vec4(const Vec3& v, double w) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()),
           static_cast<float>(w)};
+}
+
+/// What shaders/lighting.glsl is compiled with: the lights' kinds, and which has the shadow map.
+std::vector<std::string> light_defines(const std::vector<LightInfo>& lights, int shadow_light) {
+  std::string each = "EACH_LIGHT(X)";
+  for (std::size_t k = 0; k < std::min(lights.size(), max_lights); ++k)
+    each += fmt::format(" X({}, {})", k, static_cast<int>(lights[k].kind));
+  return {each, fmt::format("SHADOW_LIGHT {}", shadow_light)};
+}
+
+std::vector<std::string> item_defines(Surface surface, bool is_wet, std::vector<std::string> defines) {
+  defines.push_back(surface_defines.at(static_cast<std::size_t>(surface)));
+  if (is_wet) defines.push_back("WET");
+  return defines;
 }
 
 /// Lights as the shader's arrays; w holds the cosine of the cone and that of its bright core.
@@ -41,7 +57,8 @@ void set_frame(const ShaderProgram& program, const DrawList& list, const DrawCam
   program.set("ambient", list.ambient);
   program.set("shadow_map", 0);
   program.set("shadow_clip_from_room", shadow.clip_from_room);
-  program.set("shadow_texel", shadow.texel);
+  program.set("shadow_size", shadow.size);
+  program.set("shadow_offset", 2 * shadow.texel);
   set_lights(program, list.lights);
 }
 
@@ -52,31 +69,18 @@ void set_item(const ShaderProgram& program, const DrawItem& item) {
   program.set("wetness", item.appearance.wetness);
 }
 
-/// Which lights there are, as the macro that lighting.glsl unrolls its sum with.
-std::string lights_define(const std::vector<LightInfo>& lights, int shadow_light) {
-  std::string text = "EACH_LIGHT(DO)";
-  for (std::size_t k = 0; k < std::min(lights.size(), max_lights); ++k)
-    text += fmt::format(" DO({}, {}, {})", k, static_cast<int>(lights[k].kind),
-                        static_cast<int>(k) == shadow_light);
-  return text;
-}
-
 }  // namespace
 
 MainPass::MainPass(const Gl& gl, const std::filesystem::path& shaders) : gl_(gl), shaders_(shaders) {
-  static_assert(surface_defines.size() == surfaces);
-  programs_for(lights_define({}, -1));
+  static_assert(surface_defines.size() == static_cast<std::size_t>(Surface::emissive) + 1);
+  for (std::size_t k = 0; k < surface_defines.size(); ++k)
+    program_for(item_defines(static_cast<Surface>(k), true, light_defines(std::vector<LightInfo>(1), 0)));
 }
 
-const MainPass::Programs& MainPass::programs_for(const std::string& lights) {
-  if (lights == compiled_lights_) return programs_;
-  Programs programs;
-  for (std::size_t k = 0; k < surfaces; ++k)
-    programs[k] = std::make_unique<ShaderProgram>(gl_, shaders_, "main",
-                                                  std::vector<std::string>{surface_defines[k], lights});
-  programs_ = std::move(programs);
-  compiled_lights_ = lights;
-  return programs_;
+const ShaderProgram& MainPass::program_for(const Defines& defines) {
+  auto& program = programs_[defines];
+  if (!program) program = std::make_unique<ShaderProgram>(gl_, shaders_, "main", defines);
+  return *program;
 }
 
 void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::vector<QueuedItem>& items,
@@ -87,17 +91,17 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
   gl_.CullFace(GL_BACK);
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, shadow.texture);
-  const Programs& programs = programs_for(lights_define(list.lights, shadow.light));
-  std::array<bool, surfaces> is_set{};
+  const Defines lights = light_defines(list.lights, shadow.light);
   const Frustum frustum(view_projection_of(camera));
+  std::set<const ShaderProgram*> set_up;
   for (const QueuedItem& queued : items) {
     if (!frustum.may_see(queued.bounds)) continue;
-    const auto kind = static_cast<std::size_t>(queued.item->surface);
-    const ShaderProgram& program = *programs.at(kind);
+    const DrawItem& item = *queued.item;
+    const ShaderProgram& program =
+        program_for(item_defines(item.surface, item.appearance.wetness > 0, lights));
     program.use();
-    if (!is_set[kind]) set_frame(program, list, camera, shadow);
-    is_set[kind] = true;
-    set_item(program, *queued.item);
+    if (set_up.insert(&program).second) set_frame(program, list, camera, shadow);
+    set_item(program, item);
     meshes.draw(queued.mesh);
   }
   gl_.Disable(GL_CULL_FACE);

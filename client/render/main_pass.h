@@ -1,9 +1,9 @@
 #pragma once
-// Lit surfaces: one shader program for each kind of Surface, compiled for the lights that there are. Private
-// to client/render.
+// Lit surfaces: one shader program for each kind of Surface, wet or dry, and set of lights. Private to
+// client/render.
 
-#include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,24 +14,21 @@ namespace prosector {
 
 class MainPass {
  public:
+  /// Compiles every kind of surface, so that a broken shader shows at once.
   MainPass(const Gl& gl, const std::filesystem::path& shaders);
 
-  /// `items` nearest first, so that hidden fragments are not shaded. Compiles anew when the number or
-  /// kinds of the lights changed, or which one casts the shadow.
+  /// `items` nearest first, so that hidden fragments are not shaded.
   void draw(const DrawList& list, const DrawCamera& camera, const std::vector<QueuedItem>& items,
             const MeshCache& meshes, const Shadow& shadow);
 
  private:
-  static constexpr std::size_t surfaces = static_cast<std::size_t>(Surface::emissive) + 1;
+  using Defines = std::vector<std::string>;
 
-  using Programs = std::array<std::unique_ptr<ShaderProgram>, surfaces>;
-
-  const Programs& programs_for(const std::string& lights);
+  const ShaderProgram& program_for(const Defines& defines);
 
   const Gl& gl_;
   std::filesystem::path shaders_;
-  std::string compiled_lights_;
-  Programs programs_;
+  std::map<Defines, std::unique_ptr<ShaderProgram>> programs_;
 };
 
 }  // namespace prosector

@@ -42,7 +42,7 @@ ShaderSource load_shader_source(const std::filesystem::path& folder, const std::
                                 const std::vector<std::string>& defines) {
   ShaderSource source;
   source.text = "#version 330 core\n";
-  for (const std::string& define : defines) source.text += fmt::format("#define {}\n", define);
+  for (const std::string& name : defines) source.text += fmt::format("#define {}\n", name);
   append_file(folder, file, source, "renderer");
   return source;
 }

@@ -14,7 +14,8 @@ struct ShaderSource {
   std::vector<std::filesystem::path> files;
 };
 
-/// `defines` are "NAME" or "NAME text". Throws InputError when a file is missing or includes itself.
+/// `defines` are macros as "NAME" or "NAME VALUE". Throws InputError when a file is missing or includes
+/// itself.
 ShaderSource load_shader_source(const std::filesystem::path& folder, const std::string& file,
                                 const std::vector<std::string>& defines);
 

@@ -36,10 +36,13 @@ ShadowPass::ShadowPass(const Gl& gl, const std::filesystem::path& shaders, int s
   gl_.BindTexture(GL_TEXTURE_2D, depth_);
   gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, side, side, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
                  nullptr);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  // Outside of the map all is lit.
+  const float farthest[] = {1, 1, 1, 1};
+  gl_.TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, farthest);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
   gl_.GenFramebuffers(1, &framebuffer_);
@@ -63,6 +66,7 @@ Shadow ShadowPass::draw(const DrawList& list, const std::vector<QueuedItem>& ite
   const DrawCamera camera = camera_of(*spot, items);
   shadow.light = static_cast<int>(spot - list.lights.begin());
   shadow.clip_from_room = view_projection_of(camera);
+  shadow.size = size_;
   shadow.texel = 2 * camera.right / size_;
 
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);

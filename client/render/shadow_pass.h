@@ -14,6 +14,7 @@ struct Shadow {
   int light = -1;  // index into DrawList::lights; −1: no shadows
   Eigen::Matrix4d clip_from_room = Eigen::Matrix4d::Identity();
   GLuint texture = 0;
+  double size = 0;   // texels, each way
   double texel = 0;  // width of a texel at 1 m from the light, m
 };
 
