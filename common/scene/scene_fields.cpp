@@ -187,7 +187,9 @@ const Table& rigid_table() {
          number<R, &R::density>("density", "kg/m³", density, "of the solid body"),
          number<R, &R::mass>("mass", "kg", {0, 1e6}, "0: from density and volume"),
          number<R, &R::friction>("friction", "", friction, "Coulomb coefficient"),
-         number<R, &R::restitution>("restitution", "", unit_interval, "0: lands dead, 1: bounces back"),
+         number<R, &R::restitution>(
+             "restitution", "", unit_interval,
+             "0: lands dead, 1: bounces back; on tissue, or among bodies that touch tissue or a hand: as 0"),
          words<R, &R::tool>("tool", {"none", "probe", "scalpel"}, "what a hand that grasps it holds")},
         {{"part", part_table, true, 256, append<R, &R::parts>}},
         fresh<R>};

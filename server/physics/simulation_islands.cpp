@@ -144,7 +144,7 @@ void Simulation::Impl::solve_islands() {
       row.converged = solved.converged;
       row.reset = !solved.finite;
       if (!row.reset) continue;
-      row.note = "not finite: stopped at its last good state";
+      row.note = "not finite or out of the room: stopped at its last good state";
       s.state->motion.v.setZero();
       s.state->warm_start.setZero();
       s.state->motion.has_history = false;

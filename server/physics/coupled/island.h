@@ -52,7 +52,7 @@ struct IslandReport {
   double residual = 0;     // relative, of the last linear solve
   double last_step = 0;    // m: largest node or body displacement of the last Newton step
   bool converged = false;  // last step below 0.1 mm
-  bool finite = true;      // false: nothing was taken into the soft states
+  bool finite = true;      // false, or out of the room: nothing was taken into the soft states
 };
 
 }  // namespace prosector

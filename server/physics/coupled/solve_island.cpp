@@ -93,7 +93,7 @@ IslandReport solve_island(Island& island, double h, const Vec3& gravity) {
     part.newton_iterations += report.newton_iterations;
     part.solver_iterations += report.solver_iterations;
     report = part;
-    report.finite = q.allFinite();
+    report.finite = q.allFinite() && q.lpNorm<Eigen::Infinity>() < max_coordinate;
     if (!report.finite) return report;
     for (std::size_t m = 0; m < island.rigid.size(); ++m)
       island.rigid[m].twist = q.segment<6>(system.rigid_offset(m));

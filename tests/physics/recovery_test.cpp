@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "server/physics/soft/soft_body.h"
+#include "tests/physics/scenes.h"
+
+namespace prosector::test {
+namespace {
+
+/// The checkpoint with every number of the block's velocity replaced: found by its bytes, once it moves.
+std::vector<std::uint8_t> with_velocity(std::vector<std::uint8_t> bytes, const VecX& velocity, double value) {
+  const auto* begin = reinterpret_cast<const std::uint8_t*>(velocity.data());
+  const auto size = static_cast<std::ptrdiff_t>(sizeof(double)) * velocity.size();
+  const auto at = std::search(bytes.begin(), bytes.end(), begin, begin + size);
+  if (at == bytes.end()) return {};
+  for (Eigen::Index i = 0; i < velocity.size(); ++i)
+    std::memcpy(&*at + static_cast<std::size_t>(i) * sizeof value, &value, sizeof value);
+  return bytes;
+}
+
+TEST(Recovery, BodyThatOverflowsIsStoppedAndReportedAndTheRestGoesOn) {
+  SceneDesc scene;
+  scene.rigid = {table(), part_body("ball", "sphere", {0.04, 0, 0}, {0.5, 2, 0}),
+                 part_body("weight", "sphere", {0.03, 0, 0}, {0, 0.1, 0})};
+  scene.soft = {block()};
+  Simulation simulation(scene, options());
+  run(simulation, 30);  // the weight has landed: the block moves
+  const SoftBodyState before = simulation.soft_state(3);
+  ASSERT_FALSE(before.asleep);
+  const auto bad = with_velocity(simulation.checkpoint(), before.motion.v, 1e300);
+  ASSERT_FALSE(bad.empty());
+  simulation.restore(bad);
+  const double falling = simulation.rigid_state(1).linear_velocity.y();
+  const StepReport& report = simulation.step({});
+  bool reset = false;
+  for (const BodyReport& body : report.bodies) reset = reset || (body.body == "block" && body.reset);
+  EXPECT_TRUE(reset);
+  EXPECT_TRUE(simulation.soft_state(3).motion.x.allFinite());
+  EXPECT_EQ(simulation.soft_state(3).motion.x, before.motion.x);
+  EXPECT_EQ(simulation.soft_state(3).motion.v.norm(), 0);
+  EXPECT_NEAR(simulation.rigid_state(1).linear_velocity.y() - falling, -9.81 / 60, 1e-5);
+  run(simulation, 120);
+  for (const BodyReport& body : simulation.step({}).bodies) EXPECT_FALSE(body.reset) << body.body;
+  EXPECT_LT(simulation.max_displacement(3), 0.03);
+  EXPECT_TRUE(is_finite(simulation.rigid_state(2).pose));
+}
+
+}  // namespace
+}  // namespace prosector::test
