@@ -91,14 +91,17 @@ void Connection::ask_to_join(std::chrono::milliseconds patience) {
     }
     bus_->wait(poll_interval);
     bus_->take(received);
+    // All of the batch goes to the replica, also what came along with the answer.
+    std::optional<CommandResult> answer;
     for (const Received& r : received) {
       replica_.apply(r);
       const auto* result = std::get_if<CommandResult>(&r.message);
-      if (result == nullptr || result->participant != presence_.participant) continue;
-      if (result->accepted) return;
-      throw InputError(fmt::format("session '{}' refused {}: {}", replica_.session()->session, presence_.name,
-                                   result->reason));
+      if (result != nullptr && result->participant == presence_.participant) answer = *result;
     }
+    if (!answer) continue;
+    if (answer->accepted) return;
+    throw InputError(fmt::format("session '{}' refused {}: {}", replica_.session()->session, presence_.name,
+                                 answer->reason));
   }
   throw InputError(fmt::format("session '{}' was found but did not answer within {} s: is its server stuck?",
                                replica_.session()->session, static_cast<double>(patience.count()) / 1e3));
