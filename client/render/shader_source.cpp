@@ -3,14 +3,40 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <fstream>
-#include <regex>
+#include <optional>
 #include <sstream>
 
 #include "common/error.h"
 
 namespace prosector {
 namespace {
+
+/// The FILE of a line `#include "FILE"`; none on any other line.
+std::optional<std::string> included_file(const std::string& line) {
+  constexpr std::string_view directive = "#include \"";
+  if (!line.starts_with(directive)) return std::nullopt;
+  const std::size_t end = line.find('"', directive.size());
+  return line.substr(directive.size(), end - directive.size());
+}
+
+/// Where a compiler's message points, and the message.
+struct LogLine {
+  std::size_t file;
+  int line;
+  std::string message;
+};
+
+std::optional<LogLine> parse_log_line(const std::string& text) {
+  unsigned file = 0;
+  int line = 0, message = 0;
+  // Mesa's "2:14(3): error: …", then NVIDIA's "2(14) : error …".
+  for (const char* form : {"%u:%d(%*d): %n", "%u(%d) : %n"})
+    if (std::sscanf(text.c_str(), form, &file, &line, &message) == 2 && message > 0)
+      return LogLine{file, line, text.substr(static_cast<std::size_t>(message))};
+  return std::nullopt;
+}
 
 void append_file(const std::filesystem::path& folder, const std::string& file, ShaderSource& source,
                  const std::string& included_from) {
@@ -23,12 +49,10 @@ void append_file(const std::filesystem::path& folder, const std::string& file, S
   source.files.push_back(path);
   source.text += fmt::format("#line 1 {}\n", number);
 
-  static const std::regex include(R"re(^\s*#include\s+"([^"]+)"\s*$)re");
   std::string line;
   for (int line_number = 1; std::getline(in, line); ++line_number) {
-    std::smatch match;
-    if (std::regex_match(line, match, include)) {
-      append_file(folder, match[1], source, fmt::format("{}:{}", path.string(), line_number));
+    if (const auto included = included_file(line)) {
+      append_file(folder, *included, source, fmt::format("{}:{}", path.string(), line_number));
       source.text += fmt::format("#line {} {}\n", line_number + 1, number);
     } else {
       source.text += line + '\n';
@@ -48,17 +72,12 @@ ShaderSource load_shader_source(const std::filesystem::path& folder, const std::
 }
 
 std::string readable_log(const std::string& log, const ShaderSource& source) {
-  static const std::regex mesa(R"(^(\d+):(\d+)\(\d+\): (.*)$)");
-  static const std::regex nvidia(R"(^(\d+)\((\d+)\) : (.*)$)");
   std::istringstream in(log);
   std::string out, line;
   while (std::getline(in, line)) {
-    std::smatch match;
-    if (std::regex_match(line, match, mesa) || std::regex_match(line, match, nvidia)) {
-      const std::size_t file = std::stoul(match[1]);
-      if (file < source.files.size())
-        line = fmt::format("{}:{}: {}", source.files[file].string(), match[2].str(), match[3].str());
-    }
+    const auto parsed = parse_log_line(line);
+    if (parsed && parsed->file < source.files.size())
+      line = fmt::format("{}:{}: {}", source.files[parsed->file].string(), parsed->line, parsed->message);
     out += line + '\n';
   }
   return out;

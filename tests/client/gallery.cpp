@@ -110,8 +110,19 @@ GalleryPicture text() {
 
 }  // namespace
 
-std::vector<GalleryPicture> gallery() {
-  return {hands("hand_open", 0), hands("hand_half", 0.5), hands("hand_fist", 1), organ(), avatar(), text()};
+const std::vector<std::string>& gallery_names() {
+  static const std::vector<std::string> names = {"hand_open", "hand_half", "hand_fist",
+                                                 "organ",     "avatar",    "text"};
+  return names;
+}
+
+GalleryPicture gallery_picture(const std::string& name) {
+  if (name == "hand_open") return hands(name, 0);
+  if (name == "hand_half") return hands(name, 0.5);
+  if (name == "hand_fist") return hands(name, 1);
+  if (name == "organ") return organ();
+  if (name == "avatar") return avatar();
+  return text();
 }
 
 }  // namespace prosector::test

@@ -14,6 +14,7 @@ struct GalleryPicture {
   DrawList list;
 };
 
-std::vector<GalleryPicture> gallery();
+const std::vector<std::string>& gallery_names();
+GalleryPicture gallery_picture(const std::string& name);
 
 }  // namespace prosector::test

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "client/render/projection.h"
+#include "client/render/shader_source.h"
 #include "common/error.h"
 #include "tests/client/picture.h"
 
@@ -222,6 +223,14 @@ TEST(Renderer, NamesTheFileAndLineOfAShaderError) {
   std::filesystem::remove(folder / "noise.glsl");
   EXPECT_THROW(Renderer(*context, folder), InputError);
   std::filesystem::remove_all(folder);
+}
+
+TEST(Renderer, ReadsTheLogsOfSeveralDrivers) {
+  const ShaderSource source{"", {"a.glsl", "b.glsl"}};
+  EXPECT_EQ(readable_log("1:14(3): error: no x", source), "b.glsl:14: error: no x\n");
+  EXPECT_EQ(readable_log("0(7) : error C1: no y", source), "a.glsl:7: error C1: no y\n");
+  EXPECT_EQ(readable_log("9:1(1): error: beyond\nplain words", source),
+            "9:1(1): error: beyond\nplain words\n");
 }
 
 TEST(Renderer, ContextsRefuseImpossibleSizes) {

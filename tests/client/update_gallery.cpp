@@ -14,7 +14,8 @@ int main(int argc, char** argv) {
     return 1;
   }
   const int scale = argc > 2 ? std::atoi(argv[2]) : 1;
-  for (test::GalleryPicture& picture : test::gallery()) {
+  for (const std::string& name : test::gallery_names()) {
+    test::GalleryPicture picture = test::gallery_picture(name);
     for (DrawCamera& camera : picture.list.cameras) {
       camera.width *= scale;
       camera.height *= scale;
