@@ -35,7 +35,8 @@ if [ "$quick" = no ]; then
   mapfile -t targets < <(ninja -C build/asan -t targets all | sed -n 's/^\(test_[a-z0-9_]*\): phony$/\1/p' | sort -u)
   deploy/build.sh asan "${targets[@]}"
   step "tests: address and undefined-behaviour sanitizers"
-  ctest --test-dir build/asan --output-on-failure -j2 -L '^(unit|fuzz)$' || {
+  # Not the tests that time real terminals and processes: sanitizers slow those down.
+  ctest --test-dir build/asan --output-on-failure -j2 -L '^(unit|fuzz)$' -E '^(drivers|server_process)\.' || {
     echo "test: see above; again: ctest --test-dir build/asan --rerun-failed --output-on-failure" >&2
     exit 1
   }
