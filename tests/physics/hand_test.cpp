@@ -52,7 +52,7 @@ TEST(Hand, TeleportStaysBounded) {
   }
   run(simulation, 400, target({1, 1, 1}));
   EXPECT_LT(deformation(settled, simulation.soft_state(1).motion.x), 0.002);
-  EXPECT_LT(simulation.max_displacement(1), 0.5);
+  EXPECT_LT(simulation.max_displacement(1), 0.12);
 }
 
 TEST(Hand, ImpossibleTargetsAreIgnored) {
