@@ -9,17 +9,16 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t rows_per_chunk = 128;
-constexpr std::uint32_t pairs = std::tuple_size_v<Tet4Elements::Stiffness>;
 
 }  // namespace
 
-BlockPattern::BlockPattern(std::size_t nodes, const Tet4Elements& elements) {
+BlockPattern::BlockPattern(const Connectivity& elements) {
+  const std::size_t nodes = elements.nodes();
   std::vector<std::set<std::uint32_t>> neighbours(nodes);
   for (std::uint32_t i = 0; i < nodes; ++i) neighbours[i].insert(i);
   for (std::size_t e = 0; e < elements.size(); ++e) {
-    for (std::uint32_t i : elements.nodes(e)) {
-      neighbours[i].insert(elements.nodes(e).begin(), elements.nodes(e).end());
-    }
+    const auto n = elements.element(e);
+    for (std::uint32_t i : n) neighbours[i].insert(n.begin(), n.end());
   }
   row_begin_.push_back(0);
   for (const auto& row : neighbours) {
@@ -33,12 +32,12 @@ BlockPattern::BlockPattern(std::size_t nodes, const Tet4Elements& elements) {
   };
 
   std::vector<std::vector<std::uint32_t>> sums(column_.size());
-  for (std::uint32_t e = 0; e < elements.size(); ++e) {
-    const auto& n = elements.nodes(e);
-    for (int a = 0; a < Tet4Elements::nodes_per_element; ++a) {
-      for (int b = a + 1; b < Tet4Elements::nodes_per_element; ++b) {
-        const std::uint32_t i = n[static_cast<std::size_t>(a)], j = n[static_cast<std::size_t>(b)];
-        sums[find(i, j)].push_back(e * pairs + static_cast<std::uint32_t>(Tet4Elements::pair_index(a, b)));
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    const auto n = elements.element(e);
+    for (std::size_t a = 0; a < n.size(); ++a) {
+      for (std::size_t b = a + 1; b < n.size(); ++b) {
+        const std::size_t block = elements.first_block(e) + Connectivity::pair_index(a, b, n.size());
+        sums[find(n[a], n[b])].push_back(static_cast<std::uint32_t>(block));
       }
     }
   }
@@ -54,8 +53,8 @@ BlockPattern::BlockPattern(std::size_t nodes, const Tet4Elements& elements) {
   }
 }
 
-void BlockPattern::gather(std::span<const Tet4Elements::Stiffness> elements, double scale,
-                          std::span<const Mat3> base, std::span<Mat3> values) const {
+void BlockPattern::gather(std::span<const Mat3> elements, double scale, std::span<const Mat3> base,
+                          std::span<Mat3> values) const {
   parallel_chunks(rows(), rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i) {
       for (std::size_t k = diagonal_[i] + 1; k < end(i); ++k) {
@@ -63,7 +62,7 @@ void BlockPattern::gather(std::span<const Tet4Elements::Stiffness> elements, dou
         if (!base.empty()) sum = scale * base[k];
         double* const total = sum.data();
         for (std::size_t t = term_begin_[k]; t < term_begin_[k + 1]; ++t) {
-          const double* const block = elements[terms_[t] / pairs][terms_[t] % pairs].data();
+          const double* const block = elements[terms_[t]].data();
           for (int entry = 0; entry < 9; ++entry) total[entry] += block[entry];
         }
         values[k] = sum;

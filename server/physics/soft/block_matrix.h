@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "server/physics/soft/tet4.h"
+#include "server/physics/soft/connectivity.h"
 
 namespace prosector {
 
@@ -13,7 +13,7 @@ namespace prosector {
 /// stored, so that a product reads rows only and rows may run in parallel.
 class BlockPattern {
  public:
-  BlockPattern(std::size_t nodes, const Tet4Elements& elements);
+  explicit BlockPattern(const Connectivity& elements);
 
   std::size_t rows() const { return row_begin_.size() - 1; }
   std::size_t blocks() const { return column_.size(); }
@@ -22,9 +22,10 @@ class BlockPattern {
   std::uint32_t column(std::size_t block) const { return column_[block]; }
   std::size_t diagonal(std::size_t row) const { return diagonal_[row]; }
 
-  /// values = scale·base + Σ over the elements, each sum in order of the elements: no matter who computes
-  /// it, its bits are the same. `base` is empty or another matrix of this pattern whose rows sum to zero.
-  void gather(std::span<const Tet4Elements::Stiffness> elements, double scale, std::span<const Mat3> base,
+  /// values = scale·base + Σ over the elements' blocks (in the connectivity's order), each sum in order of
+  /// the elements: no matter who computes it, its bits are the same. `base` is empty or another matrix of
+  /// this pattern whose rows sum to zero.
+  void gather(std::span<const Mat3> elements, double scale, std::span<const Mat3> base,
               std::span<Mat3> values) const;
 
   /// y = A·x for 3n vectors.
@@ -38,7 +39,7 @@ class BlockPattern {
   std::vector<std::size_t> diagonal_;
   std::vector<std::size_t> mirror_;      // per block of the upper triangle: its transpose
   std::vector<std::size_t> term_begin_;  // per block; the lower triangle and the diagonal have none
-  std::vector<std::uint32_t> terms_;     // element · pairs + pair: the element blocks in each sum
+  std::vector<std::uint32_t> terms_;     // the element blocks in each sum
 };
 
 }  // namespace prosector

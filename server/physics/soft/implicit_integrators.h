@@ -1,5 +1,5 @@
 #pragma once
-// The integrators behind the rows of integrators(); one file each.
+// The integrators behind the rows of integrators(); one file per family.
 
 #include "server/physics/soft/time_integrator.h"
 

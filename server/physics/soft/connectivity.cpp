@@ -1,0 +1,42 @@
+#include "server/physics/soft/connectivity.h"
+
+#include "server/physics/parallel.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t nodes_per_chunk = 256;
+
+}  // namespace
+
+void Connectivity::add(std::span<const std::uint32_t> element) {
+  corner_.insert(corner_.end(), element.begin(), element.end());
+  corner_begin_.push_back(corner_.size());
+  block_begin_.push_back(block_begin_.back() + pair_count(element.size()));
+}
+
+Incidence::Incidence(const Connectivity& elements) : begin_(elements.nodes() + 1, 0) {
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    for (std::uint32_t i : elements.element(e)) ++begin_[i + 1];
+  }
+  for (std::size_t i = 0; i < elements.nodes(); ++i) begin_[i + 1] += begin_[i];
+  corner_.resize(begin_.back());
+  std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+  std::uint32_t corner = 0;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    for (std::uint32_t i : elements.element(e)) corner_[next[i]++] = corner++;
+  }
+}
+
+void Incidence::add(std::span<const Vec3> f, double* g) const {
+  parallel_chunks(begin_.size() - 1, nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i) {
+      Eigen::Map<Vec3> out(g + 3 * i);
+      Vec3 sum = out;
+      for (std::uint32_t corner : corners(i)) sum += f[corner];
+      out = sum;
+    }
+  });
+}
+
+}  // namespace prosector

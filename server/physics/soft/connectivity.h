@@ -1,0 +1,62 @@
+#pragma once
+// Which nodes the elements of a body join, whatever the elements are: springs of 2 nodes, hinges and linear
+// tetrahedra of 4, quadratic ones of 10, or several kinds together.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/math.h"
+
+namespace prosector {
+
+/// Elements one after another, each as its nodes in ascending order. Element e's corners are numbered from
+/// first_corner(e) on: per-corner data of all elements (forces) is one flat array. Its blocks, one per pair
+/// of corners a < b, from first_block(e) on, in the order of pair_index.
+class Connectivity {
+ public:
+  explicit Connectivity(std::size_t nodes) : nodes_(nodes) {}
+  /// `element`: ascending nodes, in range.
+  void add(std::span<const std::uint32_t> element);
+
+  std::size_t nodes() const { return nodes_; }
+  std::size_t size() const { return corner_begin_.size() - 1; }  // elements
+  std::size_t corners() const { return corner_.size(); }
+  std::size_t blocks() const { return block_begin_.back(); }
+  std::span<const std::uint32_t> element(std::size_t e) const {
+    return std::span(corner_).subspan(corner_begin_[e], corner_begin_[e + 1] - corner_begin_[e]);
+  }
+  std::size_t first_corner(std::size_t e) const { return corner_begin_[e]; }
+  std::size_t first_block(std::size_t e) const { return block_begin_[e]; }
+
+  /// Index of the pair a < b of an element of n nodes: (0,1), (0,2), … (n−2,n−1).
+  static constexpr std::size_t pair_index(std::size_t a, std::size_t b, std::size_t n) {
+    return a * (2 * n - 3 - a) / 2 + b - 1;
+  }
+  static constexpr std::size_t pair_count(std::size_t n) { return n * (n - 1) / 2; }
+
+ private:
+  std::size_t nodes_;
+  std::vector<std::uint32_t> corner_;
+  std::vector<std::size_t> corner_begin_{0}, block_begin_{0};
+};
+
+/// Which corners meet at each node, in the order of the elements: sums per-corner data into nodes with the
+/// same bits for any number of threads.
+class Incidence {
+ public:
+  explicit Incidence(const Connectivity& elements);
+
+  /// Corners of node i, ascending.
+  std::span<const std::uint32_t> corners(std::size_t node) const {
+    return std::span(corner_).subspan(begin_[node], begin_[node + 1] - begin_[node]);
+  }
+  /// g_i += Σ f over the corners at i; `f` by corner, `g` 3n.
+  void add(std::span<const Vec3> f, double* g) const;
+
+ private:
+  std::vector<std::size_t> begin_;
+  std::vector<std::uint32_t> corner_;
+};
+
+}  // namespace prosector

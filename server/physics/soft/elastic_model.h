@@ -1,0 +1,43 @@
+#pragma once
+// What a body stores energy in: the strain energy W of its node positions and W's derivatives. SoftBody adds
+// inertia, damping and attachments; it knows of elements only what stands here.
+
+#include <memory>
+#include <span>
+
+#include "common/mesh.h"
+#include "common/scene/scene.h"
+#include "server/physics/soft/connectivity.h"
+
+namespace prosector {
+
+/// Positions x are 3n, metres, room frame. What one of the calls below finds out about x is kept for the
+/// next call at the same x, so they are not for several threads at once; inside they run in parallel, with
+/// the same bits for any number of threads, and allocate nothing.
+class ElasticModel {
+ public:
+  virtual ~ElasticModel() = default;
+
+  virtual const VecX& rest() const = 0;    // 3n, m: where W = 0
+  virtual const VecX& volume() const = 0;  // n, m³: lumped; times the density it is the nodes' mass
+  virtual const Connectivity& connectivity() const = 0;
+  virtual std::size_t dropped_elements() const = 0;  // degenerate ones, left out of the connectivity
+
+  /// W(x), J.
+  virtual double energy(const double* x) = 0;
+  /// g += ∂W/∂x, N.
+  virtual void add_gradient(const double* x, double* g) = 0;
+  /// The Hessian, element by element, each projected so that it has no negative eigenvalue; N/m. One block
+  /// ∂²W/∂x_a∂x_b per pair of corners, in the connectivity's order. Moving as a whole strains nothing, so
+  /// rows sum to zero and the diagonal blocks need not be stored. Valid until the next call.
+  virtual std::span<const Mat3> tangent(const double* x) = 0;
+  /// Hooke's stiffness turned with each element, likewise: positive semidefinite and of the size it has at
+  /// rest, whatever the shape.
+  virtual std::span<const Mat3> warped_stiffness(const double* x) = 0;
+};
+
+/// The row of the scene's `model` and its constants. Throws InputError for unknown rows and for constants
+/// out of range; indices of the anatomy must be in range. `anatomy` need not outlive the result.
+std::unique_ptr<ElasticModel> make_elastic_model(const SoftDesc& desc, const Anatomy& anatomy);
+
+}  // namespace prosector

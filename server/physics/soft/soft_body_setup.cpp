@@ -1,0 +1,81 @@
+#include "server/physics/soft/soft_body_setup.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "common/error.h"
+
+namespace prosector {
+
+void require(bool ok, const SoftDesc& desc, const std::string& what) {
+  if (!ok) throw InputError(fmt::format("soft body \"{}\": {}", desc.name, what));
+}
+
+void check_constants(const SoftDesc& desc) {
+  const auto positive = [](double v) { return v > 0 && std::isfinite(v); };
+  const auto not_negative = [](double v) { return v >= 0 && std::isfinite(v); };
+  require(positive(desc.density), desc,
+          fmt::format("density is {}; allowed: positive, in kg/m³", desc.density));
+  require(not_negative(desc.damping_mass), desc,
+          fmt::format("damping_mass is {}; allowed: 0 or more, in 1/s", desc.damping_mass));
+  require(not_negative(desc.damping_stiffness), desc,
+          fmt::format("damping_stiffness is {}; allowed: 0 or more, in s", desc.damping_stiffness));
+  for (const AttachDesc& attach : desc.attach) {
+    require(not_negative(attach.stiffness), desc,
+            fmt::format("attach stiffness is {}; allowed: 0 or more, in N/m⁴", attach.stiffness));
+    require(not_negative(attach.radius), desc,
+            fmt::format("attach radius is {}; allowed: 0 or more, in m", attach.radius));
+  }
+}
+
+void check_mesh(const SoftDesc& desc, const Anatomy& anatomy) {
+  const std::size_t n = anatomy.tets.positions.size();
+  require(!anatomy.tets.tets.empty(), desc, "its mesh has no tetrahedra; at least one is needed");
+  for (std::size_t i = 0; i < n; ++i) {
+    require(is_finite(anatomy.tets.positions[i]), desc, fmt::format("node {} is not finite", i));
+  }
+  for (std::size_t e = 0; e < anatomy.tets.tets.size(); ++e) {
+    for (std::uint32_t node : anatomy.tets.tets[e]) {
+      require(node < n, desc, fmt::format("tetrahedron {} names node {}; there are {}", e, node, n));
+    }
+  }
+  const std::size_t vertices = anatomy.surface.positions.size();
+  require(anatomy.embedding.rows.size() == vertices, desc,
+          fmt::format("{} surface vertices but {} rows that embed them", vertices,
+                      anatomy.embedding.rows.size()));
+  for (const auto& row : anatomy.embedding.rows) {
+    for (std::uint32_t node : row.node) {
+      require(node < n, desc, fmt::format("its surface is tied to node {}; there are {}", node, n));
+    }
+  }
+  for (const auto& triangle : anatomy.surface.triangles) {
+    for (std::uint32_t vertex : triangle) {
+      require(vertex < vertices, desc,
+              fmt::format("a surface triangle names vertex {}; there are {}", vertex, vertices));
+    }
+  }
+}
+
+VecX attachment_stiffness(const std::vector<AttachDesc>& attach, const VecX& rest, const VecX& volume) {
+  VecX k = VecX::Zero(volume.size());
+  for (const AttachDesc& a : attach) {
+    for (Eigen::Index i = 0; i < k.size(); ++i) {
+      const bool inside = (rest.segment<3>(3 * i) - a.center).norm() <= a.radius;
+      if (inside) k[i] = std::max(k[i], a.stiffness * volume[i]);
+    }
+  }
+  return k;
+}
+
+std::vector<double> vertex_areas(const TriangleMesh& surface) {
+  std::vector<double> area(surface.positions.size(), 0.0);
+  for (const auto& t : surface.triangles) {
+    const Vec3 &a = surface.positions[t[0]], &b = surface.positions[t[1]], &c = surface.positions[t[2]];
+    const double third = (b - a).cross(c - a).norm() / 6;
+    for (std::uint32_t vertex : t) area[vertex] += third;
+  }
+  return area;
+}
+
+}  // namespace prosector

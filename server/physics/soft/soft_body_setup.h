@@ -1,0 +1,22 @@
+#pragma once
+// What SoftBody's constructor checks and computes once.
+
+#include <vector>
+
+#include "common/mesh.h"
+#include "common/scene/scene.h"
+
+namespace prosector {
+
+/// Each throws InputError that names the body, what is wrong and what is allowed.
+void require(bool ok, const SoftDesc& desc, const std::string& what);
+void check_constants(const SoftDesc& desc);
+void check_mesh(const SoftDesc& desc, const Anatomy& anatomy);
+
+/// N/m per node from the attachments' spheres; a node in several takes the stiffest. `volume`: m³.
+VecX attachment_stiffness(const std::vector<AttachDesc>& attach, const VecX& rest, const VecX& volume);
+
+/// m² of each surface vertex: a third of its triangles.
+std::vector<double> vertex_areas(const TriangleMesh& surface);
+
+}  // namespace prosector

@@ -1,0 +1,115 @@
+#include "server/physics/soft/tet4_model.h"
+
+#include <cstring>
+
+#include "server/physics/parallel.h"
+#include "server/physics/soft/element_batches.h"
+#include "server/physics/soft/node_vectors.h"
+#include "server/physics/soft/tet4.h"
+
+namespace prosector {
+namespace {
+
+using Forces = Tet4Elements::Forces;
+using Stiffness = Tet4Elements::Stiffness;
+
+Connectivity connect(const TetMesh& mesh, const Tet4Elements& elements) {
+  Connectivity out(mesh.positions.size());
+  for (std::size_t e = 0; e < elements.size(); ++e) out.add(elements.nodes(e));
+  return out;
+}
+
+/// The arrays of a vector of std::array<T, n>, end to end.
+template <class Array>
+std::span<const typename Array::value_type> flat(const std::vector<Array>& arrays) {
+  static_assert(sizeof(Array) == std::tuple_size_v<Array> * sizeof(typename Array::value_type));
+  return {arrays.data()->data(), arrays.size() * std::tuple_size_v<Array>};
+}
+
+class Tet4Model final : public ElasticModel {
+ public:
+  Tet4Model(const SoftDesc& desc, const TetMesh& mesh)
+      : elements_(mesh),
+        rest_(to_vector(mesh.positions)),
+        volume_(Tet4Elements::lumped_volume(mesh)),
+        connectivity_(connect(mesh, elements_)),
+        incidence_(connectivity_),
+        batches_(make_batches(desc.model, lame(desc.youngs_modulus, desc.poisson_ratio), elements_)),
+        sums_(chunk_count(elements_.size(), elements_per_batch)),
+        forces_(elements_.size()),
+        stiffness_(elements_.size()),
+        moved_to_(VecX::Zero(rest_.size())) {}
+
+  const VecX& rest() const override { return rest_; }
+  const VecX& volume() const override { return volume_; }
+  const Connectivity& connectivity() const override { return connectivity_; }
+  std::size_t dropped_elements() const override { return elements_.dropped(); }
+
+  double energy(const double* x) override {
+    move(x);
+    for_batches([&](std::size_t batch, std::size_t, std::size_t) { sums_[batch] = batches_->energy(batch); });
+    return ordered_sum(sums_);
+  }
+
+  void add_gradient(const double* x, double* g) override {
+    move(x);
+    for_batches([&](std::size_t batch, std::size_t first, std::size_t count) {
+      batches_->forces(batch, std::span(forces_).subspan(first, count));
+    });
+    incidence_.add(flat(forces_), g);
+  }
+
+  std::span<const Mat3> tangent(const double* x) override {
+    move(x);
+    for_batches([&](std::size_t batch, std::size_t first, std::size_t count) {
+      batches_->stiffness(batch, std::span(stiffness_).subspan(first, count));
+    });
+    return flat(stiffness_);
+  }
+
+  std::span<const Mat3> warped_stiffness(const double* x) override {
+    move(x);
+    for_batches([&](std::size_t batch, std::size_t first, std::size_t count) {
+      batches_->warped_stiffness(batch, std::span(stiffness_).subspan(first, count));
+    });
+    return flat(stiffness_);
+  }
+
+ private:
+  /// Calls f(batch, first, count) for all batches of elements.
+  template <class F>
+  void for_batches(const F& f) const {
+    parallel_chunks(
+        elements_.size(), elements_per_batch,
+        [&](std::size_t first, std::size_t last, std::size_t batch) { f(batch, first, last - first); });
+  }
+
+  /// Puts the elements at x, unless they are there: Newton asks for energy, gradient and Hessian at the same
+  /// place, and the next step starts where the last one ended.
+  void move(const double* x) {
+    const auto bytes = static_cast<std::size_t>(moved_to_.size()) * sizeof(double);
+    if (moved_ && std::memcmp(x, moved_to_.data(), bytes) == 0) return;
+    std::memcpy(moved_to_.data(), x, bytes);
+    moved_ = true;
+    for_batches([&](std::size_t batch, std::size_t, std::size_t) { batches_->move(batch, x); });
+  }
+
+  Tet4Elements elements_;
+  VecX rest_, volume_;
+  Connectivity connectivity_;
+  Incidence incidence_;
+  std::unique_ptr<ElementBatches> batches_;
+  std::vector<double> sums_;  // J, one a batch
+  std::vector<Forces> forces_;
+  std::vector<Stiffness> stiffness_;
+  VecX moved_to_;  // 3n: where `batches_` are
+  bool moved_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<ElasticModel> make_tet4_model(const SoftDesc& desc, const TetMesh& mesh) {
+  return std::make_unique<Tet4Model>(desc, mesh);
+}
+
+}  // namespace prosector
