@@ -1,23 +1,18 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <ctime>
 #include <numbers>
 #include <string>
 
 #include "client/render/renderer.h"
 #include "client/view/camera.h"
 #include "client/view/room.h"
+#include "tests/bench/stopwatch.h"
 #include "tests/bench/subjects.h"
+#include "tests/bench/text_table.h"
 
 namespace prosector {
 namespace {
-
-double cpu_ms() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 /// A lumpy ellipsoid with about that many triangles.
 std::shared_ptr<DrawMesh> lump(std::uint64_t id, const Vec3& radii, unsigned triangles) {
@@ -83,46 +78,51 @@ DrawList still_life(const RenderBenchOptions& options) {
   return list;
 }
 
-struct Row {
+struct Case {
   const char* name;
   int samples, shadow_size;
   bool has_room, has_things, moves;
 };
 
-double frame_ms(DrawList list, const Row& row, const RenderBenchOptions& options) {
-  if (!row.has_room) list.items.erase(list.items.begin(), list.items.begin() + 2);
-  if (!row.has_things) list.items.resize(2);
+double frame_ms(DrawList list, const Case& what, const RenderBenchOptions& options) {
+  if (!what.has_room) list.items.erase(list.items.begin(), list.items.begin() + 2);
+  if (!what.has_things) list.items.resize(2);
   const auto context = make_offscreen_context(options.width, options.height);
-  Renderer renderer(*context, default_shader_dir(), {row.samples, row.shadow_size});
+  Renderer renderer(*context, default_shader_dir(), {what.samples, what.shadow_size});
   double start = 0;
   for (int frame = -2; frame < options.frames; ++frame) {
     if (frame == 0) start = cpu_ms();
-    if (row.moves) list.items.back().pose.p.x() += 1e-4;
+    if (what.moves) list.items.back().pose.p.x() += 1e-4;
     renderer.draw(list);
     const Image image = renderer.read_pixels();
     if (frame + 1 == options.frames && !options.picture_folder.empty())
-      write_png(image, std::filesystem::path(options.picture_folder) / (std::string(row.name) + ".png"));
+      write_png(image, std::filesystem::path(options.picture_folder) / (std::string(what.name) + ".png"));
   }
   return (cpu_ms() - start) / options.frames;
 }
 
 }  // namespace
 
-nlohmann::json bench_render(const RenderBenchOptions& options) {
+Report bench_render(const RenderBenchOptions& options) {
   const DrawList list = still_life(options);
-  nlohmann::json rows = nlohmann::json::array();
-  fmt::print("CPU ms a frame of all threads, {} × {}, about {} triangles, with reading the picture back\n",
-             options.width, options.height, options.triangles);
-  const Row all[] = {{"full", 4, 1024, true, true, true},     {"nothing moves", 4, 1024, true, true, false},
-                     {"1 sample", 1, 1024, true, true, true}, {"no shadow", 4, 0, true, true, true},
-                     {"no room", 4, 1024, false, true, true}, {"room only", 4, 1024, true, false, false}};
-  for (const Row& row : all) {
-    const double ms = frame_ms(list, row, options);
-    fmt::print("{:<16}{:>8.1f}\n", row.name, ms);
-    std::fflush(stdout);
-    rows.push_back({{"name", row.name}, {"ms", ms}});
+  fmt::print("{} × {}, about {} triangles, with reading the picture back\n", options.width, options.height,
+             options.triangles);
+  using enum Column::Kind;
+  const TextTable table(
+      {{text, "name", "scene", 16}, {number, "cpu_ms_per_frame", "CPU ms a frame, all threads"}});
+  table.print_header();
+  Report report("render");
+  const Case all[] = {{"full", 4, 1024, true, true, true},     {"nothing moves", 4, 1024, true, true, false},
+                      {"1 sample", 1, 1024, true, true, true}, {"no shadow", 4, 0, true, true, true},
+                      {"no room", 4, 1024, false, true, true}, {"room only", 4, 1024, true, false, false}};
+  for (const Case& what : all) {
+    report.add({{"name", what.name},
+                {"width", options.width},
+                {"height", options.height},
+                {"cpu_ms_per_frame", frame_ms(list, what, options)}});
+    table.print(report.rows().back());
   }
-  return rows;
+  return report;
 }
 
 }  // namespace prosector

@@ -7,6 +7,7 @@
 #include "server/physics/soft/soft_body.h"
 #include "tests/bench/stopwatch.h"
 #include "tests/bench/subjects.h"
+#include "tests/bench/text_table.h"
 #include "tests/soft/kuhn.h"
 
 namespace prosector {
@@ -36,7 +37,7 @@ VecX pressed(const VecX& rest) {
   return x;
 }
 
-nlohmann::json measure(const std::string& model, const SoftBenchOptions& options) {
+ReportRow measure(const std::string& model, const SoftBenchOptions& options) {
   SoftDesc desc;
   desc.name = "box";
   desc.model = model;
@@ -50,43 +51,49 @@ nlohmann::json measure(const std::string& model, const SoftBenchOptions& options
   std::size_t turn = 0;
   const auto elsewhere = [&]() -> const VecX& { return places[turn ^= 1]; };
   double sum = 0;
-  nlohmann::json ms;
-  ms["energy"] = median_ms(options.repeats, [&] { sum += body.energy(elsewhere()); });
-  ms["gradient"] = median_ms(options.repeats, [&] { body.gradient(elsewhere(), out); });
-  ms["assemble"] = median_ms(options.repeats, [&] { body.assemble(elsewhere()); });
-  ms["multiply"] = median_ms(options.repeats, [&] { body.multiply(places[0].data(), out.data()); });
-  ms["begin_stage"] = median_ms(options.repeats, [&] {
+  ReportRow row = {
+      {"model", model}, {"integrator", desc.integrator}, {"tets", body.elements()}, {"nodes", body.nodes()},
+      {"dt", h},        {"threads", options.threads}};
+  row["ms_energy"] = median_ms(options.repeats, [&] { sum += body.energy(elsewhere()); });
+  row["ms_gradient"] = median_ms(options.repeats, [&] { body.gradient(elsewhere(), out); });
+  row["ms_assemble"] = median_ms(options.repeats, [&] { body.assemble(elsewhere()); });
+  row["ms_begin_stage"] = median_ms(options.repeats, [&] {
     state.motion.x = elsewhere();
     body.begin_stage(0, h, gravity, state);
   });
-  ms["iteration"] = median_ms(options.repeats, [&] {
+  row["ms_multiply"] = median_ms(options.repeats, [&] { body.multiply(places[0].data(), out.data()); });
+  row["ms_iteration"] = median_ms(options.repeats, [&] {
     const VecX& x = elsewhere();
     body.gradient(x, out);
     body.assemble(x);
     sum += body.energy(x);
   });
   if (!std::isfinite(sum)) throw std::runtime_error("the energy of " + model + " is not finite");
-  return {{"model", model}, {"tets", body.elements()}, {"nodes", body.nodes()}, {"ms", ms}};
+  return row;
 }
 
 }  // namespace
 
-nlohmann::json bench_soft(const SoftBenchOptions& options) {
+Report bench_soft(const SoftBenchOptions& options) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
-  nlohmann::json rows = nlohmann::json::array();
-  const char* const columns[] = {"energy", "gradient", "assemble", "begin_stage", "multiply", "iteration"};
-  fmt::print("ms, {} thread(s); iteration: gradient, assemble and energy at one place\n{:<28}{:>8}{:>8}",
-             options.threads, "model", "tets", "nodes");
-  for (const char* column : columns) fmt::print("{:>12}", column);
-  fmt::print("\n");
+  fmt::print("ms, {} thread(s); iteration: gradient, assemble and energy at one place\n", options.threads);
+  using enum Column::Kind;
+  const TextTable table({{text, "model", "model", 28},
+                         {count, "tets", "tets", 8},
+                         {count, "nodes", "nodes", 8},
+                         {number, "ms_energy", "energy", 10},
+                         {number, "ms_gradient", "gradient", 10},
+                         {number, "ms_assemble", "assemble", 10},
+                         {number, "ms_begin_stage", "begin_stage", 10},
+                         {number, "ms_multiply", "multiply", 10},
+                         {number, "ms_iteration", "iteration", 10}});
+  table.print_header();
+  Report report("soft");
   for (const LawRow& law : laws()) {
-    const nlohmann::json row = measure(law.name, options);
-    fmt::print("{:<28}{:>8}{:>8}", law.name, row["tets"].get<std::size_t>(), row["nodes"].get<std::size_t>());
-    for (const char* column : columns) fmt::print("{:>12.3f}", row["ms"][column].get<double>());
-    fmt::print("\n");
-    rows.push_back(row);
+    report.add(measure(law.name, options));
+    table.print(report.rows().back());
   }
-  return rows;
+  return report;
 }
 
 }  // namespace prosector

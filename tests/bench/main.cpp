@@ -1,8 +1,8 @@
 // prosector-bench: what things cost on this machine.
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
+#include <optional>
 
 #include "tests/bench/machine.h"
 #include "tests/bench/subjects.h"
@@ -33,14 +33,11 @@ int main(int argc, char** argv) try {
       ->check(CLI::ExistingDirectory);
   CLI11_PARSE(app, argc, argv);
 
-  nlohmann::json report = {{"machine", prosector::machine()}};
-  std::cout << report["machine"].dump() << std::endl;
-  if (*soft_command) report["soft"] = prosector::bench_soft(soft);
-  if (*render_command) report["render"] = prosector::bench_render(render);
-  if (!file.empty() && !(std::ofstream(file) << report.dump(2) << "\n")) {
-    std::cerr << "prosector-bench: cannot write " << file << "\n";
-    return 1;
-  }
+  std::cout << prosector::machine().dump() << std::endl;
+  std::optional<prosector::Report> report;
+  if (*soft_command) report = prosector::bench_soft(soft);
+  if (*render_command) report = prosector::bench_render(render);
+  if (!file.empty()) report.value().write(file);
   return 0;
 } catch (const std::exception& error) {
   std::cerr << "prosector-bench: " << error.what() << "\n";

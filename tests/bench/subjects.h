@@ -1,8 +1,9 @@
 #pragma once
-// What prosector-bench can measure; each prints a table and returns its figures.
+// What prosector-bench can measure; each prints a table and returns its report.
 
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "tests/bench/report.h"
 
 namespace prosector {
 
@@ -12,7 +13,7 @@ struct SoftBenchOptions {
   int repeats = 51;
 };
 /// The calls of a Newton iteration on a pressed box of tetrahedra, for every law.
-nlohmann::json bench_soft(const SoftBenchOptions& options);
+Report bench_soft(const SoftBenchOptions& options);
 
 struct RenderBenchOptions {
   unsigned triangles = 31000;  // about
@@ -22,6 +23,6 @@ struct RenderBenchOptions {
 };
 /// Frames of organs on a table in the room, whole and without one thing each. LP_NUM_THREADS=1 for steady
 /// figures.
-nlohmann::json bench_render(const RenderBenchOptions& options);
+Report bench_render(const RenderBenchOptions& options);
 
 }  // namespace prosector

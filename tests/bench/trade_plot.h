@@ -1,0 +1,31 @@
+#pragma once
+// Error against cost, log–log, with the Pareto front: what a person chooses from.
+
+#include <string>
+#include <vector>
+
+#include "tests/bench/svg.h"
+
+namespace prosector {
+
+struct TradePoint {
+  double cost = 0, error = 0;
+  std::string group;  // colour and mark: see the legend
+  std::string label;  // told of points on the front
+};
+
+struct TradePlot {
+  std::string title, subtitle;
+  std::string cost_label, error_label;
+  /// Errors outside are drawn on the edge: below the floor nothing differs, above the ceiling all is lost.
+  double error_floor = 1e-5, error_ceiling = 10;
+  std::vector<TradePoint> points;  // those without a finite positive cost and a finite error are left out
+};
+
+/// Indices of the points that no other one beats in cost and error, cheapest first.
+std::vector<std::size_t> pareto_front(const std::vector<TradePoint>& points);
+
+/// Errors are fractions and drawn as per cent.
+Svg draw(const TradePlot& plot);
+
+}  // namespace prosector
