@@ -31,12 +31,32 @@ int main(int argc, char** argv) try {
       ->check(CLI::Range(1, 100000));
   render_command->add_option("--pictures", render.picture_folder, "Folder for the last frames, as PNG")
       ->check(CLI::ExistingDirectory);
+
+  prosector::BeamBenchOptions beam;
+  CLI::App* beam_command =
+      app.add_subcommand("beam", "The cantilever of other codes' figures: time against errors");
+  beam_command->add_option("--cells", beam.cells, "Cells across; n make 24n³ tetrahedra")
+      ->check(CLI::Range(1, 100));
+  beam_command->add_option("--model", beam.model, "Only this model's rows");
+  beam_command->add_option("--solver", beam.solver, "Only this solver's rows");
+  beam_command->add_option("--threads", beam.threads, "From one thread to this many")
+      ->check(CLI::Range(1, 1024));
+
+  prosector::Beam101kBenchOptions beam101k;
+  CLI::App* beam101k_command =
+      app.add_subcommand("beam101k", "SOFA's published beam of 101,250 tetrahedra: steps a second");
+  beam101k_command->add_option("--steps", beam101k.steps, "Steps of 0.04 s")->check(CLI::Range(1, 100000));
+  beam101k_command->add_option("--solver", beam101k.solver, "Only this solver's rows");
+  beam101k_command->add_option("--threads", beam101k.threads, "From one thread to this many")
+      ->check(CLI::Range(1, 1024));
   CLI11_PARSE(app, argc, argv);
 
   std::cout << prosector::machine().dump() << std::endl;
   std::optional<prosector::Report> report;
   if (*soft_command) report = prosector::bench_soft(soft);
   if (*render_command) report = prosector::bench_render(render);
+  if (*beam_command) report = prosector::bench_beam(beam);
+  if (*beam101k_command) report = prosector::bench_beam101k(beam101k);
   if (!file.empty()) report.value().write(file);
   return 0;
 } catch (const std::exception& error) {

@@ -1,0 +1,174 @@
+// The cantilever that other codes were measured on: 0.4 × 0.1 × 0.1 m, clamped at x = 0, E = 2e5 Pa,
+// ν = 0.4, 1000 kg/m³, under gravity from rest at t = 0 in steps of 1/60 s, no damping but implicit Euler's.
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+
+#include "tests/bench/soft_run.h"
+#include "tests/bench/subjects.h"
+#include "tests/bench/text_table.h"
+#include "tests/soft/kuhn.h"
+
+namespace prosector {
+namespace {
+
+constexpr double h = 1. / 60;
+constexpr int moving_frames = 120;
+constexpr int settled_frames = 30;
+constexpr int relaxation_frames = 600;  // at most
+const Vec3 gravity(0, -9.81, 0);
+const Vec3 size(0.4, 0.1, 0.1);
+
+struct Model {
+  const char* name;
+  double continuum;  // m: settled −u_y of the tip face's centre, converged over meshes
+};
+constexpr Model models[] = {{"fem_corotational", 0.1704}, {"fem_neo_hookean_polynomial", 0.1712}};
+
+struct Solver {
+  const char* name;
+  int newton, iterations;
+  double tolerance;
+  std::uint32_t most_cells = 100;  // across: beyond, a frame takes seconds
+};
+constexpr Solver solver_rows[] = {{"cg", 3, 60, 1e-3}, {"cg", 1, 1000, 1e-3}, {"direct", 1, 60, 1e-3, 6}};
+
+Anatomy mesh(std::uint32_t n) {
+  return kuhn_anatomy({4 * n, n, n}, size);
+}
+
+SoftDesc beam(const Model& model, const Solver& solver) {
+  SoftDesc desc;
+  desc.name = "beam";
+  desc.model = model.name;
+  desc.solver = solver.name;
+  desc.newton_iterations = solver.newton;
+  desc.solver_iterations = solver.iterations;
+  desc.solver_tolerance = solver.tolerance;
+  desc.youngs_modulus = 2e5;
+  desc.poisson_ratio = 0.4;
+  desc.density = 1000;
+  desc.damping_mass = desc.damping_stiffness = 0;
+  desc.attach.push_back(clamp_at(0, size / 2));
+  return desc;
+}
+
+/// Mean over the nodes nearest to the middle of the face x = 0.4 (one where n is even, else four).
+double tip_height(const SoftBody& body, const VecX& x) {
+  const auto& rest = body.anatomy().tets.positions;
+  const Vec3 middle(size[0], size[1] / 2, size[2] / 2);
+  double nearest = 1, sum = 0;
+  int count = 0;
+  for (const Vec3& p : rest) nearest = std::min(nearest, (p - middle).norm());
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    if ((rest[i] - middle).norm() > nearest + 1e-9) continue;
+    sum += x[static_cast<Eigen::Index>(3 * i + 1)];
+    ++count;
+  }
+  return sum / count;
+}
+
+/// What the same mesh does when every step is solved to the end.
+struct Converged {
+  double sag = 0;          // m, settled
+  std::vector<VecX> path;  // after each moving frame
+};
+
+Converged converge(const Model& model, std::uint32_t n) {
+  SoftRun run(beam(model, {"cg", 30, 20000, 1e-8}), mesh(n));
+  Converged result;
+  for (int i = 0; i < moving_frames; ++i) {
+    run.step(h, gravity);
+    result.path.push_back(run.state().motion.x);
+  }
+  run.settle(0.5, gravity, 100);
+  result.sag = size[1] / 2 - tip_height(run.body(), run.state().motion.x);
+  return result;
+}
+
+ReportRow measure(const Model& model, const Solver& solver, std::uint32_t n, unsigned threads,
+                  const Converged& converged) {
+  SoftRun run(beam(model, solver), mesh(n));
+  const VecX rest = run.state().motion.x;
+  CostSummary moving, settled;
+  double off = 0, all = 0;
+  for (const VecX& there : converged.path) {
+    moving.add(run.step(h, gravity));
+    off += (run.state().motion.x - there).squaredNorm();
+    all += (there - rest).squaredNorm();
+  }
+  run.settle(h, gravity, relaxation_frames);
+  for (int i = 0; i < settled_frames; ++i) settled.add(run.step(h, gravity));
+  const double sag = size[1] / 2 - tip_height(run.body(), run.state().motion.x);
+  return {{"model", model.name},
+          {"element", "tet4"},
+          {"integrator", run.body().desc().integrator},
+          {"solver", solver.name},
+          {"newton_iterations", solver.newton},
+          {"solver_iterations", solver.iterations},
+          {"solver_tolerance", solver.tolerance},
+          {"tets", run.body().elements()},
+          {"nodes", run.body().nodes()},
+          {"dt", h},
+          {"threads", threads},
+          {"ms_per_frame", moving.median_ms()},
+          {"cpu_ms_per_frame", moving.cpu_ms()},
+          {"ms_per_frame_settled", settled.median_ms()},
+          {"newton_per_frame", moving.newton()},
+          {"iterations_per_frame", moving.iterations()},
+          {"residual", moving.worst_residual()},
+          {"sag_m", sag},
+          {"error_mesh", std::abs(sag / converged.sag - 1)},
+          {"error_continuum", std::abs(sag / model.continuum - 1)},
+          {"error_dynamic", std::sqrt(off / all)},
+          {"verdict", verdict_name(run.finite() ? Verdict::survives : Verdict::fails)}};
+}
+
+}  // namespace
+
+Report bench_beam(const BeamBenchOptions& options) {
+  fmt::print(
+      "ms a frame: the median, wall clock, while moving and settled; cpu: of all threads; errors: settled "
+      "against "
+      "this mesh's\nand the continuum's answer; dynamic: RMS of the first {} frames\n",
+      moving_frames);
+  using enum Column::Kind;
+  const TextTable table({{text, "model", "model", 27},
+                         {text, "element", "elem"},
+                         {text, "solver", "solver", 9},
+                         {count, "newton_iterations", "N"},
+                         {count, "solver_iterations", "at most"},
+                         {number, "solver_tolerance", "to"},
+                         {count, "tets", "tets", 6},
+                         {count, "threads", "T"},
+                         {number, "ms_per_frame", "ms", 6},
+                         {number, "ms_per_frame_settled", "settled", 6},
+                         {number, "cpu_ms_per_frame", "cpu", 6},
+                         {number, "iterations_per_frame", "iter", 5},
+                         {number, "residual", "residual", 8},
+                         {percent, "error_mesh", "mesh", 8},
+                         {percent, "error_continuum", "continuum", 8},
+                         {percent, "error_dynamic", "dynamic", 8}});
+  table.print_header();
+  Report report("beam");
+  for (const Model& model : models) {
+    if (!options.model.empty() && options.model != model.name) continue;
+    for (const std::uint32_t n : options.cells) {
+      const Converged converged = converge(model, n);
+      for (const Solver& solver : solver_rows) {
+        if (!options.solver.empty() && options.solver != solver.name) continue;
+        if (n > solver.most_cells) continue;
+        for (unsigned threads = 1; threads <= options.threads; ++threads) {
+          const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+          report.add(measure(model, solver, n, threads, converged));
+          table.print(report.rows().back());
+        }
+      }
+    }
+  }
+  return report;
+}
+
+}  // namespace prosector

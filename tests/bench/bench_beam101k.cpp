@@ -1,0 +1,171 @@
+// SOFA's published benchmark beam (TetrahedronFEMForceField_beam16x16x76): 76 × 16 × 16 nodes over the box
+// (0, 6, −2) … (19, 10, 2), each cell in six tetrahedra, total mass 50 (lumped ρV/4 here), E = 1000, ν = 0.3,
+// gravity (0, −9, 0), face x = 0 fixed, Rayleigh damping 0.1 and 0.1, implicit Euler of 0.04 s; with and
+// without the ground plane y = 2 (penalty stiffness 1e4).
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+
+#include "tests/bench/soft_run.h"
+#include "tests/bench/subjects.h"
+#include "tests/bench/text_table.h"
+#include "tests/soft/kuhn.h"
+
+namespace prosector {
+namespace {
+
+constexpr double h = 0.04;
+constexpr double ground = 2, ground_stiffness = 1e4;
+const Vec3 gravity(0, -9, 0), corner(0, 6, -2), size(19, 4, 4);
+
+struct Solver {
+  const char* name;
+  int newton, iterations;
+  double tolerance;
+};
+constexpr Solver reference = {"cg", 20, 20000, 1e-7};
+constexpr Solver solver_rows[] = {{"cg", 1, 10, 1e-6}, {"cg", 1, 200, 1e-3}};
+
+Anatomy mesh() {
+  Anatomy anatomy = kuhn_anatomy({75, 15, 15}, size);
+  for (Vec3& p : anatomy.tets.positions) p += corner;
+  return anatomy;
+}
+
+SoftDesc beam(const Solver& solver) {
+  SoftDesc desc;
+  desc.name = "beam101k";
+  desc.model = "fem_corotational";
+  desc.solver = solver.name;
+  desc.newton_iterations = solver.newton;
+  desc.solver_iterations = solver.iterations;
+  desc.solver_tolerance = solver.tolerance;
+  desc.youngs_modulus = 1000;
+  desc.poisson_ratio = 0.3;
+  desc.density = 50 / size.prod();
+  desc.damping_mass = desc.damping_stiffness = 0.1;
+  desc.cell = 0.25;
+  desc.attach.push_back(clamp_at(0, corner + size / 2));
+  return desc;
+}
+
+double tip_height(const SoftBody& body, const VecX& x) {
+  const auto& rest = body.anatomy().tets.positions;
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    if (rest[i].x() < size[0] - 1e-9) continue;
+    sum += x[static_cast<Eigen::Index>(3 * i + 1)];
+    ++count;
+  }
+  return sum / count;
+}
+
+/// Of all nodes that may reach the ground within the step.
+std::vector<Contact> ground_contacts(const VecX& x, const VecX& v) {
+  std::vector<Contact> contacts;
+  for (Eigen::Index i = 0; i < x.size() / 3; ++i) {
+    const double gap = x[3 * i + 1] - ground;
+    if (gap > 2 * h * std::abs(v[3 * i + 1]) + 0.05) continue;
+    Contact c;
+    c.a.kind = ContactSide::Kind::soft;
+    c.a.node[0] = static_cast<std::uint32_t>(i);
+    c.a.weight[0] = 1;
+    c.point = x.segment<3>(3 * i);
+    c.gap = gap;
+    c.stiffness = ground_stiffness;
+    contacts.push_back(c);
+  }
+  return contacts;
+}
+
+struct Path {
+  std::vector<double> tip;  // m
+  CostSummary cost;
+  bool finite = true;
+};
+
+Path run(const Solver& solver, bool with_ground, int steps) {
+  SoftRun run(beam(solver), mesh());
+  Path path;
+  for (int i = 0; i < steps; ++i) {
+    const Motion& motion = run.state().motion;
+    path.cost.add(
+        run.step(h, gravity, with_ground ? ground_contacts(motion.x, motion.v) : std::vector<Contact>{}));
+    path.tip.push_back(tip_height(run.body(), motion.x));
+  }
+  path.finite = run.finite();
+  return path;
+}
+
+/// RMS over the path, of what the tip should have moved.
+double path_error(const Path& path, const Path& converged) {
+  double off = 0, all = 0;
+  for (std::size_t i = 0; i < path.tip.size(); ++i) {
+    const double start = corner[1] + size[1] / 2;
+    off += std::pow(path.tip[i] - converged.tip[i], 2);
+    all += std::pow(converged.tip[i] - start, 2);
+  }
+  return std::sqrt(off / all);
+}
+
+}  // namespace
+
+Report bench_beam101k(const Beam101kBenchOptions& options) {
+  fmt::print("steps/s: wall clock, median of {} steps; cpu: of all threads; error: RMS of the tip's path\n",
+             options.steps);
+  using enum Column::Kind;
+  const TextTable table({{text, "solver", "solver", 9},
+                         {count, "newton_iterations", "N"},
+                         {count, "solver_iterations", "at most"},
+                         {number, "solver_tolerance", "to", 6},
+                         {count, "ground", "ground"},
+                         {count, "threads", "T"},
+                         {number, "steps_per_s", "steps/s"},
+                         {number, "ms_per_frame", "ms", 6},
+                         {number, "cpu_ms_per_frame", "cpu", 6},
+                         {number, "iterations_per_frame", "iter", 5},
+                         {number, "residual", "residual", 8},
+                         {percent, "error_mesh", "error", 8},
+                         {number, "tip_m", "tip m"}});
+  table.print_header();
+  Report report("beam101k");
+  for (const bool with_ground : {false, true}) {
+    const Path converged = run(reference, with_ground, options.steps);
+    for (const Solver& solver : solver_rows) {
+      if (!options.solver.empty() && options.solver != solver.name) continue;
+      for (unsigned threads = 1; threads <= options.threads; ++threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        const Path path = run(solver, with_ground, options.steps);
+        const double ms = path.cost.median_ms();
+        report.add({{"model", "fem_corotational"},
+                    {"element", "tet4"},
+                    {"integrator", "implicit_euler"},
+                    {"solver", solver.name},
+                    {"newton_iterations", solver.newton},
+                    {"solver_iterations", solver.iterations},
+                    {"solver_tolerance", solver.tolerance},
+                    {"tets", 101250},
+                    {"nodes", 19456},
+                    {"dt", h},
+                    {"threads", threads},
+                    {"ground", with_ground ? 1 : 0},
+                    {"steps_per_s", 1e3 / ms},
+                    {"ms_per_frame", ms},
+                    {"cpu_ms_per_frame", path.cost.cpu_ms()},
+                    {"newton_per_frame", path.cost.newton()},
+                    {"iterations_per_frame", path.cost.iterations()},
+                    {"residual", path.cost.worst_residual()},
+                    {"error_mesh", path_error(path, converged)},
+                    {"tip_m", path.tip.back()},
+                    {"verdict", verdict_name(path.finite ? Verdict::survives : Verdict::fails)}});
+        table.print(report.rows().back());
+      }
+    }
+  }
+  return report;
+}
+
+}  // namespace prosector

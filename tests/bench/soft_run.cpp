@@ -1,0 +1,86 @@
+#include "tests/bench/soft_run.h"
+
+#include <algorithm>
+
+#include "tests/bench/stopwatch.h"
+
+namespace prosector {
+namespace {
+
+template <class F>
+double median_of(const std::vector<StepCost>& costs, const F& of) {
+  std::vector<double> values;
+  for (const StepCost& c : costs) values.push_back(of(c));
+  return values.empty() ? 0 : median(std::move(values));
+}
+
+template <class F>
+double mean(const std::vector<StepCost>& costs, const F& of) {
+  double sum = 0;
+  for (const StepCost& c : costs) sum += of(c);
+  return costs.empty() ? 0 : sum / static_cast<double>(costs.size());
+}
+
+}  // namespace
+
+double CostSummary::median_ms() const {
+  return median_of(costs_, [](const StepCost& c) { return c.wall_ms; });
+}
+double CostSummary::cpu_ms() const {
+  return median_of(costs_, [](const StepCost& c) { return c.cpu_ms; });
+}
+double CostSummary::newton() const {
+  return mean(costs_, [](const StepCost& c) { return c.newton; });
+}
+double CostSummary::iterations() const {
+  return mean(costs_, [](const StepCost& c) { return c.iterations; });
+}
+double CostSummary::worst_residual() const {
+  double worst = 0;
+  for (const StepCost& c : costs_) worst = std::max(worst, c.residual);
+  return worst;
+}
+
+SoftRun::SoftRun(const SoftDesc& desc, const Anatomy& anatomy)
+    : body_(desc, anatomy), state_(body_.initial_state()) {}
+
+StepCost SoftRun::step(double h, const Vec3& gravity, std::vector<Contact> contacts) {
+  Island island;
+  island.soft.push_back({0, &body_, &state_});
+  island.contacts = std::move(contacts);
+  const double start = wall_ms(), cpu_start = cpu_ms();
+  const IslandReport report = solve_island(island, h, gravity);
+  StepCost cost;
+  cost.cpu_ms = cpu_ms() - cpu_start;
+  cost.wall_ms = wall_ms() - start;
+  cost.newton = report.newton_iterations;
+  cost.iterations = report.solver_iterations;
+  cost.residual = report.residual;
+  finite_ = finite_ && report.finite;
+  return cost;
+}
+
+void SoftRun::settle(double h, const Vec3& gravity, int steps) {
+  double energy = 0;
+  VecX before;
+  for (int i = 0; i < steps; ++i) {
+    before = state_.motion.x;
+    step(h, gravity);
+    const double now = body_.kinetic_energy(state_);
+    if (now < energy) {
+      state_.motion.v.setZero();
+      state_.warm_start.setZero();
+      state_.motion.has_history = false;
+    }
+    energy = now < energy ? 0 : now;
+    if ((state_.motion.x - before).lpNorm<Eigen::Infinity>() < 1e-8) return;
+  }
+}
+
+AttachDesc clamp_at(double x0, const Vec3& center) {
+  // A sphere so large that its surface is a plane to within a hair.
+  constexpr double radius = 1e5;
+  return {Vec3(x0 - radius, center.y(), center.z()), radius + 1e-4, 1e13};
+}
+
+}  // namespace prosector

@@ -1,0 +1,51 @@
+#pragma once
+// One soft body stepped by the server's island solver, and what its steps cost.
+
+#include "server/physics/coupled/solve_island.h"
+
+namespace prosector {
+
+struct StepCost {
+  double wall_ms = 0, cpu_ms = 0;  // cpu: of all threads together
+  int newton = 0, iterations = 0;  // iterations: of the linear solver
+  double residual = 0;             // relative, of the last linear solve
+};
+
+/// Means and medians over the steps of one phase.
+class CostSummary {
+ public:
+  void add(const StepCost& cost) { costs_.push_back(cost); }
+  double median_ms() const;  // wall clock
+  double cpu_ms() const;     // median
+  double newton() const;     // mean
+  double iterations() const;
+  double worst_residual() const;
+
+ private:
+  std::vector<StepCost> costs_;
+};
+
+class SoftRun {
+ public:
+  SoftRun(const SoftDesc& desc, const Anatomy& anatomy);
+
+  /// Contacts are those of this step alone; side a names body 0.
+  StepCost step(double h, const Vec3& gravity, std::vector<Contact> contacts = {});
+  /// Steps of h until nothing moves more than 1e-8 m in one, all velocities dropped whenever the kinetic
+  /// energy has passed a maximum: the rest shape that these settings lead to. At most `steps`.
+  void settle(double h, const Vec3& gravity, int steps);
+
+  const SoftBody& body() const { return body_; }
+  SoftBodyState& state() { return state_; }
+  bool finite() const { return finite_; }
+
+ private:
+  SoftBody body_;
+  SoftBodyState state_;
+  bool finite_ = true;
+};
+
+/// A pin of all nodes at x = x0, the first of a box's faces.
+AttachDesc clamp_at(double x0, const Vec3& center);
+
+}  // namespace prosector
