@@ -50,12 +50,10 @@ double Simulation::Impl::total_speed(const Collider& c) const {
 }
 
 ContactSide Simulation::Impl::surface_side(std::size_t body, std::uint32_t vertex) const {
-  const SparseMap::Row& row = model.soft[body]->anatomy().embedding.rows[vertex];
   ContactSide side;
   side.kind = ContactSide::Kind::soft;
   side.body = body;
-  side.node = row.node;
-  side.weight = row.weight;
+  side.add(model.soft[body]->anatomy().embedding.rows[vertex], 1);
   return side;
 }
 
@@ -73,6 +71,24 @@ Contact Simulation::Impl::soft_contact(std::size_t body, std::uint32_t vertex, c
   c.b.body = collider.slot;
   c.stiffness = model.contact_stiffness(body, vertex);
   c.friction = std::sqrt(model.soft[body]->desc().friction * collider.friction);
+  return c;
+}
+
+Contact Simulation::Impl::soft_contact(std::size_t body, const TriangleTouch& touch,
+                                       const Collider& collider) const {
+  const Anatomy& anatomy = model.soft[body]->anatomy();
+  const auto& corners = anatomy.surface.triangles[touch.triangle];
+  Contact c = soft_contact(body, corners[0], {touch.gap, touch.normal}, collider);
+  c.a.nodes = 0;
+  c.a.weight = {};
+  c.stiffness = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double share = touch.weights[static_cast<Eigen::Index>(k)];
+    c.a.add(anatomy.embedding.rows[corners[k]], share);
+    c.stiffness += touch.strength * share * model.contact_stiffness(body, corners[k]);
+  }
+  c.point = touch.point;
+  if (!collider.fixed) c.b.arm = c.point - collider.pose.p;
   return c;
 }
 
@@ -110,6 +126,10 @@ void Simulation::Impl::detect_soft_contacts() {
         bool touched = false;
         surfaces[i].near(c, contact_margin + reach, [&](std::uint32_t vertex, const Distance& d) {
           soft_contacts[i].push_back(soft_contact(i, vertex, d, c));
+          touched = true;
+        });
+        surfaces[i].near_thin(c, contact_margin + reach, [&](const TriangleTouch& touch) {
+          soft_contacts[i].push_back(soft_contact(i, touch, c));
           touched = true;
         });
         if (touched && !c.fixed && world.motion(c.slot).asleep) world.wake(c.slot);

@@ -66,6 +66,7 @@ struct Simulation::Impl {
   void refresh_colliders();
   Contact soft_contact(std::size_t body, std::uint32_t vertex, const Distance& distance,
                        const Collider& collider) const;
+  Contact soft_contact(std::size_t body, const TriangleTouch& touch, const Collider& collider) const;
   ContactSide surface_side(std::size_t body, std::uint32_t vertex) const;
   void wake_soft(std::size_t body);
   void settle(const CompileOptions& options);

@@ -5,17 +5,30 @@
 #include <cstdint>
 #include <optional>
 
-#include "common/math.h"
+#include "common/mesh.h"
 
 namespace prosector {
 
 /// A material point and what moves it.
 struct ContactSide {
+  static constexpr std::size_t most_nodes = 12;  // a point of a triangle: three surface vertices of 4 nodes
   enum class Kind : std::uint8_t { fixed, soft, rigid } kind = Kind::fixed;
-  std::size_t body = 0;                 // soft: index of the soft body; rigid: slot in the rigid world
-  std::array<std::uint32_t, 4> node{};  // soft: nodes …
-  std::array<double, 4> weight{};       // … and their weights (0: unused)
-  Vec3 arm = Vec3::Zero();              // rigid: m, from the centre of mass to the point, at the tick's start
+  std::size_t body = 0;   // soft: index of the soft body; rigid: slot in the rigid world
+  std::size_t nodes = 0;  // soft: how many, each once …
+  std::array<std::uint32_t, most_nodes> node{};  // … which …
+  std::array<double, most_nodes> weight{};       // … and their weights
+  Vec3 arm = Vec3::Zero();  // rigid: m, from the centre of mass to the point, at the tick's start
+
+  /// Adds `share` of a surface vertex.
+  void add(const SparseMap::Row& row, double share) {
+    for (std::size_t k = 0; k < row.node.size(); ++k) {
+      if (row.weight[k] == 0) continue;
+      std::size_t at = 0;
+      while (at < nodes && node[at] != row.node[k]) ++at;
+      if (at == nodes) node[nodes++] = row.node[k];
+      weight[at] += share * row.weight[k];
+    }
+  }
 };
 
 /// Potential ½·stiffness·min(g, 0)² with g = gap + normal·(u_a − u_b), u the sides' displacements over the

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace prosector {
@@ -33,11 +34,46 @@ std::vector<std::uint32_t> spatial_order(const std::vector<Vec3>& points) {
   return order;
 }
 
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+std::vector<Vec3> centres(const TriangleMesh& mesh) {
+  std::vector<Vec3> out;
+  for (const auto& t : mesh.triangles)
+    out.push_back((mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3);
+  return out;
+}
+
+Triangles neighbours(const Triangles& triangles) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> with_edge;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) with_edge[{triangles[i][k], triangles[i][(k + 1) % 3]}] = i;
+  Triangles out(triangles.size());
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto other = with_edge.find({triangles[i][(k + 1) % 3], triangles[i][k]});
+      out[i][k] = other == with_edge.end() ? i : other->second;
+    }
+  return out;
+}
+
+// How much deeper than its corners a triangle's point must be, in radii, to count at all and to count fully.
+// What is broad for the mesh stays below: its vertices carry it.
+constexpr double least_between = 0.3, fully_between = 0.5;
+constexpr double full_room =
+    0.2;  // radii: spare room between corners from which on a contact has full strength
+constexpr double most_depth = 2;  // radii: what is deeper than this beyond the surface is lost to it
+
 }  // namespace
 
 SurfaceDetector::SurfaceDetector(const SparseMap& embedding, const TriangleMesh& rest)
-    : embedding_(&embedding), order_(spatial_order(rest.positions)), positions_(rest.positions) {
+    : embedding_(&embedding),
+      triangles_(&rest.triangles),
+      neighbours_(neighbours(rest.triangles)),
+      triangle_order_(spatial_order(centres(rest))),
+      order_(spatial_order(rest.positions)),
+      positions_(rest.positions) {
   chunks_.resize((order_.size() + chunk_vertices - 1) / chunk_vertices);
+  triangle_chunks_.resize((triangle_order_.size() + chunk_triangles - 1) / chunk_triangles);
 }
 
 void SurfaceDetector::update(const double* x) {
@@ -54,11 +90,96 @@ void SurfaceDetector::update(const double* x) {
     lo_ = lo_.cwiseMin(lo);
     hi_ = hi_.cwiseMax(hi);
   }
+  for (std::size_t c = 0; c < triangle_chunks_.size(); ++c) {
+    Vec3 lo = Vec3::Constant(std::numeric_limits<double>::max()), hi = -lo;
+    for (std::size_t i = c * chunk_triangles; i < triangle_chunk_end(c); ++i)
+      for (const std::uint32_t corner : (*triangles_)[triangle_order_[i]]) {
+        lo = lo.cwiseMin(positions_[corner]);
+        hi = hi.cwiseMax(positions_[corner]);
+      }
+    triangle_chunks_[c] = {lo, hi};
+  }
+}
+
+std::array<Vec3, 3> SurfaceDetector::corners(std::uint32_t triangle) const {
+  const auto& t = (*triangles_)[triangle];
+  return {positions_[t[0]], positions_[t[1]], positions_[t[2]]};
+}
+
+Vec3 SurfaceDetector::outward(std::uint32_t triangle) const {
+  const auto x = corners(triangle);
+  return (x[1] - x[0]).cross(x[2] - x[0]).normalized();
+}
+
+std::optional<TriangleTouch> SurfaceDetector::touch(std::uint32_t triangle, const Rod& rod,
+                                                    double margin) const {
+  const auto x = corners(triangle);
+  const Vec3 grow = Vec3::Constant(margin);
+  if (!boxes_overlap(rod.lo - grow, rod.hi + grow, x[0].cwiseMin(x[1]).cwiseMin(x[2]),
+                     x[0].cwiseMax(x[1]).cwiseMax(x[2])))
+    return std::nullopt;
+  // Half the longest edge is the radius of the largest ball that passes a right-angled triangle's corners.
+  const double room =
+      std::max({(x[1] - x[0]).norm(), (x[2] - x[1]).norm(), (x[0] - x[2]).norm()}) / 2 - rod.radius;
+  if (room <= 0) return std::nullopt;
+  const SegmentTriangle near = closest(rod.from, rod.to, x);
+  if (near.distance > rod.radius + margin) return std::nullopt;
+  if (near.weights.maxCoeff() >= 1) return std::nullopt;  // a vertex: known as such
+  Vec3 side = outward(triangle);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (near.weights[static_cast<Eigen::Index>((k + 2) % 3)] > 0) continue;
+    // On the edge (k, k+1): the lower of its two triangles reports it, unless the other is nearer inside.
+    // There the sum of both normals tells in from out (Bærentzen & Aanæs 2005).
+    const std::uint32_t other = neighbours_[triangle][k];
+    if (other < triangle) return std::nullopt;
+    if (other != triangle && closest(rod.from, rod.to, corners(other)).distance < near.distance)
+      return std::nullopt;
+    side += outward(other);
+  }
+  TriangleTouch out;
+  out.triangle = triangle;
+  out.weights = near.weights;
+  out.point = near.weights[0] * x[0] + near.weights[1] * x[1] + near.weights[2] * x[2];
+  const Vec3 out_of_tissue = side.normalized(), apart = near.on_segment - out.point;
+  const bool above = apart.dot(out_of_tissue) > 0;
+  if (near.distance > 0) {
+    out.normal = (above ? -1 : 1) / near.distance * apart;
+    out.gap = (above ? near.distance : -near.distance) - rod.radius;
+  } else {  // passes through: out again by the end that is inside
+    const double depth =
+        -std::min(out_of_tissue.dot(rod.from - out.point), out_of_tissue.dot(rod.to - out.point));
+    out.normal = -out_of_tissue;
+    out.gap = -std::min(depth, (most_depth - 1) * rod.radius) - rod.radius;
+  }
+  if (!out.normal.allFinite() || out.gap < -most_depth * rod.radius) return std::nullopt;
+  double corner = std::numeric_limits<double>::max();
+  for (const Vec3& vertex : x) {
+    const Vec3 axis = rod.to - rod.from;
+    const double length = axis.squaredNorm();
+    const double at = length > 0 ? std::clamp((vertex - rod.from).dot(axis) / length, 0.0, 1.0) : 0;
+    corner = std::min(corner, (vertex - rod.from - at * axis).norm() - rod.radius);
+  }
+  const double between = (corner - out.gap) / rod.radius;
+  if (!(between > least_between)) return std::nullopt;
+  out.strength = std::min(1.0, (between - least_between) / (fully_between - least_between)) *
+                 std::min(1.0, room / (full_room * rod.radius));
+  return out;
+}
+
+std::vector<Rod> rods_of(const Collider& collider, double margin, const Vec3& lo, const Vec3& hi) {
+  std::vector<Rod> out;
+  const Vec3 grow = Vec3::Constant(margin);
+  for (std::size_t i = 0; i < collider.parts->size(); ++i)
+    if (const auto rod = rod_of((*collider.parts)[i], collider.pose * collider.part_poses[i]);
+        rod && boxes_overlap(rod->lo - grow, rod->hi + grow, lo, hi))
+      out.push_back(*rod);
+  return out;
 }
 
 bool SurfaceDetector::touches(const Collider& collider, double margin) const {
   bool found = false;
   near(collider, margin, [&](std::uint32_t, const Distance&) { found = true; });
+  if (!found) near_thin(collider, margin, [&](const TriangleTouch&) { found = true; });
   return found;
 }
 

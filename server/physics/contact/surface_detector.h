@@ -2,11 +2,13 @@
 // Soft surfaces against rigid bodies: which surface vertices are inside or near which body.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "common/mesh.h"
 #include "server/physics/contact/contact.h"
+#include "server/physics/contact/rod.h"
 #include "server/physics/contact/signed_distance.h"
 
 namespace prosector {
@@ -25,6 +27,16 @@ struct Collider {
   bool fixed = false;
 };
 
+/// A point of a surface triangle, off its corners, against a thin part.
+struct TriangleTouch {
+  std::uint32_t triangle = 0;
+  Vec3 weights = Vec3::Zero();  // of the corners
+  Vec3 point = Vec3::Zero();    // m, room frame
+  Vec3 normal = Vec3::UnitY();  // unit, out of the rigid part
+  double gap = 0;               // m, < 0 penetrates
+  double strength = 1;          // in (0, 1]: share of the full contact stiffness, continuous in the positions
+};
+
 /// One soft surface, in the order that keeps neighbours together, with boxes around runs of vertices.
 class SurfaceDetector {
  public:
@@ -40,7 +52,12 @@ class SurfaceDetector {
   /// the closest part.
   template <class F>
   void near(const Collider& collider, double margin, const F& f) const;
-  /// Whether any vertex is that near.
+  /// Calls back, in a fixed order, for what vertices alone would let slip between them: points inside faces
+  /// and edges that come at most `margin` near a sphere, capsule or cylinder of the collider, and clearly
+  /// deeper than the face's corners do. Per triangle the deepest part.
+  template <class F>
+  void near_thin(const Collider& collider, double margin, const F& f) const;
+  /// Whether anything is that near.
   bool touches(const Collider& collider, double margin) const;
 
  private:
@@ -52,7 +69,21 @@ class SurfaceDetector {
     return std::min(order_.size(), (chunk + 1) * chunk_vertices);
   }
 
+  static constexpr std::size_t chunk_triangles = 64;
+  std::size_t triangle_chunk_end(std::size_t chunk) const {
+    return std::min(triangle_order_.size(), (chunk + 1) * chunk_triangles);
+  }
+  std::array<Vec3, 3> corners(std::uint32_t triangle) const;
+  Vec3 outward(std::uint32_t triangle) const;
+  /// What of the triangle touches the rod, if that is for this triangle to say.
+  std::optional<TriangleTouch> touch(std::uint32_t triangle, const Rod& rod, double margin) const;
+
   const SparseMap* embedding_;
+  const std::vector<std::array<std::uint32_t, 3>>* triangles_;
+  std::vector<std::array<std::uint32_t, 3>>
+      neighbours_;  // per triangle and edge (k, k+1): across it, or itself
+  std::vector<std::uint32_t> triangle_order_;
+  std::vector<Chunk> triangle_chunks_;
   std::vector<std::uint32_t> order_;  // vertices along a space-filling curve through the rest shape
   std::vector<Vec3> positions_;       // by vertex
   std::vector<Chunk> chunks_;
@@ -63,8 +94,31 @@ class SurfaceDetector {
 /// `margin` may be skipped: the value is then larger than it.
 Distance distance_to(const Collider& collider, const Vec3& x, double margin);
 
+/// The collider's thin parts whose boxes, grown by `margin`, meet the given one.
+std::vector<Rod> rods_of(const Collider& collider, double margin, const Vec3& lo, const Vec3& hi);
+
 inline bool boxes_overlap(const Vec3& lo, const Vec3& hi, const Vec3& other_lo, const Vec3& other_hi) {
   return (lo.array() <= other_hi.array()).all() && (other_lo.array() <= hi.array()).all();
+}
+
+template <class F>
+void SurfaceDetector::near_thin(const Collider& collider, double margin, const F& f) const {
+  const Vec3 grow = Vec3::Constant(margin);
+  if (!boxes_overlap(collider.lo - grow, collider.hi + grow, lo_, hi_)) return;
+  const std::vector<Rod> rods = rods_of(collider, margin, lo_, hi_);
+  if (rods.empty()) return;
+  for (std::size_t c = 0; c < triangle_chunks_.size(); ++c) {
+    const Chunk& chunk = triangle_chunks_[c];
+    if (!boxes_overlap(collider.lo - grow, collider.hi + grow, chunk.lo, chunk.hi)) continue;
+    for (std::size_t i = c * chunk_triangles; i < triangle_chunk_end(c); ++i) {
+      std::optional<TriangleTouch> deepest;
+      for (const Rod& rod : rods)
+        if (const auto found = touch(triangle_order_[i], rod, margin);
+            found && (!deepest || found->gap < deepest->gap))
+          deepest = found;
+      if (deepest) f(*deepest);
+    }
+  }
 }
 
 template <class F>

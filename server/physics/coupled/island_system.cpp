@@ -49,12 +49,10 @@ IslandSystem::Side IslandSystem::resolve(const ContactSide& side) const {
   if (side.kind == ContactSide::Kind::soft) {
     std::size_t m = 0;
     while (island_.soft[m].index != side.body) ++m;
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (side.weight[k] == 0) continue;
-      const auto n = static_cast<std::size_t>(out.nodes++);
-      out.offset[n] = soft_offset_[m] + 3 * static_cast<Eigen::Index>(side.node[k]);
-      out.weight[n] = side.weight[k];
-    }
+    out.nodes = side.nodes;
+    out.weight = side.weight;
+    for (std::size_t k = 0; k < side.nodes; ++k)
+      out.offset[k] = soft_offset_[m] + 3 * static_cast<Eigen::Index>(side.node[k]);
   } else if (side.kind == ContactSide::Kind::rigid) {
     std::size_t m = 0;
     while (island_.rigid[m].slot != side.body) ++m;
@@ -70,7 +68,7 @@ IslandSystem::Joint IslandSystem::join(const ContactSide& a, const ContactSide& 
     if (side.kind != ContactSide::Kind::soft) return x;
     for (const SoftMember& m : island_.soft)
       if (m.index == side.body)
-        for (std::size_t k = 0; k < 4; ++k)
+        for (std::size_t k = 0; k < side.nodes; ++k)
           x += side.weight[k] * m.state->motion.x.segment<3>(3 * static_cast<Eigen::Index>(side.node[k]));
     return x;
   };
@@ -79,8 +77,7 @@ IslandSystem::Joint IslandSystem::join(const ContactSide& a, const ContactSide& 
 
 Vec3 IslandSystem::read(const Side& side, const VecX& q) {
   Vec3 u = Vec3::Zero();
-  for (std::size_t k = 0; k < static_cast<std::size_t>(side.nodes); ++k)
-    u += side.weight[k] * q.segment<3>(side.offset[k]);
+  for (std::size_t k = 0; k < side.nodes; ++k) u += side.weight[k] * q.segment<3>(side.offset[k]);
   if (side.rigid >= 0) {
     const Vec3 rotation = q.segment<3>(side.rigid + 3);
     u += q.segment<3>(side.rigid) + rotation.cross(side.arm);
@@ -89,8 +86,7 @@ Vec3 IslandSystem::read(const Side& side, const VecX& q) {
 }
 
 void IslandSystem::add(const Side& side, const Vec3& f, VecX& out) {
-  for (std::size_t k = 0; k < static_cast<std::size_t>(side.nodes); ++k)
-    out.segment<3>(side.offset[k]) += side.weight[k] * f;
+  for (std::size_t k = 0; k < side.nodes; ++k) out.segment<3>(side.offset[k]) += side.weight[k] * f;
   if (side.rigid >= 0) {
     out.segment<3>(side.rigid) += f;
     out.segment<3>(side.rigid + 3) += side.arm.cross(f);
@@ -204,7 +200,7 @@ void IslandSystem::gradient(const VecX& q, VecX& g) {
 }
 
 void IslandSystem::add_block(const Side& side, const Mat3& D) {
-  for (std::size_t k = 0; k < static_cast<std::size_t>(side.nodes); ++k)
+  for (std::size_t k = 0; k < side.nodes; ++k)
     node_blocks_[static_cast<std::size_t>(side.offset[k] / 3)] += side.weight[k] * side.weight[k] * D;
   if (side.rigid >= 0) {
     Eigen::Matrix<double, 3, 6> J;

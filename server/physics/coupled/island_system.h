@@ -38,9 +38,9 @@ class IslandSystem final : public LinearOperator {
  private:
   /// A contact's or tie's side resolved to unknowns.
   struct Side {
-    int nodes = 0;
-    std::array<Eigen::Index, 4> offset{};
-    std::array<double, 4> weight{};
+    std::size_t nodes = 0;
+    std::array<Eigen::Index, ContactSide::most_nodes> offset{};
+    std::array<double, ContactSide::most_nodes> weight{};
     Eigen::Index rigid = -1;
     Vec3 arm = Vec3::Zero();
   };
