@@ -65,10 +65,7 @@ void Simulation::Impl::relax(std::size_t body) {
     Island island;
     island.soft.push_back({body, model.soft[body].get(), &state});
     for (const Collider& c : colliders)
-      if (c.parts && c.fixed)
-        surfaces[body].near(c, 0.02, [&](std::uint32_t vertex, const Distance& d) {
-          island.contacts.push_back(soft_contact(body, vertex, d, c));
-        });
+      if (c.parts && c.fixed) add_contacts(body, c, 0.02, island.contacts);
     const VecX before = state.motion.x;
     const IslandReport solved = solve_island(island, relaxation_step, model.scene.gravity);
     state.motion.v.setZero();

@@ -11,6 +11,10 @@ constexpr double contact_margin = 0.002;  // m: gaps up to it may close within t
 constexpr double wake_margin = 0.003;     // m
 constexpr double most_reach = 0.05;       // m a tick: faster things are met late
 
+// Stretch of the surface at which a moving thing loses hold of it: real tissue would have torn long before,
+// and what a leaping hand has hooked would never come free.
+constexpr double most_stretch = 3;
+
 }  // namespace
 
 void Simulation::Impl::refresh_colliders() {
@@ -92,6 +96,19 @@ Contact Simulation::Impl::soft_contact(std::size_t body, const TriangleTouch& to
   return c;
 }
 
+bool Simulation::Impl::add_contacts(std::size_t body, const Collider& collider, double margin,
+                                    std::vector<Contact>& out) const {
+  const std::size_t before = out.size();
+  surfaces[body].near(collider, margin, [&](std::uint32_t vertex, const Distance& d) {
+    if (collider.fixed || surfaces[body].stretch_at(vertex) < most_stretch)
+      out.push_back(soft_contact(body, vertex, d, collider));
+  });
+  surfaces[body].near_thin(collider, margin, [&](const TriangleTouch& touch) {
+    out.push_back(soft_contact(body, touch, collider));
+  });
+  return out.size() > before;
+}
+
 void Simulation::Impl::wake_soft(std::size_t body) {
   soft[body].asleep = false;
   soft[body].quiet_ticks = 0;
@@ -123,15 +140,7 @@ void Simulation::Impl::detect_soft_contacts() {
       for (const Collider& c : colliders) {
         if (!c.parts) continue;
         const double reach = std::min(most_reach, own + std::max(c.pull, h * total_speed(c)));
-        bool touched = false;
-        surfaces[i].near(c, contact_margin + reach, [&](std::uint32_t vertex, const Distance& d) {
-          soft_contacts[i].push_back(soft_contact(i, vertex, d, c));
-          touched = true;
-        });
-        surfaces[i].near_thin(c, contact_margin + reach, [&](const TriangleTouch& touch) {
-          soft_contacts[i].push_back(soft_contact(i, touch, c));
-          touched = true;
-        });
+        const bool touched = add_contacts(i, c, contact_margin + reach, soft_contacts[i]);
         if (touched && !c.fixed && world.motion(c.slot).asleep) world.wake(c.slot);
       }
     }

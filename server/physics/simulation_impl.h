@@ -68,6 +68,9 @@ struct Simulation::Impl {
                        const Collider& collider) const;
   Contact soft_contact(std::size_t body, const TriangleTouch& touch, const Collider& collider) const;
   ContactSide surface_side(std::size_t body, std::uint32_t vertex) const;
+  /// Appends what of the body's surface is within `margin` of the collider; whether there was any.
+  bool add_contacts(std::size_t body, const Collider& collider, double margin,
+                    std::vector<Contact>& out) const;
   void wake_soft(std::size_t body);
   void settle(const CompileOptions& options);
   void relax(std::size_t body);

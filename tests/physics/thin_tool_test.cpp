@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iostream>
 
 #include "server/physics/contact/rod.h"
 #include "server/physics/soft/soft_body.h"
@@ -58,8 +57,6 @@ TEST(ThinTool, TipBetweenVerticesDoesNotSlipThrough) {
     EXPECT_LT(simulation.rigid_state(1).linear_velocity.norm(), 0.02) << mass;
     EXPECT_GT(simulation.max_displacement(2), 1e-4) << mass;
     RecordProperty("narrow_share_percent", static_cast<int>(100 * narrow / total));
-    std::cout << mass << " kg: narrow " << 1e6 * narrow / 120 << " of " << 1e6 * total / 120
-              << " us a tick, tip at " << simulation.rigid_state(1).pose.p.transpose() << "\n";
   }
 }
 

@@ -67,12 +67,20 @@ constexpr double most_depth = 2;  // radii: what is deeper than this beyond the 
 
 SurfaceDetector::SurfaceDetector(const SparseMap& embedding, const TriangleMesh& rest)
     : embedding_(&embedding),
-      triangles_(&rest.triangles),
+      rest_(&rest),
       neighbours_(neighbours(rest.triangles)),
       triangle_order_(spatial_order(centres(rest))),
       order_(spatial_order(rest.positions)),
       positions_(rest.positions) {
   chunks_.resize((order_.size() + chunk_vertices - 1) / chunk_vertices);
+  around_begin_.assign(positions_.size() + 1, 0);
+  for (const auto& t : rest.triangles)
+    for (const std::uint32_t corner : t) ++around_begin_[corner + 1];
+  std::partial_sum(around_begin_.begin(), around_begin_.end(), around_begin_.begin());
+  around_.resize(around_begin_.back());
+  std::vector<std::uint32_t> next(around_begin_.begin(), around_begin_.end() - 1);
+  for (std::uint32_t i = 0; i < rest.triangles.size(); ++i)
+    for (const std::uint32_t corner : rest.triangles[i]) around_[next[corner]++] = i;
   triangle_chunks_.resize((triangle_order_.size() + chunk_triangles - 1) / chunk_triangles);
 }
 
@@ -93,7 +101,7 @@ void SurfaceDetector::update(const double* x) {
   for (std::size_t c = 0; c < triangle_chunks_.size(); ++c) {
     Vec3 lo = Vec3::Constant(std::numeric_limits<double>::max()), hi = -lo;
     for (std::size_t i = c * chunk_triangles; i < triangle_chunk_end(c); ++i)
-      for (const std::uint32_t corner : (*triangles_)[triangle_order_[i]]) {
+      for (const std::uint32_t corner : rest_->triangles[triangle_order_[i]]) {
         lo = lo.cwiseMin(positions_[corner]);
         hi = hi.cwiseMax(positions_[corner]);
       }
@@ -102,13 +110,31 @@ void SurfaceDetector::update(const double* x) {
 }
 
 std::array<Vec3, 3> SurfaceDetector::corners(std::uint32_t triangle) const {
-  const auto& t = (*triangles_)[triangle];
+  const auto& t = rest_->triangles[triangle];
   return {positions_[t[0]], positions_[t[1]], positions_[t[2]]};
 }
 
 Vec3 SurfaceDetector::outward(std::uint32_t triangle) const {
   const auto x = corners(triangle);
   return (x[1] - x[0]).cross(x[2] - x[0]).normalized();
+}
+
+double SurfaceDetector::stretch(std::uint32_t triangle) const {
+  const auto& t = rest_->triangles[triangle];
+  double most = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+    const double now = (positions_[a] - positions_[b]).squaredNorm();
+    most = std::max(most, now / (rest_->positions[a] - rest_->positions[b]).squaredNorm());
+  }
+  return std::sqrt(most);
+}
+
+double SurfaceDetector::stretch_at(std::uint32_t vertex) const {
+  double most = 0;
+  for (std::uint32_t k = around_begin_[vertex]; k < around_begin_[vertex + 1]; ++k)
+    most = std::max(most, stretch(around_[k]));
+  return most;
 }
 
 std::optional<TriangleTouch> SurfaceDetector::touch(std::uint32_t triangle, const Rod& rod,

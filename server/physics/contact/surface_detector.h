@@ -47,6 +47,8 @@ class SurfaceDetector {
   const Vec3& lo() const { return lo_; }
   const Vec3& hi() const { return hi_; }
   std::span<const Vec3> positions() const { return positions_; }
+  /// Length of the most stretched edge of the faces around the vertex, over its length at rest.
+  double stretch_at(std::uint32_t vertex) const;
 
   /// Calls back, in a fixed order, for every vertex whose gap to the collider is at most `margin`: per vertex
   /// the closest part.
@@ -75,15 +77,18 @@ class SurfaceDetector {
   }
   std::array<Vec3, 3> corners(std::uint32_t triangle) const;
   Vec3 outward(std::uint32_t triangle) const;
+  double stretch(std::uint32_t triangle) const;
   /// What of the triangle touches the rod, if that is for this triangle to say.
   std::optional<TriangleTouch> touch(std::uint32_t triangle, const Rod& rod, double margin) const;
 
   const SparseMap* embedding_;
-  const std::vector<std::array<std::uint32_t, 3>>* triangles_;
+  const TriangleMesh* rest_;
   std::vector<std::array<std::uint32_t, 3>>
       neighbours_;  // per triangle and edge (k, k+1): across it, or itself
   std::vector<std::uint32_t> triangle_order_;
   std::vector<Chunk> triangle_chunks_;
+  std::vector<std::uint32_t> around_begin_,
+      around_;                        // vertex i's triangles: around_ from around_begin_[i] on
   std::vector<std::uint32_t> order_;  // vertices along a space-filling curve through the rest shape
   std::vector<Vec3> positions_;       // by vertex
   std::vector<Chunk> chunks_;
