@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <complex>
+#include <memory>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "common/error.h"
+#include "server/physics/soft/explicit_integrators.h"
 #include "server/physics/soft/time_integrator.h"
 
 namespace prosector {
@@ -30,65 +33,186 @@ void step(const TimeIntegrator& method, double h, double omega, double zeta, dou
   }
 }
 
-double order(const IntegratorRow& row) {
-  const auto method = row.make();
-  const double omega = 2 * M_PI, T = 0.3, zeta = 0.1, damped = omega * std::sqrt(1 - zeta * zeta);
+/// x″ = −ω²x − 2ζωx′ + g for explicit methods.
+class Oscillator final : public AccelerationField {
+ public:
+  Oscillator(double omega, double zeta, double g) : omega_(omega), zeta_(zeta), g_(g) {}
+  void at(const VecX& x, const VecX& v, VecX& a) override {
+    a = -omega_ * omega_ * x - 2 * zeta_ * omega_ * v;
+    a.array() += g_;
+  }
+  bool damped() const override { return zeta_ > 0; }
+
+ private:
+  double omega_, zeta_, g_;
+};
+
+/// One method of either table, on the oscillator.
+struct Method {
+  std::string name;
+  int order;
+  std::shared_ptr<TimeIntegrator> stages;
+  std::shared_ptr<ExplicitIntegrator> forces;
+
+  void advance(double h, double omega, double zeta, double g, Motion& m) const {
+    if (stages) return step(*stages, h, omega, zeta, g, m);
+    Oscillator oscillator(omega, zeta, g);
+    forces->step(oscillator, h, m.x, m.v);
+  }
+};
+
+std::vector<Method> methods() {
+  std::vector<Method> all;
+  for (const IntegratorRow& row : integrators()) all.push_back({row.name, row.order, row.make(), nullptr});
+  for (const ExplicitRow& row : explicit_integrators())
+    all.push_back({row.name, row.order, nullptr, row.make()});
+  return all;
+}
+
+Method method(const std::string& name) {
+  for (const Method& m : methods())
+    if (m.name == name) return m;
+  throw InputError(name);
+}
+
+double order(const Method& method, double zeta) {
+  const double omega = 2 * M_PI, T = 0.3, damped = omega * std::sqrt(1 - zeta * zeta);
   const double exact =
       std::exp(-zeta * omega * T) * (std::cos(damped * T) + zeta * omega / damped * std::sin(damped * T));
   const auto error = [&](int steps) {
     Motion m = start(1, 0);
-    for (int i = 0; i < steps; ++i) step(*method, T / steps, omega, zeta, 0, m);
+    for (int i = 0; i < steps; ++i) method.advance(T / steps, omega, zeta, 0, m);
     return std::abs(m.x[0] - exact);
   };
-  return std::log2(error(400) / error(800));
+  const int steps = method.order == 4 ? 40 : 400;
+  return std::log2(error(steps) / error(2 * steps));
 }
 
 TEST(Integrators, HaveTheirOrder) {
-  for (const IntegratorRow& row : integrators()) {
-    const double expected = row.name == std::string("bdf2") ? 2 : 1;
-    EXPECT_NEAR(order(row), expected, 0.05) << row.name;
-  }
+  for (const Method& m : methods())
+    for (const double zeta : {0.0, 0.1}) EXPECT_NEAR(order(m, zeta), m.order, 0.1) << m.name << " " << zeta;
 }
 
-TEST(Integrators, AmplifyAsPublished) {
+/// |g| and arg(g)/z of the principal root from four samples of x = Re(A·gᵏ), once parasitic roots have died
+/// out: x_{k+1} = (g + ḡ)·x_k − |g|²·x_{k−1}.
+std::pair<double, double> amplification(const Method& method, double z) {
+  Motion m = start(1, 0);
+  for (int i = 0; i < 50; ++i) method.advance(z, 1, 0, 0, m);
+  double x[4];
+  for (double& value : x) {
+    value = m.x[0];
+    method.advance(z, 1, 0, 0, m);
+  }
+  const double determinant = x[1] * x[1] - x[0] * x[2];
+  const double sum = (x[1] * x[2] - x[0] * x[3]) / determinant;
+  const double product = (x[2] * x[2] - x[1] * x[3]) / determinant;
+  return {std::sqrt(product), std::acos(sum / (2 * std::sqrt(product))) / z};
+}
+
+TEST(Integrators, AmplifyAsTheoryAndPublished) {
   struct Case {
     const char* name;
-    double z, amplification, frequency;
+    double z, amplification, frequency, digits;
   };
-  const Case cases[] = {{"implicit_euler", .1, 1 / std::sqrt(1.01), .99669},
-                        {"implicit_euler", .5, 1 / std::sqrt(1.25), .92730},
-                        {"bdf2", .1, .99998, .99671},
-                        {"bdf2", .5, .99040, .93515}};
+  const auto rk4 = [](double z) { return std::sqrt(1 - std::pow(z, 6) / 72 + std::pow(z, 8) / 576); };
+  const auto rk2 = [](double z) { return std::sqrt(1 + std::pow(z, 4) / 4); };
+  const Case cases[] = {{"explicit_euler", .1, std::sqrt(1.01), .99669, 1e-5},
+                        {"explicit_euler", .5, std::sqrt(1.25), .92730, 1e-5},
+                        {"symplectic_euler", .1, 1, 1.000417, 1e-6},
+                        {"symplectic_euler", .5, 1, 1.01072, 1e-5},
+                        {"verlet", .1, 1, 1.000417, 1e-6},
+                        {"verlet", .5, 1, 1.01072, 1e-5},
+                        {"rk2", .1, rk2(.1), 1.00166, 1e-5},
+                        {"rk2", .5, rk2(.5), 1.0383, 1e-4},
+                        {"rk4", .1, rk4(.1), .9999992, 1e-7},
+                        {"rk4", .5, rk4(.5), .99952, 1e-5},
+                        {"implicit_euler", .1, 1 / std::sqrt(1.01), .99669, 1e-5},
+                        {"implicit_euler", .5, 1 / std::sqrt(1.25), .92730, 1e-5},
+                        {"tr_bdf2", .1, .9999996, .99960, 1e-5},
+                        {"tr_bdf2", .5, .99978, .99009, 1e-5},
+                        {"bdf2", .1, .99998, .99671, 1e-5},
+                        {"bdf2", .5, .99040, .93515, 1e-5}};
+  std::set<std::string> covered;
   for (const Case& c : cases) {
-    const auto method = make_integrator(c.name);
-    Motion m = start(1, 0);
-    for (int i = 0; i < 50; ++i) step(*method, c.z, 1, 0, 0, m);
-    // The parasitic root has died out: x is now Re(A·gᵏ), and three samples tell g + ḡ and |g|².
-    double x[4];
-    for (double& value : x) {
-      value = m.x[0];
-      step(*method, c.z, 1, 0, 0, m);
+    covered.insert(c.name);
+    const auto [growth, frequency] = amplification(method(c.name), c.z);
+    EXPECT_NEAR(growth, c.amplification, 1e-5) << c.name << " " << c.z;
+    EXPECT_NEAR(frequency, c.frequency, c.digits) << c.name << " " << c.z;
+  }
+  for (const Method& m : methods()) EXPECT_TRUE(covered.count(m.name)) << m.name;
+}
+
+/// Whether 40,000 steps keep x bounded: next to the limit it beats up to some times its start.
+bool holds(const Method& method, double z, double zeta = 0) {
+  Motion m = start(1, 0);
+  for (int i = 0; i < 40000; ++i) {
+    method.advance(z, 1, zeta, 0, m);
+    if (!(std::abs(m.x[0]) < 20)) return false;
+  }
+  return true;
+}
+
+TEST(Integrators, HoldUpToTheirLimit) {
+  struct Case {
+    const char* name;
+    double limit;  // ωh; 0: never holds
+  };
+  for (const Case& c :
+       {Case{"explicit_euler", 0}, {"symplectic_euler", 2}, {"verlet", 2}, {"rk2", 0}, {"rk4", 2.8284}}) {
+    const Method m = method(c.name);
+    EXPECT_NEAR(stable_step(*m.forces, 1), c.limit, 0.001) << c.name;
+    EXPECT_NEAR(stable_step(*m.forces, 50) * 50, c.limit, 0.001) << c.name;
+    if (c.limit > 0) {
+      EXPECT_TRUE(holds(m, 0.99 * c.limit)) << c.name;
+      EXPECT_FALSE(holds(m, 1.02 * c.limit)) << c.name;
+    } else {
+      EXPECT_FALSE(holds(m, 0.5)) << c.name;
     }
-    const double determinant = x[1] * x[1] - x[0] * x[2];
-    const double sum = (x[1] * x[2] - x[0] * x[3]) / determinant;
-    const double product = (x[2] * x[2] - x[1] * x[3]) / determinant;
-    EXPECT_NEAR(std::sqrt(product), c.amplification, 1e-5) << c.name << c.z;
-    EXPECT_NEAR(std::acos(sum / (2 * std::sqrt(product))) / c.z, c.frequency, 1e-5) << c.name << c.z;
+    for (const double zeta : {0.05, 0.5, 5.0}) {
+      const double limit = stable_step(*m.forces, 1, 2 * zeta);
+      EXPECT_GT(limit, 0) << c.name;
+      EXPECT_TRUE(holds(m, 0.99 * limit, zeta)) << c.name << " " << zeta;
+      EXPECT_FALSE(holds(m, 1.02 * limit, zeta)) << c.name << " " << zeta;
+    }
+  }
+  EXPECT_NEAR(stable_step(*method("explicit_euler").forces, 1, 0.2), 0.2, 1e-6);  // h < 2ζ/ω
+  for (const IntegratorRow& row : integrators())
+    for (const double z : {3.0, 30.0, 3e4}) EXPECT_TRUE(holds(method(row.name), z)) << row.name << " " << z;
+}
+
+TEST(Integrators, DampAsTheSpringDoes) {
+  struct Case {
+    double zeta, x[3];
+  };
+  for (const Case& c : {Case{.1, {.0926205783, -.7291561864, .5315351237}},
+                        Case{1, {.5344160513, .1789744464, .0136009315}}}) {
+    for (const Method& m : methods()) {
+      const double times[] = {.25, .5, 1};
+      for (int k = 0; k < 3; ++k) {
+        const int steps = 4096;
+        Motion motion = start(1, 0);
+        for (int i = 0; i < steps; ++i) m.advance(times[k] / steps, 2 * M_PI, c.zeta, 0, motion);
+        EXPECT_NEAR(motion.x[0], c.x[k], m.order == 1 ? 5e-3 : 1e-5) << m.name << " " << times[k];
+      }
+    }
   }
 }
 
 TEST(Integrators, FallFreely) {
   const double h = 1. / 60;
-  Motion m = start(0, 0);
-  const auto euler = make_integrator("implicit_euler");
-  for (int i = 0; i < 60; ++i) step(*euler, h, 0, 0, -9.81, m);
-  EXPECT_NEAR(m.x[0], -4.98675, 1e-9);
-  EXPECT_NEAR(m.v[0], -9.81, 1e-9);
-  m = start(0, 0);
-  const auto bdf2 = make_integrator("bdf2");
-  for (int i = 0; i < 60; ++i) step(*bdf2, h, 0, 0, -9.81, m);
-  EXPECT_NEAR(m.x[0], -4.905, 2 * h * h * 9.81);
-  EXPECT_NEAR(m.v[0], -9.81, 1e-9);
+  for (const Method& m : methods()) {
+    Motion motion = start(0, 0);
+    for (int i = 0; i < 60; ++i) m.advance(h, 0, 0, -9.81, motion);
+    EXPECT_NEAR(motion.v[0], -9.81, 1e-9) << m.name;
+    if (m.name == "symplectic_euler" || m.name == "implicit_euler")
+      EXPECT_NEAR(motion.x[0], -4.98675, 1e-9) << m.name;
+    else if (m.name == "explicit_euler")
+      EXPECT_NEAR(motion.x[0], -4.82325, 1e-9);
+    else if (m.stages)
+      EXPECT_NEAR(motion.x[0], -4.905, 2 * h * h * 9.81) << m.name;
+    else
+      EXPECT_NEAR(motion.x[0], -4.905, 1e-9) << m.name;
+  }
 }
 
 TEST(Integrators, RestartForgetsThePast) {

@@ -84,10 +84,10 @@ int stages_of(const Island& island) {
 IslandReport solve_island(Island& island, double h, const Vec3& gravity) {
   const Limits limits = limits_of(island);
   IslandReport report;
+  IslandSystem system(island, h);  // displacements count from here, in every stage
   for (int stage = 0; stage < stages_of(island); ++stage) {
     for (SoftMember& m : island.soft)
       m.body->begin_stage(std::min(stage, m.body->integrator().stages() - 1), h, gravity, *m.state);
-    IslandSystem system(island, h);
     VecX q = system.initial_guess();
     IslandReport part = minimise(system, limits, q);
     part.newton_iterations += report.newton_iterations;

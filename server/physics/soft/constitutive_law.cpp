@@ -29,6 +29,8 @@ const std::vector<LawRow>& laws() {
       {"fem_linear", "small strain, constant matrix; for small rotations", make_fem_linear},
       {"fem_corotational", "linear in the material's own frame; moderate strain, any rotation",
        make_fem_corotational, make_corotational_batches},
+      {"fem_stvk", "St. Venant-Kirchhoff; moderate strain, any rotation, but content when mirrored",
+       make_fem_stvk},
       {"fem_neo_hookean", "stable neo-Hookean that recovers from collapse; large strain",
        make_fem_neo_hookean},
       {"fem_neo_hookean_polynomial", "stable neo-Hookean without the logarithm; large strain, no collapse",

@@ -17,11 +17,19 @@ std::unique_ptr<ConstitutiveLaw> make_fem_corotational(const Lame& constants);
 /// mirroring, where R turns over.
 inline constexpr double least_corotational_pair = 1e-2;
 
+/// St. Venant–Kirchhoff: W = μ‖E‖² + λ/2 tr²E with Green's strain E = (FᵀF − I)/2. Turns freely, but a
+/// mirrored element is as content as a whole one, and below a stretch of 1/√3 it yields instead of resisting:
+/// for moderate strain and for comparison with textbooks.
+std::unique_ptr<ConstitutiveLaw> make_fem_stvk(const Lame& constants);
+
 /// Stable neo-Hookean with the logarithmic barrier against collapse (Smith, de Goes & Kim 2018, eq. 14).
 std::unique_ptr<ConstitutiveLaw> make_fem_neo_hookean(const Lame& constants);
 
 /// The same without the barrier (their eq. 11 with Λ = λ + μ): cheaper by a division, but a body squeezed
 /// far below its size may stay collapsed.
 std::unique_ptr<ConstitutiveLaw> make_fem_neo_hookean_polynomial(const Lame& constants);
+
+/// Resists changes of volume only: W = κ/2 (J − 1)². What `mass_spring` adds to hold volume.
+std::unique_ptr<ConstitutiveLaw> make_volume_law(double bulk_modulus);
 
 }  // namespace prosector

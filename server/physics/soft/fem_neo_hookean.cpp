@@ -129,4 +129,8 @@ std::unique_ptr<ConstitutiveLaw> make_fem_neo_hookean_polynomial(const Lame& con
   return std::make_unique<FemNeoHookean>(polynomial(constants));
 }
 
+std::unique_ptr<ConstitutiveLaw> make_volume_law(double bulk_modulus) {
+  return std::make_unique<FemNeoHookean>(Parameters{0, bulk_modulus, 1, 0});
+}
+
 }  // namespace prosector

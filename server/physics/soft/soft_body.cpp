@@ -74,7 +74,7 @@ struct SoftBody::Impl {
     node_sums.resize(chunk_count(node_count(), nodes_per_chunk));
     hessian.resize(pattern.blocks());
     if (damped) start_stiffness.resize(pattern.blocks());
-    for (VecX* v : {&x_n, &drift, &damping, &stage.y, &stage.x_v}) *v = VecX::Zero(rest().size());
+    for (VecX* v : {&x_n, &drift, &damping, &stage.y, &stage.x_v, &stage.v_h}) *v = VecX::Zero(rest().size());
     if (desc.solver == "direct") cholesky = std::make_unique<Cholesky>(pattern);
   }
 
@@ -176,7 +176,11 @@ const Stage& SoftBody::stage() const {
 }
 
 void SoftBody::initial_guess(double h, const SoftBodyState& state, Eigen::Ref<VecX> x) const {
-  x = state.motion.x + h * state.motion.v + state.warm_start;
+  const Impl& m = *impl_;
+  if (m.integrator->stages() == 1)
+    x = state.motion.x + h * state.motion.v + state.warm_start;
+  else
+    x = m.stage.x_v + m.stage.dxdv * state.motion.v;
 }
 
 double SoftBody::energy(const Eigen::Ref<const VecX>& x) {

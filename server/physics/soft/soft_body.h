@@ -56,7 +56,8 @@ class SoftBody {
   /// Starts a stage: α, y, x_v from the integrator; state.motion.x fixes the damping matrix.
   void begin_stage(int stage_index, double h, const Vec3& gravity, const SoftBodyState& state);
   const Stage& stage() const;
-  /// Where Newton may start: x_n + h·v_n + warm_start, what constant acceleration would lead to.
+  /// Where Newton may start in the stage begun: x_n + h·v_n + warm_start, what constant acceleration would
+  /// lead to; of a method of several stages, what constant velocity would.
   void initial_guess(double h, const SoftBodyState& state, Eigen::Ref<VecX> x) const;
   /// E(x), J. Not finite only for positions that are not, or so far away that it overflows.
   double energy(const Eigen::Ref<const VecX>& x);

@@ -1,0 +1,46 @@
+#pragma once
+// Explicit time integrators: x and v one substep on from forces at places already known. They cost one to
+// four force evaluations and no solve, and hold only below a step that the stiffest oscillation sets.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/math.h"
+
+namespace prosector {
+
+/// What moves the nodes, as a function of where they are and how fast they go.
+class AccelerationField {
+ public:
+  virtual ~AccelerationField() = default;
+  /// m/s² into `a`; all 3n.
+  virtual void at(const VecX& x, const VecX& v, VecX& a) = 0;
+  /// Whether it depends on v.
+  virtual bool damped() const = 0;
+};
+
+class ExplicitIntegrator {
+ public:
+  virtual ~ExplicitIntegrator() = default;
+  /// x, v (3n: m, m/s) by h s. Allocates on the first call only.
+  virtual void step(AccelerationField& field, double h, VecX& x, VecX& v) = 0;
+};
+
+/// One row of the table: `integrator` in a scene file.
+struct ExplicitRow {
+  const char* name;
+  const char* help;
+  int order;
+  std::unique_ptr<ExplicitIntegrator> (*make)();
+};
+const std::vector<ExplicitRow>& explicit_integrators();
+
+/// The largest step, s, at which the oscillation x″ = −ω²x − (damping_mass + damping_stiffness·ω²)x′ does not
+/// grow under this method; 0 when it grows at every step. Found from the method's own amplification matrix.
+/// Of a body's oscillations the one with the largest ω, 1/s, bounds the step, with damping as without:
+/// what grows faster with ω than the growth itself is none of the methods' margins.
+double stable_step(ExplicitIntegrator& method, double omega, double damping_mass = 0,
+                   double damping_stiffness = 0);
+
+}  // namespace prosector
