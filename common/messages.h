@@ -46,7 +46,7 @@ struct SessionInfo {
   std::string scene;             // the scene's name
   ContentHash scene_hash{};      // of the compiled scene: geometry, materials, settings
   double tick_rate = 60;         // Hz
-  std::uint32_t capacity = 0;    // participants that fit
+  std::uint32_t capacity = 0;    // people that fit, observers included
   std::uint64_t server_run = 0;  // differs from run to run: a client that sees it change starts over
 };
 
@@ -252,7 +252,7 @@ struct ServerStatus {
       phase_ms{};              // mean over the last second, in step order (server/physics/step_report.h)
   double solver_residual = 0;  // worst relative residual of the last second
   double energy = 0;           // J: kinetic + elastic + gravitational
-  std::uint32_t participants = 0, observers = 0;
+  std::uint32_t participants = 0, observers = 0;  // who takes part; who watches
   std::uint32_t awake_bodies = 0, asleep_bodies = 0;
   std::uint64_t invalid_dropped = 0;  // samples refused at the edge since start
   std::uint64_t state_hash = 0;       // of `time`

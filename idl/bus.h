@@ -21,11 +21,13 @@ enum class BusEnd : std::uint8_t { server, dissector, observer };
 enum class Liveness : std::uint8_t { alive, gone };  // gone: disposed, or its writer left or died
 
 /// A sample that passed every check at the edge, or news that its instance is gone (then only the key fields
-/// are set).
+/// are set): told once, and only of the process that had said the instance (idl/claims.h).
 struct Received {
   Message message;
   Liveness liveness = Liveness::alive;
-  std::uint64_t writer = 0;     // identifies the remote writer's process; the server ties participants to it
+  // Identifies the remote writer's process; the server ties participants to it. What clients write never has
+  // 0.
+  std::uint64_t writer = 0;
   std::int64_t arrival_ns = 0;  // monotonic_ns() when it reached this process
 };
 

@@ -8,6 +8,7 @@
 
 #include "common/clock.h"
 #include "common/error.h"
+#include "idl/claims.h"
 #include "idl/counters.h"
 #include "idl/dds/node.h"
 #include "idl/dds/qos.h"
@@ -40,16 +41,20 @@ class CycloneBus final : public Bus {
 
  private:
   void take_topic(std::size_t topic, std::vector<Received>& out);
+  void take_samples(std::size_t topic, std::vector<Received>& out);
+  void end_what_the_departed_said(std::size_t topic, std::uint64_t writer, std::vector<Received>& out);
   void accept(std::size_t topic, const void* sample, const dds_sample_info_t& info,
               std::vector<Received>& out);
+  Refusal accept_data(std::size_t topic, const void* sample, Received& received);
   dds_entity_t writer_of(const Message& message) const;
   bool nobody_reads(dds_entity_t writer) const;
 
   std::unique_ptr<Node> node_;
   Entity publisher_, subscriber_, waitset_;
   std::array<Endpoint, topic_count> endpoints_;
-  std::mutex take_mutex_;  // of the two below
+  std::mutex take_mutex_;  // of the three below
   WriterIds writer_ids_;
+  Claims claims_;
   RateGate gate_;
   EdgeCounters counters_;
 };
@@ -129,6 +134,23 @@ void CycloneBus::take(std::vector<Received>& out) {
 }
 
 void CycloneBus::take_topic(std::size_t topic, std::vector<Received>& out) {
+  if (!topics[topic].announces_gone) return take_samples(topic, out);
+  // Who is away before the samples are taken has nothing more to say after them.
+  const std::vector<std::uint64_t> present = writer_ids_.present(endpoints_[topic].reader.get());
+  const std::vector<std::uint64_t> departed = claims_.absent(topic, present);
+  take_samples(topic, out);
+  for (const std::uint64_t writer : departed) end_what_the_departed_said(topic, writer, out);
+}
+
+void CycloneBus::end_what_the_departed_said(std::size_t topic, std::uint64_t writer,
+                                            std::vector<Received>& out) {
+  std::vector<Message> instances;
+  claims_.end_all(topic, writer, instances);
+  for (Message& instance : instances)
+    out.push_back({std::move(instance), Liveness::gone, writer, monotonic_ns()});
+}
+
+void CycloneBus::take_samples(std::size_t topic, std::vector<Received>& out) {
   const dds_entity_t reader = endpoints_[topic].reader.get();
   for (;;) {
     std::array<void*, samples_a_take> samples{};  // null: Cyclone lends its own
@@ -151,11 +173,9 @@ void CycloneBus::accept(std::size_t topic, const void* sample, const dds_sample_
   received.writer = writer_ids_.of(endpoints_[topic].reader.get(), info.publication_handle);
   if (info.valid_data) {
     counters_.received(codec.payload_bytes(sample));
-    if (!gate_.admits(topic, received.writer, received.arrival_ns))
-      counters_.dropped(topic, "too many a second");
-    else if (const Refusal refusal = codec.decode(sample, received.message))
+    if (const Refusal refusal = accept_data(topic, sample, received)) {
       counters_.dropped(topic, refusal);
-    else {
+    } else {
       counters_.taken();
       out.push_back(received);
     }
@@ -164,8 +184,21 @@ void CycloneBus::accept(std::size_t topic, const void* sample, const dds_sample_
   if (topics[topic].announces_gone && info.instance_state != DDS_IST_ALIVE && last_of_instance) {
     codec.decode_key(sample, received.message);
     received.liveness = Liveness::gone;
-    out.push_back(std::move(received));
+    if (claims_.ended(received.writer, received.message))
+      out.push_back(std::move(received));
+    else
+      counters_.dropped(topic, "ended by a process that had not said it");
   }
+}
+
+Refusal CycloneBus::accept_data(std::size_t topic, const void* sample, Received& received) {
+  const TopicSpec& spec = topics[topic];
+  if (received.writer == 0 && spec.writers != Writers::server) return "from a process that left unseen";
+  if (!gate_.admits(topic, received.writer, received.arrival_ns)) return "too many a second";
+  if (const Refusal refusal = wire_codec(topic).decode(sample, received.message)) return refusal;
+  if (spec.announces_gone && !claims_.said(received.writer, received.message))
+    return "too many instances of one process";
+  return nullptr;
 }
 
 bool CycloneBus::wait(std::chrono::milliseconds timeout) {

@@ -64,7 +64,11 @@ class LocalBus final : public Bus {
         end_->counters.dropped(topic, "too many a second");
         return;
       }
+      if (topics[topic].announces_gone) end_->claims.said(sample.received.writer, sample.received.message);
       end_->counters.taken();
+    } else if (!end_->claims.ended(sample.received.writer, sample.received.message)) {
+      end_->counters.dropped(topic, "ended by a process that had not said it");
+      return;
     }
     out.push_back(std::move(sample.received));
   }

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "idl/claims.h"
 #include "idl/counters.h"
 #include "idl/local_bus.h"
 #include "idl/rate_gate.h"
@@ -32,6 +33,7 @@ struct LocalNetwork::Hub {
     std::map<std::pair<std::size_t, std::size_t>, std::uint64_t> written;        // samples, by topic and lane
     std::map<std::pair<std::size_t, InstanceKey>, std::deque<Sample>> kept;      // for late joiners
     RateGate gate;
+    Claims claims;
     EdgeCounters counters;
   };
 

@@ -100,7 +100,7 @@ struct LightDesc : LightInfo {};
 /// [session]
 struct SessionDesc {
   std::string name = "prosector";
-  int capacity = 64;           // participants
+  int capacity = 64;           // people, observers included
   int observers = 16;          // of them observers, at most
   double input_timeout = 0.5;  // s without a HandInput after which a hand is let go
 };

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <unordered_map>
+#include <vector>
 
 namespace prosector {
 
@@ -12,9 +13,17 @@ class WriterIds {
  public:
   /// 0 when the writer is gone and was never seen before.
   std::uint64_t of(dds_entity_t reader, dds_instance_handle_t publication);
+  /// The processes whose writers this reader is matched with now.
+  std::vector<std::uint64_t> present(dds_entity_t reader);
 
  private:
-  std::unordered_map<dds_instance_handle_t, std::uint64_t> known_;
+  struct Writer {
+    std::uint64_t id;
+    dds_entity_t reader;
+  };
+  std::unordered_map<dds_instance_handle_t, Writer> known_;
+
+  void forget_departed();
 };
 
 }  // namespace prosector

@@ -40,7 +40,7 @@ std::string Roster::refusal(const Presence& p) const {
       if (other.presence.role == Role::host)
         return fmt::format("the session has a host already: \"{}\"", other.presence.name);
   if (members_.size() >= static_cast<std::size_t>(rules_.capacity))
-    return fmt::format("the session is full: {} participants", rules_.capacity);
+    return fmt::format("the session is full: it has place for {}, observers included", rules_.capacity);
   if (p.role == Role::observer && observers() >= static_cast<std::uint32_t>(rules_.observers))
     return fmt::format("no place left for an observer: {} are watching", rules_.observers);
   return {};
@@ -58,6 +58,10 @@ const Participant& Roster::admit(const Presence& presence, std::uint64_t writer)
 Participant* Roster::find(ParticipantId id) {
   const auto it = members_.find(id);
   return it == members_.end() ? nullptr : &it->second;
+}
+
+std::uint32_t Roster::participants() const {
+  return static_cast<std::uint32_t>(members_.size()) - observers();
 }
 
 std::uint32_t Roster::observers() const {

@@ -14,7 +14,7 @@ namespace prosector {
 /// What a session lets in. Times in ticks: a replay must not depend on a clock.
 struct SessionRules {
   std::string session;
-  int capacity = 64;   // participants, observers included
+  int capacity = 64;   // people, observers included
   int observers = 16;  // of them observers, at most
   std::uint64_t input_timeout = 30;
   std::uint64_t presence_timeout = 120;  // ticks that a join waits for its Presence
@@ -38,6 +38,7 @@ class Roster {
 
   Participant* find(ParticipantId id);
   const std::map<ParticipantId, Participant>& members() const { return members_; }
+  std::uint32_t participants() const;  // who takes part: not the observers
   std::uint32_t observers() const;
 
   static RosterEntry entry(const Participant& participant);

@@ -121,10 +121,10 @@ void ServerLoop::record(const StepReport& report, std::int64_t begun_ns) {
   energy_ = report.kinetic_energy + report.elastic_energy + report.potential_energy;
   awake_ = report.awake_bodies;
   asleep_ = report.asleep_bodies;
-  const auto members = static_cast<std::uint32_t>(session_.roster().members().size());
-  if (members > 0 && !first_participant_) first_participant_ = {last_tick_, last_end_ns_};
-  figures_.participants = std::max(figures_.participants, members);
-  figures_.observers = std::max(figures_.observers, session_.roster().observers());
+  const Roster& roster = session_.roster();
+  if (!roster.members().empty() && !first_arrival_) first_arrival_ = {last_tick_, last_end_ns_};
+  figures_.participants = std::max(figures_.participants, roster.participants());
+  figures_.observers = std::max(figures_.observers, roster.observers());
   ++figures_.ticks;
   bool tissue_awake = false;
   for (BodyId b = 0; b < simulation_.body_count(); ++b) {
@@ -178,7 +178,7 @@ RunFigures ServerLoop::figures() const {
   RunFigures out = figures_;
   out.late_ticks = meter_.late();
   out.real_time_factor = real_time_factor(start_);
-  out.real_time_factor_with_participants = real_time_factor(first_participant_);
+  out.real_time_factor_with_participants = real_time_factor(first_arrival_);
   out.invalid_dropped = bus_.counters().dropped_total + session_.dropped_total();
   out.hand_timeouts = session_.hand_timeouts();
   out.state_hash = state_hash_;
@@ -195,7 +195,7 @@ ServerStatus ServerLoop::status() const {
   out.phase_ms = last.phase_ms;
   out.solver_residual = last.solver_residual;
   out.energy = energy_;
-  out.participants = static_cast<std::uint32_t>(session_.roster().members().size());
+  out.participants = session_.roster().participants();
   out.observers = session_.roster().observers();
   out.awake_bodies = awake_;
   out.asleep_bodies = asleep_;
@@ -215,8 +215,7 @@ ServerStatus ServerLoop::status() const {
 std::string ServerLoop::console_line() const {
   const ServerStatus s = status();
   std::string line = fmt::format(
-      "{:7.1f} s  x{:.2f} real time | step {:.1f} ms p50, {:.1f} p99 | {} participants, {} of them observers "
-      "| "
+      "{:7.1f} s  x{:.2f} real time | step {:.1f} ms p50, {:.1f} p99 | {} participants, {} observers | "
       "{} dropped | {} awake, {} asleep",
       static_cast<double>(s.time.tick) / simulation_.scene().tick_rate, s.real_time_factor, s.step_ms_p50,
       s.step_ms_p99, s.participants, s.observers, s.invalid_dropped, s.awake_bodies, s.asleep_bodies);

@@ -29,7 +29,7 @@ SessionRules rules_of(const SceneDesc& scene, const std::string& session, std::s
 
 struct RunFigures {
   std::uint64_t ticks = 0, late_ticks = 0, slips = 0;
-  std::uint32_t participants = 0, observers = 0;      // most at once; participants: with observers
+  std::uint32_t participants = 0, observers = 0;      // most at once; observers apart
   double real_time_factor = 0;                        // over the whole run
   double real_time_factor_with_participants = 0;      // since the first one came; 0: nobody did
   std::map<std::string, double> max_displacement_mm;  // soft body → most over the run
@@ -78,7 +78,7 @@ class ServerLoop {
   double energy_ = 0;
   std::uint32_t awake_ = 0, asleep_ = 0;
   std::int64_t status_ns_ = 0, last_end_ns_ = 0;
-  std::optional<Count> start_, first_participant_;
+  std::optional<Count> start_, first_arrival_;
   RunFigures figures_;
   std::string journal_trouble_;
   Publisher publisher_;  // last: its thread ends before what it reads

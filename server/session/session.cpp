@@ -48,6 +48,7 @@ ConsumedInput Session::consume(std::span<const Received> received, std::uint64_t
 }
 
 void Session::take(const Received& received) {
+  if (received.writer == 0) return drop("from an unknown process");
   if (const auto* p = std::get_if<Presence>(&received.message)) return take(*p, received);
   if (received.liveness == Liveness::gone) return;  // an ended stream says nothing: Presence decides
   if (const auto* input = std::get_if<HandInput>(&received.message)) return take(*input, received.writer);
@@ -59,11 +60,15 @@ void Session::take(const Presence& presence, const Received& received) {
   const ParticipantId id = presence.participant;
   Participant* member = roster_.find(id);
   if (received.liveness == Liveness::gone) {
-    if (member != nullptr && (received.writer == 0 || received.writer == member->writer))
+    const auto it = visitors_.find(id);
+    const std::uint64_t owner = member != nullptr       ? member->writer
+                                : it != visitors_.end() ? it->second.writer
+                                                        : 0;
+    if (owner == 0) return;  // of someone who was refused long ago
+    if (received.writer != owner) return drop("Presence: ended by another process");
+    if (member != nullptr)
       leave(id, SessionEvent::Kind::lost);
-    else if (member != nullptr)
-      drop("Presence: ended by another process");
-    else if (const auto it = visitors_.find(id); it != visitors_.end())
+    else
       it->second.join.reset();
     return;
   }

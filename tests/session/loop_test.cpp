@@ -68,6 +68,10 @@ TEST(ServerLoop, ALateComerSeesTheSameInMotion) {
   Guest eve = hosted.guest(2, BusEnd::observer);
   eve.greet("eve", Role::observer);
   pressing.run(5);
+  EXPECT_EQ(pressing.status().participants, 1u);
+  EXPECT_EQ(pressing.status().observers, 1u);
+  EXPECT_NE(hosted.loop.console_line().find("1 participants, 1 observers"), std::string::npos);
+  EXPECT_EQ(hosted.loop.figures().participants, 1u);
   eve.take();
   EXPECT_TRUE(eve.replica.complete()) << eve.replica.missing();
   EXPECT_LT(test::surface_error(hosted, eve), 1e-4);

@@ -213,6 +213,25 @@ TEST(Session, SamplesInAnothersNameAreDropped) {
   EXPECT_EQ(room.results.size(), 1u);  // nothing is answered to whoever speaks in another's name
 }
 
+TEST(Session, WhatNoKnownProcessWroteIsDropped) {
+  Room room;
+  room.join(presence(1, "ada"), 1);
+  const ConsumedInput in =
+      room.feed({from(0, presence(1, ""), Liveness::gone), from(0, input(1, 9)), from(0, presence(2, "bob")),
+                 from(0, command(2, CommandKind::join)), from(0, command(1, CommandKind::leave, 2))});
+  EXPECT_TRUE(in.input.events.empty() && in.input.targets.empty());
+  EXPECT_EQ(room.session.roster().members().size(), 1u);
+  EXPECT_EQ(room.session.dropped_total(), 5u);
+}
+
+TEST(Session, AVisitorsEndIsBelievedOfTheVisitorOnly) {
+  Room room;
+  room.feed({from(1, command(1, CommandKind::join)), from(66, presence(1, ""), Liveness::gone),
+             from(1, presence(1, "ada"))});
+  EXPECT_EQ(room.session.roster().members().size(), 1u);
+  EXPECT_EQ(room.session.dropped_total(), 1u);
+}
+
 TEST(Session, AnObserverChangesNothingAndIsTold) {
   Room room;
   room.join(presence(1, "eve", Role::observer), 1);
