@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <string>
@@ -29,6 +30,16 @@ class TokenReader {
     while (at_ < text_.size() && text_[at_] != '\n') ++at_;
     return text_.substr(start, at_ - start);
   }
+  /// The line after the current one, without its end; the text's end reads as an empty line.
+  std::string_view next_line() {
+    rest();
+    if (at_ < text_.size()) {
+      ++at_;
+      ++line_;
+    }
+    const std::string_view line = rest();
+    return !line.empty() && line.back() == '\r' ? line.substr(0, line.size() - 1) : line;
+  }
   template <class T>
   T number(const char* what) {
     const std::string_view w = word();
@@ -38,6 +49,17 @@ class TokenReader {
     if (error != std::errc{} || end != w.data() + w.size())
       fail(fmt::format("\"{}\" where {} should be", w.substr(0, 32), what));
     return value;
+  }
+  /// The `bytes` bytes that follow the end of the current line.
+  std::string_view raw(std::size_t bytes, const char* what) {
+    rest();
+    if (at_ >= text_.size() || text_.size() - at_ - 1 < bytes)
+      fail(fmt::format("truncated: {} need {} bytes, the file has {} more", what, bytes,
+                       text_.size() - std::min(text_.size(), at_ + 1)));
+    const std::string_view out = text_.substr(at_ + 1, bytes);
+    line_ += 1 + static_cast<std::size_t>(std::count(out.begin(), out.end(), '\n'));
+    at_ += 1 + bytes;
+    return out;
   }
   /// A count of records that each take at least `bytes` of the text still to come: a lie allocates nothing.
   std::uint64_t count(const char* what, std::size_t bytes = 2) {

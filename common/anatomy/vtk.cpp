@@ -1,52 +1,213 @@
+// The legacy VTK file formats (VTK User's Guide, "VTK file formats"): text keywords, and arrays as text or as
+// big-endian bytes; up to version 4 cells are runs of (count, points…), since 5.0 offsets and connectivity.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
 #include "common/anatomy/tet_io.h"
 #include "common/anatomy/token_reader.h"
 
 namespace prosector {
+namespace {
 
-TetMesh parse_vtk(std::string_view text, const std::string& name) {
-  constexpr int vtk_tetra = 10;
-  TokenReader in(text, name);
-  in.expect("#");
-  in.expect("vtk");
-  in.rest();
-  if (!in.skip_to("ASCII")) in.fail("no ASCII line; allowed: legacy VTK, ASCII");
-  in.expect("DATASET");
-  in.expect("UNSTRUCTURED_GRID");
+constexpr std::uint64_t vtk_tetra = 10;
 
-  TetMesh mesh;
-  std::vector<std::vector<std::uint64_t>> cells;
-  for (std::string_view w = in.word(); !w.empty(); w = in.word()) {
-    if (w == "POINTS") {
-      mesh.positions.resize(in.count("number of points", 6));
-      in.word();  // float or double
-      for (Vec3& x : mesh.positions)
-        for (int k = 0; k < 3; ++k) x[k] = in.number<double>("a coordinate");
-    } else if (w == "CELLS") {
-      cells.resize(in.count("number of cells", 4));
-      in.number<std::uint64_t>("size of the cell list");
-      for (auto& cell : cells) {
-        cell.resize(in.count("number of a cell's points"));
-        for (auto& v : cell) v = in.number<std::uint64_t>("a point number");
-      }
-    } else if (w == "CELL_TYPES") {
-      const auto types = in.count("number of cell types");
-      if (types != cells.size()) in.fail(fmt::format("{} cell types for {} cells", types, cells.size()));
-      for (const auto& cell : cells) {
-        if (in.number<int>("a cell type") != vtk_tetra) continue;
-        if (cell.size() != 4) in.fail(fmt::format("a tetrahedron with {} points", cell.size()));
-        std::array<std::uint32_t, 4> tet;
-        for (std::size_t k = 0; k < 4; ++k) {
-          if (cell[k] >= mesh.positions.size())
-            in.fail(fmt::format("cell uses point {}; allowed: below {}", cell[k], mesh.positions.size()));
-          tet[k] = static_cast<std::uint32_t>(cell[k]);
-        }
-        mesh.tets.push_back(tet);
-      }
-    } else if (w == "CELL_DATA" || w == "POINT_DATA") {
-      break;
+/// A number type of the format; integers decode exactly below 2^53.
+struct Scalar {
+  std::string_view name;
+  std::size_t bytes;
+  double (*decode)(const char*);
+};
+
+template <class T>
+double decode(const char* p) {
+  std::array<char, sizeof(T)> raw;
+  std::memcpy(raw.data(), p, sizeof(T));
+  if constexpr (std::endian::native == std::endian::little) std::reverse(raw.begin(), raw.end());
+  return static_cast<double>(std::bit_cast<T>(raw));
+}
+
+constexpr std::array<Scalar, 13> scalars = {{{"char", 1, decode<std::int8_t>},
+                                             {"unsigned_char", 1, decode<std::uint8_t>},
+                                             {"short", 2, decode<std::int16_t>},
+                                             {"unsigned_short", 2, decode<std::uint16_t>},
+                                             {"int", 4, decode<std::int32_t>},
+                                             {"unsigned_int", 4, decode<std::uint32_t>},
+                                             {"long", 8, decode<std::int64_t>},
+                                             {"unsigned_long", 8, decode<std::uint64_t>},
+                                             {"vtktypeint32", 4, decode<std::int32_t>},
+                                             {"vtktypeint64", 8, decode<std::int64_t>},
+                                             {"vtkIdType", 4, decode<std::int32_t>},
+                                             {"float", 4, decode<float>},
+                                             {"double", 8, decode<double>}}};
+constexpr std::size_t int_row = 4;
+
+class VtkReader {
+ public:
+  VtkReader(std::string_view text, const std::string& name) : in_(text, name) {}
+
+  TetMesh read() {
+    header();
+    for (std::string_view w = in_.word(); !w.empty(); w = in_.word()) {
+      if (w == "CELL_DATA" || w == "POINT_DATA") break;
+      if (w == "POINTS")
+        points();
+      else if (w == "CELLS")
+        cells();
+      else if (w == "CELL_TYPES")
+        cell_types();
+      else if (w == "FIELD")
+        skip_field();
+      else if (w == "METADATA")
+        skip_metadata();
+      else
+        in_.fail(fmt::format("\"{}\" where POINTS, CELLS, CELL_TYPES, FIELD or METADATA should be",
+                             w.substr(0, 32)));
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  void header() {
+    in_.expect("#");
+    in_.expect("vtk");
+    in_.expect("DataFile");
+    in_.expect("Version");
+    const double version = in_.number<double>("the version");
+    constexpr double newest = 5.1;
+    if (!(version >= 1 && version <= newest))
+      in_.fail(fmt::format("version {}; allowed: 1.0 to {}", version, newest));
+    has_offsets_ = version >= 5;
+    in_.next_line();  // title
+    const std::string_view coding = in_.word();
+    if (coding != "ASCII" && coding != "BINARY")
+      in_.fail(fmt::format("\"{}\"; allowed: ASCII or BINARY", coding.substr(0, 32)));
+    binary_ = coding == "BINARY";
+    in_.expect("DATASET");
+    in_.expect("UNSTRUCTURED_GRID");
+  }
+
+  const Scalar& scalar() {
+    const std::string_view w = in_.word();
+    for (const Scalar& s : scalars)
+      if (s.name == w) return s;
+    in_.fail(fmt::format("\"{}\" where a type such as float, double, int or vtktypeint64 should be",
+                         w.substr(0, 32)));
+  }
+
+  /// visit(value) for each of `count` numbers.
+  template <class Visit>
+  void numbers(std::uint64_t count, const Scalar& type, const char* what, Visit&& visit) {
+    if (!binary_) {
+      for (std::uint64_t i = 0; i < count; ++i) visit(in_.number<double>(what));
+      return;
+    }
+    const std::string_view bytes = in_.raw(count * type.bytes, what);
+    for (std::uint64_t i = 0; i < count; ++i) visit(type.decode(bytes.data() + i * type.bytes));
+  }
+
+  std::vector<std::uint64_t> integers(std::uint64_t count, const Scalar& type, const char* what) {
+    std::vector<std::uint64_t> out;
+    out.reserve(count);
+    numbers(count, type, what, [&](double value) {
+      constexpr double limit = 4294967296;  // points are numbered in 32 bits
+      if (!(value >= 0 && value < limit && value == std::floor(value)))
+        in_.fail(fmt::format("{} in {}; allowed: whole numbers from 0 to below {}", value, what, limit));
+      out.push_back(static_cast<std::uint64_t>(value));
+    });
+    return out;
+  }
+
+  void points() {
+    const std::uint64_t count = in_.count("number of points", 6);
+    const Scalar& type = scalar();
+    std::vector<double> x;
+    x.reserve(3 * count);
+    numbers(3 * count, type, "coordinates", [&](double value) { x.push_back(value); });
+    mesh_.positions.resize(count);
+    for (std::size_t i = 0; i < count; ++i) mesh_.positions[i] = {x[3 * i], x[3 * i + 1], x[3 * i + 2]};
+  }
+
+  void cells() {
+    if (has_offsets_) {
+      // As many offsets as cells and one more; cell i is connectivity[offsets[i], offsets[i + 1]).
+      const std::uint64_t offsets = in_.count("number of offsets");
+      const std::uint64_t size = in_.count("size of the connectivity");
+      in_.expect("OFFSETS");
+      starts_ = integers(offsets, scalar(), "offsets");
+      in_.expect("CONNECTIVITY");
+      connectivity_ = integers(size, scalar(), "the connectivity");
+      return;
+    }
+    const std::uint64_t cells = in_.count("number of cells");
+    const std::uint64_t size = in_.count("size of the cell list");
+    const std::vector<std::uint64_t> list = integers(size, scalars[int_row], "the cell list");
+    starts_ = {0};
+    connectivity_.clear();
+    for (std::size_t at = 0; starts_.size() <= cells;) {
+      const std::uint64_t points = at < list.size() ? list[at] : 0;
+      if (at >= list.size() || points > list.size() - at - 1)
+        in_.fail(fmt::format("cell {} goes beyond the cell list's {} numbers", starts_.size() - 1, size));
+      const auto first = list.begin() + static_cast<std::ptrdiff_t>(at + 1);
+      connectivity_.insert(connectivity_.end(), first, first + static_cast<std::ptrdiff_t>(points));
+      starts_.push_back(connectivity_.size());
+      at += 1 + points;
     }
   }
-  return mesh;
+
+  void cell_types() {
+    const std::uint64_t cells = starts_.empty() ? 0 : starts_.size() - 1;
+    const std::uint64_t count = in_.count("number of cell types");
+    if (count != cells) in_.fail(fmt::format("{} cell types for {} cells", count, cells));
+    const std::vector<std::uint64_t> types = integers(count, scalars[int_row], "cell types");
+    for (std::size_t c = 0; c < types.size(); ++c) {
+      if (types[c] != vtk_tetra) continue;
+      if (starts_[c + 1] > connectivity_.size() || starts_[c] + 4 != starts_[c + 1])
+        in_.fail(fmt::format("tetrahedron {} does not have 4 points", c));
+      std::array<std::uint32_t, 4> tet;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::uint64_t point = connectivity_[starts_[c] + k];
+        if (point >= mesh_.positions.size())
+          in_.fail(fmt::format("cell uses point {}; allowed: below {}", point, mesh_.positions.size()));
+        tet[k] = static_cast<std::uint32_t>(point);
+      }
+      mesh_.tets.push_back(tet);
+    }
+  }
+
+  /// Arrays that belong to the whole file, such as its time.
+  void skip_field() {
+    in_.word();  // its name
+    const std::uint64_t arrays = in_.count("number of arrays");
+    for (std::uint64_t a = 0; a < arrays; ++a) {
+      in_.word();  // its name
+      const std::uint64_t components = in_.count("number of components", 1);
+      const std::uint64_t tuples = in_.count("number of tuples", std::max<std::uint64_t>(components, 1));
+      numbers(components * tuples, scalar(), "an array", [](double) {});
+    }
+  }
+
+  /// Lines up to an empty one.
+  void skip_metadata() {
+    while (!in_.next_line().empty()) {
+    }
+  }
+
+  TokenReader in_;
+  TetMesh mesh_;
+  bool binary_ = false;
+  bool has_offsets_ = false;
+  std::vector<std::uint64_t> starts_, connectivity_;
+};
+
+}  // namespace
+
+TetMesh parse_vtk(std::string_view text, const std::string& name) {
+  return VtkReader(text, name).read();
 }
 
 }  // namespace prosector

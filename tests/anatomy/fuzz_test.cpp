@@ -76,7 +76,16 @@ TEST(AnatomyFuzz, TetFiles) {
   };
   fuzz(Bytes(gmsh.begin(), gmsh.end()), 20000, gmsh.size(),
        [&](const Bytes& b) { parse_gmsh(text(b), "fuzz"); });
-  fuzz(Bytes(vtk.begin(), vtk.end()), 20000, vtk.size(), [&](const Bytes& b) { parse_vtk(text(b), "fuzz"); });
+  std::string binary =
+      "# vtk DataFile Version 5.1\nt\nBINARY\nDATASET UNSTRUCTURED_GRID\nFIELD F 1\na 1 1 char\n\x01\n"
+      "POINTS 4 float\n" +
+      std::string(48, '\0') + "\nCELLS 2 4\nOFFSETS vtktypeint64\n" + std::string(15, '\0') +
+      "\x04\nCONNECTIVITY vtktypeint32\n";
+  for (const char point : {'\0', '\1', '\2', '\3'}) binary += std::string(3, '\0') + point;
+  binary += "\nCELL_TYPES 1\n" + std::string(3, '\0') + "\x0a\n";
+  for (const std::string& seed : {vtk, binary})
+    fuzz(Bytes(seed.begin(), seed.end()), 20000, seed.size(),
+         [&](const Bytes& b) { parse_vtk(text(b), "fuzz"); });
 }
 
 }  // namespace
