@@ -14,23 +14,25 @@
 namespace prosector {
 namespace {
 
-constexpr std::uint32_t magic = 0x31434150;  // "PAC1"
+constexpr std::uint32_t magic = 0x32434150;  // "PAC2"
 
 std::filesystem::path file_of(const std::filesystem::path& dir, const ContentHash& key) {
   return dir / (to_hex(key) + ".anatomy");
 }
 
-template <class T>
-void put(std::vector<std::uint8_t>& out, const std::vector<T>& values) {
+/// A vector or a string: its length, then its elements' bytes.
+template <class Values>
+void put(std::vector<std::uint8_t>& out, const Values& values) {
   const std::uint64_t count = values.size();
   const auto* c = reinterpret_cast<const std::uint8_t*>(&count);
   out.insert(out.end(), c, c + sizeof(count));
   const auto* p = reinterpret_cast<const std::uint8_t*>(values.data());
-  out.insert(out.end(), p, p + count * sizeof(T));
+  out.insert(out.end(), p, p + count * sizeof(typename Values::value_type));
 }
 
-template <class T>
-bool get(std::span<const std::uint8_t>& in, std::vector<T>& values) {
+template <class Values>
+bool get(std::span<const std::uint8_t>& in, Values& values) {
+  using T = typename Values::value_type;
   std::uint64_t count = 0;
   if (in.size() < sizeof(count)) return false;
   std::memcpy(&count, in.data(), sizeof(count));
@@ -59,7 +61,7 @@ bool consistent(const Anatomy& a) {
 
 }  // namespace
 
-std::optional<Anatomy> load_cached(const std::filesystem::path& dir, const ContentHash& key) {
+std::optional<CachedAnatomy> load_cached(const std::filesystem::path& dir, const ContentHash& key) {
   if (dir.empty() || !std::filesystem::is_regular_file(file_of(dir, key))) return {};
   std::vector<std::uint8_t> bytes;
   try {
@@ -72,22 +74,25 @@ std::optional<Anatomy> load_cached(const std::filesystem::path& dir, const Conte
   std::span<const std::uint8_t> body(bytes.data() + head, bytes.size() - head);
   const ContentHash hash = content_hash(std::as_bytes(body));
   if (!std::equal(hash.begin(), hash.end(), bytes.begin() + sizeof(magic))) return {};
-  Anatomy out;
-  const bool whole = get(body, out.tets.positions) && get(body, out.tets.tets) &&
-                     get(body, out.surface.positions) && get(body, out.surface.triangles) &&
-                     get(body, out.embedding.rows) && body.empty();
-  if (!whole || !consistent(out)) return {};
+  CachedAnatomy out;
+  Anatomy& a = out.anatomy;
+  const bool whole = get(body, a.tets.positions) && get(body, a.tets.tets) &&
+                     get(body, a.surface.positions) && get(body, a.surface.triangles) &&
+                     get(body, a.embedding.rows) && get(body, out.warning) && body.empty();
+  if (!whole || !consistent(a)) return {};
   return out;
 }
 
-bool store_cached(const std::filesystem::path& dir, const ContentHash& key, const Anatomy& a) {
+bool store_cached(const std::filesystem::path& dir, const ContentHash& key, const CachedAnatomy& made) {
   if (dir.empty()) return false;
+  const Anatomy& a = made.anatomy;
   std::vector<std::uint8_t> body;
   put(body, a.tets.positions);
   put(body, a.tets.tets);
   put(body, a.surface.positions);
   put(body, a.surface.triangles);
   put(body, a.embedding.rows);
+  put(body, made.warning);
   const ContentHash hash = content_hash(std::as_bytes(std::span(body)));
   std::error_code error;
   std::filesystem::create_directories(dir, error);

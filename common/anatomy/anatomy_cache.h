@@ -3,17 +3,23 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "common/hash.h"
 #include "common/mesh.h"
 
 namespace prosector {
 
+struct CachedAnatomy {
+  Anatomy anatomy;
+  std::string warning;  // what its author should know each time that it is used; empty when all is well
+};
+
 /// Nothing when there is no such file, or it is damaged: the caller builds anew.
-std::optional<Anatomy> load_cached(const std::filesystem::path& dir, const ContentHash& key);
+std::optional<CachedAnatomy> load_cached(const std::filesystem::path& dir, const ContentHash& key);
 
 /// Written aside and renamed, so that readers see all or nothing. False when the folder can't be written:
 /// a cache is no reason to fail.
-bool store_cached(const std::filesystem::path& dir, const ContentHash& key, const Anatomy& anatomy);
+bool store_cached(const std::filesystem::path& dir, const ContentHash& key, const CachedAnatomy& made);
 
 }  // namespace prosector

@@ -61,48 +61,77 @@ std::string file_hash(const std::filesystem::path& file) {
   return to_hex(content_hash(std::as_bytes(std::span(bytes))));
 }
 
-Anatomy mesh_solid(const std::string& name, const SolidField& field, const SoftDesc& desc,
-                   const Progress& progress) {
+CachedAnatomy mesh_solid(const std::string& name, const SolidField& field, const SoftDesc& desc,
+                         const Progress& progress) {
   TetMesh tets = stuff_solid(field, desc.cell);
   say(progress, fmt::format("{}: {}", name, describe(tet_quality(tets))));
   Embedding embedded = embed(std::move(tets), isosurface(field, desc.surface_cell));
   const Anatomy& a = embedded.anatomy;
   say(progress, fmt::format("{}: surface of {} triangles, {} of {} vertices outside the tetrahedra", name,
                             a.surface.triangles.size(), embedded.outside, a.surface.positions.size()));
+  std::string warning;
   if (embedded.drawn_in > 0)
-    say(progress,
-        fmt::format(
-            "{}: cell is too coarse for the shape's thin parts: {} surface vertices drawn in by up to "
-            "{:.2g} mm",
-            name, embedded.drawn_in, 1000 * embedded.farthest));
-  return std::move(embedded.anatomy);
+    warning = fmt::format(
+        "cell is too coarse for the shape's thin parts: {} surface vertices drawn in by up to {:.2g} mm",
+        embedded.drawn_in, 1000 * embedded.farthest);
+  return {std::move(embedded.anatomy), std::move(warning)};
 }
 
-Anatomy mesh_volume(const std::filesystem::path& file, const SoftDesc& desc, const Progress& progress) {
-  const std::string name = file.string();
-  const Volume volume = load_volume(file);
+/// SoftDesc or RigidDesc: both name a volume's structure alike.
+template <class Desc>
+SolidField structure_of(const Volume& volume, const std::string& name, const Desc& desc,
+                        const Progress& progress) {
   const int margin = smoothing_margin(desc.smoothing);
   const Mask mask = desc.label >= 0 ? mask_of_label(volume, desc.label, margin, name)
                                     : mask_above(volume, desc.threshold, margin, name);
   if (mask.dropped_pieces > 0)
     say(progress, fmt::format("{}: kept the largest of {} pieces ({} voxels dropped)", desc.name,
                               mask.dropped_pieces + 1, mask.dropped_voxels));
-  return mesh_solid(desc.name, smooth_solid(mask, desc.smoothing), desc, progress);
+  return smooth_solid(mask, desc.smoothing);
 }
 
 // The mesh's own boundary is its surface.
-Anatomy mesh_file(const std::filesystem::path& file, const SoftDesc& desc, const Progress& progress) {
+CachedAnatomy mesh_file(const std::filesystem::path& file, const SoftDesc& desc, const Progress& progress) {
   TetMesh tets = load_tets(file, desc.scale);
   say(progress, fmt::format("{}: {}", desc.name, describe(tet_quality(tets))));
   TriangleMesh surface{tets.positions, boundary_faces(tets)};
   drop_unused(surface);
-  return embed(std::move(tets), std::move(surface)).anatomy;
+  std::string warning = check_surface(surface).warning();
+  return {embed(std::move(tets), std::move(surface)).anatomy, std::move(warning)};
 }
 
-Anatomy build(const SoftDesc& desc, const std::filesystem::path& file, const std::string& shape,
-              const Progress& progress) {
+CachedAnatomy build(const SoftDesc& desc, const std::filesystem::path& file, const std::string& shape,
+                    const Progress& progress) {
   if (!shape.empty()) return mesh_solid(desc.name, implicit_shape(shape, desc.size), desc, progress);
-  return desc.volume.empty() ? mesh_file(file, desc, progress) : mesh_volume(file, desc, progress);
+  if (desc.volume.empty()) return mesh_file(file, desc, progress);
+  return mesh_solid(desc.name, structure_of(load_volume(file), file.string(), desc, progress), desc,
+                    progress);
+}
+
+TriangleMesh read_surface(const std::filesystem::path& file, const RigidDesc& desc,
+                          const Progress& progress) {
+  if (!desc.volume.empty()) {
+    const Volume volume = load_volume(file);
+    const double cell = desc.surface_cell > 0 ? desc.surface_cell : volume.voxel_size.maxCoeff();
+    return isosurface(structure_of(volume, file.string(), desc, progress), cell);
+  }
+  TriangleMesh surface = load_surface(file, desc.scale);
+  return desc.surface_cell > 0 ? simplify(surface, desc.surface_cell) : surface;
+}
+
+CachedAnatomy build(const RigidDesc& desc, const std::filesystem::path& file, const Progress& progress) {
+  CachedAnatomy made;
+  TriangleMesh& surface = made.anatomy.surface;
+  surface = read_surface(file, desc, progress);
+  const SurfaceReport report = check_surface(surface);
+  made.warning = report.warning();
+  if (report.volume < 0)
+    for (auto& t : surface.triangles) std::swap(t[1], t[2]);
+  return made;
+}
+
+void warn(const std::string& name, const CachedAnatomy& made, const Progress& progress) {
+  if (!made.warning.empty()) say(progress, fmt::format("{}: warning: {}", name, made.warning));
 }
 
 }  // namespace
@@ -122,14 +151,16 @@ Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progr
       hash_of(fmt::format("soft {} {} {} {} {} {} {} {} {} {} {} {}", recipe, made_from, desc.volume.empty(),
                           desc.label, desc.threshold, desc.size[0], desc.size[1], desc.size[2], desc.scale,
                           desc.cell, desc.surface_cell, desc.smoothing));
-  Anatomy anatomy;
+  CachedAnatomy made;
   if (auto cached = load_cached(paths.cache_dir, key)) {
-    anatomy = std::move(*cached);
-    say(progress, fmt::format("{}: {} (cached)", desc.name, describe(tet_quality(anatomy.tets))));
+    made = std::move(*cached);
+    say(progress, fmt::format("{}: {} (cached)", desc.name, describe(tet_quality(made.anatomy.tets))));
   } else {
-    anatomy = build(desc, file, shape, progress);
-    store_cached(paths.cache_dir, key, anatomy);
+    made = build(desc, file, shape, progress);
+    store_cached(paths.cache_dir, key, made);
   }
+  warn(desc.name, made, progress);
+  Anatomy anatomy = std::move(made.anatomy);
   const bool stands_in = desc.shape.empty() && file.empty();
   const Pose pose = stands_in ? desc.pose * desc.fallback_pose : desc.pose;
   for (Vec3& x : anatomy.tets.positions) x = pose * x;
@@ -138,9 +169,10 @@ Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progr
 }
 
 TriangleMesh make_surface(const RigidDesc& desc, const SourcePaths& paths, const Progress& progress) {
-  if (desc.mesh.empty() && desc.fallback.empty()) return mesh_of(desc.parts);
-  const auto file = desc.mesh.empty() ? std::filesystem::path{}
-                                      : resolve(desc.name, desc.mesh, desc.fallback, paths, progress);
+  const std::string& source = desc.volume.empty() ? desc.mesh : desc.volume;
+  if (source.empty() && desc.fallback.empty()) return mesh_of(desc.parts);
+  const auto file =
+      source.empty() ? std::filesystem::path{} : resolve(desc.name, source, desc.fallback, paths, progress);
   if (file.empty()) {
     const double cell = desc.surface_cell > 0 ? desc.surface_cell : desc.size.minCoeff() / 20;
     TriangleMesh surface = isosurface(implicit_shape(desc.fallback, desc.size), cell);
@@ -148,19 +180,20 @@ TriangleMesh make_surface(const RigidDesc& desc, const SourcePaths& paths, const
     return surface;
   }
   const ContentHash key =
-      hash_of(fmt::format("rigid {} {} {} {}", recipe, file_hash(file), desc.scale, desc.surface_cell));
-  if (auto cached = load_cached(paths.cache_dir, key)) return std::move(cached->surface);
-  Anatomy made;
-  made.surface = load_surface(file, desc.scale);
-  const std::size_t before = made.surface.triangles.size();
-  if (desc.surface_cell > 0) made.surface = simplify(made.surface, desc.surface_cell);
-  const SurfaceReport report = check_surface(made.surface);
-  if (report.volume < 0)
-    for (auto& t : made.surface.triangles) std::swap(t[1], t[2]);
-  say(progress, fmt::format("{}: {} of {} triangles{}{}", desc.name, made.surface.triangles.size(), before,
-                            report.warning().empty() ? "" : "; warning: ", report.warning()));
-  store_cached(paths.cache_dir, key, made);
-  return std::move(made.surface);
+      hash_of(fmt::format("rigid {} {} {} {} {} {} {} {}", recipe, file_hash(file), desc.volume.empty(),
+                          desc.label, desc.threshold, desc.smoothing, desc.scale, desc.surface_cell));
+  CachedAnatomy made;
+  auto cached = load_cached(paths.cache_dir, key);
+  if (cached) {
+    made = std::move(*cached);
+  } else {
+    made = build(desc, file, progress);
+    store_cached(paths.cache_dir, key, made);
+  }
+  say(progress, fmt::format("{}: {} triangles{}", desc.name, made.anatomy.surface.triangles.size(),
+                            cached ? " (cached)" : ""));
+  warn(desc.name, made, progress);
+  return std::move(made.anatomy.surface);
 }
 
 }  // namespace prosector

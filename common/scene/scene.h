@@ -30,12 +30,16 @@ struct RigidDesc {
   std::string name;
   std::string description;
   std::string parent;    // body it belongs to in the scene graph; empty: the room
-  std::string mesh;      // surface file; empty: parts
-  std::string fallback;  // implicit shape (as of SoftDesc) used, with a clear line, when `mesh` is missing
+  std::string mesh;      // surface file
+  std::string volume;    // or a structure of a medical volume, its surface; neither: parts
+  int label = -1;        // as of SoftDesc
+  double threshold = 0;  // as of SoftDesc
+  double smoothing = 1;  // voxels: as of SoftDesc
+  std::string fallback;  // implicit shape (as of SoftDesc) used, with a clear line, when the file is missing
   Vec3 size = {0.1, 0.1, 0.1};  // m: bounding box of the fallback, along its own axes
   Pose fallback_pose;           // of the fallback's centre in the body's frame
   double scale = 1;             // file units → metres
-  double surface_cell = 0;      // m: thin the mesh to about this edge length; 0: as it is
+  double surface_cell = 0;      // m: triangles' edge length, about; 0: a mesh as it is, a volume's voxel size
   std::vector<PartDesc> parts;
   std::string collision =
       "hull";  // mesh bodies: hull | mesh | none; parts are their own collision shape unless none

@@ -92,12 +92,14 @@ class Checker {
   }
 
   void check_rigid(const RigidDesc& rigid, const Entry& body) const {
-    if (rigid.mesh.empty() == rigid.parts.empty())
-      fail(body, "mesh",
-           rigid.mesh.empty() ? "has no geometry: give either a mesh or [[rigid.part]]s"
-                              : "has both a mesh and [[rigid.part]]s: give either");
-    if (!rigid.fallback.empty() && rigid.mesh.empty())
-      fail(body, "fallback", "fallback stands in for a mesh file, but there is no mesh");
+    const int sources = !rigid.mesh.empty() + !rigid.volume.empty() + !rigid.parts.empty();
+    if (sources != 1)
+      fail(body, rigid.volume.empty() ? "mesh" : "volume",
+           sources == 0 ? "has no geometry: give one of mesh, volume and [[rigid.part]]s"
+                        : "has several of mesh, volume and [[rigid.part]]s: give one");
+    if (!rigid.fallback.empty() && !rigid.parts.empty())
+      fail(body, "fallback", "fallback stands in for a mesh or volume file, but there are only parts");
+    if (rigid.label >= 0 && rigid.volume.empty()) fail(body, "label", "label needs a volume");
   }
 
   void check_soft(const SoftDesc& soft, const Entry& body) const {

@@ -130,6 +130,62 @@ TEST(Sources, CacheGivesTheSameBitsAndSurvivesDamage) {
   EXPECT_TRUE(same(make_anatomy(d, {dir.path, {}, "/proc/nowhere"}, {})));
 }
 
+// Two tetrahedra that stand in each other, as a surface and as a mesh: said each time, cached or not.
+TEST(Sources, ASelfIntersectingSurfaceIsSaidEachTime) {
+  const TempDir dir;
+  write(dir.path / "crossed.off", std::string("OFF\n8 8 0\n"
+                                              "0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+                                              "0.1 0.1 -0.5\n1.1 0.1 -0.5\n0.1 1.1 -0.5\n0.1 0.1 0.5\n"
+                                              "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"
+                                              "3 4 6 5\n3 4 5 7\n3 4 7 6\n3 5 6 7\n"));
+  write(dir.path / "crossed.vtk",
+        std::string("# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 float\n"
+                    "0 0 0 1 0 0 0 1 0 0 0 1 .1 .1 -.5 1.1 .1 -.5 .1 1.1 -.5 .1 .1 .5\n"
+                    "CELLS 2 10\n4 0 1 2 3\n4 4 5 6 7\nCELL_TYPES 2\n10\n10\n"));
+  const SourcePaths paths{dir.path, {}, dir.path / "cache"};
+  RigidDesc rigid;
+  rigid.name = "crossed bone";
+  rigid.mesh = "crossed.off";
+  SoftDesc soft;
+  soft.name = "crossed organ";
+  soft.mesh = "crossed.vtk";
+  for (const bool cached : {false, true}) {
+    Lines said;
+    make_surface(rigid, paths, said.progress());
+    make_anatomy(soft, paths, said.progress());
+    EXPECT_TRUE(said.say("crossed bone: warning: intersects itself: ")) << cached;
+    EXPECT_TRUE(said.say("crossed organ: warning: intersects itself: ")) << cached;
+    EXPECT_EQ(said.say("(cached)"), cached);
+  }
+}
+
+TEST(Sources, AStructureOfAVolumeAsARigidSurface) {
+  const TempDir dir;
+  write(dir.path / "balls.inr", two_balls());
+  const SourcePaths paths{dir.path, {}, dir.path / "cache"};
+  RigidDesc d;
+  d.name = "stone";
+  d.volume = "balls.inr";
+  d.surface_cell = 0.004;
+  const double small = 4.0 / 3 * M_PI * 0.010 * 0.010 * 0.010;  // label 9, and all above 8
+  const double large = 4.0 / 3 * M_PI * 0.024 * 0.024 * 0.024;  // label 7
+  const auto volume = [&] { return check_surface(make_surface(d, paths, {})).volume; };
+  d.label = 9;
+  EXPECT_NEAR(volume(), small, 0.1 * small);
+  d.label = -1;
+  d.threshold = 8;
+  EXPECT_NEAR(volume(), small, 0.1 * small);
+  d.label = 7;
+  EXPECT_NEAR(volume(), large, 0.05 * large);
+  EXPECT_NEAR(volume(), large, 0.05 * large);  // from the cache
+  d.surface_cell = 0;                          // the voxels' size
+  EXPECT_NEAR(volume(), large, 0.05 * large);
+  d.volume = "missing.nii";
+  EXPECT_THROW(make_surface(d, paths, {}), InputError);
+  d.fallback = "ball";
+  EXPECT_GT(volume(), 0);
+}
+
 TEST(Sources, ShapesScaleToTheirSize) {
   SoftDesc d;
   d.name = "liver";
