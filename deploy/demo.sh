@@ -34,7 +34,7 @@ case "$seconds" in '' | *[!0-9]*) echo "demo: --seconds $seconds: give a whole n
 if [ $setup = yes ]; then
   "$root/deploy/setup.sh"
   "$root/deploy/fetch_anatomy.sh"
-  "$root/deploy/build.sh" release
+  "$root/deploy/build.sh" release prosector-server prosector-client prosector-fastrak-twin prosector-5dt-twin prosector-scene
 fi
 bin=${PROSECTOR_BIN:-$root/build/release/bin}
 mkdir -p "$out"

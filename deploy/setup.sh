@@ -16,11 +16,16 @@ fi
 
 as_root=()
 if [ "$(id -u)" -ne 0 ]; then
+  by_hand="as root, run: apt-get update && apt-get install -y --no-install-recommends ${missing[*]}"
   if ! command -v sudo >/dev/null; then
-    echo "setup: packages are missing and you are neither root nor have sudo; as root, run: apt-get install ${missing[*]}" >&2
+    echo "setup: packages are missing and you are neither root nor have sudo; $by_hand" >&2
     exit 1
   fi
   as_root=(sudo)
+  if ! sudo true; then
+    echo "setup: packages are missing and sudo refuses you; $by_hand" >&2
+    exit 1
+  fi
 fi
 
 apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o Dpkg::Use-Pty=0 "$@"; }
