@@ -71,6 +71,7 @@ std::vector<Contact> ground_contacts(const VecX& x, const VecX& v) {
     if (gap > 2 * h * std::abs(v[3 * i + 1]) + 0.05) continue;
     Contact c;
     c.a.kind = ContactSide::Kind::soft;
+    c.a.nodes = 1;
     c.a.node[0] = static_cast<std::uint32_t>(i);
     c.a.weight[0] = 1;
     c.point = x.segment<3>(3 * i);
