@@ -2,13 +2,17 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <sstream>
 #include <thread>
 
 #include "common/clock.h"
 #include "drivers/device.h"
+#include "drivers/fastrak_record.h"
 #include "drivers/twins/fastrak_twin.h"
 #include "drivers/twins/five_dt_twin.h"
 #include "drivers/twins/twin_server.h"
@@ -131,6 +135,116 @@ TEST(Line, FaultsAreReportedAndHeal) {
     ASSERT_TRUE(poll_until(*device, samples, 6, is(DeviceHealth::streaming))) << c.name;
     const std::size_t before = samples.size();
     ASSERT_TRUE(poll_until(*device, samples, 2, [&] { return samples.size() > before + 10; })) << c.name;
+  }
+}
+
+/// The first sample of each station that comes after `device` streams.
+std::array<DeviceSample, 2> both_stations(Device& device) {
+  Samples samples;
+  EXPECT_TRUE(poll_until(device, samples, 5, [&] { return samples.size() >= 20; }))
+      << device.status().message;
+  std::array<DeviceSample, 2> out;
+  for (const DeviceSample& s : samples) out.at(s.station) = s;
+  return out;
+}
+
+void expect_near(const Pose& a, const Pose& b) {
+  EXPECT_LT((a.p - b.p).norm(), 2e-4);
+  EXPECT_NEAR(std::abs(a.q.dot(b.q)), 1, 1e-6);
+}
+
+// The tracker's own alignment: it reports in the frame given by the points O, X and Y (cm, +X forward, +Y
+// right, +Z down), also after it was reset and set up again: the command is incremental, so the driver must
+// undo it first.
+TEST(Line, FastrakAlignsByItsOwnCommand) {
+  TwinServerOptions options;
+  options.unplug = FaultSpan{2.5, 2.8};
+  Line line(tracker(), options);
+  DeviceConfig config = tracker_config(true);
+  config.alignment = {10, 20, -5, 10, 30, -5, 0, 20, -5};  // X along the old Y, Y along the old −X
+  const auto device = open_device("fastrak:" + line.link(), config);
+  const Pose frame =
+      fastrak::from_transmitter({{0.10, 0.20, -0.05}, Quat(Eigen::AngleAxisd(M_PI / 2, Vec3::UnitZ()))});
+  const auto check = [&] {
+    for (const DeviceSample& s : both_stations(*device)) {
+      const Pose& room = s.station == 0 ? hand : head;
+      expect_near(s.pose, transmitter * (frame.inverse() * (transmitter.inverse() * room)));
+    }
+  };
+  check();
+  Samples none;
+  ASSERT_TRUE(poll_until(*device, none, 5, [&] { return device->status().reopens > 0; }));
+  check();
+}
+
+// Boresighted while it rests, each receiver reads no rotation, and the tracked thing stands as the tracker
+// does.
+TEST(Line, FastrakBoresightsWhenAsked) {
+  Line line(tracker(), {});
+  DeviceConfig config = tracker_config(true);
+  config.boresight = true;
+  const auto device = open_device("fastrak:" + line.link(), config);
+  for (const DeviceSample& s : both_stations(*device)) {
+    const Pose& room = s.station == 0 ? hand : head;
+    EXPECT_NEAR(std::abs(static_cast<double>(s.raw_pose[3])), 1, 1e-6);
+    expect_near(s.pose, {room.p, transmitter.q});
+  }
+}
+
+// The field has two solutions of opposite sign: the wrong hemisphere shows the mirrored position.
+TEST(Line, FastrakHemisphereChoosesTheSide) {
+  for (const double side : {1.0, -1.0}) {
+    Line line(tracker(), {});
+    DeviceConfig config = tracker_config(true);
+    config.hemisphere = side * fastrak::to_transmitter(transmitter.inverse() * hand).p;
+    const auto device = open_device("fastrak:" + line.link(), config);
+    const DeviceSample s = both_stations(*device)[0];
+    const Vec3 seen = (transmitter.inverse() * hand).p;
+    EXPECT_LT((s.pose.p - transmitter * Vec3(side * seen)).norm(), 2e-4);
+  }
+}
+
+// raw_pose is what the device sent, to the last bit, so that measurements can match it with the device's own
+// log.
+TEST(Line, RawPosesAreTheTwinsLog) {
+  for (const bool binary : {true, false}) {
+    FastrakTwinOptions twin;
+    twin.noise_cm = 0.5;  // so that no two records are alike
+    twin.noise_deg = 1;
+    twin.room_device = transmitter;
+    twin.script.add(0, 0, hand);
+    twin.script.add(1, 0, head);
+    TwinServerOptions options;
+    options.log =
+        (std::filesystem::temp_directory_path() / ("prosector-raw-" + std::to_string(getpid()))).string();
+    Samples samples;
+    {
+      Line line(std::make_unique<FastrakTwin>(twin, monotonic_ns()), options);
+      const auto device = open_device("fastrak:" + line.link(), tracker_config(binary));
+      ASSERT_TRUE(poll_until(*device, samples, 6, [&] { return samples.size() >= 100; }));
+    }
+    std::ifstream log(options.log);
+    std::vector<std::pair<std::uint32_t, std::array<float, 7>>> sent;
+    std::string text;
+    std::getline(log, text);
+    while (std::getline(log, text)) {
+      std::istringstream line(text);
+      std::vector<std::string> cells;
+      for (std::string cell; std::getline(line, cell, ',');) cells.push_back(cell);
+      if (cells.size() != 10) continue;  // before the output list was set
+      std::array<float, 7> values;
+      for (std::size_t k = 0; k < 7; ++k) values[k] = std::stof(cells[3 + k]);
+      sent.emplace_back(static_cast<std::uint32_t>(std::stoul(cells[1]) - 1), values);
+    }
+    std::filesystem::remove(options.log);
+    auto next = sent.begin();
+    for (const DeviceSample& s : samples) {  // each in the log, in its order
+      next = std::find(next, sent.end(), std::pair(s.station, s.raw_pose));
+      ASSERT_NE(next, sent.end()) << "binary " << binary << ", record " << s.record << " of station "
+                                  << s.station;
+      ++next;
+    }
+    EXPECT_LE(static_cast<std::size_t>(next - sent.begin()), samples.size() + 2) << "records lost";
   }
 }
 
