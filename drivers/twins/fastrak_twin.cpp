@@ -263,7 +263,7 @@ void FastrakTwin::set_alignment(Station& s, const std::string& head, const Param
                                 std::vector<TwinOutput>& out) {
   std::array<double, 9> points = s.points;
   set_numbers(points, units_per_cm(), head, p, out);
-  if (p.empty() || points == s.points) return;
+  if (p.empty()) return;
   const Vec3 o(points.data()), x = Vec3(points.data() + 3) - o, y = Vec3(points.data() + 6) - o;
   const Vec3 z = x.cross(y);
   if (z.norm() < 1e-9) return refuse(out_of_range, out);

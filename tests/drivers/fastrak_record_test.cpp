@@ -129,6 +129,8 @@ TEST(FastrakTwin, AlignsIncrementallyUntilReset) {
   say(twin, "uf");
   say(twin, "A1,10,0,0,10,1,0,9,0,0\r");  // origin moved by 10 cm, X along the old Y, Y along the old −X
   EXPECT_TRUE(reported(twin).isApprox(Vec3(30, -30, -10), 1e-5));
+  say(twin, "A1,10,0,0,10,1,0,9,0,0\r");  // the same again, in the frame now in force
+  EXPECT_TRUE(reported(twin).isApprox(Vec3(-30, -20, -10), 1e-5));
   say(twin, "R1\r");
   EXPECT_TRUE(reported(twin).isApprox(Vec3(40, 30, -10), 1e-5));
 }
