@@ -50,6 +50,43 @@ TEST(RealData, OrgansOfTheAbdominalCt) {
     }
 }
 
+// Thresholds of deploy/scenes/head.toml. An adult's skull without jaw holds about 0.5 to 0.9 l of bone, a
+// brain 1.1 to 1.7 l.
+TEST(RealData, SkullAndBrainByThreshold) {
+  const std::string ct = find_in_data("head.nii"), mri = find_in_data("brain.nii.gz");
+  if (ct.empty() || mri.empty())
+    GTEST_SKIP() << "head.nii or brain.nii.gz is not below " << default_data_dir();
+  RigidDesc skull;
+  skull.name = "skull";
+  skull.volume = ct;
+  skull.threshold = 170;
+  skull.surface_cell = 0.006;
+  const TriangleMesh bone = make_surface(skull, {}, {});
+  const SurfaceReport report = check_surface(bone);
+  EXPECT_EQ(report.open_edges, 0u);
+  EXPECT_GT(report.volume, 0.5e-3);
+  EXPECT_LT(report.volume, 0.9e-3);
+  Vec3 low = bone.positions.front(), high = low;
+  for (const Vec3& x : bone.positions) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  // x right, y front, z up: a head is longer than wide, and the scan ends below at the upper jaw.
+  EXPECT_GT(high.y() - low.y(), high.x() - low.x());
+  EXPECT_NEAR(low.z(), -0.5 * 108 * 0.0015, 0.002);
+
+  SoftDesc brain;
+  brain.name = "brain";
+  brain.volume = mri;
+  brain.threshold = 60;
+  brain.cell = 0.013;
+  brain.surface_cell = 0.006;
+  const TetQuality quality = tet_quality(make_anatomy(brain, {}, {}).tets);
+  EXPECT_GE(quality.min_dihedral_deg, 10);
+  EXPECT_GT(quality.volume, 1.1e-3);
+  EXPECT_LT(quality.volume, 1.7e-3);
+}
+
 TEST(RealData, Bones) {
   for (const char* name : {"femur.off", "bones.off"}) {
     const std::string file = find_in_data(name);
