@@ -33,7 +33,11 @@ struct Solver {
   double tolerance;
   std::uint32_t most_cells = 100;  // across: beyond, a frame takes seconds
 };
-constexpr Solver solver_rows[] = {{"cg", 3, 60, 1e-3}, {"cg", 1, 1000, 1e-3}, {"direct", 1, 60, 1e-3, 6}};
+constexpr Solver solver_rows[] = {{"cg", 3, 60, 1e-3},
+                                  {"cg", 1, 1000, 1e-3},
+                                  {"multigrid", 1, 60, 1e-3},
+                                  {"multigrid", 1, 60, 1e-2},
+                                  {"direct", 1, 60, 1e-3, 6}};
 
 Anatomy mesh(std::uint32_t n) {
   return kuhn_anatomy({4 * n, n, n}, size);

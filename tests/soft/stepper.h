@@ -11,10 +11,10 @@ namespace prosector {
 
 class BodyOperator final : public LinearOperator {
  public:
-  explicit BodyOperator(const SoftBody& body) : body_(body), inverse_(blocks()) {}
+  explicit BodyOperator(const SoftBody& body) : body_(body), diagonal_(blocks()), inverse_(blocks()) {}
   void update() {
-    body_.diagonal(inverse_);
-    for (Mat3& block : inverse_) block = block.inverse().eval();
+    body_.diagonal(diagonal_);
+    for (std::size_t i = 0; i < blocks(); ++i) inverse_[i] = diagonal_[i].inverse();
   }
   Eigen::Index size() const override { return 3 * body_.nodes(); }
   void multiply(const VecX& p, VecX& Hp) const override { body_.multiply(p.data(), Hp.data()); }
@@ -24,11 +24,14 @@ class BodyOperator final : public LinearOperator {
     }
   }
   void elastic_factor(const VecX& r, VecX& z) const override { body_.factor_solve(r.data(), z.data()); }
+  void multigrid(const VecX& r, VecX& z) const override {
+    body_.multigrid_solve(diagonal_, inverse_, r.data(), z.data());
+  }
 
  private:
   std::size_t blocks() const { return static_cast<std::size_t>(body_.nodes()); }
   const SoftBody& body_;
-  std::vector<Mat3> inverse_;
+  std::vector<Mat3> diagonal_, inverse_;
 };
 
 struct StepperSettings {

@@ -34,7 +34,7 @@ namespace {
 class FixedStep {
  public:
   explicit FixedStep(SoftBody& body)
-      : body_(body), H_(body), solver_(make_solver("cg")), state_(body.initial_state()) {
+      : body_(body), H_(body), solver_(make_solver(body.desc().solver)), state_(body.initial_state()) {
     for (VecX* v : {&x_, &b_, &dx_}) *v = VecX::Zero(3 * body.nodes());
   }
   void operator()() {
@@ -80,19 +80,22 @@ TEST_P(Allocation, NoneWithinAStep) {
 #endif
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   for (const IntegratorRow& integrator : integrators()) {
-    SoftDesc desc;
-    desc.model = GetParam().name;
-    desc.integrator = integrator.name;
-    desc.attach.push_back({Vec3::Zero(), 0.05, 1e7});
-    const long before = allocations;
-    SoftBody body(desc, kuhn_anatomy({7, 7, 7}, Vec3(0.1, 0.1, 0.1)));
-    EXPECT_GT(allocations, before) << "the counter must see the constructor";
-    FixedStep step(body);
-    for (int i = 0; i < 3; ++i) step();
-    const long start = allocations;
-    for (int i = 0; i < 5; ++i) step();
-    EXPECT_EQ(allocations - start, 0) << integrator.name;
-    EXPECT_TRUE(std::isfinite(step.energy()));
+    for (const char* solver : {"cg", "multigrid"}) {
+      SoftDesc desc;
+      desc.model = GetParam().name;
+      desc.integrator = integrator.name;
+      desc.solver = solver;
+      desc.attach.push_back({Vec3::Zero(), 0.05, 1e7});
+      const long before = allocations;
+      SoftBody body(desc, kuhn_anatomy({7, 7, 7}, Vec3(0.1, 0.1, 0.1)));
+      EXPECT_GT(allocations, before) << "the counter must see the constructor";
+      FixedStep step(body);
+      for (int i = 0; i < 3; ++i) step();
+      const long start = allocations;
+      for (int i = 0; i < 5; ++i) step();
+      EXPECT_EQ(allocations - start, 0) << integrator.name << " " << solver;
+      EXPECT_TRUE(std::isfinite(step.energy()));
+    }
   }
 }
 

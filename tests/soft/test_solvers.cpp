@@ -35,6 +35,7 @@ class DenseOperator final : public LinearOperator {
     }
   }
   void elastic_factor(const VecX& r, VecX& z) const override { z = factor.solve(r); }
+  void multigrid(const VecX& r, VecX& z) const override { block_jacobi(r, z); }
 
   Eigen::MatrixXd A, H;
   VecX b;

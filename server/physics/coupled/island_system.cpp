@@ -275,6 +275,20 @@ void IslandSystem::block_jacobi(const VecX& r, VecX& z) const {
     z.segment<6>(rigid_offset(m)) = rigid_factors_[m].solve(r.segment<6>(rigid_offset(m)));
 }
 
+void IslandSystem::multigrid(const VecX& r, VecX& z) const {
+  z.resize(size_);
+  for (std::size_t m = 0; m < island_.soft.size(); ++m) {
+    const SoftBody& body = *island_.soft[m].body;
+    const auto first = static_cast<std::size_t>(soft_offset_[m] / 3),
+               count = static_cast<std::size_t>(body.nodes());
+    body.multigrid_solve(std::span(node_blocks_).subspan(first, count),
+                         std::span(node_inverse_).subspan(first, count), r.data() + soft_offset_[m],
+                         z.data() + soft_offset_[m]);
+  }
+  for (std::size_t m = 0; m < rigid_factors_.size(); ++m)
+    z.segment<6>(rigid_offset(m)) = rigid_factors_[m].solve(r.segment<6>(rigid_offset(m)));
+}
+
 void IslandSystem::elastic_factor(const VecX& r, VecX& z) const {
   z.resize(size_);
   for (std::size_t m = 0; m < island_.soft.size(); ++m)

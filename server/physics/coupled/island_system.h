@@ -27,6 +27,7 @@ class IslandSystem final : public LinearOperator {
   void multiply(const VecX& p, VecX& Hp) const override;
   void block_jacobi(const VecX& r, VecX& z) const override;
   void elastic_factor(const VecX& r, VecX& z) const override;
+  void multigrid(const VecX& r, VecX& z) const override;
 
   Eigen::Index soft_offset(std::size_t member) const { return soft_offset_[member]; }
   Eigen::Index rigid_offset(std::size_t member) const {

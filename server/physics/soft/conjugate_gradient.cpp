@@ -75,6 +75,10 @@ std::unique_ptr<LinearSolver> make_cg() {
   return std::make_unique<ConjugateGradient>(&LinearOperator::block_jacobi);
 }
 
+std::unique_ptr<LinearSolver> make_multigrid() {
+  return std::make_unique<ConjugateGradient>(&LinearOperator::multigrid);
+}
+
 std::unique_ptr<LinearSolver> make_direct() {
   return std::make_unique<ConjugateGradient>(&LinearOperator::elastic_factor);
 }

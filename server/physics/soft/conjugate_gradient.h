@@ -12,4 +12,7 @@ std::unique_ptr<LinearSolver> make_cg();
 /// about one more for each contact direction that couples.
 std::unique_ptr<LinearSolver> make_direct();
 
+/// Preconditioned with one multigrid V-cycle for each soft body: some ten iterations, however fine the mesh.
+std::unique_ptr<LinearSolver> make_multigrid();
+
 }  // namespace prosector

@@ -23,6 +23,9 @@ class ElasticModel {
   virtual const Connectivity& connectivity() const = 0;
   virtual std::size_t dropped_elements() const = 0;  // degenerate ones, left out of the connectivity
 
+  /// Whether turning the whole body turns its forces along.
+  virtual bool objective() const { return true; }
+
   /// W(x), J.
   virtual double energy(const double* x) = 0;
   /// g += ∂W/∂x, N.

@@ -19,6 +19,8 @@ class ElementBatches {
   ElementBatches(const Lame& constants, const Tet4Elements& elements);
   virtual ~ElementBatches() = default;
 
+  /// Whether turning the whole body turns its forces along.
+  virtual bool objective() const { return true; }
   /// Puts a batch at node positions x (3n): what all below share is computed once.
   virtual void move(std::size_t batch, const double* x) = 0;
   /// J, of the batch.

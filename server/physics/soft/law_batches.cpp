@@ -11,6 +11,7 @@ class LawBatches final : public ElementBatches {
   LawBatches(std::unique_ptr<ConstitutiveLaw> law, const Lame& constants, const Tet4Elements& elements)
       : ElementBatches(constants, elements), law_(std::move(law)), F_(elements.size()) {}
 
+  bool objective() const override { return law_->objective(); }
   void move(std::size_t batch, const double* x) override {
     deform(batch, x);
     for (std::size_t lane = 0; lane < count(batch); ++lane) {

@@ -8,6 +8,7 @@ namespace prosector {
 const std::vector<SolverRow>& solvers() {
   static const std::vector<SolverRow> rows = {
       {"cg", "conjugate gradients, block Jacobi: little work for little accuracy", make_cg},
+      {"multigrid", "conjugate gradients, multigrid: few iterations, however fine the mesh", make_multigrid},
       {"direct", "sparse Cholesky, refined over contacts: stiff, nearly incompressible or slender bodies",
        make_direct},
   };

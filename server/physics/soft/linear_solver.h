@@ -21,6 +21,8 @@ class LinearOperator {
   /// z = A⁻¹·r with A the soft bodies' elastic matrices (without contacts) factored exactly, block-diagonal
   /// elsewhere. Factors lazily, reusing the symbolic factorisation.
   virtual void elastic_factor(const VecX& r, VecX& z) const = 0;
+  /// One multigrid V-cycle for each soft body, contacts as diagonal blocks; block-diagonal elsewhere.
+  virtual void multigrid(const VecX& r, VecX& z) const = 0;
 };
 
 struct SolverSettings {

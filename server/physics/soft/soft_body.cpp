@@ -10,6 +10,7 @@
 #include "server/physics/soft/block_matrix.h"
 #include "server/physics/soft/cholesky.h"
 #include "server/physics/soft/elastic_model.h"
+#include "server/physics/soft/multigrid.h"
 #include "server/physics/soft/node_vectors.h"
 #include "server/physics/soft/soft_body_setup.h"
 
@@ -50,6 +51,8 @@ struct SoftBody::Impl {
   VecX x_n, drift, damping;  // 3n: x_n; x − x_v; K(x_n)·drift
   mutable std::unique_ptr<Cholesky> cholesky;
   mutable bool factored = false;
+  mutable std::unique_ptr<Multigrid> multigrid;
+  mutable bool multigrid_set = false, multigrid_turned = false;
 
   Impl(const SoftDesc& d, Anatomy a)
       : desc((check_constants(d), d)),
@@ -76,6 +79,13 @@ struct SoftBody::Impl {
     if (damped) start_stiffness.resize(pattern.blocks());
     for (VecX* v : {&x_n, &drift, &damping, &stage.y, &stage.x_v, &stage.v_h}) *v = VecX::Zero(rest().size());
     if (desc.solver == "direct") cholesky = std::make_unique<Cholesky>(pattern);
+    if (desc.solver == "multigrid") make_coarse_levels();
+  }
+
+  void make_coarse_levels() const {
+    std::vector<Mat3> stiffness(pattern.blocks());
+    pattern.gather(model->warped_stiffness(rest().data()), 0, {}, stiffness);
+    multigrid = std::make_unique<Multigrid>(RestSystem{pattern, stiffness, rest(), mass, attached});
   }
 
   /// Sums f(i) over the nodes.
@@ -104,7 +114,7 @@ struct SoftBody::Impl {
       const auto row = static_cast<Eigen::Index>(i);
       hessian[pattern.diagonal(i)].diagonal().array() += inertia * mass[row] + attached[row];
     }
-    factored = false;
+    factored = multigrid_set = false;
   }
 };
 
@@ -168,6 +178,7 @@ void SoftBody::begin_stage(int stage_index, double h, const Vec3& gravity, const
   Impl& m = *impl_;
   m.integrator->begin(stage_index, h, m.desc.gravity ? gravity : Vec3::Zero(), state.motion, m.stage);
   m.x_n = state.motion.x;
+  m.multigrid_turned = false;
   if (m.damped) m.pattern.gather(m.model->warped_stiffness(m.x_n.data()), 0, {}, m.start_stiffness);
 }
 
@@ -249,6 +260,21 @@ void SoftBody::factor_solve(const double* r, double* z) const {
     m.factored = true;
   }
   m.cholesky->solve(r, z);
+}
+
+void SoftBody::multigrid_solve(std::span<const Mat3> diagonal, std::span<const Mat3> inverse, const double* r,
+                               double* z) const {
+  const Impl& m = *impl_;
+  if (!m.multigrid) m.make_coarse_levels();
+  if (!m.multigrid_turned) {
+    m.multigrid->retime(m.stage.alpha + m.desc.damping_mass / m.stage.dxdv,
+                        1 + m.desc.damping_stiffness / m.stage.dxdv);
+    m.multigrid->turn(m.model->objective() ? m.x_n.data() : nullptr);
+    m.multigrid_turned = true;
+  }
+  if (!m.multigrid_set) m.multigrid->set_matrix(m.hessian, diagonal, inverse);
+  m.multigrid_set = true;
+  m.multigrid->apply(r, z);
 }
 
 void SoftBody::finish_stage(int stage_index, double h, const Eigen::Ref<const VecX>& x,

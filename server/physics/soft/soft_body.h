@@ -74,6 +74,11 @@ class SoftBody {
   /// z = H⁻¹r by sparse Cholesky of the last assemble(), lazily factored; 3n each. Not for two threads at
   /// once on one body.
   void factor_solve(const double* r, double* z) const;
+  /// z ≈ H⁻¹r by one multigrid V-cycle for the last assemble(), see multigrid.h. `diagonal` and `inverse`:
+  /// the diagonal blocks with whatever touches the body, n each; unchanged until the next assemble(). Builds
+  /// its coarse levels when the body is made with this solver, else at the first call.
+  void multigrid_solve(std::span<const Mat3> diagonal, std::span<const Mat3> inverse, const double* r,
+                       double* z) const;
   /// Takes the minimiser into the state.
   void finish_stage(int stage_index, double h, const Eigen::Ref<const VecX>& x, SoftBodyState& state) const;
 

@@ -45,6 +45,8 @@ class Tet4Model final : public ElasticModel {
   const Connectivity& connectivity() const override { return connectivity_; }
   std::size_t dropped_elements() const override { return elements_.dropped(); }
 
+  bool objective() const override { return batches_->objective(); }
+
   double energy(const double* x) override {
     move(x);
     for_batches([&](std::size_t batch, std::size_t, std::size_t) { sums_[batch] = batches_->energy(batch); });
