@@ -6,6 +6,7 @@
 
 #include "tests/bench/machine.h"
 #include "tests/bench/subjects.h"
+#include "tests/bench/trade_case.h"
 
 int main(int argc, char** argv) try {
   CLI::App app("Measures what things cost on this machine.", "prosector-bench");
@@ -49,6 +50,40 @@ int main(int argc, char** argv) try {
   beam101k_command->add_option("--solver", beam101k.solver, "Only this solver's rows");
   beam101k_command->add_option("--threads", beam101k.threads, "From one thread to this many")
       ->check(CLI::Range(1, 1024));
+
+  prosector::TradeBenchOptions trade;
+  CLI::App* trade_command =
+      app.add_subcommand("trade", "Error against cost of every way to model tissue, and what to choose");
+  trade_command->add_flag("--quick", trade.quick, "Fewer resolutions and steps");
+  trade_command->add_option("--case", trade.only, "Only this one")
+      ->check(CLI::IsMember(prosector::trade_case_names()));
+  trade_command->add_option("--svg", trade.picture_folder, "Folder for a picture of each case")
+      ->check(CLI::ExistingDirectory);
+  trade_command->add_option("--limit", trade.limit_ms, "CPU ms that one run may take")
+      ->check(CLI::Range(1., 1e9));
+
+  prosector::StabilityBenchOptions stability;
+  CLI::App* stability_command =
+      app.add_subcommand("stability", "Extreme steps, materials, meshes, starts and inputs over every rung");
+  stability_command->add_option("--model", stability.model, "Only this one");
+  stability_command->add_option("--extreme", stability.extreme, "Only this one");
+  stability_command->add_option("--svg", stability.picture_folder, "Folder for a picture of the map")
+      ->check(CLI::ExistingDirectory);
+  stability_command
+      ->add_option("--limit", stability.limit_ms, "CPU ms that one rung may take for one extreme")
+      ->check(CLI::Range(1., 1e9));
+
+  prosector::ScalingBenchOptions scaling;
+  CLI::App* scaling_command = app.add_subcommand("scaling", "Time of a frame against elements and threads");
+  scaling_command->add_option("--model", scaling.model, "Only this one");
+  scaling_command->add_option("--solver", scaling.solver, "Only this one");
+  scaling_command->add_option("--max", scaling.max_tets, "Tetrahedra of the finest mesh")
+      ->check(CLI::Range(100., 1e7));
+  scaling_command->add_option("--threads", scaling.threads, "1, 2, 4 … up to this many")
+      ->check(CLI::Range(1, 1024));
+  scaling_command
+      ->add_option("--limit", scaling.limit_ms, "CPU ms of a frame after which no finer mesh is tried")
+      ->check(CLI::Range(1., 1e9));
   CLI11_PARSE(app, argc, argv);
 
   std::cout << prosector::machine().dump() << std::endl;
@@ -57,6 +92,9 @@ int main(int argc, char** argv) try {
   if (*render_command) report = prosector::bench_render(render);
   if (*beam_command) report = prosector::bench_beam(beam);
   if (*beam101k_command) report = prosector::bench_beam101k(beam101k);
+  if (*trade_command) report = prosector::bench_trade(trade);
+  if (*stability_command) report = prosector::bench_stability(stability);
+  if (*scaling_command) report = prosector::bench_scaling(scaling);
   if (!file.empty()) report.value().write(file);
   return 0;
 } catch (const std::exception& error) {

@@ -43,4 +43,30 @@ struct Beam101kBenchOptions {
 /// SOFA's published beam of 101,250 tetrahedra.
 Report bench_beam101k(const Beam101kBenchOptions& options);
 
+struct TradeBenchOptions {
+  bool quick = false;
+  std::string only;            // name of one case; empty: all
+  std::string picture_folder;  // where to write trade-CASE.svg; empty: nowhere
+  double limit_ms = 4000;      // CPU time of one run; what would take longer is told as too slow
+};
+/// Error against cost over the reference cases, one thread, with a recommendation.
+Report bench_trade(const TradeBenchOptions& options);
+
+struct StabilityBenchOptions {
+  std::string model, extreme;  // only these; empty: all
+  std::string picture_folder;  // where to write stability.svg; empty: nowhere
+  double limit_ms = 20000;     // CPU time of one rung under one extreme; what takes longer is left open
+};
+/// Extremes over each rung, and a map of the verdicts; one thread.
+Report bench_stability(const StabilityBenchOptions& options);
+
+struct ScalingBenchOptions {
+  std::string model, solver;  // only these rows; empty: all
+  double max_tets = 1e5;
+  unsigned threads = 2;    // 1, 2, 4 … up to this many
+  double limit_ms = 2000;  // CPU time of a frame after which no finer mesh is tried
+};
+/// Time against elements, from 100 on, and threads.
+Report bench_scaling(const ScalingBenchOptions& options);
+
 }  // namespace prosector

@@ -1,0 +1,24 @@
+#pragma once
+// The beam of the reference values: 0.4 × 0.1 × 0.1 m, clamped at x = 0, E = 3e5 Pa, ρ = 1000 kg/m³.
+
+#include "tests/bench/specimen.h"
+
+namespace prosector {
+
+inline const Vec3 beam_size(0.4, 0.1, 0.1);
+/// Hz: first bending mode of the continuum at ν = 0.3, converged to 2e-4.
+inline constexpr double beam_first_frequency = 1.6864;
+
+/// `cells` along the beam, a multiple of 4 or, so that a node is at the tip's centre, of 8.
+TestPiece beam_piece(unsigned cells, double poisson_ratio);
+
+/// The rest positions bent as a clamped–free beam's first mode (Euler and Bernoulli), `amplitude` m at the
+/// tip.
+VecX in_first_mode(const VecX& rest, double amplitude);
+
+/// The free face's centre.
+inline Vec3 beam_tip() {
+  return {beam_size[0], beam_size[1] / 2, beam_size[2] / 2};
+}
+
+}  // namespace prosector

@@ -1,0 +1,105 @@
+// Extremes over each rung, and a map of what became of them.
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "tests/bench/machine.h"
+#include "tests/bench/stability_run.h"
+#include "tests/bench/subjects.h"
+#include "tests/bench/verdict_map.h"
+
+namespace prosector {
+namespace {
+
+/// Every model under every integrator, and under every solver with the first integrator: what a scene can ask
+/// for, at its default budget.
+std::vector<Rung> stability_rungs(const std::string& only_model) {
+  std::vector<Rung> rungs;
+  const SoftDesc scene;
+  for (const std::string& model : model_names()) {
+    if (!only_model.empty() && model != only_model) continue;
+    for (const std::string& integrator : integrator_names())
+      rungs.push_back({model, integrator, scene.solver});
+    for (const std::string& solver : solver_names()) {
+      if (solver != scene.solver) rungs.push_back({model, scene.integrator, solver});
+    }
+  }
+  return rungs;
+}
+
+ReportRow to_row(const Rung& rung, const Extreme& extreme, const StabilityResult& result) {
+  ReportRow row = settings(rung);
+  row["threads"] = 1;
+  row["tets"] = result.tets;
+  row["nodes"] = result.nodes;
+  row["dt"] = extreme.dt;
+  row["extreme"] = extreme.name;
+  if (result.verdict)
+    row["verdict"] = verdict_name(*result.verdict);
+  else
+    row["verdict"] = nullptr;
+  row["reason"] = result.reason;
+  row["met_deadline"] = result.met_deadline;
+  row["ms_per_frame"] = result.ms_per_frame;
+  row["worst_ms_per_frame"] = result.worst_ms_per_frame;
+  row["energy_excess"] = result.energy_excess;
+  row["shape_error_m"] = result.shape_error;
+  row["back_after_s"] = result.back_after_s;
+  row["steps"] = result.steps;
+  row["steps_not_converged"] = result.steps_not_converged;
+  row["resets"] = result.resets;
+  row["residual"] = result.residual;
+  return row;
+}
+
+char letter(const StabilityResult& result) {
+  if (!result.verdict) return '.';
+  return "sdrF"[static_cast<std::size_t>(*result.verdict)];
+}
+
+}  // namespace
+
+Report bench_stability(const StabilityBenchOptions& options) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+  Report report("stability");
+  VerdictMap map;
+  map.title = "Extremes, and what each rung makes of them";
+  map.subtitle = fmt::format("{}, one thread, each rung at a scene's default budget",
+                             machine()["cpu"].get<std::string>());
+  std::vector<Extreme> chosen;
+  for (const Extreme& extreme : extremes()) {
+    if (!options.extreme.empty() && options.extreme != extreme.name) continue;
+    chosen.push_back(extreme);
+    map.extremes.emplace_back(extreme.name);
+  }
+  fmt::print(
+      "s survives, d degrades and says so, r refuses, F fails, . not run to the end; ' missed its frames\n");
+  for (std::size_t i = 0; i < map.extremes.size(); ++i) fmt::print("{:>3} {}\n", i + 1, map.extremes[i]);
+  std::string remarks;
+  for (const Rung& rung : stability_rungs(options.model)) {
+    map.rungs.push_back(rung.name());
+    map.cells.emplace_back();
+    fmt::print("{:<60}", rung.name());
+    for (const Extreme& extreme : chosen) {
+      const StabilityResult result = run_extreme(rung, extreme, options.limit_ms);
+      report.add(to_row(rung, extreme, result));
+      fmt::print(" {}{}", letter(result), result.met_deadline ? ' ' : '\'');
+      std::fflush(stdout);
+      map.cells.back().push_back(
+          result.verdict ? std::optional(VerdictCell{*result.verdict, result.met_deadline}) : std::nullopt);
+      if (result.verdict != Verdict::survives)
+        remarks += fmt::format("{}, {}: {}: {}\n", rung.name(), extreme.name,
+                               result.verdict ? verdict_name(*result.verdict) : "open", result.reason);
+    }
+    fmt::print("\n");
+  }
+  fmt::print("\n{}", remarks);
+  if (!options.picture_folder.empty())
+    draw(map).write((std::filesystem::path(options.picture_folder) / "stability.svg").string());
+  return report;
+}
+
+}  // namespace prosector

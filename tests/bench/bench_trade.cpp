@@ -1,0 +1,149 @@
+// Error against cost: each rung × resolution × step × iterations over the reference cases, Bullet beside it.
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "common/error.h"
+#include "tests/bench/bullet_specimen.h"
+#include "tests/bench/machine.h"
+#include "tests/bench/memory.h"
+#include "tests/bench/recommendation.h"
+#include "tests/bench/rung.h"
+#include "tests/bench/stable_step.h"
+#include "tests/bench/subjects.h"
+#include "tests/bench/text_table.h"
+#include "tests/bench/trade_case.h"
+#include "tests/bench/trade_plot.h"
+#include "tests/bench/trade_sweep.h"
+
+namespace prosector {
+namespace {
+
+/// The columns of a case's table: settings, then cost, then what it measures.
+TextTable table_for(const TradeCase& which) {
+  using enum Column::Kind;
+  std::vector<Column> columns = {{text, "model", "model", 29},
+                                 {text, "element", "element", 5},
+                                 {text, "integrator", "integrator", 17},
+                                 {text, "solver", "solver", 9},
+                                 {text, "effort", "effort", 15},
+                                 {count, "tets", "tets", 6},
+                                 {number, "dt_ms", "dt ms", 6},
+                                 {number, "ms_per_frame", "ms/frame", 8},
+                                 {number, "ms_per_simulated_s", "ms/sim s", 8},
+                                 {number, "memory_kib", "KiB", 7},
+                                 {percent, which.error_key, "error", 9}};
+  const std::string name = which.name;
+  if (name == "swing") {
+    columns.push_back({percent, "error_frequency", "frequency", 9});
+    columns.push_back({percent, "amplitude_lost_per_period", "amplitude", 9});
+    columns.push_back({number, "phase_lag_per_period_rad", "lag rad", 8});
+    columns.push_back({number, "largest_stable_step_s", "max dt s", 8});
+  }
+  if (name == "swing" || name == "free") columns.push_back({percent, "energy_drift", "energy", 9});
+  if (name == "free") columns.push_back({percent, "momentum_drift", "momentum", 9});
+  if (name != "swing") columns.push_back({percent, "volume_loss", "volume", 9});
+  columns.push_back({text, "remark", "", 0});
+  return TextTable(columns);
+}
+
+/// Runs one specimen over a case. `make` may refuse by InputError.
+template <class Make>
+ReportRow run_one(const TradeCase& which, const TestPiece& piece, double dt, double limit_ms, ReportRow row,
+                  const Make& make) {
+  row["tets"] = piece.mesh.tets.size();
+  row["nodes"] = piece.mesh.positions.size();
+  row["dt"] = dt;
+  row["dt_ms"] = 1e3 * dt;
+  try {
+    const std::size_t before = allocated_bytes();
+    const auto specimen = make();
+    row["nodes"] = specimen->node_mass().size();
+    Runner runner(*specimen, dt, which.gravity, limit_ms);
+    row.update(which.measure(*specimen, piece, row["model"], runner));
+    row.update(runner.figures());
+    row["memory_kib"] = static_cast<double>(allocated_bytes() - before) / 1024;
+    if (!runner.finite())
+      row["remark"] = "went non-finite";
+    else if (!row.contains(which.error_key))
+      row["remark"] = "too slow for this run: not measured to the end";
+    else if (row.contains("reported"))
+      row["remark"] = row["reported"];
+  } catch (const InputError& error) {
+    row["remark"] = std::string("refused: ") + error.what();
+  }
+  return row;
+}
+
+TradePlot plot_for(const TradeCase& which, const Report& report) {
+  TradePlot plot;
+  plot.title = which.title;
+  const auto where = machine();
+  plot.subtitle =
+      fmt::format("{}, one thread. A mark on an edge lies beyond it.", where["cpu"].get<std::string>());
+  plot.cost_label = "CPU ms per simulated second (real time: 1000)";
+  plot.error_label = which.error_label;
+  for (const ReportRow& row : report.rows()) {
+    if (setting(row, "case") != which.name) continue;
+    plot.points.push_back({figure(row, "ms_per_simulated_s"), figure(row, which.error_key),
+                           setting(row, "model") + ", " + setting(row, "element"), in_words(row)});
+  }
+  return plot;
+}
+
+}  // namespace
+
+Report bench_trade(const TradeBenchOptions& options) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+  Report report("trade");
+  for (const TradeCase* which : trade_cases()) {
+    if (!options.only.empty() && options.only != which->name) continue;
+    const bool is_swing = which == &swing_case();
+    fmt::print("\n{}: {}\n", which->name, which->title);
+    const TextTable table = table_for(*which);
+    table.print_header();
+    const auto add = [&](ReportRow row) {
+      table.print(row);
+      report.add(std::move(row));
+    };
+    std::map<std::string, double> stable_steps;  // by model and integrator
+    for (const Trial& trial : trials(*which, options.quick)) {
+      const TestPiece piece = which->piece(trial.cells);
+      ReportRow row = {{"case", which->name}};
+      row.update(settings(trial.rung));
+      row["effort"] = trial.rung.effort();
+      if (is_swing) {
+        const auto [at, is_new] = stable_steps.try_emplace(trial.rung.model + " " + trial.rung.integrator);
+        if (is_new) at->second = largest_stable_step(trial.rung);
+        row["largest_stable_step_s"] = at->second;
+      }
+      row["threads"] = 1;
+      add(run_one(*which, piece, trial.dt, options.limit_ms, row,
+                  [&] { return make_specimen(trial.rung, piece); }));
+    }
+    for (const BulletTrial& trial : bullet_trials(*which, options.quick)) {
+      const TestPiece piece = which->piece(trial.cells);
+      ReportRow row = {{"case", which->name}};
+      row.update(settings(trial.rung));
+      row["threads"] = 1;
+      add(run_one(*which, piece, trial.dt, options.limit_ms, row,
+                  [&] { return make_specimen(trial.rung, piece); }));
+    }
+    if (!options.picture_folder.empty()) {
+      const auto file =
+          std::filesystem::path(options.picture_folder) / fmt::format("trade-{}.svg", which->name);
+      draw(plot_for(*which, report)).write(file.string());
+    }
+  }
+  const std::vector<std::string> advice = recommend(report.rows());
+  fmt::print("\nOn this machine, one thread:\n");
+  for (const std::string& line : advice) fmt::print("  {}\n", line);
+  report.note("recommendation", advice);
+  return report;
+}
+
+}  // namespace prosector

@@ -1,0 +1,55 @@
+// The pressed block: a cube of soft, nearly incompressible tissue stands on its glued foot under twice its
+// own weight. It must sink and bulge, and keep its volume.
+
+#include <cmath>
+
+#include "tests/bench/trade_case.h"
+#include "tests/soft/kuhn.h"
+
+namespace prosector {
+namespace {
+
+constexpr double settle_s = 1.5;
+constexpr double side = 0.1;  // m
+/// The converged continuum of fem_neo_hookean: sinking of the top's centre, m, and the share of its volume
+/// that ν = 0.49 lets it lose.
+constexpr double right_sinking = 0.01390, right_loss = 0.0056;
+
+ReportRow measure(Specimen& specimen, const TestPiece& piece, const std::string&, Runner& runner) {
+  const VecX rest = specimen.rest();
+  const Eigen::Index top = 3 * node_at(rest, {side / 2, side, side / 2}) + 1;
+  const double rest_volume = volume(piece.mesh, rest);
+  ReportRow row = ReportRow::object();
+  if (!runner.run(settle_s, [](double) {})) return row;
+  const VecX x = specimen.positions();
+  const double sinking = rest[top] - x[top];
+  row["deflection_m"] = sinking;
+  row["error_material"] = std::abs(sinking / right_sinking - 1);
+  row["volume_loss"] = 1 - volume(piece.mesh, x) / rest_volume;
+  row["error_volume"] = std::abs(figure(row, "volume_loss") - right_loss);
+  return row;
+}
+
+}  // namespace
+
+const TradeCase& press_case() {
+  static const TradeCase row = {"press",
+                                "A nearly incompressible cube sinks under twice its weight (ν = 0.49)",
+                                "error_material",
+                                "error of how far its top sinks",
+                                {4, 8, 12},
+                                [](unsigned cells) {
+                                  TestPiece piece;
+                                  piece.mesh = kuhn_box({cells, cells, cells}, Vec3(side, side, side));
+                                  piece.youngs_modulus = 5000;
+                                  piece.poisson_ratio = 0.49;
+                                  piece.damping_mass = 30;
+                                  piece.clamped_axis = 1;
+                                  return piece;
+                                },
+                                measure,
+                                {0, -2 * 9.81, 0}};
+  return row;
+}
+
+}  // namespace prosector

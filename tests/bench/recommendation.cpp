@@ -1,0 +1,74 @@
+#include "tests/bench/recommendation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/bench/text_table.h"
+#include "tests/bench/trade_case.h"
+
+namespace prosector {
+namespace {
+
+constexpr double budgets_ms[] = {1, 4, 8, 16};
+constexpr double accuracies[] = {0.01, 0.02, 0.05, 0.10};
+
+/// The row that `better` prefers among those that `allowed` lets pass; null: none.
+template <class Allowed, class Better>
+const ReportRow* best(const std::vector<const ReportRow*>& rows, const Allowed& allowed,
+                      const Better& better) {
+  const ReportRow* chosen = nullptr;
+  for (const ReportRow* row : rows) {
+    if (allowed(*row) && (!chosen || better(*row, *chosen))) chosen = row;
+  }
+  return chosen;
+}
+
+std::string told(const ReportRow& row, const char* error_key) {
+  return fmt::format("{}: {} ms a frame, {} % off", in_words(row), three_digits(figure(row, "ms_per_frame")),
+                     three_digits(100 * std::abs(figure(row, error_key))));
+}
+
+}  // namespace
+
+std::string in_words(const ReportRow& row) {
+  std::string effort = setting(row, "effort");
+  const double iterations = figure(row, "solver_iterations");
+  if (effort.empty() && std::isfinite(iterations)) effort = fmt::format("× {:.0f}", iterations);
+  return fmt::format("{} {}, {}, {} {}, {:.0f} tets, dt {} ms", setting(row, "model"),
+                     setting(row, "element"), setting(row, "integrator"), setting(row, "solver"), effort,
+                     figure(row, "tets"), three_digits(figure(row, "dt_ms")));
+}
+
+std::vector<std::string> recommend(const std::vector<ReportRow>& rows) {
+  std::vector<std::string> lines;
+  for (const TradeCase* which : trade_cases()) {
+    std::vector<const ReportRow*> measured;
+    for (const ReportRow& row : rows) {
+      if (setting(row, "case") == which->name && std::isfinite(figure(row, which->error_key)))
+        measured.push_back(&row);
+    }
+    if (measured.empty()) continue;
+    const auto error = [&](const ReportRow& row) { return std::abs(figure(row, which->error_key)); };
+    const auto cost = [](const ReportRow& row) { return figure(row, "ms_per_frame"); };
+    lines.push_back(fmt::format("{} ({}):", which->name, which->title));
+    for (const double accuracy : accuracies) {
+      const ReportRow* row = best(
+          measured, [&](const ReportRow& r) { return error(r) <= accuracy; },
+          [&](const ReportRow& a, const ReportRow& b) { return cost(a) < cost(b); });
+      lines.push_back(fmt::format("  within {:.0f} %: {}", 100 * accuracy,
+                                  row ? told(*row, which->error_key) : "nothing that was run"));
+    }
+    for (const double budget : budgets_ms) {
+      const ReportRow* row = best(
+          measured, [&](const ReportRow& r) { return cost(r) <= budget; },
+          [&](const ReportRow& a, const ReportRow& b) { return error(a) < error(b); });
+      lines.push_back(fmt::format("  within {:.0f} ms: {}", budget,
+                                  row ? told(*row, which->error_key) : "nothing that was run"));
+    }
+  }
+  return lines;
+}
+
+}  // namespace prosector

@@ -1,0 +1,125 @@
+#include "tests/bench/rung.h"
+
+#include <fmt/format.h>
+
+#include "server/physics/coupled/solve_island.h"
+#include "server/physics/soft/soft_body.h"
+
+namespace prosector {
+namespace {
+
+template <class Rows>
+std::vector<std::string> names_of(const Rows& rows) {
+  std::vector<std::string> names;
+  for (const auto& row : rows) names.emplace_back(row.name);
+  return names;
+}
+
+SoftDesc describe(const Rung& rung, const TestPiece& piece) {
+  SoftDesc desc;
+  desc.name = "specimen";
+  desc.model = rung.model;
+  desc.integrator = rung.integrator;
+  desc.solver = rung.solver;
+  desc.newton_iterations = rung.newton_iterations;
+  desc.solver_iterations = rung.solver_iterations;
+  desc.solver_tolerance = rung.solver_tolerance;
+  desc.youngs_modulus = piece.youngs_modulus;
+  desc.poisson_ratio = piece.poisson_ratio;
+  desc.density = piece.density;
+  desc.damping_mass = piece.damping_mass;
+  desc.damping_stiffness = piece.damping_stiffness;
+  constexpr double pin = 1e13;  // N/m⁴, see AttachDesc
+  if (piece.clamped_axis >= 0) {
+    constexpr double far = 1e4;  // m: a sphere so large that its surface is a plane to within a hair
+    desc.attach.push_back({-far * Vec3::Unit(piece.clamped_axis), far + 1e-6, pin});
+  }
+  if (piece.foundation_ratio > 0) {
+    const double size = piece.mesh.positions.back().norm();
+    desc.attach.push_back({piece.mesh.positions.back(), size / 2,
+                           piece.foundation_ratio * piece.youngs_modulus / (size * size)});
+  }
+  if (piece.held_point) desc.attach.push_back({*piece.held_point, 1e-6, pin});
+  return desc;
+}
+
+/// Stepped as the server does: an island of its own.
+class RungSpecimen final : public Specimen {
+ public:
+  RungSpecimen(const Rung& rung, const TestPiece& piece)
+      : body_(describe(rung, piece), Anatomy{piece.mesh, {}, {}}), state_(body_.initial_state()) {
+    state_.asleep = false;
+    island_.soft.push_back({0, &body_, &state_});
+  }
+
+  std::size_t elements() const override { return body_.elements(); }
+  const VecX& node_mass() const override { return body_.node_mass(); }
+  VecX rest() const override { return body_.initial_state().motion.x; }
+  VecX positions() const override { return state_.motion.x; }
+  VecX velocities() const override { return state_.motion.v; }
+
+  void set_motion(const VecX& x, const VecX& v) override {
+    state_ = body_.initial_state();
+    state_.asleep = false;
+    state_.motion.x = x;
+    state_.motion.v = v;
+  }
+
+  StepFigures step(double dt, const Vec3& gravity) override {
+    const IslandReport report = solve_island(island_, dt, gravity);
+    StepFigures figures{report.residual, report.converged, false, ""};
+    if (!report.finite) {
+      // As the server does with a body that went out of bounds: back to its last good state, at rest.
+      const VecX x = state_.motion.x;
+      set_motion(x, VecX::Zero(x.size()));
+      figures = {report.residual, false, true, "reset: not finite or out of the room"};
+    }
+    return figures;
+  }
+
+  double elastic_energy() override { return body_.elastic_energy(state_.motion.x); }
+
+ private:
+  SoftBody body_;
+  SoftBodyState state_;
+  Island island_;
+};
+
+}  // namespace
+
+std::string Rung::effort() const {
+  if (solver == "direct") return fmt::format("{} Newton", newton_iterations);
+  return fmt::format("{} × {} to {:.0e}", newton_iterations, solver_iterations, solver_tolerance);
+}
+
+std::string Rung::name() const {
+  return model + ", " + element + ", " + integrator + ", " + solver;
+}
+
+std::vector<std::string> model_names() {
+  return names_of(laws());
+}
+
+std::vector<std::string> integrator_names() {
+  return names_of(integrators());
+}
+
+std::vector<std::string> solver_names() {
+  return names_of(solvers());
+}
+
+ReportRow settings(const Rung& rung) {
+  return {{"model", rung.model},
+          {"element", rung.element},
+          {"integrator", rung.integrator},
+          {"solver", rung.solver},
+          {"newton_iterations", rung.newton_iterations},
+          {"solver_iterations", rung.solver_iterations},
+          {"solver_tolerance", rung.solver_tolerance}};
+}
+
+std::unique_ptr<Specimen> make_specimen(const Rung& rung, const TestPiece& piece) {
+  return std::make_unique<RungSpecimen>(rung, piece);
+}
+
+}  // namespace prosector

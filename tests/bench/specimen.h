@@ -1,0 +1,66 @@
+#pragma once
+// What a bench steps: one deformable, made of one of our rungs or by a peer.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/mesh.h"
+
+namespace prosector {
+
+/// A piece of tissue to be tested.
+struct TestPiece {
+  TetMesh mesh;
+  double youngs_modulus = 3e5;  // Pa
+  double poisson_ratio = 0.3;
+  double density = 1000;         // kg/m³
+  double damping_mass = 0;       // 1/s, Rayleigh
+  double damping_stiffness = 0;  // s
+  /// Nodes whose coordinate on this axis is 0 are held; −1: none is.
+  int clamped_axis = -1;
+  /// The half beyond the middle of x is tied to its rest position by a foundation that many times as stiff as
+  /// the piece itself (E/L² per volume); 0: it is not. (Only by our own rungs.)
+  double foundation_ratio = 0;
+  /// The node at this place is held. (Only by our own rungs.)
+  std::optional<Vec3> held_point;
+};
+
+/// What one step says of itself.
+struct StepFigures {
+  double residual = 0;  // relative, of the last linear solve
+  bool converged = true;
+  bool reported = false;  // something was reset, capped or substepped, and the step said so: see note
+  std::string note;
+};
+
+class Specimen {
+ public:
+  virtual ~Specimen() = default;
+  virtual std::size_t elements() const = 0;
+  /// n, kg; one entry per node of the mesh it computes with.
+  virtual const VecX& node_mass() const = 0;
+  virtual VecX rest() const = 0;        // 3n, m
+  virtual VecX positions() const = 0;   // 3n, m
+  virtual VecX velocities() const = 0;  // 3n, m/s
+  virtual void set_motion(const VecX& x, const VecX& v) = 0;
+  virtual StepFigures step(double dt, const Vec3& gravity) = 0;
+  /// J, of its positions; not a number when it doesn't tell.
+  virtual double elastic_energy() = 0;
+};
+
+/// Centre of mass, momentum, angular momentum about the room's origin.
+Vec3 mass_center(const Specimen& specimen);
+Vec3 momentum(const Specimen& specimen);
+Vec3 angular_momentum(const Specimen& specimen);
+double kinetic_energy(const Specimen& specimen);
+/// m³ of the tetrahedra at positions x (3n; corner nodes first).
+double volume(const TetMesh& mesh, const VecX& x);
+/// m: the largest distance of a node from where it belongs after the rigid motion that brings `x` closest to
+/// `rest`, in the mean over the nodes by mass (Kabsch 1976). Infinite when x is not finite.
+double shape_error(const VecX& rest, const VecX& x, const VecX& node_mass);
+/// Index of the node at that place of the rest shape. Throws std::logic_error when there is none.
+Eigen::Index node_at(const VecX& rest, const Vec3& place);
+
+}  // namespace prosector

@@ -1,0 +1,145 @@
+#include "tests/bench/stability_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/error.h"
+#include "tests/bench/stopwatch.h"
+#include "tests/bench/text_table.h"
+
+namespace prosector {
+namespace {
+
+constexpr double frame = 1. / 60;          // s
+constexpr double near_enough = 1e-3;       // m
+constexpr double energy_allowance = 0.01;  // of the largest energy there was
+constexpr double least_energy = 1e-9;      // J: below it nothing is measured but rounding
+constexpr int steps_between_looks = 10;    // at the shape
+
+class StabilityRun {
+ public:
+  StabilityRun(const Rung& rung, const Extreme& extreme, double limit_ms)
+      : extreme_(extreme),
+        piece_(extreme.piece()),
+        limit_ms_(limit_ms),
+        specimen_(make_specimen(rung, piece_)) {
+    result_.tets = specimen_->elements();
+    result_.nodes = static_cast<std::size_t>(specimen_->node_mass().size());
+    rest_ = specimen_->rest();
+    VecX x = rest_, v = VecX::Zero(rest_.size());
+    if (extreme.start) extreme.start(piece_, x, v);
+    specimen_->set_motion(x, v);
+  }
+
+  StabilityResult run() {
+    const bool whole = phase(extreme_.load_s, extreme_.load) && phase(extreme_.release_s, Vec3::Zero());
+    result_.shape_error = shape_error(rest_, specimen_->positions(), specimen_->node_mass());
+    if (!steps_ms_.empty()) {
+      const double steps_a_frame = std::max(1.0, frame / extreme_.dt);
+      result_.ms_per_frame = median(steps_ms_) * steps_a_frame;
+      result_.worst_ms_per_frame = *std::max_element(steps_ms_.begin(), steps_ms_.end()) * steps_a_frame;
+      result_.met_deadline = result_.ms_per_frame <= 1e3 * std::max(frame, extreme_.dt);
+    }
+    judge(whole);
+    return result_;
+  }
+
+ private:
+  /// False: not finite, or out of time.
+  bool phase(double seconds, const Vec3& gravity) {
+    if (seconds <= 0) return true;
+    double start = total_energy(gravity);
+    double largest = std::max(kinetic_energy(*specimen_) + specimen_->elastic_energy(), least_energy);
+    const int steps = std::max(1, static_cast<int>(std::lround(seconds / extreme_.dt)));
+    for (int i = 1; i <= steps; ++i) {
+      const StepFigures figures = step(gravity);
+      if (!specimen_->positions().allFinite() || !specimen_->velocities().allFinite()) {
+        went_ = false;
+        return false;
+      }
+      if (figures.reported) start = total_energy(gravity);  // a reset starts anew
+      largest = std::max(largest, kinetic_energy(*specimen_) + specimen_->elastic_energy());
+      const double excess = (total_energy(gravity) - start) / largest;
+      if (std::isfinite(excess)) result_.energy_excess = std::max(result_.energy_excess, excess);
+      if (gravity.isZero() && result_.back_after_s < 0 && (i % steps_between_looks == 0 || i == steps) &&
+          shape_error(rest_, specimen_->positions(), specimen_->node_mass()) < near_enough)
+        result_.back_after_s = i * extreme_.dt;
+      if (spent_ms_ > limit_ms_ && i < steps) return false;
+    }
+    return true;
+  }
+
+  StepFigures step(const Vec3& gravity) {
+    const double start = cpu_ms();
+    const StepFigures figures = specimen_->step(extreme_.dt, gravity);
+    steps_ms_.push_back(cpu_ms() - start);
+    spent_ms_ += steps_ms_.back();
+    ++result_.steps;
+    last_converged_ = figures.converged;
+    if (!figures.converged) ++result_.steps_not_converged;
+    if (figures.reported) {
+      ++result_.resets;
+      result_.reason = figures.note;
+    }
+    if (std::isfinite(figures.residual)) result_.residual = std::max(result_.residual, figures.residual);
+    return figures;
+  }
+
+  double total_energy(const Vec3& gravity) {
+    const double fall =
+        gravity.isZero() ? 0 : specimen_->node_mass().sum() * gravity.dot(mass_center(*specimen_));
+    return kinetic_energy(*specimen_) + specimen_->elastic_energy() - fall;
+  }
+
+  void judge(bool whole) {
+    const bool back = !extreme_.must_recover || result_.shape_error < near_enough;
+    if (!went_) {
+      fail("went non-finite");
+    } else if (result_.energy_excess > energy_allowance) {
+      fail(fmt::format("its energy rose by {} %", three_digits(100 * result_.energy_excess)));
+    } else if (!whole) {
+      result_.reason = fmt::format("stopped after {:.0f} ms of CPU time", spent_ms_);
+    } else if (result_.resets > 0) {
+      result_.verdict = Verdict::degrades;
+    } else if (back) {
+      result_.verdict = Verdict::survives;
+    } else if (!last_converged_) {
+      result_.verdict = Verdict::degrades;
+      result_.reason = fmt::format("not back: {} mm off, and says that it has not converged",
+                                   three_digits(1e3 * result_.shape_error));
+    } else {
+      fail(fmt::format("quietly {} mm off its rest shape", three_digits(1e3 * result_.shape_error)));
+    }
+  }
+
+  void fail(std::string reason) {
+    result_.verdict = Verdict::fails;
+    result_.reason = std::move(reason);
+  }
+
+  const Extreme& extreme_;
+  TestPiece piece_;
+  double limit_ms_, spent_ms_ = 0;
+  std::unique_ptr<Specimen> specimen_;
+  VecX rest_;
+  std::vector<double> steps_ms_;
+  bool went_ = true, last_converged_ = true;
+  StabilityResult result_;
+};
+
+}  // namespace
+
+StabilityResult run_extreme(const Rung& rung, const Extreme& extreme, double limit_ms) {
+  try {
+    return StabilityRun(rung, extreme, limit_ms).run();
+  } catch (const InputError& error) {
+    StabilityResult refused;
+    refused.verdict = Verdict::refuses;
+    refused.reason = error.what();
+    return refused;
+  }
+}
+
+}  // namespace prosector

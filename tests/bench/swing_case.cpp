@@ -1,0 +1,56 @@
+// The vibrating beam: let go in the shape of its first bending mode, 4 mm at the tip, no gravity, no damping.
+// The continuum swings at beam_first_frequency for ever.
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/bench/beam_piece.h"
+#include "tests/bench/damped_cosine.h"
+#include "tests/bench/trade_case.h"
+
+namespace prosector {
+namespace {
+
+constexpr double amplitude = 0.004;  // m
+constexpr double periods = 3;
+constexpr double higher_modes_s = 0.15;  // s: from then on frequency and decay are fitted
+
+ReportRow measure(Specimen& specimen, const TestPiece&, const std::string&, Runner& runner) {
+  const VecX rest = specimen.rest();
+  const Eigen::Index tip = 3 * node_at(rest, beam_tip()) + 1;
+  specimen.set_motion(in_first_mode(rest, amplitude), VecX::Zero(rest.size()));
+  const double start = specimen.elastic_energy();
+  std::vector<double> times, tips;
+  double error = 0, reference = 0;
+  constexpr double omega = 2 * std::numbers::pi * beam_first_frequency;
+  const bool done = runner.run(periods / beam_first_frequency, [&](double t) {
+    const double now = specimen.positions()[tip] - rest[tip], right = amplitude * std::cos(omega * t);
+    error += (now - right) * (now - right);
+    reference += right * right;
+    if (t < higher_modes_s) return;
+    times.push_back(t);
+    tips.push_back(now);
+  });
+  ReportRow row = ReportRow::object();
+  if (!done) return row;
+  const DampedCosine fit = fit_damped_cosine(times, tips, omega);
+  row["error_dynamic"] = std::sqrt(error / reference);
+  row["frequency_hz"] = fit.omega / (2 * std::numbers::pi);
+  row["error_frequency"] = std::abs(fit.omega / omega - 1);
+  row["amplitude_lost_per_period"] = 1 - std::exp(-fit.decay / beam_first_frequency);
+  row["phase_lag_per_period_rad"] = 2 * std::numbers::pi * (1 - fit.omega / omega);
+  row["energy_drift"] = (specimen.elastic_energy() + kinetic_energy(specimen)) / start - 1;
+  return row;
+}
+
+}  // namespace
+
+const TradeCase& swing_case() {
+  static const TradeCase row = {"swing",         "A beam swings in its first mode (ν = 0.3)",
+                                "error_dynamic", "RMS error of the tip's path over three periods",
+                                {8, 16},         [](unsigned cells) { return beam_piece(cells, 0.3); },
+                                measure,         {0, 0, 0}};
+  return row;
+}
+
+}  // namespace prosector

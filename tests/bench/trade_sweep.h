@@ -1,0 +1,29 @@
+#pragma once
+// Which rungs, resolutions, steps and iterations a case is run with.
+
+#include <vector>
+
+#include "tests/bench/bullet_specimen.h"
+#include "tests/bench/rung.h"
+#include "tests/bench/trade_case.h"
+
+namespace prosector {
+
+struct Trial {
+  Rung rung;
+  unsigned cells;
+  double dt;  // s
+};
+/// Not the whole product: for each model, every solver at every effort and resolution with the first
+/// integrator and a frame's step; then every integrator at every step, coarse to fine, with the first solver.
+/// `quick`: the two coarsest resolutions and steps.
+std::vector<Trial> trials(const TradeCase& which, bool quick);
+
+struct BulletTrial {
+  BulletRung rung;
+  unsigned cells;
+  double dt;  // s
+};
+std::vector<BulletTrial> bullet_trials(const TradeCase& which, bool quick);
+
+}  // namespace prosector
