@@ -10,9 +10,9 @@
 namespace prosector {
 namespace {
 
-constexpr std::uint32_t mesh_magic = 0x314d5350;  // "PSM1"
-constexpr std::uint32_t map_magic = 0x31575350;   // "PSW1"
-constexpr float max_position = 1000.f;            // m
+constexpr std::uint32_t mesh_magic = 0x314d5350;     // "PSM1"
+constexpr std::uint32_t surface_magic = 0x32575350;  // "PSW2"
+constexpr float max_position = 1000.f;               // m
 
 template <class T>
 void put(std::vector<std::uint8_t>& out, T value) {
@@ -53,15 +53,30 @@ Asset finish(std::vector<std::uint8_t> bytes) {
   return out;
 }
 
+void put_positions(std::vector<std::uint8_t>& out, const std::vector<Vec3>& positions) {
+  put(out, static_cast<std::uint32_t>(positions.size()));
+  for (const Vec3& x : positions)
+    for (int k = 0; k < 3; ++k) put(out, static_cast<float>(x[k]));
+}
+
+std::vector<Vec3> get_positions(Reader& in) {
+  std::vector<Vec3> positions(in.count(12));
+  for (Vec3& x : positions)
+    for (int k = 0; k < 3; ++k) {
+      const auto value = in.get<float>();
+      if (!(std::abs(value) <= max_position)) throw InputError("asset: position out of range");
+      x[k] = static_cast<double>(value);
+    }
+  return positions;
+}
+
 }  // namespace
 
 Asset encode(const TriangleMesh& mesh) {
   std::vector<std::uint8_t> out;
   out.reserve(12 + mesh.positions.size() * 12 + mesh.triangles.size() * 12);
   put(out, mesh_magic);
-  put(out, static_cast<std::uint32_t>(mesh.positions.size()));
-  for (const Vec3& x : mesh.positions)
-    for (int k = 0; k < 3; ++k) put(out, static_cast<float>(x[k]));
+  put_positions(out, mesh.positions);
   put(out, static_cast<std::uint32_t>(mesh.triangles.size()));
   for (const auto& t : mesh.triangles)
     for (auto i : t) put(out, i);
@@ -72,13 +87,7 @@ TriangleMesh decode_triangle_mesh(std::span<const std::uint8_t> bytes) {
   Reader in(bytes);
   if (in.get<std::uint32_t>() != mesh_magic) throw InputError("asset: not a triangle mesh");
   TriangleMesh mesh;
-  mesh.positions.resize(in.count(12));
-  for (Vec3& x : mesh.positions)
-    for (int k = 0; k < 3; ++k) {
-      const auto value = in.get<float>();
-      if (!(std::abs(value) <= max_position)) throw InputError("asset: position out of range");
-      x[k] = static_cast<double>(value);
-    }
+  mesh.positions = get_positions(in);
   mesh.triangles.resize(in.count(12));
   for (auto& t : mesh.triangles)
     for (auto& i : t) {
@@ -90,27 +99,29 @@ TriangleMesh decode_triangle_mesh(std::span<const std::uint8_t> bytes) {
   return mesh;
 }
 
-Asset encode(const SparseMap& map) {
+Asset encode(const StreamedSurface& surface) {
   std::vector<std::uint8_t> out;
-  out.reserve(8 + map.rows.size() * 32);
-  put(out, map_magic);
-  put(out, static_cast<std::uint32_t>(map.rows.size()));
-  for (const SparseMap::Row& row : map.rows) {
+  out.reserve(12 + surface.rest.size() * 12 + surface.map.rows.size() * 32);
+  put(out, surface_magic);
+  put_positions(out, surface.rest);
+  put(out, static_cast<std::uint32_t>(surface.map.rows.size()));
+  for (const SparseMap::Row& row : surface.map.rows) {
     for (auto node : row.node) put(out, node);
     for (double weight : row.weight) put(out, static_cast<float>(weight));
   }
   return finish(std::move(out));
 }
 
-SparseMap decode_sparse_map(std::span<const std::uint8_t> bytes) {
+StreamedSurface decode_streamed_surface(std::span<const std::uint8_t> bytes) {
   Reader in(bytes);
-  if (in.get<std::uint32_t>() != map_magic) throw InputError("asset: not a sparse map");
-  SparseMap map;
-  map.rows.resize(in.count(32));
-  for (SparseMap::Row& row : map.rows) {
+  if (in.get<std::uint32_t>() != surface_magic) throw InputError("asset: not a streamed surface");
+  StreamedSurface surface;
+  surface.rest = get_positions(in);
+  surface.map.rows.resize(in.count(32));
+  for (SparseMap::Row& row : surface.map.rows) {
     for (auto& node : row.node) {
       node = in.get<std::uint32_t>();
-      if (node >= 1u << 24) throw InputError("asset: node index out of range");
+      if (node >= surface.rest.size()) throw InputError("asset: point index out of range");
     }
     double sum = 0;
     for (double& weight : row.weight) {
@@ -121,7 +132,7 @@ SparseMap decode_sparse_map(std::span<const std::uint8_t> bytes) {
     if (!(std::abs(sum - 1) < 1e-4)) throw InputError("asset: weights do not sum to 1");
   }
   in.end();
-  return map;
+  return surface;
 }
 
 }  // namespace prosector

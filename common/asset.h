@@ -1,7 +1,7 @@
 #pragma once
-// Meshes and maps as bytes with a content hash: what AssetChunk carries and what caches hold.
-// Little endian; positions as float32. Decoding trusts nothing: sizes, indices, finiteness and weights are
-// checked.
+// Meshes and what surfaces hang on, as bytes with a content hash: what AssetChunk carries and what caches
+// hold. Little endian; positions as float32. Decoding trusts nothing: sizes, indices, finiteness and weights
+// are checked.
 
 #include <cstdint>
 #include <span>
@@ -17,11 +17,18 @@ struct Asset {
   std::vector<std::uint8_t> bytes;
 };
 
+/// How a deformable's surface hangs on its streamed points, and where those are at rest: what SoftState is
+/// told from.
+struct StreamedSurface {
+  std::vector<Vec3> rest;  // metres, room frame; float32 when encoded
+  SparseMap map;           // surface vertex ← streamed points
+};
+
 Asset encode(const TriangleMesh& mesh);
-Asset encode(const SparseMap& map);
+Asset encode(const StreamedSurface& surface);
 
 /// Throw InputError when the bytes are no such asset.
 TriangleMesh decode_triangle_mesh(std::span<const std::uint8_t> bytes);
-SparseMap decode_sparse_map(std::span<const std::uint8_t> bytes);
+StreamedSurface decode_streamed_surface(std::span<const std::uint8_t> bytes);
 
 }  // namespace prosector

@@ -137,7 +137,7 @@ struct SceneBody {
   bool moves = false;        // false: never in RigidState
   Pose pose;                 // at scene start (rigid) / body frame of quantisation (soft)
   ContentHash mesh{};  // Asset: triangle surface, in the body's frame (rigid) or the room's rest shape (soft)
-  ContentHash map{};   // Asset, soft only: SparseMap from the streamed points to surface vertices
+  ContentHash map{};   // Asset, soft only: StreamedSurface (common/asset.h)
   std::uint32_t points = 0;        // soft only: how many points are streamed
   std::uint32_t chunk_points = 0;  // soft only: points per SoftState chunk (the last may hold fewer)
   Appearance appearance;
@@ -196,15 +196,15 @@ struct RigidState {
 inline constexpr std::size_t max_chunk_points = 256;
 inline constexpr std::size_t soft_chunk_points = 112;  // what a server uses: one datagram, ≤ 1,200 bytes
 
-/// server → all, best effort, keyed (body, chunk): absolute positions and velocities of some streamed points,
-/// so one lost datagram costs one chunk. On the wire quantised within the chunk's own box; here decoded.
+/// server → all, best effort, keyed (body, chunk): some streamed points, whole in itself, so one lost
+/// datagram costs one chunk. On the wire quantised within the chunk's own box; here decoded.
 struct SoftState {
   BodyId body = 0;
   std::uint32_t chunk = 0;
   SimTime time;
   std::uint32_t revision = 0;  // topology revision that the points belong to
   std::uint32_t first_point = 0;
-  std::vector<Vec3> positions;   // metres, room frame
+  std::vector<Vec3> positions;   // metres, from the points' places at rest (StreamedSurface)
   std::vector<Vec3> velocities;  // m/s, coarse: for Hermite interpolation
 };
 

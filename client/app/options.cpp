@@ -20,7 +20,8 @@ const std::map<std::string, Display> displays = {{"window", Display::window},
                                                  {"none", Display::none}};
 
 struct RawOptions {
-  std::string tracker, glove, glove_left, config, size = "800x600", lan, user_name;
+  std::string tracker, glove, glove_left, config, size = "800x600", user_name;
+  std::optional<std::string> lan;  // empty: the only network that there is
   std::vector<std::string> screenshots;
 };
 
@@ -34,7 +35,12 @@ void add_network(CLI::App& app, ClientOptions& o, RawOptions& raw) {
       ->group("Network");
   app.add_option("--peer", o.bus.peers, "A server's machine, HOST or HOST:PORT (repeatable)")
       ->group("Network");
-  app.add_option("--lan", raw.lan, "Search the network of this interface, for instance eth0")
+  app.add_option_function<std::vector<std::string>>(
+         "--lan",
+         [&raw](const std::vector<std::string>& names) { raw.lan = names.empty() ? "" : names.front(); },
+         "Search the local network; of this interface, for instance eth0, where there are several")
+      ->expected(0, 1)
+      ->type_name("[IFACE]")
       ->group("Network");
   app.add_option("--profile", o.bus.profile, "loopback, lan, wan or a DDS profile file, see docs/network.md")
       ->group("Network");
@@ -121,8 +127,8 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
        {o.devices.tracker, o.devices.gloves[left_hand].address, o.devices.gloves[right_hand].address})
     if (!address.empty()) (void)parse_device_address(address);
   o.join.name = raw.user_name.empty() ? login_name() : raw.user_name;
-  if (raw.lan != "auto") o.bus.interface = raw.lan;
-  if (o.bus.profile.empty() && !raw.lan.empty()) o.bus.profile = "lan";
+  o.bus.interface = raw.lan.value_or("");
+  if (o.bus.profile.empty() && raw.lan) o.bus.profile = "lan";
   if (o.bus.profile.empty() && !o.bus.peers.empty()) o.bus.profile = "wan";
   o.bus.end = o.join.role == Role::observer ? BusEnd::observer : BusEnd::dissector;
   if (o.shaders.empty()) o.shaders = default_shader_dir();

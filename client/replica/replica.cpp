@@ -130,12 +130,12 @@ void Replica::build(BodyId id, const SceneBody& body) {
   const auto map_bytes = assets_.find(body.map);
   if (!map_bytes || soft_.contains(id) || body.points == 0 || body.chunk_points == 0) return;
   TriangleMesh rest = decode_triangle_mesh(*mesh);
-  SparseMap map = decode_sparse_map(*map_bytes);
-  if (map.rows.size() != rest.positions.size()) throw InputError("asset: map and surface differ in size");
-  for (const SparseMap::Row& row : map.rows)
-    for (auto node : row.node)
-      if (node >= body.points) throw InputError("asset: map names a point that isn't streamed");
-  auto [it, added] = soft_.emplace(id, SoftReplica(body, std::move(rest), std::move(map)));
+  StreamedSurface streamed = decode_streamed_surface(*map_bytes);
+  if (streamed.map.rows.size() != rest.positions.size())
+    throw InputError("asset: map and surface differ in size");
+  if (streamed.rest.size() != body.points)
+    throw InputError("asset: not a rest place for each streamed point");
+  auto [it, added] = soft_.emplace(id, SoftReplica(body, std::move(rest), std::move(streamed)));
   if (const auto settled = settled_.find(id); settled != settled_.end()) it->second.add(settled->second);
   for (const SoftState& chunk : early_soft_)
     if (chunk.body == id) it->second.add(chunk);

@@ -4,8 +4,11 @@
 
 namespace prosector {
 
-SoftReplica::SoftReplica(const SceneBody& body, TriangleMesh rest, SparseMap map)
-    : points_(body.points), chunk_points_(body.chunk_points), rest_(std::move(rest)), map_(std::move(map)) {
+SoftReplica::SoftReplica(const SceneBody& body, TriangleMesh rest, StreamedSurface streamed)
+    : points_(body.points),
+      chunk_points_(body.chunk_points),
+      rest_(std::move(rest)),
+      streamed_(std::move(streamed)) {
   chunks_.resize((points_ + chunk_points_ - 1) / chunk_points_);
   current_.assign(points_, Vec3::Zero());
   surface_.reserve(rest_.positions.size());
@@ -27,7 +30,10 @@ void SoftReplica::add(const SoftState& s) {
     ++dropped_;
     return;
   }
-  add(s.chunk, {s.time, s.positions, s.velocities});
+  Chunk chunk{s.time, s.positions, s.velocities};
+  for (std::uint32_t i = 0; i < chunk.positions.size(); ++i)
+    chunk.positions[i] += streamed_.rest[s.first_point + i];
+  add(s.chunk, std::move(chunk));
 }
 
 void SoftReplica::add(const Settled& settled) {
@@ -61,7 +67,7 @@ bool SoftReplica::sample(double tick, double dt) {
   }
   if (moved)
     for (std::size_t i = 0; i < surface_.size(); ++i)
-      surface_[i] = map_.apply(i, current_.front().data()).cast<float>();
+      surface_[i] = streamed_.map.apply(i, current_.front().data()).cast<float>();
   return moved;
 }
 

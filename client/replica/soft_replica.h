@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "client/replica/track.h"
+#include "common/asset.h"
 #include "common/mesh.h"
 #include "common/messages.h"
 
@@ -12,8 +13,8 @@ namespace prosector {
 
 class SoftReplica {
  public:
-  /// `body` from the scene, `rest` and `map` from its assets (already checked against body.points).
-  SoftReplica(const SceneBody& body, TriangleMesh rest, SparseMap map);
+  /// `body` from the scene, `rest` and `streamed` from its assets; sizes agree.
+  SoftReplica(const SceneBody& body, TriangleMesh rest, StreamedSurface streamed);
 
   void add(const SoftState& chunk);  // dropped when it doesn't fit this body's chunks
   void add(const Settled& settled);  // every chunk at once, at full precision
@@ -35,7 +36,7 @@ class SoftReplica {
   };
   std::uint32_t points_, chunk_points_;
   TriangleMesh rest_;
-  SparseMap map_;
+  StreamedSurface streamed_;
   std::vector<Track<Chunk>> chunks_;
   std::uint32_t known_points_ = 0;
   std::vector<Vec3> current_;

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "common/error.h"
+#include "idl/dds/interfaces.h"
 
 namespace prosector {
 namespace {
@@ -39,8 +40,7 @@ bool is_ipv4(const std::string& text) {
 }
 
 std::string interface_attribute(const std::string& interface) {
-  if (interface.empty())
-    throw InputError("this network profile needs an interface: its name (eth0) or its address (10.0.0.1)");
+  if (interface.empty()) return fmt::format("name=\"{}\"", only_interface(network_interfaces()));
   require_address(interface, "interface");
   return fmt::format("{}=\"{}\"", is_ipv4(interface) ? "address" : "name", interface);
 }

@@ -1,5 +1,6 @@
 #include "idl/wire/soft_quantizer.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -40,33 +41,41 @@ Grid bounding_box(std::span<const Vec3> points) {
   return grid;
 }
 
+/// Bits of the smallest grid over `extent` with steps of at most `quantum`; 0 where one value in the middle
+/// does.
+std::uint8_t bits_for(double extent, double quantum) {
+  if (extent <= quantum) return 0;
+  return static_cast<std::uint8_t>(std::bit_width(static_cast<std::uint32_t>(std::ceil(extent / quantum))));
+}
+
 }  // namespace
 
 std::uint32_t Grid::index(double value, std::size_t component) const {
-  const double width = extent[component];
-  if (width == 0) return 0;
+  if (bits[component] == 0) return 0;
   const double last = last_index(bits[component]);
-  return static_cast<std::uint32_t>(std::llround((value - low[component]) / width * last));
+  return static_cast<std::uint32_t>(std::llround((value - low[component]) / extent[component] * last));
 }
 
 double Grid::value(std::uint32_t index, std::size_t component) const {
-  if (bits[component] == 0) return low[component];
+  if (bits[component] == 0) return low[component] + 0.5 * extent[component];
   return low[component] + extent[component] * (index / last_index(bits[component]));
 }
 
 Grid position_grid(std::span<const Vec3> points) {
   Grid grid = bounding_box(points);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double steps = std::ceil(grid.extent[k] / position_quantum);
-    grid.bits[k] = static_cast<std::uint8_t>(std::bit_width(static_cast<std::uint32_t>(steps)));
-  }
+  for (std::size_t k = 0; k < 3; ++k) grid.bits[k] = bits_for(grid.extent[k], position_quantum);
   return grid;
 }
 
 Grid velocity_grid(std::span<const Vec3> points) {
   Grid grid = bounding_box(points);
-  grid.bits.fill(velocity_bits);
+  set_velocity_bits(grid);
   return grid;
+}
+
+void set_velocity_bits(Grid& grid) {
+  for (std::size_t k = 0; k < 3; ++k)
+    grid.bits[k] = std::min(max_velocity_bits, bits_for(grid.extent[k], velocity_quantum));
 }
 
 std::size_t packed_bytes(const Grid& positions, const Grid& velocities, std::size_t count) {

@@ -73,7 +73,6 @@ void to_wire(const SoftState& m, prosector_SoftState& w, WireArena& arena) {
 Refusal from_wire(const prosector_SoftState& w, SoftState& m) {
   const Grid positions{as_array(w.low), as_array(w.extent), as_array(w.bits)};
   Grid velocities{as_array(w.velocity_low), as_array(w.velocity_extent), {}};
-  velocities.bits.fill(velocity_bits);
   m.body = w.body;
   m.chunk = w.chunk;
   m.time = from_wire(w.time);
@@ -83,6 +82,7 @@ Refusal from_wire(const prosector_SoftState& w, SoftState& m) {
   for (const std::uint8_t bits : positions.bits)
     if (bits > max_component_bits) return "too many bits";
   if (!box_within(positions, max_coordinate) || !box_within(velocities, max_speed)) return "box out of range";
+  set_velocity_bits(velocities);
   if (!sequence_within(w.packed, packed_bytes(positions, velocities, w.count)) ||
       w.packed._length != packed_bytes(positions, velocities, w.count))
     return "wrong packed size";

@@ -84,8 +84,8 @@ BusConfig find_place(const ServerOptions& options, const std::string& session) {
 std::string how_to_join(const BusConfig& config) {
   const auto port = 7410 + 250 * config.domain + 2 * config.server_index;
   std::string more = config.domain != 0 ? fmt::format(" --domain {}", config.domain) : "";
-  if (config.profile == "lan") more += " --lan IFACE";
-  if (config.profile == "wan") more += " --profile wan --lan IFACE --peer THIS_HOST";
+  if (config.profile == "lan") more += " --lan";
+  if (config.profile == "wan") more += " --profile wan --lan --peer THIS_HOST";
   return fmt::format(
       "session \"{}\" is open {} (UDP port {})\n"
       "  take part:  prosector-client join --session {} --name NAME{}\n"

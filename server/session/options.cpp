@@ -11,8 +11,8 @@ BusConfig ServerOptions::bus() const {
   config.end = BusEnd::server;
   config.session = session;
   config.domain = domain;
-  config.profile = !profile.empty() ? profile : interface.empty() ? "" : "lan";
-  config.interface = interface;
+  config.profile = !profile.empty() ? profile : interface ? "lan" : "";
+  config.interface = interface.value_or("");
   return config;
 }
 
@@ -20,7 +20,7 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
   CLI::App app{
       "prosector-server: hosts a session on a scene. People join it with prosector-client.\n\n"
       "  prosector-server deploy/scenes/abdomen.toml               this machine only\n"
-      "  prosector-server deploy/scenes/abdomen.toml --lan eth0    the local network too\n"};
+      "  prosector-server deploy/scenes/abdomen.toml --lan         the local network too\n"};
   app.set_version_flag("--version", "prosector-server 0.1.0, protocol " + std::to_string(protocol_version));
   auto* scene = app.add_option("SCENE", o.scene, "Scene file (TOML; docs/scene.md)")->type_name("");
 
@@ -58,13 +58,15 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
   resume->type_name("FILE")->group(record)->excludes(journal)->excludes(scene);
 
   const char* network = "Network (default: this machine only)";
-  app.add_option("--lan", o.interface,
-                 "Reach the local network too, by this interface or address, for instance eth0")
-      ->type_name("IFACE")
-      ->group(network);
+  std::string lan;
+  auto* reach =
+      app.add_option("--lan", lan,
+                     "Reach the local network too; by this interface or address, for instance eth0, "
+                     "where there are several");
+  reach->expected(0, 1)->type_name("[IFACE]")->group(network);
   app.add_option(
          "--profile", o.profile,
-         "Network profile: loopback, lan, wan, or a file; lan and wan go with --lan IFACE (docs/network.md)")
+         "Network profile: loopback, lan, wan, or a file; lan and wan go with --lan (docs/network.md)")
       ->type_name("PROFILE")
       ->group(network);
   app.add_option("--domain", o.domain, "DDS domain")
@@ -97,6 +99,7 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
   }
+  if (reach->count() > 0) o.interface = lan;
   if (o.data.empty()) o.data.push_back(default_data_dir());
   return std::nullopt;
 }

@@ -18,7 +18,7 @@ struct ServerOptions {
   double journal_mb = 0;  // 0: no limit
   double seconds = 0;     // 0: until interrupted
   std::uint32_t domain = 0;
-  std::string interface;  // empty: this machine only
+  std::optional<std::string> interface;  // none: this machine only; empty: the only network that there is
   std::string profile;
   std::optional<std::uint32_t> index;
   std::vector<std::filesystem::path> data;

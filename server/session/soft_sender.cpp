@@ -67,7 +67,8 @@ SoftState SoftSender::send(std::uint32_t chunk, SimTime time, std::uint32_t revi
   out.time = time;
   out.revision = revision;
   out.first_point = begin(chunk);
-  out.positions.assign(x_.begin() + first, x_.begin() + last);
+  for (std::uint32_t i = begin(chunk); i < end(chunk); ++i)
+    out.positions.push_back(x_[i] - stream_.surface.rest[i]);
   out.velocities.assign(v_.begin() + first, v_.begin() + last);
   std::copy(x_.begin() + first, x_.begin() + last, sent_x_.begin() + first);
   std::copy(v_.begin() + first, v_.begin() + last, sent_v_.begin() + first);

@@ -54,18 +54,22 @@ SurfaceStream make_surface_stream(const Anatomy& anatomy, std::uint32_t chunk_po
     std::iota(streamed.begin(), streamed.end(), 0u);
     new_index.assign(W.size(), unused);
   }
-  sort_into_chunks(streamed, nodes ? anatomy.tets.positions : anatomy.surface.positions, chunk_points);
+  const std::vector<Vec3>& rest = nodes ? anatomy.tets.positions : anatomy.surface.positions;
+  sort_into_chunks(streamed, rest, chunk_points);
   for (std::uint32_t i = 0; i < streamed.size(); ++i) new_index[streamed[i]] = i;
 
   SurfaceStream out;
   out.points = static_cast<std::uint32_t>(streamed.size());
   out.chunk_points = chunk_points;
-  for (auto i : streamed) out.sources.rows.push_back(nodes ? one(i) : W[i]);
+  for (auto i : streamed) {
+    out.sources.rows.push_back(nodes ? one(i) : W[i]);
+    out.surface.rest.push_back(rest[i].cast<float>().cast<double>());
+  }
   for (std::uint32_t v = 0; v < W.size(); ++v) {
     SparseMap::Row row = nodes ? W[v] : one(new_index[v]);
     if (nodes)
       for (std::size_t k = 0; k < 4; ++k) row.node[k] = row.weight[k] != 0 ? new_index[row.node[k]] : 0;
-    out.surface.rows.push_back(row);
+    out.surface.map.rows.push_back(row);
   }
   return out;
 }

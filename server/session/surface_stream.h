@@ -7,13 +7,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/asset.h"
 #include "common/mesh.h"
 
 namespace prosector {
 
 struct SurfaceStream {
   SparseMap sources;         // streamed point ← nodes of the body
-  SparseMap surface;         // surface vertex ← streamed points: the client's asset
+  StreamedSurface surface;   // the client's asset; rest as the client will have it, to float32
   std::uint32_t points = 0;  // streamed
   std::uint32_t chunk_points = 0;
 

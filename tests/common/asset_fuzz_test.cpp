@@ -42,14 +42,18 @@ TEST(AssetFuzz, Meshes) {
   EXPECT_GT(refused, 1000);
 }
 
-TEST(AssetFuzz, Maps) {
+TEST(AssetFuzz, StreamedSurfaces) {
   std::mt19937_64 random(6);
-  const auto seed = encode(random_map(random, 20, 50)).bytes;
+  const auto seed = encode(random_surface(random, 20, 50)).bytes;
   int decoded = 0, refused = 0;
   for (int n = 0; n < 50000; ++n) {
     try {
-      for (const auto& row : decode_sparse_map(mutated(seed, random)).rows)
+      const StreamedSurface surface = decode_streamed_surface(mutated(seed, random));
+      for (const Vec3& x : surface.rest) ASSERT_TRUE(is_finite(x));
+      for (const auto& row : surface.map.rows) {
+        for (const auto point : row.node) ASSERT_LT(point, surface.rest.size());
         ASSERT_NEAR(row.weight[0] + row.weight[1] + row.weight[2] + row.weight[3], 1, 1e-4);
+      }
       ++decoded;
     } catch (const InputError&) {
       ++refused;

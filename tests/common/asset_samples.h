@@ -1,9 +1,9 @@
 #pragma once
-// Random meshes and maps that are valid assets.
+// Random meshes and streamed surfaces that are valid assets.
 
 #include <random>
 
-#include "common/mesh.h"
+#include "common/asset.h"
 
 namespace prosector::testing_assets {
 
@@ -19,17 +19,18 @@ inline TriangleMesh random_mesh(std::mt19937_64& random, std::uint32_t vertices,
   return mesh;
 }
 
-inline SparseMap random_map(std::mt19937_64& random, std::uint32_t rows, std::uint32_t nodes) {
+inline StreamedSurface random_surface(std::mt19937_64& random, std::uint32_t rows, std::uint32_t points) {
   std::uniform_real_distribution<double> weight(-1, 1);
-  SparseMap map;
+  StreamedSurface surface;
+  surface.rest = random_mesh(random, points, 0).positions;
   for (std::uint32_t r = 0; r < rows; ++r) {
     SparseMap::Row row;
-    for (auto& node : row.node) node = static_cast<std::uint32_t>(random() % nodes);
+    for (auto& node : row.node) node = static_cast<std::uint32_t>(random() % points);
     for (std::size_t k = 0; k < 3; ++k) row.weight[k] = weight(random);
     row.weight[3] = 1 - row.weight[0] - row.weight[1] - row.weight[2];
-    map.rows.push_back(row);
+    surface.map.rows.push_back(row);
   }
-  return map;
+  return surface;
 }
 
 }  // namespace prosector::testing_assets

@@ -30,16 +30,20 @@ TEST(Asset, MeshesRoundTrip) {
   }
 }
 
-TEST(Asset, MapsRoundTrip) {
+TEST(Asset, StreamedSurfacesRoundTrip) {
   std::mt19937_64 random(2);
   for (const std::uint32_t n : {0u, 1u, 300u}) {
-    const SparseMap map = random_map(random, n, 1000);
-    const Asset asset = encode(map);
-    const SparseMap back = decode_sparse_map(asset.bytes);
-    ASSERT_EQ(back.rows.size(), map.rows.size());
+    const StreamedSurface surface = random_surface(random, n, 1000);
+    const Asset asset = encode(surface);
+    const StreamedSurface back = decode_streamed_surface(asset.bytes);
+    ASSERT_EQ(back.rest.size(), surface.rest.size());
+    for (std::size_t i = 0; i < back.rest.size(); ++i)
+      EXPECT_EQ(back.rest[i], surface.rest[i].cast<float>().cast<double>());
+    ASSERT_EQ(back.map.rows.size(), n);
     for (std::size_t r = 0; r < n; ++r) {
-      EXPECT_EQ(back.rows[r].node, map.rows[r].node);
-      for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(back.rows[r].weight[k], map.rows[r].weight[k], 1e-6);
+      EXPECT_EQ(back.map.rows[r].node, surface.map.rows[r].node);
+      for (std::size_t k = 0; k < 4; ++k)
+        EXPECT_NEAR(back.map.rows[r].weight[k], surface.map.rows[r].weight[k], 1e-6);
     }
     EXPECT_EQ(encode(back).hash, asset.hash);
   }
@@ -47,17 +51,17 @@ TEST(Asset, MapsRoundTrip) {
 
 TEST(Asset, EveryTruncationAndEveryTailIsRefused) {
   std::mt19937_64 random(3);
-  auto mesh = encode(random_mesh(random, 6, 8)).bytes, map = encode(random_map(random, 5, 9)).bytes;
+  auto mesh = encode(random_mesh(random, 6, 8)).bytes, map = encode(random_surface(random, 5, 9)).bytes;
   for (std::size_t n = 0; n < mesh.size(); ++n)
     EXPECT_THROW(decode_triangle_mesh(std::span(mesh).first(n)), InputError) << n;
   for (std::size_t n = 0; n < map.size(); ++n)
-    EXPECT_THROW(decode_sparse_map(std::span(map).first(n)), InputError) << n;
-  EXPECT_THROW(decode_sparse_map(mesh), InputError);
+    EXPECT_THROW(decode_streamed_surface(std::span(map).first(n)), InputError) << n;
+  EXPECT_THROW(decode_streamed_surface(mesh), InputError);
   EXPECT_THROW(decode_triangle_mesh(map), InputError);
   mesh.push_back(0);
   map.push_back(0);
   EXPECT_THROW(decode_triangle_mesh(mesh), InputError);
-  EXPECT_THROW(decode_sparse_map(map), InputError);
+  EXPECT_THROW(decode_streamed_surface(map), InputError);
 }
 
 TEST(Asset, LiesAreRefused) {
@@ -71,10 +75,14 @@ TEST(Asset, LiesAreRefused) {
   EXPECT_THROW(decode_triangle_mesh(with(good, 8, std::numeric_limits<float>::quiet_NaN())), InputError);
   EXPECT_THROW(decode_triangle_mesh(with(good, 8, 1e9f)), InputError);
   EXPECT_THROW(decode_triangle_mesh(with(good, good.size() - 4, std::uint32_t{6})), InputError);
-  const auto map = encode(random_map(random, 1, 9)).bytes;
-  EXPECT_THROW(decode_sparse_map(with(map, 8, std::uint32_t{1u << 24})), InputError);
-  EXPECT_THROW(decode_sparse_map(with(map, 24, 5.f)), InputError);  // the sum isn't 1
-  EXPECT_THROW(decode_sparse_map(with(map, 24, std::numeric_limits<float>::infinity())), InputError);
+  const auto map = encode(random_surface(random, 1, 9)).bytes;
+  const std::size_t row = 8 + 9 * 12 + 4;
+  EXPECT_THROW(decode_streamed_surface(with(map, 4, std::uint32_t{0xffffffff})), InputError);
+  EXPECT_THROW(decode_streamed_surface(with(map, 8, 1e9f)), InputError);
+  EXPECT_THROW(decode_streamed_surface(with(map, row, std::uint32_t{9})), InputError);
+  EXPECT_THROW(decode_streamed_surface(with(map, row + 16, 5.f)), InputError);  // the sum isn't 1
+  EXPECT_THROW(decode_streamed_surface(with(map, row + 16, std::numeric_limits<float>::infinity())),
+               InputError);
 }
 
 }  // namespace

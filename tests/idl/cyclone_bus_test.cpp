@@ -217,7 +217,7 @@ TEST(CycloneBus, BadConfigurationsAreNamed) {
   refused([](BusConfig& c) { c.domain = 231; });
   refused([](BusConfig& c) { c.server_index = 10; });
   refused([](BusConfig& c) { c.profile = "/no/such/file.xml"; });
-  refused([](BusConfig& c) { c.profile = "lan"; });  // without an interface
+  refused([](BusConfig& c) { c.profile = "lan", c.interface = "no interface"; });
   refused([](BusConfig& c) { c.peers = {"\"/><Peer Address=\"1.2.3.4"}; });
 }
 

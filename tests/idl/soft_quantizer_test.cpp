@@ -30,7 +30,7 @@ TEST(SoftQuantizer, ErrorIsWithinHalfAQuantum) {
   std::mt19937_64 random(1);
   for (const double size : {0.0, 1e-7, 4e-5, 6e-5, 0.01, 0.1, 1.0, 10.0, 900.0})
     for (const double place : {0.0, 1.0, 90.0})
-      for (const double speed : {0.0, 1e-6, 0.1, 10.0, 900.0})
+      for (const double speed : {0.0, 1e-6, 1e-3, 0.01, 0.1, 10.0, 900.0})
         for (const std::size_t count : {1u, 2u, 112u, 256u}) {
           const SoftState sent = random_chunk(random, count, size, place, speed);
           Message message;
@@ -40,7 +40,8 @@ TEST(SoftQuantizer, ErrorIsWithinHalfAQuantum) {
           ASSERT_EQ(got.positions.size(), count);
           Vec3 low = sent.velocities[0], high = low;
           for (const Vec3& v : sent.velocities) low = low.cwiseMin(v), high = high.cwiseMax(v);
-          const double velocity_error = (high - low).maxCoeff() / 255 / 2 * 1.001 + 1e-6 * speed;
+          const double velocity_error =
+              std::max(velocity_quantum, (high - low).maxCoeff() / 255) / 2 * 1.001 + 1e-6 * speed;
           for (std::size_t i = 0; i < count; ++i) {
             EXPECT_LE((got.positions[i] - sent.positions[i]).cwiseAbs().maxCoeff(),
                       position_quantum / 2 + 1e-12);
@@ -64,12 +65,26 @@ TEST(SoftQuantizer, AnOutlierWidensTheBox) {
 TEST(SoftQuantizer, AChunkFitsADatagram) {
   std::mt19937_64 random(3);
   static_assert(soft_chunk_points <= max_chunk_points);
-  for (const double size : {0.05, 0.25, 1.0, 3.2}) {
+  for (const double size : {0.05, 0.25, 1.0, 1.9}) {
     Message message;
     std::size_t bytes = 0;
     ASSERT_EQ(through_the_wire(random_chunk(random, soft_chunk_points, size, 1, 5), message, bytes), nullptr);
     EXPECT_LE(bytes, 1120u);  // and 80 for the headers of RTPS
   }
+}
+
+TEST(SoftQuantizer, SlowAndNarrowChunksAreSmall) {
+  std::mt19937_64 random(5);
+  const auto bytes_of = [&](double size, double speed) {
+    Message message;
+    std::size_t bytes = 0;
+    EXPECT_EQ(through_the_wire(random_chunk(random, soft_chunk_points, size, 0.1, speed), message, bytes),
+              nullptr);
+    return bytes;
+  };
+  EXPECT_LE(bytes_of(2e-5, 1e-3), 100u);  // one value for all: headers only
+  EXPECT_LE(bytes_of(0.003, 0.01), 100u + soft_chunk_points * 3 * (7 + 3) / 8);
+  EXPECT_LE(bytes_of(0.03, 0.1), 100u + soft_chunk_points * 3 * (10 + 6) / 8);
 }
 
 TEST(BitStream, NumbersOfAllWidthsComeBack) {

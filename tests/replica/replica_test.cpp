@@ -49,8 +49,8 @@ TEST(Track, SortsLateSamplesAndDropsOldEpochs) {
 struct SmallScene {
   TriangleMesh surface{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   SparseMap map{{{{0, 1, 2, 3}, {1, 0, 0, 0}}, {{0, 1, 2, 3}, {0, 1, 0, 0}}, {{0, 1, 2, 3}, {0, 0, 1, 0}}}};
-  Asset mesh_asset = encode(surface), map_asset = encode(map);
   std::vector<Vec3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Asset mesh_asset = encode(surface), map_asset = encode(StreamedSurface{points, map});
 
   SceneInfo scene() const {
     SceneBody body;
@@ -73,7 +73,7 @@ struct SmallScene {
     s.time = {0, tick};
     s.first_point = chunk * 3;
     for (std::uint32_t i = s.first_point; i < std::min(4u, s.first_point + 3); ++i)
-      s.positions.push_back(points[i] + offset);
+      s.positions.push_back(offset);
     s.velocities.assign(s.positions.size(), Vec3::Zero());
     return s;
   }
@@ -144,7 +144,7 @@ TEST(Replica, CountsContradictionsAndGoesOn) {
   SoftState wrong = s.soft(0, 10, Vec3::Zero());
   wrong.first_point = 2;
   SceneInfo scene = s.scene();
-  scene.bodies[0].points = 3;  // the map names point 3
+  scene.bodies[0].points = 3;  // the asset has 4
   for (const Message& m : std::vector<Message>{session(), scene, SmallScene::chunk(s.mesh_asset),
                                                SmallScene::chunk(s.map_asset), rigid_at({0, 1}, 77), wrong})
     feed(replica, m);

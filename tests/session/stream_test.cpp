@@ -62,9 +62,9 @@ TEST(SurfaceStream, SurfaceFollowsFromTheStreamedPointsExactly) {
     VecX points(3 * stream.points);
     for (std::uint32_t i = 0; i < stream.points; ++i)
       points.segment<3>(3 * i) = stream.sources.apply(i, x.data());
-    ASSERT_EQ(stream.surface.rows.size(), anatomy.surface.positions.size());
+    ASSERT_EQ(stream.surface.map.rows.size(), anatomy.surface.positions.size());
     for (std::size_t v = 0; v < anatomy.surface.positions.size(); ++v)
-      EXPECT_LT((stream.surface.apply(v, points.data()) - anatomy.embedding.apply(v, x.data())).norm(),
+      EXPECT_LT((stream.surface.map.apply(v, points.data()) - anatomy.embedding.apply(v, x.data())).norm(),
                 1e-12);
   }
 }
@@ -133,7 +133,8 @@ TEST(SoftSender, WhatIsHeldBackStaysBelowTheThreshold) {
     const double amplitude = 0.05 * std::sin(0.02 * t);
     for (const Message& m : swing.step(amplitude)) {
       const auto& s = std::get<SoftState>(m);
-      std::copy(s.positions.begin(), s.positions.end(), client.begin() + s.first_point);
+      for (std::uint32_t i = 0; i < s.positions.size(); ++i)
+        client[s.first_point + i] = swing.stream.surface.rest[s.first_point + i] + s.positions[i];
     }
     for (std::uint32_t i = 0; i < swing.stream.points; ++i) {
       Vec3 x = swing.stream.sources.apply(i, swing.rest.data());

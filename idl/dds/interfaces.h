@@ -1,0 +1,19 @@
+#pragma once
+// The networks that this machine is on, for a profile whose user names none.
+
+#include <string>
+#include <vector>
+
+namespace prosector {
+
+struct NetworkInterface {
+  std::string name, address;  // "eth0", "10.0.0.1"
+};
+
+/// Interfaces that are up and have an IPv4 address, but for loopback.
+std::vector<NetworkInterface> network_interfaces();
+
+/// The name of the only one; throws InputError, listing them, when there are several, or none.
+std::string only_interface(const std::vector<NetworkInterface>& interfaces);
+
+}  // namespace prosector
