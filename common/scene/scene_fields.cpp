@@ -265,7 +265,8 @@ const Table& soft_table() {
          number<S, &S::solver_iterations>("solver_iterations", "", {1, 100000},
                                           "of the linear solver, at most, per Newton iteration"),
          number<S, &S::solver_tolerance>("solver_tolerance", "", {0, 0.5, true},
-                                         "relative residual at which the linear solver stops")},
+                                         "relative residual at which the linear solver stops; its root where "
+                                         "several Newton iterations follow")},
         {{"attach", attach_table, true, 64, append<S, &S::attach>}},
         fresh<S>};
     add_pose<S>(t.fields, "the mesh's origin, or the volume's or shape's centre, in the room");

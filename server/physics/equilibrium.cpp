@@ -1,4 +1,4 @@
-// The shape in which each soft body rests under gravity, on the fixed things around it: found once per
+// The shape in which each soft body rests under gravity, on the things around it: found once per
 // compiled scene by dynamic relaxation (implicit steps much longer than a tick, velocities dropped after
 // each).
 
@@ -64,8 +64,10 @@ void Simulation::Impl::relax(std::size_t body) {
     surfaces[body].update(state.motion.x.data());
     Island island;
     island.soft.push_back({body, model.soft[body].get(), &state});
-    for (const Collider& c : colliders)
-      if (c.parts && c.fixed) add_contacts(body, c, 0.02, island.contacts);
+    for (Collider c : colliders) {
+      c.fixed = true;  // what moves stands still until the scene runs
+      if (c.parts) add_contacts(body, c, 0.02, island.contacts);
+    }
     const VecX before = state.motion.x;
     const IslandReport solved = solve_island(island, relaxation_step, model.scene.gravity);
     state.motion.v.setZero();

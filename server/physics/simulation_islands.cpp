@@ -7,10 +7,11 @@
 namespace prosector {
 namespace {
 
-constexpr double rigid_contact_factor = 20;  // times the heavier body's mass over h²: resting depth < 0.2 mm
-constexpr double quiet_speed = 1e-3;         // m/s, of the fastest node
-constexpr double quiet_rigid_speed = 5e-3;   // m/s
-constexpr double quiet_rigid_spin = 5e-2;    // rad/s
+// Times the mass of the island's heaviest body over h²: it may rest on a light one, no deeper than 0.2 mm.
+constexpr double rigid_contact_factor = 20;
+constexpr double quiet_speed = 1e-3;        // m/s, of the fastest node
+constexpr double quiet_rigid_speed = 5e-3;  // m/s
+constexpr double quiet_rigid_spin = 5e-2;   // rad/s
 constexpr int quiet_ticks_to_sleep = 30;
 
 Mat3 room_inertia(const RigidSetup& setup, const Pose& pose) {
@@ -66,7 +67,7 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
       const auto [linear, angular] = world.predicted_velocity(slot, model.h);
       RigidMember member;
       member.slot = slot;
-      member.mass = setup.mass;
+      member.mass = body_mass(slot);
       member.inertia = room_inertia(setup, pose);
       member.predicted << model.h * linear, model.h * angular;
       if (hand) member.pull = hand_pull(*hand, model.hands[hand->side], model.scene.hand, pose, model.h);
@@ -80,7 +81,6 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
       c.normal = rc.normal;
       c.gap = rc.gap;
       c.friction = rc.friction;
-      c.stiffness = rigid_contact_factor * std::max(body_mass(rc.a), body_mass(rc.b)) / (model.h * model.h);
       island.contacts.push_back(c);
     }
   }
@@ -101,6 +101,14 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
                                                           : islands.back();
     island.soft.push_back({i, model.soft[i].get(), &soft[i]});
     island.contacts.insert(island.contacts.end(), soft_contacts[i].begin(), soft_contacts[i].end());
+  }
+  for (Island& island : islands) {
+    double heaviest = 0;
+    for (const RigidMember& r : island.rigid) heaviest = std::max(heaviest, r.mass);
+    for (const SoftMember& s : island.soft) heaviest = std::max(heaviest, s.body->total_mass());
+    for (Contact& c : island.contacts)
+      if (c.a.kind != ContactSide::Kind::soft)
+        c.stiffness = rigid_contact_factor * heaviest / (model.h * model.h);
   }
   for (const Hand& hand : hands) {
     if (!hand.hold) continue;

@@ -9,7 +9,8 @@ namespace {
 
 constexpr double same_tangent =
     0.1;  // cells that nodes may move while a tangent is still good to descend with
-constexpr double stick_speed = 0.002;  // m/s: below it friction sticks, creeping at most this fast
+constexpr double stick_speed =
+    5e-4;  // m/s: below it friction sticks, creeping at most this fast, until the body sleeps
 
 Mat3 cross_matrix(const Vec3& v) {
   Mat3 m;
@@ -36,6 +37,7 @@ IslandSystem::IslandSystem(Island& island, double h)
   size_ += 6 * static_cast<Eigen::Index>(island.rigid.size());
   for (const Contact& c : island.contacts) contacts_.push_back(join(c.a, c.b));
   for (const Tie& t : island.ties) ties_.push_back(join(t.a, t.b));
+  stiff_.reserve(contacts_.size() + ties_.size());
   lagged_.assign(contacts_.size(), 0);
   node_blocks_.resize(static_cast<std::size_t>(rigid_begin_ / 3));
   node_inverse_.resize(node_blocks_.size());
@@ -242,8 +244,11 @@ void IslandSystem::assemble(const VecX& q) {
     const double d = (tie.offset + displacement(ties_[t], q)).norm();
     ties_[t].D = BoundedSpring{tie.stiffness, tie.max_force}.secant(d) * Mat3::Identity();
   }
+  stiff_.clear();
   for (const auto* joints : {&contacts_, &ties_})
     for (const Joint& joint : *joints) {
+      if (joint.D.isZero(0)) continue;
+      stiff_.push_back(&joint);
       add_block(joint.a, joint.D);
       add_block(joint.b, joint.D);
     }
@@ -257,12 +262,11 @@ void IslandSystem::multiply(const VecX& p, VecX& Hp) const {
     island_.soft[m].body->multiply(p.data() + soft_offset_[m], Hp.data() + soft_offset_[m]);
   for (std::size_t m = 0; m < island_.rigid.size(); ++m)
     Hp.segment<6>(rigid_offset(m)) = rigid_blocks_[m] * p.segment<6>(rigid_offset(m));
-  for (const auto* joints : {&contacts_, &ties_})
-    for (const Joint& joint : *joints) {
-      const Vec3 f = joint.D * (read(joint.a, p) - read(joint.b, p));
-      add(joint.a, f, Hp);
-      add(joint.b, -f, Hp);
-    }
+  for (const Joint* joint : stiff_) {
+    const Vec3 f = joint->D * (read(joint->a, p) - read(joint->b, p));
+    add(joint->a, f, Hp);
+    add(joint->b, -f, Hp);
+  }
 }
 
 void IslandSystem::block_jacobi(const VecX& r, VecX& z) const {

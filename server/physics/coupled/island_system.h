@@ -70,7 +70,8 @@ class IslandSystem final : public LinearOperator {
   Eigen::Index size_ = 0, rigid_begin_ = 0;
   std::vector<Eigen::Index> soft_offset_;
   std::vector<Joint> contacts_, ties_;
-  std::vector<double> lagged_;  // N, normal force per contact
+  std::vector<const Joint*> stiff_;  // those with a stiffness since the last assemble()
+  std::vector<double> lagged_;       // N, normal force per contact
   std::vector<Mat3> node_blocks_, node_inverse_;
   std::vector<Mat6> rigid_blocks_;  // own: inertia and pull
   std::vector<Mat6> rigid_sums_;    // with contacts
