@@ -82,6 +82,7 @@ struct SoftDesc {
   Pose pose;                    // volume or mesh frame → room. Volumes: origin at the volume's centre
 
   std::string model = "fem_corotational";
+  std::string element = "tet4";  // tet4: linear | tet10: quadratic, straight-sided at rest
   std::string integrator = "implicit_euler";
   std::string solver = "cg";
   double youngs_modulus = 5400;  // Pa

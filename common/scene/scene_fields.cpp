@@ -250,6 +250,9 @@ const Table& soft_table() {
                                      "edge length of the surface that is touched and drawn, about"),
          number<S, &S::smoothing>("smoothing", "voxels", {0, 10}, "volumes: Gaussian σ on the label's mask"),
          identifier<S, &S::model>("model", "constitutive law, for instance fem_corotational"),
+         words<S, &S::element>(
+             "element", {"tet4", "tet10"},
+             "tetrahedra: linear, or quadratic (ten nodes: a tenth of the elements for the same error)"),
          identifier<S, &S::integrator>("integrator", "time integrator, for instance implicit_euler"),
          identifier<S, &S::solver>("solver", "linear solver, for instance cg"),
          number<S, &S::youngs_modulus>("youngs_modulus", "Pa", {0, 1e12, true}, "stiffness in tension"),

@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
+#include <map>
 
 #include "tests/bench/soft_run.h"
 #include "tests/bench/subjects.h"
@@ -28,16 +29,17 @@ struct Model {
 constexpr Model models[] = {{"fem_corotational", 0.1704}, {"fem_neo_hookean_polynomial", 0.1712}};
 
 struct Solver {
+  const char* element;
   const char* name;
   int newton, iterations;
   double tolerance;
   std::uint32_t most_cells = 100;  // across: beyond, a frame takes seconds
 };
-constexpr Solver solver_rows[] = {{"cg", 3, 60, 1e-3},
-                                  {"cg", 1, 1000, 1e-3},
-                                  {"multigrid", 1, 60, 1e-3},
-                                  {"multigrid", 1, 60, 1e-2},
-                                  {"direct", 1, 60, 1e-3, 6}};
+constexpr Solver solver_rows[] = {
+    {"tet4", "cg", 1, 1000, 1e-3},          {"tet4", "cg", 3, 60, 1e-3},
+    {"tet4", "direct", 1, 60, 1e-3, 6},     {"tet4", "multigrid", 1, 60, 1e-3},
+    {"tet4", "multigrid", 1, 60, 1e-2},     {"tet10", "cg", 1, 1000, 1e-3, 4},
+    {"tet10", "multigrid", 1, 60, 1e-3, 4}, {"tet10", "multigrid", 1, 60, 1e-2, 4}};
 
 Anatomy mesh(std::uint32_t n) {
   return kuhn_anatomy({4 * n, n, n}, size);
@@ -47,6 +49,7 @@ SoftDesc beam(const Model& model, const Solver& solver) {
   SoftDesc desc;
   desc.name = "beam";
   desc.model = model.name;
+  desc.element = solver.element;
   desc.solver = solver.name;
   desc.newton_iterations = solver.newton;
   desc.solver_iterations = solver.iterations;
@@ -80,8 +83,8 @@ struct Converged {
   std::vector<VecX> path;  // after each moving frame
 };
 
-Converged converge(const Model& model, std::uint32_t n) {
-  SoftRun run(beam(model, {"cg", 30, 20000, 1e-8}), mesh(n));
+Converged converge(const Model& model, const char* element, std::uint32_t n) {
+  SoftRun run(beam(model, {element, "multigrid", 30, 2000, 1e-8}), mesh(n));
   Converged result;
   for (int i = 0; i < moving_frames; ++i) {
     run.step(h, gravity);
@@ -107,7 +110,7 @@ ReportRow measure(const Model& model, const Solver& solver, std::uint32_t n, uns
   for (int i = 0; i < settled_frames; ++i) settled.add(run.step(h, gravity));
   const double sag = size[1] / 2 - tip_height(run.body(), run.state().motion.x);
   return {{"model", model.name},
-          {"element", "tet4"},
+          {"element", solver.element},
           {"integrator", run.body().desc().integrator},
           {"solver", solver.name},
           {"newton_iterations", solver.newton},
@@ -160,13 +163,16 @@ Report bench_beam(const BeamBenchOptions& options) {
   for (const Model& model : models) {
     if (!options.model.empty() && options.model != model.name) continue;
     for (const std::uint32_t n : options.cells) {
-      const Converged converged = converge(model, n);
+      std::map<std::string, Converged> converged;  // by element
       for (const Solver& solver : solver_rows) {
         if (!options.solver.empty() && options.solver != solver.name) continue;
         if (n > solver.most_cells) continue;
+        if (!options.element.empty() && options.element != solver.element) continue;
+        if (!converged.contains(solver.element))
+          converged[solver.element] = converge(model, solver.element, n);
         for (unsigned threads = 1; threads <= options.threads; ++threads) {
           const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-          report.add(measure(model, solver, n, threads, converged));
+          report.add(measure(model, solver, n, threads, converged[solver.element]));
           table.print(report.rows().back());
         }
       }

@@ -25,7 +25,7 @@ struct Solver {
   int newton, iterations;
   double tolerance;
 };
-constexpr Solver reference = {"cg", 20, 20000, 1e-7};
+constexpr Solver reference = {"multigrid", 20, 2000, 1e-7};
 constexpr Solver solver_rows[] = {
     {"cg", 1, 10, 1e-6}, {"cg", 1, 200, 1e-3}, {"multigrid", 1, 60, 1e-2}, {"multigrid", 1, 60, 1e-3}};
 

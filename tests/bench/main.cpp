@@ -39,6 +39,7 @@ int main(int argc, char** argv) try {
   beam_command->add_option("--cells", beam.cells, "Cells across; n make 24n³ tetrahedra")
       ->check(CLI::Range(1, 100));
   beam_command->add_option("--model", beam.model, "Only this model's rows");
+  beam_command->add_option("--element", beam.element, "Only this element's rows");
   beam_command->add_option("--solver", beam.solver, "Only this solver's rows");
   beam_command->add_option("--threads", beam.threads, "From one thread to this many")
       ->check(CLI::Range(1, 1024));

@@ -28,9 +28,9 @@ struct RenderBenchOptions {
 Report bench_render(const RenderBenchOptions& options);
 
 struct BeamBenchOptions {
-  std::vector<std::uint32_t> cells = {3, 6, 11};  // across; each makes 24n³ tetrahedra
-  std::string model, solver;                      // only these rows; empty: all
-  unsigned threads = 2;                           // from one to this many
+  std::vector<std::uint32_t> cells = {2, 3, 4, 6, 11};  // across; each makes 24n³ tetrahedra
+  std::string model, element, solver;                   // only these rows; empty: all
+  unsigned threads = 2;                                 // from one to this many
 };
 /// The cantilever of other codes' figures: time against errors, moving and settled.
 Report bench_beam(const BeamBenchOptions& options);

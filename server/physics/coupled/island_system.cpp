@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "server/physics/coupled/potentials.h"
+#include "server/physics/parallel.h"
 
 namespace prosector {
 namespace {
 
+constexpr std::size_t nodes_per_chunk = 512;
 constexpr double same_tangent =
     0.1;  // cells that nodes may move while a tangent is still good to descend with
 constexpr double stick_speed =
@@ -252,7 +254,10 @@ void IslandSystem::assemble(const VecX& q) {
       add_block(joint.a, joint.D);
       add_block(joint.b, joint.D);
     }
-  for (std::size_t i = 0; i < node_blocks_.size(); ++i) node_inverse_[i] = node_blocks_[i].inverse();
+  parallel_chunks(node_blocks_.size(), nodes_per_chunk,
+                  [&](std::size_t first, std::size_t last, std::size_t) {
+                    for (std::size_t i = first; i < last; ++i) node_inverse_[i] = node_blocks_[i].inverse();
+                  });
   for (std::size_t m = 0; m < rigid_sums_.size(); ++m) rigid_factors_[m].compute(rigid_sums_[m]);
 }
 
@@ -271,10 +276,13 @@ void IslandSystem::multiply(const VecX& p, VecX& Hp) const {
 
 void IslandSystem::block_jacobi(const VecX& r, VecX& z) const {
   z.resize(size_);
-  for (std::size_t i = 0; i < node_inverse_.size(); ++i) {
-    const auto at = 3 * static_cast<Eigen::Index>(i);
-    z.segment<3>(at) = node_inverse_[i] * r.segment<3>(at);
-  }
+  parallel_chunks(node_inverse_.size(), nodes_per_chunk,
+                  [&](std::size_t first, std::size_t last, std::size_t) {
+                    for (std::size_t i = first; i < last; ++i) {
+                      const auto at = 3 * static_cast<Eigen::Index>(i);
+                      z.segment<3>(at) = node_inverse_[i] * r.segment<3>(at);
+                    }
+                  });
   for (std::size_t m = 0; m < rigid_factors_.size(); ++m)
     z.segment<6>(rigid_offset(m)) = rigid_factors_[m].solve(r.segment<6>(rigid_offset(m)));
 }

@@ -3,10 +3,24 @@
 #include <cmath>
 #include <limits>
 
+#include "server/physics/parallel.h"
+
 namespace prosector {
 namespace {
 
 using Preconditioner = void (LinearOperator::*)(const VecX& r, VecX& z) const;
+
+constexpr std::size_t entries_per_chunk = 8192;
+
+/// f(i) for all entries of vectors of n.
+template <class F>
+void for_entries(Eigen::Index n, const F& f) {
+  parallel_chunks(static_cast<std::size_t>(n), entries_per_chunk,
+                  [&](std::size_t first, std::size_t last, std::size_t) {
+                    for (auto i = static_cast<Eigen::Index>(first); i < static_cast<Eigen::Index>(last); ++i)
+                      f(i);
+                  });
+}
 
 class ConjugateGradient final : public LinearSolver {
  public:
@@ -33,12 +47,15 @@ class ConjugateGradient final : public LinearSolver {
       const double curvature = p_.dot(q_);
       if (!(curvature > 0) || !std::isfinite(curvature)) break;  // not positive definite, or not finite
       const double step = rho / curvature;
-      x += step * p_;
-      r_ -= step * q_;
+      for_entries(x.size(), [&](Eigen::Index i) {
+        x[i] += step * p_[i];
+        r_[i] -= step * q_[i];
+      });
       ++report.iterations;
       (H.*precondition_)(r_, z_);
       const double rho_next = r_.dot(z_);
-      p_ = z_ + (rho_next / rho) * p_;
+      const double keep = rho_next / rho;
+      for_entries(x.size(), [&](Eigen::Index i) { p_[i] = z_[i] + keep * p_[i]; });
       rho = rho_next;
     }
     // The recurrence's residual drifts from the true one: report the true.

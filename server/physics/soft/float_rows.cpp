@@ -146,6 +146,52 @@ void rest(const FloatRows& A, std::size_t first, std::size_t last, const float* 
   for (std::size_t i = first; i < last; ++i) row_residual<B>(A, i, b, z, r + B * i);
 }
 
+#if HWY_MAX_BYTES >= 32
+using D4 = hn::FixedTag<double, 4>;
+using Sum = hn::Vec<D4>;
+HWY_INLINE Sum no_sum() {
+  return hn::Zero(D4());
+}
+HWY_INLINE Sum block_times(const float* block, const double* x, Sum sum) {
+  for (int c = 0; c < 3; ++c)
+    sum = hn::MulAdd(hn::PromoteTo(D4(), load4(block + 3 * c)), hn::Set(D4(), x[c]), sum);
+  return sum;
+}
+HWY_INLINE void store(Sum even, Sum odd, double* y) {
+  double all[4];
+  hn::StoreU(even + odd, D4(), all);
+  for (int k = 0; k < 3; ++k) y[k] = all[k];
+}
+#else
+struct Sum {
+  double at[3];
+};
+HWY_INLINE Sum no_sum() {
+  return {};
+}
+HWY_INLINE Sum block_times(const float* block, const double* x, Sum sum) {
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) sum.at[r] += static_cast<double>(block[3 * c + r]) * x[c];
+  return sum;
+}
+HWY_INLINE void store(const Sum& even, const Sum& odd, double* y) {
+  for (int k = 0; k < 3; ++k) y[k] = even.at[k] + odd.at[k];
+}
+#endif
+
+void product_double(const FloatBlocks& A, std::size_t first, std::size_t last, const double* x, double* y) {
+  for (std::size_t i = first; i < last; ++i) {
+    Sum even = no_sum(), odd = even;
+    std::size_t k = A.begin[i];
+    for (; k + 1 < A.begin[i + 1]; k += 2) {
+      even = block_times(A.value + 9 * k, x + 3 * std::size_t{A.column[k]}, even);
+      odd = block_times(A.value + 9 * (k + 1), x + 3 * std::size_t{A.column[k + 1]}, odd);
+    }
+    if (k < A.begin[i + 1]) even = block_times(A.value + 9 * k, x + 3 * std::size_t{A.column[k]}, even);
+    store(even, odd, y + 3 * i);
+  }
+}
+
 // Dispatch takes no templates.
 #define PROSECTOR_FLOAT_ROWS(B)                                                                          \
   void from_zero##B(const FloatRows& A, std::size_t first, std::size_t last, const float* b, float gain, \
@@ -186,10 +232,14 @@ HWY_EXPORT(step3);
 HWY_EXPORT(step6);
 HWY_EXPORT(rest3);
 HWY_EXPORT(rest6);
+HWY_EXPORT(product_double);
 HWY_EXPORT(product36);
 HWY_EXPORT(product63);
 HWY_EXPORT(product66);
 
+void multiply(const FloatBlocks& A, std::size_t first, std::size_t last, const double* x, double* y) {
+  HWY_DYNAMIC_DISPATCH(product_double)(A, first, last, x, y);
+}
 template <>
 void multiply<3, 6>(const FloatBlocks& A, std::size_t first, std::size_t last, const float* x, float* y) {
   HWY_DYNAMIC_DISPATCH(product36)(A, first, last, x, y);

@@ -1,6 +1,7 @@
 #pragma once
 // Rows of float blocks times float vectors, with fused arithmetic where the CPU has it: the inside of the
-// multigrid preconditioner. Blocks are column-major, of 3 or 6 rows and columns.
+// multigrid preconditioner and, with double vectors, of conjugate gradients. Blocks are column-major, of 3 or
+// 6 rows and columns.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +18,9 @@ struct FloatBlocks {
 /// y = A·x, rows first … last − 1.
 template <int R, int C>
 void multiply(const FloatBlocks& A, std::size_t first, std::size_t last, const float* x, float* y);
+
+/// y = A·x of 3×3 blocks with vectors and sums in double.
+void multiply(const FloatBlocks& A, std::size_t first, std::size_t last, const double* x, double* y);
 
 /// A square matrix and the inverses of its diagonal blocks, one a row.
 struct FloatRows {

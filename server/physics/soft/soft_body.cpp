@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "common/error.h"
@@ -10,14 +12,18 @@
 #include "server/physics/soft/block_matrix.h"
 #include "server/physics/soft/cholesky.h"
 #include "server/physics/soft/elastic_model.h"
+#include "server/physics/soft/float_rows.h"
 #include "server/physics/soft/multigrid.h"
 #include "server/physics/soft/node_vectors.h"
 #include "server/physics/soft/soft_body_setup.h"
+#include "server/physics/soft/tet10.h"
 
 namespace prosector {
 namespace {
 
 constexpr std::size_t nodes_per_chunk = 256;
+/// Of inertia over stiffness: from here on H in single precision is as definite as in double.
+constexpr double least_inertia = 1e-5;
 
 template <class T>
 auto named(const SoftDesc& desc, const T& make) {
@@ -26,6 +32,12 @@ auto named(const SoftDesc& desc, const T& make) {
   } catch (const InputError& error) {
     throw InputError(fmt::format("soft body \"{}\": {}", desc.name, error.what()));
   }
+}
+
+/// With the nodes that its elements need.
+Anatomy nodes_for(const SoftDesc& desc, Anatomy anatomy) {
+  if (desc.element == "tet10") add_edge_nodes(anatomy);
+  return anatomy;
 }
 
 VecX lumped_mass(double density, VecX volume) {
@@ -47,8 +59,11 @@ struct SoftBody::Impl {
   Stage stage;
   std::vector<double> node_sums;               // one a chunk
   std::vector<Mat3> hessian, start_stiffness;  // blocks; K(x_n), used when damped
-  bool damped;
+  std::vector<float> single;                   // solver multigrid: the Hessian once more, for products
+  mutable double rest_stiffness = 0;           // N/m: mean of the diagonal at rest
+  bool damped, uses_single = false;
   VecX x_n, drift, damping;  // 3n: x_n; x − x_v; K(x_n)·drift
+  bool drift_known = false;
   mutable std::unique_ptr<Cholesky> cholesky;
   mutable bool factored = false;
   mutable std::unique_ptr<Multigrid> multigrid;
@@ -56,7 +71,7 @@ struct SoftBody::Impl {
 
   Impl(const SoftDesc& d, Anatomy a)
       : desc((check_constants(d), d)),
-        anatomy((check_mesh(d, a), std::move(a))),
+        anatomy((check_mesh(d, a), nodes_for(d, std::move(a)))),
         integrator(named(d, [&] { return make_integrator(d.integrator); })),
         model(named(d, [&] { return make_elastic_model(d, anatomy); })),
         pattern(model->connectivity()),
@@ -79,12 +94,18 @@ struct SoftBody::Impl {
     if (damped) start_stiffness.resize(pattern.blocks());
     for (VecX* v : {&x_n, &drift, &damping, &stage.y, &stage.x_v, &stage.v_h}) *v = VecX::Zero(rest().size());
     if (desc.solver == "direct") cholesky = std::make_unique<Cholesky>(pattern);
-    if (desc.solver == "multigrid") make_coarse_levels();
+    if (desc.solver == "multigrid") {
+      make_coarse_levels();
+      single.resize(9 * pattern.blocks() + 1);
+    }
   }
 
   void make_coarse_levels() const {
     std::vector<Mat3> stiffness(pattern.blocks());
     pattern.gather(model->warped_stiffness(rest().data()), 0, {}, stiffness);
+    rest_stiffness = 0;
+    for (std::size_t i = 0; i < node_count(); ++i) rest_stiffness += stiffness[pattern.diagonal(i)].trace();
+    rest_stiffness /= static_cast<double>(3 * node_count());
     multigrid = std::make_unique<Multigrid>(RestSystem{pattern, stiffness, rest(), mass, attached});
   }
 
@@ -103,6 +124,8 @@ struct SoftBody::Impl {
   /// drift = x − x_v, damping = K(x_n)·drift: what stiffness-proportional damping needs at x.
   void update_damping(const Eigen::Ref<const VecX>& x) {
     if (!damped) return;
+    if (drift_known && (x - stage.x_v) == drift) return;
+    drift_known = true;
     drift = x - stage.x_v;
     pattern.multiply(start_stiffness, drift.data(), damping.data());
   }
@@ -110,10 +133,16 @@ struct SoftBody::Impl {
   /// Adds to `hessian`, which holds what couples nodes, all that is diagonal.
   void add_diagonal() {
     const double inertia = stage.alpha + desc.damping_mass / stage.dxdv;
-    for (std::size_t i = 0; i < node_count(); ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      hessian[pattern.diagonal(i)].diagonal().array() += inertia * mass[row] + attached[row];
-    }
+    uses_single = !single.empty() && inertia * mass.mean() > least_inertia * rest_stiffness;
+    parallel_chunks(node_count(), nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t i = first; i < last; ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        hessian[pattern.diagonal(i)].diagonal().array() += inertia * mass[row] + attached[row];
+        if (!uses_single) continue;
+        for (std::size_t k = pattern.begin(i); k < pattern.end(i); ++k)
+          for (std::size_t c = 0; c < 9; ++c) single[9 * k + c] = static_cast<float>(hessian[k].data()[c]);
+      }
+    });
     factored = multigrid_set = false;
   }
 };
@@ -178,7 +207,7 @@ void SoftBody::begin_stage(int stage_index, double h, const Vec3& gravity, const
   Impl& m = *impl_;
   m.integrator->begin(stage_index, h, m.desc.gravity ? gravity : Vec3::Zero(), state.motion, m.stage);
   m.x_n = state.motion.x;
-  m.multigrid_turned = false;
+  m.multigrid_turned = m.drift_known = false;
   if (m.damped) m.pattern.gather(m.model->warped_stiffness(m.x_n.data()), 0, {}, m.start_stiffness);
 }
 
@@ -237,7 +266,10 @@ void SoftBody::assemble_at_start() {
   Impl& m = *impl_;
   if (m.damped) {
     const double scale = 1 + m.desc.damping_stiffness / m.stage.dxdv;
-    for (std::size_t k = 0; k < m.hessian.size(); ++k) m.hessian[k] = scale * m.start_stiffness[k];
+    parallel_chunks(m.hessian.size(), 16 * nodes_per_chunk,
+                    [&](std::size_t first, std::size_t last, std::size_t) {
+                      for (std::size_t k = first; k < last; ++k) m.hessian[k] = scale * m.start_stiffness[k];
+                    });
   } else {
     m.pattern.gather(m.model->warped_stiffness(m.x_n.data()), 0, {}, m.hessian);
   }
@@ -245,7 +277,12 @@ void SoftBody::assemble_at_start() {
 }
 
 void SoftBody::multiply(const double* p, double* Hp) const {
-  impl_->pattern.multiply(impl_->hessian, p, Hp);
+  const Impl& m = *impl_;
+  if (!m.uses_single) return m.pattern.multiply(m.hessian, p, Hp);
+  const FloatBlocks A = m.pattern.blocks_of(m.single.data());
+  parallel_chunks(m.node_count(), nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    prosector::multiply(A, first, last, p, Hp);
+  });
 }
 
 void SoftBody::diagonal(std::span<Mat3> blocks) const {

@@ -25,7 +25,7 @@ double longest_edge(const Mat3& D) {
 
 }  // namespace
 
-Tet4Elements::Tet4Elements(const TetMesh& mesh) {
+Tet4Elements::Tet4Elements(const TetMesh& mesh, double share) {
   nodes_.reserve(mesh.tets.size());
   gradients_.reserve(mesh.tets.size());
   volume_.reserve(mesh.tets.size());
@@ -39,7 +39,7 @@ Tet4Elements::Tet4Elements(const TetMesh& mesh) {
     }
     nodes_.push_back(tet);
     gradients_.push_back(D.inverse().transpose());
-    volume_.push_back(six_volumes / 6);
+    volume_.push_back(share * (six_volumes / 6));
   }
 }
 

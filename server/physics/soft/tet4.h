@@ -26,8 +26,8 @@ class Tet4Elements {
   /// Takes the elements that can strain: a tetrahedron flatter than `least_quality` or of no volume would
   /// only bring 1/0 and is left out (its mass is not, see lumped_volume). An element's nodes are sorted: F
   /// and V don't depend on their order, and no block needs to be transposed to find its place in a matrix.
-  /// Node indices must be in range.
-  explicit Tet4Elements(const TetMesh& mesh);
+  /// Node indices must be in range. `share` of the volume is theirs.
+  explicit Tet4Elements(const TetMesh& mesh, double share = 1);
 
   std::size_t size() const { return nodes_.size(); }
   std::size_t dropped() const { return dropped_; }

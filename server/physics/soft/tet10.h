@@ -1,0 +1,60 @@
+#pragma once
+// Quadratic tetrahedra of ten nodes, straight-sided at rest: vertices and the middles of the edges.
+//
+// With L_c the barycentric coordinates and D_c = ∂x/∂L_c (quadratic fields: linear in L),
+//   F = Σ_c D_c g_cᵀ,  g_c = ∇L_c at rest,  D_c = (4L_c − 1)·x_c + 4·Σ_{d≠c} L_d x_cd,
+// so each integration point is a linear tetrahedron whose corners are at D_c: what is known for those
+// (tet4.h, element_batches.h) holds at the points, and T_q, which takes nodes to the D_c of point q, gives
+// forces T_qᵀf and stiffness T_qᵀK T_q. Four points integrate stiffness exactly where the law is linear.
+
+#include <array>
+#include <vector>
+
+#include "common/mesh.h"
+#include "server/physics/soft/tet4.h"
+
+namespace prosector {
+
+class Tet10Elements {
+ public:
+  static constexpr std::size_t nodes_per_element = 10, points_per_element = 4;
+  using Nodes = std::array<std::uint32_t, nodes_per_element>;
+  /// The vertices of edge node 4 + k.
+  static constexpr std::array<std::array<std::size_t, 2>, 6> edge = {
+      {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+
+  /// `mesh` has its edges' nodes already, see add_edge_nodes. Elements too flat to strain are left out as in
+  /// tet4.h. Each element's nodes ascend: its vertices, then its edges.
+  explicit Tet10Elements(const TetMesh& mesh);
+
+  std::size_t size() const { return nodes_.size(); }
+  std::size_t dropped() const { return dropped_; }
+  const Nodes& nodes(std::size_t e) const { return nodes_[e]; }
+  /// m³ of each node, dropped elements included: the diagonal of the mass matrix scaled to the right total
+  /// (Hinton, Rock, Zienkiewicz 1976): V/36 at vertices, 4V/27 at edges. Positive, and the better half of the
+  /// consistent one; rows summed would be negative at vertices.
+  const VecX& lumped_volume() const { return volume_; }
+
+  /// The integration points as linear tetrahedra with four corners of their own each, a quarter of the
+  /// element's volume: points 4e … 4e + 3 are those of element e.
+  Tet4Elements points() const { return Tet4Elements(points_, 1.0 / points_per_element); }
+
+  /// D_c of the four points of element e at node positions x (3n), 3 per corner: to[48].
+  void move(std::size_t e, const double* x, double* to) const;
+  /// T_qᵀf summed over the element's points.
+  static void gather(const Tet4Elements::Forces* points, Vec3* f);
+  /// T_qᵀK T_q likewise, one block per pair of nodes a < b in the order of Connectivity::pair_index.
+  static void gather(const Tet4Elements::Stiffness* points, Mat3* K);
+
+ private:
+  std::vector<Nodes> nodes_;
+  TetMesh points_;  // four tetrahedra with corners of their own per element
+  VecX volume_;
+  std::size_t dropped_ = 0;
+};
+
+/// Adds the middles of the tetrahedra's edges to the mesh's nodes, in the order of their vertices, and ties
+/// the surface to the eight linear tetrahedra into which the ten nodes of each divide it.
+void add_edge_nodes(Anatomy& anatomy);
+
+}  // namespace prosector

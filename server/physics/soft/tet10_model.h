@@ -1,0 +1,13 @@
+#pragma once
+// Quadratic tetrahedra with a constitutive law as an ElasticModel.
+
+#include "server/physics/soft/constitutive_law.h"
+#include "server/physics/soft/elastic_model.h"
+
+namespace prosector {
+
+/// `law` is a row of laws(); `mesh` has its edges' nodes (add_edge_nodes). Throws InputError.
+std::unique_ptr<ElasticModel> make_tet10_model(const std::string& law, const Lame& constants,
+                                               const TetMesh& mesh);
+
+}  // namespace prosector
