@@ -39,12 +39,15 @@ struct SparseMap {
   }
 };
 
-/// A deformable as geometry: tetrahedra that carry the mechanics, and the surface they carry, which is
-/// touched and drawn.
+/// A deformable as geometry: what carries the mechanics, and the surface it carries, which is touched and
+/// drawn. Exactly one of tets.tets, quads and segments is not empty; tets.positions are the nodes of any.
 struct Anatomy {
   TetMesh tets;
   TriangleMesh surface;  // rest shape; surface.positions[i] = W.row(i)·tets.positions
   SparseMap embedding;   // W, one row per surface vertex
+  std::vector<std::array<std::uint32_t, 4>> quads = {};     // a sheet's cells, each around: a, b, c, d
+  std::vector<std::array<std::uint32_t, 2>> segments = {};  // a rope's pieces
+  double thickness = 0;                                     // m, of a sheet; diameter of a rope
 };
 
 }  // namespace prosector

@@ -8,6 +8,7 @@
 #include "common/anatomy/anatomy_cache.h"
 #include "common/anatomy/bytes.h"
 #include "common/anatomy/embedding.h"
+#include "common/anatomy/fabric.h"
 #include "common/anatomy/implicit.h"
 #include "common/anatomy/isosurface.h"
 #include "common/anatomy/mesh_quality.h"
@@ -137,6 +138,12 @@ void warn(const std::string& name, const CachedAnatomy& made, const Progress& pr
 }  // namespace
 
 Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progress& progress) {
+  if (desc.shape == "sheet" || desc.shape == "rope") {
+    Anatomy made = desc.shape == "sheet" ? make_sheet(desc.size, desc.cell) : make_rope(desc.size, desc.cell);
+    for (Vec3& x : made.tets.positions) x = desc.pose * x;
+    apply_embedding(made);
+    return made;
+  }
   std::string shape = desc.shape;
   std::filesystem::path file;
   if (shape.empty()) {

@@ -67,13 +67,14 @@ struct SoftDesc {
   std::string name;
   std::string description;
   std::string parent;
-  std::string volume;           // labelled or grey volume: .inr[.gz], .nii[.gz]
-  int label = -1;               // label to take; −1: use threshold
-  double threshold = 0;         // grey volumes: inside is above it
-  std::string mesh;             // or a tetrahedral mesh: .msh, .vtk
-  std::string shape;            // or an implicit shape: liver | kidney | gallbladder | block | ball | beam
-  std::string fallback;         // implicit shape when volume or mesh is missing
-  Vec3 size = {0.1, 0.1, 0.1};  // m: implicit shapes and fallbacks: bounding box
+  std::string volume;    // labelled or grey volume: .inr[.gz], .nii[.gz]
+  int label = -1;        // label to take; −1: use threshold
+  double threshold = 0;  // grey volumes: inside is above it
+  std::string mesh;      // or a tetrahedral mesh: .msh, .vtk
+  std::string shape;     // or an implicit shape: liver | kidney | … | block | ball | beam; or sheet | rope
+  std::string fallback;  // implicit shape when volume or mesh is missing
+  Vec3 size = {0.1, 0.1, 0.1};  // m: implicit shapes and fallbacks: bounding box; sheet: its thickness in y;
+                                // rope: its length in x, diameter in y
   Pose fallback_pose;           // of the fallback in the body's frame
   double scale = 1;             // mesh files: file units → metres (volumes carry their voxel size in mm)
   double cell = 0.012;          // m: tetrahedra's edge length, about
@@ -95,6 +96,12 @@ struct SoftDesc {
   int newton_iterations = 3;       // at most, per tick
   int solver_iterations = 60;      // linear solver, at most, per Newton iteration
   double solver_tolerance = 1e-3;  // relative residual at which it stops
+  int substeps = 20;               // xpbd: per tick
+  int max_substeps = 400;  // explicit integrators: per tick; a body that needs more is stepped implicitly
+  double spring_stiffness = 0;   // mass_spring, xpbd: N/m of each structural spring; 0: from youngs_modulus
+  double shear_stiffness = 0;    // sheets: N/m of each diagonal spring; 0: likewise
+  double bending_stiffness = 0;  // sheets: N·m, D = Et³/12(1−ν²); ropes: N·m², EI; 0: likewise
+  bool hold_volume = true;       // mass_spring on tetrahedra: meet poisson_ratio; false: about ¼
   std::vector<AttachDesc> attach;
   Appearance appearance;
 };

@@ -17,6 +17,13 @@ std::vector<std::string_view> implicit_shapes() {
   return {"liver", "kidney", "gallbladder", "femur", "foot", "block", "ball", "beam", "cylinder", "capsule"};
 }
 
+/// Also those that aren't solid.
+std::vector<std::string_view> soft_shapes() {
+  auto out = implicit_shapes();
+  out.insert(out.end(), {"sheet", "rope"});
+  return out;
+}
+
 /// The field that a chain of member pointers leads to: in<RigidDesc, &RigidDesc::pose, &Pose::p>.
 template <class Struct, auto... Path>
 FieldRef in(void* object) {
@@ -239,21 +246,29 @@ const Table& soft_table() {
                               "volumes: label to take; -1: what is above threshold"),
          number<S, &S::threshold>("threshold", "", {-1e6, 1e6}, "grey volumes: inside is above it"),
          text<S, &S::mesh>("mesh", "tetrahedral mesh: .msh .vtk"),
-         words<S, &S::shape>("shape", implicit_shapes(), "implicit shape, `size` large"),
+         words<S, &S::shape>(
+             "shape", soft_shapes(),
+             "implicit shape, `size` large; or a sheet in the x-z plane, or a rope along x, for "
+             "mass_spring and xpbd"),
          words<S, &S::fallback>(
              "fallback", implicit_shapes(),
              "implicit shape used, with a clear line, when the volume or mesh file is missing"),
-         number<S, &S::size>("size", "m", {0, 10, true}, "bounding box of the implicit shape or fallback"),
+         number<S, &S::size>(
+             "size", "m", {0, 10, true},
+             "bounding box of the implicit shape or fallback; sheet: thickness in y; rope: length "
+             "in x, diameter in y"),
          number<S, &S::scale>("scale", "", scale, "mesh files: file units to metres (volumes know theirs)"),
-         number<S, &S::cell>("cell", "m", {5e-4, 1}, "edge length of the tetrahedra, about"),
+         number<S, &S::cell>("cell", "m", {5e-4, 1},
+                             "edge length of the tetrahedra, a sheet's cells or a rope's pieces, about"),
          number<S, &S::surface_cell>("surface_cell", "m", {5e-4, 1},
                                      "edge length of the surface that is touched and drawn, about"),
          number<S, &S::smoothing>("smoothing", "voxels", {0, 10}, "volumes: Gaussian σ on the label's mask"),
-         identifier<S, &S::model>("model", "constitutive law, for instance fem_corotational"),
+         identifier<S, &S::model>("model", "constitutive law, mass_spring or xpbd"),
          words<S, &S::element>(
              "element", {"tet4", "tet10"},
              "tetrahedra: linear, or quadratic (ten nodes: a tenth of the elements for the same error)"),
-         identifier<S, &S::integrator>("integrator", "time integrator, for instance implicit_euler"),
+         identifier<S, &S::integrator>("integrator",
+                                       "time integrator, for instance implicit_euler; xpbd has its own"),
          identifier<S, &S::solver>("solver", "linear solver, for instance cg"),
          number<S, &S::youngs_modulus>("youngs_modulus", "Pa", {0, 1e12, true}, "stiffness in tension"),
          number<S, &S::poisson_ratio>("poisson_ratio", "", {0, 0.5, false, true},
@@ -269,7 +284,23 @@ const Table& soft_table() {
                                           "of the linear solver, at most, per Newton iteration"),
          number<S, &S::solver_tolerance>("solver_tolerance", "", {0, 0.5, true},
                                          "relative residual at which the linear solver stops; its root where "
-                                         "several Newton iterations follow")},
+                                         "several Newton iterations follow"),
+         number<S, &S::substeps>("substeps", "", {1, 1000}, "xpbd: per tick"),
+         number<S, &S::max_substeps>(
+             "max_substeps", "", {1, 100000},
+             "explicit integrators: at most, per tick; a body that needs more is stepped by implicit_euler"),
+         number<S, &S::spring_stiffness>(
+             "spring_stiffness", "N/m", {0, 1e12},
+             "mass_spring, xpbd: of each structural spring; 0: from youngs_modulus"),
+         number<S, &S::shear_stiffness>("shear_stiffness", "N/m", {0, 1e12},
+                                        "sheets: of each diagonal spring; 0: from youngs_modulus"),
+         number<S, &S::bending_stiffness>(
+             "bending_stiffness", "N·m", {0, 1e9},
+             "sheets: Et³/12(1-ν²); ropes: EI, in N·m²; 0: from youngs_modulus and thickness"),
+         plain<S, &S::hold_volume>(
+             "hold_volume",
+             "mass_spring on tetrahedra: volume springs that meet poisson_ratio; false: springs "
+             "alone, whose ratio is about 1/4")},
         {{"attach", attach_table, true, 64, append<S, &S::attach>}},
         fresh<S>};
     add_pose<S>(t.fields, "the mesh's origin, or the volume's or shape's centre, in the room");

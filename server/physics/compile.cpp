@@ -128,9 +128,12 @@ ContentHash hash_of(const Model& model) {
     add_mesh(s->anatomy().surface, out);
     for (const std::string& text : {d.model, d.integrator, d.solver}) out.add(text);
     for (const double v : {d.youngs_modulus, d.poisson_ratio, d.density, d.damping_mass, d.damping_stiffness,
-                           d.friction, d.solver_tolerance, d.surface_cell})
+                           d.friction, d.solver_tolerance, d.surface_cell, d.spring_stiffness,
+                           d.shear_stiffness, d.bending_stiffness, s->anatomy().thickness})
       out.add(v);
-    for (const int v : {d.newton_iterations, d.solver_iterations, static_cast<int>(d.gravity)}) out.add(v);
+    for (const int v : {d.newton_iterations, d.solver_iterations, static_cast<int>(d.gravity), d.substeps,
+                        d.max_substeps, static_cast<int>(d.hold_volume)})
+      out.add(v);
     out.add(s->attachment_stiffness());
   }
   return content_hash(std::as_bytes(std::span(out.bytes())));
@@ -157,8 +160,8 @@ Model compile(const SceneDesc& scene, const CompileOptions& options) {
     model.rigid.push_back(compile_rigid(desc, rigid_surface(desc, scene, options)));
   for (const SoftDesc& desc : scene.soft) {
     model.soft.push_back(std::make_unique<SoftBody>(desc, soft_anatomy(desc, scene, options)));
-    say(fmt::format("{}: {} tetrahedra, {} nodes, {} surface vertices", desc.name,
-                    model.soft.back()->anatomy().tets.tets.size(), model.soft.back()->nodes(),
+    say(fmt::format("{}: {} elements, {} nodes, {} surface vertices", desc.name,
+                    model.soft.back()->elements(), model.soft.back()->nodes(),
                     model.soft.back()->anatomy().surface.positions.size()));
   }
   for (std::size_t hand = 0; hand < 2; ++hand) model.hands[hand] = make_hand_model(hand, scene.hand);

@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 
+#include "server/physics/coupled/solve_island.h"
 #include "server/physics/simulation_impl.h"
 
 namespace prosector {
@@ -15,7 +17,8 @@ namespace {
 
 constexpr double relaxation_step = 0.1;  // s
 constexpr int most_relaxation_steps = 150;
-constexpr double at_rest = 2e-6;  // m a step
+constexpr double at_rest = 2e-6;            // m a step
+constexpr double relaxation_margin = 0.02;  // m: what is nearer may carry the body
 
 std::filesystem::path cache_file(const CompileOptions& options, const ContentHash& hash) {
   return options.cache_dir / (to_hex(hash) + ".equilibrium");
@@ -66,7 +69,7 @@ void Simulation::Impl::relax(std::size_t body) {
     island.soft.push_back({body, model.soft[body].get(), &state});
     for (Collider c : colliders) {
       c.fixed = true;  // what moves stands still until the scene runs
-      if (c.parts) add_contacts(body, c, 0.02, island.contacts);
+      if (c.parts) add_contacts(body, c, relaxation_margin, island.contacts);
     }
     const VecX before = state.motion.x;
     const IslandReport solved = solve_island(island, relaxation_step, model.scene.gravity);
@@ -77,20 +80,31 @@ void Simulation::Impl::relax(std::size_t body) {
   }
 }
 
+/// A body that nothing ties and nothing is near has no equilibrium to find: it starts where the scene puts
+/// it, and falls.
+bool Simulation::Impl::floats(std::size_t body) const {
+  const SoftBody& b = *model.soft[body];
+  if (!b.desc().gravity || model.scene.gravity.isZero() || !b.attachment_stiffness().isZero()) return false;
+  return std::none_of(colliders.begin(), colliders.end(), [&](const Collider& c) {
+    return c.parts && surfaces[body].touches(c, relaxation_margin);
+  });
+}
+
 void Simulation::Impl::settle(const CompileOptions& options) {
   refresh_colliders();
   for (const SoftBodyState& state : soft) equilibrium.push_back(state.motion.x);
   const bool cached = !options.cache_dir.empty() && read_cache(cache_file(options, model.hash), equilibrium);
   for (std::size_t i = 0; i < soft.size(); ++i) {
+    const bool falls = floats(i);
     if (cached)
       soft[i].motion.x = equilibrium[i];
-    else
+    else if (!falls)
       relax(i);
     equilibrium[i] = soft[i].motion.x;
     soft[i].motion.x_prev = soft[i].motion.x;
-    soft[i].asleep = true;
+    soft[i].asleep = !falls;
     surfaces[i].update(soft[i].motion.x.data());
-    if (options.progress && !cached)
+    if (options.progress && !cached && !falls)
       options.progress(fmt::format(
           "{}: settled, {:.1f} mm from its imaged shape", model.soft[i]->desc().name,
           1e3 * (equilibrium[i] - model.soft[i]->initial_state().motion.x).lpNorm<Eigen::Infinity>()));

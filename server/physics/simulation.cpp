@@ -76,6 +76,7 @@ const StepReport& Simulation::step(const TickInput& input) {
     clock.end(Phase::rigid);
     ++m.time.tick;
     m.recover();
+    m.unfold_tangles();
     m.fall_asleep();
     clock.end(Phase::constraints);
     m.describe();

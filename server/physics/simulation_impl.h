@@ -7,7 +7,7 @@
 
 #include "server/physics/byte_stream.h"
 #include "server/physics/contact/surface_detector.h"
-#include "server/physics/coupled/solve_island.h"
+#include "server/physics/coupled/step_island.h"
 #include "server/physics/hands/hand.h"
 #include "server/physics/model.h"
 
@@ -43,6 +43,8 @@ struct Simulation::Impl {
   void gather(const std::vector<MixedIsland>& mixed);
   void solve_islands();
   void recover();
+  void unfold_tangles();
+  bool stuck(const SoftMember& s) const;
   void fall_asleep();
   void describe();
   void describe_hands();  // part of it
@@ -74,6 +76,7 @@ struct Simulation::Impl {
   void wake_soft(std::size_t body);
   void settle(const CompileOptions& options);
   void relax(std::size_t body);
+  bool floats(std::size_t body) const;
   double total_speed(const Collider& collider) const;
   double body_mass(std::size_t slot) const;
   double body_friction(std::size_t slot) const;

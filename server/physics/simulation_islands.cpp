@@ -13,6 +13,9 @@ constexpr double quiet_speed = 1e-3;        // m/s, of the fastest node
 constexpr double quiet_rigid_speed = 5e-3;  // m/s
 constexpr double quiet_rigid_spin = 5e-2;   // rad/s
 constexpr int quiet_ticks_to_sleep = 30;
+constexpr double tangled_seconds = 1;  // inside out for so long, with nothing that holds it so: unfolded
+constexpr int tangle_check_ticks = 8;
+constexpr double stuck_energy = 1e-5;  // times E and the volume: a mean strain of about half a per cent
 
 Mat3 room_inertia(const RigidSetup& setup, const Pose& pose) {
   const Mat3 R = pose.q.toRotationMatrix();
@@ -140,7 +143,7 @@ void Simulation::Impl::solve_islands() {
   for (std::size_t slot = 0; slot < world.slots(); ++slot)
     if (world.used(slot)) last_good[slot] = world.motion(slot);
   for (Island& island : islands) {
-    const IslandReport solved = solve_island(island, model.h, model.scene.gravity);
+    const IslandReport solved = step_island(island, model.h, model.scene.gravity);
     for (const RigidMember& r : island.rigid)
       if (solved.finite) world.set_velocity(r.slot, r.twist.head<3>() / model.h, r.twist.tail<3>() / model.h);
     for (const SoftMember& s : island.soft) {
@@ -149,7 +152,9 @@ void Simulation::Impl::solve_islands() {
       row.newton_iterations = solved.newton_iterations;
       row.solver_iterations = solved.solver_iterations;
       row.residual = solved.residual;
-      row.converged = solved.converged;
+      row.converged = solved.converged && !s.degraded;
+      row.substep = s.substeps > 0 ? model.h / s.substeps : 0;
+      row.note = s.note;
       row.reset = !solved.finite;
       if (!row.reset) continue;
       row.note = "not finite or out of the room: stopped at its last good state";
@@ -179,6 +184,34 @@ void Simulation::Impl::recover() {
   }
 }
 
+/// Quiet, but in another shape than the one it rests in: a minimum that is not the least.
+bool Simulation::Impl::stuck(const SoftMember& s) const {
+  if (s.state->quiet_ticks < quiet_ticks_to_sleep) return false;
+  const SoftDesc& desc = s.body->desc();
+  const double least = stuck_energy * desc.youngs_modulus * s.body->total_mass() / desc.density;
+  return s.body->elastic_energy(s.state->motion.x) > 2 * s.body->elastic_energy(equilibrium[s.index]) + least;
+}
+
+void Simulation::Impl::unfold_tangles() {
+  if (time.tick % tangle_check_ticks != 0) return;
+  for (Island& island : islands)
+    for (SoftMember& s : island.soft) {
+      const bool held =
+          !soft_contacts[s.index].empty() || std::any_of(hands.begin(), hands.end(), [&](const Hand& hand) {
+            return hand.hold && hand.hold->body == soft_id(s.index);
+          });
+      const bool tangled = !held && (s.body->inverted_share(s.state->motion.x) > 0 || stuck(s));
+      s.state->tangled_ticks = tangled ? s.state->tangled_ticks + tangle_check_ticks : 0;
+      if (s.state->tangled_ticks * model.h < tangled_seconds) continue;
+      s.body->unfold(*s.state);
+      s.state->tangled_ticks = 0;
+      BodyReport& row = report.bodies.emplace_back();
+      row.body = s.body->desc().name;
+      row.reset = true;
+      row.note = "stayed inside out or tangled: unfolded into its rest shape where it was";
+    }
+}
+
 void Simulation::Impl::fall_asleep() {
   for (Island& island : islands) {
     bool quiet = true;
@@ -186,7 +219,7 @@ void Simulation::Impl::fall_asleep() {
       const double speed = s.state->motion.v.lpNorm<Eigen::Infinity>();
       s.state->quiet_ticks =
           speed < quiet_speed ? std::min(s.state->quiet_ticks + 1, quiet_ticks_to_sleep) : 0;
-      quiet = quiet && s.state->quiet_ticks == quiet_ticks_to_sleep;
+      quiet = quiet && s.state->quiet_ticks == quiet_ticks_to_sleep && s.state->tangled_ticks == 0;
     }
     for (const RigidMember& r : island.rigid) {
       const RigidMotion motion = world.motion(r.slot);

@@ -34,6 +34,9 @@ void add(ByteWriter& out, const SoftBodyState& state) {
   out.add(static_cast<std::uint8_t>(state.motion.has_history));
   out.add(static_cast<std::uint8_t>(state.asleep));
   out.add(state.quiet_ticks);
+  out.add(state.tangled_ticks);
+  out.add(state.mode);
+  out.add(state.omega);
 }
 
 SoftBodyState read_soft(ByteReader& in, const SoftBodyState& like) {
@@ -46,6 +49,9 @@ SoftBodyState read_soft(ByteReader& in, const SoftBodyState& like) {
   state.motion.has_history = in.flag();
   state.asleep = in.flag();
   state.quiet_ticks = in.number<int>();
+  state.tangled_ticks = in.number<int>();
+  state.mode = in.vector(like.mode.size());
+  state.omega = in.number<double>();
   return state;
 }
 

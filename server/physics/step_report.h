@@ -21,7 +21,8 @@ struct BodyReport {
   int solver_iterations = 0;
   double residual = 0;  // relative, of the last linear solve
   bool converged = true;
-  bool reset = false;  // went non-finite: put back to its last good state
+  double substep = 0;  // s: of bodies that take several in a tick; 0: the whole tick at once
+  bool reset = false;  // went non-finite: put back to its last good state; or unfolded
   std::string note;    // for people
 };
 

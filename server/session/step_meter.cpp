@@ -42,7 +42,7 @@ void StepMeter::add(const StepReport& report, bool tissue_awake, std::int64_t be
     tick.residual = std::max(tick.residual, body.residual);
     if (const char* what = trouble(body)) {
       ++troubles_[body.body];
-      tick.degraded.push_back(body.body + " " + what);
+      tick.degraded.push_back(body.body + " " + what + (body.note.empty() ? "" : ": " + body.note));
     }
   }
   all_.add(tick.ms);

@@ -6,6 +6,7 @@
 // Unknowns: the soft nodes' positions x (3 each), then per rigid body the twist ξ of its displacement over
 // the tick: translation of the centre of mass (m), rotation vector about it (rad), both in the room frame.
 
+#include <string>
 #include <vector>
 
 #include "server/physics/contact/contact.h"
@@ -20,6 +21,11 @@ struct SoftMember {
   std::size_t index = 0;  // as in ContactSide::body
   SoftBody* body = nullptr;
   SoftBodyState* state = nullptr;
+  // Results besides the state:
+  int substeps = 0;       // that it took by itself; 0: it was minimised
+  bool degraded = false;  // not stepped as its description says
+  bool reset = false;     // stopped at its last good state
+  std::string note = {};  // for people: how it was stepped, if not plainly minimised
 };
 
 /// Pulls a rigid body to a displacement, with bounded force and moment: the virtual coupling of a hand.

@@ -1,14 +1,27 @@
 #include "server/physics/soft/elastic_model.h"
 
+#include "server/physics/soft/rungs.h"
+#include "server/physics/soft/spring_model.h"
 #include "server/physics/soft/tet10_model.h"
 #include "server/physics/soft/tet4_model.h"
 
 namespace prosector {
 
 std::unique_ptr<ElasticModel> make_elastic_model(const SoftDesc& desc, const Anatomy& anatomy) {
+  check_rung(desc, anatomy);
+  const bool tets = mesh_kind(anatomy) == MeshKind::tets;
+  if (desc.model == "mass_spring" || !tets) {
+    SpringNetwork network = make_spring_network(desc, anatomy);
+    const double bulk_modulus = network.bulk_modulus;
+    auto springs = make_spring_model(std::move(network));
+    if (bulk_modulus == 0) return springs;
+    return make_sum_model(std::move(springs), make_tet4_volume_model(bulk_modulus, anatomy.tets));
+  }
+  // What XPBD's pair of constraints stores.
+  const std::string law = desc.model == "xpbd" ? "fem_neo_hookean_polynomial" : desc.model;
   if (desc.element == "tet10")
-    return make_tet10_model(desc.model, lame(desc.youngs_modulus, desc.poisson_ratio), anatomy.tets);
-  return make_tet4_model(desc, anatomy.tets);
+    return make_tet10_model(law, lame(desc.youngs_modulus, desc.poisson_ratio), anatomy.tets);
+  return make_tet4_model(law, lame(desc.youngs_modulus, desc.poisson_ratio), anatomy.tets);
 }
 
 }  // namespace prosector

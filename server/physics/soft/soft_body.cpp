@@ -16,7 +16,9 @@
 #include "server/physics/soft/multigrid.h"
 #include "server/physics/soft/node_vectors.h"
 #include "server/physics/soft/soft_body_setup.h"
+#include "server/physics/soft/substepper.h"
 #include "server/physics/soft/tet10.h"
+#include "server/physics/soft/unfold.h"
 
 namespace prosector {
 namespace {
@@ -50,10 +52,11 @@ VecX lumped_mass(double density, VecX volume) {
 struct SoftBody::Impl {
   SoftDesc desc;
   Anatomy anatomy;
-  std::unique_ptr<TimeIntegrator> integrator;
   std::unique_ptr<ElasticModel> model;
+  std::unique_ptr<TimeIntegrator> integrator;
   BlockPattern pattern;
   VecX mass, attached;  // n kg; n N/m
+  std::unique_ptr<Substepper> substepper;
   std::vector<double> area;
 
   Stage stage;
@@ -72,16 +75,18 @@ struct SoftBody::Impl {
   Impl(const SoftDesc& d, Anatomy a)
       : desc((check_constants(d), d)),
         anatomy((check_mesh(d, a), nodes_for(d, std::move(a)))),
-        integrator(named(d, [&] { return make_integrator(d.integrator); })),
         model(named(d, [&] { return make_elastic_model(d, anatomy); })),
         pattern(model->connectivity()),
         mass(lumped_mass(d.density, model->volume())),
         attached(prosector::attachment_stiffness(d.attach, model->rest(), model->volume())),
-        area(vertex_areas(anatomy.surface)),
+        area(vertex_areas(anatomy)),
         damped(d.damping_stiffness > 0) {
     named(d, [&] { return make_solver(d.solver); });  // used by whoever solves, refused here
     require(model->connectivity().size() > 0, d,
-            fmt::format("all {} tetrahedra are flat; at least one must not be", model->dropped_elements()));
+            fmt::format("all {} elements are flat or of no length; at least one must not be",
+                        model->dropped_elements()));
+    substepper = named(d, [&] { return make_substepper({desc, *model, pattern, mass, attached}, anatomy); });
+    integrator = make_integrator(substepper ? "implicit_euler" : d.integrator);
     reserve();
   }
 
@@ -179,6 +184,9 @@ std::size_t SoftBody::elements() const {
 std::size_t SoftBody::dropped_elements() const {
   return impl_->model->dropped_elements();
 }
+Substepper* SoftBody::substepper() const {
+  return impl_->substepper.get();
+}
 const VecX& SoftBody::attachment_stiffness() const {
   return impl_->attached;
 }
@@ -189,6 +197,8 @@ std::uint64_t SoftBody::content_hash() const {
   hasher.add(impl_->anatomy.tets.positions.size());
   hasher.add(impl_->anatomy.tets.tets.size());
   hasher.add(std::as_bytes(std::span(impl_->anatomy.tets.tets)));
+  hasher.add(std::as_bytes(std::span(impl_->anatomy.quads)));
+  hasher.add(std::as_bytes(std::span(impl_->anatomy.segments)));
   hasher.add(rest.data(), static_cast<std::size_t>(rest.size()));
   hasher.add(impl_->mass.data(), static_cast<std::size_t>(impl_->mass.size()));
   return hasher.digest();
@@ -200,6 +210,7 @@ SoftBodyState SoftBody::initial_state() const {
   const VecX still = VecX::Zero(rest.size());
   state.motion = {rest, still, rest, still, false};
   state.warm_start = still;
+  if (impl_->substepper) impl_->substepper->initialise(state);
   return state;
 }
 
@@ -335,6 +346,14 @@ double SoftBody::kinetic_energy(const SoftBodyState& state) const {
   double sum = 0;
   for (Eigen::Index i = 0; i < nodes(); ++i) sum += impl_->mass[i] * v.segment<3>(3 * i).squaredNorm();
   return 0.5 * sum;
+}
+
+double SoftBody::inverted_share(const VecX& x) const {
+  return prosector::inverted_share(impl_->anatomy.tets, x);
+}
+
+void SoftBody::unfold(SoftBodyState& state) const {
+  prosector::unfold(impl_->rest(), impl_->mass, state);
 }
 
 }  // namespace prosector

@@ -1,5 +1,5 @@
 #pragma once
-// One deformable: mesh + ConstitutiveLaw + TimeIntegrator + LinearSolver, chosen per object.
+// One deformable: mesh + model + integrator + LinearSolver, chosen per object by the rows of rungs.h.
 //
 // What the island solver needs of it is its incremental potential and the derivatives
 //   E(x) = α/2·‖x − y‖²_M + W(x) + Σ_attach ½k‖x − x₀‖² + 1/(2·dxdv)·‖x − x_v‖²_C
@@ -15,17 +15,11 @@
 #include "common/scene/scene.h"
 #include "server/physics/soft/constitutive_law.h"
 #include "server/physics/soft/linear_solver.h"
-#include "server/physics/soft/time_integrator.h"
+#include "server/physics/soft/soft_state.h"
 
 namespace prosector {
 
-/// State of one soft body: everything that changes the next tick's bits.
-struct SoftBodyState {
-  Motion motion;
-  VecX warm_start;  // 3n, m: last step's change of velocity times h, see SoftBody::initial_guess
-  bool asleep = true;
-  int quiet_ticks = 0;
-};
+class Substepper;
 
 class SoftBody {
  public:
@@ -43,7 +37,11 @@ class SoftBody {
   double total_mass() const;      // kg
   std::span<const double> surface_area()
       const;  // m², of each surface vertex at rest (a third of its triangles)
+  /// With which it is minimised; of a body with a substepper, implicit Euler: for its equilibrium, and where
+  /// its own method fails.
   const TimeIntegrator& integrator() const;
+  /// Null for bodies that are minimised as they are.
+  Substepper* substepper() const;
   std::size_t elements() const;              // that carry stress
   std::size_t dropped_elements() const;      // degenerate ones
   const VecX& attachment_stiffness() const;  // n, N/m; 0: free
@@ -85,6 +83,11 @@ class SoftBody {
   /// Elastic + attachment energy at x, J (for reports; without inertia and damping).
   double elastic_energy(const Eigen::Ref<const VecX>& x);
   double kinetic_energy(const SoftBodyState& state) const;  // J
+  /// Share of the rest volume that is inside out at x, or flat; 0 for sheets and ropes, which have no inside.
+  double inverted_share(const VecX& x) const;
+  /// Puts the rest shape where the body is: the rigid motion that fits best (Horn 1987), at its momentum and
+  /// angular momentum. The way out of shapes that no force leads out of.
+  void unfold(SoftBodyState& state) const;
 
   /// A node that no tetrahedron, or only flat ones, give a mass gets this share of the mean one: every
   /// unknown needs inertia.

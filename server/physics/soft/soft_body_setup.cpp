@@ -31,7 +31,8 @@ void check_constants(const SoftDesc& desc) {
 
 void check_mesh(const SoftDesc& desc, const Anatomy& anatomy) {
   const std::size_t n = anatomy.tets.positions.size();
-  require(!anatomy.tets.tets.empty(), desc, "its mesh has no tetrahedra; at least one is needed");
+  require(!anatomy.tets.tets.empty() || !anatomy.quads.empty() || !anatomy.segments.empty(), desc,
+          "its mesh has no tetrahedra, and no cells of a sheet or pieces of a rope; at least one is needed");
   for (std::size_t i = 0; i < n; ++i) {
     require(is_finite(anatomy.tets.positions[i]), desc, fmt::format("node {} is not finite", i));
   }
@@ -40,6 +41,12 @@ void check_mesh(const SoftDesc& desc, const Anatomy& anatomy) {
       require(node < n, desc, fmt::format("tetrahedron {} names node {}; there are {}", e, node, n));
     }
   }
+  for (const auto& quad : anatomy.quads)
+    for (std::uint32_t node : quad)
+      require(node < n, desc, fmt::format("a sheet's cell names node {}; there are {}", node, n));
+  for (const auto& segment : anatomy.segments)
+    for (std::uint32_t node : segment)
+      require(node < n, desc, fmt::format("a rope's piece names node {}; there are {}", node, n));
   const std::size_t vertices = anatomy.surface.positions.size();
   require(anatomy.embedding.rows.size() == vertices, desc,
           fmt::format("{} surface vertices but {} rows that embed them", vertices,
@@ -68,13 +75,23 @@ VecX attachment_stiffness(const std::vector<AttachDesc>& attach, const VecX& res
   return k;
 }
 
-std::vector<double> vertex_areas(const TriangleMesh& surface) {
+std::vector<double> vertex_areas(const Anatomy& anatomy) {
+  const TriangleMesh& surface = anatomy.surface;
   std::vector<double> area(surface.positions.size(), 0.0);
   for (const auto& t : surface.triangles) {
     const Vec3 &a = surface.positions[t[0]], &b = surface.positions[t[1]], &c = surface.positions[t[2]];
     const double third = (b - a).cross(c - a).norm() / 6;
     for (std::uint32_t vertex : t) area[vertex] += third;
   }
+  if (anatomy.segments.empty()) return area;
+  std::vector<double> mantle(anatomy.tets.positions.size(), 0.0);
+  for (const auto& [a, b] : anatomy.segments) {
+    const double half =
+        M_PI * anatomy.thickness * (anatomy.tets.positions[a] - anatomy.tets.positions[b]).norm() / 2;
+    mantle[a] += half;
+    mantle[b] += half;
+  }
+  for (std::size_t i = 0; i < area.size(); ++i) area[i] += mantle[anatomy.embedding.rows[i].node[0]];
   return area;
 }
 

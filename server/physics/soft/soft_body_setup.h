@@ -16,7 +16,7 @@ void check_mesh(const SoftDesc& desc, const Anatomy& anatomy);
 /// N/m per node from the attachments' spheres; a node in several takes the stiffest. `volume`: m³.
 VecX attachment_stiffness(const std::vector<AttachDesc>& attach, const VecX& rest, const VecX& volume);
 
-/// m² of each surface vertex: a third of its triangles.
-std::vector<double> vertex_areas(const TriangleMesh& surface);
+/// m² of each surface vertex: a third of its triangles; on a rope its share of the mantle.
+std::vector<double> vertex_areas(const Anatomy& anatomy);
 
 }  // namespace prosector

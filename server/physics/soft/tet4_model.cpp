@@ -4,6 +4,7 @@
 
 #include "server/physics/parallel.h"
 #include "server/physics/soft/element_batches.h"
+#include "server/physics/soft/fem_laws.h"
 #include "server/physics/soft/node_vectors.h"
 #include "server/physics/soft/tet4.h"
 
@@ -28,13 +29,15 @@ std::span<const typename Array::value_type> flat(const std::vector<Array>& array
 
 class Tet4Model final : public ElasticModel {
  public:
-  Tet4Model(const SoftDesc& desc, const TetMesh& mesh)
+  /// make(elements): batches of them.
+  template <class Make>
+  Tet4Model(const TetMesh& mesh, const Make& make)
       : elements_(mesh),
         rest_(to_vector(mesh.positions)),
         volume_(Tet4Elements::lumped_volume(mesh)),
         connectivity_(connect(mesh, elements_)),
         incidence_(connectivity_),
-        batches_(make_batches(desc.model, lame(desc.youngs_modulus, desc.poisson_ratio), elements_)),
+        batches_(make(elements_)),
         sums_(chunk_count(elements_.size(), elements_per_batch)),
         forces_(elements_.size()),
         stiffness_(elements_.size()),
@@ -110,8 +113,16 @@ class Tet4Model final : public ElasticModel {
 
 }  // namespace
 
-std::unique_ptr<ElasticModel> make_tet4_model(const SoftDesc& desc, const TetMesh& mesh) {
-  return std::make_unique<Tet4Model>(desc, mesh);
+std::unique_ptr<ElasticModel> make_tet4_model(const std::string& law, const Lame& constants,
+                                              const TetMesh& mesh) {
+  return std::make_unique<Tet4Model>(
+      mesh, [&](const Tet4Elements& elements) { return make_batches(law, constants, elements); });
+}
+
+std::unique_ptr<ElasticModel> make_tet4_volume_model(double bulk_modulus, const TetMesh& mesh) {
+  return std::make_unique<Tet4Model>(mesh, [&](const Tet4Elements& elements) {
+    return make_law_batches(make_volume_law(bulk_modulus), {bulk_modulus, 0}, elements);
+  });
 }
 
 }  // namespace prosector

@@ -1,0 +1,196 @@
+#include "server/physics/coupled/step_island.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/messages.h"
+#include "server/physics/coupled/impulse_coupling.h"
+#include "server/physics/coupled/solve_island.h"
+#include "server/physics/soft/substepper.h"
+
+namespace prosector {
+namespace {
+
+constexpr double least_energy = 1e-6;  // J: less is nobody's concern
+constexpr int tries = 2;               // by substeps, before a body that got too stiff is minimised
+
+bool good(const SoftBodyState& state) {
+  return state.motion.x.allFinite() && state.motion.v.allFinite() &&
+         state.motion.x.lpNorm<Eigen::Infinity>() < max_coordinate;
+}
+
+/// One attempt at the tick, with who is substepped decided.
+class Tick {
+ public:
+  Tick(Island& island, double h, const Vec3& gravity) : island_(island), h_(h), gravity_(gravity) {
+    for (const SoftMember& m : island.soft) {
+      start_.push_back(*m.state);
+      before_.push_back(m.state->motion.x);
+      energy_.push_back(m.body->substepper() ? energy(m) : 0);
+    }
+    work_.assign(island.soft.size(), 0);
+    minimised_always_.assign(island.soft.size(), 0);
+  }
+
+  IslandReport run() {
+    for (int attempt = 0;; ++attempt) {
+      decide();
+      const IslandReport report = minimise();
+      if (report.finite) substep();
+      if (!report.finite || check(attempt)) return report;
+    }
+  }
+
+ private:
+  static double energy(const SoftMember& m) {
+    return m.body->elastic_energy(m.state->motion.x) + m.body->kinetic_energy(*m.state);
+  }
+
+  /// Whether a substepped body has no more energy than its start, gravity and the impulses on it explain.
+  bool tame(std::size_t m) const {
+    const SoftMember& member = island_.soft[m];
+    const VecX& x = member.state->motion.x;
+    double fallen = 0;
+    if (member.body->desc().gravity)
+      for (Eigen::Index i = 0; i < member.body->nodes(); ++i)
+        fallen +=
+            member.body->node_mass()[i] * gravity_.dot(x.segment<3>(3 * i) - before_[m].segment<3>(3 * i));
+    const double gain = member.body->substepper()->most_gain();
+    const double explained =
+        gain * (energy_[m] + std::max(0.0, fallen)) + (gain - 1) * std::max(0.0, work_[m]);
+    return energy(member) <= explained + least_energy;
+  }
+
+  void decide() {
+    substeps_ = 0;
+    substepped_.assign(island_.soft.size(), 0);
+    for (std::size_t m = 0; m < island_.soft.size(); ++m) {
+      SoftMember& member = island_.soft[m];
+      const Substepper* own = member.body->substepper();
+      if (!own) continue;
+      member.substeps = 0;
+      member.degraded = false;
+      const double needed = own->needed(h_, *member.state);
+      substepped_[m] = needed <= own->allowed() && !minimised_always_[m];
+      if (substepped_[m])
+        substeps_ = std::max(substeps_, static_cast<int>(needed));
+      else
+        refuse(member, needed);
+    }
+    for (std::size_t m = 0; m < island_.soft.size(); ++m) {
+      if (!substepped_[m]) continue;
+      island_.soft[m].substeps = substeps_;
+      island_.soft[m].note =
+          fmt::format("{} substeps of {:.3g} ms, coupled by impulses", substeps_, 1e3 * h_ / substeps_);
+    }
+  }
+
+  void refuse(SoftMember& member, double needed) const {
+    const SoftDesc& desc = member.body->desc();
+    member.degraded = true;
+    member.note =
+        needed <= desc.max_substeps ? fmt::format("{} did not hold in this tick: stepped by implicit_euler",
+                                                  desc.model == "xpbd" ? desc.model : desc.integrator)
+        : std::isfinite(needed)
+            ? fmt::format("{} needs {:.0f} substeps of {:.3g} ms, {} are allowed: stepped by implicit_euler",
+                          desc.integrator, needed, 1e3 * h_ / needed, desc.max_substeps)
+            : fmt::format("{} grows at every step without more damping: stepped by implicit_euler",
+                          desc.integrator);
+  }
+
+  bool of_substepped(const ContactSide& side) const {
+    if (side.kind != ContactSide::Kind::soft) return false;
+    for (std::size_t m = 0; m < island_.soft.size(); ++m)
+      if (island_.soft[m].index == side.body) return substepped_[m] != 0;
+    return false;
+  }
+
+  /// Everything but the substepped bodies and what touches them.
+  IslandReport minimise() {
+    contacts_.clear();
+    ties_.clear();
+    Island rest;
+    rest.rigid = island_.rigid;
+    std::vector<std::size_t> contact_of, member_of;
+    for (std::size_t m = 0; m < island_.soft.size(); ++m)
+      if (!substepped_[m]) {
+        rest.soft.push_back(island_.soft[m]);
+        member_of.push_back(m);
+      }
+    for (std::size_t c = 0; c < island_.contacts.size(); ++c) {
+      const Contact& contact = island_.contacts[c];
+      if (of_substepped(contact.a) || of_substepped(contact.b)) {
+        contacts_.push_back(c);
+      } else {
+        rest.contacts.push_back(contact);
+        contact_of.push_back(c);
+      }
+    }
+    for (std::size_t t = 0; t < island_.ties.size(); ++t) {
+      const Tie& tie = island_.ties[t];
+      if (of_substepped(tie.a) || of_substepped(tie.b))
+        ties_.push_back(t);
+      else
+        rest.ties.push_back(tie);
+    }
+    IslandReport report;
+    report.converged = true;
+    if (rest.soft.empty() && rest.rigid.empty()) return report;
+    report = solve_island(rest, h_, gravity_);
+    island_.rigid = rest.rigid;
+    for (std::size_t c = 0; c < contact_of.size(); ++c) island_.contacts[contact_of[c]] = rest.contacts[c];
+    return report;
+  }
+
+  void substep() {
+    if (substeps_ > 0)
+      couple_by_impulses(island_, before_, substepped_, contacts_, ties_, substeps_, h_, gravity_, work_);
+  }
+
+  /// True when the tick stands. Otherwise everything is where it was, but what was learnt of frequencies.
+  bool check(int attempt) {
+    bool again = false;
+    for (std::size_t m = 0; m < island_.soft.size(); ++m) {
+      SoftMember& member = island_.soft[m];
+      Substepper* own = member.body->substepper();
+      if (!own) continue;
+      const bool held = own->finish(substepped_[m] ? h_ / substeps_ : 0, *member.state);
+      if (!substepped_[m]) continue;
+      const bool sound = good(*member.state) && tame(m);
+      if (held && sound) continue;
+      again = true;
+      minimised_always_[m] = attempt + 1 >= tries || !sound;
+    }
+    if (!again) return true;
+    for (std::size_t m = 0; m < island_.soft.size(); ++m) {
+      SoftBodyState& state = *island_.soft[m].state;
+      const double omega =
+          std::isfinite(state.omega) ? std::max(state.omega, start_[m].omega) : start_[m].omega;
+      state = start_[m];
+      state.omega = omega;
+    }
+    return false;
+  }
+
+  Island& island_;
+  double h_;
+  const Vec3& gravity_;
+  std::vector<SoftBodyState> start_;
+  std::vector<VecX> before_;
+  std::vector<double> energy_, work_;  // J, of each soft member: at the start; by impulses
+  std::vector<char> substepped_, minimised_always_;
+  std::vector<std::size_t> contacts_, ties_;  // of substepped bodies
+  int substeps_ = 0;
+};
+
+}  // namespace
+
+IslandReport step_island(Island& island, double h, const Vec3& gravity) {
+  const bool substeps = std::any_of(island.soft.begin(), island.soft.end(),
+                                    [](const SoftMember& m) { return m.body->substepper() != nullptr; });
+  return substeps ? Tick(island, h, gravity).run() : solve_island(island, h, gravity);
+}
+
+}  // namespace prosector

@@ -1,0 +1,58 @@
+#include "server/physics/soft/rungs.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "common/error.h"
+#include "server/physics/soft/constitutive_law.h"
+#include "server/physics/soft/explicit_integrators.h"
+#include "server/physics/soft/find_row.h"
+#include "server/physics/soft/time_integrator.h"
+
+namespace prosector {
+
+MeshKind mesh_kind(const Anatomy& anatomy) {
+  if (!anatomy.segments.empty()) return MeshKind::rope;
+  return anatomy.quads.empty() ? MeshKind::tets : MeshKind::sheet;
+}
+
+const std::vector<ModelRow>& models() {
+  static const std::vector<ModelRow> rows = [] {
+    std::vector<ModelRow> out = {
+        {"mass_spring", "springs along edges; sheets and ropes bend", true, true, false},
+        {"xpbd", "position-based, in small substeps; the fast rung", true, true, true}};
+    for (const LawRow& law : laws()) out.push_back({law.name, law.help, true, false, false});
+    return out;
+  }();
+  return rows;
+}
+
+std::vector<std::string> integrators_for(const ModelRow& model) {
+  if (model.position_based) return {"implicit_euler"};
+  std::vector<std::string> names;
+  for (const IntegratorRow& row : integrators()) names.emplace_back(row.name);
+  for (const ExplicitRow& row : explicit_integrators()) names.emplace_back(row.name);
+  return names;
+}
+
+void check_rung(const SoftDesc& desc, const Anatomy& anatomy) {
+  const ModelRow& model = find_row(models(), "model", desc.model);
+  const MeshKind kind = mesh_kind(anatomy);
+  if (!(kind == MeshKind::tets ? model.tets : model.fabric)) {
+    std::vector<std::string> fit;
+    for (const ModelRow& row : models())
+      if (kind == MeshKind::tets ? row.tets : row.fabric) fit.push_back(row.name);
+    throw InputError(fmt::format("model is \"{}\", which needs tetrahedra; allowed for a {}: {}", desc.model,
+                                 kind == MeshKind::sheet ? "sheet" : "rope", fmt::join(fit, ", ")));
+  }
+  if (desc.element == "tet10" && (model.fabric || kind != MeshKind::tets))
+    throw InputError(fmt::format("element is \"tet10\"; allowed with model \"{}\": tet4", desc.model));
+  const auto allowed = integrators_for(model);
+  if (std::find(allowed.begin(), allowed.end(), desc.integrator) == allowed.end())
+    throw InputError(fmt::format("integrator is \"{}\"; allowed with model \"{}\": {}", desc.integrator,
+                                 desc.model, fmt::join(allowed, ", ")));
+}
+
+}  // namespace prosector

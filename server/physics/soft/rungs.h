@@ -1,0 +1,34 @@
+#pragma once
+// The ladder: which models there are, on which meshes, and which integrators go with them. Stated once; what
+// checks, tests and measures rungs goes by these tables.
+
+#include <string>
+#include <vector>
+
+#include "common/mesh.h"
+#include "common/scene/scene.h"
+
+namespace prosector {
+
+enum class MeshKind { tets, sheet, rope };
+MeshKind mesh_kind(const Anatomy& anatomy);
+
+/// `model` in a scene file.
+struct ModelRow {
+  std::string name;
+  std::string help;
+  bool tets, fabric;    // meshes that it makes sense on; fabric: sheets and ropes
+  bool position_based;  // integrates by itself, as implicit Euler would
+};
+/// Every law on tetrahedra, mass_spring and xpbd.
+const std::vector<ModelRow>& models();
+
+/// `integrator` in a scene file that goes with the model: all of integrators() and explicit_integrators(), or
+/// for a position-based model the one that it approximates.
+std::vector<std::string> integrators_for(const ModelRow& model);
+
+/// Throws InputError that names what is allowed unless the description's model, mesh and integrator go
+/// together.
+void check_rung(const SoftDesc& desc, const Anatomy& anatomy);
+
+}  // namespace prosector

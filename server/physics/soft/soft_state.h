@@ -1,0 +1,19 @@
+#pragma once
+// State of one soft body: everything that changes the next tick's bits.
+
+#include "server/physics/soft/time_integrator.h"
+
+namespace prosector {
+
+struct SoftBodyState {
+  Motion motion;
+  VecX warm_start;  // 3n, m: last step's change of velocity times h, see SoftBody::initial_guess
+  bool asleep = true;
+  int quiet_ticks = 0;
+  int tangled_ticks = 0;  // in a row with inverted elements and nothing that holds them so
+  // Explicit integrators only; empty and 0 otherwise.
+  VecX mode;         // 3n: about the shape of the body's fastest oscillation, unit
+  double omega = 0;  // 1/s: about its angular frequency
+};
+
+}  // namespace prosector

@@ -1,0 +1,160 @@
+#include "server/physics/soft/spring_network.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "common/error.h"
+#include "server/physics/soft/constitutive_law.h"
+#include "server/physics/soft/node_vectors.h"
+#include "server/physics/soft/tet4.h"
+
+namespace prosector {
+namespace {
+
+using Edge = std::array<std::uint32_t, 2>;
+
+Edge edge(std::uint32_t a, std::uint32_t b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+class Builder {
+ public:
+  Builder(const SoftDesc& desc, const Anatomy& anatomy)
+      : desc_(desc), anatomy_(anatomy), x_(anatomy.tets.positions) {
+    out_.rest = to_vector(x_);
+    out_.volume = VecX::Zero(static_cast<Eigen::Index>(x_.size()));
+  }
+
+  SpringNetwork build() {
+    if (!anatomy_.segments.empty())
+      rope();
+    else if (!anatomy_.quads.empty())
+      sheet();
+    else
+      solid();
+    for (const auto& [ends, k] : stiffness_) {
+      const double length = (x_[ends[0]] - x_[ends[1]]).norm();
+      if (length > 0 && k > 0)
+        out_.springs.push_back({ends, length, k});
+      else
+        ++out_.dropped;
+    }
+    return std::move(out_);
+  }
+
+ private:
+  double length(std::uint32_t a, std::uint32_t b) const { return (x_[a] - x_[b]).norm(); }
+  static double given(double stiffness, double derived) { return stiffness > 0 ? stiffness : derived; }
+
+  double thickness() const {
+    if (!(anatomy_.thickness > 0))
+      throw InputError(
+          fmt::format("thickness is {} m; a sheet or rope needs a positive one", anatomy_.thickness));
+    return anatomy_.thickness;
+  }
+
+  void rope() {
+    const double d = thickness(), area = M_PI * d * d / 4;
+    const double EI = given(desc_.bending_stiffness, desc_.youngs_modulus * M_PI * d * d * d * d / 64);
+    lame(desc_.youngs_modulus, desc_.poisson_ratio);  // checks them
+    std::map<std::uint32_t, std::vector<std::uint32_t>> neighbours;
+    for (const auto& [a, b] : anatomy_.segments) {
+      const double l = length(a, b);
+      stiffness_[edge(a, b)] += given(desc_.spring_stiffness, desc_.youngs_modulus * area / l);
+      for (const std::uint32_t node : {a, b}) out_.volume[node] += area * l / 2;
+      neighbours[a].push_back(b);
+      neighbours[b].push_back(a);
+    }
+    for (const auto& [middle, ends] : neighbours) {
+      if (ends.size() != 2) continue;
+      const double l = (length(ends[0], middle) + length(middle, ends[1])) / 2;
+      out_.bends.push_back({{ends[0], middle, ends[1]}, EI / (l * l * l)});
+    }
+  }
+
+  void sheet() {
+    const double t = thickness(), nu = desc_.poisson_ratio;
+    const double G = lame(desc_.youngs_modulus, nu).mu * t;
+    const double C = desc_.youngs_modulus * t / (1 - nu * nu);
+    for (const auto& q : anatomy_.quads) {
+      const double a = (length(q[0], q[3]) + length(q[1], q[2])) / 2;
+      const double b = (length(q[0], q[1]) + length(q[3], q[2])) / 2;
+      const auto along = [&](double l, double width) {
+        const double whole = (width / l) * (C - G * l * l / (width * width));
+        return given(desc_.spring_stiffness, std::max(0.01 * C, whole)) / 2;
+      };
+      for (const Edge& e : {edge(q[0], q[3]), edge(q[1], q[2])}) stiffness_[e] += along(a, b);
+      for (const Edge& e : {edge(q[0], q[1]), edge(q[3], q[2])}) stiffness_[e] += along(b, a);
+      const double diagonal = given(desc_.shear_stiffness, G * (a * a + b * b) / (2 * a * b));
+      for (const Edge& e : {edge(q[0], q[2]), edge(q[1], q[3])}) stiffness_[e] += diagonal;
+      for (const std::uint32_t node : q) out_.volume[node] += t * a * b / 4;
+    }
+    bend_sheet(given(desc_.bending_stiffness, C * t * t / 12));
+  }
+
+  /// Two cells with a common edge bend along the two lines that cross it at its ends; each line belongs half
+  /// to the cells on either side of it.
+  void bend_sheet(double D) {
+    struct Across {
+      std::uint32_t from, middle;  // a node and its neighbour on the shared edge
+    };
+    std::map<Edge, std::vector<std::array<Across, 2>>> shared;
+    for (const auto& q : anatomy_.quads)
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::uint32_t a = q[k], b = q[(k + 1) % 4], c = q[(k + 2) % 4], d = q[(k + 3) % 4];
+        std::array<Across, 2> lines = {{{d, a}, {c, b}}};
+        if (a > b) std::swap(lines[0], lines[1]);
+        shared[edge(a, b)].push_back(lines);
+      }
+    std::map<std::array<std::uint32_t, 3>, double> sums;
+    for (const auto& [ends, cells] : shared) {
+      if (cells.size() != 2) continue;
+      const double width = length(ends[0], ends[1]);
+      for (std::size_t k = 0; k < 2; ++k) {
+        const std::uint32_t first = cells[0][k].from, middle = cells[0][k].middle, last = cells[1][k].from;
+        const double l = (length(first, middle) + length(middle, last)) / 2;
+        sums[{std::min(first, last), middle, std::max(first, last)}] += D * width / 2 / (l * l * l);
+      }
+    }
+    for (const auto& [line, s] : sums) out_.bends.push_back({line, s});
+  }
+
+  void solid() {
+    const Lame c = lame(desc_.youngs_modulus, desc_.poisson_ratio);
+    const bool volume = desc_.hold_volume && c.lambda > c.mu;
+    // Alone, the springs are given E's stiffness in tension at their own ratio of ¼.
+    const double mu = volume ? c.mu : desc_.youngs_modulus / 2.5;
+    if (volume) out_.bulk_modulus = c.lambda - c.mu;
+    out_.volume = Tet4Elements::lumped_volume(anatomy_.tets);
+    for (const auto& tet : anatomy_.tets.tets) {
+      const Vec3 u = x_[tet[1]] - x_[tet[0]], v = x_[tet[2]] - x_[tet[0]], w = x_[tet[3]] - x_[tet[0]];
+      const double V = std::abs(u.cross(v).dot(w)) / 6;
+      for (std::size_t a = 0; a < 4; ++a)
+        for (std::size_t b = a + 1; b < 4; ++b) {
+          const double l = length(tet[a], tet[b]);
+          double& k = stiffness_[edge(tet[a], tet[b])];
+          if (desc_.spring_stiffness > 0)
+            k = desc_.spring_stiffness;
+          else if (l > 0)
+            k += 2.5 * mu * V / (l * l);
+        }
+    }
+  }
+
+  const SoftDesc& desc_;
+  const Anatomy& anatomy_;
+  const std::vector<Vec3>& x_;
+  std::map<Edge, double> stiffness_;
+  SpringNetwork out_;
+};
+
+}  // namespace
+
+SpringNetwork make_spring_network(const SoftDesc& desc, const Anatomy& anatomy) {
+  return Builder(desc, anatomy).build();
+}
+
+}  // namespace prosector

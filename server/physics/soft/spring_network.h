@@ -1,0 +1,50 @@
+#pragma once
+// Springs between nodes, and the bending of lines of nodes: what ropes, sheets and mass-spring solids are
+// made of.
+//
+// Constants from E, ν and thickness t or diameter d, so that homogeneous small strain stores what the
+// continuum does:
+//   rope, piece of length l:       k = E·A/l,  A = πd²/4;     bending E·I, I = πd⁴/64
+//   sheet, cell a × b (plane stress C₁₁ = Et/(1−ν²), G = Et/2(1+ν)):
+//     diagonals  k = G(a² + b²)/(2ab);   edges along a: k = (b/a)(C₁₁ − G·a²/b²), half on the border;
+//     bending    D = Et³/12(1−ν²)
+//   tetrahedra: k = Σ 5μV/(2l²) over those at an edge of length l: isotropic on average, with λ = μ, that is
+//     ν = ¼, where any network of central forces is stuck. Volume springs ½(λ−μ)V(J−1)² bring λ to its own
+//     value. (Compare Lloyd et al. 2007, who match regular tetrahedra.)
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "common/mesh.h"
+#include "common/scene/scene.h"
+
+namespace prosector {
+
+/// ½k(l − l₀)².
+struct Spring {
+  std::array<std::uint32_t, 2> node;  // ascending
+  double rest, stiffness;             // m, N/m
+};
+
+/// ½s|x₀ − 2x₁ + x₂|² for three nodes of a line (x₁ between): with s = EI/l³ the bending energy of a rod that
+/// is straight at rest; unchanged by stretching and turning (Bergou et al. 2006).
+struct Bend {
+  std::array<std::uint32_t, 3> node;
+  double stiffness;  // N/m
+  static constexpr std::array<double, 3> weight = {1, -2, 1};
+};
+
+struct SpringNetwork {
+  std::vector<Spring> springs;
+  std::vector<Bend> bends;
+  VecX rest;                // 3n, m
+  VecX volume;              // n, m³
+  std::size_t dropped = 0;  // springs of no length
+  double bulk_modulus = 0;  // Pa: of the volume springs that tetrahedra need besides; 0: none
+};
+
+/// Of the anatomy's segments, quads or tetrahedra. Throws InputError for constants out of range.
+SpringNetwork make_spring_network(const SoftDesc& desc, const Anatomy& anatomy);
+
+}  // namespace prosector

@@ -1,0 +1,52 @@
+#pragma once
+// Bodies that go through a tick in substeps of their own, instead of in the island's minimisation: explicit
+// and position-based ones.
+
+#include <memory>
+
+#include "common/scene/scene.h"
+#include "server/physics/soft/block_matrix.h"
+#include "server/physics/soft/elastic_model.h"
+#include "server/physics/soft/soft_state.h"
+
+namespace prosector {
+
+class Substepper {
+ public:
+  virtual ~Substepper() = default;
+  /// Fills what of the state is this method's own, for a body at rest.
+  virtual void initialise(SoftBodyState& state) = 0;
+  /// How many equal substeps a tick of h s needs; infinity when no number will do.
+  virtual double needed(double h, const SoftBodyState& state) const = 0;
+  /// The most that the scene allows.
+  virtual int allowed() const = 0;
+  /// How many times what it had and what gravity gave its energy may be after a tick, and, less one, how many
+  /// times what impulses gave: methods whose energy swings near their limit are given room, those that hold
+  /// by damping alone next to none.
+  virtual double most_gain() const = 0;
+  /// Starts a tick.
+  virtual void begin(const SoftBodyState& state) = 0;
+  /// hs s on, free of contacts.
+  virtual void step(double hs, const Vec3& gravity, SoftBodyState& state) = 0;
+  /// Ends a tick that took substeps of hs s (0: it was stepped otherwise) and finds what the next one needs.
+  /// False when, in hindsight, hs was too long, because the body got stiffer within the tick.
+  virtual bool finish(double hs, SoftBodyState& state) = 0;
+};
+
+/// What a substepper works on; all of it outlives it.
+struct SubstepBody {
+  const SoftDesc& desc;
+  ElasticModel& model;
+  const BlockPattern& pattern;
+  const VecX& mass;      // n, kg
+  const VecX& attached;  // n, N/m
+};
+
+/// By the row of explicit_integrators() that desc.integrator names.
+std::unique_ptr<Substepper> make_explicit_substepper(const SubstepBody& body);
+/// Extended position-based dynamics on the anatomy.
+std::unique_ptr<Substepper> make_xpbd_substepper(const SubstepBody& body, const Anatomy& anatomy);
+/// Null for bodies that are minimised.
+std::unique_ptr<Substepper> make_substepper(const SubstepBody& body, const Anatomy& anatomy);
+
+}  // namespace prosector

@@ -1,0 +1,59 @@
+#include "server/physics/soft/unfold.h"
+
+#include <Eigen/LU>
+
+#include "server/physics/soft/polar.h"
+
+namespace prosector {
+namespace {
+
+constexpr double flat = 1e-2;  // of the rest volume: less is as good as inside out
+
+double six_volumes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return (b - a).cross(c - a).dot(d - a);
+}
+
+Vec3 mean(const VecX& values, const VecX& mass) {
+  return values.reshaped(3, mass.size()) * mass / mass.sum();
+}
+
+}  // namespace
+
+double inverted_share(const TetMesh& mesh, const VecX& x) {
+  double inverted = 0, all = 0;
+  const auto at = [&](std::uint32_t i) -> Vec3 { return x.segment<3>(3 * static_cast<Eigen::Index>(i)); };
+  for (const auto& t : mesh.tets) {
+    const auto& X = mesh.positions;
+    const double rest = six_volumes(X[t[0]], X[t[1]], X[t[2]], X[t[3]]);
+    const double now = six_volumes(at(t[0]), at(t[1]), at(t[2]), at(t[3]));
+    all += std::abs(rest);
+    if (now * rest <= flat * rest * rest) inverted += std::abs(rest);
+  }
+  return all > 0 ? inverted / all : 0;
+}
+
+void unfold(const VecX& rest, const VecX& mass, SoftBodyState& state) {
+  VecX &x = state.motion.x, &v = state.motion.v;
+  const Vec3 from = mean(rest, mass), to = mean(x, mass), velocity = mean(v, mass);
+  Mat3 covariance = Mat3::Zero();
+  Vec3 spin = Vec3::Zero();  // angular momentum
+  for (Eigen::Index i = 0; i < mass.size(); ++i) {
+    const Vec3 arm = x.segment<3>(3 * i) - to;
+    covariance += mass[i] * arm * (rest.segment<3>(3 * i) - from).transpose();
+    spin += mass[i] * arm.cross(v.segment<3>(3 * i) - velocity);
+  }
+  const Mat3 R = polar(covariance).R;
+  Mat3 inertia = Mat3::Zero();
+  for (Eigen::Index i = 0; i < mass.size(); ++i) {
+    const Vec3 arm = R * (rest.segment<3>(3 * i) - from);
+    inertia += mass[i] * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+    x.segment<3>(3 * i) = to + arm;
+  }
+  const Vec3 omega = inertia.ldlt().solve(spin);
+  for (Eigen::Index i = 0; i < mass.size(); ++i)
+    v.segment<3>(3 * i) = velocity + omega.cross(x.segment<3>(3 * i) - to);
+  state.motion.has_history = false;
+  state.warm_start.setZero();
+}
+
+}  // namespace prosector

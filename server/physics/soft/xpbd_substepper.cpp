@@ -1,0 +1,189 @@
+// Extended position-based dynamics (Macklin et al. 2016) in small substeps of one sweep each (2019):
+// springs, bends, and on tetrahedra the stable neo-Hookean pair of constraints (Macklin & Müller 2021),
+//   C_D = ‖F‖, compliance 1/(μV),   C_H = J − (1 + μ/Λ), compliance 1/(ΛV),   Λ = λ + μ,
+// whose energy is fem_neo_hookean_polynomial's. Compliances are those of the physical springs, so stiffness
+// neither depends on the number of substeps nor needs tuning, as long as the sweeps converge.
+//
+// Constraints are coloured: those of a colour share no node, so that they run in parallel with the same bits
+// for any number of threads.
+
+#include <algorithm>
+#include <cmath>
+
+#include "server/physics/parallel.h"
+#include "server/physics/soft/constitutive_law.h"
+#include "server/physics/soft/spring_network.h"
+#include "server/physics/soft/substepper.h"
+#include "server/physics/soft/tet4.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t constraints_per_chunk = 256;
+
+struct Element {
+  enum class Kind : std::uint8_t { spring, bend, tet } kind;
+  std::uint32_t index;
+};
+
+class XpbdSubstepper final : public Substepper {
+ public:
+  XpbdSubstepper(const SubstepBody& body, const Anatomy& anatomy)
+      : body_(body), tets_(anatomy.tets), inverse_mass_(body.mass.cwiseInverse()) {
+    if (tets_.size() == 0) {
+      network_ = make_spring_network(body.desc, anatomy);
+    } else {
+      const Lame c = lame(body.desc.youngs_modulus, body.desc.poisson_ratio);
+      mu_ = c.mu;
+      volume_modulus_ = c.lambda + c.mu;
+    }
+    colour();
+  }
+
+  void initialise(SoftBodyState&) override {}
+  double needed(double, const SoftBodyState&) const override { return body_.desc.substeps; }
+  int allowed() const override { return body_.desc.substeps; }
+  double most_gain() const override { return 10; }
+  void begin(const SoftBodyState&) override {}
+  bool finish(double, SoftBodyState& state) override { return state.motion.x.allFinite(); }
+
+  void step(double hs, const Vec3& gravity, SoftBodyState& state) override {
+    VecX &x = state.motion.x, &v = state.motion.v;
+    x_ = x.data();
+    start_ = x;
+    v.reshaped(3, body_.mass.size()).colwise() += hs * gravity;
+    v *= std::exp(-hs * body_.desc.damping_mass);
+    x += hs * v;
+    hold_attachments(hs);
+    for (std::size_t c = 0; c + 1 < colour_begin_.size(); ++c)
+      parallel_chunks(colour_begin_[c + 1] - colour_begin_[c], constraints_per_chunk,
+                      [&](std::size_t first, std::size_t last, std::size_t) {
+                        for (std::size_t k = first; k < last; ++k) project(order_[colour_begin_[c] + k], hs);
+                      });
+    v = (x - start_) / hs;
+  }
+
+ private:
+  Eigen::Map<Vec3> at(std::uint32_t node) { return Eigen::Map<Vec3>(x_ + 3 * std::size_t{node}); }
+  Eigen::Map<const Vec3> before(std::uint32_t node) const {
+    return Eigen::Map<const Vec3>(start_.data() + 3 * std::size_t{node});
+  }
+
+  std::span<const std::uint32_t> nodes(const Element& e) const {
+    if (e.kind == Element::Kind::spring) return network_.springs[e.index].node;
+    if (e.kind == Element::Kind::bend) return network_.bends[e.index].node;
+    return tets_.nodes(e.index);
+  }
+
+  /// Greedy: each constraint takes the first colour that none of its nodes has.
+  void colour() {
+    std::vector<Element> elements;
+    for (std::uint32_t i = 0; i < network_.springs.size(); ++i)
+      elements.push_back({Element::Kind::spring, i});
+    for (std::uint32_t i = 0; i < network_.bends.size(); ++i) elements.push_back({Element::Kind::bend, i});
+    for (std::uint32_t i = 0; i < tets_.size(); ++i) elements.push_back({Element::Kind::tet, i});
+    std::vector<std::vector<bool>> taken(static_cast<std::size_t>(body_.mass.size()));
+    std::vector<std::vector<Element>> colours;
+    for (const Element& e : elements) {
+      std::size_t c = 0;
+      const auto has = [&](std::uint32_t node) { return c < taken[node].size() && taken[node][c]; };
+      while (std::any_of(nodes(e).begin(), nodes(e).end(), has)) ++c;
+      for (const std::uint32_t node : nodes(e)) {
+        taken[node].resize(std::max(taken[node].size(), c + 1));
+        taken[node][c] = true;
+      }
+      colours.resize(std::max(colours.size(), c + 1));
+      colours[c].push_back(e);
+    }
+    colour_begin_.push_back(0);
+    for (const auto& group : colours) {
+      order_.insert(order_.end(), group.begin(), group.end());
+      colour_begin_.push_back(order_.size());
+    }
+  }
+
+  /// A node's own spring, in closed form.
+  void hold_attachments(double hs) {
+    const VecX& rest = body_.model.rest();
+    for (Eigen::Index i = 0; i < body_.mass.size(); ++i) {
+      const double k = body_.attached[i] * hs * hs;
+      if (!(k > 0)) continue;
+      Eigen::Map<Vec3> x(x_ + 3 * i);
+      x -= k / (body_.mass[i] + k) * (x - rest.segment<3>(3 * i));
+    }
+  }
+
+  /// Δλ = (−C − γ∇C·(x − x_n)) / ((1 + γ)·∇C·M⁻¹·∇Cᵀ + α̃), x += M⁻¹∇Cᵀ·Δλ, with α̃ = 1/(k·hs²) and γ = β/hs
+  /// for damping β·k (Macklin et al. 2016, eq. 26): one sweep, from λ = 0.
+  void move(std::span<const std::uint32_t> node, const Vec3* gradient, double C, double k, double hs) {
+    double mobility = 0, drift = 0;
+    for (std::size_t a = 0; a < node.size(); ++a) {
+      mobility += inverse_mass_[node[a]] * gradient[a].squaredNorm();
+      drift += gradient[a].dot(at(node[a]) - before(node[a]));
+    }
+    const double gamma = body_.desc.damping_stiffness / hs;
+    const double change = (-C - gamma * drift) / ((1 + gamma) * mobility + 1 / (k * hs * hs));
+    if (!std::isfinite(change)) return;
+    for (std::size_t a = 0; a < node.size(); ++a)
+      at(node[a]) += inverse_mass_[node[a]] * change * gradient[a];
+  }
+
+  void project(const Element& e, double hs) {
+    if (e.kind == Element::Kind::spring)
+      project_spring(network_.springs[e.index], hs);
+    else if (e.kind == Element::Kind::bend)
+      project_bend(network_.bends[e.index], hs);
+    else
+      project_tet(e.index, hs);
+  }
+
+  void project_spring(const Spring& s, double hs) {
+    const Vec3 d = at(s.node[1]) - at(s.node[0]);
+    const double length = d.norm();
+    if (!(length > 0)) return;
+    const Vec3 n = d / length, gradient[2] = {-n, n};
+    move(s.node, gradient, length - s.rest, s.stiffness, hs);
+  }
+
+  void project_bend(const Bend& b, double hs) {
+    const Vec3 d = at(b.node[0]) - 2 * at(b.node[1]) + at(b.node[2]);
+    const double C = d.norm();
+    if (!(C > 0)) return;
+    const Vec3 n = d / C, gradient[3] = {n, -2 * n, n};
+    move(b.node, gradient, C, b.stiffness, hs);
+  }
+
+  void project_tet(std::size_t e, double hs) {
+    const double V = tets_.volume(e);
+    Tet4Elements::Forces gradient;  // of V·Ψ for P = ∂Ψ/∂F
+    const auto project = [&](const Mat3& dC, double C, double modulus) {
+      tets_.forces(e, dC / V, gradient);
+      move(tets_.nodes(e), gradient.data(), C, modulus * V, hs);
+    };
+    const Mat3 F = tets_.edges(e, x_) * tets_.gradients(e).transpose();
+    const double norm = F.norm();
+    if (norm > 0) project(F / norm, norm, mu_);
+    const Mat3 now = tets_.edges(e, x_) * tets_.gradients(e).transpose();
+    Mat3 cofactor;
+    cofactor << now.col(1).cross(now.col(2)), now.col(2).cross(now.col(0)), now.col(0).cross(now.col(1));
+    project(cofactor, now.determinant() - (1 + mu_ / volume_modulus_), volume_modulus_);
+  }
+
+  const SubstepBody body_;
+  Tet4Elements tets_;
+  SpringNetwork network_;
+  VecX inverse_mass_;
+  double mu_ = 0, volume_modulus_ = 0;  // Pa
+  std::vector<Element> order_;          // by colour
+  std::vector<std::size_t> colour_begin_;
+  double* x_ = nullptr;  // 3n, of the substep
+  VecX start_;           // 3n, where it began
+};
+
+}  // namespace
+
+std::unique_ptr<Substepper> make_xpbd_substepper(const SubstepBody& body, const Anatomy& anatomy) {
+  return std::make_unique<XpbdSubstepper>(body, anatomy);
+}
+
+}  // namespace prosector
