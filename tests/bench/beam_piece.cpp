@@ -31,8 +31,9 @@ VecX in_first_mode(const VecX& rest, double amplitude) {
   VecX x = rest;
   for (Eigen::Index k = 0; k < rest.size(); k += 3) {
     const auto [w, slope] = first_mode(rest[k] / beam_size[0]);
-    x[k + 1] += amplitude * w;
-    x[k] -= amplitude * slope / beam_size[0] * (rest[k + 1] - beam_size[1] / 2);
+    const double across = swing_direction.dot(rest.segment<3>(k) - beam_tip());
+    x.segment<3>(k) += amplitude * w * swing_direction;
+    x[k] -= amplitude * slope / beam_size[0] * across;
   }
   return x;
 }

@@ -12,8 +12,13 @@ inline constexpr double beam_first_frequency = 1.6864;
 /// `cells` along the beam, a multiple of 4 or, so that a node is at the tip's centre, of 8.
 TestPiece beam_piece(unsigned cells, double poisson_ratio);
 
-/// The rest positions bent as a clamped–free beam's first mode (Euler and Bernoulli), `amplitude` m at the
-/// tip.
+/// Where it swings: across the diagonal. A square section has the same frequency in every direction, but a
+/// Kuhn mesh couples those that are not along a diagonal of its end face, and the swing would turn. Along
+/// this one it is softest.
+inline const Vec3 swing_direction = Vec3(0, 1, -1).normalized();
+
+/// The rest positions bent in that direction as a clamped–free beam's first mode (Euler and Bernoulli),
+/// `amplitude` m at the tip.
 VecX in_first_mode(const VecX& rest, double amplitude);
 
 /// The free face's centre.

@@ -100,39 +100,35 @@ TradePlot plot_for(const TradeCase& which, const Report& report) {
 Report bench_trade(const TradeBenchOptions& options) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
   Report report("trade");
+  std::map<std::string, double> stable_steps;  // s, by model and integrator
+  const auto stable_step = [&](const auto& rung) {
+    const ReportRow row = settings(rung);
+    const auto [at, is_new] =
+        stable_steps.try_emplace(setting(row, "model") + " " + setting(row, "integrator"));
+    if (is_new)
+      at->second = largest_stable_step([&](const TestPiece& piece) { return make_specimen(rung, piece); });
+    return at->second;
+  };
   for (const TradeCase* which : trade_cases()) {
     if (!options.only.empty() && options.only != which->name) continue;
     const bool is_swing = which == &swing_case();
     fmt::print("\n{}: {}\n", which->name, which->title);
     const TextTable table = table_for(*which);
     table.print_header();
-    const auto add = [&](ReportRow row) {
+    const auto run = [&](const auto& trial) {
+      if (!options.model.empty() && options.model != trial.rung.model) return;
+      const TestPiece piece = which->piece(trial.cells);
+      ReportRow row = {{"case", which->name}};
+      row.update(settings(trial.rung));
+      row["threads"] = 1;
+      if (is_swing) row["largest_stable_step_s"] = stable_step(trial.rung);
+      row = run_one(*which, piece, trial.dt, options.limit_ms, row,
+                    [&] { return make_specimen(trial.rung, piece); });
       table.print(row);
       report.add(std::move(row));
     };
-    std::map<std::string, double> stable_steps;  // by model and integrator
-    for (const Trial& trial : trials(*which, options.quick)) {
-      const TestPiece piece = which->piece(trial.cells);
-      ReportRow row = {{"case", which->name}};
-      row.update(settings(trial.rung));
-      row["effort"] = trial.rung.effort();
-      if (is_swing) {
-        const auto [at, is_new] = stable_steps.try_emplace(trial.rung.model + " " + trial.rung.integrator);
-        if (is_new) at->second = largest_stable_step(trial.rung);
-        row["largest_stable_step_s"] = at->second;
-      }
-      row["threads"] = 1;
-      add(run_one(*which, piece, trial.dt, options.limit_ms, row,
-                  [&] { return make_specimen(trial.rung, piece); }));
-    }
-    for (const BulletTrial& trial : bullet_trials(*which, options.quick)) {
-      const TestPiece piece = which->piece(trial.cells);
-      ReportRow row = {{"case", which->name}};
-      row.update(settings(trial.rung));
-      row["threads"] = 1;
-      add(run_one(*which, piece, trial.dt, options.limit_ms, row,
-                  [&] { return make_specimen(trial.rung, piece); }));
-    }
+    for (const Trial& trial : trials(*which, options.quick)) run(trial);
+    for (const BulletTrial& trial : bullet_trials(*which, options.quick)) run(trial);
     if (!options.picture_folder.empty()) {
       const auto file =
           std::filesystem::path(options.picture_folder) / fmt::format("trade-{}.svg", which->name);

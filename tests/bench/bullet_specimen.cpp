@@ -9,6 +9,7 @@
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -42,7 +43,6 @@ class BulletSpecimen final : public Specimen {
     if (rung.model == classic) {
       add_links();
       body_->m_cfg.piterations = rung.iterations;
-      world_->addCollisionObject(body_.get());
       static_cast<btSoftRigidDynamicsWorld&>(*world_).addSoftBody(body_.get());
     } else {
       add_elements(rung.model);
@@ -105,6 +105,7 @@ class BulletSpecimen final : public Specimen {
           &dispatcher_, &broadphase_, constraints.get(), &configuration_, soft_solver_.get());
       world->setImplicit(true);
       world->setLineSearch(false);
+      world->setUseProjection(true);  // else its solver stops before a body as light as this moves
       deformable_ = world.get();
       info_ = &world->getWorldInfo();
       constraints_ = std::move(constraints);
@@ -139,13 +140,15 @@ class BulletSpecimen final : public Specimen {
     for (const auto& tet : piece_.mesh.tets) {
       for (std::size_t a = 0; a < 4; ++a) {
         for (std::size_t b = 0; b < a; ++b) {
-          const auto [low, high] = std::minmax(static_cast<int>(tet[a]), static_cast<int>(tet[b]));
-          edges.emplace(low, high);
+          const int one = static_cast<int>(tet[a]), other = static_cast<int>(tet[b]);
+          edges.emplace(std::min(one, other), std::max(one, other));
         }
       }
     }
     for (const auto& [a, b] : edges) body_->appendLink(a, b);
     body_->randomizeConstraints();
+    body_->updateConstants();  // the links' lengths are those of now, not of the first step's start
+    body_->m_bUpdateRtCst = false;
   }
 
   void add_elements(const std::string& model) {

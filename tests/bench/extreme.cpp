@@ -155,7 +155,7 @@ const std::vector<Extreme>& extremes() {
        [] {
          return clamped(cube({25, 26, 26}));
        },
-       frame, nullptr, weight, 4 * frame, 0, false},
+       frame, nullptr, weight, frame, 0, false, false},
       {"1e6 N on the body", [] { return clamped(); }, frame, nullptr, 1e6 * weight / weight.norm() / 1.06,
        0.1},
       {"1e6 N on a node", [] { return clamped(); }, frame, hit},

@@ -58,6 +58,7 @@ int main(int argc, char** argv) try {
   trade_command->add_flag("--quick", trade.quick, "Fewer resolutions and steps");
   trade_command->add_option("--case", trade.only, "Only this one")
       ->check(CLI::IsMember(prosector::trade_case_names()));
+  trade_command->add_option("--model", trade.model, "Only this one, bullet_… included");
   trade_command->add_option("--svg", trade.picture_folder, "Folder for a picture of each case")
       ->check(CLI::ExistingDirectory);
   trade_command->add_option("--limit", trade.limit_ms, "CPU ms that one run may take")

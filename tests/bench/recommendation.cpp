@@ -46,7 +46,8 @@ std::vector<std::string> recommend(const std::vector<ReportRow>& rows) {
   for (const TradeCase* which : trade_cases()) {
     std::vector<const ReportRow*> measured;
     for (const ReportRow& row : rows) {
-      if (setting(row, "case") == which->name && std::isfinite(figure(row, which->error_key)))
+      const bool is_ours = !setting(row, "model").starts_with("bullet_");
+      if (is_ours && setting(row, "case") == which->name && std::isfinite(figure(row, which->error_key)))
         measured.push_back(&row);
     }
     if (measured.empty()) continue;

@@ -12,7 +12,7 @@ namespace prosector {
 std::string in_words(const ReportRow& row);
 
 /// Sentences: for each case, the cheapest row within each accuracy, and the best within each budget of a
-/// frame.
+/// frame. Peers' rows are left out: a scene can't choose them.
 std::vector<std::string> recommend(const std::vector<ReportRow>& rows);
 
 }  // namespace prosector

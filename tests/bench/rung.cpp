@@ -115,7 +115,8 @@ ReportRow settings(const Rung& rung) {
           {"solver", rung.solver},
           {"newton_iterations", rung.newton_iterations},
           {"solver_iterations", rung.solver_iterations},
-          {"solver_tolerance", rung.solver_tolerance}};
+          {"solver_tolerance", rung.solver_tolerance},
+          {"effort", rung.effort()}};
 }
 
 std::unique_ptr<Specimen> make_specimen(const Rung& rung, const TestPiece& piece) {

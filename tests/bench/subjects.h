@@ -45,7 +45,7 @@ Report bench_beam101k(const Beam101kBenchOptions& options);
 
 struct TradeBenchOptions {
   bool quick = false;
-  std::string only;            // name of one case; empty: all
+  std::string only, model;     // one case, one model (as rows name it); empty: all
   std::string picture_folder;  // where to write trade-CASE.svg; empty: nowhere
   double limit_ms = 4000;      // CPU time of one run; what would take longer is told as too slow
 };

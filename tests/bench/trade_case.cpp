@@ -7,8 +7,8 @@
 namespace prosector {
 namespace {
 
-constexpr double frame = 1. / 60;          // s
-constexpr std::size_t steps_to_judge = 3;  // before the rest is extrapolated
+constexpr double frame = 1. / 60;           // s
+constexpr std::size_t steps_to_judge = 10;  // before the rest is extrapolated
 
 }  // namespace
 
@@ -25,9 +25,8 @@ bool Runner::run(double seconds, const std::function<void(double)>& after) {
     finite_ = finite_ && specimen_.positions().allFinite();
     if (!finite_) return false;
     after(static_cast<double>(i + 1) * dt_);
-    const double so_far = static_cast<double>(i + 1);
-    if (i + 1 >= steps_to_judge && cpu_ms_ / so_far * static_cast<double>(steps) > limit_ms_ && i + 1 < steps)
-      return false;
+    const auto left = static_cast<double>(steps - i - 1);
+    if (i + 1 >= steps_to_judge && cpu_ms_ + left * step_cpu_ms_.back() > limit_ms_ && left > 0) return false;
   }
   return true;
 }
