@@ -19,6 +19,7 @@ SoftDesc describe(const Rung& rung, const TestPiece& piece) {
   SoftDesc desc;
   desc.name = "specimen";
   desc.model = rung.model;
+  desc.element = rung.element;
   desc.integrator = rung.integrator;
   desc.solver = rung.solver;
   desc.newton_iterations = rung.newton_iterations;
@@ -98,6 +99,10 @@ std::string Rung::name() const {
 
 std::vector<std::string> model_names() {
   return names_of(laws());
+}
+
+std::vector<std::string> element_names() {
+  return {"tet4", "tet10"};  // SoftDesc::element has no table of its own
 }
 
 std::vector<std::string> integrator_names() {

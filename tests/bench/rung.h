@@ -13,7 +13,7 @@ namespace prosector {
 /// Settings beyond the tables' defaults are the scene file's: SoftDesc's initialisers.
 struct Rung {
   std::string model, integrator, solver;
-  std::string element = "tet4";
+  std::string element = SoftDesc{}.element;
   int newton_iterations = SoftDesc{}.newton_iterations;
   int solver_iterations = SoftDesc{}.solver_iterations;
   double solver_tolerance = SoftDesc{}.solver_tolerance;
@@ -24,6 +24,7 @@ struct Rung {
 };
 
 std::vector<std::string> model_names();
+std::vector<std::string> element_names();
 std::vector<std::string> integrator_names();
 std::vector<std::string> solver_names();
 

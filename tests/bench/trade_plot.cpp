@@ -11,7 +11,7 @@
 namespace prosector {
 namespace {
 
-constexpr double left = 95, top = 70, plot_width = 640, plot_height = 500, bottom = 75, key_width = 450;
+constexpr double left = 95, top = 70, plot_width = 640, plot_height = 500, bottom = 75, key_width = 550;
 
 /// Decades of one axis on the sheet.
 struct LogAxis {

@@ -48,13 +48,15 @@ std::vector<Trial> trials(const TradeCase& which, bool quick) {
   const std::vector<std::string> integrators = integrator_names(), solvers = solver_names();
   const std::string first_integrator = SoftDesc{}.integrator, first_solver = SoftDesc{}.solver;
   for (const std::string& model : model_names()) {
-    for (const unsigned cells : resolutions(which, quick)) {
-      for (const std::string& solver : solvers) {
-        const Rung rung{model, first_integrator, solver};
-        for (const Effort& effort : efforts) {
-          // An exact solve has no effort of its own: only the Newton iterations count.
-          if (solver == "direct" && effort.tolerance != SoftDesc{}.solver_tolerance) continue;
-          all.push_back({with(rung, effort), cells, frame});
+    for (const std::string& element : element_names()) {
+      for (const unsigned cells : resolutions(which, quick)) {
+        for (const std::string& solver : solvers) {
+          const Rung rung{model, first_integrator, solver, element};
+          for (const Effort& effort : efforts) {
+            // An exact solve has no effort of its own: only the Newton iterations count.
+            if (solver == "direct" && effort.tolerance != SoftDesc{}.solver_tolerance) continue;
+            all.push_back({with(rung, effort), cells, frame});
+          }
         }
       }
     }
