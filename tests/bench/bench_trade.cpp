@@ -100,11 +100,13 @@ TradePlot plot_for(const TradeCase& which, const Report& report) {
 Report bench_trade(const TradeBenchOptions& options) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
   Report report("trade");
-  std::map<std::string, double> stable_steps;  // s, by model and integrator
+  std::map<std::string, double> stable_steps;  // s, by rung
   const auto stable_step = [&](const auto& rung) {
     const ReportRow row = settings(rung);
-    const auto [at, is_new] =
-        stable_steps.try_emplace(setting(row, "model") + " " + setting(row, "integrator"));
+    std::string key;
+    for (const char* name : {"model", "element", "integrator", "solver", "effort"})
+      key += setting(row, name) + " ";
+    const auto [at, is_new] = stable_steps.try_emplace(key);
     if (is_new)
       at->second = largest_stable_step([&](const TestPiece& piece) { return make_specimen(rung, piece); });
     return at->second;
