@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "server/physics/coupled/solve_island.h"
+#include "server/physics/coupled/step_island.h"
+#include "server/physics/soft/explicit_integrators.h"
+#include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
 
 namespace prosector {
@@ -67,8 +69,10 @@ class RungSpecimen final : public Specimen {
   }
 
   StepFigures step(double dt, const Vec3& gravity) override {
-    const IslandReport report = solve_island(island_, dt, gravity);
-    StepFigures figures{report.residual, report.converged, false, ""};
+    const IslandReport report = step_island(island_, dt, gravity);
+    const SoftMember& member = island_.soft.front();
+    StepFigures figures{report.residual, report.converged || member.substeps > 0,
+                        member.degraded || member.reset, member.note};
     if (!report.finite) {
       // As the server does with a body that went out of bounds: back to its last good state, at rest.
       const VecX x = state_.motion.x;
@@ -98,7 +102,7 @@ std::string Rung::name() const {
 }
 
 std::vector<std::string> model_names() {
-  return names_of(laws());
+  return names_of(models());
 }
 
 std::vector<std::string> element_names() {
@@ -106,7 +110,9 @@ std::vector<std::string> element_names() {
 }
 
 std::vector<std::string> integrator_names() {
-  return names_of(integrators());
+  std::vector<std::string> names = names_of(integrators());
+  for (const ExplicitRow& row : explicit_integrators()) names.emplace_back(row.name);
+  return names;
 }
 
 std::vector<std::string> solver_names() {
