@@ -121,11 +121,16 @@ struct CommandResult {
 
 enum class BodyKind : std::uint8_t { rigid, soft };
 
+/// What a surface is made of, as far as it can be seen. The last two are the client's own room.
+enum class Surface : std::uint8_t { plain, tissue, bone, metal, skin, cloth, emissive, floor, wall };
+inline constexpr Surface last_body_surface = Surface::emissive;
+
 /// What a body looks like; enough for a renderer to choose its material.
 struct Appearance {
   Vec3 color = {0.7, 0.7, 0.7};
   double roughness = 0.6;  // 0 mirror … 1 matt
   double wetness = 0;      // 0 dry … 1: a thin film of liquid over the surface
+  Surface surface = Surface::plain;
   bool operator==(const Appearance&) const = default;
 };
 

@@ -19,3 +19,6 @@ vec3 tone_map(vec3 radiance) {
   float mapped = luminance * (1.0 + luminance / (white * white)) / (1.0 + luminance);
   return x * (mapped / luminance);
 }
+
+// What a screen shows, with its brightness as alpha, by which edges are found.
+vec4 with_brightness(vec3 shown) { return vec4(shown, dot(shown, vec3(0.299, 0.587, 0.114))); }

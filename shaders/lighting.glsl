@@ -12,8 +12,8 @@ uniform vec4 light_color[max_lights];      // w: cosine inside which a spot is a
 uniform vec3 ambient;
 
 #if SHADOW_LIGHT >= 0
-uniform sampler2DShadow shadow_map;
-uniform float shadow_size;  // texels, each way
+uniform sampler2D shadow_map;  // depth; its outermost texels are lit
+uniform float shadow_size;     // texels, each way
 in vec4 shadow_place;
 #endif
 
@@ -40,25 +40,24 @@ vec3 surroundings(float up) {
 }
 
 #if SHADOW_LIGHT >= 0
-// Share of the shadow map's light that arrives: 3 × 3 texels, weighted by a tent two texels wide. Single
-// texels are compared, because filtering in the sampler costs a CPU more than these do.
+float lit(ivec2 texel, float depth) { return depth <= texelFetch(shadow_map, texel, 0).r ? 1.0 : 0.0; }
+
+vec3 lit_row(ivec2 middle, float depth) {
+  return vec3(lit(middle - ivec2(1, 0), depth), lit(middle, depth), lit(middle + ivec2(1, 0), depth));
+}
+
+// Share of the shadow map's light that arrives: 3 × 3 texels, weighted by a tent two texels wide. Texels are
+// fetched and compared here, because a sampler that does it costs a CPU more.
 float shadow_at(vec4 clip) {
   vec3 at = clip.xyz / clip.w * 0.5 + 0.5;
-  float depth = min(at.z, 1.0);
-  vec2 texel = at.xy * shadow_size - 0.5;
+  at.z = min(at.z, 1.0);
+  vec2 texel = clamp(at.xy * shadow_size - 0.5, 1.0, shadow_size - 2.0);
   vec2 middle = floor(texel + 0.5);
   vec2 f = texel - middle + 0.5;
-  vec2 c = (middle + 0.5) / shadow_size;
-  float d = 1.0 / shadow_size;
-  vec3 row_low = vec3(texture(shadow_map, vec3(c.x - d, c.y - d, depth)),
-                      texture(shadow_map, vec3(c.x, c.y - d, depth)),
-                      texture(shadow_map, vec3(c.x + d, c.y - d, depth)));
-  vec3 row = vec3(texture(shadow_map, vec3(c.x - d, c.y, depth)), texture(shadow_map, vec3(c.x, c.y, depth)),
-                  texture(shadow_map, vec3(c.x + d, c.y, depth)));
-  vec3 row_high = vec3(texture(shadow_map, vec3(c.x - d, c.y + d, depth)),
-                       texture(shadow_map, vec3(c.x, c.y + d, depth)),
-                       texture(shadow_map, vec3(c.x + d, c.y + d, depth)));
-  return 0.25 * dot((1.0 - f.y) * row_low + row + f.y * row_high, vec3(1.0 - f.x, 1.0, f.x));
+  ivec2 m = ivec2(middle);
+  vec3 rows = (1.0 - f.y) * lit_row(m - ivec2(0, 1), at.z) + lit_row(m, at.z) +
+              f.y * lit_row(m + ivec2(0, 1), at.z);
+  return 0.25 * dot(rows, vec3(1.0 - f.x, 1.0, f.x));
 }
 #endif
 

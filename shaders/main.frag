@@ -23,5 +23,5 @@ void main() {
   film_normal = normalize(normal + smooth_normal);
 #endif
   vec3 radiance = shade(material, room_place, normal, film_normal, normalize(eye - room_place));
-  color = vec4(srgb(tone_map(radiance)), 1.0);
+  color = with_brightness(srgb(tone_map(radiance)));
 }

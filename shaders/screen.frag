@@ -4,4 +4,4 @@ flat in vec3 stroke_color;
 
 out vec4 color;
 
-void main() { color = vec4(srgb(stroke_color), 1.0); }
+void main() { color = with_brightness(srgb(stroke_color)); }

@@ -78,7 +78,9 @@ Material material_at(vec3 rest) {
   m.albedo *= mix(0.9, 1.05, lattice(uvec3(ivec3(tile.x, tile.y, 7)))) * mix(1.0, 0.6, joint);
   m.roughness = mix(m.roughness, 0.9, joint);
 #elif defined(SURFACE_WALL)
-  m.albedo *= mix(0.96, 1.03, noise(rest * 3.0).x);
+  // Tiles up to the height of a door, paint above. One of x and z is constant over a wall.
+  float joint = tile_joint(vec2(rest.x + rest.z, rest.y), 0.25, 0.0025);
+  m.albedo *= rest.y < 2.0 ? mix(1.0, 0.72, joint) : 1.12;
 #elif defined(SURFACE_EMISSIVE)
   m.glow = base_color;
   m.albedo = vec3(0.0);

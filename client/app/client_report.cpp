@@ -45,6 +45,7 @@ void write_report(const ClientReport& report, Connection& connection, const std:
   out["pictures"] = report.pictures;
   out["ms_per_picture"] =
       report.pictures > 0 ? 1e3 * report.drawing_seconds / static_cast<double>(report.pictures) : 0.0;
+  out["longest_picture_ms"] = 1e3 * report.longest_drawing_seconds;
   out["renderer"] = report.renderer;
   connection.with_replica([&](Replica& replica) {
     out["playout_delay_ms"] = replica.playout_delay_ms();

@@ -31,6 +31,7 @@ struct ClientReport {
   std::uint64_t bytes_at_complete = 0;
   std::uint64_t pictures = 0;
   double drawing_seconds = 0;
+  double longest_drawing_seconds = 0;  // of one picture after the first, which has shaders to compile
   std::string renderer;
 };
 

@@ -20,7 +20,7 @@ const std::map<std::string, Display> displays = {{"window", Display::window},
                                                  {"none", Display::none}};
 
 struct RawOptions {
-  std::string tracker, glove, glove_left, config, size = "800x600", user_name;
+  std::string tracker, glove, glove_left, config, size, user_name, display = "window", quality = "medium";
   std::optional<std::string> lan;  // empty: the only network that there is
   std::vector<std::string> screenshots;
 };
@@ -53,10 +53,17 @@ void add_network(CLI::App& app, ClientOptions& o, RawOptions& raw) {
 }
 
 void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
-  app.add_option("--display", o.display, "window, stereo (side by side), offscreen, osmesa, none")
-      ->transform(CLI::CheckedTransformer(displays))
+  app.add_option(
+         "--display", raw.display,
+         "window, stereo or stereo:PROFILE (side by side; a name in deploy/stereo, or a file), offscreen, "
+         "osmesa, none")
+      ->capture_default_str()
       ->group("Pictures");
-  app.add_option("--size", raw.size, "Picture size, WIDTHxHEIGHT")->capture_default_str()->group("Pictures");
+  app.add_option("--quality", raw.quality, "Of pictures: low, medium, high")
+      ->capture_default_str()
+      ->group("Pictures");
+  app.add_option("--size", raw.size, "Picture size, WIDTHxHEIGHT (default 800x600; stereo: the profile's)")
+      ->group("Pictures");
   app.add_option("--fps", o.frames_per_second, "Pictures per second, at most")
       ->capture_default_str()
       ->check(CLI::Range(0.1, 240.0))
@@ -101,6 +108,26 @@ void parse_size(const std::string& text, int& width, int& height) {
     throw InputError("--size " + text + ": give WIDTHxHEIGHT, each 16 to 8192, for instance 800x600");
 }
 
+/// DISPLAY or stereo:PROFILE; a profile brings its picture size.
+void parse_display(const std::string& text, ClientOptions& o) {
+  const auto colon = text.find(':');
+  const auto found = displays.find(text.substr(0, colon));
+  if (found == displays.end() || (colon != std::string::npos && found->second != Display::stereo))
+    throw InputError("--display " + text +
+                     ": give window, stereo, stereo:PROFILE, offscreen, osmesa or none");
+  o.display = found->second;
+  if (o.display != Display::stereo) return;
+  if (colon != std::string::npos) o.stereo = load_stereo_profile(text.substr(colon + 1));
+  o.width = o.stereo.picture_width();
+  o.height = o.stereo.picture_height();
+}
+
+RendererSettings parse_quality(const std::string& text) {
+  for (const QualityLevel& level : quality_levels)
+    if (level.name == text) return level.settings;
+  throw InputError("--quality " + text + ": give low, medium or high");
+}
+
 Screenshot parse_screenshot(const std::string& text) {
   const auto at = text.rfind('@');
   if (at == std::string::npos) return {text, std::nullopt};
@@ -117,7 +144,9 @@ std::string login_name() {
 }
 
 void resolve(const RawOptions& raw, ClientOptions& o) {
-  parse_size(raw.size, o.width, o.height);
+  parse_display(raw.display, o);
+  if (!raw.size.empty()) parse_size(raw.size, o.width, o.height);
+  o.quality = parse_quality(raw.quality);
   for (const std::string& text : raw.screenshots) o.screenshots.push_back(parse_screenshot(text));
   if (!raw.config.empty()) o.devices = load_client_config(raw.config);
   if (!raw.tracker.empty()) o.devices.tracker = raw.tracker;

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "client/app/connection.h"
+#include "client/render/renderer.h"
+#include "client/view/stereo_profile.h"
 #include "drivers/client_config.h"
 
 namespace prosector {
@@ -23,6 +25,8 @@ struct ClientOptions {
   JoinRequest join;
   ClientConfig devices;
   Display display = Display::window;
+  StereoProfile stereo;  // with Display::stereo
+  RendererSettings quality;
   int width = 800, height = 600;
   double frames_per_second = 30;
   double seconds = 0;  // 0: until ended

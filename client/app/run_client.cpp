@@ -57,7 +57,7 @@ std::unique_ptr<Stage> make_stage(const ClientOptions& o) {
     stage->desk = std::make_unique<Desk>(*window);
     stage->context = std::move(window);
   }
-  stage->renderer = std::make_unique<Renderer>(*stage->context, o.shaders);
+  stage->renderer = std::make_unique<Renderer>(*stage->context, o.shaders, o.quality);
   return stage;
 }
 
@@ -163,10 +163,11 @@ class Client {
     LocalUser self{.participant = connection_.participant(), .input = {}, .present = pump_ != nullptr};
     ViewSettings settings{.width = stage_->context->width(),
                           .height = stage_->context->height(),
-                          .stereo = options_.display == Display::stereo,
+                          .stereo = {},
                           .overlay = options_.overlay,
                           .follow = options_.follow,
                           .eye = std::nullopt};
+    if (options_.display == Display::stereo) settings.stereo = options_.stereo;
     if (pump_) self.input = pump_->latest();
     if (stage_->desk) {
       const CameraInfo camera = connection_.with_replica([](Replica& r) { return r.scene()->camera; });
@@ -188,7 +189,10 @@ class Client {
     stage_->context->present();
     if (!report_.first_picture_ns) report_.first_picture_ns = monotonic_ns();
     ++report_.pictures;
-    report_.drawing_seconds += seconds_since(begin);
+    const double seconds = seconds_since(begin);
+    report_.drawing_seconds += seconds;
+    if (report_.pictures > 1)
+      report_.longest_drawing_seconds = std::max(report_.longest_drawing_seconds, seconds);
     return image;
   }
 };

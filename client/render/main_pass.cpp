@@ -4,28 +4,54 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 namespace prosector {
 namespace {
 
+using LightSet = std::bitset<max_lights>;
+
 // The order of Surface.
-constexpr std::array<const char*, 9> surface_defines = {
-    "SURFACE_PLAIN", "SURFACE_TISSUE", "SURFACE_BONE", "SURFACE_METAL",   "SURFACE_SKIN",
-    "SURFACE_CLOTH", "SURFACE_FLOOR",  "SURFACE_WALL", "SURFACE_EMISSIVE"};
+constexpr std::array<const char*, 9> surface_defines = {"SURFACE_PLAIN",    "SURFACE_TISSUE", "SURFACE_BONE",
+                                                        "SURFACE_METAL",    "SURFACE_SKIN",   "SURFACE_CLOTH",
+                                                        "SURFACE_EMISSIVE", "SURFACE_FLOOR",  "SURFACE_WALL"};
 
 Eigen::Vector4f vec4(const Vec3& v, double w) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()),
           static_cast<float>(w)};
 }
 
+/// A light's cone may reach the sphere. Point and directional lights reach everywhere.
+bool may_light(const LightInfo& light, const Sphere& sphere) {
+  if (light.kind != LightKind::spot) return true;
+  const Vec3 offset = sphere.center - light.position;
+  const double along = offset.dot(light.direction.normalized());
+  const double across = std::sqrt(std::max(offset.squaredNorm() - along * along, 0.0));
+  return across * std::cos(light.cone) - along * std::sin(light.cone) <= sphere.radius;
+}
+
+/// Bit k: light k is to be reckoned with. Only the room is spared lights that don't reach it: what moves in
+/// and out of a cone would need shaders compiled on the way.
+LightSet lights_of(const QueuedItem& queued, const std::vector<LightInfo>& lights) {
+  const Surface surface = queued.item->appearance.surface;
+  const bool is_room = surface == Surface::floor || surface == Surface::wall;
+  LightSet out;
+  for (std::size_t k = 0; k < std::min(lights.size(), max_lights); ++k)
+    out[k] = !is_room || may_light(lights[k], queued.bounds);
+  return out;
+}
+
 /// What shaders/lighting.glsl is compiled with: the lights' kinds, and which has the shadow map.
-std::vector<std::string> light_defines(const std::vector<LightInfo>& lights, int shadow_light) {
+std::vector<std::string> light_defines(const std::vector<LightInfo>& lights, const LightSet& set,
+                                       int shadow_light) {
   std::string each = "EACH_LIGHT(X)";
   for (std::size_t k = 0; k < std::min(lights.size(), max_lights); ++k)
-    each += fmt::format(" X({}, {})", k, static_cast<int>(lights[k].kind));
-  return {each, fmt::format("SHADOW_LIGHT {}", shadow_light)};
+    if (set[k]) each += fmt::format(" X({}, {})", k, static_cast<int>(lights[k].kind));
+  const bool shadowed = shadow_light >= 0 && set[static_cast<std::size_t>(shadow_light)];
+  return {each, fmt::format("SHADOW_LIGHT {}", shadowed ? shadow_light : -1)};
 }
 
 std::vector<std::string> item_defines(Surface surface, bool is_wet, std::vector<std::string> defines) {
@@ -72,9 +98,9 @@ void set_item(const ShaderProgram& program, const DrawItem& item) {
 }  // namespace
 
 MainPass::MainPass(const Gl& gl, const std::filesystem::path& shaders) : gl_(gl), shaders_(shaders) {
-  static_assert(surface_defines.size() == static_cast<std::size_t>(Surface::emissive) + 1);
+  static_assert(surface_defines.size() == static_cast<std::size_t>(Surface::wall) + 1);
   for (std::size_t k = 0; k < surface_defines.size(); ++k)
-    program_for(item_defines(static_cast<Surface>(k), true, light_defines(std::vector<LightInfo>(1), 0)));
+    program_for(item_defines(static_cast<Surface>(k), true, light_defines(std::vector<LightInfo>(1), 1, 0)));
 }
 
 const ShaderProgram& MainPass::program_for(const Defines& defines) {
@@ -91,17 +117,21 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
   gl_.CullFace(GL_BACK);
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, shadow.texture);
-  const Defines lights = light_defines(list.lights, shadow.light);
   const Frustum frustum(view_projection_of(camera));
+  std::map<std::tuple<Surface, bool, unsigned long>, const ShaderProgram*> found;
   std::set<const ShaderProgram*> set_up;
   for (const QueuedItem& queued : items) {
     if (!frustum.may_see(queued.bounds)) continue;
     const DrawItem& item = *queued.item;
-    const ShaderProgram& program =
-        program_for(item_defines(item.surface, item.appearance.wetness > 0, lights));
-    program.use();
-    if (set_up.insert(&program).second) set_frame(program, list, camera, shadow);
-    set_item(program, item);
+    const bool is_wet = item.appearance.wetness > 0;
+    const LightSet lights = lights_of(queued, list.lights);
+    const ShaderProgram*& program = found[{item.appearance.surface, is_wet, lights.to_ulong()}];
+    if (!program)
+      program = &program_for(
+          item_defines(item.appearance.surface, is_wet, light_defines(list.lights, lights, shadow.light)));
+    program->use();
+    if (set_up.insert(program).second) set_frame(*program, list, camera, shadow);
+    set_item(*program, item);
     meshes.draw(queued.mesh);
   }
   gl_.Disable(GL_CULL_FACE);

@@ -9,6 +9,19 @@
 
 namespace prosector {
 
+RenderTarget::RenderTarget(const Gl& gl, const std::filesystem::path& shaders,
+                           const RendererSettings& settings)
+    : gl_(gl), samples_(settings.samples) {
+  if (samples_ > 1 || !settings.smooth_edges) return;
+  edges_ = std::make_unique<ShaderProgram>(gl, shaders, "edges");
+  gl_.GenVertexArrays(1, &no_vertices_);
+}
+
+RenderTarget::~RenderTarget() {
+  release();
+  gl_.DeleteVertexArrays(1, &no_vertices_);
+}
+
 void RenderTarget::bind(int width, int height) {
   if (width != width_ || height != height_) {
     release();
@@ -36,7 +49,18 @@ void RenderTarget::allocate(int width, int height) {
   };
   gl_.GenFramebuffers(1, &drawn_);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_);
-  renderbuffer(color_, GL_RGBA8, samples_, GL_COLOR_ATTACHMENT0);
+  if (samples_ > 1) {
+    renderbuffer(color_, GL_RGBA8, samples_, GL_COLOR_ATTACHMENT0);
+  } else {
+    gl_.GenTextures(1, &texture_);
+    gl_.BindTexture(GL_TEXTURE_2D, texture_);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+      gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+      gl_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+  }
   renderbuffer(depth_, GL_DEPTH_COMPONENT24, samples_, GL_DEPTH_ATTACHMENT);
   check_complete();
   gl_.GenFramebuffers(1, &resolved_);
@@ -53,7 +77,21 @@ void RenderTarget::resolve(bool has_screen) {
   };
   gl_.Disable(GL_SCISSOR_TEST);
   copy(drawn_, resolved_);
+  if (edges_) blend_steps();
   if (has_screen) copy(resolved_, 0);
+}
+
+// Over the copy: the shader keeps off the pixels at no edge.
+void RenderTarget::blend_steps() const {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_);
+  gl_.Viewport(0, 0, width_, height_);
+  gl_.Disable(GL_DEPTH_TEST);
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindTexture(GL_TEXTURE_2D, texture_);
+  edges_->use();
+  edges_->set("picture", 0);
+  gl_.BindVertexArray(no_vertices_);
+  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 Image RenderTarget::read() const {
@@ -63,12 +101,16 @@ Image RenderTarget::read() const {
   image.rgb.resize(row * static_cast<std::size_t>(height_));
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl_.ReadPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
+  // As it is stored: a driver that converts takes longer than this does.
+  std::vector<std::uint8_t> rgba(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
   // OpenGL's rows run from the bottom.
-  for (std::size_t top = 0, bottom = static_cast<std::size_t>(height_) - 1; top < bottom; ++top, --bottom)
-    std::swap_ranges(image.rgb.begin() + static_cast<std::ptrdiff_t>(top * row),
-                     image.rgb.begin() + static_cast<std::ptrdiff_t>((top + 1) * row),
-                     image.rgb.begin() + static_cast<std::ptrdiff_t>(bottom * row));
+  for (std::size_t y = 0; y < static_cast<std::size_t>(height_); ++y) {
+    const std::uint8_t* from =
+        rgba.data() + 4 * static_cast<std::size_t>(width_) * (static_cast<std::size_t>(height_) - 1 - y);
+    std::uint8_t* to = image.rgb.data() + y * row;
+    for (int x = 0; x < width_; ++x, from += 4, to += 3) std::copy_n(from, 3, to);
+  }
   return image;
 }
 
@@ -76,7 +118,8 @@ void RenderTarget::release() {
   gl_.DeleteFramebuffers(1, &drawn_);
   gl_.DeleteFramebuffers(1, &resolved_);
   for (GLuint* buffer : {&color_, &depth_, &picture_}) gl_.DeleteRenderbuffers(1, buffer);
-  drawn_ = resolved_ = color_ = depth_ = picture_ = 0;
+  gl_.DeleteTextures(1, &texture_);
+  drawn_ = resolved_ = color_ = texture_ = depth_ = picture_ = 0;
   width_ = height_ = 0;
 }
 

@@ -1,21 +1,21 @@
 #pragma once
-// The framebuffers that a picture is drawn into: multisampled, then resolved. Private to client/render.
+// The framebuffers that a picture is drawn into, and how its edges are made smooth. Private to client/render.
 
-#include "client/render/gl.h"
-#include "client/render/image.h"
+#include "client/render/renderer.h"
+#include "client/render/shader_program.h"
 
 namespace prosector {
 
 class RenderTarget {
  public:
-  RenderTarget(const Gl& gl, int samples) : gl_(gl), samples_(samples) {}
-  ~RenderTarget() { release(); }
+  RenderTarget(const Gl& gl, const std::filesystem::path& shaders, const RendererSettings& settings);
+  ~RenderTarget();
   RenderTarget(const RenderTarget&) = delete;
   RenderTarget& operator=(const RenderTarget&) = delete;
 
   /// Makes it the framebuffer to draw to, of that size. Throws InputError when the driver refuses.
   void bind(int width, int height);
-  /// Averages the samples; with a screen, also copies the picture to framebuffer 0.
+  /// Averages the samples, or blends the steps; with a screen, also copies the picture to framebuffer 0.
   void resolve(bool has_screen);
   /// What was resolved last; throws std::logic_error before the first.
   Image read() const;
@@ -23,11 +23,14 @@ class RenderTarget {
  private:
   void allocate(int width, int height);
   void release();
+  void blend_steps() const;
 
   const Gl& gl_;
   int samples_;
+  std::unique_ptr<ShaderProgram> edges_;  // null: edges are left as they are
+  GLuint no_vertices_ = 0;
   int width_ = 0, height_ = 0;
-  GLuint drawn_ = 0, color_ = 0, depth_ = 0;
+  GLuint drawn_ = 0, color_ = 0, texture_ = 0, depth_ = 0;  // color_ with several samples, else texture_
   GLuint resolved_ = 0, picture_ = 0;
 };
 

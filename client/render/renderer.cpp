@@ -1,6 +1,7 @@
 #include "client/render/renderer.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "client/render/line_pass.h"
 #include "client/render/main_pass.h"
@@ -13,13 +14,24 @@ struct Renderer::Impl {
   Impl(GlContext& gl_context, const std::filesystem::path& shaders, const RendererSettings& settings)
       : context(gl_context),
         gl(load_gl(gl_context)),
-        target(gl, settings.samples),
+        target(gl, shaders, settings),
         meshes(gl),
         shadow_pass(gl, shaders, settings.shadow_size),
         main_pass(gl, shaders),
-        screen_quads(gl, shaders) {}
+        screen_quads(gl, shaders) {
+    auto point = std::make_shared<DrawMesh>();
+    point->id = std::numeric_limits<std::uint64_t>::max();
+    point->positions.assign(3, Eigen::Vector3f::Zero());
+    point->normals.assign(3, Eigen::Vector3f::UnitY());
+    point->rest_positions = point->positions;
+    point->triangles = {{0, 1, 2}};
+    for (const Surface surface : {Surface::plain, Surface::skin})
+      users_to_come.push_back(
+          {.mesh = point, .pose = {}, .appearance = {.surface = surface}, .casts_shadow = false});
+  }
 
   std::vector<QueuedItem> upload(const DrawList& list);
+  void prepare_for_users(const DrawList& list, std::vector<QueuedItem>& items);
   void clear(const DrawCamera& camera, const Vec3& background) const;
 
   GlContext& context;
@@ -29,6 +41,8 @@ struct Renderer::Impl {
   ShadowPass shadow_pass;
   MainPass main_pass;
   ScreenQuadDrawer screen_quads;
+  std::vector<DrawItem> users_to_come;     // nothing to see, of the surfaces that users are drawn with
+  std::vector<LightKind> prepared_lights;  // whose shaders those have brought about
 };
 
 namespace {
@@ -64,6 +78,17 @@ std::vector<QueuedItem> Renderer::Impl::upload(const DrawList& list) {
   return items;
 }
 
+// Drivers compile a shader when something is first drawn with it. Users who join later should find theirs
+// done: a triangle without area asks for them with the scene's first picture.
+void Renderer::Impl::prepare_for_users(const DrawList& list, std::vector<QueuedItem>& items) {
+  std::vector<LightKind> kinds;
+  for (const LightInfo& light : list.lights) kinds.push_back(light.kind);
+  if (kinds == prepared_lights || list.cameras.empty()) return;
+  prepared_lights = kinds;
+  for (const DrawItem& item : users_to_come)
+    items.push_back({&item, meshes.upload(*item.mesh), {list.cameras[0].pose.p, 1e3}});
+}
+
 void Renderer::Impl::clear(const DrawCamera& camera, const Vec3& background) const {
   gl.Viewport(camera.x, camera.y, camera.width, camera.height);
   gl.Enable(GL_SCISSOR_TEST);
@@ -76,6 +101,7 @@ void Renderer::Impl::clear(const DrawCamera& camera, const Vec3& background) con
 void Renderer::draw(const DrawList& list) {
   Impl& r = *impl_;
   std::vector<QueuedItem> items = r.upload(list);
+  r.prepare_for_users(list, items);
   const Shadow shadow = r.shadow_pass.draw(list, items, r.meshes);
   r.target.bind(r.context.width(), r.context.height());
   for (const DrawCamera& camera : list.cameras) {

@@ -1,8 +1,10 @@
 #pragma once
 // Draws a DrawList with OpenGL 3.3 core. The only consumer of DrawList, and the only code with shaders.
 
+#include <array>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 #include "client/render/gl_context.h"
 #include "client/render/image.h"
@@ -12,9 +14,18 @@
 namespace prosector {
 
 struct RendererSettings {
-  int samples = 4;         // per pixel, for smooth edges; 1: none
-  int shadow_size = 1024;  // texels, each way, of the first spot light's shadow map; 0: no shadows
+  int samples = 1;           // of coverage per pixel; shading is once per pixel and triangle
+  bool smooth_edges = true;  // with 1 sample: steps along edges are blended in the finished picture
+  int shadow_size = 768;     // texels, each way, of the first spot light's shadow map; 0: no shadows
 };
+
+struct QualityLevel {
+  std::string_view name;
+  RendererSettings settings;
+};
+/// What `--quality` chooses from; medium is the default.
+inline constexpr std::array<QualityLevel, 3> quality_levels = {
+    {{"low", {1, false, 512}}, {"medium", {}}, {"high", {4, false, 1024}}}};
 
 /// One code path for every context. Everything is drawn into a target of its own, so a picture is the same
 /// with and without a window; with a window, `draw` also copies it there (call present() to show it).

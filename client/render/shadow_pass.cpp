@@ -21,71 +21,116 @@ DrawCamera camera_of(const LightInfo& light, const std::vector<QueuedItem>& item
     nearest = std::min(nearest, depth - queued.bounds.radius);
     farthest = std::max(farthest, depth + queued.bounds.radius);
   }
-  camera.far = std::max(farthest, 0.1);
-  camera.near = std::clamp(nearest, 0.01 * camera.far, 0.9 * camera.far);
+  // In steps, so that what was drawn stays valid while something moves.
+  constexpr double step = 0.25;  // m
+  camera.far = std::max(step * std::ceil(farthest / step), step);
+  camera.near = std::clamp(step * std::floor(nearest / step), 0.01 * camera.far, 0.9 * camera.far);
   return camera;
 }
 
 }  // namespace
 
 ShadowPass::ShadowPass(const Gl& gl, const std::filesystem::path& shaders, int size)
-    : gl_(gl), program_(gl, shaders, "shadow"), size_(size) {
-  // A map of one lit texel stands in when there are no shadows, because the sampler needs some texture.
-  const int side = std::max(size_, 1);
-  gl_.GenTextures(1, &depth_);
-  gl_.BindTexture(GL_TEXTURE_2D, depth_);
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, side, side, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
-                 nullptr);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  // Outside of the map all is lit.
-  const float farthest[] = {1, 1, 1, 1};
-  gl_.TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, farthest);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-  gl_.GenFramebuffers(1, &framebuffer_);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
-  gl_.DrawBuffer(GL_NONE);
-  gl_.ReadBuffer(GL_NONE);
-}
+    : gl_(gl), program_(gl, shaders, "shadow"), size_(size), whole_(make_layer()), still_(make_layer()) {}
 
 ShadowPass::~ShadowPass() {
-  gl_.DeleteFramebuffers(1, &framebuffer_);
-  gl_.DeleteTextures(1, &depth_);
+  for (const Layer& layer : {whole_, still_}) {
+    gl_.DeleteFramebuffers(1, &layer.framebuffer);
+    gl_.DeleteTextures(1, &layer.depth);
+  }
+}
+
+ShadowPass::Layer ShadowPass::make_layer() const {
+  Layer layer;
+  const int side = std::max(size_, 1);  // without shadows the sampler still needs some texture
+  gl_.GenTextures(1, &layer.depth);
+  gl_.BindTexture(GL_TEXTURE_2D, layer.depth);
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, side, side, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                 nullptr);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+  gl_.GenFramebuffers(1, &layer.framebuffer);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, layer.framebuffer);
+  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, layer.depth, 0);
+  gl_.DrawBuffer(GL_NONE);
+  gl_.ReadBuffer(GL_NONE);
+  return layer;
 }
 
 Shadow ShadowPass::draw(const DrawList& list, const std::vector<QueuedItem>& items, const MeshCache& meshes) {
   Shadow shadow;
-  shadow.texture = depth_;
+  shadow.texture = whole_.depth;
   const auto spot = std::find_if(list.lights.begin(), list.lights.end(),
                                  [](const LightInfo& light) { return light.kind == LightKind::spot; });
-  if (size_ < 1 || spot == list.lights.end()) return shadow;
+  if (size_ < 3 || spot == list.lights.end()) return shadow;
   const DrawCamera camera = camera_of(*spot, items);
   shadow.light = static_cast<int>(spot - list.lights.begin());
   shadow.clip_from_room = view_projection_of(camera);
   shadow.size = size_;
   shadow.texel = 2 * camera.right / size_;
 
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  gl_.Viewport(0, 0, size_, size_);
+  const Frustum frustum(shadow.clip_from_room);
+  Items casting;
+  for (const QueuedItem& queued : items)
+    if (queued.item->casts_shadow && frustum.may_see(queued.bounds)) casting.push_back(&queued);
+  if (note_changes(casting, shadow.clip_from_room)) draw_layers(casting, meshes);
+  return shadow;
+}
+
+bool ShadowPass::note_changes(const Items& items, const Eigen::Matrix4d& clip_from_room) {
+  bool changed = clip_from_room != clip_from_room_ || items.size() != casters_.size();
+  if (changed) in_still_.assign(items.size(), false);
+  clip_from_room_ = clip_from_room;
+  casters_.resize(items.size());
+  unchanged_.resize(items.size());
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    const DrawItem& item = *items[k]->item;
+    const Caster now{item.mesh->id, item.mesh->revision, item.mesh->positions_revision, item.pose};
+    const bool same = now == casters_[k];
+    unchanged_[k] = same ? unchanged_[k] + 1 : 0;
+    changed = changed || !same;
+    casters_[k] = now;
+  }
+  return changed;
+}
+
+void ShadowPass::draw_layers(const Items& items, const MeshCache& meshes) {
+  std::vector<bool> is_still(items.size());
+  Items still, moving;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    is_still[k] = unchanged_[k] >= frames_until_still;
+    (is_still[k] ? still : moving).push_back(items[k]);
+  }
   gl_.Disable(GL_SCISSOR_TEST);
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthMask(GL_TRUE);
-  gl_.Clear(GL_DEPTH_BUFFER_BIT);
+  if (is_still != in_still_ || still.empty()) {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, still_.framebuffer);
+    gl_.Clear(GL_DEPTH_BUFFER_BIT);
+    draw_items(still, meshes);
+    in_still_ = is_still;
+  }
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, still_.framebuffer);
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, whole_.framebuffer);
+  gl_.BlitFramebuffer(0, 0, size_, size_, 0, 0, size_, size_, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, whole_.framebuffer);
+  draw_items(moving, meshes);
+}
+
+void ShadowPass::draw_items(const Items& items, const MeshCache& meshes) const {
+  gl_.Viewport(0, 0, size_, size_);
+  // The outermost texels stay lit: what lies outside of the map takes its value from them.
+  gl_.Enable(GL_SCISSOR_TEST);
+  gl_.Scissor(1, 1, size_ - 2, size_ - 2);
   gl_.Enable(GL_POLYGON_OFFSET_FILL);
   gl_.PolygonOffset(1.5F, 4.0F);
   program_.use();
-  const Frustum frustum(shadow.clip_from_room);
-  for (const QueuedItem& queued : items) {
-    if (!queued.item->casts_shadow || !frustum.may_see(queued.bounds)) continue;
-    program_.set("clip_from_mesh", Eigen::Matrix4d(shadow.clip_from_room * matrix_of(queued.item->pose)));
-    meshes.draw(queued.mesh);
+  for (const QueuedItem* queued : items) {
+    program_.set("clip_from_mesh", Eigen::Matrix4d(clip_from_room_ * matrix_of(queued->item->pose)));
+    meshes.draw(queued->mesh);
   }
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
-  return shadow;
+  gl_.Disable(GL_SCISSOR_TEST);
 }
 
 }  // namespace prosector

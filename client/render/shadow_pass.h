@@ -1,5 +1,6 @@
 #pragma once
-// Depth of the scene as the first spot light sees it. Private to client/render.
+// Depth of the scene as the first spot light sees it. What has been still for a while is kept in a layer of
+// its own, so that a frame redraws only what moves, and nothing when nothing does. Private to client/render.
 
 #include <filesystem>
 #include <vector>
@@ -28,10 +29,36 @@ class ShadowPass {
   Shadow draw(const DrawList& list, const std::vector<QueuedItem>& items, const MeshCache& meshes);
 
  private:
+  struct Layer {
+    GLuint framebuffer = 0, depth = 0;
+  };
+  /// Something that casts a shadow, as far as the shadow depends on it.
+  struct Caster {
+    std::uint64_t mesh = 0, revision = 0, positions_revision = 0;
+    Pose pose;
+    bool operator==(const Caster& o) const {
+      return mesh == o.mesh && revision == o.revision && positions_revision == o.positions_revision &&
+             pose.p == o.pose.p && pose.q.coeffs() == o.pose.q.coeffs();
+    }
+  };
+  using Items = std::vector<const QueuedItem*>;
+
+  static constexpr int frames_until_still = 8;
+
   const Gl& gl_;
   ShaderProgram program_;
   int size_;
-  GLuint framebuffer_ = 0, depth_ = 0;
+  Layer whole_, still_;
+  Eigen::Matrix4d clip_from_room_ = Eigen::Matrix4d::Zero();  // that the layers were drawn with
+  std::vector<Caster> casters_;                               // in whole_
+  std::vector<int> unchanged_;                                // for how many frames, by caster
+  std::vector<bool> in_still_;                                // by caster
+
+  Layer make_layer() const;
+  /// Notes what changed since the last frame; false when nothing did.
+  bool note_changes(const Items& items, const Eigen::Matrix4d& clip_from_room);
+  void draw_layers(const Items& items, const MeshCache& meshes);
+  void draw_items(const Items& items, const MeshCache& meshes) const;
 };
 
 }  // namespace prosector

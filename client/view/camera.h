@@ -2,6 +2,7 @@
 // Cameras: from a pose and a field of view, and a pair of eyes with off-axis frusta.
 
 #include "client/view/draw_list.h"
+#include "client/view/stereo_profile.h"
 
 namespace prosector {
 
@@ -10,15 +11,6 @@ Pose look_at(const Vec3& eye, const Vec3& target);
 
 /// Symmetric frustum over the whole picture; `fov` is vertical, in radians.
 DrawCamera mono_camera(const Pose& eye, double fov, int width, int height);
-
-/// A stereo display: two pictures side by side.
-struct StereoProfile {
-  double eye_distance = 0.063;  // m
-  double convergence = 0.6;     // m: distance at which both pictures coincide
-  double fov_horizontal = 0.7;  // rad, each eye
-  double fov_vertical = 0.55;   // rad
-  bool swap_eyes = false;
-};
 
 /// Left and right eye, parallel axes (never toe-in). With half-width w at distance D and eye distance e, the
 /// left eye's frustum is [(−w + e/2)/D, (w + e/2)/D] in tangents, the right one's mirrored.

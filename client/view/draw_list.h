@@ -22,12 +22,9 @@ struct DrawMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-enum class Surface : std::uint8_t { plain, tissue, bone, metal, skin, cloth, floor, wall, emissive };
-
 struct DrawItem {
   std::shared_ptr<const DrawMesh> mesh;
   Pose pose;
-  Surface surface = Surface::plain;
   Appearance appearance;
   bool casts_shadow = true;
 };

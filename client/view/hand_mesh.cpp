@@ -56,16 +56,27 @@ std::array<Hinge, hand_joints> hinges_of(std::size_t hand, const std::array<doub
 
 }  // namespace
 
-HandSkin::HandSkin(std::size_t hand) : hand_(hand) {
-  const bool mirror = hand == left_hand;
+HandSkin::HandSkin(std::size_t hand) : hand_(right_hand) {
   const TriangleMesh mesh = right_hand_surface();
   for (const Vec3& x : mesh.positions) {
     weigh(x);
-    rest_.push_back(Vec3(mirror ? -x.x() : x.x(), x.y(), x.z()).cast<float>());
+    rest_.push_back(x.cast<float>());
   }
   triangles_ = mesh.triangles;
-  if (mirror)
-    for (auto& t : triangles_) std::swap(t[1], t[2]);
+  if (hand == left_hand) *this = mirrored();
+}
+
+HandSkin HandSkin::mirrored() const {
+  HandSkin out = *this;
+  out.hand_ = hand_ == left_hand ? right_hand : left_hand;
+  for (Eigen::Vector3f& x : out.rest_) x.x() = -x.x();
+  for (auto& t : out.triangles_) std::swap(t[1], t[2]);
+  return out;
+}
+
+std::array<HandSkin, 2> make_hand_skins() {
+  const HandSkin right(right_hand);
+  return {right.mirrored(), right};
 }
 
 void HandSkin::weigh(const Vec3& x) {

@@ -13,6 +13,8 @@ class HandSkin {
  public:
   /// Left and right are exact mirror images. Takes some tenths of a second.
   explicit HandSkin(std::size_t hand);
+  /// The skin of the other hand.
+  HandSkin mirrored() const;
 
   /// A new mesh of the open hand; `rest_positions` hold the open shape, so that texture sticks.
   std::shared_ptr<DrawMesh> make_mesh(std::uint64_t mesh_id) const;
@@ -41,6 +43,9 @@ class HandSkin {
   std::vector<Vertex> vertices_;
   std::vector<Influence> influences_;
 };
+
+/// Left and right, for the price of one.
+std::array<HandSkin, 2> make_hand_skins();
 
 /// Positions and normals of one bent hand.
 struct SkinnedHand {

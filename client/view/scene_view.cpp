@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "client/view/avatar.h"
+#include "client/view/body_mesh.h"
 #include "client/view/camera.h"
 #include "client/view/hand_mesh.h"
 #include "client/view/normals.h"
@@ -15,39 +17,15 @@ namespace {
 
 constexpr double eye_fov = 0.95;  // rad, vertical, through somebody's eyes: one wants to see their hands too
 
-Surface surface_of(const SceneBody& body) {
-  return body.kind == BodyKind::soft ? Surface::tissue : Surface::plain;
-}
-
 const RosterEntry* find_by_name(const Replica& replica, const std::string& name) {
   for (const auto& [id, entry] : replica.roster())
     if (entry.name == name) return &entry;
   return nullptr;
 }
 
-std::shared_ptr<DrawMesh> rigid_mesh(const TriangleMesh& surface, std::uint64_t id) {
-  CreasedMesh creased = split_creases(surface);
-  auto out = std::make_shared<DrawMesh>();
-  out->id = id;
-  out->positions = std::move(creased.positions);
-  out->normals = std::move(creased.normals);
-  out->triangles = std::move(creased.triangles);
-  return out;
-}
-
-std::shared_ptr<DrawMesh> soft_mesh(const TriangleMesh& rest, std::uint64_t id) {
-  auto out = std::make_shared<DrawMesh>();
-  out->id = id;
-  for (const Vec3& x : rest.positions) out->positions.push_back(x.cast<float>());
-  out->rest_positions = out->positions;
-  out->triangles = rest.triangles;
-  smooth_normals(out->positions, out->triangles, out->normals);
-  return out;
-}
-
 Appearance glove(const Vec3& color) {
   // A glove in the user's colour, pale enough that shading shows.
-  return {.color = 0.35 * Vec3(0.85, 0.83, 0.8) + 0.55 * color, .roughness = 0.55, .wetness = 0};
+  return {.color = 0.35 * Vec3(0.85, 0.83, 0.8) + 0.55 * color, .roughness = 0.55, .surface = Surface::skin};
 }
 
 }  // namespace
@@ -88,14 +66,14 @@ void SceneView::place_cameras(const Replica& replica, double tick, const LocalUs
     list_.cameras.push_back(mono_camera(eye, fov, settings.width, settings.height));
     return;
   }
-  for (const DrawCamera& c : stereo_cameras(eye, StereoProfile{}, settings.width, settings.height))
+  for (const DrawCamera& c : stereo_cameras(eye, *settings.stereo, settings.width, settings.height))
     list_.cameras.push_back(c);
 }
 
 void SceneView::add_room() {
   if (room_.empty()) {
     room_ = room_items(next_mesh_id_);
-    next_mesh_id_ += 2;
+    next_mesh_id_ += room_.size();
   }
   for (const DrawItem& item : room_) list_.items.push_back(item);
 }
@@ -119,8 +97,7 @@ void SceneView::add_bodies(Replica& replica, double tick) {
         ++mesh->positions_revision;
       }
     }
-    list_.items.push_back(
-        {.mesh = mesh, .pose = pose, .surface = surface_of(bodies[id]), .appearance = bodies[id].appearance});
+    list_.items.push_back({.mesh = mesh, .pose = pose, .appearance = bodies[id].appearance});
   }
 }
 
@@ -146,13 +123,14 @@ void SceneView::add_users(const Replica& replica, double tick, const LocalUser& 
 }
 
 void SceneView::add_hand(ParticipantId who, std::size_t hand, const HandPose& pose, const Vec3& color) {
-  auto& skin = skins_[hand];
-  if (!skin) skin = std::make_unique<HandSkin>(hand);
+  if (!skins_ && skins_to_come_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+    skins_ = skins_to_come_.get();
+  if (!skins_) return;
+  const HandSkin& skin = (*skins_)[hand];
   auto& mesh = hands_[{who, hand}];
-  if (!mesh) mesh = skin->make_mesh(next_mesh_id_++);
-  skin->bend(*mesh, pose.flexion);
-  list_.items.push_back(
-      {.mesh = mesh, .pose = pose.pose, .surface = Surface::skin, .appearance = glove(color)});
+  if (!mesh) mesh = skin.make_mesh(next_mesh_id_++);
+  skin.bend(*mesh, pose.flexion);
+  list_.items.push_back({.mesh = mesh, .pose = pose.pose, .appearance = glove(color)});
 }
 
 void SceneView::add_overlay(const Replica& replica, const ViewSettings& settings) {

@@ -2,6 +2,7 @@
 // Replica, own hand and camera → DrawList: everything that a person sees, without any GL.
 
 #include <array>
+#include <future>
 #include <map>
 #include <memory>
 #include <optional>
@@ -11,12 +12,13 @@
 #include "client/replica/replica.h"
 #include "client/view/draw_list.h"
 #include "client/view/hand_mesh.h"
+#include "client/view/stereo_profile.h"
 
 namespace prosector {
 
 struct ViewSettings {
   int width = 800, height = 600;
-  bool stereo = false;
+  std::optional<StereoProfile> stereo;  // nullopt: one picture
   bool overlay = true;
   std::string follow;  // name of a participant; empty: own camera
   std::optional<Pose>
@@ -38,7 +40,9 @@ class SceneView {
  private:
   std::map<BodyId, std::shared_ptr<DrawMesh>> meshes_;
   std::map<std::pair<ParticipantId, std::size_t>, std::shared_ptr<DrawMesh>> hands_;
-  std::array<std::unique_ptr<HandSkin>, 2> skins_;  // made when first seen
+  // Made at once, on a thread of its own, so that no frame waits when the first hand comes.
+  std::future<std::array<HandSkin, 2>> skins_to_come_ = std::async(std::launch::async, make_hand_skins);
+  std::optional<std::array<HandSkin, 2>> skins_;
   std::vector<DrawItem> room_;
   std::shared_ptr<const DrawMesh> head_;
   std::uint64_t next_mesh_id_ = 1;

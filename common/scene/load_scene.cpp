@@ -161,11 +161,13 @@ class Reader {
     return false;
   }
 
-  static bool store(const toml::node& node, const Field& field, LightKind& out) {
+  template <class Enumeration>
+  requires std::is_enum_v<Enumeration>
+  static bool store(const toml::node& node, const Field& field, Enumeration& out) {
     if (!node.is_string()) return false;
     const auto word = std::find(field.words.begin(), field.words.end(), *node.value<std::string>());
     if (word == field.words.end()) return false;
-    out = static_cast<LightKind>(word - field.words.begin());
+    out = static_cast<Enumeration>(word - field.words.begin());
     return true;
   }
 

@@ -103,7 +103,7 @@ struct SoftDesc {
   double bending_stiffness = 0;  // sheets: N·m, D = Et³/12(1−ν²); ropes: N·m², EI; 0: likewise
   bool hold_volume = true;       // mass_spring on tetrahedra: meet poisson_ratio; false: about ¼
   std::vector<AttachDesc> attach;
-  Appearance appearance;
+  Appearance appearance = {.surface = Surface::tissue};
 };
 
 /// [[light]]

@@ -100,6 +100,9 @@ void add_fallback_pose(std::vector<Field>& fields) {
 
 template <class Struct>
 void add_appearance(std::vector<Field>& fields) {
+  fields.push_back(words<Struct, &Struct::appearance, &Appearance::surface>(
+      "surface", {"plain", "tissue", "bone", "metal", "skin", "cloth", "emissive"},
+      "what it is made of, as far as it can be seen; emissive: shines by itself"));
   fields.push_back(number<Struct, &Struct::appearance, &Appearance::color>("color", "", unit_interval,
                                                                            "linear red, green, blue"));
   fields.push_back(number<Struct, &Struct::appearance, &Appearance::roughness>("roughness", "", unit_interval,
@@ -368,6 +371,7 @@ std::string allowed(const Field& field, const FieldRef& value) {
     std::string operator()(Vec3*) const { return "three numbers in " + interval(f.range); }
     std::string operator()(Quat*) const { return "four numbers [w, x, y, z], not all zero"; }
     std::string operator()(LightKind*) const { return ""; }
+    std::string operator()(Surface*) const { return ""; }
     std::string operator()(std::string*) const {
       if (f.text == Text::identifier)
         return "a word of a-z, 0-9 and _ that starts with a letter, at most " + std::to_string(f.max_length);

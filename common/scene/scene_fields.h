@@ -15,7 +15,7 @@
 namespace prosector {
 
 /// Where a key's value is stored. An enumeration's numbers are its words' places in Field::words.
-using FieldRef = std::variant<double*, int*, bool*, std::string*, Vec3*, Quat*, LightKind*>;
+using FieldRef = std::variant<double*, int*, bool*, std::string*, Vec3*, Quat*, LightKind*, Surface*>;
 
 /// Bounds of a number, or of each component of a vector.
 struct Range {

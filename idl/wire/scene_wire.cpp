@@ -19,6 +19,7 @@ void body_to_wire(const SceneBody& m, prosector_SceneBody& w) {
   to_wire(m.appearance.color, w.color);
   w.roughness = m.appearance.roughness;
   w.wetness = m.appearance.wetness;
+  w.surface = static_cast<std::uint8_t>(m.appearance.surface);
 }
 
 SceneBody body_from_wire(const prosector_SceneBody& w) {
@@ -33,7 +34,7 @@ SceneBody body_from_wire(const prosector_SceneBody& w) {
   m.map = from_wire(w.embedding);
   m.points = w.points;
   m.chunk_points = w.chunk_points;
-  m.appearance = {from_wire(w.color), w.roughness, w.wetness};
+  m.appearance = {from_wire(w.color), w.roughness, w.wetness, static_cast<Surface>(w.surface)};
   return m;
 }
 
@@ -50,6 +51,7 @@ Refusal check_body(SceneBody& m) {
       .that(m.chunk_points <= max_chunk_points, "chunks too large")
       .that(within(m.appearance.roughness, 0, 1), "roughness outside [0, 1]")
       .that(within(m.appearance.wetness, 0, 1), "wetness outside [0, 1]")
+      .that(enum_within(m.appearance.surface, last_body_surface), "unknown surface")
       .refusal();
 }
 

@@ -24,8 +24,9 @@ int main(int argc, char** argv) try {
 
   prosector::RenderBenchOptions render;
   CLI::App* render_command = app.add_subcommand("render", "Frames drawn off screen");
-  render_command->add_option("--triangles", render.triangles, "Of all meshes together, about")
-      ->check(CLI::Range(1000, 10000000));
+  render_command->add_option("SCENE", render.scene, "Scene file, for instance deploy/scenes/abdomen.toml")
+      ->check(CLI::ExistingFile)
+      ->required();
   render_command->add_option("--width", render.width, "Pixels")->check(CLI::Range(16, 4096));
   render_command->add_option("--height", render.height, "Pixels")->check(CLI::Range(16, 4096));
   render_command->add_option("--frames", render.frames, "Frames of which the mean is told")

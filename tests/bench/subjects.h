@@ -18,13 +18,12 @@ struct SoftBenchOptions {
 Report bench_soft(const SoftBenchOptions& options);
 
 struct RenderBenchOptions {
-  unsigned triangles = 31000;  // about
+  std::string scene;  // file
   int width = 800, height = 600;
   int frames = 10;
   std::string picture_folder;  // where to write the pictures drawn; empty: nowhere
 };
-/// Frames of organs on a table in the room, whole and without one thing each. LP_NUM_THREADS=1 for steady
-/// figures.
+/// Frames of a scene in which a hand presses an organ. LP_NUM_THREADS=1 for steady figures.
 Report bench_render(const RenderBenchOptions& options);
 
 struct BeamBenchOptions {

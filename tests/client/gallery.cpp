@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "client/view/avatar.h"
+#include "client/view/body_mesh.h"
 #include "client/view/camera.h"
 #include "client/view/hand_mesh.h"
-#include "client/view/normals.h"
 #include "client/view/room.h"
 #include "tests/client/picture.h"
 
@@ -20,21 +20,14 @@ DrawList stage(const Vec3& eye, const Vec3& target, double fov = 0.6) {
   LightInfo fill = directional({0.4, -0.5, -0.6});
   fill.intensity = 0.25;
   list.lights = {lamp(target + Vec3(-0.35, 0.9, 0.5), target), fill};
-  list.items = room_items(1);
+  list.items = room_items(1000);
   return list;
 }
 
-DrawItem rigid(const PartDesc& part, std::uint64_t id, const Appearance& appearance, Surface surface) {
-  CreasedMesh creased = split_creases(mesh_of(part));
-  auto mesh = std::make_shared<DrawMesh>();
-  mesh->id = id;
-  mesh->positions = std::move(creased.positions);
-  mesh->normals = std::move(creased.normals);
-  mesh->triangles = std::move(creased.triangles);
+DrawItem rigid(const PartDesc& part, std::uint64_t id, const Appearance& appearance) {
   DrawItem item;
-  item.mesh = mesh;
+  item.mesh = rigid_mesh(mesh_of(part), id);
   item.appearance = appearance;
-  item.surface = surface;
   return item;
 }
 
@@ -43,7 +36,7 @@ DrawItem table() {
   top.size = {0.9, 0.04, 0.6};
   top.pose.p = {0, 0.98, 0};
   top.rounding = 0.01;
-  return rigid(top, 10, {{0.60, 0.62, 0.64}, 0.38, 0}, Surface::metal);
+  return rigid(top, 10, {{0.60, 0.62, 0.64}, 0.38, 0, Surface::metal});
 }
 
 DrawItem hand(std::size_t side, double flexion, const Pose& pose, std::uint64_t id) {
@@ -53,8 +46,7 @@ DrawItem hand(std::size_t side, double flexion, const Pose& pose, std::uint64_t 
   DrawItem item;
   item.mesh = mesh;
   item.pose = pose;
-  item.surface = Surface::skin;
-  item.appearance = {{0.66, 0.42, 0.32}, 0.5, 0.1};
+  item.appearance = {{0.66, 0.42, 0.32}, 0.5, 0.1, Surface::skin};
   return item;
 }
 
@@ -75,12 +67,12 @@ GalleryPicture organ() {
   ball.shape = "ellipsoid";
   ball.size = {0.20, 0.11, 0.14};
   ball.pose.p = {-0.04, 1.055, 0};
-  list.items.push_back(rigid(ball, 11, {{0.42, 0.10, 0.08}, 0.45, 0.9}, Surface::tissue));
+  list.items.push_back(rigid(ball, 11, {{0.42, 0.10, 0.08}, 0.45, 0.9, Surface::tissue}));
   PartDesc bone;
   bone.shape = "capsule";
   bone.size = {0.03, 0.16, 0};
   bone.pose = {{0.14, 1.016, 0.05}, Quat(Eigen::AngleAxisd(1.571, Vec3(1, 0, 0.4).normalized()))};
-  list.items.push_back(rigid(bone, 12, {{0.80, 0.74, 0.60}, 0.55, 0.2}, Surface::bone));
+  list.items.push_back(rigid(bone, 12, {{0.80, 0.74, 0.60}, 0.55, 0.2, Surface::bone}));
   return {"organ", width, height, list};
 }
 

@@ -35,12 +35,11 @@ DrawList everything() {
   DrawList list;
   list.cameras = {straight_camera({-0.03, 0.1, 1}, 160, 160), straight_camera({0.03, 0.1, 1}, 160, 160)};
   list.cameras[1].x = 160;
-  for (int k = 0; k <= static_cast<int>(Surface::emissive); ++k) {
+  for (int k = 0; k <= static_cast<int>(Surface::wall); ++k) {
     DrawItem item;
     item.mesh = sphere_mesh(0.07, 1);
     item.pose.p = {0.2 * (k % 3 - 1), 0.2 * (k / 3 - 1), 0};
-    item.surface = static_cast<Surface>(k);
-    item.appearance = {{0.7, 0.35, 0.3}, 0.5, 0.11 * k};
+    item.appearance = {{0.7, 0.35, 0.3}, 0.5, 0.11 * k, static_cast<Surface>(k)};
     list.items.push_back(item);
   }
   list.lights = {lamp({0.6, 1, 0.8}, Vec3::Zero()), directional({1, -1, -1})};
@@ -129,7 +128,7 @@ TEST(Renderer, StereoDisparityIsEyeDistanceOverDepth) {
     DrawItem item;
     item.mesh = sphere_mesh(0.01 * depth, 1);
     item.pose.p = {0, 0, -depth};
-    item.surface = Surface::emissive;
+    item.appearance.surface = Surface::emissive;
     item.appearance.color = Vec3::Ones();
     list.items = {item};
     list.background = Vec3::Zero();
@@ -157,7 +156,7 @@ TEST(Renderer, RefreshesPositionsAndTopologyByRevision) {
   auto mesh = sphere_mesh(0.1, 7);
   DrawItem item;
   item.mesh = mesh;
-  item.surface = Surface::emissive;
+  item.appearance.surface = Surface::emissive;
   item.appearance.color = Vec3::Ones();
   list.items = {item};
   const auto brightness = [&](int x) {

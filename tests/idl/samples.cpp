@@ -39,7 +39,7 @@ SceneInfo some_scene() {
   liver.map = {9, 8, 7};
   liver.points = 700;
   liver.chunk_points = soft_chunk_points;
-  liver.appearance = {{0.5, 0.25, 0.125}, 0.3, 0.9};
+  liver.appearance = {{0.5, 0.25, 0.125}, 0.3, 0.9, Surface::tissue};
   m.bodies = {table, liver};
   m.lights = {{"lamp", LightKind::spot, {0, 2, 0}, {0, -1, 0}, {1, 1, 0.9}, 10, 0.6, 0.3}};
   return m;

@@ -1,0 +1,34 @@
+#pragma once
+// A stereo display: two pictures side by side, as a file in deploy/stereo describes it.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace prosector {
+
+/// Ranges stand in the table of stereo_profile.cpp. A file gives angles in degrees.
+struct StereoProfile {
+  std::string description;
+  double eye_width = 800, eye_height = 600;  // pixels, each eye
+  double fov_horizontal = 0.70;              // rad, each eye
+  double fov_vertical = 0.54;                // rad
+  double eye_distance = 0.063;               // m
+  double convergence = 0.6;                  // m: distance at which both pictures coincide
+  bool swap_eyes = false;                    // true: the left eye's picture is on the right
+
+  int picture_width() const { return 2 * static_cast<int>(eye_width); }
+  int picture_height() const { return static_cast<int>(eye_height); }
+};
+
+/// Throws InputError with file, line, key and what is allowed; unknown keys are errors.
+StereoProfile parse_stereo_profile(std::string_view toml, const std::string& file);
+
+/// `profile`: a file, or the name of one of those shipped ("5dt_hmd_800_26"). Throws InputError as above, or
+/// naming those that are shipped.
+StereoProfile load_stereo_profile(const std::string& profile);
+
+/// Folder of the shipped profiles: the source tree's, else the installed one.
+std::filesystem::path stereo_profile_dir();
+
+}  // namespace prosector
