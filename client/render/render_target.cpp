@@ -69,21 +69,25 @@ void RenderTarget::allocate(int width, int height) {
   check_complete();
 }
 
-void RenderTarget::resolve(bool has_screen) {
-  const auto copy = [this](GLuint from, GLuint to) {
-    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, from);
-    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
-    gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  };
+void RenderTarget::copy(GLuint from, GLuint to) const {
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, from);
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
+  gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void RenderTarget::resolve() {
   gl_.Disable(GL_SCISSOR_TEST);
   copy(drawn_, resolved_);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_);
   if (edges_) blend_steps();
-  if (has_screen) copy(resolved_, 0);
+}
+
+void RenderTarget::show() const {
+  copy(resolved_, 0);
 }
 
 // Over the copy: the shader keeps off the pixels at no edge.
 void RenderTarget::blend_steps() const {
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_);
   gl_.Viewport(0, 0, width_, height_);
   gl_.Disable(GL_DEPTH_TEST);
   gl_.ActiveTexture(GL_TEXTURE0);

@@ -15,14 +15,18 @@ class RenderTarget {
 
   /// Makes it the framebuffer to draw to, of that size. Throws InputError when the driver refuses.
   void bind(int width, int height);
-  /// Averages the samples, or blends the steps; with a screen, also copies the picture to framebuffer 0.
-  void resolve(bool has_screen);
+  /// Averages the samples, or blends the steps. What is drawn from now on goes over the finished picture,
+  /// without depth.
+  void resolve();
+  /// Copies the picture to framebuffer 0, the screen.
+  void show() const;
   /// What was resolved last; throws std::logic_error before the first.
   Image read() const;
 
  private:
   void allocate(int width, int height);
   void release();
+  void copy(GLuint from, GLuint to) const;
   void blend_steps() const;
 
   const Gl& gl_;

@@ -18,7 +18,8 @@ struct Renderer::Impl {
         meshes(gl),
         shadow_pass(gl, shaders, settings.shadow_size),
         main_pass(gl, shaders),
-        screen_quads(gl, shaders) {
+        lines(gl, shaders, "screen"),
+        pen(gl, shaders, "text") {
     auto point = std::make_shared<DrawMesh>();
     point->id = std::numeric_limits<std::uint64_t>::max();
     point->positions.assign(3, Eigen::Vector3f::Zero());
@@ -40,7 +41,7 @@ struct Renderer::Impl {
   MeshCache meshes;
   ShadowPass shadow_pass;
   MainPass main_pass;
-  ScreenQuadDrawer screen_quads;
+  ScreenQuadDrawer lines, pen;
   std::vector<DrawItem> users_to_come;     // nothing to see, of the surfaces that users are drawn with
   std::vector<LightKind> prepared_lights;  // whose shaders those have brought about
 };
@@ -108,10 +109,17 @@ void Renderer::draw(const DrawList& list) {
     r.clear(camera, list.background);
     sort_nearest_first(items, camera.pose.p);
     r.main_pass.draw(list, camera, items, r.meshes, shadow);
-    draw_lines(list, camera, r.screen_quads);
-    draw_texts(list, camera, r.screen_quads);
+    draw_lines(list, camera, r.lines);
   }
-  r.target.resolve(r.context.has_screen());
+  r.target.resolve();
+  r.gl.Enable(GL_BLEND);
+  r.gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  for (const DrawCamera& camera : list.cameras) {
+    r.gl.Viewport(camera.x, camera.y, camera.width, camera.height);
+    draw_texts(list, camera, r.pen);
+  }
+  r.gl.Disable(GL_BLEND);
+  if (r.context.has_screen()) r.target.show();
 }
 
 Image Renderer::read_pixels() {

@@ -4,8 +4,9 @@
 
 namespace prosector {
 
-ScreenQuadDrawer::ScreenQuadDrawer(const Gl& gl, const std::filesystem::path& shaders)
-    : gl_(gl), program_(gl, shaders, "screen") {
+ScreenQuadDrawer::ScreenQuadDrawer(const Gl& gl, const std::filesystem::path& shaders,
+                                   const std::string& shader)
+    : gl_(gl), program_(gl, shaders, shader) {
   gl_.GenVertexArrays(1, &vertex_array_);
   gl_.BindVertexArray(vertex_array_);
   gl_.GenBuffers(1, &buffer_);
@@ -16,6 +17,9 @@ ScreenQuadDrawer::ScreenQuadDrawer(const Gl& gl, const std::filesystem::path& sh
   gl_.EnableVertexAttribArray(1);
   gl_.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride,
                           reinterpret_cast<const void*>(offsetof(ScreenVertex, color)));
+  gl_.EnableVertexAttribArray(2);
+  gl_.VertexAttribPointer(2, 4, GL_FLOAT, GL_FALSE, stride,
+                          reinterpret_cast<const void*>(offsetof(ScreenVertex, pen)));
   gl_.BindVertexArray(0);
 }
 

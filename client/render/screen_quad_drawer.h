@@ -1,5 +1,5 @@
 #pragma once
-// Draws ScreenVertex triangles. Private to client/render.
+// Draws ScreenVertex triangles with one shader. Private to client/render.
 
 #include <filesystem>
 #include <vector>
@@ -11,7 +11,8 @@ namespace prosector {
 
 class ScreenQuadDrawer {
  public:
-  ScreenQuadDrawer(const Gl& gl, const std::filesystem::path& shaders);
+  /// `shader`: "screen" covers, "text" blends with what is there by how much of a pixel the line takes.
+  ScreenQuadDrawer(const Gl& gl, const std::filesystem::path& shaders, const std::string& shader);
   ~ScreenQuadDrawer();
   ScreenQuadDrawer(const ScreenQuadDrawer&) = delete;
   ScreenQuadDrawer& operator=(const ScreenQuadDrawer&) = delete;

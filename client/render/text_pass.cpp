@@ -9,6 +9,8 @@
 namespace prosector {
 namespace {
 
+constexpr double fade = 0.5;  // pixels beyond a stroke's border that it still covers in part
+
 /// Top left of the text's first line in pixels from the viewport's top left; none behind the eye.
 std::optional<Eigen::Vector2d> origin_of(const DrawText& text, const Eigen::Matrix4d& clip_from_room,
                                          const Viewport& viewport) {
@@ -29,7 +31,7 @@ void add_strokes(std::vector<ScreenVertex>& out, const std::vector<TextStroke>& 
     return Eigen::Vector4d(2 * at.x() / viewport.width - 1, 1 - 2 * at.y() / viewport.height, 0, 1);
   };
   for (const TextStroke& stroke : strokes)
-    add_line(out, flat(stroke.a), flat(stroke.b), color, width, viewport);
+    add_line(out, flat(stroke.a), flat(stroke.b), color, width, viewport, fade);
 }
 
 }  // namespace
