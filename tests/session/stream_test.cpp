@@ -162,7 +162,18 @@ TEST(TickSchedule, CatchesUpOneTickAndSlipsBeyond) {
 TEST(StepMeter, SaysWhatIsSlowAndWhoIsDegraded) {
   StepMeter meter(100);
   StepReport report;
-  report.bodies = {{"liver", 3, 60, 0.5, false, false, ""}, {"kidney", 1, 1, 0.1, true, true, ""}};
+  report.bodies = {{.body = "liver",
+                    .newton_iterations = 3,
+                    .solver_iterations = 60,
+                    .residual = 0.5,
+                    .converged = false,
+                    .note = {}},
+                   {.body = "kidney",
+                    .newton_iterations = 1,
+                    .solver_iterations = 1,
+                    .residual = 0.1,
+                    .reset = true,
+                    .note = {}}};
   std::int64_t now = 0;
   for (int i = 0; i < 100; ++i, now += 20'000'000) meter.add(report, i >= 50, now, now + 15'000'000);
   const LastSecond last = meter.last_second();
