@@ -19,6 +19,10 @@ struct Case {
   std::string name() const { return model + "_" + integrator + "_" + shape; }
 };
 
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.name();
+}
+
 /// Each substepping method, and each model of springs and positions, on solids and sheets.
 std::vector<Case> cases() {
   return {{"fem_corotational", "symplectic_euler", "block"},

@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 
 #include "tests/soft/kuhn.h"
+#include "tests/soft/print_rows.h"
 #include "tests/soft/stepper.h"
 
 namespace {

@@ -11,6 +11,7 @@
 #include "server/physics/soft/constitutive_law.h"
 #include "server/physics/soft/polar.h"
 #include "server/physics/soft/symmetric_eigen.h"
+#include "tests/soft/print_rows.h"
 
 namespace prosector {
 namespace {

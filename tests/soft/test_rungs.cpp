@@ -31,6 +31,10 @@ struct Rung {
   }
 };
 
+void PrintTo(const Rung& rung, std::ostream* out) {
+  *out << rung.name();
+}
+
 Anatomy anatomy_of(MeshKind mesh) {
   if (mesh == MeshKind::sheet) return make_sheet({0.1, 0.005, 0.08}, 0.02);
   if (mesh == MeshKind::rope) return make_rope({0.1, 0.01, 0}, 0.02);

@@ -8,6 +8,7 @@
 
 #include "common/error.h"
 #include "tests/soft/kuhn.h"
+#include "tests/soft/print_rows.h"
 #include "tests/soft/stepper.h"
 
 namespace prosector {

@@ -1,0 +1,14 @@
+#pragma once
+// How GoogleTest names the rows of the tables that tests loop over.
+
+#include <ostream>
+
+#include "server/physics/soft/constitutive_law.h"
+
+namespace prosector {
+
+inline void PrintTo(const LawRow& row, std::ostream* out) {
+  *out << row.name;
+}
+
+}  // namespace prosector
