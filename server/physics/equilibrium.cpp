@@ -86,7 +86,7 @@ bool Simulation::Impl::floats(std::size_t body) const {
   const SoftBody& b = *model.soft[body];
   if (!b.desc().gravity || model.scene.gravity.isZero() || !b.attachment_stiffness().isZero()) return false;
   return std::none_of(colliders.begin(), colliders.end(), [&](const Collider& c) {
-    return c.parts && surfaces[body].touches(c, relaxation_margin);
+    return c.parts && surfaces[body].touches(c, skin_of(body) + relaxation_margin);
   });
 }
 

@@ -61,6 +61,11 @@ ContactSide Simulation::Impl::surface_side(std::size_t body, std::uint32_t verte
   return side;
 }
 
+// A sheet's surface is the one through its middle, a rope's is its axis: what touches them stops short of it.
+double Simulation::Impl::skin_of(std::size_t body) const {
+  return model.soft[body]->anatomy().thickness / 2;
+}
+
 Contact Simulation::Impl::soft_contact(std::size_t body, std::uint32_t vertex, const Distance& distance,
                                        const Collider& collider) const {
   Contact c;
@@ -99,11 +104,14 @@ Contact Simulation::Impl::soft_contact(std::size_t body, const TriangleTouch& to
 bool Simulation::Impl::add_contacts(std::size_t body, const Collider& collider, double margin,
                                     std::vector<Contact>& out) const {
   const std::size_t before = out.size();
-  surfaces[body].near(collider, margin, [&](std::uint32_t vertex, const Distance& d) {
+  const double skin = skin_of(body);
+  surfaces[body].near(collider, margin + skin, [&](std::uint32_t vertex, Distance d) {
+    d.value -= skin;
     if (collider.fixed || surfaces[body].stretch_at(vertex) < most_stretch)
       out.push_back(soft_contact(body, vertex, d, collider));
   });
-  surfaces[body].near_thin(collider, margin, [&](const TriangleTouch& touch) {
+  surfaces[body].near_thin(collider, margin + skin, [&](TriangleTouch touch) {
+    touch.gap -= skin;
     out.push_back(soft_contact(body, touch, collider));
   });
   return out.size() > before;
@@ -128,7 +136,7 @@ void Simulation::Impl::detect_soft_contacts() {
       if (soft[i].asleep) {
         const bool touched = std::any_of(colliders.begin(), colliders.end(), [&](const Collider& c) {
           return c.parts && awake(c) &&
-                 surfaces[i].touches(c, wake_margin + std::min(most_reach, h * total_speed(c)));
+                 surfaces[i].touches(c, skin_of(i) + wake_margin + std::min(most_reach, h * total_speed(c)));
         });
         if (!touched) continue;
         wake_soft(i);

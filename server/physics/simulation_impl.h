@@ -69,6 +69,7 @@ struct Simulation::Impl {
   Contact soft_contact(std::size_t body, std::uint32_t vertex, const Distance& distance,
                        const Collider& collider) const;
   Contact soft_contact(std::size_t body, const TriangleTouch& touch, const Collider& collider) const;
+  double skin_of(std::size_t body) const;  // m: from the surface that is simulated to the one that is touched
   ContactSide surface_side(std::size_t body, std::uint32_t vertex) const;
   /// Appends what of the body's surface is within `margin` of the collider; whether there was any.
   bool add_contacts(std::size_t body, const Collider& collider, double margin,

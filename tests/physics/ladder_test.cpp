@@ -96,6 +96,16 @@ TEST_P(Ladder, FallsOnABallAndStaysBounded) {
   EXPECT_TRUE(is_finite(simulation.rigid_state(1).pose));
 }
 
+TEST(LadderContact, ASheetLiesHalfItsThicknessOffTheTable) {
+  SceneDesc scene;
+  scene.rigid = {table()};
+  scene.soft = {soft_body({"mass_spring", "implicit_euler", "sheet"})};
+  scene.soft[0].pose.p.y() = 0.02;
+  Simulation simulation(scene, with_sheets());
+  run(simulation, 120);
+  EXPECT_NEAR(lowest(simulation), scene.soft[0].size.y() / 2, 2e-4);
+}
+
 TEST_P(Ladder, ABallThatHitsItHandsOverItsMomentum) {
   if (GetParam().integrator == "bdf2" || GetParam().integrator == "tr_bdf2")
     GTEST_SKIP() << "methods of several steps or stages weigh a force otherwise than a rigid body does";
