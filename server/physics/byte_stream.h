@@ -1,7 +1,8 @@
 #pragma once
 // State as bytes: numbers in a fixed order, read back with every size checked.
 
-#include <cstring>
+#include <algorithm>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -92,7 +93,8 @@ class ByteReader {
  private:
   void raw(void* to, std::size_t size) {
     require(bytes_.size() - at_ >= size, "ends too early");
-    std::memcpy(to, bytes_.data() + at_, size);
+    // Not memcpy, which must not be given the null pointer of an empty vector.
+    std::copy_n(bytes_.data() + at_, size, static_cast<std::uint8_t*>(to));
     at_ += size;
   }
 
