@@ -39,7 +39,8 @@ bool get(std::span<const std::uint8_t>& in, Values& values) {
   in = in.subspan(sizeof(count));
   if (count > in.size() / sizeof(T)) return false;
   values.resize(count);
-  std::memcpy(static_cast<void*>(values.data()), in.data(), count * sizeof(T));
+  // memcpy must not be given the null pointer of an empty vector.
+  if (count > 0) std::memcpy(static_cast<void*>(values.data()), in.data(), count * sizeof(T));
   in = in.subspan(count * sizeof(T));
   return true;
 }
