@@ -62,6 +62,25 @@ struct AttachDesc {
   double stiffness = 2e5;      // N/m⁴: N/m per m³ of tied tissue
 };
 
+/// [[soft.region]]: part of a body that is made of something else: the elements whose middle, at rest, lies
+/// inside. Where regions overlap, the last one holds.
+struct RegionDesc {
+  Vec3 center = Vec3::Zero();           // m, room frame
+  double radius = 0.05;                 // m: a sphere's
+  Vec3 size = Vec3::Zero();             // m: a box's full extents along the room's axes; zero: a sphere
+  double youngs_modulus = 0;            // Pa; 0: the body's
+  double poisson_ratio = -1;            // below 0: the body's
+  double fiber_stiffness = -1;          // Pa; below 0: the body's
+  Vec3 fiber_direction = Vec3::Zero();  // zero: the body's
+};
+
+/// [[soft.relaxation]]: one term of a Prony series. Of the stress that a sudden strain raises, this share
+/// dies out as e^(−t/time).
+struct RelaxationDesc {
+  double share = 0.5;
+  double time = 1;  // s
+};
+
 /// [[soft]]
 struct SoftDesc {
   std::string name;
@@ -86,11 +105,13 @@ struct SoftDesc {
   std::string element = "tet4";  // tet4: linear | tet10: quadratic, straight-sided at rest
   std::string integrator = "implicit_euler";
   std::string solver = "cg";
-  double youngs_modulus = 5400;  // Pa
+  double youngs_modulus = 5400;  // Pa; with [[soft.relaxation]]: at once
   double poisson_ratio = 0.45;
-  double density = 1060;            // kg/m³
-  double damping_mass = 0.5;        // 1/s   Rayleigh: C = damping_mass·M + damping_stiffness·K
-  double damping_stiffness = 0.01;  // s
+  double fiber_stiffness = 0;            // Pa: what fibres add along themselves in tension
+  Vec3 fiber_direction = Vec3::UnitX();  // room frame, at rest; any length but zero
+  double density = 1060;                 // kg/m³
+  double damping_mass = 0.5;             // 1/s   Rayleigh: C = damping_mass·M + damping_stiffness·K
+  double damping_stiffness = 0.01;       // s
   double friction = 0.3;
   bool gravity = true;             // false: the imaged shape already carries it
   int newton_iterations = 3;       // at most, per tick
@@ -103,6 +124,8 @@ struct SoftDesc {
   double bending_stiffness = 0;  // sheets: N·m, D = Et³/12(1−ν²); ropes: N·m², EI; 0: likewise
   bool hold_volume = true;       // mass_spring on tetrahedra: meet poisson_ratio; false: about ¼
   std::vector<AttachDesc> attach;
+  std::vector<RegionDesc> regions;
+  std::vector<RelaxationDesc> relaxation;
   Appearance appearance = {.surface = Surface::tissue};
 };
 

@@ -110,6 +110,25 @@ class Checker {
     if (!soft.fallback.empty() && !soft.shape.empty())
       fail(body, "fallback", "fallback stands in for a volume or mesh file, but there is only a shape");
     if (soft.label >= 0 && soft.volume.empty()) fail(body, "label", "label needs a volume");
+    if (soft.fiber_direction.isZero(1e-9)) fail(body, "fiber_direction", "fiber_direction is zero");
+    check_regions(soft, body);
+    double shares = 0;
+    for (const RelaxationDesc& term : soft.relaxation) shares += term.share;
+    if (shares >= 1)
+      fail(body, "relaxation[0]",
+           fmt::format("the shares of [[soft.relaxation]] add up to {}: must be below 1", shares));
+  }
+
+  void check_regions(const SoftDesc& soft, const Entry& body) const {
+    for (std::size_t i = 0; i < soft.regions.size(); ++i) {
+      const RegionDesc& region = soft.regions[i];
+      const auto refuse = [&](const char* key, const std::string& what) {
+        fail(fmt::format("{}.region[{}]", body.table, i), key,
+             fmt::format("{}: [[soft.region]] {}", body.where, i + 1), what);
+      };
+      if (!region.size.isZero(0) && !(region.size.array() > 0).all())
+        refuse("size", "size of a box must be three positive numbers, or all 0 for a sphere");
+    }
   }
 
   void check_lights() const {

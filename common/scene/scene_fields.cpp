@@ -234,6 +234,39 @@ const Table& attach_table() {
   return table;
 }
 
+const Table& region_table() {
+  using R = RegionDesc;
+  static const Table table{
+      "[[soft.region]]",
+      "Part of a body on tetrahedra that is made of something else: the elements whose middle, at rest, lies "
+      "inside a sphere, or a box where `size` is given. Where regions overlap, the last one holds.",
+      {number<R, &R::center>("center", "m", coordinate, "of the sphere or box, in the room"),
+       number<R, &R::radius>("radius", "m", {0, 10, true}, "of the sphere"),
+       number<R, &R::size>("size", "m", {0, 10},
+                           "full extents of the box along the room's axes; zero: it is a sphere"),
+       number<R, &R::youngs_modulus>("youngs_modulus", "Pa", {0, 1e12}, "0: the body's"),
+       number<R, &R::poisson_ratio>("poisson_ratio", "", {-1, 0.5, false, true}, "below 0: the body's"),
+       number<R, &R::fiber_stiffness>("fiber_stiffness", "Pa", {-1, 1e12}, "below 0: the body's"),
+       number<R, &R::fiber_direction>("fiber_direction", "", {-1000, 1000}, "zero: the body's")},
+      {},
+      fresh<R>};
+  return table;
+}
+
+const Table& relaxation_table() {
+  using R = RelaxationDesc;
+  static const Table table{
+      "[[soft.relaxation]]",
+      "A term of a Prony series: of the stress that a sudden strain raises, `share` dies out as "
+      "exp(-t / `time`). `youngs_modulus` is the stiffness at once; what the shares leave of it, together "
+      "below 1, stays. For models whose name starts with fem_, with an implicit integrator.",
+      {number<R, &R::share>("share", "", {0, 1, true, true}, "of the stress"),
+       number<R, &R::time>("time", "s", {1e-6, 1e6}, "in which it falls to 1/e")},
+      {},
+      fresh<R>};
+  return table;
+}
+
 const Table& soft_table() {
   using S = SoftDesc;
   static const Table table = [] {
@@ -276,6 +309,10 @@ const Table& soft_table() {
          number<S, &S::youngs_modulus>("youngs_modulus", "Pa", {0, 1e12, true}, "stiffness in tension"),
          number<S, &S::poisson_ratio>("poisson_ratio", "", {0, 0.5, false, true},
                                       "sideways over lengthways strain; towards 0.5 the volume is kept"),
+         number<S, &S::fiber_stiffness>("fiber_stiffness", "Pa", {0, 1e12},
+                                        "model fem_fibers: what its fibres add along themselves in tension"),
+         number<S, &S::fiber_direction>("fiber_direction", "", {-1000, 1000},
+                                        "of the fibres at rest, in the room; any length but zero"),
          number<S, &S::density>("density", "kg/m³", density, ""),
          number<S, &S::damping_mass>("damping_mass", "1/s", {0, 1000}, "Rayleigh damping: share of the mass"),
          number<S, &S::damping_stiffness>("damping_stiffness", "s", {0, 10},
@@ -304,7 +341,9 @@ const Table& soft_table() {
              "hold_volume",
              "mass_spring on tetrahedra: volume springs that meet poisson_ratio; false: springs "
              "alone, whose ratio is about 1/4")},
-        {{"attach", attach_table, true, 64, append<S, &S::attach>}},
+        {{"attach", attach_table, true, 64, append<S, &S::attach>},
+         {"region", region_table, true, 64, append<S, &S::regions>},
+         {"relaxation", relaxation_table, true, 8, append<S, &S::relaxation>}},
         fresh<S>};
     add_pose<S>(t.fields, "the mesh's origin, or the volume's or shape's centre, in the room");
     add_fallback_pose<S>(t.fields);

@@ -23,6 +23,8 @@ inline std::string scene_with(const std::string& table, const std::string& line)
       {"[[rigid.part]]", "[[rigid]]\nname = \"p\"\n[[rigid.part]]\n"},
       {"[[soft]]", "[[soft]]\nname = \"t\"\nvolume = \"v.inr\"\n"},
       {"[[soft.attach]]", "[[soft.attach]]\n"},
+      {"[[soft.region]]", "[[soft.region]]\n"},
+      {"[[soft.relaxation]]", "[[soft.relaxation]]\n"},
       {"[[light]]", "[[light]]\n"},
   };
   std::string text;

@@ -98,10 +98,13 @@ double difference(const std::array<A, n>& a, const std::array<A, n>& b) {
 class CorotationalBatches : public testing::Test {
  protected:
   static constexpr std::size_t count = 9 * 37;
-  CorotationalBatches() : mesh_(scattered(count, random_)), elements_(mesh_), x_(12 * count) {
+  CorotationalBatches()
+      : mesh_(scattered(count, random_)), elements_(mesh_), x_(12 * count), materials_(lame(3, 0.45)) {
+    materials_.kinds.push_back(lame(70, 0.1));
     for (std::size_t e = 0; e < count; ++e) {
       const Mat3 F = any_gradient(e, random_);
       for (std::uint32_t node : mesh_.tets[e]) x_.segment<3>(3 * node) = F * mesh_.positions[node];
+      materials_.kind.push_back(e % 5 == 2);
     }
   }
 
@@ -109,13 +112,13 @@ class CorotationalBatches : public testing::Test {
   TetMesh mesh_;
   Tet4Elements elements_;
   VecX x_;
-  Lame lame_ = lame(3, 0.45);
+  Materials materials_;
 };
 
 TEST_F(CorotationalBatches, AreTheLaw) {
   ASSERT_EQ(elements_.size(), count);
-  const auto fast = make_corotational_batches(lame_, elements_);
-  const auto plain = make_law_batches(make_fem_corotational(lame_), lame_, elements_);
+  const auto fast = make_corotational_batches(materials_, elements_);
+  const auto plain = make_law_batches(make_fem_corotational, materials_, elements_);
   const Everything a = everything(*fast, count, x_), b = everything(*plain, count, x_);
   for (std::size_t batch = 0; batch < a.energy.size(); ++batch) {
     EXPECT_NEAR(a.energy[batch], b.energy[batch], 1e-12 * b.energy[batch]);
@@ -128,7 +131,7 @@ TEST_F(CorotationalBatches, AreTheLaw) {
 }
 
 TEST_F(CorotationalBatches, GiveTheSameBitsForEveryInstructionSet) {
-  const auto batches = make_corotational_batches(lame_, elements_);
+  const auto batches = make_corotational_batches(materials_, elements_);
   const Everything reference = everything(*batches, count, x_);
   const std::int64_t targets = hwy::SupportedTargets();
   for (std::int64_t rest = targets; rest != 0; rest &= rest - 1) {

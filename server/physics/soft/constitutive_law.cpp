@@ -1,28 +1,10 @@
 #include "server/physics/soft/constitutive_law.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "common/error.h"
 #include "server/physics/soft/element_batches.h"
 #include "server/physics/soft/fem_laws.h"
 #include "server/physics/soft/find_row.h"
 
 namespace prosector {
-
-Lame lame(double youngs_modulus, double poisson_ratio) {
-  if (!(youngs_modulus > 0) || !std::isfinite(youngs_modulus)) {
-    throw InputError(fmt::format("youngs_modulus is {}; allowed: positive, in Pa", youngs_modulus));
-  }
-  if (!(poisson_ratio > -1 && poisson_ratio < 0.5)) {
-    throw InputError(
-        fmt::format("poisson_ratio is {}; allowed: above -1, below 0.5 (at 0.5 the volume cannot change)",
-                    poisson_ratio));
-  }
-  return {youngs_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio)),
-          youngs_modulus / (2 * (1 + poisson_ratio))};
-}
 
 const std::vector<LawRow>& laws() {
   static const std::vector<LawRow> rows = {
@@ -39,15 +21,15 @@ const std::vector<LawRow>& laws() {
   return rows;
 }
 
-std::unique_ptr<ConstitutiveLaw> make_law(const std::string& name, const Lame& constants) {
+std::unique_ptr<ConstitutiveLaw> make_law(const std::string& name, const Material& constants) {
   return find_row(laws(), "model", name).make(constants);
 }
 
-std::unique_ptr<ElementBatches> make_batches(const std::string& name, const Lame& constants,
+std::unique_ptr<ElementBatches> make_batches(const std::string& name, const Materials& materials,
                                              const Tet4Elements& elements) {
   const LawRow& row = find_row(laws(), "model", name);
-  if (row.make_batches) return row.make_batches(constants, elements);
-  return make_law_batches(row.make(constants), constants, elements);
+  if (row.make_batches) return row.make_batches(materials, elements);
+  return make_law_batches(row.make, materials, elements);
 }
 
 }  // namespace prosector

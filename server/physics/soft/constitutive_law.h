@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/math.h"
+#include "server/physics/soft/material.h"
 
 namespace prosector {
 
@@ -14,14 +15,6 @@ class ElementBatches;
 class Tet4Elements;
 
 using Mat9 = Eigen::Matrix<double, 9, 9>;
-
-/// Elastic constants as Lamé's. From E and ν: λ = Eν/((1+ν)(1−2ν)), μ = E/(2(1+ν)).
-struct Lame {
-  double lambda;  // Pa
-  double mu;      // Pa
-};
-/// Throws InputError unless E > 0 and −1 < ν < ½.
-Lame lame(double youngs_modulus, double poisson_ratio);
 
 /// W(F): works on batches of elements so that a law can be vectorised without touching who calls it.
 /// All spans have one entry per element. Every law reduces to linear elasticity at F = I:
@@ -44,15 +37,15 @@ class ConstitutiveLaw {
 struct LawRow {
   const char* name;
   const char* help;
-  std::unique_ptr<ConstitutiveLaw> (*make)(const Lame&);
+  std::unique_ptr<ConstitutiveLaw> (*make)(const Material&);
   /// The same law for whole batches of elements; null: element_batches.h makes one from `make`.
-  std::unique_ptr<ElementBatches> (*make_batches)(const Lame&, const Tet4Elements&) = nullptr;
+  std::unique_ptr<ElementBatches> (*make_batches)(const Materials&, const Tet4Elements&) = nullptr;
 };
 const std::vector<LawRow>& laws();
 /// Throws InputError that lists the names there are.
-std::unique_ptr<ConstitutiveLaw> make_law(const std::string& name, const Lame& constants);
-/// Likewise; `elements` must outlive the result.
-std::unique_ptr<ElementBatches> make_batches(const std::string& name, const Lame& constants,
+std::unique_ptr<ConstitutiveLaw> make_law(const std::string& name, const Material& constants);
+/// Likewise, with the material of each element; `elements` must outlive the result.
+std::unique_ptr<ElementBatches> make_batches(const std::string& name, const Materials& materials,
                                              const Tet4Elements& elements);
 
 }  // namespace prosector

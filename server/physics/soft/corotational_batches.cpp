@@ -14,26 +14,26 @@ class CorotationalBatches final : public ElementBatches {
   }
   double energy(std::size_t batch) const override {
     double each[elements_per_batch], sum = 0;
-    lane_corotational_energy(lame_, rest_[batch], strain_[batch], each);
+    lane_corotational_energy(rest_[batch], strain_[batch], each);
     for (std::size_t e = 0; e < count(batch); ++e) sum += each[e];
     return sum;
   }
   void forces(std::size_t batch, std::span<Tet4Elements::Forces> f) const override {
-    lane_corotational_forces(lame_, rest_[batch], strain_[batch], f);
+    lane_corotational_forces(rest_[batch], strain_[batch], f);
   }
   void stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const override {
-    lane_corotational_stiffness(lame_, rest_[batch], strain_[batch], K);
+    lane_corotational_stiffness(rest_[batch], strain_[batch], K);
   }
   void warped_stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const override {
-    lane_warped_stiffness(lame_, rest_[batch], strain_[batch].R, K);
+    lane_warped_stiffness(rest_[batch], strain_[batch].R, K);
   }
 };
 
 }  // namespace
 
-std::unique_ptr<ElementBatches> make_corotational_batches(const Lame& constants,
+std::unique_ptr<ElementBatches> make_corotational_batches(const Materials& materials,
                                                           const Tet4Elements& elements) {
-  return std::make_unique<CorotationalBatches>(constants, elements);
+  return std::make_unique<CorotationalBatches>(materials, elements);
 }
 
 }  // namespace prosector

@@ -79,24 +79,24 @@ void rotations(LaneStrain& strain) {
   }
 }
 
-void energy(const Lame& c, const LaneRest& rest, const LaneStrain& strain, double* out) {
+void energy(const LaneRest& rest, const LaneStrain& strain, double* out) {
   const D d;
   for (std::size_t i = 0; i < elements_per_batch; i += hn::Lanes(d)) {
     const Matrix F = load(strain.F, i), R = load(strain.R, i);
     const Matrix E = {F.a - R.a, F.b - R.b, F.c - R.c};
     const V volume = double_dot(R, F) - number(3);
-    const V W = number(c.mu) * double_dot(E, E) + number(0.5 * c.lambda) * volume * volume;
+    const V W = hn::Load(d, rest.mu + i) * double_dot(E, E) +
+                number(0.5) * hn::Load(d, rest.lambda + i) * volume * volume;
     hn::StoreU(hn::Load(d, rest.volume + i) * W, d, out + i);
   }
 }
 
-void forces(const Lame& c, const LaneRest& rest, const LaneStrain& strain,
-            std::span<Tet4Elements::Forces> out) {
+void forces(const LaneRest& rest, const LaneStrain& strain, std::span<Tet4Elements::Forces> out) {
   const D d;
   for (std::size_t i = 0; i < out.size(); i += hn::Lanes(d)) {
     const Matrix F = load(strain.F, i), R = load(strain.R, i), B = load(rest.gradients, i);
-    const V V0 = hn::Load(d, rest.volume + i), stretch = number(2 * c.mu) * V0;
-    const V turn = number(c.lambda) * (double_dot(R, F) - number(3)) * V0 - stretch;
+    const V V0 = hn::Load(d, rest.volume + i), stretch = number(2) * hn::Load(d, rest.mu + i) * V0;
+    const V turn = hn::Load(d, rest.lambda + i) * (double_dot(R, F) - number(3)) * V0 - stretch;
     const Matrix P = {stretch * F.a + turn * R.a, stretch * F.b + turn * R.b, stretch * F.c + turn * R.c};
     alignas(64) LaneMatrix f;
     store({P * B.a, P * B.b, P * B.c}, f, 0);
@@ -109,13 +109,14 @@ void forces(const Lame& c, const LaneRest& rest, const LaneStrain& strain,
   }
 }
 
-void stiffness(const Lame& c, const LaneRest& rest, const LaneStrain& strain, std::span<Blocks> K) {
+void stiffness(const LaneRest& rest, const LaneStrain& strain, std::span<Blocks> K) {
   const D d;
   BlockBuffer buffer;
   for (std::size_t i = 0; i < K.size(); i += hn::Lanes(d)) {
     const Matrix R = load(strain.R, i);
-    const V V0 = hn::Load(d, rest.volume + i), lambda = number(c.lambda) * V0, two_mu = number(2 * c.mu) * V0;
-    const Matrix C = half_twists(c.lambda, c.mu, least_corotational_pair, load(strain.F, i), R);
+    const V V0 = hn::Load(d, rest.volume + i), l = hn::Load(d, rest.lambda + i),
+            m = number(2) * hn::Load(d, rest.mu + i), lambda = l * V0, two_mu = m * V0;
+    const Matrix C = half_twists(l, m, least_corotational_pair, load(strain.F, i), R);
     const TurnedGradients t = turned_gradients(R, load(rest.gradients, i));
     for (int a = 0; a < 3; ++a) {
       // Rows of V [r_a]ₓ ½C.
@@ -136,11 +137,12 @@ void stiffness(const Lame& c, const LaneRest& rest, const LaneStrain& strain, st
   }
 }
 
-void warped_stiffness(const Lame& c, const LaneRest& rest, const LaneMatrix& R, std::span<Blocks> K) {
+void warped_stiffness(const LaneRest& rest, const LaneMatrix& R, std::span<Blocks> K) {
   const D d;
   BlockBuffer buffer;
   for (std::size_t i = 0; i < K.size(); i += hn::Lanes(d)) {
-    const V V0 = hn::Load(d, rest.volume + i), lambda = number(c.lambda) * V0, mu = number(c.mu) * V0;
+    const V V0 = hn::Load(d, rest.volume + i), lambda = hn::Load(d, rest.lambda + i) * V0,
+            mu = hn::Load(d, rest.mu + i) * V0;
     const TurnedGradients t = turned_gradients(load(R, i), load(rest.gradients, i));
     for (int a = 0; a < 3; ++a) {
       const Vector la = lambda * t.r[a], ma = mu * t.r[a];
@@ -177,20 +179,19 @@ void lane_gradients(const LaneRest& rest, const LaneMatrix& edges, LaneMatrix& F
 void lane_rotations(LaneStrain& strain) {
   HWY_DYNAMIC_DISPATCH(rotations)(strain);
 }
-void lane_corotational_energy(const Lame& c, const LaneRest& rest, const LaneStrain& strain, double* out) {
-  HWY_DYNAMIC_DISPATCH(energy)(c, rest, strain, out);
+void lane_corotational_energy(const LaneRest& rest, const LaneStrain& strain, double* out) {
+  HWY_DYNAMIC_DISPATCH(energy)(rest, strain, out);
 }
-void lane_corotational_forces(const Lame& c, const LaneRest& rest, const LaneStrain& strain,
+void lane_corotational_forces(const LaneRest& rest, const LaneStrain& strain,
                               std::span<Tet4Elements::Forces> out) {
-  HWY_DYNAMIC_DISPATCH(forces)(c, rest, strain, out);
+  HWY_DYNAMIC_DISPATCH(forces)(rest, strain, out);
 }
-void lane_corotational_stiffness(const Lame& c, const LaneRest& rest, const LaneStrain& strain,
+void lane_corotational_stiffness(const LaneRest& rest, const LaneStrain& strain,
                                  std::span<Tet4Elements::Stiffness> K) {
-  HWY_DYNAMIC_DISPATCH(stiffness)(c, rest, strain, K);
+  HWY_DYNAMIC_DISPATCH(stiffness)(rest, strain, K);
 }
-void lane_warped_stiffness(const Lame& c, const LaneRest& rest, const LaneMatrix& R,
-                           std::span<Tet4Elements::Stiffness> K) {
-  HWY_DYNAMIC_DISPATCH(warped_stiffness)(c, rest, R, K);
+void lane_warped_stiffness(const LaneRest& rest, const LaneMatrix& R, std::span<Tet4Elements::Stiffness> K) {
+  HWY_DYNAMIC_DISPATCH(warped_stiffness)(rest, R, K);
 }
 
 }  // namespace prosector

@@ -9,7 +9,6 @@
 
 #include <span>
 
-#include "server/physics/soft/constitutive_law.h"
 #include "server/physics/soft/element_lanes.h"
 #include "server/physics/soft/tet4.h"
 
@@ -21,16 +20,15 @@ void lane_gradients(const LaneRest& rest, const LaneMatrix& edges, LaneMatrix& F
 void lane_rotations(LaneStrain& strain);
 
 /// V·W, J.
-void lane_corotational_energy(const Lame& c, const LaneRest& rest, const LaneStrain& strain, double* energy);
+void lane_corotational_energy(const LaneRest& rest, const LaneStrain& strain, double* energy);
 /// V·P·b_a, N, of the first forces.size() elements.
-void lane_corotational_forces(const Lame& c, const LaneRest& rest, const LaneStrain& strain,
+void lane_corotational_forces(const LaneRest& rest, const LaneStrain& strain,
                               std::span<Tet4Elements::Forces> forces);
 /// The projected tangent's blocks of the first K.size() elements, N/m.
-void lane_corotational_stiffness(const Lame& c, const LaneRest& rest, const LaneStrain& strain,
+void lane_corotational_stiffness(const LaneRest& rest, const LaneStrain& strain,
                                  std::span<Tet4Elements::Stiffness> K);
 /// Hooke's stiffness turned by R (warped stiffness, Müller & Gross 2004): the tangent of every objective law
 /// at F = R.
-void lane_warped_stiffness(const Lame& c, const LaneRest& rest, const LaneMatrix& R,
-                           std::span<Tet4Elements::Stiffness> K);
+void lane_warped_stiffness(const LaneRest& rest, const LaneMatrix& R, std::span<Tet4Elements::Stiffness> K);
 
 }  // namespace prosector

@@ -12,16 +12,16 @@ std::unique_ptr<ElasticModel> make_elastic_model(const SoftDesc& desc, const Ana
   const bool tets = mesh_kind(anatomy) == MeshKind::tets;
   if (desc.model == "mass_spring" || !tets) {
     SpringNetwork network = make_spring_network(desc, anatomy);
-    const double bulk_modulus = network.bulk_modulus;
+    const std::optional<Materials> volume = network.volume_springs;
     auto springs = make_spring_model(std::move(network));
-    if (bulk_modulus == 0) return springs;
-    return make_sum_model(std::move(springs), make_tet4_volume_model(bulk_modulus, anatomy.tets));
+    if (!volume) return springs;
+    return make_sum_model(std::move(springs), make_tet4_volume_model(*volume, anatomy.tets));
   }
   // What XPBD's pair of constraints stores.
   const std::string law = desc.model == "xpbd" ? "fem_neo_hookean_polynomial" : desc.model;
-  if (desc.element == "tet10")
-    return make_tet10_model(law, lame(desc.youngs_modulus, desc.poisson_ratio), anatomy.tets);
-  return make_tet4_model(law, lame(desc.youngs_modulus, desc.poisson_ratio), anatomy.tets);
+  const Materials materials = make_materials(desc, anatomy.tets);
+  if (desc.element == "tet10") return make_tet10_model(law, materials, anatomy.tets);
+  return make_tet4_model(law, materials, anatomy.tets);
 }
 
 }  // namespace prosector

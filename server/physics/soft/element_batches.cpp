@@ -14,8 +14,8 @@ void set_lane(LaneMatrix& m, std::size_t lane, const Mat3& A) {
 
 }  // namespace
 
-ElementBatches::ElementBatches(const Lame& constants, const Tet4Elements& elements)
-    : lame_(constants),
+ElementBatches::ElementBatches(const Materials& materials, const Tet4Elements& elements)
+    : materials_(materials),
       elements_(elements),
       rest_(chunk_count(elements.size(), elements_per_batch)),
       strain_(rest_.size()) {
@@ -25,6 +25,9 @@ ElementBatches::ElementBatches(const Lame& constants, const Tet4Elements& elemen
       const std::size_t e = first(batch) + lane;
       set_lane(rest_[batch].gradients, lane, used ? elements.gradients(e) : Mat3::Identity());
       rest_[batch].volume[lane] = used ? elements.volume(e) : 0;
+      const Lame& lame = used ? materials.of(e).lame : materials.kinds.front().lame;
+      rest_[batch].lambda[lane] = lame.lambda;
+      rest_[batch].mu[lane] = lame.mu;
     }
   }
 }

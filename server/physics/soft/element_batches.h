@@ -16,7 +16,7 @@ namespace prosector {
 /// Batch k has the elements from k·elements_per_batch on. Different batches may be worked on at once.
 class ElementBatches {
  public:
-  ElementBatches(const Lame& constants, const Tet4Elements& elements);
+  ElementBatches(const Materials& materials, const Tet4Elements& elements);
   virtual ~ElementBatches() = default;
 
   /// Whether turning the whole body turns its forces along.
@@ -39,17 +39,17 @@ class ElementBatches {
   /// F of the batch at x, into `strain`.
   void deform(std::size_t batch, const double* x);
 
-  const Lame lame_;
+  const Materials materials_;
   const Tet4Elements& elements_;
   std::vector<LaneRest> rest_;
   std::vector<LaneStrain> strain_;
 };
 
-/// From a law; `elements` must outlive the result.
-std::unique_ptr<ElementBatches> make_law_batches(std::unique_ptr<ConstitutiveLaw> law, const Lame& constants,
-                                                 const Tet4Elements& elements);
+/// From a law, one for each material; `elements` must outlive the result.
+std::unique_ptr<ElementBatches> make_law_batches(std::unique_ptr<ConstitutiveLaw> (*make)(const Material&),
+                                                 const Materials& materials, const Tet4Elements& elements);
 /// The same as make_fem_corotational's, vectorised.
-std::unique_ptr<ElementBatches> make_corotational_batches(const Lame& constants,
+std::unique_ptr<ElementBatches> make_corotational_batches(const Materials& materials,
                                                           const Tet4Elements& elements);
 
 }  // namespace prosector

@@ -14,8 +14,9 @@ struct alignas(64) LaneMatrix {
 
 /// What never changes. Unused elements of the last batch have gradients I and no volume.
 struct LaneRest {
-  LaneMatrix gradients;                           // columns b_1, b_2, b_3, 1/m
-  alignas(64) double volume[elements_per_batch];  // m³
+  LaneMatrix gradients;                                                   // columns b_1, b_2, b_3, 1/m
+  alignas(64) double volume[elements_per_batch];                          // m³
+  alignas(64) double lambda[elements_per_batch], mu[elements_per_batch];  // Pa
 };
 
 /// F = R·S, see polar.h.

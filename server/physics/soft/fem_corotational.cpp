@@ -59,8 +59,8 @@ class FemCorotational final : public ConstitutiveLaw {
 
 }  // namespace
 
-std::unique_ptr<ConstitutiveLaw> make_fem_corotational(const Lame& constants) {
-  return std::make_unique<FemCorotational>(constants);
+std::unique_ptr<ConstitutiveLaw> make_fem_corotational(const Material& constants) {
+  return std::make_unique<FemCorotational>(constants.lame);
 }
 
 }  // namespace prosector

@@ -7,11 +7,11 @@ namespace prosector {
 
 /// Small strain: W = μ‖ε‖² + λ/2 tr²ε, ε = sym(F) − I. Exact for small rotations only: turning the body
 /// strains it.
-std::unique_ptr<ConstitutiveLaw> make_fem_linear(const Lame& constants);
+std::unique_ptr<ConstitutiveLaw> make_fem_linear(const Material& constants);
 
 /// W = μ‖F − R‖² + λ/2 tr²(S − I) with F = RS (Müller & Gross 2004; the full derivative of McAdams et al.
 /// 2011).
-std::unique_ptr<ConstitutiveLaw> make_fem_corotational(const Lame& constants);
+std::unique_ptr<ConstitutiveLaw> make_fem_corotational(const Material& constants);
 
 /// Pairs of principal stretches below this bend the corotational energy as if they were this far from
 /// mirroring, where R turns over.
@@ -20,16 +20,16 @@ inline constexpr double least_corotational_pair = 1e-2;
 /// St. Venant–Kirchhoff: W = μ‖E‖² + λ/2 tr²E with Green's strain E = (FᵀF − I)/2. Turns freely, but a
 /// mirrored element is as content as a whole one, and below a stretch of 1/√3 it yields instead of resisting:
 /// for moderate strain and for comparison with textbooks.
-std::unique_ptr<ConstitutiveLaw> make_fem_stvk(const Lame& constants);
+std::unique_ptr<ConstitutiveLaw> make_fem_stvk(const Material& constants);
 
 /// Stable neo-Hookean with the logarithmic barrier against collapse (Smith, de Goes & Kim 2018, eq. 14).
-std::unique_ptr<ConstitutiveLaw> make_fem_neo_hookean(const Lame& constants);
+std::unique_ptr<ConstitutiveLaw> make_fem_neo_hookean(const Material& constants);
 
 /// The same without the barrier (their eq. 11 with Λ = λ + μ): cheaper by a division, but a body squeezed
 /// far below its size may stay collapsed.
-std::unique_ptr<ConstitutiveLaw> make_fem_neo_hookean_polynomial(const Lame& constants);
+std::unique_ptr<ConstitutiveLaw> make_fem_neo_hookean_polynomial(const Material& constants);
 
-/// Resists changes of volume only: W = κ/2 (J − 1)². What `mass_spring` adds to hold volume.
-std::unique_ptr<ConstitutiveLaw> make_volume_law(double bulk_modulus);
+/// Resists changes of volume only: W = λ/2 (J − 1)². What `mass_spring` adds to hold volume.
+std::unique_ptr<ConstitutiveLaw> make_volume_law(const Material& constants);
 
 }  // namespace prosector

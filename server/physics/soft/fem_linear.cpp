@@ -47,8 +47,8 @@ class FemLinear final : public ConstitutiveLaw {
 
 }  // namespace
 
-std::unique_ptr<ConstitutiveLaw> make_fem_linear(const Lame& constants) {
-  return std::make_unique<FemLinear>(constants);
+std::unique_ptr<ConstitutiveLaw> make_fem_linear(const Material& constants) {
+  return std::make_unique<FemLinear>(constants.lame);
 }
 
 }  // namespace prosector

@@ -121,16 +121,16 @@ class FemNeoHookean final : public ConstitutiveLaw {
 
 }  // namespace
 
-std::unique_ptr<ConstitutiveLaw> make_fem_neo_hookean(const Lame& constants) {
-  return std::make_unique<FemNeoHookean>(logarithmic(constants));
+std::unique_ptr<ConstitutiveLaw> make_fem_neo_hookean(const Material& constants) {
+  return std::make_unique<FemNeoHookean>(logarithmic(constants.lame));
 }
 
-std::unique_ptr<ConstitutiveLaw> make_fem_neo_hookean_polynomial(const Lame& constants) {
-  return std::make_unique<FemNeoHookean>(polynomial(constants));
+std::unique_ptr<ConstitutiveLaw> make_fem_neo_hookean_polynomial(const Material& constants) {
+  return std::make_unique<FemNeoHookean>(polynomial(constants.lame));
 }
 
-std::unique_ptr<ConstitutiveLaw> make_volume_law(double bulk_modulus) {
-  return std::make_unique<FemNeoHookean>(Parameters{0, bulk_modulus, 1, 0});
+std::unique_ptr<ConstitutiveLaw> make_volume_law(const Material& constants) {
+  return std::make_unique<FemNeoHookean>(Parameters{0, constants.lame.lambda, 1, 0});
 }
 
 }  // namespace prosector

@@ -68,8 +68,8 @@ class FemStVK final : public ConstitutiveLaw {
 
 }  // namespace
 
-std::unique_ptr<ConstitutiveLaw> make_fem_stvk(const Lame& constants) {
-  return std::make_unique<FemStVK>(constants);
+std::unique_ptr<ConstitutiveLaw> make_fem_stvk(const Material& constants) {
+  return std::make_unique<FemStVK>(constants.lame);
 }
 
 }  // namespace prosector

@@ -34,7 +34,7 @@ HWY_INLINE void rotate(M active, V& a_pp, V& a_qq, V& a_pq, V& a_rp, V& a_rq, Ve
 /// ½C = ½ Σ c_k u_k u_kᵀ with c_k = max(slope/max(σᵢ + σⱼ, least_pair), −2μ): cyclic Jacobi on S, see
 /// symmetric_eigen.h, whose vectors start as R's columns and so become u_k = R·v_k. They need to be exact
 /// only as far as Newton needs its matrix; that they are orthonormal keeps the projection exact.
-HWY_INLINE Matrix half_twists(double lambda, double mu, double least_pair, const Matrix& F, const Matrix& R) {
+HWY_INLINE Matrix half_twists(V lambda, V two_mu, double least_pair, const Matrix& F, const Matrix& R) {
   const V half = number(0.5);
   V s00 = dot(R.a, F.a), s11 = dot(R.b, F.b), s22 = dot(R.c, F.c);
   V s01 = half * (dot(R.a, F.b) + dot(R.b, F.a)), s02 = half * (dot(R.a, F.c) + dot(R.c, F.a)),
@@ -49,9 +49,9 @@ HWY_INLINE Matrix half_twists(double lambda, double mu, double least_pair, const
     rotate(active, s00, s22, s02, s01, s12, u.a, u.c);
     rotate(active, s11, s22, s12, s01, s02, u.b, u.c);
   }
-  const V slope = number(2) * (number(lambda) * (trace - number(3)) - number(2 * mu));
+  const V slope = number(2) * (lambda * (trace - number(3)) - two_mu);
   const auto coefficient = [&](V pair) HWY_ATTR {
-    return half * hn::Max(slope / hn::Max(pair, number(least_pair)), number(-2 * mu));
+    return half * hn::Max(slope / hn::Max(pair, number(least_pair)), zero() - two_mu);
   };
   const Vector ca = coefficient(s11 + s22) * u.a, cb = coefficient(s00 + s22) * u.b,
                cc = coefficient(s00 + s11) * u.c;

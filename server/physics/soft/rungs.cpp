@@ -49,6 +49,12 @@ void check_rung(const SoftDesc& desc, const Anatomy& anatomy) {
   }
   if (desc.element == "tet10" && (model.fabric || kind != MeshKind::tets))
     throw InputError(fmt::format("element is \"tet10\"; allowed with model \"{}\": tet4", desc.model));
+  if (!desc.regions.empty() && kind != MeshKind::tets)
+    throw InputError("has regions, which need tetrahedra; a sheet or rope is of one material");
+  if (desc.fiber_stiffness > 0)
+    throw InputError(fmt::format("has fiber_stiffness, which model \"{}\" does not know", desc.model));
+  if (!desc.relaxation.empty())
+    throw InputError(fmt::format("has relaxation, which model \"{}\" does not know", desc.model));
   const auto allowed = integrators_for(model);
   if (std::find(allowed.begin(), allowed.end(), desc.integrator) == allowed.end())
     throw InputError(fmt::format("integrator is \"{}\"; allowed with model \"{}\": {}", desc.integrator,

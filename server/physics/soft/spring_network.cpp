@@ -123,13 +123,24 @@ class Builder {
   }
 
   void solid() {
-    const Lame c = lame(desc_.youngs_modulus, desc_.poisson_ratio);
-    const bool volume = desc_.hold_volume && c.lambda > c.mu;
-    // Alone, the springs are given E's stiffness in tension at their own ratio of ¼.
-    const double mu = volume ? c.mu : desc_.youngs_modulus / 2.5;
-    if (volume) out_.bulk_modulus = c.lambda - c.mu;
+    const Materials materials = make_materials(desc_, anatomy_.tets);
+    std::vector<double> modulus;  // of the springs of each kind, Pa
+    Materials volume = materials;
+    bool held = false;
+    for (Material& kind : volume.kinds) {
+      const auto [lambda, mu] = kind.lame;
+      const bool hold = desc_.hold_volume && lambda > mu;
+      // Alone, the springs are given E's stiffness in tension at their own ratio of ¼.
+      const double E = mu * (3 * lambda + 2 * mu) / (lambda + mu);
+      modulus.push_back(hold ? mu : E / 2.5);
+      kind.lame = {hold ? lambda - mu : 0, 0};
+      held = held || hold;
+    }
+    if (held) out_.volume_springs = volume;
     out_.volume = Tet4Elements::lumped_volume(anatomy_.tets);
-    for (const auto& tet : anatomy_.tets.tets) {
+    for (std::size_t t = 0; t < anatomy_.tets.tets.size(); ++t) {
+      const auto& tet = anatomy_.tets.tets[t];
+      const double mu = modulus[materials.kind_of(t)];
       const Vec3 u = x_[tet[1]] - x_[tet[0]], v = x_[tet[2]] - x_[tet[0]], w = x_[tet[3]] - x_[tet[0]];
       const double V = std::abs(u.cross(v).dot(w)) / 6;
       for (std::size_t a = 0; a < 4; ++a)

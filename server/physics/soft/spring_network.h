@@ -14,10 +14,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "common/mesh.h"
 #include "common/scene/scene.h"
+#include "server/physics/soft/material.h"
 
 namespace prosector {
 
@@ -38,10 +40,10 @@ struct Bend {
 struct SpringNetwork {
   std::vector<Spring> springs;
   std::vector<Bend> bends;
-  VecX rest;                // 3n, m
-  VecX volume;              // n, m³
-  std::size_t dropped = 0;  // springs of no length
-  double bulk_modulus = 0;  // Pa: of the volume springs that tetrahedra need besides; 0: none
+  VecX rest;                                // 3n, m
+  VecX volume;                              // n, m³
+  std::size_t dropped = 0;                  // springs of no length
+  std::optional<Materials> volume_springs;  // that tetrahedra need besides: λ of each
 };
 
 /// Of the anatomy's segments, quads or tetrahedra. Throws InputError for constants out of range.

@@ -122,6 +122,7 @@ Tet10Elements::Tet10Elements(const TetMesh& mesh) {
         points_.positions.push_back(mesh.positions[nodes[c]]);
       }
       points_.tets.push_back(own);
+      point_source_.push_back(corners.source()[e]);
     }
   }
   volume_ = VecX::Zero(static_cast<Eigen::Index>(mesh.positions.size()));

@@ -30,6 +30,8 @@ class Tet10Elements {
   std::size_t size() const { return nodes_.size(); }
   std::size_t dropped() const { return dropped_; }
   const Nodes& nodes(std::size_t e) const { return nodes_[e]; }
+  /// Of each integration point: which of the mesh's tetrahedra it is in.
+  std::span<const std::uint32_t> point_source() const { return point_source_; }
   /// m³ of each node, dropped elements included: the diagonal of the mass matrix scaled to the right total
   /// (Hinton, Rock, Zienkiewicz 1976): V/36 at vertices, 4V/27 at edges. Positive, and the better half of the
   /// consistent one; rows summed would be negative at vertices.
@@ -48,6 +50,7 @@ class Tet10Elements {
 
  private:
   std::vector<Nodes> nodes_;
+  std::vector<std::uint32_t> point_source_;
   TetMesh points_;  // four tetrahedra with corners of their own per element
   VecX volume_;
   std::size_t dropped_ = 0;

@@ -23,13 +23,13 @@ Connectivity connect(std::size_t node_count, const Tet10Elements& elements) {
 
 class Tet10Model final : public ElasticModel {
  public:
-  Tet10Model(const std::string& law, const Lame& constants, const TetMesh& mesh)
+  Tet10Model(const std::string& law, const Materials& materials, const TetMesh& mesh)
       : elements_(mesh),
         points_(elements_.points()),
         rest_(to_vector(mesh.positions)),
         connectivity_(connect(mesh.positions.size(), elements_)),
         incidence_(connectivity_),
-        batches_(make_batches(law, constants, points_)),
+        batches_(make_batches(law, materials.at(elements_.point_source()), points_)),
         corners_(12 * points_.size()),
         sums_(chunk_count(elements_.size(), elements_per_chunk)),
         point_forces_(points_.size()),
@@ -118,9 +118,9 @@ class Tet10Model final : public ElasticModel {
 
 }  // namespace
 
-std::unique_ptr<ElasticModel> make_tet10_model(const std::string& law, const Lame& constants,
+std::unique_ptr<ElasticModel> make_tet10_model(const std::string& law, const Materials& materials,
                                                const TetMesh& mesh) {
-  return std::make_unique<Tet10Model>(law, constants, mesh);
+  return std::make_unique<Tet10Model>(law, materials, mesh);
 }
 
 }  // namespace prosector

@@ -7,7 +7,7 @@
 namespace prosector {
 
 /// `law` is a row of laws(); `mesh` has its edges' nodes (add_edge_nodes). Throws InputError.
-std::unique_ptr<ElasticModel> make_tet10_model(const std::string& law, const Lame& constants,
+std::unique_ptr<ElasticModel> make_tet10_model(const std::string& law, const Materials& materials,
                                                const TetMesh& mesh);
 
 }  // namespace prosector

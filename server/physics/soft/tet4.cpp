@@ -29,7 +29,8 @@ Tet4Elements::Tet4Elements(const TetMesh& mesh, double share) {
   nodes_.reserve(mesh.tets.size());
   gradients_.reserve(mesh.tets.size());
   volume_.reserve(mesh.tets.size());
-  for (Nodes tet : mesh.tets) {
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    Nodes tet = mesh.tets[t];
     std::sort(tet.begin(), tet.end());
     const Mat3 D = rest_edges(mesh, tet);
     const double six_volumes = std::abs(D.determinant()), length = longest_edge(D);
@@ -38,6 +39,7 @@ Tet4Elements::Tet4Elements(const TetMesh& mesh, double share) {
       continue;
     }
     nodes_.push_back(tet);
+    source_.push_back(static_cast<std::uint32_t>(t));
     gradients_.push_back(D.inverse().transpose());
     volume_.push_back(share * (six_volumes / 6));
   }

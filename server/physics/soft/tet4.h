@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "common/mesh.h"
@@ -32,6 +33,8 @@ class Tet4Elements {
   std::size_t size() const { return nodes_.size(); }
   std::size_t dropped() const { return dropped_; }
   const Nodes& nodes(std::size_t e) const { return nodes_[e]; }
+  /// Of each element: which of the mesh's tetrahedra it is.
+  std::span<const std::uint32_t> source() const { return source_; }
   double volume(std::size_t e) const { return volume_[e]; }  // m³, at rest
 
   /// Columns b_1, b_2, b_3; b_0 = −(b_1 + b_2 + b_3).
@@ -52,6 +55,7 @@ class Tet4Elements {
 
  private:
   std::vector<Nodes> nodes_;
+  std::vector<std::uint32_t> source_;
   std::vector<Mat3> gradients_;
   std::vector<double> volume_;
   std::size_t dropped_ = 0;

@@ -113,15 +113,16 @@ class Tet4Model final : public ElasticModel {
 
 }  // namespace
 
-std::unique_ptr<ElasticModel> make_tet4_model(const std::string& law, const Lame& constants,
+std::unique_ptr<ElasticModel> make_tet4_model(const std::string& law, const Materials& materials,
                                               const TetMesh& mesh) {
-  return std::make_unique<Tet4Model>(
-      mesh, [&](const Tet4Elements& elements) { return make_batches(law, constants, elements); });
+  return std::make_unique<Tet4Model>(mesh, [&](const Tet4Elements& elements) {
+    return make_batches(law, materials.at(elements.source()), elements);
+  });
 }
 
-std::unique_ptr<ElasticModel> make_tet4_volume_model(double bulk_modulus, const TetMesh& mesh) {
+std::unique_ptr<ElasticModel> make_tet4_volume_model(const Materials& materials, const TetMesh& mesh) {
   return std::make_unique<Tet4Model>(mesh, [&](const Tet4Elements& elements) {
-    return make_law_batches(make_volume_law(bulk_modulus), {bulk_modulus, 0}, elements);
+    return make_law_batches(make_volume_law, materials.at(elements.source()), elements);
   });
 }
 

@@ -7,10 +7,10 @@
 namespace prosector {
 
 /// With the row of laws() called `law`. Throws InputError.
-std::unique_ptr<ElasticModel> make_tet4_model(const std::string& law, const Lame& constants,
+std::unique_ptr<ElasticModel> make_tet4_model(const std::string& law, const Materials& materials,
                                               const TetMesh& mesh);
 
-/// Elements that resist changes of volume only, see make_volume_law; Pa.
-std::unique_ptr<ElasticModel> make_tet4_volume_model(double bulk_modulus, const TetMesh& mesh);
+/// Elements that resist changes of volume only, see make_volume_law.
+std::unique_ptr<ElasticModel> make_tet4_volume_model(const Materials& materials, const TetMesh& mesh);
 
 }  // namespace prosector

@@ -33,9 +33,8 @@ class XpbdSubstepper final : public Substepper {
     if (tets_.size() == 0) {
       network_ = make_spring_network(body.desc, anatomy);
     } else {
-      const Lame c = lame(body.desc.youngs_modulus, body.desc.poisson_ratio);
-      mu_ = c.mu;
-      volume_modulus_ = c.lambda + c.mu;
+      const Materials materials = make_materials(body.desc, anatomy.tets).at(tets_.source());
+      for (std::size_t e = 0; e < tets_.size(); ++e) lame_.push_back(materials.of(e).lame);
     }
     colour();
   }
@@ -154,7 +153,7 @@ class XpbdSubstepper final : public Substepper {
   }
 
   void project_tet(std::size_t e, double hs) {
-    const double V = tets_.volume(e);
+    const double V = tets_.volume(e), mu = lame_[e].mu, volume_modulus = lame_[e].lambda + mu;
     Tet4Elements::Forces gradient;  // of V·Ψ for P = ∂Ψ/∂F
     const auto project = [&](const Mat3& dC, double C, double modulus) {
       tets_.forces(e, dC / V, gradient);
@@ -162,19 +161,19 @@ class XpbdSubstepper final : public Substepper {
     };
     const Mat3 F = tets_.edges(e, x_) * tets_.gradients(e).transpose();
     const double norm = F.norm();
-    if (norm > 0) project(F / norm, norm, mu_);
+    if (norm > 0) project(F / norm, norm, mu);
     const Mat3 now = tets_.edges(e, x_) * tets_.gradients(e).transpose();
     Mat3 cofactor;
     cofactor << now.col(1).cross(now.col(2)), now.col(2).cross(now.col(0)), now.col(0).cross(now.col(1));
-    project(cofactor, now.determinant() - (1 + mu_ / volume_modulus_), volume_modulus_);
+    project(cofactor, now.determinant() - (1 + mu / volume_modulus), volume_modulus);
   }
 
   const SubstepBody body_;
   Tet4Elements tets_;
   SpringNetwork network_;
   VecX inverse_mass_;
-  double mu_ = 0, volume_modulus_ = 0;  // Pa
-  std::vector<Element> order_;          // by colour
+  std::vector<Lame> lame_;      // of each tetrahedron
+  std::vector<Element> order_;  // by colour
   std::vector<std::size_t> colour_begin_;
   double* x_ = nullptr;  // 3n, of the substep
   VecX start_;           // 3n, where it began
