@@ -50,4 +50,9 @@ struct Anatomy {
   double thickness = 0;                                     // m, of a sheet; diameter of a rope
 };
 
+/// Metres; 0: not a rope.
+inline double tube_diameter(const Anatomy& anatomy) {
+  return anatomy.segments.empty() ? 0 : anatomy.thickness;
+}
+
 }  // namespace prosector

@@ -145,6 +145,7 @@ struct SceneBody {
   ContentHash map{};   // Asset, soft only: StreamedSurface (common/asset.h)
   std::uint32_t points = 0;        // soft only: how many points are streamed
   std::uint32_t chunk_points = 0;  // soft only: points per SoftState chunk (the last may hold fewer)
+  double tube_diameter = 0;        // m: soft without triangles, whose vertices in order are a tube's axis
   Appearance appearance;
 };
 
@@ -199,6 +200,7 @@ struct RigidState {
 };
 
 inline constexpr std::size_t max_chunk_points = 256;
+inline constexpr double max_tube_diameter = 10;        // m, as much as a scene may ask for
 inline constexpr std::size_t soft_chunk_points = 112;  // what a server uses: one datagram, ≤ 1,200 bytes
 
 /// server → all, best effort, keyed (body, chunk): some streamed points, whole in itself, so one lost

@@ -1,6 +1,7 @@
 #include "client/view/body_mesh.h"
 
 #include "client/view/normals.h"
+#include "client/view/tube.h"
 
 namespace prosector {
 
@@ -14,14 +15,28 @@ std::shared_ptr<DrawMesh> rigid_mesh(const TriangleMesh& surface, std::uint64_t 
   return out;
 }
 
-std::shared_ptr<DrawMesh> soft_mesh(const TriangleMesh& rest, std::uint64_t mesh_id) {
+std::shared_ptr<DrawMesh> soft_mesh(const TriangleMesh& rest, double tube_diameter, std::uint64_t mesh_id) {
+  std::vector<Eigen::Vector3f> surface;
+  for (const Vec3& x : rest.positions) surface.push_back(x.cast<float>());
+  if (tube_diameter > 0 && !surface.empty())
+    return tube_mesh(surface, static_cast<float>(tube_diameter), mesh_id);
   auto out = std::make_shared<DrawMesh>();
   out->id = mesh_id;
-  for (const Vec3& x : rest.positions) out->positions.push_back(x.cast<float>());
-  out->rest_positions = out->positions;
+  out->rest_positions = surface;
+  out->positions = std::move(surface);
   out->triangles = rest.triangles;
   smooth_normals(out->positions, out->triangles, out->normals);
   return out;
+}
+
+void move_soft_mesh(std::span<const Eigen::Vector3f> surface, double tube_diameter, DrawMesh& mesh) {
+  if (tube_diameter > 0 && !surface.empty()) {
+    sweep_tube(surface, static_cast<float>(tube_diameter), mesh);
+  } else {
+    mesh.positions.assign(surface.begin(), surface.end());
+    smooth_normals(mesh.positions, mesh.triangles, mesh.normals);
+  }
+  ++mesh.positions_revision;
 }
 
 }  // namespace prosector

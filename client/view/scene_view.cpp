@@ -90,12 +90,8 @@ void SceneView::add_bodies(Replica& replica, double tick) {
     } else {
       SoftReplica& soft = *replica.soft(id);
       const bool moved = soft.sample(tick, replica.tick_seconds());
-      if (!mesh) mesh = soft_mesh(soft.rest(), next_mesh_id_++);
-      if (moved) {
-        mesh->positions = soft.surface();
-        smooth_normals(mesh->positions, mesh->triangles, mesh->normals);
-        ++mesh->positions_revision;
-      }
+      if (!mesh) mesh = soft_mesh(soft.rest(), bodies[id].tube_diameter, next_mesh_id_++);
+      if (moved) move_soft_mesh(soft.surface(), bodies[id].tube_diameter, *mesh);
     }
     list_.items.push_back({.mesh = mesh, .pose = pose, .appearance = bodies[id].appearance});
   }

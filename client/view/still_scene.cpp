@@ -13,10 +13,12 @@ DrawList still_scene(const SceneDesc& scene, const SourcePaths& paths, const Pro
     list.items.push_back({.mesh = rigid_mesh(make_surface(body, paths, progress), mesh_id++),
                           .pose = body.pose,
                           .appearance = body.appearance});
-  for (const SoftDesc& body : scene.soft)
-    list.items.push_back({.mesh = soft_mesh(make_anatomy(body, paths, progress).surface, mesh_id++),
+  for (const SoftDesc& body : scene.soft) {
+    const Anatomy anatomy = make_anatomy(body, paths, progress);
+    list.items.push_back({.mesh = soft_mesh(anatomy.surface, tube_diameter(anatomy), mesh_id++),
                           .pose = {},
                           .appearance = body.appearance});
+  }
   list.lights.assign(scene.lights.begin(), scene.lights.end());
   return list;
 }

@@ -11,7 +11,7 @@ namespace prosector {
 Anatomy make_sheet(const Vec3& size, double cell);
 
 /// A line along x around the origin, size.x long, size.y in diameter, in pieces of about `cell` metres. Its
-/// surface is one vertex per node and no triangle: it can be touched and held but not drawn.
+/// surface is its axis, one vertex per node and no triangle: what draws it lays a tube around.
 Anatomy make_rope(const Vec3& size, double cell);
 
 }  // namespace prosector

@@ -16,6 +16,7 @@ void body_to_wire(const SceneBody& m, prosector_SceneBody& w) {
   w.embedding = to_wire(m.map);
   w.points = m.points;
   w.chunk_points = m.chunk_points;
+  w.tube_diameter = m.tube_diameter;
   to_wire(m.appearance.color, w.color);
   w.roughness = m.appearance.roughness;
   w.wetness = m.appearance.wetness;
@@ -34,6 +35,7 @@ SceneBody body_from_wire(const prosector_SceneBody& w) {
   m.map = from_wire(w.embedding);
   m.points = w.points;
   m.chunk_points = w.chunk_points;
+  m.tube_diameter = w.tube_diameter;
   m.appearance = {from_wire(w.color), w.roughness, w.wetness, static_cast<Surface>(w.surface)};
   return m;
 }
@@ -49,6 +51,7 @@ Refusal check_body(SceneBody& m) {
       .that(m.points <= max_streamed_points, "too many points")
       .that(!soft || (m.points > 0 && m.chunk_points > 0), "soft body without points")
       .that(m.chunk_points <= max_chunk_points, "chunks too large")
+      .that(within(m.tube_diameter, 0, max_tube_diameter), "tube diameter out of range")
       .that(within(m.appearance.roughness, 0, 1), "roughness outside [0, 1]")
       .that(within(m.appearance.wetness, 0, 1), "wetness outside [0, 1]")
       .that(enum_within(m.appearance.surface, last_body_surface), "unknown surface")

@@ -68,6 +68,7 @@ SceneContent make_scene_content(const Simulation& simulation) {
       body.map = keep(encode(stream.surface));
       body.points = stream.points;
       body.chunk_points = stream.chunk_points;
+      body.tube_diameter = tube_diameter(soft.anatomy());
       out.streams.emplace(b, std::move(stream));
       out.topology.push_back(first_revision(b, soft.content_hash()));
     }

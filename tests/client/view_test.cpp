@@ -9,6 +9,7 @@
 #include "client/view/hand_mesh.h"
 #include "client/view/normals.h"
 #include "client/view/room.h"
+#include "client/view/tube.h"
 #include "common/primitives.h"
 
 namespace prosector {
@@ -165,6 +166,60 @@ TEST(Normals, SurviveTrianglesWithoutArea) {
   flat.positions.assign(3, Vec3::Zero());
   flat.triangles = {{0, 1, 2}};
   for (const auto& n : split_creases(flat).normals) EXPECT_TRUE(n.allFinite());
+}
+
+/// Of a closed mesh, by the divergence theorem.
+double enclosed_volume(const DrawMesh& mesh) {
+  double six_times = 0;
+  for (const auto& t : mesh.triangles)
+    six_times += mesh.positions[t[0]].cross(mesh.positions[t[1]]).dot(mesh.positions[t[2]]);
+  return six_times / 6;
+}
+
+std::vector<Eigen::Vector3f> helix(float turn) {
+  std::vector<Eigen::Vector3f> axis;
+  for (int i = 0; i <= 200; ++i) {
+    const float s = 0.005F * static_cast<float>(i);
+    axis.emplace_back(s, 0.1F * std::cos(turn * s), 0.1F * std::sin(turn * s));
+  }
+  return axis;
+}
+
+TEST(Tube, LiesAroundItsAxis) {
+  constexpr float diameter = 0.02F;
+  const auto straight = helix(0), wound = helix(12);
+  const auto tube = tube_mesh(straight, diameter, 1);
+  const auto check = [&](const std::vector<Eigen::Vector3f>& axis) {
+    double length = 0;
+    for (std::size_t i = 1; i < axis.size(); ++i) length += (axis[i] - axis[i - 1]).norm();
+    const double r = diameter / 2;
+    // A ring of 12 corners has 95.5 % of the circle's area.
+    EXPECT_NEAR(enclosed_volume(*tube), 0.955 * (M_PI * r * r * length + 4.0 / 3 * M_PI * r * r * r),
+                0.01 * M_PI * r * r * length);
+    for (std::size_t v = 0; v < tube->positions.size(); ++v) {
+      float nearest = 1;
+      for (const auto& p : axis) nearest = std::min(nearest, (tube->positions[v] - p).norm());
+      EXPECT_NEAR(nearest, diameter / 2, 1e-3 * diameter);
+      EXPECT_NEAR(tube->normals[v].norm(), 1, 1e-5);
+    }
+  };
+  check(straight);
+  sweep_tube(wound, diameter, *tube);
+  check(wound);
+}
+
+TEST(Tube, DoesNotTwistAndSurvivesCoincidingPoints) {
+  auto axis = helix(12);
+  std::fill(axis.begin() + 50, axis.begin() + 60, axis[50]);
+  const auto tube = tube_mesh(axis, 0.002F, 1);
+  const std::size_t sides = tube->positions.size() / (axis.size() + 8);
+  for (std::size_t v = sides; v < tube->positions.size(); ++v) {
+    ASSERT_TRUE(tube->positions[v].allFinite());
+    EXPECT_GT(tube->normals[v].dot(tube->normals[v - sides]), 0.7F) << v;
+  }
+  std::fill(axis.begin(), axis.end(), axis[0]);
+  sweep_tube(axis, 0.002F, *tube);
+  for (const auto& x : tube->positions) EXPECT_LT((x - axis[0]).norm(), 0.0011F);
 }
 
 TEST(Avatar, HasAHeadThreeAxesAndAName) {

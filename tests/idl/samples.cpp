@@ -40,7 +40,14 @@ SceneInfo some_scene() {
   liver.points = 700;
   liver.chunk_points = soft_chunk_points;
   liver.appearance = {{0.5, 0.25, 0.125}, 0.3, 0.9, Surface::tissue};
-  m.bodies = {table, liver};
+  SceneBody suture;
+  suture.name = "suture";
+  suture.kind = BodyKind::soft;
+  suture.moves = true;
+  suture.points = 40;
+  suture.chunk_points = soft_chunk_points;
+  suture.tube_diameter = 0.0004;
+  m.bodies = {table, liver, suture};
   m.lights = {{"lamp", LightKind::spot, {0, 2, 0}, {0, -1, 0}, {1, 1, 0.9}, 10, 0.6, 0.3}};
   return m;
 }
