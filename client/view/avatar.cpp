@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "client/view/normals.h"
+#include "client/view/body_mesh.h"
 
 namespace prosector {
 namespace {
@@ -20,13 +20,7 @@ std::shared_ptr<const DrawMesh> head_mesh(std::uint64_t mesh_id) {
                        {-half_width, half_height, behind},
                        {0, 0, -ahead}};
   pyramid.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}};
-  CreasedMesh creased = split_creases(pyramid);
-  auto mesh = std::make_shared<DrawMesh>();
-  mesh->id = mesh_id;
-  mesh->positions = std::move(creased.positions);
-  mesh->normals = std::move(creased.normals);
-  mesh->triangles = std::move(creased.triangles);
-  return mesh;
+  return rigid_mesh(pyramid, mesh_id);
 }
 
 void add_avatar(DrawList& list, const std::shared_ptr<const DrawMesh>& head, const Pose& pose,
