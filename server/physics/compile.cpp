@@ -134,8 +134,11 @@ ContentHash hash_of(const Model& model) {
     for (const int v : {d.newton_iterations, d.solver_iterations, static_cast<int>(d.gravity), d.substeps,
                         d.max_substeps, static_cast<int>(d.hold_volume)})
       out.add(v);
-    out.add(d.fiber_stiffness);
-    out.add(d.fiber_direction);
+    // Bodies without these keep the hash that sessions recorded before them have.
+    if (d.fiber_stiffness > 0 || !d.regions.empty()) {
+      out.add(d.fiber_stiffness);
+      out.add(d.fiber_direction);
+    }
     for (const RegionDesc& r : d.regions) {
       for (const Vec3& v : {r.center, r.size, r.fiber_direction}) out.add(v);
       for (const double v : {r.radius, r.youngs_modulus, r.poisson_ratio, r.fiber_stiffness}) out.add(v);

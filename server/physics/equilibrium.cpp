@@ -72,7 +72,9 @@ void Simulation::Impl::relax(std::size_t body) {
       if (c.parts) add_contacts(body, c, relaxation_margin, island.contacts);
     }
     const VecX before = state.motion.x;
+    model.soft[body]->set_relaxed(true);
     const IslandReport solved = solve_island(island, relaxation_step, model.scene.gravity);
+    model.soft[body]->set_relaxed(false);
     state.motion.v.setZero();
     state.warm_start.setZero();
     state.motion.has_history = false;

@@ -35,6 +35,7 @@ void add(ByteWriter& out, const SoftBodyState& state) {
   out.add(static_cast<std::uint8_t>(state.asleep));
   out.add(state.quiet_ticks);
   out.add(state.tangled_ticks);
+  if (state.history.size() > 0) out.add(state.history);  // elastic bodies' hashes are those from before it
   out.add(state.mode);
   out.add(state.omega);
 }
@@ -50,6 +51,8 @@ SoftBodyState read_soft(ByteReader& in, const SoftBodyState& like) {
   state.asleep = in.flag();
   state.quiet_ticks = in.number<int>();
   state.tangled_ticks = in.number<int>();
+  state.history.resize(like.history.size());
+  if (like.history.size() > 0) state.history = in.vector(like.history.size());
   state.mode = in.vector(like.mode.size());
   state.omega = in.number<double>();
   return state;

@@ -36,7 +36,8 @@ std::vector<Case> cases() {
           {"xpbd", "implicit_euler", "block"},
           {"xpbd", "implicit_euler", "sheet"},
           {"fem_corotational", "tr_bdf2", "block"},
-          {"fem_stvk", "implicit_euler", "block"}};
+          {"fem_stvk", "implicit_euler", "block"},
+          {"fem_fibers", "implicit_euler", "block"}};
 }
 
 SoftDesc soft_body(const Case& c) {
@@ -49,6 +50,12 @@ SoftDesc soft_body(const Case& c) {
   desc.newton_iterations = 4;
   desc.damping_stiffness = 0.002;
   desc.substeps = 40;
+  if (c.model == "fem_fibers") {  // muscle: fibres, a stiffer end, relaxation
+    desc.fiber_stiffness = 4e4;
+    desc.fiber_direction = {1, 0, 1};
+    desc.regions.push_back({.center = {0.05, 0.1, 0}, .radius = 0.04, .youngs_modulus = 6e4});
+    desc.relaxation = {{0.3, 0.1}};
+  }
   if (c.shape == "sheet") {
     desc.size = {0.2, 0.004, 0.2};
     desc.pose.p = {0, 0.1, 0};

@@ -37,23 +37,28 @@ double energy(const ConstitutiveLaw& law, const Mat3& F) {
   law.energy_density({&F, 1}, {&W, 1});
   return W;
 }
-Mat3 stress(const ConstitutiveLaw& law, const Mat3& F) {
+double dilatation(const ConstitutiveLaw& law, const Mat3& F) {
+  double theta = 0;
+  law.dilatation({&F, 1}, {&theta, 1});
+  return theta;
+}
+Mat3 stress(const ConstitutiveLaw& law, const Mat3& F, double p = 0) {
   Mat3 P;
-  law.stress({&F, 1}, {&P, 1});
+  law.stress({&F, 1}, {&p, 1}, {&P, 1});
   return P;
 }
-Mat9 tangent(const ConstitutiveLaw& law, const Mat3& F) {
+Mat9 tangent(const ConstitutiveLaw& law, const Mat3& F, double p = 0) {
   Mat9 H;
-  law.tangent({&F, 1}, {&H, 1});
+  law.tangent({&F, 1}, {&p, 1}, {&H, 1});
   return H;
 }
-Mat9 difference_tangent(const ConstitutiveLaw& law, const Mat3& F) {
+Mat9 difference_tangent(const ConstitutiveLaw& law, const Mat3& F, double p) {
   Mat9 H;
   const double h = 1e-6;
   for (int i = 0; i < 9; ++i) {
     Mat3 dF = Mat3::Zero();
     dF.data()[i] = h;
-    const Mat3 dP = (stress(law, F + dF) - stress(law, F - dF)) / (2 * h);
+    const Mat3 dP = (stress(law, F + dF, p) - stress(law, F - dF, p)) / (2 * h);
     H.col(i) = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(dP.data());
   }
   return 0.5 * (H + H.transpose());
@@ -62,7 +67,10 @@ Mat9 difference_tangent(const ConstitutiveLaw& law, const Mat3& F) {
 class Laws : public testing::TestWithParam<LawRow> {
  protected:
   std::unique_ptr<ConstitutiveLaw> law(double nu = 0.4, double E = 1) const {
-    return GetParam().make(lame(E, nu));
+    Material material = lame(E, nu);
+    material.fiber_stiffness = 2 * E;
+    material.fiber = Vec3(2, -1, 2) / 3;
+    return GetParam().make(material);
   }
 };
 INSTANTIATE_TEST_SUITE_P(Table, Laws, testing::ValuesIn(laws()),
@@ -76,7 +84,7 @@ TEST_P(Laws, RestIsFreeOfEnergyAndStress) {
 TEST_P(Laws, ReducesToHooke) {
   for (double nu : {-0.4, 0.0, 0.3, 0.45, 0.49}) {
     const Lame c = lame(1, nu);
-    const Mat9 H = tangent(*law(nu), Mat3::Identity());
+    const Mat9 H = tangent(*GetParam().make(c), Mat3::Identity());
     EXPECT_NEAR(H(0, 0), c.lambda + 2 * c.mu, 1e-9) << nu;
     EXPECT_NEAR(H(0, 4), c.lambda, 1e-9) << nu;
     EXPECT_NEAR(H(1, 1), c.mu, 1e-9) << nu;
@@ -94,6 +102,12 @@ TEST_P(Laws, StressIsTheGradientOfEnergy) {
       const double h = 1e-6;
       const double slope = (energy(*l, F + h * dF) - energy(*l, F - h * dF)) / (2 * h);
       EXPECT_NEAR(P.cwiseProduct(dF).sum(), slope, 1e-7 * (1 + P.norm()));
+      // A pressure adds that of the dilatation, whose gradient is also given by itself.
+      Mat3 G;
+      l->dilatation_gradient({&F, 1}, {&G, 1});
+      const double growth = (dilatation(*l, F + h * dF) - dilatation(*l, F - h * dF)) / (2 * h);
+      EXPECT_NEAR(G.cwiseProduct(dF).sum(), growth, 1e-7 * (1 + G.norm()));
+      EXPECT_LT((stress(*l, F, 0.7) - P - 0.7 * G).norm(), 1e-12 * (1 + P.norm()));
     }
   }
 }
@@ -103,19 +117,41 @@ TEST_P(Laws, TangentIsTheProjectedDerivativeOfStress) {
   int definite = 0;
   for (double nu : {0.0, 0.3, 0.45}) {
     const auto l = law(nu);
+    // What pulls along fibres is semidefinite by itself: only the tissue around them is projected.
+    const bool fibers = GetParam().name == std::string("fem_fibers");
+    const auto tissue = fibers ? make_law("fem_neo_hookean", lame(1, nu)) : nullptr;
     for (int trial = 0; trial < 200; ++trial) {
       Mat3 F = random_rotation(random) * (Mat3::Identity() + 0.5 * random_matrix(random));
       // Corotational curvature is capped next to mirrored states, where R turns over.
       const Vec3 s = symmetric_eigen(polar(F).S).values;
       if (s.sum() - s.maxCoeff() < 0.1) continue;
-      const Eigen::SelfAdjointEigenSolver<Mat9> exact(difference_tangent(*l, F));
+      const double p = trial % 2 ? 3 * uniform(random) : 0;
+      const Mat9 whole = difference_tangent(*l, F, p);
+      const Mat9 isotropic = tissue ? difference_tangent(*tissue, F, p) : whole;
+      const Eigen::SelfAdjointEigenSolver<Mat9> exact(isotropic);
+      // Where fibres go taut the tangent jumps.
+      if (tissue && std::abs((F * Vec3(2, -1, 2) / 3).norm() - 1) < 1e-3) continue;
       const Mat9 projected = exact.eigenvectors() * exact.eigenvalues().cwiseMax(0).asDiagonal() *
-                             exact.eigenvectors().transpose();
+                                 exact.eigenvectors().transpose() +
+                             (whole - isotropic);
       definite += exact.eigenvalues().minCoeff() > 0;
-      EXPECT_LT((tangent(*l, F) - projected).norm(), 1e-6 * (1 + projected.norm()));
+      EXPECT_LT((tangent(*l, F, p) - projected).norm(), 1e-6 * (1 + projected.norm()));
     }
   }
   EXPECT_GT(definite, 0);
+}
+
+/// W holds λ/2·θ²: what of λ is taken from the points may act on θ instead.
+TEST_P(Laws, LambdaActsOnTheDilatation) {
+  Random random(9);
+  const Lame c = lame(1, 0.45);
+  const double part = c.lambda / 3;
+  const auto whole = GetParam().make(c), less = GetParam().make(Lame{c.lambda - part, c.mu});
+  for (int trial = 0; trial < 100; ++trial) {
+    const Mat3 F = Mat3::Identity() + 0.5 * random_matrix(random);
+    const double theta = dilatation(*less, F);
+    EXPECT_NEAR(energy(*less, F) + part / 2 * theta * theta, energy(*whole, F), 1e-12);
+  }
 }
 
 TEST_P(Laws, TurningStoresNothing) {
@@ -162,7 +198,7 @@ TEST_P(Laws, BatchesEqualSingles) {
   std::vector<Mat3> F(37), P(37);
   std::vector<double> W(37);
   for (Mat3& f : F) f = Mat3::Identity() + random_matrix(random);
-  law()->stress(F, P);
+  law()->stress(F, {}, P);
   law()->energy_density(F, W);
   for (std::size_t i = 0; i < F.size(); ++i) {
     EXPECT_EQ(P[i], stress(*law(), F[i]));
@@ -214,6 +250,34 @@ TEST(LawsClosedForm, SimpleShear) {
   EXPECT_NEAR(P12("fem_corotational", .3), .206662, 1e-6);
   EXPECT_NEAR(P12("fem_corotational", .45), .223892, 1e-6);
   EXPECT_NEAR(P12("fem_neo_hookean_polynomial", .3), 0.5 * lame(1, .3).mu, 1e-12);
+}
+
+/// Taut along the stretch, slack along a press, and across it as if there were none.
+TEST(LawsClosedForm, FibresPullAlongThemselvesInTensionOnly) {
+  const double k = 0.8;
+  Material material = lame(1, .3);
+  const auto bare = make_law("fem_neo_hookean", material);
+  material.fiber_stiffness = k;
+  for (const bool along : {true, false}) {
+    material.fiber = along ? Vec3::UnitX() : Vec3::UnitY();
+    const auto law = make_law("fem_fibers", material);
+    for (double l : {0.6, 0.9, 1.2, 1.5}) {
+      // Stretched to l along x; `t` frees y and `s` z. At l > 1 a fibre along y is slack, for t < 1.
+      const auto [P, t] = uniaxial(*bare, l);
+      if (along) {
+        const Mat3 F = Vec3(l, t, t).asDiagonal();
+        const double pull = l > 1 ? k / 2 * (l * l - 1) * l : 0;
+        EXPECT_NEAR(stress(*law, F)(0, 0), P + pull, 1e-9);
+        EXPECT_NEAR(stress(*law, F)(1, 1), 0, 1e-9);
+      } else if (l > 1) {
+        EXPECT_NEAR(stress(*law, Vec3(l, t, t).asDiagonal().toDenseMatrix())(0, 0), P, 1e-9);
+      }
+    }
+  }
+  // At small strain: E + k along (fibres at ν's mercy only sideways), E across.
+  material.fiber = Vec3::UnitX();
+  const auto [P, t] = uniaxial(*make_law("fem_fibers", material), 1 + 1e-6);
+  EXPECT_NEAR(P / 1e-6, 1 + k, 1e-4);
 }
 
 TEST(LawsErrors, NameWhatIsAllowed) {

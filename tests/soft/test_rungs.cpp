@@ -267,10 +267,11 @@ TEST(RungTable, RefusesWhatDoesNotGoTogetherAndSaysWhatDoes) {
 }
 
 /// Energy of the fabric's model at A·rest.
+/// Of the small strain A − I and of its opposite, in the mean: what closed forms leave out is of odd order.
 double stored(const SoftDesc& desc, const Anatomy& anatomy, const Mat3& A) {
   const auto model = make_elastic_model(desc, anatomy);
-  const VecX x = mapped(A, model->rest());
-  return model->energy(x.data());
+  const VecX there = mapped(A, model->rest()), opposite = mapped(2 * Mat3::Identity() - A, model->rest());
+  return (model->energy(there.data()) + model->energy(opposite.data())) / 2;
 }
 
 SoftDesc springs() {
@@ -289,19 +290,19 @@ TEST(Springs, AreTheContinuumInHomogeneousStrain) {
     const Anatomy sheet = make_sheet({0.3, t, 0.2}, cell);
     Mat3 A = Mat3::Identity();
     A(0, 0) += e;
-    EXPECT_NEAR(stored(desc, sheet, A) / (0.5 * E * t / (1 - nu * nu) * e * e * area), 1, 1e-5) << cell;
+    EXPECT_NEAR(stored(desc, sheet, A) / (0.5 * E * t / (1 - nu * nu) * e * e * area), 1, 1e-6) << cell;
     A = Mat3::Identity();
     A(2, 2) += e;
-    EXPECT_NEAR(stored(desc, sheet, A) / (0.5 * E * t / (1 - nu * nu) * e * e * area), 1, 1e-5) << cell;
+    EXPECT_NEAR(stored(desc, sheet, A) / (0.5 * E * t / (1 - nu * nu) * e * e * area), 1, 1e-6) << cell;
     A = Mat3::Identity();
     A(0, 2) += e;
-    EXPECT_NEAR(stored(desc, sheet, A) / (0.5 * E * t / (2 * (1 + nu)) * e * e * area), 1, 1e-5) << cell;
+    EXPECT_NEAR(stored(desc, sheet, A) / (0.5 * E * t / (2 * (1 + nu)) * e * e * area), 1, 1e-6) << cell;
   }
   const double d = 0.01;
   Mat3 A = Mat3::Identity();
   A(0, 0) += e;
   EXPECT_NEAR(stored(desc, make_rope({0.5, d, 0}, 0.02), A) / (0.5 * E * M_PI * d * d / 4 * e * e * 0.5), 1,
-              1e-5);
+              1e-6);
 }
 
 TEST(Springs, AndVolumeSpringsMeetPoissonsRatio) {
@@ -313,7 +314,7 @@ TEST(Springs, AndVolumeSpringsMeetPoissonsRatio) {
     const double e = 1e-6;
     const Mat3 A = (1 + e) * Mat3::Identity();
     const double expected = 0.5 * (9 * c.lambda + 6 * c.mu) * e * e * 1e-3;
-    EXPECT_NEAR(stored(desc, kuhn_anatomy({3, 3, 3}, {0.1, 0.1, 0.1}), A) / expected, 1, 1e-5) << nu;
+    EXPECT_NEAR(stored(desc, kuhn_anatomy({3, 3, 3}, {0.1, 0.1, 0.1}), A) / expected, 1, 1e-6) << nu;
   }
 }
 

@@ -17,6 +17,8 @@ const std::vector<LawRow>& laws() {
        make_fem_neo_hookean},
       {"fem_neo_hookean_polynomial", "stable neo-Hookean without the logarithm; large strain, no collapse",
        make_fem_neo_hookean_polynomial},
+      {"fem_fibers", "fem_neo_hookean with fibres that pull along one direction; muscle, tendon",
+       make_fem_fibers},
   };
   return rows;
 }

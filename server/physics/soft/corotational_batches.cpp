@@ -21,6 +21,15 @@ class CorotationalBatches final : public ElementBatches {
   void forces(std::size_t batch, std::span<Tet4Elements::Forces> f) const override {
     lane_corotational_forces(rest_[batch], strain_[batch], f);
   }
+  void dilatations(std::size_t batch, std::span<double> theta) const override {
+    lane_corotational_dilatations(strain_[batch], theta);
+  }
+  void dilatation_forces(std::size_t batch, std::span<Tet4Elements::Forces> G) const override {
+    lane_turned_gradients(rest_[batch], strain_[batch].R, G);
+  }
+  void warped_dilatation_forces(std::size_t batch, std::span<Tet4Elements::Forces> G) const override {
+    dilatation_forces(batch, G);
+  }
   void stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const override {
     lane_corotational_stiffness(rest_[batch], strain_[batch], K);
   }

@@ -91,21 +91,46 @@ void energy(const LaneRest& rest, const LaneStrain& strain, double* out) {
   }
 }
 
+/// Writes f_1 … f_3 (columns) of the elements from i on, and f_0 = −(f_1 + f_2 + f_3).
+HWY_INLINE void write_forces(const Matrix& columns, std::size_t i, std::span<Tet4Elements::Forces> out) {
+  alignas(64) LaneMatrix f;
+  store(columns, f, 0);
+  const std::size_t last = std::min(i + hn::Lanes(D()), out.size());
+  for (std::size_t e = i; e < last; ++e) {
+    auto* to = reinterpret_cast<double*>(&out[e]);
+    for (std::size_t k = 0; k < 9; ++k) to[3 + k] = f.at[k][e - i];
+    for (std::size_t k = 0; k < 3; ++k) to[k] = -(to[3 + k] + to[6 + k] + to[9 + k]);
+  }
+}
+
 void forces(const LaneRest& rest, const LaneStrain& strain, std::span<Tet4Elements::Forces> out) {
   const D d;
   for (std::size_t i = 0; i < out.size(); i += hn::Lanes(d)) {
     const Matrix F = load(strain.F, i), R = load(strain.R, i), B = load(rest.gradients, i);
     const V V0 = hn::Load(d, rest.volume + i), stretch = number(2) * hn::Load(d, rest.mu + i) * V0;
-    const V turn = hn::Load(d, rest.lambda + i) * (double_dot(R, F) - number(3)) * V0 - stretch;
+    const V pressure =
+        hn::Load(d, rest.lambda + i) * (double_dot(R, F) - number(3)) + hn::Load(d, strain.pressure + i);
+    const V turn = pressure * V0 - stretch;
     const Matrix P = {stretch * F.a + turn * R.a, stretch * F.b + turn * R.b, stretch * F.c + turn * R.c};
-    alignas(64) LaneMatrix f;
-    store({P * B.a, P * B.b, P * B.c}, f, 0);
-    const std::size_t last = std::min(i + hn::Lanes(d), out.size());
-    for (std::size_t e = i; e < last; ++e) {
-      auto* to = reinterpret_cast<double*>(&out[e]);
-      for (std::size_t k = 0; k < 9; ++k) to[3 + k] = f.at[k][e - i];
-      for (std::size_t k = 0; k < 3; ++k) to[k] = -(to[3 + k] + to[6 + k] + to[9 + k]);
-    }
+    write_forces({P * B.a, P * B.b, P * B.c}, i, out);
+  }
+}
+
+void dilatations(const LaneStrain& strain, std::span<double> theta) {
+  const D d;
+  for (std::size_t i = 0; i < theta.size(); i += hn::Lanes(d)) {
+    HWY_ALIGN double each[hn::MaxLanes(d)];
+    hn::Store(double_dot(load(strain.R, i), load(strain.F, i)) - number(3), d, each);
+    for (std::size_t e = i; e < std::min(i + hn::Lanes(d), theta.size()); ++e) theta[e] = each[e - i];
+  }
+}
+
+void turned(const LaneRest& rest, const LaneMatrix& R, std::span<Tet4Elements::Forces> G) {
+  const D d;
+  for (std::size_t i = 0; i < G.size(); i += hn::Lanes(d)) {
+    const TurnedGradients t = turned_gradients(load(R, i), load(rest.gradients, i));
+    const V V0 = hn::Load(d, rest.volume + i);
+    write_forces({V0 * t.r[1], V0 * t.r[2], V0 * t.r[3]}, i, G);
   }
 }
 
@@ -116,7 +141,8 @@ void stiffness(const LaneRest& rest, const LaneStrain& strain, std::span<Blocks>
     const Matrix R = load(strain.R, i);
     const V V0 = hn::Load(d, rest.volume + i), l = hn::Load(d, rest.lambda + i),
             m = number(2) * hn::Load(d, rest.mu + i), lambda = l * V0, two_mu = m * V0;
-    const Matrix C = half_twists(l, m, least_corotational_pair, load(strain.F, i), R);
+    const Matrix C =
+        half_twists(l, m, hn::Load(d, strain.pressure + i), least_corotational_pair, load(strain.F, i), R);
     const TurnedGradients t = turned_gradients(R, load(rest.gradients, i));
     for (int a = 0; a < 3; ++a) {
       // Rows of V [r_a]ₓ ½C.
@@ -170,6 +196,8 @@ HWY_EXPORT(gradients);
 HWY_EXPORT(rotations);
 HWY_EXPORT(energy);
 HWY_EXPORT(forces);
+HWY_EXPORT(dilatations);
+HWY_EXPORT(turned);
 HWY_EXPORT(stiffness);
 HWY_EXPORT(warped_stiffness);
 
@@ -185,6 +213,12 @@ void lane_corotational_energy(const LaneRest& rest, const LaneStrain& strain, do
 void lane_corotational_forces(const LaneRest& rest, const LaneStrain& strain,
                               std::span<Tet4Elements::Forces> out) {
   HWY_DYNAMIC_DISPATCH(forces)(rest, strain, out);
+}
+void lane_corotational_dilatations(const LaneStrain& strain, std::span<double> theta) {
+  HWY_DYNAMIC_DISPATCH(dilatations)(strain, theta);
+}
+void lane_turned_gradients(const LaneRest& rest, const LaneMatrix& R, std::span<Tet4Elements::Forces> G) {
+  HWY_DYNAMIC_DISPATCH(turned)(rest, R, G);
 }
 void lane_corotational_stiffness(const LaneRest& rest, const LaneStrain& strain,
                                  std::span<Tet4Elements::Stiffness> K) {

@@ -24,6 +24,10 @@ void lane_corotational_energy(const LaneRest& rest, const LaneStrain& strain, do
 /// V·P·b_a, N, of the first forces.size() elements.
 void lane_corotational_forces(const LaneRest& rest, const LaneStrain& strain,
                               std::span<Tet4Elements::Forces> forces);
+/// θ = R:F − 3 of the first theta.size() elements.
+void lane_corotational_dilatations(const LaneStrain& strain, std::span<double> theta);
+/// V·R·b_a, m²: V·∂θ/∂x_a of every objective law at F = R, and of the corotational one at any F.
+void lane_turned_gradients(const LaneRest& rest, const LaneMatrix& R, std::span<Tet4Elements::Forces> G);
 /// The projected tangent's blocks of the first K.size() elements, N/m.
 void lane_corotational_stiffness(const LaneRest& rest, const LaneStrain& strain,
                                  std::span<Tet4Elements::Stiffness> K);

@@ -20,8 +20,8 @@ std::unique_ptr<ElasticModel> make_elastic_model(const SoftDesc& desc, const Ana
   // What XPBD's pair of constraints stores.
   const std::string law = desc.model == "xpbd" ? "fem_neo_hookean_polynomial" : desc.model;
   const Materials materials = make_materials(desc, anatomy.tets);
-  if (desc.element == "tet10") return make_tet10_model(law, materials, anatomy.tets);
-  return make_tet4_model(law, materials, anatomy.tets);
+  if (desc.element == "tet10") return make_tet10_model(law, materials, desc.relaxation, anatomy.tets);
+  return make_tet4_model(law, materials, desc.relaxation, anatomy.tets);
 }
 
 }  // namespace prosector

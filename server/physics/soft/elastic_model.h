@@ -37,6 +37,16 @@ class ElasticModel {
   /// Hooke's stiffness turned with each element, likewise: positive semidefinite and of the size it has at
   /// rest, whatever the shape.
   virtual std::span<const Mat3> warped_stiffness(const double* x) = 0;
+
+  // ---- Viscoelastic relaxation, see relaxation.h; nothing to bodies without.
+  /// Numbers of history that a state carries.
+  virtual std::size_t history_size() const { return 0; }
+  /// From here on energy, gradient and tangent are what a step of h s from x stores.
+  virtual void begin_step(double /*h*/, const double* /*x*/, const double* /*history*/) {}
+  /// Takes a step that ended at x into the history.
+  virtual void end_step(const double* /*x*/, double* /*history*/) {}
+  /// From here on they are those of a body that has been held for ever.
+  virtual void relax_fully() {}
 };
 
 /// The row of the scene's `model` and its constants. Throws InputError for unknown rows and for constants

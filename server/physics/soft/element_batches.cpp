@@ -32,6 +32,10 @@ ElementBatches::ElementBatches(const Materials& materials, const Tet4Elements& e
   }
 }
 
+void ElementBatches::set_pressures(std::size_t batch, std::span<const double> pressure) {
+  std::copy(pressure.begin(), pressure.end(), strain_[batch].pressure);
+}
+
 std::size_t ElementBatches::count(std::size_t batch) const {
   return std::min(elements_per_batch, elements_.size() - first(batch));
 }

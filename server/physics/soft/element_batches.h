@@ -27,6 +27,14 @@ class ElementBatches {
   virtual double energy(std::size_t batch) const = 0;
   /// V·P·b_a, N, one entry per element of the batch.
   virtual void forces(std::size_t batch, std::span<Tet4Elements::Forces> f) const = 0;
+  /// θ of each element of the batch, see mean_dilatation.h.
+  virtual void dilatations(std::size_t batch, std::span<double> theta) const = 0;
+  /// V·∂θ/∂x_a, m², one entry per element of the batch.
+  virtual void dilatation_forces(std::size_t batch, std::span<Tet4Elements::Forces> G) const = 0;
+  /// The same at F = R.
+  virtual void warped_dilatation_forces(std::size_t batch, std::span<Tet4Elements::Forces> G) const = 0;
+  /// Pressures p, Pa, as which forces and stiffness take W + p·θ for W; none until set.
+  virtual void set_pressures(std::size_t batch, std::span<const double> pressure);
   /// The projected tangent, N/m, likewise.
   virtual void stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const = 0;
   /// Hooke's stiffness turned with each element: positive semidefinite and of the size it has at rest,

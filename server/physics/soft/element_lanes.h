@@ -19,9 +19,10 @@ struct LaneRest {
   alignas(64) double lambda[elements_per_batch], mu[elements_per_batch];  // Pa
 };
 
-/// F = R·S, see polar.h.
+/// F = R·S, see polar.h; and the pressure from outside.
 struct LaneStrain {
   LaneMatrix F, R;
+  alignas(64) double pressure[elements_per_batch] = {};  // Pa
 };
 
 }  // namespace prosector

@@ -5,6 +5,11 @@
 
 namespace prosector {
 
+/// Of element e; 0 where there are none.
+inline double pressure_at(std::span<const double> pressure, std::size_t e) {
+  return pressure.empty() ? 0 : pressure[e];
+}
+
 /// Small strain: W = μ‖ε‖² + λ/2 tr²ε, ε = sym(F) − I. Exact for small rotations only: turning the body
 /// strains it.
 std::unique_ptr<ConstitutiveLaw> make_fem_linear(const Material& constants);
@@ -28,6 +33,11 @@ std::unique_ptr<ConstitutiveLaw> make_fem_neo_hookean(const Material& constants)
 /// The same without the barrier (their eq. 11 with Λ = λ + μ): cheaper by a division, but a body squeezed
 /// far below its size may stay collapsed.
 std::unique_ptr<ConstitutiveLaw> make_fem_neo_hookean_polynomial(const Material& constants);
+
+/// make_fem_neo_hookean's tissue with fibres along a = constants.fiber that add k/8 ⟨|Fa|² − 1⟩² in tension,
+/// k = constants.fiber_stiffness; slack they add nothing (the quadratic member of the family of Holzapfel,
+/// Gasser & Ogden 2000). At small strain they raise the stiffness along a by k.
+std::unique_ptr<ConstitutiveLaw> make_fem_fibers(const Material& constants);
 
 /// Resists changes of volume only: W = λ/2 (J − 1)². What `mass_spring` adds to hold volume.
 std::unique_ptr<ConstitutiveLaw> make_volume_law(const Material& constants);

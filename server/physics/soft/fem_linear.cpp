@@ -29,15 +29,22 @@ class FemLinear final : public ConstitutiveLaw {
     }
   }
 
-  void stress(std::span<const Mat3> F, std::span<Mat3> P) const override {
+  void stress(std::span<const Mat3> F, std::span<const double> pressure, std::span<Mat3> P) const override {
     for (std::size_t e = 0; e < F.size(); ++e) {
       const Mat3 eps = strain(F[e]);
-      P[e] = 2 * mu_ * eps + lambda_ * eps.trace() * Mat3::Identity();
+      P[e] = 2 * mu_ * eps + (lambda_ * eps.trace() + pressure_at(pressure, e)) * Mat3::Identity();
     }
   }
 
-  void tangent(std::span<const Mat3> F, std::span<Mat9> dPdF) const override {
+  void tangent(std::span<const Mat3> F, std::span<const double>, std::span<Mat9> dPdF) const override {
     for (std::size_t e = 0; e < F.size(); ++e) dPdF[e] = tangent_;
+  }
+
+  void dilatation(std::span<const Mat3> F, std::span<double> theta) const override {
+    for (std::size_t e = 0; e < F.size(); ++e) theta[e] = F[e].trace() - 3;
+  }
+  void dilatation_gradient(std::span<const Mat3>, std::span<Mat3> gradient) const override {
+    for (Mat3& G : gradient) G.setIdentity();
   }
 
  private:

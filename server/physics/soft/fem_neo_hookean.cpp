@@ -44,32 +44,41 @@ class FemNeoHookean final : public ConstitutiveLaw {
     }
   }
 
-  void stress(std::span<const Mat3> F, std::span<Mat3> P) const override {
+  void stress(std::span<const Mat3> F, std::span<const double> pressure, std::span<Mat3> P) const override {
     for (std::size_t e = 0; e < F.size(); ++e) {
-      P[e] = shear(F[e].squaredNorm()) * F[e] + pressure(F[e].determinant()) * cofactor(F[e]);
+      const double k = volumetric(F[e].determinant()) + pressure_at(pressure, e);
+      P[e] = shear(F[e].squaredNorm()) * F[e] + k * cofactor(F[e]);
     }
   }
 
-  void tangent(std::span<const Mat3> F, std::span<Mat9> dPdF) const override {
+  void tangent(std::span<const Mat3> F, std::span<const double> pressure,
+               std::span<Mat9> dPdF) const override {
     for (std::size_t e = 0; e < F.size(); ++e) {
-      exact_tangent(F[e], dPdF[e]);
-      lift_negative(F[e], dPdF[e]);
+      exact_tangent(F[e], pressure_at(pressure, e), dPdF[e]);
+      lift_negative(F[e], pressure_at(pressure, e), dPdF[e]);
     }
+  }
+
+  void dilatation(std::span<const Mat3> F, std::span<double> theta) const override {
+    for (std::size_t e = 0; e < F.size(); ++e) theta[e] = F[e].determinant() - 1;
+  }
+  void dilatation_gradient(std::span<const Mat3> F, std::span<Mat3> gradient) const override {
+    for (std::size_t e = 0; e < F.size(); ++e) gradient[e] = cofactor(F[e]);
   }
 
  private:
   double shear(double I) const { return p_.m - p_.barrier / (I + 1); }
   double shear_slope(double I) const { return 2 * p_.barrier / ((I + 1) * (I + 1)); }
-  double pressure(double J) const { return p_.volume * (J - p_.alpha); }
+  double volumetric(double J) const { return p_.volume * (J - p_.alpha); }
 
-  void exact_tangent(const Mat3& F, Mat9& H) const {
+  void exact_tangent(const Mat3& F, double pressure, Mat9& H) const {
     const double I = F.squaredNorm();
     H.setIdentity();
     H *= shear(I);
     if (p_.barrier > 0) add_outer(shear_slope(I), vec(F), H);
     add_outer(p_.volume, vec(cofactor(F)), H);
     // ∂(cof F)/∂F: block (k, l) of columns is ±[f]ₓ of the third column.
-    const double k = pressure(F.determinant());
+    const double k = volumetric(F.determinant()) + pressure;
     for (int c = 0; c < 3; ++c) {
       const Mat3 X = k * cross_matrix(F.col(c));
       const int a = (c + 1) % 3, b = (c + 2) % 3;
@@ -80,13 +89,13 @@ class FemNeoHookean final : public ConstitutiveLaw {
 
   /// Raises negative eigenvalues to 0. With F = UΣVᵀ the eigenvectors are known (Smith et al., §4.2): twists
   /// and flips with a ± kσ, and three within the span of the scalings.
-  void lift_negative(const Mat3& F, Mat9& H) const {
+  void lift_negative(const Mat3& F, double pressure, Mat9& H) const {
     const Polar p = polar(F);
     const SymmetricEigen eigen = symmetric_eigen(p.S);
     const Mat3& V = eigen.vectors;
     const Mat3 U = p.R * V;
     const Vec3& s = eigen.values;
-    const double I = s.squaredNorm(), a = shear(I), k = pressure(s[0] * s[1] * s[2]);
+    const double I = s.squaredNorm(), a = shear(I), k = volumetric(s[0] * s[1] * s[2]) + pressure;
     for (int c = 0; c < 3; ++c) {
       const int i = (c + 1) % 3, j = (c + 2) % 3;
       const double twist = a + k * s[c], flip = a - k * s[c];

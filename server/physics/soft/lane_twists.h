@@ -31,10 +31,12 @@ HWY_INLINE void rotate(M active, V& a_pp, V& a_qq, V& a_pq, V& a_rp, V& a_rq, Ve
   u_q = s * p + c * u_q;
 }
 
-/// ½C = ½ Σ c_k u_k u_kᵀ with c_k = max(slope/max(σᵢ + σⱼ, least_pair), −2μ): cyclic Jacobi on S, see
-/// symmetric_eigen.h, whose vectors start as R's columns and so become u_k = R·v_k. They need to be exact
-/// only as far as Newton needs its matrix; that they are orthonormal keeps the projection exact.
-HWY_INLINE Matrix half_twists(V lambda, V two_mu, double least_pair, const Matrix& F, const Matrix& R) {
+/// ½C = ½ Σ c_k u_k u_kᵀ with c_k = max(slope/max(σᵢ + σⱼ, least_pair), −2μ), slope = 2(λ tr(S − I) + p −
+/// 2μ): cyclic Jacobi on S, see symmetric_eigen.h, whose vectors start as R's columns and so become u_k =
+/// R·v_k. They need to be exact only as far as Newton needs its matrix; that they are orthonormal keeps the
+/// projection exact.
+HWY_INLINE Matrix half_twists(V lambda, V two_mu, V pressure, double least_pair, const Matrix& F,
+                              const Matrix& R) {
   const V half = number(0.5);
   V s00 = dot(R.a, F.a), s11 = dot(R.b, F.b), s22 = dot(R.c, F.c);
   V s01 = half * (dot(R.a, F.b) + dot(R.b, F.a)), s02 = half * (dot(R.a, F.c) + dot(R.c, F.a)),
@@ -49,7 +51,7 @@ HWY_INLINE Matrix half_twists(V lambda, V two_mu, double least_pair, const Matri
     rotate(active, s00, s22, s02, s01, s12, u.a, u.c);
     rotate(active, s11, s22, s12, s01, s02, u.b, u.c);
   }
-  const V slope = number(2) * (lambda * (trace - number(3)) - two_mu);
+  const V slope = number(2) * (lambda * (trace - number(3)) + pressure - two_mu);
   const auto coefficient = [&](V pair) HWY_ATTR {
     return half * hn::Max(slope / hn::Max(pair, number(least_pair)), zero() - two_mu);
   };

@@ -36,7 +36,7 @@ class LawBatches final : public ElementBatches {
   void forces(std::size_t batch, std::span<Tet4Elements::Forces> f) const override {
     std::array<Mat3, elements_per_batch> P;
     for_laws(batch, [&](const ConstitutiveLaw& law, auto F, std::size_t at) {
-      law.stress(F, std::span(&P[at], F.size()));
+      law.stress(F, pressures(batch, at, F.size()), std::span(&P[at], F.size()));
     });
     for (std::size_t e = 0; e < f.size(); ++e) elements_.forces(first(batch) + e, P[e], f[e]);
   }
@@ -44,12 +44,38 @@ class LawBatches final : public ElementBatches {
   void stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const override {
     std::array<Mat9, elements_per_batch> dPdF;
     for_laws(batch, [&](const ConstitutiveLaw& law, auto F, std::size_t at) {
-      law.tangent(F, std::span(&dPdF[at], F.size()));
+      law.tangent(F, pressures(batch, at, F.size()), std::span(&dPdF[at], F.size()));
     });
     for (std::size_t e = 0; e < K.size(); ++e) elements_.stiffness(first(batch) + e, dPdF[e], K[e]);
   }
 
+  void dilatations(std::size_t batch, std::span<double> theta) const override {
+    for_laws(batch, [&](const ConstitutiveLaw& law, auto F, std::size_t at) {
+      law.dilatation(F, theta.subspan(at, F.size()));
+    });
+  }
+
+  void dilatation_forces(std::size_t batch, std::span<Tet4Elements::Forces> G) const override {
+    std::array<Mat3, elements_per_batch> gradient;
+    for_laws(batch, [&](const ConstitutiveLaw& law, auto F, std::size_t at) {
+      law.dilatation_gradient(F, std::span(&gradient[at], F.size()));
+    });
+    for (std::size_t e = 0; e < G.size(); ++e) elements_.forces(first(batch) + e, gradient[e], G[e]);
+  }
+
+  void warped_dilatation_forces(std::size_t batch, std::span<Tet4Elements::Forces> G) const override {
+    lane_turned_gradients(rest_[batch], warp(batch), G);
+  }
+
   void warped_stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const override {
+    const LaneMatrix R = warp(batch);
+    lane_warped_stiffness(rest_[batch], R, K);
+    for (std::size_t e = 0; e < K.size(); ++e) add_fiber(first(batch) + e, R, e, K[e]);
+  }
+
+ private:
+  /// R of the batch's strain; I where objective laws have R and this one is not.
+  LaneMatrix warp(std::size_t batch) const {
     LaneStrain strain = strain_[batch];
     if (objective()) {
       lane_rotations(strain);
@@ -58,10 +84,27 @@ class LawBatches final : public ElementBatches {
         for (double& entry : strain.R.at[k]) entry = k % 4 == 0 ? 1 : 0;
       }
     }
-    lane_warped_stiffness(rest_[batch], strain.R, K);
+    return strain.R;
   }
 
- private:
+  /// What fibres add along themselves, turned, unless they are slack.
+  void add_fiber(std::size_t e, const LaneMatrix& R, std::size_t lane, Tet4Elements::Stiffness& K) const {
+    const Material& material = materials_.of(e);
+    if (material.fiber_stiffness == 0 || (F_[e] * material.fiber).squaredNorm() < 1 - 1e-9) return;
+    Mat3 turn;
+    for (std::size_t k = 0; k < 9; ++k) turn.data()[k] = R.at[k][lane];
+    const Vec3 a = turn * material.fiber, b = elements_.gradients(e).transpose() * material.fiber;
+    const std::array<double, 4> along = {-b.sum(), b[0], b[1], b[2]};
+    const Mat3 aa = elements_.volume(e) * material.fiber_stiffness * a * a.transpose();
+    for (int p = 0; p < 4; ++p)
+      for (int q = p + 1; q < 4; ++q)
+        K[static_cast<std::size_t>(Tet4Elements::pair_index(p, q))] +=
+            along[static_cast<std::size_t>(p)] * along[static_cast<std::size_t>(q)] * aa;
+  }
+
+  std::span<const double> pressures(std::size_t batch, std::size_t at, std::size_t n) const {
+    return std::span<const double>(strain_[batch].pressure).subspan(at, n);
+  }
   /// Calls f(law, gradients, place of the first in the batch) for each run of elements of one material.
   template <class Call>
   void for_laws(std::size_t batch, const Call& f) const {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/error.h"
 #include "server/physics/soft/constitutive_law.h"
@@ -37,6 +38,30 @@ std::vector<std::string> integrators_for(const ModelRow& model) {
   return names;
 }
 
+namespace {
+
+void check_relaxation(const SoftDesc& desc) {
+  if (desc.model.rfind("fem_", 0) != 0)
+    throw InputError(fmt::format(
+        "has relaxation, which model \"{}\" does not know; allowed: those that start with fem_", desc.model));
+  std::vector<std::string> implicit;
+  for (const IntegratorRow& row : integrators()) implicit.emplace_back(row.name);
+  if (std::find(implicit.begin(), implicit.end(), desc.integrator) == implicit.end())
+    throw InputError(fmt::format("integrator is \"{}\"; allowed with relaxation: {}", desc.integrator,
+                                 fmt::join(implicit, ", ")));
+  double shares = 0;
+  for (const RelaxationDesc& term : desc.relaxation) {
+    if (!(term.share > 0 && term.time > 0) || !std::isfinite(term.time))
+      throw InputError(fmt::format("relaxation has share {} and time {} s; allowed: both positive",
+                                   term.share, term.time));
+    shares += term.share;
+  }
+  if (!(shares < 1))
+    throw InputError(fmt::format("the shares of relaxation add up to {}; allowed: below 1", shares));
+}
+
+}  // namespace
+
 void check_rung(const SoftDesc& desc, const Anatomy& anatomy) {
   const ModelRow& model = find_row(models(), "model", desc.model);
   const MeshKind kind = mesh_kind(anatomy);
@@ -51,14 +76,15 @@ void check_rung(const SoftDesc& desc, const Anatomy& anatomy) {
     throw InputError(fmt::format("element is \"tet10\"; allowed with model \"{}\": tet4", desc.model));
   if (!desc.regions.empty() && kind != MeshKind::tets)
     throw InputError("has regions, which need tetrahedra; a sheet or rope is of one material");
-  if (desc.fiber_stiffness > 0)
-    throw InputError(fmt::format("has fiber_stiffness, which model \"{}\" does not know", desc.model));
-  if (!desc.relaxation.empty())
-    throw InputError(fmt::format("has relaxation, which model \"{}\" does not know", desc.model));
+  if (desc.fiber_stiffness > 0 && desc.model != "fem_fibers")
+    throw InputError(
+        fmt::format("fiber_stiffness is {} Pa; allowed with model \"{}\": 0 (fem_fibers has fibres)",
+                    desc.fiber_stiffness, desc.model));
   const auto allowed = integrators_for(model);
   if (std::find(allowed.begin(), allowed.end(), desc.integrator) == allowed.end())
     throw InputError(fmt::format("integrator is \"{}\"; allowed with model \"{}\": {}", desc.integrator,
                                  desc.model, fmt::join(allowed, ", ")));
+  if (!desc.relaxation.empty()) check_relaxation(desc);
 }
 
 }  // namespace prosector

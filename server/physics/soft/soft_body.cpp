@@ -67,6 +67,7 @@ struct SoftBody::Impl {
   bool damped, uses_single = false;
   VecX x_n, drift, damping;  // 3n: x_n; x − x_v; K(x_n)·drift
   bool drift_known = false;
+  bool relaxed = false;  // see set_relaxed
   mutable std::unique_ptr<Cholesky> cholesky;
   mutable bool factored = false;
   mutable std::unique_ptr<Multigrid> multigrid;
@@ -210,6 +211,7 @@ SoftBodyState SoftBody::initial_state() const {
   const VecX still = VecX::Zero(rest.size());
   state.motion = {rest, still, rest, still, false};
   state.warm_start = still;
+  state.history = VecX::Zero(static_cast<Eigen::Index>(impl_->model->history_size()));
   if (impl_->substepper) impl_->substepper->initialise(state);
   return state;
 }
@@ -220,6 +222,14 @@ void SoftBody::begin_stage(int stage_index, double h, const Vec3& gravity, const
   m.x_n = state.motion.x;
   m.multigrid_turned = m.drift_known = false;
   if (m.damped) m.pattern.gather(m.model->warped_stiffness(m.x_n.data()), 0, {}, m.start_stiffness);
+  if (m.relaxed)
+    m.model->relax_fully();
+  else
+    m.model->begin_step(m.integrator->share(stage_index) * h, m.x_n.data(), state.history.data());
+}
+
+void SoftBody::set_relaxed(bool relaxed) {
+  impl_->relaxed = relaxed;
 }
 
 const Stage& SoftBody::stage() const {
@@ -330,6 +340,7 @@ void SoftBody::finish_stage(int stage_index, double h, const Eigen::Ref<const Ve
   const Impl& m = *impl_;
   if (stage_index == 0) state.warm_start = -h * state.motion.v;
   m.integrator->finish(stage_index, h, m.stage, x, state.motion);
+  if (!m.relaxed) m.model->end_step(x.data(), state.history.data());
   if (stage_index + 1 == m.integrator->stages()) state.warm_start += h * state.motion.v;
 }
 
@@ -338,6 +349,7 @@ double SoftBody::elastic_energy(const Eigen::Ref<const VecX>& x) {
   const double springs = m.node_sum([&](Eigen::Index i) {
     return 0.5 * m.attached[i] * (x.segment<3>(3 * i) - m.rest().segment<3>(3 * i)).squaredNorm();
   });
+  m.model->relax_fully();
   return springs + m.model->energy(x.data());
 }
 

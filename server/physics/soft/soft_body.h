@@ -77,10 +77,13 @@ class SoftBody {
   /// its coarse levels when the body is made with this solver, else at the first call.
   void multigrid_solve(std::span<const Mat3> diagonal, std::span<const Mat3> inverse, const double* r,
                        double* z) const;
+  /// While true, steps are those of a body that has been held for ever, whatever its relaxation: for finding
+  /// its equilibrium.
+  void set_relaxed(bool relaxed);
   /// Takes the minimiser into the state.
   void finish_stage(int stage_index, double h, const Eigen::Ref<const VecX>& x, SoftBodyState& state) const;
 
-  /// Elastic + attachment energy at x, J (for reports; without inertia and damping).
+  /// Elastic + attachment energy at x, J, of what has relaxed (for reports; without inertia and damping).
   double elastic_energy(const Eigen::Ref<const VecX>& x);
   double kinetic_energy(const SoftBodyState& state) const;  // J
   /// Share of the rest volume that is inside out at x, or flat; 0 for sheets and ropes, which have no inside.

@@ -8,6 +8,7 @@ namespace prosector {
 struct SoftBodyState {
   Motion motion;
   VecX warm_start;  // 3n, m: last step's change of velocity times h, see SoftBody::initial_guess
+  VecX history;     // viscoelastic, see relaxation.h; empty: none
   bool asleep = true;
   int quiet_ticks = 0;
   int tangled_ticks = 0;  // in a row with inverted elements and nothing that holds them so

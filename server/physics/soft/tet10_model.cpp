@@ -1,10 +1,13 @@
 #include "server/physics/soft/tet10_model.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "server/physics/parallel.h"
 #include "server/physics/soft/element_batches.h"
+#include "server/physics/soft/mean_dilatation.h"
 #include "server/physics/soft/node_vectors.h"
+#include "server/physics/soft/relaxation.h"
 #include "server/physics/soft/tet10.h"
 
 namespace prosector {
@@ -23,20 +26,29 @@ Connectivity connect(std::size_t node_count, const Tet10Elements& elements) {
 
 class Tet10Model final : public ElasticModel {
  public:
-  Tet10Model(const std::string& law, const Materials& materials, const TetMesh& mesh)
+  Tet10Model(const std::string& law, const SplitMaterials& materials,
+             const std::vector<RelaxationDesc>& relaxation, const TetMesh& mesh)
       : elements_(mesh),
         points_(elements_.points()),
         rest_(to_vector(mesh.positions)),
         connectivity_(connect(mesh.positions.size(), elements_)),
         incidence_(connectivity_),
-        batches_(make_batches(law, materials.at(elements_.point_source()), points_)),
+        batches_(
+            make_relaxing_batches(law, materials.local.at(elements_.point_source()), relaxation, points_)),
+        relaxing_(dynamic_cast<RelaxingBatches*>(batches_.get())),
         corners_(12 * points_.size()),
         sums_(chunk_count(elements_.size(), elements_per_chunk)),
         point_forces_(points_.size()),
         point_stiffness_(points_.size()),
         forces_(nodes * elements_.size()),
         stiffness_(pairs * elements_.size()),
-        moved_to_(VecX::Zero(rest_.size())) {}
+        moved_to_(VecX::Zero(rest_.size())) {
+    if (materials.mean.empty()) return;
+    for (std::size_t e = 0; e < elements_.size(); ++e)
+      mean_modulus_.push_back(
+          materials.mean[materials.local.kind_of(elements_.point_source()[per_element * e])]);
+    mean_dilatation_.resize(elements_.size());
+  }
 
   const VecX& rest() const override { return rest_; }
   const VecX& volume() const override { return elements_.lumped_volume(); }
@@ -46,7 +58,15 @@ class Tet10Model final : public ElasticModel {
 
   double energy(const double* x) override {
     move(x);
-    for_chunks([&](std::size_t chunk, std::size_t, std::size_t) { sums_[chunk] = batches_->energy(chunk); });
+    for_chunks([&](std::size_t chunk, std::size_t first, std::size_t last) {
+      double sum = batches_->energy(chunk);
+      if (!mean_modulus_.empty()) {
+        for (std::size_t e = first; e < last; ++e)
+          sum += 0.5 * instant_share() * mean_modulus_[e] * volume_of(e) * mean_dilatation_[e] *
+                 mean_dilatation_[e];
+      }
+      sums_[chunk] = sum;
+    });
     return ordered_sum(sums_);
   }
 
@@ -62,10 +82,30 @@ class Tet10Model final : public ElasticModel {
   }
 
   std::span<const Mat3> tangent(const double* x) override {
-    return stiffness(x, [this](std::size_t chunk, auto K) { batches_->stiffness(chunk, K); });
+    return stiffness(
+        x, [this](std::size_t chunk, auto K) { batches_->stiffness(chunk, K); }, instant_share(),
+        [this](std::size_t chunk, auto G) { batches_->dilatation_forces(chunk, G); });
   }
   std::span<const Mat3> warped_stiffness(const double* x) override {
-    return stiffness(x, [this](std::size_t chunk, auto K) { batches_->warped_stiffness(chunk, K); });
+    return stiffness(
+        x, [this](std::size_t chunk, auto K) { batches_->warped_stiffness(chunk, K); }, 1,
+        [this](std::size_t chunk, auto G) { batches_->warped_dilatation_forces(chunk, G); });
+  }
+
+  std::size_t history_size() const override { return relaxing_ ? relaxing_->history_size() : 0; }
+  void begin_step(double h, const double* x, const double* history) override {
+    if (!relaxing_) return;
+    move(x);
+    relaxing_->set_step(h);
+    for_chunks([&](std::size_t batch, std::size_t, std::size_t) { relaxing_->begin_step(batch, history); });
+  }
+  void end_step(const double* x, double* history) override {
+    if (!relaxing_) return;
+    move(x);
+    for_chunks([&](std::size_t batch, std::size_t, std::size_t) { relaxing_->end_step(batch, history); });
+  }
+  void relax_fully() override {
+    if (relaxing_) relaxing_->relax_fully();
   }
 
  private:
@@ -76,16 +116,50 @@ class Tet10Model final : public ElasticModel {
                     [&](std::size_t first, std::size_t last, std::size_t chunk) { f(chunk, first, last); });
   }
 
-  template <class F>
-  std::span<const Mat3> stiffness(const double* x, const F& of_points) {
+  /// What of the mean's part a step stores, as of the points'.
+  double instant_share() const { return relaxing_ ? relaxing_->instant_share() : 1; }
+  /// All of an element's points have the same share of its volume.
+  double volume_of(std::size_t e) const { return per_element * points_.volume(per_element * e); }
+
+  /// of_points(chunk, K), and of what the mean dilatation couples, dilatation(chunk, G).
+  template <class F, class Dilatation>
+  std::span<const Mat3> stiffness(const double* x, const F& of_points, double share,
+                                  const Dilatation& dilatation) {
     move(x);
     for_chunks([&](std::size_t chunk, std::size_t first, std::size_t last) {
       of_points(chunk,
                 std::span(point_stiffness_).subspan(per_element * first, per_element * (last - first)));
       for (std::size_t e = first; e < last; ++e)
         Tet10Elements::gather(&point_stiffness_[per_element * e], &stiffness_[pairs * e]);
+      if (mean_modulus_.empty()) return;
+      std::array<Tet4Elements::Forces, elements_per_batch> G;
+      dilatation(chunk, std::span(G.data(), per_element * (last - first)));
+      for (std::size_t e = first; e < last; ++e)
+        add_mean(share * mean_modulus_[e] / volume_of(e), &G[per_element * (e - first)],
+                 &stiffness_[pairs * e]);
     });
     return stiffness_;
+  }
+
+  /// K += scale·G·Gᵀ, G gathered from the points.
+  static void add_mean(double scale, const Tet4Elements::Forces* points, Mat3* K) {
+    std::array<Vec3, nodes> G;
+    Tet10Elements::gather(points, G.data());
+    for (std::size_t a = 0; a < nodes; ++a)
+      for (std::size_t b = a + 1; b < nodes; ++b) *K++ += scale * G[a] * G[b].transpose();
+  }
+
+  /// Sets the pressures that the elements' mean dilatation raises.
+  void average(std::size_t chunk, std::size_t first, std::size_t last) {
+    std::array<double, elements_per_batch> values;  // θ, then p
+    const std::span<double> of_points(values.data(), per_element * (last - first));
+    batches_->dilatations(chunk, of_points);
+    for (std::size_t e = first; e < last; ++e) {
+      const std::span<double> own = of_points.subspan(per_element * (e - first), per_element);
+      mean_dilatation_[e] = (own[0] + own[1] + own[2] + own[3]) / per_element;
+      std::fill(own.begin(), own.end(), mean_modulus_[e] * mean_dilatation_[e]);
+    }
+    batches_->set_pressures(chunk, of_points);
   }
 
   /// As Tet4Model's.
@@ -97,6 +171,7 @@ class Tet10Model final : public ElasticModel {
     for_chunks([&](std::size_t chunk, std::size_t first, std::size_t last) {
       for (std::size_t e = first; e < last; ++e) elements_.move(e, x, &corners_[12 * per_element * e]);
       batches_->move(chunk, corners_.data());
+      if (!mean_modulus_.empty()) average(chunk, first, last);
     });
   }
 
@@ -106,8 +181,10 @@ class Tet10Model final : public ElasticModel {
   Connectivity connectivity_;
   Incidence incidence_;
   std::unique_ptr<ElementBatches> batches_;
-  std::vector<double> corners_;  // 12 a point: its D_c
-  std::vector<double> sums_;     // J, one a chunk
+  RelaxingBatches* relaxing_ = nullptr;                 // batches_ where stress relaxes
+  std::vector<double> mean_modulus_, mean_dilatation_;  // λ'' (Pa) and θ̄ of each element; empty: none
+  std::vector<double> corners_;                         // 12 a point: its D_c
+  std::vector<double> sums_;                            // J, one a chunk
   std::vector<Tet4Elements::Forces> point_forces_;
   std::vector<Tet4Elements::Stiffness> point_stiffness_;
   std::vector<Vec3> forces_;
@@ -119,8 +196,9 @@ class Tet10Model final : public ElasticModel {
 }  // namespace
 
 std::unique_ptr<ElasticModel> make_tet10_model(const std::string& law, const Materials& materials,
+                                               const std::vector<RelaxationDesc>& relaxation,
                                                const TetMesh& mesh) {
-  return std::make_unique<Tet10Model>(law, materials, mesh);
+  return std::make_unique<Tet10Model>(law, split_volume(materials), relaxation, mesh);
 }
 
 }  // namespace prosector

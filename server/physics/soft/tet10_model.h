@@ -6,8 +6,10 @@
 
 namespace prosector {
 
-/// `law` is a row of laws(); `mesh` has its edges' nodes (add_edge_nodes). Throws InputError.
+/// With mean_dilatation.h's remedy for locking. `law` is a row of laws(); `mesh` has its edges' nodes
+/// (add_edge_nodes). Throws InputError.
 std::unique_ptr<ElasticModel> make_tet10_model(const std::string& law, const Materials& materials,
+                                               const std::vector<RelaxationDesc>& relaxation,
                                                const TetMesh& mesh);
 
 }  // namespace prosector

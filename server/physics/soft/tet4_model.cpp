@@ -6,6 +6,7 @@
 #include "server/physics/soft/element_batches.h"
 #include "server/physics/soft/fem_laws.h"
 #include "server/physics/soft/node_vectors.h"
+#include "server/physics/soft/relaxation.h"
 #include "server/physics/soft/tet4.h"
 
 namespace prosector {
@@ -41,7 +42,9 @@ class Tet4Model final : public ElasticModel {
         sums_(chunk_count(elements_.size(), elements_per_batch)),
         forces_(elements_.size()),
         stiffness_(elements_.size()),
-        moved_to_(VecX::Zero(rest_.size())) {}
+        moved_to_(VecX::Zero(rest_.size())) {
+    relaxing_ = dynamic_cast<RelaxingBatches*>(batches_.get());
+  }
 
   const VecX& rest() const override { return rest_; }
   const VecX& volume() const override { return volume_; }
@@ -80,6 +83,22 @@ class Tet4Model final : public ElasticModel {
     return flat(stiffness_);
   }
 
+  std::size_t history_size() const override { return relaxing_ ? relaxing_->history_size() : 0; }
+  void begin_step(double h, const double* x, const double* history) override {
+    if (!relaxing_) return;
+    move(x);
+    relaxing_->set_step(h);
+    for_batches([&](std::size_t batch, std::size_t, std::size_t) { relaxing_->begin_step(batch, history); });
+  }
+  void end_step(const double* x, double* history) override {
+    if (!relaxing_) return;
+    move(x);
+    for_batches([&](std::size_t batch, std::size_t, std::size_t) { relaxing_->end_step(batch, history); });
+  }
+  void relax_fully() override {
+    if (relaxing_) relaxing_->relax_fully();
+  }
+
  private:
   /// Calls f(batch, first, count) for all batches of elements.
   template <class F>
@@ -104,7 +123,8 @@ class Tet4Model final : public ElasticModel {
   Connectivity connectivity_;
   Incidence incidence_;
   std::unique_ptr<ElementBatches> batches_;
-  std::vector<double> sums_;  // J, one a batch
+  RelaxingBatches* relaxing_ = nullptr;  // batches_ where stress relaxes
+  std::vector<double> sums_;             // J, one a batch
   std::vector<Forces> forces_;
   std::vector<Stiffness> stiffness_;
   VecX moved_to_;  // 3n: where `batches_` are
@@ -114,9 +134,10 @@ class Tet4Model final : public ElasticModel {
 }  // namespace
 
 std::unique_ptr<ElasticModel> make_tet4_model(const std::string& law, const Materials& materials,
+                                              const std::vector<RelaxationDesc>& relaxation,
                                               const TetMesh& mesh) {
   return std::make_unique<Tet4Model>(mesh, [&](const Tet4Elements& elements) {
-    return make_batches(law, materials.at(elements.source()), elements);
+    return make_relaxing_batches(law, materials.at(elements.source()), relaxation, elements);
   });
 }
 

@@ -48,6 +48,8 @@ class TimeIntegrator {
  public:
   virtual ~TimeIntegrator() = default;
   virtual int stages() const = 0;
+  /// Of the step: what time the stage covers.
+  virtual double share(int /*stage_index*/) const { return 1; }
   /// `h` s, `gravity` m/s² (zero for bodies without). Writes into `stage` without allocating once sized.
   virtual void begin(int stage_index, double h, const Vec3& gravity, const Motion& motion,
                      Stage& stage) const = 0;

@@ -15,6 +15,7 @@ const double gamma = 2 - std::sqrt(2.0);
 class TrBdf2 final : public TimeIntegrator {
  public:
   int stages() const override { return 2; }
+  double share(int stage_index) const override { return stage_index == 0 ? gamma : 1 - gamma; }
 
   void begin(int stage_index, double h, const Vec3& gravity, const Motion& motion,
              Stage& stage) const override {

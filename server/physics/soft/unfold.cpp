@@ -54,6 +54,7 @@ void unfold(const VecX& rest, const VecX& mass, SoftBodyState& state) {
     v.segment<3>(3 * i) = velocity + omega.cross(x.segment<3>(3 * i) - to);
   state.motion.has_history = false;
   state.warm_start.setZero();
+  state.history.setZero();
 }
 
 }  // namespace prosector
