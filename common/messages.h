@@ -15,7 +15,7 @@
 
 namespace prosector {
 
-inline constexpr std::uint32_t protocol_version = 1;
+inline constexpr std::uint32_t protocol_version = 2;
 
 using ParticipantId = std::uint64_t;  // drawn at random by each client; 0 is nobody
 using BodyId = std::uint32_t;         // index into SceneInfo::bodies
@@ -147,6 +147,8 @@ struct SceneBody {
   std::uint32_t chunk_points = 0;  // soft only: points per SoftState chunk (the last may hold fewer)
   double tube_diameter = 0;        // m: soft without triangles, whose vertices in order are a tube's axis
   Appearance appearance;
+  std::string method;         // soft only, for people: how it is simulated, and why so if the server chose
+  bool show_figures = false;  // soft only: show its BodyStatus above it
 };
 
 enum class LightKind : std::uint8_t { directional, point, spot };
@@ -266,9 +268,30 @@ struct ServerStatus {
   std::string degraded;               // bodies reset, not converged or slowed, by name; empty is well
 };
 
+/// server → all, about 2 Hz while it is awake, keyed by body: how one deformable is stepped, and what of its
+/// shape is not to be relied on. Both errors are estimates: `residual` is measured, of the solves of the last
+/// second; `error` is looked up in what the server measured on a bending beam as fine and as long (docs/
+/// soft-tissue.md).
+struct BodyStatus {
+  BodyId body = 0;
+  SimTime time;
+  bool asleep = false;
+  bool converged = true;         // in all ticks since the last one
+  std::uint32_t substeps = 0;    // explicit and position-based bodies: in the last tick; 0: solved at once
+  double step = 0;               // s: length of its time steps
+  double newton_iterations = 0;  // mean over the ticks since the last one, likewise:
+  double solver_iterations = 0;  // of the linear solver
+  double residual = 0;           // worst: force left unbalanced by a linear solve, over what it started from
+  double correction = 0;         // m, worst: how far the last Newton step still moved a node
+  double error = -1;             // of displacements against the continuum, fraction; < 0: not known
+  double expected_ms = -1;       // CPU ms a frame that were expected when it was chosen; < 0: not chosen
+  std::uint32_t stepped_down = 0;  // by how many steps it is solved less exactly because of overload
+};
+inline constexpr std::uint32_t max_steps_down = 3;
+
 /// Everything that a Bus carries. Order is not meaning.
-using Message =
-    std::variant<SessionInfo, Presence, RosterEntry, HandInput, UserState, Command, CommandResult, SceneInfo,
-                 AssetChunk, RigidState, SoftState, Settled, TopologyRevision, ContactSample, ServerStatus>;
+using Message = std::variant<SessionInfo, Presence, RosterEntry, HandInput, UserState, Command, CommandResult,
+                             SceneInfo, AssetChunk, RigidState, SoftState, Settled, TopologyRevision,
+                             ContactSample, ServerStatus, BodyStatus>;
 
 }  // namespace prosector

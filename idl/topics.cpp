@@ -25,6 +25,7 @@ const std::array<TopicSpec, topic_count> topics{{
   {"TopologyRevision",  Writers::server,      true,    true,   4096, 0,   false, false,    0,  0},
   {"ContactSample",     Writers::server,      false,   false,     1, 0,   false, false,    0,  0,    8},
   {"ServerStatus",      Writers::server,      false,   false,     1, 0,   false, false,    0,  0},
+  {"BodyStatus",        Writers::server,      true,    true,      1, 0,   false, false,    0,  0},
 }};
 // clang-format on
 
@@ -68,6 +69,7 @@ struct KeyOf {
   requires requires(M m) { m.body, m.revision; }
   InstanceKey operator()(const M& m) const { return {m.body, 0, 0}; }
   InstanceKey operator()(const RigidState& m) const { return {m.body, 0, 0}; }
+  InstanceKey operator()(const BodyStatus& m) const { return {m.body, 0, 0}; }
 };
 
 struct KeyOnly {

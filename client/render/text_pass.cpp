@@ -19,9 +19,11 @@ std::optional<Eigen::Vector2d> origin_of(const DrawText& text, const Eigen::Matr
   if (clip.w() <= 0) return std::nullopt;
   const Eigen::Vector2d center((clip.x() / clip.w() + 1) / 2 * viewport.width,
                                (1 - clip.y() / clip.w()) / 2 * viewport.height);
+  const auto more_lines = static_cast<double>(std::count(text.text.begin(), text.text.end(), '\n'));
+  const Eigen::Vector2d size(text_width(text.text, text.height),
+                             text.height + more_lines * line_spacing(text.height));
   // Whole pixels, so that strokes stay crisp; the text stands above its place.
-  return Eigen::Vector2d(
-      (center - Eigen::Vector2d(text_width(text.text, text.height) / 2, text.height)).array().round());
+  return Eigen::Vector2d((center - Eigen::Vector2d(size.x() / 2, size.y())).array().round());
 }
 
 void add_strokes(std::vector<ScreenVertex>& out, const std::vector<TextStroke>& strokes,

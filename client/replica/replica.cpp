@@ -79,6 +79,7 @@ void Replica::apply(const Message& message, std::int64_t arrival_ns) {
                    timed(m.time);
                    status_ = m;
                  },
+                 [&](const BodyStatus& m) { body_status_[m.body] = m; },
                  [](const auto&) {},  // what only the server reads
              },
              message);
@@ -174,6 +175,11 @@ std::uint64_t Replica::topology_hash() const {
 const ContactSample* Replica::contact(ParticipantId participant, std::size_t hand) const {
   const auto it = contacts_.find({participant, static_cast<std::uint8_t>(hand)});
   return it == contacts_.end() ? nullptr : &it->second;
+}
+
+const BodyStatus* Replica::body_status(BodyId body) const {
+  const auto it = body_status_.find(body);
+  return it == body_status_.end() ? nullptr : &it->second;
 }
 
 const RigidReplica* Replica::rigid(BodyId body) const {

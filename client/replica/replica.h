@@ -43,6 +43,8 @@ class Replica {
   const std::map<ParticipantId, RosterEntry>& roster() const { return roster_; }
   const std::optional<ServerStatus>& status() const { return status_; }
   const ContactSample* contact(ParticipantId participant, std::size_t hand) const;
+  /// Null before its first, and for rigid bodies.
+  const BodyStatus* body_status(BodyId body) const;
   const RigidReplica* rigid(BodyId body) const;
   SoftReplica* soft(BodyId body);
   bool server_gone() const { return server_gone_; }
@@ -70,6 +72,7 @@ class Replica {
   std::vector<SoftState> early_soft_;  // arrived before the scene or its assets
   std::map<BodyId, Settled> settled_;
   std::optional<ServerStatus> status_;
+  std::map<BodyId, BodyStatus> body_status_;
   bool complete_ = false, server_gone_ = false;
   std::uint64_t refused_ = 0;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "client/view/avatar.h"
+#include "client/view/body_figures.h"
 #include "client/view/body_mesh.h"
 #include "client/view/camera.h"
 #include "client/view/hand_mesh.h"
@@ -40,6 +41,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   add_room();
   add_bodies(replica, tick);
   add_users(replica, tick, self, settings.follow);
+  if (settings.overlay) add_figures(replica);
   if (settings.overlay) add_overlay(replica, settings);
   return list_;
 }
@@ -127,6 +129,22 @@ void SceneView::add_hand(ParticipantId who, std::size_t hand, const HandPose& po
   if (!mesh) mesh = skin.make_mesh(next_mesh_id_++);
   skin.bend(*mesh, pose.flexion);
   list_.items.push_back({.mesh = mesh, .pose = pose.pose, .appearance = glove(color)});
+}
+
+/// Above each body whose scene asks for it.
+void SceneView::add_figures(const Replica& replica) {
+  constexpr double clearance = 0.03;  // m
+  const auto& bodies = replica.scene()->bodies;
+  for (BodyId id = 0; id < bodies.size(); ++id) {
+    const BodyStatus* status = bodies[id].show_figures ? replica.body_status(id) : nullptr;
+    const auto mesh = meshes_.find(id);
+    if (status == nullptr || mesh == meshes_.end() || mesh->second->positions.empty()) continue;
+    Eigen::AlignedBox3f box;
+    for (const auto& x : mesh->second->positions) box.extend(x);
+    const Vec3 top = box.center().cast<double>() + Vec3(0, box.sizes().y() / 2 + clearance, 0);
+    list_.texts.push_back(
+        {.text = body_figures(bodies[id], *status), .at = top, .overlay = false, .height = 11});
+  }
 }
 
 void SceneView::add_overlay(const Replica& replica, const ViewSettings& settings) {

@@ -54,6 +54,7 @@ class SceneView {
   void add_bodies(Replica& replica, double tick);
   void add_users(const Replica& replica, double tick, const LocalUser& self, const std::string& seen_through);
   void add_hand(ParticipantId who, std::size_t hand, const HandPose& pose, const Vec3& color);
+  void add_figures(const Replica& replica);
   void add_overlay(const Replica& replica, const ViewSettings& settings);
 };
 

@@ -6,6 +6,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -113,8 +114,13 @@ class Reader {
                   const std::string& where) const {
     if (!std::visit([&](auto* value) { return store(node, field, *value); }, ref))
       fail(line_of(node), where,
-           fmt::format("{} = {}{}{}: must be {}", field.key, written(node), field.unit.empty() ? "" : " ",
-                       field.unit, allowed(field, ref)));
+           fmt::format("{} = {}{}: must be {}", field.key, written(node), unit_of(node, field),
+                       allowed(field, ref)));
+  }
+
+  /// Text carries its own unit, or lacks it.
+  static std::string unit_of(const toml::node& node, const Field& field) {
+    return field.unit.empty() || node.is_string() ? "" : fmt::format(" {}", field.unit);
   }
 
   // ---- One `store` per type; false: not what the field allows.
@@ -159,6 +165,17 @@ class Reader {
                });
     }
     return false;
+  }
+
+  /// A number, blanks, the field's unit: "2 %", "0.5ms".
+  static bool store(const toml::node& node, const Field& field, Quantity& out) {
+    if (!node.is_string()) return false;
+    const std::string text = *node.value<std::string>();
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out.value);
+    if (error != std::errc()) return false;
+    std::string_view rest(end, static_cast<std::size_t>(text.data() + text.size() - end));
+    rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+    return rest == field.unit && std::isfinite(out.value) && field.range.contains(out.value);
   }
 
   template <class Enumeration>
@@ -217,6 +234,7 @@ SceneDesc parse_scene(std::string_view toml, const std::filesystem::path& file) 
   Reader reader(file, lines);
   reader.read(document, scene_table(), &scene, "", "");
   scene.file = file;
+  note_fixed_choices(scene, lines);
   check_scene(scene, lines);
   return scene;
 }

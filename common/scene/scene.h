@@ -81,6 +81,17 @@ struct RelaxationDesc {
   double time = 1;  // s
 };
 
+/// A number written as text with its unit, for instance "4 ms"; in the unit that its field states.
+struct Quantity {
+  double value = 0;  // 0: not given
+  explicit operator bool() const { return value > 0; }
+};
+
+/// What of a rung the author fixed beside `accuracy` or `budget`; the server chooses the rest.
+struct FixedChoice {
+  bool model = false, element = false, integrator = false, solver = false, cell = false;
+};
+
 /// [[soft]]
 struct SoftDesc {
   std::string name;
@@ -123,6 +134,12 @@ struct SoftDesc {
   double shear_stiffness = 0;    // sheets: N/m of each diagonal spring; 0: likewise
   double bending_stiffness = 0;  // sheets: N·m, D = Et³/12(1−ν²); ropes: N·m², EI; 0: likewise
   bool hold_volume = true;       // mass_spring on tetrahedra: meet poisson_ratio; false: about ¼
+  // Choosing by need instead of by rung: at most one of the two.
+  Quantity accuracy;          // %: of error against the continuum
+  Quantity budget;            // ms: CPU time a frame of 1/60 s
+  FixedChoice fixed;          // filled by the loader
+  bool step_down = false;     // true: may be solved less exactly while the server is overloaded
+  bool show_figures = false;  // true: clients show its live figures above it
   std::vector<AttachDesc> attach;
   std::vector<RegionDesc> regions;
   std::vector<RelaxationDesc> relaxation;

@@ -117,6 +117,7 @@ class Checker {
     if (shares >= 1)
       fail(body, "relaxation[0]",
            fmt::format("the shares of [[soft.relaxation]] add up to {}: must be below 1", shares));
+    check_need(soft, body);
   }
 
   void check_regions(const SoftDesc& soft, const Entry& body) const {
@@ -129,6 +130,26 @@ class Checker {
       if (!region.size.isZero(0) && !(region.size.array() > 0).all())
         refuse("size", "size of a box must be three positive numbers, or all 0 for a sphere");
     }
+  }
+
+  /// Bodies chosen by need: what of the rung may stand beside it.
+  void check_need(const SoftDesc& soft, const Entry& body) const {
+    if (!soft.accuracy && !soft.budget) return;
+    const char* need = soft.accuracy ? "accuracy" : "budget";
+    if (soft.accuracy && soft.budget)
+      fail(body, "budget", "accuracy and budget are both given: give one, the server chooses the other");
+    if (soft.shape == "sheet" || soft.shape == "rope")
+      fail(body, need,
+           fmt::format("{} is for solid bodies: a {} has no continuum that rungs are measured against", need,
+                       soft.shape));
+    for (const char* key : {"newton_iterations", "solver_iterations", "solver_tolerance", "substeps"})
+      if (lines_.has(body.table, key))
+        fail(body, key,
+             fmt::format("{} is chosen by the server where {} is given: leave one of them out", key, need));
+    if (soft.fixed.integrator && soft.integrator != SoftDesc{}.integrator)
+      fail(body, "integrator",
+           fmt::format("integrator = \"{}\": where {} is given, allowed: {}", soft.integrator, need,
+                       SoftDesc{}.integrator));
   }
 
   void check_lights() const {
@@ -156,6 +177,22 @@ int SourceLines::of(const std::string& table, const std::string& key) const {
     return line->second;
   const auto line = lines_.find(table);
   return line == lines_.end() ? 1 : line->second;
+}
+
+bool SourceLines::has(const std::string& table, const std::string& key) const {
+  return lines_.contains(table + "." + key);
+}
+
+void note_fixed_choices(SceneDesc& scene, const SourceLines& lines) {
+  for (std::size_t i = 0; i < scene.soft.size(); ++i) {
+    SoftDesc& soft = scene.soft[i];
+    if (!soft.accuracy && !soft.budget) continue;
+    const std::string table = fmt::format("soft[{}]", i);
+    soft.fixed = {lines.has(table, "model"), lines.has(table, "element"), lines.has(table, "integrator"),
+                  lines.has(table, "solver"),
+                  // A file of tetrahedra is as fine as it is.
+                  lines.has(table, "cell") || !soft.mesh.empty()};
+  }
 }
 
 void check_scene(const SceneDesc& scene, const SourceLines& lines) {

@@ -77,6 +77,11 @@ Field name(std::string_view key, bool required, std::string_view description) {
 }
 
 template <class Struct, auto... Path>
+Field quantity(std::string_view key, std::string_view unit, Range range, std::string_view description) {
+  return number<Struct, Path...>(key, unit, range, description);
+}
+
+template <class Struct, auto... Path>
 Field identifier(std::string_view key, std::string_view description) {
   return {.key = key, .in = in<Struct, Path...>, .text = Text::identifier, .description = description};
 }
@@ -340,7 +345,21 @@ const Table& soft_table() {
          plain<S, &S::hold_volume>(
              "hold_volume",
              "mass_spring on tetrahedra: volume springs that meet poisson_ratio; false: springs "
-             "alone, whose ratio is about 1/4")},
+             "alone, whose ratio is about 1/4"),
+         quantity<S, &S::accuracy>(
+             "accuracy", "%", {0, 100, true},
+             "instead of a rung: how far the settled shape may be from the continuum's; the server chooses "
+             "the cheapest rung that its measured table says is good enough (docs/soft-tissue.md). What of "
+             "model, element, integrator, solver and cell is given beside it is kept"),
+         quantity<S, &S::budget>(
+             "budget", "ms", {0, 1000, true},
+             "instead of a rung: CPU time that the body may take in a frame of 1/60 s; the server chooses "
+             "the most accurate rung within it, as for accuracy"),
+         plain<S, &S::step_down>(
+             "step_down",
+             "true: while the server is overloaded, this body may be solved with fewer iterations or "
+             "substeps; clients are told"),
+         plain<S, &S::show_figures>("show_figures", "true: clients show how it is stepped, live, above it")},
         {{"attach", attach_table, true, 64, append<S, &S::attach>},
          {"region", region_table, true, 64, append<S, &S::regions>},
          {"relaxation", relaxation_table, true, 8, append<S, &S::relaxation>}},
@@ -411,6 +430,10 @@ std::string allowed(const Field& field, const FieldRef& value) {
     std::string operator()(Quat*) const { return "four numbers [w, x, y, z], not all zero"; }
     std::string operator()(LightKind*) const { return ""; }
     std::string operator()(Surface*) const { return ""; }
+    std::string operator()(Quantity*) const {
+      return fmt::format("text: a number in {} and its unit, for instance \"2 {}\"", interval(f.range),
+                         f.unit);
+    }
     std::string operator()(std::string*) const {
       if (f.text == Text::identifier)
         return "a word of a-z, 0-9 and _ that starts with a letter, at most " + std::to_string(f.max_length);

@@ -15,9 +15,10 @@
 namespace prosector {
 
 /// Where a key's value is stored. An enumeration's numbers are its words' places in Field::words.
-using FieldRef = std::variant<double*, int*, bool*, std::string*, Vec3*, Quat*, LightKind*, Surface*>;
+using FieldRef =
+    std::variant<double*, int*, bool*, std::string*, Vec3*, Quat*, LightKind*, Surface*, Quantity*>;
 
-/// Bounds of a number, or of each component of a vector.
+/// Bounds of a number, of a quantity in its unit, or of each component of a vector.
 struct Range {
   double min = 0;
   double max = 0;

@@ -9,8 +9,8 @@ namespace prosector {
 namespace {
 
 std::string type_name(const FieldRef& ref) {
-  static constexpr const char* names[] = {"number",    "integer",      "boolean", "text",
-                                          "[x, y, z]", "[w, x, y, z]", "text",    "text"};
+  static constexpr const char* names[] = {"number",       "integer", "boolean", "text", "[x, y, z]",
+                                          "[w, x, y, z]", "text",    "text",    "text"};
   static_assert(std::size(names) == std::variant_size_v<FieldRef>);
   return names[ref.index()];
 }
@@ -31,6 +31,9 @@ std::string value(const Field& field, const FieldRef& ref) {
     }
     std::string operator()(const LightKind* x) const { return word(static_cast<std::size_t>(*x)); }
     std::string operator()(const Surface* x) const { return word(static_cast<std::size_t>(*x)); }
+    std::string operator()(const Quantity* x) const {
+      return *x ? fmt::format("\"{} {}\"", x->value, f.unit) : "not given";
+    }
     std::string word(std::size_t k) const { return fmt::format("\"{}\"", f.words[k]); }
   } write{field};
   return std::visit(write, ref);

@@ -65,5 +65,6 @@ Refusal check(Settled& m);
 Refusal check(TopologyRevision& m);
 Refusal check(ContactSample& m);
 Refusal check(ServerStatus& m);
+Refusal check(BodyStatus& m);
 
 }  // namespace prosector

@@ -28,6 +28,7 @@ std::size_t payload(const W& w) {
   if constexpr (requires { w.devices; }) text(w.devices);
   if constexpr (requires { w.reason; }) text(w.reason);
   if constexpr (requires { w.degraded; }) text(w.degraded);
+  if constexpr (requires { w.method; }) text(w.method);
   if constexpr (requires { w.bytes; }) sequence(w.bytes);
   if constexpr (requires { w.packed; }) sequence(w.packed);
   if constexpr (requires { w.positions; }) sequence(w.positions);
@@ -75,7 +76,8 @@ const WireCodec& wire_codec(std::size_t topic) {
       PROSECTOR_CODEC(HandInput),        PROSECTOR_CODEC(UserState),     PROSECTOR_CODEC(Command),
       PROSECTOR_CODEC(CommandResult),    PROSECTOR_CODEC(SceneInfo),     PROSECTOR_CODEC(AssetChunk),
       PROSECTOR_CODEC(RigidState),       PROSECTOR_CODEC(SoftState),     PROSECTOR_CODEC(Settled),
-      PROSECTOR_CODEC(TopologyRevision), PROSECTOR_CODEC(ContactSample), PROSECTOR_CODEC(ServerStatus)};
+      PROSECTOR_CODEC(TopologyRevision), PROSECTOR_CODEC(ContactSample), PROSECTOR_CODEC(ServerStatus),
+      PROSECTOR_CODEC(BodyStatus)};
 #undef PROSECTOR_CODEC
   return codecs.at(topic);
 }

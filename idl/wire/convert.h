@@ -26,6 +26,7 @@ void to_wire(const Settled& m, prosector_Settled& w, WireArena& arena);
 void to_wire(const TopologyRevision& m, prosector_TopologyRevision& w, WireArena& arena);
 void to_wire(const ContactSample& m, prosector_ContactSample& w, WireArena& arena);
 void to_wire(const ServerStatus& m, prosector_ServerStatus& w, WireArena& arena);
+void to_wire(const BodyStatus& m, prosector_BodyStatus& w, WireArena& arena);
 
 Refusal from_wire(const prosector_SessionInfo& w, SessionInfo& m);
 Refusal from_wire(const prosector_Presence& w, Presence& m);
@@ -42,5 +43,6 @@ Refusal from_wire(const prosector_Settled& w, Settled& m);
 Refusal from_wire(const prosector_TopologyRevision& w, TopologyRevision& m);
 Refusal from_wire(const prosector_ContactSample& w, ContactSample& m);
 Refusal from_wire(const prosector_ServerStatus& w, ServerStatus& m);
+Refusal from_wire(const prosector_BodyStatus& w, BodyStatus& m);
 
 }  // namespace prosector

@@ -21,6 +21,8 @@ void body_to_wire(const SceneBody& m, prosector_SceneBody& w) {
   w.roughness = m.appearance.roughness;
   w.wetness = m.appearance.wetness;
   w.surface = static_cast<std::uint8_t>(m.appearance.surface);
+  to_wire(m.method, w.method);
+  w.show_figures = m.show_figures;
 }
 
 SceneBody body_from_wire(const prosector_SceneBody& w) {
@@ -37,6 +39,8 @@ SceneBody body_from_wire(const prosector_SceneBody& w) {
   m.chunk_points = w.chunk_points;
   m.tube_diameter = w.tube_diameter;
   m.appearance = {from_wire(w.color), w.roughness, w.wetness, static_cast<Surface>(w.surface)};
+  m.method = from_wire(w.method);
+  m.show_figures = w.show_figures != 0;
   return m;
 }
 
@@ -55,6 +59,7 @@ Refusal check_body(SceneBody& m) {
       .that(within(m.appearance.roughness, 0, 1), "roughness outside [0, 1]")
       .that(within(m.appearance.wetness, 0, 1), "wetness outside [0, 1]")
       .that(enum_within(m.appearance.surface, last_body_surface), "unknown surface")
+      .that(valid_text(m.method), "method not valid text")
       .refusal();
 }
 

@@ -1,8 +1,13 @@
-// How the server does: ServerStatus.
+// How the server does: ServerStatus, and each deformable: BodyStatus.
 
 #include "idl/wire/primitives.h"
 
 namespace prosector {
+namespace {
+
+constexpr double huge = 1e12;  // of whatever unit: no figure of a healthy server comes near
+
+}  // namespace
 
 void to_wire(const ServerStatus& m, prosector_ServerStatus& w, WireArena&) {
   w.time = to_wire(m.time);
@@ -41,7 +46,6 @@ Refusal from_wire(const prosector_ServerStatus& w, ServerStatus& m) {
 }
 
 Refusal check(ServerStatus& m) {
-  constexpr double huge = 1e12;  // of whatever unit: no figure of a healthy server comes near
   Checks checks;
   checks.that(within(m.real_time_factor, 0, huge), "real-time factor out of range")
       .that(within(m.step_ms_p50, 0, huge) && within(m.step_ms_p99, 0, huge), "step time out of range")
@@ -50,6 +54,52 @@ Refusal check(ServerStatus& m) {
       .that(valid_text(m.degraded), "degraded not valid text");
   for (const double ms : m.phase_ms) checks.that(within(ms, 0, huge), "phase time out of range");
   return checks.refusal();
+}
+
+void to_wire(const BodyStatus& m, prosector_BodyStatus& w, WireArena&) {
+  w.body = m.body;
+  w.time = to_wire(m.time);
+  w.asleep = m.asleep;
+  w.converged = m.converged;
+  w.substeps = m.substeps;
+  w.step = m.step;
+  w.newton_iterations = m.newton_iterations;
+  w.solver_iterations = m.solver_iterations;
+  w.residual = m.residual;
+  w.correction = m.correction;
+  w.error = m.error;
+  w.expected_ms = m.expected_ms;
+  w.stepped_down = m.stepped_down;
+}
+
+Refusal from_wire(const prosector_BodyStatus& w, BodyStatus& m) {
+  m.body = w.body;
+  m.time = from_wire(w.time);
+  m.asleep = w.asleep != 0;
+  m.converged = w.converged != 0;
+  m.substeps = w.substeps;
+  m.step = w.step;
+  m.newton_iterations = w.newton_iterations;
+  m.solver_iterations = w.solver_iterations;
+  m.residual = w.residual;
+  m.correction = w.correction;
+  m.error = w.error;
+  m.expected_ms = w.expected_ms;
+  m.stepped_down = w.stepped_down;
+  return nullptr;
+}
+
+Refusal check(BodyStatus& m) {
+  return Checks()
+      .that(m.body < max_bodies, "no such body")
+      .that(within(m.step, 0, huge), "step out of range")
+      .that(within(m.newton_iterations, 0, huge) && within(m.solver_iterations, 0, huge),
+            "iterations out of range")
+      .that(within(m.residual, 0, huge), "residual out of range")
+      .that(within(m.correction, 0, huge), "correction out of range")
+      .that(within(m.error, -1, huge) && within(m.expected_ms, -1, huge), "expectation out of range")
+      .that(m.stepped_down <= max_steps_down, "stepped down too far")
+      .refusal();
 }
 
 }  // namespace prosector

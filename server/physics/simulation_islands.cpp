@@ -152,6 +152,7 @@ void Simulation::Impl::solve_islands() {
       row.newton_iterations = solved.newton_iterations;
       row.solver_iterations = solved.solver_iterations;
       row.residual = solved.residual;
+      row.last_step = solved.last_step;
       row.converged = solved.converged && !s.degraded;
       row.substep = s.substeps > 0 ? model.h / s.substeps : 0;
       row.note = s.note;

@@ -19,7 +19,8 @@ struct BodyReport {
   std::string body;
   int newton_iterations = 0;
   int solver_iterations = 0;
-  double residual = 0;  // relative, of the last linear solve
+  double residual = 0;   // relative, of the last linear solve
+  double last_step = 0;  // m: how far the last Newton step moved a node or body
   bool converged = true;
   double substep = 0;  // s: of bodies that take several in a tick; 0: the whole tick at once
   bool reset = false;  // went non-finite: put back to its last good state; or unfolded

@@ -12,6 +12,7 @@
 #include "common/error.h"
 #include "common/scene/load_scene.h"
 #include "idl/cyclone_bus.h"
+#include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/session/journal_reader.h"
 #include "server/session/options.h"
@@ -60,8 +61,7 @@ void describe(const Simulation& simulation) {
   say(fmt::format("{}: {} rigid and {} soft bodies, {} tetrahedra on {} nodes, {} surface triangles, {} MB",
                   scene.name, scene.rigid.size(), scene.soft.size(), simulation.tet_count(), nodes, triangles,
                   usage.ru_maxrss / 1024));
-  for (const SoftDesc& soft : scene.soft)
-    say(fmt::format("  {}: {}, {}, {}", soft.name, soft.model, soft.integrator, soft.solver));
+  for (const SoftDesc& soft : scene.soft) say(fmt::format("  {}: {}", soft.name, in_words(soft)));
 }
 
 /// The first free place among this host's servers, after making sure that nobody hosts this session.

@@ -4,6 +4,7 @@
 #include <random>
 #include <set>
 
+#include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
 
 namespace prosector {
@@ -62,6 +63,9 @@ SceneContent make_scene_content(const Simulation& simulation) {
     body.mesh = keep(encode(simulation.surface(b)));
     out.triangles += simulation.surface(b).triangles.size();
     if (!rigid) {
+      const SoftDesc& description = desc.soft[b - desc.rigid.size()];
+      body.method = in_words(description);
+      body.show_figures = description.show_figures;
       const SoftBody& soft = simulation.soft(b);
       SurfaceStream stream =
           make_surface_stream(soft.anatomy(), static_cast<std::uint32_t>(soft_chunk_points));

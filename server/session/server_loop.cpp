@@ -71,6 +71,7 @@ ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& sess
       content_(make_scene_content(simulation)),
       session_(rules_of(simulation.scene(), session, simulation.body_count())),
       meter_(simulation.scene().tick_rate),
+      body_meter_(simulation, {}),
       state_hash_(simulation.state_hash()),
       publisher_(bus, info_of(simulation, session), content_) {
   session_.vanish(simulation.hands());  // of a state that was restored
@@ -100,6 +101,7 @@ void ServerLoop::tick() {
     status_ns_ = last_end_ns_;
   }
   publisher_.say(session_.take_outgoing());
+  tell_of_bodies(report);
   publisher_.offer(snapshot);
   last_snapshot_ = std::move(snapshot);
 }
@@ -134,6 +136,13 @@ void ServerLoop::record(const StepReport& report, std::int64_t begun_ns) {
     most = std::max(most, 1e3 * simulation_.max_displacement(b));
   }
   meter_.add(report, tissue_awake, begun_ns, last_end_ns_);
+}
+
+void ServerLoop::tell_of_bodies(const StepReport& report) {
+  body_meter_.add(report);
+  std::vector<Outgoing> out;
+  for (const BodyStatus& status : body_meter_.take(simulation_)) out.push_back({status});
+  publisher_.say(std::move(out));
 }
 
 void ServerLoop::announce(const std::vector<SessionEvent>& events) {

@@ -12,6 +12,7 @@
 
 #include "idl/bus.h"
 #include "server/physics/simulation.h"
+#include "server/session/body_meter.h"
 #include "server/session/journal.h"
 #include "server/session/publisher.h"
 #include "server/session/scene_content.h"
@@ -56,6 +57,7 @@ class ServerLoop {
   ServerStatus status() const;
   std::string console_line() const;
   const StepMeter& meter() const { return meter_; }
+  const BodyMeter& body_meter() const { return body_meter_; }
   const Session& session() const { return session_; }
   const SceneContent& content() const { return content_; }
   Publisher& publisher() { return publisher_; }
@@ -72,6 +74,7 @@ class ServerLoop {
   SceneContent content_;
   Session session_;
   StepMeter meter_;
+  BodyMeter body_meter_;
   std::vector<Received> received_;
   std::shared_ptr<const Snapshot> last_snapshot_;
   std::uint64_t state_hash_ = 0, last_tick_ = 0;  // last_tick_: when last_end_ns_ was taken
@@ -85,6 +88,7 @@ class ServerLoop {
 
   void journal(ConsumedInput input, std::vector<std::uint8_t> checkpoint, std::vector<SessionEvent> events);
   void record(const StepReport& report, std::int64_t begun_ns);
+  void tell_of_bodies(const StepReport& report);
   void announce(const std::vector<SessionEvent>& events);
   double real_time_factor(const std::optional<Count>& since) const;
 };

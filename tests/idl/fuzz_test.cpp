@@ -72,6 +72,7 @@ TEST(Fuzz, MutatedWireStructs) {
   PROSECTOR_FUZZ(TopologyRevision);
   PROSECTOR_FUZZ(ContactSample);
   PROSECTOR_FUZZ(ServerStatus);
+  PROSECTOR_FUZZ(BodyStatus);
 #undef PROSECTOR_FUZZ
 }
 

@@ -39,6 +39,8 @@ SceneInfo some_scene() {
   liver.map = {9, 8, 7};
   liver.points = 700;
   liver.chunk_points = soft_chunk_points;
+  liver.method = "fem_corotational, chosen for 2 %";
+  liver.show_figures = true;
   liver.appearance = {{0.5, 0.25, 0.125}, 0.3, 0.9, Surface::tissue};
   SceneBody suture;
   suture.name = "suture";
@@ -100,7 +102,8 @@ std::vector<Message> sample_messages() {
           some_settled(),
           TopologyRevision{1, 2, 10, 11, 12},
           ContactSample{7, left_hand, {1, 60}, true, 1, {0.5, 1, 0.5}, {0, 1, 0}, 0.0078125, 0.5},
-          status};
+          status,
+          BodyStatus{1, {1, 60}, false, true, 12, 0.00125, 2.5, 40, 1e-3, 2e-5, 0.015, 3.5, 1}};
 }
 
 }  // namespace prosector

@@ -162,6 +162,13 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<ServerStatus>("energy", [](ServerStatus& m) { m.energy = infinity; }),
       spoiled<ServerStatus>("phase", [](ServerStatus& m) { m.phase_ms[7] = -1; }),
       spoiled<ServerStatus>("text", [](ServerStatus& m) { m.degraded = "\xff"; }),
+      spoiled<SceneInfo>("method", [](SceneInfo& m) { m.bodies[1].method = "\xff"; }),
+      spoiled<BodyStatus>("body", [](BodyStatus& m) { m.body = max_bodies; }),
+      spoiled<BodyStatus>("step NaN", [](BodyStatus& m) { m.step = nan; }),
+      spoiled<BodyStatus>("residual", [](BodyStatus& m) { m.residual = -1; }),
+      spoiled<BodyStatus>("correction", [](BodyStatus& m) { m.correction = infinity; }),
+      spoiled<BodyStatus>("error NaN", [](BodyStatus& m) { m.error = nan; }),
+      spoiled<BodyStatus>("steps down", [](BodyStatus& m) { m.stepped_down = max_steps_down + 1; }),
   };
 }
 
@@ -227,7 +234,10 @@ std::string as_wire_bytes(const Message& message) {
           text.append(reinterpret_cast<const char*>(&value), sizeof value);
         };
         if constexpr (std::is_same_v<M, SceneInfo>) {
-          for (const SceneBody& b : m.bodies) text += b.name + b.description + to_hex(b.mesh) + to_hex(b.map);
+          for (const SceneBody& b : m.bodies) {
+            text += b.name + b.description + b.method + to_hex(b.mesh) + to_hex(b.map);
+            add(b.show_figures);
+          }
           for (const LightInfo& l : m.lights) add(l.intensity), text += l.name;
           add(m.camera.fov);
         } else if constexpr (std::is_same_v<M, AssetChunk>) {
@@ -283,6 +293,14 @@ std::string as_wire_bytes(const Message& message) {
           add(m.previous_hash);
           add(m.chain_hash);
           add(m.content_hash);
+        } else if constexpr (std::is_same_v<M, BodyStatus>) {
+          for (const double x : {m.step, m.newton_iterations, m.solver_iterations, m.residual, m.correction,
+                                 m.error, m.expected_ms})
+            add(x);
+          add(m.substeps);
+          add(m.stepped_down);
+          add(m.asleep);
+          add(m.converged);
         }
         return text;
       },

@@ -46,6 +46,19 @@ TEST(SceneErrors, NameFileLineFieldAndWhatIsAllowed) {
       {"name = \"s\"\n[[light]]\nkind = \"laser\"\n", "must be one of: directional, point, spot"},
       {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\nmodel = \"\"\n", "model = "},
       {"name = \"\\u0000\"\n", "name = "},
+      {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\naccuracy = \"2 mm\"\n",
+       "test.toml:5: [[soft]] \"a\": accuracy = '2 mm': must be text: a number in (0, 100] and its unit, for "
+       "instance \"2 %\""},
+      {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\nbudget = 4\n",
+       "budget = 4 ms: must be text: a number in (0, 1000] and its unit, for instance \"2 ms\""},
+      {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\naccuracy = \"2 %\"\nbudget = \"4 ms\"\n",
+       "test.toml:6: [[soft]] \"a\": accuracy and budget are both given"},
+      {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"sheet\"\nbudget = \"4 ms\"\n",
+       "test.toml:5: [[soft]] \"a\": budget is for solid bodies"},
+      {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\nbudget = \"4 ms\"\nnewton_iterations = 4\n",
+       "test.toml:6: [[soft]] \"a\": newton_iterations is chosen by the server where budget is given"},
+      {"name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\nbudget = \"4 ms\"\nintegrator = \"rk4\"\n",
+       "integrator = \"rk4\": where budget is given, allowed: implicit_euler"},
   };
   for (const Case& c : cases)
     EXPECT_NE(complaint(c.text).find(c.says), std::string::npos)
@@ -61,6 +74,22 @@ TEST(SceneErrors, TooManyLights) {
 TEST(SceneErrors, MissingFileAndFolder) {
   EXPECT_THROW(load_scene("no/such/scene.toml"), InputError);
   EXPECT_THROW(load_scene("/"), InputError);
+}
+
+TEST(SceneErrors, NeedsAreNumbersWithUnitsAndNoteWhatIsFixed) {
+  for (const char* text : {"accuracy = \"1.5 %\"", "accuracy = \"1.5%\""}) {
+    const SceneDesc scene = parse_scene(scene_with("[[soft]]", text), "test.toml");
+    EXPECT_EQ(scene.soft[0].accuracy.value, 1.5);
+    EXPECT_FALSE(scene.soft[0].fixed.model);
+  }
+  const SceneDesc scene =
+      parse_scene(scene_with("[[soft]]", "budget = \"4 ms\"\nmodel = \"fem_linear\"\ncell = 0.02"), "t.toml");
+  EXPECT_EQ(scene.soft[0].budget.value, 4);
+  EXPECT_TRUE(scene.soft[0].fixed.model);
+  EXPECT_TRUE(scene.soft[0].fixed.cell);
+  EXPECT_FALSE(scene.soft[0].fixed.solver);
+  for (const char* bad : {"\"ms\"", "\"-1 ms\"", "\"nan ms\"", "\"4 ms \"", "\"4 s\"", "\"0 ms\"", "\"\""})
+    EXPECT_NE(complaint(scene_with("[[soft]]", std::string("budget = ") + bad)), "") << bad;
 }
 
 TEST(SceneErrors, RotationIsNormalised) {

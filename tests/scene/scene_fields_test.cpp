@@ -23,11 +23,12 @@ void for_each_table(const Table& table, const std::function<void(const Table&)>&
   for (const Child& child : table.children) for_each_table(child.table(), visit);
 }
 
-/// `x` as the field's type is written: 1.5, 2 or [1.5, 1.5, 1.5]; empty: the field holds no number.
-std::string written(const FieldRef& ref, double x) {
+/// `x` as the field's type is written: 1.5, 2, "1.5 ms" or [1.5, 1.5, 1.5]; empty: the field holds no number.
+std::string written(const Field& field, const FieldRef& ref, double x) {
   if (std::holds_alternative<int*>(ref)) return fmt::format("{}", static_cast<long long>(x));
   const std::string number = std::isfinite(x) ? fmt::format("{:.17e}", x) : fmt::format("{}", x);
   if (std::holds_alternative<double*>(ref)) return number;
+  if (std::holds_alternative<Quantity*>(ref)) return fmt::format("\"{} {}\"", number, field.unit);
   if (std::holds_alternative<Vec3*>(ref)) return fmt::format("[{0}, {0}, {0}]", number);
   return "";
 }
@@ -36,7 +37,8 @@ void for_each_number(const std::function<void(const Table&, const Field&, const 
   for_each_table(scene_table(), [&](const Table& table) {
     const auto fresh = table.fresh();
     for (const Field& field : table.fields)
-      if (const FieldRef ref = field.in(fresh.get()); !written(ref, 1).empty()) visit(table, field, ref);
+      if (const FieldRef ref = field.in(fresh.get()); !written(field, ref, 1).empty())
+        visit(table, field, ref);
   });
 }
 
@@ -50,7 +52,7 @@ TEST(SceneFields, EveryRangeRejectsWhatLiesOutside) {
     const Range& r = field.range;
     const double step = whole ? 1 : 1e-9 * std::max({1.0, std::abs(r.min), std::abs(r.max)});
     for (const double x : {r.open_min ? r.min : r.min - step, r.open_max ? r.max : r.max + step})
-      EXPECT_NE(complaint_about(table, field, written(ref, x)).find("must be"), std::string::npos)
+      EXPECT_NE(complaint_about(table, field, written(field, ref, x)).find("must be"), std::string::npos)
           << table.name << " " << field.key << " took " << x;
   });
 }
@@ -59,14 +61,14 @@ TEST(SceneFields, EveryRangeAcceptsItsInside) {
   for_each_number([](const Table& table, const Field& field, const FieldRef& ref) {
     const Range& r = field.range;
     const double third = r.min + (r.max - r.min) / 3;  // not 0: a direction may not be
-    EXPECT_EQ(
-        complaint_about(table, field, written(ref, std::floor(third) > r.min ? std::floor(third) : third)),
-        "");
+    EXPECT_EQ(complaint_about(table, field,
+                              written(field, ref, std::floor(third) > r.min ? std::floor(third) : third)),
+              "");
     if (!r.open_min) {
-      EXPECT_EQ(complaint_about(table, field, written(ref, r.min)), "");
+      EXPECT_EQ(complaint_about(table, field, written(field, ref, r.min)), "");
     }
     if (!r.open_max) {
-      EXPECT_EQ(complaint_about(table, field, written(ref, r.max)), "");
+      EXPECT_EQ(complaint_about(table, field, written(field, ref, r.max)), "");
     }
   });
 }

@@ -62,6 +62,19 @@ void check_relaxation(const SoftDesc& desc) {
 
 }  // namespace
 
+std::string in_words(const SoftDesc& desc) {
+  if (find_row(models(), "model", desc.model).position_based)
+    return fmt::format("{}, {} substeps", desc.model, desc.substeps);
+  const bool is_explicit = std::any_of(explicit_integrators().begin(), explicit_integrators().end(),
+                                       [&](const ExplicitRow& row) { return row.name == desc.integrator; });
+  if (is_explicit) return fmt::format("{}, {}, {}", desc.model, desc.element, desc.integrator);
+  const std::string effort = desc.solver == "direct"
+                                 ? fmt::format("{} Newton", desc.newton_iterations)
+                                 : fmt::format("{} x {} to {:.0e}", desc.newton_iterations,
+                                               desc.solver_iterations, desc.solver_tolerance);
+  return fmt::format("{}, {}, {}, {} {}", desc.model, desc.element, desc.integrator, desc.solver, effort);
+}
+
 void check_rung(const SoftDesc& desc, const Anatomy& anatomy) {
   const ModelRow& model = find_row(models(), "model", desc.model);
   const MeshKind kind = mesh_kind(anatomy);

@@ -27,6 +27,9 @@ const std::vector<ModelRow>& models();
 /// for a position-based model the one that it approximates.
 std::vector<std::string> integrators_for(const ModelRow& model);
 
+/// The description's rung for people: model, element, integrator, solver and how much is spent on a step.
+std::string in_words(const SoftDesc& desc);
+
 /// Throws InputError that names what is allowed unless the description's model, mesh and integrator go
 /// together.
 void check_rung(const SoftDesc& desc, const Anatomy& anatomy);

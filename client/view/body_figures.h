@@ -1,0 +1,14 @@
+#pragma once
+// A deformable's live figures as text, for the picture.
+
+#include <string>
+
+#include "common/messages.h"
+
+namespace prosector {
+
+/// Its name, then how it is stepped: "12 steps of 1.39 ms"; then what is known of its error, and whether it
+/// was stepped down. A line each.
+std::string body_figures(const SceneBody& body, const BodyStatus& status);
+
+}  // namespace prosector

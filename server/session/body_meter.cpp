@@ -1,0 +1,79 @@
+#include "server/session/body_meter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "server/physics/soft/soft_state.h"
+
+namespace prosector {
+namespace {
+
+constexpr double telling_rate = 2;  // Hz
+
+}  // namespace
+
+BodyMeter::BodyMeter(const Simulation& simulation, const std::map<std::string, Expectation>& expected)
+    : tick_seconds_(1 / simulation.scene().tick_rate),
+      period_(std::max<std::uint64_t>(
+          1, static_cast<std::uint64_t>(std::lround(simulation.scene().tick_rate / telling_rate)))) {
+  for (BodyId b = 0; b < simulation.body_count(); ++b) {
+    if (simulation.kind(b) != BodyKind::soft) continue;
+    id_of_[simulation.name(b)] = b;
+    BodyStatus& status = sums_[b].status;
+    status.body = b;
+    status.step = tick_seconds_;
+    if (const auto it = expected.find(simulation.name(b)); it != expected.end()) {
+      status.error = it->second.error;
+      status.expected_ms = it->second.ms;
+    }
+    newest_[b] = status;
+  }
+}
+
+void BodyMeter::add(const StepReport& report) {
+  for (const BodyReport& row : report.bodies) {
+    const auto id = id_of_.find(row.body);
+    if (id == id_of_.end()) continue;
+    Sum& sum = sums_.at(id->second);
+    ++sum.ticks;
+    sum.newton_iterations += row.newton_iterations;
+    sum.solver_iterations += row.solver_iterations;
+    BodyStatus& s = sum.status;
+    s.converged = s.converged && row.converged && !row.reset;
+    s.step = row.substep > 0 ? row.substep : tick_seconds_;
+    s.substeps = row.substep > 0 ? static_cast<std::uint32_t>(std::lround(tick_seconds_ / row.substep)) : 0;
+    if (std::isfinite(row.residual)) s.residual = std::max(s.residual, row.residual);
+    s.correction = std::max(s.correction, row.last_step);
+  }
+}
+
+std::vector<BodyStatus> BodyMeter::take(const Simulation& simulation) {
+  std::vector<BodyStatus> out;
+  const bool due = simulation.time().tick % period_ == 0;
+  for (auto& [body, sum] : sums_) {
+    const bool fell_asleep = simulation.asleep(body) && !sum.was_asleep;
+    if (sum.told && !fell_asleep && !(due && sum.ticks > 0)) continue;
+    out.push_back(close(sum, simulation));
+    newest_[body] = out.back();
+  }
+  return out;
+}
+
+/// The mean of what was gathered; starts anew.
+BodyStatus BodyMeter::close(Sum& sum, const Simulation& simulation) const {
+  BodyStatus out = sum.status;
+  out.time = simulation.time();
+  out.asleep = simulation.asleep(out.body);
+  const double ticks = std::max<std::uint32_t>(1, sum.ticks);
+  out.newton_iterations = sum.newton_iterations / ticks;
+  out.solver_iterations = sum.solver_iterations / ticks;
+  sum.status.converged = true;
+  sum.status.residual = sum.status.correction = 0;
+  sum.ticks = 0;
+  sum.newton_iterations = sum.solver_iterations = 0;
+  sum.was_asleep = out.asleep;
+  sum.told = true;
+  return out;
+}
+
+}  // namespace prosector

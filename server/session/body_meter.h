@@ -1,0 +1,49 @@
+#pragma once
+// How each deformable is stepped, for BodyStatus: gathered tick by tick, told twice a simulated second.
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/messages.h"
+#include "server/physics/simulation.h"
+
+namespace prosector {
+
+/// What was expected of a body when its rung was chosen by need; negative: it was not.
+struct Expectation {
+  double error = -1;  // fraction
+  double ms = -1;     // CPU time a frame
+};
+
+class BodyMeter {
+ public:
+  /// `expected`: by body name; bodies that are missing were not chosen by need.
+  BodyMeter(const Simulation& simulation, const std::map<std::string, Expectation>& expected);
+
+  void add(const StepReport& report);
+  /// What is due after the tick that was added: of bodies that were awake since they were last told of, and
+  /// at the first call of all.
+  std::vector<BodyStatus> take(const Simulation& simulation);
+  /// The newest, told or not.
+  const std::map<BodyId, BodyStatus>& newest() const { return newest_; }
+
+ private:
+  struct Sum {
+    BodyStatus status;  // of the ticks since it was last told of
+    std::uint32_t ticks = 0;
+    double newton_iterations = 0, solver_iterations = 0;
+    bool was_asleep = false;
+    bool told = false;
+  };
+  double tick_seconds_;
+  std::uint64_t period_;  // ticks
+  std::map<std::string, BodyId> id_of_;
+  std::map<BodyId, Sum> sums_;
+  std::map<BodyId, BodyStatus> newest_;
+
+  BodyStatus close(Sum& sum, const Simulation& simulation) const;
+};
+
+}  // namespace prosector
