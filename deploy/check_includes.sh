@@ -24,7 +24,8 @@ forbid "idl includes common only" '(drivers|server|client|tests)/' $(sources idl
 forbid "drivers include common only" '(idl|server|client|tests)/' $(sources drivers/)
 forbid "the server never knows a device or a client" '(drivers|client|tests)/' $(sources server/)
 forbid "the client never knows the server" '(server|tests)/' $(sources client/)
-forbid "physics knows no network" 'idl/' $(sources server/physics/)
+forbid "physics and its calibration know no network and no session" '(idl|server/session)/' \
+  $(sources 'server/(physics|calibration)/')
 forbid "of idl, others include its bus headers only: idl/wire and idl/dds are its own" 'idl/(wire|dds)/' \
   $(sources '(server|client)/')
 forbid "of drivers, the client's stations include device.h and the driver table only" \

@@ -40,8 +40,16 @@ struct HandEvent {
   BodyId body = 0;  // for reset_body
 };
 
+/// From this tick on the soft body is solved less exactly by that many steps (0: as described); see
+/// soft/effort.h. Whoever shares an island with it decides with it: the one that stepped down least.
+struct EffortChange {
+  BodyId body = 0;
+  int steps_down = 0;
+};
+
 /// All that a tick consumes, in canonical order.
 struct TickInput {
+  std::vector<EffortChange> efforts;
   std::vector<HandEvent> events;
   std::vector<HandTarget> targets;  // of hands present this tick; one without a target holds its last
 };

@@ -20,6 +20,10 @@ const Hand* Simulation::Impl::hand_at(std::size_t slot) const {
 }
 
 void Simulation::Impl::take_inputs(const TickInput& input) {
+  for (const EffortChange& change : input.efforts)
+    if (is_soft(change.body) && soft_index(change.body) < soft.size())
+      soft[soft_index(change.body)].steps_down =
+          std::clamp(change.steps_down, 0, static_cast<int>(max_steps_down));
   const auto target_of = [&](const HandEvent& event) {
     return std::find_if(input.targets.begin(), input.targets.end(), [&](const HandTarget& t) {
       return t.participant == event.participant && t.hand == event.hand;
@@ -173,7 +177,9 @@ void Simulation::Impl::reset_body(BodyId body) {
     return;
   }
   const std::size_t i = soft_index(body);
+  const int steps_down = soft[i].steps_down;  // the server is as busy as it was
   soft[i] = model.soft[i]->initial_state();
+  soft[i].steps_down = steps_down;
   soft[i].motion.x = soft[i].motion.x_prev = equilibrium[i];
   surfaces[i].update(soft[i].motion.x.data());
 }

@@ -32,7 +32,8 @@ void add(ByteWriter& out, const SoftBodyState& state) {
        {&state.motion.x, &state.motion.v, &state.motion.x_prev, &state.motion.v_prev, &state.warm_start})
     out.add(*v);
   out.add(static_cast<std::uint8_t>(state.motion.has_history));
-  out.add(static_cast<std::uint8_t>(state.asleep));
+  // One byte: whether it sleeps, and above that bit how far it is stepped down.
+  out.add(static_cast<std::uint8_t>((state.asleep ? 1 : 0) | state.steps_down << 1));
   out.add(state.quiet_ticks);
   out.add(state.tangled_ticks);
   if (state.history.size() > 0) out.add(state.history);  // elastic bodies' hashes are those from before it
@@ -48,7 +49,10 @@ SoftBodyState read_soft(ByteReader& in, const SoftBodyState& like) {
   state.motion.v_prev = in.vector(like.motion.v_prev.size());
   state.warm_start = in.vector(like.warm_start.size());
   state.motion.has_history = in.flag();
-  state.asleep = in.flag();
+  const auto sleep_and_steps = in.number<std::uint8_t>();
+  state.asleep = (sleep_and_steps & 1) != 0;
+  state.steps_down = sleep_and_steps >> 1;
+  in.require(state.steps_down <= static_cast<int>(max_steps_down), "stepped down too far");
   state.quiet_ticks = in.number<int>();
   state.tangled_ticks = in.number<int>();
   state.history.resize(like.history.size());

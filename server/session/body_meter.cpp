@@ -12,7 +12,7 @@ constexpr double telling_rate = 2;  // Hz
 
 }  // namespace
 
-BodyMeter::BodyMeter(const Simulation& simulation, const std::map<std::string, Expectation>& expected)
+BodyMeter::BodyMeter(const Simulation& simulation, const std::map<std::string, Prospect>& expected)
     : tick_seconds_(1 / simulation.scene().tick_rate),
       period_(std::max<std::uint64_t>(
           1, static_cast<std::uint64_t>(std::lround(simulation.scene().tick_rate / telling_rate)))) {
@@ -64,6 +64,7 @@ BodyStatus BodyMeter::close(Sum& sum, const Simulation& simulation) const {
   BodyStatus out = sum.status;
   out.time = simulation.time();
   out.asleep = simulation.asleep(out.body);
+  out.stepped_down = static_cast<std::uint32_t>(simulation.soft_state(out.body).steps_down);
   const double ticks = std::max<std::uint32_t>(1, sum.ticks);
   out.newton_iterations = sum.newton_iterations / ticks;
   out.solver_iterations = sum.solver_iterations / ticks;

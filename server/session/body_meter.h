@@ -7,20 +7,15 @@
 #include <vector>
 
 #include "common/messages.h"
+#include "server/calibration/rung_table.h"
 #include "server/physics/simulation.h"
 
 namespace prosector {
 
-/// What was expected of a body when its rung was chosen by need; negative: it was not.
-struct Expectation {
-  double error = -1;  // fraction
-  double ms = -1;     // CPU time a frame
-};
-
 class BodyMeter {
  public:
   /// `expected`: by body name; bodies that are missing were not chosen by need.
-  BodyMeter(const Simulation& simulation, const std::map<std::string, Expectation>& expected);
+  BodyMeter(const Simulation& simulation, const std::map<std::string, Prospect>& expected);
 
   void add(const StepReport& report);
   /// What is due after the tick that was added: of bodies that were awake since they were last told of, and

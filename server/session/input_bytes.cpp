@@ -51,13 +51,20 @@ std::size_t get_hand(Reader& in) {
 
 std::vector<std::uint8_t> encode_input(const ConsumedInput& input) {
   std::vector<std::uint8_t> out;
-  if (input.keys.empty() && input.input.events.empty() && input.input.targets.empty()) return out;
-  out.reserve(12 + 16 * input.keys.size() + 16 * input.input.events.size() +
+  if (input.keys.empty() && input.input.efforts.empty() && input.input.events.empty() &&
+      input.input.targets.empty())
+    return out;
+  out.reserve(16 + 5 * input.input.efforts.size() + 16 * input.keys.size() + 16 * input.input.events.size() +
               112 * input.input.targets.size());
   put(out, static_cast<std::uint32_t>(input.keys.size()));
   for (const InputKey& key : input.keys) {
     put(out, key.participant);
     put(out, key.sequence);
+  }
+  put(out, static_cast<std::uint32_t>(input.input.efforts.size()));
+  for (const EffortChange& change : input.input.efforts) {
+    put(out, change.body);
+    put(out, static_cast<std::uint8_t>(change.steps_down));
   }
   put(out, static_cast<std::uint32_t>(input.input.events.size()));
   for (const HandEvent& e : input.input.events) {
@@ -85,6 +92,13 @@ ConsumedInput decode_input(std::span<const std::uint8_t> bytes) {
   for (InputKey& key : out.keys) {
     key.participant = in.get<ParticipantId>();
     key.sequence = in.get<std::uint64_t>();
+  }
+  out.input.efforts.resize(in.count());
+  for (EffortChange& change : out.input.efforts) {
+    change.body = in.get<BodyId>();
+    change.steps_down = in.get<std::uint8_t>();
+    if (change.steps_down > static_cast<int>(max_steps_down))
+      throw InputError("journal: stepped down too far");
   }
   out.input.events.resize(in.count());
   for (HandEvent& e : out.input.events) {

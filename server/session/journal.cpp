@@ -74,6 +74,7 @@ std::unique_ptr<Journal> Journal::create(const std::filesystem::path& file, cons
     put_meta(*database, "scene_text", header.scene_text);
     put_meta(*database, "session", header.session);
     put_meta(*database, "content_hash", to_hex(header.content_hash));
+    put_meta(*database, "choices", encode(header.choices));
     database->execute("COMMIT");
     return std::unique_ptr<Journal>(new Journal(file, std::move(database), limits));
   } catch (const SqliteError& e) {

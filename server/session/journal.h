@@ -17,18 +17,20 @@
 #include <vector>
 
 #include "common/hash.h"
+#include "server/calibration/choose_scene.h"
 #include "server/session/session.h"
 #include "server/session/sqlite.h"
 
 namespace prosector {
 
-inline constexpr std::uint64_t journal_version = 1;
+inline constexpr std::uint64_t journal_version = 2;
 
 struct JournalHeader {
   std::filesystem::path scene_file;  // absolute: what the scene names is found beside it
   std::string scene_text;
   std::string session;
-  ContentHash content_hash{};  // of the compiled scene
+  ContentHash content_hash{};   // of the compiled scene
+  std::vector<Choice> choices;  // of bodies that were chosen by need: a replay takes them from here
 };
 
 struct JournalTick {

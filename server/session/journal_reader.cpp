@@ -17,6 +17,7 @@ JournalReader::JournalReader(const std::filesystem::path& file) : file_(file) {
     header_.scene_text = meta("scene_text");
     header_.session = meta("session");
     content_hash_ = meta("content_hash");
+    header_.choices = decode_choices(meta("choices"));
   } catch (const SqliteError& e) {
     refuse(fmt::format("is no journal ({})", e.what()));
   }

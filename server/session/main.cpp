@@ -12,6 +12,7 @@
 #include "common/error.h"
 #include "common/scene/load_scene.h"
 #include "idl/cyclone_bus.h"
+#include "server/calibration/table_file.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/session/journal_reader.h"
@@ -37,14 +38,27 @@ std::string read_text(const std::filesystem::path& file) {
   return text.str();
 }
 
-Simulation compile(const SceneDesc& scene, const ServerOptions& options) {
+CompileOptions sources(const ServerOptions& options) {
   CompileOptions compile;
   compile.threads = options.threads;
   compile.data_dirs = options.data;
   compile.cache_dir = options.cache;
   compile.progress = [](const std::string& line) { say("  " + line); };
+  return compile;
+}
+
+/// By what this machine is measured to do.
+std::vector<Choice> choose(SceneDesc& scene, const ServerOptions& options) {
+  RungMeter meter;
+  return choose_rungs(scene, {.table_file = options.cache / "rungs.json",
+                              .machine = machine_and_build(),
+                              .measure = [&](const RungTrial& trial) { return meter.measure(trial); },
+                              .sources = sources(options)});
+}
+
+Simulation compile(const SceneDesc& scene, const ServerOptions& options) {
   say(fmt::format("compiling scene {} ({})", scene.name, scene.file.string()));
-  return Simulation(scene, compile);
+  return Simulation(scene, sources(options));
 }
 
 /// What the scene models, and at what cost.
@@ -98,7 +112,9 @@ std::string how_to_join(const BusConfig& config) {
 int replay_journal(const ServerOptions& options) {
   const JournalReader journal(options.replay);
   const JournalHeader& header = journal.header();
-  Simulation simulation = compile(parse_scene(header.scene_text, header.scene_file), options);
+  SceneDesc scene = parse_scene(header.scene_text, header.scene_file);
+  adopt(header.choices, scene);
+  Simulation simulation = compile(scene, options);
   const std::uint64_t last = journal.last_tick();
   const ReplayResult result = replay(journal, simulation, [&](std::uint64_t tick) {
     if (tick % 600 == 0) say(fmt::format("  tick {} of {}", tick, last));
@@ -113,13 +129,15 @@ int replay_journal(const ServerOptions& options) {
 
 /// The journal that this run writes to, if any.
 std::unique_ptr<Journal> open_journal(const ServerOptions& options, const Simulation& simulation,
-                                      const std::string& scene_text, const std::string& session) {
+                                      const std::string& scene_text, const std::string& session,
+                                      const std::vector<Choice>& choices) {
   JournalLimits limits;
   limits.file_bytes = static_cast<std::uint64_t>(options.journal_mb * 1024 * 1024);
   if (!options.resume.empty()) return Journal::append_to(options.resume, limits);
   if (options.journal.empty()) return nullptr;
   return Journal::create(options.journal,
-                         {simulation.scene().file, scene_text, session, simulation.content_hash()}, limits);
+                         {simulation.scene().file, scene_text, session, simulation.content_hash(), choices},
+                         limits);
 }
 
 void resume_journal(const JournalReader& journal, Simulation& simulation) {
@@ -134,10 +152,13 @@ void host(const ServerOptions& options) {
   std::optional<JournalReader> past;
   if (!options.resume.empty()) past.emplace(options.resume);
   const std::string text = past ? past->header().scene_text : read_text(options.scene);
-  const SceneDesc scene = parse_scene(text, past ? past->header().scene_file : options.scene);
+  SceneDesc scene = parse_scene(text, past ? past->header().scene_file : options.scene);
   const std::string session = !options.session.empty() ? options.session
                               : past                   ? past->header().session
                                                        : scene.session.name;
+  // A session that goes on keeps its rungs, whatever this machine would choose.
+  const std::vector<Choice> choices = past ? past->header().choices : choose(scene, options);
+  adopt(choices, scene);
   Simulation simulation = compile(scene, options);
   describe(simulation);
   if (past) resume_journal(*past, simulation);
@@ -146,10 +167,10 @@ void host(const ServerOptions& options) {
 
   const BusConfig place = find_place(options, session);
   const std::unique_ptr<Bus> bus = make_cyclone_bus(place);
-  const std::unique_ptr<Journal> journal = open_journal(options, simulation, text, session);
+  const std::unique_ptr<Journal> journal = open_journal(options, simulation, text, session, choices);
   // Steps that wait for a compiler or a browser are late; not being allowed is no error.
   setpriority(PRIO_PROCESS, 0, -5);
-  ServerLoop loop(simulation, *bus, session, journal.get(), say);
+  ServerLoop loop(simulation, *bus, session, journal.get(), say, {.choices = choices});
   say(how_to_join(place));
   loop.run(interrupted, options.seconds, say);
   loop.finish();

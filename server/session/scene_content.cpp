@@ -41,7 +41,7 @@ TopologyRevision first_revision(BodyId body, std::uint64_t content_hash) {
 
 }  // namespace
 
-SceneContent make_scene_content(const Simulation& simulation) {
+SceneContent make_scene_content(const Simulation& simulation, const std::vector<Choice>& choices) {
   const SceneDesc& desc = simulation.scene();
   SceneContent out;
   out.scene.name = desc.name;
@@ -65,6 +65,8 @@ SceneContent make_scene_content(const Simulation& simulation) {
     if (!rigid) {
       const SoftDesc& description = desc.soft[b - desc.rigid.size()];
       body.method = in_words(description);
+      for (const Choice& c : choices)
+        if (c.body == description.name) body.method = explain(c, description);
       body.show_figures = description.show_figures;
       const SoftBody& soft = simulation.soft(b);
       SurfaceStream stream =

@@ -8,6 +8,7 @@
 
 #include "common/asset.h"
 #include "common/messages.h"
+#include "server/calibration/choose_rung.h"
 #include "server/physics/simulation.h"
 #include "server/session/surface_stream.h"
 
@@ -23,7 +24,8 @@ struct SceneContent {
   std::size_t asset_bytes() const;
 };
 
-SceneContent make_scene_content(const Simulation& simulation);
+/// `choices`: of bodies that were chosen by need.
+SceneContent make_scene_content(const Simulation& simulation, const std::vector<Choice>& choices = {});
 
 /// The asset in pieces that the network carries.
 std::vector<AssetChunk> chunks_of(const Asset& asset);

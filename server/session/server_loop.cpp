@@ -7,7 +7,7 @@
 #include <ctime>
 #include <limits>
 
-#include "common/clock.h"
+#include "server/physics/soft/soft_body.h"
 #include "server/session/tick_schedule.h"
 
 namespace prosector {
@@ -31,6 +31,21 @@ SessionInfo info_of(const Simulation& simulation, const std::string& session) {
   info.capacity = static_cast<std::uint32_t>(simulation.scene().session.capacity);
   info.server_run = random_server_run();
   return info;
+}
+
+std::map<std::string, Prospect> expectations(const std::vector<Choice>& choices) {
+  std::map<std::string, Prospect> out;
+  for (const Choice& c : choices) out[c.body] = c.expected;
+  return out;
+}
+
+/// The bodies whose scene allows it, with what a restored state says of them.
+std::map<BodyId, int> may_step_down(const Simulation& simulation) {
+  std::map<BodyId, int> out;
+  for (BodyId b = 0; b < simulation.body_count(); ++b)
+    if (simulation.kind(b) == BodyKind::soft && simulation.soft(b).desc().step_down)
+      out[b] = simulation.soft_state(b).steps_down;
+  return out;
 }
 
 std::string line_of(const SessionEvent& e) {
@@ -63,15 +78,17 @@ SessionRules rules_of(const SceneDesc& scene, const std::string& session, std::s
 }
 
 ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& session, Journal* journal,
-                       std::function<void(const std::string&)> say)
+                       std::function<void(const std::string&)> say, LoopOptions options)
     : simulation_(simulation),
       bus_(bus),
       journal_(journal),
       say_(std::move(say)),
-      content_(make_scene_content(simulation)),
+      options_(std::move(options)),
+      content_(make_scene_content(simulation, options_.choices)),
       session_(rules_of(simulation.scene(), session, simulation.body_count())),
       meter_(simulation.scene().tick_rate),
-      body_meter_(simulation, {}),
+      body_meter_(simulation, expectations(options_.choices)),
+      governor_(simulation.scene().tick_rate, may_step_down(simulation)),
       state_hash_(simulation.state_hash()),
       publisher_(bus, info_of(simulation, session), content_) {
   session_.vanish(simulation.hands());  // of a state that was restored
@@ -80,9 +97,10 @@ ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& sess
 }
 
 void ServerLoop::tick() {
-  const std::int64_t begun = monotonic_ns();
+  const std::int64_t begun = options_.clock();
   bus_.take(received_);
   ConsumedInput input = session_.consume(received_, simulation_.time().tick + 1);
+  input.input.efforts.swap(efforts_);
   const StepReport& report = simulation_.step(input.input);
   session_.finish_tick(simulation_.hands());
 
@@ -94,6 +112,7 @@ void ServerLoop::tick() {
   announce(events);
   journal(std::move(input), std::move(saved), std::move(events));
   record(report, begun);
+  govern(report, begun);
 
   auto snapshot = take_snapshot(simulation_, session_, last_snapshot_.get());
   if (last_end_ns_ - status_ns_ >= status_period_ns) {
@@ -117,7 +136,7 @@ void ServerLoop::journal(ConsumedInput input, std::vector<std::uint8_t> checkpoi
 }
 
 void ServerLoop::record(const StepReport& report, std::int64_t begun_ns) {
-  last_end_ns_ = monotonic_ns();
+  last_end_ns_ = options_.clock();
   last_tick_ = simulation_.time().tick;
   if (!start_) start_ = {last_tick_, last_end_ns_};
   energy_ = report.kinetic_energy + report.elastic_energy + report.potential_energy;
@@ -136,6 +155,43 @@ void ServerLoop::record(const StepReport& report, std::int64_t begun_ns) {
     most = std::max(most, 1e3 * simulation_.max_displacement(b));
   }
   meter_.add(report, tissue_awake, begun_ns, last_end_ns_);
+}
+
+/// What the clock said of this tick becomes an input of the next.
+void ServerLoop::govern(const StepReport& report, std::int64_t begun_ns) {
+  efforts_.clear();
+  if (governor_.steps_down().empty()) return;
+  std::map<BodyId, double> work;
+  for (const auto& [body, steps] : governor_.steps_down()) {
+    const std::string& name = simulation_.name(body);
+    for (const BodyReport& row : report.bodies)
+      if (row.body == name)
+        work[body] += static_cast<double>(1 + row.solver_iterations) *
+                      static_cast<double>(simulation_.soft(body).elements());
+  }
+  const double seconds = 1e-9 * static_cast<double>(last_end_ns_ - begun_ns);
+  const auto change = governor_.tick(seconds, work);
+  if (!change) return;
+  efforts_.push_back(*change);
+  const std::string& name = simulation_.name(change->body);
+  if (change->steps_down == 0)
+    say_(fmt::format("{} is solved as described again: there is room", name));
+  else
+    say_(fmt::format("{} is solved less exactly, by {} of {} steps: the server {}", name, change->steps_down,
+                     max_steps_down,
+                     change->steps_down > simulation_.soft_state(change->body).steps_down
+                         ? "is overloaded"
+                         : "has some room again"));
+}
+
+/// Who is solved less exactly, for the status.
+std::string ServerLoop::stepped_down() const {
+  std::string out;
+  for (const auto& [body, steps] : governor_.steps_down())
+    if (steps > 0)
+      out += fmt::format("{}{} stepped down by {} because of overload", out.empty() ? "" : ", ",
+                         simulation_.name(body), steps);
+  return out;
 }
 
 void ServerLoop::tell_of_bodies(const StepReport& report) {
@@ -215,6 +271,7 @@ ServerStatus ServerLoop::status() const {
   };
   if (last.real_time_factor > 0 && last.real_time_factor < 0.98)
     add(fmt::format("simulated time slowed to {:.2f} of real time", last.real_time_factor));
+  add(stepped_down());
   add(last.degraded);
   add(journal_trouble_);
   if (out.degraded.size() > max_text_length) out.degraded.resize(max_text_length);
@@ -228,6 +285,10 @@ std::string ServerLoop::console_line() const {
       "{} dropped | {} awake, {} asleep",
       static_cast<double>(s.time.tick) / simulation_.scene().tick_rate, s.real_time_factor, s.step_ms_p50,
       s.step_ms_p99, s.participants, s.observers, s.invalid_dropped, s.awake_bodies, s.asleep_bodies);
+  for (const auto& [body, told] : body_meter_.newest())
+    if (told.error >= 0 && !told.asleep)
+      line += fmt::format(" | {} about {:.2g} % off, residual {:.0e}", simulation_.name(body),
+                          100 * told.error, told.residual);
   if (!s.degraded.empty()) line += " | degraded: " + s.degraded;
   return line;
 }

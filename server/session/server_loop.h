@@ -10,9 +10,11 @@
 #include <optional>
 #include <string>
 
+#include "common/clock.h"
 #include "idl/bus.h"
 #include "server/physics/simulation.h"
 #include "server/session/body_meter.h"
+#include "server/session/governor.h"
 #include "server/session/journal.h"
 #include "server/session/publisher.h"
 #include "server/session/scene_content.h"
@@ -38,11 +40,18 @@ struct RunFigures {
   std::uint64_t state_hash = 0;  // of the last tick
 };
 
+/// What a loop may be given beyond what it needs.
+struct LoopOptions {
+  std::vector<Choice> choices;                         // of the scene's bodies that were chosen by need
+  std::function<std::int64_t()> clock = monotonic_ns;  // how late ticks are
+};
+
 class ServerLoop {
  public:
-  /// All outlive the loop; `journal` may be null. `say` gets the session's log lines: who came, who left.
+  /// All outlive the loop; `journal` may be null. `say` gets the session's log lines: who came, who left,
+  /// what is solved less exactly.
   ServerLoop(Simulation& simulation, Bus& bus, const std::string& session, Journal* journal,
-             std::function<void(const std::string&)> say);
+             std::function<void(const std::string&)> say, LoopOptions options = {});
 
   /// One tick, now.
   void tick();
@@ -71,10 +80,13 @@ class ServerLoop {
   Bus& bus_;
   Journal* journal_;
   std::function<void(const std::string&)> say_;
+  LoopOptions options_;
   SceneContent content_;
   Session session_;
   StepMeter meter_;
   BodyMeter body_meter_;
+  Governor governor_;
+  std::vector<EffortChange> efforts_;  // for the next tick
   std::vector<Received> received_;
   std::shared_ptr<const Snapshot> last_snapshot_;
   std::uint64_t state_hash_ = 0, last_tick_ = 0;  // last_tick_: when last_end_ns_ was taken
@@ -88,6 +100,8 @@ class ServerLoop {
 
   void journal(ConsumedInput input, std::vector<std::uint8_t> checkpoint, std::vector<SessionEvent> events);
   void record(const StepReport& report, std::int64_t begun_ns);
+  void govern(const StepReport& report, std::int64_t begun_ns);
+  std::string stepped_down() const;
   void tell_of_bodies(const StepReport& report);
   void announce(const std::vector<SessionEvent>& events);
   double real_time_factor(const std::optional<Count>& since) const;

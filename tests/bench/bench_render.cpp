@@ -9,7 +9,7 @@
 #include "client/view/still_scene.h"
 #include "common/paths.h"
 #include "common/scene/load_scene.h"
-#include "tests/bench/stopwatch.h"
+#include "server/calibration/stopwatch.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"
 

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "server/calibration/stopwatch.h"
 #include "tests/bench/memory.h"
-#include "tests/bench/rung.h"
-#include "tests/bench/stopwatch.h"
+#include "tests/bench/rung_report.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"
 #include "tests/soft/kuhn.h"

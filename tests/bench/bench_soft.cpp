@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "server/calibration/stopwatch.h"
 #include "server/physics/soft/soft_body.h"
-#include "tests/bench/stopwatch.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"
 #include "tests/soft/kuhn.h"

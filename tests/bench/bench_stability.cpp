@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "tests/bench/machine.h"
+#include "tests/bench/rung_report.h"
 #include "tests/bench/stability_run.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/verdict_map.h"

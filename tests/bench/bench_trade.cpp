@@ -12,7 +12,7 @@
 #include "tests/bench/machine.h"
 #include "tests/bench/memory.h"
 #include "tests/bench/recommendation.h"
-#include "tests/bench/rung.h"
+#include "tests/bench/rung_report.h"
 #include "tests/bench/stable_step.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"

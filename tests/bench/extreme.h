@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "tests/bench/specimen.h"
+#include "server/calibration/specimen.h"
 
 namespace prosector {
 

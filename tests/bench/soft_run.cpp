@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tests/bench/stopwatch.h"
+#include "server/calibration/stopwatch.h"
 
 namespace prosector {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "common/error.h"
-#include "tests/bench/stopwatch.h"
+#include "server/calibration/stopwatch.h"
 #include "tests/bench/text_table.h"
 
 namespace prosector {

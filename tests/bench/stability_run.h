@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "server/calibration/rung.h"
 #include "tests/bench/extreme.h"
 #include "tests/bench/report.h"
-#include "tests/bench/rung.h"
 
 namespace prosector {
 

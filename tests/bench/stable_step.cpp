@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "common/error.h"
-#include "tests/bench/beam_piece.h"
+#include "server/calibration/beam_piece.h"
 
 namespace prosector {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "tests/bench/specimen.h"
+#include "server/calibration/specimen.h"
 
 namespace prosector {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/bench/beam_piece.h"
+#include "server/calibration/beam_piece.h"
+#include "server/calibration/rung.h"
 #include "tests/bench/damped_cosine.h"
-#include "tests/bench/rung.h"
 #include "tests/bench/trade_case.h"
 
 namespace prosector {

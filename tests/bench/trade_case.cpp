@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/bench/stopwatch.h"
+#include "server/calibration/stopwatch.h"
 #include "tests/bench/trade_case.h"
 
 namespace prosector {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "server/calibration/specimen.h"
 #include "tests/bench/report.h"
-#include "tests/bench/specimen.h"
 
 namespace prosector {
 

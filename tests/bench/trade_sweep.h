@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "server/calibration/rung.h"
 #include "tests/bench/bullet_specimen.h"
-#include "tests/bench/rung.h"
 #include "tests/bench/trade_case.h"
 
 namespace prosector {

@@ -132,7 +132,7 @@ TickInput target(const Vec3& at, const Quat& q, double flexion) {
   t.participant = somebody;
   t.target = {at, q};
   t.flexion.fill(flexion);
-  return {{}, {t}};
+  return {{}, {}, {t}};
 }
 
 TickInput event(HandEvent::Kind kind, const Vec3& at) {

@@ -36,7 +36,7 @@ struct TemporaryFile {
 };
 
 JournalHeader header_of(const Simulation& simulation) {
-  return {"scene.toml", "name = \"hosted\"", "prosector", simulation.content_hash()};
+  return {"scene.toml", "name = \"hosted\"", "prosector", simulation.content_hash(), {}};
 }
 
 /// Records a press of `ticks` ticks; returns the last hash.
@@ -59,6 +59,8 @@ ConsumedInput random_input(std::mt19937_64& random) {
   ConsumedInput out;
   std::normal_distribution<double> x;
   for (std::uint64_t i = 0; i < random() % 4; ++i) out.keys.push_back({random(), random()});
+  for (std::uint64_t i = 0; i < random() % 3; ++i)
+    out.input.efforts.push_back({static_cast<BodyId>(random() % 100), static_cast<int>(random() % 4)});
   for (std::uint64_t i = 0; i < random() % 4; ++i)
     out.input.events.push_back({static_cast<HandEvent::Kind>(random() % 5), random(), random() % 2,
                                 static_cast<BodyId>(random() % 100)});

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "server/physics/coupled/island_system.h"
+#include "server/physics/soft/effort.h"
 
 namespace prosector {
 namespace {
@@ -26,8 +27,11 @@ Limits limits_of(const Island& island) {
   Limits limits;
   if (island.soft.empty()) return limits;
   const SoftDesc& first = island.soft.front().body->desc();
-  limits.newton = first.newton_iterations;
-  limits.solver = {first.solver_iterations, first.solver_tolerance};
+  int steps_down = static_cast<int>(max_steps_down);
+  for (const SoftMember& m : island.soft) steps_down = std::min(steps_down, m.state->steps_down);
+  const Effort effort = effort_of(first, steps_down);
+  limits.newton = effort.newton_iterations;
+  limits.solver = {effort.solver_iterations, effort.solver_tolerance};
   limits.solver_name = first.solver;
   return limits;
 }

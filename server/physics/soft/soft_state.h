@@ -12,6 +12,7 @@ struct SoftBodyState {
   bool asleep = true;
   int quiet_ticks = 0;
   int tangled_ticks = 0;  // in a row with inverted elements and nothing that holds them so
+  int steps_down = 0;     // how far it is solved less exactly, see effort.h
   // Explicit integrators only; empty and 0 otherwise.
   VecX mode;         // 3n: about the shape of the body's fastest oscillation, unit
   double omega = 0;  // 1/s: about its angular frequency

@@ -12,6 +12,7 @@
 
 #include "server/physics/parallel.h"
 #include "server/physics/soft/constitutive_law.h"
+#include "server/physics/soft/effort.h"
 #include "server/physics/soft/spring_network.h"
 #include "server/physics/soft/substepper.h"
 #include "server/physics/soft/tet4.h"
@@ -40,7 +41,9 @@ class XpbdSubstepper final : public Substepper {
   }
 
   void initialise(SoftBodyState&) override {}
-  double needed(double, const SoftBodyState&) const override { return body_.desc.substeps; }
+  double needed(double, const SoftBodyState& state) const override {
+    return effort_of(body_.desc, state.steps_down).substeps;
+  }
   int allowed() const override { return body_.desc.substeps; }
   double most_gain() const override { return 10; }
   void begin(const SoftBodyState&) override {}

@@ -1,4 +1,4 @@
-#include "tests/bench/specimen.h"
+#include "server/calibration/specimen.h"
 
 #include <Eigen/SVD>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "tests/bench/rung.h"
+#include "server/calibration/rung.h"
 
 #include <fmt/format.h>
 
@@ -20,13 +20,7 @@ std::vector<std::string> names_of(const Rows& rows) {
 SoftDesc describe(const Rung& rung, const TestPiece& piece) {
   SoftDesc desc;
   desc.name = "specimen";
-  desc.model = rung.model;
-  desc.element = rung.element;
-  desc.integrator = rung.integrator;
-  desc.solver = rung.solver;
-  desc.newton_iterations = rung.newton_iterations;
-  desc.solver_iterations = rung.solver_iterations;
-  desc.solver_tolerance = rung.solver_tolerance;
+  rung.apply_to(desc);
   desc.youngs_modulus = piece.youngs_modulus;
   desc.poisson_ratio = piece.poisson_ratio;
   desc.density = piece.density;
@@ -71,13 +65,14 @@ class RungSpecimen final : public Specimen {
   StepFigures step(double dt, const Vec3& gravity) override {
     const IslandReport report = step_island(island_, dt, gravity);
     const SoftMember& member = island_.soft.front();
-    StepFigures figures{report.residual, report.converged || member.substeps > 0,
+    StepFigures figures{report.residual, report.solver_iterations, report.converged || member.substeps > 0,
                         member.degraded || member.reset, member.note};
     if (!report.finite) {
       // As the server does with a body that went out of bounds: back to its last good state, at rest.
       const VecX x = state_.motion.x;
       set_motion(x, VecX::Zero(x.size()));
-      figures = {report.residual, false, true, "reset: not finite or out of the room"};
+      figures = {report.residual, report.solver_iterations, false, true,
+                 "reset: not finite or out of the room"};
     }
     return figures;
   }
@@ -91,6 +86,17 @@ class RungSpecimen final : public Specimen {
 };
 
 }  // namespace
+
+void Rung::apply_to(SoftDesc& desc) const {
+  desc.model = model;
+  desc.element = element;
+  desc.integrator = integrator;
+  desc.solver = solver;
+  desc.newton_iterations = newton_iterations;
+  desc.solver_iterations = solver_iterations;
+  desc.solver_tolerance = solver_tolerance;
+  desc.substeps = substeps;
+}
 
 std::string Rung::effort() const {
   if (solver == "direct") return fmt::format("{} Newton", newton_iterations);
@@ -117,17 +123,6 @@ std::vector<std::string> integrator_names() {
 
 std::vector<std::string> solver_names() {
   return names_of(solvers());
-}
-
-ReportRow settings(const Rung& rung) {
-  return {{"model", rung.model},
-          {"element", rung.element},
-          {"integrator", rung.integrator},
-          {"solver", rung.solver},
-          {"newton_iterations", rung.newton_iterations},
-          {"solver_iterations", rung.solver_iterations},
-          {"solver_tolerance", rung.solver_tolerance},
-          {"effort", rung.effort()}};
 }
 
 std::unique_ptr<Specimen> make_specimen(const Rung& rung, const TestPiece& piece) {

@@ -1,9 +1,9 @@
-#include "tests/bench/beam_piece.h"
+#include "server/calibration/beam_piece.h"
 
 #include <array>
 #include <cmath>
 
-#include "tests/soft/kuhn.h"
+#include "common/anatomy/kuhn_box.h"
 
 namespace prosector {
 namespace {
@@ -21,7 +21,7 @@ std::array<double, 2> first_mode(double share) {
 
 TestPiece beam_piece(unsigned cells, double poisson_ratio) {
   TestPiece piece;
-  piece.mesh = kuhn_box({cells, cells / 4, cells / 4}, beam_size);
+  piece.mesh = kuhn_box(beam_size, cells, cells / 4, cells / 4);
   piece.poisson_ratio = poisson_ratio;
   piece.clamped_axis = 0;
   return piece;

@@ -29,7 +29,8 @@ struct TestPiece {
 
 /// What one step says of itself.
 struct StepFigures {
-  double residual = 0;  // relative, of the last linear solve
+  double residual = 0;        // relative, of the last linear solve
+  int solver_iterations = 0;  // of the linear solver
   bool converged = true;
   bool reported = false;  // something was reset, capped or substepped, and the step said so: see note
   std::string note;

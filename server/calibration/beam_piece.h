@@ -1,7 +1,7 @@
 #pragma once
 // The beam of the reference values: 0.4 × 0.1 × 0.1 m, clamped at x = 0, E = 3e5 Pa, ρ = 1000 kg/m³.
 
-#include "tests/bench/specimen.h"
+#include "server/calibration/specimen.h"
 
 namespace prosector {
 

@@ -1,12 +1,12 @@
 #pragma once
-// A rung of the soft ladder as the benches vary it: every row of the physics' own tables in turn.
+// A rung of the soft ladder as it is varied to be measured: a row of each of the physics' own tables and an
+// effort.
 
 #include <string>
 #include <vector>
 
 #include "common/scene/scene.h"
-#include "tests/bench/report.h"
-#include "tests/bench/specimen.h"
+#include "server/calibration/specimen.h"
 
 namespace prosector {
 
@@ -17,7 +17,11 @@ struct Rung {
   int newton_iterations = SoftDesc{}.newton_iterations;
   int solver_iterations = SoftDesc{}.solver_iterations;
   double solver_tolerance = SoftDesc{}.solver_tolerance;
+  int substeps = SoftDesc{}.substeps;  // position-based models
 
+  bool operator==(const Rung&) const = default;
+  /// Puts the rung into a body's description.
+  void apply_to(SoftDesc& desc) const;
   /// How much is spent on a step, for people.
   std::string effort() const;
   std::string name() const;  // model, element, integrator, solver
@@ -27,9 +31,6 @@ std::vector<std::string> model_names();
 std::vector<std::string> element_names();
 std::vector<std::string> integrator_names();
 std::vector<std::string> solver_names();
-
-/// The rung as the columns of a report.
-ReportRow settings(const Rung& rung);
 
 /// A specimen of that piece. Throws InputError when the rung refuses it.
 std::unique_ptr<Specimen> make_specimen(const Rung& rung, const TestPiece& piece);

@@ -1,0 +1,211 @@
+#include "server/calibration/choose_rung.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "common/error.h"
+#include "server/physics/soft/find_row.h"
+#include "server/physics/soft/rungs.h"
+
+namespace prosector {
+namespace {
+
+constexpr const char* usual_models[] = {"xpbd", "mass_spring", "fem_corotational", "fem_neo_hookean"};
+constexpr const char* usual_solvers[] = {"cg", "multigrid"};
+constexpr int fineness_steps = 16;     // from the coarsest measured to the finest
+constexpr double cell_quantum = 1e-4;  // m
+constexpr double least_cell = 5e-4;
+
+struct Effort {
+  int newton, solver;
+  double tolerance;
+};
+constexpr Effort cg_efforts[] = {{1, 20, 1e-2}, {3, 60, 1e-3}};
+constexpr Effort multigrid_efforts[] = {{1, 10, 1e-2}, {3, 30, 1e-3}};
+constexpr Effort direct_efforts[] = {{1, 60, 1e-3}, {3, 60, 1e-3}};
+constexpr int substeps[] = {10, 20, 50};
+
+std::span<const Effort> efforts_of(const std::string& solver) {
+  if (solver == "direct") return direct_efforts;
+  if (solver == "multigrid") return multigrid_efforts;
+  return cg_efforts;
+}
+
+std::vector<unsigned> resolutions(const std::string& element) {
+  if (element == "tet10") return {4, 8, 12};
+  return {8, 12, 16};
+}
+
+void add_rungs(const std::string& model, const std::string& element, const std::string& solver,
+               std::vector<Rung>& out) {
+  Rung rung;
+  rung.model = model;
+  rung.element = element;
+  rung.integrator = SoftDesc{}.integrator;
+  rung.solver = solver;
+  for (const Effort& effort : efforts_of(solver)) {
+    rung.newton_iterations = effort.newton;
+    rung.solver_iterations = effort.solver;
+    rung.solver_tolerance = effort.tolerance;
+    out.push_back(rung);
+  }
+}
+
+void add_substepped(const std::string& model, std::vector<Rung>& out) {
+  Rung rung;
+  rung.model = model;
+  rung.integrator = SoftDesc{}.integrator;
+  rung.solver = SoftDesc{}.solver;
+  for (const int n : substeps) {
+    rung.substeps = n;
+    out.push_back(rung);
+  }
+}
+
+/// Materials that only constitutive laws know.
+bool needs_a_law(const SoftDesc& desc) {
+  return desc.fiber_stiffness > 0 || !desc.relaxation.empty();
+}
+
+/// A candidate at a resolution.
+struct Option {
+  Rung rung;
+  double cell;
+  Prospect expected;
+};
+
+/// Finer cells rather than coarser ones, in whole tenths of a millimetre.
+double rounded(double cell) {
+  return std::max(std::floor(cell / cell_quantum * (1 + 1e-9)) * cell_quantum, least_cell);
+}
+
+class Options {
+ public:
+  Options(const SoftDesc& desc, const RungTable& table, const BodyGeometry& mesh, double mesh_cell,
+          double largest_cell)
+      : desc_(desc), table_(table), mesh_(mesh), mesh_cell_(mesh_cell), largest_cell_(largest_cell) {
+    for (const Rung& rung : candidates(desc)) add(rung);
+  }
+  const std::vector<Option>& all() const { return all_; }
+
+ private:
+  void add(const Rung& rung) {
+    if (desc_.fixed.cell) return add(rung, mesh_cell_);
+    const auto [coarsest, finest] = table_.measured_fineness(rung, desc_.poisson_ratio);
+    double last = 0;
+    for (int k = 0; k <= fineness_steps; ++k) {
+      const double fineness = coarsest * std::pow(finest / coarsest, double(k) / fineness_steps);
+      const double cell = rounded(std::min(largest_cell_, mesh_cell_ * mesh_.fineness() / fineness));
+      if (cell != last) add(rung, cell);
+      last = cell;
+    }
+  }
+
+  void add(const Rung& rung, double cell) {
+    BodyGeometry body = mesh_;
+    body.elements *= std::pow(mesh_cell_ / cell, 3);
+    const auto expected = table_.prospect(rung, desc_.poisson_ratio, body, desc_.fixed.model);
+    if (!expected) throw std::logic_error("a rung that may be chosen was not measured");
+    all_.push_back({rung, cell, *expected});
+  }
+
+  const SoftDesc& desc_;
+  const RungTable& table_;
+  const BodyGeometry& mesh_;
+  double mesh_cell_, largest_cell_;
+  std::vector<Option> all_;
+};
+
+/// The allowed option of the least `cost`; null: none is allowed.
+template <class Allowed, class Cost>
+const Option* least(const std::vector<Option>& options, const Allowed& allowed, const Cost& cost) {
+  const Option* best = nullptr;
+  for (const Option& o : options)
+    if (allowed(o) && (!best || cost(o) < cost(*best))) best = &o;
+  return best;
+}
+
+bool enough(const SoftDesc& desc, const Prospect& expected) {
+  return desc.accuracy ? 100 * expected.error <= desc.accuracy.value : expected.ms <= desc.budget.value;
+}
+
+}  // namespace
+
+std::vector<Rung> candidates(const SoftDesc& desc) {
+  std::vector<std::string> models{std::begin(usual_models), std::end(usual_models)};
+  std::vector<std::string> elements = {"tet4", "tet10"};
+  std::vector<std::string> solvers{std::begin(usual_solvers), std::end(usual_solvers)};
+  if (desc.fixed.model) models = {desc.model};
+  if (desc.fixed.element) elements = {desc.element};
+  if (desc.fixed.solver) solvers = {desc.solver};
+  std::vector<Rung> out;
+  for (const std::string& model : models) {
+    const ModelRow& row = find_row(prosector::models(), "model", model);
+    if (!desc.fixed.model && needs_a_law(desc) && (row.position_based || row.fabric)) continue;
+    if (row.position_based) {
+      if (!desc.fixed.solver && elements.front() == "tet4") add_substepped(model, out);
+      continue;
+    }
+    for (const std::string& element : elements) {
+      if (element == "tet10" && row.fabric) continue;
+      for (const std::string& solver : solvers) add_rungs(model, element, solver, out);
+    }
+  }
+  if (out.empty())
+    throw InputError(fmt::format(
+        "soft body \"{}\": no rung has model \"{}\", element \"{}\" and solver \"{}\"; leave one of them out",
+        desc.name, desc.model, desc.element, desc.solver));
+  return out;
+}
+
+std::vector<RungTrial> trials_for(const SoftDesc& desc) {
+  std::vector<RungTrial> out;
+  for (const Rung& rung : candidates(desc))
+    for (const unsigned cells : resolutions(rung.element))
+      out.push_back({rung, table_ratio(desc.poisson_ratio), cells});
+  return out;
+}
+
+Choice choose_rung(const SoftDesc& desc, const RungTable& table, const BodyGeometry& mesh, double mesh_cell,
+                   double largest_cell) {
+  const Options options(desc, table, mesh, mesh_cell, largest_cell);
+  const auto error = [](const Option& o) { return o.expected.error; };
+  const auto ms = [](const Option& o) { return o.expected.ms; };
+  const auto fits = [&](const Option& o) { return enough(desc, o.expected); };
+  const auto any = [](const Option&) { return true; };
+  const Option* best = desc.accuracy ? least(options.all(), fits, ms) : least(options.all(), fits, error);
+  const bool good_enough = best != nullptr;
+  if (!best) best = desc.accuracy ? least(options.all(), any, error) : least(options.all(), any, ms);
+  return {desc.name, best->rung, best->cell, best->expected, good_enough};
+}
+
+void adopt(const Choice& choice, SoftDesc& desc) {
+  choice.rung.apply_to(desc);
+  desc.cell = choice.cell;
+}
+
+std::string explain(const Choice& choice, const SoftDesc& desc) {
+  SoftDesc chosen = desc;
+  adopt(choice, chosen);
+  const std::string asked = desc.accuracy ? fmt::format("accuracy {} %", desc.accuracy.value)
+                                          : fmt::format("budget {} ms", desc.budget.value);
+  std::string line =
+      fmt::format("{} asked for, chosen: {}, cell {:.1f} mm; expected {:.2g} % off, {:.2g} ms a frame", asked,
+                  in_words(chosen), 1e3 * choice.cell, 100 * choice.expected.error, choice.expected.ms);
+  if (!choice.good_enough && desc.accuracy)
+    line += fmt::format("; nothing measured is good enough, this is the best there is, {:.2g} % short of it",
+                        100 * choice.expected.error - desc.accuracy.value);
+  if (!choice.good_enough && desc.budget)
+    line += fmt::format("; nothing measured is quick enough, this is the cheapest there is, {:.2g} ms over",
+                        choice.expected.ms - desc.budget.value);
+  if (table_ratio(desc.poisson_ratio) < desc.poisson_ratio)
+    line += fmt::format("; rungs were measured at a Poisson ratio of {}, not {}: expect more error",
+                        table_ratio(desc.poisson_ratio), desc.poisson_ratio);
+  return line;
+}
+
+}  // namespace prosector

@@ -1,0 +1,176 @@
+#include "server/calibration/choose_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "common/error.h"
+#include "server/calibration/table_file.h"
+#include "server/physics/soft/rungs.h"
+#include "server/physics/sources.h"
+
+namespace prosector {
+namespace {
+
+constexpr int most_meshes = 6;           // to find the cell that holds as many elements as expected
+constexpr double same_cell = 0.03;       // of each other
+constexpr double cells_across = 1. / 3;  // of the thickness: the coarsest cell that is tried
+constexpr double too_coarse = 0.7;       // of a cell that gave no mesh: the next one to try
+constexpr std::size_t progress_lines = 8;
+
+void say(const ChoiceOptions& options, const std::string& line) {
+  if (options.sources.progress) options.sources.progress(line);
+}
+
+/// Measures what the table lacks of `wanted`; whether there was any.
+bool complete(RungTable& table, const std::vector<RungTrial>& wanted, const ChoiceOptions& options) {
+  std::vector<RungTrial> missing;
+  for (const RungTrial& trial : wanted)
+    if (!table.find(trial) && std::find(missing.begin(), missing.end(), trial) == missing.end())
+      missing.push_back(trial);
+  if (missing.empty()) return false;
+  say(options,
+      fmt::format("measuring what {} rungs cost on this machine and get wrong; kept for the next time",
+                  missing.size()));
+  const std::size_t stride = std::max<std::size_t>(1, missing.size() / progress_lines);
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    if (i % stride == 0)
+      say(options, fmt::format("{} of {}: {}, {} cells along a beam", i + 1, missing.size(),
+                               missing[i].rung.name(), missing[i].cells));
+    table.add(missing[i], options.measure(missing[i]));
+  }
+  return true;
+}
+
+RungTable table_for(const SceneDesc& scene, const ChoiceOptions& options) {
+  std::vector<RungTrial> wanted;
+  for (const SoftDesc& desc : scene.soft) {
+    if (!chosen_by_need(desc)) continue;
+    for (RungTrial& trial : trials_for(desc)) wanted.push_back(std::move(trial));
+  }
+  RungTable table;
+  if (!options.table_file.empty()) {
+    FoundTable found = read_table(options.table_file, options.machine);
+    if (!found.trouble.empty())
+      say(options, fmt::format("{} {}: measured again", options.table_file.string(), found.trouble));
+    table = std::move(found.table);
+  }
+  if (complete(table, wanted, options) && !options.table_file.empty() &&
+      !write_table(options.table_file, options.machine, table))
+    say(options, fmt::format("{} can't be written: measured again next time", options.table_file.string()));
+  return table;
+}
+
+/// What the scene's own fields would have to meet.
+void check(const Choice& c) {
+  const auto within = [](double x, double low, double high) { return x >= low && x <= high; };
+  const Rung& r = c.rung;
+  if (!within(r.newton_iterations, 1, 100) || !within(r.solver_iterations, 1, 100000) ||
+      !within(r.solver_tolerance, 1e-300, 0.5) || !within(r.substeps, 1, 1000) || !within(c.cell, 5e-4, 1) ||
+      !within(c.expected.error, 0, 1e12) || !within(c.expected.ms, 0, 1e12))
+    throw InputError(fmt::format("journal: the choice for \"{}\" is out of range", c.body));
+}
+
+BodyGeometry mesh_of(const SoftDesc& desc, const SceneDesc& scene, const ChoiceOptions& options) {
+  CompileOptions quiet = options.sources;  // what is to be said of the mesh is said when it is used
+  quiet.progress = {};
+  const Anatomy anatomy = soft_anatomy(desc, scene, quiet);
+  if (mesh_kind(anatomy) != MeshKind::tets)
+    throw InputError(fmt::format("soft body \"{}\": accuracy and budget need tetrahedra", desc.name));
+  return geometry_of(anatomy.tets);
+}
+
+/// Chooses by the mesh that the scene's own cell gives, then by the mesh that was chosen, until both agree.
+Choice choose(const SceneDesc& scene, SoftDesc desc, const RungTable& table, const ChoiceOptions& options) {
+  BodyGeometry mesh = mesh_of(desc, scene, options);
+  double largest_cell = cells_across * mesh.thickness;
+  Choice choice = choose_rung(desc, table, mesh, desc.cell, largest_cell);
+  for (int meshes = 1; meshes < most_meshes && !desc.fixed.cell; ++meshes) {
+    if (std::abs(choice.cell / desc.cell - 1) < same_cell) break;
+    SoftDesc chosen = desc;
+    chosen.cell = choice.cell;
+    try {
+      mesh = mesh_of(chosen, scene, options);
+      desc = chosen;
+    } catch (const InputError&) {
+      largest_cell = too_coarse * choice.cell;  // thinner in places than its thickness tells
+    }
+    choice = choose_rung(desc, table, mesh, desc.cell, largest_cell);
+  }
+  return choice;
+}
+
+}  // namespace
+
+std::vector<Choice> choose_rungs(SceneDesc& scene, const ChoiceOptions& options) {
+  std::vector<Choice> out;
+  if (std::none_of(scene.soft.begin(), scene.soft.end(), chosen_by_need)) return out;
+  const RungTable table = table_for(scene, options);
+  for (SoftDesc& desc : scene.soft) {
+    if (!chosen_by_need(desc)) continue;
+    out.push_back(choose(scene, desc, table, options));
+    adopt(out.back(), desc);
+    say(options, fmt::format("{}: {}", desc.name, explain(out.back(), desc)));
+  }
+  return out;
+}
+
+void adopt(const std::vector<Choice>& choices, SceneDesc& scene) {
+  for (SoftDesc& desc : scene.soft) {
+    if (!chosen_by_need(desc)) continue;
+    const auto choice =
+        std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.body == desc.name; });
+    if (choice == choices.end())
+      throw InputError(fmt::format("journal: no choice for soft body \"{}\"", desc.name));
+    adopt(*choice, desc);
+  }
+}
+
+std::string encode(const std::vector<Choice>& choices) {
+  nlohmann::ordered_json out = nlohmann::ordered_json::array();
+  for (const Choice& c : choices)
+    out.push_back({{"body", c.body},
+                   {"model", c.rung.model},
+                   {"element", c.rung.element},
+                   {"integrator", c.rung.integrator},
+                   {"solver", c.rung.solver},
+                   {"newton_iterations", c.rung.newton_iterations},
+                   {"solver_iterations", c.rung.solver_iterations},
+                   {"solver_tolerance", c.rung.solver_tolerance},
+                   {"substeps", c.rung.substeps},
+                   {"cell", c.cell},
+                   {"expected_error", c.expected.error},
+                   {"expected_ms", c.expected.ms},
+                   {"good_enough", c.good_enough}});
+  return out.dump();
+}
+
+std::vector<Choice> decode_choices(const std::string& text) {
+  try {
+    std::vector<Choice> out;
+    for (const auto& row : nlohmann::json::parse(text)) {
+      Choice& c = out.emplace_back();
+      row.at("body").get_to(c.body);
+      row.at("model").get_to(c.rung.model);
+      row.at("element").get_to(c.rung.element);
+      row.at("integrator").get_to(c.rung.integrator);
+      row.at("solver").get_to(c.rung.solver);
+      row.at("newton_iterations").get_to(c.rung.newton_iterations);
+      row.at("solver_iterations").get_to(c.rung.solver_iterations);
+      row.at("solver_tolerance").get_to(c.rung.solver_tolerance);
+      row.at("substeps").get_to(c.rung.substeps);
+      row.at("cell").get_to(c.cell);
+      row.at("expected_error").get_to(c.expected.error);
+      row.at("expected_ms").get_to(c.expected.ms);
+      row.at("good_enough").get_to(c.good_enough);
+      check(c);
+    }
+    return out;
+  } catch (const nlohmann::json::exception&) {
+    throw InputError("journal: its choices of rungs are damaged");
+  }
+}
+
+}  // namespace prosector

@@ -1,0 +1,162 @@
+// From a scene to its choices: what is measured, kept, measured again, and put into the description.
+
+#include "server/calibration/choose_scene.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "common/anatomy/kuhn_box.h"
+#include "common/error.h"
+#include "server/calibration/table_file.h"
+#include "tests/calibration/tables.h"
+
+namespace prosector {
+namespace {
+
+struct Chooser {
+  std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("rungs." + std::to_string(getpid()) + ".json");
+  std::string machine = "a machine";
+  int measured = 0;
+  std::vector<std::string> log;
+
+  ~Chooser() { std::filesystem::remove(file); }
+
+  static SceneDesc scene() {
+    SceneDesc scene;
+    scene.name = "choice";
+    SoftDesc plain, needs;
+    plain.name = "plain";
+    needs.name = "liver";
+    needs.accuracy.value = 2;
+    scene.soft = {plain, needs};
+    return scene;
+  }
+  std::vector<Choice> choose(SceneDesc& scene) {
+    log.clear();
+    measured = 0;
+    ChoiceOptions options{.table_file = file,
+                          .machine = machine,
+                          .measure =
+                              [this](const RungTrial& trial) {
+                                ++measured;
+                                return test::made_up(trial);
+                              },
+                          .sources = {}};
+    options.sources.progress = [this](const std::string& line) { log.push_back(line); };
+    options.sources.anatomy = [](const SoftDesc& desc) {
+      const auto across = static_cast<std::uint32_t>(std::max(1.0, std::round(0.1 / desc.cell)));
+      return Anatomy{kuhn_box({0.4, 0.1, 0.1}, 4 * across, across, across), {}, {}};
+    };
+    return choose_rungs(scene, options);
+  }
+  bool said(const std::string& what) const {
+    for (const std::string& line : log)
+      if (line.find(what) != std::string::npos) return true;
+    return false;
+  }
+};
+
+TEST(ChooseScene, MeasuresOnceAndKeepsTheTable) {
+  Chooser chooser;
+  SceneDesc scene = Chooser::scene();
+  const auto first = chooser.choose(scene);
+  EXPECT_GT(chooser.measured, 20);
+  EXPECT_TRUE(chooser.said("measuring"));
+  EXPECT_TRUE(chooser.said("liver: accuracy 2 % asked for, chosen: ")) << chooser.log.back();
+  ASSERT_EQ(first.size(), 1u);
+  EXPECT_EQ(scene.soft[0].cell, SoftDesc{}.cell) << "nothing was asked for this one";
+  EXPECT_EQ(scene.soft[1].cell, first[0].cell);
+  EXPECT_EQ(scene.soft[1].element, first[0].rung.element);
+
+  SceneDesc again = Chooser::scene();
+  const auto second = chooser.choose(again);
+  EXPECT_EQ(chooser.measured, 0);
+  EXPECT_EQ(encode(second), encode(first));
+}
+
+TEST(ChooseScene, MeasuresWhatIsMissingOnly) {
+  Chooser chooser;
+  SceneDesc scene = Chooser::scene();
+  chooser.choose(scene);
+  scene = Chooser::scene();
+  scene.soft[1].fixed.solver = true;
+  scene.soft[1].solver = "direct";
+  chooser.choose(scene);
+  EXPECT_GT(chooser.measured, 0);
+  EXPECT_EQ(scene.soft[1].solver, "direct");
+}
+
+TEST(ChooseScene, ForeignAndDamagedTablesAreMeasuredAgainAndSaid) {
+  Chooser chooser;
+  SceneDesc scene = Chooser::scene();
+  chooser.choose(scene);
+  chooser.machine = "another machine";
+  scene = Chooser::scene();
+  chooser.choose(scene);
+  EXPECT_GT(chooser.measured, 0);
+  EXPECT_TRUE(chooser.said("another machine or by another build"));
+
+  std::string text;
+  std::getline(std::ifstream(chooser.file), text, '\0');
+  const std::string spoiled[] = {"", "{", text.substr(0, text.size() / 2), "[1, 2]",
+                                 text.substr(0, text.rfind("\"ms_per_frame\"")) + "\"ms_per_frame\": -3}]}"};
+  for (const std::string& bad : spoiled) {
+    std::ofstream(chooser.file) << bad;
+    scene = Chooser::scene();
+    chooser.choose(scene);
+    EXPECT_GT(chooser.measured, 0);
+    EXPECT_TRUE(chooser.said("is damaged")) << bad.substr(0, 40);
+  }
+}
+
+TEST(ChooseScene, ATableThatCannotBeKeptIsNoError) {
+  Chooser chooser;
+  chooser.file = "/proc/no/such/rungs.json";
+  SceneDesc scene = Chooser::scene();
+  EXPECT_EQ(chooser.choose(scene).size(), 1u);
+  EXPECT_TRUE(chooser.said("can't be written"));
+}
+
+TEST(ChooseScene, NothingAskedForMeasuresNothing) {
+  Chooser chooser;
+  SceneDesc scene = Chooser::scene();
+  scene.soft.pop_back();
+  EXPECT_TRUE(chooser.choose(scene).empty());
+  EXPECT_EQ(chooser.measured, 0);
+}
+
+/// What is expected is of the mesh that the body really gets.
+TEST(ChooseScene, ExpectsWhatTheMeshHolds) {
+  Chooser chooser;
+  SceneDesc scene = Chooser::scene();
+  const Choice choice = chooser.choose(scene).front();
+  const auto across = std::round(0.1 / choice.cell);
+  BodyGeometry body = geometry_of(kuhn_box({0.4, 0.1, 0.1}, 8, 2, 2));
+  body.elements = 24 * across * across * across;
+  const auto right = test::made_up_table(scene.soft[1]).prospect(choice.rung, 0.45, body, false);
+  EXPECT_NEAR(choice.expected.ms / right->ms, 1, 0.35) << "cells come in whole numbers";
+}
+
+TEST(Choices, AsTextComeBackAndAreChecked) {
+  Chooser chooser;
+  SceneDesc scene = Chooser::scene();
+  const auto choices = chooser.choose(scene);
+  const std::string text = encode(choices);
+  EXPECT_EQ(encode(decode_choices(text)), text);
+  SceneDesc other = Chooser::scene();
+  adopt(decode_choices(text), other);
+  EXPECT_EQ(other.soft[1].cell, scene.soft[1].cell);
+  EXPECT_EQ(other.soft[1].solver_tolerance, scene.soft[1].solver_tolerance);
+  EXPECT_THROW(adopt(decode_choices("[]"), other), InputError);
+  std::string bad = text;
+  bad.replace(bad.find("\"substeps\":"), 11, "\"substeps\":-");
+  for (const std::string& spoiled : {std::string(), std::string("{"), std::string("[{}]"), bad})
+    EXPECT_THROW(decode_choices(spoiled), InputError) << spoiled;
+}
+
+}  // namespace
+}  // namespace prosector
