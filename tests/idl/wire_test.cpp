@@ -121,7 +121,9 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<Command>("third hand", [](Command& m) { m.hand = 2; }),
       spoiled<Command>("body", [](Command& m) { m.body = max_bodies; }),
       spoiled<CommandResult>("long reason", [](CommandResult& m) { m.reason.assign(1024, 'x'); }),
-      spoiled<SceneInfo>("parent of none", [](SceneInfo& m) { m.bodies[0].parent = static_cast<std::int32_t>(m.bodies.size()); }),
+      spoiled<SceneInfo>(
+          "parent of none",
+          [](SceneInfo& m) { m.bodies[0].parent = static_cast<std::int32_t>(m.bodies.size()); }),
       spoiled<SceneInfo>("own parent", [](SceneInfo& m) { m.bodies[0].parent = 0; }),
       spoiled<SceneInfo>("parents in a ring", [](SceneInfo& m) { m.bodies[0].parent = 1; }),
       spoiled<SceneInfo>("parent −2", [](SceneInfo& m) { m.bodies[0].parent = -2; }),
