@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "server/physics/coupled/recovery.h"
 #include "server/physics/coupled/step_island.h"
 #include "server/physics/soft/explicit_integrators.h"
 #include "server/physics/soft/rungs.h"
@@ -26,17 +27,19 @@ SoftDesc describe(const Rung& rung, const TestPiece& piece) {
   desc.density = piece.density;
   desc.damping_mass = piece.damping_mass;
   desc.damping_stiffness = piece.damping_stiffness;
-  constexpr double pin = 1e13;  // N/m⁴, see AttachDesc
   if (piece.clamped_axis >= 0) {
     constexpr double far = 1e4;  // m: a sphere so large that its surface is a plane to within a hair
-    desc.attach.push_back({-far * Vec3::Unit(piece.clamped_axis), far + 1e-6, pin});
+    desc.attach.push_back({-far * Vec3::Unit(piece.clamped_axis), far + 1e-6, piece.hold_stiffness});
   }
-  if (piece.foundation_ratio > 0) {
-    const double size = piece.mesh.positions.back().norm();
-    desc.attach.push_back({piece.mesh.positions.back(), size / 2,
-                           piece.foundation_ratio * piece.youngs_modulus / (size * size)});
+  if (piece.stiffness_ratio != 1) {
+    const Vec3 size = piece.mesh.positions.back();
+    RegionDesc half;
+    half.center = Vec3(0.75 * size[0], size[1] / 2, size[2] / 2);
+    half.size = Vec3(size[0] / 2, 2 * size[1], 2 * size[2]);
+    half.youngs_modulus = piece.stiffness_ratio * piece.youngs_modulus;
+    desc.regions.push_back(half);
   }
-  if (piece.held_point) desc.attach.push_back({*piece.held_point, 1e-6, pin});
+  if (piece.held_point) desc.attach.push_back({*piece.held_point, 1e-6, piece.hold_stiffness});
   return desc;
 }
 
@@ -64,20 +67,30 @@ class RungSpecimen final : public Specimen {
 
   StepFigures step(double dt, const Vec3& gravity) override {
     const IslandReport report = step_island(island_, dt, gravity);
-    const SoftMember& member = island_.soft.front();
-    StepFigures figures{report.residual, report.solver_iterations, report.converged || member.substeps > 0,
-                        member.degraded || member.reset, member.note};
+    SoftMember& member = island_.soft.front();
+    StepFigures figures;
+    figures.residual = report.residual;
+    figures.solver_iterations = report.solver_iterations;
+    figures.converged = report.converged || member.substeps > 0;
+    figures.reported = member.degraded;
+    figures.refused = member.refused;
+    figures.guarded = member.guarded;
+    figures.recovering = state_.recovering;
     if (!report.finite) {
       // As the server does with a body that went out of bounds: back to its last good state, at rest.
       const VecX x = state_.motion.x;
       set_motion(x, VecX::Zero(x.size()));
-      figures = {report.residual, report.solver_iterations, false, true,
-                 "reset: not finite or out of the room"};
+      figures.reset = true;
+      member.note = "reset: not finite or out of the room";
     }
+    count_quiet_ticks(member);
+    if (unfold_if_tangled(member, !gravity.isZero(), body_.initial_state().motion.x, dt, 1))
+      figures.reset = true;
+    figures.note = member.note;
     return figures;
   }
 
-  double elastic_energy() override { return body_.elastic_energy(state_.motion.x); }
+  double elastic_energy() override { return body_.in_force(state_).elastic_energy(state_.motion.x); }
 
  private:
   SoftBody body_;

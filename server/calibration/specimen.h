@@ -20,9 +20,9 @@ struct TestPiece {
   double damping_stiffness = 0;  // s
   /// Nodes whose coordinate on this axis is 0 are held; −1: none is.
   int clamped_axis = -1;
-  /// The half beyond the middle of x is tied to its rest position by a foundation that many times as stiff as
-  /// the piece itself (E/L² per volume); 0: it is not. (Only by our own rungs.)
-  double foundation_ratio = 0;
+  double hold_stiffness = 1e13;  // N/m⁴, of what holds nodes: see AttachDesc
+  /// The half beyond the middle of x is of a material that many times as stiff. (Only by our own rungs.)
+  double stiffness_ratio = 1;
   /// The node at this place is held. (Only by our own rungs.)
   std::optional<Vec3> held_point;
 };
@@ -32,7 +32,11 @@ struct StepFigures {
   double residual = 0;        // relative, of the last linear solve
   int solver_iterations = 0;  // of the linear solver
   bool converged = true;
-  bool reported = false;  // something was reset, capped or substepped, and the step said so: see note
+  bool reported = false;    // not stepped as asked for, or reset, and the step said so: see note
+  bool refused = false;     // for the reason that its method would need more substeps than it may take
+  bool reset = false;       // put back, or unfolded
+  bool guarded = false;     // taken again or shortened, lest it gain energy
+  bool recovering = false;  // under another law, until it is whole
   std::string note;
 };
 

@@ -44,7 +44,6 @@ struct Simulation::Impl {
   void solve_islands();
   void recover();
   void unfold_tangles();
-  bool stuck(const SoftMember& s) const;
   void fall_asleep();
   void describe();
   void describe_hands();  // part of it

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "server/physics/coupled/recovery.h"
 #include "server/physics/simulation_impl.h"
 
 namespace prosector {
@@ -9,13 +10,9 @@ namespace {
 
 // Times the mass of the island's heaviest body over h²: it may rest on a light one, no deeper than 0.2 mm.
 constexpr double rigid_contact_factor = 20;
-constexpr double quiet_speed = 1e-3;        // m/s, of the fastest node
 constexpr double quiet_rigid_speed = 5e-3;  // m/s
 constexpr double quiet_rigid_spin = 5e-2;   // rad/s
-constexpr int quiet_ticks_to_sleep = 30;
-constexpr double tangled_seconds = 1;  // inside out for so long, with nothing that holds it so: unfolded
 constexpr int tangle_check_ticks = 8;
-constexpr double stuck_energy = 1e-5;  // times E and the volume: a mean strain of about half a per cent
 
 Mat3 room_inertia(const RigidSetup& setup, const Pose& pose) {
   const Mat3 R = pose.q.toRotationMatrix();
@@ -185,14 +182,6 @@ void Simulation::Impl::recover() {
   }
 }
 
-/// Quiet, but in another shape than the one it rests in: a minimum that is not the least.
-bool Simulation::Impl::stuck(const SoftMember& s) const {
-  if (s.state->quiet_ticks < quiet_ticks_to_sleep) return false;
-  const SoftDesc& desc = s.body->desc();
-  const double least = stuck_energy * desc.youngs_modulus * s.body->total_mass() / desc.density;
-  return s.body->elastic_energy(s.state->motion.x) > 2 * s.body->elastic_energy(equilibrium[s.index]) + least;
-}
-
 void Simulation::Impl::unfold_tangles() {
   if (time.tick % tangle_check_ticks != 0) return;
   for (Island& island : islands)
@@ -201,25 +190,19 @@ void Simulation::Impl::unfold_tangles() {
           !soft_contacts[s.index].empty() || std::any_of(hands.begin(), hands.end(), [&](const Hand& hand) {
             return hand.hold && hand.hold->body == soft_id(s.index);
           });
-      const bool tangled = !held && (s.body->inverted_share(s.state->motion.x) > 0 || stuck(s));
-      s.state->tangled_ticks = tangled ? s.state->tangled_ticks + tangle_check_ticks : 0;
-      if (s.state->tangled_ticks * model.h < tangled_seconds) continue;
-      s.body->unfold(*s.state);
-      s.state->tangled_ticks = 0;
+      if (!unfold_if_tangled(s, held, equilibrium[s.index], model.h, tangle_check_ticks)) continue;
       BodyReport& row = report.bodies.emplace_back();
       row.body = s.body->desc().name;
       row.reset = true;
-      row.note = "stayed inside out or tangled: unfolded into its rest shape where it was";
+      row.note = s.note;
     }
 }
 
 void Simulation::Impl::fall_asleep() {
   for (Island& island : islands) {
     bool quiet = true;
-    for (const SoftMember& s : island.soft) {
-      const double speed = s.state->motion.v.lpNorm<Eigen::Infinity>();
-      s.state->quiet_ticks =
-          speed < quiet_speed ? std::min(s.state->quiet_ticks + 1, quiet_ticks_to_sleep) : 0;
+    for (SoftMember& s : island.soft) {
+      count_quiet_ticks(s);
       quiet = quiet && s.state->quiet_ticks == quiet_ticks_to_sleep && s.state->tangled_ticks == 0;
     }
     for (const RigidMember& r : island.rigid) {

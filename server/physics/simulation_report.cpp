@@ -46,7 +46,7 @@ void Simulation::Impl::describe() {
     ++(soft[i].asleep ? report.asleep_bodies : report.awake_bodies);
     if (soft[i].asleep) continue;
     report.kinetic_energy += body.kinetic_energy(soft[i]);
-    report.elastic_energy += body.elastic_energy(soft[i].motion.x);
+    report.elastic_energy += body.in_force(soft[i]).elastic_energy(soft[i].motion.x);
     if (!body.desc().gravity) continue;
     for (Eigen::Index n = 0; n < body.nodes(); ++n)
       report.potential_energy -=

@@ -37,6 +37,9 @@ void add(ByteWriter& out, const SoftBodyState& state) {
   out.add(state.quiet_ticks);
   out.add(state.tangled_ticks);
   if (state.history.size() > 0) out.add(state.history);  // elastic bodies' hashes are those from before it
+  out.add(static_cast<std::uint8_t>(state.recovering));
+  out.add(state.law_seconds);
+  out.add(state.energy_slack);
   out.add(state.mode);
   out.add(state.omega);
 }
@@ -57,6 +60,9 @@ SoftBodyState read_soft(ByteReader& in, const SoftBodyState& like) {
   state.tangled_ticks = in.number<int>();
   state.history.resize(like.history.size());
   if (like.history.size() > 0) state.history = in.vector(like.history.size());
+  state.recovering = in.flag();
+  state.law_seconds = in.number<double>();
+  state.energy_slack = in.number<double>();
   state.mode = in.vector(like.mode.size());
   state.omega = in.number<double>();
   return state;

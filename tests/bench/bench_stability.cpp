@@ -9,27 +9,12 @@
 #include "tests/bench/machine.h"
 #include "tests/bench/rung_report.h"
 #include "tests/bench/stability_run.h"
+#include "tests/bench/stability_rungs.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/verdict_map.h"
 
 namespace prosector {
 namespace {
-
-/// Every model under every integrator, and the default model under every solver: what a scene can ask for, at
-/// its default budget.
-std::vector<Rung> stability_rungs(const std::string& only_model) {
-  std::vector<Rung> rungs;
-  const SoftDesc scene;
-  for (const std::string& model : model_names()) {
-    if (!only_model.empty() && model != only_model) continue;
-    for (const std::string& integrator : integrator_names())
-      rungs.push_back({model, integrator, scene.solver});
-    for (const std::string& solver : solver_names()) {
-      if (model == scene.model && solver != scene.solver) rungs.push_back({model, scene.integrator, solver});
-    }
-  }
-  return rungs;
-}
 
 ReportRow to_row(const Rung& rung, const Extreme& extreme, const StabilityResult& result) {
   ReportRow row = settings(rung);
@@ -52,6 +37,10 @@ ReportRow to_row(const Rung& rung, const Extreme& extreme, const StabilityResult
   row["steps"] = result.steps;
   row["steps_not_converged"] = result.steps_not_converged;
   row["resets"] = result.resets;
+  row["steps_refused"] = result.refusals;
+  row["steps_degraded"] = result.losses;
+  row["steps_guarded"] = result.guarded;
+  row["recoveries"] = result.recoveries;
   row["residual"] = result.residual;
   return row;
 }

@@ -85,7 +85,9 @@ class BulletSpecimen final : public Specimen {
     world_->stepSimulation(static_cast<btScalar>(dt), 0);
     const auto left = static_cast<btScalar>(1 / (1 + piece_.damping_mass * dt));
     for (int i = 0; i < body_->m_nodes.size(); ++i) body_->m_nodes[i].m_v *= left;
-    return {std::numeric_limits<double>::quiet_NaN(), 0, true, false, ""};
+    StepFigures figures;
+    figures.residual = std::numeric_limits<double>::quiet_NaN();
+    return figures;
   }
 
   double elastic_energy() override { return std::numeric_limits<double>::quiet_NaN(); }

@@ -19,6 +19,7 @@ struct Extreme {
   double load_s = 0;                                                  // s
   double release_s = 5;                                               // s
   bool must_recover = true;
+  bool cheap = false;      // done in a blink: also looked at by the test
   bool for_direct = true;  // false: a sparse factorisation would take minutes
 };
 const std::vector<Extreme>& extremes();

@@ -59,7 +59,10 @@ class StabilityRun {
         went_ = false;
         return false;
       }
-      if (figures.reported) start = total_energy(gravity);  // a reset starts anew
+      if (figures.reset || switched_) {  // starts anew
+        start = total_energy(gravity);
+        largest = std::max(kinetic_energy(*specimen_) + specimen_->elastic_energy(), least_energy);
+      }
       largest = std::max(largest, kinetic_energy(*specimen_) + specimen_->elastic_energy());
       const double excess = (total_energy(gravity) - start) / largest;
       if (std::isfinite(excess)) result_.energy_excess = std::max(result_.energy_excess, excess);
@@ -79,12 +82,19 @@ class StabilityRun {
     ++result_.steps;
     last_converged_ = figures.converged;
     if (!figures.converged) ++result_.steps_not_converged;
-    if (figures.reported) {
-      ++result_.resets;
-      result_.reason = figures.note;
-    }
+    if (figures.guarded) ++result_.guarded;
+    switched_ = figures.recovering != recovering_;
+    if (switched_ && figures.recovering) ++result_.recoveries;
+    recovering_ = figures.recovering;
+    count(figures);
     if (std::isfinite(figures.residual)) result_.residual = std::max(result_.residual, figures.residual);
     return figures;
+  }
+
+  void count(const StepFigures& figures) {
+    if (!figures.reset && !figures.reported) return;
+    ++(figures.reset ? result_.resets : figures.refused ? result_.refusals : result_.losses);
+    if (figures.reset || result_.resets == 0) result_.reason = figures.note;
   }
 
   double total_energy(const Vec3& gravity) {
@@ -101,10 +111,10 @@ class StabilityRun {
       fail(fmt::format("its energy rose by {} %", three_digits(100 * result_.energy_excess)));
     } else if (!whole) {
       result_.reason = fmt::format("stopped after {:.0f} ms of CPU time", spent_ms_);
-    } else if (result_.resets > 0) {
+    } else if (back && result_.resets + result_.losses > 0) {
       result_.verdict = Verdict::degrades;
     } else if (back) {
-      result_.verdict = Verdict::survives;
+      result_.verdict = result_.refusals > 0 ? Verdict::refuses : Verdict::survives;
     } else if (!last_converged_) {
       result_.verdict = Verdict::degrades;
       result_.reason = fmt::format("not back: {} mm off, and says that it has not converged",
@@ -125,7 +135,7 @@ class StabilityRun {
   std::unique_ptr<Specimen> specimen_;
   VecX rest_;
   std::vector<double> steps_ms_;
-  bool went_ = true, last_converged_ = true;
+  bool went_ = true, last_converged_ = true, recovering_ = false, switched_ = false;
   StabilityResult result_;
 };
 

@@ -24,7 +24,9 @@ struct StabilityResult {
   double energy_excess = 0;                         // share, see above
   double shape_error = 0;                           // m, largest of all nodes, at the end
   double back_after_s = -1;                         // s after the release; −1: not back within 1 mm
-  int resets = 0;                                   // steps that reported a loss
+  int resets = 0, refusals = 0, losses = 0;         // steps that reported one; losses: of another kind
+  int guarded = 0;                                  // steps taken again or shortened
+  int recoveries = 0;                               // times that the recovery law took over
   int steps = 0, steps_not_converged = 0;
   double residual = 0;  // largest
 };

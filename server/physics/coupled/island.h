@@ -22,9 +22,12 @@ struct SoftMember {
   SoftBody* body = nullptr;
   SoftBodyState* state = nullptr;
   // Results besides the state:
-  int substeps = 0;       // that it took by itself; 0: it was minimised
-  bool degraded = false;  // not stepped as its description says
-  bool reset = false;     // stopped at its last good state
+  int substeps = 0;      // that it took by itself; 0: it was minimised
+  bool refused = false;  // its own method needs more substeps than are allowed, or did not hold in this tick:
+                         // stepped by implicit Euler
+  bool degraded = false;  // not stepped as its description says, for that reason or another
+  bool guarded = false;   // gained energy, or did not descend: this tick was taken again (energy_guard.h)
+  bool euler = false;     // by implicit Euler in this tick, whatever its integrator
   std::string note = {};  // for people: how it was stepped, if not plainly minimised
 };
 
@@ -58,6 +61,7 @@ struct IslandReport {
   double residual = 0;     // relative, of the last linear solve
   double last_step = 0;    // m: largest node or body displacement of the last Newton step
   bool converged = false;  // last step below 0.1 mm
+  bool descended = true;   // false: a search found no lower energy
   bool finite = true;      // false, or out of the room: nothing was taken into the soft states
 };
 

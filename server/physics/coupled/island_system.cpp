@@ -53,6 +53,7 @@ IslandSystem::Side IslandSystem::resolve(const ContactSide& side) const {
   if (side.kind == ContactSide::Kind::soft) {
     std::size_t m = 0;
     while (island_.soft[m].index != side.body) ++m;
+    out.member = m;
     out.nodes = side.nodes;
     out.weight = side.weight;
     for (std::size_t k = 0; k < side.nodes; ++k)
@@ -105,6 +106,33 @@ VecX IslandSystem::initial_guess() const {
   for (std::size_t m = 0; m < island_.rigid.size(); ++m)
     q.segment<6>(rigid_offset(m)) = island_.rigid[m].predicted;
   return q;
+}
+
+VecX IslandSystem::start() const {
+  VecX q(size_);
+  for (std::size_t m = 0; m < island_.soft.size(); ++m)
+    q.segment(soft_offset_[m], 3 * island_.soft[m].body->nodes()) = island_.soft[m].state->motion.x;
+  for (std::size_t m = 0; m < island_.rigid.size(); ++m)
+    q.segment<6>(rigid_offset(m)) = island_.rigid[m].predicted;
+  return q;
+}
+
+void IslandSystem::joint_work(const VecX& start, const VecX& q, std::vector<double>& work) const {
+  const auto add = [&](const Side& side, const Vec3& force) {
+    if (side.nodes > 0) work[side.member] += force.dot(read(side, q) - read(side, start));
+  };
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const Vec3 f = contact_force(c, displacement(contacts_[c], q), nullptr);
+    add(contacts_[c].a, -f);
+    add(contacts_[c].b, f);
+  }
+  for (std::size_t t = 0; t < ties_.size(); ++t) {
+    const Tie& tie = island_.ties[t];
+    const Vec3 d = tie.offset + displacement(ties_[t], q);
+    const Vec3 f = BoundedSpring{tie.stiffness, tie.max_force}.secant(d.norm()) * d;
+    add(ties_[t].a, -f);
+    add(ties_[t].b, f);
+  }
 }
 
 double IslandSystem::normal_force(const Contact& contact, const VecX& q) const {
@@ -213,15 +241,18 @@ void IslandSystem::add_block(const Side& side, const Mat3& D) {
   }
 }
 
-void IslandSystem::assemble(const VecX& q) {
+bool IslandSystem::assemble(const VecX& q, bool exact) {
+  bool kept = false;
   for (std::size_t m = 0; m < island_.soft.size(); ++m) {
     SoftBody& body = *island_.soft[m].body;
     const auto x = q.segment(soft_offset_[m], 3 * body.nodes());
     const double moved = (x - island_.soft[m].state->motion.x).lpNorm<Eigen::Infinity>();
-    if (moved <= same_tangent * body.desc().cell)
+    if (!exact && moved <= same_tangent * body.desc().cell) {
       body.assemble_at_start();
-    else
+      kept = true;
+    } else {
       body.assemble(x);
+    }
     body.diagonal(
         std::span(node_blocks_)
             .subspan(static_cast<std::size_t>(soft_offset_[m] / 3), static_cast<std::size_t>(body.nodes())));
@@ -259,6 +290,7 @@ void IslandSystem::assemble(const VecX& q) {
                     for (std::size_t i = first; i < last; ++i) node_inverse_[i] = node_blocks_[i].inverse();
                   });
   for (std::size_t m = 0; m < rigid_sums_.size(); ++m) rigid_factors_[m].compute(rigid_sums_[m]);
+  return kept;
 }
 
 void IslandSystem::multiply(const VecX& p, VecX& Hp) const {

@@ -13,15 +13,17 @@ class IslandSystem final : public LinearOperator {
 
   /// Warm start: the soft bodies' own guess, the rigid bodies' prediction.
   VecX initial_guess() const;
+  /// Where the tick began, rigid bodies' prediction.
+  VecX start() const;
   /// Normal forces that friction uses until the next call: those at q.
   void lag_friction(const VecX& q);
   double energy(const VecX& q);
   /// The same at the q of the last energy(), after lag_friction() changed the friction: no elements visited.
   double energy_with_new_friction(const VecX& q) const { return soft_energy_ + joint_energy(q); }
   void gradient(const VecX& q, VecX& g);
-  /// Fixes the Hessian at q. Soft bodies that moved little since the tick's start keep the tangent that they
-  /// have from there.
-  void assemble(const VecX& q);
+  /// Fixes the Hessian at q. Unless it is to be `exact`, soft bodies that moved little since the tick's start
+  /// keep the matrix that they have from there. True when some did.
+  bool assemble(const VecX& q, bool exact);
 
   Eigen::Index size() const override { return size_; }
   void multiply(const VecX& p, VecX& Hp) const override;
@@ -33,6 +35,9 @@ class IslandSystem final : public LinearOperator {
   Eigen::Index rigid_offset(std::size_t member) const {
     return rigid_begin_ + 6 * static_cast<Eigen::Index>(member);
   }
+  /// J that contacts and ties did to each soft member between `start` and q with the forces that they have at
+  /// q.
+  void joint_work(const VecX& start, const VecX& q, std::vector<double>& work) const;
   /// Normal force of a contact at q, N.
   double normal_force(const Contact& contact, const VecX& q) const;
 
@@ -43,6 +48,7 @@ class IslandSystem final : public LinearOperator {
     std::array<Eigen::Index, ContactSide::most_nodes> offset{};
     std::array<double, ContactSide::most_nodes> weight{};
     Eigen::Index rigid = -1;
+    std::size_t member = 0;  // soft
     Vec3 arm = Vec3::Zero();
   };
   /// The displacement of side a relative to side b, as a linear map of the unknowns, and its 3×3 stiffness.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "server/physics/coupled/energy_guard.h"
 #include "server/physics/coupled/island_system.h"
 #include "server/physics/soft/effort.h"
 
@@ -13,12 +14,16 @@ constexpr int rigid_newton_iterations = 12;
 constexpr double enough_step =
     1e-5;  // m: a next Newton step below it, at the rate of the last two, is not taken
 constexpr double converged_step = 1e-4;  // m
-constexpr int halvings = 12;
+constexpr int halvings = 12, halvings_with_care = 40;
+constexpr int newton_with_care = 4;   // times the scene's iterations
+constexpr double violent_step = 0.1;  // diagonals of a body that its warm start may lead away
 constexpr double armijo = 1e-4;
 constexpr double rounding = 1e-12;  // of |E|: what a sum of this size cannot resolve
 
 struct Limits {
   int newton = rigid_newton_iterations;
+  bool alone = true;     // nothing touches or holds: the guard is on
+  bool careful = false;  // exact tangents from the first on, long searches
   SolverSettings solver;
   std::string solver_name = "cg";
 };
@@ -39,7 +44,7 @@ Limits limits_of(const Island& island) {
 /// Largest step length 1, ½, ¼ … that lowers the energy enough; 0 when none does. The system's last energy is
 /// then the one at `next`.
 double line_search(IslandSystem& system, const VecX& q, const VecX& step, double energy, double slope,
-                   VecX& next) {
+                   int halvings, VecX& next) {
   double length = 1;
   for (int i = 0; i < halvings; ++i, length /= 2) {
     next = q + length * step;
@@ -60,16 +65,32 @@ double linear_tolerance(const Island& island, const Limits& limits) {
   return rigid_contact ? limits.solver.tolerance : std::sqrt(limits.solver.tolerance);
 }
 
+/// Whether the warm start of some soft body leads so far that it may be worse than none.
+bool violent(const Island& island) {
+  return std::any_of(island.soft.begin(), island.soft.end(), [](const SoftMember& m) {
+    return m.state->warm_start.lpNorm<Eigen::Infinity>() > violent_step * m.body->diagonal();
+  });
+}
+
+/// The least energy of some places to start from; the system's last energy is then the one there.
+VecX best_start(IslandSystem& system, VecX guess, const VecX& start) {
+  const double there = system.energy(guess), here = system.energy(start);
+  if (!std::isfinite(there) || here < there) return start;
+  system.energy(guess);
+  return guess;
+}
+
 IslandReport minimise(IslandSystem& system, const Limits& limits, double tolerance, VecX& q) {
   const auto solver = make_solver(limits.solver_name);
   IslandReport report;
   VecX g(system.size()), step(system.size()), next(system.size());
+  bool exact = limits.careful;
   system.energy(q);
   while (report.newton_iterations < limits.newton) {
     system.lag_friction(q);
     const double energy = system.energy_with_new_friction(q);
     system.gradient(q, g);
-    system.assemble(q);
+    const bool kept = system.assemble(q, exact);
     g = -g;
     step.setZero();
     SolveReport solved = solver->solve(system, g, {limits.solver.max_iterations, tolerance}, step);
@@ -81,8 +102,17 @@ IslandReport minimise(IslandSystem& system, const Limits& limits, double toleran
     report.residual = solved.residual;
     const double slope = -g.dot(step);
     if (!(slope < 0)) break;  // at rest, or not finite
-    const double length = line_search(system, q, step, energy, slope, next);
-    if (length == 0) break;
+    const double length =
+        line_search(system, q, step, energy, slope, limits.careful ? halvings_with_care : halvings, next);
+    if (length == 0 && !(kept && limits.alone)) {
+      report.descended = false;
+      break;
+    }
+    exact = exact || (limits.alone && kept && length < 1);  // the start's matrix misleads here
+    if (length == 0) {
+      system.energy(q);
+      continue;
+    }
     q.swap(next);
     const double before = report.last_step;
     report.last_step = length * step.lpNorm<Eigen::Infinity>();
@@ -93,26 +123,27 @@ IslandReport minimise(IslandSystem& system, const Limits& limits, double toleran
   return report;
 }
 
-int stages_of(const Island& island) {
-  int stages = 1;
-  for (const SoftMember& m : island.soft) stages = std::max(stages, m.body->integrator().stages());
-  return stages;
+int stages_of(const SoftMember& m) {
+  return m.euler ? 1 : m.body->integrator().stages();
 }
 
-}  // namespace
-
-IslandReport solve_island(Island& island, double h, const Vec3& gravity) {
-  const Limits limits = limits_of(island);
+/// One attempt at the tick. `work`: J, by joints on each soft member.
+IslandReport attempt(Island& island, const Limits& limits, double h, const Vec3& gravity,
+                     std::vector<double>& work) {
   const double tolerance = linear_tolerance(island, limits);
+  int stages = 1;
+  for (const SoftMember& m : island.soft) stages = std::max(stages, stages_of(m));
   IslandReport report;
   IslandSystem system(island, h);  // displacements count from here, in every stage
-  for (int stage = 0; stage < stages_of(island); ++stage) {
-    for (SoftMember& m : island.soft)
-      m.body->begin_stage(std::min(stage, m.body->integrator().stages() - 1), h, gravity, *m.state);
+  const VecX start = system.start();
+  for (int stage = 0; stage < stages; ++stage) {
+    for (SoftMember& m : island.soft) m.body->begin_stage(stage, h, gravity, *m.state, m.euler);
     VecX q = system.initial_guess();
+    if (limits.careful || (limits.alone && violent(island))) q = best_start(system, std::move(q), start);
     IslandReport part = minimise(system, limits, tolerance, q);
     part.newton_iterations += report.newton_iterations;
     part.solver_iterations += report.solver_iterations;
+    part.descended = part.descended && report.descended;
     report = part;
     report.finite = q.allFinite() && q.lpNorm<Eigen::Infinity>() < max_coordinate;
     if (!report.finite) return report;
@@ -121,10 +152,65 @@ IslandReport solve_island(Island& island, double h, const Vec3& gravity) {
     for (Contact& c : island.contacts) c.force = system.normal_force(c, q);
     for (std::size_t m = 0; m < island.soft.size(); ++m) {
       SoftBody& body = *island.soft[m].body;
-      body.finish_stage(std::min(stage, body.integrator().stages() - 1), h,
-                        q.segment(system.soft_offset(m), 3 * body.nodes()), *island.soft[m].state);
+      body.finish_stage(stage, h, q.segment(system.soft_offset(m), 3 * body.nodes()), *island.soft[m].state);
+    }
+    if (stage + 1 == stages) system.joint_work(start, q, work);
+  }
+  return report;
+}
+
+/// Whether some body keeps a history of stress: what it gives back is no gain.
+bool relaxing(const Island& island) {
+  return std::any_of(island.soft.begin(), island.soft.end(),
+                     [](const SoftMember& m) { return m.state->history.size() > 0; });
+}
+
+/// Methods of several steps or stages weigh a force otherwise than a rigid body does over the same tick: in
+/// company of rigid bodies all are stepped by implicit Euler, so that what one loses the other gets.
+void choose_integrators(Island& island) {
+  for (SoftMember& m : island.soft) m.euler = !island.rigid.empty() || island.soft.size() > 1;
+}
+
+}  // namespace
+
+IslandReport solve_island(Island& island, double h, const Vec3& gravity) {
+  Limits limits = limits_of(island);
+  choose_integrators(island);
+  limits.alone = island.contacts.empty() && island.ties.empty() && !relaxing(island);
+  EnergyGuard guard(island, h, gravity);
+  std::vector<double> work(island.soft.size(), 0);
+  if (!guard.sound()) {
+    IslandReport lost;
+    lost.finite = false;
+    return lost;
+  }
+  IslandReport report = attempt(island, limits, h, gravity, work);
+  if (limits.alone && (!report.finite || guard.gained(work))) {
+    guard.rewind();
+    limits.newton *= newton_with_care;
+    limits.careful = true;
+    for (SoftMember& m : island.soft) m.euler = m.guarded = true;
+    std::fill(work.begin(), work.end(), 0.0);
+    const IslandReport first = report;
+    report = attempt(island, limits, h, gravity, work);
+    report.newton_iterations += first.newton_iterations;
+    report.solver_iterations += first.solver_iterations;
+    if (!report.finite) {
+      guard.rewind();
+      return report;
+    }
+    if (guard.gained(work)) {
+      guard.shorten(work);
+      report.converged = false;
     }
   }
+  if (!report.finite) {
+    guard.rewind();
+    return report;
+  }
+  if (limits.alone) guard.finish(work);
+  for (SoftMember& m : island.soft)
+    if (m.euler && m.body->integrator().remembers()) m.state->motion.has_history = false;
   return report;
 }
 

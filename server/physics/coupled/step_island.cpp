@@ -7,14 +7,15 @@
 
 #include "common/messages.h"
 #include "server/physics/coupled/impulse_coupling.h"
+#include "server/physics/coupled/recovery.h"
 #include "server/physics/coupled/solve_island.h"
 #include "server/physics/soft/substepper.h"
 
 namespace prosector {
 namespace {
 
-constexpr double least_energy = 1e-6;  // J: less is nobody's concern
-constexpr int tries = 2;               // by substeps, before a body that got too stiff is minimised
+constexpr double least_power = 6e-5;  // W: less is nobody's concern
+constexpr int tries = 2;              // by substeps, before a body that got too stiff is minimised
 
 bool good(const SoftBodyState& state) {
   return state.motion.x.allFinite() && state.motion.v.allFinite() &&
@@ -57,10 +58,10 @@ class Tick {
       for (Eigen::Index i = 0; i < member.body->nodes(); ++i)
         fallen +=
             member.body->node_mass()[i] * gravity_.dot(x.segment<3>(3 * i) - before_[m].segment<3>(3 * i));
-    const double gain = member.body->substepper()->most_gain();
-    const double explained =
-        gain * (energy_[m] + std::max(0.0, fallen)) + (gain - 1) * std::max(0.0, work_[m]);
-    return energy(member) <= explained + least_energy;
+    const double gain = member.body->substepper()->most_gain(h_);
+    const double explained = gain * (energy_[m] + std::max(0.0, fallen)) +
+                             member.body->substepper()->most_pushed(h_) * std::max(0.0, work_[m]);
+    return energy(member) <= explained + least_power * h_;
   }
 
   void decide() {
@@ -71,7 +72,6 @@ class Tick {
       const Substepper* own = member.body->substepper();
       if (!own) continue;
       member.substeps = 0;
-      member.degraded = false;
       const double needed = own->needed(h_, *member.state);
       substepped_[m] = needed <= own->allowed() && !minimised_always_[m];
       if (substepped_[m])
@@ -90,6 +90,7 @@ class Tick {
   void refuse(SoftMember& member, double needed) const {
     const SoftDesc& desc = member.body->desc();
     member.degraded = true;
+    member.refused = true;
     member.note =
         needed <= desc.max_substeps ? fmt::format("{} did not hold in this tick: stepped by implicit_euler",
                                                   desc.model == "xpbd" ? desc.model : desc.integrator)
@@ -140,6 +141,8 @@ class Tick {
     if (rest.soft.empty() && rest.rigid.empty()) return report;
     report = solve_island(rest, h_, gravity_);
     island_.rigid = rest.rigid;
+    for (std::size_t m = 0; m < member_of.size(); ++m)
+      island_.soft[member_of[m]].guarded = rest.soft[m].guarded;
     for (std::size_t c = 0; c < contact_of.size(); ++c) island_.contacts[contact_of[c]] = rest.contacts[c];
     return report;
   }
@@ -185,12 +188,30 @@ class Tick {
   int substeps_ = 0;
 };
 
-}  // namespace
-
-IslandReport step_island(Island& island, double h, const Vec3& gravity) {
+IslandReport step_under_laws(Island& island, double h, const Vec3& gravity) {
   const bool substeps = std::any_of(island.soft.begin(), island.soft.end(),
                                     [](const SoftMember& m) { return m.body->substepper() != nullptr; });
   return substeps ? Tick(island, h, gravity).run() : solve_island(island, h, gravity);
+}
+
+}  // namespace
+
+IslandReport step_island(Island& island, double h, const Vec3& gravity) {
+  std::vector<SoftBody*> own;
+  for (SoftMember& m : island.soft) {
+    own.push_back(m.body);
+    choose_law(m, h);
+    m.body = &m.body->in_force(*m.state);
+  }
+  const bool sane = gravity.allFinite();
+  const IslandReport report = step_under_laws(island, h, sane ? gravity : Vec3(Vec3::Zero()));
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    SoftMember& m = island.soft[i];
+    m.body = own[i];
+    if (!sane) m.note = "gravity is not finite: none was taken";
+    if (m.guarded && m.note.empty()) m.note = "gained energy: taken again with more care by implicit_euler";
+  }
+  return report;
 }
 
 }  // namespace prosector

@@ -10,6 +10,7 @@ class BackwardDifferences final : public TimeIntegrator {
   explicit BackwardDifferences(int order) : order_(order) {}
 
   int stages() const override { return 1; }
+  bool remembers() const override { return order_ > 1; }
 
   void begin(int, double h, const Vec3& gravity, const Motion& motion, Stage& stage) const override {
     if (order_ == 2 && motion.has_history) {

@@ -11,6 +11,7 @@ namespace prosector {
 namespace {
 
 constexpr double safety = 0.9;        // of the stability limit: the estimate of ω comes from below
+constexpr double growth = 0.06;       // 1/s, at most, of energy under methods that hold by damping alone
 constexpr int first_iterations = 60;  // of the power method, from a vector that knows nothing
 constexpr double most_stiffening =
     1.2;                            // times ω at rest: Hooke's stiffness does not damp what stress stiffens
@@ -83,7 +84,7 @@ class ExplicitSubstepper final : public Substepper {
     return limit > 0 ? std::ceil(h / (safety * limit)) : std::numeric_limits<double>::infinity();
   }
   int allowed() const override { return body_.desc.max_substeps; }
-  double most_gain() const override { return needs_damping_ ? 1.001 : 2; }
+  double most_gain(double h) const override { return needs_damping_ ? 1 + growth * h : 2; }
   void begin(const SoftBodyState& state) override { field_.begin(state.motion.x.data()); }
   void step(double hs, const Vec3& gravity, SoftBodyState& state) override {
     field_.set_gravity(gravity);

@@ -15,10 +15,10 @@
 #include "server/physics/soft/float_rows.h"
 #include "server/physics/soft/multigrid.h"
 #include "server/physics/soft/node_vectors.h"
+#include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body_setup.h"
 #include "server/physics/soft/substepper.h"
 #include "server/physics/soft/tet10.h"
-#include "server/physics/soft/unfold.h"
 
 namespace prosector {
 namespace {
@@ -26,6 +26,8 @@ namespace {
 constexpr std::size_t nodes_per_chunk = 256;
 /// Of inertia over stiffness: from here on H in single precision is as definite as in double.
 constexpr double least_inertia = 1e-5;
+const char* const recovery_model = "fem_corotational";  // no minimum but the rest shape was ever seen
+constexpr double most_turn = M_PI / 3;                  // rad, of a body whose law is for small rotations
 
 template <class T>
 auto named(const SoftDesc& desc, const T& make) {
@@ -47,17 +49,28 @@ VecX lumped_mass(double density, VecX volume) {
   return density * volume.cwiseMax(least);
 }
 
+double bounding_diagonal(const VecX& x) {
+  const auto points = x.reshaped(3, x.size() / 3);
+  return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+}
+
 }  // namespace
 
 struct SoftBody::Impl {
   SoftDesc desc;
   Anatomy anatomy;
   std::unique_ptr<ElasticModel> model;
-  std::unique_ptr<TimeIntegrator> integrator;
+  std::unique_ptr<TimeIntegrator> integrator, euler;
+  const TimeIntegrator* stepping = nullptr;  // the one of the step begun
   BlockPattern pattern;
   VecX mass, attached;  // n kg; n N/m
   std::unique_ptr<Substepper> substepper;
+  std::unique_ptr<SoftBody> recovery;
   std::vector<double> area;
+  double diagonal;    // m
+  TetMesh eighths;    // of quadratic tetrahedra: linear ones on the same nodes
+  Motion remembered;  // x, v
+  VecX history;       // with them
 
   Stage stage;
   std::vector<double> node_sums;               // one a chunk
@@ -81,24 +94,30 @@ struct SoftBody::Impl {
         mass(lumped_mass(d.density, model->volume())),
         attached(prosector::attachment_stiffness(d.attach, model->rest(), model->volume())),
         area(vertex_areas(anatomy)),
+        diagonal(bounding_diagonal(model->rest())),
         damped(d.damping_stiffness > 0) {
     named(d, [&] { return make_solver(d.solver); });  // used by whoever solves, refused here
     require(model->connectivity().size() > 0, d,
             fmt::format("all {} elements are flat or of no length; at least one must not be",
                         model->dropped_elements()));
     substepper = named(d, [&] { return make_substepper({desc, *model, pattern, mass, attached}, anatomy); });
+    euler = make_integrator("implicit_euler");
+    if (d.element == "tet10") eighths = divided(anatomy.tets);
     integrator = make_integrator(substepper ? "implicit_euler" : d.integrator);
+    stepping = integrator.get();
     reserve();
   }
 
   std::size_t node_count() const { return model->connectivity().nodes(); }
   const VecX& rest() const { return model->rest(); }
+  const TetMesh& linear_tets() const { return eighths.tets.empty() ? anatomy.tets : eighths; }
 
   void reserve() {
     node_sums.resize(chunk_count(node_count(), nodes_per_chunk));
     hessian.resize(pattern.blocks());
     if (damped) start_stiffness.resize(pattern.blocks());
-    for (VecX* v : {&x_n, &drift, &damping, &stage.y, &stage.x_v, &stage.v_h}) *v = VecX::Zero(rest().size());
+    for (VecX* v : {&x_n, &drift, &damping, &stage.y, &stage.x_v, &stage.v_h, &remembered.x, &remembered.v})
+      *v = VecX::Zero(rest().size());
     if (desc.solver == "direct") cholesky = std::make_unique<Cholesky>(pattern);
     if (desc.solver == "multigrid") {
       make_coarse_levels();
@@ -216,16 +235,18 @@ SoftBodyState SoftBody::initial_state() const {
   return state;
 }
 
-void SoftBody::begin_stage(int stage_index, double h, const Vec3& gravity, const SoftBodyState& state) {
+void SoftBody::begin_stage(int stage_index, double h, const Vec3& gravity, const SoftBodyState& state,
+                           bool euler) {
   Impl& m = *impl_;
-  m.integrator->begin(stage_index, h, m.desc.gravity ? gravity : Vec3::Zero(), state.motion, m.stage);
+  m.stepping = euler ? m.euler.get() : m.integrator.get();
+  m.stepping->begin(stage_index, h, m.desc.gravity ? gravity : Vec3::Zero(), state.motion, m.stage);
   m.x_n = state.motion.x;
   m.multigrid_turned = m.drift_known = false;
   if (m.damped) m.pattern.gather(m.model->warped_stiffness(m.x_n.data()), 0, {}, m.start_stiffness);
   if (m.relaxed)
     m.model->relax_fully();
   else
-    m.model->begin_step(m.integrator->share(stage_index) * h, m.x_n.data(), state.history.data());
+    m.model->begin_step(m.stepping->share(stage_index) * h, m.x_n.data(), state.history.data());
 }
 
 void SoftBody::set_relaxed(bool relaxed) {
@@ -238,7 +259,7 @@ const Stage& SoftBody::stage() const {
 
 void SoftBody::initial_guess(double h, const SoftBodyState& state, Eigen::Ref<VecX> x) const {
   const Impl& m = *impl_;
-  if (m.integrator->stages() == 1)
+  if (m.stepping->stages() == 1)
     x = state.motion.x + h * state.motion.v + state.warm_start;
   else
     x = m.stage.x_v + m.stage.dxdv * state.motion.v;
@@ -339,9 +360,27 @@ void SoftBody::finish_stage(int stage_index, double h, const Eigen::Ref<const Ve
                             SoftBodyState& state) const {
   const Impl& m = *impl_;
   if (stage_index == 0) state.warm_start = -h * state.motion.v;
-  m.integrator->finish(stage_index, h, m.stage, x, state.motion);
+  m.stepping->finish(stage_index, h, m.stage, x, state.motion);
   if (!m.relaxed) m.model->end_step(x.data(), state.history.data());
-  if (stage_index + 1 == m.integrator->stages()) state.warm_start += h * state.motion.v;
+  if (stage_index + 1 == m.stepping->stages()) state.warm_start += h * state.motion.v;
+}
+
+void SoftBody::remember(const SoftBodyState& state) {
+  impl_->remembered.x = state.motion.x;
+  impl_->remembered.v = state.motion.v;
+  impl_->history = state.history;
+}
+
+void SoftBody::recall(SoftBodyState& state) const {
+  state.motion.x = impl_->remembered.x;
+  state.motion.v = impl_->remembered.v;
+  state.history = impl_->history;
+  state.motion.has_history = false;
+  state.warm_start.setZero();
+}
+
+const Motion& SoftBody::remembered() const {
+  return impl_->remembered;
 }
 
 double SoftBody::elastic_energy(const Eigen::Ref<const VecX>& x) {
@@ -360,12 +399,57 @@ double SoftBody::kinetic_energy(const SoftBodyState& state) const {
   return 0.5 * sum;
 }
 
-double SoftBody::inverted_share(const VecX& x) const {
-  return prosector::inverted_share(impl_->anatomy.tets, x);
+double SoftBody::fall_energy(const VecX& from, const VecX& to, const Vec3& gravity) const {
+  double sum = 0;
+  if (!impl_->desc.gravity) return sum;
+  for (Eigen::Index i = 0; i < nodes(); ++i)
+    sum += impl_->mass[i] * gravity.dot(to.segment<3>(3 * i) - from.segment<3>(3 * i));
+  return sum;
+}
+
+double SoftBody::diagonal() const {
+  return impl_->diagonal;
+}
+
+bool SoftBody::has_recovery() const {
+  const SoftDesc& desc = impl_->desc;
+  return (desc.model != recovery_model || desc.element == "tet10") &&
+         mesh_kind(impl_->anatomy) == MeshKind::tets;
+}
+
+SoftBody* SoftBody::recovery() {
+  if (!impl_->recovery && has_recovery()) {
+    SoftDesc desc = impl_->desc;
+    desc.model = recovery_model;
+    desc.integrator = "implicit_euler";
+    desc.solver = "cg";
+    desc.element = "tet4";
+    desc.fiber_stiffness = 0;
+    for (RegionDesc& region : desc.regions) region.fiber_stiffness = -1;
+    desc.relaxation.clear();
+    impl_->recovery = std::make_unique<SoftBody>(desc, Anatomy{impl_->linear_tets(), {}, {}});
+  }
+  return impl_->recovery.get();
+}
+
+SoftBody& SoftBody::in_force(const SoftBodyState& state) {
+  return state.recovering ? *recovery() : *this;
+}
+
+bool SoftBody::turned_too_far(const VecX& x) const {
+  if (impl_->model->objective()) return false;
+  return best_rotation(impl_->rest(), impl_->mass, x).trace() < 1 + 2 * std::cos(most_turn);
+}
+
+double SoftBody::inverted_share(const VecX& x, double least) const {
+  return crushed_share(impl_->linear_tets(), x, least);
 }
 
 void SoftBody::unfold(SoftBodyState& state) const {
   prosector::unfold(impl_->rest(), impl_->mass, state);
+  if (impl_->attached.isZero()) return;
+  state.motion.x = impl_->rest();
+  state.motion.v.setZero();
 }
 
 }  // namespace prosector

@@ -16,6 +16,7 @@
 #include "server/physics/soft/constitutive_law.h"
 #include "server/physics/soft/linear_solver.h"
 #include "server/physics/soft/soft_state.h"
+#include "server/physics/soft/unfold.h"
 
 namespace prosector {
 
@@ -52,7 +53,9 @@ class SoftBody {
   // ---- One step. Caches (matrix, element batches) are members; nothing allocates after the constructor,
   // except Eigen's numeric factorisation within factor_solve.
   /// Starts a stage: α, y, x_v from the integrator; state.motion.x fixes the damping matrix.
-  void begin_stage(int stage_index, double h, const Vec3& gravity, const SoftBodyState& state);
+  /// `euler`: by implicit Euler, whatever integrator() is, for all of the step.
+  void begin_stage(int stage_index, double h, const Vec3& gravity, const SoftBodyState& state,
+                   bool euler = false);
   const Stage& stage() const;
   /// Where Newton may start in the stage begun: x_n + h·v_n + warm_start, what constant acceleration would
   /// lead to; of a method of several stages, what constant velocity would.
@@ -80,16 +83,35 @@ class SoftBody {
   /// While true, steps are those of a body that has been held for ever, whatever its relaxation: for finding
   /// its equilibrium.
   void set_relaxed(bool relaxed);
+  /// Keeps positions and velocities, to go back to.
+  void remember(const SoftBodyState& state);
+  /// Puts them back; nothing is known of the step before.
+  void recall(SoftBodyState& state) const;
+  const Motion& remembered() const;  // x and v
   /// Takes the minimiser into the state.
   void finish_stage(int stage_index, double h, const Eigen::Ref<const VecX>& x, SoftBodyState& state) const;
 
   /// Elastic + attachment energy at x, J, of what has relaxed (for reports; without inertia and damping).
   double elastic_energy(const Eigen::Ref<const VecX>& x);
   double kinetic_energy(const SoftBodyState& state) const;  // J
-  /// Share of the rest volume that is inside out at x, or flat; 0 for sheets and ropes, which have no inside.
-  double inverted_share(const VecX& x) const;
+  /// What gravity gave on the way from one shape to another, J.
+  double fall_energy(const VecX& from, const VecX& to, const Vec3& gravity) const;
+  double diagonal() const;  // m, of the rest shape's bounding box
+  /// Share of the rest volume that is inside out at x, or flat (below `least` of its own volume); 0 for
+  /// sheets and ropes, which have no inside.
+  double inverted_share(const VecX& x, double least = flat) const;
+  /// The same nodes and attachments under the law that leads out of every shape, corotational, on linear
+  /// tetrahedra (quadratic ones are eight each), which is made when first asked for; null for bodies that
+  /// have it anyway, and for sheets and ropes.
+  SoftBody* recovery();
+  bool has_recovery() const;
+  /// The body whose law is in force in this state: itself, or recovery().
+  SoftBody& in_force(const SoftBodyState& state);
+  /// Whether the body as a whole is turned so far from its rest pose that its law, for small rotations, means
+  /// nothing; never of laws that turn along.
+  bool turned_too_far(const VecX& x) const;
   /// Puts the rest shape where the body is: the rigid motion that fits best (Horn 1987), at its momentum and
-  /// angular momentum. The way out of shapes that no force leads out of.
+  /// angular momentum; a body that is attached, where it is attached, at rest. The way out of shapes that no force leads out of.
   void unfold(SoftBodyState& state) const;
 
   /// A node that no tetrahedron, or only flat ones, give a mass gets this share of the mean one: every

@@ -13,6 +13,10 @@ struct SoftBodyState {
   int quiet_ticks = 0;
   int tangled_ticks = 0;  // in a row with inverted elements and nothing that holds them so
   int steps_down = 0;     // how far it is solved less exactly, see effort.h
+  /// Stepped under the law of SoftBody::recovery(), see recovery.h.
+  bool recovering = false;
+  double law_seconds = 0;   // s: for how long the other law has been called for
+  double energy_slack = 0;  // J: what its energy has been above what it is, of late, see energy_guard.h
   // Explicit integrators only; empty and 0 otherwise.
   VecX mode;         // 3n: about the shape of the body's fastest oscillation, unit
   double omega = 0;  // 1/s: about its angular frequency

@@ -20,10 +20,13 @@ class Substepper {
   virtual double needed(double h, const SoftBodyState& state) const = 0;
   /// The most that the scene allows.
   virtual int allowed() const = 0;
-  /// How many times what it had and what gravity gave its energy may be after a tick, and, less one, how many
-  /// times what impulses gave: methods whose energy swings near their limit are given room, those that hold
-  /// by damping alone next to none.
-  virtual double most_gain() const = 0;
+  /// How many times what it had and what gravity gave its energy may be after a tick of h s: methods whose
+  /// energy swings near their limit are given room, others next to none.
+  virtual double most_gain(double h) const = 0;
+  /// How many times what impulses gave may be added: next to none of methods that hold by damping alone, in
+  /// which a push strikes modes that damping does not reach. Those are stepped by implicit Euler while they
+  /// are pushed.
+  virtual double most_pushed(double h) const { return most_gain(h) - 1; }
   /// Starts a tick.
   virtual void begin(const SoftBodyState& state) = 0;
   /// hs s on, free of contacts.

@@ -204,4 +204,25 @@ void add_edge_nodes(Anatomy& anatomy) {
   for (SparseMap::Row& row : anatomy.embedding.rows) row = divided(row, edge_nodes);
 }
 
+TetMesh divided(const TetMesh& mesh) {
+  std::vector<Edge> edges = edges_of(mesh);
+  const std::size_t vertices = mesh.positions.size() - edges.size();
+  const EdgeNodes edge_nodes(std::move(edges), vertices);
+  TetMesh out{mesh.positions, {}};
+  out.tets.reserve(8 * mesh.tets.size());
+  for (const auto& tet : mesh.tets) {
+    std::array<std::array<std::uint32_t, 4>, 4> middle{};
+    for (const auto& [a, b] : Tet10Elements::edge) {
+      edge_nodes.find(tet[a], tet[b], middle[a][b]);
+      middle[b][a] = middle[a][b];
+    }
+    for (std::size_t c = 0; c < 4; ++c)
+      out.tets.push_back({tet[c], middle[c][(c + 1) % 4], middle[c][(c + 2) % 4], middle[c][(c + 3) % 4]});
+    const std::array<std::uint32_t, 4> ring = {middle[0][2], middle[1][2], middle[1][3], middle[0][3]};
+    for (std::size_t k = 0; k < 4; ++k)
+      out.tets.push_back({middle[0][1], middle[2][3], ring[k], ring[(k + 1) % 4]});
+  }
+  return out;
+}
+
 }  // namespace prosector

@@ -59,5 +59,7 @@ class Tet10Elements {
 /// Adds the middles of the tetrahedra's edges to the mesh's nodes, in the order of their vertices, and ties
 /// the surface to the eight linear tetrahedra into which the ten nodes of each divide it.
 void add_edge_nodes(Anatomy& anatomy);
+/// The eight linear tetrahedra on the ten nodes of each, all of one volume: the same nodes.
+TetMesh divided(const TetMesh& mesh);
 
 }  // namespace prosector

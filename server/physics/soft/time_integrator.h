@@ -50,6 +50,8 @@ class TimeIntegrator {
   virtual int stages() const = 0;
   /// Of the step: what time the stage covers.
   virtual double share(int /*stage_index*/) const { return 1; }
+  /// Whether a step depends on what was before its start.
+  virtual bool remembers() const = 0;
   /// `h` s, `gravity` m/s² (zero for bodies without). Writes into `stage` without allocating once sized.
   virtual void begin(int stage_index, double h, const Vec3& gravity, const Motion& motion,
                      Stage& stage) const = 0;

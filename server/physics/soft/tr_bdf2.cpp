@@ -16,6 +16,7 @@ class TrBdf2 final : public TimeIntegrator {
  public:
   int stages() const override { return 2; }
   double share(int stage_index) const override { return stage_index == 0 ? gamma : 1 - gamma; }
+  bool remembers() const override { return true; }
 
   void begin(int stage_index, double h, const Vec3& gravity, const Motion& motion,
              Stage& stage) const override {

@@ -7,8 +7,6 @@
 namespace prosector {
 namespace {
 
-constexpr double flat = 1e-2;  // of the rest volume: less is as good as inside out
-
 double six_volumes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return (b - a).cross(c - a).dot(d - a);
 }
@@ -19,30 +17,36 @@ Vec3 mean(const VecX& values, const VecX& mass) {
 
 }  // namespace
 
-double inverted_share(const TetMesh& mesh, const VecX& x) {
-  double inverted = 0, all = 0;
+double crushed_share(const TetMesh& mesh, const VecX& x, double least) {
+  double crushed = 0, all = 0;
   const auto at = [&](std::uint32_t i) -> Vec3 { return x.segment<3>(3 * static_cast<Eigen::Index>(i)); };
   for (const auto& t : mesh.tets) {
     const auto& X = mesh.positions;
     const double rest = six_volumes(X[t[0]], X[t[1]], X[t[2]], X[t[3]]);
     const double now = six_volumes(at(t[0]), at(t[1]), at(t[2]), at(t[3]));
     all += std::abs(rest);
-    if (now * rest <= flat * rest * rest) inverted += std::abs(rest);
+    if (now * rest <= least * rest * rest) crushed += std::abs(rest);
   }
-  return all > 0 ? inverted / all : 0;
+  return all > 0 ? crushed / all : 0;
+}
+
+Mat3 best_rotation(const VecX& rest, const VecX& mass, const VecX& x) {
+  const Vec3 from = mean(rest, mass), to = mean(x, mass);
+  Mat3 covariance = Mat3::Zero();
+  for (Eigen::Index i = 0; i < mass.size(); ++i)
+    covariance += mass[i] * (x.segment<3>(3 * i) - to) * (rest.segment<3>(3 * i) - from).transpose();
+  return polar(covariance).R;
 }
 
 void unfold(const VecX& rest, const VecX& mass, SoftBodyState& state) {
   VecX &x = state.motion.x, &v = state.motion.v;
   const Vec3 from = mean(rest, mass), to = mean(x, mass), velocity = mean(v, mass);
-  Mat3 covariance = Mat3::Zero();
   Vec3 spin = Vec3::Zero();  // angular momentum
   for (Eigen::Index i = 0; i < mass.size(); ++i) {
     const Vec3 arm = x.segment<3>(3 * i) - to;
-    covariance += mass[i] * arm * (rest.segment<3>(3 * i) - from).transpose();
     spin += mass[i] * arm.cross(v.segment<3>(3 * i) - velocity);
   }
-  const Mat3 R = polar(covariance).R;
+  const Mat3 R = best_rotation(rest, mass, x);
   Mat3 inertia = Mat3::Zero();
   for (Eigen::Index i = 0; i < mass.size(); ++i) {
     const Vec3 arm = R * (rest.segment<3>(3 * i) - from);
@@ -55,6 +59,8 @@ void unfold(const VecX& rest, const VecX& mass, SoftBodyState& state) {
   state.motion.has_history = false;
   state.warm_start.setZero();
   state.history.setZero();
+  state.recovering = false;
+  state.law_seconds = 0;
 }
 
 }  // namespace prosector

@@ -6,8 +6,14 @@
 
 namespace prosector {
 
-/// Share of the mesh's rest volume that at node positions x (3n) is inside out, or flat as good as.
-double inverted_share(const TetMesh& mesh, const VecX& x);
+/// Of the rest volume: less is as good as inside out.
+inline constexpr double flat = 1e-2;
+/// Share of the mesh's rest volume in tetrahedra that at node positions x (3n) have no more than `least` of
+/// their own.
+double crushed_share(const TetMesh& mesh, const VecX& x, double least);
+
+/// The rotation of the rigid motion that takes the rest shape closest to x (Horn 1987); sizes as below.
+Mat3 best_rotation(const VecX& rest, const VecX& mass, const VecX& x);
 
 /// See SoftBody::unfold. `rest` 3n, `mass` n.
 void unfold(const VecX& rest, const VecX& mass, SoftBodyState& state);

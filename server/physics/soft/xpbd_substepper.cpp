@@ -7,6 +7,7 @@
 // Constraints are coloured: those of a colour share no node, so that they run in parallel with the same bits
 // for any number of threads.
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -45,7 +46,8 @@ class XpbdSubstepper final : public Substepper {
     return effort_of(body_.desc, state.steps_down).substeps;
   }
   int allowed() const override { return body_.desc.substeps; }
-  double most_gain() const override { return 10; }
+  double most_gain(double) const override { return 1.002; }
+  double most_pushed(double) const override { return 2; }  // the push itself, and what it strains
   void begin(const SoftBodyState&) override {}
   bool finish(double, SoftBodyState& state) override { return state.motion.x.allFinite(); }
 
@@ -104,7 +106,8 @@ class XpbdSubstepper final : public Substepper {
     }
   }
 
-  /// A node's own spring, in closed form.
+  /// A node's own spring, in closed form: with inertia it makes one parabola, of weight m + k·hs² about a
+  /// point between, in which constraints move the node from here on.
   void hold_attachments(double hs) {
     const VecX& rest = body_.model.rest();
     for (Eigen::Index i = 0; i < body_.mass.size(); ++i) {
@@ -112,6 +115,7 @@ class XpbdSubstepper final : public Substepper {
       if (!(k > 0)) continue;
       Eigen::Map<Vec3> x(x_ + 3 * i);
       x -= k / (body_.mass[i] + k) * (x - rest.segment<3>(3 * i));
+      inverse_mass_[i] = 1 / (body_.mass[i] + k);
     }
   }
 
@@ -155,26 +159,44 @@ class XpbdSubstepper final : public Substepper {
     move(b.node, gradient, C, b.stiffness, hs);
   }
 
+  /// Both constraints at once, so that at rest, where neither is 0 but their forces cancel, nothing moves:
+  ///   ((1 + γ)A + α̃)Δλ = −C − γ∇C·(x − x_n),  A = ∇C·M⁻¹·∇Cᵀ.
   void project_tet(std::size_t e, double hs) {
-    const double V = tets_.volume(e), mu = lame_[e].mu, volume_modulus = lame_[e].lambda + mu;
-    Tet4Elements::Forces gradient;  // of V·Ψ for P = ∂Ψ/∂F
-    const auto project = [&](const Mat3& dC, double C, double modulus) {
-      tets_.forces(e, dC / V, gradient);
-      move(tets_.nodes(e), gradient.data(), C, modulus * V, hs);
-    };
+    const double V = tets_.volume(e), gamma = body_.desc.damping_stiffness / hs;
+    const double mu = lame_[e].mu, volume_modulus = lame_[e].lambda + mu;
     const Mat3 F = tets_.edges(e, x_) * tets_.gradients(e).transpose();
     const double norm = F.norm();
-    if (norm > 0) project(F / norm, norm, mu);
-    const Mat3 now = tets_.edges(e, x_) * tets_.gradients(e).transpose();
     Mat3 cofactor;
-    cofactor << now.col(1).cross(now.col(2)), now.col(2).cross(now.col(0)), now.col(0).cross(now.col(1));
-    project(cofactor, now.determinant() - (1 + mu / volume_modulus), volume_modulus);
+    cofactor << F.col(1).cross(F.col(2)), F.col(2).cross(F.col(0)), F.col(0).cross(F.col(1));
+    Tet4Elements::Forces shape, volume;  // ∇C_D, ∇C_H
+    tets_.forces(e, norm > 0 ? Mat3(F / (V * norm)) : Mat3(Mat3::Zero()), shape);
+    tets_.forces(e, cofactor / V, volume);
+    const auto& node = tets_.nodes(e);
+    Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
+    Eigen::Vector2d drift = Eigen::Vector2d::Zero();
+    for (std::size_t a = 0; a < node.size(); ++a) {
+      const double w = inverse_mass_[node[a]];
+      const Vec3 moved = at(node[a]) - before(node[a]);
+      A(0, 0) += w * shape[a].squaredNorm();
+      A(0, 1) += w * shape[a].dot(volume[a]);
+      A(1, 1) += w * volume[a].squaredNorm();
+      drift += Eigen::Vector2d(shape[a].dot(moved), volume[a].dot(moved));
+    }
+    A(1, 0) = A(0, 1);
+    A *= 1 + gamma;
+    A(0, 0) += 1 / (mu * V * hs * hs);
+    A(1, 1) += 1 / (volume_modulus * V * hs * hs);
+    const Eigen::Vector2d C(norm, F.determinant() - (1 + mu / volume_modulus));
+    const Eigen::Vector2d change = -A.inverse() * (C + gamma * drift);
+    if (!change.allFinite()) return;
+    for (std::size_t a = 0; a < node.size(); ++a)
+      at(node[a]) += inverse_mass_[node[a]] * (change[0] * shape[a] + change[1] * volume[a]);
   }
 
   const SubstepBody body_;
   Tet4Elements tets_;
   SpringNetwork network_;
-  VecX inverse_mass_;
+  VecX inverse_mass_;           // n, 1/kg; of attached nodes as hold_attachments says
   std::vector<Lame> lame_;      // of each tetrahedron
   std::vector<Element> order_;  // by colour
   std::vector<std::size_t> colour_begin_;

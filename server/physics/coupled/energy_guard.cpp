@@ -1,0 +1,121 @@
+#include "server/physics/coupled/energy_guard.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prosector {
+namespace {
+
+constexpr double slack_kept = 0.9;     // of the slack, a tick
+constexpr double most_slack = 8e-3;    // of the energy
+constexpr double allowance = 1e-5;     // of the energy at the start
+constexpr double least_strain = 1e-6;  // whose energy is rounding
+constexpr int halvings = 10;
+constexpr double most_diagonals = 10;  // a tick
+
+Vec3 mean(const VecX& values, const VecX& mass) {
+  return values.reshaped(3, mass.size()) * mass / mass.sum();
+}
+
+/// values = mean + share·(values − mean), by node.
+void gather_towards(const Vec3& mean, double share, Eigen::Ref<VecX> values) {
+  auto columns = values.reshaped(3, values.size() / 3);
+  columns = ((share * columns).colwise() + (1 - share) * mean).eval();
+}
+
+}  // namespace
+
+EnergyGuard::EnergyGuard(Island& island, double h, const Vec3& gravity)
+    : island_(island), h_(h), gravity_(gravity), after_(island.soft.size()) {
+  for (SoftMember& m : island.soft) {
+    if (island.contacts.empty() && island.ties.empty()) limit_speed(m);
+    m.body->remember(*m.state);
+    before_.push_back(stored(m));
+  }
+}
+
+double EnergyGuard::stored(const SoftMember& m) const {
+  return m.body->elastic_energy(m.state->motion.x) + m.body->kinetic_energy(*m.state);
+}
+
+void EnergyGuard::limit_speed(SoftMember& m) const {
+  const double most = most_diagonals * m.body->diagonal() / h_;
+  VecX& v = m.state->motion.v;
+  if (!v.allFinite() || v.lpNorm<Eigen::Infinity>() * 2 < most) return;
+  const Vec3 drift = mean(v, m.body->node_mass());
+  for (Eigen::Index i = 0; i < m.body->nodes(); ++i) {
+    const Vec3 own = v.segment<3>(3 * i) - drift;
+    if (own.norm() <= most) continue;
+    v.segment<3>(3 * i) = drift + most / own.norm() * own;
+    m.guarded = true;
+  }
+  if (!m.guarded) return;
+  m.note = "nodes flew apart by more than ten diagonals a tick: held to that";
+  m.state->motion.has_history = false;
+  m.state->warm_start.setZero();
+}
+
+double EnergyGuard::allowed(std::size_t m, double work) const {
+  const SoftMember& s = island_.soft[m];
+  const SoftDesc& desc = s.body->desc();
+  const double stiffness = desc.youngs_modulus * s.body->total_mass() / desc.density;  // J
+  return (1 + allowance) * (before_[m] + std::max(0.0, work)) + s.state->energy_slack +
+         s.body->fall_energy(s.body->remembered().x, s.state->motion.x, gravity_) +
+         least_strain * least_strain * stiffness;
+}
+
+bool EnergyGuard::sound() const {
+  return std::all_of(before_.begin(), before_.end(), [](double energy) { return std::isfinite(energy); });
+}
+
+bool EnergyGuard::gained(const std::vector<double>& work) {
+  bool any = false;
+  for (std::size_t m = 0; m < island_.soft.size(); ++m) {
+    const SoftMember& s = island_.soft[m];
+    after_[m] = stored(s);
+    any = any || !(after_[m] <= allowed(m, work[m]));
+  }
+  return any;
+}
+
+void EnergyGuard::rewind() {
+  for (SoftMember& s : island_.soft) s.body->recall(*s.state);
+}
+
+void EnergyGuard::shorten(const std::vector<double>& work) {
+  for (std::size_t m = 0; m < island_.soft.size(); ++m) {
+    if (after_[m] <= allowed(m, work[m])) continue;
+    SoftMember& s = island_.soft[m];
+    Motion& motion = s.state->motion;
+    const VecX& start = s.body->remembered().x;
+    const VecX x = motion.x - start, v = motion.v;
+    const Vec3 dx = mean(x, s.body->node_mass()), dv = mean(v, s.body->node_mass());
+    double share = 0.5;
+    for (int k = 0; k <= halvings; ++k, share = k < halvings ? share / 2 : 0) {
+      motion.x = x;
+      motion.v = v;
+      gather_towards(dx, share, motion.x);
+      gather_towards(dv, share, motion.v);
+      motion.x += start;
+      after_[m] = stored(s);
+      if (after_[m] <= allowed(m, work[m])) break;
+    }
+    if (!(after_[m] <= allowed(m, work[m]))) {
+      s.body->recall(*s.state);
+      motion.v.setZero();
+      after_[m] = stored(s);
+    }
+    motion.has_history = false;
+    s.state->warm_start.setZero();
+  }
+}
+
+void EnergyGuard::finish(const std::vector<double>& work) {
+  for (std::size_t m = 0; m < island_.soft.size(); ++m) {
+    SoftBodyState& state = *island_.soft[m].state;
+    const double headroom = std::clamp(allowed(m, work[m]) - after_[m], 0.0, most_slack * after_[m]);
+    state.energy_slack = island_.soft[m].body->integrator().remembers() ? slack_kept * headroom : 0;
+  }
+}
+
+}  // namespace prosector

@@ -1,0 +1,46 @@
+#pragma once
+// No tick gives a soft body energy.
+//
+// A minimiser of implicit Euler's potential loses energy by itself; an iterate that was stopped early, or
+// that found no descent, need not, nor need BDF2 and TR-BDF2, whose extrapolations a nonlinear body may not
+// follow. So after each tick a body's total energy (elastic, kinetic, of weight) is compared with what it had
+// when the tick began, what joints did to it, and a slack: what it had more of late, halved in seven ticks,
+// because methods of several steps swing about the energy they keep.
+
+#include <vector>
+
+#include "server/physics/coupled/island.h"
+
+namespace prosector {
+
+class EnergyGuard {
+ public:
+  /// Remembers the soft members' motion. Nodes that run away from their body's mean by more than ten of its
+  /// diagonals in a tick of h s are held to that, and the member says so: no input that makes sense asks for
+  /// more, and beyond it no step resolves anything.
+  EnergyGuard(Island& island, double h, const Vec3& gravity);
+
+  /// Whether the tick began with energies that are numbers.
+  bool sound() const;
+  /// After the tick: whether some member has more energy than explained; `work`: J, by joints, of each.
+  bool gained(const std::vector<double>& work);
+  /// Back to the tick's start.
+  void rewind();
+  /// Takes back so much of the tick of those that gained that they did not: all of a body but its mean motion
+  /// goes a part of the way, ½, ¼, … or none.
+  void shorten(const std::vector<double>& work);
+  /// The tick stands.
+  void finish(const std::vector<double>& work);
+
+ private:
+  double stored(const SoftMember& member) const;
+  double allowed(std::size_t m, double work) const;
+  void limit_speed(SoftMember& member) const;
+
+  Island& island_;
+  double h_;
+  const Vec3& gravity_;
+  std::vector<double> before_, after_;  // J, elastic and kinetic, of each soft member
+};
+
+}  // namespace prosector

@@ -1,0 +1,82 @@
+#include "server/physics/coupled/recovery.h"
+
+#include <algorithm>
+
+namespace prosector {
+namespace {
+
+constexpr double ruined_share = 0.05;     // of the volume: at once
+constexpr double ruined_seconds = 0.25;   // however little of it
+constexpr double whole = 0.3;             // of its rest volume each element has, in a body that is whole
+constexpr double calm_energy = 0.05;      // times E and the volume, at most, likewise
+constexpr double whole_seconds = 0.25;    // for so long, until its own law takes over
+constexpr double tangled_seconds = 1;     // quiet and out of shape for so long: unfolded
+constexpr double struggling_seconds = 4;  // inside out for so long, however it moves
+constexpr double quiet_speed = 1e-3;      // m/s, of the fastest node
+constexpr double stuck_energy = 1e-5;     // times E and the volume: a mean strain of about half a per cent
+
+void enter(SoftBodyState& state, bool recovering) {
+  state.recovering = recovering;
+  state.law_seconds = state.energy_slack = 0;
+  state.motion.has_history = false;
+  state.warm_start.setZero();
+  state.history.setZero();
+}
+
+double stiffness(const SoftBody& body) {
+  return body.desc().youngs_modulus * body.total_mass() / body.desc().density;  // J
+}
+
+bool calm(SoftBody& body, const SoftBodyState& state) {
+  return body.elastic_energy(state.motion.x) + body.kinetic_energy(state) < calm_energy * stiffness(body);
+}
+
+/// Quiet, but in another shape than the one it rests in: a minimum that is not the least.
+bool stuck(const SoftMember& s, const VecX& equilibrium) {
+  if (s.state->quiet_ticks < quiet_ticks_to_sleep) return false;
+  SoftBody& body = s.body->in_force(*s.state);
+  const double least = stuck_energy * stiffness(body);
+  return body.elastic_energy(s.state->motion.x) > 2 * body.elastic_energy(equilibrium) + least;
+}
+
+}  // namespace
+
+void choose_law(SoftMember& member, double h) {
+  SoftBody& body = *member.body;
+  SoftBodyState& state = *member.state;
+  member.degraded = member.refused = member.guarded = false;
+  member.note.clear();
+  if (!body.has_recovery() || !state.motion.x.allFinite()) return;
+  const bool turned = body.turned_too_far(state.motion.x);
+  const double share = turned ? 0 : body.inverted_share(state.motion.x, state.recovering ? whole : flat);
+  if (state.recovering) {
+    state.law_seconds =
+        !turned && share == 0 && calm(body.in_force(state), state) ? state.law_seconds + h : 0;
+    if (state.law_seconds > whole_seconds) enter(state, false);
+  } else {
+    state.law_seconds = share > 0 ? state.law_seconds + h : 0;
+    if (turned || share > ruined_share || state.law_seconds > ruined_seconds) enter(state, true);
+  }
+  if (!state.recovering) return;
+  member.degraded = turned;
+  member.note = turned ? "turned too far for fem_linear: stepped as fem_corotational by implicit_euler"
+                       : "inside out or crushed: recovering as fem_corotational by implicit_euler";
+}
+
+void count_quiet_ticks(SoftMember& s) {
+  const double speed = s.state->motion.v.lpNorm<Eigen::Infinity>();
+  s.state->quiet_ticks = speed < quiet_speed ? std::min(s.state->quiet_ticks + 1, quiet_ticks_to_sleep) : 0;
+}
+
+bool unfold_if_tangled(SoftMember& s, bool held, const VecX& equilibrium, double h, int ticks) {
+  const bool tangled = !held && (s.body->inverted_share(s.state->motion.x) > 0 || stuck(s, equilibrium));
+  const bool quiet = s.state->quiet_ticks == quiet_ticks_to_sleep;
+  s.state->tangled_ticks = tangled ? s.state->tangled_ticks + ticks : 0;
+  if (s.state->tangled_ticks * h < (quiet ? tangled_seconds : struggling_seconds)) return false;
+  s.body->unfold(*s.state);
+  s.state->tangled_ticks = 0;
+  s.note = "stayed inside out or tangled: unfolded into its rest shape where it was";
+  return true;
+}
+
+}  // namespace prosector

@@ -1,0 +1,28 @@
+#pragma once
+// Ways out of ruined shapes.
+//
+// Most laws have minima besides the rest shape: a mirrored body under St. Venant and Kirchhoff's stores
+// nothing, a neo-Hookean one that was thrown into a point stays there, and springs don't know inside from
+// outside. The corotational law has none that was ever met. So a body with elements inside out or flat is
+// stepped under that law, with the same constants, until it is whole again; and so is a body under fem_linear
+// that has turned as a whole, because that law then takes every turn for a strain. What even so comes to rest
+// in another shape than its own is unfolded: a reset.
+
+#include "server/physics/coupled/island.h"
+
+namespace prosector {
+
+/// Before a tick of h s: decides under which law the body goes through it (SoftBodyState::recovering) and
+/// says so in the member. A switch forgets the step before.
+void choose_law(SoftMember& member, double h);
+
+/// After a tick: counts how long the body has been quiet, towards sleep.
+inline constexpr int quiet_ticks_to_sleep = 30;
+void count_quiet_ticks(SoftMember& member);
+
+/// After a tick of h s, once every `ticks`: puts a body that nothing touches or holds (`held`) and that for a
+/// second has been quiet, inside out or in another shape than `equilibrium` (3n, m), or inside out for four
+/// however it moved, into its rest shape where it is, and says so. True when it did.
+bool unfold_if_tangled(SoftMember& member, bool held, const VecX& equilibrium, double h, int ticks);
+
+}  // namespace prosector

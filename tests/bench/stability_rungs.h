@@ -1,0 +1,12 @@
+#pragma once
+// What a scene can ask for, at its default budget: the rows of the stability map.
+
+#include "server/calibration/rung.h"
+
+namespace prosector {
+
+/// Every model under every integrator that goes with it, linear tetrahedra; the default model with every
+/// solver; every law on quadratic tetrahedra under every implicit integrator. Empty `only_model`: all models.
+std::vector<Rung> stability_rungs(const std::string& only_model);
+
+}  // namespace prosector
