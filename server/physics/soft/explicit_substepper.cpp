@@ -17,7 +17,7 @@ constexpr double most_stiffening =
     1.2;                            // times ω at rest: Hooke's stiffness does not damp what stress stiffens
 constexpr int tick_iterations = 4;  // from the last tick's
 
-/// a = M⁻¹·(−∂W/∂x − k(x − x₀) − βK(x_n)·v) − α·v + g, with Rayleigh damping as in soft_body.h.
+/// a = M⁻¹·(−∂W/∂x − k(x − x₀ + βv) − βK(x_n)·v) − α·v + g, with Rayleigh damping as in soft_body.h.
 class BodyField final : public AccelerationField {
  public:
   explicit BodyField(const SubstepBody& body)
@@ -42,7 +42,8 @@ class BodyField final : public AccelerationField {
     }
     for (Eigen::Index i = 0; i < body_.mass.size(); ++i) {
       Vec3 g = gradient_.segment<3>(3 * i);
-      if (body_.attached[i] > 0) g += body_.attached[i] * (x.segment<3>(3 * i) - rest.segment<3>(3 * i));
+      if (body_.attached[i] > 0)
+        g += body_.attached[i] * (x.segment<3>(3 * i) - rest.segment<3>(3 * i) + beta * v.segment<3>(3 * i));
       a.segment<3>(3 * i) = gravity_ - alpha * v.segment<3>(3 * i) - g / body_.mass[i];
     }
   }

@@ -158,11 +158,12 @@ struct SoftBody::Impl {
   /// Adds to `hessian`, which holds what couples nodes, all that is diagonal.
   void add_diagonal() {
     const double inertia = stage.alpha + desc.damping_mass / stage.dxdv;
+    const double hold = 1 + desc.damping_stiffness / stage.dxdv;
     uses_single = !single.empty() && inertia * mass.mean() > least_inertia * rest_stiffness;
     parallel_chunks(node_count(), nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
       for (std::size_t i = first; i < last; ++i) {
         const auto row = static_cast<Eigen::Index>(i);
-        hessian[pattern.diagonal(i)].diagonal().array() += inertia * mass[row] + attached[row];
+        hessian[pattern.diagonal(i)].diagonal().array() += inertia * mass[row] + hold * attached[row];
         if (!uses_single) continue;
         for (std::size_t k = pattern.begin(i); k < pattern.end(i); ++k)
           for (std::size_t c = 0; c < 9; ++c) single[9 * k + c] = static_cast<float>(hessian[k].data()[c]);
@@ -273,7 +274,9 @@ double SoftBody::energy(const Eigen::Ref<const VecX>& x) {
     const auto at = [i](const auto& v) { return v.template segment<3>(3 * i); };
     double sum = m.mass[i] * (m.stage.alpha * (at(x) - at(m.stage.y)).squaredNorm() +
                               c * (at(x) - at(m.stage.x_v)).squaredNorm());
-    if (m.attached[i] > 0) sum += m.attached[i] * (at(x) - at(m.rest())).squaredNorm();
+    if (m.attached[i] > 0)
+      sum += m.attached[i] *
+             ((at(x) - at(m.rest())).squaredNorm() + d * (at(x) - at(m.stage.x_v)).squaredNorm());
     if (m.damped) sum += d * at(m.drift).dot(at(m.damping));
     return 0.5 * sum;
   });
@@ -289,7 +292,7 @@ void SoftBody::gradient(const Eigen::Ref<const VecX>& x, Eigen::Ref<VecX> g) {
       const auto i = static_cast<Eigen::Index>(node);
       const auto at = [i](const auto& v) { return v.template segment<3>(3 * i); };
       Vec3 sum = m.mass[i] * (m.stage.alpha * (at(x) - at(m.stage.y)) + c * (at(x) - at(m.stage.x_v)));
-      if (m.attached[i] > 0) sum += m.attached[i] * (at(x) - at(m.rest()));
+      if (m.attached[i] > 0) sum += m.attached[i] * (at(x) - at(m.rest()) + d * (at(x) - at(m.stage.x_v)));
       if (m.damped) sum += d * at(m.damping);
       g.segment<3>(3 * i) = sum;
     }

@@ -3,10 +3,10 @@
 //
 // What the island solver needs of it is its incremental potential and the derivatives
 //   E(x) = α/2·‖x − y‖²_M + W(x) + Σ_attach ½k‖x − x₀‖² + 1/(2·dxdv)·‖x − x_v‖²_C
-// with C = damping_mass·M + damping_stiffness·K(x_n) (Rayleigh; K: Hooke's stiffness turned with each element
-// as it is at the step's start, so that C is constant while E is minimised; not the tangent there, which is
-// without bound next to mirrored elements and would hold a ruined shape as it is) and α, y, x_v, dxdv as in
-// time_integrator.h. Unknowns x: node positions, 3n, metres, room frame.
+// with C = damping_mass·M + damping_stiffness·K(x_n) (Rayleigh; K: the attachments' and Hooke's stiffness,
+// that turned with each element as it is at the step's start, so that C is constant while E is minimised; not
+// the tangent there, which is without bound next to mirrored elements and would hold a ruined shape as it is)
+// and α, y, x_v, dxdv as in time_integrator.h. Unknowns x: node positions, 3n, metres, room frame.
 
 #include <memory>
 #include <span>
@@ -111,7 +111,8 @@ class SoftBody {
   /// nothing; never of laws that turn along.
   bool turned_too_far(const VecX& x) const;
   /// Puts the rest shape where the body is: the rigid motion that fits best (Horn 1987), at its momentum and
-  /// angular momentum; a body that is attached, where it is attached, at rest. The way out of shapes that no force leads out of.
+  /// angular momentum; a body that is attached, where it is attached, at rest. The way out of shapes that no
+  /// force leads out of.
   void unfold(SoftBodyState& state) const;
 
   /// A node that no tetrahedron, or only flat ones, give a mass gets this share of the mean one: every

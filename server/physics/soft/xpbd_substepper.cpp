@@ -106,16 +106,16 @@ class XpbdSubstepper final : public Substepper {
     }
   }
 
-  /// A node's own spring, in closed form: with inertia it makes one parabola, of weight m + k·hs² about a
-  /// point between, in which constraints move the node from here on.
+  /// A node's own spring and its damping, in closed form: with inertia they make one parabola, of weight
+  /// m + k·hs² + βk·hs about a point between, in which constraints move the node from here on.
   void hold_attachments(double hs) {
     const VecX& rest = body_.model.rest();
     for (Eigen::Index i = 0; i < body_.mass.size(); ++i) {
-      const double k = body_.attached[i] * hs * hs;
+      const double k = body_.attached[i] * hs * hs, c = k * body_.desc.damping_stiffness / hs;
       if (!(k > 0)) continue;
       Eigen::Map<Vec3> x(x_ + 3 * i);
-      x -= k / (body_.mass[i] + k) * (x - rest.segment<3>(3 * i));
-      inverse_mass_[i] = 1 / (body_.mass[i] + k);
+      inverse_mass_[i] = 1 / (body_.mass[i] + k + c);
+      x -= inverse_mass_[i] * (k * (x - rest.segment<3>(3 * i)) + c * (x - start_.segment<3>(3 * i)));
     }
   }
 
