@@ -1,29 +1,23 @@
 // prosector-server as a process over real DDS on lo: what it says, how it ends, who may share a host.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <csignal>
-#include <filesystem>
 #include <fstream>
-#include <functional>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "client/replica/replica.h"
-#include "common/clock.h"
-#include "idl/cyclone_bus.h"
+#include "tests/session/server_process.h"
 
 namespace prosector {
 namespace {
 
 using namespace std::chrono_literals;
-namespace fs = std::filesystem;
+using test::feed_until;
+using test::join_network;
+using test::Server;
 
 const char* const scene_text = R"(
 name = "box"
@@ -41,93 +35,12 @@ shape = "box"
 size = [0.1, 0.1, 0.1]
 )";
 
-/// A place for the test's files, and a DDS domain of its own, since tests run at once.
-struct Folder {
-  std::uint32_t domain;
-  fs::path path;
-  explicit Folder(std::uint32_t domain)
-      : domain(domain),
-        path(fs::temp_directory_path() /
-             ("prosector-process." + std::to_string(domain) + "." + std::to_string(getpid()))) {
-    fs::remove_all(path);
-    fs::create_directories(path);
+/// A folder with the scene.
+struct Folder : test::Folder {
+  explicit Folder(std::uint32_t domain) : test::Folder(domain) {
     std::ofstream(path / "box.toml") << scene_text;
   }
-  ~Folder() { fs::remove_all(path); }
 };
-
-/// A server started with `arguments`, its output in a file.
-class Server {
- public:
-  Server(const Folder& folder, std::vector<std::string> arguments)
-      : output_(folder.path / ("output" + std::to_string(++count_))) {
-    arguments.insert(arguments.begin(), PROSECTOR_SERVER);
-    arguments.insert(arguments.end(),
-                     {"--domain", std::to_string(folder.domain), "--cache", folder.path / "cache"});
-    pid_ = fork();
-    if (pid_ != 0) return;
-    if (freopen(output_.c_str(), "w", stdout) == nullptr || dup2(1, 2) < 0) _exit(99);
-    std::vector<char*> argv;
-    for (std::string& a : arguments) argv.push_back(a.data());
-    argv.push_back(nullptr);
-    execv(PROSECTOR_SERVER, argv.data());
-    _exit(98);
-  }
-  ~Server() {
-    if (pid_ > 0) {
-      kill(pid_, SIGKILL);
-      wait();
-    }
-  }
-  Server(const Server&) = delete;
-  Server& operator=(const Server&) = delete;
-
-  void signal(int number) const { kill(pid_, number); }
-  /// The exit status, −1 when a signal ended it.
-  int wait() {
-    int status = 0;
-    waitpid(pid_, &status, 0);
-    pid_ = -1;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-  std::string output() const {
-    std::ifstream in(output_);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-  }
-  bool says(const std::string& what) const {
-    for (int i = 0; i < 500; ++i) {
-      if (output().find(what) != std::string::npos) return true;
-      std::this_thread::sleep_for(20ms);
-    }
-    return false;
-  }
-
- private:
-  static inline int count_ = 0;
-  fs::path output_;
-  pid_t pid_;
-};
-
-std::unique_ptr<Bus> join_network(const Folder& folder, BusEnd end) {
-  BusConfig config;
-  config.end = end;
-  config.domain = folder.domain;
-  return make_cyclone_bus(config);
-}
-
-bool feed_until(Bus& bus, Replica& replica, const std::function<bool()>& done) {
-  const std::int64_t deadline = monotonic_ns() + 5'000'000'000;
-  std::vector<Received> received;
-  while (!done()) {
-    if (monotonic_ns() > deadline) return false;
-    bus.wait(20ms);
-    bus.take(received);
-    for (const Received& r : received) replica.apply(r);
-  }
-  return true;
-}
 
 TEST(ServerProcess, HostsSummarisesReplaysAndResumes) {
   const Folder folder(94);
