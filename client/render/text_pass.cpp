@@ -1,30 +1,17 @@
 #include "client/render/text_pass.h"
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 
 #include "client/render/projection.h"
 #include "client/render/stroke_font.h"
+#include "client/render/text_layout.h"
 
 namespace prosector {
 namespace {
 
-constexpr double fade = 0.5;  // pixels beyond a stroke's border that it still covers in part
-
-/// Top left of the text's first line in pixels from the viewport's top left; none behind the eye.
-std::optional<Eigen::Vector2d> origin_of(const DrawText& text, const Eigen::Matrix4d& clip_from_room,
-                                         const Viewport& viewport) {
-  if (text.overlay) return Eigen::Vector2d(text.at.x(), text.at.y());
-  const Eigen::Vector4d clip = clip_from_room * text.at.homogeneous();
-  if (clip.w() <= 0) return std::nullopt;
-  const Eigen::Vector2d center((clip.x() / clip.w() + 1) / 2 * viewport.width,
-                               (1 - clip.y() / clip.w()) / 2 * viewport.height);
-  const auto more_lines = static_cast<double>(std::count(text.text.begin(), text.text.end(), '\n'));
-  const Eigen::Vector2d size(text_width(text.text, text.height),
-                             text.height + more_lines * line_spacing(text.height));
-  // Whole pixels, so that strokes stay crisp; the text stands above its place.
-  return Eigen::Vector2d((center - Eigen::Vector2d(size.x() / 2, size.y())).array().round());
-}
+constexpr double leader_gap = 3;  // pixels between a text and its leader
+constexpr double fade = 0.5;      // pixels beyond a stroke's border that it still covers in part
 
 void add_strokes(std::vector<ScreenVertex>& out, const std::vector<TextStroke>& strokes,
                  const Eigen::Vector2d& origin, const Vec3& color, double width, const Viewport& viewport) {
@@ -36,20 +23,25 @@ void add_strokes(std::vector<ScreenVertex>& out, const std::vector<TextStroke>& 
     add_line(out, flat(stroke.a), flat(stroke.b), color, width, viewport, fade);
 }
 
+/// From a text that was lifted down to its place.
+TextStroke leader_of(const PlacedText& placed) {
+  const double x = std::round(placed.size.x() / 2), y = placed.size.y() + leader_gap;
+  return {{x, y}, {x, y + placed.lift - leader_gap}};
+}
+
 }  // namespace
 
 void draw_texts(const DrawList& list, const DrawCamera& camera, const ScreenQuadDrawer& drawer) {
   const Viewport viewport{static_cast<double>(camera.width), static_cast<double>(camera.height)};
-  const Eigen::Matrix4d clip_from_room = view_projection_of(camera);
   const Vec3 shade = Vec3::Constant(0.01);
   std::vector<ScreenVertex> vertices;
-  for (const DrawText& text : list.texts) {
-    const auto origin = origin_of(text, clip_from_room, viewport);
-    if (!origin) continue;
-    const std::vector<TextStroke> strokes = strokes_of(text.text, text.height);
+  for (const PlacedText& placed : place_texts(list, camera)) {
+    const DrawText& text = *placed.text;
+    std::vector<TextStroke> strokes = strokes_of(text.text, text.height);
+    if (placed.lift > 0) strokes.push_back(leader_of(placed));
     const double pen = std::max(1.2, text.height / 9);
-    add_strokes(vertices, strokes, *origin, shade, pen + 2, viewport);
-    add_strokes(vertices, strokes, *origin, text.color, pen, viewport);
+    add_strokes(vertices, strokes, placed.origin, shade, pen + 2, viewport);
+    add_strokes(vertices, strokes, placed.origin, text.color, pen, viewport);
   }
   drawer.draw(vertices, false);
 }

@@ -12,6 +12,7 @@
 #include "client/view/hand_mesh.h"
 #include "client/view/normals.h"
 #include "client/view/room.h"
+#include "common/counted.h"
 
 namespace prosector {
 namespace {
@@ -155,8 +156,9 @@ void SceneView::add_overlay(const Replica& replica, const ViewSettings& settings
   const SessionInfo& session = *replica.session();
   line(0, fmt::format("{} - {}", session.session, session.scene));
   if (const auto& status = replica.status())
-    line(1, fmt::format("x{:.2f}  step {:.1f} ms  {} participants  {} observers", status->real_time_factor,
-                        status->step_ms_p50, status->participants, status->observers));
+    line(1,
+         fmt::format("x{:.2f}  step {:.1f} ms  {}  {}", status->real_time_factor, status->step_ms_p50,
+                     counted(status->participants, "participant"), counted(status->observers, "observer")));
   if (replica.server_gone()) line(2, "the server is gone; waiting for it");
   if (!settings.follow.empty())
     line(3, find_by_name(replica, settings.follow) != nullptr

@@ -3,12 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/physics/soft/soft_state.h"
+#include "server/physics/soft/soft_body.h"
+#include "server/physics/soft/substepper.h"
 
 namespace prosector {
 namespace {
 
 constexpr double telling_rate = 2;  // Hz
+
+/// How many substeps a tick of h s will be divided into, by what the body's method needs now; 0: it is solved
+/// at once.
+std::uint32_t substeps_to_come(const Simulation& simulation, BodyId body, double h) {
+  const Substepper* own = simulation.soft(body).substepper();
+  if (own == nullptr) return 0;
+  const double needed = own->needed(h, simulation.soft_state(body));
+  return needed <= own->allowed() ? static_cast<std::uint32_t>(needed) : 0;
+}
 
 }  // namespace
 
@@ -21,7 +31,8 @@ BodyMeter::BodyMeter(const Simulation& simulation, const std::map<std::string, P
     id_of_[simulation.name(b)] = b;
     BodyStatus& status = sums_[b].status;
     status.body = b;
-    status.step = tick_seconds_;
+    status.substeps = substeps_to_come(simulation, b, tick_seconds_);
+    status.step = tick_seconds_ / std::max(1u, status.substeps);
     if (const auto it = expected.find(simulation.name(b)); it != expected.end()) {
       status.error = it->second.error;
       status.expected_ms = it->second.ms;

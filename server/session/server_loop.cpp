@@ -7,6 +7,7 @@
 #include <ctime>
 #include <limits>
 
+#include "common/counted.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/session/tick_schedule.h"
 
@@ -281,10 +282,11 @@ ServerStatus ServerLoop::status() const {
 std::string ServerLoop::console_line() const {
   const ServerStatus s = status();
   std::string line = fmt::format(
-      "{:7.1f} s  x{:.2f} real time | step {:.1f} ms p50, {:.1f} p99 | {} participants, {} observers | "
+      "{:7.1f} s  x{:.2f} real time | step {:.1f} ms p50, {:.1f} p99 | {}, {} | "
       "{} dropped | {} awake, {} asleep",
       static_cast<double>(s.time.tick) / simulation_.scene().tick_rate, s.real_time_factor, s.step_ms_p50,
-      s.step_ms_p99, s.participants, s.observers, s.invalid_dropped, s.awake_bodies, s.asleep_bodies);
+      s.step_ms_p99, counted(s.participants, "participant"), counted(s.observers, "observer"),
+      s.invalid_dropped, s.awake_bodies, s.asleep_bodies);
   for (const auto& [body, told] : body_meter_.newest())
     if (told.error >= 0 && !told.asleep)
       line += fmt::format(" | {} about {:.2g} % off, residual {:.0e}", simulation_.name(body),

@@ -4,6 +4,7 @@
 
 #include "client/render/screen_quads.h"
 #include "client/render/stroke_font.h"
+#include "client/render/text_layout.h"
 #include "tests/client/picture.h"
 
 namespace prosector {
@@ -37,6 +38,62 @@ TEST(StrokeFont, LinesAndCharactersBeyondAscii) {
   EXPECT_EQ(strokes_of("é", 12).size(), strokes_of("?", 12).size());
   EXPECT_GT(strokes_of("\nx", 12)[0].a.y(), line_spacing(12));
   EXPECT_EQ(strokes_of("\xff\x80\x01", 12).size(), 2 * strokes_of("?", 12).size());
+}
+
+/// Cameras side by side that look along −z at texts two metres away.
+DrawList texts_in_a_row(std::size_t count, double spacing, int eyes) {
+  DrawList list;
+  for (int eye = 0; eye < eyes; ++eye) {
+    DrawCamera camera;
+    camera.pose.p = Vec3(0.06 * eye, 0, 2);
+    list.cameras.push_back(camera);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    list.texts.push_back({.text = "a_long_name\n12 steps of 3 ms",
+                          .at = Vec3(spacing * static_cast<double>(i), 0, 0),
+                          .overlay = false,
+                          .height = 11});
+  return list;
+}
+
+TEST(TextLayout, NoTextInTheRoomCoversAnother) {
+  for (const double spacing : {0., 0.05, 0.1, 0.15, 0.3, 1.}) {
+    const DrawList list = texts_in_a_row(9, spacing, 1);
+    const auto placed = place_texts(list, list.cameras[0]);
+    ASSERT_EQ(placed.size(), 9u);
+    EXPECT_EQ(placed[0].lift, 0) << "the first stands at its place";
+    for (std::size_t i = 0; i < placed.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const Eigen::Array2d low = placed[i].origin.cwiseMax(placed[j].origin),
+                             high = (placed[i].origin + placed[i].size)
+                                        .cwiseMin(placed[j].origin + placed[j].size);
+        EXPECT_TRUE((high <= low).any()) << spacing << ": " << i << " covers " << j;
+      }
+    if (spacing >= 1) {
+      for (const PlacedText& text : placed) EXPECT_EQ(text.lift, 0) << "there is room";
+    }
+  }
+}
+
+TEST(TextLayout, BothEyesLiftAlike) {
+  const DrawList list = texts_in_a_row(5, 0.1, 2);
+  const auto left = place_texts(list, list.cameras[0]), right = place_texts(list, list.cameras[1]);
+  ASSERT_EQ(left.size(), right.size());
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    EXPECT_EQ(left[i].origin.y(), right[i].origin.y());
+    EXPECT_GT(left[i].origin.x(), right[i].origin.x()) << "parallax";
+  }
+  EXPECT_GT(left[1].lift, 0);
+}
+
+TEST(TextLayout, LeavesTheOverlayAndWhatIsBehindTheEyeAlone) {
+  DrawList list = texts_in_a_row(2, 0, 1);
+  list.texts[0].at.z() = 5;
+  list.texts.push_back({.text = "x", .at = {400, 300, 0}});
+  const auto placed = place_texts(list, list.cameras[0]);
+  ASSERT_EQ(placed.size(), 2u);
+  EXPECT_EQ(placed[0].lift, 0);
+  EXPECT_EQ(placed[1].origin, Eigen::Vector2d(400, 300));
 }
 
 TEST(ScreenQuads, AreAsWideAsAskedInPixels) {

@@ -70,7 +70,7 @@ TEST(ServerLoop, ALateComerSeesTheSameInMotion) {
   pressing.run(5);
   EXPECT_EQ(pressing.status().participants, 1u);
   EXPECT_EQ(pressing.status().observers, 1u);
-  EXPECT_NE(hosted.loop.console_line().find("1 participants, 1 observers"), std::string::npos);
+  EXPECT_NE(hosted.loop.console_line().find("1 participant, 1 observer"), std::string::npos);
   EXPECT_EQ(hosted.loop.figures().participants, 1u);
   eve.take();
   EXPECT_TRUE(eve.replica.complete()) << eve.replica.missing();
@@ -210,6 +210,26 @@ TEST(ServerLoop, KeepsItsRate) {
   hosted.loop.run(stop, 1, [](const std::string&) {});
   EXPECT_GE(hosted.loop.figures().real_time_factor, 0.9);  // a busy machine may take a little
   EXPECT_LE(hosted.loop.figures().real_time_factor, 1.05);
+}
+
+TEST(BodyMeter, SaysOfABodyThatNeverWokeHowItWillBeStepped) {
+  const auto told = [](const char* model, const char* integrator, double damping = 0.01) {
+    SceneDesc scene = test::hosted_scene();
+    scene.soft[0].model = model;
+    scene.soft[0].integrator = integrator;
+    scene.soft[0].substeps = 7;
+    scene.soft[0].damping_stiffness = damping;
+    const Simulation simulation(scene, test::options());
+    return BodyMeter(simulation, {}).newest().at(Hosted::liver);
+  };
+  const double tick = 1. / 60;
+  EXPECT_EQ(told("fem_corotational", "implicit_euler").substeps, 0u);
+  EXPECT_EQ(told("fem_corotational", "implicit_euler").step, tick);
+  EXPECT_EQ(told("xpbd", "implicit_euler").substeps, 7u);
+  EXPECT_EQ(told("xpbd", "implicit_euler").step, tick / 7);
+  EXPECT_GT(told("fem_corotational", "symplectic_euler").substeps, 1u);
+  // Undamped it holds at no step: implicit Euler will step it.
+  EXPECT_EQ(told("fem_corotational", "explicit_euler", 0).substeps, 0u);
 }
 
 }  // namespace
