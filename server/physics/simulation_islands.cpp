@@ -4,6 +4,7 @@
 
 #include "server/physics/coupled/recovery.h"
 #include "server/physics/simulation_impl.h"
+#include "server/physics/soft/relaxation.h"
 
 namespace prosector {
 namespace {
@@ -203,6 +204,7 @@ void Simulation::Impl::fall_asleep() {
     bool quiet = true;
     for (SoftMember& s : island.soft) {
       count_quiet_ticks(s);
+      if (!has_relaxed(s.body->desc(), s.state->history)) s.state->quiet_ticks = 0;  // it creeps
       quiet = quiet && s.state->quiet_ticks == quiet_ticks_to_sleep && s.state->tangled_ticks == 0;
     }
     for (const RigidMember& r : island.rigid) {

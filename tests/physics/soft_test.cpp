@@ -57,6 +57,28 @@ TEST(Soft, HandPressesAndTheBlockComesBackAndSleeps) {
   EXPECT_TRUE(simulation.asleep(1));
 }
 
+/// Long held and let go, tissue creeps back, at the end more slowly than what counts as rest: it must neither
+/// fall asleep in a shape that it would leave, nor be taken for stuck there and unfolded.
+TEST(Soft, SleepsOnlyWhenItsStressHasRelaxed) {
+  SceneDesc scene = block_on_table();
+  scene.soft[0].attach = {{{0, 0, 0}, 0.04, 2e7}};
+  scene.soft[0].relaxation = {{0.5, 3}};
+  scene.rigid[0].friction = 0;
+  Simulation simulation(scene, options());
+  const double rest = height(simulation, 1);
+  simulation.step(appear(palm_over(0.02)));
+  run(simulation, 600, target(palm_over(-0.012)));
+  run(simulation, 30, target(palm_over(0.05)));
+  const double begun = height(simulation, 1);
+  EXPECT_LT(begun, rest - 2e-4) << "it is still pressed in";
+  int awake = 0;
+  for (; !simulation.asleep(1) && awake < 60 * 60; ++awake)
+    for (const BodyReport& body : simulation.step(target(palm_over(0.05))).bodies) EXPECT_FALSE(body.reset);
+  EXPECT_TRUE(simulation.asleep(1));
+  EXPECT_GT(awake, 6 * 60) << "creep takes τ/(1 − g)";
+  EXPECT_NEAR(height(simulation, 1), rest, 2e-5);
+}
+
 TEST(Soft, BallRestsOnTheBlockAtManyMassRatios) {
   for (const double density : {10.0, 1000.0, 20000.0}) {
     SceneDesc scene = block_on_table();

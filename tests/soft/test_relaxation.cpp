@@ -114,13 +114,15 @@ TEST_P(Relaxation, StepsDescendOnAPotential) {
   EXPECT_NEAR(gradient(*model, x).dot(dx), slope, 1e-6 * std::abs(slope));
 }
 
-TEST_P(Relaxation, LosesEnergyAtEveryStepOfAFreeBody) {
-  const SoftDesc soft = desc();
+/// A free body is stretched by `strain` at once and let go. The energy of its motion, of its relaxed law and
+/// of its branches, in parts of what it had at first, may rise by no more than `most_gain` in a step, and
+/// half of it must go.
+void expect_losing(const SoftDesc& soft, double strain, double most_gain) {
   SoftBody body(soft, kuhn_anatomy({2, 2, 2}, size));
   const auto model = make_elastic_model(soft, body.anatomy());
   const Lame c = lame(soft.youngs_modulus, soft.poisson_ratio);
   SoftBodyState state = body.initial_state();
-  state.motion.x = mapped(Vec3(1.02, 0.99, 1).asDiagonal(), state.motion.x);
+  state.motion.x = mapped(Vec3(1 + strain, 1 - strain / 2, 1).asDiagonal(), state.motion.x);
   // Pulled there at once: the branches hold their shares of the stress.
   model->begin_step(1e-9, model->rest().data(), state.history.data());
   model->end_step(state.motion.x.data(), state.history.data());
@@ -145,11 +147,27 @@ TEST_P(Relaxation, LosesEnergyAtEveryStepOfAFreeBody) {
   for (int i = 0; i < 30; ++i) {
     stepper.step(0.002, Vec3::Zero(), state);
     const double now = energy();
-    // Of strain e the branches' energy is that of Hooke's law to e: 2 % of what is lost.
-    EXPECT_LT(now, before + 1e-3 * start) << i;
+    EXPECT_LT(now, before + most_gain * start) << soft.integrator << " " << i;
     before = now;
   }
   EXPECT_LT(before, 0.5 * start);
+}
+
+// Of strain e the branches' energy is that of Hooke's law to e. All integrators are taken to small strain;
+// the one that loses most to 2 % too, where that is 2 % of what is lost.
+TEST_P(Relaxation, LosesEnergyAtEveryStepOfAFreeBody) {
+  expect_losing(desc(), 0.02, 1e-3);
+  expect_losing(desc(), 2e-4, 3e-4);
+}
+
+// Multistep methods contract a norm of two steps, and TR-BDF2's stages have branches that relax by their
+// exact recurrence instead of the method's own: within a swing either may hand a little back.
+TEST_P(Relaxation, LosesEnergyUnderTheSecondOrderIntegrators) {
+  SoftDesc soft = desc();
+  soft.integrator = "bdf2";
+  expect_losing(soft, 2e-4, 3e-4);
+  soft.integrator = "tr_bdf2";
+  expect_losing(soft, 2e-4, 5e-3);
 }
 
 TEST_P(Relaxation, SameBitsForAnyNumberOfThreads) {

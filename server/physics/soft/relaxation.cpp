@@ -162,4 +162,9 @@ std::unique_ptr<ElementBatches> make_relaxing_batches(const std::string& law, co
   return std::make_unique<RelaxingBatches>(std::move(batches), terms, materials, elements);
 }
 
+bool has_relaxed(const SoftDesc& desc, const VecX& history) {
+  constexpr double least_strain = 1e-3;
+  return history.size() == 0 || history.lpNorm<Eigen::Infinity>() <= least_strain * desc.youngs_modulus;
+}
+
 }  // namespace prosector

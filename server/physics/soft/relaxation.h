@@ -77,4 +77,8 @@ std::unique_ptr<ElementBatches> make_relaxing_batches(const std::string& law, co
                                                       const std::vector<RelaxationDesc>& terms,
                                                       const Tet4Elements& elements);
 
+/// Whether what is left to relax is so little that the shape is that of a body held for ever: no h_i above a
+/// thousandth of E. `history`: of a state of that body.
+bool has_relaxed(const SoftDesc& desc, const VecX& history);
+
 }  // namespace prosector
