@@ -5,6 +5,7 @@
 #include "server/physics/coupled/recovery.h"
 #include "server/physics/coupled/step_island.h"
 #include "server/physics/soft/explicit_integrators.h"
+#include "server/physics/soft/find_row.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
 
@@ -111,12 +112,18 @@ void Rung::apply_to(SoftDesc& desc) const {
   desc.substeps = substeps;
 }
 
+bool Rung::is_position_based() const {
+  return find_row(models(), "model", model).position_based;
+}
+
 std::string Rung::effort() const {
+  if (is_position_based()) return fmt::format("{} substeps", substeps);
   if (solver == "direct") return fmt::format("{} Newton", newton_iterations);
   return fmt::format("{} × {} to {:.0e}", newton_iterations, solver_iterations, solver_tolerance);
 }
 
 std::string Rung::name() const {
+  if (is_position_based()) return model + ", " + element;
   return model + ", " + element + ", " + integrator + ", " + solver;
 }
 

@@ -25,6 +25,7 @@ struct Rung {
   /// How much is spent on a step, for people.
   std::string effort() const;
   std::string name() const;  // model, element, integrator, solver
+  bool is_position_based() const;
 };
 
 std::vector<std::string> model_names();

@@ -1,10 +1,14 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "server/calibration/stopwatch.h"
+#include "server/physics/soft/block_matrix.h"
+#include "server/physics/soft/elastic_model.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"
@@ -37,10 +41,26 @@ VecX pressed(const VecX& rest) {
   return x;
 }
 
-ReportRow measure(const std::string& model, const SoftBenchOptions& options) {
+/// GB/s that one core reads and writes together when it copies what no cache holds: the roof of every pass
+/// that does little per byte.
+double copy_bandwidth(int repeats) {
+  const std::vector<double> from(std::size_t{1} << 24, 1);  // 128 MiB
+  std::vector<double> to(from.size());
+  const double ms =
+      median_ms(std::min(repeats, 11), [&] { std::copy(from.begin(), from.end(), to.begin()); });
+  return 2 * 8e-6 * static_cast<double>(from.size()) / ms;
+}
+
+/// Blocks of 3×3 numbers in the assembled matrix, both triangles.
+std::size_t matrix_blocks(const SoftBody& body) {
+  return BlockPattern(make_elastic_model(body.desc(), body.anatomy())->connectivity()).blocks();
+}
+
+ReportRow measure(const std::string& model, const std::string& element, const SoftBenchOptions& options) {
   SoftDesc desc;
   desc.name = "box";
   desc.model = model;
+  desc.element = element;
   SoftBody body(desc, box(options.tets));
   SoftBodyState state = body.initial_state();
   state.motion.x = pressed(state.motion.x);
@@ -51,9 +71,15 @@ ReportRow measure(const std::string& model, const SoftBenchOptions& options) {
   std::size_t turn = 0;
   const auto elsewhere = [&]() -> const VecX& { return places[turn ^= 1]; };
   double sum = 0;
-  ReportRow row = {
-      {"model", model}, {"integrator", desc.integrator}, {"tets", body.elements()}, {"nodes", body.nodes()},
-      {"dt", h},        {"threads", options.threads}};
+  ReportRow row = {{"model", model},
+                   {"element", element},
+                   {"integrator", desc.integrator},
+                   {"solver", desc.solver},
+                   {"tets", body.elements()},
+                   {"nodes", body.nodes()},
+                   {"dt", h},
+                   {"threads", options.threads}};
+  row["blocks"] = matrix_blocks(body);
   row["ms_energy"] = median_ms(options.repeats, [&] { sum += body.energy(elsewhere()); });
   row["ms_gradient"] = median_ms(options.repeats, [&] { body.gradient(elsewhere(), out); });
   row["ms_assemble"] = median_ms(options.repeats, [&] { body.assemble(elsewhere()); });
@@ -68,6 +94,9 @@ ReportRow measure(const std::string& model, const SoftBenchOptions& options) {
     body.assemble(x);
     sum += body.energy(x);
   });
+  row["ms_iteration_per_1000_tets"] =
+      1e3 * figure(row, "ms_iteration") / static_cast<double>(body.elements());
+  row["ms_multiply_per_1000_tets"] = 1e3 * figure(row, "ms_multiply") / static_cast<double>(body.elements());
   if (!std::isfinite(sum)) throw std::runtime_error("the energy of " + model + " is not finite");
   return row;
 }
@@ -79,6 +108,7 @@ Report bench_soft(const SoftBenchOptions& options) {
   fmt::print("ms, {} thread(s); iteration: gradient, assemble and energy at one place\n", options.threads);
   using enum Column::Kind;
   const TextTable table({{text, "model", "model", 28},
+                         {text, "element", "element", 7},
                          {count, "tets", "tets", 8},
                          {count, "nodes", "nodes", 8},
                          {number, "ms_energy", "energy", 10},
@@ -86,13 +116,18 @@ Report bench_soft(const SoftBenchOptions& options) {
                          {number, "ms_assemble", "assemble", 10},
                          {number, "ms_begin_stage", "begin_stage", 10},
                          {number, "ms_multiply", "multiply", 10},
-                         {number, "ms_iteration", "iteration", 10}});
+                         {number, "ms_iteration", "iteration", 10},
+                         {number, "ms_iteration_per_1000_tets", "per 1000", 10}});
   table.print_header();
   Report report("soft");
-  for (const LawRow& law : laws()) {
-    report.add(measure(law.name, options));
-    table.print(report.rows().back());
-  }
+  for (const char* element : {"tet4", "tet10"})
+    for (const LawRow& law : laws()) {
+      report.add(measure(law.name, element, options));
+      table.print(report.rows().back());
+    }
+  const double bandwidth = copy_bandwidth(options.repeats);
+  fmt::print("one core copies at {:.3g} GB/s\n", bandwidth);
+  report.note("gb_per_s_copy", bandwidth);
   return report;
 }
 

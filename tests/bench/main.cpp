@@ -16,7 +16,8 @@ int main(int argc, char** argv) try {
   app.fallthrough();
 
   prosector::SoftBenchOptions soft;
-  CLI::App* soft_command = app.add_subcommand("soft", "A Newton iteration of one soft body, for every law");
+  CLI::App* soft_command =
+      app.add_subcommand("soft", "A Newton iteration of one soft body, for every law and element");
   soft_command->add_option("--tets", soft.tets, "Size, about")->check(CLI::Range(6, 10000000));
   soft_command->add_option("--threads", soft.threads, "Threads")->check(CLI::Range(1, 1024));
   soft_command->add_option("--repeats", soft.repeats, "Calls of which the median is told")

@@ -14,7 +14,7 @@ struct SoftBenchOptions {
   unsigned threads = 1;
   int repeats = 51;
 };
-/// The calls of a Newton iteration on a pressed box of tetrahedra, for every law.
+/// The calls of a Newton iteration on a pressed box of tetrahedra, for every law and element.
 Report bench_soft(const SoftBenchOptions& options);
 
 struct RenderBenchOptions {

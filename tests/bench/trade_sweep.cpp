@@ -3,6 +3,8 @@
 #include <cstring>
 #include <span>
 
+#include "server/physics/soft/rungs.h"
+
 namespace prosector {
 namespace {
 
@@ -41,31 +43,44 @@ Rung with(const Rung& rung, const Effort& effort) {
   return out;
 }
 
+/// Rungs of one model and element at every effort.
+std::vector<Rung> efforts_of(const ModelRow& model, const std::string& element) {
+  const std::string integrator = SoftDesc{}.integrator;
+  std::vector<Rung> out;
+  if (model.position_based) {
+    for (const int substeps : {5, SoftDesc{}.substeps, 50, 200}) {
+      out.push_back({model.name, integrator, SoftDesc{}.solver, element});
+      out.back().substeps = substeps;
+    }
+    return out;
+  }
+  for (const std::string& solver : solver_names())
+    for (const Effort& effort : efforts) {
+      // An exact solve has no effort of its own: only the Newton iterations count.
+      if (solver == "direct" && effort.tolerance != SoftDesc{}.solver_tolerance) continue;
+      out.push_back(with({model.name, integrator, solver, element}, effort));
+    }
+  return out;
+}
+
 }  // namespace
 
 std::vector<Trial> trials(const TradeCase& which, bool quick) {
   std::vector<Trial> all;
-  const std::vector<std::string> integrators = integrator_names(), solvers = solver_names();
-  const std::string first_integrator = SoftDesc{}.integrator, first_solver = SoftDesc{}.solver;
-  for (const std::string& model : model_names()) {
+  const std::string first_integrator = SoftDesc{}.integrator;
+  for (const ModelRow& model : models()) {
+    if (!model.tets) continue;
     for (const std::string& element : element_names()) {
-      for (const unsigned cells : resolutions(which, quick)) {
-        for (const std::string& solver : solvers) {
-          const Rung rung{model, first_integrator, solver, element};
-          for (const Effort& effort : efforts) {
-            // An exact solve has no effort of its own: only the Newton iterations count.
-            if (solver == "direct" && effort.tolerance != SoftDesc{}.solver_tolerance) continue;
-            all.push_back({with(rung, effort), cells, frame});
-          }
-        }
-      }
+      const bool is_law = model.name.rfind("fem_", 0) == 0;
+      if (!is_law && element != SoftDesc{}.element) continue;  // springs know no other
+      for (const unsigned cells : resolutions(which, quick))
+        for (const Rung& rung : efforts_of(model, element)) all.push_back({rung, cells, frame});
     }
-    for (const std::string& integrator : integrators) {
+    for (const std::string& integrator : integrators_for(model))
       for (const double dt : steps(which, quick)) {
         if (integrator == first_integrator && dt == frame) continue;  // above
-        all.push_back({with({model, integrator, first_solver}, efforts[2]), which.cells[0], dt});
+        all.push_back({with({model.name, integrator, SoftDesc{}.solver}, efforts[2]), which.cells[0], dt});
       }
-    }
   }
   return all;
 }

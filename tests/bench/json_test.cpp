@@ -1,0 +1,93 @@
+// What each subject of prosector-bench writes with --json, at its smallest: the object that other programs
+// read.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/bench/report.h"
+
+namespace prosector {
+namespace {
+
+struct Subject {
+  const char* name;
+  const char* smallest;  // arguments
+  std::vector<const char*> settings, figures;
+  friend void PrintTo(const Subject& subject, std::ostream* out) { *out << subject.name; }
+};
+
+class Json : public testing::TestWithParam<Subject> {
+ protected:
+  static nlohmann::json run(const Subject& subject) {
+    const auto folder = std::filesystem::temp_directory_path();
+    const std::string file =
+        folder / ("prosector-bench." + std::to_string(getpid()) + "." + subject.name + ".json");
+    const std::string command = std::string(PROSECTOR_BENCH) + " " + subject.name + " " + subject.smallest +
+                                " --json " + file + " > /dev/null";
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    std::ifstream in(file);
+    nlohmann::json out = nlohmann::json::parse(in, nullptr, false);
+    std::filesystem::remove(file);
+    return out;
+  }
+};
+
+const std::vector<const char*> rung = {"model", "element", "integrator", "solver",
+                                       "tets",  "nodes",   "dt",         "threads"};
+
+INSTANTIATE_TEST_SUITE_P(
+    Subjects, Json,
+    testing::Values(
+        Subject{"soft", "--tets 6 --repeats 1", rung, {"ms_iteration", "ms_iteration_per_1000_tets"}},
+        Subject{"beam",
+                "--cells 1 --threads 1 --model fem_corotational --solver multigrid",
+                rung,
+                {"ms_per_frame", "error_mesh", "error_continuum", "error_dynamic", "residual", "verdict"}},
+        Subject{"beam101k",
+                "--steps 1 --threads 1 --solver cg",
+                rung,
+                {"ms_per_frame", "steps_per_s", "error_mesh", "residual", "verdict"}},
+        Subject{"trade",
+                "--quick --case press --model bullet_classic --limit 5",
+                rung,
+                {"ms_per_frame", "steps_per_s", "memory_kib"}},
+        Subject{"trade",
+                "--quick --case free --model xpbd --limit 10",
+                rung,
+                {"ms_per_frame", "steps_per_s", "memory_kib"}},
+        Subject{"stability", "--model xpbd --extreme '1 tetrahedron'", rung, {"verdict"}},
+        Subject{"scaling",
+                "--max 100 --threads 1 --model fem_corotational --solver cg",
+                rung,
+                {"ms_per_frame", "cpu_us_per_tet", "steps_per_s", "residual"}}),
+    [](const auto& row) { return std::string(row.param.name) + std::to_string(row.index); });
+
+TEST_P(Json, SaysWhatWasMeasuredOnWhat) {
+  const nlohmann::json report = run(GetParam());
+  ASSERT_TRUE(report.is_object());
+  EXPECT_EQ(report["bench"], GetParam().name);
+  EXPECT_TRUE(report["machine"].is_object() && report["machine"].contains("cpu"));
+  for (const char* key : {"compiler", "date", "commit"}) {
+    EXPECT_TRUE(report[key].is_string()) << key;
+    EXPECT_FALSE(report[key].empty()) << key;
+  }
+  ASSERT_TRUE(report["rows"].is_array());
+  ASSERT_FALSE(report["rows"].empty());
+  for (const nlohmann::json& row : report["rows"]) {
+    for (const char* key : GetParam().settings)
+      EXPECT_TRUE(row.contains(key) && !row[key].is_null()) << key << row;
+    for (const char* key : GetParam().figures) EXPECT_TRUE(row.contains(key)) << key << row;
+    if (row.contains("verdict")) {
+      const auto& allowed = verdict_names;
+      EXPECT_NE(std::find(allowed.begin(), allowed.end(), row["verdict"].get<std::string>()), allowed.end())
+          << row;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace prosector
