@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/error.h"
+#include "tests/soft/derivatives.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/print_rows.h"
 #include "tests/soft/stepper.h"
@@ -28,11 +29,6 @@ SoftDesc description(const char* model) {
   return desc;
 }
 
-VecX random_vector(Eigen::Index n, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  return VecX::NullaryExpr(n, [&] { return std::uniform_real_distribution<double>(-1, 1)(random); });
-}
-
 class Bodies : public testing::TestWithParam<LawRow> {};
 INSTANTIATE_TEST_SUITE_P(Table, Bodies, testing::ValuesIn(laws()),
                          [](const auto& row) { return std::string(row.param.name); });
@@ -49,18 +45,10 @@ TEST_P(Bodies, GradientAndHessianAreThoseOfTheEnergy) {
   body.begin_stage(0, h, gravity, state);
   // Slightly swollen, so that every law's Hessian is definite and nothing is projected.
   const VecX x = 1.01 * state.motion.x + 1e-4 * random_vector(n, 3), dx = random_vector(n, 4);
-  VecX g(n), g_plus(n), g_minus(n), Hdx(n);
-  const double e = 1e-7;
-  body.gradient(x, g);
-  const double slope = (body.energy(x + e * dx) - body.energy(x - e * dx)) / (2 * e);
-  EXPECT_NEAR(g.dot(dx), slope, 1e-6 * std::abs(slope));
-  body.gradient(x + e * dx, g_plus);
-  body.gradient(x - e * dx, g_minus);
-  body.assemble(x);
-  body.multiply(dx.data(), Hdx.data());
-  EXPECT_LT((Hdx - (g_plus - g_minus) / (2 * e)).norm(), 1e-5 * Hdx.norm());
+  expect_derivatives_of_energy(body, x, dx);
 
-  VecX z(n);
+  VecX Hdx(n), z(n);
+  body.multiply(dx.data(), Hdx.data());
   body.factor_solve(Hdx.data(), z.data());
   EXPECT_LT((z - dx).norm(), 1e-9 * dx.norm());
 }

@@ -7,6 +7,7 @@
 
 #include <random>
 
+#include "tests/soft/derivatives.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/print_rows.h"
 #include "tests/soft/stepper.h"
@@ -16,11 +17,6 @@ namespace {
 
 const Vec3 cube_size(0.1, 0.1, 0.1), gravity(0, -9.81, 0);
 constexpr double h = 1. / 60;
-
-VecX random_vector(Eigen::Index n, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  return VecX::NullaryExpr(n, [&] { return std::uniform_real_distribution<double>(-1, 1)(random); });
-}
 
 SoftDesc description(const char* model) {
   SoftDesc desc;
@@ -49,16 +45,7 @@ TEST_P(Quadratic, GradientAndHessianAreThoseOfTheEnergy) {
   const Eigen::Index n = state.motion.x.size();
   body.begin_stage(0, h, gravity, state);
   const VecX x = 1.01 * state.motion.x + 5e-5 * random_vector(n, 3), dx = random_vector(n, 4);
-  VecX g(n), g_plus(n), g_minus(n), Hdx(n);
-  const double e = 1e-7;
-  body.gradient(x, g);
-  const double slope = (body.energy(x + e * dx) - body.energy(x - e * dx)) / (2 * e);
-  EXPECT_NEAR(g.dot(dx), slope, 1e-6 * std::abs(slope));
-  body.gradient(x + e * dx, g_plus);
-  body.gradient(x - e * dx, g_minus);
-  body.assemble(x);
-  body.multiply(dx.data(), Hdx.data());
-  EXPECT_LT((Hdx - (g_plus - g_minus) / (2 * e)).norm(), 1e-5 * Hdx.norm());
+  expect_derivatives_of_energy(body, x, dx);
 }
 
 TEST_P(Quadratic, PassThePatchTest) {
