@@ -54,6 +54,13 @@ int main(int argc, char** argv) try {
   beam101k_command->add_option("--threads", beam101k.threads, "From one thread to this many")
       ->check(CLI::Range(1, 1024));
 
+  prosector::PressBenchOptions press;
+  CLI::App* press_command = app.add_subcommand(
+      "press", "An organ of 31,104 tetrahedra pressed by a ball: steps a second in contact");
+  press_command->add_option("--solver", press.solver, "Only this solver's rows");
+  press_command->add_option("--threads", press.threads, "From one thread to this many")
+      ->check(CLI::Range(1, 1024));
+
   prosector::TradeBenchOptions trade;
   CLI::App* trade_command =
       app.add_subcommand("trade", "Error against cost of every way to model tissue, and what to choose");
@@ -96,6 +103,7 @@ int main(int argc, char** argv) try {
   if (*render_command) report = prosector::bench_render(render);
   if (*beam_command) report = prosector::bench_beam(beam);
   if (*beam101k_command) report = prosector::bench_beam101k(beam101k);
+  if (*press_command) report = prosector::bench_press(press);
   if (*trade_command) report = prosector::bench_trade(trade);
   if (*stability_command) report = prosector::bench_stability(stability);
   if (*scaling_command) report = prosector::bench_scaling(scaling);

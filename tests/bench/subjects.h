@@ -42,6 +42,13 @@ struct Beam101kBenchOptions {
 /// SOFA's published beam of 101,250 tetrahedra.
 Report bench_beam101k(const Beam101kBenchOptions& options);
 
+struct PressBenchOptions {
+  std::string solver;    // only these rows; empty: all
+  unsigned threads = 2;  // from one to this many
+};
+/// An organ of 31,104 tetrahedra pressed by a ball: steps a second in contact, and their error.
+Report bench_press(const PressBenchOptions& options);
+
 struct TradeBenchOptions {
   bool quick = false;
   std::string only, model;     // one case, one model (as rows name it); empty: all

@@ -198,6 +198,11 @@ double IslandSystem::joint_energy(const VecX& q) const {
   return sum;
 }
 
+void IslandSystem::linearise(const VecX& q) {
+  for (std::size_t m = 0; m < island_.soft.size(); ++m)
+    island_.soft[m].body->linearise(q.segment(soft_offset_[m], 3 * island_.soft[m].body->nodes()));
+}
+
 void IslandSystem::gradient(const VecX& q, VecX& g) {
   g.resize(size_);
   for (std::size_t m = 0; m < island_.soft.size(); ++m) {
@@ -246,8 +251,8 @@ bool IslandSystem::assemble(const VecX& q, bool exact) {
   for (std::size_t m = 0; m < island_.soft.size(); ++m) {
     SoftBody& body = *island_.soft[m].body;
     const auto x = q.segment(soft_offset_[m], 3 * body.nodes());
-    const double moved = (x - island_.soft[m].state->motion.x).lpNorm<Eigen::Infinity>();
-    if (!exact && moved <= same_tangent * body.desc().cell) {
+    const auto moved = [&] { return (x - island_.soft[m].state->motion.x).lpNorm<Eigen::Infinity>(); };
+    if (!exact && !body.tangent_is_cheap() && moved() <= same_tangent * body.desc().cell) {
       body.assemble_at_start();
       kept = true;
     } else {

@@ -20,6 +20,8 @@ class IslandSystem final : public LinearOperator {
   double energy(const VecX& q);
   /// The same at the q of the last energy(), after lag_friction() changed the friction: no elements visited.
   double energy_with_new_friction(const VecX& q) const { return soft_energy_ + joint_energy(q); }
+  /// Tells soft bodies that energy, gradient and Hessian will be asked for at q.
+  void linearise(const VecX& q);
   void gradient(const VecX& q, VecX& g);
   /// Fixes the Hessian at q. Unless it is to be `exact`, soft bodies that moved little since the tick's start
   /// keep the matrix that they have from there. True when some did.

@@ -85,8 +85,10 @@ IslandReport minimise(IslandSystem& system, const Limits& limits, double toleran
   IslandReport report;
   VecX g(system.size()), step(system.size()), next(system.size());
   bool exact = limits.careful;
+  system.linearise(q);
   system.energy(q);
   while (report.newton_iterations < limits.newton) {
+    system.linearise(q);
     system.lag_friction(q);
     const double energy = system.energy_with_new_friction(q);
     system.gradient(q, g);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "server/physics/soft/connectivity.h"
-#include "server/physics/soft/float_rows.h"
 
 namespace prosector {
 
@@ -28,9 +27,6 @@ class BlockPattern {
   /// this pattern whose rows sum to zero.
   void gather(std::span<const Mat3> elements, double scale, std::span<const Mat3> base,
               std::span<Mat3> values) const;
-
-  /// A matrix of this pattern whose blocks are floats.
-  FloatBlocks blocks_of(const float* values) const { return {row_begin_.data(), column_.data(), values}; }
 
   /// y = A·x for 3n vectors.
   void multiply(std::span<const Mat3> values, const double* x, double* y) const;

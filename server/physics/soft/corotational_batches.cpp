@@ -36,6 +36,11 @@ class CorotationalBatches final : public ElementBatches {
   void warped_stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const override {
     lane_warped_stiffness(rest_[batch], strain_[batch].R, K);
   }
+  bool turns() const override { return true; }
+  void turn(std::size_t batch, std::optional<double> share, std::span<TurnedVector> gradients,
+            std::span<Twist> twists) const override {
+    lane_turned_elements(rest_[batch], strain_[batch], share, gradients, twists);
+  }
 };
 
 }  // namespace

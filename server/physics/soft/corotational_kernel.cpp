@@ -17,11 +17,11 @@ using Blocks = Tet4Elements::Stiffness;
 constexpr std::size_t stiffness_entries = sizeof(Blocks) / sizeof(double);
 
 /// r_0 … r_3 of the shape function gradients.
-struct TurnedGradients {
+struct Turned {
   Vector r[4];
 };
-HWY_INLINE TurnedGradients turned_gradients(const Matrix& R, const Matrix& B) {
-  TurnedGradients t;
+HWY_INLINE Turned turned_gradients(const Matrix& R, const Matrix& B) {
+  Turned t;
   t.r[1] = R * B.a;
   t.r[2] = R * B.b;
   t.r[3] = R * B.c;
@@ -128,7 +128,7 @@ void dilatations(const LaneStrain& strain, std::span<double> theta) {
 void turned(const LaneRest& rest, const LaneMatrix& R, std::span<Tet4Elements::Forces> G) {
   const D d;
   for (std::size_t i = 0; i < G.size(); i += hn::Lanes(d)) {
-    const TurnedGradients t = turned_gradients(load(R, i), load(rest.gradients, i));
+    const Turned t = turned_gradients(load(R, i), load(rest.gradients, i));
     const V V0 = hn::Load(d, rest.volume + i);
     write_forces({V0 * t.r[1], V0 * t.r[2], V0 * t.r[3]}, i, G);
   }
@@ -141,9 +141,9 @@ void stiffness(const LaneRest& rest, const LaneStrain& strain, std::span<Blocks>
     const Matrix R = load(strain.R, i);
     const V V0 = hn::Load(d, rest.volume + i), l = hn::Load(d, rest.lambda + i),
             m = number(2) * hn::Load(d, rest.mu + i), lambda = l * V0, two_mu = m * V0;
-    const Matrix C =
-        half_twists(l, m, hn::Load(d, strain.pressure + i), least_corotational_pair, load(strain.F, i), R);
-    const TurnedGradients t = turned_gradients(R, load(rest.gradients, i));
+    const Matrix C = half_twists(l, m, hn::Load(d, strain.pressure + i), least_corotational_pair, 1e-20,
+                                 load(strain.F, i), R);
+    const Turned t = turned_gradients(R, load(rest.gradients, i));
     for (int a = 0; a < 3; ++a) {
       // Rows of V [r_a]ₓ ½C.
       const Vector va = V0 * t.r[a];
@@ -169,7 +169,7 @@ void warped_stiffness(const LaneRest& rest, const LaneMatrix& R, std::span<Block
   for (std::size_t i = 0; i < K.size(); i += hn::Lanes(d)) {
     const V V0 = hn::Load(d, rest.volume + i), lambda = hn::Load(d, rest.lambda + i) * V0,
             mu = hn::Load(d, rest.mu + i) * V0;
-    const TurnedGradients t = turned_gradients(load(R, i), load(rest.gradients, i));
+    const Turned t = turned_gradients(load(R, i), load(rest.gradients, i));
     for (int a = 0; a < 3; ++a) {
       const Vector la = lambda * t.r[a], ma = mu * t.r[a];
       for (int b = a + 1; b < 4; ++b) {
@@ -183,6 +183,50 @@ void warped_stiffness(const LaneRest& rest, const LaneMatrix& R, std::span<Block
       }
     }
     buffer.write(i, K);
+  }
+}
+
+/// Registers of floats, element by element, `stride` floats from one to the next.
+struct FloatBuffer {
+  HWY_ALIGN float entry[hn::MaxLanes(D())];
+
+  HWY_INLINE void scatter(Single value, float* to, std::size_t stride, std::size_t count) {
+    hn::Store(value, hn::Rebind<float, D>(), entry);
+    for (std::size_t e = 0; e < count; ++e) to[stride * e] = entry[e];
+  }
+  HWY_INLINE void scatter(const VectorOf<Single>& value, float* to, std::size_t stride, std::size_t count) {
+    scatter(value.x, to, stride, count);
+    scatter(value.y, to + 1, stride, count);
+    scatter(value.z, to + 2, stride, count);
+  }
+};
+
+void turned_elements(const LaneRest& rest, const LaneStrain& strain, std::optional<double> share,
+                     std::span<TurnedVector> gradients, std::span<Twist> twists) {
+  const D d;
+  FloatBuffer buffer;
+  for (std::size_t i = 0; i < twists.size(); i += hn::Lanes(d)) {
+    const std::size_t count = std::min(hn::Lanes(d), twists.size() - i);
+    const Matrix R = load(strain.R, i);
+    const V mu = hn::Load(d, rest.mu + i), lambda = hn::Load(d, rest.lambda + i);
+    const Turned t = turned_gradients(R, load(rest.gradients, i));
+    const V size = hn::Sqrt(hn::Load(d, rest.volume + i) * mu);
+    for (std::size_t a = 0; a < 4; ++a)
+      buffer.scatter(single(size * t.r[a]), gradients[4 * i + a].at, 16, count);
+    float* to = twists[i].column[0].at;
+    buffer.scatter(single(lambda / mu), to + 3, 12, count);
+    if (!share) continue;
+    const V pressure = hn::Load(d, strain.pressure + i) / mu;
+    MatrixOf<Single> T = half_twists(single(lambda / mu), number<Single>(2), single(pressure),
+                                     least_corotational_pair, 1e-12, single(load(strain.F, i)), single(R));
+    const Single part = number<Single>(*share), rest_of_it = number<Single>(*share - 1);
+    T = {part * T.a, part * T.b, part * T.c};
+    T.a.x = T.a.x + rest_of_it;
+    T.b.y = T.b.y + rest_of_it;
+    T.c.z = T.c.z + rest_of_it;
+    buffer.scatter(T.a, to, 12, count);
+    buffer.scatter(T.b, to + 4, 12, count);
+    buffer.scatter(T.c, to + 8, 12, count);
   }
 }
 
@@ -200,6 +244,7 @@ HWY_EXPORT(dilatations);
 HWY_EXPORT(turned);
 HWY_EXPORT(stiffness);
 HWY_EXPORT(warped_stiffness);
+HWY_EXPORT(turned_elements);
 
 void lane_gradients(const LaneRest& rest, const LaneMatrix& edges, LaneMatrix& F) {
   HWY_DYNAMIC_DISPATCH(gradients)(rest, edges, F);
@@ -226,6 +271,10 @@ void lane_corotational_stiffness(const LaneRest& rest, const LaneStrain& strain,
 }
 void lane_warped_stiffness(const LaneRest& rest, const LaneMatrix& R, std::span<Tet4Elements::Stiffness> K) {
   HWY_DYNAMIC_DISPATCH(warped_stiffness)(rest, R, K);
+}
+void lane_turned_elements(const LaneRest& rest, const LaneStrain& strain, std::optional<double> share,
+                          std::span<TurnedVector> gradients, std::span<Twist> twists) {
+  HWY_DYNAMIC_DISPATCH(turned_elements)(rest, strain, share, gradients, twists);
 }
 
 }  // namespace prosector

@@ -3,11 +3,13 @@
 // inertia, damping and attachments; it knows of elements only what stands here.
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "common/mesh.h"
 #include "common/scene/scene.h"
 #include "server/physics/soft/connectivity.h"
+#include "server/physics/soft/turned_elements.h"
 
 namespace prosector {
 
@@ -37,6 +39,14 @@ class ElasticModel {
   /// Hooke's stiffness turned with each element, likewise: positive semidefinite and of the size it has at
   /// rest, whatever the shape.
   virtual std::span<const Mat3> warped_stiffness(const double* x) = 0;
+
+  /// Whether tangent and warped stiffness can be had as turned elements, at a fraction of the cost.
+  virtual bool turns() const { return false; }
+  /// As they are at x; their twists with `share` = 1/(s + 1), none (but λ/μ) without: then they are good for
+  /// the warped stiffness only. Allocates at the first call for `out`.
+  virtual void turn(const double* /*x*/, std::optional<double> /*share*/, TurnedElements& /*out*/) {}
+  /// The same with what energy and gradient need at x, in one pass over the elements.
+  virtual void linearise(const double* x, double share, TurnedElements& out) { turn(x, share, out); }
 
   // ---- Viscoelastic relaxation, see relaxation.h; nothing to bodies without.
   /// Numbers of history that a state carries.

@@ -4,12 +4,14 @@
 // (law_batches.cpp).
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "server/physics/soft/constitutive_law.h"
 #include "server/physics/soft/element_lanes.h"
 #include "server/physics/soft/tet4.h"
+#include "server/physics/soft/turned_elements.h"
 
 namespace prosector {
 
@@ -40,6 +42,11 @@ class ElementBatches {
   /// Hooke's stiffness turned with each element: positive semidefinite and of the size it has at rest,
   /// whatever the shape.
   virtual void warped_stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const = 0;
+  /// Whether turn() is there.
+  virtual bool turns() const { return false; }
+  /// The batch's turned elements: 4 gradients and a twist each, see ElasticModel::turn.
+  virtual void turn(std::size_t /*batch*/, std::optional<double> /*share*/,
+                    std::span<TurnedVector> /*gradients*/, std::span<Twist> /*twists*/) const {}
 
  protected:
   std::size_t first(std::size_t batch) const { return batch * elements_per_batch; }

@@ -1,7 +1,7 @@
 #pragma once
-// Rows of float blocks times float vectors, with fused arithmetic where the CPU has it: the inside of the
-// multigrid preconditioner and, with double vectors, of conjugate gradients. Blocks are column-major, of 3 or
-// 6 rows and columns.
+// Rows of float blocks times float vectors, with fused arithmetic where the CPU has it: the coarse levels of
+// the multigrid preconditioner and the ways between them. Blocks are column-major, of 3 or 6 rows and
+// columns.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,25 +19,19 @@ struct FloatBlocks {
 template <int R, int C>
 void multiply(const FloatBlocks& A, std::size_t first, std::size_t last, const float* x, float* y);
 
-/// y = A·x of 3×3 blocks with vectors and sums in double.
-void multiply(const FloatBlocks& A, std::size_t first, std::size_t last, const double* x, double* y);
-
-/// A square matrix and the inverses of its diagonal blocks, one a row.
+/// A square matrix of 6×6 blocks and the inverses of its diagonal ones, one a row.
 struct FloatRows {
   FloatBlocks blocks;
   const float* inverse;
 };
 
 /// A Chebyshev step from zero: d = gain·D⁻¹b, z = d, for rows first … last − 1.
-template <int B>
 void smooth_from_zero(const FloatRows& A, std::size_t first, std::size_t last, const float* b, float gain,
                       float* d, float* z);
 /// A Chebyshev step: d = keep·d + gain·D⁻¹(b − A·z), to = z + d.
-template <int B>
 void smooth(const FloatRows& A, std::size_t first, std::size_t last, const float* b, const float* z,
             float keep, float gain, float* d, float* to);
 /// r = b − A·z.
-template <int B>
 void residual(const FloatRows& A, std::size_t first, std::size_t last, const float* b, const float* z,
               float* r);
 

@@ -22,36 +22,50 @@ using D = hn::CappedTag<double, 8>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 
-struct Vector {
-  V x, y, z;
+/// Of registers of double, or of as many floats.
+template <class T>
+struct VectorOf {
+  T x, y, z;
 };
 /// Columns.
-struct Matrix {
-  Vector a, b, c;
+template <class T>
+struct MatrixOf {
+  VectorOf<T> a, b, c;
 };
+using Vector = VectorOf<V>;
+using Matrix = MatrixOf<V>;
 
-HWY_INLINE V number(double x) {
-  return hn::Set(D(), x);
+template <class T = V>
+HWY_INLINE T number(double x) {
+  using Tag = hn::DFromV<T>;
+  return hn::Set(Tag(), static_cast<hn::TFromD<Tag>>(x));
 }
-HWY_INLINE V zero() {
-  return hn::Zero(D());
+template <class T = V>
+HWY_INLINE T zero() {
+  return hn::Zero(hn::DFromV<T>());
 }
-HWY_INLINE V dot(const Vector& a, const Vector& b) {
+template <class T>
+HWY_INLINE T dot(const VectorOf<T>& a, const VectorOf<T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-HWY_INLINE Vector cross(const Vector& a, const Vector& b) {
+template <class T>
+HWY_INLINE VectorOf<T> cross(const VectorOf<T>& a, const VectorOf<T>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-HWY_INLINE Vector operator+(const Vector& a, const Vector& b) {
+template <class T>
+HWY_INLINE VectorOf<T> operator+(const VectorOf<T>& a, const VectorOf<T>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-HWY_INLINE Vector operator-(const Vector& a, const Vector& b) {
+template <class T>
+HWY_INLINE VectorOf<T> operator-(const VectorOf<T>& a, const VectorOf<T>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-HWY_INLINE Vector operator*(V s, const Vector& a) {
+template <class T>
+HWY_INLINE VectorOf<T> operator*(T s, const VectorOf<T>& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
-HWY_INLINE Vector operator*(const Matrix& A, const Vector& v) {
+template <class T>
+HWY_INLINE VectorOf<T> operator*(const MatrixOf<T>& A, const VectorOf<T>& v) {
   return v.x * A.a + v.y * A.b + v.z * A.c;
 }
 HWY_INLINE V double_dot(const Matrix& A, const Matrix& B) {
@@ -59,6 +73,18 @@ HWY_INLINE V double_dot(const Matrix& A, const Matrix& B) {
 }
 HWY_INLINE Matrix transposed(const Matrix& A) {
   return {{A.a.x, A.b.x, A.c.x}, {A.a.y, A.b.y, A.c.y}, {A.a.z, A.b.z, A.c.z}};
+}
+
+/// In single precision.
+using Single = hn::Vec<hn::Rebind<float, D>>;
+HWY_INLINE Single single(V x) {
+  return hn::DemoteTo(hn::Rebind<float, D>(), x);
+}
+HWY_INLINE VectorOf<Single> single(const Vector& v) {
+  return {single(v.x), single(v.y), single(v.z)};
+}
+HWY_INLINE MatrixOf<Single> single(const Matrix& A) {
+  return {single(A.a), single(A.b), single(A.c)};
 }
 
 HWY_INLINE Matrix load(const LaneMatrix& m, std::size_t i) {

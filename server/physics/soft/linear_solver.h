@@ -32,7 +32,7 @@ struct SolverSettings {
 
 struct SolveReport {
   int iterations = 0;
-  double residual = 0;  // relative, of the returned x, recomputed from H·x; infinity: not finite, x is 0
+  double residual = 0;  // relative, of the returned x, to rounding; infinity: not finite, x is 0
   bool converged = false;
 };
 

@@ -68,8 +68,8 @@ struct Work {
 };
 
 /// Adds `smoothing_steps` Chebyshev steps to z, or starts from zero.
-template <int B>
-void smooth_level(const FloatRows& A, std::size_t rows, std::size_t chunk, float eigenvalue, bool from_zero,
+template <class Rows>
+void smooth_level(const Rows& A, std::size_t rows, std::size_t chunk, float eigenvalue, bool from_zero,
                   Work& w) {
   for (int i = 1; i <= smoothing_steps; ++i) {
     const float k = static_cast<float>(i - 1);
@@ -77,19 +77,19 @@ void smooth_level(const FloatRows& A, std::size_t rows, std::size_t chunk, float
     const float gain = i == 1 ? 4 / (3 * eigenvalue) : (8 * k + 4) / ((2 * k + 3) * eigenvalue);
     parallel_chunks(rows, chunk, [&](std::size_t first, std::size_t last, std::size_t) {
       if (i == 1 && from_zero) {
-        smooth_from_zero<B>(A, first, last, w.b.data(), gain, w.d.data(), w.other.data());
+        smooth_from_zero(A, first, last, w.b.data(), gain, w.d.data(), w.other.data());
       } else {
-        smooth<B>(A, first, last, w.b.data(), w.z.data(), keep, gain, w.d.data(), w.other.data());
+        smooth(A, first, last, w.b.data(), w.z.data(), keep, gain, w.d.data(), w.other.data());
       }
     });
     w.z.swap(w.other);
   }
 }
 
-template <int B>
-void residual_level(const FloatRows& A, std::size_t rows, std::size_t chunk, Work& w) {
+template <class Rows>
+void residual_level(const Rows& A, std::size_t rows, std::size_t chunk, Work& w) {
   parallel_chunks(rows, chunk, [&](std::size_t first, std::size_t last, std::size_t) {
-    residual<B>(A, first, last, w.b.data(), w.z.data(), w.other.data());
+    residual(A, first, last, w.b.data(), w.z.data(), w.other.data());
   });
 }
 
@@ -129,8 +129,8 @@ struct CoarseLevel {
     dense_inverse.resize(n, n);
   }
 
-  void retime(double alpha, double scale) {
-    const auto sum = [&](std::size_t k) -> Mat6 { return scale * stiffness.value[k] + alpha * inertia[k]; };
+  void retime(double alpha) {
+    const auto sum = [&](std::size_t k) -> Mat6 { return stiffness.value[k] + alpha * inertia[k]; };
     if (!transfer) {
       dense.setZero();
       for (std::size_t i = 0; i < rows(); ++i)
@@ -150,14 +150,13 @@ struct CoarseLevel {
 struct Multigrid::Impl {
   const BlockPattern& pattern;
   VecX rest;
-  std::vector<std::size_t> begin;
-  std::vector<std::uint32_t> column;
   float eigenvalue = 1;
   std::unique_ptr<Transfer<3>> transfer;  // none: everything is held firmly
   std::vector<CoarseLevel> coarse;
-  std::vector<float> value, inverse, turned;  // H; D⁻¹; 9 a node, column-major
+  SymmetricBlocks off_diagonal{};
+  std::vector<float> diagonal, inverse, turned;  // of H/s; 9 a node, column-major
   bool turns = false;
-  double alpha = -1, scale = -1;
+  double alpha = -1, scale = 1;
   Work work;
 
   explicit Impl(const RestSystem& system)
@@ -176,9 +175,7 @@ struct Multigrid::Impl {
       M.add(static_cast<std::uint32_t>(i), system.mass[row] * Mat3::Identity());
       M.close_row();
     }
-    begin = A.begin;
-    column = A.column;
-    value.resize(9 * column.size() + 1);
+    diagonal.resize(9 * pattern.rows() + 1);
     inverse.resize(9 * pattern.rows() + 1);
     turned.resize(9 * pattern.rows());
     coarsen_all(A, M, held);
@@ -235,7 +232,7 @@ struct Multigrid::Impl {
     return largest_eigenvalue(M);
   }
 
-  FloatRows matrix() const { return {{begin.data(), column.data(), value.data()}, inverse.data()}; }
+  SymmetricFloats matrix() const { return {off_diagonal, diagonal.data(), inverse.data()}; }
 
   /// to = Rᵀ·from or, `forward`, to += R·from.
   void rotate(bool forward, const float* from, float* to) const {
@@ -263,13 +260,13 @@ struct Multigrid::Impl {
           level.dense_inverse * Eigen::Map<const Eigen::VectorXf>(w.b.data(), n);
       return;
     }
-    smooth_level<6>(level.matrix(), level.rows(), coarse_rows_per_chunk, level.eigenvalue, true, w);
-    residual_level<6>(level.matrix(), level.rows(), coarse_rows_per_chunk, w);
+    smooth_level(level.matrix(), level.rows(), coarse_rows_per_chunk, level.eigenvalue, true, w);
+    residual_level(level.matrix(), level.rows(), coarse_rows_per_chunk, w);
     level.transfer->restrict_to(w.other.data(), coarse[l + 1].work.b.data());
     correct(l + 1);
     level.transfer->prolong(coarse[l + 1].work.z.data(), w.other.data());
     for (std::size_t i = 0; i < w.z.size(); ++i) w.z[i] += w.other[i];
-    smooth_level<6>(level.matrix(), level.rows(), coarse_rows_per_chunk, level.eigenvalue, false, w);
+    smooth_level(level.matrix(), level.rows(), coarse_rows_per_chunk, level.eigenvalue, false, w);
   }
 };
 
@@ -280,11 +277,10 @@ std::size_t Multigrid::levels() const {
   return 1 + impl_->coarse.size();
 }
 
-void Multigrid::retime(double inertia, double stiffness_scale) {
-  if (inertia == impl_->alpha && stiffness_scale == impl_->scale) return;
+void Multigrid::retime(double inertia) {
+  if (inertia == impl_->alpha) return;
   impl_->alpha = inertia;
-  impl_->scale = stiffness_scale;
-  for (CoarseLevel& level : impl_->coarse) level.retime(inertia, stiffness_scale);
+  for (CoarseLevel& level : impl_->coarse) level.retime(inertia);
 }
 
 void Multigrid::turn(const double* x) {
@@ -301,8 +297,8 @@ void Multigrid::turn(const double* x) {
                         const std::size_t i = first + lane;
                         const Eigen::Map<const Vec3> xi(x + 3 * i), Xi(m.rest.data() + 3 * i);
                         sum.setZero();
-                        for (std::size_t k = m.begin[i]; k < m.begin[i + 1]; ++k) {
-                          const std::size_t j = m.column[k];
+                        for (std::size_t k = m.pattern.begin(i); k < m.pattern.end(i); ++k) {
+                          const std::size_t j = m.pattern.column(k);
                           const Eigen::Map<const Vec3> xj(x + 3 * j), Xj(m.rest.data() + 3 * j);
                           sum += (xj - xi) * (Xj - Xi).transpose();
                         }
@@ -316,14 +312,15 @@ void Multigrid::turn(const double* x) {
                   });
 }
 
-void Multigrid::set_matrix(std::span<const Mat3> values, std::span<const Mat3> diagonal,
+void Multigrid::set_matrix(const SymmetricBlocks& off_diagonal, double scale, std::span<const Mat3> diagonal,
                            std::span<const Mat3> inverse) {
   Impl& m = *impl_;
+  m.off_diagonal = off_diagonal;
+  m.scale = scale;
   parallel_chunks(m.pattern.rows(), rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i) {
-      for (std::size_t k = m.begin[i]; k < m.begin[i + 1]; ++k) write(values[k], m.value.data() + 9 * k);
-      write(diagonal[i], m.value.data() + 9 * m.pattern.diagonal(i));
-      write(inverse[i], m.inverse.data() + 9 * i);
+      write(Mat3(diagonal[i] / scale), m.diagonal.data() + 9 * i);
+      write(Mat3(inverse[i] * scale), m.inverse.data() + 9 * i);
     }
   });
 }
@@ -332,17 +329,17 @@ void Multigrid::apply(const double* r, double* z) {
   Impl& m = *impl_;
   Work& w = m.work;
   const std::size_t rows = m.pattern.rows();
-  for (std::size_t i = 0; i < w.b.size(); ++i) w.b[i] = static_cast<float>(r[i]);
-  smooth_level<3>(m.matrix(), rows, rows_per_chunk, m.eigenvalue, true, w);
+  for (std::size_t i = 0; i < w.b.size(); ++i) w.b[i] = static_cast<float>(r[i] / m.scale);
+  smooth_level(m.matrix(), rows, rows_per_chunk, m.eigenvalue, true, w);
   if (m.transfer) {
-    residual_level<3>(m.matrix(), rows, rows_per_chunk, w);
+    residual_level(m.matrix(), rows, rows_per_chunk, w);
     m.rotate(false, w.other.data(), w.d.data());
     m.transfer->restrict_to(w.d.data(), m.coarse.front().work.b.data());
     m.correct(0);
     m.transfer->prolong(m.coarse.front().work.z.data(), w.d.data());
     m.rotate(true, w.d.data(), w.z.data());
   }
-  smooth_level<3>(m.matrix(), rows, rows_per_chunk, m.eigenvalue, false, w);
+  smooth_level(m.matrix(), rows, rows_per_chunk, m.eigenvalue, false, w);
   for (std::size_t i = 0; i < w.z.size(); ++i) z[i] = static_cast<double>(w.z[i]);
 }
 

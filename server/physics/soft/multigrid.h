@@ -1,5 +1,5 @@
 #pragma once
-// One V-cycle of multigrid as a preconditioner of a soft body's matrix H = s·K(x) + α·M + attachments +
+// One V-cycle of multigrid as a preconditioner of a soft body's matrix H = s·(K(x) + α·M) + attachments +
 // contacts' diagonal blocks.
 //
 // The finest level smooths with H as it is: Chebyshev polynomials of the fourth kind (Lottes 2023,
@@ -14,6 +14,7 @@
 #include <span>
 
 #include "server/physics/soft/block_matrix.h"
+#include "server/physics/soft/symmetric_product.h"
 
 namespace prosector {
 
@@ -31,12 +32,13 @@ class Multigrid {
   explicit Multigrid(const RestSystem& rest);
   ~Multigrid();
 
-  /// The coarse levels' α, 1/s², and s.
-  void retime(double inertia, double stiffness_scale);
+  /// The coarse levels' α, 1/s².
+  void retime(double inertia);
   /// Turns the coarse levels with the nodes of `x`, 3n; null: as at rest.
   void turn(const double* x);
-  /// H's blocks, without contacts, and its diagonal ones with them; the inverses of these.
-  void set_matrix(std::span<const Mat3> values, std::span<const Mat3> diagonal,
+  /// H's off-diagonal blocks times 1/s, to be kept until the next call; its diagonal ones with contacts; the
+  /// inverses of these.
+  void set_matrix(const SymmetricBlocks& off_diagonal, double scale, std::span<const Mat3> diagonal,
                   std::span<const Mat3> inverse);
   /// z ≈ H⁻¹·r, 3n each.
   void apply(const double* r, double* z);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "common/error.h"
@@ -12,13 +13,14 @@
 #include "server/physics/soft/block_matrix.h"
 #include "server/physics/soft/cholesky.h"
 #include "server/physics/soft/elastic_model.h"
-#include "server/physics/soft/float_rows.h"
 #include "server/physics/soft/multigrid.h"
 #include "server/physics/soft/node_vectors.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body_setup.h"
 #include "server/physics/soft/substepper.h"
+#include "server/physics/soft/symmetric_rows.h"
 #include "server/physics/soft/tet10.h"
+#include "server/physics/soft/turned_stiffness.h"
 
 namespace prosector {
 namespace {
@@ -63,7 +65,9 @@ struct SoftBody::Impl {
   std::unique_ptr<TimeIntegrator> integrator, euler;
   const TimeIntegrator* stepping = nullptr;  // the one of the step begun
   BlockPattern pattern;
-  VecX mass, attached;  // n kg; n N/m
+  SymmetricPattern symmetric;
+  std::optional<TurnedStiffness> turned;  // of models that turn
+  VecX mass, attached;                    // n kg; n N/m
   std::unique_ptr<Substepper> substepper;
   std::unique_ptr<SoftBody> recovery;
   std::vector<double> area;
@@ -73,13 +77,27 @@ struct SoftBody::Impl {
   VecX history;       // with them
 
   Stage stage;
-  std::vector<double> node_sums;               // one a chunk
-  std::vector<Mat3> hessian, start_stiffness;  // blocks; K(x_n), used when damped
-  std::vector<float> single;                   // solver multigrid: the Hessian once more, for products
-  mutable double rest_stiffness = 0;           // N/m: mean of the diagonal at rest
-  bool damped, uses_single = false;
-  VecX x_n, drift, damping;  // 3n: x_n; x − x_v; K(x_n)·drift
-  bool drift_known = false;
+  std::vector<double> node_sums;  // one a chunk
+
+  // The Hessian without the bodies around: `hessian` in double, or scale()·(off-diagonal blocks of `rows`)
+  // and own_diagonal. Turned elements go straight into `rows`; the others, and `direct`, by `hessian`.
+  mutable std::vector<Mat3> hessian;  // blocks of `pattern`; made when first used
+  mutable SymmetricRows rows;
+  mutable bool hessian_known = false, rows_known = false;  // as last assembled
+  std::vector<Mat3> own_diagonal;
+  TurnedElements present;
+  VecX present_at;  // 3n: where `present` is
+  bool present_known = false;
+  bool uses_single = false;
+  double rest_stiffness = 0;  // N/m: mean of the diagonal at rest
+
+  // Damping: Hooke's stiffness turned with each element as it is at x_n, as blocks or as turned elements.
+  bool damped;
+  std::vector<Mat3> start_stiffness;
+  TurnedElements start;
+  VecX x_n, drift, damping;   // 3n: x_n; x − x_v; the stiffness times drift
+  double damping_energy = 0;  // half of drift times that
+  bool drift_known = false, damping_known = false;
   bool relaxed = false;  // see set_relaxed
   mutable std::unique_ptr<Cholesky> cholesky;
   mutable bool factored = false;
@@ -91,10 +109,13 @@ struct SoftBody::Impl {
         anatomy((check_mesh(d, a), nodes_for(d, std::move(a)))),
         model(named(d, [&] { return make_elastic_model(d, anatomy); })),
         pattern(model->connectivity()),
+        symmetric(pattern),
         mass(lumped_mass(d.density, model->volume())),
         attached(prosector::attachment_stiffness(d.attach, model->rest(), model->volume())),
         area(vertex_areas(anatomy)),
         diagonal(bounding_diagonal(model->rest())),
+        rows(symmetric),
+        own_diagonal(pattern.rows()),
         damped(d.damping_stiffness > 0) {
     named(d, [&] { return make_solver(d.solver); });  // used by whoever solves, refused here
     require(model->connectivity().size() > 0, d,
@@ -114,23 +135,25 @@ struct SoftBody::Impl {
 
   void reserve() {
     node_sums.resize(chunk_count(node_count(), nodes_per_chunk));
-    hessian.resize(pattern.blocks());
-    if (damped) start_stiffness.resize(pattern.blocks());
-    for (VecX* v : {&x_n, &drift, &damping, &stage.y, &stage.x_v, &stage.v_h, &remembered.x, &remembered.v})
+    if (model->turns()) turned.emplace(model->connectivity(), symmetric);
+    if (!turned || desc.solver == "direct") {
+      hessian.resize(pattern.blocks());
+      if (damped) start_stiffness.resize(pattern.blocks());
+    }
+    std::vector<Mat3> stiffness(pattern.blocks());
+    pattern.gather(model->warped_stiffness(rest().data()), 0, {}, stiffness);
+    for (std::size_t i = 0; i < node_count(); ++i) rest_stiffness += stiffness[pattern.diagonal(i)].trace();
+    rest_stiffness /= static_cast<double>(3 * node_count());
+    for (VecX* v : {&present_at, &x_n, &drift, &damping, &stage.y, &stage.x_v, &stage.v_h, &remembered.x,
+                    &remembered.v})
       *v = VecX::Zero(rest().size());
     if (desc.solver == "direct") cholesky = std::make_unique<Cholesky>(pattern);
-    if (desc.solver == "multigrid") {
-      make_coarse_levels();
-      single.resize(9 * pattern.blocks() + 1);
-    }
+    if (desc.solver == "multigrid") make_coarse_levels();
   }
 
   void make_coarse_levels() const {
     std::vector<Mat3> stiffness(pattern.blocks());
     pattern.gather(model->warped_stiffness(rest().data()), 0, {}, stiffness);
-    rest_stiffness = 0;
-    for (std::size_t i = 0; i < node_count(); ++i) rest_stiffness += stiffness[pattern.diagonal(i)].trace();
-    rest_stiffness /= static_cast<double>(3 * node_count());
     multigrid = std::make_unique<Multigrid>(RestSystem{pattern, stiffness, rest(), mass, attached});
   }
 
@@ -146,27 +169,78 @@ struct SoftBody::Impl {
     return ordered_sum(node_sums);
   }
 
-  /// drift = x − x_v, damping = K(x_n)·drift: what stiffness-proportional damping needs at x.
-  void update_damping(const Eigen::Ref<const VecX>& x) {
+  double inertia() const { return stage.alpha + desc.damping_mass / stage.dxdv; }
+  double damping_share() const { return desc.damping_stiffness / stage.dxdv; }
+  double scale() const { return 1 + damping_share(); }
+  bool tangent_is_cheap() const { return turned && uses_single; }
+
+  /// What stiffness-proportional damping multiplies with, as it is at x_n.
+  void begin_damping() {
+    drift_known = false;
     if (!damped) return;
-    if (drift_known && (x - stage.x_v) == drift) return;
-    drift_known = true;
-    drift = x - stage.x_v;
-    pattern.multiply(start_stiffness, drift.data(), damping.data());
+    if (tangent_is_cheap()) {
+      model->turn(x_n.data(), std::nullopt, start);
+    } else {
+      start_stiffness.resize(pattern.blocks());
+      pattern.gather(model->warped_stiffness(x_n.data()), 0, {}, start_stiffness);
+    }
   }
 
-  /// Adds to `hessian`, which holds what couples nodes, all that is diagonal.
-  void add_diagonal() {
-    const double inertia = stage.alpha + desc.damping_mass / stage.dxdv;
-    const double hold = 1 + desc.damping_stiffness / stage.dxdv;
-    uses_single = !single.empty() && inertia * mass.mean() > least_inertia * rest_stiffness;
+  /// drift = x − x_v, damping_energy = ½drift·K·drift and, with `forces`, damping = K·drift: what
+  /// stiffness-proportional damping needs at x.
+  void update_damping(const Eigen::Ref<const VecX>& x, bool forces) {
+    if (!damped) return;
+    const bool same = drift_known && (x - stage.x_v) == drift;
+    if (same && (damping_known || !forces)) return;
+    drift = x - stage.x_v;
+    drift_known = true;
+    damping_known = forces || !tangent_is_cheap();
+    if (!tangent_is_cheap()) {
+      pattern.multiply(start_stiffness, drift.data(), damping.data());
+      damping_energy = 0.5 * node_sum([&](Eigen::Index i) {
+                         return drift.segment<3>(3 * i).dot(damping.segment<3>(3 * i));
+                       });
+    } else if (forces) {
+      damping_energy = turned->multiply(start, drift.data(), damping.data());
+    } else {
+      damping_energy = turned->energy(start, drift.data());
+    }
+  }
+
+  /// Completes `hessian`, which holds what couples nodes.
+  void use_hessian() {
+    add_diagonal([&](std::size_t i) -> const Mat3& { return hessian[pattern.diagonal(i)]; });
+    for (std::size_t i = 0; i < node_count(); ++i) hessian[pattern.diagonal(i)] = own_diagonal[i];
+    hessian_known = true;
+    rows_known = false;
+    if (uses_single) set_rows();
+  }
+  /// The rows in double, for who factors another's matrix.
+  void set_hessian() const {
+    hessian.resize(pattern.blocks());
+    rows.write(symmetric, pattern, scale(), hessian);
+    for (std::size_t i = 0; i < node_count(); ++i) hessian[pattern.diagonal(i)] = own_diagonal[i];
+    hessian_known = true;
+  }
+  void set_rows() const {
+    if (!rows_known) rows.set(symmetric, pattern, 1 / scale(), hessian);
+    rows_known = true;
+  }
+  /// Takes `rows` as they are.
+  void use_rows() {
+    add_diagonal([&](std::size_t i) -> Mat3 { return scale() * rows.diagonal[i]; });
+    hessian_known = false;
+    rows_known = true;
+  }
+
+  /// own_diagonal = what elements make of it, and all else that is diagonal.
+  template <class F>
+  void add_diagonal(const F& of_elements) {
     parallel_chunks(node_count(), nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
       for (std::size_t i = first; i < last; ++i) {
         const auto row = static_cast<Eigen::Index>(i);
-        hessian[pattern.diagonal(i)].diagonal().array() += inertia * mass[row] + hold * attached[row];
-        if (!uses_single) continue;
-        for (std::size_t k = pattern.begin(i); k < pattern.end(i); ++k)
-          for (std::size_t c = 0; c < 9; ++c) single[9 * k + c] = static_cast<float>(hessian[k].data()[c]);
+        own_diagonal[i] = of_elements(i);
+        own_diagonal[i].diagonal().array() += inertia() * mass[row] + scale() * attached[row];
       }
     });
     factored = multigrid_set = false;
@@ -242,8 +316,11 @@ void SoftBody::begin_stage(int stage_index, double h, const Vec3& gravity, const
   m.stepping = euler ? m.euler.get() : m.integrator.get();
   m.stepping->begin(stage_index, h, m.desc.gravity ? gravity : Vec3::Zero(), state.motion, m.stage);
   m.x_n = state.motion.x;
-  m.multigrid_turned = m.drift_known = false;
-  if (m.damped) m.pattern.gather(m.model->warped_stiffness(m.x_n.data()), 0, {}, m.start_stiffness);
+  m.multigrid_turned = false;
+  m.present_known = false;
+  m.uses_single = m.desc.solver != "direct" && (m.turned || m.desc.solver == "multigrid") &&
+                  m.inertia() * m.mass.mean() > least_inertia * m.rest_stiffness;
+  m.begin_damping();
   if (m.relaxed)
     m.model->relax_fully();
   else
@@ -266,9 +343,18 @@ void SoftBody::initial_guess(double h, const SoftBodyState& state, Eigen::Ref<Ve
     x = m.stage.x_v + m.stage.dxdv * state.motion.v;
 }
 
+void SoftBody::linearise(const Eigen::Ref<const VecX>& x) {
+  Impl& m = *impl_;
+  m.update_damping(x, true);
+  if (!tangent_is_cheap() || (m.present_known && x == m.present_at)) return;
+  m.model->linearise(x.data(), 1 / m.scale(), m.present);
+  m.present_at = x;
+  m.present_known = true;
+}
+
 double SoftBody::energy(const Eigen::Ref<const VecX>& x) {
   Impl& m = *impl_;
-  m.update_damping(x);
+  m.update_damping(x, false);
   const double c = m.desc.damping_mass / m.stage.dxdv, d = m.desc.damping_stiffness / m.stage.dxdv;
   const double nodal = m.node_sum([&](Eigen::Index i) {
     const auto at = [i](const auto& v) { return v.template segment<3>(3 * i); };
@@ -277,15 +363,15 @@ double SoftBody::energy(const Eigen::Ref<const VecX>& x) {
     if (m.attached[i] > 0)
       sum += m.attached[i] *
              ((at(x) - at(m.rest())).squaredNorm() + d * (at(x) - at(m.stage.x_v)).squaredNorm());
-    if (m.damped) sum += d * at(m.drift).dot(at(m.damping));
     return 0.5 * sum;
   });
-  return nodal + m.model->energy(x.data());
+  const double damping = m.damped ? d * m.damping_energy : 0;
+  return nodal + damping + m.model->energy(x.data());
 }
 
 void SoftBody::gradient(const Eigen::Ref<const VecX>& x, Eigen::Ref<VecX> g) {
   Impl& m = *impl_;
-  m.update_damping(x);
+  m.update_damping(x, true);
   const double c = m.desc.damping_mass / m.stage.dxdv, d = m.desc.damping_stiffness / m.stage.dxdv;
   parallel_chunks(m.node_count(), nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t node = first; node < last; ++node) {
@@ -300,44 +386,56 @@ void SoftBody::gradient(const Eigen::Ref<const VecX>& x, Eigen::Ref<VecX> g) {
   m.model->add_gradient(x.data(), g.data());
 }
 
+bool SoftBody::tangent_is_cheap() const {
+  return impl_->tangent_is_cheap();
+}
+
 void SoftBody::assemble(const Eigen::Ref<const VecX>& x) {
   Impl& m = *impl_;
-  m.pattern.gather(m.model->tangent(x.data()), m.desc.damping_stiffness / m.stage.dxdv, m.start_stiffness,
-                   m.hessian);
-  m.add_diagonal();
+  if (tangent_is_cheap()) {
+    linearise(x);
+    m.turned->assemble(m.present, m.rows);
+    m.use_rows();
+  } else {
+    m.hessian.resize(m.pattern.blocks());
+    m.pattern.gather(m.model->tangent(x.data()), m.damping_share(), m.start_stiffness, m.hessian);
+    m.use_hessian();
+  }
 }
 
 void SoftBody::assemble_at_start() {
   Impl& m = *impl_;
+  if (tangent_is_cheap()) return assemble(m.x_n);
+  m.hessian.resize(m.pattern.blocks());
   if (m.damped) {
-    const double scale = 1 + m.desc.damping_stiffness / m.stage.dxdv;
     parallel_chunks(m.hessian.size(), 16 * nodes_per_chunk,
                     [&](std::size_t first, std::size_t last, std::size_t) {
-                      for (std::size_t k = first; k < last; ++k) m.hessian[k] = scale * m.start_stiffness[k];
+                      for (std::size_t k = first; k < last; ++k)
+                        m.hessian[k] = m.scale() * m.start_stiffness[k];
                     });
   } else {
     m.pattern.gather(m.model->warped_stiffness(m.x_n.data()), 0, {}, m.hessian);
   }
-  m.add_diagonal();
+  m.use_hessian();
 }
 
 void SoftBody::multiply(const double* p, double* Hp) const {
   const Impl& m = *impl_;
-  if (!m.uses_single) return m.pattern.multiply(m.hessian, p, Hp);
-  const FloatBlocks A = m.pattern.blocks_of(m.single.data());
-  parallel_chunks(m.node_count(), nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
-    prosector::multiply(A, first, last, p, Hp);
-  });
+  if (m.uses_single)
+    prosector::multiply(m.symmetric, m.rows, m.scale(), m.own_diagonal, p, Hp);
+  else
+    m.pattern.multiply(m.hessian, p, Hp);
 }
 
 void SoftBody::diagonal(std::span<Mat3> blocks) const {
-  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = impl_->hessian[impl_->pattern.diagonal(i)];
+  std::copy(impl_->own_diagonal.begin(), impl_->own_diagonal.end(), blocks.begin());
 }
 
 void SoftBody::factor_solve(const double* r, double* z) const {
   const Impl& m = *impl_;
   if (!m.cholesky) m.cholesky = std::make_unique<Cholesky>(m.pattern);
   if (!m.factored) {
+    if (!m.hessian_known) m.set_hessian();
     m.cholesky->factor(m.hessian);
     m.factored = true;
   }
@@ -349,12 +447,13 @@ void SoftBody::multigrid_solve(std::span<const Mat3> diagonal, std::span<const M
   const Impl& m = *impl_;
   if (!m.multigrid) m.make_coarse_levels();
   if (!m.multigrid_turned) {
-    m.multigrid->retime(m.stage.alpha + m.desc.damping_mass / m.stage.dxdv,
-                        1 + m.desc.damping_stiffness / m.stage.dxdv);
+    m.multigrid->retime(m.inertia() / m.scale());
     m.multigrid->turn(m.model->objective() ? m.x_n.data() : nullptr);
     m.multigrid_turned = true;
   }
-  if (!m.multigrid_set) m.multigrid->set_matrix(m.hessian, diagonal, inverse);
+  m.set_rows();
+  if (!m.multigrid_set)
+    m.multigrid->set_matrix(m.symmetric.blocks_of(m.rows.right), m.scale(), diagonal, inverse);
   m.multigrid_set = true;
   m.multigrid->apply(r, z);
 }

@@ -60,15 +60,23 @@ class SoftBody {
   /// Where Newton may start in the stage begun: x_n + h·v_n + warm_start, what constant acceleration would
   /// lead to; of a method of several stages, what constant velocity would.
   void initial_guess(double h, const SoftBodyState& state, Eigen::Ref<VecX> x) const;
+  /// Finds what energy, gradient and Hessian need at x at once, where that is cheaper.
+  void linearise(const Eigen::Ref<const VecX>& x);
   /// E(x), J. Not finite only for positions that are not, or so far away that it overflows.
   double energy(const Eigen::Ref<const VecX>& x);
   /// ∂E/∂x into `g` (3n, N).
   void gradient(const Eigen::Ref<const VecX>& x, Eigen::Ref<VecX> g);
-  /// Assembles the (projected, SPD) Hessian at x for multiply, diagonal and factor_solve.
+  /// Assembles the (projected, SPD) Hessian at x for multiply, diagonal and factor_solve; its damping part,
+  /// where the tangent is cheap, turned as the elements are at x instead of x_n.
   void assemble(const Eigen::Ref<const VecX>& x);
+  /// Whether the tangent costs no more than what assemble_at_start() has: so it is where elements turn
+  /// (turned_elements.h), in single precision, unless the solver is `direct` or inertia is less than 1e-5 of
+  /// the stiffness.
+  bool tangent_is_cheap() const;
   /// The same at x_n with Hooke's stiffness turned with each element for the tangent: costs next to nothing
   /// when damping_stiffness > 0, because begin_stage has it. What it leaves out, the stress's own stiffness
-  /// and the change of rotations, is small while strains are: good as a first Newton matrix.
+  /// and the change of rotations, is small while strains are: good as a first Newton matrix. Where
+  /// the tangent is cheap, the tangent at x_n.
   void assemble_at_start();
   void multiply(const double* p, double* Hp) const;  // 3n each
   void diagonal(std::span<Mat3> blocks) const;       // n

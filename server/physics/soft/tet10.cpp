@@ -193,6 +193,16 @@ void Tet10Elements::gather(const Tet4Elements::Stiffness* points, Mat3* K) {
   }
 }
 
+void Tet10Elements::spread(const TurnedVector* corners, TurnedVector* r) {
+  for (std::size_t q = 0; q < points_per_element; ++q, corners += 4)
+    for (std::size_t n = 0; n < nodes_per_element; ++n, ++r) {
+      const Share& s = shares[q][n];
+      const TurnedVector &a = corners[s.corner[0]], &b = corners[s.corner[1]];
+      const auto wa = static_cast<float>(s.weight[0]), wb = static_cast<float>(s.weight[1]);
+      for (std::size_t k = 0; k < 4; ++k) r->at[k] = wa * a.at[k] + wb * b.at[k];
+    }
+}
+
 void add_edge_nodes(Anatomy& anatomy) {
   std::vector<Edge> edges = edges_of(anatomy.tets);
   const std::size_t vertices = anatomy.tets.positions.size();

@@ -12,6 +12,7 @@
 
 #include "common/mesh.h"
 #include "server/physics/soft/tet4.h"
+#include "server/physics/soft/turned_elements.h"
 
 namespace prosector {
 
@@ -47,6 +48,8 @@ class Tet10Elements {
   static void gather(const Tet4Elements::Forces* points, Vec3* f);
   /// T_qᵀK T_q likewise, one block per pair of nodes a < b in the order of Connectivity::pair_index.
   static void gather(const Tet4Elements::Stiffness* points, Mat3* K);
+  /// Gradients of the nodes' shape functions from those of the points' corners (D's transposes): r[40].
+  static void spread(const TurnedVector* corners, TurnedVector* r);
 
  private:
   std::vector<Nodes> nodes_;

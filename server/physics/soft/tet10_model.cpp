@@ -1,6 +1,8 @@
 #include "server/physics/soft/tet10_model.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstring>
 
 #include "server/physics/parallel.h"
@@ -44,9 +46,11 @@ class Tet10Model final : public ElasticModel {
         stiffness_(pairs * elements_.size()),
         moved_to_(VecX::Zero(rest_.size())) {
     if (materials.mean.empty()) return;
-    for (std::size_t e = 0; e < elements_.size(); ++e)
-      mean_modulus_.push_back(
-          materials.mean[materials.local.kind_of(elements_.point_source()[per_element * e])]);
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      const std::size_t kind = materials.local.kind_of(elements_.point_source()[per_element * e]);
+      mean_modulus_.push_back(materials.mean[kind]);
+      mean_share_.push_back(std::sqrt(materials.mean[kind] / (4 * materials.local.kinds[kind].lame.mu)));
+    }
     mean_dilatation_.resize(elements_.size());
   }
 
@@ -58,26 +62,21 @@ class Tet10Model final : public ElasticModel {
 
   double energy(const double* x) override {
     move(x);
-    for_chunks([&](std::size_t chunk, std::size_t first, std::size_t last) {
-      double sum = batches_->energy(chunk);
-      if (!mean_modulus_.empty()) {
-        for (std::size_t e = first; e < last; ++e)
-          sum += 0.5 * instant_share() * mean_modulus_[e] * volume_of(e) * mean_dilatation_[e] *
-                 mean_dilatation_[e];
-      }
-      sums_[chunk] = sum;
-    });
+    if (!energy_known_) {
+      for_chunks(
+          [&](std::size_t chunk, std::size_t first, std::size_t last) { sum_energy(chunk, first, last); });
+      energy_known_ = true;
+    }
     return ordered_sum(sums_);
   }
 
   void add_gradient(const double* x, double* g) override {
     move(x);
-    for_chunks([&](std::size_t chunk, std::size_t first, std::size_t last) {
-      batches_->forces(chunk,
-                       std::span(point_forces_).subspan(per_element * first, per_element * (last - first)));
-      for (std::size_t e = first; e < last; ++e)
-        Tet10Elements::gather(&point_forces_[per_element * e], &forces_[nodes * e]);
-    });
+    if (!forces_known_) {
+      for_chunks(
+          [&](std::size_t chunk, std::size_t first, std::size_t last) { find_forces(chunk, first, last); });
+      forces_known_ = true;
+    }
     incidence_.add(forces_, g);
   }
 
@@ -92,12 +91,33 @@ class Tet10Model final : public ElasticModel {
         [this](std::size_t chunk, auto G) { batches_->warped_dilatation_forces(chunk, G); });
   }
 
+  bool turns() const override { return batches_->turns(); }
+  void turn(const double* x, std::optional<double> share, TurnedElements& out) override {
+    move(x);
+    reserve(out);
+    for_chunks([&](std::size_t chunk, std::size_t first, std::size_t last) {
+      turn(chunk, first, last, share, out);
+    });
+  }
+  void linearise(const double* x, double share, TurnedElements& out) override {
+    reserve(out);
+    const bool there = take(x);
+    for_chunks([&](std::size_t chunk, std::size_t first, std::size_t last) {
+      if (!there) move(chunk, first, last, x);
+      if (!energy_known_) sum_energy(chunk, first, last);
+      if (!forces_known_) find_forces(chunk, first, last);
+      turn(chunk, first, last, share, out);
+    });
+    energy_known_ = forces_known_ = true;
+  }
+
   std::size_t history_size() const override { return relaxing_ ? relaxing_->history_size() : 0; }
   void begin_step(double h, const double* x, const double* history) override {
     if (!relaxing_) return;
     move(x);
     relaxing_->set_step(h);
     for_chunks([&](std::size_t batch, std::size_t, std::size_t) { relaxing_->begin_step(batch, history); });
+    energy_known_ = forces_known_ = false;
   }
   void end_step(const double* x, double* history) override {
     if (!relaxing_) return;
@@ -105,7 +125,9 @@ class Tet10Model final : public ElasticModel {
     for_chunks([&](std::size_t batch, std::size_t, std::size_t) { relaxing_->end_step(batch, history); });
   }
   void relax_fully() override {
-    if (relaxing_) relaxing_->relax_fully();
+    if (!relaxing_) return;
+    relaxing_->relax_fully();
+    energy_known_ = forces_known_ = false;
   }
 
  private:
@@ -120,6 +142,39 @@ class Tet10Model final : public ElasticModel {
   double instant_share() const { return relaxing_ ? relaxing_->instant_share() : 1; }
   /// All of an element's points have the same share of its volume.
   double volume_of(std::size_t e) const { return per_element * points_.volume(per_element * e); }
+
+  void sum_energy(std::size_t chunk, std::size_t first, std::size_t last) {
+    double sum = batches_->energy(chunk);
+    if (!mean_modulus_.empty()) {
+      for (std::size_t e = first; e < last; ++e)
+        sum += 0.5 * instant_share() * mean_modulus_[e] * volume_of(e) * mean_dilatation_[e] *
+               mean_dilatation_[e];
+    }
+    sums_[chunk] = sum;
+  }
+  void find_forces(std::size_t chunk, std::size_t first, std::size_t last) {
+    batches_->forces(chunk,
+                     std::span(point_forces_).subspan(per_element * first, per_element * (last - first)));
+    for (std::size_t e = first; e < last; ++e)
+      Tet10Elements::gather(&point_forces_[per_element * e], &forces_[nodes * e]);
+  }
+  void reserve(TurnedElements& out) const {
+    out.gradient.resize(nodes * points_.size());
+    out.twist.resize(points_.size());
+    if (!mean_share_.empty()) out.mean.resize(nodes * elements_.size());
+  }
+  void turn(std::size_t chunk, std::size_t first, std::size_t last, std::optional<double> share,
+            TurnedElements& out) const {
+    std::array<TurnedVector, 4 * elements_per_batch> corner{};
+    const std::size_t begin = per_element * first, count = per_element * (last - first);
+    batches_->turn(chunk, share, std::span(corner.data(), 4 * count),
+                   std::span(out.twist).subspan(begin, count));
+    for (std::size_t e = first; e < last; ++e) {
+      TurnedVector* own = &out.gradient[per_element * nodes * e];
+      Tet10Elements::spread(&corner[4 * per_element * (e - first)], own);
+      if (!mean_share_.empty()) average(mean_share_[e], own, &out.mean[nodes * e]);
+    }
+  }
 
   /// of_points(chunk, K), and of what the mean dilatation couples, dilatation(chunk, G).
   template <class F, class Dilatation>
@@ -149,6 +204,16 @@ class Tet10Model final : public ElasticModel {
       for (std::size_t b = a + 1; b < nodes; ++b) *K++ += scale * G[a] * G[b].transpose();
   }
 
+  /// to = share·(the sum of the points' gradients).
+  static void average(double share, const TurnedVector* points, TurnedVector* to) {
+    for (std::size_t n = 0; n < nodes; ++n)
+      for (std::size_t k = 0; k < 4; ++k) {
+        float sum = 0;
+        for (std::size_t p = 0; p < per_element; ++p) sum += points[nodes * p + n].at[k];
+        to[n].at[k] = static_cast<float>(share) * sum;
+      }
+  }
+
   /// Sets the pressures that the elements' mean dilatation raises.
   void average(std::size_t chunk, std::size_t first, std::size_t last) {
     std::array<double, elements_per_batch> values;  // θ, then p
@@ -162,17 +227,27 @@ class Tet10Model final : public ElasticModel {
     batches_->set_pressures(chunk, of_points);
   }
 
-  /// As Tet4Model's.
-  void move(const double* x) {
+  /// As Tet4Model's, these two.
+  bool take(const double* x) {
     const auto bytes = static_cast<std::size_t>(moved_to_.size()) * sizeof(double);
-    if (moved_ && std::memcmp(x, moved_to_.data(), bytes) == 0) return;
+    if (moved_ && std::memcmp(x, moved_to_.data(), bytes) == 0) return true;
     std::memcpy(moved_to_.data(), x, bytes);
     moved_ = true;
+    energy_known_ = forces_known_ = false;
+    return false;
+  }
+  void move(const double* x) {
+    if (take(x)) return;
     for_chunks([&](std::size_t chunk, std::size_t first, std::size_t last) {
-      for (std::size_t e = first; e < last; ++e) elements_.move(e, x, &corners_[12 * per_element * e]);
-      batches_->move(chunk, corners_.data());
-      if (!mean_modulus_.empty()) average(chunk, first, last);
+      move(chunk, first, last, x);
+      sum_energy(chunk, first, last);
     });
+    energy_known_ = true;
+  }
+  void move(std::size_t chunk, std::size_t first, std::size_t last, const double* x) {
+    for (std::size_t e = first; e < last; ++e) elements_.move(e, x, &corners_[12 * per_element * e]);
+    batches_->move(chunk, corners_.data());
+    if (!mean_modulus_.empty()) average(chunk, first, last);
   }
 
   Tet10Elements elements_;
@@ -183,6 +258,7 @@ class Tet10Model final : public ElasticModel {
   std::unique_ptr<ElementBatches> batches_;
   RelaxingBatches* relaxing_ = nullptr;                 // batches_ where stress relaxes
   std::vector<double> mean_modulus_, mean_dilatation_;  // λ'' (Pa) and θ̄ of each element; empty: none
+  std::vector<double> mean_share_;                      // √(λ''/4μ), see turned_elements.h
   std::vector<double> corners_;                         // 12 a point: its D_c
   std::vector<double> sums_;                            // J, one a chunk
   std::vector<Tet4Elements::Forces> point_forces_;
@@ -190,7 +266,7 @@ class Tet10Model final : public ElasticModel {
   std::vector<Vec3> forces_;
   std::vector<Mat3> stiffness_;
   VecX moved_to_;  // 3n: where `batches_` are
-  bool moved_ = false;
+  bool moved_ = false, energy_known_ = false, forces_known_ = false;
 };
 
 }  // namespace

@@ -55,15 +55,22 @@ class Tet4Model final : public ElasticModel {
 
   double energy(const double* x) override {
     move(x);
-    for_batches([&](std::size_t batch, std::size_t, std::size_t) { sums_[batch] = batches_->energy(batch); });
+    if (!energy_known_) {
+      for_batches(
+          [&](std::size_t batch, std::size_t, std::size_t) { sums_[batch] = batches_->energy(batch); });
+      energy_known_ = true;
+    }
     return ordered_sum(sums_);
   }
 
   void add_gradient(const double* x, double* g) override {
     move(x);
-    for_batches([&](std::size_t batch, std::size_t first, std::size_t count) {
-      batches_->forces(batch, std::span(forces_).subspan(first, count));
-    });
+    if (!forces_known_) {
+      for_batches([&](std::size_t batch, std::size_t first, std::size_t count) {
+        batches_->forces(batch, std::span(forces_).subspan(first, count));
+      });
+      forces_known_ = true;
+    }
     incidence_.add(flat(forces_), g);
   }
 
@@ -83,12 +90,33 @@ class Tet4Model final : public ElasticModel {
     return flat(stiffness_);
   }
 
+  bool turns() const override { return batches_->turns(); }
+  void turn(const double* x, std::optional<double> share, TurnedElements& out) override {
+    move(x);
+    reserve(out);
+    for_batches([&](std::size_t batch, std::size_t first, std::size_t count) {
+      turn(batch, first, count, share, out);
+    });
+  }
+  void linearise(const double* x, double share, TurnedElements& out) override {
+    reserve(out);
+    const bool there = take(x);
+    for_batches([&](std::size_t batch, std::size_t first, std::size_t count) {
+      if (!there) batches_->move(batch, x);
+      if (!energy_known_) sums_[batch] = batches_->energy(batch);
+      if (!forces_known_) batches_->forces(batch, std::span(forces_).subspan(first, count));
+      turn(batch, first, count, share, out);
+    });
+    energy_known_ = forces_known_ = true;
+  }
+
   std::size_t history_size() const override { return relaxing_ ? relaxing_->history_size() : 0; }
   void begin_step(double h, const double* x, const double* history) override {
     if (!relaxing_) return;
     move(x);
     relaxing_->set_step(h);
     for_batches([&](std::size_t batch, std::size_t, std::size_t) { relaxing_->begin_step(batch, history); });
+    energy_known_ = forces_known_ = false;
   }
   void end_step(const double* x, double* history) override {
     if (!relaxing_) return;
@@ -96,7 +124,9 @@ class Tet4Model final : public ElasticModel {
     for_batches([&](std::size_t batch, std::size_t, std::size_t) { relaxing_->end_step(batch, history); });
   }
   void relax_fully() override {
-    if (relaxing_) relaxing_->relax_fully();
+    if (!relaxing_) return;
+    relaxing_->relax_fully();
+    energy_known_ = forces_known_ = false;
   }
 
  private:
@@ -108,14 +138,34 @@ class Tet4Model final : public ElasticModel {
         [&](std::size_t first, std::size_t last, std::size_t batch) { f(batch, first, last - first); });
   }
 
-  /// Puts the elements at x, unless they are there: Newton asks for energy, gradient and Hessian at the same
-  /// place, and the next step starts where the last one ended.
-  void move(const double* x) {
+  void reserve(TurnedElements& out) const {
+    out.gradient.resize(4 * elements_.size());
+    out.twist.resize(elements_.size());
+  }
+  void turn(std::size_t batch, std::size_t first, std::size_t count, std::optional<double> share,
+            TurnedElements& out) const {
+    batches_->turn(batch, share, std::span(out.gradient).subspan(4 * first, 4 * count),
+                   std::span(out.twist).subspan(first, count));
+  }
+
+  /// Whether the elements are at x: Newton asks for energy, gradient and Hessian at the same place, and the
+  /// next step starts where the last one ended. Otherwise the caller puts them there.
+  bool take(const double* x) {
     const auto bytes = static_cast<std::size_t>(moved_to_.size()) * sizeof(double);
-    if (moved_ && std::memcmp(x, moved_to_.data(), bytes) == 0) return;
+    if (moved_ && std::memcmp(x, moved_to_.data(), bytes) == 0) return true;
     std::memcpy(moved_to_.data(), x, bytes);
     moved_ = true;
-    for_batches([&](std::size_t batch, std::size_t, std::size_t) { batches_->move(batch, x); });
+    energy_known_ = forces_known_ = false;
+    return false;
+  }
+  /// Finds the energy on the way, which nearly everyone wants.
+  void move(const double* x) {
+    if (take(x)) return;
+    for_batches([&](std::size_t batch, std::size_t, std::size_t) {
+      batches_->move(batch, x);
+      sums_[batch] = batches_->energy(batch);
+    });
+    energy_known_ = true;
   }
 
   Tet4Elements elements_;
@@ -128,7 +178,7 @@ class Tet4Model final : public ElasticModel {
   std::vector<Forces> forces_;
   std::vector<Stiffness> stiffness_;
   VecX moved_to_;  // 3n: where `batches_` are
-  bool moved_ = false;
+  bool moved_ = false, energy_known_ = false, forces_known_ = false;
 };
 
 }  // namespace

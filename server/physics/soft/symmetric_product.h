@@ -1,0 +1,45 @@
+#pragma once
+// Symmetric matrices of 3×3 float blocks, each stored once, times vectors, with fused arithmetic where the
+// CPU has it: double vectors for conjugate gradients, float ones for the finest level of multigrid.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace prosector {
+
+/// A block left of the diagonal: the transpose of one to the right of it, further up.
+struct MirroredBlock {
+  std::uint32_t column, block;
+};
+
+/// Off-diagonal blocks, column-major; `value` must be readable for one float beyond the last.
+struct SymmetricBlocks {
+  const std::size_t* begin;  // one more than rows: blocks right of the diagonal
+  const std::uint32_t* column;
+  const std::size_t* mirrored_begin;
+  const MirroredBlock* mirrored;
+  const float* value;
+};
+
+// ---- Rows first … last − 1 of n; vectors are 3n.
+/// y = scale·A·x + D·x with vectors and sums in double; D: the diagonal blocks.
+void multiply(const SymmetricBlocks& A, std::size_t first, std::size_t last, double scale, const double* D,
+              const double* x, double* y);
+/// The diagonal blocks with which rows sum to zero, made symmetric, 9 a row.
+void close_rows(const SymmetricBlocks& A, std::size_t first, std::size_t last, double* D);
+
+/// With its diagonal blocks and their inverses.
+struct SymmetricFloats {
+  SymmetricBlocks blocks;
+  const float *diagonal, *inverse;
+};
+
+/// As those of float_rows.h.
+void smooth_from_zero(const SymmetricFloats& A, std::size_t first, std::size_t last, const float* b,
+                      float gain, float* d, float* z);
+void smooth(const SymmetricFloats& A, std::size_t first, std::size_t last, const float* b, const float* z,
+            float keep, float gain, float* d, float* to);
+void residual(const SymmetricFloats& A, std::size_t first, std::size_t last, const float* b, const float* z,
+              float* r);
+
+}  // namespace prosector

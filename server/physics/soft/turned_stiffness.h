@@ -1,0 +1,51 @@
+#pragma once
+// The matrices of turned elements, in single precision and without storing the elements' blocks: row by row
+// each block is summed over the elements that share its two nodes.
+
+#include "server/physics/soft/symmetric_rows.h"
+#include "server/physics/soft/turned_elements.h"
+
+namespace prosector {
+
+/// For the kernel: rows, what meets there, and what to sum.
+struct TurnedRows {
+  const SymmetricPattern& pattern;
+  const Incidence& incidence;
+  const std::vector<std::size_t>& begin;
+  const std::vector<std::uint32_t>& slots;
+  const TurnedElements& elements;
+};
+
+class TurnedStiffness {
+ public:
+  /// Of elements with 4 corners and one point or with 10 and four. Both must outlive this.
+  TurnedStiffness(const Connectivity& elements, const SymmetricPattern& pattern);
+
+  /// With the elements' twists. Each row by itself, its elements in their order: equal bits for any number
+  /// of threads.
+  void assemble(const TurnedElements& elements, SymmetricRows& K) const;
+
+  // ---- K, the warped stiffness (whatever the twists), element by element, in double but for the gradients;
+  // nothing at all on translations. 3n vectors.
+  /// ½uᵀKu.
+  double energy(const TurnedElements& elements, const double* u);
+  /// The same, and f = K·u.
+  double multiply(const TurnedElements& elements, const double* u, double* f);
+
+ private:
+  double visit(const TurnedElements& elements, const double* u, Vec3* forces);
+  std::size_t corners() const { return connectivity_.element(0).size(); }
+
+  const Connectivity& connectivity_;
+  const SymmetricPattern& pattern_;
+  Incidence incidence_;
+  // Of the corners that meet at a node, in order: the places, right of the diagonal, of the corners after
+  // them.
+  std::vector<std::size_t> begin_;
+  std::vector<std::uint32_t> slots_;
+  std::vector<Vec3> forces_;   // by corner
+  std::vector<double> moved_;  // u, four a node
+  std::vector<double> sums_;   // one a chunk
+};
+
+}  // namespace prosector

@@ -1,0 +1,171 @@
+// An organ in contact: a block of 0.16 × 0.08 × 0.12 m of soft tissue (E = 5 kPa, ν = 0.4) in 31,104 linear
+// tetrahedra, its underside held, pressed 24 mm deep by a ball of 30 mm that comes down within 0.5 s, holds
+// for 0.25 s and leaves as it came; steps of 1/60 s.
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/bench/soft_run.h"
+#include "tests/bench/subjects.h"
+#include "tests/bench/text_table.h"
+#include "tests/soft/kuhn.h"
+
+namespace prosector {
+namespace {
+
+constexpr double h = 1. / 60, radius = 0.03, depth = 0.024;
+constexpr int down_steps = 30, held_steps = 15, all_steps = 2 * down_steps + held_steps;
+constexpr double contact_stiffness = 300;  // N/m a node: ten times E times a cell
+constexpr double margin = 0.01;            // m: nodes nearer than this are told to the solver
+const Vec3 gravity(0, -9.81, 0), size(0.16, 0.08, 0.12);
+
+struct Solver {
+  const char* name;
+  int newton, iterations;
+  double tolerance;
+};
+constexpr Solver reference = {"multigrid", 30, 2000, 1e-7};
+constexpr Solver solver_rows[] = {
+    {"cg", 1, 60, 1e-3},        {"cg", 3, 60, 1e-3},        {"cg", 1, 20, 1e-3},
+    {"multigrid", 1, 60, 1e-2}, {"multigrid", 1, 60, 1e-3}, {"multigrid", 3, 60, 1e-3},
+};
+
+SoftDesc organ(const Solver& solver) {
+  SoftDesc desc;
+  desc.name = "organ";
+  desc.model = "fem_corotational";
+  desc.solver = solver.name;
+  desc.newton_iterations = solver.newton;
+  desc.solver_iterations = solver.iterations;
+  desc.solver_tolerance = solver.tolerance;
+  desc.youngs_modulus = 5000;
+  desc.poisson_ratio = 0.4;
+  desc.cell = size[0] / 24;
+  desc.gravity = false;  // it is given at rest
+  constexpr double sphere = 1e5;
+  desc.attach.push_back({Vec3(size[0] / 2, -sphere, size[2] / 2), sphere + 1e-4, 1e13});
+  return desc;
+}
+
+/// Of the ball's lowest point below the organ's top after `step` steps.
+double pressed(int step) {
+  const int from_end = std::min(step, all_steps - step);
+  const double phase = std::min(1.0, static_cast<double>(from_end) / down_steps);
+  return depth * (1 - std::cos(std::numbers::pi * phase)) / 2;
+}
+
+std::vector<Contact> ball_contacts(const VecX& x, int step) {
+  const Vec3 center(size[0] / 2, size[1] - pressed(step) + radius, size[2] / 2);
+  std::vector<Contact> contacts;
+  for (Eigen::Index i = 0; i < x.size() / 3; ++i) {
+    const Vec3 away = x.segment<3>(3 * i) - center;
+    const double gap = away.norm() - radius;
+    if (gap > margin || away.norm() == 0) continue;
+    Contact c;
+    c.a.kind = ContactSide::Kind::soft;
+    c.a.nodes = 1;
+    c.a.node[0] = static_cast<std::uint32_t>(i);
+    c.a.weight[0] = 1;
+    c.point = x.segment<3>(3 * i);
+    c.normal = away.normalized();
+    c.gap = gap;
+    c.stiffness = contact_stiffness;
+    contacts.push_back(c);
+  }
+  return contacts;
+}
+
+struct Path {
+  std::vector<VecX> x;
+  CostSummary cost;
+  std::size_t tets = 0, most_contacts = 0;
+  double deepest = 0;  // m: how far a node went down
+  bool finite = true;
+};
+
+Path run(const Solver& solver) {
+  SoftRun run(organ(solver), kuhn_anatomy({24, 12, 18}, size));
+  const VecX rest = run.state().motion.x;
+  Path path;
+  for (int step = 1; step <= all_steps; ++step) {
+    std::vector<Contact> contacts = ball_contacts(run.state().motion.x, step);
+    path.most_contacts = std::max(path.most_contacts, contacts.size());
+    path.cost.add(run.step(h, gravity, std::move(contacts)));
+    path.x.push_back(run.state().motion.x);
+    path.deepest = std::max(path.deepest, (rest - path.x.back()).maxCoeff());
+  }
+  path.tets = run.body().elements();
+  path.finite = run.finite();
+  return path;
+}
+
+/// RMS over all nodes and steps of the difference over that of the displacement.
+double path_error(const Path& path, const Path& converged, const VecX& rest) {
+  double off = 0, all = 0;
+  for (std::size_t i = 0; i < path.x.size(); ++i) {
+    off += (path.x[i] - converged.x[i]).squaredNorm();
+    all += (converged.x[i] - rest).squaredNorm();
+  }
+  return std::sqrt(off / all);
+}
+
+}  // namespace
+
+Report bench_press(const PressBenchOptions& options) {
+  fmt::print(
+      "steps/s: wall clock, median of {} steps; cpu: of all threads; error: RMS over all nodes and steps\n",
+      all_steps);
+  using enum Column::Kind;
+  const TextTable table({{text, "solver", "solver", 9},
+                         {count, "newton_iterations", "N"},
+                         {count, "solver_iterations", "at most"},
+                         {number, "solver_tolerance", "to", 6},
+                         {count, "threads", "T"},
+                         {number, "steps_per_s", "steps/s"},
+                         {number, "ms_per_frame", "ms", 6},
+                         {number, "cpu_ms_per_frame", "cpu", 6},
+                         {number, "iterations_per_frame", "iter", 5},
+                         {number, "residual", "residual", 8},
+                         {percent, "error_mesh", "error", 8},
+                         {number, "deepest_m", "deepest"}});
+  table.print_header();
+  Report report("press");
+  const VecX rest = SoftBody(organ(reference), kuhn_anatomy({24, 12, 18}, size)).initial_state().motion.x;
+  const Path converged = run(reference);
+  for (const Solver& solver : solver_rows) {
+    if (!options.solver.empty() && options.solver != solver.name) continue;
+    for (unsigned threads = 1; threads <= options.threads; ++threads) {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      const Path path = run(solver);
+      const double ms = path.cost.median_ms();
+      report.add({{"model", "fem_corotational"},
+                  {"element", "tet4"},
+                  {"integrator", "implicit_euler"},
+                  {"solver", solver.name},
+                  {"newton_iterations", solver.newton},
+                  {"solver_iterations", solver.iterations},
+                  {"solver_tolerance", solver.tolerance},
+                  {"tets", path.tets},
+                  {"nodes", rest.size() / 3},
+                  {"dt", h},
+                  {"threads", threads},
+                  {"contacts_at_most", path.most_contacts},
+                  {"steps_per_s", 1e3 / ms},
+                  {"ms_per_frame", ms},
+                  {"cpu_ms_per_frame", path.cost.cpu_ms()},
+                  {"newton_per_frame", path.cost.newton()},
+                  {"iterations_per_frame", path.cost.iterations()},
+                  {"residual", path.cost.worst_residual()},
+                  {"error_mesh", path_error(path, converged, rest)},
+                  {"deepest_m", path.deepest},
+                  {"verdict", verdict_name(path.finite ? Verdict::survives : Verdict::fails)}});
+      table.print(report.rows().back());
+    }
+  }
+  return report;
+}
+
+}  // namespace prosector

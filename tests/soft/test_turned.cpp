@@ -1,0 +1,169 @@
+// Matrices of turned elements against the same in double from element blocks.
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "server/physics/soft/block_matrix.h"
+#include "server/physics/soft/elastic_model.h"
+#include "server/physics/soft/tet10.h"
+#include "server/physics/soft/turned_stiffness.h"
+#include "tests/soft/kuhn.h"
+#include "tests/soft/stepper.h"
+
+namespace prosector {
+namespace {
+
+const Vec3 cube_size(0.1, 0.1, 0.1), gravity(0, -9.81, 0);
+constexpr double h = 1. / 60;
+constexpr double of_floats = 2e-6;  // relative: what single precision leaves of matrices
+
+struct Case {
+  const char *name, *element;
+  double poisson_ratio;  // quadratic ones average their dilatation above 0.2
+};
+constexpr Case cases[] = {{"tet4", "tet4", 0.3},
+                          {"tet4_incompressible", "tet4", 0.49},
+                          {"tet10", "tet10", 0.1},
+                          {"tet10_mean", "tet10", 0.49}};
+
+VecX random_vector(Eigen::Index n, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  return VecX::NullaryExpr(n, [&] { return std::uniform_real_distribution<double>(-1, 1)(random); });
+}
+
+SoftDesc description(const Case& row) {
+  SoftDesc desc;
+  desc.name = "cube";
+  desc.model = "fem_corotational";
+  desc.element = row.element;
+  desc.poisson_ratio = row.poisson_ratio;
+  RegionDesc stiffer;
+  stiffer.size = Vec3(0.1, 0.1, 0.08);
+  stiffer.poisson_ratio = row.poisson_ratio / 2;  // λ/μ and the mean part differ within the body
+  stiffer.youngs_modulus = 10 * desc.youngs_modulus;
+  desc.regions.push_back(stiffer);
+  return desc;
+}
+
+class Turned : public testing::TestWithParam<Case> {
+ protected:
+  Turned()
+      : desc_(description(GetParam())),
+        anatomy_(with_nodes(kuhn_anatomy({2, 2, 3}, cube_size))),
+        model_(make_elastic_model(desc_, anatomy_)),
+        pattern_(model_->connectivity()),
+        symmetric_(pattern_),
+        turned_(model_->connectivity(), symmetric_) {
+    const Eigen::Index n = model_->rest().size();
+    Mat3 turn = Eigen::AngleAxisd(2, Vec3(1, -2, 3).normalized()).toRotationMatrix();
+    turn.col(0) *= 1.2;
+    x_ = (turn * model_->rest().reshaped(3, n / 3)).reshaped() + 2e-3 * random_vector(n, 1);
+  }
+
+  Anatomy with_nodes(Anatomy anatomy) const {
+    if (desc_.element == "tet10") add_edge_nodes(anatomy);
+    return anatomy;
+  }
+  std::vector<Mat3> in_double(double tangent, double warped) {
+    std::vector<Mat3> K(pattern_.blocks()), W(pattern_.blocks());
+    pattern_.gather(model_->tangent(x_.data()), 0, {}, K);
+    pattern_.gather(model_->warped_stiffness(x_.data()), 0, {}, W);
+    for (std::size_t k = 0; k < K.size(); ++k) K[k] = tangent * K[k] + warped * W[k];
+    return K;
+  }
+  VecX product(const std::vector<Mat3>& K, const VecX& u) const {
+    VecX f(u.size());
+    pattern_.multiply(K, u.data(), f.data());
+    return f;
+  }
+
+  SoftDesc desc_;
+  Anatomy anatomy_;
+  std::unique_ptr<ElasticModel> model_;
+  BlockPattern pattern_;
+  SymmetricPattern symmetric_;
+  TurnedStiffness turned_;
+  VecX x_;
+};
+INSTANTIATE_TEST_SUITE_P(Table, Turned, testing::ValuesIn(cases),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST_P(Turned, TangentAndDampingAreThoseOfTheBlocks) {
+  for (const double s : {0.0, 2.5}) {
+    TurnedElements elements;
+    model_->turn(x_.data(), 1 / (s + 1), elements);
+    SymmetricRows rows(symmetric_);
+    turned_.assemble(elements, rows);
+    const VecX u = random_vector(x_.size(), 2), expected = product(in_double(1, s), u);
+    VecX f(u.size());
+    multiply(symmetric_, rows, s + 1, rows.diagonal, u.data(), f.data());
+    for (std::size_t i = 0; i < rows.diagonal.size(); ++i)
+      f.segment<3>(3 * static_cast<Eigen::Index>(i)) +=
+          s * rows.diagonal[i] * u.segment<3>(3 * static_cast<Eigen::Index>(i));
+    EXPECT_LT((f - expected).norm(), of_floats * expected.norm()) << s;
+  }
+}
+
+TEST_P(Turned, RowsGoToDoubleAndBack) {
+  TurnedElements elements;
+  model_->turn(x_.data(), 1, elements);
+  SymmetricRows rows(symmetric_), back(symmetric_);
+  turned_.assemble(elements, rows);
+  std::vector<Mat3> blocks(pattern_.blocks());
+  rows.write(symmetric_, pattern_, 2, blocks);
+  back.set(symmetric_, pattern_, 0.5, blocks);
+  EXPECT_EQ(back.right, rows.right);
+}
+
+TEST_P(Turned, ProductIsTheWarpedStiffnessAndItsEnergyHalfOfIt) {
+  TurnedElements elements;
+  model_->turn(x_.data(), std::nullopt, elements);
+  const VecX u = random_vector(x_.size(), 2), expected = product(in_double(0, 1), u);
+  VecX f(u.size());
+  const double energy = turned_.multiply(elements, u.data(), f.data());
+  EXPECT_LT((f - expected).norm(), of_floats * expected.norm());
+  EXPECT_NEAR(energy, 0.5 * u.dot(f), 1e-12 * energy);
+  EXPECT_EQ(turned_.energy(elements, u.data()), energy);
+}
+
+TEST_P(Turned, ProductLeavesTranslationsAndMomentumAlone) {
+  TurnedElements elements;
+  model_->turn(x_.data(), std::nullopt, elements);
+  const VecX u = random_vector(x_.size(), 2);
+  VecX moved = u, f(u.size()), g(u.size());
+  for (Eigen::Index i = 0; i < u.size() / 3; ++i) moved.segment<3>(3 * i) += Vec3(0.5, -2, 8);
+  turned_.multiply(elements, u.data(), f.data());
+  turned_.multiply(elements, moved.data(), g.data());
+  EXPECT_LT((f - g).norm(), 1e-13 * f.norm());
+  EXPECT_LT(f.reshaped(3, f.size() / 3).rowwise().sum().norm(), 1e-13 * f.norm());
+}
+
+TEST_P(Turned, BodiesHaveTheHessianOfTheirEnergy) {
+  SoftDesc desc = desc_;
+  desc.solver = "cg";
+  desc.damping_stiffness = 0.02;
+  desc.attach.push_back({Vec3::Zero(), 0.06, 2e6});
+  SoftBody body(desc, kuhn_anatomy({2, 2, 3}, cube_size));
+  SoftBodyState state = body.initial_state();
+  const Eigen::Index n = state.motion.x.size();
+  state.motion.x *= 1.01;  // nothing is projected
+  state.motion.v = random_vector(n, 2);
+  body.begin_stage(0, h, gravity, state);
+  ASSERT_TRUE(body.tangent_is_cheap());
+  const VecX x = state.motion.x, dx = random_vector(n, 4);
+  VecX g(n), g_plus(n), g_minus(n), Hdx(n);
+  const double e = 1e-7;
+  body.linearise(x);
+  body.gradient(x, g);
+  body.assemble(x);
+  body.multiply(dx.data(), Hdx.data());
+  const double slope = (body.energy(x + e * dx) - body.energy(x - e * dx)) / (2 * e);
+  EXPECT_NEAR(g.dot(dx), slope, 1e-6 * std::abs(slope));
+  body.gradient(x + e * dx, g_plus);
+  body.gradient(x - e * dx, g_minus);
+  EXPECT_LT((Hdx - (g_plus - g_minus) / (2 * e)).norm(), 1e-5 * Hdx.norm());
+}
+
+}  // namespace
+}  // namespace prosector
