@@ -62,6 +62,7 @@ Report bench_stability(const StabilityBenchOptions& options) {
   std::vector<Extreme> chosen;
   for (const Extreme& extreme : extremes()) {
     if (!options.extreme.empty() && options.extreme != extreme.name) continue;
+    if (options.quick && !extreme.cheap) continue;
     chosen.push_back(extreme);
     map.extremes.emplace_back(extreme.name);
   }
@@ -70,9 +71,9 @@ Report bench_stability(const StabilityBenchOptions& options) {
   for (std::size_t i = 0; i < map.extremes.size(); ++i) fmt::print("{:>3} {}\n", i + 1, map.extremes[i]);
   std::string remarks;
   for (const Rung& rung : stability_rungs(options.model)) {
-    map.rungs.push_back(rung.name());
+    map.rungs.push_back(row_name(rung));
     map.cells.emplace_back();
-    fmt::print("{:<60}", rung.name());
+    fmt::print("{:<60}", row_name(rung));
     for (const Extreme& extreme : chosen) {
       StabilityResult result;
       if (rung.solver == "direct" && !extreme.for_direct) {
@@ -86,7 +87,7 @@ Report bench_stability(const StabilityBenchOptions& options) {
       map.cells.back().push_back(
           result.verdict ? std::optional(VerdictCell{*result.verdict, result.met_deadline}) : std::nullopt);
       if (result.verdict != Verdict::survives)
-        remarks += fmt::format("{}, {}: {}: {}\n", rung.name(), extreme.name,
+        remarks += fmt::format("{}, {}: {}: {}\n", row_name(rung), extreme.name,
                                result.verdict ? verdict_name(*result.verdict) : "open", result.reason);
     }
     fmt::print("\n");

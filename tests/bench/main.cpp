@@ -78,6 +78,8 @@ int main(int argc, char** argv) try {
       app.add_subcommand("stability", "Extreme steps, materials, meshes, starts and inputs over every rung");
   stability_command->add_option("--model", stability.model, "Only this one");
   stability_command->add_option("--extreme", stability.extreme, "Only this one");
+  stability_command->add_flag("--quick", stability.quick,
+                              "Only extremes of each kind that take a blink: a minute");
   stability_command->add_option("--svg", stability.picture_folder, "Folder for a picture of the map")
       ->check(CLI::ExistingDirectory);
   stability_command

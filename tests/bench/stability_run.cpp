@@ -17,6 +17,8 @@ constexpr double near_enough = 1e-3;       // m
 constexpr double energy_allowance = 0.01;  // of the largest energy there was
 constexpr double least_energy = 1e-9;      // J: below it nothing is measured but rounding
 constexpr int steps_between_looks = 10;    // at the shape
+constexpr double still_speed = 1e-4;       // m/s, of the fastest node
+constexpr double still_seconds = 0.5;
 
 class StabilityRun {
  public:
@@ -50,7 +52,8 @@ class StabilityRun {
   /// False: not finite, or out of time.
   bool phase(double seconds, const Vec3& gravity) {
     if (seconds <= 0) return true;
-    double start = total_energy(gravity);
+    const Vec3 pull = gravity.allFinite() ? gravity : Vec3(Vec3::Zero());  // of what is not, none is taken
+    double start = total_energy(pull);
     double largest = std::max(kinetic_energy(*specimen_) + specimen_->elastic_energy(), least_energy);
     const int steps = std::max(1, static_cast<int>(std::lround(seconds / extreme_.dt)));
     for (int i = 1; i <= steps; ++i) {
@@ -60,18 +63,28 @@ class StabilityRun {
         return false;
       }
       if (figures.reset || switched_) {  // starts anew
-        start = total_energy(gravity);
+        start = total_energy(pull);
         largest = std::max(kinetic_energy(*specimen_) + specimen_->elastic_energy(), least_energy);
       }
       largest = std::max(largest, kinetic_energy(*specimen_) + specimen_->elastic_energy());
-      const double excess = (total_energy(gravity) - start) / largest;
+      moved_ = moved_ || largest > least_energy;
+      const double excess = (total_energy(pull) - start) / largest;
       if (std::isfinite(excess)) result_.energy_excess = std::max(result_.energy_excess, excess);
       if (gravity.isZero() && result_.back_after_s < 0 && (i % steps_between_looks == 0 || i == steps) &&
           shape_error(rest_, specimen_->positions(), specimen_->node_mass()) < near_enough)
         result_.back_after_s = i * extreme_.dt;
       if (spent_ms_ > limit_ms_ && i < steps) return false;
+      if (gravity.isZero() && settled(extreme_.dt)) return true;
     }
     return true;
+  }
+
+  /// Whether it has moved, is back and has been still for so long that nothing more will happen.
+  bool settled(double dt) {
+    const bool still = moved_ && result_.back_after_s >= 0 && !recovering_ &&
+                       specimen_->velocities().lpNorm<Eigen::Infinity>() < still_speed;
+    still_for_ = still ? still_for_ + dt : 0;
+    return still_for_ > still_seconds;
   }
 
   StepFigures step(const Vec3& gravity) {
@@ -135,7 +148,8 @@ class StabilityRun {
   std::unique_ptr<Specimen> specimen_;
   VecX rest_;
   std::vector<double> steps_ms_;
-  bool went_ = true, last_converged_ = true, recovering_ = false, switched_ = false;
+  bool went_ = true, last_converged_ = true, recovering_ = false, switched_ = false, moved_ = false;
+  double still_for_ = 0;  // s
   StabilityResult result_;
 };
 

@@ -61,6 +61,7 @@ Report bench_trade(const TradeBenchOptions& options);
 struct StabilityBenchOptions {
   std::string model, extreme;  // only these; empty: all
   std::string picture_folder;  // where to write stability.svg; empty: nowhere
+  bool quick = false;          // only what is done in a blink
   double limit_ms = 20000;     // CPU time of one rung under one extreme; what takes longer is left open
 };
 /// Extremes over each rung, and a map of the verdicts; one thread.

@@ -25,21 +25,8 @@ void gather_towards(const Vec3& mean, double share, Eigen::Ref<VecX> values) {
 
 }  // namespace
 
-EnergyGuard::EnergyGuard(Island& island, double h, const Vec3& gravity)
-    : island_(island), h_(h), gravity_(gravity), after_(island.soft.size()) {
-  for (SoftMember& m : island.soft) {
-    if (island.contacts.empty() && island.ties.empty()) limit_speed(m);
-    m.body->remember(*m.state);
-    before_.push_back(stored(m));
-  }
-}
-
-double EnergyGuard::stored(const SoftMember& m) const {
-  return m.body->elastic_energy(m.state->motion.x) + m.body->kinetic_energy(*m.state);
-}
-
-void EnergyGuard::limit_speed(SoftMember& m) const {
-  const double most = most_diagonals * m.body->diagonal() / h_;
+void limit_speed(SoftMember& m, double h) {
+  const double most = most_diagonals * m.body->diagonal() / h;
   VecX& v = m.state->motion.v;
   if (!v.allFinite() || v.lpNorm<Eigen::Infinity>() * 2 < most) return;
   const Vec3 drift = mean(v, m.body->node_mass());
@@ -47,12 +34,23 @@ void EnergyGuard::limit_speed(SoftMember& m) const {
     const Vec3 own = v.segment<3>(3 * i) - drift;
     if (own.norm() <= most) continue;
     v.segment<3>(3 * i) = drift + most / own.norm() * own;
-    m.guarded = true;
+    m.limited = m.guarded = true;
   }
-  if (!m.guarded) return;
-  m.note = "nodes flew apart by more than ten diagonals a tick: held to that";
+  if (!m.limited) return;
   m.state->motion.has_history = false;
   m.state->warm_start.setZero();
+}
+
+EnergyGuard::EnergyGuard(Island& island, const Vec3& gravity)
+    : island_(island), gravity_(gravity), after_(island.soft.size()) {
+  for (SoftMember& m : island.soft) {
+    m.body->remember(*m.state);
+    before_.push_back(stored(m));
+  }
+}
+
+double EnergyGuard::stored(const SoftMember& m) const {
+  return m.body->elastic_energy(m.state->motion.x) + m.body->kinetic_energy(*m.state);
 }
 
 double EnergyGuard::allowed(std::size_t m, double work) const {

@@ -13,12 +13,15 @@
 
 namespace prosector {
 
+/// Nodes that run away from their body's mean by more than ten of its diagonals in a tick of h s are held to
+/// that, and the member says so: no input that makes sense asks for more, and beyond it no step resolves
+/// anything.
+void limit_speed(SoftMember& member, double h);
+
 class EnergyGuard {
  public:
-  /// Remembers the soft members' motion. Nodes that run away from their body's mean by more than ten of its
-  /// diagonals in a tick of h s are held to that, and the member says so: no input that makes sense asks for
-  /// more, and beyond it no step resolves anything.
-  EnergyGuard(Island& island, double h, const Vec3& gravity);
+  /// Remembers the soft members' motion.
+  EnergyGuard(Island& island, const Vec3& gravity);
 
   /// Whether the tick began with energies that are numbers.
   bool sound() const;
@@ -35,10 +38,8 @@ class EnergyGuard {
  private:
   double stored(const SoftMember& member) const;
   double allowed(std::size_t m, double work) const;
-  void limit_speed(SoftMember& member) const;
 
   Island& island_;
-  double h_;
   const Vec3& gravity_;
   std::vector<double> before_, after_;  // J, elastic and kinetic, of each soft member
 };

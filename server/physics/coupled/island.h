@@ -27,6 +27,7 @@ struct SoftMember {
                          // stepped by implicit Euler
   bool degraded = false;  // not stepped as its description says, for that reason or another
   bool guarded = false;   // gained energy, or did not descend: this tick was taken again (energy_guard.h)
+  bool limited = false;   // nodes were too fast for any step (energy_guard.h)
   bool euler = false;     // by implicit Euler in this tick, whatever its integrator
   std::string note = {};  // for people: how it was stepped, if not plainly minimised
 };

@@ -13,6 +13,8 @@ constexpr double whole_seconds = 0.25;    // for so long, until its own law take
 constexpr double tangled_seconds = 1;     // quiet and out of shape for so long: unfolded
 constexpr double struggling_seconds = 4;  // inside out for so long, however it moves
 constexpr double quiet_speed = 1e-3;      // m/s, of the fastest node
+constexpr double most_turn = 1.05;        // rad, of a body whose law is for small rotations
+constexpr double false_turn = 0.14;       // rad: at rest so turned, such a body is 1 % too long
 constexpr double stuck_energy = 1e-5;     // times E and the volume: a mean strain of about half a per cent
 
 void enter(SoftBodyState& state, bool recovering) {
@@ -39,15 +41,22 @@ bool stuck(const SoftMember& s, const VecX& equilibrium) {
   return body.elastic_energy(s.state->motion.x) > 2 * body.elastic_energy(equilibrium) + least;
 }
 
+/// In a shape that a law for small rotations takes for a turned one: stretched by 1/cos of the angle.
+bool falsely_turned(const SoftMember& s) {
+  const VecX& x = s.state->motion.x;
+  return !s.state->recovering && s.body->turned_by(false_turn, x) &&
+         s.body->elastic_energy(x) < stuck_energy * stiffness(*s.body);
+}
+
 }  // namespace
 
 void choose_law(SoftMember& member, double h) {
   SoftBody& body = *member.body;
   SoftBodyState& state = *member.state;
-  member.degraded = member.refused = member.guarded = false;
+  member.degraded = member.refused = member.guarded = member.limited = false;
   member.note.clear();
   if (!body.has_recovery() || !state.motion.x.allFinite()) return;
-  const bool turned = body.turned_too_far(state.motion.x);
+  const bool turned = body.turned_by(most_turn, state.motion.x);
   const double share = turned ? 0 : body.inverted_share(state.motion.x, state.recovering ? whole : flat);
   if (state.recovering) {
     state.law_seconds =
@@ -69,7 +78,8 @@ void count_quiet_ticks(SoftMember& s) {
 }
 
 bool unfold_if_tangled(SoftMember& s, bool held, const VecX& equilibrium, double h, int ticks) {
-  const bool tangled = !held && (s.body->inverted_share(s.state->motion.x) > 0 || stuck(s, equilibrium));
+  const bool tangled =
+      !held && (s.body->inverted_share(s.state->motion.x) > 0 || stuck(s, equilibrium) || falsely_turned(s));
   const bool quiet = s.state->quiet_ticks == quiet_ticks_to_sleep;
   s.state->tangled_ticks = tangled ? s.state->tangled_ticks + ticks : 0;
   if (s.state->tangled_ticks * h < (quiet ? tangled_seconds : struggling_seconds)) return false;

@@ -179,7 +179,7 @@ IslandReport solve_island(Island& island, double h, const Vec3& gravity) {
   Limits limits = limits_of(island);
   choose_integrators(island);
   limits.alone = island.contacts.empty() && island.ties.empty() && !relaxing(island);
-  EnergyGuard guard(island, h, gravity);
+  EnergyGuard guard(island, gravity);
   std::vector<double> work(island.soft.size(), 0);
   if (!guard.sound()) {
     IslandReport lost;

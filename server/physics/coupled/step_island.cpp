@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/messages.h"
+#include "server/physics/coupled/energy_guard.h"
 #include "server/physics/coupled/impulse_coupling.h"
 #include "server/physics/coupled/recovery.h"
 #include "server/physics/coupled/solve_island.h"
@@ -92,8 +93,9 @@ class Tick {
     member.degraded = true;
     member.refused = true;
     member.note =
-        needed <= desc.max_substeps ? fmt::format("{} did not hold in this tick: stepped by implicit_euler",
-                                                  desc.model == "xpbd" ? desc.model : desc.integrator)
+        needed <= member.body->substepper()->allowed()
+            ? fmt::format("{} did not hold in this tick: stepped by implicit_euler",
+                          desc.model == "xpbd" ? desc.model : desc.integrator)
         : std::isfinite(needed)
             ? fmt::format("{} needs {:.0f} substeps of {:.3g} ms, {} are allowed: stepped by implicit_euler",
                           desc.integrator, needed, 1e3 * h_ / needed, desc.max_substeps)
@@ -164,7 +166,8 @@ class Tick {
       const bool sound = good(*member.state) && tame(m);
       if (held && sound) continue;
       again = true;
-      minimised_always_[m] = attempt + 1 >= tries || !sound;
+      const bool more = !sound && work_[m] == 0 && own->refine(h_, substeps_, *member.state);
+      minimised_always_[m] = !more && (attempt + 1 >= tries || !sound);
     }
     if (!again) return true;
     for (std::size_t m = 0; m < island_.soft.size(); ++m) {
@@ -202,12 +205,14 @@ IslandReport step_island(Island& island, double h, const Vec3& gravity) {
     own.push_back(m.body);
     choose_law(m, h);
     m.body = &m.body->in_force(*m.state);
+    if (island.contacts.empty() && island.ties.empty()) limit_speed(m, h);
   }
   const bool sane = gravity.allFinite();
   const IslandReport report = step_under_laws(island, h, sane ? gravity : Vec3(Vec3::Zero()));
   for (std::size_t i = 0; i < own.size(); ++i) {
     SoftMember& m = island.soft[i];
     m.body = own[i];
+    if (m.limited) m.note = "nodes flew apart by more than ten diagonals a tick: held to that";
     if (!sane) m.note = "gravity is not finite: none was taken";
     if (m.guarded && m.note.empty()) m.note = "gained energy: taken again with more care by implicit_euler";
   }

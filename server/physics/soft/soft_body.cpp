@@ -29,7 +29,6 @@ constexpr std::size_t nodes_per_chunk = 256;
 /// Of inertia over stiffness: from here on H in single precision is as definite as in double.
 constexpr double least_inertia = 1e-5;
 const char* const recovery_model = "fem_corotational";  // no minimum but the rest shape was ever seen
-constexpr double most_turn = M_PI / 3;                  // rad, of a body whose law is for small rotations
 
 template <class T>
 auto named(const SoftDesc& desc, const T& make) {
@@ -538,9 +537,9 @@ SoftBody& SoftBody::in_force(const SoftBodyState& state) {
   return state.recovering ? *recovery() : *this;
 }
 
-bool SoftBody::turned_too_far(const VecX& x) const {
+bool SoftBody::turned_by(double angle, const VecX& x) const {
   if (impl_->model->objective()) return false;
-  return best_rotation(impl_->rest(), impl_->mass, x).trace() < 1 + 2 * std::cos(most_turn);
+  return best_rotation(impl_->rest(), impl_->mass, x).trace() < 1 + 2 * std::cos(angle);
 }
 
 double SoftBody::inverted_share(const VecX& x, double least) const {
@@ -548,7 +547,7 @@ double SoftBody::inverted_share(const VecX& x, double least) const {
 }
 
 void SoftBody::unfold(SoftBodyState& state) const {
-  prosector::unfold(impl_->rest(), impl_->mass, state);
+  prosector::unfold(impl_->rest(), impl_->mass, impl_->model->objective(), state);
   if (impl_->attached.isZero()) return;
   state.motion.x = impl_->rest();
   state.motion.v.setZero();

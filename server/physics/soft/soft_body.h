@@ -115,9 +115,9 @@ class SoftBody {
   bool has_recovery() const;
   /// The body whose law is in force in this state: itself, or recovery().
   SoftBody& in_force(const SoftBodyState& state);
-  /// Whether the body as a whole is turned so far from its rest pose that its law, for small rotations, means
-  /// nothing; never of laws that turn along.
-  bool turned_too_far(const VecX& x) const;
+  /// Whether the body as a whole is turned by more than `angle` (rad) from its rest pose and its law is for
+  /// small rotations; never of laws that turn along.
+  bool turned_by(double angle, const VecX& x) const;
   /// Puts the rest shape where the body is: the rigid motion that fits best (Horn 1987), at its momentum and
   /// angular momentum; a body that is attached, where it is attached, at rest. The way out of shapes that no
   /// force leads out of.

@@ -19,7 +19,8 @@ struct SoftBodyState {
   double energy_slack = 0;  // J: what its energy has been above what it is, of late, see energy_guard.h
   // Explicit integrators only; empty and 0 otherwise.
   VecX mode;         // 3n: about the shape of the body's fastest oscillation, unit
-  double omega = 0;  // 1/s: about its angular frequency
+  double omega = 0;  // 1/s: about its angular frequency; position-based: substeps a second needed of late, 0:
+                     // as described
 };
 
 }  // namespace prosector

@@ -34,6 +34,9 @@ class Substepper {
   /// Ends a tick that took substeps of hs s (0: it was stepped otherwise) and finds what the next one needs.
   /// False when, in hindsight, hs was too long, because the body got stiffer within the tick.
   virtual bool finish(double hs, SoftBodyState& state) = 0;
+  /// After a tick of h s in `taken` substeps that gained energy or went out of bounds: has it, and those that
+  /// follow, take more substeps. False when the method has no more to give.
+  virtual bool refine(double /*h*/, int /*taken*/, SoftBodyState& /*state*/) const { return false; }
 };
 
 /// What a substepper works on; all of it outlives it.

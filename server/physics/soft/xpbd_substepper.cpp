@@ -22,6 +22,10 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t constraints_per_chunk = 256;
+constexpr double most_lambda =
+    499;  // times μ: that of ν = 0.499; beyond it one sweep hardly moves a body's shape
+constexpr double relaxed = 0.97;  // a tick, of substeps beyond what the scene describes
+constexpr double settled = 0.5;   // of the substeps taken: so few more are none
 
 struct Element {
   enum class Kind : std::uint8_t { spring, bend, tet } kind;
@@ -36,20 +40,32 @@ class XpbdSubstepper final : public Substepper {
       network_ = make_spring_network(body.desc, anatomy);
     } else {
       const Materials materials = make_materials(body.desc, anatomy.tets).at(tets_.source());
-      for (std::size_t e = 0; e < tets_.size(); ++e) lame_.push_back(materials.of(e).lame);
+      for (std::size_t e = 0; e < tets_.size(); ++e) {
+        lame_.push_back(materials.of(e).lame);
+        lame_.back().lambda = std::min(lame_.back().lambda, most_lambda * lame_.back().mu);
+      }
     }
     colour();
   }
 
   void initialise(SoftBodyState&) override {}
-  double needed(double, const SoftBodyState& state) const override {
-    return effort_of(body_.desc, state.steps_down).substeps;
+  double needed(double h, const SoftBodyState& state) const override {
+    return std::max<double>(effort_of(body_.desc, state.steps_down).substeps, std::round(h * state.omega));
   }
-  int allowed() const override { return body_.desc.substeps; }
+  int allowed() const override { return std::max(body_.desc.substeps, body_.desc.max_substeps); }
   double most_gain(double) const override { return 1.002; }
   double most_pushed(double) const override { return 2; }  // the push itself, and what it strains
   void begin(const SoftBodyState&) override {}
-  bool finish(double, SoftBodyState& state) override { return state.motion.x.allFinite(); }
+  bool finish(double hs, SoftBodyState& state) override {
+    state.omega = hs > 0 && hs * state.omega < settled ? 0 : relaxed * state.omega;
+    return state.motion.x.allFinite();
+  }
+  /// One sweep leaves energy in what is stiff for a substep: 4 times less with half as long ones.
+  bool refine(double h, int taken, SoftBodyState& state) const override {
+    if (taken >= allowed()) return false;
+    state.omega = std::min(2 * taken, allowed()) / h;
+    return true;
+  }
 
   void step(double hs, const Vec3& gravity, SoftBodyState& state) override {
     VecX &x = state.motion.x, &v = state.motion.v;
