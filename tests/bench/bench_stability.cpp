@@ -52,6 +52,12 @@ char letter(const StabilityResult& result) {
 
 }  // namespace
 
+std::vector<std::string> extreme_names() {
+  std::vector<std::string> names;
+  for (const Extreme& extreme : extremes()) names.push_back(extreme.name);
+  return names;
+}
+
 Report bench_stability(const StabilityBenchOptions& options) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
   Report report("stability");

@@ -55,8 +55,10 @@ int main(int argc, char** argv) try {
       ->check(CLI::Range(1, 1024));
 
   prosector::PressBenchOptions press;
-  CLI::App* press_command = app.add_subcommand(
-      "press", "An organ of 31,104 tetrahedra pressed by a ball: steps a second in contact");
+  CLI::App* press_command =
+      app.add_subcommand("press", "An organ pressed by a ball: steps a second in contact, and their error");
+  press_command->add_option("--cells", press.cells, "Cells through the organ; n make 18n³ tetrahedra")
+      ->check(CLI::Range(2, 100));
   press_command->add_option("--solver", press.solver, "Only this solver's rows");
   press_command->add_option("--threads", press.threads, "From one thread to this many")
       ->check(CLI::Range(1, 1024));
@@ -77,9 +79,10 @@ int main(int argc, char** argv) try {
   CLI::App* stability_command =
       app.add_subcommand("stability", "Extreme steps, materials, meshes, starts and inputs over every rung");
   stability_command->add_option("--model", stability.model, "Only this one");
-  stability_command->add_option("--extreme", stability.extreme, "Only this one");
+  stability_command->add_option("--extreme", stability.extreme, "Only this one")
+      ->check(CLI::IsMember(prosector::extreme_names()));
   stability_command->add_flag("--quick", stability.quick,
-                              "Only extremes of each kind that take a blink: a minute");
+                              "Only extremes of each kind that take a blink: two minutes");
   stability_command->add_option("--svg", stability.picture_folder, "Folder for a picture of the map")
       ->check(CLI::ExistingDirectory);
   stability_command

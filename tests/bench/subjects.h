@@ -43,10 +43,11 @@ struct Beam101kBenchOptions {
 Report bench_beam101k(const Beam101kBenchOptions& options);
 
 struct PressBenchOptions {
+  unsigned cells = 12;   // through the organ; n make 18n³ tetrahedra
   std::string solver;    // only these rows; empty: all
   unsigned threads = 2;  // from one to this many
 };
-/// An organ of 31,104 tetrahedra pressed by a ball: steps a second in contact, and their error.
+/// An organ pressed by a ball: steps a second in contact, and their error.
 Report bench_press(const PressBenchOptions& options);
 
 struct TradeBenchOptions {
@@ -64,6 +65,7 @@ struct StabilityBenchOptions {
   bool quick = false;          // only what is done in a blink
   double limit_ms = 20000;     // CPU time of one rung under one extreme; what takes longer is left open
 };
+std::vector<std::string> extreme_names();
 /// Extremes over each rung, and a map of the verdicts; one thread.
 Report bench_stability(const StabilityBenchOptions& options);
 

@@ -6,7 +6,8 @@
 // outside. The corotational law has none that was ever met. So a body with elements inside out or flat is
 // stepped under that law, with the same constants, until it is whole again; and so is a body under fem_linear
 // that has turned as a whole, because that law then takes every turn for a strain. What even so comes to rest
-// in another shape than its own is unfolded: a reset.
+// in another shape than its own is unfolded, a reset; and so is what a law for small rotations takes for a
+// turned body at rest, which is longer than it should be.
 
 #include "server/physics/coupled/island.h"
 

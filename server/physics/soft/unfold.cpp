@@ -38,7 +38,7 @@ Mat3 best_rotation(const VecX& rest, const VecX& mass, const VecX& x) {
   return polar(covariance).R;
 }
 
-void unfold(const VecX& rest, const VecX& mass, bool turn, SoftBodyState& state) {
+void unfold(const VecX& rest, const VecX& mass, SoftBodyState& state) {
   VecX &x = state.motion.x, &v = state.motion.v;
   const Vec3 from = mean(rest, mass), to = mean(x, mass), velocity = mean(v, mass);
   Vec3 spin = Vec3::Zero();  // angular momentum
@@ -46,7 +46,7 @@ void unfold(const VecX& rest, const VecX& mass, bool turn, SoftBodyState& state)
     const Vec3 arm = x.segment<3>(3 * i) - to;
     spin += mass[i] * arm.cross(v.segment<3>(3 * i) - velocity);
   }
-  const Mat3 R = turn ? best_rotation(rest, mass, x) : Mat3(Mat3::Identity());
+  const Mat3 R = best_rotation(rest, mass, x);
   Mat3 inertia = Mat3::Zero();
   for (Eigen::Index i = 0; i < mass.size(); ++i) {
     const Vec3 arm = R * (rest.segment<3>(3 * i) - from);
