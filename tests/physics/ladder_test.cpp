@@ -271,7 +271,7 @@ double misfit(const SoftBody& body, const VecX& x) {
   const VecX rest = body.initial_state().motion.x;
   SoftBodyState fitted = body.initial_state();
   fitted.motion.x = x;
-  body.unfold(fitted);
+  unfold(rest, body.node_mass(), true, fitted);
   double most = 0;
   for (Eigen::Index i = 0; i < body.nodes(); ++i)
     most = std::max(most, (fitted.motion.x - x).segment<3>(3 * i).norm());

@@ -547,7 +547,7 @@ double SoftBody::inverted_share(const VecX& x, double least) const {
 }
 
 void SoftBody::unfold(SoftBodyState& state) const {
-  prosector::unfold(impl_->rest(), impl_->mass, state);
+  prosector::unfold(impl_->rest(), impl_->mass, impl_->model->objective(), state);
   if (impl_->attached.isZero()) return;
   state.motion.x = impl_->rest();
   state.motion.v.setZero();

@@ -119,7 +119,8 @@ class SoftBody {
   /// small rotations; never of laws that turn along.
   bool turned_by(double angle, const VecX& x) const;
   /// Puts the rest shape where the body is: the rigid motion that fits best (Horn 1987), at its momentum and
-  /// angular momentum; a body that is attached, where it is attached, at rest. The way out of shapes that no
+  /// angular momentum; under a law for small rotations not turned and at its momentum only, since it would be
+  /// taken for bent; a body that is attached, where it is attached, at rest. The way out of shapes that no
   /// force leads out of.
   void unfold(SoftBodyState& state) const;
 

@@ -38,7 +38,7 @@ Mat3 best_rotation(const VecX& rest, const VecX& mass, const VecX& x) {
   return polar(covariance).R;
 }
 
-void unfold(const VecX& rest, const VecX& mass, SoftBodyState& state) {
+void unfold(const VecX& rest, const VecX& mass, bool turn, SoftBodyState& state) {
   VecX &x = state.motion.x, &v = state.motion.v;
   const Vec3 from = mean(rest, mass), to = mean(x, mass), velocity = mean(v, mass);
   Vec3 spin = Vec3::Zero();  // angular momentum
@@ -46,14 +46,14 @@ void unfold(const VecX& rest, const VecX& mass, SoftBodyState& state) {
     const Vec3 arm = x.segment<3>(3 * i) - to;
     spin += mass[i] * arm.cross(v.segment<3>(3 * i) - velocity);
   }
-  const Mat3 R = best_rotation(rest, mass, x);
+  const Mat3 R = turn ? best_rotation(rest, mass, x) : Mat3(Mat3::Identity());
   Mat3 inertia = Mat3::Zero();
   for (Eigen::Index i = 0; i < mass.size(); ++i) {
     const Vec3 arm = R * (rest.segment<3>(3 * i) - from);
     inertia += mass[i] * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
     x.segment<3>(3 * i) = to + arm;
   }
-  const Vec3 omega = inertia.ldlt().solve(spin);
+  const Vec3 omega = turn ? Vec3(inertia.ldlt().solve(spin)) : Vec3(Vec3::Zero());
   for (Eigen::Index i = 0; i < mass.size(); ++i)
     v.segment<3>(3 * i) = velocity + omega.cross(x.segment<3>(3 * i) - to);
   state.motion.has_history = false;

@@ -15,7 +15,8 @@ double crushed_share(const TetMesh& mesh, const VecX& x, double least);
 /// The rotation of the rigid motion that takes the rest shape closest to x (Horn 1987); sizes as below.
 Mat3 best_rotation(const VecX& rest, const VecX& mass, const VecX& x);
 
-/// See SoftBody::unfold. `rest` 3n, `mass` n.
-void unfold(const VecX& rest, const VecX& mass, SoftBodyState& state);
+/// See SoftBody::unfold. `rest` 3n, `mass` n. `turn`: to the orientation that fits best, spinning as x does;
+/// else to that of the rest shape, without spin: a law for small rotations keeps neither.
+void unfold(const VecX& rest, const VecX& mass, bool turn, SoftBodyState& state);
 
 }  // namespace prosector
