@@ -140,8 +140,10 @@ class Checker {
       fail(body, "budget", "accuracy and budget are both given: give one, the server chooses the other");
     if (soft.shape == "sheet" || soft.shape == "rope")
       fail(body, need,
-           fmt::format("{} is for solid bodies: a {} has no continuum that rungs are measured against", need,
-                       soft.shape));
+           fmt::format(
+               "{} is for solid bodies: a {} has no continuum that rungs are measured against; allowed "
+               "instead: model = \"mass_spring\" or \"xpbd\", an integrator, and a cell",
+               need, soft.shape));
     for (const char* key : {"newton_iterations", "solver_iterations", "solver_tolerance", "substeps"})
       if (lines_.has(body.table, key))
         fail(body, key,

@@ -346,15 +346,16 @@ const Table& soft_table() {
              "hold_volume",
              "mass_spring on tetrahedra: volume springs that meet poisson_ratio; false: springs "
              "alone, whose ratio is about 1/4"),
-         quantity<S, &S::accuracy>(
-             "accuracy", "%", {0, 100, true},
-             "instead of a rung: how far the settled shape may be from the continuum's; the server chooses "
-             "the cheapest rung that its measured table says is good enough (docs/soft-tissue.md). What of "
-             "model, element, integrator, solver and cell is given beside it is kept"),
-         quantity<S, &S::budget>(
-             "budget", "ms", {0, 1000, true},
-             "instead of a rung: CPU time that the body may take in a frame of 1/60 s; the server chooses "
-             "the most accurate rung within it, as for accuracy"),
+         quantity<S, &S::accuracy>("accuracy", "%", {0, 100, true},
+                                   "instead of a rung, for solid bodies: how far the settled shape may be "
+                                   "from the continuum's; the "
+                                   "server chooses the cheapest rung that its measured table says is good "
+                                   "enough (docs/soft-tissue.md). What of "
+                                   "model, element, integrator, solver and cell is given beside it is kept"),
+         quantity<S, &S::budget>("budget", "ms", {0, 1000, true},
+                                 "instead of a rung, for solid bodies: CPU time that the body may take in a "
+                                 "frame of 1/60 s; the server chooses "
+                                 "the most accurate rung within it, as for accuracy"),
          plain<S, &S::step_down>(
              "step_down",
              "true: while the server is overloaded, this body may be solved with fewer iterations or "

@@ -1,22 +1,25 @@
 #include "server/calibration/bend_reference.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace prosector {
 namespace {
 
 struct Sag {
   const char* model;
-  double at_0_30, at_0_45;  // m
+  std::array<double, bend_ratios.size()> at_ratio;  // m
 };
-constexpr Sag continuum[] = {{"fem_linear", .13095, .12816},
-                             {"fem_corotational", .12275, .1206},
-                             {"fem_neo_hookean_polynomial", .12322, .12103},
-                             {"fem_neo_hookean", .12308, .12087}};
+constexpr Sag continuum[] = {{"fem_linear", {.13095, .12816, .1270, .1268}},
+                             {"fem_corotational", {.12275, .1206, .1196, .1195}},
+                             {"fem_neo_hookean_polynomial", {.12322, .12103, .1201, .1200}},
+                             {"fem_neo_hookean", {.12308, .12087, .1200, .1199}}};
 constexpr Sag tissue = continuum[3];
 
 double of(const Sag& row, double poisson_ratio) {
-  return poisson_ratio < 0.4 ? row.at_0_30 : row.at_0_45;
+  const auto at = std::find(bend_ratios.begin(), bend_ratios.end(), poisson_ratio);
+  if (at == bend_ratios.end()) throw std::logic_error("no reference at this Poisson ratio");
+  return row.at_ratio[static_cast<std::size_t>(at - bend_ratios.begin())];
 }
 
 }  // namespace

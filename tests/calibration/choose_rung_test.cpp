@@ -174,8 +174,20 @@ TEST(ChooseRung, LeavesOutModelsThatDoNotKnowTheMaterial) {
 
 TEST(ChooseRung, SaysThatARatioWasNotMeasured) {
   SoftDesc desc = needing(5, 0);
-  desc.poisson_ratio = 0.49;
+  desc.poisson_ratio = 0.4995;
   EXPECT_NE(explain(choose(desc), desc).find("expect more error"), std::string::npos);
+  desc.poisson_ratio = 0.499;
+  EXPECT_EQ(explain(choose(desc), desc).find("expect more error"), std::string::npos);
+}
+
+TEST(ChooseRung, MeasuresAtTheNextLargerRatio) {
+  const std::pair<double, double> cases[] = {{0, 0.3},     {0.3, 0.3},   {0.31, 0.45},   {0.45, 0.45},
+                                             {0.46, 0.49}, {0.49, 0.49}, {0.495, 0.499}, {0.4999, 0.499}};
+  for (const auto& [ratio, measured] : cases) {
+    SoftDesc desc = needing(5, 0);
+    desc.poisson_ratio = ratio;
+    for (const RungTrial& trial : trials_for(desc)) EXPECT_EQ(trial.poisson_ratio, measured) << ratio;
+  }
 }
 
 }  // namespace

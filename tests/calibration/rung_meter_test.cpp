@@ -35,6 +35,21 @@ TEST(RungMeter, SettledShapesApproachTheContinuum) {
   EXPECT_LT(std::abs(quadratic), 0.05);
 }
 
+/// Who asks for nearly incompressible tissue must not get what locks.
+TEST(RungMeter, SeesLinearTetrahedraLockAndQuadraticOnesNot) {
+  RungMeter meter;
+  for (const double ratio : {0.49, 0.499}) {
+    const double right = tissue_sag(ratio);
+    const auto error = [&](const char* element) {
+      Rung quick = rung(element, "multigrid", 1, 10, 1e-2);
+      quick.model = "fem_neo_hookean";
+      return meter.measure({quick, ratio, 8}).settled_sag / right - 1;
+    };
+    EXPECT_LT(error("tet4"), -0.7) << ratio;
+    EXPECT_LT(std::abs(error("tet10")), 0.01) << ratio;
+  }
+}
+
 TEST(RungMeter, LessEffortDrifts) {
   RungMeter meter;
   const double quick = meter.measure({rung("tet4", "cg", 1, 5, 1e-2), 0.45, 8}).drift;

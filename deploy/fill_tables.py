@@ -1,0 +1,361 @@
+#!/usr/bin/env python3
+"""fill_tables.py FOLDER: puts what prosector-bench measured into README.md and docs/.
+
+FOLDER holds reports that `prosector-bench SUBJECT --json FILE` wrote, any number of each subject. Each table stands between
+`<!-- measured: NAME -->` and `<!-- /measured -->`; those whose reports are not there stay as they are, and are named.
+"""
+
+import json
+import math
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PAGES = ["README.md", "docs/measurements.md", "docs/soft-tissue.md"]
+MARKED = re.compile(r"(<!-- measured: (\S+) -->\n).*?(<!-- /measured -->)", re.DOTALL)
+DASH = "–"
+
+
+class Missing(Exception):
+    """A table's report was not given."""
+
+
+class Reports:
+    def __init__(self, folder):
+        self.all = {}
+        for file in sorted(folder.glob("*.json")):
+            report = json.loads(file.read_text())
+            self.all.setdefault(report["bench"], []).append(report)
+
+    def of(self, bench):
+        if bench not in self.all:
+            raise Missing(bench)
+        return self.all[bench]
+
+    def rows(self, bench, **settings):
+        found = [row for report in self.of(bench) for row in report["rows"]]
+        return [row for row in found if all(row.get(key) == value for key, value in settings.items())]
+
+
+def number(value):
+    """Three digits that count."""
+    if value is None or not math.isfinite(value):
+        return DASH
+    size = abs(value)
+    if size == 0:
+        return "0"
+    if size >= 1e7 or size < 1e-4:
+        return f"{value:.1e}"
+    return f"{value:.{max(0, 2 - math.floor(math.log10(size)))}f}"
+
+
+def percent(value):
+    return DASH if value is None else f"{number(100 * value)} %"
+
+
+def table(heads, rows):
+    lines = [heads, ["---"] * len(heads), *rows]
+    return "".join("| " + " | ".join(str(cell) for cell in line) + " |\n" for line in lines)
+
+
+def grouped(rows, *keys):
+    groups = {}
+    for row in rows:
+        groups.setdefault(tuple(row.get(key) for key in keys), []).append(row)
+    return groups
+
+
+def count(value):
+    return f"{value:,}"
+
+
+def rung(row):
+    """Model to effort, in words."""
+    effort = row.get("effort")
+    if not effort and row.get("newton_iterations"):
+        effort = f"{row['newton_iterations']} × {row['solver_iterations']} to {row['solver_tolerance']:.0e}"
+    elif not effort and row.get("solver_iterations"):
+        effort = f"× {row['solver_iterations']}"
+    solver = " ".join(part for part in (row["solver"], effort) if part)
+    return f"`{row['model']}`, {row['element']}, {row['integrator']}, {solver}"
+
+
+# Goals.
+
+
+def cheapest(rows, allowed):
+    """Of the rows that are allowed, the quickest with most threads, beside the same with one; None: there is none."""
+    pairs = []
+    for same in grouped(rows, "model", "element", "solver", "newton_iterations", "solver_iterations",
+                        "solver_tolerance", "tets", "ground").values():
+        by_threads = sorted(same, key=lambda row: row["threads"])
+        if allowed(by_threads[-1]):
+            pairs.append((by_threads[0], by_threads[-1]))
+    return min(pairs, key=lambda pair: pair[1]["ms_per_frame"], default=None)
+
+
+def goal_line(what, goal, peers, figure, rows, allowed, error):
+    pair = cheapest(rows, allowed)
+    if not pair:
+        return [what, goal, peers, "nothing that was run", DASH, DASH, DASH]
+    one, most = pair
+    off = percent(most[error]) + (f"; in motion {percent(most['error_dynamic'])}" if "error_dynamic" in most else "")
+    told = [f"{number(row[figure])} with {row['threads']}" for row in ([one] if one is most else [one, most])]
+    return [what, goal, peers, rung(most) + f", {count(most['tets'])} tets", "; ".join(told),
+            number(most["cpu_ms_per_frame"]), off]
+
+
+def goals(reports):
+    lines = []
+    for ground, name in ((0, "free"), (1, "with the ground")):
+        rows = reports.rows("beam101k", ground=ground)
+        lines.append(goal_line(f"SOFA's beam, {name}, 10 CG iterations", "≥ 50 steps/s", "17", "steps_per_s",
+                               rows, lambda row: row["solver"] == "cg" and row["solver_iterations"] == 10, "error_mesh"))
+        lines.append(goal_line(f"the same, within 1 % of the converged path", "≥ 25 steps/s", "4.6", "steps_per_s",
+                               rows, lambda row: row["error_mesh"] <= 0.01, "error_mesh"))
+    lines.append(goal_line("organ pressed by a ball, within 1 % of its mesh's path", "≥ 60 steps/s", DASH, "steps_per_s",
+                           reports.rows("press"), lambda row: row["error_mesh"] <= 0.01, "error_mesh"))
+    for model, peers in (("fem_corotational", "74.5"), ("fem_neo_hookean_polynomial", "80.1")):
+        beam = reports.rows("beam", model=model)
+        lines.append(goal_line("peers' beam, within 0.1 % of the same mesh's settled answer", "≤ 15 ms", peers, "ms_per_frame",
+                               [row for row in beam if row["tets"] == 31944], lambda row: row["error_mesh"] <= 0.001, "error_mesh"))
+        lines.append(goal_line("peers' beam, within 1 % of the continuum's settled answer", "≤ 8 ms", DASH, "ms_per_frame",
+                               beam, lambda row: row["error_continuum"] <= 0.01, "error_continuum"))
+    return table(["What", "goal", "best peer, one thread", "by", "measured, with threads", "CPU ms a step", "error"], lines)
+
+
+# Other codes' beams and the press, row by row.
+
+
+def side_by_side(rows, figure, errors, **first):
+    """A line for each setting, with a column for each number of threads."""
+    threads = sorted({row["threads"] for row in rows})
+    heads = [*first.values(), *(f"{figure[1]}, {n} thread{'s' if n > 1 else ''}" for n in threads),
+             "CPU ms", "iterations", "residual", *errors.values()]
+    lines = []
+    keys = [*first, "newton_iterations", "solver_iterations", "solver_tolerance"]
+    for same in grouped(rows, *keys).values():
+        by_threads = {row["threads"]: row for row in same}
+        row = same[0]
+        settings = [effort_in(row) if key == "solver" else cell(row[key]) for key in first]
+        lines.append([*settings, *(number(by_threads[n][figure[0]]) if n in by_threads else DASH for n in threads),
+                      number(row["cpu_ms_per_frame"]), number(row["iterations_per_frame"]), number(row["residual"]),
+                      *(percent(row[key]) for key in errors)])
+    return table(heads, lines)
+
+
+def cell(value):
+    return count(value) if isinstance(value, int) else value
+
+
+def effort_in(row):
+    return f"{row['solver']} {row['newton_iterations']} × {row['solver_iterations']} to {row['solver_tolerance']:.0e}"
+
+
+def beam101k(reports):
+    rows = [{**row, "where": "with it" if row["ground"] else "without"} for row in reports.rows("beam101k")]
+    return side_by_side(rows, ("steps_per_s", "steps/s"), {"error_mesh": "off the converged path"},
+                        where="ground", solver="solver")
+
+
+def press(reports):
+    return side_by_side(reports.rows("press"), ("steps_per_s", "steps/s"), {"error_mesh": "off the converged path"},
+                        tets="tets", solver="solver")
+
+
+def beam(reports):
+    quickest = []
+    for same in grouped(reports.rows("beam"), "model", "element", "tets").values():
+        pair = cheapest(same, lambda row: row["error_mesh"] <= 0.001)
+        quickest += [] if not pair else [pair[1]] if pair[0] is pair[1] else list(pair)
+    return side_by_side(quickest, ("ms_per_frame", "ms"),
+                        {"error_mesh": "off its mesh", "error_continuum": "off the continuum", "error_dynamic": "in motion"},
+                        model="model", element="element", tets="tets", solver="solver")
+
+
+# The trade.
+
+ERROR_KEYS = {"bend": "error_material", "bend_incompressible": "error_material"}
+MORE = {"error_frequency": ("frequency", percent), "amplitude_lost_per_period": ("amplitude lost a period", percent),
+        "energy_drift": ("energy", percent), "momentum_drift": ("momentum", percent),
+        "largest_stable_step_s": ("largest stable step, s", number), "volume_loss": ("volume lost", percent),
+        "memory_kib": ("KiB", number)}
+
+
+def error_key(rows):
+    """The first figure of the case: its own error."""
+    case = rows[0]["case"]
+    keys = [key for row in rows for key in row if key.startswith("error_") and row[key] is not None]
+    return ERROR_KEYS.get(case) or next(key for key in keys if key not in ("error_frequency", "error_continuum"))
+
+
+def measured(rows, key):
+    return [row for row in rows if row.get(key) is not None and row.get("ms_per_simulated_s")]
+
+
+def front(rows, key):
+    """Rows than which nothing is both cheaper and better, cheapest first."""
+    best, out = math.inf, []
+    for row in sorted(rows, key=lambda row: (row["ms_per_simulated_s"], abs(row[key]))):
+        if abs(row[key]) < best:
+            best = abs(row[key])
+            out.append(row)
+    return out
+
+
+def trade_case(case):
+    def fill(reports):
+        rows = reports.rows("trade", case=case)
+        if not rows:
+            raise Missing(f"trade, case {case}")
+        key = error_key(rows)
+        rows = measured(rows, key)
+        told = front(rows, key)
+        for same in grouped(rows, "model", "element").values():
+            if not any(row in told for row in same):
+                told.append(min(same, key=lambda row: abs(row[key])))
+        more = [name for name in MORE if any(row.get(name) is not None for row in rows)]
+        return table(["Rung", "tets", "step, ms", "ms a frame", "ms a simulated s", "error", *(MORE[name][0] for name in more)],
+                     [[rung(row), count(row["tets"]), number(row["dt_ms"]), number(row["ms_per_frame"]),
+                       number(row["ms_per_simulated_s"]), percent(abs(row[key])), *(MORE[name][1](row.get(name)) for name in more)]
+                      for row in told])
+
+    return fill
+
+
+def advice(reports):
+    lines = [line for report in reports.of("trade") for line in report["recommendation"]]
+    return "```\n" + "\n".join(lines) + "\n```\n"
+
+
+def settled(rows, key):
+    """The cheapest run that ends within half a per cent of the best of its mesh: what solving better would not mend."""
+    rows = measured(rows, key)
+    if not rows:
+        return None
+    best = min(abs(row[key]) for row in rows)
+    return min((row for row in rows if abs(row[key]) <= best + 0.005), key=lambda row: row["ms_per_frame"])
+
+
+def bend_sizes(reports):
+    rows = reports.rows("trade", case="bend")
+    sizes = sorted({row["tets"] for row in rows})
+    lines = []
+    for (model, element), same in grouped(rows, "model", "element").items():
+        cells = []
+        for tets in sizes:
+            run = settled([row for row in same if row["tets"] == tets], "error_material")
+            cells.append(f"{number(run['ms_per_frame'])} ms, {percent(abs(run['error_material']))}" if run else DASH)
+        lines.append([f"`{model}`, {element}", *cells])
+    return table(["A beam bends, ν = 0.3", *(f"{count(tets)} elements" for tets in sizes)], lines)
+
+
+# For docs/soft-tissue.md.
+
+
+def place(reports, case, tets, **settings):
+    rows = reports.rows("trade", case=case, tets=tets, **settings)
+    if not rows:
+        return DASH
+    run = settled(rows, error_key(reports.rows("trade", case=case)))
+    return f"{number(run['ms_per_frame'])} ms, {percent(abs(run[error_key(reports.rows('trade', case=case))]))}" if run else DASH
+
+
+def verdicts(reports, **settings):
+    rows = [row["verdict"] for row in reports.rows("stability", **settings) if row["verdict"]]
+    return " / ".join(str(rows.count(name)) for name in ("survives", "degrades", "refuses", "fails")) if rows else DASH
+
+
+def rungs(reports):
+    lines = []
+    for model, element in grouped(reports.rows("trade", case="bend"), "model", "element"):
+        if model.startswith("bullet_"):
+            continue
+        kind = {"model": model, "element": element}
+        lines.append([f"`{model}`, {element}", place(reports, "bend", 1536, **kind),
+                      place(reports, "bend_incompressible", 1536, **kind), place(reports, "press", 384, **kind),
+                      verdicts(reports, **kind)])
+    return table(["Rung", "beam, ν = 0.3", "beam, ν = 0.45", "cube under load, ν = 0.49",
+                  "extremes: survives / degrades / refuses / fails"], lines)
+
+
+def integrators(reports):
+    key = error_key(reports.rows("trade", case="swing"))
+    rows = measured(reports.rows("trade", case="swing", model="fem_corotational", element="tet4"), key)
+    rows = [row for row in rows if row["tets"] == min(r["tets"] for r in rows)]
+    lines = []
+    for (name, dt_ms), same in grouped(rows, "integrator", "dt_ms").items():
+        run = min(same, key=lambda row: abs(row[key]))
+        lines.append([f"`{name}`", number(dt_ms), number(run["ms_per_simulated_s"]),
+                      *(shown(run.get(figure)) for figure, (_, shown) in MORE.items() if figure in INTEGRATOR_FIGURES)])
+    return table(["Integrator", "step, ms", "CPU ms a simulated s",
+                  *(MORE[figure][0] for figure in MORE if figure in INTEGRATOR_FIGURES)], lines)
+
+
+INTEGRATOR_FIGURES = ("error_frequency", "amplitude_lost_per_period", "energy_drift", "largest_stable_step_s")
+
+
+def laws(reports):
+    lines = []
+    for (model,), same in grouped(reports.rows("soft"), "model").items():
+        by_element = {row["element"]: row for row in same}
+        lines.append([f"`{model}`", *(number(by_element[element][figure]) for element in ("tet4", "tet10")
+                                     for figure in ("ms_iteration_per_1000_tets", "ms_multiply_per_1000_tets"))])
+    return table(["Law", "linear: iteration", "product", "quadratic: iteration", "product"], lines)
+
+
+def scaling(reports):
+    rows = reports.rows("scaling")
+    models = ("fem_corotational", "mass_spring", "xpbd")
+    lines = []
+    for same in grouped([row for row in rows if row["model"] in models], "model", "element", "solver", "tets").values():
+        by_threads = {row["threads"]: row for row in same}
+        one = by_threads[1]
+        lines.append([f"`{one['model']}`, {one['element']}", one["solver"], count(one["tets"]),
+                      *(number(by_threads[n]["ms_per_frame"]) if n in by_threads else DASH for n in (1, 2)),
+                      number(one["cpu_ms_per_frame"]), number(one["cpu_us_per_tet"]), number(one["bytes_per_tet"]),
+                      number(one["residual"])])
+    return table(["Rung", "solver", "tets", "ms a frame, 1 thread", "2 threads", "CPU ms", "CPU µs a tet", "bytes a tet",
+                  "residual"], lines)
+
+
+def machine(reports):
+    benches = sorted(reports.all)
+    if not benches:
+        raise Missing("any report")
+    where = reports.all[benches[0]][0]
+    m = where["machine"]
+    lines = [[f"`{bench}`", report["date"], report["commit"], number(report["machine"]["load_average"])]
+             for bench in benches for report in reports.all[bench]]
+    return (f"Machine: {m['cpu']}, {m['cores']} cores, {m['vector']}, {m['memory_bytes'] / 2**30:.0f} GiB; "
+            f"{where['compiler']}, {m['build']}.\n\n" + table(["Bench", "run at", "commit", "load average at its end"], lines))
+
+
+TABLES = {"machine": machine, "goals": goals, "beam": beam, "beam101k": beam101k, "press": press, "advice": advice,
+          "bend-sizes": bend_sizes, "rungs": rungs, "integrators": integrators, "laws": laws, "scaling": scaling,
+          **{f"trade-{case}": trade_case(case) for case in ("bend", "bend_incompressible", "swing", "free", "press")}}
+
+
+def main():
+    if len(sys.argv) != 2 or not pathlib.Path(sys.argv[1]).is_dir():
+        sys.exit("usage: deploy/fill_tables.py FOLDER   (with reports that prosector-bench wrote by --json)")
+    reports = Reports(pathlib.Path(sys.argv[1]))
+
+    def filled(match):
+        name = match[2]
+        if name not in TABLES:
+            sys.exit(f"fill_tables: no table is called {name}; there are {', '.join(TABLES)}")
+        try:
+            return match[1] + TABLES[name](reports) + match[3]
+        except Missing as missing:
+            print(f"{name}: stays as it was, there is no report of {missing}")
+            return match[0]
+
+    for page in PAGES:
+        file = ROOT / page
+        file.write_text(MARKED.sub(filled, file.read_text()))
+
+
+if __name__ == "__main__":
+    main()
