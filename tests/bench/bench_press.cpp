@@ -30,8 +30,8 @@ struct Solver {
 constexpr Solver reference = {"multigrid", 30, 2000, 1e-7};
 constexpr Solver solver_rows[] = {
     {"cg", 1, 20, 1e-3},        {"cg", 1, 60, 1e-3},        {"cg", 2, 60, 1e-3},
-    {"cg", 3, 60, 1e-3},        {"multigrid", 1, 60, 1e-3}, {"multigrid", 2, 60, 1e-2},
-    {"multigrid", 2, 60, 1e-3}, {"multigrid", 3, 60, 1e-3},
+    {"cg", 3, 60, 1e-3},        {"multigrid", 1, 60, 1e-3}, {"multigrid", 2, 60, 0.1},
+    {"multigrid", 2, 60, 1e-2}, {"multigrid", 2, 60, 1e-3}, {"multigrid", 3, 60, 1e-3},
 };
 
 SoftDesc organ(const Solver& solver, unsigned cells) {

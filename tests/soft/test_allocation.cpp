@@ -47,7 +47,7 @@ class FixedStep {
         body_.gradient(x_, b_);
         b_ = -b_;
         if (iteration == 0) {
-          body_.assemble_at_start();
+          body_.assemble_roughly(x_);
         } else {
           body_.assemble(x_);
         }

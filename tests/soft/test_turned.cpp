@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Table, Turned, testing::ValuesIn(cases),
 TEST_P(Turned, TangentAndDampingAreThoseOfTheBlocks) {
   for (const double s : {0.0, 2.5}) {
     TurnedElements elements;
-    model_->turn(x_.data(), 1 / (s + 1), elements);
+    model_->linearise(x_.data(), 1 / (s + 1), elements);
     SymmetricRows rows(symmetric_);
     turned_.assemble(elements, rows);
     const VecX u = random_vector(x_.size(), 2), expected = product(in_double(1, s), u);
@@ -107,7 +107,7 @@ TEST_P(Turned, TangentAndDampingAreThoseOfTheBlocks) {
 
 TEST_P(Turned, RowsGoToDoubleAndBack) {
   TurnedElements elements;
-  model_->turn(x_.data(), 1, elements);
+  model_->linearise(x_.data(), 1, elements);
   SymmetricRows rows(symmetric_), back(symmetric_);
   turned_.assemble(elements, rows);
   std::vector<Mat3> blocks(pattern_.blocks());
@@ -118,7 +118,7 @@ TEST_P(Turned, RowsGoToDoubleAndBack) {
 
 TEST_P(Turned, ProductIsTheWarpedStiffnessAndItsEnergyHalfOfIt) {
   TurnedElements elements;
-  model_->turn(x_.data(), std::nullopt, elements);
+  model_->linearise(x_.data(), 1, elements);
   const VecX u = random_vector(x_.size(), 2), expected = product(in_double(0, 1), u);
   VecX f(u.size());
   const double energy = turned_.multiply(elements, u.data(), f.data());
@@ -129,7 +129,7 @@ TEST_P(Turned, ProductIsTheWarpedStiffnessAndItsEnergyHalfOfIt) {
 
 TEST_P(Turned, ProductLeavesTranslationsAndMomentumAlone) {
   TurnedElements elements;
-  model_->turn(x_.data(), std::nullopt, elements);
+  model_->linearise(x_.data(), 1, elements);
   const VecX u = random_vector(x_.size(), 2);
   VecX moved = u, f(u.size()), g(u.size());
   for (Eigen::Index i = 0; i < u.size() / 3; ++i) moved.segment<3>(3 * i) += Vec3(0.5, -2, 8);

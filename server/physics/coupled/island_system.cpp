@@ -9,8 +9,6 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t nodes_per_chunk = 512;
-constexpr double same_tangent =
-    0.1;  // cells that nodes may move while a tangent is still good to descend with
 constexpr double stick_speed =
     5e-4;  // m/s: below it friction sticks, creeping at most this fast, until the body sleeps
 
@@ -251,13 +249,10 @@ bool IslandSystem::assemble(const VecX& q, bool exact) {
   for (std::size_t m = 0; m < island_.soft.size(); ++m) {
     SoftBody& body = *island_.soft[m].body;
     const auto x = q.segment(soft_offset_[m], 3 * body.nodes());
-    const auto moved = [&] { return (x - island_.soft[m].state->motion.x).lpNorm<Eigen::Infinity>(); };
-    if (!exact && !body.tangent_is_cheap() && moved() <= same_tangent * body.desc().cell) {
-      body.assemble_at_start();
-      kept = true;
-    } else {
+    if (exact)
       body.assemble(x);
-    }
+    else
+      kept = body.assemble_roughly(x) || kept;
     body.diagonal(
         std::span(node_blocks_)
             .subspan(static_cast<std::size_t>(soft_offset_[m] / 3), static_cast<std::size_t>(body.nodes())));

@@ -14,7 +14,7 @@ constexpr double tangled_seconds = 1;     // quiet and out of shape for so long:
 constexpr double struggling_seconds = 4;  // inside out for so long, however it moves
 constexpr double quiet_speed = 1e-3;      // m/s, of the fastest node
 constexpr double most_turn = 1.05;        // rad, of a body whose law is for small rotations
-constexpr double false_turn = 0.14;       // rad: at rest so turned, such a body is 1 % too long
+constexpr double false_turn = 0.05;       // rad: at rest so turned, such a body is 0.1 % too long
 constexpr double stuck_energy = 1e-5;     // times E and the volume: a mean strain of about half a per cent
 
 void enter(SoftBodyState& state, bool recovering) {
@@ -48,6 +48,11 @@ bool falsely_turned(const SoftMember& s) {
          s.body->elastic_energy(x) < stuck_energy * stiffness(*s.body);
 }
 
+/// A free body goes back under a law for small rotations as it rests under it: nothing would turn it there.
+double turn_allowed(const SoftBody& body, const SoftBodyState& state) {
+  return state.recovering && body.attachment_stiffness().isZero() ? false_turn : most_turn;
+}
+
 }  // namespace
 
 void choose_law(SoftMember& member, double h) {
@@ -56,7 +61,7 @@ void choose_law(SoftMember& member, double h) {
   member.degraded = member.refused = member.guarded = member.limited = false;
   member.note.clear();
   if (!body.has_recovery() || !state.motion.x.allFinite()) return;
-  const bool turned = body.turned_by(most_turn, state.motion.x);
+  const bool turned = body.turned_by(turn_allowed(body, state), state.motion.x);
   const double share = turned ? 0 : body.inverted_share(state.motion.x, state.recovering ? whole : flat);
   if (state.recovering) {
     state.law_seconds =

@@ -106,11 +106,12 @@ IslandReport minimise(IslandSystem& system, const Limits& limits, double toleran
     if (!(slope < 0)) break;  // at rest, or not finite
     const double length =
         line_search(system, q, step, energy, slope, limits.careful ? halvings_with_care : halvings, next);
-    if (length == 0 && !(kept && limits.alone)) {
+    if (length == 0 && !kept) {
       report.descended = false;
       break;
     }
-    exact = exact || (limits.alone && kept && length < 1);  // the start's matrix misleads here
+    // A matrix kept misleads here; beside others, who touches whom may as well have changed.
+    exact = exact || (kept && (limits.alone ? length < 1 : length == 0));
     if (length == 0) {
       system.energy(q);
       continue;

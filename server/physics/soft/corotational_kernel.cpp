@@ -201,7 +201,7 @@ struct FloatBuffer {
   }
 };
 
-void turned_elements(const LaneRest& rest, const LaneStrain& strain, std::optional<double> share,
+void turned_elements(const LaneRest& rest, const LaneStrain& strain, double share,
                      std::span<TurnedVector> gradients, std::span<Twist> twists) {
   const D d;
   FloatBuffer buffer;
@@ -215,11 +215,10 @@ void turned_elements(const LaneRest& rest, const LaneStrain& strain, std::option
       buffer.scatter(single(size * t.r[a]), gradients[4 * i + a].at, 16, count);
     float* to = twists[i].column[0].at;
     buffer.scatter(single(lambda / mu), to + 3, 12, count);
-    if (!share) continue;
     const V pressure = hn::Load(d, strain.pressure + i) / mu;
     MatrixOf<Single> T = half_twists(single(lambda / mu), number<Single>(2), single(pressure),
                                      least_corotational_pair, 1e-12, single(load(strain.F, i)), single(R));
-    const Single part = number<Single>(*share), rest_of_it = number<Single>(*share - 1);
+    const Single part = number<Single>(share), rest_of_it = number<Single>(share - 1);
     T = {part * T.a, part * T.b, part * T.c};
     T.a.x = T.a.x + rest_of_it;
     T.b.y = T.b.y + rest_of_it;
@@ -272,7 +271,7 @@ void lane_corotational_stiffness(const LaneRest& rest, const LaneStrain& strain,
 void lane_warped_stiffness(const LaneRest& rest, const LaneMatrix& R, std::span<Tet4Elements::Stiffness> K) {
   HWY_DYNAMIC_DISPATCH(warped_stiffness)(rest, R, K);
 }
-void lane_turned_elements(const LaneRest& rest, const LaneStrain& strain, std::optional<double> share,
+void lane_turned_elements(const LaneRest& rest, const LaneStrain& strain, double share,
                           std::span<TurnedVector> gradients, std::span<Twist> twists) {
   HWY_DYNAMIC_DISPATCH(turned_elements)(rest, strain, share, gradients, twists);
 }

@@ -7,7 +7,6 @@
 //   K_ab = V·(2μ (r_a·r_b) I + λ r_a r_bᵀ + ½ [r_a]ₓ C [r_b]ₓᵀ),   C = Σ_k c_k u_k u_kᵀ,  u_k = R v_k,
 // which takes a tenth of the work of contracting a 9×9 tangent.
 
-#include <optional>
 #include <span>
 
 #include "server/physics/soft/element_lanes.h"
@@ -37,8 +36,8 @@ void lane_corotational_stiffness(const LaneRest& rest, const LaneStrain& strain,
 /// at F = R.
 void lane_warped_stiffness(const LaneRest& rest, const LaneMatrix& R, std::span<Tet4Elements::Stiffness> K);
 
-/// The first twists.size() elements as turned_elements.h has them, see ElasticModel::turn.
-void lane_turned_elements(const LaneRest& rest, const LaneStrain& strain, std::optional<double> share,
+/// The first twists.size() elements as turned_elements.h has them, see ElasticModel::linearise.
+void lane_turned_elements(const LaneRest& rest, const LaneStrain& strain, double share,
                           std::span<TurnedVector> gradients, std::span<Twist> twists);
 
 }  // namespace prosector

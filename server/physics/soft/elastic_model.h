@@ -3,7 +3,6 @@
 // inertia, damping and attachments; it knows of elements only what stands here.
 
 #include <memory>
-#include <optional>
 #include <span>
 
 #include "common/mesh.h"
@@ -42,11 +41,9 @@ class ElasticModel {
 
   /// Whether tangent and warped stiffness can be had as turned elements, at a fraction of the cost.
   virtual bool turns() const { return false; }
-  /// As they are at x; their twists with `share` = 1/(s + 1), none (but λ/μ) without: then they are good for
-  /// the warped stiffness only. Allocates at the first call for `out`.
-  virtual void turn(const double* /*x*/, std::optional<double> /*share*/, TurnedElements& /*out*/) {}
-  /// The same with what energy and gradient need at x, in one pass over the elements.
-  virtual void linearise(const double* x, double share, TurnedElements& out) { turn(x, share, out); }
+  /// As they are at x, their twists with `share` = 1/(s + 1); and what energy and gradient need at x, in the
+  /// same pass over the elements. Allocates at the first call for `out`.
+  virtual void linearise(const double* /*x*/, double /*share*/, TurnedElements& /*out*/) {}
 
   // ---- Viscoelastic relaxation, see relaxation.h; nothing to bodies without.
   /// Numbers of history that a state carries.

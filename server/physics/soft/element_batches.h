@@ -4,7 +4,6 @@
 // (law_batches.cpp).
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,8 +43,8 @@ class ElementBatches {
   virtual void warped_stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const = 0;
   /// Whether turn() is there.
   virtual bool turns() const { return false; }
-  /// The batch's turned elements: 4 gradients and a twist each, see ElasticModel::turn.
-  virtual void turn(std::size_t /*batch*/, std::optional<double> /*share*/,
+  /// The batch's turned elements: 4 gradients and a twist each, see ElasticModel::linearise.
+  virtual void turn(std::size_t /*batch*/, double /*share*/,
                     std::span<TurnedVector> /*gradients*/, std::span<Twist> /*twists*/) const {}
 
  protected:

@@ -9,6 +9,7 @@
 
 #include "common/error.h"
 #include "common/hash.h"
+#include "common/messages.h"
 #include "server/physics/parallel.h"
 #include "server/physics/soft/block_matrix.h"
 #include "server/physics/soft/cholesky.h"
@@ -26,6 +27,8 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t nodes_per_chunk = 256;
+/// Cells that nodes may move while a matrix is still good to descend with.
+constexpr double same_tangent = 0.1;
 /// Of inertia over stiffness: from here on H in single precision is as definite as in double.
 constexpr double least_inertia = 1e-5;
 const char* const recovery_model = "fem_corotational";  // no minimum but the rest shape was ever seen
@@ -57,6 +60,13 @@ double bounding_diagonal(const VecX& x) {
 
 }  // namespace
 
+/// Turned elements, and the positions they are at.
+struct Linearised {
+  TurnedElements elements;
+  VecX at;
+  bool known = false;
+};
+
 struct SoftBody::Impl {
   SoftDesc desc;
   Anatomy anatomy;
@@ -84,16 +94,17 @@ struct SoftBody::Impl {
   mutable SymmetricRows rows;
   mutable bool hessian_known = false, rows_known = false;  // as last assembled
   std::vector<Mat3> own_diagonal;
-  TurnedElements present;
-  VecX present_at;  // 3n: where `present` is
-  bool present_known = false;
   bool uses_single = false;
   double rest_stiffness = 0;  // N/m: mean of the diagonal at rest
 
-  // Damping: Hooke's stiffness turned with each element as it is at x_n, as blocks or as turned elements.
+  // Where the stage's elements were linearised: first, and last after that. Damping multiplies with Hooke's
+  // stiffness turned with each element as it is at the first, as turned elements or as blocks.
+  Linearised first, later;
+  const Linearised* present = nullptr;    // the last of them
+  const Linearised* assembled = nullptr;  // of the last matrix
   bool damped;
-  std::vector<Mat3> start_stiffness;
-  TurnedElements start;
+  std::vector<Mat3> first_stiffness;
+  bool first_stiffness_known = false;
   VecX x_n, drift, damping;   // 3n: x_n; x − x_v; the stiffness times drift
   double damping_energy = 0;  // half of drift times that
   bool drift_known = false, damping_known = false;
@@ -137,14 +148,14 @@ struct SoftBody::Impl {
     if (model->turns()) turned.emplace(model->connectivity(), symmetric);
     if (!turned || desc.solver == "direct") {
       hessian.resize(pattern.blocks());
-      if (damped) start_stiffness.resize(pattern.blocks());
+      if (damped) first_stiffness.resize(pattern.blocks());
     }
     std::vector<Mat3> stiffness(pattern.blocks());
     pattern.gather(model->warped_stiffness(rest().data()), 0, {}, stiffness);
     for (std::size_t i = 0; i < node_count(); ++i) rest_stiffness += stiffness[pattern.diagonal(i)].trace();
     rest_stiffness /= static_cast<double>(3 * node_count());
-    for (VecX* v : {&present_at, &x_n, &drift, &damping, &stage.y, &stage.x_v, &stage.v_h, &remembered.x,
-                    &remembered.v})
+    for (VecX* v : {&first.at, &later.at, &x_n, &drift, &damping, &stage.y, &stage.x_v, &stage.v_h,
+                    &remembered.x, &remembered.v})
       *v = VecX::Zero(rest().size());
     if (desc.solver == "direct") cholesky = std::make_unique<Cholesky>(pattern);
     if (desc.solver == "multigrid") make_coarse_levels();
@@ -173,15 +184,38 @@ struct SoftBody::Impl {
   double scale() const { return 1 + damping_share(); }
   bool tangent_is_cheap() const { return turned && uses_single; }
 
-  /// What stiffness-proportional damping multiplies with, as it is at x_n.
-  void begin_damping() {
-    drift_known = false;
-    if (!damped) return;
+  /// x, unless it is nowhere to know anything of: x_n then.
+  Eigen::Ref<const VecX> somewhere(const Eigen::Ref<const VecX>& x) const {
+    const bool good = x.allFinite() && x.lpNorm<Eigen::Infinity>() < max_coordinate;
+    return good ? x : Eigen::Ref<const VecX>(x_n);
+  }
+  void find(const Eigen::Ref<const VecX>& x, Linearised& out) {
+    model->linearise(x.data(), 1 / scale(), out.elements);
+    out.at = x;
+    out.known = true;
+  }
+  /// Everything that is known of turned elements, at x.
+  void linearise(const Eigen::Ref<const VecX>& x) {
+    if (present && x == present->at) return;
+    if (!first.known) find(somewhere(x), first);
+    present = &first;
+    if (x == first.at) return;
+    find(x, later);
+    present = &later;
+    if (assembled == &later) assembled = nullptr;
+  }
+  bool near(const Eigen::Ref<const VecX>& x, const VecX& there) const {
+    return (x - there).lpNorm<Eigen::Infinity>() <= same_tangent * desc.cell;
+  }
+
+  /// What stiffness-proportional damping multiplies with in this stage, found at x when first asked for.
+  void begin_damping(const Eigen::Ref<const VecX>& x) {
     if (tangent_is_cheap()) {
-      model->turn(x_n.data(), std::nullopt, start);
-    } else {
-      start_stiffness.resize(pattern.blocks());
-      pattern.gather(model->warped_stiffness(x_n.data()), 0, {}, start_stiffness);
+      if (!first.known) linearise(x);
+    } else if (!first_stiffness_known) {
+      first_stiffness.resize(pattern.blocks());
+      pattern.gather(model->warped_stiffness(somewhere(x).data()), 0, {}, first_stiffness);
+      first_stiffness_known = true;
     }
   }
 
@@ -191,19 +225,34 @@ struct SoftBody::Impl {
     if (!damped) return;
     const bool same = drift_known && (x - stage.x_v) == drift;
     if (same && (damping_known || !forces)) return;
+    begin_damping(x);
     drift = x - stage.x_v;
     drift_known = true;
     damping_known = forces || !tangent_is_cheap();
     if (!tangent_is_cheap()) {
-      pattern.multiply(start_stiffness, drift.data(), damping.data());
+      pattern.multiply(first_stiffness, drift.data(), damping.data());
       damping_energy = 0.5 * node_sum([&](Eigen::Index i) {
                          return drift.segment<3>(3 * i).dot(damping.segment<3>(3 * i));
                        });
     } else if (forces) {
-      damping_energy = turned->multiply(start, drift.data(), damping.data());
+      damping_energy = turned->multiply(first.elements, drift.data(), damping.data());
     } else {
-      damping_energy = turned->energy(start, drift.data());
+      damping_energy = turned->energy(first.elements, drift.data());
     }
+  }
+
+  void assemble_warped(const Eigen::Ref<const VecX>& x) {
+    hessian.resize(pattern.blocks());
+    if (damped) {
+      begin_damping(x);
+      parallel_chunks(hessian.size(), 16 * nodes_per_chunk,
+                      [&](std::size_t begin, std::size_t end, std::size_t) {
+                        for (std::size_t k = begin; k < end; ++k) hessian[k] = scale() * first_stiffness[k];
+                      });
+    } else {
+      pattern.gather(model->warped_stiffness(x_n.data()), 0, {}, hessian);
+    }
+    use_hessian();
   }
 
   /// Completes `hessian`, which holds what couples nodes.
@@ -316,10 +365,10 @@ void SoftBody::begin_stage(int stage_index, double h, const Vec3& gravity, const
   m.stepping->begin(stage_index, h, m.desc.gravity ? gravity : Vec3::Zero(), state.motion, m.stage);
   m.x_n = state.motion.x;
   m.multigrid_turned = false;
-  m.present_known = false;
+  m.first.known = m.first_stiffness_known = m.drift_known = false;
+  m.present = m.assembled = nullptr;
   m.uses_single = m.desc.solver != "direct" && (m.turned || m.desc.solver == "multigrid") &&
                   m.inertia() * m.mass.mean() > least_inertia * m.rest_stiffness;
-  m.begin_damping();
   if (m.relaxed)
     m.model->relax_fully();
   else
@@ -344,11 +393,8 @@ void SoftBody::initial_guess(double h, const SoftBodyState& state, Eigen::Ref<Ve
 
 void SoftBody::linearise(const Eigen::Ref<const VecX>& x) {
   Impl& m = *impl_;
+  if (tangent_is_cheap() && !(m.assembled && m.near(x, m.assembled->at))) m.linearise(x);
   m.update_damping(x, true);
-  if (!tangent_is_cheap() || (m.present_known && x == m.present_at)) return;
-  m.model->linearise(x.data(), 1 / m.scale(), m.present);
-  m.present_at = x;
-  m.present_known = true;
 }
 
 double SoftBody::energy(const Eigen::Ref<const VecX>& x) {
@@ -392,30 +438,29 @@ bool SoftBody::tangent_is_cheap() const {
 void SoftBody::assemble(const Eigen::Ref<const VecX>& x) {
   Impl& m = *impl_;
   if (tangent_is_cheap()) {
-    linearise(x);
-    m.turned->assemble(m.present, m.rows);
+    m.linearise(x);
+    m.turned->assemble(m.present->elements, m.rows);
+    m.assembled = m.present;
     m.use_rows();
   } else {
+    if (m.damped) m.begin_damping(x);
     m.hessian.resize(m.pattern.blocks());
-    m.pattern.gather(m.model->tangent(x.data()), m.damping_share(), m.start_stiffness, m.hessian);
+    m.pattern.gather(m.model->tangent(x.data()), m.damping_share(), m.first_stiffness, m.hessian);
     m.use_hessian();
   }
 }
 
-void SoftBody::assemble_at_start() {
+bool SoftBody::assemble_roughly(const Eigen::Ref<const VecX>& x) {
   Impl& m = *impl_;
-  if (tangent_is_cheap()) return assemble(m.x_n);
-  m.hessian.resize(m.pattern.blocks());
-  if (m.damped) {
-    parallel_chunks(m.hessian.size(), 16 * nodes_per_chunk,
-                    [&](std::size_t first, std::size_t last, std::size_t) {
-                      for (std::size_t k = first; k < last; ++k)
-                        m.hessian[k] = m.scale() * m.start_stiffness[k];
-                    });
-  } else {
-    m.pattern.gather(m.model->warped_stiffness(m.x_n.data()), 0, {}, m.hessian);
+  if (tangent_is_cheap() ? !(m.assembled && m.near(x, m.assembled->at)) : !m.near(x, m.x_n)) {
+    assemble(x);
+    return false;
   }
-  m.use_hessian();
+  if (tangent_is_cheap())
+    m.multigrid_set = false;  // what touches the body may have changed
+  else
+    m.assemble_warped(x);
+  return true;
 }
 
 void SoftBody::multiply(const double* p, double* Hp) const {

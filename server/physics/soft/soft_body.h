@@ -3,10 +3,11 @@
 //
 // What the island solver needs of it is its incremental potential and the derivatives
 //   E(x) = α/2·‖x − y‖²_M + W(x) + Σ_attach ½k‖x − x₀‖² + 1/(2·dxdv)·‖x − x_v‖²_C
-// with C = damping_mass·M + damping_stiffness·K(x_n) (Rayleigh; K: the attachments' and Hooke's stiffness,
-// that turned with each element as it is at the step's start, so that C is constant while E is minimised; not
-// the tangent there, which is without bound next to mirrored elements and would hold a ruined shape as it is)
-// and α, y, x_v, dxdv as in time_integrator.h. Unknowns x: node positions, 3n, metres, room frame.
+// with C = damping_mass·M + damping_stiffness·K (Rayleigh; K: the attachments' and Hooke's stiffness, that
+// turned with each element as it is where the stage's E was first asked for, so that C is constant while E is
+// minimised; not the tangent there, which is without bound next to mirrored elements and would hold a ruined
+// shape as it is) and α, y, x_v, dxdv as in time_integrator.h. Unknowns x: node positions, 3n, metres, room
+// frame.
 
 #include <memory>
 #include <span>
@@ -52,7 +53,7 @@ class SoftBody {
 
   // ---- One step. Caches (matrix, element batches) are members; nothing allocates after the constructor,
   // except Eigen's numeric factorisation within factor_solve.
-  /// Starts a stage: α, y, x_v from the integrator; state.motion.x fixes the damping matrix.
+  /// Starts a stage: α, y, x_v from the integrator. Where next asked about fixes the damping matrix.
   /// `euler`: by implicit Euler, whatever integrator() is, for all of the step.
   void begin_stage(int stage_index, double h, const Vec3& gravity, const SoftBodyState& state,
                    bool euler = false);
@@ -60,24 +61,24 @@ class SoftBody {
   /// Where Newton may start in the stage begun: x_n + h·v_n + warm_start, what constant acceleration would
   /// lead to; of a method of several stages, what constant velocity would.
   void initial_guess(double h, const SoftBodyState& state, Eigen::Ref<VecX> x) const;
-  /// Finds what energy, gradient and Hessian need at x at once, where that is cheaper.
+  /// Finds what energy, gradient and Hessian need at x at once, where that is cheaper; for the Hessian only
+  /// unless assemble_roughly() does without.
   void linearise(const Eigen::Ref<const VecX>& x);
   /// E(x), J. Not finite only for positions that are not, or so far away that it overflows.
   double energy(const Eigen::Ref<const VecX>& x);
   /// ∂E/∂x into `g` (3n, N).
   void gradient(const Eigen::Ref<const VecX>& x, Eigen::Ref<VecX> g);
   /// Assembles the (projected, SPD) Hessian at x for multiply, diagonal and factor_solve; its damping part,
-  /// where the tangent is cheap, turned as the elements are at x instead of x_n.
+  /// where the tangent is cheap, turned as the elements are at x.
   void assemble(const Eigen::Ref<const VecX>& x);
-  /// Whether the tangent costs no more than what assemble_at_start() has: so it is where elements turn
-  /// (turned_elements.h), in single precision, unless the solver is `direct` or inertia is less than 1e-5 of
-  /// the stiffness.
+  /// As assemble(), but where no node has moved by more than a tenth of a cell, a matrix at hand serves: this
+  /// stage's last one where the tangent is cheap; else, since the step's start, Hooke's stiffness turned with
+  /// each element for the tangent, which damping has anyway. What that leaves out, the stress's own stiffness
+  /// and the change of rotations, is small while strains are: good as a first Newton matrix. True then.
+  bool assemble_roughly(const Eigen::Ref<const VecX>& x);
+  /// Whether the tangent costs next to nothing: so it is where elements turn (turned_elements.h), in single
+  /// precision, unless the solver is `direct` or inertia is less than 1e-5 of the stiffness.
   bool tangent_is_cheap() const;
-  /// The same at x_n with Hooke's stiffness turned with each element for the tangent: costs next to nothing
-  /// when damping_stiffness > 0, because begin_stage has it. What it leaves out, the stress's own stiffness
-  /// and the change of rotations, is small while strains are: good as a first Newton matrix. Where
-  /// the tangent is cheap, the tangent at x_n.
-  void assemble_at_start();
   void multiply(const double* p, double* Hp) const;  // 3n each
   void diagonal(std::span<Mat3> blocks) const;       // n
   /// z = H⁻¹r by sparse Cholesky of the last assemble(), lazily factored; 3n each. Not for two threads at

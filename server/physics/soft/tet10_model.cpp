@@ -92,13 +92,6 @@ class Tet10Model final : public ElasticModel {
   }
 
   bool turns() const override { return batches_->turns(); }
-  void turn(const double* x, std::optional<double> share, TurnedElements& out) override {
-    move(x);
-    reserve(out);
-    for_chunks([&](std::size_t chunk, std::size_t first, std::size_t last) {
-      turn(chunk, first, last, share, out);
-    });
-  }
   void linearise(const double* x, double share, TurnedElements& out) override {
     reserve(out);
     const bool there = take(x);
@@ -163,7 +156,7 @@ class Tet10Model final : public ElasticModel {
     out.twist.resize(points_.size());
     if (!mean_share_.empty()) out.mean.resize(nodes * elements_.size());
   }
-  void turn(std::size_t chunk, std::size_t first, std::size_t last, std::optional<double> share,
+  void turn(std::size_t chunk, std::size_t first, std::size_t last, double share,
             TurnedElements& out) const {
     std::array<TurnedVector, 4 * elements_per_batch> corner{};
     const std::size_t begin = per_element * first, count = per_element * (last - first);

@@ -91,13 +91,6 @@ class Tet4Model final : public ElasticModel {
   }
 
   bool turns() const override { return batches_->turns(); }
-  void turn(const double* x, std::optional<double> share, TurnedElements& out) override {
-    move(x);
-    reserve(out);
-    for_batches([&](std::size_t batch, std::size_t first, std::size_t count) {
-      turn(batch, first, count, share, out);
-    });
-  }
   void linearise(const double* x, double share, TurnedElements& out) override {
     reserve(out);
     const bool there = take(x);
@@ -142,7 +135,7 @@ class Tet4Model final : public ElasticModel {
     out.gradient.resize(4 * elements_.size());
     out.twist.resize(elements_.size());
   }
-  void turn(std::size_t batch, std::size_t first, std::size_t count, std::optional<double> share,
+  void turn(std::size_t batch, std::size_t first, std::size_t count, double share,
             TurnedElements& out) const {
     batches_->turn(batch, share, std::span(out.gradient).subspan(4 * first, 4 * count),
                    std::span(out.twist).subspan(first, count));

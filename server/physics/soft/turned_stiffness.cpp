@@ -198,7 +198,7 @@ HWY_AFTER_NAMESPACE();
 namespace prosector {
 namespace {
 
-constexpr std::size_t rows_per_chunk = 64, elements_per_chunk = 256;
+constexpr std::size_t rows_per_chunk = 64, elements_per_chunk = 256, nodes_per_chunk = 1024;
 
 }  // namespace
 
@@ -252,8 +252,11 @@ double TurnedStiffness::multiply(const TurnedElements& elements, const double* u
 
 /// ½uᵀKu and, unless null, the corners' forces.
 double TurnedStiffness::visit(const TurnedElements& elements, const double* u, Vec3* forces) {
-  for (std::size_t i = 0; i < connectivity_.nodes(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) moved_[4 * i + k] = u[3 * i + k];
+  parallel_chunks(connectivity_.nodes(), nodes_per_chunk,
+                  [&](std::size_t first, std::size_t last, std::size_t) {
+                    for (std::size_t i = first; i < last; ++i)
+                      for (std::size_t k = 0; k < 3; ++k) moved_[4 * i + k] = u[3 * i + k];
+                  });
   parallel_chunks(
       connectivity_.size(), elements_per_chunk, [&](std::size_t first, std::size_t last, std::size_t chunk) {
         const double* x = moved_.data();
