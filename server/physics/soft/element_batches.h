@@ -44,8 +44,8 @@ class ElementBatches {
   /// Whether turn() is there.
   virtual bool turns() const { return false; }
   /// The batch's turned elements: 4 gradients and a twist each, see ElasticModel::linearise.
-  virtual void turn(std::size_t /*batch*/, double /*share*/,
-                    std::span<TurnedVector> /*gradients*/, std::span<Twist> /*twists*/) const {}
+  virtual void turn(std::size_t /*batch*/, double /*share*/, std::span<TurnedVector> /*gradients*/,
+                    std::span<Twist> /*twists*/) const {}
 
  protected:
   std::size_t first(std::size_t batch) const { return batch * elements_per_batch; }

@@ -156,8 +156,7 @@ class Tet10Model final : public ElasticModel {
     out.twist.resize(points_.size());
     if (!mean_share_.empty()) out.mean.resize(nodes * elements_.size());
   }
-  void turn(std::size_t chunk, std::size_t first, std::size_t last, double share,
-            TurnedElements& out) const {
+  void turn(std::size_t chunk, std::size_t first, std::size_t last, double share, TurnedElements& out) const {
     std::array<TurnedVector, 4 * elements_per_batch> corner{};
     const std::size_t begin = per_element * first, count = per_element * (last - first);
     batches_->turn(chunk, share, std::span(corner.data(), 4 * count),
