@@ -26,8 +26,11 @@ struct Solver {
   double tolerance;
 };
 constexpr Solver reference = {"multigrid", 20, 2000, 1e-7};
-constexpr Solver solver_rows[] = {
-    {"cg", 1, 10, 1e-6}, {"cg", 1, 200, 1e-3}, {"multigrid", 1, 60, 1e-2}, {"multigrid", 1, 60, 1e-3}};
+constexpr Solver solver_rows[] = {{"cg", 1, 10, 1e-6},
+                                  {"cg", 1, 200, 1e-3},
+                                  {"multigrid", 1, 60, 0.05},
+                                  {"multigrid", 1, 60, 1e-2},
+                                  {"multigrid", 2, 60, 0.1}};
 
 Anatomy mesh() {
   Anatomy anatomy = kuhn_anatomy({75, 15, 15}, size);

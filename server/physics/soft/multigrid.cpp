@@ -6,6 +6,7 @@
 #include "server/physics/parallel.h"
 #include "server/physics/soft/corotational_kernel.h"
 #include "server/physics/soft/float_rows.h"
+#include "server/physics/soft/node_covariance.h"
 #include "server/physics/soft/smoothed_aggregation.h"
 
 namespace prosector {
@@ -15,7 +16,7 @@ constexpr int smoothing_steps = 2;
 constexpr Eigen::Index direct_unknowns = 200;  // at most, on the coarsest level
 constexpr double firmly =
     10;  // times its elastic stiffness: who is attached like this is no coarse level's work
-constexpr std::size_t rows_per_chunk = 256, coarse_rows_per_chunk = 32;
+constexpr std::size_t rows_per_chunk = 256, coarse_rows_per_chunk = 32, numbers_per_chunk = 4096;
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
@@ -93,6 +94,21 @@ void residual_level(const Rows& A, std::size_t rows, std::size_t chunk, Work& w)
   });
 }
 
+/// to += from.
+void add(const std::vector<float>& from, std::vector<float>& to) {
+  parallel_chunks(to.size(), numbers_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i) to[i] += from[i];
+  });
+}
+
+/// Four floats a node, from the first node on: small enough numbers for single precision.
+void near_origin(const double* x, std::vector<float>& out) {
+  parallel_chunks(out.size() / 4, numbers_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i)
+      for (std::size_t k = 0; k < 3; ++k) out[4 * i + k] = static_cast<float>(x[3 * i + k] - x[k]);
+  });
+}
+
 /// A coarse level: nodes of six unknowns.
 struct CoarseLevel {
   BlockCsr<6, 6> stiffness;   // at rest
@@ -155,6 +171,7 @@ struct Multigrid::Impl {
   std::vector<CoarseLevel> coarse;
   SymmetricBlocks off_diagonal{};
   std::vector<float> diagonal, inverse, turned;  // of H/s; 9 a node, column-major
+  std::vector<float> positions, rest_positions;  // 4 a node
   bool turns = false;
   double alpha = -1, scale = 1;
   Work work;
@@ -178,6 +195,9 @@ struct Multigrid::Impl {
     diagonal.resize(9 * pattern.rows() + 1);
     inverse.resize(9 * pattern.rows() + 1);
     turned.resize(9 * pattern.rows());
+    positions.resize(4 * pattern.rows());
+    rest_positions.resize(4 * pattern.rows());
+    near_origin(rest.data(), rest_positions);
     coarsen_all(A, M, held);
   }
 
@@ -265,7 +285,7 @@ struct Multigrid::Impl {
     level.transfer->restrict_to(w.other.data(), coarse[l + 1].work.b.data());
     correct(l + 1);
     level.transfer->prolong(coarse[l + 1].work.z.data(), w.other.data());
-    for (std::size_t i = 0; i < w.z.size(); ++i) w.z[i] += w.other[i];
+    add(w.other, w.z);
     smooth_level(level.matrix(), level.rows(), coarse_rows_per_chunk, level.eigenvalue, false, w);
   }
 };
@@ -287,29 +307,19 @@ void Multigrid::turn(const double* x) {
   Impl& m = *impl_;
   m.turns = x != nullptr;
   if (!x || !m.transfer) return;
-  // The rotation that fits a node's neighbours best: the polar factor of Σ dx·dXᵀ.
-  parallel_chunks(m.pattern.rows(), elements_per_batch,
-                  [&](std::size_t first, std::size_t last, std::size_t) {
-                    LaneStrain strain;
-                    for (std::size_t lane = 0; lane < elements_per_batch; ++lane) {
-                      Mat3 sum = Mat3::Identity();
-                      if (first + lane < last) {
-                        const std::size_t i = first + lane;
-                        const Eigen::Map<const Vec3> xi(x + 3 * i), Xi(m.rest.data() + 3 * i);
-                        sum.setZero();
-                        for (std::size_t k = m.pattern.begin(i); k < m.pattern.end(i); ++k) {
-                          const std::size_t j = m.pattern.column(k);
-                          const Eigen::Map<const Vec3> xj(x + 3 * j), Xj(m.rest.data() + 3 * j);
-                          sum += (xj - xi) * (Xj - Xi).transpose();
-                        }
-                      }
-                      for (std::size_t k = 0; k < 9; ++k) strain.F.at[k][lane] = sum.data()[k];
-                    }
-                    lane_rotations(strain);
-                    for (std::size_t i = first; i < last; ++i)
-                      for (std::size_t k = 0; k < 9; ++k)
-                        m.turned[9 * i + k] = static_cast<float>(strain.R.at[k][i - first]);
-                  });
+  near_origin(x, m.positions);
+  // The rotation that fits a node's neighbours best.
+  parallel_chunks(
+      m.pattern.rows(), elements_per_batch, [&](std::size_t first, std::size_t last, std::size_t) {
+        LaneStrain strain;
+        for (std::size_t lane = last - first; lane < elements_per_batch; ++lane)
+          for (std::size_t k = 0; k < 9; ++k) strain.F.at[k][lane] = k % 4 == 0 ? 1 : 0;
+        node_covariances(m.pattern, m.positions.data(), m.rest_positions.data(), first, last, strain.F);
+        lane_rotations(strain);
+        for (std::size_t i = first; i < last; ++i)
+          for (std::size_t k = 0; k < 9; ++k)
+            m.turned[9 * i + k] = static_cast<float>(strain.R.at[k][i - first]);
+      });
 }
 
 void Multigrid::set_matrix(const SymmetricBlocks& off_diagonal, double scale, std::span<const Mat3> diagonal,
@@ -329,7 +339,9 @@ void Multigrid::apply(const double* r, double* z) {
   Impl& m = *impl_;
   Work& w = m.work;
   const std::size_t rows = m.pattern.rows();
-  for (std::size_t i = 0; i < w.b.size(); ++i) w.b[i] = static_cast<float>(r[i] / m.scale);
+  parallel_chunks(w.b.size(), numbers_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i) w.b[i] = static_cast<float>(r[i] / m.scale);
+  });
   smooth_level(m.matrix(), rows, rows_per_chunk, m.eigenvalue, true, w);
   if (m.transfer) {
     residual_level(m.matrix(), rows, rows_per_chunk, w);
@@ -340,7 +352,9 @@ void Multigrid::apply(const double* r, double* z) {
     m.rotate(true, w.d.data(), w.z.data());
   }
   smooth_level(m.matrix(), rows, rows_per_chunk, m.eigenvalue, false, w);
-  for (std::size_t i = 0; i < w.z.size(); ++i) z[i] = static_cast<double>(w.z[i]);
+  parallel_chunks(w.z.size(), numbers_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i) z[i] = static_cast<double>(w.z[i]);
+  });
 }
 
 }  // namespace prosector
