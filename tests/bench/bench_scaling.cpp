@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "server/calibration/stopwatch.h"
+#include "server/physics/soft/rungs.h"
 #include "tests/bench/memory.h"
 #include "tests/bench/rung_report.h"
 #include "tests/bench/subjects.h"
@@ -64,12 +65,33 @@ ReportRow measure(const Rung& rung, const TestPiece& piece, unsigned threads) {
   return row;
 }
 
+/// Every model with every element that it takes, at a scene's default effort; every solver with the model
+/// that scenes get unless they say otherwise, or that was asked for: others differ from it in assembly alone.
+std::vector<Rung> rungs(const ScalingBenchOptions& options) {
+  std::vector<Rung> out;
+  for (const ModelRow& model : models()) {
+    if (!options.model.empty() && options.model != model.name) continue;
+    for (const std::string& element : element_names()) {
+      const bool is_law = !model.position_based && !model.fabric;
+      if (element != SoftDesc{}.element && !is_law) continue;
+      for (const std::string& solver : solver_names()) {
+        if (!options.solver.empty() && options.solver != solver) continue;
+        const bool with_all_solvers = model.name == SoftDesc{}.model || !options.model.empty();
+        if (options.solver.empty() && !with_all_solvers && solver != SoftDesc{}.solver) continue;
+        if (model.position_based && solver != SoftDesc{}.solver) continue;  // it has its own
+        out.push_back({model.name, SoftDesc{}.integrator, solver, element});
+      }
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 Report bench_scaling(const ScalingBenchOptions& options) {
   using enum Column::Kind;
   const TextTable table({{text, "model", "model", 28},
-                         {text, "integrator", "integrator", 17},
+                         {text, "element", "element", 7},
                          {text, "solver", "solver", 9},
                          {count, "tets", "tets", 8},
                          {count, "nodes", "nodes", 8},
@@ -81,20 +103,15 @@ Report bench_scaling(const ScalingBenchOptions& options) {
                          {number, "residual", "residual", 9}});
   table.print_header();
   Report report("scaling");
-  const SoftDesc scene;
-  for (const std::string& model : model_names()) {
-    for (const std::string& solver : solver_names()) {
-      if (!options.model.empty() && options.model != model) continue;
-      if (!options.solver.empty() && options.solver != solver) continue;
-      double last_ms = 0;
-      for (double tets = 100; tets <= options.max_tets * 1.01 && last_ms < options.limit_ms;
-           tets *= std::sqrt(10)) {
-        const TestPiece piece = block(tets);
-        for (unsigned threads = 1; threads <= options.threads; threads *= 2) {
-          report.add(measure({model, scene.integrator, solver}, piece, threads));
-          table.print(report.rows().back());
-          last_ms = figure(report.rows().back(), "cpu_ms_per_frame");
-        }
+  for (const Rung& rung : rungs(options)) {
+    double last_ms = 0;
+    for (double tets = 100; tets <= options.max_tets * 1.01 && last_ms < options.limit_ms;
+         tets *= std::sqrt(10)) {
+      const TestPiece piece = block(tets);
+      for (unsigned threads = 1; threads <= options.threads; threads *= 2) {
+        report.add(measure(rung, piece, threads));
+        table.print(report.rows().back());
+        last_ms = figure(report.rows().back(), "cpu_ms_per_frame");
       }
     }
   }

@@ -43,6 +43,10 @@ INSTANTIATE_TEST_SUITE_P(
     Subjects, Json,
     testing::Values(
         Subject{"soft", "--tets 6 --repeats 1", rung, {"ms_iteration", "ms_iteration_per_1000_tets"}},
+        Subject{"integrators",
+                "",
+                {"model", "integrator", "omega_dt"},
+                {"order", "growth_per_step", "growth_per_step_theory", "largest_omega_dt"}},
         Subject{"beam",
                 "--cells 1 --threads 1 --model fem_corotational --solver multigrid",
                 rung,

@@ -23,6 +23,9 @@ int main(int argc, char** argv) try {
   soft_command->add_option("--repeats", soft.repeats, "Calls of which the median is told")
       ->check(CLI::Range(1, 1000000));
 
+  CLI::App* integrators_command = app.add_subcommand(
+      "integrators", "Each integrator alone on a spring, no guard: order, limit and growth, beside theory");
+
   prosector::RenderBenchOptions render;
   CLI::App* render_command = app.add_subcommand("render", "Frames drawn off screen");
   render_command->add_option("SCENE", render.scene, "Scene file, for instance deploy/scenes/abdomen.toml")
@@ -105,6 +108,7 @@ int main(int argc, char** argv) try {
   std::cout << prosector::machine().dump() << std::endl;
   std::optional<prosector::Report> report;
   if (*soft_command) report = prosector::bench_soft(soft);
+  if (*integrators_command) report = prosector::bench_integrators();
   if (*render_command) report = prosector::bench_render(render);
   if (*beam_command) report = prosector::bench_beam(beam);
   if (*beam101k_command) report = prosector::bench_beam101k(beam101k);

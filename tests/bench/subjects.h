@@ -17,6 +17,9 @@ struct SoftBenchOptions {
 /// The calls of a Newton iteration on a pressed box of tetrahedra, for every law and element.
 Report bench_soft(const SoftBenchOptions& options);
 
+/// Every integrator by itself on a spring: order, limit and growth, beside theory.
+Report bench_integrators();
+
 struct RenderBenchOptions {
   std::string scene;  // file
   int width = 800, height = 600;
@@ -71,7 +74,7 @@ Report bench_stability(const StabilityBenchOptions& options);
 
 struct ScalingBenchOptions {
   std::string model, solver;  // only these rows; empty: all
-  double max_tets = 1e5;
+  double max_tets = 1e6;
   unsigned threads = 2;    // 1, 2, 4 … up to this many
   double limit_ms = 2000;  // CPU time of a frame after which no finer mesh is tried
 };

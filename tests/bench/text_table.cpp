@@ -13,6 +13,7 @@ std::string cell(const Column& column, const ReportRow& row) {
   const double value = figure(row, column.key);
   if (!std::isfinite(value)) return "-";
   if (column.kind == Column::Kind::count) return fmt::format("{:.0f}", value);
+  if (column.kind == Column::Kind::fixed) return fmt::format("{:.6f}", value);
   if (column.kind == Column::Kind::percent) return three_digits(100 * value) + " %";
   return three_digits(value);
 }

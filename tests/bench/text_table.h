@@ -9,10 +9,10 @@
 namespace prosector {
 
 struct Column {
-  enum class Kind { text, count, number, percent } kind;
-  std::string key;      // of the row
-  std::string heading;  // with the unit
-  int width = 0;        // characters at least; the heading always fits
+  enum class Kind { text, count, number, fixed, percent } kind;  // fixed: six decimals
+  std::string key;                                               // of the row
+  std::string heading;                                           // with the unit
+  int width = 0;  // characters at least; the heading always fits
 };
 
 class TextTable {

@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# Runs prosector-bench, keeps its reports and pictures, and fills the tables of README.md and docs/ from them.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+subjects=(trade stability scaling soft integrators beam beam101k press pictures)
+
+usage() {
+  cat <<TXT
+deploy/measure.sh [--quick] [--out DIR] [--skip-build] [SUBJECT...]
+  SUBJECT        of: ${subjects[*]} (default: all, an hour or more)
+  --quick        coarser and shorter: to see whether all runs, not to publish
+  --out DIR      where the reports go (default out/measure); pictures go to docs/pictures
+  --skip-build   PROSECTOR_BIN says where the programs are, if not in build/release/bin
+TXT
+}
+
+quick=no out=$root/out/measure build=yes chosen=()
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --quick) quick=yes ;;
+    --out) out=${2:?--out needs a folder}; shift ;;
+    --skip-build) build=no ;;
+    -h | --help) usage; exit 0 ;;
+    *)
+      case " ${subjects[*]} " in
+        *" $1 "*) chosen+=("$1") ;;
+        *) echo "measure: $1 is neither an option nor a subject" >&2; usage >&2; exit 2 ;;
+      esac ;;
+  esac
+  shift
+done
+[ ${#chosen[@]} -gt 0 ] || chosen=("${subjects[@]}")
+
+[ $build = no ] || "$root/deploy/build.sh" release prosector-bench prosector-server prosector-client
+bin=${PROSECTOR_BIN:-$root/build/release/bin}
+pictures=$root/docs/pictures
+[ $quick = no ] || pictures=$out
+mkdir -p "$out"
+
+arguments() {  # of a subject, as published or quick
+  case "$1 $quick" in
+    'trade no') echo --limit 1500 --svg "$pictures" ;;
+    'trade yes') echo --quick --limit 200 --svg "$pictures" ;;
+    'stability no') echo --svg "$pictures" ;;
+    'stability yes') echo --quick --svg "$pictures" ;;
+    'scaling yes') echo --max 1000 ;;
+    'soft no') echo --tets 4000 --repeats 61 ;;
+    'soft yes') echo --tets 600 --repeats 5 ;;
+    'beam yes') echo --cells 2 3 ;;
+    'beam101k yes') echo --steps 5 ;;
+    'press yes') echo --cells 6 ;;
+  esac
+}
+
+# A session on this machine alone, and a picture of it after some seconds.
+server=
+trap '[ -z "$server" ] || kill "$server" 2>/dev/null || true' EXIT
+picture() {  # SCENE SIZE SECONDS
+  local session=measure-$1-$$
+  "$bin/prosector-server" "$root/deploy/scenes/$1.toml" --session "$session" > "$out/$1.log" 2>&1 &
+  server=$!
+  LP_NUM_THREADS=1 "$bin/prosector-client" observe --session "$session" --name observer --patience 60 --display osmesa \
+    --quality high --size "$2" --fps 2 --seconds "$(($3 + 1))" --screenshot "$pictures/$1.png@$3"
+  kill -TERM "$server" && wait "$server"
+  server=
+}
+
+for subject in "${chosen[@]}"; do
+  printf '\n== %s (%d min %02d s)\n' "$subject" $((SECONDS / 60)) $((SECONDS % 60))
+  if [ "$subject" = pictures ]; then
+    picture cloth 1200x560 4
+    picture ropes 1000x600 4
+  else
+    # shellcheck disable=SC2046  # words, on purpose
+    "$bin/prosector-bench" "$subject" $(arguments "$subject") --json "$out/$subject.json"
+  fi
+done
+
+if [ $quick = yes ]; then
+  printf '\nReports and pictures: %s; the tables in README.md and docs/ stay as they are\n' "$out"
+else
+  "$root/deploy/fill_tables.py" "$out"
+fi
