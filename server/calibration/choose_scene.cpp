@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "common/error.h"
+#include "server/calibration/rung_json.h"
 #include "server/calibration/table_file.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/sources.h"
@@ -130,37 +130,25 @@ void adopt(const std::vector<Choice>& choices, SceneDesc& scene) {
 
 std::string encode(const std::vector<Choice>& choices) {
   nlohmann::ordered_json out = nlohmann::ordered_json::array();
-  for (const Choice& c : choices)
-    out.push_back({{"body", c.body},
-                   {"model", c.rung.model},
-                   {"element", c.rung.element},
-                   {"integrator", c.rung.integrator},
-                   {"solver", c.rung.solver},
-                   {"newton_iterations", c.rung.newton_iterations},
-                   {"solver_iterations", c.rung.solver_iterations},
-                   {"solver_tolerance", c.rung.solver_tolerance},
-                   {"substeps", c.rung.substeps},
-                   {"cell", c.cell},
-                   {"expected_error", c.expected.error},
-                   {"expected_ms", c.expected.ms},
-                   {"good_enough", c.good_enough}});
+  for (const Choice& c : choices) {
+    nlohmann::ordered_json row = {{"body", c.body}};
+    row.update(rung_to_json(c.rung));
+    row.update(nlohmann::ordered_json{{"cell", c.cell},
+                                      {"expected_error", c.expected.error},
+                                      {"expected_ms", c.expected.ms},
+                                      {"good_enough", c.good_enough}});
+    out.push_back(std::move(row));
+  }
   return out.dump();
 }
 
 std::vector<Choice> decode_choices(const std::string& text) {
   try {
     std::vector<Choice> out;
-    for (const auto& row : nlohmann::json::parse(text)) {
+    for (const auto& row : nlohmann::ordered_json::parse(text)) {
       Choice& c = out.emplace_back();
       row.at("body").get_to(c.body);
-      row.at("model").get_to(c.rung.model);
-      row.at("element").get_to(c.rung.element);
-      row.at("integrator").get_to(c.rung.integrator);
-      row.at("solver").get_to(c.rung.solver);
-      row.at("newton_iterations").get_to(c.rung.newton_iterations);
-      row.at("solver_iterations").get_to(c.rung.solver_iterations);
-      row.at("solver_tolerance").get_to(c.rung.solver_tolerance);
-      row.at("substeps").get_to(c.rung.substeps);
+      c.rung = rung_from_json(row);
       row.at("cell").get_to(c.cell);
       row.at("expected_error").get_to(c.expected.error);
       row.at("expected_ms").get_to(c.expected.ms);

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "common/hash.h"
+#include "server/calibration/rung_json.h"
 
 namespace prosector {
 namespace {
@@ -32,21 +33,15 @@ std::string executable_hash() {
 
 Json to_json(const RungTable::Row& row) {
   const auto& [t, f] = row;
-  return {{"model", t.rung.model},
-          {"element", t.rung.element},
-          {"integrator", t.rung.integrator},
-          {"solver", t.rung.solver},
-          {"newton_iterations", t.rung.newton_iterations},
-          {"solver_iterations", t.rung.solver_iterations},
-          {"solver_tolerance", t.rung.solver_tolerance},
-          {"substeps", t.rung.substeps},
-          {"poisson_ratio", t.poisson_ratio},
-          {"cells", t.cells},
-          {"elements", f.elements},
-          {"settled_sag_m", f.settled_sag},
-          {"drift", f.drift},
-          {"iterations", f.iterations},
-          {"ms_per_frame", f.ms}};
+  Json out = rung_to_json(t.rung);
+  out.update(Json{{"poisson_ratio", t.poisson_ratio},
+                  {"cells", t.cells},
+                  {"elements", f.elements},
+                  {"settled_sag_m", f.settled_sag},
+                  {"drift", f.drift},
+                  {"iterations", f.iterations},
+                  {"ms_per_frame", f.ms}});
+  return out;
 }
 
 double positive(const Json& row, const char* key) {
@@ -63,14 +58,8 @@ double not_negative(const Json& row, const char* key) {
 
 void add_row(const Json& row, RungTable& table) {
   RungTrial trial;
-  row.at("model").get_to(trial.rung.model);
-  row.at("element").get_to(trial.rung.element);
-  row.at("integrator").get_to(trial.rung.integrator);
-  row.at("solver").get_to(trial.rung.solver);
-  row.at("newton_iterations").get_to(trial.rung.newton_iterations);
-  row.at("solver_iterations").get_to(trial.rung.solver_iterations);
-  trial.rung.solver_tolerance = positive(row, "solver_tolerance");
-  row.at("substeps").get_to(trial.rung.substeps);
+  trial.rung = rung_from_json(row);
+  positive(row, "solver_tolerance");
   trial.poisson_ratio = positive(row, "poisson_ratio");
   row.at("cells").get_to(trial.cells);
   RungFigures figures;

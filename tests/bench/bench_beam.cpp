@@ -30,17 +30,15 @@ constexpr Model models[] = {{"fem_corotational", 0.1704}, {"fem_neo_hookean_poly
 
 struct Solver {
   const char* element;
-  const char* name;
-  int newton, iterations;
-  double tolerance;
+  SolverEffort effort;
   std::uint32_t most_cells = 100;  // across: beyond, a frame takes seconds
 };
 constexpr Solver solver_rows[] = {
-    {"tet4", "cg", 1, 1000, 1e-3},          {"tet4", "cg", 3, 60, 1e-3},
-    {"tet4", "direct", 1, 60, 1e-3, 6},     {"tet4", "multigrid", 1, 60, 1e-3},
-    {"tet4", "multigrid", 1, 60, 1e-2},     {"tet4", "multigrid", 1, 60, 0.05},
-    {"tet10", "cg", 1, 1000, 1e-3, 4},      {"tet10", "multigrid", 1, 60, 1e-3, 4},
-    {"tet10", "multigrid", 1, 60, 1e-2, 4}, {"tet10", "multigrid", 1, 60, 0.05, 4}};
+    {"tet4", {"cg", 1, 1000, 1e-3}},          {"tet4", {"cg", 3, 60, 1e-3}},
+    {"tet4", {"direct", 1, 60, 1e-3}, 6},     {"tet4", {"multigrid", 1, 60, 1e-3}},
+    {"tet4", {"multigrid", 1, 60, 1e-2}},     {"tet4", {"multigrid", 1, 60, 0.05}},
+    {"tet10", {"cg", 1, 1000, 1e-3}, 4},      {"tet10", {"multigrid", 1, 60, 1e-3}, 4},
+    {"tet10", {"multigrid", 1, 60, 1e-2}, 4}, {"tet10", {"multigrid", 1, 60, 0.05}, 4}};
 
 Anatomy mesh(std::uint32_t n) {
   return kuhn_anatomy({4 * n, n, n}, size);
@@ -51,10 +49,7 @@ SoftDesc beam(const Model& model, const Solver& solver) {
   desc.name = "beam";
   desc.model = model.name;
   desc.element = solver.element;
-  desc.solver = solver.name;
-  desc.newton_iterations = solver.newton;
-  desc.solver_iterations = solver.iterations;
-  desc.solver_tolerance = solver.tolerance;
+  solver.effort.apply_to(desc);
   desc.youngs_modulus = 2e5;
   desc.poisson_ratio = 0.4;
   desc.density = 1000;
@@ -85,7 +80,7 @@ struct Converged {
 };
 
 Converged converge(const Model& model, const char* element, std::uint32_t n) {
-  SoftRun run(beam(model, {element, "multigrid", 30, 2000, 1e-8}), mesh(n));
+  SoftRun run(beam(model, {element, {"multigrid", 30, 2000, 1e-8}}), mesh(n));
   Converged result;
   for (int i = 0; i < moving_frames; ++i) {
     run.step(h, gravity);
@@ -96,8 +91,7 @@ Converged converge(const Model& model, const char* element, std::uint32_t n) {
   return result;
 }
 
-ReportRow measure(const Model& model, const Solver& solver, std::uint32_t n, unsigned threads,
-                  const Converged& converged) {
+ReportRow measure(const Model& model, const Solver& solver, std::uint32_t n, const Converged& converged) {
   SoftRun run(beam(model, solver), mesh(n));
   const VecX rest = run.state().motion.x;
   CostSummary moving, settled;
@@ -110,28 +104,15 @@ ReportRow measure(const Model& model, const Solver& solver, std::uint32_t n, uns
   run.settle(h, gravity, relaxation_frames);
   for (int i = 0; i < settled_frames; ++i) settled.add(run.step(h, gravity));
   const double sag = size[1] / 2 - tip_height(run.body(), run.state().motion.x);
-  return {{"model", model.name},
-          {"element", solver.element},
-          {"integrator", run.body().desc().integrator},
-          {"solver", solver.name},
-          {"newton_iterations", solver.newton},
-          {"solver_iterations", solver.iterations},
-          {"solver_tolerance", solver.tolerance},
-          {"tets", run.body().elements()},
-          {"nodes", run.body().nodes()},
-          {"dt", h},
-          {"threads", threads},
-          {"ms_per_frame", moving.median_ms()},
-          {"cpu_ms_per_frame", moving.cpu_ms()},
-          {"ms_per_frame_settled", settled.median_ms()},
-          {"newton_per_frame", moving.newton()},
-          {"iterations_per_frame", moving.iterations()},
-          {"residual", moving.worst_residual()},
-          {"sag_m", sag},
-          {"error_mesh", std::abs(sag / converged.sag - 1)},
-          {"error_continuum", std::abs(sag / model.continuum - 1)},
-          {"error_dynamic", std::sqrt(off / all)},
-          {"verdict", verdict_name(run.finite() ? Verdict::survives : Verdict::fails)}};
+  ReportRow row = settings(run.body(), h);
+  row.update(figures(moving));
+  row["ms_per_frame_settled"] = settled.median_ms();
+  row["sag_m"] = sag;
+  row["error_mesh"] = std::abs(sag / converged.sag - 1);
+  row["error_continuum"] = std::abs(sag / model.continuum - 1);
+  row["error_dynamic"] = std::sqrt(off / all);
+  row["verdict"] = verdict_name(run.finite() ? Verdict::survives : Verdict::fails);
+  return row;
 }
 
 }  // namespace
@@ -166,14 +147,14 @@ Report bench_beam(const BeamBenchOptions& options) {
     for (const std::uint32_t n : options.cells) {
       std::map<std::string, Converged> converged;  // by element
       for (const Solver& solver : solver_rows) {
-        if (!options.solver.empty() && options.solver != solver.name) continue;
+        if (!options.solver.empty() && options.solver != solver.effort.name) continue;
         if (n > solver.most_cells) continue;
         if (!options.element.empty() && options.element != solver.element) continue;
         if (!converged.contains(solver.element))
           converged[solver.element] = converge(model, solver.element, n);
         for (unsigned threads = 1; threads <= options.threads; ++threads) {
           const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-          report.add(measure(model, solver, n, threads, converged[solver.element]));
+          report.add(measure(model, solver, n, converged[solver.element]));
           table.print(report.rows().back());
         }
       }

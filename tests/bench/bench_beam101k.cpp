@@ -20,17 +20,12 @@ constexpr double h = 0.04;
 constexpr double ground = 2, ground_stiffness = 1e4;
 const Vec3 gravity(0, -9, 0), corner(0, 6, -2), size(19, 4, 4);
 
-struct Solver {
-  const char* name;
-  int newton, iterations;
-  double tolerance;
-};
-constexpr Solver reference = {"multigrid", 20, 2000, 1e-7};
-constexpr Solver solver_rows[] = {{"cg", 1, 10, 1e-6},
-                                  {"cg", 1, 200, 1e-3},
-                                  {"multigrid", 1, 60, 0.05},
-                                  {"multigrid", 1, 60, 1e-2},
-                                  {"multigrid", 2, 60, 0.1}};
+constexpr SolverEffort reference = {"multigrid", 20, 2000, 1e-7};
+constexpr SolverEffort solver_rows[] = {{"cg", 1, 10, 1e-6},
+                                        {"cg", 1, 200, 1e-3},
+                                        {"multigrid", 1, 60, 0.05},
+                                        {"multigrid", 1, 60, 1e-2},
+                                        {"multigrid", 2, 60, 0.1}};
 
 Anatomy mesh() {
   Anatomy anatomy = kuhn_anatomy({75, 15, 15}, size);
@@ -38,14 +33,11 @@ Anatomy mesh() {
   return anatomy;
 }
 
-SoftDesc beam(const Solver& solver) {
+SoftDesc beam(const SolverEffort& solver) {
   SoftDesc desc;
   desc.name = "beam101k";
   desc.model = "fem_corotational";
-  desc.solver = solver.name;
-  desc.newton_iterations = solver.newton;
-  desc.solver_iterations = solver.iterations;
-  desc.solver_tolerance = solver.tolerance;
+  solver.apply_to(desc);
   desc.youngs_modulus = 1000;
   desc.poisson_ratio = 0.3;
   desc.density = 50 / size.prod();
@@ -73,28 +65,22 @@ std::vector<Contact> ground_contacts(const VecX& x, const VecX& v) {
   for (Eigen::Index i = 0; i < x.size() / 3; ++i) {
     const double gap = x[3 * i + 1] - ground;
     if (gap > 2 * h * std::abs(v[3 * i + 1]) + 0.05) continue;
-    Contact c;
-    c.a.kind = ContactSide::Kind::soft;
-    c.a.nodes = 1;
-    c.a.node[0] = static_cast<std::uint32_t>(i);
-    c.a.weight[0] = 1;
-    c.point = x.segment<3>(3 * i);
-    c.gap = gap;
-    c.stiffness = ground_stiffness;
-    contacts.push_back(c);
+    contacts.push_back(node_contact(x, i, Vec3::UnitY(), gap, ground_stiffness));
   }
   return contacts;
 }
 
 struct Path {
+  ReportRow settings;
   std::vector<double> tip;  // m
   CostSummary cost;
   bool finite = true;
 };
 
-Path run(const Solver& solver, bool with_ground, int steps) {
+Path run(const SolverEffort& solver, bool with_ground, int steps) {
   SoftRun run(beam(solver), mesh());
   Path path;
+  path.settings = settings(run.body(), h);
   for (int i = 0; i < steps; ++i) {
     const Motion& motion = run.state().motion;
     path.cost.add(
@@ -139,33 +125,18 @@ Report bench_beam101k(const Beam101kBenchOptions& options) {
   Report report("beam101k");
   for (const bool with_ground : {false, true}) {
     const Path converged = run(reference, with_ground, options.steps);
-    for (const Solver& solver : solver_rows) {
+    for (const SolverEffort& solver : solver_rows) {
       if (!options.solver.empty() && options.solver != solver.name) continue;
       for (unsigned threads = 1; threads <= options.threads; ++threads) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         const Path path = run(solver, with_ground, options.steps);
-        const double ms = path.cost.median_ms();
-        report.add({{"model", "fem_corotational"},
-                    {"element", "tet4"},
-                    {"integrator", "implicit_euler"},
-                    {"solver", solver.name},
-                    {"newton_iterations", solver.newton},
-                    {"solver_iterations", solver.iterations},
-                    {"solver_tolerance", solver.tolerance},
-                    {"tets", 101250},
-                    {"nodes", 19456},
-                    {"dt", h},
-                    {"threads", threads},
-                    {"ground", with_ground ? 1 : 0},
-                    {"steps_per_s", 1e3 / ms},
-                    {"ms_per_frame", ms},
-                    {"cpu_ms_per_frame", path.cost.cpu_ms()},
-                    {"newton_per_frame", path.cost.newton()},
-                    {"iterations_per_frame", path.cost.iterations()},
-                    {"residual", path.cost.worst_residual()},
-                    {"error_mesh", path_error(path, converged)},
-                    {"tip_m", path.tip.back()},
-                    {"verdict", verdict_name(path.finite ? Verdict::survives : Verdict::fails)}});
+        ReportRow row = path.settings;
+        row["ground"] = with_ground ? 1 : 0;
+        row.update(figures(path.cost));
+        row["error_mesh"] = path_error(path, converged);
+        row["tip_m"] = path.tip.back();
+        row["verdict"] = verdict_name(path.finite ? Verdict::survives : Verdict::fails);
+        report.add(std::move(row));
         table.print(report.rows().back());
       }
     }

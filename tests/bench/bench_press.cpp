@@ -22,26 +22,18 @@ constexpr double stiff = 10;     // a contact's stiffness over E times a cell
 constexpr double margin = 0.01;  // m: nodes nearer than this are told to the solver
 const Vec3 gravity(0, -9.81, 0), size(0.16, 0.08, 0.12);
 
-struct Solver {
-  const char* name;
-  int newton, iterations;
-  double tolerance;
-};
-constexpr Solver reference = {"multigrid", 30, 2000, 1e-7};
-constexpr Solver solver_rows[] = {
+constexpr SolverEffort reference = {"multigrid", 30, 2000, 1e-7};
+constexpr SolverEffort solver_rows[] = {
     {"cg", 1, 20, 1e-3},        {"cg", 1, 60, 1e-3},        {"cg", 2, 60, 1e-3},
     {"cg", 3, 60, 1e-3},        {"multigrid", 1, 60, 1e-3}, {"multigrid", 2, 60, 0.1},
     {"multigrid", 2, 60, 1e-2}, {"multigrid", 2, 60, 1e-3}, {"multigrid", 3, 60, 1e-3},
 };
 
-SoftDesc organ(const Solver& solver, unsigned cells) {
+SoftDesc organ(const SolverEffort& solver, unsigned cells) {
   SoftDesc desc;
   desc.name = "organ";
   desc.model = "fem_corotational";
-  desc.solver = solver.name;
-  desc.newton_iterations = solver.newton;
-  desc.solver_iterations = solver.iterations;
-  desc.solver_tolerance = solver.tolerance;
+  solver.apply_to(desc);
   desc.youngs_modulus = 5000;
   desc.poisson_ratio = 0.4;
   desc.cell = size[1] / cells;
@@ -69,32 +61,26 @@ std::vector<Contact> ball_contacts(const SoftBody& body, const VecX& x, int step
     const Vec3 away = x.segment<3>(3 * i) - center;
     const double gap = away.norm() - radius;
     if (gap > margin || away.norm() == 0) continue;
-    Contact c;
-    c.a.kind = ContactSide::Kind::soft;
-    c.a.nodes = 1;
-    c.a.node[0] = static_cast<std::uint32_t>(i);
-    c.a.weight[0] = 1;
-    c.point = x.segment<3>(3 * i);
-    c.normal = away.normalized();
-    c.gap = gap;
-    c.stiffness = stiff * body.desc().youngs_modulus * body.desc().cell;
-    contacts.push_back(c);
+    contacts.push_back(
+        node_contact(x, i, away.normalized(), gap, stiff * body.desc().youngs_modulus * body.desc().cell));
   }
   return contacts;
 }
 
 struct Path {
+  ReportRow settings;
   std::vector<VecX> x;
   CostSummary cost;
-  std::size_t tets = 0, most_contacts = 0;
+  std::size_t most_contacts = 0;
   double deepest = 0;  // m: how far a node went down
   bool finite = true;
 };
 
-Path run(const Solver& solver, unsigned cells) {
+Path run(const SolverEffort& solver, unsigned cells) {
   SoftRun run(organ(solver, cells), block(cells));
   const VecX rest = run.state().motion.x;
   Path path;
+  path.settings = settings(run.body(), h);
   for (int step = 1; step <= all_steps; ++step) {
     std::vector<Contact> contacts = ball_contacts(run.body(), run.state().motion.x, step);
     path.most_contacts = std::max(path.most_contacts, contacts.size());
@@ -102,7 +88,6 @@ Path run(const Solver& solver, unsigned cells) {
     path.x.push_back(run.state().motion.x);
     path.deepest = std::max(path.deepest, (rest - path.x.back()).maxCoeff());
   }
-  path.tets = run.body().elements();
   path.finite = run.finite();
   return path;
 }
@@ -140,33 +125,18 @@ Report bench_press(const PressBenchOptions& options) {
   Report report("press");
   const VecX rest = SoftBody(organ(reference, options.cells), block(options.cells)).initial_state().motion.x;
   const Path converged = run(reference, options.cells);
-  for (const Solver& solver : solver_rows) {
+  for (const SolverEffort& solver : solver_rows) {
     if (!options.solver.empty() && options.solver != solver.name) continue;
     for (unsigned threads = 1; threads <= options.threads; ++threads) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
       const Path path = run(solver, options.cells);
-      const double ms = path.cost.median_ms();
-      report.add({{"model", "fem_corotational"},
-                  {"element", "tet4"},
-                  {"integrator", "implicit_euler"},
-                  {"solver", solver.name},
-                  {"newton_iterations", solver.newton},
-                  {"solver_iterations", solver.iterations},
-                  {"solver_tolerance", solver.tolerance},
-                  {"tets", path.tets},
-                  {"nodes", rest.size() / 3},
-                  {"dt", h},
-                  {"threads", threads},
-                  {"contacts_at_most", path.most_contacts},
-                  {"steps_per_s", 1e3 / ms},
-                  {"ms_per_frame", ms},
-                  {"cpu_ms_per_frame", path.cost.cpu_ms()},
-                  {"newton_per_frame", path.cost.newton()},
-                  {"iterations_per_frame", path.cost.iterations()},
-                  {"residual", path.cost.worst_residual()},
-                  {"error_mesh", path_error(path, converged, rest)},
-                  {"deepest_m", path.deepest},
-                  {"verdict", verdict_name(path.finite ? Verdict::survives : Verdict::fails)}});
+      ReportRow row = path.settings;
+      row["contacts_at_most"] = path.most_contacts;
+      row.update(figures(path.cost));
+      row["error_mesh"] = path_error(path, converged, rest);
+      row["deepest_m"] = path.deepest;
+      row["verdict"] = verdict_name(path.finite ? Verdict::survives : Verdict::fails);
+      report.add(std::move(row));
       table.print(report.rows().back());
     }
   }

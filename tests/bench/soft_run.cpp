@@ -1,5 +1,7 @@
 #include "tests/bench/soft_run.h"
 
+#include <tbb/global_control.h>
+
 #include <algorithm>
 
 #include "server/calibration/stopwatch.h"
@@ -41,6 +43,19 @@ double CostSummary::worst_residual() const {
   return worst;
 }
 
+ReportRow figures(const CostSummary& cost) {
+  return {{"steps_per_s", 1e3 / cost.median_ms()},     {"ms_per_frame", cost.median_ms()},
+          {"cpu_ms_per_frame", cost.cpu_ms()},         {"newton_per_frame", cost.newton()},
+          {"iterations_per_frame", cost.iterations()}, {"residual", cost.worst_residual()}};
+}
+
+void SolverEffort::apply_to(SoftDesc& desc) const {
+  desc.solver = name;
+  desc.newton_iterations = newton;
+  desc.solver_iterations = iterations;
+  desc.solver_tolerance = tolerance;
+}
+
 SoftRun::SoftRun(const SoftDesc& desc, const Anatomy& anatomy)
     : body_(desc, anatomy), state_(body_.initial_state()) {}
 
@@ -75,6 +90,34 @@ void SoftRun::settle(double h, const Vec3& gravity, int steps) {
     energy = now < energy ? 0 : now;
     if ((state_.motion.x - before).lpNorm<Eigen::Infinity>() < 1e-8) return;
   }
+}
+
+ReportRow settings(const SoftBody& body, double dt) {
+  const SoftDesc& desc = body.desc();
+  return {{"model", desc.model},
+          {"element", desc.element},
+          {"integrator", desc.integrator},
+          {"solver", desc.solver},
+          {"newton_iterations", desc.newton_iterations},
+          {"solver_iterations", desc.solver_iterations},
+          {"solver_tolerance", desc.solver_tolerance},
+          {"tets", body.elements()},
+          {"nodes", body.nodes()},
+          {"dt", dt},
+          {"threads", tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)}};
+}
+
+Contact node_contact(const VecX& x, Eigen::Index i, const Vec3& normal, double gap, double stiffness) {
+  Contact c;
+  c.a.kind = ContactSide::Kind::soft;
+  c.a.nodes = 1;
+  c.a.node[0] = static_cast<std::uint32_t>(i);
+  c.a.weight[0] = 1;
+  c.point = x.segment<3>(3 * i);
+  c.normal = normal;
+  c.gap = gap;
+  c.stiffness = stiffness;
+  return c;
 }
 
 AttachDesc clamp_at(double x0, const Vec3& center) {

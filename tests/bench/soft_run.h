@@ -2,6 +2,7 @@
 // One soft body stepped by the server's island solver, and what its steps cost.
 
 #include "server/physics/coupled/solve_island.h"
+#include "tests/bench/report.h"
 
 namespace prosector {
 
@@ -25,6 +26,17 @@ class CostSummary {
   std::vector<StepCost> costs_;
 };
 
+/// `steps_per_s` and what else a report says of steps.
+ReportRow figures(const CostSummary& cost);
+
+/// A linear solver, and how much it is given: 1 Newton iteration or more, so many of its own at most.
+struct SolverEffort {
+  const char* name;
+  int newton, iterations;
+  double tolerance;
+  void apply_to(SoftDesc& desc) const;
+};
+
 class SoftRun {
  public:
   SoftRun(const SoftDesc& desc, const Anatomy& anatomy);
@@ -44,6 +56,12 @@ class SoftRun {
   SoftBodyState state_;
   bool finite_ = true;
 };
+
+/// The body's rung, effort and size, and the threads that are allowed now, as columns of a report.
+ReportRow settings(const SoftBody& body, double dt);
+
+/// Of the i-th node, at `gap` m from something fixed. `stiffness` N/m.
+Contact node_contact(const VecX& x, Eigen::Index i, const Vec3& normal, double gap, double stiffness);
 
 /// A pin of all nodes at x = x0, the first of a box's faces.
 AttachDesc clamp_at(double x0, const Vec3& center);

@@ -10,6 +10,7 @@
 #include "common/anatomy/fabric.h"
 #include "common/error.h"
 #include "server/physics/soft/elastic_model.h"
+#include "server/physics/soft/linear_solver.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/substepper.h"
 #include "tests/soft/kuhn.h"
@@ -210,25 +211,49 @@ TEST_P(Rungs, ConserveMomentum) {
   }
 }
 
-TEST_P(Rungs, SameBitsForAnyNumberOfThreads) {
-  std::vector<SoftBodyState> results;
-  for (const std::size_t threads : {1u, 2u, 4u}) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    SoftDesc desc = describe(GetParam());
-    desc.solver = "cg";
-    SoftBody body(desc, GetParam().mesh == MeshKind::tets    ? kuhn_anatomy({4, 4, 4}, {0.1, 0.1, 0.1})
-                        : GetParam().mesh == MeshKind::sheet ? make_sheet({0.1, 0.005, 0.1}, 0.005)
-                                                             : make_rope({0.3, 0.01, 0}, 0.01));
-    SoftBodyState state = body.initial_state();
-    state.motion.v = 0.3 * random_vector(state.motion.x.size(), 6);
-    for (int i = 0; i < 2; ++i) tick(body, gravity, state);
-    results.push_back(state);
+/// The rung with each element that it takes, and each solver with one integrator: they don't know of each
+/// other.
+std::vector<SoftDesc> variants(const Rung& rung) {
+  const bool is_law = !rung.model.position_based && !rung.model.fabric;
+  const bool with_all_solvers = rung.integrator == SoftDesc{}.integrator && !rung.model.position_based;
+  std::vector<SoftDesc> out;
+  for (const char* element : {"tet4", "tet10"}) {
+    if (!is_law && element != SoftDesc{}.element) continue;
+    for (const SolverRow& solver : solvers()) {
+      if (!with_all_solvers && SoftDesc{}.solver != solver.name) continue;
+      out.push_back(describe(rung));
+      out.back().element = element;
+      out.back().solver = solver.name;
+    }
   }
-  for (const SoftBodyState& state : results) {
-    EXPECT_EQ(state.motion.x, results[0].motion.x);
-    EXPECT_EQ(state.motion.v, results[0].motion.v);
-    EXPECT_EQ(state.mode, results[0].mode);
-    EXPECT_EQ(state.omega, results[0].omega);
+  return out;
+}
+
+/// More nodes and elements than one thread takes at once.
+Anatomy large_anatomy(MeshKind mesh, const std::string& element) {
+  if (mesh == MeshKind::sheet) return make_sheet({0.1, 0.005, 0.1}, 0.005);
+  if (mesh == MeshKind::rope) return make_rope({0.3, 0.01, 0}, 0.01);
+  if (element == "tet10") return kuhn_anatomy({4, 3, 2}, {0.1, 0.075, 0.05});
+  return kuhn_anatomy({4, 4, 4}, {0.1, 0.1, 0.1});
+}
+
+TEST_P(Rungs, SameBitsForAnyNumberOfThreads) {
+  for (const SoftDesc& desc : variants(GetParam())) {
+    std::vector<SoftBodyState> results;
+    for (const std::size_t threads : {1u, 2u, 4u}) {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      SoftBody body(desc, large_anatomy(GetParam().mesh, desc.element));
+      SoftBodyState state = body.initial_state();
+      state.motion.v = 0.3 * random_vector(state.motion.x.size(), 6);
+      for (int i = 0; i < 2; ++i) tick(body, gravity, state);
+      results.push_back(state);
+    }
+    for (const SoftBodyState& state : results) {
+      EXPECT_EQ(state.motion.x, results[0].motion.x) << in_words(desc);
+      EXPECT_EQ(state.motion.v, results[0].motion.v) << in_words(desc);
+      EXPECT_EQ(state.mode, results[0].mode) << in_words(desc);
+      EXPECT_EQ(state.omega, results[0].omega) << in_words(desc);
+    }
   }
 }
 
