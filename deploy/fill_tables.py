@@ -96,7 +96,10 @@ def cheapest(rows, allowed):
 
 
 def goal_line(what, goal, peers, figure, rows, allowed, error):
+    """None where nothing of the kind was run."""
     pair = cheapest(rows, allowed)
+    if not rows:
+        return None
     if not pair:
         return [what, goal, peers, "nothing that was run", DASH, DASH, DASH]
     one, most = pair
@@ -135,7 +138,7 @@ def goals(reports):
     if not given:
         raise Missing(" or ".join(sections))
     return table(["What", "goal", "best peer, one thread", "by", "measured, with threads", "CPU ms a step", "error"],
-                 [line for section in given for line in section(reports)])
+                 [line for section in given for line in section(reports) if line])
 
 
 # Other codes' beams and the press, row by row.
