@@ -48,7 +48,9 @@ SoftDesc describe(const Rung& rung, const TestPiece& piece) {
 class RungSpecimen final : public Specimen {
  public:
   RungSpecimen(const Rung& rung, const TestPiece& piece)
-      : body_(describe(rung, piece), Anatomy{piece.mesh, {}, {}}), state_(body_.initial_state()) {
+      : body_(describe(rung, piece),
+              Anatomy{piece.mesh, {}, {}, piece.quads, piece.segments, piece.thickness}),
+        state_(body_.initial_state()) {
     state_.asleep = false;
     island_.soft.push_back({0, &body_, &state_});
   }
@@ -67,7 +69,7 @@ class RungSpecimen final : public Specimen {
   }
 
   StepFigures step(double dt, const Vec3& gravity) override {
-    const IslandReport report = step_island(island_, dt, gravity);
+    const IslandReport report = stepper_.step(island_, dt, gravity);
     SoftMember& member = island_.soft.front();
     StepFigures figures;
     figures.residual = report.residual;
@@ -97,6 +99,7 @@ class RungSpecimen final : public Specimen {
   SoftBody body_;
   SoftBodyState state_;
   Island island_;
+  IslandStepper stepper_;
 };
 
 }  // namespace

@@ -25,6 +25,11 @@ struct TestPiece {
   double stiffness_ratio = 1;
   /// The node at this place is held. (Only by our own rungs.)
   std::optional<Vec3> held_point;
+  /// On the mesh's nodes, instead of tetrahedra: a sheet's cells or a rope's pieces, see Anatomy. (Only by
+  /// our own rungs.)
+  std::vector<std::array<std::uint32_t, 4>> quads = {};
+  std::vector<std::array<std::uint32_t, 2>> segments = {};
+  double thickness = 0;  // m, of a sheet; diameter of a rope
 };
 
 /// What one step says of itself.

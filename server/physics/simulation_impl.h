@@ -32,6 +32,7 @@ struct Simulation::Impl {
   std::vector<Collider> colliders;                  // by slot
   std::vector<RigidMotion> last_good;               // by slot, at the tick's start
   std::vector<Island> islands;
+  IslandStepper stepper;
   std::vector<HandState> hand_states;
   StepReport report;
   tbb::task_arena arena;

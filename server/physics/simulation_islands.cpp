@@ -141,7 +141,7 @@ void Simulation::Impl::solve_islands() {
   for (std::size_t slot = 0; slot < world.slots(); ++slot)
     if (world.used(slot)) last_good[slot] = world.motion(slot);
   for (Island& island : islands) {
-    const IslandReport solved = step_island(island, model.h, model.scene.gravity);
+    const IslandReport solved = stepper.step(island, model.h, model.scene.gravity);
     for (const RigidMember& r : island.rigid)
       if (solved.finite) world.set_velocity(r.slot, r.twist.head<3>() / model.h, r.twist.tail<3>() / model.h);
     for (const SoftMember& s : island.soft) {

@@ -16,8 +16,9 @@
 namespace prosector {
 namespace {
 
-ReportRow to_row(const Rung& rung, const Extreme& extreme, const StabilityResult& result) {
-  ReportRow row = settings(rung);
+ReportRow to_row(const StabilityRung& rung, const Extreme& extreme, const StabilityResult& result) {
+  ReportRow row = settings(rung.rung);
+  if (is_fabric(rung.mesh)) row["element"] = mesh_name(rung.mesh);
   row["threads"] = 1;
   row["tets"] = result.tets;
   row["nodes"] = result.nodes;
@@ -76,13 +77,18 @@ Report bench_stability(const StabilityBenchOptions& options) {
       "s survives, d degrades and says so, r refuses, F fails, . not run to the end; ' missed its frames\n");
   for (std::size_t i = 0; i < map.extremes.size(); ++i) fmt::print("{:>3} {}\n", i + 1, map.extremes[i]);
   std::string remarks;
-  for (const Rung& rung : stability_rungs(options.model)) {
+  for (const StabilityRung& rung : stability_rungs(options.model)) {
     map.rungs.push_back(row_name(rung));
     map.cells.emplace_back();
     fmt::print("{:<60}", row_name(rung));
     for (const Extreme& extreme : chosen) {
       StabilityResult result;
-      if (rung.solver == "direct" && !extreme.for_direct) {
+      if (!extreme.is_for(rung.mesh)) {
+        fmt::print("   ");
+        map.cells.back().emplace_back();
+        continue;
+      }
+      if (rung.rung.solver == "direct" && !extreme.for_direct) {
         result.reason = "not run: its factorisation takes minutes";
       } else {
         result = run_extreme(rung, extreme, options.limit_ms);

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "common/error.h"
 #include "server/calibration/stopwatch.h"
+#include "server/physics/soft/time_integrator.h"
 #include "tests/bench/text_table.h"
 
 namespace prosector {
@@ -17,16 +19,18 @@ constexpr double near_enough = 1e-3;       // m
 constexpr double energy_allowance = 0.01;  // of the largest energy there was
 constexpr double least_energy = 1e-9;      // J: below it nothing is measured but rounding
 constexpr int steps_between_looks = 10;    // at the shape
-constexpr double still_speed = 1e-4;       // m/s, of the fastest node
+constexpr double still_speed = 1e-4;       // m/s
 constexpr double still_seconds = 0.5;
 
 class StabilityRun {
  public:
-  StabilityRun(const Rung& rung, const Extreme& extreme, double limit_ms)
+  StabilityRun(const StabilityRung& rung, const Extreme& extreme, double limit_ms)
       : extreme_(extreme),
-        piece_(extreme.piece()),
+        piece_(extreme.piece(rung.mesh)),
         limit_ms_(limit_ms),
-        specimen_(make_specimen(rung, piece_)) {
+        specimen_(make_specimen(rung.rung, piece_)),
+        turns_(rung.rung.model != "fem_linear"),
+        substepped_(is_substepped(rung.rung)) {
     result_.tets = specimen_->elements();
     result_.nodes = static_cast<std::size_t>(specimen_->node_mass().size());
     rest_ = specimen_->rest();
@@ -36,8 +40,8 @@ class StabilityRun {
   }
 
   StabilityResult run() {
-    const bool whole = phase(extreme_.load_s, extreme_.load) && phase(extreme_.release_s, Vec3::Zero());
-    result_.shape_error = shape_error(rest_, specimen_->positions(), specimen_->node_mass());
+    const bool whole = phase(extreme_.load_s, load()) && phase(extreme_.release_s, Vec3::Zero());
+    result_.shape_error = off();
     if (!steps_ms_.empty()) {
       const double steps_a_frame = std::max(1.0, frame / extreme_.dt);
       result_.ms_per_frame = median(steps_ms_) * steps_a_frame;
@@ -49,6 +53,15 @@ class StabilityRun {
   }
 
  private:
+  double off() const {
+    return misfit(piece_, rest_, specimen_->positions(), specimen_->node_mass(), extreme_.release_s);
+  }
+
+  Vec3 load() const {
+    if (extreme_.force == 0) return extreme_.load;
+    return extreme_.force / specimen_->node_mass().sum() * extreme_.load.normalized();
+  }
+
   /// False: not finite, or out of time.
   bool phase(double seconds, const Vec3& gravity) {
     if (seconds <= 0) return true;
@@ -71,7 +84,7 @@ class StabilityRun {
       const double excess = (total_energy(pull) - start) / largest;
       if (std::isfinite(excess)) result_.energy_excess = std::max(result_.energy_excess, excess);
       if (gravity.isZero() && result_.back_after_s < 0 && (i % steps_between_looks == 0 || i == steps) &&
-          shape_error(rest_, specimen_->positions(), specimen_->node_mass()) < near_enough)
+          off() < near_enough)
         result_.back_after_s = i * extreme_.dt;
       if (spent_ms_ > limit_ms_ && i < steps) return false;
       if (gravity.isZero() && settled(extreme_.dt)) return true;
@@ -79,12 +92,42 @@ class StabilityRun {
     return true;
   }
 
-  /// Whether it has moved, is back and has been still for so long that nothing more will happen.
+  /// Whether it is back and has kept its shape for so long that nothing more will happen, however it drifts
+  /// and spins, unless its law is for small rotations. A body at rest is watched to the end under methods
+  /// that may grow out of rounding.
   bool settled(double dt) {
-    const bool still = moved_ && result_.back_after_s >= 0 && !recovering_ &&
-                       specimen_->velocities().lpNorm<Eigen::Infinity>() < still_speed;
+    const bool still = (moved_ || !substepped_) && result_.back_after_s >= 0 && !recovering_ &&
+                       deforming_speed() < still_speed;
     still_for_ = still ? still_for_ + dt : 0;
     return still_for_ > still_seconds;
+  }
+
+  static bool is_substepped(const Rung& rung) {
+    return rung.is_position_based() ||
+           std::none_of(integrators().begin(), integrators().end(),
+                        [&](const IntegratorRow& row) { return row.name == rung.integrator; });
+  }
+
+  /// m/s, of the node that is fastest beside the body's motion as a whole.
+  double deforming_speed() const {
+    const VecX x = specimen_->positions(), &mass = specimen_->node_mass();
+    VecX v = specimen_->velocities();
+    if (turns_) {
+      const Vec3 center = mass_center(*specimen_), drift = momentum(*specimen_) / mass.sum();
+      Vec3 spin = Vec3::Zero();
+      Mat3 inertia = Mat3::Zero();
+      for (Eigen::Index i = 0; i < mass.size(); ++i) {
+        const Vec3 arm = x.segment<3>(3 * i) - center;
+        v.segment<3>(3 * i) -= drift;
+        spin += mass[i] * arm.cross(Vec3(v.segment<3>(3 * i)));
+        inertia += mass[i] * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+      }
+      const Vec3 omega =
+          inertia.completeOrthogonalDecomposition().solve(spin);  // of a straight rope: singular
+      for (Eigen::Index i = 0; i < mass.size(); ++i)
+        v.segment<3>(3 * i) -= omega.cross(Vec3(x.segment<3>(3 * i) - center));
+    }
+    return v.lpNorm<Eigen::Infinity>();
   }
 
   StepFigures step(const Vec3& gravity) {
@@ -146,6 +189,8 @@ class StabilityRun {
   TestPiece piece_;
   double limit_ms_, spent_ms_ = 0;
   std::unique_ptr<Specimen> specimen_;
+  bool turns_;       // its law
+  bool substepped_;  // its method
   VecX rest_;
   std::vector<double> steps_ms_;
   bool went_ = true, last_converged_ = true, recovering_ = false, switched_ = false, moved_ = false;
@@ -155,7 +200,7 @@ class StabilityRun {
 
 }  // namespace
 
-StabilityResult run_extreme(const Rung& rung, const Extreme& extreme, double limit_ms) {
+StabilityResult run_extreme(const StabilityRung& rung, const Extreme& extreme, double limit_ms) {
   try {
     return StabilityRun(rung, extreme, limit_ms).run();
   } catch (const InputError& error) {

@@ -11,50 +11,70 @@
 namespace prosector {
 namespace {
 
-void add_solvers(const std::string& model, std::vector<Rung>& rungs) {
+void add_solvers(const std::string& model, std::vector<StabilityRung>& rungs) {
   const SoftDesc scene;
   if (model != scene.model) return;
   for (const std::string& solver : solver_names())
-    if (solver != scene.solver) rungs.push_back({model, scene.integrator, solver});
+    if (solver != scene.solver) rungs.push_back({{model, scene.integrator, solver}});
 }
 
-void add_quadratic(const std::string& model, std::vector<Rung>& rungs) {
+void add_quadratic(const std::string& model, std::vector<StabilityRung>& rungs) {
   const bool law =
       std::any_of(laws().begin(), laws().end(), [&](const LawRow& row) { return row.name == model; });
   if (!law) return;
   for (const IntegratorRow& integrator : integrators())
-    rungs.push_back({model, integrator.name, SoftDesc{}.solver, "tet10"});
+    rungs.push_back({{model, integrator.name, SoftDesc{}.solver, "tet10"}, PieceMesh::few_tets});
 }
 
 /// What a scene in need of speed may ask for: a solve that stops early as a rule.
-void add_budgeted(const std::string& model, std::vector<Rung>& rungs) {
+void add_budgeted(const std::string& model, std::vector<StabilityRung>& rungs) {
   if (model != "fem_corotational" && model != "fem_neo_hookean" && model != "fem_fibers") return;
   Rung rung{model, "implicit_euler", "cg"};
   rung.newton_iterations = 1;
   rung.solver_iterations = 20;
-  rungs.push_back(rung);
+  rungs.push_back({rung});
+}
+
+void add_fabrics(const ModelRow& model, std::vector<StabilityRung>& rungs) {
+  if (!model.fabric) return;
+  for (const PieceMesh mesh : {PieceMesh::sheet, PieceMesh::rope})
+    for (const std::string& integrator : integrators_for(model))
+      rungs.push_back({{model.name, integrator, SoftDesc{}.solver}, mesh});
 }
 
 }  // namespace
 
-std::vector<Rung> stability_rungs(const std::string& only_model) {
-  std::vector<Rung> rungs;
+std::vector<StabilityRung> stability_rungs(const std::string& only_model) {
+  std::vector<StabilityRung> rungs;
   for (const ModelRow& model : models()) {
     if (!only_model.empty() && model.name != only_model) continue;
     for (const std::string& integrator : integrators_for(model))
-      rungs.push_back({model.name, integrator, SoftDesc{}.solver});
+      rungs.push_back({{model.name, integrator, SoftDesc{}.solver}});
     add_solvers(model.name, rungs);
     add_quadratic(model.name, rungs);
     add_budgeted(model.name, rungs);
+    add_fabrics(model, rungs);
   }
   return rungs;
 }
 
-std::string row_name(const Rung& rung) {
+bool is_fabric(PieceMesh mesh) {
+  return mesh == PieceMesh::sheet || mesh == PieceMesh::rope;
+}
+
+const char* mesh_name(PieceMesh mesh) {
+  return mesh == PieceMesh::sheet ? "sheet" : mesh == PieceMesh::rope ? "rope" : "tets";
+}
+
+std::string row_name(const StabilityRung& row) {
+  const Rung& rung = row.rung;
+  std::string name = rung.name();
+  if (is_fabric(row.mesh))  // has no element
+    name.replace(name.find(rung.element), rung.element.size(), mesh_name(row.mesh));
   if (rung.newton_iterations == SoftDesc{}.newton_iterations &&
       rung.solver_iterations == SoftDesc{}.solver_iterations)
-    return rung.name();
-  return fmt::format("{}, {} × {}", rung.name(), rung.newton_iterations, rung.solver_iterations);
+    return name;
+  return fmt::format("{}, {} × {}", name, rung.newton_iterations, rung.solver_iterations);
 }
 
 }  // namespace prosector

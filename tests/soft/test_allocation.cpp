@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "server/physics/coupled/impulse_coupling.h"
+#include "server/physics/soft/explicit_integrators.h"
+#include "server/physics/soft/rungs.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/print_rows.h"
 #include "tests/soft/stepper.h"
@@ -71,11 +74,11 @@ class FixedStep {
   double energy_ = 0;
 };
 
-class Allocation : public testing::TestWithParam<LawRow> {};
-INSTANTIATE_TEST_SUITE_P(Table, Allocation, testing::ValuesIn(laws()),
+class LawAllocation : public testing::TestWithParam<LawRow> {};
+INSTANTIATE_TEST_SUITE_P(Table, LawAllocation, testing::ValuesIn(laws()),
                          [](const auto& row) { return std::string(row.param.name); });
 
-TEST_P(Allocation, NoneWithinAStep) {
+TEST_P(LawAllocation, NoneWithinAStep) {
 #ifndef PROSECTOR_COUNTS_ALLOCATIONS
   GTEST_SKIP() << "malloc is not ours to count here";
 #endif
@@ -97,6 +100,71 @@ TEST_P(Allocation, NoneWithinAStep) {
       EXPECT_EQ(allocations - start, 0) << integrator.name << " " << solver;
       EXPECT_TRUE(std::isfinite(step.energy()));
     }
+  }
+}
+
+/// A cube that a rigid body presses and a hand's tie holds, taken through ticks in substeps.
+class PressedCube {
+ public:
+  explicit PressedCube(const SoftDesc& desc)
+      : body_(desc, kuhn_anatomy({2, 2, 2}, Vec3(0.1, 0.1, 0.1))), state_(body_.initial_state()) {
+    island_.soft.push_back({0, &body_, &state_});
+    RigidMember ball;
+    ball.mass = 0.1;
+    ball.inertia.setIdentity();
+    ball.inertia *= 1e-4;
+    ball.predicted.setZero();
+    island_.rigid.push_back(ball);
+    Contact contact;
+    contact.a = {ContactSide::Kind::rigid, 0};
+    contact.b = {ContactSide::Kind::soft, 0, 1, {26}, {1}};
+    contact.gap = -1e-4;
+    contact.friction = 0.3;
+    island_.contacts.push_back(contact);
+    Tie tie;
+    tie.a = {ContactSide::Kind::rigid, 0};
+    tie.b = {ContactSide::Kind::soft, 0, 1, {0}, {1}};
+    tie.stiffness = 10;
+    tie.max_force = 1;
+    island_.ties.push_back(tie);
+    start_ = {state_};
+  }
+
+  void tick() {
+    start_.front() = state_;
+    island_.rigid.front().twist << 0, -1e-3, 0, 0, 0, 0;
+    coupling_.run(island_, {start_, substepped_, joints_, joints_, 100, 1. / 60, Vec3(0, -9.81, 0)}, work_);
+  }
+  double work() const { return work_[0]; }
+  const VecX& positions() const { return state_.motion.x; }
+
+ private:
+  SoftBody body_;
+  SoftBodyState state_;
+  Island island_;
+  ImpulseCoupling coupling_;
+  std::vector<SoftBodyState> start_;
+  const std::vector<char> substepped_ = {1};
+  const std::vector<std::size_t> joints_ = {0};  // of contacts, and of ties
+  std::vector<double> work_ = {0};
+};
+
+TEST(Allocation, NoneInTicksCoupledByImpulses) {
+#ifndef PROSECTOR_COUNTS_ALLOCATIONS
+  GTEST_SKIP() << "malloc is not ours to count here";
+#endif
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  std::vector<SoftDesc> bodies(1);
+  bodies.front().model = "xpbd";
+  for (const ExplicitRow& row : explicit_integrators()) bodies.emplace_back().integrator = row.name;
+  for (const SoftDesc& desc : bodies) {
+    PressedCube cube(desc);
+    for (int i = 0; i < 3; ++i) cube.tick();
+    const long start = allocations;
+    for (int i = 0; i < 5; ++i) cube.tick();
+    EXPECT_EQ(allocations - start, 0) << desc.model << " " << desc.integrator;
+    EXPECT_NE(cube.work(), 0) << "they touch";
+    EXPECT_TRUE(cube.positions().allFinite());
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <vector>
 
 #include "server/physics/soft/substepper.h"
 
@@ -34,39 +35,54 @@ Mat3 cross_matrix(const Vec3& v) {
   return m;
 }
 
+struct Joint {
+  Side a, b;
+  double gap = 0;               // m, contacts: when the substep starts
+  double normal = 0;            // N·s, of the substep
+  Vec3 impulse = Vec3::Zero();  // N·s, of the substep: contacts: friction; ties: all
+};
+
+/// What is kept from tick to tick.
+struct Buffers {
+  std::vector<Rigid> rigid;
+  std::vector<Joint> contacts, ties;
+};
+
 class Coupling {
  public:
-  /// `before`: node positions of each soft member at the tick's start.
-  Coupling(Island& island, std::span<const VecX> before, std::span<const char> substepped,
-           std::span<const std::size_t> contacts, std::span<const std::size_t> ties, double h,
-           std::span<double> work)
+  Coupling(Island& island, const SubstepTick& tick, std::span<double> work, Buffers& buffers)
       : island_(island),
+        tick_(tick),
         work_(work),
-        before_(before),
-        substepped_(substepped),
-        contact_index_(contacts),
-        tie_index_(ties),
-        h_(h) {
+        rigid_(buffers.rigid),
+        contacts_(buffers.contacts),
+        ties_(buffers.ties) {
+    rigid_.clear();
     rigid_.reserve(island.rigid.size());  // sides point into it
     for (const RigidMember& m : island.rigid) add_rigid(m);
-    for (const std::size_t c : contacts)
-      contacts_.push_back({resolve(island.contacts[c].a), resolve(island.contacts[c].b)});
-    for (const std::size_t t : ties) ties_.push_back({resolve(island.ties[t].a), resolve(island.ties[t].b)});
-    for (const std::size_t c : contacts) island.contacts[c].force = 0;
+    contacts_.clear();
+    for (const std::size_t c : tick.contacts) {
+      Contact& contact = island.contacts[c];
+      contacts_.push_back({resolve(contact.a), resolve(contact.b)});
+      contact.force = 0;
+    }
+    ties_.clear();
+    for (const std::size_t t : tick.ties)
+      ties_.push_back({resolve(island.ties[t].a), resolve(island.ties[t].b)});
   }
 
-  void run(int substeps, const Vec3& gravity) {
-    const double hs = h_ / substeps;
+  void run() {
+    const double hs = tick_.h / tick_.substeps;
     for (std::size_t m = 0; m < island_.soft.size(); ++m)
-      if (substepped_[m]) island_.soft[m].body->substepper()->begin(*island_.soft[m].state);
-    for (int k = 0; k < substeps; ++k) {
-      passed_ = static_cast<double>(k + 1) / substeps;
+      if (tick_.substepped[m]) island_.soft[m].body->substepper()->begin(*island_.soft[m].state);
+    for (int k = 0; k < tick_.substeps; ++k) {
+      passed_ = static_cast<double>(k + 1) / tick_.substeps;
       for (std::size_t c = 0; c < contacts_.size(); ++c) contacts_[c].gap = gap(c, 0);
       for (std::size_t m = 0; m < island_.soft.size(); ++m) {
         SoftMember& member = island_.soft[m];
         const bool falls = member.body->desc().gravity;
-        if (substepped_[m])
-          member.body->substepper()->step(hs, falls ? gravity : Vec3::Zero(), *member.state);
+        if (tick_.substepped[m])
+          member.body->substepper()->step(hs, falls ? tick_.gravity : Vec3::Zero(), *member.state);
       }
       exchange(hs);
       for (Rigid& r : rigid_) {
@@ -75,23 +91,16 @@ class Coupling {
       }
     }
     for (std::size_t m = 0; m < rigid_.size(); ++m)
-      island_.rigid[m].twist << h_ * rigid_[m].v, h_ * rigid_[m].w;
+      island_.rigid[m].twist << tick_.h * rigid_[m].v, tick_.h * rigid_[m].w;
   }
 
  private:
-  struct Joint {
-    Side a, b;
-    double gap = 0;               // m, contacts: when the substep starts
-    double normal = 0;            // N·s, of the substep
-    Vec3 impulse = Vec3::Zero();  // N·s, of the substep: contacts: friction; ties: all
-  };
-
   void add_rigid(const RigidMember& m) {
     Rigid& r = rigid_.emplace_back();
-    r.v = m.twist.head<3>() / h_;
-    r.w = m.twist.tail<3>() / h_;
-    const double pulled = m.pull ? m.pull->stiffness * h_ * h_ : 0;
-    const double turned = m.pull ? m.pull->angular_stiffness * h_ * h_ : 0;
+    r.v = m.twist.head<3>() / tick_.h;
+    r.w = m.twist.tail<3>() / tick_.h;
+    const double pulled = m.pull ? m.pull->stiffness * tick_.h * tick_.h : 0;
+    const double turned = m.pull ? m.pull->angular_stiffness * tick_.h * tick_.h : 0;
     r.inverse_mass = 1 / (m.mass + pulled);
     r.inverse_inertia = (m.inertia + turned * Mat3::Identity()).inverse();
   }
@@ -105,7 +114,7 @@ class Coupling {
       double sum = 0;
       for (std::size_t k = 0; k < side.nodes; ++k) {
         const auto node = static_cast<Eigen::Index>(side.node[k]);
-        out.start += side.weight[k] * before_[out.member].segment<3>(3 * node);
+        out.start += side.weight[k] * tick_.start[out.member].motion.x.segment<3>(3 * node);
         sum += side.weight[k] * side.weight[k] / out.soft->body->node_mass()[node];
       }
       out.mobility = sum * Mat3::Identity();
@@ -136,7 +145,7 @@ class Coupling {
   Vec3 displacement(const Side& side, double ahead) const {
     if (side.soft) {
       const Vec3 u = weighted(side, side.soft->state->motion.x) - side.start;
-      return substepped_[side.member] ? u : Vec3(passed_ * u);
+      return tick_.substepped[side.member] ? u : Vec3(passed_ * u);
     }
     if (!side.rigid) return Vec3::Zero();
     const Rigid& r = *side.rigid;
@@ -144,7 +153,7 @@ class Coupling {
   }
 
   double gap(std::size_t c, double ahead) const {
-    const Contact& contact = island_.contacts[contact_index_[c]];
+    const Contact& contact = island_.contacts[tick_.contacts[c]];
     return contact.gap +
            contact.normal.dot(displacement(contacts_[c].a, ahead) - displacement(contacts_[c].b, ahead));
   }
@@ -179,11 +188,11 @@ class Coupling {
         joint.impulse.setZero();
       }
     for (int sweep = 0; sweep < sweeps; ++sweep) {
-      for (std::size_t t = 0; t < ties_.size(); ++t) pull(ties_[t], island_.ties[tie_index_[t]], hs);
+      for (std::size_t t = 0; t < ties_.size(); ++t) pull(ties_[t], island_.ties[tick_.ties[t]], hs);
       for (std::size_t c = 0; c < contacts_.size(); ++c) press(c, hs);
     }
     for (std::size_t c = 0; c < contacts_.size(); ++c)
-      island_.contacts[contact_index_[c]].force += contacts_[c].normal / h_;
+      island_.contacts[tick_.contacts[c]].force += contacts_[c].normal / tick_.h;
   }
 
   /// The tie's spring over the substep, as implicit Euler would have it, bounded.
@@ -199,7 +208,7 @@ class Coupling {
 
   void press(std::size_t c, double hs) {
     Joint& joint = contacts_[c];
-    const Contact& contact = island_.contacts[contact_index_[c]];
+    const Contact& contact = island_.contacts[tick_.contacts[c]];
     const Mat3 mobility = joint.a.mobility + joint.b.mobility;
     const double along = contact.normal.dot(mobility * contact.normal);
     if (!(along > 0)) return;
@@ -225,22 +234,26 @@ class Coupling {
   }
 
   Island& island_;
+  const SubstepTick& tick_;
   std::span<double> work_;
-  std::span<const VecX> before_;
-  std::span<const char> substepped_;
-  std::span<const std::size_t> contact_index_, tie_index_;
-  double h_, passed_ = 0;  // s; share of the tick when the substep ends
-  std::vector<Rigid> rigid_;
-  std::vector<Joint> contacts_, ties_;
+  double passed_ = 0;  // share of the tick when the substep ends
+  std::vector<Rigid>& rigid_;
+  std::vector<Joint>&contacts_, &ties_;
 };
 
 }  // namespace
 
-void couple_by_impulses(Island& island, std::span<const VecX> before, std::span<const char> substepped,
-                        std::span<const std::size_t> contacts, std::span<const std::size_t> ties,
-                        int substeps, double h, const Vec3& gravity, std::span<double> work) {
+struct ImpulseCoupling::Impl {
+  Buffers buffers;
+};
+
+ImpulseCoupling::ImpulseCoupling() : impl_(std::make_unique<Impl>()) {}
+ImpulseCoupling::~ImpulseCoupling() = default;
+ImpulseCoupling::ImpulseCoupling(ImpulseCoupling&&) noexcept = default;
+
+void ImpulseCoupling::run(Island& island, const SubstepTick& tick, std::span<double> work) {
   std::fill(work.begin(), work.end(), 0.0);
-  Coupling(island, before, substepped, contacts, ties, h, work).run(substeps, gravity);
+  Coupling(island, tick, work, impl_->buffers).run();
 }
 
 }  // namespace prosector

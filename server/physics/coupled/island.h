@@ -22,9 +22,9 @@ struct SoftMember {
   SoftBody* body = nullptr;
   SoftBodyState* state = nullptr;
   // Results besides the state:
-  int substeps = 0;      // that it took by itself; 0: it was minimised
-  bool refused = false;  // its own method needs more substeps than are allowed, or did not hold in this tick:
-                         // stepped by implicit Euler
+  int substeps = 0;       // that it took by itself; 0: it was minimised
+  bool refused = false;   // its own method has a limit and needs more substeps than are allowed, or did not
+                          // hold in this tick: stepped by implicit Euler
   bool degraded = false;  // not stepped as its description says, for that reason or another
   bool guarded = false;   // gained energy, or did not descend: this tick was taken again (energy_guard.h)
   bool limited = false;   // nodes were too fast for any step (energy_guard.h)

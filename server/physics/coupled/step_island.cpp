@@ -15,7 +15,7 @@
 namespace prosector {
 namespace {
 
-constexpr double least_power = 6e-5;  // W: less is nobody's concern
+constexpr double least_power = 6e-5;  // W, of a body of 1 kg or more: less is nobody's concern
 constexpr int tries = 2;              // by substeps, before a body that got too stiff is minimised
 
 bool good(const SoftBodyState& state) {
@@ -23,14 +23,35 @@ bool good(const SoftBodyState& state) {
          state.motion.x.lpNorm<Eigen::Infinity>() < max_coordinate;
 }
 
+/// What ticks work in. By soft member unless said otherwise.
+struct TickBuffers {
+  std::vector<SoftBodyState> start;
+  std::vector<double> energy, work;  // J: at the start; by impulses
+  std::vector<char> substepped, minimised_always;
+  std::vector<std::size_t> contacts, ties;         // indices: of substepped bodies
+  Island rest;                                     // everything but those and what touches them
+  std::vector<std::size_t> contact_of, member_of;  // of `rest`: indices in the island
+  ImpulseCoupling coupling;
+};
+
 /// One attempt at the tick, with who is substepped decided.
 class Tick {
  public:
-  Tick(Island& island, double h, const Vec3& gravity) : island_(island), h_(h), gravity_(gravity) {
-    for (const SoftMember& m : island.soft) {
-      start_.push_back(*m.state);
-      before_.push_back(m.state->motion.x);
-      energy_.push_back(m.body->substepper() ? energy(m) : 0);
+  Tick(Island& island, double h, const Vec3& gravity, TickBuffers& buffers)
+      : island_(island),
+        h_(h),
+        gravity_(gravity),
+        start_(buffers.start),
+        energy_(buffers.energy),
+        work_(buffers.work),
+        substepped_(buffers.substepped),
+        minimised_always_(buffers.minimised_always),
+        buffers_(buffers) {
+    start_.resize(island.soft.size());
+    energy_.clear();
+    for (std::size_t m = 0; m < island.soft.size(); ++m) {
+      start_[m] = *island.soft[m].state;
+      energy_.push_back(island.soft[m].body->substepper() ? energy(island.soft[m]) : 0);
     }
     work_.assign(island.soft.size(), 0);
     minimised_always_.assign(island.soft.size(), 0);
@@ -57,12 +78,12 @@ class Tick {
     double fallen = 0;
     if (member.body->desc().gravity)
       for (Eigen::Index i = 0; i < member.body->nodes(); ++i)
-        fallen +=
-            member.body->node_mass()[i] * gravity_.dot(x.segment<3>(3 * i) - before_[m].segment<3>(3 * i));
+        fallen += member.body->node_mass()[i] *
+                  gravity_.dot(x.segment<3>(3 * i) - start_[m].motion.x.segment<3>(3 * i));
     const double gain = member.body->substepper()->most_gain(h_);
     const double explained = gain * (energy_[m] + std::max(0.0, fallen)) +
                              member.body->substepper()->most_pushed(h_) * std::max(0.0, work_[m]);
-    return energy(member) <= explained + least_power * h_;
+    return energy(member) <= explained + least_power * std::min(1.0, member.body->total_mass()) * h_;
   }
 
   void decide() {
@@ -83,24 +104,29 @@ class Tick {
     for (std::size_t m = 0; m < island_.soft.size(); ++m) {
       if (!substepped_[m]) continue;
       island_.soft[m].substeps = substeps_;
-      island_.soft[m].note =
-          fmt::format("{} substeps of {:.3g} ms, coupled by impulses", substeps_, 1e3 * h_ / substeps_);
+      island_.soft[m].note = fmt::format("{} substeps of {:.3g} ms, coupled by impulses{}", substeps_,
+                                         1e3 * h_ / substeps_, island_.soft[m].body->substepper()->remark());
     }
   }
 
   void refuse(SoftMember& member, double needed) const {
     const SoftDesc& desc = member.body->desc();
+    const Substepper& own = *member.body->substepper();
+    const std::string& method = desc.model == "xpbd" ? desc.model : desc.integrator;
     member.degraded = true;
-    member.refused = true;
-    member.note =
-        needed <= member.body->substepper()->allowed()
-            ? fmt::format("{} did not hold in this tick: stepped by implicit_euler",
-                          desc.model == "xpbd" ? desc.model : desc.integrator)
-        : std::isfinite(needed)
-            ? fmt::format("{} needs {:.0f} substeps of {:.3g} ms, {} are allowed: stepped by implicit_euler",
-                          desc.integrator, needed, 1e3 * h_ / needed, desc.max_substeps)
-            : fmt::format("{} grows at every step without more damping: stepped by implicit_euler",
-                          desc.integrator);
+    member.refused = own.has_limit();
+    if (needed <= own.allowed())
+      member.note = fmt::format("{} did not hold in this tick: stepped by implicit_euler", method);
+    else if (!own.has_limit())
+      member.note = fmt::format("{} gains energy in as many as {} substeps: stepped by implicit_euler{}",
+                                method, own.allowed(), own.remark());
+    else if (std::isfinite(needed))
+      member.note =
+          fmt::format("{} needs {:.0f} substeps of {:.3g} ms, {} are allowed: stepped by implicit_euler",
+                      method, needed, 1e3 * h_ / needed, desc.max_substeps);
+    else
+      member.note =
+          fmt::format("{} grows at every step without more damping: stepped by implicit_euler", method);
   }
 
   bool of_substepped(const ContactSide& side) const {
@@ -112,11 +138,13 @@ class Tick {
 
   /// Everything but the substepped bodies and what touches them.
   IslandReport minimise() {
-    contacts_.clear();
-    ties_.clear();
-    Island rest;
+    Island& rest = buffers_.rest;
+    auto &contact_of = buffers_.contact_of, &member_of = buffers_.member_of;
+    for (auto* indices : {&buffers_.contacts, &buffers_.ties, &contact_of, &member_of}) indices->clear();
+    rest.soft.clear();
+    rest.contacts.clear();
+    rest.ties.clear();
     rest.rigid = island_.rigid;
-    std::vector<std::size_t> contact_of, member_of;
     for (std::size_t m = 0; m < island_.soft.size(); ++m)
       if (!substepped_[m]) {
         rest.soft.push_back(island_.soft[m]);
@@ -125,7 +153,7 @@ class Tick {
     for (std::size_t c = 0; c < island_.contacts.size(); ++c) {
       const Contact& contact = island_.contacts[c];
       if (of_substepped(contact.a) || of_substepped(contact.b)) {
-        contacts_.push_back(c);
+        buffers_.contacts.push_back(c);
       } else {
         rest.contacts.push_back(contact);
         contact_of.push_back(c);
@@ -134,7 +162,7 @@ class Tick {
     for (std::size_t t = 0; t < island_.ties.size(); ++t) {
       const Tie& tie = island_.ties[t];
       if (of_substepped(tie.a) || of_substepped(tie.b))
-        ties_.push_back(t);
+        buffers_.ties.push_back(t);
       else
         rest.ties.push_back(tie);
     }
@@ -151,7 +179,8 @@ class Tick {
 
   void substep() {
     if (substeps_ > 0)
-      couple_by_impulses(island_, before_, substepped_, contacts_, ties_, substeps_, h_, gravity_, work_);
+      buffers_.coupling.run(
+          island_, {start_, substepped_, buffers_.contacts, buffers_.ties, substeps_, h_, gravity_}, work_);
   }
 
   /// True when the tick stands. Otherwise everything is where it was, but what was learnt of frequencies.
@@ -183,24 +212,27 @@ class Tick {
   Island& island_;
   double h_;
   const Vec3& gravity_;
-  std::vector<SoftBodyState> start_;
-  std::vector<VecX> before_;
-  std::vector<double> energy_, work_;  // J, of each soft member: at the start; by impulses
-  std::vector<char> substepped_, minimised_always_;
-  std::vector<std::size_t> contacts_, ties_;  // of substepped bodies
+  std::vector<SoftBodyState>& start_;
+  std::vector<double>&energy_, &work_;
+  std::vector<char>&substepped_, &minimised_always_;
+  TickBuffers& buffers_;
   int substeps_ = 0;
 };
 
-IslandReport step_under_laws(Island& island, double h, const Vec3& gravity) {
-  const bool substeps = std::any_of(island.soft.begin(), island.soft.end(),
-                                    [](const SoftMember& m) { return m.body->substepper() != nullptr; });
-  return substeps ? Tick(island, h, gravity).run() : solve_island(island, h, gravity);
-}
-
 }  // namespace
 
-IslandReport step_island(Island& island, double h, const Vec3& gravity) {
-  std::vector<SoftBody*> own;
+struct IslandStepper::Buffers {
+  TickBuffers tick;
+  std::vector<SoftBody*> own;  // by soft member: the body itself, while another's law is in force
+};
+
+IslandStepper::IslandStepper() : buffers_(std::make_unique<Buffers>()) {}
+IslandStepper::~IslandStepper() = default;
+IslandStepper::IslandStepper(IslandStepper&&) noexcept = default;
+
+IslandReport IslandStepper::step(Island& island, double h, const Vec3& gravity) {
+  std::vector<SoftBody*>& own = buffers_->own;
+  own.clear();
   for (SoftMember& m : island.soft) {
     own.push_back(m.body);
     choose_law(m, h);
@@ -208,7 +240,11 @@ IslandReport step_island(Island& island, double h, const Vec3& gravity) {
     if (island.contacts.empty() && island.ties.empty()) limit_speed(m, h);
   }
   const bool sane = gravity.allFinite();
-  const IslandReport report = step_under_laws(island, h, sane ? gravity : Vec3(Vec3::Zero()));
+  const Vec3 pull = sane ? gravity : Vec3(Vec3::Zero());
+  const bool substeps = std::any_of(island.soft.begin(), island.soft.end(),
+                                    [](const SoftMember& m) { return m.body->substepper() != nullptr; });
+  const IslandReport report =
+      substeps ? Tick(island, h, pull, buffers_->tick).run() : solve_island(island, h, pull);
   for (std::size_t i = 0; i < own.size(); ++i) {
     SoftMember& m = island.soft[i];
     m.body = own[i];

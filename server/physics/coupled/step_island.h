@@ -1,6 +1,8 @@
 #pragma once
 // One tick of an island whose soft bodies may be of several kinds.
 
+#include <memory>
+
 #include "server/physics/coupled/island.h"
 
 namespace prosector {
@@ -10,8 +12,19 @@ namespace prosector {
 /// exchange equal and opposite impulses with what they touch (impulse_coupling.h). A body that would need
 /// more substeps than its scene allows is minimised instead, by implicit Euler, and says so; so is one that
 /// got stiffer within the tick than its substeps bear, after one more try. A ruined body is stepped under the
-/// law that leads out (recovery.h). Gravity that is not finite counts as none. Fills twists, contact forces
-/// and each member's results.
-IslandReport step_island(Island& island, double h, const Vec3& gravity);
+/// law that leads out (recovery.h). Gravity that is not finite counts as none.
+class IslandStepper {
+ public:
+  IslandStepper();
+  ~IslandStepper();
+  IslandStepper(IslandStepper&&) noexcept;
+
+  /// h s on. Fills twists, contact forces and each member's results.
+  IslandReport step(Island& island, double h, const Vec3& gravity);
+
+ private:
+  struct Buffers;  // what ticks of any island work in: nothing of it is state
+  std::unique_ptr<Buffers> buffers_;
+};
 
 }  // namespace prosector

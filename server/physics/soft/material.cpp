@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/error.h"
@@ -20,6 +21,11 @@ Material make_material(double youngs_modulus, double poisson_ratio, double fiber
   material.fiber_stiffness = fiber_stiffness;
   material.fiber = fiber_direction / length;
   return material;
+}
+
+/// So that XPBD's sweeps, its energy and the implicit steps that it falls back to are of one law.
+void bound_for_xpbd(Materials& materials) {
+  for (Material& m : materials.kinds) m.lame.lambda = std::min(m.lame.lambda, most_xpbd_lambda * m.lame.mu);
 }
 
 Material make_material(const RegionDesc& region, const SoftDesc& body) {
@@ -61,7 +67,6 @@ Materials Materials::at(std::span<const std::uint32_t> source) const {
 Materials make_materials(const SoftDesc& desc, const TetMesh& mesh) {
   Materials out =
       make_material(desc.youngs_modulus, desc.poisson_ratio, desc.fiber_stiffness, desc.fiber_direction);
-  if (desc.regions.empty()) return out;
   for (std::size_t r = 0; r < desc.regions.size(); ++r) {
     try {
       out.kinds.push_back(make_material(desc.regions[r], desc));
@@ -69,6 +74,8 @@ Materials make_materials(const SoftDesc& desc, const TetMesh& mesh) {
       throw InputError(fmt::format("region {}: {}", r + 1, error.what()));
     }
   }
+  if (desc.model == "xpbd") bound_for_xpbd(out);
+  if (desc.regions.empty()) return out;
   out.kind.reserve(mesh.tets.size());
   for (const auto& tet : mesh.tets) {
     Vec3 middle = Vec3::Zero();

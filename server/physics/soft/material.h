@@ -38,8 +38,12 @@ struct Materials {
   Materials at(std::span<const std::uint32_t> source) const;
 };
 
-/// Of the tetrahedra of `mesh`, which is in the room frame. Throws InputError that names the region and what
-/// is allowed for constants out of range.
+/// λ/μ at ν = 0.499: what XPBD takes a larger ratio for, since beyond it one sweep hardly moves a body's
+/// shape.
+inline constexpr double most_xpbd_lambda = 499;
+
+/// Of the tetrahedra of `mesh`, which is in the room frame; for model "xpbd" with its bound on λ. Throws
+/// InputError that names the region and what is allowed for constants out of range.
 Materials make_materials(const SoftDesc& desc, const TetMesh& mesh);
 
 }  // namespace prosector

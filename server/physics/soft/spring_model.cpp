@@ -19,7 +19,7 @@ struct SortedBend {
 };
 
 SortedBend sorted(const Bend& bend) {
-  SortedBend out{bend.node, Bend::weight, bend.stiffness};
+  SortedBend out{bend.node, bend.weight, bend.stiffness};
   for (std::size_t i = 1; i < 3; ++i)
     for (std::size_t k = i; k > 0 && out.node[k] < out.node[k - 1]; --k) {
       std::swap(out.node[k], out.node[k - 1]);

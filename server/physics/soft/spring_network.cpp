@@ -14,10 +14,18 @@
 namespace prosector {
 namespace {
 
+constexpr double equal = 1e-9;  // lengths differ by rounding only
+
 using Edge = std::array<std::uint32_t, 2>;
 
 Edge edge(std::uint32_t a, std::uint32_t b) {
   return {std::min(a, b), std::max(a, b)};
+}
+
+std::array<double, 3> bend_weights(double a, double b) {
+  const double l = (a + b) / 2;
+  if (std::abs(a - b) < equal * l) return {1, -2, 1};
+  return {l / a, -l / a - l / b, l / b};
 }
 
 class Builder {
@@ -70,8 +78,9 @@ class Builder {
     }
     for (const auto& [middle, ends] : neighbours) {
       if (ends.size() != 2) continue;
-      const double l = (length(ends[0], middle) + length(middle, ends[1])) / 2;
-      out_.bends.push_back({{ends[0], middle, ends[1]}, EI / (l * l * l)});
+      const double a = length(ends[0], middle), b = length(middle, ends[1]), l = (a + b) / 2;
+      if (a > 0 && b > 0)
+        out_.bends.push_back({{ends[0], middle, ends[1]}, EI / (l * l * l), bend_weights(a, b)});
     }
   }
 
@@ -119,7 +128,10 @@ class Builder {
         sums[{std::min(first, last), middle, std::max(first, last)}] += D * width / 2 / (l * l * l);
       }
     }
-    for (const auto& [line, s] : sums) out_.bends.push_back({line, s});
+    for (const auto& [line, s] : sums) {
+      const double a = length(line[0], line[1]), b = length(line[1], line[2]);
+      if (a > 0 && b > 0) out_.bends.push_back({line, s, bend_weights(a, b)});
+    }
   }
 
   void solid() {

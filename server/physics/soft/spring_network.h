@@ -29,12 +29,13 @@ struct Spring {
   double rest, stiffness;             // m, N/m
 };
 
-/// ½s|x₀ − 2x₁ + x₂|² for three nodes of a line (x₁ between): with s = EI/l³ the bending energy of a rod that
-/// is straight at rest; unchanged by stretching and turning (Bergou et al. 2006).
+/// ½s|w₀x₀ + w₁x₁ + w₂x₂|² for three nodes of a line, x₁ between, with w = (l̄/a, −l̄/a − l̄/b, l̄/b) for pieces
+/// of a and b, l̄ their mean: (1, −2, 1) of equal ones. With s = EI/l̄³ the bending energy of a rod that is
+/// straight at rest; unchanged by turning, and by even stretching (Bergou et al. 2006).
 struct Bend {
   std::array<std::uint32_t, 3> node;
   double stiffness;  // N/m
-  static constexpr std::array<double, 3> weight = {1, -2, 1};
+  std::array<double, 3> weight = {1, -2, 1};
 };
 
 struct SpringNetwork {

@@ -20,6 +20,9 @@ class Substepper {
   virtual double needed(double h, const SoftBodyState& state) const = 0;
   /// The most that the scene allows.
   virtual int allowed() const = 0;
+  /// Whether there is a stability limit, so that a tick beyond it is refused with the number; without one, a
+  /// tick turns out to fall short, a loss of accuracy.
+  virtual bool has_limit() const { return true; }
   /// How many times what it had and what gravity gave its energy may be after a tick of h s: methods whose
   /// energy swings near their limit are given room, others next to none.
   virtual double most_gain(double h) const = 0;
@@ -27,6 +30,8 @@ class Substepper {
   /// which a push strikes modes that damping does not reach. Those are stepped by implicit Euler while they
   /// are pushed.
   virtual double most_pushed(double h) const { return most_gain(h) - 1; }
+  /// For people: what of the description it does not follow; empty: nothing.
+  virtual const char* remark() const { return ""; }
   /// Starts a tick.
   virtual void begin(const SoftBodyState& state) = 0;
   /// hs s on, free of contacts.

@@ -22,8 +22,6 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t constraints_per_chunk = 256;
-constexpr double most_lambda =
-    499;  // times μ: that of ν = 0.499; beyond it one sweep hardly moves a body's shape
 constexpr double relaxed = 0.97;  // a tick, of substeps beyond what the scene describes
 constexpr double settled = 0.5;   // of the substeps taken: so few more are none
 
@@ -40,10 +38,10 @@ class XpbdSubstepper final : public Substepper {
       network_ = make_spring_network(body.desc, anatomy);
     } else {
       const Materials materials = make_materials(body.desc, anatomy.tets).at(tets_.source());
-      for (std::size_t e = 0; e < tets_.size(); ++e) {
-        lame_.push_back(materials.of(e).lame);
-        lame_.back().lambda = std::min(lame_.back().lambda, most_lambda * lame_.back().mu);
-      }
+      for (std::size_t e = 0; e < tets_.size(); ++e) lame_.push_back(materials.of(e).lame);
+      const auto beyond = [](double ratio) { return 2 * ratio / (1 - 2 * ratio) > most_xpbd_lambda; };
+      bounded_ = beyond(body.desc.poisson_ratio);
+      for (const RegionDesc& region : body.desc.regions) bounded_ = bounded_ || beyond(region.poisson_ratio);
     }
     colour();
   }
@@ -53,6 +51,8 @@ class XpbdSubstepper final : public Substepper {
     return std::max<double>(effort_of(body_.desc, state.steps_down).substeps, std::round(h * state.omega));
   }
   int allowed() const override { return std::max(body_.desc.substeps, body_.desc.max_substeps); }
+  bool has_limit() const override { return false; }
+  const char* remark() const override { return bounded_ ? "; poisson_ratio counts as 0.499" : ""; }
   double most_gain(double) const override { return 1.002; }
   double most_pushed(double) const override { return 2; }  // the push itself, and what it strains
   void begin(const SoftBodyState&) override {}
@@ -60,11 +60,12 @@ class XpbdSubstepper final : public Substepper {
     state.omega = hs > 0 && hs * state.omega < settled ? 0 : relaxed * state.omega;
     return state.motion.x.allFinite();
   }
-  /// One sweep leaves energy in what is stiff for a substep: 4 times less with half as long ones.
+  /// One sweep leaves energy in what is stiff for a substep: 4 times less with half as long ones. Where the
+  /// most that are allowed do not do, none are tried until `relaxed` has brought the need down to them again.
   bool refine(double h, int taken, SoftBodyState& state) const override {
-    if (taken >= allowed()) return false;
-    state.omega = std::min(2 * taken, allowed()) / h;
-    return true;
+    const bool more = taken < allowed();
+    state.omega = (more ? std::min(2 * taken, allowed()) : 2 * taken) / h;
+    return more;
   }
 
   void step(double hs, const Vec3& gravity, SoftBodyState& state) override {
@@ -168,10 +169,11 @@ class XpbdSubstepper final : public Substepper {
   }
 
   void project_bend(const Bend& b, double hs) {
-    const Vec3 d = at(b.node[0]) - 2 * at(b.node[1]) + at(b.node[2]);
+    const auto& w = b.weight;
+    const Vec3 d = w[0] * at(b.node[0]) + w[1] * at(b.node[1]) + w[2] * at(b.node[2]);
     const double C = d.norm();
     if (!(C > 0)) return;
-    const Vec3 n = d / C, gradient[3] = {n, -2 * n, n};
+    const Vec3 n = d / C, gradient[3] = {w[0] * n, w[1] * n, w[2] * n};
     move(b.node, gradient, C, b.stiffness, hs);
   }
 
@@ -214,6 +216,7 @@ class XpbdSubstepper final : public Substepper {
   SpringNetwork network_;
   VecX inverse_mass_;           // n, 1/kg; of attached nodes as hold_attachments says
   std::vector<Lame> lame_;      // of each tetrahedron
+  bool bounded_ = false;        // some were beyond most_xpbd_lambda
   std::vector<Element> order_;  // by colour
   std::vector<std::size_t> colour_begin_;
   double* x_ = nullptr;  // 3n, of the substep
