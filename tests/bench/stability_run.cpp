@@ -19,7 +19,7 @@ constexpr double near_enough = 1e-3;       // m
 constexpr double energy_allowance = 0.01;  // of the largest energy there was
 constexpr double least_energy = 1e-9;      // J: below it nothing is measured but rounding
 constexpr int steps_between_looks = 10;    // at the shape
-constexpr double still_speed = 1e-4;       // m/s
+constexpr double still_speed = 1e-3;       // m/s
 constexpr double still_seconds = 0.5;
 
 class StabilityRun {
