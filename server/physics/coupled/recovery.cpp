@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "server/physics/soft/rungs.h"
+
 namespace prosector {
 namespace {
 
@@ -15,6 +17,7 @@ constexpr double struggling_seconds = 4;  // inside out for so long, however it 
 constexpr double quiet_speed = 1e-3;      // m/s, of the fastest node
 constexpr double most_turn = 1.05;        // rad, of a body whose law is for small rotations
 constexpr double false_turn = 0.05;       // rad: at rest so turned, such a body is 0.1 % too long
+constexpr double shivering = 0.05;        // of the stored energy, at most, in motion
 constexpr double stuck_energy = 1e-5;     // times E and the volume: a mean strain of about half a per cent
 
 void enter(SoftBodyState& state, bool recovering) {
@@ -33,12 +36,15 @@ bool calm(SoftBody& body, const SoftBodyState& state) {
   return body.elastic_energy(state.motion.x) + body.kinetic_energy(state) < calm_energy * stiffness(body);
 }
 
-/// Quiet, but in another shape than the one it rests in: a minimum that is not the least.
+/// Quiet, but in another shape than the one it rests in: a minimum that is not the least. Sheets and ropes
+/// are told as well while what moves them is little of what strains them: crumpled ones shiver and spin.
 bool stuck(const SoftMember& s, const VecX& equilibrium) {
-  if (s.state->quiet_ticks < quiet_ticks_to_sleep) return false;
+  const bool quiet = s.state->quiet_ticks == quiet_ticks_to_sleep;
   SoftBody& body = s.body->in_force(*s.state);
-  const double least = stuck_energy * stiffness(body);
-  return body.elastic_energy(s.state->motion.x) > 2 * body.elastic_energy(equilibrium) + least;
+  if (!quiet && mesh_kind(body.anatomy()) == MeshKind::tets) return false;
+  const double stored = body.elastic_energy(s.state->motion.x);
+  if (!quiet && body.kinetic_energy(*s.state) > shivering * stored) return false;
+  return stored > 2 * body.elastic_energy(equilibrium) + stuck_energy * stiffness(body);
 }
 
 /// In a shape that a law for small rotations takes for a turned one: stretched by 1/cos of the angle.

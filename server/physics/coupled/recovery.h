@@ -22,8 +22,9 @@ inline constexpr int quiet_ticks_to_sleep = 30;
 void count_quiet_ticks(SoftMember& member);
 
 /// After a tick of h s, once every `ticks`: puts a body that nothing touches or holds (`held`) and that for a
-/// second has been quiet, inside out or in another shape than `equilibrium` (3n, m), or inside out for four
-/// however it moved, into its rest shape where it is, and says so. True when it did.
+/// second has been quiet, inside out or in another shape than `equilibrium` (3n, m), or for four inside out
+/// however it moved or a crumpled sheet or rope, into its rest shape where it is, and says so. True when it
+/// did.
 bool unfold_if_tangled(SoftMember& member, bool held, const VecX& equilibrium, double h, int ticks);
 
 }  // namespace prosector
