@@ -62,6 +62,7 @@ ReportRow measure(const Rung& rung, const TestPiece& piece, unsigned threads) {
   row["cpu_us_per_tet"] = 1e3 * median(cpu) / tets;
   row["bytes_per_tet"] = static_cast<double>(allocated_bytes() - before) / tets;
   row["residual"] = residual;
+  row["verdict"] = verdict_name(specimen->positions().allFinite() ? Verdict::survives : Verdict::fails);
   return row;
 }
 

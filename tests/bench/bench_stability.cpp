@@ -31,6 +31,7 @@ ReportRow to_row(const StabilityRung& rung, const Extreme& extreme, const Stabil
   row["reason"] = result.reason;
   row["met_deadline"] = result.met_deadline;
   row["ms_per_frame"] = result.ms_per_frame;
+  row["steps_per_s"] = result.steps_per_s;
   row["worst_ms_per_frame"] = result.worst_ms_per_frame;
   row["energy_excess"] = result.energy_excess;
   row["shape_error_m"] = result.shape_error;

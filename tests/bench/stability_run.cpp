@@ -45,6 +45,7 @@ class StabilityRun {
     if (!steps_ms_.empty()) {
       const double steps_a_frame = std::max(1.0, frame / extreme_.dt);
       result_.ms_per_frame = median(steps_ms_) * steps_a_frame;
+      result_.steps_per_s = 1e3 / median(steps_ms_);
       result_.worst_ms_per_frame = *std::max_element(steps_ms_.begin(), steps_ms_.end()) * steps_a_frame;
       result_.met_deadline = result_.ms_per_frame <= 1e3 * std::max(frame, extreme_.dt);
     }

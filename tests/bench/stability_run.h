@@ -21,6 +21,7 @@ struct StabilityResult {
   bool met_deadline = true;  // ms_per_frame is at most what it stands for
   std::size_t tets = 0, nodes = 0;
   double ms_per_frame = 0, worst_ms_per_frame = 0;  // CPU, of 1/60 s or one step if that is longer
+  double steps_per_s = 0;                           // CPU, likewise
   double energy_excess = 0;                         // share, see above
   double shape_error = 0;                           // m, see misfit, at the end
   double back_after_s = -1;                         // s after the release; −1: not back within 1 mm
