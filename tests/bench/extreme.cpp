@@ -207,7 +207,7 @@ std::vector<Extreme> make_extremes() {
       {"step 1/60 s", clamped, frame, nullptr, weight, 1},
       {"step 0.1 s", clamped, 0.1, nullptr, weight, 1},
       {"step 1 s", clamped, 1, nullptr, weight, 5},
-      {"E 1e2 Pa", stiff<2>, frame, nullptr, weight, 0.5, 20},
+      {"E 1e2 Pa", stiff<2>, frame, nullptr, weight, 0.5, 30},
       {"E 1e4 Pa", stiff<4>, frame, nullptr, weight, 0.5},
       {"E 1e6 Pa", stiff<6>, frame, nullptr, weight, 0.5},
       {"E 1e9 Pa", stiff<9>, frame, nullptr, weight, 0.5},
