@@ -13,7 +13,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = ["README.md", "docs/measurements.md", "docs/soft-tissue.md"]
-MARKED = re.compile(r"(<!-- measured: (\S+) -->\n).*?(<!-- /measured -->)", re.DOTALL)
+MARKED = re.compile(r"(<!-- measured: (\S+) -->\n)(.*?)(<!-- /measured -->)", re.DOTALL)
 DASH = "–"
 
 
@@ -48,6 +48,12 @@ def number(value):
     if size >= 1e7 or size < 1e-4:
         return f"{value:.1e}"
     return f"{value:.{max(0, 2 - math.floor(math.log10(size)))}f}"
+
+
+def kept(before, what):
+    """The lines of a table as it was whose first cell starts so."""
+    lines = [[cell.strip() for cell in line.strip("| ").split(" | ")] for line in before.splitlines() if line.startswith("| ")]
+    return [line for line in lines if line[0].startswith(what)]
 
 
 def percent(value):
@@ -114,7 +120,7 @@ def sofa_goals(reports):
         rows = reports.rows("beam101k", ground=ground)
         yield goal_line(f"SOFA's beam, {name}, 10 CG iterations", "≥ 50 steps/s", "17", "steps_per_s", rows,
                         lambda row: row["solver"] == "cg" and row["solver_iterations"] == 10, "error_mesh")
-        yield goal_line("the same, within 1 % of the converged path", "≥ 25 steps/s", "4.6", "steps_per_s", rows,
+        yield goal_line(f"SOFA's beam, {name}, within 1 % of the converged path", "≥ 25 steps/s", "4.6", "steps_per_s", rows,
                         lambda row: row["error_mesh"] <= 0.01, "error_mesh")
 
 
@@ -132,13 +138,14 @@ def beam_goals(reports):
                         rows, lambda row: row["error_continuum"] <= 0.01, "error_continuum")
 
 
-def goals(reports):
-    sections = {"beam101k": sofa_goals, "press": press_goals, "beam": beam_goals}
-    given = [section for bench, section in sections.items() if bench in reports.all]
-    if not given:
+def goals(reports, before):
+    sections = {"beam101k": (sofa_goals, "SOFA's beam"), "press": (press_goals, "organ"), "beam": (beam_goals, "peers' beam")}
+    if not any(bench in reports.all for bench in sections):
         raise Missing(" or ".join(sections))
-    return table(["What", "goal", "best peer, one thread", "by", "measured, with threads", "CPU ms a step", "error"],
-                 [line for section in given for line in section(reports) if line])
+    lines = []
+    for bench, (fill, what) in sections.items():
+        lines += [line for line in fill(reports) if line] if bench in reports.all else kept(before, what)
+    return table(["What", "goal", "best peer, one thread", "by", "measured, with threads", "CPU ms a step", "error"], lines)
 
 
 # Other codes' beams and the press, row by row.
@@ -342,19 +349,21 @@ def scaling(reports):
                   "residual"], lines)
 
 
-def machine(reports):
-    benches = sorted(reports.all)
-    if not benches:
-        raise Missing("any report")
-    where = reports.all[benches[0]][0]
+def machine(reports, before):
+    if not reports.all:
+        raise Missing("any bench")
+    where = next(iter(reports.all.values()))[0]
     m = where["machine"]
     lines = [[f"`{bench}`", report["date"], report["commit"], number(report["machine"]["load_average"])]
-             for bench in benches for report in reports.all[bench]]
+             for bench in reports.all for report in reports.all[bench]]
+    lines += [line for line in kept(before, "`") if line[0].strip("`") not in reports.all]
     return (f"Machine: {m['cpu']}, {m['cores']} cores, {m['vector']}, {m['memory_bytes'] / 2**30:.0f} GiB; "
-            f"{where['compiler']}, {m['build']}.\n\n" + table(["Bench", "run at", "commit", "load average at its end"], lines))
+            f"{where['compiler']}, {m['build']}.\n\n"
+            + table(["Bench", "run at", "commit", "load average at its end"], sorted(lines)))
 
 
-TABLES = {"machine": machine, "goals": goals, "beam": beam, "beam101k": beam101k, "press": press, "advice": advice,
+KEEPING = {"machine": machine, "goals": goals}  # of several benches: lines of those not given stay
+TABLES = {"beam": beam, "beam101k": beam101k, "press": press, "advice": advice,
           "bend-sizes": bend_sizes, "rungs": rungs, "integrators": integrators, "springs": springs, "laws": laws, "scaling": scaling,
           **{f"trade-{case}": trade_case(case) for case in ("bend", "bend_incompressible", "swing", "free", "press")}}
 
@@ -366,10 +375,10 @@ def main():
 
     def filled(match):
         name = match[2]
-        if name not in TABLES:
-            sys.exit(f"fill_tables: no table is called {name}; there are {', '.join(TABLES)}")
+        if name not in TABLES | KEEPING:
+            sys.exit(f"fill_tables: no table is called {name}; there are {', '.join(TABLES | KEEPING)}")
         try:
-            return match[1] + TABLES[name](reports) + match[3]
+            return match[1] + (KEEPING[name](reports, match[3]) if name in KEEPING else TABLES[name](reports)) + match[4]
         except Missing as missing:
             print(f"{name}: stays as it was, there is no report of {missing}")
             return match[0]

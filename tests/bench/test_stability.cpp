@@ -23,8 +23,6 @@ INSTANTIATE_TEST_SUITE_P(Rungs, Stability, testing::ValuesIn(stability_rungs("")
 
 TEST_P(Stability, NoVerdictIsFails) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  if (GetParam().rung.element == "tet10" && GetParam().rung.integrator != "implicit_euler")
-    GTEST_SKIP() << "dear: prosector-bench stability looks at it";
   for (const Extreme& extreme : extremes()) {
     if (!extreme.cheap || !extreme.is_for(GetParam().mesh)) continue;
     const StabilityResult result = run_extreme(GetParam(), extreme, limit_ms);
