@@ -39,7 +39,7 @@ mkdir -p "$out"
 
 arguments() {  # of a subject, as published or quick
   case "$1 $quick" in
-    'trade no') echo --limit 1500 --svg "$pictures" ;;
+    'trade no') echo --svg "$pictures" ;;
     'trade yes') echo --quick --limit 200 --svg "$pictures" ;;
     'stability no') echo --svg "$pictures" ;;
     'stability yes') echo --quick --svg "$pictures" ;;

@@ -26,7 +26,8 @@ bool Runner::run(double seconds, const std::function<void(double)>& after) {
     if (!finite_) return false;
     after(static_cast<double>(i + 1) * dt_);
     const auto left = static_cast<double>(steps - i - 1);
-    if (i + 1 >= steps_to_judge && cpu_ms_ + left * step_cpu_ms_.back() > limit_ms_ && left > 0) return false;
+    const bool foreseen = i + 1 >= steps_to_judge && cpu_ms_ + left * step_cpu_ms_.back() > limit_ms_;
+    if (left > 0 && (foreseen || cpu_ms_ > limit_ms_)) return false;
   }
   return true;
 }

@@ -9,6 +9,8 @@ namespace prosector {
 namespace {
 
 constexpr double frame = 1. / 60;
+/// Factorising more quadratic elements takes a quarter of a minute, every Newton iteration.
+constexpr std::size_t most_quadratic_for_direct = 2000;
 
 struct Effort {
   int newton, solver;
@@ -75,8 +77,9 @@ std::vector<Trial> trials(const TradeCase& which, bool quick) {
       if (!is_law && element != SoftDesc{}.element) continue;  // springs know no other
       for (const unsigned cells : resolutions(which, quick))
         for (const Rung& rung : efforts_of(model, element)) {
-          const bool dear = rung.solver == "direct" && element == "tet10" && cells > which.cells[1];
-          if (!dear) all.push_back({rung, cells, frame});  // a minute for each factorisation
+          const bool dear = rung.solver == "direct" && element == "tet10" &&
+                            which.piece(cells).mesh.tets.size() > most_quadratic_for_direct;
+          if (!dear) all.push_back({rung, cells, frame});
         }
     }
     for (const std::string& integrator : integrators_for(model))
