@@ -4,33 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "common/error.h"
 #include "common/hash.h"
 #include "common/messages.h"
 #include "server/physics/parallel.h"
-#include "server/physics/soft/block_matrix.h"
-#include "server/physics/soft/cholesky.h"
-#include "server/physics/soft/elastic_model.h"
-#include "server/physics/soft/multigrid.h"
-#include "server/physics/soft/node_vectors.h"
+#include "server/physics/soft/body_hessian.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body_setup.h"
+#include "server/physics/soft/stiffness_damping.h"
 #include "server/physics/soft/substepper.h"
-#include "server/physics/soft/symmetric_rows.h"
 #include "server/physics/soft/tet10.h"
-#include "server/physics/soft/turned_stiffness.h"
 
 namespace prosector {
 namespace {
 
-constexpr std::size_t nodes_per_chunk = 256;
-/// Cells that nodes may move while a matrix is still good to descend with.
-constexpr double same_tangent = 0.1;
-/// Of inertia over stiffness: from here on H in single precision is as definite as in double.
-constexpr double least_inertia = 1e-5;
 const char* const recovery_model = "fem_corotational";  // no minimum but the rest shape was ever seen
 
 template <class T>
@@ -48,6 +37,14 @@ Anatomy nodes_for(const SoftDesc& desc, Anatomy anatomy) {
   return anatomy;
 }
 
+std::unique_ptr<ElasticModel> usable_model(const SoftDesc& desc, const Anatomy& anatomy) {
+  auto model = named(desc, [&] { return make_elastic_model(desc, anatomy); });
+  require(model->connectivity().size() > 0, desc,
+          fmt::format("all {} elements are flat or of no length; at least one must not be",
+                      model->dropped_elements()));
+  return model;
+}
+
 VecX lumped_mass(double density, VecX volume) {
   const double least = SoftBody::least_mass_share * volume.mean();
   return density * volume.cwiseMax(least);
@@ -60,13 +57,6 @@ double bounding_diagonal(const VecX& x) {
 
 }  // namespace
 
-/// Turned elements, and the positions they are at.
-struct Linearised {
-  TurnedElements elements;
-  VecX at;
-  bool known = false;
-};
-
 struct SoftBody::Impl {
   SoftDesc desc;
   Anatomy anatomy;
@@ -75,8 +65,7 @@ struct SoftBody::Impl {
   const TimeIntegrator* stepping = nullptr;  // the one of the step begun
   BlockPattern pattern;
   SymmetricPattern symmetric;
-  std::optional<TurnedStiffness> turned;  // of models that turn
-  VecX mass, attached;                    // n kg; n N/m
+  VecX mass, attached;  // n kg; n N/m
   std::unique_ptr<Substepper> substepper;
   std::unique_ptr<SoftBody> recovery;
   std::vector<double> area;
@@ -86,212 +75,45 @@ struct SoftBody::Impl {
   VecX history;       // with them
 
   Stage stage;
-  std::vector<double> node_sums;  // one a chunk
-
-  // The Hessian without the bodies around: `hessian` in double, or scale()·(off-diagonal blocks of `rows`)
-  // and own_diagonal. Turned elements go straight into `rows`; the others, and `direct`, by `hessian`.
-  mutable std::vector<Mat3> hessian;  // blocks of `pattern`; made when first used
-  mutable SymmetricRows rows;
-  mutable bool hessian_known = false, rows_known = false;  // as last assembled
-  std::vector<Mat3> own_diagonal;
-  bool uses_single = false;
-  double rest_stiffness = 0;  // N/m: mean of the diagonal at rest
-
-  // Where the stage's elements were linearised: first, and last after that. Damping multiplies with Hooke's
-  // stiffness turned with each element as it is at the first, as turned elements or as blocks.
-  Linearised first, later;
-  const Linearised* present = nullptr;    // the last of them
-  const Linearised* assembled = nullptr;  // of the last matrix
-  bool damped;
-  std::vector<Mat3> first_stiffness;
-  bool first_stiffness_known = false;
-  VecX x_n, drift, damping;   // 3n: x_n; x − x_v; the stiffness times drift
-  double damping_energy = 0;  // half of drift times that
-  bool drift_known = false, damping_known = false;
+  VecX x_n;              // 3n
   bool relaxed = false;  // see set_relaxed
-  mutable std::unique_ptr<Cholesky> cholesky;
-  mutable bool factored = false;
-  mutable std::unique_ptr<Multigrid> multigrid;
-  mutable bool multigrid_set = false, multigrid_turned = false;
+  SoftSystem system;
+  StageElements elements;
+  StiffnessDamping damping;
+  BodyHessian hessian;
+  NodeSum node_sum;
 
   Impl(const SoftDesc& d, Anatomy a)
       : desc((check_constants(d), d)),
         anatomy((check_mesh(d, a), nodes_for(d, std::move(a)))),
-        model(named(d, [&] { return make_elastic_model(d, anatomy); })),
+        model(usable_model(d, anatomy)),
         pattern(model->connectivity()),
         symmetric(pattern),
         mass(lumped_mass(d.density, model->volume())),
         attached(prosector::attachment_stiffness(d.attach, model->rest(), model->volume())),
         area(vertex_areas(anatomy)),
         diagonal(bounding_diagonal(model->rest())),
-        rows(symmetric),
-        own_diagonal(pattern.rows()),
-        damped(d.damping_stiffness > 0) {
+        system{desc, *model, pattern, symmetric, mass, attached},
+        elements(system, !model->turns() || desc.solver == "direct"),
+        damping(system, elements),
+        hessian(system, elements),
+        node_sum(node_count()) {
     named(d, [&] { return make_solver(d.solver); });  // used by whoever solves, refused here
-    require(model->connectivity().size() > 0, d,
-            fmt::format("all {} elements are flat or of no length; at least one must not be",
-                        model->dropped_elements()));
     substepper = named(d, [&] { return make_substepper({desc, *model, pattern, mass, attached}, anatomy); });
     euler = make_integrator("implicit_euler");
     if (d.element == "tet10") eighths = divided(anatomy.tets);
     integrator = make_integrator(substepper ? "implicit_euler" : d.integrator);
     stepping = integrator.get();
-    reserve();
+    for (VecX* v : {&x_n, &stage.y, &stage.x_v, &stage.v_h, &remembered.x, &remembered.v})
+      *v = VecX::Zero(rest().size());
   }
 
   std::size_t node_count() const { return model->connectivity().nodes(); }
   const VecX& rest() const { return model->rest(); }
   const TetMesh& linear_tets() const { return eighths.tets.empty() ? anatomy.tets : eighths; }
 
-  void reserve() {
-    node_sums.resize(chunk_count(node_count(), nodes_per_chunk));
-    if (model->turns()) turned.emplace(model->connectivity(), symmetric);
-    if (!turned || desc.solver == "direct") {
-      hessian.resize(pattern.blocks());
-      if (damped) first_stiffness.resize(pattern.blocks());
-    }
-    std::vector<Mat3> stiffness(pattern.blocks());
-    pattern.gather(model->warped_stiffness(rest().data()), 0, {}, stiffness);
-    for (std::size_t i = 0; i < node_count(); ++i) rest_stiffness += stiffness[pattern.diagonal(i)].trace();
-    rest_stiffness /= static_cast<double>(3 * node_count());
-    for (VecX* v : {&first.at, &later.at, &x_n, &drift, &damping, &stage.y, &stage.x_v, &stage.v_h,
-                    &remembered.x, &remembered.v})
-      *v = VecX::Zero(rest().size());
-    if (desc.solver == "direct") cholesky = std::make_unique<Cholesky>(pattern);
-    if (desc.solver == "multigrid") make_coarse_levels();
-  }
-
-  void make_coarse_levels() const {
-    std::vector<Mat3> stiffness(pattern.blocks());
-    pattern.gather(model->warped_stiffness(rest().data()), 0, {}, stiffness);
-    multigrid = std::make_unique<Multigrid>(RestSystem{pattern, stiffness, rest(), mass, attached});
-  }
-
-  /// Sums f(i) over the nodes.
-  template <class F>
-  double node_sum(const F& f) {
-    parallel_chunks(node_count(), nodes_per_chunk,
-                    [&](std::size_t first, std::size_t last, std::size_t chunk) {
-                      double sum = 0;
-                      for (std::size_t i = first; i < last; ++i) sum += f(static_cast<Eigen::Index>(i));
-                      node_sums[chunk] = sum;
-                    });
-    return ordered_sum(node_sums);
-  }
-
-  double inertia() const { return stage.alpha + desc.damping_mass / stage.dxdv; }
-  double damping_share() const { return desc.damping_stiffness / stage.dxdv; }
-  double scale() const { return 1 + damping_share(); }
-  bool tangent_is_cheap() const { return turned && uses_single; }
-
-  /// x, unless it is nowhere to know anything of: x_n then.
-  Eigen::Ref<const VecX> somewhere(const Eigen::Ref<const VecX>& x) const {
-    const bool good = x.allFinite() && x.lpNorm<Eigen::Infinity>() < max_coordinate;
-    return good ? x : Eigen::Ref<const VecX>(x_n);
-  }
-  void find(const Eigen::Ref<const VecX>& x, Linearised& out) {
-    model->linearise(x.data(), 1 / scale(), out.elements);
-    out.at = x;
-    out.known = true;
-  }
-  /// Everything that is known of turned elements, at x.
-  void linearise(const Eigen::Ref<const VecX>& x) {
-    if (present && x == present->at) return;
-    if (!first.known) find(somewhere(x), first);
-    present = &first;
-    if (x == first.at) return;
-    find(x, later);
-    present = &later;
-    if (assembled == &later) assembled = nullptr;
-  }
-  bool near(const Eigen::Ref<const VecX>& x, const VecX& there) const {
-    return (x - there).lpNorm<Eigen::Infinity>() <= same_tangent * desc.cell;
-  }
-
-  /// What stiffness-proportional damping multiplies with in this stage, found at x when first asked for.
-  void begin_damping(const Eigen::Ref<const VecX>& x) {
-    if (tangent_is_cheap()) {
-      if (!first.known) linearise(x);
-    } else if (!first_stiffness_known) {
-      first_stiffness.resize(pattern.blocks());
-      pattern.gather(model->warped_stiffness(somewhere(x).data()), 0, {}, first_stiffness);
-      first_stiffness_known = true;
-    }
-  }
-
-  /// drift = x − x_v, damping_energy = ½drift·K·drift and, with `forces`, damping = K·drift: what
-  /// stiffness-proportional damping needs at x.
-  void update_damping(const Eigen::Ref<const VecX>& x, bool forces) {
-    if (!damped) return;
-    const bool same = drift_known && (x - stage.x_v) == drift;
-    if (same && (damping_known || !forces)) return;
-    begin_damping(x);
-    drift = x - stage.x_v;
-    drift_known = true;
-    damping_known = forces || !tangent_is_cheap();
-    if (!tangent_is_cheap()) {
-      pattern.multiply(first_stiffness, drift.data(), damping.data());
-      damping_energy = 0.5 * node_sum([&](Eigen::Index i) {
-                         return drift.segment<3>(3 * i).dot(damping.segment<3>(3 * i));
-                       });
-    } else if (forces) {
-      damping_energy = turned->multiply(first.elements, drift.data(), damping.data());
-    } else {
-      damping_energy = turned->energy(first.elements, drift.data());
-    }
-  }
-
-  void assemble_warped(const Eigen::Ref<const VecX>& x) {
-    hessian.resize(pattern.blocks());
-    if (damped) {
-      begin_damping(x);
-      parallel_chunks(hessian.size(), 16 * nodes_per_chunk,
-                      [&](std::size_t begin, std::size_t end, std::size_t) {
-                        for (std::size_t k = begin; k < end; ++k) hessian[k] = scale() * first_stiffness[k];
-                      });
-    } else {
-      pattern.gather(model->warped_stiffness(x_n.data()), 0, {}, hessian);
-    }
-    use_hessian();
-  }
-
-  /// Completes `hessian`, which holds what couples nodes.
-  void use_hessian() {
-    add_diagonal([&](std::size_t i) -> const Mat3& { return hessian[pattern.diagonal(i)]; });
-    for (std::size_t i = 0; i < node_count(); ++i) hessian[pattern.diagonal(i)] = own_diagonal[i];
-    hessian_known = true;
-    rows_known = false;
-    if (uses_single) set_rows();
-  }
-  /// The rows in double, for who factors another's matrix.
-  void set_hessian() const {
-    hessian.resize(pattern.blocks());
-    rows.write(symmetric, pattern, scale(), hessian);
-    for (std::size_t i = 0; i < node_count(); ++i) hessian[pattern.diagonal(i)] = own_diagonal[i];
-    hessian_known = true;
-  }
-  void set_rows() const {
-    if (!rows_known) rows.set(symmetric, pattern, 1 / scale(), hessian);
-    rows_known = true;
-  }
-  /// Takes `rows` as they are.
-  void use_rows() {
-    add_diagonal([&](std::size_t i) -> Mat3 { return scale() * rows.diagonal[i]; });
-    hessian_known = false;
-    rows_known = true;
-  }
-
-  /// own_diagonal = what elements make of it, and all else that is diagonal.
-  template <class F>
-  void add_diagonal(const F& of_elements) {
-    parallel_chunks(node_count(), nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t i = first; i < last; ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
-        own_diagonal[i] = of_elements(i);
-        own_diagonal[i].diagonal().array() += inertia() * mass[row] + scale() * attached[row];
-      }
-    });
-    factored = multigrid_set = false;
+  StageWeights weights() const {
+    return {stage.alpha + desc.damping_mass / stage.dxdv, desc.damping_stiffness / stage.dxdv};
   }
 };
 
@@ -364,11 +186,8 @@ void SoftBody::begin_stage(int stage_index, double h, const Vec3& gravity, const
   m.stepping = euler ? m.euler.get() : m.integrator.get();
   m.stepping->begin(stage_index, h, m.desc.gravity ? gravity : Vec3::Zero(), state.motion, m.stage);
   m.x_n = state.motion.x;
-  m.multigrid_turned = false;
-  m.first.known = m.first_stiffness_known = m.drift_known = false;
-  m.present = m.assembled = nullptr;
-  m.uses_single = m.desc.solver != "direct" && (m.turned || m.desc.solver == "multigrid") &&
-                  m.inertia() * m.mass.mean() > least_inertia * m.rest_stiffness;
+  m.hessian.begin_stage(m.x_n, m.weights());
+  m.damping.begin_stage(m.stage.x_v);
   if (m.relaxed)
     m.model->relax_fully();
   else
@@ -393,13 +212,13 @@ void SoftBody::initial_guess(double h, const SoftBodyState& state, Eigen::Ref<Ve
 
 void SoftBody::linearise(const Eigen::Ref<const VecX>& x) {
   Impl& m = *impl_;
-  if (tangent_is_cheap() && !(m.assembled && m.near(x, m.assembled->at))) m.linearise(x);
-  m.update_damping(x, true);
+  if (tangent_is_cheap() && !m.elements.near_assembled(x)) m.elements.linearise(x);
+  if (m.system.damped()) m.damping.update(x, true);
 }
 
 double SoftBody::energy(const Eigen::Ref<const VecX>& x) {
   Impl& m = *impl_;
-  m.update_damping(x, false);
+  if (m.system.damped()) m.damping.update(x, false);
   const double c = m.desc.damping_mass / m.stage.dxdv, d = m.desc.damping_stiffness / m.stage.dxdv;
   const double nodal = m.node_sum([&](Eigen::Index i) {
     const auto at = [i](const auto& v) { return v.template segment<3>(3 * i); };
@@ -410,96 +229,51 @@ double SoftBody::energy(const Eigen::Ref<const VecX>& x) {
              ((at(x) - at(m.rest())).squaredNorm() + d * (at(x) - at(m.stage.x_v)).squaredNorm());
     return 0.5 * sum;
   });
-  const double damping = m.damped ? d * m.damping_energy : 0;
+  const double damping = m.system.damped() ? d * m.damping.energy() : 0;
   return nodal + damping + m.model->energy(x.data());
 }
 
 void SoftBody::gradient(const Eigen::Ref<const VecX>& x, Eigen::Ref<VecX> g) {
   Impl& m = *impl_;
-  m.update_damping(x, true);
+  if (m.system.damped()) m.damping.update(x, true);
   const double c = m.desc.damping_mass / m.stage.dxdv, d = m.desc.damping_stiffness / m.stage.dxdv;
-  parallel_chunks(m.node_count(), nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t node = first; node < last; ++node) {
-      const auto i = static_cast<Eigen::Index>(node);
-      const auto at = [i](const auto& v) { return v.template segment<3>(3 * i); };
-      Vec3 sum = m.mass[i] * (m.stage.alpha * (at(x) - at(m.stage.y)) + c * (at(x) - at(m.stage.x_v)));
-      if (m.attached[i] > 0) sum += m.attached[i] * (at(x) - at(m.rest()) + d * (at(x) - at(m.stage.x_v)));
-      if (m.damped) sum += d * at(m.damping);
-      g.segment<3>(3 * i) = sum;
-    }
-  });
+  parallel_chunks(
+      m.node_count(), NodeSum::nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+        for (std::size_t node = first; node < last; ++node) {
+          const auto i = static_cast<Eigen::Index>(node);
+          const auto at = [i](const auto& v) { return v.template segment<3>(3 * i); };
+          Vec3 sum = m.mass[i] * (m.stage.alpha * (at(x) - at(m.stage.y)) + c * (at(x) - at(m.stage.x_v)));
+          if (m.attached[i] > 0)
+            sum += m.attached[i] * (at(x) - at(m.rest()) + d * (at(x) - at(m.stage.x_v)));
+          if (m.system.damped()) sum += d * at(m.damping.forces());
+          g.segment<3>(3 * i) = sum;
+        }
+      });
   m.model->add_gradient(x.data(), g.data());
 }
 
 bool SoftBody::tangent_is_cheap() const {
-  return impl_->tangent_is_cheap();
+  return impl_->elements.turned();
 }
 
 void SoftBody::assemble(const Eigen::Ref<const VecX>& x) {
-  Impl& m = *impl_;
-  if (tangent_is_cheap()) {
-    m.linearise(x);
-    m.turned->assemble(m.present->elements, m.rows);
-    m.assembled = m.present;
-    m.use_rows();
-  } else {
-    if (m.damped) m.begin_damping(x);
-    m.hessian.resize(m.pattern.blocks());
-    m.pattern.gather(m.model->tangent(x.data()), m.damping_share(), m.first_stiffness, m.hessian);
-    m.use_hessian();
-  }
+  impl_->hessian.assemble(x);
 }
-
 bool SoftBody::assemble_roughly(const Eigen::Ref<const VecX>& x) {
-  Impl& m = *impl_;
-  if (tangent_is_cheap() ? !(m.assembled && m.near(x, m.assembled->at)) : !m.near(x, m.x_n)) {
-    assemble(x);
-    return false;
-  }
-  if (tangent_is_cheap())
-    m.multigrid_set = false;  // what touches the body may have changed
-  else
-    m.assemble_warped(x);
-  return true;
+  return impl_->hessian.assemble_roughly(x);
 }
-
 void SoftBody::multiply(const double* p, double* Hp) const {
-  const Impl& m = *impl_;
-  if (m.uses_single)
-    prosector::multiply(m.symmetric, m.rows, m.scale(), m.own_diagonal, p, Hp);
-  else
-    m.pattern.multiply(m.hessian, p, Hp);
+  impl_->hessian.multiply(p, Hp);
 }
-
 void SoftBody::diagonal(std::span<Mat3> blocks) const {
-  std::copy(impl_->own_diagonal.begin(), impl_->own_diagonal.end(), blocks.begin());
+  std::copy(impl_->hessian.diagonal().begin(), impl_->hessian.diagonal().end(), blocks.begin());
 }
-
 void SoftBody::factor_solve(const double* r, double* z) const {
-  const Impl& m = *impl_;
-  if (!m.cholesky) m.cholesky = std::make_unique<Cholesky>(m.pattern);
-  if (!m.factored) {
-    if (!m.hessian_known) m.set_hessian();
-    m.cholesky->factor(m.hessian);
-    m.factored = true;
-  }
-  m.cholesky->solve(r, z);
+  impl_->hessian.factor_solve(r, z);
 }
-
 void SoftBody::multigrid_solve(std::span<const Mat3> diagonal, std::span<const Mat3> inverse, const double* r,
                                double* z) const {
-  const Impl& m = *impl_;
-  if (!m.multigrid) m.make_coarse_levels();
-  if (!m.multigrid_turned) {
-    m.multigrid->retime(m.inertia() / m.scale());
-    m.multigrid->turn(m.model->objective() ? m.x_n.data() : nullptr);
-    m.multigrid_turned = true;
-  }
-  m.set_rows();
-  if (!m.multigrid_set)
-    m.multigrid->set_matrix(m.symmetric.blocks_of(m.rows.right), m.scale(), diagonal, inverse);
-  m.multigrid_set = true;
-  m.multigrid->apply(r, z);
+  impl_->hessian.multigrid_solve(diagonal, inverse, r, z);
 }
 
 void SoftBody::finish_stage(int stage_index, double h, const Eigen::Ref<const VecX>& x,

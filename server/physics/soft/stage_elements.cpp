@@ -1,0 +1,84 @@
+#include "server/physics/soft/stage_elements.h"
+
+#include "common/messages.h"
+
+namespace prosector {
+namespace {
+
+/// Cells that nodes may move while a matrix is still good to descend with.
+constexpr double same_tangent = 0.1;
+
+}  // namespace
+
+StageElements::StageElements(const SoftSystem& system, bool in_double) : system_(system) {
+  if (system.model.turns()) turned_.emplace(system.model.connectivity(), system.symmetric);
+  if (in_double && system.damped()) blocks_.resize(system.pattern.blocks());
+  for (Linearised* place : {&first_, &later_}) place->at = VecX::Zero(system.model.rest().size());
+}
+
+void StageElements::begin_stage(const VecX& start, double scale, bool single) {
+  start_ = &start;
+  scale_ = scale;
+  single_ = single;
+  first_.known = blocks_known_ = false;
+  present_ = assembled_ = nullptr;
+}
+
+/// x, unless it is nowhere to know anything of: the start then.
+Eigen::Ref<const VecX> StageElements::somewhere(const Eigen::Ref<const VecX>& x) const {
+  const bool good = x.allFinite() && x.lpNorm<Eigen::Infinity>() < max_coordinate;
+  return good ? x : Eigen::Ref<const VecX>(*start_);
+}
+
+void StageElements::find(const Eigen::Ref<const VecX>& x, Linearised& out) {
+  system_.model.linearise(x.data(), 1 / scale_, out.elements);
+  out.at = x;
+  out.known = true;
+}
+
+void StageElements::linearise(const Eigen::Ref<const VecX>& x) {
+  if (present_ && x == present_->at) return;
+  if (!first_.known) find(somewhere(x), first_);
+  present_ = &first_;
+  if (x == first_.at) return;
+  find(x, later_);
+  present_ = &later_;
+  if (assembled_ == &later_) assembled_ = nullptr;
+}
+
+void StageElements::assemble(const Eigen::Ref<const VecX>& x, SymmetricRows& rows) {
+  linearise(x);
+  turned_->assemble(present_->elements, rows);
+  assembled_ = present_;
+}
+
+bool StageElements::near(const Eigen::Ref<const VecX>& x, const VecX& there) const {
+  return (x - there).lpNorm<Eigen::Infinity>() <= same_tangent * system_.desc.cell;
+}
+bool StageElements::near_assembled(const Eigen::Ref<const VecX>& x) const {
+  return assembled_ && near(x, assembled_->at);
+}
+bool StageElements::near_start(const Eigen::Ref<const VecX>& x) const {
+  return near(x, *start_);
+}
+
+double StageElements::damping_energy(const Eigen::Ref<const VecX>& x, const VecX& u) {
+  if (!first_.known) linearise(x);
+  return turned_->energy(first_.elements, u.data());
+}
+
+double StageElements::damping_forces(const Eigen::Ref<const VecX>& x, const VecX& u, VecX& f) {
+  if (!first_.known) linearise(x);
+  return turned_->multiply(first_.elements, u.data(), f.data());
+}
+
+std::span<const Mat3> StageElements::damping_blocks(const Eigen::Ref<const VecX>& x) {
+  if (!blocks_known_) {
+    blocks_.resize(system_.pattern.blocks());
+    system_.pattern.gather(system_.model.warped_stiffness(somewhere(x).data()), 0, {}, blocks_);
+    blocks_known_ = true;
+  }
+  return blocks_;
+}
+
+}  // namespace prosector
