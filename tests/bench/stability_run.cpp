@@ -84,21 +84,23 @@ class StabilityRun {
       moved_ = moved_ || largest > least_energy;
       const double excess = (total_energy(pull) - start) / largest;
       if (std::isfinite(excess)) result_.energy_excess = std::max(result_.energy_excess, excess);
-      if (gravity.isZero() && result_.back_after_s < 0 && (i % steps_between_looks == 0 || i == steps) &&
-          off() < near_enough)
-        result_.back_after_s = i * extreme_.dt;
+      if (gravity.isZero() && (i % steps_between_looks == 0 || i == steps)) look(i * extreme_.dt);
       if (spent_ms_ > limit_ms_ && i < steps) return false;
       if (gravity.isZero() && settled(extreme_.dt)) return true;
     }
     return true;
   }
 
+  void look(double t) {
+    back_ = off() < near_enough;
+    if (back_ && result_.back_after_s < 0) result_.back_after_s = t;
+  }
+
   /// Whether it is back and has kept its shape for so long that nothing more will happen, however it drifts
   /// and spins, unless its law is for small rotations. A body at rest is watched to the end under methods
   /// that may grow out of rounding.
   bool settled(double dt) {
-    const bool still = (moved_ || !substepped_) && result_.back_after_s >= 0 && !recovering_ &&
-                       deforming_speed() < still_speed;
+    const bool still = (moved_ || !substepped_) && back_ && !recovering_ && deforming_speed() < still_speed;
     still_for_ = still ? still_for_ + dt : 0;
     return still_for_ > still_seconds;
   }
@@ -195,6 +197,7 @@ class StabilityRun {
   VecX rest_;
   std::vector<double> steps_ms_;
   bool went_ = true, last_converged_ = true, recovering_ = false, switched_ = false, moved_ = false;
+  bool back_ = false;     // in its shape, when last looked at
   double still_for_ = 0;  // s
   StabilityResult result_;
 };
