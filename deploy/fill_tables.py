@@ -297,6 +297,26 @@ def rungs(reports):
                   "extremes: survives / degrades / refuses / fails"], lines)
 
 
+EXPLICIT = ("explicit_euler", "symplectic_euler", "rk2", "rk4", "verlet")
+
+
+def kind_of(row):
+    if row["model"] == "xpbd":
+        return "XPBD"
+    return "explicit" if row["integrator"] in EXPLICIT else "implicit"
+
+
+def extremes(reports):
+    lines = []
+    for (kind,), cells in grouped([{**row, "kind": kind_of(row)} for row in reports.rows("stability")], "kind").items():
+        told = [row["verdict"] for row in cells]
+        run = [row for row in cells if row["verdict"] and row["steps"]]
+        late = sum(not row["met_deadline"] for row in run)
+        lines.append([kind, len(cells), *(told.count(name) for name in ("survives", "degrades", "refuses", "fails")),
+                      told.count(None), f"{late} of {len(run)}"])
+    return table(["Methods", "cells", "survive", "degrade", "refuse", "fail", "not run", "missed their frames"], lines)
+
+
 def integrators(reports):
     key = ERROR_KEYS["swing"]
     rows = measured(reports.rows("trade", case="swing", model="fem_corotational", element="tet4"), key)
@@ -364,7 +384,7 @@ def machine(reports, before):
 
 KEEPING = {"machine": machine, "goals": goals}  # of several benches: lines of those not given stay
 TABLES = {"beam": beam, "beam101k": beam101k, "press": press, "advice": advice,
-          "bend-sizes": bend_sizes, "rungs": rungs, "integrators": integrators, "springs": springs, "laws": laws, "scaling": scaling,
+          "bend-sizes": bend_sizes, "rungs": rungs, "extremes": extremes, "integrators": integrators, "springs": springs, "laws": laws, "scaling": scaling,
           **{f"trade-{case}": trade_case(case) for case in ("bend", "bend_incompressible", "swing", "free", "press")}}
 
 

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "server/physics/coupled/solve_island.h"
+#include "server/physics/coupled/island_solver.h"
 #include "server/physics/simulation_impl.h"
 
 namespace prosector {
@@ -63,6 +63,7 @@ void write_cache(const std::filesystem::path& file, const std::vector<VecX>& sha
 
 void Simulation::Impl::relax(std::size_t body) {
   SoftBodyState& state = soft[body];
+  IslandSolver solver;
   for (int step = 0; step < most_relaxation_steps; ++step) {
     surfaces[body].update(state.motion.x.data());
     Island island;
@@ -73,7 +74,7 @@ void Simulation::Impl::relax(std::size_t body) {
     }
     const VecX before = state.motion.x;
     model.soft[body]->set_relaxed(true);
-    const IslandReport solved = solve_island(island, relaxation_step, model.scene.gravity);
+    const IslandReport solved = solver.solve(island, relaxation_step, model.scene.gravity);
     model.soft[body]->set_relaxed(false);
     state.motion.v.setZero();
     state.warm_start.setZero();

@@ -1,7 +1,7 @@
 #pragma once
 // One soft body stepped by the server's island solver, and what its steps cost.
 
-#include "server/physics/coupled/solve_island.h"
+#include "server/physics/coupled/island_solver.h"
 #include "tests/bench/report.h"
 
 namespace prosector {
@@ -54,6 +54,7 @@ class SoftRun {
  private:
   SoftBody body_;
   SoftBodyState state_;
+  IslandSolver solver_;
   bool finite_ = true;
 };
 

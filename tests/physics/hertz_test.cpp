@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "server/physics/contact/surface_detector.h"
-#include "server/physics/coupled/solve_island.h"
+#include "server/physics/coupled/island_solver.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {
@@ -83,7 +83,7 @@ double press(double height, double core, double depth, double cell) {
       c.stiffness = 100 * youngs_modulus * body.surface_area()[vertex] / cell;
       island.contacts.push_back(c);
     });
-    EXPECT_TRUE(solve_island(island, 1.0, Vec3::Zero()).converged);
+    EXPECT_TRUE(IslandSolver().solve(island, 1.0, Vec3::Zero()).converged);
     state.motion.v.setZero();
     state.warm_start.setZero();
     force = 0;

@@ -59,8 +59,8 @@ TEST(Integrators, HoldUpToTheirLimit) {
   for (const Case& c :
        {Case{"explicit_euler", 0}, {"symplectic_euler", 2}, {"verlet", 2}, {"rk2", 0}, {"rk4", 2.8284}}) {
     const OscillatorMethod m = oscillator_method(c.name);
-    EXPECT_NEAR(stable_step(*m.forces, 1), c.limit, 0.001) << c.name;
-    EXPECT_NEAR(stable_step(*m.forces, 50) * 50, c.limit, 0.001) << c.name;
+    EXPECT_NEAR(StepLimit(*m.forces).at(1), c.limit, 0.001) << c.name;
+    EXPECT_NEAR(StepLimit(*m.forces).at(50) * 50, c.limit, 0.001) << c.name;
     if (c.limit > 0) {
       EXPECT_TRUE(holds(m, 0.99 * c.limit)) << c.name;
       EXPECT_FALSE(holds(m, 1.02 * c.limit)) << c.name;
@@ -68,13 +68,13 @@ TEST(Integrators, HoldUpToTheirLimit) {
       EXPECT_FALSE(holds(m, 0.5)) << c.name;
     }
     for (const double zeta : {0.05, 0.5, 5.0}) {
-      const double limit = stable_step(*m.forces, 1, 2 * zeta);
+      const double limit = StepLimit(*m.forces).at(1, 2 * zeta);
       EXPECT_GT(limit, 0) << c.name;
       EXPECT_TRUE(holds(m, 0.99 * limit, zeta)) << c.name << " " << zeta;
       EXPECT_FALSE(holds(m, 1.02 * limit, zeta)) << c.name << " " << zeta;
     }
   }
-  EXPECT_NEAR(stable_step(*oscillator_method("explicit_euler").forces, 1, 0.2), 0.2, 1e-6);  // h < 2ζ/ω
+  EXPECT_NEAR(StepLimit(*oscillator_method("explicit_euler").forces).at(1, 0.2), 0.2, 1e-6);  // h < 2ζ/ω
   for (const IntegratorRow& row : integrators())
     for (const double z : {3.0, 30.0, 3e4})
       EXPECT_TRUE(holds(oscillator_method(row.name), z)) << row.name << " " << z;

@@ -41,8 +41,11 @@ void limit_speed(SoftMember& m, double h) {
   m.state->warm_start.setZero();
 }
 
-EnergyGuard::EnergyGuard(Island& island, const Vec3& gravity)
-    : island_(island), gravity_(gravity), after_(island.soft.size()) {
+void EnergyGuard::begin(Island& island, const Vec3& gravity) {
+  island_ = &island;
+  gravity_ = gravity;
+  before_.clear();
+  after_.assign(island.soft.size(), 0);
   for (SoftMember& m : island.soft) {
     m.body->remember(*m.state);
     before_.push_back(stored(m));
@@ -54,7 +57,7 @@ double EnergyGuard::stored(const SoftMember& m) const {
 }
 
 double EnergyGuard::allowed(std::size_t m, double work) const {
-  const SoftMember& s = island_.soft[m];
+  const SoftMember& s = island_->soft[m];
   const SoftDesc& desc = s.body->desc();
   const double stiffness = desc.youngs_modulus * s.body->total_mass() / desc.density;  // J
   return (1 + allowance) * (before_[m] + std::max(0.0, work)) + s.state->energy_slack +
@@ -68,8 +71,8 @@ bool EnergyGuard::sound() const {
 
 bool EnergyGuard::gained(const std::vector<double>& work) {
   bool any = false;
-  for (std::size_t m = 0; m < island_.soft.size(); ++m) {
-    const SoftMember& s = island_.soft[m];
+  for (std::size_t m = 0; m < island_->soft.size(); ++m) {
+    const SoftMember& s = island_->soft[m];
     after_[m] = stored(s);
     any = any || !(after_[m] <= allowed(m, work[m]));
   }
@@ -77,13 +80,13 @@ bool EnergyGuard::gained(const std::vector<double>& work) {
 }
 
 void EnergyGuard::rewind() {
-  for (SoftMember& s : island_.soft) s.body->recall(*s.state);
+  for (SoftMember& s : island_->soft) s.body->recall(*s.state);
 }
 
 void EnergyGuard::shorten(const std::vector<double>& work) {
-  for (std::size_t m = 0; m < island_.soft.size(); ++m) {
+  for (std::size_t m = 0; m < island_->soft.size(); ++m) {
     if (after_[m] <= allowed(m, work[m])) continue;
-    SoftMember& s = island_.soft[m];
+    SoftMember& s = island_->soft[m];
     Motion& motion = s.state->motion;
     const VecX& start = s.body->remembered().x;
     const VecX x = motion.x - start, v = motion.v;
@@ -109,10 +112,10 @@ void EnergyGuard::shorten(const std::vector<double>& work) {
 }
 
 void EnergyGuard::finish(const std::vector<double>& work) {
-  for (std::size_t m = 0; m < island_.soft.size(); ++m) {
-    SoftBodyState& state = *island_.soft[m].state;
+  for (std::size_t m = 0; m < island_->soft.size(); ++m) {
+    SoftBodyState& state = *island_->soft[m].state;
     const double headroom = std::clamp(allowed(m, work[m]) - after_[m], 0.0, most_slack * after_[m]);
-    state.energy_slack = island_.soft[m].body->integrator().remembers() ? slack_kept * headroom : 0;
+    state.energy_slack = island_->soft[m].body->integrator().remembers() ? slack_kept * headroom : 0;
   }
 }
 

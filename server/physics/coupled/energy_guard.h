@@ -20,8 +20,8 @@ void limit_speed(SoftMember& member, double h);
 
 class EnergyGuard {
  public:
-  /// Remembers the soft members' motion.
-  EnergyGuard(Island& island, const Vec3& gravity);
+  /// Starts a tick: remembers the soft members' motion. The island must outlive it.
+  void begin(Island& island, const Vec3& gravity);
 
   /// Whether the tick began with energies that are numbers.
   bool sound() const;
@@ -39,8 +39,8 @@ class EnergyGuard {
   double stored(const SoftMember& member) const;
   double allowed(std::size_t m, double work) const;
 
-  Island& island_;
-  const Vec3& gravity_;
+  Island* island_ = nullptr;
+  Vec3 gravity_ = Vec3::Zero();
   std::vector<double> before_, after_;  // J, elastic and kinetic, of each soft member
 };
 

@@ -27,14 +27,20 @@ Mat6 inertia_block(const RigidMember& body, double h) {
 
 }  // namespace
 
-IslandSystem::IslandSystem(Island& island, double h)
-    : island_(island), h_(h), slip_threshold_(stick_speed * h) {
+void IslandSystem::begin(Island& island, double h) {
+  island_ = &island;
+  h_ = h;
+  slip_threshold_ = stick_speed * h;
+  size_ = 0;
+  soft_offset_.clear();
   for (const SoftMember& m : island.soft) {
     soft_offset_.push_back(size_);
     size_ += 3 * m.body->nodes();
   }
   rigid_begin_ = size_;
   size_ += 6 * static_cast<Eigen::Index>(island.rigid.size());
+  contacts_.clear();
+  ties_.clear();
   for (const Contact& c : island.contacts) contacts_.push_back(join(c.a, c.b));
   for (const Tie& t : island.ties) ties_.push_back(join(t.a, t.b));
   stiff_.reserve(contacts_.size() + ties_.size());
@@ -50,7 +56,7 @@ IslandSystem::Side IslandSystem::resolve(const ContactSide& side) const {
   Side out;
   if (side.kind == ContactSide::Kind::soft) {
     std::size_t m = 0;
-    while (island_.soft[m].index != side.body) ++m;
+    while (island_->soft[m].index != side.body) ++m;
     out.member = m;
     out.nodes = side.nodes;
     out.weight = side.weight;
@@ -58,7 +64,7 @@ IslandSystem::Side IslandSystem::resolve(const ContactSide& side) const {
       out.offset[k] = soft_offset_[m] + 3 * static_cast<Eigen::Index>(side.node[k]);
   } else if (side.kind == ContactSide::Kind::rigid) {
     std::size_t m = 0;
-    while (island_.rigid[m].slot != side.body) ++m;
+    while (island_->rigid[m].slot != side.body) ++m;
     out.rigid = rigid_offset(m);
     out.arm = side.arm;
   }
@@ -69,7 +75,7 @@ IslandSystem::Joint IslandSystem::join(const ContactSide& a, const ContactSide& 
   const auto start = [&](const ContactSide& side) {
     Vec3 x = Vec3::Zero();
     if (side.kind != ContactSide::Kind::soft) return x;
-    for (const SoftMember& m : island_.soft)
+    for (const SoftMember& m : island_->soft)
       if (m.index == side.body)
         for (std::size_t k = 0; k < side.nodes; ++k)
           x += side.weight[k] * m.state->motion.x.segment<3>(3 * static_cast<Eigen::Index>(side.node[k]));
@@ -96,23 +102,21 @@ void IslandSystem::add(const Side& side, const Vec3& f, VecX& out) {
   }
 }
 
-VecX IslandSystem::initial_guess() const {
-  VecX q(size_);
-  for (std::size_t m = 0; m < island_.soft.size(); ++m)
-    island_.soft[m].body->initial_guess(h_, *island_.soft[m].state,
-                                        q.segment(soft_offset_[m], 3 * island_.soft[m].body->nodes()));
-  for (std::size_t m = 0; m < island_.rigid.size(); ++m)
-    q.segment<6>(rigid_offset(m)) = island_.rigid[m].predicted;
-  return q;
+void IslandSystem::initial_guess(VecX& q) const {
+  q.resize(size_);
+  for (std::size_t m = 0; m < island_->soft.size(); ++m)
+    island_->soft[m].body->initial_guess(h_, *island_->soft[m].state,
+                                         q.segment(soft_offset_[m], 3 * island_->soft[m].body->nodes()));
+  for (std::size_t m = 0; m < island_->rigid.size(); ++m)
+    q.segment<6>(rigid_offset(m)) = island_->rigid[m].predicted;
 }
 
-VecX IslandSystem::start() const {
-  VecX q(size_);
-  for (std::size_t m = 0; m < island_.soft.size(); ++m)
-    q.segment(soft_offset_[m], 3 * island_.soft[m].body->nodes()) = island_.soft[m].state->motion.x;
-  for (std::size_t m = 0; m < island_.rigid.size(); ++m)
-    q.segment<6>(rigid_offset(m)) = island_.rigid[m].predicted;
-  return q;
+void IslandSystem::start(VecX& q) const {
+  q.resize(size_);
+  for (std::size_t m = 0; m < island_->soft.size(); ++m)
+    q.segment(soft_offset_[m], 3 * island_->soft[m].body->nodes()) = island_->soft[m].state->motion.x;
+  for (std::size_t m = 0; m < island_->rigid.size(); ++m)
+    q.segment<6>(rigid_offset(m)) = island_->rigid[m].predicted;
 }
 
 void IslandSystem::joint_work(const VecX& start, const VecX& q, std::vector<double>& work) const {
@@ -125,7 +129,7 @@ void IslandSystem::joint_work(const VecX& start, const VecX& q, std::vector<doub
     add(contacts_[c].b, f);
   }
   for (std::size_t t = 0; t < ties_.size(); ++t) {
-    const Tie& tie = island_.ties[t];
+    const Tie& tie = island_->ties[t];
     const Vec3 d = tie.offset + displacement(ties_[t], q);
     const Vec3 f = BoundedSpring{tie.stiffness, tie.max_force}.secant(d.norm()) * d;
     add(ties_[t].a, -f);
@@ -134,25 +138,25 @@ void IslandSystem::joint_work(const VecX& start, const VecX& q, std::vector<doub
 }
 
 double IslandSystem::normal_force(const Contact& contact, const VecX& q) const {
-  const auto c = static_cast<std::size_t>(&contact - island_.contacts.data());
+  const auto c = static_cast<std::size_t>(&contact - island_->contacts.data());
   const double gap = contact.gap + contact.normal.dot(displacement(contacts_[c], q));
   return contact.stiffness * std::max(0.0, -gap);
 }
 
 void IslandSystem::lag_friction(const VecX& q) {
   for (std::size_t c = 0; c < contacts_.size(); ++c)
-    lagged_[c] = island_.contacts[c].friction * normal_force(island_.contacts[c], q);
+    lagged_[c] = island_->contacts[c].friction * normal_force(island_->contacts[c], q);
 }
 
 double IslandSystem::contact_energy(std::size_t c, const Vec3& u) const {
-  const Contact& contact = island_.contacts[c];
+  const Contact& contact = island_->contacts[c];
   const double along = contact.normal.dot(u), gap = std::min(0.0, contact.gap + along);
   const double slip = (u - along * contact.normal).norm();
   return contact.stiffness * gap * gap / 2 + lagged_[c] * FrictionNorm{slip_threshold_}.energy(slip);
 }
 
 Vec3 IslandSystem::contact_force(std::size_t c, const Vec3& u, Mat3* D) const {
-  const Contact& contact = island_.contacts[c];
+  const Contact& contact = island_->contacts[c];
   const Vec3& n = contact.normal;
   const double along = n.dot(u), gap = std::min(0.0, contact.gap + along);
   const Vec3 slip = u - along * n;
@@ -166,16 +170,16 @@ Vec3 IslandSystem::contact_force(std::size_t c, const Vec3& u, Mat3* D) const {
 
 double IslandSystem::energy(const VecX& q) {
   soft_energy_ = 0;
-  for (std::size_t m = 0; m < island_.soft.size(); ++m)
+  for (std::size_t m = 0; m < island_->soft.size(); ++m)
     soft_energy_ +=
-        island_.soft[m].body->energy(q.segment(soft_offset_[m], 3 * island_.soft[m].body->nodes()));
+        island_->soft[m].body->energy(q.segment(soft_offset_[m], 3 * island_->soft[m].body->nodes()));
   return soft_energy_ + joint_energy(q);
 }
 
 double IslandSystem::joint_energy(const VecX& q) const {
   double sum = 0;
-  for (std::size_t m = 0; m < island_.rigid.size(); ++m) {
-    const RigidMember& body = island_.rigid[m];
+  for (std::size_t m = 0; m < island_->rigid.size(); ++m) {
+    const RigidMember& body = island_->rigid[m];
     const Vec6 twist = q.segment<6>(rigid_offset(m)), d = twist - body.predicted;
     sum +=
         (body.mass * d.head<3>().squaredNorm() + d.tail<3>().dot(body.inertia * d.tail<3>())) / (2 * h_ * h_);
@@ -189,7 +193,7 @@ double IslandSystem::joint_energy(const VecX& q) const {
   }
   for (std::size_t c = 0; c < contacts_.size(); ++c) sum += contact_energy(c, displacement(contacts_[c], q));
   for (std::size_t t = 0; t < ties_.size(); ++t) {
-    const Tie& tie = island_.ties[t];
+    const Tie& tie = island_->ties[t];
     sum +=
         BoundedSpring{tie.stiffness, tie.max_force}.energy((tie.offset + displacement(ties_[t], q)).norm());
   }
@@ -197,18 +201,18 @@ double IslandSystem::joint_energy(const VecX& q) const {
 }
 
 void IslandSystem::linearise(const VecX& q) {
-  for (std::size_t m = 0; m < island_.soft.size(); ++m)
-    island_.soft[m].body->linearise(q.segment(soft_offset_[m], 3 * island_.soft[m].body->nodes()));
+  for (std::size_t m = 0; m < island_->soft.size(); ++m)
+    island_->soft[m].body->linearise(q.segment(soft_offset_[m], 3 * island_->soft[m].body->nodes()));
 }
 
 void IslandSystem::gradient(const VecX& q, VecX& g) {
   g.resize(size_);
-  for (std::size_t m = 0; m < island_.soft.size(); ++m) {
-    const Eigen::Index n = 3 * island_.soft[m].body->nodes();
-    island_.soft[m].body->gradient(q.segment(soft_offset_[m], n), g.segment(soft_offset_[m], n));
+  for (std::size_t m = 0; m < island_->soft.size(); ++m) {
+    const Eigen::Index n = 3 * island_->soft[m].body->nodes();
+    island_->soft[m].body->gradient(q.segment(soft_offset_[m], n), g.segment(soft_offset_[m], n));
   }
-  for (std::size_t m = 0; m < island_.rigid.size(); ++m) {
-    const RigidMember& body = island_.rigid[m];
+  for (std::size_t m = 0; m < island_->rigid.size(); ++m) {
+    const RigidMember& body = island_->rigid[m];
     const Vec6 twist = q.segment<6>(rigid_offset(m)), d = twist - body.predicted;
     auto out = g.segment<6>(rigid_offset(m));
     out.head<3>() = body.mass / (h_ * h_) * d.head<3>();
@@ -226,7 +230,7 @@ void IslandSystem::gradient(const VecX& q, VecX& g) {
     add(contacts_[c].b, -f, g);
   }
   for (std::size_t t = 0; t < ties_.size(); ++t) {
-    const Tie& tie = island_.ties[t];
+    const Tie& tie = island_->ties[t];
     const Vec3 d = tie.offset + displacement(ties_[t], q);
     const Vec3 f = BoundedSpring{tie.stiffness, tie.max_force}.secant(d.norm()) * d;
     add(ties_[t].a, f, g);
@@ -246,8 +250,8 @@ void IslandSystem::add_block(const Side& side, const Mat3& D) {
 
 bool IslandSystem::assemble(const VecX& q, bool exact) {
   bool kept = false;
-  for (std::size_t m = 0; m < island_.soft.size(); ++m) {
-    SoftBody& body = *island_.soft[m].body;
+  for (std::size_t m = 0; m < island_->soft.size(); ++m) {
+    SoftBody& body = *island_->soft[m].body;
     const auto x = q.segment(soft_offset_[m], 3 * body.nodes());
     if (exact)
       body.assemble(x);
@@ -257,8 +261,8 @@ bool IslandSystem::assemble(const VecX& q, bool exact) {
         std::span(node_blocks_)
             .subspan(static_cast<std::size_t>(soft_offset_[m] / 3), static_cast<std::size_t>(body.nodes())));
   }
-  for (std::size_t m = 0; m < island_.rigid.size(); ++m) {
-    const RigidMember& body = island_.rigid[m];
+  for (std::size_t m = 0; m < island_->rigid.size(); ++m) {
+    const RigidMember& body = island_->rigid[m];
     Mat6& block = rigid_blocks_[m] = inertia_block(body, h_);
     if (body.pull) {
       const Pull& pull = *body.pull;
@@ -273,7 +277,7 @@ bool IslandSystem::assemble(const VecX& q, bool exact) {
   for (std::size_t c = 0; c < contacts_.size(); ++c)
     contact_force(c, displacement(contacts_[c], q), &contacts_[c].D);
   for (std::size_t t = 0; t < ties_.size(); ++t) {
-    const Tie& tie = island_.ties[t];
+    const Tie& tie = island_->ties[t];
     const double d = (tie.offset + displacement(ties_[t], q)).norm();
     ties_[t].D = BoundedSpring{tie.stiffness, tie.max_force}.secant(d) * Mat3::Identity();
   }
@@ -295,9 +299,9 @@ bool IslandSystem::assemble(const VecX& q, bool exact) {
 
 void IslandSystem::multiply(const VecX& p, VecX& Hp) const {
   Hp.resize(size_);
-  for (std::size_t m = 0; m < island_.soft.size(); ++m)
-    island_.soft[m].body->multiply(p.data() + soft_offset_[m], Hp.data() + soft_offset_[m]);
-  for (std::size_t m = 0; m < island_.rigid.size(); ++m)
+  for (std::size_t m = 0; m < island_->soft.size(); ++m)
+    island_->soft[m].body->multiply(p.data() + soft_offset_[m], Hp.data() + soft_offset_[m]);
+  for (std::size_t m = 0; m < island_->rigid.size(); ++m)
     Hp.segment<6>(rigid_offset(m)) = rigid_blocks_[m] * p.segment<6>(rigid_offset(m));
   for (const Joint* joint : stiff_) {
     const Vec3 f = joint->D * (read(joint->a, p) - read(joint->b, p));
@@ -321,8 +325,8 @@ void IslandSystem::block_jacobi(const VecX& r, VecX& z) const {
 
 void IslandSystem::multigrid(const VecX& r, VecX& z) const {
   z.resize(size_);
-  for (std::size_t m = 0; m < island_.soft.size(); ++m) {
-    const SoftBody& body = *island_.soft[m].body;
+  for (std::size_t m = 0; m < island_->soft.size(); ++m) {
+    const SoftBody& body = *island_->soft[m].body;
     const auto first = static_cast<std::size_t>(soft_offset_[m] / 3),
                count = static_cast<std::size_t>(body.nodes());
     body.multigrid_solve(std::span(node_blocks_).subspan(first, count),
@@ -335,8 +339,8 @@ void IslandSystem::multigrid(const VecX& r, VecX& z) const {
 
 void IslandSystem::elastic_factor(const VecX& r, VecX& z) const {
   z.resize(size_);
-  for (std::size_t m = 0; m < island_.soft.size(); ++m)
-    island_.soft[m].body->factor_solve(r.data() + soft_offset_[m], z.data() + soft_offset_[m]);
+  for (std::size_t m = 0; m < island_->soft.size(); ++m)
+    island_->soft[m].body->factor_solve(r.data() + soft_offset_[m], z.data() + soft_offset_[m]);
   for (std::size_t m = 0; m < rigid_factors_.size(); ++m)
     z.segment<6>(rigid_offset(m)) = rigid_factors_[m].solve(r.segment<6>(rigid_offset(m)));
 }

@@ -9,12 +9,14 @@ namespace prosector {
 
 class IslandSystem final : public LinearOperator {
  public:
-  IslandSystem(Island& island, double h);
+  /// Takes the island, which must outlive what is asked of it, over a tick of h s. Displacements count from
+  /// where it is now. Allocates only for an island that is larger than those before.
+  void begin(Island& island, double h);
 
   /// Warm start: the soft bodies' own guess, the rigid bodies' prediction.
-  VecX initial_guess() const;
+  void initial_guess(VecX& q) const;
   /// Where the tick began, rigid bodies' prediction.
-  VecX start() const;
+  void start(VecX& q) const;
   /// Normal forces that friction uses until the next call: those at q.
   void lag_friction(const VecX& q);
   double energy(const VecX& q);
@@ -72,8 +74,8 @@ class IslandSystem final : public LinearOperator {
   double contact_energy(std::size_t c, const Vec3& u) const;
   Vec3 contact_force(std::size_t c, const Vec3& u, Mat3* D) const;
 
-  Island& island_;
-  double h_, slip_threshold_;
+  Island* island_ = nullptr;
+  double h_ = 0, slip_threshold_ = 0;
   double soft_energy_ = 0;  // J, of the last energy()
   Eigen::Index size_ = 0, rigid_begin_ = 0;
   std::vector<Eigen::Index> soft_offset_;

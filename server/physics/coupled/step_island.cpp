@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 #include "common/messages.h"
 #include "server/physics/coupled/energy_guard.h"
 #include "server/physics/coupled/impulse_coupling.h"
+#include "server/physics/coupled/island_solver.h"
 #include "server/physics/coupled/recovery.h"
-#include "server/physics/coupled/solve_island.h"
 #include "server/physics/soft/substepper.h"
 
 namespace prosector {
@@ -34,10 +36,17 @@ struct TickBuffers {
   ImpulseCoupling coupling;
 };
 
+/// By the first soft member, so that each of a scene's islands finds what its last tick worked in.
+using Solvers = std::map<std::size_t, IslandSolver>;
+IslandSolver& solver_of(const Island& island, Solvers& solvers) {
+  constexpr std::size_t rigid = std::numeric_limits<std::size_t>::max();
+  return solvers[island.soft.empty() ? rigid : island.soft.front().index];
+}
+
 /// One attempt at the tick, with who is substepped decided.
 class Tick {
  public:
-  Tick(Island& island, double h, const Vec3& gravity, TickBuffers& buffers)
+  Tick(Island& island, double h, const Vec3& gravity, TickBuffers& buffers, Solvers& solvers)
       : island_(island),
         h_(h),
         gravity_(gravity),
@@ -46,7 +55,8 @@ class Tick {
         work_(buffers.work),
         substepped_(buffers.substepped),
         minimised_always_(buffers.minimised_always),
-        buffers_(buffers) {
+        buffers_(buffers),
+        solvers_(solvers) {
     start_.resize(island.soft.size());
     energy_.clear();
     for (std::size_t m = 0; m < island.soft.size(); ++m) {
@@ -104,9 +114,16 @@ class Tick {
     for (std::size_t m = 0; m < island_.soft.size(); ++m) {
       if (!substepped_[m]) continue;
       island_.soft[m].substeps = substeps_;
-      island_.soft[m].note = fmt::format("{} substeps of {:.3g} ms, coupled by impulses{}", substeps_,
-                                         1e3 * h_ / substeps_, island_.soft[m].body->substepper()->remark());
+      say(island_.soft[m], "{} substeps of {:.3g} ms, coupled by impulses{}", substeps_, 1e3 * h_ / substeps_,
+          island_.soft[m].body->substepper()->remark());
     }
+  }
+
+  /// Into the note's own memory: notes are written every tick.
+  template <class... Values>
+  static void say(SoftMember& member, fmt::format_string<const Values&...> text, const Values&... values) {
+    member.note.clear();
+    fmt::format_to(std::back_inserter(member.note), text, values...);
   }
 
   void refuse(SoftMember& member, double needed) const {
@@ -116,17 +133,15 @@ class Tick {
     member.degraded = true;
     member.refused = own.has_limit();
     if (needed <= own.allowed())
-      member.note = fmt::format("{} did not hold in this tick: stepped by implicit_euler", method);
+      say(member, "{} did not hold in this tick: stepped by implicit_euler", method);
     else if (!own.has_limit())
-      member.note = fmt::format("{} gains energy in as many as {} substeps: stepped by implicit_euler{}",
-                                method, own.allowed(), own.remark());
+      say(member, "{} gains energy in as many as {} substeps: stepped by implicit_euler{}", method,
+          own.allowed(), own.remark());
     else if (std::isfinite(needed))
-      member.note =
-          fmt::format("{} needs {:.0f} substeps of {:.3g} ms, {} are allowed: stepped by implicit_euler",
-                      method, needed, 1e3 * h_ / needed, desc.max_substeps);
+      say(member, "{} needs {:.0f} substeps of {:.3g} ms, {} are allowed: stepped by implicit_euler", method,
+          needed, 1e3 * h_ / needed, desc.max_substeps);
     else
-      member.note =
-          fmt::format("{} grows at every step without more damping: stepped by implicit_euler", method);
+      say(member, "{} grows at every step without more damping: stepped by implicit_euler", method);
   }
 
   bool of_substepped(const ContactSide& side) const {
@@ -147,7 +162,9 @@ class Tick {
     rest.rigid = island_.rigid;
     for (std::size_t m = 0; m < island_.soft.size(); ++m)
       if (!substepped_[m]) {
-        rest.soft.push_back(island_.soft[m]);
+        const SoftMember& member = island_.soft[m];
+        rest.soft.push_back({member.index, member.body, member.state});
+        rest.soft.back().guarded = member.guarded;
         member_of.push_back(m);
       }
     for (std::size_t c = 0; c < island_.contacts.size(); ++c) {
@@ -169,7 +186,7 @@ class Tick {
     IslandReport report;
     report.converged = true;
     if (rest.soft.empty() && rest.rigid.empty()) return report;
-    report = solve_island(rest, h_, gravity_);
+    report = solver_of(rest, solvers_).solve(rest, h_, gravity_);
     island_.rigid = rest.rigid;
     for (std::size_t m = 0; m < member_of.size(); ++m)
       island_.soft[member_of[m]].guarded = rest.soft[m].guarded;
@@ -216,6 +233,7 @@ class Tick {
   std::vector<double>&energy_, &work_;
   std::vector<char>&substepped_, &minimised_always_;
   TickBuffers& buffers_;
+  Solvers& solvers_;
   int substeps_ = 0;
 };
 
@@ -223,6 +241,7 @@ class Tick {
 
 struct IslandStepper::Buffers {
   TickBuffers tick;
+  Solvers solvers;
   std::vector<SoftBody*> own;  // by soft member: the body itself, while another's law is in force
 };
 
@@ -243,8 +262,8 @@ IslandReport IslandStepper::step(Island& island, double h, const Vec3& gravity) 
   const Vec3 pull = sane ? gravity : Vec3(Vec3::Zero());
   const bool substeps = std::any_of(island.soft.begin(), island.soft.end(),
                                     [](const SoftMember& m) { return m.body->substepper() != nullptr; });
-  const IslandReport report =
-      substeps ? Tick(island, h, pull, buffers_->tick).run() : solve_island(island, h, pull);
+  const IslandReport report = substeps ? Tick(island, h, pull, buffers_->tick, buffers_->solvers).run()
+                                       : solver_of(island, buffers_->solvers).solve(island, h, pull);
   for (std::size_t i = 0; i < own.size(); ++i) {
     SoftMember& m = island.soft[i];
     m.body = own[i];

@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-/// Implicit bodies and rigid ones are minimised together (solve_island.h). Then bodies with a substepper of
+/// Implicit bodies and rigid ones are minimised together (island_solver.h). Then bodies with a substepper of
 /// their own (explicit, position-based) go through the tick in equal substeps, all of the island in step, and
 /// exchange equal and opposite impulses with what they touch (impulse_coupling.h). A body that would need
 /// more substeps than its scene allows is minimised instead, by implicit Euler, and says so; so is one that

@@ -88,18 +88,6 @@ class Oscillator final : public AccelerationField {
   double stiffness_, damping_;
 };
 
-/// Spectral radius of one step of h = z in units of 1/ω, from what it makes of (1, 0) and (0, 1).
-double growth(ExplicitIntegrator& method, Oscillator& oscillator, double z) {
-  VecX x(2), v(2);
-  x << 1, 0;
-  v << 0, 1;
-  method.step(oscillator, z, x, v);
-  const double half_trace = (x[0] + v[1]) / 2, determinant = x[0] * v[1] - x[1] * v[0];
-  const double discriminant = half_trace * half_trace - determinant;
-  if (discriminant < 0) return std::sqrt(determinant);
-  return std::abs(half_trace) + std::sqrt(discriminant);
-}
-
 constexpr double no_growth = 1 + 1e-14;
 constexpr double least_step = 1e-3;  // ωh: what holds only below it holds never, but for rounding
 constexpr double most_step = 4;      // ωh: none of the methods holds there
@@ -117,12 +105,25 @@ const std::vector<ExplicitRow>& explicit_integrators() {
   return rows;
 }
 
-double stable_step(ExplicitIntegrator& method, double omega, double damping_mass, double damping_stiffness) {
+StepLimit::StepLimit(ExplicitIntegrator& method) : method_(method), x_(2), v_(2) {}
+
+/// Spectral radius of one step of h = z in units of 1/ω, from what it makes of (1, 0) and (0, 1).
+double StepLimit::growth(AccelerationField& oscillator, double z) {
+  x_ << 1, 0;
+  v_ << 0, 1;
+  method_.step(oscillator, z, x_, v_);
+  const double half_trace = (x_[0] + v_[1]) / 2, determinant = x_[0] * v_[1] - x_[1] * v_[0];
+  const double discriminant = half_trace * half_trace - determinant;
+  if (discriminant < 0) return std::sqrt(determinant);
+  return std::abs(half_trace) + std::sqrt(discriminant);
+}
+
+double StepLimit::at(double omega, double damping_mass, double damping_stiffness) {
   Oscillator oscillator(1, damping_mass / omega + damping_stiffness * omega);
   double holds = 0, grows = most_step;
   for (int i = 0; i < 60; ++i) {
     const double middle = (holds + grows) / 2;
-    (growth(method, oscillator, middle) <= no_growth ? holds : grows) = middle;
+    (growth(oscillator, middle) <= no_growth ? holds : grows) = middle;
   }
   return holds < least_step && !oscillator.damped() ? 0 : holds / omega;
 }

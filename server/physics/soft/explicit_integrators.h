@@ -36,11 +36,22 @@ struct ExplicitRow {
 };
 const std::vector<ExplicitRow>& explicit_integrators();
 
-/// The largest step, s, at which the oscillation x″ = −ω²x − (damping_mass + damping_stiffness·ω²)x′ does not
-/// grow under this method; 0 when it grows at every step. Found from the method's own amplification matrix.
-/// Of a body's oscillations the one with the largest ω, 1/s, bounds the step, with damping as without:
-/// what grows faster with ω than the growth itself is none of the methods' margins.
-double stable_step(ExplicitIntegrator& method, double omega, double damping_mass = 0,
-                   double damping_stiffness = 0);
+/// How long steps a method may take, from its own amplification matrix.
+class StepLimit {
+ public:
+  /// `method` must outlive this and step nothing else: its memory is for one oscillation.
+  explicit StepLimit(ExplicitIntegrator& method);
+  /// The largest step, s, at which the oscillation x″ = −ω²x − (damping_mass + damping_stiffness·ω²)x′ does
+  /// not grow; 0 when it grows at every step. Of a body's oscillations the one with the largest ω, 1/s,
+  /// bounds the step, with damping as without: what grows faster with ω than the growth itself is none of the
+  /// methods' margins. Allocates on the first call only.
+  double at(double omega, double damping_mass = 0, double damping_stiffness = 0);
+
+ private:
+  double growth(AccelerationField& oscillator, double z);
+
+  ExplicitIntegrator& method_;
+  VecX x_, v_;  // 2
+};
 
 }  // namespace prosector

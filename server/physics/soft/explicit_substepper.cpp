@@ -61,7 +61,9 @@ class ExplicitSubstepper final : public Substepper {
   explicit ExplicitSubstepper(const SubstepBody& body)
       : body_(body),
         method_(find_row(explicit_integrators(), "integrator", body.desc.integrator).make()),
-        needs_damping_(stable_step(*method_, 1) == 0),
+        sounded_(find_row(explicit_integrators(), "integrator", body.desc.integrator).make()),
+        limit_(*sounded_),
+        needs_damping_(limit_.at(1) == 0),
         field_(body),
         stiffness_(body.pattern.blocks()),
         scale_(body.model.rest().size()),
@@ -123,13 +125,14 @@ class ExplicitSubstepper final : public Substepper {
     if (!std::isfinite(omega)) return 0;
     if (!(omega > 0)) return std::numeric_limits<double>::infinity();
     const bool stiffened = omega > most_stiffening * omega_;
-    return stable_step(*method_, omega, body_.desc.damping_mass,
-                       stiffened && needs_damping_ ? 0 : body_.desc.damping_stiffness);
+    return limit_.at(omega, body_.desc.damping_mass,
+                     stiffened && needs_damping_ ? 0 : body_.desc.damping_stiffness);
   }
 
   const SubstepBody body_;
-  std::unique_ptr<ExplicitIntegrator> method_;
-  bool needs_damping_;  // to hold at any step
+  std::unique_ptr<ExplicitIntegrator> method_, sounded_;  // that steps; whose limit is found
+  mutable StepLimit limit_;                               // with memory of its own
+  bool needs_damping_;                                    // to hold at any step
   BodyField field_;
   std::vector<Mat3> stiffness_;
   VecX scale_, product_;  // 3n: M^−½; scratch

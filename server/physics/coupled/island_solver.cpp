@@ -1,0 +1,222 @@
+#include "server/physics/coupled/island_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "server/physics/soft/effort.h"
+
+namespace prosector {
+namespace {
+
+constexpr int rigid_newton_iterations = 12;
+constexpr double enough_step =
+    1e-5;  // m: a next Newton step below it, at the rate of the last two, is not taken
+constexpr double converged_step = 1e-4;  // m
+constexpr int halvings = 12, halvings_with_care = 40;
+constexpr int newton_with_care = 4;   // times the scene's iterations
+constexpr double violent_step = 0.1;  // diagonals of a body that its warm start may lead away
+constexpr double armijo = 1e-4;
+constexpr const char* rigid_solver = "cg";  // of islands without a soft body
+constexpr double rounding = 1e-12;          // of |E|: what a sum of this size cannot resolve
+
+/// Inexact Newton (Dembo, Eisenstat and Steihaug 1982): what a tighter solve of the first of several
+/// linearisations would gain, the next one changes again. Not where rigid bodies bear each other: errors
+/// there are pushes, and light bodies under heavy ones drift.
+double linear_tolerance(const Island& island, double tolerance) {
+  const bool rigid_contact =
+      std::any_of(island.contacts.begin(), island.contacts.end(),
+                  [](const Contact& c) { return c.a.kind != ContactSide::Kind::soft; });
+  return rigid_contact ? tolerance : std::sqrt(tolerance);
+}
+
+/// Whether the warm start of some soft body leads so far that it may be worse than none.
+bool violent(const Island& island) {
+  return std::any_of(island.soft.begin(), island.soft.end(), [](const SoftMember& m) {
+    return m.state->warm_start.lpNorm<Eigen::Infinity>() > violent_step * m.body->diagonal();
+  });
+}
+
+int stages_of(const SoftMember& m) {
+  return m.euler ? 1 : m.body->integrator().stages();
+}
+
+/// Whether some body keeps a history of stress: what it gives back is no gain.
+bool relaxing(const Island& island) {
+  return std::any_of(island.soft.begin(), island.soft.end(),
+                     [](const SoftMember& m) { return m.state->history.size() > 0; });
+}
+
+/// Methods of several steps or stages weigh a force otherwise than a rigid body does over the same tick: in
+/// company of rigid bodies all are stepped by implicit Euler, so that what one loses the other gets.
+void choose_integrators(Island& island) {
+  for (SoftMember& m : island.soft) m.euler = !island.rigid.empty() || island.soft.size() > 1;
+}
+
+}  // namespace
+
+struct IslandSolver::Limits {
+  int newton = rigid_newton_iterations;
+  bool alone = true;     // nothing touches or holds: the guard is on
+  bool careful = false;  // exact tangents from the first on, long searches
+  SolverSettings settings;
+  LinearSolver* solver = nullptr;
+};
+
+IslandSolver::Limits IslandSolver::limits_of(const Island& island) {
+  Limits limits;
+  const bool soft = !island.soft.empty();
+  const std::string name = soft ? island.soft.front().body->desc().solver : rigid_solver;
+  std::unique_ptr<LinearSolver>& solver = solvers_[name];
+  if (!solver) solver = make_solver(name);
+  limits.solver = solver.get();
+  limits.alone = island.contacts.empty() && island.ties.empty() && !relaxing(island);
+  if (!soft) return limits;
+  int steps_down = static_cast<int>(max_steps_down);
+  for (const SoftMember& m : island.soft) steps_down = std::min(steps_down, m.state->steps_down);
+  const Effort effort = effort_of(island.soft.front().body->desc(), steps_down);
+  limits.newton = effort.newton_iterations;
+  limits.settings = {effort.solver_iterations, effort.solver_tolerance};
+  return limits;
+}
+
+/// Largest step length 1, ½, ¼ … that lowers the energy enough; 0 when none does. next_, and the system's
+/// last energy, are then there.
+double IslandSolver::line_search(double energy, double slope, int halvings) {
+  double length = 1;
+  for (int i = 0; i < halvings; ++i, length /= 2) {
+    next_ = q_ + length * step_;
+    const double there = system_.energy(next_);
+    if (std::isfinite(there) && there <= energy + armijo * length * slope + rounding * std::abs(energy))
+      return length;
+  }
+  return 0;
+}
+
+/// q_, or where the tick began.
+void IslandSolver::start_where_energy_is_least() {
+  const double there = system_.energy(q_), here = system_.energy(start_);
+  if (!std::isfinite(there) || here < there)
+    q_ = start_;
+  else
+    system_.energy(q_);
+}
+
+/// From q_ on, and there.
+IslandReport IslandSolver::minimise(const Limits& limits, double tolerance) {
+  IslandReport report;
+  step_.resize(system_.size());
+  bool exact = limits.careful;
+  system_.linearise(q_);
+  system_.energy(q_);
+  while (report.newton_iterations < limits.newton) {
+    system_.linearise(q_);
+    system_.lag_friction(q_);
+    const double energy = system_.energy_with_new_friction(q_);
+    system_.gradient(q_, g_);
+    const bool kept = system_.assemble(q_, exact);
+    g_ = -g_;
+    step_.setZero();
+    SolveReport solved =
+        limits.solver->solve(system_, g_, {limits.settings.max_iterations, tolerance}, step_);
+    report.solver_iterations += solved.iterations;
+    if (report.newton_iterations++ == 0 && step_.lpNorm<Eigen::Infinity>() < converged_step) {
+      solved =
+          limits.solver->solve(system_, g_, limits.settings, step_);  // close to rest: this one is the last
+      report.solver_iterations += solved.iterations;
+    }
+    report.residual = solved.residual;
+    const double slope = -g_.dot(step_);
+    if (!(slope < 0)) break;  // at rest, or not finite
+    const double length = line_search(energy, slope, limits.careful ? halvings_with_care : halvings);
+    if (length == 0 && !kept) {
+      report.descended = false;
+      break;
+    }
+    // A matrix kept misleads here; beside others, who touches whom may as well have changed.
+    exact = exact || (kept && (limits.alone ? length < 1 : length == 0));
+    if (length == 0) {
+      system_.energy(q_);
+      continue;
+    }
+    q_.swap(next_);
+    const double before = report.last_step;
+    report.last_step = length * step_.lpNorm<Eigen::Infinity>();
+    const double rate = before > 0 ? std::min(1.0, report.last_step / before) : 1;
+    if (rate * report.last_step < enough_step) break;
+  }
+  report.converged = report.last_step < converged_step && std::isfinite(report.residual);
+  return report;
+}
+
+/// One attempt at the tick. work_: J, by joints on each soft member.
+IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double h, const Vec3& gravity) {
+  const double tolerance = linear_tolerance(island, limits.settings.tolerance);
+  int stages = 1;
+  for (const SoftMember& m : island.soft) stages = std::max(stages, stages_of(m));
+  IslandReport report;
+  work_.assign(island.soft.size(), 0);
+  system_.begin(island, h);  // displacements count from here, in every stage
+  system_.start(start_);
+  for (int stage = 0; stage < stages; ++stage) {
+    for (SoftMember& m : island.soft) m.body->begin_stage(stage, h, gravity, *m.state, m.euler);
+    system_.initial_guess(q_);
+    if (limits.careful || (limits.alone && violent(island))) start_where_energy_is_least();
+    IslandReport part = minimise(limits, tolerance);
+    part.newton_iterations += report.newton_iterations;
+    part.solver_iterations += report.solver_iterations;
+    part.descended = part.descended && report.descended;
+    report = part;
+    report.finite = q_.allFinite() && q_.lpNorm<Eigen::Infinity>() < max_coordinate;
+    if (!report.finite) return report;
+    for (std::size_t m = 0; m < island.rigid.size(); ++m)
+      island.rigid[m].twist = q_.segment<6>(system_.rigid_offset(m));
+    for (Contact& c : island.contacts) c.force = system_.normal_force(c, q_);
+    for (std::size_t m = 0; m < island.soft.size(); ++m) {
+      SoftBody& body = *island.soft[m].body;
+      body.finish_stage(stage, h, q_.segment(system_.soft_offset(m), 3 * body.nodes()),
+                        *island.soft[m].state);
+    }
+    if (stage + 1 == stages) system_.joint_work(start_, q_, work_);
+  }
+  return report;
+}
+
+IslandReport IslandSolver::solve(Island& island, double h, const Vec3& gravity) {
+  Limits limits = limits_of(island);
+  choose_integrators(island);
+  guard_.begin(island, gravity);
+  if (!guard_.sound()) {
+    IslandReport lost;
+    lost.finite = false;
+    return lost;
+  }
+  IslandReport report = attempt(island, limits, h, gravity);
+  if (limits.alone && (!report.finite || guard_.gained(work_))) {
+    guard_.rewind();
+    limits.newton *= newton_with_care;
+    limits.careful = true;
+    for (SoftMember& m : island.soft) m.euler = m.guarded = true;
+    const IslandReport first = report;
+    report = attempt(island, limits, h, gravity);
+    report.newton_iterations += first.newton_iterations;
+    report.solver_iterations += first.solver_iterations;
+    if (!report.finite) {
+      guard_.rewind();
+      return report;
+    }
+    if (guard_.gained(work_)) {
+      guard_.shorten(work_);
+      report.converged = false;
+    }
+  }
+  if (!report.finite) {
+    guard_.rewind();
+    return report;
+  }
+  if (limits.alone) guard_.finish(work_);
+  for (SoftMember& m : island.soft)
+    if (m.euler && m.body->integrator().remembers()) m.state->motion.has_history = false;
+  return report;
+}
+
+}  // namespace prosector

@@ -1,0 +1,41 @@
+#pragma once
+// Projected Newton on an island's potential.
+
+#include <map>
+
+#include "server/physics/coupled/energy_guard.h"
+#include "server/physics/coupled/island_system.h"
+
+namespace prosector {
+
+/// Keeps what ticks work in, so that the same island's next tick allocates nothing; nothing of it is state.
+class IslandSolver {
+ public:
+  /// Minimises the island's energy over one tick of h seconds, then finishes the soft bodies' stages and
+  /// fills the rigid twists and the contacts' forces. Each Newton step solves with the first soft body's
+  /// linear solver and settings (an island without one: conjugate gradients) and descends by Armijo's rule,
+  /// so a solve that stops early is still a descent; what was left is in the report. Rigid bodies take the
+  /// whole tick in every stage of a multi-stage integrator; the last stage's result counts. Where several
+  /// bodies move together, rigid or soft, all are stepped by implicit Euler: other methods weigh a force
+  /// otherwise than a rigid body does, and momentum would be lost between them. A tick that is not finite, or
+  /// after which a soft body has more energy than explained, is taken again with more care, by implicit
+  /// Euler, and if need be shortened: energy_guard.h.
+  IslandReport solve(Island& island, double h, const Vec3& gravity);
+
+ private:
+  struct Limits;
+
+  Limits limits_of(const Island& island);
+  IslandReport attempt(Island& island, const Limits& limits, double h, const Vec3& gravity);
+  IslandReport minimise(const Limits& limits, double tolerance);
+  double line_search(double energy, double slope, int halvings);
+  void start_where_energy_is_least();
+
+  IslandSystem system_;
+  EnergyGuard guard_;
+  std::map<std::string, std::unique_ptr<LinearSolver>> solvers_;  // by name; made when first asked for
+  VecX start_, q_, g_, step_, next_;                              // as the system's unknowns
+  std::vector<double> work_;                                      // J, by joints, on each soft member
+};
+
+}  // namespace prosector
