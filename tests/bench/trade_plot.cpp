@@ -11,7 +11,7 @@
 namespace prosector {
 namespace {
 
-constexpr double left = 95, top = 70, plot_width = 640, plot_height = 500, bottom = 75, key_width = 550;
+constexpr double left = 95, top = 70, plot_width = 640, plot_height = 500, bottom = 75, key_width = 690;
 
 /// Decades of one axis on the sheet.
 struct LogAxis {
@@ -109,6 +109,18 @@ std::vector<std::pair<double, double>> staircase(const std::vector<TradePoint>& 
   return path;
 }
 
+/// Where a point's number goes: below it to the left, farther down while another number is there.
+std::pair<double, double> place_number(double x, double y, std::vector<std::pair<double, double>>& taken) {
+  constexpr double size = 16;
+  std::pair<double, double> place(x - 11, y + 17);
+  const auto covers = [&](const std::pair<double, double>& other) {
+    return std::hypot(place.first - other.first, place.second - other.second) < size;
+  };
+  while (std::any_of(taken.begin(), taken.end(), covers)) place.second += size / 2;
+  taken.push_back(place);
+  return place;
+}
+
 }  // namespace
 
 std::vector<std::size_t> pareto_front(const std::vector<TradePoint>& points) {
@@ -150,13 +162,15 @@ Svg draw(const TradePlot& plot) {
   }
   line += 14;
   svg.text(key, line, "The front: nothing is both cheaper and better", {12.5, "start", "#000000", true});
+  std::vector<std::pair<double, double>> taken;
   for (std::size_t n = 0; n < front.size(); ++n) {
     const TradePoint& point = points[front[n]];
     const double px = x.at(point.cost), py = y.at(point.error);
     const std::string number = std::to_string(n + 1);
-    svg.line(px, py, px - 9, py + 13, {"#444444", 0.8, ""});
-    svg.circle(px - 11, py + 17, 8, "#ffffff", "#444444");
-    svg.text(px - 11, py + 21, number, {10.5, "middle", "#000000", true});
+    const auto [nx, ny] = place_number(px, py, taken);
+    svg.line(px, py, nx + 2, ny - 4, {"#444444", 0.8, ""});
+    svg.circle(nx, ny, 8, "#ffffff", "#444444");
+    svg.text(nx, ny + 4, number, {10.5, "middle", "#000000", true});
     line += 20;
     svg.text(key, line, fmt::format("{}  {}", number, point.label), {12});
     line += 16;

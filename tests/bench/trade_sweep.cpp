@@ -4,6 +4,7 @@
 #include <span>
 
 #include "server/physics/soft/rungs.h"
+#include "server/physics/soft/time_integrator.h"
 
 namespace prosector {
 namespace {
@@ -45,6 +46,11 @@ Rung with(const Rung& rung, const Effort& effort) {
   return out;
 }
 
+/// Whose elements may be quadratic; springs know no others than linear ones.
+bool is_law(const ModelRow& model) {
+  return model.name.rfind("fem_", 0) == 0;
+}
+
 /// Rungs of one model and element at every effort.
 std::vector<Rung> efforts_of(const ModelRow& model, const std::string& element) {
   const std::string integrator = SoftDesc{}.integrator;
@@ -65,6 +71,18 @@ std::vector<Rung> efforts_of(const ModelRow& model, const std::string& element) 
   return out;
 }
 
+/// Every integrator on linear elements, and on quadratic ones those that explicit methods' short steps do not
+/// make dearer than they are worth.
+std::vector<Rung> ways_through_time(const ModelRow& model) {
+  const std::string solver = SoftDesc{}.solver;
+  std::vector<Rung> out;
+  for (const std::string& integrator : integrators_for(model))
+    out.push_back({model.name, integrator, solver});
+  if (!is_law(model)) return out;
+  for (const IntegratorRow& row : integrators()) out.push_back({model.name, row.name, solver, "tet10"});
+  return out;
+}
+
 }  // namespace
 
 std::vector<Trial> trials(const TradeCase& which, bool quick) {
@@ -73,8 +91,7 @@ std::vector<Trial> trials(const TradeCase& which, bool quick) {
   for (const ModelRow& model : models()) {
     if (!model.tets) continue;
     for (const std::string& element : element_names()) {
-      const bool is_law = model.name.rfind("fem_", 0) == 0;
-      if (!is_law && element != SoftDesc{}.element) continue;  // springs know no other
+      if (!is_law(model) && element != SoftDesc{}.element) continue;
       for (const unsigned cells : resolutions(which, quick))
         for (const Rung& rung : efforts_of(model, element)) {
           const bool dear = rung.solver == "direct" && element == "tet10" &&
@@ -82,10 +99,10 @@ std::vector<Trial> trials(const TradeCase& which, bool quick) {
           if (!dear) all.push_back({rung, cells, frame});
         }
     }
-    for (const std::string& integrator : integrators_for(model))
+    for (const Rung& rung : ways_through_time(model))
       for (const double dt : steps(which, quick)) {
-        if (integrator == first_integrator && dt == frame) continue;  // above
-        all.push_back({with({model.name, integrator, SoftDesc{}.solver}, efforts[2]), which.cells[0], dt});
+        if (rung.integrator == first_integrator && dt == frame) continue;  // above
+        all.push_back({with(rung, efforts[2]), which.cells[0], dt});
       }
   }
   return all;

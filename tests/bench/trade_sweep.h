@@ -15,8 +15,8 @@ struct Trial {
   double dt;  // s
 };
 /// Not the whole product: for each model and element, every solver at every effort and resolution with the
-/// first integrator and a frame's step; then every integrator at every step, coarse to fine, with the first
-/// solver. `quick`: the two coarsest resolutions and steps.
+/// first integrator and a frame's step; then every integrator (on quadratic elements, every implicit one) at
+/// every step, on the coarsest mesh with the first solver. `quick`: the two coarsest resolutions and steps.
 std::vector<Trial> trials(const TradeCase& which, bool quick);
 
 struct BulletTrial {
