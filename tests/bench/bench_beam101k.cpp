@@ -106,19 +106,7 @@ Report bench_beam101k(const Beam101kBenchOptions& options) {
   fmt::print("steps/s: wall clock, median of {} steps; cpu: of all threads; error: RMS of the tip's path\n",
              options.steps);
   using enum Column::Kind;
-  const TextTable table({{text, "solver", "solver", 9},
-                         {count, "newton_iterations", "N"},
-                         {count, "solver_iterations", "at most"},
-                         {number, "solver_tolerance", "to", 6},
-                         {count, "ground", "ground"},
-                         {count, "threads", "T"},
-                         {number, "steps_per_s", "steps/s"},
-                         {number, "ms_per_frame", "ms", 6},
-                         {number, "cpu_ms_per_frame", "cpu", 6},
-                         {number, "iterations_per_frame", "iter", 5},
-                         {number, "residual", "residual", 8},
-                         {percent, "error_mesh", "error", 8},
-                         {number, "tip_m", "tip m"}});
+  const TextTable table = path_table({{count, "ground", "ground"}}, {number, "tip_m", "tip m"});
   table.print_header();
   Report report("beam101k");
   for (const bool with_ground : {false, true}) {

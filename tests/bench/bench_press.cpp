@@ -110,18 +110,7 @@ Report bench_press(const PressBenchOptions& options) {
       "steps/s: wall clock, median of {} steps; cpu: of all threads; error: RMS over all nodes and steps\n",
       all_steps);
   using enum Column::Kind;
-  const TextTable table({{text, "solver", "solver", 9},
-                         {count, "newton_iterations", "N"},
-                         {count, "solver_iterations", "at most"},
-                         {number, "solver_tolerance", "to", 6},
-                         {count, "threads", "T"},
-                         {number, "steps_per_s", "steps/s"},
-                         {number, "ms_per_frame", "ms", 6},
-                         {number, "cpu_ms_per_frame", "cpu", 6},
-                         {number, "iterations_per_frame", "iter", 5},
-                         {number, "residual", "residual", 8},
-                         {percent, "error_mesh", "error", 8},
-                         {number, "deepest_m", "deepest"}});
+  const TextTable table = path_table({}, {number, "deepest_m", "deepest"});
   table.print_header();
   Report report("press");
   const VecX rest = SoftBody(organ(reference, options.cells), block(options.cells)).initial_state().motion.x;

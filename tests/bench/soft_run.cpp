@@ -107,6 +107,24 @@ ReportRow settings(const SoftBody& body, double dt) {
           {"threads", tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)}};
 }
 
+TextTable path_table(const std::vector<Column>& more, const Column& last) {
+  using enum Column::Kind;
+  std::vector<Column> columns = {{text, "solver", "solver", 9},
+                                 {count, "newton_iterations", "N"},
+                                 {count, "solver_iterations", "at most"},
+                                 {number, "solver_tolerance", "to", 6}};
+  columns.insert(columns.end(), more.begin(), more.end());
+  columns.insert(columns.end(), {{count, "threads", "T"},
+                                 {number, "steps_per_s", "steps/s"},
+                                 {number, "ms_per_frame", "ms", 6},
+                                 {number, "cpu_ms_per_frame", "cpu", 6},
+                                 {number, "iterations_per_frame", "iter", 5},
+                                 {number, "residual", "residual", 8},
+                                 {percent, "error_mesh", "error", 8},
+                                 last});
+  return TextTable(columns);
+}
+
 Contact node_contact(const VecX& x, Eigen::Index i, const Vec3& normal, double gap, double stiffness) {
   Contact c;
   c.a.kind = ContactSide::Kind::soft;

@@ -3,6 +3,7 @@
 
 #include "server/physics/coupled/island_solver.h"
 #include "tests/bench/report.h"
+#include "tests/bench/text_table.h"
 
 namespace prosector {
 
@@ -60,6 +61,10 @@ class SoftRun {
 
 /// The body's rung, effort and size, and the threads that are allowed now, as columns of a report.
 ReportRow settings(const SoftBody& body, double dt);
+
+/// Of runs along a path: solver and effort, then columns of `more` settings, what a step costs, how far off
+/// the path it is, and `last`.
+TextTable path_table(const std::vector<Column>& more, const Column& last);
 
 /// Of the i-th node, at `gap` m from something fixed. `stiffness` N/m.
 Contact node_contact(const VecX& x, Eigen::Index i, const Vec3& normal, double gap, double stiffness);
