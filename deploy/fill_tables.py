@@ -211,12 +211,16 @@ def measured(rows, key):
     return [row for row in rows if row.get(key) is not None and row.get("ms_per_simulated_s")]
 
 
+NEGLIGIBLE = 1e-5  # as trade_plot.h has it
+
+
 def front(rows, key):
     """Rows than which nothing is both cheaper and better, cheapest first."""
     best, out = math.inf, []
     for row in sorted(rows, key=lambda row: (row["ms_per_simulated_s"], abs(row[key]))):
-        if abs(row[key]) < best:
-            best = abs(row[key])
+        error = max(abs(row[key]), NEGLIGIBLE)
+        if error < best:
+            best = error
             out.append(row)
     return out
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tests/bench/text_table.h"
 #include "tests/bench/trade_case.h"
+#include "tests/bench/trade_plot.h"
 
 namespace prosector {
 namespace {
@@ -51,7 +53,9 @@ std::vector<std::string> recommend(const std::vector<ReportRow>& rows) {
         measured.push_back(&row);
     }
     if (measured.empty()) continue;
-    const auto error = [&](const ReportRow& row) { return std::abs(figure(row, which->error_key)); };
+    const auto error = [&](const ReportRow& row) {
+      return std::max(std::abs(figure(row, which->error_key)), negligible_error);
+    };
     const auto cost = [](const ReportRow& row) { return figure(row, "ms_per_frame"); };
     lines.push_back(fmt::format("{} ({}):", which->name, which->title));
     for (const double accuracy : accuracies) {
@@ -64,7 +68,9 @@ std::vector<std::string> recommend(const std::vector<ReportRow>& rows) {
     for (const double budget : budgets_ms) {
       const ReportRow* row = best(
           measured, [&](const ReportRow& r) { return cost(r) <= budget; },
-          [&](const ReportRow& a, const ReportRow& b) { return error(a) < error(b); });
+          [&](const ReportRow& a, const ReportRow& b) {
+            return std::pair(error(a), cost(a)) < std::pair(error(b), cost(b));
+          });
       lines.push_back(fmt::format("  within {:.0f} ms: {}", budget,
                                   row ? told(*row, which->error_key) : "nothing that was run"));
     }

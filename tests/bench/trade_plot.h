@@ -8,6 +8,9 @@
 
 namespace prosector {
 
+/// Errors below it are one as good as another.
+inline constexpr double negligible_error = 1e-5;
+
 struct TradePoint {
   double cost = 0, error = 0;
   std::string group;  // colour and mark: see the legend
@@ -18,7 +21,7 @@ struct TradePlot {
   std::string title, subtitle;
   std::string cost_label, error_label;
   /// Errors outside are drawn on the edge: below the floor nothing differs, above the ceiling all is lost.
-  double error_floor = 1e-5, error_ceiling = 10;
+  double error_floor = negligible_error, error_ceiling = 10;
   std::vector<TradePoint> points;  // those without a finite positive cost and a finite error are left out
 };
 
