@@ -187,9 +187,28 @@ def press(reports):
                         tets="tets", solver="solver")
 
 
+def ours(rows):
+    return [row for row in rows if not row["model"].startswith("bullet_")]
+
+
+# CPU ms a frame, one thread, on the machine that other codes were measured on.
+BULLET_ELSEWHERE = {"bullet_deformable_linear": {648: 3.4, 5184: 42.9, 31944: 327},
+                    "bullet_deformable_neo_hookean": {648: 6.1, 5184: 72.4, 31944: 584}}
+
+
+def bullet_here(reports):
+    lines = []
+    for row in reports.rows("beam"):
+        there = BULLET_ELSEWHERE.get(row["model"], {}).get(row["tets"])
+        if there:
+            here = row["cpu_ms_per_frame"]
+            lines.append([f"`{row['model']}`", count(row["tets"]), number(there), number(here), number(here / there)])
+    return table(["Bullet on that beam", "tets", "CPU ms there", "here", "ratio"], lines)
+
+
 def beam(reports):
     quickest = []
-    for same in grouped(reports.rows("beam"), "model", "element", "tets").values():
+    for same in grouped(ours(reports.rows("beam")), "model", "element", "tets").values():
         pair = cheapest(same, lambda row: row["error_mesh"] <= 0.001)
         quickest += [] if not pair else [pair[1]] if pair[0] is pair[1] else list(pair)
     return side_by_side(quickest, ("ms_per_frame", "ms"),
@@ -387,7 +406,7 @@ def machine(reports, before):
 
 
 KEEPING = {"machine": machine, "goals": goals}  # of several benches: lines of those not given stay
-TABLES = {"beam": beam, "beam101k": beam101k, "press": press, "advice": advice,
+TABLES = {"beam": beam, "beam101k": beam101k, "press": press, "bullet-here": bullet_here, "advice": advice,
           "bend-sizes": bend_sizes, "rungs": rungs, "extremes": extremes, "integrators": integrators, "springs": springs, "laws": laws, "scaling": scaling,
           **{f"trade-{case}": trade_case(case) for case in ("bend", "bend_incompressible", "swing", "free", "press")}}
 

@@ -6,7 +6,10 @@
 
 #include <cmath>
 #include <map>
+#include <string>
 
+#include "server/calibration/stopwatch.h"
+#include "tests/bench/bullet_specimen.h"
 #include "tests/bench/soft_run.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"
@@ -24,9 +27,13 @@ const Vec3 size(0.4, 0.1, 0.1);
 
 struct Model {
   const char* name;
-  double continuum;  // m: settled −u_y of the tip face's centre, converged over meshes
+  double continuum;    // m: settled −u_y of the tip face's centre, converged over meshes
+  const char* bullet;  // the nearest that Bullet has
 };
-constexpr Model models[] = {{"fem_corotational", 0.1704}, {"fem_neo_hookean_polynomial", 0.1712}};
+constexpr Model models[] = {{"fem_corotational", 0.1704, "bullet_deformable_linear"},
+                            {"fem_neo_hookean_polynomial", 0.1712, "bullet_deformable_neo_hookean"}};
+constexpr double youngs_modulus = 2e5, poisson_ratio = 0.4, density = 1000;
+constexpr double enough_of_bullet = 20e3;  // ms of CPU
 
 struct Solver {
   const char* element;
@@ -50,9 +57,9 @@ SoftDesc beam(const Model& model, const Solver& solver) {
   desc.model = model.name;
   desc.element = solver.element;
   solver.effort.apply_to(desc);
-  desc.youngs_modulus = 2e5;
-  desc.poisson_ratio = 0.4;
-  desc.density = 1000;
+  desc.youngs_modulus = youngs_modulus;
+  desc.poisson_ratio = poisson_ratio;
+  desc.density = density;
   desc.damping_mass = desc.damping_stiffness = 0;
   desc.attach.push_back(clamp_at(0, size / 2));
   return desc;
@@ -115,6 +122,40 @@ ReportRow measure(const Model& model, const Solver& solver, std::uint32_t n, con
   return row;
 }
 
+/// Bullet's deformable body on the same mesh, moving: how this machine compares with the one that other codes
+/// were measured on, where Bullet ran as well.
+ReportRow measure_bullet(const Model& model, std::uint32_t n) {
+  TestPiece piece;
+  piece.mesh = mesh(n).tets;
+  piece.youngs_modulus = youngs_modulus;
+  piece.poisson_ratio = poisson_ratio;
+  piece.density = density;
+  piece.clamped_axis = 0;
+  const BulletRung rung = {model.bullet, 0};
+  const auto specimen = make_specimen(rung, piece);
+  CostSummary moving;
+  double spent = 0;
+  for (int i = 0; i < moving_frames && spent < enough_of_bullet; ++i) {
+    StepCost cost;
+    const double wall = wall_ms(), cpu = cpu_ms();
+    cost.residual = specimen->step(h, gravity).residual;
+    cost.cpu_ms = cpu_ms() - cpu;
+    cost.wall_ms = wall_ms() - wall;
+    spent += cost.cpu_ms;
+    moving.add(cost);
+  }
+  ReportRow row = settings(rung);
+  row["tets"] = piece.mesh.tets.size();
+  row["nodes"] = piece.mesh.positions.size();
+  row["dt"] = h;
+  row["threads"] = 1;
+  row["ms_per_frame"] = moving.median_ms();
+  row["cpu_ms_per_frame"] = moving.cpu_ms();
+  row["steps_per_s"] = 1e3 / moving.median_ms();
+  row["verdict"] = verdict_name(specimen->positions().allFinite() ? Verdict::survives : Verdict::fails);
+  return row;
+}
+
 }  // namespace
 
 Report bench_beam(const BeamBenchOptions& options) {
@@ -158,6 +199,9 @@ Report bench_beam(const BeamBenchOptions& options) {
           table.print(report.rows().back());
         }
       }
+      if (!options.solver.empty() || options.element == "tet10") continue;
+      report.add(measure_bullet(model, n));
+      table.print(report.rows().back());
     }
   }
   return report;
