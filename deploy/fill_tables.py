@@ -398,7 +398,7 @@ def machine(reports, before):
     where = next(iter(reports.all.values()))[0]
     m = where["machine"]
     lines = [[f"`{bench}`", report["date"], report["commit"], number(report["machine"]["load_average"])]
-             for bench in reports.all for report in reports.all[bench]]
+             for bench in reports.all for told in reports.all[bench] for report in told.get("measured", [told])]
     lines += [line for line in kept(before, "`") if line[0].strip("`") not in reports.all]
     return (f"Machine: {m['cpu']}, {m['cores']} cores, {m['vector']}, {m['memory_bytes'] / 2**30:.0f} GiB; "
             f"{where['compiler']}, {m['build']}.\n\n"

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <map>
 
 #include "common/error.h"
@@ -95,11 +97,44 @@ TradePlot plot_for(const TradeCase& which, const Report& report) {
   return plot;
 }
 
+using Json = nlohmann::ordered_json;
+
+std::vector<Json> read_reports(const std::vector<std::string>& files) {
+  std::vector<Json> reports;
+  for (const std::string& file : files) {
+    std::ifstream in(file);
+    const Json& report = reports.emplace_back(Json::parse(in, nullptr, false));
+    if (!report.is_object() || setting(report, "bench") != "trade" || !report.contains("rows"))
+      throw InputError(fmt::format("{}: not a report of `prosector-bench trade --json`", file));
+  }
+  return reports;
+}
+
+/// When and where the rows were measured.
+Json origins(const std::vector<Json>& reports) {
+  Json all = Json::array();
+  for (const Json& report : reports)
+    all.push_back({{"machine", report["machine"]}, {"date", report["date"]}, {"commit", report["commit"]}});
+  return all;
+}
+
+/// Rows of earlier reports, of this case.
+void take_rows(const TradeCase& which, const std::vector<Json>& earlier, Report& report) {
+  for (const Json& one : earlier)
+    for (ReportRow row : one["rows"]) {
+      if (setting(row, "case") != which.name) continue;
+      if (which.judge && std::isfinite(figure(row, "deflection_m"))) which.judge(row);
+      report.add(std::move(row));
+    }
+}
+
 }  // namespace
 
 Report bench_trade(const TradeBenchOptions& options) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
   Report report("trade");
+  const std::vector<Json> earlier = read_reports(options.from);
+  if (!earlier.empty()) report.note("measured", origins(earlier));
   std::map<std::string, double> stable_steps;  // s, by rung
   const auto stable_step = [&](const auto& rung) {
     const ReportRow row = settings(rung);
@@ -113,6 +148,7 @@ Report bench_trade(const TradeBenchOptions& options) {
   };
   for (const TradeCase* which : trade_cases()) {
     if (!options.only.empty() && options.only != which->name) continue;
+    take_rows(*which, earlier, report);
     const bool is_swing = which == &swing_case();
     fmt::print("\n{}: {}\n", which->name, which->title);
     const TextTable table = table_for(*which);
@@ -129,9 +165,13 @@ Report bench_trade(const TradeBenchOptions& options) {
       table.print(row);
       report.add(std::move(row));
     };
-    for (const Trial& trial : trials(*which, options.quick)) run(trial);
-    for (const BulletTrial& trial : bullet_trials(*which, options.quick)) run(trial);
-    if (!options.picture_folder.empty()) {
+    if (earlier.empty()) {
+      for (const Trial& trial : trials(*which, options.quick)) run(trial);
+      for (const BulletTrial& trial : bullet_trials(*which, options.quick)) run(trial);
+    }
+    const bool any = std::any_of(report.rows().begin(), report.rows().end(),
+                                 [&](const ReportRow& row) { return setting(row, "case") == which->name; });
+    if (any && !options.picture_folder.empty()) {
       const auto file =
           std::filesystem::path(options.picture_folder) / fmt::format("trade-{}.svg", which->name);
       draw(plot_for(*which, report)).write(file.string());

@@ -59,7 +59,8 @@ const TradeCase& free_case() {
                                   return piece;
                                 },
                                 measure,
-                                gravity};
+                                gravity,
+                                true};
   return row;
 }
 

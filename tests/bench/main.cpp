@@ -75,6 +75,8 @@ int main(int argc, char** argv) try {
   trade_command->add_option("--model", trade.model, "Only this one, bullet_… included");
   trade_command->add_option("--svg", trade.picture_folder, "Folder for a picture of each case")
       ->check(CLI::ExistingDirectory);
+  trade_command->add_option("--from", trade.from, "Measure nothing: tell what these reports' rows amount to")
+      ->check(CLI::ExistingFile);
   trade_command->add_option("--limit", trade.limit_ms, "CPU ms that one run may take")
       ->check(CLI::Range(1., 1e9));
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "tests/bench/text_table.h"
@@ -25,6 +26,26 @@ const ReportRow* best(const std::vector<const ReportRow*>& rows, const Allowed& 
     if (allowed(*row) && (!chosen || better(*row, *chosen))) chosen = row;
   }
   return chosen;
+}
+
+/// Whether a finer mesh makes the answer clearly worse, so that two errors cancel here.
+template <class Error>
+bool right_by_chance(const ReportRow& row, const std::vector<const ReportRow*>& rows, bool moving,
+                     const Error& error) {
+  const auto alike = [&](const ReportRow& other) {
+    return setting(other, "model") == setting(row, "model") &&
+           setting(other, "element") == setting(row, "element") &&
+           (!moving || setting(other, "integrator") == setting(row, "integrator")) &&
+           figure(other, "dt_ms") == figure(row, "dt_ms");
+  };
+  std::map<double, double> least;  // error, by tetrahedra
+  for (const ReportRow* other : rows) {
+    if (!alike(*other)) continue;
+    const auto [at, is_new] = least.try_emplace(figure(*other, "tets"), error(*other));
+    if (!is_new) at->second = std::min(at->second, error(*other));
+  }
+  const auto finer = least.upper_bound(figure(row, "tets"));
+  return std::any_of(finer, least.end(), [&](const auto& mesh) { return mesh.second > 2 * error(row); });
 }
 
 std::string told(const ReportRow& row, const char* error_key) {
@@ -57,6 +78,9 @@ std::vector<std::string> recommend(const std::vector<ReportRow>& rows) {
       return std::max(std::abs(figure(row, which->error_key)), negligible_error);
     };
     const auto cost = [](const ReportRow& row) { return figure(row, "ms_per_frame"); };
+    const std::vector<const ReportRow*> all = measured;
+    std::erase_if(measured,
+                  [&](const ReportRow* row) { return right_by_chance(*row, all, which->moving, error); });
     lines.push_back(fmt::format("{} ({}):", which->name, which->title));
     for (const double accuracy : accuracies) {
       const ReportRow* row = best(

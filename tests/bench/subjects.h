@@ -55,9 +55,10 @@ Report bench_press(const PressBenchOptions& options);
 
 struct TradeBenchOptions {
   bool quick = false;
-  std::string only, model;     // one case, one model (as rows name it); empty: all
-  std::string picture_folder;  // where to write trade-CASE.svg; empty: nowhere
-  double limit_ms = 12000;     // CPU time of one run; what would take longer is told as too slow
+  std::string only, model;        // one case, one model (as rows name it); empty: all
+  std::string picture_folder;     // where to write trade-CASE.svg; empty: nowhere
+  std::vector<std::string> from;  // reports whose rows are judged, drawn and advised on, instead of measured
+  double limit_ms = 12000;        // CPU time of one run; what would take longer is told as too slow
 };
 /// Error against cost over the reference cases, one thread, with a recommendation.
 Report bench_trade(const TradeBenchOptions& options);

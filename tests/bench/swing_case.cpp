@@ -64,10 +64,15 @@ ReportRow measure(Specimen& specimen, const TestPiece& piece, const std::string&
 }  // namespace
 
 const TradeCase& swing_case() {
-  static const TradeCase row = {"swing",         "A beam swings in its first mode (ν = 0.3)",
-                                "error_dynamic", "RMS error of the tip's path over three periods",
-                                {8, 16},         [](unsigned cells) { return beam_piece(cells, 0.3); },
-                                measure,         {0, 0, 0}};
+  static const TradeCase row = {"swing",
+                                "A beam swings in its first mode (ν = 0.3)",
+                                "error_dynamic",
+                                "RMS error of the tip's path over three periods",
+                                {8, 16},
+                                [](unsigned cells) { return beam_piece(cells, 0.3); },
+                                measure,
+                                {0, 0, 0},
+                                true};
   return row;
 }
 

@@ -48,6 +48,9 @@ struct TradeCase {
   /// Runs it and returns the case's own figures (null: it did not get that far). `model` as in the report.
   ReportRow (*measure)(Specimen& specimen, const TestPiece& piece, const std::string& model, Runner& runner);
   Vec3 gravity;
+  bool moving = false;  // judged by how it moves: steps and integrators matter
+  /// Errors from the figures of a row that has them, where that can be done: null, where it takes the run.
+  void (*judge)(ReportRow& row) = nullptr;
 };
 
 /// bend: a beam under its own weight, at rest again.

@@ -1,6 +1,5 @@
 #include "tests/bench/trade_sweep.h"
 
-#include <cstring>
 #include <span>
 
 #include "server/physics/soft/rungs.h"
@@ -32,8 +31,7 @@ std::vector<unsigned> resolutions(const TradeCase& which, bool quick) {
 
 /// Where time matters steps are varied; where only the settled shape does, a frame's step will do.
 std::vector<double> steps(const TradeCase& which, bool quick) {
-  const bool is_dynamic = std::strcmp(which.name, "swing") == 0 || std::strcmp(which.name, "free") == 0;
-  if (!is_dynamic) return {frame};
+  if (!which.moving) return {frame};
   if (quick) return {frame, frame / 4};
   return {frame, frame / 2, frame / 4, frame / 16};
 }
