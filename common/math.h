@@ -21,6 +21,14 @@ struct Pose {
   Pose inverse() const { return {q.conjugate() * -p, q.conjugate()}; }
 };
 
+/// A linear map and a shift: x_a = A * x_b + p. What poses cannot: scaling and shearing.
+struct Affine {
+  Mat3 A = Mat3::Identity();
+  Vec3 p = Vec3::Zero();  // metres
+
+  Vec3 operator*(const Vec3& x) const { return A * x + p; }
+};
+
 inline bool is_finite(const Vec3& v) {
   return v.allFinite();
 }

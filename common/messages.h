@@ -15,7 +15,7 @@
 
 namespace prosector {
 
-inline constexpr std::uint32_t protocol_version = 2;
+inline constexpr std::uint32_t protocol_version = 3;
 
 using ParticipantId = std::uint64_t;  // drawn at random by each client; 0 is nobody
 using BodyId = std::uint32_t;         // index into SceneInfo::bodies
@@ -29,6 +29,7 @@ inline constexpr std::size_t max_text_length = 1023;  // bytes: descriptions, re
 inline constexpr std::size_t max_bodies = 4096;
 inline constexpr std::size_t max_lights = 16;
 inline constexpr std::size_t max_streamed_points = 1024 * 1024;  // of one soft body
+inline constexpr std::size_t max_holders = 64;                   // hands on one body that are told of
 inline constexpr double max_coordinate = 1000.0;  // metres: a pose farther out is not a pose in this room
 inline constexpr std::size_t fingers = 5;         // thumb, index, middle, ring, little
 
@@ -100,7 +101,32 @@ struct UserState {
       hands{};  // where the physical hand is, which may rest on things short of its target
 };
 
-enum class CommandKind : std::uint8_t { join, grasp, release, reset, leave };
+enum class CommandKind : std::uint8_t {
+  join,
+  grasp,
+  release,
+  reset,  // put `body` back to rest, in its place, as the scene has it
+  leave,
+  set_role,  // by the host: `subject` becomes `role`; handing over `host` makes the sender a dissector
+  detach,    // take the part `body` out of the anatomy
+  attach,    // put it back, where it is near enough to its place
+  inspect,   // show `body` as `shape` would have it: moved, turned, scaled, sheared; out of everyone's touch
+  end_inspect,
+  open_panel,  // of the part `body`, as a touch does
+  close_panel,
+  set_control  // of the sender's open panel, as a finger does: `control` to `value`
+};
+
+/// What a part's panel has, in the order of the table in common/panel.h.
+enum class PanelControl : std::uint8_t {
+  attach,        // button: in its place, or free
+  hide_others,   // button
+  transparency,  // button: opaque, or half seen through
+  light_shaft,   // button: the lamp's light falls on the part
+  room_lights,   // button: bright, or dimmed
+  stiffness      // slider: ¼ … 4 times the scene's, ½ is 1
+};
+inline constexpr std::size_t panel_control_count = 6;
 
 /// participant → server, reliable; each is answered by one CommandResult with the same participant and
 /// sequence.
@@ -109,7 +135,12 @@ struct Command {
   std::uint64_t sequence = 0;
   CommandKind kind = CommandKind::join;
   std::uint8_t hand = right_hand;  // for grasp and release
-  BodyId body = 0;                 // for reset: the body to put back to rest
+  BodyId body = 0;                 // for reset, detach, attach, inspect, open_panel
+  ParticipantId subject = 0;       // for set_role
+  Role role = Role::observer;      // likewise
+  Affine shape;  // for inspect: from where the body's points are without it to where they are seen
+  PanelControl control = PanelControl::attach;  // for set_control
+  double value = 0;                             // likewise: button 0 off, 1 on; slider 0 … 1
 };
 
 struct CommandResult {
@@ -120,6 +151,9 @@ struct CommandResult {
 };
 
 enum class BodyKind : std::uint8_t { rigid, soft };
+
+/// What an object collides as, coarsest first (docs/collision.md).
+enum class Fidelity : std::uint8_t { none, sphere, aabb, obb, hull, mesh };
 
 /// What a surface is made of, as far as it can be seen. The last two are the client's own room.
 enum class Surface : std::uint8_t { plain, tissue, bone, metal, skin, cloth, emissive, floor, wall };
@@ -149,6 +183,10 @@ struct SceneBody {
   Appearance appearance;
   std::string method;         // soft only, for people: how it is simulated, and why so if the server chose
   bool show_figures = false;  // soft only: show its BodyStatus above it
+  bool part = false;          // of the anatomy: a touch brings up its panel
+  Fidelity fidelity = Fidelity::mesh;  // what it collides as
+  ContentHash
+      outline{};  // Asset: what it collides as, in the frame of `mesh`; zero: nothing, or `mesh` itself
 };
 
 enum class LightKind : std::uint8_t { directional, point, spot };
@@ -160,8 +198,9 @@ struct LightInfo {
   Vec3 direction = {0, -1, 0};
   Vec3 color = Vec3::Ones();
   double intensity = 1;
-  double cone = 0.5;      // spot: half angle, rad
-  double softness = 0.2;  // spot: share of the cone over which it fades
+  double cone = 0.5;       // spot: half angle, rad
+  double softness = 0.2;   // spot: share of the cone over which it fades
+  std::int32_t body = -1;  // whose frame position and direction are in, and with which it goes; −1: the room
 };
 
 struct CameraInfo {
@@ -244,10 +283,59 @@ struct ContactSample {
   SimTime time;
   bool touching = false;
   BodyId body = 0;
-  Vec3 point = Vec3::Zero();  // room frame
-  Vec3 normal = {0, 1, 0};    // out of the touched body
-  double depth = 0;           // metres, > 0 penetrates
-  double impulse = 0;         // N·s over the last tick, all contacts of this hand
+  Vec3 point = Vec3::Zero();        // room frame
+  Vec3 normal = {0, 1, 0};          // out of the touched body
+  double depth = 0;                 // metres, > 0 penetrates
+  double impulse = 0;               // N·s over the last tick, all contacts of this hand
+  Vec3 local_point = Vec3::Zero();  // `point` in the touched body's frame; soft: where it is at rest
+  Vec3 force = Vec3::Zero();        // N, mean over the last tick: what the hand does to the body
+  double impact = -1;               // s from the tick's start until they meet; < 0: not looked for
+};
+
+/// server → all, reliable, transient-local, keyed by body: what people made of a body. Sent when it changes;
+/// of a body that was never changed nothing is sent.
+struct HandRef {
+  ParticipantId participant = 0;
+  std::uint8_t hand = right_hand;
+  auto operator<=>(const HandRef&) const = default;
+};
+struct PartState {
+  BodyId body = 0;
+  SimTime time;
+  bool attached = true;    // in its place in the anatomy
+  bool hidden = false;     // neither seen nor touched
+  bool lit = false;        // the light shaft falls on it
+  bool inspected = false;  // seen as `shape` has it, and out of touch
+  double opacity = 1;      // 0 … 1
+  double stiffness = 1;    // times what the scene says
+  Affine shape;
+  std::vector<HandRef> holders;  // ascending
+};
+inline constexpr double least_stiffness = 0.25, most_stiffness = 4;
+inline constexpr double most_shape = 100;  // largest entry of an inspected part's linear map
+
+/// One control of a panel.
+struct ControlState {
+  double position = 0;   // button: 0 at rest … 1 pressed home; slider: 0 … 1
+  bool on = false;       // button: what it switches is on
+  bool touched = false;  // by a finger, or pointed at
+};
+
+/// server → all, reliable, transient-local, keyed by who called it up: the panel of one part, the same for
+/// everyone.
+struct Panel {
+  ParticipantId participant = 0;
+  SimTime time;
+  bool open = false;
+  BodyId body = 0;
+  Pose pose;  // of its middle in the room: +z towards the reader, +y up
+  std::array<ControlState, panel_control_count> controls{};
+};
+
+/// server → all, reliable, transient-local: what is everybody's.
+struct RoomState {
+  SimTime time;
+  double lights = 1;  // brightness of all lights but the lamps that bodies carry, 0 … 1
 };
 
 inline constexpr std::size_t step_phases = 8;
@@ -292,6 +380,6 @@ inline constexpr std::uint32_t max_steps_down = 3;
 /// Everything that a Bus carries. Order is not meaning.
 using Message = std::variant<SessionInfo, Presence, RosterEntry, HandInput, UserState, Command, CommandResult,
                              SceneInfo, AssetChunk, RigidState, SoftState, Settled, TopologyRevision,
-                             ContactSample, ServerStatus, BodyStatus>;
+                             ContactSample, ServerStatus, BodyStatus, PartState, Panel, RoomState>;
 
 }  // namespace prosector

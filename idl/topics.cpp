@@ -26,6 +26,9 @@ const std::array<TopicSpec, topic_count> topics{{
   {"ContactSample",     Writers::server,      false,   false,     1, 0,   false, false,    0,  0,    8},
   {"ServerStatus",      Writers::server,      false,   false,     1, 0,   false, false,    0,  0},
   {"BodyStatus",        Writers::server,      true,    true,      1, 0,   false, false,    0,  0},
+  {"PartState",         Writers::server,      true,    true,      1, 0,   false, false,    0,  0},
+  {"Panel",             Writers::server,      true,    true,      1, 0,   true,  false,    0,  0},
+  {"RoomState",         Writers::server,      true,    true,      1, 0,   false, false,    0,  0},
 }};
 // clang-format on
 
@@ -62,6 +65,7 @@ struct KeyOf {
   InstanceKey operator()(const ContactSample& m) const { return {m.participant, m.hand, 0}; }
   InstanceKey operator()(const SceneInfo&) const { return {}; }
   InstanceKey operator()(const ServerStatus&) const { return {}; }
+  InstanceKey operator()(const RoomState&) const { return {}; }
   template <class M>
   requires requires(M m) { m.participant; }
   InstanceKey operator()(const M& m) const { return {m.participant, 0, 0}; }
@@ -70,6 +74,7 @@ struct KeyOf {
   InstanceKey operator()(const M& m) const { return {m.body, 0, 0}; }
   InstanceKey operator()(const RigidState& m) const { return {m.body, 0, 0}; }
   InstanceKey operator()(const BodyStatus& m) const { return {m.body, 0, 0}; }
+  InstanceKey operator()(const PartState& m) const { return {m.body, 0, 0}; }
 };
 
 struct KeyOnly {

@@ -25,6 +25,12 @@ struct PartDesc {
   double rounding = 0;  // m: radius of the edges, drawn only
 };
 
+/// [[rigid.fracture]]: a plane along which a bone breaks, in the body's frame.
+struct FractureDesc {
+  Vec3 point = Vec3::Zero();    // m
+  Vec3 normal = Vec3::UnitY();  // any length but zero
+};
+
 /// [[rigid]]
 struct RigidDesc {
   std::string name;
@@ -50,6 +56,10 @@ struct RigidDesc {
   double friction = 0.5;
   double restitution = 0;
   std::string tool = "none";  // none | probe | scalpel: what a hand that grasps it holds
+  bool part = false;          // of the anatomy: held to its place until detached; a touch brings up its panel
+  double snap = 0.03;         // m: how near to its place a detached part must be to be attached again
+  double break_force = 0;     // N across a fracture plane at which it breaks there; 0: never
+  std::vector<FractureDesc> fractures;
   Appearance appearance;
 };
 
@@ -140,6 +150,8 @@ struct SoftDesc {
   FixedChoice fixed;          // filled by the loader
   bool step_down = false;     // true: may be solved less exactly while the server is overloaded
   bool show_figures = false;  // true: clients show its live figures above it
+  bool part = false;          // as of RigidDesc: what holds it is its `attach`
+  double snap = 0.03;         // m: likewise
   std::vector<AttachDesc> attach;
   std::vector<RegionDesc> regions;
   std::vector<RelaxationDesc> relaxation;
@@ -147,7 +159,9 @@ struct SoftDesc {
 };
 
 /// [[light]]
-struct LightDesc : LightInfo {};
+struct LightDesc : LightInfo {
+  std::string carrier;  // name of the body that it goes with; empty: it stays
+};
 
 /// [session]
 struct SessionDesc {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -100,6 +101,14 @@ class Checker {
     if (!rigid.fallback.empty() && !rigid.parts.empty())
       fail(body, "fallback", "fallback stands in for a mesh or volume file, but there are only parts");
     if (rigid.label >= 0 && rigid.volume.empty()) fail(body, "label", "label needs a volume");
+    if (rigid.break_force > 0 && rigid.fractures.empty())
+      fail(body, "break_force", "break_force needs a [[rigid.fracture]] to break along");
+    if (rigid.fixed && (rigid.part || rigid.break_force > 0))
+      fail(body, "fixed", "what is fixed can be neither anatomy, which can be detached, nor break");
+    for (std::size_t i = 0; i < rigid.fractures.size(); ++i)
+      if (rigid.fractures[i].normal.isZero(1e-9))
+        fail(fmt::format("{}.fracture[{}]", body.table, i), "normal",
+             fmt::format("{}: [[rigid.fracture]] {}", body.where, i + 1), "normal is zero");
   }
 
   void check_soft(const SoftDesc& soft, const Entry& body) const {
@@ -162,6 +171,9 @@ class Checker {
       const std::string where = light.name.empty() ? fmt::format("[[light]] {}", i + 1)
                                                    : fmt::format("[[light]] \"{}\"", light.name);
       if (light.direction.isZero(1e-9)) fail(table, "direction", where, "direction is zero");
+      const auto is_it = [&](const RigidDesc& rigid) { return rigid.name == light.carrier; };
+      if (!light.carrier.empty() && std::none_of(scene_.rigid.begin(), scene_.rigid.end(), is_it))
+        fail(table, "body", where, fmt::format("body = \"{}\": no [[rigid]] has this name", light.carrier));
       if (!light.name.empty() && !seen.emplace(light.name, i).second)
         fail(table, "name", where, "this name is taken by another light; names must differ");
     }

@@ -179,6 +179,18 @@ const Table& part_table() {
   return table;
 }
 
+const Table& fracture_table() {
+  using F = FractureDesc;
+  static const Table table{
+      "[[rigid.fracture]]",
+      "A plane along which the body breaks, when the force that passes through it exceeds `break_force`.",
+      {number<F, &F::point>("point", "m", {-10, 10}, "of the plane, in the body's frame"),
+       number<F, &F::normal>("normal", "", {-1000, 1000}, "of the plane; any length but zero")},
+      {},
+      fresh<F>};
+  return table;
+}
+
 const Table& rigid_table() {
   using R = RigidDesc;
   static const Table table = [] {
@@ -213,8 +225,17 @@ const Table& rigid_table() {
          number<R, &R::restitution>(
              "restitution", "", unit_interval,
              "0: lands dead, 1: bounces back; on tissue, or among bodies that touch tissue or a hand: as 0"),
-         words<R, &R::tool>("tool", {"none", "probe", "scalpel"}, "what a hand that grasps it holds")},
-        {{"part", part_table, true, 256, append<R, &R::parts>}},
+         words<R, &R::tool>("tool", {"none", "probe", "scalpel"}, "what a hand that grasps it holds"),
+         plain<R, &R::part>(
+             "anatomy",
+             "true: part of the anatomy: held to its place until somebody detaches it; a touch "
+             "brings up its panel"),
+         number<R, &R::snap>("snap", "m", {0, 1},
+                             "how near to its place a detached part must be to be attached again"),
+         number<R, &R::break_force>("break_force", "N", {0, 1e6},
+                                    "across a fracture plane, at which it breaks there; 0: never")},
+        {{"part", part_table, true, 256, append<R, &R::parts>},
+         {"fracture", fracture_table, true, 8, append<R, &R::fractures>}},
         fresh<R>};
     add_pose<R>(t.fields, "the body's or mesh's origin in the room");
     add_fallback_pose<R>(t.fields);
@@ -360,7 +381,13 @@ const Table& soft_table() {
              "step_down",
              "true: while the server is overloaded, this body may be solved with fewer iterations or "
              "substeps; clients are told"),
-         plain<S, &S::show_figures>("show_figures", "true: clients show how it is stepped, live, above it")},
+         plain<S, &S::show_figures>("show_figures", "true: clients show how it is stepped, live, above it"),
+         plain<S, &S::part>(
+             "anatomy",
+             "true: part of the anatomy: `attach` holds it to its place until somebody detaches "
+             "it; a touch brings up its panel"),
+         number<S, &S::snap>("snap", "m", {0, 1},
+                             "how near to its place a detached part must be to be attached again")},
         {{"attach", attach_table, true, 64, append<S, &S::attach>},
          {"region", region_table, true, 64, append<S, &S::regions>},
          {"relaxation", relaxation_table, true, 8, append<S, &S::relaxation>}},
@@ -380,6 +407,8 @@ const Table& light_table() {
       "",
       {name<L, &L::name>("name", false, "unique among the lights"),
        words<L, &L::kind>("kind", {"directional", "point", "spot"}, ""),
+       name<L, &L::carrier>("body", false,
+                            "body that it goes with; position and direction are in its frame then"),
        number<L, &L::position>("position", "m", coordinate, "point, spot: place in the room"),
        number<L, &L::direction>("direction", "", {-1000, 1000},
                                 "directional, spot: where the light goes; any length but zero"),

@@ -70,4 +70,13 @@ Refusal check_color(const Vec3& color) {
   return ok ? nullptr : "colour outside [0, 1]";
 }
 
+Refusal check_shape(const Affine& shape) {
+  constexpr double least_volume = 1e-6;  // of what it was: a hundredth in each direction
+  return Checks()
+      .that(within(shape.p, max_coordinate), "shape moved out of the room")
+      .that(shape.A.allFinite() && shape.A.cwiseAbs().maxCoeff() <= most_shape, "shape out of range")
+      .that(std::abs(shape.A.determinant()) >= least_volume, "shape collapsed")
+      .refusal();
+}
+
 }  // namespace prosector

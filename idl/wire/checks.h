@@ -48,6 +48,8 @@ bool enum_within(E value, E last) {
 /// Position in the room and a quaternion that is unit within quaternion_slack, which is then re-normalised.
 Refusal check_pose(Pose& pose);
 Refusal check_color(const Vec3& color);
+/// Finite, in the room, entries at most most_shape, and not collapsed: a determinant away from 0.
+Refusal check_shape(const Affine& shape);
 
 // All checks of one message, the same before sending and after receiving; poses are re-normalised in place.
 Refusal check(SessionInfo& m);
@@ -66,5 +68,8 @@ Refusal check(TopologyRevision& m);
 Refusal check(ContactSample& m);
 Refusal check(ServerStatus& m);
 Refusal check(BodyStatus& m);
+Refusal check(PartState& m);
+Refusal check(Panel& m);
+Refusal check(RoomState& m);
 
 }  // namespace prosector

@@ -32,6 +32,7 @@ std::size_t payload(const W& w) {
   if constexpr (requires { w.bytes; }) sequence(w.bytes);
   if constexpr (requires { w.packed; }) sequence(w.packed);
   if constexpr (requires { w.positions; }) sequence(w.positions);
+  if constexpr (requires { w.holders; }) sequence(w.holders);
   if constexpr (requires { w.bodies; }) {
     bytes -= sizeof w.bodies + sizeof w.lights - 8;
     for (std::size_t i = 0; i < w.bodies._length; ++i) bytes += payload(w.bodies._buffer[i]);
@@ -77,7 +78,8 @@ const WireCodec& wire_codec(std::size_t topic) {
       PROSECTOR_CODEC(CommandResult),    PROSECTOR_CODEC(SceneInfo),     PROSECTOR_CODEC(AssetChunk),
       PROSECTOR_CODEC(RigidState),       PROSECTOR_CODEC(SoftState),     PROSECTOR_CODEC(Settled),
       PROSECTOR_CODEC(TopologyRevision), PROSECTOR_CODEC(ContactSample), PROSECTOR_CODEC(ServerStatus),
-      PROSECTOR_CODEC(BodyStatus)};
+      PROSECTOR_CODEC(BodyStatus),       PROSECTOR_CODEC(PartState),     PROSECTOR_CODEC(Panel),
+      PROSECTOR_CODEC(RoomState)};
 #undef PROSECTOR_CODEC
   return codecs.at(topic);
 }

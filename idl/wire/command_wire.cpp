@@ -10,6 +10,11 @@ void to_wire(const Command& m, prosector_Command& w, WireArena&) {
   w.kind = static_cast<std::uint8_t>(m.kind);
   w.hand = m.hand;
   w.body = m.body;
+  w.subject = m.subject;
+  w.role = static_cast<std::uint8_t>(m.role);
+  w.shape = to_wire(m.shape);
+  w.control_id = static_cast<std::uint8_t>(m.control);
+  w.value = m.value;
 }
 
 Refusal from_wire(const prosector_Command& w, Command& m) {
@@ -18,13 +23,22 @@ Refusal from_wire(const prosector_Command& w, Command& m) {
   m.kind = static_cast<CommandKind>(w.kind);
   m.hand = w.hand;
   m.body = w.body;
+  m.subject = w.subject;
+  m.role = static_cast<Role>(w.role);
+  m.shape = from_wire(w.shape);
+  m.control = static_cast<PanelControl>(w.control_id);
+  m.value = w.value;
   return nullptr;
 }
 
 Refusal check(Command& m) {
+  if (const Refusal shape = check_shape(m.shape)) return shape;
   return Checks()
       .that(m.participant != 0, "participant id 0")
-      .that(enum_within(m.kind, CommandKind::leave), "unknown kind")
+      .that(enum_within(m.kind, CommandKind::set_control), "unknown kind")
+      .that(enum_within(m.role, Role::host), "unknown role")
+      .that(enum_within(m.control, PanelControl::stiffness), "unknown control")
+      .that(within(m.value, 0, 1), "value outside [0, 1]")
       .that(m.hand <= right_hand, "no such hand")
       .that(m.body < max_bodies, "no such body")
       .refusal();

@@ -27,6 +27,9 @@ void to_wire(const TopologyRevision& m, prosector_TopologyRevision& w, WireArena
 void to_wire(const ContactSample& m, prosector_ContactSample& w, WireArena& arena);
 void to_wire(const ServerStatus& m, prosector_ServerStatus& w, WireArena& arena);
 void to_wire(const BodyStatus& m, prosector_BodyStatus& w, WireArena& arena);
+void to_wire(const PartState& m, prosector_PartState& w, WireArena& arena);
+void to_wire(const Panel& m, prosector_Panel& w, WireArena& arena);
+void to_wire(const RoomState& m, prosector_RoomState& w, WireArena& arena);
 
 Refusal from_wire(const prosector_SessionInfo& w, SessionInfo& m);
 Refusal from_wire(const prosector_Presence& w, Presence& m);
@@ -44,5 +47,8 @@ Refusal from_wire(const prosector_TopologyRevision& w, TopologyRevision& m);
 Refusal from_wire(const prosector_ContactSample& w, ContactSample& m);
 Refusal from_wire(const prosector_ServerStatus& w, ServerStatus& m);
 Refusal from_wire(const prosector_BodyStatus& w, BodyStatus& m);
+Refusal from_wire(const prosector_PartState& w, PartState& m);
+Refusal from_wire(const prosector_Panel& w, Panel& m);
+Refusal from_wire(const prosector_RoomState& w, RoomState& m);
 
 }  // namespace prosector

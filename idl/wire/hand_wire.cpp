@@ -98,6 +98,9 @@ void to_wire(const ContactSample& m, prosector_ContactSample& w, WireArena&) {
   to_wire(m.normal, w.normal);
   w.depth = static_cast<float>(m.depth);
   w.impulse = static_cast<float>(m.impulse);
+  to_wire(m.local_point, w.local_point);
+  to_wire(m.force, w.force);
+  w.impact = static_cast<float>(m.impact);
 }
 
 Refusal from_wire(const prosector_ContactSample& w, ContactSample& m) {
@@ -110,11 +113,15 @@ Refusal from_wire(const prosector_ContactSample& w, ContactSample& m) {
   m.normal = from_wire(w.normal);
   m.depth = w.depth;
   m.impulse = w.impulse;
+  m.local_point = from_wire(w.local_point);
+  m.force = from_wire(w.force);
+  m.impact = w.impact;
   return nullptr;
 }
 
 Refusal check(ContactSample& m) {
   constexpr double max_impulse = 1e6;  // N·s: far beyond what a hand can do, and finite
+  constexpr double max_force = 1e9;    // N: that impulse in a short tick
   return Checks()
       .that(m.participant != 0, "participant id 0")
       .that(m.hand <= right_hand, "no such hand")
@@ -123,6 +130,9 @@ Refusal check(ContactSample& m) {
       .that(within(m.normal, 1 + quaternion_slack), "normal out of range")
       .that(within(m.depth, -max_coordinate, max_coordinate), "depth out of range")
       .that(within(m.impulse, 0, max_impulse), "impulse out of range")
+      .that(within(m.local_point, 2 * max_coordinate), "local point out of range")
+      .that(within(m.force, max_force), "force out of range")
+      .that(within(m.impact, -1, 1), "time of impact out of range")
       .refusal();
 }
 

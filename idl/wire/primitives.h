@@ -48,6 +48,19 @@ Pose from_wire(const WirePose& w) {
   return {from_wire(w.p), Quat(w.q[0], w.q[1], w.q[2], w.q[3])};
 }
 
+inline prosector_Affine to_wire(const Affine& m) {
+  prosector_Affine w;
+  for (int i = 0; i < 9; ++i) w.a[i] = m.A(i / 3, i % 3);
+  to_wire(m.p, w.p);
+  return w;
+}
+inline Affine from_wire(const prosector_Affine& w) {
+  Affine m;
+  for (int i = 0; i < 9; ++i) m.A(i / 3, i % 3) = w.a[i];
+  m.p = from_wire(w.p);
+  return m;
+}
+
 inline prosector_TimeStamp to_wire(const SimTime& t) {
   return {t.epoch, t.tick};
 }

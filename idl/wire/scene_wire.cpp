@@ -23,6 +23,9 @@ void body_to_wire(const SceneBody& m, prosector_SceneBody& w) {
   w.surface = static_cast<std::uint8_t>(m.appearance.surface);
   to_wire(m.method, w.method);
   w.show_figures = m.show_figures;
+  w.part = m.part;
+  w.fidelity = static_cast<std::uint8_t>(m.fidelity);
+  w.outline = to_wire(m.outline);
 }
 
 SceneBody body_from_wire(const prosector_SceneBody& w) {
@@ -41,6 +44,9 @@ SceneBody body_from_wire(const prosector_SceneBody& w) {
   m.appearance = {from_wire(w.color), w.roughness, w.wetness, static_cast<Surface>(w.surface)};
   m.method = from_wire(w.method);
   m.show_figures = w.show_figures != 0;
+  m.part = w.part != 0;
+  m.fidelity = static_cast<Fidelity>(w.fidelity);
+  m.outline = from_wire(w.outline);
   return m;
 }
 
@@ -60,6 +66,7 @@ Refusal check_body(SceneBody& m) {
       .that(within(m.appearance.wetness, 0, 1), "wetness outside [0, 1]")
       .that(enum_within(m.appearance.surface, last_body_surface), "unknown surface")
       .that(valid_text(m.method), "method not valid text")
+      .that(enum_within(m.fidelity, Fidelity::mesh), "unknown fidelity")
       .refusal();
 }
 
@@ -88,6 +95,7 @@ void light_to_wire(const LightInfo& m, prosector_LightInfo& w) {
   w.intensity = m.intensity;
   w.cone = m.cone;
   w.softness = m.softness;
+  w.body = m.body;
 }
 
 LightInfo light_from_wire(const prosector_LightInfo& w) {
@@ -100,6 +108,7 @@ LightInfo light_from_wire(const prosector_LightInfo& w) {
   m.intensity = w.intensity;
   m.cone = w.cone;
   m.softness = w.softness;
+  m.body = w.body;
   return m;
 }
 
@@ -148,8 +157,11 @@ Refusal check(SceneInfo& m) {
   if (m.lights.size() > max_lights) return "too many lights";
   for (SceneBody& body : m.bodies)
     if (const Refusal refusal = check_body(body)) return refusal;
-  for (const LightInfo& light : m.lights)
+  for (const LightInfo& light : m.lights) {
     if (const Refusal refusal = check_light(light)) return refusal;
+    if (light.body < -1 || light.body >= static_cast<std::int32_t>(m.bodies.size()))
+      return "light goes with no body of the scene";
+  }
   return Checks()
       .that(valid_name(m.name), "scene name not valid")
       .that(valid_text(m.description), "description not valid text")

@@ -25,6 +25,7 @@ SceneBody describe(const Simulation& simulation, const Desc& desc, BodyKind kind
   body.parent = find_body(simulation, desc.parent);
   body.pose = kind == BodyKind::rigid ? desc.pose : Pose{};
   body.appearance = desc.appearance;
+  body.part = desc.part;
   return body;
 }
 
@@ -47,7 +48,8 @@ SceneContent make_scene_content(const Simulation& simulation, const std::vector<
   out.scene.name = desc.name;
   out.scene.description = desc.description;
   out.scene.camera = desc.camera;
-  out.scene.lights.assign(desc.lights.begin(), desc.lights.end());
+  for (const LightDesc& light : desc.lights)
+    out.scene.lights.emplace_back(light).body = find_body(simulation, light.carrier);
 
   std::set<ContentHash> known;
   const auto keep = [&](Asset asset) {

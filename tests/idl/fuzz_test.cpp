@@ -73,6 +73,9 @@ TEST(Fuzz, MutatedWireStructs) {
   PROSECTOR_FUZZ(ContactSample);
   PROSECTOR_FUZZ(ServerStatus);
   PROSECTOR_FUZZ(BodyStatus);
+  PROSECTOR_FUZZ(PartState);
+  PROSECTOR_FUZZ(Panel);
+  PROSECTOR_FUZZ(RoomState);
 #undef PROSECTOR_FUZZ
 }
 

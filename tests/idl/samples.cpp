@@ -41,6 +41,9 @@ SceneInfo some_scene() {
   liver.chunk_points = soft_chunk_points;
   liver.method = "fem_corotational, chosen for 2 %";
   liver.show_figures = true;
+  liver.part = true;
+  liver.fidelity = Fidelity::hull;
+  liver.outline = {3, 4};
   liver.appearance = {{0.5, 0.25, 0.125}, 0.3, 0.9, Surface::tissue};
   SceneBody suture;
   suture.name = "suture";
@@ -50,7 +53,7 @@ SceneInfo some_scene() {
   suture.chunk_points = soft_chunk_points;
   suture.tube_diameter = 0.0004;
   m.bodies = {table, liver, suture};
-  m.lights = {{"lamp", LightKind::spot, {0, 2, 0}, {0, -1, 0}, {1, 1, 0.9}, 10, 0.6, 0.3}};
+  m.lights = {{"lamp", LightKind::spot, {0, 2, 0}, {0, -1, 0}, {1, 1, 0.9}, 10, 0.6, 0.3, 0}};
   return m;
 }
 
@@ -88,12 +91,16 @@ std::vector<Message> sample_messages() {
   status.phase_ms = {1, 2, 3, 4, 5, 6, 7, 8};
   status.energy = -3;
   status.degraded = "liver: not converged";
+  const Affine sheared{(Mat3() << 2, 0.5, 0, 0, 2, 0, 0, 0, 4).finished(), {0.25, 1, 0}};
+  Panel panel{7, {1, 60}, true, 1, some_pose, {}};
+  panel.controls[5] = {0.25, true, true};
   return {SessionInfo{protocol_version, "prosector", "abdomen", {1, 2}, 60, 64, 42},
           Presence{7, protocol_version, "Zoë", Role::dissector, "fastrak, 5dt"},
           RosterEntry{7, "Zoë", Role::dissector, {1, 0.5, 0}, "fastrak, 5dt"},
           HandInput{7, 12, 123456789, true, some_pose, hands},
           UserState{7, {1, 60}, 12, true, some_pose, hands},
-          Command{7, 3, CommandKind::grasp, left_hand, 1},
+          Command{7, 3, CommandKind::inspect, left_hand, 1, 8, Role::dissector, sheared,
+                  PanelControl::stiffness, 0.5},
           CommandResult{7, 3, false, "nothing within reach"},
           some_scene(),
           some_chunk(),
@@ -101,9 +108,23 @@ std::vector<Message> sample_messages() {
           some_soft_state(),
           some_settled(),
           TopologyRevision{1, 2, 10, 11, 12},
-          ContactSample{7, left_hand, {1, 60}, true, 1, {0.5, 1, 0.5}, {0, 1, 0}, 0.0078125, 0.5},
+          ContactSample{7,
+                        left_hand,
+                        {1, 60},
+                        true,
+                        1,
+                        {0.5, 1, 0.5},
+                        {0, 1, 0},
+                        0.0078125,
+                        0.5,
+                        {0.5, 0, 0.25},
+                        {0, -8, 0},
+                        0.015625},
           status,
-          BodyStatus{1, {1, 60}, false, true, 12, 0.00125, 2.5, 40, 1e-3, 2e-5, 0.015, 3.5, 1}};
+          BodyStatus{1, {1, 60}, false, true, 12, 0.00125, 2.5, 40, 1e-3, 2e-5, 0.015, 3.5, 1},
+          PartState{1, {1, 60}, false, true, true, true, 0.5, 2, sheared, {{7, left_hand}, {9, right_hand}}},
+          panel,
+          RoomState{{1, 60}, 0.25}};
 }
 
 }  // namespace prosector

@@ -120,6 +120,12 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<Command>("kind", [](Command& m) { m.kind = static_cast<CommandKind>(99); }),
       spoiled<Command>("third hand", [](Command& m) { m.hand = 2; }),
       spoiled<Command>("body", [](Command& m) { m.body = max_bodies; }),
+      spoiled<Command>("role", [](Command& m) { m.role = static_cast<Role>(3); }),
+      spoiled<Command>("control", [](Command& m) { m.control = static_cast<PanelControl>(6); }),
+      spoiled<Command>("value NaN", [](Command& m) { m.value = nan; }),
+      spoiled<Command>("flattened", [](Command& m) { m.shape.A.row(1).setZero(); }),
+      spoiled<Command>("blown up", [](Command& m) { m.shape.A *= 1e9; }),
+      spoiled<Command>("shape NaN", [](Command& m) { m.shape.A(2, 1) = nan; }),
       spoiled<CommandResult>("long reason", [](CommandResult& m) { m.reason.assign(1024, 'x'); }),
       spoiled<SceneInfo>(
           "parent of none",
@@ -161,10 +167,26 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<ContactSample>("depth", [](ContactSample& m) { m.depth = nan; }),
       spoiled<ContactSample>("normal", [](ContactSample& m) { m.normal *= 50; }),
       spoiled<ContactSample>("impulse", [](ContactSample& m) { m.impulse = -1; }),
+      spoiled<ContactSample>("force", [](ContactSample& m) { m.force.x() = infinity; }),
+      spoiled<ContactSample>("local point", [](ContactSample& m) { m.local_point.y() = nan; }),
+      spoiled<ContactSample>("impact", [](ContactSample& m) { m.impact = nan; }),
       spoiled<ServerStatus>("energy", [](ServerStatus& m) { m.energy = infinity; }),
       spoiled<ServerStatus>("phase", [](ServerStatus& m) { m.phase_ms[7] = -1; }),
       spoiled<ServerStatus>("text", [](ServerStatus& m) { m.degraded = "\xff"; }),
       spoiled<SceneInfo>("method", [](SceneInfo& m) { m.bodies[1].method = "\xff"; }),
+      spoiled<SceneInfo>("fidelity", [](SceneInfo& m) { m.bodies[1].fidelity = static_cast<Fidelity>(6); }),
+      spoiled<SceneInfo>("light with nobody", [](SceneInfo& m) { m.lights[0].body = 3; }),
+      spoiled<PartState>("body", [](PartState& m) { m.body = max_bodies; }),
+      spoiled<PartState>("opacity", [](PartState& m) { m.opacity = 1.5; }),
+      spoiled<PartState>("stiffness", [](PartState& m) { m.stiffness = 0; }),
+      spoiled<PartState>("shape", [](PartState& m) { m.shape.p.x() = nan; }),
+      spoiled<PartState>("nobody holds", [](PartState& m) { m.holders[1].participant = 0; }),
+      spoiled<PartState>("third hand holds", [](PartState& m) { m.holders[0].hand = 2; }),
+      spoiled<PartState>("too many", [](PartState& m) { m.holders.resize(max_holders + 1, m.holders[0]); }),
+      spoiled<Panel>("nobody", [](Panel& m) { m.participant = 0; }),
+      spoiled<Panel>("pose", [](Panel& m) { m.pose.p.z() = nan; }),
+      spoiled<Panel>("control", [](Panel& m) { m.controls[2].position = -0.5; }),
+      spoiled<RoomState>("brightness", [](RoomState& m) { m.lights = nan; }),
       spoiled<BodyStatus>("body", [](BodyStatus& m) { m.body = max_bodies; }),
       spoiled<BodyStatus>("step NaN", [](BodyStatus& m) { m.step = nan; }),
       spoiled<BodyStatus>("residual", [](BodyStatus& m) { m.residual = -1; }),
@@ -239,8 +261,11 @@ std::string as_wire_bytes(const Message& message) {
           for (const SceneBody& b : m.bodies) {
             text += b.name + b.description + b.method + to_hex(b.mesh) + to_hex(b.map);
             add(b.show_figures);
+            add(b.part);
+            add(b.fidelity);
+            text += to_hex(b.outline);
           }
-          for (const LightInfo& l : m.lights) add(l.intensity), text += l.name;
+          for (const LightInfo& l : m.lights) add(l.intensity), add(l.body), text += l.name;
           add(m.camera.fov);
         } else if constexpr (std::is_same_v<M, AssetChunk>) {
           text.assign(m.bytes.begin(), m.bytes.end());
@@ -286,11 +311,20 @@ std::string as_wire_bytes(const Message& message) {
           add(m.normal);
           add(m.depth);
           add(m.impulse);
+          add(m.local_point);
+          add(m.force);
+          add(m.impact);
           add(m.touching);
         } else if constexpr (std::is_same_v<M, Command>) {
           add(m.sequence);
           add(m.kind);
           add(m.body);
+          add(m.subject);
+          add(m.role);
+          add(m.shape.A);
+          add(m.shape.p);
+          add(m.control);
+          add(m.value);
         } else if constexpr (std::is_same_v<M, TopologyRevision>) {
           add(m.previous_hash);
           add(m.chain_hash);
@@ -303,6 +337,22 @@ std::string as_wire_bytes(const Message& message) {
           add(m.stepped_down);
           add(m.asleep);
           add(m.converged);
+        } else if constexpr (std::is_same_v<M, PartState>) {
+          for (const bool flag : {m.attached, m.hidden, m.lit, m.inspected}) add(flag);
+          add(m.opacity);
+          add(m.stiffness);
+          add(m.shape.A);
+          add(m.shape.p);
+          for (const HandRef& holder : m.holders) add(holder.participant), add(holder.hand);
+        } else if constexpr (std::is_same_v<M, Panel>) {
+          add(m.open);
+          add(m.body);
+          add(m.pose.p);
+          add(m.pose.q.coeffs());
+          for (const ControlState& control : m.controls)
+            add(control.position), add(control.on), add(control.touched);
+        } else if constexpr (std::is_same_v<M, RoomState>) {
+          add(m.lights);
         }
         return text;
       },
