@@ -55,8 +55,7 @@ Connection::Connection(const BusConfig& config, const JoinRequest& request)
 Connection::~Connection() {
   thread_.request_stop();
   if (thread_.joinable()) thread_.join();
-  bus_->publish(Command{
-      .participant = presence_.participant, .sequence = ++command_sequence_, .kind = CommandKind::leave});
+  command(CommandKind::leave, right_hand);
   bus_->dispose(presence_);
 }
 
@@ -85,8 +84,7 @@ void Connection::ask_to_join(std::chrono::milliseconds patience) {
   while (Clock::now() < deadline) {
     if (Clock::now() >= next_try) {
       bus_->publish(presence_);
-      bus_->publish(Command{
-          .participant = presence_.participant, .sequence = ++command_sequence_, .kind = CommandKind::join});
+      command(CommandKind::join, right_hand);
       next_try = Clock::now() + std::chrono::milliseconds(500);
     }
     bus_->wait(poll_interval);
@@ -144,10 +142,16 @@ void Connection::rejoin_if_forgotten() {
 }
 
 void Connection::command(CommandKind kind, std::size_t hand) {
-  bus_->publish(Command{.participant = presence_.participant,
-                        .sequence = ++command_sequence_,
-                        .kind = kind,
-                        .hand = static_cast<std::uint8_t>(hand)});
+  Command out;
+  out.kind = kind;
+  out.hand = static_cast<std::uint8_t>(hand);
+  command(out);
+}
+
+void Connection::command(Command command) {
+  command.participant = presence_.participant;
+  command.sequence = ++command_sequence_;
+  bus_->publish(command);
 }
 
 std::string Connection::last_refusal() {

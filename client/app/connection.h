@@ -46,6 +46,7 @@ class Connection {
 
   void publish(const HandInput& input) { bus_->publish(input); }
   void command(CommandKind kind, std::size_t hand);
+  void command(Command command);  // participant and sequence are filled in
   BusCounters counters() const { return bus_->counters(); }
   /// The last refusal of a command, for people; empty when all went well.
   std::string last_refusal();

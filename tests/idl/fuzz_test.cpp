@@ -23,6 +23,8 @@ constexpr std::size_t plain_bytes() {
     return offsetof(W, packed);
   else if constexpr (requires(W w) { w.positions; })
     return offsetof(W, positions);
+  else if constexpr (requires(W w) { w.holders; })
+    return offsetof(W, holders);
   else
     return sizeof(W);
 }

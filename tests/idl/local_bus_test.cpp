@@ -42,6 +42,14 @@ std::vector<std::uint64_t> arriving_ticks(const LocalNetworkConfig& network_conf
   return ticks;
 }
 
+Command grasp_number(std::uint64_t sequence) {
+  Command command;
+  command.participant = 7;
+  command.sequence = sequence;
+  command.kind = CommandKind::grasp;
+  return command;
+}
+
 TEST(LocalBus, EveryTopicArrivesAtTheEndsThatReadIt) {
   LocalNetwork network({});
   const auto server = network.join(config_of(BusEnd::server));
@@ -83,7 +91,7 @@ TEST(LocalBus, ReliableLosesNothingAndKeepsOrder) {
   std::vector<std::uint64_t> numbers;
   std::vector<Received> received;
   for (std::uint64_t i = 0; i < 300; ++i) {
-    client->publish(Command{7, i, CommandKind::grasp, right_hand, 0});
+    client->publish(grasp_number(i));
     network.advance(40ms);
     server->take(received);
     for (const Received& r : received) numbers.push_back(std::get<Command>(r.message).sequence);
@@ -149,7 +157,7 @@ TEST(LocalBus, FloodsAreCutToTheRateOfTheTopic) {
   std::vector<Received> received;
   std::size_t taken = 0;
   for (std::uint64_t i = 0; i < 2000; ++i) {
-    client->publish(Command{7, i, CommandKind::grasp, right_hand, 0});
+    client->publish(grasp_number(i));
     network.advance(1ms);
     server->take(received);
     taken += received.size();

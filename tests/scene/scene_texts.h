@@ -20,6 +20,7 @@ inline std::string scene_with(const std::string& table, const std::string& line)
       {"[hand]", "[hand]\n"},
       {"[camera]", "[camera]\n"},
       {"[[rigid]]", "[[rigid]]\nname = \"r\"\nvolume = \"v.inr\"\n"},
+      {"[[rigid.fracture]]", "[[rigid.fracture]]\n"},
       {"[[rigid.part]]", "[[rigid]]\nname = \"p\"\n[[rigid.part]]\n"},
       {"[[soft]]", "[[soft]]\nname = \"t\"\nvolume = \"v.inr\"\n"},
       {"[[soft.attach]]", "[[soft.attach]]\n"},
