@@ -30,8 +30,4 @@ class GridDistance final : public SignedDistance {
   std::vector<float> samples_;
 };
 
-/// The point of triangle abc that is closest to p (Ericson, Real-Time Collision Detection, 5.1.5), as its
-/// barycentric weights.
-Vec3 closest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
-
 }  // namespace prosector

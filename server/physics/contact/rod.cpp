@@ -2,30 +2,10 @@
 
 #include <algorithm>
 
-#include "server/physics/contact/grid_distance.h"
+#include "server/physics/collision/closest_points.h"
 
 namespace prosector {
 namespace {
-
-struct Parameters {
-  double s, t;  // along the first and the second segment
-};
-
-/// Closest points of segments p + s·d and q + t·e, s and t in [0, 1] (Ericson, 5.1.9).
-Parameters closest_parameters(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& e) {
-  const Vec3 r = p - q;
-  const double a = d.squaredNorm(), b = d.dot(e), c = d.dot(r), f = e.dot(r), ee = e.squaredNorm();
-  if (!(ee > 0)) return {a > 0 ? std::clamp(-c / a, 0.0, 1.0) : 0, 0};
-  if (!(a > 0)) return {0, std::clamp(f / ee, 0.0, 1.0)};
-  const double denominator = a * ee - b * b;
-  double s = denominator > 0 ? std::clamp((b * f - c * ee) / denominator, 0.0, 1.0) : 0;
-  double t = (b * s + f) / ee;
-  if (t < 0 || t > 1) {
-    t = std::clamp(t, 0.0, 1.0);
-    s = std::clamp((b * t - c) / a, 0.0, 1.0);
-  }
-  return {s, t};
-}
 
 std::optional<SegmentTriangle> crossing(const Vec3& from, const Vec3& to,
                                         const std::array<Vec3, 3>& triangle) {

@@ -1,0 +1,38 @@
+#pragma once
+// Closest points of points, segments and triangles (Ericson, Real-Time Collision Detection, 2005, 5.1).
+// Degenerate triangles and segments are taken as what they are: segments and points.
+
+#include <array>
+
+#include "common/math.h"
+
+namespace prosector {
+
+using Triangle = std::array<Vec3, 3>;  // m
+
+/// The point of triangle abc that is closest to p (5.1.5), as its barycentric weights; a weight is exactly 0
+/// where the point lies on an edge or a corner.
+Vec3 closest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+
+struct SegmentParameters {
+  double s, t;  // in [0, 1] along the first and the second segment
+};
+
+/// Closest points p + s·d and q + t·e of two segments (5.1.9).
+SegmentParameters closest_parameters(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& e);
+
+struct TrianglePair {
+  Vec3 weights_a = Vec3::Zero(), weights_b = Vec3::Zero();  // of the corners
+  Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();            // m
+  double squared_distance = 0;                              // m²
+};
+
+/// Closest points of two triangles that do not cross: a corner against a face or an edge against an edge
+/// (5.1.10). Of those that cross, the closest of these features.
+TrianglePair closest(const Triangle& a, const Triangle& b);
+
+inline Vec3 at(const Triangle& t, const Vec3& weights) {
+  return weights[0] * t[0] + weights[1] * t[1] + weights[2] * t[2];
+}
+
+}  // namespace prosector

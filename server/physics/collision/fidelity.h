@@ -1,0 +1,21 @@
+#pragma once
+// How finely an object's shape is taken for collision.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace prosector {
+
+/// Coarsest first. What each encloses: collision_object.h.
+enum class Fidelity : std::uint8_t { none, sphere, aabb, obb, hull, mesh };
+
+inline constexpr std::array<std::string_view, 6> fidelity_names = {"none", "sphere", "aabb",
+                                                                   "obb",  "hull",   "mesh"};
+constexpr std::string_view fidelity_name(Fidelity fidelity) {
+  return fidelity_names[static_cast<std::size_t>(fidelity)];
+}
+/// Throws InputError that lists the names.
+Fidelity fidelity_of(std::string_view name);
+
+}  // namespace prosector

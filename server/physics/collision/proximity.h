@@ -1,0 +1,37 @@
+#pragma once
+// How near two shapes are, or how deep one is in the other.
+
+#include <cstdint>
+#include <utility>
+
+#include "common/math.h"
+
+namespace prosector {
+
+/// A material point of a triangle surface.
+struct SurfacePoint {
+  static constexpr std::uint32_t none = ~0u;
+  std::uint32_t triangle = none;  // none: the shape has no triangles of its own
+  Vec3 weights = Vec3::Zero();    // of its corners
+};
+
+/// Moving a by −gap along the normal makes the two just touch there. on_a − on_b = gap · normal.
+struct Proximity {
+  Vec3 normal = Vec3::UnitY();                    // unit, from b to a
+  double gap = 0;                                 // m, < 0: depth
+  Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();  // m, on either shape
+  SurfacePoint at_a, at_b;
+
+  Vec3 point() const { return (on_a + on_b) / 2; }
+  Proximity flipped() const { return {-normal, gap, on_b, on_a, at_b, at_a}; }
+};
+
+/// Both shapes larger by their rounding, as if a ball of that radius were rolled around them.
+inline Proximity rounded(Proximity p, double rounding_a, double rounding_b) {
+  p.gap -= rounding_a + rounding_b;
+  p.on_a -= rounding_a * p.normal;
+  p.on_b += rounding_b * p.normal;
+  return p;
+}
+
+}  // namespace prosector
