@@ -12,7 +12,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGES = ["README.md", "docs/measurements.md", "docs/soft-tissue.md"]
+PAGES = ["README.md", "docs/measurements.md", "docs/soft-tissue.md", "docs/collision.md"]
 MARKED = re.compile(r"(<!-- measured: (\S+) -->\n)(.*?)(<!-- /measured -->)", re.DOTALL)
 DASH = "–"
 
@@ -393,6 +393,39 @@ def scaling(reports):
                   "residual"], lines)
 
 
+# Collision.
+
+
+def collision_shapes(reports):
+    """A line for each shape and fidelity."""
+    lines = [[row["shape"], f"`{row['fidelity']}`", number(row["us_per_pair"]), percent(row["false_hits"]), percent(row["missed_hits"]),
+              percent(row["depth_error"]), number(row["normal_error_deg"]), count(row["bytes_per_object"])]
+             for row in reports.rows("collision", case="pairs")]
+    return table(["Shape", "fidelity", "CPU µs a pair", "false hits", "missed hits", "depth off", "normal off, °", "bytes"], lines)
+
+
+def collision_bodies(reports):
+    """A line for each size of scene, a column for each fidelity."""
+    rows = reports.rows("collision", case="bodies")
+    fidelities = list(dict.fromkeys(row["fidelity"] for row in rows))
+    lines = []
+    for (bodies,), same in sorted(grouped(rows, "bodies").items()):
+        by_fidelity = {row["fidelity"]: row for row in same}
+        lines.append([count(bodies), *(number(by_fidelity[f]["ms_scene"]) if f in by_fidelity else DASH for f in fidelities),
+                      count(same[0]["broad_pairs"])])
+    last = [[row for row in rows if row["fidelity"] == f][-1] for f in fidelities]
+    lines.append(["bytes a body", *(count(round(row["bytes_per_body"])) for row in last), ""])
+    return table(["Bodies", *(f"`{f}`" for f in fidelities), f"pairs of boxes, {fidelities[0]}"], lines)
+
+
+def collision_surfaces(reports):
+    keys = ["ms_build", "ms_refit", "ms_apart", "ms_crossing", "ms_self"]
+    lines = [[count(row["triangles"]), *(number(row[key]) for key in keys), count(round(row["bytes_per_triangle"]))]
+             for row in reports.rows("collision", case="surface")]
+    return table(["Triangles of each", "tree built", "refitted", "distance, nearly touching", "depth, a tenth deep", "self-contact",
+                  "bytes a triangle"], lines)
+
+
 def machine(reports, before):
     if not reports.all:
         raise Missing("any bench")
@@ -409,6 +442,7 @@ def machine(reports, before):
 KEEPING = {"machine": machine, "goals": goals}  # of several benches: lines of those not given stay
 TABLES = {"beam": beam, "beam101k": beam101k, "press": press, "bullet-here": bullet_here, "advice": advice,
           "bend-sizes": bend_sizes, "rungs": rungs, "extremes": extremes, "integrators": integrators, "springs": springs, "laws": laws, "scaling": scaling,
+          "collision-shapes": collision_shapes, "collision-bodies": collision_bodies, "collision-surfaces": collision_surfaces,
           **{f"trade-{case}": trade_case(case) for case in ("bend", "bend_incompressible", "swing", "free", "press")}}
 
 

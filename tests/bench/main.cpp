@@ -105,6 +105,23 @@ int main(int argc, char** argv) try {
   scaling_command
       ->add_option("--limit", scaling.limit_ms, "CPU ms of a frame after which no finer mesh is tried")
       ->check(CLI::Range(1., 1e9));
+
+  prosector::CollisionBenchOptions collision;
+  CLI::App* collision_command =
+      app.add_subcommand("collision", "Collision detection at every fidelity: cost, errors, growth");
+  collision_command->add_option("--pairs", collision.pairs, "Random poses of each shape")
+      ->check(CLI::Range(10, 1000000));
+  collision_command->add_option("--ticks", collision.ticks, "Of which the median is told")
+      ->check(CLI::Range(1, 10000));
+  collision_command->add_option("--bodies", collision.max_bodies, "Of the largest scene")
+      ->check(CLI::Range(100, 1000000));
+  collision_command->add_option("--triangles", collision.max_triangles, "Of the finest surface")
+      ->check(CLI::Range(128, 10000000));
+  collision_command->add_option("--svg", collision.picture_folder, "Folder for a picture")
+      ->check(CLI::ExistingDirectory);
+  collision_command
+      ->add_option("--limit", collision.limit_ms, "CPU ms of a tick after which no larger scene is tried")
+      ->check(CLI::Range(1., 1e9));
   CLI11_PARSE(app, argc, argv);
 
   std::cout << prosector::machine().dump() << std::endl;
@@ -118,6 +135,7 @@ int main(int argc, char** argv) try {
   if (*trade_command) report = prosector::bench_trade(trade);
   if (*stability_command) report = prosector::bench_stability(stability);
   if (*scaling_command) report = prosector::bench_scaling(scaling);
+  if (*collision_command) report = prosector::bench_collision(collision);
   if (!file.empty()) report.value().write(file);
   return 0;
 } catch (const std::exception& error) {

@@ -82,4 +82,15 @@ struct ScalingBenchOptions {
 /// Time against elements, from 100 on, and threads.
 Report bench_scaling(const ScalingBenchOptions& options);
 
+struct CollisionBenchOptions {
+  int pairs = 1000;  // poses a shape
+  int ticks = 5;
+  int max_bodies = 10000;
+  int max_triangles = 131072;
+  std::string picture_folder;  // where to write collision.svg; empty: nowhere
+  double limit_ms = 5000;      // CPU time of a tick after which no larger scene is tried
+};
+/// Collision detection at every fidelity: cost, false and missed hits, errors, memory, growth; one thread.
+Report bench_collision(const CollisionBenchOptions& options);
+
 }  // namespace prosector

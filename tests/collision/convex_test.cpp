@@ -140,6 +140,38 @@ TEST(Convex, RoundOnesAsClosedForm) {
   EXPECT_NEAR(rim->gap, 0.4, 1e-6);
 }
 
+// Round shapes have no plane that a polytope finds exactly. The reference looks at very many planes.
+TEST(Convex, DepthOfRoundOnes) {
+  Random random(6);
+  const auto ellipsoid = [&] {
+    const Vec3 half = Vec3::Constant(0.02) + 0.03 * random_point(random).cwiseAbs();
+    return make_convex({ShapeKind::ellipsoid, half, {}, nullptr});
+  };
+  const auto planes = [](const Convex& a, const Pose& pa, const Convex& b, const Pose& pb, const Vec3& n) {
+    return n.dot(pa * a.farthest(pa.q.conjugate() * -n) - pb * b.farthest(pb.q.conjugate() * n));
+  };
+  int overlapping = 0;
+  for (int i = 0; i < 300; ++i) {
+    const auto a = ellipsoid(), b = ellipsoid();
+    const Pose pa = random_pose(random, 0.03), pb = random_pose(random, 0.03);
+    const auto found = convex_proximity(*a, pa, *b, pb, 0);
+    if (!found) continue;
+    ++overlapping;
+    double gap = -1;
+    Vec3 best = Vec3::UnitX();
+    for (int k = 0; k < 2000; ++k) {
+      const Vec3 n = k < 800 ? random_unit(random)
+                             : Vec3((best + 0.3 * std::pow(0.995, k) * random_unit(random)).normalized());
+      if (const double g = planes(*a, pa, *b, pb, n); g > gap) {
+        gap = g;
+        best = n;
+      }
+    }
+    EXPECT_LE(gap - found->gap, 1e-6) << i << " " << found->gap;
+  }
+  EXPECT_GT(overlapping, 100);
+}
+
 TEST(Boxes, DepthAsAllPlanesHaveItAndEpaAgrees) {
   Random random(5);
   int overlapping = 0, shallow = 0;

@@ -3,7 +3,9 @@
 #include <BulletCollision/CollisionShapes/btConvexInternalShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "server/physics/collision/gjk.h"
 
@@ -12,6 +14,8 @@ namespace {
 
 // Bullet's tolerances are absolute, so shapes are brought to about this size.
 constexpr double bullet_size = 20;
+// Of the size: how far Bullet's depth may be from that of its planes to be taken for the least there is.
+constexpr double certain = 1e-5;
 
 btVector3 to_bullet(const Vec3& v) {
   return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
@@ -60,6 +64,70 @@ double gap_along(const Vec3& normal, const BulletCore& a, const BulletCore& b) {
   return normal.dot(a.farthest(-normal) - b.farthest(normal));
 }
 
+/// Turns a normal of cores that overlap to where the planes overlap less, as long as that helps: at the least
+/// overlap the corner of b − a that the planes meet lies straight ahead.
+void descend(Vec3& normal, const BulletCore& a, const BulletCore& b) {
+  constexpr int most_turns = 24, most_halvings = 6;
+  double depth = -gap_along(normal, a, b);
+  for (int turn = 0; turn < most_turns; ++turn) {
+    const Vec3 ahead = b.farthest(normal) - a.farthest(-normal);
+    const Vec3 aside = ahead - ahead.dot(normal) * normal;
+    double share = ahead.norm() > 0 ? 1 / ahead.norm() : 0;
+    bool better = false;
+    for (int i = 0; i < most_halvings && !better; ++i, share /= 2) {
+      const Vec3 turned = (normal - share * aside).normalized();
+      const double found = -gap_along(turned, a, b);
+      better = found < depth * (1 - 1e-9);
+      if (!better) continue;
+      normal = turned;
+      depth = found;
+    }
+    if (!better) return;
+  }
+}
+
+struct BulletDepth {
+  Vec3 normal, middle;
+  double depth_at_least,
+      depth_at_most;  // m: of the polytope inside the cores' difference, of the planes outside
+};
+
+std::optional<BulletDepth> bullet_depth(const BulletCore& a, const BulletCore& b, const Vec3& apart,
+                                        double scale) {
+  btGjkEpaSolver2::sResults found;
+  const btTransform identity = btTransform::getIdentity();
+  if (!btGjkEpaSolver2::Penetration(&a, identity, &b, identity, to_bullet(scale * apart), found, false))
+    return std::nullopt;
+  const Vec3 normal = from_bullet(found.normal).normalized();
+  const Vec3 middle = from_bullet(found.witnesses[0] + found.witnesses[1]) / (2 * scale);
+  if (!normal.allFinite() || !middle.allFinite()) return std::nullopt;
+  return BulletDepth{normal, middle, std::abs(static_cast<double>(found.distance)) / scale,
+                     -gap_along(normal, a, b)};
+}
+
+/// Where Bullet is not sure: descends from the best of many directions, its own among them.
+Vec3 searched_normal(const BulletCore& a, const BulletCore& b, const Pose& frame, const Vec3& apart,
+                     const std::optional<BulletDepth>& found) {
+  constexpr std::size_t tried = 4;
+  std::vector<std::pair<double, Vec3>> starts;  // by gap
+  const auto add = [&](const Vec3& n) { starts.emplace_back(gap_along(n, a, b), n); };
+  if (found) add(found->normal);
+  if (apart.norm() > 0) add(apart.normalized());
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z)
+        if (x != 0 || y != 0 || z != 0) add(frame.q * Vec3(x, y, z).normalized());
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const auto& p, const auto& q) { return p.first > q.first; });
+  for (std::size_t i = 0; i < tried; ++i) {
+    descend(starts[i].second, a, b);
+    starts[i].first = gap_along(starts[i].second, a, b);
+  }
+  return std::max_element(starts.begin(), starts.begin() + tried,
+                          [](const auto& p, const auto& q) { return p.first < q.first; })
+      ->second;
+}
+
 }  // namespace
 
 std::optional<Proximity> convex_proximity(const Convex& a, const Pose& pose_a, const Convex& b,
@@ -80,20 +148,17 @@ std::optional<Proximity> convex_proximity(const Convex& a, const Pose& pose_a, c
     normal = closest.on_a - closest.on_b;
     middle = (closest.on_a + closest.on_b) / 2;
   } else {
-    btGjkEpaSolver2::sResults found;
-    const btTransform identity = btTransform::getIdentity();
-    if (btGjkEpaSolver2::Penetration(&core_a, identity, &core_b, identity, to_bullet(scale * apart), found,
-                                     false)) {
-      normal = from_bullet(found.normal);
-      middle = from_bullet(found.witnesses[0] + found.witnesses[1]) / (2 * scale);
+    const auto found = bullet_depth(core_a, core_b, apart, scale);
+    if (found) middle = found->middle;
+    if (found && found->depth_at_most - found->depth_at_least <= certain * size) {
+      normal = found->normal;
+      descend(normal, core_a, core_b);
+    } else {
+      normal = searched_normal(core_a, core_b, pose_a, apart, found);
     }
   }
   Proximity out;
-  if (!(normal.norm() > 0) || !normal.allFinite() || !middle.allFinite()) {
-    normal = apart;
-    middle.setZero();
-  }
-  out.normal = normal.norm() > 0 ? Vec3(normal.normalized()) : Vec3(Vec3::UnitY());
+  out.normal = normal.normalized();
   out.gap = gap_along(out.normal, core_a, core_b);
   out.on_a = origin + middle + out.gap / 2 * out.normal;
   out.on_b = origin + middle - out.gap / 2 * out.normal;

@@ -37,9 +37,10 @@ struct Cut {
 
 struct Crossings {
   bool any = false;
-  std::uint32_t triangle_a = 0, triangle_b = 0;  // the pair whose b faces most the way that the bodies lie …
-  double facing = -1;                            // … by this cosine, times the way
-  Vec3 point = Vec3::Zero();                     // in a's frame
+  // Of the pair whose b faces most the way that the bodies lie, by that share of the way.
+  std::uint32_t triangle_a = 0, triangle_b = 0;
+  double facing = -1;
+  Vec3 point = Vec3::Zero();  // in a's frame
   std::vector<Cut> of_a, of_b;
 };
 

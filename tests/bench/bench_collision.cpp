@@ -1,0 +1,84 @@
+// Collision detection at all fidelities: cost, errors, growth.
+
+#include <cmath>
+
+#include "tests/bench/collision_cases.h"
+#include "tests/bench/collision_plot.h"
+#include "tests/bench/subjects.h"
+#include "tests/bench/text_table.h"
+
+namespace prosector {
+namespace {
+
+using enum Column::Kind;
+
+constexpr std::array fidelities = {Fidelity::sphere, Fidelity::aabb, Fidelity::obb, Fidelity::hull,
+                                   Fidelity::mesh};
+
+void add_pairs(const CollisionBenchOptions& options, Report& report) {
+  const TextTable table({{text, "shape", "shape", 10},
+                         {text, "fidelity", "fidelity", 7},
+                         {number, "us_per_pair", "us/pair", 8},
+                         {percent, "false_hits", "false hits", 8},
+                         {percent, "missed_hits", "missed", 8},
+                         {percent, "depth_error", "depth error", 8},
+                         {number, "normal_error_deg", "normal, deg", 8},
+                         {count, "bytes_per_object", "bytes", 9}});
+  table.print_header();
+  for (const test::NamedParts& shape : test::shape_table()) {
+    const CollisionPairs pairs(shape, options.pairs);
+    for (const Fidelity fidelity : fidelities) {
+      report.add(pairs.measure(fidelity));
+      table.print(report.rows().back());
+    }
+  }
+}
+
+void add_bodies(const CollisionBenchOptions& options, Report& report) {
+  const TextTable table({{text, "fidelity", "fidelity", 8},
+                         {count, "bodies", "bodies", 8},
+                         {number, "ms_place", "ms to place", 9},
+                         {number, "ms_detect", "ms to detect", 9},
+                         {count, "broad_pairs", "box pairs", 9},
+                         {count, "touches", "touches", 9},
+                         {number, "bytes_per_body", "bytes/body", 9}});
+  table.print_header();
+  for (const Fidelity fidelity : fidelities) {
+    double last_ms = 0;
+    for (double bodies = 100; bodies <= options.max_bodies * 1.01 && last_ms < options.limit_ms;
+         bodies *= std::sqrt(10)) {
+      report.add(measure_bodies(fidelity, static_cast<int>(std::lround(bodies)), options.ticks));
+      table.print(report.rows().back());
+      last_ms = figure(report.rows().back(), "ms_scene");
+    }
+  }
+}
+
+void add_surfaces(const CollisionBenchOptions& options, Report& report) {
+  const TextTable table({{count, "triangles", "triangles", 9},
+                         {number, "ms_build", "ms to build", 9},
+                         {number, "ms_refit", "refit", 9},
+                         {number, "ms_apart", "distance", 9},
+                         {number, "ms_crossing", "depth", 9},
+                         {number, "ms_self", "itself", 9},
+                         {number, "bytes_per_triangle", "bytes/triangle", 9}});
+  table.print_header();
+  for (int levels = 2; 8 << 2 * levels <= options.max_triangles * 4 / 3; ++levels) {
+    report.add(measure_surface(levels, options.ticks));
+    table.print(report.rows().back());
+  }
+}
+
+}  // namespace
+
+Report bench_collision(const CollisionBenchOptions& options) {
+  Report report("collision");
+  add_pairs(options, report);
+  add_bodies(options, report);
+  add_surfaces(options, report);
+  if (!options.picture_folder.empty())
+    draw_collision(report.rows()).write(options.picture_folder + "/collision.svg");
+  return report;
+}
+
+}  // namespace prosector

@@ -1,0 +1,119 @@
+#include "tests/bench/collision_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/bench/text_table.h"
+
+namespace prosector {
+namespace {
+
+constexpr double top = 70, left = 80, side = 380, gap = 130, foot = 60;
+
+struct Series {
+  std::string name;
+  std::vector<std::pair<double, double>> points;  // x, y
+  bool line = true;
+};
+
+/// One square with logarithmic axes; y linear in per cent where it is a share.
+struct Panel {
+  std::string title, x_label, y_label;
+  bool y_is_share = false;
+  std::vector<Series> series;
+};
+
+struct Axis {
+  double low, high;
+  bool log;
+  double share(double value) const {
+    const double at = log ? std::log10(value) : value;
+    return std::clamp((at - low) / (high - low), 0.0, 1.0);
+  }
+};
+
+Axis axis(const Panel& panel, bool of_x) {
+  if (!of_x && panel.y_is_share) return {0, 1, false};
+  double low = 1e300, high = -1e300;
+  for (const Series& s : panel.series)
+    for (const auto& [x, y] : s.points) {
+      low = std::min(low, std::log10(of_x ? x : y));
+      high = std::max(high, std::log10(of_x ? x : y));
+    }
+  if (low > high) low = high = 0;
+  low = std::floor(low);
+  return {low, std::max(std::ceil(high), low + 1), true};
+}
+
+void draw(Svg& svg, const Panel& panel, double x0) {
+  const Axis ax = axis(panel, true), ay = axis(panel, false);
+  const auto px = [&](double x) { return x0 + side * ax.share(x); };
+  const auto py = [&](double y) { return top + side * (1 - ay.share(y)); };
+  svg.text(x0, top - 18, panel.title, {.size = 15, .bold = true});
+  for (double e = ax.low; e <= ax.high; ++e) {
+    svg.line(px(std::pow(10, e)), top, px(std::pow(10, e)), top + side, {.color = "#dddddd"});
+    svg.text(px(std::pow(10, e)), top + side + 18, three_digits(std::pow(10, e)),
+             {.size = 12, .anchor = "middle"});
+  }
+  for (double e = ay.low; e <= ay.high + 1e-9; e += ay.log ? 1 : 0.25) {
+    const double value = ay.log ? std::pow(10, e) : e;
+    svg.line(x0, py(value), x0 + side, py(value), {.color = "#dddddd"});
+    svg.text(x0 - 6, py(value) + 4, ay.log ? three_digits(value) : three_digits(100 * value) + " %",
+             {.size = 12, .anchor = "end"});
+  }
+  svg.text(x0 + side / 2, top + side + 40, panel.x_label, {.anchor = "middle"});
+  svg.text(x0 - 58, top + side / 2, panel.y_label, {.anchor = "middle", .turn = -90});
+  for (std::size_t i = 0; i < panel.series.size(); ++i) {
+    const Series& s = panel.series[i];
+    const std::string& color = palette[i % palette.size()];
+    std::vector<std::pair<double, double>> path;
+    for (const auto& [x, y] : s.points) {
+      path.emplace_back(px(x), py(y));
+      svg.circle(px(x), py(y), 4, color, "#ffffff");
+    }
+    if (s.line && path.size() > 1) svg.path(path, {.color = color, .width = 2});
+    svg.circle(x0 + 14, top + 16 + 18 * static_cast<double>(i), 4, color);
+    svg.text(x0 + 24, top + 20 + 18 * static_cast<double>(i), s.name, {.size = 12});
+  }
+}
+
+Series& series(Panel& panel, const std::string& name) {
+  for (Series& s : panel.series)
+    if (s.name == name) return s;
+  return panel.series.emplace_back(Series{name, {}, true});
+}
+
+void add(Panel& panel, const std::string& name, double x, double y) {
+  const bool fits = x > 0 && std::isfinite(x) && std::isfinite(y) && (y > 0 || panel.y_is_share);
+  if (fits) series(panel, name).points.emplace_back(x, y);
+}
+
+}  // namespace
+
+Svg draw_collision(const std::vector<ReportRow>& rows) {
+  Panel wrong{"Hits that mesh has not, each shape", "µs a pair", "of the pairs apart", true, {}};
+  Panel bodies{"Scenes of moving bodies", "bodies", "ms a tick", false, {}};
+  Panel surfaces{"Two soft surfaces", "triangles of each", "ms", false, {}};
+  for (const ReportRow& row : rows) {
+    const std::string kind = setting(row, "case"), fidelity = setting(row, "fidelity");
+    if (kind == "pairs") add(wrong, fidelity, figure(row, "us_per_pair"), figure(row, "false_hits"));
+    if (kind == "bodies") add(bodies, fidelity, figure(row, "bodies"), figure(row, "ms_scene"));
+    if (kind == "surface")
+      for (const auto& [key, name] : {std::pair{"ms_build", "tree built"},
+                                      {"ms_refit", "refitted"},
+                                      {"ms_apart", "distance"},
+                                      {"ms_crossing", "depth"},
+                                      {"ms_self", "itself"}})
+        add(surfaces, name, figure(row, "triangles"), figure(row, key));
+  }
+  for (Series& s : wrong.series) s.line = false;
+  Svg svg(left + 3 * side + 2 * gap + 40, top + side + foot);
+  svg.text(left, 26, "Collision: what each fidelity costs and gets wrong; one thread, CPU time",
+           {.size = 17, .bold = true});
+  draw(svg, wrong, left);
+  draw(svg, bodies, left + side + gap);
+  draw(svg, surfaces, left + 2 * (side + gap));
+  return svg;
+}
+
+}  // namespace prosector
