@@ -8,7 +8,7 @@
 namespace prosector {
 namespace {
 
-constexpr double top = 70, left = 80, side = 380, gap = 130, foot = 60;
+constexpr double top = 70, left = 80, side = 380, gap = 190, foot = 60;
 
 struct Series {
   std::string name;
@@ -51,13 +51,13 @@ void draw(Svg& svg, const Panel& panel, double x0) {
   const auto py = [&](double y) { return top + side * (1 - ay.share(y)); };
   svg.text(x0, top - 18, panel.title, {.size = 15, .bold = true});
   for (double e = ax.low; e <= ax.high; ++e) {
-    svg.line(px(std::pow(10, e)), top, px(std::pow(10, e)), top + side, {.color = "#dddddd"});
+    svg.line(px(std::pow(10, e)), top, px(std::pow(10, e)), top + side, {"#dddddd", 1, ""});
     svg.text(px(std::pow(10, e)), top + side + 18, three_digits(std::pow(10, e)),
              {.size = 12, .anchor = "middle"});
   }
   for (double e = ay.low; e <= ay.high + 1e-9; e += ay.log ? 1 : 0.25) {
     const double value = ay.log ? std::pow(10, e) : e;
-    svg.line(x0, py(value), x0 + side, py(value), {.color = "#dddddd"});
+    svg.line(x0, py(value), x0 + side, py(value), {"#dddddd", 1, ""});
     svg.text(x0 - 6, py(value) + 4, ay.log ? three_digits(value) : three_digits(100 * value) + " %",
              {.size = 12, .anchor = "end"});
   }
@@ -71,9 +71,9 @@ void draw(Svg& svg, const Panel& panel, double x0) {
       path.emplace_back(px(x), py(y));
       svg.circle(px(x), py(y), 4, color, "#ffffff");
     }
-    if (s.line && path.size() > 1) svg.path(path, {.color = color, .width = 2});
-    svg.circle(x0 + 14, top + 16 + 18 * static_cast<double>(i), 4, color);
-    svg.text(x0 + 24, top + 20 + 18 * static_cast<double>(i), s.name, {.size = 12});
+    if (s.line && path.size() > 1) svg.path(path, {color, 2, ""});
+    svg.circle(x0 + side + 14, top + 16 + 18 * static_cast<double>(i), 4, color);
+    svg.text(x0 + side + 24, top + 20 + 18 * static_cast<double>(i), s.name, {.size = 12});
   }
 }
 
@@ -107,7 +107,7 @@ Svg draw_collision(const std::vector<ReportRow>& rows) {
         add(surfaces, name, figure(row, "triangles"), figure(row, key));
   }
   for (Series& s : wrong.series) s.line = false;
-  Svg svg(left + 3 * side + 2 * gap + 40, top + side + foot);
+  Svg svg(left + 3 * (side + gap) - 80, top + side + foot);
   svg.text(left, 26, "Collision: what each fidelity costs and gets wrong; one thread, CPU time",
            {.size = 17, .bold = true});
   draw(svg, wrong, left);
