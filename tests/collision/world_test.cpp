@@ -37,7 +37,7 @@ std::vector<Body> heap(int count) {
   return out;
 }
 
-bool same(const Touch& a, const Touch& b) {
+bool same(const ObjectTouch& a, const ObjectTouch& b) {
   return a.a == b.a && a.b == b.b && a.gap == b.gap && a.point == b.point && a.normal == b.normal &&
          a.local_a == b.local_a && a.local_b == b.local_b && a.impact == b.impact;
 }
@@ -58,7 +58,7 @@ TEST(World, FindsWhatLookingAtAllPairsFinds) {
       const auto found = proximity(world.object(a), world.object(b), margin);
       if (!found) continue;
       ASSERT_LT(k, report.touches.size());
-      const Touch& touch = report.touches[k++];
+      const ObjectTouch& touch = report.touches[k++];
       EXPECT_EQ(touch.a, a);
       EXPECT_EQ(touch.b, b);
       EXPECT_EQ(touch.gap, found->gap);
@@ -105,7 +105,7 @@ TEST(World, FastThingsAreMetWithinTheTick) {
     const auto& touches = world.detect(1. / 60).touches;
     ASSERT_EQ(touches.size(), continuous ? 1u : 0u);
     if (!continuous) continue;
-    const Touch& touch = touches.front();
+    const ObjectTouch& touch = touches.front();
     ASSERT_TRUE(touch.impact);
     EXPECT_GT(*touch.impact, 0.006);
     EXPECT_LT(*touch.impact, 0.0075);
@@ -144,7 +144,7 @@ TEST(World, MasksSeparate) {
                 bodies[i].pose);
   const auto& touches = world.detect().touches;
   EXPECT_GT(touches.size(), 10u);
-  for (const Touch& touch : touches) EXPECT_NE(touch.a % 2, touch.b % 2);
+  for (const ObjectTouch& touch : touches) EXPECT_NE(touch.a % 2, touch.b % 2);
 }
 
 TEST(World, SayWhatMarginIs) {

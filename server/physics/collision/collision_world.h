@@ -13,7 +13,7 @@ namespace prosector {
 
 /// What is known of two objects that touch or nearly do. Where they meet later in the tick (impact > 0),
 /// point, normal and the rest are those of then; only the gap is always that of now.
-struct Touch {
+struct ObjectTouch {
   std::uint32_t a = 0, b = 0;   // ids, a < b
   Vec3 point = Vec3::Zero();    // m, room frame
   Vec3 normal = Vec3::UnitY();  // unit, from b to a
@@ -25,7 +25,7 @@ struct Touch {
 };
 
 struct CollisionReport {
-  std::vector<Touch> touches;  // ascending by (a, b)
+  std::vector<ObjectTouch> touches;  // ascending by (a, b)
   std::size_t broad_pairs = 0;
   std::size_t unsettled_impacts = 0;    // time_of_impact stopped before it was sure
   std::vector<std::uint32_t> rejected;  // objects that were given numbers that aren't finite since the last
