@@ -167,6 +167,14 @@ class Reader {
     return false;
   }
 
+  static bool store(const toml::node& node, const Field& field, std::vector<std::string>& out) {
+    const toml::array* list = node.as_array();
+    if (list == nullptr) return false;
+    for (const toml::node& name : *list)
+      if (!store(name, field, out.emplace_back())) return false;
+    return true;
+  }
+
   /// A number, blanks, the field's unit: "2 %", "0.5ms".
   static bool store(const toml::node& node, const Field& field, Quantity& out) {
     if (!node.is_string()) return false;

@@ -31,6 +31,10 @@ struct FractureDesc {
   Vec3 normal = Vec3::UnitY();  // any length but zero
 };
 
+inline constexpr std::size_t max_collision_groups = 32;
+/// Groups that are there without any body naming them: of bodies that name none, and of people's hands.
+inline constexpr const char *default_group = "default", *hand_group = "hand";
+
 /// [[rigid]]
 struct RigidDesc {
   std::string name;
@@ -47,8 +51,10 @@ struct RigidDesc {
   double scale = 1;             // file units → metres
   double surface_cell = 0;      // m: triangles' edge length, about; 0: a mesh as it is, a volume's voxel size
   std::vector<PartDesc> parts;
-  std::string collision =
-      "hull";  // mesh bodies: hull | mesh | none; parts are their own collision shape unless none
+  std::string collision = "hull";  // none | sphere | aabb | obb | hull | mesh
+  std::string group = default_group;
+  std::vector<std::string> touches;  // groups; empty: all
+  bool continuous = false;           // true: found also where it passes through things within a tick
   Pose pose;
   bool fixed = false;     // true: part of the room, never moves
   double density = 1000;  // kg/m³
@@ -134,11 +140,16 @@ struct SoftDesc {
   double damping_mass = 0.5;             // 1/s   Rayleigh: C = damping_mass·M + damping_stiffness·K
   double damping_stiffness = 0.01;       // s
   double friction = 0.3;
-  bool gravity = true;             // false: the imaged shape already carries it
-  int newton_iterations = 3;       // at most, per tick
-  int solver_iterations = 60;      // linear solver, at most, per Newton iteration
-  double solver_tolerance = 1e-3;  // relative residual at which it stops
-  int substeps = 20;               // xpbd: per tick
+  std::string collision = "mesh";  // none | sphere | aabb | obb | hull | mesh
+  std::string group = default_group;
+  std::vector<std::string> touches;  // as of RigidDesc
+  bool continuous = false;           // likewise
+  bool self_contact = false;         // true: it doesn't pass through itself
+  bool gravity = true;               // false: the imaged shape already carries it
+  int newton_iterations = 3;         // at most, per tick
+  int solver_iterations = 60;        // linear solver, at most, per Newton iteration
+  double solver_tolerance = 1e-3;    // relative residual at which it stops
+  int substeps = 20;                 // xpbd: per tick
   int max_substeps = 400;  // explicit integrators: per tick; a body that needs more is stepped implicitly
   double spring_stiffness = 0;   // mass_spring, xpbd: N/m of each structural spring; 0: from youngs_modulus
   double shear_stiffness = 0;    // sheets: N/m of each diagonal spring; 0: likewise

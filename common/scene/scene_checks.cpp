@@ -18,6 +18,8 @@ struct Entry {
   std::string where;  // [[soft]] "liver"
   const std::string* name;
   const std::string* parent;
+  const std::string* group;
+  const std::vector<std::string>* touches;
 };
 
 class Checker {
@@ -32,6 +34,7 @@ class Checker {
       fail("", "", "", fmt::format("{} bodies: at most {} are allowed", bodies_.size(), max_bodies));
     check_names();
     check_parents();
+    check_groups();
     for (std::size_t i = 0; i < scene_.rigid.size(); ++i) check_rigid(scene_.rigid[i], bodies_[i]);
     for (std::size_t i = 0; i < scene_.soft.size(); ++i)
       check_soft(scene_.soft[i], bodies_[scene_.rigid.size() + i]);
@@ -45,7 +48,7 @@ class Checker {
   void add(const std::string& key, const std::vector<Desc>& list) {
     for (std::size_t i = 0; i < list.size(); ++i)
       bodies_.push_back({fmt::format("{}[{}]", key, i), fmt::format("[[{}]] \"{}\"", key, list[i].name),
-                         &list[i].name, &list[i].parent});
+                         &list[i].name, &list[i].parent, &list[i].group, &list[i].touches});
   }
 
   [[noreturn]] void fail(const std::string& table, const std::string& key, const std::string& where,
@@ -92,6 +95,31 @@ class Checker {
     }
   }
 
+  void check_groups() const {
+    std::vector<std::string_view> groups = {default_group, hand_group};
+    for (const Entry& body : bodies_) {
+      if (std::find(groups.begin(), groups.end(), *body.group) != groups.end()) continue;
+      if (groups.size() == max_collision_groups)
+        fail(body, "group",
+             fmt::format(
+                 "group = \"{}\": there are {} collision groups already, {} and {} included; no more fit",
+                 *body.group, groups.size(), default_group, hand_group));
+      groups.push_back(*body.group);
+    }
+    for (const Entry& body : bodies_)
+      for (const std::string& name : *body.touches)
+        if (std::find(groups.begin(), groups.end(), name) == groups.end())
+          fail(body, "touches",
+               fmt::format("touches \"{}\": no body is in this group{}", name, suggest(name, groups)));
+  }
+
+  /// What detection at this fidelity has no use for.
+  template <class Desc>
+  void check_fidelity(const Desc& desc, const Entry& body) const {
+    if (desc.collision == "none" && desc.continuous)
+      fail(body, "continuous", "continuous needs something that collides: collision is \"none\"");
+  }
+
   void check_rigid(const RigidDesc& rigid, const Entry& body) const {
     const int sources = !rigid.mesh.empty() + !rigid.volume.empty() + !rigid.parts.empty();
     if (sources != 1)
@@ -109,6 +137,7 @@ class Checker {
       if (rigid.fractures[i].normal.isZero(1e-9))
         fail(fmt::format("{}.fracture[{}]", body.table, i), "normal",
              fmt::format("{}: [[rigid.fracture]] {}", body.where, i + 1), "normal is zero");
+    check_fidelity(rigid, body);
   }
 
   void check_soft(const SoftDesc& soft, const Entry& body) const {
@@ -120,6 +149,11 @@ class Checker {
       fail(body, "fallback", "fallback stands in for a volume or mesh file, but there is only a shape");
     if (soft.label >= 0 && soft.volume.empty()) fail(body, "label", "label needs a volume");
     if (soft.fiber_direction.isZero(1e-9)) fail(body, "fiber_direction", "fiber_direction is zero");
+    check_fidelity(soft, body);
+    if (soft.self_contact && soft.collision != "mesh")
+      fail(body, "self_contact",
+           fmt::format("self_contact is between triangles: collision is \"{}\", must be \"mesh\"",
+                       soft.collision));
     check_regions(soft, body);
     double shares = 0;
     for (const RelaxationDesc& term : soft.relaxation) shares += term.share;

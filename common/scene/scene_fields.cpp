@@ -86,6 +86,24 @@ Field identifier(std::string_view key, std::string_view description) {
   return {.key = key, .in = in<Struct, Path...>, .text = Text::identifier, .description = description};
 }
 
+template <class Struct, auto... Path>
+Field names(std::string_view key, std::string_view description) {
+  return {.key = key, .in = in<Struct, Path...>, .text = Text::name, .description = description};
+}
+
+/// What rigid and soft bodies have to say about who touches them, and how finely.
+template <class Struct>
+void add_collision(std::vector<Field>& fields, std::string_view shape) {
+  fields.push_back(words<Struct, &Struct::collision>(
+      "collision", {"none", "sphere", "aabb", "obb", "hull", "mesh"}, shape));
+  fields.push_back(name<Struct, &Struct::group>(
+      "group", false, "collision group that it belongs to; people's hands are in `hand`"));
+  fields.push_back(names<Struct, &Struct::touches>(
+      "touches", "groups that it touches, if they touch its own as well; none given: all"));
+  fields.push_back(plain<Struct, &Struct::continuous>(
+      "continuous", "true: what it would pass through within a tick is found, at the time of impact"));
+}
+
 /// What rigid parts, rigid bodies and soft bodies share.
 template <class Struct>
 void add_pose(std::vector<Field>& fields, std::string_view frames) {
@@ -215,9 +233,6 @@ const Table& rigid_table() {
          number<R, &R::surface_cell>(
              "surface_cell", "m", {0, 1},
              "edge length of the surface, about; 0: a mesh as it is, of a volume the voxel size"),
-         words<R, &R::collision>(
-             "collision", {"hull", "mesh", "none"},
-             "collision shape of a mesh or volume; parts collide as they are, unless none"),
          plain<R, &R::fixed>("fixed", "true: part of the room, never moves"),
          number<R, &R::density>("density", "kg/m³", density, "of the solid body"),
          number<R, &R::mass>("mass", "kg", {0, 1e6}, "0: from density and volume"),
@@ -237,6 +252,11 @@ const Table& rigid_table() {
         {{"part", part_table, true, 256, append<R, &R::parts>},
          {"fracture", fracture_table, true, 8, append<R, &R::fractures>}},
         fresh<R>};
+    add_collision<R>(
+        t.fields,
+        "what it collides as: its parts, or the hull of its mesh (hull); its parts or triangles "
+        "(mesh); one ball (sphere) or box (aabb: along the room's axes where it starts; obb) around "
+        "it, that turns along; or nothing");
     add_pose<R>(t.fields, "the body's or mesh's origin in the room");
     add_fallback_pose<R>(t.fields);
     add_appearance<R>(t.fields);
@@ -392,6 +412,12 @@ const Table& soft_table() {
          {"region", region_table, true, 64, append<S, &S::regions>},
          {"relaxation", relaxation_table, true, 8, append<S, &S::relaxation>}},
         fresh<S>};
+    add_collision<S>(
+        t.fields,
+        "what it collides as: its triangles (mesh), their hull, one box (obb; aabb: along the room's "
+        "axes) or ball (sphere) around them, fitted anew in each tick; or nothing");
+    t.fields.push_back(plain<S, &S::self_contact>(
+        "self_contact", "true: it doesn't pass through itself; for collision = \"mesh\""));
     add_pose<S>(t.fields, "the mesh's origin, or the volume's or shape's centre, in the room");
     add_fallback_pose<S>(t.fields);
     add_appearance<S>(t.fields);
@@ -463,6 +489,9 @@ std::string allowed(const Field& field, const FieldRef& value) {
     std::string operator()(Quantity*) const {
       return fmt::format("text: a number in {} and its unit, for instance \"2 {}\"", interval(f.range),
                          f.unit);
+    }
+    std::string operator()(std::vector<std::string>*) const {
+      return fmt::format("a list of names, each {} bytes at most", f.max_length);
     }
     std::string operator()(std::string*) const {
       if (f.text == Text::identifier)

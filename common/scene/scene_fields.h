@@ -15,8 +15,8 @@
 namespace prosector {
 
 /// Where a key's value is stored. An enumeration's numbers are its words' places in Field::words.
-using FieldRef =
-    std::variant<double*, int*, bool*, std::string*, Vec3*, Quat*, LightKind*, Surface*, Quantity*>;
+using FieldRef = std::variant<double*, int*, bool*, std::string*, Vec3*, Quat*, LightKind*, Surface*,
+                              Quantity*, std::vector<std::string>*>;
 
 /// Bounds of a number, of a quantity in its unit, or of each component of a vector.
 struct Range {

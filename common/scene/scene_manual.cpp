@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <ostream>
 
@@ -10,7 +11,7 @@ namespace {
 
 std::string type_name(const FieldRef& ref) {
   static constexpr const char* names[] = {"number",       "integer", "boolean", "text", "[x, y, z]",
-                                          "[w, x, y, z]", "text",    "text",    "text"};
+                                          "[w, x, y, z]", "text",    "text",    "text", "list of text"};
   static_assert(std::size(names) == std::variant_size_v<FieldRef>);
   return names[ref.index()];
 }
@@ -33,6 +34,9 @@ std::string value(const Field& field, const FieldRef& ref) {
     std::string operator()(const Surface* x) const { return word(static_cast<std::size_t>(*x)); }
     std::string operator()(const Quantity* x) const {
       return *x ? fmt::format("\"{} {}\"", x->value, f.unit) : "not given";
+    }
+    std::string operator()(const std::vector<std::string>* x) const {
+      return fmt::format("[{}]", fmt::join(*x, ", "));
     }
     std::string word(std::size_t k) const { return fmt::format("\"{}\"", f.words[k]); }
   } write{field};

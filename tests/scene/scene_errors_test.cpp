@@ -65,6 +65,40 @@ TEST(SceneErrors, NameFileLineFieldAndWhatIsAllowed) {
         << complaint(c.text) << "\n  lacks: " << c.says;
 }
 
+TEST(SceneErrors, CollisionOfBodies) {
+  const auto soft = [](const std::string& lines) {
+    return "name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\ngroup = \"organs\"\n" + lines;
+  };
+  const std::pair<const char*, const char*> cases[] = {
+      {"collision = \"ball\"\n", "must be one of: none, sphere, aabb, obb, hull, mesh"},
+      {"touches = \"organs\"\n", "must be a list of names"},
+      {"touches = [\"organs\", 3]\n", "must be a list of names"},
+      {"touches = [\"default\", \"organ\"]\n",
+       "test.toml:6: [[soft]] \"a\": touches \"organ\": no body is in this group; did you mean \"organs\"?"},
+      {"collision = \"hull\"\nself_contact = true\n",
+       "test.toml:7: [[soft]] \"a\": self_contact is between triangles"},
+      {"collision = \"none\"\ncontinuous = true\n",
+       "test.toml:7: [[soft]] \"a\": continuous needs something that collides"},
+  };
+  for (const auto& [lines, says] : cases)
+    EXPECT_NE(complaint(soft(lines)).find(says), std::string::npos) << complaint(soft(lines));
+  EXPECT_EQ(complaint(soft("touches = [\"default\", \"hand\", \"organs\"]\n")), "");
+}
+
+TEST(SceneErrors, TooManyCollisionGroups) {
+  std::string text = "name = \"s\"\n";
+  for (std::size_t i = 0; i < max_collision_groups; ++i) {
+    if (i == max_collision_groups - 2) {
+      EXPECT_EQ(complaint(text), "") << "\"default\" and \"hand\" are the other two";
+    }
+    text += "[[rigid]]\nname = \"b" + std::to_string(i) + "\"\nmesh = \"m\"\ngroup = \"g" +
+            std::to_string(i) + "\"\n";
+  }
+  EXPECT_NE(complaint(text).find("[[rigid]] \"b30\": group = \"g30\": there are 32 collision groups already"),
+            std::string::npos)
+      << complaint(text);
+}
+
 TEST(SceneErrors, TooManyLights) {
   std::string text = "name = \"s\"\n";
   for (std::size_t i = 0; i <= max_lights; ++i) text += "[[light]]\n";
