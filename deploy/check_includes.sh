@@ -32,10 +32,10 @@ forbid "of drivers, the client's stations include device.h and the driver table 
   'drivers/[a-z0-9_]+/' $(sources client/)
 forbid "only idl knows DDS" '(dds/|ddsc/|prosector\.h)' $(sources '(common|drivers|server|client)/')
 # bullet_types.h hands Bullet on, so including it counts as including Bullet.
-forbid "Bullet only in server/physics/rigid and the contact .cpp files of server/physics" \
+forbid "Bullet only in server/physics/rigid, panel_motion.cpp and the contact .cpp files of server/physics" \
   '(bullet/|bt[A-Z]|Bullet(Collision|Dynamics)|LinearMath|.*/bullet_types\.h)' \
   $(sources '(common|idl|drivers|client|server/session)/') \
-  $(sources server/physics/ '^server/physics/(rigid/|.*contact[a-z_/]*\.cpp$)')
+  $(sources server/physics/ '^server/physics/(rigid/|panel/panel_motion\.cpp|.*contact[a-z_/]*\.cpp$)')
 forbid "OpenGL only in client/render and client/display" '(GL/|GLFW/|EGL/|GLES)' \
   $(sources '(common|idl|drivers|server)/') $(sources client/ '^client/(render|display)/')
 forbid "toml++, assimp, OpenCV and SQLite only in .cpp files" '(toml|assimp/|opencv|sqlite3)' \

@@ -9,11 +9,18 @@ in vec3 rest_place;
 
 uniform mat4 room_from_mesh;
 uniform vec3 eye;
+uniform float brightness;
 
 out vec4 color;
 
 void main() {
   vec3 smooth_normal = normalize(room_normal);
+#ifdef SHAFT
+  // Dust in the light: the eye looks through most of it in the middle, through little at the rim.
+  float through = abs(dot(smooth_normal, normalize(eye - room_place)));
+  float left = 1.0 - clamp(rest_place.x, 0.0, 1.0);
+  color = with_brightness(brightness * base_color * through * through * left * (2.0 - left));
+#else
   Material material = material_at(rest_place);
   vec3 normal = smooth_normal;
   vec3 film_normal = smooth_normal;
@@ -23,5 +30,6 @@ void main() {
   film_normal = normalize(normal + smooth_normal);
 #endif
   vec3 radiance = shade(material, room_place, normal, film_normal, normalize(eye - room_place));
-  color = with_brightness(srgb(tone_map(radiance)));
+  color = with_brightness(srgb(tone_map(brightness * radiance)));
+#endif
 }

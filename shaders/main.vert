@@ -3,6 +3,7 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 rest;
 
 uniform mat4 room_from_mesh;
+uniform mat4 room_from_normal;
 uniform mat4 clip_from_room;
 
 out vec3 room_place;
@@ -17,7 +18,7 @@ out vec4 shadow_place;
 void main() {
   vec4 place = room_from_mesh * vec4(position, 1.0);
   room_place = place.xyz;
-  room_normal = mat3(room_from_mesh) * normal;
+  room_normal = mat3(room_from_normal) * normal;
   rest_place = rest;
 #if SHADOW_LIGHT >= 0
   // Moved off the surface by about a texel, so that it does not shade itself. w is the distance to the light.

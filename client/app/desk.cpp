@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "client/view/camera.h"
 #include "common/clock.h"
@@ -13,10 +14,11 @@ constexpr double turn_per_pixel = 0.005;  // rad
 constexpr double reach_per_notch = 0.02;  // m
 constexpr double fly_speed = 0.6;         // m/s
 constexpr double least_reach = 0.15, most_reach = 4;
-constexpr double steepest = 1.5;              // rad: the view never turns over
-constexpr double wrist_to_fingertips = 0.18;  // m, fingers stretched
-constexpr double hand_pitch = -0.5;           // rad: fingers point into the picture and down
-constexpr double close_per_s = 6;             // flexion per second when the button goes down
+constexpr double steepest = 1.5;                         // rad: the view never turns over
+constexpr double wrist_to_fingertips = 0.18;             // m, fingers stretched
+constexpr double hand_pitch = -0.5;                      // rad: fingers point into the picture and down
+constexpr double close_per_s = 6;                        // flexion per second when the button goes down
+constexpr std::chrono::milliseconds slide_interval{40};  // a server takes no more than 50 commands a second
 
 }  // namespace
 
@@ -32,8 +34,9 @@ void Desk::begin(const CameraInfo& start) {
   last_update_ = std::chrono::steady_clock::now();
 }
 
-void Desk::update(const CameraInfo& start) {
+void Desk::update(const CameraInfo& start, const Panel* own_panel) {
   if (!view_) begin(start);
+  panel_ = own_panel != nullptr ? std::optional(*own_panel) : std::nullopt;
   for (const WindowEvent& event : window_.poll_events()) take(event);
   const auto now = std::chrono::steady_clock::now();
   const double seconds = std::chrono::duration<double>(now - last_update_).count();
@@ -49,13 +52,16 @@ void Desk::take(const WindowEvent& event) {
   if (std::get_if<CloseRequested>(&event)) closed_ = true;
   if (const auto* key = std::get_if<KeyEvent>(&event)) {
     if (key->key == Key::escape && key->down) closed_ = true;
+    if (key->down && !key->repeat && key->key == key_of('C')) wireframes_ = !wireframes_;
+    if (key->down && !key->repeat && key->key == key_of('P')) panel_request_ = pointer();
     if (key->down)
       held_keys_.insert(key->key);
     else
       held_keys_.erase(key->key);
   }
   if (const auto* button = std::get_if<MouseButtonEvent>(&event)) {
-    if (button->button == MouseButton::left) grasping_ = button->down;
+    if (button->button == MouseButton::left) button->down ? press() : let_go();
+    if (button->button == MouseButton::middle && button->down) panel_request_ = pointer();
     if (button->button == MouseButton::right) turning_ = button->down;
   }
   if (const auto* wheel = std::get_if<WheelTurned>(&event))
@@ -67,6 +73,8 @@ void Desk::take(const WindowEvent& event) {
     }
     pointer_x_ = mouse->x;
     pointer_y_ = mouse->y;
+    if (sliding_ && panel_ && std::chrono::steady_clock::now() - last_slide_ > slide_interval)
+      if (const auto point = meet(pointer(), *panel_)) slide(point->at);
   }
 }
 
@@ -77,11 +85,41 @@ void Desk::fly(double seconds) {
   view_->target += fly_speed * seconds * (heading * step);
 }
 
+/// On the user's panel the button works its controls, elsewhere it grasps.
+void Desk::press() {
+  const auto point = panel_ ? meet(pointer(), *panel_) : std::nullopt;
+  if (!point) {
+    grasping_ = true;
+    commands_.push_back({.kind = CommandKind::grasp});
+  } else if (point->control == PanelControl::stiffness) {
+    sliding_ = true;
+    slide(point->at);
+  } else if (point->control) {
+    const ControlState& button = panel_->controls[static_cast<std::size_t>(*point->control)];
+    commands_.push_back(
+        {.kind = CommandKind::set_control, .control = *point->control, .value = button.on ? 0.0 : 1.0});
+  }
+}
+
+void Desk::let_go() {
+  sliding_ = false;
+  if (!grasping_) return;
+  grasping_ = false;
+  commands_.push_back({.kind = CommandKind::release});
+}
+
+void Desk::slide(const Vec3& at) {
+  last_slide_ = std::chrono::steady_clock::now();
+  commands_.push_back(
+      {.kind = CommandKind::set_control, .control = PanelControl::stiffness, .value = slider_position(at)});
+}
+
+DrawCamera Desk::camera() const {
+  return mono_camera(eye_, view_->fov, window_.width(), window_.height());
+}
+
 Pose Desk::hand_pose() const {
-  const DrawCamera camera = mono_camera(eye_, view_->fov, window_.width(), window_.height());
-  const double x = camera.left + (camera.right - camera.left) * pointer_x_ / window_.width();
-  const double y = camera.top + (camera.bottom - camera.top) * pointer_y_ / window_.height();
-  const Vec3 fingertips = eye_ * Vec3(reach_ * Vec3(x, y, -1).normalized());
+  const Vec3 fingertips = eye_.p + reach_ * pointer().along;
   const Quat q(Eigen::AngleAxisd(yaw_, Vec3::UnitY()) * Eigen::AngleAxisd(hand_pitch, Vec3::UnitX()));
   return {fingertips + q * Vec3(0, 0, wrist_to_fingertips), q};
 }
@@ -99,10 +137,12 @@ HandInput Desk::input() const {
   return input;
 }
 
-std::optional<CommandKind> Desk::take_command() {
-  if (grasping_ == grasp_told_) return std::nullopt;
-  grasp_told_ = grasping_;
-  return grasping_ ? CommandKind::grasp : CommandKind::release;
+std::vector<Command> Desk::take_commands() {
+  return std::exchange(commands_, {});
+}
+
+std::optional<Ray> Desk::take_panel_request() {
+  return std::exchange(panel_request_, std::nullopt);
 }
 
 }  // namespace prosector

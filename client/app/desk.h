@@ -4,8 +4,10 @@
 #include <chrono>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include "client/render/window_context.h"
+#include "client/view/pick.h"
 #include "common/messages.h"
 
 namespace prosector {
@@ -13,20 +15,26 @@ namespace prosector {
 /// For people; told when a desk user joins.
 inline constexpr const char* desk_help =
     "mouse: moves your hand    wheel: how far away it is    left button: grasps while held\n"
-    "right drag: turns the view    W A S D Q E: fly    Esc: leave";
+    "right drag: turns the view    W A S D Q E: fly    C: collision models    Esc: leave\n"
+    "P or middle button: the panel of the part under the pointer; left button: works its controls";
 
 class Desk {
  public:
   explicit Desk(WindowContext& window) : window_(window) {}
 
-  /// Takes the window's events and moves the view; `start` is where it begins.
-  void update(const CameraInfo& start);
+  /// Takes the window's events and moves the view; `start` is where it begins, `own_panel` the user's open
+  /// one, or null.
+  void update(const CameraInfo& start, const Panel* own_panel);
   bool closed() const { return closed_; }
   const Pose& eye() const { return eye_; }
   /// The user as mouse and keyboard have them.
   HandInput input() const;
-  /// Grasp or release, when the button asked for it since the last call.
-  std::optional<CommandKind> take_command();
+  /// What the mouse asked for since the last call: to grasp, to release, to set a control. Who asks is the
+  /// caller's to fill in.
+  std::vector<Command> take_commands();
+  /// Where the user asked for a panel since the last call.
+  std::optional<Ray> take_panel_request();
+  bool wireframes() const { return wireframes_; }
 
  private:
   WindowContext& window_;
@@ -43,12 +51,25 @@ class Desk {
   // The hand: fingertips on the ray through the pointer.
   double pointer_x_ = 0, pointer_y_ = 0;  // pixels
   double reach_ = 0;                      // m from the eye to the fingertips
-  bool grasping_ = false, grasp_told_ = false;
+  bool grasping_ = false;
   double flexion_ = 0.1;
+
+  // What the pointer does to parts and panels.
+  std::optional<Panel> panel_;
+  bool sliding_ = false;  // the left button holds the slider
+  std::chrono::steady_clock::time_point last_slide_{};
+  std::vector<Command> commands_;
+  std::optional<Ray> panel_request_;
+  bool wireframes_ = false;
 
   void begin(const CameraInfo& start);
   void take(const WindowEvent& event);
   void fly(double seconds);
+  void press();
+  void let_go();
+  void slide(const Vec3& at);
+  DrawCamera camera() const;
+  Ray pointer() const { return ray_through(camera(), pointer_x_, pointer_y_); }
   Pose hand_pose() const;
 };
 

@@ -33,7 +33,8 @@ struct ClientOptions {
   std::string follow;  // name of the participant whose eyes to look through; empty: own camera
   std::vector<Screenshot> screenshots;
   std::filesystem::path record, latency_log, summary, shaders;
-  bool overlay = true;  // figures and axes
+  bool overlay = true;      // figures and axes
+  bool wireframes = false;  // of what bodies collide as; a desk user's C key changes it
 };
 
 /// Parses; on --help or a wrong line prints to the user and returns the exit code.

@@ -157,6 +157,29 @@ class Client {
     if (kept) sink_.take(image, seconds);
   }
 
+  void use_desk(LocalUser& self, ViewSettings& settings) {
+    Desk& desk = *stage_->desk;
+    std::optional<Panel> own_panel;
+    const CameraInfo camera = connection_.with_replica([&](Replica& r) {
+      if (const auto own = r.panels().find(self.participant); own != r.panels().end())
+        own_panel = own->second;
+      return r.scene()->camera;
+    });
+    desk.update(camera, own_panel ? &*own_panel : nullptr);
+    settings.eye = desk.eye();
+    settings.wireframes = options_.wireframes != desk.wireframes();
+    if (!drives_hand_at_desk()) return;
+    self.input = desk.input();
+    pump_->set_desk_input(self.input);
+    for (const Command& command : desk.take_commands()) connection_.command(command);
+    const auto request = desk.take_panel_request();
+    if (!request) return;
+    if (const auto part = stage_->view.part_at(*request))
+      connection_.command({.kind = CommandKind::open_panel, .body = *part});
+    else if (own_panel)
+      connection_.command({.kind = CommandKind::close_panel});
+  }
+
   /// Draws a picture; `keep` also reads it back, which costs.
   Image draw(bool keep) {
     const std::int64_t begin = monotonic_ns();
@@ -165,20 +188,12 @@ class Client {
                           .height = stage_->context->height(),
                           .stereo = {},
                           .overlay = options_.overlay,
+                          .wireframes = options_.wireframes,
                           .follow = options_.follow,
                           .eye = std::nullopt};
     if (options_.display == Display::stereo) settings.stereo = options_.stereo;
     if (pump_) self.input = pump_->latest();
-    if (stage_->desk) {
-      const CameraInfo camera = connection_.with_replica([](Replica& r) { return r.scene()->camera; });
-      stage_->desk->update(camera);
-      settings.eye = stage_->desk->eye();
-      if (drives_hand_at_desk()) {
-        self.input = stage_->desk->input();
-        pump_->set_desk_input(self.input);
-        if (const auto command = stage_->desk->take_command()) connection_.command(*command, right_hand);
-      }
-    }
+    if (stage_->desk) use_desk(self, settings);
     const DrawList* list = nullptr;
     connection_.with_replica([&](Replica& replica) {
       list = &stage_->view.build(replica, replica.advance(monotonic_ns()), self, settings);

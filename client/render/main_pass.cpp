@@ -89,13 +89,34 @@ void set_frame(const ShaderProgram& program, const DrawList& list, const DrawCam
 }
 
 void set_item(const ShaderProgram& program, const DrawItem& item) {
-  program.set("room_from_mesh", matrix_of(item.pose));
+  program.set("room_from_mesh", matrix_of(item));
+  // Normals go with the inverse's transpose; a shape without volume has none.
+  const Mat3 linear = item.shape.A * item.pose.q.toRotationMatrix();
+  Affine of_normals;
+  of_normals.A = item.shape.A.isIdentity(0) || std::abs(linear.determinant()) < 1e-12
+                     ? Mat3(item.pose.q.toRotationMatrix())
+                     : Mat3(linear.inverse().transpose());
+  program.set("room_from_normal", matrix_of(of_normals));
   program.set("base_color", item.appearance.color);
   program.set("base_roughness", item.appearance.roughness);
   program.set("wetness", item.appearance.wetness);
+  program.set("brightness", item.brightness);
+}
+
+bool is_clear(const DrawItem& item) {
+  return item.opacity < 1;
 }
 
 }  // namespace
+
+struct MainPass::Frame {
+  const DrawList& list;
+  const DrawCamera& camera;
+  const MeshCache& meshes;
+  const Shadow& shadow;
+  std::map<std::tuple<Surface, bool, bool, unsigned long>, const ShaderProgram*> found = {};
+  std::set<const ShaderProgram*> set_up = {};
+};
 
 MainPass::MainPass(const Gl& gl, const std::filesystem::path& shaders) : gl_(gl), shaders_(shaders) {
   static_assert(surface_defines.size() == static_cast<std::size_t>(Surface::wall) + 1);
@@ -109,6 +130,55 @@ const ShaderProgram& MainPass::program_for(const Defines& defines) {
   return *program;
 }
 
+/// The item's program, in use and with all that it needs.
+const ShaderProgram& MainPass::ready(const QueuedItem& queued, Frame& frame) {
+  const DrawItem& item = *queued.item;
+  const bool is_wet = item.appearance.wetness > 0;
+  const LightSet lights = item.shaft ? LightSet() : lights_of(queued, frame.list.lights);
+  const ShaderProgram*& program =
+      frame.found[{item.appearance.surface, is_wet, item.shaft, lights.to_ulong()}];
+  if (!program) {
+    Defines defines = item_defines(item.appearance.surface, is_wet,
+                                   light_defines(frame.list.lights, lights, frame.shadow.light));
+    if (item.shaft) defines.push_back("SHAFT");
+    program = &program_for(defines);
+  }
+  program->use();
+  if (frame.set_up.insert(program).second) set_frame(*program, frame.list, frame.camera, frame.shadow);
+  set_item(*program, item);
+  return *program;
+}
+
+void MainPass::draw_solid(const QueuedItem& queued, Frame& frame) {
+  ready(queued, frame);
+  frame.meshes.draw(queued.mesh);
+}
+
+/// First its depth alone, so that of a body only the front is seen, not its inside and its back.
+void MainPass::draw_clear(const QueuedItem& queued, Frame& frame) {
+  ready(queued, frame);
+  gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  frame.meshes.draw(queued.mesh);
+  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl_.DepthFunc(GL_LEQUAL);
+  gl_.Enable(GL_BLEND);
+  gl_.BlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+  gl_.BlendColor(0, 0, 0, static_cast<float>(std::clamp(queued.item->opacity, 0.0, 1.0)));
+  frame.meshes.draw(queued.mesh);
+  gl_.Disable(GL_BLEND);
+  gl_.DepthFunc(GL_LESS);
+}
+
+void MainPass::draw_shaft(const QueuedItem& queued, Frame& frame) {
+  ready(queued, frame);
+  gl_.DepthMask(GL_FALSE);
+  gl_.Enable(GL_BLEND);
+  gl_.BlendFunc(GL_ONE, GL_ONE);
+  frame.meshes.draw(queued.mesh);
+  gl_.Disable(GL_BLEND);
+  gl_.DepthMask(GL_TRUE);
+}
+
 void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::vector<QueuedItem>& items,
                     const MeshCache& meshes, const Shadow& shadow) {
   gl_.Enable(GL_DEPTH_TEST);
@@ -118,22 +188,19 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, shadow.texture);
   const Frustum frustum(view_projection_of(camera));
-  std::map<std::tuple<Surface, bool, unsigned long>, const ShaderProgram*> found;
-  std::set<const ShaderProgram*> set_up;
+  Frame frame{list, camera, meshes, shadow};
+  std::vector<const QueuedItem*> clear, shafts;
   for (const QueuedItem& queued : items) {
     if (!frustum.may_see(queued.bounds)) continue;
-    const DrawItem& item = *queued.item;
-    const bool is_wet = item.appearance.wetness > 0;
-    const LightSet lights = lights_of(queued, list.lights);
-    const ShaderProgram*& program = found[{item.appearance.surface, is_wet, lights.to_ulong()}];
-    if (!program)
-      program = &program_for(
-          item_defines(item.appearance.surface, is_wet, light_defines(list.lights, lights, shadow.light)));
-    program->use();
-    if (set_up.insert(program).second) set_frame(*program, list, camera, shadow);
-    set_item(*program, item);
-    meshes.draw(queued.mesh);
+    if (queued.item->shaft)
+      shafts.push_back(&queued);
+    else if (is_clear(*queued.item))
+      clear.push_back(&queued);
+    else
+      draw_solid(queued, frame);
   }
+  for (auto queued = clear.rbegin(); queued != clear.rend(); ++queued) draw_clear(**queued, frame);
+  for (const QueuedItem* queued : shafts) draw_shaft(*queued, frame);
   gl_.Disable(GL_CULL_FACE);
 }
 

@@ -17,14 +17,21 @@ class MainPass {
   /// Compiles every kind of surface, so that a broken shader shows at once.
   MainPass(const Gl& gl, const std::filesystem::path& shaders);
 
-  /// `items` nearest first, so that hidden fragments are not shaded.
+  /// `items` nearest first, so that hidden fragments are not shaded. What is seen through comes after all
+  /// that is not, farthest first, and light in air last.
   void draw(const DrawList& list, const DrawCamera& camera, const std::vector<QueuedItem>& items,
             const MeshCache& meshes, const Shadow& shadow);
 
  private:
   using Defines = std::vector<std::string>;
 
+  struct Frame;
+
   const ShaderProgram& program_for(const Defines& defines);
+  const ShaderProgram& ready(const QueuedItem& queued, Frame& frame);
+  void draw_solid(const QueuedItem& queued, Frame& frame);
+  void draw_clear(const QueuedItem& queued, Frame& frame);
+  void draw_shaft(const QueuedItem& queued, Frame& frame);
 
   const Gl& gl_;
   std::filesystem::path shaders_;

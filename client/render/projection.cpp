@@ -9,6 +9,17 @@ Eigen::Matrix4d matrix_of(const Pose& pose) {
   return m;
 }
 
+Eigen::Matrix4d matrix_of(const Affine& affine) {
+  Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+  m.topLeftCorner<3, 3>() = affine.A;
+  m.topRightCorner<3, 1>() = affine.p;
+  return m;
+}
+
+Eigen::Matrix4d matrix_of(const DrawItem& item) {
+  return matrix_of(item.shape) * matrix_of(item.pose);
+}
+
 Eigen::Matrix4d projection_of(const DrawCamera& c) {
   const double wide = c.right - c.left, high = c.top - c.bottom, deep = c.far - c.near;
   Eigen::Matrix4d m = Eigen::Matrix4d::Zero();

@@ -8,6 +8,9 @@
 namespace prosector {
 
 Eigen::Matrix4d matrix_of(const Pose& pose);
+Eigen::Matrix4d matrix_of(const Affine& affine);
+/// Room from the item's mesh.
+Eigen::Matrix4d matrix_of(const DrawItem& item);
 
 /// Off-axis frustum of the camera: clip from eye space.
 Eigen::Matrix4d projection_of(const DrawCamera& camera);

@@ -26,7 +26,7 @@ struct Renderer::Impl {
     point->normals.assign(3, Eigen::Vector3f::UnitY());
     point->rest_positions = point->positions;
     point->triangles = {{0, 1, 2}};
-    for (const Surface surface : {Surface::plain, Surface::skin})
+    for (const Surface surface : {Surface::plain, Surface::skin, Surface::emissive})
       users_to_come.push_back(
           {.mesh = point, .pose = {}, .appearance = {.surface = surface}, .casts_shadow = false});
   }
@@ -74,7 +74,12 @@ std::vector<QueuedItem> Renderer::Impl::upload(const DrawList& list) {
   for (const DrawItem& item : list.items) {
     if (!item.mesh) continue;
     const MeshCache::Entry& mesh = meshes.upload(*item.mesh);
-    items.push_back({&item, mesh, {item.pose * mesh.bounds.center, mesh.bounds.radius}});
+    // The Frobenius norm is never below the largest stretch.
+    const bool shaped = !item.shape.A.isIdentity(0);
+    items.push_back({&item,
+                     mesh,
+                     {item.shape * (item.pose * mesh.bounds.center),
+                      mesh.bounds.radius * (shaped ? item.shape.A.norm() : 1)}});
   }
   return items;
 }

@@ -85,7 +85,8 @@ bool ShadowPass::note_changes(const Items& items, const Eigen::Matrix4d& clip_fr
   unchanged_.resize(items.size());
   for (std::size_t k = 0; k < items.size(); ++k) {
     const DrawItem& item = *items[k]->item;
-    const Caster now{item.mesh->id, item.mesh->revision, item.mesh->positions_revision, item.pose};
+    const Caster now{item.mesh->id, item.mesh->revision, item.mesh->positions_revision, item.pose,
+                     item.shape};
     const bool same = now == casters_[k];
     unchanged_[k] = same ? unchanged_[k] + 1 : 0;
     changed = changed || !same;
@@ -126,7 +127,7 @@ void ShadowPass::draw_items(const Items& items, const MeshCache& meshes) const {
   gl_.PolygonOffset(1.5F, 4.0F);
   program_.use();
   for (const QueuedItem* queued : items) {
-    program_.set("clip_from_mesh", Eigen::Matrix4d(clip_from_room_ * matrix_of(queued->item->pose)));
+    program_.set("clip_from_mesh", Eigen::Matrix4d(clip_from_room_ * matrix_of(*queued->item)));
     meshes.draw(queued->mesh);
   }
   gl_.Disable(GL_POLYGON_OFFSET_FILL);

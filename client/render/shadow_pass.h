@@ -36,9 +36,11 @@ class ShadowPass {
   struct Caster {
     std::uint64_t mesh = 0, revision = 0, positions_revision = 0;
     Pose pose;
+    Affine shape;
     bool operator==(const Caster& o) const {
       return mesh == o.mesh && revision == o.revision && positions_revision == o.positions_revision &&
-             pose.p == o.pose.p && pose.q.coeffs() == o.pose.q.coeffs();
+             pose.p == o.pose.p && pose.q.coeffs() == o.pose.q.coeffs() && shape.A == o.shape.A &&
+             shape.p == o.shape.p;
     }
   };
   using Items = std::vector<const QueuedItem*>;

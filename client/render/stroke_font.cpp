@@ -173,6 +173,29 @@ double text_width(std::string_view text, double height) {
   return static_cast<double>(longest) * advance * scale_of(height).x;
 }
 
+std::string wrapped(std::string_view text, double height, double width) {
+  std::string out, line;
+  const auto end_line = [&] {
+    out += (out.empty() ? "" : "\n") + line;
+    line.clear();
+  };
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
+    const std::string word(text.substr(0, end));
+    const std::string longer = line.empty() ? word : line + ' ' + word;
+    if (!line.empty() && text_width(longer, height) > width) {
+      end_line();
+      line = word;
+    } else {
+      line = longer;
+    }
+    if (end < text.size() && text[end] == '\n') end_line();
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  end_line();
+  return out;
+}
+
 double line_spacing(double height) {
   return 1.3 * height;
 }

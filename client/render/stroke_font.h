@@ -1,6 +1,7 @@
 #pragma once
 // A pen-stroke font of our own for ASCII 32…126. No GL.
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,9 @@ std::vector<TextStroke> strokes_of(std::string_view text, double height);
 
 /// Of the longest line, pixels.
 double text_width(std::string_view text, double height);
+
+/// Broken at blanks so that lines are no wider than `width`, except words that are.
+std::string wrapped(std::string_view text, double height, double width);
 
 /// From one line's top to the next one's, pixels.
 double line_spacing(double height);

@@ -59,6 +59,7 @@ std::vector<PlacedText> place_texts(const DrawList& list, const DrawCamera& came
   const Eigen::Matrix4d into_first = view_projection_of(first), into_this = view_projection_of(camera);
   std::vector<PlacedText> in_first, out;
   for (const DrawText& text : list.texts) {
+    if (text.surface) continue;
     auto lifted = place(text, first, into_first);
     if (lifted && !text.overlay) {
       lift_clear_of(in_first, *lifted);

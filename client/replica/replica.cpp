@@ -80,6 +80,14 @@ void Replica::apply(const Message& message, std::int64_t arrival_ns) {
                    status_ = m;
                  },
                  [&](const BodyStatus& m) { body_status_[m.body] = m; },
+                 [&](const PartState& m) { parts_[m.body] = m; },
+                 [&](const Panel& m) {
+                   if (m.open)
+                     panels_[m.participant] = m;
+                   else
+                     panels_.erase(m.participant);
+                 },
+                 [&](const RoomState& m) { room_lights_ = m.lights; },
                  [](const auto&) {},  // what only the server reads
              },
              message);
@@ -93,6 +101,7 @@ void Replica::forget(const Message& message) {
                    users_.erase(m.participant);
                    std::erase_if(contacts_, [&](const auto& c) { return c.first.first == m.participant; });
                  },
+                 [&](const Panel& m) { panels_.erase(m.participant); },
                  [](const auto&) {},
              },
              message);
@@ -180,6 +189,27 @@ const ContactSample* Replica::contact(ParticipantId participant, std::size_t han
 const BodyStatus* Replica::body_status(BodyId body) const {
   const auto it = body_status_.find(body);
   return it == body_status_.end() ? nullptr : &it->second;
+}
+
+const PartState* Replica::part(BodyId body) const {
+  const auto it = parts_.find(body);
+  return it == parts_.end() ? nullptr : &it->second;
+}
+
+const TriangleMesh* Replica::outline(BodyId body) {
+  if (!scene_ || body >= scene_->bodies.size()) return nullptr;
+  const SceneBody& described = scene_->bodies[body];
+  if (const auto it = outlines_.find(body); it != outlines_.end()) return &it->second;
+  const bool has_own = described.outline != ContentHash{};
+  if (!has_own && described.fidelity == Fidelity::none) return nullptr;
+  const auto bytes = assets_.find(has_own ? described.outline : described.mesh);
+  if (!bytes) return nullptr;
+  try {
+    return &outlines_.emplace(body, decode_triangle_mesh(*bytes)).first->second;
+  } catch (const InputError&) {
+    ++refused_;
+    return &outlines_[body];  // an empty one: not asked for again
+  }
 }
 
 const RigidReplica* Replica::rigid(BodyId body) const {

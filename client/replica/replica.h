@@ -47,6 +47,14 @@ class Replica {
   const BodyStatus* body_status(BodyId body) const;
   const RigidReplica* rigid(BodyId body) const;
   SoftReplica* soft(BodyId body);
+  /// What people made of a body; null while nobody changed it.
+  const PartState* part(BodyId body) const;
+  /// Open ones, by whose they are.
+  const std::map<ParticipantId, Panel>& panels() const { return panels_; }
+  /// Brightness of all lights but those that bodies carry, 0 … 1.
+  double room_lights() const { return room_lights_; }
+  /// What a body collides as, in the frame of its mesh; null: nothing, or not here yet.
+  const TriangleMesh* outline(BodyId body);
   bool server_gone() const { return server_gone_; }
   std::uint64_t refused() const { return refused_ + assets_.refused(); }
 
@@ -73,6 +81,10 @@ class Replica {
   std::map<BodyId, Settled> settled_;
   std::optional<ServerStatus> status_;
   std::map<BodyId, BodyStatus> body_status_;
+  std::map<BodyId, PartState> parts_;
+  std::map<ParticipantId, Panel> panels_;
+  double room_lights_ = 1;
+  std::map<BodyId, TriangleMesh> outlines_;
   bool complete_ = false, server_gone_ = false;
   std::uint64_t refused_ = 0;
 

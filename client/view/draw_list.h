@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,12 @@ struct DrawItem {
   Pose pose;
   Appearance appearance;
   bool casts_shadow = true;
+  Affine shape = {};      // applied after `pose`: what scales and shears it
+  double opacity = 1;     // below 1: what is behind shows through
+  double brightness = 1;  // times what light makes of it
+  /// Light in air: adds the appearance's colour to what is behind, softly at its rims. The mesh's rest
+  /// positions hold in x how far along the light they are: 0 where it begins, 1 where it is gone.
+  bool shaft = false;
 };
 
 /// Screen-space line, for axes and overlays; drawn after everything, depth tested or not.
@@ -37,13 +44,16 @@ struct DrawLine {
   bool overlay = false;
 };
 
-/// Text in the overlay or at a place in the room (names above heads).
+/// Text in the overlay, at a place in the room (names above heads), or on a surface in the room.
 struct DrawText {
   std::string text;
   Vec3 at = Vec3::Zero();  // overlay: pixels from the top left in x, y; else room frame
   bool overlay = true;
-  double height = 14;  // pixels
+  double height = 14;  // pixels; on a surface: m
   Vec3 color = Vec3::Ones();
+  std::optional<Pose> surface =
+      {};           // written on it: from its origin along +x, lines along −y; `at` is unused
+  double wrap = 0;  // m, on a surface: lines are broken at this width; 0: not
 };
 
 /// One eye's camera. Off-axis frustum: tangents of the four half angles.

@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "client/view/avatar.h"
 #include "client/view/body_figures.h"
 #include "client/view/body_mesh.h"
 #include "client/view/camera.h"
+#include "client/view/contact_overlay.h"
 #include "client/view/hand_mesh.h"
+#include "client/view/light_shaft.h"
 #include "client/view/normals.h"
 #include "client/view/room.h"
 #include "common/counted.h"
@@ -17,6 +21,7 @@
 namespace prosector {
 namespace {
 
+constexpr double lit_brightness = 1.6, least_room_light = 0.05;
 constexpr double eye_fov = 0.95;  // rad, vertical, through somebody's eyes: one wants to see their hands too
 
 const RosterEntry* find_by_name(const Replica& replica, const std::string& name) {
@@ -37,13 +42,16 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   list_.items.clear();
   list_.lines.clear();
   list_.texts.clear();
-  list_.lights = replica.scene()->lights;
+  part_items_.clear();
+  place_lights(replica, tick);
   place_cameras(replica, tick, self, settings);
   add_room();
   add_bodies(replica, tick);
+  if (settings.wireframes) add_wireframes(replica, tick);
+  add_panels(replica);
   add_users(replica, tick, self, settings.follow);
   if (settings.overlay) add_figures(replica);
-  if (settings.overlay) add_overlay(replica, settings);
+  if (settings.overlay) add_overlay(replica, self, settings);
   return list_;
 }
 
@@ -96,7 +104,94 @@ void SceneView::add_bodies(Replica& replica, double tick) {
       if (!mesh) mesh = soft_mesh(soft.rest(), bodies[id].tube_diameter, next_mesh_id_++);
       if (moved) move_soft_mesh(soft.surface(), bodies[id].tube_diameter, *mesh);
     }
-    list_.items.push_back({.mesh = mesh, .pose = pose, .appearance = bodies[id].appearance});
+    DrawItem item{.mesh = mesh, .pose = pose, .appearance = bodies[id].appearance};
+    const PartState* part = replica.part(id);
+    if (part != nullptr) {
+      if (part->hidden) continue;
+      if (part->inspected) item.shape = part->shape;
+      item.opacity = part->opacity;
+      item.casts_shadow = part->opacity >= 1;
+      // As bright as in a bright room, and more.
+      if (part->lit) item.brightness = lit_brightness / std::max(replica.room_lights(), least_room_light);
+      if (part->lit) add_light_shaft(item);
+    }
+    if (bodies[id].part) part_items_.emplace_back(id, list_.items.size());
+    list_.items.push_back(std::move(item));
+  }
+}
+
+std::optional<BodyId> SceneView::part_at(const Ray& ray) const {
+  std::optional<BodyId> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [id, index] : part_items_)
+    if (const auto distance = meet(ray, list_.items[index]); distance && *distance < least) {
+      nearest = id;
+      least = *distance;
+    }
+  return nearest;
+}
+
+/// The surgical lamp is the first spot light; without one, light comes from above.
+void SceneView::add_light_shaft(const DrawItem& item) {
+  Eigen::AlignedBox3d box;
+  for (const auto& x : item.mesh->positions) box.extend(item.shape * (item.pose * x.cast<double>().eval()));
+  if (box.isEmpty()) return;
+  if (!shaft_) shaft_ = shaft_mesh(next_mesh_id_++);
+  Vec3 lamp = box.center() + Vec3(0, 1.5, 0), color = Vec3::Ones();
+  for (const LightInfo& light : list_.lights)
+    if (light.kind == LightKind::spot) {
+      lamp = light.position;
+      color = light.color;
+      break;
+    }
+  prosector::add_light_shaft(list_, shaft_, lamp, color, box.center(), box.sizes().norm() / 2);
+}
+
+/// Lights that bodies carry go with them; the others are as bright as the room is.
+void SceneView::place_lights(const Replica& replica, double tick) {
+  list_.lights = replica.scene()->lights;
+  const double room = replica.room_lights();
+  list_.ambient = room * DrawList().ambient;
+  for (LightInfo& light : list_.lights) {
+    if (light.body < 0) {
+      light.intensity *= room;
+      continue;
+    }
+    const Pose carrier = replica.rigid_pose(static_cast<BodyId>(light.body), tick);
+    light.position = carrier * light.position;
+    light.direction = carrier.q * light.direction;
+  }
+}
+
+void SceneView::add_wireframes(Replica& replica, double tick) {
+  const auto& bodies = replica.scene()->bodies;
+  for (BodyId id = 0; id < bodies.size(); ++id) {
+    const PartState* part = replica.part(id);
+    if (part != nullptr && (part->hidden || part->inspected)) continue;  // out of touch
+    if (bodies[id].kind == BodyKind::soft) {
+      const SoftReplica& soft = *replica.soft(id);
+      const auto [wires, is_new] = wires_.try_emplace(id);
+      if (is_new) wires->second = all_edges(soft.rest().triangles);
+      add_wireframe(list_, wires->second,
+                    [&](std::uint32_t v) -> Vec3 { return soft.surface()[v].cast<double>(); });
+    } else if (const TriangleMesh* outline = replica.outline(id)) {
+      const auto [wires, is_new] = wires_.try_emplace(id);
+      if (is_new) wires->second = visible_edges(*outline);
+      const Pose pose = replica.rigid_pose(id, tick);
+      add_wireframe(list_, wires->second,
+                    [&](std::uint32_t v) -> Vec3 { return pose * outline->positions[v]; });
+    }
+  }
+}
+
+void SceneView::add_panels(const Replica& replica) {
+  for (const auto& [who, panel] : replica.panels()) {
+    if (panel.body >= replica.scene()->bodies.size()) continue;
+    if (!panel_view_) {
+      panel_view_.emplace(next_mesh_id_);
+      next_mesh_id_ += PanelView::meshes;
+    }
+    panel_view_->add(list_, panel, replica.scene()->bodies[panel.body]);
   }
 }
 
@@ -148,7 +243,7 @@ void SceneView::add_figures(const Replica& replica) {
   }
 }
 
-void SceneView::add_overlay(const Replica& replica, const ViewSettings& settings) {
+void SceneView::add_overlay(const Replica& replica, const LocalUser& self, const ViewSettings& settings) {
   add_corner_axes(list_, Quat::Identity(), list_.cameras.front());
   const auto line = [&](int row, std::string text) {
     list_.texts.push_back({.text = std::move(text), .at = {10, 10 + 18.0 * row, 0}, .height = 14});
@@ -164,6 +259,22 @@ void SceneView::add_overlay(const Replica& replica, const ViewSettings& settings
     line(3, find_by_name(replica, settings.follow) != nullptr
                 ? fmt::format("through the eyes of {}", settings.follow)
                 : fmt::format("{} is not here; own view", settings.follow));
+  if (const RosterEntry* followed = find_by_name(replica, settings.follow))
+    add_contact(replica, followed->participant);
+  else if (self.present)
+    add_contact(replica, self.participant);
+}
+
+/// Of the hand that touches; of both, the one that pushes harder.
+void SceneView::add_contact(const Replica& replica, ParticipantId who) {
+  const ContactSample* strongest = nullptr;
+  for (const std::size_t hand : {right_hand, left_hand}) {
+    const ContactSample* contact = replica.contact(who, hand);
+    if (contact == nullptr || !contact->touching || contact->body >= replica.scene()->bodies.size()) continue;
+    if (strongest == nullptr || contact->impulse > strongest->impulse) strongest = contact;
+  }
+  if (strongest != nullptr)
+    add_contact_overlay(list_, *strongest, replica.scene()->bodies[strongest->body].name);
 }
 
 }  // namespace prosector

@@ -12,7 +12,10 @@
 #include "client/replica/replica.h"
 #include "client/view/draw_list.h"
 #include "client/view/hand_mesh.h"
+#include "client/view/panel_view.h"
+#include "client/view/pick.h"
 #include "client/view/stereo_profile.h"
+#include "client/view/wireframe.h"
 
 namespace prosector {
 
@@ -20,7 +23,8 @@ struct ViewSettings {
   int width = 800, height = 600;
   std::optional<StereoProfile> stereo;  // nullopt: one picture
   bool overlay = true;
-  std::string follow;  // name of a participant; empty: own camera
+  bool wireframes = false;  // of what bodies collide as
+  std::string follow;       // name of a participant; empty: own camera
   std::optional<Pose>
       eye;  // own camera, for instance from the desk; nullopt: tracked head, else the scene's camera
 };
@@ -37,6 +41,9 @@ class SceneView {
   /// Rebuilds the list for the replica's `tick`. Deformed surfaces are refreshed only when they moved.
   const DrawList& build(Replica& replica, double tick, const LocalUser& self, const ViewSettings& settings);
 
+  /// The part of the anatomy that the ray meets first in the list built last.
+  std::optional<BodyId> part_at(const Ray& ray) const;
+
  private:
   std::map<BodyId, std::shared_ptr<DrawMesh>> meshes_;
   std::map<std::pair<ParticipantId, std::size_t>, std::shared_ptr<DrawMesh>> hands_;
@@ -44,18 +51,26 @@ class SceneView {
   std::future<std::array<HandSkin, 2>> skins_to_come_ = std::async(std::launch::async, make_hand_skins);
   std::optional<std::array<HandSkin, 2>> skins_;
   std::vector<DrawItem> room_;
-  std::shared_ptr<const DrawMesh> head_;
+  std::shared_ptr<const DrawMesh> head_, shaft_;
+  std::optional<PanelView> panel_view_;
+  std::map<BodyId, Edges> wires_;
+  std::vector<std::pair<BodyId, std::size_t>> part_items_;  // of list_.items, the bodies' that are parts
   std::uint64_t next_mesh_id_ = 1;
   DrawList list_;
 
   void place_cameras(const Replica& replica, double tick, const LocalUser& self,
                      const ViewSettings& settings);
   void add_room();
+  void place_lights(const Replica& replica, double tick);
   void add_bodies(Replica& replica, double tick);
+  void add_light_shaft(const DrawItem& item);
+  void add_wireframes(Replica& replica, double tick);
+  void add_panels(const Replica& replica);
   void add_users(const Replica& replica, double tick, const LocalUser& self, const std::string& seen_through);
   void add_hand(ParticipantId who, std::size_t hand, const HandPose& pose, const Vec3& color);
   void add_figures(const Replica& replica);
-  void add_overlay(const Replica& replica, const ViewSettings& settings);
+  void add_overlay(const Replica& replica, const LocalUser& self, const ViewSettings& settings);
+  void add_contact(const Replica& replica, ParticipantId who);
 };
 
 }  // namespace prosector

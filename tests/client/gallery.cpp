@@ -5,8 +5,12 @@
 #include "client/view/avatar.h"
 #include "client/view/body_mesh.h"
 #include "client/view/camera.h"
+#include "client/view/contact_overlay.h"
 #include "client/view/hand_mesh.h"
+#include "client/view/light_shaft.h"
+#include "client/view/panel_view.h"
 #include "client/view/room.h"
+#include "client/view/wireframe.h"
 #include "tests/client/picture.h"
 
 namespace prosector::test {
@@ -85,6 +89,70 @@ GalleryPicture avatar() {
   return {"avatar", width, height, list};
 }
 
+/// A part of the anatomy on the table.
+DrawItem organ_part() {
+  PartDesc ball;
+  ball.shape = "ellipsoid";
+  ball.size = {0.20, 0.11, 0.14};
+  ball.pose.p = {0, 1.055, 0};
+  return rigid(ball, 11, {{0.42, 0.10, 0.08}, 0.45, 0.9, Surface::tissue});
+}
+
+/// As the headset user sees it who presses one button, while another one is on and the slider was moved.
+GalleryPicture panel() {
+  constexpr int wide = 640, high = 480;
+  DrawList list = stage({0.02, 1.45, 0.5}, {-0.1, 1.12, 0}, 0.85);
+  list.cameras = {mono_camera(list.cameras[0].pose, 0.85, wide, high)};
+  list.items.push_back(table());
+  list.items.push_back(organ_part());
+  SceneBody part;
+  part.name = "liver";
+  part.description =
+      "The largest gland: it stores glycogen, makes bile, and cleans the blood of what the gut took in.";
+  Panel shown;
+  shown.open = true;
+  shown.pose = {{-0.26, 1.19, 0.02}, look_at({0.02, 1.45, 0.5}, {-0.26, 1.19, 0.02}).q};
+  shown.controls[static_cast<std::size_t>(PanelControl::attach)].on = true;
+  shown.controls[static_cast<std::size_t>(PanelControl::transparency)] = {0.9, false, true};
+  shown.controls[static_cast<std::size_t>(PanelControl::stiffness)].position = 0.75;
+  PanelView(40).add(list, shown, part);
+  ContactSample contact;
+  contact.point = {0.01, 1.108, 0.02};
+  contact.depth = 0.0021;
+  contact.impulse = 0.0145;
+  contact.force = {0.1, -0.86, 0.02};
+  add_contact_overlay(list, contact, part.name);
+  add_corner_axes(list, Quat::Identity(), list.cameras[0]);
+  return {"panel", wide, high, list};
+}
+
+/// What is seen through, what light falls on in a dimmed room, and what collides as a box.
+GalleryPicture parts() {
+  DrawList list = stage({0.1, 1.45, 0.75}, {0, 1.05, 0}, 0.6);
+  for (LightInfo& light : list.lights) light.intensity *= 0.25;
+  list.ambient *= 0.25;
+  list.items.push_back(table());
+  DrawItem clear = organ_part();
+  clear.opacity = 0.35;
+  clear.casts_shadow = false;
+  PartDesc bone;
+  bone.shape = "capsule";
+  bone.size = {0.03, 0.22, 0};
+  bone.pose = {{-0.02, 1.05, -0.01}, Quat(Eigen::AngleAxisd(1.571, Vec3(1, 0, 1.2).normalized()))};
+  list.items.push_back(rigid(bone, 12, {{0.80, 0.74, 0.60}, 0.55, 0.2, Surface::bone}));
+  list.items.push_back(clear);
+  PartDesc box;
+  box.size = {0.08, 0.06, 0.08};
+  box.pose.p = {0.2, 1.03, 0.02};
+  DrawItem lit = rigid(box, 13, {{0.3, 0.5, 0.7}, 0.5, 0, Surface::plain});
+  lit.brightness = 6.4;
+  list.items.push_back(lit);
+  add_light_shaft(list, shaft_mesh(14), list.lights[0].position, Vec3::Ones(), box.pose.p, 0.065);
+  const TriangleMesh outline = mesh_of(box);
+  add_wireframe(list, visible_edges(outline), [&](std::uint32_t v) { return outline.positions[v]; });
+  return {"parts", width, height, list};
+}
+
 GalleryPicture text() {
   DrawList list;
   list.cameras = {straight_camera({0, 0, 1}, width, height)};
@@ -103,8 +171,8 @@ GalleryPicture text() {
 }  // namespace
 
 const std::vector<std::string>& gallery_names() {
-  static const std::vector<std::string> names = {"hand_open", "hand_half", "hand_fist",
-                                                 "organ",     "avatar",    "text"};
+  static const std::vector<std::string> names = {"hand_open", "hand_half", "hand_fist", "organ",
+                                                 "avatar",    "text",      "panel",     "parts"};
   return names;
 }
 
@@ -114,6 +182,8 @@ GalleryPicture gallery_picture(const std::string& name) {
   if (name == "hand_fist") return hands(name, 1);
   if (name == "organ") return organ();
   if (name == "avatar") return avatar();
+  if (name == "panel") return panel();
+  if (name == "parts") return parts();
   return text();
 }
 

@@ -6,10 +6,16 @@
 #include <map>
 
 #include "client/view/avatar.h"
+#include "client/view/body_mesh.h"
+#include "client/view/camera.h"
+#include "client/view/contact_overlay.h"
 #include "client/view/hand_mesh.h"
 #include "client/view/normals.h"
+#include "client/view/panel_view.h"
+#include "client/view/pick.h"
 #include "client/view/room.h"
 #include "client/view/tube.h"
+#include "client/view/wireframe.h"
 #include "common/primitives.h"
 
 namespace prosector {
@@ -267,6 +273,134 @@ TEST(Room, FacesInwards) {
       EXPECT_GT(normal.dot(middle - p[t[0]]), 0);
       EXPECT_GT(normal.dot(item.mesh->normals[t[0]]), 0);
     }
+  }
+}
+
+Panel some_panel() {
+  Panel panel;
+  panel.participant = 3;
+  panel.open = true;
+  panel.pose = {{0.2, 1.2, -0.1}, Quat(Eigen::AngleAxisd(0.4, Vec3(0.1, 1, 0.2).normalized()))};
+  panel.controls[5].position = 0.5;
+  return panel;
+}
+
+TEST(PanelView, ShowsWhereControlsAreAndHowTheyStand) {
+  const PanelView view(1);
+  SceneBody part;
+  part.name = "kidney";
+  part.description = "filters blood";
+  const auto drawn = [&](const Panel& panel) {
+    DrawList list;
+    view.add(list, panel, part);
+    return list;
+  };
+  const Panel rest = some_panel();
+  const DrawList calm = drawn(rest);
+  const auto has_text = [](const DrawList& list, const std::string& text) {
+    return std::any_of(list.texts.begin(), list.texts.end(),
+                       [&](const DrawText& t) { return t.text == text; });
+  };
+  EXPECT_TRUE(has_text(calm, "kidney"));
+  EXPECT_TRUE(has_text(calm, "filters blood"));
+  for (const DrawText& text : calm.texts) {
+    ASSERT_TRUE(text.surface);
+    const Vec3 at = rest.pose.inverse() * text.surface->p;
+    EXPECT_LT(std::abs(at.x()), panel_width / 2) << text.text;
+    EXPECT_LT(std::abs(at.y()), panel_height / 2) << text.text;
+    EXPECT_GT(at.z(), 0);
+    EXPECT_LT(at.x() + 0.62 * text.height * static_cast<double>(text.text.size()), panel_width / 2)
+        << text.text;
+  }
+  for (std::size_t k = 0; k < panel_control_count; ++k) {
+    Panel worked = rest;
+    worked.controls[k].touched = true;
+    worked.controls[k].position = 1;
+    const DrawList list = drawn(worked);
+    ASSERT_EQ(list.items.size(), calm.items.size());
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < list.items.size(); ++i) {
+      if (list.items[i].appearance.color == calm.items[i].appearance.color) continue;
+      ++changed;
+      const Vec3& color = list.items[i].appearance.color;
+      EXPECT_GT(color.y(), 2 * std::max(color.x(), color.z())) << "touched is green";
+      const Vec3 moved = rest.pose.q.conjugate() * (list.items[i].pose.p - calm.items[i].pose.p);
+      const ControlDesc& control = panel_controls[k];
+      const Vec3 way = control_face(control, 1) - control_face(control, rest.controls[k].position);
+      EXPECT_LT((moved - way).norm(), 1e-9) << control.label;
+    }
+    EXPECT_EQ(changed, 1u);
+  }
+}
+
+TEST(Pick, EveryControlIsFoundThroughItsPixel) {
+  const Panel panel = some_panel();
+  const DrawCamera camera =
+      mono_camera(look_at(panel.pose * Vec3(0.1, 0.15, 0.6), panel.pose.p), 0.8, 800, 600);
+  const auto pixel = [&](const Vec3& in_panel) {
+    const Vec3 seen = camera.pose.inverse() * (panel.pose * in_panel);
+    return Eigen::Vector2d(
+        (seen.x() / -seen.z() - camera.left) / (camera.right - camera.left) * camera.width,
+        (camera.top - seen.y() / -seen.z()) / (camera.top - camera.bottom) * camera.height);
+  };
+  for (const ControlDesc& control : panel_controls) {
+    const Vec3 face = control_face(control, 0);
+    const auto at = pixel(face);
+    const auto point = meet(ray_through(camera, at.x(), at.y()), panel);
+    ASSERT_TRUE(point) << control.label;
+    ASSERT_TRUE(point->control) << control.label;
+    EXPECT_EQ(*point->control, control.control);
+    EXPECT_LT((point->at - face).norm(), 1e-6);
+  }
+  for (const double position : {0.0, 0.3, 1.0}) {
+    const auto at = pixel(control_face(describe(PanelControl::stiffness), position));
+    EXPECT_NEAR(slider_position(meet(ray_through(camera, at.x(), at.y()), panel)->at), position, 1e-6);
+  }
+  const auto beside = pixel({panel_width, 0, 0}), info = pixel({0, panel_info.top - 0.01, 0});
+  EXPECT_FALSE(meet(ray_through(camera, beside.x(), beside.y()), panel));
+  ASSERT_TRUE(meet(ray_through(camera, info.x(), info.y()), panel));
+  EXPECT_FALSE(meet(ray_through(camera, info.x(), info.y()), panel)->control);
+  EXPECT_FALSE(meet(Ray{panel.pose * Vec3(0, 0, -1), panel.pose.q * Vec3::UnitZ()}, panel)) << "from behind";
+}
+
+TEST(Pick, MeetsTheFrontOfAnItem) {
+  PartDesc ball;
+  ball.shape = "sphere";
+  ball.size = Vec3::Constant(0.2);
+  DrawItem item{.mesh = rigid_mesh(mesh_of(ball), 1), .pose = {{0.5, 0, 0}, Quat::Identity()}};
+  EXPECT_NEAR(meet({{0.5, 0, 1}, -Vec3::UnitZ()}, item).value_or(0), 0.9, 1e-3);
+  EXPECT_FALSE(meet({{0.61, 0, 1}, -Vec3::UnitZ()}, item));
+  item.shape.A = Vec3(2, 1, 3).asDiagonal();
+  EXPECT_NEAR(meet({{1, 0, 1}, -Vec3::UnitZ()}, item).value_or(0), 0.7, 3e-3);
+  EXPECT_TRUE(meet({{1.15, 0, 1}, -Vec3::UnitZ()}, item));
+}
+
+TEST(Wireframe, OfABoxHasItsTwelveEdges) {
+  const TriangleMesh box = mesh_of(PartDesc{});
+  EXPECT_EQ(visible_edges(box).size(), 12u);
+  EXPECT_EQ(all_edges(box.triangles).size(), 18u) << "with the faces' diagonals";
+}
+
+TEST(ContactOverlay, TellsEveryFigureInTheLowerLeft) {
+  DrawList list;
+  list.cameras.resize(1);
+  ContactSample contact;
+  contact.depth = 0.00234;
+  contact.point = {0.1, 1.25, -0.3};
+  contact.normal = {0, 0.8, 0.6};
+  contact.impulse = 0.025;
+  contact.force = {0, -3, 4};
+  const std::string text = contact_figures(contact, "liver");
+  for (const char* figure : {"liver", "2.34 mm", "0.100 1.250 -0.300", "0.00 0.80 0.60", "0.0250 N s",
+                             "5.00 N", "0.00 -0.60 0.80"})
+    EXPECT_NE(text.find(figure), std::string::npos) << figure << " in\n" << text;
+  add_contact_overlay(list, contact, "liver");
+  ASSERT_EQ(list.lines.size(), 4u);
+  for (const DrawLine& line : list.lines) {
+    EXPECT_TRUE(line.overlay);
+    EXPECT_LT(std::max(line.a.x(), line.b.x()), 0.1);
+    EXPECT_LT(std::max(line.a.y(), line.b.y()), -0.4);
+    EXPECT_GT(line.color.y(), 2 * line.color.x()) << "green";
   }
 }
 

@@ -1,0 +1,16 @@
+#pragma once
+// What a hand feels, in figures: the green box at the lower left.
+
+#include <string>
+
+#include "client/view/draw_list.h"
+
+namespace prosector {
+
+/// The figures as lines of text: depth, point, normal, impulse, force and its direction.
+std::string contact_figures(const ContactSample& contact, const std::string& body);
+
+/// Beside the axes, over the picture of every eye.
+void add_contact_overlay(DrawList& list, const ContactSample& contact, const std::string& body);
+
+}  // namespace prosector

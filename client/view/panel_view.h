@@ -1,0 +1,28 @@
+#pragma once
+// A panel as something to see: board, buttons as far in as they are pressed, knob, labels, and what the part
+// is.
+
+#include <array>
+#include <memory>
+
+#include "client/view/draw_list.h"
+#include "common/panel.h"
+
+namespace prosector {
+
+class PanelView {
+ public:
+  /// Uses mesh ids from `first_mesh_id` on: `meshes` of them.
+  explicit PanelView(std::uint64_t first_mesh_id);
+  static constexpr std::size_t meshes = 5;
+
+  /// Touched controls are green, buttons that are on glow.
+  void add(DrawList& list, const Panel& panel, const SceneBody& part) const;
+
+ private:
+  std::shared_ptr<const DrawMesh> board_, rim_, button_, knob_, rail_;
+
+  void add_controls(DrawList& list, const Panel& panel) const;
+};
+
+}  // namespace prosector

@@ -1,0 +1,27 @@
+#pragma once
+// Collision models as white lines.
+
+#include <array>
+#include <vector>
+
+#include "client/view/draw_list.h"
+#include "common/mesh.h"
+
+namespace prosector {
+
+using Edges = std::vector<std::array<std::uint32_t, 2>>;
+
+/// Every edge once, but those between faces of one plane.
+Edges visible_edges(const TriangleMesh& mesh);
+
+/// Every edge once.
+Edges all_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles);
+
+/// `place(vertex)`: m, room frame.
+template <class Place>
+void add_wireframe(DrawList& list, const Edges& edges, const Place& place) {
+  for (const auto& [a, b] : edges)
+    list.lines.push_back({.a = place(a), .b = place(b), .color = Vec3::Ones(), .width = 1.2});
+}
+
+}  // namespace prosector

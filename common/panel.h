@@ -1,0 +1,82 @@
+#pragma once
+// The panel of an anatomical part: a board with real buttons and a slider. The one table of what is where on
+// it, for the server, which moves the controls, and for clients, which draw them.
+//
+// The panel's frame: origin in the middle of the board's front, +x to the reader's right, +y up, +z towards
+// the reader. Metres.
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+
+#include "common/messages.h"
+
+namespace prosector {
+
+inline constexpr double panel_width = 0.30, panel_height = 0.26, panel_thickness = 0.008;  // of the board
+inline constexpr double panel_margin = 0.012;  // from the board's rim to what stands on it
+
+/// Where the part's name and description stand.
+struct PanelBox {
+  double left, right, bottom, top;
+};
+inline constexpr PanelBox panel_info{-panel_width / 2 + panel_margin, panel_width / 2 - panel_margin, 0.052,
+                                     panel_height / 2 - panel_margin};
+inline constexpr double panel_name_height = 0.016, panel_text_height = 0.0115;  // of a line
+
+enum class ControlKind : std::uint8_t {
+  button,  // moves along −z, a spring brings it back
+  slider   // moves along x, friction keeps it where it was left
+};
+
+struct ControlDesc {
+  PanelControl control;
+  ControlKind kind;
+  std::string_view label;  // while off
+  std::string_view label_on;
+  double x, y;                     // of its middle; slider: halfway
+  double half_width, half_height;  // of the cap
+  double height;                   // of the cap's face over the board, at rest
+  double travel;                   // of the cap, m
+};
+
+inline constexpr double button_travel = 0.007, button_height = 0.010, knob_height = 0.016;
+inline constexpr double slider_y = -0.096;
+
+/// In the order of PanelControl.
+inline constexpr std::array<ControlDesc, panel_control_count> panel_controls = {{
+    {PanelControl::attach, ControlKind::button, "attach", "detach", -0.071, 0.028, 0.067, 0.016,
+     button_height, button_travel},
+    {PanelControl::hide_others, ControlKind::button, "hide others", "show others", 0.071, 0.028, 0.067, 0.016,
+     button_height, button_travel},
+    {PanelControl::transparency, ControlKind::button, "transparent", "opaque", -0.071, -0.012, 0.067, 0.016,
+     button_height, button_travel},
+    {PanelControl::light_shaft, ControlKind::button, "light shaft", "light off", 0.071, -0.012, 0.067, 0.016,
+     button_height, button_travel},
+    {PanelControl::room_lights, ControlKind::button, "room bright", "dim room", -0.071, -0.052, 0.067, 0.016,
+     button_height, button_travel},
+    {PanelControl::stiffness, ControlKind::slider, "stiffness", "stiffness", 0, slider_y, 0.010, 0.016,
+     knob_height, 0.23},
+}};
+
+constexpr const ControlDesc& describe(PanelControl control) {
+  return panel_controls[static_cast<std::size_t>(control)];
+}
+
+/// The cap's face in the panel's frame: its middle, for a position of 0 … 1.
+inline Vec3 control_face(const ControlDesc& control, double position) {
+  if (control.kind == ControlKind::slider)
+    return {control.x + (position - 0.5) * control.travel, control.y, control.height};
+  return {control.x, control.y, control.height - position * control.travel};
+}
+
+/// What the slider's place means, and back: ¼ … 4 times, evenly in its logarithm, so that the middle is 1.
+inline double stiffness_at(double position) {
+  return least_stiffness * std::pow(most_stiffness / least_stiffness, position);
+}
+inline double position_of_stiffness(double stiffness) {
+  return std::log(stiffness / least_stiffness) / std::log(most_stiffness / least_stiffness);
+}
+
+}  // namespace prosector

@@ -1,0 +1,28 @@
+#pragma once
+// What a tick consumes for panels.
+
+#include "common/messages.h"
+
+namespace prosector {
+
+/// What somebody does to their own panel without a finger; journalled with the tick it is consumed in.
+struct PanelEvent {
+  enum class Kind : std::uint8_t {
+    open,   // of the part `body`; another one that is open closes
+    close,  // also when its owner leaves, or may no longer touch
+    set     // of the open panel: `control` to `value`: button 0 off, 1 on; slider 0 … 1
+  } kind = Kind::open;
+  ParticipantId participant = 0;
+  BodyId body = 0;
+  PanelControl control = PanelControl::attach;
+  double value = 0;
+};
+inline constexpr PanelEvent::Kind last_panel_event = PanelEvent::Kind::set;
+
+/// Where somebody's eyes are: their panels face them.
+struct HeadPlace {
+  ParticipantId participant = 0;
+  Vec3 at = Vec3::Zero();  // m, room frame
+};
+
+}  // namespace prosector

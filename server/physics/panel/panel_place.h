@@ -1,0 +1,19 @@
+#pragma once
+// Where a panel comes up.
+
+#include "common/math.h"
+
+namespace prosector {
+
+struct PanelSite {
+  Vec3 touched;  // m, room frame: where the part was touched
+  Vec3 lo, hi;   // m, the part's box
+  Vec3 reader;   // m, the eyes
+  double side;   // ±1: to which side of the part, as the reader sees it; +1 is right
+};
+
+/// Beside the part, its lower rim at the height that was touched, facing the reader. Finite and upright for
+/// any finite site.
+Pose place_panel(const PanelSite& site);
+
+}  // namespace prosector

@@ -1,0 +1,124 @@
+// The panels' part of a checkpoint.
+
+#include "server/physics/panel/panel_world.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t most_entries = 4096, most_fingers = 64;
+
+void add(ByteWriter& out, const HandRef& hand) {
+  out.add(hand.participant);
+  out.add(hand.hand);
+}
+
+HandRef read_hand_ref(ByteReader& in) {
+  HandRef hand;
+  hand.participant = in.number<ParticipantId>();
+  hand.hand = in.number<std::uint8_t>();
+  in.require(hand.hand <= right_hand, "a third hand");
+  return hand;
+}
+
+/// Reads `count` entries whose keys ascend.
+template <class Map, class ReadKey, class ReadValue>
+Map read_map(ByteReader& in, ReadKey read_key, ReadValue read_value) {
+  Map out;
+  for (std::size_t n = in.count(most_entries); n > 0; --n) {
+    const auto key = read_key();
+    in.require(out.empty() || out.rbegin()->first < key, "panels out of order");
+    out.emplace_hint(out.end(), key, read_value());
+  }
+  return out;
+}
+
+}  // namespace
+
+void PanelWorld::save(ByteWriter& out) const {
+  out.add(static_cast<std::uint64_t>(open_.size()));
+  for (const auto& [who, panel] : open_) {
+    out.add(who);
+    out.add(panel.body);
+    out.add(panel.pose);
+    out.add(panel.idle);
+    for (std::size_t k = 0; k < panel_control_count; ++k) {
+      out.add(panel.motions[k].position);
+      out.add(panel.motions[k].velocity);
+      out.add(static_cast<std::uint8_t>(panel.home[k]));
+      out.add(static_cast<std::uint8_t>(panel.touched[k]));
+      out.add(panel.pointed[k]);
+      out.add(panel.shown[k]);
+    }
+  }
+  out.add(static_cast<std::uint64_t>(heads_.size()));
+  for (const auto& [who, at] : heads_) {
+    out.add(who);
+    out.add(at);
+  }
+  out.add(static_cast<std::uint64_t>(rests_.size()));
+  for (const auto& [hand, rest] : rests_) {
+    add(out, hand);
+    out.add(rest.body);
+    out.add(rest.ticks);
+    out.add(static_cast<std::uint8_t>(rest.answered));
+  }
+  out.add(static_cast<std::uint64_t>(last_fingers_.size()));
+  for (const auto& [hand, segments] : last_fingers_) {
+    add(out, hand);
+    out.add(static_cast<std::uint64_t>(segments.size()));
+    for (const Capsule& c : segments) {
+      out.add(c.a);
+      out.add(c.b);
+      out.add(c.radius);
+    }
+  }
+}
+
+void PanelWorld::load(ByteReader& in, std::size_t body_count) {
+  const auto id = [&] { return in.number<ParticipantId>(); };
+  const auto share = [&] {
+    const auto value = in.number<double>();
+    in.require(value >= 0 && value <= 1, "a control outside its way");
+    return value;
+  };
+  PanelWorld read(h_);
+  read.open_ = read_map<decltype(open_)>(in, id, [&] {
+    Open panel;
+    panel.body = in.number<BodyId>();
+    in.require(panel.body < body_count, "a panel of a body that isn't there");
+    panel.pose = in.pose();
+    panel.idle = in.number<std::uint32_t>();
+    for (std::size_t k = 0; k < panel_control_count; ++k) {
+      panel.motions[k].position = share();
+      panel.motions[k].velocity = in.number<double>();
+      in.require(std::abs(panel.motions[k].velocity) <= max_control_speed, "a control that flies");
+      panel.home[k] = in.flag();
+      panel.touched[k] = in.flag();
+      panel.pointed[k] = in.number<std::uint32_t>();
+      panel.shown[k] = share();
+    }
+    return panel;
+  });
+  read.heads_ = read_map<decltype(heads_)>(in, id, [&] { return in.vector(); });
+  const auto hand = [&] { return read_hand_ref(in); };
+  read.rests_ = read_map<decltype(rests_)>(in, hand, [&] {
+    Rest rest;
+    rest.body = in.number<BodyId>();
+    rest.ticks = in.number<std::uint32_t>();
+    rest.answered = in.flag();
+    return rest;
+  });
+  read.last_fingers_ = read_map<decltype(last_fingers_)>(in, hand, [&] {
+    std::vector<Capsule> segments(in.count(most_fingers));
+    for (Capsule& c : segments) {
+      c.a = in.vector();
+      c.b = in.vector();
+      c.radius = in.number<double>();
+      in.require(c.radius > 0 && c.radius < 1, "a finger without thickness");
+    }
+    return segments;
+  });
+  *this = std::move(read);
+}
+
+}  // namespace prosector

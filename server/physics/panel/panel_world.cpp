@@ -1,0 +1,208 @@
+#include "server/physics/panel/panel_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "server/physics/panel/panel_place.h"
+
+namespace prosector {
+namespace {
+
+constexpr double least_slide = 1e-6;  // of its way: below, a slider stands where it shows
+
+bool usable(const Vec3& x) {
+  return x.allFinite() && x.cwiseAbs().maxCoeff() <= max_coordinate;
+}
+
+Capsule into(const Pose& panel_from_room, const Capsule& c) {
+  return {panel_from_room * c.a, panel_from_room * c.b, c.radius};
+}
+
+}  // namespace
+
+PanelWorld::PanelWorld(double h) : h_(h) {}
+
+std::uint32_t PanelWorld::ticks(double seconds) const {
+  return static_cast<std::uint32_t>(std::ceil(seconds / h_));
+}
+
+void PanelWorld::take(const HeadPlace& head) {
+  if (usable(head.at)) heads_[head.participant] = head.at;
+}
+
+void PanelWorld::take(const PanelEvent& event, const PanelSubjects& subjects) {
+  const auto panel = open_.find(event.participant);
+  switch (event.kind) {
+    case PanelEvent::Kind::open: {
+      if (!subjects.has_panel(event.body)) return;
+      const auto [lo, hi] = subjects.box(event.body);
+      open(event.participant, event.body, (lo + hi) / 2, nullptr, 1, subjects);
+      return;
+    }
+    case PanelEvent::Kind::close:
+      if (panel != open_.end()) open_.erase(panel);
+      return;
+    case PanelEvent::Kind::set:
+      if (panel != open_.end()) set(panel->second, event);
+      return;
+  }
+}
+
+/// Faces the head if it is known, else whence the hand comes.
+void PanelWorld::open(ParticipantId who, BodyId body, const Vec3& touched, const Vec3* palm, double side,
+                      const PanelSubjects& subjects) {
+  if (const auto old = open_.find(who); old != open_.end() && old->second.body == body) {
+    old->second.idle = 0;
+    return;
+  }
+  const auto [lo, hi] = subjects.box(body);
+  const auto head = heads_.find(who);
+  const Vec3 reader = head != heads_.end() ? head->second
+                      : palm != nullptr    ? Vec3(*palm + Vec3(0, 0.3, 0))
+                                           : Vec3(touched + Vec3(0, 0.3, 1));
+  if (!usable(touched) || !usable(lo) || !usable(hi)) return;
+  Open panel;
+  panel.body = body;
+  panel.pose = place_panel({touched, lo, hi, reader, side});
+  panel.shown = subjects.shown(body);
+  constexpr auto slider = static_cast<std::size_t>(PanelControl::stiffness);
+  panel.motions[slider].position = std::clamp(panel.shown[slider], 0.0, 1.0);
+  open_.insert_or_assign(who, panel);
+}
+
+void PanelWorld::set(Open& panel, const PanelEvent& event) {
+  const auto k = static_cast<std::size_t>(event.control);
+  if (k >= panel_control_count || !std::isfinite(event.value)) return;
+  const bool button = panel_controls[k].kind == ControlKind::button;
+  const double value = button ? (event.value >= 0.5 ? 1 : 0) : std::clamp(event.value, 0.0, 1.0);
+  panel.motions[k] = {button ? 1 : value, 0};
+  panel.home[k] = button;
+  panel.shown[k] = value;
+  panel.pointed[k] = ticks(pointed_time);
+  panel.idle = 0;
+  asked_.push_back({event.participant, panel.body, event.control, value});
+}
+
+std::vector<PanelAction> PanelWorld::step(std::span<const PanelHand> hands, const PanelSubjects& subjects) {
+  for (auto& [who, panel] : open_) move(who, panel, hands);
+  for (const PanelHand& hand : hands) feel(hand, subjects);
+  grow_old(hands, subjects);
+  remember(hands);
+  return std::exchange(asked_, {});
+}
+
+void PanelWorld::move(ParticipantId who, Open& panel, std::span<const PanelHand> hands) {
+  const MovedControls moved = move_controls(panel.motions, fingers_before(panel, hands), h_);
+  panel.motions = moved.motions;
+  for (const ControlDesc& control : panel_controls) {
+    const auto k = static_cast<std::size_t>(control.control);
+    const ControlMotion& motion = panel.motions[k];
+    panel.touched[k] = moved.touched[k];
+    if (panel.touched[k]) panel.idle = 0;
+    if (panel.pointed[k] > 0) --panel.pointed[k];
+    if (control.kind == ControlKind::slider) {
+      if (std::abs(motion.position - panel.shown[k]) > least_slide)
+        asked_.push_back({who, panel.body, control.control, motion.position});
+    } else if (panel.home[k]) {
+      panel.home[k] = motion.position > let_go_position;
+    } else if (motion.position > home_position) {
+      panel.home[k] = true;
+      asked_.push_back({who, panel.body, control.control, panel.shown[k] >= 0.5 ? 0.0 : 1.0});
+    }
+  }
+}
+
+/// Of the hands before the panel; what reaches round it from behind works nothing.
+std::vector<FingerSweep> PanelWorld::fingers_before(const Open& panel,
+                                                    std::span<const PanelHand> hands) const {
+  std::vector<FingerSweep> out;
+  const Pose into_panel = panel.pose.inverse();
+  for (const PanelHand& hand : hands) {
+    if (!((into_panel * hand.palm).z() > 0)) continue;
+    const auto last = last_fingers_.find(hand.who);
+    const bool known = last != last_fingers_.end() && last->second.size() == hand.fingers.size();
+    for (std::size_t f = 0; f < hand.fingers.size(); ++f)
+      out.push_back(
+          {into(into_panel, known ? last->second[f] : hand.fingers[f]), into(into_panel, hand.fingers[f])});
+  }
+  return out;
+}
+
+/// A hand that rests on a body for a moment calls up the part's panel, or sends its owner's away. Between two
+/// touches of the same body it may lose it for as long as it had it.
+void PanelWorld::feel(const PanelHand& hand, const PanelSubjects& subjects) {
+  Rest& rest = rests_[hand.who];
+  if (!hand.touches) {
+    if (rest.ticks > 0) --rest.ticks;
+    if (rest.ticks == 0) rest = {};
+    return;
+  }
+  if (rest.ticks == 0 || rest.body != *hand.touches) rest = {*hand.touches, 0, false};
+  rest.ticks = std::min(rest.ticks + 1, ticks(touch_moment));
+  if (rest.answered || rest.ticks < ticks(touch_moment)) return;
+  rest.answered = true;
+  if (subjects.has_panel(rest.body))
+    open(hand.who.participant, rest.body, hand.touched_at, &hand.palm, hand.who.hand == right_hand ? -1 : 1,
+         subjects);
+  else
+    open_.erase(hand.who.participant);
+}
+
+void PanelWorld::grow_old(std::span<const PanelHand> hands, const PanelSubjects& subjects) {
+  for (auto it = open_.begin(); it != open_.end();) {
+    Open& panel = it->second;
+    const bool on_part = std::any_of(hands.begin(), hands.end(), [&](const PanelHand& hand) {
+      return hand.who.participant == it->first && hand.touches == panel.body;
+    });
+    panel.idle = on_part ? 0 : panel.idle + 1;
+    const bool over = panel.idle > ticks(panel_patience) || !subjects.has_panel(panel.body);
+    it = over ? open_.erase(it) : std::next(it);
+  }
+}
+
+/// Hands that are gone leave nothing behind, nor do heads of those who have neither hands nor panel.
+void PanelWorld::remember(std::span<const PanelHand> hands) {
+  const auto here = [&](auto belongs) { return std::any_of(hands.begin(), hands.end(), belongs); };
+  std::erase_if(rests_, [&](const auto& rest) {
+    return !here([&](const PanelHand& hand) { return hand.who == rest.first; });
+  });
+  std::erase_if(heads_, [&](const auto& head) {
+    return !open_.contains(head.first) &&
+           !here([&](const PanelHand& hand) { return hand.who.participant == head.first; });
+  });
+  last_fingers_.clear();
+  if (!open_.empty())
+    for (const PanelHand& hand : hands) last_fingers_[hand.who] = hand.fingers;
+}
+
+void PanelWorld::show(const PanelSubjects& subjects) {
+  for (auto& [who, panel] : open_) {
+    panel.shown = subjects.shown(panel.body);
+    for (const ControlDesc& control : panel_controls) {
+      const auto k = static_cast<std::size_t>(control.control);
+      ControlMotion& motion = panel.motions[k];
+      const bool worked = panel.touched[k] || motion.velocity != 0;
+      if (control.kind == ControlKind::slider && !worked)
+        motion.position = std::clamp(panel.shown[k], 0.0, 1.0);
+    }
+  }
+}
+
+std::vector<Panel> PanelWorld::panels() const {
+  std::vector<Panel> out;
+  for (const auto& [who, panel] : open_) {
+    Panel& seen = out.emplace_back();
+    seen.participant = who;
+    seen.open = true;
+    seen.body = panel.body;
+    seen.pose = panel.pose;
+    for (std::size_t k = 0; k < panel_control_count; ++k)
+      seen.controls[k] = {panel.motions[k].position,
+                          panel_controls[k].kind == ControlKind::button && panel.shown[k] >= 0.5,
+                          panel.touched[k] || panel.pointed[k] > 0};
+  }
+  return out;
+}
+
+}  // namespace prosector

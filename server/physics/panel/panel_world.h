@@ -1,0 +1,110 @@
+#pragma once
+// The panels in the room: who has called up which part's, how its controls stand, and what that asks for.
+// A world of its own beside the bodies' (docs/decisions/0008): fingers move the controls, never the other
+// way.
+//
+// All of it is state: saved, restored, hashed. Timeouts count ticks.
+
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "server/physics/byte_stream.h"
+#include "server/physics/panel/panel_event.h"
+#include "server/physics/panel/panel_motion.h"
+
+namespace prosector {
+
+/// A hand as panels feel it.
+struct PanelHand {
+  HandRef who;
+  Vec3 palm = Vec3::Zero();        // m, room frame, its middle
+  std::vector<Capsule> fingers;    // room frame, always in the same order
+  std::optional<BodyId> touches;   // the body it touches most
+  Vec3 touched_at = Vec3::Zero();  // m, room frame
+};
+
+/// How a control stands if nobody works it: buttons 0 off, 1 on; the slider 0 … 1.
+using ShownControls = std::array<double, panel_control_count>;
+
+/// What panels ask about bodies.
+class PanelSubjects {
+ public:
+  virtual ~PanelSubjects() = default;
+  /// Whether the body is a part that can be touched: others have no panel.
+  virtual bool has_panel(BodyId body) const = 0;
+  virtual std::pair<Vec3, Vec3> box(BodyId body) const = 0;  // room frame, lowest and highest corner
+  virtual ShownControls shown(BodyId body) const = 0;
+};
+
+/// Somebody worked a control.
+struct PanelAction {
+  ParticipantId participant = 0;
+  BodyId body = 0;
+  PanelControl control = PanelControl::attach;
+  double value = 0;
+};
+
+class PanelWorld {
+ public:
+  /// `h`: s, of a tick.
+  explicit PanelWorld(double h);
+
+  void take(const HeadPlace& head);
+  void take(const PanelEvent& event, const PanelSubjects& subjects);
+  /// One tick: fingers move controls, touches open panels, time closes them. Returns what was asked for.
+  std::vector<PanelAction> step(std::span<const PanelHand> hands, const PanelSubjects& subjects);
+  /// After the actions were carried out: controls show how things stand.
+  void show(const PanelSubjects& subjects);
+
+  /// Open ones, by participant; `time` is the caller's to fill.
+  std::vector<Panel> panels() const;
+
+  void save(ByteWriter& out) const;
+  /// Throws InputError for what no panel world can be in. `body_count`: of the simulation.
+  void load(ByteReader& in, std::size_t body_count);
+
+ private:
+  struct Open {
+    BodyId body = 0;
+    Pose pose;
+    ControlMotions motions;
+    std::array<bool, panel_control_count> home{};              // pressed home, and not yet let go
+    std::array<bool, panel_control_count> touched{};           // by a finger this tick
+    std::array<std::uint32_t, panel_control_count> pointed{};  // ticks that a set control is still shown so
+    ShownControls shown{};
+    std::uint32_t idle = 0;  // ticks without touch
+  };
+  /// A hand on a body, for how long.
+  struct Rest {
+    BodyId body = 0;
+    std::uint32_t ticks = 0;
+    bool answered = false;  // what it asked for was done
+  };
+
+  double h_;
+  std::map<ParticipantId, Open> open_;
+  std::map<ParticipantId, Vec3> heads_;
+  std::map<HandRef, Rest> rests_;
+  std::map<HandRef, std::vector<Capsule>> last_fingers_;
+  std::vector<PanelAction> asked_;  // by events, for the next step
+
+  void open(ParticipantId who, BodyId body, const Vec3& touched, const Vec3* palm, double side,
+            const PanelSubjects& subjects);
+  void set(Open& panel, const PanelEvent& event);
+  void move(ParticipantId who, Open& panel, std::span<const PanelHand> hands);
+  std::vector<FingerSweep> fingers_before(const Open& panel, std::span<const PanelHand> hands) const;
+  void feel(const PanelHand& hand, const PanelSubjects& subjects);
+  void grow_old(std::span<const PanelHand> hands, const PanelSubjects& subjects);
+  void remember(std::span<const PanelHand> hands);
+  std::uint32_t ticks(double seconds) const;
+};
+
+inline constexpr double touch_moment = 0.25;   // s that a hand touches a part before its panel comes up
+inline constexpr double panel_patience = 10;   // s without touch until it goes
+inline constexpr double pointed_time = 0.3;    // s that a control that was set from afar shows it
+inline constexpr double home_position = 0.85;  // of its way: from here on a button counts as pressed home …
+inline constexpr double let_go_position = 0.4;  // … and from here back as let go
+
+}  // namespace prosector

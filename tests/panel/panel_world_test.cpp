@@ -1,0 +1,292 @@
+// Who gets a panel when, and what working it asks for.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <span>
+
+#include "common/error.h"
+#include "tests/panel/fingers.h"
+
+namespace prosector::test {
+namespace {
+
+constexpr ParticipantId ada = 5, eve = 9;
+constexpr BodyId liver = 3, kidney = 4, table = 0;
+
+/// Bodies that do what their panel says.
+struct Bodies : PanelSubjects {
+  std::map<BodyId, ShownControls> parts = {{liver, {1, 0, 0, 0, 1, 0.5}}, {kidney, {1, 0, 0, 0, 1, 0.5}}};
+  bool has_panel(BodyId body) const override { return parts.contains(body); }
+  std::pair<Vec3, Vec3> box(BodyId) const override { return {{-0.05, 1, -0.05}, {0.05, 1.1, 0.05}}; }
+  ShownControls shown(BodyId body) const override { return parts.at(body); }
+};
+
+struct Room {
+  Bodies bodies;
+  PanelWorld world{tick};
+  std::vector<PanelAction> actions;
+
+  void step(std::vector<PanelHand> hands) {
+    std::sort(hands.begin(), hands.end(), [](const auto& a, const auto& b) { return a.who < b.who; });
+    for (const PanelAction& action : world.step(hands, bodies)) {
+      actions.push_back(action);
+      bodies.parts[action.body][index_of(action.control)] = action.value;
+    }
+    world.show(bodies);
+  }
+  void step(const PanelHand& hand, int times = 1) {
+    for (int i = 0; i < times; ++i) step(std::vector{hand});
+  }
+  void event(PanelEvent::Kind kind, ParticipantId who, BodyId body = 0,
+             PanelControl control = PanelControl::attach, double value = 0) {
+    world.take(PanelEvent{kind, who, body, control, value}, bodies);
+  }
+  std::vector<std::uint8_t> saved() const {
+    ByteWriter out;
+    world.save(out);
+    return out.bytes();
+  }
+};
+
+PanelHand hand(ParticipantId who, std::optional<BodyId> touches = {}) {
+  PanelHand out;
+  out.who = {who, right_hand};
+  out.palm = {0, 1.1, 0.3};
+  out.fingers = {finger_at({0, 1.1, 0.2})};
+  out.touches = touches;
+  out.touched_at = {0.01, 1.1, 0};
+  return out;
+}
+
+/// A hand whose fingertip is somewhere before somebody's panel.
+PanelHand at_panel(const Room& room, ParticipantId who, const Capsule& in_panel) {
+  const Pose pose = room.world.panels().front().pose;
+  PanelHand out = hand(who);
+  out.palm = pose * Vec3(0, 0, 0.1);
+  out.fingers = {{pose * in_panel.a, pose * in_panel.b, in_panel.radius}};
+  return out;
+}
+
+void press(Room& room, ParticipantId who, PanelControl control) {
+  for (const double height : {0.03, 0.02, 0.01, 0.004, -0.002, -0.002, -0.002, 0.01, 0.03, 0.05})
+    room.step(at_panel(room, who, over(control, height)));
+  room.step(hand(who), 20);
+}
+
+int moment() {
+  return static_cast<int>(std::ceil(touch_moment / tick));
+}
+
+TEST(PanelWorld, ATouchForAMomentCallsUpThePanelOfThePart) {
+  Room room;
+  room.world.take(HeadPlace{ada, {0, 1.5, 0.7}});
+  room.step(hand(ada, liver), moment() - 1);
+  EXPECT_TRUE(room.world.panels().empty());
+  room.step(hand(ada, liver));
+  ASSERT_EQ(room.world.panels().size(), 1u);
+  const Panel panel = room.world.panels()[0];
+  EXPECT_EQ(panel.participant, ada);
+  EXPECT_EQ(panel.body, liver);
+  EXPECT_TRUE(panel.open);
+  EXPECT_GT((panel.pose.q * Vec3::UnitZ()).dot((Vec3(0, 1.5, 0.7) - panel.pose.p).normalized()), 0.999);
+}
+
+TEST(PanelWorld, OnlyPartsHaveOne) {
+  Room room;
+  room.step(hand(ada, table), 100);
+  room.event(PanelEvent::Kind::open, ada, table);
+  EXPECT_TRUE(room.world.panels().empty());
+}
+
+TEST(PanelWorld, TouchingElsewhereMovesOrClosesIt) {
+  Room room;
+  room.step(hand(ada, liver), moment());
+  room.step(hand(ada), 30);
+  room.step(hand(ada, kidney), moment());
+  ASSERT_EQ(room.world.panels().size(), 1u);
+  EXPECT_EQ(room.world.panels()[0].body, kidney);
+  room.step(hand(ada), 30);
+  room.step(hand(ada, table), moment());
+  EXPECT_TRUE(room.world.panels().empty());
+}
+
+TEST(PanelWorld, GoesAfterAWhileWithoutTouch) {
+  Room room;
+  room.step(hand(ada, liver), moment());
+  const int patience = static_cast<int>(std::ceil(panel_patience / tick));
+  room.step(hand(ada, liver), 2 * patience);
+  EXPECT_EQ(room.world.panels().size(), 1u) << "while the part is touched it stays";
+  room.step(hand(ada), patience - 1);
+  EXPECT_EQ(room.world.panels().size(), 1u);
+  room.step(hand(ada), 3);
+  EXPECT_TRUE(room.world.panels().empty());
+}
+
+TEST(PanelWorld, GoesWithItsPart) {
+  Room room;
+  room.step(hand(ada, liver), moment());
+  room.bodies.parts.erase(liver);
+  room.step(std::vector<PanelHand>{});
+  EXPECT_TRUE(room.world.panels().empty());
+}
+
+TEST(PanelWorld, AClosedOneComesBackOnlyWithANewTouch) {
+  Room room;
+  room.step(hand(ada, liver), moment());
+  room.event(PanelEvent::Kind::close, ada);
+  room.step(hand(ada, liver), 200);
+  EXPECT_TRUE(room.world.panels().empty());
+  room.step(hand(ada), moment());
+  room.step(hand(ada, liver), moment());
+  EXPECT_EQ(room.world.panels().size(), 1u);
+}
+
+TEST(PanelWorld, AButtonActsOncePerPress) {
+  for (std::size_t k = 0; k < 5; ++k) {
+    const PanelControl control = panel_controls[k].control;
+    Room room;
+    room.event(PanelEvent::Kind::open, ada, liver);
+    const double before = room.bodies.parts[liver][k];
+    press(room, ada, control);
+    ASSERT_EQ(room.actions.size(), 1u) << panel_controls[k].label;
+    EXPECT_EQ(room.actions[0].control, control);
+    EXPECT_EQ(room.actions[0].participant, ada);
+    EXPECT_EQ(room.actions[0].body, liver);
+    EXPECT_EQ(room.actions[0].value, 1 - before);
+    EXPECT_EQ(room.world.panels()[0].controls[k].on, before < 0.5);
+    press(room, ada, control);
+    ASSERT_EQ(room.actions.size(), 2u);
+    EXPECT_EQ(room.actions[1].value, before) << "back again";
+  }
+}
+
+TEST(PanelWorld, TremblingAtTheStopIsOnePress) {
+  Room room;
+  room.event(PanelEvent::Kind::open, ada, liver);
+  for (int i = 0; i < 120; ++i)
+    room.step(at_panel(room, ada, over(PanelControl::light_shaft, 0.0035 + 0.001 * std::sin(1.3 * i))));
+  EXPECT_EQ(room.actions.size(), 1u);
+}
+
+TEST(PanelWorld, WhatAFingerTouchesIsTouchedAndBack) {
+  Room room;
+  room.event(PanelEvent::Kind::open, ada, liver);
+  for (const double height : {0.03, 0.015, 0.008, 0.008})
+    room.step(at_panel(room, ada, over(PanelControl::hide_others, height)));
+  const auto touched = [&] {
+    return room.world.panels()[0].controls[index_of(PanelControl::hide_others)].touched;
+  };
+  EXPECT_TRUE(touched());
+  EXPECT_TRUE(room.actions.empty()) << "not yet pressed home";
+  room.step(hand(ada));
+  EXPECT_FALSE(touched());
+}
+
+TEST(PanelWorld, AnybodysFingerWorksIt) {
+  Room room;
+  room.event(PanelEvent::Kind::open, ada, liver);
+  press(room, eve, PanelControl::transparency);
+  ASSERT_EQ(room.actions.size(), 1u);
+  EXPECT_EQ(room.actions[0].participant, ada) << "it is her panel";
+}
+
+TEST(PanelWorld, AHandBehindTheBoardWorksNothing) {
+  Room room;
+  room.event(PanelEvent::Kind::open, ada, liver);
+  for (const double height : {-0.05, -0.03, -0.01, 0.01, 0.02, 0.0}) {
+    PanelHand reaching = at_panel(room, ada, over(PanelControl::attach, height));
+    reaching.palm = room.world.panels()[0].pose * Vec3(0, 0, -0.1);
+    room.step(reaching);
+  }
+  EXPECT_TRUE(room.actions.empty());
+}
+
+TEST(PanelWorld, TheSliderSetsAndShowsTheStiffness) {
+  Room room;
+  room.event(PanelEvent::Kind::open, ada, liver);
+  const auto k = index_of(PanelControl::stiffness);
+  const Vec3 beside = control_face(panel_controls[k], 0.5) - Vec3(0.03, 0, 0.012);
+  for (int i = 0; i <= 40; ++i) room.step(at_panel(room, ada, finger_at(beside + Vec3(0.001 * i, 0, 0))));
+  room.step(hand(ada), 20);
+  const double left_at = room.world.panels()[0].controls[k].position;
+  EXPECT_GT(left_at, 0.55);
+  EXPECT_NEAR(room.bodies.parts[liver][k], left_at, 1e-5);
+  room.step(hand(ada), 100);
+  EXPECT_NEAR(room.world.panels()[0].controls[k].position, left_at, 1e-5);
+  room.bodies.parts[liver][k] = 0.25;  // somebody else's panel of the same part
+  room.step(hand(ada), 2);
+  EXPECT_NEAR(room.world.panels()[0].controls[k].position, 0.25, 1e-9);
+}
+
+TEST(PanelWorld, CommandsDoWhatFingersDo) {
+  Room room;
+  room.event(PanelEvent::Kind::set, ada, 0, PanelControl::light_shaft, 1);
+  room.step(std::vector<PanelHand>{});
+  EXPECT_TRUE(room.actions.empty()) << "no panel, no control";
+  room.event(PanelEvent::Kind::open, ada, liver);
+  room.event(PanelEvent::Kind::set, ada, 0, PanelControl::light_shaft, 1);
+  room.event(PanelEvent::Kind::set, ada, 0, PanelControl::stiffness, 0.8);
+  room.event(PanelEvent::Kind::set, eve, 0, PanelControl::attach, 0);
+  room.step(std::vector<PanelHand>{});
+  ASSERT_EQ(room.actions.size(), 2u);
+  EXPECT_EQ(room.actions[0].control, PanelControl::light_shaft);
+  EXPECT_EQ(room.actions[1].value, 0.8);
+  const Panel seen = room.world.panels()[0];
+  EXPECT_TRUE(seen.controls[index_of(PanelControl::light_shaft)].touched);
+  EXPECT_GT(seen.controls[index_of(PanelControl::light_shaft)].position, 0) << "it is seen going in";
+  for (int i = 0; i < 60; ++i) room.step(std::vector<PanelHand>{});
+  EXPECT_EQ(room.actions.size(), 2u);
+  EXPECT_FALSE(room.world.panels()[0].controls[index_of(PanelControl::light_shaft)].touched);
+  EXPECT_EQ(room.world.panels()[0].controls[index_of(PanelControl::light_shaft)].position, 0);
+}
+
+TEST(PanelWorld, GoesOnTheSameAfterRestore) {
+  Room room;
+  room.world.take(HeadPlace{ada, {0, 1.5, 0.7}});
+  room.step(hand(ada, liver), moment());
+  for (const double height : {0.03, 0.012, 0.007})
+    room.step(at_panel(room, ada, over(PanelControl::attach, height)));
+  Room restored;
+  const auto bytes = room.saved();
+  ByteReader in(bytes, "panels");
+  restored.world.load(in, 10);
+  EXPECT_TRUE(in.done());
+  for (const double height : {0.004, -0.002, 0.01, 0.02}) {
+    const PanelHand finger = at_panel(room, ada, over(PanelControl::attach, height));
+    room.step(finger);
+    restored.step(finger);
+    EXPECT_EQ(restored.saved(), room.saved()) << height;
+  }
+  EXPECT_EQ(restored.actions.size(), 1u);
+}
+
+TEST(PanelWorld, BrokenStatesAreRefused) {
+  Room room;
+  room.step(hand(ada, liver), moment());
+  room.step({hand(ada), hand(eve, kidney)});
+  const auto good = room.saved();
+  const std::span<const std::uint8_t> all = good;
+  for (std::size_t size = 0; size < good.size(); ++size) {
+    Room other;
+    ByteReader in(all.first(size), "panels");
+    EXPECT_THROW(other.world.load(in, 10), InputError) << size;
+    EXPECT_TRUE(other.world.panels().empty());
+  }
+  Room other;
+  ByteReader in(good, "panels");
+  EXPECT_THROW(other.world.load(in, liver), InputError) << "a body that isn't there";
+}
+
+TEST(PanelWorld, SomeoneGoneLeavesNothing) {
+  Room room;
+  const auto empty = room.saved();
+  room.world.take(HeadPlace{ada, {0, 1.5, 0.7}});
+  room.step(hand(ada, liver), moment());
+  room.event(PanelEvent::Kind::close, ada);
+  room.step(std::vector<PanelHand>{});
+  EXPECT_EQ(room.saved(), empty);
+}
+
+}  // namespace
+}  // namespace prosector::test
