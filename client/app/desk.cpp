@@ -90,14 +90,13 @@ void Desk::press() {
   const auto point = panel_ ? meet(pointer(), *panel_) : std::nullopt;
   if (!point) {
     grasping_ = true;
-    commands_.push_back({.kind = CommandKind::grasp});
+    ask(CommandKind::grasp);
   } else if (point->control == PanelControl::stiffness) {
     sliding_ = true;
     slide(point->at);
   } else if (point->control) {
     const ControlState& button = panel_->controls[static_cast<std::size_t>(*point->control)];
-    commands_.push_back(
-        {.kind = CommandKind::set_control, .control = *point->control, .value = button.on ? 0.0 : 1.0});
+    ask(CommandKind::set_control, *point->control, button.on ? 0 : 1);
   }
 }
 
@@ -105,13 +104,19 @@ void Desk::let_go() {
   sliding_ = false;
   if (!grasping_) return;
   grasping_ = false;
-  commands_.push_back({.kind = CommandKind::release});
+  ask(CommandKind::release);
 }
 
 void Desk::slide(const Vec3& at) {
   last_slide_ = std::chrono::steady_clock::now();
-  commands_.push_back(
-      {.kind = CommandKind::set_control, .control = PanelControl::stiffness, .value = slider_position(at)});
+  ask(CommandKind::set_control, PanelControl::stiffness, slider_position(at));
+}
+
+void Desk::ask(CommandKind kind, PanelControl control, double value) {
+  Command& command = commands_.emplace_back();
+  command.kind = kind;
+  command.control = control;
+  command.value = value;
 }
 
 DrawCamera Desk::camera() const {

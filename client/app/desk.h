@@ -68,6 +68,7 @@ class Desk {
   void press();
   void let_go();
   void slide(const Vec3& at);
+  void ask(CommandKind kind, PanelControl control = PanelControl::attach, double value = 0);
   DrawCamera camera() const;
   Ray pointer() const { return ray_through(camera(), pointer_x_, pointer_y_); }
   Pose hand_pose() const;

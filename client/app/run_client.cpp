@@ -174,10 +174,11 @@ class Client {
     for (const Command& command : desk.take_commands()) connection_.command(command);
     const auto request = desk.take_panel_request();
     if (!request) return;
-    if (const auto part = stage_->view.part_at(*request))
-      connection_.command({.kind = CommandKind::open_panel, .body = *part});
-    else if (own_panel)
-      connection_.command({.kind = CommandKind::close_panel});
+    Command command;
+    const auto part = stage_->view.part_at(*request);
+    command.kind = part ? CommandKind::open_panel : CommandKind::close_panel;
+    command.body = part.value_or(0);
+    if (part || own_panel) connection_.command(command);
   }
 
   /// Draws a picture; `keep` also reads it back, which costs.

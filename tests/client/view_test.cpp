@@ -367,7 +367,8 @@ TEST(Pick, MeetsTheFrontOfAnItem) {
   PartDesc ball;
   ball.shape = "sphere";
   ball.size = Vec3::Constant(0.2);
-  DrawItem item{.mesh = rigid_mesh(mesh_of(ball), 1), .pose = {{0.5, 0, 0}, Quat::Identity()}};
+  DrawItem item{
+      .mesh = rigid_mesh(mesh_of(ball), 1), .pose = {{0.5, 0, 0}, Quat::Identity()}, .appearance = {}};
   EXPECT_NEAR(meet({{0.5, 0, 1}, -Vec3::UnitZ()}, item).value_or(0), 0.9, 1e-3);
   EXPECT_FALSE(meet({{0.61, 0, 1}, -Vec3::UnitZ()}, item));
   item.shape.A = Vec3(2, 1, 3).asDiagonal();
