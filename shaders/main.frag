@@ -18,8 +18,8 @@ void main() {
 #ifdef SHAFT
   // Dust in the light: the eye looks through most of it in the middle, through little at the rim.
   float through = abs(dot(smooth_normal, normalize(eye - room_place)));
-  float left = 1.0 - clamp(rest_place.x, 0.0, 1.0);
-  color = with_brightness(brightness * base_color * through * through * left * (2.0 - left));
+  float left = mix(1.0, 0.5, rest_place.x) * (1.0 - smoothstep(0.85, 1.0, rest_place.x));
+  color = with_brightness(brightness * base_color * through * through * left);
 #else
   Material material = material_at(rest_place);
   vec3 normal = smooth_normal;
