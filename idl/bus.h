@@ -14,8 +14,8 @@
 
 namespace prosector {
 
-/// Which end of the star this is. It decides the topics that are written and read, so an observer has no
-/// writer for HandInput and a client never sees another client's Presence.
+/// Which end of the star this is. It decides the topics that are written and read, so a client never sees
+/// another client's Presence. Who may do what is the session's to say, and roles change while it runs.
 enum class BusEnd : std::uint8_t { server, dissector, observer };
 
 enum class Liveness : std::uint8_t { alive, gone };  // gone: disposed, or its writer left or died

@@ -10,7 +10,7 @@ const std::array<TopicSpec, topic_count> topics{{
   {"SessionInfo",       Writers::server,      true,    true,      1, 0,   true,  false,    0,  0},
   {"Presence",          Writers::clients,     true,    true,      1, 1,   true,  false,    5, 10},
   {"RosterEntry",       Writers::server,      true,    true,      1, 0,   true,  false,    0,  0},
-  {"HandInput",         Writers::dissectors,  false,   false,     1, 0,   false, false,  400, 40},
+  {"HandInput",         Writers::clients,     false,   false,     1, 0,   false, false,  400, 40},
   {"UserState",         Writers::server,      false,   false,     1, 0,   false, false,    0,  0,    8},
   // A command that nobody hears is not sent, so that a server which starts later never obeys a stale one.
   {"Command",           Writers::clients,     true,    false,     0, 0,   false, true,    50, 50},
@@ -38,8 +38,6 @@ bool writes(BusEnd end, const TopicSpec& topic) {
       return end == BusEnd::server;
     case Writers::clients:
       return end != BusEnd::server;
-    case Writers::dissectors:
-      return end == BusEnd::dissector;
   }
   return false;
 }

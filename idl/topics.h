@@ -11,7 +11,7 @@
 
 namespace prosector {
 
-enum class Writers : std::uint8_t { server, clients, dissectors };  // clients: observers too
+enum class Writers : std::uint8_t { server, clients };  // clients: observers too, who may become dissectors
 
 /// Best-effort readers drop what was overtaken by a later sample of the same *writer*, whatever the instance.
 /// So streams that send many instances at once have several writers, and an instance always takes the same

@@ -186,9 +186,11 @@ std::variant<ClientOptions, int> parse_command_line(int argc, char** argv) {
     add_pictures(*command, o, raw);
   }
   add_devices(*join, raw);
+  bool host = false;
+  join->add_flag("--host", host, "Be the session's host, who hands out roles, unless it has one");
   try {
     app.parse(argc, argv);
-    o.join.role = join->parsed() ? Role::dissector : Role::observer;
+    o.join.role = !join->parsed() ? Role::observer : host ? Role::host : Role::dissector;
     resolve(raw, o);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
 #include <thread>
 
 #include "client/app/client_report.h"
+#include "client/app/console.h"
 #include "client/app/desk.h"
 #include "client/app/input_pump.h"
 #include "client/app/picture_sink.h"
@@ -74,10 +76,10 @@ class Client {
       connection_.on_received([this](const Received& r) { arrivals_->received(r); });
     }
     connection_.start();
-    if (options.join.role != Role::observer)
-      pump_ = std::make_unique<InputPump>(connection_, options.devices, options.latency_log, tell);
+    take_role(options.join.role);
     stage_ = make_stage(options);
     if (stage_ && stage_->desk && drives_hand_at_desk()) tell(desk_help);
+    if (isatty(STDIN_FILENO) != 0) tell(console_help);
     if (stage_) report_.renderer = stage_->context->description();
   }
 
@@ -87,6 +89,8 @@ class Client {
     auto next = std::chrono::steady_clock::now();
     while (!done()) {
       note_progress();
+      follow_role();
+      obey_console();
       if (stage_ && report_.complete_ns) draw_if_seen();
       next = std::max(next + interval, std::chrono::steady_clock::now() - interval);
       std::this_thread::sleep_until(next);
@@ -107,6 +111,8 @@ class Client {
   std::unique_ptr<Stage> stage_;
   std::string missing_ = "everything";  // what was last told to be missing
   bool server_gone_ = false;
+  Role role_ = Role::observer;
+  Console console_;
 
   static JoinRequest request(const ClientOptions& o) {
     JoinRequest out = o.join;
@@ -142,6 +148,53 @@ class Client {
     if (const std::string refusal = connection_.last_refusal(); !refusal.empty())
       tell("the server refused: " + refusal);
     tell_failures();
+  }
+
+  /// Observers have no hands; whoever is made a dissector has.
+  void take_role(Role role) {
+    role_ = role;
+    if (role == Role::observer)
+      pump_.reset();
+    else if (!pump_)
+      pump_ = std::make_unique<InputPump>(connection_, options_.devices, latency_log_of_hands(), tell);
+  }
+
+  /// Who joined as an observer logs what arrives instead.
+  std::filesystem::path latency_log_of_hands() const {
+    return options_.join.role == Role::observer ? std::filesystem::path() : options_.latency_log;
+  }
+
+  Vec3 middle_of(Replica& replica, BodyId body) const {
+    const SoftReplica* soft = replica.soft(body);
+    if (soft == nullptr) return replica.rigid_pose(body, replica.advance(monotonic_ns())).p;
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (const Eigen::Vector3f& x : soft->surface()) sum += x;
+    return (sum / static_cast<float>(soft->surface().size())).cast<double>();
+  }
+
+  void follow_role() {
+    const Role role = connection_.with_replica([&](Replica& replica) {
+      const auto me = replica.roster().find(connection_.participant());
+      return me == replica.roster().end() ? role_ : me->second.role;
+    });
+    if (role == role_) return;
+    take_role(role);
+    tell(role == Role::observer
+             ? "you are an observer now"
+             : fmt::format("you are {} now", role == Role::host ? "the host" : "a dissector"));
+  }
+
+  void obey_console() {
+    for (const std::string& line : console_.take()) {
+      const auto parsed = connection_.with_replica([&](Replica& replica) {
+        return parse_console_line(line, replica.scene() ? *replica.scene() : SceneInfo{}, replica.roster(),
+                                  [&](BodyId body) { return middle_of(replica, body); });
+      });
+      if (const Command* command = std::get_if<Command>(&parsed))
+        connection_.command(*command);
+      else
+        tell(std::get<std::string>(parsed));
+    }
   }
 
   void tell_failures() {

@@ -61,6 +61,7 @@ struct RigidDesc {
   double mass = 0;        // kg; 0: from density and volume
   double friction = 0.5;
   double restitution = 0;
+  bool balanced = false;      // on a counterweighted arm: weighs nothing, stays where it is left
   std::string tool = "none";  // none | probe | scalpel: what a hand that grasps it holds
   bool part = false;          // of the anatomy: held to its place until detached; a touch brings up its panel
   double snap = 0.03;         // m: how near to its place a detached part must be to be attached again
@@ -187,6 +188,7 @@ struct HandDesc {
   double mass = 0.4;        // kg
   double stiffness = 2000;  // N/m towards the tracked pose
   double max_force = 40;    // N
+  double tear_force = 60;   // N between a hand and what it holds, above which it loses hold
   double friction = 0.6;
 };
 

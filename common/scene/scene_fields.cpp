@@ -159,6 +159,8 @@ const Table& hand_table() {
       {number<H, &H::mass>("mass", "kg", {0.01, 10}, "the physical hand's mass"),
        number<H, &H::stiffness>("stiffness", "N/m", {0, 1e5, true}, "of the pull towards the tracked pose"),
        number<H, &H::max_force>("max_force", "N", {0, 1000, true}, "bound of that pull"),
+       number<H, &H::tear_force>("tear_force", "N", {0, 1e4, true},
+                                 "between a hand and what it holds, above which it loses hold"),
        number<H, &H::friction>("friction", "", friction, "Coulomb coefficient of the skin")},
       {},
       fresh<H>};
@@ -240,6 +242,8 @@ const Table& rigid_table() {
          number<R, &R::restitution>(
              "restitution", "", unit_interval,
              "0: lands dead, 1: bounces back; on tissue, or among bodies that touch tissue or a hand: as 0"),
+         plain<R, &R::balanced>("balanced",
+                                "true: on a counterweighted arm: weighs nothing, stays where it is left"),
          words<R, &R::tool>("tool", {"none", "probe", "scalpel"}, "what a hand that grasps it holds"),
          plain<R, &R::part>(
              "anatomy",

@@ -5,6 +5,7 @@
 #include "common/error.h"
 #include "common/primitives.h"
 #include "server/physics/byte_stream.h"
+#include "server/physics/fracture.h"
 #include "server/physics/model.h"
 #include "server/physics/sources.h"
 
@@ -63,6 +64,8 @@ Solid solid_of_mesh(const RigidDesc& desc, const TriangleMesh& surface) {
 
 RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface) {
   Solid solid = desc.parts.empty() ? solid_of_mesh(desc, surface) : solid_of_parts(desc);
+  // What breaks weighs what its surface encloses, as its pieces do: so they keep its momentum.
+  if (desc.break_force > 0) solid.mass = solid_of_mesh(desc, surface).mass;
   if (desc.collision == "none") solid.parts.clear();
   if (!(solid.mass.mass > 0) && !desc.fixed)
     throw InputError(
@@ -84,6 +87,7 @@ RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface) {
   if (!desc.fixed) out.setup.inertia = principal.eigenvalues();
   out.setup.friction = desc.friction;
   out.setup.restitution = desc.restitution;
+  out.setup.balanced = desc.balanced;
   for (ShapePart part : solid.parts) {
     part.pose = out.center.inverse() * part.pose;
     out.shape.distances.push_back(make_signed_distance(part));
@@ -105,7 +109,8 @@ ContentHash hash_of(const Model& model) {
   out.add(scene.gravity);
   out.add(scene.tick_rate);
   out.add(scene.contact_stiffness);
-  for (const double v : {scene.hand.mass, scene.hand.stiffness, scene.hand.max_force, scene.hand.friction})
+  for (const double v : {scene.hand.mass, scene.hand.stiffness, scene.hand.max_force, scene.hand.tear_force,
+                         scene.hand.friction})
     out.add(v);
   for (const RigidModel& r : model.rigid) {
     out.add(r.name);
@@ -113,7 +118,13 @@ ContentHash hash_of(const Model& model) {
     out.add(r.center);
     out.add(r.start);
     for (const double v : {r.setup.mass, r.setup.friction, r.setup.restitution}) out.add(v);
+    if (r.setup.balanced) out.add(r.setup.balanced);
     out.add(r.setup.inertia);
+    for (const RigidModel::Fracture& plane : r.fractures) {
+      out.add(plane.point);
+      out.add(plane.normal);
+      out.add(scene.rigid[static_cast<std::size_t>(&r - model.rigid.data())].break_force);
+    }
     for (const ShapePart& part : r.shape.parts) {
       out.add(part.kind);
       out.add(part.half);
@@ -169,6 +180,7 @@ Model compile(const SceneDesc& scene, const CompileOptions& options) {
   model.h = 1 / scene.tick_rate;
   for (const RigidDesc& desc : scene.rigid)
     model.rigid.push_back(compile_rigid(desc, rigid_surface(desc, scene, options)));
+  for (std::size_t i = 0; i < model.rigid.size(); ++i) add_pieces(model, i, compile_rigid);
   for (const SoftDesc& desc : scene.soft) {
     model.soft.push_back(std::make_unique<SoftBody>(desc, soft_anatomy(desc, scene, options)));
     say(fmt::format("{}: {} elements, {} nodes, {} surface vertices", desc.name,

@@ -2,6 +2,7 @@
 // The compiled scene: const while running.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "common/hash.h"
@@ -26,6 +27,16 @@ struct RigidModel {
   RigidSetup setup;
   Pose center;  // centre-of-mass frame in the body's frame
   Pose start;   // body's frame in the room
+
+  /// A plane along which it breaks, and what it breaks into; centre-of-mass frame.
+  struct Fracture {
+    Vec3 point = Vec3::Zero(), normal = Vec3::UnitY();
+    std::size_t above = 0, below = 0;  // pieces: on the side that the normal points to, and the other
+    double mass_above = 0;             // kg
+    Vec3 center_above = Vec3::Zero(), center_below = Vec3::Zero();
+  };
+  std::vector<Fracture> fractures;
+  std::optional<std::size_t> whole;  // the body that this is a piece of
 };
 
 /// The physical hand of one side: palm, then the segments in joint order.

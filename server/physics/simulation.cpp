@@ -42,6 +42,8 @@ Simulation::Impl::Impl(const SceneDesc& scene, const CompileOptions& options)
     motion.pose = r.start * r.center;
     world.add(r.setup, motion);
   }
+  parts = initial_parts();
+  for (BodyId body = 0; body < model.rigid.size(); ++body) take_effect(world, body);
   for (const auto& body : model.soft) {
     soft.push_back(body->initial_state());
     surfaces.emplace_back(body->anatomy().embedding, body->anatomy().surface);
@@ -78,6 +80,8 @@ const StepReport& Simulation::step(const TickInput& input) {
     m.recover();
     m.unfold_tangles();
     m.fall_asleep();
+    m.tend_holds();
+    m.break_bones();
     clock.end(Phase::constraints);
     m.describe();
     clock.end(Phase::report);
@@ -124,6 +128,9 @@ RigidBodyState Simulation::rigid_state(BodyId body) const {
 }
 const SoftBodyState& Simulation::soft_state(BodyId body) const {
   return impl_->soft.at(impl_->soft_index(body));
+}
+const Part& Simulation::part(BodyId body) const {
+  return impl_->parts.at(body);
 }
 bool Simulation::asleep(BodyId body) const {
   if (impl_->is_soft(body)) return soft_state(body).asleep;

@@ -16,6 +16,7 @@
 #include "common/mesh.h"
 #include "common/messages.h"
 #include "common/scene/scene.h"
+#include "server/physics/part.h"
 #include "server/physics/step_report.h"
 
 namespace prosector {
@@ -52,6 +53,7 @@ struct TickInput {
   std::vector<EffortChange> efforts;
   std::vector<HandEvent> events;
   std::vector<HandTarget> targets;  // of hands present this tick; one without a target holds its last
+  std::vector<PartEvent> parts;     // obeyed after `events`; answered in StepReport::part_answers
 };
 
 /// Where a physical hand ended up, and what it touches most.
@@ -105,6 +107,7 @@ class Simulation {
   RigidBodyState rigid_state(BodyId body) const;
   const SoftBodyState& soft_state(BodyId body) const;
   bool asleep(BodyId body) const;
+  const Part& part(BodyId body) const;       // what people made of it
   std::span<const HandState> hands() const;  // canonical order
   double max_displacement(
       BodyId soft_body) const;  // m: largest distance of a surface vertex from its equilibrium

@@ -20,7 +20,7 @@ constexpr double most_stretch = 3;
 void Simulation::Impl::refresh_colliders() {
   colliders.assign(world.slots(), {});
   for (std::size_t slot = 0; slot < world.slots(); ++slot) {
-    if (!world.used(slot)) continue;
+    if (!world.used(slot) || world.presence(slot) == BodyPresence::absent) continue;
     Collider& c = colliders[slot];
     const RigidMotion motion = world.motion(slot);
     const Hand* hand = hand_at(slot);
@@ -132,7 +132,7 @@ void Simulation::Impl::detect_soft_contacts() {
   for (bool again = true; again;) {
     again = false;
     for (std::size_t i = 0; i < soft.size(); ++i) {
-      if (done[i]) continue;
+      if (done[i] || parts[soft_id(i)].out_of_touch()) continue;
       if (soft[i].asleep) {
         const bool touched = std::any_of(colliders.begin(), colliders.end(), [&](const Collider& c) {
           return c.parts && awake(c) &&

@@ -54,9 +54,10 @@ void Simulation::Impl::take_inputs(const TickInput& input) {
     } else if (event.kind == HandEvent::Kind::grasp) {
       grasp(*hand);
     } else {
-      release(*hand);
+      release(*hand, "opened");
     }
   }
+  for (const PartEvent& event : input.parts) report.part_answers.push_back(obey(event));
   for (const HandTarget& t : input.targets) {
     const auto hand = find_hand(t.participant, t.hand);
     if (hand == hands.end() || !is_finite(t.target) || t.target.p.cwiseAbs().maxCoeff() > max_coordinate)
@@ -85,7 +86,7 @@ void Simulation::Impl::appear(ParticipantId participant, std::size_t side) {
 }
 
 void Simulation::Impl::vanish(std::vector<Hand>::iterator hand) {
-  release(*hand);
+  release(*hand, "its hand is gone");
   for (std::size_t i = 0; i < soft.size(); ++i) soft[i].quiet_ticks = 0;
   world.remove(hand->slot);
   hands.erase(hand);
@@ -117,59 +118,27 @@ void Simulation::Impl::grasp(Hand& hand) {
     world.set_collides(hand.slot, hand.hold->body, false);
 }
 
-void Simulation::Impl::release(Hand& hand) {
+void Simulation::Impl::release(Hand& hand, const std::string& why) {
   if (!hand.hold) return;
+  report.let_go.push_back({hand.participant, hand.side, hand.hold->body, why});
   if (!is_soft(hand.hold->body)) world.set_collides(hand.slot, hand.hold->body, true);
   hand.hold.reset();
 }
 
-std::optional<Hold> Simulation::Impl::reach_rigid(const Hand& hand) const {
-  const Pose centre = world.motion(hand.slot).pose;
-  const auto points = feelers(hand, model.hands[hand.side], centre);
-  std::optional<BodyId> nearest;
-  double least = grasp_reach_rigid;
-  for (BodyId body = 0; body < model.rigid.size(); ++body) {
-    const bool held = std::any_of(hands.begin(), hands.end(),
-                                  [&](const Hand& other) { return other.hold && other.hold->body == body; });
-    if (!world.dynamic(body) || held) continue;
-    for (const Feeler& f : points) {
-      const double d = distance_to(colliders[body], f.point, grasp_reach_rigid + f.radius).value - f.radius;
-      if (d < least) {
-        least = d;
-        nearest = body;
-      }
+/// A bone that broke is put back whole.
+void Simulation::Impl::reset_body(BodyId body) {
+  if (!is_soft(body)) {
+    while (model.rigid[body].whole) body = static_cast<BodyId>(*model.rigid[body].whole);
+    for (BodyId piece = body + 1; piece < model.rigid.size(); ++piece) {
+      std::size_t root = piece;
+      while (model.rigid[root].whole) root = *model.rigid[root].whole;
+      if (root != body) continue;
+      let_go_of(piece, "it was put back");
+      make(piece, initial_part(piece));
     }
   }
-  if (!nearest) return std::nullopt;
-  return hold_rigid(*nearest, model.rigid[*nearest].setup.mass, model.scene.hand, centre,
-                    world.motion(*nearest).pose, model.h);
-}
-
-std::optional<Hold> Simulation::Impl::reach_soft(const Hand& hand) {
-  const Collider& collider = colliders[hand.slot];
-  std::vector<std::tuple<double, std::size_t, std::uint32_t>> near;
-  for (std::size_t body = 0; body < soft.size(); ++body)
-    surfaces[body].near(collider, grasp_reach_soft, [&](std::uint32_t vertex, const Distance& d) {
-      near.emplace_back(d.value, body, vertex);
-    });
-  if (near.empty()) return std::nullopt;
-  std::sort(near.begin(), near.end());
-  const std::size_t body = std::get<1>(near.front());
-  Hold hold{soft_id(body), {}};
-  const Pose to_hand = collider.pose.inverse();
-  for (const auto& [d, owner, vertex] : near) {
-    if (owner != body || hold.points.size() == max_hold_points) continue;
-    hold.points.push_back({to_hand * surfaces[body].positions()[vertex], Vec3::Zero(), vertex,
-                           model.contact_stiffness(body, vertex), 0});
-  }
-  for (Hold::Point& p : hold.points)
-    p.max_force = model.scene.hand.max_force / static_cast<double>(hold.points.size());
-  return hold;
-}
-
-void Simulation::Impl::reset_body(BodyId body) {
-  for (Hand& hand : hands)
-    if (hand.hold && hand.hold->body == body) release(hand);
+  let_go_of(body, "it was put back");
+  make(body, {});
   if (!is_soft(body)) {
     RigidMotion motion;
     motion.pose = model.rigid[body].start * model.rigid[body].center;

@@ -25,6 +25,7 @@ struct Simulation::Impl {
   RigidWorld world;
   std::vector<SoftBodyState> soft;
   std::vector<Hand> hands;  // by (participant, side)
+  std::vector<Part> parts;  // by body
 
   // ---- Of the current tick
   std::vector<SurfaceDetector> surfaces;
@@ -53,12 +54,40 @@ struct Simulation::Impl {
   void appear(ParticipantId participant, std::size_t side);
   void vanish(std::vector<Hand>::iterator hand);
   void grasp(Hand& hand);
-  void release(Hand& hand);
+  void release(Hand& hand, const std::string& why);
+  void let_go_of(BodyId body, const char* why);
   std::optional<Hold> reach_rigid(const Hand& hand) const;
   std::optional<Hold> reach_soft(const Hand& hand);
+  std::vector<Touch> touches_of_rigid(const Hand& hand, BodyId body) const;
+  std::vector<Touch> touches_of_soft(const Hand& hand, std::size_t body) const;
+  void tend_holds();
+  bool was_set_down(Hand& hand, const Vec3& force);
+  Vec3 hold_force(const Hand& hand) const;
+  Vec3 support(BodyId body) const;
   std::vector<Hand>::iterator find_hand(ParticipantId participant, std::size_t side);
   const Hand* hand_at(std::size_t slot) const;
   void bend(Hand& hand);
+
+  // ---- Parts
+  bool is_part(BodyId body) const;
+  const std::string& name_of(BodyId body) const;
+  std::string obey(const PartEvent& event);
+  double distance_from_place(BodyId body) const;
+  void make(BodyId body, const Part& wanted);
+  void take_effect(RigidWorld& rigid_world, BodyId body);
+  void freeze(std::size_t body);
+  void wake_everything();
+  Part initial_part(BodyId body) const;
+  std::vector<Part> initial_parts() const;
+
+  // ---- Fracture
+  struct PointForce {
+    Vec3 point, force;  // m, N
+  };
+  std::vector<PointForce> forces_on(std::size_t slot) const;
+  void break_bones();
+  void break_at(BodyId body, const RigidModel::Fracture& plane, double force);
+  void hand_over(Hand& hand, const RigidModel::Fracture& plane);
 
   // ---- Bodies
   bool is_soft(BodyId body) const { return body >= model.rigid.size(); }

@@ -47,7 +47,7 @@ void Simulation::Impl::describe() {
     if (soft[i].asleep) continue;
     report.kinetic_energy += body.kinetic_energy(soft[i]);
     report.elastic_energy += body.in_force(soft[i]).elastic_energy(soft[i].motion.x);
-    if (!body.desc().gravity) continue;
+    if (!body.falls()) continue;
     for (Eigen::Index n = 0; n < body.nodes(); ++n)
       report.potential_energy -=
           body.node_mass()[n] * model.scene.gravity.dot(soft[i].motion.x.segment<3>(3 * n));

@@ -1,6 +1,8 @@
 // Checkpoints. Loading builds the rigid world anew from plain numbers, so whatever Bullet caches is a
 // function of them: a run that goes on after a checkpoint and one that restores it are equal.
 
+#include <algorithm>
+
 #include "server/physics/simulation_impl.h"
 
 namespace prosector {
@@ -86,6 +88,36 @@ void add(ByteWriter& out, const Hand& hand) {
     out.add(p.stiffness);
     out.add(p.max_force);
   }
+  out.add(static_cast<std::uint8_t>(hand.hold->lifted));
+  out.add(hand.hold->resting_ticks);
+}
+
+/// Nothing while nobody made anything of any part: sessions recorded before keep their hashes.
+void add(ByteWriter& out, const std::vector<Part>& parts, const std::vector<Part>& initial) {
+  if (parts == initial) return;
+  for (const Part& part : parts) {
+    for (const bool flag : {part.attached, part.hidden, part.lit, part.inspected})
+      out.add(static_cast<std::uint8_t>(flag));
+    out.add(part.opacity);
+    out.add(part.stiffness);
+    for (int column = 0; column < 3; ++column) out.add(Vec3(part.shape.A.col(column)));
+    out.add(part.shape.p);
+  }
+}
+
+std::vector<Part> read_parts(ByteReader& in, std::vector<Part> parts) {
+  if (in.done()) return parts;
+  for (Part& part : parts) {
+    for (bool* flag : {&part.attached, &part.hidden, &part.lit, &part.inspected}) *flag = in.flag();
+    part.opacity = in.number<double>();
+    part.stiffness = in.number<double>();
+    for (int column = 0; column < 3; ++column) part.shape.A.col(column) = in.vector();
+    part.shape.p = in.vector();
+    in.require(part.opacity >= 0 && part.opacity <= 1, "an opacity beyond 0 to 1");
+    in.require(part.stiffness >= least_stiffness && part.stiffness <= most_stiffness,
+               "a stiffness out of range");
+  }
+  return parts;
 }
 
 Hand read_hand(ByteReader& in, const Model& model) {
@@ -114,6 +146,8 @@ Hand read_hand(ByteReader& in, const Model& model) {
     p.max_force = in.number<double>();
     in.require(p.stiffness > 0 && p.max_force > 0, "a hold without force");
   }
+  hold.lifted = in.flag();
+  hold.resting_ticks = in.number<int>();
   return hand;
 }
 
@@ -131,6 +165,7 @@ void Simulation::Impl::save(ByteWriter& out) const {
     add(out, hand);
     add(out, world.motion(hand.slot));
   }
+  add(out, parts, initial_parts());
 }
 
 void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
@@ -160,11 +195,14 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
     in.require(std::pair(new_hands[i - 1].participant, new_hands[i - 1].side) <
                    std::pair(new_hands[i].participant, new_hands[i].side),
                "hands out of order");
+  std::vector<Part> new_parts = read_parts(in, initial_parts());
   in.require(in.done(), "more than a checkpoint holds");
   time = new_time;
   world = std::move(new_world);
   soft = std::move(new_soft);
   hands = std::move(new_hands);
+  parts = std::move(new_parts);
+  for (BodyId body = 0; body < parts.size(); ++body) take_effect(world, body);
   for (std::size_t i = 0; i < soft.size(); ++i) surfaces[i].update(soft[i].motion.x.data());
 }
 

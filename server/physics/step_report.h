@@ -27,6 +27,20 @@ struct BodyReport {
   std::string note;    // for people
 };
 
+/// A hand that lost or gave up its hold, and why, for people.
+struct LetGo {
+  ParticipantId participant = 0;
+  std::size_t hand = right_hand;
+  BodyId body = 0;
+  std::string why;
+};
+
+/// A body that broke, and the force through the plane where it did.
+struct Broken {
+  BodyId body = 0;
+  double force = 0;  // N
+};
+
 struct StepReport {
   SimTime time;                               // of the state after the step
   std::array<double, step_phases> seconds{};  // wall time per phase; measured outside what decides anything
@@ -35,6 +49,9 @@ struct StepReport {
   std::uint32_t mixed_islands = 0;
   std::uint32_t awake_bodies = 0, asleep_bodies = 0;
   double kinetic_energy = 0, elastic_energy = 0, potential_energy = 0;  // J
+  std::vector<std::string> part_answers;  // to TickInput::parts, in order: empty when obeyed, else why not
+  std::vector<LetGo> let_go;
+  std::vector<Broken> broken;
   std::vector<BodyReport> bodies;  // soft bodies that were solved, and any body with something to report
 };
 

@@ -52,10 +52,10 @@ std::size_t get_hand(Reader& in) {
 std::vector<std::uint8_t> encode_input(const ConsumedInput& input) {
   std::vector<std::uint8_t> out;
   if (input.keys.empty() && input.input.efforts.empty() && input.input.events.empty() &&
-      input.input.targets.empty())
+      input.input.parts.empty() && input.input.targets.empty())
     return out;
   out.reserve(16 + 5 * input.input.efforts.size() + 16 * input.keys.size() + 16 * input.input.events.size() +
-              112 * input.input.targets.size());
+              120 * input.input.parts.size() + 112 * input.input.targets.size());
   put(out, static_cast<std::uint32_t>(input.keys.size()));
   for (const InputKey& key : input.keys) {
     put(out, key.participant);
@@ -72,6 +72,15 @@ std::vector<std::uint8_t> encode_input(const ConsumedInput& input) {
     put(out, e.participant);
     put(out, static_cast<std::uint8_t>(e.hand));
     put(out, e.body);
+  }
+  put(out, static_cast<std::uint32_t>(input.input.parts.size()));
+  for (const PartEvent& e : input.input.parts) {
+    put(out, e.kind);
+    put(out, e.participant);
+    put(out, e.body);
+    for (int k = 0; k < 9; ++k) put(out, e.shape.A(k / 3, k % 3));
+    for (int k = 0; k < 3; ++k) put(out, e.shape.p[k]);
+    put(out, e.value);
   }
   put(out, static_cast<std::uint32_t>(input.input.targets.size()));
   for (const HandTarget& t : input.input.targets) {
@@ -107,6 +116,16 @@ ConsumedInput decode_input(std::span<const std::uint8_t> bytes) {
     e.participant = in.get<ParticipantId>();
     e.hand = get_hand(in);
     e.body = in.get<BodyId>();
+  }
+  out.input.parts.resize(in.count());
+  for (PartEvent& e : out.input.parts) {
+    e.kind = in.get<PartEvent::Kind>();
+    if (e.kind > last_part_event) throw InputError("journal: no such event of a part");
+    e.participant = in.get<ParticipantId>();
+    e.body = in.get<BodyId>();
+    for (int k = 0; k < 9; ++k) e.shape.A(k / 3, k % 3) = in.get<double>();
+    for (int k = 0; k < 3; ++k) e.shape.p[k] = in.get<double>();
+    e.value = in.get<double>();
   }
   out.input.targets.resize(in.count());
   for (HandTarget& t : out.input.targets) {

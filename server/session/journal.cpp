@@ -34,6 +34,12 @@ const char* event_name(SessionEvent::Kind kind) {
       return "lost";
     case SessionEvent::Kind::hand_timeout:
       return "hand timeout";
+    case SessionEvent::Kind::role:
+      return "role";
+    case SessionEvent::Kind::let_go:
+      return "let go";
+    case SessionEvent::Kind::broke:
+      return "broke";
   }
   return "unknown";
 }

@@ -37,11 +37,18 @@ std::string Roster::refusal(const Presence& p) const {
     return fmt::format("no such role: {}", static_cast<int>(p.role));
   if (p.role == Role::host)
     for (const auto& [id, other] : members_)
-      if (other.presence.role == Role::host)
+      if (other.role == Role::host)
         return fmt::format("the session has a host already: \"{}\"", other.presence.name);
   if (members_.size() >= static_cast<std::size_t>(rules_.capacity))
     return fmt::format("the session is full: it has place for {}, observers included", rules_.capacity);
   if (p.role == Role::observer && observers() >= static_cast<std::uint32_t>(rules_.observers))
+    return fmt::format("no place left for an observer: {} are watching", rules_.observers);
+  return {};
+}
+
+std::string Roster::role_refusal(const Participant& subject, Role role) const {
+  if (role == Role::observer && subject.role != Role::observer &&
+      observers() >= static_cast<std::uint32_t>(rules_.observers))
     return fmt::format("no place left for an observer: {} are watching", rules_.observers);
   return {};
 }
@@ -52,7 +59,7 @@ const Participant& Roster::admit(const Presence& presence, std::uint64_t writer)
     return std::any_of(members_.begin(), members_.end(), [c](const auto& m) { return m.second.color == c; });
   };
   while (taken(color)) ++color;
-  return members_[presence.participant] = {presence, writer, color};
+  return members_[presence.participant] = {presence, presence.role, writer, color};
 }
 
 Participant* Roster::find(ParticipantId id) {
@@ -65,15 +72,13 @@ std::uint32_t Roster::participants() const {
 }
 
 std::uint32_t Roster::observers() const {
-  return static_cast<std::uint32_t>(std::count_if(members_.begin(), members_.end(), [](const auto& m) {
-    return m.second.presence.role == Role::observer;
-  }));
+  return static_cast<std::uint32_t>(std::count_if(
+      members_.begin(), members_.end(), [](const auto& m) { return m.second.role == Role::observer; }));
 }
 
 RosterEntry Roster::entry(const Participant& p) {
   const auto& rgb = colors[p.color % colors.size()];
-  return {
-      p.presence.participant, p.presence.name, p.presence.role, {rgb[0], rgb[1], rgb[2]}, p.presence.devices};
+  return {p.presence.participant, p.presence.name, p.role, {rgb[0], rgb[1], rgb[2]}, p.presence.devices};
 }
 
 }  // namespace prosector

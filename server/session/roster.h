@@ -22,9 +22,10 @@ struct SessionRules {
 };
 
 struct Participant {
-  Presence presence;
-  std::uint64_t writer = 0;  // the remote process; samples of another in this name are refused
-  std::uint32_t color = 0;   // row of the colour table
+  Presence presence;           // as it came: with the role that was asked for
+  Role role = Role::observer;  // that it has now: the host hands them out
+  std::uint64_t writer = 0;    // the remote process; samples of another in this name are refused
+  std::uint32_t color = 0;     // row of the colour table
 };
 
 class Roster {
@@ -33,6 +34,8 @@ class Roster {
 
   /// Empty when `presence` may join now, else why not.
   std::string refusal(const Presence& presence) const;
+  /// Empty when a member may become that, else why not. Who may say so is the session's matter.
+  std::string role_refusal(const Participant& subject, Role role) const;
   const Participant& admit(const Presence& presence, std::uint64_t writer);
   void remove(ParticipantId id) { members_.erase(id); }
 

@@ -61,6 +61,12 @@ std::string line_of(const SessionEvent& e) {
       return fmt::format("{} is gone (left or connection lost)", e.name);
     case SessionEvent::Kind::hand_timeout:
       return fmt::format("{}: {} no longer tracked, let go", e.name, e.detail);
+    case SessionEvent::Kind::role:
+      return fmt::format("{} is {} now", e.name, e.detail);
+    case SessionEvent::Kind::let_go:
+      return fmt::format("{} let go: {}", e.name, e.detail);
+    case SessionEvent::Kind::broke:
+      return fmt::format("{} broke {}", e.name, e.detail);
   }
   return {};
 }
@@ -103,13 +109,16 @@ void ServerLoop::tick() {
   ConsumedInput input = session_.consume(received_, simulation_.time().tick + 1);
   input.input.efforts.swap(efforts_);
   const StepReport& report = simulation_.step(input.input);
-  session_.finish_tick(simulation_.hands());
+  session_.finish_tick(simulation_.hands(), report);
 
   const bool checkpoint = simulation_.time().tick % checkpoint_ticks == 0;
   std::vector<std::uint8_t> saved;
   if (checkpoint) saved = simulation_.checkpoint();
   state_hash_ = simulation_.state_hash();
   std::vector<SessionEvent> events = session_.take_events();
+  for (const Broken& b : report.broken)
+    events.push_back(
+        {SessionEvent::Kind::broke, 0, simulation_.name(b.body), fmt::format("at {:.0f} N", b.force)});
   announce(events);
   journal(std::move(input), std::move(saved), std::move(events));
   record(report, begun);
@@ -121,6 +130,7 @@ void ServerLoop::tick() {
     status_ns_ = last_end_ns_;
   }
   publisher_.say(session_.take_outgoing());
+  publisher_.say(parts_.take(simulation_));
   tell_of_bodies(report);
   publisher_.offer(snapshot);
   last_snapshot_ = std::move(snapshot);

@@ -16,6 +16,7 @@
 #include "server/session/body_meter.h"
 #include "server/session/governor.h"
 #include "server/session/journal.h"
+#include "server/session/part_sender.h"
 #include "server/session/publisher.h"
 #include "server/session/scene_content.h"
 #include "server/session/session.h"
@@ -86,6 +87,7 @@ class ServerLoop {
   StepMeter meter_;
   BodyMeter body_meter_;
   Governor governor_;
+  PartSender parts_;
   std::vector<EffortChange> efforts_;  // for the next tick
   std::vector<Received> received_;
   std::shared_ptr<const Snapshot> last_snapshot_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace prosector {
@@ -24,6 +25,22 @@ const char* role_name(Role role) {
       return "host";
   }
   return "unknown";
+}
+
+/// What a command asks of a part, of those that do.
+std::optional<PartEvent::Kind> part_kind(CommandKind kind) {
+  switch (kind) {
+    case CommandKind::detach:
+      return PartEvent::Kind::detach;
+    case CommandKind::attach:
+      return PartEvent::Kind::attach;
+    case CommandKind::inspect:
+      return PartEvent::Kind::inspect;
+    case CommandKind::end_inspect:
+      return PartEvent::Kind::end_inspect;
+    default:
+      return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -76,7 +93,7 @@ void Session::take(const Presence& presence, const Received& received) {
     if (member->writer != received.writer) return drop("Presence: another process's participant");
     if (presence.name != member->presence.name || presence.role != member->presence.role)
       return drop("Presence: name or role changed while in the session");
-    member->presence = presence;
+    member->presence = presence;  // a role that it was given since stays
     outgoing_.push_back({Roster::entry(*member)});
     return;
   }
@@ -94,7 +111,7 @@ void Session::take(const HandInput& input, std::uint64_t writer) {
     return;
   }
   if (member->writer != writer) return drop("HandInput: another process's participant");
-  if (member->presence.role == Role::observer) return drop("HandInput: from an observer");
+  if (member->role == Role::observer) return drop("HandInput: from an observer");
   Seat& seat = seats_[input.participant];
   if (seat.input && input.sequence <= seat.input->sequence) return;  // overtaken on the way
   seat.input = input;
@@ -134,10 +151,12 @@ void Session::obey(const Command& command, const Participant& member, Seat& seat
     answer(command, "");
     return leave(command.participant, SessionEvent::Kind::left);
   }
-  if (member.presence.role == Role::observer) {
+  if (command.kind == CommandKind::set_role) return hand_out(command, member);
+  if (member.role == Role::observer) {
     drop("Command: from an observer");
     return answer(command, "an observer changes nothing: join as a dissector");
   }
+  if (part_kind(command.kind)) return ask_part(command, seat);
   if (command.kind == CommandKind::reset) {
     if (command.body >= rules_.bodies)
       return answer(command, fmt::format("no body {}: the scene has {}", command.body, rules_.bodies));
@@ -155,6 +174,50 @@ void Session::obey(const Command& command, const Participant& member, Seat& seat
     seat.grasps.push_back({command.sequence, command.hand});
   else
     answer(command, "");
+}
+
+/// The host hands out roles; whoever is handed the host's gives theirs for it.
+void Session::hand_out(const Command& command, const Participant& member) {
+  if (member.role != Role::host) {
+    drop("Command: roles are the host's to give");
+    return answer(command, "only the host hands out roles");
+  }
+  const Participant* subject = roster_.find(command.subject);
+  if (subject == nullptr) return answer(command, "nobody of that id is in the session");
+  if (command.subject == command.participant && command.role != Role::host)
+    return answer(command, "hand the host's role to somebody else, and you are a dissector");
+  const std::string refusal = roster_.role_refusal(*subject, command.role);
+  answer(command, refusal);
+  if (!refusal.empty() || subject->role == command.role) return;
+  if (command.role == Role::host) give(command.participant, Role::dissector);
+  give(command.subject, command.role);
+}
+
+/// At this tick. Whoever becomes an observer loses hands and holds.
+void Session::give(ParticipantId id, Role role) {
+  Participant& member = *roster_.find(id);
+  member.role = role;
+  if (role == Role::observer) {
+    Seat& seat = seats_[id];
+    vanish_hands(id, seat);
+    const std::uint32_t commands = seat.commands;
+    seat = {};
+    seat.commands = commands;
+  }
+  outgoing_.push_back({Roster::entry(member)});
+  if (events_.size() < max_events)
+    events_.push_back({SessionEvent::Kind::role, id, member.presence.name, role_name(role)});
+}
+
+void Session::ask_part(const Command& command, Seat& seat) {
+  if (command.body >= rules_.bodies)
+    return answer(command, fmt::format("no body {}: the scene has {}", command.body, rules_.bodies));
+  seat.parts.push_back(command);
+}
+
+void Session::vanish_hands(ParticipantId id, Seat& seat) {
+  for (std::size_t h = 0; h < 2; ++h)
+    if (seat.hands[h].present) vanishing_.push_back({HandEvent::Kind::vanish, id, h, BodyId{0}});
 }
 
 /// Decided after everything that arrived was read, since Presence and join travel apart.
@@ -185,16 +248,14 @@ void Session::try_join(ParticipantId id, Visitor& v) {
   const Participant& member = roster_.admit(*v.presence, v.writer);
   seats_[id] = {};
   outgoing_.push_back({Roster::entry(member)});
-  events_.push_back({SessionEvent::Kind::joined, id, name, role_name(member.presence.role)});
+  events_.push_back({SessionEvent::Kind::joined, id, name, role_name(member.role)});
 }
 
 /// Frees everything that the participant had; its hands vanish at this tick.
 void Session::leave(ParticipantId id, SessionEvent::Kind how) {
   const Participant member = *roster_.find(id);
-  const Seat& seat = seats_[id];
-  for (std::size_t h = 0; h < 2; ++h)
-    if (seat.hands[h].present) vanishing_.push_back({HandEvent::Kind::vanish, id, h, BodyId{0}});
-  events_.push_back({how, id, member.presence.name, role_name(member.presence.role)});
+  vanish_hands(id, seats_[id]);
+  events_.push_back({how, id, member.presence.name, role_name(member.role)});
   outgoing_.push_back({Roster::entry(member), true});
   seats_.erase(id);
   roster_.remove(id);
@@ -225,9 +286,20 @@ void Session::consume_seat(ParticipantId id, Seat& seat, ConsumedInput& out) {
   for (const HandEvent& e : seat.asked)
     if (e.kind == HandEvent::Kind::reset_body || seat.hands[e.hand].present) out.input.events.push_back(e);
   seat.asked.clear();
+  for (const Command& c : seat.parts) {
+    out.input.parts.push_back({*part_kind(c.kind), id, c.body, c.shape, c.value});
+    stepping_.push_back(c);
+  }
+  seat.parts.clear();
 }
 
-void Session::finish_tick(std::span<const HandState> hands) {
+void Session::finish_tick(std::span<const HandState> hands, const StepReport& report) {
+  for (std::size_t i = 0; i < std::min(stepping_.size(), report.part_answers.size()); ++i)
+    answer(stepping_[i], report.part_answers[i]);
+  stepping_.clear();
+  for (const LetGo& let_go : report.let_go)
+    if (Participant* member = roster_.find(let_go.participant); member != nullptr)
+      events_.push_back({SessionEvent::Kind::let_go, let_go.participant, member->presence.name, let_go.why});
   for (auto& [id, seat] : seats_) {
     for (const Grasp& grasp : seat.grasps) {
       const bool holds = std::any_of(hands.begin(), hands.end(), [&](const HandState& h) {

@@ -40,10 +40,10 @@ struct ConsumedInput {
 
 /// A line of the session's own log.
 struct SessionEvent {
-  enum class Kind : std::uint8_t { joined, refused, left, lost, hand_timeout } kind;
+  enum class Kind : std::uint8_t { joined, refused, left, lost, hand_timeout, role, let_go, broke } kind;
   ParticipantId participant = 0;
   std::string name;
-  std::string detail;  // role, or why not
+  std::string detail;  // role, or why not; which hand; why it let go
 };
 
 class Session {
@@ -52,8 +52,8 @@ class Session {
 
   /// Takes what arrived before `tick`; returns what the step of that tick consumes, in canonical order.
   ConsumedInput consume(std::span<const Received> received, std::uint64_t tick);
-  /// After the step: grasps are answered by what the hands hold now.
-  void finish_tick(std::span<const HandState> hands);
+  /// After the step: grasps are answered by what the hands hold now, what was asked of parts by `report`.
+  void finish_tick(std::span<const HandState> hands, const StepReport& report = {});
 
   /// Lets go, at the next tick, of hands that nobody here owns: those in a state that was restored.
   void vanish(std::span<const HandState> hands);
@@ -85,6 +85,7 @@ class Session {
     std::array<Hand, 2> hands;
     std::vector<HandEvent> asked;  // by its commands since the last tick
     std::vector<Grasp> grasps;     // waiting for the step
+    std::vector<Command> parts;    // likewise
     std::uint32_t commands = 0;    // this tick
   };
   struct Visitor {  // who has shown itself and isn't a member (yet, or any more)
@@ -100,6 +101,7 @@ class Session {
   std::map<ParticipantId, Seat> seats_;
   std::map<ParticipantId, Visitor> visitors_;
   std::vector<HandEvent> vanishing_;
+  std::vector<Command> stepping_;  // whose part events the step of this tick obeys, in their order
   std::vector<Outgoing> outgoing_;
   std::vector<SessionEvent> events_;
   std::map<std::string, std::uint64_t> dropped_;
@@ -111,6 +113,10 @@ class Session {
   void take(const Command& command, std::uint64_t writer);
   void join(const Command& command, std::uint64_t writer);
   void obey(const Command& command, const Participant& member, Seat& seat);
+  void hand_out(const Command& command, const Participant& member);
+  void give(ParticipantId id, Role role);
+  void ask_part(const Command& command, Seat& seat);
+  void vanish_hands(ParticipantId id, Seat& seat);
   void settle_joins();
   void try_join(ParticipantId id, Visitor& visitor);
   void leave(ParticipantId id, SessionEvent::Kind how);

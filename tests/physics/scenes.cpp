@@ -132,7 +132,9 @@ TickInput target(const Vec3& at, const Quat& q, double flexion) {
   t.participant = somebody;
   t.target = {at, q};
   t.flexion.fill(flexion);
-  return {{}, {}, {t}};
+  TickInput out;
+  out.targets.push_back(t);
+  return out;
 }
 
 TickInput event(HandEvent::Kind kind, const Vec3& at) {

@@ -64,6 +64,16 @@ ConsumedInput random_input(std::mt19937_64& random) {
   for (std::uint64_t i = 0; i < random() % 4; ++i)
     out.input.events.push_back({static_cast<HandEvent::Kind>(random() % 5), random(), random() % 2,
                                 static_cast<BodyId>(random() % 100)});
+  for (std::uint64_t i = 0; i < random() % 3; ++i) {
+    PartEvent e{static_cast<PartEvent::Kind>(random() % 9),
+                random(),
+                static_cast<BodyId>(random() % 100),
+                {},
+                x(random)};
+    for (int k = 0; k < 9; ++k) e.shape.A(k / 3, k % 3) = x(random);
+    e.shape.p = {x(random), x(random), x(random)};
+    out.input.parts.push_back(e);
+  }
   for (std::uint64_t i = 0; i < random() % 4; ++i) {
     HandTarget t;
     t.participant = random();

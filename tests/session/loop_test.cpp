@@ -15,6 +15,11 @@ using namespace std::chrono_literals;
 using test::Guest;
 using test::Hosted;
 
+std::vector<HandRef> holders(const Replica& replica, BodyId body) {
+  const PartState* part = replica.part(body);
+  return part != nullptr ? part->holders : std::vector<HandRef>{};
+}
+
 /// Joins ada, who presses the block for `ticks` ticks.
 struct Pressing {
   explicit Pressing(Hosted& hosted) : hosted(hosted), ada(hosted.guest(1, BusEnd::dissector)) {
@@ -81,6 +86,56 @@ TEST(ServerLoop, ALateComerSeesTheSameInMotion) {
   const Pose ball = hosted.simulation.rigid_state(1).pose;
   EXPECT_GT((ball.p - hosted.simulation.scene().rigid[1].pose.p).norm(), 0.1);
   EXPECT_LT((eve.replica.rigid_pose(1, 1e9).p - ball.p).norm(), 1e-3);
+}
+
+TEST(ServerLoop, EveryoneKnowsWhoHoldsWhatAndWhoeverComesLater) {
+  Hosted hosted;
+  Pressing pressing(hosted);
+  pressing.run(70);
+  pressing.ada.command(CommandKind::grasp);
+  pressing.run(3);
+  pressing.ada.take();
+  const HandRef by_ada{1, right_hand};
+  ASSERT_EQ(holders(pressing.ada.replica, Hosted::liver), std::vector<HandRef>{by_ada});
+  Guest eve = hosted.guest(2, BusEnd::observer);
+  eve.greet("eve", Role::observer);
+  pressing.run(3);
+  eve.take();
+  EXPECT_EQ(holders(eve.replica, Hosted::liver), std::vector<HandRef>{by_ada});
+  EXPECT_TRUE(holders(eve.replica, 1).empty());
+  pressing.ada.command(CommandKind::release);
+  pressing.run(3);
+  eve.take();
+  EXPECT_TRUE(holders(eve.replica, Hosted::liver).empty());
+}
+
+TEST(ServerLoop, AHolderThatIsMadeAnObserverHoldsNothing) {
+  Hosted hosted;
+  Guest hana = hosted.guest(3, BusEnd::dissector);
+  hana.greet("hana", Role::host);
+  Pressing pressing(hosted);
+  pressing.run(70);
+  pressing.ada.command(CommandKind::grasp);
+  pressing.run(3);
+  ASSERT_EQ(hosted.simulation.hands().size(), 1U);
+  ASSERT_TRUE(hosted.simulation.hands()[0].holding);
+  Command give;
+  give.participant = 3;
+  give.sequence = 9;
+  give.kind = CommandKind::set_role;
+  give.subject = 1;
+  give.role = Role::observer;
+  hana.bus->publish(give);
+  pressing.run(3);  // and ada goes on sending hands
+  EXPECT_TRUE(hosted.simulation.hands().empty());
+  hana.take();
+  EXPECT_EQ(hana.replica.roster().at(1).role, Role::observer);
+  EXPECT_TRUE(holders(hana.replica, Hosted::liver).empty());
+  give.sequence = 10;
+  give.role = Role::dissector;
+  hana.bus->publish(give);
+  pressing.run(3);
+  EXPECT_EQ(hosted.simulation.hands().size(), 1U);
 }
 
 TEST(ServerLoop, LostChunksAreHealedBySettled) {

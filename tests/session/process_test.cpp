@@ -106,6 +106,67 @@ TEST(ServerProcess, ARestartAfterAKillIsSeenAsAnotherRun) {
   EXPECT_TRUE(feed_until(*bus, replica, another));
 }
 
+std::vector<HandRef> holders(const Replica& replica, BodyId body) {
+  const PartState* part = replica.part(body);
+  return part != nullptr ? part->holders : std::vector<HandRef>{};
+}
+
+/// A process that joins, takes hold of the cube, and holds it until it is killed.
+pid_t start_holder(const Folder& folder) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  const auto bus = join_network(folder, BusEnd::dissector);
+  Presence ada;
+  ada.participant = 7;
+  ada.name = "ada";
+  ada.role = Role::dissector;
+  Command command;
+  command.participant = 7;
+  HandInput input;
+  input.participant = 7;
+  input.hands[right_hand].tracked = true;
+  input.hands[right_hand].pose.p = {0, 0.18, 0.045};  // over the cube, once that lies on the table
+  Replica replica;
+  for (int i = 0;; ++i) {
+    if (i % 30 == 0) {
+      if (replica.roster().count(7) == 0) bus->publish(ada);
+      command.kind = replica.roster().count(7) == 0 ? CommandKind::join : CommandKind::grasp;
+      ++command.sequence;
+      bus->publish(command);
+    }
+    ++input.sequence;
+    bus->publish(input);
+    feed_until(*bus, replica, [] { return true; });
+    std::vector<Received> received;
+    bus->take(received);
+    for (const Received& r : received) replica.apply(r);
+    std::this_thread::sleep_for(15ms);
+  }
+}
+
+TEST(ServerProcess, WhatAKilledProcessHeldIsFreeWithinTwoSeconds) {
+  const Folder folder(98);
+  const pid_t holder = start_holder(folder);
+  ASSERT_GT(holder, 0);
+  Server server(folder, {folder.path / "box.toml"});
+  const auto bus = join_network(folder, BusEnd::observer);
+  Replica replica;
+  constexpr BodyId cube = 1;
+  EXPECT_TRUE(feed_until(
+      *bus, replica, [&] { return !holders(replica, cube).empty(); }, 20s))
+      << server.output();
+  if (!holders(replica, cube).empty()) {
+    EXPECT_EQ(holders(replica, cube)[0].participant, 7U);
+    EXPECT_EQ(holders(replica, cube)[0].hand, right_hand);
+  }
+  kill(holder, SIGKILL);
+  waitpid(holder, nullptr, 0);
+  EXPECT_TRUE(feed_until(
+      *bus, replica, [&] { return holders(replica, cube).empty(); }, 2s));
+  EXPECT_TRUE(feed_until(
+      *bus, replica, [&] { return replica.roster().count(7) == 0; }, 2s));
+}
+
 struct Mistake {
   std::vector<std::string> arguments;
   const char* says;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <map>
 
 namespace prosector {
 namespace {
@@ -87,11 +88,12 @@ TEST(Session, EveryRefusalSaysWhy) {
   old.version = protocol_version + 1;
   const auto nobody = [](Room&) {};
   const auto full = [](Room& room) {
-    for (ParticipantId id = 1; id <= 4; ++id) room.join(presence(id, "p" + std::to_string(id)), id);
+    for (ParticipantId id = 1; id <= 4; ++id)
+      room.join(presence(id, std::string(1, 'p').append(std::to_string(id))), id);
   };
   const auto watched = [](Room& room) {
     for (ParticipantId id = 1; id <= 2; ++id)
-      room.join(presence(id, "o" + std::to_string(id), Role::observer), id);
+      room.join(presence(id, std::string(1, 'o').append(std::to_string(id)), Role::observer), id);
   };
   const std::vector<Refused> table = {
       {"version", nobody, old, "protocol"},
@@ -137,7 +139,8 @@ TEST(Session, JoinWithoutPresenceIsRefusedAfterATime) {
 
 TEST(Session, ColoursDifferAndAreFreedOnLeaving) {
   Room room;
-  for (ParticipantId id = 1; id <= 3; ++id) room.join(presence(id, "p" + std::to_string(id)), id);
+  for (ParticipantId id = 1; id <= 3; ++id)
+    room.join(presence(id, std::string(1, 'p').append(std::to_string(id))), id);
   const auto color = [&](ParticipantId id) {
     return Roster::entry(room.session.roster().members().at(id)).color;
   };
@@ -152,7 +155,8 @@ TEST(Session, ColoursDifferAndAreFreedOnLeaving) {
 
 TEST(Session, NewestInputIsConsumedOnceInIdOrder) {
   Room room;
-  for (ParticipantId id : {3, 1, 2}) room.join(presence(id, "p" + std::to_string(id)), id);
+  for (ParticipantId id : {3, 1, 2})
+    room.join(presence(id, std::string(1, 'p').append(std::to_string(id))), id);
   const ConsumedInput in = room.feed({from(3, input(3, 1)), from(1, input(1, 4)), from(1, input(1, 6)),
                                       from(1, input(1, 5)), from(2, input(2, 1))});
   ASSERT_EQ(in.input.targets.size(), 3u);
@@ -242,6 +246,118 @@ TEST(Session, AnObserverChangesNothingAndIsTold) {
     EXPECT_NE(room.results.back().reason.find("observer"), std::string::npos);
   }
   EXPECT_EQ(room.session.dropped_total(), 6u);
+}
+
+Command set_role(ParticipantId by, ParticipantId subject, Role role) {
+  Command c = command(by, CommandKind::set_role, 50);
+  c.subject = subject;
+  c.role = role;
+  return c;
+}
+
+Role role_of(const Room& room, ParticipantId id) {
+  return room.session.roster().members().at(id).role;
+}
+
+TEST(Session, OnlyTheHostHandsOutRoles) {
+  Room room;
+  room.join(presence(1, "hana", Role::host), 1);
+  room.join(presence(2, "dora"), 2);
+  room.join(presence(3, "otto", Role::observer), 3);
+  for (const ParticipantId asker : {2, 3})
+    for (const Role role : {Role::observer, Role::dissector, Role::host}) {
+      room.feed({from(asker, set_role(asker, asker, role))});
+      EXPECT_FALSE(room.results.back().accepted);
+      EXPECT_NE(room.results.back().reason.find("only the host"), std::string::npos);
+    }
+  EXPECT_EQ(role_of(room, 2), Role::dissector);
+  EXPECT_EQ(role_of(room, 3), Role::observer);
+  room.feed({from(1, set_role(1, 99, Role::dissector))});
+  EXPECT_FALSE(room.results.back().accepted);
+  room.feed({from(1, set_role(1, 1, Role::observer))});  // who would hand out roles then?
+  EXPECT_FALSE(room.results.back().accepted);
+  EXPECT_EQ(role_of(room, 1), Role::host);
+}
+
+TEST(Session, AnObserverThatIsMadeADissectorHasHands) {
+  Room room;
+  room.join(presence(1, "hana", Role::host), 1);
+  room.join(presence(2, "otto", Role::observer), 2);
+  EXPECT_TRUE(room.feed({from(2, input(2, 1))}).input.targets.empty());
+  EXPECT_EQ(room.feed({from(1, set_role(1, 2, Role::dissector)), from(2, input(2, 2))}).input.targets.size(),
+            1u);
+  EXPECT_TRUE(room.results.back().accepted);
+  EXPECT_EQ(room.session.roster().observers(), 0u);
+  const std::vector<SessionEvent> events = room.session.take_events();
+  ASSERT_FALSE(events.empty());
+  EXPECT_EQ(events.back().kind, SessionEvent::Kind::role);
+  EXPECT_EQ(events.back().detail, "dissector");
+}
+
+TEST(Session, ADissectorThatIsMadeAnObserverLosesItsHands) {
+  Room room;
+  room.join(presence(1, "hana", Role::host), 1);
+  room.join(presence(2, "dora"), 2);
+  room.feed({from(2, input(2, 1))});
+  const ConsumedInput in = room.feed({from(2, command(2, CommandKind::grasp, 9)), from(2, input(2, 2)),
+                                      from(1, set_role(1, 2, Role::observer)), from(2, input(2, 3))});
+  ASSERT_EQ(in.input.events.size(), 1u);
+  EXPECT_EQ(in.input.events[0].kind, HandEvent::Kind::vanish);
+  EXPECT_EQ(in.input.events[0].participant, 2u);
+  EXPECT_TRUE(in.input.targets.empty());
+  EXPECT_TRUE(room.feed({from(2, input(2, 4))}).input.targets.empty());
+  EXPECT_EQ(room.session.roster().observers(), 1u);
+}
+
+TEST(Session, HandingOverTheHostsRoleMakesADissector) {
+  Room room;
+  room.join(presence(1, "hana", Role::host), 1);
+  room.join(presence(2, "dora"), 2);
+  room.feed({from(1, set_role(1, 2, Role::host))});
+  EXPECT_EQ(role_of(room, 1), Role::dissector);
+  EXPECT_EQ(role_of(room, 2), Role::host);
+  room.feed({from(1, set_role(1, 1, Role::host))});  // not to be taken back
+  EXPECT_FALSE(room.results.back().accepted);
+  EXPECT_EQ(role_of(room, 2), Role::host);
+}
+
+TEST(Session, RolesRespectThePlacesForObservers) {
+  Room room;
+  room.join(presence(1, "hana", Role::host), 1);
+  room.join(presence(2, "a", Role::observer), 2);
+  room.join(presence(3, "b", Role::observer), 3);
+  room.join(presence(4, "dora"), 4);
+  room.feed({from(1, set_role(1, 4, Role::observer))});
+  EXPECT_FALSE(room.results.back().accepted);
+  EXPECT_NE(room.results.back().reason.find("observer"), std::string::npos);
+  EXPECT_EQ(role_of(room, 4), Role::dissector);
+}
+
+TEST(Session, WhatIsAskedOfPartsIsAnsweredByTheStep) {
+  Room room;
+  room.join(presence(1, "ada"), 1);
+  room.join(presence(2, "eve", Role::observer), 2);
+  Command detach = command(1, CommandKind::detach, 20), attach = command(1, CommandKind::attach, 21);
+  detach.body = attach.body = 2;
+  Command beyond = command(1, CommandKind::inspect, 22);
+  beyond.body = 3;
+  Command by_observer = command(2, CommandKind::detach, 23);
+  const ConsumedInput in = room.session.consume(
+      std::vector<Received>{from(1, detach), from(1, beyond), from(1, attach), from(2, by_observer)},
+      ++room.tick);
+  ASSERT_EQ(in.input.parts.size(), 2u);
+  EXPECT_EQ(in.input.parts[0].kind, PartEvent::Kind::detach);
+  EXPECT_EQ(in.input.parts[1].kind, PartEvent::Kind::attach);
+  StepReport report;
+  report.part_answers = {"", "too far"};
+  room.session.finish_tick({}, report);
+  std::map<std::uint64_t, CommandResult> answers;
+  for (const Outgoing& o : room.session.take_outgoing())
+    if (const auto* r = std::get_if<CommandResult>(&o.message)) answers[r->sequence] = *r;
+  EXPECT_TRUE(answers.at(20).accepted);
+  EXPECT_EQ(answers.at(21).reason, "too far");
+  EXPECT_FALSE(answers.at(22).accepted);
+  EXPECT_FALSE(answers.at(23).accepted);
 }
 
 TEST(Session, CommandsAreAnsweredAndChecked) {

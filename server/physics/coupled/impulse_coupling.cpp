@@ -80,7 +80,7 @@ class Coupling {
       for (std::size_t c = 0; c < contacts_.size(); ++c) contacts_[c].gap = gap(c, 0);
       for (std::size_t m = 0; m < island_.soft.size(); ++m) {
         SoftMember& member = island_.soft[m];
-        const bool falls = member.body->desc().gravity;
+        const bool falls = member.body->falls();
         if (tick_.substepped[m])
           member.body->substepper()->step(hs, falls ? tick_.gravity : Vec3::Zero(), *member.state);
       }

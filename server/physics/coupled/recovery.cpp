@@ -56,7 +56,7 @@ bool falsely_turned(const SoftMember& s) {
 
 /// A free body goes back under a law for small rotations as it rests under it: nothing would turn it there.
 double turn_allowed(const SoftBody& body, const SoftBodyState& state) {
-  return state.recovering && body.attachment_stiffness().isZero() ? false_turn : most_turn;
+  return state.recovering && !body.attached() ? false_turn : most_turn;
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ class Tick {
     const SoftMember& member = island_.soft[m];
     const VecX& x = member.state->motion.x;
     double fallen = 0;
-    if (member.body->desc().gravity)
+    if (member.body->falls())
       for (Eigen::Index i = 0; i < member.body->nodes(); ++i)
         fallen += member.body->node_mass()[i] *
                   gravity_.dot(x.segment<3>(3 * i) - start_[m].motion.x.segment<3>(3 * i));

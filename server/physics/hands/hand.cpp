@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "common/hand.h"
 
 namespace prosector {
 namespace {
 
-constexpr double lever = 0.05;         // m: turns the coupling's stiffness into an angular one
-constexpr double grip_radius = 0.04;   // m: distance of the pinned points from the hand's centre
-constexpr double grip_stiffness = 10;  // times the held mass over h²
-constexpr double max_turn = 0.5;       // rad in one tick
+constexpr double lever = 0.05;          // m: turns the coupling's stiffness into an angular one
+constexpr double patch_radius = 0.015;  // m, of a digit's grip
+constexpr double grip_force = 4;        // times the coupling's bound: a rigid hold tears, it doesn't stretch
+constexpr double grip_stiffness = 10;   // times the held mass over h²
+constexpr double max_turn = 0.5;        // rad in one tick
 
 Vec3 clamped(const Vec3& v, double limit) {
   const double length = v.norm();
@@ -51,22 +53,28 @@ std::vector<Feeler> feelers(const Hand& hand, const HandModel& model, const Pose
   const double thickness = palm.half_extents.y();
   for (const double x : {-0.7, 0.0, 0.7})
     for (const double z : {-0.7, 0.0, 0.7})
-      out.push_back({centre * Vec3(x * palm.half_extents.x(), 0, z * palm.half_extents.z()), thickness});
+      out.push_back({centre * Vec3(x * palm.half_extents.x(), 0, z * palm.half_extents.z()), thickness, 0});
   const auto poses = hand_part_poses(hand.side, hand.flexion, model.center);
   for (const HandSegment& s : hand_segments(hand.side))
     for (const double end : {-0.5, 0.5})
-      out.push_back({centre * (poses[s.joint + 1] * Vec3(0, end * s.length, 0)), s.radius});
+      out.push_back({centre * (poses[s.joint + 1] * Vec3(0, end * s.length, 0)), s.radius, s.joint + 1});
   return out;
 }
 
 Hold hold_rigid(BodyId body, double body_mass, const HandDesc& desc, const Pose& hand_centre,
-                const Pose& body_centre, double h) {
-  Hold hold{body, {}};
-  const Pose hand_in_body = body_centre.inverse() * hand_centre;
-  for (const Vec3& corner : {Vec3(1, 1, 1), Vec3(1, -1, -1), Vec3(-1, 1, -1), Vec3(-1, -1, 1)}) {
-    const Vec3 in_hand = grip_radius / std::sqrt(3.0) * corner;
-    hold.points.push_back(
-        {in_hand, hand_in_body * in_hand, 0, grip_stiffness * body_mass / (4 * h * h), desc.max_force});
+                const Pose& body_centre, std::span<const Touch> touches, double h) {
+  Hold hold;
+  hold.body = body;
+  const Pose to_hand = hand_centre.inverse(), to_body = body_centre.inverse();
+  const double share = 1 / (3.0 * static_cast<double>(touches.size()));
+  for (const Touch& touch : touches) {
+    const Quat around = Quat::FromTwoVectors(Vec3::UnitZ(), touch.normal);
+    for (int k = 0; k < 3; ++k) {
+      const double angle = 2 * std::numbers::pi / 3 * k;
+      const Vec3 at = touch.point + patch_radius * (around * Vec3(std::cos(angle), std::sin(angle), 0));
+      hold.points.push_back({to_hand * at, to_body * at, 0, share * grip_stiffness * body_mass / (h * h),
+                             share * grip_force * desc.max_force});
+    }
   }
   return hold;
 }

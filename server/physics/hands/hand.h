@@ -2,10 +2,12 @@
 // A hand while it is present: its target, its physical body, and what it holds.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "server/physics/contact/contact.h"
 #include "server/physics/coupled/island.h"
+#include "server/physics/hands/grip.h"
 #include "server/physics/model.h"
 
 namespace prosector {
@@ -21,6 +23,8 @@ struct Hold {
   };
   BodyId body = 0;
   std::vector<Point> points;
+  bool lifted = false;    // it was in the air
+  int resting_ticks = 0;  // in a row, on something else, since then
 };
 
 struct Hand {
@@ -47,11 +51,12 @@ Pull hand_pull(const Hand& hand, const HandModel& model, const HandDesc& desc, c
 struct Feeler {
   Vec3 point;
   double radius;
+  std::size_t part;  // of the hand: the palm, then the segments in joint order
 };
 std::vector<Feeler> feelers(const Hand& hand, const HandModel& model, const Pose& centre);
 
-/// Four points around the hand's centre pin a rigid body's pose to the hand's.
+/// Three points around each place that is touched pin a rigid body's pose to the hand's.
 Hold hold_rigid(BodyId body, double body_mass, const HandDesc& desc, const Pose& hand_centre,
-                const Pose& body_centre, double h);
+                const Pose& body_centre, std::span<const Touch> touches, double h);
 
 }  // namespace prosector

@@ -16,6 +16,7 @@ namespace {
 constexpr btScalar sleep_linear = 0.02F;             // m/s
 constexpr btScalar sleep_angular = 0.1F;             // rad/s
 constexpr btScalar most_quiet_while_coupled = 1.5F;  // s, below the 2 s at which Bullet puts to sleep
+constexpr btScalar lost_per_second = 0.98F;          // of the speed of what hangs balanced
 constexpr int group_body = 1, group_hand = 2, group_fixed = 4;
 
 std::size_t slot_of(const btCollisionObject* object) {
@@ -103,6 +104,8 @@ struct RigidWorld::Impl {
   struct Body {
     BulletShape shape;
     std::unique_ptr<btRigidBody> body;  // null: free slot
+    RigidSetup setup;                   // without parts
+    BodyPresence presence = BodyPresence::free;
   };
 
   btDefaultCollisionConfiguration configuration;
@@ -125,6 +128,18 @@ struct RigidWorld::Impl {
       if (b.body) world.removeRigidBody(b.body.get());
   }
   btRigidBody& at(std::size_t slot) { return *bodies[slot].body; }
+
+  /// Into the world with the masks, weight and activation of what it is now.
+  void enter(Body& b) {
+    const bool fixed = b.body->isStaticObject();
+    const int group = fixed ? group_fixed : b.setup.hand ? group_hand : group_body;
+    const int mask = fixed ? group_body | group_hand
+                           : group_body | group_fixed | (b.setup.hand ? 0 : static_cast<int>(group_hand));
+    const bool absent = b.presence == BodyPresence::absent;
+    world.addRigidBody(b.body.get(), absent ? 0 : group, absent ? 0 : mask);
+    if (!fixed && (b.setup.hand || b.setup.balanced)) b.body->setGravity(btVector3(0, 0, 0));
+    if (b.setup.hand) b.body->setActivationState(DISABLE_DEACTIVATION);
+  }
 };
 
 RigidWorld::RigidWorld(const Vec3& gravity) : impl_(std::make_unique<Impl>(gravity)) {}
@@ -150,17 +165,13 @@ std::size_t RigidWorld::add(const RigidSetup& setup, const RigidMotion& motion) 
   info.m_restitution = static_cast<btScalar>(setup.restitution);
   info.m_linearSleepingThreshold = sleep_linear;
   info.m_angularSleepingThreshold = sleep_angular;
+  if (setup.balanced) info.m_linearDamping = info.m_angularDamping = lost_per_second;
   made.body = std::make_unique<btRigidBody>(info);
   made.body->setUserIndex(static_cast<int>(slot));
-  const bool fixed = !(setup.mass > 0);
-  const int group = fixed ? group_fixed : setup.hand ? group_hand : group_body;
-  const int mask = fixed ? group_body | group_hand
-                         : group_body | group_fixed | (setup.hand ? 0 : static_cast<int>(group_hand));
-  impl_->world.addRigidBody(made.body.get(), group, mask);
-  if (setup.hand) {
-    made.body->setGravity(btVector3(0, 0, 0));
-    made.body->setActivationState(DISABLE_DEACTIVATION);
-  }
+  made.setup = setup;
+  made.setup.parts.clear();
+  made.presence = BodyPresence::free;
+  impl_->enter(made);
   set_motion(slot, motion);
   return slot;
 }
@@ -182,6 +193,26 @@ bool RigidWorld::used(std::size_t slot) const {
 }
 bool RigidWorld::dynamic(std::size_t slot) const {
   return !impl_->at(slot).isStaticObject();
+}
+
+void RigidWorld::set_presence(std::size_t slot, BodyPresence presence) {
+  Impl::Body& b = impl_->bodies[slot];
+  if (b.presence == presence) return;
+  b.presence = presence;
+  impl_->world.removeRigidBody(b.body.get());
+  const bool stays = presence != BodyPresence::free || !(b.setup.mass > 0);
+  b.body->setMassProps(stays ? 0 : static_cast<btScalar>(b.setup.mass),
+                       stays ? btVector3(0, 0, 0) : to_bullet(b.setup.inertia));
+  RigidMotion still = motion(slot);
+  still.linear_velocity = still.angular_velocity = Vec3::Zero();
+  still.asleep = false;
+  still.quiet_seconds = 0;
+  impl_->enter(b);
+  set_motion(slot, still);
+}
+
+BodyPresence RigidWorld::presence(std::size_t slot) const {
+  return impl_->bodies[slot].presence;
 }
 
 RigidMotion RigidWorld::motion(std::size_t slot) const {
@@ -277,6 +308,24 @@ std::pair<Vec3, Vec3> RigidWorld::predicted_velocity(std::size_t slot, double h)
 
 void RigidWorld::integrate(double h) {
   impl_->world.integrate(static_cast<btScalar>(h));
+}
+
+std::vector<RigidImpulse> RigidWorld::impulses(std::size_t slot) const {
+  std::vector<RigidImpulse> out;
+  for (int m = 0; m < impl_->dispatcher.getNumManifolds(); ++m) {
+    const btPersistentManifold& manifold = *impl_->dispatcher.getManifoldByIndexInternal(m);
+    const bool first = slot_of(manifold.getBody0()) == slot;
+    if (!first && slot_of(manifold.getBody1()) != slot) continue;
+    for (int i = 0; i < manifold.getNumContacts(); ++i) {
+      const btManifoldPoint& p = manifold.getContactPoint(i);
+      const btVector3 impulse = p.m_appliedImpulse * p.m_normalWorldOnB +
+                                p.m_appliedImpulseLateral1 * p.m_lateralFrictionDir1 +
+                                p.m_appliedImpulseLateral2 * p.m_lateralFrictionDir2;
+      out.push_back({from_bullet(first ? p.getPositionWorldOnA() : p.getPositionWorldOnB()),
+                     from_bullet(first ? impulse : -impulse)});
+    }
+  }
+  return out;
 }
 
 std::size_t RigidWorld::contact_count() const {

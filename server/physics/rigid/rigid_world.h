@@ -21,8 +21,12 @@ struct RigidSetup {
   Vec3 inertia = Vec3::Zero();  // kg·m², principal
   double friction = 0.5;
   double restitution = 0;
-  bool hand = false;  // no gravity, never sleeps, passes through other hands
+  bool hand = false;      // no gravity, never sleeps, passes through other hands
+  bool balanced = false;  // no gravity, and a resistance that soon stops it
 };
+
+/// How a body takes part: as its setup says, held where it is as if it were part of the room, or not at all.
+enum class BodyPresence : std::uint8_t { free, fixed, absent };
 
 struct RigidMotion {
   Pose pose;
@@ -38,6 +42,11 @@ struct RigidContact {
   Vec3 normal;            // unit, from b to a
   double gap;             // m, < 0 penetrates
   double friction;
+};
+
+/// What a contact gave a body.
+struct RigidImpulse {
+  Vec3 point, impulse;  // m, N·s; room frame
 };
 
 /// An island that Bullet left to the coupled solver.
@@ -59,6 +68,9 @@ class RigidWorld {
   std::size_t slots() const;
   bool used(std::size_t slot) const;
   bool dynamic(std::size_t slot) const;
+  /// A body that becomes fixed or absent stops.
+  void set_presence(std::size_t slot, BodyPresence presence);
+  BodyPresence presence(std::size_t slot) const;
 
   RigidMotion motion(std::size_t slot) const;
   void set_motion(std::size_t slot, const RigidMotion& motion);
@@ -86,6 +98,8 @@ class RigidWorld {
   /// Integrates poses from the velocities.
   void integrate(double h);
 
+  /// What contacts gave the body in the last solve(), friction too, if its island was not a mixed one.
+  std::vector<RigidImpulse> impulses(std::size_t slot) const;
   /// Contact points found by the last detect().
   std::size_t contact_count() const;
   /// What the next step reads: motions and the cached contact points with their warm starts.

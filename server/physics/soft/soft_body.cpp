@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "common/error.h"
@@ -65,7 +66,12 @@ struct SoftBody::Impl {
   const TimeIntegrator* stepping = nullptr;  // the one of the step begun
   BlockPattern pattern;
   SymmetricPattern symmetric;
-  VecX mass, attached;  // n kg; n N/m
+  VecX mass, ties;  // n kg; n N/m, as described
+  // A material that is s times as stiff moves as if inertia, ties and loads were 1/s of what they are: so it
+  // is computed, and what leaves this class is multiplied by s. No element knows of it.
+  double strength = 1;  // s
+  bool tied = true;
+  VecX inertia, attached;  // n kg; n N/m: those divided by s
   std::unique_ptr<Substepper> substepper;
   std::unique_ptr<SoftBody> recovery;
   std::vector<double> area;
@@ -80,7 +86,7 @@ struct SoftBody::Impl {
   SoftSystem system;
   StageElements elements;
   StiffnessDamping damping;
-  BodyHessian hessian;
+  std::optional<BodyHessian> hessian;
   NodeSum node_sum;
 
   Impl(const SoftDesc& d, Anatomy a)
@@ -90,16 +96,17 @@ struct SoftBody::Impl {
         pattern(model->connectivity()),
         symmetric(pattern),
         mass(lumped_mass(d.density, model->volume())),
-        attached(prosector::attachment_stiffness(d.attach, model->rest(), model->volume())),
+        ties(prosector::attachment_stiffness(d.attach, model->rest(), model->volume())),
+        inertia(mass),
+        attached(ties),
         area(vertex_areas(anatomy)),
         diagonal(bounding_diagonal(model->rest())),
-        system{desc, *model, pattern, symmetric, mass, attached},
+        system{desc, *model, pattern, symmetric, inertia, attached},
         elements(system, !model->turns() || desc.solver == "direct"),
         damping(system, elements),
-        hessian(system, elements),
         node_sum(node_count()) {
     named(d, [&] { return make_solver(d.solver); });  // used by whoever solves, refused here
-    substepper = named(d, [&] { return make_substepper({desc, *model, pattern, mass, attached}, anatomy); });
+    build_on_inertia();
     euler = make_integrator("implicit_euler");
     if (d.element == "tet10") eighths = divided(anatomy.tets);
     integrator = make_integrator(substepper ? "implicit_euler" : d.integrator);
@@ -108,9 +115,20 @@ struct SoftBody::Impl {
       *v = VecX::Zero(rest().size());
   }
 
+  void build_on_inertia() {
+    hessian.emplace(system, elements);
+    substepper = named(desc, [&] {
+      return make_substepper({desc, *model, pattern, inertia, attached}, anatomy);
+    });
+  }
+
   std::size_t node_count() const { return model->connectivity().nodes(); }
   const VecX& rest() const { return model->rest(); }
   const TetMesh& linear_tets() const { return eighths.tets.empty() ? anatomy.tets : eighths; }
+
+  void scale(double factor, double* vector) const {
+    if (factor != 1) Eigen::Map<VecX>(vector, rest().size()) *= factor;
+  }
 
   StageWeights weights() const {
     return {stage.alpha + desc.damping_mass / stage.dxdv, desc.damping_stiffness / stage.dxdv};
@@ -153,7 +171,26 @@ Substepper* SoftBody::substepper() const {
   return impl_->substepper.get();
 }
 const VecX& SoftBody::attachment_stiffness() const {
-  return impl_->attached;
+  return impl_->ties;
+}
+
+void SoftBody::set_in_force(double stiffness, bool attached) {
+  Impl& m = *impl_;
+  if (stiffness == m.strength && attached == m.tied) return;
+  m.strength = stiffness;
+  m.tied = attached;
+  m.inertia = m.mass / stiffness;
+  m.attached = (attached ? 1 / stiffness : 0) * m.ties;
+  m.build_on_inertia();
+  if (m.recovery) m.recovery->set_in_force(stiffness, attached);
+}
+
+bool SoftBody::attached() const {
+  return !impl_->attached.isZero();
+}
+
+bool SoftBody::falls() const {
+  return impl_->desc.gravity || !impl_->tied;
 }
 
 std::uint64_t SoftBody::content_hash() const {
@@ -184,9 +221,9 @@ void SoftBody::begin_stage(int stage_index, double h, const Vec3& gravity, const
                            bool euler) {
   Impl& m = *impl_;
   m.stepping = euler ? m.euler.get() : m.integrator.get();
-  m.stepping->begin(stage_index, h, m.desc.gravity ? gravity : Vec3::Zero(), state.motion, m.stage);
+  m.stepping->begin(stage_index, h, falls() ? gravity : Vec3::Zero(), state.motion, m.stage);
   m.x_n = state.motion.x;
-  m.hessian.begin_stage(m.x_n, m.weights());
+  m.hessian->begin_stage(m.x_n, m.weights());
   m.damping.begin_stage(m.stage.x_v);
   if (m.relaxed)
     m.model->relax_fully();
@@ -222,15 +259,15 @@ double SoftBody::energy(const Eigen::Ref<const VecX>& x) {
   const double c = m.desc.damping_mass / m.stage.dxdv, d = m.desc.damping_stiffness / m.stage.dxdv;
   const double nodal = m.node_sum([&](Eigen::Index i) {
     const auto at = [i](const auto& v) { return v.template segment<3>(3 * i); };
-    double sum = m.mass[i] * (m.stage.alpha * (at(x) - at(m.stage.y)).squaredNorm() +
-                              c * (at(x) - at(m.stage.x_v)).squaredNorm());
+    double sum = m.inertia[i] * (m.stage.alpha * (at(x) - at(m.stage.y)).squaredNorm() +
+                                 c * (at(x) - at(m.stage.x_v)).squaredNorm());
     if (m.attached[i] > 0)
       sum += m.attached[i] *
              ((at(x) - at(m.rest())).squaredNorm() + d * (at(x) - at(m.stage.x_v)).squaredNorm());
     return 0.5 * sum;
   });
   const double damping = m.system.damped() ? d * m.damping.energy() : 0;
-  return nodal + damping + m.model->energy(x.data());
+  return m.strength * (nodal + damping + m.model->energy(x.data()));
 }
 
 void SoftBody::gradient(const Eigen::Ref<const VecX>& x, Eigen::Ref<VecX> g) {
@@ -242,7 +279,7 @@ void SoftBody::gradient(const Eigen::Ref<const VecX>& x, Eigen::Ref<VecX> g) {
         for (std::size_t node = first; node < last; ++node) {
           const auto i = static_cast<Eigen::Index>(node);
           const auto at = [i](const auto& v) { return v.template segment<3>(3 * i); };
-          Vec3 sum = m.mass[i] * (m.stage.alpha * (at(x) - at(m.stage.y)) + c * (at(x) - at(m.stage.x_v)));
+          Vec3 sum = m.inertia[i] * (m.stage.alpha * (at(x) - at(m.stage.y)) + c * (at(x) - at(m.stage.x_v)));
           if (m.attached[i] > 0)
             sum += m.attached[i] * (at(x) - at(m.rest()) + d * (at(x) - at(m.stage.x_v)));
           if (m.system.damped()) sum += d * at(m.damping.forces());
@@ -250,6 +287,7 @@ void SoftBody::gradient(const Eigen::Ref<const VecX>& x, Eigen::Ref<VecX> g) {
         }
       });
   m.model->add_gradient(x.data(), g.data());
+  if (m.strength != 1) g *= m.strength;
 }
 
 bool SoftBody::tangent_is_cheap() const {
@@ -257,23 +295,33 @@ bool SoftBody::tangent_is_cheap() const {
 }
 
 void SoftBody::assemble(const Eigen::Ref<const VecX>& x) {
-  impl_->hessian.assemble(x);
+  impl_->hessian->assemble(x);
 }
 bool SoftBody::assemble_roughly(const Eigen::Ref<const VecX>& x) {
-  return impl_->hessian.assemble_roughly(x);
+  return impl_->hessian->assemble_roughly(x);
 }
 void SoftBody::multiply(const double* p, double* Hp) const {
-  impl_->hessian.multiply(p, Hp);
+  impl_->hessian->multiply(p, Hp);
+  impl_->scale(impl_->strength, Hp);
 }
 void SoftBody::diagonal(std::span<Mat3> blocks) const {
-  std::copy(impl_->hessian.diagonal().begin(), impl_->hessian.diagonal().end(), blocks.begin());
+  std::copy(impl_->hessian->diagonal().begin(), impl_->hessian->diagonal().end(), blocks.begin());
+  if (impl_->strength == 1) return;
+  for (Mat3& block : blocks) block *= impl_->strength;
 }
 void SoftBody::factor_solve(const double* r, double* z) const {
-  impl_->hessian.factor_solve(r, z);
+  impl_->hessian->factor_solve(r, z);
+  impl_->scale(1 / impl_->strength, z);
 }
 void SoftBody::multigrid_solve(std::span<const Mat3> diagonal, std::span<const Mat3> inverse, const double* r,
                                double* z) const {
-  impl_->hessian.multigrid_solve(diagonal, inverse, r, z);
+  Impl& m = *impl_;
+  if (m.strength == 1) return m.hessian->multigrid_solve(diagonal, inverse, r, z);
+  std::vector<Mat3> own(diagonal.begin(), diagonal.end()), own_inverse(inverse.begin(), inverse.end());
+  for (Mat3& block : own) block /= m.strength;
+  for (Mat3& block : own_inverse) block *= m.strength;
+  m.hessian->multigrid_solve(own, own_inverse, r, z);
+  m.scale(1 / m.strength, z);
 }
 
 void SoftBody::finish_stage(int stage_index, double h, const Eigen::Ref<const VecX>& x,
@@ -309,7 +357,7 @@ double SoftBody::elastic_energy(const Eigen::Ref<const VecX>& x) {
     return 0.5 * m.attached[i] * (x.segment<3>(3 * i) - m.rest().segment<3>(3 * i)).squaredNorm();
   });
   m.model->relax_fully();
-  return springs + m.model->energy(x.data());
+  return m.strength * (springs + m.model->energy(x.data()));
 }
 
 double SoftBody::kinetic_energy(const SoftBodyState& state) const {
@@ -321,7 +369,7 @@ double SoftBody::kinetic_energy(const SoftBodyState& state) const {
 
 double SoftBody::fall_energy(const VecX& from, const VecX& to, const Vec3& gravity) const {
   double sum = 0;
-  if (!impl_->desc.gravity) return sum;
+  if (!falls()) return sum;
   for (Eigen::Index i = 0; i < nodes(); ++i)
     sum += impl_->mass[i] * gravity.dot(to.segment<3>(3 * i) - from.segment<3>(3 * i));
   return sum;
@@ -348,6 +396,7 @@ SoftBody* SoftBody::recovery() {
     for (RegionDesc& region : desc.regions) region.fiber_stiffness = -1;
     desc.relaxation.clear();
     impl_->recovery = std::make_unique<SoftBody>(desc, Anatomy{impl_->linear_tets(), {}, {}});
+    impl_->recovery->set_in_force(impl_->strength, impl_->tied);
   }
   return impl_->recovery.get();
 }

@@ -46,10 +46,19 @@ class SoftBody {
   Substepper* substepper() const;
   std::size_t elements() const;              // that carry stress
   std::size_t dropped_elements() const;      // degenerate ones
-  const VecX& attachment_stiffness() const;  // n, N/m; 0: free
+  const VecX& attachment_stiffness() const;  // n, N/m, as described; 0: free
   std::uint64_t content_hash() const;        // connectivity, rest shape, masses: topology revision 0
 
   SoftBodyState initial_state() const;  // rest shape, at rest, asleep
+
+  // ---- What people made of it: between steps
+  /// From here on its material is `stiffness` times as stiff as described, by damping too, and it is attached
+  /// or not. Allocates when that changes.
+  void set_in_force(double stiffness, bool attached);
+  bool attached() const;  // whether something holds it now
+  /// Whether gravity acts: on what was imaged under its weight (gravity = false) only once it is taken out of
+  /// its place, where nothing carries it any more.
+  bool falls() const;
 
   // ---- One step. Caches (matrix, element batches) are members; nothing allocates after the constructor,
   // except Eigen's numeric factorisation within factor_solve.

@@ -1,0 +1,124 @@
+#include "client/app/console.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <csignal>
+#include <optional>
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t longest_line = 4096;
+
+std::string trimmed(const std::string& text) {
+  const auto begin = text.find_first_not_of(" \t\r"), end = text.find_last_not_of(" \t\r");
+  return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
+}
+
+/// The last word is split off.
+std::pair<std::string, std::string> split_last(const std::string& text) {
+  const auto at = text.find_last_of(' ');
+  if (at == std::string::npos) return {text, ""};
+  return {trimmed(text.substr(0, at)), text.substr(at + 1)};
+}
+
+std::optional<Role> role_of(const std::string& word) {
+  if (word == "host") return Role::host;
+  if (word == "dissector") return Role::dissector;
+  if (word == "observer") return Role::observer;
+  return std::nullopt;
+}
+
+std::optional<BodyId> body_of(const SceneInfo& scene, const std::string& name) {
+  for (BodyId body = 0; body < scene.bodies.size(); ++body)
+    if (scene.bodies[body].name == name) return body;
+  return std::nullopt;
+}
+
+/// What lies at `center` stays there.
+Affine scaled_about(const Vec3& center, double scale) {
+  Affine out;
+  out.A *= scale;
+  out.p = center - scale * center;
+  return out;
+}
+
+std::variant<Command, std::string> give(const std::string& rest,
+                                        const std::map<ParticipantId, RosterEntry>& roster) {
+  const auto [name, word] = split_last(rest);
+  const auto role = role_of(word);
+  if (!role) return "give NAME ROLE: ROLE is host, dissector or observer";
+  for (const auto& [id, entry] : roster)
+    if (entry.name == name) {
+      Command out;
+      out.kind = CommandKind::set_role;
+      out.subject = id;
+      out.role = *role;
+      return out;
+    }
+  return fmt::format("nobody called \"{}\" is here", name);
+}
+
+}  // namespace
+
+std::variant<Command, std::string> parse_console_line(const std::string& line, const SceneInfo& scene,
+                                                      const std::map<ParticipantId, RosterEntry>& roster,
+                                                      const std::function<Vec3(BodyId)>& middle) {
+  const std::string text = trimmed(line);
+  const auto space = text.find(' ');
+  const std::string verb = text.substr(0, space);
+  std::string rest = space == std::string::npos ? "" : trimmed(text.substr(space));
+  static const std::map<std::string, CommandKind> verbs = {{"detach", CommandKind::detach},
+                                                           {"attach", CommandKind::attach},
+                                                           {"reset", CommandKind::reset},
+                                                           {"inspect", CommandKind::inspect},
+                                                           {"end", CommandKind::end_inspect}};
+  if (verb == "give") return give(rest, roster);
+  const auto found = verbs.find(verb);
+  if (found == verbs.end()) return std::string(console_help);
+  Command out;
+  out.kind = found->second;
+  auto body = body_of(scene, rest);
+  if (!body && out.kind == CommandKind::inspect) {
+    const auto [name, number] = split_last(rest);
+    double scale = 0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), scale);
+    if (error != std::errc() || end != number.data() + number.size() ||
+        !(scale >= 0.01 && scale <= most_shape))
+      return fmt::format("inspect PART SCALE: SCALE is from 0.01 to {}", most_shape);
+    rest = name;
+    body = body_of(scene, rest);
+    if (body) out.shape = scaled_about(middle(*body), scale);
+  }
+  if (!body) return fmt::format("the scene has no body called \"{}\"", rest);
+  out.body = *body;
+  return out;
+}
+
+// A client in the background must not be stopped because somebody types at the terminal.
+Console::Console() : open_(std::signal(SIGTTIN, SIG_IGN) != SIG_ERR) {}
+
+std::vector<std::string> Console::take() {
+  std::vector<std::string> out;
+  while (open_) {
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    if (poll(&input, 1, 0) <= 0) break;
+    char bytes[512];
+    const ssize_t got = read(STDIN_FILENO, bytes, sizeof bytes);
+    if (got <= 0 || rest_.size() > longest_line) {
+      open_ = false;
+      break;
+    }
+    rest_.append(bytes, static_cast<std::size_t>(got));
+    for (auto end = rest_.find('\n'); end != std::string::npos; end = rest_.find('\n')) {
+      if (const std::string line = trimmed(rest_.substr(0, end)); !line.empty()) out.push_back(line);
+      rest_.erase(0, end + 1);
+    }
+  }
+  return out;
+}
+
+}  // namespace prosector

@@ -1,0 +1,127 @@
+// After the step: bones that broke in it.
+
+#include <algorithm>
+
+#include "server/physics/coupled/potentials.h"
+#include "server/physics/fracture.h"
+#include "server/physics/simulation_impl.h"
+
+namespace prosector {
+
+Part Simulation::Impl::initial_part(BodyId body) const {
+  Part out;
+  out.hidden = !is_soft(body) && model.rigid[body].whole.has_value();
+  return out;
+}
+
+std::vector<Part> Simulation::Impl::initial_parts() const {
+  std::vector<Part> out;
+  for (BodyId body = 0; body < model.rigid.size() + model.soft.size(); ++body)
+    out.push_back(initial_part(body));
+  return out;
+}
+
+/// Point forces on a rigid body in this tick, besides gravity; room frame. Of contacts that the coupled
+/// solver solved, along their normals.
+std::vector<Simulation::Impl::PointForce> Simulation::Impl::forces_on(std::size_t slot) const {
+  std::vector<PointForce> out;
+  bool mixed = false;
+  for (const Island& island : islands) {
+    if (std::none_of(island.rigid.begin(), island.rigid.end(),
+                     [&](const RigidMember& r) { return r.slot == slot; }))
+      continue;
+    mixed = true;
+    const auto is_it = [&](const ContactSide& side) {
+      return side.kind == ContactSide::Kind::rigid && side.body == slot;
+    };
+    for (const Contact& c : island.contacts) {
+      if (is_it(c.a)) out.push_back({c.point, c.force * c.normal});
+      if (is_it(c.b)) out.push_back({c.point, -c.force * c.normal});
+    }
+  }
+  if (!mixed)
+    for (const RigidImpulse& i : world.impulses(slot)) out.push_back({i.point, i.impulse / model.h});
+  for (const Hand& hand : hands) {
+    if (!hand.hold || hand.hold->body != slot) continue;
+    const Pose at_hand = world.motion(hand.slot).pose, at_body = world.motion(slot).pose;
+    for (const Hold::Point& p : hand.hold->points) {
+      const Vec3 stretch = at_hand * p.in_hand - at_body * p.in_body;
+      out.push_back(
+          {at_body * p.in_body, BoundedSpring{p.stiffness, p.max_force}.secant(stretch.norm()) * stretch});
+    }
+  }
+  return out;
+}
+
+void Simulation::Impl::break_bones() {
+  for (BodyId body = 0; body < model.rigid.size(); ++body) {
+    const RigidModel& bone = model.rigid[body];
+    if (bone.fractures.empty() || !world.dynamic(body) || world.motion(body).asleep) continue;
+    if (colliders[body].parts == nullptr) continue;  // it broke off in this very tick
+    const RigidMotion now = world.motion(body);
+    const Collider& before = colliders[body];  // as the tick began
+    const Vec3 linear = (now.linear_velocity - before.linear) / model.h;
+    const Vec3 angular = (now.angular_velocity - before.angular) / model.h;
+    const auto acceleration = [&](const Vec3& center) -> Vec3 {
+      const Vec3 arm = now.pose.q * center;
+      return linear + angular.cross(arm) + now.angular_velocity.cross(now.angular_velocity.cross(arm)) -
+             model.scene.gravity;
+    };
+    const std::vector<PointForce> forces = forces_on(body);
+    double most = model.scene.rigid[body].break_force;
+    const RigidModel::Fracture* weakest = nullptr;
+    for (const RigidModel::Fracture& plane : bone.fractures) {
+      PlaneLoad load;
+      for (const PointForce& f : forces) {
+        const bool above = plane.normal.dot(now.pose.inverse() * f.point - plane.point) > 0;
+        (above ? load.above : load.below) += f.force;
+      }
+      const double force = force_through(plane, bone.setup.mass, acceleration(plane.center_above),
+                                         acceleration(plane.center_below), load)
+                               .norm();
+      if (force <= most) continue;
+      most = force;
+      weakest = &plane;
+    }
+    if (weakest != nullptr) break_at(body, *weakest, most);
+  }
+}
+
+/// The pieces go on with the whole's motion, so its momentum and angular momentum are theirs.
+void Simulation::Impl::break_at(BodyId body, const RigidModel::Fracture& plane, double force) {
+  const RigidMotion whole = world.motion(body);
+  const Pose frame = whole.pose * model.rigid[body].center.inverse();
+  for (const std::size_t piece : {plane.above, plane.below}) {
+    parts[piece] = {};
+    take_effect(world, static_cast<BodyId>(piece));
+    RigidMotion motion;
+    motion.pose = frame * model.rigid[piece].center;
+    motion.linear_velocity =
+        whole.linear_velocity + whole.angular_velocity.cross(motion.pose.p - whole.pose.p);
+    motion.angular_velocity = whole.angular_velocity;
+    world.set_motion(piece, motion);
+  }
+  for (Hand& hand : hands)
+    if (hand.hold && hand.hold->body == body) hand_over(hand, plane);
+  parts[body].hidden = true;
+  take_effect(world, body);
+  wake_everything();
+  report.broken.push_back({body, force});
+}
+
+/// A hold goes on with the piece that most of it is on.
+void Simulation::Impl::hand_over(Hand& hand, const RigidModel::Fracture& plane) {
+  Hold& hold = *hand.hold;
+  const auto above = std::count_if(hold.points.begin(), hold.points.end(), [&](const Hold::Point& p) {
+    return plane.normal.dot(p.in_body - plane.point) > 0;
+  });
+  const std::size_t piece =
+      2 * above >= static_cast<std::ptrdiff_t>(hold.points.size()) ? plane.above : plane.below;
+  const Pose to_piece = world.motion(piece).pose.inverse() * world.motion(hold.body).pose;
+  for (Hold::Point& p : hold.points) p.in_body = to_piece * p.in_body;
+  world.set_collides(hand.slot, hold.body, true);
+  world.set_collides(hand.slot, piece, false);
+  hold.body = static_cast<BodyId>(piece);
+}
+
+}  // namespace prosector

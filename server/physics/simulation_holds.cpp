@@ -1,0 +1,156 @@
+// What hands hold: how it comes to be, and how it ends without being let go: torn, or set down.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "server/physics/coupled/potentials.h"
+#include "server/physics/simulation_impl.h"
+
+namespace prosector {
+namespace {
+
+// Set down is what was in the air and is carried by something else now, while the hand gives next to nothing.
+constexpr double in_the_air = 0.3, on_something = 0.7;  // of its weight, carried by others than hands
+constexpr double given_up = 0.3;                        // of its weight, carried or pulled by the hand
+constexpr double resting_speed = 0.05;                  // m/s
+constexpr double resting_seconds = 0.25;
+
+}  // namespace
+
+std::vector<Touch> Simulation::Impl::touches_of_rigid(const Hand& hand, BodyId body) const {
+  std::vector<Touch> out;
+  for (const Feeler& f : feelers(hand, model.hands[hand.side], world.motion(hand.slot).pose)) {
+    const Distance d = distance_to(colliders[body], f.point, grasp_reach_rigid + f.radius);
+    if (d.value - f.radius < grasp_reach_rigid)
+      out.push_back({f.part, f.point - d.value * d.normal, d.normal, d.value - f.radius, 0});
+  }
+  return out;
+}
+
+std::vector<Touch> Simulation::Impl::touches_of_soft(const Hand& hand, std::size_t body) const {
+  const auto points = feelers(hand, model.hands[hand.side], world.motion(hand.slot).pose);
+  std::vector<Touch> out;
+  surfaces[body].near(colliders[hand.slot], grasp_reach_soft, [&](std::uint32_t vertex, const Distance& d) {
+    const Vec3& x = surfaces[body].positions()[vertex];
+    const auto gap = [&](const Feeler& f) { return (x - f.point).norm() - f.radius; };
+    const auto nearest = std::min_element(points.begin(), points.end(),
+                                          [&](const Feeler& a, const Feeler& b) { return gap(a) < gap(b); });
+    out.push_back({nearest->part, x, -d.normal, d.value, vertex});
+  });
+  return out;
+}
+
+std::optional<Hold> Simulation::Impl::reach_rigid(const Hand& hand) const {
+  std::optional<BodyId> best;
+  std::vector<Touch> best_touches;
+  double least = grasp_reach_rigid;
+  for (BodyId body = 0; body < model.rigid.size(); ++body) {
+    if (!world.dynamic(body)) continue;
+    std::vector<Touch> touches = holding_touches(touches_of_rigid(hand, body));
+    for (const Touch& touch : touches)
+      if (touch.gap < least) {
+        least = touch.gap;
+        best = body;
+      }
+    if (best == body) best_touches = std::move(touches);
+  }
+  if (!best) return std::nullopt;
+  return hold_rigid(*best, model.rigid[*best].setup.mass, model.scene.hand, world.motion(hand.slot).pose,
+                    world.motion(*best).pose, nearest_of_each_digit(best_touches), model.h);
+}
+
+std::optional<Hold> Simulation::Impl::reach_soft(const Hand& hand) {
+  std::optional<std::size_t> best;
+  std::vector<Touch> best_touches;
+  double least = grasp_reach_soft;
+  for (std::size_t body = 0; body < soft.size(); ++body) {
+    if (parts[soft_id(body)].out_of_touch()) continue;
+    std::vector<Touch> touches = holding_touches(touches_of_soft(hand, body));
+    for (const Touch& touch : touches)
+      if (touch.gap < least) {
+        least = touch.gap;
+        best = body;
+      }
+    if (best == body) best_touches = std::move(touches);
+  }
+  if (!best) return std::nullopt;
+  std::sort(best_touches.begin(), best_touches.end(), [](const Touch& a, const Touch& b) {
+    return std::pair(a.gap, a.vertex) < std::pair(b.gap, b.vertex);
+  });
+  best_touches.resize(std::min(best_touches.size(), max_hold_points));
+  Hold hold;
+  hold.body = soft_id(*best);
+  const Pose to_hand = world.motion(hand.slot).pose.inverse();
+  for (const Touch& touch : best_touches)
+    hold.points.push_back({to_hand * touch.point, Vec3::Zero(), touch.vertex,
+                           model.contact_stiffness(*best, touch.vertex),
+                           model.scene.hand.max_force / static_cast<double>(best_touches.size())});
+  return hold;
+}
+
+/// N, on the held body.
+Vec3 Simulation::Impl::hold_force(const Hand& hand) const {
+  Vec3 sum = Vec3::Zero();
+  const Pose centre = world.motion(hand.slot).pose;
+  for (const Hold::Point& p : hand.hold->points) {
+    const Vec3 at_body = is_soft(hand.hold->body)
+                             ? surfaces[soft_index(hand.hold->body)].positions()[p.vertex]
+                             : world.motion(hand.hold->body).pose * p.in_body;
+    const Vec3 stretch = centre * p.in_hand - at_body;
+    sum += BoundedSpring{p.stiffness, p.max_force}.secant(stretch.norm()) * stretch;
+  }
+  return sum;
+}
+
+/// N: what everything but hands did to the body in this tick, along contacts' normals.
+Vec3 Simulation::Impl::support(BodyId body) const {
+  Vec3 sum = Vec3::Zero();
+  const auto is_it = [&](const ContactSide& side) {
+    return side.kind == ContactSide::Kind::soft ? soft_id(side.body) == body : side.body == body;
+  };
+  const auto is_hand = [&](const ContactSide& side) {
+    return side.kind != ContactSide::Kind::soft && hand_at(side.body) != nullptr;
+  };
+  for (const Island& island : islands)
+    for (const Contact& c : island.contacts) {
+      if (is_it(c.a) && !is_hand(c.b)) sum += c.force * c.normal;
+      if (is_it(c.b) && !is_hand(c.a)) sum -= c.force * c.normal;
+    }
+  return sum;
+}
+
+/// After the step. Takes note in the hold of what it needs to know next time.
+bool Simulation::Impl::was_set_down(Hand& hand, const Vec3& force) {
+  Hold& hold = *hand.hold;
+  const bool tissue = is_soft(hold.body);
+  const std::size_t i = tissue ? soft_index(hold.body) : 0;
+  if (tissue ? model.soft[i]->attached() || !model.soft[i]->falls() : model.rigid[hold.body].setup.balanced)
+    return false;
+  const double mass = tissue ? model.soft[i]->total_mass() : model.rigid[hold.body].setup.mass;
+  const double weight = mass * model.scene.gravity.norm();
+  if (!(weight > 0)) return false;
+  const Vec3 up = -model.scene.gravity.normalized();
+  const double carried = support(hold.body).dot(up) / weight;
+  if (carried < in_the_air) hold.lifted = true;
+  const double given = force.dot(up) / weight;
+  const double pulled = (force - force.dot(up) * up).norm() / weight;
+  const double speed =
+      tissue ? soft[i].motion.v.lpNorm<Eigen::Infinity>() : world.motion(hold.body).linear_velocity.norm();
+  const bool rests = carried > on_something && given < given_up && pulled < given_up && speed < resting_speed;
+  hold.resting_ticks = hold.lifted && rests ? hold.resting_ticks + 1 : 0;
+  return hold.resting_ticks * model.h >= resting_seconds;
+}
+
+void Simulation::Impl::tend_holds() {
+  for (Hand& hand : hands) {
+    if (!hand.hold) continue;
+    const Vec3 force = hold_force(hand);
+    if (force.norm() > model.scene.hand.tear_force)
+      release(hand, fmt::format("{} was torn away by {:.0f} N", name_of(hand.hold->body), force.norm()));
+    else if (was_set_down(hand, force))
+      release(hand, fmt::format("{} was set down", name_of(hand.hold->body)));
+  }
+}
+
+}  // namespace prosector
