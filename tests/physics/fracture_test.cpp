@@ -36,8 +36,8 @@ TickInput hands(double apart, std::optional<HandEvent::Kind> event = {}) {
   return out;
 }
 
-/// Grasps both ends and pulls, slowly, until each hand pulls with `newton`. Whether it broke, and the force
-/// that was reported.
+/// Grasps both ends and pulls, ever more, until a hand's coupling pulls with `newton` or the bone breaks. The
+/// force that was reported then.
 std::optional<double> pull(Simulation& simulation, double newton) {
   std::optional<double> broke;
   const auto step = [&](const TickInput& input) {
@@ -46,8 +46,13 @@ std::optional<double> pull(Simulation& simulation, double newton) {
   step(hands(0, HandEvent::Kind::appear));
   step(hands(0, HandEvent::Kind::grasp));
   EXPECT_TRUE(simulation.hands()[0].holding && simulation.hands()[1].holding);
-  const double stiffness = HandDesc().stiffness;
-  for (int i = 0; i <= 120 && !broke; ++i) step(hands(newton / stiffness * std::min(1.0, i / 60.0)));
+  double pulled = 0;
+  for (int i = 0; i < 2000 && !broke && pulled < newton; ++i) {
+    const TickInput input = hands(2e-5 * i);
+    step(input);
+    pulled = HandDesc().stiffness * (input.targets[1].target.p - simulation.hands()[1].pose.p).norm();
+  }
+  EXPECT_TRUE(broke || pulled >= newton);
   return broke;
 }
 
