@@ -88,15 +88,19 @@ void set_frame(const ShaderProgram& program, const DrawList& list, const DrawCam
   set_lights(program, list.lights);
 }
 
+/// Normals go with the inverse's transpose; a shape without volume has none.
+Affine normal_map(const DrawItem& item) {
+  const Mat3 linear = item.shape.A * item.pose.q.toRotationMatrix();
+  Affine out;
+  out.A = item.shape.A.isIdentity(0) || std::abs(linear.determinant()) < 1e-12
+              ? Mat3(item.pose.q.toRotationMatrix())
+              : Mat3(linear.inverse().transpose());
+  return out;
+}
+
 void set_item(const ShaderProgram& program, const DrawItem& item) {
   program.set("room_from_mesh", matrix_of(item));
-  // Normals go with the inverse's transpose; a shape without volume has none.
-  const Mat3 linear = item.shape.A * item.pose.q.toRotationMatrix();
-  Affine of_normals;
-  of_normals.A = item.shape.A.isIdentity(0) || std::abs(linear.determinant()) < 1e-12
-                     ? Mat3(item.pose.q.toRotationMatrix())
-                     : Mat3(linear.inverse().transpose());
-  program.set("room_from_normal", matrix_of(of_normals));
+  program.set("room_from_normal", matrix_of(normal_map(item)));
   program.set("base_color", item.appearance.color);
   program.set("base_roughness", item.appearance.roughness);
   program.set("wetness", item.appearance.wetness);
@@ -150,8 +154,17 @@ const ShaderProgram& MainPass::ready(const QueuedItem& queued, Frame& frame) {
 }
 
 void MainPass::draw_solid(const QueuedItem& queued, Frame& frame) {
-  ready(queued, frame);
+  const ShaderProgram& program = ready(queued, frame);
+  const DrawItem& item = *queued.item;
+  const bool mirrored = item.shape.A.determinant() < 0;
+  if (mirrored) gl_.CullFace(GL_FRONT);
   frame.meshes.draw(queued.mesh);
+  if (item.seen_from_inside) {
+    program.set("room_from_normal", Eigen::Matrix4d(-matrix_of(normal_map(item))));
+    gl_.CullFace(mirrored ? GL_BACK : GL_FRONT);
+    frame.meshes.draw(queued.mesh);
+  }
+  gl_.CullFace(GL_BACK);
 }
 
 /// First its depth alone, so that of a body only the front is seen, not its inside and its back.

@@ -109,6 +109,7 @@ void SceneView::add_bodies(Replica& replica, double tick) {
     if (part != nullptr) {
       if (part->hidden) continue;
       if (part->inspected) item.shape = part->shape;
+      item.seen_from_inside = part->inspected;
       item.opacity = part->opacity;
       item.casts_shadow = part->opacity >= 1;
       // As bright as in a bright room, and more.
