@@ -49,6 +49,8 @@ Simulation::Impl::Impl(const SceneDesc& scene, const CompileOptions& options)
     surfaces.emplace_back(body->anatomy().embedding, body->anatomy().surface);
     surfaces.back().update(soft.back().motion.x.data());
   }
+  for (BodyId body = 0; body < parts.size(); ++body)
+    if (is_part(body) && !panels) panels.emplace(model.h);
   soft_contacts.resize(soft.size());
   arena.execute([&] { settle(options); });
 }
@@ -82,6 +84,7 @@ const StepReport& Simulation::step(const TickInput& input) {
     m.fall_asleep();
     m.tend_holds();
     m.break_bones();
+    m.step_panels();
     clock.end(Phase::constraints);
     m.describe();
     clock.end(Phase::report);
@@ -135,6 +138,15 @@ const Part& Simulation::part(BodyId body) const {
 bool Simulation::asleep(BodyId body) const {
   if (impl_->is_soft(body)) return soft_state(body).asleep;
   return !impl_->world.dynamic(body) || impl_->world.motion(body).asleep;
+}
+std::vector<Panel> Simulation::panels() const {
+  if (!impl_->panels) return {};
+  std::vector<Panel> out = impl_->panels->panels();
+  for (Panel& panel : out) panel.time = impl_->time;
+  return out;
+}
+double Simulation::room_lights() const {
+  return impl_->room_lights;
 }
 std::span<const HandState> Simulation::hands() const {
   return impl_->hand_states;

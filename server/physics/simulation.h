@@ -16,6 +16,7 @@
 #include "common/mesh.h"
 #include "common/messages.h"
 #include "common/scene/scene.h"
+#include "server/physics/panel/panel_event.h"
 #include "server/physics/part.h"
 #include "server/physics/step_report.h"
 
@@ -53,6 +54,8 @@ struct TickInput {
   std::vector<EffortChange> efforts;
   std::vector<HandEvent> events;
   std::vector<HandTarget> targets;  // of hands present this tick; one without a target holds its last
+  std::vector<HeadPlace> heads;     // of those that moved
+  std::vector<PanelEvent> panels;   // obeyed after `parts`
   std::vector<PartEvent> parts;     // obeyed after `events`; answered in StepReport::part_answers
 };
 
@@ -109,6 +112,8 @@ class Simulation {
   bool asleep(BodyId body) const;
   const Part& part(BodyId body) const;       // what people made of it
   std::span<const HandState> hands() const;  // canonical order
+  std::vector<Panel> panels() const;         // open ones, by participant
+  double room_lights() const;                // brightness of all lights but those that bodies carry, 0 … 1
   double max_displacement(
       BodyId soft_body) const;  // m: largest distance of a surface vertex from its equilibrium
 

@@ -66,6 +66,10 @@ void Simulation::Impl::take_inputs(const TickInput& input) {
     if (std::all_of(t.flexion.begin(), t.flexion.end(), [](double f) { return std::isfinite(f); }))
       hand->target_flexion = t.flexion;
   }
+  if (panels) {
+    for (const HeadPlace& head : input.heads) panels->take(head);
+    for (const PanelEvent& event : input.panels) panels->take(event, *this);
+  }
   for (Hand& hand : hands) {
     bend(hand);
     if (hand.hold && !is_soft(hand.hold->body)) world.wake(hand.hold->body);

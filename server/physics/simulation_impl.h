@@ -10,10 +10,11 @@
 #include "server/physics/coupled/step_island.h"
 #include "server/physics/hands/hand.h"
 #include "server/physics/model.h"
+#include "server/physics/panel/panel_world.h"
 
 namespace prosector {
 
-struct Simulation::Impl {
+struct Simulation::Impl : PanelSubjects {
   Impl(const SceneDesc& scene, const CompileOptions& options);
 
   // ---- Model
@@ -26,6 +27,9 @@ struct Simulation::Impl {
   std::vector<SoftBodyState> soft;
   std::vector<Hand> hands;  // by (participant, side)
   std::vector<Part> parts;  // by body
+
+  std::optional<PanelWorld> panels;  // of scenes with parts
+  double room_lights = 1;
 
   // ---- Of the current tick
   std::vector<SurfaceDetector> surfaces;
@@ -88,6 +92,14 @@ struct Simulation::Impl {
   void break_bones();
   void break_at(BodyId body, const RigidModel::Fracture& plane, double force);
   void hand_over(Hand& hand, const RigidModel::Fracture& plane);
+
+  // ---- Panels
+  bool has_panel(BodyId body) const override;
+  std::pair<Vec3, Vec3> box(BodyId body) const override;
+  ShownControls shown(BodyId body) const override;
+  std::vector<PanelHand> panel_hands() const;
+  void step_panels();
+  void carry_out(const PanelAction& action);
 
   // ---- Bodies
   bool is_soft(BodyId body) const { return body >= model.rigid.size(); }

@@ -165,6 +165,10 @@ void Simulation::Impl::save(ByteWriter& out) const {
     add(out, hand);
     add(out, world.motion(hand.slot));
   }
+  if (panels) {
+    panels->save(out);
+    out.add(room_lights);
+  }
   add(out, parts, initial_parts());
 }
 
@@ -195,6 +199,13 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
     in.require(std::pair(new_hands[i - 1].participant, new_hands[i - 1].side) <
                    std::pair(new_hands[i].participant, new_hands[i].side),
                "hands out of order");
+  std::optional<PanelWorld> new_panels;
+  double new_lights = 1;
+  if (panels) {
+    new_panels.emplace(model.h).load(in, parts.size());
+    new_lights = in.number<double>();
+    in.require(new_lights >= 0 && new_lights <= 1, "a brightness beyond 0 to 1");
+  }
   std::vector<Part> new_parts = read_parts(in, initial_parts());
   in.require(in.done(), "more than a checkpoint holds");
   time = new_time;
@@ -202,6 +213,8 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
   soft = std::move(new_soft);
   hands = std::move(new_hands);
   parts = std::move(new_parts);
+  panels = std::move(new_panels);
+  room_lights = new_lights;
   for (BodyId body = 0; body < parts.size(); ++body) take_effect(world, body);
   for (std::size_t i = 0; i < soft.size(); ++i) surfaces[i].update(soft[i].motion.x.data());
 }

@@ -52,7 +52,8 @@ std::size_t get_hand(Reader& in) {
 std::vector<std::uint8_t> encode_input(const ConsumedInput& input) {
   std::vector<std::uint8_t> out;
   if (input.keys.empty() && input.input.efforts.empty() && input.input.events.empty() &&
-      input.input.parts.empty() && input.input.targets.empty())
+      input.input.parts.empty() && input.input.targets.empty() && input.input.panels.empty() &&
+      input.input.heads.empty())
     return out;
   out.reserve(16 + 5 * input.input.efforts.size() + 16 * input.keys.size() + 16 * input.input.events.size() +
               120 * input.input.parts.size() + 112 * input.input.targets.size());
@@ -89,6 +90,19 @@ std::vector<std::uint8_t> encode_input(const ConsumedInput& input) {
     for (int k = 0; k < 3; ++k) put(out, t.target.p[k]);
     for (int k = 0; k < 4; ++k) put(out, t.target.q.coeffs()[k]);
     for (double f : t.flexion) put(out, f);
+  }
+  put(out, static_cast<std::uint32_t>(input.input.heads.size()));
+  for (const HeadPlace& head : input.input.heads) {
+    put(out, head.participant);
+    for (int k = 0; k < 3; ++k) put(out, head.at[k]);
+  }
+  put(out, static_cast<std::uint32_t>(input.input.panels.size()));
+  for (const PanelEvent& e : input.input.panels) {
+    put(out, e.kind);
+    put(out, e.participant);
+    put(out, e.body);
+    put(out, e.control);
+    put(out, e.value);
   }
   return out;
 }
@@ -135,6 +149,20 @@ ConsumedInput decode_input(std::span<const std::uint8_t> bytes) {
     for (int k = 0; k < 4; ++k) t.target.q.coeffs()[k] = in.get<double>();
     for (double& f : t.flexion) f = in.get<double>();
     if (!is_finite(t.target)) throw InputError("journal: a pose is not finite");
+  }
+  out.input.heads.resize(in.count());
+  for (HeadPlace& head : out.input.heads) {
+    head.participant = in.get<ParticipantId>();
+    for (int k = 0; k < 3; ++k) head.at[k] = in.get<double>();
+  }
+  out.input.panels.resize(in.count());
+  for (PanelEvent& e : out.input.panels) {
+    e.kind = in.get<PanelEvent::Kind>();
+    if (e.kind > last_panel_event) throw InputError("journal: no such event of a panel");
+    e.participant = in.get<ParticipantId>();
+    e.body = in.get<BodyId>();
+    e.control = in.get<PanelControl>();
+    e.value = in.get<double>();
   }
   in.end();
   return out;

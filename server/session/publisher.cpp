@@ -107,6 +107,9 @@ void Publisher::send(const Snapshot& snapshot) {
   for (const RigidSnapshot& r : snapshot.rigid)
     rigid_.at(r.body).update(r.state, snapshot.time, newcomer_, out);
   for (const SoftSnapshot& s : snapshot.soft) soft_.at(s.body).update(s, snapshot.time, newcomer_, out);
+  std::vector<Message> ended;
+  panels_.update(snapshot, out, ended);
+  for (const Message& m : ended) bus_.dispose(m);
   if (snapshot.status) out.push_back(*snapshot.status);
   newcomer_ = false;
   for (const Message& m : out) publish(m);

@@ -15,6 +15,7 @@
 
 #include "idl/bus.h"
 #include "server/session/hand_sender.h"
+#include "server/session/panel_sender.h"
 #include "server/session/rigid_sender.h"
 #include "server/session/scene_content.h"
 #include "server/session/session.h"
@@ -51,6 +52,7 @@ class Publisher {
   std::map<BodyId, RigidSender> rigid_;
   std::map<BodyId, SoftSender> soft_;
   HandSender hands_;
+  PanelSender panels_;
   bool newcomer_ = false;
 
   mutable std::mutex mutex_;

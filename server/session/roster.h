@@ -18,6 +18,7 @@ struct SessionRules {
   int observers = 16;  // of them observers, at most
   std::uint64_t input_timeout = 30;
   std::uint64_t presence_timeout = 120;  // ticks that a join waits for its Presence
+  std::vector<bool> parts;               // by body, whether it is a part of the anatomy
   std::size_t bodies = 0;                // BodyId below this exist
 };
 

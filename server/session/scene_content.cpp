@@ -6,6 +6,7 @@
 
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
+#include "server/session/collision_model.h"
 
 namespace prosector {
 namespace {
@@ -26,6 +27,7 @@ SceneBody describe(const Simulation& simulation, const Desc& desc, BodyKind kind
   body.pose = kind == BodyKind::rigid ? desc.pose : Pose{};
   body.appearance = desc.appearance;
   body.part = desc.part;
+  body.fidelity = collision_fidelity(desc.collision);
   return body;
 }
 
@@ -63,6 +65,9 @@ SceneContent make_scene_content(const Simulation& simulation, const std::vector<
                            : describe(simulation, desc.soft[b - desc.rigid.size()], BodyKind::soft);
     body.moves = !rigid || !desc.rigid[b].fixed;
     body.mesh = keep(encode(simulation.surface(b)));
+    if (rigid)
+      if (const auto outline = collision_outline(desc.rigid[b], simulation.surface(b)))
+        body.outline = keep(encode(*outline));
     out.triangles += simulation.surface(b).triangles.size();
     if (!rigid) {
       const SoftDesc& description = desc.soft[b - desc.rigid.size()];

@@ -81,6 +81,8 @@ SessionRules rules_of(const SceneDesc& scene, const std::string& session, std::s
   rules.input_timeout = static_cast<std::uint64_t>(std::ceil(scene.session.input_timeout * scene.tick_rate));
   rules.presence_timeout = static_cast<std::uint64_t>(std::ceil(presence_timeout * scene.tick_rate));
   rules.bodies = bodies;
+  for (const RigidDesc& rigid : scene.rigid) rules.parts.push_back(rigid.part);
+  for (const SoftDesc& soft : scene.soft) rules.parts.push_back(soft.part);
   return rules;
 }
 
@@ -99,6 +101,7 @@ ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& sess
       state_hash_(simulation.state_hash()),
       publisher_(bus, info_of(simulation, session), content_) {
   session_.vanish(simulation.hands());  // of a state that was restored
+  session_.see_panels(simulation.panels());
   last_snapshot_ = take_snapshot(simulation_, session_, nullptr);
   publisher_.offer(last_snapshot_);
 }
@@ -110,6 +113,7 @@ void ServerLoop::tick() {
   input.input.efforts.swap(efforts_);
   const StepReport& report = simulation_.step(input.input);
   session_.finish_tick(simulation_.hands(), report);
+  session_.see_panels(simulation_.panels());
 
   const bool checkpoint = simulation_.time().tick % checkpoint_ticks == 0;
   std::vector<std::uint8_t> saved;

@@ -45,7 +45,7 @@ std::optional<PartEvent::Kind> part_kind(CommandKind kind) {
 
 }  // namespace
 
-Session::Session(const SessionRules& rules) : rules_(rules), roster_(rules) {}
+Session::Session(const SessionRules& rules) : rules_(rules), roster_(rules), panels_(rules.parts) {}
 
 ConsumedInput Session::consume(std::span<const Received> received, std::uint64_t tick) {
   tick_ = tick;
@@ -60,6 +60,11 @@ ConsumedInput Session::consume(std::span<const Received> received, std::uint64_t
   });
   out.input.events.swap(vanishing_);
   for (auto& [id, seat] : seats_) consume_seat(id, seat, out);
+  const auto may_touch = [&](ParticipantId id) {
+    const Participant* member = roster_.find(id);
+    return member != nullptr && member->role != Role::observer;
+  };
+  panels_.consume(may_touch, out.input);
   forget_visitors();
   return out;
 }
@@ -157,6 +162,7 @@ void Session::obey(const Command& command, const Participant& member, Seat& seat
     return answer(command, "an observer changes nothing: join as a dissector");
   }
   if (part_kind(command.kind)) return ask_part(command, seat);
+  if (is_panel_command(command.kind)) return answer(command, panels_.take(command));
   if (command.kind == CommandKind::reset) {
     if (command.body >= rules_.bodies)
       return answer(command, fmt::format("no body {}: the scene has {}", command.body, rules_.bodies));
@@ -281,7 +287,10 @@ void Session::consume_seat(ParticipantId id, Seat& seat, ConsumedInput& out) {
                          h == left_hand ? "left hand" : "right hand"});
     }
   }
-  if (seat.fresh) out.keys.push_back({id, seat.input->sequence});
+  if (seat.fresh) {
+    out.keys.push_back({id, seat.input->sequence});
+    panels_.see(id, *seat.input, seat.hands[left_hand].present || seat.hands[right_hand].present);
+  }
   seat.fresh = false;
   for (const HandEvent& e : seat.asked)
     if (e.kind == HandEvent::Kind::reset_body || seat.hands[e.hand].present) out.input.events.push_back(e);

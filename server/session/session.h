@@ -16,6 +16,7 @@
 
 #include "idl/bus.h"
 #include "server/physics/simulation.h"
+#include "server/session/panel_inputs.h"
 #include "server/session/roster.h"
 
 namespace prosector {
@@ -54,6 +55,9 @@ class Session {
   ConsumedInput consume(std::span<const Received> received, std::uint64_t tick);
   /// After the step: grasps are answered by what the hands hold now, what was asked of parts by `report`.
   void finish_tick(std::span<const HandState> hands, const StepReport& report = {});
+
+  /// Likewise: whose panels are open. Those that nobody here may work close at the next tick.
+  void see_panels(std::span<const Panel> panels) { panels_.finish_tick(panels); }
 
   /// Lets go, at the next tick, of hands that nobody here owns: those in a state that was restored.
   void vanish(std::span<const HandState> hands);
@@ -102,6 +106,7 @@ class Session {
   std::map<ParticipantId, Visitor> visitors_;
   std::vector<HandEvent> vanishing_;
   std::vector<Command> stepping_;  // whose part events the step of this tick obeys, in their order
+  PanelInputs panels_;
   std::vector<Outgoing> outgoing_;
   std::vector<SessionEvent> events_;
   std::map<std::string, std::uint64_t> dropped_;

@@ -61,6 +61,8 @@ std::shared_ptr<Snapshot> take_snapshot(const Simulation& simulation, const Sess
     else if (!simulation.scene().rigid[b].fixed)
       out->rigid.push_back({b, simulation.rigid_state(b)});
   }
+  out->panels = simulation.panels();
+  out->lights = simulation.room_lights();
   out->users = take_users(simulation, session);
   for (const HandState& hand : simulation.hands()) {
     out->contacts.push_back(hand.contact);

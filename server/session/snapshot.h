@@ -30,6 +30,8 @@ struct Snapshot {
   std::vector<SoftSnapshot> soft;
   std::vector<UserState> users;
   std::vector<ContactSample> contacts;
+  std::vector<Panel> panels;  // open ones
+  double lights = 1;          // the room's
   std::optional<ServerStatus> status;
 };
 

@@ -67,9 +67,10 @@ struct Guest {
 };
 
 struct Hosted {
-  explicit Hosted(const LocalNetworkConfig& network_config = {}, Journal* journal = nullptr, int threads = 1)
+  explicit Hosted(const LocalNetworkConfig& network_config = {}, Journal* journal = nullptr, int threads = 1,
+                  const SceneDesc& scene = hosted_scene())
       : network(network_config),
-        simulation(hosted_scene(), options(threads)),
+        simulation(scene, options(threads)),
         bus(network.join(config(BusEnd::server))),
         loop(simulation, *bus, "prosector", journal,
              [this](const std::string& line) { log.push_back(line); }) {}

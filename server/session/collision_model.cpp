@@ -1,0 +1,58 @@
+#include "server/session/collision_model.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "common/primitives.h"
+#include "server/physics/collision/bounding.h"
+#include "server/physics/rigid/shape.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::array<std::string_view, 6> words = {"none", "sphere", "aabb", "obb", "hull", "mesh"};
+
+TriangleMesh outline(const SphereShape& sphere) {
+  PartDesc part;
+  part.shape = "sphere";
+  part.size = Vec3::Constant(2 * sphere.radius);
+  part.pose.p = sphere.center;
+  return mesh_of(part);
+}
+
+TriangleMesh outline(const BoxShape& box) {
+  PartDesc part;
+  part.size = 2 * box.half;
+  part.pose = box.pose;
+  return mesh_of(part);
+}
+
+}  // namespace
+
+Fidelity collision_fidelity(const std::string& word) {
+  const auto found = std::find(words.begin(), words.end(), word);
+  return found == words.end() ? Fidelity::mesh : static_cast<Fidelity>(found - words.begin());
+}
+
+std::optional<TriangleMesh> collision_outline(const RigidDesc& body, const TriangleMesh& surface) {
+  if (surface.positions.empty()) return std::nullopt;
+  const Cloud cloud{surface.positions};
+  switch (collision_fidelity(body.collision)) {
+    case Fidelity::none:
+    case Fidelity::mesh:
+      return std::nullopt;
+    case Fidelity::hull:
+      if (!body.parts.empty()) return std::nullopt;  // each part is convex by itself
+      return convex_hull(surface.positions);
+    case Fidelity::sphere:
+      return outline(enclosing_sphere({&cloud, 1}));
+    case Fidelity::aabb:
+      return outline(enclosing_box_along(body.pose.q.conjugate(), {&cloud, 1}));
+    case Fidelity::obb:
+      return outline(enclosing_oriented_box({&cloud, 1}));
+  }
+  return std::nullopt;
+}
+
+}  // namespace prosector

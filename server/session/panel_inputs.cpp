@@ -1,0 +1,51 @@
+#include "server/session/panel_inputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace prosector {
+namespace {
+
+constexpr double head_step = 0.01;  // m that a head moves before it is worth telling
+
+}  // namespace
+
+std::string PanelInputs::take(const Command& command) {
+  const auto ask = [&](PanelEvent::Kind kind) {
+    asked_.push_back({kind, command.participant, command.body, command.control, command.value});
+    return std::string();
+  };
+  if (command.kind == CommandKind::open_panel) {
+    if (command.body >= parts_.size())
+      return fmt::format("no body {}: the scene has {}", command.body, parts_.size());
+    if (!parts_[command.body]) return "only parts of the anatomy have a panel";
+    return ask(PanelEvent::Kind::open);
+  }
+  const bool open = std::find(open_.begin(), open_.end(), command.participant) != open_.end();
+  if (!open) return "you have no panel open";
+  return ask(command.kind == CommandKind::close_panel ? PanelEvent::Kind::close : PanelEvent::Kind::set);
+}
+
+void PanelInputs::see(ParticipantId who, const HandInput& input, bool has_hands) {
+  if (!has_hands) told_.erase(who);  // the simulation forgets it, too
+  if (!input.head_tracked || !has_hands) return;
+  const auto [told, is_new] = told_.try_emplace(who, input.head.p);
+  if (!is_new && (input.head.p - told->second).norm() < head_step) return;
+  told->second = input.head.p;
+  heads_.push_back({who, input.head.p});
+}
+
+void PanelInputs::move_into(TickInput& out) {
+  for (const PanelEvent& event : asked_) out.panels.push_back(event);
+  asked_.clear();
+  out.heads = std::exchange(heads_, {});
+}
+
+void PanelInputs::finish_tick(std::span<const Panel> panels) {
+  open_.clear();
+  for (const Panel& panel : panels) open_.push_back(panel.participant);
+}
+
+}  // namespace prosector

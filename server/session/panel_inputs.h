@@ -1,0 +1,49 @@
+#pragma once
+// From what participants send to what panels consume in a tick: commands become events, heads that moved
+// become places, and a panel whose owner may no longer work it closes.
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "server/physics/simulation.h"
+
+namespace prosector {
+
+constexpr bool is_panel_command(CommandKind kind) {
+  return kind == CommandKind::open_panel || kind == CommandKind::close_panel ||
+         kind == CommandKind::set_control;
+}
+
+class PanelInputs {
+ public:
+  /// `parts`: by body, whether it is a part of the anatomy.
+  explicit PanelInputs(std::vector<bool> parts) : parts_(std::move(parts)) {}
+
+  /// One of the panel commands of somebody who may touch. Empty: taken; else why not, for people.
+  std::string take(const Command& command);
+  /// A participant's newest input; `has_hands` when one of its hands is in the room.
+  void see(ParticipantId who, const HandInput& input, bool has_hands);
+
+  /// Appends what this tick consumes. `may_touch(who)`: still in the session, and no observer.
+  template <class MayTouch>
+  void consume(const MayTouch& may_touch, TickInput& out) {
+    for (const ParticipantId who : open_)
+      if (!may_touch(who)) out.panels.push_back({.kind = PanelEvent::Kind::close, .participant = who});
+    move_into(out);
+  }
+  /// After the step: whose panels are open.
+  void finish_tick(std::span<const Panel> panels);
+
+ private:
+  std::vector<bool> parts_;
+  std::vector<ParticipantId> open_;
+  std::vector<PanelEvent> asked_;
+  std::map<ParticipantId, Vec3> told_;  // where the simulation believes heads to be, m
+  std::vector<HeadPlace> heads_;
+
+  void move_into(TickInput& out);
+};
+
+}  // namespace prosector

@@ -1,0 +1,250 @@
+// Panels as clients see and work them, over the in-process network.
+
+#include <gtest/gtest.h>
+
+#include "common/hand.h"
+#include "common/panel.h"
+#include "server/session/input_bytes.h"
+#include "tests/session/hosted.h"
+
+namespace prosector {
+namespace {
+
+using test::Guest;
+using test::Hosted;
+
+SceneDesc scene_with_parts() {
+  SceneDesc scene = test::hosted_scene();
+  scene.soft[0].part = true;
+  scene.soft[0].description = "a block";
+  scene.rigid.push_back(test::part_body("bone", "box", {0.05, 0.05, 0.05}, {-0.3, 0.03, 0}));
+  scene.rigid.back().part = true;
+  return scene;
+}
+constexpr BodyId bone = 2, liver = 3;
+
+Command command(CommandKind kind, BodyId body = 0) {
+  Command out;
+  out.kind = kind;
+  out.body = body;
+  return out;
+}
+
+/// Fingers stretched or not: the index points, the others are in a fist.
+constexpr std::array<double, fingers> pointing = {0.8, 0, 1, 1, 1};
+
+/// The wrist's pose that puts the index finger's tip there, square to the panel.
+Pose pointing_at(const Panel& panel, const Vec3& tip_in_panel) {
+  const HandSegment& last = hand_segments(right_hand)[4];
+  const Vec3 tip = hand_pose(right_hand, pointing)[4] * Vec3(0, 0, -last.length) + Vec3(0, 0, -last.radius);
+  return {panel.pose * Vec3(tip_in_panel - tip), panel.pose.q};
+}
+
+struct Session {
+  explicit Session(Journal* journal = nullptr) : hosted({}, journal, 1, scene_with_parts()) {
+    hosted.tick();
+    ada.greet("ada", Role::dissector);
+    eve.greet("eve", Role::observer);
+    tick();
+    tick();
+  }
+  void tick(int times = 1) {
+    for (int i = 0; i < times; ++i) {
+      hosted.tick();
+      ada.take();
+      eve.take();
+    }
+  }
+  void hold(const Pose& wrist, int ticks, const std::array<double, fingers>& flexion = pointing) {
+    for (int i = 0; i < ticks; ++i) {
+      HandInput input = ada.hand_at(wrist.p);
+      input.hands[right_hand].pose = wrist;
+      input.hands[right_hand].flexion = flexion;
+      input.head_tracked = true;
+      input.head.p = {0, 0.5, 0.6};
+      ada.bus->publish(input);
+      tick();
+    }
+  }
+  void touch_liver() {
+    for (std::uint64_t t = 0; t < 80; ++t) hold({test::press(t), Quat::Identity()}, 1, {});
+    hold({{0, 0.4, 0.3}, Quat::Identity()}, 20, {});
+  }
+  void press(PanelControl control) {
+    const Panel panel = eve.replica.panels().begin()->second;
+    const Vec3 face = control_face(describe(control), 0);
+    for (const double height : {0.08, 0.04, 0.02, 0.01, 0.0, -0.005, 0.01, 0.04, 0.08})
+      hold(pointing_at(panel, {face.x(), face.y(), height}), 12);
+  }
+  CommandResult ask(Guest& guest, Command command) {
+    command.participant = guest.id;
+    command.sequence = ++guest.sequence;
+    guest.bus->publish(command);
+    const std::size_t before = guest.results.size();
+    tick(3);
+    return guest.results.size() > before ? guest.results.back() : CommandResult{};
+  }
+  const ControlState& control(const Guest& guest, PanelControl c) {
+    return guest.replica.panels().at(ada.id).controls[static_cast<std::size_t>(c)];
+  }
+
+  Hosted hosted;
+  Guest ada = hosted.guest(1, BusEnd::dissector);
+  Guest eve = hosted.guest(2, BusEnd::observer);
+};
+
+TEST(PanelSession, ATouchBringsItUpForEveryone) {
+  Session s;
+  s.touch_liver();
+  for (Guest* guest : {&s.ada, &s.eve}) {
+    ASSERT_EQ(guest->replica.panels().size(), 1u);
+    const Panel& panel = guest->replica.panels().at(s.ada.id);
+    EXPECT_EQ(panel.body, liver);
+    const Vec3 to_head = (Vec3(0, 0.5, 0.6) - panel.pose.p).normalized();
+    EXPECT_GT((panel.pose.q * Vec3::UnitZ()).dot(to_head), 0.99);
+  }
+  Guest late = s.hosted.guest(3, BusEnd::observer);
+  late.greet("late", Role::observer);
+  s.tick(3);
+  late.take();
+  EXPECT_EQ(late.replica.panels().size(), 1u);
+}
+
+TEST(PanelSession, AFingerPressesAButtonAndPartAndPictureFollow) {
+  Session s;
+  s.touch_liver();
+  ASSERT_FALSE(s.eve.replica.panels().empty());
+  s.press(PanelControl::transparency);
+  EXPECT_TRUE(s.control(s.eve, PanelControl::transparency).on);
+  ASSERT_NE(s.eve.replica.part(liver), nullptr);
+  EXPECT_LT(s.eve.replica.part(liver)->opacity, 1);
+  s.press(PanelControl::transparency);
+  EXPECT_FALSE(s.control(s.eve, PanelControl::transparency).on);
+  EXPECT_EQ(s.eve.replica.part(liver)->opacity, 1);
+  s.press(PanelControl::room_lights);
+  EXPECT_LT(s.eve.replica.room_lights(), 0.5);
+  s.press(PanelControl::hide_others);
+  ASSERT_NE(s.eve.replica.part(bone), nullptr);
+  EXPECT_TRUE(s.eve.replica.part(bone)->hidden);
+  EXPECT_EQ(s.eve.replica.part(liver)->hidden, false);
+}
+
+TEST(PanelSession, AFingerMovesTheSlider) {
+  Session s;
+  s.touch_liver();
+  ASSERT_FALSE(s.eve.replica.panels().empty());
+  const Panel panel = s.eve.replica.panels().at(s.ada.id);
+  const Vec3 knob = control_face(describe(PanelControl::stiffness), 0.5);
+  s.hold(pointing_at(panel, knob + Vec3(-0.035, 0, 0.06)), 30);
+  for (int i = 0; i <= 60; ++i)
+    s.hold(pointing_at(panel, knob + Vec3(-0.035 + 0.001 * i, 0, 0.004 - knob_height)), 1);
+  s.hold(pointing_at(panel, knob + Vec3(0.0, 0.05, 0.1)), 30);
+  const double position = s.control(s.eve, PanelControl::stiffness).position;
+  EXPECT_GT(position, 0.55);
+  ASSERT_NE(s.eve.replica.part(liver), nullptr);
+  EXPECT_NEAR(s.eve.replica.part(liver)->stiffness, stiffness_at(position), 0.02);
+}
+
+TEST(PanelSession, CommandsAreForOnesOwnPanelOnly) {
+  Session s;
+  const Command open = command(CommandKind::open_panel, bone);
+  EXPECT_FALSE(s.ask(s.eve, open).accepted) << "an observer";
+  EXPECT_FALSE(s.ask(s.ada, command(CommandKind::open_panel, 0)).accepted) << "the table";
+  EXPECT_FALSE(s.ask(s.ada, command(CommandKind::open_panel, 99)).accepted);
+  Command light = command(CommandKind::set_control);
+  light.control = PanelControl::light_shaft;
+  light.value = 1;
+  EXPECT_FALSE(s.ask(s.ada, light).accepted) << "no panel yet";
+  EXPECT_FALSE(s.ask(s.ada, command(CommandKind::close_panel)).accepted);
+  EXPECT_TRUE(s.ask(s.ada, open).accepted);
+  ASSERT_EQ(s.eve.replica.panels().size(), 1u);
+  EXPECT_EQ(s.eve.replica.panels().at(s.ada.id).body, bone);
+  Guest bob = s.hosted.guest(4, BusEnd::dissector);
+  bob.greet("bob", Role::dissector);
+  s.tick(2);
+  bob.take();
+  EXPECT_FALSE(s.ask(bob, light).accepted);
+  EXPECT_TRUE(s.ask(s.ada, light).accepted);
+  s.tick(2);
+  EXPECT_TRUE(s.control(s.eve, PanelControl::light_shaft).on);
+  EXPECT_TRUE(s.eve.replica.part(bone)->lit);
+  EXPECT_TRUE(s.ask(s.ada, command(CommandKind::close_panel)).accepted);
+  s.tick(2);
+  EXPECT_TRUE(s.eve.replica.panels().empty());
+}
+
+TEST(PanelSession, ItGoesWithItsOwner) {
+  Session s;
+  s.ask(s.ada, command(CommandKind::open_panel, liver));
+  ASSERT_EQ(s.eve.replica.panels().size(), 1u);
+  s.ada.command(CommandKind::leave);
+  s.tick(3);
+  EXPECT_TRUE(s.eve.replica.panels().empty());
+  EXPECT_TRUE(s.hosted.simulation.panels().empty());
+}
+
+TEST(PanelSession, InputsAreKeptBitForBit) {
+  ConsumedInput input;
+  input.input.heads = {{7, {0.1, 1.5, -0.2}}, {9, {1e-300, 2, 3}}};
+  input.input.panels = {{PanelEvent::Kind::open, 7, 3, PanelControl::attach, 0},
+                        {PanelEvent::Kind::set, 9, 0, PanelControl::stiffness, 0.123456789}};
+  const auto bytes = encode_input(input);
+  const ConsumedInput back = decode_input(bytes);
+  EXPECT_EQ(encode_input(back), bytes);
+  ASSERT_EQ(back.input.heads.size(), 2u);
+  EXPECT_EQ(back.input.heads[1].at, input.input.heads[1].at);
+  ASSERT_EQ(back.input.panels.size(), 2u);
+  EXPECT_EQ(back.input.panels[1].control, PanelControl::stiffness);
+  EXPECT_EQ(back.input.panels[1].value, 0.123456789);
+}
+
+/// The same inputs, for another number of threads, and from a checkpoint in the middle of a press.
+TEST(PanelSession, SameInputsSameHash) {
+  const SceneDesc scene = scene_with_parts();
+  std::vector<TickInput> inputs;
+  const auto hand = [&](const Pose& wrist, const std::array<double, fingers>& flexion) {
+    TickInput input;
+    if (inputs.empty()) input.events.push_back({HandEvent::Kind::appear, 7, right_hand, 0});
+    input.targets.push_back({7, right_hand, wrist, flexion});
+    inputs.push_back(input);
+  };
+  Simulation first(scene, test::options(1));
+  std::vector<std::uint64_t> hashes;
+  const auto step = [&] {
+    first.step(inputs.back());
+    hashes.push_back(first.state_hash());
+  };
+  for (std::uint64_t t = 0; t < 80; ++t) {
+    hand({test::press(t), Quat::Identity()}, {});
+    if (t == 5) inputs.back().heads = {{7, {0, 0.5, 0.6}}};
+    step();
+  }
+  ASSERT_EQ(first.panels().size(), 1u);
+  const Panel panel = first.panels()[0];
+  const Vec3 face = control_face(describe(PanelControl::hide_others), 0);
+  for (int t = 0; t < 60; ++t) {
+    hand(pointing_at(panel, {face.x(), face.y(), 0.09 - 0.0016 * t}), pointing);
+    step();
+  }
+  EXPECT_TRUE(first.part(bone).hidden) << "it was pressed";
+  const std::size_t middle = 130;
+  Simulation again(scene, test::options(3)), from_middle(scene, test::options(1)),
+      through(scene, test::options(1));
+  std::vector<std::uint8_t> saved;
+  for (std::size_t t = 0; t < inputs.size(); ++t) {
+    again.step(inputs[t]);
+    ASSERT_EQ(again.state_hash(), hashes[t]) << t;
+    if (t == middle) {
+      saved = through.checkpoint();
+      from_middle.restore(saved);
+      EXPECT_EQ(from_middle.state_hash(), through.state_hash());
+    }
+    through.step(inputs[t]);
+    if (t < middle) continue;
+    from_middle.step(inputs[t]);
+    ASSERT_EQ(from_middle.state_hash(), through.state_hash()) << t;
+  }
+}
+
+}  // namespace
+}  // namespace prosector
