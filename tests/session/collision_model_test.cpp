@@ -45,8 +45,9 @@ TEST(CollisionModel, OutlinesEncloseTheSurface) {
     for (const Vec3& x : mesh.positions) EXPECT_LT(outside(*outline, x), 5e-4) << word;
   }
   body.collision = "aabb";
-  for (const auto& t : collision_outline(body, mesh)->triangles) {
-    const auto& p = collision_outline(body, mesh)->positions;
+  const TriangleMesh box = collision_outline(body, mesh).value();
+  for (const auto& t : box.triangles) {
+    const auto& p = box.positions;
     const Vec3 normal = body.pose.q * (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).normalized();
     EXPECT_NEAR(normal.cwiseAbs().maxCoeff(), 1, 1e-6) << "along the room's axes";
   }
