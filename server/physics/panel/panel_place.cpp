@@ -7,9 +7,11 @@
 namespace prosector {
 namespace {
 
-constexpr double clearance = 0.03;  // m between part and panel
-constexpr double farthest = 0.25;   // m from where it was touched to the panel's rim, however large the part
-constexpr double steepest = 0.94;   // sine of the panel's inclination
+constexpr double clearance = 0.03;  // m between the part's top and the panel's lower rim
+constexpr double highest = 0.25;    // m from where it was touched to the lower rim, however high the part
+constexpr double aside = 0.12;   // m to the side of where it was touched, so that the arm hides little of it
+constexpr double behind = 0.06;  // m beyond where it was touched
+constexpr double steepest = 0.94;  // sine of the panel's inclination
 
 /// The level direction from one place to another, or towards +z where there is none.
 Vec3 level_direction(const Vec3& from, const Vec3& to) {
@@ -23,12 +25,8 @@ Pose place_panel(const PanelSite& site) {
   const Vec3 up = Vec3::UnitY();
   const Vec3 to_reader = level_direction(site.touched, site.reader);
   const Vec3 outward = site.side * up.cross(to_reader);
-  double reach = 0;  // of the part beyond where it was touched
-  for (const double x : {site.lo.x(), site.hi.x()})
-    for (const double z : {site.lo.z(), site.hi.z()})
-      reach = std::max(reach, outward.dot(Vec3(x, site.touched.y(), z) - site.touched));
-  reach = std::min(reach + clearance, farthest);
-  const Vec3 middle = site.touched + (reach + panel_width / 2) * outward + panel_height / 2 * up;
+  const double rim = std::min(std::max(site.hi.y() - site.touched.y(), 0.0) + clearance, highest);
+  const Vec3 middle = site.touched + aside * outward - behind * to_reader + (rim + panel_height / 2) * up;
 
   const Vec3 ahead = level_direction(middle, site.reader);
   const double sine = std::clamp((site.reader - middle).stableNormalized().y(), -steepest, steepest);

@@ -12,8 +12,8 @@ struct PanelSite {
   double side;   // ±1: to which side of the part, as the reader sees it; +1 is right
 };
 
-/// Beside the part, its lower rim at the height that was touched, facing the reader. Finite and upright for
-/// any finite site.
+/// Above the part and a little to the side, where reader and fingers find it, facing the reader. Finite and
+/// upright for any finite site.
 Pose place_panel(const PanelSite& site);
 
 }  // namespace prosector
