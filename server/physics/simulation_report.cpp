@@ -12,17 +12,19 @@ BodyId body_of(const ContactSide& side, std::size_t rigid_count) {
   return static_cast<BodyId>(side.kind == ContactSide::Kind::soft ? rigid_count + side.body : side.body);
 }
 
-/// Adds one contact of a hand: impulses sum up, the rest is of the strongest.
+/// Adds one contact of a hand: impulses and normal forces sum up, the rest is of the strongest.
 void note(ContactSample& sample, const Contact& c, bool hand_is_b, double h, std::size_t rigid_count,
           double& strongest) {
   if (!(c.force > 0)) return;
+  const Vec3 outward = hand_is_b ? Vec3(-c.normal) : c.normal;
   sample.impulse += c.force * h;
+  sample.force -= c.force * outward;
   if (c.force <= strongest) return;
   strongest = c.force;
   sample.touching = true;
   sample.body = body_of(hand_is_b ? c.a : c.b, rigid_count);
   sample.point = c.point;
-  sample.normal = hand_is_b ? Vec3(-c.normal) : c.normal;
+  sample.normal = outward;
   sample.depth = c.force / c.stiffness;
 }
 

@@ -145,6 +145,18 @@ TEST(PanelSession, AFingerMovesTheSlider) {
   EXPECT_NEAR(s.eve.replica.part(liver)->stiffness, stiffness_at(position), 0.02);
 }
 
+TEST(PanelSession, AHandThatPressesIsToldWithWhatForce) {
+  Session s;
+  for (std::uint64_t t = 0; t < 80; ++t) s.hold({test::press(t), Quat::Identity()}, 1, {});
+  const ContactSample* contact = s.eve.replica.contact(s.ada.id, right_hand);
+  ASSERT_NE(contact, nullptr);
+  ASSERT_TRUE(contact->touching);
+  EXPECT_LT(contact->force.y(), -0.1) << "down";
+  const double together = contact->impulse * s.hosted.simulation.scene().tick_rate;
+  EXPECT_LE(contact->force.norm(), together * (1 + 1e-5));
+  EXPECT_GT(contact->force.norm(), 0.5 * together);
+}
+
 TEST(PanelSession, CommandsAreForOnesOwnPanelOnly) {
   Session s;
   const Command open = command(CommandKind::open_panel, bone);
