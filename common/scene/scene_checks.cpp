@@ -150,10 +150,6 @@ class Checker {
     if (soft.label >= 0 && soft.volume.empty()) fail(body, "label", "label needs a volume");
     if (soft.fiber_direction.isZero(1e-9)) fail(body, "fiber_direction", "fiber_direction is zero");
     check_fidelity(soft, body);
-    if (soft.self_contact && soft.collision != "mesh")
-      fail(body, "self_contact",
-           fmt::format("self_contact is between triangles: collision is \"{}\", must be \"mesh\"",
-                       soft.collision));
     check_regions(soft, body);
     double shares = 0;
     for (const RelaxationDesc& term : soft.relaxation) shares += term.share;

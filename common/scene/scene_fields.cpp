@@ -93,15 +93,17 @@ Field names(std::string_view key, std::string_view description) {
 
 /// What rigid and soft bodies have to say about who touches them, and how finely.
 template <class Struct>
-void add_collision(std::vector<Field>& fields, std::string_view shape) {
-  fields.push_back(words<Struct, &Struct::collision>(
-      "collision", {"none", "sphere", "aabb", "obb", "hull", "mesh"}, shape));
+void add_collision(std::vector<Field>& fields, std::vector<std::string_view> fidelities,
+                   std::string_view shape) {
+  fields.push_back(words<Struct, &Struct::collision>("collision", std::move(fidelities), shape));
   fields.push_back(name<Struct, &Struct::group>(
       "group", false, "collision group that it belongs to; people's hands are in `hand`"));
   fields.push_back(names<Struct, &Struct::touches>(
       "touches", "groups that it touches, if they touch its own as well; none given: all"));
   fields.push_back(plain<Struct, &Struct::continuous>(
-      "continuous", "true: what it would pass through within a tick is found, at the time of impact"));
+      "continuous",
+      "true: what it would pass through within a tick is found, where it first touches "
+      "(rigid against soft bodies, and rigid ones of one convex piece)"));
 }
 
 /// What rigid parts, rigid bodies and soft bodies share.
@@ -257,7 +259,7 @@ const Table& rigid_table() {
          {"fracture", fracture_table, true, 8, append<R, &R::fractures>}},
         fresh<R>};
     add_collision<R>(
-        t.fields,
+        t.fields, {"none", "sphere", "aabb", "obb", "hull", "mesh"},
         "what it collides as: its parts, or the hull of its mesh (hull); its parts or triangles "
         "(mesh); one ball (sphere) or box (aabb: along the room's axes where it starts; obb) around "
         "it, that turns along; or nothing");
@@ -416,12 +418,7 @@ const Table& soft_table() {
          {"region", region_table, true, 64, append<S, &S::regions>},
          {"relaxation", relaxation_table, true, 8, append<S, &S::relaxation>}},
         fresh<S>};
-    add_collision<S>(
-        t.fields,
-        "what it collides as: its triangles (mesh), their hull, one box (obb; aabb: along the room's "
-        "axes) or ball (sphere) around them, fitted anew in each tick; or nothing");
-    t.fields.push_back(plain<S, &S::self_contact>(
-        "self_contact", "true: it doesn't pass through itself; for collision = \"mesh\""));
+    add_collision<S>(t.fields, {"none", "mesh"}, "what it collides as: its triangles, or nothing");
     add_pose<S>(t.fields, "the mesh's origin, or the volume's or shape's centre, in the room");
     add_fallback_pose<S>(t.fields);
     add_appearance<S>(t.fields);

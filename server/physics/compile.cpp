@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
+#include <set>
 
 #include "common/error.h"
 #include "common/primitives.h"
 #include "server/physics/byte_stream.h"
 #include "server/physics/fracture.h"
 #include "server/physics/model.h"
+#include "server/physics/rigid/collision_shape.h"
 #include "server/physics/sources.h"
 
 namespace prosector {
@@ -55,18 +57,30 @@ Solid solid_of_mesh(const RigidDesc& desc, const TriangleMesh& surface) {
       ShapeKind::hull, Vec3::Zero(), {}, std::make_shared<TriangleMesh>(convex_hull(surface.positions))};
   Solid out;
   out.mass = mesh_mass(surface, hull, desc.density);
-  if (desc.collision == "mesh")
+  if (fidelity_of(desc.collision) == Fidelity::mesh)
     out.parts = {{ShapeKind::triangles, Vec3::Zero(), {}, std::make_shared<TriangleMesh>(surface)}};
   else
     out.parts = {hull};
   return out;
 }
 
-RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface) {
+CollisionGroups groups_of(const SceneDesc& scene) {
+  CollisionGroups out;
+  std::set<std::string> known = {default_group, hand_group};
+  out.add(hand_group);
+  const auto add = [&](const auto& bodies) {
+    for (const auto& body : bodies)
+      if (known.insert(body.group).second) out.add(body.group);
+  };
+  add(scene.rigid);
+  add(scene.soft);
+  return out;
+}
+
+RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface, const CollisionGroups& groups) {
   Solid solid = desc.parts.empty() ? solid_of_mesh(desc, surface) : solid_of_parts(desc);
   // What breaks weighs what its surface encloses, as its pieces do: so they keep its momentum.
   if (desc.break_force > 0) solid.mass = solid_of_mesh(desc, surface).mass;
-  if (desc.collision == "none") solid.parts.clear();
   if (!(solid.mass.mass > 0) && !desc.fixed)
     throw InputError(
         fmt::format("rigid '{}': has no volume, so no mass; give it parts or a closed mesh", desc.name));
@@ -88,7 +102,9 @@ RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface) {
   out.setup.friction = desc.friction;
   out.setup.restitution = desc.restitution;
   out.setup.balanced = desc.balanced;
-  for (ShapePart part : solid.parts) {
+  out.setup.continuous = desc.continuous;
+  out.setup.mask = groups.mask(desc.group, desc.touches);
+  for (ShapePart part : at_fidelity(std::move(solid.parts), fidelity_of(desc.collision), desc.pose)) {
     part.pose = out.center.inverse() * part.pose;
     out.shape.distances.push_back(make_signed_distance(part));
     out.shape.parts.push_back(std::move(part));
@@ -132,6 +148,18 @@ ContentHash hash_of(const Model& model) {
       if (part.mesh) add_mesh(*part.mesh, out);
     }
   }
+  // Scenes without these keep the hash that sessions recorded before them have.
+  const auto add_collision = [&](const auto& desc) {
+    using Desc = std::decay_t<decltype(desc)>;
+    if (desc.group != default_group || !desc.touches.empty()) {
+      out.add(desc.group);
+      for (const std::string& group : desc.touches) out.add(group);
+    }
+    if (desc.continuous) out.add(std::string("continuous"));
+    if (desc.collision != Desc().collision) out.add(desc.collision);
+  };
+  for (const RigidDesc& desc : scene.rigid) add_collision(desc);
+  for (const SoftDesc& desc : scene.soft) add_collision(desc);
   for (const auto& s : model.soft) {
     const SoftDesc& d = s->desc();
     out.add(d.name);
@@ -178,16 +206,25 @@ Model compile(const SceneDesc& scene, const CompileOptions& options) {
   Model model;
   model.scene = scene;
   model.h = 1 / scene.tick_rate;
+  const CollisionGroups groups = groups_of(scene);
   for (const RigidDesc& desc : scene.rigid)
-    model.rigid.push_back(compile_rigid(desc, rigid_surface(desc, scene, options)));
-  for (std::size_t i = 0; i < model.rigid.size(); ++i) add_pieces(model, i, compile_rigid);
+    model.rigid.push_back(compile_rigid(desc, rigid_surface(desc, scene, options), groups));
+  const auto compile_piece = [&](const RigidDesc& desc, TriangleMesh surface) {
+    return compile_rigid(desc, std::move(surface), groups);
+  };
+  for (std::size_t i = 0; i < model.rigid.size(); ++i) add_pieces(model, i, compile_piece);
   for (const SoftDesc& desc : scene.soft) {
+    model.soft_collision.push_back(
+        {fidelity_of(desc.collision), groups.mask(desc.group, desc.touches), desc.continuous});
     model.soft.push_back(std::make_unique<SoftBody>(desc, soft_anatomy(desc, scene, options)));
     say(fmt::format("{}: {} elements, {} nodes, {} surface vertices", desc.name,
                     model.soft.back()->elements(), model.soft.back()->nodes(),
                     model.soft.back()->anatomy().surface.positions.size()));
   }
-  for (std::size_t hand = 0; hand < 2; ++hand) model.hands[hand] = make_hand_model(hand, scene.hand);
+  for (std::size_t hand = 0; hand < 2; ++hand) {
+    model.hands[hand] = make_hand_model(hand, scene.hand);
+    model.hands[hand].setup.mask = groups.mask(hand_group, {});
+  }
   model.hash = hash_of(model);
   return model;
 }

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 
 #include "server/physics/coupled/island_solver.h"
 #include "server/physics/simulation_impl.h"
@@ -21,7 +22,7 @@ constexpr double at_rest = 2e-6;            // m a step
 constexpr double relaxation_margin = 0.02;  // m: what is nearer may carry the body
 
 std::filesystem::path cache_file(const CompileOptions& options, const ContentHash& hash) {
-  return options.cache_dir / (to_hex(hash) + ".equilibrium");
+  return options.cache_dir / (to_hex(hash) + ".rest");
 }
 
 bool read_cache(const std::filesystem::path& file, std::vector<VecX>& shapes) {
@@ -61,56 +62,91 @@ void write_cache(const std::filesystem::path& file, const std::vector<VecX>& sha
 
 }  // namespace
 
-void Simulation::Impl::relax(std::size_t body) {
-  SoftBodyState& state = soft[body];
+void Simulation::Impl::relax(std::span<const std::size_t> bodies) {
   IslandSolver solver;
   for (int step = 0; step < most_relaxation_steps; ++step) {
-    surfaces[body].update(state.motion.x.data());
     Island island;
-    island.soft.push_back({body, model.soft[body].get(), &state});
-    for (Collider c : colliders) {
-      c.fixed = true;  // what moves stands still until the scene runs
-      if (c.parts) add_contacts(body, c, relaxation_margin, island.contacts);
+    std::vector<VecX> before;
+    for (const std::size_t body : bodies) {
+      island.soft.push_back({body, model.soft[body].get(), &soft[body]});
+      before.push_back(soft[body].motion.x);
+      for (Collider c : colliders) {
+        c.fixed = true;  // what moves stands still until the scene runs
+        if (may_meet(body, c)) add_contacts(body, c, relaxation_margin, island.contacts);
+      }
+      for (const std::size_t other : bodies)
+        if (other > body && may_meet(body, other))
+          add_pair_contacts(body, other, relaxation_margin, island.contacts);
     }
-    const VecX before = state.motion.x;
-    model.soft[body]->set_relaxed(true);
+    for (const std::size_t body : bodies) model.soft[body]->set_relaxed(true);
     const IslandReport solved = solver.solve(island, relaxation_step, model.scene.gravity);
-    model.soft[body]->set_relaxed(false);
-    state.motion.v.setZero();
-    state.warm_start.setZero();
-    state.motion.has_history = false;
-    if (!solved.finite || (state.motion.x - before).lpNorm<Eigen::Infinity>() < at_rest) return;
+    double moved = 0;
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      const std::size_t body = bodies[k];
+      SoftBodyState& state = soft[body];
+      model.soft[body]->set_relaxed(false);
+      state.motion.v.setZero();
+      state.warm_start.setZero();
+      state.motion.has_history = false;
+      moved = std::max(moved, (state.motion.x - before[k]).lpNorm<Eigen::Infinity>());
+      surfaces[body].update(state.motion.x.data());
+      faces_moved[body] = 0;
+    }
+    if (!solved.finite || moved < at_rest) return;
   }
 }
 
-/// A body that nothing ties and nothing is near has no equilibrium to find: it starts where the scene puts
-/// it, and falls.
-bool Simulation::Impl::floats(std::size_t body) const {
-  const SoftBody& b = *model.soft[body];
-  if (!b.desc().gravity || model.scene.gravity.isZero() || !b.attachment_stiffness().isZero()) return false;
-  return std::none_of(colliders.begin(), colliders.end(), [&](const Collider& c) {
-    return c.parts && surfaces[body].touches(c, skin_of(body) + relaxation_margin);
-  });
+/// Bodies that bear each other have their equilibrium together.
+std::vector<std::vector<std::size_t>> Simulation::Impl::neighbourhoods() {
+  std::vector<std::size_t> first(soft.size());
+  std::iota(first.begin(), first.end(), std::size_t{0});
+  std::vector<Contact> found;
+  for (std::size_t i = 0; i < soft.size(); ++i)
+    for (std::size_t j = i + 1; j < soft.size(); ++j) {
+      if (!may_meet(i, j) || first[i] == first[j]) continue;
+      if (!add_pair_contacts(i, j, relaxation_margin, found)) continue;
+      const auto [to, from] = std::minmax(first[i], first[j]);
+      std::replace(first.begin(), first.end(), std::size_t{from}, std::size_t{to});
+    }
+  std::vector<std::vector<std::size_t>> out(soft.size());
+  for (std::size_t i = 0; i < soft.size(); ++i) out[first[i]].push_back(i);
+  std::erase_if(out, [](const auto& group) { return group.empty(); });
+  return out;
+}
+
+/// What nothing ties and nothing is near has no equilibrium to find: it starts where the scene puts it, and
+/// falls.
+bool Simulation::Impl::floats(std::span<const std::size_t> bodies) const {
+  const auto falls = [&](std::size_t body) {
+    return model.soft[body]->desc().gravity && !model.scene.gravity.isZero();
+  };
+  const auto held = [&](std::size_t body) {
+    return !model.soft[body]->attachment_stiffness().isZero() ||
+           std::any_of(colliders.begin(), colliders.end(), [&](const Collider& c) {
+             return may_meet(body, c) && surfaces[body].touches(c, skin_of(body) + relaxation_margin);
+           });
+  };
+  return std::any_of(bodies.begin(), bodies.end(), falls) && std::none_of(bodies.begin(), bodies.end(), held);
 }
 
 void Simulation::Impl::settle(const CompileOptions& options) {
   refresh_colliders();
   for (const SoftBodyState& state : soft) equilibrium.push_back(state.motion.x);
   const bool cached = !options.cache_dir.empty() && read_cache(cache_file(options, model.hash), equilibrium);
-  for (std::size_t i = 0; i < soft.size(); ++i) {
-    const bool falls = floats(i);
-    if (cached)
-      soft[i].motion.x = equilibrium[i];
-    else if (!falls)
-      relax(i);
-    equilibrium[i] = soft[i].motion.x;
-    soft[i].motion.x_prev = soft[i].motion.x;
-    soft[i].asleep = !falls;
-    surfaces[i].update(soft[i].motion.x.data());
-    if (options.progress && !cached && !falls)
-      options.progress(fmt::format(
-          "{}: settled, {:.1f} mm from its imaged shape", model.soft[i]->desc().name,
-          1e3 * (equilibrium[i] - model.soft[i]->initial_state().motion.x).lpNorm<Eigen::Infinity>()));
+  for (const std::vector<std::size_t>& bodies : neighbourhoods()) {
+    const bool falls = floats(bodies);
+    if (!cached && !falls) relax(bodies);
+    for (const std::size_t i : bodies) {
+      if (cached) soft[i].motion.x = equilibrium[i];
+      equilibrium[i] = soft[i].motion.x;
+      soft[i].motion.x_prev = soft[i].motion.x;
+      soft[i].asleep = !falls;
+      surfaces[i].update(soft[i].motion.x.data());
+      if (options.progress && !cached && !falls)
+        options.progress(fmt::format(
+            "{}: settled, {:.1f} mm from its imaged shape", model.soft[i]->desc().name,
+            1e3 * (equilibrium[i] - model.soft[i]->initial_state().motion.x).lpNorm<Eigen::Infinity>()));
+    }
   }
   if (!cached && !options.cache_dir.empty() && !soft.empty())
     write_cache(cache_file(options, model.hash), equilibrium);

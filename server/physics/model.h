@@ -7,6 +7,7 @@
 
 #include "common/hash.h"
 #include "common/scene/scene.h"
+#include "server/physics/collision/fidelity.h"
 #include "server/physics/contact/signed_distance.h"
 #include "server/physics/rigid/rigid_world.h"
 #include "server/physics/simulation.h"
@@ -52,11 +53,19 @@ std::vector<Pose> hand_part_poses(std::size_t hand, const std::array<double, fin
 
 HandModel make_hand_model(std::size_t hand, const HandDesc& desc);
 
+/// How a soft body collides.
+struct SoftCollision {
+  Fidelity fidelity = Fidelity::mesh;
+  CollisionMask mask;
+  bool continuous = false;
+};
+
 struct Model {
   SceneDesc scene;
   double h = 0;  // s, one tick
   std::vector<RigidModel> rigid;
   std::vector<std::unique_ptr<SoftBody>> soft;
+  std::vector<SoftCollision> soft_collision;  // of each
   std::array<HandModel, 2> hands;
   ContentHash hash{};
 

@@ -7,10 +7,6 @@
 namespace prosector {
 namespace {
 
-constexpr double contact_margin = 0.002;  // m: gaps up to it may close within the tick
-constexpr double wake_margin = 0.003;     // m
-constexpr double most_reach = 0.05;       // m a tick: faster things are met late
-
 // Stretch of the surface at which a moving thing loses hold of it: real tissue would have torn long before,
 // and what a leaping hand has hooked would never come free.
 constexpr double most_stretch = 3;
@@ -117,6 +113,11 @@ bool Simulation::Impl::add_contacts(std::size_t body, const Collider& collider, 
   return out.size() > before;
 }
 
+bool Simulation::Impl::may_meet(std::size_t body, const Collider& collider) const {
+  const SoftCollision& own = model.soft_collision[body];
+  return collider.parts && own.fidelity != Fidelity::none && may_touch(own.mask, world.mask(collider.slot));
+}
+
 void Simulation::Impl::wake_soft(std::size_t body) {
   soft[body].asleep = false;
   soft[body].quiet_ticks = 0;
@@ -126,6 +127,7 @@ void Simulation::Impl::detect_soft_contacts() {
   refresh_colliders();
   const double h = model.h;
   for (auto& list : soft_contacts) list.clear();
+  std::fill(faces_moved.begin(), faces_moved.end(), 0);
   const auto awake = [&](const Collider& c) { return !c.fixed && !world.motion(c.slot).asleep; };
   // Waking spreads until nobody wakes any more: tissue wakes what rests on it, and the other way round.
   std::vector<char> done(soft.size(), 0);
@@ -135,10 +137,13 @@ void Simulation::Impl::detect_soft_contacts() {
       if (done[i] || parts[soft_id(i)].out_of_touch()) continue;
       if (soft[i].asleep) {
         const bool touched = std::any_of(colliders.begin(), colliders.end(), [&](const Collider& c) {
-          return c.parts && awake(c) &&
-                 surfaces[i].touches(c, skin_of(i) + wake_margin + std::min(most_reach, h * total_speed(c)));
+          if (!may_meet(i, c) || !awake(c)) return false;
+          std::vector<Contact> found;
+          return surfaces[i].touches(c,
+                                     skin_of(i) + wake_margin + std::min(most_reach, h * total_speed(c))) ||
+                 (is_swept(i, c) && add_swept_contacts(i, c, contact_margin, found));
         });
-        if (!touched) continue;
+        if (!touched && !woken_by_soft(i)) continue;
         wake_soft(i);
       }
       done[i] = 1;
@@ -146,13 +151,16 @@ void Simulation::Impl::detect_soft_contacts() {
       surfaces[i].update(soft[i].motion.x.data());
       const double own = h * soft[i].motion.v.lpNorm<Eigen::Infinity>();
       for (const Collider& c : colliders) {
-        if (!c.parts) continue;
+        if (!may_meet(i, c)) continue;
         const double reach = std::min(most_reach, own + std::max(c.pull, h * total_speed(c)));
-        const bool touched = add_contacts(i, c, contact_margin + reach, soft_contacts[i]);
+        const bool touched = is_swept(i, c)
+                                 ? add_swept_contacts(i, c, contact_margin + reach, soft_contacts[i])
+                                 : add_contacts(i, c, contact_margin + reach, soft_contacts[i]);
         if (touched && !c.fixed && world.motion(c.slot).asleep) world.wake(c.slot);
       }
     }
   }
+  detect_soft_pairs();
 }
 
 }  // namespace prosector

@@ -46,7 +46,7 @@ std::optional<Hold> Simulation::Impl::reach_rigid(const Hand& hand) const {
   std::vector<Touch> best_touches;
   double least = grasp_reach_rigid;
   for (BodyId body = 0; body < model.rigid.size(); ++body) {
-    if (!world.dynamic(body)) continue;
+    if (!world.dynamic(body) || !may_touch(world.mask(hand.slot), world.mask(body))) continue;
     std::vector<Touch> touches = holding_touches(touches_of_rigid(hand, body));
     for (const Touch& touch : touches)
       if (touch.gap < least) {
@@ -65,7 +65,7 @@ std::optional<Hold> Simulation::Impl::reach_soft(const Hand& hand) {
   std::vector<Touch> best_touches;
   double least = grasp_reach_soft;
   for (std::size_t body = 0; body < soft.size(); ++body) {
-    if (parts[soft_id(body)].out_of_touch()) continue;
+    if (parts[soft_id(body)].out_of_touch() || !may_meet(body, colliders[hand.slot])) continue;
     std::vector<Touch> touches = holding_touches(touches_of_soft(hand, body));
     for (const Touch& touch : touches)
       if (touch.gap < least) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "server/physics/byte_stream.h"
+#include "server/physics/contact/soft_meeting.h"
 #include "server/physics/contact/surface_detector.h"
 #include "server/physics/coupled/step_island.h"
 #include "server/physics/hands/hand.h"
@@ -13,6 +14,16 @@
 #include "server/physics/panel/panel_world.h"
 
 namespace prosector {
+
+inline constexpr double contact_margin = 0.002;  // m: gaps up to it may close within the tick
+inline constexpr double wake_margin = 0.003;     // m
+inline constexpr double most_reach = 0.05;       // m a tick: faster things are met late
+
+/// Two soft bodies that touch.
+struct SoftPair {
+  std::size_t a = 0, b = 0;  // a < b
+  std::vector<Contact> contacts;
+};
 
 struct Simulation::Impl : PanelSubjects {
   Impl(const SceneDesc& scene, const CompileOptions& options);
@@ -33,9 +44,14 @@ struct Simulation::Impl : PanelSubjects {
 
   // ---- Of the current tick
   std::vector<SurfaceDetector> surfaces;
-  std::vector<std::vector<Contact>> soft_contacts;  // per soft body
-  std::vector<Collider> colliders;                  // by slot
-  std::vector<RigidMotion> last_good;               // by slot, at the tick's start
+  std::vector<std::optional<TriangleSurface>> faces;  // per soft body; none: a rope's
+  std::vector<char> faces_moved;                      // per soft body: they are where its surface is
+  std::vector<std::vector<Contact>> soft_contacts;    // per soft body: with rigid ones
+  std::vector<SoftPair> soft_pairs;                   // ascending, those with contacts
+  std::vector<VertexMeeting> meetings;                // what finding them works in
+  std::vector<std::size_t> soft_group;  // per soft body: the first that it hangs together with, by soft pairs
+  std::vector<Collider> colliders;      // by slot
+  std::vector<RigidMotion> last_good;   // by slot, at the tick's start
   std::vector<Island> islands;
   IslandStepper stepper;
   std::vector<HandState> hand_states;
@@ -45,6 +61,7 @@ struct Simulation::Impl : PanelSubjects {
   // ---- Phases (in step order)
   void take_inputs(const TickInput& input);
   void detect_soft_contacts();
+  void detect_soft_pairs();  // part of it
   const std::vector<MixedIsland>& find_islands();
   void gather(const std::vector<MixedIsland>& mixed);
   void solve_islands();
@@ -110,15 +127,32 @@ struct Simulation::Impl : PanelSubjects {
   Contact soft_contact(std::size_t body, std::uint32_t vertex, const Distance& distance,
                        const Collider& collider) const;
   Contact soft_contact(std::size_t body, const TriangleTouch& touch, const Collider& collider) const;
+  /// Whether the soft body and the rigid one touch at all.
+  bool may_meet(std::size_t body, const Collider& collider) const;
+  bool may_meet(std::size_t a, std::size_t b) const;  // two soft ones
+  bool woken_by_soft(std::size_t body);
+  SoftSkin skin(std::size_t body);
+  double reach_of(std::size_t body) const;        // m: how far its nodes move within the tick
+  double inner_reach_of(std::size_t body) const;  // m: likewise, less what they have in common
+  Contact pair_contact(std::size_t a, std::size_t b, const VertexMeeting& meeting) const;
+  /// Appends where the two come within `margin` of each other; whether there was any.
+  bool add_pair_contacts(std::size_t a, std::size_t b, double margin, std::vector<Contact>& out);
   double skin_of(std::size_t body) const;  // m: from the surface that is simulated to the one that is touched
   ContactSide surface_side(std::size_t body, std::uint32_t vertex) const;
   /// Appends what of the body's surface is within `margin` of the collider; whether there was any.
   bool add_contacts(std::size_t body, const Collider& collider, double margin,
                     std::vector<Contact>& out) const;
+  /// Whether the two are met at their time of impact rather than where they are near each other now.
+  bool is_swept(std::size_t body, const Collider& collider) const;
+  /// As add_contacts, but where nothing touches yet: what will, when the collider first comes near.
+  /// Velocities are taken as constant, the soft body's as that of its middle.
+  bool add_swept_contacts(std::size_t body, const Collider& collider, double margin,
+                          std::vector<Contact>& out) const;
   void wake_soft(std::size_t body);
   void settle(const CompileOptions& options);
-  void relax(std::size_t body);
-  bool floats(std::size_t body) const;
+  std::vector<std::vector<std::size_t>> neighbourhoods();
+  void relax(std::span<const std::size_t> bodies);
+  bool floats(std::span<const std::size_t> bodies) const;
   double total_speed(const Collider& collider) const;
   double body_mass(std::size_t slot) const;
   double body_friction(std::size_t slot) const;

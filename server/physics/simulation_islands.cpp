@@ -34,10 +34,11 @@ ContactSide rigid_side(const RigidWorld& world, std::size_t slot, const Vec3& po
 const std::vector<MixedIsland>& Simulation::Impl::find_islands() {
   std::vector<std::pair<std::size_t, std::size_t>> links;
   std::vector<std::size_t> coupled;
-  std::vector<std::optional<std::size_t>> first(soft.size());  // a dynamic body of each soft body's island
+  std::vector<std::optional<std::size_t>> first(soft.size());  // a dynamic body of each soft group's island
   const auto link = [&](std::size_t body, std::size_t slot) {
-    if (first[body] && *first[body] != slot) links.emplace_back(*first[body], slot);
-    if (!first[body]) first[body] = slot;
+    std::optional<std::size_t>& known = first[soft_group[body]];
+    if (known && *known != slot) links.emplace_back(*known, slot);
+    if (!known) known = slot;
     coupled.push_back(slot);
   };
   for (std::size_t i = 0; i < soft.size(); ++i)
@@ -85,23 +86,28 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
       island.contacts.push_back(c);
     }
   }
-  const auto grasped_from = [&](std::size_t body) -> const Hand* {
-    for (const Hand& hand : hands)
-      if (hand.hold && hand.hold->body == soft_id(body)) return &hand;
-    return nullptr;
-  };
+  // A group of soft bodies is in the island of a rigid one that touches or holds one of them, or in its own.
+  std::vector<std::optional<std::size_t>> island_of_group(soft.size());
+  for (std::size_t i = 0; i < soft.size(); ++i)
+    for (const Contact& c : soft_contacts[i])
+      if (c.b.kind == ContactSide::Kind::rigid) island_of_group[soft_group[i]] = island_of[c.b.body];
+  for (const Hand& hand : hands)
+    if (hand.hold && is_soft(hand.hold->body))
+      island_of_group[soft_group[soft_index(hand.hold->body)]] = island_of[hand.slot];
   for (std::size_t i = 0; i < soft.size(); ++i) {
     if (soft[i].asleep) continue;
-    const auto with_rigid =
-        std::find_if(soft_contacts[i].begin(), soft_contacts[i].end(),
-                     [](const Contact& c) { return c.b.kind == ContactSide::Kind::rigid; });
-    const Hand* grasping = grasped_from(i);
-    if (with_rigid == soft_contacts[i].end() && !grasping) islands.emplace_back();
-    Island& island = with_rigid != soft_contacts[i].end() ? islands[island_of[with_rigid->b.body]]
-                     : grasping                           ? islands[island_of[grasping->slot]]
-                                                          : islands.back();
+    std::optional<std::size_t>& at = island_of_group[soft_group[i]];
+    if (!at) {
+      at = islands.size();
+      islands.emplace_back();
+    }
+    Island& island = islands[*at];
     island.soft.push_back({i, model.soft[i].get(), &soft[i]});
     island.contacts.insert(island.contacts.end(), soft_contacts[i].begin(), soft_contacts[i].end());
+  }
+  for (const SoftPair& pair : soft_pairs) {
+    Island& island = islands[*island_of_group[soft_group[pair.a]]];
+    island.contacts.insert(island.contacts.end(), pair.contacts.begin(), pair.contacts.end());
   }
   for (Island& island : islands) {
     double heaviest = 0;
@@ -187,10 +193,13 @@ void Simulation::Impl::unfold_tangles() {
   if (time.tick % tangle_check_ticks != 0) return;
   for (Island& island : islands)
     for (SoftMember& s : island.soft) {
-      const bool held =
-          !soft_contacts[s.index].empty() || std::any_of(hands.begin(), hands.end(), [&](const Hand& hand) {
-            return hand.hold && hand.hold->body == soft_id(s.index);
-          });
+      const bool met = std::any_of(soft_pairs.begin(), soft_pairs.end(), [&](const SoftPair& pair) {
+        return pair.a == s.index || pair.b == s.index;
+      });
+      const bool held = met || !soft_contacts[s.index].empty() ||
+                        std::any_of(hands.begin(), hands.end(), [&](const Hand& hand) {
+                          return hand.hold && hand.hold->body == soft_id(s.index);
+                        });
       if (!unfold_if_tangled(s, held, equilibrium[s.index], model.h, tangle_check_ticks)) continue;
       BodyReport& row = report.bodies.emplace_back();
       row.body = s.body->desc().name;

@@ -1,17 +1,12 @@
 #include "server/session/collision_model.h"
 
-#include <algorithm>
-#include <array>
-#include <string_view>
-
 #include "common/primitives.h"
 #include "server/physics/collision/bounding.h"
+#include "server/physics/collision/fidelity.h"
 #include "server/physics/rigid/shape.h"
 
 namespace prosector {
 namespace {
-
-constexpr std::array<std::string_view, 6> words = {"none", "sphere", "aabb", "obb", "hull", "mesh"};
 
 TriangleMesh outline(const SphereShape& sphere) {
   PartDesc part;
@@ -30,15 +25,10 @@ TriangleMesh outline(const BoxShape& box) {
 
 }  // namespace
 
-Fidelity collision_fidelity(const std::string& word) {
-  const auto found = std::find(words.begin(), words.end(), word);
-  return found == words.end() ? Fidelity::mesh : static_cast<Fidelity>(found - words.begin());
-}
-
 std::optional<TriangleMesh> collision_outline(const RigidDesc& body, const TriangleMesh& surface) {
   if (surface.positions.empty()) return std::nullopt;
   const Cloud cloud{surface.positions};
-  switch (collision_fidelity(body.collision)) {
+  switch (fidelity_of(body.collision)) {
     case Fidelity::none:
     case Fidelity::mesh:
       return std::nullopt;

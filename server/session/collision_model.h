@@ -9,9 +9,6 @@
 
 namespace prosector {
 
-/// Of a scene's `collision` word.
-Fidelity collision_fidelity(const std::string& word);
-
 /// The outline that a rigid body collides as, in its own frame, where that is not its surface: a hull, or the
 /// sphere or box around it. The box along the room's axes is that of the body as the scene places it.
 std::optional<TriangleMesh> collision_outline(const RigidDesc& body, const TriangleMesh& surface);

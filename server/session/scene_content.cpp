@@ -4,6 +4,7 @@
 #include <random>
 #include <set>
 
+#include "server/physics/collision/fidelity.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/session/collision_model.h"
@@ -27,7 +28,7 @@ SceneBody describe(const Simulation& simulation, const Desc& desc, BodyKind kind
   body.pose = kind == BodyKind::rigid ? desc.pose : Pose{};
   body.appearance = desc.appearance;
   body.part = desc.part;
-  body.fidelity = collision_fidelity(desc.collision);
+  body.fidelity = fidelity_of(desc.collision);
   return body;
 }
 

@@ -70,13 +70,11 @@ TEST(SceneErrors, CollisionOfBodies) {
     return "name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\ngroup = \"organs\"\n" + lines;
   };
   const std::pair<const char*, const char*> cases[] = {
-      {"collision = \"ball\"\n", "must be one of: none, sphere, aabb, obb, hull, mesh"},
+      {"collision = \"ball\"\n", "must be one of: none, mesh"},
       {"touches = \"organs\"\n", "must be a list of names"},
       {"touches = [\"organs\", 3]\n", "must be a list of names"},
       {"touches = [\"default\", \"organ\"]\n",
        "test.toml:6: [[soft]] \"a\": touches \"organ\": no body is in this group; did you mean \"organs\"?"},
-      {"collision = \"hull\"\nself_contact = true\n",
-       "test.toml:7: [[soft]] \"a\": self_contact is between triangles"},
       {"collision = \"none\"\ncontinuous = true\n",
        "test.toml:7: [[soft]] \"a\": continuous needs something that collides"},
   };

@@ -57,10 +57,8 @@ TEST(CollisionModel, OthersCollideAsTheirSurfaceOrNotAtAll) {
   RigidDesc body = bracket();
   body.collision = "mesh";
   EXPECT_FALSE(collision_outline(body, surface()));
-  EXPECT_EQ(collision_fidelity("mesh"), Fidelity::mesh);
   body.collision = "none";
   EXPECT_FALSE(collision_outline(body, surface()));
-  EXPECT_EQ(collision_fidelity("none"), Fidelity::none);
   body.collision = "hull";
   body.parts.resize(1);
   EXPECT_FALSE(collision_outline(body, surface())) << "its parts are convex as they are";

@@ -4,12 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "common/error.h"
 
 namespace prosector {
 
-constexpr std::size_t most_groups = 32;  // bits of a mask
+constexpr auto most_groups = static_cast<std::size_t>(std::numeric_limits<std::uint32_t>::digits);
 
 CollisionGroups::CollisionGroups() : names_{"default"} {}
 
@@ -24,24 +25,18 @@ void CollisionGroups::add(std::string_view name) {
   names_.emplace_back(name);
 }
 
-CollisionMask CollisionGroups::mask(std::span<const std::string> groups,
-                                    std::span<const std::string> touches) const {
-  CollisionMask out;
-  if (!groups.empty()) out.group = bits(groups);
-  if (!touches.empty()) out.mask = bits(touches);
+CollisionMask CollisionGroups::mask(std::string_view group, std::span<const std::string> touches) const {
+  CollisionMask out{bit(group), touches.empty() ? ~0u : 0u};
+  for (const std::string& name : touches) out.mask |= bit(name);
   return out;
 }
 
-std::uint32_t CollisionGroups::bits(std::span<const std::string> names) const {
-  std::uint32_t out = 0;
-  for (const std::string& name : names) {
-    const auto found = std::find(names_.begin(), names_.end(), name);
-    if (found == names_.end())
-      throw InputError(
-          fmt::format("collision group \"{}\" is not there; there are {}", name, fmt::join(names_, ", ")));
-    out |= 1u << (found - names_.begin());
-  }
-  return out;
+std::uint32_t CollisionGroups::bit(std::string_view name) const {
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  if (found == names_.end())
+    throw InputError(
+        fmt::format("collision group \"{}\" is not there; there are {}", name, fmt::join(names_, ", ")));
+  return 1u << (found - names_.begin());
 }
 
 }  // namespace prosector

@@ -2,14 +2,13 @@
 // How finely an object's shape is taken for collision.
 
 #include <array>
-#include <cstdint>
 #include <string_view>
+
+#include "common/messages.h"
 
 namespace prosector {
 
-/// Coarsest first. What each encloses: collision_object.h.
-enum class Fidelity : std::uint8_t { none, sphere, aabb, obb, hull, mesh };
-
+/// By Fidelity (common/messages.h), coarsest first. What each encloses: collision_object.h.
 inline constexpr std::array<std::string_view, 6> fidelity_names = {"none", "sphere", "aabb",
                                                                    "obb",  "hull",   "mesh"};
 constexpr std::string_view fidelity_name(Fidelity fidelity) {

@@ -50,6 +50,9 @@ class SurfaceDetector {
   /// Length of the most stretched edge of the faces around the vertex, over its length at rest.
   double stretch_at(std::uint32_t vertex) const;
 
+  /// Calls back, in a fixed order, for every vertex inside the box.
+  template <class F>
+  void in_box(const Vec3& lo, const Vec3& hi, const F& f) const;
   /// Calls back, in a fixed order, for every vertex whose gap to the collider is at most `margin`: per vertex
   /// the closest part.
   template <class F>
@@ -127,17 +130,24 @@ void SurfaceDetector::near_thin(const Collider& collider, double margin, const F
 }
 
 template <class F>
-void SurfaceDetector::near(const Collider& collider, double margin, const F& f) const {
-  const Vec3 lo = collider.lo - Vec3::Constant(margin), hi = collider.hi + Vec3::Constant(margin);
+void SurfaceDetector::in_box(const Vec3& lo, const Vec3& hi, const F& f) const {
   if (!boxes_overlap(lo, hi, lo_, hi_)) return;
   for (std::size_t c = 0; c < chunks_.size(); ++c) {
     if (!boxes_overlap(lo, hi, chunks_[c].lo, chunks_[c].hi)) continue;
     for (std::size_t i = c * chunk_vertices; i < chunk_end(c); ++i) {
       const Vec3& x = positions_[order_[i]];
       if ((x.array() < lo.array()).any() || (x.array() > hi.array()).any()) continue;
-      if (const Distance d = distance_to(collider, x, margin); d.value <= margin) f(order_[i], d);
+      f(order_[i]);
     }
   }
+}
+
+template <class F>
+void SurfaceDetector::near(const Collider& collider, double margin, const F& f) const {
+  const Vec3 grow = Vec3::Constant(margin);
+  in_box(collider.lo - grow, collider.hi + grow, [&](std::uint32_t vertex) {
+    if (const Distance d = distance_to(collider, positions_[vertex], margin); d.value <= margin) f(vertex, d);
+  });
 }
 
 }  // namespace prosector

@@ -17,11 +17,35 @@ constexpr btScalar sleep_linear = 0.02F;             // m/s
 constexpr btScalar sleep_angular = 0.1F;             // rad/s
 constexpr btScalar most_quiet_while_coupled = 1.5F;  // s, below the 2 s at which Bullet puts to sleep
 constexpr btScalar lost_per_second = 0.98F;          // of the speed of what hangs balanced
-constexpr int group_body = 1, group_hand = 2, group_fixed = 4;
 
 std::size_t slot_of(const btCollisionObject* object) {
   return static_cast<std::size_t>(object->getUserIndex());
 }
+
+constexpr double ccd_share = 0.5;  // of a body's least half extent: the ball that Bullet sweeps ahead
+
+/// Which bodies' boxes are worth telling of. Bullet's groups and masks are those of the scene; besides, hands
+/// pass through each other, and what never moves meets nothing else of the kind.
+class PairFilter final : public btOverlapFilterCallback {
+ public:
+  static void mark_hand(btCollisionObject& object) { object.setUserIndex2(1); }
+
+  bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
+    const auto &first = object(a), &second = object(b);
+    return may_touch(mask(a), mask(b)) && !(is_hand(first) && is_hand(second)) &&
+           !(first.isStaticObject() && second.isStaticObject());
+  }
+
+ private:
+  static const btCollisionObject& object(const btBroadphaseProxy* proxy) {
+    return *static_cast<const btCollisionObject*>(proxy->m_clientObject);
+  }
+  static CollisionMask mask(const btBroadphaseProxy* proxy) {
+    return {static_cast<std::uint32_t>(proxy->m_collisionFilterGroup),
+            static_cast<std::uint32_t>(proxy->m_collisionFilterMask)};
+  }
+  static bool is_hand(const btCollisionObject& object) { return object.getUserIndex2() == 1; }
+};
 
 /// Bullet's world with its single step cut open at the constraint stage.
 class PhasedWorld final : public btDiscreteDynamicsWorld {
@@ -112,6 +136,7 @@ struct RigidWorld::Impl {
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
   btSequentialImpulseConstraintSolver solver;
+  PairFilter filter;
   PhasedWorld world{&dispatcher, &broadphase, &solver, &configuration};
   std::vector<Body> bodies;
   std::vector<char> coupled;
@@ -120,6 +145,7 @@ struct RigidWorld::Impl {
   explicit Impl(const Vec3& gravity) {
     btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
     world.setGravity(to_bullet(gravity));
+    broadphase.getOverlappingPairCache()->setOverlapFilterCallback(&filter);
     world.getDispatchInfo().m_deterministicOverlappingPairs = true;
     solver.setRandSeed(0);
   }
@@ -132,11 +158,8 @@ struct RigidWorld::Impl {
   /// Into the world with the masks, weight and activation of what it is now.
   void enter(Body& b) {
     const bool fixed = b.body->isStaticObject();
-    const int group = fixed ? group_fixed : b.setup.hand ? group_hand : group_body;
-    const int mask = fixed ? group_body | group_hand
-                           : group_body | group_fixed | (b.setup.hand ? 0 : static_cast<int>(group_hand));
-    const bool absent = b.presence == BodyPresence::absent;
-    world.addRigidBody(b.body.get(), absent ? 0 : group, absent ? 0 : mask);
+    const CollisionMask mask = b.presence == BodyPresence::absent ? CollisionMask{0, 0} : b.setup.mask;
+    world.addRigidBody(b.body.get(), static_cast<int>(mask.group), static_cast<int>(mask.mask));
     if (!fixed && (b.setup.hand || b.setup.balanced)) b.body->setGravity(btVector3(0, 0, 0));
     if (b.setup.hand) b.body->setActivationState(DISABLE_DEACTIVATION);
   }
@@ -168,6 +191,12 @@ std::size_t RigidWorld::add(const RigidSetup& setup, const RigidMotion& motion) 
   if (setup.balanced) info.m_linearDamping = info.m_angularDamping = lost_per_second;
   made.body = std::make_unique<btRigidBody>(info);
   made.body->setUserIndex(static_cast<int>(slot));
+  if (setup.hand) PairFilter::mark_hand(*made.body);
+  if (setup.continuous && made.shape.root->isConvex()) {
+    const double radius = part_extent(setup.parts.front()).half.minCoeff();
+    made.body->setCcdMotionThreshold(static_cast<btScalar>(radius));
+    made.body->setCcdSweptSphereRadius(static_cast<btScalar>(ccd_share * radius));
+  }
   made.setup = setup;
   made.setup.parts.clear();
   made.presence = BodyPresence::free;
@@ -193,6 +222,9 @@ bool RigidWorld::used(std::size_t slot) const {
 }
 bool RigidWorld::dynamic(std::size_t slot) const {
   return !impl_->at(slot).isStaticObject();
+}
+const CollisionMask& RigidWorld::mask(std::size_t slot) const {
+  return impl_->bodies[slot].setup.mask;
 }
 
 void RigidWorld::set_presence(std::size_t slot, BodyPresence presence) {

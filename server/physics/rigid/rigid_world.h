@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/hash.h"
+#include "server/physics/collision/collision_mask.h"
 #include "server/physics/rigid/shape.h"
 
 namespace prosector {
@@ -23,6 +24,9 @@ struct RigidSetup {
   double restitution = 0;
   bool hand = false;      // no gravity, never sleeps, passes through other hands
   bool balanced = false;  // no gravity, and a resistance that soon stops it
+  CollisionMask mask;
+  bool continuous =
+      false;  // stopped at the time of impact, where its shape is one convex piece around its centre
 };
 
 /// How a body takes part: as its setup says, held where it is as if it were part of the room, or not at all.
@@ -71,6 +75,7 @@ class RigidWorld {
   /// A body that becomes fixed or absent stops.
   void set_presence(std::size_t slot, BodyPresence presence);
   BodyPresence presence(std::size_t slot) const;
+  const CollisionMask& mask(std::size_t slot) const;
 
   RigidMotion motion(std::size_t slot) const;
   void set_motion(std::size_t slot, const RigidMotion& motion);
