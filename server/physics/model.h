@@ -1,5 +1,6 @@
 #pragma once
-// The compiled scene: const while running.
+// The compiled scene: const while running, but for how stiff tissue is and whether it is attached, which its
+// Part says (SoftBody::set_in_force): restored with the state.
 
 #include <memory>
 #include <optional>
