@@ -426,6 +426,11 @@ def collision_surfaces(reports):
                   "bytes a triangle"], lines)
 
 
+def collision_soft_sessions(reports):
+    lines = [[count(row["bodies"]), count(row["all_pairs"]), number(row["ms_narrow"])] for row in reports.rows("collision", case="soft_session")]
+    return table(["Soft bodies", "pairs of them", "ms"], lines)
+
+
 def machine(reports, before):
     if not reports.all:
         raise Missing("any bench")
@@ -443,6 +448,7 @@ KEEPING = {"machine": machine, "goals": goals}  # of several benches: lines of t
 TABLES = {"beam": beam, "beam101k": beam101k, "press": press, "bullet-here": bullet_here, "advice": advice,
           "bend-sizes": bend_sizes, "rungs": rungs, "extremes": extremes, "integrators": integrators, "springs": springs, "laws": laws, "scaling": scaling,
           "collision-shapes": collision_shapes, "collision-bodies": collision_bodies, "collision-surfaces": collision_surfaces,
+          "collision-soft-sessions": collision_soft_sessions,
           **{f"trade-{case}": trade_case(case) for case in ("bend", "bend_incompressible", "swing", "free", "press")}}
 
 

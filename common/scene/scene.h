@@ -141,10 +141,11 @@ struct SoftDesc {
   double damping_mass = 0.5;             // 1/s   Rayleigh: C = damping_mass·M + damping_stiffness·K
   double damping_stiffness = 0.01;       // s
   double friction = 0.3;
-  std::string collision = "mesh";  // none | mesh
+  std::string collision = "mesh";  // none | sphere | aabb | obb | hull | mesh
   std::string group = default_group;
   std::vector<std::string> touches;  // as of RigidDesc
   bool continuous = false;           // likewise
+  bool self_contact = false;         // true: it doesn't pass through itself
   bool gravity = true;               // false: the imaged shape already carries it
   int newton_iterations = 3;         // at most, per tick
   int solver_iterations = 60;        // linear solver, at most, per Newton iteration

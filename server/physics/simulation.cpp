@@ -36,7 +36,10 @@ int threads_of(const CompileOptions& options) {
 }  // namespace
 
 Simulation::Impl::Impl(const SceneDesc& scene, const CompileOptions& options)
-    : model(compile(scene, options)), world(scene.gravity), arena(threads_of(options)) {
+    : model(compile(scene, options)),
+      world(scene.gravity),
+      soft_boxes(still_margin),
+      arena(threads_of(options)) {
   for (const RigidModel& r : model.rigid) {
     RigidMotion motion;
     motion.pose = r.start * r.center;

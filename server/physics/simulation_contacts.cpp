@@ -128,6 +128,7 @@ void Simulation::Impl::detect_soft_contacts() {
   const double h = model.h;
   for (auto& list : soft_contacts) list.clear();
   std::fill(faces_moved.begin(), faces_moved.end(), 0);
+  track_soft_bodies();
   const auto awake = [&](const Collider& c) { return !c.fixed && !world.motion(c.slot).asleep; };
   // Waking spreads until nobody wakes any more: tissue wakes what rests on it, and the other way round.
   std::vector<char> done(soft.size(), 0);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "server/physics/byte_stream.h"
+#include "server/physics/collision/broad_phase.h"
 #include "server/physics/contact/soft_meeting.h"
 #include "server/physics/contact/surface_detector.h"
 #include "server/physics/coupled/step_island.h"
@@ -18,6 +19,7 @@ namespace prosector {
 inline constexpr double contact_margin = 0.002;  // m: gaps up to it may close within the tick
 inline constexpr double wake_margin = 0.003;     // m
 inline constexpr double most_reach = 0.05;       // m a tick: faster things are met late
+inline constexpr double still_margin = 0.005;    // m a soft body moves before its place in a tree may change
 
 /// Two soft bodies that touch.
 struct SoftPair {
@@ -47,6 +49,7 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<std::optional<TriangleSurface>> faces;  // per soft body; none: a rope's
   std::vector<char> faces_moved;                      // per soft body: they are where its surface is
   std::vector<std::vector<Contact>> soft_contacts;    // per soft body: with rigid ones
+  BroadPhase soft_boxes;                              // of soft bodies that collide, by index
   std::vector<SoftPair> soft_pairs;                   // ascending, those with contacts
   std::vector<VertexMeeting> meetings;                // what finding them works in
   std::vector<std::size_t> soft_group;  // per soft body: the first that it hangs together with, by soft pairs
@@ -62,6 +65,7 @@ struct Simulation::Impl : PanelSubjects {
   void take_inputs(const TickInput& input);
   void detect_soft_contacts();
   void detect_soft_pairs();  // part of it
+  void group_soft_bodies();  // part of that
   const std::vector<MixedIsland>& find_islands();
   void gather(const std::vector<MixedIsland>& mixed);
   void solve_islands();
@@ -131,6 +135,8 @@ struct Simulation::Impl : PanelSubjects {
   bool may_meet(std::size_t body, const Collider& collider) const;
   bool may_meet(std::size_t a, std::size_t b) const;  // two soft ones
   bool woken_by_soft(std::size_t body);
+  void track_soft_bodies();             // to where they are, and may be within the tick
+  Aabb box_of(std::size_t body) const;  // of a soft one, likewise
   SoftSkin skin(std::size_t body);
   double reach_of(std::size_t body) const;        // m: how far its nodes move within the tick
   double inner_reach_of(std::size_t body) const;  // m: likewise, less what they have in common

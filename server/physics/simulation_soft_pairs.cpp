@@ -80,9 +80,28 @@ bool Simulation::Impl::add_pair_contacts(std::size_t a, std::size_t b, double ma
   return out.size() > before;
 }
 
+Aabb Simulation::Impl::box_of(std::size_t body) const {
+  const double reach = soft[body].asleep ? 0 : std::min(most_reach, reach_of(body));
+  return Aabb{surfaces[body].lo(), surfaces[body].hi()}.grown(wake_margin + reach + skin_of(body));
+}
+
+void Simulation::Impl::track_soft_bodies() {
+  for (std::size_t i = 0; i < soft.size(); ++i) {
+    if (model.soft_collision[i].fidelity == Fidelity::none) continue;
+    const auto id = static_cast<BroadPhase::Id>(i);
+    if (!soft_boxes.has(id)) {
+      soft_boxes.add(id, box_of(i), model.soft_collision[i].mask, !soft[i].asleep);
+      continue;
+    }
+    soft_boxes.set_moves(id, !soft[i].asleep);
+    soft_boxes.update(id, box_of(i));
+  }
+}
+
 bool Simulation::Impl::woken_by_soft(std::size_t body) {
+  if (model.soft_collision[body].fidelity == Fidelity::none) return false;
   std::vector<Contact> found;
-  for (std::size_t other = 0; other < soft.size(); ++other)
+  for (const std::size_t other : soft_boxes.query(box_of(body)))
     if (!soft[other].asleep && may_meet(body, other) &&
         add_pair_contacts(body, other, wake_margin + std::min(most_reach, reach_of(other)), found))
       return true;
@@ -91,29 +110,36 @@ bool Simulation::Impl::woken_by_soft(std::size_t body) {
 
 void Simulation::Impl::detect_soft_pairs() {
   std::size_t used = 0;
-  const auto meet = [&](std::size_t a, std::size_t b, double reach) {
+  for (std::size_t i = 0; i < soft.size(); ++i)  // what woke meanwhile
+    if (const auto id = static_cast<BroadPhase::Id>(i); soft_boxes.has(id))
+      soft_boxes.set_moves(id, !soft[i].asleep);
+  for (const auto& [a, b] : soft_boxes.find_pairs()) {
+    if (soft[a].asleep || soft[b].asleep || !may_meet(a, b)) continue;
     if (used == soft_pairs.size()) soft_pairs.emplace_back();
     SoftPair& pair = soft_pairs[used];
     pair.a = a;
     pair.b = b;
     pair.contacts.clear();
-    if (!add_pair_contacts(a, b, contact_margin + std::min(most_reach, reach), pair.contacts)) return;
-    ++used;
-  };
-  for (std::size_t i = 0; i < soft.size(); ++i) {
-    if (soft[i].asleep) continue;
-    for (std::size_t j = i + 1; j < soft.size(); ++j)
-      if (!soft[j].asleep && may_meet(i, j)) meet(i, j, reach_of(i) + reach_of(j));
+    const double reach = std::min(most_reach, reach_of(a) + reach_of(b));
+    if (add_pair_contacts(a, b, contact_margin + reach, pair.contacts)) ++used;
   }
   soft_pairs.resize(used);
+  group_soft_bodies();
+}
+
+/// Each body's group is the first of those that pairs join it with.
+void Simulation::Impl::group_soft_bodies() {
   soft_group.resize(soft.size());
   std::iota(soft_group.begin(), soft_group.end(), std::size_t{0});
+  const auto first = [&](std::size_t body) {
+    while (soft_group[body] != body) body = soft_group[body] = soft_group[soft_group[body]];
+    return body;
+  };
   for (const SoftPair& pair : soft_pairs) {
-    const std::size_t from = soft_group[pair.a], to = soft_group[pair.b];
-    if (from == to) continue;
-    for (std::size_t& group : soft_group)
-      if (group == from || group == to) group = std::min(from, to);
+    const std::size_t a = first(pair.a), b = first(pair.b);
+    soft_group[std::max(a, b)] = std::min(a, b);
   }
+  for (std::size_t i = 0; i < soft.size(); ++i) soft_group[i] = first(i);
 }
 
 }  // namespace prosector

@@ -69,6 +69,18 @@ void add_surfaces(const CollisionBenchOptions& options, Report& report) {
   }
 }
 
+void add_soft_sessions(const CollisionBenchOptions& options, Report& report) {
+  const TextTable table({{count, "bodies", "soft bodies", 11},
+                         {count, "all_pairs", "pairs of them", 13},
+                         {number, "ms_narrow", "ms to detect", 12}});
+  table.print_header();
+  for (const int bodies : {10, 100, 1000}) {
+    if (bodies > options.max_bodies) break;
+    report.add(measure_soft_session(bodies, options.ticks));
+    table.print(report.rows().back());
+  }
+}
+
 }  // namespace
 
 Report bench_collision(const CollisionBenchOptions& options) {
@@ -76,6 +88,7 @@ Report bench_collision(const CollisionBenchOptions& options) {
   add_pairs(options, report);
   add_bodies(options, report);
   add_surfaces(options, report);
+  add_soft_sessions(options, report);
   if (!options.picture_folder.empty())
     draw_collision(report.rows()).write(options.picture_folder + "/collision.svg");
   return report;

@@ -1,11 +1,14 @@
 #include "tests/bench/collision_cases.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "server/calibration/stopwatch.h"
 #include "server/physics/collision/self_contact.h"
+#include "server/physics/simulation.h"
 #include "tests/bench/memory.h"
 
 namespace prosector {
@@ -187,6 +190,34 @@ ReportRow measure_surface(int levels, int ticks) {
   row["ms_crossing"] = median(crossing);
   row["ms_self"] = median(self);
   row["bytes_per_triangle"] = static_cast<double>(bytes) / triangles;
+  return row;
+}
+
+ReportRow measure_soft_session(int bodies, int ticks) {
+  SceneDesc scene;
+  const int side = static_cast<int>(std::ceil(std::cbrt(bodies)));
+  for (int i = 0; i < bodies; ++i) {
+    SoftDesc& soft = scene.soft.emplace_back();
+    soft.name = fmt::format("ball{}", i);
+    soft.shape = "ball";
+    soft.size = Vec3::Constant(0.05);
+    soft.cell = soft.surface_cell = 0.03;
+    soft.pose.p = 0.1 * Vec3(i % side, i / side % side, i / side / side);
+  }
+  CompileOptions options;
+  options.threads = 1;
+  Simulation simulation(scene, options);
+  std::vector<double> narrow;
+  for (int tick = 0; tick < ticks + 1; ++tick) {
+    const StepReport& report = simulation.step({});
+    if (tick > 0) narrow.push_back(1e3 * report.seconds[static_cast<std::size_t>(Phase::narrow)]);
+  }
+  ReportRow row;
+  row["case"] = "soft_session";
+  row["fidelity"] = fidelity_name(Fidelity::mesh);
+  row["bodies"] = bodies;
+  row["all_pairs"] = bodies * (bodies - 1) / 2;
+  row["ms_narrow"] = median(narrow);
   return row;
 }
 

@@ -38,4 +38,8 @@ ReportRow measure_bodies(Fidelity fidelity, int bodies, int ticks);
 /// `ms_apart` (nearly touching), `ms_crossing` (a tenth deep), `ms_self`, `bytes_per_triangle`.
 ReportRow measure_surface(int levels, int ticks);
 
+/// A session of that many small soft balls, 0.1 m from one another, that all fall: `ms_narrow` of a
+/// tick, beside the number of `all_pairs`.
+ReportRow measure_soft_session(int bodies, int ticks);
+
 }  // namespace prosector

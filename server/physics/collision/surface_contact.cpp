@@ -50,43 +50,48 @@ Cut cut_of(const TriangleSurface& surface, std::uint32_t triangle, const Piercin
   return from < to ? Cut{from, to, p.along} : Cut{to, from, 1 - p.along};
 }
 
+/// Calls f(triangle of a, its corners, triangle of b, its corners in a's frame) for those in leaves whose
+/// boxes' squared distance is at most `limit()`.
+template <class Limit, class F>
+void near_triangles(const TriangleSurface& a, const InFrame& b, const Limit& limit, const F& f) {
+  std::array<Triangle, SurfaceTree::leaf_triangles> in_frame;
+  descend_pairs(a.tree(), b.surface.tree(), b.rotation, b.shift, limit,
+                [&](const SurfaceTree::Node& p, const SurfaceTree::Node& q) {
+                  for (std::uint32_t j = q.begin; j < q.end; ++j)
+                    in_frame[j - q.begin] = b.triangle(b.surface.tree().order()[j]);
+                  for (std::uint32_t i = p.begin; i < p.end; ++i) {
+                    const std::uint32_t ta = a.tree().order()[i];
+                    const Triangle of_a = a.triangle(ta);
+                    for (std::uint32_t j = q.begin; j < q.end; ++j)
+                      f(ta, of_a, b.surface.tree().order()[j], in_frame[j - q.begin]);
+                  }
+                });
+}
+
 Crossings find_crossings(const TriangleSurface& a, const InFrame& b, bool only_whether) {
   Crossings out;
   const Vec3 way = a.box().center() - b(b.surface.box().center());
-  std::vector<Triangle> in_frame;
-  descend_pairs(
-      a.tree(), b.surface.tree(), b.rotation, b.shift, [&] { return out.any && only_whether ? -1.0 : 0.0; },
-      [&](const SurfaceTree::Node& p, const SurfaceTree::Node& q) {
-        in_frame.clear();
-        for (std::uint32_t j = q.begin; j < q.end; ++j)
-          in_frame.push_back(b.triangle(b.surface.tree().order()[j]));
-        for (std::uint32_t i = p.begin; i < p.end; ++i) {
-          const std::uint32_t ta = a.tree().order()[i];
-          const Triangle of_a = a.triangle(ta);
-          for (std::uint32_t j = q.begin; j < q.end; ++j) {
-            const TriangleCrossing found = crossing(of_a, in_frame[j - q.begin]);
-            if (!found.crosses) continue;
-            const std::uint32_t tb = b.surface.tree().order()[j];
-            const Triangle& t = in_frame[j - q.begin];
-            const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
-            const double facing = normal.norm() > 0 ? std::abs(way.dot(normal.normalized())) : 0;
-            const bool earlier = std::pair{ta, tb} < std::pair{out.triangle_a, out.triangle_b};
-            if (facing > out.facing || (facing == out.facing && earlier)) {
-              out.facing = facing;
-              out.triangle_a = ta;
-              out.triangle_b = tb;
-              out.point =
-                  found.count > 0 ? found.piercings[0].point : closest(of_a, in_frame[j - q.begin]).on_a;
-            }
-            out.any = true;
-            for (std::size_t k = 0; k < found.count; ++k) {
-              const Piercing& piercing = found.piercings[k];
-              if (piercing.of_a)
-                out.of_a.push_back(cut_of(a, ta, piercing));
-              else
-                out.of_b.push_back(cut_of(b.surface, tb, piercing));
-            }
-          }
+  near_triangles(
+      a, b, [&] { return out.any && only_whether ? -1.0 : 0.0; },
+      [&](std::uint32_t ta, const Triangle& of_a, std::uint32_t tb, const Triangle& of_b) {
+        const TriangleCrossing found = crossing(of_a, of_b);
+        if (!found.crosses) return;
+        const Vec3 normal = (of_b[1] - of_b[0]).cross(of_b[2] - of_b[0]);
+        const double facing = normal.norm() > 0 ? std::abs(way.dot(normal.normalized())) : 0;
+        const bool earlier = std::pair{ta, tb} < std::pair{out.triangle_a, out.triangle_b};
+        if (facing > out.facing || (facing == out.facing && earlier)) {
+          out.facing = facing;
+          out.triangle_a = ta;
+          out.triangle_b = tb;
+          out.point = found.count > 0 ? found.piercings[0].point : closest(of_a, of_b).on_a;
+        }
+        out.any = true;
+        for (std::size_t k = 0; k < found.count; ++k) {
+          const Piercing& piercing = found.piercings[k];
+          if (piercing.of_a)
+            out.of_a.push_back(cut_of(a, ta, piercing));
+          else
+            out.of_b.push_back(cut_of(b.surface, tb, piercing));
         }
       });
   std::sort(out.of_a.begin(), out.of_a.end());
@@ -241,28 +246,17 @@ std::optional<Proximity> distance_of(const TriangleSurface& a, const InFrame& b,
   std::uint32_t triangle_a = 0, triangle_b = 0;
   double squared = limit * limit;
   bool found = false;
-  std::vector<Triangle> in_frame;
-  descend_pairs(
-      a.tree(), b.surface.tree(), b.rotation, b.shift, [&] { return squared; },
-      [&](const SurfaceTree::Node& p, const SurfaceTree::Node& q) {
-        in_frame.clear();
-        for (std::uint32_t j = q.begin; j < q.end; ++j)
-          in_frame.push_back(b.triangle(b.surface.tree().order()[j]));
-        for (std::uint32_t i = p.begin; i < p.end; ++i) {
-          const std::uint32_t ta = a.tree().order()[i];
-          const Triangle of_a = a.triangle(ta);
-          for (std::uint32_t j = q.begin; j < q.end; ++j) {
-            const std::uint32_t tb = b.surface.tree().order()[j];
-            const TrianglePair pair = closest(of_a, in_frame[j - q.begin]);
-            const bool later = found && std::pair{ta, tb} > std::pair{triangle_a, triangle_b};
-            if (pair.squared_distance > squared || (pair.squared_distance == squared && later)) continue;
-            best = pair;
-            triangle_a = ta;
-            triangle_b = tb;
-            squared = pair.squared_distance;
-            found = true;
-          }
-        }
+  near_triangles(
+      a, b, [&] { return squared; },
+      [&](std::uint32_t ta, const Triangle& of_a, std::uint32_t tb, const Triangle& of_b) {
+        const TrianglePair pair = closest(of_a, of_b);
+        const bool later = found && std::pair{ta, tb} > std::pair{triangle_a, triangle_b};
+        if (pair.squared_distance > squared || (pair.squared_distance == squared && later)) return;
+        best = pair;
+        triangle_a = ta;
+        triangle_b = tb;
+        squared = pair.squared_distance;
+        found = true;
       });
   if (!found) return std::nullopt;
   Proximity out;
