@@ -14,10 +14,11 @@ constexpr double turn_per_pixel = 0.005;  // rad
 constexpr double reach_per_notch = 0.02;  // m
 constexpr double fly_speed = 0.6;         // m/s
 constexpr double least_reach = 0.15, most_reach = 4;
-constexpr double steepest = 1.5;                         // rad: the view never turns over
-constexpr double wrist_to_fingertips = 0.18;             // m, fingers stretched
-constexpr double hand_pitch = -0.5;                      // rad: fingers point into the picture and down
-constexpr double close_per_s = 6;                        // flexion per second when the button goes down
+constexpr double first_reach = 0.7;           // of the way to what the view is of: beside it, not in it
+constexpr double steepest = 1.5;              // rad: the view never turns over
+constexpr double wrist_to_fingertips = 0.18;  // m, fingers stretched
+constexpr double hand_pitch = -0.5;           // rad: fingers point into the picture and down
+constexpr double close_per_s = 6;             // flexion per second when the button goes down
 constexpr std::chrono::milliseconds slide_interval{40};  // a server takes no more than 50 commands a second
 
 }  // namespace
@@ -28,7 +29,7 @@ void Desk::begin(const CameraInfo& start) {
   distance_ = back.norm();
   yaw_ = std::atan2(back.x(), back.z());
   pitch_ = std::asin(std::clamp(back.y() / distance_, -1.0, 1.0));
-  reach_ = distance_;
+  reach_ = first_reach * distance_;
   pointer_x_ = 0.5 * window_.width();
   pointer_y_ = 0.5 * window_.height();
   last_update_ = std::chrono::steady_clock::now();
@@ -46,6 +47,7 @@ void Desk::update(const CameraInfo& start, const Panel* own_panel) {
   flexion_ += std::clamp(wanted - flexion_, -close_per_s * seconds, close_per_s * seconds);
   const Vec3 back(std::sin(yaw_) * std::cos(pitch_), std::sin(pitch_), std::cos(yaw_) * std::cos(pitch_));
   eye_ = look_at(view_->target + distance_ * back, view_->target);
+  if (grasping_ || !at_panel()) hand_ = hand_pose();
 }
 
 void Desk::take(const WindowEvent& event) {
@@ -136,7 +138,7 @@ HandInput Desk::input() const {
   input.head = eye_;
   HandPose& hand = input.hands[right_hand];
   hand.tracked = true;
-  hand.pose = hand_pose();
+  hand.pose = hand_;
   hand.flexion.fill(flexion_);
   hand.gesture = grasping_ ? Gesture::fist : Gesture::flat;
   return input;

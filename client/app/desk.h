@@ -53,6 +53,7 @@ class Desk {
   double reach_ = 0;                      // m from the eye to the fingertips
   bool grasping_ = false;
   double flexion_ = 0.1;
+  Pose hand_;  // stays where it was while the pointer is at the panel, which it would hide
 
   // What the pointer does to parts and panels.
   std::optional<Panel> panel_;
@@ -72,6 +73,7 @@ class Desk {
   DrawCamera camera() const;
   Ray pointer() const { return ray_through(camera(), pointer_x_, pointer_y_); }
   Pose hand_pose() const;
+  bool at_panel() const { return panel_ && meet(pointer(), *panel_); }
 };
 
 }  // namespace prosector

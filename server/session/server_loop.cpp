@@ -261,6 +261,7 @@ RunFigures ServerLoop::figures() const {
   out.real_time_factor_with_participants = real_time_factor(first_arrival_);
   out.invalid_dropped = bus_.counters().dropped_total + session_.dropped_total();
   out.hand_timeouts = session_.hand_timeouts();
+  out.commands = session_.commands();
   out.state_hash = state_hash_;
   return out;
 }

@@ -38,6 +38,7 @@ struct RunFigures {
   double real_time_factor_with_participants = 0;      // since the first one came; 0: nobody did
   std::map<std::string, double> max_displacement_mm;  // soft body → most over the run
   std::uint64_t invalid_dropped = 0, hand_timeouts = 0;
+  CommandCounts commands{};
   std::uint64_t state_hash = 0;  // of the last tick
 };
 

@@ -177,7 +177,7 @@ void Session::obey(const Command& command, const Participant& member, Seat& seat
   seat.asked.push_back({grasp ? HandEvent::Kind::grasp : HandEvent::Kind::release, command.participant,
                         command.hand, BodyId{0}});
   if (grasp)
-    seat.grasps.push_back({command.sequence, command.hand});
+    seat.grasps.push_back(command);
   else
     answer(command, "");
 }
@@ -310,11 +310,11 @@ void Session::finish_tick(std::span<const HandState> hands, const StepReport& re
     if (Participant* member = roster_.find(let_go.participant); member != nullptr)
       events_.push_back({SessionEvent::Kind::let_go, let_go.participant, member->presence.name, let_go.why});
   for (auto& [id, seat] : seats_) {
-    for (const Grasp& grasp : seat.grasps) {
+    for (const Command& grasp : seat.grasps) {
       const bool holds = std::any_of(hands.begin(), hands.end(), [&](const HandState& h) {
         return h.participant == id && h.hand == grasp.hand && h.holding;
       });
-      outgoing_.push_back({CommandResult{id, grasp.sequence, holds, holds ? "" : "nothing within reach"}});
+      answer(grasp, holds ? "" : "nothing within reach");
     }
     seat.grasps.clear();
   }
@@ -369,6 +369,8 @@ const HandInput* Session::newest_input(ParticipantId id) const {
 
 void Session::answer(const Command& command, const std::string& refusal) {
   if (outgoing_.size() >= max_outgoing) return drop("Command: too many to answer");
+  if (const auto kind = static_cast<std::size_t>(command.kind); kind < commands_.size())
+    ++(refusal.empty() ? commands_[kind].granted : commands_[kind].refused);
   outgoing_.push_back({CommandResult{command.participant, command.sequence, refusal.empty(), refusal}});
 }
 

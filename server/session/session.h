@@ -16,6 +16,7 @@
 
 #include "idl/bus.h"
 #include "server/physics/simulation.h"
+#include "server/session/command_count.h"
 #include "server/session/panel_inputs.h"
 #include "server/session/roster.h"
 
@@ -72,6 +73,8 @@ class Session {
   /// Samples that contradict the session, by reason.
   const std::map<std::string, std::uint64_t>& dropped() const { return dropped_; }
   std::uint64_t dropped_total() const { return dropped_total_; }
+  /// Those that were answered.
+  const CommandCounts& commands() const { return commands_; }
 
  private:
   struct Hand {
@@ -79,16 +82,12 @@ class Session {
     std::uint64_t tracked_tick = 0;
     HandTarget target;
   };
-  struct Grasp {
-    std::uint64_t sequence;
-    std::size_t hand;
-  };
   struct Seat {  // of a member
     std::optional<HandInput> input;
     bool fresh = false;
     std::array<Hand, 2> hands;
     std::vector<HandEvent> asked;  // by its commands since the last tick
-    std::vector<Grasp> grasps;     // waiting for the step
+    std::vector<Command> grasps;   // waiting for the step
     std::vector<Command> parts;    // likewise
     std::uint32_t commands = 0;    // this tick
   };
@@ -110,6 +109,7 @@ class Session {
   std::vector<Outgoing> outgoing_;
   std::vector<SessionEvent> events_;
   std::map<std::string, std::uint64_t> dropped_;
+  CommandCounts commands_{};
   std::uint64_t dropped_total_ = 0, hand_timeouts_ = 0, tick_ = 0;
 
   void take(const Received& received);

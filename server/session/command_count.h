@@ -1,0 +1,23 @@
+#pragma once
+// How many commands of each kind a session granted and refused.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "common/messages.h"
+
+namespace prosector {
+
+/// In the order of CommandKind.
+inline constexpr std::array<std::string_view, 13> command_names = {
+    "join",   "grasp",   "release",     "reset",      "leave",       "set_role",   "detach",
+    "attach", "inspect", "end_inspect", "open_panel", "close_panel", "set_control"};
+static_assert(command_names.size() == static_cast<std::size_t>(CommandKind::set_control) + 1);
+
+struct CommandCount {
+  std::uint64_t granted = 0, refused = 0;
+};
+using CommandCounts = std::array<CommandCount, command_names.size()>;
+
+}  // namespace prosector

@@ -1,0 +1,199 @@
+#!/usr/bin/python3
+"""desk_test.py BIN OUT, run under xvfb-run: a person at a desk. A real server, a real window, and xdotool for the mouse and the
+keys: P over an organ brings up its panel, a click presses a button, a drag moves the slider, the button held over the
+organ grasps. What came of it is read in the client's pictures and in the server's summary.
+
+Exits with 77 where there is no display or no tool to act on it.
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+from PIL import Image, ImageChops
+
+BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+WIDTH, HEIGHT = 800, 600
+BEFORE, PANEL, WORKED = 6, 10, 20  # s after joining: when the client takes its pictures
+# Of the panel, as parts of its width and height from its upper left corner: common/panel.h.
+LIGHT_SHAFT = ((0.15 + 0.071) / 0.30, (0.13 + 0.012) / 0.26)
+KNOB, KNOB_RIGHT = (0.5, (0.13 + 0.096) / 0.26), (0.8, (0.13 + 0.096) / 0.26)
+
+SCENE = '''name = "desk"
+[camera]
+eye = [0, 1.2, 1.3]
+target = [0, 1.2, 0]
+[[soft]]
+name = "jelly"
+description = "an organ to work on"
+shape = "ball"
+size = [0.2, 0.2, 0.2]
+cell = 0.04
+surface_cell = 0.02
+position = [0, 1, 0]
+gravity = false
+damping_mass = 4
+anatomy = true
+color = [0.9, 0.1, 0.1]
+  [[soft.attach]]
+  center = [0, 0.9, 0]
+  radius = 0.05
+  stiffness = 1e6
+[[light]]
+name = "lamp"
+kind = "spot"
+position = [0.5, 2, 1]
+direction = [-0.3, -0.7, -0.7]
+color = [1, 1, 1]
+intensity = 0.6
+cone = 0.6
+[[light]]
+name = "room"
+kind = "point"
+position = [0, 2, 2]
+color = [1, 1, 1]
+intensity = 0.5
+'''
+
+
+def skip(why):
+    print("SKIPPED:", why)
+    sys.exit(77)
+
+
+if not os.environ.get("DISPLAY"):
+    skip("no display: run under xvfb-run")
+if not shutil.which("xdotool"):
+    skip("xdotool is not installed")
+
+shutil.rmtree(OUT, ignore_errors=True)
+OUT.mkdir(parents=True)
+(OUT / "desk.toml").write_text(SCENE)
+running = []
+
+
+def start(log, *command):
+    running.append(subprocess.Popen([str(c) for c in command], stdout=open(OUT / log, "w"), stderr=subprocess.STDOUT))
+    return running[-1]
+
+
+def wait_until(what, test, seconds=30):
+    deadline = time.monotonic() + seconds
+    while time.monotonic() < deadline:
+        if (found := test()):
+            return found
+        time.sleep(0.1)
+    raise AssertionError(f"{what}: not within {seconds} s")
+
+
+def act(*words):
+    subprocess.run(["xdotool", *map(str, words)], check=True)
+
+
+def picture(seconds):
+    """What the window shows that long after joining."""
+    file = OUT / f"{seconds}.png"
+
+    def whole():
+        try:
+            return Image.open(file).convert("RGB")
+        except OSError:
+            return None  # not there, or still being written
+
+    return wait_until(file.name, whole)
+
+
+def says(log, words):
+    return words in (OUT / log).read_text()
+
+
+def point_at(part):
+    """Moves the mouse to a place on the panel."""
+    x, y = (round(a + p * (b - a)) for p, (a, b) in zip(part, panel))
+    act("mousemove", left + x, top + y)
+    time.sleep(0.2)
+
+
+def changed(before, after):
+    """White where two pictures differ."""
+    bands = ImageChops.difference(before, after).split()
+    most = ImageChops.lighter(ImageChops.lighter(bands[0], bands[1]), bands[2])
+    return most.point(lambda level: 255 if level > 8 else 0)
+
+
+def extent(mask, axis):
+    """First and one past the last row (axis 1) or column (axis 0) of which an eighth is white."""
+    size = (mask.width, 1) if axis == 0 else (1, mask.height)
+    lit = [i for i, level in enumerate(mask.resize(size, Image.BOX).getdata()) if level > 255 / 8]
+    assert len(lit) > 60, "no panel came up where P was pressed"
+    return lit[0], lit[-1] + 1
+
+
+def share(mask, x, y):
+    """White part of the panel's area x by y, each from … to, as parts of it."""
+    (a, b), (c, d) = panel
+    area = mask.crop([round(v) for v in (a + x[0] * (b - a), c + y[0] * (d - c), a + x[1] * (b - a), c + y[1] * (d - c))])
+    return area.resize((1, 1), Image.BOX).getpixel((0, 0)) / 255
+
+
+try:
+    session = f"desk-{os.getpid()}"
+    server = start("server.log", BIN / "prosector-server", OUT / "desk.toml", "--session", session, "--domain", 77, "--summary",
+                   OUT / "server.json")
+    wait_until("the server", lambda: says("server.log", "is open on this machine"))
+    client = start("client.log", BIN / "prosector-client", "join", "--name", "mouse", "--session", session, "--domain", 77,
+                   "--size", f"{WIDTH}x{HEIGHT}", "--no-overlay", *(word for t in (BEFORE, PANEL, WORKED) for word in ("--screenshot", f"{OUT / str(t)}.png@{t}")))
+    window = wait_until("the window", lambda: subprocess.run(
+        ["xdotool", "search", "--onlyvisible", "--pid", str(client.pid)], capture_output=True, text=True).stdout.split())[0]
+    place = dict(line.split("=") for line in subprocess.run(["xdotool", "getwindowgeometry", "--shell", window],
+                                                            capture_output=True, text=True, check=True).stdout.split())
+    left, top = int(place["X"]), int(place["Y"])
+    act("windowfocus", window)
+
+    act("mousemove", left + WIDTH // 2, top + HEIGHT // 2 + 106)  # the organ's middle: 0.2 m below the view's
+    before = picture(BEFORE)
+    act("key", "p")
+    after = picture(PANEL)
+    mask = changed(before, after)
+    panel = extent(mask, 0), extent(mask, 1)
+    print("panel at", panel)
+
+    point_at(LIGHT_SHAFT)
+    act("click", 1)
+    time.sleep(1)
+    point_at(KNOB)
+    act("mousedown", 1)
+    for step in range(1, 11):
+        point_at(tuple(a + (b - a) * step / 10 for a, b in zip(KNOB, KNOB_RIGHT)))
+    act("mouseup", 1)
+    worked = picture(WORKED)
+
+    # Beside the panel the same button grasps: there is an organ under the pointer, or there is not.
+    act("mousemove", left + 40, top + HEIGHT - 40, "mousedown", 1)
+    time.sleep(0.5)
+    act("mouseup", 1)
+    time.sleep(0.5)
+    act("key", "Escape")
+    assert client.wait(20) == 0, "the client did not leave when told to"
+    server.terminate()
+    assert server.wait(20) == 0
+    commands = json.loads((OUT / "server.json").read_text())["commands"]
+    print(json.dumps(commands))
+    assert commands["open_panel"]["granted"] == 1, commands
+    assert commands["set_control"]["granted"] >= 3, commands  # the button, and the slider on its way
+    assert commands["set_control"]["refused"] == 0, commands
+    assert commands["grasp"]["granted"] + commands["grasp"]["refused"] == 1, commands
+    # The slider's knob is where the pointer left it, and not where it was.
+    mask = changed(after, worked)
+    for x, _ in KNOB, KNOB_RIGHT:
+        assert share(mask, (x - 0.03, x + 0.03), (KNOB[1] - 0.03, KNOB[1] + 0.03)) > 0.3, f"the slider did not change at {x}"
+finally:
+    for process in running:
+        if process.poll() is None:
+            process.terminate()
+    for process in running:
+        process.wait(20)
