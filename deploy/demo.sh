@@ -42,51 +42,12 @@ out=$(cd "$out" && pwd)
 rm -f "$out"/*.png "$out"/*.avi "$out"/*.csv "$out"/*.json "$out"/*.log "$out"/journal.sqlite*
 session=demo-$$
 
-# Everything that we start ends with us, by its own process id.
-pids=()
-stop() {
-  local pid
-  for pid in "${pids[@]}"; do kill -TERM "$pid" 2>/dev/null || true; done
-  for pid in "${pids[@]}"; do wait "$pid" 2>/dev/null || true; done
-  pids=()
-}
-trap stop EXIT
-trap 'exit 130' INT TERM
+. "$root/deploy/demo_lib.sh"
 
-say() { printf '\n== %s\n' "$*"; }
-fail() {
-  echo "demo: $1; see $2:" >&2
-  tail -n 5 "$2" >&2
-  exit 1
-}
-wait_for() {  # FILE PATTERN SECONDS WHAT
-  local waited=0
-  until grep -q -- "$2" "$1" 2>/dev/null; do
-    [ "$waited" -lt "$(($3 * 10))" ] || fail "$4 did not come up within $3 s" "$1"
-    sleep 0.1
-    waited=$((waited + 1))
-  done
-}
-
-say "Hosting $(basename "$scene") as session $session"
-"$bin/prosector-server" "$scene" --session "$session" --journal "$out/journal.sqlite" --summary "$out/server.json" \
-  > "$out/server.log" 2>&1 &
-server=$!
-pids+=("$server")
-wait_for "$out/server.log" "take part" 180 "the server"
-grep -E "bodies|session|fem_" "$out/server.log" | head -n 12 || true
+host "$scene" "$session"
 
 say "A headset user joins through the simulated tracker and glove"
-"$bin/prosector-fastrak-twin" --script "$root/deploy/demo/hand.csv" --wait-client --link "$out/tracker" \
-  --room-device 0,1,1,1,0,0,0 --log "$out/tracker.csv" --noise-cm 0.02 --seed 1 > "$out/tracker.log" 2>&1 &
-pids+=("$!")
-"$bin/prosector-5dt-twin" --script "$root/deploy/demo/glove.csv" --wait-client --link "$out/glove" \
-  --log "$out/glove.csv" --seed 2 > "$out/glove.log" 2>&1 &
-pids+=("$!")
-for link in tracker glove; do
-  for _ in $(seq 50); do [ -e "$out/$link" ] && break; sleep 0.1; done
-  [ -e "$out/$link" ] || fail "the simulated $link did not come up" "$out/$link.log"
-done
+twins "" "$root/deploy/demo/hand.csv" "$root/deploy/demo/glove.csv"
 "$bin/prosector-client" join --session "$session" --name "headset user" --config "$root/deploy/demo/headset.toml" \
   --tracker "fastrak:$out/tracker" --glove "5dt:$out/glove" --display offscreen --size 640x480 --fps 5 \
   --screenshot "$out/headset.png@10" --latency-log "$out/headset.csv" --summary "$out/headset.json" \

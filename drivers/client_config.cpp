@@ -198,16 +198,18 @@ struct EventName {
   const char* name;
   GestureEvent event;
 };
-constexpr std::array<EventName, 4> event_names = {{{"none", GestureEvent::none},
+constexpr std::array<EventName, 5> event_names = {{{"none", GestureEvent::none},
                                                    {"grasp", GestureEvent::grasp},
                                                    {"release", GestureEvent::release},
-                                                   {"reset", GestureEvent::reset}}};
+                                                   {"reset", GestureEvent::reset},
+                                                   {"panel", GestureEvent::panel}}};
+constexpr const char* allowed_events = "none, grasp, release, reset or panel";
 
 void read_gestures(Section section, ClientConfig& config) {
   config.gestures.clear();
   for (const GestureRow& row : gesture_table()) {
     if (row.gesture == Gesture::none) continue;
-    const auto name = section.value<std::string>(row.name, "none, grasp, release or reset");
+    const auto name = section.value<std::string>(row.name, allowed_events);
     if (!name) continue;
     bool found = false;
     for (const EventName& e : event_names) {
@@ -215,7 +217,7 @@ void read_gestures(Section section, ClientConfig& config) {
       found = true;
       if (e.event != GestureEvent::none) config.gestures[row.gesture] = e.event;
     }
-    if (!found) section.fail(row.name, "must be none, grasp, release or reset");
+    if (!found) section.fail(row.name, fmt::format("must be {}", allowed_events));
   }
   section.finish();
 }

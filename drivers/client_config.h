@@ -16,8 +16,9 @@ namespace prosector {
 /// What a tracker's receiver is fixed to.
 enum class StationRole : std::uint8_t { none, head, left_hand, right_hand };
 
-/// What making a gesture asks of the server.
-enum class GestureEvent : std::uint8_t { none, grasp, release, reset };
+/// What making a gesture asks for. `panel`: the panel of the part that the hand touches or points at, or away
+/// with one's own that is open.
+enum class GestureEvent : std::uint8_t { none, grasp, release, reset, panel };
 
 struct GloveSettings {
   std::string address;  // empty: no such glove
@@ -30,7 +31,9 @@ struct ClientConfig {
   std::array<StationRole, max_stations> stations{StationRole::right_hand};
   std::array<GloveSettings, 2> gloves;  // left_hand, right_hand; `left` is set
   std::map<Gesture, GestureEvent> gestures = {{Gesture::fist, GestureEvent::grasp},
-                                              {Gesture::flat, GestureEvent::release}};
+                                              {Gesture::pinch, GestureEvent::grasp},
+                                              {Gesture::flat, GestureEvent::release},
+                                              {Gesture::index_little, GestureEvent::panel}};
 
   ClientConfig() { gloves[left_hand].device.left = true; }
 };

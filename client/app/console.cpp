@@ -46,8 +46,7 @@ Affine scaled_about(const Vec3& center, double scale) {
   return out;
 }
 
-std::variant<Command, std::string> give(const std::string& rest,
-                                        const std::map<ParticipantId, RosterEntry>& roster) {
+ConsoleLine give(const std::string& rest, const std::map<ParticipantId, RosterEntry>& roster) {
   const auto [name, word] = split_last(rest);
   const auto role = role_of(word);
   if (!role) return "give NAME ROLE: ROLE is host, dissector or observer";
@@ -64,9 +63,9 @@ std::variant<Command, std::string> give(const std::string& rest,
 
 }  // namespace
 
-std::variant<Command, std::string> parse_console_line(const std::string& line, const SceneInfo& scene,
-                                                      const std::map<ParticipantId, RosterEntry>& roster,
-                                                      const std::function<Vec3(BodyId)>& middle) {
+ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
+                               const std::map<ParticipantId, RosterEntry>& roster,
+                               const std::function<Vec3(BodyId)>& middle) {
   const std::string text = trimmed(line);
   const auto space = text.find(' ');
   const std::string verb = text.substr(0, space);
@@ -77,6 +76,10 @@ std::variant<Command, std::string> parse_console_line(const std::string& line, c
                                                            {"inspect", CommandKind::inspect},
                                                            {"end", CommandKind::end_inspect}};
   if (verb == "give") return give(rest, roster);
+  if (verb == "picture") {
+    if (rest.empty()) return "picture FILE: FILE is where it goes";
+    return TakePicture{rest};
+  }
   const auto found = verbs.find(verb);
   if (found == verbs.end()) return std::string(console_help);
   Command out;

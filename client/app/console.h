@@ -1,6 +1,7 @@
 #pragma once
 // What a person types into the client's terminal: who gets which role, what happens to parts.
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
@@ -14,13 +15,21 @@ namespace prosector {
 inline constexpr const char* console_help =
     "give NAME host|dissector|observer    (the host only)\n"
     "detach PART    attach PART    reset BODY\n"
-    "inspect PART [SCALE]    end PART    (shows it SCALE times as large, out of touch)";
+    "inspect PART [SCALE]    end PART    (shows it SCALE times as large, out of touch)\n"
+    "picture FILE    (PNG of what you see)";
 
-/// A line as a command to the server, or, in words, why it is none. Names are those of the roster and the
-/// scene; they may hold spaces. `middle`: of a body, in the room, m.
-std::variant<Command, std::string> parse_console_line(const std::string& line, const SceneInfo& scene,
-                                                      const std::map<ParticipantId, RosterEntry>& roster,
-                                                      const std::function<Vec3(BodyId)>& middle);
+/// A picture to take now.
+struct TakePicture {
+  std::filesystem::path file;
+};
+
+/// A command to the server, something that the client does itself, or, in words, why it is neither.
+using ConsoleLine = std::variant<Command, TakePicture, std::string>;
+
+/// Names are those of the roster and the scene; they may hold spaces. `middle`: of a body, in the room, m.
+ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
+                               const std::map<ParticipantId, RosterEntry>& roster,
+                               const std::function<Vec3(BodyId)>& middle);
 
 /// Lines that were typed since the last call; waits for none. Ends quietly with standard input.
 class Console {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <utility>
+
 #include "common/clock.h"
 #include "common/error.h"
 
@@ -13,17 +15,6 @@ constexpr std::int64_t shortest_ns = 5'000'000;  // between two sends: several s
 constexpr std::int64_t desk_ns = 16'000'000;     // a desk user's hand
 constexpr std::int64_t longest_ns =
     100'000'000;  // and without news: says that the hand is still (or no longer) there
-
-CommandKind command_of(GestureEvent event) {
-  switch (event) {
-    case GestureEvent::grasp:
-      return CommandKind::grasp;
-    case GestureEvent::reset:
-      return CommandKind::reset;
-    default:
-      return CommandKind::release;
-  }
-}
 
 }  // namespace
 
@@ -62,13 +53,34 @@ void InputPump::run(std::stop_token stop) {
     const std::int64_t now = monotonic_ns();
     news |= rig_.poll(now);
     for (const std::string& line : rig_.take_news()) report_(line);
-    for (const GestureTrigger& trigger : rig_.take_triggers())
-      if (trigger.event != GestureEvent::none) connection_.command(command_of(trigger.event), trigger.hand);
+    for (const GestureTrigger& trigger : rig_.take_triggers()) obey(trigger);
     if (now - sent_ns < (news ? shortest_ns : desk_driven() ? desk_ns : longest_ns)) continue;
     send(now, ++sequence);
     sent_ns = now;
     news = false;
   }
+}
+
+void InputPump::obey(const GestureTrigger& trigger) {
+  switch (trigger.event) {
+    case GestureEvent::none:
+      return;
+    case GestureEvent::grasp:
+      return connection_.command(CommandKind::grasp, trigger.hand);
+    case GestureEvent::release:
+      return connection_.command(CommandKind::release, trigger.hand);
+    case GestureEvent::reset:
+      return connection_.command(CommandKind::reset, trigger.hand);
+    case GestureEvent::panel: {
+      std::lock_guard lock(mutex_);
+      panel_calls_.push_back(trigger.hand);
+    }
+  }
+}
+
+std::vector<std::size_t> InputPump::take_panel_calls() {
+  std::lock_guard lock(mutex_);
+  return std::exchange(panel_calls_, {});
 }
 
 bool InputPump::desk_driven() const {

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "client/app/connection.h"
 #include "client/app/device_rig.h"
@@ -28,6 +29,8 @@ class InputPump {
   /// For a user without devices: what mouse and keyboard make of them. Sent at a steady rate, so that a
   /// picture that takes long doesn't look like a hand that is gone.
   void set_desk_input(const HandInput& input);
+  /// Hands whose gestures asked for a panel since the last call: which one is for the drawing side to see.
+  std::vector<std::size_t> take_panel_calls();
 
  private:
   Connection& connection_;
@@ -37,9 +40,11 @@ class InputPump {
   mutable std::mutex mutex_;
   HandInput latest_;
   std::optional<HandInput> desk_input_;
+  std::vector<std::size_t> panel_calls_;
   std::jthread thread_;
 
   void run(std::stop_token stop);
+  void obey(const GestureTrigger& trigger);
   bool desk_driven() const;
   void send(std::int64_t now_ns, std::uint64_t sequence);
 };

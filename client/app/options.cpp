@@ -85,6 +85,9 @@ void add_run(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option("--seconds", o.seconds, "Leave after this long (default: stay)")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--summary", o.summary, "Write figures of this run as JSON")->group("Measurement");
+  app.add_option("--session-log", o.session_log,
+                 "Write what happens as lines of JSON: who holds what, parts, panels, forces of hands")
+      ->group("Measurement");
   app.add_option("--latency-log", o.latency_log, "Write times of inputs sent or snapshots received as CSV")
       ->group("Measurement");
 }

@@ -32,7 +32,7 @@ struct ClientOptions {
   double seconds = 0;  // 0: until ended
   std::string follow;  // name of the participant whose eyes to look through; empty: own camera
   std::vector<Screenshot> screenshots;
-  std::filesystem::path record, latency_log, summary, shaders;
+  std::filesystem::path record, latency_log, session_log, summary, shaders;
   bool overlay = true;      // figures and axes
   bool wireframes = false;  // of what bodies collide as; a desk user's C key changes it
 };

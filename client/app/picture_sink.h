@@ -18,6 +18,8 @@ class PictureSink {
   /// True if a picture taken at `seconds` after joining would be kept.
   bool wants(double seconds) const;
   void take(const Image& image, double seconds);
+  /// The next picture goes to `file`.
+  void ask(const std::filesystem::path& file) { pending_.push_back({file, 0.0}); }
   /// True if a screenshot waits for the last picture.
   bool wants_last() const { return !pending_.empty(); }
   /// The last picture, for screenshots without a time, or whose time never came.

@@ -12,11 +12,14 @@
 #include "client/app/console.h"
 #include "client/app/desk.h"
 #include "client/app/input_pump.h"
+#include "client/app/panel_call.h"
 #include "client/app/picture_sink.h"
+#include "client/app/session_log.h"
 #include "client/render/renderer.h"
 #include "client/render/window_context.h"
 #include "client/view/scene_view.h"
 #include "common/clock.h"
+#include "common/hand.h"
 
 namespace prosector {
 namespace {
@@ -75,6 +78,7 @@ class Client {
       arrivals_.emplace(options.latency_log);
       connection_.on_received([this](const Received& r) { arrivals_->received(r); });
     }
+    if (!options.session_log.empty()) log_.emplace(options.session_log);
     connection_.start();
     take_role(options.join.role);
     stage_ = make_stage(options);
@@ -91,6 +95,8 @@ class Client {
       note_progress();
       follow_role();
       obey_console();
+      if (pump_) obey_gestures();
+      if (log_ && report_.complete_ns) write_log();
       if (stage_ && report_.complete_ns) draw_if_seen();
       next = std::max(next + interval, std::chrono::steady_clock::now() - interval);
       std::this_thread::sleep_until(next);
@@ -106,6 +112,7 @@ class Client {
   ClientReport report_;
   Connection connection_;
   std::optional<ArrivalLog> arrivals_;
+  std::optional<SessionLog> log_;
   PictureSink sink_;
   std::unique_ptr<InputPump> pump_;
   std::unique_ptr<Stage> stage_;
@@ -192,9 +199,34 @@ class Client {
       });
       if (const Command* command = std::get_if<Command>(&parsed))
         connection_.command(*command);
+      else if (const TakePicture* picture = std::get_if<TakePicture>(&parsed))
+        stage_ ? sink_.ask(picture->file) : tell("picture: nothing is drawn with --display none");
       else
         tell(std::get<std::string>(parsed));
     }
+  }
+
+  void obey_gestures() {
+    for (const std::size_t hand : pump_->take_panel_calls()) {
+      const auto pointed_at = stage_ ? stage_->view.part_at(along_index(hand)) : std::nullopt;
+      const auto command = connection_.with_replica([&](const Replica& replica) {
+        return call_panel(replica, connection_.participant(), hand, pointed_at);
+      });
+      if (command) connection_.command(*command);
+    }
+  }
+
+  Ray along_index(std::size_t hand) const {
+    constexpr std::size_t index_knuckle = 2;
+    const HandPose pose = pump_->latest().hands[hand];
+    const Pose finger = pose.pose * hand_pose(hand, pose.flexion)[index_knuckle];
+    return {finger.p, finger.q * -Vec3::UnitZ()};
+  }
+
+  void write_log() {
+    connection_.with_replica([&](Replica& replica) {
+      log_->write(replica, replica.advance(monotonic_ns()), seconds_since(report_.joined_ns));
+    });
   }
 
   void tell_failures() {

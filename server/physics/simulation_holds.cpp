@@ -89,18 +89,36 @@ std::optional<Hold> Simulation::Impl::reach_soft(const Hand& hand) {
   return hold;
 }
 
+/// m, room frame.
+Vec3 Simulation::Impl::place_of(const Hold& hold, const Hold::Point& point) const {
+  return is_soft(hold.body) ? surfaces[soft_index(hold.body)].positions()[point.vertex]
+                            : world.motion(hold.body).pose * point.in_body;
+}
+
 /// N, on the held body.
 Vec3 Simulation::Impl::hold_force(const Hand& hand) const {
   Vec3 sum = Vec3::Zero();
   const Pose centre = world.motion(hand.slot).pose;
   for (const Hold::Point& p : hand.hold->points) {
-    const Vec3 at_body = is_soft(hand.hold->body)
-                             ? surfaces[soft_index(hand.hold->body)].positions()[p.vertex]
-                             : world.motion(hand.hold->body).pose * p.in_body;
-    const Vec3 stretch = centre * p.in_hand - at_body;
+    const Vec3 stretch = centre * p.in_hand - place_of(*hand.hold, p);
     sum += BoundedSpring{p.stiffness, p.max_force}.secant(stretch.norm()) * stretch;
   }
   return sum;
+}
+
+/// What is held is touched, also where the hand passes through it; the hold's force is the hand's.
+void Simulation::Impl::add_hold(ContactSample& sample, const Hand& hand) const {
+  const Hold& hold = *hand.hold;
+  const Vec3 force = hold_force(hand);
+  sample.force += force;
+  sample.impulse += force.norm() * model.h;
+  if (sample.touching) return;
+  sample.touching = true;
+  sample.body = hold.body;
+  sample.point = Vec3::Zero();
+  for (const Hold::Point& p : hold.points)
+    sample.point += place_of(hold, p) / static_cast<double>(hold.points.size());
+  if (force.norm() > 0) sample.normal = -force.normalized();
 }
 
 /// N: what everything but hands did to the body in this tick, along contacts' normals.

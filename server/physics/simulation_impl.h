@@ -87,7 +87,9 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<Touch> touches_of_soft(const Hand& hand, std::size_t body) const;
   void tend_holds();
   bool was_set_down(Hand& hand, const Vec3& force);
+  Vec3 place_of(const Hold& hold, const Hold::Point& point) const;
   Vec3 hold_force(const Hand& hand) const;
+  void add_hold(ContactSample& sample, const Hand& hand) const;
   Vec3 support(BodyId body) const;
   std::vector<Hand>::iterator find_hand(ParticipantId participant, std::size_t side);
   const Hand* hand_at(std::size_t slot) const;

@@ -78,6 +78,7 @@ void Simulation::Impl::describe_hands() {
           if (side.kind == ContactSide::Kind::rigid && side.body == hand.slot)
             note(sample, c, hand_is_b, model.h, model.rigid.size(), strongest);
         }
+    if (hand.hold) add_hold(sample, hand);
   }
 }
 

@@ -1,0 +1,23 @@
+#include "client/app/panel_call.h"
+
+namespace prosector {
+
+std::optional<Command> call_panel(const Replica& replica, ParticipantId user, std::size_t hand,
+                                  std::optional<BodyId> pointed_at) {
+  Command out;
+  if (replica.panels().contains(user)) {
+    out.kind = CommandKind::close_panel;
+    return out;
+  }
+  const auto is_part = [&](BodyId body) {
+    return replica.scene() && body < replica.scene()->bodies.size() && replica.scene()->bodies[body].part;
+  };
+  const ContactSample* touch = replica.contact(user, hand);
+  const bool touches = touch != nullptr && touch->touching && is_part(touch->body);
+  if (!touches && (!pointed_at || !is_part(*pointed_at))) return std::nullopt;
+  out.kind = CommandKind::open_panel;
+  out.body = touches ? touch->body : *pointed_at;
+  return out;
+}
+
+}  // namespace prosector

@@ -1,0 +1,123 @@
+#include "client/app/session_log.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "common/error.h"
+#include "common/panel.h"
+
+namespace prosector {
+namespace {
+
+using nlohmann::json;
+
+/// Digits beyond what is simulated only make lines differ.
+double rounded(double value, int digits) {
+  const double scale = std::pow(10, digits);
+  return std::round(value * scale) / scale;
+}
+
+json vector(const Vec3& v, int digits) {
+  return {rounded(v.x(), digits), rounded(v.y(), digits), rounded(v.z(), digits)};
+}
+
+std::string name_of(const Replica& replica, ParticipantId id) {
+  const auto entry = replica.roster().find(id);
+  return entry == replica.roster().end() ? fmt::format("participant {:016x}", id) : entry->second.name;
+}
+
+std::string hand_of(const Replica& replica, ParticipantId id, std::size_t hand) {
+  return fmt::format("{}, {}", name_of(replica, id), hand == left_hand ? "left" : "right");
+}
+
+json part_of(const Replica& replica, const PartState& part) {
+  json holders = json::array();
+  for (const HandRef& holder : part.holders)
+    holders.push_back(hand_of(replica, holder.participant, holder.hand));
+  return {{"holders", holders},
+          {"attached", part.attached},
+          {"hidden", part.hidden},
+          {"lit", part.lit},
+          {"inspected", part.inspected},
+          {"opacity", part.opacity},
+          {"stiffness", rounded(part.stiffness, 3)}};
+}
+
+Vec3 shift_of(const SoftReplica& soft) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < soft.surface().size(); ++i)
+    sum += soft.surface()[i].cast<double>() - soft.rest().positions[i];
+  return sum / static_cast<double>(std::max<std::size_t>(1, soft.surface().size()));
+}
+
+json parts(Replica& replica, const SceneInfo& scene, double tick) {
+  json out = json::object();
+  for (BodyId body = 0; body < scene.bodies.size(); ++body) {
+    json said = json::object();
+    if (const PartState* part = replica.part(body)) said = part_of(replica, *part);
+    if (const SoftReplica* soft = replica.soft(body); soft != nullptr && soft->complete()) {
+      SoftReplica here = *soft;  // a copy: what moved since the last picture is for the view to learn
+      here.sample(tick, replica.tick_seconds());
+      said["shift"] = vector(shift_of(here), 5);
+    }
+    if (!said.empty()) out[scene.bodies[body].name] = said;
+  }
+  return out;
+}
+
+json panels(const Replica& replica, const SceneInfo& scene) {
+  json out = json::object();
+  for (const auto& [id, panel] : replica.panels()) {
+    if (panel.body >= scene.bodies.size()) continue;
+    json said = {{"part", scene.bodies[panel.body].name},
+                 {"at", vector(panel.pose.p, 4)},
+                 {"faces", vector(panel.pose.q * Vec3::UnitZ(), 4)}};
+    for (const ControlDesc& control : panel_controls) {
+      const ControlState& state = panel.controls[static_cast<std::size_t>(control.control)];
+      said["controls"][std::string(control.label)] = {
+          {"position", rounded(state.position, 3)}, {"on", state.on}, {"touched", state.touched}};
+    }
+    out[name_of(replica, id)] = said;
+  }
+  return out;
+}
+
+json touches(const Replica& replica, const SceneInfo& scene) {
+  json out = json::object();
+  for (const auto& [id, entry] : replica.roster())
+    for (const std::size_t hand : {left_hand, right_hand}) {
+      const ContactSample* contact = replica.contact(id, hand);
+      if (contact == nullptr || !contact->touching || contact->body >= scene.bodies.size()) continue;
+      out[hand_of(replica, id, hand)] = {{"body", scene.bodies[contact->body].name},
+                                         {"point", vector(contact->point, 4)},
+                                         {"force", vector(contact->force, 2)},
+                                         {"depth", rounded(contact->depth, 5)}};
+    }
+  return out;
+}
+
+}  // namespace
+
+SessionLog::SessionLog(const std::filesystem::path& file) : out_(file) {
+  if (!out_) throw InputError(fmt::format("--session-log {}: cannot be written", file.string()));
+}
+
+void SessionLog::write(Replica& replica, double tick, double seconds) {
+  if (!replica.scene()) return;
+  const SceneInfo& scene = *replica.scene();
+  json line = {{"parts", parts(replica, scene, tick)},
+               {"panels", panels(replica, scene)},
+               {"touches", touches(replica, scene)},
+               {"room_lights", replica.room_lights()}};
+  if (std::string said = line.dump(); said == last_)
+    return;
+  else
+    last_ = std::move(said);
+  line["seconds"] = rounded(seconds, 3);
+  line["tick"] = rounded(tick, 2);
+  out_ << line.dump() << std::endl;
+}
+
+}  // namespace prosector

@@ -1,0 +1,53 @@
+# What the demos share. Sourced by them, after `out`, the folder for what they leave, and `bin` are set.
+
+# Everything that we start ends with us, by its own process id.
+pids=()
+stop() {
+  local pid
+  for pid in "${pids[@]}"; do kill -TERM "$pid" 2>/dev/null || true; done
+  for pid in "${pids[@]}"; do wait "$pid" 2>/dev/null || true; done
+  pids=()
+}
+trap stop EXIT
+trap 'exit 130' INT TERM
+
+say() { printf '\n== %s\n' "$*"; }
+fail() {
+  echo "demo: $1; see $2:" >&2
+  tail -n 5 "$2" >&2
+  exit 1
+}
+wait_for() {  # FILE PATTERN SECONDS WHAT
+  local waited=0
+  until grep -q -- "$2" "$1" 2>/dev/null; do
+    [ "$waited" -lt "$(($3 * 10))" ] || fail "$4 did not come up within $3 s" "$1"
+    sleep 0.1
+    waited=$((waited + 1))
+  done
+}
+
+# host SCENE SESSION: starts the server and waits for it; sets `server`.
+host() {
+  say "Hosting $(basename "$1") as session $2"
+  "$bin/prosector-server" "$1" --session "$2" --journal "$out/journal.sqlite" --summary "$out/server.json" \
+    > "$out/server.log" 2>&1 &
+  server=$!
+  pids+=("$server")
+  wait_for "$out/server.log" "take part" 180 "the server"
+  grep -E "bodies|session|fem_" "$out/server.log" | head -n 12 || true
+}
+
+# twins PREFIX HAND_SCRIPT GLOVE_SCRIPT: a simulated tracker and glove at $out/PREFIXtracker and $out/PREFIXglove.
+twins() {
+  "$bin/prosector-fastrak-twin" --script "$2" --wait-client --link "$out/$1tracker" \
+    --room-device 0,1,1,1,0,0,0 --log "$out/$1tracker.csv" --noise-cm 0.02 --seed 1 > "$out/$1tracker.log" 2>&1 &
+  pids+=("$!")
+  "$bin/prosector-5dt-twin" --script "$3" --wait-client --link "$out/$1glove" \
+    --log "$out/$1glove.csv" --seed 2 > "$out/$1glove.log" 2>&1 &
+  pids+=("$!")
+  local link
+  for link in "$1tracker" "$1glove"; do
+    for _ in $(seq 50); do [ -e "$out/$link" ] && break; sleep 0.1; done
+    [ -e "$out/$link" ] || fail "the simulated $link did not come up" "$out/$link.log"
+  done
+}

@@ -1,0 +1,120 @@
+#include "client/app/console.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace prosector {
+namespace {
+
+SceneInfo scene() {
+  SceneInfo out;
+  for (const char* name : {"liver", "left kidney", "bone 2"}) out.bodies.emplace_back().name = name;
+  return out;
+}
+
+std::map<ParticipantId, RosterEntry> roster() {
+  std::map<ParticipantId, RosterEntry> out;
+  for (const auto& [id, name] : {std::pair<ParticipantId, const char*>{7, "Ada"}, {9, "Grace from Room 2"}}) {
+    out[id].participant = id;
+    out[id].name = name;
+  }
+  return out;
+}
+
+const Vec3 middle(0.1, 1.2, -0.3);
+
+ConsoleLine parse(const std::string& line) {
+  return parse_console_line(line, scene(), roster(), [](BodyId) { return middle; });
+}
+
+Command command(const std::string& line) {
+  const ConsoleLine parsed = parse(line);
+  EXPECT_TRUE(std::holds_alternative<Command>(parsed)) << line;
+  return std::holds_alternative<Command>(parsed) ? std::get<Command>(parsed) : Command{};
+}
+
+std::string refusal(const std::string& line) {
+  const ConsoleLine parsed = parse(line);
+  EXPECT_TRUE(std::holds_alternative<std::string>(parsed)) << line;
+  return std::holds_alternative<std::string>(parsed) ? std::get<std::string>(parsed) : "";
+}
+
+TEST(Console, EveryVerbTakesNamesWithSpaces) {
+  const std::map<std::string, CommandKind> verbs = {{"detach", CommandKind::detach},
+                                                    {"attach", CommandKind::attach},
+                                                    {"reset", CommandKind::reset},
+                                                    {"inspect", CommandKind::inspect},
+                                                    {"end", CommandKind::end_inspect}};
+  for (const auto& [verb, kind] : verbs)
+    for (const char* between : {" ", "   ", " \t "}) {
+      const Command out = command("  " + verb + between + "left kidney \r");
+      EXPECT_EQ(out.kind, kind) << verb;
+      EXPECT_EQ(out.body, 1u) << verb;
+    }
+}
+
+TEST(Console, InspectScalesAboutTheMiddle) {
+  for (const double scale : {0.01, 0.5, 3.0, most_shape}) {
+    const Command out = command("inspect left kidney " + std::to_string(scale));
+    EXPECT_EQ(out.body, 1u);
+    EXPECT_LT((out.shape * middle - middle).norm(), 1e-12 * scale);
+    EXPECT_LT((out.shape * (middle + Vec3::UnitX()) - middle - scale * Vec3::UnitX()).norm(), 1e-9);
+  }
+  const Command as_it_is = command("inspect liver");
+  EXPECT_LT((as_it_is.shape * middle - middle).norm(), 1e-15);
+  EXPECT_EQ(command("inspect bone 2").body, 2u) << "a number may be part of a name";
+  for (const char* bad : {"0", "-1", "nan", "inf", "1e9", "2x", "0x2"})
+    EXPECT_NE(refusal(std::string("inspect liver ") + bad).find("SCALE is from"), std::string::npos) << bad;
+}
+
+TEST(Console, GivesRoles) {
+  const std::map<std::string, Role> roles = {
+      {"host", Role::host}, {"dissector", Role::dissector}, {"observer", Role::observer}};
+  for (const auto& [word, role] : roles) {
+    const Command out = command("give Grace from Room 2 " + word);
+    EXPECT_EQ(out.kind, CommandKind::set_role);
+    EXPECT_EQ(out.subject, 9u);
+    EXPECT_EQ(out.role, role);
+  }
+  EXPECT_NE(refusal("give Ada king").find("ROLE is host"), std::string::npos);
+  EXPECT_NE(refusal("give Nobody host").find("\"Nobody\""), std::string::npos);
+  EXPECT_NE(refusal("give").find("ROLE is host"), std::string::npos);
+}
+
+TEST(Console, TakesPictures) {
+  const ConsoleLine parsed = parse("picture out/first view.png ");
+  ASSERT_TRUE(std::holds_alternative<TakePicture>(parsed));
+  EXPECT_EQ(std::get<TakePicture>(parsed).file, "out/first view.png");
+  EXPECT_NE(refusal("picture").find("FILE"), std::string::npos);
+}
+
+TEST(Console, WhatItDoesNotKnowItSays) {
+  EXPECT_EQ(refusal("dance"), console_help);
+  EXPECT_EQ(refusal(""), console_help);
+  EXPECT_NE(refusal("detach spleen").find("\"spleen\""), std::string::npos);
+  EXPECT_NE(refusal("detach").find("\"\""), std::string::npos);
+  // Every verb of the help is one.
+  for (const char* verb : {"give", "detach", "attach", "reset", "inspect", "end", "picture"})
+    EXPECT_NE(std::string(console_help).find(verb), std::string::npos) << verb;
+}
+
+TEST(Console, NoLineBreaksIt) {
+  std::mt19937 random(5);
+  const std::vector<std::string> words = {"give",  "inspect", "detach", "liver", "left kidney", "Ada",
+                                          "host",  "3",       "\t",     " ",     "\xff\xfe",    "picture",
+                                          "1e400", "",        "  ",     "bone 2"};
+  for (int i = 0; i < 20000; ++i) {
+    std::string line;
+    for (std::size_t k = random() % 6; k > 0; --k)
+      line += words[random() % words.size()] + (random() % 3 != 0 ? " " : "");
+    const ConsoleLine parsed = parse(line);
+    if (const Command* out = std::get_if<Command>(&parsed)) {
+      EXPECT_LT(out->body, 3u) << line;
+      EXPECT_TRUE(out->shape.A.allFinite() && out->shape.p.allFinite()) << line;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace prosector

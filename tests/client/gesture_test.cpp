@@ -1,0 +1,115 @@
+// From a glove's bends to what is asked of the server.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "client/app/device_rig.h"
+#include "client/app/panel_call.h"
+#include "common/clock.h"
+#include "drivers/gesture.h"
+
+namespace prosector {
+namespace {
+
+/// What a rig makes of a glove that shows these gestures one after the other.
+std::vector<GestureTrigger> triggers(const std::vector<const char*>& gestures, ClientConfig config = {}) {
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) /
+      (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".csv");
+  std::ofstream out(file);
+  out << "time,thumb,index,middle,ring,little,gesture\n";
+  for (const char* gesture : gestures) out << "0,0,0,0,0,0," << gesture << "\n";
+  out.close();
+  config.gloves[right_hand].address = "recorded:" + file.string();
+  DeviceRig rig(config);
+  const std::int64_t end = monotonic_ns() + 5'000'000'000;
+  std::vector<GestureTrigger> all;
+  std::size_t quiet = 0;
+  while (quiet < 3 && monotonic_ns() < end) {
+    quiet = rig.poll(monotonic_ns()) ? 0 : quiet + 1;
+    for (const GestureTrigger& t : rig.take_triggers()) all.push_back(t);
+  }
+  return all;
+}
+
+TEST(Gestures, EachAsksForWhatTheTableSays) {
+  const std::map<Gesture, GestureEvent> expected = {{Gesture::fist, GestureEvent::grasp},
+                                                    {Gesture::pinch, GestureEvent::grasp},
+                                                    {Gesture::flat, GestureEvent::release},
+                                                    {Gesture::index_little, GestureEvent::panel}};
+  EXPECT_EQ(ClientConfig{}.gestures, expected);
+  for (const GestureRow& row : gesture_table()) {
+    const auto asked = triggers({row.name});
+    const auto wanted = expected.find(row.gesture);
+    ASSERT_EQ(asked.size(), wanted == expected.end() ? 0u : 1u) << row.name;
+    if (asked.empty()) continue;
+    EXPECT_EQ(asked[0].event, wanted->second) << row.name;
+    EXPECT_EQ(asked[0].hand, right_hand);
+  }
+}
+
+TEST(Gestures, AskOnceUntilAnotherIsMade) {
+  const auto asked = triggers({"fist", "fist", "none", "fist", "point", "none", "fist", "flat", "flat"});
+  std::vector<GestureEvent> events;
+  for (const GestureTrigger& t : asked) events.push_back(t.event);
+  EXPECT_EQ(events, (std::vector{GestureEvent::grasp, GestureEvent::grasp, GestureEvent::release}));
+}
+
+TEST(Gestures, FollowTheConfiguration) {
+  const ClientConfig config =
+      parse_client_config("[gestures]\npoint = 'panel'\nfist = 'none'\nthree = 'reset'\n", "c.toml");
+  const auto asked = triggers({"fist", "flat", "point", "three"}, config);
+  ASSERT_EQ(asked.size(), 2u);
+  EXPECT_EQ(asked[0].event, GestureEvent::panel);
+  EXPECT_EQ(asked[1].event, GestureEvent::reset);
+}
+
+constexpr ParticipantId ada = 7, grace = 9;
+
+Replica room() {
+  SceneInfo scene;
+  for (const bool part : {false, true, true}) scene.bodies.emplace_back().part = part;
+  Replica out;
+  out.apply({.message = scene});
+  return out;
+}
+
+void touch(Replica& replica, BodyId body) {
+  ContactSample sample;
+  sample.participant = ada;
+  sample.touching = true;
+  sample.body = body;
+  replica.apply({.message = sample});
+}
+
+TEST(PanelCall, OpensThePartThatIsTouchedElseTheOnePointedAt) {
+  Replica replica = room();
+  EXPECT_FALSE(call_panel(replica, ada, right_hand, std::nullopt));
+  EXPECT_FALSE(call_panel(replica, ada, right_hand, 0)) << "no part of the anatomy";
+  EXPECT_FALSE(call_panel(replica, ada, right_hand, 99));
+  EXPECT_EQ(call_panel(replica, ada, right_hand, 2)->body, 2u);
+  touch(replica, 1);
+  const auto touched = call_panel(replica, ada, right_hand, 2);
+  ASSERT_TRUE(touched);
+  EXPECT_EQ(touched->kind, CommandKind::open_panel);
+  EXPECT_EQ(touched->body, 1u);
+  EXPECT_EQ(call_panel(replica, ada, left_hand, 2)->body, 2u) << "the other hand touches nothing";
+  EXPECT_EQ(call_panel(replica, grace, right_hand, 2)->body, 2u) << "nor does somebody else's";
+}
+
+TEST(PanelCall, ClosesOnesOwnAlone) {
+  Replica replica = room();
+  touch(replica, 1);
+  Panel panel;
+  panel.participant = grace;
+  panel.open = true;
+  panel.body = 1;
+  replica.apply({.message = panel});
+  EXPECT_EQ(call_panel(replica, ada, right_hand, std::nullopt)->kind, CommandKind::open_panel);
+  EXPECT_EQ(call_panel(replica, grace, right_hand, 1)->kind, CommandKind::close_panel);
+}
+
+}  // namespace
+}  // namespace prosector
