@@ -418,7 +418,10 @@ const Table& soft_table() {
          {"region", region_table, true, 64, append<S, &S::regions>},
          {"relaxation", relaxation_table, true, 8, append<S, &S::relaxation>}},
         fresh<S>};
-    add_collision<S>(t.fields, {"none", "mesh"}, "what it collides as: its triangles, or nothing");
+    add_collision<S>(
+        t.fields, {"none", "sphere", "aabb", "obb", "hull", "mesh"},
+        "what it collides as: its triangles (mesh); the ball, box (aabb: along the room's axes; obb: "
+        "along its own) or hull around them, fitted anew in each tick, that makes no dents; or nothing");
     add_pose<S>(t.fields, "the mesh's origin, or the volume's or shape's centre, in the room");
     add_fallback_pose<S>(t.fields);
     add_appearance<S>(t.fields);

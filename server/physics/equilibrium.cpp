@@ -89,7 +89,7 @@ void Simulation::Impl::relax(std::span<const std::size_t> bodies) {
       state.warm_start.setZero();
       state.motion.has_history = false;
       moved = std::max(moved, (state.motion.x - before[k]).lpNorm<Eigen::Infinity>());
-      surfaces[body].update(state.motion.x.data());
+      place_surface(body);
       faces_moved[body] = 0;
     }
     if (!solved.finite || moved < at_rest) return;
@@ -123,7 +123,7 @@ bool Simulation::Impl::floats(std::span<const std::size_t> bodies) const {
   const auto held = [&](std::size_t body) {
     return !model.soft[body]->attachment_stiffness().isZero() ||
            std::any_of(colliders.begin(), colliders.end(), [&](const Collider& c) {
-             return may_meet(body, c) && surfaces[body].touches(c, skin_of(body) + relaxation_margin);
+             return may_meet(body, c) && touches(body, c, relaxation_margin);
            });
   };
   return std::any_of(bodies.begin(), bodies.end(), falls) && std::none_of(bodies.begin(), bodies.end(), held);
@@ -141,7 +141,7 @@ void Simulation::Impl::settle(const CompileOptions& options) {
       equilibrium[i] = soft[i].motion.x;
       soft[i].motion.x_prev = soft[i].motion.x;
       soft[i].asleep = !falls;
-      surfaces[i].update(soft[i].motion.x.data());
+      place_surface(i);
       if (options.progress && !cached && !falls)
         options.progress(fmt::format(
             "{}: settled, {:.1f} mm from its imaged shape", model.soft[i]->desc().name,

@@ -50,12 +50,13 @@ Simulation::Impl::Impl(const SceneDesc& scene, const CompileOptions& options)
   for (const auto& body : model.soft) {
     soft.push_back(body->initial_state());
     surfaces.emplace_back(body->anatomy().embedding, body->anatomy().surface);
-    surfaces.back().update(soft.back().motion.x.data());
     const TriangleMesh& surface = body->anatomy().surface;
     faces.push_back(surface.triangles.empty() ? std::nullopt : std::optional<TriangleSurface>(surface));
   }
   for (BodyId body = 0; body < parts.size(); ++body)
     if (is_part(body) && !panels) panels.emplace(model.h);
+  add_rough_shapes();
+  for (std::size_t i = 0; i < soft.size(); ++i) place_surface(i);
   faces_moved.resize(soft.size());
   soft_contacts.resize(soft.size());
   arena.execute([&] { settle(options); });

@@ -99,6 +99,7 @@ Contact Simulation::Impl::soft_contact(std::size_t body, const TriangleTouch& to
 
 bool Simulation::Impl::add_contacts(std::size_t body, const Collider& collider, double margin,
                                     std::vector<Contact>& out) const {
+  if (rough[body]) return add_rough_contacts(body, collider, margin, out);
   const std::size_t before = out.size();
   const double skin = skin_of(body);
   surfaces[body].near(collider, margin + skin, [&](std::uint32_t vertex, Distance d) {
@@ -111,6 +112,12 @@ bool Simulation::Impl::add_contacts(std::size_t body, const Collider& collider, 
     out.push_back(soft_contact(body, touch, collider));
   });
   return out.size() > before;
+}
+
+bool Simulation::Impl::touches(std::size_t body, const Collider& collider, double margin) const {
+  if (!rough[body]) return surfaces[body].touches(collider, margin + skin_of(body));
+  std::vector<Contact> found;
+  return add_rough_contacts(body, collider, margin, found);
 }
 
 bool Simulation::Impl::may_meet(std::size_t body, const Collider& collider) const {
@@ -140,8 +147,7 @@ void Simulation::Impl::detect_soft_contacts() {
         const bool touched = std::any_of(colliders.begin(), colliders.end(), [&](const Collider& c) {
           if (!may_meet(i, c) || !awake(c)) return false;
           std::vector<Contact> found;
-          return surfaces[i].touches(c,
-                                     skin_of(i) + wake_margin + std::min(most_reach, h * total_speed(c))) ||
+          return touches(i, c, wake_margin + std::min(most_reach, h * total_speed(c))) ||
                  (is_swept(i, c) && add_swept_contacts(i, c, contact_margin, found));
         });
         if (!touched && !woken_by_soft(i)) continue;
@@ -149,7 +155,7 @@ void Simulation::Impl::detect_soft_contacts() {
       }
       done[i] = 1;
       again = true;
-      surfaces[i].update(soft[i].motion.x.data());
+      place_surface(i);
       const double own = h * soft[i].motion.v.lpNorm<Eigen::Infinity>();
       for (const Collider& c : colliders) {
         if (!may_meet(i, c)) continue;

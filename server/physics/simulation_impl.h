@@ -7,6 +7,9 @@
 
 #include "server/physics/byte_stream.h"
 #include "server/physics/collision/broad_phase.h"
+#include "server/physics/collision/rigid_outline.h"
+#include "server/physics/contact/rough_shape.h"
+#include "server/physics/contact/shape_touch.h"
 #include "server/physics/contact/soft_meeting.h"
 #include "server/physics/contact/surface_detector.h"
 #include "server/physics/coupled/step_island.h"
@@ -46,6 +49,8 @@ struct Simulation::Impl : PanelSubjects {
 
   // ---- Of the current tick
   std::vector<SurfaceDetector> surfaces;
+  std::vector<std::optional<RoughShape>> rough;       // per soft body: of those that collide as simple shapes
+  std::vector<std::optional<RigidOutline>> outlines;  // for these: per rigid body, then of each hand
   std::vector<std::optional<TriangleSurface>> faces;  // per soft body; none: a rope's
   std::vector<char> faces_moved;                      // per soft body: they are where its surface is
   std::vector<std::vector<Contact>> soft_contacts;    // per soft body: with rigid ones
@@ -142,9 +147,23 @@ struct Simulation::Impl : PanelSubjects {
   SoftSkin skin(std::size_t body);
   double reach_of(std::size_t body) const;        // m: how far its nodes move within the tick
   double inner_reach_of(std::size_t body) const;  // m: likewise, less what they have in common
+  /// Without points: the sides are yet to be filled in.
+  Contact pair_contact(std::size_t a, std::size_t b, const Vec3& normal, double gap) const;
   Contact pair_contact(std::size_t a, std::size_t b, const VertexMeeting& meeting) const;
+  double pair_stiffness(std::size_t a, std::size_t b, std::uint32_t vertex_of_a) const;
   /// Appends where the two come within `margin` of each other; whether there was any.
   bool add_pair_contacts(std::size_t a, std::size_t b, double margin, std::vector<Contact>& out);
+  // Of simple shapes:
+  void add_rough_shapes();
+  double rough_stiffness(std::size_t body) const;
+  bool add_rough_contacts(std::size_t body, const Collider& collider, double margin,
+                          std::vector<Contact>& out) const;
+  bool add_rough_pair_contacts(std::size_t a, std::size_t b, double margin, std::vector<Contact>& out) const;
+  /// Takes what others touch of the body to where its nodes are.
+  void place_surface(std::size_t body);
+  Aabb outer_box(std::size_t body) const;  // around what others touch of it
+  /// Whether any of that is within `margin` of the collider.
+  bool touches(std::size_t body, const Collider& collider, double margin) const;
   double skin_of(std::size_t body) const;  // m: from the surface that is simulated to the one that is touched
   ContactSide surface_side(std::size_t body, std::uint32_t vertex) const;
   /// Appends what of the body's surface is within `margin` of the collider; whether there was any.

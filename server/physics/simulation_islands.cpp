@@ -232,7 +232,7 @@ void Simulation::Impl::fall_asleep() {
     }
   }
   for (const Island& island : islands)
-    for (const SoftMember& s : island.soft) surfaces[s.index].update(s.state->motion.x.data());
+    for (const SoftMember& s : island.soft) place_surface(s.index);
 }
 
 }  // namespace prosector

@@ -39,34 +39,44 @@ double Simulation::Impl::inner_reach_of(std::size_t body) const {
   return 2 * model.h * (v.colwise() - mean).cwiseAbs().maxCoeff();
 }
 
-Contact Simulation::Impl::pair_contact(std::size_t a, std::size_t b, const VertexMeeting& meeting) const {
-  const Anatomy& other = model.soft[b]->anatomy();
+/// Both surfaces give way, each as its own tissue would: twice two springs in series, so that of two equal
+/// bodies each counts as against something rigid.
+double Simulation::Impl::pair_stiffness(std::size_t a, std::size_t b, std::uint32_t vertex) const {
+  const SoftDesc &of_a = model.soft[a]->desc(), &of_b = model.soft[b]->desc();
+  const double own = model.contact_stiffness(a, vertex);
+  const double ratio = of_b.youngs_modulus / of_b.surface_cell / (of_a.youngs_modulus / of_a.surface_cell);
+  return 2 * own * ratio / (1 + ratio);
+}
+
+Contact Simulation::Impl::pair_contact(std::size_t a, std::size_t b, const Vec3& normal, double gap) const {
   const SoftDesc &of_a = model.soft[a]->desc(), &of_b = model.soft[b]->desc();
   Contact c;
-  c.a = surface_side(a, meeting.vertex);
-  c.b.kind = ContactSide::Kind::soft;
+  c.a.kind = c.b.kind = ContactSide::Kind::soft;
+  c.a.body = a;
   c.b.body = b;
+  c.normal = normal;
+  const double cell = std::min(of_a.surface_cell, of_b.surface_cell);
+  c.gap = std::max(gap, -most_pressure * cell / model.scene.contact_stiffness);
+  c.friction = std::sqrt(of_a.friction * of_b.friction);
+  return c;
+}
+
+Contact Simulation::Impl::pair_contact(std::size_t a, std::size_t b, const VertexMeeting& meeting) const {
+  const Anatomy& other = model.soft[b]->anatomy();
+  Contact c = pair_contact(a, b, meeting.normal, meeting.gap);
+  c.a = surface_side(a, meeting.vertex);
   const auto& corners = other.surface.triangles[meeting.at.triangle];
   for (std::size_t k = 0; k < 3; ++k)
     c.b.add(other.embedding.rows[corners[k]], meeting.at.weights[static_cast<Eigen::Index>(k)]);
   c.point = surfaces[a].positions()[meeting.vertex];
-  c.normal = meeting.normal;
-  const double cell = std::min(of_a.surface_cell, of_b.surface_cell);
-  c.gap = std::max(meeting.gap, -most_pressure * cell / model.scene.contact_stiffness);
-  // Both surfaces give way, each as its own tissue would: twice two springs in series, so that of two equal
-  // bodies each counts as against something rigid.
-  const double own = model.contact_stiffness(a, meeting.vertex);
-  const double ratio = of_b.youngs_modulus / of_b.surface_cell / (of_a.youngs_modulus / of_a.surface_cell);
-  c.stiffness = 2 * own * ratio / (1 + ratio);
-  c.friction = std::sqrt(of_a.friction * of_b.friction);
+  c.stiffness = pair_stiffness(a, b, meeting.vertex);
   return c;
 }
 
 bool Simulation::Impl::add_pair_contacts(std::size_t a, std::size_t b, double margin,
                                          std::vector<Contact>& out) {
-  const Vec3 grow = Vec3::Constant(margin + skin_of(a) + skin_of(b));
-  if (!boxes_overlap(surfaces[a].lo() - grow, surfaces[a].hi() + grow, surfaces[b].lo(), surfaces[b].hi()))
-    return false;
+  if (!outer_box(a).grown(margin).overlaps(outer_box(b))) return false;
+  if (rough[a] || rough[b]) return add_rough_pair_contacts(a, b, margin, out);
   const std::size_t before = out.size();
   const SoftSkin first = skin(a), second = skin(b);
   const auto add = [&](std::size_t from, std::size_t to) {
@@ -82,7 +92,7 @@ bool Simulation::Impl::add_pair_contacts(std::size_t a, std::size_t b, double ma
 
 Aabb Simulation::Impl::box_of(std::size_t body) const {
   const double reach = soft[body].asleep ? 0 : std::min(most_reach, reach_of(body));
-  return Aabb{surfaces[body].lo(), surfaces[body].hi()}.grown(wake_margin + reach + skin_of(body));
+  return outer_box(body).grown(wake_margin + reach);
 }
 
 void Simulation::Impl::track_soft_bodies() {

@@ -40,8 +40,7 @@ bool Simulation::Impl::is_swept(std::size_t body, const Collider& collider) cons
 bool Simulation::Impl::add_swept_contacts(std::size_t body, const Collider& collider, double margin,
                                           std::vector<Contact>& out) const {
   const double at_once = contact_margin + inner_reach_of(body);
-  if (surfaces[body].touches(collider, at_once + skin_of(body)))
-    return add_contacts(body, collider, margin, out);
+  if (touches(body, collider, at_once)) return add_contacts(body, collider, margin, out);
   const Vec3 drift = soft[body].motion.v.reshaped(3, model.soft[body]->nodes()).rowwise().mean();
   const double half_diagonal = (collider.hi - collider.lo).norm() / 2;
   const double way = model.h * ((collider.linear - drift).norm() + collider.angular.norm() * half_diagonal);

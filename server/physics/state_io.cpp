@@ -216,7 +216,7 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
   panels = std::move(new_panels);
   room_lights = new_lights;
   for (BodyId body = 0; body < parts.size(); ++body) take_effect(world, body);
-  for (std::size_t i = 0; i < soft.size(); ++i) surfaces[i].update(soft[i].motion.x.data());
+  for (std::size_t i = 0; i < soft.size(); ++i) place_surface(i);
 }
 
 }  // namespace prosector

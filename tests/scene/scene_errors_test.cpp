@@ -70,7 +70,8 @@ TEST(SceneErrors, CollisionOfBodies) {
     return "name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"ball\"\ngroup = \"organs\"\n" + lines;
   };
   const std::pair<const char*, const char*> cases[] = {
-      {"collision = \"ball\"\n", "must be one of: none, mesh"},
+      {"collision = \"ball\"\n", "must be one of: none, sphere, aabb, obb, hull, mesh"},
+      {"[[soft]]\nname = \"b\"\nshape = \"rope\"\ncollision = \"hull\"\n", "a rope has no triangles"},
       {"touches = \"organs\"\n", "must be a list of names"},
       {"touches = [\"organs\", 3]\n", "must be a list of names"},
       {"touches = [\"default\", \"organ\"]\n",

@@ -40,7 +40,11 @@ Aabb enclosing_box(std::span<const Cloud> clouds) {
 }
 
 SphereShape enclosing_sphere(std::span<const Cloud> clouds) {
-  SphereShape out{enclosing_box(clouds).center(), 0};
+  return enclosing_sphere_about(enclosing_box(clouds).center(), clouds);
+}
+
+SphereShape enclosing_sphere_about(const Vec3& center, std::span<const Cloud> clouds) {
+  SphereShape out{center, 0};
   for_each_point(clouds, [&](const Vec3& x, double rounding) {
     out.radius = std::max(out.radius, (x - out.center).norm() + rounding);
   });

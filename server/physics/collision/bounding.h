@@ -21,6 +21,8 @@ Aabb enclosing_box(std::span<const Cloud> clouds);
 /// them. This one always encloses and is at most √3 times as large.
 SphereShape enclosing_sphere(std::span<const Cloud> clouds);
 
+SphereShape enclosing_sphere_about(const Vec3& center, std::span<const Cloud> clouds);
+
 /// Extents along given axes.
 BoxShape enclosing_box_along(const Quat& axes, std::span<const Cloud> clouds);
 
