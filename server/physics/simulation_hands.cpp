@@ -70,10 +70,9 @@ void Simulation::Impl::take_inputs(const TickInput& input) {
     for (const HeadPlace& head : input.heads) panels->take(head);
     for (const PanelEvent& event : input.panels) panels->take(event, *this);
   }
-  for (Hand& hand : hands) {
-    bend(hand);
+  bend_fingers();
+  for (const Hand& hand : hands)
     if (hand.hold && !is_soft(hand.hold->body)) world.wake(hand.hold->body);
-  }
 }
 
 void Simulation::Impl::appear(ParticipantId participant, std::size_t side) {
@@ -94,20 +93,6 @@ void Simulation::Impl::vanish(std::vector<Hand>::iterator hand) {
   for (std::size_t i = 0; i < soft.size(); ++i) soft[i].quiet_ticks = 0;
   world.remove(hand->slot);
   hands.erase(hand);
-}
-
-void Simulation::Impl::bend(Hand& hand) {
-  const double most = max_finger_rate * model.h;
-  bool moved = false;
-  for (std::size_t f = 0; f < fingers; ++f) {
-    const double step =
-        std::clamp(std::clamp(hand.target_flexion[f], 0.0, 1.0) - hand.flexion[f], -most, most);
-    hand.flexion[f] += step;
-    moved = moved || step != 0;
-  }
-  if (!moved) return;
-  const auto poses = hand_part_poses(hand.side, hand.flexion, model.hands[hand.side].center);
-  for (std::size_t part = 0; part < poses.size(); ++part) world.set_part_pose(hand.slot, part, poses[part]);
 }
 
 void Simulation::Impl::grasp(Hand& hand) {

@@ -33,10 +33,7 @@ std::vector<Touch> Simulation::Impl::touches_of_soft(const Hand& hand, std::size
   std::vector<Touch> out;
   surfaces[body].near(colliders[hand.slot], grasp_reach_soft, [&](std::uint32_t vertex, const Distance& d) {
     const Vec3& x = surfaces[body].positions()[vertex];
-    const auto gap = [&](const Feeler& f) { return (x - f.point).norm() - f.radius; };
-    const auto nearest = std::min_element(points.begin(), points.end(),
-                                          [&](const Feeler& a, const Feeler& b) { return gap(a) < gap(b); });
-    out.push_back({nearest->part, x, -d.normal, d.value, vertex});
+    out.push_back({nearest_feeler(points, x).part, x, -d.normal, d.value, vertex});
   });
   return out;
 }

@@ -13,6 +13,7 @@
 #include "server/physics/contact/soft_meeting.h"
 #include "server/physics/contact/surface_detector.h"
 #include "server/physics/coupled/step_island.h"
+#include "server/physics/hands/finger_drive.h"
 #include "server/physics/hands/hand.h"
 #include "server/physics/model.h"
 #include "server/physics/panel/panel_world.h"
@@ -22,7 +23,10 @@ namespace prosector {
 inline constexpr double contact_margin = 0.002;  // m: gaps up to it may close within the tick
 inline constexpr double wake_margin = 0.003;     // m
 inline constexpr double most_reach = 0.05;       // m a tick: faster things are met late
-inline constexpr double still_margin = 0.005;    // m a soft body moves before its place in a tree may change
+// Contacts between rigid bodies: times the mass of the island's heaviest body over h². It may rest on a light
+// one, no deeper than 0.2 mm.
+inline constexpr double rigid_contact_factor = 20;
+inline constexpr double still_margin = 0.005;  // m a soft body moves before its place in a tree may change
 
 /// Two soft bodies that touch.
 struct SoftPair {
@@ -98,7 +102,14 @@ struct Simulation::Impl : PanelSubjects {
   Vec3 support(BodyId body) const;
   std::vector<Hand>::iterator find_hand(ParticipantId participant, std::size_t side);
   const Hand* hand_at(std::size_t slot) const;
+
+  // ---- Fingers
+  struct FingerPoses;
+  using FingerObstacles = std::array<std::vector<Obstacle>, fingers>;
+  void bend_fingers();
   void bend(Hand& hand);
+  void add_rigid_obstacles(const Hand& hand, const FingerPoses& poses, FingerObstacles& out) const;
+  void add_soft_obstacles(const Hand& hand, const FingerPoses& poses, FingerObstacles& out) const;
 
   // ---- Parts
   bool is_part(BodyId body) const;

@@ -9,8 +9,6 @@
 namespace prosector {
 namespace {
 
-// Times the mass of the island's heaviest body over h²: it may rest on a light one, no deeper than 0.2 mm.
-constexpr double rigid_contact_factor = 20;
 constexpr double quiet_rigid_speed = 5e-3;  // m/s
 constexpr double quiet_rigid_spin = 5e-2;   // rad/s
 constexpr int tangle_check_ticks = 8;

@@ -61,6 +61,12 @@ std::vector<Feeler> feelers(const Hand& hand, const HandModel& model, const Pose
   return out;
 }
 
+const Feeler& nearest_feeler(std::span<const Feeler> feelers, const Vec3& point) {
+  const auto gap = [&](const Feeler& f) { return (point - f.point).norm() - f.radius; };
+  return *std::min_element(feelers.begin(), feelers.end(),
+                           [&](const Feeler& a, const Feeler& b) { return gap(a) < gap(b); });
+}
+
 Hold hold_rigid(BodyId body, double body_mass, const HandDesc& desc, const Pose& hand_centre,
                 const Pose& body_centre, std::span<const Touch> touches, double h) {
   Hold hold;

@@ -54,6 +54,7 @@ struct Feeler {
   std::size_t part;  // of the hand: the palm, then the segments in joint order
 };
 std::vector<Feeler> feelers(const Hand& hand, const HandModel& model, const Pose& centre);
+const Feeler& nearest_feeler(std::span<const Feeler> feelers, const Vec3& point);
 
 /// Three points around each place that is touched pin a rigid body's pose to the hand's.
 Hold hold_rigid(BodyId body, double body_mass, const HandDesc& desc, const Pose& hand_centre,
