@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "server/physics/coupled/potentials.h"
-#include "server/physics/fracture.h"
 #include "server/physics/simulation_impl.h"
 
 namespace prosector {
@@ -22,24 +21,25 @@ std::vector<Part> Simulation::Impl::initial_parts() const {
 }
 
 /// Point forces on a rigid body in this tick, besides gravity; room frame. Of contacts that the coupled
-/// solver solved, along their normals.
+/// solver solved, along their normals; of one that is held in its place, those alone.
 std::vector<Simulation::Impl::PointForce> Simulation::Impl::forces_on(std::size_t slot) const {
   std::vector<PointForce> out;
   bool mixed = false;
+  const bool held = !world.dynamic(slot);
   for (const Island& island : islands) {
-    if (std::none_of(island.rigid.begin(), island.rigid.end(),
-                     [&](const RigidMember& r) { return r.slot == slot; }))
+    if (!held && std::none_of(island.rigid.begin(), island.rigid.end(),
+                              [&](const RigidMember& r) { return r.slot == slot; }))
       continue;
     mixed = true;
     const auto is_it = [&](const ContactSide& side) {
-      return side.kind == ContactSide::Kind::rigid && side.body == slot;
+      return side.kind != ContactSide::Kind::soft && side.body == slot;
     };
     for (const Contact& c : island.contacts) {
       if (is_it(c.a)) out.push_back({c.point, c.force * c.normal});
       if (is_it(c.b)) out.push_back({c.point, -c.force * c.normal});
     }
   }
-  if (!mixed)
+  if (!mixed && !held)
     for (const RigidImpulse& i : world.impulses(slot)) out.push_back({i.point, i.impulse / model.h});
   for (const Hand& hand : hands) {
     if (!hand.hold || hand.hold->body != slot) continue;
@@ -53,32 +53,51 @@ std::vector<Simulation::Impl::PointForce> Simulation::Impl::forces_on(std::size_
   return out;
 }
 
+/// Of a body that moves or may: what either side needs to move as it does, less what acts on it.
+double Simulation::Impl::force_through_free(BodyId body, const RigidModel::Fracture& plane,
+                                            const PlaneLoad& load) const {
+  const RigidMotion now = world.motion(body);
+  const Collider& before = colliders[body];  // as the tick began
+  const Vec3 linear = (now.linear_velocity - before.linear) / model.h;
+  const Vec3 angular = (now.angular_velocity - before.angular) / model.h;
+  const auto acceleration = [&](const Vec3& center) -> Vec3 {
+    const Vec3 arm = now.pose.q * center;
+    return linear + angular.cross(arm) + now.angular_velocity.cross(now.angular_velocity.cross(arm)) -
+           model.scene.gravity;
+  };
+  return force_through(plane, model.rigid[body].setup.mass, acceleration(plane.center_above),
+                       acceleration(plane.center_below), load)
+      .norm();
+}
+
+/// Of a part in its place, which holds it by the side of its centre of mass: what acts on the other side.
+double Simulation::Impl::force_through_held(BodyId body, const RigidModel::Fracture& plane,
+                                            const PlaneLoad& load) const {
+  const double mass = model.rigid[body].setup.mass;
+  const bool holds_above = plane.normal.dot(plane.point) < 0;  // the centre of mass is the origin
+  const double free_mass = holds_above ? mass - plane.mass_above : plane.mass_above;
+  return ((holds_above ? load.below : load.above) + free_mass * model.scene.gravity).norm();
+}
+
 void Simulation::Impl::break_bones() {
   for (BodyId body = 0; body < model.rigid.size(); ++body) {
     const RigidModel& bone = model.rigid[body];
-    if (bone.fractures.empty() || !world.dynamic(body) || world.motion(body).asleep) continue;
-    if (colliders[body].parts == nullptr) continue;  // it broke off in this very tick
-    const RigidMotion now = world.motion(body);
-    const Collider& before = colliders[body];  // as the tick began
-    const Vec3 linear = (now.linear_velocity - before.linear) / model.h;
-    const Vec3 angular = (now.angular_velocity - before.angular) / model.h;
-    const auto acceleration = [&](const Vec3& center) -> Vec3 {
-      const Vec3 arm = now.pose.q * center;
-      return linear + angular.cross(arm) + now.angular_velocity.cross(now.angular_velocity.cross(arm)) -
-             model.scene.gravity;
-    };
+    if (bone.fractures.empty() || colliders[body].parts == nullptr) continue;  // or it broke off just now
+    const bool held = world.presence(body) == BodyPresence::fixed;
+    if (!held && (!world.dynamic(body) || world.motion(body).asleep)) continue;
+    const Pose pose = world.motion(body).pose;
     const std::vector<PointForce> forces = forces_on(body);
+    if (held && forces.empty()) continue;
     double most = model.scene.rigid[body].break_force;
     const RigidModel::Fracture* weakest = nullptr;
     for (const RigidModel::Fracture& plane : bone.fractures) {
       PlaneLoad load;
       for (const PointForce& f : forces) {
-        const bool above = plane.normal.dot(now.pose.inverse() * f.point - plane.point) > 0;
+        const bool above = plane.normal.dot(pose.inverse() * f.point - plane.point) > 0;
         (above ? load.above : load.below) += f.force;
       }
-      const double force = force_through(plane, bone.setup.mass, acceleration(plane.center_above),
-                                         acceleration(plane.center_below), load)
-                               .norm();
+      const double force =
+          held ? force_through_held(body, plane, load) : force_through_free(body, plane, load);
       if (force <= most) continue;
       most = force;
       weakest = &plane;

@@ -13,6 +13,7 @@
 #include "server/physics/contact/soft_meeting.h"
 #include "server/physics/contact/surface_detector.h"
 #include "server/physics/coupled/step_island.h"
+#include "server/physics/fracture.h"
 #include "server/physics/hands/finger_drive.h"
 #include "server/physics/hands/hand.h"
 #include "server/physics/model.h"
@@ -128,6 +129,8 @@ struct Simulation::Impl : PanelSubjects {
     Vec3 point, force;  // m, N
   };
   std::vector<PointForce> forces_on(std::size_t slot) const;
+  double force_through_free(BodyId body, const RigidModel::Fracture& plane, const PlaneLoad& load) const;
+  double force_through_held(BodyId body, const RigidModel::Fracture& plane, const PlaneLoad& load) const;
   void break_bones();
   void break_at(BodyId body, const RigidModel::Fracture& plane, double force);
   void hand_over(Hand& hand, const RigidModel::Fracture& plane);

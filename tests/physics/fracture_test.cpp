@@ -78,6 +78,45 @@ TEST(Fracture, BreaksAboveTheThresholdAndNotBelow) {
   }
 }
 
+/// A hand presses on the bar, which is in its place, at `x`, ever more, until its coupling pushes with
+/// `newton` or the bone breaks.
+std::optional<double> press(Simulation& simulation, double x, double newton) {
+  const auto at = [&](double depth) { return Vec3(x, 0.033 - depth, 0.045); };
+  simulation.step(appear(at(0)));
+  std::optional<double> broke;
+  double pushed = 0;
+  for (int i = 0; i < 3000 && !broke && pushed < newton; ++i) {
+    const Vec3 wanted = at(1e-5 * i);
+    for (const Broken& b : simulation.step(target(wanted)).broken) broke = b.force;
+    pushed = HandDesc().stiffness * (simulation.hands()[0].pose.p - wanted).norm();
+  }
+  EXPECT_TRUE(broke || pushed >= newton);
+  return broke;
+}
+
+// What is attached holds it by its middle.
+TEST(Fracture, AnAttachedBoneBreaksWhereWhatStandsOutIsPressed) {
+  constexpr double threshold = 15;
+  const auto attached = [] {
+    SceneDesc scene = bar(threshold);
+    scene.rigid[0].part = true;
+    scene.rigid[0].fractures = {{{0.02, 0, 0}, {1, 0, 0}}};
+    return scene;
+  };
+  constexpr double end = 0.09, middle = -0.04;
+  Simulation gently(attached(), options()), firmly(attached(), options()), held(attached(), options());
+  EXPECT_FALSE(press(gently, end, 0.9 * threshold));
+  EXPECT_FALSE(gently.part(bone).hidden);
+  const auto force = press(firmly, end, 1.2 * threshold);
+  ASSERT_TRUE(force);
+  EXPECT_GT(*force, threshold);
+  EXPECT_LT(*force, 1.2 * threshold);
+  EXPECT_TRUE(firmly.part(bone).hidden);
+  EXPECT_FALSE(firmly.part(above).hidden);
+  EXPECT_FALSE(firmly.part(below).hidden);
+  EXPECT_FALSE(press(held, middle, 2 * threshold)) << "nothing passes through the plane";
+}
+
 TEST(Fracture, MomentumIsKept) {
   SceneDesc unbreakable = bar(1e5), scene = bar(15);
   Simulation whole(unbreakable, options()), simulation(scene, options());
