@@ -16,6 +16,30 @@ constexpr double given_up = 0.3;                        // of its weight, carrie
 constexpr double resting_speed = 0.05;                  // m/s
 constexpr double resting_seconds = 0.25;
 
+/// A body that a hand can hold, and where.
+struct Holdable {
+  std::size_t body = 0;
+  std::vector<Touch> touches;
+};
+
+/// Of `count` bodies that may be touched the one that is nearest of those that the hand can hold, nearer than
+/// `reach`.
+template <class MayTouch, class TouchesOf>
+std::optional<Holdable> nearest_that_holds(std::size_t count, double reach, const MayTouch& may_be_touched,
+                                           const TouchesOf& touches_of) {
+  std::optional<Holdable> best;
+  for (std::size_t body = 0; body < count; ++body) {
+    if (!may_be_touched(body)) continue;
+    std::vector<Touch> touches = holding_touches(touches_of(body));
+    const auto nearest = std::min_element(touches.begin(), touches.end(),
+                                          [](const Touch& a, const Touch& b) { return a.gap < b.gap; });
+    if (nearest == touches.end() || !(nearest->gap < reach)) continue;
+    reach = nearest->gap;
+    best = Holdable{body, std::move(touches)};
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<Touch> Simulation::Impl::touches_of_rigid(const Hand& hand, BodyId body) const {
@@ -39,50 +63,38 @@ std::vector<Touch> Simulation::Impl::touches_of_soft(const Hand& hand, std::size
 }
 
 std::optional<Hold> Simulation::Impl::reach_rigid(const Hand& hand) const {
-  std::optional<BodyId> best;
-  std::vector<Touch> best_touches;
-  double least = grasp_reach_rigid;
-  for (BodyId body = 0; body < model.rigid.size(); ++body) {
-    if (!world.dynamic(body) || !may_touch(world.mask(hand.slot), world.mask(body))) continue;
-    std::vector<Touch> touches = holding_touches(touches_of_rigid(hand, body));
-    for (const Touch& touch : touches)
-      if (touch.gap < least) {
-        least = touch.gap;
-        best = body;
-      }
-    if (best == body) best_touches = std::move(touches);
-  }
-  if (!best) return std::nullopt;
-  return hold_rigid(*best, model.rigid[*best].setup.mass, model.scene.hand, world.motion(hand.slot).pose,
-                    world.motion(*best).pose, nearest_of_each_digit(best_touches), model.h);
+  const auto near = nearest_that_holds(
+      model.rigid.size(), grasp_reach_rigid,
+      [&](std::size_t body) {
+        return world.dynamic(body) && may_touch(world.mask(hand.slot), world.mask(body));
+      },
+      [&](std::size_t body) { return touches_of_rigid(hand, static_cast<BodyId>(body)); });
+  if (!near) return std::nullopt;
+  return hold_rigid(static_cast<BodyId>(near->body), model.rigid[near->body].setup.mass, model.scene.hand,
+                    world.motion(hand.slot).pose, world.motion(near->body).pose,
+                    nearest_of_each_digit(near->touches), model.h);
 }
 
 std::optional<Hold> Simulation::Impl::reach_soft(const Hand& hand) {
-  std::optional<std::size_t> best;
-  std::vector<Touch> best_touches;
-  double least = grasp_reach_soft;
-  for (std::size_t body = 0; body < soft.size(); ++body) {
-    if (parts[soft_id(body)].out_of_touch() || !may_meet(body, colliders[hand.slot])) continue;
-    std::vector<Touch> touches = holding_touches(touches_of_soft(hand, body));
-    for (const Touch& touch : touches)
-      if (touch.gap < least) {
-        least = touch.gap;
-        best = body;
-      }
-    if (best == body) best_touches = std::move(touches);
-  }
-  if (!best) return std::nullopt;
-  std::sort(best_touches.begin(), best_touches.end(), [](const Touch& a, const Touch& b) {
+  auto near = nearest_that_holds(
+      soft.size(), grasp_reach_soft,
+      [&](std::size_t body) {
+        return !parts[soft_id(body)].out_of_touch() && may_meet(body, colliders[hand.slot]);
+      },
+      [&](std::size_t body) { return touches_of_soft(hand, body); });
+  if (!near) return std::nullopt;
+  std::vector<Touch>& touches = near->touches;
+  std::sort(touches.begin(), touches.end(), [](const Touch& a, const Touch& b) {
     return std::pair(a.gap, a.vertex) < std::pair(b.gap, b.vertex);
   });
-  best_touches.resize(std::min(best_touches.size(), max_hold_points));
+  touches.resize(std::min(touches.size(), max_hold_points));
   Hold hold;
-  hold.body = soft_id(*best);
+  hold.body = soft_id(near->body);
   const Pose to_hand = world.motion(hand.slot).pose.inverse();
-  for (const Touch& touch : best_touches)
+  for (const Touch& touch : touches)
     hold.points.push_back({to_hand * touch.point, Vec3::Zero(), touch.vertex,
-                           model.contact_stiffness(*best, touch.vertex),
-                           model.scene.hand.max_force / static_cast<double>(best_touches.size())});
+                           model.contact_stiffness(near->body, touch.vertex),
+                           model.scene.hand.max_force / static_cast<double>(touches.size())});
   return hold;
 }
 
