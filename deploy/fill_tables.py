@@ -12,7 +12,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGES = ["README.md", "docs/measurements.md", "docs/soft-tissue.md", "docs/collision.md"]
+PAGES = ["README.md", "docs/measurements.md", "docs/soft-tissue.md", "docs/collision.md", "docs/contact.md"]
 MARKED = re.compile(r"(<!-- measured: (\S+) -->\n)(.*?)(<!-- /measured -->)", re.DOTALL)
 DASH = "–"
 
@@ -431,6 +431,15 @@ def collision_soft_sessions(reports):
     return table(["Soft bodies", "pairs of them", "ms"], lines)
 
 
+def contact(reports):
+    def shown(row):
+        tolerance = "told only" if row["tolerance"] is None else f"± {number(row['tolerance'])}"
+        return [row["case"], row["setting"], row["figure"], f"{number(row['measured'])} {row['unit'].strip('1')}".strip(),
+                number(row["reference"]), tolerance, number(row["ms_per_tick"]), row.get("verdict", DASH)]
+    return table(["case", "setting", "figure", "measured", "reference", "within", "CPU ms a tick", "verdict"],
+                 [shown(row) for row in reports.rows("contact")])
+
+
 def machine(reports, before):
     if not reports.all:
         raise Missing("any bench")
@@ -449,6 +458,7 @@ TABLES = {"beam": beam, "beam101k": beam101k, "press": press, "bullet-here": bul
           "bend-sizes": bend_sizes, "rungs": rungs, "extremes": extremes, "integrators": integrators, "springs": springs, "laws": laws, "scaling": scaling,
           "collision-shapes": collision_shapes, "collision-bodies": collision_bodies, "collision-surfaces": collision_surfaces,
           "collision-soft-sessions": collision_soft_sessions,
+          "contact": contact,
           **{f"trade-{case}": trade_case(case) for case in ("bend", "bend_incompressible", "swing", "free", "press")}}
 
 

@@ -64,6 +64,7 @@ void write_cache(const std::filesystem::path& file, const std::vector<VecX>& sha
 
 void Simulation::Impl::relax(std::span<const std::size_t> bodies) {
   IslandSolver solver;
+  std::vector<ContactMemories> held(soft.size());
   for (int step = 0; step < most_relaxation_steps; ++step) {
     Island island;
     std::vector<VecX> before;
@@ -72,7 +73,7 @@ void Simulation::Impl::relax(std::span<const std::size_t> bodies) {
       before.push_back(soft[body].motion.x);
       for (Collider c : colliders) {
         c.fixed = true;  // what moves stands still until the scene runs
-        if (may_meet(body, c)) add_contacts(body, c, relaxation_margin, island.contacts);
+        if (may_meet(body, c)) add_contacts(body, c, relaxation_margin, held[body], island.contacts);
       }
       for (const std::size_t other : bodies)
         if (other > body && may_meet(body, other))
@@ -85,6 +86,7 @@ void Simulation::Impl::relax(std::span<const std::size_t> bodies) {
       const std::size_t body = bodies[k];
       SoftBodyState& state = soft[body];
       model.soft[body]->set_relaxed(false);
+      keep(island.contacts, body, held[body]);
       state.motion.v.setZero();
       state.warm_start.setZero();
       state.motion.has_history = false;

@@ -59,6 +59,7 @@ Simulation::Impl::Impl(const SceneDesc& scene, const CompileOptions& options)
   for (std::size_t i = 0; i < soft.size(); ++i) place_surface(i);
   faces_moved.resize(soft.size());
   soft_contacts.resize(soft.size());
+  memories.resize(soft.size());
   arena.execute([&] { settle(options); });
 }
 
@@ -84,6 +85,7 @@ const StepReport& Simulation::step(const TickInput& input) {
     m.solve_islands();
     clock.end(Phase::coupled);
     m.world.integrate(m.model.h);
+    m.bounce_rigid();
     clock.end(Phase::rigid);
     ++m.time.tick;
     m.recover();
@@ -157,6 +159,9 @@ double Simulation::room_lights() const {
 }
 std::span<const HandState> Simulation::hands() const {
   return impl_->hand_states;
+}
+std::vector<Exchange> Simulation::exchanges() const {
+  return impl_->exchanges();
 }
 
 double Simulation::max_displacement(BodyId soft_body) const {

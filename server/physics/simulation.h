@@ -49,6 +49,13 @@ struct EffortChange {
   int steps_down = 0;
 };
 
+/// Where a fixed body is when the tick ends: a press, a clamp, a test machine. On the way it moves evenly,
+/// and nothing stops it; in ticks that don't name it, it stands still. What it touches is kept awake.
+struct Drive {
+  BodyId body = 0;
+  Pose pose;  // of the body's frame, in the room
+};
+
 /// All that a tick consumes, in canonical order.
 struct TickInput {
   std::vector<EffortChange> efforts;
@@ -57,6 +64,7 @@ struct TickInput {
   std::vector<HeadPlace> heads;     // of those that moved
   std::vector<PanelEvent> panels;   // obeyed after `parts`
   std::vector<PartEvent> parts;     // obeyed after `events`; answered in StepReport::part_answers
+  std::vector<Drive> drives;        // of programs that use the physics by itself: sessions have none
 };
 
 /// Where a physical hand ended up, and what it touches most.
@@ -67,6 +75,18 @@ struct HandState {
   std::array<double, fingers> flexion{};
   std::optional<BodyId> holding;
   ContactSample contact;
+};
+
+/// What two bodies did to each other in the last tick, over all points where they touched: of soft bodies
+/// with any, and of rigid ones that were solved with soft ones. Hands have their own (HandState).
+struct Exchange {
+  BodyId a = 0, b = 0;
+  std::uint32_t points = 0;     // that pressed
+  Vec3 impulse = Vec3::Zero();  // N·s, on a, friction included; on b its opposite
+  double normal_impulse = 0;    // N·s, sum over the points, each along its own normal
+  double depth = 0;             // m, of the deepest point when the tick began; 0: all were apart
+  Vec3 point = Vec3::Zero();    // m, room frame: where it pressed hardest …
+  Vec3 normal = Vec3::UnitY();  // … and the unit normal there, from b to a
 };
 
 struct RigidBodyState {
@@ -114,6 +134,7 @@ class Simulation {
   std::span<const HandState> hands() const;  // canonical order
   std::vector<Panel> panels() const;         // open ones, by participant
   double room_lights() const;                // brightness of all lights but those that bodies carry, 0 … 1
+  std::vector<Exchange> exchanges() const;   // of the last tick, in a fixed order
   double max_displacement(
       BodyId soft_body) const;  // m: largest distance of a surface vertex from its equilibrium
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "server/physics/contact/facing.h"
 #include "server/physics/simulation_impl.h"
 
 namespace prosector {
@@ -10,6 +11,7 @@ namespace {
 // Stretch of the surface at which a moving thing loses hold of it: real tissue would have torn long before,
 // and what a leaping hand has hooked would never come free.
 constexpr double most_stretch = 3;
+constexpr double lip = 0.1;  // surface cells: what an edge runs over
 
 }  // namespace
 
@@ -34,6 +36,7 @@ void Simulation::Impl::refresh_colliders() {
     std::tie(c.lo, c.hi) = world.bounds(slot, 0);
     c.friction = body_friction(slot);
     c.fixed = !world.dynamic(slot);
+    c.driven_to = world.driven_to(slot);
     if (hand)
       c.pull = std::min(most_reach, ((hand->target * model.hands[hand->side].center).p - c.pose.p).norm());
   }
@@ -62,55 +65,92 @@ double Simulation::Impl::skin_of(std::size_t body) const {
   return model.soft[body]->anatomy().thickness / 2;
 }
 
-Contact Simulation::Impl::soft_contact(std::size_t body, std::uint32_t vertex, const Distance& distance,
+Vec3 Simulation::Impl::driven_way(const Collider& collider, const Vec3& point) {
+  if (!collider.driven_to) return Vec3::Zero();
+  const Vec3 way = *collider.driven_to * (collider.pose.inverse() * point) - point;
+  return way * std::min(1.0, most_reach / std::max(way.norm(), most_reach));
+}
+
+Contact Simulation::Impl::soft_contact(std::size_t body, const Vec3& point, const Distance& distance,
                                        const Collider& collider) const {
   Contact c;
-  c.a = surface_side(body, vertex);
-  c.point = surfaces[body].positions()[vertex];
+  c.a.kind = ContactSide::Kind::soft;
+  c.a.body = body;
+  c.point = point;
   c.normal = distance.normal;
   c.gap = distance.value;
+  c.b.body = collider.slot;
   if (!collider.fixed) {
     c.b.kind = ContactSide::Kind::rigid;
-    c.b.arm = c.point - collider.pose.p;
+    c.b.arm = point - collider.pose.p;
   }
-  c.b.body = collider.slot;
-  c.stiffness = model.contact_stiffness(body, vertex);
+  c.b.moved = driven_way(collider, point);
   c.friction = std::sqrt(model.soft[body]->desc().friction * collider.friction);
   return c;
 }
 
-Contact Simulation::Impl::soft_contact(std::size_t body, const TriangleTouch& touch,
+Contact Simulation::Impl::vertex_contact(std::size_t body, std::uint32_t vertex, const Distance& distance,
+                                         const Collider& collider) const {
+  Contact c = soft_contact(body, surfaces[body].positions()[vertex], distance, collider);
+  c.a.add(model.soft[body]->anatomy().embedding.rows[vertex], 1);
+  c.stiffness = model.contact_stiffness(body, vertex);
+  c.feature = vertex;
+  return c;
+}
+
+Contact Simulation::Impl::face_contact(std::size_t body, const TriangleTouch& touch,
                                        const Collider& collider) const {
   const Anatomy& anatomy = model.soft[body]->anatomy();
   const auto& corners = anatomy.surface.triangles[touch.triangle];
-  Contact c = soft_contact(body, corners[0], {touch.gap, touch.normal}, collider);
-  c.a.nodes = 0;
-  c.a.weight = {};
-  c.stiffness = 0;
+  Contact c = soft_contact(body, touch.point, {touch.gap, touch.normal}, collider);
   for (std::size_t k = 0; k < 3; ++k) {
     const double share = touch.weights[static_cast<Eigen::Index>(k)];
     c.a.add(anatomy.embedding.rows[corners[k]], share);
     c.stiffness += touch.strength * share * model.contact_stiffness(body, corners[k]);
   }
-  c.point = touch.point;
-  if (!collider.fixed) c.b.arm = c.point - collider.pose.p;
   return c;
 }
 
 bool Simulation::Impl::add_contacts(std::size_t body, const Collider& collider, double margin,
-                                    std::vector<Contact>& out) const {
+                                    const ContactMemories& held, std::vector<Contact>& out) const {
   if (rough[body]) return add_rough_contacts(body, collider, margin, out);
   const std::size_t before = out.size();
   const double skin = skin_of(body);
+  const bool still = collider.fixed && !collider.driven_to;
+  const TriangleMesh& surface = model.soft[body]->anatomy().surface;
+  const auto first_face = static_cast<std::uint32_t>(surface.positions.size());
+  const auto first_corner = first_face + static_cast<std::uint32_t>(surface.triangles.size());
+  ContactSide other;
+  other.body = collider.slot;
   surfaces[body].near(collider, margin + skin, [&](std::uint32_t vertex, Distance d) {
-    d.value -= skin;
-    if (collider.fixed || surfaces[body].stretch_at(vertex) < most_stretch)
-      out.push_back(soft_contact(body, vertex, d, collider));
+    const ContactMemory* memory = find(held, other, vertex);
+    Approach approach{surfaces[body].positions()[vertex], d};
+    if (memory) {
+      approach.before = &memory->normal;
+      approach.depth = memory->force / model.contact_stiffness(body, vertex);
+    }
+    if (skin == 0) approach.outward = surfaces[body].outward_at(vertex);
+    approach.lip = lip * model.soft[body]->desc().surface_cell;
+    std::optional<Distance> side = side_of(collider, approach);
+    if (!side) return;
+    side->value -= skin;
+    if (!still && surfaces[body].stretch_at(vertex) >= most_stretch) return;
+    recall(memory, out.emplace_back(vertex_contact(body, vertex, *side, collider)));
   });
+  // Without a grip: what rolls over a face holds on to no point of it.
   surfaces[body].near_thin(collider, margin + skin, [&](TriangleTouch touch) {
     touch.gap -= skin;
-    out.push_back(soft_contact(body, touch, collider));
+    out.push_back(face_contact(body, touch, collider));
+    out.back().feature = first_face + touch.triangle;
   });
+  if (skin == 0)
+    box_corners(collider, margin, surfaces[body].lo(), surfaces[body].hi(), [&](const BoxCorner& corner) {
+      const auto touch = surfaces[body].near_corner(collider, corner.at, margin, corner.depth);
+      if (!touch) return;
+      out.push_back(face_contact(body, *touch, collider));
+      out.back().feature = first_corner + corner.index;
+    });
+  rest(held, first_face, model.h, std::span(out).subspan(before));
   return out.size() > before;
 }
 
@@ -136,7 +176,9 @@ void Simulation::Impl::detect_soft_contacts() {
   for (auto& list : soft_contacts) list.clear();
   std::fill(faces_moved.begin(), faces_moved.end(), 0);
   track_soft_bodies();
-  const auto awake = [&](const Collider& c) { return !c.fixed && !world.motion(c.slot).asleep; };
+  const auto awake = [&](const Collider& c) {
+    return c.driven_to || (!c.fixed && !world.motion(c.slot).asleep);
+  };
   // Waking spreads until nobody wakes any more: tissue wakes what rests on it, and the other way round.
   std::vector<char> done(soft.size(), 0);
   for (bool again = true; again;) {
@@ -162,7 +204,7 @@ void Simulation::Impl::detect_soft_contacts() {
         const double reach = std::min(most_reach, own + std::max(c.pull, h * total_speed(c)));
         const bool touched = is_swept(i, c)
                                  ? add_swept_contacts(i, c, contact_margin + reach, soft_contacts[i])
-                                 : add_contacts(i, c, contact_margin + reach, soft_contacts[i]);
+                                 : add_contacts(i, c, contact_margin + reach, memories[i], soft_contacts[i]);
         if (touched && !c.fixed && world.motion(c.slot).asleep) world.wake(c.slot);
       }
     }

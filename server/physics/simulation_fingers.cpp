@@ -67,7 +67,7 @@ void Simulation::Impl::add_soft_obstacles(const Hand& hand, const FingerPoses& p
   for (std::size_t body = 0; body < soft.size(); ++body) {
     if (parts[soft_id(body)].out_of_touch() || !may_meet(body, colliders[hand.slot])) continue;
     std::vector<Contact> contacts;
-    add_contacts(body, colliders[hand.slot], finger_margin, contacts);
+    add_contacts(body, colliders[hand.slot], finger_margin, memories[body], contacts);
     for (const Contact& c : contacts) {
       const std::size_t part = nearest_feeler(points, c.point).part;
       if (part == 0) continue;

@@ -73,6 +73,20 @@ void Simulation::Impl::take_inputs(const TickInput& input) {
   bend_fingers();
   for (const Hand& hand : hands)
     if (hand.hold && !is_soft(hand.hold->body)) world.wake(hand.hold->body);
+  for (const Drive& d : input.drives) drive(d);
+}
+
+void Simulation::Impl::drive(const Drive& drive) {
+  const bool known = drive.body < model.rigid.size() && !world.dynamic(drive.body);
+  if (known && is_finite(drive.pose) && drive.pose.p.cwiseAbs().maxCoeff() <= max_coordinate) {
+    const Pose pose = {drive.pose.p, drive.pose.q.normalized()};
+    world.drive(drive.body, pose * model.rigid[drive.body].center, model.h);
+    return;
+  }
+  BodyReport& row = report.bodies.emplace_back();
+  row.body = drive.body < model.rigid.size() ? model.rigid[drive.body].name : "none";
+  row.note =
+      known ? "a drive to nowhere in the room was ignored" : "a drive of what is no fixed body was ignored";
 }
 
 void Simulation::Impl::appear(ParticipantId participant, std::size_t side) {
@@ -139,6 +153,7 @@ void Simulation::Impl::reset_body(BodyId body) {
   soft[i] = model.soft[i]->initial_state();
   soft[i].steps_down = steps_down;
   soft[i].motion.x = soft[i].motion.x_prev = equilibrium[i];
+  memories[i].clear();
   surfaces[i].update(soft[i].motion.x.data());
 }
 

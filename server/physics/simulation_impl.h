@@ -8,6 +8,7 @@
 #include "server/physics/byte_stream.h"
 #include "server/physics/collision/broad_phase.h"
 #include "server/physics/collision/rigid_outline.h"
+#include "server/physics/contact/memory.h"
 #include "server/physics/contact/rough_shape.h"
 #include "server/physics/contact/shape_touch.h"
 #include "server/physics/contact/soft_meeting.h"
@@ -46,8 +47,9 @@ struct Simulation::Impl : PanelSubjects {
   SimTime time;
   RigidWorld world;
   std::vector<SoftBodyState> soft;
-  std::vector<Hand> hands;  // by (participant, side)
-  std::vector<Part> parts;  // by body
+  std::vector<ContactMemories> memories;  // per soft body
+  std::vector<Hand> hands;                // by (participant, side)
+  std::vector<Part> parts;                // by body
 
   std::optional<PanelWorld> panels;  // of scenes with parts
   double room_lights = 1;
@@ -73,17 +75,21 @@ struct Simulation::Impl : PanelSubjects {
 
   // ---- Phases (in step order)
   void take_inputs(const TickInput& input);
+  void drive(const Drive& drive);  // part of it
   void detect_soft_contacts();
   void detect_soft_pairs();  // part of it
   void group_soft_bodies();  // part of that
   const std::vector<MixedIsland>& find_islands();
   void gather(const std::vector<MixedIsland>& mixed);
   void solve_islands();
+  void bounce_rigid();
   void recover();
   void unfold_tangles();
   void fall_asleep();
   void describe();
   void describe_hands();  // part of it
+  void note(ContactSample& sample, const Contact& contact, bool hand_is_b, double& strongest) const;
+  std::vector<Exchange> exchanges() const;
 
   // ---- Hands
   void appear(ParticipantId participant, std::size_t side);
@@ -149,9 +155,12 @@ struct Simulation::Impl : PanelSubjects {
   BodyId soft_id(std::size_t index) const { return static_cast<BodyId>(model.rigid.size() + index); }
   void reset_body(BodyId body);
   void refresh_colliders();
-  Contact soft_contact(std::size_t body, std::uint32_t vertex, const Distance& distance,
-                       const Collider& collider) const;
-  Contact soft_contact(std::size_t body, const TriangleTouch& touch, const Collider& collider) const;
+  static Vec3 driven_way(const Collider& collider, const Vec3& point);  // m: where the tick takes its point
+  Contact soft_contact(std::size_t body, const Vec3& point, const Distance& distance,
+                       const Collider& collider) const;  // what its kinds have in common
+  Contact vertex_contact(std::size_t body, std::uint32_t vertex, const Distance& distance,
+                         const Collider& collider) const;
+  Contact face_contact(std::size_t body, const TriangleTouch& touch, const Collider& collider) const;
   /// Whether the soft body and the rigid one touch at all.
   bool may_meet(std::size_t body, const Collider& collider) const;
   bool may_meet(std::size_t a, std::size_t b) const;  // two soft ones
@@ -180,8 +189,9 @@ struct Simulation::Impl : PanelSubjects {
   bool touches(std::size_t body, const Collider& collider, double margin) const;
   double skin_of(std::size_t body) const;  // m: from the surface that is simulated to the one that is touched
   ContactSide surface_side(std::size_t body, std::uint32_t vertex) const;
-  /// Appends what of the body's surface is within `margin` of the collider; whether there was any.
-  bool add_contacts(std::size_t body, const Collider& collider, double margin,
+  /// Appends what of the body's surface is within `margin` of the collider, with what it remembers; whether
+  /// there was any.
+  bool add_contacts(std::size_t body, const Collider& collider, double margin, const ContactMemories& held,
                     std::vector<Contact>& out) const;
   /// Whether the two are met at their time of impact rather than where they are near each other now.
   bool is_swept(std::size_t body, const Collider& collider) const;

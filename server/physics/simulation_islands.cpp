@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "server/physics/coupled/recovery.h"
+#include "server/physics/coupled/restitution.h"
 #include "server/physics/simulation_impl.h"
 #include "server/physics/soft/relaxation.h"
 
 namespace prosector {
 namespace {
 
+constexpr double opening_speed = 0.25;      // m/s, at most, of rigid bodies that overlap
 constexpr double quiet_rigid_speed = 5e-3;  // m/s
 constexpr double quiet_rigid_spin = 5e-2;   // rad/s
 constexpr int tangle_check_ticks = 8;
@@ -21,6 +23,8 @@ Mat3 room_inertia(const RigidSetup& setup, const Pose& pose) {
 ContactSide rigid_side(const RigidWorld& world, std::size_t slot, const Vec3& point) {
   ContactSide side;
   side.body = slot;
+  if (const auto& to = world.driven_to(slot))
+    side.moved = *to * (world.motion(slot).pose.inverse() * point) - point;
   if (!world.dynamic(slot)) return side;
   side.kind = ContactSide::Kind::rigid;
   side.arm = point - world.motion(slot).pose.p;
@@ -57,6 +61,11 @@ const std::vector<MixedIsland>& Simulation::Impl::find_islands() {
 void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
   islands.clear();
   std::vector<std::size_t> island_of(world.slots(), 0);
+  const auto point_velocity = [&](const ContactSide& side, std::size_t slot) -> Vec3 {
+    if (side.kind == ContactSide::Kind::fixed) return side.moved / model.h;
+    const RigidMotion motion = world.motion(slot);
+    return motion.linear_velocity + motion.angular_velocity.cross(side.arm);
+  };
   for (const MixedIsland& m : mixed) {
     Island& island = islands.emplace_back();
     for (const std::size_t slot : m.bodies) {
@@ -79,8 +88,10 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
       c.b = rigid_side(world, rc.b, rc.point_b);
       c.point = (rc.point_a + rc.point_b) / 2;
       c.normal = rc.normal;
-      c.gap = rc.gap;
+      c.gap = std::max(rc.gap, -opening_speed * model.h);
       c.friction = rc.friction;
+      c.rebound =
+          rebound_speed(rc.restitution, rc.normal.dot(point_velocity(c.a, rc.a) - point_velocity(c.b, rc.b)));
       island.contacts.push_back(c);
     }
   }
@@ -107,7 +118,12 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
     Island& island = islands[*island_of_group[soft_group[pair.a]]];
     island.contacts.insert(island.contacts.end(), pair.contacts.begin(), pair.contacts.end());
   }
+  const auto driven = [&](const ContactSide& side) {
+    return side.kind == ContactSide::Kind::fixed && world.driven_to(side.body);
+  };
   for (Island& island : islands) {
+    island.driven = std::any_of(island.contacts.begin(), island.contacts.end(),
+                                [&](const Contact& c) { return driven(c.a) || driven(c.b); });
     double heaviest = 0;
     for (const RigidMember& r : island.rigid) heaviest = std::max(heaviest, r.mass);
     for (const SoftMember& s : island.soft) heaviest = std::max(heaviest, s.body->total_mass());
@@ -149,6 +165,7 @@ void Simulation::Impl::solve_islands() {
     for (const RigidMember& r : island.rigid)
       if (solved.finite) world.set_velocity(r.slot, r.twist.head<3>() / model.h, r.twist.tail<3>() / model.h);
     for (const SoftMember& s : island.soft) {
+      keep(island.contacts, s.index, memories[s.index]);
       BodyReport& row = report.bodies.emplace_back();
       row.body = s.body->desc().name;
       row.newton_iterations = solved.newton_iterations;
@@ -166,6 +183,14 @@ void Simulation::Impl::solve_islands() {
       s.state->motion.has_history = false;
     }
     if (!island.soft.empty() && !island.rigid.empty()) ++report.mixed_islands;
+  }
+}
+
+void Simulation::Impl::bounce_rigid() {
+  for (Island& island : islands) {
+    if (!bounce(island, model.h)) continue;
+    for (const RigidMember& r : island.rigid)
+      world.set_velocity(r.slot, r.twist.head<3>() / model.h, r.twist.tail<3>() / model.h);
   }
 }
 
@@ -214,6 +239,7 @@ void Simulation::Impl::fall_asleep() {
       if (!has_relaxed(s.body->desc(), s.state->history)) s.state->quiet_ticks = 0;  // it creeps
       quiet = quiet && s.state->quiet_ticks == quiet_ticks_to_sleep && s.state->tangled_ticks == 0;
     }
+    quiet = quiet && !island.driven;
     for (const RigidMember& r : island.rigid) {
       const RigidMotion motion = world.motion(r.slot);
       quiet = quiet && !hand_at(r.slot) && motion.linear_velocity.norm() < quiet_rigid_speed &&

@@ -12,22 +12,6 @@ BodyId body_of(const ContactSide& side, std::size_t rigid_count) {
   return static_cast<BodyId>(side.kind == ContactSide::Kind::soft ? rigid_count + side.body : side.body);
 }
 
-/// Adds one contact of a hand: impulses and normal forces sum up, the rest is of the strongest.
-void note(ContactSample& sample, const Contact& c, bool hand_is_b, double h, std::size_t rigid_count,
-          double& strongest) {
-  if (!(c.force > 0)) return;
-  const Vec3 outward = hand_is_b ? Vec3(-c.normal) : c.normal;
-  sample.impulse += c.force * h;
-  sample.force -= c.force * outward;
-  if (c.force <= strongest) return;
-  strongest = c.force;
-  sample.touching = true;
-  sample.body = body_of(hand_is_b ? c.a : c.b, rigid_count);
-  sample.point = c.point;
-  sample.normal = outward;
-  sample.depth = c.force / c.stiffness;
-}
-
 }  // namespace
 
 void Simulation::Impl::describe() {
@@ -57,6 +41,66 @@ void Simulation::Impl::describe() {
   describe_hands();
 }
 
+std::vector<Exchange> Simulation::Impl::exchanges() const {
+  std::vector<Exchange> out;
+  std::vector<double> strongest;                     // N, of each
+  const auto named = [&](const ContactSide& side) {  // not a hand
+    return side.kind == ContactSide::Kind::soft || side.body < model.rigid.size();
+  };
+  // A pair's contacts come one after the other, but of two soft bodies in either order.
+  const auto at = [&](BodyId a, BodyId b) {
+    const auto same = [&](const Exchange& e) { return (e.a == a && e.b == b) || (e.a == b && e.b == a); };
+    const auto last = std::find_if(out.rbegin(), out.rend(), same);
+    if (last != out.rend()) return static_cast<std::size_t>(out.rend() - last) - 1;
+    out.push_back({a, b});
+    strongest.push_back(0);
+    return out.size() - 1;
+  };
+  for (const Island& island : islands)
+    for (const Contact& c : island.contacts) {
+      if (!(c.force > 0 || !c.exchanged.isZero(0)) || !named(c.a) || !named(c.b)) continue;
+      const BodyId a = body_of(c.a, model.rigid.size()), b = body_of(c.b, model.rigid.size());
+      const std::size_t i = at(a, b);
+      Exchange& pair = out[i];
+      const double sign = pair.a == a ? 1 : -1;
+      ++pair.points;
+      pair.impulse += sign * model.h * c.exchanged;
+      pair.normal_impulse += model.h * c.normal.dot(c.exchanged);
+      pair.depth = std::max(pair.depth, -(c.gap + c.rest));
+      if (c.force <= strongest[i]) continue;
+      strongest[i] = c.force;
+      pair.point = c.point;
+      pair.normal = sign * c.normal;
+    }
+  return out;
+}
+
+/// Adds one contact of a hand: impulses and forces sum up, the rest is of the strongest.
+void Simulation::Impl::note(ContactSample& sample, const Contact& c, bool hand_is_b,
+                            double& strongest) const {
+  if (!(c.force > 0)) return;
+  sample.impulse += c.force * model.h;
+  sample.force += hand_is_b ? c.exchanged : Vec3(-c.exchanged);
+  if (c.force <= strongest) return;
+  strongest = c.force;
+  const ContactSide& touched = hand_is_b ? c.a : c.b;
+  sample.touching = true;
+  sample.body = body_of(touched, model.rigid.size());
+  sample.point = c.point;
+  sample.normal = hand_is_b ? Vec3(-c.normal) : c.normal;
+  sample.depth = c.force / c.stiffness;
+  const double closed = c.gap + sample.depth;  // m, over the tick
+  sample.impact = c.gap > 0 ? model.h * c.gap / closed : 0;
+  sample.local_point.setZero();
+  if (touched.kind == ContactSide::Kind::soft)
+    for (std::size_t k = 0; k < touched.nodes; ++k)
+      sample.local_point += touched.weight[k] * model.soft[touched.body]->rest().segment<3>(
+                                                    3 * static_cast<Eigen::Index>(touched.node[k]));
+  else if (touched.body < model.rigid.size())
+    sample.local_point =
+        model.rigid[touched.body].center * (colliders[touched.body].pose.inverse() * c.point);
+}
+
 void Simulation::Impl::describe_hands() {
   hand_states.clear();
   for (const Hand& hand : hands) {
@@ -76,7 +120,7 @@ void Simulation::Impl::describe_hands() {
         for (const bool hand_is_b : {false, true}) {
           const ContactSide& side = hand_is_b ? c.b : c.a;
           if (side.kind == ContactSide::Kind::rigid && side.body == hand.slot)
-            note(sample, c, hand_is_b, model.h, model.rigid.size(), strongest);
+            note(sample, c, hand_is_b, strongest);
         }
     if (hand.hold) add_hold(sample, hand);
   }

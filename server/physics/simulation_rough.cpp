@@ -71,7 +71,7 @@ bool Simulation::Impl::add_rough_contacts(std::size_t body, const Collider& coll
   const double stiffness = rough_stiffness(body) / static_cast<double>(touches.size() * shares);
   for (const ShapeTouch& touch : touches)
     for (std::size_t share = 0; share < shares; ++share) {
-      Contact c = soft_contact(body, 0, {touch.gap, touch.normal}, collider);
+      Contact c = soft_contact(body, touch.point, {touch.gap, touch.normal}, collider);
       c.point = own.hanger().hang(touch.point, touch.normal, share, c.a);
       if (!collider.fixed) c.b.arm = c.point - collider.pose.p;
       c.stiffness = stiffness;
@@ -112,6 +112,8 @@ bool Simulation::Impl::add_rough_pair_contacts(std::size_t a, std::size_t b, dou
     c.point = x;
     shape.hanger().hang(x, near->normal, vertex % shape.hanger().shares(), c.b);
     c.stiffness = pair_stiffness(a, b, vertex);
+    c.feature = vertex;
+    recall(find(memories[a], c.b, c.feature), c);
   });
   return out.size() > before;
 }

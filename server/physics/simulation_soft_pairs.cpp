@@ -68,8 +68,10 @@ Contact Simulation::Impl::pair_contact(std::size_t a, std::size_t b, const Verte
   const auto& corners = other.surface.triangles[meeting.at.triangle];
   for (std::size_t k = 0; k < 3; ++k)
     c.b.add(other.embedding.rows[corners[k]], meeting.at.weights[static_cast<Eigen::Index>(k)]);
+  c.feature = meeting.vertex;
   c.point = surfaces[a].positions()[meeting.vertex];
   c.stiffness = pair_stiffness(a, b, meeting.vertex);
+  recall(find(memories[a], c.b, c.feature), c);
   return c;
 }
 

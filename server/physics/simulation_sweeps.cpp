@@ -40,7 +40,7 @@ bool Simulation::Impl::is_swept(std::size_t body, const Collider& collider) cons
 bool Simulation::Impl::add_swept_contacts(std::size_t body, const Collider& collider, double margin,
                                           std::vector<Contact>& out) const {
   const double at_once = contact_margin + inner_reach_of(body);
-  if (touches(body, collider, at_once)) return add_contacts(body, collider, margin, out);
+  if (touches(body, collider, at_once)) return add_contacts(body, collider, margin, memories[body], out);
   const Vec3 drift = soft[body].motion.v.reshaped(3, model.soft[body]->nodes()).rowwise().mean();
   const double half_diagonal = (collider.hi - collider.lo).norm() / 2;
   const double way = model.h * ((collider.linear - drift).norm() + collider.angular.norm() * half_diagonal);
@@ -55,7 +55,7 @@ bool Simulation::Impl::add_swept_contacts(std::size_t body, const Collider& coll
     then.lo = then.pose.p - half;
     then.hi = then.pose.p + half;
     const std::size_t first = out.size();
-    if (!add_contacts(body, then, at_once, out)) continue;
+    if (!add_contacts(body, then, at_once, memories[body], out)) continue;
     const Pose back = collider.pose * then.pose.inverse();
     for (std::size_t c = first; c < out.size(); ++c) {
       Contact& contact = out[c];
@@ -63,6 +63,7 @@ bool Simulation::Impl::add_swept_contacts(std::size_t body, const Collider& coll
       // Linear in what both sides move from now on, with that gap at that time.
       contact.gap += contact.normal.dot(contact.point - at_start);
       if (contact.b.kind == ContactSide::Kind::rigid) contact.b.arm = at_start - collider.pose.p;
+      contact.b.moved = driven_way(collider, at_start);
     }
     return true;
   }

@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::uint64_t magic = 0x31746e696f704350;  // "PCpoint1"
 constexpr std::size_t most_hands = 1024;
+constexpr std::size_t most_corners = 1 << 20;  // of a collider
+constexpr std::size_t most_memories = 1 << 24;
 
 void add(ByteWriter& out, const RigidMotion& motion) {
   out.add(motion.pose);
@@ -68,6 +70,38 @@ SoftBodyState read_soft(ByteReader& in, const SoftBodyState& like) {
   state.mode = in.vector(like.mode.size());
   state.omega = in.number<double>();
   return state;
+}
+
+void add(ByteWriter& out, const ContactMemories& memories) {
+  out.add(static_cast<std::uint64_t>(memories.size()));
+  for (const ContactMemory& m : memories) {
+    out.add(static_cast<std::uint8_t>(m.soft));
+    out.add(static_cast<std::uint64_t>(m.body));
+    out.add(m.feature);
+    out.add(m.grip);
+    out.add(m.force);
+    out.add(m.normal);
+    out.add(m.stiffness);
+    out.add(m.rest);
+  }
+}
+
+ContactMemories read_memories(ByteReader& in, std::size_t features) {
+  ContactMemories memories;
+  for (std::size_t left = in.count(most_memories); left > 0; --left) {
+    ContactMemory& m = memories.emplace_back();
+    m.soft = in.flag();
+    m.body = in.number<std::uint64_t>();
+    m.feature = in.number<std::uint32_t>();
+    in.require(m.feature < features, "a contact of a surface that isn't there");
+    m.grip = in.vector();
+    m.force = in.number<double>();
+    m.normal = in.vector();
+    m.stiffness = in.number<double>();
+    m.rest = in.number<double>();
+    in.require(m.stiffness > 0 && m.rest <= 0, "a contact without stiffness, or that pulls");
+  }
+  return memories;
 }
 
 void add(ByteWriter& out, const Hand& hand) {
@@ -160,6 +194,7 @@ void Simulation::Impl::save(ByteWriter& out) const {
   out.add(time.tick);
   for (std::size_t slot = 0; slot < model.rigid.size(); ++slot) add(out, world.motion(slot));
   for (const SoftBodyState& state : soft) add(out, state);
+  for (const ContactMemories& of_body : memories) add(out, of_body);
   out.add(static_cast<std::uint64_t>(hands.size()));
   for (const Hand& hand : hands) {
     add(out, hand);
@@ -184,6 +219,12 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
   for (const RigidModel& r : model.rigid) new_world.add(r.setup, read_motion(in));
   std::vector<SoftBodyState> new_soft;
   for (const SoftBodyState& state : soft) new_soft.push_back(read_soft(in, state));
+  std::vector<ContactMemories> new_memories;
+  for (const auto& body : model.soft) {
+    const TriangleMesh& surface = body->anatomy().surface;
+    new_memories.push_back(
+        read_memories(in, surface.positions.size() + surface.triangles.size() + most_corners));
+  }
   std::vector<Hand> new_hands(in.count(most_hands));
   for (Hand& hand : new_hands) {
     hand = read_hand(in, model);
@@ -211,6 +252,7 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
   time = new_time;
   world = std::move(new_world);
   soft = std::move(new_soft);
+  memories = std::move(new_memories);
   hands = std::move(new_hands);
   parts = std::move(new_parts);
   panels = std::move(new_panels);

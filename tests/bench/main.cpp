@@ -66,6 +66,15 @@ int main(int argc, char** argv) try {
   press_command->add_option("--threads", press.threads, "From one thread to this many")
       ->check(CLI::Range(1, 1024));
 
+  prosector::ContactBenchOptions contact;
+  CLI::App* contact_command = app.add_subcommand(
+      "contact", "Force, friction, momentum and rest of what touches, beside what they should be");
+  contact_command->add_flag("--quick", contact.quick, "Coarse and short: to see that it runs");
+  contact_command->add_option("--case", contact.only, "Only this one")
+      ->check(CLI::IsMember(prosector::contact_case_names()));
+  contact_command->add_option("--svg", contact.picture_folder, "Folder for a picture of the pressed layers")
+      ->check(CLI::ExistingDirectory);
+
   prosector::TradeBenchOptions trade;
   CLI::App* trade_command =
       app.add_subcommand("trade", "Error against cost of every way to model tissue, and what to choose");
@@ -132,6 +141,7 @@ int main(int argc, char** argv) try {
   if (*beam_command) report = prosector::bench_beam(beam);
   if (*beam101k_command) report = prosector::bench_beam101k(beam101k);
   if (*press_command) report = prosector::bench_press(press);
+  if (*contact_command) report = prosector::bench_contact(contact);
   if (*trade_command) report = prosector::bench_trade(trade);
   if (*stability_command) report = prosector::bench_stability(stability);
   if (*scaling_command) report = prosector::bench_scaling(scaling);

@@ -53,6 +53,15 @@ struct PressBenchOptions {
 /// An organ pressed by a ball: steps a second in contact, and their error.
 Report bench_press(const PressBenchOptions& options);
 
+struct ContactBenchOptions {
+  std::string only;            // one case; empty: all
+  std::string picture_folder;  // where to write contact-hertz.svg; empty: nowhere
+  bool quick = false;          // coarse and short: to see that it runs
+};
+std::vector<std::string> contact_case_names();
+/// What bodies make of touching each other, beside what they should; one thread.
+Report bench_contact(const ContactBenchOptions& options);
+
 struct TradeBenchOptions {
   bool quick = false;
   std::string only, model;        // one case, one model (as rows name it); empty: all

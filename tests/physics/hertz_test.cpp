@@ -7,41 +7,12 @@
 
 #include "server/physics/contact/surface_detector.h"
 #include "server/physics/coupled/island_solver.h"
-#include "tests/physics/scenes.h"
+#include "tests/physics/pressed_layer.h"
 
 namespace prosector::test {
 namespace {
 
 constexpr double youngs_modulus = 5000, radius = 0.01;
-
-/// 0, cell, 2·cell … up to `core`, then ever wider up to `end`.
-std::vector<double> graded(double cell, double core, double end) {
-  constexpr double growth = 1.35;
-  std::vector<double> x = {0};
-  while (x.back() < core - cell / 2) x.push_back(x.back() + cell);
-  const std::size_t outer = x.size();
-  for (double step = cell; x.back() < end;) x.push_back(x.back() + (step *= growth));
-  const double from = x[outer - 1], stretch = (end - from) / (x.back() - from);
-  for (std::size_t i = outer; i < x.size(); ++i) x[i] = from + (x[i] - from) * stretch;
-  return x;
-}
-
-/// A layer of the given height under y = 0, three times as far to every side; cells of about `cell` around
-/// the origin.
-Anatomy layer(double height, double core, double cell) {
-  const auto across = graded(cell, core, 3 * height), down = graded(cell, core, height);
-  const int n = static_cast<int>(across.size()) - 1, m = static_cast<int>(down.size()) - 1;
-  Anatomy out = make_block(Vec3(2 * n, m, 2 * n), {2 * n, m, 2 * n});
-  const auto place = [&](Vec3& x) {
-    const auto sideways = [&](double i) {
-      return std::copysign(across[static_cast<std::size_t>(std::lround(std::abs(i)))], i);
-    };
-    x = {sideways(x.x()), -down[static_cast<std::size_t>(std::lround(m / 2.0 - x.y()))], sideways(x.z())};
-  };
-  for (Vec3& x : out.tets.positions) place(x);
-  for (Vec3& x : out.surface.positions) place(x);
-  return out;
-}
 
 /// Force of a sphere that is pressed `depth` into the layer, N.
 double press(double height, double core, double depth, double cell) {
@@ -56,7 +27,7 @@ double press(double height, double core, double depth, double cell) {
   // The floor and nothing above it: a ball so large that it is flat, 10 µm high over the middle.
   const double flat = 1000, wide = 4 * height;
   desc.attach = {{{0, -height - flat, 0}, std::hypot(flat, wide * std::sqrt(2.0)), 1e13}};
-  SoftBody body(desc, layer(height, core, cell));
+  SoftBody body(desc, pressed_layer(height, core, cell));
   SoftBodyState state = body.initial_state();
   SurfaceDetector surface(body.anatomy().embedding, body.anatomy().surface);
   const std::vector<ShapePart> parts = {{ShapeKind::sphere, {radius, 0, 0}, {}, nullptr}};

@@ -102,7 +102,7 @@ TEST_P(LawAllocation, NoneWithinAStep) {
   }
 }
 
-/// A cube that a rigid body presses and a hand's tie holds, or that nothing touches.
+/// A cube that a rigid body with another one on it presses and a hand's tie holds, or that nothing touches.
 class PressedCube {
  public:
   PressedCube(const SoftDesc& desc, bool touched)
@@ -123,6 +123,11 @@ class PressedCube {
     contact.stiffness = 1e4;
     contact.friction = 0.3;
     island_.contacts.push_back(contact);
+    ball.slot = 1;
+    island_.rigid.push_back(ball);
+    contact.a = {ContactSide::Kind::rigid, 1};
+    contact.b = {ContactSide::Kind::rigid, 0};
+    island_.contacts.push_back(contact);
     Tie tie;
     tie.a = {ContactSide::Kind::rigid, 0};
     tie.b = {ContactSide::Kind::soft, 0, 1, {0}, {1}};
@@ -132,7 +137,7 @@ class PressedCube {
   }
 
   void tick() {
-    if (!island_.rigid.empty()) island_.rigid.front().predicted << 0, -1e-3, 0, 0, 0, 0;
+    for (RigidMember& ball : island_.rigid) ball.predicted << 0, -1e-3, 0, 0, 0, 0;
     stepper_.step(island_, 1. / 60, Vec3::Zero());
   }
   bool pressed() const { return !island_.contacts.empty() && island_.contacts.front().force > 0; }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "common/mesh.h"
@@ -17,7 +18,8 @@ struct ContactSide {
   std::size_t nodes = 0;  // soft: how many, each once …
   std::array<std::uint32_t, most_nodes> node{};  // … which …
   std::array<double, most_nodes> weight{};       // … and their weights
-  Vec3 arm = Vec3::Zero();  // rigid: m, from the centre of mass to the point, at the tick's start
+  Vec3 arm = Vec3::Zero();    // rigid: m, from the centre of mass to the point, at the tick's start
+  Vec3 moved = Vec3::Zero();  // fixed: m, by which it is driven over the tick
 
   /// Adds `share` of a surface vertex.
   void add(const SparseMap::Row& row, double share) {
@@ -32,16 +34,28 @@ struct ContactSide {
 };
 
 /// Potential ½·stiffness·min(g, 0)² with g = gap + normal·(u_a − u_b), u the sides' displacements over the
-/// tick; and smoothed Coulomb friction on the tangential part of u_a − u_b (Li et al. 2020, "Incremental
-/// Potential Contact", 5). The normal is fixed over a tick.
+/// tick; and smoothed Coulomb friction (Li et al. 2020, "Incremental Potential Contact", 5) on the slip: the
+/// tangential part of u_a − u_b, counted from where friction held (memory.h). The normal is fixed over a
+/// tick.
 struct Contact {
   ContactSide a, b;
   Vec3 point = Vec3::Zero();    // m, room frame, at the tick's start
   Vec3 normal = Vec3::UnitY();  // unit, from b to a
-  double gap = 0;               // m at the tick's start, < 0 penetrates
+  double gap = 0;               // m at the tick's start, beyond `rest`; < 0 presses
+  double rest = 0;              // m, <= 0: gap between the surfaces at which they don't press, see memory.h
   double stiffness = 0;         // N/m
   double friction = 0;
-  double force = 0;  // N, normal, after the solve
+  double rebound = 0;  // m/s: speed at which rigid sides part when they have pressed, see restitution.h
+  static constexpr std::uint32_t no_feature = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t feature = no_feature;  // soft a: its surface vertex; or all vertices' count plus the
+                                       // triangle; or both counts plus the BoxCorner of b
+  Vec3 grip = Vec3::Zero();  // slip at the tick's start, in thresholds of friction: no longer than 1 …
+  double gripped = 0;        // … under this normal force, N
+  // Results:
+  double force = 0;  // N, normal, at the tick's end
+  Vec3 exchanged =
+      Vec3::Zero();  // N, mean over the tick, on a, of friction too: what the bodies were moved by
+  Vec3 grip_after = Vec3::Zero();  // as grip, at the tick's end
 };
 
 /// A bounded spring between a point of side a and a point of side b: a hand's hold on tissue.

@@ -61,7 +61,9 @@ Triangles neighbours(const Triangles& triangles) {
 constexpr double least_between = 0.3, fully_between = 0.5;
 constexpr double full_room =
     0.2;  // radii: spare room between corners from which on a contact has full strength
-constexpr double most_depth = 2;  // radii: what is deeper than this beyond the surface is lost to it
+constexpr double fully_beside = 0.1;  // edges: how much deeper than the vertices a corner counts fully
+constexpr double least_apart = 1e-9;  // m: nearer than this, a direction is rounding
+constexpr double most_depth = 2;      // radii: what is deeper than this beyond the surface is lost to it
 
 }  // namespace
 
@@ -130,6 +132,15 @@ double SurfaceDetector::stretch(std::uint32_t triangle) const {
   return std::sqrt(most);
 }
 
+Vec3 SurfaceDetector::outward_at(std::uint32_t vertex) const {
+  Vec3 sum = Vec3::Zero();
+  for (std::uint32_t k = around_begin_[vertex]; k < around_begin_[vertex + 1]; ++k) {
+    const auto x = corners(around_[k]);
+    sum += (x[1] - x[0]).cross(x[2] - x[0]);
+  }
+  return sum.normalized();
+}
+
 double SurfaceDetector::stretch_at(std::uint32_t vertex) const {
   double most = 0;
   for (std::uint32_t k = around_begin_[vertex]; k < around_begin_[vertex + 1]; ++k)
@@ -189,6 +200,49 @@ std::optional<TriangleTouch> SurfaceDetector::touch(std::uint32_t triangle, cons
   if (!(between > least_between)) return std::nullopt;
   out.strength = std::min(1.0, (between - least_between) / (fully_between - least_between)) *
                  std::min(1.0, room / (full_room * rod.radius));
+  return out;
+}
+
+std::optional<TriangleTouch> SurfaceDetector::near_corner(const Collider& collider, const Vec3& at,
+                                                          double margin, double depth) const {
+  TriangleTouch out;
+  SegmentTriangle nearest;
+  nearest.distance = std::max(margin, depth);
+  bool found = false;
+  for (std::size_t c = 0; c < triangle_chunks_.size(); ++c) {
+    const Vec3 grow = Vec3::Constant(nearest.distance);
+    if (!boxes_overlap(at - grow, at + grow, triangle_chunks_[c].lo, triangle_chunks_[c].hi)) continue;
+    for (std::size_t i = c * chunk_triangles; i < triangle_chunk_end(c); ++i) {
+      const SegmentTriangle near = closest(at, at, corners(triangle_order_[i]));
+      if (near.distance >= nearest.distance) continue;
+      found = true;
+      nearest = near;
+      out.triangle = triangle_order_[i];
+    }
+  }
+  if (!found || nearest.weights.maxCoeff() >= 1) return std::nullopt;  // a vertex: known as such
+  const auto x = corners(out.triangle);
+  Vec3 side = outward(out.triangle);
+  bool face = true;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!(nearest.weights[static_cast<Eigen::Index>((k + 2) % 3)] > 0)) {  // on the edge (k, k+1)
+      side += outward(neighbours_[out.triangle][k]);
+      face = false;
+    }
+  side.normalize();
+  out.weights = nearest.weights;
+  out.point = nearest.weights[0] * x[0] + nearest.weights[1] * x[1] + nearest.weights[2] * x[2];
+  const Vec3 apart = at - out.point;
+  const bool above = apart.dot(side) > 0;
+  out.gap = above ? nearest.distance : -nearest.distance;
+  out.normal = face || nearest.distance < least_apart ? Vec3(-side)
+                                                      : Vec3((above ? -1 : 1) / nearest.distance * apart);
+  if (!out.normal.allFinite() || out.gap > margin || out.gap < -depth) return std::nullopt;
+  double vertex = std::numeric_limits<double>::max();
+  for (const Vec3& v : x) vertex = std::min(vertex, distance_to(collider, v, margin).value);
+  const double edge = std::max({(x[1] - x[0]).norm(), (x[2] - x[1]).norm(), (x[0] - x[2]).norm()});
+  out.strength = std::min(1.0, (vertex - out.gap) / (fully_beside * edge));
+  if (!(out.strength > 0)) return std::nullopt;
   return out;
 }
 

@@ -25,9 +25,10 @@ struct Collider {
   Vec3 lo = Vec3::Zero(), hi = Vec3::Zero();  // m, box around it
   double friction = 0;
   bool fixed = false;
+  std::optional<Pose> driven_to;  // fixed: where it is when the tick ends
 };
 
-/// A point of a surface triangle, off its corners, against a thin part.
+/// A point of a surface triangle, off its corners, against a thin part or a part's corner.
 struct TriangleTouch {
   std::uint32_t triangle = 0;
   Vec3 weights = Vec3::Zero();  // of the corners
@@ -47,6 +48,9 @@ class SurfaceDetector {
   const Vec3& lo() const { return lo_; }
   const Vec3& hi() const { return hi_; }
   std::span<const Vec3> positions() const { return positions_; }
+  /// Out of the tissue at the vertex, unit: its triangles' normals, weighed by their areas; zero: they
+  /// cancel.
+  Vec3 outward_at(std::uint32_t vertex) const;
   /// Length of the most stretched edge of the faces around the vertex, over its length at rest.
   double stretch_at(std::uint32_t vertex) const;
 
@@ -62,6 +66,11 @@ class SurfaceDetector {
   /// deeper than the face's corners do. Per triangle the deepest part.
   template <class F>
   void near_thin(const Collider& collider, double margin, const F& f) const;
+  /// Where a corner of a box of the collider is nearest to a face or an edge, at most `margin` off or `depth`
+  /// inside, and clearly deeper than the face's corners are in the collider: what vertices alone would let
+  /// sink between them. Of the corner `at` in the room.
+  std::optional<TriangleTouch> near_corner(const Collider& collider, const Vec3& at, double margin,
+                                           double depth) const;
   /// Whether anything is that near.
   bool touches(const Collider& collider, double margin) const;
 
@@ -101,6 +110,30 @@ class SurfaceDetector {
 /// Nearest part of the collider at a point of the room; the normal is in the room frame. Parts farther than
 /// `margin` may be skipped: the value is then larger than it.
 Distance distance_to(const Collider& collider, const Vec3& x, double margin);
+
+/// A corner of one of the collider's boxes.
+struct BoxCorner {
+  std::uint32_t index = 0;  // 8 times the part, plus the corner
+  Vec3 at = Vec3::Zero();   // m, room frame
+  double depth = 0;         // m: half the box's least extent
+};
+constexpr std::uint32_t corners_per_part = 8;
+
+/// Calls back for each whose place, grown by `margin`, meets the box from lo to hi.
+template <class F>
+void box_corners(const Collider& collider, double margin, const Vec3& lo, const Vec3& hi, const F& f) {
+  for (std::uint32_t i = 0; i < collider.parts->size(); ++i) {
+    const ShapePart& part = (*collider.parts)[i];
+    if (part.kind != ShapeKind::box) continue;
+    const Pose pose = collider.pose * collider.part_poses[i];
+    for (std::uint32_t k = 0; k < corners_per_part; ++k) {
+      const Vec3 sign((k & 1U) != 0 ? 1 : -1, (k & 2U) != 0 ? 1 : -1, (k & 4U) != 0 ? 1 : -1);
+      const Vec3 at = pose * Vec3(sign.cwiseProduct(part.half));
+      if ((at.array() >= lo.array() - margin).all() && (at.array() <= hi.array() + margin).all())
+        f(BoxCorner{corners_per_part * i + k, at, part.half.minCoeff()});
+    }
+  }
+}
 
 /// The collider's thin parts whose boxes, grown by `margin`, meet the given one.
 std::vector<Rod> rods_of(const Collider& collider, double margin, const Vec3& lo, const Vec3& hi);

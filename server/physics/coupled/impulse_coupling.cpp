@@ -65,6 +65,7 @@ class Coupling {
       Contact& contact = island.contacts[c];
       contacts_.push_back({resolve(contact.a), resolve(contact.b)});
       contact.force = 0;
+      contact.exchanged.setZero();
     }
     ties_.clear();
     for (const std::size_t t : tick.ties)
@@ -135,9 +136,10 @@ class Coupling {
     return sum;
   }
 
-  static Vec3 velocity(const Side& side) {
+  Vec3 velocity(const Side& side) const {
     if (side.soft) return weighted(side, side.soft->state->motion.v);
-    return side.rigid ? Vec3(side.rigid->v + side.rigid->w.cross(side.at->arm)) : Vec3(Vec3::Zero());
+    return side.rigid ? Vec3(side.rigid->v + side.rigid->w.cross(side.at->arm))
+                      : Vec3(side.at->moved / tick_.h);
   }
 
   /// Displacement since the tick's start, `ahead` s from now for rigid bodies; minimised bodies, whose tick
@@ -147,14 +149,15 @@ class Coupling {
       const Vec3 u = weighted(side, side.soft->state->motion.x) - side.start;
       return tick_.substepped[side.member] ? u : Vec3(passed_ * u);
     }
-    if (!side.rigid) return Vec3::Zero();
+    if (!side.rigid) return passed_ * side.at->moved;
     const Rigid& r = *side.rigid;
     return r.moved + ahead * r.v + (r.turned + ahead * r.w).cross(side.at->arm);
   }
 
+  /// Between the surfaces: impulses open overlaps without a spring's energy, so they need no rest gap.
   double gap(std::size_t c, double ahead) const {
     const Contact& contact = island_.contacts[tick_.contacts[c]];
-    return contact.gap +
+    return contact.gap + contact.rest +
            contact.normal.dot(displacement(contacts_[c].a, ahead) - displacement(contacts_[c].b, ahead));
   }
 
@@ -191,8 +194,11 @@ class Coupling {
       for (std::size_t t = 0; t < ties_.size(); ++t) pull(ties_[t], island_.ties[tick_.ties[t]], hs);
       for (std::size_t c = 0; c < contacts_.size(); ++c) press(c, hs);
     }
-    for (std::size_t c = 0; c < contacts_.size(); ++c)
-      island_.contacts[tick_.contacts[c]].force += contacts_[c].normal / tick_.h;
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      Contact& contact = island_.contacts[tick_.contacts[c]];
+      contact.force += contacts_[c].normal / tick_.h;
+      contact.exchanged += (contacts_[c].normal * contact.normal + contacts_[c].impulse) / tick_.h;
+    }
   }
 
   /// The tie's spring over the substep, as implicit Euler would have it, bounded.

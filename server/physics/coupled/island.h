@@ -54,6 +54,7 @@ struct Island {
   std::vector<RigidMember> rigid;
   std::vector<Contact> contacts;
   std::vector<Tie> ties;
+  bool driven = false;  // something that is driven touches it: it doesn't sleep
 };
 
 struct IslandReport {

@@ -11,6 +11,7 @@ namespace {
 constexpr int rigid_newton_iterations = 12;
 constexpr double enough_step =
     1e-5;  // m: a next Newton step below it, at the rate of the last two, is not taken
+constexpr double enough_share = 0.05;  // of the slip over which friction builds up: likewise, where it holds
 constexpr double converged_step = 1e-4;  // m
 constexpr int halvings = 12, halvings_with_care = 40;
 constexpr int newton_with_care = 4;   // times the scene's iterations
@@ -27,6 +28,14 @@ double linear_tolerance(const Island& island, double tolerance) {
       std::any_of(island.contacts.begin(), island.contacts.end(),
                   [](const Contact& c) { return c.a.kind != ContactSide::Kind::soft; });
   return rigid_contact ? tolerance : std::sqrt(tolerance);
+}
+
+/// What holds by friction moves by less than its threshold: steps that don't resolve that would leave it to
+/// tremble, and to creep.
+double enough(const Island& island) {
+  const bool rough = std::any_of(island.contacts.begin(), island.contacts.end(),
+                                 [](const Contact& c) { return c.friction > 0; });
+  return rough ? std::min(enough_step, enough_share * slip_threshold) : enough_step;
 }
 
 /// Whether the warm start of some soft body leads so far that it may be worse than none.
@@ -102,9 +111,9 @@ void IslandSolver::start_where_energy_is_least() {
 }
 
 /// From q_ on, and there.
-IslandReport IslandSolver::minimise(const Limits& limits, double tolerance) {
+IslandReport IslandSolver::minimise(const Limits& limits, double tolerance, double enough) {
   IslandReport report;
-  step_.resize(system_.size());
+  for (VecX* v : {&solved_, &step_}) v->resize(system_.size());
   bool exact = limits.careful;
   system_.linearise(q_);
   system_.energy(q_);
@@ -115,18 +124,25 @@ IslandReport IslandSolver::minimise(const Limits& limits, double tolerance) {
     system_.gradient(q_, g_);
     const bool kept = system_.assemble(q_, exact);
     g_ = -g_;
-    step_.setZero();
+    right_ = g_;
+    system_.condense(right_);
+    solved_.setZero();
     SolveReport solved =
-        limits.solver->solve(system_, g_, {limits.settings.max_iterations, tolerance}, step_);
+        limits.solver->solve(system_, right_, {limits.settings.max_iterations, tolerance}, solved_);
     report.solver_iterations += solved.iterations;
+    system_.expand(g_, solved_, step_);
     if (report.newton_iterations++ == 0 && step_.lpNorm<Eigen::Infinity>() < converged_step) {
-      solved =
-          limits.solver->solve(system_, g_, limits.settings, step_);  // close to rest: this one is the last
+      // Close to rest: this one is the last.
+      solved = limits.solver->solve(system_, right_, limits.settings, solved_);
       report.solver_iterations += solved.iterations;
+      system_.expand(g_, solved_, step_);
     }
     report.residual = solved.residual;
     const double slope = -g_.dot(step_);
-    if (!(slope < 0)) break;  // at rest, or not finite
+    if (!(slope < 0)) {  // at rest, or not finite
+      if (report.newton_iterations == 1) system_.take(1, step_.setZero());
+      break;
+    }
     const double length = line_search(energy, slope, limits.careful ? halvings_with_care : halvings);
     if (length == 0 && !kept) {
       report.descended = false;
@@ -139,10 +155,11 @@ IslandReport IslandSolver::minimise(const Limits& limits, double tolerance) {
       continue;
     }
     q_.swap(next_);
+    system_.take(length, step_);
     const double before = report.last_step;
     report.last_step = length * step_.lpNorm<Eigen::Infinity>();
     const double rate = before > 0 ? std::min(1.0, report.last_step / before) : 1;
-    if (rate * report.last_step < enough_step) break;
+    if (rate * report.last_step < enough) break;
   }
   report.converged = report.last_step < converged_step && std::isfinite(report.residual);
   return report;
@@ -161,7 +178,7 @@ IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double 
     for (SoftMember& m : island.soft) m.body->begin_stage(stage, h, gravity, *m.state, m.euler);
     system_.initial_guess(q_);
     if (limits.careful || (limits.alone && violent(island))) start_where_energy_is_least();
-    IslandReport part = minimise(limits, tolerance);
+    IslandReport part = minimise(limits, tolerance, enough(island));
     part.newton_iterations += report.newton_iterations;
     part.solver_iterations += report.solver_iterations;
     part.descended = part.descended && report.descended;
@@ -170,7 +187,7 @@ IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double 
     if (!report.finite) return report;
     for (std::size_t m = 0; m < island.rigid.size(); ++m)
       island.rigid[m].twist = q_.segment<6>(system_.rigid_offset(m));
-    for (Contact& c : island.contacts) c.force = system_.normal_force(c, q_);
+    system_.tell_contacts(q_);
     for (std::size_t m = 0; m < island.soft.size(); ++m) {
       SoftBody& body = *island.soft[m].body;
       body.finish_stage(stage, h, q_.segment(system_.soft_offset(m), 3 * body.nodes()),

@@ -27,7 +27,7 @@ class IslandSolver {
 
   Limits limits_of(const Island& island);
   IslandReport attempt(Island& island, const Limits& limits, double h, const Vec3& gravity);
-  IslandReport minimise(const Limits& limits, double tolerance);
+  IslandReport minimise(const Limits& limits, double tolerance, double enough);
   double line_search(double energy, double slope, int halvings);
   void start_where_energy_is_least();
 
@@ -35,6 +35,7 @@ class IslandSolver {
   EnergyGuard guard_;
   std::map<std::string, std::unique_ptr<LinearSolver>> solvers_;  // by name; made when first asked for
   VecX start_, q_, g_, step_, next_;                              // as the system's unknowns
+  VecX right_, solved_;                                           // condensed
   std::vector<double> work_;                                      // J, by joints, on each soft member
 };
 

@@ -9,13 +9,19 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t nodes_per_chunk = 512;
-constexpr double stick_speed =
-    5e-4;  // m/s: below it friction sticks, creeping at most this fast, until the body sleeps
+constexpr double stick_speed = 5e-4;  // m/s: what has no slip to remember sticks below it
 
 Mat3 cross_matrix(const Vec3& v) {
   Mat3 m;
   m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
   return m;
+}
+
+/// The displacement of a point at `arm` as a map of its body's twist.
+Eigen::Matrix<double, 3, 6> lever(const Vec3& arm) {
+  Eigen::Matrix<double, 3, 6> J;
+  J << Mat3::Identity(), -cross_matrix(arm);
+  return J;
 }
 
 Mat6 inertia_block(const RigidMember& body, double h) {
@@ -30,7 +36,6 @@ Mat6 inertia_block(const RigidMember& body, double h) {
 void IslandSystem::begin(Island& island, double h) {
   island_ = &island;
   h_ = h;
-  slip_threshold_ = stick_speed * h;
   size_ = 0;
   soft_offset_.clear();
   for (const SoftMember& m : island.soft) {
@@ -41,8 +46,12 @@ void IslandSystem::begin(Island& island, double h) {
   size_ += 6 * static_cast<Eigen::Index>(island.rigid.size());
   contacts_.clear();
   ties_.clear();
-  for (const Contact& c : island.contacts) contacts_.push_back(join(c.a, c.b));
+  for (const Contact& c : island.contacts) {
+    contacts_.push_back(join(c.a, c.b));
+    contacts_.back().threshold = c.feature != Contact::no_feature ? slip_threshold : stick_speed * h;
+  }
   for (const Tie& t : island.ties) ties_.push_back(join(t.a, t.b));
+  join_rigid();
   stiff_.reserve(contacts_.size() + ties_.size());
   lagged_.assign(contacts_.size(), 0);
   node_blocks_.resize(static_cast<std::size_t>(rigid_begin_ / 3));
@@ -73,7 +82,7 @@ IslandSystem::Side IslandSystem::resolve(const ContactSide& side) const {
 
 IslandSystem::Joint IslandSystem::join(const ContactSide& a, const ContactSide& b) const {
   const auto start = [&](const ContactSide& side) {
-    Vec3 x = Vec3::Zero();
+    Vec3 x = -side.moved;
     if (side.kind != ContactSide::Kind::soft) return x;
     for (const SoftMember& m : island_->soft)
       if (m.index == side.body)
@@ -81,7 +90,19 @@ IslandSystem::Joint IslandSystem::join(const ContactSide& a, const ContactSide& 
           x += side.weight[k] * m.state->motion.x.segment<3>(3 * static_cast<Eigen::Index>(side.node[k]));
     return x;
   };
-  return {resolve(a), resolve(b), start(a) - start(b), Mat3::Zero()};
+  return {resolve(a), resolve(b), start(a) - start(b)};
+}
+
+/// Where the normal force grows, friction keeps its force, and where it falls, its stretch: a spring that
+/// stiffens while it is stretched would give back more than it got (Thornton and Randall 1988).
+Vec3 IslandSystem::held_slip(std::size_t c) const {
+  const Contact& contact = island_->contacts[c];
+  if (contact.grip.isZero(0)) return contact.grip;
+  const double before = contact.friction * contact.gripped, stretch = std::min(1.0, contact.grip.norm());
+  const double share = lagged_[c] > before ? before / lagged_[c] : 1;
+  const double now = 1 - std::sqrt(1 - share * stretch * (2 - stretch));
+  const Vec3 across = contact.grip - contact.normal.dot(contact.grip) * contact.normal;
+  return slip_threshold * now / stretch * across;
 }
 
 Vec3 IslandSystem::read(const Side& side, const VecX& q) {
@@ -137,30 +158,55 @@ void IslandSystem::joint_work(const VecX& start, const VecX& q, std::vector<doub
   }
 }
 
-double IslandSystem::normal_force(const Contact& contact, const VecX& q) const {
-  const auto c = static_cast<std::size_t>(&contact - island_->contacts.data());
+double IslandSystem::normal_force(std::size_t c, const VecX& q) const {
+  const Contact& contact = island_->contacts[c];
   const double gap = contact.gap + contact.normal.dot(displacement(contacts_[c], q));
   return contact.stiffness * std::max(0.0, -gap);
 }
 
 void IslandSystem::lag_friction(const VecX& q) {
-  for (std::size_t c = 0; c < contacts_.size(); ++c)
-    lagged_[c] = island_->contacts[c].friction * normal_force(island_->contacts[c], q);
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    lagged_[c] = island_->contacts[c].friction * normal_force(c, q);
+    contacts_[c].held = held_slip(c);
+  }
+}
+
+void IslandSystem::take(double length, const VecX& step) {
+  for (Joint& joint : contacts_) {
+    Vec3 force = joint.force;
+    if (!joint.D.isZero(0)) force += joint.D * (read(joint.a, step) - read(joint.b, step));
+    joint.exchanged += length * (force - joint.exchanged);
+  }
+}
+
+void IslandSystem::tell_contacts(const VecX& q) {
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    Contact& contact = island_->contacts[c];
+    contact.force = normal_force(c, q);
+    contact.exchanged = -contacts_[c].exchanged;
+    contact.grip_after.setZero();
+    if (!(lagged_[c] > 0)) continue;
+    const Vec3 u = displacement(contacts_[c], q);
+    const Vec3 slip = u - contact.normal.dot(u) * contact.normal + contacts_[c].held;
+    const double length = slip.norm();
+    contact.grip_after = slip / std::max(length, contacts_[c].threshold);
+  }
 }
 
 double IslandSystem::contact_energy(std::size_t c, const Vec3& u) const {
   const Contact& contact = island_->contacts[c];
   const double along = contact.normal.dot(u), gap = std::min(0.0, contact.gap + along);
-  const double slip = (u - along * contact.normal).norm();
-  return contact.stiffness * gap * gap / 2 + lagged_[c] * FrictionNorm{slip_threshold_}.energy(slip);
+  const double slip = (u - along * contact.normal + contacts_[c].held).norm();
+  return contact.stiffness * gap * gap / 2 + lagged_[c] * FrictionNorm{contacts_[c].threshold}.energy(slip);
 }
 
 Vec3 IslandSystem::contact_force(std::size_t c, const Vec3& u, Mat3* D) const {
   const Contact& contact = island_->contacts[c];
   const Vec3& n = contact.normal;
   const double along = n.dot(u), gap = std::min(0.0, contact.gap + along);
-  const Vec3 slip = u - along * n;
-  const double drag = lagged_[c] > 0 ? lagged_[c] * FrictionNorm{slip_threshold_}.secant(slip.norm()) : 0;
+  const Vec3 slip = u - along * n + contacts_[c].held;
+  const double drag =
+      lagged_[c] > 0 ? lagged_[c] * FrictionNorm{contacts_[c].threshold}.secant(slip.norm()) : 0;
   if (D) {
     const Mat3 nn = n * n.transpose();
     *D = (gap < 0 ? contact.stiffness : 0.0) * nn + drag * (Mat3::Identity() - nn);
@@ -242,10 +288,87 @@ void IslandSystem::add_block(const Side& side, const Mat3& D) {
   for (std::size_t k = 0; k < side.nodes; ++k)
     node_blocks_[static_cast<std::size_t>(side.offset[k] / 3)] += side.weight[k] * side.weight[k] * D;
   if (side.rigid >= 0) {
-    Eigen::Matrix<double, 3, 6> J;
-    J << Mat3::Identity(), -cross_matrix(side.arm);
-    rigid_sums_[static_cast<std::size_t>((side.rigid - rigid_begin_) / 6)] += J.transpose() * D * J;
+    const Eigen::Matrix<double, 3, 6> J = lever(side.arm);
+    rigid_sums_[rigid_member(side)] += J.transpose() * D * J;
   }
+}
+
+void IslandSystem::join_rigid() {
+  joined_ = false;
+  rigid_pairs_.clear();
+  for (const auto* joints : {&contacts_, &ties_})
+    for (const Joint& joint : *joints)
+      if (joint.a.rigid >= 0 && joint.b.rigid >= 0)
+        rigid_pairs_.push_back(std::minmax({rigid_member(joint.a), rigid_member(joint.b)}));
+  if (!rigid_pairs_.empty()) rigid_joined_.begin(island_->rigid.size(), rigid_pairs_);
+}
+
+void IslandSystem::factor_rigid() {
+  condensed_ = rigid_begin_ > 0 && rigid_begin_ < size_;
+  for (std::size_t m = 0; m < rigid_sums_.size(); ++m) rigid_factors_[m].compute(rigid_sums_[m]);
+  if (rigid_pairs_.empty()) return;
+  rigid_joined_.set_zero();
+  for (std::size_t m = 0; m < rigid_sums_.size(); ++m) rigid_joined_.add(m, rigid_sums_[m]);
+  for (const Joint* joint : stiff_) {
+    if (joint->a.rigid < 0 || joint->b.rigid < 0) continue;
+    const bool in_order = joint->a.rigid < joint->b.rigid;
+    const Side &first = in_order ? joint->a : joint->b, &second = in_order ? joint->b : joint->a;
+    rigid_joined_.add(rigid_member(first), rigid_member(second),
+                      -lever(first.arm).transpose() * joint->D * lever(second.arm));
+  }
+  joined_ = rigid_joined_.factor();
+  condensed_ = condensed_ && joined_;
+}
+
+void IslandSystem::solve_rigid(const VecX& r, VecX& z) const {
+  const auto size = size_ - rigid_begin_;
+  if (joined_) {
+    rigid_joined_.solve(r.tail(size), z.tail(size));
+    return;
+  }
+  for (std::size_t m = 0; m < rigid_factors_.size(); ++m)
+    z.segment<6>(rigid_offset(m)) = rigid_factors_[m].solve(r.segment<6>(rigid_offset(m)));
+}
+
+void IslandSystem::precondition_rigid(const VecX& r, VecX& z) const {
+  if (condensed_)
+    z.tail(size_ - rigid_begin_).setZero();
+  else
+    solve_rigid(r, z);
+}
+
+/// Takes the rigid part f of a vector, the forces on the rigid bodies, to −A_sr·A_rr⁻¹·f on the soft nodes.
+void IslandSystem::pass_through_rigid(VecX& Hp) const {
+  rigid_work_.setZero(size_);
+  solve_rigid(Hp, rigid_work_);
+  for (const Joint* joint : stiff_) {
+    if ((joint->a.rigid < 0 && joint->b.rigid < 0) || (joint->a.nodes == 0 && joint->b.nodes == 0)) continue;
+    const Vec3 f = joint->D * (read(joint->b, rigid_work_) - read(joint->a, rigid_work_));
+    add_soft(joint->a, f, Hp);
+    add_soft(joint->b, -f, Hp);
+  }
+  Hp.tail(size_ - rigid_begin_).setZero();
+}
+
+void IslandSystem::condense(VecX& g) const {
+  if (condensed_) pass_through_rigid(g);
+}
+
+void IslandSystem::expand(const VecX& g, const VecX& solved, VecX& step) const {
+  step = solved;
+  if (!condensed_) return;
+  rest_ = g;  // less what the soft nodes' step does to the rigid bodies
+  for (const Joint* joint : stiff_) {
+    if (joint->a.nodes == 0 && joint->b.nodes == 0) continue;
+    const Vec3 f = joint->D * (read(joint->a, step) - read(joint->b, step));
+    add(joint->a, -f, rest_);
+    add(joint->b, f, rest_);
+  }
+  solve_rigid(rest_, step);
+}
+
+void IslandSystem::add_soft(const Side& side, const Vec3& f, VecX& out) const {
+  for (std::size_t k = 0; k < side.nodes; ++k) out.segment<3>(side.offset[k]) += side.weight[k] * f;
 }
 
 bool IslandSystem::assemble(const VecX& q, bool exact) {
@@ -275,7 +398,7 @@ bool IslandSystem::assemble(const VecX& q, bool exact) {
     rigid_sums_[m] = block;
   }
   for (std::size_t c = 0; c < contacts_.size(); ++c)
-    contact_force(c, displacement(contacts_[c], q), &contacts_[c].D);
+    contacts_[c].force = contact_force(c, displacement(contacts_[c], q), &contacts_[c].D);
   for (std::size_t t = 0; t < ties_.size(); ++t) {
     const Tie& tie = island_->ties[t];
     const double d = (tie.offset + displacement(ties_[t], q)).norm();
@@ -293,7 +416,7 @@ bool IslandSystem::assemble(const VecX& q, bool exact) {
                   [&](std::size_t first, std::size_t last, std::size_t) {
                     for (std::size_t i = first; i < last; ++i) node_inverse_[i] = node_blocks_[i].inverse();
                   });
-  for (std::size_t m = 0; m < rigid_sums_.size(); ++m) rigid_factors_[m].compute(rigid_sums_[m]);
+  factor_rigid();
   return kept;
 }
 
@@ -308,6 +431,7 @@ void IslandSystem::multiply(const VecX& p, VecX& Hp) const {
     add(joint->a, f, Hp);
     add(joint->b, -f, Hp);
   }
+  if (condensed_) pass_through_rigid(Hp);
 }
 
 void IslandSystem::block_jacobi(const VecX& r, VecX& z) const {
@@ -319,8 +443,7 @@ void IslandSystem::block_jacobi(const VecX& r, VecX& z) const {
                       z.segment<3>(at) = node_inverse_[i] * r.segment<3>(at);
                     }
                   });
-  for (std::size_t m = 0; m < rigid_factors_.size(); ++m)
-    z.segment<6>(rigid_offset(m)) = rigid_factors_[m].solve(r.segment<6>(rigid_offset(m)));
+  precondition_rigid(r, z);
 }
 
 void IslandSystem::multigrid(const VecX& r, VecX& z) const {
@@ -333,16 +456,14 @@ void IslandSystem::multigrid(const VecX& r, VecX& z) const {
                          std::span(node_inverse_).subspan(first, count), r.data() + soft_offset_[m],
                          z.data() + soft_offset_[m]);
   }
-  for (std::size_t m = 0; m < rigid_factors_.size(); ++m)
-    z.segment<6>(rigid_offset(m)) = rigid_factors_[m].solve(r.segment<6>(rigid_offset(m)));
+  precondition_rigid(r, z);
 }
 
 void IslandSystem::elastic_factor(const VecX& r, VecX& z) const {
   z.resize(size_);
   for (std::size_t m = 0; m < island_->soft.size(); ++m)
     island_->soft[m].body->factor_solve(r.data() + soft_offset_[m], z.data() + soft_offset_[m]);
-  for (std::size_t m = 0; m < rigid_factors_.size(); ++m)
-    z.segment<6>(rigid_offset(m)) = rigid_factors_[m].solve(r.segment<6>(rigid_offset(m)));
+  precondition_rigid(r, z);
 }
 
 }  // namespace prosector

@@ -3,9 +3,13 @@
 
 #include <Eigen/Cholesky>
 
-#include "server/physics/coupled/island.h"
+#include <optional>
+
+#include "server/physics/coupled/rigid_block.h"
 
 namespace prosector {
+
+inline constexpr double slip_threshold = 2e-5;  // m: over it friction builds up; what holds gives way by less
 
 class IslandSystem final : public LinearOperator {
  public:
@@ -29,6 +33,13 @@ class IslandSystem final : public LinearOperator {
   /// keep the matrix that they have from there. True when some did.
   bool assemble(const VecX& q, bool exact);
 
+  /// Where soft and rigid bodies meet, the linear solver sees the soft nodes' equations with the rigid
+  /// bodies' eliminated (Schur's complement), so that a light body's balance is met however loosely the
+  /// tissue's is: its rigid unknowns stay 0. This makes a right side of that kind of one of the whole.
+  void condense(VecX& g) const;
+  /// The whole step for the right side g, of the solution for what condense() made of g.
+  void expand(const VecX& g, const VecX& solved, VecX& step) const;
+
   Eigen::Index size() const override { return size_; }
   void multiply(const VecX& p, VecX& Hp) const override;
   void block_jacobi(const VecX& r, VecX& z) const override;
@@ -42,8 +53,11 @@ class IslandSystem final : public LinearOperator {
   /// J that contacts and ties did to each soft member between `start` and q with the forces that they have at
   /// q.
   void joint_work(const VecX& start, const VecX& q, std::vector<double>& work) const;
-  /// Normal force of a contact at q, N.
-  double normal_force(const Contact& contact, const VecX& q) const;
+  /// Tells that `length` of a Newton step was taken from where the Hessian was fixed: the bodies' momenta are
+  /// then those that the linearised forces gave them, not those that the contacts would have at its end.
+  void take(double length, const VecX& step);
+  /// Fills the contacts' results: forces at q, and what was exchanged.
+  void tell_contacts(const VecX& q);
 
  private:
   /// A contact's or tie's side resolved to unknowns.
@@ -58,24 +72,39 @@ class IslandSystem final : public LinearOperator {
   /// The displacement of side a relative to side b, as a linear map of the unknowns, and its 3×3 stiffness.
   struct Joint {
     Side a, b;
-    Vec3 at_start;  // the linear map of the positions at the tick's start
+    Vec3 at_start;  // the linear map of the positions at the tick's start, and what is driven meanwhile
+    Vec3 force = Vec3::Zero();      // N, contacts: where it was linearised, on b …
+    Vec3 exchanged = Vec3::Zero();  // … and what the steps taken made of it
+    double threshold = 0;           // m, contacts: slip over which friction builds up
+    Vec3 held = Vec3::Zero();       // m, contacts: slip at the tick's start
     Mat3 D = Mat3::Zero();
   };
 
   Side resolve(const ContactSide& side) const;
   Joint join(const ContactSide& a, const ContactSide& b) const;
+  Vec3 held_slip(std::size_t c) const;
+  double normal_force(std::size_t c, const VecX& q) const;  // N
   static Vec3 read(const Side& side, const VecX& q);
   static void add(const Side& side, const Vec3& f, VecX& out);
   Vec3 displacement(const Joint& joint, const VecX& q) const {
     return read(joint.a, q) - read(joint.b, q) - joint.at_start;
   }
   void add_block(const Side& side, const Mat3& D);
+  std::size_t rigid_member(const Side& side) const {
+    return static_cast<std::size_t>((side.rigid - rigid_begin_) / 6);
+  }
+  void join_rigid();
+  void factor_rigid();
+  void solve_rigid(const VecX& r, VecX& z) const;
+  void precondition_rigid(const VecX& r, VecX& z) const;
+  void add_soft(const Side& side, const Vec3& f, VecX& out) const;
+  void pass_through_rigid(VecX& Hp) const;
   double joint_energy(const VecX& q) const;  // all but the soft bodies' own
   double contact_energy(std::size_t c, const Vec3& u) const;
   Vec3 contact_force(std::size_t c, const Vec3& u, Mat3* D) const;
 
   Island* island_ = nullptr;
-  double h_ = 0, slip_threshold_ = 0;
+  double h_ = 0;
   double soft_energy_ = 0;  // J, of the last energy()
   Eigen::Index size_ = 0, rigid_begin_ = 0;
   std::vector<Eigen::Index> soft_offset_;
@@ -86,6 +115,11 @@ class IslandSystem final : public LinearOperator {
   std::vector<Mat6> rigid_blocks_;  // own: inertia and pull
   std::vector<Mat6> rigid_sums_;    // with contacts
   std::vector<Eigen::LLT<Mat6>> rigid_factors_;
+  RigidBlock rigid_joined_;                    // where rigid bodies touch or hold each other …
+  std::vector<RigidBlock::Pair> rigid_pairs_;  // … which
+  bool joined_ = false;                        // it is factored
+  bool condensed_ = false;
+  mutable VecX rigid_work_, rest_;
 };
 
 }  // namespace prosector

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "common/hand.h"
+#include "server/physics/rotation.h"
 
 namespace prosector {
 namespace {
@@ -18,14 +19,6 @@ constexpr double max_turn = 0.5;        // rad in one tick
 Vec3 clamped(const Vec3& v, double limit) {
   const double length = v.norm();
   return length > limit ? Vec3(v * (limit / length)) : v;
-}
-
-/// The rotation vector that leads from a to b, room frame.
-Vec3 turn(const Quat& a, const Quat& b) {
-  Quat q = b * a.conjugate();
-  if (q.w() < 0) q.coeffs() = -q.coeffs();
-  const Eigen::AngleAxisd rotation(q);
-  return rotation.angle() * rotation.axis();
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "server/physics/rigid/bullet_shape.h"
 #include "server/physics/rigid/bullet_types.h"
+#include "server/physics/rotation.h"
 
 namespace prosector {
 namespace {
@@ -53,7 +54,6 @@ class PhasedWorld final : public btDiscreteDynamicsWorld {
   using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
 
   void detect(btScalar h) {
-    saveKinematicState(h);
     applyGravity();
     predictUnconstraintMotion(h);
     btDispatcherInfo& info = getDispatchInfo();
@@ -91,7 +91,8 @@ RigidContact make_contact(const btPersistentManifold& manifold, int i) {
           from_bullet(p.getPositionWorldOnB()),
           from_bullet(p.m_normalWorldOnB),
           static_cast<double>(p.getDistance()),
-          static_cast<double>(p.m_combinedFriction)};
+          static_cast<double>(p.m_combinedFriction),
+          static_cast<double>(p.m_combinedRestitution)};
 }
 
 /// Gives Bullet's solver the islands of rigid bodies and keeps the others.
@@ -130,6 +131,7 @@ struct RigidWorld::Impl {
     std::unique_ptr<btRigidBody> body;  // null: free slot
     RigidSetup setup;                   // without parts
     BodyPresence presence = BodyPresence::free;
+    std::optional<Pose> driven_to;
   };
 
   btDefaultCollisionConfiguration configuration;
@@ -212,6 +214,7 @@ void RigidWorld::remove(std::size_t slot) {
   impl_->world.removeRigidBody(&impl_->at(slot));
   impl_->bodies[slot].body.reset();
   impl_->bodies[slot].shape = {};
+  impl_->bodies[slot].driven_to.reset();
 }
 
 std::size_t RigidWorld::slots() const {
@@ -292,6 +295,19 @@ void RigidWorld::stay_awake(std::size_t slot) {
   b.forceActivationState(ACTIVE_TAG);
 }
 
+void RigidWorld::drive(std::size_t slot, const Pose& to, double h) {
+  btRigidBody& b = impl_->at(slot);
+  impl_->bodies[slot].driven_to = to;
+  b.setCollisionFlags(b.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+  b.forceActivationState(DISABLE_DEACTIVATION);
+  const Pose from = from_bullet(b.getWorldTransform());
+  set_velocity(slot, (to.p - from.p) / h, turn(from.q, to.q) / h);
+}
+
+const std::optional<Pose>& RigidWorld::driven_to(std::size_t slot) const {
+  return impl_->bodies[slot].driven_to;
+}
+
 void RigidWorld::set_part_pose(std::size_t slot, std::size_t part, const Pose& pose) {
   impl_->bodies[slot].shape.compound->updateChildTransform(static_cast<int>(part), to_bullet(pose), true);
 }
@@ -340,6 +356,14 @@ std::pair<Vec3, Vec3> RigidWorld::predicted_velocity(std::size_t slot, double h)
 
 void RigidWorld::integrate(double h) {
   impl_->world.integrate(static_cast<btScalar>(h));
+  for (std::size_t slot = 0; slot < slots(); ++slot) {
+    if (!used(slot) || !driven_to(slot)) continue;
+    btRigidBody& b = impl_->at(slot);
+    set_motion(slot, {*driven_to(slot)});
+    b.setCollisionFlags(b.getCollisionFlags() & ~btCollisionObject::CF_KINEMATIC_OBJECT);
+    b.forceActivationState(ACTIVE_TAG);
+    impl_->bodies[slot].driven_to.reset();
+  }
 }
 
 std::vector<RigidImpulse> RigidWorld::impulses(std::size_t slot) const {

@@ -6,6 +6,7 @@
 // Frames: a body's frame here is its centre of mass with principal axes. Bullet computes in float.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -45,7 +46,7 @@ struct RigidContact {
   Vec3 point_a, point_b;  // room frame, on either surface
   Vec3 normal;            // unit, from b to a
   double gap;             // m, < 0 penetrates
-  double friction;
+  double friction, restitution;
 };
 
 /// What a contact gave a body.
@@ -84,6 +85,10 @@ class RigidWorld {
   void sleep(std::size_t slot);
   /// Keeps a body that touches something awake that Bullet doesn't know from going to sleep by itself.
   void stay_awake(std::size_t slot);
+  /// Takes a fixed body to a pose within the next step of h s, whatever is in its way.
+  void drive(std::size_t slot, const Pose& to, double h);
+  /// Where drive() takes it in the step that is under way.
+  const std::optional<Pose>& driven_to(std::size_t slot) const;
   void set_part_pose(std::size_t slot, std::size_t part, const Pose& pose);
   /// Two bodies pass through each other from now on, or collide again.
   void set_collides(std::size_t a, std::size_t b, bool collides);
@@ -100,7 +105,7 @@ class RigidWorld {
   const std::vector<MixedIsland>& solve(double h);
   /// Velocities after the tick if nothing touched the body: gravity and gyroscopic moment.
   std::pair<Vec3, Vec3> predicted_velocity(std::size_t slot, double h) const;
-  /// Integrates poses from the velocities.
+  /// Integrates poses from the velocities; driven bodies arrive and stand still again.
   void integrate(double h);
 
   /// What contacts gave the body in the last solve(), friction too, if its island was not a mixed one.

@@ -88,6 +88,9 @@ class ExplicitSubstepper final : public Substepper {
   }
   int allowed() const override { return body_.desc.max_substeps; }
   double most_gain(double h) const override { return needs_damping_ ? 1 + growth * h : 2; }
+  double most_pushed(double h) const override {
+    return needs_damping_ ? growth * h : 2;  // the push itself, and what it strains
+  }
   void begin(const SoftBodyState& state) override { field_.begin(state.motion.x.data()); }
   void step(double hs, const Vec3& gravity, SoftBodyState& state) override {
     field_.set_gravity(gravity);

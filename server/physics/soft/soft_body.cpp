@@ -206,6 +206,10 @@ std::uint64_t SoftBody::content_hash() const {
   return hasher.digest();
 }
 
+const VecX& SoftBody::rest() const {
+  return impl_->rest();
+}
+
 SoftBodyState SoftBody::initial_state() const {
   SoftBodyState state;
   const VecX& rest = impl_->rest();

@@ -50,6 +50,7 @@ class SoftBody {
   std::uint64_t content_hash() const;        // connectivity, rest shape, masses: topology revision 0
 
   SoftBodyState initial_state() const;  // rest shape, at rest, asleep
+  const VecX& rest() const;             // m, node positions of the rest shape
 
   // ---- What people made of it: between steps
   /// From here on its material is `stiffness` times as stiff as described, by damping too, and it is attached

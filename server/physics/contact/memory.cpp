@@ -1,0 +1,83 @@
+#include "server/physics/contact/memory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace prosector {
+namespace {
+
+constexpr double rest_time = 0.15;  // s: rest gaps rise to 0 over this
+
+using Key = std::tuple<bool, std::size_t, std::uint32_t>;
+
+Key key(const ContactMemory& m) {
+  return {m.soft, m.body, m.feature};
+}
+
+Key key(const ContactSide& other, std::uint32_t feature) {
+  return {other.kind == ContactSide::Kind::soft, other.body, feature};
+}
+
+ContactMemories::const_iterator first_from(const ContactMemories& memories, const Key& wanted) {
+  return std::lower_bound(memories.begin(), memories.end(), wanted,
+                          [](const ContactMemory& m, const Key& k) { return key(m) < k; });
+}
+
+/// N: of contacts on faces that pressed the other side and aren't there any more.
+double vanished(const ContactMemories& memories, const ContactSide& other, std::uint32_t first_face,
+                std::span<const Contact> contacts) {
+  double force = 0;
+  for (auto m = first_from(memories, key(other, first_face)); m != memories.end(); ++m) {
+    if (Key(m->soft, m->body, 0) != key(other, 0)) break;
+    const bool there = std::any_of(contacts.begin(), contacts.end(),
+                                   [&](const Contact& c) { return c.feature == m->feature; });
+    if (!there) force += m->force;
+  }
+  return force;
+}
+
+}  // namespace
+
+const ContactMemory* find(const ContactMemories& memories, const ContactSide& other, std::uint32_t feature) {
+  const Key wanted = key(other, feature);
+  const auto at = first_from(memories, wanted);
+  return at != memories.end() && key(*at) == wanted ? &*at : nullptr;
+}
+
+void recall(const ContactMemory* memory, Contact& contact) {
+  if (!memory) return;
+  contact.grip = memory->grip;
+  contact.gripped = memory->force;
+}
+
+void rest(const ContactMemories& memories, std::uint32_t first_face, double h, std::span<Contact> contacts) {
+  if (contacts.empty()) return;
+  double to_inherit = vanished(memories, contacts.front().b, first_face, contacts);
+  for (Contact& c : contacts) {
+    const double gap = std::min(c.gap, 0.0);
+    if (c.feature < first_face || gap == 0) continue;
+    if (const ContactMemory* m = find(memories, c.b, c.feature)) {
+      c.rest = std::max(m->rest * std::exp(-h / rest_time), gap);
+      if (c.stiffness > m->stiffness) c.rest += (gap - c.rest) * (1 - m->stiffness / c.stiffness);
+    } else {
+      const double force = std::min(to_inherit, -c.stiffness * gap);
+      to_inherit -= force;
+      c.rest = gap + force / c.stiffness;
+    }
+    c.gap -= c.rest;
+  }
+}
+
+void keep(std::span<const Contact> contacts, std::size_t body, ContactMemories& memories) {
+  memories.clear();
+  for (const Contact& c : contacts)
+    if (c.a.kind == ContactSide::Kind::soft && c.a.body == body && c.feature != Contact::no_feature &&
+        c.force > 0)
+      memories.push_back({c.b.kind == ContactSide::Kind::soft, c.b.body, c.feature, c.grip_after, c.force,
+                          c.normal, c.stiffness, c.rest});
+  std::sort(memories.begin(), memories.end(),
+            [](const ContactMemory& a, const ContactMemory& b) { return key(a) < key(b); });
+}
+
+}  // namespace prosector

@@ -1,0 +1,145 @@
+// A rigid ball pressed into a bonded layer, frictionless, small strain: force against the finite-layer table,
+// which was computed for a ball that moves the surface vertically. Ours meets a ball, whose sides push
+// outwards too: that differs by the order of a/R, times 1 − 2ν, and vanishes for flat balls and
+// incompressible layers.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "server/physics/soft/soft_body.h"
+#include "tests/bench/contact_run.h"
+#include "tests/physics/pressed_layer.h"
+
+namespace prosector {
+namespace {
+
+constexpr double youngs_modulus = 5000;  // Pa
+constexpr int held_ticks = 5;            // of 1 s: inertia is nothing, normals follow the surface
+
+struct Press {
+  double height, radius, depth, poisson_ratio, force;  // m, m, m, 1, N: converged, ± 0.1 %
+};
+constexpr Press presses[] = {
+    {0.02, 0.01, 0.001, 0.3, 0.02661}, {0.02, 0.01, 0.001, 0.45, 0.03128}, {0.02, 0.01, 0.001, 0.49, 0.03329},
+    {0.05, 0.01, 0.002, 0.3, 0.06951}, {0.05, 0.01, 0.002, 0.45, 0.08041}, {0.05, 0.01, 0.002, 0.49, 0.08489},
+};
+
+struct Mesh {
+  const char* element;
+  double cells;  // under the radius of contact √(R·depth)
+  bool finest;
+};
+constexpr Mesh meshes[] = {
+    {"tet4", 0.5, false}, {"tet4", 1, false}, {"tet4", 2, false}, {"tet10", 0.5, false}, {"tet10", 1, true}};
+
+SceneDesc scene_of(const Press& press, const Mesh& mesh, double cell, double stiffness) {
+  SceneDesc scene;
+  scene.gravity = Vec3::Zero();
+  scene.tick_rate = 1;
+  scene.contact_stiffness = stiffness;
+  const double start = press.radius + 1e-4;
+  scene.rigid = {test::part_body("ball", "sphere", {2 * press.radius, 0, 0}, {0, start, 0})};
+  scene.rigid[0].fixed = true;
+  scene.rigid[0].friction = 0;
+  SoftDesc& layer = scene.soft.emplace_back();
+  layer.name = "layer";
+  layer.model = "fem_linear";
+  layer.element = mesh.element;
+  layer.solver = "multigrid";
+  layer.youngs_modulus = youngs_modulus;
+  layer.poisson_ratio = press.poisson_ratio;
+  layer.gravity = false;
+  layer.damping_mass = layer.damping_stiffness = 0;
+  layer.newton_iterations = 8;
+  layer.solver_iterations = 500;
+  layer.solver_tolerance = 1e-5;
+  layer.cell = layer.surface_cell = cell;
+  if (layer.element == "tet10") layer.surface_cell = cell / 2;
+  // The floor and nothing above it: a ball so large that it is flat, 10 µm high over the middle.
+  const double flat = 1000, wide = 4 * press.height;
+  layer.attach = {{{0, -press.height - flat, 0}, std::hypot(flat, wide * std::sqrt(2.0)), 1e13}};
+  return scene;
+}
+
+void press(ContactRows& rows, const Press& press, const Mesh& mesh, double stiffness,
+           const std::string& setting, std::optional<double> tolerance) {
+  const double contact_radius = std::sqrt(press.radius * press.depth);
+  const double cell = contact_radius / mesh.cells;
+  CompileOptions options;
+  options.threads = 1;
+  options.anatomy = [&](const SoftDesc& desc) -> std::optional<Anatomy> {
+    Anatomy made = test::pressed_layer(press.height, 1.5 * contact_radius, cell);
+    if (desc.element == "tet10") test::halve_surface(made);
+    return made;
+  };
+  ContactRun run(scene_of(press, mesh, cell, stiffness), options);
+  const Pose pressed{{0, press.radius - press.depth, 0}, Quat::Identity()};
+  double force = 0, last = 0;
+  for (int tick = 0; tick < held_ticks; ++tick) {
+    run.step(driving(0, pressed));
+    last = force;
+    force = 0;
+    for (const Exchange& touch : run.simulation().exchanges()) force += std::abs(touch.impulse.y()) / run.h();
+  }
+  rows.add(run, setting, {"force over the table's", "1", force / press.force, 1, tolerance},
+           {{"element", mesh.element},
+            {"cell_m", cell},
+            {"cells_per_contact_radius", mesh.cells},
+            {"contact_stiffness", stiffness},
+            {"layer_m", press.height},
+            {"depth_m", press.depth},
+            {"radius_m", press.radius},
+            {"poisson_ratio", press.poisson_ratio},
+            {"force_N", force},
+            {"change_of_last_tick", force > 0 ? force / last - 1 : 0},
+            {"tets", run.simulation().tet_count()},
+            {"nodes", run.simulation().soft(1).nodes()}});
+}
+
+std::string name(const Press& p) {
+  return fmt::format("layer {:.0f} mm, {:.2g} mm deep, nu {:.2f}", 1e3 * p.height, 1e3 * p.depth,
+                     p.poisson_ratio);
+}
+
+/// A press of the same radius of contact under a ball `times` as large: the table's, scaled as √R·d^1.5, of
+/// which the share that is due to the ball's own shape (Sneddon 1965, against the paraboloid) is taken out.
+Press flatter(Press p, double times) {
+  const auto sneddon = [](double radius, double depth) {  // over the paraboloid's force
+    double low = 0, high = radius * 0.99;
+    for (int i = 0; i < 60; ++i) {
+      const double a = (low + high) / 2;
+      (a * std::atanh(a / radius) < depth ? low : high) = a;
+    }
+    const double a = low, r = radius;
+    const double ball = (r * r + a * a) * std::atanh(a / r) - a * r;
+    return ball / (4.0 / 3 * std::sqrt(r * depth) * depth);
+  };
+  const Press from = p;
+  p.radius *= times;
+  p.depth /= times;
+  p.force *= 1 / times * sneddon(p.radius, p.depth) / sneddon(from.radius, from.depth);
+  return p;
+}
+
+}  // namespace
+
+void hertz_case(ContactRows& rows, bool quick) {
+  constexpr double goal = 0.05;
+  if (quick) {
+    press(rows, presses[1], meshes[1], 20, name(presses[1]), std::nullopt);
+    return;
+  }
+  for (const Press& p : presses)
+    for (const Mesh& mesh : meshes)
+      press(rows, p, mesh, 20, fmt::format("{}, {}, {} cells", name(p), mesh.element, mesh.cells),
+            mesh.finest ? std::optional(goal) : std::nullopt);
+  // What accounts for the rest: the contacts' own softness; and the ball's slope.
+  const Mesh finest = meshes[std::size(meshes) - 1];
+  for (const Press& p : {presses[0], presses[3]}) {
+    press(rows, p, finest, 200, name(p) + ", contacts 10 × as stiff", std::nullopt);
+    press(rows, flatter(p, 8), finest, 20, name(p) + ", under a ball 8 × as large", std::nullopt);
+  }
+}
+
+}  // namespace prosector

@@ -1,0 +1,15 @@
+#pragma once
+// A bonded elastic layer with fine cells where a ball is pressed into its middle.
+
+#include "common/mesh.h"
+
+namespace prosector::test {
+
+/// A layer of the given height under y = 0, three times as far to every side; cells of about `cell` m within
+/// `core` m of the origin, ever wider beyond.
+Anatomy pressed_layer(double height, double core, double cell);
+
+/// Puts a surface vertex on the middle of each edge too, as the nodes of quadratic elements are.
+void halve_surface(Anatomy& anatomy);
+
+}  // namespace prosector::test
