@@ -423,6 +423,8 @@ const Table& soft_table() {
         t.fields, {"none", "sphere", "aabb", "obb", "hull", "mesh"},
         "what it collides as: its triangles (mesh); the ball, box (aabb: along the room's axes; obb: "
         "along its own) or hull around them, fitted anew in each tick, that makes no dents; or nothing");
+    t.fields.push_back(plain<S, &S::self_contact>(
+        "self_contact", "true: a sheet that doesn't pass through itself where it folds"));
     add_pose<S>(t.fields, "the mesh's origin, or the volume's or shape's centre, in the room");
     add_fallback_pose<S>(t.fields);
     add_appearance<S>(t.fields);

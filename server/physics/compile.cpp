@@ -159,7 +159,10 @@ ContentHash hash_of(const Model& model) {
     if (desc.collision != Desc().collision) out.add(desc.collision);
   };
   for (const RigidDesc& desc : scene.rigid) add_collision(desc);
-  for (const SoftDesc& desc : scene.soft) add_collision(desc);
+  for (const SoftDesc& desc : scene.soft) {
+    add_collision(desc);
+    if (desc.self_contact) out.add(std::string("self_contact"));
+  }
   for (const auto& s : model.soft) {
     const SoftDesc& d = s->desc();
     out.add(d.name);
@@ -214,8 +217,8 @@ Model compile(const SceneDesc& scene, const CompileOptions& options) {
   };
   for (std::size_t i = 0; i < model.rigid.size(); ++i) add_pieces(model, i, compile_piece);
   for (const SoftDesc& desc : scene.soft) {
-    model.soft_collision.push_back(
-        {fidelity_of(desc.collision), groups.mask(desc.group, desc.touches), desc.continuous});
+    model.soft_collision.push_back({fidelity_of(desc.collision), groups.mask(desc.group, desc.touches),
+                                    desc.continuous, desc.self_contact});
     model.soft.push_back(std::make_unique<SoftBody>(desc, soft_anatomy(desc, scene, options)));
     say(fmt::format("{}: {} elements, {} nodes, {} surface vertices", desc.name,
                     model.soft.back()->elements(), model.soft.back()->nodes(),

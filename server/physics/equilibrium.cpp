@@ -76,7 +76,7 @@ void Simulation::Impl::relax(std::span<const std::size_t> bodies) {
         if (may_meet(body, c)) add_contacts(body, c, relaxation_margin, held[body], island.contacts);
       }
       for (const std::size_t other : bodies)
-        if (other > body && may_meet(body, other))
+        if (other >= body && may_meet(body, other))
           add_pair_contacts(body, other, relaxation_margin, island.contacts);
     }
     for (const std::size_t body : bodies) model.soft[body]->set_relaxed(true);
@@ -93,6 +93,7 @@ void Simulation::Impl::relax(std::span<const std::size_t> bodies) {
       moved = std::max(moved, (state.motion.x - before[k]).lpNorm<Eigen::Infinity>());
       place_surface(body);
       faces_moved[body] = 0;
+      layers_moved[body] = 0;
     }
     if (!solved.finite || moved < at_rest) return;
   }
@@ -150,6 +151,7 @@ void Simulation::Impl::settle(const CompileOptions& options) {
             1e3 * (equilibrium[i] - model.soft[i]->initial_state().motion.x).lpNorm<Eigen::Infinity>()));
     }
   }
+  layer_sides.clear();  // as when the shapes were read
   if (!cached && !options.cache_dir.empty() && !soft.empty())
     write_cache(cache_file(options, model.hash), equilibrium);
 }

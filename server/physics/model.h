@@ -59,6 +59,7 @@ struct SoftCollision {
   Fidelity fidelity = Fidelity::mesh;
   CollisionMask mask;
   bool continuous = false;
+  bool with_itself = false;
 };
 
 struct Model {

@@ -56,6 +56,7 @@ Simulation::Impl::Impl(const SceneDesc& scene, const CompileOptions& options)
   for (BodyId body = 0; body < parts.size(); ++body)
     if (is_part(body) && !panels) panels.emplace(model.h);
   add_rough_shapes();
+  add_layers();
   for (std::size_t i = 0; i < soft.size(); ++i) place_surface(i);
   faces_moved.resize(soft.size());
   soft_contacts.resize(soft.size());

@@ -175,6 +175,7 @@ void Simulation::Impl::detect_soft_contacts() {
   const double h = model.h;
   for (auto& list : soft_contacts) list.clear();
   std::fill(faces_moved.begin(), faces_moved.end(), 0);
+  std::fill(layers_moved.begin(), layers_moved.end(), 0);
   track_soft_bodies();
   const auto awake = [&](const Collider& c) {
     return c.driven_to || (!c.fixed && !world.motion(c.slot).asleep);

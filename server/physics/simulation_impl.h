@@ -3,11 +3,13 @@
 
 #include <tbb/task_arena.h>
 
+#include <map>
 #include <utility>
 
 #include "server/physics/byte_stream.h"
 #include "server/physics/collision/broad_phase.h"
 #include "server/physics/collision/rigid_outline.h"
+#include "server/physics/contact/layers.h"
 #include "server/physics/contact/memory.h"
 #include "server/physics/contact/rough_shape.h"
 #include "server/physics/contact/shape_touch.h"
@@ -53,6 +55,7 @@ struct Simulation::Impl : PanelSubjects {
 
   std::optional<PanelWorld> panels;  // of scenes with parts
   double room_lights = 1;
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<LayerSide>> layer_sides;  // by soft bodies
 
   // ---- Of the current tick
   std::vector<SurfaceDetector> surfaces;
@@ -62,6 +65,9 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<char> faces_moved;                      // per soft body: they are where its surface is
   std::vector<std::vector<Contact>> soft_contacts;    // per soft body: with rigid ones
   BroadPhase soft_boxes;                              // of soft bodies that collide, by index
+  std::vector<std::optional<ElementSurface>> layers;  // per soft body: of those that may meet as layers
+  std::vector<char> layers_moved;                     // per soft body, as faces_moved
+  std::vector<int> passed_through;                    // per soft body: elements that a layer has passed
   std::vector<SoftPair> soft_pairs;                   // ascending, those with contacts
   std::vector<VertexMeeting> meetings;                // what finding them works in
   std::vector<std::size_t> soft_group;  // per soft body: the first that it hangs together with, by soft pairs
@@ -176,6 +182,13 @@ struct Simulation::Impl : PanelSubjects {
   double pair_stiffness(std::size_t a, std::size_t b, std::uint32_t vertex_of_a) const;
   /// Appends where the two come within `margin` of each other; whether there was any.
   bool add_pair_contacts(std::size_t a, std::size_t b, double margin, std::vector<Contact>& out);
+  // Of layers:
+  void add_layers();
+  bool has_layers() const;               // a body that may meet so, and sides to remember
+  bool is_thin(std::size_t body) const;  // a sheet or a rope
+  const ElementSurface& layers_of(std::size_t body);
+  bool add_layer_contacts(std::size_t a, std::size_t b, double margin, std::vector<Contact>& out);
+  void forget_layers(const std::vector<BroadPhase::Pair>& near);
   // Of simple shapes:
   void add_rough_shapes();
   double rough_stiffness(std::size_t body) const;

@@ -1,5 +1,7 @@
 // Phases 4 to 6: islands, their coupled solution, recovery, sleep.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "server/physics/coupled/recovery.h"
@@ -175,6 +177,10 @@ void Simulation::Impl::solve_islands() {
       row.converged = solved.converged && !s.degraded;
       row.substep = s.substeps > 0 ? model.h / s.substeps : 0;
       row.note = s.note;
+      if (passed_through[s.index] > 0) {
+        row.converged = false;
+        row.note = fmt::format("{} pairs of its elements are through each other", passed_through[s.index]);
+      }
       row.reset = !solved.finite;
       if (!row.reset) continue;
       row.note = "not finite or out of the room: stopped at its last good state";

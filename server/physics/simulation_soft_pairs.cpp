@@ -17,6 +17,7 @@ constexpr double most_pressure = 4;
 bool Simulation::Impl::may_meet(std::size_t a, std::size_t b) const {
   if (parts[soft_id(a)].out_of_touch() || parts[soft_id(b)].out_of_touch()) return false;
   const SoftCollision &first = model.soft_collision[a], &second = model.soft_collision[b];
+  if (a == b) return first.with_itself;
   return first.fidelity != Fidelity::none && second.fidelity != Fidelity::none &&
          may_touch(first.mask, second.mask);
 }
@@ -77,6 +78,7 @@ Contact Simulation::Impl::pair_contact(std::size_t a, std::size_t b, const Verte
 
 bool Simulation::Impl::add_pair_contacts(std::size_t a, std::size_t b, double margin,
                                          std::vector<Contact>& out) {
+  if (a == b) return add_layer_contacts(a, b, margin, out);
   if (!outer_box(a).grown(margin).overlaps(outer_box(b))) return false;
   if (rough[a] || rough[b]) return add_rough_pair_contacts(a, b, margin, out);
   const std::size_t before = out.size();
@@ -125,17 +127,23 @@ void Simulation::Impl::detect_soft_pairs() {
   for (std::size_t i = 0; i < soft.size(); ++i)  // what woke meanwhile
     if (const auto id = static_cast<BroadPhase::Id>(i); soft_boxes.has(id))
       soft_boxes.set_moves(id, !soft[i].asleep);
-  for (const auto& [a, b] : soft_boxes.find_pairs()) {
+  std::fill(passed_through.begin(), passed_through.end(), 0);  // of what was just looked at to wake it, too
+  std::vector<BroadPhase::Pair> near = soft_boxes.find_pairs();
+  for (BroadPhase::Id i = 0; i < soft.size(); ++i)
+    if (model.soft_collision[i].with_itself) near.emplace_back(i, i);
+  std::sort(near.begin(), near.end());
+  for (const auto& [a, b] : near) {
     if (soft[a].asleep || soft[b].asleep || !may_meet(a, b)) continue;
     if (used == soft_pairs.size()) soft_pairs.emplace_back();
     SoftPair& pair = soft_pairs[used];
     pair.a = a;
     pair.b = b;
     pair.contacts.clear();
-    const double reach = std::min(most_reach, reach_of(a) + reach_of(b));
+    const double reach = std::min(most_reach, a == b ? inner_reach_of(a) : reach_of(a) + reach_of(b));
     if (add_pair_contacts(a, b, contact_margin + reach, pair.contacts)) ++used;
   }
   soft_pairs.resize(used);
+  forget_layers(near);
   group_soft_bodies();
 }
 

@@ -12,6 +12,7 @@ constexpr std::uint64_t magic = 0x31746e696f704350;  // "PCpoint1"
 constexpr std::size_t most_hands = 1024;
 constexpr std::size_t most_corners = 1 << 20;  // of a collider
 constexpr std::size_t most_memories = 1 << 24;
+constexpr std::size_t most_layer_sides = 1'000'000;
 
 void add(ByteWriter& out, const RigidMotion& motion) {
   out.add(motion.pose);
@@ -126,6 +127,39 @@ void add(ByteWriter& out, const Hand& hand) {
   out.add(hand.hold->resting_ticks);
 }
 
+using LayerSides = std::map<std::pair<std::size_t, std::size_t>, std::vector<LayerSide>>;
+
+void add(ByteWriter& out, const LayerSides& sides) {
+  out.add(static_cast<std::uint64_t>(sides.size()));
+  for (const auto& [bodies, list] : sides) {
+    out.add(static_cast<std::uint64_t>(bodies.first));
+    out.add(static_cast<std::uint64_t>(bodies.second));
+    out.add(static_cast<std::uint64_t>(list.size()));
+    for (const LayerSide& side : list) {
+      out.add(side.a);
+      out.add(side.b);
+      out.add(side.normal);
+    }
+  }
+}
+
+LayerSides read_sides(ByteReader& in, std::size_t bodies) {
+  LayerSides out;
+  const std::size_t pairs = in.count(bodies * bodies);
+  for (std::size_t i = 0; i < pairs; ++i) {
+    const auto a = in.number<std::uint64_t>(), b = in.number<std::uint64_t>();
+    in.require(a <= b && b < bodies, "layers of bodies that aren't there");
+    std::vector<LayerSide>& list = out[{a, b}];
+    list.resize(in.count(most_layer_sides));
+    for (LayerSide& side : list) {
+      side.a = in.number<std::uint32_t>();
+      side.b = in.number<std::uint32_t>();
+      side.normal = in.vector();
+    }
+  }
+  return out;
+}
+
 /// Nothing while nobody made anything of any part: sessions recorded before keep their hashes.
 void add(ByteWriter& out, const std::vector<Part>& parts, const std::vector<Part>& initial) {
   if (parts == initial) return;
@@ -204,6 +238,7 @@ void Simulation::Impl::save(ByteWriter& out) const {
     panels->save(out);
     out.add(room_lights);
   }
+  if (has_layers()) add(out, layer_sides);
   add(out, parts, initial_parts());
 }
 
@@ -247,6 +282,8 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
     new_lights = in.number<double>();
     in.require(new_lights >= 0 && new_lights <= 1, "a brightness beyond 0 to 1");
   }
+  LayerSides new_sides;
+  if (has_layers()) new_sides = read_sides(in, soft.size());
   std::vector<Part> new_parts = read_parts(in, initial_parts());
   in.require(in.done(), "more than a checkpoint holds");
   time = new_time;
@@ -255,6 +292,7 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
   memories = std::move(new_memories);
   hands = std::move(new_hands);
   parts = std::move(new_parts);
+  layer_sides = std::move(new_sides);
   panels = std::move(new_panels);
   room_lights = new_lights;
   for (BodyId body = 0; body < parts.size(); ++body) take_effect(world, body);

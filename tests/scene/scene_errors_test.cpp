@@ -72,6 +72,7 @@ TEST(SceneErrors, CollisionOfBodies) {
   const std::pair<const char*, const char*> cases[] = {
       {"collision = \"ball\"\n", "must be one of: none, sphere, aabb, obb, hull, mesh"},
       {"[[soft]]\nname = \"b\"\nshape = \"rope\"\ncollision = \"hull\"\n", "a rope has no triangles"},
+      {"self_contact = true\n", "test.toml:6: [[soft]] \"a\": self_contact is for sheets"},
       {"touches = \"organs\"\n", "must be a list of names"},
       {"touches = [\"organs\", 3]\n", "must be a list of names"},
       {"touches = [\"default\", \"organ\"]\n",

@@ -1,0 +1,49 @@
+#pragma once
+// A soft body's surface as elements that meet one another: triangles, or a rope's segments.
+
+#include <span>
+#include <vector>
+
+#include "common/mesh.h"
+#include "server/physics/collision/closest_points.h"
+#include "server/physics/collision/surface_tree.h"
+#include "server/physics/contact/contact.h"
+
+namespace prosector {
+
+/// Of solids the triangles of the surface; of sheets those of the cells, each once; of ropes the pieces, as
+/// triangles whose last two corners are one. The tree over them is built at rest and refitted.
+class ElementSurface {
+ public:
+  explicit ElementSurface(const Anatomy& anatomy);
+  /// To the nodes' positions x (3n, m).
+  void move(const VecX& x);
+
+  bool solid() const { return solid_; }
+  const SurfaceTree& tree() const { return tree_; }
+  const SurfaceTree::Corners& corners(std::uint32_t element) const { return elements_[element]; }
+  Triangle now(std::uint32_t element) const { return triangle(element, positions_); }
+  Triangle at_rest(std::uint32_t element) const { return triangle(element, rest_); }
+  /// Elements that share a corner with this one, and itself; ascending.
+  std::span<const std::uint32_t> around(std::uint32_t element) const {
+    return {around_.data() + around_begin_[element], around_.data() + around_begin_[element + 1]};
+  }
+  /// Adds the point with these weights of the element's corners.
+  void add(std::uint32_t element, const Vec3& weights, ContactSide& side) const;
+
+ private:
+  Triangle triangle(std::uint32_t element, const std::vector<Vec3>& of) const {
+    const auto& c = elements_[element];
+    return {of[c[0]], of[c[1]], of[c[2]]};
+  }
+  void find_neighbours();
+
+  bool solid_;
+  SparseMap rows_;  // by vertex
+  std::vector<SurfaceTree::Corners> elements_;
+  std::vector<Vec3> rest_, positions_;  // by vertex
+  std::vector<std::uint32_t> around_begin_, around_;
+  SurfaceTree tree_;
+};
+
+}  // namespace prosector

@@ -1,0 +1,223 @@
+#include "server/physics/contact/layers.h"
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+
+#include "server/physics/collision/surface_pairs.h"
+#include "server/physics/collision/triangle_crossing.h"
+
+namespace prosector {
+namespace {
+
+constexpr double least_facing = 0.1;  // cosine, of solids' faces to the way between them
+constexpr double alike = 0.01;        // thicknesses: gaps that differ by less are of parallel layers
+constexpr double remembered = 2;      // thicknesses: sides of what is farther apart are plain to see
+
+Vec3 face_normal(const Triangle& t) {
+  const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
+  const double length = n.norm();
+  return length > 0 ? Vec3(n / length) : Vec3(Vec3::Zero());
+}
+
+Aabb box_around(const Triangle& t) {
+  return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
+}
+
+/// Corners that the point is of: what tells one meeting from another.
+using Feature = std::array<std::uint32_t, 3>;
+Feature feature(const SurfaceTree::Corners& corners, const Vec3& weights) {
+  Feature out;
+  out.fill(~0u);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (weights[static_cast<Eigen::Index>(k)] != 0) out[k] = corners[k];
+  std::sort(out.begin(), out.end());
+  if (out[0] == out[1]) out[1] = ~0u;  // a segment's end
+  if (out[1] == out[2]) out[2] = ~0u;
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+class Search {
+ public:
+  Search(const ElementSurface& a, const ElementSurface& b, const LayerSearch& how,
+         const std::vector<LayerSide>& before)
+      : a_(a), b_(b), how_(how), before_(before), same_(&a == &b), solid_(a.solid() && b.solid()) {}
+
+  void run() {
+    const double limit = how_.thickness + how_.margin;
+    descend_pairs(
+        a_.tree(), b_.tree(), Mat3::Identity(), Vec3::Zero(), [&] { return limit * limit; },
+        [&](const SurfaceTree::Node& p, const SurfaceTree::Node& q) {
+          if (same_ && p.begin > q.begin) return;  // comes the other way round
+          for (std::uint32_t i = p.begin; i < p.end; ++i)
+            for (std::uint32_t j = q.begin; j < q.end; ++j) {
+              if (same_ && p.begin == q.begin && j <= i) continue;
+              std::uint32_t s = a_.tree().order()[i], t = b_.tree().order()[j];
+              if (same_ && t < s) std::swap(s, t);
+              look_at(s, t, limit);
+            }
+        });
+    std::sort(sides.begin(), sides.end(), earlier);
+  }
+
+  std::vector<LayerSide> sides;
+  std::vector<LayerMeeting> meetings;
+  int passed = 0;
+
+ private:
+  static bool earlier(const LayerSide& s, const LayerSide& t) {
+    return std::pair{s.a, s.b} < std::pair{t.a, t.b};
+  }
+
+  bool neighbours(std::uint32_t s, std::uint32_t t) const {
+    const auto around = a_.around(s);
+    return std::binary_search(around.begin(), around.end(), t) ||
+           closest(a_.at_rest(s), b_.at_rest(t)).squared_distance < how_.apart_at_rest * how_.apart_at_rest;
+  }
+
+  std::optional<Vec3> known(std::uint32_t s, std::uint32_t t) const {
+    const bool swapped = same_ && t < s;
+    const LayerSide key{swapped ? t : s, swapped ? s : t, {}};
+    const auto found = std::lower_bound(before_.begin(), before_.end(), key, earlier);
+    if (found == before_.end() || earlier(key, *found)) return std::nullopt;
+    return swapped ? Vec3(-found->normal) : found->normal;
+  }
+
+  /// Where the two were, or others beside them: what slides while it is through comes to other elements.
+  std::optional<Vec3> side_of(std::uint32_t s, std::uint32_t t) const {
+    if (const auto own = known(s, t)) return own;
+    std::optional<Vec3> out;
+    for (const std::uint32_t p : a_.around(s))
+      for (const std::uint32_t q : b_.around(t)) {
+        const auto near = known(p, q);
+        if (near && out && near->dot(*out) < 0) return std::nullopt;  // they disagree
+        if (near && !out) out = near;
+      }
+    return out;
+  }
+
+  void look_at(std::uint32_t s, std::uint32_t t, double limit) {
+    const Triangle of_a = a_.now(s), of_b = b_.now(t);
+    const Aabb box_a = box_around(of_a), box_b = box_around(of_b);
+    if (box_a.squared_distance(box_b) > limit * limit) return;
+    if (same_ && neighbours(s, t)) return;
+    if (box_a.overlaps(box_b))
+      if (const TriangleCrossing crosses = crossing(of_a, of_b); crosses.count > 0)
+        return add_crossing(s, t, of_a, of_b, crosses);
+    add_near(s, t, of_a, of_b, limit);
+  }
+
+  void add_near(std::uint32_t s, std::uint32_t t, const Triangle& of_a, const Triangle& of_b, double limit) {
+    const TrianglePair pair = closest(of_a, of_b);
+    double distance = std::sqrt(pair.squared_distance);
+    if (!(distance <= limit) || !(distance > 0)) return;
+    Vec3 n = (pair.on_a - pair.on_b) / distance;
+    if (solid_ && !(n.dot(face_normal(of_b)) > least_facing && n.dot(face_normal(of_a)) < -least_facing))
+      return;
+    if (!solid_ && distance < how_.thickness)
+      if (const auto side = side_of(s, t); side && n.dot(*side) < 0) {
+        n = -n;
+        distance = -distance;
+        ++passed;
+      }
+    if (!solid_ && std::abs(distance) < remembered * how_.thickness) sides.push_back({s, t, n});
+    meetings.push_back({s, t, pair.weights_a, pair.weights_b, n, distance - how_.thickness});
+  }
+
+  /// The ends of edges that got through go back through where they came.
+  void add_crossing(std::uint32_t s, std::uint32_t t, const Triangle& of_a, const Triangle& of_b,
+                    const TriangleCrossing& crosses) {
+    ++passed;
+    Vec3 n;
+    if (solid_) {
+      n = face_normal(of_b) - face_normal(of_a);
+      if (!(n.norm() > least_facing)) return;
+      n.normalize();
+    } else {
+      const std::optional<Vec3> side = side_of(s, t);
+      if (!side) return;
+      n = *side;
+      sides.push_back({s, t, n});
+    }
+    for (std::size_t k = 0; k < crosses.count; ++k) {
+      const Piercing& piercing = crosses.piercings[k];
+      const Triangle& edge_of = piercing.of_a ? of_a : of_b;
+      const std::size_t from = piercing.edge, to = (from + 1) % 3;
+      const Vec3 way = piercing.of_a ? n : Vec3(-n);  // out of the other
+      const std::size_t end = way.dot(edge_of[from]) < way.dot(edge_of[to]) ? from : to;
+      LayerMeeting m{s,
+                     t,
+                     Vec3::Unit(static_cast<Eigen::Index>(end)),
+                     Vec3::Unit(static_cast<Eigen::Index>(end)),
+                     n,
+                     way.dot(edge_of[end] - piercing.point) - how_.thickness};
+      const Triangle& face = piercing.of_a ? of_b : of_a;
+      (piercing.of_a ? m.weights_b : m.weights_a) =
+          closest_weights(piercing.point, face[0], face[1], face[2]);
+      meetings.push_back(m);
+    }
+  }
+
+  const ElementSurface &a_, &b_;
+  const LayerSearch& how_;
+  const std::vector<LayerSide>& before_;
+  bool same_, solid_;
+};
+
+/// Leaves what is no element's nearest of a layer: its neighbours stop it before that can, and planes of
+/// pairs that lie aslant would stop what slides past.
+void keep_nearest(const ElementSurface& a, const ElementSurface& b, double thickness,
+                  std::vector<LayerMeeting>& meetings) {
+  const bool same = &a == &b;
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;
+  std::vector<std::pair<Pair, double>> gaps;
+  for (const LayerMeeting& m : meetings) gaps.push_back({{m.a, m.b}, m.gap});
+  std::sort(gaps.begin(), gaps.end());
+  const auto nearer = [&](std::uint32_t s, std::uint32_t t, double gap) {
+    const Pair key = same && t < s ? Pair{t, s} : Pair{s, t};
+    const auto found = std::lower_bound(gaps.begin(), gaps.end(), std::pair{key, -1e9});
+    return found != gaps.end() && found->first == key && found->second < gap - alike * thickness;
+  };
+  std::erase_if(meetings, [&](const LayerMeeting& m) {
+    const auto of_b = b.around(m.b), of_a = a.around(m.a);
+    return std::any_of(of_b.begin(), of_b.end(), [&](std::uint32_t t) { return nearer(m.a, t, m.gap); }) &&
+           std::any_of(of_a.begin(), of_a.end(), [&](std::uint32_t s) { return nearer(s, m.b, m.gap); });
+  });
+}
+
+/// Each pair of features once, deepest first; of one surface with itself, whichever comes first as a.
+void keep_each_once(const ElementSurface& a, const ElementSurface& b, std::vector<LayerMeeting>& meetings) {
+  using Key = std::pair<Feature, Feature>;
+  std::vector<std::pair<Key, LayerMeeting>> keyed;
+  for (LayerMeeting m : meetings) {
+    Key key{feature(a.corners(m.a), m.weights_a), feature(b.corners(m.b), m.weights_b)};
+    if (&a == &b && key.second < key.first) {
+      std::swap(key.first, key.second);
+      std::swap(m.a, m.b);
+      std::swap(m.weights_a, m.weights_b);
+      m.normal = -m.normal;
+    }
+    keyed.emplace_back(key, m);
+  }
+  const auto rank = [](const auto& k) { return std::tuple{k.first, k.second.gap, k.second.a, k.second.b}; };
+  std::sort(keyed.begin(), keyed.end(), [&](const auto& p, const auto& q) { return rank(p) < rank(q); });
+  meetings.clear();
+  for (std::size_t i = 0; i < keyed.size(); ++i)
+    if (i == 0 || keyed[i].first != keyed[i - 1].first) meetings.push_back(keyed[i].second);
+}
+
+}  // namespace
+
+int find_layers(const ElementSurface& a, const ElementSurface& b, const LayerSearch& search,
+                std::vector<LayerSide>& sides, std::vector<LayerMeeting>& out) {
+  Search found(a, b, search, sides);
+  found.run();
+  keep_nearest(a, b, search.thickness, found.meetings);
+  keep_each_once(a, b, found.meetings);
+  sides = std::move(found.sides);
+  out.insert(out.end(), found.meetings.begin(), found.meetings.end());
+  return found.passed;
+}
+
+}  // namespace prosector
