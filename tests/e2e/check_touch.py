@@ -22,7 +22,7 @@ def holders(line):
 
 
 def upward(line):
-    """N, of each hand that touches the liver, friction left out."""
+    """N, of each hand that touches the liver."""
     return {hand: t["force"][1] for hand, t in line["touches"].items() if t["body"] == "liver"}
 
 
@@ -49,13 +49,15 @@ check(f"nobody, the first, both, the second, nobody held the liver: {[sorted(h) 
       seen == [set(), {FIRST}, {FIRST, SECOND}, {SECOND}, set()])
 alone, together, handed_over = held_by(FIRST), held_by(FIRST, SECOND), held_by(SECOND)
 check("each of these lasted", min(len(alone), len(together), len(handed_over)) >= 2)
-for hand, some in ((FIRST, alone), (SECOND, handed_over)):
-    lift = mean(upward(l)[hand] for l in some)
-    check(f"the {hand}, alone lifts with {lift:.1f} N", lift > 1)
-both = mean(sum(upward(l).values()) for l in together)
-check(f"together they lift with {both:.1f} N, their forces along the contacts' normals and of their holds", both > 1)
-# Friction is not in these forces; what they add up to is seen in the elastic body that they lift together.
-check(f"their forces add: {rise(together):.1f} mm high, by one hand {rise(alone):.1f} and {rise(handed_over):.1f} mm",
+lift = {hand: mean(upward(l)[hand] for l in some) for hand, some in ((FIRST, alone), (SECOND, handed_over))}
+shares = {hand: mean(upward(l)[hand] for l in together) for hand in lift}
+for hand in lift:
+    check(f"{hand}: alone lifts with {lift[hand]:.1f} N, in company with {shares[hand]:.1f}", min(lift[hand], shares[hand]) > 1)
+# Of an elastic body that is tied down, each hand's share of the rise is what it would lift by itself with that force.
+expected = rise(alone) * shares[FIRST] / lift[FIRST] + rise(handed_over) * shares[SECOND] / lift[SECOND]
+check(f"their forces add: the liver rises by {rise(together):.1f} mm, {expected:.1f} mm by superposition",
+      0.7 * expected < rise(together) < 1.3 * expected)
+check(f"by one hand it rises by {rise(alone):.1f} and {rise(handed_over):.1f} mm",
       rise(together) > 1.2 * max(rise(alone), rise(handed_over)) > 0)
 check(f"it is back in the end, within 0.5 mm: {lines[-1]['parts']['liver']['shift']}",
       max(map(abs, lines[-1]["parts"]["liver"]["shift"])) < 5e-4)
