@@ -89,7 +89,7 @@ moment 11.3 together "The second user holds it, too"
 moment 13.7 handed-over "The first user let go"
 moment 15.9 touch "The first user touches the kidney: its panel comes up"
 moment 18.6 button "A finger presses the button: the kidney is detached"
-moment 23.3 slider "The finger pushed the slider"
+moment 21.9 slider "The finger pushes the slider"
 moment 25.5 end "That's all"
 sleep 1
 
