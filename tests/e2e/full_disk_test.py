@@ -93,7 +93,7 @@ def main():
     OUT.mkdir(parents=True, exist_ok=True)
     scene = OUT / "scene.toml"
     scene.write_text(SCENE)
-    session = ["--session", f"full-disk-{os.getpid()}", "--domain", "71"]
+    session = ["--session", f"full-disk-{os.getpid()}", "--domain", "76"]
     server_log, client_log = OUT / "server.log", OUT / "client.log"
     said = lambda log, text: log.read_text().count(text)
     lines = lambda: len(re.findall(r"x\d+\.\d+ real time", server_log.read_text()))

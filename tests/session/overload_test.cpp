@@ -58,7 +58,7 @@ class Starved {
 };
 
 TEST(ServerProcess, StepsDownWhenStarvedSaysSoAndStepsUpAgain) {
-  const test::Folder folder(98);
+  const test::Folder folder(93);
   const std::string journal = folder.path / "journal", summary = folder.path / "summary.json";
   std::ofstream(folder.path / "sinking.toml") << scene_text;
   test::Server server(folder, {folder.path / "sinking.toml", "--journal", journal, "--summary", summary});

@@ -21,7 +21,8 @@
 
 namespace prosector::test {
 
-/// A place for the test's files, and a DDS domain of its own, since tests run at once.
+/// A place for the test's files, and a DDS domain that no other test has, since tests run at once and find
+/// each other's servers.
 struct Folder {
   std::uint32_t domain;
   std::filesystem::path path;
