@@ -10,9 +10,10 @@
 namespace prosector {
 namespace {
 
-constexpr std::uint32_t mesh_magic = 0x314d5350;     // "PSM1"
-constexpr std::uint32_t surface_magic = 0x32575350;  // "PSW2"
-constexpr float max_position = 1000.f;               // m
+constexpr std::uint32_t mesh_magic = 0x314d5350;      // "PSM1"
+constexpr std::uint32_t cut_mesh_magic = 0x324d5350;  // "PSM2": with inner triangles
+constexpr std::uint32_t surface_magic = 0x32575350;   // "PSW2"
+constexpr float max_position = 1000.f;                // m
 
 template <class T>
 void put(std::vector<std::uint8_t>& out, T value) {
@@ -74,18 +75,24 @@ std::vector<Vec3> get_positions(Reader& in) {
 
 Asset encode(const TriangleMesh& mesh) {
   std::vector<std::uint8_t> out;
-  out.reserve(12 + mesh.positions.size() * 12 + mesh.triangles.size() * 12);
-  put(out, mesh_magic);
+  const bool cut = !mesh.inner.empty();
+  if (cut && mesh.inner.size() != mesh.triangles.size())
+    throw InputError(fmt::format("mesh: {} flags of inner triangles for {} triangles", mesh.inner.size(),
+                                 mesh.triangles.size()));
+  out.reserve(12 + mesh.positions.size() * 12 + mesh.triangles.size() * 12 + mesh.inner.size());
+  put(out, cut ? cut_mesh_magic : mesh_magic);
   put_positions(out, mesh.positions);
   put(out, static_cast<std::uint32_t>(mesh.triangles.size()));
   for (const auto& t : mesh.triangles)
     for (auto i : t) put(out, i);
+  out.insert(out.end(), mesh.inner.begin(), mesh.inner.end());
   return finish(std::move(out));
 }
 
 TriangleMesh decode_triangle_mesh(std::span<const std::uint8_t> bytes) {
   Reader in(bytes);
-  if (in.get<std::uint32_t>() != mesh_magic) throw InputError("asset: not a triangle mesh");
+  const auto magic = in.get<std::uint32_t>();
+  if (magic != mesh_magic && magic != cut_mesh_magic) throw InputError("asset: not a triangle mesh");
   TriangleMesh mesh;
   mesh.positions = get_positions(in);
   mesh.triangles.resize(in.count(12));
@@ -95,6 +102,13 @@ TriangleMesh decode_triangle_mesh(std::span<const std::uint8_t> bytes) {
       if (i >= mesh.positions.size())
         throw InputError(fmt::format("asset: vertex {} of {}", i, mesh.positions.size()));
     }
+  if (magic == cut_mesh_magic) {
+    mesh.inner.resize(mesh.triangles.size());
+    for (auto& flag : mesh.inner) {
+      flag = in.get<std::uint8_t>();
+      if (flag > 1) throw InputError(fmt::format("asset: {} is no flag of an inner triangle", flag));
+    }
+  }
   in.end();
   return mesh;
 }

@@ -13,6 +13,7 @@ namespace prosector {
 struct TriangleMesh {
   std::vector<Vec3> positions;                          // metres
   std::vector<std::array<std::uint32_t, 3>> triangles;  // into positions
+  std::vector<std::uint8_t> inner = {};  // per triangle: 1 where a cut laid it bare; empty: none
 };
 
 /// A volume of linear tetrahedra; det(x1−x0, x2−x0, x3−x0) > 0.

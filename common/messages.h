@@ -15,7 +15,7 @@
 
 namespace prosector {
 
-inline constexpr std::uint32_t protocol_version = 3;
+inline constexpr std::uint32_t protocol_version = 4;
 
 using ParticipantId = std::uint64_t;  // drawn at random by each client; 0 is nobody
 using BodyId = std::uint32_t;         // index into SceneInfo::bodies
@@ -114,7 +114,10 @@ enum class CommandKind : std::uint8_t {
   end_inspect,
   open_panel,  // of the part `body`, as a touch does
   close_panel,
-  set_control  // of the sender's open panel, as a finger does: `control` to `value`
+  set_control,  // of the sender's open panel, as a finger does: `control` to `value`
+  undo,         // the sender's last cut
+  rewind,       // by the host: everything as it was when `body` got its `revision`
+  keyframe  // by anyone, observers too: what the sender holds of `body` doesn't fit its log; send it whole
 };
 
 /// What a part's panel has, in the order of the table in common/panel.h.
@@ -135,12 +138,13 @@ struct Command {
   std::uint64_t sequence = 0;
   CommandKind kind = CommandKind::join;
   std::uint8_t hand = right_hand;  // for grasp and release
-  BodyId body = 0;                 // for reset, detach, attach, inspect, open_panel
+  BodyId body = 0;                 // for reset, detach, attach, inspect, open_panel, rewind, keyframe
   ParticipantId subject = 0;       // for set_role
   Role role = Role::observer;      // likewise
   Affine shape;  // for inspect: from where the body's points are without it to where they are seen
   PanelControl control = PanelControl::attach;  // for set_control
   double value = 0;                             // likewise: button 0 off, 1 on; slider 0 … 1
+  std::uint32_t revision = 0;                   // for rewind
 };
 
 struct CommandResult {
@@ -266,14 +270,55 @@ struct Settled {
   std::vector<Eigen::Vector3f> positions;  // all streamed points, metres, room frame
 };
 
-/// server → all, reliable, transient-local: the ordered log of topology. Revision 0 is the compiled scene:
-/// every soft body announces it, and later revisions chain to it.
+/// What made a revision of a body's topology.
+enum class TopologyCause : std::uint8_t { compiled, cut, undo, rewind };
+
+inline constexpr std::size_t max_surface_vertices = 1024 * 1024;       // slots of one soft body
+inline constexpr std::size_t max_surface_triangles = 2 * 1024 * 1024;  // likewise
+
+/// What a revision changed of the surface that is drawn. Streamed points, vertices and triangles have slots,
+/// numbers that are never used again: a change only sets some of them and appends others, and what is gone
+/// stays as a slot that nothing uses, of a triangle with its corners equal. Floats, so that every end holds
+/// the same bits.
+struct SurfacePatch {
+  struct Point {                                     // appended, in order
+    Eigen::Vector3f rest = Eigen::Vector3f::Zero();  // m, room frame: what SoftState's positions start from
+    Eigen::Vector3f now = Eigen::Vector3f::Zero();   // m, room frame, at the revision's time
+  };
+  struct Vertex {
+    std::uint32_t slot = 0;
+    Eigen::Vector3f rest = Eigen::Vector3f::Zero();  // m, room frame
+    std::array<std::uint32_t, 4> point{};            // that it hangs on; unused entries: weight 0
+    std::array<float, 4> weight{};                   // sum 1
+  };
+  struct Triangle {
+    std::uint32_t slot = 0;
+    std::array<std::uint32_t, 3> corners{};  // vertex slots
+    bool inner = false;                      // a cut laid it bare
+  };
+  std::vector<Point> points;
+  std::vector<Vertex> vertices;     // by slot, ascending
+  std::vector<Triangle> triangles;  // likewise
+};
+
+/// server → all, reliable, transient-local, keyed by (body, revision): the ordered log of topology. A soft
+/// body's first revision is that of the compiled scene, or of the cut that made it a body; later ones chain
+/// to it. A revision with a keyframe can be entered without those before it, which are no longer kept then.
 struct TopologyRevision {
   BodyId body = 0;
   std::uint32_t revision = 0;
   std::uint64_t previous_hash = 0;  // chain hash of revision − 1 (0 for the first)
-  std::uint64_t chain_hash = 0;     // over previous_hash and content_hash
+  std::uint64_t chain_hash = 0;     // chain_hash_of(): common/surface_patch.h
   std::uint64_t content_hash = 0;   // connectivity, rest shape, masses
+  SimTime time;                     // of the tick that made it
+  TopologyCause cause = TopologyCause::compiled;
+  ParticipantId author = 0;        // who cut, undid or rewound; 0: nobody
+  std::int32_t piece_of = -1;      // body that it was cut off; −1: none
+  std::uint64_t surface_hash = 0;  // of the slots with this revision
+  SurfacePatch patch;              // from the revision before
+  ContentHash mesh{}, map{};       // keyframe: Assets, as SceneBody's, of all slots; zero: none
+
+  bool keyframe() const { return mesh != ContentHash{}; }
 };
 
 /// server → all, best effort, keyed by (participant, hand): what a hand touches most.

@@ -21,8 +21,8 @@ const std::array<TopicSpec, topic_count> topics{{
   {"RigidState",        Writers::server,      false,   false,     1, 0,   false, false,    0,  0,    16},
   {"SoftState",         Writers::server,      false,   false,     1, 0,   false, false,    0,  0,    32},
   {"Settled",           Writers::server,      true,    true,      1, 0,   false, false,    0,  0},
-  // Not keep-all: one stopped reader would make each write block and then drop it for everyone.
-  {"TopologyRevision",  Writers::server,      true,    true,   4096, 0,   false, false,    0,  0},
+  // Each revision is an instance. Not keep-all: one stopped reader would make each write block and drop it.
+  {"TopologyRevision",  Writers::server,      true,    true,      1, 0,   false, false,    0,  0},
   {"ContactSample",     Writers::server,      false,   false,     1, 0,   false, false,    0,  0,    8},
   {"ServerStatus",      Writers::server,      false,   false,     1, 0,   false, false,    0,  0},
   {"BodyStatus",        Writers::server,      true,    true,      1, 0,   false, false,    0,  0},
@@ -67,9 +67,8 @@ struct KeyOf {
   template <class M>
   requires requires(M m) { m.participant; }
   InstanceKey operator()(const M& m) const { return {m.participant, 0, 0}; }
-  template <class M>
-  requires requires(M m) { m.body, m.revision; }
-  InstanceKey operator()(const M& m) const { return {m.body, 0, 0}; }
+  InstanceKey operator()(const Settled& m) const { return {m.body, 0, 0}; }
+  InstanceKey operator()(const TopologyRevision& m) const { return {m.body, m.revision, 0}; }
   InstanceKey operator()(const RigidState& m) const { return {m.body, 0, 0}; }
   InstanceKey operator()(const BodyStatus& m) const { return {m.body, 0, 0}; }
   InstanceKey operator()(const PartState& m) const { return {m.body, 0, 0}; }
@@ -97,7 +96,7 @@ struct KeyOnly {
         requires { m.body, m.time; } && !requires { m.participant; })
       key.body = m.body;
     if constexpr (requires { m.body, m.chunk; }) key.chunk = m.chunk;
-    if constexpr (std::is_same_v<M, TopologyRevision>) key.body = m.body;
+    if constexpr (std::is_same_v<M, TopologyRevision>) key.revision = m.revision;
     return key;
   }
 };

@@ -33,6 +33,11 @@ std::size_t payload(const W& w) {
   if constexpr (requires { w.packed; }) sequence(w.packed);
   if constexpr (requires { w.positions; }) sequence(w.positions);
   if constexpr (requires { w.holders; }) sequence(w.holders);
+  if constexpr (requires { w.points._length; }) {
+    sequence(w.points);
+    sequence(w.vertices);
+    sequence(w.triangles);
+  }
   if constexpr (requires { w.bodies; }) {
     bytes -= sizeof w.bodies + sizeof w.lights - 8;
     for (std::size_t i = 0; i < w.bodies._length; ++i) bytes += payload(w.bodies._buffer[i]);

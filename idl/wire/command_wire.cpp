@@ -15,6 +15,7 @@ void to_wire(const Command& m, prosector_Command& w, WireArena&) {
   w.shape = to_wire(m.shape);
   w.control_id = static_cast<std::uint8_t>(m.control);
   w.value = m.value;
+  w.revision = m.revision;
 }
 
 Refusal from_wire(const prosector_Command& w, Command& m) {
@@ -28,6 +29,7 @@ Refusal from_wire(const prosector_Command& w, Command& m) {
   m.shape = from_wire(w.shape);
   m.control = static_cast<PanelControl>(w.control_id);
   m.value = w.value;
+  m.revision = w.revision;
   return nullptr;
 }
 
@@ -35,7 +37,7 @@ Refusal check(Command& m) {
   if (const Refusal shape = check_shape(m.shape)) return shape;
   return Checks()
       .that(m.participant != 0, "participant id 0")
-      .that(enum_within(m.kind, CommandKind::set_control), "unknown kind")
+      .that(enum_within(m.kind, CommandKind::keyframe), "unknown kind")
       .that(enum_within(m.role, Role::host), "unknown role")
       .that(enum_within(m.control, PanelControl::stiffness), "unknown control")
       .that(within(m.value, 0, 1), "value outside [0, 1]")

@@ -1,4 +1,4 @@
-// How things move and rest: RigidState, SoftState, Settled, TopologyRevision.
+// How things move and rest: RigidState, SoftState, Settled.
 
 #include "idl/wire/primitives.h"
 #include "idl/wire/soft_quantizer.h"
@@ -136,22 +136,6 @@ Refusal check(Settled& m) {
   for (const Eigen::Vector3f& x : m.positions)
     checks.that(x.allFinite() && x.cwiseAbs().maxCoeff() <= limit, "position out of range");
   return checks.refusal();
-}
-
-void to_wire(const TopologyRevision& m, prosector_TopologyRevision& w, WireArena&) {
-  w = {m.body, m.revision, m.previous_hash, m.chain_hash, m.content_hash};
-}
-
-Refusal from_wire(const prosector_TopologyRevision& w, TopologyRevision& m) {
-  m = {w.body, w.revision, w.previous_hash, w.chain_hash, w.content_hash};
-  return nullptr;
-}
-
-Refusal check(TopologyRevision& m) {
-  return Checks()
-      .that(m.body < max_bodies, "no such body")
-      .that(m.revision != 0 || m.previous_hash == 0, "revision 0 with a predecessor")
-      .refusal();
 }
 
 }  // namespace prosector

@@ -60,6 +60,8 @@ Simulation::Impl::Impl(const SceneDesc& scene, const CompileOptions& options)
   for (std::size_t i = 0; i < soft.size(); ++i) place_surface(i);
   faces_moved.resize(soft.size());
   soft_contacts.resize(soft.size());
+  revisions.resize(soft.size());
+  numberings.resize(soft.size());
   memories.resize(soft.size());
   arena.execute([&] { settle(options); });
 }
@@ -119,6 +121,12 @@ const TriangleMesh& Simulation::surface(BodyId body) const {
 }
 const SoftBody& Simulation::soft(BodyId body) const {
   return *impl_->model.soft.at(impl_->soft_index(body));
+}
+std::uint32_t Simulation::revision(BodyId soft_body) const {
+  return impl_->revisions.at(impl_->soft_index(soft_body));
+}
+const Numbering& Simulation::numbering(BodyId soft_body) const {
+  return impl_->numberings.at(impl_->soft_index(soft_body));
 }
 std::size_t Simulation::tet_count() const {
   std::size_t count = 0;

@@ -64,6 +64,7 @@ struct TickInput {
   std::vector<HeadPlace> heads;     // of those that moved
   std::vector<PanelEvent> panels;   // obeyed after `parts`
   std::vector<PartEvent> parts;     // obeyed after `events`; answered in StepReport::part_answers
+  std::vector<CutEvent> cuts;       // obeyed after them; answered in StepReport::cut_answers
   std::vector<Drive> drives;        // of programs that use the physics by itself: sessions have none
 };
 
@@ -120,6 +121,8 @@ class Simulation {
   const std::string& name(BodyId body) const;
   const TriangleMesh& surface(BodyId body) const;  // rigid: body frame; soft: rest shape, room frame
   const SoftBody& soft(BodyId body) const;
+  std::uint32_t revision(BodyId soft_body) const;      // of its topology
+  const Numbering& numbering(BodyId soft_body) const;  // of soft(body).anatomy()
   std::size_t tet_count() const;
   ContentHash content_hash() const;  // of everything compiled
 

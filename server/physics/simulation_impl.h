@@ -52,6 +52,8 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<ContactMemories> memories;  // per soft body
   std::vector<Hand> hands;                // by (participant, side)
   std::vector<Part> parts;                // by body
+  std::vector<std::uint32_t> revisions;   // per soft body
+  std::vector<Numbering> numberings;      // likewise
 
   std::optional<PanelWorld> panels;  // of scenes with parts
   double room_lights = 1;

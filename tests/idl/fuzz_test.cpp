@@ -21,6 +21,8 @@ constexpr std::size_t plain_bytes() {
     return offsetof(W, bytes);
   else if constexpr (requires(W w) { w.packed; })
     return offsetof(W, packed);
+  else if constexpr (requires(W w) { w.points._length; })
+    return offsetof(W, points);
   else if constexpr (requires(W w) { w.positions; })
     return offsetof(W, positions);
   else if constexpr (requires(W w) { w.holders; })
@@ -42,6 +44,13 @@ void fuzz(const M& valid, std::mt19937_64& random) {
     for (std::size_t i = 0; i < changes; ++i)
       bytes[random() % plain_bytes<W>()] = static_cast<std::uint8_t>(random());
     if constexpr (requires { w.packed; }) w.packed._buffer[random() % w.packed._length] ^= 0xff;
+    if constexpr (requires { w.vertices; }) {
+      reinterpret_cast<std::uint8_t*>(w.points._buffer)[random() % (2 * sizeof(prosector_PatchPoint))] ^= 1;
+      auto* vertices = reinterpret_cast<std::uint8_t*>(w.vertices._buffer);
+      vertices[random() % (2 * sizeof(prosector_PatchVertex))] = static_cast<std::uint8_t>(random());
+      auto* triangles = reinterpret_cast<std::uint8_t*>(w.triangles._buffer);
+      triangles[random() % (2 * sizeof(prosector_PatchTriangle))] = static_cast<std::uint8_t>(random());
+    }
     Message message;
     const WireCodec& codec = wire_codec(Message(valid).index());
     if (codec.decode(&w, message) != nullptr) {

@@ -79,6 +79,27 @@ Settled some_settled() {
   return m;
 }
 
+TopologyRevision some_revision() {
+  TopologyRevision m{.body = 1,
+                     .revision = 2,
+                     .previous_hash = 10,
+                     .chain_hash = 11,
+                     .content_hash = 12,
+                     .time = {1, 60},
+                     .cause = TopologyCause::cut,
+                     .author = 7,
+                     .piece_of = 0,
+                     .surface_hash = 13,
+                     .patch = {},
+                     .mesh = {1, 2},
+                     .map = {3, 4}};
+  m.patch.points = {{{0, 1, 0.5f}, {0, 1.25f, 0.5f}}, {{0.25f, 1, 0}, {0.25f, 1, 0.5f}}};
+  m.patch.vertices = {{3, {0, 1, 0}, {0, 1, 2, 0}, {0.5f, 0.25f, 0.25f, 0}},
+                      {700, {0, 1, 0.5f}, {700, 0, 0, 0}, {1, 0, 0, 0}}};
+  m.patch.triangles = {{5, {3, 700, 4}, true}, {9, {0, 0, 0}, false}};
+  return m;
+}
+
 }  // namespace
 
 std::vector<Message> sample_messages() {
@@ -100,14 +121,14 @@ std::vector<Message> sample_messages() {
           HandInput{7, 12, 123456789, true, some_pose, hands},
           UserState{7, {1, 60}, 12, true, some_pose, hands},
           Command{7, 3, CommandKind::inspect, left_hand, 1, 8, Role::dissector, sheared,
-                  PanelControl::stiffness, 0.5},
+                  PanelControl::stiffness, 0.5, 3},
           CommandResult{7, 3, false, "nothing within reach"},
           some_scene(),
           some_chunk(),
           RigidState{2, {1, 60}, some_pose, {1, 2, 3}, {4, 5, 6}, true},
           some_soft_state(),
           some_settled(),
-          TopologyRevision{1, 2, 10, 11, 12},
+          some_revision(),
           ContactSample{7,
                         left_hand,
                         {1, 60},

@@ -163,6 +163,24 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<Settled>("no points", [](Settled& m) { m.positions.clear(); }),
       spoiled<Settled>("NaN", [](Settled& m) { m.positions[600].y() = std::nanf(""); }),
       spoiled<TopologyRevision>("ancestry", [](TopologyRevision& m) { m.revision = 0; }),
+      spoiled<TopologyRevision>("cause",
+                                [](TopologyRevision& m) { m.cause = static_cast<TopologyCause>(4); }),
+      spoiled<TopologyRevision>("piece of −2", [](TopologyRevision& m) { m.piece_of = -2; }),
+      spoiled<TopologyRevision>("half a keyframe", [](TopologyRevision& m) { m.map = {}; }),
+      spoiled<TopologyRevision>("point NaN",
+                                [](TopologyRevision& m) { m.patch.points[1].now.x() = std::nanf(""); }),
+      spoiled<TopologyRevision>("vertex far",
+                                [](TopologyRevision& m) { m.patch.vertices[1].rest.x() = 1e5f; }),
+      spoiled<TopologyRevision>("weights", [](TopologyRevision& m) { m.patch.vertices[0].weight[1] = 0.5f; }),
+      spoiled<TopologyRevision>("weight NaN",
+                                [](TopologyRevision& m) { m.patch.vertices[0].weight[3] = std::nanf(""); }),
+      spoiled<TopologyRevision>("point",
+                                [](TopologyRevision& m) { m.patch.vertices[0].point[3] = 1u << 20; }),
+      spoiled<TopologyRevision>("slot twice", [](TopologyRevision& m) { m.patch.vertices[1].slot = 3; }),
+      spoiled<TopologyRevision>("backwards", [](TopologyRevision& m) { m.patch.triangles[1].slot = 4; }),
+      spoiled<TopologyRevision>("slot", [](TopologyRevision& m) { m.patch.triangles[1].slot = 1u << 21; }),
+      spoiled<TopologyRevision>("corner",
+                                [](TopologyRevision& m) { m.patch.triangles[0].corners[2] = 1u << 20; }),
       spoiled<ContactSample>("third hand", [](ContactSample& m) { m.hand = 2; }),
       spoiled<ContactSample>("depth", [](ContactSample& m) { m.depth = nan; }),
       spoiled<ContactSample>("normal", [](ContactSample& m) { m.normal *= 50; }),
@@ -240,6 +258,19 @@ TEST(Wire, SpoiledWireStructsAreRefused) {
   settled.positions._length -= 1;
   Settled out;
   EXPECT_NE(from_wire(settled, out), nullptr);
+
+  prosector_TopologyRevision revision{};
+  to_wire(std::get<TopologyRevision>(sample_messages()[12]), revision, arena);
+  TopologyRevision cut;
+  ASSERT_EQ(from_wire(revision, cut), nullptr);
+  const auto refused_cut = [&](auto&& spoil) {
+    prosector_TopologyRevision bad = revision;
+    spoil(bad);
+    EXPECT_NE(from_wire(bad, cut), nullptr);
+  };
+  refused_cut([](auto& bad) { bad.points._length = 1u << 30; });
+  refused_cut([](auto& bad) { bad.vertices._buffer = nullptr; });
+  refused_cut([](auto& bad) { bad.triangles._length = max_surface_triangles + 1; });
 
   prosector_Presence presence{};
   std::memset(presence.name, 'x', sizeof presence.name);  // no terminating zero
@@ -325,10 +356,20 @@ std::string as_wire_bytes(const Message& message) {
           add(m.shape.p);
           add(m.control);
           add(m.value);
+          add(m.revision);
         } else if constexpr (std::is_same_v<M, TopologyRevision>) {
           add(m.previous_hash);
           add(m.chain_hash);
           add(m.content_hash);
+          add(m.time);
+          add(m.cause);
+          add(m.author);
+          add(m.piece_of);
+          add(m.surface_hash);
+          text += to_hex(m.mesh) + to_hex(m.map);
+          for (const auto& point : m.patch.points) add(point.rest), add(point.now);
+          for (const auto& v : m.patch.vertices) add(v.slot), add(v.rest), add(v.point), add(v.weight);
+          for (const auto& t : m.patch.triangles) add(t.slot), add(t.corners), add(t.inner);
         } else if constexpr (std::is_same_v<M, BodyStatus>) {
           for (const double x : {m.step, m.newton_iterations, m.solver_iterations, m.residual, m.correction,
                                  m.error, m.expected_ms})
