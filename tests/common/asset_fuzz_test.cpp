@@ -25,11 +25,14 @@ std::vector<std::uint8_t> mutated(std::vector<std::uint8_t> bytes, std::mt19937_
 
 TEST(AssetFuzz, Meshes) {
   std::mt19937_64 random(5);
-  const auto seed = encode(random_mesh(random, 20, 30)).bytes;
+  TriangleMesh whole = random_mesh(random, 20, 30), cut = whole;
+  cut.inner.assign(30, 1);
+  const std::array seeds = {encode(whole).bytes, encode(cut).bytes};
   int decoded = 0, refused = 0;
-  for (int n = 0; n < 50000; ++n) {
+  for (std::size_t n = 0; n < 50000; ++n) {
     try {
-      const TriangleMesh mesh = decode_triangle_mesh(mutated(seed, random));
+      const TriangleMesh mesh = decode_triangle_mesh(mutated(seeds[n % 2], random));
+      ASSERT_TRUE(mesh.inner.empty() || mesh.inner.size() == mesh.triangles.size());
       for (const Vec3& x : mesh.positions) ASSERT_TRUE(is_finite(x));
       for (const auto& t : mesh.triangles)
         for (const auto v : t) ASSERT_LT(v, mesh.positions.size());

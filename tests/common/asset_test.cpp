@@ -30,6 +30,26 @@ TEST(Asset, MeshesRoundTrip) {
   }
 }
 
+TEST(Asset, InnerTrianglesRoundTripAndUncutMeshesKeepTheirNames) {
+  std::mt19937_64 random(7);
+  TriangleMesh mesh = random_mesh(random, 9, 12);
+  const Asset uncut = encode(mesh);
+  EXPECT_EQ(uncut.bytes.size(), 12 + 9 * 12 + 12 * 12u);  // as before there were cuts
+  mesh.inner.assign(12, 0);
+  mesh.inner[7] = 1;
+  const Asset cut = encode(mesh);
+  EXPECT_NE(cut.hash, uncut.hash);
+  EXPECT_EQ(decode_triangle_mesh(cut.bytes).inner, mesh.inner);
+  EXPECT_TRUE(decode_triangle_mesh(uncut.bytes).inner.empty());
+  auto bytes = cut.bytes;
+  bytes.back() = 2;
+  EXPECT_THROW(decode_triangle_mesh(bytes), InputError);
+  bytes.pop_back();
+  EXPECT_THROW(decode_triangle_mesh(bytes), InputError);
+  mesh.inner.pop_back();
+  EXPECT_THROW(encode(mesh), InputError);
+}
+
 TEST(Asset, StreamedSurfacesRoundTrip) {
   std::mt19937_64 random(2);
   for (const std::uint32_t n : {0u, 1u, 300u}) {
