@@ -44,13 +44,20 @@ SoftDesc describe(const Rung& rung, const TestPiece& piece) {
   return desc;
 }
 
+Anatomy anatomy_of(const TestPiece& piece) {
+  Anatomy out;
+  out.tets = piece.mesh;
+  out.quads = piece.quads;
+  out.segments = piece.segments;
+  out.thickness = piece.thickness;
+  return out;
+}
+
 /// Stepped as the server does: an island of its own.
 class RungSpecimen final : public Specimen {
  public:
   RungSpecimen(const Rung& rung, const TestPiece& piece)
-      : body_(describe(rung, piece),
-              Anatomy{piece.mesh, {}, {}, piece.quads, piece.segments, piece.thickness}),
-        state_(body_.initial_state()) {
+      : body_(describe(rung, piece), anatomy_of(piece)), state_(body_.initial_state()) {
     state_.asleep = false;
     island_.soft.push_back({0, &body_, &state_});
   }
