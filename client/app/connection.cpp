@@ -117,6 +117,7 @@ void Connection::run(std::stop_token stop) {
       rejoin_if_forgotten();
       next_check = Clock::now() + rejoin_interval;
     }
+    ask_for_keyframes();
     if (!bus_->wait(std::chrono::milliseconds(100))) continue;
     bus_->take(received);
     if (on_received_)
@@ -139,6 +140,18 @@ void Connection::rejoin_if_forgotten() {
   if (!forgotten) return;
   bus_->publish(presence_);
   command(CommandKind::join, right_hand);
+}
+
+// Where what this client has of a body does not fit what the server says of it.
+void Connection::ask_for_keyframes() {
+  const std::vector<BodyId> bodies =
+      with_replica([](Replica& replica) { return replica.take_keyframe_requests(monotonic_ns()); });
+  for (const BodyId body : bodies) {
+    Command ask;
+    ask.kind = CommandKind::keyframe;
+    ask.body = body;
+    command(ask);
+  }
 }
 
 void Connection::command(CommandKind kind, std::size_t hand) {

@@ -65,6 +65,7 @@ class Connection {
   void ask_to_join(std::chrono::milliseconds patience);
   void run(std::stop_token stop);
   void rejoin_if_forgotten();
+  void ask_for_keyframes();
 };
 
 }  // namespace prosector

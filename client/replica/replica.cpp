@@ -30,7 +30,10 @@ void Replica::apply(const Received& received) {
     forget(received.message);
   else
     apply(received.message, received.arrival_ns);
-  if (!complete_ && session_ && scene_) build_bodies();
+  if (std::holds_alternative<AssetChunk>(received.message) ||
+      std::holds_alternative<TopologyRevision>(received.message))
+    for (const auto& [body, soft] : soft_) follow_topology(body, received.arrival_ns);
+  if (lacks_bodies_ && session_ && scene_) build_bodies(received.arrival_ns);
 }
 
 void Replica::apply(const Message& message, std::int64_t arrival_ns) {
@@ -45,7 +48,10 @@ void Replica::apply(const Message& message, std::int64_t arrival_ns) {
                    if (!clock_) clock_.emplace(m.tick_rate);
                  },
                  [&](const SceneInfo& m) {
-                   if (!scene_) scene_ = m;
+                   // A scene only grows: by pieces that were cut off.
+                   if (scene_ && m.bodies.size() <= scene_->bodies.size()) return;
+                   scene_ = m;
+                   lacks_bodies_ = true;
                  },
                  [&](const AssetChunk& m) { assets_.add(m); },
                  [&](const RosterEntry& m) { roster_[m.participant] = m; },
@@ -62,16 +68,15 @@ void Replica::apply(const Message& message, std::int64_t arrival_ns) {
                  },
                  [&](const SoftState& m) {
                    timed(m.time);
-                   if (const auto it = soft_.find(m.body); it != soft_.end())
-                     it->second.add(m);
-                   else if (early_soft_.size() < max_early_chunks)
-                     early_soft_.push_back(m);
+                   const auto it = soft_.find(m.body);
+                   if (it != soft_.end() && it->second.add(m)) return;
+                   if (early_soft_.size() < max_early_chunks) early_soft_.push_back(m);
                  },
                  [&](const Settled& m) {
                    settled_[m.body] = m;
                    if (const auto it = soft_.find(m.body); it != soft_.end()) it->second.add(m);
                  },
-                 [&](const TopologyRevision& m) { topology_[m.body] = m; },
+                 [&](const TopologyRevision& m) { topology_[m.body].add(m); },
                  [&](const ContactSample& m) {
                    contacts_[{m.participant, m.hand}] = m;
                  },
@@ -115,19 +120,20 @@ void Replica::start_over() {
   assets_ = std::move(assets);
 }
 
-void Replica::build_bodies() {
+void Replica::build_bodies(std::int64_t now_ns) {
   for (BodyId id = 0; id < scene_->bodies.size(); ++id) {
     const SceneBody& body = scene_->bodies[id];
     try {
-      build(id, body);
+      build(id, body, now_ns);
     } catch (const InputError&) {
       ++refused_;
     }
   }
-  complete_ = missing().empty();
+  lacks_bodies_ = !missing().empty();
+  complete_ = complete_ || !lacks_bodies_;
 }
 
-void Replica::build(BodyId id, const SceneBody& body) {
+void Replica::build(BodyId id, const SceneBody& body, std::int64_t now_ns) {
   const auto mesh = assets_.find(body.mesh);
   if (!mesh) return;
   if (body.kind == BodyKind::rigid) {
@@ -145,11 +151,35 @@ void Replica::build(BodyId id, const SceneBody& body) {
     throw InputError("asset: map and surface differ in size");
   if (streamed.rest.size() != body.points)
     throw InputError("asset: not a rest place for each streamed point");
-  auto [it, added] = soft_.emplace(id, SoftReplica(body, std::move(rest), std::move(streamed)));
-  if (const auto settled = settled_.find(id); settled != settled_.end()) it->second.add(settled->second);
-  for (const SoftState& chunk : early_soft_)
-    if (chunk.body == id) it->second.add(chunk);
-  std::erase_if(early_soft_, [&](const SoftState& chunk) { return chunk.body == id; });
+  soft_.emplace(id, SoftReplica(body, std::move(rest), std::move(streamed)));
+  take_early(id);
+  follow_topology(id, now_ns);
+}
+
+void Replica::follow_topology(BodyId body, std::int64_t now_ns) {
+  const auto topology = topology_.find(body);
+  if (topology == topology_.end()) return;
+  if (topology->second.advance(assets_, soft_.at(body), now_ns)) take_early(body);
+}
+
+/// What came of the body before the client had what it tells of.
+void Replica::take_early(BodyId body) {
+  SoftReplica& soft = soft_.at(body);
+  if (const auto settled = settled_.find(body); settled != settled_.end()) soft.add(settled->second);
+  std::erase_if(early_soft_, [&](const SoftState& chunk) { return chunk.body == body && soft.add(chunk); });
+}
+
+std::vector<BodyId> Replica::take_keyframe_requests(std::int64_t now_ns) {
+  std::vector<BodyId> out;
+  for (auto& [body, topology] : topology_)
+    if (topology.asks_keyframe(now_ns)) out.push_back(body);
+  return out;
+}
+
+std::uint64_t Replica::refused() const {
+  std::uint64_t out = refused_ + assets_.refused();
+  for (const auto& [body, topology] : topology_) out += topology.refused();
+  return out;
 }
 
 std::string Replica::missing() const {
@@ -164,7 +194,8 @@ std::string Replica::missing() const {
       const auto it = soft_.find(id);
       meshes += it == soft_.end();
       states += it == soft_.end() || !it->second.complete();
-      topologies += !topology_.contains(id);
+      const auto topology = topology_.find(id);
+      topologies += topology == topology_.end() || topology->second.shown() == nullptr;
     }
   }
   if (meshes + states + topologies == 0) return "";
@@ -174,9 +205,10 @@ std::string Replica::missing() const {
 
 std::uint64_t Replica::topology_hash() const {
   StateHasher hasher;
-  for (const auto& [body, revision] : topology_) {
+  for (const auto& [body, topology] : topology_) {
+    if (topology.shown() == nullptr) continue;
     hasher.add(body);
-    hasher.add(revision.chain_hash);
+    hasher.add(topology.shown()->chain_hash);
   }
   return hasher.digest();
 }

@@ -12,6 +12,7 @@
 #include "client/replica/asset_store.h"
 #include "client/replica/playout_clock.h"
 #include "client/replica/soft_replica.h"
+#include "client/replica/topology_replica.h"
 #include "client/replica/track.h"
 #include "common/messages.h"
 #include "idl/bus.h"
@@ -30,13 +31,16 @@ class Replica {
   /// counted, not believed.
   void apply(const Received& received);
 
-  /// True once the scene, every asset, the topology log and a first state of every deformable are there.
+  /// True once the scene, every asset, the topology log and a first state of every deformable are there. What
+  /// cuts add later changes that no more: until it is here, it is not shown.
   bool complete() const { return complete_; }
   /// What is still missing, for people: "waiting for 3 of 12 meshes".
   std::string missing() const;
-  /// Chain hash over the latest topology revision of every soft body: equal on every client that sees the
-  /// same cut.
+  /// Over the chain hashes of the topology revisions that are shown of every soft body: equal on every client
+  /// that sees the same cuts.
   std::uint64_t topology_hash() const;
+  /// Bodies of which the server has to be asked for a keyframe; each at most once a second.
+  std::vector<BodyId> take_keyframe_requests(std::int64_t now_ns);
 
   const std::optional<SessionInfo>& session() const { return session_; }
   const std::optional<SceneInfo>& scene() const { return scene_; }
@@ -56,7 +60,7 @@ class Replica {
   /// What a body collides as, in the frame of its mesh; null: nothing, or not here yet.
   const TriangleMesh* outline(BodyId body);
   bool server_gone() const { return server_gone_; }
-  std::uint64_t refused() const { return refused_ + assets_.refused(); }
+  std::uint64_t refused() const;
 
   // ---- At the playhead
   /// Moves the playhead to `now_ns`; returns the tick to draw.
@@ -76,7 +80,7 @@ class Replica {
   std::map<std::pair<ParticipantId, std::uint8_t>, ContactSample> contacts_;
   std::map<BodyId, RigidReplica> rigid_;
   std::map<BodyId, SoftReplica> soft_;
-  std::map<BodyId, TopologyRevision> topology_;
+  std::map<BodyId, TopologyReplica> topology_;
   std::vector<SoftState> early_soft_;  // arrived before the scene or its assets
   std::map<BodyId, Settled> settled_;
   std::optional<ServerStatus> status_;
@@ -85,14 +89,16 @@ class Replica {
   std::map<ParticipantId, Panel> panels_;
   double room_lights_ = 1;
   std::map<BodyId, TriangleMesh> outlines_;
-  bool complete_ = false, server_gone_ = false;
+  bool complete_ = false, lacks_bodies_ = true, server_gone_ = false;
   std::uint64_t refused_ = 0;
 
   void apply(const Message& message, std::int64_t arrival_ns);
   void forget(const Message& message);
   void start_over();
-  void build_bodies();
-  void build(BodyId id, const SceneBody& body);
+  void build_bodies(std::int64_t now_ns);
+  void build(BodyId id, const SceneBody& body, std::int64_t now_ns);
+  void follow_topology(BodyId body, std::int64_t now_ns);
+  void take_early(BodyId body);
 };
 
 }  // namespace prosector

@@ -1,13 +1,15 @@
 #pragma once
 // One deformable as a client knows it: streamed points in chunks, and the surface that they carry.
+//
+// When it is cut, points are only appended, so samples of other revisions still say where those are that both
+// have.
 
 #include <cstdint>
 #include <vector>
 
 #include "client/replica/track.h"
-#include "common/asset.h"
-#include "common/mesh.h"
 #include "common/messages.h"
+#include "common/surface_patch.h"
 
 namespace prosector {
 
@@ -16,17 +18,33 @@ class SoftReplica {
   /// `body` from the scene, `rest` and `streamed` from its assets; sizes agree.
   SoftReplica(const SceneBody& body, TriangleMesh rest, StreamedSurface streamed);
 
-  void add(const SoftState& chunk);  // dropped when it doesn't fit this body's chunks
-  void add(const Settled& settled);  // every chunk at once, at full precision
-  bool complete() const { return known_points_ == points_; }
+  /// Dropped when it doesn't fit this body's chunks. False: it tells of points of a later revision, too; give
+  /// it again when that is here.
+  bool add(const SoftState& chunk);
+  bool add(const Settled& settled);  // likewise; every chunk at once, at full precision
+  bool complete() const { return missing_chunks_ == 0; }
+
+  // ---- Topology
+  /// The surface as it is belongs to this revision.
+  void begin_at(std::uint32_t revision) { revision_ = revision; }
+  /// To the surface that `patch` makes of this one: new points begin where the patch says they are, old ones
+  /// keep their past.
+  void follow(DrawnSurface next, const SurfacePatch& patch, std::uint32_t revision, SimTime time);
+  /// To another surface over the same points and more: those begin displaced like the point before them.
+  /// Throws InputError when it has fewer points.
+  void enter(DrawnSurface next, std::uint32_t revision, SimTime time);
 
   /// Interpolates the points at `tick` and carries the surface along. Returns true if anything moved since
   /// the last call.
   bool sample(double tick, double dt);
 
   const std::vector<Vec3>& points() const { return current_; }
-  const TriangleMesh& rest() const { return rest_; }
+  const DrawnSurface& drawn() const { return drawn_; }
+  const TriangleMesh& rest() const { return drawn_.rest; }
   const std::vector<Eigen::Vector3f>& surface() const { return surface_; }
+  std::uint32_t revision() const { return revision_; }
+  /// Rises whenever rest() became another mesh.
+  std::uint64_t shape() const { return shape_; }
   std::uint64_t dropped() const { return dropped_; }
 
  private:
@@ -35,16 +53,20 @@ class SoftReplica {
     std::vector<Vec3> positions, velocities;
   };
   std::uint32_t points_, chunk_points_;
-  TriangleMesh rest_;
-  StreamedSurface streamed_;
+  DrawnSurface drawn_;
+  std::uint32_t revision_ = 0;
+  std::uint64_t shape_ = 0;
   std::vector<Track<Chunk>> chunks_;
-  std::uint32_t known_points_ = 0;
+  std::size_t missing_chunks_ = 0;
   std::vector<Vec3> current_;
   std::vector<Eigen::Vector3f> surface_;
+  bool reshaped_ = false;  // since the last sample()
   std::uint64_t dropped_ = 0;
 
   std::uint32_t size_of(std::uint32_t chunk) const;
   void add(std::uint32_t chunk, Chunk sample);
+  void complete_from_newest(std::uint32_t chunk, Chunk& sample) const;
+  void grow(DrawnSurface next, const std::vector<Vec3>& where, std::uint32_t revision, SimTime time);
 };
 
 }  // namespace prosector

@@ -58,6 +58,12 @@ class Track {
     return {&from, &*to, gap * dt, (tick - (end - gap)) / gap};
   }
 
+  /// `change(sample)` must leave its time alone.
+  template <class Change>
+  void change_each(const Change& change) {
+    for (Sample& sample : samples_) change(sample);
+  }
+
   bool empty() const { return samples_.empty(); }
   const Sample& newest() const { return samples_.back(); }
 

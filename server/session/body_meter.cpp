@@ -28,17 +28,22 @@ BodyMeter::BodyMeter(const Simulation& simulation, const std::map<std::string, P
           1, static_cast<std::uint64_t>(std::lround(simulation.scene().tick_rate / telling_rate)))) {
   for (BodyId b = 0; b < simulation.body_count(); ++b) {
     if (simulation.kind(b) != BodyKind::soft) continue;
-    id_of_[simulation.name(b)] = b;
-    BodyStatus& status = sums_[b].status;
-    status.body = b;
-    status.substeps = substeps_to_come(simulation, b, tick_seconds_);
-    status.step = tick_seconds_ / std::max(1u, status.substeps);
-    if (const auto it = expected.find(simulation.name(b)); it != expected.end()) {
-      status.error = it->second.error;
-      status.expected_ms = it->second.ms;
-    }
-    newest_[b] = status;
+    const auto it = expected.find(simulation.name(b));
+    add_body(simulation, b, it == expected.end() ? nullptr : &it->second);
   }
+}
+
+void BodyMeter::add_body(const Simulation& simulation, BodyId body, const Prospect* expected) {
+  id_of_.try_emplace(simulation.name(body), body);
+  BodyStatus& status = sums_[body].status;
+  status.body = body;
+  status.substeps = substeps_to_come(simulation, body, tick_seconds_);
+  status.step = tick_seconds_ / std::max(1u, status.substeps);
+  if (expected != nullptr) {
+    status.error = expected->error;
+    status.expected_ms = expected->ms;
+  }
+  newest_[body] = status;
 }
 
 void BodyMeter::add(const StepReport& report) {

@@ -17,6 +17,8 @@ class BodyMeter {
   /// `expected`: by body name; bodies that are missing were not chosen by need.
   BodyMeter(const Simulation& simulation, const std::map<std::string, Prospect>& expected);
 
+  /// Of a soft body: one that a cut made, for instance. `expected`: null when it wasn't chosen by need.
+  void add_body(const Simulation& simulation, BodyId body, const Prospect* expected = nullptr);
   void add(const StepReport& report);
   /// What is due after the tick that was added: of bodies that were awake since they were last told of, and
   /// at the first call of all.

@@ -53,7 +53,7 @@ std::vector<std::uint8_t> encode_input(const ConsumedInput& input) {
   std::vector<std::uint8_t> out;
   if (input.keys.empty() && input.input.efforts.empty() && input.input.events.empty() &&
       input.input.parts.empty() && input.input.targets.empty() && input.input.panels.empty() &&
-      input.input.heads.empty())
+      input.input.heads.empty() && input.input.cuts.empty())
     return out;
   out.reserve(16 + 5 * input.input.efforts.size() + 16 * input.keys.size() + 16 * input.input.events.size() +
               120 * input.input.parts.size() + 112 * input.input.targets.size());
@@ -103,6 +103,13 @@ std::vector<std::uint8_t> encode_input(const ConsumedInput& input) {
     put(out, e.body);
     put(out, e.control);
     put(out, e.value);
+  }
+  put(out, static_cast<std::uint32_t>(input.input.cuts.size()));
+  for (const CutEvent& e : input.input.cuts) {
+    put(out, e.kind);
+    put(out, e.participant);
+    put(out, e.body);
+    put(out, e.revision);
   }
   return out;
 }
@@ -163,6 +170,14 @@ ConsumedInput decode_input(std::span<const std::uint8_t> bytes) {
     e.body = in.get<BodyId>();
     e.control = in.get<PanelControl>();
     e.value = in.get<double>();
+  }
+  out.input.cuts.resize(in.count());
+  for (CutEvent& e : out.input.cuts) {
+    e.kind = in.get<CutEvent::Kind>();
+    if (e.kind > last_cut_event) throw InputError("journal: no such event of a cut");
+    e.participant = in.get<ParticipantId>();
+    e.body = in.get<BodyId>();
+    e.revision = in.get<std::uint32_t>();
   }
   in.end();
   return out;

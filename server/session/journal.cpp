@@ -19,6 +19,8 @@ constexpr const char* schema = R"(
   CREATE TABLE meta(key TEXT PRIMARY KEY, value BLOB) WITHOUT ROWID;
   CREATE TABLE tick(tick INTEGER PRIMARY KEY, state_hash INTEGER NOT NULL, input BLOB);
   CREATE TABLE checkpoint(tick INTEGER PRIMARY KEY, state BLOB NOT NULL);
+  CREATE TABLE topology(tick INTEGER, body INTEGER, revision INTEGER, cause INTEGER, author INTEGER,
+    piece_of INTEGER, content_hash INTEGER, surface_hash INTEGER, chain_hash INTEGER);
   CREATE TABLE event(tick INTEGER, what TEXT, participant INTEGER, name TEXT, detail TEXT);
 )";
 
@@ -152,6 +154,7 @@ void Journal::write(const std::deque<JournalTick>& batch) {
     SqliteStatement insert_tick(*database_, "INSERT INTO tick VALUES(?,?,?)");
     SqliteStatement insert_checkpoint(*database_, "INSERT OR REPLACE INTO checkpoint VALUES(?,?)");
     SqliteStatement insert_event(*database_, "INSERT INTO event VALUES(?,?,?,?,?)");
+    SqliteStatement insert_topology(*database_, "INSERT INTO topology VALUES(?,?,?,?,?,?,?,?,?)");
     for (const JournalTick& t : batch) {
       insert_tick.bind(0, t.tick).bind(1, t.state_hash);
       insert_tick.bind(2, encode_input(t.input)).step();
@@ -159,6 +162,12 @@ void Journal::write(const std::deque<JournalTick>& batch) {
       for (const SessionEvent& e : t.events) {
         insert_event.bind(0, t.tick).bind(1, std::string(event_name(e.kind))).bind(2, e.participant);
         insert_event.bind(3, e.name).bind(4, e.detail).step();
+      }
+      for (const TopologyRevision& r : t.topology) {
+        insert_topology.bind(0, t.tick).bind(1, std::uint64_t{r.body}).bind(2, std::uint64_t{r.revision});
+        insert_topology.bind(3, static_cast<std::uint64_t>(r.cause)).bind(4, r.author);
+        insert_topology.bind(5, static_cast<std::uint64_t>(std::int64_t{r.piece_of}));
+        insert_topology.bind(6, r.content_hash).bind(7, r.surface_hash).bind(8, r.chain_hash).step();
       }
     }
     database_->execute("COMMIT");

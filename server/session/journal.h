@@ -23,7 +23,7 @@
 
 namespace prosector {
 
-inline constexpr std::uint64_t journal_version = 3;
+inline constexpr std::uint64_t journal_version = 4;
 
 struct JournalHeader {
   std::filesystem::path scene_file;  // absolute: what the scene names is found beside it
@@ -39,6 +39,7 @@ struct JournalTick {
   std::uint64_t state_hash = 0;          // after the step
   std::vector<std::uint8_t> checkpoint;  // empty: none at this tick
   std::vector<SessionEvent> events;
+  std::vector<TopologyRevision> topology;  // that the step made; without patches
 };
 
 struct JournalLimits {

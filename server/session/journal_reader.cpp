@@ -40,6 +40,26 @@ bool JournalReader::has_checkpoint(std::uint64_t tick) const {
   return query.bind(0, tick).step();
 }
 
+std::vector<TopologyRevision> JournalReader::topology(std::uint64_t tick) const {
+  SqliteStatement query(*database_,
+                        "SELECT body, revision, cause, author, piece_of, content_hash, surface_hash, "
+                        "chain_hash FROM topology WHERE tick=? ORDER BY rowid");
+  query.bind(0, tick);
+  std::vector<TopologyRevision> out;
+  while (query.step()) {
+    TopologyRevision& r = out.emplace_back();
+    r.body = static_cast<BodyId>(query.number(0));
+    r.revision = static_cast<std::uint32_t>(query.number(1));
+    r.cause = static_cast<TopologyCause>(query.number(2));
+    r.author = query.number(3);
+    r.piece_of = static_cast<std::int32_t>(query.number(4));
+    r.content_hash = query.number(5);
+    r.surface_hash = query.number(6);
+    r.chain_hash = query.number(7);
+  }
+  return out;
+}
+
 void JournalReader::for_each_tick(std::uint64_t after,
                                   const std::function<bool(const JournalTick&)>& visit) const {
   try {

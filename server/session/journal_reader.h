@@ -25,6 +25,8 @@ class JournalReader {
   std::uint64_t last_tick() const;                                   // 0: none
   std::optional<Checkpoint> last_checkpoint() const;
   bool has_checkpoint(std::uint64_t tick) const;
+  /// What the step of `tick` changed of bodies' topology, in order; without patches, tick by tick.
+  std::vector<TopologyRevision> topology(std::uint64_t tick) const;
   /// Calls `visit` for each tick after `after`, in order, until it returns false. Throws InputError where one
   /// is missing or damaged.
   void for_each_tick(std::uint64_t after, const std::function<bool(const JournalTick&)>& visit) const;

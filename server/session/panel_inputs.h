@@ -21,6 +21,9 @@ class PanelInputs {
   /// `parts`: by body, whether it is a part of the anatomy.
   explicit PanelInputs(std::vector<bool> parts) : parts_(std::move(parts)) {}
 
+  /// The next body.
+  void add_body(bool is_part) { parts_.push_back(is_part); }
+
   /// One of the panel commands of somebody who may touch. Empty: taken; else why not, for people.
   std::string take(const Command& command);
   /// A participant's newest input; `has_hands` when one of its hands is in the room.

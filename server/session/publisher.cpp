@@ -13,10 +13,7 @@ Publisher::Publisher(Bus& bus, const SessionInfo& info, const SceneContent& cont
     : bus_(bus), info_(info), content_(content) {
   for (BodyId b = 0; b < content.scene.bodies.size(); ++b) {
     const SceneBody& body = content.scene.bodies[b];
-    if (body.kind == BodyKind::soft)
-      soft_.try_emplace(b, b, content.streams.at(b), info.tick_rate);
-    else if (body.moves)
-      rigid_.try_emplace(b, b, body.pose);
+    if (body.kind == BodyKind::rigid && body.moves) rigid_.try_emplace(b, b, body.pose);
   }
   thread_ = std::thread([this] { run(); });
 }
@@ -106,7 +103,8 @@ void Publisher::send(const Snapshot& snapshot) {
   hands_.update(snapshot, newcomer_, out);
   for (const RigidSnapshot& r : snapshot.rigid)
     rigid_.at(r.body).update(r.state, snapshot.time, newcomer_, out);
-  for (const SoftSnapshot& s : snapshot.soft) soft_.at(s.body).update(s, snapshot.time, newcomer_, out);
+  for (const SoftSnapshot& s : snapshot.soft)
+    soft_.try_emplace(s.body, s.body, info_.tick_rate).first->second.update(s, snapshot.time, newcomer_, out);
   std::vector<Message> ended;
   panels_.update(snapshot, out, ended);
   for (const Message& m : ended) bus_.dispose(m);

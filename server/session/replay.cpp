@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "common/error.h"
 
 namespace prosector {
@@ -14,17 +16,31 @@ void require_same_scene(const JournalReader& journal, const Simulation& simulati
         to_hex(simulation.content_hash()), journal.content_hash(), journal.header().scene_file.string()));
 }
 
+namespace {
+
+/// Whether the step made the revisions that the journal says.
+bool same_topology(const std::vector<TopologyRevision>& recorded, const std::vector<TopologyChange>& made) {
+  return std::ranges::equal(recorded, made, [](const TopologyRevision& a, const TopologyChange& b) {
+    return a.body == b.body && a.revision == b.revision && a.cause == b.cause && a.author == b.author &&
+           a.piece_of == (b.piece_of ? static_cast<std::int32_t>(*b.piece_of) : -1) &&
+           a.content_hash == b.content_hash;
+  });
+}
+
+}  // namespace
+
 ReplayResult replay(const JournalReader& journal, Simulation& simulation,
                     const std::function<void(std::uint64_t tick)>& progress) {
   require_same_scene(journal, simulation);
   ReplayResult result;
   result.last_hash = simulation.state_hash();
   journal.for_each_tick(simulation.time().tick, [&](const JournalTick& tick) {
-    simulation.step(tick.input.input);
+    const StepReport& report = simulation.step(tick.input.input);
+    const bool same = same_topology(journal.topology(tick.tick), report.topology);
     // The recorded run rebuilt its caches here.
     if (journal.has_checkpoint(tick.tick)) simulation.checkpoint();
     result.last_hash = simulation.state_hash();
-    if (result.last_hash != tick.state_hash) {
+    if (result.last_hash != tick.state_hash || !same) {
       result.first_difference = tick.tick;
       return false;
     }

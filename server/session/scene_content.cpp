@@ -1,5 +1,7 @@
 #include "server/session/scene_content.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <random>
 #include <set>
@@ -32,18 +34,37 @@ SceneBody describe(const Simulation& simulation, const Desc& desc, BodyKind kind
   return body;
 }
 
-TopologyRevision first_revision(BodyId body, std::uint64_t content_hash) {
-  TopologyRevision out;
-  out.body = body;
-  out.content_hash = content_hash;
-  StateHasher chain;
-  chain.add(out.previous_hash);
-  chain.add(out.content_hash);
-  out.chain_hash = chain.digest();
-  return out;
+}  // namespace
+
+std::string beginning(const std::string& text, std::size_t bytes) {
+  if (text.size() <= bytes) return text;
+  while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xc0) == 0x80) --bytes;
+  return text.substr(0, bytes);
 }
 
-}  // namespace
+std::string free_name(const SceneInfo& scene, const std::string& wanted) {
+  const auto taken = [&](const std::string& name) {
+    return std::ranges::any_of(scene.bodies, [&](const SceneBody& body) { return body.name == name; });
+  };
+  std::string name = wanted;
+  for (int piece = 1; taken(name); ++piece) {
+    const std::string suffix = fmt::format(" piece {}", piece);
+    name = beginning(wanted, max_name_length - suffix.size()) + suffix;
+  }
+  return name;
+}
+
+SceneBody describe_soft(const Simulation& simulation, BodyId body, const SurfaceLog& log) {
+  const SoftDesc& desc = simulation.soft(body).desc();
+  SceneBody out = describe(simulation, desc, BodyKind::soft);
+  out.moves = true;
+  out.method = in_words(desc);
+  out.show_figures = desc.show_figures;
+  out.points = log.stream()->points;
+  out.chunk_points = log.stream()->chunk_points;
+  out.tube_diameter = tube_diameter(simulation.soft(body).anatomy());
+  return out;
+}
 
 SceneContent make_scene_content(const Simulation& simulation, const std::vector<Choice>& choices) {
   const SceneDesc& desc = simulation.scene();
@@ -61,31 +82,35 @@ SceneContent make_scene_content(const Simulation& simulation, const std::vector<
     return hash;
   };
   for (BodyId b = 0; b < simulation.body_count(); ++b) {
-    const bool rigid = simulation.kind(b) == BodyKind::rigid;
-    SceneBody body = rigid ? describe(simulation, desc.rigid[b], BodyKind::rigid)
-                           : describe(simulation, desc.soft[b - desc.rigid.size()], BodyKind::soft);
-    body.moves = !rigid || !desc.rigid[b].fixed;
-    body.mesh = keep(encode(simulation.surface(b)));
-    if (rigid)
+    out.triangles += simulation.surface(b).triangles.size();
+    if (simulation.kind(b) == BodyKind::rigid) {
+      SceneBody body = describe(simulation, desc.rigid[b], BodyKind::rigid);
+      body.moves = !desc.rigid[b].fixed;
+      body.mesh = keep(encode(simulation.surface(b)));
       if (const auto outline = collision_outline(desc.rigid[b], simulation.surface(b)))
         body.outline = keep(encode(*outline));
-    out.triangles += simulation.surface(b).triangles.size();
-    if (!rigid) {
-      const SoftDesc& description = desc.soft[b - desc.rigid.size()];
-      body.method = in_words(description);
-      for (const Choice& c : choices)
-        if (c.body == description.name) body.method = explain(c, description);
-      body.show_figures = description.show_figures;
-      const SoftBody& soft = simulation.soft(b);
-      SurfaceStream stream =
-          make_surface_stream(soft.anatomy(), static_cast<std::uint32_t>(soft_chunk_points));
-      body.map = keep(encode(stream.surface));
-      body.points = stream.points;
-      body.chunk_points = stream.chunk_points;
-      body.tube_diameter = tube_diameter(soft.anatomy());
-      out.streams.emplace(b, std::move(stream));
-      out.topology.push_back(first_revision(b, soft.content_hash()));
+      out.scene.bodies.push_back(std::move(body));
+      continue;
     }
+    const SoftBody& soft = simulation.soft(b);
+    const TopologyChange begin{.body = b,
+                               .revision = simulation.revision(b),
+                               .content_hash = soft.content_hash(),
+                               .cause = TopologyCause::compiled,
+                               .author = 0,
+                               .piece_of = {}};
+    const SurfaceLog& log =
+        out.surfaces.try_emplace(b, soft.anatomy(), simulation.numbering(b), begin, simulation.time())
+            .first->second;
+    SceneBody body = describe_soft(simulation, b, log);
+    for (const Choice& c : choices)
+      if (c.body == body.name) body.method = explain(c, soft.desc());
+    if (b >= desc.rigid.size() + desc.soft.size()) body.name = free_name(out.scene, body.name);
+    TopologyRevision first = log.newest();
+    auto [mesh, map] = log.keyframe();
+    first.mesh = body.mesh = keep(std::move(mesh));
+    first.map = body.map = keep(std::move(map));
+    out.topology.push_back(std::move(first));
     out.scene.bodies.push_back(std::move(body));
   }
   return out;

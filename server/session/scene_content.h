@@ -10,15 +10,15 @@
 #include "common/messages.h"
 #include "server/calibration/choose_rung.h"
 #include "server/physics/simulation.h"
-#include "server/session/surface_stream.h"
+#include "server/session/surface_log.h"
 
 namespace prosector {
 
 struct SceneContent {
   SceneInfo scene;
-  std::vector<Asset> assets;                // each content once
-  std::map<BodyId, SurfaceStream> streams;  // of every soft body
-  std::vector<TopologyRevision> topology;   // revision 0 of every soft body
+  std::vector<Asset> assets;               // each content once
+  std::map<BodyId, SurfaceLog> surfaces;   // of every soft body
+  std::vector<TopologyRevision> topology;  // the first revision of every soft body
   std::size_t triangles = 0;
 
   std::size_t asset_bytes() const;
@@ -26,6 +26,14 @@ struct SceneContent {
 
 /// `choices`: of bodies that were chosen by need.
 SceneContent make_scene_content(const Simulation& simulation, const std::vector<Choice>& choices = {});
+
+/// A soft body as clients are told of it, its surface as `log` has it; without meshes' names and method.
+SceneBody describe_soft(const Simulation& simulation, BodyId body, const SurfaceLog& log);
+
+/// Pieces keep the organ's name, with a number where it is taken.
+std::string free_name(const SceneInfo& scene, const std::string& wanted);
+/// The longest beginning of at most `bytes` bytes that is whole UTF-8.
+std::string beginning(const std::string& text, std::size_t bytes);
 
 /// The asset in pieces that the network carries.
 std::vector<AssetChunk> chunks_of(const Asset& asset);

@@ -71,18 +71,34 @@ std::string line_of(const SessionEvent& e) {
   return {};
 }
 
+/// Soft bodies as the simulation has them.
+class SimulatedShapes final : public SoftShapes {
+ public:
+  explicit SimulatedShapes(const Simulation& simulation) : simulation_(simulation) {}
+  Shape shape(BodyId body) const override {
+    return {simulation_.soft(body).anatomy(), simulation_.numbering(body),
+            simulation_.soft_state(body).motion.x};
+  }
+  SceneBody describe(BodyId body, const SurfaceLog& surface) const override {
+    return describe_soft(simulation_, body, surface);
+  }
+
+ private:
+  const Simulation& simulation_;
+};
+
 }  // namespace
 
-SessionRules rules_of(const SceneDesc& scene, const std::string& session, std::size_t bodies) {
+SessionRules rules_of(const SceneDesc& scene, const std::string& session) {
   SessionRules rules;
   rules.session = session;
   rules.capacity = scene.session.capacity;
   rules.observers = scene.session.observers;
   rules.input_timeout = static_cast<std::uint64_t>(std::ceil(scene.session.input_timeout * scene.tick_rate));
   rules.presence_timeout = static_cast<std::uint64_t>(std::ceil(presence_timeout * scene.tick_rate));
-  rules.bodies = bodies;
   for (const RigidDesc& rigid : scene.rigid) rules.parts.push_back(rigid.part);
   for (const SoftDesc& soft : scene.soft) rules.parts.push_back(soft.part);
+  rules.bodies = rules.parts.size();
   return rules;
 }
 
@@ -94,15 +110,18 @@ ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& sess
       say_(std::move(say)),
       options_(std::move(options)),
       content_(make_scene_content(simulation, options_.choices)),
-      session_(rules_of(simulation.scene(), session, simulation.body_count())),
+      topology_(content_, simulation.scene().tick_rate),
+      session_(rules_of(simulation.scene(), session)),
       meter_(simulation.scene().tick_rate),
       body_meter_(simulation, expectations(options_.choices)),
       governor_(simulation.scene().tick_rate, may_step_down(simulation)),
       state_hash_(simulation.state_hash()),
       publisher_(bus, info_of(simulation, session), content_) {
+  for (auto piece = static_cast<BodyId>(session_.bodies()); piece < simulation.body_count(); ++piece)
+    session_.add_body(simulation.soft(piece).desc().part);
   session_.vanish(simulation.hands());  // of a state that was restored
   session_.see_panels(simulation.panels());
-  last_snapshot_ = take_snapshot(simulation_, session_, nullptr);
+  last_snapshot_ = take_snapshot(simulation_, session_, topology_, nullptr);
   publisher_.offer(last_snapshot_);
 }
 
@@ -124,11 +143,12 @@ void ServerLoop::tick() {
     events.push_back(
         {SessionEvent::Kind::broke, 0, simulation_.name(b.body), fmt::format("at {:.0f} N", b.force)});
   announce(events);
+  tell_of_cuts(report);
   journal(std::move(input), std::move(saved), std::move(events));
   record(report, begun);
   govern(report, begun);
 
-  auto snapshot = take_snapshot(simulation_, session_, last_snapshot_.get());
+  auto snapshot = take_snapshot(simulation_, session_, topology_, last_snapshot_.get());
   if (last_end_ns_ - status_ns_ >= status_period_ns) {
     snapshot->status = status();
     status_ns_ = last_end_ns_;
@@ -143,8 +163,8 @@ void ServerLoop::tick() {
 void ServerLoop::journal(ConsumedInput input, std::vector<std::uint8_t> checkpoint,
                          std::vector<SessionEvent> events) {
   if (journal_ == nullptr) return;
-  journal_->append(
-      {simulation_.time().tick, std::move(input), state_hash_, std::move(checkpoint), std::move(events)});
+  journal_->append({simulation_.time().tick, std::move(input), state_hash_, std::move(checkpoint),
+                    std::move(events), topology_.take_records()});
   if (!journal_trouble_.empty()) return;
   journal_trouble_ = journal_->trouble();
   if (!journal_trouble_.empty()) say_(journal_trouble_ + "; the session goes on without");
@@ -213,6 +233,19 @@ void ServerLoop::tell_of_bodies(const StepReport& report) {
   body_meter_.add(report);
   std::vector<Outgoing> out;
   for (const BodyStatus& status : body_meter_.take(simulation_)) out.push_back({status});
+  publisher_.say(std::move(out));
+}
+
+/// Before the tick's own answers and state: clients have the shape when they are told where it is.
+void ServerLoop::tell_of_cuts(const StepReport& report) {
+  for (auto piece = static_cast<BodyId>(session_.bodies()); piece < simulation_.body_count(); ++piece) {
+    session_.add_body(simulation_.soft(piece).desc().part);
+    body_meter_.add_body(simulation_, piece);
+  }
+  std::vector<Outgoing> out;
+  topology_.follow(SimulatedShapes(simulation_), report.topology, report.time, session_.roster(), out);
+  for (const BodyId body : session_.take_keyframe_requests()) topology_.ask_keyframe(body);
+  topology_.send_keyframes(simulation_.time(), out);
   publisher_.say(std::move(out));
 }
 

@@ -21,6 +21,7 @@
 #include "server/session/scene_content.h"
 #include "server/session/session.h"
 #include "server/session/step_meter.h"
+#include "server/session/topology_log.h"
 
 namespace prosector {
 
@@ -29,7 +30,7 @@ namespace prosector {
 inline constexpr std::uint64_t checkpoint_ticks = 600;
 
 /// The rules that a scene sets.
-SessionRules rules_of(const SceneDesc& scene, const std::string& session, std::size_t bodies);
+SessionRules rules_of(const SceneDesc& scene, const std::string& session);
 
 struct RunFigures {
   std::uint64_t ticks = 0, late_ticks = 0, slips = 0;
@@ -71,6 +72,7 @@ class ServerLoop {
   const BodyMeter& body_meter() const { return body_meter_; }
   const Session& session() const { return session_; }
   const SceneContent& content() const { return content_; }
+  const TopologyLog& topology() const { return topology_; }
   Publisher& publisher() { return publisher_; }
 
  private:
@@ -84,6 +86,7 @@ class ServerLoop {
   std::function<void(const std::string&)> say_;
   LoopOptions options_;
   SceneContent content_;
+  TopologyLog topology_;
   Session session_;
   StepMeter meter_;
   BodyMeter body_meter_;
@@ -106,6 +109,7 @@ class ServerLoop {
   void govern(const StepReport& report, std::int64_t begun_ns);
   std::string stepped_down() const;
   void tell_of_bodies(const StepReport& report);
+  void tell_of_cuts(const StepReport& report);
   void announce(const std::vector<SessionEvent>& events);
   double real_time_factor(const std::optional<Count>& since) const;
 };

@@ -157,11 +157,17 @@ void Session::obey(const Command& command, const Participant& member, Seat& seat
     return leave(command.participant, SessionEvent::Kind::left);
   }
   if (command.kind == CommandKind::set_role) return hand_out(command, member);
+  if (command.kind == CommandKind::keyframe) {
+    keyframes_.insert(command.body);
+    return answer(command, "");
+  }
   if (member.role == Role::observer) {
     drop("Command: from an observer");
     return answer(command, "an observer changes nothing: join as a dissector");
   }
   if (part_kind(command.kind)) return ask_part(command, seat);
+  if (command.kind == CommandKind::undo || command.kind == CommandKind::rewind)
+    return ask_cut(command, member, seat);
   if (is_panel_command(command.kind)) return answer(command, panels_.take(command));
   if (command.kind == CommandKind::reset) {
     if (command.body >= rules_.bodies)
@@ -219,6 +225,26 @@ void Session::ask_part(const Command& command, Seat& seat) {
   if (command.body >= rules_.bodies)
     return answer(command, fmt::format("no body {}: the scene has {}", command.body, rules_.bodies));
   seat.parts.push_back(command);
+}
+
+/// Everyone takes back what they cut; what everyone did is the host's to take back.
+void Session::ask_cut(const Command& command, const Participant& member, Seat& seat) {
+  if (command.kind == CommandKind::rewind && member.role != Role::host) {
+    drop("Command: rewinding is the host's");
+    return answer(command, "only the host rewinds");
+  }
+  if (command.kind == CommandKind::rewind && command.body >= rules_.bodies)
+    return answer(command, fmt::format("no body {}: the scene has {}", command.body, rules_.bodies));
+  seat.cuts.push_back(command);
+}
+
+void Session::add_body(bool is_part) {
+  ++rules_.bodies;
+  panels_.add_body(is_part);
+}
+
+std::set<BodyId> Session::take_keyframe_requests() {
+  return std::exchange(keyframes_, {});
 }
 
 void Session::vanish_hands(ParticipantId id, Seat& seat) {
@@ -300,12 +326,22 @@ void Session::consume_seat(ParticipantId id, Seat& seat, ConsumedInput& out) {
     stepping_.push_back(c);
   }
   seat.parts.clear();
+  for (const Command& c : seat.cuts) {
+    const bool undo = c.kind == CommandKind::undo;
+    out.input.cuts.push_back(
+        {undo ? CutEvent::Kind::undo : CutEvent::Kind::rewind, id, undo ? BodyId{0} : c.body, c.revision});
+    cutting_.push_back(c);
+  }
+  seat.cuts.clear();
 }
 
 void Session::finish_tick(std::span<const HandState> hands, const StepReport& report) {
   for (std::size_t i = 0; i < std::min(stepping_.size(), report.part_answers.size()); ++i)
     answer(stepping_[i], report.part_answers[i]);
   stepping_.clear();
+  for (std::size_t i = 0; i < std::min(cutting_.size(), report.cut_answers.size()); ++i)
+    answer(cutting_[i], report.cut_answers[i]);
+  cutting_.clear();
   for (const LetGo& let_go : report.let_go)
     if (Participant* member = roster_.find(let_go.participant); member != nullptr)
       events_.push_back({SessionEvent::Kind::let_go, let_go.participant, member->presence.name, let_go.why});

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,11 +55,18 @@ class Session {
 
   /// Takes what arrived before `tick`; returns what the step of that tick consumes, in canonical order.
   ConsumedInput consume(std::span<const Received> received, std::uint64_t tick);
-  /// After the step: grasps are answered by what the hands hold now, what was asked of parts by `report`.
+  /// After the step: grasps are answered by what the hands hold now, what was asked of parts and cuts by
+  /// `report`.
   void finish_tick(std::span<const HandState> hands, const StepReport& report = {});
 
   /// Likewise: whose panels are open. Those that nobody here may work close at the next tick.
   void see_panels(std::span<const Panel> panels) { panels_.finish_tick(panels); }
+
+  std::size_t bodies() const { return rules_.bodies; }
+  /// A cut made another body; the next id is its.
+  void add_body(bool is_part);
+  /// Of which bodies clients asked for a keyframe since the last call.
+  std::set<BodyId> take_keyframe_requests();
 
   /// Lets go, at the next tick, of hands that nobody here owns: those in a state that was restored.
   void vanish(std::span<const HandState> hands);
@@ -89,6 +97,7 @@ class Session {
     std::vector<HandEvent> asked;  // by its commands since the last tick
     std::vector<Command> grasps;   // waiting for the step
     std::vector<Command> parts;    // likewise
+    std::vector<Command> cuts;     // likewise: undo, rewind
     std::uint32_t commands = 0;    // this tick
   };
   struct Visitor {  // who has shown itself and isn't a member (yet, or any more)
@@ -105,6 +114,8 @@ class Session {
   std::map<ParticipantId, Visitor> visitors_;
   std::vector<HandEvent> vanishing_;
   std::vector<Command> stepping_;  // whose part events the step of this tick obeys, in their order
+  std::vector<Command> cutting_;   // likewise: whose cut events
+  std::set<BodyId> keyframes_;     // asked for
   PanelInputs panels_;
   std::vector<Outgoing> outgoing_;
   std::vector<SessionEvent> events_;
@@ -121,6 +132,7 @@ class Session {
   void hand_out(const Command& command, const Participant& member);
   void give(ParticipantId id, Role role);
   void ask_part(const Command& command, Seat& seat);
+  void ask_cut(const Command& command, const Participant& member, Seat& seat);
   void vanish_hands(ParticipantId id, Seat& seat);
   void settle_joins();
   void try_join(ParticipantId id, Visitor& visitor);

@@ -12,13 +12,17 @@ const SoftSnapshot* find(const Snapshot* previous, BodyId body) {
   return nullptr;
 }
 
-SoftSnapshot take_soft(const Simulation& simulation, BodyId body, const SoftSnapshot* before) {
+SoftSnapshot take_soft(const Simulation& simulation, BodyId body, const TopologyLog& topology,
+                       const SoftSnapshot* before) {
   SoftSnapshot out;
   out.body = body;
+  out.revision = topology.revision(body);
+  out.stream = topology.stream(body);
   out.asleep = simulation.asleep(body);
   const Motion& motion = simulation.soft_state(body).motion;
   // A reset moves a body without waking it, so a sleeping one is compared rather than trusted.
-  if (out.asleep && before != nullptr && before->asleep && *before->x == motion.x) {
+  if (out.asleep && before != nullptr && before->asleep && before->revision == out.revision &&
+      *before->x == motion.x) {
     out.x = before->x;
     out.v = before->v;
   } else {
@@ -52,12 +56,12 @@ std::vector<UserState> take_users(const Simulation& simulation, const Session& s
 }  // namespace
 
 std::shared_ptr<Snapshot> take_snapshot(const Simulation& simulation, const Session& session,
-                                        const Snapshot* previous) {
+                                        const TopologyLog& topology, const Snapshot* previous) {
   auto out = std::make_shared<Snapshot>();
   out->time = simulation.time();
   for (BodyId b = 0; b < simulation.body_count(); ++b) {
     if (simulation.kind(b) == BodyKind::soft)
-      out->soft.push_back(take_soft(simulation, b, find(previous, b)));
+      out->soft.push_back(take_soft(simulation, b, topology, find(previous, b)));
     else if (!simulation.scene().rigid[b].fixed)
       out->rigid.push_back({b, simulation.rigid_state(b)});
   }

@@ -9,6 +9,7 @@
 #include "common/messages.h"
 #include "server/physics/simulation.h"
 #include "server/session/session.h"
+#include "server/session/topology_log.h"
 
 namespace prosector {
 
@@ -21,7 +22,8 @@ struct SoftSnapshot {
   BodyId body = 0;
   bool asleep = false;
   std::uint32_t revision = 0;
-  std::shared_ptr<const VecX> x, v;  // of all nodes; a sleeping body shares its last snapshot's
+  std::shared_ptr<const VecX> x, v;             // of all nodes; a sleeping body shares its last snapshot's
+  std::shared_ptr<const SurfaceStream> stream;  // of this revision
 };
 
 struct Snapshot {
@@ -35,8 +37,9 @@ struct Snapshot {
   std::optional<ServerStatus> status;
 };
 
-/// `previous` lends the shapes of bodies that slept since; may be null.
+/// `topology` has followed the simulation to now; `previous` lends the shapes of bodies that slept since; may
+/// be null.
 std::shared_ptr<Snapshot> take_snapshot(const Simulation& simulation, const Session& session,
-                                        const Snapshot* previous);
+                                        const TopologyLog& topology, const Snapshot* previous);
 
 }  // namespace prosector

@@ -4,27 +4,49 @@
 
 namespace prosector {
 
-SoftSender::SoftSender(BodyId body, const SurfaceStream& stream, double tick_rate)
-    : body_(body), stream_(stream), dt_(1 / tick_rate) {
-  for (auto* v : {&x_, &v_, &sent_x_, &sent_v_}) v->assign(stream.points, Vec3::Zero());
-}
+SoftSender::SoftSender(BodyId body, double tick_rate) : body_(body), dt_(1 / tick_rate) {}
 
 void SoftSender::update(const SoftSnapshot& now, SimTime time, bool everything, std::vector<Message>& out) {
-  if (now.asleep && settled_ != nullptr && (settled_ == now.x || *settled_ == *now.x)) return;
-  for (std::uint32_t i = 0; i < stream_.points; ++i) {
-    x_[i] = stream_.sources.apply(i, now.x->data());
-    v_[i] = stream_.sources.apply(i, now.v->data());
+  if (stream_ != now.stream) {
+    stream_ = now.stream;
+    grow();
   }
+  if (now.asleep && settled_ != nullptr && (settled_ == now.x || *settled_ == *now.x)) return;
+  place(now);
   if (now.asleep) return settle(now, time, out);
   settled_.reset();
-  const std::uint32_t chunks = stream_.chunks();
+  const std::uint32_t chunks = stream_->chunks();
+  if (chunks == 0) return;
   const auto refreshed = static_cast<std::uint32_t>((chunks + soft_refresh_ticks - 1) / soft_refresh_ticks);
   for (std::uint32_t c = 0; c < chunks; ++c) {
     const bool due = (c + chunks - cursor_) % chunks < refreshed;
-    if (everything || due || !any_sent_ || changed(c)) out.push_back(send(c, time, now.revision));
+    if (everything || due || end(c) > known_points_ || changed(c)) out.push_back(send(c, time, now.revision));
   }
   cursor_ = (cursor_ + refreshed) % chunks;
-  any_sent_ = true;
+  known_points_ = stream_->points;
+}
+
+/// Points that came with a new revision are at the end.
+void SoftSender::grow() {
+  for (auto* v : {&x_, &v_, &sent_x_, &sent_v_}) v->resize(stream_->points, Vec3::Zero());
+  settled_.reset();
+}
+
+void SoftSender::place(const SoftSnapshot& now) {
+  const std::vector<std::uint32_t>& leaders = stream_->leaders;
+  const auto is_gone = [&](std::uint32_t i) { return !leaders.empty() && leaders[i] != i; };
+  for (std::uint32_t i = 0; i < stream_->points; ++i) {
+    if (is_gone(i)) continue;
+    x_[i] = stream_->sources.apply(i, now.x->data());
+    v_[i] = stream_->sources.apply(i, now.v->data());
+  }
+  const std::vector<Vec3>& rest = stream_->surface.rest;
+  for (std::uint32_t i = 0; i < leaders.size(); ++i) {
+    if (!is_gone(i)) continue;
+    const bool alone = leaders[i] >= stream_->points;
+    x_[i] = alone ? rest[i] : Vec3(rest[i] + x_[leaders[i]] - rest[leaders[i]]);
+    v_[i] = alone ? Vec3(Vec3::Zero()) : v_[leaders[i]];
+  }
 }
 
 void SoftSender::settle(const SoftSnapshot& now, SimTime time, std::vector<Message>& out) {
@@ -43,7 +65,7 @@ void SoftSender::settle(const SoftSnapshot& now, SimTime time, std::vector<Messa
   settled_ = now.x;
   sent_x_ = x_;
   std::fill(sent_v_.begin(), sent_v_.end(), Vec3::Zero());
-  any_sent_ = true;
+  known_points_ = stream_->points;
 }
 
 bool SoftSender::changed(std::uint32_t chunk) const {
@@ -55,7 +77,7 @@ bool SoftSender::changed(std::uint32_t chunk) const {
 }
 
 std::uint32_t SoftSender::end(std::uint32_t chunk) const {
-  return std::min(begin(chunk) + stream_.chunk_points, stream_.points);
+  return std::min(begin(chunk) + stream_->chunk_points, stream_->points);
 }
 
 SoftState SoftSender::send(std::uint32_t chunk, SimTime time, std::uint32_t revision) {
@@ -68,7 +90,7 @@ SoftState SoftSender::send(std::uint32_t chunk, SimTime time, std::uint32_t revi
   out.revision = revision;
   out.first_point = begin(chunk);
   for (std::uint32_t i = begin(chunk); i < end(chunk); ++i)
-    out.positions.push_back(x_[i] - stream_.surface.rest[i]);
+    out.positions.push_back(x_[i] - stream_->surface.rest[i]);
   out.velocities.assign(v_.begin() + first, v_.begin() + last);
   std::copy(x_.begin() + first, x_.begin() + last, sent_x_.begin() + first);
   std::copy(v_.begin() + first, v_.begin() + last, sent_v_.begin() + first);

@@ -18,24 +18,26 @@ inline constexpr std::uint64_t soft_refresh_ticks = 30;
 
 class SoftSender {
  public:
-  SoftSender(BodyId body, const SurfaceStream& stream, double tick_rate);
+  SoftSender(BodyId body, double tick_rate);
 
   /// Appends what has to be sent of `now`; `everything`: all chunks, for someone who came just now.
   void update(const SoftSnapshot& now, SimTime time, bool everything, std::vector<Message>& out);
 
  private:
   BodyId body_;
-  const SurfaceStream& stream_;
+  std::shared_ptr<const SurfaceStream> stream_;  // of the snapshot seen last
   double dt_;
   std::vector<Vec3> x_, v_;              // now
   std::vector<Vec3> sent_x_, sent_v_;    // what clients have
   std::shared_ptr<const VecX> settled_;  // the shape of the last Settled; null while in motion
   std::uint32_t cursor_ = 0;             // next chunk to refresh
-  bool any_sent_ = false;
+  std::uint32_t known_points_ = 0;       // that clients were sent
 
+  void grow();
+  void place(const SoftSnapshot& now);
   void settle(const SoftSnapshot& now, SimTime time, std::vector<Message>& out);
   bool changed(std::uint32_t chunk) const;
-  std::uint32_t begin(std::uint32_t chunk) const { return chunk * stream_.chunk_points; }
+  std::uint32_t begin(std::uint32_t chunk) const { return chunk * stream_->chunk_points; }
   std::uint32_t end(std::uint32_t chunk) const;
   SoftState send(std::uint32_t chunk, SimTime time, std::uint32_t revision);
 };

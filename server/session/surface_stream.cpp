@@ -4,6 +4,8 @@
 #include <numeric>
 #include <span>
 
+#include "common/surface_patch.h"
+
 namespace prosector {
 namespace {
 
@@ -61,9 +63,10 @@ SurfaceStream make_surface_stream(const Anatomy& anatomy, std::uint32_t chunk_po
   SurfaceStream out;
   out.points = static_cast<std::uint32_t>(streamed.size());
   out.chunk_points = chunk_points;
+  out.of_nodes = nodes;
   for (auto i : streamed) {
     out.sources.rows.push_back(nodes ? one(i) : W[i]);
-    out.surface.rest.push_back(rest[i].cast<float>().cast<double>());
+    out.surface.rest.push_back(to_float(rest[i]));
   }
   for (std::uint32_t v = 0; v < W.size(); ++v) {
     SparseMap::Row row = nodes ? W[v] : one(new_index[v]);
@@ -71,6 +74,7 @@ SurfaceStream make_surface_stream(const Anatomy& anatomy, std::uint32_t chunk_po
       for (std::size_t k = 0; k < 4; ++k) row.node[k] = row.weight[k] != 0 ? new_index[row.node[k]] : 0;
     out.surface.map.rows.push_back(row);
   }
+  out.carriers = std::move(streamed);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/asset.h"
+#include "common/surface_patch.h"
 
 namespace prosector {
 namespace {
@@ -64,6 +65,14 @@ struct SmallScene {
     out.bodies.push_back(body);
     return out;
   }
+  TopologyRevision first() const {
+    TopologyRevision out;
+    out.mesh = mesh_asset.hash;
+    out.map = map_asset.hash;
+    out.surface_hash = hash(rounded(surface, {points, map}));
+    out.chain_hash = chain_hash_of(out);
+    return out;
+  }
   static AssetChunk chunk(const Asset& a) {
     return {a.hash, 0, 1, static_cast<std::uint32_t>(a.bytes.size()), a.bytes};
   }
@@ -98,7 +107,7 @@ TEST(Replica, IsCompleteOnlyWithSceneMeshesTopologyAndState) {
                                     session(),
                                     s.scene(),
                                     SmallScene::chunk(s.mesh_asset),
-                                    TopologyRevision{},
+                                    s.first(),
                                     s.soft(1, 1, Vec3::Zero())};
   for (const Message& m : all) {
     EXPECT_FALSE(replica.complete());
@@ -112,10 +121,9 @@ TEST(Replica, IsCompleteOnlyWithSceneMeshesTopologyAndState) {
 TEST(Replica, CarriesTheSurfaceWithTheStreamedPoints) {
   const SmallScene s;
   Replica replica;
-  for (const Message& m :
-       std::vector<Message>{session(), s.scene(), SmallScene::chunk(s.mesh_asset),
-                            SmallScene::chunk(s.map_asset), TopologyRevision{}, s.soft(0, 10, Vec3::Zero()),
-                            s.soft(1, 10, Vec3::Zero()), s.soft(0, 11, {0, 0, 0.5})})
+  for (const Message& m : std::vector<Message>{
+           session(), s.scene(), SmallScene::chunk(s.mesh_asset), SmallScene::chunk(s.map_asset), s.first(),
+           s.soft(0, 10, Vec3::Zero()), s.soft(1, 10, Vec3::Zero()), s.soft(0, 11, {0, 0, 0.5})})
     feed(replica, m);
   ASSERT_TRUE(replica.soft(0)->sample(10.5, dt));
   EXPECT_NEAR(static_cast<double>(replica.soft(0)->surface()[1].z()), 0.25, 1e-6);
@@ -129,9 +137,9 @@ TEST(Replica, SettledOverridesALostLastChunk) {
   Settled settled;
   settled.time = {0, 20};
   for (const Vec3& x : s.points) settled.positions.push_back((x + Vec3(0, 0, 1)).cast<float>());
-  for (const Message& m : std::vector<Message>{session(), s.scene(), SmallScene::chunk(s.mesh_asset),
-                                               SmallScene::chunk(s.map_asset), TopologyRevision{},
-                                               s.soft(0, 10, Vec3::Zero()), settled})
+  for (const Message& m :
+       std::vector<Message>{session(), s.scene(), SmallScene::chunk(s.mesh_asset),
+                            SmallScene::chunk(s.map_asset), s.first(), s.soft(0, 10, Vec3::Zero()), settled})
     feed(replica, m);
   ASSERT_TRUE(replica.complete());
   replica.soft(0)->sample(30, dt);
@@ -155,7 +163,7 @@ TEST(Replica, CountsContradictionsAndGoesOn) {
 TEST(Replica, ARestartedServerStartsOverButKeepsMeshes) {
   const SmallScene s;
   Replica replica;
-  const std::vector<Message> state = {s.scene(), TopologyRevision{}, s.soft(0, 10, Vec3::Zero()),
+  const std::vector<Message> state = {s.scene(), s.first(), s.soft(0, 10, Vec3::Zero()),
                                       s.soft(1, 10, Vec3::Zero())};
   for (const Message& m :
        std::vector<Message>{session(1), SmallScene::chunk(s.mesh_asset), SmallScene::chunk(s.map_asset)})

@@ -82,6 +82,10 @@ ConsumedInput random_input(std::mt19937_64& random) {
     for (double& f : t.flexion) f = x(random);
     out.input.targets.push_back(t);
   }
+  for (std::uint64_t i = 0; i < random() % 3; ++i)
+    out.input.cuts.push_back({static_cast<CutEvent::Kind>(random() % 2), random(),
+                              static_cast<BodyId>(random() % 100),
+                              static_cast<std::uint32_t>(random() % 1000)});
   return out;
 }
 
@@ -131,6 +135,40 @@ TEST(Journal, ReplayNamesTheFirstDifference) {
   const ReplayResult result = replay(JournalReader(file.path), simulation, {});
   EXPECT_FALSE(result);
   EXPECT_EQ(result.first_difference, 17u);
+}
+
+TEST(Journal, ReplayNamesARevisionThatWasNotMadeAgain) {
+  const TemporaryFile file("revision");
+  {
+    record(file.path, 20);
+    const auto journal = Journal::append_to(file.path, JournalLimits{});
+    JournalTick tick;
+    tick.tick = 22;
+    TopologyRevision cut;
+    cut.body = Hosted::liver;
+    cut.revision = 1;
+    cut.cause = TopologyCause::undo;
+    cut.author = 0xfedcba9876543210;
+    cut.content_hash = 12;
+    cut.surface_hash = 13;
+    cut.chain_hash = 14;
+    tick.topology = {cut};
+    journal->append(tick);
+  }
+  const JournalReader journal(file.path);
+  EXPECT_TRUE(journal.topology(21).empty());
+  const std::vector<TopologyRevision> read = journal.topology(22);
+  ASSERT_EQ(read.size(), 1u);
+  EXPECT_EQ(read[0].body, BodyId{Hosted::liver});
+  EXPECT_EQ(read[0].revision, 1u);
+  EXPECT_EQ(read[0].cause, TopologyCause::undo);
+  EXPECT_EQ(read[0].author, 0xfedcba9876543210);
+  EXPECT_EQ(read[0].piece_of, -1);
+  EXPECT_EQ(read[0].content_hash, 12u);
+  EXPECT_EQ(read[0].surface_hash, 13u);
+  EXPECT_EQ(read[0].chain_hash, 14u);
+  Simulation simulation(test::hosted_scene(), test::options());
+  EXPECT_EQ(replay(journal, simulation, {}).first_difference, 22u);
 }
 
 TEST(Journal, AnotherSceneIsRefused) {

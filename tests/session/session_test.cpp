@@ -360,6 +360,67 @@ TEST(Session, WhatIsAskedOfPartsIsAnsweredByTheStep) {
   EXPECT_FALSE(answers.at(23).accepted);
 }
 
+TEST(Session, DissectorsUndoTheirOwnAndOnlyTheHostRewinds) {
+  Room room;
+  room.join(presence(1, "ada", Role::host), 1);
+  room.join(presence(2, "bo"), 2);
+  room.join(presence(3, "eve", Role::observer), 3);
+  Command rewind = command(1, CommandKind::rewind, 20);
+  rewind.body = 2;
+  rewind.revision = 7;
+  Command of_no_body = rewind, by_dissector = rewind, by_observer = command(3, CommandKind::undo, 24);
+  of_no_body.sequence = 21;
+  of_no_body.body = 3;
+  by_dissector.participant = 2;
+  by_dissector.sequence = 22;
+  const Command undo = command(2, CommandKind::undo, 23);
+  const ConsumedInput in =
+      room.session.consume(std::vector<Received>{from(2, undo), from(1, rewind), from(1, of_no_body),
+                                                 from(2, by_dissector), from(3, by_observer)},
+                           ++room.tick);
+  ASSERT_EQ(in.input.cuts.size(), 2u);  // by participant
+  EXPECT_EQ(in.input.cuts[0].kind, CutEvent::Kind::rewind);
+  EXPECT_EQ(in.input.cuts[0].body, 2u);
+  EXPECT_EQ(in.input.cuts[0].revision, 7u);
+  EXPECT_EQ(in.input.cuts[1].kind, CutEvent::Kind::undo);
+  EXPECT_EQ(in.input.cuts[1].participant, 2u);
+  StepReport report;
+  report.cut_answers = {"", "a later cut depends on it"};
+  room.session.finish_tick({}, report);
+  std::map<std::uint64_t, CommandResult> answers;
+  for (const Outgoing& o : room.session.take_outgoing())
+    if (const auto* r = std::get_if<CommandResult>(&o.message)) answers[r->sequence] = *r;
+  EXPECT_TRUE(answers.at(20).accepted);
+  EXPECT_NE(answers.at(21).reason.find("no body 3"), std::string::npos);
+  EXPECT_EQ(answers.at(22).reason, "only the host rewinds");
+  EXPECT_EQ(answers.at(23).reason, "a later cut depends on it");
+  EXPECT_FALSE(answers.at(24).accepted);
+}
+
+TEST(Session, ObserversTooAskForKeyframes) {
+  Room room;
+  room.join(presence(3, "eve", Role::observer), 3);
+  Command ask = command(3, CommandKind::keyframe, 9);
+  ask.body = 1;
+  room.feed({from(3, ask), from(3, ask)});
+  EXPECT_TRUE(room.results.back().accepted);
+  EXPECT_EQ(room.session.take_keyframe_requests(), (std::set<BodyId>{1}));
+  EXPECT_TRUE(room.session.take_keyframe_requests().empty());
+}
+
+TEST(Session, PiecesAreBodiesThatCanBeAskedFor) {
+  Room room;
+  room.join(presence(1, "ada"), 1);
+  Command reset = command(1, CommandKind::reset, 5);
+  reset.body = 3;
+  room.feed({from(1, reset)});
+  EXPECT_FALSE(room.results.back().accepted);
+  room.session.add_body(true);
+  reset.sequence = 6;
+  room.feed({from(1, reset)});
+  EXPECT_TRUE(room.results.back().accepted);
+}
+
 TEST(Session, CommandsAreAnsweredAndChecked) {
   Room room;
   room.join(presence(1, "ada"), 1);

@@ -51,6 +51,7 @@ Vec3 wrist_at(double time) {
 struct Stream {
   BodyId body;
   const SoftBody& soft;
+  std::shared_ptr<const SurfaceStream> shared;
   SoftSender sender;
   SoftReplica replica;
   std::deque<Motion> truth{};  // of this tick and the one before
@@ -65,7 +66,7 @@ struct Stream {
     if (truth.size() > 2) truth.pop_front();
     std::vector<Message> out;
     sender.update({body, simulation.asleep(body), 0, std::make_shared<VecX>(motion.x),
-                   std::make_shared<VecX>(motion.v)},
+                   std::make_shared<VecX>(motion.v), shared},
                   simulation.time(), false, out);
     bytes_of_tick.push_back(0);
     for (const Message& message : out) {
@@ -126,9 +127,9 @@ TEST(SoftBudget, APressedAbdomenStaysBelowTwoMegabitsAndATenthOfAMillimetre) {
   std::deque<Stream> streams;
   for (BodyId b = 0; b < simulation.body_count(); ++b) {
     if (simulation.kind(b) != BodyKind::soft) continue;
-    const SurfaceStream& stream = content.streams.at(b);
-    streams.push_back({b, simulation.soft(b), SoftSender(b, stream, rate),
-                       SoftReplica(content.scene.bodies[b], simulation.surface(b), stream.surface)});
+    const auto stream = content.surfaces.at(b).stream();
+    streams.push_back({b, simulation.soft(b), stream, SoftSender(b, rate),
+                       SoftReplica(content.scene.bodies[b], simulation.surface(b), stream->surface)});
   }
   std::mt19937_64 random(1);
   std::normal_distribution<double> noise(0, tracker_noise);
@@ -155,7 +156,7 @@ TEST(SoftBudget, APressedAbdomenStaysBelowTwoMegabitsAndATenthOfAMillimetre) {
   fmt::print("{:<14}{:>8}{:>8}{:>10}{:>14}{:>12}{:>12}\n", "body", "points", "chunks", "samples",
              "bytes/sample", "worst mm", "rms mm");
   for (const Stream& s : streams) {
-    const SurfaceStream& stream = content.streams.at(s.body);
+    const SurfaceStream& stream = *s.shared;
     const double rms =
         std::sqrt(s.sum_of_squares / static_cast<double>(std::max<std::uint64_t>(1, s.compared)));
     fmt::print("{:<14}{:>8}{:>8}{:>10}{:>14.0f}{:>12.4f}{:>12.4f}\n", simulation.name(s.body), stream.points,

@@ -86,8 +86,10 @@ TEST(SurfaceStream, ChunksAreCompact) {
 /// A block whose one end swings, as the sender sees it.
 struct Swing {
   Anatomy anatomy = test::make_block({0.2, 0.1, 0.1}, {20, 10, 10});
-  SurfaceStream stream = make_surface_stream(anatomy, 64);
-  SoftSender sender{0, stream, 60};
+  std::shared_ptr<const SurfaceStream> shared =
+      std::make_shared<const SurfaceStream>(make_surface_stream(anatomy, 64));
+  const SurfaceStream& stream = *shared;
+  SoftSender sender{0, 60};
   VecX rest = nodes_of(anatomy);
   std::uint64_t tick = 0;
 
@@ -96,8 +98,8 @@ struct Swing {
     for (Eigen::Index i = 0; i < x->size(); i += 3)
       if ((*x)[i] > 0.05) (*x)[i + 1] += amplitude * ((*x)[i] - 0.05);
     std::vector<Message> out;
-    sender.update({0, asleep, 0, x, std::make_shared<VecX>(VecX::Zero(x->size()))}, {0, ++tick}, everything,
-                  out);
+    sender.update({0, asleep, 0, x, std::make_shared<VecX>(VecX::Zero(x->size())), shared}, {0, ++tick},
+                  everything, out);
     return out;
   }
 };
