@@ -61,6 +61,19 @@ ConsoleLine give(const std::string& rest, const std::map<ParticipantId, RosterEn
   return fmt::format("nobody called \"{}\" is here", name);
 }
 
+ConsoleLine rewind(const std::string& rest, const SceneInfo& scene) {
+  const auto [name, number] = split_last(rest);
+  Command out;
+  out.kind = CommandKind::rewind;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), out.revision);
+  if (number.empty() || error != std::errc() || end != number.data() + number.size())
+    return "rewind PART REVISION: REVISION is a number of its cuts, 0 as the scene has it";
+  const auto body = body_of(scene, name);
+  if (!body) return fmt::format("the scene has no body called \"{}\"", name);
+  out.body = *body;
+  return out;
+}
+
 }  // namespace
 
 ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
@@ -76,6 +89,12 @@ ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
                                                            {"inspect", CommandKind::inspect},
                                                            {"end", CommandKind::end_inspect}};
   if (verb == "give") return give(rest, roster);
+  if (verb == "rewind") return rewind(rest, scene);
+  if (verb == "undo") {
+    Command out;
+    out.kind = CommandKind::undo;
+    return out;
+  }
   if (verb == "picture") {
     if (rest.empty()) return "picture FILE: FILE is where it goes";
     return TakePicture{rest};

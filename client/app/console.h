@@ -16,6 +16,7 @@ inline constexpr const char* console_help =
     "give NAME host|dissector|observer    (the host only)\n"
     "detach PART    attach PART    reset BODY\n"
     "inspect PART [SCALE]    end PART    (shows it SCALE times as large, out of touch)\n"
+    "undo    (your last cut)    rewind PART REVISION    (the host only)\n"
     "picture FILE    (PNG of what you see)";
 
 /// A picture to take now.

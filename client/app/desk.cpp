@@ -55,6 +55,7 @@ void Desk::take(const WindowEvent& event) {
   if (const auto* key = std::get_if<KeyEvent>(&event)) {
     if (key->key == Key::escape && key->down) closed_ = true;
     if (key->down && !key->repeat && key->key == key_of('C')) wireframes_ = !wireframes_;
+    if (key->down && !key->repeat && key->key == key_of('Z')) ask(CommandKind::undo);
     if (key->down && !key->repeat && key->key == key_of('P')) panel_request_ = pointer();
     if (key->down)
       held_keys_.insert(key->key);

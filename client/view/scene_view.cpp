@@ -92,19 +92,22 @@ void SceneView::add_room() {
 void SceneView::add_bodies(Replica& replica, double tick) {
   const auto& bodies = replica.scene()->bodies;
   for (BodyId id = 0; id < bodies.size(); ++id) {
-    auto& mesh = meshes_[id];
-    Pose pose;
+    DrawItem item{.mesh = nullptr, .pose = {}, .appearance = bodies[id].appearance};
+    std::shared_ptr<const DrawMesh> inner;
     if (bodies[id].kind == BodyKind::rigid) {
+      auto& mesh = meshes_[id];
       const RigidReplica* rigid = replica.rigid(id);
       if (!mesh) mesh = rigid_mesh(rigid->mesh, next_mesh_id_++);
-      pose = replica.rigid_pose(id, tick);
+      item.mesh = mesh;
+      item.pose = replica.rigid_pose(id, tick);
     } else {
-      SoftReplica& soft = *replica.soft(id);
-      const bool moved = soft.sample(tick, replica.tick_seconds());
-      if (!mesh) mesh = soft_mesh(soft.rest(), bodies[id].tube_diameter, next_mesh_id_++);
-      if (moved) move_soft_mesh(soft.surface(), bodies[id].tube_diameter, *mesh);
+      SoftReplica* soft = replica.soft(id);
+      if (soft == nullptr || !soft->complete()) continue;  // a new piece: still on its way
+      const SoftBodyMesh& mesh =
+          follow_soft(*soft, id, bodies[id].tube_diameter, tick, replica.tick_seconds());
+      item.mesh = mesh.outer();
+      inner = mesh.inner();
     }
-    DrawItem item{.mesh = mesh, .pose = pose, .appearance = bodies[id].appearance};
     const PartState* part = replica.part(id);
     if (part != nullptr) {
       if (part->hidden) continue;
@@ -116,9 +119,25 @@ void SceneView::add_bodies(Replica& replica, double tick) {
       if (part->lit) item.brightness = lit_brightness / std::max(replica.room_lights(), least_room_light);
       if (part->lit) add_light_shaft(item);
     }
-    if (bodies[id].part) part_items_.emplace_back(id, list_.items.size());
-    list_.items.push_back(std::move(item));
+    const auto add = [&](const DrawItem& seen) {
+      if (bodies[id].part) part_items_.emplace_back(id, list_.items.size());
+      list_.items.push_back(seen);
+    };
+    add(item);
+    if (!inner) continue;
+    item.mesh = inner;
+    item.appearance = inner_appearance(item.appearance);
+    add(item);
   }
+}
+
+SoftBodyMesh& SceneView::follow_soft(SoftReplica& soft, BodyId body, double tube_diameter, double tick,
+                                     double dt) {
+  const bool moved = soft.sample(tick, dt);
+  const auto [mesh, is_new] = soft_meshes_.try_emplace(body, soft, tube_diameter, next_mesh_id_);
+  if (is_new) next_mesh_id_ += SoftBodyMesh::meshes;
+  mesh->second.follow(soft, moved || is_new);
+  return mesh->second;
 }
 
 std::optional<BodyId> SceneView::part_at(const Ray& ray) const {
@@ -170,9 +189,12 @@ void SceneView::add_wireframes(Replica& replica, double tick) {
     const PartState* part = replica.part(id);
     if (part != nullptr && (part->hidden || part->inspected)) continue;  // out of touch
     if (bodies[id].kind == BodyKind::soft) {
-      const SoftReplica& soft = *replica.soft(id);
+      const SoftReplica* known = replica.soft(id);
+      if (known == nullptr || !known->complete()) continue;
+      const SoftReplica& soft = *known;
       const auto [wires, is_new] = wires_.try_emplace(id);
-      if (is_new) wires->second = all_edges(soft.rest().triangles);
+      if (is_new || wire_shapes_[id] != soft.shape()) wires->second = all_edges(soft.rest().triangles);
+      wire_shapes_[id] = soft.shape();
       add_wireframe(list_, wires->second,
                     [&](std::uint32_t v) -> Vec3 { return soft.surface()[v].cast<double>(); });
     } else if (const TriangleMesh* outline = replica.outline(id)) {

@@ -14,6 +14,7 @@
 #include "client/view/hand_mesh.h"
 #include "client/view/panel_view.h"
 #include "client/view/pick.h"
+#include "client/view/soft_body_mesh.h"
 #include "client/view/stereo_profile.h"
 #include "client/view/wireframe.h"
 
@@ -45,7 +46,8 @@ class SceneView {
   std::optional<BodyId> part_at(const Ray& ray) const;
 
  private:
-  std::map<BodyId, std::shared_ptr<DrawMesh>> meshes_;
+  std::map<BodyId, std::shared_ptr<DrawMesh>> meshes_;  // of rigid bodies
+  std::map<BodyId, SoftBodyMesh> soft_meshes_;
   std::map<std::pair<ParticipantId, std::size_t>, std::shared_ptr<DrawMesh>> hands_;
   // Made at once, on a thread of its own, so that no frame waits when the first hand comes.
   std::future<std::array<HandSkin, 2>> skins_to_come_ = std::async(std::launch::async, make_hand_skins);
@@ -54,6 +56,7 @@ class SceneView {
   std::shared_ptr<const DrawMesh> head_, shaft_;
   std::optional<PanelView> panel_view_;
   std::map<BodyId, Edges> wires_;
+  std::map<BodyId, std::uint64_t> wire_shapes_;             // SoftReplica::shape() that wires_ are of
   std::vector<std::pair<BodyId, std::size_t>> part_items_;  // of list_.items, the bodies' that are parts
   std::uint64_t next_mesh_id_ = 1;
   DrawList list_;
@@ -63,6 +66,7 @@ class SceneView {
   void add_room();
   void place_lights(const Replica& replica, double tick);
   void add_bodies(Replica& replica, double tick);
+  SoftBodyMesh& follow_soft(SoftReplica& soft, BodyId body, double tube_diameter, double tick, double dt);
   void add_light_shaft(const DrawItem& item);
   void add_wireframes(Replica& replica, double tick);
   void add_panels(const Replica& replica);

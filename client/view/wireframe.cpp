@@ -29,7 +29,8 @@ Edges visible_edges(const TriangleMesh& mesh) {
 Edges all_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
   std::map<std::array<std::uint32_t, 2>, bool> seen;
   for (const auto& t : triangles)
-    for (std::size_t k = 0; k < 3; ++k) seen[edge_of(t[k], t[(k + 1) % 3])] = true;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (t[k] != t[(k + 1) % 3]) seen[edge_of(t[k], t[(k + 1) % 3])] = true;
   Edges out;
   for (const auto& [edge, _] : seen) out.push_back(edge);
   return out;

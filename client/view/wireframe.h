@@ -14,7 +14,7 @@ using Edges = std::vector<std::array<std::uint32_t, 2>>;
 /// Every edge once, but those between faces of one plane.
 Edges visible_edges(const TriangleMesh& mesh);
 
-/// Every edge once.
+/// Every edge once; triangles whose corners are equal have none.
 Edges all_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 /// `place(vertex)`: m, room frame.

@@ -54,6 +54,17 @@ TEST(Console, EveryVerbTakesNamesWithSpaces) {
     }
 }
 
+TEST(Console, UndoesAndRewinds) {
+  EXPECT_EQ(command("undo").kind, CommandKind::undo);
+  const Command out = command("rewind left kidney 12");
+  EXPECT_EQ(out.kind, CommandKind::rewind);
+  EXPECT_EQ(out.body, 1u);
+  EXPECT_EQ(out.revision, 12u);
+  EXPECT_NE(refusal("rewind left kidney").find("REVISION"), std::string::npos);
+  EXPECT_NE(refusal("rewind left kidney -1").find("REVISION"), std::string::npos);
+  EXPECT_NE(refusal("rewind spleen 3").find("no body"), std::string::npos);
+}
+
 TEST(Console, InspectScalesAboutTheMiddle) {
   for (const double scale : {0.01, 0.5, 3.0, most_shape}) {
     const Command out = command("inspect left kidney " + std::to_string(scale));
