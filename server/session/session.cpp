@@ -339,8 +339,8 @@ void Session::finish_tick(std::span<const HandState> hands, const StepReport& re
   for (std::size_t i = 0; i < std::min(stepping_.size(), report.part_answers.size()); ++i)
     answer(stepping_[i], report.part_answers[i]);
   stepping_.clear();
-  for (std::size_t i = 0; i < std::min(cutting_.size(), report.cut_answers.size()); ++i)
-    answer(cutting_[i], report.cut_answers[i]);
+  for (std::size_t i = 0; i < cutting_.size(); ++i)
+    answer(cutting_[i], i < report.cut_answers.size() ? report.cut_answers[i] : "nothing has been cut");
   cutting_.clear();
   for (const LetGo& let_go : report.let_go)
     if (Participant* member = roster_.find(let_go.participant); member != nullptr)

@@ -395,6 +395,12 @@ TEST(Session, DissectorsUndoTheirOwnAndOnlyTheHostRewinds) {
   EXPECT_EQ(answers.at(22).reason, "only the host rewinds");
   EXPECT_EQ(answers.at(23).reason, "a later cut depends on it");
   EXPECT_FALSE(answers.at(24).accepted);
+
+  Command again = undo;
+  again.sequence = 25;
+  room.feed({from(2, again)});  // a step that has no answer
+  EXPECT_FALSE(room.results.back().accepted);
+  EXPECT_FALSE(room.results.back().reason.empty());
 }
 
 TEST(Session, ObserversTooAskForKeyframes) {
