@@ -321,7 +321,7 @@ struct TopologyRevision {
   bool keyframe() const { return mesh != ContentHash{}; }
 };
 
-/// server → all, best effort, keyed by (participant, hand): what a hand touches most.
+/// server → all, best effort, keyed by (participant, hand): what a hand touches most, or meets first.
 struct ContactSample {
   ParticipantId participant = 0;
   std::uint8_t hand = right_hand;
@@ -330,11 +330,11 @@ struct ContactSample {
   BodyId body = 0;
   Vec3 point = Vec3::Zero();        // room frame
   Vec3 normal = {0, 1, 0};          // out of the touched body
-  double depth = 0;                 // metres, > 0 penetrates
+  double depth = 0;                 // metres, > 0 penetrates, < 0 a gap
   double impulse = 0;               // N·s over the last tick, all contacts of this hand
   Vec3 local_point = Vec3::Zero();  // `point` in the touched body's frame; soft: where it is at rest
   Vec3 force = Vec3::Zero();        // N, mean over the last tick: what the hand does to the body
-  double impact = -1;               // s from the tick's start until they meet; < 0: not looked for
+  double impact = -1;               // s from the tick's start until they meet, 0: met before; < 0: they don't
 };
 
 /// server → all, reliable, transient-local, keyed by body: what people made of a body. Sent when it changes;

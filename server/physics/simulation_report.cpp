@@ -7,9 +7,25 @@
 namespace prosector {
 namespace {
 
+constexpr double latest_impact = 1;  // s: what would be met later is not told
+
 /// Which body a contact's side belongs to.
 BodyId body_of(const ContactSide& side, std::size_t rigid_count) {
   return static_cast<BodyId>(side.kind == ContactSide::Kind::soft ? rigid_count + side.body : side.body);
+}
+
+/// m/s, at the tick's end.
+Vec3 velocity_of(const ContactSide& side, const RigidWorld& world, const std::vector<SoftBodyState>& soft,
+                 double h) {
+  if (side.kind == ContactSide::Kind::fixed) return side.moved / h;
+  if (side.kind == ContactSide::Kind::rigid) {
+    const RigidMotion motion = world.motion(side.body);
+    return motion.linear_velocity + motion.angular_velocity.cross(side.arm);
+  }
+  Vec3 v = Vec3::Zero();
+  for (std::size_t k = 0; k < side.nodes; ++k)
+    v += side.weight[k] * soft[side.body].motion.v.segment<3>(3 * static_cast<Eigen::Index>(side.node[k]));
+  return v;
 }
 
 }  // namespace
@@ -75,30 +91,39 @@ std::vector<Exchange> Simulation::Impl::exchanges() const {
   return out;
 }
 
-/// Adds one contact of a hand: impulses and forces sum up, the rest is of the strongest.
+/// Of what presses, impulses and forces sum up, and the rest is of the strongest; where nothing does, it is
+/// of what is met first if all goes on as it does at the tick's end.
 void Simulation::Impl::note(ContactSample& sample, const Contact& c, bool hand_is_b,
                             double& strongest) const {
-  if (!(c.force > 0)) return;
-  sample.impulse += c.force * model.h;
-  sample.force += hand_is_b ? c.exchanged : Vec3(-c.exchanged);
-  if (c.force <= strongest) return;
-  strongest = c.force;
-  const ContactSide& touched = hand_is_b ? c.a : c.b;
-  sample.touching = true;
-  sample.body = body_of(touched, model.rigid.size());
+  const double gap = c.gap + c.rest;
+  if (c.force > 0) {
+    sample.impulse += c.force * model.h;
+    sample.force += hand_is_b ? c.exchanged : Vec3(-c.exchanged);
+    if (c.force <= strongest) return;
+    strongest = c.force;
+    sample.touching = true;
+    sample.depth = c.force / c.stiffness - c.rest;
+    sample.impact = gap > 0 ? model.h * gap / (gap + sample.depth) : 0;
+  } else {
+    const double closing =
+        -c.normal.dot(velocity_of(c.a, world, soft, model.h) - velocity_of(c.b, world, soft, model.h));
+    if (sample.touching || gap <= 0 || gap > latest_impact * closing) return;
+    const double impact = gap / closing;
+    if (sample.impact >= 0 && impact >= sample.impact) return;
+    sample.depth = closing * model.h - gap;
+    sample.impact = impact;
+  }
+  const ContactSide& met = hand_is_b ? c.a : c.b;
+  sample.body = body_of(met, model.rigid.size());
   sample.point = c.point;
   sample.normal = hand_is_b ? Vec3(-c.normal) : c.normal;
-  sample.depth = c.force / c.stiffness;
-  const double closed = c.gap + sample.depth;  // m, over the tick
-  sample.impact = c.gap > 0 ? model.h * c.gap / closed : 0;
   sample.local_point.setZero();
-  if (touched.kind == ContactSide::Kind::soft)
-    for (std::size_t k = 0; k < touched.nodes; ++k)
-      sample.local_point += touched.weight[k] * model.soft[touched.body]->rest().segment<3>(
-                                                    3 * static_cast<Eigen::Index>(touched.node[k]));
-  else if (touched.body < model.rigid.size())
-    sample.local_point =
-        model.rigid[touched.body].center * (colliders[touched.body].pose.inverse() * c.point);
+  if (met.kind == ContactSide::Kind::soft)
+    for (std::size_t k = 0; k < met.nodes; ++k)
+      sample.local_point +=
+          met.weight[k] * model.soft[met.body]->rest().segment<3>(3 * static_cast<Eigen::Index>(met.node[k]));
+  else if (met.body < model.rigid.size())
+    sample.local_point = model.rigid[met.body].center * (colliders[met.body].pose.inverse() * c.point);
 }
 
 void Simulation::Impl::describe_hands() {
