@@ -153,33 +153,42 @@ const ShaderProgram& MainPass::ready(const QueuedItem& queued, Frame& frame) {
   return *program;
 }
 
-void MainPass::draw_solid(const QueuedItem& queued, Frame& frame) {
+/// Calls draw() for its front, and first for its inside where that is seen.
+template <class Draw>
+void MainPass::draw_sides(const QueuedItem& queued, Frame& frame, const Draw& draw) {
   const ShaderProgram& program = ready(queued, frame);
   const DrawItem& item = *queued.item;
   const bool mirrored = item.shape.A.determinant() < 0;
-  if (mirrored) gl_.CullFace(GL_FRONT);
-  frame.meshes.draw(queued.mesh);
   if (item.seen_from_inside) {
-    program.set("room_from_normal", Eigen::Matrix4d(-matrix_of(normal_map(item))));
+    const Eigen::Matrix4d normals = matrix_of(normal_map(item));
+    program.set("room_from_normal", Eigen::Matrix4d(-normals));
     gl_.CullFace(mirrored ? GL_BACK : GL_FRONT);
-    frame.meshes.draw(queued.mesh);
+    draw();
+    program.set("room_from_normal", normals);
   }
+  gl_.CullFace(mirrored ? GL_FRONT : GL_BACK);
+  draw();
   gl_.CullFace(GL_BACK);
+}
+
+void MainPass::draw_solid(const QueuedItem& queued, Frame& frame) {
+  draw_sides(queued, frame, [&] { frame.meshes.draw(queued.mesh); });
 }
 
 /// First its depth alone, so that of a body only the front is seen, not its inside and its back.
 void MainPass::draw_clear(const QueuedItem& queued, Frame& frame) {
-  ready(queued, frame);
-  gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  frame.meshes.draw(queued.mesh);
-  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl_.DepthFunc(GL_LEQUAL);
-  gl_.Enable(GL_BLEND);
-  gl_.BlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
-  gl_.BlendColor(0, 0, 0, static_cast<float>(std::clamp(queued.item->opacity, 0.0, 1.0)));
-  frame.meshes.draw(queued.mesh);
-  gl_.Disable(GL_BLEND);
-  gl_.DepthFunc(GL_LESS);
+  draw_sides(queued, frame, [&] {
+    gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    frame.meshes.draw(queued.mesh);
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.DepthFunc(GL_LEQUAL);
+    gl_.Enable(GL_BLEND);
+    gl_.BlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+    gl_.BlendColor(0, 0, 0, static_cast<float>(std::clamp(queued.item->opacity, 0.0, 1.0)));
+    frame.meshes.draw(queued.mesh);
+    gl_.Disable(GL_BLEND);
+    gl_.DepthFunc(GL_LESS);
+  });
 }
 
 void MainPass::draw_shaft(const QueuedItem& queued, Frame& frame) {

@@ -29,6 +29,8 @@ class MainPass {
 
   const ShaderProgram& program_for(const Defines& defines);
   const ShaderProgram& ready(const QueuedItem& queued, Frame& frame);
+  template <class Draw>
+  void draw_sides(const QueuedItem& queued, Frame& frame, const Draw& draw);
   void draw_solid(const QueuedItem& queued, Frame& frame);
   void draw_clear(const QueuedItem& queued, Frame& frame);
   void draw_shaft(const QueuedItem& queued, Frame& frame);

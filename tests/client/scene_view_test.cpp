@@ -1,0 +1,241 @@
+// What people see of what the server tells, from message to picture.
+
+#include "client/view/scene_view.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "client/render/projection.h"
+#include "client/view/camera.h"
+#include "common/asset.h"
+#include "common/panel.h"
+#include "tests/client/picture.h"
+
+namespace prosector {
+namespace {
+
+using namespace test;
+
+SceneBody body_of(const std::string& name, const Vec3& at, const Asset& mesh) {
+  SceneBody body;
+  body.name = name;
+  body.pose.p = at;
+  body.mesh = mesh.hash;
+  return body;
+}
+
+PartDesc solid(const std::string& shape, const Vec3& size) {
+  PartDesc part;
+  part.shape = shape;
+  part.size = size;
+  return part;
+}
+
+/// A client: what it was told, and what it sees.
+class Client {
+ public:
+  Client() {
+    const std::vector<PartDesc> solids = {solid("box", {0.9, 0.04, 0.9}), solid("box", {0.1, 0.04, 0.1}),
+                                          solid("sphere", {0.2, 0.2, 0.2})};
+    for (const PartDesc& part : solids) meshes_.push_back(encode(mesh_of(part)));
+    scene.bodies = {body_of("table", {0, 0.98, 0}, meshes_[0]), body_of("lamp", {-0.25, 2, 0}, meshes_[1]),
+                    body_of("part", {0, 1.2, 0}, meshes_[2])};
+    scene.bodies[1].moves = true;
+    scene.camera = {{0, 1.8, 0.8}, {0, 1, 0}, 0.9};
+  }
+
+  void tell(const Message& message) { replica_.apply({message, Liveness::alive, 1, 1}); }
+
+  /// After the scene is as it should be.
+  void join() {
+    tell(SessionInfo{});
+    tell(scene);
+    for (const Asset& a : meshes_)
+      tell(AssetChunk{a.hash, 0, 1, static_cast<std::uint32_t>(a.bytes.size()), a.bytes});
+    ASSERT_TRUE(replica_.complete()) << replica_.missing();
+  }
+
+  const DrawList& list(double tick, const ViewSettings& settings, const LocalUser& self = {}) {
+    return view_.build(replica_, tick, self, settings);
+  }
+  Image picture(double tick, const ViewSettings& settings, const LocalUser& self = {}) {
+    if (!renderer_) {
+      context_ = make_offscreen_context(settings.width, settings.height);
+      renderer_ = std::make_unique<Renderer>(*context_, default_shader_dir());
+    }
+    renderer_->draw(list(tick, settings, self));
+    return renderer_->read_pixels();
+  }
+
+  SceneInfo scene;
+
+ private:
+  std::vector<Asset> meshes_;
+  Replica replica_;
+  SceneView view_;
+  std::unique_ptr<GlContext> context_;  // of the first picture's size
+  std::unique_ptr<Renderer> renderer_;
+};
+
+ViewSettings plain(int width, int height) {
+  ViewSettings settings;
+  settings.width = width;
+  settings.height = height;
+  settings.overlay = false;
+  return settings;
+}
+
+constexpr BodyId lamp_body = 1, part_body = 2;
+
+/// Mean luminance of 5 × 5 pixels around a point of the room.
+double brightness(const Image& image, const DrawCamera& camera, const Vec3& point) {
+  const Eigen::Vector4d clip = view_projection_of(camera) * point.homogeneous();
+  const int x = static_cast<int>((clip.x() / clip.w() + 1) / 2 * image.width);
+  const int y = static_cast<int>((1 - clip.y() / clip.w()) / 2 * image.height);
+  double sum = 0;
+  for (int dy = -2; dy <= 2; ++dy)
+    for (int dx = -2; dx <= 2; ++dx) sum += luminance(image.pixel(x + dx, y + dy));
+  return sum / 25;
+}
+
+TEST(SceneView, TheLampsLightGoesAlongWithIt) {
+  Client client;
+  client.scene.bodies.pop_back();
+  LightInfo light;
+  light.kind = LightKind::spot;
+  light.body = lamp_body;
+  light.position = {0, -0.03, 0};
+  light.cone = 0.18;  // a circle of 0.17 m on the table
+  light.intensity = 2;
+  client.scene.lights = {light};
+  client.join();
+  const ViewSettings settings = plain(320, 240);
+  const DrawCamera camera = client.list(1, settings).cameras.front();
+  const Image before = client.picture(1, settings);
+  RigidState moved;
+  moved.body = lamp_body;
+  moved.time = {0, 10};
+  moved.pose.p = {0.25, 2, 0};
+  client.tell(moved);
+  const Image after = client.picture(10, settings);
+  const Vec3 left(-0.25, 1, 0), right(0.25, 1, 0), aside(0, 1, 0.3);
+  const auto at = [&](const Image& image, const Vec3& point) { return brightness(image, camera, point); };
+  EXPECT_GT(at(before, left), 1.8 * at(before, right));  // as coded for the eye: over 3 times as much light
+  EXPECT_GT(at(after, right), 1.8 * at(after, left));
+  EXPECT_NEAR(at(after, right), at(before, left), 0.1 * at(before, left));
+  EXPECT_NEAR(at(after, left), at(before, right), 0.1 * at(before, left));
+  EXPECT_NEAR(at(after, aside), at(before, aside), 1) << "where it shone neither before nor after";
+  // Turned, it shines where it points to.
+  moved.time = {0, 20};
+  moved.pose.q = Quat(Eigen::AngleAxisd(-std::atan(0.5 / 0.97), Vec3::UnitZ()));
+  client.tell(moved);
+  EXPECT_GT(at(client.picture(20, settings), left), 1.8 * at(after, left));
+}
+
+/// Of all pixels, the least by which red exceeds green.
+int least_redness(const Image& image) {
+  int least = 255;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      least = std::min(least, image.pixel(x, y)[0] - image.pixel(x, y)[1]);
+  return least;
+}
+
+// A hole (a face that is culled, or cut off by the near plane) would show the room, which is grey.
+TEST(SceneView, AHeadInsideAPartSeesNothingButItsInside) {
+  constexpr double scale = 6, radius = 0.1 * scale;
+  const Vec3 middle(0, 1.2, -1.2);  // so that nothing else is in it
+  for (const Surface surface : {Surface::tissue})
+    for (const double opacity : {1.0, 0.6})
+      for (const double mirror : {1.0, -1.0}) {
+        Client client;
+        client.scene.bodies[part_body].part = true;
+        client.scene.bodies[part_body].pose.p = middle;
+        client.scene.bodies[part_body].appearance = {{0.8, 0.1, 0.1}, 0.6, 0, surface};
+        LightInfo light;
+        light.position = middle;
+        light.intensity = 0.5;
+        client.scene.lights = {light};
+        client.join();
+        ViewSettings settings = plain(64, 64);
+        settings.eye = look_at(middle, middle + Vec3::UnitX());
+        EXPECT_LT(least_redness(client.picture(1, settings)), 10) << "not yet inspected: seen through";
+        PartState state;
+        state.body = part_body;
+        state.inspected = true;
+        state.opacity = opacity;
+        state.shape.A = scale * Vec3(mirror, 1, 1).asDiagonal().toDenseMatrix();
+        state.shape.p = middle - state.shape.A * middle;
+        client.tell(state);
+        // In the middle, and with the eyes as near its wall as those of a head whose temple touches it.
+        for (const double from_wall : {radius, 0.05})
+          for (const Vec3& ahead : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0),
+                                    Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
+            const Vec3 eye = middle + (radius - from_wall) * Vec3(1, 0.3, 0.2).normalized();
+            settings.eye = look_at(eye, eye + ahead);
+            EXPECT_GT(least_redness(client.picture(1, settings)), 10)
+                << "opacity " << opacity << ", " << from_wall << " m from the wall, towards "
+                << ahead.transpose();
+          }
+      }
+}
+
+struct Columns {
+  int first = 1 << 20, last = -1;
+};
+
+/// Where two pictures differ, in columns of each half.
+std::array<Columns, 2> difference(const Image& a, const Image& b) {
+  std::array<Columns, 2> out;
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x) {
+      if (std::abs(luminance(a.pixel(x, y)) - luminance(b.pixel(x, y))) < 8) continue;
+      Columns& eye = out[static_cast<std::size_t>(2 * x / a.width)];
+      eye.first = std::min(eye.first, x % (a.width / 2));
+      eye.last = std::max(eye.last, x % (a.width / 2));
+    }
+  return out;
+}
+
+// Its rims lie e·(1/Z − 1/D) apart in tangents: crossed before the distance of convergence, uncrossed beyond.
+TEST(SceneView, BothEyesSeeThePanelWithTheDisparityOfItsDistance) {
+  StereoProfile profile;
+  Client client;
+  LightInfo light;
+  light.position = {0, 2, 1};
+  client.scene.lights = {light};
+  client.join();
+  LocalUser self;
+  self.participant = 7;
+  self.present = true;
+  self.input.head_tracked = true;
+  self.input.head = look_at({0, 1.6, 0.8}, {0, 1.6, 0});
+  ViewSettings settings = plain(profile.picture_width(), profile.picture_height());
+  settings.stereo = profile;
+  for (const double depth : {0.5, 0.6, 0.9}) {
+    Panel panel;
+    panel.participant = self.participant;
+    panel.body = part_body;
+    panel.pose = {self.input.head * Vec3(0, 0, -depth), self.input.head.q};
+    client.tell(panel);
+    const Image without = client.picture(1, settings, self);
+    panel.open = true;
+    client.tell(panel);
+    const Image with = client.picture(1, settings, self);
+    const auto [left, right] = difference(without, with);
+    const double pixels =
+        profile.eye_width / (2 * std::tan(profile.fov_horizontal / 2));  // of a tangent of 1
+    const double expected = profile.eye_distance * (1 / depth - 1 / profile.convergence) * pixels;
+    // Each rim falls on whole pixels, and may be one off by how it stands out from what is behind.
+    EXPECT_NEAR(left.first - right.first, expected, 2) << depth;
+    EXPECT_NEAR(left.last - right.last, expected, 2) << depth;
+    for (const Columns& eye : {left, right})
+      EXPECT_NEAR(eye.last - eye.first, panel_width / depth * pixels, 0.03 * panel_width / depth * pixels);
+  }
+}
+
+}  // namespace
+}  // namespace prosector
