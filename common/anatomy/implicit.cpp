@@ -114,6 +114,14 @@ double capsule(const Vec3& x) {
   return limb(x, {0, -0.05, 0}, {0, 0.05, 0}, 0.025, 0.025);
 }
 
+// Two arms along x, joined by half a ring.
+double horseshoe(const Vec3& x) {
+  constexpr double bend = 0.03, arm = 0.09, radius = 0.015;
+  const Vec3 q(x.x() + 0.03, x.y(), x.z());
+  const double in_plane = q.x() < 0 ? std::hypot(q.x(), q.y()) - bend : std::abs(q.y()) - bend;
+  return Vec3(std::max(q.x() - arm, 0.0), in_plane, q.z()).norm() - radius;
+}
+
 const ImplicitShape& find(std::string_view name) {
   std::vector<std::string_view> names;
   for (const ImplicitShape& s : implicit_shapes()) {
@@ -157,6 +165,7 @@ const std::vector<ImplicitShape>& implicit_shapes() {
       {"beam", "a bar along x with rounded edges", {0.4, 0.1, 0.1}, beam},
       {"cylinder", "a cylinder along y with rounded edges", {0.1, 0.1, 0.1}, cylinder},
       {"capsule", "a capsule along y", {0.05, 0.15, 0.05}, capsule},
+      {"horseshoe", "a bent bar, open towards +x", {0.15, 0.09, 0.03}, horseshoe},
   };
   return table;
 }

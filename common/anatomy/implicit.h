@@ -19,7 +19,7 @@ struct ImplicitShape {
   double (*value)(const Vec3& x);
 };
 
-/// The table: liver, kidney, gallbladder, femur, foot, block, ball, beam, cylinder, capsule.
+/// The table: liver, kidney, gallbladder, femur, foot, block, ball, beam, cylinder, capsule, horseshoe.
 const std::vector<ImplicitShape>& implicit_shapes();
 
 /// The shape called `name`, scaled to a bounding box of `size` metres, centred at the origin. Throws

@@ -150,8 +150,9 @@ class Checker {
     if (soft.label >= 0 && soft.volume.empty()) fail(body, "label", "label needs a volume");
     if (soft.fiber_direction.isZero(1e-9)) fail(body, "fiber_direction", "fiber_direction is zero");
     check_fidelity(soft, body);
-    if (soft.self_contact && (soft.shape != "sheet" || soft.collision != "mesh"))
-      fail(body, "self_contact", "self_contact is for sheets that collide as mesh");
+    if (soft.self_contact && soft.collision != "mesh")
+      fail(body, "self_contact",
+           fmt::format("self_contact is for what collides as mesh: collision is \"{}\"", soft.collision));
     if (soft.shape == "rope" && soft.collision == "hull")
       fail(body, "collision",
            "a rope has no triangles to be in the hull of: must be one of none, sphere, aabb, obb, mesh");

@@ -14,7 +14,8 @@ constexpr Range scale{0, 1e6, true};
 
 /// Shapes that common/anatomy can make by itself.
 std::vector<std::string_view> implicit_shapes() {
-  return {"liver", "kidney", "gallbladder", "femur", "foot", "block", "ball", "beam", "cylinder", "capsule"};
+  return {"liver", "kidney", "gallbladder", "femur",   "foot",     "block",
+          "ball",  "beam",   "cylinder",    "capsule", "horseshoe"};
 }
 
 /// Also those that aren't solid.
@@ -424,7 +425,7 @@ const Table& soft_table() {
         "what it collides as: its triangles (mesh); the ball, box (aabb: along the room's axes; obb: "
         "along its own) or hull around them, fitted anew in each tick, that makes no dents; or nothing");
     t.fields.push_back(plain<S, &S::self_contact>(
-        "self_contact", "true: a sheet that doesn't pass through itself where it folds"));
+        "self_contact", "true: it doesn't pass through itself where it folds; collision must be mesh"));
     add_pose<S>(t.fields, "the mesh's origin, or the volume's or shape's centre, in the room");
     add_fallback_pose<S>(t.fields);
     add_appearance<S>(t.fields);

@@ -12,6 +12,7 @@
 #include "server/physics/contact/layers.h"
 #include "server/physics/contact/memory.h"
 #include "server/physics/contact/rough_shape.h"
+#include "server/physics/contact/self_surface.h"
 #include "server/physics/contact/shape_touch.h"
 #include "server/physics/contact/soft_meeting.h"
 #include "server/physics/contact/surface_detector.h"
@@ -67,7 +68,8 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<char> faces_moved;                      // per soft body: they are where its surface is
   std::vector<std::vector<Contact>> soft_contacts;    // per soft body: with rigid ones
   BroadPhase soft_boxes;                              // of soft bodies that collide, by index
-  std::vector<std::optional<ElementSurface>> layers;  // per soft body: of those that may meet as layers
+  std::vector<std::optional<SelfSurface>> folds;      // per soft body: of solids that meet themselves
+  std::vector<std::optional<ElementSurface>> layers;  // per soft body: of thin ones that may meet as layers
   std::vector<char> layers_moved;                     // per soft body, as faces_moved
   std::vector<int> passed_through;                    // per soft body: elements that a layer has passed
   std::vector<SoftPair> soft_pairs;                   // ascending, those with contacts
@@ -184,6 +186,9 @@ struct Simulation::Impl : PanelSubjects {
   double pair_stiffness(std::size_t a, std::size_t b, std::uint32_t vertex_of_a) const;
   /// Appends where the two come within `margin` of each other; whether there was any.
   bool add_pair_contacts(std::size_t a, std::size_t b, double margin, std::vector<Contact>& out);
+  /// Whether the two sides, `gap` m apart now, may come together within the tick.
+  bool nears(const Contact& contact, double gap) const;
+  bool add_self_contacts(std::size_t body, double margin, std::vector<Contact>& out);
   // Of layers:
   void add_layers();
   bool has_layers() const;               // a body that may meet so, and sides to remember

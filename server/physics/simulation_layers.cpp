@@ -1,4 +1,6 @@
-// Phase 3, for bodies against themselves.
+// Phase 3, for thin bodies against each other and for any against itself.
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -40,9 +42,25 @@ bool Simulation::Impl::is_thin(std::size_t body) const {
 }
 
 void Simulation::Impl::add_layers() {
+  const auto meets = [&](std::size_t i, std::size_t j) {
+    const SoftCollision &a = model.soft_collision[i], &b = model.soft_collision[j];
+    if (!is_thin(i) || !is_thin(j) || a.fidelity != Fidelity::mesh || b.fidelity != Fidelity::mesh)
+      return false;
+    return i == j ? a.with_itself : may_touch(a.mask, b.mask);
+  };
   for (std::size_t i = 0; i < soft.size(); ++i) {
     layers.emplace_back();
-    if (model.soft_collision[i].with_itself) layers.back().emplace(model.soft[i]->anatomy());
+    folds.emplace_back();
+    const Anatomy& anatomy = model.soft[i]->anatomy();
+    if (model.soft_collision[i].with_itself && !is_thin(i)) {
+      if (!faces[i]->topology().closed())
+        throw InputError(
+            fmt::format("[[soft]] \"{}\": self_contact needs a surface without holes, that has an inside",
+                        model.soft[i]->desc().name));
+      folds.back().emplace(anatomy);
+    }
+    for (std::size_t j = 0; j < soft.size() && !layers.back(); ++j)
+      if (meets(i, j)) layers.back().emplace(anatomy);
   }
   layers_moved.resize(soft.size());
   passed_through.resize(soft.size());
@@ -58,6 +76,27 @@ const ElementSurface& Simulation::Impl::layers_of(std::size_t body) {
   return *layers[body];
 }
 
+bool Simulation::Impl::nears(const Contact& contact, double gap) const {
+  const SoftBodyState &a = soft[contact.a.body], &b = soft[contact.b.body];
+  // What settles has no speed yet comes nearer by whole steps.
+  if (gap <= contact_margin || (a.motion.v.isZero(0) && b.motion.v.isZero(0))) return true;
+  const Vec3 apart = velocity_of(a, contact.a) - velocity_of(b, contact.b);
+  const double nearing = hurry * std::max(0.0, -apart.dot(contact.normal)) + turning * apart.norm();
+  return gap <= contact_margin + model.h * nearing;
+}
+
+bool Simulation::Impl::add_self_contacts(std::size_t body, double margin, std::vector<Contact>& out) {
+  const std::size_t before = out.size();
+  folds[body]->find(skin(body), margin, meetings);
+  for (const VertexMeeting& meeting : meetings) {
+    Contact c = pair_contact(body, body, meeting);
+    c.gap = std::max(c.gap, -opening_speed * model.h);
+    out.push_back(c);
+  }
+  meetings.clear();
+  return out.size() > before;
+}
+
 bool Simulation::Impl::add_layer_contacts(std::size_t a, std::size_t b, double margin,
                                           std::vector<Contact>& out) {
   if (b < a) return add_layer_contacts(b, a, margin, out);
@@ -66,8 +105,7 @@ bool Simulation::Impl::add_layer_contacts(std::size_t a, std::size_t b, double m
   search.thickness = skin_of(a) + skin_of(b);
   search.margin = margin;
   const SoftDesc& desc = model.soft[a]->desc();
-  search.apart_at_rest = std::max(cells_apart * (is_thin(a) ? desc.cell : desc.surface_cell),
-                                  thicknesses_apart * search.thickness);
+  search.apart_at_rest = std::max(cells_apart * desc.cell, thicknesses_apart * search.thickness);
   std::vector<LayerMeeting> found;
   std::vector<LayerSide>& sides = layer_sides[{a, b}];
   const int passed = find_layers(of_a, of_b, search, sides, found);
@@ -75,26 +113,22 @@ bool Simulation::Impl::add_layer_contacts(std::size_t a, std::size_t b, double m
   if (a != b) passed_through[b] += passed;
   if (sides.empty()) layer_sides.erase({a, b});
   const std::size_t before = out.size();
-  // What settles has no speed yet comes nearer by whole steps.
-  const bool settles = soft[a].motion.v.isZero(0) && soft[b].motion.v.isZero(0);
   for (const LayerMeeting& meeting : found) {
     Contact c = pair_contact(a, b, meeting.normal, meeting.gap);
     of_a.add(meeting.a, meeting.weights_a, c.a);
     of_b.add(meeting.b, meeting.weights_b, c.b);
-    const Vec3 apart = velocity_of(soft[a], c.a) - velocity_of(soft[b], c.b);
-    const double nearing = hurry * std::max(0.0, -apart.dot(meeting.normal)) + turning * apart.norm();
-    if (!settles && meeting.gap > contact_margin + model.h * nearing) continue;
+    if (!nears(c, meeting.gap)) continue;
     c.gap = std::max(c.gap, -opening_speed * model.h);
     c.point = at(of_a.now(meeting.a), meeting.weights_a);
     c.stiffness = 0;
     for (std::size_t k = 0; k < 3; ++k)
       c.stiffness +=
           meeting.weights_a[static_cast<Eigen::Index>(k)] * pair_stiffness(a, b, of_a.corners(meeting.a)[k]);
-    if (is_thin(a)) {
-      const double mass = 1 / (lightness(*model.soft[a], c.a) + lightness(*model.soft[b], c.b));
-      c.stiffness = std::min(c.stiffness, firmness * mass / (model.h * model.h));
-    }
-    if (a == b) c.friction = 0;
+    const double mass = 1 / (lightness(*model.soft[a], c.a) + lightness(*model.soft[b], c.b));
+    c.stiffness = std::min(c.stiffness, firmness * mass / (model.h * model.h));
+    c.feature = of_a.feature(meeting.a, meeting.weights_a);
+    c.met = of_b.feature(meeting.b, meeting.weights_b);
+    recall(find(memories[a], c.b, c.feature, c.met), c);
     out.push_back(c);
   }
   return out.size() > before;

@@ -78,9 +78,10 @@ Contact Simulation::Impl::pair_contact(std::size_t a, std::size_t b, const Verte
 
 bool Simulation::Impl::add_pair_contacts(std::size_t a, std::size_t b, double margin,
                                          std::vector<Contact>& out) {
-  if (a == b) return add_layer_contacts(a, b, margin, out);
-  if (!outer_box(a).grown(margin).overlaps(outer_box(b))) return false;
+  if (a == b && !is_thin(a)) return add_self_contacts(a, margin, out);
+  if (a != b && !outer_box(a).grown(margin).overlaps(outer_box(b))) return false;
   if (rough[a] || rough[b]) return add_rough_pair_contacts(a, b, margin, out);
+  if (layers[a] && layers[b]) return add_layer_contacts(a, b, margin, out);
   const std::size_t before = out.size();
   const SoftSkin first = skin(a), second = skin(b);
   const auto add = [&](std::size_t from, std::size_t to) {
@@ -139,7 +140,9 @@ void Simulation::Impl::detect_soft_pairs() {
     pair.a = a;
     pair.b = b;
     pair.contacts.clear();
-    const double reach = std::min(most_reach, a == b ? inner_reach_of(a) : reach_of(a) + reach_of(b));
+    // Of a solid that hits something the one part stops and the other goes on.
+    const double nearing = a == b && is_thin(a) ? inner_reach_of(a) : reach_of(a) + reach_of(b);
+    const double reach = std::min(most_reach, nearing);
     if (add_pair_contacts(a, b, contact_margin + reach, pair.contacts)) ++used;
   }
   soft_pairs.resize(used);

@@ -73,12 +73,14 @@ SoftBodyState read_soft(ByteReader& in, const SoftBodyState& like) {
   return state;
 }
 
-void add(ByteWriter& out, const ContactMemories& memories) {
+/// `layers`: whether some may be of layers; scenes without keep the hashes that they had.
+void add(ByteWriter& out, const ContactMemories& memories, bool layers) {
   out.add(static_cast<std::uint64_t>(memories.size()));
   for (const ContactMemory& m : memories) {
     out.add(static_cast<std::uint8_t>(m.soft));
     out.add(static_cast<std::uint64_t>(m.body));
     out.add(m.feature);
+    if (layers) out.add(m.met);
     out.add(m.grip);
     out.add(m.force);
     out.add(m.normal);
@@ -87,7 +89,7 @@ void add(ByteWriter& out, const ContactMemories& memories) {
   }
 }
 
-ContactMemories read_memories(ByteReader& in, std::size_t features) {
+ContactMemories read_memories(ByteReader& in, std::size_t features, bool layers) {
   ContactMemories memories;
   for (std::size_t left = in.count(most_memories); left > 0; --left) {
     ContactMemory& m = memories.emplace_back();
@@ -95,6 +97,7 @@ ContactMemories read_memories(ByteReader& in, std::size_t features) {
     m.body = in.number<std::uint64_t>();
     m.feature = in.number<std::uint32_t>();
     in.require(m.feature < features, "a contact of a surface that isn't there");
+    if (layers) m.met = in.number<std::uint32_t>();
     m.grip = in.vector();
     m.force = in.number<double>();
     m.normal = in.vector();
@@ -228,7 +231,7 @@ void Simulation::Impl::save(ByteWriter& out) const {
   out.add(time.tick);
   for (std::size_t slot = 0; slot < model.rigid.size(); ++slot) add(out, world.motion(slot));
   for (const SoftBodyState& state : soft) add(out, state);
-  for (const ContactMemories& of_body : memories) add(out, of_body);
+  for (const ContactMemories& of_body : memories) add(out, of_body, has_layers());
   out.add(static_cast<std::uint64_t>(hands.size()));
   for (const Hand& hand : hands) {
     add(out, hand);
@@ -255,10 +258,11 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
   std::vector<SoftBodyState> new_soft;
   for (const SoftBodyState& state : soft) new_soft.push_back(read_soft(in, state));
   std::vector<ContactMemories> new_memories;
-  for (const auto& body : model.soft) {
-    const TriangleMesh& surface = body->anatomy().surface;
+  for (std::size_t i = 0; i < soft.size(); ++i) {
+    const TriangleMesh& surface = model.soft[i]->anatomy().surface;
+    const std::size_t features = surface.positions.size() + surface.triangles.size() + most_corners;
     new_memories.push_back(
-        read_memories(in, surface.positions.size() + surface.triangles.size() + most_corners));
+        read_memories(in, std::max(features, layers[i] ? layers[i]->features() : 0), has_layers()));
   }
   std::vector<Hand> new_hands(in.count(most_hands));
   for (Hand& hand : new_hands) {

@@ -27,9 +27,25 @@ std::vector<Triangle> boundary(const TetMesh& mesh) {
   return out;
 }
 
+void drop_loose_nodes(TetMesh& mesh) {
+  std::vector<std::uint32_t> place(mesh.positions.size(), 0);
+  for (const auto& tet : mesh.tets)
+    for (const std::uint32_t node : tet) place[node] = 1;
+  std::uint32_t kept = 0;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (place[i] == 0) continue;
+    mesh.positions[kept] = mesh.positions[i];
+    place[i] = kept++;
+  }
+  mesh.positions.resize(kept);
+  for (auto& tet : mesh.tets)
+    for (std::uint32_t& node : tet) node = place[node];
+}
+
 }  // namespace
 
-Anatomy make_block(const Vec3& size, const std::array<int, 3>& cells) {
+Anatomy make_block(const Vec3& size, const std::array<int, 3>& cells,
+                   const std::function<bool(int, int, int)>& hollow) {
   Anatomy out;
   const auto [nx, ny, nz] = cells;
   const auto node = [&, nx = nx, ny = ny](int i, int j, int k) {
@@ -43,6 +59,7 @@ Anatomy make_block(const Vec3& size, const std::array<int, 3>& cells) {
   for (int k = 0; k < nz; ++k)
     for (int j = 0; j < ny; ++j)
       for (int i = 0; i < nx; ++i) {
+        if (hollow && hollow(i, j, k)) continue;
         std::array<int, 3> axes = {0, 1, 2};
         do {
           std::array<int, 3> at = {i, j, k};
@@ -58,6 +75,7 @@ Anatomy make_block(const Vec3& size, const std::array<int, 3>& cells) {
           out.tets.tets.push_back(tet);
         } while (std::next_permutation(axes.begin(), axes.end()));
       }
+  drop_loose_nodes(out.tets);
   std::map<std::uint32_t, std::uint32_t> vertex;
   for (Triangle t : boundary(out.tets)) {
     for (std::uint32_t& corner : t) {
@@ -107,6 +125,7 @@ CompileOptions options(int threads) {
   CompileOptions out;
   out.threads = threads;
   out.anatomy = [](const SoftDesc& desc) -> std::optional<Anatomy> {
+    if (desc.shape == "sheet" || desc.shape == "rope") return std::nullopt;
     std::array<int, 3> cells;
     for (std::size_t a = 0; a < 3; ++a)
       cells[a] =

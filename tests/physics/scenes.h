@@ -1,12 +1,16 @@
 #pragma once
 // Small scenes in code, and a block of tetrahedra to fill them.
 
+#include <functional>
+
 #include "server/physics/simulation.h"
 
 namespace prosector::test {
 
 /// A box around the origin in cells of six tetrahedra; its surface is its boundary.
-Anatomy make_block(const Vec3& size, const std::array<int, 3>& cells);
+/// Without the cells that are `hollow`.
+Anatomy make_block(const Vec3& size, const std::array<int, 3>& cells,
+                   const std::function<bool(int, int, int)>& hollow = {});
 
 /// The table: its top at y = 0.
 RigidDesc table();
@@ -15,7 +19,7 @@ RigidDesc part_body(const std::string& name, const std::string& shape, const Vec
 /// A block on the table, E = 5.4 kPa; 0.1 × 0.06 × 0.1 m, standing on y = 0.
 SoftDesc block(const std::string& name = "block");
 
-/// Fills every soft body that has shape "block" with cells of about `desc.cell`.
+/// Fills every soft body but sheets and ropes, whatever its shape, with a box of cells of about `desc.cell`.
 CompileOptions options(int threads = 1);
 
 /// Steps `ticks` times with the same input after the events of the first.

@@ -72,7 +72,8 @@ TEST(SceneErrors, CollisionOfBodies) {
   const std::pair<const char*, const char*> cases[] = {
       {"collision = \"ball\"\n", "must be one of: none, sphere, aabb, obb, hull, mesh"},
       {"[[soft]]\nname = \"b\"\nshape = \"rope\"\ncollision = \"hull\"\n", "a rope has no triangles"},
-      {"self_contact = true\n", "test.toml:6: [[soft]] \"a\": self_contact is for sheets"},
+      {"collision = \"hull\"\nself_contact = true\n",
+       "test.toml:7: [[soft]] \"a\": self_contact is for what collides as mesh: collision is \"hull\""},
       {"touches = \"organs\"\n", "must be a list of names"},
       {"touches = [\"organs\", 3]\n", "must be a list of names"},
       {"touches = [\"default\", \"organ\"]\n",

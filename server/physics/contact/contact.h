@@ -48,7 +48,9 @@ struct Contact {
   double rebound = 0;  // m/s: speed at which rigid sides part when they have pressed, see restitution.h
   static constexpr std::uint32_t no_feature = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t feature = no_feature;  // soft a: its surface vertex; or all vertices' count plus the
-                                       // triangle; or both counts plus the BoxCorner of b
+                                       // triangle; or both counts plus the BoxCorner of b; of layers:
+                                       // as ElementSurface::feature …
+  std::uint32_t met = 0;               // … and that of the other's
   Vec3 grip = Vec3::Zero();  // slip at the tick's start, in thresholds of friction: no longer than 1 …
   double gripped = 0;        // … under this normal force, N
   // Results:

@@ -1,20 +1,12 @@
 #include "server/physics/contact/element_surface.h"
 
+#include <algorithm>
 #include <set>
 
 namespace prosector {
 namespace {
 
-SparseMap rows_of(const Anatomy& anatomy) {
-  if (anatomy.thickness == 0) return anatomy.embedding;
-  SparseMap out;
-  for (std::uint32_t node = 0; node < anatomy.tets.positions.size(); ++node)
-    out.rows.push_back({{node, node, node, node}, {1, 0, 0, 0}});
-  return out;
-}
-
 std::vector<SurfaceTree::Corners> elements_of(const Anatomy& anatomy) {
-  if (anatomy.thickness == 0) return anatomy.surface.triangles;
   std::vector<SurfaceTree::Corners> out;
   for (const auto& [a, b] : anatomy.segments) out.push_back({a, b, b});
   for (const auto& [a, b, c, d] : anatomy.quads) {
@@ -27,13 +19,20 @@ std::vector<SurfaceTree::Corners> elements_of(const Anatomy& anatomy) {
 }  // namespace
 
 ElementSurface::ElementSurface(const Anatomy& anatomy)
-    : solid_(anatomy.thickness == 0),
-      rows_(rows_of(anatomy)),
-      elements_(elements_of(anatomy)),
-      rest_(solid_ ? anatomy.surface.positions : anatomy.tets.positions),
+    : elements_(elements_of(anatomy)),
+      rest_(anatomy.tets.positions),
       positions_(rest_),
       tree_(elements_, rest_) {
+  find_edges();
   find_neighbours();
+}
+
+void ElementSurface::find_edges() {
+  for (const SurfaceTree::Corners& c : elements_)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const auto [a, b] = std::minmax(c[k], c[(k + 1) % 3]); a != b) edges_.push_back({a, b});
+  std::sort(edges_.begin(), edges_.end());
+  edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
 }
 
 void ElementSurface::find_neighbours() {
@@ -51,14 +50,33 @@ void ElementSurface::find_neighbours() {
 }
 
 void ElementSurface::move(const VecX& x) {
-  for (std::size_t i = 0; i < rows_.rows.size(); ++i) positions_[i] = rows_.apply(i, x.data());
+  for (std::size_t i = 0; i < positions_.size(); ++i)
+    positions_[i] = x.segment<3>(3 * static_cast<Eigen::Index>(i));
   tree_.refit(elements_, positions_);
 }
 
+std::uint32_t ElementSurface::feature(std::uint32_t element, const Vec3& weights) const {
+  std::array<std::uint32_t, 3> of{};
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t node = elements_[element][k];
+    const bool seen = count > 0 && of[count - 1] == node;  // a segment's end
+    if (weights[static_cast<Eigen::Index>(k)] != 0 && !seen) of[count++] = node;
+  }
+  if (count == 1) return of[0];
+  const auto corners = static_cast<std::uint32_t>(rest_.size());
+  if (count == 3) return corners + static_cast<std::uint32_t>(edges_.size()) + element;
+  const auto edge = std::lower_bound(edges_.begin(), edges_.end(),
+                                     std::array{std::min(of[0], of[1]), std::max(of[0], of[1])});
+  return corners + static_cast<std::uint32_t>(edge - edges_.begin());
+}
+
 void ElementSurface::add(std::uint32_t element, const Vec3& weights, ContactSide& side) const {
-  for (std::size_t k = 0; k < 3; ++k)
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t node = elements_[element][k];
     if (const double w = weights[static_cast<Eigen::Index>(k)]; w != 0)
-      side.add(rows_.rows[elements_[element][k]], w);
+      side.add({{node, node, node, node}, {1, 0, 0, 0}}, w);
+  }
 }
 
 }  // namespace prosector

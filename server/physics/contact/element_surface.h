@@ -1,5 +1,5 @@
 #pragma once
-// A soft body's surface as elements that meet one another: triangles, or a rope's segments.
+// A sheet or rope as elements that meet one another: triangles, or segments.
 
 #include <span>
 #include <vector>
@@ -11,15 +11,14 @@
 
 namespace prosector {
 
-/// Of solids the triangles of the surface; of sheets those of the cells, each once; of ropes the pieces, as
-/// triangles whose last two corners are one. The tree over them is built at rest and refitted.
+/// Of sheets the triangles of the cells, each once; of ropes the pieces, as triangles whose last two corners
+/// are one. Their corners are nodes. The tree over them is built at rest and refitted.
 class ElementSurface {
  public:
   explicit ElementSurface(const Anatomy& anatomy);
   /// To the nodes' positions x (3n, m).
   void move(const VecX& x);
 
-  bool solid() const { return solid_; }
   const SurfaceTree& tree() const { return tree_; }
   const SurfaceTree::Corners& corners(std::uint32_t element) const { return elements_[element]; }
   Triangle now(std::uint32_t element) const { return triangle(element, positions_); }
@@ -28,6 +27,10 @@ class ElementSurface {
   std::span<const std::uint32_t> around(std::uint32_t element) const {
     return {around_.data() + around_begin_[element], around_.data() + around_begin_[element + 1]};
   }
+  /// Which corner, edge or face of the surface the point with these weights lies on: the same for all
+  /// elements that share it. Below features().
+  std::uint32_t feature(std::uint32_t element, const Vec3& weights) const;
+  std::size_t features() const { return rest_.size() + edges_.size() + elements_.size(); }
   /// Adds the point with these weights of the element's corners.
   void add(std::uint32_t element, const Vec3& weights, ContactSide& side) const;
 
@@ -36,12 +39,12 @@ class ElementSurface {
     const auto& c = elements_[element];
     return {of[c[0]], of[c[1]], of[c[2]]};
   }
+  void find_edges();
   void find_neighbours();
 
-  bool solid_;
-  SparseMap rows_;  // by vertex
   std::vector<SurfaceTree::Corners> elements_;
-  std::vector<Vec3> rest_, positions_;  // by vertex
+  std::vector<std::array<std::uint32_t, 2>> edges_;  // ascending
+  std::vector<Vec3> rest_, positions_;               // by node
   std::vector<std::uint32_t> around_begin_, around_;
   SurfaceTree tree_;
 };

@@ -10,39 +10,18 @@
 namespace prosector {
 namespace {
 
-constexpr double least_facing = 0.1;  // cosine, of solids' faces to the way between them
-constexpr double alike = 0.01;        // thicknesses: gaps that differ by less are of parallel layers
-constexpr double remembered = 2;      // thicknesses: sides of what is farther apart are plain to see
-
-Vec3 face_normal(const Triangle& t) {
-  const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
-  const double length = n.norm();
-  return length > 0 ? Vec3(n / length) : Vec3(Vec3::Zero());
-}
+constexpr double alike = 0.01;    // thicknesses: gaps that differ by less are of parallel layers
+constexpr double remembered = 2;  // thicknesses: sides of what is farther apart are plain to see
 
 Aabb box_around(const Triangle& t) {
   return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
-}
-
-/// Corners that the point is of: what tells one meeting from another.
-using Feature = std::array<std::uint32_t, 3>;
-Feature feature(const SurfaceTree::Corners& corners, const Vec3& weights) {
-  Feature out;
-  out.fill(~0u);
-  for (std::size_t k = 0; k < 3; ++k)
-    if (weights[static_cast<Eigen::Index>(k)] != 0) out[k] = corners[k];
-  std::sort(out.begin(), out.end());
-  if (out[0] == out[1]) out[1] = ~0u;  // a segment's end
-  if (out[1] == out[2]) out[2] = ~0u;
-  std::sort(out.begin(), out.end());
-  return out;
 }
 
 class Search {
  public:
   Search(const ElementSurface& a, const ElementSurface& b, const LayerSearch& how,
          const std::vector<LayerSide>& before)
-      : a_(a), b_(b), how_(how), before_(before), same_(&a == &b), solid_(a.solid() && b.solid()) {}
+      : a_(a), b_(b), how_(how), before_(before), same_(&a == &b) {}
 
   void run() {
     const double limit = how_.thickness + how_.margin;
@@ -113,15 +92,13 @@ class Search {
     double distance = std::sqrt(pair.squared_distance);
     if (!(distance <= limit) || !(distance > 0)) return;
     Vec3 n = (pair.on_a - pair.on_b) / distance;
-    if (solid_ && !(n.dot(face_normal(of_b)) > least_facing && n.dot(face_normal(of_a)) < -least_facing))
-      return;
-    if (!solid_ && distance < how_.thickness)
+    if (distance < how_.thickness)
       if (const auto side = side_of(s, t); side && n.dot(*side) < 0) {
         n = -n;
         distance = -distance;
         ++passed;
       }
-    if (!solid_ && std::abs(distance) < remembered * how_.thickness) sides.push_back({s, t, n});
+    if (std::abs(distance) < remembered * how_.thickness) sides.push_back({s, t, n});
     meetings.push_back({s, t, pair.weights_a, pair.weights_b, n, distance - how_.thickness});
   }
 
@@ -129,17 +106,10 @@ class Search {
   void add_crossing(std::uint32_t s, std::uint32_t t, const Triangle& of_a, const Triangle& of_b,
                     const TriangleCrossing& crosses) {
     ++passed;
-    Vec3 n;
-    if (solid_) {
-      n = face_normal(of_b) - face_normal(of_a);
-      if (!(n.norm() > least_facing)) return;
-      n.normalize();
-    } else {
-      const std::optional<Vec3> side = side_of(s, t);
-      if (!side) return;
-      n = *side;
-      sides.push_back({s, t, n});
-    }
+    const std::optional<Vec3> side = side_of(s, t);
+    if (!side) return;
+    const Vec3 n = *side;
+    sides.push_back({s, t, n});
     for (std::size_t k = 0; k < crosses.count; ++k) {
       const Piercing& piercing = crosses.piercings[k];
       const Triangle& edge_of = piercing.of_a ? of_a : of_b;
@@ -162,7 +132,7 @@ class Search {
   const ElementSurface &a_, &b_;
   const LayerSearch& how_;
   const std::vector<LayerSide>& before_;
-  bool same_, solid_;
+  bool same_;
 };
 
 /// Leaves what is no element's nearest of a layer: its neighbours stop it before that can, and planes of
@@ -188,10 +158,10 @@ void keep_nearest(const ElementSurface& a, const ElementSurface& b, double thick
 
 /// Each pair of features once, deepest first; of one surface with itself, whichever comes first as a.
 void keep_each_once(const ElementSurface& a, const ElementSurface& b, std::vector<LayerMeeting>& meetings) {
-  using Key = std::pair<Feature, Feature>;
+  using Key = std::pair<std::uint32_t, std::uint32_t>;
   std::vector<std::pair<Key, LayerMeeting>> keyed;
   for (LayerMeeting m : meetings) {
-    Key key{feature(a.corners(m.a), m.weights_a), feature(b.corners(m.b), m.weights_b)};
+    Key key{a.feature(m.a, m.weights_a), b.feature(m.b, m.weights_b)};
     if (&a == &b && key.second < key.first) {
       std::swap(key.first, key.second);
       std::swap(m.a, m.b);

@@ -1,5 +1,5 @@
 #pragma once
-// Surfaces without an inside against each other, and any surface against itself.
+// Sheets and ropes, which have no inside, against each other and against themselves.
 
 #include <vector>
 
@@ -31,7 +31,7 @@ struct LayerSearch {
 /// Speculative contacts: what is near gets one on the side where it is, before it can pass (cf. Bridson,
 /// Fedkiw and Anderson 2002, "Robust treatment of collisions, contact and friction for cloth animation").
 /// What passed nevertheless is recognised by crossing elements, or by being on the other side than `sides`
-/// say while nearer than the thickness, and is sent back; solids' outward normals tell without `sides`.
+/// say while nearer than the thickness, and is sent back.
 /// Replaces `sides` (ascending by element) by those of this tick and appends the meetings, each pair of
 /// features once, in a fixed order. Returns how many pairs of elements have passed. For a surface against
 /// itself, give it twice.

@@ -9,14 +9,14 @@ namespace {
 
 constexpr double rest_time = 0.15;  // s: rest gaps rise to 0 over this
 
-using Key = std::tuple<bool, std::size_t, std::uint32_t>;
+using Key = std::tuple<bool, std::size_t, std::uint32_t, std::uint32_t>;
 
 Key key(const ContactMemory& m) {
-  return {m.soft, m.body, m.feature};
+  return {m.soft, m.body, m.feature, m.met};
 }
 
-Key key(const ContactSide& other, std::uint32_t feature) {
-  return {other.kind == ContactSide::Kind::soft, other.body, feature};
+Key key(const ContactSide& other, std::uint32_t feature, std::uint32_t met = 0) {
+  return {other.kind == ContactSide::Kind::soft, other.body, feature, met};
 }
 
 ContactMemories::const_iterator first_from(const ContactMemories& memories, const Key& wanted) {
@@ -29,7 +29,7 @@ double vanished(const ContactMemories& memories, const ContactSide& other, std::
                 std::span<const Contact> contacts) {
   double force = 0;
   for (auto m = first_from(memories, key(other, first_face)); m != memories.end(); ++m) {
-    if (Key(m->soft, m->body, 0) != key(other, 0)) break;
+    if (Key(m->soft, m->body, 0, 0) != key(other, 0)) break;
     const bool there = std::any_of(contacts.begin(), contacts.end(),
                                    [&](const Contact& c) { return c.feature == m->feature; });
     if (!there) force += m->force;
@@ -39,8 +39,9 @@ double vanished(const ContactMemories& memories, const ContactSide& other, std::
 
 }  // namespace
 
-const ContactMemory* find(const ContactMemories& memories, const ContactSide& other, std::uint32_t feature) {
-  const Key wanted = key(other, feature);
+const ContactMemory* find(const ContactMemories& memories, const ContactSide& other, std::uint32_t feature,
+                          std::uint32_t met) {
+  const Key wanted = key(other, feature, met);
   const auto at = first_from(memories, wanted);
   return at != memories.end() && key(*at) == wanted ? &*at : nullptr;
 }
@@ -74,8 +75,8 @@ void keep(std::span<const Contact> contacts, std::size_t body, ContactMemories& 
   for (const Contact& c : contacts)
     if (c.a.kind == ContactSide::Kind::soft && c.a.body == body && c.feature != Contact::no_feature &&
         c.force > 0)
-      memories.push_back({c.b.kind == ContactSide::Kind::soft, c.b.body, c.feature, c.grip_after, c.force,
-                          c.normal, c.stiffness, c.rest});
+      memories.push_back({c.b.kind == ContactSide::Kind::soft, c.b.body, c.feature, c.met, c.grip_after,
+                          c.force, c.normal, c.stiffness, c.rest});
   std::sort(memories.begin(), memories.end(),
             [](const ContactMemory& a, const ContactMemory& b) { return key(a) < key(b); });
 }

@@ -21,6 +21,7 @@ struct ContactMemory {
   bool soft = false;            // of the other side: a soft body, else a rigid one …
   std::size_t body = 0;         // … which
   std::uint32_t feature = 0;    // of the soft surface, as Contact::feature
+  std::uint32_t met = 0;        // as Contact::met
   Vec3 grip = Vec3::Zero();     // as Contact::grip
   double force = 0;             // N, normal
   Vec3 normal = Vec3::UnitY();  // as Contact::normal
@@ -28,11 +29,12 @@ struct ContactMemory {
   double rest = 0;              // m, as Contact::rest
 };
 
-/// What the contacts of one soft body remember, in the order of (soft, body, feature).
+/// What the contacts of one soft body remember, in the order of (soft, body, feature, met).
 using ContactMemories = std::vector<ContactMemory>;
 
 /// Null: they did not press each other.
-const ContactMemory* find(const ContactMemories& memories, const ContactSide& other, std::uint32_t feature);
+const ContactMemory* find(const ContactMemories& memories, const ContactSide& other, std::uint32_t feature,
+                          std::uint32_t met = 0);
 
 /// Lets a contact of a point on the body's surface hold on where it did.
 void recall(const ContactMemory* memory, Contact& contact);
