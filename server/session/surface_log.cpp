@@ -12,6 +12,31 @@ std::uint32_t number_of(const std::vector<std::uint32_t>& numbers, std::size_t i
   return numbers.empty() ? static_cast<std::uint32_t>(index) : numbers[index];
 }
 
+/// Nodes after these are on edges of quadratic elements.
+std::size_t numbered_nodes(const Anatomy& anatomy) {
+  if (anatomy.tets.tets.empty()) return anatomy.tets.positions.size();
+  std::size_t count = 0;
+  for (const auto& tet : anatomy.tets.tets)
+    for (const std::uint32_t corner : tet) count = std::max(count, corner + std::size_t{1});
+  return count;
+}
+
+/// Nodes or vertices that the surface follows from, in the order in which it first does.
+std::vector<std::uint32_t> carriers_of(const Anatomy& anatomy, bool of_nodes) {
+  std::vector<std::uint32_t> out;
+  std::vector<bool> seen(anatomy.tets.positions.size());
+  for (std::uint32_t v = 0; v < anatomy.embedding.rows.size(); ++v) {
+    if (!of_nodes) out.push_back(v);
+    const SparseMap::Row& row = anatomy.embedding.rows[v];
+    for (std::size_t k = 0; of_nodes && k < 4; ++k) {
+      if (row.weight[k] == 0 || seen[row.node[k]]) continue;
+      seen[row.node[k]] = true;
+      out.push_back(row.node[k]);
+    }
+  }
+  return out;
+}
+
 /// Of each point that nothing hangs on any more: one of its chunk that is in use, else any; none where the
 /// body has become nothing. The others follow themselves.
 std::vector<std::uint32_t> leaders(const std::vector<bool>& used, std::uint32_t chunk_points) {
@@ -42,8 +67,7 @@ std::uint32_t SurfaceLog::Slots::at(std::uint32_t number) {
 SurfaceLog::SurfaceLog(const Anatomy& anatomy, const Numbering& numbering, const TopologyChange& change,
                        SimTime time) {
   SurfaceStream stream = make_surface_stream(anatomy, static_cast<std::uint32_t>(soft_chunk_points));
-  const auto& numbers = stream.of_nodes ? numbering.nodes : numbering.vertices;
-  for (const std::uint32_t carrier : stream.carriers) points_.at(number_of(numbers, carrier));
+  slots_of(stream.carriers, stream.of_nodes, anatomy, numbering);
   for (std::size_t v = 0; v < anatomy.surface.positions.size(); ++v)
     vertices_.at(number_of(numbering.vertices, v));
   for (std::size_t t = 0; t < anatomy.surface.triangles.size(); ++t)
@@ -64,8 +88,9 @@ void SurfaceLog::follow(const Anatomy& anatomy, const Numbering& numbering, cons
                           .of_nodes = stream_->of_nodes,
                           .carriers = {},
                           .leaders = {}};
-  place_points(anatomy, numbering, next, stream);
-  place_vertices(anatomy, numbering, stream, next);
+  std::vector<std::uint32_t> slot_of;
+  place_points(anatomy, numbering, next, stream, slot_of);
+  place_vertices(anatomy, numbering, stream, slot_of, next);
   place_triangles(anatomy, numbering, next);
   SurfacePatch patch = difference(surface_, next);
   for (std::size_t i = 0; i < patch.points.size(); ++i)
@@ -78,25 +103,40 @@ void SurfaceLog::follow(const Anatomy& anatomy, const Numbering& numbering, cons
   note(change, time);
 }
 
+std::vector<std::uint32_t> SurfaceLog::slots_of(std::span<const std::uint32_t> carriers, bool of_nodes,
+                                                const Anatomy& anatomy, const Numbering& numbering) {
+  const std::size_t numbered = of_nodes ? numbered_nodes(anatomy) : anatomy.surface.positions.size();
+  const auto& numbers = of_nodes ? numbering.nodes : numbering.vertices;
+  std::vector<std::uint32_t> out(of_nodes ? anatomy.tets.positions.size() : numbered, none);
+  std::map<std::array<float, 3>, std::size_t> met;
+  for (const std::uint32_t carrier : carriers) {
+    if (carrier < numbered) {
+      out[carrier] = points_.at(number_of(numbers, carrier));
+      continue;
+    }
+    const Eigen::Vector3f rest = anatomy.tets.positions[carrier].cast<float>();
+    const std::array<float, 3> place{rest.x(), rest.y(), rest.z()};
+    std::vector<std::uint32_t>& slots = edge_points_[place];
+    const std::size_t here = met[place]++;
+    if (here == slots.size()) slots.push_back(points_.count++);
+    out[carrier] = slots[here];
+  }
+  return out;
+}
+
 /// A point that is gone keeps its place in its chunk, at rest and as it is told.
 void SurfaceLog::place_points(const Anatomy& anatomy, const Numbering& numbering, DrawnSurface& surface,
-                              SurfaceStream& stream) {
+                              SurfaceStream& stream, std::vector<std::uint32_t>& slot_of) {
   const std::vector<SparseMap::Row>& W = anatomy.embedding.rows;
-  const auto& numbers = stream.of_nodes ? numbering.nodes : numbering.vertices;
   const std::vector<Vec3>& rest = stream.of_nodes ? anatomy.tets.positions : anatomy.surface.positions;
+  const std::vector<std::uint32_t> carriers = carriers_of(anatomy, stream.of_nodes);
+  slot_of = slots_of(carriers, stream.of_nodes, anatomy, numbering);
   stream.carriers.assign(points_.count, none);
-  const auto carry = [&](std::uint32_t carrier) {
-    const std::uint32_t slot = points_.at(number_of(numbers, carrier));
-    if (slot == surface.streamed.rest.size()) {
-      surface.streamed.rest.push_back(to_float(rest[carrier]));
-      stream.carriers.push_back(none);
-    }
+  surface.streamed.rest.resize(points_.count);
+  for (const std::uint32_t carrier : carriers) {
+    const std::uint32_t slot = slot_of[carrier];
+    if (slot >= surface_.streamed.rest.size()) surface.streamed.rest[slot] = to_float(rest[carrier]);
     stream.carriers[slot] = carrier;
-  };
-  for (std::uint32_t v = 0; v < W.size(); ++v) {
-    if (!stream.of_nodes) carry(v);
-    for (std::size_t k = 0; stream.of_nodes && k < 4; ++k)
-      if (W[v].weight[k] != 0) carry(W[v].node[k]);
   }
   stream.points = points_.count;
   std::vector<bool> used;
@@ -111,21 +151,20 @@ void SurfaceLog::place_points(const Anatomy& anatomy, const Numbering& numbering
 }
 
 void SurfaceLog::place_vertices(const Anatomy& anatomy, const Numbering& numbering,
-                                const SurfaceStream& stream, DrawnSurface& surface) {
-  const auto point_of = [&](std::uint32_t node) { return points_.at(number_of(numbering.nodes, node)); };
+                                const SurfaceStream& stream, const std::vector<std::uint32_t>& slot_of,
+                                DrawnSurface& surface) {
   for (std::uint32_t v = 0; v < anatomy.surface.positions.size(); ++v) {
-    const std::uint32_t number = number_of(numbering.vertices, v);
-    const std::uint32_t slot = vertices_.at(number);
+    const std::uint32_t slot = vertices_.at(number_of(numbering.vertices, v));
     if (slot == surface.rest.positions.size()) {
       surface.rest.positions.emplace_back();
       surface.streamed.map.rows.emplace_back();
     }
     surface.rest.positions[slot] = to_float(anatomy.surface.positions[v]);
     SparseMap::Row& row = surface.streamed.map.rows[slot];
-    row = stream.of_nodes ? anatomy.embedding.rows[v] : SparseMap::Row{{points_.at(number)}, {1}};
+    row = stream.of_nodes ? anatomy.embedding.rows[v] : SparseMap::Row{{slot_of[v]}, {1}};
     for (std::size_t k = 0; k < 4; ++k) {
       row.weight[k] = to_float(row.weight[k]);
-      if (stream.of_nodes) row.node[k] = anatomy.embedding.rows[v].weight[k] != 0 ? point_of(row.node[k]) : 0;
+      if (stream.of_nodes) row.node[k] = anatomy.embedding.rows[v].weight[k] != 0 ? slot_of[row.node[k]] : 0;
     }
   }
 }

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "common/surface_patch.h"
@@ -38,15 +40,22 @@ class SurfaceLog {
     /// The slot of a number; the next one for a number that had none yet.
     std::uint32_t at(std::uint32_t number);
   };
+  /// Slots of the nodes on edges of quadratic elements, which have no numbers: by where they are at rest, in
+  /// the order in which they come. Those of both sides of a cut are at the same place.
+  using EdgeSlots = std::map<std::array<float, 3>, std::vector<std::uint32_t>>;
   Slots points_, vertices_, triangles_;
+  EdgeSlots edge_points_;
   DrawnSurface surface_;
   std::shared_ptr<const SurfaceStream> stream_;
   TopologyRevision newest_;
 
+  /// By carrier, node or vertex; of those alone that are in `carriers`.
+  std::vector<std::uint32_t> slots_of(std::span<const std::uint32_t> carriers, bool of_nodes,
+                                      const Anatomy& anatomy, const Numbering& numbering);
   void place_points(const Anatomy& anatomy, const Numbering& numbering, DrawnSurface& surface,
-                    SurfaceStream& stream);
+                    SurfaceStream& stream, std::vector<std::uint32_t>& slot_of);
   void place_vertices(const Anatomy& anatomy, const Numbering& numbering, const SurfaceStream& stream,
-                      DrawnSurface& surface);
+                      const std::vector<std::uint32_t>& slot_of, DrawnSurface& surface);
   void place_triangles(const Anatomy& anatomy, const Numbering& numbering, DrawnSurface& surface);
   void note(const TopologyChange& change, SimTime time);
 };

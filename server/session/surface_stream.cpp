@@ -50,7 +50,8 @@ SurfaceStream make_surface_stream(const Anatomy& anatomy, std::uint32_t chunk_po
         new_index[row.node[k]] = 0;
         streamed.push_back(row.node[k]);
       }
-  const bool nodes = streamed.size() <= W.size();
+  if (W.empty()) streamed.push_back(0);  // of a body that has become nothing: a stream has a point
+  const bool nodes = streamed.size() <= W.size() || W.empty();
   if (!nodes) {
     streamed.resize(W.size());
     std::iota(streamed.begin(), streamed.end(), 0u);

@@ -74,6 +74,48 @@ TEST(SurfaceLog, WhatComesBackComesBackToItsSlot) {
   EXPECT_EQ(log.newest().patch.points.size(), 0u);
 }
 
+/// A triangle on the edges of the first tetrahedron, whose nodes follow the vertices and have no numbers.
+CutBody with_edge_nodes(CutBody body) {
+  const auto tet = body.anatomy.tets.tets[0];
+  std::array<std::uint32_t, 3> corners{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 middle = 0.5 * (body.anatomy.tets.positions[tet[k]] + body.anatomy.tets.positions[tet[k + 1]]);
+    body.anatomy.tets.positions.push_back(middle);
+    const auto node = static_cast<std::uint32_t>(body.anatomy.tets.positions.size() - 1);
+    corners[k] = body.new_vertex({{node}, {1}}, middle);
+  }
+  body.anatomy.surface.inner.resize(body.anatomy.surface.triangles.size(), 0);
+  body.new_triangle(corners);
+  body.move(0);
+  return body;
+}
+
+TEST(SurfaceLog, NodesOnEdgesKeepTheirSlotsWithoutNumbers) {
+  const CutBody corners(test::make_block({0.1, 0.1, 0.1}, {2, 2, 2}), 5);
+  CutBody body = with_edge_nodes(corners);
+  SurfaceLog log(body.anatomy, body.numbering, body.change, {0, 1});
+  const std::uint32_t points = log.stream()->points;
+  CutBody cut = corners;  // a vertex more, so the nodes on edges have other indices
+  const std::uint32_t node = cut.new_node({0.01, 0.02, 0.03});
+  cut.anatomy.tets.tets.push_back(cut.anatomy.tets.tets[0]);
+  cut.anatomy.tets.tets.back()[3] = node;
+  cut = with_edge_nodes(cut);
+  cut.change.revision = 1;
+  log.follow(cut.anatomy, cut.numbering, cut.x, cut.change, {0, 2});
+  EXPECT_EQ(log.stream()->points, points);  // nothing hangs on the new vertex
+  EXPECT_TRUE(log.newest().patch.points.empty());
+  EXPECT_LT(test::largest_difference(drawn_by(log.surface(), log, cut.x), test::facets_of(cut)), 1e-6f);
+}
+
+TEST(SurfaceLog, ASessionThatGoesOnAfterABodyBecameNothingStillHasAPointOfIt) {
+  CutBody body(test::make_block({0.1, 0.1, 0.1}, {1, 1, 1}), 5);
+  body.anatomy.surface = {};
+  body.anatomy.embedding = {};
+  const SurfaceLog log(body.anatomy, {}, body.change, {0, 1});
+  EXPECT_EQ(log.stream()->points, 1u);  // SceneBody::points is at least that
+  EXPECT_TRUE(drawn_by(log.surface(), log, body.x).empty());
+}
+
 TEST(SurfaceLog, OfABodyThatBecameNothingNothingIsDrawn) {
   CutBody body(test::make_block({0.1, 0.1, 0.1}, {2, 2, 2}), 5);
   SurfaceLog log(body.anatomy, body.numbering, body.change, {0, 1});
