@@ -63,6 +63,7 @@ Simulation::Impl::Impl(const SceneDesc& scene, const CompileOptions& options)
   revisions.resize(soft.size());
   numberings.resize(soft.size());
   memories.resize(soft.size());
+  stored.resize(soft.size());
   arena.execute([&] { settle(options); });
 }
 

@@ -154,6 +154,7 @@ void Simulation::Impl::reset_body(BodyId body) {
   soft[i].steps_down = steps_down;
   soft[i].motion.x = soft[i].motion.x_prev = equilibrium[i];
   memories[i].clear();
+  stored[i].reset();
   surfaces[i].update(soft[i].motion.x.data());
 }
 

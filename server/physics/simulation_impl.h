@@ -40,6 +40,11 @@ struct SoftPair {
 };
 
 struct Simulation::Impl : PanelSubjects {
+  /// What a soft body has where it is.
+  struct StoredEnergy {
+    double elastic = 0, weight = 0;  // J
+  };
+
   Impl(const SceneDesc& scene, const CompileOptions& options);
 
   // ---- Model
@@ -80,6 +85,7 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<Island> islands;
   IslandStepper stepper;
   std::vector<HandState> hand_states;
+  std::vector<std::optional<StoredEnergy>> stored;  // per soft body: of those asleep it stays what it was
   StepReport report;
   tbb::task_arena arena;
 
@@ -97,7 +103,8 @@ struct Simulation::Impl : PanelSubjects {
   void unfold_tangles();
   void fall_asleep();
   void describe();
-  void describe_hands();  // part of it
+  StoredEnergy stored_in(std::size_t body) const;  // part of it
+  void describe_hands();                           // likewise
   void note(ContactSample& sample, const Contact& contact, bool hand_is_b, double& strongest) const;
   std::vector<Exchange> exchanges() const;
 

@@ -256,6 +256,7 @@ void Simulation::Impl::fall_asleep() {
     if (!quiet) continue;
     for (const SoftMember& s : island.soft) {
       s.state->asleep = true;
+      stored[s.index].reset();
       s.state->motion.v.setZero();
       s.state->warm_start.setZero();
       s.state->motion.has_history = false;

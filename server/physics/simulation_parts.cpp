@@ -125,6 +125,7 @@ void Simulation::Impl::take_effect(RigidWorld& rigid_world, BodyId body) {
   const Part& part = parts[body];
   if (is_soft(body)) {
     model.soft[soft_index(body)]->set_in_force(part.stiffness, part.attached);
+    stored[soft_index(body)].reset();
     return;
   }
   const bool held = part.attached && model.scene.rigid[body].part;

@@ -44,17 +44,23 @@ void Simulation::Impl::describe() {
     report.potential_energy -= setup.mass * model.scene.gravity.dot(motion.pose.p);
   }
   for (std::size_t i = 0; i < soft.size(); ++i) {
-    SoftBody& body = *model.soft[i];
     ++(soft[i].asleep ? report.asleep_bodies : report.awake_bodies);
-    if (soft[i].asleep) continue;
-    report.kinetic_energy += body.kinetic_energy(soft[i]);
-    report.elastic_energy += body.in_force(soft[i]).elastic_energy(soft[i].motion.x);
-    if (!body.falls()) continue;
-    for (Eigen::Index n = 0; n < body.nodes(); ++n)
-      report.potential_energy -=
-          body.node_mass()[n] * model.scene.gravity.dot(soft[i].motion.x.segment<3>(3 * n));
+    report.kinetic_energy += model.soft[i]->kinetic_energy(soft[i]);
+    if (!soft[i].asleep || !stored[i]) stored[i] = stored_in(i);
+    report.elastic_energy += stored[i]->elastic;
+    report.potential_energy += stored[i]->weight;
   }
   describe_hands();
+}
+
+Simulation::Impl::StoredEnergy Simulation::Impl::stored_in(std::size_t i) const {
+  SoftBody& body = *model.soft[i];
+  StoredEnergy out;
+  out.elastic = body.in_force(soft[i]).elastic_energy(soft[i].motion.x);
+  if (!body.falls()) return out;
+  for (Eigen::Index n = 0; n < body.nodes(); ++n)
+    out.weight -= body.node_mass()[n] * model.scene.gravity.dot(soft[i].motion.x.segment<3>(3 * n));
+  return out;
 }
 
 std::vector<Exchange> Simulation::Impl::exchanges() const {

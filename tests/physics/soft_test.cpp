@@ -57,6 +57,32 @@ TEST(Soft, HandPressesAndTheBlockComesBackAndSleeps) {
   EXPECT_TRUE(simulation.asleep(1));
 }
 
+/// What sleeps keeps its energy in the report: waking and falling asleep are no events there.
+TEST(Soft, EnergyGoesOnOverSleepAndWaking) {
+  Simulation simulation(block_on_table(), options());
+  const auto energy = [](const StepReport& r) {
+    return r.kinetic_energy + r.elastic_energy + r.potential_energy;
+  };
+  double before = energy(simulation.step(appear(palm_over(0.03))));
+  EXPECT_TRUE(simulation.asleep(1));
+  EXPECT_NEAR(before, 0.18, 0.03) << "the block's weight half its height up";
+  int woken = 0, slept = 0;
+  for (int i = 0; i < 400; ++i) {
+    const bool slept_before = simulation.asleep(1);
+    if (i == 200) simulation.restore(simulation.checkpoint());
+    const double now = energy(simulation.step(target(palm_over(i < 60 ? 0.03 - 0.0005 * i : 0.1))));
+    if (simulation.asleep(1) != slept_before) {
+      EXPECT_NEAR(now, before, 1e-4) << i;
+      ++(slept_before ? woken : slept);
+    } else if (slept_before) {
+      EXPECT_NEAR(now, before, 1e-9) << i;
+    }
+    before = now;
+  }
+  EXPECT_EQ(woken, 1);
+  EXPECT_EQ(slept, 1);
+}
+
 /// Long held and let go, tissue creeps back, at the end more slowly than what counts as rest: it must neither
 /// fall asleep in a shape that it would leave, nor be taken for stuck there and unfolded.
 TEST(Soft, SleepsOnlyWhenItsStressHasRelaxed) {
