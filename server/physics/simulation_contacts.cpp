@@ -137,7 +137,7 @@ bool Simulation::Impl::add_contacts(std::size_t body, const Collider& collider, 
     if (!still && surfaces[body].stretch_at(vertex) >= most_stretch) return;
     recall(memory, out.emplace_back(vertex_contact(body, vertex, *side, collider)));
   });
-  // Without a grip: what rolls over a face holds on to no point of it.
+  // Without a grip: what rolls over a face holds on to no point of it. A corner does not roll.
   surfaces[body].near_thin(collider, margin + skin, [&](TriangleTouch touch) {
     touch.gap -= skin;
     out.push_back(face_contact(body, touch, collider));
@@ -149,6 +149,7 @@ bool Simulation::Impl::add_contacts(std::size_t body, const Collider& collider, 
       if (!touch) return;
       out.push_back(face_contact(body, *touch, collider));
       out.back().feature = first_corner + corner.index;
+      recall(find(held, other, out.back().feature), out.back());
     });
   rest(held, first_face, model.h, std::span(out).subspan(before));
   return out.size() > before;

@@ -74,13 +74,15 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
       island_of[slot] = islands.size() - 1;
       const Hand* hand = hand_at(slot);
       const RigidSetup& setup = hand ? model.hands[hand->side].setup : model.rigid[slot].setup;
-      const Pose pose = world.motion(slot).pose;
+      const RigidMotion motion = world.motion(slot);
+      const Pose& pose = motion.pose;
       const auto [linear, angular] = world.predicted_velocity(slot, model.h);
       RigidMember member;
       member.slot = slot;
       member.mass = body_mass(slot);
       member.inertia = room_inertia(setup, pose);
       member.predicted << model.h * linear, model.h * angular;
+      member.steady << model.h * motion.linear_velocity, model.h * motion.angular_velocity;
       if (hand) member.pull = hand_pull(*hand, model.hands[hand->side], model.scene.hand, pose, model.h);
       island.rigid.push_back(member);
     }

@@ -32,8 +32,11 @@ std::optional<Distance> way_out(const Collider& collider, const Vec3& from, cons
 std::optional<Distance> side_of(const Collider& collider, const Approach& vertex) {
   const Distance& nearest = vertex.nearest;
   if (vertex.before) {
-    if (nearest.value >= 0 || nearest.normal.dot(*vertex.before) > same) return nearest;
-    return way_out(collider, vertex.at, *vertex.before, deeper * vertex.depth + vertex.lip).value_or(nearest);
+    if (nearest.normal.dot(*vertex.before) > same) return nearest;
+    if (nearest.value < 0)
+      return way_out(collider, vertex.at, *vertex.before, deeper * vertex.depth + vertex.lip)
+          .value_or(nearest);
+    // It has slipped off an edge, to the side: what it makes of that is no older than this tick.
   }
   if (vertex.outward.isZero(0) || -nearest.normal.dot(vertex.outward) > least_facing) return nearest;
   const Vec3 from =

@@ -45,6 +45,7 @@ struct RigidMember {
   double mass = 0;                // kg
   Mat3 inertia = Mat3::Zero();    // kg·m², room frame
   Vec6 predicted = Vec6::Zero();  // ξ̃: h times the velocity without contacts
+  Vec6 steady = Vec6::Zero();     // h times its velocity
   std::optional<Pull> pull;
   Vec6 twist = Vec6::Zero();  // result
 };

@@ -14,8 +14,9 @@ constexpr double enough_step =
 constexpr double enough_share = 0.05;  // of the slip over which friction builds up: likewise, where it holds
 constexpr double converged_step = 1e-4;  // m
 constexpr int halvings = 12, halvings_with_care = 40;
-constexpr int newton_with_care = 4;   // times the scene's iterations
-constexpr double violent_step = 0.1;  // diagonals of a body that its warm start may lead away
+constexpr int newton_until_settled = 4;  // times the scene's iterations, at most, where contacts change
+constexpr int newton_with_care = 4;      // times the scene's iterations
+constexpr double violent_step = 0.1;     // diagonals of a body that its warm start may lead away
 constexpr double armijo = 1e-4;
 constexpr const char* rigid_solver = "cg";  // of islands without a soft body
 constexpr double rounding = 1e-12;          // of |E|: what a sum of this size cannot resolve
@@ -117,7 +118,9 @@ IslandReport IslandSolver::minimise(const Limits& limits, double tolerance, doub
   bool exact = limits.careful;
   system_.linearise(q_);
   system_.energy(q_);
-  while (report.newton_iterations < limits.newton) {
+  bool unsettled = false;
+  while (report.newton_iterations < limits.newton ||
+         (unsettled && report.newton_iterations < newton_until_settled * limits.newton)) {
     system_.linearise(q_);
     system_.lag_friction(q_);
     const double energy = system_.energy_with_new_friction(q_);
@@ -152,14 +155,16 @@ IslandReport IslandSolver::minimise(const Limits& limits, double tolerance, doub
     exact = exact || (kept && (limits.alone ? length < 1 : length == 0));
     if (length == 0) {
       system_.energy(q_);
+      unsettled = true;
       continue;
     }
     q_.swap(next_);
     system_.take(length, step_);
+    unsettled = system_.unsettled(q_);
     const double before = report.last_step;
     report.last_step = length * step_.lpNorm<Eigen::Infinity>();
     const double rate = before > 0 ? std::min(1.0, report.last_step / before) : 1;
-    if (rate * report.last_step < enough) break;
+    if (!unsettled && rate * report.last_step < enough) break;
   }
   report.converged = report.last_step < converged_step && std::isfinite(report.residual);
   return report;

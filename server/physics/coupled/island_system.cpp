@@ -9,6 +9,9 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t nodes_per_chunk = 512;
+// What a body's contacts may be off by after the last Newton step: of their normal forces, of the friction
+// that they allow, and (m/s) what that gives the body.
+constexpr double unsettled_normal = 0.1, unsettled_friction = 0.05, unsettled_speed = 1e-3;
 constexpr double stick_speed = 5e-4;  // m/s: what has no slip to remember sticks below it
 
 Mat3 cross_matrix(const Vec3& v) {
@@ -129,7 +132,7 @@ void IslandSystem::initial_guess(VecX& q) const {
     island_->soft[m].body->initial_guess(h_, *island_->soft[m].state,
                                          q.segment(soft_offset_[m], 3 * island_->soft[m].body->nodes()));
   for (std::size_t m = 0; m < island_->rigid.size(); ++m)
-    q.segment<6>(rigid_offset(m)) = island_->rigid[m].predicted;
+    q.segment<6>(rigid_offset(m)) = island_->rigid[m].steady;
 }
 
 void IslandSystem::start(VecX& q) const {
@@ -176,7 +179,40 @@ void IslandSystem::take(double length, const VecX& step) {
     Vec3 force = joint.force;
     if (!joint.D.isZero(0)) force += joint.D * (read(joint.a, step) - read(joint.b, step));
     joint.exchanged += length * (force - joint.exchanged);
+    joint.foreseen = joint.force + length * (force - joint.force);
   }
+}
+
+bool IslandSystem::unsettled(const VecX& q) {
+  soft_loads_.assign(island_->soft.size(), {});
+  rigid_loads_.assign(island_->rigid.size(), {});
+  const auto add = [&](const Side& side, const Load& load) {
+    if (side.nodes == 0 && side.rigid < 0) return;
+    Load& sum = side.nodes > 0 ? soft_loads_[side.member] : rigid_loads_[rigid_member(side)];
+    sum.normal += load.normal;
+    sum.normal_off += load.normal_off;
+    sum.friction += load.friction;
+    sum.friction_off += load.friction_off;
+  };
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const Joint& joint = contacts_[c];
+    const Vec3& n = island_->contacts[c].normal;
+    const Vec3 force = contact_force(c, displacement(joint, q), nullptr), off = force - joint.foreseen;
+    const double along = n.dot(off);
+    const Load load = {-n.dot(force), std::abs(along), lagged_[c], (off - along * n).norm()};
+    add(joint.a, load);
+    add(joint.b, load);
+  }
+  const auto far_off = [&](const Load& load, double mass) {
+    const double little = unsettled_speed * mass / h_;
+    return load.normal_off > unsettled_normal * load.normal + little ||
+           load.friction_off > unsettled_friction * load.friction + little;
+  };
+  for (std::size_t m = 0; m < soft_loads_.size(); ++m)
+    if (far_off(soft_loads_[m], island_->soft[m].body->total_mass())) return true;
+  for (std::size_t m = 0; m < rigid_loads_.size(); ++m)
+    if (far_off(rigid_loads_[m], island_->rigid[m].mass)) return true;
+  return false;
 }
 
 void IslandSystem::tell_contacts(const VecX& q) {

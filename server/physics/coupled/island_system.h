@@ -17,7 +17,8 @@ class IslandSystem final : public LinearOperator {
   /// where it is now. Allocates only for an island that is larger than those before.
   void begin(Island& island, double h);
 
-  /// Warm start: the soft bodies' own guess, the rigid bodies' prediction.
+  /// Warm start: the soft bodies' own guess; rigid bodies go on as they did. Were they to fall freely,
+  /// contacts would be deep, and friction under such forces would stop what slides.
   void initial_guess(VecX& q) const;
   /// Where the tick began, rigid bodies' prediction.
   void start(VecX& q) const;
@@ -56,6 +57,9 @@ class IslandSystem final : public LinearOperator {
   /// Tells that `length` of a Newton step was taken from where the Hessian was fixed: the bodies' momenta are
   /// then those that the linearised forces gave them, not those that the contacts would have at its end.
   void take(double length, const VecX& step);
+  /// Whether contacts have yet to follow: at q, where the last step led, their forces (friction as lagged)
+  /// are others than the step took them for, by more than a share of those on some body.
+  bool unsettled(const VecX& q);
   /// Fills the contacts' results: forces at q, and what was exchanged.
   void tell_contacts(const VecX& q);
 
@@ -74,6 +78,7 @@ class IslandSystem final : public LinearOperator {
     Side a, b;
     Vec3 at_start;  // the linear map of the positions at the tick's start, and what is driven meanwhile
     Vec3 force = Vec3::Zero();      // N, contacts: where it was linearised, on b …
+    Vec3 foreseen = Vec3::Zero();   // … what the last step took it for …
     Vec3 exchanged = Vec3::Zero();  // … and what the steps taken made of it
     double threshold = 0;           // m, contacts: slip over which friction builds up
     Vec3 held = Vec3::Zero();       // m, contacts: slip at the tick's start
@@ -119,6 +124,11 @@ class IslandSystem final : public LinearOperator {
   std::vector<RigidBlock::Pair> rigid_pairs_;  // … which
   bool joined_ = false;                        // it is factored
   bool condensed_ = false;
+  /// Contact forces on a body: how large, and how far off, N.
+  struct Load {
+    double normal = 0, normal_off = 0, friction = 0, friction_off = 0;
+  };
+  std::vector<Load> soft_loads_, rigid_loads_;
   mutable VecX rigid_work_, rest_;
 };
 
