@@ -1,0 +1,243 @@
+#include "server/physics/cutting/edge_splitter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <queue>
+
+#include "server/physics/cutting/tet_shape.h"
+
+namespace prosector {
+namespace {
+
+constexpr double near_share = 0.1;   // of its shortest edge: a node nearer to the blade counts as on it
+constexpr double wall_share = 0.15;  // of a cell: so near to a cut, the same cut is meant, not a slice
+constexpr double one_sheet = 0.7;    // cosine: two planes less apart belong to one smooth surface
+
+double degrees_of(double cosine) {
+  return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
+}
+
+struct CrossedEdge {
+  double length = 0;  // at rest
+  NodeId a = 0, b = 0;
+  Sheet::Crossing at;
+  bool operator<(const CrossedEdge& o) const {  // the longest comes first, then the lower ids
+    if (length != o.length) return length < o.length;
+    return a != o.a ? a > o.a : b > o.b;
+  }
+};
+
+class EdgeSplitter {
+ public:
+  EdgeSplitter(TetComplex& complex, const Sheet& sheet, std::vector<Vec3>& x, Marks& marks, CutResult& result)
+      : complex_(complex), sheet_(sheet), x_(x), marks_(marks), result_(result) {}
+
+  void run(std::span<const TetId> candidates) {
+    std::vector<std::pair<NodeId, NodeId>> edges;
+    for (const TetId t : candidates) {
+      const auto& c = complex_.corners(t);
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = i + 1; j < 4; ++j)
+          edges.emplace_back(std::min(c[i], c[j]), std::max(c[i], c[j]));
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    mark_near(edges);
+    for (const auto& [a, b] : edges) push(a, b);
+    while (!crossed_.empty()) {
+      const CrossedEdge e = crossed_.top();
+      crossed_.pop();
+      complex_.around_edge(e.a, e.b, around_);
+      if (around_.empty() || is_resolved(e)) continue;
+      if (!split(e)) snap(e);
+    }
+  }
+
+ private:
+  void mark_near(const std::vector<std::pair<NodeId, NodeId>>& edges) {
+    std::vector<std::pair<NodeId, double>> ends;
+    for (const auto& [a, b] : edges) {
+      const double length = (x_[b] - x_[a]).norm();
+      ends.emplace_back(a, length);
+      ends.emplace_back(b, length);
+    }
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const auto [node, shortest] = ends[i];
+      if ((i > 0 && ends[i - 1].first == node) || marks_.find(node)) continue;
+      const double reach = near_share * shortest;
+      auto foot = sheet_.foot(x_[node], std::max(reach, wall_share * complex_.cell()));
+      if (foot && foot->distance > reach && !is_on_wall(node)) foot.reset();
+      if (foot) mark(node, complex_.star(node).front(), foot->point, foot->normal);
+    }
+  }
+
+  bool is_on_wall(NodeId node) const {
+    for (const TetId t : complex_.star(node))
+      for (std::size_t k = 0; k < 4; ++k)
+        if (complex_.is_wall(t, k) && complex_.corners(t)[k] != node) return true;
+    return false;
+  }
+
+  /// `point`, `normal`: of the sheet, as the body is now; kept as they are at rest, which is exact for what
+  /// is linear within the tetrahedron.
+  void mark(NodeId node, TetId tet, const Vec3& point, const Vec3& normal) {
+    const Mat3 F = gradient(tet);
+    const Vec3 covector = F.transpose() * normal;
+    BladeStroke::Mark m{node, complex_.rest(node), normal};
+    const double length = covector.norm();
+    if (length > 1e-9) {
+      m.normal = covector / length;
+      m.point -= m.normal * (normal.dot(x_[node] - point) / length);
+    }
+    result_.farthest_snap = std::max(result_.farthest_snap, (m.point - complex_.rest(node)).norm());
+    marks_.add(m);
+  }
+
+  /// Of the map from the rest shape to now.
+  Mat3 gradient(TetId tet) const {
+    const auto& c = complex_.corners(tet);
+    Mat3 rest, now;
+    for (int k = 0; k < 3; ++k) {
+      const NodeId corner = c[static_cast<std::size_t>(k) + 1];
+      rest.col(k) = complex_.rest(corner) - complex_.rest(c[0]);
+      now.col(k) = x_[corner] - x_[c[0]];
+    }
+    return now * rest.inverse();
+  }
+
+  void push(NodeId a, NodeId b) {
+    const auto crossing = sheet_.crossing(x_[a], x_[b]);
+    if (!crossing) return;
+    const double length = (complex_.rest(b) - complex_.rest(a)).norm();
+    crossed_.push({length, a, b, *crossing});
+  }
+
+  // An end on the same smooth sheet is where the edge meets it already.
+  bool is_resolved(const CrossedEdge& e) const {
+    const auto met_at = [&](NodeId end, double t) {
+      const BladeStroke::Mark* mark = marks_.find(end);
+      if (!mark) return false;
+      if (t <= near_share) return true;
+      const Vec3 normal = gradient(around_.front()).transpose() * e.at.normal;
+      return std::abs(normal.dot(mark->normal)) >= one_sheet * normal.norm();
+    };
+    return met_at(e.a, e.at.t) || met_at(e.b, 1 - e.at.t);
+  }
+
+  // Least cosine that t makes; nothing where the floor or the least edge forbid it.
+  bool may_split(const CrossedEdge& e, double t, double& worst) const {
+    static const double floor = std::cos(least_dihedral_deg * std::numbers::pi / 180);
+    const double least = least_edge_share * complex_.cell();
+    if (std::min(t, 1 - t) * e.length < least) return false;
+    const Vec3 middle = complex_.rest(e.a) + (complex_.rest(e.b) - complex_.rest(e.a)) * t;
+    worst = -1;
+    for (const TetId tet : around_) {
+      std::array<Vec3, 4> whole;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const NodeId corner = complex_.corners(tet)[k];
+        whole[k] = complex_.rest(corner);
+        if (corner != e.a && corner != e.b && (whole[k] - middle).norm() < least) return false;
+      }
+      double allowed = -1;  // what it is before, asked for when needed
+      for (const NodeId end : {e.a, e.b}) {
+        std::array<Vec3, 4> half = whole;
+        half[complex_.corner_index(tet, end)] = middle;
+        const double cosine = cos_least_dihedral(half);
+        worst = std::max(worst, cosine);
+        if (cosine <= floor) continue;
+        if (allowed < 0) allowed = cos_least_dihedral(whole);
+        if (cosine > allowed) return false;
+      }
+    }
+    return true;
+  }
+
+  bool split(const CrossedEdge& e) {
+    double worst = -1;
+    const double exact = e.at.t, nearest = std::min(exact, 1 - exact);
+    for (const double t : {exact, std::clamp(exact, 0.25, 0.75), 0.5}) {
+      if (t != exact && std::abs(t - exact) >= nearest) continue;  // an end is nearer
+      if (!may_split(e, t, worst)) continue;
+      const auto node = static_cast<NodeId>(complex_.node_end());
+      SplitEdge op{e.a,
+                   e.b,
+                   node,
+                   t,
+                   static_cast<TetId>(complex_.tet_end()),
+                   static_cast<std::uint32_t>(around_.size())};
+      complex_.apply(op);
+      x_.push_back(x_[e.a] + (x_[e.b] - x_[e.a]) * t);
+      note(op, worst);
+      result_.ops.emplace_back(op);
+      mark(node, op.first, x_[e.a] + (x_[e.b] - x_[e.a]) * exact, e.at.normal);
+      if (t != exact) ++result_.snapped;
+      push_edges_of(node);
+      return true;
+    }
+    return false;
+  }
+
+  void note(const SplitEdge& op, double worst) {
+    ++result_.split_edges;
+    result_.split_tets += op.count;
+    const double angle = degrees_of(worst);
+    result_.least_dihedral_deg = std::min(result_.least_dihedral_deg, angle);
+    if (angle < least_dihedral_deg - 1e-9) ++result_.slivers;
+  }
+
+  void push_edges_of(NodeId node) {
+    ends_.clear();
+    for (const TetId t : complex_.star(node))
+      for (const NodeId corner : complex_.corners(t))
+        if (corner != node) ends_.push_back(corner);
+    std::sort(ends_.begin(), ends_.end());
+    ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
+    for (const NodeId end : ends_) push(end, node);
+  }
+
+  void snap(const CrossedEdge& e) {
+    const bool at_a = !marks_.find(e.a) && (e.at.t <= 0.5 || marks_.find(e.b));
+    const NodeId node = at_a ? e.a : e.b;
+    if (marks_.find(node)) return;  // both are: of another part of the stroke, which has to do
+    ++result_.snapped;
+    mark(node, around_.front(), x_[e.a] + (x_[e.b] - x_[e.a]) * e.at.t, e.at.normal);
+  }
+
+  TetComplex& complex_;
+  const Sheet& sheet_;
+  std::vector<Vec3>& x_;
+  Marks& marks_;
+  CutResult& result_;
+  std::priority_queue<CrossedEdge> crossed_;
+  std::vector<TetId> around_;
+  std::vector<NodeId> ends_;
+};
+
+}  // namespace
+
+Marks::Marks(const std::vector<Mark>& known, std::size_t nodes)
+    : marks_(known), index_(nodes, none), known_(known.size()) {
+  for (std::uint32_t i = 0; i < marks_.size(); ++i)
+    if (marks_[i].node < nodes) index_[marks_[i].node] = i;
+}
+
+void Marks::add(const Mark& mark) {
+  if (mark.node >= index_.size()) index_.resize(mark.node + 1u, none);
+  index_[mark.node] = static_cast<std::uint32_t>(marks_.size());
+  marks_.push_back(mark);
+}
+
+std::vector<BladeStroke::Mark> Marks::by_node() const {
+  std::vector<Mark> out = marks_;
+  std::sort(out.begin(), out.end(), [](const Mark& a, const Mark& b) { return a.node < b.node; });
+  return out;
+}
+
+void split_edges(TetComplex& complex, const Sheet& sheet, std::span<const TetId> candidates,
+                 std::vector<Vec3>& x, Marks& marks, CutResult& result) {
+  EdgeSplitter(complex, sheet, x, marks, result).run(candidates);
+}
+
+}  // namespace prosector

@@ -1,0 +1,102 @@
+#pragma once
+// Tetrahedra that can be cut: who neighbours whom, kept up to date locally. The rest shape only; positions
+// of the moving body are the caller's, by node id.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "common/mesh.h"
+#include "server/physics/cutting/topology_op.h"
+
+namespace prosector {
+
+class TetComplex {
+ public:
+  using Corners = std::array<NodeId, 4>;
+  static constexpr TetId none = std::numeric_limits<TetId>::max();
+
+  /// `rest`: every tetrahedron of positive volume, at most two at a face. `density`: kg/m³. Throws
+  /// InputError that names the tetrahedron otherwise.
+  TetComplex(const TetMesh& rest, double density);
+
+  // ---- By id. Ids of nodes and tetrahedra that are gone stay unused.
+  std::size_t node_end() const { return rest_.size(); }  // one past the largest id ever used
+  std::size_t tet_end() const { return tet_.size(); }
+  std::size_t nodes() const { return live_nodes_; }
+  std::size_t tets() const { return live_tets_; }
+  bool has_node(NodeId node) const { return node < rest_.size() && node_live_[node]; }
+  bool has_tet(TetId tet) const { return tet < tet_.size() && tet_live_[tet]; }
+  const Vec3& rest(NodeId node) const { return rest_[node]; }             // m
+  double mass(NodeId node) const { return mass_[node]; }                  // kg: ρV/4 of its tetrahedra
+  std::span<const TetId> star(NodeId node) const { return star_[node]; }  // ascending
+  const Corners& corners(TetId tet) const { return tet_[tet]; }  // kept of tetrahedra that were split
+  double volume(TetId tet) const { return volume_[tet]; }        // m³ at rest
+  /// The tetrahedron across the face opposite corner k; none at the boundary.
+  TetId neighbor(TetId tet, std::size_t k) const { return neighbor_[tet][k]; }
+  /// Whether the face opposite corner k was made by a cut.
+  bool is_wall(TetId tet, std::size_t k) const { return (wall_[tet] >> k & 1) != 0; }
+  /// The first of the two that `tet` became (the other is the next id); none if it was never split.
+  TetId child(TetId tet) const { return child_[tet]; }
+  /// Which tetrahedron became this one; none for those of the compiled mesh.
+  TetId parent(TetId tet) const { return parent_[tet]; }
+  bool has_corner(TetId tet, NodeId node) const;
+  std::size_t corner_index(TetId tet, NodeId node) const;  // 4: has none
+  /// Tetrahedra with both nodes, ascending.
+  void around_edge(NodeId a, NodeId b, std::vector<TetId>& tets) const;
+  double mean_volume() const { return mean_volume_; }  // m³, of the compiled mesh's tetrahedra
+  double cell() const { return cell_; }                // m, edge of a regular one of that volume
+  std::uint64_t undone() const { return undone_; }     // how often something was taken back
+
+  // ---- Changes. Both throw InputError, and change nothing, for what doesn't fit.
+  /// Ids that `op` brings must be unused; splitting makes no tetrahedron of no volume.
+  void apply(const TopologyOp& op);
+  /// Undoes the op that was applied last of those not yet taken back: content_hash() is then what it was.
+  void take_back(const TopologyOp& op);
+
+  /// Of connectivity, rest shape and masses, by id.
+  std::uint64_t content_hash() const;
+  /// Live node ids, ascending: the order of mesh().positions.
+  std::vector<NodeId> node_ids() const;
+  std::vector<TetId> tet_ids() const;
+  TetMesh mesh() const;
+
+  /// Corners of the face opposite corner k, counter-clockwise from outside.
+  static constexpr std::array<std::array<std::size_t, 3>, 4> face = {
+      {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+ private:
+  void change(const SplitEdge& op);
+  void change(const SlitFaces& op);
+  void change(const PartNode& op);
+  void change_back(const SplitEdge& op);
+  void change_back(const SlitFaces& op);
+  void change_back(const PartNode& op);
+  void join_by_faces();
+  void grow_nodes(std::size_t end);
+  void grow_tets(std::size_t end);
+  void leave(NodeId node, TetId tet);
+  void enter(NodeId node, TetId tet);
+  void update_mass(NodeId node);
+  std::size_t slot_towards(TetId tet, TetId other) const;  // by neighbour; 4: none
+  std::size_t slot_of_face(TetId tet, TetId other) const;  // by three common corners; 4: none
+  void check_parting(const PartNode& op) const;
+
+  double density_, mean_volume_ = 0, cell_ = 0;
+  std::vector<Vec3> rest_;
+  std::vector<double> mass_;
+  std::vector<std::uint8_t> node_live_, tet_live_;
+  std::vector<std::vector<TetId>> star_;
+  std::vector<Corners> tet_;
+  std::vector<std::array<TetId, 4>> neighbor_;
+  std::vector<std::uint8_t> wall_;  // bit k: face k
+  std::vector<double> volume_;
+  std::vector<TetId> parent_, child_;
+  std::vector<TetId> around_;  // scratch
+  std::size_t live_nodes_ = 0, live_tets_ = 0;
+  std::uint64_t undone_ = 0;
+};
+
+}  // namespace prosector

@@ -1,0 +1,198 @@
+// TetComplex's three elementary changes, each beside its inverse.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/anatomy/mesh_quality.h"
+#include "common/error.h"
+#include "server/physics/cutting/tet_complex.h"
+
+namespace prosector {
+namespace {
+
+void require(bool ok, std::string_view what) {
+  if (!ok) throw InputError(fmt::format("cutting: {}", what));
+}
+
+}  // namespace
+
+void TetComplex::change(const SplitEdge& op) {
+  require(op.a != op.b && has_node(op.a) && has_node(op.b), "an edge to split has no such nodes");
+  require(op.t > 0 && op.t < 1, "an edge is split outside (0, 1)");
+  require(op.node >= node_end() && op.first >= tet_end(), "an edge's splitting brings ids that were used");
+  around_edge(op.a, op.b, around_);
+  require(!around_.empty() && around_.size() == op.count,
+          "an edge to split has another number of tetrahedra");
+  require(op.node - node_end() <= tet_end() && op.first - tet_end() <= 8 * (tet_end() + 8),
+          "an edge's splitting brings ids far beyond those used");
+  const Vec3 middle = rest_[op.a] + (rest_[op.b] - rest_[op.a]) * op.t;
+  const auto volume_with = [&](TetId t, NodeId gone) {
+    std::array<Vec3, 4> x;
+    for (std::size_t k = 0; k < 4; ++k) x[k] = tet_[t][k] == gone ? middle : rest_[tet_[t][k]];
+    return tet_volume(x[0], x[1], x[2], x[3]);
+  };
+  for (const TetId t : around_)
+    require(volume_with(t, op.a) > 0 && volume_with(t, op.b) > 0, "an edge's splitting makes no volume");
+
+  grow_nodes(op.node + 1u);
+  grow_tets(op.first + 2u * op.count);
+  rest_[op.node] = middle;
+  node_live_[op.node] = 1;
+  ++live_nodes_;
+  live_tets_ += op.count;
+  for (std::size_t i = 0; i < around_.size(); ++i) {
+    const TetId t = around_[i], with_a = op.first + 2 * static_cast<TetId>(i), with_b = with_a + 1;
+    const std::size_t ka = corner_index(t, op.a), kb = corner_index(t, op.b);
+    tet_[with_a] = tet_[with_b] = tet_[t];
+    tet_[with_a][kb] = tet_[with_b][ka] = op.node;
+    volume_[with_a] = volume_with(t, op.b);
+    volume_[with_b] = volume_with(t, op.a);
+    wall_[with_a] = static_cast<std::uint8_t>(wall_[t] & ~(1u << ka));
+    wall_[with_b] = static_cast<std::uint8_t>(wall_[t] & ~(1u << kb));
+    parent_[with_a] = parent_[with_b] = t;
+    child_[t] = with_a;
+    tet_live_[t] = 0;
+    tet_live_[with_a] = tet_live_[with_b] = 1;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const TetId beyond = neighbor_[t][k];
+      if (k == ka) {
+        neighbor_[with_a][k] = with_b;
+        neighbor_[with_b][k] = beyond;
+        if (beyond != none) neighbor_[beyond][slot_towards(beyond, t)] = with_b;
+      } else if (k == kb) {
+        neighbor_[with_b][k] = with_a;
+        neighbor_[with_a][k] = beyond;
+        if (beyond != none) neighbor_[beyond][slot_towards(beyond, t)] = with_a;
+      } else if (beyond == none) {
+        neighbor_[with_a][k] = neighbor_[with_b][k] = none;
+      } else {
+        const auto j = std::lower_bound(around_.begin(), around_.end(), beyond) - around_.begin();
+        neighbor_[with_a][k] = op.first + 2 * static_cast<TetId>(j);
+        neighbor_[with_b][k] = neighbor_[with_a][k] + 1;
+      }
+    }
+    for (const NodeId node : tet_[t]) leave(node, t);
+    for (const NodeId node : tet_[with_a]) star_[node].push_back(with_a);
+    for (const NodeId node : tet_[with_b]) star_[node].push_back(with_b);
+  }
+  update_mass(op.node);
+  for (const TetId t : around_)
+    for (const NodeId node : tet_[t]) update_mass(node);
+}
+
+void TetComplex::change_back(const SplitEdge& op) {
+  bool good = op.count > 0 && has_node(op.node) && op.first + 2ull * op.count <= tet_end() &&
+              star_[op.node].size() == 2ull * op.count;
+  for (TetId c = op.first; good && c < op.first + 2 * op.count; ++c) good = has_tet(c) && parent_[c] != none;
+  require(good, "an edge's splitting to take back isn't there as it was made");
+  for (TetId i = 0; i < op.count; ++i) {
+    const TetId with_a = op.first + 2 * i, with_b = with_a + 1, t = parent_[with_a];
+    const std::size_t ka = corner_index(t, op.a), kb = corner_index(t, op.b);
+    for (const auto& [child, k] : {std::pair{with_a, kb}, std::pair{with_b, ka}}) {
+      const TetId beyond = neighbor_[child][k];
+      neighbor_[t][k] = beyond;
+      if (beyond != none) neighbor_[beyond][slot_towards(beyond, child)] = t;
+      for (const NodeId node : tet_[child]) leave(node, child);
+      tet_live_[child] = 0;
+    }
+    for (const NodeId node : tet_[t]) enter(node, t);
+    tet_live_[t] = 1;
+    child_[t] = none;
+  }
+  node_live_[op.node] = 0;
+  --live_nodes_;
+  live_tets_ -= op.count;
+  for (TetId i = 0; i < op.count; ++i)
+    for (const NodeId node : tet_[parent_[op.first + 2 * i]]) update_mass(node);
+}
+
+void TetComplex::change(const SlitFaces& op) {
+  for (std::size_t i = 0; i < op.faces.size(); ++i) {
+    const auto& [a, b] = op.faces[i];
+    require(a < b && (i == 0 || op.faces[i - 1] < op.faces[i]), "faces to slit are not in order");
+    require(has_tet(a) && has_tet(b) && slot_towards(a, b) < 4, "faces to slit join no such tetrahedra");
+  }
+  for (const auto& [a, b] : op.faces) {
+    const std::size_t ka = slot_towards(a, b), kb = slot_towards(b, a);
+    neighbor_[a][ka] = neighbor_[b][kb] = none;
+    wall_[a] = static_cast<std::uint8_t>(wall_[a] | 1u << ka);
+    wall_[b] = static_cast<std::uint8_t>(wall_[b] | 1u << kb);
+  }
+}
+
+void TetComplex::change_back(const SlitFaces& op) {
+  for (const auto& [a, b] : op.faces) {
+    require(has_tet(a) && has_tet(b), "faces to join belong to no such tetrahedra");
+    const std::size_t ka = slot_of_face(a, b), kb = slot_of_face(b, a);
+    require(ka < 4 && kb < 4 && is_wall(a, ka) && is_wall(b, kb), "faces to join were not slit");
+  }
+  for (const auto& [a, b] : op.faces) {
+    const std::size_t ka = slot_of_face(a, b), kb = slot_of_face(b, a);
+    neighbor_[a][ka] = b;
+    neighbor_[b][kb] = a;
+    wall_[a] = static_cast<std::uint8_t>(wall_[a] & ~(1u << ka));
+    wall_[b] = static_cast<std::uint8_t>(wall_[b] & ~(1u << kb));
+  }
+}
+
+void TetComplex::check_parting(const PartNode& op) const {
+  require(has_node(op.node), "a node to part isn't there");
+  std::vector<TetId> taken;
+  NodeId last = static_cast<NodeId>(node_end() - 1);
+  for (const auto& copy : op.copies) {
+    require(copy.node > last && copy.node - node_end() <= tet_end(),
+            "a parted node's copies bring wrong ids");
+    last = copy.node;
+    require(!copy.tets.empty() && std::is_sorted(copy.tets.begin(), copy.tets.end()),
+            "a parted node's copy has no tetrahedra in order");
+    taken.insert(taken.end(), copy.tets.begin(), copy.tets.end());
+    for (const TetId t : copy.tets) {
+      require(has_tet(t) && has_corner(t, op.node), "a parted node's copy takes what isn't the node's");
+      for (std::size_t k = 0; k < 4; ++k) {
+        const TetId beyond = neighbor_[t][k];
+        require(beyond == none || tet_[t][k] == op.node ||
+                    std::binary_search(copy.tets.begin(), copy.tets.end(), beyond),
+                "a parted node's copy would tear a face");
+      }
+    }
+  }
+  std::sort(taken.begin(), taken.end());
+  require(std::adjacent_find(taken.begin(), taken.end()) == taken.end(), "two copies take one tetrahedron");
+  require(!op.copies.empty() && taken.size() < star_[op.node].size(), "a parted node keeps no tetrahedron");
+}
+
+void TetComplex::change(const PartNode& op) {
+  check_parting(op);
+  grow_nodes(op.copies.back().node + 1u);
+  for (const auto& copy : op.copies) {
+    rest_[copy.node] = rest_[op.node];
+    node_live_[copy.node] = 1;
+    ++live_nodes_;
+    for (const TetId t : copy.tets) {
+      leave(op.node, t);
+      tet_[t][corner_index(t, op.node)] = copy.node;
+    }
+    star_[copy.node] = copy.tets;
+    update_mass(copy.node);
+  }
+  update_mass(op.node);
+}
+
+void TetComplex::change_back(const PartNode& op) {
+  require(has_node(op.node), "a node to join again isn't there");
+  for (const auto& copy : op.copies)
+    require(has_node(copy.node) && star_[copy.node] == copy.tets, "a node's copies aren't as they were made");
+  for (const auto& copy : op.copies) {
+    for (const TetId t : copy.tets) {
+      tet_[t][corner_index(t, copy.node)] = op.node;
+      enter(op.node, t);
+    }
+    star_[copy.node].clear();
+    node_live_[copy.node] = 0;
+    --live_nodes_;
+  }
+  update_mass(op.node);
+}
+
+}  // namespace prosector

@@ -1,0 +1,149 @@
+#include "server/physics/cutting/tet_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t leaf_size = 8;
+
+Vec3 centroid(const TetComplex& complex, TetId t) {
+  const auto& c = complex.corners(t);
+  return (complex.rest(c[0]) + complex.rest(c[1]) + complex.rest(c[2]) + complex.rest(c[3])) / 4;
+}
+
+}  // namespace
+
+void TetTree::build(const TetComplex& complex) {
+  branches_.clear();
+  leaves_.clear();
+  std::vector<std::pair<Vec3, TetId>> tets;
+  tets.reserve(complex.tets());
+  for (const TetId t : complex.tet_ids()) tets.emplace_back(centroid(complex, t), t);
+  if (!tets.empty()) split(tets, 0, tets.size());
+  built_tets_ = tets.size();
+  undone_ = complex.undone();
+}
+
+std::uint32_t TetTree::split(std::vector<std::pair<Vec3, TetId>>& tets, std::size_t begin, std::size_t end) {
+  const auto index = static_cast<std::uint32_t>(branches_.size());
+  branches_.push_back({});
+  branches_[index].first = static_cast<std::uint32_t>(leaves_.size());
+  if (end - begin <= leaf_size) {
+    auto& leaf = leaves_.emplace_back();
+    for (std::size_t i = begin; i < end; ++i) leaf.push_back(tets[i].second);
+  } else {
+    Vec3 low = tets[begin].first, high = low;
+    for (std::size_t i = begin; i < end; ++i) {
+      low = low.cwiseMin(tets[i].first);
+      high = high.cwiseMax(tets[i].first);
+    }
+    Eigen::Index axis = 0;
+    (high - low).maxCoeff(&axis);
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto at = [&](std::size_t i) { return tets.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(at(begin), at(middle), at(end), [axis](const auto& a, const auto& b) {
+      return a.first[axis] != b.first[axis] ? a.first[axis] < b.first[axis] : a.second < b.second;
+    });
+    split(tets, begin, middle);
+    const std::uint32_t right = split(tets, middle, end);
+    branches_[index].right = right;
+  }
+  branches_[index].last = static_cast<std::uint32_t>(leaves_.size());
+  return index;
+}
+
+void TetTree::renew(const TetComplex& complex, std::vector<TetId>& leaf) {
+  if (std::all_of(leaf.begin(), leaf.end(), [&](TetId t) { return complex.has_tet(t); })) return;
+  scratch_.clear();
+  for (std::size_t i = 0; i < leaf.size(); ++i) {
+    const TetId t = leaf[i];
+    if (complex.has_tet(t)) {
+      scratch_.push_back(t);
+    } else {
+      leaf.push_back(complex.child(t));
+      leaf.push_back(complex.child(t) + 1);
+    }
+  }
+  leaf.assign(scratch_.begin(), scratch_.end());
+}
+
+void TetTree::update(const TetComplex& complex, std::span<const Vec3> positions) {
+  if (branches_.empty() || undone_ != complex.undone() || complex.tets() > 2 * built_tets_) build(complex);
+  for (auto& leaf : leaves_) renew(complex, leaf);
+  boxes(complex, positions);
+}
+
+void TetTree::boxes(const TetComplex& complex, std::span<const Vec3> positions) {
+  low_.clear();
+  high_.clear();
+  leaf_begin_.assign(1, 0);
+  for (const auto& leaf : leaves_) {
+    for (const TetId t : leaf) {
+      const auto& c = complex.corners(t);
+      const Vec3 &x0 = positions[c[0]], &x1 = positions[c[1]], &x2 = positions[c[2]], &x3 = positions[c[3]];
+      low_.push_back(x0.cwiseMin(x1).cwiseMin(x2.cwiseMin(x3)));
+      high_.push_back(x0.cwiseMax(x1).cwiseMax(x2.cwiseMax(x3)));
+    }
+    leaf_begin_.push_back(low_.size());
+  }
+  for (std::size_t b = branches_.size(); b-- > 0;) {
+    Branch& branch = branches_[b];
+    if (branch.right == 0) {
+      const std::size_t begin = leaf_begin_[branch.first], end = leaf_begin_[branch.last];
+      branch.low = low_[begin];
+      branch.high = high_[begin];
+      for (std::size_t i = begin + 1; i < end; ++i) {
+        branch.low = branch.low.cwiseMin(low_[i]);
+        branch.high = branch.high.cwiseMax(high_[i]);
+      }
+    } else {
+      branch.low = branches_[b + 1].low.cwiseMin(branches_[branch.right].low);
+      branch.high = branches_[b + 1].high.cwiseMax(branches_[branch.right].high);
+    }
+  }
+}
+
+template <class Meets>
+void TetTree::visit(Meets&& meets, std::vector<TetId>& found) const {
+  std::vector<std::uint32_t> open;
+  if (!branches_.empty()) open.push_back(0);
+  while (!open.empty()) {
+    const std::uint32_t b = open.back();
+    open.pop_back();
+    const Branch& branch = branches_[b];
+    if (!meets(branch.low, branch.high)) continue;
+    if (branch.right != 0) {
+      open.push_back(branch.right);
+      open.push_back(b + 1);
+      continue;
+    }
+    const std::size_t begin = leaf_begin_[branch.first];
+    const auto& leaf = leaves_[branch.first];
+    for (std::size_t i = 0; i < leaf.size(); ++i)
+      if (meets(low_[begin + i], high_[begin + i])) found.push_back(leaf[i]);
+  }
+}
+
+void TetTree::query(const Sheet::Piece& piece, std::vector<TetId>& found) const {
+  visit(
+      [&](const Vec3& low, const Vec3& high) {
+        if ((low.array() > piece.high.array()).any() || (high.array() < piece.low.array()).any())
+          return false;
+        const Vec3 center = (low + high) / 2, half = (high - low) / 2;
+        return std::abs(piece.normal.dot(center - piece.corner[0])) <=
+               piece.normal.cwiseAbs().dot(half) * (1 + 1e-12);
+      },
+      found);
+}
+
+void TetTree::query(const Vec3& x, std::vector<TetId>& found) const {
+  visit(
+      [&](const Vec3& low, const Vec3& high) {
+        return (low.array() <= x.array()).all() && (x.array() <= high.array()).all();
+      },
+      found);
+}
+
+}  // namespace prosector

@@ -1,0 +1,44 @@
+#pragma once
+// Which tetrahedra may touch a box: a tree over them, refitted to where they are. A cache: answers don't
+// depend on its history.
+
+#include <span>
+#include <vector>
+
+#include "server/physics/cutting/sheet.h"
+#include "server/physics/cutting/tet_complex.h"
+
+namespace prosector {
+
+class TetTree {
+ public:
+  /// Takes in what was split and moved since. `positions`: m, by node id.
+  void update(const TetComplex& complex, std::span<const Vec3> positions);
+  /// Appends the tetrahedra of the last update whose boxes meet the piece's box and plane.
+  void query(const Sheet::Piece& piece, std::vector<TetId>& found) const;
+  /// Likewise those whose boxes have x.
+  void query(const Vec3& x, std::vector<TetId>& found) const;
+
+ private:
+  struct Branch {
+    Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+    std::uint32_t first = 0, last = 0;  // its leaves
+    std::uint32_t right = 0;            // the left one is the next; 0: a leaf
+  };
+  void build(const TetComplex& complex);
+  std::uint32_t split(std::vector<std::pair<Vec3, TetId>>& tets, std::size_t begin, std::size_t end);
+  void renew(const TetComplex& complex, std::vector<TetId>& leaf);
+  template <class Meets>
+  void visit(Meets&& meets, std::vector<TetId>& found) const;
+  void boxes(const TetComplex& complex, std::span<const Vec3> positions);
+
+  std::vector<Branch> branches_;  // parents before children
+  std::vector<std::vector<TetId>> leaves_;
+  std::vector<Vec3> low_, high_;         // of each tetrahedron, by leaf in order
+  std::vector<std::size_t> leaf_begin_;  // into these
+  std::vector<TetId> scratch_;
+  std::size_t built_tets_ = 0;
+  std::uint64_t undone_ = 0;
+};
+
+}  // namespace prosector

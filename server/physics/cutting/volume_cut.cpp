@@ -1,0 +1,219 @@
+#include "server/physics/cutting/volume_cut.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/error.h"
+#include "server/physics/cutting/edge_splitter.h"
+#include "server/physics/cutting/sheet.h"
+
+namespace prosector {
+namespace {
+
+constexpr double least_motion = 1e-9;  // m: below, the blade stands still
+
+bool all_marked(const TetComplex& complex, const Marks& marks, TetId tet) {
+  const auto& c = complex.corners(tet);
+  return std::all_of(c.begin(), c.end(), [&](NodeId corner) { return marks.find(corner) != nullptr; });
+}
+
+/// How far `x` (at rest) lies above the planes marked at the tetrahedron's corners, up being where
+/// `reference` points.
+double height(const TetComplex& complex, const Marks& marks, TetId tet, const Vec3& x,
+              const Vec3& reference) {
+  double sum = 0;
+  for (const NodeId corner : complex.corners(tet)) {
+    const BladeStroke::Mark* mark = marks.find(corner);
+    if (!mark) continue;
+    const double h = mark->normal.dot(x - mark->point);
+    sum += mark->normal.dot(reference) < 0 ? -h : h;
+  }
+  return sum;
+}
+
+/// Whether a tetrahedron of at least three marked corners lies above: its other corner does. Where all four
+/// are marked either would do; it goes with its neighbours, so that no crumb is left, or with its middle.
+bool is_above(const TetComplex& complex, const Marks& marks, TetId tet, const Vec3& reference) {
+  const auto by_corner = [&](TetId t) {
+    Vec3 x = Vec3::Zero();
+    for (const NodeId corner : complex.corners(t))
+      if (!marks.find(corner)) x = complex.rest(corner);
+    return height(complex, marks, t, x, reference) > 0;
+  };
+  if (!all_marked(complex, marks, tet)) return by_corner(tet);
+  bool above = false, below = false;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const TetId beyond = complex.neighbor(tet, k);
+    if (beyond == TetComplex::none || all_marked(complex, marks, beyond)) continue;
+    (by_corner(beyond) ? above : below) = true;
+  }
+  if (above != below) return above;
+  Vec3 middle = Vec3::Zero();
+  for (const NodeId corner : complex.corners(tet)) middle += complex.rest(corner) / 4;
+  return height(complex, marks, tet, middle, reference) > 0;
+}
+
+SlitFaces faces_to_slit(const TetComplex& complex, const Marks& marks) {
+  std::vector<TetId> touched;
+  for (const auto& mark : marks.added()) {
+    const auto star = complex.star(mark.node);
+    touched.insert(touched.end(), star.begin(), star.end());
+  }
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  SlitFaces op;
+  for (const TetId t : touched)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const TetId beyond = complex.neighbor(t, k);
+      if (beyond == TetComplex::none) continue;
+      const auto& c = complex.corners(t);
+      const BladeStroke::Mark* first = nullptr;
+      bool on_blade = true;
+      for (const std::size_t j : TetComplex::face[k]) {
+        const BladeStroke::Mark* mark = marks.find(c[j]);
+        on_blade = on_blade && mark;
+        if (mark && (!first || mark->node < first->node)) first = mark;
+      }
+      if (!on_blade) continue;
+      const Vec3& up = first->normal;
+      if (is_above(complex, marks, t, up) != is_above(complex, marks, beyond, up))
+        op.faces.push_back({std::min(t, beyond), std::max(t, beyond)});
+    }
+  std::sort(op.faces.begin(), op.faces.end());
+  op.faces.erase(std::unique(op.faces.begin(), op.faces.end()), op.faces.end());
+  return op;
+}
+
+/// The tetrahedra that hang together with `first` where `slit` is slit too; none where they are more than a
+/// crumb.
+std::vector<TetId> crumb_at(const TetComplex& complex, const SlitFaces& slit, TetId first) {
+  std::vector<TetId> crumb = {first};
+  double volume = 0;
+  for (std::size_t n = 0; n < crumb.size(); ++n) {
+    const TetId t = crumb[n];
+    volume += complex.volume(t);
+    if (volume > least_piece_share * complex.mean_volume()) return {};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const TetId beyond = complex.neighbor(t, k);
+      if (beyond == TetComplex::none || std::find(crumb.begin(), crumb.end(), beyond) != crumb.end())
+        continue;
+      const std::array<TetId, 2> face = {std::min(t, beyond), std::max(t, beyond)};
+      if (!std::binary_search(slit.faces.begin(), slit.faces.end(), face)) crumb.push_back(beyond);
+    }
+  }
+  return crumb;
+}
+
+/// A blade that follows an older cut would chip off what stands out of its walls: that stays where it is.
+void leave_crumbs(const TetComplex& complex, SlitFaces& slit) {
+  std::vector<TetId> crumbs;
+  for (const auto& face : slit.faces)
+    for (const TetId t : face) {
+      if (std::find(crumbs.begin(), crumbs.end(), t) != crumbs.end()) continue;
+      const auto crumb = crumb_at(complex, slit, t);
+      crumbs.insert(crumbs.end(), crumb.begin(), crumb.end());
+    }
+  if (crumbs.empty()) return;
+  std::erase_if(slit.faces, [&](const std::array<TetId, 2>& face) {
+    return std::any_of(crumbs.begin(), crumbs.end(), [&](TetId t) { return face[0] == t || face[1] == t; });
+  });
+}
+
+/// The node's tetrahedra by what hangs together through faces at it; the one with the lowest id comes first.
+std::vector<std::vector<TetId>> fans(const TetComplex& complex, NodeId node) {
+  const auto star = complex.star(node);
+  std::vector<bool> seen(star.size(), false);
+  std::vector<std::vector<TetId>> out;
+  const auto place = [&](TetId t) {
+    return static_cast<std::size_t>(std::lower_bound(star.begin(), star.end(), t) - star.begin());
+  };
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    if (seen[i]) continue;
+    seen[i] = true;
+    auto& fan = out.emplace_back(1, star[i]);
+    for (std::size_t n = 0; n < fan.size(); ++n)
+      for (std::size_t k = 0; k < 4; ++k) {
+        const TetId t = fan[n], beyond = complex.neighbor(t, k);
+        if (beyond == TetComplex::none || complex.corners(t)[k] == node || seen[place(beyond)]) continue;
+        seen[place(beyond)] = true;
+        fan.push_back(beyond);
+      }
+    std::sort(fan.begin(), fan.end());
+  }
+  return out;
+}
+
+/// Of slit faces, and of edges that were split: the tetrahedra around an edge may have fallen apart before
+/// those at its ends.
+void part_nodes(TetComplex& complex, const SlitFaces& slit, std::vector<Vec3>& x, Marks& marks,
+                CutResult& result) {
+  std::vector<NodeId> nodes;
+  for (const TopologyOp& op : result.ops)
+    if (const auto* split = std::get_if<SplitEdge>(&op)) nodes.push_back(split->node);
+  for (const auto& [a, b] : slit.faces)
+    for (const NodeId corner : complex.corners(a))
+      if (complex.has_corner(b, corner)) nodes.push_back(corner);
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  for (const NodeId node : nodes) {
+    auto parts = fans(complex, node);
+    if (parts.size() < 2) continue;
+    PartNode op{node, {}};
+    for (std::size_t p = 1; p < parts.size(); ++p) {
+      op.copies.push_back({static_cast<NodeId>(x.size()), std::move(parts[p])});
+      x.push_back(x[node]);
+      BladeStroke::Mark mark = *marks.find(node);
+      mark.node = op.copies.back().node;
+      marks.add(mark);
+    }
+    complex.apply(op);
+    result.ops.emplace_back(std::move(op));
+    ++result.parted_nodes;
+  }
+}
+
+}  // namespace
+
+CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> positions, std::span<const Vec3> edge,
+              BladeStroke& stroke) {
+  check_edge(edge);
+  if (edge.size() != stroke.edge.size())
+    throw InputError(
+        fmt::format("blade: its edge has {} points, but {} when the stroke began; allowed: as many",
+                    edge.size(), stroke.edge.size()));
+  if (positions.size() < complex.node_end())
+    throw InputError(
+        fmt::format("cutting: {} positions for nodes up to {}", positions.size(), complex.node_end()));
+  CutResult result;
+  const std::vector<Vec3> from = carried_edge(stroke, complex, positions);
+  double motion = 0;
+  for (std::size_t i = 0; i < edge.size(); ++i) motion = std::max(motion, (edge[i] - from[i]).norm());
+  if (motion < least_motion) return result;
+
+  const Sheet sheet(from, edge);
+  tree.update(complex, positions);
+  std::vector<TetId> candidates;
+  for (const Sheet::Piece& piece : sheet.pieces()) tree.query(piece, candidates);
+  std::sort(candidates.begin(), candidates.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+
+  std::vector<Vec3> x(positions.begin(), positions.begin() + static_cast<std::ptrdiff_t>(complex.node_end()));
+  if (!candidates.empty()) {
+    Marks marks(stroke.marks, complex.node_end());
+    split_edges(complex, sheet, candidates, x, marks, result);
+    SlitFaces slit = faces_to_slit(complex, marks);
+    leave_crumbs(complex, slit);
+    if (!slit.faces.empty()) {
+      complex.apply(slit);
+      result.slit_faces = slit.faces.size();
+      result.ops.emplace_back(slit);
+    }
+    part_nodes(complex, slit, x, marks, result);
+    stroke.marks = marks.by_node();
+  }
+  hold_edge(stroke, edge, complex, tree, x);
+  return result;
+}
+
+}  // namespace prosector

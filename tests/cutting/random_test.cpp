@@ -1,0 +1,107 @@
+// Strokes at random, one after another in the same body, which is bent, squeezed and in places inside out.
+// PROSECTOR_STROKES says how many (default 100), PROSECTOR_SEED which.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "server/physics/cutting/carry.h"
+#include "server/physics/cutting/pieces.h"
+#include "tests/cutting/meshes.h"
+#include "tests/cutting/soundness.h"
+#include "tests/cutting/strokes.h"
+
+namespace prosector {
+namespace {
+
+unsigned number(const char* variable, unsigned otherwise) {
+  const char* text = std::getenv(variable);
+  return text ? static_cast<unsigned>(std::strtoul(text, nullptr, 10)) : otherwise;
+}
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double uniform(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_()) / static_cast<double>(engine_.max());
+  }
+  Vec3 point(double reach) {
+    return Vec3::NullaryExpr([&] { return mesh_size * (0.5 + reach * uniform(-1, 1)); });
+  }
+  std::size_t below(std::size_t n) { return engine_() % n; }
+
+ private:
+  std::mt19937 engine_;
+};
+
+// One to twelve ticks with an edge of two to five points that wanders; every tenth over 1e-6 m only.
+Stroke random_stroke(Random& random) {
+  const std::size_t points = 2 + random.below(4), ticks = 1 + random.below(12);
+  const Vec3 a = random.point(0.9), b = random.point(0.9);
+  Vec3 way = (random.point(0.9) - random.point(0.9)) / static_cast<double>(ticks);
+  if (random.below(10) == 0) way *= 1e-6 / way.norm();
+  std::vector<Vec3> edge;
+  for (std::size_t i = 0; i < points; ++i)
+    edge.push_back(a + (b - a) * static_cast<double>(i) / static_cast<double>(points - 1));
+  Stroke stroke = {edge};
+  for (std::size_t i = 0; i < ticks; ++i) {
+    for (Vec3& x : edge)
+      x += way + 0.1 * way.norm() / mesh_size * (random.point(1) - Vec3::Constant(mesh_size / 2));
+    stroke.push_back(edge);
+  }
+  return stroke;
+}
+
+void knead(std::vector<Vec3>& x, const TetComplex& complex, Random& random) {
+  const double bend = random.uniform(-8, 8), squeeze = random.uniform(0.3, 1.2),
+               push = random.uniform(-0.04, 0.04);
+  const Vec3 hit = random.point(0.5);
+  for (NodeId i = 0; i < x.size(); ++i) {
+    const Vec3& r = complex.rest(i);
+    x[i] = {r[0], squeeze * r[1] + bend * r[0] * r[0], r[2]};
+    if ((r - hit).norm() < 0.03)
+      x[i][0] += push;  // farther than the elements are long: turns some inside out
+  }
+}
+
+TEST(RandomStrokes, LeaveEveryMeshSound) {
+  const unsigned strokes = number("PROSECTOR_STROKES", 100), seed = number("PROSECTOR_SEED", 20261122);
+  SCOPED_TRACE("PROSECTOR_SEED=" + std::to_string(seed));
+  const std::vector<NamedMesh> meshes = {
+      {"box", box_mesh(3)}, {"ball", ball_mesh(0.025)}, {"tet", single_tet()}};
+  for (const NamedMesh& row : meshes) {
+    SCOPED_TRACE(row.name);
+    Random random(seed);
+    TetComplex complex(row.mesh, mesh_density);
+    const Whole before = whole(complex);
+    TetTree tree;
+    std::vector<Vec3> x = rest_positions(complex);
+    std::vector<std::pair<std::uint64_t, CutResult>> log;
+    for (unsigned i = 0; i < strokes; ++i) {
+      const Stroke stroke = random_stroke(random);
+      BladeStroke state = begin_stroke(stroke.front());
+      for (std::size_t tick = 1; tick < stroke.size(); ++tick) {
+        if (random.below(2) == 0) knead(x, complex, random);
+        const std::uint64_t hash = complex.content_hash();
+        CutResult result = cut(complex, tree, x, stroke[tick], state);
+        for (const TopologyOp& op : result.ops) carry(op, x);
+        if (!result.ops.empty()) log.emplace_back(hash, std::move(result));
+      }
+      if (i % 10 == 9 || i + 1 == strokes) {
+        ASSERT_TRUE(is_sound(complex, before)) << "after stroke " << i;
+      }
+    }
+    RecordProperty(row.name + "_tets", static_cast<int>(complex.tets()));
+    RecordProperty(row.name + "_pieces", static_cast<int>(pieces(complex).size()));
+    for (std::size_t i = log.size(); i-- > 0;) {
+      const CutResult& result = log[i].second;
+      for (std::size_t k = result.ops.size(); k-- > 0;) complex.take_back(result.ops[k]);
+      ASSERT_EQ(complex.content_hash(), log[i].first) << "cut " << i << " taken back";
+    }
+    EXPECT_EQ(complex.tets(), row.mesh.tets.size());
+  }
+}
+
+}  // namespace
+}  // namespace prosector

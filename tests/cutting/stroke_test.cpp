@@ -1,0 +1,86 @@
+// Each stroke of the table on each mesh: sound afterwards, the same again, and taken back exactly.
+
+#include <gtest/gtest.h>
+
+#include "server/physics/cutting/carry.h"
+#include "server/physics/cutting/pieces.h"
+#include "tests/cutting/meshes.h"
+#include "tests/cutting/soundness.h"
+#include "tests/cutting/strokes.h"
+
+namespace prosector {
+namespace {
+
+struct Log {
+  std::vector<CutResult> cuts;
+  std::vector<std::uint64_t> hashes;  // before each
+};
+
+Log make(TetComplex& complex, const std::vector<Stroke>& strokes) {
+  Log log;
+  TetTree tree;
+  std::vector<Vec3> x = rest_positions(complex);
+  for (const Stroke& stroke : strokes) {
+    BladeStroke state = begin_stroke(stroke.front());
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+      log.hashes.push_back(complex.content_hash());
+      log.cuts.push_back(cut(complex, tree, x, stroke[i], state));
+      for (const TopologyOp& op : log.cuts.back().ops) carry(op, x);
+    }
+  }
+  return log;
+}
+
+void take_back(TetComplex& complex, const CutResult& cut) {
+  for (std::size_t i = cut.ops.size(); i-- > 0;) complex.take_back(cut.ops[i]);
+}
+
+class Strokes : public ::testing::TestWithParam<NamedMesh> {};
+
+TEST_P(Strokes, LeaveItSound) {
+  for (const NamedStrokes& row : strokes_to_make()) {
+    SCOPED_TRACE(row.name);
+    TetComplex complex(GetParam().mesh, mesh_density);
+    const Whole before = whole(complex);
+    const Log log = make(complex, row.strokes);
+    EXPECT_TRUE(is_sound(complex, before));
+    if (row.box_pieces > 0 && GetParam().name != "tet") {
+      EXPECT_EQ(pieces(complex).size(), row.box_pieces);
+    }
+  }
+}
+
+TEST_P(Strokes, AreTakenBackExactly) {
+  for (const NamedStrokes& row : strokes_to_make()) {
+    SCOPED_TRACE(row.name);
+    TetComplex complex(GetParam().mesh, mesh_density);
+    const Log log = make(complex, row.strokes);
+    for (std::size_t i = log.cuts.size(); i-- > 0;) {
+      take_back(complex, log.cuts[i]);
+      ASSERT_EQ(complex.content_hash(), log.hashes[i]) << "cut " << i;
+    }
+    EXPECT_EQ(complex.tets(), GetParam().mesh.tets.size());
+  }
+}
+
+TEST_P(Strokes, AreTheSameWhenReplayed) {
+  for (const NamedStrokes& row : strokes_to_make()) {
+    SCOPED_TRACE(row.name);
+    TetComplex complex(GetParam().mesh, mesh_density), again(GetParam().mesh, mesh_density),
+        replica(GetParam().mesh, mesh_density);
+    const Log log = make(complex, row.strokes), second = make(again, row.strokes);
+    ASSERT_EQ(log.cuts.size(), second.cuts.size());
+    for (std::size_t i = 0; i < log.cuts.size(); ++i) {
+      EXPECT_EQ(log.cuts[i].ops, second.cuts[i].ops);
+      for (const TopologyOp& op : log.cuts[i].ops) replica.apply(op);
+    }
+    EXPECT_EQ(complex.content_hash(), replica.content_hash());
+    EXPECT_EQ(complex.content_hash(), again.content_hash());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, Strokes, ::testing::ValuesIn(meshes_to_cut()),
+                         [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace prosector

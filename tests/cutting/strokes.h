@@ -1,0 +1,31 @@
+#pragma once
+// A table of what blades do: everyday strokes and awkward ones.
+
+#include <string>
+#include <vector>
+
+#include "server/physics/cutting/volume_cut.h"
+
+namespace prosector {
+
+/// The blade's edge tick by tick; strokes one after another.
+using Stroke = std::vector<std::vector<Vec3>>;
+struct NamedStrokes {
+  std::string name;
+  std::vector<Stroke> strokes;
+  std::size_t box_pieces;  // of a box afterwards; 0: not said
+};
+
+/// In units of tests/cutting/meshes.h's box.
+std::vector<NamedStrokes> strokes_to_make();
+
+/// A plane through `middle` across everything, in `ticks`; `normal` is its own.
+Stroke across(const Vec3& middle, const Vec3& normal, int ticks);
+
+/// Makes the stroke; each op's new nodes are put on their edges. `x`: m, by node id; grows.
+std::vector<CutResult> make_stroke(TetComplex& complex, TetTree& tree, std::vector<Vec3>& x,
+                                   const Stroke& stroke);
+
+std::vector<Vec3> rest_positions(const TetComplex& complex);
+
+}  // namespace prosector
