@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <random>
 
-#include "server/physics/cutting/carry.h"
 #include "server/physics/cutting/pieces.h"
 #include "tests/cutting/meshes.h"
 #include "tests/cutting/soundness.h"
@@ -84,8 +83,7 @@ TEST(RandomStrokes, LeaveEveryMeshSound) {
       for (std::size_t tick = 1; tick < stroke.size(); ++tick) {
         if (random.below(2) == 0) knead(x, complex, random);
         const std::uint64_t hash = complex.content_hash();
-        CutResult result = cut(complex, tree, x, stroke[tick], state);
-        for (const TopologyOp& op : result.ops) carry(op, x);
+        CutResult result = cut_and_carry(complex, tree, x, stroke[tick], state);
         if (!result.ops.empty()) log.emplace_back(hash, std::move(result));
       }
       if (i % 10 == 9 || i + 1 == strokes) {

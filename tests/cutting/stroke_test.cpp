@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "server/physics/cutting/carry.h"
 #include "server/physics/cutting/pieces.h"
 #include "tests/cutting/meshes.h"
 #include "tests/cutting/soundness.h"
@@ -24,8 +23,7 @@ Log make(TetComplex& complex, const std::vector<Stroke>& strokes) {
     BladeStroke state = begin_stroke(stroke.front());
     for (std::size_t i = 1; i < stroke.size(); ++i) {
       log.hashes.push_back(complex.content_hash());
-      log.cuts.push_back(cut(complex, tree, x, stroke[i], state));
-      for (const TopologyOp& op : log.cuts.back().ops) carry(op, x);
+      log.cuts.push_back(cut_and_carry(complex, tree, x, stroke[i], state));
     }
   }
   return log;

@@ -96,15 +96,11 @@ std::vector<Vec3> rest_positions(const TetComplex& complex) {
   return x;
 }
 
-std::vector<CutResult> make_stroke(TetComplex& complex, TetTree& tree, std::vector<Vec3>& x,
-                                   const Stroke& stroke) {
-  std::vector<CutResult> results;
-  BladeStroke state = begin_stroke(stroke.front());
-  for (std::size_t i = 1; i < stroke.size(); ++i) {
-    results.push_back(cut(complex, tree, x, stroke[i], state));
-    for (const TopologyOp& op : results.back().ops) carry(op, x);
-  }
-  return results;
+CutResult cut_and_carry(TetComplex& complex, TetTree& tree, std::vector<Vec3>& x,
+                        const std::vector<Vec3>& edge, BladeStroke& stroke) {
+  CutResult result = cut(complex, tree, x, edge, stroke);
+  for (const TopologyOp& op : result.ops) carry(op, x);
+  return result;
 }
 
 }  // namespace prosector

@@ -22,9 +22,9 @@ std::vector<NamedStrokes> strokes_to_make();
 /// A plane through `middle` across everything, in `ticks`; `normal` is its own.
 Stroke across(const Vec3& middle, const Vec3& normal, int ticks);
 
-/// Makes the stroke; each op's new nodes are put on their edges. `x`: m, by node id; grows.
-std::vector<CutResult> make_stroke(TetComplex& complex, TetTree& tree, std::vector<Vec3>& x,
-                                   const Stroke& stroke);
+/// Cuts, and puts the nodes that it makes in their places. `x`: m, by node id; grows.
+CutResult cut_and_carry(TetComplex& complex, TetTree& tree, std::vector<Vec3>& x,
+                        const std::vector<Vec3>& edge, BladeStroke& stroke);
 
 std::vector<Vec3> rest_positions(const TetComplex& complex);
 
