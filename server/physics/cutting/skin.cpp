@@ -53,24 +53,24 @@ Skin::Change Skin::update(const TetComplex& complex) {
 
 // Only between nodes of walls can more than two boundary faces have an edge in common.
 void Skin::find_double_edges(const TetComplex& complex) {
-  std::vector<bool> at_wall(complex.node_end(), false);
+  std::vector<std::uint8_t> at_wall(complex.node_end(), 0);
   for (const auto& [t, k] : faces_)
     if (complex.is_wall(t, k))
-      for (const std::size_t i : TetComplex::face[k]) at_wall[complex.corners(t)[i]] = true;
-  std::vector<Edge> edges;
+      for (const std::size_t i : TetComplex::face[k]) at_wall[complex.corners(t)[i]] = 1;
+  // Of the two faces at an edge one runs along it upwards; where two do, it has four.
+  std::vector<std::uint64_t> upwards;
   for (const auto& [t, k] : faces_)
     for (std::size_t i = 0; i < 3; ++i) {
       const NodeId a = complex.corners(t)[TetComplex::face[k][i]];
       const NodeId b = complex.corners(t)[TetComplex::face[k][(i + 1) % 3]];
-      if (at_wall[a] && at_wall[b]) edges.push_back({std::min(a, b), std::max(a, b)});
+      if (a < b && at_wall[a] && at_wall[b]) upwards.push_back(std::uint64_t{a} << 32 | b);
     }
-  std::sort(edges.begin(), edges.end());
+  std::sort(upwards.begin(), upwards.end());
   double_edges_.clear();
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t end = i;
-    while (end < edges.size() && edges[end] == edges[i]) ++end;
-    if (end - i > 2) double_edges_.push_back(edges[i]);
-    i = end;
+  for (std::size_t i = 1; i < upwards.size(); ++i) {
+    const Edge edge = {static_cast<NodeId>(upwards[i] >> 32), static_cast<NodeId>(upwards[i])};
+    if (upwards[i] == upwards[i - 1] && (double_edges_.empty() || double_edges_.back() != edge))
+      double_edges_.push_back(edge);
   }
 }
 
