@@ -31,6 +31,12 @@ struct FractureDesc {
   Vec3 normal = Vec3::UnitY();  // any length but zero
 };
 
+/// [[rigid.edge]]: a cutting edge, straight, in the body's frame.
+struct EdgeDesc {
+  Vec3 from = Vec3::Zero();  // m
+  Vec3 to = {0, 0, -0.04};   // m
+};
+
 inline constexpr std::size_t max_collision_groups = 32;
 /// Groups that are there without any body naming them: of bodies that name none, and of people's hands.
 inline constexpr const char *default_group = "default", *hand_group = "hand";
@@ -67,6 +73,7 @@ struct RigidDesc {
   double snap = 0.03;         // m: how near to its place a detached part must be to be attached again
   double break_force = 0;     // N across a fracture plane at which it breaks there; 0: never
   std::vector<FractureDesc> fractures;
+  std::vector<EdgeDesc> edges;  // that cut tissue while a hand holds the body
   Appearance appearance;
 };
 
@@ -141,6 +148,7 @@ struct SoftDesc {
   double damping_mass = 0.5;             // 1/s   Rayleigh: C = damping_mass·M + damping_stiffness·K
   double damping_stiffness = 0.01;       // s
   double friction = 0.3;
+  double toughness = 164;          // J/m²: work that a cut takes, for its area; liver's (Gokgol et al. 2012)
   std::string collision = "mesh";  // none | sphere | aabb | obb | hull | mesh
   std::string group = default_group;
   std::vector<std::string> touches;  // as of RigidDesc

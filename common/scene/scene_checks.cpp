@@ -12,6 +12,8 @@
 namespace prosector {
 namespace {
 
+constexpr double least_edge = 1e-4;  // m, of a blade
+
 /// A body, whichever kind, and where it was written.
 struct Entry {
   std::string table;  // "soft[0]"
@@ -137,6 +139,15 @@ class Checker {
       if (rigid.fractures[i].normal.isZero(1e-9))
         fail(fmt::format("{}.fracture[{}]", body.table, i), "normal",
              fmt::format("{}: [[rigid.fracture]] {}", body.where, i + 1), "normal is zero");
+    for (std::size_t i = 0; i < rigid.edges.size(); ++i) {
+      const auto refuse = [&](const char* key, const char* why) {
+        fail(fmt::format("{}.edge[{}]", body.table, i), key,
+             fmt::format("{}: [[rigid.edge]] {}", body.where, i + 1), why);
+      };
+      if (rigid.fixed) refuse("from", "cuts while a hand holds the body, but the body is fixed");
+      if ((rigid.edges[i].to - rigid.edges[i].from).norm() < least_edge)
+        refuse("to", "is shorter than 0.1 mm");
+    }
     check_fidelity(rigid, body);
   }
 

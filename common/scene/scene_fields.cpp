@@ -215,6 +215,18 @@ const Table& fracture_table() {
   return table;
 }
 
+const Table& edge_table() {
+  using E = EdgeDesc;
+  static const Table table{
+      "[[rigid.edge]]",
+      "A straight cutting edge. While a hand holds the body, tissue that the edge sweeps through is cut.",
+      {number<E, &E::from>("from", "m", {-10, 10}, "one end, in the body's frame"),
+       number<E, &E::to>("to", "m", {-10, 10}, "the other end")},
+      {},
+      fresh<E>};
+  return table;
+}
+
 const Table& rigid_table() {
   using R = RigidDesc;
   static const Table table = [] {
@@ -258,7 +270,8 @@ const Table& rigid_table() {
          number<R, &R::break_force>("break_force", "N", {0, 1e6},
                                     "across a fracture plane, at which it breaks there; 0: never")},
         {{"part", part_table, true, 256, append<R, &R::parts>},
-         {"fracture", fracture_table, true, 8, append<R, &R::fractures>}},
+         {"fracture", fracture_table, true, 8, append<R, &R::fractures>},
+         {"edge", edge_table, true, 8, append<R, &R::edges>}},
         fresh<R>};
     add_collision<R>(
         t.fields, {"none", "sphere", "aabb", "obb", "hull", "mesh"},
@@ -372,6 +385,8 @@ const Table& soft_table() {
          number<S, &S::damping_stiffness>("damping_stiffness", "s", {0, 10},
                                           "Rayleigh damping: share of the stiffness"),
          number<S, &S::friction>("friction", "", friction, "Coulomb coefficient"),
+         number<S, &S::toughness>("toughness", "J/m²", {0, 1e6},
+                                  "work that a cut takes, for its area; 0: blades meet no resistance"),
          plain<S, &S::gravity>("gravity", "false: the imaged shape already carries its weight"),
          number<S, &S::newton_iterations>("newton_iterations", "", {1, 100}, "at most, per tick"),
          number<S, &S::solver_iterations>("solver_iterations", "", {1, 100000},

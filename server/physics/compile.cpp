@@ -163,6 +163,12 @@ ContentHash hash_of(const Model& model) {
     add_collision(desc);
     if (desc.self_contact) out.add(std::string("self_contact"));
   }
+  for (const RigidDesc& desc : scene.rigid)
+    for (const EdgeDesc& edge : desc.edges) {
+      out.add(edge.from);
+      out.add(edge.to);
+      for (const SoftDesc& tissue : scene.soft) out.add(tissue.toughness);
+    }
   for (const auto& s : model.soft) {
     const SoftDesc& d = s->desc();
     out.add(d.name);

@@ -45,26 +45,17 @@ Simulation::Impl::Impl(const SceneDesc& scene, const CompileOptions& options)
     motion.pose = r.start * r.center;
     world.add(r.setup, motion);
   }
-  parts = initial_parts();
+  for (const RigidDesc& desc : model.scene.rigid) blade_shapes.push_back(blade_shape(desc.edges));
+  parts = initial_parts(model.soft.size());
   for (BodyId body = 0; body < model.rigid.size(); ++body) take_effect(world, body);
-  for (const auto& body : model.soft) {
-    soft.push_back(body->initial_state());
-    surfaces.emplace_back(body->anatomy().embedding, body->anatomy().surface);
-    const TriangleMesh& surface = body->anatomy().surface;
-    faces.push_back(surface.triangles.empty() ? std::nullopt : std::optional<TriangleSurface>(surface));
+  for (std::size_t i = 0; i < model.soft.size(); ++i) {
+    soft.push_back(model.soft[i]->initial_state());
+    fit_to_mesh(i);
   }
   for (BodyId body = 0; body < parts.size(); ++body)
     if (is_part(body) && !panels) panels.emplace(model.h);
-  add_rough_shapes();
-  add_layers();
-  for (std::size_t i = 0; i < soft.size(); ++i) place_surface(i);
-  faces_moved.resize(soft.size());
-  soft_contacts.resize(soft.size());
-  revisions.resize(soft.size());
-  numberings.resize(soft.size());
-  memories.resize(soft.size());
-  stored.resize(soft.size());
   arena.execute([&] { settle(options); });
+  uncut_equilibrium = equilibrium;
 }
 
 Simulation::Simulation(const SceneDesc& scene, const CompileOptions& options)
@@ -80,6 +71,7 @@ const StepReport& Simulation::step(const TickInput& input) {
     clock.end(Phase::inputs);
     m.world.detect(m.model.h);
     clock.end(Phase::broad);
+    m.grip_blades();
     m.detect_soft_contacts();
     clock.end(Phase::narrow);
     const std::vector<MixedIsland>& mixed = m.find_islands();
@@ -101,6 +93,8 @@ const StepReport& Simulation::step(const TickInput& input) {
     clock.end(Phase::constraints);
     m.describe();
     clock.end(Phase::report);
+    m.cut_soft_bodies(input);  // what the next tick is made of
+    clock.end(Phase::constraints);
   });
   return m.report;
 }

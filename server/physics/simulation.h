@@ -149,8 +149,9 @@ class Simulation {
   /// Throws InputError when the bytes are no checkpoint of this compiled scene.
   void restore(std::span<const std::uint8_t> bytes);
 
+  struct Impl;  // of the simulation's own files
+
  private:
-  struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -163,7 +163,8 @@ bool Simulation::Impl::touches(std::size_t body, const Collider& collider, doubl
 
 bool Simulation::Impl::may_meet(std::size_t body, const Collider& collider) const {
   const SoftCollision& own = model.soft_collision[body];
-  return collider.parts && own.fidelity != Fidelity::none && may_touch(own.mask, world.mask(collider.slot));
+  return collider.parts && !is_held_blade(collider.slot) && own.fidelity != Fidelity::none &&
+         may_touch(own.mask, world.mask(collider.slot));
 }
 
 void Simulation::Impl::wake_soft(std::size_t body) {

@@ -13,10 +13,9 @@ Part Simulation::Impl::initial_part(BodyId body) const {
   return out;
 }
 
-std::vector<Part> Simulation::Impl::initial_parts() const {
+std::vector<Part> Simulation::Impl::initial_parts(std::size_t soft_bodies) const {
   std::vector<Part> out;
-  for (BodyId body = 0; body < model.rigid.size() + model.soft.size(); ++body)
-    out.push_back(initial_part(body));
+  for (BodyId body = 0; body < model.rigid.size() + soft_bodies; ++body) out.push_back(initial_part(body));
   return out;
 }
 

@@ -21,6 +21,8 @@
 #include "server/physics/hands/finger_drive.h"
 #include "server/physics/hands/hand.h"
 #include "server/physics/model.h"
+#include "server/physics/organs/blade.h"
+#include "server/physics/organs/organ.h"
 #include "server/physics/panel/panel_world.h"
 
 namespace prosector {
@@ -32,6 +34,15 @@ inline constexpr double most_reach = 0.05;       // m a tick: faster things are 
 // one, no deeper than 0.2 mm.
 inline constexpr double rigid_contact_factor = 20;
 inline constexpr double still_margin = 0.005;  // m a soft body moves before its place in a tree may change
+
+/// Tissue that holds back a point of a blade's edge.
+struct BladeGrip {
+  std::size_t body = 0;   // soft
+  std::size_t slot = 0;   // of the instrument
+  std::size_t point = 0;  // of Blade::cut_to
+  SparseMap::Row row;     // of the material where the point has cut to
+  Tie tie;
+};
 
 /// Two soft bodies that touch.
 struct SoftPair {
@@ -49,7 +60,8 @@ struct Simulation::Impl : PanelSubjects {
 
   // ---- Model
   Model model;
-  std::vector<VecX> equilibrium;  // per soft body: node positions at rest under gravity
+  std::vector<VecX> equilibrium;        // per soft body: node positions at rest under gravity
+  std::vector<VecX> uncut_equilibrium;  // likewise, of the scene's bodies as they were compiled
 
   // ---- State
   SimTime time;
@@ -58,6 +70,9 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<ContactMemories> memories;  // per soft body
   std::vector<Hand> hands;                // by (participant, side)
   std::vector<Part> parts;                // by body
+  std::map<std::size_t, Organ> organs;    // those that were cut, by the soft body that each was
+  std::vector<Blade> blades;              // that hands hold, by slot
+  std::uint64_t strokes = 0;              // of all blades so far
   std::vector<std::uint32_t> revisions;   // per soft body
   std::vector<Numbering> numberings;      // likewise
 
@@ -84,6 +99,11 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<RigidMotion> last_good;   // by slot, at the tick's start
   std::vector<Island> islands;
   IslandStepper stepper;
+  std::vector<BladeShape> blade_shapes;  // per rigid body
+  std::vector<BladeGrip> blade_grips;
+  std::map<std::size_t, std::vector<Vec3>> organ_positions;  // of those that this tick cut: by node id
+  CutResult cut_figures;                                     // of this tick, over all
+  std::vector<std::unique_ptr<SoftBody>> retired;            // the tick's islands still know them
   std::vector<HandState> hand_states;
   std::vector<std::optional<StoredEnergy>> stored;  // per soft body: of those asleep it stays what it was
   StepReport report;
@@ -145,7 +165,7 @@ struct Simulation::Impl : PanelSubjects {
   void freeze(std::size_t body);
   void wake_everything();
   Part initial_part(BodyId body) const;
-  std::vector<Part> initial_parts() const;
+  std::vector<Part> initial_parts(std::size_t soft_bodies) const;
 
   // ---- Fracture
   struct PointForce {
@@ -157,6 +177,26 @@ struct Simulation::Impl : PanelSubjects {
   void break_bones();
   void break_at(BodyId body, const RigidModel::Fracture& plane, double force);
   void hand_over(Hand& hand, const RigidModel::Fracture& plane);
+
+  // ---- Cuts
+  bool is_held_blade(std::size_t slot) const;
+  std::vector<Vec3> edge_points(std::size_t slot) const;  // m, room frame
+  std::optional<BladeGrip> tissue_at(const Vec3& point) const;
+  void take_up_blades();
+  void grip_blades();
+  void cut_soft_bodies(const TickInput& input);
+  void advance(Blade& blade);
+  void stop_at_the_surface(const Vec3& from, Vec3& to) const;
+  void cut_tissue(Blade& blade, std::size_t edge, std::span<const Vec3> from, std::span<const Vec3> to);
+  std::vector<Vec3> node_positions(const Organ& organ) const;
+  void obey(const CutEvent& event);
+  std::unique_ptr<SoftBody> make_piece(const Organ& organ, std::size_t body, Numbering& numbering) const;
+  void place_piece(std::size_t body, std::size_t first, std::unique_ptr<SoftBody> solver,
+                   Numbering numbering);
+  void remake(Organ& organ, TopologyCause cause, ParticipantId author);
+  void keep_holds(const std::vector<std::size_t>& bodies);
+  std::uint64_t log_length() const;
+  void report_cuts();
 
   // ---- Panels
   bool has_panel(BodyId body) const override;
@@ -182,6 +222,8 @@ struct Simulation::Impl : PanelSubjects {
   bool may_meet(std::size_t body, const Collider& collider) const;
   bool may_meet(std::size_t a, std::size_t b) const;  // two soft ones
   bool woken_by_soft(std::size_t body);
+  /// Makes everything that hangs on the body's mesh, in place of what there was; the body may be new.
+  void fit_to_mesh(std::size_t body);
   void track_soft_bodies();             // to where they are, and may be within the tick
   Aabb box_of(std::size_t body) const;  // of a soft one, likewise
   SoftSkin skin(std::size_t body);
@@ -197,14 +239,14 @@ struct Simulation::Impl : PanelSubjects {
   bool nears(const Contact& contact, double gap) const;
   bool add_self_contacts(std::size_t body, double margin, std::vector<Contact>& out);
   // Of layers:
-  void add_layers();
+  void fit_layers(std::size_t body);
   bool has_layers() const;               // a body that may meet so, and sides to remember
   bool is_thin(std::size_t body) const;  // a sheet or a rope
   const ElementSurface& layers_of(std::size_t body);
   bool add_layer_contacts(std::size_t a, std::size_t b, double margin, std::vector<Contact>& out);
   void forget_layers(const std::vector<BroadPhase::Pair>& near);
   // Of simple shapes:
-  void add_rough_shapes();
+  void fit_rough_shape(std::size_t body);
   double rough_stiffness(std::size_t body) const;
   bool add_rough_contacts(std::size_t body, const Collider& collider, double margin,
                           std::vector<Contact>& out) const;
@@ -236,6 +278,9 @@ struct Simulation::Impl : PanelSubjects {
   double body_friction(std::size_t slot) const;
 
   // ---- Saving
+  bool ever_cut() const { return !organs.empty() || !blades.empty() || strokes > 0; }
+  void save_cuts(ByteWriter& out) const;
+  void forget_bodies_from(std::size_t count);  // soft ones
   void save(ByteWriter& out) const;
   void load(std::span<const std::uint8_t> bytes);
 };

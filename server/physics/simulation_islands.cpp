@@ -48,6 +48,7 @@ const std::vector<MixedIsland>& Simulation::Impl::find_islands() {
   for (std::size_t i = 0; i < soft.size(); ++i)
     for (const Contact& c : soft_contacts[i])
       if (c.b.kind == ContactSide::Kind::rigid) link(i, c.b.body);
+  for (const BladeGrip& grip : blade_grips) link(grip.body, grip.slot);
   for (const Hand& hand : hands) {
     coupled.push_back(hand.slot);
     if (!hand.hold) continue;
@@ -62,6 +63,7 @@ const std::vector<MixedIsland>& Simulation::Impl::find_islands() {
 
 void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
   islands.clear();
+  retired.clear();
   std::vector<std::size_t> island_of(world.slots(), 0);
   const auto point_velocity = [&](const ContactSide& side, std::size_t slot) -> Vec3 {
     if (side.kind == ContactSide::Kind::fixed) return side.moved / model.h;
@@ -104,6 +106,7 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
   for (std::size_t i = 0; i < soft.size(); ++i)
     for (const Contact& c : soft_contacts[i])
       if (c.b.kind == ContactSide::Kind::rigid) island_of_group[soft_group[i]] = island_of[c.b.body];
+  for (const BladeGrip& grip : blade_grips) island_of_group[soft_group[grip.body]] = island_of[grip.slot];
   for (const Hand& hand : hands)
     if (hand.hold && is_soft(hand.hold->body))
       island_of_group[soft_group[soft_index(hand.hold->body)]] = island_of[hand.slot];
@@ -135,6 +138,7 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
       if (c.a.kind != ContactSide::Kind::soft)
         c.stiffness = rigid_contact_factor * heaviest / (model.h * model.h);
   }
+  for (const BladeGrip& grip : blade_grips) islands[island_of[grip.slot]].ties.push_back(grip.tie);
   for (const Hand& hand : hands) {
     if (!hand.hold) continue;
     Island& island = islands[island_of[hand.slot]];

@@ -41,29 +41,28 @@ bool Simulation::Impl::is_thin(std::size_t body) const {
   return model.soft[body]->anatomy().thickness > 0;
 }
 
-void Simulation::Impl::add_layers() {
+void Simulation::Impl::fit_layers(std::size_t body) {
+  layers[body].reset();
+  folds[body].reset();
+  std::erase_if(layer_sides,
+                [&](const auto& entry) { return entry.first.first == body || entry.first.second == body; });
   const auto meets = [&](std::size_t i, std::size_t j) {
     const SoftCollision &a = model.soft_collision[i], &b = model.soft_collision[j];
     if (!is_thin(i) || !is_thin(j) || a.fidelity != Fidelity::mesh || b.fidelity != Fidelity::mesh)
       return false;
     return i == j ? a.with_itself : may_touch(a.mask, b.mask);
   };
-  for (std::size_t i = 0; i < soft.size(); ++i) {
-    layers.emplace_back();
-    folds.emplace_back();
-    const Anatomy& anatomy = model.soft[i]->anatomy();
-    if (model.soft_collision[i].with_itself && !is_thin(i)) {
-      if (!faces[i]->topology().closed())
-        throw InputError(
-            fmt::format("[[soft]] \"{}\": self_contact needs a surface without holes, that has an inside",
-                        model.soft[i]->desc().name));
-      folds.back().emplace(anatomy);
-    }
-    for (std::size_t j = 0; j < soft.size() && !layers.back(); ++j)
-      if (meets(i, j)) layers.back().emplace(anatomy);
+  const Anatomy& anatomy = model.soft[body]->anatomy();
+  if (model.soft_collision[body].with_itself && !is_thin(body) && faces[body]) {
+    const bool closed = faces[body]->topology().closed();
+    if (!closed && organs.empty())
+      throw InputError(
+          fmt::format("[[soft]] \"{}\": self_contact needs a surface without holes, that has an inside",
+                      model.soft[body]->desc().name));
+    if (closed) folds[body].emplace(anatomy);
   }
-  layers_moved.resize(soft.size());
-  passed_through.resize(soft.size());
+  for (std::size_t other = 0; other < model.soft.size() && !layers[body]; ++other)
+    if (meets(body, other)) layers[body].emplace(anatomy);
 }
 
 bool Simulation::Impl::has_layers() const {

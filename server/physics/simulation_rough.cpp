@@ -22,15 +22,11 @@ RigidOutline outline_of(const RigidShape& shape) {
 
 }  // namespace
 
-void Simulation::Impl::add_rough_shapes() {
-  bool any = false;
-  for (std::size_t i = 0; i < soft.size(); ++i) {
-    rough.emplace_back();
-    if (!is_rough(model.soft_collision[i].fidelity)) continue;
-    rough.back().emplace(model.soft[i]->anatomy(), model.soft_collision[i].fidelity);
-    any = true;
-  }
-  if (!any) return;
+void Simulation::Impl::fit_rough_shape(std::size_t body) {
+  rough[body].reset();
+  if (!is_rough(model.soft_collision[body].fidelity)) return;
+  rough[body].emplace(model.soft[body]->anatomy(), model.soft_collision[body].fidelity);
+  if (!outlines.empty()) return;
   for (const RigidModel& r : model.rigid)
     outlines.push_back(r.shape.parts.empty() ? std::nullopt : std::optional(outline_of(r.shape)));
   for (const HandModel& hand : model.hands) outlines.push_back(outline_of(hand.shape));

@@ -4,11 +4,13 @@
 #include <algorithm>
 
 #include "server/physics/simulation_impl.h"
+#include "server/physics/state_cuts.h"
 
 namespace prosector {
 namespace {
 
-constexpr std::uint64_t magic = 0x31746e696f704350;  // "PCpoint1"
+constexpr std::uint64_t magic = 0x31746e696f704350;      // "PCpoint1"
+constexpr std::uint64_t magic_cut = 0x32746e696f704350;  // "PCpoint2": with what was cut
 constexpr std::size_t most_hands = 1024;
 constexpr std::size_t most_corners = 1 << 20;  // of a collider
 constexpr std::size_t most_memories = 1 << 24;
@@ -191,7 +193,7 @@ std::vector<Part> read_parts(ByteReader& in, std::vector<Part> parts) {
   return parts;
 }
 
-Hand read_hand(ByteReader& in, const Model& model) {
+Hand read_hand(ByteReader& in, const Model& model, std::span<const SoftBody* const> tissues) {
   Hand hand;
   hand.participant = in.number<ParticipantId>();
   hand.side = in.count(1);
@@ -202,7 +204,7 @@ Hand read_hand(ByteReader& in, const Model& model) {
   if (!in.flag()) return hand;
   Hold& hold = hand.hold.emplace();
   hold.body = in.number<BodyId>();
-  in.require(hold.body < model.rigid.size() + model.soft.size(), "a hold on a body that isn't there");
+  in.require(hold.body < model.rigid.size() + tissues.size(), "a hold on a body that isn't there");
   const bool tissue = hold.body >= model.rigid.size();
   in.require(tissue || model.rigid[hold.body].setup.mass > 0, "a hold on a fixed body");
   hold.points.resize(in.count(max_hold_points));
@@ -211,7 +213,7 @@ Hand read_hand(ByteReader& in, const Model& model) {
     p.in_body = in.vector();
     p.vertex = in.number<std::uint32_t>();
     in.require(
-        !tissue || p.vertex < model.soft[hold.body - model.rigid.size()]->anatomy().surface.positions.size(),
+        !tissue || p.vertex < tissues[hold.body - model.rigid.size()]->anatomy().surface.positions.size(),
         "a hold on a vertex that isn't there");
     p.stiffness = in.number<double>();
     p.max_force = in.number<double>();
@@ -225,10 +227,11 @@ Hand read_hand(ByteReader& in, const Model& model) {
 }  // namespace
 
 void Simulation::Impl::save(ByteWriter& out) const {
-  out.add(magic);
+  out.add(ever_cut() ? magic_cut : magic);
   out.raw(model.hash.data(), model.hash.size());
   out.add(time.epoch);
   out.add(time.tick);
+  if (ever_cut()) save_cuts(out);
   for (std::size_t slot = 0; slot < model.rigid.size(); ++slot) add(out, world.motion(slot));
   for (const SoftBodyState& state : soft) add(out, state);
   for (const ContactMemories& of_body : memories) add(out, of_body, has_layers());
@@ -242,31 +245,35 @@ void Simulation::Impl::save(ByteWriter& out) const {
     out.add(room_lights);
   }
   if (has_layers()) add(out, layer_sides);
-  add(out, parts, initial_parts());
+  add(out, parts, initial_parts(soft.size()));
 }
 
 void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
   ByteReader in(bytes, "checkpoint");
-  in.require(in.number<std::uint64_t>() == magic, "not a checkpoint of this version");
+  const auto kind = in.number<std::uint64_t>();
+  in.require(kind == magic || kind == magic_cut, "not a checkpoint of this version");
   for (const std::uint8_t b : model.hash)
     in.require(in.number<std::uint8_t>() == b, "made from another scene");
   SimTime new_time;
   new_time.epoch = in.number<std::uint32_t>();
   new_time.tick = in.number<std::uint64_t>();
+  RestoredCuts cuts(*this);
+  if (kind == magic_cut) cuts.read(in);
+  const std::vector<const SoftBody*> tissues = cuts.bodies();
   RigidWorld new_world(model.scene.gravity);
   for (const RigidModel& r : model.rigid) new_world.add(r.setup, read_motion(in));
   std::vector<SoftBodyState> new_soft;
-  for (const SoftBodyState& state : soft) new_soft.push_back(read_soft(in, state));
+  for (const SoftBody* body : tissues) new_soft.push_back(read_soft(in, body->initial_state()));
   std::vector<ContactMemories> new_memories;
-  for (std::size_t i = 0; i < soft.size(); ++i) {
-    const TriangleMesh& surface = model.soft[i]->anatomy().surface;
+  for (std::size_t i = 0; i < tissues.size(); ++i) {
+    const TriangleMesh& surface = tissues[i]->anatomy().surface;
     const std::size_t features = surface.positions.size() + surface.triangles.size() + most_corners;
-    new_memories.push_back(
-        read_memories(in, std::max(features, layers[i] ? layers[i]->features() : 0), has_layers()));
+    const std::size_t of_layers = i < layers.size() && layers[i] ? layers[i]->features() : 0;
+    new_memories.push_back(read_memories(in, std::max(features, of_layers), has_layers()));
   }
   std::vector<Hand> new_hands(in.count(most_hands));
   for (Hand& hand : new_hands) {
-    hand = read_hand(in, model);
+    hand = read_hand(in, model, tissues);
     const HandModel& shape = model.hands[hand.side];
     hand.slot = new_world.add(shape.setup, read_motion(in));
     const auto poses = hand_part_poses(hand.side, hand.flexion, shape.center);
@@ -282,14 +289,15 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
   std::optional<PanelWorld> new_panels;
   double new_lights = 1;
   if (panels) {
-    new_panels.emplace(model.h).load(in, parts.size());
+    new_panels.emplace(model.h).load(in, model.rigid.size() + tissues.size());
     new_lights = in.number<double>();
     in.require(new_lights >= 0 && new_lights <= 1, "a brightness beyond 0 to 1");
   }
   LayerSides new_sides;
-  if (has_layers()) new_sides = read_sides(in, soft.size());
-  std::vector<Part> new_parts = read_parts(in, initial_parts());
+  if (has_layers()) new_sides = read_sides(in, tissues.size());
+  std::vector<Part> new_parts = read_parts(in, initial_parts(tissues.size()));
   in.require(in.done(), "more than a checkpoint holds");
+  cuts.take_effect();
   time = new_time;
   world = std::move(new_world);
   soft = std::move(new_soft);

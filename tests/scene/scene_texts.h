@@ -21,6 +21,7 @@ inline std::string scene_with(const std::string& table, const std::string& line)
       {"[camera]", "[camera]\n"},
       {"[[rigid]]", "[[rigid]]\nname = \"r\"\nvolume = \"v.inr\"\n"},
       {"[[rigid.fracture]]", "[[rigid.fracture]]\n"},
+      {"[[rigid.edge]]", "[[rigid.edge]]\n"},
       {"[[rigid.part]]", "[[rigid]]\nname = \"p\"\n[[rigid.part]]\n"},
       {"[[soft]]", "[[soft]]\nname = \"t\"\nvolume = \"v.inr\"\n"},
       {"[[soft.attach]]", "[[soft.attach]]\n"},

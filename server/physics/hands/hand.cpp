@@ -13,8 +13,9 @@ namespace {
 constexpr double lever = 0.05;          // m: turns the coupling's stiffness into an angular one
 constexpr double patch_radius = 0.015;  // m, of a digit's grip
 constexpr double grip_force = 4;        // times the coupling's bound: a rigid hold tears, it doesn't stretch
-constexpr double grip_stiffness = 10;   // times the held mass over h²
-constexpr double max_turn = 0.5;        // rad in one tick
+constexpr double grip_stiffness = 10;  // times the heavier of hand and thing over h²: what a light tool does
+                                       // to tissue must not turn it in the hand
+constexpr double max_turn = 0.5;       // rad in one tick
 
 Vec3 clamped(const Vec3& v, double limit) {
   const double length = v.norm();
@@ -71,7 +72,8 @@ Hold hold_rigid(BodyId body, double body_mass, const HandDesc& desc, const Pose&
     for (int k = 0; k < 3; ++k) {
       const double angle = 2 * std::numbers::pi / 3 * k;
       const Vec3 at = touch.point + patch_radius * (around * Vec3(std::cos(angle), std::sin(angle), 0));
-      hold.points.push_back({to_hand * at, to_body * at, 0, share * grip_stiffness * body_mass / (h * h),
+      hold.points.push_back({to_hand * at, to_body * at, 0,
+                             share * grip_stiffness * std::max(body_mass, desc.mass) / (h * h),
                              share * grip_force * desc.max_force});
     }
   }

@@ -1,0 +1,44 @@
+#pragma once
+// An instrument's cutting edges while a hand holds it.
+//
+// Along each edge stand points that tissue holds back: each is tied to the material where it has cut to, by a
+// spring that bears no more than the tissue's toughness times the length of edge that the point stands for:
+// the force at which a crack of that width goes on (Atkins and Mai 1985). Below it tissue sticks to the edge
+// and is drawn along; at it the point moves on through the tissue, which is cut between where the points were
+// and where they are. So the work done is toughness times the area that was cut.
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "common/scene/scene.h"
+#include "server/physics/cutting/blade_stroke.h"
+
+namespace prosector {
+
+inline constexpr double edge_spacing = 0.004;  // m between points of an edge, at most
+inline constexpr double edge_give = 5e-4;      // m that a point lags behind its edge when tissue gives
+
+/// Points along edges, in the instrument's frame.
+struct BladeShape {
+  struct Edge {
+    std::vector<Vec3> points;        // m, from end to end, evenly
+    double length_per_point = 0;     // m
+    Vec3 direction = Vec3::UnitZ();  // unit, along it
+  };
+  std::vector<Edge> edges;
+};
+BladeShape blade_shape(const std::vector<EdgeDesc>& edges);
+
+/// One while it is held.
+struct Blade {
+  std::size_t slot = 0;      // of the instrument in the rigid world
+  ParticipantId holder = 0;  // whose cut it is
+  std::uint64_t stroke = 0;  // counts, over all blades: from tissue entered to tissue left
+  bool cutting = false;      // it was in tissue when the last tick ended
+  std::vector<Vec3> cut_to;  // m, room frame: per point, in order of the edges, where it has cut to
+  /// By organ (the soft body that it was) and edge.
+  std::map<std::pair<std::size_t, std::size_t>, BladeStroke> strokes;
+};
+
+}  // namespace prosector

@@ -1,0 +1,125 @@
+#include "server/physics/organs/node_transfer.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "server/physics/soft/tet10.h"
+
+namespace prosector {
+namespace {
+
+/// Index of `id` in an ascending list; its size: not in it.
+template <class Id>
+std::size_t index_of(const std::vector<Id>& ids, Id id) {
+  const auto at = std::lower_bound(ids.begin(), ids.end(), id);
+  return at != ids.end() && *at == id ? static_cast<std::size_t>(at - ids.begin()) : ids.size();
+}
+
+std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
+  return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+}
+
+/// Barycentric weights of a point of the rest shape.
+std::array<double, 4> weights_at(const TetMesh& mesh, std::size_t tet, const Vec3& point) {
+  const auto& c = mesh.tets[tet];
+  const Vec3 origin = mesh.positions[c[0]];
+  Mat3 edges;
+  edges << mesh.positions[c[1]] - origin, mesh.positions[c[2]] - origin, mesh.positions[c[3]] - origin;
+  const Vec3 w = edges.inverse() * (point - origin);
+  return {1 - w.sum(), w[0], w[1], w[2]};
+}
+
+}  // namespace
+
+std::unordered_map<std::uint64_t, std::uint32_t> edge_nodes_of(
+    std::span<const std::array<std::uint32_t, 4>> tets, std::size_t vertices) {
+  std::vector<std::uint64_t> keys;
+  for (const auto& tet : tets)
+    for (const auto& [a, b] : Tet10Elements::edge) keys.push_back(edge_key(tet[a], tet[b]));
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  std::unordered_map<std::uint64_t, std::uint32_t> out;
+  auto node = static_cast<std::uint32_t>(vertices);
+  for (const std::uint64_t key : keys) out.emplace(key, node++);
+  return out;
+}
+
+NodeTransfer::NodeTransfer(const TetComplex& complex, std::span<const PieceMesh* const> before,
+                           const PieceMesh& now, bool quadratic) {
+  std::vector<std::unordered_map<std::uint64_t, std::uint32_t>> edges_before;
+  if (quadratic)
+    for (const PieceMesh* piece : before)
+      edges_before.push_back(edge_nodes_of(piece->mesh.tets, piece->nodes.size()));
+
+  const auto itself = [&](NodeId id) -> std::optional<Source> {
+    for (std::uint32_t p = 0; p < before.size(); ++p)
+      if (const std::size_t i = index_of(before[p]->nodes, id); i < before[p]->nodes.size()) {
+        Source source;
+        source.terms[source.count++] = {p, static_cast<std::uint32_t>(i), 1};
+        return source;
+      }
+    return std::nullopt;
+  };
+  // The tetrahedron that was where `tet` is now, or the one it is part of.
+  const auto within = [&](TetId tet, const Vec3& rest) -> std::optional<Source> {
+    for (; tet != TetComplex::none; tet = complex.parent(tet))
+      for (std::uint32_t p = 0; p < before.size(); ++p) {
+        const std::size_t i = index_of(before[p]->tets, tet);
+        if (i == before[p]->tets.size()) continue;
+        const TetMesh& mesh = before[p]->mesh;
+        const auto w = weights_at(mesh, i, rest);
+        const auto& corner = mesh.tets[i];
+        Source source;
+        for (std::size_t k = 0; k < 4; ++k)
+          source.terms[source.count++] = {p, corner[k], quadratic ? w[k] * (2 * w[k] - 1) : w[k]};
+        if (quadratic)
+          for (const auto& [a, b] : Tet10Elements::edge)
+            source.terms[source.count++] = {p, edges_before[p].at(edge_key(corner[a], corner[b])),
+                                            4 * w[a] * w[b]};
+        return source;
+      }
+    return std::nullopt;
+  };
+
+  sources_.reserve(now.mesh.positions.size());
+  for (const NodeId id : now.nodes) {
+    std::optional<Source> source = itself(id);
+    if (!source) source = within(complex.star(id).front(), complex.rest(id));
+    sources_.push_back(source.value_or(Source{}));
+  }
+  if (!quadratic) return;
+  const auto edges_now = edge_nodes_of(now.mesh.tets, now.nodes.size());
+  sources_.resize(now.nodes.size() + edges_now.size());
+  for (std::size_t t = 0; t < now.mesh.tets.size(); ++t)
+    for (const auto& [a, b] : Tet10Elements::edge) {
+      const std::uint32_t i = now.mesh.tets[t][a], j = now.mesh.tets[t][b];
+      const Vec3 middle = (now.mesh.positions[i] + now.mesh.positions[j]) / 2;
+      Source& to = sources_[edges_now.at(edge_key(i, j))];
+      if (to.count > 0) continue;
+      if (auto source = within(now.tets[t], middle)) {
+        to = *source;
+        continue;
+      }
+      // A cut that was taken back: halfway between the ends, which both were there.
+      for (const std::uint32_t end : {i, j}) {
+        to.terms[to.count] = sources_[end].terms[0];
+        to.terms[to.count++].weight = 0.5;
+      }
+    }
+}
+
+VecX NodeTransfer::operator()(std::span<const VecX* const> fields) const {
+  VecX out(3 * static_cast<Eigen::Index>(sources_.size()));
+  for (std::size_t n = 0; n < sources_.size(); ++n) {
+    const Source& source = sources_[n];
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 0; k < source.count; ++k) {
+      const Term& term = source.terms[k];
+      sum += term.weight * fields[term.piece]->segment<3>(3 * Eigen::Index{term.node});
+    }
+    out.segment<3>(3 * static_cast<Eigen::Index>(n)) = sum;
+  }
+  return out;
+}
+
+}  // namespace prosector

@@ -1,0 +1,51 @@
+#pragma once
+// Fields of a body's nodes, carried over to a mesh that a cut made of it.
+
+#include <array>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "common/mesh.h"
+#include "server/physics/cutting/tet_complex.h"
+
+namespace prosector {
+
+/// The tetrahedra that carry one body, as they were when its solver was made: dense, with the ids in an
+/// organ's complex. `nodes` (its vertices only) and `tets` ascend.
+struct PieceMesh {
+  std::vector<NodeId> nodes;
+  std::vector<TetId> tets;
+  TetMesh mesh;  // by index in those two; the nodes on edges of quadratic elements follow, by their vertices
+};
+
+/// Of quadratic elements: from an edge's vertices (the lower above, the higher below bit 32) to its node;
+/// they follow `vertices` nodes in the order of their keys, as add_edge_nodes() has them.
+std::unordered_map<std::uint64_t, std::uint32_t> edge_nodes_of(
+    std::span<const std::array<std::uint32_t, 4>> tets, std::size_t vertices);
+
+/// Where a node of a new mesh was in an old one: itself, or a point of the tetrahedron that was there, with
+/// the weights of its element's shape functions, so that a new mesh has the shape and the motion that the old
+/// one had. Lumped momentum is kept to rounding where elements are linear.
+class NodeTransfer {
+ public:
+  /// `pieces` of the organ before the change, any number; the complex is as it is after it. `quadratic`: of
+  /// ten-node elements.
+  NodeTransfer(const TetComplex& complex, std::span<const PieceMesh* const> before, const PieceMesh& now,
+               bool quadratic);
+  /// `fields`: 3n numbers of each piece in `before`.
+  VecX operator()(std::span<const VecX* const> fields) const;
+
+ private:
+  struct Term {
+    std::uint32_t piece = 0, node = 0;
+    double weight = 0;
+  };
+  struct Source {
+    std::uint32_t count = 0;  // terms used
+    std::array<Term, 10> terms{};
+  };
+  std::vector<Source> sources_;  // by node of the new mesh
+};
+
+}  // namespace prosector

@@ -1,0 +1,169 @@
+#include "server/physics/organs/organ.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "server/physics/cutting/pieces.h"
+#include "server/physics/organs/organ_parts.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t nobody = ~std::size_t{0};
+
+bool meet(const std::vector<TetId>& a, const std::vector<TetId>& b) {
+  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
+    if (*i == *j) return true;
+    *i < *j ? ++i : ++j;
+  }
+  return false;
+}
+
+}  // namespace
+
+Organ::Organ(std::size_t body, const Anatomy& anatomy, double density)
+    : whole_(without_edge_nodes(anatomy)),
+      complex_(whole_.tets, density),
+      skin_(complex_),
+      owner_(complex_.tet_end(), body) {
+  pieces_.push_back({body, piece_mesh(complex_, complex_.tet_ids())});
+}
+
+bool Organ::has(std::size_t body) const {
+  return std::any_of(pieces_.begin(), pieces_.end(),
+                     [&](const OrganPiece& piece) { return piece.body == body && piece.whole(); });
+}
+
+CutResult Organ::cut(std::span<const Vec3> positions, std::span<const Vec3> edge, BladeStroke& blade,
+                     ParticipantId author, std::uint64_t stroke) {
+  CutResult result = prosector::cut(complex_, tree_, positions, edge, blade);
+  if (!result.ops.empty()) {
+    OrganChange& change = log_.emplace_back();
+    change.author = author;
+    change.stroke = stroke;
+    change.ops = result.ops;
+    change.touched = touched_by(complex_, change.ops);
+    note_touched(change.touched);
+    skin_.update(complex_);
+  }
+  return result;
+}
+
+std::vector<OrganChange*> Organ::stroke_of(ParticipantId author) {
+  std::vector<OrganChange*> out;
+  for (auto change = log_.rbegin(); change != log_.rend(); ++change) {
+    if (change->cause != TopologyCause::cut || change->taken_back || change->author != author) continue;
+    if (!out.empty() && out.front()->stroke != change->stroke) break;
+    out.push_back(&*change);
+  }
+  return out;
+}
+
+std::optional<std::uint64_t> Organ::last_stroke(ParticipantId author) const {
+  for (auto change = log_.rbegin(); change != log_.rend(); ++change)
+    if (change->cause == TopologyCause::cut && !change->taken_back && change->author == author)
+      return change->stroke;
+  return std::nullopt;
+}
+
+std::string Organ::undo(ParticipantId author) {
+  const std::vector<OrganChange*> stroke = stroke_of(author);
+  if (stroke.empty()) return "there is no cut of yours to undo";
+  for (const OrganChange* change : stroke)
+    for (const OrganChange& later : log_) {
+      if (&later <= change || later.cause != TopologyCause::cut || later.taken_back) continue;
+      if (later.stroke == change->stroke && later.author == author) continue;
+      if (meet(change->touched, later.touched))
+        return fmt::format("cut {} depends on it: that has to be undone first", later.stroke);
+    }
+  OrganChange entry;
+  entry.cause = TopologyCause::undo;
+  entry.author = author;
+  entry.stroke = stroke.front()->stroke;
+  take_back(stroke);
+  skin_.update(complex_);
+  log_.push_back(std::move(entry));
+  return {};
+}
+
+void Organ::take_back(const std::vector<OrganChange*>& newest_first) {
+  for (OrganChange* change : newest_first) {
+    for (auto op = change->ops.rbegin(); op != change->ops.rend(); ++op) complex_.take_back(*op);
+    change->taken_back = true;
+    note_touched(change->touched);
+  }
+}
+
+/// The bodies of these tetrahedra are made anew at the next regroup().
+void Organ::note_touched(const std::vector<TetId>& tets) {
+  owner_.resize(complex_.tet_end(), nobody);
+  for (TetId tet = 0; tet < owner_.size(); ++tet)  // children after their parents
+    if (owner_[tet] == nobody) owner_[tet] = owner_[complex_.parent(tet)];
+  for (const TetId tet : tets) changed_.insert(owner_[tet]);
+}
+
+Organ::Regrouped Organ::regroup(std::size_t next_body) {
+  struct Component {
+    std::vector<TetId> tets;
+    std::size_t owner = nobody;
+    double volume = 0;
+  };
+  std::vector<Component> found;
+  for (std::vector<TetId>& tets : prosector::pieces(complex_)) {
+    Component& c = found.emplace_back();
+    for (const TetId tet : tets) c.owner = std::min(c.owner, owner_[tet]);
+    for (const TetId tet : tets) {
+      c.volume += complex_.volume(tet);
+      if (owner_[tet] == c.owner) continue;
+      changed_.insert({owner_[tet], c.owner});  // they were joined
+      owner_[tet] = c.owner;
+    }
+    c.tets = std::move(tets);
+  }
+  std::map<std::size_t, std::size_t> largest;  // of each body's components
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto [at, is_new] = largest.try_emplace(found[i].owner, i);
+    if (!is_new && found[i].volume > found[at->second].volume) at->second = i;
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (largest.at(found[i].owner) == i) continue;
+    found[i].owner = next_body++;
+    for (const TetId tet : found[i].tets) owner_[tet] = found[i].owner;
+    changed_.insert(found[i].owner);
+  }
+  Regrouped out;
+  out.bodies.assign(changed_.begin(), changed_.end());
+  for (OrganPiece& piece : pieces_)
+    if (changed_.contains(piece.body) && piece.whole())
+      out.before.push_back(std::exchange(piece, {piece.body, {}}));
+  for (Component& c : found) {
+    if (!changed_.contains(c.owner)) continue;
+    auto at = std::find_if(pieces_.begin(), pieces_.end(),
+                           [&](const OrganPiece& piece) { return piece.body == c.owner; });
+    if (at == pieces_.end()) at = pieces_.insert(at, OrganPiece{c.owner, {}});
+    at->mesh = piece_mesh(complex_, std::move(c.tets));
+  }
+  changed_.clear();
+  return out;
+}
+
+const OrganPiece& Organ::piece(std::size_t body) const {
+  return *std::find_if(pieces_.begin(), pieces_.end(),
+                       [&](const OrganPiece& piece) { return piece.body == body; });
+}
+
+Anatomy Organ::anatomy(const OrganPiece& piece, Numbering& numbering) const {
+  numbering = {};
+  if (!piece.whole()) return remnant(whole_);
+  const bool uncut = std::all_of(log_.begin(), log_.end(), [](const OrganChange& change) {
+    return change.cause != TopologyCause::cut || change.taken_back;
+  });
+  if (uncut) return whole_;
+  return skinned(complex_, skin_, piece.mesh, static_cast<std::uint32_t>(whole_.surface.positions.size()),
+                 static_cast<std::uint32_t>(whole_.surface.triangles.size()), numbering);
+}
+
+}  // namespace prosector

@@ -1,0 +1,91 @@
+#pragma once
+// A soft body of the scene as it has been cut: its tetrahedra with all that hangs on them, the pieces that
+// they fall into, each of which is a body of its own, and the log of what was done.
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/messages.h"
+#include "server/physics/byte_stream.h"
+#include "server/physics/cutting/skin.h"
+#include "server/physics/cutting/tet_complex.h"
+#include "server/physics/cutting/volume_cut.h"
+#include "server/physics/organs/node_transfer.h"
+#include "server/physics/topology.h"
+
+namespace prosector {
+
+/// One entry of an organ's log: append-only, what is undone stays in it.
+struct OrganChange {
+  TopologyCause cause = TopologyCause::cut;
+  ParticipantId author = 0;
+  std::uint64_t stroke = 0;     // cuts of one stroke are undone together; of an undo: the stroke undone
+  std::vector<TopologyOp> ops;  // of a cut
+  std::vector<TetId> touched;   // of a cut: what later cuts must leave alone for it to be undone; ascending
+  bool taken_back = false;      // by a later undo
+};
+
+/// A piece of an organ: one of the simulation's soft bodies.
+struct OrganPiece {
+  std::size_t body = 0;  // index among the soft bodies
+  PieceMesh mesh;        // no tetrahedra: it was joined to another again
+  bool whole() const { return !mesh.tets.empty(); }
+};
+
+class Organ {
+ public:
+  /// Of soft body `body`, which was never cut. `anatomy` with or without nodes on its edges.
+  Organ(std::size_t body, const Anatomy& anatomy, double density);
+
+  const TetComplex& complex() const { return complex_; }
+  const std::vector<OrganPiece>& pieces() const { return pieces_; }
+  const std::vector<OrganChange>& log() const { return log_; }
+  bool has(std::size_t body) const;  // as a piece that is still one
+
+  /// One tick of a blade's stroke, see volume_cut.h. `positions`: of every node, by id, m. Without operations
+  /// in the result nothing changed.
+  CutResult cut(std::span<const Vec3> positions, std::span<const Vec3> edge, BladeStroke& blade,
+                ParticipantId author, std::uint64_t stroke);
+  /// Takes back the author's last stroke. Empty when done, else why not.
+  std::string undo(ParticipantId author);
+  std::optional<std::uint64_t> last_stroke(ParticipantId author) const;  // that undo() would take back
+
+  /// Finds the pieces anew after changes: of a body that fell apart the largest piece stays it; the others
+  /// get body indices from `next_body` on.
+  struct Regrouped {
+    std::vector<OrganPiece> before;   // the pieces that changed, as they were
+    std::vector<std::size_t> bodies;  // that changed, came or went; ascending
+  };
+  Regrouped regroup(std::size_t next_body);
+  const OrganPiece& piece(std::size_t body) const;
+
+  /// The geometry of a piece: its tetrahedra, and as the surface their skin, walls of cuts as inner; the
+  /// compiled mesh while no cut is in force; of what is no piece any more one tetrahedron without a surface.
+  Anatomy anatomy(const OrganPiece& piece, Numbering& numbering) const;
+  const Anatomy& whole() const { return whole_; }  // as compiled
+
+  void save(ByteWriter& out) const;
+  /// Takes the uncut organ through a saved log. Throws InputError for what doesn't fit; `bodies`: how many
+  /// soft bodies there are.
+  void load(ByteReader& in, std::size_t bodies);
+
+ private:
+  std::vector<OrganChange*> stroke_of(ParticipantId author);
+  void take_back(const std::vector<OrganChange*>& newest_first);
+  void note_touched(const std::vector<TetId>& tets);
+
+  Anatomy whole_;  // as compiled, without nodes on edges
+  TetComplex complex_;
+  Skin skin_;
+  TetTree tree_;                    // cache
+  std::vector<std::size_t> owner_;  // by tetrahedron: the body that it is, or was, part of
+  std::set<std::size_t> changed_;   // bodies, since the last regroup()
+  std::vector<OrganChange> log_;
+  std::vector<OrganPiece> pieces_;  // by body
+};
+
+}  // namespace prosector

@@ -1,0 +1,78 @@
+// An organ's log as bytes. Reading it goes through it once more, from the uncut organ on.
+
+#include <algorithm>
+
+#include "server/physics/cutting/pieces.h"
+#include "server/physics/organs/organ.h"
+#include "server/physics/organs/organ_parts.h"
+#include "server/physics/organs/topology_op_io.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t most_changes = 10'000'000;
+constexpr std::size_t most_ops = 10'000'000;  // of one
+
+}  // namespace
+
+void Organ::save(ByteWriter& out) const {
+  out.add(static_cast<std::uint64_t>(log_.size()));
+  for (const OrganChange& change : log_) {
+    out.add(change.cause);
+    out.add(change.author);
+    out.add(change.stroke);
+    out.add(static_cast<std::uint64_t>(change.ops.size()));
+    for (const TopologyOp& op : change.ops) add(out, op);
+  }
+  out.add(static_cast<std::uint64_t>(pieces_.size()));
+  for (const OrganPiece& piece : pieces_) {
+    out.add(static_cast<std::uint64_t>(piece.body));
+    out.add(static_cast<std::uint8_t>(piece.whole()));
+    if (piece.whole()) out.add(piece.mesh.tets.front());
+  }
+}
+
+void Organ::load(ByteReader& in, std::size_t bodies) {
+  for (std::size_t left = in.count(most_changes); left > 0; --left) {
+    OrganChange change;
+    change.cause = in.number<TopologyCause>();
+    change.author = in.number<ParticipantId>();
+    change.stroke = in.number<std::uint64_t>();
+    for (std::size_t ops = in.count(most_ops); ops > 0; --ops) {
+      change.ops.push_back(read_op(in));
+      complex_.apply(change.ops.back());
+    }
+    if (change.cause == TopologyCause::undo) {
+      const std::vector<OrganChange*> stroke = stroke_of(change.author);
+      in.require(!stroke.empty() && stroke.front()->stroke == change.stroke, "an undo of what isn't there");
+      take_back(stroke);
+    } else {
+      in.require(change.cause == TopologyCause::cut, "a change of a topology that is none");
+      change.touched = touched_by(complex_, change.ops);
+      note_touched(change.touched);
+    }
+    skin_.update(complex_);
+    log_.push_back(std::move(change));
+  }
+  const std::vector<std::vector<TetId>> found = prosector::pieces(complex_);
+  pieces_.clear();
+  changed_.clear();
+  std::size_t used = 0;
+  for (std::size_t left = in.count(bodies); left > 0; --left) {
+    OrganPiece& piece = pieces_.emplace_back();
+    piece.body = in.count(bodies);
+    in.require(piece.body < bodies && (pieces_.size() < 2 || pieces_[pieces_.size() - 2].body < piece.body),
+               "a piece out of order");
+    if (!in.flag()) continue;
+    const auto first = in.number<TetId>();
+    const auto at = std::find_if(found.begin(), found.end(),
+                                 [&](const std::vector<TetId>& tets) { return tets.front() == first; });
+    in.require(at != found.end(), "a piece that isn't there");
+    piece.mesh = piece_mesh(complex_, *at);
+    for (const TetId tet : *at) owner_[tet] = piece.body;
+    ++used;
+  }
+  in.require(used == found.size(), "pieces that are no bodies");
+}
+
+}  // namespace prosector

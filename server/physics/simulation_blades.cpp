@@ -1,0 +1,132 @@
+// Blades that hands hold: phase 3, what tissue their edges are in; last phase, what they cut.
+
+#include <algorithm>
+
+#include "server/physics/organs/locate.h"
+#include "server/physics/simulation_impl.h"
+
+namespace prosector {
+namespace {
+
+constexpr double to_begin = 1.5;  // times the force at which a cut goes on: a crack that isn't there yet
+constexpr int halvings = 12;      // of a tick's way, to where a point entered
+
+Vec3 point_of(const SparseMap::Row& row, const VecX& x) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < 4; ++k) sum += row.weight[k] * x.segment<3>(3 * Eigen::Index{row.node[k]});
+  return sum;
+}
+
+}  // namespace
+
+bool Simulation::Impl::is_held_blade(std::size_t slot) const {
+  return std::any_of(blades.begin(), blades.end(), [&](const Blade& blade) { return blade.slot == slot; });
+}
+
+/// Blades come and go with the hands that hold them.
+void Simulation::Impl::take_up_blades() {
+  const auto holder_of = [&](std::size_t slot) {
+    return std::find_if(hands.begin(), hands.end(),
+                        [&](const Hand& hand) { return hand.hold && hand.hold->body == slot; });
+  };
+  std::erase_if(blades, [&](const Blade& blade) { return holder_of(blade.slot) == hands.end(); });
+  for (std::size_t slot = 0; slot < blade_shapes.size(); ++slot) {
+    const auto holder = holder_of(slot);
+    if (blade_shapes[slot].edges.empty() || holder == hands.end()) continue;
+    auto at = std::lower_bound(blades.begin(), blades.end(), slot,
+                               [](const Blade& blade, std::size_t s) { return blade.slot < s; });
+    if (at == blades.end() || at->slot != slot) {
+      at = blades.insert(at, Blade{slot, 0, 0, false, {}, {}});
+      at->cut_to = edge_points(slot);
+    }
+    at->holder = holder->participant;
+  }
+}
+
+std::vector<Vec3> Simulation::Impl::edge_points(std::size_t slot) const {
+  const Pose frame = world.motion(slot).pose * model.rigid[slot].center.inverse();
+  std::vector<Vec3> out;
+  for (const BladeShape::Edge& edge : blade_shapes[slot].edges)
+    for (const Vec3& point : edge.points) out.push_back(frame * point);
+  return out;
+}
+
+/// The tissue that a point is in, of those that can be touched.
+std::optional<BladeGrip> Simulation::Impl::tissue_at(const Vec3& point) const {
+  for (std::size_t i = 0; i < soft.size(); ++i) {
+    if (parts[soft_id(i)].out_of_touch() || model.soft[i]->anatomy().tets.tets.empty()) continue;
+    if (const auto row = locate(model.soft[i]->anatomy().tets, soft[i].motion.x, point))
+      return BladeGrip{i, 0, 0, *row, {}};
+  }
+  return std::nullopt;
+}
+
+void Simulation::Impl::grip_blades() {
+  blade_grips.clear();
+  take_up_blades();
+  for (const Blade& blade : blades) {
+    const std::vector<Vec3> now = edge_points(blade.slot);
+    std::size_t p = 0;
+    for (const BladeShape::Edge& edge : blade_shapes[blade.slot].edges)
+      for (std::size_t k = 0; k < edge.points.size(); ++k, ++p) {
+        auto grip = tissue_at(blade.cut_to[p]);
+        if (!grip) continue;
+        const SoftDesc& tissue = model.soft[grip->body]->desc();
+        const double force = (blade.cutting ? 1 : to_begin) * tissue.toughness * edge.length_per_point;
+        if (!(force > 0)) continue;
+        grip->slot = blade.slot;
+        grip->point = p;
+        Tie& tie = grip->tie;
+        tie.a.kind = ContactSide::Kind::rigid;
+        tie.a.body = blade.slot;
+        tie.a.arm = now[p] - world.motion(blade.slot).pose.p;
+        tie.b.kind = ContactSide::Kind::soft;
+        tie.b.body = grip->body;
+        tie.b.add(grip->row, 1);
+        tie.offset = now[p] - blade.cut_to[p];
+        tie.stiffness = force / edge_give;
+        tie.max_force = force;
+        wake_soft(grip->body);
+        blade_grips.push_back(*grip);
+      }
+  }
+}
+
+/// Where tissue lets go of an edge's points: what they sweep through is cut.
+void Simulation::Impl::advance(Blade& blade) {
+  const std::vector<Vec3> now = edge_points(blade.slot);
+  std::vector<Vec3> from = blade.cut_to, to = now;
+  for (const BladeGrip& grip : blade_grips) {
+    if (grip.slot != blade.slot) continue;
+    from[grip.point] = point_of(grip.row, soft[grip.body].motion.x);
+    const Vec3 lag = now[grip.point] - from[grip.point];
+    const bool holds = lag.norm() <= grip.tie.max_force / grip.tie.stiffness;
+    to[grip.point] = holds ? from[grip.point] : Vec3(now[grip.point] - edge_give * lag.normalized());
+  }
+  for (std::size_t p = 0; p < to.size(); ++p) stop_at_the_surface(from[p], to[p]);
+  const bool in_tissue =
+      std::any_of(to.begin(), to.end(), [&](const Vec3& point) { return tissue_at(point).has_value(); });
+  if (in_tissue && !blade.cutting) blade.stroke = ++strokes;
+  std::size_t p = 0;
+  const std::vector<BladeShape::Edge>& edges = blade_shapes[blade.slot].edges;
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    const std::size_t count = edges[edge].points.size();
+    cut_tissue(blade, edge, std::span(from).subspan(p, count), std::span(to).subspan(p, count));
+    p += count;
+  }
+  if (!in_tissue) blade.strokes.clear();
+  blade.cutting = in_tissue;
+  blade.cut_to = std::move(to);
+}
+
+/// What enters tissue from outside is held where it enters, until the tissue gives.
+void Simulation::Impl::stop_at_the_surface(const Vec3& from, Vec3& to) const {
+  if (!tissue_at(to) || tissue_at(from)) return;
+  Vec3 outside = from;
+  for (int i = 0; i < halvings; ++i) {
+    const Vec3 middle = (outside + to) / 2;
+    (tissue_at(middle) ? to : outside) = middle;
+  }
+}
+
+}  // namespace prosector

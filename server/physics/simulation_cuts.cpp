@@ -1,0 +1,238 @@
+// Last phase: what blades cut, and what is undone. Pieces that come free become bodies.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "server/physics/cutting/carry.h"
+#include "server/physics/simulation_impl.h"
+
+namespace prosector {
+namespace {
+
+Aabb box_around(std::span<const Vec3> a, std::span<const Vec3> b) {
+  Aabb box{Vec3::Constant(std::numeric_limits<double>::infinity()),
+           Vec3::Constant(-std::numeric_limits<double>::infinity())};
+  for (const auto points : {a, b})
+    for (const Vec3& x : points) {
+      box.lo = box.lo.cwiseMin(x);
+      box.hi = box.hi.cwiseMax(x);
+    }
+  return box;
+}
+
+}  // namespace
+
+/// Where an organ's nodes are, by id.
+std::vector<Vec3> Simulation::Impl::node_positions(const Organ& organ) const {
+  std::vector<Vec3> out(organ.complex().node_end(), Vec3::Zero());
+  for (const OrganPiece& piece : organ.pieces())
+    for (std::size_t n = 0; n < piece.mesh.nodes.size(); ++n)
+      out[piece.mesh.nodes[n]] = soft[piece.body].motion.x.segment<3>(3 * static_cast<Eigen::Index>(n));
+  return out;
+}
+
+/// Takes an edge of a blade on, through whatever tissue there is.
+void Simulation::Impl::cut_tissue(Blade& blade, std::size_t edge, std::span<const Vec3> from,
+                                  std::span<const Vec3> to) {
+  const Aabb swept = box_around(from, to);
+  for (std::size_t first = 0; first < model.scene.soft.size(); ++first) {
+    const Anatomy& anatomy = model.soft[first]->anatomy();
+    if (anatomy.tets.tets.empty() || model.soft_collision[first].fidelity == Fidelity::none) continue;
+    const auto cut_before = organs.find(first);
+    const auto reaches = [&](std::size_t body) {
+      return !parts[soft_id(body)].out_of_touch() && outer_box(body).overlaps(swept);
+    };
+    bool near = cut_before == organs.end() && reaches(first);
+    if (cut_before != organs.end())
+      for (const OrganPiece& piece : cut_before->second.pieces())
+        near |= piece.whole() && reaches(piece.body);
+    if (!near) {
+      blade.strokes.erase({first, edge});
+      continue;
+    }
+    Organ& organ = organs.try_emplace(first, first, anatomy, model.soft[first]->desc().density).first->second;
+    const auto [stroke, begins] = blade.strokes.try_emplace({first, edge});
+    if (begins) stroke->second = begin_stroke(from);
+    std::vector<Vec3>& positions = organ_positions[first];
+    if (positions.empty()) positions = node_positions(organ);
+    const CutResult result = organ.cut(positions, to, stroke->second, blade.holder, blade.stroke);
+    if (result.ops.empty()) continue;
+    for (const TopologyOp& op : result.ops) carry(op, positions);
+    cut_figures.split_tets += result.split_tets;
+    cut_figures.slivers += result.slivers;
+    cut_figures.least_dihedral_deg = std::min(cut_figures.least_dihedral_deg, result.least_dihedral_deg);
+  }
+}
+
+void Simulation::Impl::obey(const CutEvent& event) {
+  std::string& answer = report.cut_answers.emplace_back();
+  if (event.kind == CutEvent::Kind::rewind) {
+    answer = "rewinding is the session's";
+    return;
+  }
+  Organ* last = nullptr;
+  std::uint64_t stroke = 0;
+  for (auto& [first, organ] : organs)
+    if (const auto newest = organ.last_stroke(event.participant); newest && *newest >= stroke) {
+      stroke = *newest;
+      last = &organ;
+    }
+  if (last == nullptr) {
+    answer = "there is no cut of yours to undo";
+    return;
+  }
+  answer = last->undo(event.participant);
+  if (answer.empty()) remake(*last, TopologyCause::undo, event.participant);
+}
+
+/// The solver of a piece: named after the organ, and of its material.
+std::unique_ptr<SoftBody> Simulation::Impl::make_piece(const Organ& organ, std::size_t body,
+                                                       Numbering& numbering) const {
+  const std::size_t first = organ.pieces().front().body;
+  SoftDesc desc = model.soft[first]->desc();
+  if (body != first) desc.name = fmt::format("{} piece {}", desc.name, body - model.scene.soft.size() + 1);
+  return std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(body), numbering));
+}
+
+/// Puts a solver in the place of the body's, or at the end, where the body is new.
+void Simulation::Impl::place_piece(std::size_t body, std::size_t first, std::unique_ptr<SoftBody> solver,
+                                   Numbering numbering) {
+  if (body == model.soft.size()) {
+    model.soft.push_back(std::move(solver));
+    model.soft_collision.push_back(model.soft_collision[first]);
+    soft.emplace_back();
+    equilibrium.emplace_back();
+    parts.push_back(parts[soft_id(first)]);
+  } else {
+    retired.push_back(std::exchange(model.soft[body], std::move(solver)));
+  }
+  soft[body] = model.soft[body]->initial_state();
+  equilibrium[body] = soft[body].motion.x;
+  fit_to_mesh(body);
+  numberings[body] = std::move(numbering);
+}
+
+/// Makes bodies of the pieces that an organ's change left or made, moving as what was there moved.
+void Simulation::Impl::remake(Organ& organ, TopologyCause cause, ParticipantId author) {
+  const std::size_t first = organ.pieces().front().body;
+  const Organ::Regrouped changed = organ.regroup(model.soft.size());
+  std::vector<const PieceMesh*> meshes;
+  std::vector<SoftBodyState> states;
+  std::vector<VecX> rests;
+  for (const OrganPiece& piece : changed.before) {
+    meshes.push_back(&piece.mesh);
+    states.push_back(soft[piece.body]);
+    rests.push_back(equilibrium[piece.body]);
+  }
+  for (const std::size_t body : changed.bodies) {
+    const bool is_new = body == model.soft.size();
+    const OrganPiece& piece = organ.piece(body);
+    Numbering numbering;
+    std::unique_ptr<SoftBody> solver = make_piece(organ, body, numbering);
+    place_piece(body, first, std::move(solver), std::move(numbering));
+    memories[body].clear();
+    if (!is_new) ++revisions[body];
+    Part& part = parts[soft_id(body)];
+    if (piece.whole()) {
+      const NodeTransfer transfer(organ.complex(), meshes, piece.mesh,
+                                  model.soft[body]->desc().element == "tet10");
+      for (VecX Motion::*field : {&Motion::x, &Motion::v, &Motion::x_prev, &Motion::v_prev}) {
+        std::vector<const VecX*> fields;
+        for (const SoftBodyState& state : states) fields.push_back(&(state.motion.*field));
+        soft[body].motion.*field = transfer(fields);
+      }
+      std::vector<const VecX*> fields;
+      for (const VecX& rest : rests) fields.push_back(&rest);
+      equilibrium[body] = transfer(fields);
+      soft[body].asleep = false;
+      // A piece that nothing ties to its place any more is out of it.
+      if (body != first && model.soft[body]->attachment_stiffness().isZero()) part.attached = false;
+    } else {
+      part.hidden = true;
+    }
+    take_effect(world, soft_id(body));
+    place_surface(body);
+    TopologyChange& change = report.topology.emplace_back();
+    change.body = soft_id(body);
+    change.revision = revisions[body];
+    change.content_hash = model.soft[body]->content_hash();
+    change.cause = cause;
+    change.author = author;
+    if (is_new) change.piece_of = soft_id(first);
+  }
+  keep_holds(changed.bodies);
+}
+
+/// Hands go on holding what is nearest to where they held it.
+void Simulation::Impl::keep_holds(const std::vector<std::size_t>& bodies) {
+  for (Hand& hand : hands) {
+    if (!hand.hold || !is_soft(hand.hold->body)) continue;
+    if (!std::binary_search(bodies.begin(), bodies.end(), soft_index(hand.hold->body))) continue;
+    const Pose centre = world.motion(hand.slot).pose;
+    struct Nearest {
+      std::size_t body = 0;
+      std::uint32_t vertex = 0;
+      double distance = std::numeric_limits<double>::infinity();
+    };
+    std::vector<Nearest> found;
+    for (const Hold::Point& p : hand.hold->points) {
+      Nearest& best = found.emplace_back();
+      for (const std::size_t body : bodies) {
+        const auto x = surfaces[body].positions();
+        for (std::uint32_t v = 0; v < x.size(); ++v)
+          if (const double d = (x[v] - centre * p.in_hand).squaredNorm(); d < best.distance)
+            best = {body, v, d};
+      }
+    }
+    // One hand holds one body: that of most points.
+    std::map<std::size_t, std::size_t> points;
+    for (const Nearest& n : found) ++points[n.body];
+    const auto most = std::max_element(points.begin(), points.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    Hold& hold = *hand.hold;
+    hold.body = soft_id(most->first);
+    std::vector<Hold::Point> kept;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (found[i].body != most->first) continue;
+      kept.push_back(hold.points[i]);
+      kept.back().vertex = found[i].vertex;
+    }
+    hold.points = std::move(kept);
+  }
+}
+
+void Simulation::Impl::cut_soft_bodies(const TickInput& input) {
+  organ_positions.clear();
+  cut_figures = {};
+  const std::uint64_t before = log_length();
+  std::map<std::size_t, ParticipantId> cut;  // organ → whose cut
+  for (Blade& blade : blades) {
+    std::map<std::size_t, std::size_t> lengths;
+    for (const auto& [first, organ] : organs) lengths[first] = organ.log().size();
+    advance(blade);
+    for (const auto& [first, organ] : organs)
+      if (organ.log().size() > lengths[first]) cut[first] = blade.holder;
+  }
+  for (const auto& [first, author] : cut) remake(organs.at(first), TopologyCause::cut, author);
+  for (const CutEvent& event : input.cuts) obey(event);
+  if (log_length() > before) report_cuts();
+}
+
+std::uint64_t Simulation::Impl::log_length() const {
+  std::uint64_t sum = 0;
+  for (const auto& [first, organ] : organs) sum += organ.log().size();
+  return sum;
+}
+
+/// What a cut could not keep above the floor.
+void Simulation::Impl::report_cuts() {
+  if (cut_figures.slivers == 0) return;
+  BodyReport& row = report.bodies.emplace_back();
+  row.body = "cut";
+  row.note = fmt::format("{} of the tetrahedra made have dihedral angles below {} degrees, the least {:.1f}",
+                         cut_figures.slivers, least_dihedral_deg, cut_figures.least_dihedral_deg);
+}
+
+}  // namespace prosector

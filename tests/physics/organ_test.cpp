@@ -1,0 +1,143 @@
+// Tissue that a held scalpel cuts: through the whole simulation.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "server/physics/soft/soft_body.h"
+#include "tests/physics/scenes.h"
+
+namespace prosector::test {
+namespace {
+
+constexpr BodyId scalpel = 0;
+
+/// A block, 10 × 6 × 10 cm, tied at its base, beside a scalpel whose edge hangs down from its handle.
+SceneDesc block_and_scalpel() {
+  SceneDesc scene;
+  scene.gravity = Vec3::Zero();
+  scene.rigid = {part_body("scalpel", "box", {0.01, 0.08, 0.01}, {-0.12, 0.13, 0})};
+  scene.rigid[0].edges = {{{0, -0.04, 0}, {0, -0.14, 0}}};
+  scene.soft = {block()};
+  scene.soft[0].attach = {{{0, 0, 0}, 0.2, 1e7}};
+  scene.soft[0].cell = 0.02;
+  scene.soft[0].toughness = 10;
+  return scene;
+}
+
+/// A hand takes the scalpel.
+Vec3 take(Simulation& simulation) {
+  const Vec3 at(-0.12, 0.14, 0.02);
+  simulation.step(appear(at));
+  simulation.step(event(HandEvent::Kind::grasp, at));
+  EXPECT_EQ(simulation.hands()[0].holding, std::optional<BodyId>(scalpel));
+  return at;
+}
+
+/// Draws the scalpel through the block at 0.1 m/s, for `ticks` ticks.
+std::vector<TopologyChange> draw(Simulation& simulation, Vec3& at, int ticks) {
+  std::vector<TopologyChange> changes;
+  for (int i = 0; i < ticks; ++i) {
+    at.x() += 0.0016;
+    const StepReport& report = simulation.step(target(at));
+    changes.insert(changes.end(), report.topology.begin(), report.topology.end());
+  }
+  return changes;
+}
+
+TickInput undo() {
+  TickInput input;
+  input.cuts = {{CutEvent::Kind::undo, somebody, 0, 0}};
+  return input;
+}
+
+double all_mass(const Simulation& simulation, std::size_t bodies) {
+  double sum = 0;
+  for (BodyId body = 1; body <= bodies; ++body) sum += simulation.soft(body).total_mass();
+  return sum;
+}
+
+TEST(Organ, HeldScalpelCutsABlockInTwo) {
+  Simulation simulation(block_and_scalpel(), options());
+  const double mass = simulation.soft(1).total_mass();
+  Vec3 at = take(simulation);
+  const std::vector<TopologyChange> changes = draw(simulation, at, 150);
+  ASSERT_EQ(simulation.body_count(), 3U);
+  EXPECT_NEAR(all_mass(simulation, 2), mass, 1e-12 * mass);
+  EXPECT_GT(simulation.soft(2).total_mass(), 0.4 * mass);
+  EXPECT_GT(simulation.soft(1).total_mass(), 0.4 * mass);
+  EXPECT_EQ(simulation.name(2), "block piece 1");
+  ASSERT_FALSE(changes.empty());
+  for (const TopologyChange& change : changes) {
+    EXPECT_EQ(change.author, somebody);
+    EXPECT_EQ(change.cause, TopologyCause::cut);
+    EXPECT_EQ(change.piece_of.has_value(), change.body == 2 && change.revision == 0);
+  }
+  EXPECT_EQ(simulation.revision(1),
+            static_cast<std::uint32_t>(std::count_if(changes.begin(), changes.end(),
+                                                     [](const TopologyChange& c) { return c.body == 1; })));
+}
+
+TEST(Organ, ToughTissueIsDrawnAlongInsteadOfCut) {
+  for (const double toughness : {10.0, 1e5}) {
+    SceneDesc scene = block_and_scalpel();
+    scene.soft[0].toughness = toughness;
+    Simulation simulation(scene, options());
+    const std::size_t elements = simulation.tet_count();
+    Vec3 at = take(simulation);
+    draw(simulation, at, 60);  // 2.6 cm into it
+    if (toughness > 1000) {
+      EXPECT_GT(simulation.max_displacement(1), 0.01);
+      EXPECT_LT(simulation.tet_count(), elements + elements / 20);  // at its edges the blade slips past
+    } else {
+      EXPECT_LT(simulation.max_displacement(1), 0.005);
+      EXPECT_GT(simulation.tet_count(), elements + elements / 10);
+    }
+  }
+}
+
+TEST(Organ, UndoGivesBackTheMeshThatWasCut) {
+  Simulation simulation(block_and_scalpel(), options());
+  const std::uint64_t uncut = simulation.soft(1).content_hash();
+  const std::size_t triangles = simulation.surface(1).triangles.size();
+  Vec3 at = take(simulation);
+  draw(simulation, at, 150);
+  ASSERT_EQ(simulation.body_count(), 3U);
+  EXPECT_NE(simulation.soft(1).content_hash(), uncut);
+  const StepReport& report = simulation.step(undo());
+  ASSERT_EQ(report.cut_answers, std::vector<std::string>{""});
+  EXPECT_EQ(simulation.soft(1).content_hash(), uncut);
+  EXPECT_EQ(simulation.surface(1).triangles.size(), triangles);
+  EXPECT_TRUE(simulation.surface(2).triangles.empty());
+  for (int i = 0; i < 120; ++i) simulation.step({});
+  EXPECT_LT(simulation.max_displacement(1), 0.002);
+  EXPECT_NE(simulation.step(undo()).cut_answers, std::vector<std::string>{""}) << "undone twice";
+}
+
+TEST(Organ, SameInputsSameBitsAlsoFromACheckpointMidCut) {
+  const auto run_to = [](Simulation& simulation, Vec3& at, int ticks) {
+    draw(simulation, at, ticks);
+    return simulation.state_hash();
+  };
+  Simulation first(block_and_scalpel(), options(1)), second(block_and_scalpel(), options(2));
+  Vec3 at = take(first), same = take(second);
+  run_to(first, at, 70);
+  run_to(second, same, 70);
+  const std::vector<std::uint8_t> saved = first.checkpoint();
+  EXPECT_EQ(saved, second.checkpoint());
+  Vec3 later = at;
+  const std::uint64_t there = run_to(first, at, 80);
+  EXPECT_EQ(run_to(second, same, 80), there);
+  Simulation third(block_and_scalpel(), options(1));
+  third.restore(saved);
+  Vec3 again = later;
+  EXPECT_EQ(run_to(third, again, 80), there);
+  // Back from a state in which there are more bodies.
+  first.restore(saved);
+  EXPECT_EQ(first.body_count(), 2U);
+  EXPECT_EQ(run_to(first, later, 80), there);
+  EXPECT_EQ(first.body_count(), 3U);
+}
+
+}  // namespace
+}  // namespace prosector::test
