@@ -73,6 +73,9 @@ Replica room() {
   for (const bool part : {false, true, true}) scene.bodies.emplace_back().part = part;
   Replica out;
   out.apply({.message = scene});
+  RosterEntry present;
+  present.participant = ada;
+  out.apply({.message = present});
   return out;
 }
 
