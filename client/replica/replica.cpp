@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "common/asset.h"
 #include "common/error.h"
 
@@ -9,6 +11,7 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t max_early_chunks = 4096;  // soft samples kept until their body is known
+constexpr double contact_life = 0.25;           // s: what lasts is told each tick
 
 template <class... F>
 struct Overloaded : F... {
@@ -38,6 +41,7 @@ void Replica::apply(const Received& received) {
 
 void Replica::apply(const Message& message, std::int64_t arrival_ns) {
   const auto timed = [&](const SimTime& time) {
+    newest_ = std::max(newest_, time);
     if (clock_) clock_->arrived(time, arrival_ns);
   };
   std::visit(Overloaded{
@@ -78,7 +82,10 @@ void Replica::apply(const Message& message, std::int64_t arrival_ns) {
                  },
                  [&](const TopologyRevision& m) { topology_[m.body].add(m); },
                  [&](const ContactSample& m) {
-                   contacts_[{m.participant, m.hand}] = m;
+                   timed(m.time);
+                   if (!roster_.contains(m.participant)) return;  // not here yet, or gone: late
+                   ContactSample& known = contacts_[{m.participant, m.hand}];
+                   if (m.time >= known.time) known = m;
                  },
                  [&](const ServerStatus& m) {
                    timed(m.time);
@@ -215,7 +222,12 @@ std::uint64_t Replica::topology_hash() const {
 
 const ContactSample* Replica::contact(ParticipantId participant, std::size_t hand) const {
   const auto it = contacts_.find({participant, static_cast<std::uint8_t>(hand)});
-  return it == contacts_.end() ? nullptr : &it->second;
+  if (it == contacts_.end()) return nullptr;
+  const SimTime& told = it->second.time;
+  const bool fresh =
+      told.epoch == newest_.epoch &&
+      static_cast<double>(newest_.tick) - static_cast<double>(told.tick) <= contact_life / tick_seconds();
+  return fresh ? &it->second : nullptr;
 }
 
 const BodyStatus* Replica::body_status(BodyId body) const {

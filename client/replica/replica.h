@@ -46,6 +46,7 @@ class Replica {
   const std::optional<SceneInfo>& scene() const { return scene_; }
   const std::map<ParticipantId, RosterEntry>& roster() const { return roster_; }
   const std::optional<ServerStatus>& status() const { return status_; }
+  /// The newest word about a hand's contact; null: none, or none for a quarter of a second.
   const ContactSample* contact(ParticipantId participant, std::size_t hand) const;
   /// Null before its first, and for rigid bodies.
   const BodyStatus* body_status(BodyId body) const;
@@ -78,6 +79,7 @@ class Replica {
   std::map<ParticipantId, RosterEntry> roster_;
   std::map<ParticipantId, Track<UserState>> users_;
   std::map<std::pair<ParticipantId, std::uint8_t>, ContactSample> contacts_;
+  SimTime newest_;  // that anything told
   std::map<BodyId, RigidReplica> rigid_;
   std::map<BodyId, SoftReplica> soft_;
   std::map<BodyId, TopologyReplica> topology_;

@@ -1,13 +1,14 @@
 #include "server/session/hand_sender.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace prosector {
 namespace {
 
 constexpr std::uint64_t user_refresh_ticks = 15;
-constexpr std::uint64_t let_go_ticks = 10;  // "no longer touching" is repeated: samples get lost
-constexpr double min_shift = 1e-5;          // m
+constexpr int let_go_updates = 10;  // "no longer touching" is repeated: samples get lost
+constexpr double min_shift = 1e-5;  // m
 
 }  // namespace
 
@@ -17,13 +18,26 @@ void HandSender::update(const Snapshot& now, bool everything, std::vector<Messag
     return std::none_of(now.users.begin(), now.users.end(),
                         [&](const UserState& u) { return u.participant == sent.first; });
   });
-  for (const ContactSample& contact : now.contacts) {
-    const std::pair key(contact.participant, contact.hand);
-    if (contact.touching) touched_[key] = now.time.tick;
-    const auto last = touched_.find(key);
-    if (last != touched_.end() && now.time.tick - last->second <= let_go_ticks) out.push_back(contact);
+  update_contacts(now, out);
+}
+
+/// Counted in updates, not in ticks: on a busy machine not every tick is published. Of a hand that is gone
+/// the last word is that it touches nothing, too.
+void HandSender::update_contacts(const Snapshot& now, std::vector<Message>& out) {
+  for (auto& [key, updates] : let_go_) ++updates;
+  for (const ContactSample& contact : now.contacts)
+    if (contact.touching || contact.impact >= 0) {
+      let_go_[{contact.participant, contact.hand}] = 0;
+      out.push_back(contact);
+    }
+  for (const auto& [key, updates] : let_go_) {
+    if (updates == 0) continue;
+    ContactSample nothing;
+    std::tie(nothing.participant, nothing.hand) = key;
+    nothing.time = now.time;
+    out.push_back(nothing);
   }
-  std::erase_if(touched_, [&](const auto& t) { return now.time.tick - t.second > let_go_ticks; });
+  std::erase_if(let_go_, [](const auto& hand) { return hand.second >= let_go_updates; });
 }
 
 void HandSender::update_user(const UserState& user, bool everything, std::vector<Message>& out) {

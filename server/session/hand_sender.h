@@ -20,9 +20,10 @@ class HandSender {
     std::array<Vec3, 2> hands;
   };
   std::map<ParticipantId, Sent> users_;
-  std::map<std::pair<ParticipantId, std::uint8_t>, std::uint64_t> touched_;  // tick of the last touch
+  std::map<std::pair<ParticipantId, std::uint8_t>, int> let_go_;  // updates since it touched something
 
   void update_user(const UserState& user, bool everything, std::vector<Message>& out);
+  void update_contacts(const Snapshot& now, std::vector<Message>& out);
 };
 
 }  // namespace prosector
