@@ -37,13 +37,21 @@ host() {
   grep -E "bodies|session|fem_" "$out/server.log" | head -n 12 || true
 }
 
-# twins PREFIX HAND_SCRIPT GLOVE_SCRIPT: a simulated tracker and glove at $out/PREFIXtracker and $out/PREFIXglove.
+# twins PREFIX HAND_SCRIPT GLOVE_SCRIPT [HOLDS]: a simulated tracker and glove at $out/PREFIXtracker and $out/PREFIXglove.
+# With HOLDS (script times), each waits there for a line through its terminal, $out/PREFIXDEVICE.terminal.
 twins() {
-  "$bin/prosector-fastrak-twin" --script "$2" --wait-client --link "$out/$1tracker" \
-    --room-device 0,1,1,1,0,0,0 --log "$out/$1tracker.csv" --noise-cm 0.02 --seed 1 > "$out/$1tracker.log" 2>&1 &
+  local device hold=(--wait-client)
+  [ $# -lt 4 ] || hold+=(--hold "$4")
+  for device in tracker glove; do
+    rm -f "$out/$1$device.terminal"
+    mkfifo "$out/$1$device.terminal"
+  done
+  "$bin/prosector-fastrak-twin" --script "$2" "${hold[@]}" --link "$out/$1tracker" \
+    --room-device 0,1,1,1,0,0,0 --log "$out/$1tracker.csv" --noise-cm 0.02 --seed 1 \
+    <> "$out/$1tracker.terminal" > "$out/$1tracker.log" 2>&1 &
   pids+=("$!")
-  "$bin/prosector-5dt-twin" --script "$3" --wait-client --link "$out/$1glove" \
-    --log "$out/$1glove.csv" --seed 2 > "$out/$1glove.log" 2>&1 &
+  "$bin/prosector-5dt-twin" --script "$3" "${hold[@]}" --link "$out/$1glove" \
+    --log "$out/$1glove.csv" --seed 2 <> "$out/$1glove.terminal" > "$out/$1glove.log" 2>&1 &
   pids+=("$!")
   local link
   for link in "$1tracker" "$1glove"; do

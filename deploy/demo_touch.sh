@@ -12,7 +12,7 @@ deploy/demo_touch.sh [--out DIR] [--scene FILE] [--size WxH] [--skip-setup]
   --scene FILE   scene to host (default deploy/scenes/touch.toml); liver and kidney where that one has them
   --size WxH     of the pictures (default 800x600)
   --skip-setup   don't install, fetch and build first (PROSECTOR_BIN says where the programs are, if not in build/release/bin)
-It takes half a minute.
+It takes half a minute, on a busy machine longer.
 TXT
 }
 
@@ -53,26 +53,57 @@ watch() {
   wait_for "$out/$name.log" "everything is here" 60 "the $name"
 }
 
-# moment SECONDS NAME WHAT: waits until the hands' script is there, and has both take a picture.
+# until_is SECONDS WHAT PYTHON: waits until the observer knows what PYTHON says of `now`, the newest line of its log.
+until_is() {
+  python3 - "$out/log.jsonl" "$1" "$3" <<'PY' || fail "$2: not within $1 s" "$out/log.jsonl"
+import json, sys, time
+file, seconds, holds = sys.argv[1], float(sys.argv[2]), compile(sys.argv[3], "condition", "eval")
+end = time.monotonic() + seconds
+while time.monotonic() < end:
+    lines = open(file).read().split("\n")[:-1]
+    try:
+        if lines and eval(holds, {"now": json.loads(lines[-1])}):
+            sys.exit(0)
+    except KeyError:
+        pass
+    time.sleep(0.05)
+sys.exit(1)
+PY
+}
+holders_are() { until_is 60 "who holds the liver: $1" "set(now['parts']['liver'].get('holders', [])) == set([$1])"; }
+touches() { until_is 60 "$1 touches the $2" "now['touches']['$1, right']['body'] == '$2'"; }
+kidney_panel() { until_is 60 "$1" "now['panels']['first user']['part'] == 'kidney' and $2"; }
+
+# go_on USER: lets the user's script pass its next hold.
+go_on() {
+  echo > "$out/$1.tracker.terminal"
+  echo > "$out/$1.glove.terminal"
+}
+
+# moment NAME WHAT: has both who watch take a picture.
 moment() {
-  sleep "$(awk -v due="$1" -v begun="$begun" -v now="$(date +%s.%N)" \
-    'BEGIN { left = due - (now - begun); print (left > 0 ? left : 0) }')"
-  say "$3"
-  echo "picture $out/$2.png" >&7
-  echo "picture $out/eyes-$2.png" >&8
+  say "$2"
+  echo "picture $out/$1.png" >&7
+  echo "picture $out/eyes-$1.png" >&8
+  local waited=0
+  until [ -s "$out/$1.png" ] && [ -s "$out/eyes-$1.png" ]; do
+    [ "$waited" -lt 200 ] || fail "no picture of \"$2\" within 20 s" "$out/observer.log"
+    sleep 0.1
+    waited=$((waited + 1))
+  done
 }
 
 host "$scene" "$session"
 say "An observer watches, and an onlooker through the first user's eyes"
-watch observer 7 --fps 10 --session-log "$out/log.jsonl"
+watch observer 7 --fps 6 --session-log "$out/log.jsonl"
 observer=${pids[-1]}
-watch onlooker 8 --fps 5 --follow "first user"
+watch onlooker 8 --fps 2 --follow "first user"
 onlooker=${pids[-1]}
 
 say "Two headset users join through simulated trackers and gloves"
-for user in first second; do
-  twins "$user." "$root/deploy/demo/touch_$user.csv" "$root/deploy/demo/touch_$user.csv"
-done
+# Each waits where the other's doing, or the session's answer, has to come first: a busy machine only makes it longer.
+twins first. "$root/deploy/demo/touch_first.csv" "$root/deploy/demo/touch_first.csv" 3.1,4,12,16.2,17.7,22.2
+twins second. "$root/deploy/demo/touch_second.csv" "$root/deploy/demo/touch_second.csv" 5.4,8.1,9,14.2
 users=()
 for user in first second; do
   "$bin/prosector-client" join --session "$session" --name "$user user" --config "$root/deploy/demo/headset.toml" \
@@ -82,16 +113,42 @@ for user in first second; do
   pids+=("$!")
 done
 for user in first second; do wait_for "$out/$user.log" "tracker .*streaming" 20 "the $user user's tracker"; done
-begun=$(date +%s.%N)
 
-moment 6 alone "The first user lifts the liver"
-moment 11.3 together "The second user holds it, too"
-moment 13.7 handed-over "The first user let go"
-moment 15.9 touch "The first user touches the kidney: its panel comes up"
-moment 18.6 button "A finger presses the button: the kidney is detached"
-moment 21.9 slider "The finger pushes the slider"
-moment 25.5 end "That's all"
+touches "first user" liver
+sleep 0.5  # it sinks in
+go_on first
+holders_are "'first user, right'"
+go_on first
+sleep 2
+moment alone "The first user lifts the liver"
+go_on second
+touches "second user" liver
+sleep 0.5
+go_on second
+holders_are "'first user, right', 'second user, right'"
+go_on second
+sleep 2
+moment together "The second user holds it, too"
+go_on first
+holders_are "'second user, right'"
 sleep 1
+moment handed-over "The first user let go"
+touches "first user" kidney
+kidney_panel "the kidney's panel comes up" True
+moment touch "The first user touches the kidney: its panel comes up"
+go_on first
+go_on second
+holders_are ""
+kidney_panel "the button is pressed home" "not now['parts']['kidney']['attached']"
+moment button "A finger presses the button: the kidney is detached"
+go_on first
+kidney_panel "the slider is pushed" "now['panels']['first user']['controls']['stiffness']['position'] > 0.6"
+moment slider "The finger pushes the slider"
+go_on first
+until_is 60 "the first user leaves the panel" \
+  "'first user, right' not in now['touches'] and not now['panels']['first user']['controls']['stiffness']['touched']"
+sleep 2
+moment end "That's all"
 
 for pid in "$observer" "$onlooker" "${users[@]}"; do
   kill -TERM "$pid" && wait "$pid" || fail "a client failed" "$out/observer.log"

@@ -30,6 +30,7 @@ class FastrakTwin final : public Twin {
                std::vector<TwinOutput>& out) override;
   void produce(std::int64_t now_ns, std::vector<TwinOutput>& out) override;
   std::int64_t due_ns(std::int64_t now_ns) const override;
+  void go_on(std::int64_t now_ns) override { clock_.go_on(now_ns); }
 
  private:
   struct Station {

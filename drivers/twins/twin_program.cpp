@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 
@@ -32,6 +33,11 @@ void add_options(CLI::App& app, TwinProgramOptions& o) {
   app.add_option("--script", o.script, "CSV of keyframes: time,station,x,y,z,qw,qx,qy,qz,thumb,...,little");
   app.add_flag("--wait-client", o.timing.wait_client, "script time starts when a client starts streaming");
   app.add_flag("--loop", o.timing.loop, "play the script again and again");
+  app.add_option(
+         "--hold", o.timing.holds,
+         "T,T,...: script times at each of which it stands still until a line comes in on standard input")
+      ->delimiter(',')
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--link", o.server.link, "symbolic link to the terminal, kept up to date");
   app.add_option("--log", o.server.log, "CSV of records sent: time_ns,station,record,values");
   app.add_option("--seed", o.seed, "of noise and faults")->capture_default_str();
@@ -52,6 +58,9 @@ int run_twin(TwinProgramOptions& o,
   o.server.babble = from_to(o.babble);
   o.server.unplug = at_for(o.unplug);
   o.server.seed = o.seed;
+  o.server.hears_lines = !o.timing.holds.empty();
+  if (!std::is_sorted(o.timing.holds.begin(), o.timing.holds.end()))
+    throw InputError("--hold: times must rise");
   const auto twin = make(o.script.empty() ? MotionScript() : MotionScript::load(o.script), monotonic_ns());
   serve_twin(*twin, o.server, stop_requested,
              [](const std::string& path) { std::cout << path << std::endl; });

@@ -41,6 +41,7 @@ class Server {
       wait(now_ns + longest_wait_ns);
       return;
     }
+    if (hears_lines_) hear(now_ns);
     outputs_.clear();
     receive(now_ns);
     twin_.produce(now_ns, outputs_);
@@ -59,6 +60,16 @@ class Server {
     pending_.clear();
     terminal_.open(options_.link);
     ready_(terminal_.path());
+  }
+
+  void hear(std::int64_t now_ns) {
+    pollfd input = {.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
+    if (poll(&input, 1, 0) <= 0) return;
+    std::array<char, 64> bytes;
+    const ssize_t n = ::read(STDIN_FILENO, bytes.data(), bytes.size());
+    hears_lines_ = n > 0;  // until it ends
+    for (ssize_t i = 0; i < n; ++i)
+      if (bytes[static_cast<std::size_t>(i)] == '\n') twin_.go_on(now_ns);
   }
 
   void receive(std::int64_t now_ns) {
@@ -110,6 +121,7 @@ class Server {
 
   Twin& twin_;
   const TwinServerOptions& options_;
+  bool hears_lines_ = options_.hears_lines;
   const std::function<void(const std::string&)>& ready_;
   PseudoTerminal terminal_;
   std::ofstream log_;

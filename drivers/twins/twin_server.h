@@ -24,6 +24,7 @@ struct TwinServerOptions {
   double garbage = 0;  // probability that random bytes precede a record
   std::optional<FaultSpan> silence, unplug, babble;
   std::uint64_t seed = 1;
+  bool hears_lines = false;  // each line on standard input is a Twin::go_on()
 };
 
 /// Throws InputError when a file or a terminal cannot be made. `ready` is called with the terminal's path,

@@ -11,6 +11,7 @@
 
 #include "common/clock.h"
 #include "drivers/device.h"
+#include "drivers/twins/twin.h"
 
 namespace prosector {
 namespace {
@@ -96,6 +97,22 @@ TEST_F(TwinProgram, ServesItsScriptLogsItAndLeavesNothingBehind) {
   }
 }
 
+TEST(ScriptClock, StandsStillAtHoldsUntilItIsLetGoOn) {
+  constexpr std::int64_t second = 1'000'000'000;
+  ScriptClock clock({.wait_client = true, .holds = {1, 3}}, 5 * second);
+  EXPECT_EQ(clock.seconds(9 * second), 0) << "no client yet";
+  clock.streaming(10 * second);
+  EXPECT_EQ(clock.seconds(10 * second + second / 2), 0.5);
+  EXPECT_EQ(clock.seconds(17 * second), 1);
+  clock.go_on(20 * second);
+  EXPECT_EQ(clock.seconds(21 * second), 2);
+  clock.go_on(21 * second);  // before it is there: it will not hold
+  EXPECT_EQ(clock.seconds(21 * second), 2);
+  EXPECT_EQ(clock.seconds(29 * second), 10);
+  clock.go_on(30 * second);
+  EXPECT_EQ(clock.seconds(30 * second), 11);
+}
+
 TEST_F(TwinProgram, BadInputIsOneLineAndExitStatus2) {
   start({"--script", "/nonexistent.csv"});
   EXPECT_EQ(wait(), 2);
@@ -103,6 +120,9 @@ TEST_F(TwinProgram, BadInputIsOneLineAndExitStatus2) {
   start({"--rate", "0"});
   EXPECT_NE(wait(), 0);
   EXPECT_NE(output().find("--rate"), std::string::npos);
+  start({"--hold", "2,1"});
+  EXPECT_EQ(wait(), 2);
+  EXPECT_NE(output().find("--hold"), std::string::npos);
 }
 
 }  // namespace
