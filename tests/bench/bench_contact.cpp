@@ -9,11 +9,11 @@
 namespace prosector {
 
 const std::vector<ContactCase>& contact_cases() {
-  static const std::vector<ContactCase> cases = {{"hertz", hertz_case},         {"incline", incline_case},
-                                                 {"exchange", exchange_case},   {"ratio", ratio_case},
-                                                 {"pour", pour_case},           {"squeeze", squeeze_case},
-                                                 {"probe", probe_case},         {"teleport", teleport_case},
-                                                 {"boxes", falling_boxes_case}, {"held", held_case}};
+  static const std::vector<ContactCase> cases = {
+      {"hertz", hertz_case}, {"incline", incline_case},   {"exchange", exchange_case},
+      {"ratio", ratio_case}, {"pour", pour_case},         {"squeeze", squeeze_case},
+      {"probe", probe_case}, {"teleport", teleport_case}, {"boxes", falling_boxes_case},
+      {"held", held_case},   {"thrown", thrown_case}};
   return cases;
 }
 

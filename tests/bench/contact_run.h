@@ -86,6 +86,7 @@ void probe_case(ContactRows& rows, bool quick);
 void teleport_case(ContactRows& rows, bool quick);
 void falling_boxes_case(ContactRows& rows, bool quick);
 void held_case(ContactRows& rows, bool quick);
+void thrown_case(ContactRows& rows, bool quick);
 
 // What several of them measure.
 

@@ -5,46 +5,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "server/physics/collision/triangle_surface.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
+#include "tests/physics/thrown.h"
 
 namespace prosector::test {
 namespace {
-
-TriangleSurface surface_of(const Simulation& simulation, BodyId body) {
-  const Anatomy& anatomy = simulation.soft(body).anatomy();
-  TriangleMesh mesh = anatomy.surface;
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-    mesh.positions[i] = anatomy.embedding.apply(i, simulation.soft_state(body).motion.x.data());
-  return TriangleSurface(mesh);
-}
-
-/// m, how deep the deepest vertex of either is in the other.
-double overlap(const Simulation& simulation, BodyId a, BodyId b) {
-  const TriangleSurface first = surface_of(simulation, a), second = surface_of(simulation, b);
-  double deepest = 0;
-  const auto look = [&](const TriangleSurface& from, const TriangleSurface& in) {
-    for (const Vec3& x : from.positions())
-      if (const auto near = in.nearest(x); in.is_inside(x, *near))
-        deepest = std::max(deepest, near->distance);
-  };
-  look(first, second);
-  look(second, first);
-  return deepest;
-}
-
-Vec3 momentum(const Simulation& simulation, BodyId body) {
-  const SoftBody& soft = simulation.soft(body);
-  Vec3 sum = Vec3::Zero();
-  for (Eigen::Index i = 0; i < soft.nodes(); ++i)
-    sum += soft.node_mass()[i] * simulation.soft_state(body).motion.v.segment<3>(3 * i);
-  return sum;
-}
-
-Vec3 centre(const Simulation& simulation, BodyId body) {
-  return simulation.soft_state(body).motion.x.reshaped(3, simulation.soft(body).nodes()).rowwise().mean();
-}
 
 double energy(const StepReport& report) {
   return report.kinetic_energy + report.elastic_energy + report.potential_energy;
@@ -148,16 +114,7 @@ TEST(SoftPairs, LiversThrownAtEachOtherSeparateAndRecover) {
   }
   EXPECT_GT(hit, 0.01);
   EXPECT_LT(centre(simulation, 1).y(), -1) << "it has left";
-  for (const BodyId body : {0u, 1u}) {
-    // Recovered: as long between any two vertices as at rest, wherever it flew.
-    const TriangleSurface now = surface_of(simulation, body);
-    const auto& rest = simulation.soft(body).anatomy().surface.positions;
-    double worst = 0;
-    for (std::size_t i = 0; i < rest.size(); i += 7)
-      worst = std::max(
-          worst, std::abs((now.positions()[i] - now.positions()[0]).norm() - (rest[i] - rest[0]).norm()));
-    EXPECT_LT(worst, 2e-3) << body;
-  }
+  for (const BodyId body : {0u, 1u}) EXPECT_LT(distortion(simulation, body), 2e-3) << body;
 }
 
 TEST(SoftPairs, SameHashForAnyThreadCountAndAfterRestore) {

@@ -1,0 +1,53 @@
+// Two organs thrown at each other, by every kind of rung.
+
+#include "tests/physics/thrown.h"
+
+#include <gtest/gtest.h>
+
+#include "server/physics/soft/soft_body.h"
+
+namespace prosector::test {
+namespace {
+
+struct Throw {
+  const char* name;
+  ThrownRung left, right;
+};
+
+void PrintTo(const Throw& t, std::ostream* out) {
+  *out << t.name;
+}
+
+class Thrown2 : public testing::TestWithParam<Throw> {};
+
+INSTANTIATE_TEST_SUITE_P(
+    Rungs, Thrown2,
+    testing::Values(
+        Throw{"implicit", {"fem_corotational", "implicit_euler"}, {"fem_corotational", "implicit_euler"}},
+        Throw{"neo_hookean", {"fem_neo_hookean", "implicit_euler"}, {"fem_neo_hookean", "implicit_euler"}},
+        Throw{"explicit", {"fem_corotational", "symplectic_euler"}, {"fem_corotational", "symplectic_euler"}},
+        Throw{"springs", {"mass_spring", "implicit_euler"}, {"mass_spring", "implicit_euler"}},
+        Throw{"positions", {"xpbd", "implicit_euler"}, {"xpbd", "implicit_euler"}},
+        Throw{"mixed", {"fem_corotational", "implicit_euler"}, {"xpbd", "implicit_euler"}}),
+    [](const auto& info) { return info.param.name; });
+
+TEST_P(Thrown2, PartAsTheyWere) {
+  CompileOptions compiled;
+  compiled.threads = 1;
+  Simulation simulation(two_livers(GetParam().left, GetParam().right, 0.05), compiled);
+  const Thrown thrown =
+      throw_at_each_other(simulation, 130, [&]() -> const StepReport& { return simulation.step({}); });
+  ASSERT_TRUE(thrown.finite);
+  EXPECT_GT(thrown.exchanged, 0.5 * simulation.soft(0).total_mass() * thrown_speed) << "they have met";
+  EXPECT_LT(thrown.momentum_lost, 1e-3);
+  EXPECT_LT(thrown.energy_gained, 0.01);
+  EXPECT_GT(thrown.parting, 0.1);
+  EXPECT_EQ(thrown.overlap_after, 0);
+  EXPECT_LT(thrown.distortion_after, 2e-3);
+  std::printf("lost %g gained %g parting %g deepest %g after %g distortion %g reported %d\n",
+              thrown.momentum_lost, thrown.energy_gained, thrown.parting, thrown.deepest,
+              thrown.overlap_after, thrown.distortion_after, thrown.reported);
+}
+
+}  // namespace
+}  // namespace prosector::test
