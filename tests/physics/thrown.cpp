@@ -47,7 +47,7 @@ SceneDesc two_livers(const ThrownRung& left, const ThrownRung& right, double cel
 }
 
 void throw_body(Simulation& simulation, BodyId body, const Vec3& velocity) {
-  const VecX& now = simulation.soft_state(body).motion.v;
+  const VecX now = simulation.soft_state(body).motion.v;  // a checkpoint loads itself
   const VecX wanted = velocity.replicate(now.size() / 3, 1);
   std::vector<std::uint8_t> bytes = simulation.checkpoint();
   const auto* begin = reinterpret_cast<const std::uint8_t*>(now.data());
