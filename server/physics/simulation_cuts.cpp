@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/error.h"
 #include "server/physics/cutting/carry.h"
 #include "server/physics/simulation_impl.h"
 
@@ -52,18 +53,30 @@ void Simulation::Impl::cut_tissue(Blade& blade, std::size_t edge, std::span<cons
       blade.strokes.erase({first, edge});
       continue;
     }
-    Organ& organ = organs.try_emplace(first, first, anatomy, model.soft[first]->desc().density).first->second;
-    const auto [stroke, begins] = blade.strokes.try_emplace({first, edge});
-    if (begins) stroke->second = begin_stroke(from);
-    std::vector<Vec3>& positions = organ_positions[first];
-    if (positions.empty()) positions = node_positions(organ);
-    const CutResult result = organ.cut(positions, to, stroke->second, blade.holder, blade.stroke);
-    if (result.ops.empty()) continue;
-    for (const TopologyOp& op : result.ops) carry(op, positions);
-    cut_figures.split_tets += result.split_tets;
-    cut_figures.slivers += result.slivers;
-    cut_figures.least_dihedral_deg = std::min(cut_figures.least_dihedral_deg, result.least_dihedral_deg);
+    try {
+      cut_organ(blade, edge, first, from, to);
+    } catch (const InputError& error) {  // a mesh that can't be cut: with flat elements, say
+      BodyReport& row = report.bodies.emplace_back();
+      row.body = model.soft[first]->desc().name;
+      row.note = error.what();
+    }
   }
+}
+
+/// Throws InputError, and changes nothing, where that can't be.
+void Simulation::Impl::cut_organ(Blade& blade, std::size_t edge, std::size_t first,
+                                 std::span<const Vec3> from, std::span<const Vec3> to) {
+  const SoftBody& body = *model.soft[first];
+  Organ& organ = organs.try_emplace(first, first, body.anatomy(), body.desc().density).first->second;
+  const auto [stroke, begins] = blade.strokes.try_emplace({first, edge});
+  if (begins) stroke->second = begin_stroke(from);
+  std::vector<Vec3>& positions = organ_positions[first];
+  if (positions.empty()) positions = node_positions(organ);
+  const CutResult result = organ.cut(positions, to, stroke->second, blade.holder, blade.stroke);
+  for (const TopologyOp& op : result.ops) carry(op, positions);
+  cut_figures.split_tets += result.split_tets;
+  cut_figures.slivers += result.slivers;
+  cut_figures.least_dihedral_deg = std::min(cut_figures.least_dihedral_deg, result.least_dihedral_deg);
 }
 
 void Simulation::Impl::obey(const CutEvent& event) {

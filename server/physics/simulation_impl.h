@@ -188,6 +188,8 @@ struct Simulation::Impl : PanelSubjects {
   void advance(Blade& blade);
   void stop_at_the_surface(const Vec3& from, Vec3& to) const;
   void cut_tissue(Blade& blade, std::size_t edge, std::span<const Vec3> from, std::span<const Vec3> to);
+  void cut_organ(Blade& blade, std::size_t edge, std::size_t first, std::span<const Vec3> from,
+                 std::span<const Vec3> to);
   std::vector<Vec3> node_positions(const Organ& organ) const;
   void obey(const CutEvent& event);
   std::unique_ptr<SoftBody> make_piece(const Organ& organ, std::size_t body, Numbering& numbering) const;

@@ -96,6 +96,27 @@ TEST(Organ, ToughTissueIsDrawnAlongInsteadOfCut) {
   }
 }
 
+TEST(Organ, AMeshThatCannotBeCutSaysSoAndTheRunGoesOn) {
+  CompileOptions flat = options();
+  const auto made = flat.anatomy;
+  flat.anatomy = [&](const SoftDesc& desc) {
+    auto anatomy = made(desc);
+    const std::array<std::uint32_t, 4> tet = anatomy->tets.tets.front();
+    anatomy->tets.tets.push_back({tet[0], tet[1], tet[2], tet[2]});
+    return anatomy;
+  };
+  Simulation simulation(block_and_scalpel(), flat);
+  Vec3 at = take(simulation);
+  std::string note;
+  for (int i = 0; i < 80; ++i) {
+    at.x() += 0.0016;
+    for (const BodyReport& row : simulation.step(target(at)).bodies)
+      if (row.note.find("cutting") != std::string::npos) note = row.note;
+  }
+  EXPECT_NE(note, "") << "nobody was told";
+  EXPECT_EQ(simulation.revision(1), 0U);
+}
+
 TEST(Organ, UndoGivesBackTheMeshThatWasCut) {
   Simulation simulation(block_and_scalpel(), options());
   const std::uint64_t uncut = simulation.soft(1).content_hash();
