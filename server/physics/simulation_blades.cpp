@@ -10,6 +10,7 @@ namespace {
 
 constexpr double to_begin = 1.5;  // times the force at which a cut goes on: a crack that isn't there yet
 constexpr int halvings = 12;      // of a tick's way, to where a point entered
+constexpr double hold = 2e-4;     // m below the surface, where tissue holds on to what enters it
 
 Vec3 point_of(const SparseMap::Row& row, const VecX& x) {
   Vec3 sum = Vec3::Zero();
@@ -114,7 +115,6 @@ void Simulation::Impl::advance(Blade& blade) {
     cut_tissue(blade, edge, std::span(from).subspan(p, count), std::span(to).subspan(p, count));
     p += count;
   }
-  if (!in_tissue) blade.strokes.clear();
   blade.cutting = in_tissue;
   blade.cut_to = std::move(to);
 }
@@ -122,11 +122,12 @@ void Simulation::Impl::advance(Blade& blade) {
 /// What enters tissue from outside is held where it enters, until the tissue gives.
 void Simulation::Impl::stop_at_the_surface(const Vec3& from, Vec3& to) const {
   if (!tissue_at(to) || tissue_at(from)) return;
-  Vec3 outside = from;
+  Vec3 outside = from, inside = to;
   for (int i = 0; i < halvings; ++i) {
-    const Vec3 middle = (outside + to) / 2;
-    (tissue_at(middle) ? to : outside) = middle;
+    const Vec3 middle = (outside + inside) / 2;
+    (tissue_at(middle) ? inside : outside) = middle;
   }
+  to = inside + std::min(hold, (to - inside).norm()) * (to - from).normalized();
 }
 
 }  // namespace prosector

@@ -11,7 +11,9 @@
 namespace prosector {
 namespace {
 
-constexpr double least_motion = 1e-9;  // m: below, the blade stands still
+// m: a point of the edge that moved less stands still, until it has moved that far: which way so little goes
+// is noise, and so would be the normal of what it sweeps.
+constexpr double least_motion = 1e-4;
 
 bool all_marked(const TetComplex& complex, const Marks& marks, TetId tet) {
   const auto& c = complex.corners(tet);
@@ -187,11 +189,12 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
         fmt::format("cutting: {} positions for nodes up to {}", positions.size(), complex.node_end()));
   CutResult result;
   const std::vector<Vec3> from = carried_edge(stroke, complex, positions);
-  double motion = 0;
-  for (std::size_t i = 0; i < edge.size(); ++i) motion = std::max(motion, (edge[i] - from[i]).norm());
-  if (motion < least_motion) return result;
+  std::vector<Vec3> to(edge.begin(), edge.end());
+  for (std::size_t i = 0; i < to.size(); ++i)
+    if ((to[i] - from[i]).norm() < least_motion) to[i] = from[i];
+  if (to == from) return result;
 
-  const Sheet sheet(from, edge);
+  const Sheet sheet(from, to);
   tree.update(complex, positions);
   std::vector<TetId> candidates;
   for (const Sheet::Piece& piece : sheet.pieces()) tree.query(piece, candidates);
@@ -212,7 +215,7 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
     part_nodes(complex, slit, x, marks, result);
     stroke.marks = marks.by_node();
   }
-  hold_edge(stroke, edge, complex, tree, x);
+  hold_edge(stroke, to, complex, tree, x);
   return result;
 }
 
