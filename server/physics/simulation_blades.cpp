@@ -52,14 +52,29 @@ std::vector<Vec3> Simulation::Impl::edge_points(std::size_t slot) const {
   return out;
 }
 
-/// The tissue that a point is in, of those that can be touched.
-std::optional<BladeGrip> Simulation::Impl::tissue_at(const Vec3& point) const {
+/// The tissue that each point is in, of those that can be touched.
+std::vector<std::optional<BladeGrip>> Simulation::Impl::tissue_at(std::span<const Vec3> points) const {
+  std::vector<std::optional<BladeGrip>> out(points.size());
+  std::vector<Vec3> in_box;
+  std::vector<std::size_t> which;
   for (std::size_t i = 0; i < soft.size(); ++i) {
-    if (parts[soft_id(i)].out_of_touch() || model.soft[i]->anatomy().tets.tets.empty()) continue;
-    if (const auto row = locate(model.soft[i]->anatomy().tets, soft[i].motion.x, point))
-      return BladeGrip{i, 0, 0, *row, {}};
+    const TetMesh& mesh = model.soft[i]->anatomy().tets;
+    if (parts[soft_id(i)].out_of_touch() || mesh.tets.empty()) continue;
+    const VecX& x = soft[i].motion.x;
+    const auto nodes = x.reshaped(3, x.size() / 3);
+    const Vec3 low = nodes.rowwise().minCoeff(), high = nodes.rowwise().maxCoeff();
+    in_box.clear();
+    which.clear();
+    for (std::size_t p = 0; p < points.size(); ++p)
+      if (!out[p] && (points[p].array() >= low.array()).all() && (points[p].array() <= high.array()).all()) {
+        in_box.push_back(points[p]);
+        which.push_back(p);
+      }
+    const auto rows = locate(mesh, x, in_box);
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      if (rows[k]) out[which[k]] = BladeGrip{i, 0, 0, *rows[k], {}};
   }
-  return std::nullopt;
+  return out;
 }
 
 void Simulation::Impl::grip_blades() {
@@ -67,10 +82,11 @@ void Simulation::Impl::grip_blades() {
   take_up_blades();
   for (const Blade& blade : blades) {
     const std::vector<Vec3> now = edge_points(blade.slot);
+    const std::vector<std::optional<BladeGrip>> tissue = tissue_at(blade.cut_to);
     std::size_t p = 0;
     for (const BladeShape::Edge& edge : blade_shapes[blade.slot].edges)
       for (std::size_t k = 0; k < edge.points.size(); ++k, ++p) {
-        auto grip = tissue_at(blade.cut_to[p]);
+        std::optional<BladeGrip> grip = tissue[p];
         if (!grip) continue;
         const SoftDesc& tissue = model.soft[grip->body]->desc();
         const double force = (blade.cutting ? 1 : to_begin) * tissue.toughness * edge.length_per_point;
@@ -104,9 +120,7 @@ void Simulation::Impl::advance(Blade& blade) {
     const bool holds = lag.norm() <= grip.tie.max_force / grip.tie.stiffness;
     to[grip.point] = holds ? from[grip.point] : Vec3(now[grip.point] - edge_give * lag.normalized());
   }
-  for (std::size_t p = 0; p < to.size(); ++p) stop_at_the_surface(from[p], to[p]);
-  const bool in_tissue =
-      std::any_of(to.begin(), to.end(), [&](const Vec3& point) { return tissue_at(point).has_value(); });
+  const bool in_tissue = stop_at_the_surface(from, to);
   if (in_tissue && !blade.cutting) blade.stroke = ++strokes;
   std::size_t p = 0;
   const std::vector<BladeShape::Edge>& edges = blade_shapes[blade.slot].edges;
@@ -119,15 +133,30 @@ void Simulation::Impl::advance(Blade& blade) {
   blade.cut_to = std::move(to);
 }
 
-/// What enters tissue from outside is held where it enters, until the tissue gives.
-void Simulation::Impl::stop_at_the_surface(const Vec3& from, Vec3& to) const {
-  if (!tissue_at(to) || tissue_at(from)) return;
-  Vec3 outside = from, inside = to;
-  for (int i = 0; i < halvings; ++i) {
-    const Vec3 middle = (outside + inside) / 2;
-    (tissue_at(middle) ? inside : outside) = middle;
+/// What enters tissue from outside is held where it enters, until the tissue gives. Whether any point is in
+/// tissue.
+bool Simulation::Impl::stop_at_the_surface(std::span<const Vec3> from, std::span<Vec3> to) const {
+  const auto before = tissue_at(from), after = tissue_at(to);
+  std::vector<std::size_t> entering;
+  std::vector<Vec3> outside, inside, middle;
+  for (std::size_t p = 0; p < to.size(); ++p) {
+    if (before[p] || !after[p]) continue;
+    entering.push_back(p);
+    outside.push_back(from[p]);
+    inside.push_back(to[p]);
   }
-  to = inside + std::min(hold, (to - inside).norm()) * (to - from).normalized();
+  middle.resize(entering.size());
+  for (int i = 0; i < halvings && !entering.empty(); ++i) {
+    for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = (outside[k] + inside[k]) / 2;
+    const auto found = tissue_at(middle);
+    for (std::size_t k = 0; k < middle.size(); ++k) (found[k] ? inside : outside)[k] = middle[k];
+  }
+  for (std::size_t k = 0; k < entering.size(); ++k) {
+    Vec3& end = to[entering[k]];
+    const Vec3 way = (end - from[entering[k]]).normalized();
+    end = inside[k] + std::min(hold, (end - inside[k]).norm()) * way;
+  }
+  return std::any_of(after.begin(), after.end(), [](const auto& grip) { return grip.has_value(); });
 }
 
 }  // namespace prosector

@@ -181,12 +181,12 @@ struct Simulation::Impl : PanelSubjects {
   // ---- Cuts
   bool is_held_blade(std::size_t slot) const;
   std::vector<Vec3> edge_points(std::size_t slot) const;  // m, room frame
-  std::optional<BladeGrip> tissue_at(const Vec3& point) const;
+  std::vector<std::optional<BladeGrip>> tissue_at(std::span<const Vec3> points) const;
   void take_up_blades();
   void grip_blades();
   void cut_soft_bodies(const TickInput& input);
   void advance(Blade& blade);
-  void stop_at_the_surface(const Vec3& from, Vec3& to) const;
+  bool stop_at_the_surface(std::span<const Vec3> from, std::span<Vec3> to) const;
   void cut_tissue(Blade& blade, std::size_t edge, std::span<const Vec3> from, std::span<const Vec3> to);
   void cut_organ(Blade& blade, std::size_t edge, std::size_t first, std::span<const Vec3> from,
                  std::span<const Vec3> to);

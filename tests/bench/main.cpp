@@ -75,6 +75,11 @@ int main(int argc, char** argv) try {
   contact_command->add_option("--svg", contact.picture_folder, "Folder for a picture of the pressed layers")
       ->check(CLI::ExistingDirectory);
 
+  prosector::CutBenchOptions cut;
+  CLI::App* cut_command = app.add_subcommand("cut", "Ticks that cut an organ beside ticks that don't");
+  cut_command->add_flag("--quick", cut.quick, "One coarse organ: to see that it runs");
+  cut_command->add_option("--threads", cut.threads, "Of the simulation")->check(CLI::Range(1, 1024));
+
   prosector::TradeBenchOptions trade;
   CLI::App* trade_command =
       app.add_subcommand("trade", "Error against cost of every way to model tissue, and what to choose");
@@ -142,6 +147,7 @@ int main(int argc, char** argv) try {
   if (*beam101k_command) report = prosector::bench_beam101k(beam101k);
   if (*press_command) report = prosector::bench_press(press);
   if (*contact_command) report = prosector::bench_contact(contact);
+  if (*cut_command) report = prosector::bench_cut(cut);
   if (*trade_command) report = prosector::bench_trade(trade);
   if (*stability_command) report = prosector::bench_stability(stability);
   if (*scaling_command) report = prosector::bench_scaling(scaling);

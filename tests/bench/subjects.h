@@ -62,6 +62,13 @@ std::vector<std::string> contact_case_names();
 /// What bodies make of touching each other, beside what they should; one thread.
 Report bench_contact(const ContactBenchOptions& options);
 
+struct CutBenchOptions {
+  int threads = 2;
+  bool quick = false;  // one coarse organ: to see that it runs
+};
+/// Strokes of a knife through organs of 5, 20 and 50 thousand tetrahedra.
+Report bench_cut(const CutBenchOptions& options);
+
 struct TradeBenchOptions {
   bool quick = false;
   std::string only, model;        // one case, one model (as rows name it); empty: all

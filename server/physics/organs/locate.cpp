@@ -21,22 +21,28 @@ std::optional<SparseMap::Row> weights_in(const std::array<std::uint32_t, 4>& tet
 
 }  // namespace
 
-std::optional<SparseMap::Row> locate(const TetMesh& mesh, const VecX& x, const Vec3& point) {
+std::vector<std::optional<SparseMap::Row>> locate(const TetMesh& mesh, const VecX& x,
+                                                  std::span<const Vec3> points) {
+  std::vector<std::optional<SparseMap::Row>> out(points.size());
+  if (points.empty()) return out;
+  Vec3 low = points.front(), high = low;
+  for (const Vec3& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
   for (const auto& tet : mesh.tets) {
     // Most are told apart by one coordinate.
     bool beside = false;
     for (Eigen::Index axis = 0; axis < 3 && !beside; ++axis) {
-      double lo = x[3 * Eigen::Index{tet[0]} + axis], hi = lo;
-      for (std::size_t k = 1; k < 4; ++k) {
-        lo = std::min(lo, x[3 * Eigen::Index{tet[k]} + axis]);
-        hi = std::max(hi, x[3 * Eigen::Index{tet[k]} + axis]);
-      }
-      beside = point[axis] < lo || point[axis] > hi;
+      const auto at = [&](std::size_t k) { return x[3 * Eigen::Index{tet[k]} + axis]; };
+      beside = std::min({at(0), at(1), at(2), at(3)}) > high[axis] ||
+               std::max({at(0), at(1), at(2), at(3)}) < low[axis];
     }
     if (beside) continue;
-    if (const auto row = weights_in(tet, x, point)) return row;
+    for (std::size_t p = 0; p < points.size(); ++p)
+      if (!out[p]) out[p] = weights_in(tet, x, points[p]);
   }
-  return std::nullopt;
+  return out;
 }
 
 }  // namespace prosector

@@ -1,0 +1,142 @@
+// What a cut costs: ticks that cut beside ticks that don't, growth of the mesh, its volume, and the solver's
+// work after.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "server/physics/soft/soft_body.h"
+#include "tests/bench/subjects.h"
+#include "tests/physics/scenes.h"
+
+namespace prosector {
+namespace {
+
+constexpr double reach = 0.2;  // m: a stroke goes from −reach to reach along x
+constexpr int ticks_before = 30, ticks_after = 30;
+constexpr BodyId knife = 0, liver = 1;
+
+struct Stroke {
+  const char* name;
+  double speed;                         // m/s
+  std::function<double(double)> aside;  // z (m) at x (m)
+};
+
+const std::vector<Stroke>& strokes() {
+  static const std::vector<Stroke> all = {
+      {"straight", 0.15, [](double) { return 0.0; }},
+      {"curved", 0.15, [](double x) { return 0.03 * std::sin(std::numbers::pi * x / 0.1); }},
+      {"as fast as a hand", 3, [](double) { return 0.0; }}};
+  return all;
+}
+
+/// A liver, tied where it is, that a knife meets no resistance in; the knife's edge is longer than it is
+/// high.
+SceneDesc scene_of(double cell) {
+  SceneDesc scene;
+  scene.gravity = Vec3::Zero();
+  scene.rigid = {test::part_body("knife", "box", {0.01, 0.08, 0.01}, {-reach, 0.18, 0})};
+  scene.rigid[knife].edges = {{{0, -0.04, 0}, {0, -0.28, 0}}};
+  SoftDesc& soft = scene.soft.emplace_back();
+  soft.name = "liver";
+  soft.shape = "liver";
+  soft.size = {0.24, 0.11, 0.17};
+  soft.cell = cell;
+  soft.surface_cell = cell;
+  soft.toughness = 0;
+  soft.attach = {{Vec3::Zero(), 1, 1e7}};
+  return scene;
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+}
+
+double rest_volume(const Simulation& simulation) {
+  double sum = 0;
+  for (BodyId body = liver; body < simulation.body_count(); ++body) {
+    if (simulation.surface(body).triangles.empty()) continue;
+    const TetMesh& mesh = simulation.soft(body).anatomy().tets;
+    for (const auto& t : mesh.tets) {
+      Mat3 edges;
+      for (std::size_t k = 1; k < 4; ++k)
+        edges.col(static_cast<Eigen::Index>(k) - 1) = mesh.positions[t[k]] - mesh.positions[t[0]];
+      sum += edges.determinant() / 6;
+    }
+  }
+  return sum;
+}
+
+/// One stroke through an organ; wall time of its ticks.
+ReportRow measure(const Stroke& stroke, double cell, int threads) {
+  CompileOptions options;
+  options.threads = threads;
+  Simulation simulation(scene_of(cell), options);
+  const std::size_t tets = simulation.tet_count();
+  const double volume = rest_volume(simulation);
+  Vec3 at(-reach, 0.19, 0.02);
+  simulation.step(test::appear(at));
+  simulation.step(test::event(HandEvent::Kind::grasp, at));
+  std::vector<double> cutting, idle, cutting_phase;
+  std::size_t after = 0;
+  double solver_iterations = 0;
+  const double h = 1 / simulation.scene().tick_rate;
+  const int stroke_ticks = static_cast<int>(2 * reach / (stroke.speed * h));
+  for (int tick = 0; tick < ticks_before + stroke_ticks + ticks_after; ++tick) {
+    if (tick >= ticks_before) at.x() = std::min(reach, at.x() + stroke.speed * h);
+    at.z() = 0.02 + stroke.aside(at.x());
+    const StepReport& report = simulation.step(test::target(at));
+    const double ms = 1e3 * report.total_seconds;
+    if (!report.topology.empty()) {
+      cutting.push_back(ms);
+      cutting_phase.push_back(1e3 * report.seconds[static_cast<std::size_t>(Phase::constraints)]);
+    } else if (!cutting.empty()) {
+      idle.push_back(ms);
+    }
+    if (tick < ticks_before + stroke_ticks || report.bodies.empty()) continue;
+    ++after;
+    for (const BodyReport& row : report.bodies) solver_iterations += row.solver_iterations;
+  }
+  ReportRow row;
+  row["stroke"] = stroke.name;
+  row["tets"] = tets;
+  row["tets_after"] = simulation.tet_count();
+  row["threads"] = threads;
+  row["bodies_after"] = simulation.body_count() - liver;
+  row["ticks_that_cut"] = cutting.size();
+  row["ms_p50_cutting"] = quantile(cutting, 0.5);
+  row["ms_p99_cutting"] = quantile(cutting, 0.99);
+  row["ms_p50_other"] = quantile(idle, 0.5);
+  row["added_ms_p50"] = quantile(cutting_phase, 0.5);
+  row["volume_error"] = std::abs(rest_volume(simulation) / volume - 1);
+  row["solver_iterations_after"] = after > 0 ? solver_iterations / static_cast<double>(after) : 0;
+  return row;
+}
+
+}  // namespace
+
+Report bench_cut(const CutBenchOptions& options) {
+  Report report("cut");
+  const std::vector<double> cells =
+      options.quick ? std::vector<double>{0.04} : std::vector<double>{0.01475, 0.00918, 0.00672};
+  for (const double cell : cells)
+    for (const Stroke& stroke : strokes()) {
+      report.add(measure(stroke, cell, options.threads));
+      const ReportRow& row = report.rows().back();
+      fmt::print(
+          "{:18} {:6} tets, {:6} after: {:3} ticks cut, {:7.2f} ms p50 {:7.2f} p99, others {:6.2f}; cutting "
+          "{:6.2f} ms; volume {:.1e}\n",
+          stroke.name, row["tets"].get<std::size_t>(), row["tets_after"].get<std::size_t>(),
+          row["ticks_that_cut"].get<std::size_t>(), figure(row, "ms_p50_cutting"),
+          figure(row, "ms_p99_cutting"), figure(row, "ms_p50_other"), figure(row, "added_ms_p50"),
+          figure(row, "volume_error"));
+    }
+  return report;
+}
+
+}  // namespace prosector
