@@ -135,6 +135,60 @@ TEST(Organ, UndoGivesBackTheMeshThatWasCut) {
   EXPECT_NE(simulation.step(undo()).cut_answers, std::vector<std::string>{""}) << "undone twice";
 }
 
+TEST(Organ, UndoTakesBackOnesOwnCutUnderALaterOneOrSaysWhyNot) {
+  SceneDesc scene = block_and_scalpel();
+  scene.rigid.push_back(scene.rigid[0]);
+  scene.rigid[1].name = "second";
+  for (const double second_at : {0.03, 0.004}) {  // beside the first cut; along it
+    scene.rigid[1].pose.p.z() = second_at;
+    scene.rigid[1].pose.p.x() = -0.16;
+    Simulation simulation(scene, options());
+    const auto topology = [&] {  // of all pieces
+      std::uint64_t sum = 0;
+      for (BodyId body = 2; body < simulation.body_count(); ++body)
+        if (!simulation.surface(body).triangles.empty()) sum += simulation.soft(body).content_hash();
+      return sum;
+    };
+    const std::uint64_t uncut = topology();
+    const auto cut_with = [&](ParticipantId who, Vec3 at) {
+      TickInput input;
+      for (const auto kind : {HandEvent::Kind::appear, HandEvent::Kind::grasp}) {
+        input.targets = {{who, right_hand, {at, Quat::Identity()}, {}}};
+        input.events = {{kind, who, right_hand, 0}};
+        simulation.step(input);
+      }
+      EXPECT_TRUE(simulation.hands().front().holding);
+      input.events.clear();
+      for (int i = 0; i < 190; ++i) {
+        at.x() += 0.0016;
+        input.targets[0].target.p = at;
+        simulation.step(input);
+      }
+      input.events = {{HandEvent::Kind::vanish, who, right_hand, 0}};
+      input.targets.clear();
+      simulation.step(input);
+    };
+    cut_with(1, {-0.12, 0.14, 0.02});
+    const std::uint64_t first_cut = topology();
+    EXPECT_NE(first_cut, uncut);
+    cut_with(2, {-0.16, 0.14, second_at + 0.02});
+    EXPECT_NE(topology(), first_cut);
+    const auto undo_of = [&](ParticipantId who) {
+      TickInput input;
+      input.cuts = {{CutEvent::Kind::undo, who, 0, 0}};
+      return simulation.step(input).cut_answers.at(0);
+    };
+    const std::string answer = undo_of(1);
+    EXPECT_TRUE(answer.empty() || answer.find("depends on it") != std::string::npos) << answer;
+    EXPECT_EQ(undo_of(2), "");
+    if (!answer.empty()) {
+      EXPECT_EQ(topology(), first_cut) << "the refused undo left something behind";
+      EXPECT_EQ(undo_of(1), "");
+    }
+    EXPECT_EQ(topology(), uncut);
+  }
+}
+
 TEST(Organ, SameInputsSameBitsAlsoFromACheckpointMidCut) {
   const auto run_to = [](Simulation& simulation, Vec3& at, int ticks) {
     draw(simulation, at, ticks);

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "common/error.h"
 #include "server/physics/cutting/pieces.h"
 #include "server/physics/organs/organ_parts.h"
 
@@ -79,11 +80,19 @@ std::string Organ::undo(ParticipantId author) {
       if (meet(change->touched, later.touched))
         return fmt::format("cut {} depends on it: that has to be undone first", later.stroke);
     }
+  const TetComplex before = complex_;
+  try {
+    take_back(stroke);
+  } catch (const InputError& error) {  // something hangs on it that touched() doesn't tell: nothing is undone
+    complex_ = before;
+    for (OrganChange* change : stroke) change->taken_back = false;
+    changed_.clear();
+    return error.what();
+  }
   OrganChange entry;
   entry.cause = TopologyCause::undo;
   entry.author = author;
   entry.stroke = stroke.front()->stroke;
-  take_back(stroke);
   skin_.update(complex_);
   log_.push_back(std::move(entry));
   return {};
