@@ -286,6 +286,8 @@ std::string as_wire_bytes(const Message& message) {
         using M = std::decay_t<decltype(m)>;
         std::string text;
         const auto add = [&text](const auto& value) {
+          using Value = std::decay_t<decltype(value)>;
+          static_assert(!std::is_same_v<Value, SimTime>, "has padding, whose bytes are anything");
           text.append(reinterpret_cast<const char*>(&value), sizeof value);
         };
         if constexpr (std::is_same_v<M, SceneInfo>) {
@@ -361,7 +363,8 @@ std::string as_wire_bytes(const Message& message) {
           add(m.previous_hash);
           add(m.chain_hash);
           add(m.content_hash);
-          add(m.time);
+          add(m.time.epoch);
+          add(m.time.tick);
           add(m.cause);
           add(m.author);
           add(m.piece_of);
