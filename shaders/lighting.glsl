@@ -1,5 +1,5 @@
 // Light that a point sends to the eye: GGX specular (Walter et al. 2007) with Schlick's Fresnel term, Lambert
-// diffuse, a clear film on top where it is wet (WET), and one shadow map.
+// diffuse, a clear film on top where it is wet (FILM), and one shadow map.
 //
 // EACH_LIGHT(X) is X(0, kind) X(1, kind) …, with kind 0 directional, 1 point, 2 spot, and SHADOW_LIGHT the light
 // that has the shadow map, −1 for none: compiled for the scene, because on a CPU a branch costs both its sides.
@@ -109,7 +109,7 @@ void add_light(inout Radiance sum, int k, int kind, Material m, vec3 place, vec3
 #else
   sum.base += light * (diffuse + (m.f0 + (1.0 - m.f0) * f) * (ggx(ndl, ndv, ndh, m.roughness) * ndl));
 #endif
-#ifdef WET
+#ifdef FILM
   float film_raw = dot(film_normal, towards);
   float film_ndl = max(film_raw, 0.0);
   float film_ndh = max((film_raw + film_ndv) * inverse, 0.0);
@@ -122,7 +122,7 @@ void add_light(inout Radiance sum, int k, int kind, Material m, vec3 place, vec3
 vec3 shade(Material m, vec3 place, vec3 normal, vec3 film_normal, vec3 view) {
   float ndv = max(dot(normal, view), 1e-3);
   float film_ndv = max(dot(film_normal, view), 1e-3);
-#ifdef WET
+#ifdef FILM
   m.albedo *= mix(1.0, 0.82, m.film);  // light lost to total reflection inside the film
   float film_fresnel = m.film * (film_f0 + (1.0 - film_f0) * schlick(film_ndv));
 #endif
@@ -131,14 +131,14 @@ vec3 shade(Material m, vec3 place, vec3 normal, vec3 film_normal, vec3 view) {
   vec3 fresnel = m.f0 + (1.0 - m.f0) * schlick(ndv) * (1.0 - m.roughness);
   sum.base += fresnel * surroundings(2.0 * ndv * normal.y - view.y);  // as a mirror sees them
 #endif
-#ifdef WET
+#ifdef FILM
   sum.film = film_fresnel * surroundings(2.0 * film_ndv * film_normal.y - view.y);
 #endif
 
 #define ADD_LIGHT(K, KIND) add_light(sum, K, KIND, m, place, normal, film_normal, view, ndv, film_ndv);
   EACH_LIGHT(ADD_LIGHT)
 
-#ifdef WET
+#ifdef FILM
   sum.base = sum.base * (1.0 - film_fresnel) + sum.film;
 #endif
   return sum.base + m.glow;

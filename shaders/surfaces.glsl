@@ -1,13 +1,19 @@
 // What each kind of surface is made of, at a point of its rest shape (metres).
 
-#if defined(SURFACE_TISSUE) || defined(SURFACE_BONE) || defined(SURFACE_SKIN) || defined(SURFACE_CLOTH)
+// EFFECT_…: what the picture is not spared (client/render/effects.h).
+
+#if defined(EFFECT_TRANSLUCENCY) && \
+    (defined(SURFACE_TISSUE) || defined(SURFACE_BONE) || defined(SURFACE_SKIN) || defined(SURFACE_CLOTH))
 #define SCATTERS
 #endif
 #if defined(SURFACE_WALL) || defined(SURFACE_CLOTH)
 #define MATT  // no highlight worth its cost
 #endif
-#if defined(SURFACE_TISSUE) || defined(SURFACE_BONE) || defined(SURFACE_SKIN)
+#if defined(EFFECT_RELIEF) && (defined(SURFACE_TISSUE) || defined(SURFACE_BONE) || defined(SURFACE_SKIN))
 #define RELIEF
+#endif
+#if defined(WET) && defined(EFFECT_FILM)
+#define FILM
 #endif
 
 struct Material {

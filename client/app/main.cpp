@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "client/app/options.h"
+#include "client/app/render_scene.h"
 #include "client/app/run_client.h"
 #include "common/clock.h"
 #include "common/error.h"
@@ -12,6 +13,8 @@ int main(int argc, char** argv) {
   try {
     const auto parsed = prosector::parse_command_line(argc, argv);
     if (const int* code = std::get_if<int>(&parsed)) return *code;
+    if (const auto* render = std::get_if<prosector::RenderOptions>(&parsed))
+      return prosector::render_scene(*render);
     return prosector::run_client(std::get<prosector::ClientOptions>(parsed), started_ns);
   } catch (const prosector::InputError& error) {
     fmt::print(stderr, "prosector-client: {}\n", error.what());

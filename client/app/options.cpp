@@ -1,8 +1,10 @@
 #include "client/app/options.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <map>
@@ -22,8 +24,14 @@ const std::map<std::string, Display> displays = {{"window", Display::window},
 struct RawOptions {
   std::string tracker, glove, glove_left, config, size, user_name, display = "window", quality = "medium";
   std::optional<std::string> lan;  // empty: the only network that there is
-  std::vector<std::string> screenshots;
+  std::vector<std::string> screenshots, effects;
 };
+
+std::string effect_names(std::string_view between) {
+  std::string out;
+  for (const EffectRow& row : effect_rows) out += fmt::format("{}{}", out.empty() ? "" : between, row.name);
+  return out;
+}
 
 void add_network(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option("--session", o.bus.session, "Name of the session to find")
@@ -61,6 +69,8 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
       ->group("Pictures");
   app.add_option("--quality", raw.quality, "Of pictures: low, medium, high")
       ->capture_default_str()
+      ->group("Pictures");
+  app.add_option("--effect", raw.effects, "NAME=on or NAME=off (repeatable): " + effect_names(", "))
       ->group("Pictures");
   app.add_option("--size", raw.size, "Picture size, WIDTHxHEIGHT (default 800x600; stereo: the profile's)")
       ->group("Pictures");
@@ -103,6 +113,23 @@ void add_devices(CLI::App& app, RawOptions& raw) {
       ->group("Devices");
 }
 
+void add_render(CLI::App& app, RenderOptions& o, RawOptions& raw) {
+  app.add_option("SCENE", o.scene, "Scene file, for instance deploy/scenes/abdomen.toml")
+      ->check(CLI::ExistingFile)
+      ->required();
+  app.add_option("--out", o.out, "Folder for the pictures; made if missing")->required();
+  app.add_option("--view", o.view, "Only this one, for instance close (default: all)");
+  app.add_flag("--compare", o.compare, "Also each effect the other way, where it shows");
+  app.add_flag("--sheet", o.sheet, "Also all pictures on one, small");
+  app.add_option("--turntable", o.turntable, "Also a video of one turn, of this many seconds")
+      ->check(CLI::Range(0.1, 600.0));
+  app.add_flag("--osmesa", o.osmesa, "Draw with OSMesa, even where there is EGL");
+  app.add_option("--quality", raw.quality, "low, medium, high")->capture_default_str();
+  app.add_option("--effect", raw.effects, "NAME=on or NAME=off (repeatable): " + effect_names(", "));
+  app.add_option("--size", raw.size, "Picture size, WIDTHxHEIGHT (default 640x480)");
+  app.add_option("--shaders", o.shaders, "Folder of the shaders");
+}
+
 void parse_size(const std::string& text, int& width, int& height) {
   const auto x = text.find('x');
   const auto number = [&](std::size_t from, std::size_t to, int& out) {
@@ -127,9 +154,25 @@ void parse_display(const std::string& text, ClientOptions& o) {
   o.height = o.stereo.picture_height();
 }
 
-RendererSettings parse_quality(const std::string& text) {
+void parse_effect(const std::string& text, EffectSet& effects) {
+  const auto equals = text.find('=');
+  const std::string name = text.substr(0, equals);
+  const std::string state = equals == std::string::npos ? "" : text.substr(equals + 1);
+  const auto row = std::find_if(effect_rows.begin(), effect_rows.end(),
+                                [&](const EffectRow& known) { return known.name == name; });
+  if (row == effect_rows.end() || (state != "on" && state != "off"))
+    throw InputError(
+        fmt::format("--effect {}: give NAME=on or NAME=off, with NAME {}", text, effect_names(", ")));
+  effects[static_cast<std::size_t>(row - effect_rows.begin())] = state == "on";
+}
+
+RendererSettings parse_quality(const std::string& text, const std::vector<std::string>& effects) {
   for (const QualityLevel& level : quality_levels)
-    if (level.name == text) return level.settings;
+    if (level.name == text) {
+      RendererSettings out = level.settings;
+      for (const std::string& effect : effects) parse_effect(effect, out.effects);
+      return out;
+    }
   throw InputError("--quality " + text + ": give low, medium or high");
 }
 
@@ -148,10 +191,17 @@ std::string login_name() {
   return user != nullptr && *user != '\0' ? user : "guest";
 }
 
+RenderOptions resolve_render(const RawOptions& raw, RenderOptions o) {
+  if (!raw.size.empty()) parse_size(raw.size, o.width, o.height);
+  o.quality = parse_quality(raw.quality, raw.effects);
+  if (o.shaders.empty()) o.shaders = default_shader_dir();
+  return o;
+}
+
 void resolve(const RawOptions& raw, ClientOptions& o) {
   parse_display(raw.display, o);
   if (!raw.size.empty()) parse_size(raw.size, o.width, o.height);
-  o.quality = parse_quality(raw.quality);
+  o.quality = parse_quality(raw.quality, raw.effects);
   for (const std::string& text : raw.screenshots) o.screenshots.push_back(parse_screenshot(text));
   if (!raw.config.empty()) o.devices = load_client_config(raw.config);
   if (!raw.tracker.empty()) o.devices.tracker = raw.tracker;
@@ -170,7 +220,7 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
 
 }  // namespace
 
-std::variant<ClientOptions, int> parse_command_line(int argc, char** argv) {
+std::variant<ClientOptions, RenderOptions, int> parse_command_line(int argc, char** argv) {
   ClientOptions o;
   RawOptions raw;
   CLI::App app{
@@ -178,7 +228,8 @@ std::variant<ClientOptions, int> parse_command_line(int argc, char** argv) {
       "  prosector-client join --name NAME                          mouse and keyboard drive your hand\n"
       "  prosector-client join --name NAME --tracker fastrak:/dev/ttyS0 --glove 5dt:/dev/ttyS1 --display "
       "stereo\n"
-      "  prosector-client observe --follow NAME --record session.avi",
+      "  prosector-client observe --follow NAME --record session.avi\n"
+      "  prosector-client render SCENE --out DIR                    pictures of a scene file, no server",
       "prosector-client"};
   app.require_subcommand(1);
   CLI::App* join = app.add_subcommand("join", "Take part: touch, hold and move");
@@ -189,10 +240,14 @@ std::variant<ClientOptions, int> parse_command_line(int argc, char** argv) {
     add_pictures(*command, o, raw);
   }
   add_devices(*join, raw);
+  CLI::App* render = app.add_subcommand("render", "Pictures of a scene file, without a server");
+  RenderOptions still;
+  add_render(*render, still, raw);
   bool host = false;
   join->add_flag("--host", host, "Be the session's host, who hands out roles, unless it has one");
   try {
     app.parse(argc, argv);
+    if (render->parsed()) return resolve_render(raw, still);
     o.join.role = !join->parsed() ? Role::observer : host ? Role::host : Role::dissector;
     resolve(raw, o);
   } catch (const CLI::ParseError& error) {

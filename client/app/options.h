@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "client/app/connection.h"
+#include "client/app/render_scene.h"
 #include "client/render/renderer.h"
 #include "client/view/stereo_profile.h"
 #include "drivers/client_config.h"
@@ -38,6 +39,6 @@ struct ClientOptions {
 };
 
 /// Parses; on --help or a wrong line prints to the user and returns the exit code.
-std::variant<ClientOptions, int> parse_command_line(int argc, char** argv);
+std::variant<ClientOptions, RenderOptions, int> parse_command_line(int argc, char** argv);
 
 }  // namespace prosector

@@ -54,7 +54,10 @@ std::vector<std::string> light_defines(const std::vector<LightInfo>& lights, con
   return {each, fmt::format("SHADOW_LIGHT {}", shadowed ? shadow_light : -1)};
 }
 
-std::vector<std::string> item_defines(Surface surface, bool is_wet, std::vector<std::string> defines) {
+std::vector<std::string> item_defines(Surface surface, bool is_wet, const EffectSet& effects,
+                                      std::vector<std::string> defines) {
+  for (std::size_t k = 0; k < effect_rows.size(); ++k)
+    if (effects[k] && effect_rows[k].define != nullptr) defines.emplace_back(effect_rows[k].define);
   defines.push_back(surface_defines.at(static_cast<std::size_t>(surface)));
   if (is_wet) defines.push_back("WET");
   return defines;
@@ -107,6 +110,14 @@ void set_item(const ShaderProgram& program, const DrawItem& item) {
   program.set("brightness", item.brightness);
 }
 
+/// An eye, and the near plane ahead of it, may be inside of the body, which then shows its inner face rather
+/// than the room behind it.
+bool may_be_around(const Vec3& eye, const QueuedItem& queued) {
+  const Surface surface = queued.item->appearance.surface;
+  return (surface == Surface::tissue || surface == Surface::bone) &&
+         (eye - queued.bounds.center).norm() <= queued.bounds.radius;
+}
+
 bool is_clear(const DrawItem& item) {
   return item.opacity < 1;
 }
@@ -122,10 +133,12 @@ struct MainPass::Frame {
   std::set<const ShaderProgram*> set_up = {};
 };
 
-MainPass::MainPass(const Gl& gl, const std::filesystem::path& shaders) : gl_(gl), shaders_(shaders) {
+MainPass::MainPass(const Gl& gl, const std::filesystem::path& shaders, const EffectSet& effects)
+    : gl_(gl), shaders_(shaders), effects_(effects) {
   static_assert(surface_defines.size() == static_cast<std::size_t>(Surface::wall) + 1);
   for (std::size_t k = 0; k < surface_defines.size(); ++k)
-    program_for(item_defines(static_cast<Surface>(k), true, light_defines(std::vector<LightInfo>(1), 1, 0)));
+    program_for(item_defines(static_cast<Surface>(k), true, effects_,
+                             light_defines(std::vector<LightInfo>(1), 1, 0)));
 }
 
 const ShaderProgram& MainPass::program_for(const Defines& defines) {
@@ -142,7 +155,7 @@ const ShaderProgram& MainPass::ready(const QueuedItem& queued, Frame& frame) {
   const ShaderProgram*& program =
       frame.found[{item.appearance.surface, is_wet, item.shaft, lights.to_ulong()}];
   if (!program) {
-    Defines defines = item_defines(item.appearance.surface, is_wet,
+    Defines defines = item_defines(item.appearance.surface, is_wet, effects_,
                                    light_defines(frame.list.lights, lights, frame.shadow.light));
     if (item.shaft) defines.push_back("SHAFT");
     program = &program_for(defines);
@@ -159,7 +172,7 @@ void MainPass::draw_sides(const QueuedItem& queued, Frame& frame, const Draw& dr
   const ShaderProgram& program = ready(queued, frame);
   const DrawItem& item = *queued.item;
   const bool mirrored = item.shape.A.determinant() < 0;
-  if (item.seen_from_inside) {
+  if (item.seen_from_inside || may_be_around(frame.camera.pose.p, queued)) {
     const Eigen::Matrix4d normals = matrix_of(normal_map(item));
     program.set("room_from_normal", Eigen::Matrix4d(-normals));
     gl_.CullFace(mirrored ? GL_BACK : GL_FRONT);
@@ -222,6 +235,7 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
       draw_solid(queued, frame);
   }
   for (auto queued = clear.rbegin(); queued != clear.rend(); ++queued) draw_clear(**queued, frame);
+  if (!has(effects_, Effect::shafts)) shafts.clear();
   for (const QueuedItem* queued : shafts) draw_shaft(*queued, frame);
   gl_.Disable(GL_CULL_FACE);
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "client/render/effects.h"
 #include "client/render/shadow_pass.h"
 
 namespace prosector {
@@ -15,7 +16,7 @@ namespace prosector {
 class MainPass {
  public:
   /// Compiles every kind of surface, so that a broken shader shows at once.
-  MainPass(const Gl& gl, const std::filesystem::path& shaders);
+  MainPass(const Gl& gl, const std::filesystem::path& shaders, const EffectSet& effects);
 
   /// `items` nearest first, so that hidden fragments are not shaded. What is seen through comes after all
   /// that is not, farthest first, and light in air last.
@@ -37,6 +38,7 @@ class MainPass {
 
   const Gl& gl_;
   std::filesystem::path shaders_;
+  EffectSet effects_;
   std::map<Defines, std::unique_ptr<ShaderProgram>> programs_;
 };
 

@@ -12,7 +12,7 @@ namespace prosector {
 RenderTarget::RenderTarget(const Gl& gl, const std::filesystem::path& shaders,
                            const RendererSettings& settings)
     : gl_(gl), samples_(settings.samples) {
-  if (samples_ > 1 || !settings.smooth_edges) return;
+  if (samples_ > 1 || !has(settings.effects, Effect::edges)) return;
   edges_ = std::make_unique<ShaderProgram>(gl, shaders, "edges");
   gl_.GenVertexArrays(1, &no_vertices_);
 }

@@ -16,8 +16,8 @@ struct Renderer::Impl {
         gl(load_gl(gl_context)),
         target(gl, shaders, settings),
         meshes(gl),
-        shadow_pass(gl, shaders, settings.shadow_size),
-        main_pass(gl, shaders),
+        shadow_pass(gl, shaders, has(settings.effects, Effect::shadows) ? settings.shadow_size : 0),
+        main_pass(gl, shaders, settings.effects),
         lines(gl, shaders, "screen"),
         pen(gl, shaders, "text") {
     auto point = std::make_shared<DrawMesh>();

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string_view>
 
+#include "client/render/effects.h"
 #include "client/render/gl_context.h"
 #include "client/render/image.h"
 #include "client/render/shader_dir.h"
@@ -13,10 +14,15 @@
 
 namespace prosector {
 
+inline constexpr EffectSet every_effect = (1U << effect_rows.size()) - 1;
+inline constexpr EffectSet low_effects = 1U << index_of(Effect::relief) | 1U << index_of(Effect::film) |
+                                         1U << index_of(Effect::translucency) |
+                                         1U << index_of(Effect::shadows) | 1U << index_of(Effect::shafts);
+
 struct RendererSettings {
-  int samples = 1;           // of coverage per pixel; shading is once per pixel and triangle
-  bool smooth_edges = true;  // with 1 sample: steps along edges are blended in the finished picture
-  int shadow_size = 768;     // texels, each way, of the first spot light's shadow map; 0: no shadows
+  int samples = 1;        // of coverage per pixel; shading is once per pixel and triangle
+  int shadow_size = 768;  // texels, each way, of the first spot light's shadow map
+  EffectSet effects = every_effect;
 };
 
 struct QualityLevel {
@@ -25,7 +31,7 @@ struct QualityLevel {
 };
 /// What `--quality` chooses from; medium is the default.
 inline constexpr std::array<QualityLevel, 3> quality_levels = {
-    {{"low", {1, false, 512}}, {"medium", {}}, {"high", {4, false, 1024}}}};
+    {{"low", {1, 512, low_effects}}, {"medium", {}}, {"high", {4, 1024}}}};
 
 /// One code path for every context. Everything is drawn into a target of its own, so a picture is the same
 /// with and without a window; with a window, `draw` also copies it there (call present() to show it).

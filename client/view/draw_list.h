@@ -30,7 +30,7 @@ struct DrawItem {
   bool casts_shadow = true;
   Affine shape = {};              // applied after `pose`: what scales and shears it
   double opacity = 1;             // below 1: what is behind shows through
-  bool seen_from_inside = false;  // its faces have a back, as of a shell that a head is put into
+  bool seen_from_inside = false;  // its faces have a back, as of a shell; those of tissue have one anyway
   double brightness = 1;          // times what light makes of it
   /// Light in air: adds the appearance's colour to what is behind, softly at its rims. The mesh's rest
   /// positions hold in x how far along the light they are: 0 where it begins, 1 where it is gone.

@@ -101,8 +101,11 @@ Report bench_render(const RenderBenchOptions& options) {
     all.push_back({std::string(level.name), level.settings, Motion::press});
   all.push_back({"only the hand moves", {}, Motion::hand});
   all.push_back({"nothing moves", {}, Motion::none});
-  all.push_back({"no shadow", {1, true, 0}, Motion::press});
-  all.push_back({"edges not smooth", {1, false}, Motion::press});
+  for (std::size_t k = 0; k < effect_rows.size(); ++k) {
+    RendererSettings without;
+    without.effects.flip(k);
+    all.push_back({fmt::format("medium without {}", effect_rows[k].name), without, Motion::press});
+  }
   for (const Case& what : all) {
     report.add({{"name", what.name},
                 {"scene", subject.scene},

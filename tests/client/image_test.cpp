@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "client/render/contact_sheet.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -33,6 +34,25 @@ TEST(Image, RefusesWhatCannotBe) {
   std::ofstream(file) << "not a picture";
   EXPECT_THROW(read_png(file), InputError);
   std::filesystem::remove(file);
+}
+
+Image plain(int width, int height, std::uint8_t gray) {
+  return {width, height,
+          std::vector<std::uint8_t>(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
+                                    gray)};
+}
+
+TEST(Image, AContactSheetShowsEveryPictureInItsPlace) {
+  Image striped = plain(8, 4, 0);  // columns black and white in turn: gray when made half as wide
+  for (std::size_t k = 0; k < striped.rgb.size(); ++k) striped.rgb[k] = (k / 3) % 2 == 0 ? 0 : 255;
+  const Image sheet = contact_sheet({plain(8, 4, 200), plain(8, 4, 100), striped}, 2, 4);
+  ASSERT_EQ(sheet.width, 3 * 4 + 2 * 4);
+  ASSERT_EQ(sheet.height, 3 * 4 + 2 * 2);
+  EXPECT_EQ(sheet.pixel(4, 4)[0], 200);
+  EXPECT_EQ(sheet.pixel(12, 5)[1], 100);
+  EXPECT_EQ(sheet.pixel(4, 10)[2], 128);
+  EXPECT_EQ(sheet.pixel(12, 10)[0], sheet.pixel(0, 0)[0]) << "no fourth picture";
+  EXPECT_THROW(contact_sheet({}, 2, 4), std::invalid_argument);
 }
 
 }  // namespace

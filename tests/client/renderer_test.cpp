@@ -112,7 +112,7 @@ TEST(Renderer, TheLampCastsAShadow) {
   EXPECT_LT(shadowed, 0.6 * lit);
   list.items[1].casts_shadow = true;
   RendererSettings no_shadows;
-  no_shadows.shadow_size = 0;
+  no_shadows.effects[index_of(Effect::shadows)] = false;
   EXPECT_NEAR(luminance(picture_of(list, 120, 120, make_offscreen_context, no_shadows).pixel(x, y)), lit, 2);
 }
 

@@ -1,0 +1,119 @@
+#include "client/app/render_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "client/app/recorder.h"
+#include "client/render/contact_sheet.h"
+#include "client/view/scene_tour.h"
+#include "client/view/still_scene.h"
+#include "common/error.h"
+#include "common/paths.h"
+#include "common/scene/load_scene.h"
+
+namespace prosector {
+namespace {
+
+constexpr double turntable_rate = 25;  // pictures/s
+constexpr int sheet_columns = 4, sheet_tile_width = 320;
+
+void tell(const std::string& line) {
+  fmt::print("{}\n", line), std::fflush(stdout);
+}
+
+std::unique_ptr<GlContext> make_context(const RenderOptions& o) {
+  return o.osmesa ? make_osmesa_context(o.width, o.height) : make_offscreen_context(o.width, o.height);
+}
+
+Image draw(Renderer& renderer, const DrawList& list) {
+  renderer.draw(list);
+  return renderer.read_pixels();
+}
+
+class Pictures {
+ public:
+  explicit Pictures(const RenderOptions& o) : options_(o), prefix_(o.scene.stem().string()) {}
+
+  std::filesystem::path file(const std::string& name) const {
+    return options_.out / fmt::format("{}-{}", prefix_, name);
+  }
+  void keep(Image image, const std::string& name, const std::string& about) {
+    write_png(image, file(name + ".png"));
+    tell(fmt::format("{}: {}", file(name + ".png").string(), about));
+    if (options_.sheet) all_.push_back(std::move(image));
+  }
+  void write_sheet() const {
+    if (all_.empty()) return;
+    write_png(contact_sheet(all_, sheet_columns, sheet_tile_width), file("sheet.png"));
+    tell(file("sheet.png").string() + ": all of these, row by row");
+  }
+
+ private:
+  const RenderOptions& options_;
+  std::string prefix_;
+  std::vector<Image> all_;
+};
+
+/// The light in air is compared where there is some, everything else from close by.
+const DrawList& compared(const std::vector<TourStop>& tour, Effect effect) {
+  const std::string_view best = effect == Effect::shafts ? "shaft" : "close";
+  const auto found =
+      std::find_if(tour.begin(), tour.end(), [&](const TourStop& stop) { return stop.name == best; });
+  return found != tour.end() ? found->list : tour.front().list;
+}
+
+void draw_the_other_way(const RenderOptions& o, const std::vector<TourStop>& tour, Pictures& pictures) {
+  for (std::size_t k = 0; k < effect_rows.size(); ++k) {
+    RendererSettings other = o.quality;
+    other.effects.flip(k);
+    const auto context = make_context(o);
+    Renderer renderer(*context, o.shaders, other);
+    pictures.keep(draw(renderer, compared(tour, static_cast<Effect>(k))),
+                  fmt::format("{}-{}", other.effects[k] ? "with" : "without", effect_rows[k].name),
+                  std::string(effect_rows[k].about));
+  }
+}
+
+void draw_turn(const RenderOptions& o, const SceneDesc& scene, DrawList list, Renderer& renderer,
+               const std::filesystem::path& file) {
+  const Subject subject = subject_of(scene, list);
+  const int count = std::max(2, static_cast<int>(std::lround(turntable_rate * o.turntable)));
+  Recorder recorder(file, o.width, o.height, turntable_rate);
+  for (int k = 0; k < count; ++k) {
+    list.cameras = {orbit_camera(scene, subject, 2 * std::numbers::pi * k / count, o.width, o.height)};
+    recorder.add(draw(renderer, list));
+    if (!recorder.failure().empty()) throw InputError(recorder.failure());
+  }
+  tell(fmt::format("{}: one turn, {} pictures", file.string(), count));
+}
+
+}  // namespace
+
+int render_scene(const RenderOptions& o) {
+  const SceneDesc scene = load_scene(o.scene);
+  const SourcePaths paths{scene.file.parent_path(), {default_data_dir()}, default_cache_dir()};
+  const DrawList list = still_scene(scene, paths, tell);
+  std::vector<TourStop> tour = tour_of(scene, list, o.width, o.height);
+  const auto is_left_out = [&](const TourStop& stop) { return !o.view.empty() && stop.name != o.view; };
+  std::string names;
+  for (const TourStop& stop : tour) names += " " + stop.name;
+  std::erase_if(tour, is_left_out);
+  if (tour.empty()) throw InputError(fmt::format("--view {}: this scene has{}", o.view, names));
+
+  std::error_code error;
+  std::filesystem::create_directories(o.out, error);
+  if (error) throw InputError(fmt::format("--out {}: {}", o.out.string(), error.message()));
+  Pictures pictures(o);
+  const auto context = make_context(o);
+  Renderer renderer(*context, o.shaders, o.quality);
+  for (const TourStop& stop : tour) pictures.keep(draw(renderer, stop.list), stop.name, stop.about);
+  if (o.turntable > 0) draw_turn(o, scene, list, renderer, pictures.file("turn.avi"));
+  if (o.compare) draw_the_other_way(o, tour, pictures);
+  pictures.write_sheet();
+  return 0;
+}
+
+}  // namespace prosector

@@ -1,0 +1,45 @@
+#pragma once
+// What a picture may be spared: each effect can be left out by name, and what is left out costs nothing.
+
+#include <array>
+#include <bitset>
+#include <string_view>
+
+namespace prosector {
+
+enum class Effect : std::uint8_t {
+  relief,
+  film,
+  translucency,
+  shadows,
+  shafts,
+  edges,
+};
+
+struct EffectRow {
+  std::string_view name;   // on the command line
+  const char* define;      // that shaders/main.* are compiled with when it is on; null: of no meaning there
+  std::string_view about;  // for people
+};
+
+/// The order of Effect.
+inline constexpr std::array<EffectRow, 6> effect_rows = {{
+    {"relief", "EFFECT_RELIEF", "bumps and hollows smaller than triangles, by their normals"},
+    {"film", "EFFECT_FILM", "the wet film's own highlights"},
+    {"translucency", "EFFECT_TRANSLUCENCY", "light that wraps around tissue, red first"},
+    {"shadows", nullptr, "of the first spot light"},
+    {"shafts", nullptr, "light in air"},
+    {"edges", nullptr, "smooth, where there is one sample per pixel"},
+}};
+
+using EffectSet = std::bitset<effect_rows.size()>;
+
+constexpr std::size_t index_of(Effect effect) {
+  return static_cast<std::size_t>(effect);
+}
+
+inline bool has(const EffectSet& set, Effect effect) {
+  return set[index_of(effect)];
+}
+
+}  // namespace prosector

@@ -1,0 +1,129 @@
+#include "client/view/scene_tour.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "client/view/camera.h"
+#include "client/view/hand_mesh.h"
+#include "client/view/light_shaft.h"
+
+namespace prosector {
+namespace {
+
+constexpr double orbit_elevation = 0.5;  // rad above the subject
+constexpr double steep = 1.25;           // rad: past lamps that hang above
+constexpr double margin = 1.15;          // of the picture's height that the subject's ball takes, inverse
+constexpr double dimmed = 0.25;          // of its lights, in a room where a shaft is looked at
+constexpr std::uint64_t first_own_mesh = 1U << 20;
+
+Eigen::AlignedBox3d box_of(const DrawItem& item) {
+  Eigen::AlignedBox3d box;
+  for (const auto& x : item.mesh->positions) box.extend(item.shape * (item.pose * x.cast<double>().eval()));
+  return box;
+}
+
+/// still_scene()'s items end with the rigid bodies, then the soft ones.
+const DrawItem& body_item(const SceneDesc& scene, const DrawList& list, std::size_t body) {
+  return list.items[list.items.size() - scene.rigid.size() - scene.soft.size() + body];
+}
+
+const DrawItem* first_soft(const SceneDesc& scene, const DrawList& list) {
+  return scene.soft.empty() ? nullptr : &body_item(scene, list, scene.rigid.size());
+}
+
+DrawCamera camera_around(const Subject& subject, double yaw, double elevation, double fov, int width,
+                         int height) {
+  const double narrow = std::min(1.0, static_cast<double>(width) / height);
+  const double distance = margin * subject.radius / std::sin(std::atan(std::tan(fov / 2) * narrow));
+  const Vec3 back(std::sin(yaw) * std::cos(elevation), std::sin(elevation),
+                  std::cos(yaw) * std::cos(elevation));
+  return mono_camera(look_at(subject.middle + distance * back, subject.middle), fov, width, height);
+}
+
+void add_hands(DrawList& list, const Vec3& between, const Vec3& towards_eye) {
+  const std::array<HandSkin, 2> skins = make_hand_skins();
+  const Vec3 ahead = -Vec3(towards_eye.x(), 0, towards_eye.z()).normalized();
+  const Quat facing = Quat::FromTwoVectors(-Vec3::UnitZ(), ahead);
+  for (const std::size_t hand : {left_hand, right_hand}) {
+    auto mesh = skins[hand].make_mesh(first_own_mesh + hand);
+    const double bend = hand == left_hand ? 0.15 : 0.8;
+    skins[hand].bend(*mesh, {bend, bend, bend, bend, bend});
+    const Vec3 aside = (hand == left_hand ? -0.12 : 0.12) * (facing * Vec3::UnitX());
+    const Vec3 at = between - 0.09 * ahead + aside + Vec3(0, 0.03, 0);
+    list.items.push_back(
+        {.mesh = mesh, .pose = {at, facing}, .appearance = {{0.66, 0.42, 0.32}, 0.5, 0.1, Surface::skin}});
+  }
+}
+
+/// From the first spot light, else from above.
+void light_up(DrawList& list, const DrawItem& part) {
+  const Eigen::AlignedBox3d box = box_of(part);
+  Vec3 lamp = box.center() + Vec3(0, 1.5, 0), color = Vec3::Ones();
+  const auto spot = std::find_if(list.lights.begin(), list.lights.end(),
+                                 [](const LightInfo& light) { return light.kind == LightKind::spot; });
+  if (spot != list.lights.end()) {
+    lamp = spot->position;
+    color = spot->color;
+  }
+  for (LightInfo& light : list.lights) light.intensity *= dimmed;
+  list.ambient *= dimmed;
+  add_light_shaft(list, shaft_mesh(first_own_mesh + 2), lamp, color, box.center(), box.sizes().norm() / 2);
+}
+
+}  // namespace
+
+Subject subject_of(const SceneDesc& scene, const DrawList& list) {
+  Eigen::AlignedBox3d moving, all;
+  for (std::size_t body = 0; body < scene.rigid.size() + scene.soft.size(); ++body) {
+    const Eigen::AlignedBox3d box = box_of(body_item(scene, list, body));
+    all.extend(box);
+    if (body >= scene.rigid.size() || !scene.rigid[body].fixed) moving.extend(box);
+  }
+  const Eigen::AlignedBox3d& box = moving.isEmpty() ? all : moving;
+  if (box.isEmpty()) return {.middle = scene.camera.target, .radius = 0.5};
+  return {.middle = box.center(), .radius = std::max(box.sizes().norm() / 2, 0.05)};
+}
+
+DrawCamera orbit_camera(const SceneDesc& scene, const Subject& subject, double turn, int width, int height) {
+  const Vec3 back = scene.camera.eye - scene.camera.target;
+  return camera_around(subject, std::atan2(back.x(), back.z()) + turn, orbit_elevation, scene.camera.fov,
+                       width, height);
+}
+
+std::vector<TourStop> tour_of(const SceneDesc& scene, const DrawList& list, int width, int height) {
+  const Subject subject = subject_of(scene, list);
+  const DrawItem* soft = first_soft(scene, list);
+  std::vector<TourStop> out;
+  const auto stop = [&](const char* name, const char* about, const DrawCamera& camera) -> DrawList& {
+    out.push_back({name, about, list});
+    out.back().list.cameras = {camera};
+    return out.back().list;
+  };
+  const Pose scene_eye = look_at(scene.camera.eye, scene.camera.target);
+  stop("scene", "from the scene's own camera", mono_camera(scene_eye, scene.camera.fov, width, height));
+  stop("left", "from a quarter turn to the left", orbit_camera(scene, subject, -M_PI / 2, width, height));
+  stop("right", "from a quarter turn to the right", orbit_camera(scene, subject, M_PI / 2, width, height));
+  stop("above", "from above", camera_around(subject, 0, steep, scene.camera.fov, width, height));
+  Subject close = subject;
+  if (soft != nullptr) {
+    const Eigen::AlignedBox3d box = box_of(*soft);
+    close = {box.center(), 0.42 * box.sizes().norm()};
+  } else {
+    close.radius *= 0.4;
+  }
+  stop("close", "from close by", orbit_camera(scene, close, 0, width, height));
+  if (soft != nullptr) {
+    const Vec3 middle = box_of(*soft).center();
+    stop("inside", "from inside the first soft body",
+         mono_camera({middle, scene_eye.q}, scene.camera.fov, width, height));
+    light_up(
+        stop("shaft", "with light on the first soft body", orbit_camera(scene, subject, 0, width, height)),
+        *soft);
+  }
+  const Subject reach{close.middle + Vec3(0, 0.1, 0), 0.24};
+  add_hands(stop("hands", "with two hands", orbit_camera(scene, reach, 0, width, height)), reach.middle,
+            scene.camera.eye - scene.camera.target);
+  return out;
+}
+
+}  // namespace prosector
