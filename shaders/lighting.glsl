@@ -39,6 +39,21 @@ vec3 surroundings(float up) {
   return ambient * (0.45 + 1.45 * t * t * (3.0 - 2.0 * t));
 }
 
+// The environment map's texels hold the root of a quarter of the radiance.
+vec3 encoded(vec3 radiance) { return sqrt(clamp(0.25 * radiance, 0.0, 1.0)); }
+
+// What a mirror at the place reflects: the room, the more blurred the rougher.
+#ifdef EFFECT_REFLECTIONS
+uniform samplerCube environment_map;
+
+vec3 mirrored(vec3 direction, float roughness) {
+  vec3 root = textureLod(environment_map, direction, 6.0 * roughness).rgb;
+  return 4.0 * root * root;
+}
+#else
+vec3 mirrored(vec3 direction, float roughness) { return surroundings(direction.y); }
+#endif
+
 #if SHADOW_LIGHT >= 0
 float lit(ivec2 texel, float depth) { return depth <= texelFetch(shadow_map, texel, 0).r ? 1.0 : 0.0; }
 
@@ -129,10 +144,10 @@ vec3 shade(Material m, vec3 place, vec3 normal, vec3 film_normal, vec3 view) {
   Radiance sum = Radiance(m.albedo * surroundings(normal.y), vec3(0.0));
 #ifndef MATT
   vec3 fresnel = m.f0 + (1.0 - m.f0) * schlick(ndv) * (1.0 - m.roughness);
-  sum.base += fresnel * surroundings(2.0 * ndv * normal.y - view.y);  // as a mirror sees them
+  sum.base += fresnel * mirrored(2.0 * ndv * normal - view, m.roughness);
 #endif
 #ifdef FILM
-  sum.film = film_fresnel * surroundings(2.0 * film_ndv * film_normal.y - view.y);
+  sum.film = film_fresnel * mirrored(2.0 * film_ndv * film_normal - view, film_roughness);
 #endif
 
 #define ADD_LIGHT(K, KIND) add_light(sum, K, KIND, m, place, normal, film_normal, view, ndv, film_ndv);

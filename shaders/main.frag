@@ -13,6 +13,26 @@ uniform float brightness;
 
 out vec4 color;
 
+// How far, in the rest shape, the eye's ray goes along the surface for each metre that it rises (Welsh 2004:
+// parallax mapping with its offset limited). A deformed body's rest shape follows from the differences between
+// neighbouring pixels.
+vec3 lean(vec3 towards_eye, vec3 normal) {
+#ifdef PARALLAX
+  vec3 along = towards_eye - dot(towards_eye, normal) * normal;
+#ifdef IS_ROOM
+  return along;
+#else
+  vec3 px = dFdx(room_place), py = dFdy(room_place);
+  float xx = dot(px, px), xy = dot(px, py), yy = dot(py, py);
+  float x = dot(along, px), y = dot(along, py);
+  float determinant = max(xx * yy - xy * xy, 0.02 * xx * yy);
+  return ((yy * x - xy * y) * dFdx(rest_place) + (xx * y - xy * x) * dFdy(rest_place)) / determinant;
+#endif
+#else
+  return vec3(0.0);
+#endif
+}
+
 void main() {
   vec3 smooth_normal = normalize(room_normal);
 #ifdef SHAFT
@@ -21,7 +41,8 @@ void main() {
   float left = mix(1.0, 0.5, rest_place.x) * (1.0 - smoothstep(0.85, 1.0, rest_place.x));
   color = with_brightness(brightness * base_color * through * through * left);
 #else
-  Material material = material_at(rest_place);
+  vec3 towards_eye = normalize(eye - room_place);
+  Material material = material_at(rest_place, lean(towards_eye, smooth_normal));
   vec3 normal = smooth_normal;
   vec3 film_normal = smooth_normal;
 #ifdef RELIEF
@@ -29,7 +50,11 @@ void main() {
   normal = normalize(smooth_normal - (slope - dot(slope, smooth_normal) * smooth_normal));
   film_normal = normalize(normal + smooth_normal);
 #endif
-  vec3 radiance = shade(material, room_place, normal, film_normal, normalize(eye - room_place));
+  vec3 radiance = shade(material, room_place, normal, film_normal, towards_eye);
+#ifdef PROBE
+  color = vec4(encoded(radiance), 1.0);
+#else
   color = with_brightness(srgb(tone_map(brightness * radiance)));
+#endif
 #endif
 }

@@ -85,6 +85,8 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
       ->group("Pictures");
   app.add_option("--record", o.record, "Video file, .avi or .mp4")->group("Pictures");
   app.add_option("--shaders", o.shaders, "Folder of the shaders")->group("Pictures");
+  app.add_flag("--watch-shaders", o.watch_shaders, "Read the shaders anew whenever one of them is written")
+      ->group("Pictures");
   app.add_flag("!--no-overlay", o.overlay, "Leave out figures and axes")->group("Pictures");
   app.add_flag("--wireframes", o.wireframes, "Draw what bodies collide as, in white lines")
       ->group("Pictures");

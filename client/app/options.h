@@ -34,8 +34,9 @@ struct ClientOptions {
   std::string follow;  // name of the participant whose eyes to look through; empty: own camera
   std::vector<Screenshot> screenshots;
   std::filesystem::path record, latency_log, session_log, summary, shaders;
-  bool overlay = true;      // figures and axes
-  bool wireframes = false;  // of what bodies collide as; a desk user's C key changes it
+  bool overlay = true;         // figures and axes
+  bool watch_shaders = false;  // read anew whenever one is written
+  bool wireframes = false;     // of what bodies collide as; a desk user's C key changes it
 };
 
 /// Parses; on --help or a wrong line prints to the user and returns the exit code.

@@ -97,6 +97,8 @@ class Client {
       obey_console();
       if (pump_) obey_gestures();
       if (log_ && report_.complete_ns) write_log();
+      if (options_.watch_shaders && stage_)
+        if (const auto news = stage_->renderer->reload_changed_shaders()) tell(*news);
       if (stage_ && report_.complete_ns) draw_if_seen();
       next = std::max(next + interval, std::chrono::steady_clock::now() - interval);
       std::this_thread::sleep_until(next);

@@ -9,8 +9,10 @@ namespace prosector {
 
 enum class Effect : std::uint8_t {
   relief,
+  parallax,
   film,
   translucency,
+  reflections,
   shadows,
   shafts,
   edges,
@@ -23,10 +25,12 @@ struct EffectRow {
 };
 
 /// The order of Effect.
-inline constexpr std::array<EffectRow, 6> effect_rows = {{
+inline constexpr std::array<EffectRow, 8> effect_rows = {{
     {"relief", "EFFECT_RELIEF", "bumps and hollows smaller than triangles, by their normals"},
+    {"parallax", "EFFECT_PARALLAX", "what is high in a surface shifts against what is low"},
     {"film", "EFFECT_FILM", "the wet film's own highlights"},
     {"translucency", "EFFECT_TRANSLUCENCY", "light that wraps around tissue, red first"},
+    {"reflections", "EFFECT_REFLECTIONS", "of the room in what is smooth"},
     {"shadows", nullptr, "of the first spot light"},
     {"shafts", nullptr, "light in air"},
     {"edges", nullptr, "smooth, where there is one sample per pixel"},

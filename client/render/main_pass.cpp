@@ -54,10 +54,7 @@ std::vector<std::string> light_defines(const std::vector<LightInfo>& lights, con
   return {each, fmt::format("SHADOW_LIGHT {}", shadowed ? shadow_light : -1)};
 }
 
-std::vector<std::string> item_defines(Surface surface, bool is_wet, const EffectSet& effects,
-                                      std::vector<std::string> defines) {
-  for (std::size_t k = 0; k < effect_rows.size(); ++k)
-    if (effects[k] && effect_rows[k].define != nullptr) defines.emplace_back(effect_rows[k].define);
+std::vector<std::string> item_defines(Surface surface, bool is_wet, std::vector<std::string> defines) {
   defines.push_back(surface_defines.at(static_cast<std::size_t>(surface)));
   if (is_wet) defines.push_back("WET");
   return defines;
@@ -85,6 +82,7 @@ void set_frame(const ShaderProgram& program, const DrawList& list, const DrawCam
   program.set("eye", camera.pose.p);
   program.set("ambient", list.ambient);
   program.set("shadow_map", 0);
+  program.set("environment_map", 1);
   program.set("shadow_clip_from_room", shadow.clip_from_room);
   program.set("shadow_size", shadow.size);
   program.set("shadow_offset", 2 * shadow.texel);
@@ -133,17 +131,22 @@ struct MainPass::Frame {
   std::set<const ShaderProgram*> set_up = {};
 };
 
-MainPass::MainPass(const Gl& gl, const std::filesystem::path& shaders, const EffectSet& effects)
-    : gl_(gl), shaders_(shaders), effects_(effects) {
+MainPass::MainPass(const Gl& gl, const std::filesystem::path& shaders, std::vector<std::string> defines)
+    : gl_(gl), shaders_(shaders), defines_(std::move(defines)) {}
+
+void MainPass::compile_all() {
   static_assert(surface_defines.size() == static_cast<std::size_t>(Surface::wall) + 1);
   for (std::size_t k = 0; k < surface_defines.size(); ++k)
-    program_for(item_defines(static_cast<Surface>(k), true, effects_,
-                             light_defines(std::vector<LightInfo>(1), 1, 0)));
+    program_for(item_defines(static_cast<Surface>(k), true, light_defines(std::vector<LightInfo>(1), 1, 0)));
 }
 
 const ShaderProgram& MainPass::program_for(const Defines& defines) {
   auto& program = programs_[defines];
-  if (!program) program = std::make_unique<ShaderProgram>(gl_, shaders_, "main", defines);
+  if (!program) {
+    Defines all = defines_;
+    all.insert(all.end(), defines.begin(), defines.end());
+    program = std::make_unique<ShaderProgram>(gl_, shaders_, "main", all);
+  }
   return *program;
 }
 
@@ -155,7 +158,7 @@ const ShaderProgram& MainPass::ready(const QueuedItem& queued, Frame& frame) {
   const ShaderProgram*& program =
       frame.found[{item.appearance.surface, is_wet, item.shaft, lights.to_ulong()}];
   if (!program) {
-    Defines defines = item_defines(item.appearance.surface, is_wet, effects_,
+    Defines defines = item_defines(item.appearance.surface, is_wet,
                                    light_defines(frame.list.lights, lights, frame.shadow.light));
     if (item.shaft) defines.push_back("SHAFT");
     program = &program_for(defines);
@@ -215,11 +218,13 @@ void MainPass::draw_shaft(const QueuedItem& queued, Frame& frame) {
 }
 
 void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::vector<QueuedItem>& items,
-                    const MeshCache& meshes, const Shadow& shadow) {
+                    const MeshCache& meshes, const Shadow& shadow, GLuint environment) {
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthMask(GL_TRUE);
   gl_.Enable(GL_CULL_FACE);
   gl_.CullFace(GL_BACK);
+  gl_.ActiveTexture(GL_TEXTURE1);
+  gl_.BindTexture(GL_TEXTURE_CUBE_MAP, environment);
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, shadow.texture);
   const Frustum frustum(view_projection_of(camera));
@@ -235,7 +240,6 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
       draw_solid(queued, frame);
   }
   for (auto queued = clear.rbegin(); queued != clear.rend(); ++queued) draw_clear(**queued, frame);
-  if (!has(effects_, Effect::shafts)) shafts.clear();
   for (const QueuedItem* queued : shafts) draw_shaft(*queued, frame);
   gl_.Disable(GL_CULL_FACE);
 }

@@ -8,20 +8,22 @@
 #include <string>
 #include <vector>
 
-#include "client/render/effects.h"
 #include "client/render/shadow_pass.h"
 
 namespace prosector {
 
 class MainPass {
  public:
+  /// `defines`: what all of its shaders are compiled with.
+  MainPass(const Gl& gl, const std::filesystem::path& shaders, std::vector<std::string> defines);
+
   /// Compiles every kind of surface, so that a broken shader shows at once.
-  MainPass(const Gl& gl, const std::filesystem::path& shaders, const EffectSet& effects);
+  void compile_all();
 
   /// `items` nearest first, so that hidden fragments are not shaded. What is seen through comes after all
   /// that is not, farthest first, and light in air last.
   void draw(const DrawList& list, const DrawCamera& camera, const std::vector<QueuedItem>& items,
-            const MeshCache& meshes, const Shadow& shadow);
+            const MeshCache& meshes, const Shadow& shadow, GLuint environment = 0);
 
  private:
   using Defines = std::vector<std::string>;
@@ -38,7 +40,7 @@ class MainPass {
 
   const Gl& gl_;
   std::filesystem::path shaders_;
-  EffectSet effects_;
+  std::vector<std::string> defines_;
   std::map<Defines, std::unique_ptr<ShaderProgram>> programs_;
 };
 

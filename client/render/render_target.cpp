@@ -69,6 +69,27 @@ void RenderTarget::allocate(int width, int height) {
   check_complete();
 }
 
+GLuint RenderTarget::depth() {
+  if (depth_read_ == 0) {
+    gl_.GenTextures(1, &depth_texture_);
+    gl_.BindTexture(GL_TEXTURE_2D, depth_texture_);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width_, height_, 0, GL_DEPTH_COMPONENT,
+                   GL_UNSIGNED_INT, nullptr);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+      gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+    gl_.GenFramebuffers(1, &depth_read_);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, depth_read_);
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_texture_, 0);
+    gl_.DrawBuffer(GL_NONE);
+    gl_.ReadBuffer(GL_NONE);
+  }
+  gl_.Disable(GL_SCISSOR_TEST);
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_);
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, depth_read_);
+  gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  return depth_texture_;
+}
+
 void RenderTarget::copy(GLuint from, GLuint to) const {
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, from);
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
@@ -122,8 +143,9 @@ void RenderTarget::release() {
   gl_.DeleteFramebuffers(1, &drawn_);
   gl_.DeleteFramebuffers(1, &resolved_);
   for (GLuint* buffer : {&color_, &depth_, &picture_}) gl_.DeleteRenderbuffers(1, buffer);
-  gl_.DeleteTextures(1, &texture_);
-  drawn_ = resolved_ = color_ = texture_ = depth_ = picture_ = 0;
+  gl_.DeleteFramebuffers(1, &depth_read_);
+  for (const GLuint* texture : {&texture_, &depth_texture_}) gl_.DeleteTextures(1, texture);
+  drawn_ = resolved_ = depth_read_ = depth_texture_ = color_ = texture_ = depth_ = picture_ = 0;
   width_ = height_ = 0;
 }
 

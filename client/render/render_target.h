@@ -15,6 +15,11 @@ class RenderTarget {
 
   /// Makes it the framebuffer to draw to, of that size. Throws InputError when the driver refuses.
   void bind(int width, int height);
+  /// The depth of what was drawn so far, as a texture; bind_again() before drawing goes on.
+  GLuint depth();
+  int width() const { return width_; }
+  int height() const { return height_; }
+  void bind_again() const { gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_); }
   /// Averages the samples, or blends the steps. What is drawn from now on goes over the finished picture,
   /// without depth.
   void resolve();
@@ -36,6 +41,7 @@ class RenderTarget {
   int width_ = 0, height_ = 0;
   GLuint drawn_ = 0, color_ = 0, texture_ = 0, depth_ = 0;  // color_ with several samples, else texture_
   GLuint resolved_ = 0, picture_ = 0;
+  GLuint depth_read_ = 0, depth_texture_ = 0;  // 0 until asked for
 };
 
 }  // namespace prosector

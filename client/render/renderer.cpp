@@ -2,24 +2,72 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
+#include "client/render/environment_pass.h"
 #include "client/render/line_pass.h"
 #include "client/render/main_pass.h"
 #include "client/render/render_target.h"
+#include "client/render/shader_watch.h"
+#include "client/render/shaft_pass.h"
 #include "client/render/text_pass.h"
+#include "common/error.h"
 
 namespace prosector {
+namespace {
 
-struct Renderer::Impl {
-  Impl(GlContext& gl_context, const std::filesystem::path& shaders, const RendererSettings& settings)
-      : context(gl_context),
-        gl(load_gl(gl_context)),
-        target(gl, shaders, settings),
-        meshes(gl),
-        shadow_pass(gl, shaders, has(settings.effects, Effect::shadows) ? settings.shadow_size : 0),
-        main_pass(gl, shaders, settings.effects),
+std::vector<std::string> effect_defines(const EffectSet& effects) {
+  std::vector<std::string> out;
+  for (std::size_t k = 0; k < effect_rows.size(); ++k)
+    if (effects[k] && effect_rows[k].define != nullptr) out.emplace_back(effect_rows[k].define);
+  return out;
+}
+
+// IEC 61966-2-1, the inverse of what a screen does.
+float srgb(double linear) {
+  const double x = std::clamp(linear, 0.0, 1.0);
+  return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
+}
+
+void sort_nearest_first(std::vector<QueuedItem>& items, const Vec3& eye) {
+  const auto distance = [&](const QueuedItem& q) { return (q.bounds.center - eye).norm() - q.bounds.radius; };
+  std::stable_sort(items.begin(), items.end(),
+                   [&](const QueuedItem& a, const QueuedItem& b) { return distance(a) < distance(b); });
+}
+
+/// Everything that is made of shaders, in the order in which it draws.
+struct Passes {
+  Passes(const Gl& gl, const std::filesystem::path& shaders, const RendererSettings& settings)
+      : target(gl, shaders, settings),
+        shadow(gl, shaders, has(settings.effects, Effect::shadows) ? settings.shadow_size : 0),
+        main(gl, shaders, effect_defines(settings.effects)),
         lines(gl, shaders, "screen"),
         pen(gl, shaders, "text") {
+    main.compile_all();
+    if (has(settings.effects, Effect::reflections)) environment.emplace(gl, shaders);
+    if (has(settings.effects, Effect::shafts)) shafts.emplace(gl, shaders);
+  }
+
+  RenderTarget target;
+  ShadowPass shadow;
+  std::optional<EnvironmentPass> environment;  // nullopt: spared
+  MainPass main;
+  std::optional<ShaftPass> shafts;  // nullopt: spared
+  ScreenQuadDrawer lines, pen;
+  std::vector<LightKind> prepared_lights;  // for which the surfaces of users to come have shaders
+};
+
+}  // namespace
+
+struct Renderer::Impl {
+  Impl(GlContext& gl_context, const std::filesystem::path& folder, const RendererSettings& chosen)
+      : context(gl_context),
+        shaders(folder),
+        settings(chosen),
+        gl(load_gl(gl_context)),
+        meshes(gl),
+        watch(folder),
+        passes(std::make_unique<Passes>(gl, folder, chosen)) {
     auto point = std::make_shared<DrawMesh>();
     point->id = std::numeric_limits<std::uint64_t>::max();
     point->positions.assign(3, Eigen::Vector3f::Zero());
@@ -34,33 +82,19 @@ struct Renderer::Impl {
   std::vector<QueuedItem> upload(const DrawList& list);
   void prepare_for_users(const DrawList& list, std::vector<QueuedItem>& items);
   void clear(const DrawCamera& camera, const Vec3& background) const;
+  void set_viewport(const DrawCamera& camera) const {
+    gl.Viewport(camera.x, camera.y, camera.width, camera.height);
+  }
 
   GlContext& context;
+  std::filesystem::path shaders;
+  RendererSettings settings;
   Gl gl;
-  RenderTarget target;
   MeshCache meshes;
-  ShadowPass shadow_pass;
-  MainPass main_pass;
-  ScreenQuadDrawer lines, pen;
-  std::vector<DrawItem> users_to_come;     // nothing to see, of the surfaces that users are drawn with
-  std::vector<LightKind> prepared_lights;  // whose shaders those have brought about
+  ShaderWatch watch;
+  std::unique_ptr<Passes> passes;
+  std::vector<DrawItem> users_to_come;  // nothing to see, of the surfaces that users are drawn with
 };
-
-namespace {
-
-// IEC 61966-2-1, the inverse of what a screen does.
-float srgb(double linear) {
-  const double x = std::clamp(linear, 0.0, 1.0);
-  return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
-}
-
-void sort_nearest_first(std::vector<QueuedItem>& items, const Vec3& eye) {
-  const auto distance = [&](const QueuedItem& q) { return (q.bounds.center - eye).norm() - q.bounds.radius; };
-  std::stable_sort(items.begin(), items.end(),
-                   [&](const QueuedItem& a, const QueuedItem& b) { return distance(a) < distance(b); });
-}
-
-}  // namespace
 
 Renderer::Renderer(GlContext& context, const std::filesystem::path& shaders, const RendererSettings& settings)
     : impl_(std::make_unique<Impl>(context, shaders, settings)) {}
@@ -72,7 +106,7 @@ std::vector<QueuedItem> Renderer::Impl::upload(const DrawList& list) {
   std::vector<QueuedItem> items;
   items.reserve(list.items.size());
   for (const DrawItem& item : list.items) {
-    if (!item.mesh) continue;
+    if (!item.mesh || (item.shaft && !passes->shafts)) continue;
     const MeshCache::Entry& mesh = meshes.upload(*item.mesh);
     // The Frobenius norm is never below the largest stretch.
     const bool shaped = !item.shape.A.isIdentity(0);
@@ -89,46 +123,64 @@ std::vector<QueuedItem> Renderer::Impl::upload(const DrawList& list) {
 void Renderer::Impl::prepare_for_users(const DrawList& list, std::vector<QueuedItem>& items) {
   std::vector<LightKind> kinds;
   for (const LightInfo& light : list.lights) kinds.push_back(light.kind);
-  if (kinds == prepared_lights || list.cameras.empty()) return;
-  prepared_lights = kinds;
+  if (kinds == passes->prepared_lights || list.cameras.empty()) return;
+  passes->prepared_lights = kinds;
   for (const DrawItem& item : users_to_come)
     items.push_back({&item, meshes.upload(*item.mesh), {list.cameras[0].pose.p, 1e3}});
 }
 
 void Renderer::Impl::clear(const DrawCamera& camera, const Vec3& background) const {
-  gl.Viewport(camera.x, camera.y, camera.width, camera.height);
+  set_viewport(camera);
   gl.Enable(GL_SCISSOR_TEST);
   gl.Scissor(camera.x, camera.y, camera.width, camera.height);
   gl.ClearColor(srgb(background.x()), srgb(background.y()), srgb(background.z()), 1);
   gl.DepthMask(GL_TRUE);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl.Disable(GL_SCISSOR_TEST);
 }
 
 void Renderer::draw(const DrawList& list) {
   Impl& r = *impl_;
+  Passes& passes = *r.passes;
   std::vector<QueuedItem> items = r.upload(list);
   r.prepare_for_users(list, items);
-  const Shadow shadow = r.shadow_pass.draw(list, items, r.meshes);
-  r.target.bind(r.context.width(), r.context.height());
+  const Shadow shadow = passes.shadow.draw(list, items, r.meshes);
+  const GLuint environment = passes.environment ? passes.environment->draw(list, items, r.meshes) : 0;
+  passes.target.bind(r.context.width(), r.context.height());
   for (const DrawCamera& camera : list.cameras) {
     r.clear(camera, list.background);
     sort_nearest_first(items, camera.pose.p);
-    r.main_pass.draw(list, camera, items, r.meshes, shadow);
-    draw_lines(list, camera, r.lines);
+    passes.main.draw(list, camera, items, r.meshes, shadow, environment);
   }
-  r.target.resolve();
+  if (passes.shafts) passes.shafts->draw(list, shadow, passes.target);
+  for (const DrawCamera& camera : list.cameras) {
+    r.set_viewport(camera);
+    draw_lines(list, camera, passes.lines);
+  }
+  passes.target.resolve();
   r.gl.Enable(GL_BLEND);
   r.gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   for (const DrawCamera& camera : list.cameras) {
-    r.gl.Viewport(camera.x, camera.y, camera.width, camera.height);
-    draw_texts(list, camera, r.pen);
+    r.set_viewport(camera);
+    draw_texts(list, camera, passes.pen);
   }
   r.gl.Disable(GL_BLEND);
-  if (r.context.has_screen()) r.target.show();
+  if (r.context.has_screen()) passes.target.show();
+}
+
+std::optional<std::string> Renderer::reload_changed_shaders() {
+  Impl& r = *impl_;
+  if (!r.watch.changed()) return std::nullopt;
+  try {
+    r.passes = std::make_unique<Passes>(r.gl, r.shaders, r.settings);
+    return "the shaders were read anew";
+  } catch (const InputError& error) {
+    return std::string(error.what()) + "\nthe old shaders stay";
+  }
 }
 
 Image Renderer::read_pixels() {
-  return impl_->target.read();
+  return impl_->passes->target.read();
 }
 
 }  // namespace prosector

@@ -4,6 +4,8 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "client/render/effects.h"
@@ -17,7 +19,7 @@ namespace prosector {
 inline constexpr EffectSet every_effect = (1U << effect_rows.size()) - 1;
 inline constexpr EffectSet low_effects = 1U << index_of(Effect::relief) | 1U << index_of(Effect::film) |
                                          1U << index_of(Effect::translucency) |
-                                         1U << index_of(Effect::shadows) | 1U << index_of(Effect::shafts);
+                                         1U << index_of(Effect::shadows);
 
 struct RendererSettings {
   int samples = 1;        // of coverage per pixel; shading is once per pixel and triangle
@@ -44,6 +46,10 @@ class Renderer {
 
   /// Throws std::invalid_argument when a mesh's normals, rest positions or triangles don't fit its positions.
   void draw(const DrawList& list);
+  /// For development: reads the shaders anew when a file of them was written since the last call. What came
+  /// of it, for people: done, or file and line of what does not compile, and then the old shaders stay.
+  /// nullopt: nothing was written.
+  std::optional<std::string> reload_changed_shaders();
   /// What was drawn last.
   Image read_pixels();
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <fstream>
 
@@ -106,14 +107,65 @@ TEST(Renderer, TheLampCastsAShadow) {
   list.lights = {lamp({0.6, 0, 0.9}, {0, 0, -0.1})};
   // The line from the lamp through the ball's centre meets the wall at x = −0.2.
   const int x = static_cast<int>(60 + 60 * (-0.2 / 1.3) / 0.4), y = 60;
-  const double shadowed = luminance(picture_of(list, 120, 120).pixel(x, y));
+  RendererSettings clear_air;
+  clear_air.effects[index_of(Effect::shafts)] = false;
+  const double shadowed =
+      luminance(picture_of(list, 120, 120, make_offscreen_context, clear_air).pixel(x, y));
   list.items[1].casts_shadow = false;
-  const double lit = luminance(picture_of(list, 120, 120).pixel(x, y));
+  const double lit = luminance(picture_of(list, 120, 120, make_offscreen_context, clear_air).pixel(x, y));
   EXPECT_LT(shadowed, 0.6 * lit);
   list.items[1].casts_shadow = true;
-  RendererSettings no_shadows;
+  RendererSettings no_shadows = clear_air;
   no_shadows.effects[index_of(Effect::shadows)] = false;
   EXPECT_NEAR(luminance(picture_of(list, 120, 120, make_offscreen_context, no_shadows).pixel(x, y)), lit, 2);
+}
+
+// The eye looks across the beam of a lamp that shines down, at nothing.
+TEST(Renderer, DustShowsInTheBeamButNotInAShadow) {
+  DrawList list;
+  list.cameras = {straight_camera({0, 0, 1}, 120, 120)};
+  list.background = Vec3::Zero();
+  DrawItem ball;
+  ball.mesh = sphere_mesh(0.1, 1);
+  ball.pose.p = {0, 0.2, 0};
+  list.items = {ball};
+  list.lights = {lamp({0, 1.2, 0}, Vec3::Zero())};
+  list.lights[0].intensity = 20;
+  const auto below_the_ball = [&] { return luminance(picture_of(list, 120, 120).pixel(60, 75)); };
+  const double shadowed = below_the_ball();
+  list.items[0].casts_shadow = false;
+  const double lit = below_the_ball();
+  EXPECT_GT(lit, 8);
+  EXPECT_LT(shadowed, 0.7 * lit);
+}
+
+TEST(Renderer, AMirrorShowsTheWallThatItFaces) {
+  DrawList list;
+  list.cameras = {straight_camera({0, 1.2, 1}, 60, 60)};
+  list.lights = {directional({0, -1, 0})};
+  list.ambient = Vec3::Constant(0.3);
+  DrawItem ball;
+  ball.mesh = sphere_mesh(0.3, 1);
+  ball.pose.p = {0, 1.2, 0};
+  ball.appearance = {{0.95, 0.95, 0.95}, 0.05, 0, Surface::metal};
+  const auto wall = [](double side, const Vec3& color, std::uint64_t id) {
+    auto quad = std::make_shared<DrawMesh>();
+    quad->id = id;
+    const float x = static_cast<float>(3.5 * side), z = static_cast<float>(3.5 * side);
+    quad->positions = {{x, 0, -z}, {x, 0, z}, {x, 3, z}, {x, 3, -z}};
+    quad->normals.assign(4, Eigen::Vector3f(static_cast<float>(-side), 0, 0));
+    quad->triangles = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};  // seen from both sides
+    DrawItem item;
+    item.mesh = quad;
+    item.appearance = {color, 0.9, 0, Surface::wall};
+    return item;
+  };
+  list.items = {ball, wall(-1, {0.9, 0.05, 0.05}, 2), wall(1, {0.05, 0.05, 0.9}, 3)};
+  const Image image = picture_of(list, 60, 60);
+  // The ball's left, 45° aside, reflects what is to its left.
+  const std::uint8_t *left = image.pixel(30 - 20, 30), *right = image.pixel(30 + 20, 30);
+  EXPECT_GT(left[0], left[2] + 30);
+  EXPECT_GT(right[2], right[0] + 30);
 }
 
 // A point at depth D seen by eyes e apart with parallel axes is shifted by e/D in tangents.
@@ -221,6 +273,45 @@ TEST(Renderer, NamesTheFileAndLineOfAShaderError) {
   }
   std::filesystem::remove(folder / "noise.glsl");
   EXPECT_THROW(Renderer(*context, folder), InputError);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Renderer, ReadsShadersAnewAndKeepsTheOldOnesWhenTheNewAreBroken) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "prosector_new_shaders";
+  std::filesystem::remove_all(folder);
+  std::filesystem::copy(default_shader_dir(), folder, std::filesystem::copy_options::recursive);
+  const auto context = make_offscreen_context(60, 60);
+  RendererSettings plain;
+  plain.effects.reset();
+  Renderer renderer(*context, folder, plain);
+  DrawList list = lit_sphere({0, 0, -1});
+  list.cameras = {straight_camera({0, 0, 1}, 60, 60)};
+  renderer.draw(list);
+  const Image before = renderer.read_pixels();
+  EXPECT_EQ(renderer.reload_changed_shaders(), std::nullopt) << "nothing was written";
+
+  const auto append = [&](const char* text) {
+    const auto written = std::filesystem::last_write_time(folder / "color.glsl");
+    std::ofstream(folder / "color.glsl", std::ios::app) << text;
+    std::filesystem::last_write_time(folder / "color.glsl", written + std::chrono::seconds(1));
+  };
+  append("\nfloat broken() { return nonsense; }\n");
+  const auto refused = renderer.reload_changed_shaders();
+  ASSERT_TRUE(refused);
+  EXPECT_NE(refused->find("color.glsl:"), std::string::npos) << *refused;
+  EXPECT_NE(refused->find("nonsense"), std::string::npos) << *refused;
+  renderer.draw(list);
+  EXPECT_TRUE(renderer.read_pixels() == before) << "the old ones draw on";
+  EXPECT_EQ(renderer.reload_changed_shaders(), std::nullopt) << "told once";
+
+  std::filesystem::copy(default_shader_dir() / "color.glsl", folder / "color.glsl",
+                        std::filesystem::copy_options::overwrite_existing);
+  append("\n#define with_brightness(shown) vec4(0.0, 1.0, 0.0, 1.0)\n");
+  EXPECT_TRUE(renderer.reload_changed_shaders());
+  renderer.draw(list);
+  const Image after = renderer.read_pixels();
+  EXPECT_EQ(after.pixel(30, 30)[0], 0);
+  EXPECT_EQ(after.pixel(30, 30)[1], 255);
   std::filesystem::remove_all(folder);
 }
 

@@ -1,0 +1,113 @@
+#include "client/render/shaft_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prosector {
+namespace {
+
+constexpr int cone_sides = 24;  // as in shaders/shaft.vert
+constexpr double widest = 1.2;  // rad: a wider cone is no beam
+constexpr double reach = 3.0;   // m from the lamp
+
+/// Its light has a cone, and a shadow map to tell what it reaches.
+bool has_beam(const DrawList& list, const Shadow& shadow) {
+  if (shadow.light < 0) return false;
+  const LightInfo& lamp = list.lights[static_cast<std::size_t>(shadow.light)];
+  return lamp.cone <= widest && lamp.intensity > 0;
+}
+
+}  // namespace
+
+ShaftPass::ShaftPass(const Gl& gl, const std::filesystem::path& shaders)
+    : gl_(gl),
+      program_(gl, shaders, "shaft", {"CONE_SIDES " + std::to_string(cone_sides)}),
+      blend_(gl, shaders, "shaft_blend") {
+  gl_.GenVertexArrays(1, &no_vertices_);
+  gl_.GenTextures(1, &air_);
+  gl_.BindTexture(GL_TEXTURE_2D, air_);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    gl_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+  allocate(1, 1);
+  gl_.GenFramebuffers(1, &framebuffer_);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, air_, 0);
+}
+
+ShaftPass::~ShaftPass() {
+  gl_.DeleteVertexArrays(1, &no_vertices_);
+  gl_.DeleteFramebuffers(1, &framebuffer_);
+  gl_.DeleteTextures(1, &air_);
+}
+
+void ShaftPass::allocate(int width, int height) {
+  if (width == width_ && height == height_) return;
+  width_ = width;
+  height_ = height;
+  gl_.BindTexture(GL_TEXTURE_2D, air_);
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+}
+
+void ShaftPass::draw(const DrawList& list, const Shadow& shadow, RenderTarget& target) {
+  if (!has_beam(list, shadow)) return;
+  const GLuint depth = target.depth();
+  allocate((target.width() + 1) / 2, (target.height() + 1) / 2);
+  gl_.BindVertexArray(no_vertices_);
+  gl_.Disable(GL_DEPTH_TEST);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  gl_.ClearColor(0, 0, 0, 0);
+  gl_.Clear(GL_COLOR_BUFFER_BIT);
+  for (const DrawCamera& camera : list.cameras)
+    draw_air(list.lights[static_cast<std::size_t>(shadow.light)], camera, shadow, depth);
+  target.bind_again();
+  for (const DrawCamera& camera : list.cameras) lay_over(camera);
+}
+
+void ShaftPass::draw_air(const LightInfo& lamp, const DrawCamera& camera, const Shadow& shadow,
+                         GLuint depth) {
+  const Eigen::Matrix4d clip_from_room = view_projection_of(camera);
+  const Eigen::Vector4i viewport(camera.x / 2, camera.y / 2, (camera.width + 1) / 2, (camera.height + 1) / 2);
+  gl_.Viewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  program_.use();
+  program_.set("clip_from_room", clip_from_room);
+  program_.set("room_from_clip", Eigen::Matrix4d(clip_from_room.inverse()));
+  program_.set("viewport", std::vector<Eigen::Vector4f>{viewport.cast<float>()});
+  program_.set("eye", camera.pose.p);
+  program_.set("lamp", lamp.position);
+  program_.set("axis", Vec3(lamp.direction.normalized()));
+  program_.set("cone", lamp.cone);
+  program_.set("core", std::cos(lamp.cone * (1 - std::clamp(lamp.softness, 0.001, 1.0))));
+  program_.set("reach", reach);
+  program_.set("light", Vec3(lamp.intensity * lamp.color));
+  program_.set("shadow_clip_from_room", shadow.clip_from_room);
+  program_.set("shadow_size", shadow.size);
+  program_.set("shadow_map", 0);
+  program_.set("scene_depth", 1);
+  gl_.ActiveTexture(GL_TEXTURE1);
+  gl_.BindTexture(GL_TEXTURE_2D, depth);
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindTexture(GL_TEXTURE_2D, shadow.texture);
+  // The cone's far side: it is there, too, when the eye is in the beam.
+  gl_.Enable(GL_CULL_FACE);
+  gl_.CullFace(GL_FRONT);
+  gl_.DrawArrays(GL_TRIANGLES, 0, 6 * cone_sides);
+  gl_.CullFace(GL_BACK);
+  gl_.Disable(GL_CULL_FACE);
+}
+
+void ShaftPass::lay_over(const DrawCamera& camera) {
+  gl_.Viewport(camera.x, camera.y, camera.width, camera.height);
+  blend_.use();
+  blend_.set("air", 0);
+  blend_.set("texel_from_pixel", std::vector<Eigen::Vector4f>{{0.5F / static_cast<float>(width_),
+                                                               0.5F / static_cast<float>(height_), 0, 0}});
+  gl_.BindTexture(GL_TEXTURE_2D, air_);
+  gl_.Enable(GL_BLEND);
+  gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR);
+  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl_.Disable(GL_BLEND);
+}
+
+}  // namespace prosector
