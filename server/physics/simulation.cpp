@@ -187,6 +187,12 @@ std::uint64_t Simulation::state_hash() const {
   return hasher.digest();
 }
 
+std::vector<std::uint8_t> Simulation::save() const {
+  ByteWriter out;
+  impl_->save(out);
+  return out.bytes();
+}
+
 std::vector<std::uint8_t> Simulation::checkpoint() {
   ByteWriter out;
   impl_->save(out);

@@ -143,6 +143,8 @@ class Simulation {
 
   /// Over every bit that changes the next tick.
   std::uint64_t state_hash() const;
+  /// The state as it is, to go back to with a CutEvent.
+  std::vector<std::uint8_t> save() const;
   /// At a checkpoint both the run that goes on and the one that restores rebuild their caches canonically, so
   /// they stay equal.
   std::vector<std::uint8_t> checkpoint();

@@ -82,7 +82,7 @@ void Simulation::Impl::cut_organ(Blade& blade, std::size_t edge, std::size_t fir
 void Simulation::Impl::obey(const CutEvent& event) {
   std::string& answer = report.cut_answers.emplace_back();
   if (event.kind == CutEvent::Kind::rewind) {
-    answer = "rewinding is not possible yet";
+    answer = rewind(event);
     return;
   }
   Organ* last = nullptr;

@@ -197,6 +197,10 @@ struct Simulation::Impl : PanelSubjects {
                    Numbering numbering);
   void remake(Organ& organ, TopologyCause cause, ParticipantId author);
   void keep_holds(const std::vector<std::size_t>& bodies);
+  std::string rewind(const CutEvent& event);
+  void go_back(const CutEvent& event);                                                         // part of it
+  void bring_back_hands(std::span<const Hand> present, std::span<const RigidMotion> motions);  // likewise
+  std::size_t add_hand(RigidWorld& rigid_world, const Hand& hand, const RigidMotion& motion) const;
   std::uint64_t log_length() const;
   void report_cuts();
 

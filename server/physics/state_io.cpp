@@ -274,11 +274,7 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
   std::vector<Hand> new_hands(in.count(most_hands));
   for (Hand& hand : new_hands) {
     hand = read_hand(in, model, tissues);
-    const HandModel& shape = model.hands[hand.side];
-    hand.slot = new_world.add(shape.setup, read_motion(in));
-    const auto poses = hand_part_poses(hand.side, hand.flexion, shape.center);
-    for (std::size_t part = 0; part < poses.size(); ++part)
-      new_world.set_part_pose(hand.slot, part, poses[part]);
+    hand.slot = add_hand(new_world, hand, read_motion(in));
     if (hand.hold && hand.hold->body < model.rigid.size())
       new_world.set_collides(hand.slot, hand.hold->body, false);
   }

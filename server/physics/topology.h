@@ -3,6 +3,7 @@
 // is made of keeps its number for ever, so a change can be told as a difference.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -37,6 +38,8 @@ struct CutEvent {
   ParticipantId participant = 0;
   BodyId body = 0;             // of rewind
   std::uint32_t revision = 0;  // likewise
+  /// Likewise: what Simulation::save() gave then, in this run or the one that it goes on from.
+  std::shared_ptr<const std::vector<std::uint8_t>> state{};
 };
 inline constexpr CutEvent::Kind last_cut_event = CutEvent::Kind::rewind;
 

@@ -33,6 +33,12 @@ class Reader {
     if (n > bytes_.size()) throw InputError("journal: a tick's input is truncated");
     return n;
   }
+  std::shared_ptr<const std::vector<std::uint8_t>> block() {
+    const std::uint32_t size = count();
+    const auto bytes = bytes_.first(size);
+    bytes_ = bytes_.subspan(size);
+    return std::make_shared<const std::vector<std::uint8_t>>(bytes.begin(), bytes.end());
+  }
   void end() const {
     if (!bytes_.empty()) throw InputError("journal: a tick's input is too long");
   }
@@ -110,6 +116,10 @@ std::vector<std::uint8_t> encode_input(const ConsumedInput& input) {
     put(out, e.participant);
     put(out, e.body);
     put(out, e.revision);
+    if (e.kind != CutEvent::Kind::rewind) continue;
+    const std::size_t size = e.state ? e.state->size() : 0;
+    put(out, static_cast<std::uint32_t>(size));
+    if (size > 0) out.insert(out.end(), e.state->begin(), e.state->end());
   }
   return out;
 }
@@ -178,6 +188,7 @@ ConsumedInput decode_input(std::span<const std::uint8_t> bytes) {
     e.participant = in.get<ParticipantId>();
     e.body = in.get<BodyId>();
     e.revision = in.get<std::uint32_t>();
+    if (e.kind == CutEvent::Kind::rewind) e.state = in.block();
   }
   in.end();
   return out;

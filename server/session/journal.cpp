@@ -42,6 +42,8 @@ const char* event_name(SessionEvent::Kind kind) {
       return "let go";
     case SessionEvent::Kind::broke:
       return "broke";
+    case SessionEvent::Kind::rewound:
+      return "rewound";
   }
   return "unknown";
 }
@@ -60,7 +62,9 @@ void put_meta(SqliteDatabase& database, const std::string& key, const std::strin
 }
 
 std::uint64_t weight(const JournalTick& tick) {
-  return 128 + tick.checkpoint.size() +
+  std::uint64_t states = 0;
+  for (const CutEvent& e : tick.input.input.cuts) states += e.state ? e.state->size() : 0;
+  return 128 + states + tick.checkpoint.size() +
          128 * (tick.input.input.events.size() + tick.input.input.targets.size()) + 1024 * tick.events.size();
 }
 

@@ -16,6 +16,8 @@ bool apart(const Pose& a, const Pose& b) {
 
 void RigidSender::update(const RigidBodyState& now, SimTime time, bool everything,
                          std::vector<Message>& out) {
+  if (time.epoch != epoch_) settled_left_ = settled_repeats;  // clients dropped what they had
+  epoch_ = time.epoch;
   const bool displaced = apart(now.pose, scene_pose_);
   const bool moved = apart(now.pose, sent_pose_);
   const std::uint64_t age = time.tick - sent_tick_;

@@ -20,6 +20,7 @@ class RigidSender {
   BodyId body_;
   Pose scene_pose_, sent_pose_ = scene_pose_;
   std::uint64_t sent_tick_ = 0;
+  std::uint32_t epoch_ = 0;
   int settled_left_ = 0;  // how often "settled" is still to be said
 };
 

@@ -67,6 +67,8 @@ std::string line_of(const SessionEvent& e) {
       return fmt::format("{} let go: {}", e.name, e.detail);
     case SessionEvent::Kind::broke:
       return fmt::format("{} broke {}", e.name, e.detail);
+    case SessionEvent::Kind::rewound:
+      return fmt::format("{} rewound everything to {}", e.name, e.detail);
   }
   return {};
 }
@@ -121,8 +123,24 @@ ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& sess
     session_.add_body(simulation.soft(piece).desc().part);
   session_.vanish(simulation.hands());  // of a state that was restored
   session_.see_panels(simulation.panels());
+  keep_beginning();
   last_snapshot_ = take_snapshot(simulation_, session_, topology_, nullptr);
   publisher_.offer(last_snapshot_);
+}
+
+/// What this run began with: the scene, or the end of the session that it goes on with.
+void ServerLoop::keep_beginning() {
+  std::vector<Moments::Revision> revisions;
+  for (BodyId body = 0; body < simulation_.body_count(); ++body)
+    if (simulation_.kind(body) == BodyKind::soft) revisions.push_back({body, simulation_.revision(body)});
+  session_.moments().keep(simulation_.time().tick, std::move(revisions), simulation_.save());
+}
+
+void ServerLoop::keep_moment(const StepReport& report) {
+  if (report.topology.empty()) return;
+  std::vector<Moments::Revision> revisions;
+  for (const TopologyChange& change : report.topology) revisions.push_back({change.body, change.revision});
+  session_.moments().keep(report.time.tick, std::move(revisions), simulation_.save());
 }
 
 void ServerLoop::tick() {
@@ -137,6 +155,7 @@ void ServerLoop::tick() {
   const bool checkpoint = simulation_.time().tick % checkpoint_ticks == 0;
   std::vector<std::uint8_t> saved;
   if (checkpoint) saved = simulation_.checkpoint();
+  keep_moment(report);
   state_hash_ = simulation_.state_hash();
   std::vector<SessionEvent> events = session_.take_events();
   for (const Broken& b : report.broken)

@@ -104,6 +104,8 @@ class ServerLoop {
   std::string journal_trouble_;
   Publisher publisher_;  // last: its thread ends before what it reads
 
+  void keep_beginning();
+  void keep_moment(const StepReport& report);
   void journal(ConsumedInput input, std::vector<std::uint8_t> checkpoint, std::vector<SessionEvent> events);
   void record(const StepReport& report, std::int64_t begun_ns);
   void govern(const StepReport& report, std::int64_t begun_ns);

@@ -235,6 +235,9 @@ void Session::ask_cut(const Command& command, const Participant& member, Seat& s
   }
   if (command.kind == CommandKind::rewind && command.body >= rules_.bodies)
     return answer(command, fmt::format("no body {}: the scene has {}", command.body, rules_.bodies));
+  if (command.kind == CommandKind::rewind && !moments_.find(command.body, command.revision))
+    return answer(command, fmt::format("the state of revision {} is not kept; of this body: {}",
+                                       command.revision, moments_.kept(command.body)));
   seat.cuts.push_back(command);
 }
 
@@ -327,9 +330,11 @@ void Session::consume_seat(ParticipantId id, Seat& seat, ConsumedInput& out) {
   }
   seat.parts.clear();
   for (const Command& c : seat.cuts) {
-    const bool undo = c.kind == CommandKind::undo;
-    out.input.cuts.push_back(
-        {undo ? CutEvent::Kind::undo : CutEvent::Kind::rewind, id, undo ? BodyId{0} : c.body, c.revision});
+    if (c.kind == CommandKind::undo)
+      out.input.cuts.push_back({CutEvent::Kind::undo, id, BodyId{0}, c.revision});
+    else
+      out.input.cuts.push_back(
+          {CutEvent::Kind::rewind, id, c.body, c.revision, moments_.find(c.body, c.revision)});
     cutting_.push_back(c);
   }
   seat.cuts.clear();
@@ -339,8 +344,15 @@ void Session::finish_tick(std::span<const HandState> hands, const StepReport& re
   for (std::size_t i = 0; i < std::min(stepping_.size(), report.part_answers.size()); ++i)
     answer(stepping_[i], report.part_answers[i]);
   stepping_.clear();
-  for (std::size_t i = 0; i < cutting_.size(); ++i)
-    answer(cutting_[i], i < report.cut_answers.size() ? report.cut_answers[i] : "nothing has been cut");
+  for (std::size_t i = 0; i < cutting_.size(); ++i) {
+    const Command& c = cutting_[i];
+    answer(c, i < report.cut_answers.size() ? report.cut_answers[i] : "nothing has been cut");
+    const bool rewound =
+        c.kind == CommandKind::rewind && i < report.cut_answers.size() && report.cut_answers[i].empty();
+    if (const Participant* member = roster_.find(c.participant); rewound && member != nullptr)
+      events_.push_back({SessionEvent::Kind::rewound, c.participant, member->presence.name,
+                         fmt::format("revision {} of body {}", c.revision, c.body)});
+  }
   cutting_.clear();
   for (const LetGo& let_go : report.let_go)
     if (Participant* member = roster_.find(let_go.participant); member != nullptr)

@@ -18,6 +18,7 @@
 #include "idl/bus.h"
 #include "server/physics/simulation.h"
 #include "server/session/command_count.h"
+#include "server/session/moments.h"
 #include "server/session/panel_inputs.h"
 #include "server/session/roster.h"
 
@@ -43,10 +44,20 @@ struct ConsumedInput {
 
 /// A line of the session's own log.
 struct SessionEvent {
-  enum class Kind : std::uint8_t { joined, refused, left, lost, hand_timeout, role, let_go, broke } kind;
+  enum class Kind : std::uint8_t {
+    joined,
+    refused,
+    left,
+    lost,
+    hand_timeout,
+    role,
+    let_go,
+    broke,
+    rewound
+  } kind;
   ParticipantId participant = 0;
   std::string name;
-  std::string detail;  // role, or why not; which hand; why it let go
+  std::string detail;  // role, or why not; which hand; why it let go; to what
 };
 
 class Session {
@@ -65,6 +76,8 @@ class Session {
   std::size_t bodies() const { return rules_.bodies; }
   /// A cut made another body; the next id is its.
   void add_body(bool is_part);
+  /// What the host can rewind to.
+  Moments& moments() { return moments_; }
   /// Of which bodies clients asked for a keyframe since the last call.
   std::set<BodyId> take_keyframe_requests();
 
@@ -117,6 +130,7 @@ class Session {
   std::vector<Command> cutting_;   // likewise: whose cut events
   std::set<BodyId> keyframes_;     // asked for
   PanelInputs panels_;
+  Moments moments_;
   std::vector<Outgoing> outgoing_;
   std::vector<SessionEvent> events_;
   std::map<std::string, std::uint64_t> dropped_;

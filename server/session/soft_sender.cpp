@@ -11,6 +11,9 @@ void SoftSender::update(const SoftSnapshot& now, SimTime time, bool everything, 
     stream_ = now.stream;
     grow();
   }
+  const bool rewound = time.epoch != epoch_;  // clients drop what they have
+  epoch_ = time.epoch;
+  if (rewound) settled_.reset();
   if (now.asleep && settled_ != nullptr && (settled_ == now.x || *settled_ == *now.x)) return;
   place(now);
   if (now.asleep) return settle(now, time, out);
@@ -20,7 +23,8 @@ void SoftSender::update(const SoftSnapshot& now, SimTime time, bool everything, 
   const auto refreshed = static_cast<std::uint32_t>((chunks + soft_refresh_ticks - 1) / soft_refresh_ticks);
   for (std::uint32_t c = 0; c < chunks; ++c) {
     const bool due = (c + chunks - cursor_) % chunks < refreshed;
-    if (everything || due || end(c) > known_points_ || changed(c)) out.push_back(send(c, time, now.revision));
+    if (everything || rewound || due || end(c) > known_points_ || changed(c))
+      out.push_back(send(c, time, now.revision));
   }
   cursor_ = (cursor_ + refreshed) % chunks;
   known_points_ = stream_->points;

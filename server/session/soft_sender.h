@@ -30,8 +30,9 @@ class SoftSender {
   std::vector<Vec3> x_, v_;              // now
   std::vector<Vec3> sent_x_, sent_v_;    // what clients have
   std::shared_ptr<const VecX> settled_;  // the shape of the last Settled; null while in motion
-  std::uint32_t cursor_ = 0;             // next chunk to refresh
-  std::uint32_t known_points_ = 0;       // that clients were sent
+  std::uint32_t epoch_ = 0;
+  std::uint32_t cursor_ = 0;        // next chunk to refresh
+  std::uint32_t known_points_ = 0;  // that clients were sent
 
   void grow();
   void place(const SoftSnapshot& now);

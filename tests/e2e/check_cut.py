@@ -30,5 +30,10 @@ print(f"      {len(rows)} revisions in the journal; columns: {', '.join(columns)
 check("the block was cut often", sum(r["cause"] == 1 for r in rows) > 10)
 check("two people cut", len({r["author"] for r in rows if r["cause"] == 1}) == 2)
 check("a cut was taken back", any(r["cause"] == 2 for r in rows))
+rewound = [r for r in rows if r["cause"] == 3 and r["body"] == rows[0]["body"]]
+then = next(r for r in rows if r["body"] == rows[0]["body"] and r["revision"] == 4)
+check("the host rewound, once", len(rewound) == 1)
+check("to the mesh of then", rewound[0]["content_hash"] == then["content_hash"] and rewound[0]["revision"] > 4)
+check("the other was refused", "only the host rewinds" in (folder / "second.log").read_text())
 
 sys.exit("\n".join(failures) if failures else 0)

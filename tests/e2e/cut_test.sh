@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# cut_test.sh BIN OUT: two users, through simulated trackers and gloves, cut a block; one of them takes a cut back. An observer
-# who watched all, one who comes between the cuts and both users end with the same hash of the topology.
+# cut_test.sh BIN OUT: two users, through simulated trackers and gloves, cut a block; one of them takes a cut back, the
+# other, who hosts, rewinds. An observer who watched all, one who comes between the cuts and both users end with the same hash of
+# the topology, and the journal replays.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 bin=$1 out=$2
@@ -23,9 +24,11 @@ host "$here/cut.toml" "$session"
 clients=()
 watch observer
 for user in first second; do
+  role=()
+  [ "$user" = second ] || role=(--host)
   twins "$user." "$here/cut_$user.csv" "$here/cut_$user.csv"
   mkfifo "$out/$user.terminal"
-  "$bin/prosector-client" join --session "$session" --name "$user" --config "$here/../../deploy/demo/headset.toml" \
+  "$bin/prosector-client" join --session "$session" --name "$user" "${role[@]}" --config "$here/../../deploy/demo/headset.toml" \
     --tracker "fastrak:$out/$user.tracker" --glove "5dt:$out/$user.glove" --display none --summary "$out/$user.json" \
     <> "$out/$user.terminal" > "$out/$user.log" 2>&1 &
   pids+=("$!")
@@ -37,9 +40,14 @@ watch latecomer
 sleep 7
 echo "picture $out/cut.png" > "$out/latecomer.terminal"
 echo undo > "$out/second.terminal"
+sleep 2
+echo "rewind block 4" > "$out/second.terminal"
+sleep 1
+echo "rewind block 4" > "$out/first.terminal"
 sleep 3
 for pid in "${clients[@]}"; do kill -TERM "$pid"; done
 for pid in "${clients[@]}"; do wait "$pid" || fail "a client failed" "$out/observer.log"; done
 kill -TERM "$server" && wait "$server" || fail "the server failed" "$out/server.log"
 stop
+"$bin/prosector-server" --replay "$out/journal.sqlite" > "$out/replay.log" 2>&1 || fail "the journal does not replay" "$out/replay.log"
 python3 "$here/check_cut.py" "$out"

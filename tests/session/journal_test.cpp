@@ -3,7 +3,6 @@
 #include "server/session/journal.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -14,26 +13,14 @@
 #include "server/session/input_bytes.h"
 #include "server/session/replay.h"
 #include "tests/session/hosted.h"
+#include "tests/session/temporary_file.h"
 
 namespace prosector {
 namespace {
 
 using test::Guest;
 using test::Hosted;
-
-/// A file name of its own, gone at the end.
-struct TemporaryFile {
-  std::filesystem::path path;
-  explicit TemporaryFile(const std::string& name)
-      : path(std::filesystem::temp_directory_path() / (name + "." + std::to_string(getpid()))) {
-    remove();
-  }
-  ~TemporaryFile() { remove(); }
-  void remove() const {
-    for (const char* suffix : {"", "-wal", "-shm", "-journal"})
-      std::filesystem::remove(path.string() + suffix);
-  }
-};
+using test::TemporaryFile;
 
 JournalHeader header_of(const Simulation& simulation) {
   return {"scene.toml", "name = \"hosted\"", "prosector", simulation.content_hash(), {}};

@@ -365,23 +365,30 @@ TEST(Session, DissectorsUndoTheirOwnAndOnlyTheHostRewinds) {
   room.join(presence(1, "ada", Role::host), 1);
   room.join(presence(2, "bo"), 2);
   room.join(presence(3, "eve", Role::observer), 3);
+  room.session.moments().keep(5, {{2, 6}, {1, 4}}, {1, 2});
+  room.session.moments().keep(8, {{2, 7}}, {3, 4, 5});
   Command rewind = command(1, CommandKind::rewind, 20);
   rewind.body = 2;
   rewind.revision = 7;
+  Command of_later = rewind;
+  of_later.sequence = 26;
+  of_later.revision = 9;
   Command of_no_body = rewind, by_dissector = rewind, by_observer = command(3, CommandKind::undo, 24);
   of_no_body.sequence = 21;
   of_no_body.body = 3;
   by_dissector.participant = 2;
   by_dissector.sequence = 22;
   const Command undo = command(2, CommandKind::undo, 23);
-  const ConsumedInput in =
-      room.session.consume(std::vector<Received>{from(2, undo), from(1, rewind), from(1, of_no_body),
-                                                 from(2, by_dissector), from(3, by_observer)},
-                           ++room.tick);
+  const ConsumedInput in = room.session.consume(
+      std::vector<Received>{from(2, undo), from(1, rewind), from(1, of_no_body), from(1, of_later),
+                            from(2, by_dissector), from(3, by_observer)},
+      ++room.tick);
   ASSERT_EQ(in.input.cuts.size(), 2u);  // by participant
   EXPECT_EQ(in.input.cuts[0].kind, CutEvent::Kind::rewind);
   EXPECT_EQ(in.input.cuts[0].body, 2u);
   EXPECT_EQ(in.input.cuts[0].revision, 7u);
+  ASSERT_TRUE(in.input.cuts[0].state);
+  EXPECT_EQ(*in.input.cuts[0].state, (std::vector<std::uint8_t>{3, 4, 5}));
   EXPECT_EQ(in.input.cuts[1].kind, CutEvent::Kind::undo);
   EXPECT_EQ(in.input.cuts[1].participant, 2u);
   StepReport report;
@@ -393,6 +400,7 @@ TEST(Session, DissectorsUndoTheirOwnAndOnlyTheHostRewinds) {
   EXPECT_TRUE(answers.at(20).accepted);
   EXPECT_NE(answers.at(21).reason.find("no body 3"), std::string::npos);
   EXPECT_EQ(answers.at(22).reason, "only the host rewinds");
+  EXPECT_EQ(answers.at(26).reason, "the state of revision 9 is not kept; of this body: 6 to 7");
   EXPECT_EQ(answers.at(23).reason, "a later cut depends on it");
   EXPECT_FALSE(answers.at(24).accepted);
 

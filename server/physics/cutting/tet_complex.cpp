@@ -149,6 +149,12 @@ void TetComplex::take_back(const TopologyOp& op) {
   ++undone_;
 }
 
+void TetComplex::continue_from(const TetComplex& later) {
+  grow_nodes(later.node_end());
+  grow_tets(later.tet_end());
+  undone_ = later.undone_ + 1;
+}
+
 std::uint64_t TetComplex::content_hash() const {
   StateHasher hash;
   hash.add(density_);

@@ -46,6 +46,7 @@ class TetComplex {
   std::size_t corner_index(TetId tet, NodeId node) const;  // 4: has none
   /// Tetrahedra with both nodes, ascending.
   void around_edge(NodeId a, NodeId b, std::vector<TetId>& tets) const;
+  double density() const { return density_; }          // kg/m³
   double mean_volume() const { return mean_volume_; }  // m³, of the compiled mesh's tetrahedra
   double cell() const { return cell_; }                // m, edge of a regular one of that volume
   std::uint64_t undone() const { return undone_; }     // how often something was taken back
@@ -55,6 +56,9 @@ class TetComplex {
   void apply(const TopologyOp& op);
   /// Undoes the op that was applied last of those not yet taken back: content_hash() is then what it was.
   void take_back(const TopologyOp& op);
+
+  /// The same body's earlier state goes on where `later` was: ids that were used there are used.
+  void continue_from(const TetComplex& later);
 
   /// Of connectivity, rest shape and masses, by id.
   std::uint64_t content_hash() const;

@@ -100,7 +100,12 @@ std::string Organ::undo(ParticipantId author) {
 
 void Organ::take_back(const std::vector<OrganChange*>& newest_first) {
   for (OrganChange* change : newest_first) {
-    for (auto op = change->ops.rbegin(); op != change->ops.rend(); ++op) complex_.take_back(*op);
+    for (auto op = change->ops.rbegin(); op != change->ops.rend(); ++op) {
+      complex_.take_back(*op);
+      if (const auto* split = std::get_if<SplitEdge>(&*op))
+        for (TetId child = split->first; child < split->first + 2 * split->count; child += 2)
+          owner_[complex_.parent(child)] = std::min(owner_[child], owner_[child + 1]);
+    }
     change->taken_back = true;
     note_touched(change->touched);
   }
@@ -108,7 +113,7 @@ void Organ::take_back(const std::vector<OrganChange*>& newest_first) {
 
 /// The bodies of these tetrahedra are made anew at the next regroup().
 void Organ::note_touched(const std::vector<TetId>& tets) {
-  owner_.resize(complex_.tet_end(), nobody);
+  owner_.resize(std::max(owner_.size(), complex_.tet_end()), nobody);
   for (TetId tet = 0; tet < owner_.size(); ++tet)  // children after their parents
     if (owner_[tet] == nobody) owner_[tet] = owner_[complex_.parent(tet)];
   for (const TetId tet : tets) changed_.insert(owner_[tet]);

@@ -23,10 +23,12 @@ namespace prosector {
 struct OrganChange {
   TopologyCause cause = TopologyCause::cut;
   ParticipantId author = 0;
-  std::uint64_t stroke = 0;     // cuts of one stroke are undone together; of an undo: the stroke undone
+  /// Cuts of one stroke are undone together; of an undo: the stroke undone; of a rewind: how many entries of
+  /// the log it went back to.
+  std::uint64_t stroke = 0;
   std::vector<TopologyOp> ops;  // of a cut
   std::vector<TetId> touched;   // of a cut: what later cuts must leave alone for it to be undone; ascending
-  bool taken_back = false;      // by a later undo
+  bool taken_back = false;      // by a later undo or rewind
 };
 
 /// A piece of an organ: one of the simulation's soft bodies.
@@ -53,6 +55,10 @@ class Organ {
   /// Takes back the author's last stroke. Empty when done, else why not.
   std::string undo(ParticipantId author);
   std::optional<std::uint64_t> last_stroke(ParticipantId author) const;  // that undo() would take back
+  /// Everything as in `then`, this organ's own earlier state: cuts made since are taken back, those undone
+  /// since are made again, under the ids that they had. Throws InputError, and changes nothing, where the log
+  /// doesn't begin with `then`'s. Bodies that came since stay, as pieces without tetrahedra.
+  void rewind(const Organ& then, ParticipantId author);
 
   /// Finds the pieces anew after changes: of a body that fell apart the largest piece stays it; the others
   /// get body indices from `next_body` on.
@@ -76,6 +82,8 @@ class Organ {
  private:
   std::vector<OrganChange*> stroke_of(ParticipantId author);
   void take_back(const std::vector<OrganChange*>& newest_first);
+  void redo(OrganChange change);
+  void go_back(std::size_t length);
   void note_touched(const std::vector<TetId>& tets);
 
   Anatomy whole_;  // as compiled, without nodes on edges

@@ -38,6 +38,13 @@ void Organ::load(ByteReader& in, std::size_t bodies) {
     change.cause = in.number<TopologyCause>();
     change.author = in.number<ParticipantId>();
     change.stroke = in.number<std::uint64_t>();
+    if (change.cause == TopologyCause::rewind) {
+      in.require(change.stroke <= log_.size(), "a rewind to what isn't there");
+      redo(std::move(change));
+      in.require(in.count(most_ops) == 0, "a rewind that cuts");
+      skin_.update(complex_);
+      continue;
+    }
     for (std::size_t ops = in.count(most_ops); ops > 0; --ops) {
       change.ops.push_back(read_op(in));
       complex_.apply(change.ops.back());
