@@ -54,7 +54,7 @@ class Turned : public testing::TestWithParam<Case> {
         model_(make_elastic_model(desc_, anatomy_)),
         pattern_(model_->connectivity()),
         symmetric_(pattern_),
-        turned_(model_->connectivity(), symmetric_) {
+        turned_(model_->connectivity(), pattern_, symmetric_) {
     const Eigen::Index n = model_->rest().size();
     Mat3 turn = Eigen::AngleAxisd(2, Vec3(1, -2, 3).normalized()).toRotationMatrix();
     turn.col(0) *= 1.2;

@@ -1,12 +1,17 @@
 #include "server/physics/contact/surface_detector.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <numeric>
+
+#include "server/physics/parallel.h"
 
 namespace prosector {
 namespace {
+
+constexpr std::size_t triangles_at_once = 1024;
 
 /// Morton code: 10 bits of each coordinate, interleaved.
 std::uint32_t morton(const Vec3& unit) {
@@ -43,19 +48,6 @@ std::vector<Vec3> centres(const TriangleMesh& mesh) {
   return out;
 }
 
-Triangles neighbours(const Triangles& triangles) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> with_edge;
-  for (std::uint32_t i = 0; i < triangles.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) with_edge[{triangles[i][k], triangles[i][(k + 1) % 3]}] = i;
-  Triangles out(triangles.size());
-  for (std::uint32_t i = 0; i < triangles.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto other = with_edge.find({triangles[i][(k + 1) % 3], triangles[i][k]});
-      out[i][k] = other == with_edge.end() ? i : other->second;
-    }
-  return out;
-}
-
 // How much deeper than its corners a triangle's point must be, in radii, to count at all and to count fully.
 // What is broad for the mesh stays below: its vertices carry it.
 constexpr double least_between = 0.3, fully_between = 0.5;
@@ -68,12 +60,9 @@ constexpr double most_depth = 2;      // radii: what is deeper than this beyond 
 }  // namespace
 
 SurfaceDetector::SurfaceDetector(const SparseMap& embedding, const TriangleMesh& rest)
-    : embedding_(&embedding),
-      rest_(&rest),
-      neighbours_(neighbours(rest.triangles)),
-      triangle_order_(spatial_order(centres(rest))),
-      order_(spatial_order(rest.positions)),
-      positions_(rest.positions) {
+    : embedding_(&embedding), rest_(&rest), positions_(rest.positions) {
+  tbb::parallel_invoke([&] { triangle_order_ = spatial_order(centres(rest)); },
+                       [&] { order_ = spatial_order(rest.positions); });
   chunks_.resize((order_.size() + chunk_vertices - 1) / chunk_vertices);
   around_begin_.assign(positions_.size() + 1, 0);
   for (const auto& t : rest.triangles)
@@ -83,7 +72,25 @@ SurfaceDetector::SurfaceDetector(const SparseMap& embedding, const TriangleMesh&
   std::vector<std::uint32_t> next(around_begin_.begin(), around_begin_.end() - 1);
   for (std::uint32_t i = 0; i < rest.triangles.size(); ++i)
     for (const std::uint32_t corner : rest.triangles[i]) around_[next[corner]++] = i;
+  find_neighbours();
   triangle_chunks_.resize((triangle_order_.size() + chunk_triangles - 1) / chunk_triangles);
+}
+
+void SurfaceDetector::find_neighbours() {
+  const auto& triangles = rest_->triangles;
+  neighbours_.resize(triangles.size());
+  parallel_chunks(triangles.size(), triangles_at_once, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t from = triangles[i][(k + 1) % 3], to = triangles[i][k];
+        neighbours_[i][k] = static_cast<std::uint32_t>(i);
+        for (std::uint32_t n = around_begin_[from]; n < around_begin_[from + 1]; ++n) {
+          const auto& other = triangles[around_[n]];
+          for (std::size_t j = 0; j < 3; ++j)
+            if (other[j] == from && other[(j + 1) % 3] == to) neighbours_[i][k] = around_[n];
+        }
+      }
+  });
 }
 
 void SurfaceDetector::update(const double* x) {

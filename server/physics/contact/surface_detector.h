@@ -87,6 +87,7 @@ class SurfaceDetector {
   std::size_t triangle_chunk_end(std::size_t chunk) const {
     return std::min(triangle_order_.size(), (chunk + 1) * chunk_triangles);
   }
+  void find_neighbours();
   std::array<Vec3, 3> corners(std::uint32_t triangle) const;
   Vec3 outward(std::uint32_t triangle) const;
   double stretch(std::uint32_t triangle) const;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "server/physics/parallel.h"
+
 namespace prosector {
 namespace {
 
-constexpr std::size_t leaf_size = 8;
+constexpr std::size_t leaf_size = 8, leaves_per_chunk = 128;
 
 Vec3 centroid(const TetComplex& complex, TetId t) {
   const auto& c = complex.corners(t);
@@ -76,18 +78,21 @@ void TetTree::update(const TetComplex& complex, std::span<const Vec3> positions)
 }
 
 void TetTree::boxes(const TetComplex& complex, std::span<const Vec3> positions) {
-  low_.clear();
-  high_.clear();
   leaf_begin_.assign(1, 0);
-  for (const auto& leaf : leaves_) {
-    for (const TetId t : leaf) {
-      const auto& c = complex.corners(t);
-      const Vec3 &x0 = positions[c[0]], &x1 = positions[c[1]], &x2 = positions[c[2]], &x3 = positions[c[3]];
-      low_.push_back(x0.cwiseMin(x1).cwiseMin(x2.cwiseMin(x3)));
-      high_.push_back(x0.cwiseMax(x1).cwiseMax(x2.cwiseMax(x3)));
+  for (const auto& leaf : leaves_) leaf_begin_.push_back(leaf_begin_.back() + leaf.size());
+  low_.resize(leaf_begin_.back());
+  high_.resize(leaf_begin_.back());
+  parallel_chunks(leaves_.size(), leaves_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t l = first; l < last; ++l) {
+      std::size_t at = leaf_begin_[l];
+      for (const TetId t : leaves_[l]) {
+        const auto& c = complex.corners(t);
+        const Vec3 &x0 = positions[c[0]], &x1 = positions[c[1]], &x2 = positions[c[2]], &x3 = positions[c[3]];
+        low_[at] = x0.cwiseMin(x1).cwiseMin(x2.cwiseMin(x3));
+        high_[at++] = x0.cwiseMax(x1).cwiseMax(x2.cwiseMax(x3));
+      }
     }
-    leaf_begin_.push_back(low_.size());
-  }
+  });
   for (std::size_t b = branches_.size(); b-- > 0;) {
     Branch& branch = branches_[b];
     if (branch.right == 0) {

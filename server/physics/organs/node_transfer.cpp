@@ -51,13 +51,17 @@ NodeTransfer::NodeTransfer(const TetComplex& complex, std::span<const PieceMesh*
     for (const PieceMesh* piece : before)
       edges_before.push_back(edge_nodes_of(piece->mesh.tets, piece->nodes.size()));
 
+  std::vector<std::size_t> reached(before.size(), 0);  // in each piece's nodes, which ascend as `now`'s do
   const auto itself = [&](NodeId id) -> std::optional<Source> {
-    for (std::uint32_t p = 0; p < before.size(); ++p)
-      if (const std::size_t i = index_of(before[p]->nodes, id); i < before[p]->nodes.size()) {
-        Source source;
-        source.terms[source.count++] = {p, static_cast<std::uint32_t>(i), 1};
-        return source;
-      }
+    for (std::uint32_t p = 0; p < before.size(); ++p) {
+      const std::vector<NodeId>& nodes = before[p]->nodes;
+      std::size_t& i = reached[p];
+      while (i < nodes.size() && nodes[i] < id) ++i;
+      if (i == nodes.size() || nodes[i] != id) continue;
+      Source source;
+      source.terms[source.count++] = {p, static_cast<std::uint32_t>(i), 1};
+      return source;
+    }
     return std::nullopt;
   };
   // The tetrahedron that was where `tet` is now, or the one it is part of.

@@ -55,12 +55,14 @@ void BatchedModel::add_gradient(const double* x, double* g) {
 
 std::span<const Mat3> BatchedModel::tangent(const double* x) {
   move(x);
+  reserve_stiffness();
   for_chunks([&](const ElementChunk& chunk) { find_stiffness(chunk, false); });
   return stiffness();
 }
 
 std::span<const Mat3> BatchedModel::warped_stiffness(const double* x) {
   move(x);
+  reserve_stiffness();
   for_chunks([&](const ElementChunk& chunk) { find_stiffness(chunk, true); });
   return stiffness();
 }

@@ -52,6 +52,8 @@ class BatchedModel : public ElasticModel {
   virtual double energy_of(const ElementChunk& chunk) const = 0;
   virtual void find_forces(const ElementChunk& chunk) = 0;
   virtual std::span<const Vec3> forces() const = 0;  // all, by corner
+  /// Room for the stiffness, when first asked for: models that turn seldom are.
+  virtual void reserve_stiffness() = 0;
   /// The tangent, or the warped stiffness.
   virtual void find_stiffness(const ElementChunk& chunk, bool warped) = 0;
   virtual std::span<const Mat3> stiffness() const = 0;  // all, by block

@@ -1,55 +1,91 @@
 #include "server/physics/soft/block_matrix.h"
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
-#include <set>
+#include <array>
 
 #include "server/physics/parallel.h"
 
 namespace prosector {
 namespace {
 
-constexpr std::size_t rows_per_chunk = 128;
+constexpr std::size_t rows_per_chunk = 128, rows_found_at_once = 512;
+
+/// What a run of rows has, end to end.
+struct Rows {
+  std::vector<std::uint32_t> column, place;
+  std::vector<std::size_t> columns, places;  // how many of each row
+};
+
+/// By node, of one thread: the row that saw it last, plus one, and where it is in that row.
+struct Seen {
+  std::vector<std::uint32_t> by_row, place;
+  explicit Seen(std::size_t nodes) : by_row(nodes, 0), place(nodes) {}
+};
+
+void find_columns(const Connectivity& elements, const Incidence& incidence, std::uint32_t row, Seen& seen,
+                  Rows& out) {
+  const std::size_t first = out.column.size();
+  const auto see = [&](std::uint32_t node) {
+    if (seen.by_row[node] == row + 1) return;
+    seen.by_row[node] = row + 1;
+    out.column.push_back(node);
+  };
+  see(row);
+  for (const std::uint32_t corner : incidence.corners(row))
+    for (const std::uint32_t node : elements.element(elements.element_of(corner))) see(node);
+  std::sort(out.column.begin() + static_cast<std::ptrdiff_t>(first), out.column.end());
+  out.columns.push_back(out.column.size() - first);
+  std::uint32_t right = 0;  // of the diagonal
+  for (std::size_t k = first; k < out.column.size(); ++k)
+    if (out.column[k] > row) seen.place[out.column[k]] = right++;
+}
+
+void find_places(const Connectivity& elements, const Incidence& incidence, std::uint32_t row,
+                 const Seen& seen, Rows& out) {
+  const std::size_t first = out.place.size();
+  for (const std::uint32_t corner : incidence.corners(row)) {
+    const std::size_t e = elements.element_of(corner);
+    for (const std::uint32_t node : elements.element(e).subspan(corner - elements.first_corner(e) + 1))
+      out.place.push_back(seen.place[node]);
+  }
+  out.places.push_back(out.place.size() - first);
+}
 
 }  // namespace
 
-BlockPattern::BlockPattern(const Connectivity& elements) {
+BlockPattern::BlockPattern(const Connectivity& elements)
+    : elements_(elements), incidence_(elements), row_begin_{0}, place_begin_{0} {
   const std::size_t nodes = elements.nodes();
-  std::vector<std::set<std::uint32_t>> neighbours(nodes);
-  for (std::uint32_t i = 0; i < nodes; ++i) neighbours[i].insert(i);
-  for (std::size_t e = 0; e < elements.size(); ++e) {
-    const auto n = elements.element(e);
-    for (std::uint32_t i : n) neighbours[i].insert(n.begin(), n.end());
-  }
-  row_begin_.push_back(0);
-  for (const auto& row : neighbours) {
-    column_.insert(column_.end(), row.begin(), row.end());
-    row_begin_.push_back(column_.size());
-  }
-  const auto find = [&](std::uint32_t i, std::uint32_t j) {
-    const auto first = column_.begin() + static_cast<std::ptrdiff_t>(row_begin_[i]);
-    const auto last = column_.begin() + static_cast<std::ptrdiff_t>(row_begin_[i + 1]);
-    return static_cast<std::size_t>(std::lower_bound(first, last, j) - column_.begin());
-  };
-
-  std::vector<std::vector<std::uint32_t>> sums(column_.size());
-  for (std::size_t e = 0; e < elements.size(); ++e) {
-    const auto n = elements.element(e);
-    for (std::size_t a = 0; a < n.size(); ++a) {
-      for (std::size_t b = a + 1; b < n.size(); ++b) {
-        const std::size_t block = elements.first_block(e) + Connectivity::pair_index(a, b, n.size());
-        sums[find(n[a], n[b])].push_back(static_cast<std::uint32_t>(block));
-      }
+  std::vector<Rows> runs(chunk_count(nodes, rows_found_at_once));
+  tbb::enumerable_thread_specific<Seen> of_thread(nodes);
+  parallel_chunks(nodes, rows_found_at_once, [&](std::size_t first, std::size_t last, std::size_t run) {
+    Seen& seen = of_thread.local();
+    for (std::size_t i = first; i < last; ++i) {
+      find_columns(elements, incidence_, static_cast<std::uint32_t>(i), seen, runs[run]);
+      find_places(elements, incidence_, static_cast<std::uint32_t>(i), seen, runs[run]);
     }
+  });
+  std::vector<std::array<std::size_t, 2>> start;  // of each run, in column_ and in place_
+  for (const Rows& rows : runs) {
+    start.push_back({row_begin_.back(), place_begin_.back()});
+    for (const std::size_t n : rows.columns) row_begin_.push_back(row_begin_.back() + n);
+    for (const std::size_t n : rows.places) place_begin_.push_back(place_begin_.back() + n);
   }
-  term_begin_.push_back(0);
-  for (const auto& sum : sums) {
-    terms_.insert(terms_.end(), sum.begin(), sum.end());
-    term_begin_.push_back(terms_.size());
-  }
+  column_.resize(row_begin_.back());
+  place_.resize(place_begin_.back());
+  parallel_chunks(runs.size(), 1, [&](std::size_t, std::size_t, std::size_t run) {
+    std::copy(runs[run].column.begin(), runs[run].column.end(), column_.data() + start[run][0]);
+    std::copy(runs[run].place.begin(), runs[run].place.end(), place_.data() + start[run][1]);
+  });
+  // Rows ascend, and so do the columns left of a row's diagonal.
+  std::vector<std::size_t> next(row_begin_.begin(), row_begin_.end() - 1);
   mirror_.resize(column_.size());
-  for (std::uint32_t i = 0; i < nodes; ++i) {
-    diagonal_.push_back(find(i, i));
-    for (std::size_t k = begin(i); k < end(i); ++k) mirror_[k] = find(column_[k], i);
+  diagonal_.resize(nodes);
+  for (std::size_t i = 0; i < nodes; ++i) {
+    diagonal_[i] = next[i];
+    for (std::size_t k = diagonal_[i] + 1; k < end(i); ++k) mirror_[k] = next[column_[k]]++;
   }
 }
 
@@ -57,17 +93,24 @@ void BlockPattern::gather(std::span<const Mat3> elements, double scale, std::spa
                           std::span<Mat3> values) const {
   parallel_chunks(rows(), rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i) {
-      for (std::size_t k = diagonal_[i] + 1; k < end(i); ++k) {
-        Mat3 sum = Mat3::Zero();
-        if (!base.empty()) sum = scale * base[k];
-        double* const total = sum.data();
-        for (std::size_t t = term_begin_[k]; t < term_begin_[k + 1]; ++t) {
-          const double* const block = elements[terms_[t]].data();
-          for (int entry = 0; entry < 9; ++entry) total[entry] += block[entry];
-        }
-        values[k] = sum;
-        values[mirror_[k]] = sum.transpose();
+      const std::size_t right = diagonal_[i] + 1;
+      for (std::size_t k = right; k < end(i); ++k) {
+        if (base.empty())
+          values[k].setZero();
+        else
+          values[k] = scale * base[k];
       }
+      const std::uint32_t* place = place_.data() + place_begin_[i];
+      for (const std::uint32_t corner : incidence_.corners(i)) {
+        const std::size_t e = elements_.element_of(corner), n = elements_.element(e).size();
+        const std::size_t own = corner - elements_.first_corner(e);
+        for (std::size_t b = own + 1; b < n; ++b) {
+          const Mat3& block = elements[elements_.first_block(e) + Connectivity::pair_index(own, b, n)];
+          double* const total = values[right + *place++].data();
+          for (int entry = 0; entry < 9; ++entry) total[entry] += block.data()[entry];
+        }
+      }
+      for (std::size_t k = right; k < end(i); ++k) values[mirror_[k]] = values[k].transpose();
     }
   });
   close_rows(values);

@@ -13,6 +13,7 @@ namespace prosector {
 /// stored, so that a product reads rows only and rows may run in parallel.
 class BlockPattern {
  public:
+  /// `elements` must outlive this.
   explicit BlockPattern(const Connectivity& elements);
 
   std::size_t rows() const { return row_begin_.size() - 1; }
@@ -21,6 +22,14 @@ class BlockPattern {
   std::size_t end(std::size_t row) const { return row_begin_[row + 1]; }
   std::uint32_t column(std::size_t block) const { return column_[block]; }
   std::size_t diagonal(std::size_t row) const { return diagonal_[row]; }
+
+  // ---- What is summed into a row right of its diagonal, in order of the elements.
+  const Incidence& incidence() const { return incidence_; }
+  /// Of the corners that meet at the row's node, in order: the places, from 0 right of the diagonal, of the
+  /// nodes after them in their elements.
+  std::span<const std::uint32_t> places(std::size_t row) const {
+    return std::span(place_).subspan(place_begin_[row], place_begin_[row + 1] - place_begin_[row]);
+  }
 
   /// values = scale·base + Σ over the elements' blocks (in the connectivity's order), each sum in order of
   /// the elements: no matter who computes it, its bits are the same. `base` is empty or another matrix of
@@ -34,12 +43,14 @@ class BlockPattern {
  private:
   void close_rows(std::span<Mat3> values) const;
 
+  const Connectivity& elements_;
+  Incidence incidence_;
   std::vector<std::size_t> row_begin_;
   std::vector<std::uint32_t> column_;  // ascending within a row
   std::vector<std::size_t> diagonal_;
-  std::vector<std::size_t> mirror_;      // per block of the upper triangle: its transpose
-  std::vector<std::size_t> term_begin_;  // per block; the lower triangle and the diagonal have none
-  std::vector<std::uint32_t> terms_;     // the element blocks in each sum
+  std::vector<std::size_t> mirror_;  // per block of the upper triangle: its transpose
+  std::vector<std::size_t> place_begin_;
+  std::vector<std::uint32_t> place_;
 };
 
 }  // namespace prosector

@@ -21,9 +21,7 @@ std::vector<Mat3> rest_stiffness(const SoftSystem& system) {
 BodyHessian::BodyHessian(const SoftSystem& system, StageElements& elements)
     : system_(system), elements_(elements), rows_(system.symmetric), diagonal_(system.pattern.rows()) {
   if (!turns() || system.desc.solver == "direct") blocks_.resize(system.pattern.blocks());
-  const std::vector<Mat3> stiffness = prosector::rest_stiffness(system);
-  for (std::size_t i = 0; i < nodes(); ++i) rest_stiffness_ += stiffness[system.pattern.diagonal(i)].trace();
-  rest_stiffness_ /= static_cast<double>(3 * nodes());
+  rest_stiffness_ = system.model.rest_trace() / static_cast<double>(3 * nodes());
   if (system.desc.solver == "direct") cholesky_ = std::make_unique<Cholesky>(system.pattern);
   if (system.desc.solver == "multigrid") make_coarse_levels();
 }

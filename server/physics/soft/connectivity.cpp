@@ -1,5 +1,7 @@
 #include "server/physics/soft/connectivity.h"
 
+#include <algorithm>
+
 #include "server/physics/parallel.h"
 
 namespace prosector {
@@ -13,6 +15,19 @@ void Connectivity::add(std::span<const std::uint32_t> element) {
   corner_.insert(corner_.end(), element.begin(), element.end());
   corner_begin_.push_back(corner_.size());
   block_begin_.push_back(block_begin_.back() + pair_count(element.size()));
+  each_ = size() == 1 || each_ == element.size() ? element.size() : 0;
+}
+
+void Connectivity::reserve(std::size_t elements, std::size_t corners_each) {
+  corner_.reserve(elements * corners_each);
+  corner_begin_.reserve(elements + 1);
+  block_begin_.reserve(elements + 1);
+}
+
+std::size_t Connectivity::find_element(std::size_t corner) const {
+  return static_cast<std::size_t>(std::upper_bound(corner_begin_.begin(), corner_begin_.end(), corner) -
+                                  corner_begin_.begin()) -
+         1;
 }
 
 Incidence::Incidence(const Connectivity& elements) : begin_(elements.nodes() + 1, 0) {

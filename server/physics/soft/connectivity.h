@@ -18,6 +18,8 @@ class Connectivity {
   explicit Connectivity(std::size_t nodes) : nodes_(nodes) {}
   /// `element`: ascending nodes, in range.
   void add(std::span<const std::uint32_t> element);
+  /// Room for so many elements of so many corners each.
+  void reserve(std::size_t elements, std::size_t corners_each);
 
   std::size_t nodes() const { return nodes_; }
   std::size_t size() const { return corner_begin_.size() - 1; }  // elements
@@ -28,6 +30,10 @@ class Connectivity {
   }
   std::size_t first_corner(std::size_t e) const { return corner_begin_[e]; }
   std::size_t first_block(std::size_t e) const { return block_begin_[e]; }
+  std::size_t element_of(std::size_t corner) const {
+    if (each_ == 4) return corner / 4;  // most are linear tetrahedra: no division
+    return each_ > 0 ? corner / each_ : find_element(corner);
+  }
 
   /// Index of the pair a < b of an element of n nodes: (0,1), (0,2), … (n−2,n−1).
   static constexpr std::size_t pair_index(std::size_t a, std::size_t b, std::size_t n) {
@@ -36,9 +42,12 @@ class Connectivity {
   static constexpr std::size_t pair_count(std::size_t n) { return n * (n - 1) / 2; }
 
  private:
+  std::size_t find_element(std::size_t corner) const;
+
   std::size_t nodes_;
   std::vector<std::uint32_t> corner_;
   std::vector<std::size_t> corner_begin_{0}, block_begin_{0};
+  std::size_t each_ = 0;  // corners of each element; 0: they differ
 };
 
 /// Which corners meet at each node, in the order of the elements: sums per-corner data into nodes with the

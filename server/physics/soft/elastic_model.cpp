@@ -7,6 +7,13 @@
 
 namespace prosector {
 
+// Rows sum to zero: a diagonal block is minus the others of its row, and each of those stands in two rows.
+double ElasticModel::rest_trace() {
+  double sum = 0;
+  for (const Mat3& block : warped_stiffness(rest().data())) sum -= 2 * block.trace();
+  return sum;
+}
+
 std::unique_ptr<ElasticModel> make_elastic_model(const SoftDesc& desc, const Anatomy& anatomy) {
   check_rung(desc, anatomy);
   const bool tets = mesh_kind(anatomy) == MeshKind::tets;

@@ -39,6 +39,9 @@ class ElasticModel {
   /// rest, whatever the shape.
   virtual std::span<const Mat3> warped_stiffness(const double* x) = 0;
 
+  /// The trace of all of Hooke's stiffness at rest, N/m: how stiff the body is.
+  virtual double rest_trace();
+
   /// Whether tangent and warped stiffness can be had as turned elements, at a fraction of the cost.
   virtual bool turns() const { return false; }
   /// As they are at x, their twists with `share` = 1/(s + 1); and what energy and gradient need at x, in the

@@ -8,6 +8,8 @@
 namespace prosector {
 namespace {
 
+constexpr std::size_t batches_per_chunk = 16;
+
 void set_lane(LaneMatrix& m, std::size_t lane, const Mat3& A) {
   for (std::size_t k = 0; k < 9; ++k) m.at[k][lane] = A.data()[k];
 }
@@ -19,17 +21,39 @@ ElementBatches::ElementBatches(const Materials& materials, const Tet4Elements& e
       elements_(elements),
       rest_(chunk_count(elements.size(), elements_per_batch)),
       strain_(rest_.size()) {
-  for (std::size_t batch = 0; batch < rest_.size(); ++batch) {
+  parallel_chunks(rest_.size(), batches_per_chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t batch = begin; batch < end; ++batch) set_rest(batch);
+  });
+}
+
+void ElementBatches::set_rest(std::size_t batch) {
+  for (std::size_t lane = 0; lane < elements_per_batch; ++lane) {
+    const bool used = lane < count(batch);
+    const std::size_t e = first(batch) + lane;
+    set_lane(rest_[batch].gradients, lane, used ? elements_.gradients(e) : Mat3::Identity());
+    rest_[batch].volume[lane] = used ? elements_.volume(e) : 0;
+    const Lame& lame = used ? materials_.of(e).lame : materials_.kinds.front().lame;
+    rest_[batch].lambda[lane] = lame.lambda;
+    rest_[batch].mu[lane] = lame.mu;
+  }
+}
+
+// tr K_aa = V(λ + 4μ)|b_a|².
+double ElementBatches::hooke_trace() const {
+  double sum = 0;
+  for (const LaneRest& rest : rest_) {
     for (std::size_t lane = 0; lane < elements_per_batch; ++lane) {
-      const bool used = lane < count(batch);
-      const std::size_t e = first(batch) + lane;
-      set_lane(rest_[batch].gradients, lane, used ? elements.gradients(e) : Mat3::Identity());
-      rest_[batch].volume[lane] = used ? elements.volume(e) : 0;
-      const Lame& lame = used ? materials.of(e).lame : materials.kinds.front().lame;
-      rest_[batch].lambda[lane] = lame.lambda;
-      rest_[batch].mu[lane] = lame.mu;
+      double squares = 0, own[3] = {0, 0, 0};
+      for (std::size_t k = 0; k < 9; ++k) {
+        const double entry = rest.gradients.at[k][lane];
+        squares += entry * entry;
+        own[k % 3] += entry;
+      }
+      squares += own[0] * own[0] + own[1] * own[1] + own[2] * own[2];
+      sum += rest.volume[lane] * (rest.lambda[lane] + 4 * rest.mu[lane]) * squares;
     }
   }
+  return sum;
 }
 
 void ElementBatches::set_pressures(std::size_t batch, std::span<const double> pressure) {

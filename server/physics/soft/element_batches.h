@@ -47,6 +47,9 @@ class ElementBatches {
   virtual void turn(std::size_t /*batch*/, double /*share*/, std::span<TurnedVector> /*gradients*/,
                     std::span<Twist> /*twists*/) const {}
 
+  /// The trace of Hooke's stiffness at rest, N/m, all batches; without fibres.
+  double hooke_trace() const;
+
  protected:
   std::size_t first(std::size_t batch) const { return batch * elements_per_batch; }
   std::size_t count(std::size_t batch) const;
@@ -57,6 +60,9 @@ class ElementBatches {
   const Tet4Elements& elements_;
   std::vector<LaneRest> rest_;
   std::vector<LaneStrain> strain_;
+
+ private:
+  void set_rest(std::size_t batch);
 };
 
 /// From a law, one for each material; `elements` must outlive the result.

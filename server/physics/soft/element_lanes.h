@@ -21,6 +21,7 @@ struct LaneRest {
 
 /// F = R·S, see polar.h; and the pressure from outside.
 struct LaneStrain {
+  LaneStrain() {}  // NOLINT: F and R are anything until set
   LaneMatrix F, R;
   alignas(64) double pressure[elements_per_batch] = {};  // Pa
 };

@@ -190,7 +190,8 @@ bool SoftBody::attached() const {
 }
 
 bool SoftBody::falls() const {
-  return impl_->desc.gravity || !impl_->tied;
+  const bool cut_loose = !impl_->desc.attach.empty() && impl_->ties.isZero();
+  return impl_->desc.gravity || !impl_->tied || cut_loose;
 }
 
 std::uint64_t SoftBody::content_hash() const {

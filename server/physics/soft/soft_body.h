@@ -58,7 +58,7 @@ class SoftBody {
   void set_in_force(double stiffness, bool attached);
   bool attached() const;  // whether something holds it now
   /// Whether gravity acts: on what was imaged under its weight (gravity = false) only once it is taken out of
-  /// its place, where nothing carries it any more.
+  /// its place, or all that tied it there was cut off it, where nothing carries it any more.
   bool falls() const;
 
   // ---- One step. Caches (matrix, element batches) are members; nothing allocates after the constructor,

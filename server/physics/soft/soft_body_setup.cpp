@@ -8,8 +8,12 @@
 
 namespace prosector {
 
+void refuse(const SoftDesc& desc, const std::string& what) {
+  throw InputError(fmt::format("soft body \"{}\": {}", desc.name, what));
+}
+
 void require(bool ok, const SoftDesc& desc, const std::string& what) {
-  if (!ok) throw InputError(fmt::format("soft body \"{}\": {}", desc.name, what));
+  if (!ok) refuse(desc, what);
 }
 
 void check_constants(const SoftDesc& desc) {
@@ -33,35 +37,28 @@ void check_mesh(const SoftDesc& desc, const Anatomy& anatomy) {
   const std::size_t n = anatomy.tets.positions.size();
   require(!anatomy.tets.tets.empty() || !anatomy.quads.empty() || !anatomy.segments.empty(), desc,
           "its mesh has no tetrahedra, and no cells of a sheet or pieces of a rope; at least one is needed");
-  for (std::size_t i = 0; i < n; ++i) {
-    require(is_finite(anatomy.tets.positions[i]), desc, fmt::format("node {} is not finite", i));
-  }
-  for (std::size_t e = 0; e < anatomy.tets.tets.size(); ++e) {
-    for (std::uint32_t node : anatomy.tets.tets[e]) {
-      require(node < n, desc, fmt::format("tetrahedron {} names node {}; there are {}", e, node, n));
-    }
-  }
+  for (std::size_t i = 0; i < n; ++i)
+    if (!is_finite(anatomy.tets.positions[i])) refuse(desc, fmt::format("node {} is not finite", i));
+  for (std::size_t e = 0; e < anatomy.tets.tets.size(); ++e)
+    for (std::uint32_t node : anatomy.tets.tets[e])
+      if (node >= n) refuse(desc, fmt::format("tetrahedron {} names node {}; there are {}", e, node, n));
   for (const auto& quad : anatomy.quads)
     for (std::uint32_t node : quad)
-      require(node < n, desc, fmt::format("a sheet's cell names node {}; there are {}", node, n));
+      if (node >= n) refuse(desc, fmt::format("a sheet's cell names node {}; there are {}", node, n));
   for (const auto& segment : anatomy.segments)
     for (std::uint32_t node : segment)
-      require(node < n, desc, fmt::format("a rope's piece names node {}; there are {}", node, n));
+      if (node >= n) refuse(desc, fmt::format("a rope's piece names node {}; there are {}", node, n));
   const std::size_t vertices = anatomy.surface.positions.size();
   require(anatomy.embedding.rows.size() == vertices, desc,
           fmt::format("{} surface vertices but {} rows that embed them", vertices,
                       anatomy.embedding.rows.size()));
-  for (const auto& row : anatomy.embedding.rows) {
-    for (std::uint32_t node : row.node) {
-      require(node < n, desc, fmt::format("its surface is tied to node {}; there are {}", node, n));
-    }
-  }
-  for (const auto& triangle : anatomy.surface.triangles) {
-    for (std::uint32_t vertex : triangle) {
-      require(vertex < vertices, desc,
-              fmt::format("a surface triangle names vertex {}; there are {}", vertex, vertices));
-    }
-  }
+  for (const auto& row : anatomy.embedding.rows)
+    for (std::uint32_t node : row.node)
+      if (node >= n) refuse(desc, fmt::format("its surface is tied to node {}; there are {}", node, n));
+  for (const auto& triangle : anatomy.surface.triangles)
+    for (std::uint32_t vertex : triangle)
+      if (vertex >= vertices)
+        refuse(desc, fmt::format("a surface triangle names vertex {}; there are {}", vertex, vertices));
 }
 
 VecX attachment_stiffness(const std::vector<AttachDesc>& attach, const VecX& rest, const VecX& volume) {

@@ -9,6 +9,7 @@
 namespace prosector {
 
 /// Each throws InputError that names the body, what is wrong and what is allowed.
+[[noreturn]] void refuse(const SoftDesc& desc, const std::string& what);
 void require(bool ok, const SoftDesc& desc, const std::string& what);
 void check_constants(const SoftDesc& desc);
 void check_mesh(const SoftDesc& desc, const Anatomy& anatomy);

@@ -11,7 +11,7 @@ constexpr double same_tangent = 0.1;
 }  // namespace
 
 StageElements::StageElements(const SoftSystem& system, bool in_double) : system_(system) {
-  if (system.model.turns()) turned_.emplace(system.model.connectivity(), system.symmetric);
+  if (system.model.turns()) turned_.emplace(system.model.connectivity(), system.pattern, system.symmetric);
   if (in_double && system.damped()) blocks_.resize(system.pattern.blocks());
   for (Linearised* place : {&first_, &later_}) place->at = VecX::Zero(system.model.rest().size());
 }

@@ -10,19 +10,18 @@ constexpr std::size_t rows_per_chunk = 256;
 }  // namespace
 
 SymmetricPattern::SymmetricPattern(const BlockPattern& pattern) : begin_{0}, mirrored_begin_{0} {
-  std::vector<std::vector<MirroredBlock>> left(pattern.rows());
+  column_.reserve(pattern.blocks() / 2);
   for (std::size_t i = 0; i < pattern.rows(); ++i) {
-    for (std::size_t k = pattern.diagonal(i) + 1; k < pattern.end(i); ++k) {
-      const std::uint32_t j = pattern.column(k);
-      left[j].push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(column_.size())});
-      column_.push_back(j);
-    }
+    for (std::size_t k = pattern.diagonal(i) + 1; k < pattern.end(i); ++k)
+      column_.push_back(pattern.column(k));
     begin_.push_back(column_.size());
+    mirrored_begin_.push_back(mirrored_begin_.back() + pattern.diagonal(i) - pattern.begin(i));
   }
-  for (const auto& row : left) {
-    mirrored_.insert(mirrored_.end(), row.begin(), row.end());
-    mirrored_begin_.push_back(mirrored_.size());
-  }
+  mirrored_.resize(column_.size());
+  std::vector<std::size_t> next(mirrored_begin_.begin(), mirrored_begin_.end() - 1);
+  for (std::size_t i = 0; i < rows(); ++i)
+    for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
+      mirrored_[next[column_[k]]++] = {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k)};
 }
 
 void SymmetricRows::set(const SymmetricPattern& own, const BlockPattern& pattern, double share,

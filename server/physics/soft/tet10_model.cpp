@@ -40,9 +40,7 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
             elements_per_chunk),
         corners_(12 * points.size()),
         point_forces_(points.size()),
-        point_stiffness_(points.size()),
-        forces_(nodes * elements.size()),
-        stiffness_(pairs * elements.size()) {
+        forces_(nodes * elements.size()) {
     if (materials.mean.empty()) return;
     for (std::size_t e = 0; e < elements.size(); ++e) {
       const std::size_t kind = materials.local.kind_of(elements.point_source()[per_element * e]);
@@ -82,6 +80,10 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
   }
   std::span<const Vec3> forces() const override { return forces_; }
 
+  void reserve_stiffness() override {
+    point_stiffness_.resize(points.size());
+    stiffness_.resize(pairs * elements.size());
+  }
   void find_stiffness(const ElementChunk& chunk, bool warped) override {
     const auto K = std::span(point_stiffness_).subspan(per_element * chunk.first, per_element * chunk.size());
     if (warped)

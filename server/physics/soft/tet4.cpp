@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "server/physics/parallel.h"
+
 namespace prosector {
 namespace {
+
+constexpr std::size_t tets_per_chunk = 512;
 
 /// Edges from node 0 as columns.
 Mat3 rest_edges(const TetMesh& mesh, const Tet4Elements::Nodes& tet) {
@@ -25,24 +29,41 @@ double longest_edge(const Mat3& D) {
 
 }  // namespace
 
-Tet4Elements::Tet4Elements(const TetMesh& mesh, double share) {
-  nodes_.reserve(mesh.tets.size());
-  gradients_.reserve(mesh.tets.size());
-  volume_.reserve(mesh.tets.size());
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    Nodes tet = mesh.tets[t];
-    std::sort(tet.begin(), tet.end());
-    const Mat3 D = rest_edges(mesh, tet);
-    const double six_volumes = std::abs(D.determinant()), length = longest_edge(D);
-    if (!(six_volumes > least_quality * length * length * length)) {
-      ++dropped_;
-      continue;
+Tet4Elements::Tet4Elements(const TetMesh& mesh, double share)
+    : nodes_(mesh.tets.size()),
+      source_(mesh.tets.size()),
+      gradients_(mesh.tets.size()),
+      volume_(mesh.tets.size()) {
+  parallel_chunks(mesh.tets.size(), tets_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t t = first; t < last; ++t) {
+      nodes_[t] = mesh.tets[t];
+      source_[t] = static_cast<std::uint32_t>(t);
+      std::sort(nodes_[t].begin(), nodes_[t].end());
+      const Mat3 D = rest_edges(mesh, nodes_[t]);
+      const double six_volumes = std::abs(D.determinant()), length = longest_edge(D);
+      const bool usable = six_volumes > least_quality * length * length * length;
+      volume_[t] = usable ? share * (six_volumes / 6) : 0;
+      gradients_[t] = usable ? Mat3(D.inverse().transpose()) : Mat3(Mat3::Zero());
     }
-    nodes_.push_back(tet);
-    source_.push_back(static_cast<std::uint32_t>(t));
-    gradients_.push_back(D.inverse().transpose());
-    volume_.push_back(share * (six_volumes / 6));
+  });
+  drop_unusable();
+}
+
+/// Those without a volume.
+void Tet4Elements::drop_unusable() {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < volume_.size(); ++t) {
+    if (volume_[t] == 0) continue;
+    nodes_[kept] = nodes_[t];
+    source_[kept] = source_[t];
+    gradients_[kept] = gradients_[t];
+    volume_[kept++] = volume_[t];
   }
+  dropped_ = volume_.size() - kept;
+  nodes_.resize(kept);
+  source_.resize(kept);
+  gradients_.resize(kept);
+  volume_.resize(kept);
 }
 
 Mat3 Tet4Elements::edges(std::size_t e, const double* x) const {
@@ -81,11 +102,14 @@ void Tet4Elements::stiffness(std::size_t e, const Mat9& dPdF, Stiffness& K) cons
 }
 
 VecX Tet4Elements::lumped_volume(const TetMesh& mesh) {
+  std::vector<double> share(mesh.tets.size());
+  parallel_chunks(mesh.tets.size(), tets_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t t = first; t < last; ++t)
+      share[t] = std::abs(rest_edges(mesh, mesh.tets[t]).determinant()) / 24;
+  });
   VecX volume = VecX::Zero(static_cast<Eigen::Index>(mesh.positions.size()));
-  for (const Nodes& tet : mesh.tets) {
-    const double share = std::abs(rest_edges(mesh, tet).determinant()) / 24;
-    for (std::uint32_t node : tet) volume[node] += share;
-  }
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    for (std::uint32_t node : mesh.tets[t]) volume[node] += share[t];
   return volume;
 }
 

@@ -54,6 +54,8 @@ class Tet4Elements {
   static constexpr double least_quality = 1e-4;
 
  private:
+  void drop_unusable();
+
   std::vector<Nodes> nodes_;
   std::vector<std::uint32_t> source_;
   std::vector<Mat3> gradients_;

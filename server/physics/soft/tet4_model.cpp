@@ -12,6 +12,7 @@ using Stiffness = Tet4Elements::Stiffness;
 
 Connectivity connect(const TetMesh& mesh, const Tet4Elements& elements) {
   Connectivity out(mesh.positions.size());
+  out.reserve(elements.size(), Tet4Elements::nodes_per_element);
   for (std::size_t e = 0; e < elements.size(); ++e) out.add(elements.nodes(e));
   return out;
 }
@@ -36,11 +37,11 @@ class Tet4Model final : private Tet4Parts, public BatchedModel {
       : Tet4Parts{Tet4Elements(mesh)},
         BatchedModel(mesh, connect(mesh, elements), make(elements), elements_per_batch),
         volume_(Tet4Elements::lumped_volume(mesh)),
-        forces_(elements.size()),
-        stiffness_(elements.size()) {}
+        forces_(elements.size()) {}
 
   const VecX& volume() const override { return volume_; }
   std::size_t dropped_elements() const override { return elements.dropped(); }
+  double rest_trace() override { return turns() ? batches().hooke_trace() : ElasticModel::rest_trace(); }
 
  private:
   void place(const ElementChunk& chunk, const double* x) override { batches().move(chunk.batch, x); }
@@ -49,6 +50,7 @@ class Tet4Model final : private Tet4Parts, public BatchedModel {
     batches().forces(chunk.batch, std::span(forces_).subspan(chunk.first, chunk.size()));
   }
   std::span<const Vec3> forces() const override { return flat(forces_); }
+  void reserve_stiffness() override { stiffness_.resize(elements.size()); }
   void find_stiffness(const ElementChunk& chunk, bool warped) override {
     const std::span<Stiffness> K = std::span(stiffness_).subspan(chunk.first, chunk.size());
     if (warped)

@@ -48,8 +48,8 @@ HWY_INLINE void sum_row(const TurnedRows& rows, std::size_t i, std::size_t base,
                         float* sums) {
   std::fill_n(sums, floats_per_sum * count, 0.f);
   const TurnedElements& elements = rows.elements;
-  const std::uint32_t* slot = rows.slots.data() + rows.begin[i];
-  for (const std::uint32_t corner : rows.incidence.corners(i)) {
+  const std::uint32_t* slot = rows.blocks.places(i).data();
+  for (const std::uint32_t corner : rows.blocks.incidence().corners(i)) {
     const std::size_t own = corner % corners, e = corner / corners;
     if (own + 1 == corners) continue;
     const TurnedVector* r = elements.gradient.data() + points * corners * e;
@@ -207,28 +207,17 @@ HWY_EXPORT(quadratic_rows);
 HWY_EXPORT(linear_products);
 HWY_EXPORT(quadratic_products);
 
-TurnedStiffness::TurnedStiffness(const Connectivity& elements, const SymmetricPattern& pattern)
+TurnedStiffness::TurnedStiffness(const Connectivity& elements, const BlockPattern& blocks,
+                                 const SymmetricPattern& pattern)
     : connectivity_(elements),
+      blocks_(blocks),
       pattern_(pattern),
-      incidence_(elements),
-      begin_{0},
       forces_(elements.corners()),
       moved_(4 * elements.nodes()),
-      sums_(chunk_count(elements.size(), elements_per_chunk)) {
-  for (std::size_t i = 0; i < pattern.rows(); ++i) {
-    const auto right = pattern.right(i);
-    for (std::uint32_t corner : incidence_.corners(i)) {
-      const auto nodes = elements.element(corner / corners());
-      for (std::uint32_t j : nodes.subspan(corner % corners() + 1))
-        slots_.push_back(
-            static_cast<std::uint32_t>(std::lower_bound(right.begin(), right.end(), j) - right.begin()));
-    }
-    begin_.push_back(slots_.size());
-  }
-}
+      sums_(chunk_count(elements.size(), elements_per_chunk)) {}
 
 void TurnedStiffness::assemble(const TurnedElements& elements, SymmetricRows& K) const {
-  const TurnedRows rows = {pattern_, incidence_, begin_, slots_, elements};
+  const TurnedRows rows = {blocks_, pattern_, elements};
   parallel_chunks(pattern_.rows(), rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     if (corners() == 4) {
       HWY_DYNAMIC_DISPATCH(linear_rows)(rows, first, last, K.right.data());
@@ -246,7 +235,7 @@ double TurnedStiffness::energy(const TurnedElements& elements, const double* u) 
 double TurnedStiffness::multiply(const TurnedElements& elements, const double* u, double* f) {
   const double energy = visit(elements, u, forces_.data());
   std::fill_n(f, 3 * connectivity_.nodes(), 0.0);
-  incidence_.add(forces_, f);
+  blocks_.incidence().add(forces_, f);
   return energy;
 }
 

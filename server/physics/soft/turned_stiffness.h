@@ -9,17 +9,15 @@ namespace prosector {
 
 /// For the kernel: rows, what meets there, and what to sum.
 struct TurnedRows {
+  const BlockPattern& blocks;
   const SymmetricPattern& pattern;
-  const Incidence& incidence;
-  const std::vector<std::size_t>& begin;
-  const std::vector<std::uint32_t>& slots;
   const TurnedElements& elements;
 };
 
 class TurnedStiffness {
  public:
-  /// Of elements with 4 corners and one point or with 10 and four. Both must outlive this.
-  TurnedStiffness(const Connectivity& elements, const SymmetricPattern& pattern);
+  /// Of elements with 4 corners and one point or with 10 and four. All must outlive this.
+  TurnedStiffness(const Connectivity& elements, const BlockPattern& blocks, const SymmetricPattern& pattern);
 
   /// With the elements' twists. Each row by itself, its elements in their order: equal bits for any number
   /// of threads.
@@ -37,12 +35,8 @@ class TurnedStiffness {
   std::size_t corners() const { return connectivity_.element(0).size(); }
 
   const Connectivity& connectivity_;
+  const BlockPattern& blocks_;
   const SymmetricPattern& pattern_;
-  Incidence incidence_;
-  // Of the corners that meet at a node, in order: the places, right of the diagonal, of the corners after
-  // them.
-  std::vector<std::size_t> begin_;
-  std::vector<std::uint32_t> slots_;
   std::vector<Vec3> forces_;   // by corner
   std::vector<double> moved_;  // u, four a node
   std::vector<double> sums_;   // one a chunk
