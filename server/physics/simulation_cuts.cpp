@@ -1,6 +1,7 @@
 // Last phase: what blades cut, and what is undone. Pieces that come free become bodies.
 
 #include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <limits>
@@ -96,8 +97,10 @@ void Simulation::Impl::obey(const CutEvent& event) {
     answer = "there is no cut of yours to undo";
     return;
   }
+  const Organ::Mark before = last->mark();
   answer = last->undo(event.participant);
-  if (answer.empty()) remake(*last, TopologyCause::undo, event.participant);
+  if (answer.empty())
+    answer = carry_through(last->pieces().front().body, before, TopologyCause::undo, event.participant);
 }
 
 /// The solver of a piece: named after the organ, and of its material.
@@ -111,7 +114,7 @@ std::unique_ptr<SoftBody> Simulation::Impl::make_piece(const Organ& organ, std::
 
 /// Puts a solver in the place of the body's, or at the end, where the body is new.
 void Simulation::Impl::place_piece(std::size_t body, std::size_t first, std::unique_ptr<SoftBody> solver,
-                                   Numbering numbering) {
+                                   Numbering numbering, SurfaceDetector surface) {
   if (body == model.soft.size()) {
     model.soft.push_back(std::move(solver));
     model.soft_collision.push_back(model.soft_collision[first]);
@@ -123,59 +126,111 @@ void Simulation::Impl::place_piece(std::size_t body, std::size_t first, std::uni
   }
   soft[body] = model.soft[body]->initial_state();
   equilibrium[body] = soft[body].motion.x;
-  fit_to_mesh(body);
+  fit_to_mesh(body, std::move(surface));
   numberings[body] = std::move(numbering);
 }
 
-/// Makes bodies of the pieces that an organ's change left or made, moving as what was there moved.
+/// A body in the making.
+struct Simulation::Impl::NewPiece {
+  std::size_t body = 0;
+  bool whole = true;  // else it was joined to another
+  std::unique_ptr<SoftBody> solver;
+  Numbering numbering;
+  std::optional<SurfaceDetector> surface;
+  std::uint64_t content_hash = 0;
+  Motion motion;  // of a whole one: as what was there moved
+  VecX equilibrium;
+};
+
+/// Of the pieces that an organ's change left or made. Changes nothing: what can fail fails here.
+std::vector<Simulation::Impl::NewPiece> Simulation::Impl::make_pieces(const Organ& organ,
+                                                                      const Organ::Regrouped& changed) const {
+  std::vector<NewPiece> out;
+  for (const std::size_t body : changed.bodies) {
+    NewPiece& made = out.emplace_back();
+    const OrganPiece& piece = organ.piece(body);
+    made.body = body;
+    made.whole = piece.whole();
+    tbb::parallel_invoke([&] { made.solver = make_piece(organ, body, made.numbering); },
+                         [&] {
+                           if (made.whole) carry_motion(organ, changed.before, piece, made);
+                         });
+    tbb::parallel_invoke([&] { made.surface.emplace(detector(*made.solver)); },
+                         [&] { made.content_hash = made.solver->content_hash(); });
+  }
+  return out;
+}
+
+/// Where its nodes are and how they move: as what was there did.
+void Simulation::Impl::carry_motion(const Organ& organ, std::span<const OrganPiece> before,
+                                    const OrganPiece& piece, NewPiece& made) const {
+  std::vector<const PieceMesh*> meshes;
+  for (const OrganPiece& old : before) meshes.push_back(&old.mesh);
+  const bool quadratic = model.soft[before.front().body]->desc().element == "tet10";
+  const NodeTransfer transfer(organ.complex(), meshes, piece.mesh, quadratic);
+  const auto carried = [&](const auto& field) {
+    std::vector<const VecX*> fields;
+    for (const OrganPiece& old : before) fields.push_back(&field(old.body));
+    return transfer(fields);
+  };
+  for (VecX Motion::*field : {&Motion::x, &Motion::v, &Motion::x_prev, &Motion::v_prev})
+    made.motion.*field = carried([&](std::size_t body) -> const VecX& { return soft[body].motion.*field; });
+  made.equilibrium = carried([&](std::size_t body) -> const VecX& { return equilibrium[body]; });
+}
+
+/// Puts a piece in the place of the body that had its index, if any.
+void Simulation::Impl::place(NewPiece piece, std::size_t first, TopologyCause cause, ParticipantId author) {
+  const std::size_t body = piece.body;
+  const bool is_new = body == model.soft.size();
+  place_piece(body, first, std::move(piece.solver), std::move(piece.numbering), std::move(*piece.surface));
+  memories[body].clear();
+  if (!is_new) ++revisions[body];
+  Part& part = parts[soft_id(body)];
+  if (piece.whole) {
+    soft[body].motion = std::move(piece.motion);
+    equilibrium[body] = std::move(piece.equilibrium);
+    soft[body].asleep = false;
+    // A piece that nothing ties to its place any more is out of it.
+    if (body != first && model.soft[body]->attachment_stiffness().isZero()) part.attached = false;
+  } else {
+    part.hidden = true;
+  }
+  take_effect(world, soft_id(body));
+  place_surface(body);
+  TopologyChange& change = report.topology.emplace_back();
+  change.body = soft_id(body);
+  change.revision = revisions[body];
+  change.content_hash = piece.content_hash;
+  change.cause = cause;
+  change.author = author;
+  if (is_new) change.piece_of = soft_id(first);
+}
+
+/// Makes bodies of the pieces that an organ's change left or made.
 void Simulation::Impl::remake(Organ& organ, TopologyCause cause, ParticipantId author) {
   const std::size_t first = organ.pieces().front().body;
   const Organ::Regrouped changed = organ.regroup(model.soft.size());
-  std::vector<const PieceMesh*> meshes;
-  std::vector<SoftBodyState> states;
-  std::vector<VecX> rests;
-  for (const OrganPiece& piece : changed.before) {
-    meshes.push_back(&piece.mesh);
-    states.push_back(soft[piece.body]);
-    rests.push_back(equilibrium[piece.body]);
-  }
-  for (const std::size_t body : changed.bodies) {
-    const bool is_new = body == model.soft.size();
-    const OrganPiece& piece = organ.piece(body);
-    Numbering numbering;
-    std::unique_ptr<SoftBody> solver = make_piece(organ, body, numbering);
-    place_piece(body, first, std::move(solver), std::move(numbering));
-    memories[body].clear();
-    if (!is_new) ++revisions[body];
-    Part& part = parts[soft_id(body)];
-    if (piece.whole()) {
-      const NodeTransfer transfer(organ.complex(), meshes, piece.mesh,
-                                  model.soft[body]->desc().element == "tet10");
-      for (VecX Motion::*field : {&Motion::x, &Motion::v, &Motion::x_prev, &Motion::v_prev}) {
-        std::vector<const VecX*> fields;
-        for (const SoftBodyState& state : states) fields.push_back(&(state.motion.*field));
-        soft[body].motion.*field = transfer(fields);
-      }
-      std::vector<const VecX*> fields;
-      for (const VecX& rest : rests) fields.push_back(&rest);
-      equilibrium[body] = transfer(fields);
-      soft[body].asleep = false;
-      // A piece that nothing ties to its place any more is out of it.
-      if (body != first && model.soft[body]->attachment_stiffness().isZero()) part.attached = false;
-    } else {
-      part.hidden = true;
-    }
-    take_effect(world, soft_id(body));
-    place_surface(body);
-    TopologyChange& change = report.topology.emplace_back();
-    change.body = soft_id(body);
-    change.revision = revisions[body];
-    change.content_hash = model.soft[body]->content_hash();
-    change.cause = cause;
-    change.author = author;
-    if (is_new) change.piece_of = soft_id(first);
-  }
+  for (NewPiece& piece : make_pieces(organ, changed)) place(std::move(piece), first, cause, author);
   keep_holds(changed.bodies);
+}
+
+/// The same, but leaves everything as it was before the change where that can't be. Empty when done, else why
+/// not.
+std::string Simulation::Impl::carry_through(std::size_t first, const Organ::Mark& before, TopologyCause cause,
+                                            ParticipantId author) {
+  Organ& organ = organs.at(first);
+  try {
+    remake(organ, cause, author);
+    return {};
+  } catch (const std::exception& error) {
+    for (Blade& blade : blades)
+      std::erase_if(blade.strokes, [&](const auto& stroke) { return stroke.first.first == first; });
+    if (before.changes == 0)
+      organs.erase(first);
+    else
+      organ.back_to(before, model.soft.size());
+    return error.what();
+  }
 }
 
 /// Hands go on holding what is nearest to where they held it.
@@ -220,6 +275,8 @@ void Simulation::Impl::cut_soft_bodies(const TickInput& input) {
   organ_positions.clear();
   cut_figures = {};
   const std::uint64_t before = log_length();
+  std::map<std::size_t, Organ::Mark> marks;  // of organs, before they were cut
+  for (const auto& [first, organ] : organs) marks[first] = organ.mark();
   std::map<std::size_t, ParticipantId> cut;  // organ → whose cut
   for (Blade& blade : blades) {
     std::map<std::size_t, std::size_t> lengths;
@@ -228,7 +285,13 @@ void Simulation::Impl::cut_soft_bodies(const TickInput& input) {
     for (const auto& [first, organ] : organs)
       if (organ.log().size() > lengths[first]) cut[first] = blade.holder;
   }
-  for (const auto& [first, author] : cut) remake(organs.at(first), TopologyCause::cut, author);
+  for (const auto& [first, author] : cut)
+    if (const std::string failed = carry_through(first, marks[first], TopologyCause::cut, author);
+        !failed.empty()) {
+      BodyReport& row = report.bodies.emplace_back();
+      row.body = model.soft[first]->desc().name;
+      row.note = fmt::format("the cut was taken back: {}", failed);
+    }
   for (const CutEvent& event : input.cuts) obey(event);
   if (log_length() > before) report_cuts();
 }

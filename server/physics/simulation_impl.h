@@ -84,7 +84,7 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<SurfaceDetector> surfaces;
   std::vector<std::optional<RoughShape>> rough;       // per soft body: of those that collide as simple shapes
   std::vector<std::optional<RigidOutline>> outlines;  // for these: per rigid body, then of each hand
-  std::vector<std::optional<TriangleSurface>> faces;  // per soft body; none: a rope's
+  std::vector<std::optional<TriangleSurface>> faces;  // per soft body: see faces_of
   std::vector<char> faces_moved;                      // per soft body: they are where its surface is
   std::vector<std::vector<Contact>> soft_contacts;    // per soft body: with rigid ones
   BroadPhase soft_boxes;                              // of soft bodies that collide, by index
@@ -193,9 +193,16 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<Vec3> node_positions(const Organ& organ) const;
   void obey(const CutEvent& event);
   std::unique_ptr<SoftBody> make_piece(const Organ& organ, std::size_t body, Numbering& numbering) const;
-  void place_piece(std::size_t body, std::size_t first, std::unique_ptr<SoftBody> solver,
-                   Numbering numbering);
+  void place_piece(std::size_t body, std::size_t first, std::unique_ptr<SoftBody> solver, Numbering numbering,
+                   SurfaceDetector surface);
+  struct NewPiece;
+  std::vector<NewPiece> make_pieces(const Organ& organ, const Organ::Regrouped& changed) const;
+  void carry_motion(const Organ& organ, std::span<const OrganPiece> before, const OrganPiece& piece,
+                    NewPiece& made) const;  // part of it
+  void place(NewPiece piece, std::size_t first, TopologyCause cause, ParticipantId author);
   void remake(Organ& organ, TopologyCause cause, ParticipantId author);
+  std::string carry_through(std::size_t first, const Organ::Mark& before, TopologyCause cause,
+                            ParticipantId author);
   void keep_holds(const std::vector<std::size_t>& bodies);
   std::string rewind(const CutEvent& event);
   void go_back(const CutEvent& event);                                                         // part of it
@@ -228,10 +235,12 @@ struct Simulation::Impl : PanelSubjects {
   bool may_meet(std::size_t body, const Collider& collider) const;
   bool may_meet(std::size_t a, std::size_t b) const;  // two soft ones
   bool woken_by_soft(std::size_t body);
-  /// Makes everything that hangs on the body's mesh, in place of what there was; the body may be new.
-  void fit_to_mesh(std::size_t body);
-  void track_soft_bodies();             // to where they are, and may be within the tick
-  Aabb box_of(std::size_t body) const;  // of a soft one, likewise
+  static SurfaceDetector detector(const SoftBody& body);
+  /// Puts everything that hangs on the body's mesh in place of what there was; the body may be new.
+  void fit_to_mesh(std::size_t body, SurfaceDetector surface);
+  const TriangleSurface* faces_of(std::size_t body);  // null: a rope's
+  void track_soft_bodies();                           // to where they are, and may be within the tick
+  Aabb box_of(std::size_t body) const;                // of a soft one, likewise
   SoftSkin skin(std::size_t body);
   double reach_of(std::size_t body) const;        // m: how far its nodes move within the tick
   double inner_reach_of(std::size_t body) const;  // m: likewise, less what they have in common

@@ -53,8 +53,8 @@ void Simulation::Impl::fit_layers(std::size_t body) {
     return i == j ? a.with_itself : may_touch(a.mask, b.mask);
   };
   const Anatomy& anatomy = model.soft[body]->anatomy();
-  if (model.soft_collision[body].with_itself && !is_thin(body) && faces[body]) {
-    const bool closed = faces[body]->topology().closed();
+  if (model.soft_collision[body].with_itself && !is_thin(body) && faces_of(body)) {
+    const bool closed = faces_of(body)->topology().closed();
     if (!closed && organs.empty())
       throw InputError(
           fmt::format("[[soft]] \"{}\": self_contact needs a surface without holes, that has an inside",

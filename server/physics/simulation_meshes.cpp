@@ -1,12 +1,16 @@
 // What hangs on a soft body's mesh: made when the scene is compiled, and anew where a cut changes the mesh.
+// The tree of its faces, which few ask for, when it is asked for: from the rest shape, so it doesn't matter
+// when.
 
 #include "server/physics/simulation_impl.h"
 
 namespace prosector {
 
-void Simulation::Impl::fit_to_mesh(std::size_t body) {
-  const Anatomy& anatomy = model.soft[body]->anatomy();
-  SurfaceDetector surface(anatomy.embedding, anatomy.surface);
+SurfaceDetector Simulation::Impl::detector(const SoftBody& body) {
+  return SurfaceDetector(body.anatomy().embedding, body.anatomy().surface);
+}
+
+void Simulation::Impl::fit_to_mesh(std::size_t body, SurfaceDetector surface) {
   if (body == surfaces.size()) {
     surfaces.push_back(std::move(surface));
     faces.emplace_back();
@@ -27,10 +31,16 @@ void Simulation::Impl::fit_to_mesh(std::size_t body) {
     stored[body].reset();
   }
   faces[body].reset();
-  if (!anatomy.surface.triangles.empty()) faces[body].emplace(anatomy.surface);
   fit_rough_shape(body);
   fit_layers(body);
   place_surface(body);
+}
+
+const TriangleSurface* Simulation::Impl::faces_of(std::size_t body) {
+  std::optional<TriangleSurface>& own = faces[body];
+  const TriangleMesh& surface = model.soft[body]->anatomy().surface;
+  if (!own && !surface.triangles.empty()) own.emplace(surface);
+  return own ? &*own : nullptr;
 }
 
 }  // namespace prosector

@@ -23,10 +23,10 @@ bool Simulation::Impl::may_meet(std::size_t a, std::size_t b) const {
 }
 
 SoftSkin Simulation::Impl::skin(std::size_t body) {
-  std::optional<TriangleSurface>& own = faces[body];
-  if (own && !faces_moved[body]) own->move(surfaces[body].positions());
+  const TriangleSurface* own = faces_of(body);
+  if (own && !faces_moved[body]) faces[body]->move(surfaces[body].positions());
   faces_moved[body] = 1;
-  return {&surfaces[body], own ? &*own : nullptr, skin_of(body), model.soft[body]->desc().surface_cell};
+  return {&surfaces[body], own, skin_of(body), model.soft[body]->desc().surface_cell};
 }
 
 double Simulation::Impl::reach_of(std::size_t body) const {

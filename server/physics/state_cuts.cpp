@@ -162,7 +162,11 @@ void RestoredCuts::take_effect() {
   Simulation::Impl& s = simulation_;
   s.forget_bodies_from(count_);
   for (auto& [body, piece] : pieces_) {
-    if (piece.solver) s.place_piece(body, piece.first, std::move(piece.solver), std::move(piece.numbering));
+    if (piece.solver) {
+      SurfaceDetector surface = s.detector(*piece.solver);
+      s.place_piece(body, piece.first, std::move(piece.solver), std::move(piece.numbering),
+                    std::move(surface));
+    }
     s.revisions[body] = piece.revision;
     s.equilibrium[body] = std::move(piece.equilibrium);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "server/physics/organs/organ.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/physics/scalpel.h"
 
@@ -74,6 +75,90 @@ TEST(Organ, AMeshThatCannotBeCutSaysSoAndTheRunGoesOn) {
   }
   EXPECT_NE(note, "") << "nobody was told";
   EXPECT_EQ(simulation.revision(1), 0U);
+}
+
+TEST(Organ, ACutWhosePiecesCannotBeSolvedIsTakenBackAndToldOf) {
+  CompileOptions crumb = options();
+  const auto made = crumb.anatomy;
+  crumb.anatomy = [&](const SoftDesc& desc) {  // a flat tetrahedron by itself: no body can be made of it
+    auto anatomy = made(desc);
+    const auto n = static_cast<std::uint32_t>(anatomy->tets.positions.size());
+    for (const Vec3& x : {Vec3(0, 0, 0), Vec3(0.01, 0, 0), Vec3(0, 0.01, 0), Vec3(0.003, 0.003, 1e-6)})
+      anatomy->tets.positions.push_back(Vec3(0, 0.03, 0.03) + x);
+    anatomy->tets.tets.push_back({n, n + 1, n + 2, n + 3});
+    return anatomy;
+  };
+  Simulation simulation(block_and_scalpel(), crumb);
+  const std::uint64_t uncut = simulation.soft(1).content_hash();
+  Vec3 at = take(simulation);
+  std::string note;
+  for (int i = 0; i < 80; ++i) {
+    at.x() += 0.0016;
+    const StepReport& report = simulation.step(target(at));
+    EXPECT_TRUE(report.topology.empty());
+    for (const BodyReport& row : report.bodies)
+      if (row.note.find("the cut was taken back") != std::string::npos) note = row.body + ": " + row.note;
+  }
+  EXPECT_EQ(note.rfind("block: ", 0), 0U) << note;
+  EXPECT_EQ(simulation.revision(1), 0U);
+  EXPECT_EQ(simulation.body_count(), 2U);
+  EXPECT_EQ(simulation.soft(1).content_hash(), uncut);
+  const std::vector<std::uint8_t> saved = simulation.checkpoint();
+  Simulation restored(block_and_scalpel(), crumb);
+  restored.restore(saved);
+  EXPECT_EQ(restored.state_hash(), simulation.state_hash());
+}
+
+TEST(Organ, GoesBackToAMarkBitForBit) {
+  const Simulation simulation(block_and_scalpel(), options());
+  const SoftBody& body = simulation.soft(1);
+  Organ organ(0, body.anatomy(), body.desc().density), other(0, body.anatomy(), body.desc().density);
+  const auto bytes = [](const Organ& o) {
+    ByteWriter out;
+    o.save(out);
+    return out.bytes();
+  };
+  const auto cut_at = [](Organ& o, double z, std::uint64_t number) {
+    std::vector<Vec3> x(o.complex().node_end());
+    for (NodeId n = 0; n < x.size(); ++n) x[n] = o.complex().rest(n);
+    const std::vector<Vec3> from = {{-0.1, -0.1, z}, {-0.1, 0.2, z}}, to = {{0.1, -0.1, z}, {0.1, 0.2, z}};
+    BladeStroke stroke = begin_stroke(from);
+    const CutResult result = o.cut(x, to, stroke, somebody, number);
+    EXPECT_FALSE(result.ops.empty());
+    return o.regroup(o.pieces().size()).bodies;
+  };
+  cut_at(organ, 0.001, 1);
+  cut_at(other, 0.001, 1);
+  const Organ::Mark mark = organ.mark();
+  const auto before = bytes(organ);
+  const auto bodies = cut_at(organ, 0.03, 2);
+  ASSERT_NE(bytes(organ), before);
+  organ.back_to(mark, 2);
+  EXPECT_EQ(bytes(organ), before);
+  EXPECT_EQ(organ.complex().content_hash(), other.complex().content_hash());
+  EXPECT_EQ(cut_at(organ, 0.03, 2), bodies);
+  cut_at(other, 0.03, 2);
+  EXPECT_EQ(bytes(organ), bytes(other));
+}
+
+TEST(Organ, WhatACutTakesAllTiesFromFallsAlsoThePieceThatKeepsTheName) {
+  SceneDesc scene = block_and_scalpel();
+  scene.gravity = Vec3(0, -9.81, 0);
+  scene.soft[0].gravity = false;  // imaged as it hangs there
+  scene.soft[0].attach = {{{0, 0.03, 0.05}, 0.03, 1e7}};
+  scene.soft[0].toughness = 0;
+  scene.rigid[0].pose.p.z() = 0.015;  // nearer to the ties: what they hold is the smaller piece
+  Simulation simulation(scene, options());
+  Vec3 at(-0.12, 0.14, 0.035);
+  simulation.step(appear(at));
+  simulation.step(event(HandEvent::Kind::grasp, at));
+  ASSERT_EQ(simulation.hands()[0].holding, std::optional<BodyId>(scalpel));
+  draw(simulation, at, 150);
+  ASSERT_EQ(simulation.body_count(), 3U);
+  EXPECT_GT(simulation.soft(1).total_mass(), simulation.soft(2).total_mass());
+  for (int i = 0; i < 20; ++i) simulation.step(target(at));
+  EXPECT_GT(simulation.max_displacement(1), 0.05);
+  EXPECT_LT(simulation.max_displacement(2), 0.03);
 }
 
 TEST(Organ, UndoGivesBackTheMeshThatWasCut) {

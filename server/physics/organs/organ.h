@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/messages.h"
@@ -74,12 +75,23 @@ class Organ {
   Anatomy anatomy(const OrganPiece& piece, Numbering& numbering) const;
   const Anatomy& whole() const { return whole_; }  // as compiled
 
+  /// A place in the log, and the pieces there, to go back to where what followed could not take effect.
+  struct Mark {
+    std::size_t changes = 0;
+    std::vector<std::pair<std::size_t, std::optional<TetId>>> pieces;  // body; its first tetrahedron
+  };
+  Mark mark() const;
+  /// As if nothing had been done since: the log is cut off there. `bodies`: how many soft bodies there are.
+  void back_to(const Mark& mark, std::size_t bodies);
+
   void save(ByteWriter& out) const;
   /// Takes the uncut organ through a saved log. Throws InputError for what doesn't fit; `bodies`: how many
   /// soft bodies there are.
   void load(ByteReader& in, std::size_t bodies);
 
  private:
+  void save_changes(ByteWriter& out, std::size_t count) const;
+  static void save_pieces(ByteWriter& out, const Mark& mark);
   std::vector<OrganChange*> stroke_of(ParticipantId author);
   void take_back(const std::vector<OrganChange*>& newest_first);
   void redo(OrganChange change);

@@ -16,20 +16,47 @@ constexpr std::size_t most_ops = 10'000'000;  // of one
 }  // namespace
 
 void Organ::save(ByteWriter& out) const {
-  out.add(static_cast<std::uint64_t>(log_.size()));
-  for (const OrganChange& change : log_) {
+  save_changes(out, log_.size());
+  save_pieces(out, mark());
+}
+
+void Organ::save_changes(ByteWriter& out, std::size_t count) const {
+  out.add(static_cast<std::uint64_t>(count));
+  for (const OrganChange& change : std::span(log_).first(count)) {
     out.add(change.cause);
     out.add(change.author);
     out.add(change.stroke);
     out.add(static_cast<std::uint64_t>(change.ops.size()));
     for (const TopologyOp& op : change.ops) add(out, op);
   }
-  out.add(static_cast<std::uint64_t>(pieces_.size()));
-  for (const OrganPiece& piece : pieces_) {
-    out.add(static_cast<std::uint64_t>(piece.body));
-    out.add(static_cast<std::uint8_t>(piece.whole()));
-    if (piece.whole()) out.add(piece.mesh.tets.front());
+}
+
+void Organ::save_pieces(ByteWriter& out, const Mark& mark) {
+  out.add(static_cast<std::uint64_t>(mark.pieces.size()));
+  for (const auto& [body, first] : mark.pieces) {
+    out.add(static_cast<std::uint64_t>(body));
+    out.add(static_cast<std::uint8_t>(first.has_value()));
+    if (first) out.add(*first);
   }
+}
+
+Organ::Mark Organ::mark() const {
+  Mark out;
+  out.changes = log_.size();
+  for (const OrganPiece& piece : pieces_)
+    out.pieces.emplace_back(piece.body,
+                            piece.whole() ? std::optional(piece.mesh.tets.front()) : std::nullopt);
+  return out;
+}
+
+void Organ::back_to(const Mark& mark, std::size_t bodies) {
+  ByteWriter bytes;
+  save_changes(bytes, mark.changes);
+  save_pieces(bytes, mark);
+  Organ before(pieces_.front().body, whole_, complex_.density());
+  ByteReader in(bytes.bytes(), "an organ's log");
+  before.load(in, bodies);
+  *this = std::move(before);
 }
 
 void Organ::load(ByteReader& in, std::size_t bodies) {
