@@ -70,6 +70,11 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option("--quality", raw.quality, "Of pictures: low, medium, high")
       ->capture_default_str()
       ->group("Pictures");
+  app.add_option_function<double>(
+         "--frame-time", [&o](double ms) { o.frame_time = 1e-3 * ms; },
+         "Pick the quality by what a picture may take, ms; --quality and --effect don't count then")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->group("Pictures");
   app.add_option("--effect", raw.effects, "NAME=on or NAME=off (repeatable): " + effect_names(", "))
       ->group("Pictures");
   app.add_option("--size", raw.size, "Picture size, WIDTHxHEIGHT (default 800x600; stereo: the profile's)")

@@ -15,6 +15,7 @@
 #include "client/app/panel_call.h"
 #include "client/app/picture_sink.h"
 #include "client/app/session_log.h"
+#include "client/render/quality_governor.h"
 #include "client/render/renderer.h"
 #include "client/render/window_context.h"
 #include "client/view/scene_view.h"
@@ -81,6 +82,7 @@ class Client {
     if (!options.session_log.empty()) log_.emplace(options.session_log);
     connection_.start();
     take_role(options.join.role);
+    if (options.frame_time) governor_.emplace(*options.frame_time);
     stage_ = make_stage(options);
     if (stage_ && stage_->desk && drives_hand_at_desk()) tell(desk_help);
     if (isatty(STDIN_FILENO) != 0) tell(console_help);
@@ -118,7 +120,8 @@ class Client {
   PictureSink sink_;
   std::unique_ptr<InputPump> pump_;
   std::unique_ptr<Stage> stage_;
-  std::string missing_ = "everything";  // what was last told to be missing
+  std::optional<QualityGovernor> governor_;  // of pictures; nullopt: their quality stays
+  std::string missing_ = "everything";       // what was last told to be missing
   bool server_gone_ = false;
   Role role_ = Role::observer;
   Console console_;
@@ -293,6 +296,10 @@ class Client {
     if (!report_.first_picture_ns) report_.first_picture_ns = monotonic_ns();
     ++report_.pictures;
     const double seconds = seconds_since(begin);
+    if (governor_ && governor_->took(seconds)) {
+      stage_->renderer->set_settings(governor_->level().settings);
+      tell(fmt::format("quality: {}", governor_->level().name));
+    }
     report_.drawing_seconds += seconds;
     if (report_.pictures > 1)
       report_.longest_drawing_seconds = std::max(report_.longest_drawing_seconds, seconds);

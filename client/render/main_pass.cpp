@@ -116,6 +116,14 @@ bool may_be_around(const Vec3& eye, const QueuedItem& queued) {
          (eye - queued.bounds.center).norm() <= queued.bounds.radius;
 }
 
+/// Too small on the picture to be met by a pixel's middle, but by luck.
+bool is_below_a_pixel(const DrawCamera& camera, const Sphere& sphere) {
+  constexpr double least = 0.5;  // pixels across
+  const double pixels_per_tangent = camera.height / (camera.top - camera.bottom);
+  const double distance = (sphere.center - camera.pose.p).norm() - sphere.radius;
+  return distance > 0 && 2 * sphere.radius / distance * pixels_per_tangent < least;
+}
+
 bool is_clear(const DrawItem& item) {
   return item.opacity < 1;
 }
@@ -231,7 +239,7 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
   Frame frame{list, camera, meshes, shadow};
   std::vector<const QueuedItem*> clear, shafts;
   for (const QueuedItem& queued : items) {
-    if (!frustum.may_see(queued.bounds)) continue;
+    if (!frustum.may_see(queued.bounds) || is_below_a_pixel(camera, queued.bounds)) continue;
     if (queued.item->shaft)
       shafts.push_back(&queued);
     else if (is_clear(*queued.item))

@@ -86,6 +86,12 @@ struct Renderer::Impl {
     gl.Viewport(camera.x, camera.y, camera.width, camera.height);
   }
 
+  void tell_done(std::string_view pass) const {
+    if (!pass_done) return;
+    gl.Finish();
+    pass_done(pass);
+  }
+
   GlContext& context;
   std::filesystem::path shaders;
   RendererSettings settings;
@@ -93,6 +99,7 @@ struct Renderer::Impl {
   MeshCache meshes;
   ShaderWatch watch;
   std::unique_ptr<Passes> passes;
+  std::function<void(std::string_view)> pass_done;
   std::vector<DrawItem> users_to_come;  // nothing to see, of the surfaces that users are drawn with
 };
 
@@ -144,20 +151,27 @@ void Renderer::draw(const DrawList& list) {
   Passes& passes = *r.passes;
   std::vector<QueuedItem> items = r.upload(list);
   r.prepare_for_users(list, items);
+  r.tell_done("upload");
   const Shadow shadow = passes.shadow.draw(list, items, r.meshes);
+  r.tell_done("shadow");
   const GLuint environment = passes.environment ? passes.environment->draw(list, items, r.meshes) : 0;
+  r.tell_done("environment");
   passes.target.bind(r.context.width(), r.context.height());
   for (const DrawCamera& camera : list.cameras) {
     r.clear(camera, list.background);
     sort_nearest_first(items, camera.pose.p);
     passes.main.draw(list, camera, items, r.meshes, shadow, environment);
   }
+  r.tell_done("surfaces");
   if (passes.shafts) passes.shafts->draw(list, shadow, passes.target);
+  r.tell_done("shafts");
   for (const DrawCamera& camera : list.cameras) {
     r.set_viewport(camera);
     draw_lines(list, camera, passes.lines);
   }
+  r.tell_done("lines");
   passes.target.resolve();
+  r.tell_done("edges");
   r.gl.Enable(GL_BLEND);
   r.gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   for (const DrawCamera& camera : list.cameras) {
@@ -165,7 +179,17 @@ void Renderer::draw(const DrawList& list) {
     draw_texts(list, camera, passes.pen);
   }
   r.gl.Disable(GL_BLEND);
+  r.tell_done("texts");
   if (r.context.has_screen()) passes.target.show();
+}
+
+void Renderer::set_settings(const RendererSettings& settings) {
+  impl_->passes = std::make_unique<Passes>(impl_->gl, impl_->shaders, settings);
+  impl_->settings = settings;
+}
+
+void Renderer::on_pass(std::function<void(std::string_view)> done) {
+  impl_->pass_done = std::move(done);
 }
 
 std::optional<std::string> Renderer::reload_changed_shaders() {

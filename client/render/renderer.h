@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,6 +47,12 @@ class Renderer {
 
   /// Throws std::invalid_argument when a mesh's normals, rest positions or triangles don't fit its positions.
   void draw(const DrawList& list);
+  /// From the next picture on; costs what making the renderer does. Throws as it does, and then nothing
+  /// changed.
+  void set_settings(const RendererSettings& settings);
+  /// For measurement: calls `done` after each pass with its name, when all its work is done. This costs:
+  /// passes no longer overlap.
+  void on_pass(std::function<void(std::string_view)> done);
   /// For development: reads the shaders anew when a file of them was written since the last call. What came
   /// of it, for people: done, or file and line of what does not compile, and then the old shaders stay.
   /// nullopt: nothing was written.

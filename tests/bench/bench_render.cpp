@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <string>
 
 #include "client/render/renderer.h"
@@ -7,6 +9,7 @@
 #include "client/view/hand_mesh.h"
 #include "client/view/normals.h"
 #include "client/view/still_scene.h"
+#include "common/clock.h"
 #include "common/paths.h"
 #include "common/scene/load_scene.h"
 #include "server/calibration/stopwatch.h"
@@ -63,19 +66,86 @@ void move(Subject& subject, Motion motion) {
   ++subject.organ->positions_revision;
 }
 
-double frame_ms(Subject& subject, const Case& what, const RenderBenchOptions& options) {
-  const auto context = make_offscreen_context(options.width, options.height);
+/// Means of some frames.
+struct Cost {
+  double cpu_ms = 0, wall_ms = 0;                 // with reading the picture back
+  std::map<std::string, double> wall_ms_of = {};  // each pass, with nothing overlapping
+};
+
+Cost measure(Subject& subject, const Case& what, const RenderBenchOptions& options) {
+  const DrawCamera& camera = subject.list.cameras.front();
+  const auto context = make_offscreen_context(camera.width, camera.height);
   Renderer renderer(*context, default_shader_dir(), what.settings);
-  double start = 0;
-  for (int frame = -2; frame < options.frames; ++frame) {
-    if (frame == 0) start = cpu_ms();
-    move(subject, what.motion);
-    renderer.draw(subject.list);
-    const Image image = renderer.read_pixels();
-    if (frame + 1 == options.frames && !options.picture_folder.empty())
-      write_png(image, std::filesystem::path(options.picture_folder) / (what.name + ".png"));
+  const auto draw = [&](int frames) {
+    for (int frame = 0; frame < frames; ++frame) {
+      move(subject, what.motion);
+      renderer.draw(subject.list);
+      const Image image = renderer.read_pixels();
+      if (frame + 1 == options.frames && !options.picture_folder.empty())
+        write_png(image, std::filesystem::path(options.picture_folder) / (what.name + ".png"));
+    }
+  };
+  constexpr int warm_up = 2;
+  draw(warm_up);
+  Cost cost;
+  const double cpu_start = cpu_ms();
+  const std::int64_t start = monotonic_ns();
+  draw(options.frames);
+  cost.wall_ms = 1e-6 * static_cast<double>(monotonic_ns() - start) / options.frames;
+  cost.cpu_ms = (cpu_ms() - cpu_start) / options.frames;
+  std::int64_t last = monotonic_ns();
+  renderer.on_pass([&](std::string_view pass) {
+    const std::int64_t now = monotonic_ns();
+    if (pass != "upload")
+      cost.wall_ms_of[std::string(pass)] += 1e-6 * static_cast<double>(now - last) / options.frames;
+    last = now;
+  });
+  draw(options.frames);
+  return cost;
+}
+
+/// Every triangle as four: the same picture from more of them.
+std::shared_ptr<DrawMesh> subdivided(const DrawMesh& mesh, std::uint64_t id) {
+  auto out = std::make_shared<DrawMesh>(mesh);
+  out->id = id;
+  out->triangles.clear();
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+  const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+    const auto [found, is_new] =
+        middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(out->positions.size()));
+    if (is_new) {
+      out->positions.push_back(0.5F * (out->positions[a] + out->positions[b]));
+      out->normals.push_back((out->normals[a] + out->normals[b]).normalized());
+      if (!out->rest_positions.empty())
+        out->rest_positions.push_back(0.5F * (out->rest_positions[a] + out->rest_positions[b]));
+    }
+    return found->second;
+  };
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    for (const std::array<std::uint32_t, 3>& triangle :
+         {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c}, std::array{ab, bc, ca}})
+      out->triangles.push_back(triangle);
   }
-  return (cpu_ms() - start) / options.frames;
+  return out;
+}
+
+void subdivide_bodies(Subject& subject) {
+  for (DrawItem& item : subject.list.items) {
+    const bool is_organ = item.mesh == subject.organ;
+    const auto finer = subdivided(*item.mesh, item.mesh->id + (1U << 24));
+    item.mesh = finer;
+    if (is_organ) subject.organ = finer;
+  }
+}
+
+void set_size(Subject& subject, int width, int height) {
+  DrawCamera& camera = subject.list.cameras.front();
+  const double aspect = static_cast<double>(width) / height;
+  camera.right = camera.top * aspect;
+  camera.left = -camera.right;
+  camera.width = width;
+  camera.height = height;
 }
 
 std::size_t triangles_of(const DrawList& list) {
@@ -88,32 +158,55 @@ std::size_t triangles_of(const DrawList& list) {
 
 Report bench_render(const RenderBenchOptions& options) {
   Subject subject = scene_with_hand(options);
-  const std::size_t triangles = triangles_of(subject.list);
-  fmt::print("{} × {}, {} triangles, with reading the picture back\n", options.width, options.height,
-             triangles);
   using enum Column::Kind;
-  const TextTable table(
-      {{text, "name", "picture", 20}, {number, "cpu_ms_per_frame", "CPU ms a frame, all threads"}});
+  const TextTable table({{text, "name", "picture", 28},
+                         {number, "width", "wide"},
+                         {number, "height", "high"},
+                         {number, "triangles", "triangles"},
+                         {number, "cpu_ms_per_frame", "CPU ms, all threads"},
+                         {number, "wall_ms_per_frame", "ms"},
+                         {number, "ms_shadow", "shadow"},
+                         {number, "ms_environment", "mirror"},
+                         {number, "ms_surfaces", "surfaces"},
+                         {number, "ms_shafts", "shafts"},
+                         {number, "ms_edges", "edges"}});
+  fmt::print("a frame, with reading the picture back; then its passes, each finished before the next\n");
   table.print_header();
   Report report("render");
-  std::vector<Case> all;
+  const auto add = [&](const Case& what) {
+    const DrawCamera& camera = subject.list.cameras.front();
+    const Cost cost = measure(subject, what, options);
+    ReportRow row = {{"name", what.name},
+                     {"scene", subject.scene},
+                     {"triangles", triangles_of(subject.list)},
+                     {"width", camera.width},
+                     {"height", camera.height},
+                     {"samples", what.settings.samples},
+                     {"cpu_ms_per_frame", cost.cpu_ms},
+                     {"wall_ms_per_frame", cost.wall_ms}};
+    for (const auto& [pass, ms] : cost.wall_ms_of) row["ms_" + pass] = ms;
+    report.add(row);
+    table.print(report.rows().back());
+  };
+  const QualityLevel& usual = quality_levels[1];
   for (const QualityLevel& level : quality_levels)
-    all.push_back({std::string(level.name), level.settings, Motion::press});
-  all.push_back({"only the hand moves", {}, Motion::hand});
-  all.push_back({"nothing moves", {}, Motion::none});
+    add({std::string(level.name), level.settings, Motion::press});
+  add({"only the hand moves", {}, Motion::hand});
+  add({"nothing moves", {}, Motion::none});
   for (std::size_t k = 0; k < effect_rows.size(); ++k) {
     RendererSettings without;
     without.effects.flip(k);
-    all.push_back({fmt::format("medium without {}", effect_rows[k].name), without, Motion::press});
+    add({fmt::format("medium without {}", effect_rows[k].name), without, Motion::press});
   }
-  for (const Case& what : all) {
-    report.add({{"name", what.name},
-                {"scene", subject.scene},
-                {"triangles", triangles},
-                {"width", options.width},
-                {"height", options.height},
-                {"cpu_ms_per_frame", frame_ms(subject, what, options)}});
-    table.print(report.rows().back());
+  for (const double scale : {0.5, 2.0}) {
+    set_size(subject, static_cast<int>(scale * options.width), static_cast<int>(scale * options.height));
+    for (const QualityLevel& level : quality_levels)
+      add({fmt::format("{}, {} times the size", level.name, scale), level.settings, Motion::press});
+  }
+  set_size(subject, options.width, options.height);
+  for (int finer = 1; finer <= 2; ++finer) {
+    subdivide_bodies(subject);
+    add({fmt::format("medium, {} times the triangles", finer == 1 ? 4 : 16), usual.settings, Motion::press});
   }
   return report;
 }

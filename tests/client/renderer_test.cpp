@@ -7,8 +7,11 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <functional>
+#include <map>
 
 #include "client/render/projection.h"
+#include "client/render/quality_governor.h"
 #include "client/render/shader_source.h"
 #include "common/error.h"
 #include "tests/client/picture.h"
@@ -313,6 +316,56 @@ TEST(Renderer, ReadsShadersAnewAndKeepsTheOldOnesWhenTheNewAreBroken) {
   EXPECT_EQ(after.pixel(30, 30)[0], 0);
   EXPECT_EQ(after.pixel(30, 30)[1], 255);
   std::filesystem::remove_all(folder);
+}
+
+std::string level_after(QualityGovernor& governor, int pictures, const std::function<double()>& cost) {
+  for (int k = 0; k < pictures; ++k) governor.took(cost());
+  return std::string(governor.level().name);
+}
+
+TEST(QualityGovernor, KeepsPicturesWithinTheirTimeAndDoesNotSwing) {
+  QualityGovernor slow(0.050);
+  EXPECT_EQ(level_after(slow, 20, [] { return 0.090; }), "low");
+  EXPECT_EQ(level_after(slow, 500, [] { return 0.090; }), "low") << "there is nothing below";
+
+  QualityGovernor fast(0.050);
+  EXPECT_EQ(level_after(fast, 200, [] { return 0.010; }), "high");
+
+  // Each level costs three times the one before; medium fits, high does not.
+  QualityGovernor between(0.050);
+  int changes = 0;
+  std::map<std::string_view, int> drawn;
+  for (int k = 0; k < 3000; ++k) {
+    const std::string_view name = between.level().name;
+    ++drawn[name];
+    changes += between.took(name == "low" ? 0.007 : name == "medium" ? 0.021 : 0.063) ? 1 : 0;
+  }
+  EXPECT_GT(drawn["medium"], 2700);
+  EXPECT_LT(changes, 9);
+  EXPECT_THROW(QualityGovernor(0), InputError);
+}
+
+TEST(Renderer, ChangesItsQualityWhileItDraws) {
+  std::map<std::string_view, Image> expected;
+  for (const QualityLevel& level : quality_levels)
+    expected[level.name] = picture_of(everything(), 320, 160, make_offscreen_context, level.settings);
+  const auto context = make_offscreen_context(320, 160);
+  Renderer renderer(*context, default_shader_dir());
+  renderer.draw(everything());
+  for (const QualityLevel& level : quality_levels) {
+    renderer.set_settings(level.settings);
+    renderer.draw(everything());
+    EXPECT_TRUE(renderer.read_pixels() == expected[level.name]) << level.name;
+  }
+}
+
+TEST(Renderer, TellsOfEveryPassInTheOrderOfDrawing) {
+  const auto context = make_offscreen_context(32, 16);
+  Renderer renderer(*context, default_shader_dir());
+  std::string passes;
+  renderer.on_pass([&](std::string_view name) { passes += std::string(name) + " "; });
+  renderer.draw(lit_sphere({0, 0, -1}));
+  EXPECT_EQ(passes, "upload shadow environment surfaces shafts lines edges texts ");
 }
 
 TEST(Renderer, ReadsTheLogsOfSeveralDrivers) {
