@@ -6,7 +6,7 @@ uniform sampler2D shadow_map;
 uniform float shadow_size;
 uniform mat4 shadow_clip_from_room;
 uniform mat4 room_from_clip;
-uniform vec4 viewport[1];  // x, y, width, height, in pixels of this picture: half of scene_depth's
+uniform vec4 viewport[1];  // x, y, width, height, in pixels of this picture: COARSER times those of scene_depth
 uniform vec3 eye;
 uniform vec3 lamp;
 uniform vec3 axis;
@@ -18,14 +18,14 @@ uniform vec3 light;
 in vec3 room_place;
 out vec4 color;
 
-const int steps = 4;
+const int steps = 6;
 const float scattered = 0.006;  // share of light per metre
 const float least_distance = 0.3;  // m from the lamp: nearer, the beam is as bright as there
 
 void main() {
   vec3 ray = normalize(room_place - eye);
   vec2 at = (gl_FragCoord.xy - viewport[0].xy) / viewport[0].zw;
-  float depth = texelFetch(scene_depth, min(2 * ivec2(gl_FragCoord.xy), textureSize(scene_depth, 0) - 1), 0).r;
+  float depth = texelFetch(scene_depth, min(COARSER * ivec2(gl_FragCoord.xy) + COARSER / 2, textureSize(scene_depth, 0) - 1), 0).r;
   vec4 surface = room_from_clip * vec4(2.0 * vec3(at, depth) - 1.0, 1.0);
   float last = min(dot(surface.xyz / surface.w - eye, ray), dot(room_place - eye, ray));
 

@@ -1,4 +1,4 @@
-// Lays the light in air, drawn at half the picture's size, over the picture.
+// Lays the light in air, drawn more coarsely, over the picture.
 
 uniform sampler2D air;
 uniform vec4 texel_from_pixel[1];  // scale, offset

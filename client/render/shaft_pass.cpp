@@ -6,6 +6,7 @@
 namespace prosector {
 namespace {
 
+constexpr int coarser = 4;      // times than the picture, each way
 constexpr int cone_sides = 24;  // as in shaders/shaft.vert
 constexpr double widest = 1.2;  // rad: a wider cone is no beam
 constexpr double reach = 3.0;   // m from the lamp
@@ -21,7 +22,8 @@ bool has_beam(const DrawList& list, const Shadow& shadow) {
 
 ShaftPass::ShaftPass(const Gl& gl, const std::filesystem::path& shaders)
     : gl_(gl),
-      program_(gl, shaders, "shaft", {"CONE_SIDES " + std::to_string(cone_sides)}),
+      program_(gl, shaders, "shaft",
+               {"CONE_SIDES " + std::to_string(cone_sides), "COARSER " + std::to_string(coarser)}),
       blend_(gl, shaders, "shaft_blend") {
   gl_.GenVertexArrays(1, &no_vertices_);
   gl_.GenTextures(1, &air_);
@@ -53,7 +55,7 @@ void ShaftPass::allocate(int width, int height) {
 void ShaftPass::draw(const DrawList& list, const Shadow& shadow, RenderTarget& target) {
   if (!has_beam(list, shadow)) return;
   const GLuint depth = target.depth();
-  allocate((target.width() + 1) / 2, (target.height() + 1) / 2);
+  allocate((target.width() + coarser - 1) / coarser, (target.height() + coarser - 1) / coarser);
   gl_.BindVertexArray(no_vertices_);
   gl_.Disable(GL_DEPTH_TEST);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
@@ -68,7 +70,9 @@ void ShaftPass::draw(const DrawList& list, const Shadow& shadow, RenderTarget& t
 void ShaftPass::draw_air(const LightInfo& lamp, const DrawCamera& camera, const Shadow& shadow,
                          GLuint depth) {
   const Eigen::Matrix4d clip_from_room = view_projection_of(camera);
-  const Eigen::Vector4i viewport(camera.x / 2, camera.y / 2, (camera.width + 1) / 2, (camera.height + 1) / 2);
+  const Eigen::Vector4i viewport(camera.x / coarser, camera.y / coarser,
+                                 (camera.width + coarser - 1) / coarser,
+                                 (camera.height + coarser - 1) / coarser);
   gl_.Viewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   program_.use();
   program_.set("clip_from_room", clip_from_room);
@@ -101,8 +105,9 @@ void ShaftPass::lay_over(const DrawCamera& camera) {
   gl_.Viewport(camera.x, camera.y, camera.width, camera.height);
   blend_.use();
   blend_.set("air", 0);
-  blend_.set("texel_from_pixel", std::vector<Eigen::Vector4f>{{0.5F / static_cast<float>(width_),
-                                                               0.5F / static_cast<float>(height_), 0, 0}});
+  blend_.set("texel_from_pixel",
+             std::vector<Eigen::Vector4f>{{1.0F / static_cast<float>(coarser * width_),
+                                           1.0F / static_cast<float>(coarser * height_), 0, 0}});
   gl_.BindTexture(GL_TEXTURE_2D, air_);
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR);

@@ -1,6 +1,6 @@
 #pragma once
 // Dust in the beam of the lamp that casts shadows: what it sends to the eye, added over the lit surfaces.
-// Reckoned for one pixel in four: air has no edges of its own.
+// Reckoned for one pixel in sixteen: air has no edges of its own.
 // Private to client/render.
 
 #include "client/render/render_target.h"
@@ -23,7 +23,7 @@ class ShaftPass {
   ShaderProgram program_;
   ShaderProgram blend_;
   GLuint no_vertices_ = 0, framebuffer_ = 0, air_ = 0;
-  int width_ = 0, height_ = 0;  // of air_, half the picture's
+  int width_ = 0, height_ = 0;  // of air_
 
   void allocate(int width, int height);
   void draw_air(const LightInfo& lamp, const DrawCamera& camera, const Shadow& shadow, GLuint depth);

@@ -133,7 +133,8 @@ TEST(Renderer, DustShowsInTheBeamButNotInAShadow) {
   ball.pose.p = {0, 0.2, 0};
   list.items = {ball};
   list.lights = {lamp({0, 1.2, 0}, Vec3::Zero())};
-  list.lights[0].intensity = 20;
+  list.lights[0].cone = 0.15;  // the ball takes two thirds of it
+  list.lights[0].intensity = 60;
   const auto below_the_ball = [&] { return luminance(picture_of(list, 120, 120).pixel(60, 75)); };
   const double shadowed = below_the_ball();
   list.items[0].casts_shadow = false;
