@@ -27,7 +27,8 @@ int main(int argc, char** argv) try {
       "integrators", "Each integrator alone on a spring, no guard: order, limit and growth, beside theory");
 
   prosector::RenderBenchOptions render;
-  CLI::App* render_command = app.add_subcommand("render", "Frames drawn off screen: each quality, effect, size and fineness, pass by pass");
+  CLI::App* render_command = app.add_subcommand(
+      "render", "Frames drawn off screen: each quality, effect, size and fineness, pass by pass");
   render_command->add_option("SCENE", render.scene, "Scene file, for instance deploy/scenes/abdomen.toml")
       ->check(CLI::ExistingFile)
       ->required();
