@@ -18,7 +18,7 @@ namespace prosector {
 namespace {
 
 constexpr double turntable_rate = 25;  // pictures/s
-constexpr int sheet_columns = 4, sheet_tile_width = 320;
+constexpr int sheet_columns = 4, sheet_tile_width = 200;
 
 void tell(const std::string& line) {
   fmt::print("{}\n", line), std::fflush(stdout);

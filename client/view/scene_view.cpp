@@ -11,6 +11,7 @@
 #include "client/view/body_figures.h"
 #include "client/view/body_mesh.h"
 #include "client/view/camera.h"
+#include "client/view/carried_light.h"
 #include "client/view/contact_overlay.h"
 #include "client/view/hand_mesh.h"
 #include "client/view/light_shaft.h"
@@ -178,8 +179,7 @@ void SceneView::place_lights(const Replica& replica, double tick) {
       continue;
     }
     const Pose carrier = replica.rigid_pose(static_cast<BodyId>(light.body), tick);
-    light.position = carrier * light.position;
-    light.direction = carrier.q * light.direction;
+    light = carried_by(carrier, light);
   }
 }
 

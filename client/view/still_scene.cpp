@@ -1,6 +1,9 @@
 #include "client/view/still_scene.h"
 
+#include <algorithm>
+
 #include "client/view/body_mesh.h"
+#include "client/view/carried_light.h"
 #include "client/view/room.h"
 
 namespace prosector {
@@ -19,7 +22,12 @@ DrawList still_scene(const SceneDesc& scene, const SourcePaths& paths, const Pro
                           .pose = {},
                           .appearance = body.appearance});
   }
-  list.lights.assign(scene.lights.begin(), scene.lights.end());
+  for (const LightDesc& light : scene.lights) {
+    const auto carrier = std::find_if(scene.rigid.begin(), scene.rigid.end(), [&](const RigidDesc& body) {
+      return !light.carrier.empty() && body.name == light.carrier;
+    });
+    list.lights.push_back(carrier == scene.rigid.end() ? LightInfo(light) : carried_by(carrier->pose, light));
+  }
   return list;
 }
 

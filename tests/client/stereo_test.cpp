@@ -99,6 +99,26 @@ TEST(StereoCameras, DisparityFollowsTheFormula) {
     }
 }
 
+// A head that nods from beyond straight down to beyond straight up, looking any way: what is ahead of it
+// stays in the picture's middle, its right stays right and its top up. Angles about fixed axes would turn
+// over at 90°.
+TEST(HeadTracking, PassesStraightUpAndDownWithoutTurningOver) {
+  for (const double yaw : {0.0, 0.7, 1.5707963, -2.4})
+    for (int degrees = -110; degrees <= 110; ++degrees) {
+      const Quat q(Eigen::AngleAxisd(yaw, Vec3::UnitY()) *
+                   Eigen::AngleAxisd(degrees * std::numbers::pi / 180, Vec3::UnitX()));
+      const Pose head{{0.3, 1.6, -0.2}, q};
+      const DrawCamera camera = mono_camera(head, 0.9, 400, 300);
+      const auto seen = [&](const Vec3& in_head) {
+        const Eigen::Vector4d clip = view_projection_of(camera) * (head * in_head).homogeneous();
+        return Eigen::Vector2d(clip.x() / clip.w(), clip.y() / clip.w());
+      };
+      EXPECT_LT(seen({0, 0, -1}).norm(), 1e-9) << degrees;
+      EXPECT_NEAR(seen({0.1, 0, -1}).x(), 0.1 / camera.right, 1e-9) << degrees;
+      EXPECT_NEAR(seen({0, 0.1, -1}).y(), 0.1 / camera.top, 1e-9) << degrees;
+    }
+}
+
 TEST(StereoCameras, SwappedEyesTradePlaces) {
   StereoProfile profile;
   const auto eyes = stereo_cameras({}, profile, 1600, 600);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "client/view/avatar.h"
 #include "client/view/body_mesh.h"
@@ -14,6 +15,8 @@
 #include "client/view/panel_view.h"
 #include "client/view/pick.h"
 #include "client/view/room.h"
+#include "client/view/scene_tour.h"
+#include "client/view/still_scene.h"
 #include "client/view/tube.h"
 #include "client/view/wireframe.h"
 #include "common/primitives.h"
@@ -380,6 +383,57 @@ TEST(Wireframe, OfABoxHasItsTwelveEdges) {
   const TriangleMesh box = mesh_of(PartDesc{});
   EXPECT_EQ(visible_edges(box).size(), 12u);
   EXPECT_EQ(all_edges(box.triangles).size(), 18u) << "with the faces' diagonals";
+}
+
+/// A lamp that carries a spot light, above a ball that may move.
+SceneDesc lamp_and_ball() {
+  SceneDesc scene;
+  RigidDesc lamp, ball;
+  lamp.name = "lamp";
+  lamp.fixed = true;
+  lamp.pose = {{0.3, 2, -0.4}, Quat(Eigen::AngleAxisd(0.5, Vec3::UnitX()))};
+  lamp.parts.resize(1);
+  ball.name = "ball";
+  ball.pose.p = {0.1, 0.9, 0.2};
+  ball.parts.resize(1);
+  ball.parts[0].shape = "sphere";
+  ball.parts[0].size = Vec3::Constant(0.2);
+  scene.rigid = {lamp, ball};
+  LightDesc carried, fixed;
+  carried.kind = fixed.kind = LightKind::spot;
+  carried.carrier = "lamp";
+  carried.position = fixed.position = {0, -0.1, 0};
+  scene.lights = {carried, fixed};
+  return scene;
+}
+
+TEST(StillScene, LightsAreWhereTheirCarriersAre) {
+  const SceneDesc scene = lamp_and_ball();
+  const DrawList list = still_scene(scene, {}, [](const std::string&) {});
+  ASSERT_EQ(list.lights.size(), 2u);
+  const Pose& lamp = scene.rigid[0].pose;
+  EXPECT_LT((list.lights[0].position - lamp * Vec3(0, -0.1, 0)).norm(), 1e-12);
+  EXPECT_LT((list.lights[0].direction - lamp.q * Vec3(0, -1, 0)).norm(), 1e-12);
+  EXPECT_EQ(list.lights[1].position, Vec3(0, -0.1, 0)) << "nobody carries it";
+}
+
+TEST(SceneTour, EveryStopLooksAtWhatMoves) {
+  const SceneDesc scene = lamp_and_ball();
+  const DrawList list = still_scene(scene, {}, [](const std::string&) {});
+  const Subject subject = subject_of(scene, list);
+  EXPECT_LT((subject.middle - Vec3(0.1, 0.9, 0.2)).norm(), 1e-3) << "the lamp is fixed";
+  std::set<std::string> names;
+  for (const TourStop& stop : tour_of(scene, list, 64, 48)) {
+    names.insert(stop.name);
+    if (stop.name == "scene") continue;
+    ASSERT_EQ(stop.list.cameras.size(), 1u);
+    const DrawCamera& camera = stop.list.cameras[0];
+    const Vec3 seen = camera.pose.inverse() * subject.middle;
+    EXPECT_LT(seen.z(), -camera.near) << stop.name;
+    EXPECT_LT(std::abs(seen.x() / seen.z()), camera.right) << stop.name;
+    EXPECT_LT(std::abs(seen.y() / seen.z()), camera.top) << stop.name;
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"scene", "left", "right", "above", "close", "hands"}));
 }
 
 TEST(ContactOverlay, TellsEveryFigureInTheLowerLeft) {
