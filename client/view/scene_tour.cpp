@@ -40,6 +40,18 @@ DrawCamera camera_around(const Subject& subject, double yaw, double elevation, d
   return mono_camera(look_at(subject.middle + distance * back, subject.middle), fov, width, height);
 }
 
+/// Below the skin where that is nearest to the body's middle, which in a bent body lies outside.
+Vec3 inside_of(const DrawItem& body) {
+  constexpr double depth = 0.03;  // m: more than a camera's near plane is ahead
+  const DrawMesh& mesh = *body.mesh;
+  const Eigen::Vector3f middle = (body.pose.inverse() * box_of(body).center()).cast<float>();
+  std::size_t nearest = 0;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    if ((mesh.positions[v] - middle).squaredNorm() < (mesh.positions[nearest] - middle).squaredNorm())
+      nearest = v;
+  return body.pose * (mesh.positions[nearest].cast<double>() - depth * mesh.normals[nearest].cast<double>());
+}
+
 void add_hands(DrawList& list, const Vec3& between, const Vec3& towards_eye) {
   const std::array<HandSkin, 2> skins = make_hand_skins();
   const Vec3 ahead = -Vec3(towards_eye.x(), 0, towards_eye.z()).normalized();
@@ -113,9 +125,8 @@ std::vector<TourStop> tour_of(const SceneDesc& scene, const DrawList& list, int 
   }
   stop("close", "from close by", orbit_camera(scene, close, 0, width, height));
   if (soft != nullptr) {
-    const Vec3 middle = box_of(*soft).center();
     stop("inside", "from inside the first soft body",
-         mono_camera({middle, scene_eye.q}, scene.camera.fov, width, height));
+         mono_camera({inside_of(*soft), scene_eye.q}, scene.camera.fov, width, height));
     light_up(
         stop("shaft", "with light on the first soft body", orbit_camera(scene, subject, 0, width, height)),
         *soft);
