@@ -77,7 +77,8 @@ void Simulation::Impl::go_back(const CutEvent& event) {
     });
     Numbering numbering;
     std::unique_ptr<SoftBody> solver = make_piece(owner->second, body, numbering);
-    place_piece(body, owner->first, std::move(solver), std::move(numbering));
+    SurfaceDetector surface = detector(*solver);
+    place_piece(body, owner->first, std::move(solver), std::move(numbering), std::move(surface));
     parts[soft_id(body)].hidden = true;
     take_effect(world, soft_id(body));
     place_surface(body);
