@@ -76,6 +76,12 @@ Anatomy make_block(const Vec3& size, const std::array<int, 3>& cells,
         } while (std::next_permutation(axes.begin(), axes.end()));
       }
   drop_loose_nodes(out.tets);
+  return with_boundary(std::move(out.tets));
+}
+
+Anatomy with_boundary(TetMesh mesh) {
+  Anatomy out;
+  out.tets = std::move(mesh);
   std::map<std::uint32_t, std::uint32_t> vertex;
   for (Triangle t : boundary(out.tets)) {
     for (std::uint32_t& corner : t) {

@@ -12,6 +12,9 @@ namespace prosector::test {
 Anatomy make_block(const Vec3& size, const std::array<int, 3>& cells,
                    const std::function<bool(int, int, int)>& hollow = {});
 
+/// These tetrahedra, with their own boundary as the surface.
+Anatomy with_boundary(TetMesh mesh);
+
 /// The table: its top at y = 0.
 RigidDesc table();
 RigidDesc part_body(const std::string& name, const std::string& shape, const Vec3& size, const Vec3& at,
