@@ -41,44 +41,9 @@ rm -f "$out"/*.png "$out"/*.csv "$out"/*.json "$out"/*.jsonl "$out"/*.log "$out"
 session=touch-$$
 . "$root/deploy/demo_lib.sh"
 
-# watch NAME FD OPTIONS: somebody who watches, and whose terminal we type at through descriptor FD.
-watch() {
-  local name=$1 fd=$2
-  shift 2
-  mkfifo "$out/$name.terminal"
-  LP_NUM_THREADS=1 "$bin/prosector-client" observe --session "$session" --name "$name" --display offscreen --size "$size" \
-    "$@" < "$out/$name.terminal" > "$out/$name.log" 2>&1 &
-  pids+=("$!")
-  eval "exec $fd> \"\$out/\$name.terminal\""
-  wait_for "$out/$name.log" "everything is here" 60 "the $name"
-}
-
-# until_is SECONDS WHAT PYTHON: waits until the observer knows what PYTHON says of `now`, the newest line of its log.
-until_is() {
-  python3 - "$out/log.jsonl" "$1" "$3" <<'PY' || fail "$2: not within $1 s" "$out/log.jsonl"
-import json, sys, time
-file, seconds, holds = sys.argv[1], float(sys.argv[2]), compile(sys.argv[3], "condition", "eval")
-end = time.monotonic() + seconds
-while time.monotonic() < end:
-    lines = open(file).read().split("\n")[:-1]
-    try:
-        if lines and eval(holds, {"now": json.loads(lines[-1])}):
-            sys.exit(0)
-    except KeyError:
-        pass
-    time.sleep(0.05)
-sys.exit(1)
-PY
-}
 holders_are() { until_is 60 "who holds the liver: $1" "set(now['parts']['liver'].get('holders', [])) == set([$1])"; }
 touches() { until_is 60 "$1 touches the $2" "now['touches']['$1, right']['body'] == '$2'"; }
 kidney_panel() { until_is 60 "$1" "now['panels']['first user']['part'] == 'kidney' and $2"; }
-
-# go_on USER: lets the user's script pass its next hold.
-go_on() {
-  echo > "$out/$1.tracker.terminal"
-  echo > "$out/$1.glove.terminal"
-}
 
 # moment NAME WHAT: has both who watch take a picture.
 moment() {

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <csignal>
 #include <optional>
+#include <sstream>
 
 namespace prosector {
 namespace {
@@ -74,6 +75,21 @@ ConsoleLine rewind(const std::string& rest, const SceneInfo& scene) {
   return out;
 }
 
+ConsoleLine look(const std::string& rest) {
+  if (rest.empty()) return LookAsBefore{};
+  std::istringstream words(rest);
+  Vec3 eye, target;
+  for (Vec3* v : {&eye, &target})
+    for (int k = 0; k < 3; ++k) words >> (*v)[k];
+  const bool numbers = words && (words >> std::ws).eof();
+  const bool inside = numbers && eye.cwiseAbs().maxCoeff() <= max_coordinate &&
+                      target.cwiseAbs().maxCoeff() <= max_coordinate;
+  if (!inside || eye == target)
+    return fmt::format("look X Y Z X Y Z: two different places within {} m of the middle, or nothing",
+                       max_coordinate);
+  return LookFrom{eye, target};
+}
+
 }  // namespace
 
 ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
@@ -90,6 +106,7 @@ ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
                                                            {"end", CommandKind::end_inspect}};
   if (verb == "give") return give(rest, roster);
   if (verb == "rewind") return rewind(rest, scene);
+  if (verb == "look") return look(rest);
   if (verb == "undo") {
     Command out;
     out.kind = CommandKind::undo;

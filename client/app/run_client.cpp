@@ -18,6 +18,7 @@
 #include "client/render/quality_governor.h"
 #include "client/render/renderer.h"
 #include "client/render/window_context.h"
+#include "client/view/camera.h"
 #include "client/view/scene_view.h"
 #include "common/clock.h"
 #include "common/hand.h"
@@ -125,6 +126,7 @@ class Client {
   bool server_gone_ = false;
   Role role_ = Role::observer;
   Console console_;
+  std::optional<Pose> looks_from_;
 
   static JoinRequest request(const ClientOptions& o) {
     JoinRequest out = o.join;
@@ -206,6 +208,10 @@ class Client {
         connection_.command(*command);
       else if (const TakePicture* picture = std::get_if<TakePicture>(&parsed))
         stage_ ? sink_.ask(picture->file) : tell("picture: nothing is drawn with --display none");
+      else if (const LookFrom* look = std::get_if<LookFrom>(&parsed))
+        looks_from_ = look_at(look->eye, look->target);
+      else if (std::holds_alternative<LookAsBefore>(parsed))
+        looks_from_.reset();
       else
         tell(std::get<std::string>(parsed));
     }
@@ -281,7 +287,7 @@ class Client {
                           .overlay = options_.overlay,
                           .wireframes = options_.wireframes,
                           .follow = options_.follow,
-                          .eye = std::nullopt};
+                          .eye = looks_from_};
     if (options_.display == Display::stereo) settings.stereo = options_.stereo;
     if (pump_) self.input = pump_->latest();
     if (stage_->desk) use_desk(self, settings);

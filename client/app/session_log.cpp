@@ -61,6 +61,7 @@ json parts(Replica& replica, const SceneInfo& scene, double tick) {
       SoftReplica here = *soft;  // a copy: what moved since the last picture is for the view to learn
       here.sample(tick, replica.tick_seconds());
       said["shift"] = vector(shift_of(here), 5);
+      said["revision"] = soft->revision();
     }
     if (!said.empty()) out[scene.bodies[body].name] = said;
   }
@@ -110,7 +111,8 @@ void SessionLog::write(Replica& replica, double tick, double seconds) {
   json line = {{"parts", parts(replica, scene, tick)},
                {"panels", panels(replica, scene)},
                {"touches", touches(replica, scene)},
-               {"room_lights", replica.room_lights()}};
+               {"room_lights", replica.room_lights()},
+               {"topology", to_hex(replica.topology_hash())}};
   if (std::string said = line.dump(); said == last_)
     return;
   else

@@ -54,6 +54,17 @@ TEST(Console, EveryVerbTakesNamesWithSpaces) {
     }
 }
 
+TEST(Console, LooksFromAPlaceToAnother) {
+  const ConsoleLine parsed = parse("look 0 1.5 1  0 1.5 -2");
+  ASSERT_TRUE(std::holds_alternative<LookFrom>(parsed));
+  EXPECT_EQ(std::get<LookFrom>(parsed).eye, Vec3(0, 1.5, 1));
+  EXPECT_EQ(std::get<LookFrom>(parsed).target, Vec3(0, 1.5, -2));
+  EXPECT_TRUE(std::holds_alternative<LookAsBefore>(parse("look")));
+  for (const char* line : {"look 1", "look 1 2 3 4 5", "look 1 2 3 4 5 6 7", "look 1 2 3 4 5 x",
+                           "look 1 2 3 1 2 3", "look 1 2 3 4 5 1e9", "look nan 2 3 4 5 6"})
+    EXPECT_NE(refusal(line).find("look X Y Z"), std::string::npos) << line;
+}
+
 TEST(Console, UndoesAndRewinds) {
   EXPECT_EQ(command("undo").kind, CommandKind::undo);
   const Command out = command("rewind left kidney 12");
