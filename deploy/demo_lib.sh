@@ -2,6 +2,8 @@
 
 # Everything that we start ends with us, by its own process id.
 pids=()
+# Where programs run and how they find each other: a command before theirs, and options of theirs.
+place=() network=()
 stop() {
   local pid
   for pid in "${pids[@]}"; do kill -TERM "$pid" 2>/dev/null || true; done
@@ -29,7 +31,8 @@ wait_for() {  # FILE PATTERN SECONDS WHAT
 # host SCENE SESSION: starts the server and waits for it; sets `server`.
 host() {
   say "Hosting $(basename "$1") as session $2"
-  "$bin/prosector-server" "$1" --session "$2" --journal "$out/journal.sqlite" --summary "$out/server.json" \
+  "${place[@]}" "$bin/prosector-server" "$1" --session "$2" "${network[@]}" --journal "$out/journal.sqlite" \
+    --summary "$out/server.json" \
     > "$out/server.log" 2>&1 &
   server=$!
   pids+=("$server")
@@ -65,8 +68,8 @@ watch() {
   local name=$1 fd=$2
   shift 2
   mkfifo "$out/$name.terminal"
-  LP_NUM_THREADS=1 "$bin/prosector-client" observe --session "$session" --name "$name" --display offscreen --size "$size" \
-    "$@" < "$out/$name.terminal" > "$out/$name.log" 2>&1 &
+  LP_NUM_THREADS=1 "${place[@]}" "$bin/prosector-client" observe --session "$session" --name "$name" "${network[@]}" \
+    --display offscreen --size "$size" "$@" < "$out/$name.terminal" > "$out/$name.log" 2>&1 &
   pids+=("$!")
   eval "exec $fd> \"\$out/\$name.terminal\""
   wait_for "$out/$name.log" "everything is here" 60 "the $name"

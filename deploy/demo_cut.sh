@@ -1,0 +1,168 @@
+#!/usr/bin/env bash
+# A cut, shown: two headset users, through simulated trackers and gloves, cut a liver. One observer watches all, one from close
+# by, one comes while the knife is in the tissue, and one is cut off the network for 3 s while it goes on. In the end all of
+# them hold one topology, by its hash. Leaves pictures, log.jsonl (what the observer knew), everyone's figures and the journal.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+
+usage() {
+  cat <<TXT
+deploy/demo_cut.sh [--out DIR] [--scene FILE] [--size WxH] [--skip-setup]
+  --out DIR      where pictures and figures go (default out/demo_cut)
+  --scene FILE   scene to host (default deploy/scenes/cut.toml); liver, scalpel and knife where that one has them
+  --size WxH     of the pictures (default 800x600)
+  --skip-setup   don't install, fetch and build first (PROSECTOR_BIN says where the programs are, if not in build/release/bin)
+It takes half a minute, on a busy machine longer. Only root can cut somebody off: two network namespaces hold the session and the
+one who is; without them all is on this machine's loopback and that one is left out.
+TXT
+}
+
+out=$root/out/demo_cut scene=$root/deploy/scenes/cut.toml size=800x600 setup=yes
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --out) out=${2:?--out needs a folder}; shift ;;
+    --scene) scene=${2:?--scene needs a file}; shift ;;
+    --size) size=${2:?--size needs WIDTHxHEIGHT}; shift ;;
+    --skip-setup) setup=no ;;
+    -h | --help) usage; exit 0 ;;
+    *) echo "demo: unknown option $1" >&2; usage >&2; exit 2 ;;
+  esac
+  shift
+done
+
+if [ $setup = yes ]; then
+  "$root/deploy/setup.sh"
+  "$root/deploy/fetch_anatomy.sh"
+  "$root/deploy/build.sh" release prosector-server prosector-client prosector-fastrak-twin prosector-5dt-twin
+fi
+bin=${PROSECTOR_BIN:-$root/build/release/bin}
+mkdir -p "$out"
+out=$(cd "$out" && pwd)
+rm -f "$out"/*.png "$out"/*.csv "$out"/*.json "$out"/*.jsonl "$out"/*.log "$out"/*.terminal "$out"/journal.sqlite*
+session=cut-$$
+. "$root/deploy/demo_lib.sh"
+
+room=pcut$$ ward=pcuw$$
+close_network() {
+  stop
+  ip netns del "$room" 2>/dev/null || true
+  ip netns del "$ward" 2>/dev/null || true
+}
+# open_network: a room and a ward, a wire between them. False where they can't be made.
+open_network() {
+  [ "$(id -u)" = 0 ] && command -v ip >/dev/null || return 1
+  trap close_network EXIT
+  { ip netns add "$room" && ip netns add "$ward" &&
+    ip link add lan0 netns "$room" type veth peer name lan0 netns "$ward" &&
+    ip -n "$room" addr add 10.79.0.1/24 dev lan0 && ip -n "$room" link set lan0 up && ip -n "$room" link set lo up &&
+    ip -n "$ward" addr add 10.79.0.2/24 dev lan0 && ip -n "$ward" link set lan0 up && ip -n "$ward" link set lo up; } 2>/dev/null
+}
+in_room() { place=(ip netns exec "$room") network=(--profile lan --lan=10.79.0.1); }
+in_ward() { place=(ip netns exec "$ward") network=(--profile lan --lan=10.79.0.2); }
+
+# moment NAME WHAT: has both who watch take a picture.
+moment() {
+  say "$2"
+  echo "picture $out/$1.png" >&7
+  echo "picture $out/close-$1.png" >&8
+  local waited=0
+  until [ -s "$out/$1.png" ] && [ -s "$out/close-$1.png" ]; do
+    [ "$waited" -lt 200 ] || fail "no picture of \"$2\" within 20 s" "$out/observer.log"
+    sleep 0.1
+    waited=$((waited + 1))
+  done
+}
+holds() { until_is 60 "$1 holds the $2" "'$1, right' in now['parts']['$2'].get('holders', [])"; }
+revision() { python3 -c "import json; print(json.loads(open('$out/log.jsonl').read().split('\n')[-2])['parts']['liver']['revision'])"; }
+
+cut_off=yes
+if open_network; then
+  in_room
+else
+  cut_off=no
+  echo "skipped: somebody who is cut off the network (needs root, ip and network namespaces)"
+fi
+host "$scene" "$session"
+say "One watches all, one from close by"
+watch observer 7 --fps 6 --session-log "$out/log.jsonl" --summary "$out/observer.json"
+clients=("${pids[-1]}")
+watch close 8 --fps 2 --no-overlay --summary "$out/close.json"
+clients+=("${pids[-1]}")
+echo "look 0.12 1.25 0.36  -0.01 1 0.01" >&8
+if [ $cut_off = yes ]; then
+  in_ward
+  watch unplugged 9 --fps 2 --summary "$out/unplugged.json"
+  clients+=("${pids[-1]}")
+  in_room
+fi
+
+say "Two headset users join through simulated trackers and gloves"
+twins first. "$root/deploy/demo/cut_first.csv" "$root/deploy/demo/cut_first.csv" 2.8,4.2
+twins second. "$root/deploy/demo/cut_second.csv" "$root/deploy/demo/cut_second.csv" 0.4,2.8,4.2,7.4,10
+for user in first second; do
+  "${place[@]}" "$bin/prosector-client" join --session "$session" --name "$user user" "${network[@]}" \
+    --config "$root/deploy/demo/headset.toml" --tracker "fastrak:$out/$user.tracker" --glove "5dt:$out/$user.glove" \
+    --display none --summary "$out/$user.json" < /dev/null > "$out/$user.log" 2>&1 &
+  pids+=("$!")
+  clients+=("$!")
+done
+for user in first second; do wait_for "$out/$user.log" "tracker .*streaming" 20 "the $user user's tracker"; done
+
+holds "first user" scalpel
+go_on first
+until_is 60 "the first user lifts the scalpel off the tray" "now['touches'].get('first user, right', {}).get('body') != 'tray'"
+sleep 2
+go_on second
+holds "second user" knife
+go_on second
+sleep 2.5
+moment before "One has taken the scalpel, one the knife"
+go_on first
+until_is 60 "the liver is cut" "now['parts']['liver']['revision'] > 3"
+sleep 4
+moment opened "The first user has opened the right lobe"
+before=$(revision)
+go_on second
+sleep 4
+moment during "The second user's knife is in the left lobe"
+say "An observer comes"
+watch latecomer 6 --fps 2 --summary "$out/latecomer.json"
+clients+=("${pids[-1]}")
+if [ $cut_off = yes ]; then
+  say "One of the observers is cut off the network for 3 s, while the knife goes on"
+  ip -n "$ward" link set lan0 down
+fi
+before=$(revision)
+go_on second
+if [ $cut_off = yes ]; then
+  sleep 3
+  ip -n "$ward" link set lan0 up
+fi
+until_is 60 "more is cut" "now['parts']['liver']['revision'] > $before"
+sleep 3
+moment through "The knife is through"
+go_on second
+sleep 4
+moment after "What is cut off lies on the table"
+echo "look 0.25 1.0 0.3  0 0.98 0.02" >&8
+moment face "The cut's faces, from close by"
+sleep 2
+
+for pid in "${clients[@]}"; do kill -TERM "$pid"; done
+for pid in "${clients[@]}"; do wait "$pid" || fail "a client failed" "$out/observer.log"; done
+kill -TERM "$server" && wait "$server" || fail "the server failed" "$out/server.log"
+stop
+rm -f "$out"/*.terminal
+say "What everyone holds in the end"
+python3 - "$out" <<'PY'
+import glob, json, os, sys
+hashes = {}
+for file in sorted(glob.glob(sys.argv[1] + "/*.json")):
+    figures = json.load(open(file))
+    if "topology_hash" in figures:
+        hashes[os.path.basename(file)[:-5]] = figures["topology_hash"]
+for name, said in hashes.items():
+    print(f"{name:10} {said}")
+sys.exit(0 if len(set(hashes.values())) == 1 else "demo: they don't agree")
+PY
+echo "Pictures and log: $out"
