@@ -117,6 +117,7 @@ struct Simulation::Impl : PanelSubjects {
   void group_soft_bodies();  // part of that
   const std::vector<MixedIsland>& find_islands();
   void gather(const std::vector<MixedIsland>& mixed);
+  void watch_flat_elements(Island& island);  // part of it
   void solve_islands();
   void bounce_rigid();
   void recover();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "server/physics/contact/flat_elements.h"
 #include "server/physics/coupled/recovery.h"
 #include "server/physics/coupled/restitution.h"
 #include "server/physics/simulation_impl.h"
@@ -125,6 +126,7 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
     Island& island = islands[*island_of_group[soft_group[pair.a]]];
     island.contacts.insert(island.contacts.end(), pair.contacts.begin(), pair.contacts.end());
   }
+  for (Island& island : islands) watch_flat_elements(island);
   const auto driven = [&](const ContactSide& side) {
     return side.kind == ContactSide::Kind::fixed && world.driven_to(side.body);
   };
@@ -161,6 +163,22 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
       tie.max_force = p.max_force;
       island.ties.push_back(tie);
     }
+  }
+}
+
+/// Of the solids that something touches.
+void Simulation::Impl::watch_flat_elements(Island& island) {
+  const std::size_t met = island.contacts.size();
+  for (const SoftMember& s : island.soft) {
+    const auto is_it = [&](const ContactSide& side) {
+      return side.kind == ContactSide::Kind::soft && side.body == s.index;
+    };
+    if (std::none_of(island.contacts.begin(), island.contacts.begin() + static_cast<std::ptrdiff_t>(met),
+                     [&](const Contact& c) { return is_it(c.a) || is_it(c.b); }))
+      continue;
+    const double stiffness = model.scene.contact_stiffness * s.body->desc().youngs_modulus;
+    find_flat_elements(s.body->linear_tets(), s.state->motion.x, s.state->motion.v,
+                       {s.index, stiffness, model.h}, island.contacts);
   }
 }
 

@@ -1,7 +1,9 @@
 // Phase 8: what the step did, and where the hands are.
 
 #include <algorithm>
+#include <functional>
 
+#include "server/physics/contact/flat_elements.h"
 #include "server/physics/simulation_impl.h"
 
 namespace prosector {
@@ -32,7 +34,9 @@ Vec3 velocity_of(const ContactSide& side, const RigidWorld& world, const std::ve
 
 void Simulation::Impl::describe() {
   report.time = time;
-  for (const Island& island : islands) report.contacts += static_cast<std::uint32_t>(island.contacts.size());
+  for (const Island& island : islands)
+    report.contacts += static_cast<std::uint32_t>(
+        std::count_if(island.contacts.begin(), island.contacts.end(), std::not_fn(within_element)));
   for (std::size_t slot = 0; slot < model.rigid.size(); ++slot) {
     if (!world.dynamic(slot)) continue;
     const RigidMotion motion = world.motion(slot);
@@ -80,7 +84,8 @@ std::vector<Exchange> Simulation::Impl::exchanges() const {
   };
   for (const Island& island : islands)
     for (const Contact& c : island.contacts) {
-      if (!(c.force > 0 || !c.exchanged.isZero(0)) || !named(c.a) || !named(c.b)) continue;
+      if (!(c.force > 0 || !c.exchanged.isZero(0)) || !named(c.a) || !named(c.b) || within_element(c))
+        continue;
       const BodyId a = body_of(c.a, model.rigid.size()), b = body_of(c.b, model.rigid.size());
       const std::size_t i = at(a, b);
       Exchange& pair = out[i];

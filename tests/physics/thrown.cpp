@@ -115,9 +115,9 @@ Thrown throw_at_each_other(Simulation& simulation, int ticks,
       out.finite = out.finite && simulation.soft_state(body).motion.x.allFinite();
     if (!out.finite) return out;
     const Vec3 taken = momentum(simulation, 0), kept = momentum(simulation, 1);
-    out.exchanged = std::max(out.exchanged, (taken - left).norm());
-    lost =
-        std::max(lost, (taken + kept - left - right - mass * tick * h * simulation.scene().gravity).norm());
+    const Vec3 fallen = tick * h * simulation.scene().gravity;  // m/s
+    out.exchanged = std::max(out.exchanged, (taken - left - simulation.soft(0).total_mass() * fallen).norm());
+    lost = std::max(lost, (taken + kept - left - right - mass * fallen).norm());
     out.deepest = std::max(out.deepest, overlap(simulation, 0, 1));
   }
   out.momentum_lost = lost / out.exchanged;
@@ -125,7 +125,7 @@ Thrown throw_at_each_other(Simulation& simulation, int ticks,
   out.overlap_after = overlap(simulation, 0, 1);
   out.parting = (momentum(simulation, 1) / simulation.soft(1).total_mass() -
                  momentum(simulation, 0) / simulation.soft(0).total_mass())
-                    .x();
+                    .dot((centre(simulation, 1) - centre(simulation, 0)).normalized());
   out.distortion_after = std::max(distortion(simulation, 0), distortion(simulation, 1));
   return out;
 }

@@ -35,7 +35,7 @@ struct Thrown {
   double energy_gained = 0;     // most over the ticks, of what they had
   double deepest = 0;           // m: overlap(), most over the ticks
   double overlap_after = 0;     // m
-  double parting = 0;           // m/s, at the end
+  double parting = 0;           // m/s, along the line between their centres, at the end
   double distortion_after = 0;  // m, of the worse one
   int reported = 0;             // ticks in which a body was reset or not solved well
   bool finite = true;

@@ -20,12 +20,34 @@ void PrintTo(const Throw& t, std::ostream* out) {
 
 class ThrownOrgans : public testing::TestWithParam<Throw> {};
 
-// The other rungs pass through each other at this speed and resolution, or gain energy: docs/contact.md.
+// Without fem_linear, which is for small rotations, and these tumble.
 INSTANTIATE_TEST_SUITE_P(
     Rungs, ThrownOrgans,
     testing::Values(
+        Throw{"corotational", {"fem_corotational", "implicit_euler"}, {"fem_corotational", "implicit_euler"}},
+        Throw{"corotational_bdf2", {"fem_corotational", "bdf2"}, {"fem_corotational", "bdf2"}},
+        Throw{"corotational_tr_bdf2", {"fem_corotational", "tr_bdf2"}, {"fem_corotational", "tr_bdf2"}},
+        Throw{"corotational_explicit",
+              {"fem_corotational", "symplectic_euler"},
+              {"fem_corotational", "symplectic_euler"}},
+        Throw{"corotational_verlet", {"fem_corotational", "verlet"}, {"fem_corotational", "verlet"}},
+        Throw{"corotational_rk4", {"fem_corotational", "rk4"}, {"fem_corotational", "rk4"}},
+        Throw{"stvk", {"fem_stvk", "implicit_euler"}, {"fem_stvk", "implicit_euler"}},
         Throw{"neo_hookean", {"fem_neo_hookean", "implicit_euler"}, {"fem_neo_hookean", "implicit_euler"}},
-        Throw{"springs", {"mass_spring", "implicit_euler"}, {"mass_spring", "implicit_euler"}}),
+        Throw{"neo_hookean_explicit",
+              {"fem_neo_hookean", "symplectic_euler"},
+              {"fem_neo_hookean", "symplectic_euler"}},
+        Throw{"springs", {"mass_spring", "implicit_euler"}, {"mass_spring", "implicit_euler"}},
+        Throw{"springs_explicit", {"mass_spring", "symplectic_euler"}, {"mass_spring", "symplectic_euler"}},
+        Throw{"xpbd", {"xpbd", "implicit_euler"}, {"xpbd", "implicit_euler"}},
+        Throw{"corotational_at_xpbd", {"fem_corotational", "implicit_euler"}, {"xpbd", "implicit_euler"}},
+        Throw{"explicit_at_implicit",
+              {"fem_corotational", "symplectic_euler"},
+              {"fem_corotational", "implicit_euler"}},
+        Throw{"explicit_at_xpbd", {"fem_corotational", "symplectic_euler"}, {"xpbd", "implicit_euler"}},
+        Throw{"neo_hookean_at_springs",
+              {"fem_neo_hookean", "implicit_euler"},
+              {"mass_spring", "implicit_euler"}}),
     [](const auto& info) { return info.param.name; });
 
 TEST_P(ThrownOrgans, PartAsTheyWere) {
@@ -33,14 +55,16 @@ TEST_P(ThrownOrgans, PartAsTheyWere) {
   compiled.threads = 1;
   Simulation simulation(two_livers(GetParam().left, GetParam().right, 0.05), compiled);
   const Thrown thrown =
-      throw_at_each_other(simulation, 130, [&]() -> const StepReport& { return simulation.step({}); });
+      throw_at_each_other(simulation, 200, [&]() -> const StepReport& { return simulation.step({}); });
   ASSERT_TRUE(thrown.finite);
   EXPECT_GT(thrown.exchanged, 0.5 * simulation.soft(0).total_mass() * thrown_speed) << "they have met";
-  EXPECT_LT(thrown.momentum_lost, 1e-3);
-  EXPECT_LT(thrown.energy_gained, 0.01);
+  EXPECT_LT(thrown.momentum_lost, 1e-6);
+  EXPECT_LT(thrown.energy_gained, 1e-3);
   EXPECT_GT(thrown.parting, 0.1);
   EXPECT_EQ(thrown.overlap_after, 0);
-  EXPECT_LT(thrown.distortion_after, 2e-3);
+  // Nothing damps them: position-based ones still swing.
+  const bool swings = GetParam().left.model == "xpbd" || GetParam().right.model == "xpbd";
+  EXPECT_LT(thrown.distortion_after, swings ? 4e-3 : 2e-3);
 }
 
 }  // namespace

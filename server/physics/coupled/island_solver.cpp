@@ -13,6 +13,7 @@ constexpr double enough_step =
     1e-5;  // m: a next Newton step below it, at the rate of the last two, is not taken
 constexpr double enough_share = 0.05;  // of the slip over which friction builds up: likewise, where it holds
 constexpr double converged_step = 1e-4;  // m
+constexpr double rough_step = 3e-3;      // m: what still moves so far, in touch with others, may gain energy
 constexpr int halvings = 12, halvings_with_care = 40;
 constexpr int newton_until_settled = 4;  // times the scene's iterations, at most, where contacts change
 constexpr int newton_with_care = 4;      // times the scene's iterations
@@ -60,6 +61,19 @@ bool relaxing(const Island& island) {
 /// company of rigid bodies all are stepped by implicit Euler, so that what one loses the other gets.
 void choose_integrators(Island& island) {
   for (SoftMember& m : island.soft) m.euler = !island.rigid.empty() || island.soft.size() > 1;
+}
+
+/// Whether nothing holds the island in the room.
+bool floats(const Island& island) {
+  const auto to_room = [](const auto& joint) {
+    return joint.a.kind == ContactSide::Kind::fixed || joint.b.kind == ContactSide::Kind::fixed;
+  };
+  return std::none_of(island.contacts.begin(), island.contacts.end(), to_room) &&
+         std::none_of(island.ties.begin(), island.ties.end(), to_room) &&
+         std::none_of(island.soft.begin(), island.soft.end(),
+                      [](const SoftMember& m) { return m.body->attached(); }) &&
+         std::none_of(island.rigid.begin(), island.rigid.end(),
+                      [](const RigidMember& m) { return m.pull.has_value(); });
 }
 
 }  // namespace
@@ -160,14 +174,39 @@ IslandReport IslandSolver::minimise(const Limits& limits, double tolerance, doub
     }
     q_.swap(next_);
     system_.take(length, step_);
-    unsettled = system_.unsettled(q_);
     const double before = report.last_step;
     report.last_step = length * step_.lpNorm<Eigen::Infinity>();
+    unsettled = system_.unsettled(q_) || (!limits.alone && report.last_step > rough_step);
     const double rate = before > 0 ? std::min(1.0, report.last_step / before) : 1;
     if (!unsettled && rate * report.last_step < enough) break;
   }
   report.converged = report.last_step < converged_step && std::isfinite(report.residual);
   return report;
+}
+
+/// Whatever Newton's method and the linear solver left undone, the momentum of what floats is right: moved as
+/// a whole, it costs nothing but inertia.
+void IslandSolver::keep_momentum(const Island& island, double h) {
+  if (!floats(island)) return;
+  system_.gradient(q_, g_);
+  Vec3 force = Vec3::Zero();
+  double inertia = 0;  // N/m
+  for (std::size_t m = 0; m < island.soft.size(); ++m) {
+    const SoftBody& body = *island.soft[m].body;
+    const Stage& stage = body.stage();
+    force += g_.segment(system_.soft_offset(m), 3 * body.nodes()).reshaped(3, body.nodes()).rowwise().sum();
+    inertia += (stage.alpha + body.desc().damping_mass / stage.dxdv) * body.total_mass();
+  }
+  for (std::size_t m = 0; m < island.rigid.size(); ++m) {
+    force += g_.segment<3>(system_.rigid_offset(m));
+    inertia += island.rigid[m].mass / (h * h);
+  }
+  const Vec3 shift = -force / inertia;
+  for (std::size_t m = 0; m < island.soft.size(); ++m) {
+    const Eigen::Index nodes = island.soft[m].body->nodes();
+    q_.segment(system_.soft_offset(m), 3 * nodes).reshaped(3, nodes).colwise() += shift;
+  }
+  for (std::size_t m = 0; m < island.rigid.size(); ++m) q_.segment<3>(system_.rigid_offset(m)) += shift;
 }
 
 /// One attempt at the tick. work_: J, by joints on each soft member.
@@ -188,6 +227,7 @@ IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double 
     part.solver_iterations += report.solver_iterations;
     part.descended = part.descended && report.descended;
     report = part;
+    keep_momentum(island, h);
     report.finite = q_.allFinite() && q_.lpNorm<Eigen::Infinity>() < max_coordinate;
     if (!report.finite) return report;
     for (std::size_t m = 0; m < island.rigid.size(); ++m)

@@ -19,13 +19,15 @@ class IslandSolver {
   /// bodies move together, rigid or soft, all are stepped by implicit Euler: other methods weigh a force
   /// otherwise than a rigid body does, and momentum would be lost between them. A tick that is not finite, or
   /// after which a soft body has more energy than explained, is taken again with more care, by implicit
-  /// Euler, and if need be shortened: energy_guard.h.
+  /// Euler, and if need be shortened: energy_guard.h. Momentum of what nothing holds in the room is right
+  /// however early a solve stops.
   IslandReport solve(Island& island, double h, const Vec3& gravity);
 
  private:
   struct Limits;
 
   Limits limits_of(const Island& island);
+  void keep_momentum(const Island& island, double h);
   IslandReport attempt(Island& island, const Limits& limits, double h, const Vec3& gravity);
   IslandReport minimise(const Limits& limits, double tolerance, double enough);
   double line_search(double energy, double slope, int halvings);

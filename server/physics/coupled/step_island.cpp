@@ -111,6 +111,7 @@ class Tick {
       else
         refuse(member, needed);
     }
+    join_minimised();
     for (std::size_t m = 0; m < island_.soft.size(); ++m) {
       if (!substepped_[m]) continue;
       island_.soft[m].substeps = substeps_;
@@ -142,6 +143,31 @@ class Tick {
           needed, 1e3 * h_ / needed, desc.max_substeps);
     else
       say(member, "{} grows at every step without more damping: stepped by implicit_euler", method);
+  }
+
+  /// A minimised body takes a tick in one step: impulses in the course of it would strike single nodes, whose
+  /// neighbours know nothing of it before the next. So what touches one is minimised with it.
+  void join_minimised() {
+    for (bool again = true; again;) {
+      again = false;
+      for (const Contact& c : island_.contacts) {
+        if (c.a.kind != ContactSide::Kind::soft || c.b.kind != ContactSide::Kind::soft) continue;
+        const std::size_t a = member_of(c.a), b = member_of(c.b);
+        if (substepped_[a] == substepped_[b]) continue;
+        const std::size_t joins = substepped_[a] ? a : b;
+        substepped_[joins] = 0;
+        say(island_.soft[joins], "stepped by implicit_euler, as what it touches");
+        island_.soft[joins].degraded = true;
+        again = true;
+      }
+    }
+    if (std::none_of(substepped_.begin(), substepped_.end(), [](char s) { return s != 0; })) substeps_ = 0;
+  }
+
+  std::size_t member_of(const ContactSide& side) const {
+    std::size_t m = 0;
+    while (island_.soft[m].index != side.body) ++m;
+    return m;
   }
 
   bool of_substepped(const ContactSide& side) const {

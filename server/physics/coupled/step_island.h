@@ -11,7 +11,8 @@ namespace prosector {
 /// their own (explicit, position-based) go through the tick in equal substeps, all of the island in step, and
 /// exchange equal and opposite impulses with what they touch (impulse_coupling.h). A body that would need
 /// more substeps than its scene allows is minimised instead, by implicit Euler, and says so; so is one that
-/// got stiffer within the tick than its substeps bear, after one more try. A ruined body is stepped under the
+/// got stiffer within the tick than its substeps bear, after one more try, and one that touches a soft body
+/// that is minimised. A ruined body is stepped under the
 /// law that leads out (recovery.h). Gravity that is not finite counts as none.
 class IslandStepper {
  public:

@@ -419,6 +419,10 @@ double SoftBody::inverted_share(const VecX& x, double least) const {
   return crushed_share(impl_->linear_tets(), x, least);
 }
 
+const TetMesh& SoftBody::linear_tets() const {
+  return impl_->linear_tets();
+}
+
 void SoftBody::unfold(SoftBodyState& state) const {
   prosector::unfold(impl_->rest(), impl_->mass, impl_->model->objective(), state);
   if (impl_->attached.isZero()) return;

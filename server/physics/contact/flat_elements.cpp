@@ -1,0 +1,89 @@
+#include "server/physics/contact/flat_elements.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace prosector {
+namespace {
+
+constexpr double least_height = 0.1;  // of that at rest: what vertices keep over their opposite face
+constexpr double soon = 0.5;          // of that at rest: lower ones are watched however they move
+constexpr double hurry = 2;           // times the speed at which it gets lower: it may grow
+
+using Tet = std::array<Vec3, 4>;
+
+/// Which vertex is over the largest face.
+std::size_t apex_of(const Tet& at) {
+  std::size_t apex = 0;
+  double largest = -1;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec3 &a = at[(k + 1) % 4], &b = at[(k + 2) % 4], &c = at[(k + 3) % 4];
+    const double area = (b - a).cross(c - a).squaredNorm();
+    if (area <= largest) continue;
+    largest = area;
+    apex = k;
+  }
+  return apex;
+}
+
+/// Normal of the face opposite to the apex, twice its area long; towards the apex of an element that is the
+/// right way out.
+Vec3 face_normal(const Tet& at, std::size_t apex, double sign) {
+  const Vec3 &a = at[(apex + 1) % 4], &b = at[(apex + 2) % 4], &c = at[(apex + 3) % 4];
+  return sign * (b - a).cross(c - a);
+}
+
+}  // namespace
+
+void find_flat_elements(const TetMesh& mesh, const VecX& x, const VecX& v, const FlatElementSearch& search,
+                        std::vector<Contact>& out) {
+  const auto read = [](const VecX& values, std::uint32_t node) -> Vec3 {
+    return values.segment<3>(3 * static_cast<Eigen::Index>(node));
+  };
+  for (const auto& t : mesh.tets) {
+    Tet at, rest;
+    for (std::size_t k = 0; k < 4; ++k) {
+      at[k] = read(x, t[k]);
+      rest[k] = mesh.positions[t[k]];
+    }
+    const std::size_t apex = apex_of(at);
+    const double volume = face_normal(rest, apex, 1).dot(rest[apex] - rest[(apex + 1) % 4]);  // six times
+    const double sign = volume < 0 ? -1 : 1;
+    const Vec3 rest_face = face_normal(rest, apex, 1), face = face_normal(at, apex, sign);
+    const double area = face.norm(), rest_area = rest_face.norm();
+    if (!(area > 0) || volume == 0) continue;
+    const Vec3 n = face / area;
+    const double rest_height = std::abs(volume) / rest_area, least = least_height * rest_height;
+    const std::array<std::uint32_t, 3> corner = {t[(apex + 1) % 4], t[(apex + 2) % 4], t[(apex + 3) % 4]};
+    const double height = n.dot(at[apex] - at[(apex + 1) % 4]);
+    // Where the apex is over the face, in its corners' weights, so that the forces have no moment.
+    const Vec3 foot = at[apex] - height * n;
+    Vec3 weights;
+    for (std::size_t k = 0; k < 3; ++k)
+      weights[static_cast<Eigen::Index>(k)] =
+          n.dot((at[(apex + 1 + (k + 1) % 3) % 4] - foot).cross(at[(apex + 1 + (k + 2) % 3) % 4] - foot)) /
+          (sign * area);
+    Vec3 nearing = -read(v, t[apex]);
+    for (std::size_t k = 0; k < 3; ++k) nearing += weights[static_cast<Eigen::Index>(k)] * read(v, corner[k]);
+    if (height > soon * rest_height && height - least > hurry * search.h * std::max(0.0, n.dot(nearing)))
+      continue;
+    Contact& c = out.emplace_back();
+    c.a.kind = c.b.kind = ContactSide::Kind::soft;
+    c.a.body = c.b.body = search.body;
+    c.a.nodes = 1;
+    c.a.node[0] = t[apex];
+    c.a.weight[0] = 1;
+    c.b.nodes = 3;
+    for (std::size_t k = 0; k < 3; ++k) {
+      c.b.node[k] = corner[k];
+      c.b.weight[k] = weights[static_cast<Eigen::Index>(k)];
+    }
+    c.point = at[apex];
+    c.normal = n;
+    c.gap = std::max(height - least, -2 * least);
+    c.stiffness = search.stiffness * rest_area / 6 / rest_height;
+  }
+}
+
+}  // namespace prosector
