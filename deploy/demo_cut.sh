@@ -4,6 +4,7 @@
 # them hold one topology, by its hash. Leaves pictures, log.jsonl (what the observer knew), everyone's figures and the journal.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
+name=cut
 
 usage() {
   cat <<TXT
@@ -17,30 +18,9 @@ one who is; without them all is on this machine's loopback and that one is left 
 TXT
 }
 
-out=$root/out/demo_cut scene=$root/deploy/scenes/cut.toml size=800x600 setup=yes
-while [ $# -gt 0 ]; do
-  case "$1" in
-    --out) out=${2:?--out needs a folder}; shift ;;
-    --scene) scene=${2:?--scene needs a file}; shift ;;
-    --size) size=${2:?--size needs WIDTHxHEIGHT}; shift ;;
-    --skip-setup) setup=no ;;
-    -h | --help) usage; exit 0 ;;
-    *) echo "demo: unknown option $1" >&2; usage >&2; exit 2 ;;
-  esac
-  shift
-done
-
-if [ $setup = yes ]; then
-  "$root/deploy/setup.sh"
-  "$root/deploy/fetch_anatomy.sh"
-  "$root/deploy/build.sh" release prosector-server prosector-client prosector-fastrak-twin prosector-5dt-twin
-fi
-bin=${PROSECTOR_BIN:-$root/build/release/bin}
-mkdir -p "$out"
-out=$(cd "$out" && pwd)
-rm -f "$out"/*.png "$out"/*.csv "$out"/*.json "$out"/*.jsonl "$out"/*.log "$out"/*.terminal "$out"/journal.sqlite*
-session=cut-$$
-. "$root/deploy/demo_lib.sh"
+. "$root/deploy/demo_session.sh"
+begin "$@"
+second_view=close
 
 room=pcut$$ ward=pcuw$$
 close_network() {
@@ -60,18 +40,6 @@ open_network() {
 in_room() { place=(ip netns exec "$room") network=(--profile lan --lan=10.79.0.1); }
 in_ward() { place=(ip netns exec "$ward") network=(--profile lan --lan=10.79.0.2); }
 
-# moment NAME WHAT: has both who watch take a picture.
-moment() {
-  say "$2"
-  echo "picture $out/$1.png" >&7
-  echo "picture $out/close-$1.png" >&8
-  local waited=0
-  until [ -s "$out/$1.png" ] && [ -s "$out/close-$1.png" ]; do
-    [ "$waited" -lt 200 ] || fail "no picture of \"$2\" within 20 s" "$out/observer.log"
-    sleep 0.1
-    waited=$((waited + 1))
-  done
-}
 holds() { until_is 60 "$1 holds the $2" "'$1, right' in now['parts']['$2'].get('holders', [])"; }
 revision() { python3 -c "import json; print(json.loads(open('$out/log.jsonl').read().split('\n')[-2])['parts']['liver']['revision'])"; }
 
@@ -99,14 +67,7 @@ fi
 say "Two headset users join through simulated trackers and gloves"
 twins first. "$root/deploy/demo/cut_first.csv" "$root/deploy/demo/cut_first.csv" 2.8,4.2
 twins second. "$root/deploy/demo/cut_second.csv" "$root/deploy/demo/cut_second.csv" 0.4,2.8,4.2,7.4,10
-for user in first second; do
-  "${place[@]}" "$bin/prosector-client" join --session "$session" --name "$user user" "${network[@]}" \
-    --config "$root/deploy/demo/headset.toml" --tracker "fastrak:$out/$user.tracker" --glove "5dt:$out/$user.glove" \
-    --display none --summary "$out/$user.json" < /dev/null > "$out/$user.log" 2>&1 &
-  pids+=("$!")
-  clients+=("$!")
-done
-for user in first second; do wait_for "$out/$user.log" "tracker .*streaming" 20 "the $user user's tracker"; done
+users
 
 holds "first user" scalpel
 go_on first
@@ -148,11 +109,7 @@ echo "look 0.25 1.0 0.3  0 0.98 0.02" >&8
 moment face "The cut's faces, from close by"
 sleep 2
 
-for pid in "${clients[@]}"; do kill -TERM "$pid"; done
-for pid in "${clients[@]}"; do wait "$pid" || fail "a client failed" "$out/observer.log"; done
-kill -TERM "$server" && wait "$server" || fail "the server failed" "$out/server.log"
-stop
-rm -f "$out"/*.terminal
+end
 say "What everyone holds in the end"
 python3 - "$out" <<'PY'
 import glob, json, os, sys

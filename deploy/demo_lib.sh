@@ -62,39 +62,3 @@ twins() {
     [ -e "$out/$link" ] || fail "the simulated $link did not come up" "$out/$link.log"
   done
 }
-
-# watch NAME FD OPTIONS: somebody who watches, and whose terminal we type at through descriptor FD.
-watch() {
-  local name=$1 fd=$2
-  shift 2
-  mkfifo "$out/$name.terminal"
-  LP_NUM_THREADS=1 "${place[@]}" "$bin/prosector-client" observe --session "$session" --name "$name" "${network[@]}" \
-    --display offscreen --size "$size" "$@" < "$out/$name.terminal" > "$out/$name.log" 2>&1 &
-  pids+=("$!")
-  eval "exec $fd> \"\$out/\$name.terminal\""
-  wait_for "$out/$name.log" "everything is here" 60 "the $name"
-}
-
-# until_is SECONDS WHAT PYTHON: waits until the observer knows what PYTHON says of `now`, the newest line of its log.
-until_is() {
-  python3 - "$out/log.jsonl" "$1" "$3" <<'PY' || fail "$2: not within $1 s" "$out/log.jsonl"
-import json, sys, time
-file, seconds, holds = sys.argv[1], float(sys.argv[2]), compile(sys.argv[3], "condition", "eval")
-end = time.monotonic() + seconds
-while time.monotonic() < end:
-    lines = open(file).read().split("\n")[:-1]
-    try:
-        if lines and eval(holds, {"now": json.loads(lines[-1])}):
-            sys.exit(0)
-    except KeyError:
-        pass
-    time.sleep(0.05)
-sys.exit(1)
-PY
-}
-
-# go_on USER: lets the user's script pass its next hold.
-go_on() {
-  echo > "$out/$1.tracker.terminal"
-  echo > "$out/$1.glove.terminal"
-}

@@ -4,6 +4,7 @@
 # the first user's eyes, take a picture of each moment. Leaves pictures, log.jsonl (what the observer knew) and figures.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
+name=touch
 
 usage() {
   cat <<TXT
@@ -16,68 +17,26 @@ It takes half a minute, on a busy machine longer.
 TXT
 }
 
-out=$root/out/demo_touch scene=$root/deploy/scenes/touch.toml size=800x600 setup=yes
-while [ $# -gt 0 ]; do
-  case "$1" in
-    --out) out=${2:?--out needs a folder}; shift ;;
-    --scene) scene=${2:?--scene needs a file}; shift ;;
-    --size) size=${2:?--size needs WIDTHxHEIGHT}; shift ;;
-    --skip-setup) setup=no ;;
-    -h | --help) usage; exit 0 ;;
-    *) echo "demo: unknown option $1" >&2; usage >&2; exit 2 ;;
-  esac
-  shift
-done
-
-if [ $setup = yes ]; then
-  "$root/deploy/setup.sh"
-  "$root/deploy/fetch_anatomy.sh"
-  "$root/deploy/build.sh" release prosector-server prosector-client prosector-fastrak-twin prosector-5dt-twin
-fi
-bin=${PROSECTOR_BIN:-$root/build/release/bin}
-mkdir -p "$out"
-out=$(cd "$out" && pwd)
-rm -f "$out"/*.png "$out"/*.csv "$out"/*.json "$out"/*.jsonl "$out"/*.log "$out"/*.terminal "$out"/journal.sqlite*
-session=touch-$$
-. "$root/deploy/demo_lib.sh"
+. "$root/deploy/demo_session.sh"
+begin "$@"
+second_view=eyes
 
 holders_are() { until_is 60 "who holds the liver: $1" "set(now['parts']['liver'].get('holders', [])) == set([$1])"; }
 touches() { until_is 60 "$1 touches the $2" "now['touches']['$1, right']['body'] == '$2'"; }
 kidney_panel() { until_is 60 "$1" "now['panels']['first user']['part'] == 'kidney' and $2"; }
 
-# moment NAME WHAT: has both who watch take a picture.
-moment() {
-  say "$2"
-  echo "picture $out/$1.png" >&7
-  echo "picture $out/eyes-$1.png" >&8
-  local waited=0
-  until [ -s "$out/$1.png" ] && [ -s "$out/eyes-$1.png" ]; do
-    [ "$waited" -lt 200 ] || fail "no picture of \"$2\" within 20 s" "$out/observer.log"
-    sleep 0.1
-    waited=$((waited + 1))
-  done
-}
-
 host "$scene" "$session"
 say "An observer watches, and an onlooker through the first user's eyes"
 watch observer 7 --fps 6 --session-log "$out/log.jsonl"
-observer=${pids[-1]}
+clients=("${pids[-1]}")
 watch onlooker 8 --fps 2 --follow "first user"
-onlooker=${pids[-1]}
+clients+=("${pids[-1]}")
 
 say "Two headset users join through simulated trackers and gloves"
 # Each waits where the other's doing, or the session's answer, has to come first: a busy machine only makes it longer.
 twins first. "$root/deploy/demo/touch_first.csv" "$root/deploy/demo/touch_first.csv" 3.1,4,12,16.2,17.7,22.2
 twins second. "$root/deploy/demo/touch_second.csv" "$root/deploy/demo/touch_second.csv" 5.4,8.1,9,14.2
-users=()
-for user in first second; do
-  "$bin/prosector-client" join --session "$session" --name "$user user" --config "$root/deploy/demo/headset.toml" \
-    --tracker "fastrak:$out/$user.tracker" --glove "5dt:$out/$user.glove" --display none --summary "$out/$user.json" \
-    < /dev/null > "$out/$user.log" 2>&1 &
-  users+=("$!")
-  pids+=("$!")
-done
-for user in first second; do wait_for "$out/$user.log" "tracker .*streaming" 20 "the $user user's tracker"; done
+users
 
 touches "first user" liver
 sleep 0.5  # it sinks in
@@ -115,10 +74,5 @@ until_is 60 "the first user leaves the panel" \
 sleep 2
 moment end "That's all"
 
-for pid in "$observer" "$onlooker" "${users[@]}"; do
-  kill -TERM "$pid" && wait "$pid" || fail "a client failed" "$out/observer.log"
-done
-kill -TERM "$server" && wait "$server" || fail "the server failed" "$out/server.log"
-stop
-rm -f "$out"/*.terminal
+end
 echo "Pictures and log: $out"
