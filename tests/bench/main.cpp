@@ -34,6 +34,7 @@ int main(int argc, char** argv) try {
       ->required();
   render_command->add_option("--width", render.width, "Pixels")->check(CLI::Range(16, 4096));
   render_command->add_option("--height", render.height, "Pixels")->check(CLI::Range(16, 4096));
+  render_command->add_flag("--stereo", render.stereo, "Two eyes side by side, each half as wide");
   render_command->add_option("--frames", render.frames, "Frames of which the mean is told")
       ->check(CLI::Range(1, 100000));
   render_command->add_option("--pictures", render.picture_folder, "Folder for the last frames, as PNG")

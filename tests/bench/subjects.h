@@ -25,6 +25,7 @@ struct RenderBenchOptions {
   int width = 800, height = 600;
   int frames = 10;
   std::string picture_folder;  // where to write the pictures drawn; empty: nowhere
+  bool stereo = false;         // two eyes side by side, each half as wide
 };
 /// Frames of a scene in which a hand presses an organ. LP_NUM_THREADS=1 for steady figures.
 Report bench_render(const RenderBenchOptions& options);
