@@ -34,6 +34,10 @@ ContactSide rigid_side(const RigidWorld& world, std::size_t slot, const Vec3& po
   return side;
 }
 
+bool between_soft(const Contact& c) {
+  return c.a.kind == ContactSide::Kind::soft && c.b.kind == ContactSide::Kind::soft && c.a.body != c.b.body;
+}
+
 }  // namespace
 
 const std::vector<MixedIsland>& Simulation::Impl::find_islands() {
@@ -166,15 +170,14 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
   }
 }
 
-/// Of the solids that something touches.
+/// Of solids that meet other soft bodies.
 void Simulation::Impl::watch_flat_elements(Island& island) {
   const std::size_t met = island.contacts.size();
   for (const SoftMember& s : island.soft) {
-    const auto is_it = [&](const ContactSide& side) {
-      return side.kind == ContactSide::Kind::soft && side.body == s.index;
-    };
     if (std::none_of(island.contacts.begin(), island.contacts.begin() + static_cast<std::ptrdiff_t>(met),
-                     [&](const Contact& c) { return is_it(c.a) || is_it(c.b); }))
+                     [&](const Contact& c) {
+                       return between_soft(c) && (c.a.body == s.index || c.b.body == s.index);
+                     }))
       continue;
     const double stiffness = model.scene.contact_stiffness * s.body->desc().youngs_modulus;
     find_flat_elements(s.body->linear_tets(), s.state->motion.x, s.state->motion.v,

@@ -13,7 +13,7 @@ constexpr double enough_step =
     1e-5;  // m: a next Newton step below it, at the rate of the last two, is not taken
 constexpr double enough_share = 0.05;  // of the slip over which friction builds up: likewise, where it holds
 constexpr double converged_step = 1e-4;  // m
-constexpr double rough_step = 3e-3;      // m: what still moves so far, in touch with others, may gain energy
+constexpr double rough_step = 3e-3;  // m: what still moves so far among several soft bodies may gain energy
 constexpr int halvings = 12, halvings_with_care = 40;
 constexpr int newton_until_settled = 4;  // times the scene's iterations, at most, where contacts change
 constexpr int newton_with_care = 4;      // times the scene's iterations
@@ -81,6 +81,7 @@ bool floats(const Island& island) {
 struct IslandSolver::Limits {
   int newton = rigid_newton_iterations;
   bool alone = true;     // nothing touches or holds: the guard is on
+  bool several = false;  // soft bodies
   bool careful = false;  // exact tangents from the first on, long searches
   SolverSettings settings;
   LinearSolver* solver = nullptr;
@@ -94,6 +95,7 @@ IslandSolver::Limits IslandSolver::limits_of(const Island& island) {
   if (!solver) solver = make_solver(name);
   limits.solver = solver.get();
   limits.alone = island.contacts.empty() && island.ties.empty() && !relaxing(island);
+  limits.several = island.soft.size() > 1;
   if (!soft) return limits;
   int steps_down = static_cast<int>(max_steps_down);
   for (const SoftMember& m : island.soft) steps_down = std::min(steps_down, m.state->steps_down);
@@ -176,7 +178,7 @@ IslandReport IslandSolver::minimise(const Limits& limits, double tolerance, doub
     system_.take(length, step_);
     const double before = report.last_step;
     report.last_step = length * step_.lpNorm<Eigen::Infinity>();
-    unsettled = system_.unsettled(q_) || (!limits.alone && report.last_step > rough_step);
+    unsettled = system_.unsettled(q_) || (limits.several && report.last_step > rough_step);
     const double rate = before > 0 ? std::min(1.0, report.last_step / before) : 1;
     if (!unsettled && rate * report.last_step < enough) break;
   }
