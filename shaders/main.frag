@@ -40,6 +40,10 @@ void main() {
   float through = abs(dot(smooth_normal, normalize(eye - room_place)));
   float left = mix(1.0, 0.5, rest_place.x) * (1.0 - smoothstep(0.85, 1.0, rest_place.x));
   color = with_brightness(brightness * base_color * through * through * left);
+#elif defined(PAINTED)
+  // Lit from the eye alone and not tone mapped, so that colours are those of the legend.
+  float facing = abs(dot(smooth_normal, normalize(eye - room_place)));
+  color = with_brightness(srgb(mix(0.45, 1.0, facing) * rest_place));
 #else
   vec3 towards_eye = normalize(eye - room_place);
   Material material = material_at(rest_place, lean(towards_eye, smooth_normal));

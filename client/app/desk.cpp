@@ -21,6 +21,10 @@ constexpr double hand_pitch = -0.5;           // rad: fingers point into the pic
 constexpr double close_per_s = 6;             // flexion per second when the button goes down
 constexpr std::chrono::milliseconds slide_interval{40};  // a server takes no more than 50 commands a second
 
+Shown next(Shown shown) {
+  return static_cast<Shown>((static_cast<std::size_t>(shown) + 1) % value_scales.size());
+}
+
 }  // namespace
 
 void Desk::begin(const CameraInfo& start) {
@@ -55,6 +59,7 @@ void Desk::take(const WindowEvent& event) {
   if (const auto* key = std::get_if<KeyEvent>(&event)) {
     if (key->key == Key::escape && key->down) closed_ = true;
     if (key->down && !key->repeat && key->key == key_of('C')) wireframes_ = !wireframes_;
+    if (key->down && !key->repeat && key->key == key_of('V')) shown_ = next(shown_);
     if (key->down && !key->repeat && key->key == key_of('Z')) ask(CommandKind::undo);
     if (key->down && !key->repeat && key->key == key_of('P')) panel_request_ = pointer();
     if (key->down)

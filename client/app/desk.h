@@ -8,6 +8,7 @@
 
 #include "client/render/window_context.h"
 #include "client/view/pick.h"
+#include "client/view/value_paint.h"
 #include "common/messages.h"
 
 namespace prosector {
@@ -15,12 +16,14 @@ namespace prosector {
 /// For people; told when a desk user joins.
 inline constexpr const char* desk_help =
     "mouse: moves your hand    wheel: how far away it is    left button: grasps while held\n"
-    "right drag: turns the view    W A S D Q E: fly    C: collision models    Esc: leave\n"
+    "right drag: turns the view    W A S D Q E: fly    C: collision models    V: strain, residual, error    "
+    "Esc: leave\n"
     "P or middle button: the panel of the part under the pointer; left button: works its controls";
 
 class Desk {
  public:
-  explicit Desk(WindowContext& window) : window_(window) {}
+  /// `shown`: what soft bodies' colours tell at first.
+  explicit Desk(WindowContext& window, Shown shown = Shown::none) : window_(window), shown_(shown) {}
 
   /// Takes the window's events and moves the view; `start` is where it begins, `own_panel` the user's open
   /// one, or null.
@@ -35,6 +38,7 @@ class Desk {
   /// Where the user asked for a panel since the last call.
   std::optional<Ray> take_panel_request();
   bool wireframes() const { return wireframes_; }
+  Shown shown() const { return shown_; }
 
  private:
   WindowContext& window_;
@@ -62,6 +66,7 @@ class Desk {
   std::vector<Command> commands_;
   std::optional<Ray> panel_request_;
   bool wireframes_ = false;
+  Shown shown_;
 
   void begin(const CameraInfo& start);
   void take(const WindowEvent& event);

@@ -22,7 +22,8 @@ const std::map<std::string, Display> displays = {{"window", Display::window},
                                                  {"none", Display::none}};
 
 struct RawOptions {
-  std::string tracker, glove, glove_left, config, size, user_name, display = "window", quality = "medium";
+  std::string tracker, glove, glove_left, config, size, user_name, display = "window", quality = "medium",
+                                                                   show = "none";
   std::optional<std::string> lan;  // empty: the only network that there is
   std::vector<std::string> screenshots, effects;
 };
@@ -94,6 +95,9 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
       ->group("Pictures");
   app.add_flag("!--no-overlay", o.overlay, "Leave out figures and axes")->group("Pictures");
   app.add_flag("--wireframes", o.wireframes, "Draw what bodies collide as, in white lines")
+      ->group("Pictures");
+  app.add_option("--show", raw.show, "Colour soft bodies by strain, residual or error, or not: none")
+      ->capture_default_str()
       ->group("Pictures");
 }
 
@@ -183,6 +187,12 @@ RendererSettings parse_quality(const std::string& text, const std::vector<std::s
   throw InputError("--quality " + text + ": give low, medium or high");
 }
 
+Shown parse_shown(const std::string& text) {
+  for (std::size_t k = 0; k < value_scales.size(); ++k)
+    if (value_scales[k].name == text) return static_cast<Shown>(k);
+  throw InputError("--show " + text + ": give strain, residual, error or none");
+}
+
 Screenshot parse_screenshot(const std::string& text) {
   const auto at = text.rfind('@');
   if (at == std::string::npos) return {text, std::nullopt};
@@ -209,6 +219,7 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   parse_display(raw.display, o);
   if (!raw.size.empty()) parse_size(raw.size, o.width, o.height);
   o.quality = parse_quality(raw.quality, raw.effects);
+  o.shown = parse_shown(raw.show);
   for (const std::string& text : raw.screenshots) o.screenshots.push_back(parse_screenshot(text));
   if (!raw.config.empty()) o.devices = load_client_config(raw.config);
   if (!raw.tracker.empty()) o.devices.tracker = raw.tracker;

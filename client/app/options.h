@@ -10,6 +10,7 @@
 #include "client/app/render_scene.h"
 #include "client/render/renderer.h"
 #include "client/view/stereo_profile.h"
+#include "client/view/value_paint.h"
 #include "drivers/client_config.h"
 
 namespace prosector {
@@ -38,6 +39,7 @@ struct ClientOptions {
   bool overlay = true;         // figures and axes
   bool watch_shaders = false;  // read anew whenever one is written
   bool wireframes = false;     // of what bodies collide as; a desk user's C key changes it
+  Shown shown = Shown::none;   // by soft bodies' colours; a desk user's V key changes it
 };
 
 /// Parses; on --help or a wrong line prints to the user and returns the exit code.

@@ -61,7 +61,7 @@ std::unique_ptr<Stage> make_stage(const ClientOptions& o) {
     stage->context = make_osmesa_context(o.width, o.height);
   } else {
     auto window = make_window_context(o.width, o.height, "Prosector: " + o.bus.session);
-    stage->desk = std::make_unique<Desk>(*window);
+    stage->desk = std::make_unique<Desk>(*window, o.shown);
     stage->context = std::move(window);
   }
   stage->renderer = std::make_unique<Renderer>(*stage->context, o.shaders, o.quality);
@@ -264,6 +264,7 @@ class Client {
     desk.update(camera, own_panel ? &*own_panel : nullptr);
     settings.eye = desk.eye();
     settings.wireframes = options_.wireframes != desk.wireframes();
+    settings.shown = desk.shown();
     if (!drives_hand_at_desk()) return;
     self.input = desk.input();
     pump_->set_desk_input(self.input);
@@ -286,6 +287,7 @@ class Client {
                           .stereo = {},
                           .overlay = options_.overlay,
                           .wireframes = options_.wireframes,
+                          .shown = options_.shown,
                           .follow = options_.follow,
                           .eye = looks_from_};
     if (options_.display == Display::stereo) settings.stereo = options_.stereo;

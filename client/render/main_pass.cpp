@@ -135,7 +135,7 @@ struct MainPass::Frame {
   const DrawCamera& camera;
   const MeshCache& meshes;
   const Shadow& shadow;
-  std::map<std::tuple<Surface, bool, bool, unsigned long>, const ShaderProgram*> found = {};
+  std::map<std::tuple<Surface, bool, bool, bool, unsigned long>, const ShaderProgram*> found = {};
   std::set<const ShaderProgram*> set_up = {};
 };
 
@@ -162,13 +162,14 @@ const ShaderProgram& MainPass::program_for(const Defines& defines) {
 const ShaderProgram& MainPass::ready(const QueuedItem& queued, Frame& frame) {
   const DrawItem& item = *queued.item;
   const bool is_wet = item.appearance.wetness > 0;
-  const LightSet lights = item.shaft ? LightSet() : lights_of(queued, frame.list.lights);
+  const LightSet lights = item.shaft || item.painted ? LightSet() : lights_of(queued, frame.list.lights);
   const ShaderProgram*& program =
-      frame.found[{item.appearance.surface, is_wet, item.shaft, lights.to_ulong()}];
+      frame.found[{item.appearance.surface, is_wet, item.shaft, item.painted, lights.to_ulong()}];
   if (!program) {
     Defines defines = item_defines(item.appearance.surface, is_wet,
                                    light_defines(frame.list.lights, lights, frame.shadow.light));
     if (item.shaft) defines.push_back("SHAFT");
+    if (item.painted) defines.push_back("PAINTED");
     program = &program_for(defines);
   }
   program->use();

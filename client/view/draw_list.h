@@ -35,6 +35,8 @@ struct DrawItem {
   /// Light in air: adds the appearance's colour to what is behind, softly at its rims. The mesh's rest
   /// positions hold in x how far along the light they are: 0 where it begins, 1 where it is gone.
   bool shaft = false;
+  /// The mesh's rest positions hold colours (linear), which no light changes but by the eye's direction.
+  bool painted = false;
 };
 
 /// Screen-space line, for axes and overlays; drawn after everything, depth tested or not.

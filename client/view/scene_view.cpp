@@ -47,10 +47,11 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   place_lights(replica, tick);
   place_cameras(replica, tick, self, settings);
   add_room();
-  add_bodies(replica, tick);
+  add_bodies(replica, tick, settings.shown);
   if (settings.wireframes) add_wireframes(replica, tick);
   add_panels(replica);
   add_users(replica, tick, self, settings.follow);
+  if (settings.shown != Shown::none) add_legend(list_, scale_of(settings.shown));
   if (settings.overlay) add_figures(replica);
   if (settings.overlay) add_overlay(replica, self, settings);
   return list_;
@@ -90,7 +91,7 @@ void SceneView::add_room() {
   for (const DrawItem& item : room_) list_.items.push_back(item);
 }
 
-void SceneView::add_bodies(Replica& replica, double tick) {
+void SceneView::add_bodies(Replica& replica, double tick, Shown shown) {
   const auto& bodies = replica.scene()->bodies;
   for (BodyId id = 0; id < bodies.size(); ++id) {
     DrawItem item{.mesh = nullptr, .pose = {}, .appearance = bodies[id].appearance};
@@ -120,9 +121,11 @@ void SceneView::add_bodies(Replica& replica, double tick) {
       if (part->lit) item.brightness = lit_brightness / std::max(replica.room_lights(), least_room_light);
       if (part->lit) add_light_shaft(item);
     }
-    const auto add = [&](const DrawItem& seen) {
+    const auto add = [&](DrawItem seen) {
       if (bodies[id].part) part_items_.emplace_back(id, list_.items.size());
-      list_.items.push_back(seen);
+      if (shown != Shown::none && bodies[id].kind == BodyKind::soft)
+        paint(seen, shown, replica.body_status(id));
+      list_.items.push_back(std::move(seen));
     };
     add(item);
     if (!inner) continue;
@@ -130,6 +133,16 @@ void SceneView::add_bodies(Replica& replica, double tick) {
     item.appearance = inner_appearance(item.appearance);
     add(item);
   }
+}
+
+void SceneView::paint(DrawItem& item, Shown shown, const BodyStatus* status) {
+  std::optional<double> value;  // of the whole body
+  if (shown == Shown::residual) value = status != nullptr ? status->residual : not_known;
+  if (shown == Shown::error) value = status != nullptr && status->error >= 0 ? status->error : not_known;
+  const auto [painted, is_new] = painted_.try_emplace(item.mesh->id, next_mesh_id_);
+  if (is_new) ++next_mesh_id_;
+  item.mesh = painted->second.of(*item.mesh, scale_of(shown), value);
+  item.painted = true;
 }
 
 SoftBodyMesh& SceneView::follow_soft(SoftReplica& soft, BodyId body, double tube_diameter, double tick,

@@ -16,6 +16,7 @@
 #include "client/view/pick.h"
 #include "client/view/soft_body_mesh.h"
 #include "client/view/stereo_profile.h"
+#include "client/view/value_paint.h"
 #include "client/view/wireframe.h"
 
 namespace prosector {
@@ -24,8 +25,9 @@ struct ViewSettings {
   int width = 800, height = 600;
   std::optional<StereoProfile> stereo;  // nullopt: one picture
   bool overlay = true;
-  bool wireframes = false;  // of what bodies collide as
-  std::string follow;       // name of a participant; empty: own camera
+  bool wireframes = false;    // of what bodies collide as
+  Shown shown = Shown::none;  // by soft bodies' colours
+  std::string follow;         // name of a participant; empty: own camera
   std::optional<Pose>
       eye;  // own camera, for instance from the desk; nullopt: tracked head, else the scene's camera
 };
@@ -48,6 +50,7 @@ class SceneView {
  private:
   std::map<BodyId, std::shared_ptr<DrawMesh>> meshes_;  // of rigid bodies
   std::map<BodyId, SoftBodyMesh> soft_meshes_;
+  std::map<std::uint64_t, PaintedMesh> painted_;  // by the id of the mesh that is painted
   std::map<std::pair<ParticipantId, std::size_t>, std::shared_ptr<DrawMesh>> hands_;
   // Made at once, on a thread of its own, so that no frame waits when the first hand comes.
   std::future<std::array<HandSkin, 2>> skins_to_come_ = std::async(std::launch::async, make_hand_skins);
@@ -65,7 +68,8 @@ class SceneView {
                      const ViewSettings& settings);
   void add_room();
   void place_lights(const Replica& replica, double tick);
-  void add_bodies(Replica& replica, double tick);
+  void add_bodies(Replica& replica, double tick, Shown shown);
+  void paint(DrawItem& item, Shown shown, const BodyStatus* status);
   SoftBodyMesh& follow_soft(SoftReplica& soft, BodyId body, double tube_diameter, double tick, double dt);
   void add_light_shaft(const DrawItem& item);
   void add_wireframes(Replica& replica, double tick);

@@ -1,0 +1,122 @@
+#include "client/view/value_paint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace prosector {
+namespace {
+
+// From cold to hot, rising in lightness up to the middle and of different hues after it.
+const std::array<Vec3, 5> stops = {
+    {{0.02, 0.04, 0.30}, {0.01, 0.30, 0.40}, {0.60, 0.70, 0.10}, {0.90, 0.26, 0.01}, {0.52, 0.01, 0.01}}};
+const Vec3 gray(0.25, 0.25, 0.25);
+
+/// Where on the scale, 0 … 1; not a number when the value is none.
+double share_of(const ValueScale& scale, double value) {
+  if (std::isnan(value)) return value;
+  if (!scale.logarithmic) return std::clamp((value - scale.least) / (scale.most - scale.least), 0.0, 1.0);
+  return std::log(std::clamp(value, scale.least, scale.most) / scale.least) /
+         std::log(scale.most / scale.least);
+}
+
+Vec3 color_at(double share) {
+  if (std::isnan(share)) return gray;
+  const double place = share * (stops.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), stops.size() - 2);
+  const double t = place - static_cast<double>(below);
+  return (1 - t) * stops[below] + t * stops[below + 1];
+}
+
+double value_at(const ValueScale& scale, double share) {
+  return scale.logarithmic ? scale.least * std::pow(scale.most / scale.least, share)
+                           : scale.least + share * (scale.most - scale.least);
+}
+
+/// Columns are a triangle's edges from its first corner.
+Eigen::Matrix<double, 3, 2> edges(const std::vector<Eigen::Vector3f>& at,
+                                  const std::array<std::uint32_t, 3>& corners) {
+  Eigen::Matrix<double, 3, 2> out;
+  for (int k = 0; k < 2; ++k)
+    out.col(k) = (at[corners[static_cast<std::size_t>(k) + 1]] - at[corners[0]]).cast<double>();
+  return out;
+}
+
+}  // namespace
+
+Vec3 value_color(const ValueScale& scale, double value) {
+  return color_at(share_of(scale, value));
+}
+
+std::vector<double> surface_strains(const DrawMesh& mesh) {
+  std::vector<double> sum(mesh.positions.size(), 0.0), weight(mesh.positions.size(), 0.0);
+  if (mesh.rest_positions.size() != mesh.positions.size()) return sum;
+  constexpr double least_share = 1e-6;  // of the squared area that edges so long could have
+  for (const auto& corners : mesh.triangles) {
+    // With G and g the edges' dot products at rest and now, C = G⁻¹g has the squared principal stretches as
+    // eigenvalues (Bonet and Wood 2008, ch. 4).
+    const Eigen::Matrix<double, 3, 2> rest = edges(mesh.rest_positions, corners);
+    const Eigen::Matrix<double, 3, 2> now = edges(mesh.positions, corners);
+    const Eigen::Matrix2d G = rest.transpose() * rest, g = now.transpose() * now;
+    if (!(G.determinant() > least_share * G(0, 0) * G(1, 1))) continue;
+    const Eigen::Matrix2d C = G.inverse() * g;
+    const double half = C.trace() / 2;
+    const double largest = half + std::sqrt(std::max(half * half - C.determinant(), 0.0));
+    const double area = std::sqrt(G.determinant()) / 2;
+    for (const std::uint32_t v : corners) {
+      sum[v] += area * (std::sqrt(largest) - 1);
+      weight[v] += area;
+    }
+  }
+  for (std::size_t v = 0; v < sum.size(); ++v)
+    if (weight[v] > 0) sum[v] /= weight[v];
+  return sum;
+}
+
+std::shared_ptr<const DrawMesh> PaintedMesh::of(const DrawMesh& mesh, const ValueScale& scale,
+                                                std::optional<double> value) {
+  const std::array<std::uint64_t, 2> revisions = {mesh.revision, mesh.positions_revision};
+  const bool same_value = value == value_ || (value && value_ && std::isnan(*value) && std::isnan(*value_));
+  if (scale_ == &scale && same_value && revisions_ == revisions) return mesh_;
+  scale_ = &scale;
+  value_ = value;
+  revisions_ = revisions;
+  mesh_->positions = mesh.positions;
+  mesh_->normals = mesh.normals;
+  mesh_->triangles = mesh.triangles;
+  ++mesh_->revision;
+  if (value) {
+    mesh_->rest_positions.assign(mesh.positions.size(), value_color(scale, *value).cast<float>());
+    return mesh_;
+  }
+  mesh_->rest_positions.clear();
+  for (const double strain : surface_strains(mesh))
+    mesh_->rest_positions.push_back(value_color(scale, strain).cast<float>());
+  return mesh_;
+}
+
+void add_legend(DrawList& list, const ValueScale& scale) {
+  constexpr double right = 150, top = 16, height = 160, bar = 14, row = 2;  // pixels
+  constexpr double text_height = 12;
+  constexpr int numbers = 4;
+  const DrawCamera& camera = list.cameras.front();
+  const auto at = [&](double x, double y) {
+    return Vec3(2 * x / camera.width - 1, 1 - 2 * y / camera.height, 0);
+  };
+  const double left = camera.width - right;
+  for (double y = 0; y < height; y += row)
+    list.lines.push_back({at(left, top + y + row / 2), at(left + bar, top + y + row / 2),
+                          color_at(1 - (y + row / 2) / height), row, true});
+  for (int k = 0; k <= numbers; ++k) {
+    const double share = static_cast<double>(k) / numbers;
+    list.texts.push_back({.text = fmt::format("{:.3g}{}", scale.factor * value_at(scale, share),
+                                              k == numbers ? " and more" : ""),
+                          .at = {left + bar + 8, top + (1 - share) * height - text_height / 2, 0},
+                          .height = text_height});
+  }
+  list.texts.push_back(
+      {.text = std::string(scale.about), .at = {left, top + height + text_height, 0}, .height = text_height});
+}
+
+}  // namespace prosector

@@ -1,0 +1,99 @@
+// Colours that tell strain, and the scale that explains them.
+
+#include "client/view/value_paint.h"
+
+#include <gtest/gtest.h>
+
+namespace prosector {
+namespace {
+
+// Of floats up to 4 m from the origin, over edges of 0.1 m: rounding at both ends.
+constexpr double tolerance = 2 * 4 * 6e-8 / 0.1;
+
+/// A square of two triangles, 0.1 m a side, that some map has deformed.
+template <class Map>
+DrawMesh square(const Map& map) {
+  DrawMesh out;
+  out.rest_positions = {{0, 0, 0}, {0.1F, 0, 0}, {0.1F, 0.1F, 0}, {0, 0.1F, 0}};
+  for (const Eigen::Vector3f& x : out.rest_positions) out.positions.push_back(map(x));
+  out.normals.assign(4, Eigen::Vector3f::UnitZ());
+  out.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return out;
+}
+
+DrawMesh stretched(float x, float y) {
+  return square([&](const Eigen::Vector3f& p) { return Eigen::Vector3f(x * p.x(), y * p.y(), 0); });
+}
+
+void expect_everywhere(const DrawMesh& mesh, double strain) {
+  for (const double found : surface_strains(mesh)) EXPECT_NEAR(found, strain, tolerance);
+}
+
+TEST(SurfaceStrain, IsTheLargestPrincipalStretchLessOne) {
+  expect_everywhere(stretched(1.2F, 0.9F), 0.2);
+  expect_everywhere(stretched(0.8F, 0.9F), -0.1);
+  // Simple shear by γ: stretch (γ + √(γ² + 4)) / 2.
+  expect_everywhere(
+      square([](const Eigen::Vector3f& p) { return Eigen::Vector3f(p.x() + 0.5F * p.y(), p.y(), 0); }),
+      (0.5 + std::sqrt(4.25)) / 2 - 1);
+}
+
+TEST(SurfaceStrain, IsNoneOfWhatMovedRigidly) {
+  const Eigen::Quaternionf q(Eigen::AngleAxisf(1.1F, Eigen::Vector3f(1, 2, -1).normalized()));
+  expect_everywhere(
+      square([&](const Eigen::Vector3f& p) { return Eigen::Vector3f(q * p + Eigen::Vector3f(1, 2, 3)); }), 0);
+}
+
+TEST(SurfaceStrain, OfSliversWithoutAreaAtRestIsLeftOut) {
+  DrawMesh mesh = stretched(1.2F, 1);
+  mesh.triangles.push_back({0, 1, 1});
+  expect_everywhere(mesh, 0.2);
+}
+
+TEST(ValueColor, OfAKnownStretchIsThatOfTheLegend) {
+  const ValueScale& scale = scale_of(Shown::strain);
+  PaintedMesh painted(7);
+  const DrawMesh mesh = stretched(1.15F, 1);  // half the scale
+  const auto seen = painted.of(mesh, scale, std::nullopt);
+  EXPECT_EQ(seen->id, 7u);
+  for (const Eigen::Vector3f& color : seen->rest_positions)
+    EXPECT_LT((color.cast<double>() - value_color(scale, 0.15)).norm(), 1e-4);
+  DrawList list;
+  list.cameras.emplace_back();
+  add_legend(list, scale);
+  double nearest = 1;
+  for (const DrawLine& line : list.lines)
+    nearest = std::min(nearest, (line.color - value_color(scale, 0.15)).norm());
+  EXPECT_LT(nearest, 0.02);
+  std::string words = "\n";
+  for (const DrawText& text : list.texts) words += text.text + "\n";
+  for (const char* expected : {"strain, %", "\n0\n", "\n15\n", "\n30 and more\n"})
+    EXPECT_NE(words.find(expected), std::string::npos) << expected << " in\n" << words;
+}
+
+TEST(ValueColor, IsPaintedAnewOnlyWhenSomethingChanged) {
+  DrawMesh mesh = stretched(1.1F, 1);
+  PaintedMesh painted(7);
+  const auto seen = painted.of(mesh, scale_of(Shown::error), 0.1);
+  const std::uint64_t first = seen->revision;
+  (void)painted.of(mesh, scale_of(Shown::error), 0.1);
+  EXPECT_EQ(seen->revision, first);
+  (void)painted.of(mesh, scale_of(Shown::error), not_known);
+  EXPECT_EQ(seen->revision, first + 1);
+  EXPECT_NEAR(seen->rest_positions[0].x(), seen->rest_positions[0].z(), 1e-6) << "not known is gray";
+  (void)painted.of(mesh, scale_of(Shown::strain), std::nullopt);
+  mesh.positions[2].x() += 0.1F;
+  ++mesh.positions_revision;
+  const Eigen::Vector3f before = seen->rest_positions[2];
+  (void)painted.of(mesh, scale_of(Shown::strain), std::nullopt);
+  EXPECT_GT((seen->rest_positions[2] - before).norm(), 0.1F);
+}
+
+TEST(ValueColor, OfALogarithmicScaleGoesByPowersOfTen) {
+  const ValueScale& scale = scale_of(Shown::residual);
+  EXPECT_LT((value_color(scale, 0) - value_color(scale, 1e-8)).norm(), 1e-12);
+  EXPECT_GT((value_color(scale, 1e-6) - value_color(scale, 1e-8)).norm(), 0.1);
+}
+
+}  // namespace
+}  // namespace prosector
