@@ -49,19 +49,14 @@ void Desk::update(const CameraInfo& start, const Panel* own_panel) {
   fly(seconds);
   const double wanted = grasping_ ? 0.9 : 0.1;
   flexion_ += std::clamp(wanted - flexion_, -close_per_s * seconds, close_per_s * seconds);
-  const Vec3 back(std::sin(yaw_) * std::cos(pitch_), std::sin(pitch_), std::cos(yaw_) * std::cos(pitch_));
-  eye_ = look_at(view_->target + distance_ * back, view_->target);
+  eye_ = look_at(view_->target + distance_ * back(), view_->target);
   if (grasping_ || !at_panel()) hand_ = hand_pose();
 }
 
 void Desk::take(const WindowEvent& event) {
   if (std::get_if<CloseRequested>(&event)) closed_ = true;
   if (const auto* key = std::get_if<KeyEvent>(&event)) {
-    if (key->key == Key::escape && key->down) closed_ = true;
-    if (key->down && !key->repeat && key->key == key_of('C')) wireframes_ = !wireframes_;
-    if (key->down && !key->repeat && key->key == key_of('V')) shown_ = next(shown_);
-    if (key->down && !key->repeat && key->key == key_of('Z')) ask(CommandKind::undo);
-    if (key->down && !key->repeat && key->key == key_of('P')) panel_request_ = pointer();
+    if (key->down && !key->repeat) press(key->key);
     if (key->down)
       held_keys_.insert(key->key);
     else
@@ -75,10 +70,7 @@ void Desk::take(const WindowEvent& event) {
   if (const auto* wheel = std::get_if<WheelTurned>(&event))
     reach_ = std::clamp(reach_ + reach_per_notch * wheel->y, least_reach, most_reach);
   if (const auto* mouse = std::get_if<MouseMoved>(&event)) {
-    if (turning_) {
-      yaw_ -= turn_per_pixel * (mouse->x - pointer_x_);
-      pitch_ = std::clamp(pitch_ + turn_per_pixel * (mouse->y - pointer_y_), -steepest, steepest);
-    }
+    if (turning_) turn(mouse->x - pointer_x_, mouse->y - pointer_y_);
     pointer_x_ = mouse->x;
     pointer_y_ = mouse->y;
     if (sliding_ && panel_ && std::chrono::steady_clock::now() - last_slide_ > slide_interval)
@@ -86,10 +78,36 @@ void Desk::take(const WindowEvent& event) {
   }
 }
 
+void Desk::press(Key key) {
+  if (key == Key::escape) closed_ = true;
+  if (key == Key::tab) ++follow_requests_;
+  if (key == Key::f1 || key == key_of('H')) help_ = !help_;
+  if (key == Key::f11) full_screen_ = !full_screen_;
+  if (key == key_of('C')) wireframes_ = !wireframes_;
+  if (key == key_of('F')) flying_ = !flying_;
+  if (key == key_of('I')) figures_ = !figures_;
+  if (key == key_of('P')) panel_request_ = pointer();
+  if (key == key_of('V')) shown_ = next(shown_);
+  if (key == key_of('Z')) ask(CommandKind::undo);
+}
+
+Vec3 Desk::back() const {
+  return {std::sin(yaw_) * std::cos(pitch_), std::sin(pitch_), std::cos(yaw_) * std::cos(pitch_)};
+}
+
+/// By pixels of the pointer.
+void Desk::turn(double right, double down) {
+  const Vec3 eye = view_->target + distance_ * back();
+  yaw_ -= turn_per_pixel * right;
+  pitch_ = std::clamp(pitch_ + turn_per_pixel * down, -steepest, steepest);
+  if (flying_) view_->target = eye - distance_ * back();
+}
+
 void Desk::fly(double seconds) {
   const auto held = [&](char key) { return held_keys_.contains(key_of(key)) ? 1.0 : 0.0; };
   const Vec3 step(held('D') - held('A'), held('E') - held('Q'), held('S') - held('W'));
-  const Quat heading(Eigen::AngleAxisd(yaw_, Vec3::UnitY()));
+  const Quat level(Eigen::AngleAxisd(yaw_, Vec3::UnitY()));
+  const Quat heading = flying_ ? Quat(level * Eigen::AngleAxisd(-pitch_, Vec3::UnitX())) : level;
   view_->target += fly_speed * seconds * (heading * step);
 }
 
@@ -152,6 +170,10 @@ HandInput Desk::input() const {
 
 std::vector<Command> Desk::take_commands() {
   return std::exchange(commands_, {});
+}
+
+std::size_t Desk::take_follow_requests() {
+  return std::exchange(follow_requests_, 0);
 }
 
 std::optional<Ray> Desk::take_panel_request() {

@@ -13,17 +13,20 @@
 
 namespace prosector {
 
-/// For people; told when a desk user joins.
+/// For people; told when a desk user joins, and shown on a key.
 inline constexpr const char* desk_help =
     "mouse: moves your hand    wheel: how far away it is    left button: grasps while held\n"
-    "right drag: turns the view    W A S D Q E: fly    C: collision models    V: strain, residual, error    "
-    "Esc: leave\n"
-    "P or middle button: the panel of the part under the pointer; left button: works its controls";
+    "P or middle button: the panel of the part under the pointer; left button: works its controls\n"
+    "right drag: turns the view    W A S D Q E: move it    F: turn about the eye, or about what is seen\n"
+    "Tab: through the eyes of the next user    F11: full screen\n"
+    "C: collision models    V: strain, residual, error    I: figures    Z: takes back your last cut\n"
+    "H or F1: these lines    Esc: leave";
 
 class Desk {
  public:
-  /// `shown`: what soft bodies' colours tell at first.
-  explicit Desk(WindowContext& window, Shown shown = Shown::none) : window_(window), shown_(shown) {}
+  /// `shown`, `full_screen`: at first.
+  Desk(WindowContext& window, Shown shown, bool full_screen)
+      : window_(window), shown_(shown), full_screen_(full_screen) {}
 
   /// Takes the window's events and moves the view; `start` is where it begins, `own_panel` the user's open
   /// one, or null.
@@ -39,6 +42,11 @@ class Desk {
   std::optional<Ray> take_panel_request();
   bool wireframes() const { return wireframes_; }
   Shown shown() const { return shown_; }
+  bool figures() const { return figures_; }
+  bool help() const { return help_; }
+  bool full_screen() const { return full_screen_; }
+  /// How often the user asked for the eyes of the next one since the last call.
+  std::size_t take_follow_requests();
 
  private:
   WindowContext& window_;
@@ -49,6 +57,7 @@ class Desk {
   Pose eye_;
   double yaw_ = 0, pitch_ = 0, distance_ = 1;  // rad, rad, m: the eye about the target
   bool turning_ = false;
+  bool flying_ = false;  // turning moves the target about the eye, not the eye about the target
   std::set<Key> held_keys_;
   std::chrono::steady_clock::time_point last_update_{};
 
@@ -67,10 +76,15 @@ class Desk {
   std::optional<Ray> panel_request_;
   bool wireframes_ = false;
   Shown shown_;
+  bool figures_ = false, help_ = false, full_screen_ = false;
+  std::size_t follow_requests_ = 0;
 
   void begin(const CameraInfo& start);
   void take(const WindowEvent& event);
+  void press(Key key);
+  void turn(double right, double down);
   void fly(double seconds);
+  Vec3 back() const;
   void press();
   void let_go();
   void slide(const Vec3& at);

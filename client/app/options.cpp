@@ -80,6 +80,9 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
       ->group("Pictures");
   app.add_option("--size", raw.size, "Picture size, WIDTHxHEIGHT (default 800x600; stereo: the profile's)")
       ->group("Pictures");
+  app.add_option("--monitor", o.monitor, "Fill this monitor, counted from 0 (F11: back to a window)")
+      ->check(CLI::NonNegativeNumber)
+      ->group("Pictures");
   app.add_option("--fps", o.frames_per_second, "Pictures per second, at most")
       ->capture_default_str()
       ->check(CLI::Range(0.1, 240.0))
@@ -217,6 +220,8 @@ RenderOptions resolve_render(const RawOptions& raw, RenderOptions o) {
 
 void resolve(const RawOptions& raw, ClientOptions& o) {
   parse_display(raw.display, o);
+  if (o.monitor && o.display != Display::window && o.display != Display::stereo)
+    throw InputError("--monitor: only with --display window or stereo");
   if (!raw.size.empty()) parse_size(raw.size, o.width, o.height);
   o.quality = parse_quality(raw.quality, raw.effects);
   o.shown = parse_shown(raw.show);

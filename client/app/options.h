@@ -31,6 +31,7 @@ struct ClientOptions {
   RendererSettings quality;
   int width = 800, height = 600;
   std::optional<double> frame_time;  // s a picture, by which quality is picked anew; nullopt: it stays
+  std::optional<int> monitor;        // to fill, from 0; nullopt: a window
   double frames_per_second = 30;
   double seconds = 0;  // 0: until ended
   std::string follow;  // name of the participant whose eyes to look through; empty: own camera

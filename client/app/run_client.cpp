@@ -11,6 +11,7 @@
 #include "client/app/client_report.h"
 #include "client/app/console.h"
 #include "client/app/desk.h"
+#include "client/app/figures.h"
 #include "client/app/input_pump.h"
 #include "client/app/panel_call.h"
 #include "client/app/picture_sink.h"
@@ -40,7 +41,8 @@ double seconds_since(std::int64_t t) {
 struct Stage {
   std::unique_ptr<GlContext> context;
   std::unique_ptr<Renderer> renderer;
-  std::unique_ptr<Desk> desk;  // with a window only
+  WindowContext* window = nullptr;  // the context, where it is one
+  std::unique_ptr<Desk> desk;       // with a window only
   SceneView view;
 };
 
@@ -61,7 +63,8 @@ std::unique_ptr<Stage> make_stage(const ClientOptions& o) {
     stage->context = make_osmesa_context(o.width, o.height);
   } else {
     auto window = make_window_context(o.width, o.height, "Prosector: " + o.bus.session);
-    stage->desk = std::make_unique<Desk>(*window, o.shown);
+    stage->desk = std::make_unique<Desk>(*window, o.shown, o.monitor.has_value());
+    stage->window = window.get();
     stage->context = std::move(window);
   }
   stage->renderer = std::make_unique<Renderer>(*stage->context, o.shaders, o.quality);
@@ -71,7 +74,10 @@ std::unique_ptr<Stage> make_stage(const ClientOptions& o) {
 class Client {
  public:
   Client(const ClientOptions& options, std::int64_t started_ns)
-      : options_(options), connection_(options.bus, request(options)), sink_(options) {
+      : options_(options),
+        connection_(options.bus, request(options)),
+        sink_(options),
+        follow_(options.follow) {
     report_.started_ns = started_ns;
     report_.joined_ns = monotonic_ns();
     tell(fmt::format("{} session '{}' as {}", options.join.role == Role::observer ? "observing" : "joined",
@@ -127,6 +133,9 @@ class Client {
   Role role_ = Role::observer;
   Console console_;
   std::optional<Pose> looks_from_;
+  std::string follow_;  // whose eyes to look through; empty: own
+  bool full_screen_ = false;
+  Figures figures_;
 
   static JoinRequest request(const ClientOptions& o) {
     JoinRequest out = o.join;
@@ -265,6 +274,14 @@ class Client {
     settings.eye = desk.eye();
     settings.wireframes = options_.wireframes != desk.wireframes();
     settings.shown = desk.shown();
+    if (desk.full_screen() != full_screen_) {
+      full_screen_ = desk.full_screen();
+      stage_->window->set_full_screen(full_screen_ ? options_.monitor.value_or(0) : std::optional<int>());
+    }
+    for (std::size_t n = desk.take_follow_requests(); n > 0; --n) follow_next(self.participant);
+    settings.follow = follow_;
+    if (desk.figures()) settings.notes = figures_.text();
+    if (desk.help()) settings.notes += (settings.notes.empty() ? "" : "\n\n") + std::string(desk_help);
     if (!drives_hand_at_desk()) return;
     self.input = desk.input();
     pump_->set_desk_input(self.input);
@@ -278,21 +295,35 @@ class Client {
     if (part || own_panel) connection_.command(command);
   }
 
+  /// To the next other user who has eyes, and after the last one back to one's own.
+  void follow_next(ParticipantId self) {
+    std::vector<std::string> names = {""};
+    connection_.with_replica([&](Replica& replica) {
+      const double tick = replica.advance(monotonic_ns());
+      for (const auto& [id, entry] : replica.roster()) {
+        const auto user = replica.user(id, tick);
+        if (id != self && user && user->head_tracked) names.push_back(entry.name);
+      }
+    });
+    const auto now = std::find(names.begin(), names.end(), follow_);
+    follow_ = now == names.end() || now + 1 == names.end() ? "" : *(now + 1);
+  }
+
   /// Draws a picture; `keep` also reads it back, which costs.
   Image draw(bool keep) {
     const std::int64_t begin = monotonic_ns();
     LocalUser self{.participant = connection_.participant(), .input = {}, .present = pump_ != nullptr};
-    ViewSettings settings{.width = stage_->context->width(),
-                          .height = stage_->context->height(),
-                          .stereo = {},
-                          .overlay = options_.overlay,
-                          .wireframes = options_.wireframes,
-                          .shown = options_.shown,
-                          .follow = options_.follow,
-                          .eye = looks_from_};
+    ViewSettings settings;
+    settings.overlay = options_.overlay;
+    settings.wireframes = options_.wireframes;
+    settings.shown = options_.shown;
+    settings.follow = follow_;
+    settings.eye = looks_from_;
     if (options_.display == Display::stereo) settings.stereo = options_.stereo;
     if (pump_) self.input = pump_->latest();
     if (stage_->desk) use_desk(self, settings);
+    settings.width = stage_->context->width();
+    settings.height = stage_->context->height();
     const DrawList* list = nullptr;
     connection_.with_replica([&](Replica& replica) {
       list = &stage_->view.build(replica, replica.advance(monotonic_ns()), self, settings);
@@ -309,6 +340,10 @@ class Client {
       tell(fmt::format("quality: {}", governor_->level().name));
     }
     report_.drawing_seconds += seconds;
+    connection_.with_replica([&](const Replica& replica) {
+      figures_.take(monotonic_ns(), seconds, connection_.counters(),
+                    replica.status() ? &*replica.status() : nullptr);
+    });
     if (report_.pictures > 1)
       report_.longest_drawing_seconds = std::max(report_.longest_drawing_seconds, seconds);
     return image;

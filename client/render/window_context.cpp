@@ -99,6 +99,26 @@ class GlfwWindow final : public WindowContext {
     glfwSetInputMode(window_, GLFW_CURSOR, captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
   }
 
+  void set_full_screen(std::optional<int> monitor) override {
+    const bool fills = glfwGetWindowMonitor(window_) != nullptr;
+    if (!monitor) {
+      if (fills)
+        glfwSetWindowMonitor(window_, nullptr, place_[0], place_[1], place_[2], place_[3], GLFW_DONT_CARE);
+      return;
+    }
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    if (*monitor < 0 || *monitor >= count)
+      throw InputError(
+          fmt::format("monitor {}: there {} {}, counted from 0", *monitor, count == 1 ? "is" : "are", count));
+    if (!fills) {
+      glfwGetWindowPos(window_, &place_[0], &place_[1]);
+      glfwGetWindowSize(window_, &place_[2], &place_[3]);
+    }
+    const GLFWvidmode* mode = glfwGetVideoMode(monitors[*monitor]);
+    glfwSetWindowMonitor(window_, monitors[*monitor], 0, 0, mode->width, mode->height, mode->refreshRate);
+  }
+
  private:
   static GlfwWindow& self(GLFWwindow* window) {
     return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window));
@@ -141,6 +161,7 @@ class GlfwWindow final : public WindowContext {
 
   GLFWwindow* window_ = nullptr;
   int width_ = 0, height_ = 0;
+  std::array<int, 4> place_{};  // as a window: x, y, width, height in screen coordinates
   std::vector<WindowEvent> events_;
 };
 

@@ -2,6 +2,7 @@
 // A window with OpenGL 3.3 core and what people do in it, in types of our own.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -79,6 +80,9 @@ class WindowContext : public GlContext {
   virtual std::vector<WindowEvent> poll_events() = 0;
   /// True: hides the pointer and keeps it inside, so that moving has no end.
   virtual void capture_pointer(bool captured) = 0;
+  /// Fills this monitor, counted from 0, the desktop's first; nullopt: a window where it was before. Throws
+  /// InputError saying how many there are when there is none of that number.
+  virtual void set_full_screen(std::optional<int> monitor) = 0;
 };
 
 /// Only one window at a time, in the main thread. Throws InputError saying what is missing: no display (use

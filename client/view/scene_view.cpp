@@ -23,6 +23,7 @@ namespace prosector {
 namespace {
 
 constexpr double lit_brightness = 1.6, least_room_light = 0.05;
+constexpr double notes_top = 90;  // pixels: below the overlay's lines
 constexpr double eye_fov = 0.95;  // rad, vertical, through somebody's eyes: one wants to see their hands too
 
 const RosterEntry* find_by_name(const Replica& replica, const std::string& name) {
@@ -52,6 +53,8 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   add_panels(replica);
   add_users(replica, tick, self, settings.follow);
   if (settings.shown != Shown::none) add_legend(list_, scale_of(settings.shown));
+  if (!settings.notes.empty())
+    list_.texts.push_back({.text = settings.notes, .at = {10, notes_top, 0}, .height = 13});
   if (settings.overlay) add_figures(replica);
   if (settings.overlay) add_overlay(replica, self, settings);
   return list_;

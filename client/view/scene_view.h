@@ -27,6 +27,7 @@ struct ViewSettings {
   bool overlay = true;
   bool wireframes = false;    // of what bodies collide as
   Shown shown = Shown::none;  // by soft bodies' colours
+  std::string notes;          // lines below the session's; empty: none
   std::string follow;         // name of a participant; empty: own camera
   std::optional<Pose>
       eye;  // own camera, for instance from the desk; nullopt: tracked head, else the scene's camera

@@ -57,7 +57,7 @@ class PaintedMesh {
   std::array<std::uint64_t, 2> revisions_{};
 };
 
-/// A bar of the scale's colours with its numbers, at the right of the picture.
+/// A bar of the scale's colours with its numbers, at the lower right of the picture.
 void add_legend(DrawList& list, const ValueScale& scale);
 
 }  // namespace prosector

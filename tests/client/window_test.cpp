@@ -112,6 +112,29 @@ TEST_F(Window, FollowsItsSize) {
   EXPECT_EQ(window->height(), 180);
 }
 
+TEST_F(Window, FillsAMonitorAndComesBack) {
+  const auto window = make_window_context(200, 150, "fill");
+  window->present();
+  const auto has_size = [&](bool small) {
+    return arrives(*window, [&](const WindowEvent& e) {
+      const auto* r = as<Resized>(e);
+      return r && (r->width == 200 && r->height == 150) == small;
+    });
+  };
+  window->set_full_screen(0);
+  EXPECT_TRUE(has_size(false));
+  EXPECT_GT(window->width(), 600);
+  window->set_full_screen(std::nullopt);
+  EXPECT_TRUE(has_size(true));
+  EXPECT_EQ(window->height(), 150);
+  try {
+    window->set_full_screen(99);
+    ADD_FAILURE() << "a hundredth monitor";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("monitor 99: there"), std::string::npos) << error.what();
+  }
+}
+
 TEST(NoWindow, SaysWhatToDoWithoutADisplay) {
   const char* display = std::getenv("DISPLAY");
   const std::string kept = display ? display : "";

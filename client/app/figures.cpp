@@ -1,0 +1,47 @@
+#include "client/app/figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace prosector {
+namespace {
+
+constexpr double interval = 0.5;  // s: numbers that change faster cannot be read
+
+std::string network(const BusCounters& before, const BusCounters& now, double seconds) {
+  const auto rate = [&](std::uint64_t a, std::uint64_t b) {
+    return 1e-3 * static_cast<double>(b - a) / seconds;
+  };
+  return fmt::format("network {:.1f} kB/s in, {:.1f} kB/s out, {} dropped",
+                     rate(before.bytes_in, now.bytes_in), rate(before.bytes_out, now.bytes_out),
+                     now.dropped_total);
+}
+
+}  // namespace
+
+void Figures::take(std::int64_t now_ns, double seconds, const BusCounters& counters,
+                   const ServerStatus* status) {
+  if (!since_ns_) {
+    since_ns_ = now_ns;
+    counters_since_ = counters;
+    return;
+  }
+  ++pictures_;
+  drawing_seconds_ += seconds;
+  longest_ = std::max(longest_, seconds);
+  const double over = 1e-9 * static_cast<double>(now_ns - *since_ns_);
+  if (over < interval) return;
+  text_ = fmt::format("picture {:.1f} ms, at most {:.1f}, {:.0f} a second\n{}",
+                      1e3 * drawing_seconds_ / pictures_, 1e3 * longest_, pictures_ / over,
+                      network(counters_since_, counters, over));
+  if (status != nullptr)
+    text_ += fmt::format("\nstep {:.1f} ms, of 100 one over {:.1f}; x{:.2f} real time", status->step_ms_p50,
+                         status->step_ms_p99, status->real_time_factor);
+  since_ns_ = now_ns;
+  counters_since_ = counters;
+  pictures_ = 0;
+  drawing_seconds_ = longest_ = 0;
+}
+
+}  // namespace prosector

@@ -1,0 +1,28 @@
+#pragma once
+// What pictures, network and simulation take, in words for who looks at them.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "common/messages.h"
+#include "idl/bus.h"
+
+namespace prosector {
+
+class Figures {
+ public:
+  /// A picture was drawn, which took `seconds`; `counters` and `status` (null: none yet) as they are.
+  void take(std::int64_t now_ns, double seconds, const BusCounters& counters, const ServerStatus* status);
+  /// Lines of the last half second that is over; empty before that.
+  const std::string& text() const { return text_; }
+
+ private:
+  std::optional<std::int64_t> since_ns_;
+  BusCounters counters_since_;
+  int pictures_ = 0;
+  double drawing_seconds_ = 0, longest_ = 0;  // s
+  std::string text_;
+};
+
+}  // namespace prosector

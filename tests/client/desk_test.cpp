@@ -1,0 +1,114 @@
+// What keys and mouse of a desk user ask for, and the figures that they are shown.
+
+#include "client/app/desk.h"
+
+#include <gtest/gtest.h>
+
+#include "client/app/figures.h"
+
+namespace prosector {
+namespace {
+
+/// A window in which somebody acts.
+class ActedWindow final : public WindowContext {
+ public:
+  std::vector<WindowEvent> events;
+
+  void press(Key key) {
+    events.push_back(KeyEvent{key, true, false});
+    events.push_back(KeyEvent{key, true, true});  // held
+    events.push_back(KeyEvent{key, false, false});
+  }
+  void drag_right(double x, double y) {
+    events.insert(events.end(), {MouseMoved{100, 100}, MouseButtonEvent{MouseButton::right, true},
+                                 MouseMoved{100 + x, 100 + y}, MouseButtonEvent{MouseButton::right, false}});
+  }
+
+  std::vector<WindowEvent> poll_events() override { return std::exchange(events, {}); }
+  void capture_pointer(bool) override {}
+  void set_full_screen(std::optional<int>) override {}
+  void* proc(const char*) const override { return nullptr; }
+  int width() const override { return 800; }
+  int height() const override { return 600; }
+  bool has_screen() const override { return true; }
+  void present() override {}
+  std::string description() const override { return "a window in which somebody acts"; }
+};
+
+class AtTheDesk : public testing::Test {
+ protected:
+  ActedWindow window;
+  Desk desk{window, Shown::none, false};
+  const CameraInfo start{{0, 1.5, 1}, {0, 1, 0}, 0.9};
+
+  void update() { desk.update(start, nullptr); }
+  void press(Key key) {
+    window.press(key);
+    update();
+  }
+};
+
+TEST_F(AtTheDesk, AKeyPressedTurnsOnAndOffOnceHoweverLongItIsHeld) {
+  press(Key::f1);
+  EXPECT_TRUE(desk.help());
+  press(key_of('H'));
+  EXPECT_FALSE(desk.help());
+  press(key_of('I'));
+  EXPECT_TRUE(desk.figures());
+  press(Key::f11);
+  EXPECT_TRUE(desk.full_screen());
+  press(Key::tab);
+  press(Key::tab);
+  EXPECT_EQ(desk.take_follow_requests(), 2u);
+  EXPECT_EQ(desk.take_follow_requests(), 0u);
+  EXPECT_FALSE(desk.closed());
+  press(Key::escape);
+  EXPECT_TRUE(desk.closed());
+}
+
+TEST_F(AtTheDesk, VGoesThroughAllThatColoursTell) {
+  for (const Shown expected : {Shown::strain, Shown::residual, Shown::error, Shown::none}) {
+    press(key_of('V'));
+    EXPECT_EQ(desk.shown(), expected);
+  }
+}
+
+TEST_F(AtTheDesk, TheViewTurnsAboutItsTargetOrWithFAboutTheEye) {
+  update();
+  const Vec3 eye = desk.eye().p;
+  const double distance = (eye - start.target).norm();
+  window.drag_right(80, 40);
+  update();
+  EXPECT_GT((desk.eye().p - eye).norm(), 0.2);
+  const Vec3 ahead = desk.eye().q * -Vec3::UnitZ();
+  EXPECT_LT((desk.eye().p + distance * ahead - start.target).norm(), 1e-9) << "still in the middle";
+  const Pose before = desk.eye();
+  press(key_of('F'));
+  window.drag_right(-80, 20);
+  update();
+  EXPECT_LT((desk.eye().p - before.p).norm(), 1e-9);
+  EXPECT_GT(desk.eye().q.angularDistance(before.q), 0.3);
+}
+
+TEST(Figures, AreOfTheLastHalfSecond) {
+  Figures figures;
+  BusCounters counters;
+  ServerStatus status;
+  status.step_ms_p50 = 4.2;
+  status.real_time_factor = 1;
+  constexpr std::int64_t picture = 50'000'000;  // ns
+  for (int k = 0; k <= 10; ++k) {
+    EXPECT_EQ(figures.text(), "");
+    counters.bytes_in += 5000;
+    counters.bytes_out += 500;
+    counters.dropped_total = 3;
+    figures.take(k * picture, k == 4 ? 0.040 : 0.010, counters, &status);
+  }
+  const std::string& text = figures.text();
+  EXPECT_NE(text.find("picture 13.0 ms, at most 40.0, 20 a second"), std::string::npos) << text;
+  EXPECT_NE(text.find("network 100.0 kB/s in, 10.0 kB/s out, 3 dropped"), std::string::npos) << text;
+  EXPECT_NE(text.find("step 4.2 ms"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace prosector
