@@ -93,6 +93,14 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
                  "PNG at the end, or FILE@SECONDS after joining (repeatable)")
       ->group("Pictures");
   app.add_option("--record", o.record, "Video file, .avi or .mp4")->group("Pictures");
+  const auto sheet =
+      app.add_option("--sheet", o.sheet, "PNG of small pictures of the session, written at its end")
+          ->group("Pictures");
+  app.add_option("--every", o.sheet_interval, "Seconds between two pictures of the sheet")
+      ->capture_default_str()
+      ->check(CLI::Range(0.1, 86400.0))
+      ->needs(sheet)
+      ->group("Pictures");
   app.add_option("--shaders", o.shaders, "Folder of the shaders")->group("Pictures");
   app.add_flag("--watch-shaders", o.watch_shaders, "Read the shaders anew whenever one of them is written")
       ->group("Pictures");

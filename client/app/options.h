@@ -36,7 +36,8 @@ struct ClientOptions {
   double seconds = 0;  // 0: until ended
   std::string follow;  // name of the participant whose eyes to look through; empty: own camera
   std::vector<Screenshot> screenshots;
-  std::filesystem::path record, latency_log, session_log, summary, shaders;
+  double sheet_interval = 10;  // s between two pictures of `sheet`
+  std::filesystem::path record, sheet, latency_log, session_log, summary, shaders;
   bool overlay = true;         // figures and axes
   bool watch_shaders = false;  // read anew whenever one is written
   bool wireframes = false;     // of what bodies collide as; a desk user's C key changes it

@@ -8,14 +8,18 @@
 namespace prosector {
 
 PictureSink::PictureSink(const ClientOptions& options)
-    : pending_(options.screenshots), frames_per_second_(options.frames_per_second) {
+    : pending_(options.screenshots),
+      frames_per_second_(options.frames_per_second),
+      sheet_file_(options.sheet) {
+  if (!sheet_file_.empty()) sheet_.emplace(options.sheet_interval);
   if (!options.record.empty())
     recorder_ = std::make_unique<Recorder>(options.record, options.width, options.height, frames_per_second_);
 }
 
 bool PictureSink::wants(double seconds) const {
-  return recorder_ || std::any_of(pending_.begin(), pending_.end(),
-                                  [&](const Screenshot& s) { return s.at && *s.at <= seconds; });
+  return recorder_ || (sheet_ && sheet_->wants(seconds)) ||
+         std::any_of(pending_.begin(), pending_.end(),
+                     [&](const Screenshot& s) { return s.at && *s.at <= seconds; });
 }
 
 void PictureSink::take(const Image& image, double seconds) {
@@ -23,6 +27,10 @@ void PictureSink::take(const Image& image, double seconds) {
     if (s.at && *s.at <= seconds) write(image, s.file);
   std::erase_if(pending_, [&](const Screenshot& s) { return s.at && *s.at <= seconds; });
 
+  if (sheet_ && sheet_->wants(seconds)) {
+    sheet_->take(image, seconds);
+    if (sheet_->pictures() == 1) finish_sheet();  // so that a folder that is missing is told at once
+  }
   if (!recorder_) return;
   if (!recording_since_) recording_since_ = seconds;
   // A video plays at a fixed rate: a picture that took long stands for all the frames that it took.
@@ -35,6 +43,10 @@ void PictureSink::take(const Image& image, double seconds) {
 void PictureSink::finish(const Image& image) {
   for (const Screenshot& s : pending_) write(image, s.file);
   pending_.clear();
+}
+
+void PictureSink::finish_sheet() {
+  if (sheet_ && sheet_->pictures() > 0) write(sheet_->sheet(), sheet_file_);
 }
 
 void PictureSink::write(const Image& image, const std::filesystem::path& file) {

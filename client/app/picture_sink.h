@@ -1,5 +1,6 @@
 #pragma once
-// Where pictures go besides the screen: screenshots at their times, and a video in real time.
+// Where pictures go besides the screen: screenshots at their times, a video in real time, and a contact
+// sheet.
 
 #include <memory>
 #include <optional>
@@ -8,6 +9,7 @@
 
 #include "client/app/options.h"
 #include "client/app/recorder.h"
+#include "client/render/timed_sheet.h"
 
 namespace prosector {
 
@@ -24,6 +26,8 @@ class PictureSink {
   bool wants_last() const { return !pending_.empty(); }
   /// The last picture, for screenshots without a time, or whose time never came.
   void finish(const Image& image);
+  /// Writes the contact sheet, where one was asked for and there were pictures.
+  void finish_sheet();
   /// What went wrong since the last call, for people.
   std::vector<std::string> take_failures();
 
@@ -32,6 +36,8 @@ class PictureSink {
   double frames_per_second_;
   std::unique_ptr<Recorder> recorder_;
   std::optional<double> recording_since_;
+  std::filesystem::path sheet_file_;
+  std::optional<TimedSheet> sheet_;
   bool failure_told_ = false;
   std::vector<std::string> failures_;
 

@@ -113,6 +113,7 @@ class Client {
       std::this_thread::sleep_until(next);
     }
     if (stage_ && report_.complete_ns && sink_.wants_last()) sink_.finish(draw(true));
+    sink_.finish_sheet();
     tell_failures();
     if (!options_.summary.empty()) write_report(report_, connection_, options_.summary);
     return report_.complete_ns ? 0 : 1;

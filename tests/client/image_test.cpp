@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "client/render/contact_sheet.h"
+#include "client/render/timed_sheet.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -53,6 +54,22 @@ TEST(Image, AContactSheetShowsEveryPictureInItsPlace) {
   EXPECT_EQ(sheet.pixel(4, 10)[2], 128);
   EXPECT_EQ(sheet.pixel(12, 10)[0], sheet.pixel(0, 0)[0]) << "no fourth picture";
   EXPECT_THROW(contact_sheet({}, 2, 4), std::invalid_argument);
+}
+
+TEST(TimedSheet, TakesAPictureWhenOneIsDueAndKeepsTheirOrder) {
+  TimedSheet timed(10);
+  EXPECT_THROW(timed.sheet(), std::invalid_argument);
+  const std::vector<std::pair<double, std::uint8_t>> pictures = {{0.4, 10}, {3, 20},  {9.9, 30}, {10.1, 40},
+                                                                 {19, 50},  {35, 60}, {39, 70},  {40, 80}};
+  for (const auto& [seconds, gray] : pictures) timed.take(plain(480, 240, gray), seconds);
+  ASSERT_EQ(timed.pictures(), 4u);  // of 0 … 10 s, 10 … 20, 30 … 40 and 40 … 50
+  EXPECT_FALSE(timed.wants(49.9));
+  EXPECT_TRUE(timed.wants(50));
+  const Image sheet = timed.sheet();
+  EXPECT_EQ(sheet.height, 2 * 4 + 120);
+  const std::array<int, 4> expected = {10, 40, 60, 80};
+  for (int k = 0; k < 4; ++k)
+    EXPECT_EQ(sheet.pixel(4 + 244 * k + 100, 60)[0], expected[static_cast<std::size_t>(k)]);
 }
 
 }  // namespace
