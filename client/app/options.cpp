@@ -89,6 +89,8 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
       ->group("Pictures");
   app.add_option("--follow", o.follow, "See through the eyes of the participant of this name")
       ->group("Pictures");
+  app.add_option("--inset", o.insets, "Show the view of the participant of this name, small (repeatable)")
+      ->group("Pictures");
   app.add_option("--screenshot", raw.screenshots,
                  "PNG at the end, or FILE@SECONDS after joining (repeatable)")
       ->group("Pictures");

@@ -33,8 +33,9 @@ struct ClientOptions {
   std::optional<double> frame_time;  // s a picture, by which quality is picked anew; nullopt: it stays
   std::optional<int> monitor;        // to fill, from 0; nullopt: a window
   double frames_per_second = 30;
-  double seconds = 0;  // 0: until ended
-  std::string follow;  // name of the participant whose eyes to look through; empty: own camera
+  double seconds = 0;               // 0: until ended
+  std::string follow;               // name of the participant whose eyes to look through; empty: own camera
+  std::vector<std::string> insets;  // names of participants whose views are seen small
   std::vector<Screenshot> screenshots;
   double sheet_interval = 10;  // s between two pictures of `sheet`
   std::filesystem::path record, sheet, latency_log, session_log, summary, shaders;

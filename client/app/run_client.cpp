@@ -318,6 +318,7 @@ class Client {
     settings.overlay = options_.overlay;
     settings.wireframes = options_.wireframes;
     settings.shown = options_.shown;
+    settings.insets = options_.insets;
     settings.follow = follow_;
     settings.eye = looks_from_;
     if (options_.display == Display::stereo) settings.stereo = options_.stereo;

@@ -157,24 +157,32 @@ void Renderer::draw(const DrawList& list) {
   const GLuint environment = passes.environment ? passes.environment->draw(list, items, r.meshes) : 0;
   r.tell_done("environment");
   passes.target.bind(r.context.width(), r.context.height());
-  for (const DrawCamera& camera : list.cameras) {
-    r.clear(camera, list.background);
-    sort_nearest_first(items, camera.pose.p);
-    passes.main.draw(list, camera, items, r.meshes, shadow, environment);
-  }
+  const auto draw_surfaces = [&](bool insets) {
+    for (const DrawCamera& camera : list.cameras) {
+      if (camera.inset != insets) continue;
+      r.clear(camera, list.background);
+      sort_nearest_first(items, camera.pose.p);
+      passes.main.draw(list, camera, items, r.meshes, shadow, environment);
+    }
+  };
+  draw_surfaces(false);
   r.tell_done("surfaces");
   if (passes.shafts) passes.shafts->draw(list, shadow, passes.target);
   r.tell_done("shafts");
   for (const DrawCamera& camera : list.cameras) {
+    if (camera.inset) continue;
     r.set_viewport(camera);
     draw_lines(list, camera, passes.lines);
   }
   r.tell_done("lines");
+  draw_surfaces(true);
+  r.tell_done("insets");
   passes.target.resolve();
   r.tell_done("edges");
   r.gl.Enable(GL_BLEND);
   r.gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   for (const DrawCamera& camera : list.cameras) {
+    if (camera.inset) continue;
     r.set_viewport(camera);
     draw_texts(list, camera, passes.pen);
   }

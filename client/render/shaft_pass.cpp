@@ -62,9 +62,10 @@ void ShaftPass::draw(const DrawList& list, const Shadow& shadow, RenderTarget& t
   gl_.ClearColor(0, 0, 0, 0);
   gl_.Clear(GL_COLOR_BUFFER_BIT);
   for (const DrawCamera& camera : list.cameras)
-    draw_air(list.lights[static_cast<std::size_t>(shadow.light)], camera, shadow, depth);
+    if (!camera.inset) draw_air(list.lights[static_cast<std::size_t>(shadow.light)], camera, shadow, depth);
   target.bind_again();
-  for (const DrawCamera& camera : list.cameras) lay_over(camera);
+  for (const DrawCamera& camera : list.cameras)
+    if (!camera.inset) lay_over(camera);
 }
 
 void ShaftPass::draw_air(const LightInfo& lamp, const DrawCamera& camera, const Shadow& shadow,

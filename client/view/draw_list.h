@@ -65,10 +65,11 @@ struct DrawCamera {
   double left = -0.6, right = 0.6, bottom = -0.45, top = 0.45;  // tangents
   double near = 0.02, far = 30;                                 // m
   int x = 0, y = 0, width = 800, height = 600;                  // viewport, pixels, from the lower left
+  bool inset = false;  // drawn over the others: surfaces alone, without lines, texts and light shafts
 };
 
 struct DrawList {
-  std::vector<DrawCamera> cameras;  // one, or two for stereo side by side
+  std::vector<DrawCamera> cameras;  // one, or two for stereo side by side; then insets
   std::vector<DrawItem> items;
   std::vector<LightInfo> lights;
   std::vector<DrawLine> lines;

@@ -24,6 +24,7 @@ namespace {
 
 constexpr double lit_brightness = 1.6, least_room_light = 0.05;
 constexpr double notes_top = 90;  // pixels: below the overlay's lines
+constexpr int inset_share = 4;    // an inset's width and height are these parts of the picture's
 constexpr double eye_fov = 0.95;  // rad, vertical, through somebody's eyes: one wants to see their hands too
 
 const RosterEntry* find_by_name(const Replica& replica, const std::string& name) {
@@ -47,6 +48,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   part_items_.clear();
   place_lights(replica, tick);
   place_cameras(replica, tick, self, settings);
+  if (!settings.stereo) add_insets(replica, tick, settings);
   add_room();
   add_bodies(replica, tick, settings.shown);
   if (settings.wireframes) add_wireframes(replica, tick);
@@ -84,6 +86,29 @@ void SceneView::place_cameras(const Replica& replica, double tick, const LocalUs
   }
   for (const DrawCamera& c : stereo_cameras(eye, *settings.stereo, settings.width, settings.height))
     list_.cameras.push_back(c);
+}
+
+/// One below the other at the upper right, each with its user's name.
+void SceneView::add_insets(const Replica& replica, double tick, const ViewSettings& settings) {
+  constexpr int gap = 6;  // pixels
+  const int width = settings.width / inset_share, height = settings.height / inset_share;
+  int below = settings.height;  // pixels from the bottom
+  for (const std::string& name : settings.insets) {
+    below -= height + gap;
+    if (below < 0) return;
+    const RosterEntry* entry = find_by_name(replica, name);
+    const auto user = entry != nullptr ? replica.user(entry->participant, tick) : std::nullopt;
+    const bool seen = user && user->head_tracked;
+    const int left = settings.width - width - gap, top = settings.height - below - height;
+    list_.texts.push_back(
+        {.text = seen ? name : name + " is not here", .at = Vec3(left + gap, top + gap, 0), .height = 11});
+    if (!seen) continue;
+    DrawCamera camera = mono_camera(user->head, eye_fov, width, height);
+    camera.x = left;
+    camera.y = below;
+    camera.inset = true;
+    list_.cameras.push_back(camera);
+  }
 }
 
 void SceneView::add_room() {

@@ -25,10 +25,11 @@ struct ViewSettings {
   int width = 800, height = 600;
   std::optional<StereoProfile> stereo;  // nullopt: one picture
   bool overlay = true;
-  bool wireframes = false;    // of what bodies collide as
-  Shown shown = Shown::none;  // by soft bodies' colours
-  std::string notes;          // lines below the session's; empty: none
-  std::string follow;         // name of a participant; empty: own camera
+  bool wireframes = false;          // of what bodies collide as
+  Shown shown = Shown::none;        // by soft bodies' colours
+  std::string notes;                // lines below the session's; empty: none
+  std::vector<std::string> insets;  // names of users whose views are seen small; not in stereo
+  std::string follow;               // name of a participant; empty: own camera
   std::optional<Pose>
       eye;  // own camera, for instance from the desk; nullopt: tracked head, else the scene's camera
 };
@@ -67,6 +68,7 @@ class SceneView {
 
   void place_cameras(const Replica& replica, double tick, const LocalUser& self,
                      const ViewSettings& settings);
+  void add_insets(const Replica& replica, double tick, const ViewSettings& settings);
   void add_room();
   void place_lights(const Replica& replica, double tick);
   void add_bodies(Replica& replica, double tick, Shown shown);

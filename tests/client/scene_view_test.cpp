@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -181,6 +182,48 @@ TEST(SceneView, AHeadInsideAPartSeesNothingButItsInside) {
                 << ahead.transpose();
           }
       }
+}
+
+TEST(SceneView, AnInsetShowsWhatAUserSeesAndNothingElseChanges) {
+  Client client;
+  LightInfo light;
+  light.position = {0, 2, 1};
+  client.scene.lights = {light};
+  client.join();
+  RosterEntry ada;
+  ada.participant = 5;
+  ada.name = "ada";
+  client.tell(ada);
+  UserState user;
+  user.participant = ada.participant;
+  user.head_tracked = true;
+  user.head = look_at({0, 1.5, 0.1}, {0, 1.1, 0});  // the part from close by
+  client.tell(user);
+  ViewSettings settings = plain(320, 240);
+  const Image without = client.picture(1, settings);
+  settings.insets = {"ada", "nobody"};
+  const Image with = client.picture(1, settings);
+  const DrawList& list = client.list(1, settings);
+  ASSERT_EQ(list.cameras.size(), 2u);
+  const DrawCamera& inset = list.cameras[1];
+  EXPECT_TRUE(inset.inset);
+  EXPECT_LT((inset.pose.p - user.head.p).norm(), 1e-6);
+  EXPECT_TRUE(std::any_of(list.texts.begin(), list.texts.end(),
+                          [](const DrawText& text) { return text.text == "nobody is not here"; }));
+  int inside = 0, outside = 0;
+  for (int y = 0; y < with.height; ++y)
+    for (int x = 0; x < with.width; ++x) {
+      const bool same = std::abs(luminance(with.pixel(x, y)) - luminance(without.pixel(x, y))) < 8;
+      const int up = with.height - 1 - y;
+      const bool in =
+          x >= inset.x && x < inset.x + inset.width && up >= inset.y && up < inset.y + inset.height;
+      // Names are written at the right. Edges that end at the inset are blended up to their search's reach.
+      constexpr int reach = 16;  // pixels, shaders/edges.frag
+      if (!same && x < inset.x - reach) ++outside;
+      if (!same && in) ++inside;
+    }
+  EXPECT_EQ(outside, 0);
+  EXPECT_GT(inside, inset.width * inset.height / 4);
 }
 
 struct Columns {
