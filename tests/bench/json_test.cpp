@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
         Subject{"cut",
                 "--quick --threads 1",
                 {"stroke", "tets", "tets_after", "threads"},
-                {"ticks_that_cut", "ms_p50_cutting", "ms_p50_other", "volume_error"}},
+                {"added_ms_p50", "volume_error"}},
         Subject{"trade",
                 "--quick --case press --model bullet_classic --limit 5",
                 rung,
