@@ -104,7 +104,7 @@ sleep 3
 moment through "The knife is through"
 go_on second
 sleep 4
-moment after "What is cut off lies on the table"
+moment after "The knife is out; what came free lies on the table"
 echo "look 0.25 1.0 0.3  0 0.98 0.02" >&8
 moment face "The cut's faces, from close by"
 sleep 2
