@@ -31,8 +31,9 @@ ctest --test-dir build/release --output-on-failure -j2 || {
 if [ "$quick" = no ]; then
   step "build: address and undefined-behaviour sanitizers"
   cmake --preset asan -DPROSECTOR_WERROR=ON >/dev/null
-  # Every unit and fuzz test's executable; the end-to-end ones run optimised only.
-  mapfile -t targets < <(ninja -C build/asan -t targets all | sed -n 's/^\(test_[a-z0-9_]*\): phony$/\1/p' | sort -u)
+  # Every unit and fuzz test's executable; the end-to-end ones and the benches' program run optimised only.
+  mapfile -t targets < <(ninja -C build/asan -t targets all | sed -n 's/^\(test_[a-z0-9_]*\): phony$/\1/p' |
+    grep -vx test_bench_json | sort -u)
   deploy/build.sh asan "${targets[@]}"
   step "tests: address and undefined-behaviour sanitizers"
   # Not the tests that time real terminals and processes: sanitizers slow those down.
