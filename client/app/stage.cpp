@@ -1,0 +1,35 @@
+#include "client/app/stage.h"
+
+#include <sys/resource.h>
+
+namespace prosector {
+namespace {
+
+// On a shared machine the simulation has the first call: pictures can wait a frame, physics can't. Threads
+// that start after this (the software renderer's) inherit it; those that carry hands and snapshots run
+// already.
+void yield_to_simulation() {
+  setpriority(PRIO_PROCESS, 0, 5);
+}
+
+}  // namespace
+
+std::unique_ptr<Stage> make_stage(const ClientOptions& o) {
+  if (o.display == Display::none) return nullptr;
+  yield_to_simulation();
+  auto stage = std::make_unique<Stage>();
+  if (o.display == Display::offscreen) {
+    stage->context = make_offscreen_context(o.width, o.height);
+  } else if (o.display == Display::osmesa) {
+    stage->context = make_osmesa_context(o.width, o.height);
+  } else {
+    auto window = make_window_context(o.width, o.height, "Prosector: " + o.bus.session);
+    stage->desk = std::make_unique<Desk>(*window, o.shown, o.monitor.has_value());
+    stage->window = window.get();
+    stage->context = std::move(window);
+  }
+  stage->renderer = std::make_unique<Renderer>(*stage->context, o.shaders, o.quality);
+  return stage;
+}
+
+}  // namespace prosector

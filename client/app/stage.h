@@ -1,0 +1,25 @@
+#pragma once
+// Everything that a client draws with.
+
+#include <memory>
+
+#include "client/app/desk.h"
+#include "client/app/options.h"
+#include "client/render/renderer.h"
+#include "client/render/window_context.h"
+#include "client/view/scene_view.h"
+
+namespace prosector {
+
+struct Stage {
+  std::unique_ptr<GlContext> context;
+  std::unique_ptr<Renderer> renderer;
+  WindowContext* window = nullptr;  // the context, where it is one
+  std::unique_ptr<Desk> desk;       // with a window only
+  SceneView view;
+};
+
+/// Null with --display none. Throws InputError where OpenGL or the display refuses.
+std::unique_ptr<Stage> make_stage(const ClientOptions& options);
+
+}  // namespace prosector

@@ -1,0 +1,152 @@
+#include "client/app/viewer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/clock.h"
+
+namespace prosector {
+
+Viewer::Viewer(const ClientOptions& options, Connection& connection, ClientReport& report,
+               std::function<void(const std::string&)> tell)
+    : options_(options),
+      connection_(connection),
+      report_(report),
+      tell_(std::move(tell)),
+      sink_(options),
+      stage_(make_stage(options)),
+      follow_(options.follow) {
+  if (options.frame_time) governor_.emplace(*options.frame_time);
+  if (stage_) report_.renderer = stage_->context->description();
+}
+
+void Viewer::take_picture(const std::filesystem::path& file) {
+  stage_ ? sink_.ask(file) : tell_("picture: nothing is drawn with --display none");
+}
+
+std::optional<BodyId> Viewer::part_at(const Ray& ray) const {
+  return stage_ ? stage_->view.part_at(ray) : std::nullopt;
+}
+
+// Offscreen, a picture that nobody keeps is not drawn; the first one proves that drawing works.
+void Viewer::draw_if_seen(InputPump* pump) {
+  if (!stage_) return;
+  const double seconds = seconds_since(report_.joined_ns);
+  const bool kept = sink_.wants(seconds);
+  if (!kept && !stage_->desk && report_.first_picture_ns) return;
+  const Image image = draw(pump, kept);
+  if (kept) sink_.take(image, seconds);
+}
+
+void Viewer::finish(InputPump* pump) {
+  if (stage_ && report_.complete_ns && sink_.wants_last()) sink_.finish(draw(pump, true));
+  sink_.finish_sheet();
+  tell_failures();
+}
+
+void Viewer::reload_changed_shaders() {
+  if (!options_.watch_shaders || !stage_) return;
+  if (const auto news = stage_->renderer->reload_changed_shaders()) tell_(*news);
+}
+
+void Viewer::tell_failures() {
+  for (const std::string& failure : sink_.take_failures()) tell_(failure);
+}
+
+void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) {
+  Desk& desk = *stage_->desk;
+  std::optional<Panel> own_panel;
+  const CameraInfo camera = connection_.with_replica([&](Replica& r) {
+    if (const auto own = r.panels().find(self.participant); own != r.panels().end()) own_panel = own->second;
+    return r.scene()->camera;
+  });
+  desk.update(camera, own_panel ? &*own_panel : nullptr);
+  settings.eye = desk.eye();
+  settings.wireframes = options_.wireframes != desk.wireframes();
+  settings.shown = desk.shown();
+  if (desk.full_screen() != full_screen_) {
+    full_screen_ = desk.full_screen();
+    stage_->window->set_full_screen(full_screen_ ? options_.monitor.value_or(0) : std::optional<int>());
+  }
+  for (std::size_t n = desk.take_follow_requests(); n > 0; --n) follow_next(self.participant);
+  settings.follow = follow_;
+  if (desk.figures()) settings.notes = figures_.text();
+  if (desk.help()) settings.notes += (settings.notes.empty() ? "" : "\n\n") + std::string(desk_help);
+  if (pump != nullptr && !has_devices(options_.devices))
+    drive_hand_at_desk(*pump, self, own_panel.has_value());
+}
+
+void Viewer::drive_hand_at_desk(InputPump& pump, LocalUser& self, bool has_panel) {
+  Desk& desk = *stage_->desk;
+  self.input = desk.input();
+  pump.set_desk_input(self.input);
+  for (const Command& command : desk.take_commands()) connection_.command(command);
+  const auto request = desk.take_panel_request();
+  if (!request) return;
+  Command command;
+  const auto part = stage_->view.part_at(*request);
+  command.kind = part ? CommandKind::open_panel : CommandKind::close_panel;
+  command.body = part.value_or(0);
+  if (part || has_panel) connection_.command(command);
+}
+
+/// To the next other user who has eyes, and after the last one back to one's own.
+void Viewer::follow_next(ParticipantId self) {
+  std::vector<std::string> names = {""};
+  connection_.with_replica([&](Replica& replica) {
+    const double tick = replica.advance(monotonic_ns());
+    for (const auto& [id, entry] : replica.roster()) {
+      const auto user = replica.user(id, tick);
+      if (id != self && user && user->head_tracked) names.push_back(entry.name);
+    }
+  });
+  const auto now = std::find(names.begin(), names.end(), follow_);
+  follow_ = now == names.end() || now + 1 == names.end() ? "" : *(now + 1);
+}
+
+/// `keep` also reads the picture back, which costs.
+Image Viewer::draw(InputPump* pump, bool keep) {
+  const std::int64_t begin = monotonic_ns();
+  LocalUser self{.participant = connection_.participant(), .input = {}, .present = pump != nullptr};
+  ViewSettings settings;
+  settings.overlay = options_.overlay;
+  settings.wireframes = options_.wireframes;
+  settings.shown = options_.shown;
+  settings.insets = options_.insets;
+  settings.follow = follow_;
+  settings.eye = looks_from_;
+  if (options_.display == Display::stereo) settings.stereo = options_.stereo;
+  if (pump != nullptr) self.input = pump->latest();
+  if (stage_->desk) use_desk(pump, self, settings);
+  settings.width = stage_->context->width();
+  settings.height = stage_->context->height();
+  const DrawList* list = nullptr;
+  connection_.with_replica([&](Replica& replica) {
+    list = &stage_->view.build(replica, replica.advance(monotonic_ns()), self, settings);
+  });
+  stage_->renderer->draw(*list);
+  Image image;
+  if (keep) image = stage_->renderer->read_pixels();
+  stage_->context->present();
+  note_picture(seconds_since(begin));
+  return image;
+}
+
+void Viewer::note_picture(double seconds) {
+  if (!report_.first_picture_ns) report_.first_picture_ns = monotonic_ns();
+  ++report_.pictures;
+  report_.drawing_seconds += seconds;
+  if (report_.pictures > 1)
+    report_.longest_drawing_seconds = std::max(report_.longest_drawing_seconds, seconds);
+  if (governor_ && governor_->took(seconds)) {
+    stage_->renderer->set_settings(governor_->level().settings);
+    tell_(fmt::format("quality: {}", governor_->level().name));
+  }
+  connection_.with_replica([&](const Replica& replica) {
+    figures_.take(monotonic_ns(), seconds, connection_.counters(),
+                  replica.status() ? &*replica.status() : nullptr);
+  });
+}
+
+}  // namespace prosector

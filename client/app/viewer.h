@@ -1,0 +1,65 @@
+#pragma once
+// What this client's user sees: from where, through whose eyes, how well, and what becomes of the pictures.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "client/app/client_report.h"
+#include "client/app/connection.h"
+#include "client/app/figures.h"
+#include "client/app/input_pump.h"
+#include "client/app/picture_sink.h"
+#include "client/app/stage.h"
+#include "client/render/quality_governor.h"
+
+namespace prosector {
+
+class Viewer {
+ public:
+  /// All of them outlive the viewer; `tell` prints a line for people.
+  Viewer(const ClientOptions& options, Connection& connection, ClientReport& report,
+         std::function<void(const std::string&)> tell);
+
+  /// False: --display none.
+  bool draws() const { return stage_ != nullptr; }
+  bool has_desk() const { return stage_ && stage_->desk; }
+  bool closed() const { return has_desk() && stage_->desk->closed(); }
+
+  /// From where pictures that no desk turns are taken from now on; nullopt: as the scene has it.
+  void look_from(const std::optional<Pose>& eye) { looks_from_ = eye; }
+  /// The next picture goes to `file`.
+  void take_picture(const std::filesystem::path& file);
+  /// The part of the anatomy that the ray meets first in the last picture.
+  std::optional<BodyId> part_at(const Ray& ray) const;
+
+  /// Draws the next picture where somebody sees or keeps it. `pump` carries the user's hands; null: an
+  /// observer, who has none.
+  void draw_if_seen(InputPump* pump);
+  /// The last picture, and all that waits for it.
+  void finish(InputPump* pump);
+  void reload_changed_shaders();
+  void tell_failures();
+
+ private:
+  const ClientOptions& options_;
+  Connection& connection_;
+  ClientReport& report_;
+  std::function<void(const std::string&)> tell_;
+  PictureSink sink_;
+  std::unique_ptr<Stage> stage_;
+  std::optional<QualityGovernor> governor_;  // of pictures; nullopt: their quality stays
+  std::optional<Pose> looks_from_;
+  std::string follow_;  // whose eyes to look through; empty: own
+  bool full_screen_ = false;
+  Figures figures_;
+
+  Image draw(InputPump* pump, bool keep);
+  void use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings);
+  void drive_hand_at_desk(InputPump& pump, LocalUser& self, bool has_panel);
+  void follow_next(ParticipantId self);
+  void note_picture(double seconds);
+};
+
+}  // namespace prosector
