@@ -13,6 +13,8 @@ namespace {
 constexpr double turn_per_pixel = 0.005;  // rad
 constexpr double reach_per_notch = 0.02;  // m
 constexpr double fly_speed = 0.6;         // m/s
+constexpr double pad_speed = 400;  // pixels/s of the pointer or of a turn, for a stick that is pushed fully
+constexpr double pad_reach_speed = 0.4;  // m/s
 constexpr double least_reach = 0.15, most_reach = 4;
 constexpr double first_reach = 0.7;           // of the way to what the view is of: beside it, not in it
 constexpr double steepest = 1.5;              // rad: the view never turns over
@@ -47,6 +49,7 @@ void Desk::update(const CameraInfo& start, const Panel* own_panel) {
   const double seconds = std::chrono::duration<double>(now - last_update_).count();
   last_update_ = now;
   fly(seconds);
+  follow_pad(seconds);
   const double wanted = grasping_ ? 0.9 : 0.1;
   flexion_ += std::clamp(wanted - flexion_, -close_per_s * seconds, close_per_s * seconds);
   eye_ = look_at(view_->target + distance_ * back(), view_->target);
@@ -69,6 +72,8 @@ void Desk::take(const WindowEvent& event) {
   }
   if (const auto* wheel = std::get_if<WheelTurned>(&event))
     reach_ = std::clamp(reach_ + reach_per_notch * wheel->y, least_reach, most_reach);
+  if (const auto* pad = std::get_if<GamepadMoved>(&event))
+    for (const WindowEvent& same : pad_.take(pad->now)) take(same);
   if (const auto* mouse = std::get_if<MouseMoved>(&event)) {
     if (turning_) turn(mouse->x - pointer_x_, mouse->y - pointer_y_);
     pointer_x_ = mouse->x;
@@ -105,10 +110,21 @@ void Desk::turn(double right, double down) {
 
 void Desk::fly(double seconds) {
   const auto held = [&](char key) { return held_keys_.contains(key_of(key)) ? 1.0 : 0.0; };
-  const Vec3 step(held('D') - held('A'), held('E') - held('Q'), held('S') - held('W'));
+  const Vec3 keys(held('D') - held('A'), held('E') - held('Q'), held('S') - held('W'));
+  const Vec3 step = (keys + pad_.flight()).cwiseMax(-1).cwiseMin(1);
   const Quat level(Eigen::AngleAxisd(yaw_, Vec3::UnitY()));
   const Quat heading = flying_ ? Quat(level * Eigen::AngleAxisd(-pitch_, Vec3::UnitX())) : level;
   view_->target += fly_speed * seconds * (heading * step);
+}
+
+void Desk::follow_pad(double seconds) {
+  const double pixels = pad_speed * seconds;
+  turn(pixels * pad_.turn().right, pixels * pad_.turn().down);
+  reach_ = std::clamp(reach_ + pad_reach_speed * seconds * pad_.reach(), least_reach, most_reach);
+  if (const PadStick stick = pad_.pointing(); stick.right != 0 || stick.down != 0)
+    take(
+        MouseMoved{std::clamp(pointer_x_ + pixels * stick.right, 0.0, static_cast<double>(window_.width())),
+                   std::clamp(pointer_y_ + pixels * stick.down, 0.0, static_cast<double>(window_.height()))});
 }
 
 /// On the user's panel the button works its controls, elsewhere it grasps.

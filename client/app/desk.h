@@ -1,11 +1,12 @@
 #pragma once
-// The desk user: mouse and keyboard move the view and drive a hand.
+// The desk user: mouse and keyboard, or a gamepad, move the view and drive a hand.
 
 #include <chrono>
 #include <optional>
 #include <set>
 #include <vector>
 
+#include "client/app/gamepad_user.h"
 #include "client/render/window_context.h"
 #include "client/view/pick.h"
 #include "client/view/value_paint.h"
@@ -20,7 +21,10 @@ inline constexpr const char* desk_help =
     "right drag: turns the view    W A S D Q E: move it    F: turn about the eye, or about what is seen\n"
     "Tab: through the eyes of the next user    F11: full screen\n"
     "C: collision models    V: strain, residual, error    I: figures    Z: takes back your last cut\n"
-    "H or F1: these lines    Esc: leave";
+    "H or F1: these lines    Esc: leave\n"
+    "gamepad: left stick and bumpers move the view, the right stick turns it, or the pointer with the\n"
+    "left trigger pulled; cross: how far away the hand is    right trigger or lower button: left button\n"
+    "left: panel    right: undo    upper: the next user's eyes    start: these lines";
 
 class Desk {
  public:
@@ -59,6 +63,7 @@ class Desk {
   bool turning_ = false;
   bool flying_ = false;  // turning moves the target about the eye, not the eye about the target
   std::set<Key> held_keys_;
+  GamepadUser pad_;
   std::chrono::steady_clock::time_point last_update_{};
 
   // The hand: fingertips on the ray through the pointer.
@@ -84,6 +89,7 @@ class Desk {
   void press(Key key);
   void turn(double right, double down);
   void fly(double seconds);
+  void follow_pad(double seconds);
   Vec3 back() const;
   void press();
   void let_go();

@@ -83,6 +83,21 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option("--monitor", o.monitor, "Fill this monitor, counted from 0 (F11: back to a window)")
       ->check(CLI::NonNegativeNumber)
       ->group("Pictures");
+  app.add_option_function<std::vector<int>>(
+         "--audience",
+         [&o](const std::vector<int>& monitor) {
+           o.audience.emplace();
+           if (!monitor.empty()) o.audience->monitor = monitor.front();
+         },
+         "A second window with the same picture, in stereo of one eye, for others to watch; or fill this "
+         "monitor with it")
+      ->expected(0, 1)
+      ->type_name("[MONITOR]")
+      ->check(CLI::NonNegativeNumber)
+      ->group("Pictures");
+  app.add_option("--scale", o.scale, "Size of texts and overlays (default: as the desktop scales its own)")
+      ->check(CLI::Range(0.5, 8.0))
+      ->group("Pictures");
   app.add_option("--fps", o.frames_per_second, "Pictures per second, at most")
       ->capture_default_str()
       ->check(CLI::Range(0.1, 240.0))
@@ -232,6 +247,8 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   parse_display(raw.display, o);
   if (o.monitor && o.display != Display::window && o.display != Display::stereo)
     throw InputError("--monitor: only with --display window or stereo");
+  if (o.audience && o.display != Display::window && o.display != Display::stereo)
+    throw InputError("--audience: only with --display window or stereo");
   if (!raw.size.empty()) parse_size(raw.size, o.width, o.height);
   o.quality = parse_quality(raw.quality, raw.effects);
   o.shown = parse_shown(raw.show);

@@ -9,6 +9,7 @@
 #include "client/app/connection.h"
 #include "client/app/render_scene.h"
 #include "client/render/renderer.h"
+#include "client/render/window_context.h"
 #include "client/view/stereo_profile.h"
 #include "client/view/value_paint.h"
 #include "drivers/client_config.h"
@@ -32,6 +33,8 @@ struct ClientOptions {
   int width = 800, height = 600;
   std::optional<double> frame_time;  // s a picture, by which quality is picked anew; nullopt: it stays
   std::optional<int> monitor;        // to fill, from 0; nullopt: a window
+  std::optional<Audience> audience;  // a second window; nullopt: none
+  std::optional<double> scale;       // of what lies over pictures; nullopt: as the desktop says, else 1
   double frames_per_second = 30;
   double seconds = 0;               // 0: until ended
   std::string follow;               // name of the participant whose eyes to look through; empty: own camera

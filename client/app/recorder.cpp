@@ -35,6 +35,7 @@ std::string no_room(const std::filesystem::path& file) {
 struct Recorder::Impl {
   std::filesystem::path file;
   cv::VideoWriter writer;
+  cv::Size size;
   std::size_t frames = 0;
   std::string failure;
 };
@@ -45,7 +46,8 @@ Recorder::Recorder(const std::filesystem::path& file, int width, int height, dou
   const int codec = codec_of(file);
   if (std::string why = no_room(file); !why.empty())
     throw InputError(fmt::format("--record {}: {}", file.string(), why));
-  if (!impl_->writer.open(file.string(), codec, frames_per_second, cv::Size(width, height)))
+  impl_->size = cv::Size(width, height);
+  if (!impl_->writer.open(file.string(), codec, frames_per_second, impl_->size))
     throw InputError(
         fmt::format("--record {}: cannot be written; is the folder there and writable?", file.string()));
 }
@@ -62,6 +64,8 @@ void Recorder::add(const Image& image) {
   const cv::Mat rgb(image.height, image.width, CV_8UC3, const_cast<std::uint8_t*>(image.rgb.data()));
   cv::Mat bgr;
   cv::cvtColor(rgb, bgr, cv::COLOR_RGB2BGR);
+  // A video is of one size; pictures of a window that somebody resized are not.
+  if (bgr.size() != impl_->size) cv::resize(bgr, bgr, impl_->size, 0, 0, cv::INTER_AREA);
   impl_->writer.write(bgr);
   ++impl_->frames;
 }

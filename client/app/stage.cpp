@@ -2,6 +2,8 @@
 
 #include <sys/resource.h>
 
+#include <cmath>
+
 namespace prosector {
 namespace {
 
@@ -10,6 +12,16 @@ namespace {
 // already.
 void yield_to_simulation() {
   setpriority(PRIO_PROCESS, 0, 5);
+}
+
+/// In stereo, one eye's picture as the profile's display shows it.
+Audience audience_of(const ClientOptions& o) {
+  Audience out = *o.audience;
+  if (o.display == Display::stereo) {
+    out.eyes = 2;
+    out.aspect = std::tan(o.stereo.fov_horizontal / 2) / std::tan(o.stereo.fov_vertical / 2);
+  }
+  return out;
 }
 
 }  // namespace
@@ -26,6 +38,7 @@ std::unique_ptr<Stage> make_stage(const ClientOptions& o) {
     auto window = make_window_context(o.width, o.height, "Prosector: " + o.bus.session);
     stage->desk = std::make_unique<Desk>(*window, o.shown, o.monitor.has_value());
     stage->window = window.get();
+    if (o.audience) window->open_audience(audience_of(o));
     stage->context = std::move(window);
   }
   stage->renderer = std::make_unique<Renderer>(*stage->context, o.shaders, o.quality);

@@ -121,6 +121,7 @@ Image Viewer::draw(InputPump* pump, bool keep) {
   if (stage_->desk) use_desk(pump, self, settings);
   settings.width = stage_->context->width();
   settings.height = stage_->context->height();
+  settings.scale = options_.scale.value_or(stage_->window != nullptr ? stage_->window->content_scale() : 1);
   const DrawList* list = nullptr;
   connection_.with_replica([&](Replica& replica) {
     list = &stage_->view.build(replica, replica.advance(monotonic_ns()), self, settings);

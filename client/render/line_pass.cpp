@@ -5,6 +5,7 @@
 
 #include "client/render/projection.h"
 #include "client/render/stroke_font.h"
+#include "client/render/text_layout.h"
 
 namespace prosector {
 namespace {
@@ -18,8 +19,7 @@ using Project = std::function<Eigen::Vector4d(const Vec3&)>;
 void add_writing(std::vector<ScreenVertex>& out, const DrawText& text, const DrawCamera& camera,
                  const Viewport& viewport, const Project& project) {
   const double pixels_per_tangent = camera.height / (camera.top - camera.bottom);
-  const std::string lines = text.wrap > 0 ? wrapped(text.text, text.height, text.wrap) : text.text;
-  for (const TextStroke& stroke : strokes_of(lines, text.height)) {
+  for (const TextStroke& stroke : strokes_of(lines_of(text), text.height)) {
     const auto place = [&](const Eigen::Vector2d& at) {
       return project(*text.surface * Vec3(at.x(), -at.y(), 0));
     };
@@ -43,9 +43,9 @@ void draw_lines(const DrawList& list, const DrawCamera& camera, const ScreenQuad
   for (const DrawLine& line : list.lines) {
     if (line.overlay) {
       const auto flat = [](const Vec3& x) { return Eigen::Vector4d(x.x(), x.y(), 0, 1); };
-      add_line(overlay, flat(line.a), flat(line.b), line.color, line.width, viewport);
+      add_line(overlay, flat(line.a), flat(line.b), line.color, list.scale * line.width, viewport);
     } else {
-      add_line(room, project(line.a), project(line.b), line.color, line.width, viewport);
+      add_line(room, project(line.a), project(line.b), line.color, list.scale * line.width, viewport);
     }
   }
   for (const DrawText& text : list.texts)

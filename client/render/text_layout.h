@@ -2,11 +2,15 @@
 // Where texts stand in a picture. Those at places in the room (names, figures) stand above their places;
 // where two would cover each other, the later one is lifted over the earlier. No GL.
 
+#include <string>
 #include <vector>
 
 #include "client/view/draw_list.h"
 
 namespace prosector {
+
+/// The text, broken into lines as it asks for.
+std::string lines_of(const DrawText& text);
 
 struct PlacedText {
   const DrawText* text;

@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-constexpr double leader_gap = 3;  // pixels between a text and its leader
+constexpr double leader_gap = 3;  // points between a text and its leader
 constexpr double fade = 0.5;      // pixels beyond a stroke's border that it still covers in part
 
 void add_strokes(std::vector<ScreenVertex>& out, const std::vector<TextStroke>& strokes,
@@ -24,9 +24,9 @@ void add_strokes(std::vector<ScreenVertex>& out, const std::vector<TextStroke>& 
 }
 
 /// From a text that was lifted down to its place.
-TextStroke leader_of(const PlacedText& placed) {
-  const double x = std::round(placed.size.x() / 2), y = placed.size.y() + leader_gap;
-  return {{x, y}, {x, y + placed.lift - leader_gap}};
+TextStroke leader_of(const PlacedText& placed, double gap) {
+  const double x = std::round(placed.size.x() / 2), y = placed.size.y() + gap;
+  return {{x, y}, {x, y + placed.lift - gap}};
 }
 
 }  // namespace
@@ -37,9 +37,10 @@ void draw_texts(const DrawList& list, const DrawCamera& camera, const ScreenQuad
   std::vector<ScreenVertex> vertices;
   for (const PlacedText& placed : place_texts(list, camera)) {
     const DrawText& text = *placed.text;
-    std::vector<TextStroke> strokes = strokes_of(text.text, text.height);
-    if (placed.lift > 0) strokes.push_back(leader_of(placed));
-    const double pen = std::max(1.2, text.height / 9);
+    const double height = list.scale * text.height;
+    std::vector<TextStroke> strokes = strokes_of(lines_of(text), height);
+    if (placed.lift > 0) strokes.push_back(leader_of(placed, list.scale * leader_gap));
+    const double pen = std::max(1.2, height / 9);
     add_strokes(vertices, strokes, placed.origin, shade, pen + 2, viewport);
     add_strokes(vertices, strokes, placed.origin, text.color, pen, viewport);
   }

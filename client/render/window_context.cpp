@@ -4,10 +4,13 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "client/render/audience_window.h"
+#include "client/render/glfw_monitor.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -52,6 +55,29 @@ std::optional<Key> key_from_glfw(int key) {
   return std::nullopt;
 }
 
+/// Of the first joystick that is a gamepad.
+std::optional<Gamepad> gamepad_from_glfw() {
+  static constexpr std::array<int, pad_buttons> buttons = {
+      GLFW_GAMEPAD_BUTTON_A,           GLFW_GAMEPAD_BUTTON_B,           GLFW_GAMEPAD_BUTTON_X,
+      GLFW_GAMEPAD_BUTTON_Y,           GLFW_GAMEPAD_BUTTON_LEFT_BUMPER, GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER,
+      GLFW_GAMEPAD_BUTTON_BACK,        GLFW_GAMEPAD_BUTTON_START,       GLFW_GAMEPAD_BUTTON_LEFT_THUMB,
+      GLFW_GAMEPAD_BUTTON_RIGHT_THUMB, GLFW_GAMEPAD_BUTTON_DPAD_UP,     GLFW_GAMEPAD_BUTTON_DPAD_RIGHT,
+      GLFW_GAMEPAD_BUTTON_DPAD_DOWN,   GLFW_GAMEPAD_BUTTON_DPAD_LEFT};
+  for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
+    GLFWgamepadstate state;
+    if (!glfwGetGamepadState(joystick, &state)) continue;
+    const auto axis = [&](int which) { return static_cast<double>(state.axes[which]); };
+    Gamepad pad;
+    pad.left = {axis(GLFW_GAMEPAD_AXIS_LEFT_X), axis(GLFW_GAMEPAD_AXIS_LEFT_Y)};
+    pad.right = {axis(GLFW_GAMEPAD_AXIS_RIGHT_X), axis(GLFW_GAMEPAD_AXIS_RIGHT_Y)};
+    pad.left_trigger = (axis(GLFW_GAMEPAD_AXIS_LEFT_TRIGGER) + 1) / 2;  // at rest −1
+    pad.right_trigger = (axis(GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER) + 1) / 2;
+    for (std::size_t k = 0; k < pad_buttons; ++k) pad.down[k] = state.buttons[buttons[k]] == GLFW_PRESS;
+    return pad;
+  }
+  return std::nullopt;
+}
+
 class GlfwWindow final : public WindowContext {
  public:
   GlfwWindow(int width, int height, const std::string& title) {
@@ -77,6 +103,7 @@ class GlfwWindow final : public WindowContext {
     listen();
   }
   ~GlfwWindow() override {
+    audience_.reset();
     glfwDestroyWindow(window_);
     glfwTerminate();
   }
@@ -87,12 +114,20 @@ class GlfwWindow final : public WindowContext {
   int width() const override { return width_; }
   int height() const override { return height_; }
   bool has_screen() const override { return true; }
-  void present() override { glfwSwapBuffers(window_); }
+  void present() override {
+    if (audience_ && audience_->closed()) audience_.reset();
+    if (audience_) audience_->show(width_, height_);
+    glfwSwapBuffers(window_);
+  }
   std::string description() const override { return describe_gl(*this, "window"); }
 
   std::vector<WindowEvent> poll_events() override {
     events_.clear();
     glfwPollEvents();
+    if (const auto pad = gamepad_from_glfw(); pad || has_gamepad_) {
+      has_gamepad_ = pad.has_value();
+      events_.push_back(GamepadMoved{pad});
+    }
     return std::move(events_);
   }
   void capture_pointer(bool captured) override {
@@ -106,17 +141,23 @@ class GlfwWindow final : public WindowContext {
         glfwSetWindowMonitor(window_, nullptr, place_[0], place_[1], place_[2], place_[3], GLFW_DONT_CARE);
       return;
     }
-    int count = 0;
-    GLFWmonitor** monitors = glfwGetMonitors(&count);
-    if (*monitor < 0 || *monitor >= count)
-      throw InputError(
-          fmt::format("monitor {}: there {} {}, counted from 0", *monitor, count == 1 ? "is" : "are", count));
+    GLFWmonitor* wanted = glfw_monitor(*monitor);
     if (!fills) {
       glfwGetWindowPos(window_, &place_[0], &place_[1]);
       glfwGetWindowSize(window_, &place_[2], &place_[3]);
     }
-    const GLFWvidmode* mode = glfwGetVideoMode(monitors[*monitor]);
-    glfwSetWindowMonitor(window_, monitors[*monitor], 0, 0, mode->width, mode->height, mode->refreshRate);
+    const GLFWvidmode* mode = glfwGetVideoMode(wanted);
+    glfwSetWindowMonitor(window_, wanted, 0, 0, mode->width, mode->height, mode->refreshRate);
+  }
+
+  void open_audience(const Audience& audience) override {
+    audience_ = std::make_unique<AudienceWindow>(window_, *this, audience);
+  }
+
+  double content_scale() const override {
+    float across = 1, down = 1;
+    glfwGetWindowContentScale(window_, &across, &down);
+    return static_cast<double>(across);
   }
 
  private:
@@ -162,7 +203,9 @@ class GlfwWindow final : public WindowContext {
   GLFWwindow* window_ = nullptr;
   int width_ = 0, height_ = 0;
   std::array<int, 4> place_{};  // as a window: x, y, width, height in screen coordinates
+  bool has_gamepad_ = false;
   std::vector<WindowEvent> events_;
+  std::unique_ptr<AudienceWindow> audience_;
 };
 
 }  // namespace

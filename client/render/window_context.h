@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "client/render/gamepad.h"
 #include "client/render/gl_context.h"
 
 namespace prosector {
@@ -69,9 +70,20 @@ struct Resized {
   int width, height;  // pixels of the picture
 };
 struct CloseRequested {};
+struct GamepadMoved {
+  std::optional<Gamepad> now;  // nullopt: unplugged
+};
 
 using WindowEvent =
-    std::variant<MouseMoved, MouseButtonEvent, WheelTurned, KeyEvent, Resized, CloseRequested>;
+    std::variant<MouseMoved, MouseButtonEvent, WheelTurned, KeyEvent, Resized, CloseRequested, GamepadMoved>;
+
+/// What people see who watch beside the one who takes part.
+struct Audience {
+  std::optional<int> monitor = {};  // to fill, counted from 0; nullopt: a window
+  int width = 800, height = 600;    // of the window, screen coordinates
+  int eyes = 1;                     // side by side in the picture; the first is shown
+  double aspect = 0;  // of one eye's picture, width over height as it is meant to be seen; 0: of its pixels
+};
 
 class WindowContext : public GlContext {
  public:
@@ -83,6 +95,12 @@ class WindowContext : public GlContext {
   /// Fills this monitor, counted from 0, the desktop's first; nullopt: a window where it was before. Throws
   /// InputError saying how many there are when there is none of that number.
   virtual void set_full_screen(std::optional<int> monitor) = 0;
+  /// Every picture from now on is also shown in a second window, until somebody closes that. Throws
+  /// InputError as above.
+  virtual void open_audience(const Audience& audience) = 0;
+  /// How many times as fine as usual the desktop says that its display is: what is read is to be drawn as
+  /// many times larger.
+  virtual double content_scale() const = 0;
 };
 
 /// Only one window at a time, in the main thread. Throws InputError saying what is missing: no display (use

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "client/view/body_mesh.h"
+#include "client/view/overlay_frame.h"
 
 namespace prosector {
 namespace {
@@ -45,10 +46,11 @@ void add_axes(DrawList& list, const Pose& frame, double length) {
 }
 
 void add_corner_axes(DrawList& list, const Quat& frame, const DrawCamera& camera) {
-  constexpr double length = 42, margin = 56, letter = 13;  // pixels
+  constexpr double length = 42, margin = 56, letter = 13;  // points
   const Quat camera_from_frame = camera.pose.q.conjugate() * frame;
-  const auto to_ndc = [&](const Vec3& pixels) {
-    return Vec3(2 * pixels.x() / camera.width - 1, 2 * pixels.y() / camera.height - 1, 0);
+  const OverlayFrame picture(camera, list.scale);
+  const auto to_ndc = [&](const Vec3& from_below) {
+    return picture.at(from_below.x(), picture.height - from_below.y());
   };
   const Vec3 origin(margin, margin, 0);
   for (int axis = 0; axis < 3; ++axis) {
@@ -60,7 +62,7 @@ void add_corner_axes(DrawList& list, const Quat& frame, const DrawCamera& camera
     DrawText label;
     label.text = std::string(1, static_cast<char>('x' + axis));
     const Vec3 beyond = tip + 9 * along.normalized();
-    label.at = {beyond.x() - letter / 3, camera.height - beyond.y() - letter / 2, 0};
+    label.at = {beyond.x() - letter / 3, picture.height - beyond.y() - letter / 2, 0};
     label.height = letter;
     label.color = color.cwiseMax(0.3);
     list.texts.push_back(label);

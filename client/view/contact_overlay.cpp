@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 
+#include "client/view/overlay_frame.h"
+
 namespace prosector {
 namespace {
 
-constexpr double text_height = 13, padding = 7;             // pixels
-constexpr double left = 118, bottom = 10;                   // pixels: right of the axes
+constexpr double text_height = 13, padding = 7;             // points
+constexpr double left = 118, bottom = 10;                   // points: right of the axes
 constexpr double line_spacing = 1.3, letter_width = 0.615;  // of a line's height
 const Vec3 green{0.10, 0.90, 0.20};
 
@@ -40,20 +42,16 @@ void add_contact_overlay(DrawList& list, const ContactSample& contact, const std
     longest = std::max(longest, length);
     if (c == '\n') ++lines;
   }
-  const DrawCamera& camera = list.cameras.front();
+  const OverlayFrame frame(list);
   const double width = letter_width * text_height * static_cast<double>(longest) + 2 * padding;
   const double height = text_height * (1 + line_spacing * (lines - 1)) + 2 * padding;
-  const auto corner = [&](double x, double y) {
-    return Vec3(2 * x / camera.width - 1, 2 * y / camera.height - 1, 0);
-  };
-  const std::array<Vec3, 4> box = {corner(left, bottom), corner(left + width, bottom),
-                                   corner(left + width, bottom + height), corner(left, bottom + height)};
+  const double right = left + width, below = frame.height - bottom, top = below - height;
+  const std::array<Vec3, 4> box = {frame.at(left, below), frame.at(right, below), frame.at(right, top),
+                                   frame.at(left, top)};
   for (std::size_t k = 0; k < box.size(); ++k)
     list.lines.push_back({box[k], box[(k + 1) % box.size()], green, 2, true});
-  list.texts.push_back({.text = text,
-                        .at = {left + padding, camera.height - bottom - height + padding, 0},
-                        .height = text_height,
-                        .color = green});
+  list.texts.push_back(
+      {.text = text, .at = {left + padding, top + padding, 0}, .height = text_height, .color = green});
 }
 
 }  // namespace prosector

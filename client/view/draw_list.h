@@ -43,20 +43,20 @@ struct DrawItem {
 struct DrawLine {
   Vec3 a, b;  // room frame, or for `overlay` normalised device coordinates (x, y in −1…1)
   Vec3 color = Vec3::Ones();
-  double width = 2;  // pixels
+  double width = 2;  // points
   bool overlay = false;
 };
 
 /// Text in the overlay, at a place in the room (names above heads), or on a surface in the room.
 struct DrawText {
   std::string text;
-  Vec3 at = Vec3::Zero();  // overlay: pixels from the top left in x, y; else room frame
+  Vec3 at = Vec3::Zero();  // overlay: points from the top left in x, y; else room frame
   bool overlay = true;
-  double height = 14;  // pixels; on a surface: m
+  double height = 14;  // points; on a surface: m
   Vec3 color = Vec3::Ones();
   std::optional<Pose> surface =
       {};           // written on it: from its origin along +x, lines along −y; `at` is unused
-  double wrap = 0;  // m, on a surface: lines are broken at this width; 0: not
+  double wrap = 0;  // in the unit of `height`: lines are broken at this width; 0: not
 };
 
 /// One eye's camera. Off-axis frustum: tangents of the four half angles.
@@ -76,6 +76,8 @@ struct DrawList {
   std::vector<DrawText> texts;
   Vec3 ambient = {0.10, 0.11, 0.12};
   Vec3 background = {0.05, 0.06, 0.07};
+  /// Pixels of a point, in which lines, texts and overlays are measured: 1 on a display of usual density.
+  double scale = 1;
 };
 
 }  // namespace prosector

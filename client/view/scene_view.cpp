@@ -16,6 +16,7 @@
 #include "client/view/hand_mesh.h"
 #include "client/view/light_shaft.h"
 #include "client/view/normals.h"
+#include "client/view/overlay_frame.h"
 #include "client/view/room.h"
 #include "common/counted.h"
 
@@ -23,7 +24,7 @@ namespace prosector {
 namespace {
 
 constexpr double lit_brightness = 1.6, least_room_light = 0.05;
-constexpr double notes_top = 90;  // pixels: below the overlay's lines
+constexpr double notes_left = 10, notes_top = 90;  // points: below the overlay's lines
 constexpr int inset_share = 4;    // an inset's width and height are these parts of the picture's
 constexpr double eye_fov = 0.95;  // rad, vertical, through somebody's eyes: one wants to see their hands too
 
@@ -46,6 +47,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   list_.lines.clear();
   list_.texts.clear();
   part_items_.clear();
+  list_.scale = settings.scale;
   place_lights(replica, tick);
   place_cameras(replica, tick, self, settings);
   if (!settings.stereo) add_insets(replica, tick, settings);
@@ -56,7 +58,10 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   add_users(replica, tick, self, settings.follow);
   if (settings.shown != Shown::none) add_legend(list_, scale_of(settings.shown));
   if (!settings.notes.empty())
-    list_.texts.push_back({.text = settings.notes, .at = {10, notes_top, 0}, .height = 13});
+    list_.texts.push_back({.text = settings.notes,
+                           .at = {notes_left, notes_top, 0},
+                           .height = 13,
+                           .wrap = OverlayFrame(list_).width - 2 * notes_left});
   if (settings.overlay) add_figures(replica);
   if (settings.overlay) add_overlay(replica, self, settings);
   return list_;
@@ -100,8 +105,9 @@ void SceneView::add_insets(const Replica& replica, double tick, const ViewSettin
     const auto user = entry != nullptr ? replica.user(entry->participant, tick) : std::nullopt;
     const bool seen = user && user->head_tracked;
     const int left = settings.width - width - gap, top = settings.height - below - height;
-    list_.texts.push_back(
-        {.text = seen ? name : name + " is not here", .at = Vec3(left + gap, top + gap, 0), .height = 11});
+    list_.texts.push_back({.text = seen ? name : name + " is not here",
+                           .at = Vec3(left + gap, top + gap, 0) / settings.scale,
+                           .height = 11});
     if (!seen) continue;
     DrawCamera camera = mono_camera(user->head, eye_fov, width, height);
     camera.x = left;

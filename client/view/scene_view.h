@@ -22,7 +22,8 @@
 namespace prosector {
 
 struct ViewSettings {
-  int width = 800, height = 600;
+  int width = 800, height = 600;        // pixels
+  double scale = 1;                     // pixels of a point, in which overlays are measured
   std::optional<StereoProfile> stereo;  // nullopt: one picture
   bool overlay = true;
   bool wireframes = false;          // of what bodies collide as

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client/view/overlay_frame.h"
+
 namespace prosector {
 namespace {
 
@@ -97,16 +99,13 @@ std::shared_ptr<const DrawMesh> PaintedMesh::of(const DrawMesh& mesh, const Valu
 }
 
 void add_legend(DrawList& list, const ValueScale& scale) {
-  constexpr double right = 150, below = 60, height = 160, bar = 14, row = 2;  // pixels
+  constexpr double right = 150, below = 60, height = 160, bar = 14, row = 2;  // points
   constexpr double text_height = 12;
   constexpr int numbers = 4;
-  const DrawCamera& camera = list.cameras.front();
-  const auto at = [&](double x, double y) {
-    return Vec3(2 * x / camera.width - 1, 1 - 2 * y / camera.height, 0);
-  };
-  const double left = camera.width - right, top = camera.height - below - height;
+  const OverlayFrame frame(list);
+  const double left = frame.width - right, top = frame.height - below - height;
   for (double y = 0; y < height; y += row)
-    list.lines.push_back({at(left, top + y + row / 2), at(left + bar, top + y + row / 2),
+    list.lines.push_back({frame.at(left, top + y + row / 2), frame.at(left + bar, top + y + row / 2),
                           color_at(1 - (y + row / 2) / height), row, true});
   for (int k = 0; k <= numbers; ++k) {
     const double share = static_cast<double>(k) / numbers;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "client/app/figures.h"
 
 namespace prosector {
@@ -27,6 +29,8 @@ class ActedWindow final : public WindowContext {
   std::vector<WindowEvent> poll_events() override { return std::exchange(events, {}); }
   void capture_pointer(bool) override {}
   void set_full_screen(std::optional<int>) override {}
+  void open_audience(const Audience&) override {}
+  double content_scale() const override { return 1; }
   void* proc(const char*) const override { return nullptr; }
   int width() const override { return 800; }
   int height() const override { return 600; }
@@ -88,6 +92,49 @@ TEST_F(AtTheDesk, TheViewTurnsAboutItsTargetOrWithFAboutTheEye) {
   update();
   EXPECT_LT((desk.eye().p - before.p).norm(), 1e-9);
   EXPECT_GT(desk.eye().q.angularDistance(before.q), 0.3);
+}
+
+TEST_F(AtTheDesk, AGamepadDoesWhatKeysAndMouseDo) {
+  update();
+  const Pose before = desk.eye();
+  Gamepad pad;
+  pad.left = {0.1, -0.08};  // worn, at rest
+  const auto hold = [&] {
+    window.events.push_back(GamepadMoved{pad});
+    update();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    update();
+  };
+  hold();
+  EXPECT_EQ(desk.eye().p, before.p);
+  pad.left = {1, 0};
+  hold();
+  EXPECT_GT((desk.eye().p - before.p).x(), 0.005) << "to the right";
+  pad = {};
+  pad.right = {0, 1};
+  const Pose turned = desk.eye();
+  hold();
+  EXPECT_GT(desk.eye().q.angularDistance(turned.q), 0.01);
+
+  const Pose hand = desk.input().hands[right_hand].pose, eye = desk.eye();
+  pad.right = {1, 0};
+  pad.left_trigger = 1;  // the pointer instead
+  hold();
+  EXPECT_EQ(desk.eye().p, eye.p);
+  EXPECT_GT((desk.input().hands[right_hand].pose.p - hand.p).norm(), 0.005);
+
+  pad = {};
+  pad.right_trigger = 1;
+  hold();
+  pad.down[static_cast<std::size_t>(PadButton::start)] = true;
+  hold();
+  EXPECT_TRUE(desk.help());
+  window.events.push_back(GamepadMoved{std::nullopt});  // unplugged while it grasps
+  update();
+  const std::vector<Command> commands = desk.take_commands();
+  ASSERT_EQ(commands.size(), 2u);
+  EXPECT_EQ(commands[0].kind, CommandKind::grasp);
+  EXPECT_EQ(commands[1].kind, CommandKind::release);
 }
 
 TEST(Figures, AreOfTheLastHalfSecond) {

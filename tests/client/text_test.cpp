@@ -96,6 +96,21 @@ TEST(TextLayout, LeavesTheOverlayAndWhatIsBehindTheEyeAlone) {
   EXPECT_EQ(placed[1].origin, Eigen::Vector2d(400, 300));
 }
 
+TEST(TextLayout, OnAFinerDisplayEverythingIsAsManyPixelsLarger) {
+  DrawList list = texts_in_a_row(3, 0.1, 1);
+  list.texts.push_back({.text = "x", .at = {400, 300, 0}});
+  const auto usual = place_texts(list, list.cameras[0]);
+  list.scale = 2;
+  list.cameras[0].width *= 2;
+  list.cameras[0].height *= 2;
+  const auto fine = place_texts(list, list.cameras[0]);
+  ASSERT_EQ(fine.size(), usual.size());
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    EXPECT_LT((fine[i].origin - 2 * usual[i].origin).norm(), 3) << i << ": rounded to pixels";
+    EXPECT_LT((fine[i].size - 2 * usual[i].size).norm(), 1e-9) << i;
+  }
+}
+
 TEST(ScreenQuads, AreAsWideAsAskedInPixels) {
   std::vector<ScreenVertex> out;
   const Viewport viewport{400, 200};

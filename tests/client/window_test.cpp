@@ -135,6 +135,30 @@ TEST_F(Window, FillsAMonitorAndComesBack) {
   }
 }
 
+TEST_F(Window, GoesOnWhenTheAudienceLeaves) {
+  const Image offscreen = picture_of(ball(), 200, 150);
+  const auto window = make_window_context(200, 150, "taking part");
+  Renderer renderer(*window, default_shader_dir());
+  window->open_audience({.width = 320, .height = 200});
+  const auto show = [&] {
+    (void)window->poll_events();
+    renderer.draw(ball());
+    window->present();
+  };
+  show();
+  act("search --sync --name 'Prosector: audience' windowsize 500 200");
+  show();
+  act("search --name 'Prosector: audience' windowfocus --sync key Escape");
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+  while (std::system("xdotool search --name 'Prosector: audience' >/dev/null") == 0 &&
+         std::chrono::steady_clock::now() < deadline)
+    show();
+  EXPECT_NE(std::system("xdotool search --name 'Prosector: audience' >/dev/null"), 0) << "still there";
+  show();
+  EXPECT_TRUE(renderer.read_pixels() == offscreen);
+  EXPECT_THROW(window->open_audience({.monitor = 99}), InputError);
+}
+
 TEST(NoWindow, SaysWhatToDoWithoutADisplay) {
   const char* display = std::getenv("DISPLAY");
   const std::string kept = display ? display : "";

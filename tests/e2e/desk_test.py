@@ -14,11 +14,12 @@ import subprocess
 import sys
 import time
 
-from PIL import Image, ImageChops
+from PIL import Image, ImageChops, ImageFilter, ImageGrab
 
 BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 WIDTH, HEIGHT = 800, 600
 BEFORE, PANEL, WORKED = 6, 10, 20  # s after joining: when the client takes its pictures
+AUDIENCE = 820, 20, 440, 240  # x, y, width, height, beside the window
 # Of the panel, as parts of its width and height from its upper left corner: common/panel.h.
 LIGHT_SHAFT = ((0.15 + 0.071) / 0.30, (0.13 + 0.012) / 0.26)
 KNOB, KNOB_RIGHT = (0.5, (0.13 + 0.096) / 0.26), (0.8, (0.13 + 0.096) / 0.26)
@@ -94,6 +95,10 @@ def act(*words):
     subprocess.run(["xdotool", *map(str, words)], check=True)
 
 
+def windows(title):
+    return subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title], capture_output=True, text=True).stdout.split()
+
+
 def picture(seconds):
     """What the window shows that long after joining."""
     file = OUT / f"{seconds}.png"
@@ -146,9 +151,10 @@ try:
                    OUT / "server.json")
     wait_until("the server", lambda: says("server.log", "is open on this machine"))
     client = start("client.log", BIN / "prosector-client", "join", "--name", "mouse", "--session", session, "--domain", 77,
-                   "--size", f"{WIDTH}x{HEIGHT}", "--no-overlay", *(word for t in (BEFORE, PANEL, WORKED) for word in ("--screenshot", f"{OUT / str(t)}.png@{t}")))
-    window = wait_until("the window", lambda: subprocess.run(
-        ["xdotool", "search", "--onlyvisible", "--pid", str(client.pid)], capture_output=True, text=True).stdout.split())[0]
+                   "--size", f"{WIDTH}x{HEIGHT}", "--no-overlay", "--audience", *(word for t in (BEFORE, PANEL, WORKED) for word in ("--screenshot", f"{OUT / str(t)}.png@{t}")))
+    window = wait_until("the window", lambda: windows(f"Prosector: {session}"))[0]
+    audience = wait_until("the audience's window", lambda: windows("Prosector: audience"))[0]
+    act("windowsize", audience, *AUDIENCE[2:], "windowmove", audience, *AUDIENCE[:2])
     place = dict(line.split("=") for line in subprocess.run(["xdotool", "getwindowgeometry", "--shell", window],
                                                             capture_output=True, text=True, check=True).stdout.split())
     left, top = int(place["X"]), int(place["Y"])
@@ -156,6 +162,14 @@ try:
 
     act("mousemove", left + WIDTH // 2, top + HEIGHT // 2 + 106)  # the organ's middle: 0.2 m below the view's
     before = picture(BEFORE)
+    shown_to_all = ImageGrab.grab(xdisplay="")
+    x, y, across, down = AUDIENCE
+    # A picture of 4 to 3, between black bars.
+    seen = shown_to_all.crop((x + (across - down * 4 // 3) // 2, y, x + (across + down * 4 // 3) // 2, y + down))
+    expected = before.resize(seen.size, Image.BILINEAR)
+    off = changed(expected.filter(ImageFilter.GaussianBlur(2)), seen.filter(ImageFilter.GaussianBlur(2)))
+    assert off.resize((1, 1), Image.BOX).getpixel((0, 0)) < 13, "the audience sees something else"  # 5 %
+    assert shown_to_all.crop((x, y, x + 20, y + down)).getextrema() == ((0, 0),) * 3, "no black bar"
     act("key", "p")
     after = picture(PANEL)
     mask = changed(before, after)

@@ -1,0 +1,68 @@
+#include "client/app/gamepad_user.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace prosector {
+namespace {
+
+constexpr double rest = 0.15;  // of a stick's way: worn ones don't come back to the middle
+constexpr double pulled = 0.5;
+
+struct KeyRow {
+  PadButton button;
+  Key key;
+};
+constexpr std::array<KeyRow, 8> key_rows = {{{PadButton::west, key_of('P')},
+                                             {PadButton::east, key_of('Z')},
+                                             {PadButton::north, Key::tab},
+                                             {PadButton::start, key_of('H')},
+                                             {PadButton::back, key_of('I')},
+                                             {PadButton::right_stick, key_of('F')},
+                                             {PadButton::left, key_of('V')},
+                                             {PadButton::right, key_of('C')}}};
+
+PadStick beyond_rest(const PadStick& stick) {
+  const double length = std::hypot(stick.right, stick.down);
+  if (!(length > rest)) return {};
+  const double wanted = std::min((length - rest) / (1 - rest), 1.0) / length;
+  return {wanted * stick.right, wanted * stick.down};
+}
+
+bool works(const Gamepad& pad) {
+  return pad.right_trigger > pulled || pad.is_down(PadButton::south);
+}
+
+}  // namespace
+
+std::vector<WindowEvent> GamepadUser::take(const std::optional<Gamepad>& now) {
+  const Gamepad before = std::exchange(pad_, now.value_or(Gamepad{}));
+  std::vector<WindowEvent> out;
+  for (const auto& [button, key] : key_rows)
+    if (pad_.is_down(button) != before.is_down(button))
+      out.push_back(KeyEvent{key, pad_.is_down(button), false});
+  if (works(pad_) != works(before)) out.push_back(MouseButtonEvent{MouseButton::left, works(pad_)});
+  return out;
+}
+
+Vec3 GamepadUser::flight() const {
+  const PadStick stick = beyond_rest(pad_.left);
+  const double up =
+      (pad_.is_down(PadButton::right_bumper) ? 1 : 0) - (pad_.is_down(PadButton::left_bumper) ? 1 : 0);
+  return {stick.right, up, stick.down};
+}
+
+PadStick GamepadUser::turn() const {
+  return pad_.left_trigger > pulled ? PadStick{} : beyond_rest(pad_.right);
+}
+
+PadStick GamepadUser::pointing() const {
+  return pad_.left_trigger > pulled ? beyond_rest(pad_.right) : PadStick{};
+}
+
+double GamepadUser::reach() const {
+  return (pad_.is_down(PadButton::up) ? 1 : 0) - (pad_.is_down(PadButton::down) ? 1 : 0);
+}
+
+}  // namespace prosector

@@ -1,0 +1,39 @@
+#pragma once
+// A second window, for people who watch beside the one who takes part: the same picture, of one eye. Private
+// to client/render.
+
+#include "client/render/gl.h"
+#include "client/render/window_context.h"
+
+struct GLFWwindow;
+
+namespace prosector {
+
+class AudienceWindow {
+ public:
+  /// `main`: whose pictures it shows; its context is current, and is again after each call. Throws InputError
+  /// where the monitor is missing or there can be no window.
+  AudienceWindow(GLFWwindow* main, const GlContext& context, const Audience& audience);
+  ~AudienceWindow();
+  AudienceWindow(const AudienceWindow&) = delete;
+  AudienceWindow& operator=(const AudienceWindow&) = delete;
+
+  /// Shows what the main window's back buffer holds, which is that large (pixels).
+  void show(int width, int height);
+  /// Whether somebody closed it, or pressed Esc in it.
+  bool closed() const;
+
+ private:
+  GLFWwindow* main_;
+  GLFWwindow* window_;
+  Audience audience_;
+  Gl gl_;
+  GLuint picture_ = 0;                        // the texture that both contexts share
+  GLuint into_picture_ = 0, of_picture_ = 0;  // framebuffers with it: the main context's, the window's
+  int width_ = 0, height_ = 0;                // of the picture
+
+  void take(int width, int height);
+  void put();
+};
+
+}  // namespace prosector

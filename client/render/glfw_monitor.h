@@ -1,0 +1,12 @@
+#pragma once
+// Monitors by number. Private to client/render.
+
+struct GLFWmonitor;
+
+namespace prosector {
+
+/// Counted from 0, the desktop's first. Throws InputError saying how many there are when there is none of
+/// that number.
+GLFWmonitor* glfw_monitor(int number);
+
+}  // namespace prosector

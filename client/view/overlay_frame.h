@@ -1,0 +1,20 @@
+#pragma once
+// Where things stand that lie over a picture. They are laid out in points (DrawList::scale).
+
+#include "client/view/draw_list.h"
+
+namespace prosector {
+
+struct OverlayFrame {
+  double width, height;  // of the picture, points
+
+  OverlayFrame(const DrawCamera& camera, double scale)
+      : width(camera.width / scale), height(camera.height / scale) {}
+  /// Of the list's first camera.
+  explicit OverlayFrame(const DrawList& list) : OverlayFrame(list.cameras.front(), list.scale) {}
+
+  /// End of an overlay line: normalised device coordinates of points from the top left.
+  Vec3 at(double x, double y) const { return {2 * x / width - 1, 1 - 2 * y / height, 0}; }
+};
+
+}  // namespace prosector
