@@ -16,7 +16,8 @@ namespace {
 constexpr double limit_ms = 1e6;  // none: a verdict is asked for
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr std::size_t every = 3;  // sanitizers take twenty times as long: of each rung a third of the extremes, in turns
+constexpr std::size_t every =
+    3;  // sanitizers take twenty times as long: of each rung a third of the extremes, in turns
 #else
 constexpr std::size_t every = 1;
 #endif
