@@ -107,6 +107,7 @@ ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
   if (verb == "give") return give(rest, roster);
   if (verb == "rewind") return rewind(rest, scene);
   if (verb == "look") return look(rest);
+  if (verb == "cuts") return ListCuts{};
   if (verb == "undo") {
     Command out;
     out.kind = CommandKind::undo;

@@ -17,6 +17,7 @@ inline constexpr const char* console_help =
     "detach PART    attach PART    reset BODY\n"
     "inspect PART [SCALE]    end PART    (shows it SCALE times as large, out of touch)\n"
     "undo    (your last cut)    rewind PART REVISION    (the host only)\n"
+    "cuts    (what was cut, and the revisions)\n"
     "picture FILE    (PNG of what you see)\n"
     "look X Y Z X Y Z    (from there to there, metres; look alone: as the scene has it)";
 
@@ -32,8 +33,11 @@ struct LookFrom {
 /// From where the scene says again.
 struct LookAsBefore {};
 
+/// What was cut.
+struct ListCuts {};
+
 /// A command to the server, something that the client does itself, or, in words, why it is neither.
-using ConsoleLine = std::variant<Command, TakePicture, LookFrom, LookAsBefore, std::string>;
+using ConsoleLine = std::variant<Command, TakePicture, LookFrom, LookAsBefore, ListCuts, std::string>;
 
 /// Names are those of the roster and the scene; they may hold spaces. `middle`: of a body, in the room, m.
 ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,

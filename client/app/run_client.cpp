@@ -9,6 +9,7 @@
 
 #include "client/app/client_report.h"
 #include "client/app/console.h"
+#include "client/app/cut_list.h"
 #include "client/app/input_pump.h"
 #include "client/app/panel_call.h"
 #include "client/app/session_log.h"
@@ -161,6 +162,11 @@ class Client {
         viewer_->look_from(look_at(look->eye, look->target));
       else if (std::holds_alternative<LookAsBefore>(parsed))
         viewer_->look_from(std::nullopt);
+      else if (std::holds_alternative<ListCuts>(parsed))
+        tell(connection_.with_replica([](const Replica& r) {
+          return told_cuts(r.scene() ? *r.scene() : SceneInfo{}, r.roster(), r.tick_seconds(),
+                           [&](BodyId body) { return r.topology(body); });
+        }));
       else
         tell(std::get<std::string>(parsed));
     }

@@ -210,6 +210,11 @@ std::string Replica::missing() const {
                      scene_->bodies.size(), states, topologies);
 }
 
+const TopologyRevision* Replica::topology(BodyId body) const {
+  const auto found = topology_.find(body);
+  return found == topology_.end() ? nullptr : found->second.shown();
+}
+
 std::uint64_t Replica::topology_hash() const {
   StateHasher hasher;
   for (const auto& [body, topology] : topology_) {

@@ -52,6 +52,8 @@ class Replica {
   const BodyStatus* body_status(BodyId body) const;
   const RigidReplica* rigid(BodyId body) const;
   SoftReplica* soft(BodyId body);
+  /// The newest revision of a soft body's mesh that is shown; null: none.
+  const TopologyRevision* topology(BodyId body) const;
   /// What people made of a body; null while nobody changed it.
   const PartState* part(BodyId body) const;
   /// Open ones, by whose they are.

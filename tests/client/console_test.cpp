@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "client/app/cut_list.h"
+
 namespace prosector {
 namespace {
 
@@ -52,6 +54,32 @@ TEST(Console, EveryVerbTakesNamesWithSpaces) {
       EXPECT_EQ(out.kind, kind) << verb;
       EXPECT_EQ(out.body, 1u) << verb;
     }
+}
+
+TEST(Console, ListsWhatWasCutAndByWhom) {
+  EXPECT_TRUE(std::holds_alternative<ListCuts>(parse("cuts")));
+  std::map<BodyId, TopologyRevision> shown;
+  const auto told = [&] {
+    return told_cuts(scene(), roster(), 0.02, [&](BodyId body) {
+      const auto found = shown.find(body);
+      return found == shown.end() ? nullptr : &found->second;
+    });
+  };
+  shown[0].cause = TopologyCause::compiled;
+  EXPECT_EQ(told(), "nothing is cut");
+  TopologyRevision& liver = shown[0];
+  liver.revision = 12;
+  liver.time.tick = 100;
+  liver.cause = TopologyCause::cut;
+  liver.author = 7;
+  TopologyRevision& piece = shown[2];
+  piece.time.tick = 150;
+  piece.cause = TopologyCause::cut;
+  piece.author = 8;
+  piece.piece_of = 0;
+  EXPECT_EQ(told(),
+            "liver: revision 12, cut by Ada 2.0 s into the session\n"
+            "bone 2: revision 0, cut by somebody who left 3.0 s into the session");
 }
 
 TEST(Console, LooksFromAPlaceToAnother) {

@@ -44,7 +44,9 @@ sleep 2
 echo "rewind block 4" > "$out/second.terminal"
 sleep 1
 echo "rewind block 4" > "$out/first.terminal"
-sleep 3
+sleep 2
+echo cuts > "$out/first.terminal"
+sleep 1
 for pid in "${clients[@]}"; do kill -TERM "$pid"; done
 for pid in "${clients[@]}"; do wait "$pid" || fail "a client failed" "$out/observer.log"; done
 kill -TERM "$server" && wait "$server" || fail "the server failed" "$out/server.log"
