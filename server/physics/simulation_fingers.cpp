@@ -34,7 +34,25 @@ struct Simulation::Impl::FingerPoses {
   }
 };
 
-/// Of each segment the deepest place in each rigid body, also in what the hand holds.
+/// Of a part of the hand on a rigid body, in the last tick.
+struct Pressed {
+  double force = 0;  // N
+  int points = 0;
+};
+
+Pressed pressed(const Hand& hand, std::size_t part, BodyId body) {
+  Pressed sum;
+  for (const PadMemory& pad : hand.pads) {
+    if (pad.part != part || pad.body != body) continue;
+    sum.force += pad.force;
+    ++sum.points;
+  }
+  return sum;
+}
+
+/// Of each segment the deepest place in each rigid body. How hard it presses there the last tick's contacts
+/// tell, for Bullet's shapes aren't quite ours: its boxes have round edges. What the hand holds it has no
+/// contacts with: there, its depth does.
 void Simulation::Impl::add_rigid_obstacles(const Hand& hand, const FingerPoses& poses,
                                            FingerObstacles& out) const {
   const auto [lo, hi] = world.bounds(hand.slot, finger_margin);
@@ -55,7 +73,13 @@ void Simulation::Impl::add_rigid_obstacles(const Hand& hand, const FingerPoses& 
         const Vec3 way = poses.way(part, hand.flexion[finger], at - s.radius * d.normal);
         deepest = {gap, -d.normal.dot(way), stiffness, stiffness};
       }
-      if (deepest) out[finger].push_back(*deepest);
+      if (!deepest) continue;
+      if (!hand.hold || hand.hold->body != body) {
+        const Pressed last = pressed(hand, part, body);
+        if (last.points > 0) deepest->stiffness = deepest->series = last.points * stiffness;
+        deepest->gap = last.points > 0 ? -last.force / deepest->stiffness : std::max(0.0, deepest->gap);
+      }
+      out[finger].push_back(*deepest);
     }
   }
 }

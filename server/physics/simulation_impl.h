@@ -50,6 +50,14 @@ struct SoftPair {
   std::vector<Contact> contacts;
 };
 
+/// A finger's pad on a rigid body: a contact, and behind it those of its friction.
+struct Pad {
+  std::size_t island = 0, contact = 0;  // indices
+  std::size_t hand = 0, body = 0;       // slots
+  std::uint32_t part = 0;               // of the hand
+  Vec3 place = Vec3::Zero();            // m, in its centre's frame
+};
+
 struct Simulation::Impl : PanelSubjects {
   /// What a soft body has where it is.
   struct StoredEnergy {
@@ -98,6 +106,7 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<Collider> colliders;      // by slot
   std::vector<RigidMotion> last_good;   // by slot, at the tick's start
   std::vector<Island> islands;
+  std::vector<Pad> pads;  // in the islands' order
   IslandStepper stepper;
   std::vector<BladeShape> blade_shapes;  // per rigid body
   std::vector<BladeGrip> blade_grips;
@@ -117,8 +126,12 @@ struct Simulation::Impl : PanelSubjects {
   void group_soft_bodies();  // part of that
   const std::vector<MixedIsland>& find_islands();
   void gather(const std::vector<MixedIsland>& mixed);
-  void watch_flat_elements(Island& island);  // part of it
+  /// Part of it: the friction of an island's last contact becomes that of a patch, if it is a finger's.
+  void spread_over_pad(const RigidContact& touch, std::size_t island);
+  void place_pads(std::vector<RigidContact>& touches, std::size_t slot) const;  // before that, if it's a hand
+  void watch_flat_elements(Island& island);                                     // part of it
   void solve_islands();
+  void keep_pads();  // part of it
   void bounce_rigid();
   void recover();
   void unfold_tangles();

@@ -56,6 +56,8 @@ const std::vector<MixedIsland>& Simulation::Impl::find_islands() {
   for (const BladeGrip& grip : blade_grips) link(grip.body, grip.slot);
   for (const Hand& hand : hands) {
     coupled.push_back(hand.slot);
+    for (const PadMemory& pad : hand.pads)
+      if (world.dynamic(pad.body)) links.emplace_back(hand.slot, pad.body);
     if (!hand.hold) continue;
     if (is_soft(hand.hold->body))
       link(soft_index(hand.hold->body), hand.slot);
@@ -68,6 +70,7 @@ const std::vector<MixedIsland>& Simulation::Impl::find_islands() {
 
 void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
   islands.clear();
+  pads.clear();
   retired.clear();
   std::vector<std::size_t> island_of(world.slots(), 0);
   const auto point_velocity = [&](const ContactSide& side, std::size_t slot) -> Vec3 {
@@ -93,7 +96,9 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
       if (hand) member.pull = hand_pull(*hand, model.hands[hand->side], model.scene.hand, pose, model.h);
       island.rigid.push_back(member);
     }
-    for (const RigidContact& rc : m.contacts) {
+    std::vector<RigidContact> touches = m.contacts;
+    for (const std::size_t slot : m.bodies) place_pads(touches, slot);
+    for (const RigidContact& rc : touches) {
       Contact c;
       c.a = rigid_side(world, rc.a, rc.point_a);
       c.b = rigid_side(world, rc.b, rc.point_b);
@@ -104,6 +109,7 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
       c.rebound =
           rebound_speed(rc.restitution, rc.normal.dot(point_velocity(c.a, rc.a) - point_velocity(c.b, rc.b)));
       island.contacts.push_back(c);
+      spread_over_pad(rc, islands.size() - 1);
     }
   }
   // A group of soft bodies is in the island of a rigid one that touches or holds one of them, or in its own.
@@ -141,7 +147,7 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
     for (const RigidMember& r : island.rigid) heaviest = std::max(heaviest, r.mass);
     for (const SoftMember& s : island.soft) heaviest = std::max(heaviest, s.body->total_mass());
     for (Contact& c : island.contacts)
-      if (c.a.kind != ContactSide::Kind::soft)
+      if (c.a.kind != ContactSide::Kind::soft && c.bearer == 0)
         c.stiffness = rigid_contact_factor * heaviest / (model.h * model.h);
   }
   for (const BladeGrip& grip : blade_grips) islands[island_of[grip.slot]].ties.push_back(grip.tie);
@@ -217,6 +223,7 @@ void Simulation::Impl::solve_islands() {
     }
     if (!island.soft.empty() && !island.rigid.empty()) ++report.mixed_islands;
   }
+  keep_pads();
 }
 
 void Simulation::Impl::bounce_rigid() {

@@ -1,7 +1,6 @@
 // Phase 8: what the step did, and where the hands are.
 
 #include <algorithm>
-#include <functional>
 
 #include "server/physics/contact/flat_elements.h"
 #include "server/physics/simulation_impl.h"
@@ -36,7 +35,8 @@ void Simulation::Impl::describe() {
   report.time = time;
   for (const Island& island : islands)
     report.contacts += static_cast<std::uint32_t>(
-        std::count_if(island.contacts.begin(), island.contacts.end(), std::not_fn(within_element)));
+        std::count_if(island.contacts.begin(), island.contacts.end(),
+                      [](const Contact& c) { return c.bearer == 0 && !within_element(c); }));
   for (std::size_t slot = 0; slot < model.rigid.size(); ++slot) {
     if (!world.dynamic(slot)) continue;
     const RigidMotion motion = world.motion(slot);
@@ -106,6 +106,10 @@ std::vector<Exchange> Simulation::Impl::exchanges() const {
 /// of what is met first if all goes on as it does at the tick's end.
 void Simulation::Impl::note(ContactSample& sample, const Contact& c, bool hand_is_b,
                             double& strongest) const {
+  if (c.bearer > 0) {  // friction of a contact that is told by itself
+    sample.force += hand_is_b ? c.exchanged : Vec3(-c.exchanged);
+    return;
+  }
   const double gap = c.gap + c.rest;
   if (c.force > 0) {
     sample.impulse += c.force * model.h;

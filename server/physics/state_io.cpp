@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "common/hand.h"
 #include "server/physics/simulation_impl.h"
 #include "server/physics/state_cuts.h"
 
@@ -110,6 +111,31 @@ ContactMemories read_memories(ByteReader& in, std::size_t features, bool layers)
   return memories;
 }
 
+void add(ByteWriter& out, const std::vector<PadMemory>& pads) {
+  out.add(static_cast<std::uint64_t>(pads.size()));
+  for (const PadMemory& pad : pads) {
+    out.add(pad.part);
+    out.add(static_cast<std::uint64_t>(pad.body));
+    out.add(pad.place);
+    out.add(pad.force);
+    for (const Vec3& grip : pad.grip) out.add(grip);
+  }
+}
+
+std::vector<PadMemory> read_pads(ByteReader& in, std::size_t rigid_bodies) {
+  std::vector<PadMemory> pads;
+  for (std::size_t left = in.count(most_memories); left > 0; --left) {
+    PadMemory& pad = pads.emplace_back();
+    pad.part = in.number<std::uint32_t>();
+    pad.body = in.count(rigid_bodies - 1);
+    pad.place = in.vector();
+    pad.force = in.number<double>();
+    for (Vec3& grip : pad.grip) grip = in.vector();
+    in.require(pad.part >= 1 && pad.part <= hand_joints && pad.force > 0, "a pad that is none, or pulls");
+  }
+  return pads;
+}
+
 void add(ByteWriter& out, const Hand& hand) {
   out.add(hand.participant);
   out.add(static_cast<std::uint64_t>(hand.side));
@@ -117,7 +143,9 @@ void add(ByteWriter& out, const Hand& hand) {
   out.add(hand.previous_target);
   for (const double f : hand.target_flexion) out.add(f);
   for (const double f : hand.flexion) out.add(f);
-  out.add(static_cast<std::uint8_t>(hand.hold.has_value()));
+  // One byte: whether it holds something, and the bit above that, whether pads press.
+  out.add(static_cast<std::uint8_t>((hand.hold ? 1 : 0) | (hand.pads.empty() ? 0 : 2)));
+  if (!hand.pads.empty()) add(out, hand.pads);
   if (!hand.hold) return;
   out.add(hand.hold->body);
   out.add(static_cast<std::uint64_t>(hand.hold->points.size()));
@@ -201,7 +229,10 @@ Hand read_hand(ByteReader& in, const Model& model, std::span<const SoftBody* con
   hand.previous_target = in.pose();
   for (double& f : hand.target_flexion) f = in.number<double>();
   for (double& f : hand.flexion) f = in.number<double>();
-  if (!in.flag()) return hand;
+  const auto holds = in.number<std::uint8_t>();
+  in.require(holds <= 3 && (holds < 2 || !model.rigid.empty()), "a hand that neither holds nor doesn't");
+  if ((holds & 2) != 0) hand.pads = read_pads(in, model.rigid.size());
+  if ((holds & 1) == 0) return hand;
   Hold& hold = hand.hold.emplace();
   hold.body = in.number<BodyId>();
   in.require(hold.body < model.rigid.size() + tissues.size(), "a hold on a body that isn't there");

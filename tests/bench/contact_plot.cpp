@@ -62,10 +62,12 @@ Svg draw_hertz(const std::vector<ReportRow>& rows) {
       path.emplace_back(x_of(cells), y_of(error));
       svg.circle(path.back().first, path.back().second, 4, color, "#ffffff");
     }
-    svg.path(path, {color, 1.6, name.starts_with("tet4") ? "4 3" : ""});
+    const Stroke stroke{color, 1.6, name.starts_with("tet4") ? "4 3" : ""};
+    svg.path(path, stroke);
     const double line = top + 12 + 20 * static_cast<double>(n++);
-    svg.circle(left + width + 20, line - 4, 4.5, color);
-    svg.text(left + width + 32, line, name, {12.5});
+    svg.line(left + width + 14, line - 4, left + width + 44, line - 4, stroke);
+    svg.circle(left + width + 29, line - 4, 4.5, color, "#ffffff");
+    svg.text(left + width + 52, line, name, {12.5});
   }
   return svg;
 }

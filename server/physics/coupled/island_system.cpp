@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "server/physics/coupled/potentials.h"
+#include "server/physics/hands/pad.h"
 #include "server/physics/parallel.h"
 
 namespace prosector {
@@ -51,7 +52,8 @@ void IslandSystem::begin(Island& island, double h) {
   ties_.clear();
   for (const Contact& c : island.contacts) {
     contacts_.push_back(join(c.a, c.b));
-    contacts_.back().threshold = c.feature != Contact::no_feature ? slip_threshold : stick_speed * h;
+    contacts_.back().threshold =
+        c.feature != Contact::no_feature || c.bearer > 0 ? slip_threshold : stick_speed * h;
   }
   for (const Tie& t : island.ties) ties_.push_back(join(t.a, t.b));
   join_rigid();
@@ -167,9 +169,14 @@ double IslandSystem::normal_force(std::size_t c, const VecX& q) const {
   return contact.stiffness * std::max(0.0, -gap);
 }
 
+double IslandSystem::load_of_friction(std::size_t c, const VecX& q) const {
+  const std::uint32_t bearer = island_->contacts[c].bearer;
+  return bearer > 0 ? normal_force(c - bearer, q) / patch_points : normal_force(c, q);
+}
+
 void IslandSystem::lag_friction(const VecX& q) {
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    lagged_[c] = island_->contacts[c].friction * normal_force(c, q);
+    lagged_[c] = island_->contacts[c].friction * load_of_friction(c, q);
     contacts_[c].held = held_slip(c);
   }
 }

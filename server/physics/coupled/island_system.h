@@ -88,7 +88,8 @@ class IslandSystem final : public LinearOperator {
   Side resolve(const ContactSide& side) const;
   Joint join(const ContactSide& a, const ContactSide& b) const;
   Vec3 held_slip(std::size_t c) const;
-  double normal_force(std::size_t c, const VecX& q) const;  // N
+  double normal_force(std::size_t c, const VecX& q) const;      // N
+  double load_of_friction(std::size_t c, const VecX& q) const;  // N: what it is under
   static Vec3 read(const Side& side, const VecX& q);
   static void add(const Side& side, const Vec3& f, VecX& out);
   Vec3 displacement(const Joint& joint, const VecX& q) const {

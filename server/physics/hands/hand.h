@@ -8,6 +8,7 @@
 #include "server/physics/contact/contact.h"
 #include "server/physics/coupled/island.h"
 #include "server/physics/hands/grip.h"
+#include "server/physics/hands/pad.h"
 #include "server/physics/model.h"
 
 namespace prosector {
@@ -35,6 +36,7 @@ struct Hand {
   Pose previous_target;
   std::array<double, fingers> target_flexion{}, flexion{};
   std::optional<Hold> hold;
+  std::vector<PadMemory> pads;  // as the last tick's contacts come
 };
 
 inline constexpr double max_hand_speed = 3;         // m/s, of the effective target

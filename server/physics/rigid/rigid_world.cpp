@@ -92,7 +92,9 @@ RigidContact make_contact(const btPersistentManifold& manifold, int i) {
           from_bullet(p.m_normalWorldOnB),
           static_cast<double>(p.getDistance()),
           static_cast<double>(p.m_combinedFriction),
-          static_cast<double>(p.m_combinedRestitution)};
+          static_cast<double>(p.m_combinedRestitution),
+          p.m_index0,
+          p.m_index1};
 }
 
 /// Gives Bullet's solver the islands of rigid bodies and keeps the others.
@@ -310,6 +312,16 @@ const std::optional<Pose>& RigidWorld::driven_to(std::size_t slot) const {
 
 void RigidWorld::set_part_pose(std::size_t slot, std::size_t part, const Pose& pose) {
   impl_->bodies[slot].shape.compound->updateChildTransform(static_cast<int>(part), to_bullet(pose), true);
+  // Points that were cached where the part was would hold on to nothing.
+  for (int m = 0; m < impl_->dispatcher.getNumManifolds(); ++m) {
+    btPersistentManifold& manifold = *impl_->dispatcher.getManifoldByIndexInternal(m);
+    const bool first = manifold.getBody0() == &impl_->at(slot);
+    if (!first && manifold.getBody1() != &impl_->at(slot)) continue;
+    for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
+      const btManifoldPoint& p = manifold.getContactPoint(i);
+      if ((first ? p.m_index0 : p.m_index1) == static_cast<int>(part)) manifold.removeContactPoint(i);
+    }
+  }
 }
 
 void RigidWorld::set_collides(std::size_t a, std::size_t b, bool collides) {

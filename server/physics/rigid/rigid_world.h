@@ -47,6 +47,7 @@ struct RigidContact {
   Vec3 normal;            // unit, from b to a
   double gap;             // m, < 0 penetrates
   double friction, restitution;
+  int part_a, part_b;  // of RigidSetup::parts, where a body has several
 };
 
 /// What a contact gave a body.
