@@ -443,14 +443,15 @@ def contact(reports):
 def machine(reports, before):
     if not reports.all:
         raise Missing("any bench")
-    where = next(iter(reports.all.values()))[0]
-    m = where["machine"]
-    lines = [[f"`{bench}`", report["date"], report["commit"], number(report["machine"]["load_average"])]
+
+    def where(report):
+        m = report["machine"]
+        return f"{m['cpu']}, {m['cores']} cores, {m['vector']}, {m['memory_bytes'] / 2**30:.0f} GiB; {report['compiler']}, {m['build']}"
+
+    lines = [[f"`{bench}`", report["date"], report["commit"], number(report["machine"]["load_average"]), where(report | {"compiler": told["compiler"]})]
              for bench in reports.all for told in reports.all[bench] for report in told.get("measured", [told])]
     lines += [line for line in kept(before, "`") if line[0].strip("`") not in reports.all]
-    return (f"Machine: {m['cpu']}, {m['cores']} cores, {m['vector']}, {m['memory_bytes'] / 2**30:.0f} GiB; "
-            f"{where['compiler']}, {m['build']}.\n\n"
-            + table(["Bench", "run at", "commit", "load average at its end"], sorted(lines)))
+    return table(["Bench", "run at", "commit", "load average at its end", "machine"], sorted(lines))
 
 
 KEEPING = {"machine": machine, "goals": goals}  # of several benches: lines of those not given stay
