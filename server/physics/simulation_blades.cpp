@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "server/physics/organs/locate.h"
 #include "server/physics/simulation_impl.h"
 
 namespace prosector {
@@ -52,29 +51,32 @@ std::vector<Vec3> Simulation::Impl::edge_points(std::size_t slot) const {
   return out;
 }
 
-/// The tissue that each point is in, of those that can be touched.
-std::vector<std::optional<BladeGrip>> Simulation::Impl::tissue_at(std::span<const Vec3> points) const {
-  std::vector<std::optional<BladeGrip>> out(points.size());
-  std::vector<Vec3> in_box;
-  std::vector<std::size_t> which;
+Aabb Simulation::Impl::swept_box(std::span<const Vec3> from, std::span<const Vec3> to) {
+  Aabb box;
+  for (const auto points : {from, to})
+    for (const Vec3& x : points) box.add(x);
+  return box;
+}
+
+/// The tissue that can be touched near a box.
+std::vector<Simulation::Impl::TissueNear> Simulation::Impl::tissue_near(const Aabb& box) const {
+  std::vector<TissueNear> out;
   for (std::size_t i = 0; i < soft.size(); ++i) {
     const TetMesh& mesh = model.soft[i]->anatomy().tets;
     if (parts[soft_id(i)].out_of_touch() || mesh.tets.empty()) continue;
     const VecX& x = soft[i].motion.x;
     const auto nodes = x.reshaped(3, x.size() / 3);
-    const Vec3 low = nodes.rowwise().minCoeff(), high = nodes.rowwise().maxCoeff();
-    in_box.clear();
-    which.clear();
-    for (std::size_t p = 0; p < points.size(); ++p)
-      if (!out[p] && (points[p].array() >= low.array()).all() && (points[p].array() <= high.array()).all()) {
-        in_box.push_back(points[p]);
-        which.push_back(p);
-      }
-    const auto rows = locate(mesh, x, in_box);
-    for (std::size_t k = 0; k < rows.size(); ++k)
-      if (rows[k]) out[which[k]] = BladeGrip{i, 0, 0, *rows[k], {}};
+    if (Aabb{nodes.rowwise().minCoeff(), nodes.rowwise().maxCoeff()}.overlaps(box))
+      out.push_back({i, Locator(mesh, x, box)});
   }
   return out;
+}
+
+/// Which of it a point of that box is in.
+std::optional<BladeGrip> Simulation::Impl::tissue_at(std::span<const TissueNear> tissue, const Vec3& point) {
+  for (const TissueNear& near : tissue)
+    if (const auto row = near.locator.at(point)) return BladeGrip{near.body, 0, 0, *row, {}};
+  return std::nullopt;
 }
 
 void Simulation::Impl::grip_blades() {
@@ -82,11 +84,11 @@ void Simulation::Impl::grip_blades() {
   take_up_blades();
   for (const Blade& blade : blades) {
     const std::vector<Vec3> now = edge_points(blade.slot);
-    const std::vector<std::optional<BladeGrip>> tissue = tissue_at(blade.cut_to);
+    const std::vector<TissueNear> near = tissue_near(swept_box(blade.cut_to, blade.cut_to));
     std::size_t p = 0;
     for (const BladeShape::Edge& edge : blade_shapes[blade.slot].edges)
       for (std::size_t k = 0; k < edge.points.size(); ++k, ++p) {
-        std::optional<BladeGrip> grip = tissue[p];
+        std::optional<BladeGrip> grip = tissue_at(near, blade.cut_to[p]);
         if (!grip) continue;
         const SoftDesc& tissue = model.soft[grip->body]->desc();
         const double force = (blade.cutting ? 1 : to_begin) * tissue.toughness * edge.length_per_point;
@@ -136,27 +138,22 @@ void Simulation::Impl::advance(Blade& blade) {
 /// What enters tissue from outside is held where it enters, until the tissue gives. Whether any point is in
 /// tissue.
 bool Simulation::Impl::stop_at_the_surface(std::span<const Vec3> from, std::span<Vec3> to) const {
-  const auto before = tissue_at(from), after = tissue_at(to);
-  std::vector<std::size_t> entering;
-  std::vector<Vec3> outside, inside, middle;
+  const std::vector<TissueNear> near = tissue_near(swept_box(from, to));
+  const auto in_tissue = [&](const Vec3& point) { return tissue_at(near, point).has_value(); };
+  bool any = false;
   for (std::size_t p = 0; p < to.size(); ++p) {
-    if (before[p] || !after[p]) continue;
-    entering.push_back(p);
-    outside.push_back(from[p]);
-    inside.push_back(to[p]);
+    if (!in_tissue(to[p])) continue;
+    any = true;
+    if (in_tissue(from[p])) continue;
+    Vec3 outside = from[p], inside = to[p];
+    for (int i = 0; i < halvings; ++i) {
+      const Vec3 middle = (outside + inside) / 2;
+      (in_tissue(middle) ? inside : outside) = middle;
+    }
+    const Vec3 way = (to[p] - from[p]).normalized();
+    to[p] = inside + std::min(hold, (to[p] - inside).norm()) * way;
   }
-  middle.resize(entering.size());
-  for (int i = 0; i < halvings && !entering.empty(); ++i) {
-    for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = (outside[k] + inside[k]) / 2;
-    const auto found = tissue_at(middle);
-    for (std::size_t k = 0; k < middle.size(); ++k) (found[k] ? inside : outside)[k] = middle[k];
-  }
-  for (std::size_t k = 0; k < entering.size(); ++k) {
-    Vec3& end = to[entering[k]];
-    const Vec3 way = (end - from[entering[k]]).normalized();
-    end = inside[k] + std::min(hold, (end - inside[k]).norm()) * way;
-  }
-  return std::any_of(after.begin(), after.end(), [](const auto& grip) { return grip.has_value(); });
+  return any;
 }
 
 }  // namespace prosector

@@ -11,20 +11,6 @@
 #include "server/physics/simulation_impl.h"
 
 namespace prosector {
-namespace {
-
-Aabb box_around(std::span<const Vec3> a, std::span<const Vec3> b) {
-  Aabb box{Vec3::Constant(std::numeric_limits<double>::infinity()),
-           Vec3::Constant(-std::numeric_limits<double>::infinity())};
-  for (const auto points : {a, b})
-    for (const Vec3& x : points) {
-      box.lo = box.lo.cwiseMin(x);
-      box.hi = box.hi.cwiseMax(x);
-    }
-  return box;
-}
-
-}  // namespace
 
 /// Where an organ's nodes are, by id.
 std::vector<Vec3> Simulation::Impl::node_positions(const Organ& organ) const {
@@ -38,7 +24,7 @@ std::vector<Vec3> Simulation::Impl::node_positions(const Organ& organ) const {
 /// Takes an edge of a blade on, through whatever tissue there is.
 void Simulation::Impl::cut_tissue(Blade& blade, std::size_t edge, std::span<const Vec3> from,
                                   std::span<const Vec3> to) {
-  const Aabb swept = box_around(from, to);
+  const Aabb swept = swept_box(from, to);
   for (std::size_t first = 0; first < model.scene.soft.size(); ++first) {
     const Anatomy& anatomy = model.soft[first]->anatomy();
     if (anatomy.tets.tets.empty() || model.soft_collision[first].fidelity == Fidelity::none) continue;
@@ -185,29 +171,39 @@ void Simulation::Impl::place(NewPiece piece, std::size_t first, TopologyCause ca
   place_piece(body, first, std::move(piece.solver), std::move(piece.numbering), std::move(*piece.surface));
   memories[body].clear();
   if (!is_new) ++revisions[body];
-  Part& part = parts[soft_id(body)];
-  if (piece.whole) {
-    soft[body].motion = std::move(piece.motion);
-    equilibrium[body] = std::move(piece.equilibrium);
-    soft[body].asleep = false;
-    // A piece that nothing ties to its place any more is out of it.
-    if (body != first && model.soft[body]->attachment_stiffness().isZero()) part.attached = false;
-  } else {
-    part.hidden = true;
-  }
+  if (piece.whole)
+    set_going(body, first, std::move(piece.motion), std::move(piece.equilibrium));
+  else
+    parts[soft_id(body)].hidden = true;
   take_effect(world, soft_id(body));
   place_surface(body);
+  TopologyChange& change = tell_of(body, piece.content_hash, cause, author);
+  if (is_new) change.piece_of = soft_id(first);
+}
+
+/// A piece moves as what was there did. One that nothing ties to its place any more is out of it.
+void Simulation::Impl::set_going(std::size_t body, std::size_t first, Motion motion, VecX balance) {
+  soft[body].motion = std::move(motion);
+  soft[body].asleep = false;
+  equilibrium[body] = std::move(balance);
+  if (body != first && model.soft[body]->attachment_stiffness().isZero())
+    parts[soft_id(body)].attached = false;
+}
+
+TopologyChange& Simulation::Impl::tell_of(std::size_t body, std::uint64_t content_hash, TopologyCause cause,
+                                          ParticipantId author) {
   TopologyChange& change = report.topology.emplace_back();
   change.body = soft_id(body);
   change.revision = revisions[body];
-  change.content_hash = piece.content_hash;
+  change.content_hash = content_hash;
   change.cause = cause;
   change.author = author;
-  if (is_new) change.piece_of = soft_id(first);
+  return change;
 }
 
 /// Makes bodies of the pieces that an organ's change left or made.
 void Simulation::Impl::remake(Organ& organ, TopologyCause cause, ParticipantId author) {
+  if (follow_cut(organ, cause, author)) return;
   const std::size_t first = organ.pieces().front().body;
   const Organ::Regrouped changed = organ.regroup(model.soft.size());
   for (NewPiece& piece : make_pieces(organ, changed)) place(std::move(piece), first, cause, author);

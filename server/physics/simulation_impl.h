@@ -22,6 +22,7 @@
 #include "server/physics/hands/hand.h"
 #include "server/physics/model.h"
 #include "server/physics/organs/blade.h"
+#include "server/physics/organs/locate.h"
 #include "server/physics/organs/organ.h"
 #include "server/physics/panel/panel_world.h"
 
@@ -195,7 +196,13 @@ struct Simulation::Impl : PanelSubjects {
   // ---- Cuts
   bool is_held_blade(std::size_t slot) const;
   std::vector<Vec3> edge_points(std::size_t slot) const;  // m, room frame
-  std::vector<std::optional<BladeGrip>> tissue_at(std::span<const Vec3> points) const;
+  struct TissueNear {
+    std::size_t body = 0;
+    Locator locator;
+  };
+  std::vector<TissueNear> tissue_near(const Aabb& box) const;
+  static std::optional<BladeGrip> tissue_at(std::span<const TissueNear> tissue, const Vec3& point);
+  static Aabb swept_box(std::span<const Vec3> from, std::span<const Vec3> to);
   void take_up_blades();
   void grip_blades();
   void cut_soft_bodies(const TickInput& input);
@@ -214,6 +221,10 @@ struct Simulation::Impl : PanelSubjects {
   void carry_motion(const Organ& organ, std::span<const OrganPiece> before, const OrganPiece& piece,
                     NewPiece& made) const;  // part of it
   void place(NewPiece piece, std::size_t first, TopologyCause cause, ParticipantId author);
+  void set_going(std::size_t body, std::size_t first, Motion motion, VecX balance);
+  TopologyChange& tell_of(std::size_t body, std::uint64_t content_hash, TopologyCause cause,
+                          ParticipantId author);
+  bool follow_cut(Organ& organ, TopologyCause cause, ParticipantId author);
   void remake(Organ& organ, TopologyCause cause, ParticipantId author);
   std::string carry_through(std::size_t first, const Organ::Mark& before, TopologyCause cause,
                             ParticipantId author);

@@ -3,6 +3,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 
@@ -13,16 +14,23 @@ namespace {
 
 constexpr std::size_t triangles_at_once = 1024;
 
+/// The lower 10 bits, with two zeros between each two.
+std::uint32_t spread(std::uint32_t bits) {
+  bits = (bits | bits << 16) & 0x030000FFU;
+  bits = (bits | bits << 8) & 0x0300F00FU;
+  bits = (bits | bits << 4) & 0x030C30C3U;
+  return (bits | bits << 2) & 0x09249249U;
+}
+
 /// Morton code: 10 bits of each coordinate, interleaved.
 std::uint32_t morton(const Vec3& unit) {
   std::uint32_t code = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto cell = static_cast<std::uint32_t>(std::clamp(unit[axis], 0.0, 1.0) * 1023);
-    for (int bit = 0; bit < 10; ++bit) code |= (cell >> bit & 1U) << (3 * bit + axis);
-  }
+  for (int axis = 0; axis < 3; ++axis)
+    code |= spread(static_cast<std::uint32_t>(std::clamp(unit[axis], 0.0, 1.0) * 1023)) << axis;
   return code;
 }
 
+/// Along the curve; of equals the first comes first.
 std::vector<std::uint32_t> spatial_order(const std::vector<Vec3>& points) {
   Vec3 lo = Vec3::Constant(std::numeric_limits<double>::max()), hi = -lo;
   for (const Vec3& p : points) {
@@ -30,12 +38,25 @@ std::vector<std::uint32_t> spatial_order(const std::vector<Vec3>& points) {
     hi = hi.cwiseMax(p);
   }
   const double extent = points.empty() ? 1 : std::max((hi - lo).maxCoeff(), 1e-9);
-  std::vector<std::uint32_t> codes;
-  for (const Vec3& p : points) codes.push_back(morton((p - lo) / extent));
-  std::vector<std::uint32_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return codes[a] < codes[b]; });
+  // By the code's digits, the lowest first: each pass keeps the order of the one before.
+  constexpr unsigned digit_bits = 10, digits = 3, values = 1U << digit_bits;
+  struct Entry {
+    std::uint32_t code, index;
+  };
+  std::vector<Entry> entries, sorted(points.size());
+  entries.reserve(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i) entries.push_back({morton((points[i] - lo) / extent), i});
+  for (unsigned digit = 0; digit < digits; ++digit) {
+    const auto value = [&](const Entry& entry) { return entry.code >> (digit * digit_bits) & (values - 1); };
+    std::array<std::uint32_t, values + 1> begin{};
+    for (const Entry& entry : entries) ++begin[value(entry) + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    for (const Entry& entry : entries) sorted[begin[value(entry)]++] = entry;
+    entries.swap(sorted);
+  }
+  std::vector<std::uint32_t> order;
+  order.reserve(points.size());
+  for (const Entry& entry : entries) order.push_back(entry.index);
   return order;
 }
 
@@ -78,17 +99,20 @@ SurfaceDetector::SurfaceDetector(const SparseMap& embedding, const TriangleMesh&
 
 void SurfaceDetector::find_neighbours() {
   const auto& triangles = rest_->triangles;
+  std::vector<std::uint32_t> after(around_.size());  // in the triangle: the corner that follows the vertex
+  for (std::uint32_t vertex = 0; vertex + 1 < around_begin_.size(); ++vertex)
+    for (std::uint32_t n = around_begin_[vertex]; n < around_begin_[vertex + 1]; ++n) {
+      const auto& t = triangles[around_[n]];
+      after[n] = t[0] == vertex ? t[1] : t[1] == vertex ? t[2] : t[0];
+    }
   neighbours_.resize(triangles.size());
   parallel_chunks(triangles.size(), triangles_at_once, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i)
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t from = triangles[i][(k + 1) % 3], to = triangles[i][k];
         neighbours_[i][k] = static_cast<std::uint32_t>(i);
-        for (std::uint32_t n = around_begin_[from]; n < around_begin_[from + 1]; ++n) {
-          const auto& other = triangles[around_[n]];
-          for (std::size_t j = 0; j < 3; ++j)
-            if (other[j] == from && other[(j + 1) % 3] == to) neighbours_[i][k] = around_[n];
-        }
+        for (std::uint32_t n = around_begin_[from]; n < around_begin_[from + 1]; ++n)
+          if (after[n] == to) neighbours_[i][k] = around_[n];
       }
   });
 }

@@ -1,5 +1,7 @@
 #include "server/physics/cutting/pieces.h"
 
+#include <numeric>
+
 namespace prosector {
 
 std::vector<std::vector<TetId>> pieces(const TetComplex& complex) {
@@ -24,6 +26,37 @@ std::vector<std::vector<TetId>> pieces(const TetComplex& complex) {
   for (TetId tet = 0; tet < complex.tet_end(); ++tet)
     if (complex.has_tet(tet)) out[piece_of[tet]].push_back(tet);
   return out;
+}
+
+bool hang_together(const TetComplex& complex, std::span<const TetId> tets) {
+  std::vector<TetId> open;
+  std::vector<std::uint32_t> group_of(complex.tet_end(), TetComplex::none);  // of what was reached
+  for (TetId tet : tets) {
+    while (!complex.has_tet(tet)) tet = complex.child(tet);
+    if (group_of[tet] != TetComplex::none) continue;
+    group_of[tet] = static_cast<std::uint32_t>(open.size());
+    open.push_back(tet);
+  }
+  std::vector<std::uint32_t> joined(open.size());  // groups: to one that they are part of
+  std::iota(joined.begin(), joined.end(), 0U);
+  const auto whole = [&](std::uint32_t group) {
+    while (joined[group] != group) group = joined[group] = joined[joined[group]];
+    return group;
+  };
+  std::size_t groups = open.size();
+  for (std::size_t n = 0; n < open.size() && groups > 1; ++n)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const TetId beyond = complex.neighbor(open[n], k);
+      if (beyond == TetComplex::none) continue;
+      if (group_of[beyond] == TetComplex::none) {
+        group_of[beyond] = group_of[open[n]];
+        open.push_back(beyond);
+      } else if (const std::uint32_t a = whole(group_of[open[n]]), b = whole(group_of[beyond]); a != b) {
+        joined[std::max(a, b)] = std::min(a, b);
+        --groups;
+      }
+    }
+  return groups <= 1;
 }
 
 }  // namespace prosector

@@ -30,6 +30,7 @@ TetComplex::TetComplex(const TetMesh& rest, double density) : density_(density) 
             fmt::format("cutting: tetrahedron {} names node {}; there are {}", t, node, rest_.size()));
       star_[node].push_back(t);
     }
+    place_[t] = t;
     volume_[t] = tet_volume(rest_[c[0]], rest_[c[1]], rest_[c[2]], rest_[c[3]]);
     if (!(volume_[t] > 0))
       throw InputError(fmt::format("cutting: tetrahedron {} has a rest volume of {} m³; allowed: positive", t,
@@ -85,6 +86,7 @@ void TetComplex::grow_tets(std::size_t end) {
   volume_.resize(end, 0.0);
   parent_.resize(end, none);
   child_.resize(end, none);
+  place_.resize(end, none);
   tet_live_.resize(end, 0);
 }
 

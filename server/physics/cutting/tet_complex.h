@@ -42,6 +42,10 @@ class TetComplex {
   TetId child(TetId tet) const { return child_[tet]; }
   /// Which tetrahedron became this one; none for those of the compiled mesh.
   TetId parent(TetId tet) const { return parent_[tet]; }
+  /// Of its ancestors and itself the first whose place it has: the first of the two that a tetrahedron
+  /// becomes takes that one's, the second gets one of its own. Of live ones no two have the same, and a cut
+  /// leaves each where it is.
+  TetId place(TetId tet) const { return place_[tet]; }
   bool has_corner(TetId tet, NodeId node) const;
   std::size_t corner_index(TetId tet, NodeId node) const;  // 4: has none
   /// Tetrahedra with both nodes, ascending.
@@ -97,7 +101,7 @@ class TetComplex {
   std::vector<std::array<TetId, 4>> neighbor_;
   std::vector<std::uint8_t> wall_;  // bit k: face k
   std::vector<double> volume_;
-  std::vector<TetId> parent_, child_;
+  std::vector<TetId> parent_, child_, place_;
   std::vector<TetId> around_;  // scratch
   std::size_t live_nodes_ = 0, live_tets_ = 0;
   std::uint64_t undone_ = 0;

@@ -51,6 +51,8 @@ void TetComplex::change(const SplitEdge& op) {
     wall_[with_a] = static_cast<std::uint8_t>(wall_[t] & ~(1u << ka));
     wall_[with_b] = static_cast<std::uint8_t>(wall_[t] & ~(1u << kb));
     parent_[with_a] = parent_[with_b] = t;
+    place_[with_a] = place_[t];
+    place_[with_b] = with_b;
     child_[t] = with_a;
     tet_live_[t] = 0;
     tet_live_[with_a] = tet_live_[with_b] = 1;

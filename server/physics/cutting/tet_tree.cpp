@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "server/physics/parallel.h"
 
 namespace prosector {
 namespace {
 
-constexpr std::size_t leaf_size = 8, leaves_per_chunk = 128;
+constexpr std::size_t leaf_size = 8, leaves_per_chunk = 128, nodes_per_chunk = 2048;
 
 Vec3 centroid(const TetComplex& complex, TetId t) {
   const auto& c = complex.corners(t);
@@ -71,10 +72,36 @@ void TetTree::renew(const TetComplex& complex, std::vector<TetId>& leaf) {
   leaf.assign(scratch_.begin(), scratch_.end());
 }
 
-void TetTree::update(const TetComplex& complex, std::span<const Vec3> positions) {
+void TetTree::update(const TetComplex& complex, std::span<const Vec3> positions, const Vec3& low,
+                     const Vec3& high) {
   if (branches_.empty() || undone_ != complex.undone() || complex.tets() > 2 * built_tets_) build(complex);
   for (auto& leaf : leaves_) renew(complex, leaf);
+  find_near(complex, positions, low, high);
   boxes(complex, positions);
+}
+
+/// A tetrahedron is beside the box where its corners all are, on one side.
+void TetTree::find_near(const TetComplex& complex, std::span<const Vec3> positions, const Vec3& low,
+                        const Vec3& high) {
+  beside_.resize(complex.node_end());
+  parallel_chunks(beside_.size(), nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i) {
+      unsigned sides = 0;
+      for (unsigned axis = 0; axis < 3; ++axis) {
+        const double x = positions[i][axis];
+        sides |= (x < low[axis] ? 1U : 0U) << 2 * axis | (x > high[axis] ? 2U : 0U) << 2 * axis;
+      }
+      beside_[i] = static_cast<std::uint8_t>(sides);
+    }
+  });
+  near_.resize(leaves_.size());
+  parallel_chunks(leaves_.size(), leaves_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t l = first; l < last; ++l)
+      near_[l] = std::any_of(leaves_[l].begin(), leaves_[l].end(), [&](TetId t) {
+        const auto& c = complex.corners(t);
+        return (beside_[c[0]] & beside_[c[1]] & beside_[c[2]] & beside_[c[3]]) == 0;
+      });
+  });
 }
 
 void TetTree::boxes(const TetComplex& complex, std::span<const Vec3> positions) {
@@ -84,6 +111,7 @@ void TetTree::boxes(const TetComplex& complex, std::span<const Vec3> positions) 
   high_.resize(leaf_begin_.back());
   parallel_chunks(leaves_.size(), leaves_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t l = first; l < last; ++l) {
+      if (!near_[l]) continue;
       std::size_t at = leaf_begin_[l];
       for (const TetId t : leaves_[l]) {
         const auto& c = complex.corners(t);
@@ -95,11 +123,12 @@ void TetTree::boxes(const TetComplex& complex, std::span<const Vec3> positions) 
   });
   for (std::size_t b = branches_.size(); b-- > 0;) {
     Branch& branch = branches_[b];
+    branch.low = Vec3::Constant(std::numeric_limits<double>::infinity());  // of nothing
+    branch.high = -branch.low;
     if (branch.right == 0) {
+      if (!near_[branch.first]) continue;
       const std::size_t begin = leaf_begin_[branch.first], end = leaf_begin_[branch.last];
-      branch.low = low_[begin];
-      branch.high = high_[begin];
-      for (std::size_t i = begin + 1; i < end; ++i) {
+      for (std::size_t i = begin; i < end; ++i) {
         branch.low = branch.low.cwiseMin(low_[i]);
         branch.high = branch.high.cwiseMax(high_[i]);
       }

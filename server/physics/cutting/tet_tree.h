@@ -12,8 +12,9 @@ namespace prosector {
 
 class TetTree {
  public:
-  /// Takes in what was split and moved since. `positions`: m, by node id.
-  void update(const TetComplex& complex, std::span<const Vec3> positions);
+  /// Takes in what was split since, and where what may touch the box is. `positions`: m, by node id.
+  void update(const TetComplex& complex, std::span<const Vec3> positions, const Vec3& low, const Vec3& high);
+  // ---- Of what lies in the last update's box
   /// Appends the tetrahedra of the last update whose boxes meet the piece's box and plane.
   void query(const Sheet::Piece& piece, std::vector<TetId>& found) const;
   /// Likewise those whose boxes have x.
@@ -30,12 +31,16 @@ class TetTree {
   void renew(const TetComplex& complex, std::vector<TetId>& leaf);
   template <class Meets>
   void visit(Meets&& meets, std::vector<TetId>& found) const;
+  void find_near(const TetComplex& complex, std::span<const Vec3> positions, const Vec3& low,
+                 const Vec3& high);
   void boxes(const TetComplex& complex, std::span<const Vec3> positions);
 
   std::vector<Branch> branches_;  // parents before children
   std::vector<std::vector<TetId>> leaves_;
   std::vector<Vec3> low_, high_;         // of each tetrahedron, by leaf in order
   std::vector<std::size_t> leaf_begin_;  // into these
+  std::vector<std::uint8_t> beside_;     // by node: on which sides of the update's box it is, a bit each
+  std::vector<std::uint8_t> near_;       // by leaf: whether a tetrahedron's box meets it
   std::vector<TetId> scratch_;
   std::size_t built_tets_ = 0;
   std::uint64_t undone_ = 0;

@@ -195,7 +195,13 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
   if (to == from) return result;
 
   const Sheet sheet(from, to);
-  tree.update(complex, positions);
+  Vec3 low = to.front(), high = low;
+  for (const std::vector<Vec3>& points : {from, to})
+    for (const Vec3& x : points) {
+      low = low.cwiseMin(x);
+      high = high.cwiseMax(x);
+    }
+  tree.update(complex, positions, low, high);
   std::vector<TetId> candidates;
   for (const Sheet::Piece& piece : sheet.pieces()) tree.query(piece, candidates);
   std::sort(candidates.begin(), candidates.end());

@@ -2,18 +2,31 @@
 // Which tetrahedra points of the room are in.
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "common/mesh.h"
+#include "server/physics/collision/aabb.h"
 
 namespace prosector {
 
-/// Of a mesh whose nodes are at `x` (3n, m; more nodes than the tetrahedra's corners may follow), for each
-/// point the corners of the first tetrahedron that contains it, its faces included, with the point's
-/// barycentric weights; empty outside. Turned-over tetrahedra contain nothing. One pass over the mesh,
-/// however many points.
-std::vector<std::optional<SparseMap::Row>> locate(const TetMesh& mesh, const VecX& x,
-                                                  std::span<const Vec3> points);
+/// The tetrahedra of a mesh that are near a box: one pass over the mesh, however many points of the box are
+/// asked for.
+class Locator {
+ public:
+  /// Nodes are at `x` (3n, m; more of them than the tetrahedra's corners may follow). Both must outlive this.
+  Locator(const TetMesh& mesh, const VecX& x, const Aabb& box);
+  /// The corners of the first tetrahedron that contains the point, its faces included, with the point's
+  /// barycentric weights; nothing outside. Turned-over tetrahedra contain nothing. The point is in the box.
+  std::optional<SparseMap::Row> at(const Vec3& point) const;
+
+ private:
+  struct Near {
+    Aabb box;
+    std::uint32_t tet;
+  };
+  const TetMesh* mesh_;
+  const VecX* x_;
+  std::vector<Near> near_;  // ascending
+};
 
 }  // namespace prosector

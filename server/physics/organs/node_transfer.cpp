@@ -8,11 +8,22 @@
 namespace prosector {
 namespace {
 
-/// Index of `id` in an ascending list; its size: not in it.
-template <class Id>
-std::size_t index_of(const std::vector<Id>& ids, Id id) {
-  const auto at = std::lower_bound(ids.begin(), ids.end(), id);
-  return at != ids.end() && *at == id ? static_cast<std::size_t>(at - ids.begin()) : ids.size();
+struct OldTet {
+  std::uint32_t piece = 0;
+  std::size_t tet = 0;  // its index there
+};
+
+/// The tetrahedron that was where `tet` is now, or the one it is part of.
+std::optional<OldTet> find_old(const TetComplex& complex, std::span<const PieceMesh* const> before,
+                               TetId tet) {
+  for (; tet != TetComplex::none; tet = complex.parent(tet))
+    for (std::uint32_t p = 0; p < before.size(); ++p) {
+      const std::vector<TetId>& places = before[p]->places;
+      const auto at = std::lower_bound(places.begin(), places.end(), complex.place(tet));
+      const auto i = static_cast<std::size_t>(at - places.begin());
+      if (at != places.end() && before[p]->tets[i] == tet) return OldTet{p, i};
+    }
+  return std::nullopt;
 }
 
 std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
@@ -64,25 +75,21 @@ NodeTransfer::NodeTransfer(const TetComplex& complex, std::span<const PieceMesh*
     }
     return std::nullopt;
   };
-  // The tetrahedron that was where `tet` is now, or the one it is part of.
   const auto within = [&](TetId tet, const Vec3& rest) -> std::optional<Source> {
-    for (; tet != TetComplex::none; tet = complex.parent(tet))
-      for (std::uint32_t p = 0; p < before.size(); ++p) {
-        const std::size_t i = index_of(before[p]->tets, tet);
-        if (i == before[p]->tets.size()) continue;
-        const TetMesh& mesh = before[p]->mesh;
-        const auto w = weights_at(mesh, i, rest);
-        const auto& corner = mesh.tets[i];
-        Source source;
-        for (std::size_t k = 0; k < 4; ++k)
-          source.terms[source.count++] = {p, corner[k], quadratic ? w[k] * (2 * w[k] - 1) : w[k]};
-        if (quadratic)
-          for (const auto& [a, b] : Tet10Elements::edge)
-            source.terms[source.count++] = {p, edges_before[p].at(edge_key(corner[a], corner[b])),
-                                            4 * w[a] * w[b]};
-        return source;
-      }
-    return std::nullopt;
+    const auto found = find_old(complex, before, tet);
+    if (!found) return std::nullopt;
+    const auto& [p, i] = *found;
+    const TetMesh& mesh = before[p]->mesh;
+    const auto w = weights_at(mesh, i, rest);
+    const auto& corner = mesh.tets[i];
+    Source source;
+    for (std::size_t k = 0; k < 4; ++k)
+      source.terms[source.count++] = {p, corner[k], quadratic ? w[k] * (2 * w[k] - 1) : w[k]};
+    if (quadratic)
+      for (const auto& [a, b] : Tet10Elements::edge)
+        source.terms[source.count++] = {p, edges_before[p].at(edge_key(corner[a], corner[b])),
+                                        4 * w[a] * w[b]};
+    return source;
   };
 
   sources_.reserve(now.mesh.positions.size());
@@ -112,10 +119,28 @@ NodeTransfer::NodeTransfer(const TetComplex& complex, std::span<const PieceMesh*
     }
 }
 
+NodeTransfer::NodeTransfer(const TetComplex& complex, const PieceMesh& before, std::span<const NodeId> made) {
+  const PieceMesh* const pieces[] = {&before};
+  for (const NodeId id : made) {
+    Source& source = sources_.emplace_back();
+    const auto found = find_old(complex, pieces, complex.star(id).front());
+    if (!found) continue;
+    const auto w = weights_at(before.mesh, found->tet, complex.rest(id));
+    for (std::size_t k = 0; k < 4; ++k)
+      source.terms[source.count++] = {0, before.mesh.tets[found->tet][k], w[k]};
+  }
+}
+
 VecX NodeTransfer::operator()(std::span<const VecX* const> fields) const {
   VecX out(3 * static_cast<Eigen::Index>(sources_.size()));
   for (std::size_t n = 0; n < sources_.size(); ++n) {
     const Source& source = sources_[n];
+    if (source.count == 1) {  // itself
+      const Term& term = source.terms[0];
+      out.segment<3>(3 * static_cast<Eigen::Index>(n)) =
+          fields[term.piece]->segment<3>(3 * Eigen::Index{term.node});
+      continue;
+    }
     Vec3 sum = Vec3::Zero();
     for (std::size_t k = 0; k < source.count; ++k) {
       const Term& term = source.terms[k];

@@ -12,10 +12,11 @@
 namespace prosector {
 
 /// The tetrahedra that carry one body, as they were when its solver was made: dense, with the ids in an
-/// organ's complex. `nodes` (its vertices only) and `tets` ascend.
+/// organ's complex. `nodes` (its vertices only) and `places` ascend, so that a cut which nothing comes off
+/// appends nodes and tetrahedra and leaves the others their indices.
 struct PieceMesh {
   std::vector<NodeId> nodes;
-  std::vector<TetId> tets;
+  std::vector<TetId> tets, places;  // a tetrahedron and its TetComplex::place()
   TetMesh mesh;  // by index in those two; the nodes on edges of quadratic elements follow, by their vertices
 };
 
@@ -33,6 +34,8 @@ class NodeTransfer {
   /// ten-node elements.
   NodeTransfer(const TetComplex& complex, std::span<const PieceMesh* const> before, const PieceMesh& now,
                bool quadratic);
+  /// Of linear elements: for these nodes, which the change made, alone.
+  NodeTransfer(const TetComplex& complex, const PieceMesh& before, std::span<const NodeId> made);
   /// `fields`: 3n numbers of each piece in `before`.
   VecX operator()(std::span<const VecX* const> fields) const;
 

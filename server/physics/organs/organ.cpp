@@ -8,7 +8,6 @@
 
 #include "common/error.h"
 #include "server/physics/cutting/pieces.h"
-#include "server/physics/organs/organ_parts.h"
 
 namespace prosector {
 namespace {
@@ -113,9 +112,10 @@ void Organ::take_back(const std::vector<OrganChange*>& newest_first) {
 
 /// The bodies of these tetrahedra are made anew at the next regroup().
 void Organ::note_touched(const std::vector<TetId>& tets) {
+  const auto first = static_cast<TetId>(owner_.size());
   owner_.resize(std::max(owner_.size(), complex_.tet_end()), nobody);
-  for (TetId tet = 0; tet < owner_.size(); ++tet)  // children after their parents
-    if (owner_[tet] == nobody) owner_[tet] = owner_[complex_.parent(tet)];
+  for (TetId tet = first; tet < owner_.size(); ++tet)  // children after their parents
+    owner_[tet] = owner_[complex_.parent(tet)];
   for (const TetId tet : tets) changed_.insert(owner_[tet]);
 }
 
@@ -158,10 +158,35 @@ Organ::Regrouped Organ::regroup(std::size_t next_body) {
     auto at = std::find_if(pieces_.begin(), pieces_.end(),
                            [&](const OrganPiece& piece) { return piece.body == c.owner; });
     if (at == pieces_.end()) at = pieces_.insert(at, OrganPiece{c.owner, {}});
-    at->mesh = piece_mesh(complex_, std::move(c.tets));
+    at->mesh = piece_mesh(complex_, c.tets);
   }
   changed_.clear();
+  grouped_ = log_.size();
   return out;
+}
+
+std::optional<PieceEdit> Organ::cut_in_one_piece() const {
+  if (changed_.size() != 1) return std::nullopt;
+  std::vector<TetId> touched, slit;
+  for (std::size_t i = grouped_; i < log_.size(); ++i) {
+    if (log_[i].cause != TopologyCause::cut) return std::nullopt;
+    touched.insert(touched.end(), log_[i].touched.begin(), log_[i].touched.end());
+    for (const TopologyOp& op : log_[i].ops)
+      if (const auto* faces = std::get_if<SlitFaces>(&op))
+        for (const auto& [a, b] : faces->faces) slit.insert(slit.end(), {a, b});
+  }
+  if (!hang_together(complex_, slit)) return std::nullopt;
+  PieceEdit edit = edit_of(complex_, piece(*changed_.begin()).mesh, std::move(touched));
+  edit.body = *changed_.begin();
+  return edit;
+}
+
+void Organ::follow(const PieceEdit& edit) {
+  const auto piece =
+      std::find_if(pieces_.begin(), pieces_.end(), [&](const OrganPiece& p) { return p.body == edit.body; });
+  apply(complex_, edit, piece->mesh);
+  changed_.clear();
+  grouped_ = log_.size();
 }
 
 const OrganPiece& Organ::piece(std::size_t body) const {
@@ -176,8 +201,14 @@ Anatomy Organ::anatomy(const OrganPiece& piece, Numbering& numbering) const {
     return change.cause != TopologyCause::cut || change.taken_back;
   });
   if (uncut) return whole_;
+  PieceSurface skin = surface(piece);
+  numbering = std::move(skin.numbering);
+  return {piece.mesh.mesh, std::move(skin.surface), std::move(skin.embedding)};
+}
+
+PieceSurface Organ::surface(const OrganPiece& piece) const {
   return skinned(complex_, skin_, piece.mesh, static_cast<std::uint32_t>(whole_.surface.positions.size()),
-                 static_cast<std::uint32_t>(whole_.surface.triangles.size()), numbering);
+                 static_cast<std::uint32_t>(whole_.surface.triangles.size()));
 }
 
 }  // namespace prosector

@@ -15,7 +15,7 @@
 #include "server/physics/cutting/skin.h"
 #include "server/physics/cutting/tet_complex.h"
 #include "server/physics/cutting/volume_cut.h"
-#include "server/physics/organs/node_transfer.h"
+#include "server/physics/organs/organ_parts.h"
 #include "server/physics/topology.h"
 
 namespace prosector {
@@ -69,10 +69,17 @@ class Organ {
   };
   Regrouped regroup(std::size_t next_body);
   const OrganPiece& piece(std::size_t body) const;
+  /// Where the changes since the last regroup() are cuts in one piece that nothing came off: what they did to
+  /// its mesh.
+  std::optional<PieceEdit> cut_in_one_piece() const;
+  /// In place of regroup(): takes that piece along.
+  void follow(const PieceEdit& edit);
 
   /// The geometry of a piece: its tetrahedra, and as the surface their skin, walls of cuts as inner; the
   /// compiled mesh while no cut is in force; of what is no piece any more one tetrahedron without a surface.
   Anatomy anatomy(const OrganPiece& piece, Numbering& numbering) const;
+  /// The surface alone, of a piece that was cut.
+  PieceSurface surface(const OrganPiece& piece) const;
   const Anatomy& whole() const { return whole_; }  // as compiled
 
   /// A place in the log, and the pieces there, to go back to where what followed could not take effect.
@@ -103,7 +110,8 @@ class Organ {
   Skin skin_;
   TetTree tree_;                    // cache
   std::vector<std::size_t> owner_;  // by tetrahedron: the body that it is, or was, part of
-  std::set<std::size_t> changed_;   // bodies, since the last regroup()
+  std::set<std::size_t> changed_;   // bodies, since the last regroup() or follow()
+  std::size_t grouped_ = 0;         // entries of the log, then
   std::vector<OrganChange> log_;
   std::vector<OrganPiece> pieces_;  // by body
 };

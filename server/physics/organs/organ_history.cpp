@@ -30,6 +30,7 @@ void Organ::rewind(const Organ& then, ParticipantId author) {
     })->mesh = piece.mesh;
   }
   changed_.clear();
+  grouped_ = log_.size();
 }
 
 /// Appends to the log what was logged before, and does it to the tetrahedra; caches are the caller's.

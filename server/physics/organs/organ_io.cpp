@@ -44,8 +44,9 @@ Organ::Mark Organ::mark() const {
   Mark out;
   out.changes = log_.size();
   for (const OrganPiece& piece : pieces_)
-    out.pieces.emplace_back(piece.body,
-                            piece.whole() ? std::optional(piece.mesh.tets.front()) : std::nullopt);
+    out.pieces.emplace_back(piece.body, piece.whole() ? std::optional(*std::min_element(
+                                                            piece.mesh.tets.begin(), piece.mesh.tets.end()))
+                                                      : std::nullopt);
   return out;
 }
 
@@ -91,6 +92,7 @@ void Organ::load(ByteReader& in, std::size_t bodies) {
   const std::vector<std::vector<TetId>> found = prosector::pieces(complex_);
   pieces_.clear();
   changed_.clear();
+  grouped_ = log_.size();
   std::size_t used = 0;
   for (std::size_t left = in.count(bodies); left > 0; --left) {
     OrganPiece& piece = pieces_.emplace_back();

@@ -62,9 +62,15 @@ Anatomy without_edge_nodes(const Anatomy& anatomy) {
   return out;
 }
 
-PieceMesh piece_mesh(const TetComplex& complex, std::vector<TetId> tets) {
+PieceMesh piece_mesh(const TetComplex& complex, std::span<const TetId> tets) {
   PieceMesh out;
-  out.tets = std::move(tets);
+  std::vector<TetId> at_place(complex.tet_end(), TetComplex::none);
+  for (const TetId tet : tets) at_place[complex.place(tet)] = tet;
+  for (TetId place = 0; place < at_place.size(); ++place)
+    if (at_place[place] != TetComplex::none) {
+      out.tets.push_back(at_place[place]);
+      out.places.push_back(place);
+    }
   std::vector<std::uint32_t> index(complex.node_end(), unused);
   for (const TetId tet : out.tets)
     for (const NodeId node : complex.corners(tet)) index[node] = 0;
@@ -81,6 +87,59 @@ PieceMesh piece_mesh(const TetComplex& complex, std::vector<TetId> tets) {
   return out;
 }
 
+PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector<TetId> touched) {
+  PieceEdit out;
+  std::erase_if(touched, [&](TetId tet) { return !complex.has_tet(tet); });
+  std::sort(touched.begin(), touched.end(),
+            [&](TetId a, TetId b) { return complex.place(a) < complex.place(b); });
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  for (const TetId tet : touched)
+    for (const NodeId node : complex.corners(tet))
+      if (node > piece.nodes.back()) out.nodes.push_back(node);
+  std::sort(out.nodes.begin(), out.nodes.end());
+  out.nodes.erase(std::unique(out.nodes.begin(), out.nodes.end()), out.nodes.end());
+  for (const NodeId node : out.nodes) out.mesh.positions.push_back(complex.rest(node));
+  const auto index = [&](NodeId node) {
+    const bool is_new = node > piece.nodes.back();
+    const std::vector<NodeId>& among = is_new ? out.nodes : piece.nodes;
+    const auto at = std::lower_bound(among.begin(), among.end(), node) - among.begin();
+    return static_cast<std::uint32_t>(at) + static_cast<std::uint32_t>(is_new ? piece.nodes.size() : 0);
+  };
+  auto end = static_cast<std::uint32_t>(piece.tets.size());
+  for (const TetId tet : touched) {
+    const TetComplex::Corners& c = complex.corners(tet);
+    const MeshEdit::Corners corners = {index(c[0]), index(c[1]), index(c[2]), index(c[3])};
+    const auto at = std::lower_bound(piece.places.begin(), piece.places.end(), complex.place(tet));
+    if (at != piece.places.end()) {
+      const auto i = static_cast<std::uint32_t>(at - piece.places.begin());
+      const MeshEdit::Corners& before = piece.mesh.tets[i];
+      if (piece.tets[i] == tet && corners == before) continue;
+      out.mesh.tets.push_back(i);
+      out.mesh.corners_before.push_back(before);
+      out.mesh.nodes.insert(out.mesh.nodes.end(), before.begin(), before.end());
+    } else {
+      out.mesh.tets.push_back(end++);
+    }
+    out.mesh.corners.push_back(corners);
+    out.mesh.nodes.insert(out.mesh.nodes.end(), corners.begin(), corners.end());
+    out.tets.push_back(tet);
+  }
+  std::sort(out.mesh.nodes.begin(), out.mesh.nodes.end());
+  out.mesh.nodes.erase(std::unique(out.mesh.nodes.begin(), out.mesh.nodes.end()), out.mesh.nodes.end());
+  return out;
+}
+
+void apply(const TetComplex& complex, const PieceEdit& edit, PieceMesh& piece) {
+  piece.nodes.insert(piece.nodes.end(), edit.nodes.begin(), edit.nodes.end());
+  apply(edit.mesh, piece.mesh);
+  piece.tets.resize(piece.mesh.tets.size());
+  piece.places.resize(piece.mesh.tets.size());
+  for (std::size_t i = 0; i < edit.tets.size(); ++i) {
+    piece.tets[edit.mesh.tets[i]] = edit.tets[i];
+    piece.places[edit.mesh.tets[i]] = complex.place(edit.tets[i]);
+  }
+}
+
 std::vector<TetId> touched_by(const TetComplex& complex, const std::vector<TopologyOp>& ops) {
   std::vector<TetId> out;
   for (const TopologyOp& op : ops) std::visit(Touched{complex, out}, op);
@@ -89,11 +148,10 @@ std::vector<TetId> touched_by(const TetComplex& complex, const std::vector<Topol
   return out;
 }
 
-Anatomy skinned(const TetComplex& complex, const Skin& skin, const PieceMesh& piece,
-                std::uint32_t first_vertex, std::uint32_t first_triangle, Numbering& numbering) {
-  numbering = {piece.nodes, {}, {}};
-  Anatomy out;
-  out.tets = piece.mesh;
+PieceSurface skinned(const TetComplex& complex, const Skin& skin, const PieceMesh& piece,
+                     std::uint32_t first_vertex, std::uint32_t first_triangle) {
+  PieceSurface out;
+  out.numbering.nodes = piece.nodes;
   std::vector<char> in_piece(complex.tet_end(), 0);
   for (const TetId tet : piece.tets) in_piece[tet] = 1;
   std::vector<std::uint32_t> index(complex.node_end(), unused);  // by node
@@ -104,7 +162,7 @@ Anatomy skinned(const TetComplex& complex, const Skin& skin, const PieceMesh& pi
     if (triangle.corners[0] == triangle.corners[1] || !in_piece[skin.tet(slot)]) continue;
     out.surface.triangles.push_back(triangle.corners);
     out.surface.inner.push_back(triangle.inner ? 1 : 0);
-    numbering.triangles.push_back(first_triangle + slot);
+    out.numbering.triangles.push_back(first_triangle + slot);
     for (const std::uint32_t corner : triangle.corners) vertex[corner] = 0;
   }
   for (std::uint32_t slot = 0; slot < vertex.size(); ++slot) {
@@ -115,7 +173,7 @@ Anatomy skinned(const TetComplex& complex, const Skin& skin, const PieceMesh& pi
     row.node = {index[a], a == b ? 0 : index[b], 0, 0};
     row.weight = {a == b ? 1 : 0.5, a == b ? 0 : 0.5, 0, 0};
     out.surface.positions.push_back(a == b ? complex.rest(a) : Vec3((complex.rest(a) + complex.rest(b)) / 2));
-    numbering.vertices.push_back(first_vertex + slot);
+    out.numbering.vertices.push_back(first_vertex + slot);
   }
   for (auto& corners : out.surface.triangles)
     for (std::uint32_t& corner : corners) corner = vertex[corner];

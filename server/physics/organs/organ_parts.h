@@ -3,6 +3,7 @@
 
 #include "server/physics/cutting/skin.h"
 #include "server/physics/organs/node_transfer.h"
+#include "server/physics/soft/mesh_edit.h"
 #include "server/physics/topology.h"
 
 namespace prosector {
@@ -10,15 +11,34 @@ namespace prosector {
 /// The vertices alone; what hangs on the middle of an edge hangs on its ends.
 Anatomy without_edge_nodes(const Anatomy& anatomy);
 
-PieceMesh piece_mesh(const TetComplex& complex, std::vector<TetId> tets);
+PieceMesh piece_mesh(const TetComplex& complex, std::span<const TetId> tets);
+
+/// What a cut changed in a piece that nothing came off.
+struct PieceEdit {
+  std::size_t body = 0;
+  std::vector<NodeId> nodes;  // new ones
+  std::vector<TetId> tets;    // mesh.tets' ids
+  MeshEdit mesh;
+};
+
+/// Of tetrahedra of the piece that may have changed: children of its tetrahedra, or corners that were parted.
+PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector<TetId> touched);
+void apply(const TetComplex& complex, const PieceEdit& edit, PieceMesh& piece);
 
 /// Every tetrahedron that these changes, just made, took away, brought or joined otherwise; ascending.
 std::vector<TetId> touched_by(const TetComplex& complex, const std::vector<TopologyOp>& ops);
 
-/// A piece with its skin's triangles as its surface. Vertices and triangles are numbered by their slots, from
-/// `first_vertex` and `first_triangle` on.
-Anatomy skinned(const TetComplex& complex, const Skin& skin, const PieceMesh& piece,
-                std::uint32_t first_vertex, std::uint32_t first_triangle, Numbering& numbering);
+/// The surface of a piece, hanging on its nodes.
+struct PieceSurface {
+  TriangleMesh surface;
+  SparseMap embedding;
+  Numbering numbering;
+};
+
+/// Its skin's triangles. Vertices and triangles are numbered by their slots, from `first_vertex` and
+/// `first_triangle` on.
+PieceSurface skinned(const TetComplex& complex, const Skin& skin, const PieceMesh& piece,
+                     std::uint32_t first_vertex, std::uint32_t first_triangle);
 
 /// One tetrahedron, without a surface: what is left to be solved of a piece that was joined to another.
 Anatomy remnant(const Anatomy& whole);

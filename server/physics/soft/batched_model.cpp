@@ -18,6 +18,18 @@ BatchedModel::BatchedModel(const TetMesh& mesh, Connectivity connectivity,
       sums_(chunk_count(connectivity_.size(), elements_per_chunk)),
       moved_to_(VecX::Zero(rest_.size())) {}
 
+void BatchedModel::follow_elements(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) {
+  const Eigen::Index known = rest_.size();
+  rest_.conservativeResize(known + 3 * static_cast<Eigen::Index>(edit.positions.size()));
+  rest_.tail(rest_.size() - known) = to_vector(edit.positions);
+  connectivity_.follow(edit);
+  incidence_.follow(connectivity_, edit);
+  batches_->follow(desc, mesh, edit);
+  sums_.resize(chunk_count(connectivity_.size(), elements_per_chunk_));
+  moved_to_.setZero(rest_.size());
+  moved_ = energy_known_ = forces_known_ = false;
+}
+
 /// Whether the elements are at x: Newton asks for energy, gradient and Hessian at the same place, and the
 /// next step starts where the last one ended. Otherwise the caller puts them there.
 bool BatchedModel::take(const double* x) {

@@ -36,6 +36,10 @@ class BatchedModel : public ElasticModel {
   void relax_fully() final;
 
  protected:
+  /// Those of the elements that the derived class has taken along already.
+  void follow_elements(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit);
+  const Incidence& incidence() const { return incidence_; }
+
   BatchedModel(const TetMesh& mesh, Connectivity connectivity, std::unique_ptr<ElementBatches> batches,
                std::size_t elements_per_chunk);
 

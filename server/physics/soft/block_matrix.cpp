@@ -6,6 +6,7 @@
 #include <array>
 
 #include "server/physics/parallel.h"
+#include "server/physics/soft/table_rows.h"
 
 namespace prosector {
 namespace {
@@ -14,8 +15,7 @@ constexpr std::size_t rows_per_chunk = 128, rows_found_at_once = 512;
 
 /// What a run of rows has, end to end.
 struct Rows {
-  std::vector<std::uint32_t> column, place;
-  std::vector<std::size_t> columns, places;  // how many of each row
+  FreshRows<std::uint32_t> columns, places;
 };
 
 /// By node, of one thread: the row that saw it last, plus one, and where it is in that row.
@@ -26,31 +26,33 @@ struct Seen {
 
 void find_columns(const Connectivity& elements, const Incidence& incidence, std::uint32_t row, Seen& seen,
                   Rows& out) {
-  const std::size_t first = out.column.size();
+  std::vector<std::uint32_t>& column = out.columns.values;
+  const std::size_t first = column.size();
   const auto see = [&](std::uint32_t node) {
     if (seen.by_row[node] == row + 1) return;
     seen.by_row[node] = row + 1;
-    out.column.push_back(node);
+    column.push_back(node);
   };
   see(row);
   for (const std::uint32_t corner : incidence.corners(row))
     for (const std::uint32_t node : elements.element(elements.element_of(corner))) see(node);
-  std::sort(out.column.begin() + static_cast<std::ptrdiff_t>(first), out.column.end());
-  out.columns.push_back(out.column.size() - first);
+  std::sort(column.begin() + static_cast<std::ptrdiff_t>(first), column.end());
+  out.columns.counts.push_back(column.size() - first);
   std::uint32_t right = 0;  // of the diagonal
-  for (std::size_t k = first; k < out.column.size(); ++k)
-    if (out.column[k] > row) seen.place[out.column[k]] = right++;
+  for (std::size_t k = first; k < column.size(); ++k)
+    if (column[k] > row) seen.place[column[k]] = right++;
 }
 
 void find_places(const Connectivity& elements, const Incidence& incidence, std::uint32_t row,
                  const Seen& seen, Rows& out) {
-  const std::size_t first = out.place.size();
+  std::vector<std::uint32_t>& place = out.places.values;
+  const std::size_t first = place.size();
   for (const std::uint32_t corner : incidence.corners(row)) {
     const std::size_t e = elements.element_of(corner);
     for (const std::uint32_t node : elements.element(e).subspan(corner - elements.first_corner(e) + 1))
-      out.place.push_back(seen.place[node]);
+      place.push_back(seen.place[node]);
   }
-  out.places.push_back(out.place.size() - first);
+  out.places.counts.push_back(place.size() - first);
 }
 
 }  // namespace
@@ -70,20 +72,38 @@ BlockPattern::BlockPattern(const Connectivity& elements)
   std::vector<std::array<std::size_t, 2>> start;  // of each run, in column_ and in place_
   for (const Rows& rows : runs) {
     start.push_back({row_begin_.back(), place_begin_.back()});
-    for (const std::size_t n : rows.columns) row_begin_.push_back(row_begin_.back() + n);
-    for (const std::size_t n : rows.places) place_begin_.push_back(place_begin_.back() + n);
+    for (const std::size_t n : rows.columns.counts) row_begin_.push_back(row_begin_.back() + n);
+    for (const std::size_t n : rows.places.counts) place_begin_.push_back(place_begin_.back() + n);
   }
   column_.resize(row_begin_.back());
   place_.resize(place_begin_.back());
   parallel_chunks(runs.size(), 1, [&](std::size_t, std::size_t, std::size_t run) {
-    std::copy(runs[run].column.begin(), runs[run].column.end(), column_.data() + start[run][0]);
-    std::copy(runs[run].place.begin(), runs[run].place.end(), place_.data() + start[run][1]);
+    const auto &columns = runs[run].columns.values, &places = runs[run].places.values;
+    std::copy(columns.begin(), columns.end(), column_.data() + start[run][0]);
+    std::copy(places.begin(), places.end(), place_.data() + start[run][1]);
   });
-  // Rows ascend, and so do the columns left of a row's diagonal.
+  find_mirrors();
+}
+
+void BlockPattern::follow(const MeshEdit& edit) {
+  incidence_.follow(elements_, edit);
+  Rows rows;
+  Seen seen(elements_.nodes());
+  for (const std::uint32_t node : edit.nodes) {
+    find_columns(elements_, incidence_, node, seen, rows);
+    find_places(elements_, incidence_, node, seen, rows);
+  }
+  replace_rows(std::span(edit.nodes), rows.columns, row_begin_, column_);
+  replace_rows(std::span(edit.nodes), rows.places, place_begin_, place_);
+  find_mirrors();
+}
+
+/// Rows ascend, and so do the columns left of a row's diagonal.
+void BlockPattern::find_mirrors() {
   std::vector<std::size_t> next(row_begin_.begin(), row_begin_.end() - 1);
   mirror_.resize(column_.size());
-  diagonal_.resize(nodes);
-  for (std::size_t i = 0; i < nodes; ++i) {
+  diagonal_.resize(rows());
+  for (std::size_t i = 0; i < rows(); ++i) {
     diagonal_[i] = next[i];
     for (std::size_t k = diagonal_[i] + 1; k < end(i); ++k) mirror_[k] = next[column_[k]]++;
   }

@@ -15,6 +15,8 @@ class BlockPattern {
  public:
   /// `elements` must outlive this.
   explicit BlockPattern(const Connectivity& elements);
+  /// To the elements as they are after they followed `edit`: what its nodes' rows have is found anew.
+  void follow(const MeshEdit& edit);
 
   std::size_t rows() const { return row_begin_.size() - 1; }
   std::size_t blocks() const { return column_.size(); }
@@ -41,6 +43,7 @@ class BlockPattern {
   void multiply(std::span<const Mat3> values, const double* x, double* y) const;
 
  private:
+  void find_mirrors();
   void close_rows(std::span<Mat3> values) const;
 
   const Connectivity& elements_;

@@ -19,11 +19,20 @@ std::vector<Mat3> rest_stiffness(const SoftSystem& system) {
 }  // namespace
 
 BodyHessian::BodyHessian(const SoftSystem& system, StageElements& elements)
-    : system_(system), elements_(elements), rows_(system.symmetric), diagonal_(system.pattern.rows()) {
-  if (!turns() || system.desc.solver == "direct") blocks_.resize(system.pattern.blocks());
-  rest_stiffness_ = system.model.rest_trace() / static_cast<double>(3 * nodes());
-  if (system.desc.solver == "direct") cholesky_ = std::make_unique<Cholesky>(system.pattern);
-  if (system.desc.solver == "multigrid") make_coarse_levels();
+    : system_(system), elements_(elements), rows_(system.symmetric) {
+  fit();
+}
+
+void BodyHessian::fit() {
+  rows_.fit(system_.symmetric);
+  diagonal_.resize(system_.pattern.rows());
+  if (!turns() || system_.desc.solver == "direct") blocks_.resize(system_.pattern.blocks());
+  rest_stiffness_ = system_.model.rest_trace() / static_cast<double>(3 * nodes());
+  blocks_known_ = rows_known_ = factored_ = multigrid_set_ = multigrid_turned_ = false;
+  cholesky_.reset();
+  multigrid_.reset();
+  if (system_.desc.solver == "direct") cholesky_ = std::make_unique<Cholesky>(system_.pattern);
+  if (system_.desc.solver == "multigrid") make_coarse_levels();
 }
 
 void BodyHessian::make_coarse_levels() {

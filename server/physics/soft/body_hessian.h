@@ -17,6 +17,8 @@ class BodyHessian {
  public:
   /// Both must outlive this. Allocates all that the scene's solver needs.
   BodyHessian(const SoftSystem& system, StageElements& elements);
+  /// To the system as it is, as if made anew.
+  void fit();
 
   /// Also begins the stage of the elements. `start`: 3n, m, must outlive the stage.
   void begin_stage(const VecX& start, const StageWeights& weights);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/math.h"
+#include "server/physics/soft/mesh_edit.h"
 
 namespace prosector {
 
@@ -18,6 +19,9 @@ class Connectivity {
   explicit Connectivity(std::size_t nodes) : nodes_(nodes) {}
   /// `element`: ascending nodes, in range.
   void add(std::span<const std::uint32_t> element);
+  /// Of linear tetrahedra, one each in the mesh's order, each with its nodes sorted: as the mesh so edited
+  /// has them.
+  void follow(const MeshEdit& edit);
   /// Room for so many elements of so many corners each.
   void reserve(std::size_t elements, std::size_t corners_each);
 
@@ -55,6 +59,8 @@ class Connectivity {
 class Incidence {
  public:
   explicit Incidence(const Connectivity& elements);
+  /// To the elements as they are after they followed `edit`.
+  void follow(const Connectivity& elements, const MeshEdit& edit);
 
   /// Corners of node i, ascending.
   std::span<const std::uint32_t> corners(std::size_t node) const {

@@ -48,6 +48,12 @@ class ElasticModel {
   /// same pass over the elements. Allocates at the first call for `out`.
   virtual void linearise(const double* /*x*/, double /*share*/, TurnedElements& /*out*/) {}
 
+  // ---- Following a cut
+  /// Whether follow() will do: elements are the mesh's tetrahedra, all of them, and none becomes flat.
+  virtual bool can_follow(const MeshEdit& /*edit*/) const { return false; }
+  /// As if made anew of `mesh`, which was edited so, bit for bit.
+  virtual void follow(const SoftDesc& /*desc*/, const TetMesh& /*mesh*/, const MeshEdit& /*edit*/) {}
+
   // ---- Viscoelastic relaxation, see relaxation.h; nothing to bodies without.
   /// Numbers of history that a state carries.
   virtual std::size_t history_size() const { return 0; }

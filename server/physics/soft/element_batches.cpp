@@ -4,6 +4,7 @@
 
 #include "server/physics/parallel.h"
 #include "server/physics/soft/corotational_kernel.h"
+#include "server/physics/soft/node_vectors.h"
 
 namespace prosector {
 namespace {
@@ -20,7 +21,8 @@ ElementBatches::ElementBatches(const Materials& materials, const Tet4Elements& e
     : materials_(materials),
       elements_(elements),
       rest_(chunk_count(elements.size(), elements_per_batch)),
-      strain_(rest_.size()) {
+      strain_(rest_.size()),
+      trace_(rest_.size()) {
   parallel_chunks(rest_.size(), batches_per_chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t batch = begin; batch < end; ++batch) set_rest(batch);
   });
@@ -36,24 +38,41 @@ void ElementBatches::set_rest(std::size_t batch) {
     rest_[batch].lambda[lane] = lame.lambda;
     rest_[batch].mu[lane] = lame.mu;
   }
+  set_trace(batch);
 }
 
 // tr K_aa = V(λ + 4μ)|b_a|².
-double ElementBatches::hooke_trace() const {
+void ElementBatches::set_trace(std::size_t batch) {
+  const LaneRest& rest = rest_[batch];
   double sum = 0;
-  for (const LaneRest& rest : rest_) {
-    for (std::size_t lane = 0; lane < elements_per_batch; ++lane) {
-      double squares = 0, own[3] = {0, 0, 0};
-      for (std::size_t k = 0; k < 9; ++k) {
-        const double entry = rest.gradients.at[k][lane];
-        squares += entry * entry;
-        own[k % 3] += entry;
-      }
-      squares += own[0] * own[0] + own[1] * own[1] + own[2] * own[2];
-      sum += rest.volume[lane] * (rest.lambda[lane] + 4 * rest.mu[lane]) * squares;
+  for (std::size_t lane = 0; lane < elements_per_batch; ++lane) {
+    double squares = 0, own[3] = {0, 0, 0};
+    for (std::size_t k = 0; k < 9; ++k) {
+      const double entry = rest.gradients.at[k][lane];
+      squares += entry * entry;
+      own[k % 3] += entry;
     }
+    squares += own[0] * own[0] + own[1] * own[1] + own[2] * own[2];
+    sum += rest.volume[lane] * (rest.lambda[lane] + 4 * rest.mu[lane]) * squares;
   }
-  return sum;
+  trace_[batch] = sum;
+}
+
+double ElementBatches::hooke_trace() const {
+  return ordered_sum(trace_);
+}
+
+void ElementBatches::follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) {
+  if (!materials_.kind.empty()) {
+    materials_.kind.resize(elements_.size());
+    for (const std::uint32_t tet : edit.tets) materials_.kind[tet] = kind_of(desc, mesh, tet);
+  }
+  rest_.resize(chunk_count(elements_.size(), elements_per_batch));
+  strain_.resize(rest_.size());
+  trace_.resize(rest_.size());
+  std::size_t set = rest_.size();  // the batch last set
+  for (const std::uint32_t e : edit.tets)
+    if (const std::size_t batch = e / elements_per_batch; batch != set) set_rest(set = batch);
 }
 
 void ElementBatches::set_pressures(std::size_t batch, std::span<const double> pressure) {

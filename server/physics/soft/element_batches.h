@@ -20,6 +20,11 @@ class ElementBatches {
   ElementBatches(const Materials& materials, const Tet4Elements& elements);
   virtual ~ElementBatches() = default;
 
+  /// Whether follow() will do.
+  virtual bool can_follow() const { return true; }
+  /// To the elements as they are after they followed `edit`, of a body's linear tetrahedra.
+  virtual void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit);
+
   /// Whether turning the whole body turns its forces along.
   virtual bool objective() const { return true; }
   /// Puts a batch at node positions x (3n): what all below share is computed once.
@@ -56,13 +61,16 @@ class ElementBatches {
   /// F of the batch at x, into `strain`.
   void deform(std::size_t batch, const double* x);
 
-  const Materials materials_;
+  Materials materials_;
   const Tet4Elements& elements_;
   std::vector<LaneRest> rest_;
   std::vector<LaneStrain> strain_;
 
  private:
   void set_rest(std::size_t batch);
+  void set_trace(std::size_t batch);
+
+  std::vector<double> trace_;  // N/m: of Hooke's stiffness at rest, of each batch
 };
 
 /// From a law, one for each material; `elements` must outlive the result.

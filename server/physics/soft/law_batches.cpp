@@ -14,6 +14,11 @@ class LawBatches final : public ElementBatches {
     for (const Material& material : materials.kinds) laws_.push_back(make(material));
   }
 
+  void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) override {
+    ElementBatches::follow(desc, mesh, edit);
+    F_.resize(elements_.size());
+  }
+
   bool objective() const override { return laws_.front()->objective(); }
   void move(std::size_t batch, const double* x) override {
     deform(batch, x);

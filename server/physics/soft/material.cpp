@@ -64,6 +64,15 @@ Materials Materials::at(std::span<const std::uint32_t> source) const {
   return out;
 }
 
+std::uint32_t kind_of(const SoftDesc& desc, const TetMesh& mesh, std::size_t tet) {
+  Vec3 middle = Vec3::Zero();
+  for (const std::uint32_t node : mesh.tets[tet]) middle += mesh.positions[node] / 4;
+  std::uint32_t kind = 0;
+  for (std::uint32_t r = 0; r < desc.regions.size(); ++r)
+    if (contains(desc.regions[r], middle)) kind = r + 1;
+  return kind;
+}
+
 Materials make_materials(const SoftDesc& desc, const TetMesh& mesh) {
   Materials out =
       make_material(desc.youngs_modulus, desc.poisson_ratio, desc.fiber_stiffness, desc.fiber_direction);
@@ -77,14 +86,7 @@ Materials make_materials(const SoftDesc& desc, const TetMesh& mesh) {
   if (desc.model == "xpbd") bound_for_xpbd(out);
   if (desc.regions.empty()) return out;
   out.kind.reserve(mesh.tets.size());
-  for (const auto& tet : mesh.tets) {
-    Vec3 middle = Vec3::Zero();
-    for (const std::uint32_t node : tet) middle += mesh.positions[node] / 4;
-    std::uint32_t kind = 0;
-    for (std::uint32_t r = 0; r < desc.regions.size(); ++r)
-      if (contains(desc.regions[r], middle)) kind = r + 1;
-    out.kind.push_back(kind);
-  }
+  for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet) out.kind.push_back(kind_of(desc, mesh, tet));
   return out;
 }
 

@@ -42,6 +42,9 @@ struct Materials {
 /// shape.
 inline constexpr double most_xpbd_lambda = 499;
 
+/// The kind that a tetrahedron of `mesh` is of.
+std::uint32_t kind_of(const SoftDesc& desc, const TetMesh& mesh, std::size_t tet);
+
 /// Of the tetrahedra of `mesh`, which is in the room frame; for model "xpbd" with its bound on λ. Throws
 /// InputError that names the region and what is allowed for constants out of range.
 Materials make_materials(const SoftDesc& desc, const TetMesh& mesh);

@@ -37,6 +37,7 @@ class RelaxingBatches final : public ElementBatches {
   /// The batch is at the step's end, with pressures set.
   void end_step(std::size_t batch, double* history) const;
 
+  bool can_follow() const override { return false; }  // its history starts anew
   bool objective() const override { return law_->objective(); }
   void move(std::size_t batch, const double* x) override;
   double energy(std::size_t batch) const override;

@@ -110,9 +110,21 @@ struct SoftBody::Impl {
     euler = make_integrator("implicit_euler");
     if (d.element == "tet10") eighths = divided(anatomy.tets);
     integrator = make_integrator(substepper ? "implicit_euler" : d.integrator);
+    start_anew();
+  }
+
+  /// Nothing is known of any step.
+  void start_anew() {
     stepping = integrator.get();
+    relaxed = false;
+    history = {};
     for (VecX* v : {&x_n, &stage.y, &stage.x_v, &stage.v_h, &remembered.x, &remembered.v})
-      *v = VecX::Zero(rest().size());
+      v->setZero(rest().size());
+  }
+
+  void weigh() {
+    inertia = mass / strength;
+    attached = (tied ? 1 / strength : 0) * ties;
   }
 
   void build_on_inertia() {
@@ -179,10 +191,35 @@ void SoftBody::set_in_force(double stiffness, bool attached) {
   if (stiffness == m.strength && attached == m.tied) return;
   m.strength = stiffness;
   m.tied = attached;
-  m.inertia = m.mass / stiffness;
-  m.attached = (attached ? 1 / stiffness : 0) * m.ties;
+  m.weigh();
   m.build_on_inertia();
   if (m.recovery) m.recovery->set_in_force(stiffness, attached);
+}
+
+bool SoftBody::can_follow(const MeshEdit& edit) const {
+  const Impl& m = *impl_;
+  return !m.substepper && m.eighths.tets.empty() && m.model->can_follow(edit);
+}
+
+void SoftBody::follow(const MeshEdit& edit, TriangleMesh surface, SparseMap embedding) {
+  Impl& m = *impl_;
+  apply(edit, m.anatomy.tets);
+  m.anatomy.surface = std::move(surface);
+  m.anatomy.embedding = std::move(embedding);
+  m.model->follow(m.desc, m.anatomy.tets, edit);
+  m.pattern.follow(edit);
+  m.symmetric.fit(m.pattern);
+  m.mass = lumped_mass(m.desc.density, m.model->volume());
+  m.ties = prosector::attachment_stiffness(m.desc.attach, m.model->rest(), m.model->volume());
+  m.weigh();
+  m.recovery.reset();
+  m.area = vertex_areas(m.anatomy);
+  m.diagonal = bounding_diagonal(m.model->rest());
+  m.elements.fit();
+  m.damping.fit(m.node_count());
+  m.hessian->fit();
+  m.node_sum = NodeSum(m.node_count());
+  m.start_anew();
 }
 
 bool SoftBody::attached() const {

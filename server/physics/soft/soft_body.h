@@ -16,6 +16,7 @@
 #include "common/scene/scene.h"
 #include "server/physics/soft/constitutive_law.h"
 #include "server/physics/soft/linear_solver.h"
+#include "server/physics/soft/mesh_edit.h"
 #include "server/physics/soft/soft_state.h"
 #include "server/physics/soft/unfold.h"
 
@@ -48,6 +49,13 @@ class SoftBody {
   std::size_t dropped_elements() const;      // degenerate ones
   const VecX& attachment_stiffness() const;  // n, N/m, as described; 0: free
   std::uint64_t content_hash() const;        // connectivity, rest shape, masses: topology revision 0
+
+  // ---- Following a cut: between steps
+  /// Whether follow() will do, else it has to be made anew.
+  bool can_follow(const MeshEdit& edit) const;
+  /// As if made anew of its mesh so edited and of another surface, bit for bit, and under the same
+  /// set_in_force(); what the edit leaves as it is is kept.
+  void follow(const MeshEdit& edit, TriangleMesh surface, SparseMap embedding);
 
   SoftBodyState initial_state() const;  // rest shape, at rest, asleep
   const VecX& rest() const;             // m, node positions of the rest shape

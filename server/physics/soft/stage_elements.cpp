@@ -13,7 +13,17 @@ constexpr double same_tangent = 0.1;
 StageElements::StageElements(const SoftSystem& system, bool in_double) : system_(system) {
   if (system.model.turns()) turned_.emplace(system.model.connectivity(), system.pattern, system.symmetric);
   if (in_double && system.damped()) blocks_.resize(system.pattern.blocks());
-  for (Linearised* place : {&first_, &later_}) place->at = VecX::Zero(system.model.rest().size());
+  fit();
+}
+
+void StageElements::fit() {
+  if (turned_) turned_->fit();
+  for (Linearised* place : {&first_, &later_}) {
+    place->at.setZero(system_.model.rest().size());
+    place->known = false;
+  }
+  present_ = assembled_ = nullptr;
+  blocks_known_ = false;
 }
 
 void StageElements::begin_stage(const VecX& start, double scale, bool single) {

@@ -20,6 +20,8 @@ class StageElements {
   /// What `system` refers to must outlive this. `in_double`: whether blocks will be asked for from the start;
   /// else they are made when they are.
   StageElements(const SoftSystem& system, bool in_double);
+  /// To the system as it is; nothing is known.
+  void fit();
 
   /// Positions x are 3n, m. `start`: the step's, which must outlive the stage. `single`: whether single
   /// precision will do.

@@ -3,11 +3,16 @@
 namespace prosector {
 
 StiffnessDamping::StiffnessDamping(const SoftSystem& system, StageElements& elements)
-    : pattern_(system.pattern),
-      elements_(elements),
-      sum_(static_cast<std::size_t>(system.mass.size())),
-      drift_(VecX::Zero(system.model.rest().size())),
-      forces_(drift_) {}
+    : pattern_(system.pattern), elements_(elements), sum_(static_cast<std::size_t>(system.mass.size())) {
+  fit(static_cast<std::size_t>(system.mass.size()));
+}
+
+void StiffnessDamping::fit(std::size_t nodes) {
+  sum_ = NodeSum(nodes);
+  drift_.setZero(3 * static_cast<Eigen::Index>(nodes));
+  forces_.setZero(drift_.size());
+  known_ = forces_known_ = false;
+}
 
 void StiffnessDamping::begin_stage(const VecX& x_v) {
   x_v_ = &x_v;

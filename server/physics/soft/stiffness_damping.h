@@ -12,6 +12,8 @@ class StiffnessDamping {
  public:
   /// Both must outlive this.
   StiffnessDamping(const SoftSystem& system, StageElements& elements);
+  /// To so many nodes; nothing is known.
+  void fit(std::size_t nodes);
 
   /// x_v: 3n, m, must outlive the stage.
   void begin_stage(const VecX& x_v);

@@ -9,7 +9,10 @@ constexpr std::size_t rows_per_chunk = 256;
 
 }  // namespace
 
-SymmetricPattern::SymmetricPattern(const BlockPattern& pattern) : begin_{0}, mirrored_begin_{0} {
+void SymmetricPattern::fit(const BlockPattern& pattern) {
+  begin_.assign(1, 0);
+  mirrored_begin_.assign(1, 0);
+  column_.clear();
   column_.reserve(pattern.blocks() / 2);
   for (std::size_t i = 0; i < pattern.rows(); ++i) {
     for (std::size_t k = pattern.diagonal(i) + 1; k < pattern.end(i); ++k)

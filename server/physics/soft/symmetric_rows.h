@@ -14,7 +14,8 @@ namespace prosector {
 /// from the rows above.
 class SymmetricPattern {
  public:
-  explicit SymmetricPattern(const BlockPattern& pattern);
+  explicit SymmetricPattern(const BlockPattern& pattern) { fit(pattern); }
+  void fit(const BlockPattern& pattern);
 
   std::size_t rows() const { return begin_.size() - 1; }
   std::size_t blocks() const { return column_.size(); }
@@ -42,8 +43,12 @@ class SymmetricPattern {
 /// the diagonal ones are minus their sums in double, so that rounding makes no force of a translation, and
 /// momentum is conserved as in double.
 struct SymmetricRows {
-  explicit SymmetricRows(const SymmetricPattern& pattern)
-      : right(9 * pattern.blocks() + 1), diagonal(pattern.rows()) {}
+  explicit SymmetricRows(const SymmetricPattern& pattern) { fit(pattern); }
+  /// To the pattern as it is; its values are anything.
+  void fit(const SymmetricPattern& pattern) {
+    right.resize(9 * pattern.blocks() + 1);
+    diagonal.resize(pattern.rows());
+  }
 
   /// share·(a double matrix of `pattern`), but the diagonal.
   void set(const SymmetricPattern& own, const BlockPattern& pattern, double share,

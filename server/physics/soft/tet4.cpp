@@ -11,13 +11,16 @@ namespace {
 
 constexpr std::size_t tets_per_chunk = 512;
 
-/// Edges from node 0 as columns.
-Mat3 rest_edges(const TetMesh& mesh, const Tet4Elements::Nodes& tet) {
+/// Edges from node 0 as columns; `at`: of a node.
+template <class At>
+Mat3 edges_of(const Tet4Elements::Nodes& tet, const At& at) {
   Mat3 D;
-  for (int a = 0; a < 3; ++a) {
-    D.col(a) = mesh.positions[tet[static_cast<std::size_t>(a) + 1]] - mesh.positions[tet[0]];
-  }
+  for (int a = 0; a < 3; ++a) D.col(a) = at(tet[static_cast<std::size_t>(a) + 1]) - at(tet[0]);
   return D;
+}
+
+Mat3 rest_edges(const TetMesh& mesh, const Tet4Elements::Nodes& tet) {
+  return edges_of(tet, [&](std::uint32_t node) -> const Vec3& { return mesh.positions[node]; });
 }
 
 double longest_edge(const Mat3& D) {
@@ -27,26 +30,53 @@ double longest_edge(const Mat3& D) {
   return std::sqrt(std::max(from_0, others));
 }
 
+bool usable(const Mat3& D) {
+  const double length = longest_edge(D);
+  return std::abs(D.determinant()) > Tet4Elements::least_quality * length * length * length;
+}
+
 }  // namespace
 
 Tet4Elements::Tet4Elements(const TetMesh& mesh, double share)
-    : nodes_(mesh.tets.size()),
+    : share_(share),
+      nodes_(mesh.tets.size()),
       source_(mesh.tets.size()),
       gradients_(mesh.tets.size()),
       volume_(mesh.tets.size()) {
   parallel_chunks(mesh.tets.size(), tets_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t t = first; t < last; ++t) {
-      nodes_[t] = mesh.tets[t];
-      source_[t] = static_cast<std::uint32_t>(t);
-      std::sort(nodes_[t].begin(), nodes_[t].end());
-      const Mat3 D = rest_edges(mesh, nodes_[t]);
-      const double six_volumes = std::abs(D.determinant()), length = longest_edge(D);
-      const bool usable = six_volumes > least_quality * length * length * length;
-      volume_[t] = usable ? share * (six_volumes / 6) : 0;
-      gradients_[t] = usable ? Mat3(D.inverse().transpose()) : Mat3(Mat3::Zero());
-    }
+    for (std::size_t t = first; t < last; ++t) set(t, mesh);
   });
   drop_unusable();
+}
+
+/// Element e of tetrahedron e; of no volume where it is to be left out.
+void Tet4Elements::set(std::size_t e, const TetMesh& mesh) {
+  nodes_[e] = mesh.tets[e];
+  source_[e] = static_cast<std::uint32_t>(e);
+  std::sort(nodes_[e].begin(), nodes_[e].end());
+  const Mat3 D = rest_edges(mesh, nodes_[e]);
+  const bool kept = usable(D);
+  volume_[e] = kept ? share_ * (std::abs(D.determinant()) / 6) : 0;
+  gradients_[e] = kept ? Mat3(D.inverse().transpose()) : Mat3(Mat3::Zero());
+}
+
+bool Tet4Elements::can_follow(const VecX& rest, const MeshEdit& edit) const {
+  const auto known = static_cast<std::size_t>(rest.size() / 3);
+  const auto at = [&](std::uint32_t node) -> Vec3 {
+    return node < known ? Vec3(rest.segment<3>(3 * Eigen::Index{node})) : edit.positions[node - known];
+  };
+  return dropped_ == 0 && std::all_of(edit.corners.begin(), edit.corners.end(), [&](Nodes tet) {
+           std::sort(tet.begin(), tet.end());
+           return usable(edges_of(tet, at));
+         });
+}
+
+void Tet4Elements::follow(const TetMesh& mesh, const MeshEdit& edit) {
+  nodes_.resize(mesh.tets.size());
+  source_.resize(mesh.tets.size());
+  gradients_.resize(mesh.tets.size());
+  volume_.resize(mesh.tets.size());
+  for (const std::uint32_t e : edit.tets) set(e, mesh);
 }
 
 /// Those without a volume.
@@ -101,11 +131,14 @@ void Tet4Elements::stiffness(std::size_t e, const Mat9& dPdF, Stiffness& K) cons
   }
 }
 
+double Tet4Elements::lumped_share(const TetMesh& mesh, std::size_t tet) {
+  return std::abs(rest_edges(mesh, mesh.tets[tet]).determinant()) / 24;
+}
+
 VecX Tet4Elements::lumped_volume(const TetMesh& mesh) {
   std::vector<double> share(mesh.tets.size());
   parallel_chunks(mesh.tets.size(), tets_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t t = first; t < last; ++t)
-      share[t] = std::abs(rest_edges(mesh, mesh.tets[t]).determinant()) / 24;
+    for (std::size_t t = first; t < last; ++t) share[t] = lumped_share(mesh, t);
   });
   VecX volume = VecX::Zero(static_cast<Eigen::Index>(mesh.positions.size()));
   for (std::size_t t = 0; t < mesh.tets.size(); ++t)

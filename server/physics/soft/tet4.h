@@ -9,6 +9,7 @@
 
 #include "common/mesh.h"
 #include "server/physics/soft/constitutive_law.h"
+#include "server/physics/soft/mesh_edit.h"
 
 namespace prosector {
 
@@ -37,6 +38,12 @@ class Tet4Elements {
   std::span<const std::uint32_t> source() const { return source_; }
   double volume(std::size_t e) const { return volume_[e]; }  // m³, at rest
 
+  /// Whether the mesh of these elements, none of which was left out, has none to leave out once it is edited
+  /// so. `rest`: 3n, m, before.
+  bool can_follow(const VecX& rest, const MeshEdit& edit) const;
+  /// To `mesh`, which was edited so.
+  void follow(const TetMesh& mesh, const MeshEdit& edit);
+
   /// Columns b_1, b_2, b_3; b_0 = −(b_1 + b_2 + b_3).
   const Mat3& gradients(std::size_t e) const { return gradients_[e]; }
   /// Columns x_a − x_0 at node positions x (3n).
@@ -49,13 +56,17 @@ class Tet4Elements {
   /// m³ of each node: a quarter of every tetrahedron around it, dropped ones included. Times the density
   /// this is the lumped mass.
   static VecX lumped_volume(const TetMesh& mesh);
+  /// A node's share of a tetrahedron, m³.
+  static double lumped_share(const TetMesh& mesh, std::size_t tet);
 
   /// 6V over the cube of the longest edge; 0.71 for the regular tetrahedron.
   static constexpr double least_quality = 1e-4;
 
  private:
+  void set(std::size_t e, const TetMesh& mesh);
   void drop_unusable();
 
+  double share_;
   std::vector<Nodes> nodes_;
   std::vector<std::uint32_t> source_;
   std::vector<Mat3> gradients_;

@@ -41,6 +41,10 @@ class Tet4Model final : private Tet4Parts, public BatchedModel {
 
   const VecX& volume() const override { return volume_; }
   std::size_t dropped_elements() const override { return elements.dropped(); }
+  bool can_follow(const MeshEdit& edit) const override {
+    return batches().can_follow() && elements.can_follow(rest(), edit);
+  }
+  void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) override;
   double rest_trace() override { return turns() ? batches().hooke_trace() : ElasticModel::rest_trace(); }
 
  private:
@@ -73,6 +77,19 @@ class Tet4Model final : private Tet4Parts, public BatchedModel {
   std::vector<Forces> forces_;
   std::vector<Stiffness> stiffness_;
 };
+
+void Tet4Model::follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) {
+  elements.follow(mesh, edit);
+  follow_elements(desc, mesh, edit);
+  volume_.conservativeResize(static_cast<Eigen::Index>(mesh.positions.size()));
+  for (const std::uint32_t node : edit.nodes) {
+    double sum = 0;  // in the order of the elements, as lumped_volume() has it
+    for (const std::uint32_t corner : incidence().corners(node))
+      sum += Tet4Elements::lumped_share(mesh, connectivity().element_of(corner));
+    volume_[node] = sum;
+  }
+  forces_.resize(elements.size());
+}
 
 }  // namespace
 

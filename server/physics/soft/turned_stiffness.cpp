@@ -209,12 +209,15 @@ HWY_EXPORT(quadratic_products);
 
 TurnedStiffness::TurnedStiffness(const Connectivity& elements, const BlockPattern& blocks,
                                  const SymmetricPattern& pattern)
-    : connectivity_(elements),
-      blocks_(blocks),
-      pattern_(pattern),
-      forces_(elements.corners()),
-      moved_(4 * elements.nodes()),
-      sums_(chunk_count(elements.size(), elements_per_chunk)) {}
+    : connectivity_(elements), blocks_(blocks), pattern_(pattern) {
+  fit();
+}
+
+void TurnedStiffness::fit() {
+  forces_.resize(connectivity_.corners());
+  moved_.resize(4 * connectivity_.nodes());
+  sums_.resize(chunk_count(connectivity_.size(), elements_per_chunk));
+}
 
 void TurnedStiffness::assemble(const TurnedElements& elements, SymmetricRows& K) const {
   const TurnedRows rows = {blocks_, pattern_, elements};

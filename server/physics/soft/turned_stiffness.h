@@ -19,6 +19,9 @@ class TurnedStiffness {
   /// Of elements with 4 corners and one point or with 10 and four. All must outlive this.
   TurnedStiffness(const Connectivity& elements, const BlockPattern& blocks, const SymmetricPattern& pattern);
 
+  /// To the elements as they are.
+  void fit();
+
   /// With the elements' twists. Each row by itself, its elements in their order: equal bits for any number
   /// of threads.
   void assemble(const TurnedElements& elements, SymmetricRows& K) const;

@@ -1,0 +1,49 @@
+// Last phase: what hangs on a piece's mesh follows a cut that nothing comes off.
+
+#include <tbb/parallel_invoke.h>
+
+#include "server/physics/simulation_impl.h"
+
+namespace prosector {
+
+/// Where one piece was cut and nothing came off it, what hangs on its mesh follows, to the bits that it would
+/// have if it were made anew. False, and nothing changed, where that can't be. What can fail fails first.
+bool Simulation::Impl::follow_cut(Organ& organ, TopologyCause cause, ParticipantId author) {
+  const std::optional<PieceEdit> edit = organ.cut_in_one_piece();
+  if (!edit) return false;
+  const std::size_t body = edit->body;
+  SoftBody& solver = *model.soft[body];
+  const PieceMesh& mesh = organ.piece(body).mesh;
+  const bool is_its_mesh =
+      static_cast<std::size_t>(solver.nodes()) == mesh.nodes.size() && solver.elements() == mesh.tets.size();
+  if (!is_its_mesh || !solver.can_follow(edit->mesh)) return false;
+  const NodeTransfer transfer(organ.complex(), mesh, edit->nodes);
+  const auto carried = [&](const VecX& field) {
+    const VecX* const fields[] = {&field};
+    const VecX made = transfer(fields);
+    VecX all(field.size() + made.size());
+    all << field, made;
+    return all;
+  };
+  Motion motion;
+  for (VecX Motion::*field : {&Motion::x, &Motion::v, &Motion::x_prev, &Motion::v_prev})
+    motion.*field = carried(soft[body].motion.*field);
+  VecX balance = carried(equilibrium[body]);
+  organ.follow(*edit);
+  PieceSurface skin = organ.surface(organ.piece(body));
+  numberings[body] = std::move(skin.numbering);
+  solver.follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
+  soft[body] = solver.initial_state();
+  set_going(body, organ.pieces().front().body, std::move(motion), std::move(balance));
+  memories[body].clear();
+  ++revisions[body];
+  take_effect(world, soft_id(body));
+  std::uint64_t content_hash = 0;
+  tbb::parallel_invoke([&] { content_hash = solver.content_hash(); },
+                       [&] { fit_to_mesh(body, detector(solver)); });
+  tell_of(body, content_hash, cause, author);
+  keep_holds({body});
+  return true;
+}
+
+}  // namespace prosector

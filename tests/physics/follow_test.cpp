@@ -1,0 +1,169 @@
+// What hangs on a piece's mesh follows a cut that nothing comes off: to the bits that it has made anew.
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+#include "server/physics/organs/organ.h"
+#include "server/physics/soft/soft_body.h"
+#include "tests/cutting/meshes.h"
+
+namespace prosector {
+namespace {
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double uniform(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_()) / static_cast<double>(engine_.max());
+  }
+  Vec3 point(double reach) {
+    return Vec3::NullaryExpr([&] { return uniform(-reach, reach); });
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+bool equal(const VecX& a, const VecX& b) {
+  return a.size() == b.size() && (a.array() == b.array()).all();
+}
+
+/// All that a step would ask of a body, at places that only `seed` tells.
+std::vector<VecX> answers(SoftBody& body, unsigned seed) {
+  Random random(seed);
+  const Eigen::Index n = 3 * body.nodes();
+  const auto near = [&](const VecX& x, double reach) {
+    return VecX(x + VecX::NullaryExpr(n, [&] { return random.uniform(-reach, reach); }));
+  };
+  SoftBodyState state = body.initial_state();
+  state.motion.x = near(body.rest(), 1e-3);
+  state.motion.v = near(VecX::Zero(n), 0.1);
+  body.begin_stage(0, 0.01, {0, -9.81, 0}, state);
+  const VecX x = near(state.motion.x, 1e-3), p = near(VecX::Zero(n), 1);
+  body.linearise(x);
+  VecX gradient = VecX::Zero(n), product(n), solution(n), warm(n);
+  body.gradient(x, gradient);
+  const double energy = body.energy(x);
+  body.assemble(x);
+  body.multiply(p.data(), product.data());
+  std::vector<Mat3> diagonal(static_cast<std::size_t>(body.nodes()));
+  body.diagonal(diagonal);
+  std::vector<Mat3> inverse;
+  for (const Mat3& block : diagonal) inverse.push_back(block.inverse());
+  if (body.desc().solver == "direct")
+    body.factor_solve(p.data(), solution.data());
+  else if (body.desc().solver == "multigrid")
+    body.multigrid_solve(diagonal, inverse, p.data(), solution.data());
+  else
+    solution.setZero();
+  VecX blocks(9 * body.nodes());
+  for (Eigen::Index i = 0; i < body.nodes(); ++i)
+    blocks.segment<9>(9 * i) = diagonal[static_cast<std::size_t>(i)].reshaped();
+  const VecX area = Eigen::Map<const VecX>(body.surface_area().data(),
+                                           static_cast<Eigen::Index>(body.surface_area().size()));
+  const VecX numbers = Eigen::Vector4d(energy, body.diagonal(), body.elastic_energy(x),
+                                       static_cast<double>(body.tangent_is_cheap()));
+  return {
+      body.rest(), body.node_mass(), body.attachment_stiffness(), area, numbers, gradient, product, solution,
+      blocks,      state.motion.x};
+}
+
+::testing::AssertionResult same(SoftBody& followed, SoftBody& anew, unsigned seed) {
+  const Anatomy &a = followed.anatomy(), &b = anew.anatomy();
+  if (followed.content_hash() != anew.content_hash() || a.tets.tets != b.tets.tets)
+    return ::testing::AssertionFailure() << "another mesh";
+  if (a.surface.triangles != b.surface.triangles || a.surface.inner != b.surface.inner ||
+      a.surface.positions != b.surface.positions || a.embedding.rows.size() != b.embedding.rows.size())
+    return ::testing::AssertionFailure() << "another surface";
+  const std::vector<VecX> x = answers(followed, seed), y = answers(anew, seed);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (!equal(x[i], y[i])) return ::testing::AssertionFailure() << "answer " << i << " differs";
+  return ::testing::AssertionSuccess();
+}
+
+struct Rung {
+  const char *name, *model, *solver;
+  bool regions = false, damped = false;
+};
+
+class Following : public ::testing::TestWithParam<Rung> {};
+
+TEST_P(Following, CutsAtRandomIsBeingMadeAnew) {
+  const Rung rung = GetParam();
+  SoftDesc desc;
+  desc.name = "block";
+  desc.model = rung.model;
+  desc.solver = rung.solver;
+  desc.damping_stiffness = rung.damped ? 0.01 : 0;
+  desc.attach = {{{0.05, 0.1, 0.05}, 0.04, 1e8}};
+  if (rung.regions) {
+    RegionDesc& region = desc.regions.emplace_back();
+    region.center = {0.07, 0.05, 0.05};
+    region.radius = 0.04;
+    region.youngs_modulus = 5 * desc.youngs_modulus;
+  }
+  const Anatomy mesh = {shaken_box(4), {}, {}};
+  Organ organ(0, mesh, desc.density);
+  std::map<std::size_t, std::unique_ptr<SoftBody>> bodies;
+  bodies[0] = std::make_unique<SoftBody>(desc, mesh);
+  Random random(20261122);
+  std::size_t followed = 0, pieces_followed = 0;
+  for (unsigned stroke = 0; stroke < 10; ++stroke) {
+    // Right through at times, else up to somewhere within.
+    const Vec3 along = random.point(1).normalized(), ahead = along.cross(random.point(1)).normalized();
+    const Vec3 begin = Vec3::Constant(mesh_size / 2) + random.point(0.02) - mesh_size * ahead;
+    const int ticks = stroke % 3 == 0 ? 10 : 6;
+    BladeStroke blade = begin_stroke(std::vector<Vec3>{begin - mesh_size * along, begin + mesh_size * along});
+    if (stroke % 4 == 3) {
+      EXPECT_EQ(organ.undo(1), "");
+      for (const std::size_t body : organ.regroup(bodies.size()).bodies) {
+        Numbering numbering;
+        bodies[body] = std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(body), numbering));
+      }
+    }
+    for (int tick = 1; tick <= ticks; ++tick) {
+      std::vector<Vec3> x;
+      for (NodeId node = 0; node < organ.complex().node_end(); ++node)
+        x.push_back(organ.complex().rest(node));
+      const Vec3 middle = begin + tick * 0.2 * mesh_size * ahead;
+      const std::vector<Vec3> edge = {middle - mesh_size * along, middle + mesh_size * along};
+      if (organ.cut(x, edge, blade, 1, stroke).ops.empty()) continue;
+      std::vector<std::size_t> changed;
+      const auto edit = organ.cut_in_one_piece();
+      const bool follows = edit && bodies[edit->body]->can_follow(edit->mesh);
+      if (follows) {
+        organ.follow(*edit);
+        PieceSurface skin = organ.surface(organ.piece(edit->body));
+        bodies[edit->body]->follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
+        changed = {edit->body};
+        ++(edit->body == 0 ? followed : pieces_followed);
+      } else {
+        changed = organ.regroup(bodies.size()).bodies;
+      }
+      for (const std::size_t body : changed) {
+        Numbering numbering;
+        auto anew = std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(body), numbering));
+        if (follows) {
+          ASSERT_TRUE(same(*bodies[body], *anew, stroke)) << "stroke " << stroke << ", tick " << tick;
+        } else {
+          bodies[body] = std::move(anew);
+        }
+      }
+    }
+  }
+  EXPECT_GT(followed, 10U);
+  EXPECT_GT(pieces_followed, 0U);  // what came off follows, too
+}
+
+INSTANTIATE_TEST_SUITE_P(Rungs, Following,
+                         ::testing::Values(Rung{"corotational", "fem_corotational", "cg", false, true},
+                                           Rung{"regions", "fem_corotational", "cg", true},
+                                           Rung{"neo_hookean", "fem_neo_hookean", "cg", true, true},
+                                           Rung{"direct", "fem_corotational", "direct"},
+                                           Rung{"multigrid", "fem_corotational", "multigrid", false, true}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace prosector
