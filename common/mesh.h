@@ -9,12 +9,22 @@
 
 namespace prosector {
 
+/// The largest distance between a round surface and its triangles, where nothing else is asked for.
+inline constexpr double chord_error = 0.25e-3;  // m
+
 /// A triangle surface; counter-clockwise seen from outside.
 struct TriangleMesh {
   std::vector<Vec3> positions;                          // metres
   std::vector<std::array<std::uint32_t, 3>> triangles;  // into positions
   std::vector<std::uint8_t> inner = {};  // per triangle: 1 where a cut laid it bare; empty: none
 };
+
+/// Adds the other mesh's vertices and triangles; nothing is united.
+inline void append(TriangleMesh& all, const TriangleMesh& mesh) {
+  const auto first = static_cast<std::uint32_t>(all.positions.size());
+  all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
+  for (const auto& t : mesh.triangles) all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+}
 
 /// A volume of linear tetrahedra; det(x1−x0, x2−x0, x3−x0) > 0.
 struct TetMesh {

@@ -15,7 +15,7 @@
 
 namespace prosector {
 
-inline constexpr std::uint32_t protocol_version = 4;
+inline constexpr std::uint32_t protocol_version = 5;
 
 using ParticipantId = std::uint64_t;  // drawn at random by each client; 0 is nobody
 using BodyId = std::uint32_t;         // index into SceneInfo::bodies
@@ -160,8 +160,11 @@ enum class BodyKind : std::uint8_t { rigid, soft };
 enum class Fidelity : std::uint8_t { none, sphere, aabb, obb, hull, mesh };
 
 /// What a surface is made of, as far as it can be seen. The last two are the client's own room.
-enum class Surface : std::uint8_t { plain, tissue, bone, metal, skin, cloth, emissive, floor, wall };
+enum class Surface : std::uint8_t { plain, tissue, bone, metal, skin, cloth, glass, emissive, floor, wall };
 inline constexpr Surface last_body_surface = Surface::emissive;
+
+inline constexpr double min_refractive_index = 1, max_refractive_index = 4;
+inline constexpr double min_abbe_number = 10, max_abbe_number = 1000;
 
 /// What a body looks like; enough for a renderer to choose its material.
 struct Appearance {
@@ -169,6 +172,10 @@ struct Appearance {
   double roughness = 0.6;  // 0 mirror … 1 matt
   double wetness = 0;      // 0 dry … 1: a thin film of liquid over the surface
   Surface surface = Surface::plain;
+  // Glass only, which has no `color`; at first a crown glass (BK7) with the green of window panes.
+  double refractive_index = 1.5168;  // n_d: of light of 587.6 nm
+  double abbe_number = 64.17;        // V_d = (n_d − 1)/(n_F − n_C): the lower, the more dispersion
+  Vec3 transmittance = {0.975, 0.99, 0.985};  // share of red, green, blue left after 10 mm of it
   bool operator==(const Appearance&) const = default;
 };
 

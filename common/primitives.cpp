@@ -181,12 +181,7 @@ TriangleMesh mesh_of(const PartDesc& part) {
 
 TriangleMesh mesh_of(std::span<const PartDesc> parts) {
   TriangleMesh all;
-  for (const PartDesc& part : parts) {
-    const TriangleMesh mesh = mesh_of(part);
-    const auto first = static_cast<std::uint32_t>(all.positions.size());
-    all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
-    for (const auto& t : mesh.triangles) all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-  }
+  for (const PartDesc& part : parts) append(all, mesh_of(part));
   return all;
 }
 

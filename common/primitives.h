@@ -8,9 +8,7 @@
 
 namespace prosector {
 
-/// The largest distance between a round surface and its triangles, as long as that needs no more than
-/// `max_segments` around.
-inline constexpr double chord_error = 0.25e-3;  // m
+/// Of a primitive's circles, whose triangles are within `chord_error` of them as far as that allows.
 inline constexpr int min_segments = 12, max_segments = 48;
 
 /// One part in the body's frame, in metres, its pose applied. `size` is the full extent of every shape: a

@@ -15,9 +15,9 @@ namespace {
 using LightSet = std::bitset<max_lights>;
 
 // The order of Surface.
-constexpr std::array<const char*, 9> surface_defines = {"SURFACE_PLAIN",    "SURFACE_TISSUE", "SURFACE_BONE",
-                                                        "SURFACE_METAL",    "SURFACE_SKIN",   "SURFACE_CLOTH",
-                                                        "SURFACE_EMISSIVE", "SURFACE_FLOOR",  "SURFACE_WALL"};
+constexpr std::array<const char*, 10> surface_defines = {
+    "SURFACE_PLAIN", "SURFACE_TISSUE", "SURFACE_BONE",     "SURFACE_METAL", "SURFACE_SKIN",
+    "SURFACE_CLOTH", "SURFACE_GLASS",  "SURFACE_EMISSIVE", "SURFACE_FLOOR", "SURFACE_WALL"};
 
 Eigen::Vector4f vec4(const Vec3& v, double w) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()),

@@ -1,7 +1,12 @@
 #include "common/anatomy/fabric.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "common/curves/tube.h"
+#include "common/error.h"
 
 namespace prosector {
 namespace {
@@ -17,19 +22,16 @@ void embed_nodes(Anatomy& out) {
   }
 }
 
-}  // namespace
-
-Anatomy make_sheet(const Vec3& size, double cell) {
+/// Cells between nodes that stand row by row, each as many along u as `columns`.
+Anatomy sheet_of(std::vector<Vec3> nodes, std::uint32_t columns, double thickness) {
   Anatomy out;
-  out.thickness = size.y();
-  const std::uint32_t nx = pieces(size.x(), cell), nz = pieces(size.z(), cell);
-  for (std::uint32_t k = 0; k <= nz; ++k)
-    for (std::uint32_t i = 0; i <= nx; ++i)
-      out.tets.positions.emplace_back(size.x() * (1.0 * i / nx - 0.5), 0, size.z() * (1.0 * k / nz - 0.5));
-  for (std::uint32_t k = 0; k < nz; ++k)
-    for (std::uint32_t i = 0; i < nx; ++i) {
-      const std::uint32_t a = k * (nx + 1) + i;
-      out.quads.push_back({a, a + nx + 1, a + nx + 2, a + 1});
+  out.thickness = thickness;
+  out.tets.positions = std::move(nodes);
+  const auto rows = static_cast<std::uint32_t>(out.tets.positions.size()) / columns;
+  for (std::uint32_t k = 0; k + 1 < rows; ++k)
+    for (std::uint32_t i = 0; i + 1 < columns; ++i) {
+      const std::uint32_t a = k * columns + i;
+      out.quads.push_back({a, a + columns, a + columns + 1, a + 1});
     }
   embed_nodes(out);
   embed_nodes(out);
@@ -43,15 +45,68 @@ Anatomy make_sheet(const Vec3& size, double cell) {
   return out;
 }
 
-Anatomy make_rope(const Vec3& size, double cell) {
+Anatomy rope_of(std::vector<Vec3> nodes, double diameter) {
   Anatomy out;
-  out.thickness = size.y();
-  const std::uint32_t n = pieces(size.x(), cell);
-  for (std::uint32_t i = 0; i <= n; ++i)
-    out.tets.positions.emplace_back(size.x() * (1.0 * i / n - 0.5), 0, 0);
-  for (std::uint32_t i = 0; i < n; ++i) out.segments.push_back({i, i + 1});
+  out.thickness = diameter;
+  out.tets.positions = std::move(nodes);
+  for (std::uint32_t i = 0; i + 1 < out.tets.positions.size(); ++i) out.segments.push_back({i, i + 1});
   embed_nodes(out);
   return out;
+}
+
+/// Mean length of the patch's lines along u (or v).
+double mean_length(const Patch& patch, bool along_u) {
+  constexpr int lines = 8, steps = 32;
+  double sum = 0;
+  for (int line = 0; line <= lines; ++line)
+    for (int step = 0; step < steps; ++step) {
+      const double across = 1.0 * line / lines, from = 1.0 * step / steps, to = 1.0 * (step + 1) / steps;
+      const Vec3 a = along_u ? patch.evaluate(from, across).x : patch.evaluate(across, from).x;
+      const Vec3 b = along_u ? patch.evaluate(to, across).x : patch.evaluate(across, to).x;
+      sum += (b - a).norm();
+    }
+  return sum / (lines + 1);
+}
+
+}  // namespace
+
+Anatomy make_sheet(const Vec3& size, double cell) {
+  const std::uint32_t nx = pieces(size.x(), cell), nz = pieces(size.z(), cell);
+  std::vector<Vec3> nodes;
+  for (std::uint32_t k = 0; k <= nz; ++k)
+    for (std::uint32_t i = 0; i <= nx; ++i)
+      nodes.emplace_back(size.x() * (1.0 * i / nx - 0.5), 0, size.z() * (1.0 * k / nz - 0.5));
+  return sheet_of(std::move(nodes), nx + 1, size.y());
+}
+
+Anatomy make_sheet(const Patch& patch, double thickness, double cell) {
+  const std::uint32_t nu = pieces(mean_length(patch, true), cell),
+                      nv = pieces(mean_length(patch, false), cell);
+  std::vector<Vec3> nodes;
+  for (std::uint32_t k = 0; k <= nv; ++k)
+    for (std::uint32_t i = 0; i <= nu; ++i) nodes.push_back(patch.evaluate(1.0 * i / nu, 1.0 * k / nv).x);
+  Anatomy out = sheet_of(std::move(nodes), nu + 1, thickness);
+  for (const auto& q : out.quads)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vec3 &a = out.tets.positions[q[k]], &b = out.tets.positions[q[(k + 1) % 4]];
+      if ((b - a).norm() < 1e-3 * cell)
+        throw InputError(
+            fmt::format("patch: two nodes of the sheet coincide at ({:.4g}, {:.4g}, {:.4g}); a "
+                        "sheet needs four sides with a length",
+                        a.x(), a.y(), a.z()));
+    }
+  return out;
+}
+
+Anatomy make_rope(const Vec3& size, double cell) {
+  const std::uint32_t n = pieces(size.x(), cell);
+  std::vector<Vec3> nodes;
+  for (std::uint32_t i = 0; i <= n; ++i) nodes.emplace_back(size.x() * (1.0 * i / n - 0.5), 0, 0);
+  return rope_of(std::move(nodes), size.y());
+}
+
+Anatomy make_rope(const NurbsCurve& curve, double diameter, double cell) {
+  return rope_of(evenly_along(curve, cell), diameter);
 }
 
 }  // namespace prosector

@@ -1,6 +1,7 @@
 #pragma once
 // Sheets and ropes: geometry whose nodes lie on a surface or a line, for springs and position-based bodies.
 
+#include "common/curves/patch.h"
 #include "common/mesh.h"
 
 namespace prosector {
@@ -10,8 +11,15 @@ namespace prosector {
 /// vertices.
 Anatomy make_sheet(const Vec3& size, double cell);
 
+/// Over a patch, `thickness` m thick, in as many cells as its lines along u and v are long on the average.
+/// Throws InputError where two of its nodes coincide, as at a pole.
+Anatomy make_sheet(const Patch& patch, double thickness, double cell);
+
 /// A line along x around the origin, size.x long, size.y in diameter, in pieces of about `cell` metres. Its
 /// surface is its axis, one vertex per node and no triangle: what draws it lays a tube around.
 Anatomy make_rope(const Vec3& size, double cell);
+
+/// Along a curve, `diameter` m thick.
+Anatomy make_rope(const NurbsCurve& curve, double diameter, double cell);
 
 }  // namespace prosector

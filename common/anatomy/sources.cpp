@@ -18,6 +18,7 @@
 #include "common/anatomy/surface_io.h"
 #include "common/anatomy/tet_io.h"
 #include "common/anatomy/volume_io.h"
+#include "common/curves/from_scene.h"
 #include "common/error.h"
 #include "common/primitives.h"
 
@@ -131,6 +132,16 @@ CachedAnatomy build(const RigidDesc& desc, const std::filesystem::path& file, co
   return made;
 }
 
+/// A sheet or rope, straight or along what the scene says.
+Anatomy make_fabric(const SoftDesc& desc) {
+  if (desc.shape == "rope" && !desc.curves.empty())
+    return make_rope(make_curve(desc.curves.front()), desc.curves.front().diameter, desc.cell);
+  if (desc.shape == "rope") return make_rope(desc.size, desc.cell);
+  if (!desc.patches.empty())
+    return make_sheet(*make_patch(desc.patches.front()), desc.patches.front().thickness, desc.cell);
+  return make_sheet(desc.size, desc.cell);
+}
+
 void warn(const std::string& name, const CachedAnatomy& made, const Progress& progress) {
   if (!made.warning.empty()) say(progress, fmt::format("{}: warning: {}", name, made.warning));
 }
@@ -139,7 +150,7 @@ void warn(const std::string& name, const CachedAnatomy& made, const Progress& pr
 
 Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progress& progress) {
   if (desc.shape == "sheet" || desc.shape == "rope") {
-    Anatomy made = desc.shape == "sheet" ? make_sheet(desc.size, desc.cell) : make_rope(desc.size, desc.cell);
+    Anatomy made = make_fabric(desc);
     for (Vec3& x : made.tets.positions) x = desc.pose * x;
     apply_embedding(made);
     return made;
@@ -177,6 +188,11 @@ Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progr
 
 TriangleMesh make_surface(const RigidDesc& desc, const SourcePaths& paths, const Progress& progress) {
   const std::string& source = desc.volume.empty() ? desc.mesh : desc.volume;
+  if (!desc.curves.empty() || !desc.patches.empty()) {
+    TriangleMesh surface = mesh_of(desc.curves, desc.patches);
+    say(progress, fmt::format("{}: {} triangles", desc.name, surface.triangles.size()));
+    return surface;
+  }
   if (source.empty() && desc.fallback.empty()) return mesh_of(desc.parts);
   const auto file =
       source.empty() ? std::filesystem::path{} : resolve(desc.name, source, desc.fallback, paths, progress);

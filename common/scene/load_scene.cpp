@@ -175,6 +175,16 @@ class Reader {
     return true;
   }
 
+  /// Of numbers, or of [x, y, z].
+  template <class T>
+  static bool store(const toml::node& node, const Field& field, std::vector<T>& out) {
+    const toml::array* list = node.as_array();
+    if (list == nullptr || list->size() > field.max_length) return false;
+    for (const toml::node& entry : *list)
+      if (!store(entry, field, out.emplace_back())) return false;
+    return true;
+  }
+
   /// A number, blanks, the field's unit: "2 %", "0.5ms".
   static bool store(const toml::node& node, const Field& field, Quantity& out) {
     if (!node.is_string()) return false;

@@ -11,6 +11,7 @@
 
 #include "common/hash.h"
 #include "common/math.h"
+#include "common/mesh.h"
 #include "common/messages.h"
 
 namespace prosector {
@@ -23,6 +24,38 @@ struct PartDesc {
       0.1};   // m: box full extents; sphere: diameter in x; capsule, cylinder: diameter in x, height in y
   Pose pose;  // position, rotation
   double rounding = 0;  // m: radius of the edges, drawn only
+};
+
+/// [[rigid.curve]], [[soft.curve]], and the sides of patches, which are given by control points. A Bézier or
+/// B-spline curve, rational where it has weights, or an arc of a conic in the x-y plane, for t from `from` to
+/// `to`: ellipse (a cos t, b sin t), parabola (a t², 2 a t), hyperbola (a cosh t, b sinh t).
+struct CurveDesc {
+  std::string kind = "bspline";  // bezier | bspline | ellipse | parabola | hyperbola
+  std::vector<Vec3> points;      // m: control points, of a bezier or bspline
+  std::vector<double> weights;   // of the points; empty: all 1
+  int degree = 3;                // bspline
+  std::vector<double> knots;     // bspline: points + degree + 1; empty: uniform, with ends that are met
+  double a = 0.05, b = 0.05;     // m, of a conic
+  double from = 0, to = 2 * M_PI;
+  Pose pose;                       // of the curve in the body's frame
+  double diameter = 2e-3;          // m: of the tube around it
+  double tolerance = chord_error;  // m: of the triangles from the true surface, at most
+};
+
+/// A piece of a surface over 0 … 1 in u and v: [[rigid.patch]], [[soft.patch]]. Bézier or B-spline in both
+/// directions, rational where it has weights, or a Coons patch between four sides: along u at v = 0 and at
+/// v = 1, then along v at u = 0 and at u = 1; or one side in the x-y plane, turned about y.
+struct PatchDesc {
+  std::string kind = "bspline";          // bezier | bspline | coons | revolved
+  std::vector<Vec3> points;              // m: control points, along u first
+  int columns = 4;                       // how many of them along u
+  std::vector<double> weights;           // as of CurveDesc
+  int degree_u = 3, degree_v = 3;        // bspline
+  std::vector<double> knots_u, knots_v;  // bspline: as of CurveDesc
+  std::vector<CurveDesc> sides;          // coons, revolved
+  Pose pose;                             // in the body's frame
+  double thickness = 1e-3;               // m: half on either side
+  double tolerance = chord_error;        // m: as of CurveDesc
 };
 
 /// [[rigid.fracture]]: a plane along which a bone breaks, in the body's frame.
@@ -47,7 +80,7 @@ struct RigidDesc {
   std::string description;
   std::string parent;    // body it belongs to in the scene graph; empty: the room
   std::string mesh;      // surface file
-  std::string volume;    // or a structure of a medical volume, its surface; neither: parts
+  std::string volume;    // or a structure of a medical volume, its surface; neither: parts, or curves
   int label = -1;        // as of SoftDesc
   double threshold = 0;  // as of SoftDesc
   double smoothing = 1;  // voxels: as of SoftDesc
@@ -57,6 +90,8 @@ struct RigidDesc {
   double scale = 1;             // file units → metres
   double surface_cell = 0;      // m: triangles' edge length, about; 0: a mesh as it is, a volume's voxel size
   std::vector<PartDesc> parts;
+  std::vector<CurveDesc> curves;  // and patches: together they are the body
+  std::vector<PatchDesc> patches;
   std::string collision = "hull";  // none | sphere | aabb | obb | hull | mesh
   std::string group = default_group;
   std::vector<std::string> touches;  // groups; empty: all
@@ -165,13 +200,15 @@ struct SoftDesc {
   double bending_stiffness = 0;  // sheets: N·m, D = Et³/12(1−ν²); ropes: N·m², EI; 0: likewise
   bool hold_volume = true;       // mass_spring on tetrahedra: meet poisson_ratio; false: about ¼
   // Choosing by need instead of by rung: at most one of the two.
-  Quantity accuracy;          // %: of error against the continuum
-  Quantity budget;            // ms: CPU time a frame of 1/60 s
-  FixedChoice fixed;          // filled by the loader
-  bool step_down = false;     // true: may be solved less exactly while the server is overloaded
-  bool show_figures = false;  // true: clients show its live figures above it
-  bool part = false;          // as of RigidDesc: what holds it is its `attach`
-  double snap = 0.03;         // m: likewise
+  Quantity accuracy;               // %: of error against the continuum
+  Quantity budget;                 // ms: CPU time a frame of 1/60 s
+  FixedChoice fixed;               // filled by the loader
+  bool step_down = false;          // true: may be solved less exactly while the server is overloaded
+  bool show_figures = false;       // true: clients show its live figures above it
+  bool part = false;               // as of RigidDesc: what holds it is its `attach`
+  double snap = 0.03;              // m: likewise
+  std::vector<CurveDesc> curves;   // of a rope: the line that it is laid along, at most one
+  std::vector<PatchDesc> patches;  // of a sheet: what it is laid over, at most one
   std::vector<AttachDesc> attach;
   std::vector<RegionDesc> regions;
   std::vector<RelaxationDesc> relaxation;

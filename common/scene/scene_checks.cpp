@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/curves/from_scene.h"
 #include "common/error.h"
 #include "common/scene/suggest.h"
 
@@ -123,13 +124,15 @@ class Checker {
   }
 
   void check_rigid(const RigidDesc& rigid, const Entry& body) const {
-    const int sources = !rigid.mesh.empty() + !rigid.volume.empty() + !rigid.parts.empty();
+    const bool swept = !rigid.curves.empty() || !rigid.patches.empty();
+    const int sources = !rigid.mesh.empty() + !rigid.volume.empty() + !rigid.parts.empty() + swept;
     if (sources != 1)
       fail(body, rigid.volume.empty() ? "mesh" : "volume",
-           sources == 0 ? "has no geometry: give one of mesh, volume and [[rigid.part]]s"
-                        : "has several of mesh, volume and [[rigid.part]]s: give one");
-    if (!rigid.fallback.empty() && !rigid.parts.empty())
-      fail(body, "fallback", "fallback stands in for a mesh or volume file, but there are only parts");
+           sources == 0 ? "has no geometry: give one of mesh, volume, [[rigid.part]]s, and curves or patches"
+                        : "has several of mesh, volume, [[rigid.part]]s, and curves or patches: give one");
+    if (!rigid.fallback.empty() && (!rigid.parts.empty() || swept))
+      fail(body, "fallback", "fallback stands in for a mesh or volume file, but there is none");
+    check_curves(rigid, body);
     if (rigid.label >= 0 && rigid.volume.empty()) fail(body, "label", "label needs a volume");
     if (rigid.break_force > 0 && rigid.fractures.empty())
       fail(body, "break_force", "break_force needs a [[rigid.fracture]] to break along");
@@ -168,12 +171,34 @@ class Checker {
       fail(body, "collision",
            "a rope has no triangles to be in the hull of: must be one of none, sphere, aabb, obb, mesh");
     check_regions(soft, body);
+    check_curves(soft, body);
+    if (!soft.curves.empty() && soft.shape != "rope")
+      fail(body, "curve[0]", "[[soft.curve]] needs a rope to lie along it: shape = \"rope\"");
+    if (!soft.patches.empty() && soft.shape != "sheet")
+      fail(body, "patch[0]", "[[soft.patch]] needs a sheet to lie over it: shape = \"sheet\"");
     double shares = 0;
     for (const RelaxationDesc& term : soft.relaxation) shares += term.share;
     if (shares >= 1)
       fail(body, "relaxation[0]",
            fmt::format("the shares of [[soft.relaxation]] add up to {}: must be below 1", shares));
     check_need(soft, body);
+  }
+
+  /// That each of them is a curve or a surface.
+  template <class Desc>
+  void check_curves(const Desc& desc, const Entry& body) const {
+    const auto check = [&](const char* key, std::size_t i, const auto& make) {
+      try {
+        make();
+      } catch (const InputError& error) {
+        fail(fmt::format("{}.{}[{}]", body.table, key, i), "",
+             fmt::format("{}: {} {}", body.where, key, i + 1), error.what());
+      }
+    };
+    for (std::size_t i = 0; i < desc.curves.size(); ++i)
+      check("curve", i, [&] { make_curve(desc.curves[i]); });
+    for (std::size_t i = 0; i < desc.patches.size(); ++i)
+      check("patch", i, [&] { make_patch(desc.patches[i]); });
   }
 
   void check_regions(const SoftDesc& soft, const Entry& body) const {

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "common/scene/curve_fields.h"
+#include "common/scene/field_rows.h"
+
 namespace prosector {
 namespace {
 
-constexpr Range coordinate{-max_coordinate, max_coordinate};
 constexpr Range unit_interval{0, 1};
 constexpr Range density{1, 25000};
 constexpr Range friction{0, 10};
@@ -25,73 +27,6 @@ std::vector<std::string_view> soft_shapes() {
   return out;
 }
 
-/// The field that a chain of member pointers leads to: in<RigidDesc, &RigidDesc::pose, &Pose::p>.
-template <class Struct, auto... Path>
-FieldRef in(void* object) {
-  return &(*static_cast<Struct*>(object).*....*Path);
-}
-
-template <class Struct>
-std::shared_ptr<void> fresh() {
-  return std::make_shared<Struct>();
-}
-
-template <class Struct, auto List>
-void* append(void* object) {
-  return &(static_cast<Struct*>(object)->*List).emplace_back();
-}
-
-template <auto Member>
-void* member(void* scene) {
-  return &(static_cast<SceneDesc*>(scene)->*Member);
-}
-
-// ---- One function per kind of value; each row of a table below is one call.
-
-template <class Struct, auto... Path>
-Field number(std::string_view key, std::string_view unit, Range range, std::string_view description) {
-  return {.key = key, .in = in<Struct, Path...>, .unit = unit, .range = range, .description = description};
-}
-
-template <class Struct, auto... Path>
-Field plain(std::string_view key, std::string_view description) {  // bool, quaternion
-  return {.key = key, .in = in<Struct, Path...>, .description = description};
-}
-
-template <class Struct, auto... Path>
-Field words(std::string_view key, std::vector<std::string_view> words, std::string_view description) {
-  return {.key = key, .in = in<Struct, Path...>, .words = std::move(words), .description = description};
-}
-
-template <class Struct, auto... Path>
-Field text(std::string_view key, std::string_view description) {
-  return {.key = key, .in = in<Struct, Path...>, .max_length = max_text_length, .description = description};
-}
-
-template <class Struct, auto... Path>
-Field name(std::string_view key, bool required, std::string_view description) {
-  return {.key = key,
-          .in = in<Struct, Path...>,
-          .text = Text::name,
-          .required = required,
-          .description = description};
-}
-
-template <class Struct, auto... Path>
-Field quantity(std::string_view key, std::string_view unit, Range range, std::string_view description) {
-  return number<Struct, Path...>(key, unit, range, description);
-}
-
-template <class Struct, auto... Path>
-Field identifier(std::string_view key, std::string_view description) {
-  return {.key = key, .in = in<Struct, Path...>, .text = Text::identifier, .description = description};
-}
-
-template <class Struct, auto... Path>
-Field names(std::string_view key, std::string_view description) {
-  return {.key = key, .in = in<Struct, Path...>, .text = Text::name, .description = description};
-}
-
 /// What rigid and soft bodies have to say about who touches them, and how finely.
 template <class Struct>
 void add_collision(std::vector<Field>& fields, std::vector<std::string_view> fidelities,
@@ -107,14 +42,6 @@ void add_collision(std::vector<Field>& fields, std::vector<std::string_view> fid
       "(rigid against soft bodies, and rigid ones of one convex piece)"));
 }
 
-/// What rigid parts, rigid bodies and soft bodies share.
-template <class Struct>
-void add_pose(std::vector<Field>& fields, std::string_view frames) {
-  fields.push_back(number<Struct, &Struct::pose, &Pose::p>("position", "m", coordinate, frames));
-  fields.push_back(plain<Struct, &Struct::pose, &Pose::q>(
-      "rotation", "orientation as a quaternion [w, x, y, z]; normalised when read, never all zero"));
-}
-
 /// Where a stand-in goes: a missing file's origin and axes need not be its shape's.
 template <class Struct>
 void add_fallback_pose(std::vector<Field>& fields) {
@@ -127,7 +54,7 @@ void add_fallback_pose(std::vector<Field>& fields) {
 template <class Struct>
 void add_appearance(std::vector<Field>& fields) {
   fields.push_back(words<Struct, &Struct::appearance, &Appearance::surface>(
-      "surface", {"plain", "tissue", "bone", "metal", "skin", "cloth", "emissive"},
+      "surface", {"plain", "tissue", "bone", "metal", "skin", "cloth", "glass", "emissive"},
       "what it is made of, as far as it can be seen; emissive: shines by itself"));
   fields.push_back(number<Struct, &Struct::appearance, &Appearance::color>("color", "", unit_interval,
                                                                            "linear red, green, blue"));
@@ -135,6 +62,14 @@ void add_appearance(std::vector<Field>& fields) {
                                                                                "0 is a mirror, 1 matt"));
   fields.push_back(number<Struct, &Struct::appearance, &Appearance::wetness>(
       "wetness", "", unit_interval, "0 is dry, 1 a thin film of liquid over the surface"));
+  fields.push_back(number<Struct, &Struct::appearance, &Appearance::refractive_index>(
+      "refractive_index", "", {min_refractive_index, max_refractive_index},
+      "glass: of light of 587.6 nm (n_d); water 1.33, crown glass 1.52, flint 1.62"));
+  fields.push_back(number<Struct, &Struct::appearance, &Appearance::abbe_number>(
+      "abbe_number", "", {min_abbe_number, max_abbe_number},
+      "glass: V_d, the lower the more dispersion; crown glass 64, flint 36"));
+  fields.push_back(number<Struct, &Struct::appearance, &Appearance::transmittance>(
+      "transmittance", "", unit_interval, "glass: share of red, green, blue light left after 10 mm of it"));
 }
 
 // ---- The tables.
@@ -232,8 +167,8 @@ const Table& rigid_table() {
   static const Table table = [] {
     Table t{
         "[[rigid]]",
-        "A body that keeps its shape: furniture, instruments, bones. It has one of "
-        "`mesh`, `volume` and parts.",
+        "A body that keeps its shape: furniture, instruments, bones, vessels. It has one of "
+        "`mesh`, `volume` and parts, or it consists of curves and patches.",
         {name<R, &R::name>("name", true, "unique among all bodies"),
          text<R, &R::description>("description", "for people"),
          name<R, &R::parent>("parent", false,
@@ -270,6 +205,8 @@ const Table& rigid_table() {
          number<R, &R::break_force>("break_force", "N", {0, 1e6},
                                     "across a fracture plane, at which it breaks there; 0: never")},
         {{"part", part_table, true, 256, append<R, &R::parts>},
+         {"curve", rigid_curve_table, true, 256, append<R, &R::curves>},
+         {"patch", rigid_patch_table, true, 256, append<R, &R::patches>},
          {"fracture", fracture_table, true, 8, append<R, &R::fractures>},
          {"edge", edge_table, true, 8, append<R, &R::edges>}},
         fresh<R>};
@@ -351,8 +288,8 @@ const Table& soft_table() {
          text<S, &S::mesh>("mesh", "tetrahedral mesh: .msh .vtk"),
          words<S, &S::shape>(
              "shape", soft_shapes(),
-             "implicit shape, `size` large; or a sheet in the x-z plane, or a rope along x, for "
-             "mass_spring and xpbd"),
+             "implicit shape, `size` large; or a sheet in the x-z plane or over a patch, or a rope along "
+             "x or a curve, for mass_spring and xpbd"),
          words<S, &S::fallback>(
              "fallback", implicit_shapes(),
              "implicit shape used, with a clear line, when the volume or mesh file is missing"),
@@ -431,7 +368,9 @@ const Table& soft_table() {
              "it; a touch brings up its panel"),
          number<S, &S::snap>("snap", "m", {0, 1},
                              "how near to its place a detached part must be to be attached again")},
-        {{"attach", attach_table, true, 64, append<S, &S::attach>},
+        {{"curve", soft_curve_table, true, 1, append<S, &S::curves>},
+         {"patch", soft_patch_table, true, 1, append<S, &S::patches>},
+         {"attach", attach_table, true, 64, append<S, &S::attach>},
          {"region", region_table, true, 64, append<S, &S::regions>},
          {"relaxation", relaxation_table, true, 8, append<S, &S::relaxation>}},
         fresh<S>};
@@ -515,6 +454,12 @@ std::string allowed(const Field& field, const FieldRef& value) {
     }
     std::string operator()(std::vector<std::string>*) const {
       return fmt::format("a list of names, each {} bytes at most", f.max_length);
+    }
+    std::string operator()(std::vector<double>*) const {
+      return fmt::format("a list of numbers in {}, {} at most", interval(f.range), f.max_length);
+    }
+    std::string operator()(std::vector<Vec3>*) const {
+      return fmt::format("a list of [x, y, z] in {}, {} at most", interval(f.range), f.max_length);
     }
     std::string operator()(std::string*) const {
       if (f.text == Text::identifier)

@@ -16,7 +16,7 @@ namespace prosector {
 
 /// Where a key's value is stored. An enumeration's numbers are its words' places in Field::words.
 using FieldRef = std::variant<double*, int*, bool*, std::string*, Vec3*, Quat*, LightKind*, Surface*,
-                              Quantity*, std::vector<std::string>*>;
+                              Quantity*, std::vector<std::string>*, std::vector<double>*, std::vector<Vec3>*>;
 
 /// Bounds of a number, of a quantity in its unit, or of each component of a vector.
 struct Range {
@@ -41,10 +41,10 @@ struct Field {
   std::string_view key;
   FieldRef (*in)(void* object);  // the field of the table's struct that starts at `object`
   std::string_view unit = "";
-  Range range = {};                          // double, int, Vec3
+  Range range = {};                          // double, int, Vec3, lists of them
   std::vector<std::string_view> words = {};  // string, enumeration; empty: any that `text` admits
   Text text = Text::free;
-  std::size_t max_length = max_name_length;  // string: bytes
+  std::size_t max_length = max_name_length;  // string: bytes; list of numbers or of points: entries
   bool required = false;
   std::string_view description;
 };

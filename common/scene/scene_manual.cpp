@@ -10,8 +10,9 @@ namespace prosector {
 namespace {
 
 std::string type_name(const FieldRef& ref) {
-  static constexpr const char* names[] = {"number",       "integer", "boolean", "text", "[x, y, z]",
-                                          "[w, x, y, z]", "text",    "text",    "text", "list of text"};
+  static constexpr const char* names[] = {
+      "number", "integer", "boolean", "text",         "[x, y, z]",       "[w, x, y, z]",
+      "text",   "text",    "text",    "list of text", "list of numbers", "list of [x, y, z]"};
   static_assert(std::size(names) == std::variant_size_v<FieldRef>);
   return names[ref.index()];
 }
@@ -38,6 +39,9 @@ std::string value(const Field& field, const FieldRef& ref) {
     std::string operator()(const std::vector<std::string>* x) const {
       return fmt::format("[{}]", fmt::join(*x, ", "));
     }
+    // Empty by default, all of them.
+    std::string operator()(const std::vector<double>*) const { return "[]"; }
+    std::string operator()(const std::vector<Vec3>*) const { return "[]"; }
     std::string word(std::size_t k) const { return fmt::format("\"{}\"", f.words[k]); }
   } write{field};
   return std::visit(write, ref);

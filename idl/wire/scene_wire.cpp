@@ -21,6 +21,9 @@ void body_to_wire(const SceneBody& m, prosector_SceneBody& w) {
   w.roughness = m.appearance.roughness;
   w.wetness = m.appearance.wetness;
   w.surface = static_cast<std::uint8_t>(m.appearance.surface);
+  w.refractive_index = m.appearance.refractive_index;
+  w.abbe_number = m.appearance.abbe_number;
+  to_wire(m.appearance.transmittance, w.transmittance);
   to_wire(m.method, w.method);
   w.show_figures = m.show_figures;
   w.part = m.part;
@@ -41,7 +44,13 @@ SceneBody body_from_wire(const prosector_SceneBody& w) {
   m.points = w.points;
   m.chunk_points = w.chunk_points;
   m.tube_diameter = w.tube_diameter;
-  m.appearance = {from_wire(w.color), w.roughness, w.wetness, static_cast<Surface>(w.surface)};
+  m.appearance = {from_wire(w.color),
+                  w.roughness,
+                  w.wetness,
+                  static_cast<Surface>(w.surface),
+                  w.refractive_index,
+                  w.abbe_number,
+                  from_wire(w.transmittance)};
   m.method = from_wire(w.method);
   m.show_figures = w.show_figures != 0;
   m.part = w.part != 0;
@@ -53,6 +62,7 @@ SceneBody body_from_wire(const prosector_SceneBody& w) {
 Refusal check_body(SceneBody& m) {
   if (const Refusal pose = check_pose(m.pose)) return pose;
   if (const Refusal color = check_color(m.appearance.color)) return color;
+  if (const Refusal tint = check_color(m.appearance.transmittance)) return tint;
   const bool soft = m.kind == BodyKind::soft;
   return Checks()
       .that(valid_name(m.name), "body name not valid")
@@ -65,6 +75,9 @@ Refusal check_body(SceneBody& m) {
       .that(within(m.appearance.roughness, 0, 1), "roughness outside [0, 1]")
       .that(within(m.appearance.wetness, 0, 1), "wetness outside [0, 1]")
       .that(enum_within(m.appearance.surface, last_body_surface), "unknown surface")
+      .that(within(m.appearance.refractive_index, min_refractive_index, max_refractive_index),
+            "refractive index out of range")
+      .that(within(m.appearance.abbe_number, min_abbe_number, max_abbe_number), "Abbe number out of range")
       .that(valid_text(m.method), "method not valid text")
       .that(enum_within(m.fidelity, Fidelity::mesh), "unknown fidelity")
       .refusal();

@@ -52,7 +52,13 @@ SceneInfo some_scene() {
   suture.points = 40;
   suture.chunk_points = soft_chunk_points;
   suture.tube_diameter = 0.0004;
-  m.bodies = {table, liver, suture};
+  SceneBody dish;
+  dish.name = "dish";
+  dish.appearance = {.surface = Surface::glass,
+                     .refractive_index = 1.62,
+                     .abbe_number = 36.4,
+                     .transmittance = {0.5, 0.25, 0.125}};
+  m.bodies = {table, liver, suture, dish};
   m.lights = {{"lamp", LightKind::spot, {0, 2, 0}, {0, -1, 0}, {1, 1, 0.9}, 10, 0.6, 0.3, 0}};
   return m;
 }

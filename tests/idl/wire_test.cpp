@@ -137,6 +137,13 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<SceneInfo>("too many lights", [](SceneInfo& m) { m.lights.resize(max_lights + 1); }),
       spoiled<SceneInfo>("points", [](SceneInfo& m) { m.bodies[1].points = max_streamed_points + 1; }),
       spoiled<SceneInfo>("no points", [](SceneInfo& m) { m.bodies[1].points = 0; }),
+      spoiled<SceneInfo>("refracts less than nothing",
+                         [](SceneInfo& m) { m.bodies[3].appearance.refractive_index = 0.9; }),
+      spoiled<SceneInfo>("refracts NaN", [](SceneInfo& m) { m.bodies[3].appearance.refractive_index = nan; }),
+      spoiled<SceneInfo>("Abbe number 0", [](SceneInfo& m) { m.bodies[3].appearance.abbe_number = 0; }),
+      spoiled<SceneInfo>("Abbe number NaN", [](SceneInfo& m) { m.bodies[3].appearance.abbe_number = nan; }),
+      spoiled<SceneInfo>("glass that shines",
+                         [](SceneInfo& m) { m.bodies[3].appearance.transmittance.x() = 1.5; }),
       spoiled<SceneInfo>("chunk of 0", [](SceneInfo& m) { m.bodies[1].chunk_points = 0; }),
       spoiled<SceneInfo>("tube inside out", [](SceneInfo& m) { m.bodies[2].tube_diameter = -1e-3; }),
       spoiled<SceneInfo>("large chunks",
@@ -193,7 +200,7 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<ServerStatus>("text", [](ServerStatus& m) { m.degraded = "\xff"; }),
       spoiled<SceneInfo>("method", [](SceneInfo& m) { m.bodies[1].method = "\xff"; }),
       spoiled<SceneInfo>("fidelity", [](SceneInfo& m) { m.bodies[1].fidelity = static_cast<Fidelity>(6); }),
-      spoiled<SceneInfo>("light with nobody", [](SceneInfo& m) { m.lights[0].body = 3; }),
+      spoiled<SceneInfo>("light with nobody", [](SceneInfo& m) { m.lights[0].body = 4; }),
       spoiled<PartState>("body", [](PartState& m) { m.body = max_bodies; }),
       spoiled<PartState>("opacity", [](PartState& m) { m.opacity = 1.5; }),
       spoiled<PartState>("stiffness", [](PartState& m) { m.stiffness = 0; }),
@@ -297,6 +304,9 @@ std::string as_wire_bytes(const Message& message) {
             add(b.part);
             add(b.fidelity);
             text += to_hex(b.outline);
+            add(b.appearance.color), add(b.appearance.roughness), add(b.appearance.wetness);
+            add(b.appearance.surface), add(b.appearance.refractive_index), add(b.appearance.abbe_number);
+            add(b.appearance.transmittance);
           }
           for (const LightInfo& l : m.lights) add(l.intensity), add(l.body), text += l.name;
           add(m.camera.fov);

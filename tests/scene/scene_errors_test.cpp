@@ -38,7 +38,8 @@ TEST(SceneErrors, NameFileLineFieldAndWhatIsAllowed) {
        "test.toml:5: [[soft]] \"a\": has 2"},
       {"name = \"s\"\n[[rigid]]\nname = \"a\"\n", "has no geometry"},
       {"name = \"s\"\n[[rigid]]\nname = \"a\"\nmesh = \"m\"\nvolume = \"v\"\n",
-       "test.toml:5: [[rigid]] \"a\": has several of mesh, volume and [[rigid.part]]s: give one"},
+       "test.toml:5: [[rigid]] \"a\": has several of mesh, volume, [[rigid.part]]s, and curves or patches: "
+       "give one"},
       {"name = \"s\"\n[[rigid]]\nname = \"a\"\nmesh = \"m\"\nlabel = 3\n",
        "test.toml:5: [[rigid]] \"a\": label needs a volume"},
       {"name = \"s\"\n[[rigid]]\nname = \"a\"\nmesh = \"m\"\nrotation = [0, 0, 0, 0]\n", "not all zero"},
@@ -63,6 +64,42 @@ TEST(SceneErrors, NameFileLineFieldAndWhatIsAllowed) {
   for (const Case& c : cases)
     EXPECT_NE(complaint(c.text).find(c.says), std::string::npos)
         << complaint(c.text) << "\n  lacks: " << c.says;
+}
+
+TEST(SceneErrors, CurvesAndPatches) {
+  const std::string rigid = "name = \"s\"\n[[rigid]]\nname = \"a\"\n",
+                    soft = "name = \"s\"\n[[soft]]\nname = \"a\"\n";
+  const std::string curve = "[[rigid.curve]]\n", patch = "[[rigid.patch]]\n";
+  const std::string line = "points = [[0, 0, 0], [1, 0, 0], [2, 1, 0], [3, 0, 0]]\n";
+  const std::pair<std::string, const char*> cases[] = {
+      {rigid + curve, "test.toml:4: [[rigid]] \"a\": curve 1: 0 points are too few for degree 3: it needs 4"},
+      {rigid + curve + line + curve + "kind = \"bezier\"\n",
+       "test.toml:6: [[rigid]] \"a\": curve 2: a bezier of 0"},
+      {rigid + curve + line + "knots = [0, 1]\n", "2 knots: 4 points of degree 3 need 8"},
+      {rigid + curve + line + "knots = [0, 0, 0, 0, 1, 1, 1, 0.5]\n",
+       "knot 8 is 0.5, below the one before, 1"},
+      {rigid + curve + line + "knots = [0, 0, 0, 0, 0, 0, 0, 0]\n",
+       "knots 2 to 5 are all 0: at most 3 within the curve may be equal"},
+      {rigid + curve + line + "weights = [1, 1]\n", "2 weights for 4 points"},
+      {rigid + curve + line + "weights = [1, 1, 0, 1]\n",
+       "weights = [ 1, 1, 0, 1 ]: must be a list of numbers in"},
+      {rigid + curve + "points = [[0, 0, 0], [1, 0]]\n",
+       "must be a list of [x, y, z] in [-1000, 1000], 4096 at most"},
+      {rigid + curve + "points = [[0, 0, nan]]\n", "must be a list of [x, y, z]"},
+      {rigid + curve + "kind = \"ellipse\"\nto = 7\n", "more than once around"},
+      {rigid + curve + "kind = \"parabola\"\nto = 0\n", "must end after it begins"},
+      {rigid + curve + line + "tolerance = 0\n", "tolerance = 0 m: must be in [1e-06, 1]"},
+      {rigid + patch + line + "columns = 3\n", "4 points don't fill rows of 3 columns"},
+      {rigid + patch + line, "along v: 1 points are too few for degree 3"},
+      {rigid + patch + "kind = \"coons\"\n", "0 sides: a Coons patch has 4"},
+      {rigid + curve + line + "[[rigid.part]]\n", "has several of mesh"},
+      {soft + "shape = \"ball\"\n[[soft.curve]]\n" + line, "[[soft.curve]] needs a rope to lie along it"},
+      {soft + "shape = \"rope\"\n[[soft.curve]]\n" + line + "[[soft.curve]]\n" + line,
+       "at most 1 are allowed"},
+  };
+  for (const auto& [text, says] : cases)
+    EXPECT_NE(complaint(text).find(says), std::string::npos) << complaint(text) << "\n  lacks: " << says;
+  EXPECT_EQ(complaint(rigid + curve + line + patch + "kind = \"bezier\"\ncolumns = 2\n" + line), "");
 }
 
 TEST(SceneErrors, CollisionOfBodies) {

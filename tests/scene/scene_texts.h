@@ -11,7 +11,7 @@ namespace prosector {
 /// A scene with every table in it, where `line` stands as one more line of `table` ("" is the top level).
 inline std::string scene_with(const std::string& table, const std::string& line) {
   struct Block {
-    const char* table;
+    const char* table;  // null: no line goes here
     const char* text;
   };
   static constexpr Block blocks[] = {
@@ -23,7 +23,26 @@ inline std::string scene_with(const std::string& table, const std::string& line)
       {"[[rigid.fracture]]", "[[rigid.fracture]]\n"},
       {"[[rigid.edge]]", "[[rigid.edge]]\n"},
       {"[[rigid.part]]", "[[rigid]]\nname = \"p\"\n[[rigid.part]]\n"},
+      {"[[rigid.curve]]",
+       "[[rigid]]\nname = \"c\"\n[[rigid.curve]]\npoints = [[0, 0, 0], [1, 0, 0], [2, 1, 0], [3, 0, 0], "
+       "[4, 0, 0], [5, 2, 0], [6, 0, 0], [7, 0, 1], [8, 0, 0], [9, 0, 0]]\n"},
+      {"[[rigid.patch]]", "[[rigid]]\nname = \"d\"\n[[rigid.patch]]\nkind = \"coons\"\n"},
+      {"[[rigid.patch.side]]", "[[rigid.patch.side]]\nkind = \"bezier\"\npoints = [[0, 0, 0], [1, 0, 0]]\n"},
+      {nullptr,
+       "[[rigid.patch.side]]\nkind = \"bezier\"\npoints = [[0, 1, 0], [1, 1, 0]]\n"
+       "[[rigid.patch.side]]\nkind = \"bezier\"\npoints = [[0, 0, 0], [0, 1, 0]]\n"
+       "[[rigid.patch.side]]\nkind = \"bezier\"\npoints = [[1, 0, 0], [1, 1, 0]]\n"},
       {"[[soft]]", "[[soft]]\nname = \"t\"\nvolume = \"v.inr\"\n"},
+      {"[[soft.curve]]",
+       "[[soft]]\nname = \"u\"\nshape = \"rope\"\n[[soft.curve]]\npoints = [[0, 0, 0], [1, 0, 0], [2, 1, 0], "
+       "[3, 0, 0], [4, 0, 0], [5, 2, 0], [6, 0, 0], [7, 0, 1], [8, 0, 0], [9, 0, 0]]\n"},
+      {"[[soft.patch]]", "[[soft]]\nname = \"w\"\nshape = \"sheet\"\n[[soft.patch]]\nkind = \"coons\"\n"},
+      {"[[soft.patch.side]]", "[[soft.patch.side]]\nkind = \"bezier\"\npoints = [[0, 0, 0], [1, 0, 0]]\n"},
+      {nullptr,
+       "[[soft.patch.side]]\nkind = \"bezier\"\npoints = [[0, 1, 0], [1, 1, 0]]\n"
+       "[[soft.patch.side]]\nkind = \"bezier\"\npoints = [[0, 0, 0], [0, 1, 0]]\n"
+       "[[soft.patch.side]]\nkind = \"bezier\"\npoints = [[1, 0, 0], [1, 1, 0]]\n"
+       "[[soft]]\nname = \"x\"\nvolume = \"v.inr\"\n"},
       {"[[soft.attach]]", "[[soft.attach]]\n"},
       {"[[soft.region]]", "[[soft.region]]\n"},
       {"[[soft.relaxation]]", "[[soft.relaxation]]\n"},
@@ -32,7 +51,7 @@ inline std::string scene_with(const std::string& table, const std::string& line)
   std::string text;
   for (const Block& block : blocks) {
     text += block.text;
-    if (table == block.table) text += line + "\n";
+    if (block.table != nullptr && table == block.table) text += line + "\n";
   }
   return text;
 }

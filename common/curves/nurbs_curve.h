@@ -1,0 +1,74 @@
+#pragma once
+// Rational B-spline curves, which Bézier curves and all conics are special cases of (Piegl & Tiller, The
+// NURBS Book, 2nd ed. 1997, ch. 4; Farin, Curves and Surfaces for CAGD, 5th ed. 2002).
+
+#include <span>
+#include <vector>
+
+#include "common/curves/basis.h"
+#include "common/math.h"
+
+namespace prosector {
+
+inline constexpr std::size_t max_control_points = 4096;
+
+/// A place on a curve and its derivatives by the parameter.
+struct CurvePoint {
+  Vec3 x = Vec3::Zero();
+  Vec3 first = Vec3::Zero(), second = Vec3::Zero();
+};
+
+class NurbsCurve {
+ public:
+  /// `weights` as many as points, or none: all 1. Throws InputError for points or weights that aren't finite,
+  /// weights that aren't positive, another number of them, and what check_knots() refuses.
+  NurbsCurve(int degree, std::vector<double> knots, std::vector<Vec3> points,
+             std::vector<double> weights = {});
+
+  static NurbsCurve bezier(std::vector<Vec3> points, std::vector<double> weights = {});
+
+  int degree() const { return degree_; }
+  std::span<const double> knots() const { return knots_; }
+  /// Homogeneous: (w x, w y, w z, w).
+  std::span<const Eigen::Vector4d> points() const { return points_; }
+  double begin() const { return knots_[static_cast<std::size_t>(degree_)]; }
+  double end() const { return knots_[points_.size()]; }
+
+  /// `u` is clamped to begin() … end().
+  Vec3 at(double u) const { return evaluate(u).x; }
+  CurvePoint evaluate(double u) const;
+
+  /// The same curve with one more knot (Boehm 1980; A5.1); `u` inside the domain.
+  NurbsCurve with_knot(double u) const;
+  NurbsCurve moved(const Pose& pose) const;
+
+ private:
+  NurbsCurve() = default;
+
+  int degree_ = 1;
+  std::vector<double> knots_;
+  std::vector<Eigen::Vector4d> points_;
+};
+
+/// A rational Bézier curve over `from` … `to` of the curve that it is a piece of.
+struct BezierPiece {
+  std::vector<Eigen::Vector4d> points;  // homogeneous
+  double from = 0, to = 1;
+
+  /// At a share s of it, by de Casteljau's algorithm.
+  Vec3 at(double s) const;
+  /// Both halves, likewise.
+  std::array<BezierPiece, 2> halves() const;
+};
+
+/// The curve's spans, in order.
+std::vector<BezierPiece> bezier_pieces(const NurbsCurve& curve);
+
+inline Vec3 projected(const Eigen::Vector4d& homogeneous) {
+  return homogeneous.head<3>() / homogeneous.w();
+}
+
+/// All that a curve or a surface asks of its control points; `weights` is filled with ones when empty.
+void check_points(std::span<const Vec3> points, std::vector<double>& weights);
+
+}  // namespace prosector

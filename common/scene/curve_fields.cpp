@@ -1,0 +1,131 @@
+#include "common/scene/curve_fields.h"
+
+#include "common/curves/nurbs_curve.h"
+#include "common/scene/field_rows.h"
+
+namespace prosector {
+namespace {
+
+constexpr Range weight{1e-6, 1e6};
+constexpr Range knot{-1e6, 1e6};
+constexpr Range degree{1, max_degree};
+constexpr Range size{0, 10, true};
+constexpr Range tolerance{1e-6, 1, false};
+constexpr const char* about_knots =
+    "bspline: points + degree + 1 of them, rising; none given: uniform, with ends that are met";
+
+template <class Struct, auto... Path>
+Field list(std::string_view key, std::string_view unit, Range range, std::string_view description) {
+  Field out = number<Struct, Path...>(key, unit, range, description);
+  out.max_length = max_control_points;
+  return out;
+}
+
+template <class Struct>
+void add_extent(std::vector<Field>& fields) {
+  fields.push_back(number<Struct, &Struct::tolerance>(
+      "tolerance", "m", tolerance, "how far its triangles may be from the true surface, at most"));
+}
+
+/// Of a curve given by control points, whether a tube is laid around it or it is a side.
+std::vector<Field> spline_rows(std::vector<std::string_view> kinds, std::string_view about) {
+  using C = CurveDesc;
+  return {words<C, &C::kind>("kind", std::move(kinds), about),
+          list<C, &C::points>("points", "m", coordinate, "control points of a bezier or bspline"),
+          list<C, &C::weights>("weights", "", weight, "of the points; none given: all 1"),
+          number<C, &C::degree>("degree", "", degree, "bspline; a bezier's is one less than its points"),
+          list<C, &C::knots>("knots", "", knot, about_knots)};
+}
+
+Table curve_table(std::string_view name, std::string_view about) {
+  using C = CurveDesc;
+  Table t{name,
+          about,
+          spline_rows({"bezier", "bspline", "ellipse", "parabola", "hyperbola"},
+                      "conics lie in the x-y plane: ellipse (a cos t, b sin t), parabola (a t², 2 a t), "
+                      "hyperbola (a cosh t, b sinh t)"),
+          {},
+          fresh<C>};
+  for (Field& field : std::vector<Field>{
+           number<C, &C::a>("a", "m", size, "conics"), number<C, &C::b>("b", "m", size, "ellipse, hyperbola"),
+           number<C, &C::from>("from", "", {-10, 10}, "conics: t where the arc begins; ellipse: rad"),
+           number<C, &C::to>("to", "", {-10, 10}, "conics: t where it ends; ellipse: at most 2π more"),
+           number<C, &C::diameter>("diameter", "m", size, "of the tube")})
+    t.fields.push_back(std::move(field));
+  add_pose<C>(t.fields, "the curve's origin in the body's frame");
+  add_extent<C>(t.fields);
+  return t;
+}
+
+Table side_table(std::string_view name) {
+  return {name,
+          "The side of a revolved patch, or a Coons patch's four, in this order: along u at v = 0, along u "
+          "at v = 1, along v at u = 0, "
+          "along v at u = 1. They meet at the corners.",
+          spline_rows({"bezier", "bspline"}, ""),
+          {},
+          fresh<CurveDesc>};
+}
+
+Table patch_table(std::string_view name, std::string_view about, const Table& (*side)()) {
+  using P = PatchDesc;
+  Table t{name,
+          about,
+          {words<P, &P::kind>("kind", {"bezier", "bspline", "coons", "revolved"},
+                              "a tensor product, a Coons patch between four sides, or one side in the x-y "
+                              "plane, at x >= 0, turned about y"),
+           list<P, &P::points>("points", "m", coordinate, "control points, row by row along u"),
+           number<P, &P::columns>("columns", "", {2, max_control_points}, "how many points a row has"),
+           list<P, &P::weights>("weights", "", weight, "of the points; none given: all 1"),
+           number<P, &P::degree_u>("degree_u", "", degree, "bspline"),
+           number<P, &P::degree_v>("degree_v", "", degree, "bspline"),
+           list<P, &P::knots_u>("knots_u", "", knot, about_knots),
+           list<P, &P::knots_v>("knots_v", "", knot, about_knots),
+           number<P, &P::thickness>("thickness", "m", size, "half of it on either side")},
+          {{"side", side, true, 4, append<P, &P::sides>}},
+          fresh<P>};
+  add_pose<P>(t.fields, "the patch's origin in the body's frame");
+  add_extent<P>(t.fields);
+  return t;
+}
+
+const Table& rigid_side_table() {
+  static const Table table = side_table("[[rigid.patch.side]]");
+  return table;
+}
+
+const Table& soft_side_table() {
+  static const Table table = side_table("[[soft.patch.side]]");
+  return table;
+}
+
+}  // namespace
+
+const Table& rigid_curve_table() {
+  static const Table table = curve_table(
+      "[[rigid.curve]]", "A tube around a curve, with flat ends; a ring where the curve closes smoothly.");
+  return table;
+}
+
+const Table& rigid_patch_table() {
+  static const Table table =
+      patch_table("[[rigid.patch]]", "A piece of a curved surface, `thickness` thick.", rigid_side_table);
+  return table;
+}
+
+const Table& soft_curve_table() {
+  static const Table table = curve_table(
+      "[[soft.curve]]",
+      "The line along which a rope lies at rest, with its diameter; free of forces it is straight.");
+  return table;
+}
+
+const Table& soft_patch_table() {
+  static const Table table = patch_table(
+      "[[soft.patch]]",
+      "The surface over which a sheet lies at rest, with its thickness; free of forces it is flat.",
+      soft_side_table);
+  return table;
+}
+
+}  // namespace prosector
