@@ -8,6 +8,7 @@
 
 #include "common/error.h"
 #include "server/physics/cutting/carry.h"
+#include "server/physics/organs/tet_lineage.h"
 #include "server/physics/simulation_impl.h"
 
 namespace prosector {
@@ -125,7 +126,7 @@ struct Simulation::Impl::NewPiece {
   std::optional<SurfaceDetector> surface;
   std::uint64_t content_hash = 0;
   Motion motion;  // of a whole one: as what was there moved
-  VecX equilibrium;
+  VecX equilibrium, history;
 };
 
 /// Of the pieces that an organ's change left or made. Changes nothing: what can fail fails here.
@@ -162,6 +163,14 @@ void Simulation::Impl::carry_motion(const Organ& organ, std::span<const OrganPie
   for (VecX Motion::*field : {&Motion::x, &Motion::v, &Motion::x_prev, &Motion::v_prev})
     made.motion.*field = carried([&](std::size_t body) -> const VecX& { return soft[body].motion.*field; });
   made.equilibrium = carried([&](std::size_t body) -> const VecX& { return equilibrium[body]; });
+  std::vector<const VecX*> histories;
+  auto numbers = std::numeric_limits<Eigen::Index>::max();
+  for (const OrganPiece& old : before) {
+    histories.push_back(&soft[old.body].history);
+    const bool all = model.soft[old.body]->dropped_elements() == 0;
+    numbers = std::min(numbers, all ? history_per_tet(*histories.back(), old.mesh) : 0);
+  }
+  made.history = carried_history(organ.complex(), meshes, histories, numbers, piece.mesh.tets);
 }
 
 /// Puts a piece in the place of the body that had its index, if any.
@@ -171,10 +180,12 @@ void Simulation::Impl::place(NewPiece piece, std::size_t first, TopologyCause ca
   place_piece(body, first, std::move(piece.solver), std::move(piece.numbering), std::move(*piece.surface));
   memories[body].clear();
   if (!is_new) ++revisions[body];
-  if (piece.whole)
+  if (piece.whole) {
     set_going(body, first, std::move(piece.motion), std::move(piece.equilibrium));
-  else
+    if (piece.history.size() == soft[body].history.size()) soft[body].history = std::move(piece.history);
+  } else {
     parts[soft_id(body)].hidden = true;
+  }
   take_effect(world, soft_id(body));
   place_surface(body);
   TopologyChange& change = tell_of(body, piece.content_hash, cause, author);

@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include "server/physics/organs/tet_lineage.h"
 #include "server/physics/simulation_impl.h"
 
 namespace prosector {
@@ -29,12 +30,22 @@ bool Simulation::Impl::follow_cut(Organ& organ, TopologyCause cause, Participant
   for (VecX Motion::*field : {&Motion::x, &Motion::v, &Motion::x_prev, &Motion::v_prev})
     motion.*field = carried(soft[body].motion.*field);
   VecX balance = carried(equilibrium[body]);
+  VecX history = soft[body].history;
+  const PieceMesh* const before[] = {&mesh};
+  const VecX* const histories[] = {&soft[body].history};
+  const Eigen::Index numbers = history_per_tet(history, mesh);
+  const VecX touched = carried_history(organ.complex(), before, histories, numbers, edit->tets);
   organ.follow(*edit);
   PieceSurface skin = organ.surface(organ.piece(body));
   numberings[body] = std::move(skin.numbering);
   solver.follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
   soft[body] = solver.initial_state();
   set_going(body, organ.pieces().front().body, std::move(motion), std::move(balance));
+  history.conservativeResize(soft[body].history.size());
+  for (std::size_t i = 0; i < edit->tets.size(); ++i)
+    history.segment(numbers * Eigen::Index{edit->mesh.tets[i]}, numbers) =
+        touched.segment(numbers * static_cast<Eigen::Index>(i), numbers);
+  soft[body].history = std::move(history);
   memories[body].clear();
   ++revisions[body];
   take_effect(world, soft_id(body));

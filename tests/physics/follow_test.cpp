@@ -6,6 +6,7 @@
 #include <random>
 
 #include "server/physics/organs/organ.h"
+#include "server/physics/organs/tet_lineage.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/cutting/meshes.h"
 
@@ -85,12 +86,13 @@ std::vector<VecX> answers(SoftBody& body, unsigned seed) {
 
 struct Rung {
   const char *name, *model, *solver;
-  bool regions = false, damped = false;
+  bool regions = false, damped = false, relaxes = false;
+  double stiffness = 1;  // times as stiff as described, since it was made
 };
 
-class Following : public ::testing::TestWithParam<Rung> {};
+class FollowingRungs : public ::testing::TestWithParam<Rung> {};
 
-TEST_P(Following, CutsAtRandomIsBeingMadeAnew) {
+TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
   const Rung rung = GetParam();
   SoftDesc desc;
   desc.name = "block";
@@ -104,10 +106,17 @@ TEST_P(Following, CutsAtRandomIsBeingMadeAnew) {
     region.radius = 0.04;
     region.youngs_modulus = 5 * desc.youngs_modulus;
   }
+  if (rung.relaxes) desc.relaxation = {{0.3, 0.5}, {0.2, 5}};
   const Anatomy mesh = {shaken_box(4), {}, {}};
   Organ organ(0, mesh, desc.density);
+  const auto made_anew = [&](std::size_t body) {
+    Numbering numbering;
+    auto out = std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(body), numbering));
+    out->set_in_force(rung.stiffness, true);
+    return out;
+  };
   std::map<std::size_t, std::unique_ptr<SoftBody>> bodies;
-  bodies[0] = std::make_unique<SoftBody>(desc, mesh);
+  bodies[0] = made_anew(0);
   Random random(20261122);
   std::size_t followed = 0, pieces_followed = 0;
   for (unsigned stroke = 0; stroke < 10; ++stroke) {
@@ -118,10 +127,7 @@ TEST_P(Following, CutsAtRandomIsBeingMadeAnew) {
     BladeStroke blade = begin_stroke(std::vector<Vec3>{begin - mesh_size * along, begin + mesh_size * along});
     if (stroke % 4 == 3) {
       EXPECT_EQ(organ.undo(1), "");
-      for (const std::size_t body : organ.regroup(bodies.size()).bodies) {
-        Numbering numbering;
-        bodies[body] = std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(body), numbering));
-      }
+      for (const std::size_t body : organ.regroup(bodies.size()).bodies) bodies[body] = made_anew(body);
     }
     for (int tick = 1; tick <= ticks; ++tick) {
       std::vector<Vec3> x;
@@ -143,8 +149,7 @@ TEST_P(Following, CutsAtRandomIsBeingMadeAnew) {
         changed = organ.regroup(bodies.size()).bodies;
       }
       for (const std::size_t body : changed) {
-        Numbering numbering;
-        auto anew = std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(body), numbering));
+        auto anew = made_anew(body);
         if (follows) {
           ASSERT_TRUE(same(*bodies[body], *anew, stroke)) << "stroke " << stroke << ", tick " << tick;
         } else {
@@ -157,10 +162,37 @@ TEST_P(Following, CutsAtRandomIsBeingMadeAnew) {
   EXPECT_GT(pieces_followed, 0U);  // what came off follows, too
 }
 
-INSTANTIATE_TEST_SUITE_P(Rungs, Following,
+// What relaxes remembers: each tetrahedron what the one that it is a part of did.
+TEST(Following, HistoryIsThatOfWhatATetrahedronIsPartOf) {
+  Organ organ(0, {shaken_box(4), {}, {}}, 1000);
+  const PieceMesh before = organ.piece(0).mesh;
+  const VecX history = VecX::LinSpaced(6 * static_cast<Eigen::Index>(before.tets.size()), 1, 2);
+  std::vector<Vec3> x;
+  for (NodeId node = 0; node < organ.complex().node_end(); ++node) x.push_back(organ.complex().rest(node));
+  const auto edge = [](double at) { return std::vector<Vec3>{{at, 0.051, -0.1}, {at, 0.051, 0.2}}; };
+  BladeStroke blade = begin_stroke(edge(-0.01));
+  ASSERT_FALSE(organ.cut(x, edge(0.04), blade, 1, 1).ops.empty());
+  organ.regroup(1);
+  const PieceMesh& now = organ.piece(0).mesh;
+  ASSERT_GT(now.tets.size(), before.tets.size());
+  const PieceMesh* const meshes[] = {&before};
+  const VecX* const histories[] = {&history};
+  const VecX carried = carried_history(organ.complex(), meshes, histories, 6, now.tets);
+  const auto of = [](const VecX& all, std::size_t tet) {
+    return Eigen::Matrix<double, 6, 1>(all.segment<6>(6 * static_cast<Eigen::Index>(tet)));
+  };
+  for (std::size_t i = 0; i < now.tets.size(); ++i) {
+    TetId whole = now.tets[i];
+    while (organ.complex().parent(whole) != TetComplex::none) whole = organ.complex().parent(whole);
+    EXPECT_EQ(of(carried, i), of(history, whole)) << "tetrahedron " << i;  // uncut, ids are indices
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rungs, FollowingRungs,
                          ::testing::Values(Rung{"corotational", "fem_corotational", "cg", false, true},
-                                           Rung{"regions", "fem_corotational", "cg", true},
+                                           Rung{"regions", "fem_corotational", "cg", true, false, false, 3},
                                            Rung{"neo_hookean", "fem_neo_hookean", "cg", true, true},
+                                           Rung{"relaxing", "fem_corotational", "cg", false, false, true},
                                            Rung{"direct", "fem_corotational", "direct"},
                                            Rung{"multigrid", "fem_corotational", "multigrid", false, true}),
                          [](const auto& info) { return std::string(info.param.name); });

@@ -3,28 +3,11 @@
 #include <algorithm>
 #include <optional>
 
+#include "server/physics/organs/tet_lineage.h"
 #include "server/physics/soft/tet10.h"
 
 namespace prosector {
 namespace {
-
-struct OldTet {
-  std::uint32_t piece = 0;
-  std::size_t tet = 0;  // its index there
-};
-
-/// The tetrahedron that was where `tet` is now, or the one it is part of.
-std::optional<OldTet> find_old(const TetComplex& complex, std::span<const PieceMesh* const> before,
-                               TetId tet) {
-  for (; tet != TetComplex::none; tet = complex.parent(tet))
-    for (std::uint32_t p = 0; p < before.size(); ++p) {
-      const std::vector<TetId>& places = before[p]->places;
-      const auto at = std::lower_bound(places.begin(), places.end(), complex.place(tet));
-      const auto i = static_cast<std::size_t>(at - places.begin());
-      if (at != places.end() && before[p]->tets[i] == tet) return OldTet{p, i};
-    }
-  return std::nullopt;
-}
 
 std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
   return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);

@@ -45,6 +45,16 @@ RelaxingBatches::RelaxingBatches(std::unique_ptr<ElementBatches> law, std::vecto
       held_(elements.size(), Mat3::Zero()),
       start_(elements.size(), Mat3::Zero()) {}
 
+void RelaxingBatches::follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) {
+  ElementBatches::follow(desc, mesh, edit);
+  law_->follow(desc, mesh, edit);
+  std::fill(keep_.begin(), keep_.end(), 1);
+  std::fill(gain_.begin(), gain_.end(), 0);
+  share_ = 1;
+  held_.assign(elements_.size(), Mat3::Zero());
+  start_.assign(elements_.size(), Mat3::Zero());
+}
+
 void RelaxingBatches::set_step(double h) {
   share_ = 1;
   for (std::size_t i = 0; i < terms_.size(); ++i) {

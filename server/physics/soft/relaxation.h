@@ -37,7 +37,8 @@ class RelaxingBatches final : public ElementBatches {
   /// The batch is at the step's end, with pressures set.
   void end_step(std::size_t batch, double* history) const;
 
-  bool can_follow() const override { return false; }  // its history starts anew
+  bool can_follow() const override { return law_->can_follow(); }
+  void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) override;
   bool objective() const override { return law_->objective(); }
   void move(std::size_t batch, const double* x) override;
   double energy(std::size_t batch) const override;
