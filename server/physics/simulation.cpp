@@ -5,28 +5,12 @@
 #include <algorithm>
 #include <thread>
 
-#include "common/clock.h"
 #include "common/error.h"
+#include "server/physics/phase_clock.h"
 #include "server/physics/simulation_impl.h"
 
 namespace prosector {
 namespace {
-
-/// Writes the time since it was last asked into a phase of the report; decides nothing.
-class PhaseClock {
- public:
-  explicit PhaseClock(StepReport& report) : report_(report), start_(monotonic_ns()), last_(start_) {}
-  void end(Phase phase) {
-    const std::int64_t now = monotonic_ns();
-    report_.seconds[static_cast<std::size_t>(phase)] += 1e-9 * static_cast<double>(now - last_);
-    last_ = now;
-    report_.total_seconds = 1e-9 * static_cast<double>(now - start_);
-  }
-
- private:
-  StepReport& report_;
-  std::int64_t start_, last_;
-};
 
 int threads_of(const CompileOptions& options) {
   return options.threads > 0 ? options.threads
@@ -39,6 +23,7 @@ Simulation::Impl::Impl(const SceneDesc& scene, const CompileOptions& options)
     : model(compile(scene, options)),
       world(scene.gravity),
       soft_boxes(still_margin),
+      step_h(model.h),
       arena(threads_of(options)) {
   for (const RigidModel& r : model.rigid) {
     RigidMotion motion;
@@ -67,23 +52,10 @@ const StepReport& Simulation::step(const TickInput& input) {
   Impl& m = *impl_;
   m.arena.execute([&] {
     m.report = {};
-    PhaseClock clock(m.report);
+    Impl::PhaseClock clock(m.report);
     m.take_inputs(input);
     clock.end(Phase::inputs);
-    m.world.detect(m.model.h);
-    clock.end(Phase::broad);
-    m.grip_blades();
-    m.detect_soft_contacts();
-    clock.end(Phase::narrow);
-    const std::vector<MixedIsland>& mixed = m.find_islands();
-    clock.end(Phase::rigid);  // with the islands that Bullet solves at once
-    m.gather(mixed);
-    clock.end(Phase::islands);
-    m.solve_islands();
-    clock.end(Phase::coupled);
-    m.world.integrate(m.model.h);
-    m.bounce_rigid();
-    clock.end(Phase::rigid);
+    m.advance_in_parts(clock);
     ++m.time.tick;
     m.recover();
     m.unfold_tangles();
@@ -203,6 +175,7 @@ std::vector<std::uint8_t> Simulation::checkpoint() {
 
 void Simulation::restore(std::span<const std::uint8_t> bytes) {
   impl_->load(bytes);
+  impl_->earlier_exchanges.clear();
   impl_->islands.clear();  // of the state that was: the hands touch nothing until the next step
   impl_->describe_hands();
 }

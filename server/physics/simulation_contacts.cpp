@@ -151,7 +151,7 @@ bool Simulation::Impl::add_contacts(std::size_t body, const Collider& collider, 
       out.back().feature = first_corner + corner.index;
       recall(find(held, other, out.back().feature), out.back());
     });
-  rest(held, first_face, model.h, std::span(out).subspan(before));
+  rest(held, first_face, step_h, std::span(out).subspan(before));
   return out.size() > before;
 }
 
@@ -174,7 +174,6 @@ void Simulation::Impl::wake_soft(std::size_t body) {
 
 void Simulation::Impl::detect_soft_contacts() {
   refresh_colliders();
-  const double h = model.h;
   for (auto& list : soft_contacts) list.clear();
   std::fill(faces_moved.begin(), faces_moved.end(), 0);
   std::fill(layers_moved.begin(), layers_moved.end(), 0);
@@ -192,7 +191,7 @@ void Simulation::Impl::detect_soft_contacts() {
         const bool touched = std::any_of(colliders.begin(), colliders.end(), [&](const Collider& c) {
           if (!may_meet(i, c) || !awake(c)) return false;
           std::vector<Contact> found;
-          return touches(i, c, wake_margin + std::min(most_reach, h * total_speed(c))) ||
+          return touches(i, c, wake_margin + std::min(most_reach, step_h * total_speed(c))) ||
                  (is_swept(i, c) && add_swept_contacts(i, c, contact_margin, found));
         });
         if (!touched && !woken_by_soft(i)) continue;
@@ -201,10 +200,10 @@ void Simulation::Impl::detect_soft_contacts() {
       done[i] = 1;
       again = true;
       place_surface(i);
-      const double own = h * soft[i].motion.v.lpNorm<Eigen::Infinity>();
+      const double own = step_h * soft[i].motion.v.lpNorm<Eigen::Infinity>();
       for (const Collider& c : colliders) {
         if (!may_meet(i, c)) continue;
-        const double reach = std::min(most_reach, own + std::max(c.pull, h * total_speed(c)));
+        const double reach = std::min(most_reach, own + std::max(c.pull, step_h * total_speed(c)));
         const bool touched = is_swept(i, c)
                                  ? add_swept_contacts(i, c, contact_margin + reach, soft_contacts[i])
                                  : add_contacts(i, c, contact_margin + reach, memories[i], soft_contacts[i]);

@@ -39,7 +39,7 @@ std::vector<Simulation::Impl::PointForce> Simulation::Impl::forces_on(std::size_
     }
   }
   if (!mixed && !held)
-    for (const RigidImpulse& i : world.impulses(slot)) out.push_back({i.point, i.impulse / model.h});
+    for (const RigidImpulse& i : world.impulses(slot)) out.push_back({i.point, i.impulse / step_h});
   for (const Hand& hand : hands) {
     if (!hand.hold || hand.hold->body != slot) continue;
     const Pose at_hand = world.motion(hand.slot).pose, at_body = world.motion(slot).pose;
@@ -57,8 +57,8 @@ double Simulation::Impl::force_through_free(BodyId body, const RigidModel::Fract
                                             const PlaneLoad& load) const {
   const RigidMotion now = world.motion(body);
   const Collider& before = colliders[body];  // as the tick began
-  const Vec3 linear = (now.linear_velocity - before.linear) / model.h;
-  const Vec3 angular = (now.angular_velocity - before.angular) / model.h;
+  const Vec3 linear = (now.linear_velocity - before.linear) / step_h;
+  const Vec3 angular = (now.angular_velocity - before.angular) / step_h;
   const auto acceleration = [&](const Vec3& center) -> Vec3 {
     const Vec3 arm = now.pose.q * center;
     return linear + angular.cross(arm) + now.angular_velocity.cross(now.angular_velocity.cross(arm)) -

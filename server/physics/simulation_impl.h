@@ -107,7 +107,9 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<Collider> colliders;      // by slot
   std::vector<RigidMotion> last_good;   // by slot, at the tick's start
   std::vector<Island> islands;
-  std::vector<Pad> pads;  // in the islands' order
+  std::vector<Pad> pads;                    // in the islands' order
+  double step_h;                            // s: the tick, or its part that is under way (advance_in_parts)
+  std::vector<Exchange> earlier_exchanges;  // of the tick's parts before that
   IslandStepper stepper;
   std::vector<BladeShape> blade_shapes;  // per rigid body
   std::vector<BladeGrip> blade_grips;
@@ -122,9 +124,13 @@ struct Simulation::Impl : PanelSubjects {
   // ---- Phases (in step order)
   void take_inputs(const TickInput& input);
   void drive(const Drive& drive);  // part of it
-  void detect_soft_contacts();
-  void detect_soft_pairs();  // part of it
-  void group_soft_bodies();  // part of that
+  class PhaseClock;
+  void advance_in_parts(PhaseClock& clock);
+  int parts_of_tick();              // part of it
+  void advance(PhaseClock& clock);  // likewise
+  void detect_soft_contacts();      // part of that
+  void detect_soft_pairs();         // part of it
+  void group_soft_bodies();         // part of that
   const std::vector<MixedIsland>& find_islands();
   void gather(const std::vector<MixedIsland>& mixed);
   /// Part of it: the friction of an island's last contact becomes that of a patch, if it is a finger's.

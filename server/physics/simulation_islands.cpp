@@ -65,7 +65,7 @@ const std::vector<MixedIsland>& Simulation::Impl::find_islands() {
       links.emplace_back(hand.slot, hand.hold->body);
   }
   world.find_islands(links, coupled);
-  return world.solve(model.h);
+  return world.solve(step_h);
 }
 
 void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
@@ -74,7 +74,7 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
   retired.clear();
   std::vector<std::size_t> island_of(world.slots(), 0);
   const auto point_velocity = [&](const ContactSide& side, std::size_t slot) -> Vec3 {
-    if (side.kind == ContactSide::Kind::fixed) return side.moved / model.h;
+    if (side.kind == ContactSide::Kind::fixed) return side.moved / step_h;
     const RigidMotion motion = world.motion(slot);
     return motion.linear_velocity + motion.angular_velocity.cross(side.arm);
   };
@@ -86,14 +86,14 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
       const RigidSetup& setup = hand ? model.hands[hand->side].setup : model.rigid[slot].setup;
       const RigidMotion motion = world.motion(slot);
       const Pose& pose = motion.pose;
-      const auto [linear, angular] = world.predicted_velocity(slot, model.h);
+      const auto [linear, angular] = world.predicted_velocity(slot, step_h);
       RigidMember member;
       member.slot = slot;
       member.mass = body_mass(slot);
       member.inertia = room_inertia(setup, pose);
-      member.predicted << model.h * linear, model.h * angular;
-      member.steady << model.h * motion.linear_velocity, model.h * motion.angular_velocity;
-      if (hand) member.pull = hand_pull(*hand, model.hands[hand->side], model.scene.hand, pose, model.h);
+      member.predicted << step_h * linear, step_h * angular;
+      member.steady << step_h * motion.linear_velocity, step_h * motion.angular_velocity;
+      if (hand) member.pull = hand_pull(*hand, model.hands[hand->side], model.scene.hand, pose, step_h);
       island.rigid.push_back(member);
     }
     std::vector<RigidContact> touches = m.contacts;
@@ -104,7 +104,7 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
       c.b = rigid_side(world, rc.b, rc.point_b);
       c.point = (rc.point_a + rc.point_b) / 2;
       c.normal = rc.normal;
-      c.gap = std::max(rc.gap, -opening_speed * model.h);
+      c.gap = std::max(rc.gap, -opening_speed * step_h);
       c.friction = rc.friction;
       c.rebound =
           rebound_speed(rc.restitution, rc.normal.dot(point_velocity(c.a, rc.a) - point_velocity(c.b, rc.b)));
@@ -148,7 +148,7 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
     for (const SoftMember& s : island.soft) heaviest = std::max(heaviest, s.body->total_mass());
     for (Contact& c : island.contacts)
       if (c.a.kind != ContactSide::Kind::soft && c.bearer == 0)
-        c.stiffness = rigid_contact_factor * heaviest / (model.h * model.h);
+        c.stiffness = rigid_contact_factor * heaviest / (step_h * step_h);
   }
   for (const BladeGrip& grip : blade_grips) islands[island_of[grip.slot]].ties.push_back(grip.tie);
   for (const Hand& hand : hands) {
@@ -187,7 +187,7 @@ void Simulation::Impl::watch_flat_elements(Island& island) {
       continue;
     const double stiffness = model.scene.contact_stiffness * s.body->desc().youngs_modulus;
     find_flat_elements(s.body->linear_tets(), s.state->motion.x, s.state->motion.v,
-                       {s.index, stiffness, model.h}, island.contacts);
+                       {s.index, stiffness, step_h}, island.contacts);
   }
 }
 
@@ -196,9 +196,9 @@ void Simulation::Impl::solve_islands() {
   for (std::size_t slot = 0; slot < world.slots(); ++slot)
     if (world.used(slot)) last_good[slot] = world.motion(slot);
   for (Island& island : islands) {
-    const IslandReport solved = stepper.step(island, model.h, model.scene.gravity);
+    const IslandReport solved = stepper.step(island, step_h, model.scene.gravity);
     for (const RigidMember& r : island.rigid)
-      if (solved.finite) world.set_velocity(r.slot, r.twist.head<3>() / model.h, r.twist.tail<3>() / model.h);
+      if (solved.finite) world.set_velocity(r.slot, r.twist.head<3>() / step_h, r.twist.tail<3>() / step_h);
     for (const SoftMember& s : island.soft) {
       keep(island.contacts, s.index, memories[s.index]);
       BodyReport& row = report.bodies.emplace_back();
@@ -208,7 +208,7 @@ void Simulation::Impl::solve_islands() {
       row.residual = solved.residual;
       row.last_step = solved.last_step;
       row.converged = solved.converged && !s.degraded;
-      row.substep = s.substeps > 0 ? model.h / s.substeps : 0;
+      row.substep = s.substeps > 0 ? step_h / s.substeps : 0;
       row.note = s.note;
       if (passed_through[s.index] > 0) {
         row.converged = false;
@@ -228,9 +228,9 @@ void Simulation::Impl::solve_islands() {
 
 void Simulation::Impl::bounce_rigid() {
   for (Island& island : islands) {
-    if (!bounce(island, model.h)) continue;
+    if (!bounce(island, step_h)) continue;
     for (const RigidMember& r : island.rigid)
-      world.set_velocity(r.slot, r.twist.head<3>() / model.h, r.twist.tail<3>() / model.h);
+      world.set_velocity(r.slot, r.twist.head<3>() / step_h, r.twist.tail<3>() / step_h);
   }
 }
 
@@ -263,7 +263,7 @@ void Simulation::Impl::unfold_tangles() {
                         std::any_of(hands.begin(), hands.end(), [&](const Hand& hand) {
                           return hand.hold && hand.hold->body == soft_id(s.index);
                         });
-      if (!unfold_if_tangled(s, held, equilibrium[s.index], model.h, tangle_check_ticks)) continue;
+      if (!unfold_if_tangled(s, held, equilibrium[s.index], step_h, tangle_check_ticks)) continue;
       BodyReport& row = report.bodies.emplace_back();
       row.body = s.body->desc().name;
       row.reset = true;

@@ -81,7 +81,7 @@ bool Simulation::Impl::nears(const Contact& contact, double gap) const {
   if (gap <= contact_margin || (a.motion.v.isZero(0) && b.motion.v.isZero(0))) return true;
   const Vec3 apart = velocity_of(a, contact.a) - velocity_of(b, contact.b);
   const double nearing = hurry * std::max(0.0, -apart.dot(contact.normal)) + turning * apart.norm();
-  return gap <= contact_margin + model.h * nearing;
+  return gap <= contact_margin + step_h * nearing;
 }
 
 bool Simulation::Impl::add_self_contacts(std::size_t body, double margin, std::vector<Contact>& out) {
@@ -89,7 +89,7 @@ bool Simulation::Impl::add_self_contacts(std::size_t body, double margin, std::v
   folds[body]->find(skin(body), margin, meetings);
   for (const VertexMeeting& meeting : meetings) {
     Contact c = pair_contact(body, body, meeting);
-    c.gap = std::max(c.gap, -opening_speed * model.h);
+    c.gap = std::max(c.gap, -opening_speed * step_h);
     out.push_back(c);
   }
   meetings.clear();
@@ -117,14 +117,14 @@ bool Simulation::Impl::add_layer_contacts(std::size_t a, std::size_t b, double m
     of_a.add(meeting.a, meeting.weights_a, c.a);
     of_b.add(meeting.b, meeting.weights_b, c.b);
     if (!nears(c, meeting.gap)) continue;
-    c.gap = std::max(c.gap, -opening_speed * model.h);
+    c.gap = std::max(c.gap, -opening_speed * step_h);
     c.point = at(of_a.now(meeting.a), meeting.weights_a);
     c.stiffness = 0;
     for (std::size_t k = 0; k < 3; ++k)
       c.stiffness +=
           meeting.weights_a[static_cast<Eigen::Index>(k)] * pair_stiffness(a, b, of_a.corners(meeting.a)[k]);
     const double mass = 1 / (lightness(*model.soft[a], c.a) + lightness(*model.soft[b], c.b));
-    c.stiffness = std::min(c.stiffness, firmness * mass / (model.h * model.h));
+    c.stiffness = std::min(c.stiffness, firmness * mass / (step_h * step_h));
     c.feature = of_a.feature(meeting.a, meeting.weights_a);
     c.met = of_b.feature(meeting.b, meeting.weights_b);
     recall(find(memories[a], c.b, c.feature, c.met), c);

@@ -68,8 +68,8 @@ Simulation::Impl::StoredEnergy Simulation::Impl::stored_in(std::size_t i) const 
 }
 
 std::vector<Exchange> Simulation::Impl::exchanges() const {
-  std::vector<Exchange> out;
-  std::vector<double> strongest;                     // N, of each
+  std::vector<Exchange> out = earlier_exchanges;
+  std::vector<double> strongest(out.size(), 0);      // N, of each
   const auto named = [&](const ContactSide& side) {  // not a hand
     return side.kind == ContactSide::Kind::soft || side.body < model.rigid.size();
   };
@@ -91,8 +91,8 @@ std::vector<Exchange> Simulation::Impl::exchanges() const {
       Exchange& pair = out[i];
       const double sign = pair.a == a ? 1 : -1;
       ++pair.points;
-      pair.impulse += sign * model.h * c.exchanged;
-      pair.normal_impulse += model.h * c.normal.dot(c.exchanged);
+      pair.impulse += sign * step_h * c.exchanged;
+      pair.normal_impulse += step_h * c.normal.dot(c.exchanged);
       pair.depth = std::max(pair.depth, -(c.gap + c.rest));
       if (c.force <= strongest[i]) continue;
       strongest[i] = c.force;
@@ -121,7 +121,7 @@ void Simulation::Impl::note(ContactSample& sample, const Contact& c, bool hand_i
     sample.impact = gap > 0 ? model.h * gap / (gap + sample.depth) : 0;
   } else {
     const double closing =
-        -c.normal.dot(velocity_of(c.a, world, soft, model.h) - velocity_of(c.b, world, soft, model.h));
+        -c.normal.dot(velocity_of(c.a, world, soft, step_h) - velocity_of(c.b, world, soft, step_h));
     if (sample.touching || gap <= 0 || gap > latest_impact * closing) return;
     const double impact = gap / closing;
     if (sample.impact >= 0 && impact >= sample.impact) return;

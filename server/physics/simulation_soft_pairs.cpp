@@ -30,14 +30,14 @@ SoftSkin Simulation::Impl::skin(std::size_t body) {
 }
 
 double Simulation::Impl::reach_of(std::size_t body) const {
-  return model.h * soft[body].motion.v.lpNorm<Eigen::Infinity>();
+  return step_h * soft[body].motion.v.lpNorm<Eigen::Infinity>();
 }
 
 /// How far parts of the body may near each other within the tick.
 double Simulation::Impl::inner_reach_of(std::size_t body) const {
   const auto v = soft[body].motion.v.reshaped(3, model.soft[body]->nodes());
   const Vec3 mean = v.rowwise().mean();
-  return 2 * model.h * (v.colwise() - mean).cwiseAbs().maxCoeff();
+  return 2 * step_h * (v.colwise() - mean).cwiseAbs().maxCoeff();
 }
 
 /// Both surfaces give way, each as its own tissue would: twice two springs in series, so that of two equal

@@ -34,7 +34,7 @@ bool Simulation::Impl::is_swept(std::size_t body, const Collider& collider) cons
   const bool wanted = model.soft_collision[body].continuous ||
                       (!hand_at(collider.slot) && model.rigid[collider.slot].setup.continuous);
   return wanted &&
-         model.h * (total_speed(collider) + soft[body].motion.v.lpNorm<Eigen::Infinity>()) > contact_margin;
+         step_h * (total_speed(collider) + soft[body].motion.v.lpNorm<Eigen::Infinity>()) > contact_margin;
 }
 
 bool Simulation::Impl::add_swept_contacts(std::size_t body, const Collider& collider, double margin,
@@ -43,11 +43,11 @@ bool Simulation::Impl::add_swept_contacts(std::size_t body, const Collider& coll
   if (touches(body, collider, at_once)) return add_contacts(body, collider, margin, memories[body], out);
   const Vec3 drift = soft[body].motion.v.reshaped(3, model.soft[body]->nodes()).rowwise().mean();
   const double half_diagonal = (collider.hi - collider.lo).norm() / 2;
-  const double way = model.h * ((collider.linear - drift).norm() + collider.angular.norm() * half_diagonal);
+  const double way = step_h * ((collider.linear - drift).norm() + collider.angular.norm() * half_diagonal);
   const int looks =
       std::clamp(static_cast<int>(std::ceil(way / std::max(least_way, thinnest(collider)))), 1, most_looks);
   for (int k = 1; k <= looks; ++k) {
-    const double t = model.h * k / looks;
+    const double t = step_h * k / looks;
     Collider then = after(collider, t, drift);
     // A box that holds however it has turned.
     const Vec3 middle = (collider.lo + collider.hi) / 2 + then.pose.p - collider.pose.p;

@@ -53,6 +53,31 @@ TEST(Exchange, BounceKeepsMomentumAndGainsNoEnergy) {
   EXPECT_LT(highest, 1e-3 * fallen);
 }
 
+// A plate that goes 6 cm within a tick is taken along it in parts: what it gave in all of them is told.
+TEST(Exchange, AFastPlatesImpulseIsWhatTheTissueGot) {
+  SceneDesc scene;
+  scene.gravity = Vec3::Zero();
+  scene.soft = {block()};
+  scene.soft[0].damping_mass = 0;
+  scene.soft[0].newton_iterations = 30;
+  scene.soft[0].solver_iterations = 400;
+  scene.soft[0].solver_tolerance = 1e-8;
+  scene.rigid = {part_body("plate", "box", {0.4, 0.02, 0.4}, {0, 0.1, 0})};
+  scene.rigid[0].fixed = true;
+  Simulation simulation(scene, options());
+  Vec3 given = Vec3::Zero();
+  for (const double y : {0.04, 0.04, 0.04}) {
+    TickInput input;
+    input.drives.push_back({0, {{0, y, 0}, Quat::Identity()}});
+    simulation.step(input);
+    for (const Exchange& touch : simulation.exchanges()) given += (touch.b == 0 ? 1 : -1) * touch.impulse;
+    const Vec3 got = momentum(simulation.soft(1), simulation.soft_state(1));
+    EXPECT_LT((given - got).norm(), 1e-3 * got.norm());
+  }
+  EXPECT_LT(given.y(), -0.6);  // at 1 m/s or more
+  EXPECT_EQ(simulation.time().tick, 3U);
+}
+
 /// How deep the block's deepest node is in the plate, m.
 double sunk(const Simulation& simulation, BodyId plate, BodyId soft) {
   const Pose to_plate = simulation.rigid_state(plate).pose.inverse();
