@@ -23,8 +23,16 @@ struct Press {
 };
 constexpr Press presses[] = {
     {0.02, 0.01, 0.001, 0.3, 0.02661}, {0.02, 0.01, 0.001, 0.45, 0.03128}, {0.02, 0.01, 0.001, 0.49, 0.03329},
+    {0.05, 0.01, 0.001, 0.3, 0.02426}, {0.05, 0.01, 0.001, 0.45, 0.02795}, {0.05, 0.01, 0.001, 0.49, 0.02946},
     {0.05, 0.01, 0.002, 0.3, 0.06951}, {0.05, 0.01, 0.002, 0.45, 0.08041}, {0.05, 0.01, 0.002, 0.49, 0.08489},
 };
+
+/// The table is for small slopes. The ball's second order is that of its slope's square, where contact ends:
+/// a steeper one is judged by a flatter ball of the same radius of contact.
+constexpr double most_slope = 1.0 / 3;
+double slope(const Press& press) {
+  return std::sqrt(press.depth / press.radius);
+}
 
 struct Mesh {
   const char* element;
@@ -132,16 +140,19 @@ void hertz_case(ContactRows& rows, bool quick) {
     press(rows, presses[1], meshes[1], 20, name(presses[1]), std::nullopt);
     return;
   }
-  for (const Press& p : presses)
+  const Mesh finest = meshes[std::size(meshes) - 1];
+  for (const Press& p : presses) {
+    const bool steep = slope(p) > most_slope;
     for (const Mesh& mesh : meshes)
       press(rows, p, mesh, 20, fmt::format("{}, {}, {} cells", name(p), mesh.element, mesh.cells),
-            mesh.finest ? std::optional(goal) : std::nullopt);
-  // What accounts for the rest: the contacts' own softness; and the ball's slope.
-  const Mesh finest = meshes[std::size(meshes) - 1];
-  for (const Press& p : {presses[0], presses[3]}) {
-    press(rows, p, finest, 200, name(p) + ", contacts 10 × as stiff", std::nullopt);
-    press(rows, flatter(p, 8), finest, 20, name(p) + ", under a ball 8 × as large", std::nullopt);
+            mesh.finest && !steep ? std::optional(goal) : std::nullopt);
+    if (steep) press(rows, flatter(p, 8), finest, 20, name(p) + ", under a ball 8 × as large", goal);
   }
+  // What accounts for the rest: the contacts' own softness; and the ball's slope.
+  for (const Press& p : {presses[0], presses[6]})
+    press(rows, p, finest, 200, name(p) + ", contacts 10 × as stiff", std::nullopt);
+  press(rows, flatter(presses[0], 8), finest, 20, name(presses[0]) + ", under a ball 8 × as large",
+        std::nullopt);
 }
 
 }  // namespace prosector
