@@ -58,8 +58,11 @@ void TetComplex::join_by_faces() {
       std::sort(key.begin(), key.end());
       sides.push_back({key, t, k});
     }
-  std::sort(sides.begin(), sides.end(),
-            [](const Side& a, const Side& b) { return a.key != b.key ? a.key < b.key : a.tet < b.tet; });
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (a.key[i] != b.key[i]) return a.key[i] < b.key[i];
+    return a.tet < b.tet;
+  });
   for (std::size_t i = 1; i < sides.size(); ++i) {
     if (sides[i].key != sides[i - 1].key) continue;
     if (i > 1 && sides[i - 2].key == sides[i].key)

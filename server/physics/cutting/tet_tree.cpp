@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "server/physics/collision/space_order.h"
 #include "server/physics/parallel.h"
 
 namespace prosector {
@@ -21,34 +22,28 @@ Vec3 centroid(const TetComplex& complex, TetId t) {
 void TetTree::build(const TetComplex& complex) {
   branches_.clear();
   leaves_.clear();
-  std::vector<std::pair<Vec3, TetId>> tets;
-  tets.reserve(complex.tets());
-  for (const TetId t : complex.tet_ids()) tets.emplace_back(centroid(complex, t), t);
+  const std::vector<TetId> ids = complex.tet_ids();
+  std::vector<Vec3> middles;
+  middles.reserve(ids.size());
+  for (const TetId t : ids) middles.push_back(centroid(complex, t));
+  std::vector<TetId> tets;
+  tets.reserve(ids.size());
+  for (const std::uint32_t i : space_order(middles)) tets.push_back(ids[i]);
   if (!tets.empty()) split(tets, 0, tets.size());
   built_tets_ = tets.size();
   undone_ = complex.undone();
 }
 
-std::uint32_t TetTree::split(std::vector<std::pair<Vec3, TetId>>& tets, std::size_t begin, std::size_t end) {
+/// Halves runs along a space-filling curve.
+std::uint32_t TetTree::split(std::span<const TetId> tets, std::size_t begin, std::size_t end) {
   const auto index = static_cast<std::uint32_t>(branches_.size());
   branches_.push_back({});
   branches_[index].first = static_cast<std::uint32_t>(leaves_.size());
   if (end - begin <= leaf_size) {
     auto& leaf = leaves_.emplace_back();
-    for (std::size_t i = begin; i < end; ++i) leaf.push_back(tets[i].second);
+    for (std::size_t i = begin; i < end; ++i) leaf.push_back(tets[i]);
   } else {
-    Vec3 low = tets[begin].first, high = low;
-    for (std::size_t i = begin; i < end; ++i) {
-      low = low.cwiseMin(tets[i].first);
-      high = high.cwiseMax(tets[i].first);
-    }
-    Eigen::Index axis = 0;
-    (high - low).maxCoeff(&axis);
     const std::size_t middle = begin + (end - begin) / 2;
-    const auto at = [&](std::size_t i) { return tets.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(begin), at(middle), at(end), [axis](const auto& a, const auto& b) {
-      return a.first[axis] != b.first[axis] ? a.first[axis] < b.first[axis] : a.second < b.second;
-    });
     split(tets, begin, middle);
     const std::uint32_t right = split(tets, middle, end);
     branches_[index].right = right;

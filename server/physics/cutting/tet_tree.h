@@ -27,7 +27,7 @@ class TetTree {
     std::uint32_t right = 0;            // the left one is the next; 0: a leaf
   };
   void build(const TetComplex& complex);
-  std::uint32_t split(std::vector<std::pair<Vec3, TetId>>& tets, std::size_t begin, std::size_t end);
+  std::uint32_t split(std::span<const TetId> tets, std::size_t begin, std::size_t end);
   void renew(const TetComplex& complex, std::vector<TetId>& leaf);
   template <class Meets>
   void visit(Meets&& meets, std::vector<TetId>& found) const;
