@@ -51,14 +51,16 @@ struct SparseMap {
 };
 
 /// A deformable as geometry: what carries the mechanics, and the surface it carries, which is touched and
-/// drawn. Exactly one of tets.tets, quads and segments is not empty; tets.positions are the nodes of any.
+/// drawn. Tetrahedra, cells of a sheet or pieces of a rope; tets.positions are the nodes of any.
 struct Anatomy {
   TetMesh tets;
   TriangleMesh surface;  // rest shape; surface.positions[i] = W.row(i)·tets.positions
   SparseMap embedding;   // W, one row per surface vertex
-  std::vector<std::array<std::uint32_t, 4>> quads = {};     // a sheet's cells, each around: a, b, c, d
-  std::vector<std::array<std::uint32_t, 2>> segments = {};  // a rope's pieces
-  double thickness = 0;                                     // m, of a sheet; diameter of a rope
+  std::vector<std::array<std::uint32_t, 4>> quads = {};      // a sheet's cells, each around: a, b, c, d
+  std::vector<std::array<std::uint32_t, 3>> triangles = {};  // and what a cut made of others of its cells
+  std::vector<std::array<std::uint32_t, 2>> segments = {};   // a rope's pieces
+  double thickness = 0;                                      // m, of a sheet; diameter of a rope
+  std::vector<double> node_volume = {};  // m³, of a sheet that was cut; empty: lumped from the elements
 };
 
 /// Metres; 0: not a rope.

@@ -70,6 +70,17 @@ double mean_length(const Patch& patch, bool along_u) {
 
 }  // namespace
 
+std::vector<double> sheet_node_volumes(const Anatomy& sheet) {
+  const std::vector<Vec3>& x = sheet.tets.positions;
+  std::vector<double> out(x.size(), 0.0);
+  for (const auto& q : sheet.quads) {
+    const double a = ((x[q[0]] - x[q[3]]).norm() + (x[q[1]] - x[q[2]]).norm()) / 2;
+    const double b = ((x[q[0]] - x[q[1]]).norm() + (x[q[3]] - x[q[2]]).norm()) / 2;
+    for (const std::uint32_t node : q) out[node] += sheet.thickness * a * b / 4;
+  }
+  return out;
+}
+
 Anatomy make_sheet(const Vec3& size, double cell) {
   const std::uint32_t nx = pieces(size.x(), cell), nz = pieces(size.z(), cell);
   std::vector<Vec3> nodes;

@@ -15,6 +15,9 @@ Anatomy make_sheet(const Vec3& size, double cell);
 /// Throws InputError where two of its nodes coincide, as at a pole.
 Anatomy make_sheet(const Patch& patch, double thickness, double cell);
 
+/// m³ of each node of a sheet of whole cells: a quarter of those around it.
+std::vector<double> sheet_node_volumes(const Anatomy& sheet);
+
 /// A line along x around the origin, size.x long, size.y in diameter, in pieces of about `cell` metres. Its
 /// surface is its axis, one vertex per node and no triangle: what draws it lays a tube around.
 Anatomy make_rope(const Vec3& size, double cell);

@@ -68,6 +68,7 @@ struct FractureDesc {
 struct EdgeDesc {
   Vec3 from = Vec3::Zero();  // m
   Vec3 to = {0, 0, -0.04};   // m
+  bool ray = false;          // it cuts sheets only, and meets no resistance
 };
 
 inline constexpr std::size_t max_collision_groups = 32;

@@ -156,7 +156,8 @@ const Table& edge_table() {
       "[[rigid.edge]]",
       "A straight cutting edge. While a hand holds the body, tissue that the edge sweeps through is cut.",
       {number<E, &E::from>("from", "m", {-10, 10}, "one end, in the body's frame"),
-       number<E, &E::to>("to", "m", {-10, 10}, "the other end")},
+       number<E, &E::to>("to", "m", {-10, 10}, "the other end"),
+       plain<E, &E::ray>("ray", "a beam: it cuts sheets only, and meets no resistance")},
       {},
       fresh<E>};
   return table;

@@ -167,6 +167,7 @@ ContentHash hash_of(const Model& model) {
     for (const EdgeDesc& edge : desc.edges) {
       out.add(edge.from);
       out.add(edge.to);
+      if (edge.ray) out.add(std::string("ray"));
       for (const SoftDesc& tissue : scene.soft) out.add(tissue.toughness);
     }
   for (const auto& s : model.soft) {

@@ -75,7 +75,8 @@ std::vector<Simulation::Impl::TissueNear> Simulation::Impl::tissue_near(const Aa
 /// Which of it a point of that box is in.
 std::optional<BladeGrip> Simulation::Impl::tissue_at(std::span<const TissueNear> tissue, const Vec3& point) {
   for (const TissueNear& near : tissue)
-    if (const auto row = near.locator.at(point)) return BladeGrip{near.body, 0, 0, *row, {}};
+    if (const auto row = near.locator.at(point))
+      return BladeGrip{near.body, 0, 0, *row, {}, Vec3::Zero(), {}};
   return std::nullopt;
 }
 
@@ -89,7 +90,7 @@ void Simulation::Impl::grip_blades() {
     for (const BladeShape::Edge& edge : blade_shapes[blade.slot].edges)
       for (std::size_t k = 0; k < edge.points.size(); ++k, ++p) {
         std::optional<BladeGrip> grip = tissue_at(near, blade.cut_to[p]);
-        if (!grip) continue;
+        if (!grip || edge.ray) continue;
         const SoftDesc& tissue = model.soft[grip->body]->desc();
         const double force = (blade.cutting ? 1 : to_begin) * tissue.toughness * edge.length_per_point;
         if (!(force > 0)) continue;
@@ -108,6 +109,7 @@ void Simulation::Impl::grip_blades() {
         wake_soft(grip->body);
         blade_grips.push_back(*grip);
       }
+    grip_sheets(blade, now);
   }
 }
 
@@ -116,13 +118,15 @@ void Simulation::Impl::advance(Blade& blade) {
   const std::vector<Vec3> now = edge_points(blade.slot);
   std::vector<Vec3> from = blade.cut_to, to = now;
   for (const BladeGrip& grip : blade_grips) {
-    if (grip.slot != blade.slot) continue;
-    from[grip.point] = point_of(grip.row, soft[grip.body].motion.x);
+    if (grip.slot != blade.slot || grip.through) continue;
+    from[grip.point] = point_of(grip.row, soft[grip.body].motion.x) + grip.beside;
     const Vec3 lag = now[grip.point] - from[grip.point];
     const bool holds = lag.norm() <= grip.tie.max_force / grip.tie.stiffness;
     to[grip.point] = holds ? from[grip.point] : Vec3(now[grip.point] - edge_give * lag.normalized());
   }
-  const bool in_tissue = stop_at_the_surface(from, to);
+  drag_edges(blade, now, from, to);
+  const bool in_volume = enter_volumes(blade, from, to), in_sheet = stop_at_sheets(blade, from, to);
+  const bool in_tissue = in_volume || in_sheet;
   if (in_tissue && !blade.cutting) blade.stroke = ++strokes;
   std::size_t p = 0;
   const std::vector<BladeShape::Edge>& edges = blade_shapes[blade.slot].edges;
@@ -133,6 +137,24 @@ void Simulation::Impl::advance(Blade& blade) {
   }
   blade.cutting = in_tissue;
   blade.cut_to = std::move(to);
+}
+
+/// As stop_at_the_surface(), of what may enter.
+bool Simulation::Impl::enter_volumes(const Blade& blade, std::span<const Vec3> from,
+                                     std::span<Vec3> to) const {
+  std::vector<std::size_t> which;
+  std::vector<Vec3> solid_from, solid_to;
+  std::size_t p = 0;
+  for (const BladeShape::Edge& edge : blade_shapes[blade.slot].edges)
+    for (std::size_t k = 0; k < edge.points.size(); ++k, ++p) {
+      if (edge.ray) continue;
+      which.push_back(p);
+      solid_from.push_back(from[p]);
+      solid_to.push_back(to[p]);
+    }
+  const bool in_tissue = stop_at_the_surface(solid_from, solid_to);
+  for (std::size_t k = 0; k < which.size(); ++k) to[which[k]] = solid_to[k];
+  return in_tissue;
 }
 
 /// What enters tissue from outside is held where it enters, until the tissue gives. Whether any point is in

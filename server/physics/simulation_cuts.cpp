@@ -8,8 +8,11 @@
 
 #include "common/error.h"
 #include "server/physics/cutting/carry.h"
+#include "server/physics/organs/momentum.h"
+#include "server/physics/organs/sheet_parts.h"
 #include "server/physics/organs/tet_lineage.h"
 #include "server/physics/simulation_impl.h"
+#include "server/physics/soft/rungs.h"
 
 namespace prosector {
 
@@ -22,13 +25,25 @@ std::vector<Vec3> Simulation::Impl::node_positions(const Organ& organ) const {
   return out;
 }
 
+/// A stroke through a sheet knows its edge in the room only: it goes with the sheet as the edge's points do.
+void Simulation::Impl::carry_beside_sheet(BladeStroke& stroke, const Blade& blade, std::size_t edge,
+                                          std::span<const Vec3> from) const {
+  std::size_t first = 0;
+  for (std::size_t e = 0; e < edge; ++e) first += blade_shapes[blade.slot].edges[e].points.size();
+  for (std::size_t k = 0; k < from.size(); ++k) stroke.edge[k].room += from[k] - blade.cut_to[first + k];
+}
+
 /// Takes an edge of a blade on, through whatever tissue there is.
 void Simulation::Impl::cut_tissue(Blade& blade, std::size_t edge, std::span<const Vec3> from,
                                   std::span<const Vec3> to) {
   const Aabb swept = swept_box(from, to);
+  const bool ray = blade_shapes[blade.slot].edges[edge].ray;
   for (std::size_t first = 0; first < model.scene.soft.size(); ++first) {
     const Anatomy& anatomy = model.soft[first]->anatomy();
-    if (anatomy.tets.tets.empty() || model.soft_collision[first].fidelity == Fidelity::none) continue;
+    const MeshKind kind = mesh_kind(anatomy);
+    if (kind == MeshKind::rope || (ray && kind != MeshKind::sheet) ||
+        model.soft_collision[first].fidelity == Fidelity::none)
+      continue;
     const auto cut_before = organs.find(first);
     const auto reaches = [&](std::size_t body) {
       return !parts[soft_id(body)].out_of_touch() && outer_box(body).overlaps(swept);
@@ -55,9 +70,13 @@ void Simulation::Impl::cut_tissue(Blade& blade, std::size_t edge, std::span<cons
 void Simulation::Impl::cut_organ(Blade& blade, std::size_t edge, std::size_t first,
                                  std::span<const Vec3> from, std::span<const Vec3> to) {
   const SoftBody& body = *model.soft[first];
-  Organ& organ = organs.try_emplace(first, first, body.anatomy(), body.desc().density).first->second;
+  Organ& organ = organs.try_emplace(first, first, body.anatomy(), body.desc().density, held_nodes_of(first))
+                     .first->second;
   const auto [stroke, begins] = blade.strokes.try_emplace({first, edge});
-  if (begins) stroke->second = begin_stroke(from);
+  if (begins)
+    stroke->second = begin_stroke(from);
+  else if (organ.complex().is_sheet())
+    carry_beside_sheet(stroke->second, blade, edge, from);
   std::vector<Vec3>& positions = organ_positions[first];
   if (positions.empty()) positions = node_positions(organ);
   const CutResult result = organ.cut(positions, to, stroke->second, blade.holder, blade.stroke);
@@ -212,12 +231,25 @@ TopologyChange& Simulation::Impl::tell_of(std::size_t body, std::uint64_t conten
   return change;
 }
 
+void Simulation::Impl::keep_momentum_of(const Organ& organ, const Organ::Regrouped& changed,
+                                        std::span<NewPiece> made) {
+  std::vector<PieceMotion> before, now;
+  for (const OrganPiece& old : changed.before)
+    before.push_back({&old.mesh, &model.soft[old.body]->node_mass(), &soft[old.body].motion.v});
+  for (NewPiece& piece : made)
+    if (piece.whole)
+      now.push_back({&organ.piece(piece.body).mesh, &piece.solver->node_mass(), &piece.motion.v});
+  keep_momentum(before, now);
+}
+
 /// Makes bodies of the pieces that an organ's change left or made.
 void Simulation::Impl::remake(Organ& organ, TopologyCause cause, ParticipantId author) {
   if (follow_cut(organ, cause, author)) return;
   const std::size_t first = organ.pieces().front().body;
   const Organ::Regrouped changed = organ.regroup(model.soft.size());
-  for (NewPiece& piece : make_pieces(organ, changed)) place(std::move(piece), first, cause, author);
+  std::vector<NewPiece> pieces = make_pieces(organ, changed);
+  if (organ.complex().is_sheet()) keep_momentum_of(organ, changed, pieces);
+  for (NewPiece& piece : pieces) place(std::move(piece), first, cause, author);
   keep_holds(changed.bodies);
 }
 

@@ -42,6 +42,9 @@ struct BladeGrip {
   std::size_t slot = 0;   // of the instrument
   std::size_t point = 0;  // of Blade::cut_to
   SparseMap::Row row;     // of the material where the point has cut to
+  /// Of a sheet that the edge goes through between this point and the next: at this share of the way.
+  std::optional<double> through{};
+  Vec3 beside = Vec3::Zero();  // m: from that material to the point, of one that has come down on a sheet
   Tie tie;
 };
 
@@ -214,9 +217,20 @@ struct Simulation::Impl : PanelSubjects {
   void cut_soft_bodies(const TickInput& input);
   void advance(Blade& blade);
   bool stop_at_the_surface(std::span<const Vec3> from, std::span<Vec3> to) const;
+  bool enter_volumes(const Blade& blade, std::span<const Vec3> from, std::span<Vec3> to) const;
+  struct SheetCrossing;
+  bool can_cut_sheet(std::size_t body) const;
+  std::vector<SheetCrossing> sheet_crossings(std::size_t body, std::span<const Vec3> edge) const;
+  void grip_sheets(const Blade& blade, std::span<const Vec3> now);
+  void drag_edges(const Blade& blade, std::span<const Vec3> now, std::span<Vec3> from,
+                  std::span<Vec3> to) const;
+  bool stop_at_sheets(const Blade& blade, std::span<const Vec3> from, std::span<Vec3> to) const;
+  std::vector<std::uint8_t> held_nodes_of(std::size_t body) const;
   void cut_tissue(Blade& blade, std::size_t edge, std::span<const Vec3> from, std::span<const Vec3> to);
   void cut_organ(Blade& blade, std::size_t edge, std::size_t first, std::span<const Vec3> from,
                  std::span<const Vec3> to);
+  void carry_beside_sheet(BladeStroke& stroke, const Blade& blade, std::size_t edge,
+                          std::span<const Vec3> from) const;
   std::vector<Vec3> node_positions(const Organ& organ) const;
   void obey(const CutEvent& event);
   std::unique_ptr<SoftBody> make_piece(const Organ& organ, std::size_t body, Numbering& numbering) const;
@@ -226,6 +240,7 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<NewPiece> make_pieces(const Organ& organ, const Organ::Regrouped& changed) const;
   void carry_motion(const Organ& organ, std::span<const OrganPiece> before, const OrganPiece& piece,
                     NewPiece& made) const;  // part of it
+  void keep_momentum_of(const Organ& organ, const Organ::Regrouped& changed, std::span<NewPiece> made);
   void place(NewPiece piece, std::size_t first, TopologyCause cause, ParticipantId author);
   void set_going(std::size_t body, std::size_t first, Motion motion, VecX balance);
   TopologyChange& tell_of(std::size_t body, std::uint64_t content_hash, TopologyCause cause,

@@ -59,9 +59,10 @@ void Simulation::Impl::go_back(const CutEvent& event) {
     if (!cut.contains(first)) throw InputError("cutting: a state to go back to has another past");
   for (auto& [first, organ] : cut) {
     const auto then = organs.find(first);
-    organ.rewind(
-        then != organs.end() ? then->second : Organ(first, organ.whole(), model.soft[first]->desc().density),
-        event.participant);
+    organ.rewind(then != organs.end()
+                     ? then->second
+                     : Organ(first, organ.whole(), model.soft[first]->desc().density, organ.held()),
+                 event.participant);
   }
   organs = std::move(cut);
   blades.clear();

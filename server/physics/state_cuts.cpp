@@ -1,6 +1,7 @@
 #include "server/physics/state_cuts.h"
 
 #include "server/physics/organs/topology_op_io.h"
+#include "server/physics/soft/rungs.h"
 
 namespace prosector {
 namespace {
@@ -121,10 +122,12 @@ void RestoredCuts::read(ByteReader& in) {
 
 void RestoredCuts::read_organ(ByteReader& in, std::size_t first) {
   const SoftBody& body = *simulation_.model.soft[first];
-  in.require(!body.anatomy().tets.tets.empty(), "a cut through what has no tetrahedra");
+  in.require(mesh_kind(body.anatomy()) != MeshKind::rope, "a cut through a rope");
   const auto cut = simulation_.organs.find(first);
   const Anatomy& whole = cut == simulation_.organs.end() ? body.anatomy() : cut->second.whole();
-  Organ& organ = organs_.try_emplace(first, first, whole, body.desc().density).first->second;
+  Organ& organ =
+      organs_.try_emplace(first, first, whole, body.desc().density, simulation_.held_nodes_of(first))
+          .first->second;
   organ.load(in, count_);
   const bool current = is_current(first, organ);
   for (const OrganPiece& piece : organ.pieces()) {

@@ -25,6 +25,28 @@ inline SceneDesc block_and_scalpel() {
   return scene;
 }
 
+inline constexpr double membrane_height = 0.04;  // m
+
+/// Instead of the block a membrane, 10 × 10 cm, tied at two sides; the scalpel's edge hangs down through its
+/// plane.
+inline SceneDesc membrane_and_scalpel(const std::string& model = "mass_spring",
+                                      const std::string& integrator = "implicit_euler") {
+  SceneDesc scene = block_and_scalpel();
+  SoftDesc& sheet = scene.soft[0];
+  sheet.name = "membrane";
+  sheet.shape = "sheet";
+  sheet.size = {0.1, 0.001, 0.1};
+  sheet.pose.p = {0, membrane_height, 0};
+  sheet.cell = sheet.surface_cell = 0.01;
+  sheet.model = model;
+  sheet.integrator = integrator;
+  sheet.youngs_modulus = 1e5;
+  sheet.damping_mass = 5;
+  sheet.substeps = 10;
+  sheet.attach = {{{0, membrane_height, 0.06}, 0.045, 1e9}, {{0, membrane_height, -0.06}, 0.045, 1e9}};
+  return scene;
+}
+
 /// A hand takes the scalpel.
 inline Vec3 take(Simulation& simulation) {
   const Vec3 at(-0.12, 0.14, 0.02);

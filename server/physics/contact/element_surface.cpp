@@ -13,6 +13,7 @@ std::vector<SurfaceTree::Corners> elements_of(const Anatomy& anatomy) {
     out.push_back({a, b, c});
     out.push_back({a, c, d});
   }
+  for (const auto& triangle : anatomy.triangles) out.push_back(triangle);
   return out;
 }
 

@@ -50,8 +50,9 @@ class Search {
   }
 
   bool neighbours(std::uint32_t s, std::uint32_t t) const {
+    if (!(how_.apart_at_rest > 0)) return false;
     const auto around = a_.around(s);
-    return std::binary_search(around.begin(), around.end(), t) ||
+    return (same_ && std::binary_search(around.begin(), around.end(), t)) ||
            closest(a_.at_rest(s), b_.at_rest(t)).squared_distance < how_.apart_at_rest * how_.apart_at_rest;
   }
 
@@ -80,7 +81,7 @@ class Search {
     const Triangle of_a = a_.now(s), of_b = b_.now(t);
     const Aabb box_a = box_around(of_a), box_b = box_around(of_b);
     if (box_a.squared_distance(box_b) > limit * limit) return;
-    if (same_ && neighbours(s, t)) return;
+    if (neighbours(s, t)) return;
     if (box_a.overlaps(box_b))
       if (const TriangleCrossing crosses = crossing(of_a, of_b); crosses.count > 0)
         return add_crossing(s, t, of_a, of_b, crosses);

@@ -25,7 +25,7 @@ struct LayerSide {
 struct LayerSearch {
   double thickness = 0;      // m, at which they touch: half of either's
   double margin = 0;         // m: gaps up to it count
-  double apart_at_rest = 0;  // m: parts of one surface nearer than that at rest are neighbours, no layers
+  double apart_at_rest = 0;  // m: parts nearer than that at rest are neighbours, no layers; 0: of two sheets
 };
 
 /// Speculative contacts: what is near gets one on the side where it is, before it can pass (cf. Bridson,

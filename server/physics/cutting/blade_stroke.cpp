@@ -60,6 +60,7 @@ void hold_edge(BladeStroke& stroke, std::span<const Vec3> edge, const TetComplex
   for (std::size_t i = 0; i < edge.size(); ++i) {
     BladeStroke::EdgePoint& point = stroke.edge[i];
     point.room = edge[i];
+    if (complex.is_sheet()) continue;
     near.clear();
     tree.query(edge[i], near);
     for (std::size_t n = 0; n < near.size(); ++n)

@@ -36,7 +36,8 @@ BladeStroke begin_stroke(std::span<const Vec3> edge);
 std::vector<Vec3> carried_edge(const BladeStroke& stroke, const TetComplex& complex,
                                std::span<const Vec3> positions);
 
-/// Remembers the edge, in the tissue. `tree` may date from before the last splits.
+/// Remembers the edge, in the tissue; beside a sheet, which has no inside, in the room. `tree` may date from
+/// before the last splits.
 void hold_edge(BladeStroke& stroke, std::span<const Vec3> edge, const TetComplex& complex,
                const TetTree& tree, std::span<const Vec3> positions);
 

@@ -37,8 +37,8 @@ class EdgeSplitter {
     std::vector<std::pair<NodeId, NodeId>> edges;
     for (const TetId t : candidates) {
       const auto& c = complex_.corners(t);
-      for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = i + 1; j < 4; ++j)
+      for (std::size_t i = 0; i < c.size(); ++i)
+        for (std::size_t j = i + 1; j < c.size(); ++j)
           edges.emplace_back(std::min(c[i], c[j]), std::max(c[i], c[j]));
     }
     std::sort(edges.begin(), edges.end());
@@ -75,7 +75,7 @@ class EdgeSplitter {
 
   bool is_on_wall(NodeId node) const {
     for (const TetId t : complex_.star(node))
-      for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t k = 0; k < complex_.sides(); ++k)
         if (complex_.is_wall(t, k) && complex_.corners(t)[k] != node) return true;
     return false;
   }
@@ -95,14 +95,18 @@ class EdgeSplitter {
     marks_.add(m);
   }
 
-  /// Of the map from the rest shape to now.
+  /// Of the map from the rest shape to now; a triangle's normal goes to its normal.
   Mat3 gradient(TetId tet) const {
     const auto& c = complex_.corners(tet);
     Mat3 rest, now;
-    for (int k = 0; k < 3; ++k) {
-      const NodeId corner = c[static_cast<std::size_t>(k) + 1];
-      rest.col(k) = complex_.rest(corner) - complex_.rest(c[0]);
-      now.col(k) = x_[corner] - x_[c[0]];
+    for (std::size_t k = 0; k + 1 < c.size(); ++k) {
+      const NodeId corner = c[k + 1];
+      rest.col(static_cast<Eigen::Index>(k)) = complex_.rest(corner) - complex_.rest(c[0]);
+      now.col(static_cast<Eigen::Index>(k)) = x_[corner] - x_[c[0]];
+    }
+    if (complex_.is_sheet()) {
+      rest.col(2) = rest.col(0).cross(rest.col(1)).normalized();
+      now.col(2) = now.col(0).cross(now.col(1)).normalized();
     }
     return now * rest.inverse();
   }
@@ -126,6 +130,10 @@ class EdgeSplitter {
     return met_at(e.a, e.at.t) || met_at(e.b, 1 - e.at.t);
   }
 
+  double cos_least(const std::array<Vec3, 4>& x) const {
+    return complex_.is_sheet() ? cos_least_angle(x[0], x[1], x[2]) : cos_least_dihedral(x);
+  }
+
   // Least cosine that t makes; nothing where the floor or the least edge forbid it.
   bool may_split(const CrossedEdge& e, double t, double& worst) const {
     static const double floor = std::cos(least_dihedral_deg * std::numbers::pi / 180);
@@ -135,7 +143,7 @@ class EdgeSplitter {
     worst = -1;
     for (const TetId tet : around_) {
       std::array<Vec3, 4> whole;
-      for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t k = 0; k < complex_.sides(); ++k) {
         const NodeId corner = complex_.corners(tet)[k];
         whole[k] = complex_.rest(corner);
         if (corner != e.a && corner != e.b && (whole[k] - middle).norm() < least) return false;
@@ -144,10 +152,10 @@ class EdgeSplitter {
       for (const NodeId end : {e.a, e.b}) {
         std::array<Vec3, 4> half = whole;
         half[complex_.corner_index(tet, end)] = middle;
-        const double cosine = cos_least_dihedral(half);
+        const double cosine = cos_least(half);
         worst = std::max(worst, cosine);
         if (cosine <= floor) continue;
-        if (allowed < 0) allowed = cos_least_dihedral(whole);
+        if (allowed < 0) allowed = cos_least(whole);
         if (cosine > allowed) return false;
       }
     }

@@ -28,6 +28,7 @@ Skin::Skin(const TetComplex& complex) {
 
 Skin::Change Skin::update(const TetComplex& complex) {
   Change change;
+  if (complex.is_sheet()) return change;
   change.first_vertex = static_cast<std::uint32_t>(vertices_.size());
   slot_of_.resize(16 * complex.tet_end(), none);
   vertex_of_.resize(complex.node_end(), none);

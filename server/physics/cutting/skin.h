@@ -34,7 +34,7 @@ class Skin {
     std::vector<Triangle> triangles;   // what they are now
   };
 
-  explicit Skin(const TetComplex& complex);
+  explicit Skin(const TetComplex& complex);  // of a sheet, which is its own surface, nothing
   /// Follows the complex: after a cut, and after one was taken back, when live triangles are what they were,
   /// in the same slots.
   Change update(const TetComplex& complex);

@@ -5,33 +5,63 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/anatomy/fabric.h"
 #include "common/anatomy/mesh_quality.h"
 #include "common/error.h"
 #include "common/hash.h"
 
 namespace prosector {
 
-TetComplex::TetComplex(const TetMesh& rest, double density) : density_(density) {
+TetComplex::TetComplex(double density) : density_(density) {
   if (!(density > 0) || !std::isfinite(density))
     throw InputError(fmt::format("cutting: density is {}; allowed: positive, in kg/m³", density));
+}
+
+TetComplex::TetComplex(const TetMesh& rest, double density) : TetComplex(density) {
   grow_nodes(rest.positions.size());
   grow_tets(rest.tets.size());
   rest_ = rest.positions;
   tet_ = rest.tets;
+  finish();
+  for (NodeId i = 0; i < rest_.size(); ++i) update_mass(i);
+}
+
+TetComplex TetComplex::of_sheet(const Anatomy& sheet, double density, std::vector<std::uint8_t> held) {
+  TetComplex out(density);
+  out.sides_ = 3;
+  out.thickness_ = sheet.thickness;
+  out.grow_nodes(sheet.tets.positions.size());
+  out.grow_tets(2 * sheet.quads.size());
+  out.rest_ = sheet.tets.positions;
+  for (std::size_t i = 0; i < sheet.quads.size(); ++i) {
+    const auto& [a, b, c, d] = sheet.quads[i];
+    out.tet_[2 * i] = {a, b, c, none};
+    out.tet_[2 * i + 1] = {a, c, d, none};
+  }
+  if (!held.empty()) out.held_ = std::move(held);
+  out.finish();
+  const std::vector<double> volume = sheet_node_volumes(sheet);
+  for (NodeId i = 0; i < out.rest_.size(); ++i) out.mass_[i] = density * volume[i];
+  return out;
+}
+
+void TetComplex::finish() {
   std::fill(node_live_.begin(), node_live_.end(), std::uint8_t{1});
   std::fill(tet_live_.begin(), tet_live_.end(), std::uint8_t{1});
   live_nodes_ = rest_.size();
   live_tets_ = tet_.size();
   for (TetId t = 0; t < tet_.size(); ++t) {
-    const Corners& c = tet_[t];
-    for (const NodeId node : c) {
+    std::array<Vec3, 4> x;
+    for (std::size_t k = 0; k < sides_; ++k) {
+      const NodeId node = tet_[t][k];
       if (node >= rest_.size())
         throw InputError(
             fmt::format("cutting: tetrahedron {} names node {}; there are {}", t, node, rest_.size()));
       star_[node].push_back(t);
+      x[k] = rest_[node];
     }
     place_[t] = t;
-    volume_[t] = tet_volume(rest_[c[0]], rest_[c[1]], rest_[c[2]], rest_[c[3]]);
+    volume_[t] = size(std::span(x).first(sides_));
     if (!(volume_[t] > 0))
       throw InputError(fmt::format("cutting: tetrahedron {} has a rest volume of {} m³; allowed: positive", t,
                                    volume_[t]));
@@ -39,9 +69,14 @@ TetComplex::TetComplex(const TetMesh& rest, double density) : density_(density) 
   double volume = 0;
   for (const double v : volume_) volume += v;
   if (live_tets_ > 0) mean_volume_ = volume / static_cast<double>(live_tets_);
-  cell_ = std::cbrt(6 * std::sqrt(2.0) * mean_volume_);
+  cell_ = is_sheet() ? std::sqrt(4 / std::sqrt(3.0) * mean_volume_ / thickness_)
+                     : std::cbrt(6 * std::sqrt(2.0) * mean_volume_);
   join_by_faces();
-  for (NodeId i = 0; i < rest_.size(); ++i) update_mass(i);
+}
+
+double TetComplex::size(std::span<const Vec3> x) const {
+  if (is_sheet()) return thickness_ * (x[1] - x[0]).cross(x[2] - x[0]).norm() / 2;
+  return tet_volume(x[0], x[1], x[2], x[3]);
 }
 
 void TetComplex::join_by_faces() {
@@ -51,9 +86,9 @@ void TetComplex::join_by_faces() {
     std::uint32_t k;
   };
   std::vector<Side> sides;
-  sides.reserve(4 * tet_.size());
+  sides.reserve(sides_ * tet_.size());
   for (TetId t = 0; t < tet_.size(); ++t)
-    for (std::uint32_t k = 0; k < 4; ++k) {
+    for (std::uint32_t k = 0; k < sides_; ++k) {
       std::array<NodeId, 3> key = {tet_[t][face[k][0]], tet_[t][face[k][1]], tet_[t][face[k][2]]};
       std::sort(key.begin(), key.end());
       sides.push_back({key, t, k});
@@ -77,6 +112,7 @@ void TetComplex::grow_nodes(std::size_t end) {
   if (end <= rest_.size()) return;
   rest_.resize(end, Vec3::Zero());
   mass_.resize(end, 0.0);
+  held_.resize(end, 0);
   node_live_.resize(end, 0);
   star_.resize(end);
 }
@@ -99,7 +135,7 @@ bool TetComplex::has_corner(TetId tet, NodeId node) const {
 
 std::size_t TetComplex::corner_index(TetId tet, NodeId node) const {
   const Corners& c = tet_[tet];
-  for (std::size_t k = 0; k < 4; ++k)
+  for (std::size_t k = 0; k < sides_; ++k)
     if (c[k] == node) return k;
   return 4;
 }
@@ -120,7 +156,7 @@ std::size_t TetComplex::slot_towards(TetId tet, TetId other) const {
 
 std::size_t TetComplex::slot_of_face(TetId tet, TetId other) const {
   std::size_t slot = 4, apart = 0;
-  for (std::size_t k = 0; k < 4; ++k)
+  for (std::size_t k = 0; k < sides_; ++k)
     if (!has_corner(other, tet_[tet][k])) {
       slot = k;
       ++apart;

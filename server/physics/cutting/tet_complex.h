@@ -1,6 +1,7 @@
 #pragma once
-// Tetrahedra that can be cut: who neighbours whom, kept up to date locally. The rest shape only; positions
-// of the moving body are the caller's, by node id.
+// Tetrahedra, or the triangles of a sheet, that can be cut: who neighbours whom, kept up to date locally. The
+// rest shape only; positions of the moving body are the caller's, by node id. What is said of tetrahedra and
+// their faces holds for triangles and their edges, but for their masses (sheet_mass.h).
 
 #include <array>
 #include <cstdint>
@@ -21,6 +22,9 @@ class TetComplex {
   /// `rest`: every tetrahedron of positive volume, at most two at a face. `density`: kg/m³. Throws
   /// InputError that names the tetrahedron otherwise.
   TetComplex(const TetMesh& rest, double density);
+  /// Of a sheet that was never cut: of its i-th cell a, b, c, d triangles 2i (a, b, c) and 2i + 1 (a, c, d).
+  /// `held`: by node, what is tied to its place; empty: nothing.
+  static TetComplex of_sheet(const Anatomy& sheet, double density, std::vector<std::uint8_t> held);
 
   // ---- By id. Ids of nodes and tetrahedra that are gone stay unused.
   std::size_t node_end() const { return rest_.size(); }  // one past the largest id ever used
@@ -31,9 +35,13 @@ class TetComplex {
   bool has_tet(TetId tet) const { return tet < tet_.size() && tet_live_[tet]; }
   const Vec3& rest(NodeId node) const { return rest_[node]; }             // m
   double mass(NodeId node) const { return mass_[node]; }                  // kg: ρV/4 of its tetrahedra
+  bool is_held(NodeId node) const { return held_[node] != 0; }            // of sheets: tied to its place
   std::span<const TetId> star(NodeId node) const { return star_[node]; }  // ascending
-  const Corners& corners(TetId tet) const { return tet_[tet]; }  // kept of tetrahedra that were split
-  double volume(TetId tet) const { return volume_[tet]; }        // m³ at rest
+  std::size_t sides() const { return sides_; }                            // of one: 4; 3 of triangles
+  bool is_sheet() const { return sides_ == 3; }
+  /// As many; kept of tetrahedra that were split.
+  std::span<const NodeId> corners(TetId tet) const { return {tet_[tet].data(), sides_}; }
+  double volume(TetId tet) const { return volume_[tet]; }  // m³ at rest
   /// The tetrahedron across the face opposite corner k; none at the boundary.
   TetId neighbor(TetId tet, std::size_t k) const { return neighbor_[tet][k]; }
   /// Whether the face opposite corner k was made by a cut.
@@ -52,7 +60,7 @@ class TetComplex {
   void around_edge(NodeId a, NodeId b, std::vector<TetId>& tets) const;
   double density() const { return density_; }          // kg/m³
   double mean_volume() const { return mean_volume_; }  // m³, of the compiled mesh's tetrahedra
-  double cell() const { return cell_; }                // m, edge of a regular one of that volume
+  double cell() const { return cell_; }                // m, edge of a regular one of that size
   std::uint64_t undone() const { return undone_; }     // how often something was taken back
 
   // ---- Changes. Both throw InputError, and change nothing, for what doesn't fit.
@@ -82,6 +90,13 @@ class TetComplex {
   void change_back(const SplitEdge& op);
   void change_back(const SlitFaces& op);
   void change_back(const PartNode& op);
+  explicit TetComplex(double density);
+  void finish();                                     // what follows from cells and nodes
+  double size(std::span<const Vec3> corners) const;  // m³
+  void share_mass(const SplitEdge& op);
+  void share_mass(const PartNode& op);
+  void share_back(const SplitEdge& op);
+  void share_back(const PartNode& op);
   void join_by_faces();
   void grow_nodes(std::size_t end);
   void grow_tets(std::size_t end);
@@ -92,9 +107,18 @@ class TetComplex {
   std::size_t slot_of_face(TetId tet, TetId other) const;  // by three common corners; 4: none
   void check_parting(const PartNode& op) const;
 
+  /// Of a sheet's nodes before an operation, by the node that it brought (PartNode: its first).
+  struct Shared {
+    double a = 0, b = 0;  // kg; of a node that parted: a
+  };
+
+  std::size_t sides_ = 4;
+  double thickness_ = 0;  // m, of a sheet
   double density_, mean_volume_ = 0, cell_ = 0;
   std::vector<Vec3> rest_;
   std::vector<double> mass_;
+  std::vector<std::uint8_t> held_;  // by node
+  std::vector<Shared> shared_;      // by node, of sheets
   std::vector<std::uint8_t> node_live_, tet_live_;
   std::vector<std::vector<TetId>> star_;
   std::vector<Corners> tet_;

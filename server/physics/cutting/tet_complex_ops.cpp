@@ -29,8 +29,8 @@ void TetComplex::change(const SplitEdge& op) {
   const Vec3 middle = rest_[op.a] + (rest_[op.b] - rest_[op.a]) * op.t;
   const auto volume_with = [&](TetId t, NodeId gone) {
     std::array<Vec3, 4> x;
-    for (std::size_t k = 0; k < 4; ++k) x[k] = tet_[t][k] == gone ? middle : rest_[tet_[t][k]];
-    return tet_volume(x[0], x[1], x[2], x[3]);
+    for (std::size_t k = 0; k < sides_; ++k) x[k] = tet_[t][k] == gone ? middle : rest_[tet_[t][k]];
+    return size(std::span(x).first(sides_));
   };
   for (const TetId t : around_)
     require(volume_with(t, op.a) > 0 && volume_with(t, op.b) > 0, "an edge's splitting makes no volume");
@@ -56,7 +56,7 @@ void TetComplex::change(const SplitEdge& op) {
     child_[t] = with_a;
     tet_live_[t] = 0;
     tet_live_[with_a] = tet_live_[with_b] = 1;
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < sides_; ++k) {
       const TetId beyond = neighbor_[t][k];
       if (k == ka) {
         neighbor_[with_a][k] = with_b;
@@ -74,10 +74,11 @@ void TetComplex::change(const SplitEdge& op) {
         neighbor_[with_b][k] = neighbor_[with_a][k] + 1;
       }
     }
-    for (const NodeId node : tet_[t]) leave(node, t);
-    for (const NodeId node : tet_[with_a]) star_[node].push_back(with_a);
-    for (const NodeId node : tet_[with_b]) star_[node].push_back(with_b);
+    for (const NodeId node : corners(t)) leave(node, t);
+    for (const NodeId node : corners(with_a)) star_[node].push_back(with_a);
+    for (const NodeId node : corners(with_b)) star_[node].push_back(with_b);
   }
+  if (is_sheet()) return share_mass(op);
   update_mass(op.node);
   for (const TetId t : around_)
     for (const NodeId node : tet_[t]) update_mass(node);
@@ -95,16 +96,17 @@ void TetComplex::change_back(const SplitEdge& op) {
       const TetId beyond = neighbor_[child][k];
       neighbor_[t][k] = beyond;
       if (beyond != none) neighbor_[beyond][slot_towards(beyond, child)] = t;
-      for (const NodeId node : tet_[child]) leave(node, child);
+      for (const NodeId node : corners(child)) leave(node, child);
       tet_live_[child] = 0;
     }
-    for (const NodeId node : tet_[t]) enter(node, t);
+    for (const NodeId node : corners(t)) enter(node, t);
     tet_live_[t] = 1;
     child_[t] = none;
   }
   node_live_[op.node] = 0;
   --live_nodes_;
   live_tets_ -= op.count;
+  if (is_sheet()) return share_back(op);
   for (TetId i = 0; i < op.count; ++i)
     for (const NodeId node : tet_[parent_[op.first + 2 * i]]) update_mass(node);
 }
@@ -151,7 +153,7 @@ void TetComplex::check_parting(const PartNode& op) const {
     taken.insert(taken.end(), copy.tets.begin(), copy.tets.end());
     for (const TetId t : copy.tets) {
       require(has_tet(t) && has_corner(t, op.node), "a parted node's copy takes what isn't the node's");
-      for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t k = 0; k < sides_; ++k) {
         const TetId beyond = neighbor_[t][k];
         require(beyond == none || tet_[t][k] == op.node ||
                     std::binary_search(copy.tets.begin(), copy.tets.end(), beyond),
@@ -176,8 +178,9 @@ void TetComplex::change(const PartNode& op) {
       tet_[t][corner_index(t, op.node)] = copy.node;
     }
     star_[copy.node] = copy.tets;
-    update_mass(copy.node);
+    if (!is_sheet()) update_mass(copy.node);
   }
+  if (is_sheet()) return share_mass(op);
   update_mass(op.node);
 }
 
@@ -194,6 +197,7 @@ void TetComplex::change_back(const PartNode& op) {
     node_live_[copy.node] = 0;
     --live_nodes_;
   }
+  if (is_sheet()) return share_back(op);
   update_mass(op.node);
 }
 

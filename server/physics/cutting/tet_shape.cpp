@@ -19,4 +19,16 @@ double cos_least_dihedral(const std::array<Vec3, 4>& x) {
   return std::min(most, 1.0);
 }
 
+double cos_least_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const std::array<Vec3, 3> x = {a, b, c};
+  double most = -1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 e = x[(k + 1) % 3] - x[k], f = x[(k + 2) % 3] - x[k];
+    const double lengths = e.norm() * f.norm();
+    if (!(lengths > 0)) return 1;
+    most = std::max(most, e.dot(f) / lengths);
+  }
+  return std::min(most, 1.0);
+}
+
 }  // namespace prosector

@@ -1,5 +1,5 @@
 #pragma once
-// How good a tetrahedron's shape is.
+// How good the shape of a tetrahedron or a triangle is.
 
 #include <array>
 
@@ -9,5 +9,8 @@ namespace prosector {
 
 /// Cosine of the least of the six dihedral angles; 1 for flat tetrahedra.
 double cos_least_dihedral(const std::array<Vec3, 4>& x);
+
+/// Cosine of the least of a triangle's three angles; 1 for flat ones.
+double cos_least_angle(const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace prosector

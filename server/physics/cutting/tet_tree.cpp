@@ -13,8 +13,9 @@ namespace {
 constexpr std::size_t leaf_size = 8, leaves_per_chunk = 128, nodes_per_chunk = 2048;
 
 Vec3 centroid(const TetComplex& complex, TetId t) {
-  const auto& c = complex.corners(t);
-  return (complex.rest(c[0]) + complex.rest(c[1]) + complex.rest(c[2]) + complex.rest(c[3])) / 4;
+  Vec3 sum = Vec3::Zero();
+  for (const NodeId corner : complex.corners(t)) sum += complex.rest(corner);
+  return sum / static_cast<double>(complex.sides());
 }
 
 }  // namespace
@@ -93,8 +94,9 @@ void TetTree::find_near(const TetComplex& complex, std::span<const Vec3> positio
   parallel_chunks(leaves_.size(), leaves_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t l = first; l < last; ++l)
       near_[l] = std::any_of(leaves_[l].begin(), leaves_[l].end(), [&](TetId t) {
-        const auto& c = complex.corners(t);
-        return (beside_[c[0]] & beside_[c[1]] & beside_[c[2]] & beside_[c[3]]) == 0;
+        unsigned common = ~0U;
+        for (const NodeId corner : complex.corners(t)) common &= beside_[corner];
+        return common == 0;
       });
   });
 }
@@ -109,10 +111,14 @@ void TetTree::boxes(const TetComplex& complex, std::span<const Vec3> positions) 
       if (!near_[l]) continue;
       std::size_t at = leaf_begin_[l];
       for (const TetId t : leaves_[l]) {
-        const auto& c = complex.corners(t);
-        const Vec3 &x0 = positions[c[0]], &x1 = positions[c[1]], &x2 = positions[c[2]], &x3 = positions[c[3]];
-        low_[at] = x0.cwiseMin(x1).cwiseMin(x2.cwiseMin(x3));
-        high_[at++] = x0.cwiseMax(x1).cwiseMax(x2.cwiseMax(x3));
+        const auto c = complex.corners(t);
+        Vec3 low = positions[c[0]], high = low;
+        for (const NodeId corner : c.subspan(1)) {
+          low = low.cwiseMin(positions[corner]);
+          high = high.cwiseMax(positions[corner]);
+        }
+        low_[at] = low;
+        high_[at++] = high;
       }
     }
   });

@@ -45,14 +45,15 @@ bool is_above(const TetComplex& complex, const Marks& marks, TetId tet, const Ve
   };
   if (!all_marked(complex, marks, tet)) return by_corner(tet);
   bool above = false, below = false;
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < complex.sides(); ++k) {
     const TetId beyond = complex.neighbor(tet, k);
     if (beyond == TetComplex::none || all_marked(complex, marks, beyond)) continue;
     (by_corner(beyond) ? above : below) = true;
   }
   if (above != below) return above;
   Vec3 middle = Vec3::Zero();
-  for (const NodeId corner : complex.corners(tet)) middle += complex.rest(corner) / 4;
+  for (const NodeId corner : complex.corners(tet))
+    middle += complex.rest(corner) / static_cast<double>(complex.sides());
   return height(complex, marks, tet, middle, reference) > 0;
 }
 
@@ -66,13 +67,14 @@ SlitFaces faces_to_slit(const TetComplex& complex, const Marks& marks) {
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   SlitFaces op;
   for (const TetId t : touched)
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < complex.sides(); ++k) {
       const TetId beyond = complex.neighbor(t, k);
       if (beyond == TetComplex::none) continue;
       const auto& c = complex.corners(t);
       const BladeStroke::Mark* first = nullptr;
       bool on_blade = true;
       for (const std::size_t j : TetComplex::face[k]) {
+        if (j >= c.size()) continue;
         const BladeStroke::Mark* mark = marks.find(c[j]);
         on_blade = on_blade && mark;
         if (mark && (!first || mark->node < first->node)) first = mark;
@@ -96,7 +98,7 @@ std::vector<TetId> crumb_at(const TetComplex& complex, const SlitFaces& slit, Te
     const TetId t = crumb[n];
     volume += complex.volume(t);
     if (volume > least_piece_share * complex.mean_volume()) return {};
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < complex.sides(); ++k) {
       const TetId beyond = complex.neighbor(t, k);
       if (beyond == TetComplex::none || std::find(crumb.begin(), crumb.end(), beyond) != crumb.end())
         continue;
@@ -135,7 +137,7 @@ std::vector<std::vector<TetId>> fans(const TetComplex& complex, NodeId node) {
     seen[i] = true;
     auto& fan = out.emplace_back(1, star[i]);
     for (std::size_t n = 0; n < fan.size(); ++n)
-      for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t k = 0; k < complex.sides(); ++k) {
         const TetId t = fan[n], beyond = complex.neighbor(t, k);
         if (beyond == TetComplex::none || complex.corners(t)[k] == node || seen[place(beyond)]) continue;
         seen[place(beyond)] = true;

@@ -1,5 +1,6 @@
 #pragma once
-// Cuts tetrahedra along the surface that a blade's edge sweeps (docs/decisions/0009).
+// Cuts tetrahedra, or a sheet's triangles, along the surface that a blade's edge sweeps
+// (docs/decisions/0009).
 //
 // Edges that the sweep crosses are bisected one by one, longest first; where that would make a tetrahedron
 // with a dihedral angle below the floor, the nearer end counts as lying on the blade instead. Nodes never
@@ -15,7 +16,8 @@
 
 namespace prosector {
 
-/// No cut makes a smaller dihedral angle; smaller ones that a mesh had are not made smaller.
+/// No cut makes a smaller dihedral angle, or angle of a triangle; smaller ones that a mesh had are not made
+/// smaller.
 inline constexpr double least_dihedral_deg = 5;
 /// Edges are not split into pieces shorter than this times TetComplex::cell(), so that strokes without end
 /// make no elements without end.

@@ -25,6 +25,7 @@ struct BladeShape {
     std::vector<Vec3> points;        // m, from end to end, evenly
     double length_per_point = 0;     // m
     Vec3 direction = Vec3::UnitZ();  // unit, along it
+    bool ray = false;                // a beam from its first point to its last
   };
   std::vector<Edge> edges;
 };

@@ -13,10 +13,22 @@ std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
   return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
 }
 
+/// Of a point at r from a triangle's corner, u and v from there to the others; in its plane.
+Vec3 triangle_weights(const Vec3& u, const Vec3& v, const Vec3& r) {
+  const Vec3 n = u.cross(v);
+  const double b = r.cross(v).dot(n) / n.squaredNorm(), c = u.cross(r).dot(n) / n.squaredNorm();
+  return {1 - b - c, b, c};
+}
+
 /// Barycentric weights of a point of the rest shape.
 std::array<double, 4> weights_at(const TetMesh& mesh, std::size_t tet, const Vec3& point) {
   const auto& c = mesh.tets[tet];
   const Vec3 origin = mesh.positions[c[0]];
+  if (c[2] == c[3]) {
+    const Vec3 w =
+        triangle_weights(mesh.positions[c[1]] - origin, mesh.positions[c[2]] - origin, point - origin);
+    return {w[0], w[1], w[2], 0};
+  }
   Mat3 edges;
   edges << mesh.positions[c[1]] - origin, mesh.positions[c[2]] - origin, mesh.positions[c[3]] - origin;
   const Vec3 w = edges.inverse() * (point - origin);

@@ -17,7 +17,8 @@ namespace prosector {
 struct PieceMesh {
   std::vector<NodeId> nodes;
   std::vector<TetId> tets, places;  // a tetrahedron and its TetComplex::place()
-  TetMesh mesh;  // by index in those two; the nodes on edges of quadratic elements follow, by their vertices
+  TetMesh mesh;  // by index in those two, a sheet's triangles with their last corner twice; the nodes on
+                 // edges of quadratic elements follow, by their vertices
 };
 
 /// Of quadratic elements: from an edge's vertices (the lower above, the higher below bit 32) to its node;

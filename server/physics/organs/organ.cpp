@@ -8,6 +8,7 @@
 
 #include "common/error.h"
 #include "server/physics/cutting/pieces.h"
+#include "server/physics/organs/sheet_parts.h"
 
 namespace prosector {
 namespace {
@@ -24,12 +25,18 @@ bool meet(const std::vector<TetId>& a, const std::vector<TetId>& b) {
 
 }  // namespace
 
-Organ::Organ(std::size_t body, const Anatomy& anatomy, double density)
+Organ::Organ(std::size_t body, const Anatomy& anatomy, double density, std::vector<std::uint8_t> held)
     : whole_(without_edge_nodes(anatomy)),
-      complex_(whole_.tets, density),
+      held_(std::move(held)),
+      complex_(uncut(density)),
       skin_(complex_),
       owner_(complex_.tet_end(), body) {
   pieces_.push_back({body, piece_mesh(complex_, complex_.tet_ids())});
+}
+
+TetComplex Organ::uncut(double density) const {
+  return whole_.quads.empty() ? TetComplex(whole_.tets, density)
+                              : TetComplex::of_sheet(whole_, density, held_);
 }
 
 bool Organ::has(std::size_t body) const {
@@ -166,7 +173,7 @@ Organ::Regrouped Organ::regroup(std::size_t next_body) {
 }
 
 std::optional<PieceEdit> Organ::cut_in_one_piece() const {
-  if (changed_.size() != 1) return std::nullopt;
+  if (complex_.is_sheet() || changed_.size() != 1) return std::nullopt;
   std::vector<TetId> touched, slit;
   for (std::size_t i = grouped_; i < log_.size(); ++i) {
     if (log_[i].cause != TopologyCause::cut) return std::nullopt;
@@ -197,10 +204,11 @@ const OrganPiece& Organ::piece(std::size_t body) const {
 Anatomy Organ::anatomy(const OrganPiece& piece, Numbering& numbering) const {
   numbering = {};
   if (!piece.whole()) return remnant(whole_);
-  const bool uncut = std::all_of(log_.begin(), log_.end(), [](const OrganChange& change) {
+  const bool is_uncut = std::all_of(log_.begin(), log_.end(), [](const OrganChange& change) {
     return change.cause != TopologyCause::cut || change.taken_back;
   });
-  if (uncut) return whole_;
+  if (is_uncut) return whole_;
+  if (complex_.is_sheet()) return sheet_piece(complex_, piece.mesh, whole_, numbering);
   PieceSurface skin = surface(piece);
   numbering = std::move(skin.numbering);
   return {piece.mesh.mesh, std::move(skin.surface), std::move(skin.embedding)};

@@ -1,6 +1,6 @@
 #pragma once
-// A soft body of the scene as it has been cut: its tetrahedra with all that hangs on them, the pieces that
-// they fall into, each of which is a body of its own, and the log of what was done.
+// A soft body of the scene as it has been cut: its tetrahedra, or a sheet's triangles, with all that hangs on
+// them, the pieces that they fall into, each of which is a body of its own, and the log of what was done.
 
 #include <cstdint>
 #include <optional>
@@ -41,8 +41,9 @@ struct OrganPiece {
 
 class Organ {
  public:
-  /// Of soft body `body`, which was never cut. `anatomy` with or without nodes on its edges.
-  Organ(std::size_t body, const Anatomy& anatomy, double density);
+  /// Of soft body `body`, which was never cut: tetrahedra, with or without nodes on their edges, or a sheet.
+  /// `held`: by node of a sheet, what is tied to its place; empty: nothing.
+  Organ(std::size_t body, const Anatomy& anatomy, double density, std::vector<std::uint8_t> held = {});
 
   const TetComplex& complex() const { return complex_; }
   const std::vector<OrganPiece>& pieces() const { return pieces_; }
@@ -75,12 +76,14 @@ class Organ {
   /// In place of regroup(): takes that piece along.
   void follow(const PieceEdit& edit);
 
-  /// The geometry of a piece: its tetrahedra, and as the surface their skin, walls of cuts as inner; the
-  /// compiled mesh while no cut is in force; of what is no piece any more one tetrahedron without a surface.
+  /// The geometry of a piece: its tetrahedra, and as the surface their skin, walls of cuts as inner, or its
+  /// part of the sheet; the compiled mesh while no cut is in force; of what is no piece any more one
+  /// tetrahedron or cell without a surface.
   Anatomy anatomy(const OrganPiece& piece, Numbering& numbering) const;
   /// The surface alone, of a piece that was cut.
   PieceSurface surface(const OrganPiece& piece) const;
   const Anatomy& whole() const { return whole_; }  // as compiled
+  const std::vector<std::uint8_t>& held() const { return held_; }
 
   /// A place in the log, and the pieces there, to go back to where what followed could not take effect.
   struct Mark {
@@ -105,7 +108,10 @@ class Organ {
   void go_back(std::size_t length);
   void note_touched(const std::vector<TetId>& tets);
 
+  TetComplex uncut(double density) const;
+
   Anatomy whole_;  // as compiled, without nodes on edges
+  std::vector<std::uint8_t> held_;
   TetComplex complex_;
   Skin skin_;
   TetTree tree_;                    // cache

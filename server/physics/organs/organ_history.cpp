@@ -47,7 +47,7 @@ void Organ::redo(OrganChange change) {
 
 /// The tetrahedra, and what of the log is in force, as they were when it had `length` entries.
 void Organ::go_back(std::size_t length) {
-  const TetComplex later = std::exchange(complex_, TetComplex(whole_.tets, complex_.density()));
+  const TetComplex later = std::exchange(complex_, uncut(complex_.density()));
   std::vector<OrganChange> log;
   log.swap(log_);
   for (std::size_t i = 0; i < length; ++i) redo(std::move(log[i]));

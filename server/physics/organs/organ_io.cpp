@@ -54,7 +54,7 @@ void Organ::back_to(const Mark& mark, std::size_t bodies) {
   ByteWriter bytes;
   save_changes(bytes, mark.changes);
   save_pieces(bytes, mark);
-  Organ before(pieces_.front().body, whole_, complex_.density());
+  Organ before(pieces_.front().body, whole_, complex_.density(), held_);
   ByteReader in(bytes.bytes(), "an organ's log");
   before.load(in, bodies);
   *this = std::move(before);

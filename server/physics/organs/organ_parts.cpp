@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "server/physics/organs/sheet_parts.h"
+
 namespace prosector {
 namespace {
 
@@ -16,6 +18,11 @@ struct Touched {
     for (std::uint32_t i = 0; i < op.count; ++i) {
       const TetId child = op.first + 2 * i;
       out.insert(out.end(), {complex.parent(child), child, child + 1});
+    }
+    if (!complex.is_sheet()) return;
+    for (const NodeId end : {op.a, op.b}) {  // gave of their masses
+      const auto star = complex.star(end);
+      out.insert(out.end(), star.begin(), star.end());
     }
   }
   void operator()(const SlitFaces& op) const {
@@ -35,7 +42,7 @@ Anatomy without_edge_nodes(const Anatomy& anatomy) {
   for (const auto& tet : anatomy.tets.tets)
     for (const std::uint32_t corner : tet) vertices = std::max(vertices, corner + 1);
   Anatomy out = anatomy;
-  if (out.tets.positions.size() == vertices) return out;
+  if (anatomy.tets.tets.empty() || out.tets.positions.size() == vertices) return out;
   std::vector<std::array<std::uint32_t, 2>> ends(anatomy.tets.positions.size() - vertices);
   for (const auto& [key, node] : edge_nodes_of(anatomy.tets.tets, vertices))
     ends[node - vertices] = {static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)};
@@ -81,8 +88,8 @@ PieceMesh piece_mesh(const TetComplex& complex, std::span<const TetId> tets) {
     out.mesh.positions.push_back(complex.rest(node));
   }
   for (const TetId tet : out.tets) {
-    const TetComplex::Corners& c = complex.corners(tet);
-    out.mesh.tets.push_back({index[c[0]], index[c[1]], index[c[2]], index[c[3]]});
+    const auto c = complex.corners(tet);
+    out.mesh.tets.push_back({index[c[0]], index[c[1]], index[c[2]], index[c.back()]});
   }
   return out;
 }
@@ -107,7 +114,7 @@ PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector
   };
   auto end = static_cast<std::uint32_t>(piece.tets.size());
   for (const TetId tet : touched) {
-    const TetComplex::Corners& c = complex.corners(tet);
+    const auto c = complex.corners(tet);
     const MeshEdit::Corners corners = {index(c[0]), index(c[1]), index(c[2]), index(c[3])};
     const auto at = std::lower_bound(piece.places.begin(), piece.places.end(), complex.place(tet));
     if (at != piece.places.end()) {
@@ -181,6 +188,7 @@ PieceSurface skinned(const TetComplex& complex, const Skin& skin, const PieceMes
 }
 
 Anatomy remnant(const Anatomy& whole) {
+  if (whole.tets.tets.empty()) return sheet_remnant(whole);
   Anatomy out;
   for (const std::uint32_t corner : whole.tets.tets.front())
     out.tets.positions.push_back(whole.tets.positions[corner]);

@@ -16,7 +16,7 @@ namespace prosector {
 
 MeshKind mesh_kind(const Anatomy& anatomy) {
   if (!anatomy.segments.empty()) return MeshKind::rope;
-  return anatomy.quads.empty() ? MeshKind::tets : MeshKind::sheet;
+  return anatomy.quads.empty() && anatomy.triangles.empty() ? MeshKind::tets : MeshKind::sheet;
 }
 
 const std::vector<ModelRow>& models() {

@@ -238,6 +238,7 @@ std::uint64_t SoftBody::content_hash() const {
   hasher.add(impl_->anatomy.tets.tets.size());
   hasher.add(std::as_bytes(std::span(impl_->anatomy.tets.tets)));
   hasher.add(std::as_bytes(std::span(impl_->anatomy.quads)));
+  hasher.add(std::as_bytes(std::span(impl_->anatomy.triangles)));
   hasher.add(std::as_bytes(std::span(impl_->anatomy.segments)));
   hasher.add(rest.data(), static_cast<std::size_t>(rest.size()));
   hasher.add(impl_->mass.data(), static_cast<std::size_t>(impl_->mass.size()));

@@ -35,7 +35,9 @@ void check_constants(const SoftDesc& desc) {
 
 void check_mesh(const SoftDesc& desc, const Anatomy& anatomy) {
   const std::size_t n = anatomy.tets.positions.size();
-  require(!anatomy.tets.tets.empty() || !anatomy.quads.empty() || !anatomy.segments.empty(), desc,
+  require(!anatomy.tets.tets.empty() || !anatomy.quads.empty() || !anatomy.triangles.empty() ||
+              !anatomy.segments.empty(),
+          desc,
           "its mesh has no tetrahedra, and no cells of a sheet or pieces of a rope; at least one is needed");
   for (std::size_t i = 0; i < n; ++i)
     if (!is_finite(anatomy.tets.positions[i])) refuse(desc, fmt::format("node {} is not finite", i));
@@ -45,6 +47,11 @@ void check_mesh(const SoftDesc& desc, const Anatomy& anatomy) {
   for (const auto& quad : anatomy.quads)
     for (std::uint32_t node : quad)
       if (node >= n) refuse(desc, fmt::format("a sheet's cell names node {}; there are {}", node, n));
+  for (const auto& triangle : anatomy.triangles)
+    for (std::uint32_t node : triangle)
+      if (node >= n) refuse(desc, fmt::format("part of a sheet's cell names node {}; there are {}", node, n));
+  require(anatomy.node_volume.empty() || anatomy.node_volume.size() == n, desc,
+          fmt::format("{} volumes of nodes, of which there are {}", anatomy.node_volume.size(), n));
   for (const auto& segment : anatomy.segments)
     for (std::uint32_t node : segment)
       if (node >= n) refuse(desc, fmt::format("a rope's piece names node {}; there are {}", node, n));

@@ -11,16 +11,10 @@ namespace {
 
 constexpr std::size_t elements_per_chunk = 512;
 
-/// A bend's nodes in ascending order, with their weights.
-struct SortedBend {
-  std::array<std::uint32_t, 3> node;
-  std::array<double, 3> weight;
-  double stiffness;
-};
-
-SortedBend sorted(const Bend& bend) {
-  SortedBend out{bend.node, bend.weight, bend.stiffness};
-  for (std::size_t i = 1; i < 3; ++i)
+/// With its nodes in ascending order.
+Bend sorted(const Bend& bend) {
+  Bend out = bend;
+  for (std::size_t i = 1; i < out.count; ++i)
     for (std::size_t k = i; k > 0 && out.node[k] < out.node[k - 1]; --k) {
       std::swap(out.node[k], out.node[k - 1]);
       std::swap(out.weight[k], out.weight[k - 1]);
@@ -39,7 +33,7 @@ class SpringModel final : public ElasticModel {
     for (const Spring& s : network_.springs) connectivity_.add(s.node);
     for (const Bend& b : network_.bends) {
       bends_.push_back(sorted(b));
-      connectivity_.add(bends_.back().node);
+      connectivity_.add(bends_.back().nodes());
     }
     incidence_.emplace(connectivity_);
     sums_.resize(chunk_count(connectivity_.size(), elements_per_chunk));
@@ -75,10 +69,13 @@ class SpringModel final : public ElasticModel {
 
  private:
   bool is_spring(std::size_t e) const { return e < network_.springs.size(); }
-  const SortedBend& bend(std::size_t e) const { return bends_[e - network_.springs.size()]; }
+  const Bend& bend(std::size_t e) const { return bends_[e - network_.springs.size()]; }
 
-  static Vec3 curvature(const SortedBend& b, const double* x) {
-    return b.weight[0] * at(x, b.node[0]) + b.weight[1] * at(x, b.node[1]) + b.weight[2] * at(x, b.node[2]);
+  static Vec3 curvature(const Bend& b, const double* x) {
+    Vec3 sum =
+        b.weight[0] * at(x, b.node[0]) + b.weight[1] * at(x, b.node[1]) + b.weight[2] * at(x, b.node[2]);
+    if (b.count > 3) sum += b.weight[3] * at(x, b.node[3]);
+    return sum;
   }
 
   double energy_of(std::size_t e, const double* x) const {
@@ -91,9 +88,9 @@ class SpringModel final : public ElasticModel {
   void force_of(std::size_t e, const double* x) {
     Vec3* f = &forces_[connectivity_.first_corner(e)];
     if (!is_spring(e)) {
-      const SortedBend& b = bend(e);
+      const Bend& b = bend(e);
       const Vec3 k = b.stiffness * curvature(b, x);
-      for (std::size_t a = 0; a < 3; ++a) f[a] = b.weight[a] * k;
+      for (std::size_t a = 0; a < b.count; ++a) f[a] = b.weight[a] * k;
       return;
     }
     const Spring& s = network_.springs[e];
@@ -116,10 +113,11 @@ class SpringModel final : public ElasticModel {
   void stiffness_of(std::size_t e, const double* x, bool stress_part) {
     Mat3* K = &blocks_[connectivity_.first_block(e)];
     if (!is_spring(e)) {
-      const SortedBend& b = bend(e);
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = i + 1; j < 3; ++j)
-          K[Connectivity::pair_index(i, j, 3)] = b.stiffness * b.weight[i] * b.weight[j] * Mat3::Identity();
+      const Bend& b = bend(e);
+      for (std::size_t i = 0; i < b.count; ++i)
+        for (std::size_t j = i + 1; j < b.count; ++j)
+          K[Connectivity::pair_index(i, j, b.count)] =
+              b.stiffness * b.weight[i] * b.weight[j] * Mat3::Identity();
       return;
     }
     const Spring& s = network_.springs[e];
@@ -132,7 +130,7 @@ class SpringModel final : public ElasticModel {
   }
 
   SpringNetwork network_;
-  std::vector<SortedBend> bends_;
+  std::vector<Bend> bends_;
   Connectivity connectivity_;
   std::optional<Incidence> incidence_;
   std::vector<double> sums_;

@@ -8,6 +8,9 @@
 //   sheet, cell a × b (plane stress C₁₁ = Et/(1−ν²), G = Et/2(1+ν)):
 //     diagonals  k = G(a² + b²)/(2ab);   edges along a: k = (b/a)(C₁₁ − G·a²/b²), half on the border;
 //     bending    D = Et³/12(1−ν²)
+//   sheet, triangle of area A (of a cell that a cut went through): k = 8C₁₁·A/9l² at an edge of length l: in
+//     tension right on average over directions; bending ½D·l²/(A₁ + A₂)·(jump of slope)² at an edge between
+//     two: right in every direction where triangles are regular
 //   tetrahedra: k = Σ 5μV/(2l²) over those at an edge of length l: isotropic on average, with λ = μ, that is
 //     ν = ¼, where any network of central forces is stuck. Volume springs ½(λ−μ)V(J−1)² bring λ to its own
 //     value. (Compare Lloyd et al. 2007, who match regular tetrahedra.)
@@ -15,6 +18,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "common/mesh.h"
@@ -29,13 +33,18 @@ struct Spring {
   double rest, stiffness;             // m, N/m
 };
 
-/// ½s|w₀x₀ + w₁x₁ + w₂x₂|² for three nodes of a line, x₁ between, with w = (l̄/a, −l̄/a − l̄/b, l̄/b) for pieces
-/// of a and b, l̄ their mean: (1, −2, 1) of equal ones. With s = EI/l̄³ the bending energy of a rod that is
-/// straight at rest; unchanged by turning, and by even stretching (Bergou et al. 2006).
+/// ½s|Σ wᵢxᵢ|², unchanged by turning, and by even stretching, of what is straight at rest. Either of three
+/// nodes of a line, x₁ between, with w = (l̄/a, −l̄/a − l̄/b, l̄/b) for pieces of a and b, l̄ their mean: (1, −2,
+/// 1) of equal ones; with s = EI/l̄³ the bending energy of a rod (Bergou et al. 2006). Or of two triangles:
+/// x₀, x₁ the ends of the edge between, x₂, x₃ across from it; Σ wᵢxᵢ is the jump of the surface's slope at
+/// the edge.
 struct Bend {
-  std::array<std::uint32_t, 3> node;
+  std::array<std::uint32_t, 4> node;
   double stiffness;  // N/m
-  std::array<double, 3> weight = {1, -2, 1};
+  std::array<double, 4> weight = {1, -2, 1, 0};
+  std::uint32_t count = 3;  // nodes
+
+  std::span<const std::uint32_t> nodes() const { return std::span(node).first(count); }
 };
 
 struct SpringNetwork {

@@ -92,7 +92,7 @@ class XpbdSubstepper final : public Substepper {
 
   std::span<const std::uint32_t> nodes(const Element& e) const {
     if (e.kind == Element::Kind::spring) return network_.springs[e.index].node;
-    if (e.kind == Element::Kind::bend) return network_.bends[e.index].node;
+    if (e.kind == Element::Kind::bend) return network_.bends[e.index].nodes();
     return tets_.nodes(e.index);
   }
 
@@ -170,11 +170,12 @@ class XpbdSubstepper final : public Substepper {
 
   void project_bend(const Bend& b, double hs) {
     const auto& w = b.weight;
-    const Vec3 d = w[0] * at(b.node[0]) + w[1] * at(b.node[1]) + w[2] * at(b.node[2]);
+    Vec3 d = w[0] * at(b.node[0]) + w[1] * at(b.node[1]) + w[2] * at(b.node[2]);
+    if (b.count > 3) d += w[3] * at(b.node[3]);
     const double C = d.norm();
     if (!(C > 0)) return;
-    const Vec3 n = d / C, gradient[3] = {w[0] * n, w[1] * n, w[2] * n};
-    move(b.node, gradient, C, b.stiffness, hs);
+    const Vec3 n = d / C, gradient[4] = {w[0] * n, w[1] * n, w[2] * n, w[3] * n};
+    move(b.nodes(), gradient, C, b.stiffness, hs);
   }
 
   /// Both constraints at once, so that at rest, where neither is 0 but their forces cancel, nothing moves:

@@ -1,0 +1,22 @@
+#pragma once
+// What a sheet that was cut is put together from.
+
+#include "common/scene/scene.h"
+#include "server/physics/organs/node_transfer.h"
+#include "server/physics/topology.h"
+
+namespace prosector {
+
+/// A piece as geometry: cells that are whole as cells, of the others what is left of them; masses as volumes;
+/// its surface seen from both sides. Vertices and triangles keep the numbers that they had in `whole`; those
+/// that came follow.
+Anatomy sheet_piece(const TetComplex& complex, const PieceMesh& piece, const Anatomy& whole,
+                    Numbering& numbering);
+
+/// One cell, without a surface: what is left to be solved of a piece that was joined to another.
+Anatomy sheet_remnant(const Anatomy& whole);
+
+/// By node of an uncut sheet: whether the attachments tie it to its place.
+std::vector<std::uint8_t> held_nodes(const std::vector<AttachDesc>& attach, const Anatomy& sheet);
+
+}  // namespace prosector

@@ -1,0 +1,277 @@
+// Blades in sheets, which have no inside: an edge goes through one, or comes down on it with its points.
+//
+// Where it goes through, it is tied to the sheet there, by a spring that bears the toughness times the
+// sheet's thickness: the force at which a crack of that length goes on. A point that comes down on it stays
+// above until what it stands for, toughness times length, is overcome.
+
+#include <algorithm>
+#include <limits>
+
+#include "server/physics/collision/closest_points.h"
+#include "server/physics/organs/sheet_parts.h"
+#include "server/physics/simulation_impl.h"
+#include "server/physics/soft/rungs.h"
+
+namespace prosector {
+
+/// Where an edge goes through a sheet.
+struct Simulation::Impl::SheetCrossing {
+  std::size_t point = 0;  // of the edge
+  double share = 0;       // of the way from it to the next
+  SparseMap::Row row;     // of the sheet's nodes
+  Vec3 place = Vec3::Zero(), normal = Vec3::UnitY();
+};
+
+namespace {
+
+constexpr double to_begin = 1.5;  // times the force at which a cut goes on: a crack that isn't there yet
+constexpr double above = 0.25;    // of the thickness: where points that come down on a sheet are held
+constexpr int halvings = 12;      // of a tick's way, to where an edge came in over the border
+
+struct Hit {
+  double t;  // along the segment
+  Vec3 weights;
+};
+
+/// Where the segment a–b goes through the triangle.
+std::optional<Hit> hit(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& x) {
+  const Vec3 n = (x[1] - x[0]).cross(x[2] - x[0]);
+  const double da = n.dot(a - x[0]), db = n.dot(b - x[0]);
+  if (da * db > 0 || da == db) return std::nullopt;
+  const double t = da / (da - db);
+  const Vec3 r = a + t * (b - a) - x[0];
+  const double v = r.cross(x[2] - x[0]).dot(n) / n.squaredNorm(),
+               w = (x[1] - x[0]).cross(r).dot(n) / n.squaredNorm();
+  if (!(v >= 0 && w >= 0 && v + w <= 1)) return std::nullopt;
+  return Hit{t, {1 - v - w, v, w}};
+}
+
+Vec3 point_of(const SparseMap::Row& row, const VecX& x) {
+  return row.weight[0] * x.segment<3>(3 * Eigen::Index{row.node[0]}) +
+         row.weight[1] * x.segment<3>(3 * Eigen::Index{row.node[1]}) +
+         row.weight[2] * x.segment<3>(3 * Eigen::Index{row.node[2]});
+}
+
+/// Calls do_it(corners, places) for each triangle of the sheet whose box meets that of `points`, widened.
+template <class F>
+void near_triangles(const Anatomy& sheet, const VecX& x, std::span<const Vec3> points, double widened,
+                    const F& do_it) {
+  if (points.empty()) return;
+  Vec3 low = points[0], high = low;
+  for (const Vec3& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  low.array() -= widened;
+  high.array() += widened;
+  const auto visit = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const std::array<Vec3, 3> at = {x.segment<3>(3 * Eigen::Index{a}), x.segment<3>(3 * Eigen::Index{b}),
+                                    x.segment<3>(3 * Eigen::Index{c})};
+    if ((at[0].cwiseMax(at[1]).cwiseMax(at[2]).array() < low.array()).any() ||
+        (at[0].cwiseMin(at[1]).cwiseMin(at[2]).array() > high.array()).any())
+      return;
+    do_it(std::array{a, b, c}, at);
+  };
+  for (const auto& [a, b, c, d] : sheet.quads) {
+    visit(a, b, c);
+    visit(a, c, d);
+  }
+  for (const auto& [a, b, c] : sheet.triangles) visit(a, b, c);
+}
+
+SparseMap::Row row_of(const std::array<std::uint32_t, 3>& corners, const Vec3& weights) {
+  return {{corners[0], corners[1], corners[2], 0}, {weights[0], weights[1], weights[2], 0}};
+}
+
+}  // namespace
+
+bool Simulation::Impl::can_cut_sheet(std::size_t body) const {
+  return mesh_kind(model.soft[body]->anatomy()) == MeshKind::sheet && !parts[soft_id(body)].out_of_touch() &&
+         model.soft_collision[body].fidelity != Fidelity::none;
+}
+
+std::vector<std::uint8_t> Simulation::Impl::held_nodes_of(std::size_t body) const {
+  const auto cut = organs.find(body);
+  const Anatomy& whole = cut != organs.end() ? cut->second.whole() : model.soft[body]->anatomy();
+  if (mesh_kind(whole) != MeshKind::sheet) return {};
+  return held_nodes(model.soft[body]->desc().attach, whole);
+}
+
+/// In order along the edge; where it goes through at a line between triangles, once.
+std::vector<Simulation::Impl::SheetCrossing> Simulation::Impl::sheet_crossings(
+    std::size_t body, std::span<const Vec3> edge) const {
+  std::vector<SheetCrossing> out;
+  near_triangles(model.soft[body]->anatomy(), soft[body].motion.x, edge, 0,
+                 [&](const auto& corners, const std::array<Vec3, 3>& at) {
+                   for (std::size_t p = 0; p + 1 < edge.size(); ++p)
+                     if (const auto found = hit(edge[p], edge[p + 1], at))
+                       out.push_back({p, found->t, row_of(corners, found->weights),
+                                      edge[p] + found->t * (edge[p + 1] - edge[p]),
+                                      (at[1] - at[0]).cross(at[2] - at[0]).normalized()});
+                 });
+  std::stable_sort(out.begin(), out.end(), [](const SheetCrossing& a, const SheetCrossing& b) {
+    return a.point != b.point ? a.point < b.point : a.share < b.share;
+  });
+  constexpr double same = 1e-9;  // of the way
+  out.erase(std::unique(out.begin(), out.end(),
+                        [](const SheetCrossing& a, const SheetCrossing& b) {
+                          return static_cast<double>(b.point) + b.share -
+                                     (static_cast<double>(a.point) + a.share) <
+                                 same;
+                        }),
+            out.end());
+  return out;
+}
+
+/// Ties the blade's edges to the sheets that they go through or have come down on.
+void Simulation::Impl::grip_sheets(const Blade& blade, std::span<const Vec3> now) {
+  const auto grip = [&](std::size_t body, std::size_t point, const SparseMap::Row& row, const Vec3& at_blade,
+                        const Vec3& at_sheet, double force, std::optional<double> through) {
+    if (!(force > 0)) return;
+    BladeGrip made{body, blade.slot, point, row, through, Vec3::Zero(), {}};
+    if (!through) made.beside = at_sheet - point_of(row, soft[body].motion.x);
+    Tie& tie = made.tie;
+    tie.a.kind = ContactSide::Kind::rigid;
+    tie.a.body = blade.slot;
+    tie.a.arm = at_blade - world.motion(blade.slot).pose.p;
+    tie.b.kind = ContactSide::Kind::soft;
+    tie.b.body = body;
+    tie.b.add(row, 1);
+    tie.offset = at_blade - at_sheet;
+    tie.stiffness = force / edge_give;
+    tie.max_force = force;
+    wake_soft(body);
+    blade_grips.push_back(std::move(made));
+  };
+  for (std::size_t body = 0; body < soft.size(); ++body) {
+    if (!can_cut_sheet(body)) continue;
+    const SoftDesc& desc = model.soft[body]->desc();
+    const Anatomy& sheet = model.soft[body]->anatomy();
+    const double toughness = (blade.cutting ? 1 : to_begin) * desc.toughness;
+    std::size_t first = 0;
+    for (const BladeShape::Edge& edge : blade_shapes[blade.slot].edges) {
+      const std::size_t count = edge.points.size();
+      if (edge.ray) {
+        first += count;
+        continue;
+      }
+      const auto cut_to = std::span(blade.cut_to).subspan(first, count);
+      const std::vector<SheetCrossing> crossings = sheet_crossings(body, cut_to);
+      for (const SheetCrossing& c : crossings) {
+        const std::size_t p = first + c.point;
+        grip(body, p, c.row, now[p] + c.share * (now[p + 1] - now[p]), c.place, toughness * sheet.thickness,
+             c.share);
+      }
+      for (std::size_t k = 0; k < count && crossings.empty(); ++k) {
+        double nearest = sheet.thickness / 2;
+        std::optional<SparseMap::Row> row;
+        near_triangles(sheet, soft[body].motion.x, cut_to.subspan(k, 1), nearest,
+                       [&](const auto& corners, const std::array<Vec3, 3>& at) {
+                         const Vec3 w = closest_weights(cut_to[k], at[0], at[1], at[2]);
+                         const double d = (w[0] * at[0] + w[1] * at[1] + w[2] * at[2] - cut_to[k]).norm();
+                         if (d >= nearest) return;
+                         nearest = d;
+                         row = row_of(corners, w);
+                       });
+        if (row)
+          grip(body, first + k, *row, now[first + k], cut_to[k], toughness * edge.length_per_point,
+               std::nullopt);
+      }
+      first += count;
+    }
+  }
+}
+
+/// Where a sheet holds an edge back, all of the edge lags behind as it does there: each point as at the
+/// nearest place. `from` goes with the sheet.
+void Simulation::Impl::drag_edges(const Blade& blade, std::span<const Vec3> now, std::span<Vec3> from,
+                                  std::span<Vec3> to) const {
+  std::size_t first = 0;
+  for (const BladeShape::Edge& edge : blade_shapes[blade.slot].edges) {
+    const std::size_t count = edge.points.size();
+    for (std::size_t p = first; p < first + count; ++p) {
+      if (std::any_of(blade_grips.begin(), blade_grips.end(), [&](const BladeGrip& grip) {
+            return grip.slot == blade.slot && !grip.through && grip.point == p;
+          }))
+        continue;  // held by itself
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const BladeGrip& grip : blade_grips) {
+        if (grip.slot != blade.slot || !grip.through || grip.point < first || grip.point >= first + count)
+          continue;
+        const double away =
+            std::abs(static_cast<double>(grip.point) + *grip.through - static_cast<double>(p));
+        if (away >= nearest) continue;
+        nearest = away;
+        const Vec3 material = point_of(grip.row, soft[grip.body].motion.x);
+        const auto along = [&](std::span<const Vec3> x) -> Vec3 {
+          return x[grip.point] + *grip.through * (x[grip.point + 1] - x[grip.point]);
+        };
+        const Vec3 lag = along(now) - material;
+        const double give = grip.tie.max_force / grip.tie.stiffness;
+        from[p] = blade.cut_to[p] + material - along(blade.cut_to);
+        to[p] = now[p] - (lag.norm() <= give ? lag : Vec3(give * lag.normalized()));
+      }
+    }
+    first += count;
+  }
+}
+
+/// What comes to a tough sheet from outside is held where it does, until the sheet gives. Whether any edge is
+/// in a sheet, or went through one.
+bool Simulation::Impl::stop_at_sheets(const Blade& blade, std::span<const Vec3> from,
+                                      std::span<Vec3> to) const {
+  bool in_sheet = false;
+  for (std::size_t body = 0; body < soft.size(); ++body) {
+    if (!can_cut_sheet(body)) continue;
+    const Anatomy& sheet = model.soft[body]->anatomy();
+    const VecX& x = soft[body].motion.x;
+    std::size_t first = 0;
+    for (const BladeShape::Edge& edge : blade_shapes[blade.slot].edges) {
+      const auto before = from.subspan(first, edge.points.size());
+      const auto after = to.subspan(first, edge.points.size());
+      const auto gripped = [&](std::size_t k) {
+        return std::any_of(blade_grips.begin(), blade_grips.end(), [&](const BladeGrip& g) {
+          return g.slot == blade.slot && g.body == body && g.point == first + k;
+        });
+      };
+      first += edge.points.size();
+      if (!sheet_crossings(body, before).empty()) {
+        in_sheet = true;
+        continue;
+      }
+      const bool tough = !edge.ray && model.soft[body]->desc().toughness > 0;
+      for (std::size_t k = 0; k < before.size(); ++k) {
+        const std::array<Vec3, 2> way = {before[k], after[k]};
+        const Vec3 all = way[1] - way[0];
+        double first_hit = 2, steepness = 0;
+        near_triangles(sheet, x, way, 0, [&](const auto&, const std::array<Vec3, 3>& at) {
+          const auto found = hit(way[0], way[1], at);
+          if (!found || found->t >= first_hit) return;
+          first_hit = found->t;
+          steepness = std::abs((at[1] - at[0]).cross(at[2] - at[0]).normalized().dot(all));
+        });
+        if (first_hit > 1) continue;
+        in_sheet = true;
+        if (!tough || gripped(k)) continue;
+        const double back = above * sheet.thickness / std::max(1e-9, steepness);
+        after[k] = way[0] + std::max(0.0, first_hit - back) * all;
+      }
+      if (sheet_crossings(body, after).empty()) continue;
+      if (tough && !in_sheet) {  // over the border
+        const std::vector<Vec3> end(after.begin(), after.end());
+        double out = 0, in = 1;
+        for (int i = 0; i < halvings; ++i) {
+          const double middle = (out + in) / 2;
+          for (std::size_t k = 0; k < before.size(); ++k)
+            after[k] = before[k] + middle * (end[k] - before[k]);
+          (sheet_crossings(body, after).empty() ? out : in) = middle;
+        }
+        for (std::size_t k = 0; k < before.size(); ++k) after[k] = before[k] + in * (end[k] - before[k]);
+      }
+      in_sheet = true;
+    }
+  }
+  return in_sheet;
+}
+
+}  // namespace prosector

@@ -1,0 +1,229 @@
+// Sheets: the same three operations on triangles, and masses that are shared along edges.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <random>
+
+#include "common/anatomy/fabric.h"
+#include "server/physics/cutting/carry.h"
+#include "server/physics/cutting/pieces.h"
+#include "server/physics/cutting/sheet_mass.h"
+#include "tests/cutting/strokes.h"
+
+namespace prosector {
+namespace {
+
+constexpr double density = 1000, thickness = 0.002;  // kg/m³, m
+
+Anatomy square(double side, double cell) {
+  return make_sheet({side, thickness, side}, cell);
+}
+
+TetComplex complex_of(const Anatomy& sheet, std::vector<std::uint8_t> held = {}) {
+  return TetComplex::of_sheet(sheet, density, std::move(held));
+}
+
+double total_mass(const TetComplex& complex) {
+  double sum = 0;
+  for (const NodeId node : complex.node_ids()) sum += complex.mass(node);
+  return sum;
+}
+
+double total_volume(const TetComplex& complex) {
+  double sum = 0;
+  for (const TetId t : complex.tet_ids()) sum += complex.volume(t);
+  return sum;
+}
+
+/// A blade that stands upright in the sheet is drawn from one point to the other, in so many ticks.
+Stroke drawn(const Vec3& from, const Vec3& to, int ticks) {
+  Stroke out;
+  for (int i = 0; i <= ticks; ++i) {
+    const Vec3 at = from + (to - from) * i / ticks;
+    out.push_back({at + Vec3(0, 0.03, 0.002), at - Vec3(0, 0.03, 0.002)});
+  }
+  return out;
+}
+
+/// What a test cuts, as the simulation does.
+struct CutSheet {
+  explicit CutSheet(const Anatomy& sheet) : complex(complex_of(sheet)), x(rest_positions(complex)) {}
+  void make(const Stroke& stroke) {
+    BladeStroke state = begin_stroke(stroke.front());
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+      const CutResult result = cut_and_carry(complex, tree, x, stroke[i], state);
+      ops.insert(ops.end(), result.ops.begin(), result.ops.end());
+      least_angle = std::min(least_angle, result.least_dihedral_deg);
+    }
+  }
+  TetComplex complex;
+  TetTree tree;
+  std::vector<Vec3> x;
+  std::vector<TopologyOp> ops;
+  double least_angle = 180;
+};
+
+TEST(SheetMass, OfFreeEndsIsSharedByTheWayBetween) {
+  const EdgeMasses m = share_mass({2, false}, {4, false}, 0.25);
+  const double node = 2.5, f = 6 / 8.5;
+  EXPECT_DOUBLE_EQ(m.a, 2 * f);
+  EXPECT_DOUBLE_EQ(m.b, 4 * f);
+  EXPECT_DOUBLE_EQ(m.node, node * f);
+  EXPECT_DOUBLE_EQ(m.a + m.b + m.node, 6);
+}
+
+TEST(SheetMass, OfAFreeEndIsHalvedWhereTheOtherIsHeld) {
+  const EdgeMasses m = share_mass({2, true}, {4, false}, 0.9), n = share_mass({2, false}, {4, true}, 0.9);
+  EXPECT_EQ(m.a, 2);
+  EXPECT_EQ(m.b, 2);
+  EXPECT_EQ(m.node, 2);
+  EXPECT_EQ(n.a, 1);
+  EXPECT_EQ(n.b, 4);
+  EXPECT_EQ(n.node, 1);
+}
+
+TEST(SheetMass, BetweenHeldEndsIsAHeldNode) {
+  TetComplex complex = complex_of(square(0.1, 0.1), {1, 1, 0, 0});
+  const double whole = total_mass(complex);
+  complex.apply(SplitEdge{0, 1, 4, 0.5, 2, 1});
+  EXPECT_TRUE(complex.is_held(4));
+  EXPECT_NEAR(total_mass(complex), whole, 1e-15 * whole);
+  complex.apply(SplitEdge{1, 3, 5, 0.5, 4, 1});  // one end held
+  EXPECT_FALSE(complex.is_held(5));
+  EXPECT_EQ(complex.mass(5), complex.mass(3));
+  EXPECT_NEAR(total_mass(complex), whole, 1e-15 * whole);
+}
+
+// Nodes 0 1 / 2 3; cell 0, 2, 3, 1: triangles 0 2 3 and 0 3 1.
+TEST(SheetComplex, OneCellIsCutAcrossIntoTwo) {
+  CutSheet sheet(square(0.1, 0.1));
+  const double mass = total_mass(sheet.complex), volume = total_volume(sheet.complex);
+  EXPECT_DOUBLE_EQ(volume, 0.1 * 0.1 * thickness);
+  EXPECT_DOUBLE_EQ(mass, density * volume);
+  const std::uint64_t hash = sheet.complex.content_hash();
+  sheet.make(drawn({0.01, 0, -0.08}, {0.01, 0, 0.08}, 1));  // along z at x = 0.01
+  EXPECT_EQ(pieces(sheet.complex).size(), 2U);
+  EXPECT_NEAR(total_mass(sheet.complex), mass, 1e-12 * mass);
+  EXPECT_NEAR(total_volume(sheet.complex), volume, 1e-12 * volume);
+  int on_cut = 0;
+  for (const NodeId node : sheet.complex.node_ids())
+    if (node > 3) {
+      EXPECT_NEAR(sheet.complex.rest(node).x(), 0.01, 1e-3);  // the blade leans by as much at most
+      ++on_cut;
+    }
+  EXPECT_EQ(on_cut, 6);  // on two borders and the diagonal, each on both sides
+  for (std::size_t i = sheet.ops.size(); i-- > 0;) sheet.complex.take_back(sheet.ops[i]);
+  EXPECT_EQ(sheet.complex.content_hash(), hash);
+}
+
+TEST(SheetComplex, ANewNodeIsAndMovesAsTheEdgeDoesThere) {
+  const SplitEdge op{0, 3, 4, 0.25, 2, 2};
+  std::vector<Vec3> x = {{0, 0, 0}, {}, {}, {4, 8, -4}};
+  carry(op, x);
+  EXPECT_EQ(x[4], Vec3(1, 2, -1));
+}
+
+TEST(SheetComplex, StraightStrokesPartItWhateverTheirWay) {
+  for (int i = 0; i < 24; ++i) {
+    const double angle = 0.1 + i * M_PI / 24, off = 0.03 * std::sin(7.0 * i);
+    const Vec3 way(std::cos(angle), 0, std::sin(angle)), side(-way.z(), 0, way.x());
+    for (const int ticks : {1, 7, 60}) {
+      CutSheet sheet(square(0.1, 0.01));
+      const double mass = total_mass(sheet.complex);
+      sheet.make(drawn(off * side - 0.11 * way, off * side + 0.11 * way, ticks));
+      EXPECT_EQ(pieces(sheet.complex).size(), 2U) << "angle " << angle << ", " << ticks << " ticks";
+      EXPECT_NEAR(total_mass(sheet.complex), mass, 1e-12 * mass);
+      EXPECT_GE(sheet.least_angle, 4.99);
+    }
+  }
+}
+
+TEST(SheetComplex, ACutEndsInsideAndGoesOn) {
+  CutSheet sheet(square(0.1, 0.01));
+  const Stroke stroke = drawn({0.003, 0, -0.06}, {0.003, 0, 0.06}, 40);
+  BladeStroke state = begin_stroke(stroke.front());
+  std::size_t opened = 0, parted_at = 0;
+  for (std::size_t i = 1; i < stroke.size(); ++i) {
+    opened += cut_and_carry(sheet.complex, sheet.tree, sheet.x, stroke[i], state).slit_faces;
+    if (parted_at == 0 && pieces(sheet.complex).size() == 2) parted_at = i;
+    if (i == 20) {
+      EXPECT_GE(opened, 4U);  // 6 cm of cells of 1 cm
+      EXPECT_EQ(pieces(sheet.complex).size(), 1U);
+    }
+  }
+  EXPECT_GE(parted_at, 36U);
+}
+
+/// Who neighbours whom, and masses, as going through the operations afresh has them.
+void expect_as_rebuilt(const CutSheet& sheet, const Anatomy& uncut) {
+  TetComplex again = complex_of(uncut);
+  for (const TopologyOp& op : sheet.ops) again.apply(op);
+  EXPECT_EQ(again.content_hash(), sheet.complex.content_hash());
+  std::vector<std::vector<TetId>> star(sheet.complex.node_end());
+  for (const TetId t : sheet.complex.tet_ids()) {
+    const auto c = sheet.complex.corners(t);
+    for (const NodeId node : c) star[node].push_back(t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const TetId beyond = sheet.complex.neighbor(t, k);
+      if (beyond == TetComplex::none) continue;
+      ASSERT_TRUE(sheet.complex.has_tet(beyond));
+      EXPECT_TRUE(sheet.complex.has_corner(beyond, c[(k + 1) % 3]));
+      EXPECT_TRUE(sheet.complex.has_corner(beyond, c[(k + 2) % 3]));
+    }
+    const Vec3 n = (sheet.complex.rest(c[1]) - sheet.complex.rest(c[0]))
+                       .cross(sheet.complex.rest(c[2]) - sheet.complex.rest(c[0]));
+    EXPECT_GT(n.y(), 0) << "triangle " << t << " turned over";
+  }
+  for (const NodeId node : sheet.complex.node_ids()) {
+    const auto is = sheet.complex.star(node);
+    EXPECT_TRUE(std::equal(is.begin(), is.end(), star[node].begin(), star[node].end()));
+    EXPECT_GT(sheet.complex.mass(node), 0);
+  }
+}
+
+void make_random_strokes(unsigned seed) {
+  std::cout << "seed " << seed << std::endl;
+  std::mt19937 engine(seed);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(engine()) / static_cast<double>(engine.max());
+  };
+  const Anatomy uncut = square(0.1, 0.02);
+  CutSheet sheet(uncut);
+  const double mass = total_mass(sheet.complex), volume = total_volume(sheet.complex);
+  std::vector<std::pair<std::uint64_t, std::size_t>> before;  // hash, operations
+  for (int i = 0; i < 400; ++i) {
+    before.emplace_back(sheet.complex.content_hash(), sheet.ops.size());
+    const Vec3 from(uniform(-0.07, 0.07), uniform(-0.01, 0.01), uniform(-0.07, 0.07));
+    const Vec3 to = i % 10 == 0 ? Vec3(from + Vec3(1e-6, 0, 0))
+                                : Vec3(uniform(-0.07, 0.07), uniform(-0.01, 0.01), uniform(-0.07, 0.07));
+    sheet.make(drawn(from, to, 1 + static_cast<int>(engine() % 8)));
+    for (const NodeId node : sheet.complex.node_ids())  // it moves
+      sheet.x[node] =
+          sheet.complex.rest(node) + Vec3(0, 3 * sheet.complex.rest(node).x() * uniform(0, 0.01), 0);
+    ASSERT_NEAR(total_mass(sheet.complex), mass, 1e-12 * mass) << "after stroke " << i;
+    ASSERT_NEAR(total_volume(sheet.complex), volume, 1e-12 * volume) << "after stroke " << i;
+    if (i % 50 == 49) expect_as_rebuilt(sheet, uncut);
+  }
+  EXPECT_GE(sheet.least_angle, 4.99);
+  EXPECT_GT(pieces(sheet.complex).size(), 10U);
+  std::size_t left = sheet.ops.size();
+  for (std::size_t i = before.size(); i-- > 0;) {
+    while (left > before[i].second) sheet.complex.take_back(sheet.ops[--left]);
+    ASSERT_EQ(sheet.complex.content_hash(), before[i].first) << "stroke " << i << " taken back";
+  }
+}
+
+TEST(SheetStrokes, AtRandomOfAFixedSeed) {
+  make_random_strokes(20261122);
+}
+
+TEST(SheetStrokes, AtRandomOfAnySeed) {
+  const char* text = std::getenv("PROSECTOR_SEED");
+  make_random_strokes(text ? static_cast<unsigned>(std::strtoul(text, nullptr, 10)) : std::random_device{}());
+}
+
+}  // namespace
+}  // namespace prosector

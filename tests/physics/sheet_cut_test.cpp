@@ -1,0 +1,175 @@
+// A held scalpel cuts a sheet: through the whole simulation, for each model that sheets have.
+
+#include <gtest/gtest.h>
+
+#include "server/physics/organs/organ.h"
+#include "server/physics/organs/sheet_parts.h"
+#include "server/physics/soft/rungs.h"
+#include "server/physics/soft/soft_body.h"
+#include "tests/physics/scalpel.h"
+
+namespace prosector::test {
+namespace {
+
+struct Rung {
+  std::string model, integrator;
+};
+void PrintTo(const Rung& rung, std::ostream* out) {
+  *out << rung.model << '_' << rung.integrator;
+}
+
+double all_mass(const Simulation& simulation) {
+  double sum = 0;
+  for (BodyId body = 1; body < simulation.body_count(); ++body) sum += simulation.soft(body).total_mass();
+  return sum;
+}
+
+Vec3 momentum(const Simulation& simulation) {
+  Vec3 sum = Vec3::Zero();
+  for (BodyId body = 1; body < simulation.body_count(); ++body) {
+    if (simulation.surface(body).triangles.empty()) continue;
+    const VecX &mass = simulation.soft(body).node_mass(), &v = simulation.soft_state(body).motion.v;
+    for (Eigen::Index i = 0; i < mass.size(); ++i) sum += mass[i] * v.segment<3>(3 * i);
+  }
+  return sum;
+}
+
+class CutSheet : public ::testing::TestWithParam<Rung> {};
+
+TEST_P(CutSheet, InTwoBodiesUndoneAndRestored) {
+  const SceneDesc scene = membrane_and_scalpel(GetParam().model, GetParam().integrator);
+  Simulation simulation(scene, options());
+  const double mass = simulation.soft(1).total_mass();
+  const std::uint64_t uncut = simulation.soft(1).content_hash();
+  Vec3 at = take(simulation);
+  const std::vector<TopologyChange> halfway = draw(simulation, at, 75);  // to its middle
+  ASSERT_FALSE(halfway.empty());
+  EXPECT_EQ(simulation.body_count(), 2U);
+  EXPECT_NEAR(all_mass(simulation), mass, 1e-12 * mass);
+  const std::vector<std::uint8_t> saved = simulation.checkpoint();
+  Vec3 again = at;
+  draw(simulation, at, 75);
+  ASSERT_EQ(simulation.body_count(), 3U);
+  EXPECT_NEAR(all_mass(simulation), mass, 1e-12 * mass);
+  for (const BodyId body : {1U, 2U}) {
+    EXPECT_GT(simulation.soft(body).total_mass(), 0.4 * mass);
+    EXPECT_TRUE(simulation.soft_state(body).motion.x.allFinite());
+    EXPECT_LT(simulation.max_displacement(body), 0.01);
+    EXPECT_FALSE(simulation.soft(body).anatomy().quads.empty());      // away from the cut
+    EXPECT_FALSE(simulation.soft(body).anatomy().triangles.empty());  // along it
+  }
+  EXPECT_EQ(simulation.name(2), "membrane piece 1");
+  const std::uint64_t cut = simulation.state_hash();
+
+  Simulation restored(scene, options(2));
+  restored.restore(saved);
+  draw(restored, again, 75);
+  EXPECT_EQ(restored.state_hash(), cut);
+
+  ASSERT_EQ(simulation.step(undo()).cut_answers, std::vector<std::string>{""});
+  EXPECT_EQ(simulation.soft(1).content_hash(), uncut);
+  EXPECT_NEAR(simulation.soft(1).total_mass(), mass, 1e-12 * mass);
+  EXPECT_TRUE(simulation.surface(2).triangles.empty());
+}
+
+std::vector<Rung> rungs() {
+  std::vector<Rung> out;
+  for (const ModelRow& model : models())
+    if (model.fabric)
+      for (const std::string& integrator : integrators_for(model)) out.push_back({model.name, integrator});
+  return out;
+}
+
+INSTANTIATE_TEST_SUITE_P(Rungs, CutSheet, ::testing::ValuesIn(rungs()),
+                         [](const auto& info) { return info.param.model + "_" + info.param.integrator; });
+
+TEST(SheetBlade, ToughSheetsAreDrawnAlongInsteadOfCut) {
+  for (const double toughness : {10.0, 1e5}) {
+    SceneDesc scene = membrane_and_scalpel();
+    scene.soft[0].toughness = toughness;
+    Simulation simulation(scene, options());
+    Vec3 at = take(simulation);
+    draw(simulation, at, 60);  // 2.6 cm into it
+    if (toughness > 1000) {
+      EXPECT_GT(simulation.max_displacement(1), 0.01);
+      EXPECT_LE(simulation.soft(1).anatomy().triangles.size(), 4U);
+    } else {
+      EXPECT_LT(simulation.max_displacement(1), 0.005);
+      EXPECT_GE(simulation.soft(1).anatomy().triangles.size(), 6U);
+    }
+  }
+}
+
+TEST(SheetBlade, ARayCutsSheetsWithoutResistanceAndNothingElse) {
+  SceneDesc sheet = membrane_and_scalpel(), solid = block_and_scalpel();
+  sheet.soft[0].toughness = 1e5;
+  for (SceneDesc* scene : {&sheet, &solid}) {
+    scene->rigid[0].edges[0].ray = true;
+    Simulation simulation(*scene, options());
+    Vec3 at = take(simulation);
+    const bool cut = !draw(simulation, at, 150).empty();
+    EXPECT_EQ(cut, scene == &sheet);
+    EXPECT_LT(simulation.max_displacement(1), 1e-3);
+    EXPECT_EQ(simulation.body_count(), scene == &sheet ? 3U : 2U);
+  }
+}
+
+// Nothing but gravity acts on a free sheet that a blade cuts without resistance.
+TEST(SheetBlade, CutsKeepAFallingSheetsMomentum) {
+  SceneDesc scene = membrane_and_scalpel();
+  scene.gravity = {0, -0.05, 0};
+  scene.rigid[0].balanced = true;
+  scene.soft[0].attach.clear();
+  scene.soft[0].toughness = 0;
+  scene.soft[0].damping_mass = 0;
+  Simulation simulation(scene, options());
+  const double mass = simulation.soft(1).total_mass();
+  Vec3 at = take(simulation);
+  int cuts = 0;
+  for (int i = 0; i < 120; ++i) {
+    const Vec3 before = momentum(simulation);
+    const bool asleep = simulation.asleep(1);
+    cuts += draw(simulation, at, 1).empty() ? 0 : 1;
+    if (asleep || simulation.asleep(1)) continue;
+    const Vec3 expected = before + mass * scene.gravity / scene.tick_rate;
+    ASSERT_LT((momentum(simulation) - expected).norm(), 1e-6 * mass * 0.05) << "tick " << i;
+  }
+  EXPECT_GT(cuts, 5);
+}
+
+TEST(SheetOrgan, IsUndoneInAnyOrderThatItsCutsAllow) {
+  const Simulation simulation(membrane_and_scalpel("xpbd"), options());
+  const SoftBody& body = simulation.soft(1);
+  const auto held = held_nodes(body.desc().attach, body.anatomy());
+  Organ organ(0, body.anatomy(), body.desc().density, held);
+  const auto cut = [&](double z, ParticipantId author, std::uint64_t number) {
+    std::vector<Vec3> x(organ.complex().node_end());
+    for (NodeId n = 0; n < x.size(); ++n) x[n] = organ.complex().rest(n);
+    const std::vector<Vec3> from = {{-0.06, 0, z}, {-0.06, 0.1, z}}, to = {{0.06, 0, z}, {0.06, 0.1, z}};
+    BladeStroke stroke = begin_stroke(from);
+    EXPECT_FALSE(organ.cut(x, to, stroke, author, number).ops.empty());
+    organ.regroup(organ.pieces().size());
+  };
+  const std::uint64_t uncut = organ.complex().content_hash();
+  cut(0.0341, 1, 1);
+  const std::uint64_t one = organ.complex().content_hash();
+  cut(-0.0341, 2, 2);  // far from it
+  cut(0.0361, 3, 3);   // beside it
+  EXPECT_NE(organ.undo(1), "");
+  EXPECT_EQ(organ.undo(3), "");
+  EXPECT_EQ(organ.undo(1), "");
+  EXPECT_EQ(organ.undo(2), "");
+  EXPECT_EQ(organ.complex().content_hash(), uncut);
+  EXPECT_NE(one, uncut);
+  organ.regroup(organ.pieces().size());
+
+  ByteWriter out;
+  organ.save(out);
+  Organ other(0, body.anatomy(), body.desc().density, held);
+  ByteReader in(out.bytes(), "an organ");
+  other.load(in, organ.pieces().size());
+  EXPECT_EQ(other.complex().content_hash(), uncut);
+}
+
+}  // namespace
+}  // namespace prosector::test
