@@ -28,7 +28,7 @@ constexpr Press presses[] = {
 };
 
 /// The table is for small slopes. The ball's second order is that of its slope's square, where contact ends:
-/// a steeper one is judged by a flatter ball of the same radius of contact.
+/// a steeper one is also judged under a flatter ball of the same radius of contact.
 constexpr double most_slope = 1.0 / 3;
 double slope(const Press& press) {
   return std::sqrt(press.depth / press.radius);
@@ -145,7 +145,7 @@ void hertz_case(ContactRows& rows, bool quick) {
     const bool steep = slope(p) > most_slope;
     for (const Mesh& mesh : meshes)
       press(rows, p, mesh, 20, fmt::format("{}, {}, {} cells", name(p), mesh.element, mesh.cells),
-            mesh.finest && !steep ? std::optional(goal) : std::nullopt);
+            mesh.finest ? std::optional(goal) : std::nullopt);
     if (steep) press(rows, flatter(p, 8), finest, 20, name(p) + ", under a ball 8 × as large", goal);
   }
   // What accounts for the rest: the contacts' own softness; and the ball's slope.
