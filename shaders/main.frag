@@ -13,6 +13,10 @@ uniform float brightness;
 
 out vec4 color;
 
+#ifdef SURFACE_GLASS
+#include "glass.glsl"
+#endif
+
 // How far, in the rest shape, the eye's ray goes along the surface for each metre that it rises (Welsh 2004:
 // parallax mapping with its offset limited). A deformed body's rest shape follows from the differences between
 // neighbouring pixels.
@@ -55,7 +59,18 @@ void main() {
   film_normal = normalize(normal + smooth_normal);
 #endif
   vec3 radiance = shade(material, room_place, normal, film_normal, towards_eye);
-#ifdef PROBE
+#ifdef SURFACE_GLASS
+  // shade() has told what its face mirrors; the rest comes through.
+  float passes = 1.0 - fresnel(max(dot(normal, towards_eye), 0.0), refractive_index.g);
+#ifdef REFRACTS
+  if (is_other_layer()) discard;
+  radiance += passes * transmitted(room_place, normal, towards_eye);
+  color = with_brightness(srgb(tone_map(brightness * radiance)));
+#else
+  // Laid over what is straight behind, whose share is the alpha.
+  color = vec4(srgb(tone_map(brightness * radiance)), passes * dot(transmittance, vec3(1.0 / 3.0)));
+#endif
+#elif defined(PROBE)
   color = vec4(encoded(radiance), 1.0);
 #else
   color = with_brightness(srgb(tone_map(brightness * radiance)));

@@ -35,6 +35,9 @@ struct Material {
 
 uniform vec3 base_color;
 uniform float base_roughness;
+#ifdef SURFACE_GLASS
+uniform vec3 refractive_index;  // of red, green, blue
+#endif
 uniform float wetness;
 
 // Square tiles of `side` metres with joints `joint` metres deep and twice as wide, whose edges are round.
@@ -117,6 +120,10 @@ Material material_at(vec3 rest, vec3 lean) {
   vec3 weave = 900.0 * rest;
   m.albedo *= 0.92 + 0.08 * sin(weave.x) * sin(weave.y + weave.z);
   m.scatter = vec3(0.1);
+#elif defined(SURFACE_GLASS)
+  m.albedo = vec3(0.0);  // what isn't mirrored goes through
+  m.f0 = vec3(pow((refractive_index.g - 1.0) / (refractive_index.g + 1.0), 2.0));
+  m.roughness = max(base_roughness, 0.05);
 #elif defined(SURFACE_FLOOR)
   Tile tile = tile_at(rest.xz, 0.4, 0.003, lean.xz);
   m.albedo *= mix(0.9, 1.05, lattice(uvec3(ivec3(tile.cell.x, tile.cell.y, 7)))) * mix(1.0, 0.6, tile.joint);

@@ -13,6 +13,8 @@ enum class Effect : std::uint8_t {
   film,
   translucency,
   reflections,
+  refraction,
+  dispersion,
   shadows,
   shafts,
   edges,
@@ -25,12 +27,14 @@ struct EffectRow {
 };
 
 /// The order of Effect.
-inline constexpr std::array<EffectRow, 8> effect_rows = {{
+inline constexpr std::array<EffectRow, 10> effect_rows = {{
     {"relief", "EFFECT_RELIEF", "bumps and hollows smaller than triangles, by their normals"},
     {"parallax", "EFFECT_PARALLAX", "what is high in a surface shifts against what is low"},
     {"film", "EFFECT_FILM", "the wet film's own highlights"},
     {"translucency", "EFFECT_TRANSLUCENCY", "light that wraps around tissue, red first"},
     {"reflections", "EFFECT_REFLECTIONS", "of the room in what is smooth"},
+    {"refraction", "EFFECT_REFRACTION", "what is behind glass, bent by it"},
+    {"dispersion", "EFFECT_DISPERSION", "glass bends blue more than red"},
     {"shadows", nullptr, "of the first spot light"},
     {"shafts", nullptr, "light in air"},
     {"edges", nullptr, "smooth, where there is one sample per pixel"},

@@ -9,8 +9,12 @@
 #include <set>
 #include <tuple>
 
+#include "client/render/effects.h"
+
 namespace prosector {
 namespace {
+
+constexpr int first_glass_unit = 2;  // of textures, after shadow and environment
 
 using LightSet = std::bitset<max_lights>;
 
@@ -100,12 +104,24 @@ Affine normal_map(const DrawItem& item) {
 }
 
 void set_item(const ShaderProgram& program, const DrawItem& item) {
-  program.set("room_from_mesh", matrix_of(item));
-  program.set("room_from_normal", matrix_of(normal_map(item)));
+  set_placement(program, item);
   program.set("base_color", item.appearance.color);
   program.set("base_roughness", item.appearance.roughness);
   program.set("wetness", item.appearance.wetness);
   program.set("brightness", item.brightness);
+  if (item.appearance.surface != Surface::glass) return;
+  program.set("refractive_index", refractive_indices(item.appearance));
+  program.set("transmittance", item.appearance.transmittance);
+}
+
+void set_refraction(const ShaderProgram& program, const DrawCamera& camera) {
+  program.set("room_from_clip", Eigen::Matrix4d(view_projection_of(camera).inverse()));
+  program.set("viewport",
+              std::vector<Eigen::Vector4f>{
+                  Eigen::Vector4i(camera.x, camera.y, camera.width, camera.height).cast<float>()});
+  int unit = first_glass_unit;
+  for (const char* name : {"picture", "scene_depth", "front_depth", "back_depth", "back_normals"})
+    program.set(name, unit++);
 }
 
 /// An eye, and the near plane ahead of it, may be inside of the body, which then shows its inner face rather
@@ -130,22 +146,39 @@ bool is_clear(const DrawItem& item) {
 
 }  // namespace
 
+void set_placement(const ShaderProgram& program, const DrawItem& item) {
+  program.set("room_from_mesh", matrix_of(item));
+  program.set("room_from_normal", matrix_of(normal_map(item)));
+}
+
+bool is_glass(const DrawItem& item) {
+  return item.appearance.surface == Surface::glass && !item.painted && !item.shaft && item.opacity >= 1;
+}
+
 struct MainPass::Frame {
   const DrawList& list;
   const DrawCamera& camera;
   const MeshCache& meshes;
   const Shadow& shadow;
+  bool refracts = false;  // glass is drawn over a picture of what is behind it
   std::map<std::tuple<Surface, bool, bool, bool, unsigned long>, const ShaderProgram*> found = {};
   std::set<const ShaderProgram*> set_up = {};
 };
 
 MainPass::MainPass(const Gl& gl, const std::filesystem::path& shaders, std::vector<std::string> defines)
-    : gl_(gl), shaders_(shaders), defines_(std::move(defines)) {}
+    : gl_(gl),
+      shaders_(shaders),
+      defines_(std::move(defines)),
+      refracts_(std::ranges::count(defines_, effect_rows[index_of(Effect::refraction)].define) > 0) {}
 
 void MainPass::compile_all() {
   static_assert(surface_defines.size() == static_cast<std::size_t>(Surface::wall) + 1);
   for (std::size_t k = 0; k < surface_defines.size(); ++k)
     program_for(item_defines(static_cast<Surface>(k), true, light_defines(std::vector<LightInfo>(1), 1, 0)));
+  if (!refracts_) return;
+  Defines glass = item_defines(Surface::glass, false, light_defines(std::vector<LightInfo>(1), 1, 0));
+  glass.push_back("REFRACTS");
+  program_for(glass);
 }
 
 const ShaderProgram& MainPass::program_for(const Defines& defines) {
@@ -170,10 +203,14 @@ const ShaderProgram& MainPass::ready(const QueuedItem& queued, Frame& frame) {
                                    light_defines(frame.list.lights, lights, frame.shadow.light));
     if (item.shaft) defines.push_back("SHAFT");
     if (item.painted) defines.push_back("PAINTED");
+    if (frame.refracts) defines.push_back("REFRACTS");
     program = &program_for(defines);
   }
   program->use();
-  if (frame.set_up.insert(program).second) set_frame(*program, frame.list, frame.camera, frame.shadow);
+  if (frame.set_up.insert(program).second) {
+    set_frame(*program, frame.list, frame.camera, frame.shadow);
+    if (frame.refracts) set_refraction(*program, frame.camera);
+  }
   set_item(*program, item);
   return *program;
 }
@@ -216,6 +253,19 @@ void MainPass::draw_clear(const QueuedItem& queued, Frame& frame) {
   });
 }
 
+/// Glass without refraction: what is straight behind, less what its face mirrors and its body swallows.
+void MainPass::draw_pane(const QueuedItem& queued, Frame& frame) {
+  ready(queued, frame);
+  gl_.CullFace(queued.item->shape.A.determinant() < 0 ? GL_FRONT : GL_BACK);
+  gl_.DepthMask(GL_FALSE);
+  gl_.Enable(GL_BLEND);
+  gl_.BlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
+  frame.meshes.draw(queued.mesh);
+  gl_.Disable(GL_BLEND);
+  gl_.DepthMask(GL_TRUE);
+  gl_.CullFace(GL_BACK);
+}
+
 void MainPass::draw_shaft(const QueuedItem& queued, Frame& frame) {
   ready(queued, frame);
   gl_.DepthMask(GL_FALSE);
@@ -243,13 +293,43 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
     if (!frustum.may_see(queued.bounds) || is_below_a_pixel(camera, queued.bounds)) continue;
     if (queued.item->shaft)
       shafts.push_back(&queued);
-    else if (is_clear(*queued.item))
+    else if (is_glass(*queued.item) && refracts_ && !camera.inset)
+      continue;
+    else if (is_clear(*queued.item) || is_glass(*queued.item))
       clear.push_back(&queued);
     else
       draw_solid(queued, frame);
   }
-  for (auto queued = clear.rbegin(); queued != clear.rend(); ++queued) draw_clear(**queued, frame);
+  for (auto queued = clear.rbegin(); queued != clear.rend(); ++queued)
+    is_glass(*(*queued)->item) ? draw_pane(**queued, frame) : draw_clear(**queued, frame);
   for (const QueuedItem* queued : shafts) draw_shaft(*queued, frame);
+  gl_.Disable(GL_CULL_FACE);
+}
+
+void MainPass::draw_glass(const DrawList& list, const DrawCamera& camera,
+                          const std::vector<const QueuedItem*>& glass, const MeshCache& meshes,
+                          const Shadow& shadow, GLuint environment, const Refraction& seen) {
+  GLenum unit = GL_TEXTURE0 + first_glass_unit;
+  for (const GLuint texture :
+       {seen.picture, seen.scene_depth, seen.front_depth, seen.back_depth, seen.back_normals}) {
+    gl_.ActiveTexture(unit++);
+    gl_.BindTexture(GL_TEXTURE_2D, texture);
+  }
+  gl_.ActiveTexture(GL_TEXTURE1);
+  gl_.BindTexture(GL_TEXTURE_CUBE_MAP, environment);
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindTexture(GL_TEXTURE_2D, shadow.texture);
+  gl_.Enable(GL_DEPTH_TEST);
+  gl_.Enable(GL_CULL_FACE);
+  gl_.DepthMask(GL_FALSE);
+  Frame frame{list, camera, meshes, shadow, true};
+  for (const QueuedItem* queued : glass) {
+    ready(*queued, frame);
+    gl_.CullFace(queued->item->shape.A.determinant() < 0 ? GL_FRONT : GL_BACK);
+    frame.meshes.draw(queued->mesh);
+  }
+  gl_.CullFace(GL_BACK);
+  gl_.DepthMask(GL_TRUE);
   gl_.Disable(GL_CULL_FACE);
 }
 

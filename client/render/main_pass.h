@@ -8,9 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "client/render/refraction.h"
 #include "client/render/shadow_pass.h"
 
 namespace prosector {
+
+/// Whether the item is glass, and whole: a painted one, or one that a panel makes half seen through, is drawn
+/// as any other.
+bool is_glass(const DrawItem& item);
+
+/// Where the item is, as room_from_mesh and room_from_normal.
+void set_placement(const ShaderProgram& program, const DrawItem& item);
 
 class MainPass {
  public:
@@ -25,6 +33,10 @@ class MainPass {
   void draw(const DrawList& list, const DrawCamera& camera, const std::vector<QueuedItem>& items,
             const MeshCache& meshes, const Shadow& shadow, GLuint environment = 0);
 
+  /// One layer of glass; draw() leaves out what is drawn by this (GlassPass).
+  void draw_glass(const DrawList& list, const DrawCamera& camera, const std::vector<const QueuedItem*>& glass,
+                  const MeshCache& meshes, const Shadow& shadow, GLuint environment, const Refraction& seen);
+
  private:
   using Defines = std::vector<std::string>;
 
@@ -36,11 +48,13 @@ class MainPass {
   void draw_sides(const QueuedItem& queued, Frame& frame, const Draw& draw);
   void draw_solid(const QueuedItem& queued, Frame& frame);
   void draw_clear(const QueuedItem& queued, Frame& frame);
+  void draw_pane(const QueuedItem& queued, Frame& frame);
   void draw_shaft(const QueuedItem& queued, Frame& frame);
 
   const Gl& gl_;
   std::filesystem::path shaders_;
   std::vector<std::string> defines_;
+  bool refracts_;  // glass is drawn by draw_glass()
   std::map<Defines, std::unique_ptr<ShaderProgram>> programs_;
 };
 

@@ -52,13 +52,7 @@ void RenderTarget::allocate(int width, int height) {
   if (samples_ > 1) {
     renderbuffer(color_, GL_RGBA8, samples_, GL_COLOR_ATTACHMENT0);
   } else {
-    gl_.GenTextures(1, &texture_);
-    gl_.BindTexture(GL_TEXTURE_2D, texture_);
-    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-      gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-      gl_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    texture_ = smooth_texture();
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
   }
   renderbuffer(depth_, GL_DEPTH_COMPONENT24, samples_, GL_DEPTH_ATTACHMENT);
@@ -67,6 +61,18 @@ void RenderTarget::allocate(int width, int height) {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_);
   renderbuffer(picture_, GL_RGBA8, 1, GL_COLOR_ATTACHMENT0);
   check_complete();
+}
+
+GLuint RenderTarget::smooth_texture() const {
+  GLuint id = 0;
+  gl_.GenTextures(1, &id);
+  gl_.BindTexture(GL_TEXTURE_2D, id);
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    gl_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+  return id;
 }
 
 GLuint RenderTarget::depth() {
@@ -88,6 +94,18 @@ GLuint RenderTarget::depth() {
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, depth_read_);
   gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   return depth_texture_;
+}
+
+GLuint RenderTarget::picture() {
+  if (picture_read_ == 0) {
+    picture_texture_ = smooth_texture();
+    gl_.GenFramebuffers(1, &picture_read_);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, picture_read_);
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture_texture_, 0);
+  }
+  gl_.Disable(GL_SCISSOR_TEST);
+  copy(drawn_, picture_read_);
+  return picture_texture_;
 }
 
 void RenderTarget::copy(GLuint from, GLuint to) const {
@@ -143,9 +161,11 @@ void RenderTarget::release() {
   gl_.DeleteFramebuffers(1, &drawn_);
   gl_.DeleteFramebuffers(1, &resolved_);
   for (GLuint* buffer : {&color_, &depth_, &picture_}) gl_.DeleteRenderbuffers(1, buffer);
-  gl_.DeleteFramebuffers(1, &depth_read_);
-  for (const GLuint* texture : {&texture_, &depth_texture_}) gl_.DeleteTextures(1, texture);
-  drawn_ = resolved_ = depth_read_ = depth_texture_ = color_ = texture_ = depth_ = picture_ = 0;
+  for (const GLuint* read : {&depth_read_, &picture_read_}) gl_.DeleteFramebuffers(1, read);
+  for (const GLuint* texture : {&texture_, &depth_texture_, &picture_texture_})
+    gl_.DeleteTextures(1, texture);
+  drawn_ = resolved_ = depth_read_ = depth_texture_ = picture_read_ = picture_texture_ = color_ = texture_ =
+      depth_ = picture_ = 0;
   width_ = height_ = 0;
 }
 

@@ -17,6 +17,8 @@ class RenderTarget {
   void bind(int width, int height);
   /// The depth of what was drawn so far, as a texture; bind_again() before drawing goes on.
   GLuint depth();
+  /// The picture that was drawn so far, as a texture, likewise.
+  GLuint picture();
   int width() const { return width_; }
   int height() const { return height_; }
   void bind_again() const { gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_); }
@@ -30,6 +32,7 @@ class RenderTarget {
 
  private:
   void allocate(int width, int height);
+  GLuint smooth_texture() const;
   void release();
   void copy(GLuint from, GLuint to) const;
   void blend_steps() const;
@@ -41,7 +44,8 @@ class RenderTarget {
   int width_ = 0, height_ = 0;
   GLuint drawn_ = 0, color_ = 0, texture_ = 0, depth_ = 0;  // color_ with several samples, else texture_
   GLuint resolved_ = 0, picture_ = 0;
-  GLuint depth_read_ = 0, depth_texture_ = 0;  // 0 until asked for
+  GLuint depth_read_ = 0, depth_texture_ = 0;      // 0 until asked for
+  GLuint picture_read_ = 0, picture_texture_ = 0;  // likewise
 };
 
 }  // namespace prosector

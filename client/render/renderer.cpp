@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "client/render/environment_pass.h"
+#include "client/render/glass_pass.h"
 #include "client/render/line_pass.h"
 #include "client/render/main_pass.h"
 #include "client/render/render_target.h"
@@ -45,6 +46,7 @@ struct Passes {
         pen(gl, shaders, "text") {
     main.compile_all();
     if (has(settings.effects, Effect::reflections)) environment.emplace(gl, shaders);
+    if (has(settings.effects, Effect::refraction)) glass.emplace(gl, shaders);
     if (has(settings.effects, Effect::shafts)) shafts.emplace(gl, shaders);
   }
 
@@ -52,6 +54,7 @@ struct Passes {
   ShadowPass shadow;
   std::optional<EnvironmentPass> environment;  // nullopt: spared
   MainPass main;
+  std::optional<GlassPass> glass;   // nullopt: drawn by `main`, straight through
   std::optional<ShaftPass> shafts;  // nullopt: spared
   ScreenQuadDrawer lines, pen;
   std::vector<LightKind> prepared_lights;  // for which the surfaces of users to come have shaders
@@ -167,6 +170,9 @@ void Renderer::draw(const DrawList& list) {
   };
   draw_surfaces(false);
   r.tell_done("surfaces");
+  if (passes.glass)
+    passes.glass->draw(list, items, r.meshes, shadow, environment, passes.target, passes.main);
+  r.tell_done("glass");
   if (passes.shafts) passes.shafts->draw(list, shadow, passes.target);
   r.tell_done("shafts");
   for (const DrawCamera& camera : list.cameras) {

@@ -6,6 +6,11 @@
 namespace prosector {
 namespace {
 
+/// Glass lets light through.
+bool casts_shadow(const DrawItem& item) {
+  return item.casts_shadow && item.appearance.surface != Surface::glass;
+}
+
 /// The spot light as a square camera; depth is spent only on what casts shadows.
 DrawCamera camera_of(const LightInfo& light, const std::vector<QueuedItem>& items) {
   DrawCamera camera;
@@ -16,7 +21,7 @@ DrawCamera camera_of(const LightInfo& light, const std::vector<QueuedItem>& item
   camera.right = camera.top = tangent;
   double nearest = 1e9, farthest = 0;
   for (const QueuedItem& queued : items) {
-    if (!queued.item->casts_shadow) continue;
+    if (!casts_shadow(*queued.item)) continue;
     const double depth = -(camera.pose.inverse() * queued.bounds.center).z();
     nearest = std::min(nearest, depth - queued.bounds.radius);
     farthest = std::max(farthest, depth + queued.bounds.radius);
@@ -72,7 +77,7 @@ Shadow ShadowPass::draw(const DrawList& list, const std::vector<QueuedItem>& ite
   const Frustum frustum(shadow.clip_from_room);
   Items casting;
   for (const QueuedItem& queued : items)
-    if (queued.item->casts_shadow && frustum.may_see(queued.bounds)) casting.push_back(&queued);
+    if (casts_shadow(*queued.item) && frustum.may_see(queued.bounds)) casting.push_back(&queued);
   if (note_changes(casting, shadow.clip_from_room)) draw_layers(casting, meshes);
   return shadow;
 }

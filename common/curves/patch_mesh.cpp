@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "common/error.h"
 
@@ -23,6 +24,19 @@ double sag(const Patch& patch, double u0, double v0, double u1, double v1) {
     const Vec3 along = b - a;
     const double share = along.squaredNorm() > 0 ? along.dot(x - a) / along.squaredNorm() : 0;
     worst = std::max(worst, (x - a - std::clamp(share, 0.0, 1.0) * along).norm());
+  }
+  return worst;
+}
+
+/// How far the patch rises out of the plane of two triangles along their common side: along its own normal,
+/// since beside that the triangles may lie elsewhere in the surface.
+double rise(const Patch& patch, double u0, double v0, double u1, double v1) {
+  const Vec3 a = patch.evaluate(u0, v0).x, b = patch.evaluate(u1, v1).x;
+  double worst = 0;
+  for (const double s : {0.25, 0.5, 0.75}) {
+    const PatchPoint p = patch.evaluate(u0 + s * (u1 - u0), v0 + s * (v1 - v0));
+    const Vec3 normal = p.u.cross(p.v);
+    if (normal.norm() > 0) worst = std::max(worst, std::abs(normal.normalized().dot(p.x - a - s * (b - a))));
   }
   return worst;
 }
@@ -151,13 +165,19 @@ PatchGrid fit_grid(const Patch& patch, double tolerance) {
     });
     check_size(grid, tolerance);
     if (changed) continue;
-    const std::vector<double> fixed = grid.v;
+    // What is left is the cells' twist.
+    const PatchGrid fitted = grid;
+    std::set<double> coarse_v;  // where what is halved begins
     changed = halve(grid.u, [&](double a, double b) {
-      for (std::size_t k = 0; k + 1 < fixed.size(); ++k)
-        if (sag(patch, a, fixed[k], b, fixed[k + 1]) > tolerance) return true;
-      return false;
+      bool any = false;
+      for (std::size_t k = 0; k + 1 < fitted.v.size(); ++k) {
+        if (rise(patch, a, fitted.v[k], b, fitted.v[k + 1]) <= tolerance) continue;
+        coarse_v.insert(fitted.v[k]);
+        any = true;
+      }
+      return any;
     });
-    if (changed) halve(grid.v, [&](double, double) { return true; });
+    halve(grid.v, [&](double a, double) { return coarse_v.contains(a); });
     check_size(grid, tolerance);
   }
   return grid;

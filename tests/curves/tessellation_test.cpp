@@ -229,6 +229,11 @@ TEST(Slab, OfARevolvedCurveIsASeamlessBowl) {
   EXPECT_NEAR(volume_of(bowl), true_volume, 0.01 * true_volume);
   EXPECT_EQ(static_cast<long>(bowl.positions.size()) - static_cast<long>(bowl.triangles.size()) / 2, 2);
   for (const Vec3& x : bowl.positions) EXPECT_NEAR(std::abs(x.norm() - r), h, 1e-6);
+  // A flat floor and a fillet: no finer than the circle, a polygon of 75 sides, asks for in powers of two.
+  const NurbsCurve dish(2, clamped_knots(5, 2),
+                        {{0, 0, 0}, {0.035, 0, 0}, {0.052, 0, 0}, {0.055, 0.006, 0}, {0.056, 0.024, 0}});
+  EXPECT_EQ(fit_grid(RevolvedPatch(dish), 1e-4).u.size(), 129U);
+  EXPECT_LT(fit_grid(RevolvedPatch(dish), 1e-4).v.size(), 30U);
 }
 
 TEST(Slab, TakesAPoleButNoPatchWithoutArea) {
