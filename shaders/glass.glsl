@@ -60,11 +60,19 @@ vec3 through(vec3 place, vec3 normal, vec3 view, float index) {
   vec3 inside = refract(-view, normal, 1.0 / index);
   vec3 back = place_at(gl_FragCoord.xy, min(texelFetch(back_depth, here, 0).r, texelFetch(scene_depth, here, 0).r));
   float thickness = length(back - place);
+  vec3 outward = inside;
+  // From the back face that is drawn where the ray would leave, a step of Newton's method to where it does.
+  for (int k = 0; k < 2; ++k) {
+    vec2 pixel = pixel_of(place + thickness * inside);
+    vec4 face = is_seen(pixel) ? texelFetch(back_normals, ivec2(pixel), 0) : vec4(0.0);
+    if (face.a == 0.0) break;
+    outward = normalize(face.xyz);
+    float steep = dot(outward, inside);
+    if (steep < 0.2) break;
+    vec3 there = place_at(pixel, texelFetch(back_depth, ivec2(pixel), 0).r);
+    thickness = clamp(dot(there - place, outward) / steep, 0.3 * thickness, 2.0 * thickness);
+  }
   vec3 leaves = place + thickness * inside;
-  vec2 pixel = pixel_of(leaves);
-  vec4 face = is_seen(pixel) ? texelFetch(back_normals, ivec2(pixel), 0) : vec4(0.0);
-  if (face.a == 0.0) face = texelFetch(back_normals, here, 0);
-  vec3 outward = face.a == 0.0 ? inside : normalize(face.xyz);
   // Seen from inside, a back face looks along the ray.
   float cosine = max(dot(outward, inside), 0.0);
   float kept = fresnel(cosine, 1.0 / index);

@@ -366,7 +366,7 @@ TEST(Renderer, TellsOfEveryPassInTheOrderOfDrawing) {
   std::string passes;
   renderer.on_pass([&](std::string_view name) { passes += std::string(name) + " "; });
   renderer.draw(lit_sphere({0, 0, -1}));
-  EXPECT_EQ(passes, "upload shadow environment surfaces shafts lines insets edges texts ");
+  EXPECT_EQ(passes, "upload shadow environment surfaces glass shafts lines insets edges texts ");
 }
 
 TEST(Renderer, ReadsTheLogsOfSeveralDrivers) {
