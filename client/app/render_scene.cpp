@@ -57,21 +57,26 @@ class Pictures {
   std::vector<Image> all_;
 };
 
-/// The light in air is compared where there is some, everything else from close by.
-const DrawList& compared(const std::vector<TourStop>& tour, Effect effect) {
-  const std::string_view best = effect == Effect::shafts ? "shaft" : "close";
+/// What glass does is compared where there is some (null: nowhere), so is light in air, everything else from
+/// close by.
+const DrawList* compared(const std::vector<TourStop>& tour, Effect effect) {
+  const bool of_glass = effect == Effect::refraction || effect == Effect::dispersion;
+  const std::string_view best = of_glass ? "glass" : effect == Effect::shafts ? "shaft" : "close";
   const auto found =
       std::find_if(tour.begin(), tour.end(), [&](const TourStop& stop) { return stop.name == best; });
-  return found != tour.end() ? found->list : tour.front().list;
+  if (found != tour.end()) return &found->list;
+  return of_glass ? nullptr : &tour.front().list;
 }
 
 void draw_the_other_way(const RenderOptions& o, const std::vector<TourStop>& tour, Pictures& pictures) {
   for (std::size_t k = 0; k < effect_rows.size(); ++k) {
+    const DrawList* list = compared(tour, static_cast<Effect>(k));
+    if (list == nullptr) continue;
     RendererSettings other = o.quality;
     other.effects.flip(k);
     const auto context = make_context(o);
     Renderer renderer(*context, o.shaders, other);
-    pictures.keep(draw(renderer, compared(tour, static_cast<Effect>(k))),
+    pictures.keep(draw(renderer, *list),
                   fmt::format("{}-{}", other.effects[k] ? "with" : "without", effect_rows[k].name),
                   std::string(effect_rows[k].about));
   }

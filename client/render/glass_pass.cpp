@@ -1,5 +1,6 @@
 #include "client/render/glass_pass.h"
 
+#include "client/render/main_uniforms.h"
 #include "client/render/refraction.h"
 
 namespace prosector {

@@ -17,9 +17,6 @@ namespace prosector {
 /// as any other.
 bool is_glass(const DrawItem& item);
 
-/// Where the item is, as room_from_mesh and room_from_normal.
-void set_placement(const ShaderProgram& program, const DrawItem& item);
-
 class MainPass {
  public:
   /// `defines`: what all of its shaders are compiled with.

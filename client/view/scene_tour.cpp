@@ -27,6 +27,14 @@ const DrawItem& body_item(const SceneDesc& scene, const DrawList& list, std::siz
   return list.items[list.items.size() - scene.rigid.size() - scene.soft.size() + body];
 }
 
+/// Around all that is of glass; empty: nothing is.
+Eigen::AlignedBox3d box_of_glass(const DrawList& list) {
+  Eigen::AlignedBox3d box;
+  for (const DrawItem& item : list.items)
+    if (item.appearance.surface == Surface::glass) box.extend(box_of(item));
+  return box;
+}
+
 const DrawItem* first_soft(const SceneDesc& scene, const DrawList& list) {
   return scene.soft.empty() ? nullptr : &body_item(scene, list, scene.rigid.size());
 }
@@ -131,6 +139,9 @@ std::vector<TourStop> tour_of(const SceneDesc& scene, const DrawList& list, int 
         stop("shaft", "with light on the first soft body", orbit_camera(scene, subject, 0, width, height)),
         *soft);
   }
+  if (const Eigen::AlignedBox3d glass = box_of_glass(list); !glass.isEmpty())
+    stop("glass", "at what is of glass",
+         orbit_camera(scene, {glass.center(), 0.42 * glass.sizes().norm()}, 0, width, height));
   const Subject reach{close.middle + Vec3(0, 0.1, 0), 0.24};
   add_hands(stop("hands", "with two hands", orbit_camera(scene, reach, 0, width, height)), reach.middle,
             scene.camera.eye - scene.camera.target);

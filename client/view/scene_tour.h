@@ -23,7 +23,7 @@ struct Subject {
 Subject subject_of(const SceneDesc& scene, const DrawList& list);
 
 /// From the scene's own camera, from three sides, from close by, from inside the first soft body, with two
-/// hands, and with a shaft of light on that body.
+/// hands, with a shaft of light on that body, and at what is of glass, where there is any.
 std::vector<TourStop> tour_of(const SceneDesc& scene, const DrawList& list, int width, int height);
 
 /// A camera `turn` radians around the subject from where the scene's camera stands.

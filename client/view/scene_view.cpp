@@ -1,24 +1,18 @@
 #include "client/view/scene_view.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
-#include "client/view/avatar.h"
 #include "client/view/body_figures.h"
 #include "client/view/body_mesh.h"
 #include "client/view/camera.h"
 #include "client/view/carried_light.h"
-#include "client/view/contact_overlay.h"
-#include "client/view/hand_mesh.h"
 #include "client/view/light_shaft.h"
 #include "client/view/normals.h"
 #include "client/view/overlay_frame.h"
 #include "client/view/room.h"
-#include "common/counted.h"
+#include "client/view/session_overlay.h"
 
 namespace prosector {
 namespace {
@@ -27,17 +21,6 @@ constexpr double lit_brightness = 1.6, least_room_light = 0.05;
 constexpr double notes_left = 10, notes_top = 90;  // points: below the overlay's lines
 constexpr int inset_share = 4;    // an inset's width and height are these parts of the picture's
 constexpr double eye_fov = 0.95;  // rad, vertical, through somebody's eyes: one wants to see their hands too
-
-const RosterEntry* find_by_name(const Replica& replica, const std::string& name) {
-  for (const auto& [id, entry] : replica.roster())
-    if (entry.name == name) return &entry;
-  return nullptr;
-}
-
-Appearance glove(const Vec3& color) {
-  // A glove in the user's colour, pale enough that shading shows.
-  return {.color = 0.35 * Vec3(0.85, 0.83, 0.8) + 0.55 * color, .roughness = 0.55, .surface = Surface::skin};
-}
 
 }  // namespace
 
@@ -55,15 +38,15 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   add_bodies(replica, tick, settings.shown);
   if (settings.wireframes) add_wireframes(replica, tick);
   add_panels(replica);
-  add_users(replica, tick, self, settings.follow);
+  people_.add(list_, replica, tick, self, settings.follow, next_mesh_id_);
   if (settings.shown != Shown::none) add_legend(list_, scale_of(settings.shown));
   if (!settings.notes.empty())
     list_.texts.push_back({.text = settings.notes,
                            .at = {notes_left, notes_top, 0},
                            .height = 13,
                            .wrap = OverlayFrame(list_).width - 2 * notes_left});
-  if (settings.overlay) add_figures(replica);
-  if (settings.overlay) add_overlay(replica, self, settings);
+  if (settings.overlay) add_body_figures(replica);
+  if (settings.overlay) add_session_overlay(list_, replica, self, settings);
   return list_;
 }
 
@@ -265,86 +248,21 @@ void SceneView::add_panels(const Replica& replica) {
   }
 }
 
-// Everyone as the server has them, but oneself as one's own devices have one: that is faster, and is where
-// one feels it.
-void SceneView::add_users(const Replica& replica, double tick, const LocalUser& self,
-                          const std::string& seen_through) {
-  if (!head_) head_ = head_mesh(next_mesh_id_++);
-  if (self.present) {
-    const auto me = replica.roster().find(self.participant);
-    const Vec3 color = me == replica.roster().end() ? Vec3(Vec3::Ones()) : me->second.color;
-    for (std::size_t hand : {left_hand, right_hand})
-      if (self.input.hands[hand].tracked) add_hand(self.participant, hand, self.input.hands[hand], color);
-  }
-  for (const auto& [id, entry] : replica.roster()) {
-    const auto user = replica.user(id, tick);
-    if (!user || (self.present && id == self.participant)) continue;
-    for (std::size_t hand : {left_hand, right_hand})
-      if (user->hands[hand].tracked) add_hand(id, hand, user->hands[hand], entry.color);
-    if (user->head_tracked && entry.name != seen_through)
-      add_avatar(list_, head_, user->head, entry.color, entry.name);
-  }
-}
-
-void SceneView::add_hand(ParticipantId who, std::size_t hand, const HandPose& pose, const Vec3& color) {
-  if (!skins_ && skins_to_come_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
-    skins_ = skins_to_come_.get();
-  if (!skins_) return;
-  const HandSkin& skin = (*skins_)[hand];
-  auto& mesh = hands_[{who, hand}];
-  if (!mesh) mesh = skin.make_mesh(next_mesh_id_++);
-  skin.bend(*mesh, pose.flexion);
-  list_.items.push_back({.mesh = mesh, .pose = pose.pose, .appearance = glove(color)});
-}
-
 /// Above each body whose scene asks for it.
-void SceneView::add_figures(const Replica& replica) {
+void SceneView::add_body_figures(const Replica& replica) {
   constexpr double clearance = 0.03;  // m
   const auto& bodies = replica.scene()->bodies;
   for (BodyId id = 0; id < bodies.size(); ++id) {
     const BodyStatus* status = bodies[id].show_figures ? replica.body_status(id) : nullptr;
-    const auto mesh = meshes_.find(id);
-    if (status == nullptr || mesh == meshes_.end() || mesh->second->positions.empty()) continue;
+    const auto mesh = soft_meshes_.find(id);
+    if (status == nullptr || mesh == soft_meshes_.end()) continue;
     Eigen::AlignedBox3f box;
-    for (const auto& x : mesh->second->positions) box.extend(x);
+    for (const auto& x : mesh->second.outer()->positions) box.extend(x);
+    if (box.isEmpty()) continue;
     const Vec3 top = box.center().cast<double>() + Vec3(0, box.sizes().y() / 2 + clearance, 0);
     list_.texts.push_back(
         {.text = body_figures(bodies[id], *status), .at = top, .overlay = false, .height = 11});
   }
-}
-
-void SceneView::add_overlay(const Replica& replica, const LocalUser& self, const ViewSettings& settings) {
-  add_corner_axes(list_, Quat::Identity(), list_.cameras.front());
-  const auto line = [&](int row, std::string text) {
-    list_.texts.push_back({.text = std::move(text), .at = {10, 10 + 18.0 * row, 0}, .height = 14});
-  };
-  const SessionInfo& session = *replica.session();
-  line(0, fmt::format("{} - {}", session.session, session.scene));
-  if (const auto& status = replica.status())
-    line(1,
-         fmt::format("x{:.2f}  step {:.1f} ms  {}  {}", status->real_time_factor, status->step_ms_p50,
-                     counted(status->participants, "participant"), counted(status->observers, "observer")));
-  if (replica.server_gone()) line(2, "the server is gone; waiting for it");
-  if (!settings.follow.empty())
-    line(3, find_by_name(replica, settings.follow) != nullptr
-                ? fmt::format("through the eyes of {}", settings.follow)
-                : fmt::format("{} is not here; own view", settings.follow));
-  if (const RosterEntry* followed = find_by_name(replica, settings.follow))
-    add_contact(replica, followed->participant);
-  else if (self.present)
-    add_contact(replica, self.participant);
-}
-
-/// Of the hand that touches; of both, the one that pushes harder.
-void SceneView::add_contact(const Replica& replica, ParticipantId who) {
-  const ContactSample* strongest = nullptr;
-  for (const std::size_t hand : {right_hand, left_hand}) {
-    const ContactSample* contact = replica.contact(who, hand);
-    if (contact == nullptr || !contact->touching || contact->body >= replica.scene()->bodies.size()) continue;
-    if (strongest == nullptr || contact->impulse > strongest->impulse) strongest = contact;
-  }
-  if (strongest != nullptr)
-    add_contact_overlay(list_, *strongest, replica.scene()->bodies[strongest->body].name);
 }
 
 }  // namespace prosector

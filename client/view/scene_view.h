@@ -1,8 +1,6 @@
 #pragma once
 // Replica, own hand and camera → DrawList: everything that a person sees, without any GL.
 
-#include <array>
-#include <future>
 #include <map>
 #include <memory>
 #include <optional>
@@ -11,36 +9,15 @@
 
 #include "client/replica/replica.h"
 #include "client/view/draw_list.h"
-#include "client/view/hand_mesh.h"
 #include "client/view/panel_view.h"
+#include "client/view/people.h"
 #include "client/view/pick.h"
 #include "client/view/soft_body_mesh.h"
-#include "client/view/stereo_profile.h"
 #include "client/view/value_paint.h"
+#include "client/view/view_settings.h"
 #include "client/view/wireframe.h"
 
 namespace prosector {
-
-struct ViewSettings {
-  int width = 800, height = 600;        // pixels
-  double scale = 1;                     // pixels of a point, in which overlays are measured
-  std::optional<StereoProfile> stereo;  // nullopt: one picture
-  bool overlay = true;
-  bool wireframes = false;          // of what bodies collide as
-  Shown shown = Shown::none;        // by soft bodies' colours
-  std::string notes;                // lines below the session's; empty: none
-  std::vector<std::string> insets;  // names of users whose views are seen small; not in stereo
-  std::string follow;               // name of a participant; empty: own camera
-  std::optional<Pose>
-      eye;  // own camera, for instance from the desk; nullopt: tracked head, else the scene's camera
-};
-
-/// The person at this client, as their own devices have them right now.
-struct LocalUser {
-  ParticipantId participant = 0;
-  HandInput input;
-  bool present = false;  // false: an observer, who has no hands
-};
 
 class SceneView {
  public:
@@ -54,12 +31,9 @@ class SceneView {
   std::map<BodyId, std::shared_ptr<DrawMesh>> meshes_;  // of rigid bodies
   std::map<BodyId, SoftBodyMesh> soft_meshes_;
   std::map<std::uint64_t, PaintedMesh> painted_;  // by the id of the mesh that is painted
-  std::map<std::pair<ParticipantId, std::size_t>, std::shared_ptr<DrawMesh>> hands_;
-  // Made at once, on a thread of its own, so that no frame waits when the first hand comes.
-  std::future<std::array<HandSkin, 2>> skins_to_come_ = std::async(std::launch::async, make_hand_skins);
-  std::optional<std::array<HandSkin, 2>> skins_;
+  People people_;
   std::vector<DrawItem> room_;
-  std::shared_ptr<const DrawMesh> head_, shaft_;
+  std::shared_ptr<const DrawMesh> shaft_;
   std::optional<PanelView> panel_view_;
   std::map<BodyId, Edges> wires_;
   std::map<BodyId, std::uint64_t> wire_shapes_;             // SoftReplica::shape() that wires_ are of
@@ -78,11 +52,7 @@ class SceneView {
   void add_light_shaft(const DrawItem& item);
   void add_wireframes(Replica& replica, double tick);
   void add_panels(const Replica& replica);
-  void add_users(const Replica& replica, double tick, const LocalUser& self, const std::string& seen_through);
-  void add_hand(ParticipantId who, std::size_t hand, const HandPose& pose, const Vec3& color);
-  void add_figures(const Replica& replica);
-  void add_overlay(const Replica& replica, const LocalUser& self, const ViewSettings& settings);
-  void add_contact(const Replica& replica, ParticipantId who);
+  void add_body_figures(const Replica& replica);
 };
 
 }  // namespace prosector

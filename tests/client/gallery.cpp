@@ -153,6 +153,35 @@ GalleryPicture parts() {
   return {"parts", width, height, list};
 }
 
+/// A ball and a plate of glass before a bone and a mosaic of colours.
+GalleryPicture glass() {
+  DrawList list = stage({0.12, 1.25, 0.5}, {0, 1.03, 0}, 0.5);
+  list.items.push_back(table());
+  for (int k = 0; k < 5; ++k) {
+    PartDesc post;
+    post.size = {0.03, 0.12, 0.03};
+    post.pose.p = {0.07 * (k - 2), 1.06, -0.1};
+    list.items.push_back(rigid(post, 60 + static_cast<std::uint64_t>(k),
+                               {{0.7 - 0.15 * k, 0.25, 0.1 + 0.15 * k}, 0.6, 0, Surface::plain}));
+  }
+  PartDesc ball;
+  ball.shape = "sphere";
+  ball.size = Vec3::Constant(0.09);
+  ball.pose.p = {-0.07, 1.046, 0.06};
+  list.items.push_back(rigid(ball, 70, {.roughness = 0.05, .surface = Surface::glass}));
+  PartDesc plate;
+  plate.size = {0.12, 0.1, 0.012};
+  plate.pose = {{0.08, 1.052, 0.05}, Quat(Eigen::AngleAxisd(0.5, Vec3::UnitY()))};
+  plate.rounding = 0.002;
+  list.items.push_back(rigid(plate, 71,
+                             {.roughness = 0.05,
+                              .surface = Surface::glass,
+                              .refractive_index = 1.62,
+                              .abbe_number = 20,
+                              .transmittance = {0.75, 0.95, 0.85}}));
+  return {"glass", width, height, list};
+}
+
 GalleryPicture text() {
   DrawList list;
   list.cameras = {straight_camera({0, 0, 1}, width, height)};
@@ -171,8 +200,8 @@ GalleryPicture text() {
 }  // namespace
 
 const std::vector<std::string>& gallery_names() {
-  static const std::vector<std::string> names = {"hand_open", "hand_half", "hand_fist", "organ",
-                                                 "avatar",    "text",      "panel",     "parts"};
+  static const std::vector<std::string> names = {"hand_open", "hand_half", "hand_fist", "organ", "avatar",
+                                                 "text",      "panel",     "parts",     "glass"};
   return names;
 }
 
@@ -184,6 +213,7 @@ GalleryPicture gallery_picture(const std::string& name) {
   if (name == "avatar") return avatar();
   if (name == "panel") return panel();
   if (name == "parts") return parts();
+  if (name == "glass") return glass();
   return text();
 }
 

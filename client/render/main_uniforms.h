@@ -1,0 +1,41 @@
+#pragma once
+// What the surfaces' shaders are compiled with, and what they are told. Private to client/render.
+
+#include <bitset>
+#include <string>
+#include <vector>
+
+#include "client/render/draw_queue.h"
+#include "client/render/shader_program.h"
+#include "client/render/shadow_pass.h"
+
+namespace prosector {
+
+using LightSet = std::bitset<max_lights>;
+
+inline constexpr int first_glass_unit = 2;  // of textures, after shadow and environment
+
+/// Bit k: light k is to be reckoned with. Only the room is spared lights that don't reach it: what moves in
+/// and out of a cone would need shaders compiled on the way.
+LightSet lights_of(const QueuedItem& queued, const std::vector<LightInfo>& lights);
+
+/// What shaders/lighting.glsl is compiled with: the lights' kinds, and which has the shadow map.
+std::vector<std::string> light_defines(const std::vector<LightInfo>& lights, const LightSet& set,
+                                       int shadow_light);
+
+std::vector<std::string> item_defines(Surface surface, bool is_wet, std::vector<std::string> defines);
+
+void set_frame(const ShaderProgram& program, const DrawList& list, const DrawCamera& camera,
+               const Shadow& shadow);
+
+/// Where the item is, as room_from_mesh and room_from_normal.
+void set_placement(const ShaderProgram& program, const DrawItem& item);
+
+/// Normals go with the inverse's transpose; a shape without volume has none.
+Affine normal_map(const DrawItem& item);
+
+void set_item(const ShaderProgram& program, const DrawItem& item);
+
+void set_refraction(const ShaderProgram& program, const DrawCamera& camera);
+
+}  // namespace prosector

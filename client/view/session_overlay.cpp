@@ -1,0 +1,55 @@
+#include "client/view/session_overlay.h"
+
+#include <fmt/format.h>
+
+#include "client/view/avatar.h"
+#include "client/view/contact_overlay.h"
+#include "common/counted.h"
+
+namespace prosector {
+namespace {
+
+/// Of the hand that touches; of both, the one that pushes harder.
+void add_contact(DrawList& list, const Replica& replica, ParticipantId who) {
+  const ContactSample* strongest = nullptr;
+  for (const std::size_t hand : {right_hand, left_hand}) {
+    const ContactSample* contact = replica.contact(who, hand);
+    if (contact == nullptr || !contact->touching || contact->body >= replica.scene()->bodies.size()) continue;
+    if (strongest == nullptr || contact->impulse > strongest->impulse) strongest = contact;
+  }
+  if (strongest != nullptr)
+    add_contact_overlay(list, *strongest, replica.scene()->bodies[strongest->body].name);
+}
+
+}  // namespace
+
+const RosterEntry* find_by_name(const Replica& replica, const std::string& name) {
+  for (const auto& [id, entry] : replica.roster())
+    if (entry.name == name) return &entry;
+  return nullptr;
+}
+
+void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser& self,
+                         const ViewSettings& settings) {
+  add_corner_axes(list, Quat::Identity(), list.cameras.front());
+  const auto line = [&](int row, std::string text) {
+    list.texts.push_back({.text = std::move(text), .at = {10, 10 + 18.0 * row, 0}, .height = 14});
+  };
+  const SessionInfo& session = *replica.session();
+  line(0, fmt::format("{} - {}", session.session, session.scene));
+  if (const auto& status = replica.status())
+    line(1,
+         fmt::format("x{:.2f}  step {:.1f} ms  {}  {}", status->real_time_factor, status->step_ms_p50,
+                     counted(status->participants, "participant"), counted(status->observers, "observer")));
+  if (replica.server_gone()) line(2, "the server is gone; waiting for it");
+  if (!settings.follow.empty())
+    line(3, find_by_name(replica, settings.follow) != nullptr
+                ? fmt::format("through the eyes of {}", settings.follow)
+                : fmt::format("{} is not here; own view", settings.follow));
+  if (const RosterEntry* followed = find_by_name(replica, settings.follow))
+    add_contact(list, replica, followed->participant);
+  else if (self.present)
+    add_contact(list, replica, self.participant);
+}
+
+}  // namespace prosector

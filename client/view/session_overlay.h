@@ -1,0 +1,16 @@
+#pragma once
+// What is laid over a picture of a session: its figures, the room's axes, and what the user touches.
+
+#include "client/replica/replica.h"
+#include "client/view/draw_list.h"
+#include "client/view/view_settings.h"
+
+namespace prosector {
+
+/// Null: nobody has this name.
+const RosterEntry* find_by_name(const Replica& replica, const std::string& name);
+
+void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser& self,
+                         const ViewSettings& settings);
+
+}  // namespace prosector

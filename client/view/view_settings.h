@@ -1,0 +1,35 @@
+#pragma once
+// Who looks at a session, and how.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/view/stereo_profile.h"
+#include "client/view/value_paint.h"
+#include "common/messages.h"
+
+namespace prosector {
+
+struct ViewSettings {
+  int width = 800, height = 600;        // pixels
+  double scale = 1;                     // pixels of a point, in which overlays are measured
+  std::optional<StereoProfile> stereo;  // nullopt: one picture
+  bool overlay = true;
+  bool wireframes = false;          // of what bodies collide as
+  Shown shown = Shown::none;        // by soft bodies' colours
+  std::string notes;                // lines below the session's; empty: none
+  std::vector<std::string> insets;  // names of users whose views are seen small; not in stereo
+  std::string follow;               // name of a participant; empty: own camera
+  std::optional<Pose>
+      eye;  // own camera, for instance from the desk; nullopt: tracked head, else the scene's camera
+};
+
+/// The person at this client, as their own devices have them right now.
+struct LocalUser {
+  ParticipantId participant = 0;
+  HandInput input;
+  bool present = false;  // false: an observer, who has no hands
+};
+
+}  // namespace prosector
