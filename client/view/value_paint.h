@@ -26,7 +26,7 @@ struct ValueScale {
 inline constexpr std::array<ValueScale, 4> value_scales = {
     {{"none", ""},
      {"strain", "strain, %", 0, 0.3, 100, false},
-     {"residual", "residual of the last\nsecond's solves, worst\n(gray: not known)", 1e-8, 1, 1, true},
+     {"residual", "worst residual of\nthe last second\n(gray: not known)", 1e-8, 1, 1, true},
      {"error", "estimated error, %\n(gray: not known)", 0, 0.2, 100, false}}};
 constexpr const ValueScale& scale_of(Shown shown) {
   return value_scales[static_cast<std::size_t>(shown)];
