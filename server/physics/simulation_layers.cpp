@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "server/physics/simulation_impl.h"
+#include "server/physics/soft/rungs.h"
 
 namespace prosector {
 namespace {
@@ -46,11 +47,19 @@ void Simulation::Impl::fit_layers(std::size_t body) {
   folds[body].reset();
   std::erase_if(layer_sides,
                 [&](const auto& entry) { return entry.first.first == body || entry.first.second == body; });
+  const bool blades_come = std::any_of(blade_shapes.begin(), blade_shapes.end(),
+                                       [](const BladeShape& blade) { return !blade.edges.empty(); });
+  const auto can_fall_apart = [&](std::size_t i) {
+    const CollisionMask& mask = model.soft_collision[i].mask;
+    return mesh_kind(model.soft[i]->anatomy()) == MeshKind::sheet && may_touch(mask, mask);
+  };
   const auto meets = [&](std::size_t i, std::size_t j) {
     const SoftCollision &a = model.soft_collision[i], &b = model.soft_collision[j];
     if (!is_thin(i) || !is_thin(j) || a.fidelity != Fidelity::mesh || b.fidelity != Fidelity::mesh)
       return false;
-    return i == j ? a.with_itself : may_touch(a.mask, b.mask);
+    // A sheet that can be cut has them from the beginning, for its pieces: what a checkpoint holds doesn't
+    // depend on whether it was.
+    return i == j ? a.with_itself || (blades_come && can_fall_apart(i)) : may_touch(a.mask, b.mask);
   };
   const Anatomy& anatomy = model.soft[body]->anatomy();
   if (model.soft_collision[body].with_itself && !is_thin(body) && faces_of(body)) {

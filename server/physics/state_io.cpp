@@ -297,9 +297,14 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
   for (const SoftBody* body : tissues) new_soft.push_back(read_soft(in, body->initial_state()));
   std::vector<ContactMemories> new_memories;
   for (std::size_t i = 0; i < tissues.size(); ++i) {
-    const TriangleMesh& surface = tissues[i]->anatomy().surface;
+    const Anatomy& anatomy = tissues[i]->anatomy();
+    const TriangleMesh& surface = anatomy.surface;
     const std::size_t features = surface.positions.size() + surface.triangles.size() + most_corners;
-    const std::size_t of_layers = i < layers.size() && layers[i] ? layers[i]->features() : 0;
+    // Nodes, at most three edges of each element, and the elements themselves.
+    const std::size_t of_layers =
+        anatomy.thickness > 0
+            ? anatomy.tets.positions.size() + 4 * (surface.triangles.size() + anatomy.segments.size())
+            : 0;
     new_memories.push_back(read_memories(in, std::max(features, of_layers), has_layers()));
   }
   std::vector<Hand> new_hands(in.count(most_hands));
