@@ -14,11 +14,15 @@ namespace {
 using test::Guest;
 using test::Hosted;
 
-constexpr BodyId block = 1;
+constexpr BodyId block = 1;  // or membrane
+
+enum class Tissue { block, mass_spring, xpbd };
 
 /// So tender, and the blade so long, that nothing is left whole behind it.
-SceneDesc tender() {
-  SceneDesc scene = test::block_and_scalpel();
+SceneDesc tender(Tissue tissue) {
+  SceneDesc scene = tissue == Tissue::block         ? test::block_and_scalpel()
+                    : tissue == Tissue::mass_spring ? test::membrane_and_scalpel("mass_spring")
+                                                    : test::membrane_and_scalpel("xpbd");
   scene.name = "rewound";
   scene.soft[0].toughness = 0;
   scene.rigid[0].edges = {{{0, 0, 0}, {0, -0.2, 0}}};
@@ -27,7 +31,7 @@ SceneDesc tender() {
 
 /// A host who cuts, and an observer, over a network that loses and delays.
 struct Dissection {
-  explicit Dissection(Journal* journal) : hosted(network(), journal, 1, tender()) {
+  Dissection(Journal* journal, Tissue tissue) : hosted(network(), journal, 1, tender(tissue)) {
     hosted.tick();
     ada = hosted.guest(1, BusEnd::dissector);
     eve = hosted.guest(2, BusEnd::observer);
@@ -99,15 +103,18 @@ double error(Hosted& hosted, Guest& guest, BodyId body) {
   return worst;
 }
 
-TEST(RewoundSession, EveryoneFollowsIntoTheNewEpochAndTheJournalRepeatsIt) {
+class RewoundSession : public testing::TestWithParam<Tissue> {};
+
+TEST_P(RewoundSession, EveryoneFollowsIntoTheNewEpochAndTheJournalRepeatsIt) {
+  const SceneDesc scene = tender(GetParam());
   const test::TemporaryFile file("rewound");
   std::uint64_t last_hash = 0;
   {
-    const Simulation compiled(tender(), test::options());
+    const Simulation compiled(scene, test::options());
     const auto journal = Journal::create(
         file.path, {"scene.toml", "name = \"rewound\"", "prosector", compiled.content_hash(), {}},
         JournalLimits{});
-    Dissection room(journal.get());
+    Dissection room(journal.get(), GetParam());
     Hosted& hosted = room.hosted;
     const std::uint64_t uncut = room.mesh();
     ASSERT_TRUE(room.holds());
@@ -158,11 +165,14 @@ TEST(RewoundSession, EveryoneFollowsIntoTheNewEpochAndTheJournalRepeatsIt) {
     hosted.loop.finish();
     last_hash = hosted.simulation.state_hash();
   }
-  Simulation again(tender(), test::options(2));
+  Simulation again(scene, test::options(2));
   const ReplayResult result = replay(JournalReader(file.path), again, {});
   EXPECT_TRUE(result) << *result.first_difference;
   EXPECT_EQ(result.last_hash, last_hash);
 }
+
+INSTANTIATE_TEST_SUITE_P(Tissues, RewoundSession,
+                         testing::Values(Tissue::block, Tissue::mass_spring, Tissue::xpbd));
 
 }  // namespace
 }  // namespace prosector
