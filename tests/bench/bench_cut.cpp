@@ -55,17 +55,44 @@ SceneDesc scene_of(double cell) {
   return scene;
 }
 
+/// A membrane instead, tied at two sides.
+SceneDesc sheet_scene(const char* model, double cell) {
+  SceneDesc scene = scene_of(cell);
+  SoftDesc& soft = scene.soft[0];
+  soft.name = "membrane";
+  soft.shape = "sheet";
+  soft.size = {0.2, 0.001, 0.2};
+  soft.model = model;
+  soft.youngs_modulus = 1e5;
+  soft.damping_mass = 5;
+  soft.attach = {{{0, 0, 0.15}, 0.1, 1e9}, {{0, 0, -0.15}, 0.1, 1e9}};
+  return scene;
+}
+
+std::size_t cells(const Simulation& simulation) {
+  std::size_t sum = simulation.tet_count();
+  for (BodyId body = liver; body < simulation.body_count(); ++body) {
+    const Anatomy& anatomy = simulation.soft(body).anatomy();
+    if (!simulation.surface(body).triangles.empty())
+      sum += 2 * anatomy.quads.size() + anatomy.triangles.size();
+  }
+  return sum;
+}
+
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   std::sort(values.begin(), values.end());
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
+/// m³ of tetrahedra; of sheets, the mass over the density.
 double rest_volume(const Simulation& simulation) {
   double sum = 0;
   for (BodyId body = liver; body < simulation.body_count(); ++body) {
     if (simulation.surface(body).triangles.empty()) continue;
-    const TetMesh& mesh = simulation.soft(body).anatomy().tets;
+    const SoftBody& soft = simulation.soft(body);
+    const TetMesh& mesh = soft.anatomy().tets;
+    if (mesh.tets.empty()) sum += soft.total_mass() / soft.desc().density;
     for (const auto& t : mesh.tets) {
       Mat3 edges;
       for (std::size_t k = 1; k < 4; ++k)
@@ -76,12 +103,12 @@ double rest_volume(const Simulation& simulation) {
   return sum;
 }
 
-/// One stroke through an organ; wall time of its ticks.
-ReportRow measure(const Stroke& stroke, double cell, int threads) {
+/// One stroke through an organ or a sheet, whose triangles count as tetrahedra; wall time of its ticks.
+ReportRow measure(const SceneDesc& scene, const Stroke& stroke, int threads) {
   CompileOptions options;
   options.threads = threads;
-  Simulation simulation(scene_of(cell), options);
-  const std::size_t tets = simulation.tet_count();
+  Simulation simulation(scene, options);
+  const std::size_t tets = cells(simulation);
   const double volume = rest_volume(simulation);
   Vec3 at(-reach, 0.19, 0.02);
   simulation.step(test::appear(at));
@@ -107,9 +134,11 @@ ReportRow measure(const Stroke& stroke, double cell, int threads) {
     for (const BodyReport& row : report.bodies) solver_iterations += row.solver_iterations;
   }
   ReportRow row;
+  const SoftDesc& tissue = scene.soft[0];
   row["stroke"] = stroke.name;
+  row["tissue"] = tissue.shape == "sheet" ? tissue.model + " sheet" : tissue.name;
   row["tets"] = tets;
-  row["tets_after"] = simulation.tet_count();
+  row["tets_after"] = cells(simulation);
   row["threads"] = threads;
   row["bodies_after"] = simulation.body_count() - liver;
   row["ticks_that_cut"] = cutting.size();
@@ -160,6 +189,7 @@ ReportRow cut_through(double cell, int threads) {
   }
   ReportRow row;
   row["stroke"] = "through at once";
+  row["tissue"] = body.desc().name;
   row["tets"] = body.elements();
   row["tets_after"] = after;
   row["threads"] = threads;
@@ -171,6 +201,18 @@ ReportRow cut_through(double cell, int threads) {
   return row;
 }
 
+void add_stroke(Report& report, const SceneDesc& scene, const Stroke& stroke, int threads) {
+  report.add(measure(scene, stroke, threads));
+  const ReportRow& row = report.rows().back();
+  fmt::print(
+      "{:18} {:6} {:17}, {:6} after: {:3} ticks cut, {:7.2f} ms p50 {:7.2f} p99, others {:6.2f}; cutting "
+      "{:6.2f} ms; volume {:.1e}\n",
+      stroke.name, row["tets"].get<std::size_t>(), row["tissue"].get<std::string>(),
+      row["tets_after"].get<std::size_t>(), row["ticks_that_cut"].get<std::size_t>(),
+      figure(row, "ms_p50_cutting"), figure(row, "ms_p99_cutting"), figure(row, "ms_p50_other"),
+      figure(row, "added_ms_p50"), figure(row, "volume_error"));
+}
+
 }  // namespace
 
 Report bench_cut(const CutBenchOptions& options) {
@@ -178,23 +220,15 @@ Report bench_cut(const CutBenchOptions& options) {
   const std::vector<double> cells =
       options.quick ? std::vector<double>{0.04} : std::vector<double>{0.01475, 0.00918, 0.00672};
   for (const double cell : cells) {
-    for (const Stroke& stroke : strokes()) {
-      report.add(measure(stroke, cell, options.threads));
-      const ReportRow& row = report.rows().back();
-      fmt::print(
-          "{:18} {:6} tets, {:6} after: {:3} ticks cut, {:7.2f} ms p50 {:7.2f} p99, others {:6.2f}; cutting "
-          "{:6.2f} ms; volume {:.1e}\n",
-          stroke.name, row["tets"].get<std::size_t>(), row["tets_after"].get<std::size_t>(),
-          row["ticks_that_cut"].get<std::size_t>(), figure(row, "ms_p50_cutting"),
-          figure(row, "ms_p99_cutting"), figure(row, "ms_p50_other"), figure(row, "added_ms_p50"),
-          figure(row, "volume_error"));
-    }
+    for (const Stroke& stroke : strokes()) add_stroke(report, scene_of(cell), stroke, options.threads);
     report.add(cut_through(cell, options.threads));
     const ReportRow& row = report.rows().back();
     fmt::print("through at once    {:6} tets, {:6} after: mesh {:7.2f} ms p50, bodies {:7.2f}\n",
                row["tets"].get<std::size_t>(), row["tets_after"].get<std::size_t>(),
                figure(row, "ms_cutting_mesh"), figure(row, "ms_making_bodies"));
   }
+  for (const char* model : {"mass_spring", "xpbd"})
+    add_stroke(report, sheet_scene(model, options.quick ? 0.02 : 0.004), strokes().front(), options.threads);
   return report;
 }
 
