@@ -10,6 +10,8 @@
 namespace prosector {
 
 inline constexpr Range coordinate{-max_coordinate, max_coordinate};
+inline constexpr Range unit_interval{0, 1};
+inline constexpr Range friction{0, 10};
 
 /// The field that a chain of member pointers leads to: in<RigidDesc, &RigidDesc::pose, &Pose::p>.
 template <class Struct, auto... Path>

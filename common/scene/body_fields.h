@@ -1,0 +1,67 @@
+#pragma once
+// The tables of bodies, and what those of rigid and of soft ones share. Private to common/scene.
+
+#include "common/scene/field_rows.h"
+
+namespace prosector {
+
+const Table& rigid_table();
+const Table& soft_table();
+
+inline constexpr Range density{1, 25000};
+inline constexpr Range scale{0, 1e6, true};
+
+/// Shapes that common/anatomy can make by itself.
+inline std::vector<std::string_view> implicit_shapes() {
+  return {"liver", "kidney", "gallbladder", "femur",   "foot",     "block",
+          "ball",  "beam",   "cylinder",    "capsule", "horseshoe"};
+}
+
+/// What rigid and soft bodies have to say about who touches them, and how finely.
+template <class Struct>
+void add_collision(std::vector<Field>& fields, std::vector<std::string_view> fidelities,
+                   std::string_view shape) {
+  fields.push_back(words<Struct, &Struct::collision>("collision", std::move(fidelities), shape));
+  fields.push_back(name<Struct, &Struct::group>(
+      "group", false, "collision group that it belongs to; people's hands are in `hand`"));
+  fields.push_back(names<Struct, &Struct::touches>(
+      "touches", "groups that it touches, if they touch its own as well; none given: all"));
+  fields.push_back(plain<Struct, &Struct::continuous>(
+      "continuous",
+      "true: what it would pass through within a tick is found, where it first touches "
+      "(rigid against soft bodies, and rigid ones of one convex piece)"));
+}
+
+/// Where a stand-in goes: a missing file's origin and axes need not be its shape's.
+template <class Struct>
+void add_fallback_pose(std::vector<Field>& fields) {
+  fields.push_back(number<Struct, &Struct::fallback_pose, &Pose::p>(
+      "fallback_position", "m", {-10, 10}, "the fallback's centre in the body's frame"));
+  fields.push_back(plain<Struct, &Struct::fallback_pose, &Pose::q>(
+      "fallback_rotation", "the fallback's orientation in the body's frame, as rotation"));
+}
+
+template <class Struct>
+void add_appearance(std::vector<Field>& fields) {
+  fields.push_back(words<Struct, &Struct::appearance, &Appearance::surface>(
+      "surface", {"plain", "tissue", "bone", "metal", "skin", "cloth", "glass", "emissive"},
+      "what it is made of, as far as it can be seen; emissive: shines by itself"));
+  fields.push_back(number<Struct, &Struct::appearance, &Appearance::color>("color", "", unit_interval,
+                                                                           "linear red, green, blue"));
+  fields.push_back(number<Struct, &Struct::appearance, &Appearance::roughness>("roughness", "", unit_interval,
+                                                                               "0 is a mirror, 1 matt"));
+  fields.push_back(number<Struct, &Struct::appearance, &Appearance::wetness>(
+      "wetness", "", unit_interval, "0 is dry, 1 a thin film of liquid over the surface"));
+  fields.push_back(number<Struct, &Struct::appearance, &Appearance::refractive_index>(
+      "refractive_index", "", {min_refractive_index, max_refractive_index},
+      "glass: of light of 587.6 nm (n_d); water 1.33, crown glass 1.52, flint 1.62"));
+  fields.push_back(number<Struct, &Struct::appearance, &Appearance::abbe_number>(
+      "abbe_number", "", {min_abbe_number, max_abbe_number},
+      "glass: V_d, the lower the more dispersion; crown glass 64, flint 36"));
+  fields.push_back(number<Struct, &Struct::appearance, &Appearance::transmittance>(
+      "transmittance", "", unit_interval, "glass: share of red, green, blue light left after 10 mm of it"));
+}
+
+// ---- The tables.
+
+}  // namespace prosector

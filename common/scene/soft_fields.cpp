@@ -1,0 +1,181 @@
+#include "common/scene/body_fields.h"
+#include "common/scene/curve_fields.h"
+
+namespace prosector {
+namespace {
+
+/// Also those that aren't solid.
+std::vector<std::string_view> soft_shapes() {
+  auto out = implicit_shapes();
+  out.insert(out.end(), {"sheet", "rope"});
+  return out;
+}
+
+const Table& attach_table() {
+  using A = AttachDesc;
+  static const Table table{
+      "[[soft.attach]]",
+      "Tissue that holds an organ to its place: what lies inside the sphere is tied elastically to where it "
+      "rests.",
+      {number<A, &A::center>("center", "m", coordinate, "of the sphere, in the room"),
+       number<A, &A::radius>("radius", "m", {0, 10, true}, "of the sphere"),
+       number<A, &A::stiffness>("stiffness", "N/m per m³", {0, 1e12},
+                                "of the ties, for each cubic metre of tissue that they hold")},
+      {},
+      fresh<A>};
+  return table;
+}
+
+const Table& region_table() {
+  using R = RegionDesc;
+  static const Table table{
+      "[[soft.region]]",
+      "Part of a body on tetrahedra that is made of something else: the elements whose middle, at rest, lies "
+      "inside a sphere, or a box where `size` is given. Where regions overlap, the last one holds.",
+      {number<R, &R::center>("center", "m", coordinate, "of the sphere or box, in the room"),
+       number<R, &R::radius>("radius", "m", {0, 10, true}, "of the sphere"),
+       number<R, &R::size>("size", "m", {0, 10},
+                           "full extents of the box along the room's axes; zero: it is a sphere"),
+       number<R, &R::youngs_modulus>("youngs_modulus", "Pa", {0, 1e12}, "0: the body's"),
+       number<R, &R::poisson_ratio>("poisson_ratio", "", {-1, 0.5, false, true}, "below 0: the body's"),
+       number<R, &R::fiber_stiffness>("fiber_stiffness", "Pa", {-1, 1e12}, "below 0: the body's"),
+       number<R, &R::fiber_direction>("fiber_direction", "", {-1000, 1000}, "zero: the body's")},
+      {},
+      fresh<R>};
+  return table;
+}
+
+const Table& relaxation_table() {
+  using R = RelaxationDesc;
+  static const Table table{
+      "[[soft.relaxation]]",
+      "A term of a Prony series: of the stress that a sudden strain raises, `share` dies out as "
+      "exp(-t / `time`). `youngs_modulus` is the stiffness at once; what the shares leave of it, together "
+      "below 1, stays. For models whose name starts with fem_, with an implicit integrator.",
+      {number<R, &R::share>("share", "", {0, 1, true, true}, "of the stress"),
+       number<R, &R::time>("time", "s", {1e-6, 1e6}, "in which it falls to 1/e")},
+      {},
+      fresh<R>};
+  return table;
+}
+
+}  // namespace
+
+const Table& soft_table() {
+  using S = SoftDesc;
+  static const Table table = [] {
+    Table t{
+        "[[soft]]",
+        "A body that deforms. Its geometry is exactly one of `volume`, `mesh` and `shape`.",
+        {name<S, &S::name>("name", true, "unique among all bodies"),
+         text<S, &S::description>("description", "for people"),
+         name<S, &S::parent>("parent", false,
+                             "body that it belongs to in the scene graph; not given: the room"),
+         text<S, &S::volume>("volume", "labelled or grey medical volume: .inr .inr.gz .nii .nii.gz"),
+         number<S, &S::label>("label", "", {-1, 65535},
+                              "volumes: label to take; -1: what is above threshold"),
+         number<S, &S::threshold>("threshold", "", {-1e6, 1e6}, "grey volumes: inside is above it"),
+         text<S, &S::mesh>("mesh", "tetrahedral mesh: .msh .vtk"),
+         words<S, &S::shape>(
+             "shape", soft_shapes(),
+             "implicit shape, `size` large; or a sheet in the x-z plane or over a patch, or a rope along "
+             "x or a curve, for mass_spring and xpbd"),
+         words<S, &S::fallback>(
+             "fallback", implicit_shapes(),
+             "implicit shape used, with a clear line, when the volume or mesh file is missing"),
+         number<S, &S::size>(
+             "size", "m", {0, 10, true},
+             "bounding box of the implicit shape or fallback; sheet: thickness in y; rope: length "
+             "in x, diameter in y"),
+         number<S, &S::scale>("scale", "", scale, "mesh files: file units to metres (volumes know theirs)"),
+         number<S, &S::cell>("cell", "m", {5e-4, 1},
+                             "edge length of the tetrahedra, a sheet's cells or a rope's pieces, about"),
+         number<S, &S::surface_cell>("surface_cell", "m", {5e-4, 1},
+                                     "edge length of the surface that is touched and drawn, about"),
+         number<S, &S::smoothing>("smoothing", "voxels", {0, 10}, "volumes: Gaussian σ on the label's mask"),
+         identifier<S, &S::model>("model", "constitutive law, mass_spring or xpbd"),
+         words<S, &S::element>(
+             "element", {"tet4", "tet10"},
+             "tetrahedra: linear, or quadratic (ten nodes: a tenth of the elements for the same error)"),
+         identifier<S, &S::integrator>("integrator",
+                                       "time integrator, for instance implicit_euler; xpbd has its own"),
+         identifier<S, &S::solver>("solver", "linear solver, for instance cg"),
+         number<S, &S::youngs_modulus>("youngs_modulus", "Pa", {0, 1e12, true}, "stiffness in tension"),
+         number<S, &S::poisson_ratio>("poisson_ratio", "", {0, 0.5, false, true},
+                                      "sideways over lengthways strain; towards 0.5 the volume is kept"),
+         number<S, &S::fiber_stiffness>("fiber_stiffness", "Pa", {0, 1e12},
+                                        "model fem_fibers: what its fibres add along themselves in tension"),
+         number<S, &S::fiber_direction>("fiber_direction", "", {-1000, 1000},
+                                        "of the fibres at rest, in the room; any length but zero"),
+         number<S, &S::density>("density", "kg/m³", density, ""),
+         number<S, &S::damping_mass>("damping_mass", "1/s", {0, 1000}, "Rayleigh damping: share of the mass"),
+         number<S, &S::damping_stiffness>("damping_stiffness", "s", {0, 10},
+                                          "Rayleigh damping: share of the stiffness"),
+         number<S, &S::friction>("friction", "", friction, "Coulomb coefficient"),
+         number<S, &S::toughness>("toughness", "J/m²", {0, 1e6},
+                                  "work that a cut takes, for its area; 0: blades meet no resistance"),
+         plain<S, &S::gravity>("gravity", "false: the imaged shape already carries its weight"),
+         number<S, &S::newton_iterations>("newton_iterations", "", {1, 100}, "at most, per tick"),
+         number<S, &S::solver_iterations>("solver_iterations", "", {1, 100000},
+                                          "of the linear solver, at most, per Newton iteration"),
+         number<S, &S::solver_tolerance>("solver_tolerance", "", {0, 0.5, true},
+                                         "relative residual at which the linear solver stops; its root where "
+                                         "several Newton iterations follow"),
+         number<S, &S::substeps>("substeps", "", {1, 1000}, "xpbd: per tick"),
+         number<S, &S::max_substeps>(
+             "max_substeps", "", {1, 100000},
+             "explicit integrators: at most, per tick; a body that needs more is stepped by implicit_euler"),
+         number<S, &S::spring_stiffness>(
+             "spring_stiffness", "N/m", {0, 1e12},
+             "mass_spring, xpbd: of each structural spring; 0: from youngs_modulus"),
+         number<S, &S::shear_stiffness>("shear_stiffness", "N/m", {0, 1e12},
+                                        "sheets: of each diagonal spring; 0: from youngs_modulus"),
+         number<S, &S::bending_stiffness>(
+             "bending_stiffness", "N·m", {0, 1e9},
+             "sheets: Et³/12(1-ν²); ropes: EI, in N·m²; 0: from youngs_modulus and thickness"),
+         plain<S, &S::hold_volume>(
+             "hold_volume",
+             "mass_spring on tetrahedra: volume springs that meet poisson_ratio; false: springs "
+             "alone, whose ratio is about 1/4"),
+         quantity<S, &S::accuracy>("accuracy", "%", {0, 100, true},
+                                   "instead of a rung, for solid bodies: how far the settled shape may be "
+                                   "from the continuum's; the "
+                                   "server chooses the cheapest rung that its measured table says is good "
+                                   "enough (docs/soft-tissue.md). What of "
+                                   "model, element, integrator, solver and cell is given beside it is kept"),
+         quantity<S, &S::budget>("budget", "ms", {0, 1000, true},
+                                 "instead of a rung, for solid bodies: CPU time that the body may take in a "
+                                 "frame of 1/60 s; the server chooses "
+                                 "the most accurate rung within it, as for accuracy"),
+         plain<S, &S::step_down>(
+             "step_down",
+             "true: while the server is overloaded, this body may be solved with fewer iterations or "
+             "substeps; clients are told"),
+         plain<S, &S::show_figures>("show_figures", "true: clients show how it is stepped, live, above it"),
+         plain<S, &S::part>(
+             "anatomy",
+             "true: part of the anatomy: `attach` holds it to its place until somebody detaches "
+             "it; a touch brings up its panel"),
+         number<S, &S::snap>("snap", "m", {0, 1},
+                             "how near to its place a detached part must be to be attached again")},
+        {{"curve", soft_curve_table, true, 1, append<S, &S::curves>},
+         {"patch", soft_patch_table, true, 1, append<S, &S::patches>},
+         {"attach", attach_table, true, 64, append<S, &S::attach>},
+         {"region", region_table, true, 64, append<S, &S::regions>},
+         {"relaxation", relaxation_table, true, 8, append<S, &S::relaxation>}},
+        fresh<S>};
+    add_collision<S>(
+        t.fields, {"none", "sphere", "aabb", "obb", "hull", "mesh"},
+        "what it collides as: its triangles (mesh); the ball, box (aabb: along the room's axes; obb: "
+        "along its own) or hull around them, fitted anew in each tick, that makes no dents; or nothing");
+    t.fields.push_back(plain<S, &S::self_contact>(
+        "self_contact", "true: it doesn't pass through itself where it folds; collision must be mesh"));
+    add_pose<S>(t.fields, "the mesh's origin, or the volume's or shape's centre, in the room");
+    add_fallback_pose<S>(t.fields);
+    add_appearance<S>(t.fields);
+    return t;
+  }();
+  return table;
+}
+
+}  // namespace prosector
