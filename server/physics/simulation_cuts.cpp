@@ -1,9 +1,11 @@
 // Last phase: what blades cut, and what is undone. Pieces that come free become bodies.
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 
 #include "common/error.h"
@@ -151,9 +153,7 @@ struct Simulation::Impl::NewPiece {
 /// Of the pieces that an organ's change left or made. Changes nothing: what can fail fails here.
 std::vector<Simulation::Impl::NewPiece> Simulation::Impl::make_pieces(const Organ& organ,
                                                                       const Organ::Regrouped& changed) const {
-  std::vector<NewPiece> out;
-  for (const std::size_t body : changed.bodies) {
-    NewPiece& made = out.emplace_back();
+  const auto make = [&](std::size_t body, NewPiece& made) {
     const OrganPiece& piece = organ.piece(body);
     made.body = body;
     made.whole = piece.whole();
@@ -163,7 +163,18 @@ std::vector<Simulation::Impl::NewPiece> Simulation::Impl::make_pieces(const Orga
                          });
     tbb::parallel_invoke([&] { made.surface.emplace(detector(*made.solver)); },
                          [&] { made.content_hash = made.solver->content_hash(); });
-  }
+  };
+  std::vector<NewPiece> out(changed.bodies.size());
+  std::vector<std::exception_ptr> failed(out.size());
+  tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t i) {
+    try {
+      make(changed.bodies[i], out[i]);
+    } catch (...) {
+      failed[i] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& error : failed)  // the first of them, whichever came first
+    if (error) std::rethrow_exception(error);
   return out;
 }
 

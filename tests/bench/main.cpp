@@ -80,6 +80,10 @@ int main(int argc, char** argv) try {
   prosector::CutBenchOptions cut;
   CLI::App* cut_command = app.add_subcommand("cut", "Ticks that cut an organ beside ticks that don't");
   cut_command->add_flag("--quick", cut.quick, "One coarse organ: to see that it runs");
+  cut_command->add_option("--cell", cut.cell, "Only an organ of this cell size, m")
+      ->check(CLI::Range(0.004, 0.1));
+  cut_command->add_option("--stroke", cut.only, "Only this one")
+      ->check(CLI::IsMember(prosector::cut_stroke_names()));
   cut_command->add_option("--threads", cut.threads, "Of the simulation")->check(CLI::Range(1, 1024));
 
   prosector::TradeBenchOptions trade;

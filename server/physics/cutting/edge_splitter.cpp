@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <queue>
 
@@ -34,17 +35,18 @@ class EdgeSplitter {
       : complex_(complex), sheet_(sheet), x_(x), marks_(marks), result_(result) {}
 
   void run(std::span<const TetId> candidates) {
-    std::vector<std::pair<NodeId, NodeId>> edges;
+    std::vector<std::uint64_t> edges;  // the lower end's id first
+    edges.reserve(6 * candidates.size());
     for (const TetId t : candidates) {
       const auto& c = complex_.corners(t);
       for (std::size_t i = 0; i < c.size(); ++i)
         for (std::size_t j = i + 1; j < c.size(); ++j)
-          edges.emplace_back(std::min(c[i], c[j]), std::max(c[i], c[j]));
+          edges.push_back(std::uint64_t{std::min(c[i], c[j])} << 32 | std::max(c[i], c[j]));
     }
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     mark_near(edges);
-    for (const auto& [a, b] : edges) push(a, b);
+    for (const std::uint64_t edge : edges) push(lower_end(edge), higher_end(edge));
     while (!crossed_.empty()) {
       const CrossedEdge e = crossed_.top();
       crossed_.pop();
@@ -55,18 +57,21 @@ class EdgeSplitter {
   }
 
  private:
-  void mark_near(const std::vector<std::pair<NodeId, NodeId>>& edges) {
-    std::vector<std::pair<NodeId, double>> ends;
-    for (const auto& [a, b] : edges) {
+  static NodeId lower_end(std::uint64_t edge) { return static_cast<NodeId>(edge >> 32); }
+  static NodeId higher_end(std::uint64_t edge) { return static_cast<NodeId>(edge); }
+
+  void mark_near(std::span<const std::uint64_t> edges) {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    std::vector<double> shortest(x_.size(), never);
+    for (const std::uint64_t edge : edges) {
+      const NodeId a = lower_end(edge), b = higher_end(edge);
       const double length = (x_[b] - x_[a]).norm();
-      ends.emplace_back(a, length);
-      ends.emplace_back(b, length);
+      shortest[a] = std::min(shortest[a], length);
+      shortest[b] = std::min(shortest[b], length);
     }
-    std::sort(ends.begin(), ends.end());
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      const auto [node, shortest] = ends[i];
-      if ((i > 0 && ends[i - 1].first == node) || marks_.find(node)) continue;
-      const double reach = near_share * shortest;
+    for (NodeId node = 0; node < shortest.size(); ++node) {
+      if (shortest[node] == never || marks_.find(node)) continue;
+      const double reach = near_share * shortest[node];
       auto foot = sheet_.foot(x_[node], std::max(reach, wall_share * complex_.cell()));
       if (foot && foot->distance > reach && !is_on_wall(node)) foot.reset();
       if (foot) mark(node, complex_.star(node).front(), foot->point, foot->normal);

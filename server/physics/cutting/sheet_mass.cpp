@@ -26,7 +26,7 @@ void TetComplex::share_mass(const SplitEdge& op) {
 void TetComplex::share_mass(const PartNode& op) {
   const auto area = [&](NodeId node) {
     double sum = 0;
-    for (const TetId t : star_[node]) sum += volume_[t];
+    for (const TetId t : star_[node]) sum += tet_[t].volume;
     return sum;
   };
   const double whole = mass_[op.node];

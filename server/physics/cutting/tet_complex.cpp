@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "common/anatomy/fabric.h"
 #include "common/anatomy/mesh_quality.h"
@@ -21,7 +23,7 @@ TetComplex::TetComplex(const TetMesh& rest, double density) : TetComplex(density
   grow_nodes(rest.positions.size());
   grow_tets(rest.tets.size());
   rest_ = rest.positions;
-  tet_ = rest.tets;
+  for (std::size_t i = 0; i < rest.tets.size(); ++i) tet_[i].corner = rest.tets[i];
   finish();
   for (NodeId i = 0; i < rest_.size(); ++i) update_mass(i);
 }
@@ -35,8 +37,8 @@ TetComplex TetComplex::of_sheet(const Anatomy& sheet, double density, std::vecto
   out.rest_ = sheet.tets.positions;
   for (std::size_t i = 0; i < sheet.quads.size(); ++i) {
     const auto& [a, b, c, d] = sheet.quads[i];
-    out.tet_[2 * i] = {a, b, c, none};
-    out.tet_[2 * i + 1] = {a, c, d, none};
+    out.tet_[2 * i].corner = {a, b, c, none};
+    out.tet_[2 * i + 1].corner = {a, c, d, none};
   }
   if (!held.empty()) out.held_ = std::move(held);
   out.finish();
@@ -47,27 +49,33 @@ TetComplex TetComplex::of_sheet(const Anatomy& sheet, double density, std::vecto
 
 void TetComplex::finish() {
   std::fill(node_live_.begin(), node_live_.end(), std::uint8_t{1});
-  std::fill(tet_live_.begin(), tet_live_.end(), std::uint8_t{1});
   live_nodes_ = rest_.size();
   live_tets_ = tet_.size();
-  for (TetId t = 0; t < tet_.size(); ++t) {
-    std::array<Vec3, 4> x;
-    for (std::size_t k = 0; k < sides_; ++k) {
-      const NodeId node = tet_[t][k];
+  std::vector<std::size_t> around(rest_.size(), 0);
+  for (TetId t = 0; t < tet_.size(); ++t)
+    for (const NodeId node : corners(t)) {
       if (node >= rest_.size())
         throw InputError(
             fmt::format("cutting: tetrahedron {} names node {}; there are {}", t, node, rest_.size()));
+      ++around[node];
+    }
+  for (NodeId node = 0; node < star_.size(); ++node) star_[node].reserve(around[node]);
+  for (TetId t = 0; t < tet_.size(); ++t) {
+    std::array<Vec3, 4> x;
+    for (std::size_t k = 0; k < sides_; ++k) {
+      const NodeId node = tet_[t].corner[k];
       star_[node].push_back(t);
       x[k] = rest_[node];
     }
-    place_[t] = t;
-    volume_[t] = size(std::span(x).first(sides_));
-    if (!(volume_[t] > 0))
+    tet_[t].live = true;
+    tet_[t].place = t;
+    tet_[t].volume = size(std::span(x).first(sides_));
+    if (!(tet_[t].volume > 0))
       throw InputError(fmt::format("cutting: tetrahedron {} has a rest volume of {} m³; allowed: positive", t,
-                                   volume_[t]));
+                                   tet_[t].volume));
   }
   double volume = 0;
-  for (const double v : volume_) volume += v;
+  for (const Tet& tet : tet_) volume += tet.volume;
   if (live_tets_ > 0) mean_volume_ = volume / static_cast<double>(live_tets_);
   cell_ = is_sheet() ? std::sqrt(4 / std::sqrt(3.0) * mean_volume_ / thickness_)
                      : std::cbrt(6 * std::sqrt(2.0) * mean_volume_);
@@ -79,33 +87,47 @@ double TetComplex::size(std::span<const Vec3> x) const {
   return tet_volume(x[0], x[1], x[2], x[3]);
 }
 
+// Faces in rows by their lowest node; a row is a few dozens long, and looked through for each face.
 void TetComplex::join_by_faces() {
   struct Side {
-    std::array<NodeId, 3> key;
-    TetId tet;
+    std::uint64_t others;  // the two other nodes
+    TetId tet, joined;     // joined: the second that has this face
     std::uint32_t k;
   };
-  std::vector<Side> sides;
-  sides.reserve(sides_ * tet_.size());
+  const auto sorted = [&](TetId t, std::size_t k) {
+    const Corners& c = tet_[t].corner;
+    std::array<NodeId, 3> key = {c[face[k][0]], c[face[k][1]], c[face[k][2]]};
+    if (key[0] > key[1]) std::swap(key[0], key[1]);
+    if (key[1] > key[2]) std::swap(key[1], key[2]);
+    if (key[0] > key[1]) std::swap(key[0], key[1]);
+    return key;
+  };
+  std::vector<std::uint32_t> begin(rest_.size() + 1, 0);
+  for (TetId t = 0; t < tet_.size(); ++t)
+    for (std::size_t k = 0; k < sides_; ++k) ++begin[sorted(t, k)[0] + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::uint32_t> end(begin.begin(), begin.end() - 1);
+  std::vector<Side> sides(begin.back());
   for (TetId t = 0; t < tet_.size(); ++t)
     for (std::uint32_t k = 0; k < sides_; ++k) {
-      std::array<NodeId, 3> key = {tet_[t][face[k][0]], tet_[t][face[k][1]], tet_[t][face[k][2]]};
-      std::sort(key.begin(), key.end());
-      sides.push_back({key, t, k});
+      const auto [lowest, middle, highest] = sorted(t, k);
+      const std::uint64_t others = std::uint64_t{middle} << 32 | highest;
+      Side* const last = sides.data() + end[lowest];
+      Side* const same = std::find_if(sides.data() + begin[lowest], last,
+                                      [&](const Side& side) { return side.others == others; });
+      if (same == last) {
+        *last = {others, t, none, k};
+        ++end[lowest];
+        continue;
+      }
+      if (same->joined != none)
+        throw InputError(
+            fmt::format("cutting: tetrahedra {}, {} and {} have one face in common; allowed: two", same->tet,
+                        same->joined, t));
+      same->joined = t;
+      tet_[t].beyond[k] = same->tet;
+      tet_[same->tet].beyond[same->k] = t;
     }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (a.key[i] != b.key[i]) return a.key[i] < b.key[i];
-    return a.tet < b.tet;
-  });
-  for (std::size_t i = 1; i < sides.size(); ++i) {
-    if (sides[i].key != sides[i - 1].key) continue;
-    if (i > 1 && sides[i - 2].key == sides[i].key)
-      throw InputError(fmt::format("cutting: tetrahedra {}, {} and {} have one face in common; allowed: two",
-                                   sides[i - 2].tet, sides[i - 1].tet, sides[i].tet));
-    neighbor_[sides[i].tet][sides[i].k] = sides[i - 1].tet;
-    neighbor_[sides[i - 1].tet][sides[i - 1].k] = sides[i].tet;
-  }
 }
 
 void TetComplex::grow_nodes(std::size_t end) {
@@ -119,14 +141,7 @@ void TetComplex::grow_nodes(std::size_t end) {
 
 void TetComplex::grow_tets(std::size_t end) {
   if (end <= tet_.size()) return;
-  tet_.resize(end, Corners{});
-  neighbor_.resize(end, {none, none, none, none});
-  wall_.resize(end, 0);
-  volume_.resize(end, 0.0);
-  parent_.resize(end, none);
-  child_.resize(end, none);
-  place_.resize(end, none);
-  tet_live_.resize(end, 0);
+  tet_.resize(end);
 }
 
 bool TetComplex::has_corner(TetId tet, NodeId node) const {
@@ -134,7 +149,7 @@ bool TetComplex::has_corner(TetId tet, NodeId node) const {
 }
 
 std::size_t TetComplex::corner_index(TetId tet, NodeId node) const {
-  const Corners& c = tet_[tet];
+  const Corners& c = tet_[tet].corner;
   for (std::size_t k = 0; k < sides_; ++k)
     if (c[k] == node) return k;
   return 4;
@@ -150,14 +165,14 @@ void TetComplex::around_edge(NodeId a, NodeId b, std::vector<TetId>& tets) const
 
 std::size_t TetComplex::slot_towards(TetId tet, TetId other) const {
   for (std::size_t k = 0; k < 4; ++k)
-    if (neighbor_[tet][k] == other) return k;
+    if (tet_[tet].beyond[k] == other) return k;
   return 4;
 }
 
 std::size_t TetComplex::slot_of_face(TetId tet, TetId other) const {
   std::size_t slot = 4, apart = 0;
   for (std::size_t k = 0; k < sides_; ++k)
-    if (!has_corner(other, tet_[tet][k])) {
+    if (!has_corner(other, tet_[tet].corner[k])) {
       slot = k;
       ++apart;
     }
@@ -177,8 +192,16 @@ void TetComplex::enter(NodeId node, TetId tet) {
 // Summed in the order of ids, so that it is the same however the star came about.
 void TetComplex::update_mass(NodeId node) {
   double volume = 0;
-  for (const TetId t : star_[node]) volume += volume_[t];
+  for (const TetId t : star_[node]) volume += tet_[t].volume;
   mass_[node] = density_ * volume / 4;
+}
+
+void TetComplex::update_masses_of(std::span<const TetId> tets) {
+  met_.clear();
+  for (const TetId t : tets)
+    for (const NodeId node : tet_[t].corner)
+      if (std::find(met_.begin(), met_.end(), node) == met_.end()) met_.push_back(node);
+  for (const NodeId node : met_) update_mass(node);
 }
 
 void TetComplex::apply(const TopologyOp& op) {
@@ -206,11 +229,11 @@ std::uint64_t TetComplex::content_hash() const {
     hash.add(mass_[i]);
   }
   for (TetId t = 0; t < tet_.size(); ++t) {
-    if (!tet_live_[t]) continue;
+    if (!tet_[t].live) continue;
     hash.add(t);
-    hash.add(std::as_bytes(std::span(tet_[t])));
-    hash.add(std::as_bytes(std::span(neighbor_[t])));
-    hash.add(wall_[t]);
+    hash.add(std::as_bytes(std::span(tet_[t].corner)));
+    hash.add(std::as_bytes(std::span(tet_[t].beyond)));
+    hash.add(tet_[t].wall);
   }
   return hash.digest();
 }
@@ -227,7 +250,7 @@ std::vector<TetId> TetComplex::tet_ids() const {
   std::vector<TetId> ids;
   ids.reserve(live_tets_);
   for (TetId t = 0; t < tet_.size(); ++t)
-    if (tet_live_[t]) ids.push_back(t);
+    if (tet_[t].live) ids.push_back(t);
   return ids;
 }
 
@@ -241,7 +264,7 @@ TetMesh TetComplex::mesh() const {
   }
   mesh.tets.reserve(live_tets_);
   for (const TetId t : tet_ids()) {
-    const Corners& c = tet_[t];
+    const Corners& c = tet_[t].corner;
     mesh.tets.push_back({index[c[0]], index[c[1]], index[c[2]], index[c[3]]});
   }
   return mesh;

@@ -32,7 +32,7 @@ class TetComplex {
   std::size_t nodes() const { return live_nodes_; }
   std::size_t tets() const { return live_tets_; }
   bool has_node(NodeId node) const { return node < rest_.size() && node_live_[node]; }
-  bool has_tet(TetId tet) const { return tet < tet_.size() && tet_live_[tet]; }
+  bool has_tet(TetId tet) const { return tet < tet_.size() && tet_[tet].live; }
   const Vec3& rest(NodeId node) const { return rest_[node]; }             // m
   double mass(NodeId node) const { return mass_[node]; }                  // kg: ρV/4 of its tetrahedra
   bool is_held(NodeId node) const { return held_[node] != 0; }            // of sheets: tied to its place
@@ -40,20 +40,20 @@ class TetComplex {
   std::size_t sides() const { return sides_; }                            // of one: 4; 3 of triangles
   bool is_sheet() const { return sides_ == 3; }
   /// As many; kept of tetrahedra that were split.
-  std::span<const NodeId> corners(TetId tet) const { return {tet_[tet].data(), sides_}; }
-  double volume(TetId tet) const { return volume_[tet]; }  // m³ at rest
+  std::span<const NodeId> corners(TetId tet) const { return {tet_[tet].corner.data(), sides_}; }
+  double volume(TetId tet) const { return tet_[tet].volume; }  // m³ at rest
   /// The tetrahedron across the face opposite corner k; none at the boundary.
-  TetId neighbor(TetId tet, std::size_t k) const { return neighbor_[tet][k]; }
+  TetId neighbor(TetId tet, std::size_t k) const { return tet_[tet].beyond[k]; }
   /// Whether the face opposite corner k was made by a cut.
-  bool is_wall(TetId tet, std::size_t k) const { return (wall_[tet] >> k & 1) != 0; }
+  bool is_wall(TetId tet, std::size_t k) const { return (tet_[tet].wall >> k & 1) != 0; }
   /// The first of the two that `tet` became (the other is the next id); none if it was never split.
-  TetId child(TetId tet) const { return child_[tet]; }
+  TetId child(TetId tet) const { return tet_[tet].child; }
   /// Which tetrahedron became this one; none for those of the compiled mesh.
-  TetId parent(TetId tet) const { return parent_[tet]; }
+  TetId parent(TetId tet) const { return tet_[tet].parent; }
   /// Of its ancestors and itself the first whose place it has: the first of the two that a tetrahedron
   /// becomes takes that one's, the second gets one of its own. Of live ones no two have the same, and a cut
   /// leaves each where it is.
-  TetId place(TetId tet) const { return place_[tet]; }
+  TetId place(TetId tet) const { return tet_[tet].place; }
   bool has_corner(TetId tet, NodeId node) const;
   std::size_t corner_index(TetId tet, NodeId node) const;  // 4: has none
   /// Tetrahedra with both nodes, ascending.
@@ -103,10 +103,20 @@ class TetComplex {
   void leave(NodeId node, TetId tet);
   void enter(NodeId node, TetId tet);
   void update_mass(NodeId node);
+  void update_masses_of(std::span<const TetId> tets);      // around one edge
   std::size_t slot_towards(TetId tet, TetId other) const;  // by neighbour; 4: none
   std::size_t slot_of_face(TetId tet, TetId other) const;  // by three common corners; 4: none
   void check_parting(const PartNode& op) const;
 
+  /// All that is known of one, in one place: what a cut looks at it takes together.
+  struct Tet {
+    Corners corner{};
+    std::array<TetId, 4> beyond = {none, none, none, none};  // by face
+    double volume = 0;                                       // m³
+    TetId parent = none, child = none, place = none;
+    std::uint8_t wall = 0;  // bit k: face k
+    bool live = false;
+  };
   /// Of a sheet's nodes before an operation, by the node that it brought (PartNode: its first).
   struct Shared {
     double a = 0, b = 0;  // kg; of a node that parted: a
@@ -119,14 +129,11 @@ class TetComplex {
   std::vector<double> mass_;
   std::vector<std::uint8_t> held_;  // by node
   std::vector<Shared> shared_;      // by node, of sheets
-  std::vector<std::uint8_t> node_live_, tet_live_;
+  std::vector<std::uint8_t> node_live_;
   std::vector<std::vector<TetId>> star_;
-  std::vector<Corners> tet_;
-  std::vector<std::array<TetId, 4>> neighbor_;
-  std::vector<std::uint8_t> wall_;  // bit k: face k
-  std::vector<double> volume_;
-  std::vector<TetId> parent_, child_, place_;
+  std::vector<Tet> tet_;
   std::vector<TetId> around_;  // scratch
+  std::vector<NodeId> met_;    // scratch
   std::size_t live_nodes_ = 0, live_tets_ = 0;
   std::uint64_t undone_ = 0;
 };

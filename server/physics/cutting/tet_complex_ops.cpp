@@ -29,7 +29,8 @@ void TetComplex::change(const SplitEdge& op) {
   const Vec3 middle = rest_[op.a] + (rest_[op.b] - rest_[op.a]) * op.t;
   const auto volume_with = [&](TetId t, NodeId gone) {
     std::array<Vec3, 4> x;
-    for (std::size_t k = 0; k < sides_; ++k) x[k] = tet_[t][k] == gone ? middle : rest_[tet_[t][k]];
+    for (std::size_t k = 0; k < sides_; ++k)
+      x[k] = tet_[t].corner[k] == gone ? middle : rest_[tet_[t].corner[k]];
     return size(std::span(x).first(sides_));
   };
   for (const TetId t : around_)
@@ -44,34 +45,35 @@ void TetComplex::change(const SplitEdge& op) {
   for (std::size_t i = 0; i < around_.size(); ++i) {
     const TetId t = around_[i], with_a = op.first + 2 * static_cast<TetId>(i), with_b = with_a + 1;
     const std::size_t ka = corner_index(t, op.a), kb = corner_index(t, op.b);
-    tet_[with_a] = tet_[with_b] = tet_[t];
-    tet_[with_a][kb] = tet_[with_b][ka] = op.node;
-    volume_[with_a] = volume_with(t, op.b);
-    volume_[with_b] = volume_with(t, op.a);
-    wall_[with_a] = static_cast<std::uint8_t>(wall_[t] & ~(1u << ka));
-    wall_[with_b] = static_cast<std::uint8_t>(wall_[t] & ~(1u << kb));
-    parent_[with_a] = parent_[with_b] = t;
-    place_[with_a] = place_[t];
-    place_[with_b] = with_b;
-    child_[t] = with_a;
-    tet_live_[t] = 0;
-    tet_live_[with_a] = tet_live_[with_b] = 1;
+    Tet &whole = tet_[t], &a = tet_[with_a], &b = tet_[with_b];
+    a.corner = b.corner = whole.corner;
+    a.corner[kb] = b.corner[ka] = op.node;
+    a.volume = volume_with(t, op.b);
+    b.volume = volume_with(t, op.a);
+    a.wall = static_cast<std::uint8_t>(whole.wall & ~(1u << ka));
+    b.wall = static_cast<std::uint8_t>(whole.wall & ~(1u << kb));
+    a.parent = b.parent = t;
+    a.place = whole.place;
+    b.place = with_b;
+    whole.child = with_a;
+    whole.live = false;
+    a.live = b.live = true;
     for (std::size_t k = 0; k < sides_; ++k) {
-      const TetId beyond = neighbor_[t][k];
+      const TetId beyond = whole.beyond[k];
       if (k == ka) {
-        neighbor_[with_a][k] = with_b;
-        neighbor_[with_b][k] = beyond;
-        if (beyond != none) neighbor_[beyond][slot_towards(beyond, t)] = with_b;
+        a.beyond[k] = with_b;
+        b.beyond[k] = beyond;
+        if (beyond != none) tet_[beyond].beyond[slot_towards(beyond, t)] = with_b;
       } else if (k == kb) {
-        neighbor_[with_b][k] = with_a;
-        neighbor_[with_a][k] = beyond;
-        if (beyond != none) neighbor_[beyond][slot_towards(beyond, t)] = with_a;
+        b.beyond[k] = with_a;
+        a.beyond[k] = beyond;
+        if (beyond != none) tet_[beyond].beyond[slot_towards(beyond, t)] = with_a;
       } else if (beyond == none) {
-        neighbor_[with_a][k] = neighbor_[with_b][k] = none;
+        a.beyond[k] = b.beyond[k] = none;
       } else {
         const auto j = std::lower_bound(around_.begin(), around_.end(), beyond) - around_.begin();
-        neighbor_[with_a][k] = op.first + 2 * static_cast<TetId>(j);
-        neighbor_[with_b][k] = neighbor_[with_a][k] + 1;
+        a.beyond[k] = op.first + 2 * static_cast<TetId>(j);
+        b.beyond[k] = a.beyond[k] + 1;
       }
     }
     for (const NodeId node : corners(t)) leave(node, t);
@@ -79,36 +81,37 @@ void TetComplex::change(const SplitEdge& op) {
     for (const NodeId node : corners(with_b)) star_[node].push_back(with_b);
   }
   if (is_sheet()) return share_mass(op);
+  update_masses_of(around_);
   update_mass(op.node);
-  for (const TetId t : around_)
-    for (const NodeId node : tet_[t]) update_mass(node);
 }
 
 void TetComplex::change_back(const SplitEdge& op) {
   bool good = op.count > 0 && has_node(op.node) && op.first + 2ull * op.count <= tet_end() &&
               star_[op.node].size() == 2ull * op.count;
-  for (TetId c = op.first; good && c < op.first + 2 * op.count; ++c) good = has_tet(c) && parent_[c] != none;
+  for (TetId c = op.first; good && c < op.first + 2 * op.count; ++c)
+    good = has_tet(c) && tet_[c].parent != none;
   require(good, "an edge's splitting to take back isn't there as it was made");
   for (TetId i = 0; i < op.count; ++i) {
-    const TetId with_a = op.first + 2 * i, with_b = with_a + 1, t = parent_[with_a];
+    const TetId with_a = op.first + 2 * i, with_b = with_a + 1, t = tet_[with_a].parent;
     const std::size_t ka = corner_index(t, op.a), kb = corner_index(t, op.b);
     for (const auto& [child, k] : {std::pair{with_a, kb}, std::pair{with_b, ka}}) {
-      const TetId beyond = neighbor_[child][k];
-      neighbor_[t][k] = beyond;
-      if (beyond != none) neighbor_[beyond][slot_towards(beyond, child)] = t;
+      const TetId beyond = tet_[child].beyond[k];
+      tet_[t].beyond[k] = beyond;
+      if (beyond != none) tet_[beyond].beyond[slot_towards(beyond, child)] = t;
       for (const NodeId node : corners(child)) leave(node, child);
-      tet_live_[child] = 0;
+      tet_[child].live = false;
     }
     for (const NodeId node : corners(t)) enter(node, t);
-    tet_live_[t] = 1;
-    child_[t] = none;
+    tet_[t].live = true;
+    tet_[t].child = none;
   }
   node_live_[op.node] = 0;
   --live_nodes_;
   live_tets_ -= op.count;
   if (is_sheet()) return share_back(op);
-  for (TetId i = 0; i < op.count; ++i)
-    for (const NodeId node : tet_[parent_[op.first + 2 * i]]) update_mass(node);
+  around_.clear();
+  for (TetId i = 0; i < op.count; ++i) around_.push_back(tet_[op.first + 2 * i].parent);
+  update_masses_of(around_);
 }
 
 void TetComplex::change(const SlitFaces& op) {
@@ -119,9 +122,9 @@ void TetComplex::change(const SlitFaces& op) {
   }
   for (const auto& [a, b] : op.faces) {
     const std::size_t ka = slot_towards(a, b), kb = slot_towards(b, a);
-    neighbor_[a][ka] = neighbor_[b][kb] = none;
-    wall_[a] = static_cast<std::uint8_t>(wall_[a] | 1u << ka);
-    wall_[b] = static_cast<std::uint8_t>(wall_[b] | 1u << kb);
+    tet_[a].beyond[ka] = tet_[b].beyond[kb] = none;
+    tet_[a].wall = static_cast<std::uint8_t>(tet_[a].wall | 1u << ka);
+    tet_[b].wall = static_cast<std::uint8_t>(tet_[b].wall | 1u << kb);
   }
 }
 
@@ -133,10 +136,10 @@ void TetComplex::change_back(const SlitFaces& op) {
   }
   for (const auto& [a, b] : op.faces) {
     const std::size_t ka = slot_of_face(a, b), kb = slot_of_face(b, a);
-    neighbor_[a][ka] = b;
-    neighbor_[b][kb] = a;
-    wall_[a] = static_cast<std::uint8_t>(wall_[a] & ~(1u << ka));
-    wall_[b] = static_cast<std::uint8_t>(wall_[b] & ~(1u << kb));
+    tet_[a].beyond[ka] = b;
+    tet_[b].beyond[kb] = a;
+    tet_[a].wall = static_cast<std::uint8_t>(tet_[a].wall & ~(1u << ka));
+    tet_[b].wall = static_cast<std::uint8_t>(tet_[b].wall & ~(1u << kb));
   }
 }
 
@@ -154,8 +157,8 @@ void TetComplex::check_parting(const PartNode& op) const {
     for (const TetId t : copy.tets) {
       require(has_tet(t) && has_corner(t, op.node), "a parted node's copy takes what isn't the node's");
       for (std::size_t k = 0; k < sides_; ++k) {
-        const TetId beyond = neighbor_[t][k];
-        require(beyond == none || tet_[t][k] == op.node ||
+        const TetId beyond = tet_[t].beyond[k];
+        require(beyond == none || tet_[t].corner[k] == op.node ||
                     std::binary_search(copy.tets.begin(), copy.tets.end(), beyond),
                 "a parted node's copy would tear a face");
       }
@@ -175,7 +178,7 @@ void TetComplex::change(const PartNode& op) {
     ++live_nodes_;
     for (const TetId t : copy.tets) {
       leave(op.node, t);
-      tet_[t][corner_index(t, op.node)] = copy.node;
+      tet_[t].corner[corner_index(t, op.node)] = copy.node;
     }
     star_[copy.node] = copy.tets;
     if (!is_sheet()) update_mass(copy.node);
@@ -190,7 +193,7 @@ void TetComplex::change_back(const PartNode& op) {
     require(has_node(copy.node) && star_[copy.node] == copy.tets, "a node's copies aren't as they were made");
   for (const auto& copy : op.copies) {
     for (const TetId t : copy.tets) {
-      tet_[t][corner_index(t, copy.node)] = op.node;
+      tet_[t].corner[corner_index(t, copy.node)] = op.node;
       enter(op.node, t);
     }
     star_[copy.node].clear();

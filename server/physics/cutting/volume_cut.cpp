@@ -111,42 +111,57 @@ std::vector<TetId> crumb_at(const TetComplex& complex, const SlitFaces& slit, Te
 
 /// A blade that follows an older cut would chip off what stands out of its walls: that stays where it is.
 void leave_crumbs(const TetComplex& complex, SlitFaces& slit) {
-  std::vector<TetId> crumbs;
+  bool any = false;
+  std::vector<bool> in_crumb(complex.tet_end(), false);
   for (const auto& face : slit.faces)
     for (const TetId t : face) {
-      if (std::find(crumbs.begin(), crumbs.end(), t) != crumbs.end()) continue;
+      if (in_crumb[t]) continue;
       const auto crumb = crumb_at(complex, slit, t);
-      crumbs.insert(crumbs.end(), crumb.begin(), crumb.end());
+      any |= !crumb.empty();
+      for (const TetId part : crumb) in_crumb[part] = true;
     }
-  if (crumbs.empty()) return;
-  std::erase_if(slit.faces, [&](const std::array<TetId, 2>& face) {
-    return std::any_of(crumbs.begin(), crumbs.end(), [&](TetId t) { return face[0] == t || face[1] == t; });
-  });
+  if (!any) return;
+  std::erase_if(slit.faces,
+                [&](const std::array<TetId, 2>& face) { return in_crumb[face[0]] || in_crumb[face[1]]; });
 }
 
-/// The node's tetrahedra by what hangs together through faces at it; the one with the lowest id comes first.
-std::vector<std::vector<TetId>> fans(const TetComplex& complex, NodeId node) {
-  const auto star = complex.star(node);
-  std::vector<bool> seen(star.size(), false);
-  std::vector<std::vector<TetId>> out;
-  const auto place = [&](TetId t) {
-    return static_cast<std::size_t>(std::lower_bound(star.begin(), star.end(), t) - star.begin());
-  };
-  for (std::size_t i = 0; i < star.size(); ++i) {
-    if (seen[i]) continue;
-    seen[i] = true;
-    auto& fan = out.emplace_back(1, star[i]);
-    for (std::size_t n = 0; n < fan.size(); ++n)
-      for (std::size_t k = 0; k < complex.sides(); ++k) {
-        const TetId t = fan[n], beyond = complex.neighbor(t, k);
-        if (beyond == TetComplex::none || complex.corners(t)[k] == node || seen[place(beyond)]) continue;
-        seen[place(beyond)] = true;
-        fan.push_back(beyond);
+/// Of a node's tetrahedra what hangs together through faces at it.
+class Fans {
+ public:
+  explicit Fans(const TetComplex& complex) : complex_(complex), fan_of_(complex.tet_end(), none) {}
+
+  /// How many there are; the one with the lowest id is the first.
+  std::uint32_t find(NodeId node) {
+    const auto star = complex_.star(node);
+    for (const TetId t : star) fan_of_[t] = none;
+    std::uint32_t fans = 0;
+    for (const TetId first : star) {
+      if (fan_of_[first] != none) continue;
+      fan_of_[first] = fans;
+      open_.assign(1, first);
+      while (!open_.empty()) {
+        const TetId t = open_.back();
+        open_.pop_back();
+        for (std::size_t k = 0; k < complex_.sides(); ++k) {
+          const TetId beyond = complex_.neighbor(t, k);
+          if (beyond == none || complex_.corners(t)[k] == node || fan_of_[beyond] == fans) continue;
+          fan_of_[beyond] = fans;
+          open_.push_back(beyond);
+        }
       }
-    std::sort(fan.begin(), fan.end());
+      ++fans;
+    }
+    return fans;
   }
-  return out;
-}
+  /// Of a tetrahedron of the node that was asked about last.
+  std::uint32_t fan_of(TetId tet) const { return fan_of_[tet]; }
+
+ private:
+  static constexpr std::uint32_t none = TetComplex::none;
+  const TetComplex& complex_;
+  std::vector<std::uint32_t> fan_of_;
+  std::vector<TetId> open_;
+};
 
 /// Of slit faces, and of edges that were split: the tetrahedra around an edge may have fallen apart before
 /// those at its ends.
@@ -160,15 +175,18 @@ void part_nodes(TetComplex& complex, const SlitFaces& slit, std::vector<Vec3>& x
       if (complex.has_corner(b, corner)) nodes.push_back(corner);
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  Fans fans(complex);
   for (const NodeId node : nodes) {
-    auto parts = fans(complex, node);
-    if (parts.size() < 2) continue;
-    PartNode op{node, {}};
-    for (std::size_t p = 1; p < parts.size(); ++p) {
-      op.copies.push_back({static_cast<NodeId>(x.size()), std::move(parts[p])});
+    const std::uint32_t count = fans.find(node);
+    if (count < 2) continue;
+    PartNode op{node, std::vector<PartNode::Copy>(count - 1)};
+    for (const TetId t : complex.star(node))
+      if (const std::uint32_t fan = fans.fan_of(t); fan > 0) op.copies[fan - 1].tets.push_back(t);
+    for (PartNode::Copy& copy : op.copies) {
+      copy.node = static_cast<NodeId>(x.size());
       x.push_back(x[node]);
       BladeStroke::Mark mark = *marks.find(node);
-      mark.node = op.copies.back().node;
+      mark.node = copy.node;
       marks.add(mark);
     }
     complex.apply(op);

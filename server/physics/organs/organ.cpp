@@ -1,6 +1,7 @@
 #include "server/physics/organs/organ.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <map>
@@ -52,9 +53,9 @@ CutResult Organ::cut(std::span<const Vec3> positions, std::span<const Vec3> edge
     change.author = author;
     change.stroke = stroke;
     change.ops = result.ops;
-    change.touched = touched_by(complex_, change.ops);
+    tbb::parallel_invoke([&] { change.touched = touched_by(complex_, change.ops); },
+                         [&] { skin_.update(complex_); });
     note_touched(change.touched);
-    skin_.update(complex_);
   }
   return result;
 }
