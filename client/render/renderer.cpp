@@ -217,6 +217,10 @@ std::optional<std::string> Renderer::reload_changed_shaders() {
   }
 }
 
+void Renderer::finish() {
+  impl_->gl.Finish();
+}
+
 Image Renderer::read_pixels() {
   return impl_->passes->target.read();
 }

@@ -57,6 +57,8 @@ class Renderer {
   /// of it, for people: done, or file and line of what does not compile, and then the old shaders stay.
   /// nullopt: nothing was written.
   std::optional<std::string> reload_changed_shaders();
+  /// For measurement: waits until all that was drawn is there.
+  void finish();
   /// What was drawn last.
   Image read_pixels();
 
