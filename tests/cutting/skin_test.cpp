@@ -1,11 +1,13 @@
-// The surface that is drawn and touched stays closed, changes by its patches, and comes back when a cut is
-// taken back.
+// The surface that is drawn and touched stays closed, changes by its patches, comes back when a cut is taken
+// back, and is the same whether it looks everywhere or follows.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "server/physics/cutting/skin.h"
+#include "server/physics/cutting/touched.h"
 #include "tests/cutting/meshes.h"
 #include "tests/cutting/soundness.h"
 #include "tests/cutting/strokes.h"
@@ -68,6 +70,20 @@ std::vector<Skin::Triangle> live(const Skin& skin) {
   return out;
 }
 
+::testing::AssertionResult same(const Skin& followed, const Skin::Change& a, const Skin& updated,
+                                const Skin::Change& b) {
+  if (!std::ranges::equal(followed.vertices(), updated.vertices()) ||
+      !std::ranges::equal(followed.triangles(), updated.triangles()))
+    return ::testing::AssertionFailure() << "another skin";
+  for (std::uint32_t slot = 0; slot < followed.triangles().size(); ++slot)
+    if (followed.tet(slot) != updated.tet(slot))
+      return ::testing::AssertionFailure() << "slot " << slot << " is another tetrahedron's";
+  if (a.first_vertex != b.first_vertex || a.vertices != b.vertices || a.slots != b.slots ||
+      a.triangles != b.triangles)
+    return ::testing::AssertionFailure() << "another change";
+  return ::testing::AssertionSuccess();
+}
+
 class Skins : public ::testing::TestWithParam<NamedMesh> {};
 
 TEST_P(Skins, StayClosedAndComeBack) {
@@ -75,21 +91,25 @@ TEST_P(Skins, StayClosedAndComeBack) {
     SCOPED_TRACE(row.name);
     TetComplex complex(GetParam().mesh, mesh_density);
     const double volume = whole(complex).volume;
-    Skin skin(complex);
+    Skin skin(complex), updated = skin;
     Replica replica;
     replica.vertices.assign(skin.vertices().begin(), skin.vertices().end());
     replica.triangles.assign(skin.triangles().begin(), skin.triangles().end());
     TetTree tree;
     std::vector<Vec3> x = rest_positions(complex);
     std::vector<CutResult> cuts;
+    std::vector<std::vector<TetId>> touched;
     std::vector<std::vector<Skin::Triangle>> before;
     for (const Stroke& stroke : row.strokes) {
       BladeStroke state = begin_stroke(stroke.front());
       for (std::size_t i = 1; i < stroke.size(); ++i) {
         before.push_back(live(skin));
         cuts.push_back(cut_and_carry(complex, tree, x, stroke[i], state));
-        replica.apply(skin.update(complex));
+        touched.push_back(touched_by(complex, cuts.back().ops));
+        const Skin::Change change = skin.follow(complex, touched.back());
+        replica.apply(change);
         ASSERT_TRUE(is_closed(skin)) << "tick " << i;
+        ASSERT_TRUE(same(skin, change, updated, updated.update(complex))) << "tick " << i;
       }
     }
     EXPECT_NEAR(enclosed(skin, complex), volume, 1e-12 * volume);
@@ -99,8 +119,9 @@ TEST_P(Skins, StayClosedAndComeBack) {
                            skin.triangles().end()));
     for (std::size_t i = cuts.size(); i-- > 0;) {
       for (std::size_t k = cuts[i].ops.size(); k-- > 0;) complex.take_back(cuts[i].ops[k]);
-      skin.update(complex);
+      const Skin::Change change = skin.follow(complex, touched[i]);
       ASSERT_EQ(live(skin), before[i]) << "cut " << i << " taken back";
+      ASSERT_TRUE(same(skin, change, updated, updated.update(complex))) << "cut " << i << " taken back";
     }
   }
 }

@@ -1,6 +1,7 @@
 #include "server/physics/cutting/skin.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace prosector {
 namespace {
@@ -20,47 +21,116 @@ std::uint64_t face_across(const TetComplex& complex, TetId tet, std::size_t k, N
   }
 }
 
+void add_boundary(const TetComplex& complex, TetId tet, std::vector<std::array<std::uint32_t, 2>>& faces) {
+  for (std::uint32_t k = 0; k < 4; ++k)
+    if (complex.neighbor(tet, k) == TetComplex::none) faces.push_back({tet, k});
+}
+
+/// The tetrahedra at these nodes, each once; ascending.
+std::vector<TetId> stars(const TetComplex& complex, std::span<const NodeId> nodes) {
+  std::vector<std::uint8_t> seen(complex.node_end(), 0), met(complex.tet_end(), 0);
+  std::vector<TetId> out;
+  for (const NodeId node : nodes) {
+    if (std::exchange(seen[node], std::uint8_t{1}) != 0) continue;
+    for (const TetId t : complex.star(node))
+      if (std::exchange(met[t], std::uint8_t{1}) == 0) out.push_back(t);
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
 }  // namespace
 
 Skin::Skin(const TetComplex& complex) {
   update(complex);
 }
 
-Skin::Change Skin::update(const TetComplex& complex) {
+Skin::Change Skin::begin(const TetComplex& complex) {
   Change change;
-  if (complex.is_sheet()) return change;
   change.first_vertex = static_cast<std::uint32_t>(vertices_.size());
   slot_of_.resize(16 * complex.tet_end(), none);
   vertex_of_.resize(complex.node_end(), none);
   ++now_;
-  faces_.clear();
-  for (TetId t = 0; t < complex.tet_end(); ++t) {
-    if (!complex.has_tet(t)) continue;
-    for (std::uint32_t k = 0; k < 4; ++k)
-      if (complex.neighbor(t, k) == TetComplex::none) faces_.push_back({t, k});
-  }
-  find_double_edges(complex);
-  for (const auto& [t, k] : faces_) put_face(complex, t, k, change);
-  for (std::uint32_t slot = 0; slot < triangles_.size(); ++slot) {
-    if (seen_[slot] == now_ || triangles_[slot] == Triangle{}) continue;
-    triangles_[slot] = {};
-    change.slots.push_back(slot);
-  }
-  std::sort(change.slots.begin(), change.slots.end());
-  for (const std::uint32_t slot : change.slots) change.triangles.push_back(triangles_[slot]);
-  change.vertices.assign(vertices_.begin() + change.first_vertex, vertices_.end());
   return change;
 }
 
+void Skin::end(Change& change) const {
+  std::sort(change.slots.begin(), change.slots.end());
+  for (const std::uint32_t slot : change.slots) change.triangles.push_back(triangles_[slot]);
+  change.vertices.assign(vertices_.begin() + change.first_vertex, vertices_.end());
+}
+
+Skin::Change Skin::update(const TetComplex& complex) {
+  if (complex.is_sheet()) return {};
+  Change change = begin(complex);
+  std::vector<Face> faces;
+  for (TetId t = 0; t < complex.tet_end(); ++t)
+    if (complex.has_tet(t)) add_boundary(complex, t, faces);
+  find_double_edges(complex, faces);
+  for (const auto& [t, k] : faces) put_face(complex, t, k, change);
+  for (std::uint32_t slot = 0; slot < triangles_.size(); ++slot) clear_unseen(slot, change);
+  end(change);
+  return change;
+}
+
+Skin::Change Skin::follow(const TetComplex& complex, std::span<const TetId> touched) {
+  if (complex.is_sheet()) return {};
+  Change change = begin(complex);
+  const std::vector<Face> faces = faces_near(complex, touched);
+  // How many faces an edge has is told by all that are at its ends.
+  std::vector<NodeId> corners;
+  for (const auto& [t, k] : faces)
+    for (const std::size_t i : TetComplex::face[k]) corners.push_back(complex.corners(t)[i]);
+  std::vector<Face> around;
+  for (const TetId t : stars(complex, corners)) add_boundary(complex, t, around);
+  find_double_edges(complex, around);
+  for (const auto& [t, k] : faces) put_face(complex, t, k, change);
+  const auto clear_parts = [&](std::size_t key, std::size_t count) {
+    for (; count > 0; --count, ++key)
+      if (slot_of_[key] != none) clear_unseen(slot_of_[key], change);
+  };
+  for (const auto& [t, k] : faces) clear_parts(16ull * t + 4 * k, 4);
+  for (const TetId t : touched) clear_parts(16ull * t, 16);
+  end(change);
+  return change;
+}
+
+/// Boundary faces that may have become others: of what was touched, and of what has an edge in common with
+/// it, since an edge's faces share their middles. Ascending.
+std::vector<Skin::Face> Skin::faces_near(const TetComplex& complex, std::span<const TetId> touched) const {
+  std::vector<NodeId> corners;
+  std::vector<std::uint8_t> is_corner(complex.node_end(), 0);
+  for (const TetId t : touched)
+    if (complex.has_tet(t))
+      for (const NodeId node : complex.corners(t)) {
+        corners.push_back(node);
+        is_corner[node] = 1;
+      }
+  std::vector<Face> faces;
+  for (const TetId t : stars(complex, corners)) add_boundary(complex, t, faces);
+  std::erase_if(faces, [&](const Face& face) {
+    int common = 0;
+    for (const std::size_t i : TetComplex::face[face[1]]) common += is_corner[complex.corners(face[0])[i]];
+    return common < 2;
+  });
+  return faces;
+}
+
+void Skin::clear_unseen(std::uint32_t slot, Change& change) {
+  if (seen_[slot] == now_ || triangles_[slot] == Triangle{}) return;
+  triangles_[slot] = {};
+  change.slots.push_back(slot);
+}
+
 // Only between nodes of walls can more than two boundary faces have an edge in common.
-void Skin::find_double_edges(const TetComplex& complex) {
+void Skin::find_double_edges(const TetComplex& complex, std::span<const Face> faces) {
   std::vector<std::uint8_t> at_wall(complex.node_end(), 0);
-  for (const auto& [t, k] : faces_)
+  for (const auto& [t, k] : faces)
     if (complex.is_wall(t, k))
       for (const std::size_t i : TetComplex::face[k]) at_wall[complex.corners(t)[i]] = 1;
   // Of the two faces at an edge one runs along it upwards; where two do, it has four.
   std::vector<std::uint64_t> upwards;
-  for (const auto& [t, k] : faces_)
+  for (const auto& [t, k] : faces)
     for (std::size_t i = 0; i < 3; ++i) {
       const NodeId a = complex.corners(t)[TetComplex::face[k][i]];
       const NodeId b = complex.corners(t)[TetComplex::face[k][(i + 1) % 3]];

@@ -38,6 +38,8 @@ class Skin {
   /// Follows the complex: after a cut, and after one was taken back, when live triangles are what they were,
   /// in the same slots.
   Change update(const TetComplex& complex);
+  /// The same, looking only where the cut, or the cuts taken back, touched it (touched.h).
+  Change follow(const TetComplex& complex, std::span<const TetId> touched);
 
   std::span<const Vertex> vertices() const { return vertices_; }      // by slot
   std::span<const Triangle> triangles() const { return triangles_; }  // by slot
@@ -45,12 +47,17 @@ class Skin {
   TetId tet(std::uint32_t slot) const { return static_cast<TetId>(key_[slot] / 16); }
 
  private:
-  using Edge = std::array<NodeId, 2>;  // ascending
-  void find_double_edges(const TetComplex& complex);
+  using Edge = std::array<NodeId, 2>;         // ascending
+  using Face = std::array<std::uint32_t, 2>;  // tetrahedron, and which of its faces
+  Change begin(const TetComplex& complex);
+  void end(Change& change) const;
+  void find_double_edges(const TetComplex& complex, std::span<const Face> faces);
+  std::vector<Face> faces_near(const TetComplex& complex, std::span<const TetId> touched) const;
   void put_face(const TetComplex& complex, TetId tet, std::size_t k, Change& change);
   std::uint32_t corner(NodeId node);
   std::uint32_t middle(const TetComplex& complex, TetId tet, std::size_t k, const Edge& edge);
   void set(std::uint64_t key, const Triangle& triangle, Change& change);
+  void clear_unseen(std::uint32_t slot, Change& change);
 
   std::vector<Vertex> vertices_;
   std::vector<Triangle> triangles_;
@@ -61,7 +68,6 @@ class Skin {
   std::vector<std::uint32_t> seen_;  // by slot: when last part of the boundary
   std::uint32_t now_ = 0;
   std::vector<Edge> double_edges_;  // ascending
-  std::vector<std::array<std::uint32_t, 2>> faces_;
 };
 
 }  // namespace prosector

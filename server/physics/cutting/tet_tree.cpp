@@ -30,6 +30,7 @@ void TetTree::build(const TetComplex& complex) {
   std::vector<TetId> tets;
   tets.reserve(ids.size());
   for (const std::uint32_t i : space_order(middles)) tets.push_back(ids[i]);
+  leaf_of_.assign(complex.tet_end(), 0);
   if (!tets.empty()) split(tets, 0, tets.size());
   built_tets_ = tets.size();
   undone_ = complex.undone();
@@ -41,8 +42,9 @@ std::uint32_t TetTree::split(std::span<const TetId> tets, std::size_t begin, std
   branches_.push_back({});
   branches_[index].first = static_cast<std::uint32_t>(leaves_.size());
   if (end - begin <= leaf_size) {
-    auto& leaf = leaves_.emplace_back();
-    for (std::size_t i = begin; i < end; ++i) leaf.push_back(tets[i]);
+    for (std::size_t i = begin; i < end; ++i) leaf_of_[tets[i]] = static_cast<std::uint32_t>(leaves_.size());
+    leaves_.emplace_back(tets.begin() + static_cast<std::ptrdiff_t>(begin),
+                         tets.begin() + static_cast<std::ptrdiff_t>(end));
   } else {
     const std::size_t middle = begin + (end - begin) / 2;
     split(tets, begin, middle);
@@ -53,25 +55,22 @@ std::uint32_t TetTree::split(std::span<const TetId> tets, std::size_t begin, std
   return index;
 }
 
-void TetTree::renew(const TetComplex& complex, std::vector<TetId>& leaf) {
-  if (std::all_of(leaf.begin(), leaf.end(), [&](TetId t) { return complex.has_tet(t); })) return;
-  scratch_.clear();
-  for (std::size_t i = 0; i < leaf.size(); ++i) {
-    const TetId t = leaf[i];
-    if (complex.has_tet(t)) {
-      scratch_.push_back(t);
-    } else {
-      leaf.push_back(complex.child(t));
-      leaf.push_back(complex.child(t) + 1);
-    }
+/// What was split since is in its parent's leaf.
+void TetTree::take_in(const TetComplex& complex) {
+  for (auto t = static_cast<TetId>(leaf_of_.size()); t < complex.tet_end(); ++t) {
+    const TetId parent = complex.parent(t);
+    leaf_of_.push_back(parent == TetComplex::none ? 0 : leaf_of_[parent]);
+    if (parent == TetComplex::none) continue;
+    std::vector<TetId>& leaf = leaves_[leaf_of_.back()];
+    std::erase(leaf, parent);
+    if (complex.has_tet(t)) leaf.push_back(t);
   }
-  leaf.assign(scratch_.begin(), scratch_.end());
 }
 
 void TetTree::update(const TetComplex& complex, std::span<const Vec3> positions, const Vec3& low,
                      const Vec3& high) {
   if (branches_.empty() || undone_ != complex.undone() || complex.tets() > 2 * built_tets_) build(complex);
-  for (auto& leaf : leaves_) renew(complex, leaf);
+  take_in(complex);
   find_near(complex, positions, low, high);
   boxes(complex, positions);
 }

@@ -28,7 +28,7 @@ class TetTree {
   };
   void build(const TetComplex& complex);
   std::uint32_t split(std::span<const TetId> tets, std::size_t begin, std::size_t end);
-  void renew(const TetComplex& complex, std::vector<TetId>& leaf);
+  void take_in(const TetComplex& complex);
   template <class Meets>
   void visit(Meets&& meets, std::vector<TetId>& found) const;
   void find_near(const TetComplex& complex, std::span<const Vec3> positions, const Vec3& low,
@@ -37,11 +37,11 @@ class TetTree {
 
   std::vector<Branch> branches_;  // parents before children
   std::vector<std::vector<TetId>> leaves_;
+  std::vector<std::uint32_t> leaf_of_;   // by tetrahedron, gone ones too
   std::vector<Vec3> low_, high_;         // of each tetrahedron, by leaf in order
   std::vector<std::size_t> leaf_begin_;  // into these
   std::vector<std::uint8_t> beside_;     // by node: on which sides of the update's box it is, a bit each
   std::vector<std::uint8_t> near_;       // by leaf: whether a tetrahedron's box meets it
-  std::vector<TetId> scratch_;
   std::size_t built_tets_ = 0;
   std::uint64_t undone_ = 0;
 };

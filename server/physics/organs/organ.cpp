@@ -1,7 +1,6 @@
 #include "server/physics/organs/organ.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <map>
@@ -9,6 +8,7 @@
 
 #include "common/error.h"
 #include "server/physics/cutting/pieces.h"
+#include "server/physics/cutting/touched.h"
 #include "server/physics/organs/sheet_parts.h"
 
 namespace prosector {
@@ -53,9 +53,9 @@ CutResult Organ::cut(std::span<const Vec3> positions, std::span<const Vec3> edge
     change.author = author;
     change.stroke = stroke;
     change.ops = result.ops;
-    tbb::parallel_invoke([&] { change.touched = touched_by(complex_, change.ops); },
-                         [&] { skin_.update(complex_); });
+    change.touched = touched_by(complex_, change.ops);
     note_touched(change.touched);
+    skin_.follow(complex_, change.touched);
   }
   return result;
 }
@@ -100,7 +100,10 @@ std::string Organ::undo(ParticipantId author) {
   entry.cause = TopologyCause::undo;
   entry.author = author;
   entry.stroke = stroke.front()->stroke;
-  skin_.update(complex_);
+  std::vector<TetId> touched;
+  for (const OrganChange* change : stroke)
+    touched.insert(touched.end(), change->touched.begin(), change->touched.end());
+  skin_.follow(complex_, touched);
   log_.push_back(std::move(entry));
   return {};
 }

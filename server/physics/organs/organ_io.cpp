@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "server/physics/cutting/pieces.h"
+#include "server/physics/cutting/touched.h"
 #include "server/physics/organs/organ.h"
 #include "server/physics/organs/organ_parts.h"
 #include "server/physics/organs/topology_op_io.h"

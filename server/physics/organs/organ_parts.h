@@ -25,9 +25,6 @@ struct PieceEdit {
 PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector<TetId> touched);
 void apply(const TetComplex& complex, const PieceEdit& edit, PieceMesh& piece);
 
-/// Every tetrahedron that these changes, just made, took away, brought or joined otherwise; ascending.
-std::vector<TetId> touched_by(const TetComplex& complex, const std::vector<TopologyOp>& ops);
-
 /// The surface of a piece, hanging on its nodes.
 struct PieceSurface {
   TriangleMesh surface;

@@ -1,0 +1,67 @@
+// The tree that a blade asks for tetrahedra takes in what was split: what it answers is what one built anew
+// would.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/cutting/meshes.h"
+#include "tests/cutting/strokes.h"
+
+namespace prosector {
+namespace {
+
+std::vector<TetId> sorted(std::vector<TetId> tets) {
+  std::sort(tets.begin(), tets.end());
+  return tets;
+}
+
+class Trees : public ::testing::TestWithParam<NamedMesh> {};
+
+TEST_P(Trees, FollowCutsAndWhatIsTakenBack) {
+  std::size_t found = 0;
+  for (const NamedStrokes& row : strokes_to_make()) {
+    SCOPED_TRACE(row.name);
+    TetComplex complex(GetParam().mesh, mesh_density);
+    TetTree tree, followed;
+    std::vector<Vec3> x = rest_positions(complex);
+    const auto answers_as_anew = [&](const std::vector<Vec3>& edge, const std::vector<Vec3>& next) {
+      const Vec3 low = Vec3::Constant(-1), high = Vec3::Constant(1);  // m: all of the mesh
+      TetTree anew;
+      anew.update(complex, x, low, high);
+      followed.update(complex, x, low, high);
+      for (const Sheet sheet(edge, next); const Sheet::Piece& piece : sheet.pieces()) {
+        std::vector<TetId> a, b;
+        followed.query(piece, a);
+        anew.query(piece, b);
+        EXPECT_EQ(sorted(a), sorted(b));
+        found += a.size();
+      }
+      for (NodeId node = 0; node < complex.node_end(); node += 7) {
+        std::vector<TetId> a, b;
+        followed.query(x[node], a);
+        anew.query(x[node], b);
+        EXPECT_EQ(sorted(a), sorted(b));
+        found += a.size();
+      }
+    };
+    std::vector<CutResult> cuts;
+    for (const Stroke& stroke : row.strokes) {
+      BladeStroke state = begin_stroke(stroke.front());
+      for (std::size_t i = 1; i < stroke.size(); ++i) {
+        cuts.push_back(cut_and_carry(complex, tree, x, stroke[i], state));
+        if (!cuts.back().ops.empty()) answers_as_anew(stroke[i - 1], stroke[i]);
+      }
+    }
+    const Stroke& last = row.strokes.back();
+    for (std::size_t k = cuts.back().ops.size(); k-- > 0;) complex.take_back(cuts.back().ops[k]);
+    answers_as_anew(last.front(), last.back());
+  }
+  EXPECT_GT(found, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, Trees, ::testing::ValuesIn(meshes_to_cut()),
+                         [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace prosector
