@@ -26,6 +26,7 @@ struct RawOptions {
                                                                    show = "none";
   std::optional<std::string> lan;  // empty: the only network that there is
   std::vector<std::string> screenshots, effects;
+  std::optional<double> detail;
 };
 
 std::string effect_names(std::string_view between) {
@@ -61,6 +62,14 @@ void add_network(CLI::App& app, ClientOptions& o, RawOptions& raw) {
       ->group("Network");
 }
 
+CLI::Option* add_detail_option(CLI::App& app, RawOptions& raw) {
+  return app
+      .add_option("--detail", raw.detail,
+                  "Pixels by which surfaces may be off to be drawn with fewer triangles; 0: never (default: "
+                  "the quality's)")
+      ->check(CLI::Range(0.0, 100.0));
+}
+
 void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option(
          "--display", raw.display,
@@ -73,11 +82,12 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
       ->group("Pictures");
   app.add_option_function<double>(
          "--frame-time", [&o](double ms) { o.frame_time = 1e-3 * ms; },
-         "Pick the quality by what a picture may take, ms; --quality and --effect don't count then")
+         "Pick the quality by what a picture may take, ms; --quality, --effect and --detail don't count then")
       ->check(CLI::Range(1.0, 1000.0))
       ->group("Pictures");
   app.add_option("--effect", raw.effects, "NAME=on or NAME=off (repeatable): " + effect_names(", "))
       ->group("Pictures");
+  add_detail_option(app, raw)->group("Pictures");
   app.add_option("--size", raw.size, "Picture size, WIDTHxHEIGHT (default 800x600; stereo: the profile's)")
       ->group("Pictures");
   app.add_option("--monitor", o.monitor, "Fill this monitor, counted from 0 (F11: back to a window)")
@@ -165,6 +175,7 @@ void add_render(CLI::App& app, RenderOptions& o, RawOptions& raw) {
   app.add_flag("--osmesa", o.osmesa, "Draw with OSMesa, even where there is EGL");
   app.add_option("--quality", raw.quality, "low, medium, high")->capture_default_str();
   app.add_option("--effect", raw.effects, "NAME=on or NAME=off (repeatable): " + effect_names(", "));
+  add_detail_option(app, raw);
   app.add_option("--size", raw.size, "Picture size, WIDTHxHEIGHT (default 640x480)");
   app.add_option("--shaders", o.shaders, "Folder of the shaders");
 }
@@ -205,14 +216,15 @@ void parse_effect(const std::string& text, EffectSet& effects) {
   effects[static_cast<std::size_t>(row - effect_rows.begin())] = state == "on";
 }
 
-RendererSettings parse_quality(const std::string& text, const std::vector<std::string>& effects) {
+QualityLevel parse_quality(const RawOptions& raw) {
   for (const QualityLevel& level : quality_levels)
-    if (level.name == text) {
-      RendererSettings out = level.settings;
-      for (const std::string& effect : effects) parse_effect(effect, out.effects);
+    if (level.name == raw.quality) {
+      QualityLevel out = level;
+      for (const std::string& effect : raw.effects) parse_effect(effect, out.settings.effects);
+      out.detail = raw.detail.value_or(out.detail);
       return out;
     }
-  throw InputError("--quality " + text + ": give low, medium or high");
+  throw InputError("--quality " + raw.quality + ": give low, medium or high");
 }
 
 Shown parse_shown(const std::string& text) {
@@ -238,7 +250,7 @@ std::string login_name() {
 
 RenderOptions resolve_render(const RawOptions& raw, RenderOptions o) {
   if (!raw.size.empty()) parse_size(raw.size, o.width, o.height);
-  o.quality = parse_quality(raw.quality, raw.effects);
+  o.quality = parse_quality(raw);
   if (o.shaders.empty()) o.shaders = default_shader_dir();
   return o;
 }
@@ -250,7 +262,7 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   if (o.audience && o.display != Display::window && o.display != Display::stereo)
     throw InputError("--audience: only with --display window or stereo");
   if (!raw.size.empty()) parse_size(raw.size, o.width, o.height);
-  o.quality = parse_quality(raw.quality, raw.effects);
+  o.quality = parse_quality(raw);
   o.shown = parse_shown(raw.show);
   for (const std::string& text : raw.screenshots) o.screenshots.push_back(parse_screenshot(text));
   if (!raw.config.empty()) o.devices = load_client_config(raw.config);

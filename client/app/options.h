@@ -29,7 +29,7 @@ struct ClientOptions {
   ClientConfig devices;
   Display display = Display::window;
   StereoProfile stereo;  // with Display::stereo
-  RendererSettings quality;
+  QualityLevel quality = quality_levels[1];
   int width = 800, height = 600;
   std::optional<double> frame_time;  // s a picture, by which quality is picked anew; nullopt: it stays
   std::optional<int> monitor;        // to fill, from 0; nullopt: a window

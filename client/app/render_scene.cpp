@@ -8,6 +8,7 @@
 
 #include "client/app/recorder.h"
 #include "client/render/contact_sheet.h"
+#include "client/view/level_of_detail.h"
 #include "client/view/scene_tour.h"
 #include "client/view/still_scene.h"
 #include "common/error.h"
@@ -72,7 +73,7 @@ void draw_the_other_way(const RenderOptions& o, const std::vector<TourStop>& tou
   for (std::size_t k = 0; k < effect_rows.size(); ++k) {
     const DrawList* list = compared(tour, static_cast<Effect>(k));
     if (list == nullptr) continue;
-    RendererSettings other = o.quality;
+    RendererSettings other = o.quality.settings;
     other.effects.flip(k);
     const auto context = make_context(o);
     Renderer renderer(*context, o.shaders, other);
@@ -87,8 +88,10 @@ void draw_turn(const RenderOptions& o, const SceneDesc& scene, DrawList list, Re
   const Subject subject = subject_of(scene, list);
   const int count = std::max(2, static_cast<int>(std::lround(turntable_rate * o.turntable)));
   Recorder recorder(file, o.width, o.height, turntable_rate);
+  LevelOfDetail level_of_detail;
   for (int k = 0; k < count; ++k) {
     list.cameras = {orbit_camera(scene, subject, 2 * std::numbers::pi * k / count, o.width, o.height)};
+    level_of_detail.choose(list, o.quality.detail);
     recorder.add(draw(renderer, list));
     if (!recorder.failure().empty()) throw InputError(recorder.failure());
   }
@@ -100,7 +103,8 @@ void draw_turn(const RenderOptions& o, const SceneDesc& scene, DrawList list, Re
 int render_scene(const RenderOptions& o) {
   const SceneDesc scene = load_scene(o.scene);
   const SourcePaths paths{scene.file.parent_path(), {default_data_dir()}, default_cache_dir()};
-  const DrawList list = still_scene(scene, paths, tell);
+  DrawList list = still_scene(scene, paths, tell);
+  if (o.quality.detail > 0) add_detail(list);
   std::vector<TourStop> tour = tour_of(scene, list, o.width, o.height);
   const auto is_left_out = [&](const TourStop& stop) { return !o.view.empty() && stop.name != o.view; };
   std::string names;
@@ -108,12 +112,14 @@ int render_scene(const RenderOptions& o) {
   std::erase_if(tour, is_left_out);
   if (tour.empty()) throw InputError(fmt::format("--view {}: this scene has{}", o.view, names));
 
+  for (TourStop& stop : tour) LevelOfDetail().choose(stop.list, o.quality.detail);
+
   std::error_code error;
   std::filesystem::create_directories(o.out, error);
   if (error) throw InputError(fmt::format("--out {}: {}", o.out.string(), error.message()));
   Pictures pictures(o);
   const auto context = make_context(o);
-  Renderer renderer(*context, o.shaders, o.quality);
+  Renderer renderer(*context, o.shaders, o.quality.settings);
   for (const TourStop& stop : tour) pictures.keep(draw(renderer, stop.list), stop.name, stop.about);
   if (o.turntable > 0) draw_turn(o, scene, list, renderer, pictures.file("turn.avi"));
   if (o.compare) draw_the_other_way(o, tour, pictures);

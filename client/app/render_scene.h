@@ -11,7 +11,7 @@ namespace prosector {
 struct RenderOptions {
   std::filesystem::path scene, out, shaders;
   int width = 640, height = 480;
-  RendererSettings quality;
+  QualityLevel quality = quality_levels[1];
   bool osmesa = false;   // else EGL surfaceless where there is one
   std::string view;      // only this one; empty: all
   bool compare = false;  // also each effect the other way, where it shows

@@ -41,7 +41,7 @@ std::unique_ptr<Stage> make_stage(const ClientOptions& o) {
     if (o.audience) window->open_audience(audience_of(o));
     stage->context = std::move(window);
   }
-  stage->renderer = std::make_unique<Renderer>(*stage->context, o.shaders, o.quality);
+  stage->renderer = std::make_unique<Renderer>(*stage->context, o.shaders, o.quality.settings);
   return stage;
 }
 

@@ -114,6 +114,7 @@ Image Viewer::draw(InputPump* pump, bool keep) {
   settings.wireframes = options_.wireframes;
   settings.shown = options_.shown;
   settings.insets = options_.insets;
+  settings.detail = governor_ ? governor_->level().detail : options_.quality.detail;
   settings.follow = follow_;
   settings.eye = looks_from_;
   if (options_.display == Display::stereo) settings.stereo = options_.stereo;

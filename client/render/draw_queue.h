@@ -9,8 +9,12 @@ namespace prosector {
 
 struct QueuedItem {
   const DrawItem* item;
-  MeshCache::Entry mesh;
-  Sphere bounds;  // room frame
+  const MeshCache::Entry* mesh;  // until the next frame
+  Sphere bounds;                 // room frame
 };
+
+inline void draw(const MeshCache& meshes, const QueuedItem& queued) {
+  meshes.draw(*queued.mesh, queued.item->level);
+}
 
 }  // namespace prosector

@@ -70,7 +70,7 @@ void GlassPass::draw_faces(const DrawCamera& camera, const std::vector<const Que
   for (const QueuedItem* queued : glass) {
     set_placement(faces_, *queued->item);
     gl_.CullFace((queued->item->shape.A.determinant() < 0) == back ? GL_BACK : GL_FRONT);
-    meshes.draw(queued->mesh);
+    prosector::draw(meshes, *queued);
   }
 }
 

@@ -115,20 +115,20 @@ void MainPass::draw_sides(const QueuedItem& queued, Frame& frame, const Draw& dr
 }
 
 void MainPass::draw_solid(const QueuedItem& queued, Frame& frame) {
-  draw_sides(queued, frame, [&] { frame.meshes.draw(queued.mesh); });
+  draw_sides(queued, frame, [&] { prosector::draw(frame.meshes, queued); });
 }
 
 /// First its depth alone, so that of a body only the front is seen, not its inside and its back.
 void MainPass::draw_clear(const QueuedItem& queued, Frame& frame) {
   draw_sides(queued, frame, [&] {
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    frame.meshes.draw(queued.mesh);
+    prosector::draw(frame.meshes, queued);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl_.DepthFunc(GL_LEQUAL);
     gl_.Enable(GL_BLEND);
     gl_.BlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
     gl_.BlendColor(0, 0, 0, static_cast<float>(std::clamp(queued.item->opacity, 0.0, 1.0)));
-    frame.meshes.draw(queued.mesh);
+    prosector::draw(frame.meshes, queued);
     gl_.Disable(GL_BLEND);
     gl_.DepthFunc(GL_LESS);
   });
@@ -141,7 +141,7 @@ void MainPass::draw_pane(const QueuedItem& queued, Frame& frame) {
   gl_.DepthMask(GL_FALSE);
   gl_.Enable(GL_BLEND);
   gl_.BlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
-  frame.meshes.draw(queued.mesh);
+  prosector::draw(frame.meshes, queued);
   gl_.Disable(GL_BLEND);
   gl_.DepthMask(GL_TRUE);
   gl_.CullFace(GL_BACK);
@@ -152,7 +152,7 @@ void MainPass::draw_shaft(const QueuedItem& queued, Frame& frame) {
   gl_.DepthMask(GL_FALSE);
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ONE, GL_ONE);
-  frame.meshes.draw(queued.mesh);
+  prosector::draw(frame.meshes, queued);
   gl_.Disable(GL_BLEND);
   gl_.DepthMask(GL_TRUE);
 }
@@ -207,7 +207,7 @@ void MainPass::draw_glass(const DrawList& list, const DrawCamera& camera,
   for (const QueuedItem* queued : glass) {
     ready(*queued, frame);
     gl_.CullFace(queued->item->shape.A.determinant() < 0 ? GL_FRONT : GL_BACK);
-    frame.meshes.draw(queued->mesh);
+    prosector::draw(frame.meshes, *queued);
   }
   gl_.CullFace(GL_BACK);
   gl_.DepthMask(GL_TRUE);

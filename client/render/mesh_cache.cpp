@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace prosector {
@@ -20,16 +21,6 @@ void check(const DrawMesh& mesh) {
   for (const auto& triangle : mesh.triangles)
     for (const std::uint32_t index : triangle)
       if (index >= n) refuse("triangles");
-}
-
-Sphere bounds_of(const Points& points) {
-  if (points.empty()) return {};
-  Eigen::AlignedBox3f box;
-  for (const auto& x : points) box.extend(x);
-  const Eigen::Vector3f center = box.center();
-  float squared = 0;
-  for (const auto& x : points) squared = std::max(squared, (x - center).squaredNorm());
-  return {center.cast<double>(), std::sqrt(static_cast<double>(squared))};
 }
 
 template <class T>
@@ -60,7 +51,36 @@ void MeshCache::begin_frame() {
   });
 }
 
-const MeshCache::Entry& MeshCache::upload(const DrawMesh& mesh) {
+const MeshCache::Entry& MeshCache::upload(const DrawMesh& mesh, const std::shared_ptr<const Detail>& detail) {
+  Entry& entry = upload_mesh(mesh);
+  if (entry.detail != detail) {
+    entry.detail = detail;
+    upload_triangles(mesh, entry);
+  }
+  return entry;
+}
+
+/// Those of the mesh, then those of its coarser levels.
+void MeshCache::upload_triangles(const DrawMesh& mesh, Entry& entry) const {
+  std::vector<const Triangles*> lists = {&mesh.triangles};
+  if (entry.detail)
+    for (const CoarserList& list : entry.detail->coarser) lists.push_back(&list.triangles);
+  GLsizeiptr total = 0;
+  entry.levels.clear();
+  for (const Triangles* list : lists) {
+    entry.levels.push_back({total, static_cast<GLsizei>(3 * list->size())});
+    total += bytes(*list);
+  }
+  gl_.BindVertexArray(entry.vertex_array);
+  if (entry.triangles == 0) gl_.GenBuffers(1, &entry.triangles);
+  gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, entry.triangles);
+  gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, total, nullptr, GL_STATIC_DRAW);
+  for (std::size_t k = 0; k < lists.size(); ++k)
+    gl_.BufferSubData(GL_ELEMENT_ARRAY_BUFFER, entry.levels[k].offset, bytes(*lists[k]), lists[k]->data());
+  gl_.BindVertexArray(0);
+}
+
+MeshCache::Entry& MeshCache::upload_mesh(const DrawMesh& mesh) {
   const auto [found, is_new] = entries_.try_emplace(mesh.id);
   Entry& entry = found->second;
   entry.last_frame = frame_;
@@ -83,22 +103,23 @@ const MeshCache::Entry& MeshCache::upload(const DrawMesh& mesh) {
     } else {
       upload_points(gl_, entry.rest, rest_attribute, mesh.rest_positions, GL_STATIC_DRAW);
     }
-    if (entry.triangles == 0) gl_.GenBuffers(1, &entry.triangles);
-    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, entry.triangles);
-    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, bytes(mesh.triangles), mesh.triangles.data(), GL_STATIC_DRAW);
-    entry.indices = static_cast<GLsizei>(3 * mesh.triangles.size());
   }
   upload_points(gl_, entry.normals, normal_attribute, mesh.normals, GL_DYNAMIC_DRAW);
   gl_.BindVertexArray(0);
+  if (topology_changed) {
+    entry.detail = nullptr;
+    upload_triangles(mesh, entry);
+  }
   entry.bounds = bounds_of(mesh.positions);
   entry.revision = mesh.revision;
   entry.positions_revision = mesh.positions_revision;
   return entry;
 }
 
-void MeshCache::draw(const Entry& entry) const {
+void MeshCache::draw(const Entry& entry, std::size_t level) const {
+  const auto& [offset, indices] = entry.levels[std::min(level, entry.levels.size() - 1)];
   gl_.BindVertexArray(entry.vertex_array);
-  gl_.DrawElements(GL_TRIANGLES, entry.indices, GL_UNSIGNED_INT, nullptr);
+  gl_.DrawElements(GL_TRIANGLES, indices, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
 }
 
 void MeshCache::release(const Entry& entry) const {

@@ -15,7 +15,12 @@ class MeshCache {
  public:
   struct Entry {
     GLuint vertex_array = 0, positions = 0, normals = 0, rest = 0, triangles = 0;
-    GLsizei indices = 0;
+    struct Level {
+      GLsizeiptr offset;  // bytes, in `triangles`
+      GLsizei indices;
+    };
+    std::vector<Level> levels;  // the finest first
+    std::shared_ptr<const Detail> detail;
     std::uint64_t revision = 0, positions_revision = 0;
     Sphere bounds;  // in the mesh's frame
     std::uint64_t last_frame = 0;
@@ -29,12 +34,15 @@ class MeshCache {
   /// Frees the buffers of meshes that were not drawn for the last `frames_kept` frames.
   void begin_frame();
   /// Uploads what changed. Throws std::invalid_argument when the mesh's arrays don't fit each other.
-  const Entry& upload(const DrawMesh& mesh);
-  void draw(const Entry& entry) const;
+  const Entry& upload(const DrawMesh& mesh, const std::shared_ptr<const Detail>& detail = nullptr);
+  /// With the mesh's own triangles (0), or those of a coarser level, as far as there are any.
+  void draw(const Entry& entry, std::size_t level) const;
 
  private:
   static constexpr std::uint64_t frames_kept = 300;
 
+  Entry& upload_mesh(const DrawMesh& mesh);
+  void upload_triangles(const DrawMesh& mesh, Entry& entry) const;
   void release(const Entry& entry) const;
 
   const Gl& gl_;

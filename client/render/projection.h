@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "client/view/draw_list.h"
+#include "client/view/bounds.h"
 
 namespace prosector {
 
@@ -17,11 +17,6 @@ Eigen::Matrix4d projection_of(const DrawCamera& camera);
 
 /// Clip from room.
 Eigen::Matrix4d view_projection_of(const DrawCamera& camera);
-
-struct Sphere {
-  Vec3 center = Vec3::Zero();
-  double radius = 0;  // m
-};
 
 /// The six planes of a clip matrix (Gribb and Hartmann 2001).
 class Frustum {

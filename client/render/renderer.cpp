@@ -117,13 +117,8 @@ std::vector<QueuedItem> Renderer::Impl::upload(const DrawList& list) {
   items.reserve(list.items.size());
   for (const DrawItem& item : list.items) {
     if (!item.mesh || (item.shaft && !passes->shafts)) continue;
-    const MeshCache::Entry& mesh = meshes.upload(*item.mesh);
-    // The Frobenius norm is never below the largest stretch.
-    const bool shaped = !item.shape.A.isIdentity(0);
-    items.push_back({&item,
-                     mesh,
-                     {item.shape * (item.pose * mesh.bounds.center),
-                      mesh.bounds.radius * (shaped ? item.shape.A.norm() : 1)}});
+    const MeshCache::Entry& mesh = meshes.upload(*item.mesh, item.detail);
+    items.push_back({&item, &mesh, placed(mesh.bounds, item)});
   }
   return items;
 }
@@ -136,7 +131,7 @@ void Renderer::Impl::prepare_for_users(const DrawList& list, std::vector<QueuedI
   if (kinds == passes->prepared_lights || list.cameras.empty()) return;
   passes->prepared_lights = kinds;
   for (const DrawItem& item : users_to_come)
-    items.push_back({&item, meshes.upload(*item.mesh), {list.cameras[0].pose.p, 1e3}});
+    items.push_back({&item, &meshes.upload(*item.mesh), {list.cameras[0].pose.p, 1e3}});
 }
 
 void Renderer::Impl::clear(const DrawCamera& camera, const Vec3& background) const {

@@ -31,6 +31,7 @@ struct RendererSettings {
 struct QualityLevel {
   std::string_view name;
   RendererSettings settings;
+  double detail = 0.5;  // pixels by which surfaces may be off to be drawn with fewer triangles; 0: never
 };
 /// What `--quality` chooses from; medium is the default.
 inline constexpr std::array<QualityLevel, 3> quality_levels = {

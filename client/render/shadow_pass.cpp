@@ -90,8 +90,8 @@ bool ShadowPass::note_changes(const Items& items, const Eigen::Matrix4d& clip_fr
   unchanged_.resize(items.size());
   for (std::size_t k = 0; k < items.size(); ++k) {
     const DrawItem& item = *items[k]->item;
-    const Caster now{item.mesh->id, item.mesh->revision, item.mesh->positions_revision, item.pose,
-                     item.shape};
+    const Caster now{item.mesh->id, item.mesh->revision, item.mesh->positions_revision,
+                     item.level,    item.pose,           item.shape};
     const bool same = now == casters_[k];
     unchanged_[k] = same ? unchanged_[k] + 1 : 0;
     changed = changed || !same;
@@ -133,7 +133,7 @@ void ShadowPass::draw_items(const Items& items, const MeshCache& meshes) const {
   program_.use();
   for (const QueuedItem* queued : items) {
     program_.set("clip_from_mesh", Eigen::Matrix4d(clip_from_room_ * matrix_of(*queued->item)));
-    meshes.draw(queued->mesh);
+    prosector::draw(meshes, *queued);
   }
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
   gl_.Disable(GL_SCISSOR_TEST);

@@ -35,12 +35,13 @@ class ShadowPass {
   /// Something that casts a shadow, as far as the shadow depends on it.
   struct Caster {
     std::uint64_t mesh = 0, revision = 0, positions_revision = 0;
+    std::size_t level = 0;
     Pose pose;
     Affine shape;
     bool operator==(const Caster& o) const {
       return mesh == o.mesh && revision == o.revision && positions_revision == o.positions_revision &&
-             pose.p == o.pose.p && pose.q.coeffs() == o.pose.q.coeffs() && shape.A == o.shape.A &&
-             shape.p == o.shape.p;
+             level == o.level && pose.p == o.pose.p && pose.q.coeffs() == o.pose.q.coeffs() &&
+             shape.A == o.shape.A && shape.p == o.shape.p;
     }
   };
   using Items = std::vector<const QueuedItem*>;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "client/view/detail.h"
 #include "common/math.h"
 #include "common/messages.h"
 
@@ -20,7 +21,7 @@ struct DrawMesh {
   std::vector<Eigen::Vector3f> positions;
   std::vector<Eigen::Vector3f> normals;
   std::vector<Eigen::Vector3f> rest_positions;  // for textures that stick to tissue; empty: positions
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  Triangles triangles;
 };
 
 struct DrawItem {
@@ -37,7 +38,15 @@ struct DrawItem {
   bool shaft = false;
   /// The mesh's rest positions hold colours (linear), which no light changes but by the eye's direction.
   bool painted = false;
+  std::shared_ptr<const Detail> detail = {};  // coarser lists of the mesh's triangles; null: none
+  std::size_t level = 0;                      // of them, for every camera and the shadow; 0: the mesh's own
 };
+
+/// The triangles that the item is drawn with.
+inline const Triangles& triangles_of(const DrawItem& item) {
+  return item.level == 0 || !item.detail ? item.mesh->triangles
+                                         : item.detail->coarser.at(item.level - 1).triangles;
+}
 
 /// Screen-space line, for axes and overlays; drawn after everything, depth tested or not.
 struct DrawLine {

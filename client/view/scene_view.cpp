@@ -39,6 +39,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   if (settings.wireframes) add_wireframes(replica, tick);
   add_panels(replica);
   people_.add(list_, replica, tick, self, settings.follow, next_mesh_id_);
+  level_of_detail_.choose(list_, settings.detail);
   if (settings.shown != Shown::none) add_legend(list_, scale_of(settings.shown));
   if (!settings.notes.empty())
     list_.texts.push_back({.text = settings.notes,

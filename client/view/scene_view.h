@@ -9,6 +9,7 @@
 
 #include "client/replica/replica.h"
 #include "client/view/draw_list.h"
+#include "client/view/level_of_detail.h"
 #include "client/view/panel_view.h"
 #include "client/view/people.h"
 #include "client/view/pick.h"
@@ -38,6 +39,7 @@ class SceneView {
   std::map<BodyId, Edges> wires_;
   std::map<BodyId, std::uint64_t> wire_shapes_;             // SoftReplica::shape() that wires_ are of
   std::vector<std::pair<BodyId, std::size_t>> part_items_;  // of list_.items, the bodies' that are parts
+  LevelOfDetail level_of_detail_;
   std::uint64_t next_mesh_id_ = 1;
   DrawList list_;
 

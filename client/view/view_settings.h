@@ -15,6 +15,7 @@ struct ViewSettings {
   int width = 800, height = 600;        // pixels
   double scale = 1;                     // pixels of a point, in which overlays are measured
   std::optional<StereoProfile> stereo;  // nullopt: one picture
+  double detail = 0;                    // pixels, for LevelOfDetail::choose()
   bool overlay = true;
   bool wireframes = false;          // of what bodies collide as
   Shown shown = Shown::none;        // by soft bodies' colours

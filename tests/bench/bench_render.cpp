@@ -7,6 +7,7 @@
 #include "client/render/renderer.h"
 #include "client/view/camera.h"
 #include "client/view/hand_mesh.h"
+#include "client/view/level_of_detail.h"
 #include "client/view/normals.h"
 #include "client/view/still_scene.h"
 #include "common/clock.h"
@@ -64,6 +65,7 @@ Subject scene_with_hand(const RenderBenchOptions& options) {
   out.fov = scene.camera.fov;
   out.stereo = options.stereo;
   set_size(out, options.width, options.height);
+  add_detail(out.list);
   return out;
 }
 
@@ -73,6 +75,7 @@ struct Case {
   std::string name;
   RendererSettings settings;
   Motion motion;
+  double detail = quality_levels[1].detail;  // pixels
 };
 
 void move(Subject& subject, Motion motion) {
@@ -89,11 +92,13 @@ struct Cost {
   double cpu_ms = 0, wall_ms = 0;                 // with reading the picture back
   double drawn_ms = 0;                            // not read back, the next begun before the last is done
   std::map<std::string, double> wall_ms_of = {};  // each pass, with nothing overlapping
+  std::size_t drawn = 0;                          // triangles of the last frame's levels of detail
 };
 
 /// ms a frame when nobody waits for single ones, as where a display shows them: for a second at least, so
 /// that a GPU that idled comes up to speed.
-double drawn_ms(Renderer& renderer, Subject& subject, Motion motion) {
+template <class Draw>
+double drawn_ms(Renderer& renderer, const Draw& draw) {
   constexpr int ahead = 10;  // frames, then all are waited for
   constexpr std::int64_t second = 1'000'000'000;
   int frames = 0;
@@ -102,10 +107,7 @@ double drawn_ms(Renderer& renderer, Subject& subject, Motion motion) {
     frames = 0;
     start = monotonic_ns();
     do {
-      for (int k = 0; k < ahead; ++k) {
-        move(subject, motion);
-        renderer.draw(subject.list);
-      }
+      for (int k = 0; k < ahead; ++k) draw();
       renderer.finish();
       frames += ahead;
       now = monotonic_ns();
@@ -117,10 +119,19 @@ double drawn_ms(Renderer& renderer, Subject& subject, Motion motion) {
 Cost measure(Subject& subject, const Case& what, const RenderBenchOptions& options) {
   const auto context = make_offscreen_context(subject.width, subject.height);
   Renderer renderer(*context, default_shader_dir(), what.settings);
+  LevelOfDetail level_of_detail;
+  Cost cost;
+  std::int64_t last = 0;
+  const auto move_and_draw = [&] {
+    move(subject, what.motion);
+    last = monotonic_ns();
+    level_of_detail.choose(subject.list, what.detail);
+    cost.wall_ms_of["detail"] += 1e-6 * static_cast<double>(monotonic_ns() - last) / options.frames;
+    renderer.draw(subject.list);
+  };
   const auto draw = [&](int frames) {
     for (int frame = 0; frame < frames; ++frame) {
-      move(subject, what.motion);
-      renderer.draw(subject.list);
+      move_and_draw();
       const Image image = renderer.read_pixels();
       if (frame + 1 == options.frames && !options.picture_folder.empty())
         write_png(image, std::filesystem::path(options.picture_folder) / (what.name + ".png"));
@@ -128,14 +139,13 @@ Cost measure(Subject& subject, const Case& what, const RenderBenchOptions& optio
   };
   constexpr int warm_up = 2;
   draw(warm_up);
-  Cost cost;
   const double cpu_start = cpu_ms();
   const std::int64_t start = monotonic_ns();
   draw(options.frames);
   cost.wall_ms = 1e-6 * static_cast<double>(monotonic_ns() - start) / options.frames;
   cost.cpu_ms = (cpu_ms() - cpu_start) / options.frames;
-  cost.drawn_ms = drawn_ms(renderer, subject, what.motion);
-  std::int64_t last = monotonic_ns();
+  cost.drawn_ms = drawn_ms(renderer, move_and_draw);
+  cost.wall_ms_of.clear();
   renderer.on_pass([&](std::string_view pass) {
     const std::int64_t now = monotonic_ns();
     if (pass != "upload")
@@ -143,6 +153,7 @@ Cost measure(Subject& subject, const Case& what, const RenderBenchOptions& optio
     last = now;
   });
   draw(options.frames);
+  for (const DrawItem& item : subject.list.items) cost.drawn += triangles_of(item).size();
   return cost;
 }
 
@@ -177,8 +188,10 @@ void subdivide_bodies(Subject& subject) {
     const bool is_organ = item.mesh == subject.organ;
     const auto finer = subdivided(*item.mesh, item.mesh->id + (1U << 24));
     item.mesh = finer;
+    item.detail = nullptr;
     if (is_organ) subject.organ = finer;
   }
+  add_detail(subject.list);
 }
 
 std::size_t triangles_of(const DrawList& list) {
@@ -196,13 +209,16 @@ Report bench_render(const RenderBenchOptions& options) {
                          {number, "width", "wide"},
                          {number, "height", "high"},
                          {number, "triangles", "triangles"},
+                         {number, "drawn", "drawn"},
                          {number, "cpu_ms_per_frame", "CPU ms, all threads"},
                          {number, "wall_ms_per_frame", "ms"},
                          {number, "drawn_ms_per_frame", "not read back"},
                          {number, "ms_passes", "all passes"},
+                         {number, "ms_detail", "detail"},
                          {number, "ms_shadow", "shadow"},
                          {number, "ms_environment", "mirror"},
                          {number, "ms_surfaces", "surfaces"},
+                         {number, "ms_glass", "glass"},
                          {number, "ms_shafts", "shafts"},
                          {number, "ms_edges", "edges"}});
   fmt::print(
@@ -215,6 +231,7 @@ Report bench_render(const RenderBenchOptions& options) {
     ReportRow row = {{"name", what.name},
                      {"scene", subject.scene},
                      {"triangles", triangles_of(subject.list)},
+                     {"drawn", cost.drawn},
                      {"width", subject.width},
                      {"height", subject.height},
                      {"eyes", subject.list.cameras.size()},
@@ -233,7 +250,8 @@ Report bench_render(const RenderBenchOptions& options) {
   };
   const QualityLevel& usual = quality_levels[1];
   for (const QualityLevel& level : quality_levels)
-    add({std::string(level.name), level.settings, Motion::press});
+    add({std::string(level.name), level.settings, Motion::press, level.detail});
+  add({"medium, all triangles", usual.settings, Motion::press, 0});
   add({"only the hand moves", {}, Motion::hand});
   add({"nothing moves", {}, Motion::none});
   for (std::size_t k = 0; k < effect_rows.size(); ++k) {
@@ -244,12 +262,15 @@ Report bench_render(const RenderBenchOptions& options) {
   for (const double scale : {0.5, 2.0}) {
     set_size(subject, static_cast<int>(scale * options.width), static_cast<int>(scale * options.height));
     for (const QualityLevel& level : quality_levels)
-      add({fmt::format("{}, {} times the size", level.name, scale), level.settings, Motion::press});
+      add({fmt::format("{}, {} times the size", level.name, scale), level.settings, Motion::press,
+           level.detail});
   }
   set_size(subject, options.width, options.height);
   for (int finer = 1; finer <= 2; ++finer) {
     subdivide_bodies(subject);
-    add({fmt::format("medium, {} times the triangles", finer == 1 ? 4 : 16), usual.settings, Motion::press});
+    const int times = finer == 1 ? 4 : 16;
+    add({fmt::format("medium, {} times the triangles", times), usual.settings, Motion::press});
+    add({fmt::format("medium, all of {} times", times), usual.settings, Motion::press, 0});
   }
   return report;
 }

@@ -1,0 +1,163 @@
+#include "client/view/detail.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "client/view/normals.h"
+#include "client/view/place_on_triangle.h"
+
+namespace prosector {
+namespace {
+
+using Vec3f = Eigen::Vector3f;
+
+constexpr std::size_t most_levels = 6;
+constexpr std::size_t least_triangles = 64;
+
+/// Of one vertex, as error_of() says.
+float squared_error(const CoarserList::LeftOut& out, const std::array<std::uint32_t, 3>& corners,
+                    std::span<const Vec3f> positions, std::span<const Vec3f> normals) {
+  const auto& [a, b, c] = corners;
+  const auto& [s, t] = out.weights;
+  const float r = 1 - s - t;
+  const Vec3f off = positions[out.vertex] - (r * positions[a] + s * positions[b] + t * positions[c]);
+  const Vec3f turned = normals[out.vertex] - (r * normals[a] + s * normals[b] + t * normals[c]);
+  const float bump = out.reach / 2;
+  return std::max(off.squaredNorm(), bump * bump * turned.squaredNorm());
+}
+
+/// The surface with its creases closed: vertices at one place are one there.
+struct Welded {
+  std::vector<std::uint32_t> place;                  // of each vertex
+  std::vector<std::vector<std::uint32_t>> vertices;  // at each place
+  std::vector<Vec3f> positions;
+  Triangles triangles;
+};
+
+Welded weld(std::span<const Vec3f> rest, const Triangles& triangles) {
+  Welded out;
+  std::map<std::array<float, 3>, std::uint32_t> known;
+  for (std::uint32_t v = 0; v < rest.size(); ++v) {
+    const auto [found, is_new] = known.try_emplace({rest[v].x(), rest[v].y(), rest[v].z()},
+                                                   static_cast<std::uint32_t>(out.positions.size()));
+    if (is_new) {
+      out.positions.push_back(rest[v]);
+      out.vertices.emplace_back();
+    }
+    out.place.push_back(found->second);
+    out.vertices[found->second].push_back(v);
+  }
+  for (const auto& [a, b, c] : triangles) out.triangles.push_back({out.place[a], out.place[b], out.place[c]});
+  return out;
+}
+
+/// A coarser list of a surface, and what of it stands for the vertices that it leaves out.
+class Coarsening {
+ public:
+  Coarsening(std::span<const Vec3f> rest, const Triangles& triangles)
+      : rest_(rest),
+        triangles_(triangles),
+        welded_(weld(rest, triangles)),
+        collapser_(welded_.positions, welded_.triangles) {
+    smooth_normals(rest, triangles, normals_);
+  }
+
+  /// nullopt: it can't be reduced to so few.
+  std::optional<CoarserList> reduced_to(std::size_t triangles) {
+    if (!collapser_.reduce_to(triangles)) return std::nullopt;
+    CoarserList out;
+    around_.assign(welded_.positions.size(), {});
+    std::vector<bool> used(rest_.size(), false), kept(rest_.size(), false);
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      for (const std::uint32_t v : triangles_[t]) used[v] = true;
+      if (collapser_.is_gone(t)) continue;
+      std::array<std::uint32_t, 3> corners{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners[k] = stand_in(triangles_[t][k]);
+        kept[corners[k]] = true;
+        around_[welded_.place[corners[k]]].push_back(static_cast<std::uint32_t>(out.triangles.size()));
+      }
+      out.triangles.push_back(corners);
+    }
+    for (std::uint32_t v = 0; v < rest_.size(); ++v)
+      if (used[v] && !kept[v]) out.left_out.push_back(left_out(v, out.triangles));
+    return out;
+  }
+
+ private:
+  /// Of those where the vertex went to, the one on its side of creases.
+  std::uint32_t stand_in(std::uint32_t v) const {
+    const std::uint32_t place = welded_.place[v], into = collapser_.stand_in(place);
+    if (into == place) return v;
+    return *std::ranges::max_element(welded_.vertices[into], {},
+                                     [&](std::uint32_t other) { return normals_[v].dot(normals_[other]); });
+  }
+
+  /// Walks from the triangles where the vertex went to, to ever better ones.
+  CoarserList::LeftOut left_out(std::uint32_t v, const Triangles& triangles) const {
+    CoarserList::LeftOut best{v, 0, {}, 0};
+    float least = std::numeric_limits<float>::infinity();
+    std::vector<std::uint32_t> to_try = around_[collapser_.stand_in(welded_.place[v])];
+    while (!to_try.empty()) {
+      bool is_better = false;
+      for (const std::uint32_t t : to_try) {
+        const auto& [a, b, c] = triangles[t];
+        const PlaceOnTriangle place = place_near(rest_[v], rest_[a], rest_[b], rest_[c]);
+        const float reach =
+            std::sqrt(std::min({(rest_[a] - place.at).squaredNorm(), (rest_[b] - place.at).squaredNorm(),
+                                (rest_[c] - place.at).squaredNorm()}));
+        const CoarserList::LeftOut here{v, t, place.weights, reach};
+        const float error = squared_error(here, triangles[t], rest_, normals_);
+        if (!(error < least)) continue;
+        least = error;
+        best = here;
+        is_better = true;
+      }
+      to_try.clear();
+      if (!is_better) break;
+      for (const std::uint32_t corner : triangles[best.triangle]) {
+        const auto& more = around_[welded_.place[corner]];
+        to_try.insert(to_try.end(), more.begin(), more.end());
+      }
+    }
+    return best;
+  }
+
+  std::span<const Vec3f> rest_;
+  const Triangles& triangles_;
+  std::vector<Vec3f> normals_;
+  Welded welded_;
+  EdgeCollapser collapser_;
+  std::vector<std::vector<std::uint32_t>> around_;  // by place: triangles of the list that is being made
+};
+
+}  // namespace
+
+Detail make_detail(std::span<const Vec3f> rest, const Triangles& triangles) {
+  Detail out;
+  if (triangles.size() < least_detailed) return out;
+  Coarsening coarsening(rest, triangles);
+  for (std::size_t wanted = triangles.size() / 2;
+       wanted >= least_triangles && out.coarser.size() < most_levels; wanted /= 2) {
+    auto list = coarsening.reduced_to(wanted);
+    if (!list) break;
+    out.coarser.push_back(std::move(*list));
+  }
+  return out;
+}
+
+double error_of(const CoarserList& list, std::span<const Vec3f> positions, std::span<const Vec3f> normals,
+                double enough) {
+  const auto most = static_cast<float>(enough * enough);
+  float largest = 0;
+  for (const CoarserList::LeftOut& out : list.left_out) {
+    largest = std::max(largest, squared_error(out, list.triangles[out.triangle], positions, normals));
+    if (largest > most) break;
+  }
+  return std::sqrt(static_cast<double>(largest));
+}
+
+}  // namespace prosector

@@ -1,0 +1,38 @@
+#pragma once
+// Levels of detail: coarser lists of a mesh's triangles over the same vertices, which move as they did, and
+// how far each list is from the surface as it is bent now.
+
+#include "client/view/edge_collapse.h"
+
+namespace prosector {
+
+struct CoarserList {
+  /// A vertex that no triangle has, and the place on one of them that stands for it.
+  struct LeftOut {
+    std::uint32_t vertex, triangle;
+    std::array<float, 2> weights;  // of the triangle's second and third corner
+    float reach;                   // m at rest, from that place to the nearest corner
+  };
+  Triangles triangles;
+  std::vector<LeftOut> left_out;
+};
+
+/// Each with half of the triangles of the one before, about, beginning with that of the mesh.
+struct Detail {
+  std::vector<CoarserList> coarser;
+};
+
+/// Below this many triangles a mesh is drawn as it is.
+inline constexpr std::size_t least_detailed = 256;
+
+/// Of a surface at rest. Takes some seconds for a million triangles.
+Detail make_detail(std::span<const Eigen::Vector3f> rest, const Triangles& triangles);
+
+/// How far the list is from the surface as that is bent now, m: no vertex that it leaves out is farther from
+/// the place that stands for it, nor so from the coarser surface; and a normal that is off counts as a bump
+/// would that turns it so, half as high as it is far to the next vertex. Any value above `enough` where it is
+/// more than that.
+double error_of(const CoarserList& list, std::span<const Eigen::Vector3f> positions,
+                std::span<const Eigen::Vector3f> normals, double enough);
+
+}  // namespace prosector
