@@ -53,6 +53,7 @@ TEST_P(Trees, FollowCutsAndWhatIsTakenBack) {
         if (!cuts.back().ops.empty()) answers_as_anew(stroke[i - 1], stroke[i]);
       }
     }
+    if (cuts.empty()) continue;
     const Stroke& last = row.strokes.back();
     for (std::size_t k = cuts.back().ops.size(); k-- > 0;) complex.take_back(cuts.back().ops[k]);
     answers_as_anew(last.front(), last.back());
