@@ -4,52 +4,34 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <iostream>
-#include <random>
 #include <utility>
 
 #include "server/physics/cutting/pieces.h"
 #include "tests/cutting/meshes.h"
 #include "tests/cutting/soundness.h"
 #include "tests/cutting/strokes.h"
+#include "tests/random.h"
 
 namespace prosector {
 namespace {
 
-unsigned number(const char* variable, unsigned otherwise) {
-  const char* text = std::getenv(variable);
-  return text ? static_cast<unsigned>(std::strtoul(text, nullptr, 10)) : otherwise;
+Vec3 in_mesh(Random& random, double reach) {
+  return Vec3::Constant(mesh_size / 2) + random.point(mesh_size * reach);
 }
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double uniform(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_()) / static_cast<double>(engine_.max());
-  }
-  Vec3 point(double reach) {
-    return Vec3::NullaryExpr([&] { return mesh_size * (0.5 + reach * uniform(-1, 1)); });
-  }
-  std::size_t below(std::size_t n) { return engine_() % n; }
-
- private:
-  std::mt19937 engine_;
-};
 
 // One to twelve ticks with an edge of two to five points that wanders; every tenth over 1e-6 m only.
 Stroke random_stroke(Random& random) {
   const std::size_t points = 2 + random.below(4), ticks = 1 + random.below(12);
-  const Vec3 a = random.point(0.9), b = random.point(0.9);
-  Vec3 way = (random.point(0.9) - random.point(0.9)) / static_cast<double>(ticks);
+  const Vec3 a = in_mesh(random, 0.9), b = in_mesh(random, 0.9);
+  Vec3 way = (in_mesh(random, 0.9) - in_mesh(random, 0.9)) / static_cast<double>(ticks);
   if (random.below(10) == 0) way *= 1e-6 / way.norm();
   std::vector<Vec3> edge;
   for (std::size_t i = 0; i < points; ++i)
     edge.push_back(a + (b - a) * static_cast<double>(i) / static_cast<double>(points - 1));
   Stroke stroke = {edge};
   for (std::size_t i = 0; i < ticks; ++i) {
-    for (Vec3& x : edge)
-      x += way + 0.1 * way.norm() / mesh_size * (random.point(1) - Vec3::Constant(mesh_size / 2));
+    for (Vec3& x : edge) x += way + 0.1 * way.norm() / mesh_size * random.point(mesh_size);
     stroke.push_back(edge);
   }
   return stroke;
@@ -58,7 +40,7 @@ Stroke random_stroke(Random& random) {
 void knead(std::vector<Vec3>& x, const TetComplex& complex, Random& random) {
   const double bend = random.uniform(-8, 8), squeeze = random.uniform(0.3, 1.2),
                push = random.uniform(-0.04, 0.04);
-  const Vec3 hit = random.point(0.5);
+  const Vec3 hit = in_mesh(random, 0.5);
   for (NodeId i = 0; i < x.size(); ++i) {
     const Vec3& r = complex.rest(i);
     x[i] = {r[0], squeeze * r[1] + bend * r[0] * r[0], r[2]};
@@ -89,7 +71,7 @@ class RandomStrokes : public ::testing::TestWithParam<Case> {};
 
 TEST_P(RandomStrokes, LeaveTheMeshSoundAndCanBeTakenBack) {
   const unsigned strokes = number("PROSECTOR_STROKES", default_strokes);
-  const unsigned seed = number("PROSECTOR_SEED", GetParam().fixed_seed ? 20261122 : std::random_device{}());
+  const unsigned seed = test_seed(GetParam().fixed_seed);
   std::cout << "PROSECTOR_SEED=" << seed << " PROSECTOR_STROKES=" << strokes << std::endl;
   const TetMesh mesh = GetParam().mesh == "box"    ? box_mesh(3)
                        : GetParam().mesh == "ball" ? ball_mesh(0.025)

@@ -3,15 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
-#include <random>
 
 #include "common/anatomy/fabric.h"
 #include "server/physics/cutting/carry.h"
 #include "server/physics/cutting/pieces.h"
 #include "server/physics/cutting/sheet_mass.h"
 #include "tests/cutting/strokes.h"
+#include "tests/random.h"
 
 namespace prosector {
 namespace {
@@ -185,24 +184,20 @@ void expect_as_rebuilt(const CutSheet& sheet, const Anatomy& uncut) {
 }
 
 void make_random_strokes(unsigned seed) {
-  std::cout << "seed " << seed << std::endl;
-  std::mt19937 engine(seed);
-  const auto uniform = [&](double low, double high) {
-    return low + (high - low) * static_cast<double>(engine()) / static_cast<double>(engine.max());
-  };
+  std::cout << "PROSECTOR_SEED=" << seed << std::endl;
+  Random random(seed);
   const Anatomy uncut = square(0.1, 0.02);
   CutSheet sheet(uncut);
   const double mass = total_mass(sheet.complex), volume = total_volume(sheet.complex);
   std::vector<std::pair<std::uint64_t, std::size_t>> before;  // hash, operations
   for (int i = 0; i < 400; ++i) {
     before.emplace_back(sheet.complex.content_hash(), sheet.ops.size());
-    const Vec3 from(uniform(-0.07, 0.07), uniform(-0.01, 0.01), uniform(-0.07, 0.07));
-    const Vec3 to = i % 10 == 0 ? Vec3(from + Vec3(1e-6, 0, 0))
-                                : Vec3(uniform(-0.07, 0.07), uniform(-0.01, 0.01), uniform(-0.07, 0.07));
-    sheet.make(drawn(from, to, 1 + static_cast<int>(engine() % 8)));
+    const auto place = [&] { return Vec3(random.point(1).cwiseProduct(Vec3(0.07, 0.01, 0.07))); };
+    const Vec3 from = place(), to = i % 10 == 0 ? Vec3(from + Vec3(1e-6, 0, 0)) : place();
+    sheet.make(drawn(from, to, 1 + static_cast<int>(random.below(8))));
     for (const NodeId node : sheet.complex.node_ids())  // it moves
       sheet.x[node] =
-          sheet.complex.rest(node) + Vec3(0, 3 * sheet.complex.rest(node).x() * uniform(0, 0.01), 0);
+          sheet.complex.rest(node) + Vec3(0, 3 * sheet.complex.rest(node).x() * random.uniform(0, 0.01), 0);
     ASSERT_NEAR(total_mass(sheet.complex), mass, 1e-12 * mass) << "after stroke " << i;
     ASSERT_NEAR(total_volume(sheet.complex), volume, 1e-12 * volume) << "after stroke " << i;
     if (i % 50 == 49) expect_as_rebuilt(sheet, uncut);
@@ -217,12 +212,11 @@ void make_random_strokes(unsigned seed) {
 }
 
 TEST(SheetStrokes, AtRandomOfAFixedSeed) {
-  make_random_strokes(20261122);
+  make_random_strokes(test_seed(true));
 }
 
 TEST(SheetStrokes, AtRandomOfAnySeed) {
-  const char* text = std::getenv("PROSECTOR_SEED");
-  make_random_strokes(text ? static_cast<unsigned>(std::strtoul(text, nullptr, 10)) : std::random_device{}());
+  make_random_strokes(test_seed(false));
 }
 
 }  // namespace

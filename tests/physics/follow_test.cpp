@@ -3,29 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <random>
 
 #include "server/physics/organs/organ.h"
 #include "server/physics/organs/tet_lineage.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/cutting/meshes.h"
+#include "tests/random.h"
 
 namespace prosector {
 namespace {
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double uniform(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_()) / static_cast<double>(engine_.max());
-  }
-  Vec3 point(double reach) {
-    return Vec3::NullaryExpr([&] { return uniform(-reach, reach); });
-  }
-
- private:
-  std::mt19937 engine_;
-};
 
 bool equal(const VecX& a, const VecX& b) {
   return a.size() == b.size() && (a.array() == b.array()).all();
