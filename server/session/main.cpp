@@ -13,6 +13,7 @@
 #include "common/scene/load_scene.h"
 #include "idl/cyclone_bus.h"
 #include "server/calibration/table_file.h"
+#include "server/physics/freed_memory.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/session/journal_reader.h"
@@ -191,6 +192,7 @@ void host(const ServerOptions& options) {
 
 int main(int argc, char** argv) {
   using namespace prosector;
+  keep_freed_memory();
   ServerOptions options;
   if (const auto status = parse_options(argc, argv, options)) return *status;
   std::signal(SIGINT, [](int) { interrupted = true; });

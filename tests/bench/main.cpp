@@ -4,11 +4,13 @@
 #include <iostream>
 #include <optional>
 
+#include "server/physics/freed_memory.h"
 #include "tests/bench/machine.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/trade_case.h"
 
 int main(int argc, char** argv) try {
+  prosector::keep_freed_memory();  // as the server does
   CLI::App app("Measures what things cost on this machine.", "prosector-bench");
   app.require_subcommand(1);
   std::string file;
