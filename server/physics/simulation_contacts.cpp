@@ -137,8 +137,14 @@ bool Simulation::Impl::add_contacts(std::size_t body, const Collider& collider, 
     if (!still && surfaces[body].stretch_at(vertex) >= most_stretch) return;
     recall(memory, out.emplace_back(vertex_contact(body, vertex, *side, collider)));
   });
+  const KnownSide known = [&](std::uint32_t triangle) -> std::optional<Vec3> {
+    if (const ContactMemory* own = find(held, other, first_face + triangle)) return own->normal;
+    for (const std::uint32_t next : surfaces[body].neighbours(triangle))
+      if (const ContactMemory* near = find(held, other, first_face + next)) return near->normal;
+    return std::nullopt;
+  };
   // Without a grip: what rolls over a face holds on to no point of it. A corner does not roll.
-  surfaces[body].near_thin(collider, margin + skin, [&](TriangleTouch touch) {
+  surfaces[body].near_thin(collider, margin + skin, known, [&](TriangleTouch touch) {
     touch.gap -= skin;
     out.push_back(face_contact(body, touch, collider));
     out.back().feature = first_face + touch.triangle;

@@ -7,7 +7,7 @@
 namespace prosector {
 
 SurfaceDetector Simulation::Impl::detector(const SoftBody& body) {
-  return SurfaceDetector(body.anatomy().embedding, body.anatomy().surface);
+  return SurfaceDetector(body.anatomy().embedding, body.anatomy().surface, body.anatomy().thickness > 0);
 }
 
 void Simulation::Impl::fit_to_mesh(std::size_t body, SurfaceDetector surface) {

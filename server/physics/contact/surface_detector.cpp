@@ -35,8 +35,8 @@ constexpr double most_depth = 2;      // radii: what is deeper than this beyond 
 
 }  // namespace
 
-SurfaceDetector::SurfaceDetector(const SparseMap& embedding, const TriangleMesh& rest)
-    : embedding_(&embedding), rest_(&rest), positions_(rest.positions) {
+SurfaceDetector::SurfaceDetector(const SparseMap& embedding, const TriangleMesh& rest, bool two_sided)
+    : embedding_(&embedding), rest_(&rest), two_sided_(two_sided), positions_(rest.positions) {
   tbb::parallel_invoke([&] { triangle_order_ = space_order(centres(rest)); },
                        [&] { order_ = space_order(rest.positions); });
   chunks_.resize((order_.size() + chunk_vertices - 1) / chunk_vertices);
@@ -134,8 +134,8 @@ double SurfaceDetector::stretch_at(std::uint32_t vertex) const {
   return most;
 }
 
-std::optional<TriangleTouch> SurfaceDetector::touch(std::uint32_t triangle, const Rod& rod,
-                                                    double margin) const {
+std::optional<TriangleTouch> SurfaceDetector::touch(std::uint32_t triangle, const Rod& rod, double margin,
+                                                    const KnownSide& known) const {
   const auto x = corners(triangle);
   const Vec3 grow = Vec3::Constant(margin);
   if (!boxes_overlap(rod.lo - grow, rod.hi + grow, x[0].cwiseMin(x[1]).cwiseMin(x[2]),
@@ -163,7 +163,14 @@ std::optional<TriangleTouch> SurfaceDetector::touch(std::uint32_t triangle, cons
   out.triangle = triangle;
   out.weights = near.weights;
   out.point = near.weights[0] * x[0] + near.weights[1] * x[1] + near.weights[2] * x[2];
-  const Vec3 out_of_tissue = side.normalized(), apart = near.on_segment - out.point;
+  Vec3 out_of_tissue = side.normalized();
+  const Vec3 apart = near.on_segment - out.point;
+  if (two_sided_) {
+    const auto before = known ? known(triangle) : std::nullopt;
+    const double towards_rod = out_of_tissue.dot(before ? Vec3(-*before) : apart);
+    if (towards_rod == 0) return std::nullopt;
+    if (towards_rod < 0) out_of_tissue = -out_of_tissue;
+  }
   const bool above = apart.dot(out_of_tissue) > 0;
   if (near.distance > 0) {
     out.normal = (above ? -1 : 1) / near.distance * apart;
@@ -245,7 +252,7 @@ std::vector<Rod> rods_of(const Collider& collider, double margin, const Vec3& lo
 bool SurfaceDetector::touches(const Collider& collider, double margin) const {
   bool found = false;
   near(collider, margin, [&](std::uint32_t, const Distance&) { found = true; });
-  if (!found) near_thin(collider, margin, [&](const TriangleTouch&) { found = true; });
+  if (!found) near_thin(collider, margin, {}, [&](const TriangleTouch&) { found = true; });
   return found;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Soft surfaces against rigid bodies: which surface vertices are inside or near which body.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -38,10 +39,15 @@ struct TriangleTouch {
   double strength = 1;          // in (0, 1]: share of the full contact stiffness, continuous in the positions
 };
 
+/// Which way is out of the rigid part, as far as is known, for a triangle of a sheet: a sheet has no inside
+/// that could tell on which side of it a thing is.
+using KnownSide = std::function<std::optional<Vec3>(std::uint32_t triangle)>;
+
 /// One soft surface, in the order that keeps neighbours together, with boxes around runs of vertices.
 class SurfaceDetector {
  public:
-  SurfaceDetector(const SparseMap& embedding, const TriangleMesh& rest);
+  /// `two_sided`: the surface is a sheet's, not a solid's.
+  SurfaceDetector(const SparseMap& embedding, const TriangleMesh& rest, bool two_sided = false);
 
   /// Takes the surface to node positions `x` (3n) and refits the boxes.
   void update(const double* x);
@@ -63,14 +69,19 @@ class SurfaceDetector {
   void near(const Collider& collider, double margin, const F& f) const;
   /// Calls back, in a fixed order, for what vertices alone would let slip between them: points inside faces
   /// and edges that come at most `margin` near a sphere, capsule or cylinder of the collider, and clearly
-  /// deeper than the face's corners do. Per triangle the deepest part.
+  /// deeper than the face's corners do. Per triangle the deepest part. Of a two-sided surface on the side
+  /// that is known, else on the nearer one.
   template <class F>
-  void near_thin(const Collider& collider, double margin, const F& f) const;
+  void near_thin(const Collider& collider, double margin, const KnownSide& known, const F& f) const;
   /// Where a corner of a box of the collider is nearest to a face or an edge, at most `margin` off or `depth`
   /// inside, and clearly deeper than the face's corners are in the collider: what vertices alone would let
   /// sink between them. Of the corner `at` in the room.
   std::optional<TriangleTouch> near_corner(const Collider& collider, const Vec3& at, double margin,
                                            double depth) const;
+  /// The triangle across each of its edges, or itself.
+  const std::array<std::uint32_t, 3>& neighbours(std::uint32_t triangle) const {
+    return neighbours_[triangle];
+  }
   /// Whether anything is that near.
   bool touches(const Collider& collider, double margin) const;
 
@@ -92,10 +103,12 @@ class SurfaceDetector {
   Vec3 outward(std::uint32_t triangle) const;
   double stretch(std::uint32_t triangle) const;
   /// What of the triangle touches the rod, if that is for this triangle to say.
-  std::optional<TriangleTouch> touch(std::uint32_t triangle, const Rod& rod, double margin) const;
+  std::optional<TriangleTouch> touch(std::uint32_t triangle, const Rod& rod, double margin,
+                                     const KnownSide& known) const;
 
   const SparseMap* embedding_;
   const TriangleMesh* rest_;
+  bool two_sided_;
   std::vector<std::array<std::uint32_t, 3>>
       neighbours_;  // per triangle and edge (k, k+1): across it, or itself
   std::vector<std::uint32_t> triangle_order_;
@@ -144,7 +157,8 @@ inline bool boxes_overlap(const Vec3& lo, const Vec3& hi, const Vec3& other_lo, 
 }
 
 template <class F>
-void SurfaceDetector::near_thin(const Collider& collider, double margin, const F& f) const {
+void SurfaceDetector::near_thin(const Collider& collider, double margin, const KnownSide& known,
+                                const F& f) const {
   const Vec3 grow = Vec3::Constant(margin);
   if (!boxes_overlap(collider.lo - grow, collider.hi + grow, lo_, hi_)) return;
   const std::vector<Rod> rods = rods_of(collider, margin, lo_, hi_);
@@ -155,7 +169,7 @@ void SurfaceDetector::near_thin(const Collider& collider, double margin, const F
     for (std::size_t i = c * chunk_triangles; i < triangle_chunk_end(c); ++i) {
       std::optional<TriangleTouch> deepest;
       for (const Rod& rod : rods)
-        if (const auto found = touch(triangle_order_[i], rod, margin);
+        if (const auto found = touch(triangle_order_[i], rod, margin, known);
             found && (!deepest || found->gap < deepest->gap))
           deepest = found;
       if (deepest) f(*deepest);

@@ -9,8 +9,8 @@
 namespace prosector {
 namespace {
 
-constexpr int sweeps = 4;               // over all contacts and ties, per substep
-constexpr double opening_speed = 0.25;  // m/s, at most, of what overlaps when the tick starts
+constexpr int sweeps = 4;            // over all contacts and ties, per substep
+constexpr double most_foreseen = 2;  // m/s: what stiff nets make of single nodes from one substep to the next
 
 struct Rigid {
   Vec3 v, w;                                         // m/s, rad/s
@@ -29,6 +29,10 @@ struct Side {
   Mat3 mobility = Mat3::Zero();  // 1/kg: velocity of the point per impulse on it
 };
 
+bool is_thin(const Side& side) {
+  return side.soft && side.soft->body->anatomy().thickness > 0;
+}
+
 Mat3 cross_matrix(const Vec3& v) {
   Mat3 m;
   m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
@@ -37,9 +41,11 @@ Mat3 cross_matrix(const Vec3& v) {
 
 struct Joint {
   Side a, b;
-  double gap = 0;               // m, contacts: when the substep starts
-  double normal = 0;            // N·s, of the substep
-  Vec3 impulse = Vec3::Zero();  // N·s, of the substep: contacts: friction; ties: all
+  double opening_speed = 0;      // m/s, contacts
+  double gap = 0;                // m, contacts: when the substep starts
+  Vec3 foreseen = Vec3::Zero();  // m/s, contacts: change of a − b in the substep, without impulses
+  double normal = 0;             // N·s, of the substep
+  Vec3 impulse = Vec3::Zero();   // N·s, of the substep: contacts: friction; ties: all
 };
 
 /// What is kept from tick to tick.
@@ -50,7 +56,7 @@ struct Buffers {
 
 class Coupling {
  public:
-  Coupling(Island& island, const SubstepTick& tick, std::span<double> work, Buffers& buffers)
+  Coupling(Island& island, const SubstepTick& tick, std::span<SubstepWork> work, Buffers& buffers)
       : island_(island),
         tick_(tick),
         work_(work),
@@ -63,7 +69,10 @@ class Coupling {
     contacts_.clear();
     for (const std::size_t c : tick.contacts) {
       Contact& contact = island.contacts[c];
-      contacts_.push_back({resolve(contact.a), resolve(contact.b)});
+      Joint& joint = contacts_.emplace_back();
+      joint = {resolve(contact.a), resolve(contact.b)};
+      joint.opening_speed =
+          is_thin(joint.a) && (!joint.b.soft || is_thin(joint.b)) ? thin_opening_speed : opening_speed;
       contact.force = 0;
       contact.exchanged.setZero();
     }
@@ -77,15 +86,18 @@ class Coupling {
     for (std::size_t m = 0; m < island_.soft.size(); ++m)
       if (tick_.substepped[m]) island_.soft[m].body->substepper()->begin(*island_.soft[m].state);
     for (int k = 0; k < tick_.substeps; ++k) {
-      passed_ = static_cast<double>(k + 1) / tick_.substeps;
-      for (std::size_t c = 0; c < contacts_.size(); ++c) contacts_[c].gap = gap(c, 0);
+      passed_ = static_cast<double>(k) / tick_.substeps;
+      if (k == 0) foresee_fall(hs);
+      meet(hs);
       for (std::size_t m = 0; m < island_.soft.size(); ++m) {
         SoftMember& member = island_.soft[m];
         const bool falls = member.body->falls();
         if (tick_.substepped[m])
           member.body->substepper()->step(hs, falls ? tick_.gravity : Vec3::Zero(), *member.state);
       }
-      exchange(hs);
+      passed_ = static_cast<double>(k + 1) / tick_.substeps;
+      learn();
+      hold(hs);
       for (Rigid& r : rigid_) {
         r.moved += hs * r.v;
         r.turned += hs * r.w;
@@ -155,50 +167,91 @@ class Coupling {
   }
 
   /// Between the surfaces: impulses open overlaps without a spring's energy, so they need no rest gap.
-  double gap(std::size_t c, double ahead) const {
-    const Contact& contact = island_.contacts[tick_.contacts[c]];
+  double gap(const Joint& joint, const Contact& contact) const {
     return contact.gap + contact.rest +
-           contact.normal.dot(displacement(contacts_[c].a, ahead) - displacement(contacts_[c].b, ahead));
+           contact.normal.dot(displacement(joint.a, 0) - displacement(joint.b, 0));
   }
 
-  void push(const Side& side, const Vec3& impulse, double hs) const {
+  /// `ahead`: s, for which positions go along.
+  /// Returns J, what the side's kinetic energy gains.
+  double push(const Side& side, const Vec3& impulse, double ahead) const {
+    double gained = 0;
     if (side.soft) {
       Motion& motion = side.soft->state->motion;
       for (std::size_t k = 0; k < side.at->nodes; ++k) {
         const auto node = static_cast<Eigen::Index>(side.at->node[k]);
         const Vec3 change = side.at->weight[k] / side.soft->body->node_mass()[node] * impulse;
         auto v = motion.v.segment<3>(3 * node);
-        work_[side.member] += side.at->weight[k] * impulse.dot(v + change / 2);
+        gained += side.at->weight[k] * impulse.dot(v + change / 2);
         v += change;
-        motion.x.segment<3>(3 * node) += hs * change;
+        motion.x.segment<3>(3 * node) += ahead * change;
       }
       motion.has_history = false;
-    } else if (side.rigid) {
-      side.rigid->v += side.rigid->inverse_mass * impulse;
-      side.rigid->w += side.rigid->inverse_inertia * side.at->arm.cross(impulse);
-    }
-  }
-
-  void push(const Joint& joint, const Vec3& impulse, double hs) const {
-    push(joint.a, impulse, hs);
-    push(joint.b, -impulse, hs);
-  }
-
-  void exchange(double hs) {
-    for (auto* joints : {&contacts_, &ties_})
-      for (Joint& joint : *joints) {
-        joint.normal = 0;
-        joint.impulse.setZero();
+      work_[side.member].done += gained;
+    } else {
+      const Vec3 before = velocity(side);
+      if (side.rigid) {
+        side.rigid->v += side.rigid->inverse_mass * impulse;
+        side.rigid->w += side.rigid->inverse_inertia * side.at->arm.cross(impulse);
       }
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-      for (std::size_t t = 0; t < ties_.size(); ++t) pull(ties_[t], island_.ties[tick_.ties[t]], hs);
-      for (std::size_t c = 0; c < contacts_.size(); ++c) press(c, hs);
+      gained = impulse.dot(before + velocity(side)) / 2;
     }
+    return gained;
+  }
+
+  double push(const Joint& joint, const Vec3& impulse, double ahead) const {
+    return push(joint.a, impulse, ahead) + push(joint.b, -impulse, ahead);
+  }
+
+  void press_on(const Joint& joint, const Vec3& impulse) const {
+    const double made = push(joint, impulse, 0);
+    if (joint.a.soft) work_[joint.a.member].made += made;
+    if (joint.b.soft) work_[joint.b.member].made += made;
+  }
+
+  Vec3 relative_velocity(const Joint& joint) const { return velocity(joint.a) - velocity(joint.b); }
+
+  /// m/s, by gravity in a substep.
+  Vec3 fall(const Side& side, double hs) const {
+    const bool falls = side.soft && tick_.substepped[side.member] && side.soft->body->falls();
+    return falls ? Vec3(hs * tick_.gravity) : Vec3::Zero();
+  }
+
+  void foresee_fall(double hs) {
+    for (Joint& joint : contacts_) joint.foreseen = fall(joint.a, hs) - fall(joint.b, hs);
+  }
+
+  /// Contacts, before the substep: on velocities alone, so that nothing is strained by it.
+  void meet(double hs) {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      Contact& contact = island_.contacts[tick_.contacts[c]];
-      contact.force += contacts_[c].normal / tick_.h;
-      contact.exchanged += (contacts_[c].normal * contact.normal + contacts_[c].impulse) / tick_.h;
+      contacts_[c].gap = gap(contacts_[c], contact(c));
+      contacts_[c].normal = 0;
+      contacts_[c].impulse.setZero();
     }
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+      for (std::size_t c = 0; c < contacts_.size(); ++c) press(contacts_[c], contact(c), hs);
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+      Joint& joint = contacts_[c];
+      contact(c).force += joint.normal / tick_.h;
+      contact(c).exchanged += (joint.normal * contact(c).normal + joint.impulse) / tick_.h;
+      joint.foreseen = -relative_velocity(joint);
+    }
+  }
+
+  /// What the bodies made of the substep by themselves, as after meet(): so much the next one will.
+  void learn() {
+    for (Joint& joint : contacts_) {
+      joint.foreseen += relative_velocity(joint);
+      if (const double size = joint.foreseen.norm(); size > most_foreseen)
+        joint.foreseen *= most_foreseen / size;
+    }
+  }
+
+  /// Ties, after it.
+  void hold(double hs) {
+    for (Joint& joint : ties_) joint.impulse.setZero();
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+      for (std::size_t t = 0; t < ties_.size(); ++t) pull(ties_[t], island_.ties[tick_.ties[t]], hs);
   }
 
   /// The tie's spring over the substep, as implicit Euler would have it, bounded.
@@ -212,36 +265,37 @@ class Coupling {
     joint.impulse = total;
   }
 
-  void press(std::size_t c, double hs) {
-    Joint& joint = contacts_[c];
-    const Contact& contact = island_.contacts[tick_.contacts[c]];
+  void press(Joint& joint, const Contact& contact, double hs) const {
     const Mat3 mobility = joint.a.mobility + joint.b.mobility;
     const double along = contact.normal.dot(mobility * contact.normal);
     if (!(along > 0)) return;
-    const double goal = std::min(0.0, joint.gap + opening_speed * hs);
-    const double normal = std::max(0.0, joint.normal + (goal - gap(c, hs)) / (hs * along));
-    push(joint, (normal - joint.normal) * contact.normal, hs);
+    const double ahead = joint.gap + hs * contact.normal.dot(relative_velocity(joint) + joint.foreseen);
+    const double goal = std::min(0.0, joint.gap + joint.opening_speed * hs);
+    const double normal = std::max(0.0, joint.normal + (goal - ahead) / (hs * along));
+    press_on(joint, (normal - joint.normal) * contact.normal);
     joint.normal = normal;
-    rub(joint, contact, mobility, hs);
+    rub(joint, contact, mobility);
   }
 
   /// Friction takes the tangential velocity away as far as Coulomb's cone allows.
-  void rub(Joint& joint, const Contact& contact, const Mat3& mobility, double hs) const {
+  void rub(Joint& joint, const Contact& contact, const Mat3& mobility) const {
     const double most = contact.friction * joint.normal;
     if (!(most > 0) && joint.impulse.isZero()) return;
     const Vec3& n = contact.normal;
-    Vec3 slip = velocity(joint.a) - velocity(joint.b);
+    Vec3 slip = relative_velocity(joint) + joint.foreseen;
     slip -= n.dot(slip) * n;
     const double across = (mobility.trace() - n.dot(mobility * n)) / 2;
     Vec3 total = joint.impulse - slip / across;
     if (total.norm() > most) total *= most / total.norm();
-    push(joint, total - joint.impulse, hs);
+    press_on(joint, total - joint.impulse);
     joint.impulse = total;
   }
 
+  Contact& contact(std::size_t c) const { return island_.contacts[tick_.contacts[c]]; }
+
   Island& island_;
   const SubstepTick& tick_;
-  std::span<double> work_;
+  std::span<SubstepWork> work_;
   double passed_ = 0;  // share of the tick when the substep ends
   std::vector<Rigid>& rigid_;
   std::vector<Joint>&contacts_, &ties_;
@@ -257,8 +311,8 @@ ImpulseCoupling::ImpulseCoupling() : impl_(std::make_unique<Impl>()) {}
 ImpulseCoupling::~ImpulseCoupling() = default;
 ImpulseCoupling::ImpulseCoupling(ImpulseCoupling&&) noexcept = default;
 
-void ImpulseCoupling::run(Island& island, const SubstepTick& tick, std::span<double> work) {
-  std::fill(work.begin(), work.end(), 0.0);
+void ImpulseCoupling::run(Island& island, const SubstepTick& tick, std::span<SubstepWork> work) {
+  std::fill(work.begin(), work.end(), SubstepWork{});
   Coupling(island, tick, work, impl_->buffers).run();
 }
 

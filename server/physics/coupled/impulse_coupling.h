@@ -19,6 +19,15 @@ struct SubstepTick {
   Vec3 gravity = Vec3::Zero();                  // m/s²
 };
 
+/// J, what impulses did to a soft member within the tick.
+struct SubstepWork {
+  double done = 0;  // on it
+  double made = 0;  // by its contacts on both of their sides: bodies that strike each other get none
+};
+
+/// m/s, at most, of what overlaps; of sheets and ropes, which are light for what presses on them.
+inline constexpr double opening_speed = 0.25, thin_opening_speed = 0.06;
+
 /// Keeps what it works in from tick to tick: allocates only for more bodies, contacts or ties than it has
 /// had.
 class ImpulseCoupling {
@@ -29,12 +38,13 @@ class ImpulseCoupling {
 
   /// Takes the soft members that are substepped through the tick. Rigid members start with the velocity
   /// twist/h and keep their orientation's inertia; their twists are what the impulses left. An impulse
-  /// changes the velocities of both sides by equal and opposite momenta, and a substep's positions as if it
-  /// had acted from the substep's start: a contact that closes ends the substep at gap 0, without bounce. A
-  /// gap that is negative when the tick starts opens at no more than a bounded speed. A held hand's pull
-  /// counts as inertia k·h². Contact forces are means over the tick. `work`: J, by impulses on each soft
-  /// member.
-  void run(Island& island, const SubstepTick& tick, std::span<double> work);
+  /// changes the velocities of both sides by equal and opposite momenta. Contacts act before each substep and
+  /// move nothing: an impulse that moved single nodes would strain what they hang on, for nothing. They
+  /// leave velocities that take the gap to 0 at the substep's end, without bounce, if the bodies then do by
+  /// themselves what they did in the last one: what rests neither sinks nor creeps. Overlaps open at
+  /// those speeds at most. Ties act after it, as if from its start. A held hand's pull counts as
+  /// inertia k·h². Contact forces are means over the tick. `work`: by soft member.
+  void run(Island& island, const SubstepTick& tick, std::span<SubstepWork> work);
 
  private:
   struct Impl;

@@ -19,6 +19,8 @@ namespace {
 
 constexpr double least_power = 6e-5;  // W, of a body of 1 kg or more: less is nobody's concern
 constexpr int tries = 2;              // by substeps, before a body that got too stiff is minimised
+constexpr int refinements = 2;        // at most, for energy that is small
+constexpr double small_speed = 0.02;  // m/s: energy that would move a body so fast is small
 
 bool good(const SoftBodyState& state) {
   return state.motion.x.allFinite() && state.motion.v.allFinite() &&
@@ -28,7 +30,8 @@ bool good(const SoftBodyState& state) {
 /// What ticks work in. By soft member unless said otherwise.
 struct TickBuffers {
   std::vector<SoftBodyState> start;
-  std::vector<double> energy, work;  // J: at the start; by impulses
+  std::vector<double> energy;     // J: at the start
+  std::vector<SubstepWork> work;  // by impulses
   std::vector<char> substepped, minimised_always;
   std::vector<std::size_t> contacts, ties;         // indices: of substepped bodies
   Island rest;                                     // everything but those and what touches them
@@ -63,7 +66,7 @@ class Tick {
       start_[m] = *island.soft[m].state;
       energy_.push_back(island.soft[m].body->substepper() ? energy(island.soft[m]) : 0);
     }
-    work_.assign(island.soft.size(), 0);
+    work_.assign(island.soft.size(), {});
     minimised_always_.assign(island.soft.size(), 0);
   }
 
@@ -81,19 +84,29 @@ class Tick {
     return m.body->elastic_energy(m.state->motion.x) + m.body->kinetic_energy(*m.state);
   }
 
-  /// Whether a substepped body has no more energy than its start, gravity and the impulses on it explain.
+  double fallen(std::size_t m) const {
+    const SoftMember& member = island_.soft[m];
+    return std::max(0.0, member.body->fall_energy(start_[m].motion.x, member.state->motion.x, gravity_));
+  }
+
+  /// Whether a substepped body has no more energy than its start, gravity and the impulses on it explain,
+  /// with what impulses that it gives way to may strain.
   bool tame(std::size_t m) const {
     const SoftMember& member = island_.soft[m];
-    const VecX& x = member.state->motion.x;
-    double fallen = 0;
-    if (member.body->falls())
-      for (Eigen::Index i = 0; i < member.body->nodes(); ++i)
-        fallen += member.body->node_mass()[i] *
-                  gravity_.dot(x.segment<3>(3 * i) - start_[m].motion.x.segment<3>(3 * i));
-    const double gain = member.body->substepper()->most_gain(h_);
-    const double explained = gain * (energy_[m] + std::max(0.0, fallen)) +
-                             member.body->substepper()->most_pushed(h_) * std::max(0.0, work_[m]);
+    const Substepper& own = *member.body->substepper();
+    const double explained =
+        own.most_gain(h_) * (energy_[m] + fallen(m)) + own.most_pushed(h_) * std::max(0.0, work_[m].done);
     return energy(member) <= explained + least_power * std::min(1.0, member.body->total_mass()) * h_;
+  }
+
+  /// Whether it has none beyond that but a little: what impulses took counts, and what contacts give both of
+  /// their sides, beyond what opens overlaps, does not explain anything.
+  bool passive(std::size_t m) const {
+    const SoftMember& member = island_.soft[m];
+    const auto moving = [&](double speed) { return member.body->total_mass() * speed * speed / 2; };
+    const double made = std::max(0.0, work_[m].made - moving(thin_opening_speed));
+    return energy(member) <= member.body->substepper()->most_gain(h_) * (energy_[m] + fallen(m)) +
+                                 work_[m].done - made + moving(small_speed);
   }
 
   void decide() {
@@ -236,9 +249,13 @@ class Tick {
       const bool held = own->finish(substepped_[m] ? h_ / substeps_ : 0, *member.state);
       if (!substepped_[m]) continue;
       const bool sound = good(*member.state) && tame(m);
-      if (held && sound) continue;
+      if (held && sound) {
+        if (attempt < refinements && !passive(m)) again |= own->refine(h_, substeps_, *member.state);
+        continue;
+      }
       again = true;
-      const bool more = !sound && work_[m] == 0 && own->refine(h_, substeps_, *member.state);
+      const bool more = !sound && (work_[m].done == 0 || attempt < refinements) &&
+                        own->refine(h_, substeps_, *member.state);
       minimised_always_[m] = !more && (attempt + 1 >= tries || !sound);
     }
     if (!again) return true;
@@ -256,7 +273,8 @@ class Tick {
   double h_;
   const Vec3& gravity_;
   std::vector<SoftBodyState>& start_;
-  std::vector<double>&energy_, &work_;
+  std::vector<double>& energy_;
+  std::vector<SubstepWork>& work_;
   std::vector<char>&substepped_, &minimised_always_;
   TickBuffers& buffers_;
   Solvers& solvers_;
