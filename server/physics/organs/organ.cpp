@@ -1,6 +1,7 @@
 #include "server/physics/organs/organ.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <map>
@@ -15,6 +16,9 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t nobody = ~std::size_t{0};
+// Of the tetrahedra: where more are split, so much of the skin is near that all of it is looked at,
+// meanwhile.
+constexpr double much_share = 0.1;
 
 bool meet(const std::vector<TetId>& a, const std::vector<TetId>& b) {
   for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
@@ -53,9 +57,14 @@ CutResult Organ::cut(std::span<const Vec3> positions, std::span<const Vec3> edge
     change.author = author;
     change.stroke = stroke;
     change.ops = result.ops;
-    change.touched = touched_by(complex_, change.ops);
+    const bool much =
+        much_share * static_cast<double>(complex_.tets()) < static_cast<double>(result.split_tets);
+    tbb::parallel_invoke([&] { change.touched = touched_by(complex_, change.ops); },
+                         [&] {
+                           if (much) skin_.update(complex_);
+                         });
     note_touched(change.touched);
-    skin_.follow(complex_, change.touched);
+    if (!much) skin_.follow(complex_, change.touched);
   }
   return result;
 }
