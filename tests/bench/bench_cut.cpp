@@ -155,6 +155,23 @@ ReportRow measure(const SceneDesc& scene, const Stroke& stroke, int threads) {
   return row;
 }
 
+struct Made {
+  std::unique_ptr<SoftBody> solver;
+  std::optional<SurfaceDetector> surface;
+};
+
+/// Of the pieces that changed: as the simulation makes them.
+std::vector<Made> bodies_of(Organ& organ, const SoftDesc& desc) {
+  const std::vector<std::size_t> bodies = organ.regroup(organ.pieces().back().body + 1).bodies;
+  std::vector<Made> out(bodies.size());
+  tbb::parallel_for(std::size_t{0}, bodies.size(), [&](std::size_t i) {
+    Numbering numbering;
+    out[i].solver = std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(bodies[i]), numbering));
+    out[i].surface.emplace(out[i].solver->anatomy().embedding, out[i].solver->anatomy().surface);
+  });
+  return out;
+}
+
 /// A blade as long as the organ is high, right through it in one tick, in which it is cut for the first time:
 /// what a cut asks of the mesh is found, the mesh is cut, and all that hangs on the pieces' is made. Wall
 /// time of each, ms.
@@ -163,7 +180,7 @@ ReportRow cut_through(double cell, int threads) {
   options.threads = threads;
   const Simulation simulation(scene_of(cell), options);
   const SoftBody& body = simulation.soft(liver);
-  std::vector<double> preparing, cutting, making, all;
+  std::vector<double> preparing, cutting, making, all, undoing;
   std::size_t split = 0, after = 0;
   double mass = 0;  // kg, of all pieces
   tbb::task_arena arena(threads);
@@ -179,14 +196,7 @@ ReportRow cut_through(double cell, int threads) {
       const auto begin = std::chrono::steady_clock::now();
       split = organ.cut(x, edge(reach), stroke, 1, 1).split_tets;
       const auto cut = std::chrono::steady_clock::now();
-      const std::vector<std::size_t> bodies = organ.regroup(1).bodies;
-      std::vector<std::unique_ptr<SoftBody>> made(bodies.size());
-      std::vector<std::optional<SurfaceDetector>> surfaces(bodies.size());
-      tbb::parallel_for(std::size_t{0}, bodies.size(), [&](std::size_t i) {
-        Numbering numbering;
-        made[i] = std::make_unique<SoftBody>(body.desc(), organ.anatomy(organ.piece(bodies[i]), numbering));
-        surfaces[i].emplace(made[i]->anatomy().embedding, made[i]->anatomy().surface);
-      });
+      const auto made = bodies_of(organ, body.desc());
       const auto end = std::chrono::steady_clock::now();
       const auto ms = [](auto duration) {
         return std::chrono::duration<double, std::milli>(duration).count();
@@ -194,12 +204,17 @@ ReportRow cut_through(double cell, int threads) {
       after = 0;
       mass = 0;
       for (const auto& piece : made) {
-        after += piece->elements();
-        mass += piece->total_mass();
+        after += piece.solver->elements();
+        mass += piece.solver->total_mass();
       }
+      const auto undo = std::chrono::steady_clock::now();
+      organ.undo(1);
+      bodies_of(organ, body.desc());
+      const auto undone = std::chrono::steady_clock::now();
       preparing.push_back(ms(prepared - first));
       cutting.push_back(ms(cut - begin));
       making.push_back(ms(end - cut));
+      undoing.push_back(ms(undone - undo));
       all.push_back(preparing.back() + cutting.back() + making.back());
     });
   }
@@ -212,6 +227,7 @@ ReportRow cut_through(double cell, int threads) {
   row["split_tets"] = split;
   row["ms_first_time"] = quantile(preparing, 0.5);
   row["ms_cutting_mesh"] = quantile(cutting, 0.5);
+  row["ms_undoing"] = quantile(undoing, 0.5);
   row["ms_making_bodies"] = quantile(making, 0.5);
   row["added_ms_p50"] = quantile(all, 0.5);
   row["volume_error"] = std::abs(mass / body.total_mass() - 1);  // of one density
@@ -250,9 +266,12 @@ Report bench_cut(const CutBenchOptions& options) {
     if (!asked(through)) continue;
     report.add(cut_through(cell, options.threads));
     const ReportRow& row = report.rows().back();
-    fmt::print("{:18} {:6} tets, {:6} after: first time {:7.2f} ms p50, mesh {:7.2f}, bodies {:7.2f}\n",
-               through, row["tets"].get<std::size_t>(), row["tets_after"].get<std::size_t>(),
-               figure(row, "ms_first_time"), figure(row, "ms_cutting_mesh"), figure(row, "ms_making_bodies"));
+    fmt::print(
+        "{:18} {:6} tets, {:6} after: first time {:7.2f} ms p50, mesh {:7.2f}, bodies {:7.2f}, undoing "
+        "{:7.2f}\n",
+        through, row["tets"].get<std::size_t>(), row["tets_after"].get<std::size_t>(),
+        figure(row, "ms_first_time"), figure(row, "ms_cutting_mesh"), figure(row, "ms_making_bodies"),
+        figure(row, "ms_undoing"));
   }
   for (const char* model : {"mass_spring", "xpbd"})
     if (asked(strokes().front().name) && options.cell == 0)
