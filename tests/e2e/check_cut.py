@@ -11,8 +11,10 @@ folder = pathlib.Path(sys.argv[1])
 check_one_topology({name: figures(folder / f"{name}.json") for name in ("observer", "latecomer", "first", "second")})
 
 rows = topology_revisions(folder)
-print(f"      {len(rows)} revisions in the journal; columns: {', '.join(rows[0])}")
+print(f"      {len(rows)} revisions in the journal")
 check("the block was cut often", sum(r["cause"] == 1 for r in rows) > 10)
+if not rows:
+    finish()
 check("two people cut", len({r["author"] for r in rows if r["cause"] == 1}) == 2)
 check("a cut was taken back", any(r["cause"] == 2 for r in rows))
 rewound = [r for r in rows if r["cause"] == 3 and r["body"] == rows[0]["body"]]
