@@ -7,6 +7,8 @@
 
 // clang-format off
 #define PROSECTOR_GL_FUNCTIONS(X)                                                                          \
+  X(BEGINQUERY, BeginQuery) X(ENDQUERY, EndQuery) X(GENQUERIES, GenQueries) X(DELETEQUERIES, DeleteQueries) \
+  X(GETQUERYOBJECTUIV, GetQueryObjectuiv)                                                                  \
   X(ACTIVETEXTURE, ActiveTexture) X(ATTACHSHADER, AttachShader) X(BINDATTRIBLOCATION, BindAttribLocation)  \
   X(BINDBUFFER, BindBuffer) X(BINDFRAMEBUFFER, BindFramebuffer) X(BINDRENDERBUFFER, BindRenderbuffer)      \
   X(BINDTEXTURE, BindTexture) X(BINDVERTEXARRAY, BindVertexArray) X(BLENDCOLOR, BlendColor)                \

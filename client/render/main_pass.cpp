@@ -158,7 +158,7 @@ void MainPass::draw_shaft(const QueuedItem& queued, Frame& frame) {
 }
 
 void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::vector<QueuedItem>& items,
-                    const MeshCache& meshes, const Shadow& shadow, GLuint environment) {
+                    const MeshCache& meshes, const Shadow& shadow, GLuint environment, Occlusion* occlusion) {
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthMask(GL_TRUE);
   gl_.Enable(GL_CULL_FACE);
@@ -169,7 +169,7 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
   gl_.BindTexture(GL_TEXTURE_2D, shadow.texture);
   const Frustum frustum(view_projection_of(camera));
   Frame frame{list, camera, meshes, shadow};
-  std::vector<const QueuedItem*> clear, shafts;
+  std::vector<const QueuedItem*> solids, clear, shafts;
   for (const QueuedItem& queued : items) {
     if (!frustum.may_see(queued.bounds) || is_below_a_pixel(camera, queued.bounds)) continue;
     if (queued.item->shaft)
@@ -179,8 +179,13 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
     else if (is_clear(*queued.item) || is_glass(*queued.item))
       clear.push_back(&queued);
     else
-      draw_solid(queued, frame);
+      solids.push_back(&queued);
   }
+  std::vector<const QueuedItem*> covered;
+  if (occlusion != nullptr) covered = occlusion->take_covered(camera, solids);
+  for (const QueuedItem* queued : solids) draw_solid(*queued, frame);
+  if (!covered.empty())
+    for (const QueuedItem* queued : occlusion->shown(camera, covered)) draw_solid(*queued, frame);
   for (auto queued = clear.rbegin(); queued != clear.rend(); ++queued)
     is_glass(*(*queued)->item) ? draw_pane(**queued, frame) : draw_clear(**queued, frame);
   for (const QueuedItem* queued : shafts) draw_shaft(*queued, frame);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "client/render/occlusion.h"
 #include "client/render/refraction.h"
 #include "client/render/shadow_pass.h"
 
@@ -26,9 +27,10 @@ class MainPass {
   void compile_all();
 
   /// `items` nearest first, so that hidden fragments are not shaded. What is seen through comes after all
-  /// that is not, farthest first, and light in air last.
+  /// that is not, farthest first, and light in air last. With `occlusion`, what is hidden is not drawn.
   void draw(const DrawList& list, const DrawCamera& camera, const std::vector<QueuedItem>& items,
-            const MeshCache& meshes, const Shadow& shadow, GLuint environment = 0);
+            const MeshCache& meshes, const Shadow& shadow, GLuint environment = 0,
+            Occlusion* occlusion = nullptr);
 
   /// One layer of glass; draw() leaves out what is drawn by this (GlassPass).
   void draw_glass(const DrawList& list, const DrawCamera& camera, const std::vector<const QueuedItem*>& glass,

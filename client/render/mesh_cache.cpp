@@ -111,6 +111,7 @@ MeshCache::Entry& MeshCache::upload_mesh(const DrawMesh& mesh) {
     upload_triangles(mesh, entry);
   }
   entry.bounds = bounds_of(mesh.positions);
+  entry.box = box_of(mesh.positions);
   entry.revision = mesh.revision;
   entry.positions_revision = mesh.positions_revision;
   return entry;

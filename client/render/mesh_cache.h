@@ -22,7 +22,8 @@ class MeshCache {
     std::vector<Level> levels;  // the finest first
     std::shared_ptr<const Detail> detail;
     std::uint64_t revision = 0, positions_revision = 0;
-    Sphere bounds;  // in the mesh's frame
+    Sphere bounds;            // in the mesh's frame
+    Eigen::AlignedBox3f box;  // likewise
     std::uint64_t last_frame = 0;
   };
 

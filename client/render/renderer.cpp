@@ -45,6 +45,7 @@ struct Passes {
         lines(gl, shaders, "screen"),
         pen(gl, shaders, "text") {
     main.compile_all();
+    if (settings.occlusion) occlusion.emplace(gl, shaders);
     if (has(settings.effects, Effect::reflections)) environment.emplace(gl, shaders);
     if (has(settings.effects, Effect::refraction)) glass.emplace(gl, shaders);
     if (has(settings.effects, Effect::shafts)) shafts.emplace(gl, shaders);
@@ -54,8 +55,9 @@ struct Passes {
   ShadowPass shadow;
   std::optional<EnvironmentPass> environment;  // nullopt: spared
   MainPass main;
-  std::optional<GlassPass> glass;   // nullopt: drawn by `main`, straight through
-  std::optional<ShaftPass> shafts;  // nullopt: spared
+  std::optional<Occlusion> occlusion;  // nullopt: everything is drawn
+  std::optional<GlassPass> glass;      // nullopt: drawn by `main`, straight through
+  std::optional<ShaftPass> shafts;     // nullopt: spared
   ScreenQuadDrawer lines, pen;
   std::vector<LightKind> prepared_lights;  // for which the surfaces of users to come have shaders
 };
@@ -155,12 +157,14 @@ void Renderer::draw(const DrawList& list) {
   const GLuint environment = passes.environment ? passes.environment->draw(list, items, r.meshes) : 0;
   r.tell_done("environment");
   passes.target.bind(r.context.width(), r.context.height());
+  Occlusion* const occlusion = passes.occlusion ? &*passes.occlusion : nullptr;
+  if (occlusion != nullptr) occlusion->begin_picture();
   const auto draw_surfaces = [&](bool insets) {
     for (const DrawCamera& camera : list.cameras) {
       if (camera.inset != insets) continue;
       r.clear(camera, list.background);
       sort_nearest_first(items, camera.pose.p);
-      passes.main.draw(list, camera, items, r.meshes, shadow, environment);
+      passes.main.draw(list, camera, items, r.meshes, shadow, environment, occlusion);
     }
   };
   draw_surfaces(false);
@@ -214,6 +218,10 @@ std::optional<std::string> Renderer::reload_changed_shaders() {
 
 void Renderer::finish() {
   impl_->gl.Finish();
+}
+
+std::size_t Renderer::hidden() const {
+  return impl_->passes->occlusion ? impl_->passes->occlusion->hidden() : 0;
 }
 
 Image Renderer::read_pixels() {

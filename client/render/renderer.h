@@ -26,6 +26,7 @@ struct RendererSettings {
   int samples = 1;        // of coverage per pixel; shading is once per pixel and triangle
   int shadow_size = 768;  // texels, each way, of the first spot light's shadow map
   EffectSet effects = every_effect;
+  bool occlusion = true;  // what other things hide is not drawn; the picture is the same
 };
 
 struct QualityLevel {
@@ -62,6 +63,8 @@ class Renderer {
   void finish();
   /// What was drawn last.
   Image read_pixels();
+  /// How many items the last picture's cameras left out because other things hide them.
+  std::size_t hidden() const;
 
  private:
   struct Impl;

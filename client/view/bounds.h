@@ -12,12 +12,16 @@ struct Sphere {
   double radius = 0;  // m
 };
 
+inline Eigen::AlignedBox3f box_of(std::span<const Eigen::Vector3f> points) {
+  Eigen::AlignedBox3f box;
+  for (const auto& x : points) box.extend(x);
+  return box;
+}
+
 /// About the middle of their box.
 inline Sphere bounds_of(std::span<const Eigen::Vector3f> points) {
   if (points.empty()) return {};
-  Eigen::AlignedBox3f box;
-  for (const auto& x : points) box.extend(x);
-  const Eigen::Vector3f center = box.center();
+  const Eigen::Vector3f center = box_of(points).center();
   float squared = 0;
   for (const auto& x : points) squared = std::max(squared, (x - center).squaredNorm());
   return {center.cast<double>(), std::sqrt(static_cast<double>(squared))};

@@ -44,6 +44,15 @@ void set_size(Subject& subject, int width, int height) {
     subject.list.cameras.push_back(eye);
 }
 
+/// From under what the scene's camera looks at, where a table hides what lies on it.
+void look_from_below(Subject& subject) {
+  const Vec3 target = subject.list.items[subject.hand].pose.p;
+  Vec3 eye = subject.eye.p;
+  eye.y() = target.y() - 0.6;
+  subject.eye = look_at(eye, target);
+  set_size(subject, subject.width, subject.height);
+}
+
 Subject scene_with_hand(const RenderBenchOptions& options) {
   const SceneDesc scene = load_scene(options.scene);
   const SourcePaths paths{scene.file.parent_path(), {default_data_dir()}, default_cache_dir()};
@@ -93,6 +102,7 @@ struct Cost {
   double drawn_ms = 0;                            // not read back, the next begun before the last is done
   std::map<std::string, double> wall_ms_of = {};  // each pass, with nothing overlapping
   std::size_t drawn = 0;                          // triangles of the last frame's levels of detail
+  std::size_t hidden = 0;                         // items that it left out, of all its cameras
 };
 
 /// ms a frame when nobody waits for single ones, as where a display shows them: for a second at least, so
@@ -153,6 +163,7 @@ Cost measure(Subject& subject, const Case& what, const RenderBenchOptions& optio
     last = now;
   });
   draw(options.frames);
+  cost.hidden = renderer.hidden();
   for (const DrawItem& item : subject.list.items) cost.drawn += triangles_of(item).size();
   return cost;
 }
@@ -210,6 +221,7 @@ Report bench_render(const RenderBenchOptions& options) {
                          {number, "height", "high"},
                          {number, "triangles", "triangles"},
                          {number, "drawn", "drawn"},
+                         {number, "hidden", "hidden"},
                          {number, "cpu_ms_per_frame", "CPU ms, all threads"},
                          {number, "wall_ms_per_frame", "ms"},
                          {number, "drawn_ms_per_frame", "not read back"},
@@ -232,6 +244,7 @@ Report bench_render(const RenderBenchOptions& options) {
                      {"scene", subject.scene},
                      {"triangles", triangles_of(subject.list)},
                      {"drawn", cost.drawn},
+                     {"hidden", cost.hidden},
                      {"width", subject.width},
                      {"height", subject.height},
                      {"eyes", subject.list.cameras.size()},
@@ -251,7 +264,18 @@ Report bench_render(const RenderBenchOptions& options) {
   const QualityLevel& usual = quality_levels[1];
   for (const QualityLevel& level : quality_levels)
     add({std::string(level.name), level.settings, Motion::press, level.detail});
-  add({"medium, all triangles", usual.settings, Motion::press, 0});
+  RendererSettings hidden_too = usual.settings;
+  hidden_too.occlusion = false;
+  const auto add_hidden = [&](const std::string& name) {
+    add({name, usual.settings, Motion::press, 0});
+    add({name + ", hidden too", hidden_too, Motion::press, 0});
+  };
+  add_hidden("medium, all triangles");
+  const Pose eye = subject.eye;
+  look_from_below(subject);
+  add_hidden("from below");
+  subject.eye = eye;
+  set_size(subject, options.width, options.height);
   add({"only the hand moves", {}, Motion::hand});
   add({"nothing moves", {}, Motion::none});
   for (std::size_t k = 0; k < effect_rows.size(); ++k) {
@@ -271,6 +295,9 @@ Report bench_render(const RenderBenchOptions& options) {
     const int times = finer == 1 ? 4 : 16;
     add({fmt::format("medium, {} times the triangles", times), usual.settings, Motion::press});
     add({fmt::format("medium, all of {} times", times), usual.settings, Motion::press, 0});
+    if (finer < 2) continue;
+    look_from_below(subject);
+    add_hidden("16 times, from below");
   }
   return report;
 }
