@@ -137,22 +137,26 @@ Press flatter(Press p, double times) {
 void hertz_case(ContactRows& rows, bool quick) {
   constexpr double goal = 0.05;
   if (quick) {
-    press(rows, presses[1], meshes[1], 20, name(presses[1]), std::nullopt);
+    press(rows, presses[1], meshes[1], hertz_contact_stiffness, name(presses[1]), std::nullopt);
     return;
   }
   const Mesh finest = meshes[std::size(meshes) - 1];
   for (const Press& p : presses) {
     const bool steep = slope(p) > most_slope;
     for (const Mesh& mesh : meshes)
-      press(rows, p, mesh, 20, fmt::format("{}, {}, {} cells", name(p), mesh.element, mesh.cells),
+      press(rows, p, mesh, hertz_contact_stiffness,
+            fmt::format("{}, {}, {} cells", name(p), mesh.element, mesh.cells),
             mesh.finest ? std::optional(goal) : std::nullopt);
-    if (steep) press(rows, flatter(p, 8), finest, 20, name(p) + ", under a ball 8 × as large", goal);
+    if (steep)
+      press(rows, flatter(p, 8), finest, hertz_contact_stiffness, name(p) + ", under a ball 8 × as large",
+            goal);
   }
-  // What accounts for the rest: the contacts' own softness; and the ball's slope.
-  for (const Press& p : {presses[0], presses[6]})
-    press(rows, p, finest, 200, name(p) + ", contacts 10 × as stiff", std::nullopt);
-  press(rows, flatter(presses[0], 8), finest, 20, name(presses[0]) + ", under a ball 8 × as large",
-        std::nullopt);
+  // What accounts for the rest: the softness of a scene's contacts; and the ball's slope.
+  for (const Press& p : {presses[0], presses[6], presses[8]})
+    press(rows, p, finest, SceneDesc().contact_stiffness, name(p) + ", contacts of a scene's default",
+          std::nullopt);
+  press(rows, flatter(presses[0], 8), finest, hertz_contact_stiffness,
+        name(presses[0]) + ", under a ball 8 × as large", std::nullopt);
 }
 
 }  // namespace prosector

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "tests/bench/contact_run.h"
+
 namespace prosector {
 namespace {
 
@@ -44,7 +46,7 @@ void draw_axes(Svg& svg) {
 Svg draw_hertz(const std::vector<ReportRow>& rows) {
   std::map<std::string, std::vector<std::pair<double, double>>> lines;
   for (const ReportRow& row : rows) {
-    if (setting(row, "case") != "hertz" || figure(row, "contact_stiffness") != 20 ||
+    if (setting(row, "case") != "hertz" || figure(row, "contact_stiffness") != hertz_contact_stiffness ||
         figure(row, "radius_m") > 0.01)
       continue;
     const std::string name =

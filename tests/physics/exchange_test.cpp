@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "server/physics/coupled/island_system.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 
@@ -76,6 +77,43 @@ TEST(Exchange, AFastPlatesImpulseIsWhatTheTissueGot) {
   }
   EXPECT_LT(given.y(), -0.6);  // at 1 m/s or more
   EXPECT_EQ(simulation.time().tick, 3U);
+}
+
+// A line search may take a small part of a step that all but keeps the balance, near rest in ticks of their
+// own.
+TEST(Exchange, AShortenedStepTellsTheWholeForce) {
+  constexpr double h = 1.0 / 60;
+  SoftBody body(block(), make_block({0.1, 0.1, 0.1}, {2, 2, 2}));
+  SoftBodyState state = body.initial_state();
+  const auto told = [&](double length, bool balanced, bool all_held) {
+    Island island;
+    island.soft.push_back({0, &body, &state});
+    Contact& pressed = island.contacts.emplace_back();
+    pressed.a.kind = ContactSide::Kind::soft;
+    pressed.a.add(body.anatomy().embedding.rows[0], 1);
+    pressed.normal = Vec3::UnitY();
+    pressed.gap = -1e-3;
+    pressed.stiffness = 1e3;
+    body.begin_stage(0, h, Vec3::Zero(), state, true);
+    IslandSystem system;
+    system.begin(island, h);
+    VecX q, g;
+    system.initial_guess(q);
+    system.linearise(q);
+    system.lag_friction(q);
+    system.gradient(q, g);
+    system.assemble(q, false);
+    if (balanced) system.take_balanced();
+    system.take(length, VecX::Zero(q.size()));
+    system.tell_contacts(q, all_held);
+    return pressed.exchanged.y();
+  };
+  for (const double length : {1.0, 0.5, 1.0 / 32}) {
+    EXPECT_NEAR(std::abs(told(length, false, true)), 1, 1e-12) << length;  // N: 1 kN/m, 1 mm
+    EXPECT_NEAR(std::abs(told(length, true, false)), 1, 1e-12) << length;
+    EXPECT_NEAR(std::abs(told(length, false, false)), length, 1e-12)
+        << length;  // what it moved free bodies by
+  }
 }
 
 /// How deep the block's deepest node is in the plate, m.

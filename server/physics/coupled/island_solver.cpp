@@ -76,12 +76,19 @@ bool floats(const Island& island) {
                       [](const RigidMember& m) { return m.pull.has_value(); });
 }
 
+/// Whether nothing in the island moves freely.
+bool all_held(const Island& island) {
+  return !floats(island) && std::all_of(island.rigid.begin(), island.rigid.end(),
+                                        [](const RigidMember& m) { return m.pull.has_value(); });
+}
+
 }  // namespace
 
 struct IslandSolver::Limits {
   int newton = rigid_newton_iterations;
   bool alone = true;     // nothing touches or holds: the guard is on
   bool several = false;  // soft bodies
+  bool held = false;     // nothing moves freely: no momentum has to add up
   bool careful = false;  // exact tangents from the first on, long searches
   SolverSettings settings;
   LinearSolver* solver = nullptr;
@@ -96,6 +103,7 @@ IslandSolver::Limits IslandSolver::limits_of(const Island& island) {
   limits.solver = solver.get();
   limits.alone = island.contacts.empty() && island.ties.empty() && !relaxing(island);
   limits.several = island.soft.size() > 1;
+  limits.held = all_held(island);
   if (!soft) return limits;
   int steps_down = static_cast<int>(max_steps_down);
   for (const SoftMember& m : island.soft) steps_down = std::min(steps_down, m.state->steps_down);
@@ -152,6 +160,7 @@ IslandReport IslandSolver::minimise(const Limits& limits, double tolerance, doub
     system_.expand(g_, solved_, step_);
     if (report.newton_iterations++ == 0 && step_.lpNorm<Eigen::Infinity>() < converged_step) {
       // Close to rest: this one is the last.
+      if (!limits.held) system_.take_balanced();
       solved = limits.solver->solve(system_, right_, limits.settings, solved_);
       report.solver_iterations += solved.iterations;
       system_.expand(g_, solved_, step_);
@@ -234,7 +243,7 @@ IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double 
     if (!report.finite) return report;
     for (std::size_t m = 0; m < island.rigid.size(); ++m)
       island.rigid[m].twist = q_.segment<6>(system_.rigid_offset(m));
-    system_.tell_contacts(q_);
+    system_.tell_contacts(q_, limits.held);
     for (std::size_t m = 0; m < island.soft.size(); ++m) {
       SoftBody& body = *island.soft[m].body;
       body.finish_stage(stage, h, q_.segment(system_.soft_offset(m), 3 * body.nodes()),

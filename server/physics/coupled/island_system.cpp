@@ -59,6 +59,7 @@ void IslandSystem::begin(Island& island, double h) {
   join_rigid();
   stiff_.reserve(contacts_.size() + ties_.size());
   lagged_.assign(contacts_.size(), 0);
+  untaken_ = 1;
   node_blocks_.resize(static_cast<std::size_t>(rigid_begin_ / 3));
   node_inverse_.resize(node_blocks_.size());
   rigid_blocks_.resize(island.rigid.size());
@@ -182,12 +183,18 @@ void IslandSystem::lag_friction(const VecX& q) {
 }
 
 void IslandSystem::take(double length, const VecX& step) {
+  untaken_ *= 1 - length;
   for (Joint& joint : contacts_) {
     Vec3 force = joint.force;
     if (!joint.D.isZero(0)) force += joint.D * (read(joint.a, step) - read(joint.b, step));
     joint.exchanged += length * (force - joint.exchanged);
     joint.foreseen = joint.force + length * (force - joint.force);
   }
+}
+
+void IslandSystem::take_balanced() {
+  untaken_ = 0;
+  for (Joint& joint : contacts_) joint.exchanged = joint.force;
 }
 
 bool IslandSystem::unsettled(const VecX& q) {
@@ -222,11 +229,12 @@ bool IslandSystem::unsettled(const VecX& q) {
   return false;
 }
 
-void IslandSystem::tell_contacts(const VecX& q) {
+void IslandSystem::tell_contacts(const VecX& q, bool all_held) {
+  const double taken = all_held && untaken_ < 1 ? 1 - untaken_ : 1;
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     Contact& contact = island_->contacts[c];
     contact.force = normal_force(c, q);
-    contact.exchanged = -contacts_[c].exchanged;
+    contact.exchanged = -contacts_[c].exchanged / taken;
     contact.grip_after.setZero();
     if (!(lagged_[c] > 0)) continue;
     const Vec3 u = displacement(contacts_[c], q);

@@ -57,11 +57,15 @@ class IslandSystem final : public LinearOperator {
   /// Tells that `length` of a Newton step was taken from where the Hessian was fixed: the bodies' momenta are
   /// then those that the linearised forces gave them, not those that the contacts would have at its end.
   void take(double length, const VecX& step);
+  /// Tells that where the Hessian was fixed forces balance already: what is exchanged there are the contacts'
+  /// forces, also when little or nothing of the next step is taken.
+  void take_balanced();
   /// Whether contacts have yet to follow: at q, where the last step led, their forces (friction as lagged)
   /// are others than the step took them for, by more than a share of those on some body.
   bool unsettled(const VecX& q);
-  /// Fills the contacts' results: forces at q, and what was exchanged.
-  void tell_contacts(const VecX& q);
+  /// Fills the contacts' results: forces at q, and what was exchanged. `all_held`: every body of the island
+  /// is held or pulled, so no momentum has to add up, and what the steps left untaken counts like the rest.
+  void tell_contacts(const VecX& q, bool all_held);
 
  private:
   /// A contact's or tie's side resolved to unknowns.
@@ -114,6 +118,7 @@ class IslandSystem final : public LinearOperator {
   double soft_energy_ = 0;  // J, of the last energy()
   Eigen::Index size_ = 0, rigid_begin_ = 0;
   std::vector<Eigen::Index> soft_offset_;
+  double untaken_ = 1;  // share of what balances the forces that no Newton step has brought yet
   std::vector<Joint> contacts_, ties_;
   std::vector<const Joint*> stiff_;  // those with a stiffness since the last assemble()
   std::vector<double> lagged_;       // N, normal force per contact
