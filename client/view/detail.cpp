@@ -25,8 +25,7 @@ float squared_error(const CoarserList::LeftOut& out, const std::array<std::uint3
   const float r = 1 - s - t;
   const Vec3f off = positions[out.vertex] - (r * positions[a] + s * positions[b] + t * positions[c]);
   const Vec3f turned = normals[out.vertex] - (r * normals[a] + s * normals[b] + t * normals[c]);
-  const float bump = out.reach / 2;
-  return std::max(off.squaredNorm(), bump * bump * turned.squaredNorm());
+  return std::max(off.squaredNorm(), out.width * out.width * turned.squaredNorm());
 }
 
 /// The surface with its creases closed: vertices at one place are one there.
@@ -60,9 +59,15 @@ class Coarsening {
   Coarsening(std::span<const Vec3f> rest, const Triangles& triangles)
       : rest_(rest),
         triangles_(triangles),
+        width_(rest.size(), 0.0F),
         welded_(weld(rest, triangles)),
         collapser_(welded_.positions, welded_.triangles) {
     smooth_normals(rest, triangles, normals_);
+    for (const auto& t : triangles) {
+      const Vec3f twice_area = (rest[t[1]] - rest[t[0]]).cross(rest[t[2]] - rest[t[0]]);
+      const float width = std::sqrt(twice_area.norm() / 2) / 2;
+      for (const std::uint32_t v : t) width_[v] = std::max(width_[v], width);
+    }
   }
 
   /// nullopt: it can't be reduced to so few.
@@ -106,10 +111,10 @@ class Coarsening {
       for (const std::uint32_t t : to_try) {
         const auto& [a, b, c] = triangles[t];
         const PlaceOnTriangle place = place_near(rest_[v], rest_[a], rest_[b], rest_[c]);
-        const float reach =
-            std::sqrt(std::min({(rest_[a] - place.at).squaredNorm(), (rest_[b] - place.at).squaredNorm(),
-                                (rest_[c] - place.at).squaredNorm()}));
-        const CoarserList::LeftOut here{v, t, place.weights, reach};
+        const float side =
+            std::sqrt(std::min({(rest_[a] - rest_[b]).squaredNorm(), (rest_[b] - rest_[c]).squaredNorm(),
+                                (rest_[c] - rest_[a]).squaredNorm()}));
+        const CoarserList::LeftOut here{v, t, place.weights, std::max(side / 2, width_[v])};
         const float error = squared_error(here, triangles[t], rest_, normals_);
         if (!(error < least)) continue;
         least = error;
@@ -129,6 +134,7 @@ class Coarsening {
   std::span<const Vec3f> rest_;
   const Triangles& triangles_;
   std::vector<Vec3f> normals_;
+  std::vector<float> width_;  // m: half of that of the largest triangle at each vertex
   Welded welded_;
   EdgeCollapser collapser_;
   std::vector<std::vector<std::uint32_t>> around_;  // by place: triangles of the list that is being made

@@ -11,7 +11,7 @@ struct CoarserList {
   struct LeftOut {
     std::uint32_t vertex, triangle;
     std::array<float, 2> weights;  // of the triangle's second and third corner
-    float reach;                   // m at rest, from that place to the nearest corner
+    float width;                   // m at rest, over which its normal shows
   };
   Triangles triangles;
   std::vector<LeftOut> left_out;
@@ -29,9 +29,10 @@ inline constexpr std::size_t least_detailed = 256;
 Detail make_detail(std::span<const Eigen::Vector3f> rest, const Triangles& triangles);
 
 /// How far the list is from the surface as that is bent now, m: no vertex that it leaves out is farther from
-/// the place that stands for it, nor so from the coarser surface; and a normal that is off counts as a bump
-/// would that turns it so, half as high as it is far to the next vertex. Any value above `enough` where it is
-/// more than that.
+/// the place that stands for it, nor so from the coarser surface; and a normal that is off counts as a
+/// bump as high as that times `width`: half of the shortest side of the triangle there or of the width of
+/// the largest triangle that the vertex had, whichever is more. Any value above `enough` where it is more
+/// than that.
 double error_of(const CoarserList& list, std::span<const Eigen::Vector3f> positions,
                 std::span<const Eigen::Vector3f> normals, double enough);
 

@@ -13,6 +13,7 @@
 #include "client/view/camera.h"
 #include "common/asset.h"
 #include "common/panel.h"
+#include "common/surface_patch.h"
 #include "tests/client/picture.h"
 
 namespace prosector {
@@ -48,6 +49,35 @@ class Client {
     scene.camera = {{0, 1.8, 0.8}, {0, 1, 0}, 0.9};
   }
 
+  /// A square of two triangles on streamed corners, whose figures the scene asks for.
+  BodyId add_soft(const std::string& name) {
+    const std::vector<Vec3> corners = {{0, 1.1, 0}, {0.2, 1.1, 0}, {0.2, 1.3, 0}, {0, 1.3, 0}};
+    StreamedSurface streamed{corners, {}};
+    for (std::uint32_t v = 0; v < 4; ++v) streamed.map.rows.push_back({{v}, {1}});
+    const TriangleMesh surface{corners, {{0, 1, 2}, {0, 2, 3}}};
+    meshes_.push_back(encode(surface));
+    SceneBody body = body_of(name, Vec3::Zero(), meshes_.back());
+    meshes_.push_back(encode(streamed));
+    body.kind = BodyKind::soft;
+    body.map = meshes_.back().hash;
+    body.points = 4;
+    body.chunk_points = 4;
+    body.show_figures = true;
+    scene.bodies.push_back(body);
+    const auto id = static_cast<BodyId>(scene.bodies.size() - 1);
+    TopologyRevision whole;
+    whole.body = id;
+    whole.mesh = body.mesh;
+    whole.map = body.map;
+    whole.surface_hash = hash(rounded(surface, streamed));
+    whole.chain_hash = chain_hash_of(whole);
+    first_states_.push_back(whole);
+    Settled settled{.body = id, .time = {0, 1}, .revision = 0, .hash = 0, .positions = {}};
+    for (const Vec3& x : corners) settled.positions.push_back(x.cast<float>());
+    first_states_.push_back(settled);
+    return id;
+  }
+
   void tell(const Message& message) { replica_.apply({message, Liveness::alive, 1, 1}); }
 
   /// After the scene is as it should be.
@@ -56,6 +86,7 @@ class Client {
     tell(scene);
     for (const Asset& a : meshes_)
       tell(AssetChunk{a.hash, 0, 1, static_cast<std::uint32_t>(a.bytes.size()), a.bytes});
+    for (const Message& message : first_states_) tell(message);
     ASSERT_TRUE(replica_.complete()) << replica_.missing();
   }
 
@@ -75,6 +106,7 @@ class Client {
 
  private:
   std::vector<Asset> meshes_;
+  std::vector<Message> first_states_;  // of soft bodies
   Replica replica_;
   SceneView view_;
   std::unique_ptr<GlContext> context_;  // of the first picture's size
@@ -224,6 +256,39 @@ TEST(SceneView, AnInsetShowsWhatAUserSeesAndNothingElseChanges) {
     }
   EXPECT_EQ(outside, 0);
   EXPECT_GT(inside, inset.width * inset.height / 4);
+}
+
+// They stand above it, as the server last told, and go with --no-overlay.
+TEST(SceneView, FiguresStandAboveTheSoftBodyThatAsksForThem) {
+  Client client;
+  const BodyId body = client.add_soft("membrane");
+  client.scene.bodies[part_body].show_figures = true;  // rigid: has none
+  client.join();
+  ViewSettings settings = plain(320, 240);
+  settings.overlay = true;
+  const auto figures = [&] {
+    std::vector<DrawText> out;
+    for (const DrawText& text : client.list(1, settings).texts)
+      if (text.text.find(" ms") != std::string::npos && !text.overlay) out.push_back(text);
+    return out;
+  };
+  EXPECT_TRUE(figures().empty()) << "nothing was told yet";
+  BodyStatus status;
+  status.body = body;
+  status.substeps = 12;
+  status.step = 1.39e-3;
+  client.tell(status);
+  ASSERT_EQ(figures().size(), 1u);
+  EXPECT_EQ(figures()[0].text, "membrane\n12 steps of 1.39 ms");
+  EXPECT_NEAR(figures()[0].at.x(), 0.1, 1e-6);
+  EXPECT_GT(figures()[0].at.y(), 1.3);
+  EXPECT_LT(figures()[0].at.y(), 1.4);
+  status.asleep = true;
+  client.tell(status);
+  ASSERT_EQ(figures().size(), 1u);
+  EXPECT_NE(figures()[0].text.find("at rest"), std::string::npos);
+  settings.overlay = false;
+  EXPECT_TRUE(figures().empty());
 }
 
 struct Columns {
