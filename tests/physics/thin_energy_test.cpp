@@ -126,7 +126,8 @@ TEST_P(ThinEnergy, SheetOnAThinRod) {
 
 INSTANTIATE_TEST_SUITE_P(Made, ThinEnergy,
                          testing::Values(Made{"xpbd", 1e4, 0}, Made{"xpbd", 1e4, 1}, Made{"xpbd", 3e4, 0},
-                                         Made{"xpbd", 2e5, 0}, Made{"xpbd", 2e5, 1},
+                                         Made{"xpbd", 3e4, 2}, Made{"xpbd", 2e5, 0}, Made{"xpbd", 2e5, 1},
+                                         Made{"mass_spring", 1e4, 2}, Made{"mass_spring", 3e4, 2},
                                          Made{"mass_spring", 3e4, 0}, Made{"mass_spring", 2e5, 1}),
                          name);
 

@@ -165,19 +165,25 @@ std::optional<TriangleTouch> SurfaceDetector::touch(std::uint32_t triangle, cons
   out.point = near.weights[0] * x[0] + near.weights[1] * x[1] + near.weights[2] * x[2];
   Vec3 out_of_tissue = side.normalized();
   const Vec3 apart = near.on_segment - out.point;
+  // Of a sheet a distance that is rounding would tell its front that it is on one side, its back on the
+  // other.
+  const bool pierced = two_sided_ ? near.distance < least_apart : near.distance == 0;
   if (two_sided_) {
     const auto before = known ? known(triangle) : std::nullopt;
+    if (pierced && !before) return std::nullopt;
     const double towards_rod = out_of_tissue.dot(before ? Vec3(-*before) : apart);
     if (towards_rod == 0) return std::nullopt;
     if (towards_rod < 0) out_of_tissue = -out_of_tissue;
   }
   const bool above = apart.dot(out_of_tissue) > 0;
-  if (near.distance > 0) {
+  if (!pierced) {
     out.normal = (above ? -1 : 1) / near.distance * apart;
     out.gap = (above ? near.distance : -near.distance) - rod.radius;
   } else {  // passes through: out again by the end that is inside
     const double depth =
         -std::min(out_of_tissue.dot(rod.from - out.point), out_of_tissue.dot(rod.to - out.point));
+    // The way out of a solid is known; that out of a sheet past a rod's far end is none.
+    if (two_sided_ && depth > (most_depth - 1) * rod.radius) return std::nullopt;
     out.normal = -out_of_tissue;
     out.gap = -std::min(depth, (most_depth - 1) * rod.radius) - rod.radius;
   }
