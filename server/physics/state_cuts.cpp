@@ -37,7 +37,7 @@ Blade read_blade(ByteReader& in, const std::vector<BladeShape>& shapes) {
     const auto organ = in.number<std::uint64_t>(), edge = in.number<std::uint64_t>();
     in.require(edge < edges.size(), "a stroke of an edge that isn't there");
     BladeStroke& stroke = blade.strokes[{organ, edge}] = read_stroke(in);
-    in.require(stroke.edge.size() == edges[edge].points.size(), "a stroke of another edge");
+    in.require(stroke.points() == edges[edge].points.size(), "a stroke of another edge");
   }
   return blade;
 }

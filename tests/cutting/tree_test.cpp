@@ -30,7 +30,8 @@ TEST_P(Trees, FollowCutsAndWhatIsTakenBack) {
       TetTree anew;
       anew.update(complex, x, low, high);
       followed.update(complex, x, low, high);
-      for (const Sheet sheet(edge, next); const Sheet::Piece& piece : sheet.pieces()) {
+      const std::vector<std::size_t> one_part(edge.size(), 0);
+      for (const Sheet sheet(edge, next, one_part); const Sheet::Piece& piece : sheet.pieces()) {
         std::vector<TetId> a, b;
         followed.query(piece, a);
         anew.query(piece, b);
@@ -39,8 +40,8 @@ TEST_P(Trees, FollowCutsAndWhatIsTakenBack) {
       }
       for (NodeId node = 0; node < complex.node_end(); node += 7) {
         std::vector<TetId> a, b;
-        followed.query(x[node], a);
-        anew.query(x[node], b);
+        followed.query(x[node], x[node], a);
+        anew.query(x[node], x[node], b);
         EXPECT_EQ(sorted(a), sorted(b));
         found += a.size();
       }

@@ -13,11 +13,14 @@ class TetTree;
 /// Plain data, part of what a checkpoint has to hold. A stroke ends where the blade leaves the body for good;
 /// forget it then.
 struct BladeStroke {
-  /// A point of the blade's edge: in the room, and in the tissue where it was in some.
+  /// A point of the line that the blade's edge has cut to: in the room, and in the tissue where it was in
+  /// some.
   struct EdgePoint {
+    double at = 0;                   // along the edge, in its points: 0 is the first
     Vec3 room = Vec3::Zero();        // m
     TetId tet = TetComplex::none;    // that it was in
     std::array<double, 4> weight{};  // of its corners
+    bool is_corner() const { return at == static_cast<double>(static_cast<std::size_t>(at)); }
   };
   /// A node that counts as lying on the surface swept, and that surface's plane there, at rest.
   struct Mark {
@@ -25,21 +28,39 @@ struct BladeStroke {
     Vec3 point = Vec3::Zero();   // m
     Vec3 normal = Vec3::Zero();  // unit
   };
+  /// From end to end. The edge's own points, and in tissue also those where the line goes through faces: so
+  /// it is straight in each tetrahedron, and stays the same line in the tissue however that is bent. Two at
+  /// one place where tetrahedra that the line goes on in have no face in common.
   std::vector<EdgePoint> edge;
   std::vector<Mark> marks;  // ascending by node
+
+  std::size_t points() const {  // of the blade's own
+    return edge.empty() ? 0 : static_cast<std::size_t>(edge.back().at) + 1;
+  }
 };
 
 /// `edge`: the blade's, a polyline of at least two points in the room, metres. Throws InputError.
 BladeStroke begin_stroke(std::span<const Vec3> edge);
 
-/// Where the edge would be now had it moved along with the tissue it was in.
-std::vector<Vec3> carried_edge(const BladeStroke& stroke, const TetComplex& complex,
-                               std::span<const Vec3> positions);
+/// Where the stroke's line would be now had it moved along with the tissue it was in. Points beside tissue
+/// start that much farther behind where the blade's edge is now (`edge`) as the nearest tissue of the line
+/// moved since: what may have come over them they go through again, from outside.
+std::vector<Vec3> carried_edge(const BladeStroke& stroke, std::span<const Vec3> edge,
+                               const TetComplex& complex, std::span<const Vec3> positions);
 
-/// Remembers the edge, in the tissue; beside a sheet, which has no inside, in the room. `tree` may date from
+/// Where the line goes on to as the blade's edge goes to `edge`. What would move less than `least_motion`, m,
+/// stands still.
+struct MovedEdge {
+  std::vector<Vec3> to;
+  std::vector<std::uint8_t> stands;  // by point
+};
+MovedEdge moved_edge(const BladeStroke& stroke, std::span<const Vec3> from, std::span<const Vec3> edge,
+                     double least_motion);
+
+/// Remembers the line, in the tissue; beside a sheet, which has no inside, in the room. `tree` may date from
 /// before the last splits.
-void hold_edge(BladeStroke& stroke, std::span<const Vec3> edge, const TetComplex& complex,
-               const TetTree& tree, std::span<const Vec3> positions);
+void hold_edge(BladeStroke& stroke, const MovedEdge& moved, const TetComplex& complex, const TetTree& tree,
+               std::span<const Vec3> positions);
 
 /// Throws InputError for fewer than two points and numbers that aren't finite.
 void check_edge(std::span<const Vec3> edge);

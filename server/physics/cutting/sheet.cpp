@@ -7,19 +7,41 @@
 
 namespace prosector {
 
-Sheet::Sheet(std::span<const Vec3> from, std::span<const Vec3> to) {
-  for (std::size_t i = 0; i + 1 < from.size(); ++i) {
-    add(from[i], from[i + 1], to[i]);
-    add(to[i + 1], to[i], from[i + 1]);
+namespace {
+
+constexpr double smooth = 0.7;  // cosine
+
+Vec3 twice_area(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return (b - a).cross(c - a);
+}
+
+}  // namespace
+
+Sheet::Sheet(std::span<const Vec3> from, std::span<const Vec3> to, std::span<const std::size_t> part) {
+  for (std::size_t first = 0, next = 0; first + 1 < from.size(); first = next) {
+    Vec3 area = Vec3::Zero();
+    for (next = first; next + 1 < from.size() && part[next] == part[first]; ++next)
+      area += twice_area(from[next], from[next + 1], to[next]) +
+              twice_area(to[next + 1], to[next], from[next + 1]);
+    for (std::size_t i = first; i < next; ++i) {
+      add(from[i], from[i + 1], to[i], area);
+      add(to[i + 1], to[i], from[i + 1], area);
+    }
   }
 }
 
-void Sheet::add(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 area = (b - a).cross(c - a);
+void Sheet::add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& part_area) {
+  const Vec3 area = twice_area(a, b, c);
   const double longest = std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm()});
   const double rounding = 1e-12 * longest;  // below, the normal is noise
   if (!(area.norm() > rounding)) return;
-  pieces_.push_back({{a, b, c}, area.normalized(), a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
+  const Vec3 normal = area.normalized();
+  const bool is_smooth = normal.dot(part_area) >= smooth * part_area.norm();
+  pieces_.push_back({{a, b, c},
+                     normal,
+                     is_smooth ? normal : part_area.normalized(),
+                     a.cwiseMin(b).cwiseMin(c),
+                     a.cwiseMax(b).cwiseMax(c)});
 }
 
 std::optional<Sheet::Crossing> Sheet::crossing(const Vec3& a, const Vec3& b) const {
@@ -37,7 +59,7 @@ std::optional<Sheet::Crossing> Sheet::crossing(const Vec3& a, const Vec3& b) con
     const double twice = p.normal.dot(e.cross(f));
     const double v = p.normal.dot(d.cross(f)) / twice, w = p.normal.dot(e.cross(d)) / twice;
     if (v < -slack || w < -slack || v + w > 1 + slack) continue;
-    first = Crossing{t, p.normal};
+    first = Crossing{t, p.up};
   }
   return first;
 }
@@ -52,7 +74,7 @@ std::optional<Sheet::Foot> Sheet::foot(const Vec3& x, double reach) const {
     const double distance = (point - x).norm();
     if (distance > reach || (best && best->distance <= distance)) continue;
     // Beyond the rim the nearest point isn't below x: the plane's is.
-    best = Foot{x - p.normal * p.normal.dot(x - p.corner[0]), p.normal, distance};
+    best = Foot{x - p.up * p.up.dot(x - point), p.up, distance};
   }
   return best;
 }

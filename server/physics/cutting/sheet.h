@@ -15,6 +15,7 @@ class Sheet {
   struct Piece {
     std::array<Vec3, 3> corner;
     Vec3 normal;     // unit
+    Vec3 up;         // unit: of the sheet there
     Vec3 low, high;  // its box
   };
   struct Crossing {
@@ -27,8 +28,10 @@ class Sheet {
     double distance = 0;
   };
 
-  /// Polylines of equally many points, at least two, metres. Pieces without area are left out.
-  Sheet(std::span<const Vec3> from, std::span<const Vec3> to);
+  /// Polylines of equally many points, at least two, metres; `part`: by point, ascending. Pieces without area
+  /// are left out. What a part sweeps is smooth: where a piece's own normal is far from that of its part, the
+  /// part's is the sheet's.
+  Sheet(std::span<const Vec3> from, std::span<const Vec3> to, std::span<const std::size_t> part);
 
   std::span<const Piece> pieces() const { return pieces_; }
   /// Where the segment a–b goes through first; grazing along the sheet is none.
@@ -37,7 +40,7 @@ class Sheet {
   std::optional<Foot> foot(const Vec3& x, double reach) const;
 
  private:
-  void add(const Vec3& a, const Vec3& b, const Vec3& c);
+  void add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& part_area);
   std::vector<Piece> pieces_;
 };
 

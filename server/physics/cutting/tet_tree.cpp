@@ -172,10 +172,10 @@ void TetTree::query(const Sheet::Piece& piece, std::vector<TetId>& found) const 
       found);
 }
 
-void TetTree::query(const Vec3& x, std::vector<TetId>& found) const {
+void TetTree::query(const Vec3& low, const Vec3& high, std::vector<TetId>& found) const {
   visit(
-      [&](const Vec3& low, const Vec3& high) {
-        return (low.array() <= x.array()).all() && (x.array() <= high.array()).all();
+      [&](const Vec3& least, const Vec3& most) {
+        return (least.array() <= high.array()).all() && (low.array() <= most.array()).all();
       },
       found);
 }

@@ -17,8 +17,8 @@ class TetTree {
   // ---- Of what lies in the last update's box
   /// Appends the tetrahedra of the last update whose boxes meet the piece's box and plane.
   void query(const Sheet::Piece& piece, std::vector<TetId>& found) const;
-  /// Likewise those whose boxes have x.
-  void query(const Vec3& x, std::vector<TetId>& found) const;
+  /// Likewise those whose boxes meet that one.
+  void query(const Vec3& low, const Vec3& high, std::vector<TetId>& found) const;
 
  private:
   struct Branch {

@@ -200,21 +200,22 @@ void part_nodes(TetComplex& complex, const SlitFaces& slit, std::vector<Vec3>& x
 CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> positions, std::span<const Vec3> edge,
               BladeStroke& stroke) {
   check_edge(edge);
-  if (edge.size() != stroke.edge.size())
+  if (edge.size() != stroke.points())
     throw InputError(
         fmt::format("blade: its edge has {} points, but {} when the stroke began; allowed: as many",
-                    edge.size(), stroke.edge.size()));
+                    edge.size(), stroke.points()));
   if (positions.size() < complex.node_end())
     throw InputError(
         fmt::format("cutting: {} positions for nodes up to {}", positions.size(), complex.node_end()));
   CutResult result;
-  const std::vector<Vec3> from = carried_edge(stroke, complex, positions);
-  std::vector<Vec3> to(edge.begin(), edge.end());
-  for (std::size_t i = 0; i < to.size(); ++i)
-    if ((to[i] - from[i]).norm() < least_motion) to[i] = from[i];
+  const std::vector<Vec3> from = carried_edge(stroke, edge, complex, positions);
+  const MovedEdge moved = moved_edge(stroke, from, edge, least_motion);
+  const std::vector<Vec3>& to = moved.to;
   if (to == from) return result;
 
-  const Sheet sheet(from, to);
+  std::vector<std::size_t> piece_of_edge;
+  for (const BladeStroke::EdgePoint& p : stroke.edge) piece_of_edge.push_back(static_cast<std::size_t>(p.at));
+  const Sheet sheet(from, to, piece_of_edge);
   Vec3 low = to.front(), high = low;
   for (const std::vector<Vec3>& points : {from, to})
     for (const Vec3& x : points) {
@@ -241,7 +242,7 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
     part_nodes(complex, slit, x, marks, result);
     stroke.marks = marks.by_node();
   }
-  hold_edge(stroke, to, complex, tree, x);
+  hold_edge(stroke, moved, complex, tree, x);
   return result;
 }
 

@@ -67,6 +67,7 @@ TopologyOp read_op(ByteReader& in) {
 void add(ByteWriter& out, const BladeStroke& stroke) {
   out.add(static_cast<std::uint64_t>(stroke.edge.size()));
   for (const BladeStroke::EdgePoint& p : stroke.edge) {
+    out.add(p.at);
     out.add(p.room);
     out.add(p.tet);
     for (const double w : p.weight) out.add(w);
@@ -83,6 +84,8 @@ BladeStroke read_stroke(ByteReader& in) {
   BladeStroke out;
   out.edge.resize(in.count(most_listed));
   for (BladeStroke::EdgePoint& p : out.edge) {
+    p.at = in.number<double>();
+    in.require(p.at >= (&p == out.edge.data() ? 0 : (&p)[-1].at) && p.at < most_listed, "a line in disorder");
     p.room = in.vector();
     p.tet = in.number<TetId>();
     for (double& w : p.weight) w = in.number<double>();
