@@ -175,6 +175,36 @@ TEST(Friction, RigidBlockOnTissueHoldsBelowItsAngleAndSlidesAbove) {
   }
 }
 
+TEST(Friction, TissueOnTissueHoldsBelowItsAngleAndSlidesAbove) {
+  const double limit = std::atan(0.3) * 180 / std::numbers::pi;
+  for (const double beyond : {-1.0, 1.0}) {
+    SceneDesc scene;
+    scene.gravity = tilted(limit + beyond);
+    scene.rigid = {table()};
+    SoftDesc& bed = scene.soft.emplace_back(block("bed"));
+    bed.size = {0.4, 0.04, 0.12};
+    bed.pose.p.y() = 0.02;
+    bed.attach = {{{0, -1000, 0}, std::hypot(1000, 1), 1e13}};
+    SoftDesc& upper = scene.soft.emplace_back(block("upper"));
+    upper.size = {0.06, 0.02, 0.06};
+    upper.pose.p = {-0.1, 0.0505, 0};
+    for (SoftDesc& body : scene.soft) {
+      body.youngs_modulus = 2e5;
+      body.friction = 0.3;
+    }
+    Simulation simulation(scene, options());
+    const auto at = [&] { return centre(simulation, 2).x(); };
+    run(simulation, 30, drive(0, table_place));
+    const double from = at();
+    run(simulation, 60, drive(0, table_place));
+    EXPECT_FALSE(simulation.asleep(2));
+    if (beyond < 0)
+      EXPECT_LT(at() - from, 1e-5);
+    else
+      EXPECT_GT(at() - from, 0.05);  // m; 0.15 by theory
+  }
+}
+
 // The plate, which lies on tissue, takes part in the coupled solve, and so does the ball.
 TEST(Restitution, HoldsBesideTissue) {
   for (const double restitution : {0.0, 0.5, 0.8}) {
