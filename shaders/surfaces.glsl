@@ -16,7 +16,7 @@
                                defined(SURFACE_METAL) || defined(IS_ROOM))
 #define RELIEF
 #endif
-#if defined(EFFECT_PARALLAX) && (defined(SURFACE_TISSUE) || defined(IS_ROOM))
+#if defined(EFFECT_PARALLAX) && (defined(SURFACE_TISSUE) || defined(SURFACE_METAL) || defined(IS_ROOM))
 #define PARALLAX
 #endif
 #if defined(WET) && defined(EFFECT_FILM)
@@ -104,11 +104,14 @@ Material material_at(vec3 rest, vec3 lean) {
   m.slope = 0.03 * grain.yzw;
   m.scatter = vec3(0.10, 0.08, 0.05);
 #elif defined(SURFACE_METAL)
+  // Sheet is never quite even.
+  const float unevenness = 0.006 / 23.0;  // m
   vec4 wear = noise(rest * 23.0);
+  wear.x += dot(wear.yzw, 23.0 * (wear.x - 0.5) * unevenness * lean);
   m.f0 = base_color;
   m.albedo = vec3(0.0);
   m.roughness = clamp(base_roughness * mix(0.93, 1.07, wear.x), 0.05, 1.0);
-  m.slope = 0.006 * wear.yzw;  // sheet is never quite even
+  m.slope = 23.0 * unevenness * wear.yzw;
 #elif defined(SURFACE_SKIN)
   vec4 blotch = noise(rest * 70.0);
   vec4 pore = noise(rest * 900.0);
