@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "server/session/replay.h"
 #include "tests/physics/scalpel.h"
 #include "tests/session/hosted.h"
@@ -149,6 +151,20 @@ TEST_P(RewoundSession, EveryoneFollowsIntoTheNewEpochAndTheJournalRepeatsIt) {
       room.run(1);
       late.take();
     }
+    const auto scalpel_off = [&](const Guest& guest) {
+      const double tick = static_cast<double>(hosted.simulation.time().tick);
+      return (guest.replica.rigid_pose(test::scalpel, tick).p -
+              hosted.simulation.rigid_state(test::scalpel).pose.p)
+          .norm();
+    };
+    constexpr double near = 1e-3;  // m
+    // What comes to rest may have been lost on its way: it is sent again now and then.
+    for (int i = 0;
+         i < 120 && std::max({scalpel_off(room.ada), scalpel_off(room.eve), scalpel_off(late)}) >= near;
+         ++i) {
+      room.run(1);
+      late.take();
+    }
     for (Guest* guest : {&room.ada, &room.eve, &late}) {
       SCOPED_TRACE(testing::Message() << "client " << guest->id);
       const Replica& seen = guest->replica;
@@ -157,10 +173,7 @@ TEST_P(RewoundSession, EveryoneFollowsIntoTheNewEpochAndTheJournalRepeatsIt) {
       EXPECT_EQ(seen.topology_hash(), room.ada.replica.topology_hash());
       EXPECT_EQ(guest->replica.soft(block)->revision(), hosted.simulation.revision(block));
       for (const BodyId body : {block, BodyId{2}}) EXPECT_LT(error(hosted, *guest, body), 1e-4);
-      const double tick = static_cast<double>(hosted.simulation.time().tick);
-      EXPECT_LT((seen.rigid_pose(test::scalpel, tick).p - hosted.simulation.rigid_state(test::scalpel).pose.p)
-                    .norm(),
-                1e-3);
+      EXPECT_LT(scalpel_off(*guest), near);
     }
     hosted.loop.finish();
     last_hash = hosted.simulation.state_hash();
