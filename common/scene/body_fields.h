@@ -11,8 +11,8 @@ const Table& soft_table();
 inline constexpr Range density{1, 25000};
 inline constexpr Range scale{0, 1e6, true};
 
-/// Shapes that common/anatomy can make by itself.
-inline std::vector<std::string_view> implicit_shapes() {
+/// Names of the shapes that common/anatomy can make by itself.
+inline std::vector<std::string_view> implicit_shape_words() {
   return {"liver", "kidney", "gallbladder", "femur",   "foot",     "block",
           "ball",  "beam",   "cylinder",    "capsule", "horseshoe"};
 }

@@ -67,7 +67,7 @@ const Table& rigid_table() {
                               "volumes: label to take; -1: what is above threshold"),
          number<R, &R::threshold>("threshold", "", {-1e6, 1e6}, "grey volumes: inside is above it"),
          number<R, &R::smoothing>("smoothing", "voxels", {0, 10}, "volumes: Gaussian σ on the mask"),
-         words<R, &R::fallback>("fallback", implicit_shapes(),
+         words<R, &R::fallback>("fallback", implicit_shape_words(),
                                 "implicit shape used, with a clear line, when the file is missing"),
          number<R, &R::size>("size", "m", {0, 10, true}, "bounding box of the fallback, along its own axes"),
          number<R, &R::scale>("scale", "", scale, "file units to metres"),

@@ -6,7 +6,7 @@ namespace {
 
 /// Also those that aren't solid.
 std::vector<std::string_view> soft_shapes() {
-  auto out = implicit_shapes();
+  auto out = implicit_shape_words();
   out.insert(out.end(), {"sheet", "rope"});
   return out;
 }
@@ -81,7 +81,7 @@ const Table& soft_table() {
              "implicit shape, `size` large; or a sheet in the x-z plane or over a patch, or a rope along "
              "x or a curve, for mass_spring and xpbd"),
          words<S, &S::fallback>(
-             "fallback", implicit_shapes(),
+             "fallback", implicit_shape_words(),
              "implicit shape used, with a clear line, when the volume or mesh file is missing"),
          number<S, &S::size>(
              "size", "m", {0, 10, true},
