@@ -1,5 +1,5 @@
-// What a cut costs: ticks that cut beside ticks that don't, growth of the mesh, its volume, and the solver's
-// work after.
+// What a cut costs: ticks that cut beside ticks that don't, growth of the mesh, its shapes and volume, and
+// the solver's work.
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "server/physics/contact/surface_detector.h"
+#include "server/physics/cutting/tet_shape.h"
 #include "server/physics/organs/organ.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/bench/subjects.h"
@@ -107,6 +108,56 @@ double rest_volume(const Simulation& simulation) {
   return sum;
 }
 
+double degrees(double cosine) {
+  return 180 / std::numbers::pi * std::acos(std::clamp(cosine, -1.0, 1.0));
+}
+
+/// Least dihedral angle of each tetrahedron at rest, or least angle of a sheet's triangles, degrees.
+std::vector<double> least_angles(const SoftBody& body) {
+  const Anatomy& anatomy = body.anatomy();
+  const std::vector<Vec3>& x = anatomy.tets.positions;
+  std::vector<double> out;
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    out.push_back(degrees(cos_least_angle(x[a], x[b], x[c])));
+  };
+  for (const auto& t : anatomy.tets.tets)
+    out.push_back(degrees(cos_least_dihedral({x[t[0]], x[t[1]], x[t[2]], x[t[3]]})));
+  for (const auto& q : anatomy.quads) {
+    add(q[0], q[1], q[2]);
+    add(q[0], q[2], q[3]);
+  }
+  for (const auto& t : anatomy.triangles) add(t[0], t[1], t[2]);
+  return out;
+}
+
+std::vector<double> least_angles(const Simulation& simulation) {
+  std::vector<double> out;
+  for (BodyId body = liver; body < simulation.body_count(); ++body) {
+    if (simulation.surface(body).triangles.empty()) continue;
+    const std::vector<double> of_body = least_angles(simulation.soft(body));
+    out.insert(out.end(), of_body.begin(), of_body.end());
+  }
+  return out;
+}
+
+/// `when`: before or after.
+void add_quality(ReportRow& row, const std::string& when, const std::vector<double>& angles) {
+  row["least_angle_deg_" + when] = quantile(angles, 0);
+  row["p1_angle_deg_" + when] = quantile(angles, 0.01);
+  row["median_angle_deg_" + when] = quantile(angles, 0.5);
+}
+
+/// The solver's iterations, a tick, of all bodies.
+struct Effort {
+  double iterations = 0;
+  std::size_t ticks = 0;
+  void add(const StepReport& report) {
+    ++ticks;
+    for (const BodyReport& row : report.bodies) iterations += row.solver_iterations;
+  }
+  double mean() const { return ticks > 0 ? iterations / static_cast<double>(ticks) : 0; }
+};
+
 /// One stroke through an organ or a sheet, whose triangles count as tetrahedra; wall time of its ticks.
 ReportRow measure(const SceneDesc& scene, const Stroke& stroke, int threads) {
   CompileOptions options;
@@ -114,12 +165,12 @@ ReportRow measure(const SceneDesc& scene, const Stroke& stroke, int threads) {
   Simulation simulation(scene, options);
   const std::size_t tets = cells(simulation);
   const double volume = rest_volume(simulation);
+  const std::vector<double> angles = least_angles(simulation);
   Vec3 at(-reach, 0.19, 0.02);
   simulation.step(test::appear(at));
   simulation.step(test::event(HandEvent::Kind::grasp, at));
   std::vector<double> cutting, idle, cutting_phase;
-  std::size_t after = 0;
-  double solver_iterations = 0;
+  Effort while_cutting, between, after;
   const double h = 1 / simulation.scene().tick_rate;
   const int stroke_ticks = static_cast<int>(2 * reach / (stroke.speed * h));
   for (int tick = 0; tick < ticks_before + stroke_ticks + ticks_after; ++tick) {
@@ -127,15 +178,17 @@ ReportRow measure(const SceneDesc& scene, const Stroke& stroke, int threads) {
     at.z() = 0.02 + stroke.aside(at.x());
     const StepReport& report = simulation.step(test::target(at));
     const double ms = 1e3 * report.total_seconds;
+    const bool still = tick >= ticks_before + stroke_ticks;
+    if (!report.topology.empty())
+      while_cutting.add(report);
+    else if (!cutting.empty())
+      (still ? after : between).add(report);
     if (!report.topology.empty()) {
       cutting.push_back(ms);
       cutting_phase.push_back(1e3 * report.seconds[static_cast<std::size_t>(Phase::constraints)]);
     } else if (!cutting.empty()) {
       idle.push_back(ms);
     }
-    if (tick < ticks_before + stroke_ticks || report.bodies.empty()) continue;
-    ++after;
-    for (const BodyReport& row : report.bodies) solver_iterations += row.solver_iterations;
   }
   ReportRow row;
   const SoftDesc& tissue = scene.soft[0];
@@ -150,8 +203,12 @@ ReportRow measure(const SceneDesc& scene, const Stroke& stroke, int threads) {
   row["ms_p99_cutting"] = quantile(cutting, 0.99);
   row["ms_p50_other"] = quantile(idle, 0.5);
   row["added_ms_p50"] = quantile(cutting_phase, 0.5);
+  add_quality(row, "before", angles);
+  add_quality(row, "after", least_angles(simulation));
   row["volume_error"] = std::abs(rest_volume(simulation) / volume - 1);
-  row["solver_iterations_after"] = after > 0 ? solver_iterations / static_cast<double>(after) : 0;
+  row["solver_iterations_cutting"] = while_cutting.mean();
+  row["solver_iterations_between"] = between.mean();
+  row["solver_iterations_after"] = after.mean();
   return row;
 }
 
@@ -182,7 +239,8 @@ ReportRow cut_through(double cell, int threads) {
   const SoftBody& body = simulation.soft(liver);
   std::vector<double> preparing, cutting, making, all, undoing;
   std::size_t split = 0, after = 0;
-  double mass = 0;  // kg, of all pieces
+  double mass = 0;             // kg, of all pieces
+  std::vector<double> angles;  // likewise
   tbb::task_arena arena(threads);
   for (int run = 0; run < runs_through; ++run) {
     const auto first = std::chrono::steady_clock::now();
@@ -203,9 +261,12 @@ ReportRow cut_through(double cell, int threads) {
       };
       after = 0;
       mass = 0;
+      angles.clear();
       for (const auto& piece : made) {
         after += piece.solver->elements();
         mass += piece.solver->total_mass();
+        const std::vector<double> of_piece = least_angles(*piece.solver);
+        angles.insert(angles.end(), of_piece.begin(), of_piece.end());
       }
       const auto undo = std::chrono::steady_clock::now();
       organ.undo(1);
@@ -230,6 +291,8 @@ ReportRow cut_through(double cell, int threads) {
   row["ms_undoing"] = quantile(undoing, 0.5);
   row["ms_making_bodies"] = quantile(making, 0.5);
   row["added_ms_p50"] = quantile(all, 0.5);
+  add_quality(row, "before", least_angles(body));
+  add_quality(row, "after", angles);
   row["volume_error"] = std::abs(mass / body.total_mass() - 1);  // of one density
   return row;
 }

@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(
             "cut",
             "--quick --threads 1",
             {"stroke", "tets", "tets_after", "threads"},
-            {"added_ms_p50", "volume_error"},
+            {"added_ms_p50", "least_angle_deg_before", "least_angle_deg_after", "volume_error"},
             {{"ticks_that_cut", "ms_p50_cutting", "ms_p50_other"}, {"ms_cutting_mesh", "ms_making_bodies"}}},
         Subject{"trade",
                 "--quick --case press --model bullet_classic --limit 5",
