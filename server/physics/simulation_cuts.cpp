@@ -246,11 +246,14 @@ void Simulation::Impl::keep_momentum_of(const Organ& organ, const Organ::Regroup
                                         std::span<NewPiece> made) {
   std::vector<PieceMotion> before, now;
   for (const OrganPiece& old : changed.before)
-    before.push_back({&old.mesh, &model.soft[old.body]->node_mass(), &soft[old.body].motion.v});
+    before.push_back({old.mesh.nodes, &model.soft[old.body]->node_mass(), &soft[old.body].motion.x,
+                      &soft[old.body].motion.v});
   for (NewPiece& piece : made)
     if (piece.whole)
-      now.push_back({&organ.piece(piece.body).mesh, &piece.solver->node_mass(), &piece.motion.v});
-  keep_momentum(before, now);
+      now.push_back(
+          {organ.piece(piece.body).mesh.nodes, &piece.solver->node_mass(), &piece.motion.x, &piece.motion.v});
+  // Where pieces are joined, places jump with the nodes that go: what that does to spin is no cut's.
+  keep_momentum(before, now, organ.log().back().cause == TopologyCause::cut);
 }
 
 /// Makes bodies of the pieces that an organ's change left or made.

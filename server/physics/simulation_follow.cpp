@@ -12,6 +12,7 @@ namespace prosector {
 bool Simulation::Impl::follow_cut(Organ& organ, TopologyCause cause, ParticipantId author) {
   const std::optional<PieceEdit> edit = organ.cut_in_one_piece();
   if (!edit) return false;
+  if (organ.complex().is_sheet()) return follow_sheet(organ, *edit, cause, author);
   const std::size_t body = edit->body;
   SoftBody& solver = *model.soft[body];
   const PieceMesh& mesh = organ.piece(body).mesh;

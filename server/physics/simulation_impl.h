@@ -101,7 +101,8 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<std::vector<Contact>> soft_contacts;    // per soft body: with rigid ones
   BroadPhase soft_boxes;                              // of soft bodies that collide, by index
   std::vector<std::optional<SelfSurface>> folds;      // per soft body: of solids that meet themselves
-  std::vector<std::optional<ElementSurface>> layers;  // per soft body: of thin ones that may meet as layers
+  std::vector<char> layered;                          // per soft body: thin, and may meet others as layers
+  std::vector<std::optional<ElementSurface>> layers;  // of those: made when asked for, at rest
   std::vector<char> layers_moved;                     // per soft body, as faces_moved
   std::vector<int> passed_through;                    // per soft body: elements that a layer has passed
   std::vector<SoftPair> soft_pairs;                   // ascending, those with contacts
@@ -219,8 +220,9 @@ struct Simulation::Impl : PanelSubjects {
   bool stop_at_the_surface(std::span<const Vec3> from, std::span<Vec3> to) const;
   bool enter_volumes(const Blade& blade, std::span<const Vec3> from, std::span<Vec3> to) const;
   struct SheetCrossing;
+  struct NearSheet;
   bool can_cut_sheet(std::size_t body) const;
-  std::vector<SheetCrossing> sheet_crossings(std::size_t body, std::span<const Vec3> edge) const;
+  static std::vector<SheetCrossing> sheet_crossings(const NearSheet& sheet, std::span<const Vec3> edge);
   void grip_sheets(const Blade& blade, std::span<const Vec3> now);
   void drag_edges(const Blade& blade, std::span<const Vec3> now, std::span<Vec3> from,
                   std::span<Vec3> to) const;
@@ -246,6 +248,7 @@ struct Simulation::Impl : PanelSubjects {
   TopologyChange& tell_of(std::size_t body, std::uint64_t content_hash, TopologyCause cause,
                           ParticipantId author);
   bool follow_cut(Organ& organ, TopologyCause cause, ParticipantId author);
+  bool follow_sheet(Organ& organ, const PieceEdit& edit, TopologyCause cause, ParticipantId author);
   void remake(Organ& organ, TopologyCause cause, ParticipantId author);
   std::string carry_through(std::size_t first, const Organ::Mark& before, TopologyCause cause,
                             ParticipantId author);

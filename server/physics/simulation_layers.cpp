@@ -43,6 +43,7 @@ bool Simulation::Impl::is_thin(std::size_t body) const {
 }
 
 void Simulation::Impl::fit_layers(std::size_t body) {
+  layered[body] = 0;
   layers[body].reset();
   folds[body].reset();
   std::erase_if(layer_sides,
@@ -70,15 +71,16 @@ void Simulation::Impl::fit_layers(std::size_t body) {
                       model.soft[body]->desc().name));
     if (closed) folds[body].emplace(anatomy);
   }
-  for (std::size_t other = 0; other < model.soft.size() && !layers[body]; ++other)
-    if (meets(body, other)) layers[body].emplace(anatomy);
+  for (std::size_t other = 0; other < model.soft.size() && !layered[body]; ++other)
+    layered[body] = meets(body, other);
 }
 
 bool Simulation::Impl::has_layers() const {
-  return std::any_of(layers.begin(), layers.end(), [](const auto& l) { return l.has_value(); });
+  return std::any_of(layered.begin(), layered.end(), [](char l) { return l != 0; });
 }
 
 const ElementSurface& Simulation::Impl::layers_of(std::size_t body) {
+  if (!layers[body]) layers[body].emplace(model.soft[body]->anatomy());
   if (!layers_moved[body]) layers[body]->move(soft[body].motion.x);
   layers_moved[body] = 1;
   return *layers[body];

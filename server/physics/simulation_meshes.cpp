@@ -21,6 +21,7 @@ void Simulation::Impl::fit_to_mesh(std::size_t body, SurfaceDetector surface) {
     numberings.emplace_back();
     rough.emplace_back();
     stored.emplace_back();
+    layered.push_back(0);
     layers.emplace_back();
     folds.emplace_back();
     layers_moved.push_back(0);

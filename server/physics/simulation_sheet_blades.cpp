@@ -22,8 +22,41 @@ struct Simulation::Impl::SheetCrossing {
   Vec3 place = Vec3::Zero(), normal = Vec3::UnitY();
 };
 
+/// Triangles of a sheet near some place, in order.
+struct Simulation::Impl::NearSheet {
+  struct Face {
+    std::array<std::uint32_t, 3> corners;
+    std::array<Vec3, 3> at;
+    Aabb box;
+  };
+  std::vector<Face> faces;
+
+  NearSheet(const Anatomy& sheet, const VecX& x, const Aabb& place) {
+    const auto visit = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      const std::array<Vec3, 3> at = {x.segment<3>(3 * Eigen::Index{a}), x.segment<3>(3 * Eigen::Index{b}),
+                                      x.segment<3>(3 * Eigen::Index{c})};
+      const Aabb box{at[0].cwiseMin(at[1]).cwiseMin(at[2]), at[0].cwiseMax(at[1]).cwiseMax(at[2])};
+      if (box.overlaps(place)) faces.push_back({{a, b, c}, at, box});
+    };
+    for (const auto& [a, b, c, d] : sheet.quads) {
+      visit(a, b, c);
+      visit(a, c, d);
+    }
+    for (const auto& [a, b, c] : sheet.triangles) visit(a, b, c);
+  }
+
+  /// Calls do_it(corners, places) for each whose box meets that of `points`, widened.
+  template <class F>
+  void visit(std::span<const Vec3> points, double widened, const F& do_it) const {
+    const Aabb box = swept_box(points, points).grown(widened);
+    for (const Face& face : faces)
+      if (face.box.overlaps(box)) do_it(face.corners, face.at);
+  }
+};
+
 namespace {
 
+constexpr double room = 1e-6;     // m: of rounding, around where near triangles are looked for
 constexpr double to_begin = 1.5;  // times the force at which a cut goes on: a crack that isn't there yet
 constexpr double above = 0.25;    // of the thickness: where points that come down on a sheet are held
 constexpr int halvings = 12;      // of a tick's way, to where an edge came in over the border
@@ -52,33 +85,6 @@ Vec3 point_of(const SparseMap::Row& row, const VecX& x) {
          row.weight[2] * x.segment<3>(3 * Eigen::Index{row.node[2]});
 }
 
-/// Calls do_it(corners, places) for each triangle of the sheet whose box meets that of `points`, widened.
-template <class F>
-void near_triangles(const Anatomy& sheet, const VecX& x, std::span<const Vec3> points, double widened,
-                    const F& do_it) {
-  if (points.empty()) return;
-  Vec3 low = points[0], high = low;
-  for (const Vec3& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  low.array() -= widened;
-  high.array() += widened;
-  const auto visit = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    const std::array<Vec3, 3> at = {x.segment<3>(3 * Eigen::Index{a}), x.segment<3>(3 * Eigen::Index{b}),
-                                    x.segment<3>(3 * Eigen::Index{c})};
-    if ((at[0].cwiseMax(at[1]).cwiseMax(at[2]).array() < low.array()).any() ||
-        (at[0].cwiseMin(at[1]).cwiseMin(at[2]).array() > high.array()).any())
-      return;
-    do_it(std::array{a, b, c}, at);
-  };
-  for (const auto& [a, b, c, d] : sheet.quads) {
-    visit(a, b, c);
-    visit(a, c, d);
-  }
-  for (const auto& [a, b, c] : sheet.triangles) visit(a, b, c);
-}
-
 SparseMap::Row row_of(const std::array<std::uint32_t, 3>& corners, const Vec3& weights) {
   return {{corners[0], corners[1], corners[2], 0}, {weights[0], weights[1], weights[2], 0}};
 }
@@ -98,17 +104,17 @@ std::vector<std::uint8_t> Simulation::Impl::held_nodes_of(std::size_t body) cons
 }
 
 /// In order along the edge; where it goes through at a line between triangles, once.
-std::vector<Simulation::Impl::SheetCrossing> Simulation::Impl::sheet_crossings(
-    std::size_t body, std::span<const Vec3> edge) const {
+std::vector<Simulation::Impl::SheetCrossing> Simulation::Impl::sheet_crossings(const NearSheet& sheet,
+                                                                               std::span<const Vec3> edge) {
   std::vector<SheetCrossing> out;
-  near_triangles(model.soft[body]->anatomy(), soft[body].motion.x, edge, 0,
-                 [&](const auto& corners, const std::array<Vec3, 3>& at) {
-                   for (std::size_t p = 0; p + 1 < edge.size(); ++p)
-                     if (const auto found = hit(edge[p], edge[p + 1], at))
-                       out.push_back({p, found->t, row_of(corners, found->weights),
-                                      edge[p] + found->t * (edge[p + 1] - edge[p]),
-                                      (at[1] - at[0]).cross(at[2] - at[0]).normalized()});
-                 });
+  if (edge.empty()) return out;
+  sheet.visit(edge, 0, [&](const auto& corners, const std::array<Vec3, 3>& at) {
+    for (std::size_t p = 0; p + 1 < edge.size(); ++p)
+      if (const auto found = hit(edge[p], edge[p + 1], at))
+        out.push_back({p, found->t, row_of(corners, found->weights),
+                       edge[p] + found->t * (edge[p + 1] - edge[p]),
+                       (at[1] - at[0]).cross(at[2] - at[0]).normalized()});
+  });
   std::stable_sort(out.begin(), out.end(), [](const SheetCrossing& a, const SheetCrossing& b) {
     return a.point != b.point ? a.point < b.point : a.share < b.share;
   });
@@ -156,7 +162,9 @@ void Simulation::Impl::grip_sheets(const Blade& blade, std::span<const Vec3> now
         continue;
       }
       const auto cut_to = std::span(blade.cut_to).subspan(first, count);
-      const std::vector<SheetCrossing> crossings = sheet_crossings(body, cut_to);
+      const NearSheet near(sheet, soft[body].motion.x,
+                           swept_box(cut_to, cut_to).grown(sheet.thickness / 2 + room));
+      const std::vector<SheetCrossing> crossings = sheet_crossings(near, cut_to);
       for (const SheetCrossing& c : crossings) {
         const std::size_t p = first + c.point;
         grip(body, p, c.row, now[p] + c.share * (now[p + 1] - now[p]), c.place, toughness * sheet.thickness,
@@ -165,14 +173,13 @@ void Simulation::Impl::grip_sheets(const Blade& blade, std::span<const Vec3> now
       for (std::size_t k = 0; k < count && crossings.empty(); ++k) {
         double nearest = sheet.thickness / 2;
         std::optional<SparseMap::Row> row;
-        near_triangles(sheet, soft[body].motion.x, cut_to.subspan(k, 1), nearest,
-                       [&](const auto& corners, const std::array<Vec3, 3>& at) {
-                         const Vec3 w = closest_weights(cut_to[k], at[0], at[1], at[2]);
-                         const double d = (w[0] * at[0] + w[1] * at[1] + w[2] * at[2] - cut_to[k]).norm();
-                         if (d >= nearest) return;
-                         nearest = d;
-                         row = row_of(corners, w);
-                       });
+        near.visit(cut_to.subspan(k, 1), nearest, [&](const auto& corners, const std::array<Vec3, 3>& at) {
+          const Vec3 w = closest_weights(cut_to[k], at[0], at[1], at[2]);
+          const double d = (w[0] * at[0] + w[1] * at[1] + w[2] * at[2] - cut_to[k]).norm();
+          if (d >= nearest) return;
+          nearest = d;
+          row = row_of(corners, w);
+        });
         if (row)
           grip(body, first + k, *row, now[first + k], cut_to[k], toughness * edge.length_per_point,
                std::nullopt);
@@ -235,7 +242,8 @@ bool Simulation::Impl::stop_at_sheets(const Blade& blade, std::span<const Vec3> 
         });
       };
       first += edge.points.size();
-      if (!sheet_crossings(body, before).empty()) {
+      const NearSheet near(sheet, x, swept_box(before, after).grown(room));
+      if (!sheet_crossings(near, before).empty()) {
         in_sheet = true;
         continue;
       }
@@ -244,7 +252,7 @@ bool Simulation::Impl::stop_at_sheets(const Blade& blade, std::span<const Vec3> 
         const std::array<Vec3, 2> way = {before[k], after[k]};
         const Vec3 all = way[1] - way[0];
         double first_hit = 2, steepness = 0;
-        near_triangles(sheet, x, way, 0, [&](const auto&, const std::array<Vec3, 3>& at) {
+        near.visit(way, 0, [&](const auto&, const std::array<Vec3, 3>& at) {
           const auto found = hit(way[0], way[1], at);
           if (!found || found->t >= first_hit) return;
           first_hit = found->t;
@@ -256,7 +264,7 @@ bool Simulation::Impl::stop_at_sheets(const Blade& blade, std::span<const Vec3> 
         const double back = above * sheet.thickness / std::max(1e-9, steepness);
         after[k] = way[0] + std::max(0.0, first_hit - back) * all;
       }
-      if (sheet_crossings(body, after).empty()) continue;
+      if (sheet_crossings(near, after).empty()) continue;
       if (tough && !in_sheet) {  // over the border
         const std::vector<Vec3> end(after.begin(), after.end());
         double out = 0, in = 1;
@@ -264,7 +272,7 @@ bool Simulation::Impl::stop_at_sheets(const Blade& blade, std::span<const Vec3> 
           const double middle = (out + in) / 2;
           for (std::size_t k = 0; k < before.size(); ++k)
             after[k] = before[k] + middle * (end[k] - before[k]);
-          (sheet_crossings(body, after).empty() ? out : in) = middle;
+          (sheet_crossings(near, after).empty() ? out : in) = middle;
         }
         for (std::size_t k = 0; k < before.size(); ++k) after[k] = before[k] + in * (end[k] - before[k]);
       }

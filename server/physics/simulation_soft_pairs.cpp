@@ -81,7 +81,7 @@ bool Simulation::Impl::add_pair_contacts(std::size_t a, std::size_t b, double ma
   if (a == b && !is_thin(a)) return add_self_contacts(a, margin, out);
   if (a != b && !outer_box(a).grown(margin).overlaps(outer_box(b))) return false;
   if (rough[a] || rough[b]) return add_rough_pair_contacts(a, b, margin, out);
-  if (layers[a] && layers[b]) return add_layer_contacts(a, b, margin, out);
+  if (layered[a] && layered[b]) return add_layer_contacts(a, b, margin, out);
   const std::size_t before = out.size();
   const SoftSkin first = skin(a), second = skin(b);
   const auto add = [&](std::size_t from, std::size_t to) {

@@ -84,6 +84,7 @@ void Simulation::Impl::forget_bodies_from(std::size_t count) {
   shorten(memories);
   shorten(rough);
   shorten(stored);
+  shorten(layered);
   shorten(layers);
   shorten(folds);
   shorten(layers_moved);

@@ -320,7 +320,8 @@ std::vector<std::string> cut_stroke_names() {
 Report bench_cut(const CutBenchOptions& options) {
   Report report("cut");
   const auto asked = [&](const char* stroke) { return options.only.empty() || options.only == stroke; };
-  const std::vector<double> cells = options.quick      ? std::vector<double>{0.04}
+  const std::vector<double> cells = options.sheets     ? std::vector<double>{}
+                                    : options.quick    ? std::vector<double>{0.04}
                                     : options.cell > 0 ? std::vector<double>{options.cell}
                                                        : std::vector<double>{0.01475, 0.00918, 0.00672};
   for (const double cell : cells) {
@@ -337,9 +338,9 @@ Report bench_cut(const CutBenchOptions& options) {
         figure(row, "ms_undoing"));
   }
   for (const char* model : {"mass_spring", "xpbd"})
-    if (asked(strokes().front().name) && options.cell == 0)
-      add_stroke(report, sheet_scene(model, options.quick ? 0.02 : 0.004), strokes().front(),
-                 options.threads);
+    for (const Stroke& stroke : strokes())
+      if (asked(stroke.name) && options.cell == 0)
+        add_stroke(report, sheet_scene(model, options.quick ? 0.02 : 0.004), stroke, options.threads);
   return report;
 }
 

@@ -86,6 +86,7 @@ int main(int argc, char** argv) try {
       ->check(CLI::Range(0.004, 0.1));
   cut_command->add_option("--stroke", cut.only, "Only this one")
       ->check(CLI::IsMember(prosector::cut_stroke_names()));
+  cut_command->add_flag("--sheets", cut.sheets, "Only the sheets");
   cut_command->add_option("--threads", cut.threads, "Of the simulation")->check(CLI::Range(1, 1024));
 
   prosector::TradeBenchOptions trade;

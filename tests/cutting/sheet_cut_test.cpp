@@ -140,6 +140,38 @@ TEST(SheetComplex, StraightStrokesPartItWhateverTheirWay) {
   }
 }
 
+// Over two fifths of a cylinder: the blade stands upright on it and goes along its axis, around it, or
+// slanting.
+TEST(SheetComplex, MostStrokesPartASheetThatIsCurved) {
+  constexpr double side = 0.1, radius = 0.04;
+  const auto over = [](const Vec3& flat, double above) {
+    const double angle = flat.x() / radius, r = radius + above;
+    return Vec3(r * std::sin(angle), r * std::cos(angle), flat.z());
+  };
+  Anatomy curved = square(side, 0.01);
+  for (Vec3& x : curved.tets.positions) x = over(x, 0);
+  int parted = 0;
+  for (int i = 0; i < 12; ++i) {
+    const double angle = 0.07 + i * M_PI / 12, off = 0.02 * std::sin(5.0 * i);
+    const Vec3 way(std::cos(angle), 0, std::sin(angle)), aside(-way.z(), 0, way.x());
+    for (const int ticks : {20, 60}) {
+      CutSheet sheet(curved);
+      const double mass = total_mass(sheet.complex), volume = total_volume(sheet.complex);
+      Stroke stroke;
+      for (int tick = 0; tick <= ticks; ++tick) {
+        const Vec3 at = off * aside + (0.22 * tick / ticks - 0.11) * way;
+        stroke.push_back({over(at, 0.02), over(at, -0.02)});
+      }
+      sheet.make(stroke);
+      parted += pieces(sheet.complex).size() == 2 ? 1 : 0;
+      EXPECT_NEAR(total_mass(sheet.complex), mass, 1e-12 * mass);
+      EXPECT_NEAR(total_volume(sheet.complex), volume, 1e-12 * volume);
+      EXPECT_GE(sheet.least_angle, 4.99);
+    }
+  }
+  EXPECT_GE(parted, 20);  // of 24: slanting ones, which twist as they go, may leave it hanging together
+}
+
 TEST(SheetComplex, ACutEndsInsideAndGoesOn) {
   CutSheet sheet(square(0.1, 0.01));
   const Stroke stroke = drawn({0.003, 0, -0.06}, {0.003, 0, 0.06}, 40);

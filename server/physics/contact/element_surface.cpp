@@ -1,7 +1,7 @@
 #include "server/physics/contact/element_surface.h"
 
 #include <algorithm>
-#include <set>
+#include <utility>
 
 namespace prosector {
 namespace {
@@ -41,11 +41,12 @@ void ElementSurface::find_neighbours() {
   for (std::uint32_t e = 0; e < elements_.size(); ++e)
     for (const std::uint32_t corner : elements_[e]) with_corner[corner].push_back(e);
   around_begin_.push_back(0);
-  for (const SurfaceTree::Corners& corners : elements_) {
-    std::set<std::uint32_t> near;
-    for (const std::uint32_t corner : corners)
-      near.insert(with_corner[corner].begin(), with_corner[corner].end());
-    around_.insert(around_.end(), near.begin(), near.end());
+  std::vector<std::uint32_t> seen_by(elements_.size(), ~0U);
+  for (std::uint32_t e = 0; e < elements_.size(); ++e) {
+    for (const std::uint32_t corner : elements_[e])
+      for (const std::uint32_t other : with_corner[corner])
+        if (std::exchange(seen_by[other], e) != e) around_.push_back(other);
+    std::sort(around_.begin() + around_begin_.back(), around_.end());
     around_begin_.push_back(static_cast<std::uint32_t>(around_.size()));
   }
 }

@@ -186,7 +186,7 @@ Organ::Regrouped Organ::regroup(std::size_t next_body) {
 }
 
 std::optional<PieceEdit> Organ::cut_in_one_piece() const {
-  if (complex_.is_sheet() || changed_.size() != 1) return std::nullopt;
+  if (changed_.size() != 1) return std::nullopt;
   std::vector<TetId> touched, slit;
   for (std::size_t i = grouped_; i < log_.size(); ++i) {
     if (log_[i].cause != TopologyCause::cut) return std::nullopt;
@@ -196,7 +196,9 @@ std::optional<PieceEdit> Organ::cut_in_one_piece() const {
         for (const auto& [a, b] : faces->faces) slit.insert(slit.end(), {a, b});
   }
   if (!hang_together(complex_, slit)) return std::nullopt;
-  PieceEdit edit = edit_of(complex_, piece(*changed_.begin()).mesh, std::move(touched));
+  const PieceMesh& before = piece(*changed_.begin()).mesh;
+  PieceEdit edit = edit_of(complex_, before, touched);
+  if (complex_.is_sheet()) edit.touched = touched_corners(complex_, before, edit, whole_, touched);
   edit.body = *changed_.begin();
   return edit;
 }

@@ -89,7 +89,7 @@ PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector
   auto end = static_cast<std::uint32_t>(piece.tets.size());
   for (const TetId tet : touched) {
     const auto c = complex.corners(tet);
-    const MeshEdit::Corners corners = {index(c[0]), index(c[1]), index(c[2]), index(c[3])};
+    const MeshEdit::Corners corners = {index(c[0]), index(c[1]), index(c[2]), index(c.back())};
     const auto at = std::lower_bound(piece.places.begin(), piece.places.end(), complex.place(tet));
     if (at != piece.places.end()) {
       const auto i = static_cast<std::uint32_t>(at - piece.places.begin());

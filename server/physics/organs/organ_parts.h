@@ -19,6 +19,8 @@ struct PieceEdit {
   std::vector<NodeId> nodes;  // new ones
   std::vector<TetId> tets;    // mesh.tets' ids
   MeshEdit mesh;
+  std::vector<std::uint32_t> touched;  // of a sheet, by index: corners of cells and of triangles of others
+                                       // that came or went; ascending
 };
 
 /// Of tetrahedra of the piece that may have changed: children of its tetrahedra, or corners that were parted.

@@ -22,6 +22,8 @@ class SheetPiece {
 
   Anatomy build() {
     numbering_ = {piece_.nodes, {}, {}};
+    index_.resize(complex_.node_end());
+    for (std::uint32_t i = 0; i < piece_.nodes.size(); ++i) index_[piece_.nodes[i]] = i;
     out_.tets.positions = piece_.mesh.positions;
     out_.thickness = whole_.thickness;
     for (const NodeId node : piece_.nodes)
@@ -33,69 +35,67 @@ class SheetPiece {
   }
 
  private:
-  std::uint32_t index(NodeId node) const {
-    const auto at = std::lower_bound(piece_.nodes.begin(), piece_.nodes.end(), node);
-    return static_cast<std::uint32_t>(at - piece_.nodes.begin());
-  }
-
   void add_cells() {
     const auto compiled = static_cast<TetId>(2 * whole_.quads.size());
     for (const TetId t : piece_.tets) {
       if (t < compiled && is_whole(complex_, t / 2, whole_.quads[t / 2])) {
         const auto& q = whole_.quads[t / 2];
-        if (t % 2 == 0) out_.quads.push_back({index(q[0]), index(q[1]), index(q[2]), index(q[3])});
+        if (t % 2 == 0) out_.quads.push_back({index_[q[0]], index_[q[1]], index_[q[2]], index_[q[3]]});
         continue;
       }
       const auto c = complex_.corners(t);
-      out_.triangles.push_back({index(c[0]), index(c[1]), index(c[2])});
+      out_.triangles.push_back({index_[c[0]], index_[c[1]], index_[c[2]]});
     }
   }
 
   /// Of the compiled sheet's n nodes: i above, n + i below; of each other both sides, one after the other.
   void add_vertices() {
     const auto n = static_cast<NodeId>(whole_.tets.positions.size());
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;  // number, node
-    for (std::uint32_t i = 0; i < piece_.nodes.size(); ++i) {
-      const NodeId id = piece_.nodes[i];
-      found.emplace_back(id < n ? id : 2 * id, i);
-      found.emplace_back(id < n ? n + id : 2 * id + 1, i);
-    }
-    std::sort(found.begin(), found.end());
-    above_.resize(piece_.nodes.size());
-    below_.resize(piece_.nodes.size());
-    for (const auto& [number, i] : found) {
-      const NodeId id = piece_.nodes[i];
-      (number == (id < n ? id : 2 * id) ? above_ : below_)[i] =
-          static_cast<std::uint32_t>(numbering_.vertices.size());
+    const auto nodes = static_cast<std::uint32_t>(piece_.nodes.size());
+    const auto compiled = static_cast<std::uint32_t>(
+        std::lower_bound(piece_.nodes.begin(), piece_.nodes.end(), n) - piece_.nodes.begin());
+    above_.resize(nodes);
+    below_.resize(nodes);
+    out_.surface.positions.reserve(2 * nodes);
+    out_.embedding.rows.reserve(2 * nodes);
+    numbering_.vertices.reserve(2 * nodes);
+    const auto add = [&](std::vector<std::uint32_t>& side, std::uint32_t i, std::uint32_t number) {
+      side[i] = static_cast<std::uint32_t>(numbering_.vertices.size());
       numbering_.vertices.push_back(number);
-      out_.surface.positions.push_back(complex_.rest(id));
+      out_.surface.positions.push_back(piece_.mesh.positions[i]);
       out_.embedding.rows.push_back({{i, i, i, i}, {1, 0, 0, 0}});
+    };
+    for (std::uint32_t i = 0; i < compiled; ++i) add(above_, i, piece_.nodes[i]);
+    for (std::uint32_t i = 0; i < compiled; ++i) add(below_, i, n + piece_.nodes[i]);
+    for (std::uint32_t i = compiled; i < nodes; ++i) {
+      add(above_, i, 2 * piece_.nodes[i]);
+      add(below_, i, 2 * piece_.nodes[i] + 1);
     }
   }
 
   /// Of a compiled cell as make_sheet() has them: two above, two below; of each other triangle both sides.
   void add_triangles() {
+    std::vector<char> in_piece(complex_.tet_end(), 0);
+    for (const TetId t : piece_.tets) in_piece[t] = 1;
     const auto compiled = static_cast<TetId>(2 * whole_.quads.size());
-    struct Found {
-      std::uint32_t number;
-      TetId tet;
-      bool above;
-    };
-    std::vector<Found> found;
-    for (const TetId t : piece_.tets) {
-      const std::uint32_t first = t < compiled ? 4 * (t / 2) + t % 2 : 2 * t;
-      found.push_back({first, t, true});
-      found.push_back({t < compiled ? first + 2 : first + 1, t, false});
-    }
-    std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.number < b.number; });
-    for (const Found& f : found) {
-      const auto c = complex_.corners(f.tet);
-      const std::uint32_t i = index(c[0]), j = index(c[1]), k = index(c[2]);
-      if (f.above)
+    out_.surface.triangles.reserve(2 * piece_.tets.size());
+    numbering_.triangles.reserve(2 * piece_.tets.size());
+    const auto add = [&](TetId t, bool above, std::uint32_t number) {
+      if (!in_piece[t]) return;
+      const auto c = complex_.corners(t);
+      const std::uint32_t i = index_[c[0]], j = index_[c[1]], k = index_[c[2]];
+      if (above)
         out_.surface.triangles.push_back({above_[i], above_[j], above_[k]});
       else
         out_.surface.triangles.push_back({below_[i], below_[k], below_[j]});
-      numbering_.triangles.push_back(f.number);
+      numbering_.triangles.push_back(number);
+    };
+    for (TetId t = 0; t < compiled; t += 2)
+      for (const std::uint32_t side : {0U, 2U})
+        for (const std::uint32_t k : {0U, 1U}) add(t + k, side == 0, 2 * t + side + k);
+    for (TetId t = compiled; t < in_piece.size(); ++t) {
+      add(t, true, 2 * t);
+      add(t, false, 2 * t + 1);
     }
   }
 
@@ -103,6 +103,7 @@ class SheetPiece {
   const PieceMesh& piece_;
   const Anatomy& whole_;
   Numbering& numbering_;
+  std::vector<std::uint32_t> index_;          // by node's id
   std::vector<std::uint32_t> above_, below_;  // vertices, by node
   Anatomy out_;
 };
@@ -112,6 +113,24 @@ class SheetPiece {
 Anatomy sheet_piece(const TetComplex& complex, const PieceMesh& piece, const Anatomy& whole,
                     Numbering& numbering) {
   return SheetPiece(complex, piece, whole, numbering).build();
+}
+
+// A cell goes whole: also where one of its triangles has the corners that it had.
+std::vector<std::uint32_t> touched_corners(const TetComplex& complex, const PieceMesh& before,
+                                           const PieceEdit& edit, const Anatomy& whole,
+                                           std::span<const TetId> touched) {
+  std::vector<std::uint32_t> out = edit.mesh.nodes;
+  for (TetId t : touched) {
+    while (complex.parent(t) != TetComplex::none) t = complex.parent(t);
+    for (const NodeId corner : whole.quads[t / 2]) {
+      const auto at = std::lower_bound(before.nodes.begin(), before.nodes.end(), corner);
+      if (at != before.nodes.end() && *at == corner)
+        out.push_back(static_cast<std::uint32_t>(at - before.nodes.begin()));
+    }
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
 }
 
 Anatomy sheet_remnant(const Anatomy& whole) {

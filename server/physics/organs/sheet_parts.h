@@ -2,7 +2,7 @@
 // What a sheet that was cut is put together from.
 
 #include "common/scene/scene.h"
-#include "server/physics/organs/node_transfer.h"
+#include "server/physics/organs/organ_parts.h"
 #include "server/physics/topology.h"
 
 namespace prosector {
@@ -12,6 +12,11 @@ namespace prosector {
 /// that came follow.
 Anatomy sheet_piece(const TetComplex& complex, const PieceMesh& piece, const Anatomy& whole,
                     Numbering& numbering);
+
+/// PieceEdit::touched, of an edit that was made of these triangles.
+std::vector<std::uint32_t> touched_corners(const TetComplex& complex, const PieceMesh& before,
+                                           const PieceEdit& edit, const Anatomy& whole,
+                                           std::span<const TetId> touched);
 
 /// One cell, without a surface: what is left to be solved of a piece that was joined to another.
 Anatomy sheet_remnant(const Anatomy& whole);

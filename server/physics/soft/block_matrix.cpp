@@ -87,14 +87,24 @@ BlockPattern::BlockPattern(const Connectivity& elements)
 
 void BlockPattern::follow(const MeshEdit& edit) {
   incidence_.follow(elements_, edit);
+  find_rows(edit.nodes);
+}
+
+void BlockPattern::follow(std::span<const std::uint32_t> nodes) {
+  incidence_ = Incidence(elements_);
+  find_rows(nodes);
+}
+
+/// Anew: those of these nodes.
+void BlockPattern::find_rows(std::span<const std::uint32_t> nodes) {
   Rows rows;
   Seen seen(elements_.nodes());
-  for (const std::uint32_t node : edit.nodes) {
+  for (const std::uint32_t node : nodes) {
     find_columns(elements_, incidence_, node, seen, rows);
     find_places(elements_, incidence_, node, seen, rows);
   }
-  replace_rows(std::span(edit.nodes), rows.columns, row_begin_, column_);
-  replace_rows(std::span(edit.nodes), rows.places, place_begin_, place_);
+  replace_rows(nodes, rows.columns, row_begin_, column_);
+  replace_rows(nodes, rows.places, place_begin_, place_);
   find_mirrors();
 }
 

@@ -17,6 +17,9 @@ class BlockPattern {
   explicit BlockPattern(const Connectivity& elements);
   /// To the elements as they are after they followed `edit`: what its nodes' rows have is found anew.
   void follow(const MeshEdit& edit);
+  /// To the elements as they are, of which those that came, went or changed meet these nodes, ascending, and
+  /// the others keep their order.
+  void follow(std::span<const std::uint32_t> nodes);
 
   std::size_t rows() const { return row_begin_.size() - 1; }
   std::size_t blocks() const { return column_.size(); }
@@ -43,6 +46,7 @@ class BlockPattern {
   void multiply(std::span<const Mat3> values, const double* x, double* y) const;
 
  private:
+  void find_rows(std::span<const std::uint32_t> nodes);
   void find_mirrors();
   void close_rows(std::span<Mat3> values) const;
 

@@ -18,6 +18,9 @@ void Connectivity::add(std::span<const std::uint32_t> element) {
   corner_begin_.push_back(corner_.size());
   block_begin_.push_back(block_begin_.back() + pair_count(element.size()));
   each_ = size() == 1 || each_ == element.size() ? element.size() : 0;
+  if (each_ > 0) return;
+  for (std::size_t e = element_.empty() ? 0 : size() - 1; e < size(); ++e)
+    element_.resize(corner_begin_[e + 1], static_cast<std::uint32_t>(e));
 }
 
 void Connectivity::follow(const MeshEdit& edit) {
@@ -36,12 +39,6 @@ void Connectivity::reserve(std::size_t elements, std::size_t corners_each) {
   corner_.reserve(elements * corners_each);
   corner_begin_.reserve(elements + 1);
   block_begin_.reserve(elements + 1);
-}
-
-std::size_t Connectivity::find_element(std::size_t corner) const {
-  return static_cast<std::size_t>(std::upper_bound(corner_begin_.begin(), corner_begin_.end(), corner) -
-                                  corner_begin_.begin()) -
-         1;
 }
 
 Incidence::Incidence(const Connectivity& elements) : begin_(elements.nodes() + 1, 0) {

@@ -36,7 +36,7 @@ class Connectivity {
   std::size_t first_block(std::size_t e) const { return block_begin_[e]; }
   std::size_t element_of(std::size_t corner) const {
     if (each_ == 4) return corner / 4;  // most are linear tetrahedra: no division
-    return each_ > 0 ? corner / each_ : find_element(corner);
+    return each_ > 0 ? corner / each_ : element_[corner];
   }
 
   /// Index of the pair a < b of an element of n nodes: (0,1), (0,2), … (n−2,n−1).
@@ -46,12 +46,11 @@ class Connectivity {
   static constexpr std::size_t pair_count(std::size_t n) { return n * (n - 1) / 2; }
 
  private:
-  std::size_t find_element(std::size_t corner) const;
-
   std::size_t nodes_;
   std::vector<std::uint32_t> corner_;
   std::vector<std::size_t> corner_begin_{0}, block_begin_{0};
-  std::size_t each_ = 0;  // corners of each element; 0: they differ
+  std::size_t each_ = 0;                // corners of each element; 0: they differ
+  std::vector<std::uint32_t> element_;  // by corner, where they differ
 };
 
 /// Which corners meet at each node, in the order of the elements: sums per-corner data into nodes with the

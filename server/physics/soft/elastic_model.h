@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "common/mesh.h"
 #include "common/scene/scene.h"
@@ -11,6 +12,8 @@
 #include "server/physics/soft/turned_elements.h"
 
 namespace prosector {
+
+struct SpringNetwork;
 
 /// Positions x are 3n, metres, room frame. What one of the calls below finds out about x is kept for the
 /// next call at the same x, so they are not for several threads at once; inside they run in parallel, with
@@ -53,6 +56,17 @@ class ElasticModel {
   virtual bool can_follow(const MeshEdit& /*edit*/) const { return false; }
   /// As if made anew of `mesh`, which was edited so, bit for bit.
   virtual void follow(const SoftDesc& /*desc*/, const TetMesh& /*mesh*/, const MeshEdit& /*edit*/) {}
+  /// Likewise of a sheet.
+  virtual bool can_follow_sheet() const { return false; }
+  /// `touched`: the corners of cells and triangles that came or went. Returns the nodes, ascending, of
+  /// elements that may have come, gone or changed; the others keep their order.
+  virtual std::vector<std::uint32_t> follow_sheet(const SoftDesc& /*desc*/, const Anatomy& /*sheet*/,
+                                                  std::span<const std::uint32_t> /*touched*/) {
+    return {};
+  }
+
+  /// What a rope or a sheet consists of; null: it is something else.
+  virtual const SpringNetwork* springs() const { return nullptr; }
 
   // ---- Viscoelastic relaxation, see relaxation.h; nothing to bodies without.
   /// Numbers of history that a state carries.

@@ -122,6 +122,22 @@ struct SoftBody::Impl {
       v->setZero(rest().size());
   }
 
+  /// To model and pattern as they are after a cut.
+  void fit() {
+    symmetric.fit(pattern);
+    mass = lumped_mass(desc.density, model->volume());
+    ties = prosector::attachment_stiffness(desc.attach, model->rest(), model->volume());
+    weigh();
+    recovery.reset();
+    area = vertex_areas(anatomy);
+    diagonal = bounding_diagonal(model->rest());
+    elements.fit();
+    damping.fit(node_count());
+    hessian->fit();
+    node_sum = NodeSum(node_count());
+    start_anew();
+  }
+
   void weigh() {
     inertia = mass / strength;
     attached = (tied ? 1 / strength : 0) * ties;
@@ -208,18 +224,21 @@ void SoftBody::follow(const MeshEdit& edit, TriangleMesh surface, SparseMap embe
   m.anatomy.embedding = std::move(embedding);
   m.model->follow(m.desc, m.anatomy.tets, edit);
   m.pattern.follow(edit);
-  m.symmetric.fit(m.pattern);
-  m.mass = lumped_mass(m.desc.density, m.model->volume());
-  m.ties = prosector::attachment_stiffness(m.desc.attach, m.model->rest(), m.model->volume());
-  m.weigh();
-  m.recovery.reset();
-  m.area = vertex_areas(m.anatomy);
-  m.diagonal = bounding_diagonal(m.model->rest());
-  m.elements.fit();
-  m.damping.fit(m.node_count());
-  m.hessian->fit();
-  m.node_sum = NodeSum(m.node_count());
-  m.start_anew();
+  m.fit();
+}
+
+bool SoftBody::can_follow_sheet() const {
+  const Impl& m = *impl_;
+  return mesh_kind(m.anatomy) == MeshKind::sheet && m.model->can_follow_sheet() &&
+         (!m.substepper || m.substepper->can_fit());
+}
+
+void SoftBody::follow_sheet(Anatomy sheet, std::span<const std::uint32_t> touched) {
+  Impl& m = *impl_;
+  m.anatomy = std::move(sheet);
+  m.pattern.follow(m.model->follow_sheet(m.desc, m.anatomy, touched));
+  m.fit();
+  if (m.substepper) m.substepper->fit();
 }
 
 bool SoftBody::attached() const {

@@ -56,6 +56,10 @@ class SoftBody {
   /// As if made anew of its mesh so edited and of another surface, bit for bit, and under the same
   /// set_in_force(); what the edit leaves as it is is kept.
   void follow(const MeshEdit& edit, TriangleMesh surface, SparseMap embedding);
+  /// The same of a sheet, made of another geometry. `touched`: the corners, ascending, of cells and triangles
+  /// that came or went; nodes that came follow those that were there.
+  bool can_follow_sheet() const;
+  void follow_sheet(Anatomy sheet, std::span<const std::uint32_t> touched);
 
   SoftBodyState initial_state() const;  // rest shape, at rest, asleep
   const VecX& rest() const;             // m, node positions of the rest shape

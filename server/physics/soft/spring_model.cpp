@@ -5,6 +5,7 @@
 
 #include "server/physics/parallel.h"
 #include "server/physics/soft/node_vectors.h"
+#include "server/physics/soft/sheet_springs.h"
 
 namespace prosector {
 namespace {
@@ -28,23 +29,21 @@ Eigen::Map<const Vec3> at(const double* x, std::uint32_t node) {
 
 class SpringModel final : public ElasticModel {
  public:
-  explicit SpringModel(SpringNetwork network)
-      : network_(std::move(network)), connectivity_(static_cast<std::size_t>(network_.volume.size())) {
-    for (const Spring& s : network_.springs) connectivity_.add(s.node);
-    for (const Bend& b : network_.bends) {
-      bends_.push_back(sorted(b));
-      connectivity_.add(bends_.back().nodes());
-    }
-    incidence_.emplace(connectivity_);
-    sums_.resize(chunk_count(connectivity_.size(), elements_per_chunk));
-    forces_.resize(connectivity_.corners());
-    blocks_.resize(connectivity_.blocks());
-  }
+  explicit SpringModel(SpringNetwork network) : network_(std::move(network)), connectivity_(0) { fit(); }
 
   const VecX& rest() const override { return network_.rest; }
   const VecX& volume() const override { return network_.volume; }
   const Connectivity& connectivity() const override { return connectivity_; }
   std::size_t dropped_elements() const override { return network_.dropped; }
+
+  const SpringNetwork* springs() const override { return &network_; }
+  bool can_follow_sheet() const override { return network_.dropped == 0; }
+  std::vector<std::uint32_t> follow_sheet(const SoftDesc& desc, const Anatomy& sheet,
+                                          std::span<const std::uint32_t> touched) override {
+    std::vector<std::uint32_t> met = prosector::follow_sheet(desc, sheet, touched, network_);
+    fit();
+    return met;
+  }
 
   double energy(const double* x) override {
     parallel_chunks(connectivity_.size(), elements_per_chunk,
@@ -68,6 +67,23 @@ class SpringModel final : public ElasticModel {
   std::span<const Mat3> warped_stiffness(const double* x) override { return stiffness(x, false); }
 
  private:
+  /// To the network as it is.
+  void fit() {
+    connectivity_ = Connectivity(static_cast<std::size_t>(network_.volume.size()));
+    connectivity_.reserve(network_.springs.size() + network_.bends.size(), 3);
+    for (const Spring& s : network_.springs) connectivity_.add(s.node);
+    bends_.clear();
+    bends_.reserve(network_.bends.size());
+    for (const Bend& b : network_.bends) {
+      bends_.push_back(sorted(b));
+      connectivity_.add(bends_.back().nodes());
+    }
+    incidence_.emplace(connectivity_);
+    sums_.resize(chunk_count(connectivity_.size(), elements_per_chunk));
+    forces_.resize(connectivity_.corners());
+    blocks_.resize(connectivity_.blocks());
+  }
+
   bool is_spring(std::size_t e) const { return e < network_.springs.size(); }
   const Bend& bend(std::size_t e) const { return bends_[e - network_.springs.size()]; }
 

@@ -47,6 +47,9 @@ struct Bend {
   std::span<const std::uint32_t> nodes() const { return std::span(node).first(count); }
 };
 
+/// Of a line whose pieces are a and b (m) long at rest.
+Bend line_bend(const std::array<std::uint32_t, 3>& line, double stiffness, double a, double b);
+
 struct SpringNetwork {
   std::vector<Spring> springs;
   std::vector<Bend> bends;

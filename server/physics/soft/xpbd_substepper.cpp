@@ -10,10 +10,12 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "server/physics/parallel.h"
 #include "server/physics/soft/constitutive_law.h"
 #include "server/physics/soft/effort.h"
+#include "server/physics/soft/node_colours.h"
 #include "server/physics/soft/spring_network.h"
 #include "server/physics/soft/substepper.h"
 #include "server/physics/soft/tet4.h"
@@ -33,19 +35,22 @@ struct Element {
 class XpbdSubstepper final : public Substepper {
  public:
   XpbdSubstepper(const SubstepBody& body, const Anatomy& anatomy)
-      : body_(body), tets_(anatomy.tets), inverse_mass_(body.mass.cwiseInverse()) {
-    if (tets_.size() == 0) {
-      network_ = make_spring_network(body.desc, anatomy);
-    } else {
+      : body_(body), tets_(anatomy.tets), network_(tets_.size() == 0 ? body.model.springs() : nullptr) {
+    if (tets_.size() > 0) {
       const Materials materials = make_materials(body.desc, anatomy.tets).at(tets_.source());
       for (std::size_t e = 0; e < tets_.size(); ++e) lame_.push_back(materials.of(e).lame);
       const auto beyond = [](double ratio) { return 2 * ratio / (1 - 2 * ratio) > most_xpbd_lambda; };
       bounded_ = beyond(body.desc.poisson_ratio);
       for (const RegionDesc& region : body.desc.regions) bounded_ = bounded_ || beyond(region.poisson_ratio);
     }
-    colour();
+    fit();
   }
 
+  bool can_fit() const override { return tets_.size() == 0; }
+  void fit() override {
+    inverse_mass_ = body_.mass.cwiseInverse();
+    colour();
+  }
   void initialise(SoftBodyState&) override {}
   double needed(double h, const SoftBodyState& state) const override {
     return std::max<double>(effort_of(body_.desc, state.steps_down).substeps, std::round(h * state.omega));
@@ -91,36 +96,36 @@ class XpbdSubstepper final : public Substepper {
   }
 
   std::span<const std::uint32_t> nodes(const Element& e) const {
-    if (e.kind == Element::Kind::spring) return network_.springs[e.index].node;
-    if (e.kind == Element::Kind::bend) return network_.bends[e.index].nodes();
+    if (e.kind == Element::Kind::spring) return network_->springs[e.index].node;
+    if (e.kind == Element::Kind::bend) return network_->bends[e.index].nodes();
     return tets_.nodes(e.index);
   }
 
   /// Greedy: each constraint takes the first colour that none of its nodes has.
   void colour() {
     std::vector<Element> elements;
-    for (std::uint32_t i = 0; i < network_.springs.size(); ++i)
-      elements.push_back({Element::Kind::spring, i});
-    for (std::uint32_t i = 0; i < network_.bends.size(); ++i) elements.push_back({Element::Kind::bend, i});
-    for (std::uint32_t i = 0; i < tets_.size(); ++i) elements.push_back({Element::Kind::tet, i});
-    std::vector<std::vector<bool>> taken(static_cast<std::size_t>(body_.mass.size()));
-    std::vector<std::vector<Element>> colours;
+    const auto add = [&](Element::Kind kind, std::size_t count) {
+      for (std::uint32_t i = 0; i < count; ++i) elements.push_back({kind, i});
+    };
+    if (network_ != nullptr) {
+      elements.reserve(network_->springs.size() + network_->bends.size());
+      add(Element::Kind::spring, network_->springs.size());
+      add(Element::Kind::bend, network_->bends.size());
+    }
+    add(Element::Kind::tet, tets_.size());
+    NodeColours taken(static_cast<std::size_t>(body_.mass.size()));
+    std::vector<std::uint32_t> colours;
+    colours.reserve(elements.size());
+    colour_begin_.assign(1, 0);
     for (const Element& e : elements) {
-      std::size_t c = 0;
-      const auto has = [&](std::uint32_t node) { return c < taken[node].size() && taken[node][c]; };
-      while (std::any_of(nodes(e).begin(), nodes(e).end(), has)) ++c;
-      for (const std::uint32_t node : nodes(e)) {
-        taken[node].resize(std::max(taken[node].size(), c + 1));
-        taken[node][c] = true;
-      }
-      colours.resize(std::max(colours.size(), c + 1));
-      colours[c].push_back(e);
+      const std::uint32_t colour = colours.emplace_back(taken.take_first_free(nodes(e)));
+      colour_begin_.resize(std::max<std::size_t>(colour_begin_.size(), colour + 2));
+      ++colour_begin_[colour + 1];
     }
-    colour_begin_.push_back(0);
-    for (const auto& group : colours) {
-      order_.insert(order_.end(), group.begin(), group.end());
-      colour_begin_.push_back(order_.size());
-    }
+    std::partial_sum(colour_begin_.begin(), colour_begin_.end(), colour_begin_.begin());
+    order_.resize(elements.size());
+    std::vector<std::size_t> next(colour_begin_.begin(), colour_begin_.end() - 1);
+    for (std::size_t i = 0; i < elements.size(); ++i) order_[next[colours[i]]++] = elements[i];
   }
 
   /// A node's own spring and its damping, in closed form: with inertia they make one parabola, of weight
@@ -153,9 +158,9 @@ class XpbdSubstepper final : public Substepper {
 
   void project(const Element& e, double hs) {
     if (e.kind == Element::Kind::spring)
-      project_spring(network_.springs[e.index], hs);
+      project_spring(network_->springs[e.index], hs);
     else if (e.kind == Element::Kind::bend)
-      project_bend(network_.bends[e.index], hs);
+      project_bend(network_->bends[e.index], hs);
     else
       project_tet(e.index, hs);
   }
@@ -214,11 +219,11 @@ class XpbdSubstepper final : public Substepper {
 
   const SubstepBody body_;
   Tet4Elements tets_;
-  SpringNetwork network_;
-  VecX inverse_mass_;           // n, 1/kg; of attached nodes as hold_attachments says
-  std::vector<Lame> lame_;      // of each tetrahedron
-  bool bounded_ = false;        // some were beyond most_xpbd_lambda
-  std::vector<Element> order_;  // by colour
+  const SpringNetwork* network_;  // the model's; null: tetrahedra
+  VecX inverse_mass_;             // n, 1/kg; of attached nodes as hold_attachments says
+  std::vector<Lame> lame_;        // of each tetrahedron
+  bool bounded_ = false;          // some were beyond most_xpbd_lambda
+  std::vector<Element> order_;    // by colour
   std::vector<std::size_t> colour_begin_;
   double* x_ = nullptr;  // 3n, of the substep
   VecX start_;           // 3n, where it began

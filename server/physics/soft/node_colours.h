@@ -1,0 +1,35 @@
+#pragma once
+// Which colours each node has, while elements are coloured one by one.
+
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace prosector {
+
+/// A bit for each colour; as many words of them as it takes.
+class NodeColours {
+ public:
+  explicit NodeColours(std::size_t nodes) : nodes_(nodes), words_(1, std::vector<std::uint64_t>(nodes, 0)) {}
+
+  /// The first colour that none of these nodes has; now they have it.
+  std::uint32_t take_first_free(std::span<const std::uint32_t> nodes) {
+    for (std::size_t w = 0;; ++w) {
+      if (w == words_.size()) words_.emplace_back(nodes_, 0);
+      std::vector<std::uint64_t>& taken = words_[w];
+      std::uint64_t any = 0;
+      for (const std::uint32_t node : nodes) any |= taken[node];
+      if (~any == 0) continue;
+      const int bit = std::countr_one(any);
+      for (const std::uint32_t node : nodes) taken[node] |= std::uint64_t{1} << bit;
+      return static_cast<std::uint32_t>(64 * w) + static_cast<std::uint32_t>(bit);
+    }
+  }
+
+ private:
+  std::size_t nodes_;
+  std::vector<std::vector<std::uint64_t>> words_;  // each by node
+};
+
+}  // namespace prosector
