@@ -128,6 +128,7 @@ TEST(ExtremeCut, WhileTheBlockIsSqueezed) {
   draw_through(simulation, at, 60, tissue,
                [&](int i, TickInput& input) { jaws(i < 60 ? 0.036 : 0.07, input); });
   EXPECT_GT(simulation.revision(3), 10U);
+  EXPECT_GT(simulation.body_count(), 4U) << "it stayed whole";
 }
 
 TEST(ExtremeCut, WhileTheBlockIsInsideOut) {

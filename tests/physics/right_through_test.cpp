@@ -1,13 +1,15 @@
 // Strokes at random right through bodies of several shapes and materials, by a blade that a hand draws and
-// that draws the tissue along: all but a few leave two pieces (of 1,080 tried 12 did not, one of them at
-// toughness 0). PROSECTOR_SEED says which strokes, PROSECTOR_STROKES how many.
+// that draws the tissue along: all leave two pieces. PROSECTOR_SEED says which strokes, PROSECTOR_STROKES how
+// many.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 
 #include "common/anatomy/implicit.h"
+#include "common/anatomy/mesh_quality.h"
 #include "common/anatomy/stuffing.h"
 #include "tests/physics/scalpel.h"
 #include "tests/random.h"
@@ -20,10 +22,9 @@ constexpr unsigned default_strokes = 20;
 #else
 constexpr unsigned default_strokes = 60;
 #endif
-/// Of strokes that may leave the body whole: by those tried, more than so many of any seed once in 10,000
-/// runs.
-constexpr double most_of_fixed_seed = 0.05, most_of_any_seed = 0.1, least_bound = 3;
-const Vec3 middle(0, -0.03, 0);  // of the body, beside the middle of the edge
+constexpr double way = 0.3;          // m
+constexpr double least_share = 0.1;  // of the volume: where the way leaves less on a side, it grazes the body
+const Vec3 middle(0, -0.03, 0);      // of the body, beside the middle of the edge
 
 struct Attempt {
   std::string shape;
@@ -88,14 +89,33 @@ double share_off(const Simulation& simulation) {
   return 1 - most / all;
 }
 
-double cut_through(const Attempt& attempt) {
+double to_the_side(double share_of_way) {
+  return std::sin(share_of_way * 2 * M_PI);
+}
+
+/// The smaller share of the volume on one side of the blade's way, as the body was.
+double share_beside(const Simulation& simulation, const Attempt& attempt, const Vec3& from) {
+  const TetMesh& mesh = simulation.soft(1).anatomy().tets;
+  double all = 0, beyond = 0;
+  for (const auto& t : mesh.tets) {
+    std::array<Vec3, 4> x;
+    for (std::size_t k = 0; k < 4; ++k) x[k] = mesh.positions[t[k]];
+    const double volume = tet_volume(x[0], x[1], x[2], x[3]);
+    const Vec3 center = (x[0] + x[1] + x[2] + x[3]) / 4;
+    all += volume;
+    if (center.z() > from.z() + attempt.bend.z() * to_the_side((center.x() - from.x()) / way))
+      beyond += volume;
+  }
+  return std::min(beyond, all - beyond) / all;
+}
+
+/// The share that came off; none where the way leaves too little on one side.
+std::optional<double> cut_through(const Attempt& attempt) {
   Simulation simulation(attempt.scene, shapes());
   const Vec3 at = take(simulation);
-  const double way = 0.3;
   const int ticks = static_cast<int>(way / attempt.speed * 60);
   const auto input = [&](int tick) {
-    const double share = std::min(1.0, 1.0 * tick / ticks);
-    const double s = std::sin(share * 2 * M_PI);
+    const double share = std::min(1.0, 1.0 * tick / ticks), s = to_the_side(share);
     const Quat q(Eigen::AngleAxisd(attempt.turn * s, Vec3::UnitY()));
     return target(Vec3(at.x() + way * share, at.y(), 0) + attempt.bend * s, q);
   };
@@ -103,40 +123,42 @@ double cut_through(const Attempt& attempt) {
     const Vec3 to(at.x(), at.y(), at.z() * (1 - i / 30.0));
     simulation.step(target(to));
   }
+  if (share_beside(simulation, attempt, simulation.rigid_state(scalpel).pose.p) < least_share)
+    return std::nullopt;
   for (int i = 0; i < ticks + 40; ++i) simulation.step(input(i));
   return share_off(simulation);
 }
 
-/// How many of the strokes left the body whole.
-struct Whole {
-  int all = 0, soft = 0;  // of all; of those without toughness
-  unsigned strokes = 0;
+struct Tried {
+  unsigned strokes = 0, whole = 0;  // right through; that left the body whole
 };
 
-Whole right_through(unsigned seed) {
+Tried right_through(unsigned seed) {
   std::cout << "PROSECTOR_SEED=" << seed << std::endl;
   Random random(seed);
-  Whole out;
-  out.strokes = number("PROSECTOR_STROKES", default_strokes);
-  for (unsigned i = 0; i < out.strokes; ++i) {
+  Tried out;
+  const unsigned attempts = number("PROSECTOR_STROKES", default_strokes);
+  for (unsigned i = 0; i < attempts; ++i) {
     const Attempt attempt = random_attempt(random);
-    if (cut_through(attempt) > 0) continue;
+    const std::optional<double> off = cut_through(attempt);
+    if (!off) continue;
+    ++out.strokes;
+    if (*off > 0) continue;
     std::cout << "whole: stroke " << i << ": " << attempt.what() << std::endl;
-    ++out.all;
-    if (attempt.scene.soft[0].toughness == 0) ++out.soft;
+    ++out.whole;
   }
   return out;
 }
 
 TEST(RightThrough, OfAFixedSeed) {
-  const Whole whole = right_through(test_seed(true));
-  EXPECT_EQ(whole.soft, 0);
-  EXPECT_LE(whole.all, most_of_fixed_seed * whole.strokes);
+  const Tried tried = right_through(test_seed(true));
+  EXPECT_GT(tried.strokes, 0U);
+  EXPECT_EQ(tried.whole, 0U);
 }
 
-TEST(RightThrough, OfAnySeed) {
-  const Whole whole = right_through(test_seed(false));
-  EXPECT_LE(whole.all, std::max(least_bound, most_of_any_seed * whole.strokes));
+TEST(RightThrough,
+     OfAnySeed) {  // of 2,400 tried none stayed whole: two of 60 once in a thousand runs, or less
+  EXPECT_LE(right_through(test_seed(false)).whole, 1U);
 }
 
 }  // namespace

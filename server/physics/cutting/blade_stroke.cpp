@@ -212,6 +212,9 @@ void hold_edge(BladeStroke& stroke, const MovedEdge& moved, const TetComplex& co
     }
     from_is_held = is_held;
   }
+  const auto is_in_tissue = [](const EdgePoint& point) { return point.tet != TetComplex::none; };
+  stroke.ended_inside = std::any_of(line.begin(), line.end(), is_in_tissue) &&
+                        (stroke.ended_inside || is_in_tissue(line.front()) || is_in_tissue(line.back()));
   stroke.edge = std::move(line);
 }
 

@@ -32,7 +32,8 @@ struct BladeStroke {
   /// it is straight in each tetrahedron, and stays the same line in the tissue however that is bent. Two at
   /// one place where tetrahedra that the line goes on in have no face in common.
   std::vector<EdgePoint> edge;
-  std::vector<Mark> marks;  // ascending by node
+  std::vector<Mark> marks;    // ascending by node
+  bool ended_inside = false;  // an end of the edge was in tissue since the line came into it
 
   std::size_t points() const {  // of the blade's own
     return edge.empty() ? 0 : static_cast<std::size_t>(edge.back().at) + 1;

@@ -17,6 +17,7 @@ class Marks {
   const Mark* find(NodeId node) const { return index_[node] == none ? nullptr : &marks_[index_[node]]; }
   bool is_new(NodeId node) const { return index_[node] != none && index_[node] >= known_; }
   void add(const Mark& mark);  // of a node that has none; may be new
+  std::span<const Mark> all() const { return marks_; }
   std::span<const Mark> added() const { return std::span(marks_).subspan(known_); }
   std::vector<Mark> by_node() const;
 

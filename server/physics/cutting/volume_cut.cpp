@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "common/error.h"
+#include "server/physics/cutting/cut_through.h"
 #include "server/physics/cutting/edge_splitter.h"
 #include "server/physics/cutting/sheet.h"
 
@@ -14,6 +15,10 @@ namespace {
 // m: a point of the edge that moved less stands still, until it has moved that far: which way so little goes
 // is noise, and so would be the normal of what it sweeps.
 constexpr double least_motion = 1e-4;
+// Nodes that may hold together what the blade went right through: so many, or that share of those marked.
+// More, and it didn't.
+constexpr std::size_t most_missing = 4;
+constexpr double most_missing_share = 0.05;
 
 bool all_marked(const TetComplex& complex, const Marks& marks, TetId tet) {
   const auto& c = complex.corners(tet);
@@ -195,6 +200,34 @@ void part_nodes(TetComplex& complex, const SlitFaces& slit, std::vector<Vec3>& x
   }
 }
 
+void slit(TetComplex& complex, const SlitFaces& op, std::vector<Vec3>& x, Marks& marks, CutResult& result) {
+  if (!op.faces.empty()) {
+    complex.apply(op);
+    result.slit_faces += op.faces.size();
+    result.ops.emplace_back(op);
+  }
+  part_nodes(complex, op, x, marks, result);
+}
+
+bool is_in_tissue(const BladeStroke& stroke) {
+  return std::any_of(stroke.edge.begin(), stroke.edge.end(),
+                     [](const BladeStroke::EdgePoint& p) { return p.tet != TetComplex::none; });
+}
+
+/// The line has left the body. Where it went across all of it, and was cutting to the last, rather than drawn
+/// back the way it came, what the sweeps missed counts as on the blade.
+void end_line(TetComplex& complex, bool ended_inside, std::vector<Vec3>& x, Marks& marks, CutResult& result) {
+  const auto share = static_cast<std::size_t>(most_missing_share * static_cast<double>(marks.all().size()));
+  if (!ended_inside && !result.ops.empty())
+    for (const NodeId node : missing_nodes(complex, marks, std::max(most_missing, share))) {
+      ++result.snapped;
+      marks.add(mark_between(complex, marks, node));
+    }
+  const double crumb = least_piece_share * complex.mean_volume();
+  if (const SlitFaces op = faces_between_parts(complex, marks, crumb); !op.faces.empty())
+    slit(complex, op, x, marks, result);
+}
+
 }  // namespace
 
 CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> positions, std::span<const Vec3> edge,
@@ -229,20 +262,19 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
 
   std::vector<Vec3> x(positions.begin(), positions.begin() + static_cast<std::ptrdiff_t>(complex.node_end()));
-  if (!candidates.empty()) {
-    Marks marks(stroke.marks, complex.node_end());
-    split_edges(complex, sheet, candidates, x, marks, result);
-    SlitFaces slit = faces_to_slit(complex, marks);
-    leave_crumbs(complex, slit);
-    if (!slit.faces.empty()) {
-      complex.apply(slit);
-      result.slit_faces = slit.faces.size();
-      result.ops.emplace_back(slit);
-    }
-    part_nodes(complex, slit, x, marks, result);
-    stroke.marks = marks.by_node();
+  if (candidates.empty()) {
+    hold_edge(stroke, moved, complex, tree, x);
+    return result;
   }
+  Marks marks(stroke.marks, complex.node_end());
+  split_edges(complex, sheet, candidates, x, marks, result);
+  SlitFaces faces = faces_to_slit(complex, marks);
+  leave_crumbs(complex, faces);
+  slit(complex, faces, x, marks, result);
+  const bool was_in_tissue = is_in_tissue(stroke), ended_inside = stroke.ended_inside;
   hold_edge(stroke, moved, complex, tree, x);
+  if (was_in_tissue && !is_in_tissue(stroke)) end_line(complex, ended_inside, x, marks, result);
+  stroke.marks = marks.by_node();
   return result;
 }
 

@@ -72,6 +72,7 @@ void add(ByteWriter& out, const BladeStroke& stroke) {
     out.add(p.tet);
     for (const double w : p.weight) out.add(w);
   }
+  out.add(static_cast<std::uint8_t>(stroke.ended_inside));
   out.add(static_cast<std::uint64_t>(stroke.marks.size()));
   for (const BladeStroke::Mark& mark : stroke.marks) {
     out.add(mark.node);
@@ -90,6 +91,7 @@ BladeStroke read_stroke(ByteReader& in) {
     p.tet = in.number<TetId>();
     for (double& w : p.weight) w = in.number<double>();
   }
+  out.ended_inside = in.flag();
   out.marks.resize(in.count(most_listed));
   for (BladeStroke::Mark& mark : out.marks) {
     mark.node = in.number<NodeId>();
