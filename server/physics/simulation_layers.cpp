@@ -125,22 +125,27 @@ bool Simulation::Impl::add_layer_contacts(std::size_t a, std::size_t b, double m
   if (a != b) passed_through[b] += passed;
   if (sides.empty()) layer_sides.erase({a, b});
   const std::size_t before = out.size();
-  for (const LayerMeeting& meeting : found) {
-    Contact c = pair_contact(a, b, meeting.normal, meeting.gap);
-    of_a.add(meeting.a, meeting.weights_a, c.a);
-    of_b.add(meeting.b, meeting.weights_b, c.b);
+  for (LayerMeeting meeting : found) {
+    // Whose corner it is remembers it.
+    const bool turned = meeting.kind == LayerMeet::corner_of_b;
+    if (turned) swap_sides(meeting);
+    const std::size_t first = turned ? b : a, second = turned ? a : b;
+    const ElementSurface &own = turned ? of_b : of_a, &other = turned ? of_a : of_b;
+    Contact c = pair_contact(first, second, meeting.normal, meeting.gap);
+    own.add(meeting.a, meeting.weights_a, c.a);
+    other.add(meeting.b, meeting.weights_b, c.b);
     if (!nears(c, meeting.gap)) continue;
     c.gap = std::max(c.gap, -opening_speed * step_h);
-    c.point = at(of_a.now(meeting.a), meeting.weights_a);
+    c.point = at(own.now(meeting.a), meeting.weights_a);
     c.stiffness = 0;
     for (std::size_t k = 0; k < 3; ++k)
-      c.stiffness +=
-          meeting.weights_a[static_cast<Eigen::Index>(k)] * pair_stiffness(a, b, of_a.corners(meeting.a)[k]);
-    const double mass = 1 / (lightness(*model.soft[a], c.a) + lightness(*model.soft[b], c.b));
+      c.stiffness += meeting.weights_a[static_cast<Eigen::Index>(k)] *
+                     pair_stiffness(first, second, own.corners(meeting.a)[k]);
+    const double mass = 1 / (lightness(*model.soft[first], c.a) + lightness(*model.soft[second], c.b));
     c.stiffness = std::min(c.stiffness, firmness * mass / (step_h * step_h));
-    c.feature = of_a.feature(meeting.a, meeting.weights_a);
-    c.met = of_b.feature(meeting.b, meeting.weights_b);
-    recall(find(memories[a], c.b, c.feature, c.met), c);
+    c.feature = own.feature(meeting.a, meeting.weights_a);
+    c.met = other.feature(meeting.b, meeting.weights_b);
+    recall(find_layer(memories[first], c), c);
     out.push_back(c);
   }
   return out.size() > before;

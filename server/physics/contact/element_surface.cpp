@@ -57,20 +57,68 @@ void ElementSurface::move(const VecX& x) {
   tree_.refit(elements_, positions_);
 }
 
-std::uint32_t ElementSurface::feature(std::uint32_t element, const Vec3& weights) const {
-  std::array<std::uint32_t, 3> of{};
-  std::size_t count = 0;
+ElementSurface::Support ElementSurface::support(std::uint32_t element, const Vec3& weights) const {
+  Support out;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t node = elements_[element][k];
-    const bool seen = count > 0 && of[count - 1] == node;  // a segment's end
-    if (weights[static_cast<Eigen::Index>(k)] != 0 && !seen) of[count++] = node;
+    const bool seen = out.count > 0 && out.node[out.count - 1] == node;  // a segment's end
+    if (weights[static_cast<Eigen::Index>(k)] != 0 && !seen) out.node[out.count++] = node;
   }
-  if (count == 1) return of[0];
+  return out;
+}
+
+std::uint32_t ElementSurface::feature(std::uint32_t element, const Vec3& weights) const {
+  const Support on = support(element, weights);
+  if (on.count == 1) return on.node[0];
   const auto corners = static_cast<std::uint32_t>(rest_.size());
-  if (count == 3) return corners + static_cast<std::uint32_t>(edges_.size()) + element;
-  const auto edge = std::lower_bound(edges_.begin(), edges_.end(),
-                                     std::array{std::min(of[0], of[1]), std::max(of[0], of[1])});
+  if (on.count == 3) return corners + static_cast<std::uint32_t>(edges_.size()) + element;
+  const auto edge =
+      std::lower_bound(edges_.begin(), edges_.end(),
+                       std::array{std::min(on.node[0], on.node[1]), std::max(on.node[0], on.node[1])});
   return corners + static_cast<std::uint32_t>(edge - edges_.begin());
+}
+
+bool ElementSurface::crest_at(std::uint32_t element, const Vec3& weights, const Vec3& n, double slack) const {
+  const Support on = support(element, weights);
+  if (on.count == 3) return true;
+  const Vec3& from = positions_[on.node[0]];
+  const Vec3 along = on.count == 2 ? Vec3((positions_[on.node[1]] - from).normalized()) : Vec3(Vec3::Zero());
+  for (const std::uint32_t e : around(element)) {
+    if (!on.within(elements_[e])) continue;
+    for (const std::uint32_t node : elements_[e]) {
+      if (on.has(node)) continue;
+      Vec3 way = positions_[node] - from;
+      way -= along.dot(way) * along;
+      if (n.dot(way) > slack * way.norm()) return false;
+    }
+  }
+  return true;
+}
+
+Vec3 ElementSurface::doubled_area(std::uint32_t element) const {
+  const Triangle t = now(element);
+  return (t[1] - t[0]).cross(t[2] - t[0]);
+}
+
+bool ElementSurface::level_at(std::uint32_t element, const Vec3& weights, const Vec3& n, double slack) const {
+  const Support on = support(element, weights);
+  const auto near = around(element);
+  return std::any_of(near.begin(), near.end(), [&](std::uint32_t e) {
+    if (!on.within(elements_[e])) return false;
+    const Vec3 face = doubled_area(e);
+    return face.cross(n).norm() < slack * face.norm();
+  });
+}
+
+Vec3 ElementSurface::normal_at(std::uint32_t element, const Vec3& weights, const Vec3& n) const {
+  const Support on = support(element, weights);
+  Vec3 sum = Vec3::Zero();
+  for (const std::uint32_t e : around(element)) {
+    if (!on.within(elements_[e])) continue;
+    const Vec3 face = doubled_area(e);
+    sum += face.dot(n) < 0 ? Vec3(-face) : face;
+  }
+  return sum.normalized();
 }
 
 void ElementSurface::add(std::uint32_t element, const Vec3& weights, ContactSide& side) const {

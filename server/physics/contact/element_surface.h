@@ -1,6 +1,7 @@
 #pragma once
 // A sheet or rope as elements that meet one another: triangles, or segments.
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -30,7 +31,16 @@ class ElementSurface {
   /// Which corner, edge or face of the surface the point with these weights lies on: the same for all
   /// elements that share it. Below features().
   std::uint32_t feature(std::uint32_t element, const Vec3& weights) const;
+  /// Whether the surface leads no nearer to what lies in direction `n` (unit) of that point: a corner, an
+  /// edge, of which n is in the normal cone, but for `slack` rad; a face always.
+  bool crest_at(std::uint32_t element, const Vec3& weights, const Vec3& n, double slack) const;
+  /// Whether a face with that point is square to n, but for `slack` rad.
+  bool level_at(std::uint32_t element, const Vec3& weights, const Vec3& n, double slack) const;
   std::size_t features() const { return rest_.size() + edges_.size() + elements_.size(); }
+  /// Mean normal, unit and along n, of the faces with that point; 0 of a rope.
+  Vec3 normal_at(std::uint32_t element, const Vec3& weights, const Vec3& n) const;
+  /// Whether it is a rope's piece.
+  bool thread(std::uint32_t element) const { return elements_[element][1] == elements_[element][2]; }
   /// Adds the point with these weights of the element's corners.
   void add(std::uint32_t element, const Vec3& weights, ContactSide& side) const;
 
@@ -39,6 +49,20 @@ class ElementSurface {
     const auto& c = elements_[element];
     return {of[c[0]], of[c[1]], of[c[2]]};
   }
+  /// The nodes that carry a point: one, two or three.
+  struct Support {
+    std::array<std::uint32_t, 3> node{};
+    std::size_t count = 0;
+    bool has(std::uint32_t n) const {
+      return std::find(node.begin(), node.begin() + count, n) != node.begin() + count;
+    }
+    bool within(const SurfaceTree::Corners& c) const {
+      return std::all_of(node.begin(), node.begin() + count,
+                         [&](std::uint32_t n) { return std::find(c.begin(), c.end(), n) != c.end(); });
+    }
+  };
+  Support support(std::uint32_t element, const Vec3& weights) const;
+  Vec3 doubled_area(std::uint32_t element) const;  // m², along the normal
   void find_edges();
   void find_neighbours();
 

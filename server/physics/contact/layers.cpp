@@ -6,12 +6,15 @@
 
 #include "server/physics/collision/surface_pairs.h"
 #include "server/physics/collision/triangle_crossing.h"
+#include "server/physics/contact/layer_features.h"
 
 namespace prosector {
 namespace {
 
 constexpr double alike = 0.01;    // thicknesses: gaps that differ by less are of parallel layers
 constexpr double remembered = 2;  // thicknesses: sides of what is farther apart are plain to see
+
+using Pair = std::pair<std::uint32_t, std::uint32_t>;  // of elements
 
 Aabb box_around(const Triangle& t) {
   return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
@@ -42,6 +45,7 @@ class Search {
 
   std::vector<LayerSide> sides;
   std::vector<LayerMeeting> meetings;
+  std::vector<std::pair<Pair, double>> gaps;  // m, between elements
   int passed = 0;
 
  private:
@@ -100,7 +104,13 @@ class Search {
         ++passed;
       }
     if (std::abs(distance) < remembered * how_.thickness) sides.push_back({s, t, n});
-    meetings.push_back({s, t, pair.weights_a, pair.weights_b, n, distance - how_.thickness});
+    const double gap = distance - how_.thickness;
+    gaps.push_back({{s, t}, gap});
+    const LayerElement own{a_, s, of_a}, other{b_, t, of_b};
+    if (distance > 0 && meet_by_features(own, other))
+      meet_features(own, other, limit, how_.thickness, meetings);
+    else
+      meetings.push_back({LayerMeet::nearest, s, t, pair.weights_a, pair.weights_b, n, gap});
   }
 
   /// The ends of edges that got through go back through where they came.
@@ -117,7 +127,8 @@ class Search {
       const std::size_t from = piercing.edge, to = (from + 1) % 3;
       const Vec3 way = piercing.of_a ? n : Vec3(-n);  // out of the other
       const std::size_t end = way.dot(edge_of[from]) < way.dot(edge_of[to]) ? from : to;
-      LayerMeeting m{s,
+      LayerMeeting m{LayerMeet::nearest,
+                     s,
                      t,
                      Vec3::Unit(static_cast<Eigen::Index>(end)),
                      Vec3::Unit(static_cast<Eigen::Index>(end)),
@@ -126,6 +137,7 @@ class Search {
       const Triangle& face = piercing.of_a ? of_b : of_a;
       (piercing.of_a ? m.weights_b : m.weights_a) =
           closest_weights(piercing.point, face[0], face[1], face[2]);
+      gaps.push_back({{s, t}, m.gap});
       meetings.push_back(m);
     }
   }
@@ -137,13 +149,10 @@ class Search {
 };
 
 /// Leaves what is no element's nearest of a layer: its neighbours stop it before that can, and planes of
-/// pairs that lie aslant would stop what slides past.
+/// pairs that lie aslant would stop what slides past. `gaps`: of all pairs.
 void keep_nearest(const ElementSurface& a, const ElementSurface& b, double thickness,
-                  std::vector<LayerMeeting>& meetings) {
+                  std::vector<std::pair<Pair, double>>& gaps, std::vector<LayerMeeting>& meetings) {
   const bool same = &a == &b;
-  using Pair = std::pair<std::uint32_t, std::uint32_t>;
-  std::vector<std::pair<Pair, double>> gaps;
-  for (const LayerMeeting& m : meetings) gaps.push_back({{m.a, m.b}, m.gap});
   std::sort(gaps.begin(), gaps.end());
   const auto nearer = [&](std::uint32_t s, std::uint32_t t, double gap) {
     const Pair key = same && t < s ? Pair{t, s} : Pair{s, t};
@@ -151,27 +160,29 @@ void keep_nearest(const ElementSurface& a, const ElementSurface& b, double thick
     return found != gaps.end() && found->first == key && found->second < gap - alike * thickness;
   };
   std::erase_if(meetings, [&](const LayerMeeting& m) {
+    if (m.kind != LayerMeet::nearest) return false;
     const auto of_b = b.around(m.b), of_a = a.around(m.a);
     return std::any_of(of_b.begin(), of_b.end(), [&](std::uint32_t t) { return nearer(m.a, t, m.gap); }) &&
            std::any_of(of_a.begin(), of_a.end(), [&](std::uint32_t s) { return nearer(s, m.b, m.gap); });
   });
 }
 
-/// Each pair of features once, deepest first; of one surface with itself, whichever comes first as a.
+/// Each pair of features once, deepest first; of one surface with itself, whichever comes first as a, but for
+/// corners, which remember whom they met.
 void keep_each_once(const ElementSurface& a, const ElementSurface& b, std::vector<LayerMeeting>& meetings) {
-  using Key = std::pair<std::uint32_t, std::uint32_t>;
-  std::vector<std::pair<Key, LayerMeeting>> keyed;
+  const bool same = &a == &b;
+  std::vector<std::pair<Pair, LayerMeeting>> keyed;
   for (LayerMeeting m : meetings) {
-    Key key{a.feature(m.a, m.weights_a), b.feature(m.b, m.weights_b)};
-    if (&a == &b && key.second < key.first) {
+    Pair key{a.feature(m.a, m.weights_a), b.feature(m.b, m.weights_b)};
+    if (same && key.second < key.first) {
       std::swap(key.first, key.second);
-      std::swap(m.a, m.b);
-      std::swap(m.weights_a, m.weights_b);
-      m.normal = -m.normal;
+      if (m.kind != LayerMeet::corner_of_a) swap_sides(m);
     }
     keyed.emplace_back(key, m);
   }
-  const auto rank = [](const auto& k) { return std::tuple{k.first, k.second.gap, k.second.a, k.second.b}; };
+  const auto rank = [](const auto& k) {
+    return std::tuple{k.first, k.second.gap, k.second.kind, k.second.a, k.second.b};
+  };
   std::sort(keyed.begin(), keyed.end(), [&](const auto& p, const auto& q) { return rank(p) < rank(q); });
   meetings.clear();
   for (std::size_t i = 0; i < keyed.size(); ++i)
@@ -184,7 +195,7 @@ int find_layers(const ElementSurface& a, const ElementSurface& b, const LayerSea
                 std::vector<LayerSide>& sides, std::vector<LayerMeeting>& out) {
   Search found(a, b, search, sides);
   found.run();
-  keep_nearest(a, b, search.thickness, found.meetings);
+  keep_nearest(a, b, search.thickness, found.gaps, found.meetings);
   keep_each_once(a, b, found.meetings);
   sides = std::move(found.sides);
   out.insert(out.end(), found.meetings.begin(), found.meetings.end());

@@ -1,19 +1,32 @@
 #pragma once
 // Sheets and ropes, which have no inside, against each other and against themselves.
 
+#include <utility>
 #include <vector>
 
 #include "server/physics/contact/element_surface.h"
 
 namespace prosector {
 
-/// Where elements of two surfaces, or of one, meet: a corner and a face, or two edges.
+/// What meets: of parallel layers a corner of the one and any of the other, or two edges (layer_features.h);
+/// of others whatever is nearest.
+enum class LayerMeet : std::uint8_t { corner_of_a, corner_of_b, edges, nearest };
+
+/// Where elements of two surfaces, or of one, meet.
 struct LayerMeeting {
+  LayerMeet kind = LayerMeet::nearest;
   std::uint32_t a = 0, b = 0;                               // elements
   Vec3 weights_a = Vec3::Zero(), weights_b = Vec3::Zero();  // of their corners
   Vec3 normal = Vec3::UnitY();                              // unit, from b to a
   double gap = 0;                                           // m, less the thickness
 };
+
+/// The same, from b's side.
+inline void swap_sides(LayerMeeting& m) {
+  std::swap(m.a, m.b);
+  std::swap(m.weights_a, m.weights_b);
+  m.normal = -m.normal;
+}
 
 /// On which side of b's element a's was when they were last apart: what has got through is sent back there.
 struct LayerSide {

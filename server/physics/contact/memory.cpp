@@ -8,6 +8,7 @@ namespace prosector {
 namespace {
 
 constexpr double rest_time = 0.15;  // s: rest gaps rise to 0 over this
+constexpr double same_side = 0.7;   // cosine of normals of one layer's side
 
 using Key = std::tuple<bool, std::size_t, std::uint32_t, std::uint32_t>;
 
@@ -44,6 +45,17 @@ const ContactMemory* find(const ContactMemories& memories, const ContactSide& ot
   const Key wanted = key(other, feature, met);
   const auto at = first_from(memories, wanted);
   return at != memories.end() && key(*at) == wanted ? &*at : nullptr;
+}
+
+const ContactMemory* find_layer(const ContactMemories& memories, const Contact& contact) {
+  if (const ContactMemory* same = find(memories, contact.b, contact.feature, contact.met)) return same;
+  const ContactMemory* best = nullptr;
+  const Key first = key(contact.b, contact.feature);
+  for (auto m = first_from(memories, first); m != memories.end(); ++m) {
+    if (Key(m->soft, m->body, m->feature, 0) != first) break;
+    if (m->normal.dot(contact.normal) > same_side && (!best || m->force > best->force)) best = &*m;
+  }
+  return best;
 }
 
 void recall(const ContactMemory* memory, Contact& contact) {

@@ -36,6 +36,9 @@ using ContactMemories = std::vector<ContactMemory>;
 const ContactMemory* find(const ContactMemories& memories, const ContactSide& other, std::uint32_t feature,
                           std::uint32_t met = 0);
 
+/// Of layers: what this corner or edge held on that side, if on other parts of the other.
+const ContactMemory* find_layer(const ContactMemories& memories, const Contact& contact);
+
 /// Lets a contact of a point on the body's surface hold on where it did.
 void recall(const ContactMemory* memory, Contact& contact);
 
