@@ -35,7 +35,7 @@ Simulation::Impl::Impl(const SceneDesc& scene, const CompileOptions& options)
   for (BodyId body = 0; body < model.rigid.size(); ++body) take_effect(world, body);
   for (std::size_t i = 0; i < model.soft.size(); ++i) {
     soft.push_back(model.soft[i]->initial_state());
-    fit_to_mesh(i, detector(*model.soft[i]));
+    fit_to_mesh(i, detector(*model.soft[i]), {});
     faces_of(i);  // refuses surfaces that can't be
   }
   for (BodyId body = 0; body < parts.size(); ++body)

@@ -134,8 +134,7 @@ void Simulation::Impl::place_piece(std::size_t body, std::size_t first, std::uni
   }
   soft[body] = model.soft[body]->initial_state();
   equilibrium[body] = soft[body].motion.x;
-  fit_to_mesh(body, std::move(surface));
-  numberings[body] = std::move(numbering);
+  fit_to_mesh(body, std::move(surface), std::move(numbering));
 }
 
 /// A body in the making.

@@ -36,10 +36,19 @@ bool Simulation::Impl::follow_cut(Organ& organ, TopologyCause cause, Participant
   const VecX* const histories[] = {&soft[body].history};
   const Eigen::Index numbers = history_per_tet(history, mesh);
   const VecX touched = carried_history(organ.complex(), before, histories, numbers, edit->tets);
+  std::optional<SurfaceEdit> surface;  // none with the first cut, which makes the tetrahedra's own skin of it
+  if (!numberings[body].triangles.empty())
+    surface = organ.surface_edit(*edit, solver.anatomy().surface, numberings[body]);
   organ.follow(*edit);
-  PieceSurface skin = organ.surface(organ.piece(body));
-  numberings[body] = std::move(skin.numbering);
-  solver.follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
+  Numbering numbering;  // with the first cut
+  if (surface) {
+    numberings[body].nodes = mesh.nodes;
+    solver.follow(edit->mesh, *surface);
+  } else {
+    PieceSurface skin = organ.surface(organ.piece(body));
+    numbering = std::move(skin.numbering);
+    solver.follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
+  }
   soft[body] = solver.initial_state();
   set_going(body, organ.pieces().front().body, std::move(motion), std::move(balance));
   history.conservativeResize(soft[body].history.size());
@@ -52,7 +61,12 @@ bool Simulation::Impl::follow_cut(Organ& organ, TopologyCause cause, Participant
   take_effect(world, soft_id(body));
   std::uint64_t content_hash = 0;
   tbb::parallel_invoke([&] { content_hash = solver.content_hash(); },
-                       [&] { fit_to_mesh(body, detector(solver)); });
+                       [&] {
+                         if (surface)
+                           follow_mesh(body, *surface);
+                         else
+                           fit_to_mesh(body, detector(solver), std::move(numbering));
+                       });
   tell_of(body, content_hash, cause, author);
   keep_holds({body});
   return true;

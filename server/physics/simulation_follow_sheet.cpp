@@ -29,7 +29,8 @@ bool Simulation::Impl::follow_sheet(Organ& organ, const PieceEdit& edit, Topolog
   VecX balance = carried(equilibrium[body]);
   const VecX mass_before = solver.node_mass();
   organ.follow(edit);
-  solver.follow_sheet(organ.anatomy(organ.piece(body), numberings[body]), edit.touched);
+  Numbering numbering;
+  solver.follow_sheet(organ.anatomy(organ.piece(body), numbering), edit.touched);
   const PieceMotion before[] = {
       {std::span(mesh.nodes).first(nodes_before), &mass_before, &motion_before.x, &motion_before.v}};
   const PieceMotion now[] = {{mesh.nodes, &solver.node_mass(), &motion.x, &motion.v}};
@@ -41,7 +42,7 @@ bool Simulation::Impl::follow_sheet(Organ& organ, const PieceEdit& edit, Topolog
   take_effect(world, soft_id(body));
   std::uint64_t content_hash = 0;
   tbb::parallel_invoke([&] { content_hash = solver.content_hash(); },
-                       [&] { fit_to_mesh(body, detector(solver)); });
+                       [&] { fit_to_mesh(body, detector(solver), std::move(numbering)); });
   tell_of(body, content_hash, cause, author);
   keep_holds({body});
   return true;

@@ -286,7 +286,10 @@ struct Simulation::Impl : PanelSubjects {
   bool woken_by_soft(std::size_t body);
   static SurfaceDetector detector(const SoftBody& body);
   /// Puts everything that hangs on the body's mesh in place of what there was; the body may be new.
-  void fit_to_mesh(std::size_t body, SurfaceDetector surface);
+  void fit_to_mesh(std::size_t body, SurfaceDetector surface, Numbering numbering);
+  /// The same where a cut changed the body's mesh and its surface is what it was but for the edit.
+  void follow_mesh(std::size_t body, const SurfaceEdit& edit);
+  void fit_rest_to_mesh(std::size_t body);            // part of both
   const TriangleSurface* faces_of(std::size_t body);  // null: a rope's
   void track_soft_bodies();                           // to where they are, and may be within the tick
   Aabb box_of(std::size_t body) const;                // of a soft one, likewise

@@ -1,4 +1,5 @@
-// What hangs on a soft body's mesh: made when the scene is compiled, and anew where a cut changes the mesh.
+// What hangs on a soft body's mesh: made when the scene is compiled, and taken along or made anew where a cut
+// changes the mesh.
 // The tree of its faces, which few ask for, when it is asked for: from the rest shape, so it doesn't matter
 // when.
 
@@ -10,7 +11,7 @@ SurfaceDetector Simulation::Impl::detector(const SoftBody& body) {
   return SurfaceDetector(body.anatomy().embedding, body.anatomy().surface, body.anatomy().thickness > 0);
 }
 
-void Simulation::Impl::fit_to_mesh(std::size_t body, SurfaceDetector surface) {
+void Simulation::Impl::fit_to_mesh(std::size_t body, SurfaceDetector surface, Numbering numbering) {
   if (body == surfaces.size()) {
     surfaces.push_back(std::move(surface));
     faces.emplace_back();
@@ -18,7 +19,7 @@ void Simulation::Impl::fit_to_mesh(std::size_t body, SurfaceDetector surface) {
     soft_contacts.emplace_back();
     memories.emplace_back();
     revisions.push_back(0);
-    numberings.emplace_back();
+    numberings.push_back(std::move(numbering));
     rough.emplace_back();
     stored.emplace_back();
     layered.push_back(0);
@@ -28,10 +29,24 @@ void Simulation::Impl::fit_to_mesh(std::size_t body, SurfaceDetector surface) {
     passed_through.push_back(0);
   } else {
     surfaces[body] = std::move(surface);
-    faces_moved[body] = layers_moved[body] = 0;
-    stored[body].reset();
+    numberings[body] = std::move(numbering);
   }
   faces[body].reset();
+  fit_rest_to_mesh(body);
+}
+
+void Simulation::Impl::follow_mesh(std::size_t body, const SurfaceEdit& edit) {
+  surfaces[body].follow(edit);
+  apply(edit, numberings[body]);
+  if (faces[body])
+    faces[body]->follow(edit, model.soft[body]->anatomy().surface, surfaces[body].triangle_order());
+  fit_rest_to_mesh(body);
+}
+
+/// What is made anew with every change.
+void Simulation::Impl::fit_rest_to_mesh(std::size_t body) {
+  faces_moved[body] = layers_moved[body] = 0;
+  stored[body].reset();
   fit_rough_shape(body);
   fit_layers(body);
   place_surface(body);
@@ -40,8 +55,12 @@ void Simulation::Impl::fit_to_mesh(std::size_t body, SurfaceDetector surface) {
 const TriangleSurface* Simulation::Impl::faces_of(std::size_t body) {
   std::optional<TriangleSurface>& own = faces[body];
   const TriangleMesh& surface = model.soft[body]->anatomy().surface;
-  if (!own && !surface.triangles.empty()) own.emplace(surface);
-  return own ? &*own : nullptr;
+  if (own || surface.triangles.empty()) return own ? &*own : nullptr;
+  if (numberings[body].triangles.empty())
+    own.emplace(surface);
+  else  // it was cut: the tree of an order can follow
+    own.emplace(surface, surfaces[body].triangle_order());
+  return &*own;
 }
 
 }  // namespace prosector

@@ -6,6 +6,8 @@
 #include <map>
 
 #include "server/physics/byte_stream.h"
+#include "server/physics/collision/triangle_surface.h"
+#include "server/physics/contact/surface_detector.h"
 #include "server/physics/organs/organ.h"
 #include "server/physics/organs/tet_lineage.h"
 #include "server/physics/soft/soft_body.h"
@@ -75,6 +77,74 @@ std::vector<VecX> answers(SoftBody& body, unsigned seed) {
   return ::testing::AssertionSuccess();
 }
 
+/// A body with what the simulation hangs on its surface.
+struct Hung {
+  std::unique_ptr<SoftBody> solver;
+  Numbering numbering;
+  std::optional<SurfaceDetector> detector;
+  std::optional<TriangleSurface> faces;
+
+  void find_contact() {
+    detector.emplace(solver->anatomy().embedding, solver->anatomy().surface);
+    if (!numbering.triangles.empty())  // else nobody has cut it
+      faces.emplace(solver->anatomy().surface, detector->triangle_order());
+  }
+};
+
+/// In which order vertices are looked at, and where they are.
+std::vector<Vec3> vertices_in_order(SurfaceDetector& detector, const VecX& x) {
+  detector.update(x.data());
+  std::vector<Vec3> out;
+  detector.in_box(detector.lo(), detector.hi(), [&](std::uint32_t vertex) {
+    out.push_back(detector.positions()[vertex]);
+    out.push_back(Vec3::Constant(vertex));
+  });
+  return out;
+}
+
+::testing::AssertionResult same(const Numbering& a, const Numbering& b) {
+  if (a.nodes != b.nodes || a.vertices != b.vertices || a.triangles != b.triangles)
+    return ::testing::AssertionFailure() << "numbered otherwise";
+  return ::testing::AssertionSuccess();
+}
+
+::testing::AssertionResult same(SurfaceDetector& followed, SurfaceDetector& anew, const SoftBody& body) {
+  if (!std::ranges::equal(followed.triangle_order(), anew.triangle_order()))
+    return ::testing::AssertionFailure() << "another order of triangles";
+  if (vertices_in_order(followed, body.rest()) != vertices_in_order(anew, body.rest()))
+    return ::testing::AssertionFailure() << "another order of vertices";
+  const TriangleMesh& surface = body.anatomy().surface;
+  for (std::uint32_t vertex = 0; vertex < surface.positions.size(); ++vertex)
+    if (!std::ranges::equal(followed.around(vertex), anew.around(vertex)))
+      return ::testing::AssertionFailure() << "other triangles around vertex " << vertex;
+  for (std::uint32_t triangle = 0; triangle < surface.triangles.size(); ++triangle)
+    if (followed.neighbours(triangle) != anew.neighbours(triangle))
+      return ::testing::AssertionFailure() << "other neighbours of triangle " << triangle;
+  return ::testing::AssertionSuccess();
+}
+
+::testing::AssertionResult same(const TriangleSurface& followed, const TriangleSurface& anew) {
+  const SurfaceTopology &a = followed.topology(), &b = anew.topology();
+  if (!std::ranges::equal(a.triangles(), b.triangles()) || a.vertices() != b.vertices() ||
+      a.closed() != b.closed() || !std::ranges::equal(a.pieces(), b.pieces()))
+    return ::testing::AssertionFailure() << "another topology";
+  for (std::uint32_t vertex = 0; vertex < a.vertices(); ++vertex)
+    if (!std::ranges::equal(a.around(vertex), b.around(vertex)))
+      return ::testing::AssertionFailure() << "other faces around vertex " << vertex;
+  for (std::uint32_t triangle = 0; triangle < a.triangles().size(); ++triangle)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (a.across(triangle, k) != b.across(triangle, k))
+        return ::testing::AssertionFailure() << "another face across an edge of " << triangle;
+  const auto same_node = [](const SurfaceTree::Node& p, const SurfaceTree::Node& q) {
+    return p.box.lo == q.box.lo && p.box.hi == q.box.hi && p.begin == q.begin && p.end == q.end &&
+           p.right == q.right;
+  };
+  if (!std::ranges::equal(followed.tree().order(), anew.tree().order()) ||
+      !std::ranges::equal(followed.tree().nodes(), anew.tree().nodes(), same_node))
+    return ::testing::AssertionFailure() << "another tree";
+  return ::testing::AssertionSuccess();
+}
+
 /// Whether an organ that goes through the log, looking at all of the skin after each entry, has the surfaces
 /// that this one has, whose skin followed.
 ::testing::AssertionResult restores_alike(const Organ& organ, std::size_t bodies, const Anatomy& mesh,
@@ -121,15 +191,16 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
   const Anatomy mesh = {shaken_box(4), {}, {}};
   Organ organ(0, mesh, desc.density);
   const auto made_anew = [&](std::size_t body) {
-    Numbering numbering;
-    auto out = std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(body), numbering));
-    out->set_in_force(rung.stiffness, true);
+    Hung out;
+    out.solver = std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(body), out.numbering));
+    out.solver->set_in_force(rung.stiffness, true);
+    out.find_contact();
     return out;
   };
-  std::map<std::size_t, std::unique_ptr<SoftBody>> bodies;
+  std::map<std::size_t, Hung> bodies;
   bodies[0] = made_anew(0);
   Random random(20261122);
-  std::size_t followed = 0, pieces_followed = 0;
+  std::size_t followed = 0, pieces_followed = 0, surfaces_followed = 0;
   for (unsigned stroke = 0; stroke < 10; ++stroke) {
     // Right through at times, else up to somewhere within.
     const Vec3 along = random.point(1).normalized(), ahead = along.cross(random.point(1)).normalized();
@@ -149,20 +220,39 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
       if (organ.cut(x, edge, blade, 1, stroke).ops.empty()) continue;
       std::vector<std::size_t> changed;
       const auto edit = organ.cut_in_one_piece();
-      const bool follows = edit && bodies[edit->body]->can_follow(edit->mesh);
+      const bool follows = edit && bodies[edit->body].solver->can_follow(edit->mesh);
       if (follows) {
-        organ.follow(*edit);
-        PieceSurface skin = organ.surface(organ.piece(edit->body));
-        bodies[edit->body]->follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
+        Hung& body = bodies[edit->body];
+        if (body.numbering.triangles.empty()) {
+          organ.follow(*edit);
+          PieceSurface skin = organ.surface(organ.piece(edit->body));
+          body.numbering = std::move(skin.numbering);
+          body.solver->follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
+          body.find_contact();
+        } else {
+          const SurfaceEdit surface =
+              organ.surface_edit(*edit, body.solver->anatomy().surface, body.numbering);
+          organ.follow(*edit);
+          apply(surface, body.numbering);
+          body.numbering.nodes = organ.piece(edit->body).mesh.nodes;
+          body.solver->follow(edit->mesh, surface);
+          body.detector->follow(surface);
+          body.faces->follow(surface, body.solver->anatomy().surface, body.detector->triangle_order());
+          ++surfaces_followed;
+        }
         changed = {edit->body};
         ++(edit->body == 0 ? followed : pieces_followed);
       } else {
         changed = organ.regroup(bodies.size()).bodies;
       }
       for (const std::size_t body : changed) {
-        auto anew = made_anew(body);
+        Hung anew = made_anew(body);
         if (follows) {
-          ASSERT_TRUE(same(*bodies[body], *anew, stroke)) << "stroke " << stroke << ", tick " << tick;
+          SCOPED_TRACE(::testing::Message() << "stroke " << stroke << ", tick " << tick);
+          ASSERT_TRUE(same(*bodies[body].solver, *anew.solver, stroke));
+          ASSERT_TRUE(same(bodies[body].numbering, anew.numbering));
+          ASSERT_TRUE(same(*bodies[body].detector, *anew.detector, *anew.solver));
+          ASSERT_TRUE(same(*bodies[body].faces, *anew.faces));
         } else {
           bodies[body] = std::move(anew);
         }
@@ -172,6 +262,7 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
   }
   EXPECT_GT(followed, 10U);
   EXPECT_GT(pieces_followed, 0U);  // what came off follows, too
+  EXPECT_GT(surfaces_followed, 10U);
 }
 
 // What relaxes remembers: each tetrahedron what the one that it is a part of did.

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "server/physics/collision/vertex_stars.h"
+
 namespace prosector {
 
 class SurfaceTopology {
@@ -13,13 +15,13 @@ class SurfaceTopology {
   using Corners = std::array<std::uint32_t, 3>;
   /// Throws InputError when a triangle names a vertex that isn't there or one vertex twice.
   SurfaceTopology(std::vector<Corners> triangles, std::size_t vertices);
+  /// To that of the surface after the change: local but for moving memory and the search for pieces.
+  void follow(const SurfaceEdit& edit);
 
   std::span<const Corners> triangles() const { return triangles_; }
-  std::size_t vertices() const { return around_begin_.size() - 1; }
+  std::size_t vertices() const { return stars_.vertices(); }
   /// Triangles around a vertex, ascending.
-  std::span<const std::uint32_t> around(std::uint32_t vertex) const {
-    return {around_.data() + around_begin_[vertex], around_.data() + around_begin_[vertex + 1]};
-  }
+  std::span<const std::uint32_t> around(std::uint32_t vertex) const { return stars_[vertex]; }
   /// The triangle across edge (k, k + 1); itself where there is none or more than one.
   std::uint32_t across(std::uint32_t triangle, std::size_t edge) const { return across_[triangle][edge]; }
   /// Every edge has two triangles that agree: the surface has an inside.
@@ -28,12 +30,14 @@ class SurfaceTopology {
   std::span<const std::uint32_t> pieces() const { return pieces_; }
 
  private:
-  void find_neighbours();
+  void find_neighbours(std::uint32_t triangle);
+  void find_out_whether_closed();
   void find_pieces();
 
   std::vector<Corners> triangles_;
-  std::vector<std::uint32_t> around_begin_, around_;
+  VertexStars stars_;
   std::vector<Corners> across_;
+  std::vector<std::uint8_t> open_;  // by triangle: an edge of it has not two triangles that agree
   std::vector<std::uint32_t> pieces_;
   bool closed_ = true;
 };

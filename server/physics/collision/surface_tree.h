@@ -11,9 +11,10 @@
 
 namespace prosector {
 
-/// Built once by halving at the median centroid along the longest side, so it is balanced; when the surface
-/// moves, refit() takes the boxes along in O(triangles) and keeps the halves. Answers of the queries don't
-/// depend on which tree it is (equals are told apart by index) but for rounding; their cost does.
+/// Built once by halving at the median centroid along the longest side, or runs of a given order, so it is
+/// balanced; when the surface moves, refit() takes the boxes along in O(triangles) and keeps the halves.
+/// Answers of the queries don't depend on which tree it is (equals are told apart by index) but for rounding;
+/// their cost does.
 class SurfaceTree {
  public:
   using Corners = std::array<std::uint32_t, 3>;
@@ -29,6 +30,10 @@ class SurfaceTree {
   };
 
   SurfaceTree(std::span<const Corners> triangles, std::span<const Vec3> positions);
+  /// Of runs of `order`, which keeps neighbours together (space_order.h): where triangles come and go, the
+  /// tree follows the order.
+  SurfaceTree(std::span<const Corners> triangles, std::span<const Vec3> positions,
+              std::span<const std::uint32_t> order);
   void refit(std::span<const Corners> triangles, std::span<const Vec3> positions);
 
   std::span<const Node> nodes() const { return nodes_; }
@@ -45,7 +50,8 @@ class SurfaceTree {
   void descend(const Bound& bound, const Limit& limit, const Leaf& leaf) const;
 
  private:
-  std::uint32_t build(std::uint32_t begin, std::uint32_t end, std::span<const Vec3> centroids);
+  template <class F>
+  std::uint32_t build(std::uint32_t begin, std::uint32_t end, const F& halve);
 
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;

@@ -39,6 +39,20 @@ TriangleSurface::TriangleSurface(std::shared_ptr<const SurfaceTopology> topology
       positions_(checked(*topology_, std::move(positions))),
       tree_(topology_->triangles(), positions_) {}
 
+TriangleSurface::TriangleSurface(const TriangleMesh& mesh, std::span<const std::uint32_t> order)
+    : topology_(std::make_shared<SurfaceTopology>(mesh.triangles, mesh.positions.size())),
+      positions_(checked(*topology_, mesh.positions)),
+      tree_(topology_->triangles(), positions_, order) {}
+
+void TriangleSurface::follow(const SurfaceEdit& edit, const TriangleMesh& mesh,
+                             std::span<const std::uint32_t> order) {
+  auto topology = std::make_shared<SurfaceTopology>(*topology_);  // others may have it
+  topology->follow(edit);
+  topology_ = std::move(topology);
+  positions_ = mesh.positions;
+  tree_ = SurfaceTree(topology_->triangles(), positions_, order);
+}
+
 bool TriangleSurface::move(std::span<const Vec3> positions) {
   if (positions.size() != positions_.size())
     throw InputError(

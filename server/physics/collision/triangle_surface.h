@@ -23,13 +23,17 @@ struct NearestPoint {
 
 /// move() takes a soft surface to new positions and refits its tree. A cut makes a new topology: construct
 /// the surface anew with it, O(n log n), from rest positions where the tree itself shall not depend on when
-/// (its answers don't).
+/// (its answers don't); or let one whose tree is that of an order follow.
 class TriangleSurface {
  public:
   using Corners = SurfaceTopology::Corners;
   /// Throws InputError for no triangles, numbers that aren't finite, and what SurfaceTopology refuses.
   explicit TriangleSurface(const TriangleMesh& mesh);
   TriangleSurface(std::shared_ptr<const SurfaceTopology> topology, std::vector<Vec3> positions);
+  /// Its tree is that of an order of the triangles (surface_tree.h).
+  TriangleSurface(const TriangleMesh& mesh, std::span<const std::uint32_t> order);
+  /// To what the last of these would make of the mesh after the change and of its order.
+  void follow(const SurfaceEdit& edit, const TriangleMesh& mesh, std::span<const std::uint32_t> order);
 
   /// False, and nothing moved, when a number isn't finite. Throws InputError for a wrong count.
   bool move(std::span<const Vec3> positions);

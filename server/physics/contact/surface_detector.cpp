@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 
-#include "server/physics/collision/space_order.h"
 #include "server/physics/parallel.h"
 
 namespace prosector {
@@ -15,12 +13,15 @@ namespace {
 
 constexpr std::size_t triangles_at_once = 1024;
 
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+Vec3 middle(const std::vector<Vec3>& positions, const std::array<std::uint32_t, 3>& t) {
+  return (positions[t[0]] + positions[t[1]] + positions[t[2]]) / 3;
+}
 
-std::vector<Vec3> centres(const TriangleMesh& mesh) {
+std::vector<Vec3> middles(const std::vector<Vec3>& positions,
+                          std::span<const std::array<std::uint32_t, 3>> triangles) {
   std::vector<Vec3> out;
-  for (const auto& t : mesh.triangles)
-    out.push_back((mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3);
+  out.reserve(triangles.size());
+  for (const auto& t : triangles) out.push_back(middle(positions, t));
   return out;
 }
 
@@ -36,40 +37,51 @@ constexpr double most_depth = 2;      // radii: what is deeper than this beyond 
 }  // namespace
 
 SurfaceDetector::SurfaceDetector(const SparseMap& embedding, const TriangleMesh& rest, bool two_sided)
-    : embedding_(&embedding), rest_(&rest), two_sided_(two_sided), positions_(rest.positions) {
-  tbb::parallel_invoke([&] { triangle_order_ = space_order(centres(rest)); },
-                       [&] { order_ = space_order(rest.positions); });
+    : embedding_(&embedding),
+      rest_(&rest),
+      two_sided_(two_sided),
+      neighbours_(rest.triangles.size()),
+      stars_(rest.triangles, rest.positions.size()) {
+  tbb::parallel_invoke([&] { triangle_order_ = SpaceOrder(middles(rest.positions, rest.triangles)); },
+                       [&] { order_ = SpaceOrder(rest.positions); });
+  parallel_chunks(neighbours_.size(), triangles_at_once,
+                  [&](std::size_t first, std::size_t last, std::size_t) {
+                    for (std::size_t i = first; i < last; ++i)
+                      neighbours_[i] = neighbours_of(static_cast<std::uint32_t>(i));
+                  });
+  fit_chunks();
+}
+
+void SurfaceDetector::follow(const SurfaceEdit& edit) {
+  stars_.follow(edit);
+  order_.follow(edit.vertices, edit.positions);
+  triangle_order_.follow(edit.triangles, middles(rest_->positions, edit.corners));
+  for (auto& across : neighbours_)
+    for (std::uint32_t& triangle : across) triangle = edit.triangles.now[triangle];
+  apply(edit.triangles, edit.corners, neighbours_);  // which are found below, as those at what went are
+  for (const std::uint32_t triangle : stars_.around(edit.touched))
+    neighbours_[triangle] = neighbours_of(triangle);
+  fit_chunks();
+}
+
+void SurfaceDetector::fit_chunks() {
+  positions_ = rest_->positions;
   chunks_.resize((order_.size() + chunk_vertices - 1) / chunk_vertices);
-  around_begin_.assign(positions_.size() + 1, 0);
-  for (const auto& t : rest.triangles)
-    for (const std::uint32_t corner : t) ++around_begin_[corner + 1];
-  std::partial_sum(around_begin_.begin(), around_begin_.end(), around_begin_.begin());
-  around_.resize(around_begin_.back());
-  std::vector<std::uint32_t> next(around_begin_.begin(), around_begin_.end() - 1);
-  for (std::uint32_t i = 0; i < rest.triangles.size(); ++i)
-    for (const std::uint32_t corner : rest.triangles[i]) around_[next[corner]++] = i;
-  find_neighbours();
   triangle_chunks_.resize((triangle_order_.size() + chunk_triangles - 1) / chunk_triangles);
 }
 
-void SurfaceDetector::find_neighbours() {
-  const auto& triangles = rest_->triangles;
-  std::vector<std::uint32_t> after(around_.size());  // in the triangle: the corner that follows the vertex
-  for (std::uint32_t vertex = 0; vertex + 1 < around_begin_.size(); ++vertex)
-    for (std::uint32_t n = around_begin_[vertex]; n < around_begin_[vertex + 1]; ++n) {
-      const auto& t = triangles[around_[n]];
-      after[n] = t[0] == vertex ? t[1] : t[1] == vertex ? t[2] : t[0];
+std::array<std::uint32_t, 3> SurfaceDetector::neighbours_of(std::uint32_t triangle) const {
+  const auto& corners = rest_->triangles[triangle];
+  std::array<std::uint32_t, 3> out = {triangle, triangle, triangle};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t from = corners[(k + 1) % 3], to = corners[k];
+    for (const std::uint32_t other : stars_[from]) {
+      const auto& t = rest_->triangles[other];
+      const std::uint32_t after_from = t[0] == from ? t[1] : t[1] == from ? t[2] : t[0];
+      if (after_from == to) out[k] = other;
     }
-  neighbours_.resize(triangles.size());
-  parallel_chunks(triangles.size(), triangles_at_once, [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t i = first; i < last; ++i)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t from = triangles[i][(k + 1) % 3], to = triangles[i][k];
-        neighbours_[i][k] = static_cast<std::uint32_t>(i);
-        for (std::uint32_t n = around_begin_[from]; n < around_begin_[from + 1]; ++n)
-          if (after[n] == to) neighbours_[i][k] = around_[n];
-      }
-  });
+  }
+  return out;
 }
 
 void SurfaceDetector::update(const double* x) {
@@ -120,8 +132,8 @@ double SurfaceDetector::stretch(std::uint32_t triangle) const {
 
 Vec3 SurfaceDetector::outward_at(std::uint32_t vertex) const {
   Vec3 sum = Vec3::Zero();
-  for (std::uint32_t k = around_begin_[vertex]; k < around_begin_[vertex + 1]; ++k) {
-    const auto x = corners(around_[k]);
+  for (const std::uint32_t triangle : stars_[vertex]) {
+    const auto x = corners(triangle);
     sum += (x[1] - x[0]).cross(x[2] - x[0]);
   }
   return sum.normalized();
@@ -129,8 +141,7 @@ Vec3 SurfaceDetector::outward_at(std::uint32_t vertex) const {
 
 double SurfaceDetector::stretch_at(std::uint32_t vertex) const {
   double most = 0;
-  for (std::uint32_t k = around_begin_[vertex]; k < around_begin_[vertex + 1]; ++k)
-    most = std::max(most, stretch(around_[k]));
+  for (const std::uint32_t triangle : stars_[vertex]) most = std::max(most, stretch(triangle));
   return most;
 }
 

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "common/mesh.h"
+#include "server/physics/collision/space_order.h"
+#include "server/physics/collision/vertex_stars.h"
 #include "server/physics/contact/contact.h"
 #include "server/physics/contact/rod.h"
 #include "server/physics/contact/signed_distance.h"
@@ -46,8 +48,11 @@ using KnownSide = std::function<std::optional<Vec3>(std::uint32_t triangle)>;
 /// One soft surface, in the order that keeps neighbours together, with boxes around runs of vertices.
 class SurfaceDetector {
  public:
-  /// `two_sided`: the surface is a sheet's, not a solid's.
+  /// Both outlive this. `two_sided`: the surface is a sheet's, not a solid's.
   SurfaceDetector(const SparseMap& embedding, const TriangleMesh& rest, bool two_sided = false);
+  /// After both, which stay where they are, took the change in: to what a new one would be before its first
+  /// update. What the change didn't touch is moved or renumbered at most.
+  void follow(const SurfaceEdit& edit);
 
   /// Takes the surface to node positions `x` (3n) and refits the boxes.
   void update(const double* x);
@@ -82,6 +87,10 @@ class SurfaceDetector {
   const std::array<std::uint32_t, 3>& neighbours(std::uint32_t triangle) const {
     return neighbours_[triangle];
   }
+  /// The triangles around a vertex, ascending.
+  std::span<const std::uint32_t> around(std::uint32_t vertex) const { return stars_[vertex]; }
+  /// Triangles in the order in which they are looked at.
+  std::span<const std::uint32_t> triangle_order() const { return triangle_order_.order(); }
   /// Whether anything is that near.
   bool touches(const Collider& collider, double margin) const;
 
@@ -98,7 +107,8 @@ class SurfaceDetector {
   std::size_t triangle_chunk_end(std::size_t chunk) const {
     return std::min(triangle_order_.size(), (chunk + 1) * chunk_triangles);
   }
-  void find_neighbours();
+  void fit_chunks();
+  std::array<std::uint32_t, 3> neighbours_of(std::uint32_t triangle) const;
   std::array<Vec3, 3> corners(std::uint32_t triangle) const;
   Vec3 outward(std::uint32_t triangle) const;
   double stretch(std::uint32_t triangle) const;
@@ -110,13 +120,12 @@ class SurfaceDetector {
   const TriangleMesh* rest_;
   bool two_sided_;
   std::vector<std::array<std::uint32_t, 3>>
-      neighbours_;  // per triangle and edge (k, k+1): across it, or itself
-  std::vector<std::uint32_t> triangle_order_;
+      neighbours_;             // per triangle and edge (k, k+1): across it, or itself
+  SpaceOrder triangle_order_;  // by their middles at rest
   std::vector<Chunk> triangle_chunks_;
-  std::vector<std::uint32_t> around_begin_,
-      around_;                        // vertex i's triangles: around_ from around_begin_[i] on
-  std::vector<std::uint32_t> order_;  // vertices along a space-filling curve through the rest shape
-  std::vector<Vec3> positions_;       // by vertex
+  VertexStars stars_;
+  SpaceOrder order_;             // vertices, at rest
+  std::vector<Vec3> positions_;  // by vertex
   std::vector<Chunk> chunks_;
   Vec3 lo_ = Vec3::Zero(), hi_ = Vec3::Zero();
 };

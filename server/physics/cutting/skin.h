@@ -25,6 +25,7 @@ class Skin {
     std::array<std::uint32_t, 3> corners{};  // vertex slots, counter-clockwise from outside; equal: gone
     bool inner = false;                      // a cut laid it bare
     bool operator==(const Triangle&) const = default;
+    bool gone() const { return corners[0] == corners[1]; }
   };
   /// What an update changed. Vertices are only ever appended.
   struct Change {

@@ -29,7 +29,8 @@ void TetTree::build(const TetComplex& complex) {
   for (const TetId t : ids) middles.push_back(centroid(complex, t));
   std::vector<TetId> tets;
   tets.reserve(ids.size());
-  for (const std::uint32_t i : space_order(middles)) tets.push_back(ids[i]);
+  for (const SpaceOrder order(std::move(middles)); const std::uint32_t i : order.order())
+    tets.push_back(ids[i]);
   leaf_of_.assign(complex.tet_end(), 0);
   if (!tets.empty()) split(tets, 0, tets.size());
   built_tets_ = tets.size();

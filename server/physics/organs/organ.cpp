@@ -11,6 +11,7 @@
 #include "server/physics/cutting/pieces.h"
 #include "server/physics/cutting/touched.h"
 #include "server/physics/organs/sheet_parts.h"
+#include "server/physics/organs/surface_follow.h"
 
 namespace prosector {
 namespace {
@@ -59,12 +60,14 @@ CutResult Organ::cut(std::span<const Vec3> positions, std::span<const Vec3> edge
     change.ops = result.ops;
     const bool much =
         much_share * static_cast<double>(complex_.tets()) < static_cast<double>(result.split_tets);
+    Skin::Change skin;
     tbb::parallel_invoke([&] { change.touched = touched_by(complex_, change.ops); },
                          [&] {
-                           if (much) skin_.update(complex_);
+                           if (much) skin = skin_.update(complex_);
                          });
     note_touched(change.touched);
-    if (!much) skin_.follow(complex_, change.touched);
+    if (!much) skin = skin_.follow(complex_, change.touched);
+    note_changed(skin);
   }
   return result;
 }
@@ -112,7 +115,7 @@ std::string Organ::undo(ParticipantId author) {
   std::vector<TetId> touched;
   for (const OrganChange* change : stroke)
     touched.insert(touched.end(), change->touched.begin(), change->touched.end());
-  skin_.follow(complex_, touched);
+  note_changed(skin_.follow(complex_, touched));
   log_.push_back(std::move(entry));
   return {};
 }
@@ -137,6 +140,10 @@ void Organ::note_touched(const std::vector<TetId>& tets) {
   for (TetId tet = first; tet < owner_.size(); ++tet)  // children after their parents
     owner_[tet] = owner_[complex_.parent(tet)];
   for (const TetId tet : tets) changed_.insert(owner_[tet]);
+}
+
+void Organ::note_changed(const Skin::Change& skin) {
+  skin_changed_.insert(skin_changed_.end(), skin.slots.begin(), skin.slots.end());
 }
 
 Organ::Regrouped Organ::regroup(std::size_t next_body) {
@@ -181,6 +188,7 @@ Organ::Regrouped Organ::regroup(std::size_t next_body) {
     at->mesh = piece_mesh(complex_, c.tets);
   }
   changed_.clear();
+  skin_changed_.clear();
   grouped_ = log_.size();
   return out;
 }
@@ -208,6 +216,7 @@ void Organ::follow(const PieceEdit& edit) {
       std::find_if(pieces_.begin(), pieces_.end(), [&](const OrganPiece& p) { return p.body == edit.body; });
   apply(complex_, edit, piece->mesh);
   changed_.clear();
+  skin_changed_.clear();
   grouped_ = log_.size();
 }
 
@@ -232,6 +241,16 @@ Anatomy Organ::anatomy(const OrganPiece& piece, Numbering& numbering) const {
 PieceSurface Organ::surface(const OrganPiece& piece) const {
   return skinned(complex_, skin_, piece.mesh, static_cast<std::uint32_t>(whole_.surface.positions.size()),
                  static_cast<std::uint32_t>(whole_.surface.triangles.size()));
+}
+
+SurfaceEdit Organ::surface_edit(const PieceEdit& edit, const TriangleMesh& surface,
+                                const Numbering& numbering) const {
+  std::vector<NodeId> nodes = piece(edit.body).mesh.nodes;
+  nodes.insert(nodes.end(), edit.nodes.begin(), edit.nodes.end());
+  return edit_of_surface(
+      complex_, skin_, nodes, [&](TetId tet) { return owner_[tet] == edit.body; }, skin_changed_, surface,
+      numbering, static_cast<std::uint32_t>(whole_.surface.positions.size()),
+      static_cast<std::uint32_t>(whole_.surface.triangles.size()));
 }
 
 }  // namespace prosector

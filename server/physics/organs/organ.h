@@ -16,6 +16,7 @@
 #include "server/physics/cutting/tet_complex.h"
 #include "server/physics/cutting/volume_cut.h"
 #include "server/physics/organs/organ_parts.h"
+#include "server/physics/surface_edit.h"
 #include "server/physics/topology.h"
 
 namespace prosector {
@@ -82,6 +83,10 @@ class Organ {
   Anatomy anatomy(const OrganPiece& piece, Numbering& numbering) const;
   /// The surface alone, of a piece that was cut.
   PieceSurface surface(const OrganPiece& piece) const;
+  /// Before follow(): what the changes since the last regroup() or follow() did to the surface of the piece
+  /// that they are in, which had been cut before; `surface` and `numbering`: what it had.
+  SurfaceEdit surface_edit(const PieceEdit& edit, const TriangleMesh& surface,
+                           const Numbering& numbering) const;
   const Anatomy& whole() const { return whole_; }  // as compiled
   const std::vector<std::uint8_t>& held() const { return held_; }
 
@@ -107,6 +112,7 @@ class Organ {
   void redo(OrganChange change);
   void go_back(std::size_t length);
   void note_touched(const std::vector<TetId>& tets);
+  void note_changed(const Skin::Change& skin);
 
   TetComplex uncut(double density) const;
 
@@ -114,10 +120,11 @@ class Organ {
   std::vector<std::uint8_t> held_;
   TetComplex complex_;
   Skin skin_;
-  TetTree tree_;                    // cache
-  std::vector<std::size_t> owner_;  // by tetrahedron: the body that it is, or was, part of
-  std::set<std::size_t> changed_;   // bodies, since the last regroup() or follow()
-  std::size_t grouped_ = 0;         // entries of the log, then
+  TetTree tree_;                             // cache
+  std::vector<std::size_t> owner_;           // by tetrahedron: the body that it is, or was, part of
+  std::set<std::size_t> changed_;            // bodies, since the last regroup() or follow()
+  std::size_t grouped_ = 0;                  // entries of the log, then
+  std::vector<std::uint32_t> skin_changed_;  // slots of its triangles, since then
   std::vector<OrganChange> log_;
   std::vector<OrganPiece> pieces_;  // by body
 };

@@ -30,6 +30,7 @@ void Organ::rewind(const Organ& then, ParticipantId author) {
     })->mesh = piece.mesh;
   }
   changed_.clear();
+  skin_changed_.clear();
   grouped_ = log_.size();
 }
 

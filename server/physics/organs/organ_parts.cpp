@@ -132,7 +132,7 @@ PieceSurface skinned(const TetComplex& complex, const Skin& skin, const PieceMes
   std::vector<std::uint32_t> vertex(skin.vertices().size(), unused);  // by slot
   for (std::uint32_t slot = 0; slot < skin.triangles().size(); ++slot) {
     const Skin::Triangle& triangle = skin.triangles()[slot];
-    if (triangle.corners[0] == triangle.corners[1] || !in_piece[skin.tet(slot)]) continue;
+    if (triangle.gone() || !in_piece[skin.tet(slot)]) continue;
     out.surface.triangles.push_back(triangle.corners);
     out.surface.inner.push_back(triangle.inner ? 1 : 0);
     out.numbering.triangles.push_back(first_triangle + slot);
@@ -141,11 +141,9 @@ PieceSurface skinned(const TetComplex& complex, const Skin& skin, const PieceMes
   for (std::uint32_t slot = 0; slot < vertex.size(); ++slot) {
     if (vertex[slot] == unused) continue;
     vertex[slot] = static_cast<std::uint32_t>(out.embedding.rows.size());
-    const auto [a, b] = skin.vertices()[slot].node;
-    SparseMap::Row& row = out.embedding.rows.emplace_back();
-    row.node = {index[a], a == b ? 0 : index[b], 0, 0};
-    row.weight = {a == b ? 1 : 0.5, a == b ? 0 : 0.5, 0, 0};
-    out.surface.positions.push_back(a == b ? complex.rest(a) : Vec3((complex.rest(a) + complex.rest(b)) / 2));
+    const auto hung = hang(complex, skin.vertices()[slot], [&](NodeId node) { return index[node]; });
+    out.embedding.rows.push_back(hung.row);
+    out.surface.positions.push_back(hung.rest);
     out.numbering.vertices.push_back(first_vertex + slot);
   }
   for (auto& corners : out.surface.triangles)

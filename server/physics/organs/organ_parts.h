@@ -34,6 +34,22 @@ struct PieceSurface {
   Numbering numbering;
 };
 
+/// What a vertex of the skin hangs on, and where it is at rest (m). `index_of`: a node's index in the piece.
+struct HungVertex {
+  SparseMap::Row row;
+  Vec3 rest = Vec3::Zero();
+};
+template <class F>
+HungVertex hang(const TetComplex& complex, const Skin::Vertex& vertex, const F& index_of) {
+  const auto [a, b] = vertex.node;
+  const bool one = a == b;
+  HungVertex out;
+  out.row.node = {index_of(a), one ? 0 : index_of(b), 0, 0};
+  out.row.weight = {one ? 1 : 0.5, one ? 0 : 0.5, 0, 0};
+  out.rest = one ? complex.rest(a) : Vec3((complex.rest(a) + complex.rest(b)) / 2);
+  return out;
+}
+
 /// Its skin's triangles. Vertices and triangles are numbered by their slots, from `first_vertex` and
 /// `first_triangle` on.
 PieceSurface skinned(const TetComplex& complex, const Skin& skin, const PieceMesh& piece,

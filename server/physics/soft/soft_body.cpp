@@ -122,14 +122,13 @@ struct SoftBody::Impl {
       v->setZero(rest().size());
   }
 
-  /// To model and pattern as they are after a cut.
+  /// To model and pattern as they are after a cut; the surface's area is the caller's.
   void fit() {
     symmetric.fit(pattern);
     mass = lumped_mass(desc.density, model->volume());
     ties = prosector::attachment_stiffness(desc.attach, model->rest(), model->volume());
     weigh();
     recovery.reset();
-    area = vertex_areas(anatomy);
     diagonal = bounding_diagonal(model->rest());
     elements.fit();
     damping.fit(node_count());
@@ -141,6 +140,13 @@ struct SoftBody::Impl {
   void weigh() {
     inertia = mass / strength;
     attached = (tied ? 1 / strength : 0) * ties;
+  }
+
+  void follow(const MeshEdit& edit) {
+    apply(edit, anatomy.tets);
+    model->follow(desc, anatomy.tets, edit);
+    pattern.follow(edit);
+    fit();
   }
 
   void build_on_inertia() {
@@ -219,12 +225,18 @@ bool SoftBody::can_follow(const MeshEdit& edit) const {
 
 void SoftBody::follow(const MeshEdit& edit, TriangleMesh surface, SparseMap embedding) {
   Impl& m = *impl_;
-  apply(edit, m.anatomy.tets);
   m.anatomy.surface = std::move(surface);
   m.anatomy.embedding = std::move(embedding);
-  m.model->follow(m.desc, m.anatomy.tets, edit);
-  m.pattern.follow(edit);
-  m.fit();
+  m.area = vertex_areas(m.anatomy);
+  m.follow(edit);
+}
+
+void SoftBody::follow(const MeshEdit& edit, const SurfaceEdit& surface) {
+  Impl& m = *impl_;
+  apply(surface, m.anatomy.surface);
+  apply(surface.vertices, surface.rows, m.anatomy.embedding.rows);
+  follow_vertex_areas(m.anatomy.surface, surface, m.area);
+  m.follow(edit);
 }
 
 bool SoftBody::can_follow_sheet() const {
@@ -236,6 +248,7 @@ bool SoftBody::can_follow_sheet() const {
 void SoftBody::follow_sheet(Anatomy sheet, std::span<const std::uint32_t> touched) {
   Impl& m = *impl_;
   m.anatomy = std::move(sheet);
+  m.area = vertex_areas(m.anatomy);
   m.pattern.follow(m.model->follow_sheet(m.desc, m.anatomy, touched));
   m.fit();
   if (m.substepper) m.substepper->fit();

@@ -19,6 +19,7 @@
 #include "server/physics/soft/mesh_edit.h"
 #include "server/physics/soft/soft_state.h"
 #include "server/physics/soft/unfold.h"
+#include "server/physics/surface_edit.h"
 
 namespace prosector {
 
@@ -56,6 +57,8 @@ class SoftBody {
   /// As if made anew of its mesh so edited and of another surface, bit for bit, and under the same
   /// set_in_force(); what the edit leaves as it is is kept.
   void follow(const MeshEdit& edit, TriangleMesh surface, SparseMap embedding);
+  /// Likewise, where the surface, too, is what it was but for an edit. It stays at its address.
+  void follow(const MeshEdit& edit, const SurfaceEdit& surface);
   /// The same of a sheet, made of another geometry. `touched`: the corners, ascending, of cells and triangles
   /// that came or went; nodes that came follow those that were there.
   bool can_follow_sheet() const;

@@ -79,13 +79,36 @@ VecX attachment_stiffness(const std::vector<AttachDesc>& attach, const VecX& res
   return k;
 }
 
+namespace {
+
+double third_of_area(const TriangleMesh& surface, const std::array<std::uint32_t, 3>& t) {
+  const Vec3 &a = surface.positions[t[0]], &b = surface.positions[t[1]], &c = surface.positions[t[2]];
+  return (b - a).cross(c - a).norm() / 6;
+}
+
+}  // namespace
+
+void follow_vertex_areas(const TriangleMesh& surface, const SurfaceEdit& edit, std::vector<double>& areas) {
+  apply(edit.vertices, std::vector<double>(edit.positions.size()), areas);
+  std::vector<std::uint8_t> touched(areas.size(), 0);
+  for (const std::uint32_t vertex : edit.touched) {
+    touched[vertex] = 1;
+    areas[vertex] = 0;
+  }
+  for (const auto& t : surface.triangles) {  // in the same order, for the same sums
+    if ((touched[t[0]] | touched[t[1]] | touched[t[2]]) == 0) continue;
+    const double third = third_of_area(surface, t);
+    for (const std::uint32_t vertex : t)
+      if (touched[vertex] != 0) areas[vertex] += third;
+  }
+}
+
 std::vector<double> vertex_areas(const Anatomy& anatomy) {
   const TriangleMesh& surface = anatomy.surface;
   std::vector<double> area(surface.positions.size(), 0.0);
   for (const auto& t : surface.triangles) {
-    const Vec3 &a = surface.positions[t[0]], &b = surface.positions[t[1]], &c = surface.positions[t[2]];
-    const double third = (b - a).cross(c - a).norm() / 6;
-    for (std::uint32_t vertex : t) area[vertex] += third;
+    const double third = third_of_area(surface, t);
+    for (const std::uint32_t vertex : t) area[vertex] += third;
   }
   if (anatomy.segments.empty()) return area;
   std::vector<double> mantle(anatomy.tets.positions.size(), 0.0);

@@ -5,6 +5,7 @@
 
 #include "common/mesh.h"
 #include "common/scene/scene.h"
+#include "server/physics/surface_edit.h"
 
 namespace prosector {
 
@@ -19,5 +20,7 @@ VecX attachment_stiffness(const std::vector<AttachDesc>& attach, const VecX& res
 
 /// m² of each surface vertex: a third of its triangles; on a rope its share of the mantle.
 std::vector<double> vertex_areas(const Anatomy& anatomy);
+/// Of a solid: to those of the surface, which took the change in.
+void follow_vertex_areas(const TriangleMesh& surface, const SurfaceEdit& edit, std::vector<double>& areas);
 
 }  // namespace prosector

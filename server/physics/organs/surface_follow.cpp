@@ -1,0 +1,104 @@
+#include "server/physics/organs/surface_follow.h"
+
+#include <algorithm>
+
+namespace prosector {
+namespace {
+
+using Numbers = std::vector<std::uint32_t>;
+
+void sort_unique(Numbers& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// How many of the ascending numbers are less.
+std::uint32_t count_below(const Numbers& numbers, std::uint32_t number) {
+  return static_cast<std::uint32_t>(std::lower_bound(numbers.begin(), numbers.end(), number) -
+                                    numbers.begin());
+}
+
+bool has(const Numbers& numbers, std::uint32_t number) {
+  return std::binary_search(numbers.begin(), numbers.end(), number);
+}
+
+/// `gone`: ascending indices; `come`: ascending numbers that aren't among those that stay.
+ListEdit edit_of(const Numbers& before, Numbers gone, const Numbers& come) {
+  Numbers come_before;
+  come_before.reserve(come.size());
+  for (const std::uint32_t number : come) come_before.push_back(count_below(before, number));
+  return ListEdit(before.size(), std::move(gone), come_before);
+}
+
+/// Of these vertices those that no triangle but the ones that go has; ascending.
+Numbers unused(const TriangleMesh& surface, const Numbers& gone_triangles, Numbers vertices) {
+  if (vertices.empty()) return vertices;
+  std::vector<std::uint8_t> used(surface.positions.size(), 0);
+  auto gone = gone_triangles.begin();
+  for (std::uint32_t i = 0; i < surface.triangles.size(); ++i) {
+    if (gone != gone_triangles.end() && *gone == i) {
+      ++gone;
+      continue;
+    }
+    for (const std::uint32_t corner : surface.triangles[i]) used[corner] = 1;
+  }
+  std::erase_if(vertices, [&](std::uint32_t vertex) { return used[vertex] != 0; });
+  return vertices;
+}
+
+}  // namespace
+
+SurfaceEdit edit_of_surface(const TetComplex& complex, const Skin& skin, std::span<const NodeId> nodes,
+                            const std::function<bool(TetId)>& in_piece, std::vector<std::uint32_t> slots,
+                            const TriangleMesh& before, const Numbering& numbering,
+                            std::uint32_t first_vertex, std::uint32_t first_triangle) {
+  SurfaceEdit out;
+  sort_unique(slots);
+  Numbers gone, left, met;  // triangles, by index; vertices: indices of theirs; numbers of those that come
+  for (const std::uint32_t slot : slots) {
+    const std::uint32_t number = first_triangle + slot, index = count_below(numbering.triangles, number);
+    if (index < numbering.triangles.size() && numbering.triangles[index] == number) {
+      gone.push_back(index);
+      left.insert(left.end(), before.triangles[index].begin(), before.triangles[index].end());
+    }
+    const Skin::Triangle& triangle = skin.triangles()[slot];
+    if (triangle.gone() || !in_piece(skin.tet(slot))) continue;
+    out.triangle_numbers.push_back(number);
+    out.inner.push_back(triangle.inner ? 1 : 0);
+    for (const std::uint32_t corner : triangle.corners) met.push_back(first_vertex + corner);
+  }
+  out.triangles = edit_of(numbering.triangles, gone, out.triangle_numbers);
+  sort_unique(left);
+  Numbers come = met;
+  sort_unique(come);
+  Numbers may_go = left;
+  std::erase_if(may_go, [&](std::uint32_t vertex) { return has(come, numbering.vertices[vertex]); });
+  std::erase_if(come, [&](std::uint32_t number) { return has(numbering.vertices, number); });
+  out.vertices = edit_of(numbering.vertices, unused(before, gone, std::move(may_go)), come);
+  out.vertex_numbers = std::move(come);
+
+  const auto index_of = [&](NodeId node) {
+    return static_cast<std::uint32_t>(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin());
+  };
+  for (const std::uint32_t number : out.vertex_numbers) {
+    const auto hung = hang(complex, skin.vertices()[number - first_vertex], index_of);
+    out.rows.push_back(hung.row);
+    out.positions.push_back(hung.rest);
+  }
+  const auto vertex_now = [&](std::uint32_t number) {
+    const std::uint32_t index = count_below(numbering.vertices, number);
+    if (index < numbering.vertices.size() && numbering.vertices[index] == number)
+      return out.vertices.now[index];
+    return out.vertices.come[count_below(out.vertex_numbers, number)];
+  };
+  for (std::size_t i = 0; i < met.size(); i += 3)
+    out.corners.push_back({vertex_now(met[i]), vertex_now(met[i + 1]), vertex_now(met[i + 2])});
+  for (const std::uint32_t vertex : left)
+    if (out.vertices.now[vertex] != ListEdit::none) out.touched.push_back(out.vertices.now[vertex]);
+  for (const auto& corners : out.corners)
+    out.touched.insert(out.touched.end(), corners.begin(), corners.end());
+  sort_unique(out.touched);
+  return out;
+}
+
+}  // namespace prosector
