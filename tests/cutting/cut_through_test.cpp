@@ -46,6 +46,14 @@ TEST(CutThrough, WhatIsHalfCutIsNotParted) {
   EXPECT_TRUE(faces_between_parts(complex, marks, 0).faces.empty());
 }
 
+TEST(CutThrough, CrumbsStayTogether) {
+  const TetComplex complex(box_mesh(cells), mesh_density);
+  const Marks plane = marks_of(complex, [](NodeId) { return true; });
+  const double more_than_all = 2 * mesh_size * mesh_size * mesh_size;
+  EXPECT_FALSE(faces_between_parts(complex, plane, 0).faces.empty());
+  EXPECT_TRUE(faces_between_parts(complex, plane, more_than_all).faces.empty());
+}
+
 std::size_t pieces_after(double deepest, bool back) {
   TetComplex complex(box_mesh(2), mesh_density);
   TetTree tree;

@@ -152,7 +152,8 @@ class Parts {
           }
     }
   }
-  std::uint32_t operator[](TetId tet) const { return of_[tet]; }
+  /// Where nothing beside a crumb is a part, it stays as it is.
+  bool differ(TetId a, TetId b) const { return of_[a] != of_[b] && is_part_[of_[a]] && is_part_[of_[b]]; }
 
  private:
   static constexpr std::uint32_t none = UINT32_MAX;
@@ -220,7 +221,7 @@ SlitFaces faces_between_parts(const TetComplex& complex, const Marks& marks, dou
   op.faces.erase(std::unique(op.faces.begin(), op.faces.end()), op.faces.end());
   Parts parts(complex, marks, crumb);
   parts.join_crumbs();
-  std::erase_if(op.faces, [&](const std::array<TetId, 2>& f) { return parts[f[0]] == parts[f[1]]; });
+  std::erase_if(op.faces, [&](const std::array<TetId, 2>& f) { return !parts.differ(f[0], f[1]); });
   return op;
 }
 
