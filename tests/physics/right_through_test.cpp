@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <optional>
 
 #include "common/anatomy/implicit.h"
 #include "common/anatomy/mesh_quality.h"
@@ -24,6 +23,7 @@ constexpr unsigned default_strokes = 60;
 #endif
 constexpr double way = 0.3;          // m
 constexpr double least_share = 0.1;  // of the volume: where the way leaves less on a side, it grazes the body
+constexpr double most_whole = 0.05;  // share of all strokes, grazing ones too, that may leave the body whole
 const Vec3 middle(0, -0.03, 0);      // of the body, beside the middle of the edge
 
 struct Attempt {
@@ -109,8 +109,12 @@ double share_beside(const Simulation& simulation, const Attempt& attempt, const 
   return std::min(beyond, all - beyond) / all;
 }
 
-/// The share that came off; none where the way leaves too little on one side.
-std::optional<double> cut_through(const Attempt& attempt) {
+struct Outcome {
+  bool grazes = false;  // its way leaves too little on one side
+  double off = 0;       // the share that came off
+};
+
+Outcome cut_through(const Attempt& attempt) {
   Simulation simulation(attempt.scene, shapes());
   const Vec3 at = take(simulation);
   const int ticks = static_cast<int>(way / attempt.speed * 60);
@@ -123,10 +127,9 @@ std::optional<double> cut_through(const Attempt& attempt) {
     const Vec3 to(at.x(), at.y(), at.z() * (1 - i / 30.0));
     simulation.step(target(to));
   }
-  if (share_beside(simulation, attempt, simulation.rigid_state(scalpel).pose.p) < least_share)
-    return std::nullopt;
+  const bool grazes = share_beside(simulation, attempt, simulation.rigid_state(scalpel).pose.p) < least_share;
   for (int i = 0; i < ticks + 40; ++i) simulation.step(input(i));
-  return share_off(simulation);
+  return {grazes, share_off(simulation)};
 }
 
 struct Tried {
@@ -138,15 +141,17 @@ Tried right_through(unsigned seed) {
   Random random(seed);
   Tried out;
   const unsigned attempts = number("PROSECTOR_STROKES", default_strokes);
+  unsigned grazed = 0;  // and left whole
   for (unsigned i = 0; i < attempts; ++i) {
     const Attempt attempt = random_attempt(random);
-    const std::optional<double> off = cut_through(attempt);
-    if (!off) continue;
-    ++out.strokes;
-    if (*off > 0) continue;
+    const Outcome outcome = cut_through(attempt);
+    out.strokes += outcome.grazes ? 0 : 1;
+    if (outcome.off > 0) continue;
     std::cout << "whole: stroke " << i << ": " << attempt.what() << std::endl;
-    ++out.whole;
+    EXPECT_GT(attempt.scene.soft[0].toughness, 0) << "stroke " << i;
+    ++(outcome.grazes ? grazed : out.whole);
   }
+  EXPECT_LE(out.whole + grazed, most_whole * attempts);
   return out;
 }
 
@@ -156,8 +161,7 @@ TEST(RightThrough, OfAFixedSeed) {
   EXPECT_EQ(tried.whole, 0U);
 }
 
-TEST(RightThrough,
-     OfAnySeed) {  // of 2,640 tried one stayed whole, mended since
+TEST(RightThrough, OfAnySeed) {  // of 4,200 tried three stayed whole
   EXPECT_LE(right_through(test_seed(false)).whole, 1U);
 }
 
