@@ -12,15 +12,13 @@ namespace {
 
 constexpr double turn_per_pixel = 0.005;  // rad
 constexpr double reach_per_notch = 0.02;  // m
+constexpr double wrist_per_notch = 0.1;   // rad
 constexpr double fly_speed = 0.6;         // m/s
 constexpr double pad_speed = 400;  // pixels/s of the pointer or of a turn, for a stick that is pushed fully
 constexpr double pad_reach_speed = 0.4;  // m/s
-constexpr double least_reach = 0.15, most_reach = 4;
-constexpr double first_reach = 0.7;           // of the way to what the view is of: beside it, not in it
-constexpr double steepest = 1.5;              // rad: the view never turns over
-constexpr double wrist_to_fingertips = 0.18;  // m, fingers stretched
-constexpr double hand_pitch = -0.5;           // rad: fingers point into the picture and down
-constexpr double close_per_s = 6;             // flexion per second when the button goes down
+constexpr double pad_wrist_speed = 1.5;  // rad/s
+constexpr double first_reach = 0.7;      // of the way to what the view is of: beside it, not in it
+constexpr double steepest = 1.5;         // rad: the view never turns over
 constexpr std::chrono::milliseconds slide_interval{40};  // a server takes no more than 50 commands a second
 
 Shown next(Shown shown) {
@@ -35,7 +33,7 @@ void Desk::begin(const CameraInfo& start) {
   distance_ = back.norm();
   yaw_ = std::atan2(back.x(), back.z());
   pitch_ = std::asin(std::clamp(back.y() / distance_, -1.0, 1.0));
-  reach_ = first_reach * distance_;
+  hand_.begin(first_reach * distance_);
   pointer_x_ = 0.5 * window_.width();
   pointer_y_ = 0.5 * window_.height();
   last_update_ = std::chrono::steady_clock::now();
@@ -50,10 +48,9 @@ void Desk::update(const CameraInfo& start, const Panel* own_panel) {
   last_update_ = now;
   fly(seconds);
   follow_pad(seconds);
-  const double wanted = grasping_ ? 0.9 : 0.1;
-  flexion_ += std::clamp(wanted - flexion_, -close_per_s * seconds, close_per_s * seconds);
+  hand_.advance(seconds);
   eye_ = look_at(view_->target + distance_ * back(), view_->target);
-  if (grasping_ || !at_panel()) hand_ = hand_pose();
+  if (hand_.closed() || !at_panel()) hand_pose_ = hand_.pose(pointer(), yaw_);
 }
 
 void Desk::take(const WindowEvent& event) {
@@ -71,7 +68,7 @@ void Desk::take(const WindowEvent& event) {
     if (button->button == MouseButton::right) turning_ = button->down;
   }
   if (const auto* wheel = std::get_if<WheelTurned>(&event))
-    reach_ = std::clamp(reach_ + reach_per_notch * wheel->y, least_reach, most_reach);
+    turn_wheel(wheel->y != 0 ? wheel->y : wheel->x);  // some systems turn it sideways while Shift is held
   if (const auto* pad = std::get_if<GamepadMoved>(&event))
     for (const WindowEvent& same : pad_.take(pad->now)) take(same);
   if (const auto* mouse = std::get_if<MouseMoved>(&event)) {
@@ -120,18 +117,29 @@ void Desk::fly(double seconds) {
 void Desk::follow_pad(double seconds) {
   const double pixels = pad_speed * seconds;
   turn(pixels * pad_.turn().right, pixels * pad_.turn().down);
-  reach_ = std::clamp(reach_ + pad_reach_speed * seconds * pad_.reach(), least_reach, most_reach);
+  hand_.reach(pad_reach_speed * seconds * pad_.reach());
+  const PadStick wrist = pad_.wrist();
+  hand_.turn(pad_wrist_speed * seconds * wrist.right, -pad_wrist_speed * seconds * wrist.down);
   if (const PadStick stick = pad_.pointing(); stick.right != 0 || stick.down != 0)
     take(
         MouseMoved{std::clamp(pointer_x_ + pixels * stick.right, 0.0, static_cast<double>(window_.width())),
                    std::clamp(pointer_y_ + pixels * stick.down, 0.0, static_cast<double>(window_.height()))});
 }
 
+void Desk::turn_wheel(double notches) {
+  if (held_keys_.contains(Key::shift))
+    hand_.turn(wrist_per_notch * notches, 0);
+  else if (held_keys_.contains(Key::control))
+    hand_.turn(0, wrist_per_notch * notches);
+  else
+    hand_.reach(reach_per_notch * notches);
+}
+
 /// On the user's panel the button works its controls, elsewhere it grasps.
 void Desk::press() {
   const auto point = panel_ ? meet(pointer(), *panel_) : std::nullopt;
   if (!point) {
-    grasping_ = true;
+    hand_.close(true);
     ask(CommandKind::grasp);
   } else if (point->control == PanelControl::stiffness) {
     sliding_ = true;
@@ -144,8 +152,8 @@ void Desk::press() {
 
 void Desk::let_go() {
   sliding_ = false;
-  if (!grasping_) return;
-  grasping_ = false;
+  if (!hand_.closed()) return;
+  hand_.close(false);
   ask(CommandKind::release);
 }
 
@@ -165,12 +173,6 @@ DrawCamera Desk::camera() const {
   return mono_camera(eye_, view_->fov, window_.width(), window_.height());
 }
 
-Pose Desk::hand_pose() const {
-  const Vec3 fingertips = eye_.p + reach_ * pointer().along;
-  const Quat q(Eigen::AngleAxisd(yaw_, Vec3::UnitY()) * Eigen::AngleAxisd(hand_pitch, Vec3::UnitX()));
-  return {fingertips + q * Vec3(0, 0, wrist_to_fingertips), q};
-}
-
 HandInput Desk::input() const {
   HandInput input;
   input.time_ns = monotonic_ns();
@@ -178,9 +180,9 @@ HandInput Desk::input() const {
   input.head = eye_;
   HandPose& hand = input.hands[right_hand];
   hand.tracked = true;
-  hand.pose = hand_;
-  hand.flexion.fill(flexion_);
-  hand.gesture = grasping_ ? Gesture::fist : Gesture::flat;
+  hand.pose = hand_pose_;
+  hand.flexion.fill(hand_.flexion());
+  hand.gesture = hand_.closed() ? Gesture::fist : Gesture::flat;
   return input;
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "client/app/desk_hand.h"
 #include "client/app/gamepad_user.h"
 #include "client/render/window_context.h"
 #include "client/view/pick.h"
@@ -17,13 +18,15 @@ namespace prosector {
 /// For people; told when a desk user joins, and shown on a key.
 inline constexpr const char* desk_help =
     "mouse: moves your hand    wheel: how far away it is    left button: grasps while held\n"
+    "Shift and wheel: rolls the wrist    Ctrl and wheel: bends it\n"
     "P or middle button: the panel of the part under the pointer; left button: works its controls\n"
     "right drag: turns the view    W A S D Q E: move it    F: turn about the eye, or about what is seen\n"
     "Tab: through the eyes of the next user    F11: full screen\n"
     "C: collision models    V: strain, residual, error    I: figures    Z: takes back your last cut\n"
     "H or F1: these lines    Esc: leave\n"
     "gamepad: left stick and bumpers move the view, the right stick turns it, or the pointer with the\n"
-    "left trigger pulled; cross: how far away the hand is    right trigger or lower button: left button\n"
+    "left trigger pulled; cross: how far away the hand is; with the left trigger bumpers and cross turn the\n"
+    "wrist    right trigger or lower button: left button\n"
     "left: panel    right: undo    upper: the next user's eyes    start: these lines";
 
 class Desk {
@@ -66,12 +69,9 @@ class Desk {
   GamepadUser pad_;
   std::chrono::steady_clock::time_point last_update_{};
 
-  // The hand: fingertips on the ray through the pointer.
   double pointer_x_ = 0, pointer_y_ = 0;  // pixels
-  double reach_ = 0;                      // m from the eye to the fingertips
-  bool grasping_ = false;
-  double flexion_ = 0.1;
-  Pose hand_;  // stays where it was while the pointer is at the panel, which it would hide
+  DeskHand hand_;
+  Pose hand_pose_;  // stays where it was while the pointer is at the panel, which it would hide
 
   // What the pointer does to parts and panels.
   std::optional<Panel> panel_;
@@ -91,13 +91,13 @@ class Desk {
   void fly(double seconds);
   void follow_pad(double seconds);
   Vec3 back() const;
+  void turn_wheel(double notches);
   void press();
   void let_go();
   void slide(const Vec3& at);
   void ask(CommandKind kind, PanelControl control = PanelControl::attach, double value = 0);
   DrawCamera camera() const;
   Ray pointer() const { return ray_through(camera(), pointer_x_, pointer_y_); }
-  Pose hand_pose() const;
   bool at_panel() const { return panel_ && meet(pointer(), *panel_); }
 };
 

@@ -30,6 +30,10 @@ PadStick beyond_rest(const PadStick& stick) {
   return {wanted * stick.right, wanted * stick.down};
 }
 
+bool aims(const Gamepad& pad) {
+  return pad.left_trigger > pulled;
+}
+
 bool works(const Gamepad& pad) {
   return pad.right_trigger > pulled || pad.is_down(PadButton::south);
 }
@@ -46,23 +50,35 @@ std::vector<WindowEvent> GamepadUser::take(const std::optional<Gamepad>& now) {
   return out;
 }
 
+/// Right: 1.
+double GamepadUser::bumpers() const {
+  return (pad_.is_down(PadButton::right_bumper) ? 1 : 0) - (pad_.is_down(PadButton::left_bumper) ? 1 : 0);
+}
+
+/// Up: 1.
+double GamepadUser::cross() const {
+  return (pad_.is_down(PadButton::up) ? 1 : 0) - (pad_.is_down(PadButton::down) ? 1 : 0);
+}
+
 Vec3 GamepadUser::flight() const {
   const PadStick stick = beyond_rest(pad_.left);
-  const double up =
-      (pad_.is_down(PadButton::right_bumper) ? 1 : 0) - (pad_.is_down(PadButton::left_bumper) ? 1 : 0);
-  return {stick.right, up, stick.down};
+  return {stick.right, aims(pad_) ? 0 : bumpers(), stick.down};
 }
 
 PadStick GamepadUser::turn() const {
-  return pad_.left_trigger > pulled ? PadStick{} : beyond_rest(pad_.right);
+  return aims(pad_) ? PadStick{} : beyond_rest(pad_.right);
 }
 
 PadStick GamepadUser::pointing() const {
-  return pad_.left_trigger > pulled ? beyond_rest(pad_.right) : PadStick{};
+  return aims(pad_) ? beyond_rest(pad_.right) : PadStick{};
 }
 
 double GamepadUser::reach() const {
-  return (pad_.is_down(PadButton::up) ? 1 : 0) - (pad_.is_down(PadButton::down) ? 1 : 0);
+  return aims(pad_) ? 0 : cross();
+}
+
+PadStick GamepadUser::wrist() const {
+  return aims(pad_) ? PadStick{bumpers(), -cross()} : PadStick{};
 }
 
 }  // namespace prosector

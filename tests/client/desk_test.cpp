@@ -94,6 +94,33 @@ TEST_F(AtTheDesk, TheViewTurnsAboutItsTargetOrWithFAboutTheEye) {
   EXPECT_GT(desk.eye().q.angularDistance(before.q), 0.3);
 }
 
+TEST_F(AtTheDesk, TheWheelTurnsTheWristAboutTheFingertipsWithShiftAndControl) {
+  const auto wheel = [&](Key held, double x, double y) {
+    window.events.push_back(KeyEvent{held, true, false});
+    window.events.push_back(WheelTurned{x, y});
+    window.events.push_back(KeyEvent{held, false, false});
+    update();
+    return desk.input().hands[right_hand].pose;
+  };
+  const auto fingers = [](const Pose& pose) { return Vec3(pose.q * -Vec3::UnitZ()); };
+  const auto fingertips = [&](const Pose& pose) { return Vec3(pose.p + 0.18 * fingers(pose)); };
+  const Pose first = wheel(Key::shift, 0, 0);
+  const Pose rolled = wheel(Key::shift, 0, 5);
+  EXPECT_NEAR(rolled.q.angularDistance(first.q), 0.5, 1e-9);
+  EXPECT_LT((rolled.q * first.q.conjugate() * Vec3::UnitZ() - Vec3::UnitZ()).norm(), 1e-9)
+      << "what pointed ahead still does";
+  EXPECT_LT((rolled.q * Vec3::UnitX()).y(), (first.q * Vec3::UnitX()).y()) << "clockwise";
+  EXPECT_NEAR(wheel(Key::shift, 5, 0).q.angularDistance(first.q), 1, 1e-9) << "a wheel turned sideways";
+  wheel(Key::shift, 0, -10);
+  const Pose bent = wheel(Key::control, 0, 3);
+  EXPECT_NEAR(bent.q.angularDistance(first.q), 0.3, 1e-9);
+  EXPECT_GT(fingers(bent).y(), fingers(first).y());
+  wheel(Key::control, 0, 1000);
+  EXPECT_LT((fingertips(wheel(Key::control, 0, -7)) - fingertips(first)).norm(), 1e-9);
+  EXPECT_GT((fingertips(wheel(Key::space, 0, 3)) - fingertips(first)).norm(), 0.05)
+      << "without them it is how far";
+}
+
 TEST_F(AtTheDesk, AGamepadDoesWhatKeysAndMouseDo) {
   update();
   const Pose before = desk.eye();
@@ -122,6 +149,13 @@ TEST_F(AtTheDesk, AGamepadDoesWhatKeysAndMouseDo) {
   hold();
   EXPECT_EQ(desk.eye().p, eye.p);
   EXPECT_GT((desk.input().hands[right_hand].pose.p - hand.p).norm(), 0.005);
+
+  const Quat wrist = desk.input().hands[right_hand].pose.q;
+  pad.right = {0, 0};
+  pad.down[static_cast<std::size_t>(PadButton::right_bumper)] = true;  // rolls the hand, and lifts no view
+  hold();
+  EXPECT_GT(desk.input().hands[right_hand].pose.q.angularDistance(wrist), 0.01);
+  EXPECT_EQ(desk.eye().p, eye.p);
 
   pad = {};
   pad.right_trigger = 1;

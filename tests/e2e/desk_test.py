@@ -2,19 +2,17 @@
 """desk_test.py BIN OUT, run under xvfb-run: a person at a desk. A real server, a real window, and xdotool for the mouse and the
 keys: P over an organ brings up its panel, a click presses a button, a drag moves the slider, the button held over the
 organ grasps. What came of it is read in the client's pictures and in the server's summary.
-
-Exits with 77 where there is no display or no tool to act on it.
 """
 
 import json
 import os
 import pathlib
-import shutil
-import subprocess
 import sys
 import time
 
 from PIL import Image, ImageChops, ImageFilter, ImageGrab
+
+from desk_person import Processes, act, corner, wait_until, windows
 
 BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 WIDTH, HEIGHT = 800, 600
@@ -61,44 +59,6 @@ intensity = 0.5
 '''
 
 
-def skip(why):
-    print("SKIPPED:", why)
-    sys.exit(77)
-
-
-if not os.environ.get("DISPLAY"):
-    skip("no display: run under xvfb-run")
-if not shutil.which("xdotool"):
-    skip("xdotool is not installed")
-
-shutil.rmtree(OUT, ignore_errors=True)
-OUT.mkdir(parents=True)
-(OUT / "desk.toml").write_text(SCENE)
-running = []
-
-
-def start(log, *command):
-    running.append(subprocess.Popen([str(c) for c in command], stdout=open(OUT / log, "w"), stderr=subprocess.STDOUT))
-    return running[-1]
-
-
-def wait_until(what, test, seconds=30):
-    deadline = time.monotonic() + seconds
-    while time.monotonic() < deadline:
-        if (found := test()):
-            return found
-        time.sleep(0.1)
-    raise AssertionError(f"{what}: not within {seconds} s")
-
-
-def act(*words):
-    subprocess.run(["xdotool", *map(str, words)], check=True)
-
-
-def windows(title):
-    return subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title], capture_output=True, text=True).stdout.split()
-
-
 def picture(seconds):
     """What the window shows that long after joining."""
     file = OUT / f"{seconds}.png"
@@ -110,10 +70,6 @@ def picture(seconds):
             return None  # not there, or still being written
 
     return wait_until(file.name, whole)
-
-
-def says(log, words):
-    return words in (OUT / log).read_text()
 
 
 def point_at(part):
@@ -145,19 +101,18 @@ def share(mask, x, y):
     return area.resize((1, 1), Image.BOX).getpixel((0, 0)) / 255
 
 
-try:
+with Processes(OUT) as processes:
+    (OUT / "desk.toml").write_text(SCENE)
     session = f"desk-{os.getpid()}"
-    server = start("server.log", BIN / "prosector-server", OUT / "desk.toml", "--session", session, "--domain", 77, "--summary",
+    server = processes.start("server.log", BIN / "prosector-server", OUT / "desk.toml", "--session", session, "--domain", 77, "--summary",
                    OUT / "server.json")
-    wait_until("the server", lambda: says("server.log", "is open on this machine"))
-    client = start("client.log", BIN / "prosector-client", "join", "--name", "mouse", "--session", session, "--domain", 77,
+    wait_until("the server", lambda: processes.says("server.log", "is open on this machine"))
+    client = processes.start("client.log", BIN / "prosector-client", "join", "--name", "mouse", "--session", session, "--domain", 77,
                    "--size", f"{WIDTH}x{HEIGHT}", "--no-overlay", "--audience", *(word for t in (BEFORE, PANEL, WORKED) for word in ("--screenshot", f"{OUT / str(t)}.png@{t}")))
     window = wait_until("the window", lambda: windows(f"Prosector: {session}"))[0]
     audience = wait_until("the audience's window", lambda: windows("Prosector: audience"))[0]
     act("windowsize", audience, *AUDIENCE[2:], "windowmove", audience, *AUDIENCE[:2])
-    place = dict(line.split("=") for line in subprocess.run(["xdotool", "getwindowgeometry", "--shell", window],
-                                                            capture_output=True, text=True, check=True).stdout.split())
-    left, top = int(place["X"]), int(place["Y"])
+    left, top = corner(window)
     act("windowfocus", window)
 
     act("mousemove", left + WIDTH // 2, top + HEIGHT // 2 + 106)  # the organ's middle: 0.2 m below the view's
@@ -205,9 +160,3 @@ try:
     mask = changed(after, worked)
     for x, _ in KNOB, KNOB_RIGHT:
         assert share(mask, (x - 0.03, x + 0.03), (KNOB[1] - 0.03, KNOB[1] + 0.03)) > 0.3, f"the slider did not change at {x}"
-finally:
-    for process in running:
-        if process.poll() is None:
-            process.terminate()
-    for process in running:
-        process.wait(20)

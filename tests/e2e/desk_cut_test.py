@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+"""desk_cut_test.py BIN OUT, run under xvfb-run: a person at a desk cuts the liver of cut.toml with the mouse, as docs/cutting.md
+tells: takes up the knife, turns the wrist with Shift and the wheel, draws the blade through the left lobe, lets go, and takes
+the cut back with Z. What came of it is read in the client's log, in the server's summary and in pictures."""
+
+import json
+import os
+import pathlib
+import sys
+import time
+
+from desk_person import Processes, View, act, wait_until, windows
+
+BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+SCENE = pathlib.Path(__file__).parents[2] / "deploy/scenes/cut.toml"
+SIZE = 640, 480
+EYE, TARGET, FOV = (-0.3, 1.4, 0.55), (0, 0.96, 0), 0.75  # the scene's camera
+HANDLE = 0.23, 0.93, 0.105  # above the knife's, as it lies
+ASIDE, ABOVE, BELOW = (0.2, 1.12, 0.12), (0.03, 1.12, 0.12), (0.03, 0.95, 0.12)
+
+
+def parts():
+    """The last that the client knew of them, by name."""
+    try:
+        lines = (OUT / "log.jsonl").read_text().splitlines()
+        return json.loads(lines[-1])["parts"] if lines else {}
+    except (OSError, ValueError):
+        return {}  # not there yet, or still being written
+
+
+def revision():
+    return parts().get("liver", {}).get("revision", 0)
+
+
+def holds_knife():
+    return "mouse, right" in parts().get("knife", {}).get("holders", [])
+
+
+def pieces():
+    return [name for name, part in parts().items() if name.startswith("liver piece") and not part["hidden"]]
+
+
+with Processes(OUT) as processes:
+    session = f"desk-cut-{os.getpid()}"
+    server = processes.start("server.log", BIN / "prosector-server", SCENE, "--session", session, "--domain", 92,
+                             "--summary", OUT / "server.json", "--journal", OUT / "journal.sqlite")
+    wait_until("the server", lambda: processes.says("server.log", "is open on this machine"), 60)
+    client = processes.start("client.log", BIN / "prosector-client", "join", "--name", "mouse", "--session", session, "--domain", 92,
+                             "--size", "x".join(map(str, SIZE)), "--quality", "low", "--no-overlay", "--session-log", OUT / "log.jsonl")
+    window = wait_until("the window", lambda: windows(f"Prosector: {session}"))[0]
+    act("windowfocus", window)
+    wait_until("the scene", lambda: processes.says("client.log", "everything is here"))
+    view = View(window, SIZE, EYE, TARGET, FOV)
+    view.turn_to_yaw(0)  # along the knife
+    time.sleep(0.5)
+    view.picture().save(OUT / "before.png")
+
+    view.reach_for(HANDLE)
+    time.sleep(1)
+    act("mousedown", 1)
+    wait_until("the knife in the hand", holds_knife, 10)
+    view.draw(HANDLE, ASIDE, 10)
+    view.roll(-1.6)  # the edge down
+    view.draw(ASIDE, ABOVE, 10)
+    time.sleep(1)
+    assert revision() == 0, "cut before the knife came down"
+    view.draw(ABOVE, BELOW, 25)
+    time.sleep(1)
+    assert revision() > 0, "the knife cut nothing"
+    cut_off = pieces()
+    act("mouseup", 1)
+    wait_until("the knife let go", lambda: not holds_knife(), 10)
+    time.sleep(1)
+    view.picture().save(OUT / "cut.png")
+    print("revision", revision(), "pieces", cut_off)
+
+    cut = revision()
+    act("key", "z")
+    wait_until("the cut taken back", lambda: revision() > cut, 10)
+    time.sleep(1)
+    assert not pieces(), pieces()
+    view.picture().save(OUT / "undone.png")
+    act("key", "Escape")
+    assert client.wait(20) == 0, "the client did not leave when told to"
+    server.terminate()
+    assert server.wait(20) == 0
+    commands = json.loads((OUT / "server.json").read_text())["commands"]
+    print(json.dumps(commands))
+    assert commands["grasp"]["granted"] == 1 and commands["undo"] == {"granted": 1, "refused": 0}, commands
+    assert cut_off, "nothing came off"
