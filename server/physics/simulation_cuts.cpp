@@ -120,7 +120,7 @@ std::unique_ptr<SoftBody> Simulation::Impl::make_piece(const Organ& organ, std::
   return std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(body), numbering));
 }
 
-/// Puts a solver in the place of the body's, or at the end, where the body is new.
+/// Puts a solver in the place of the body's, or at the end, where the body is new; none: it has followed.
 void Simulation::Impl::place_piece(std::size_t body, std::size_t first, std::unique_ptr<SoftBody> solver,
                                    Numbering numbering, SurfaceDetector surface) {
   if (body == model.soft.size()) {
@@ -129,7 +129,7 @@ void Simulation::Impl::place_piece(std::size_t body, std::size_t first, std::uni
     soft.emplace_back();
     equilibrium.emplace_back();
     parts.push_back(parts[soft_id(first)]);
-  } else {
+  } else if (solver) {
     retired.push_back(std::exchange(model.soft[body], std::move(solver)));
   }
   soft[body] = model.soft[body]->initial_state();
@@ -140,8 +140,10 @@ void Simulation::Impl::place_piece(std::size_t body, std::size_t first, std::uni
 /// A body in the making.
 struct Simulation::Impl::NewPiece {
   std::size_t body = 0;
-  bool whole = true;  // else it was joined to another
-  std::unique_ptr<SoftBody> solver;
+  bool whole = true;                 // else it was joined to another
+  std::optional<MeshEdit> edit;      // which the solver that is there follows; else there is a new one
+  PieceSurface skin;                 // with it
+  std::unique_ptr<SoftBody> solver;  // a new one
   Numbering numbering;
   std::optional<SurfaceDetector> surface;
   std::uint64_t content_hash = 0;
@@ -156,12 +158,19 @@ std::vector<Simulation::Impl::NewPiece> Simulation::Impl::make_pieces(const Orga
     const OrganPiece& piece = organ.piece(body);
     made.body = body;
     made.whole = piece.whole();
-    tbb::parallel_invoke([&] { made.solver = make_piece(organ, body, made.numbering); },
-                         [&] {
-                           if (made.whole) carry_motion(organ, changed.before, piece, made);
-                         });
-    tbb::parallel_invoke([&] { made.surface.emplace(detector(*made.solver)); },
-                         [&] { made.content_hash = made.solver->content_hash(); });
+    made.edit = organ.edit_since(changed, piece);
+    if (made.edit && !model.soft[body]->can_follow(*made.edit)) made.edit.reset();
+    tbb::parallel_invoke(
+        [&] {
+          if (made.edit)
+            made.skin = organ.surface(piece);
+          else
+            made.solver = make_piece(organ, body, made.numbering);
+        },
+        [&] {
+          if (made.whole) carry_motion(organ, changed.before, piece, made);
+        });
+    if (made.solver) fit_around(*made.solver, made);
   };
   std::vector<NewPiece> out(changed.bodies.size());
   std::vector<std::exception_ptr> failed(out.size());
@@ -175,6 +184,24 @@ std::vector<Simulation::Impl::NewPiece> Simulation::Impl::make_pieces(const Orga
   for (const std::exception_ptr& error : failed)  // the first of them, whichever came first
     if (error) std::rethrow_exception(error);
   return out;
+}
+
+/// What else is found of a solver's mesh.
+void Simulation::Impl::fit_around(const SoftBody& solver, NewPiece& made) const {
+  tbb::parallel_invoke([&] { made.surface.emplace(detector(solver)); },
+                       [&] { made.content_hash = solver.content_hash(); });
+}
+
+/// Takes the solvers along that can go on. Nothing fails any more.
+void Simulation::Impl::follow_changes(std::span<NewPiece> pieces) {
+  tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
+    NewPiece& piece = pieces[i];
+    if (!piece.edit) return;
+    SoftBody& solver = *model.soft[piece.body];
+    piece.numbering = std::move(piece.skin.numbering);
+    solver.follow(*piece.edit, std::move(piece.skin.surface), std::move(piece.skin.embedding));
+    fit_around(solver, piece);
+  });
 }
 
 /// Where its nodes are and how they move: as what was there did.
@@ -262,6 +289,7 @@ void Simulation::Impl::remake(Organ& organ, TopologyCause cause, ParticipantId a
   const Organ::Regrouped changed = organ.regroup(model.soft.size());
   std::vector<NewPiece> pieces = make_pieces(organ, changed);
   if (organ.complex().is_sheet()) keep_momentum_of(organ, changed, pieces);
+  follow_changes(pieces);
   for (NewPiece& piece : pieces) place(std::move(piece), first, cause, author);
   keep_holds(changed.bodies);
 }

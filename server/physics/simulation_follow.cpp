@@ -16,9 +16,7 @@ bool Simulation::Impl::follow_cut(Organ& organ, TopologyCause cause, Participant
   const std::size_t body = edit->body;
   SoftBody& solver = *model.soft[body];
   const PieceMesh& mesh = organ.piece(body).mesh;
-  const bool is_its_mesh =
-      static_cast<std::size_t>(solver.nodes()) == mesh.nodes.size() && solver.elements() == mesh.tets.size();
-  if (!is_its_mesh || !solver.can_follow(edit->mesh)) return false;
+  if (!solver.can_follow(edit->mesh)) return false;
   const NodeTransfer transfer(organ.complex(), mesh, edit->nodes);
   const auto carried = [&](const VecX& field) {
     const VecX* const fields[] = {&field};

@@ -241,7 +241,9 @@ struct Simulation::Impl : PanelSubjects {
   struct NewPiece;
   std::vector<NewPiece> make_pieces(const Organ& organ, const Organ::Regrouped& changed) const;
   void carry_motion(const Organ& organ, std::span<const OrganPiece> before, const OrganPiece& piece,
-                    NewPiece& made) const;  // part of it
+                    NewPiece& made) const;                        // part of it
+  void fit_around(const SoftBody& solver, NewPiece& made) const;  // likewise
+  void follow_changes(std::span<NewPiece> pieces);
   void keep_momentum_of(const Organ& organ, const Organ::Regrouped& changed, std::span<NewPiece> made);
   void place(NewPiece piece, std::size_t first, TopologyCause cause, ParticipantId author);
   void set_going(std::size_t body, std::size_t first, Motion motion, VecX balance);

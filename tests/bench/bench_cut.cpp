@@ -12,6 +12,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "server/physics/contact/surface_detector.h"
 #include "server/physics/cutting/tet_shape.h"
@@ -27,6 +28,7 @@ constexpr double reach = 0.2;  // m: a stroke goes from −reach to reach along 
 constexpr int ticks_before = 30, ticks_after = 30, runs_through = 7;
 constexpr BodyId knife = 0, liver = 1;
 constexpr const char* through = "through at once";
+constexpr const char* tip = "a tip off at once";
 
 struct Stroke {
   const char* name;
@@ -213,48 +215,64 @@ ReportRow measure(const SceneDesc& scene, const Stroke& stroke, int threads) {
 }
 
 struct Made {
-  std::unique_ptr<SoftBody> solver;
+  std::unique_ptr<SoftBody> solver, retired;
   std::optional<SurfaceDetector> surface;
 };
 
-/// Of the pieces that changed: as the simulation makes them.
-std::vector<Made> bodies_of(Organ& organ, const SoftDesc& desc) {
-  const std::vector<std::size_t> bodies = organ.regroup(organ.pieces().back().body + 1).bodies;
-  std::vector<Made> out(bodies.size());
-  tbb::parallel_for(std::size_t{0}, bodies.size(), [&](std::size_t i) {
-    Numbering numbering;
-    out[i].solver = std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(bodies[i]), numbering));
-    out[i].surface.emplace(out[i].solver->anatomy().embedding, out[i].solver->anatomy().surface);
+/// Brings the bodies up to date, by index, as the simulation does: solvers that can follow do, unless all
+/// are to be made `anew`.
+void fit_bodies(Organ& organ, const SoftDesc& desc, bool anew, std::vector<Made>& bodies) {
+  const Organ::Regrouped changed = organ.regroup(bodies.size());
+  bodies.resize(std::max(bodies.size(), changed.bodies.back() + 1));
+  tbb::parallel_for(std::size_t{0}, changed.bodies.size(), [&](std::size_t i) {
+    Made& body = bodies[changed.bodies[i]];
+    const OrganPiece& piece = organ.piece(changed.bodies[i]);
+    const auto edit = anew ? std::nullopt : organ.edit_since(changed, piece);
+    if (edit && body.solver->can_follow(*edit)) {
+      PieceSurface skin = organ.surface(piece);
+      body.solver->follow(*edit, std::move(skin.surface), std::move(skin.embedding));
+    } else {
+      Numbering numbering;
+      auto made = std::make_unique<SoftBody>(desc, organ.anatomy(piece, numbering));
+      body.retired = std::exchange(body.solver, std::move(made));
+    }
+    body.surface.emplace(body.solver->anatomy().embedding, body.solver->anatomy().surface);
   });
-  return out;
 }
 
 /// A blade as long as the organ is high, right through it in one tick, in which it is cut for the first time:
-/// what a cut asks of the mesh is found, the mesh is cut, and all that hangs on the pieces' is made. Wall
-/// time of each, ms.
-ReportRow cut_through(double cell, int threads) {
+/// what a cut asks of the mesh is found, the mesh is cut, and all that hangs on the pieces' is brought up to
+/// date; and that taken back. `height`: of the cut, in shares of the organ's upper half. Wall time of each,
+/// ms.
+ReportRow cut_through(const char* name, double height, double cell, int threads) {
   CompileOptions options;
   options.threads = threads;
   const Simulation simulation(scene_of(cell), options);
   const SoftBody& body = simulation.soft(liver);
-  std::vector<double> preparing, cutting, making, all, undoing;
-  std::size_t split = 0, after = 0;
+  double top = 0;
+  for (const Vec3& at : body.anatomy().tets.positions) top = std::max(top, at.z());
+  const double z = 1e-3 + height * top;
+  std::vector<double> preparing, cutting, making[2], all, undoing[2];  // following, made anew
+  std::size_t split = 0, after = 0, kept = 0;
   double mass = 0;             // kg, of all pieces
   std::vector<double> angles;  // likewise
   tbb::task_arena arena(threads);
-  for (int run = 0; run < runs_through; ++run) {
+  for (int run = 0; run < 2 * runs_through; ++run) {
+    const bool anew = run % 2 == 1;
     const auto first = std::chrono::steady_clock::now();
     Organ organ(0, body.anatomy(), body.desc().density);
     const auto prepared = std::chrono::steady_clock::now();
+    std::vector<Made> bodies(1);
+    bodies[0].solver = std::make_unique<SoftBody>(body.desc(), body.anatomy());
     std::vector<Vec3> x(organ.complex().node_end());
     for (NodeId node = 0; node < x.size(); ++node) x[node] = organ.complex().rest(node);
-    const auto edge = [](double at) { return std::vector<Vec3>{{at, -reach, 1e-3}, {at, reach, 1e-3}}; };
+    const auto edge = [z](double at) { return std::vector<Vec3>{{at, -reach, z}, {at, reach, z}}; };
     BladeStroke stroke = begin_stroke(edge(-reach));
     arena.execute([&] {
       const auto begin = std::chrono::steady_clock::now();
       split = organ.cut(x, edge(reach), stroke, 1, 1).split_tets;
       const auto cut = std::chrono::steady_clock::now();
-      const auto made = bodies_of(organ, body.desc());
+      fit_bodies(organ, body.desc(), anew, bodies);
       const auto end = std::chrono::steady_clock::now();
       const auto ms = [](auto duration) {
         return std::chrono::duration<double, std::milli>(duration).count();
@@ -262,39 +280,57 @@ ReportRow cut_through(double cell, int threads) {
       after = 0;
       mass = 0;
       angles.clear();
-      for (const auto& piece : made) {
+      kept = bodies[0].solver->elements();
+      for (Made& piece : bodies) {
         after += piece.solver->elements();
         mass += piece.solver->total_mass();
         const std::vector<double> of_piece = least_angles(*piece.solver);
         angles.insert(angles.end(), of_piece.begin(), of_piece.end());
+        piece.retired.reset();
       }
       const auto undo = std::chrono::steady_clock::now();
       organ.undo(1);
-      bodies_of(organ, body.desc());
+      fit_bodies(organ, body.desc(), anew, bodies);
       const auto undone = std::chrono::steady_clock::now();
+      making[anew].push_back(ms(end - cut));
+      undoing[anew].push_back(ms(undone - undo));
+      if (anew) return;
       preparing.push_back(ms(prepared - first));
       cutting.push_back(ms(cut - begin));
-      making.push_back(ms(end - cut));
-      undoing.push_back(ms(undone - undo));
-      all.push_back(preparing.back() + cutting.back() + making.back());
+      all.push_back(preparing.back() + cutting.back() + making[anew].back());
     });
   }
   ReportRow row;
-  row["stroke"] = through;
+  row["stroke"] = name;
   row["tissue"] = body.desc().name;
   row["tets"] = body.elements();
   row["tets_after"] = after;
+  row["tets_that_stay"] = kept;
   row["threads"] = threads;
   row["split_tets"] = split;
   row["ms_first_time"] = quantile(preparing, 0.5);
   row["ms_cutting_mesh"] = quantile(cutting, 0.5);
-  row["ms_undoing"] = quantile(undoing, 0.5);
-  row["ms_making_bodies"] = quantile(making, 0.5);
+  row["ms_undoing"] = quantile(undoing[0], 0.5);
+  row["ms_undoing_anew"] = quantile(undoing[1], 0.5);
+  row["ms_making_bodies"] = quantile(making[0], 0.5);
+  row["ms_making_bodies_anew"] = quantile(making[1], 0.5);
   row["added_ms_p50"] = quantile(all, 0.5);
   add_quality(row, "before", least_angles(body));
   add_quality(row, "after", angles);
   row["volume_error"] = std::abs(mass / body.total_mass() - 1);  // of one density
   return row;
+}
+
+void add_through(Report& report, const char* name, double height, double cell, int threads) {
+  report.add(cut_through(name, height, cell, threads));
+  const ReportRow& row = report.rows().back();
+  fmt::print(
+      "{:18} {:6} tets, {:6} after, {:6} of them stay: first time {:7.2f} ms p50, mesh {:7.2f}, bodies "
+      "{:7.2f} (anew {:7.2f}), undoing {:7.2f} (anew {:7.2f})\n",
+      name, row["tets"].get<std::size_t>(), row["tets_after"].get<std::size_t>(),
+      row["tets_that_stay"].get<std::size_t>(), figure(row, "ms_first_time"), figure(row, "ms_cutting_mesh"),
+      figure(row, "ms_making_bodies"), figure(row, "ms_making_bodies_anew"), figure(row, "ms_undoing"),
+      figure(row, "ms_undoing_anew"));
 }
 
 void add_stroke(Report& report, const SceneDesc& scene, const Stroke& stroke, int threads) {
@@ -312,7 +348,7 @@ void add_stroke(Report& report, const SceneDesc& scene, const Stroke& stroke, in
 }  // namespace
 
 std::vector<std::string> cut_stroke_names() {
-  std::vector<std::string> names = {through};
+  std::vector<std::string> names = {through, tip};
   for (const Stroke& stroke : strokes()) names.emplace_back(stroke.name);
   return names;
 }
@@ -327,15 +363,8 @@ Report bench_cut(const CutBenchOptions& options) {
   for (const double cell : cells) {
     for (const Stroke& stroke : strokes())
       if (asked(stroke.name)) add_stroke(report, scene_of(cell), stroke, options.threads);
-    if (!asked(through)) continue;
-    report.add(cut_through(cell, options.threads));
-    const ReportRow& row = report.rows().back();
-    fmt::print(
-        "{:18} {:6} tets, {:6} after: first time {:7.2f} ms p50, mesh {:7.2f}, bodies {:7.2f}, undoing "
-        "{:7.2f}\n",
-        through, row["tets"].get<std::size_t>(), row["tets_after"].get<std::size_t>(),
-        figure(row, "ms_first_time"), figure(row, "ms_cutting_mesh"), figure(row, "ms_making_bodies"),
-        figure(row, "ms_undoing"));
+    if (asked(through)) add_through(report, through, 0, cell, options.threads);
+    if (asked(tip)) add_through(report, tip, 0.8, cell, options.threads);
   }
   for (const char* model : {"mass_spring", "xpbd"})
     for (const Stroke& stroke : strokes())

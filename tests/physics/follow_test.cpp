@@ -1,4 +1,4 @@
-// What hangs on a piece's mesh follows a cut that nothing comes off: to the bits that it has made anew.
+// What hangs on a piece's mesh follows cuts, and what takes them back: to the bits that it has made anew.
 
 #include <gtest/gtest.h>
 
@@ -200,7 +200,32 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
   std::map<std::size_t, Hung> bodies;
   bodies[0] = made_anew(0);
   Random random(20261122);
-  std::size_t followed = 0, pieces_followed = 0, surfaces_followed = 0;
+  std::size_t followed = 0, pieces_followed = 0, surfaces_followed = 0, fell_apart = 0, taken_back = 0,
+              joined = 0;
+  // As the simulation does; whether each is what it is made anew.
+  const auto regroup = [&](bool undone) {
+    const Organ::Regrouped changed = organ.regroup(bodies.size());
+    const bool joins = std::any_of(changed.before.begin(), changed.before.end(),
+                                   [&](const OrganPiece& old) { return !organ.piece(old.body).whole(); });
+    for (const std::size_t body : changed.bodies) {
+      const OrganPiece& piece = organ.piece(body);
+      Hung anew = made_anew(body);
+      const auto edit = organ.edit_since(changed, piece);
+      if (!edit) {
+        bodies[body] = std::move(anew);
+        continue;
+      }
+      Hung& hung = bodies[body];
+      ASSERT_TRUE(hung.solver->can_follow(*edit));
+      PieceSurface skin = organ.surface(piece);
+      hung.numbering = std::move(skin.numbering);
+      hung.solver->follow(*edit, std::move(skin.surface), std::move(skin.embedding));
+      hung.find_contact();
+      ASSERT_TRUE(same(*hung.solver, *anew.solver, 7)) << "body " << body;
+      ASSERT_TRUE(same(hung.numbering, anew.numbering));
+      ++(!undone ? fell_apart : joins ? joined : taken_back);
+    }
+  };
   for (unsigned stroke = 0; stroke < 10; ++stroke) {
     // Right through at times, else up to somewhere within.
     const Vec3 along = random.point(1).normalized(), ahead = along.cross(random.point(1)).normalized();
@@ -209,7 +234,7 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
     BladeStroke blade = begin_stroke(std::vector<Vec3>{begin - mesh_size * along, begin + mesh_size * along});
     if (stroke % 4 == 3) {
       EXPECT_EQ(organ.undo(1), "");
-      for (const std::size_t body : organ.regroup(bodies.size()).bodies) bodies[body] = made_anew(body);
+      ASSERT_NO_FATAL_FAILURE(regroup(true)) << "stroke " << stroke << " undone";
     }
     for (int tick = 1; tick <= ticks; ++tick) {
       std::vector<Vec3> x;
@@ -218,10 +243,8 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
       const Vec3 middle = begin + tick * 0.2 * mesh_size * ahead;
       const std::vector<Vec3> edge = {middle - mesh_size * along, middle + mesh_size * along};
       if (organ.cut(x, edge, blade, 1, stroke).ops.empty()) continue;
-      std::vector<std::size_t> changed;
       const auto edit = organ.cut_in_one_piece();
-      const bool follows = edit && bodies[edit->body].solver->can_follow(edit->mesh);
-      if (follows) {
+      if (edit && bodies[edit->body].solver->can_follow(edit->mesh)) {
         Hung& body = bodies[edit->body];
         if (body.numbering.triangles.empty()) {
           organ.follow(*edit);
@@ -240,22 +263,15 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
           body.faces->follow(surface, body.solver->anatomy().surface, body.detector->triangle_order());
           ++surfaces_followed;
         }
-        changed = {edit->body};
         ++(edit->body == 0 ? followed : pieces_followed);
+        Hung anew = made_anew(edit->body);
+        SCOPED_TRACE(::testing::Message() << "stroke " << stroke << ", tick " << tick);
+        ASSERT_TRUE(same(*body.solver, *anew.solver, stroke));
+        ASSERT_TRUE(same(body.numbering, anew.numbering));
+        ASSERT_TRUE(same(*body.detector, *anew.detector, *anew.solver));
+        ASSERT_TRUE(same(*body.faces, *anew.faces));
       } else {
-        changed = organ.regroup(bodies.size()).bodies;
-      }
-      for (const std::size_t body : changed) {
-        Hung anew = made_anew(body);
-        if (follows) {
-          SCOPED_TRACE(::testing::Message() << "stroke " << stroke << ", tick " << tick);
-          ASSERT_TRUE(same(*bodies[body].solver, *anew.solver, stroke));
-          ASSERT_TRUE(same(bodies[body].numbering, anew.numbering));
-          ASSERT_TRUE(same(*bodies[body].detector, *anew.detector, *anew.solver));
-          ASSERT_TRUE(same(*bodies[body].faces, *anew.faces));
-        } else {
-          bodies[body] = std::move(anew);
-        }
+        ASSERT_NO_FATAL_FAILURE(regroup(false)) << "stroke " << stroke << ", tick " << tick;
       }
     }
     ASSERT_TRUE(restores_alike(organ, bodies.size(), mesh, desc.density)) << "stroke " << stroke;
@@ -263,6 +279,14 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
   EXPECT_GT(followed, 10U);
   EXPECT_GT(pieces_followed, 0U);  // what came off follows, too
   EXPECT_GT(surfaces_followed, 10U);
+  EXPECT_GT(fell_apart, 0U);
+  // The rest, to the uncut mesh.
+  while (organ.last_stroke(1)) {
+    ASSERT_EQ(organ.undo(1), "");
+    ASSERT_NO_FATAL_FAILURE(regroup(true));
+  }
+  EXPECT_GT(taken_back, 0U);
+  EXPECT_GT(joined, 0U);
 }
 
 // What relaxes remembers: each tetrahedron what the one that it is a part of did.

@@ -225,13 +225,27 @@ const OrganPiece& Organ::piece(std::size_t body) const {
                        [&](const OrganPiece& piece) { return piece.body == body; });
 }
 
+std::optional<MeshEdit> Organ::edit_since(const Regrouped& then, const OrganPiece& piece) const {
+  const auto before = std::find_if(then.before.begin(), then.before.end(),
+                                   [&](const OrganPiece& old) { return old.body == piece.body; });
+  if (complex_.is_sheet() || !piece.whole() || before == then.before.end()) return std::nullopt;
+  // As compiled, it may have nodes that no tetrahedron has.
+  const TetMesh& mesh = piece.mesh.mesh;
+  if (is_uncut() && (whole_.tets.positions.size() != mesh.positions.size() || whole_.tets.tets != mesh.tets))
+    return std::nullopt;
+  return edit_between(before->mesh, piece.mesh);
+}
+
+bool Organ::is_uncut() const {
+  return std::all_of(log_.begin(), log_.end(), [](const OrganChange& change) {
+    return change.cause != TopologyCause::cut || change.taken_back;
+  });
+}
+
 Anatomy Organ::anatomy(const OrganPiece& piece, Numbering& numbering) const {
   numbering = {};
   if (!piece.whole()) return remnant(whole_);
-  const bool is_uncut = std::all_of(log_.begin(), log_.end(), [](const OrganChange& change) {
-    return change.cause != TopologyCause::cut || change.taken_back;
-  });
-  if (is_uncut) return whole_;
+  if (is_uncut()) return whole_;
   if (complex_.is_sheet()) return sheet_piece(complex_, piece.mesh, whole_, numbering);
   PieceSurface skin = surface(piece);
   numbering = std::move(skin.numbering);
@@ -239,6 +253,7 @@ Anatomy Organ::anatomy(const OrganPiece& piece, Numbering& numbering) const {
 }
 
 PieceSurface Organ::surface(const OrganPiece& piece) const {
+  if (is_uncut()) return {whole_.surface, whole_.embedding, {}};
   return skinned(complex_, skin_, piece.mesh, static_cast<std::uint32_t>(whole_.surface.positions.size()),
                  static_cast<std::uint32_t>(whole_.surface.triangles.size()));
 }

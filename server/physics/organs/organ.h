@@ -70,6 +70,9 @@ class Organ {
     std::vector<std::size_t> bodies;  // that changed, came or went; ascending
   };
   Regrouped regroup(std::size_t next_body);
+  /// From the mesh that anatomy() gave of the body before that regroup() to the one that it gives now; none
+  /// of a sheet and of what wasn't or isn't a piece.
+  std::optional<MeshEdit> edit_since(const Regrouped& then, const OrganPiece& piece) const;
   const OrganPiece& piece(std::size_t body) const;
   /// Where the changes since the last regroup() are cuts in one piece that nothing came off: what they did to
   /// its mesh.
@@ -81,7 +84,7 @@ class Organ {
   /// part of the sheet; the compiled mesh while no cut is in force; of what is no piece any more one
   /// tetrahedron or cell without a surface.
   Anatomy anatomy(const OrganPiece& piece, Numbering& numbering) const;
-  /// The surface alone, of a piece that was cut.
+  /// The surface alone.
   PieceSurface surface(const OrganPiece& piece) const;
   /// Before follow(): what the changes since the last regroup() or follow() did to the surface of the piece
   /// that they are in, which had been cut before; `surface` and `numbering`: what it had.
@@ -113,6 +116,7 @@ class Organ {
   void go_back(std::size_t length);
   void note_touched(const std::vector<TetId>& tets);
   void note_changed(const Skin::Change& skin);
+  bool is_uncut() const;  // no cut is in force
 
   TetComplex uncut(double density) const;
 

@@ -79,7 +79,12 @@ PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector
       if (node > piece.nodes.back()) out.nodes.push_back(node);
   std::sort(out.nodes.begin(), out.nodes.end());
   out.nodes.erase(std::unique(out.nodes.begin(), out.nodes.end()), out.nodes.end());
-  for (const NodeId node : out.nodes) out.mesh.positions.push_back(complex.rest(node));
+  const std::size_t known = piece.nodes.size();
+  out.mesh.kept_nodes = Kept::all(known, known + out.nodes.size());
+  for (std::size_t i = 0; i < out.nodes.size(); ++i) {
+    out.mesh.made_nodes.push_back(static_cast<std::uint32_t>(known + i));
+    out.mesh.positions.push_back(complex.rest(out.nodes[i]));
+  }
   const auto index = [&](NodeId node) {
     const bool is_new = node > piece.nodes.back();
     const std::vector<NodeId>& among = is_new ? out.nodes : piece.nodes;
@@ -96,7 +101,6 @@ PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector
       const MeshEdit::Corners& before = piece.mesh.tets[i];
       if (piece.tets[i] == tet && corners == before) continue;
       out.mesh.tets.push_back(i);
-      out.mesh.corners_before.push_back(before);
       out.mesh.nodes.insert(out.mesh.nodes.end(), before.begin(), before.end());
     } else {
       out.mesh.tets.push_back(end++);
@@ -105,8 +109,55 @@ PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector
     out.mesh.nodes.insert(out.mesh.nodes.end(), corners.begin(), corners.end());
     out.tets.push_back(tet);
   }
+  out.mesh.kept_tets = Kept::all(piece.tets.size(), end);
   std::sort(out.mesh.nodes.begin(), out.mesh.nodes.end());
   out.mesh.nodes.erase(std::unique(out.mesh.nodes.begin(), out.mesh.nodes.end()), out.mesh.nodes.end());
+  return out;
+}
+
+MeshEdit edit_between(const PieceMesh& before, const PieceMesh& now) {
+  MeshEdit out;
+  out.kept_nodes.before = before.nodes.size();
+  out.kept_nodes.now = now.nodes.size();
+  for (std::uint32_t i = 0, j = 0; j < now.nodes.size(); ++j) {
+    while (i < before.nodes.size() && before.nodes[i] < now.nodes[j]) ++i;
+    if (i < before.nodes.size() && before.nodes[i] == now.nodes[j]) {
+      out.kept_nodes.add(i, j);
+    } else {
+      out.made_nodes.push_back(j);
+      out.positions.push_back(now.mesh.positions[j]);
+    }
+  }
+  const std::vector<std::uint32_t> destination = out.kept_nodes.destinations();
+  std::vector<char> met(now.nodes.size(), 0);
+  std::uint32_t i = 0;
+  const auto gone = [&] {
+    for (const std::uint32_t corner : before.mesh.tets[i])
+      if (destination[corner] != Kept::none) met[destination[corner]] = 1;
+    ++i;
+  };
+  out.kept_tets.before = before.tets.size();
+  out.kept_tets.now = now.tets.size();
+  for (std::uint32_t j = 0; j < now.tets.size(); ++j) {
+    while (i < before.tets.size() && before.places[i] < now.places[j]) gone();
+    const MeshEdit::Corners& corners = now.mesh.tets[j];
+    if (i < before.tets.size() && before.places[i] == now.places[j]) {
+      out.kept_tets.add(i, j);
+      const MeshEdit::Corners& were = before.mesh.tets[i];
+      if (std::equal(were.begin(), were.end(), corners.begin(),
+                     [&](std::uint32_t a, std::uint32_t b) { return destination[a] == b; })) {
+        ++i;
+        continue;
+      }
+      gone();
+    }
+    out.tets.push_back(j);
+    out.corners.push_back(corners);
+    for (const std::uint32_t corner : corners) met[corner] = 1;
+  }
+  while (i < before.tets.size()) gone();
+  for (std::uint32_t node = 0; node < met.size(); ++node)
+    if (met[node]) out.nodes.push_back(node);
   return out;
 }
 

@@ -26,6 +26,9 @@ struct PieceEdit {
 /// Of tetrahedra of the piece that may have changed: children of its tetrahedra, or corners that were parted.
 PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector<TetId> touched);
 void apply(const TetComplex& complex, const PieceEdit& edit, PieceMesh& piece);
+/// Whatever it was that happened between, of one organ: what is at the same place with the same corners is
+/// what it was.
+MeshEdit edit_between(const PieceMesh& before, const PieceMesh& now);
 
 /// The surface of a piece, hanging on its nodes.
 struct PieceSurface {

@@ -19,9 +19,7 @@ BatchedModel::BatchedModel(const TetMesh& mesh, Connectivity connectivity,
       moved_to_(VecX::Zero(rest_.size())) {}
 
 void BatchedModel::follow_elements(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) {
-  const Eigen::Index known = rest_.size();
-  rest_.conservativeResize(known + 3 * static_cast<Eigen::Index>(edit.positions.size()));
-  rest_.tail(rest_.size() - known) = to_vector(edit.positions);
+  rest_ = to_vector(mesh.positions);
   connectivity_.follow(edit);
   incidence_.follow(connectivity_, edit);
   batches_->follow(desc, mesh, edit);

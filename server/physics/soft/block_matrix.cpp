@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "server/physics/parallel.h"
 #include "server/physics/soft/table_rows.h"
@@ -55,20 +56,33 @@ void find_places(const Connectivity& elements, const Incidence& incidence, std::
   out.places.counts.push_back(place.size() - first);
 }
 
+/// Of `count` rows, rows_found_at_once a run. `row_at`: the i-th.
+template <class RowAt>
+std::vector<Rows> find_rows(const Connectivity& elements, const Incidence& incidence, std::size_t count,
+                            const RowAt& row_at) {
+  std::vector<Rows> runs(chunk_count(count, rows_found_at_once));
+  tbb::enumerable_thread_specific<Seen> of_thread(elements.nodes());
+  parallel_chunks(count, rows_found_at_once, [&](std::size_t first, std::size_t last, std::size_t run) {
+    Seen& seen = of_thread.local();
+    for (std::size_t i = first; i < last; ++i) {
+      find_columns(elements, incidence, row_at(i), seen, runs[run]);
+      find_places(elements, incidence, row_at(i), seen, runs[run]);
+    }
+  });
+  return runs;
+}
+
+void append(const FreshRows<std::uint32_t>& rows, FreshRows<std::uint32_t>& to) {
+  to.values.insert(to.values.end(), rows.values.begin(), rows.values.end());
+  to.counts.insert(to.counts.end(), rows.counts.begin(), rows.counts.end());
+}
+
 }  // namespace
 
 BlockPattern::BlockPattern(const Connectivity& elements)
     : elements_(elements), incidence_(elements), row_begin_{0}, place_begin_{0} {
-  const std::size_t nodes = elements.nodes();
-  std::vector<Rows> runs(chunk_count(nodes, rows_found_at_once));
-  tbb::enumerable_thread_specific<Seen> of_thread(nodes);
-  parallel_chunks(nodes, rows_found_at_once, [&](std::size_t first, std::size_t last, std::size_t run) {
-    Seen& seen = of_thread.local();
-    for (std::size_t i = first; i < last; ++i) {
-      find_columns(elements, incidence_, static_cast<std::uint32_t>(i), seen, runs[run]);
-      find_places(elements, incidence_, static_cast<std::uint32_t>(i), seen, runs[run]);
-    }
-  });
+  const std::vector<Rows> runs = find_rows(elements, incidence_, elements.nodes(),
+                                           [](std::size_t i) { return static_cast<std::uint32_t>(i); });
   std::vector<std::array<std::size_t, 2>> start;  // of each run, in column_ and in place_
   for (const Rows& rows : runs) {
     start.push_back({row_begin_.back(), place_begin_.back()});
@@ -87,24 +101,29 @@ BlockPattern::BlockPattern(const Connectivity& elements)
 
 void BlockPattern::follow(const MeshEdit& edit) {
   incidence_.follow(elements_, edit);
-  find_rows(edit.nodes);
+  replace_rows(edit.kept_nodes, edit.nodes);
 }
 
 void BlockPattern::follow(std::span<const std::uint32_t> nodes) {
   incidence_ = Incidence(elements_);
-  find_rows(nodes);
+  replace_rows(Kept::all(rows(), elements_.nodes()), nodes);
 }
 
-/// Anew: those of these nodes.
-void BlockPattern::find_rows(std::span<const std::uint32_t> nodes) {
+/// Those of these nodes are found anew, the others kept.
+void BlockPattern::replace_rows(const Kept& kept, std::span<const std::uint32_t> nodes) {
   Rows rows;
-  Seen seen(elements_.nodes());
-  for (const std::uint32_t node : nodes) {
-    find_columns(elements_, incidence_, node, seen, rows);
-    find_places(elements_, incidence_, node, seen, rows);
+  for (const Rows& run :
+       find_rows(elements_, incidence_, nodes.size(), [&](std::size_t i) { return nodes[i]; })) {
+    append(run.columns, rows.columns);
+    append(run.places, rows.places);
   }
-  replace_rows(nodes, rows.columns, row_begin_, column_);
-  replace_rows(nodes, rows.places, place_begin_, place_);
+  const std::vector<std::uint32_t> now = kept.destinations();
+  const auto renumbered = [&](std::uint32_t node) { return now[node]; };
+  if (kept.all_unmoved())
+    prosector::replace_rows(kept, nodes, rows.columns, std::identity{}, row_begin_, column_);
+  else
+    prosector::replace_rows(kept, nodes, rows.columns, renumbered, row_begin_, column_);
+  prosector::replace_rows(kept, nodes, rows.places, std::identity{}, place_begin_, place_);
   find_mirrors();
 }
 

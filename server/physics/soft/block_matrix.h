@@ -46,7 +46,7 @@ class BlockPattern {
   void multiply(std::span<const Mat3> values, const double* x, double* y) const;
 
  private:
-  void find_rows(std::span<const std::uint32_t> nodes);
+  void replace_rows(const Kept& kept, std::span<const std::uint32_t> nodes);
   void find_mirrors();
   void close_rows(std::span<Mat3> values) const;
 

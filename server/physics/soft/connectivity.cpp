@@ -1,7 +1,8 @@
 #include "server/physics/soft/connectivity.h"
 
 #include <algorithm>
-#include <array>
+#include <functional>
+#include <iterator>
 
 #include "server/physics/parallel.h"
 #include "server/physics/soft/table_rows.h"
@@ -24,14 +25,23 @@ void Connectivity::add(std::span<const std::uint32_t> element) {
 }
 
 void Connectivity::follow(const MeshEdit& edit) {
-  nodes_ += edit.positions.size();
+  nodes_ = edit.kept_nodes.now;
+  edit.kept_tets.carry(corner_, 4);
+  if (!edit.kept_nodes.all_unmoved()) {
+    const std::vector<std::uint32_t> now = edit.kept_nodes.destinations();
+    for (std::uint32_t& node : corner_) node = now[node];
+  }
   for (std::size_t i = 0; i < edit.tets.size(); ++i) {
     MeshEdit::Corners element = edit.corners[i];
     std::sort(element.begin(), element.end());
-    if (i < edit.corners_before.size())
-      std::copy(element.begin(), element.end(), corner_.begin() + 4 * std::ptrdiff_t{edit.tets[i]});
-    else
-      add(element);
+    std::copy(element.begin(), element.end(), corner_.begin() + 4 * std::ptrdiff_t{edit.tets[i]});
+  }
+  const std::size_t known = std::min(size(), edit.kept_tets.now);
+  corner_begin_.resize(edit.kept_tets.now + 1);
+  block_begin_.resize(edit.kept_tets.now + 1);
+  for (std::size_t e = known; e < size(); ++e) {
+    corner_begin_[e + 1] = corner_begin_[e] + 4;
+    block_begin_[e + 1] = block_begin_[e] + pair_count(4);
   }
 }
 
@@ -56,25 +66,36 @@ Incidence::Incidence(const Connectivity& elements) : begin_(elements.nodes() + 1
 
 void Incidence::follow(const Connectivity& elements, const MeshEdit& edit) {
   std::vector<char> changed(elements.size(), 0);
-  std::vector<std::array<std::uint32_t, 2>> met;  // node and corner, of what changed
+  std::vector<std::size_t> met_begin(elements.nodes() + 1, 0);  // by node: corners of what changed
   for (const std::uint32_t e : edit.tets) {
     changed[e] = 1;
+    for (const std::uint32_t node : elements.element(e)) ++met_begin[node + 1];
+  }
+  for (std::size_t i = 0; i < elements.nodes(); ++i) met_begin[i + 1] += met_begin[i];
+  std::vector<std::uint32_t> met(met_begin.back());
+  std::vector<std::size_t> next(met_begin.begin(), met_begin.end() - 1);
+  for (const std::uint32_t e : edit.tets) {
     auto corner = static_cast<std::uint32_t>(elements.first_corner(e));
-    for (const std::uint32_t node : elements.element(e)) met.push_back({node, corner++});
+    for (const std::uint32_t node : elements.element(e)) met[next[node]++] = corner++;
   }
-  std::sort(met.begin(), met.end());
+  const std::vector<std::uint32_t> origin = edit.kept_nodes.origins(), now = edit.kept_tets.destinations();
   FreshRows<std::uint32_t> rows;
-  auto next = met.begin();
+  std::vector<std::uint32_t> stayed;
   for (const std::uint32_t node : edit.nodes) {
-    const std::size_t first = rows.values.size();
-    if (node + 1 < begin_.size())
-      for (const std::uint32_t corner : corners(node))
-        if (!changed[elements.element_of(corner)]) rows.values.push_back(corner);
-    for (; next != met.end() && (*next)[0] == node; ++next) rows.values.push_back((*next)[1]);
-    std::sort(rows.values.begin() + static_cast<std::ptrdiff_t>(first), rows.values.end());
-    rows.counts.push_back(rows.values.size() - first);
+    stayed.clear();
+    if (origin[node] != Kept::none)
+      for (const std::uint32_t corner : corners(origin[node]))
+        if (const std::uint32_t e = now[corner / 4]; e != Kept::none && !changed[e])
+          stayed.push_back(4 * e + corner % 4);
+    const auto fresh = std::span(met).subspan(met_begin[node], met_begin[node + 1] - met_begin[node]);
+    std::merge(stayed.begin(), stayed.end(), fresh.begin(), fresh.end(), std::back_inserter(rows.values));
+    rows.counts.push_back(stayed.size() + fresh.size());
   }
-  replace_rows(std::span(edit.nodes), rows, begin_, corner_);
+  const auto renumbered = [&](std::uint32_t corner) { return 4 * now[corner / 4] + corner % 4; };
+  if (edit.kept_tets.all_unmoved())
+    replace_rows(edit.kept_nodes, edit.nodes, rows, std::identity{}, begin_, corner_);
+  else
+    replace_rows(edit.kept_nodes, edit.nodes, rows, renumbered, begin_, corner_);
 }
 
 void Incidence::add(std::span<const Vec3> f, double* g) const {

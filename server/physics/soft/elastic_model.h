@@ -51,8 +51,9 @@ class ElasticModel {
   /// same pass over the elements. Allocates at the first call for `out`.
   virtual void linearise(const double* /*x*/, double /*share*/, TurnedElements& /*out*/) {}
 
-  // ---- Following a cut
-  /// Whether follow() will do: elements are the mesh's tetrahedra, all of them, and none becomes flat.
+  // ---- Following a cut, or what takes one back
+  /// Whether follow() will do: elements are the tetrahedra of the mesh that was edited, all of them, and none
+  /// becomes flat.
   virtual bool can_follow(const MeshEdit& /*edit*/) const { return false; }
   /// As if made anew of `mesh`, which was edited so, bit for bit.
   virtual void follow(const SoftDesc& /*desc*/, const TetMesh& /*mesh*/, const MeshEdit& /*edit*/) {}

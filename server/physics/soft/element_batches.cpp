@@ -64,15 +64,24 @@ double ElementBatches::hooke_trace() const {
 
 void ElementBatches::follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) {
   if (!materials_.kind.empty()) {
-    materials_.kind.resize(elements_.size());
+    edit.kept_tets.carry(materials_.kind);
     for (const std::uint32_t tet : edit.tets) materials_.kind[tet] = kind_of(desc, mesh, tet);
   }
   rest_.resize(chunk_count(elements_.size(), elements_per_batch));
   strain_.resize(rest_.size());
   trace_.resize(rest_.size());
-  std::size_t set = rest_.size();  // the batch last set
+  // From here on lanes have other elements than they had, or none.
+  const std::size_t moved = edit.kept_tets.unmoved() / elements_per_batch;
+  std::vector<std::size_t> others;
   for (const std::uint32_t e : edit.tets)
-    if (const std::size_t batch = e / elements_per_batch; batch != set) set_rest(set = batch);
+    if (const std::size_t batch = e / elements_per_batch;
+        batch < moved && (others.empty() || batch != others.back()))
+      others.push_back(batch);
+  for (const std::size_t batch : others) set_rest(batch);
+  const std::size_t count = rest_.size() - std::min(moved, rest_.size());
+  parallel_chunks(count, batches_per_chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t batch = begin; batch < end; ++batch) set_rest(moved + batch);
+  });
 }
 
 void ElementBatches::set_pressures(std::size_t batch, std::span<const double> pressure) {

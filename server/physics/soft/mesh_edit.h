@@ -1,39 +1,79 @@
 #pragma once
-// What a cut changed in a mesh of tetrahedra whose nodes and tetrahedra else keep their indices: so that what
-// hangs on the mesh can follow instead of being made anew.
+// What became of a mesh of tetrahedra most of which stay as they are, in their order: so that what hangs on
+// the mesh can follow instead of being made anew.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "common/math.h"
 #include "common/mesh.h"
 
 namespace prosector {
 
+/// Which entries of a list are entries of what became of it, and where.
+struct Kept {
+  /// Those from `from` on are those from `to` on now.
+  struct Run {
+    std::uint32_t from = 0, to = 0, count = 0;
+  };
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  std::vector<Run> runs;  // ascending in both
+  std::size_t before = 0, now = 0;
+
+  /// The first `before` of `now`.
+  static Kept all(std::size_t before, std::size_t now);
+  /// After those added so far.
+  void add(std::uint32_t from, std::uint32_t to);
+
+  /// How many, from the first on, are where they were.
+  std::size_t unmoved() const;
+  bool all_unmoved() const { return unmoved() == before; }
+  std::vector<std::uint32_t> destinations() const;  // by index before: now, or none
+  std::vector<std::uint32_t> origins() const;       // by index now: before, or none
+
+  /// To what `values`, `each` an entry, are now; of what is new they are anything.
+  template <class T>
+  void carry(std::vector<T>& values, std::size_t each = 1) const;
+  void carry(VecX& values) const;
+};
+
 struct MeshEdit {
   using Corners = std::array<std::uint32_t, 4>;
 
-  std::vector<Vec3> positions;          // m, at rest: of the nodes that follow those that were there
-  std::vector<std::uint32_t> tets;      // whose corners changed, then all new ones; ascending
-  std::vector<Corners> corners;         // what they are now
-  std::vector<Corners> corners_before;  // of those that were there
-  std::vector<std::uint32_t> nodes;     // the corners of these, before and now; ascending
+  // All indices are those that nodes and tetrahedra have now.
+  Kept kept_nodes, kept_tets;
+  std::vector<std::uint32_t> made_nodes;  // new ones; ascending
+  std::vector<Vec3> positions;            // m, at rest: of them
+  std::vector<std::uint32_t> tets;        // new ones, and those whose corners are others; ascending
+  std::vector<Corners> corners;           // of them
+  std::vector<std::uint32_t> nodes;  // corners of these, of what these were and of what is gone; ascending
 
-  /// How many tetrahedra are new.
-  std::size_t new_tets() const { return tets.size() - corners_before.size(); }
+  /// What is new comes after all that was there.
+  bool appends() const { return kept_nodes.all_unmoved() && kept_tets.all_unmoved(); }
 };
 
-inline void apply(const MeshEdit& edit, TetMesh& mesh) {
-  mesh.positions.insert(mesh.positions.end(), edit.positions.begin(), edit.positions.end());
-  mesh.tets.resize(mesh.tets.size() + edit.new_tets());
-  for (std::size_t i = 0; i < edit.tets.size(); ++i) mesh.tets[edit.tets[i]] = edit.corners[i];
-}
+void apply(const MeshEdit& edit, TetMesh& mesh);
 
-inline void take_back(const MeshEdit& edit, TetMesh& mesh) {
-  mesh.positions.resize(mesh.positions.size() - edit.positions.size());
-  mesh.tets.resize(mesh.tets.size() - edit.new_tets());
-  for (std::size_t i = 0; i < edit.corners_before.size(); ++i)
-    mesh.tets[edit.tets[i]] = edit.corners_before[i];
+template <class T>
+void Kept::carry(std::vector<T>& values, std::size_t each) const {
+  const auto at = [each](auto& list, std::size_t entry) {
+    return list.begin() + static_cast<std::ptrdiff_t>(each * entry);
+  };
+  const bool all_down = std::all_of(runs.begin(), runs.end(), [](const Run& r) { return r.to <= r.from; });
+  if (all_down) {
+    for (const Run& run : runs)
+      if (run.to < run.from)
+        std::copy(at(values, run.from), at(values, run.from + run.count), at(values, run.to));
+    values.resize(each * now);
+    return;
+  }
+  std::vector<T> out(each * now);
+  for (const Run& run : runs)
+    std::copy(at(values, run.from), at(values, run.from + run.count), at(out, run.to));
+  values = std::move(out);
 }
 
 }  // namespace prosector

@@ -220,7 +220,8 @@ void SoftBody::set_in_force(double stiffness, bool attached) {
 
 bool SoftBody::can_follow(const MeshEdit& edit) const {
   const Impl& m = *impl_;
-  return !m.substepper && m.eighths.tets.empty() && m.model->can_follow(edit);
+  return !m.substepper && m.eighths.tets.empty() && m.node_count() == edit.kept_nodes.before &&
+         m.model->can_follow(edit);
 }
 
 void SoftBody::follow(const MeshEdit& edit, TriangleMesh surface, SparseMap embedding) {

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "server/physics/soft/mesh_edit.h"
+
 namespace prosector {
 
 /// Rows to take the place of others, end to end.
@@ -16,32 +18,47 @@ struct FreshRows {
   std::vector<std::size_t> counts;
 };
 
-/// `rows`: which are replaced, ascending; those beyond the table's end, without gaps, are appended.
-template <class T>
-void replace_rows(std::span<const std::uint32_t> rows, const FreshRows<T>& fresh,
-                  std::vector<std::size_t>& begin, std::vector<T>& values) {
-  const std::vector<std::size_t> begin_before = begin;
-  const std::size_t rows_before = begin_before.size() - 1;
+/// `rows`: those that are `fresh`, ascending, indices as they are now; the others are `kept`, `renumbered`
+/// value for value.
+template <class T, class Renumbered>
+void replace_rows(const Kept& kept, std::span<const std::uint32_t> rows, const FreshRows<T>& fresh,
+                  const Renumbered& renumbered, std::vector<std::size_t>& begin, std::vector<T>& values) {
+  std::vector<std::size_t> begin_now;
+  begin_now.reserve(kept.now + 1);
   std::vector<T> out;
   out.reserve(values.size() + fresh.values.size());
-  std::size_t reached = 0, from = 0;
-  const auto copy_up_to = [&](std::size_t row) {
-    const std::size_t first = begin_before[reached], at = out.size();
-    out.insert(out.end(), values.begin() + static_cast<std::ptrdiff_t>(first),
-               values.begin() + static_cast<std::ptrdiff_t>(begin_before[row]));
-    for (; reached < row; ++reached) begin[reached] = begin_before[reached] - first + at;
-  };
-  if (!rows.empty() && rows.back() >= rows_before) begin.resize(rows.back() + 2u);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    copy_up_to(std::min<std::size_t>(rows[i], rows_before));
-    begin[rows[i]] = out.size();
+  std::size_t next = 0, from = 0;  // of the fresh rows
+  const auto put_fresh = [&] {
+    begin_now.push_back(out.size());
     const auto first = fresh.values.begin() + static_cast<std::ptrdiff_t>(from);
-    out.insert(out.end(), first, first + static_cast<std::ptrdiff_t>(fresh.counts[i]));
-    from += fresh.counts[i];
-    if (rows[i] < rows_before) ++reached;
+    from += fresh.counts[next++];
+    out.insert(out.end(), first, fresh.values.begin() + static_cast<std::ptrdiff_t>(from));
+  };
+  const auto put_kept = [&](std::size_t row, std::size_t last) {
+    const std::size_t first = begin[row], end = begin[last], at = out.size();
+    for (; row < last; ++row) begin_now.push_back(begin[row] - first + at);
+    out.insert(out.end(), values.begin() + static_cast<std::ptrdiff_t>(first),
+               values.begin() + static_cast<std::ptrdiff_t>(end));
+    std::transform(out.begin() + static_cast<std::ptrdiff_t>(at), out.end(),
+                   out.begin() + static_cast<std::ptrdiff_t>(at), renumbered);
+  };
+  for (const Kept::Run& run : kept.runs) {
+    const std::uint32_t end = run.to + run.count;
+    for (std::uint32_t row = run.to; row < end;) {
+      while (next < rows.size() && rows[next] < row) put_fresh();
+      if (next < rows.size() && rows[next] == row) {
+        put_fresh();
+        ++row;
+        continue;
+      }
+      const std::uint32_t last = next < rows.size() ? std::min(rows[next], end) : end;
+      put_kept(run.from + (row - run.to), run.from + (last - run.to));
+      row = last;
+    }
   }
-  copy_up_to(rows_before);
-  begin.back() = out.size();
+  while (next < rows.size()) put_fresh();
+  begin_now.push_back(out.size());
+  begin = std::move(begin_now);
   values = std::move(out);
 }
 

@@ -2,7 +2,9 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <numeric>
 
 #include "server/physics/parallel.h"
 
@@ -61,22 +63,39 @@ void Tet4Elements::set(std::size_t e, const TetMesh& mesh) {
 }
 
 bool Tet4Elements::can_follow(const VecX& rest, const MeshEdit& edit) const {
-  const auto known = static_cast<std::size_t>(rest.size() / 3);
-  const auto at = [&](std::uint32_t node) -> Vec3 {
-    return node < known ? Vec3(rest.segment<3>(3 * Eigen::Index{node})) : edit.positions[node - known];
-  };
-  return dropped_ == 0 && std::all_of(edit.corners.begin(), edit.corners.end(), [&](Nodes tet) {
-           std::sort(tet.begin(), tet.end());
-           return usable(edges_of(tet, at));
-         });
+  if (dropped_ > 0 || size() != edit.kept_tets.before) return false;
+  std::vector<Vec3> positions(edit.kept_nodes.now);
+  for (const Kept::Run& run : edit.kept_nodes.runs)
+    for (std::uint32_t i = 0; i < run.count; ++i)
+      positions[run.to + i] = rest.segment<3>(3 * Eigen::Index{run.from + i});
+  for (std::size_t i = 0; i < edit.made_nodes.size(); ++i) positions[edit.made_nodes[i]] = edit.positions[i];
+  const auto at = [&](std::uint32_t node) -> const Vec3& { return positions[node]; };
+  std::atomic<bool> all_usable = true;
+  parallel_chunks(edit.corners.size(), tets_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i) {
+      Nodes tet = edit.corners[i];
+      std::sort(tet.begin(), tet.end());
+      if (!usable(edges_of(tet, at))) all_usable = false;
+    }
+  });
+  return all_usable;
 }
 
 void Tet4Elements::follow(const TetMesh& mesh, const MeshEdit& edit) {
-  nodes_.resize(mesh.tets.size());
-  source_.resize(mesh.tets.size());
-  gradients_.resize(mesh.tets.size());
-  volume_.resize(mesh.tets.size());
-  for (const std::uint32_t e : edit.tets) set(e, mesh);
+  const Kept& kept = edit.kept_tets;
+  kept.carry(nodes_);
+  kept.carry(gradients_);
+  kept.carry(volume_);
+  if (!edit.kept_nodes.all_unmoved()) {
+    const std::vector<std::uint32_t> now = edit.kept_nodes.destinations();
+    for (Nodes& element : nodes_)
+      for (std::uint32_t& node : element) node = now[node];
+  }
+  source_.resize(kept.now);
+  std::iota(source_.begin(), source_.end(), 0U);
+  parallel_chunks(edit.tets.size(), tets_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t i = first; i < last; ++i) set(edit.tets[i], mesh);
+  });
 }
 
 /// Those without a volume.

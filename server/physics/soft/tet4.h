@@ -38,8 +38,8 @@ class Tet4Elements {
   std::span<const std::uint32_t> source() const { return source_; }
   double volume(std::size_t e) const { return volume_[e]; }  // m³, at rest
 
-  /// Whether the mesh of these elements, none of which was left out, has none to leave out once it is edited
-  /// so. `rest`: 3n, m, before.
+  /// Whether these are the elements of the mesh that was edited, none of which was left out, and it has none
+  /// to leave out now. `rest`: 3n, m, before.
   bool can_follow(const VecX& rest, const MeshEdit& edit) const;
   /// To `mesh`, which was edited so.
   void follow(const TetMesh& mesh, const MeshEdit& edit);

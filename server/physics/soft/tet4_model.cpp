@@ -81,7 +81,7 @@ class Tet4Model final : private Tet4Parts, public BatchedModel {
 void Tet4Model::follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) {
   elements.follow(mesh, edit);
   follow_elements(desc, mesh, edit);
-  volume_.conservativeResize(static_cast<Eigen::Index>(mesh.positions.size()));
+  edit.kept_nodes.carry(volume_);
   for (const std::uint32_t node : edit.nodes) {
     double sum = 0;  // in the order of the elements, as lumped_volume() has it
     for (const std::uint32_t corner : incidence().corners(node))
