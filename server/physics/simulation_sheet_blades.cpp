@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "server/physics/collision/closest_points.h"
+#include "server/physics/collision/segment_hit.h"
 #include "server/physics/organs/sheet_parts.h"
 #include "server/physics/simulation_impl.h"
 #include "server/physics/soft/rungs.h"
@@ -61,24 +62,6 @@ constexpr double to_begin = 1.5;  // times the force at which a cut goes on: a c
 constexpr double above = 0.25;    // of the thickness: where points that come down on a sheet are held
 constexpr int halvings = 12;      // of a tick's way, to where an edge came in over the border
 
-struct Hit {
-  double t;  // along the segment
-  Vec3 weights;
-};
-
-/// Where the segment a–b goes through the triangle.
-std::optional<Hit> hit(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& x) {
-  const Vec3 n = (x[1] - x[0]).cross(x[2] - x[0]);
-  const double da = n.dot(a - x[0]), db = n.dot(b - x[0]);
-  if (da * db > 0 || da == db) return std::nullopt;
-  const double t = da / (da - db);
-  const Vec3 r = a + t * (b - a) - x[0];
-  const double v = r.cross(x[2] - x[0]).dot(n) / n.squaredNorm(),
-               w = (x[1] - x[0]).cross(r).dot(n) / n.squaredNorm();
-  if (!(v >= 0 && w >= 0 && v + w <= 1)) return std::nullopt;
-  return Hit{t, {1 - v - w, v, w}};
-}
-
 Vec3 point_of(const SparseMap::Row& row, const VecX& x) {
   return row.weight[0] * x.segment<3>(3 * Eigen::Index{row.node[0]}) +
          row.weight[1] * x.segment<3>(3 * Eigen::Index{row.node[1]}) +
@@ -110,7 +93,7 @@ std::vector<Simulation::Impl::SheetCrossing> Simulation::Impl::sheet_crossings(c
   if (edge.empty()) return out;
   sheet.visit(edge, 0, [&](const auto& corners, const std::array<Vec3, 3>& at) {
     for (std::size_t p = 0; p + 1 < edge.size(); ++p)
-      if (const auto found = hit(edge[p], edge[p + 1], at))
+      if (const auto found = segment_hit(edge[p], edge[p + 1], at))
         out.push_back({p, found->t, row_of(corners, found->weights),
                        edge[p] + found->t * (edge[p + 1] - edge[p]),
                        (at[1] - at[0]).cross(at[2] - at[0]).normalized()});
@@ -253,7 +236,7 @@ bool Simulation::Impl::stop_at_sheets(const Blade& blade, std::span<const Vec3> 
         const Vec3 all = way[1] - way[0];
         double first_hit = 2, steepness = 0;
         near.visit(way, 0, [&](const auto&, const std::array<Vec3, 3>& at) {
-          const auto found = hit(way[0], way[1], at);
+          const auto found = segment_hit(way[0], way[1], at);
           if (!found || found->t >= first_hit) return;
           first_hit = found->t;
           steepness = std::abs((at[1] - at[0]).cross(at[2] - at[0]).normalized().dot(all));

@@ -140,17 +140,30 @@ TEST(SheetComplex, StraightStrokesPartItWhateverTheirWay) {
   }
 }
 
+/// Bent over a cylinder's radius about z: of the flat sheet's point, so far above it.
+Vec3 over_cylinder(const Vec3& flat, double above, double radius) {
+  const double angle = flat.x() / radius, r = radius + above;
+  return {r * std::sin(angle), r * std::cos(angle), flat.z()};
+}
+
+Anatomy bent(double radius, double cell) {
+  Anatomy sheet = square(0.1, cell);
+  for (Vec3& x : sheet.tets.positions) x = over_cylinder(x, 0, radius);
+  return sheet;
+}
+
+void expect_in_two(const CutSheet& sheet, double mass, double volume, const std::string& which) {
+  EXPECT_EQ(pieces(sheet.complex).size(), 2U) << which;
+  EXPECT_NEAR(total_mass(sheet.complex), mass, 1e-12 * mass);
+  EXPECT_NEAR(total_volume(sheet.complex), volume, 1e-12 * volume);
+  EXPECT_GE(sheet.least_angle, 4.99);
+}
+
 // Over two fifths of a cylinder: the blade stands upright on it and goes along its axis, around it, or
-// slanting.
-TEST(SheetComplex, MostStrokesPartASheetThatIsCurved) {
-  constexpr double side = 0.1, radius = 0.04;
-  const auto over = [](const Vec3& flat, double above) {
-    const double angle = flat.x() / radius, r = radius + above;
-    return Vec3(r * std::sin(angle), r * std::cos(angle), flat.z());
-  };
-  Anatomy curved = square(side, 0.01);
-  for (Vec3& x : curved.tets.positions) x = over(x, 0);
-  int parted = 0;
+// slanting, and so twists as it goes.
+TEST(SheetComplex, StrokesPartASheetThatIsCurved) {
+  constexpr double radius = 0.04;
+  const Anatomy curved = bent(radius, 0.01);
   for (int i = 0; i < 12; ++i) {
     const double angle = 0.07 + i * M_PI / 12, off = 0.02 * std::sin(5.0 * i);
     const Vec3 way(std::cos(angle), 0, std::sin(angle)), aside(-way.z(), 0, way.x());
@@ -160,16 +173,50 @@ TEST(SheetComplex, MostStrokesPartASheetThatIsCurved) {
       Stroke stroke;
       for (int tick = 0; tick <= ticks; ++tick) {
         const Vec3 at = off * aside + (0.22 * tick / ticks - 0.11) * way;
-        stroke.push_back({over(at, 0.02), over(at, -0.02)});
+        stroke.push_back({over_cylinder(at, 0.02, radius), over_cylinder(at, -0.02, radius)});
       }
       sheet.make(stroke);
-      parted += pieces(sheet.complex).size() == 2 ? 1 : 0;
-      EXPECT_NEAR(total_mass(sheet.complex), mass, 1e-12 * mass);
-      EXPECT_NEAR(total_volume(sheet.complex), volume, 1e-12 * volume);
-      EXPECT_GE(sheet.least_angle, 4.99);
+      expect_in_two(sheet, mass, volume,
+                    "angle " + std::to_string(angle) + ", ticks " + std::to_string(ticks));
     }
   }
-  EXPECT_GE(parted, 20);  // of 24: slanting ones, which twist as they go, may leave it hanging together
+}
+
+/// Through sheets bent one way or the other, by blades that lean, and lean otherwise as they go.
+void part_curved_sheets(unsigned seed, int strokes) {
+  std::cout << "PROSECTOR_SEED=" << seed << std::endl;
+  Random random(seed);
+  for (int i = 0; i < strokes; ++i) {
+    const double radius = random.uniform(0.03, 0.2), angle = random.uniform(0, 2 * M_PI);
+    const Vec3 way(std::cos(angle), 0, std::sin(angle)), aside(-way.z(), 0, way.x());
+    const double off = random.uniform(-0.025, 0.025);
+    const auto lean = [&] {
+      return Vec3(random.uniform(-0.012, 0.012) * way + random.uniform(-0.012, 0.012) * aside);
+    };
+    const Vec3 first = lean(), last = lean();
+    const int ticks = 4 + static_cast<int>(random.below(80)), points = 2 + static_cast<int>(random.below(8));
+    CutSheet sheet(bent(radius, random.uniform(0.006, 0.015)));
+    const double mass = total_mass(sheet.complex), volume = total_volume(sheet.complex);
+    Stroke stroke;
+    for (int tick = 0; tick <= ticks; ++tick) {
+      const double share = static_cast<double>(tick) / ticks;
+      const Vec3 at = off * aside + (0.22 * share - 0.11) * way, leaning = first + share * (last - first);
+      const Vec3 upper = over_cylinder(at + leaning, 0.02, radius),
+                 lower = over_cylinder(at - leaning, -0.02, radius);
+      auto& edge = stroke.emplace_back();
+      for (int k = 0; k < points; ++k) edge.push_back(upper + (lower - upper) * k / (points - 1));
+    }
+    sheet.make(stroke);
+    expect_in_two(sheet, mass, volume, "stroke " + std::to_string(i));
+  }
+}
+
+TEST(SheetStrokes, ThroughCurvedSheetsOfAFixedSeed) {
+  part_curved_sheets(test_seed(true), 100);
+}
+
+TEST(SheetStrokes, ThroughCurvedSheetsOfAnySeed) {
+  part_curved_sheets(test_seed(false), 100);
 }
 
 TEST(SheetComplex, ACutEndsInsideAndGoesOn) {

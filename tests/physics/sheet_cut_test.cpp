@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <iostream>
+
 #include "server/physics/organs/organ.h"
 #include "server/physics/organs/sheet_parts.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/physics/scalpel.h"
+#include "tests/random.h"
 
 namespace prosector::test {
 namespace {
@@ -135,6 +138,43 @@ TEST(SheetBlade, CutsKeepAFallingSheetsMomentum) {
     ASSERT_LT((momentum(simulation) - expected).norm(), 1e-6 * mass * 0.05) << "tick " << i;
   }
   EXPECT_GT(cuts, 5);
+}
+
+/// By a scalpel that leans and turns as it is drawn across.
+void part_membranes(unsigned seed, int strokes) {
+  std::cout << "PROSECTOR_SEED=" << seed << std::endl;
+  Random random(seed);
+  for (int i = 0; i < strokes; ++i) {
+    SceneDesc scene = membrane_and_scalpel(i % 2 == 0 ? "mass_spring" : "xpbd");
+    SoftDesc& sheet = scene.soft[0];
+    sheet.toughness = i % 3 == 0 ? 0 : random.uniform(1, 10);
+    sheet.cell = random.uniform(0.008, 0.016);
+    sheet.pose.q = Quat(Eigen::AngleAxisd(random.uniform(-0.5, 0.5), Vec3::UnitY()));
+    const auto angles = [&] { return std::array{random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6)}; };
+    const auto first = angles(), last = angles();
+    const double off = random.uniform(-0.015, 0.015), aside = random.uniform(-0.03, 0.03);
+    Simulation simulation(scene, options());
+    const Vec3 hand = take(simulation), at_sheet(hand.x(), membrane_height, 0), below = at_sheet - hand;
+    constexpr int to_the_border = 40, ticks = 180;
+    for (int tick = 0; tick <= ticks; ++tick) {
+      const double share = static_cast<double>(tick) / ticks;
+      const double taken_up = std::min(1.0, static_cast<double>(tick) / to_the_border);
+      const auto angle = [&](std::size_t k) { return taken_up * (first[k] + share * (last[k] - first[k])); };
+      const Quat q(Eigen::AngleAxisd(angle(0), Vec3::UnitX()) * Eigen::AngleAxisd(angle(1), Vec3::UnitZ()));
+      const Vec3 way(0.26 * share, 0, off * taken_up + aside * (share - 0.5));
+      simulation.step(target(at_sheet + way - q * below, q));
+    }
+    EXPECT_EQ(simulation.hands()[0].holding, std::optional<BodyId>(scalpel)) << "stroke " << i;
+    EXPECT_EQ(simulation.body_count(), 3U) << "stroke " << i;
+  }
+}
+
+TEST(SheetBlade, PartsMembranesOfAFixedSeed) {
+  part_membranes(test_seed(true), 8);
+}
+
+TEST(SheetBlade, PartsMembranesOfAnySeed) {
+  part_membranes(test_seed(false), 8);
 }
 
 TEST(SheetOrgan, IsUndoneInAnyOrderThatItsCutsAllow) {

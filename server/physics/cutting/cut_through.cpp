@@ -16,8 +16,10 @@ void for_neighbors(const TetComplex& complex, NodeId node, Visit&& visit) {
 }
 
 bool is_marked_face(const TetComplex& complex, const Marks& marks, TetId tet, std::size_t k) {
-  return std::ranges::all_of(TetComplex::face[k],
-                             [&](std::size_t j) { return marks.find(complex.corners(tet)[j]) != nullptr; });
+  const auto corners = complex.corners(tet);
+  return std::ranges::all_of(TetComplex::face[k], [&](std::size_t j) {
+    return j >= corners.size() || marks.find(corners[j]) != nullptr;
+  });
 }
 
 /// Nodes beside the marks, by the side on which all marks see them.
@@ -144,7 +146,7 @@ class Parts {
     for (bool any = true; any;) {
       any = false;
       for (const TetId t : left)
-        for (std::size_t k = 0; k < 4 && !is_part_[of_[t]]; ++k)
+        for (std::size_t k = 0; k < complex_.sides() && !is_part_[of_[t]]; ++k)
           if (const TetId beyond = complex_.neighbor(t, k);
               beyond != TetComplex::none && is_part_[of_[beyond]]) {
             of_[t] = of_[beyond];
@@ -168,7 +170,7 @@ class Parts {
       open.pop_back();
       volume += complex_.volume(t);
       for (const NodeId corner : complex_.corners(t)) is_inside |= marks_.find(corner) == nullptr;
-      for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t k = 0; k < complex_.sides(); ++k) {
         const TetId beyond = complex_.neighbor(t, k);
         if (beyond == TetComplex::none || of_[beyond] != none || is_marked_face(complex_, marks_, t, k))
           continue;
@@ -212,7 +214,7 @@ SlitFaces faces_between_parts(const TetComplex& complex, const Marks& marks, dou
   for (const BladeStroke::Mark& mark : marks.all()) {
     if (!complex.has_node(mark.node)) continue;
     for (const TetId t : complex.star(mark.node))
-      for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t k = 0; k < complex.sides(); ++k)
         if (const TetId beyond = complex.neighbor(t, k); beyond != TetComplex::none && t < beyond)
           if (is_marked_face(complex, marks, t, k)) op.faces.push_back({t, beyond});
   }

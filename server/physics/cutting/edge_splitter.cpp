@@ -86,10 +86,10 @@ class EdgeSplitter {
   }
 
   /// `point`, `normal`: of the sheet, as the body is now; kept as they are at rest, which is exact for what
-  /// is linear within the tetrahedron.
+  /// is linear within the tetrahedron. In a sheet the mark's normal lies in it.
   void mark(NodeId node, TetId tet, const Vec3& point, const Vec3& normal) {
-    const Mat3 F = gradient(tet);
-    const Vec3 covector = F.transpose() * normal;
+    Vec3 covector = gradient(tet).transpose() * normal;
+    if (complex_.is_sheet()) covector = in_sheet(covector, complex_.star(node));
     BladeStroke::Mark m{node, complex_.rest(node), normal};
     const double length = covector.norm();
     if (length > 1e-9) {
@@ -116,6 +116,18 @@ class EdgeSplitter {
     return now * rest.inverse();
   }
 
+  /// What of a normal, at rest, lies in these triangles. A blade that leans or twists would else have what
+  /// bends away from them on the wrong side.
+  Vec3 in_sheet(const Vec3& normal, std::span<const TetId> triangles) const {
+    Vec3 area = Vec3::Zero();
+    for (const TetId t : triangles) {
+      const auto c = complex_.corners(t);
+      area += (complex_.rest(c[1]) - complex_.rest(c[0])).cross(complex_.rest(c[2]) - complex_.rest(c[0]));
+    }
+    const Vec3 up = area.normalized();
+    return normal - up * up.dot(normal);
+  }
+
   void push(NodeId a, NodeId b) {
     const auto crossing = sheet_.crossing(x_[a], x_[b]);
     if (!crossing) return;
@@ -129,7 +141,8 @@ class EdgeSplitter {
       const BladeStroke::Mark* mark = marks_.find(end);
       if (!mark) return false;
       if (t <= near_share) return true;
-      const Vec3 normal = gradient(around_.front()).transpose() * e.at.normal;
+      Vec3 normal = gradient(around_.front()).transpose() * e.at.normal;
+      if (complex_.is_sheet()) normal = in_sheet(normal, around_);
       return std::abs(normal.dot(mark->normal)) >= one_sheet * normal.norm();
     };
     return met_at(e.a, e.at.t) || met_at(e.b, 1 - e.at.t);

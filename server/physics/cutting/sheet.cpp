@@ -10,22 +10,44 @@ namespace prosector {
 namespace {
 
 constexpr double smooth = 0.7;  // cosine
+constexpr double least_twist =
+    0.05;  // of the longer motion of two: ends whose motions differ by less go one way
+constexpr double most_strips = 40;
 
 Vec3 twice_area(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (b - a).cross(c - a);
 }
 
+double strips_of(const Vec3& motion, const Vec3& next_motion) {
+  const double longest = std::max(motion.norm(), next_motion.norm());
+  const double twist = (next_motion - motion).norm();
+  return twist > least_twist * longest ? std::min(most_strips, std::ceil(twist / (least_twist * longest)))
+                                       : 1;
+}
+
 }  // namespace
 
-Sheet::Sheet(std::span<const Vec3> from, std::span<const Vec3> to, std::span<const std::size_t> part) {
+Sheet::Sheet(std::span<const Vec3> from, std::span<const Vec3> to, std::span<const std::size_t> part,
+             Twist twist) {
   for (std::size_t first = 0, next = 0; first + 1 < from.size(); first = next) {
     Vec3 area = Vec3::Zero();
     for (next = first; next + 1 < from.size() && part[next] == part[first]; ++next)
       area += twice_area(from[next], from[next + 1], to[next]) +
               twice_area(to[next + 1], to[next], from[next + 1]);
     for (std::size_t i = first; i < next; ++i) {
-      add(from[i], from[i + 1], to[i], area);
-      add(to[i + 1], to[i], from[i + 1], area);
+      const Vec3 along = from[i + 1] - from[i], along_to = to[i + 1] - to[i];
+      const double strips =
+          twist == Twist::followed ? strips_of(to[i] - from[i], to[i + 1] - from[i + 1]) : 1;
+      Vec3 a = from[i], b = to[i];
+      for (double strip = 1; strip <= strips; ++strip) {
+        const bool is_last = strip == strips;
+        const Vec3 next_a = is_last ? from[i + 1] : Vec3(from[i] + strip / strips * along);
+        const Vec3 next_b = is_last ? to[i + 1] : Vec3(to[i] + strip / strips * along_to);
+        add(a, next_a, b, area);
+        add(next_b, b, next_a, area);
+        a = next_a;
+        b = next_b;
+      }
     }
   }
 }

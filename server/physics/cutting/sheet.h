@@ -28,10 +28,13 @@ class Sheet {
     double distance = 0;
   };
 
+  enum class Twist { flattened, followed };
   /// Polylines of equally many points, at least two, metres; `part`: by point, ascending. Pieces without area
   /// are left out. What a part sweeps is smooth: where a piece's own normal is far from that of its part, the
-  /// part's is the sheet's.
-  Sheet(std::span<const Vec3> from, std::span<const Vec3> to, std::span<const std::size_t> part);
+  /// part's is the sheet's. Of a piece of edge whose ends go different ways two triangles have the motion of
+  /// one end each; followed, it is divided until they hardly differ.
+  Sheet(std::span<const Vec3> from, std::span<const Vec3> to, std::span<const std::size_t> part,
+        Twist twist = Twist::flattened);
 
   std::span<const Piece> pieces() const { return pieces_; }
   /// Where the segment a–b goes through first; grazing along the sheet is none.

@@ -8,6 +8,7 @@
 #include "server/physics/cutting/cut_through.h"
 #include "server/physics/cutting/edge_splitter.h"
 #include "server/physics/cutting/sheet.h"
+#include "server/physics/cutting/sheet_passage.h"
 
 namespace prosector {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 constexpr double least_motion = 1e-4;
 // Nodes that may hold together what the blade went right through: so many, or that share of those marked.
 // More, and it didn't.
-constexpr std::size_t most_missing = 4;
+constexpr std::size_t most_missing = 4, most_missing_of_sheet = 1;
 constexpr double most_missing_share = 0.05;
 
 bool all_marked(const TetComplex& complex, const Marks& marks, TetId tet) {
@@ -218,8 +219,9 @@ bool is_in_tissue(const BladeStroke& stroke) {
 /// back the way it came, what the sweeps missed counts as on the blade.
 void end_line(TetComplex& complex, bool ended_inside, std::vector<Vec3>& x, Marks& marks, CutResult& result) {
   const auto share = static_cast<std::size_t>(most_missing_share * static_cast<double>(marks.all().size()));
+  const std::size_t most = std::max(complex.is_sheet() ? most_missing_of_sheet : most_missing, share);
   if (!ended_inside && !result.ops.empty())
-    for (const NodeId node : missing_nodes(complex, marks, std::max(most_missing, share))) {
+    for (const NodeId node : missing_nodes(complex, marks, most)) {
       ++result.snapped;
       marks.add(mark_between(complex, marks, node));
     }
@@ -248,7 +250,9 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
 
   std::vector<std::size_t> piece_of_edge;
   for (const BladeStroke::EdgePoint& p : stroke.edge) piece_of_edge.push_back(static_cast<std::size_t>(p.at));
-  const Sheet sheet(from, to, piece_of_edge);
+  // In tissue that has an inside the line has points close by each other.
+  const Sheet sheet(from, to, piece_of_edge,
+                    complex.is_sheet() ? Sheet::Twist::followed : Sheet::Twist::flattened);
   Vec3 low = to.front(), high = low;
   for (const std::vector<Vec3>& points : {from, to})
     for (const Vec3& x : points) {
@@ -266,14 +270,19 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
     hold_edge(stroke, moved, complex, tree, x);
     return result;
   }
+  SheetPassage passage;
+  if (complex.is_sheet()) passage = sheet_passage(complex, candidates, x, from, to);
   Marks marks(stroke.marks, complex.node_end());
   split_edges(complex, sheet, candidates, x, marks, result);
   SlitFaces faces = faces_to_slit(complex, marks);
   leave_crumbs(complex, faces);
   slit(complex, faces, x, marks, result);
-  const bool was_in_tissue = is_in_tissue(stroke), ended_inside = stroke.ended_inside;
+  const bool was_in_tissue = is_in_tissue(stroke) || passage.was_in;
+  const bool ended_inside = stroke.ended_inside || passage.end_came_through;
   hold_edge(stroke, moved, complex, tree, x);
-  if (was_in_tissue && !is_in_tissue(stroke)) end_line(complex, ended_inside, x, marks, result);
+  if (complex.is_sheet()) stroke.ended_inside = passage.is_in && ended_inside;
+  if (was_in_tissue && !is_in_tissue(stroke) && !passage.is_in)
+    end_line(complex, ended_inside, x, marks, result);
   stroke.marks = marks.by_node();
   return result;
 }
