@@ -45,11 +45,21 @@ json part_of(const Replica& replica, const PartState& part) {
           {"stiffness", rounded(part.stiffness, 3)}};
 }
 
-Vec3 shift_of(const SoftReplica& soft) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 0; i < soft.surface().size(); ++i)
-    sum += soft.surface()[i].cast<double>() - soft.rest().positions[i];
-  return sum / static_cast<double>(std::max<std::size_t>(1, soft.surface().size()));
+struct Whereabouts {
+  Vec3 at = Vec3::Zero(), shift = Vec3::Zero();
+  Eigen::AlignedBox3d box;
+};
+
+Whereabouts whereabouts(const SoftReplica& soft) {
+  Whereabouts out;
+  const auto count = static_cast<double>(soft.surface().size());
+  for (std::size_t i = 0; i < soft.surface().size(); ++i) {
+    const Vec3 x = soft.surface()[i].cast<double>();
+    out.at += x / count;
+    out.shift += (x - soft.rest().positions[i]) / count;
+    out.box.extend(x);
+  }
+  return out;
 }
 
 json parts(Replica& replica, const SceneInfo& scene, double tick) {
@@ -60,7 +70,10 @@ json parts(Replica& replica, const SceneInfo& scene, double tick) {
     if (const SoftReplica* soft = replica.soft(body); soft != nullptr && soft->complete()) {
       SoftReplica here = *soft;  // a copy: what moved since the last picture is for the view to learn
       here.sample(tick, replica.tick_seconds());
-      said["shift"] = vector(shift_of(here), 5);
+      const Whereabouts where = whereabouts(here);
+      said["at"] = vector(where.at, 3);
+      said["shift"] = vector(where.shift, 5);
+      said["size"] = vector(where.box.isEmpty() ? Vec3::Zero() : Vec3(where.box.sizes()), 3);
       said["revision"] = soft->revision();
     }
     if (!said.empty()) out[scene.bodies[body].name] = said;

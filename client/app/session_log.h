@@ -17,7 +17,8 @@ class SessionLog {
 
   /// Reads the replica at `tick` of its playhead, `seconds` after joining. Says, each by name:
   ///   parts: who holds them, whether they are attached, hidden, lit, inspected, opacity, stiffness; of
-  ///     tissue also `shift`, m, mean over its surface from where it rests;
+  ///     tissue also, in m, `at`, the mean of its surface, `shift`, that mean from where it rests, and `size`
+  ///     of the box around it;
   ///   panels, by whose they are: part, and of each control position, on, touched;
   ///   touches, by hand: body, force on it in N, depth in m.
   void write(Replica& replica, double tick, double seconds);

@@ -5,7 +5,7 @@ import json
 import pathlib
 import sys
 
-from checks import check, check_one_topology, figures, finish, topology_revisions
+from checks import check, check_one_topology, figures, finish, participants, topology_revisions
 
 folder = pathlib.Path(sys.argv[1])
 clients = {file.stem: figures(file) for file in folder.glob("*.json")}
@@ -23,8 +23,15 @@ check("the observer watched it change", len({line["topology"] for line in lines}
 cuts = [row for row in topology_revisions(folder) if row["cause"] == 1]
 check("two people cut", len({cut["author"] for cut in cuts}) == 2)
 check(f"they cut often: {len(cuts)} revisions", len(cuts) > 30)
-# Whether the last face parts depends on how the hand came to hold the knife, which no two sessions on a clock share.
-print("      pieces that came free:", sum(cut["piece_of"] >= 0 for cut in cuts))
+pieces = [row for row in cuts if row["piece_of"] >= 0]
+names = participants(folder)
+parts = lines[-1]["parts"]
+for lobe, is_on_its_side in (("left", lambda x: x > 0), ("right", lambda x: x < 0)):
+    fallen = [name for name, part in parts.items() if name.startswith("liver piece") and max(part["size"]) > 0.02
+              and is_on_its_side(part["at"][0] - part["shift"][0]) and part["shift"][1] < -0.05]
+    # The n-th piece of the organ is the n-th that the journal knows of.
+    authors = {names[pieces[int(name.split()[-1]) - 1]["author"]] for name in fallen}
+    check(f"a piece of the {lobe} lobe came free and fell: {fallen}, cut by {authors}", authors == {"second user"})
 check("there are pictures of before, during and after",
       all((folder / f"{view}{moment}.png").stat().st_size > 0
           for view in ("", "close-") for moment in ("before", "opened", "during", "through", "after", "face")))

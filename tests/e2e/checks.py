@@ -25,11 +25,20 @@ def check_one_topology(clients):
     return hashes
 
 
-def topology_revisions(folder):
-    """The journal's, in order, each a dictionary."""
+def journal_rows(folder, table):
+    """In order, each a dictionary."""
     journal = sqlite3.connect(folder / "journal.sqlite")
     journal.row_factory = sqlite3.Row
-    return [dict(row) for row in journal.execute("SELECT * FROM topology")]
+    return [dict(row) for row in journal.execute(f"SELECT * FROM {table}")]
+
+
+def topology_revisions(folder):
+    return journal_rows(folder, "topology")
+
+
+def participants(folder):
+    """Their names, by the journal's ids."""
+    return {row["participant"]: row["name"] for row in journal_rows(folder, "event")}
 
 
 def finish():
