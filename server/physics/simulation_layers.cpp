@@ -116,8 +116,10 @@ bool Simulation::Impl::add_layer_contacts(std::size_t a, std::size_t b, double m
   search.margin = margin;
   const SoftDesc& desc = model.soft[a]->desc();
   const auto both_in = [&](const auto& organ) { return organ.second.has(a) && organ.second.has(b); };
-  if (a == b || std::any_of(organs.begin(), organs.end(), both_in))
+  if (a == b || std::any_of(organs.begin(), organs.end(), both_in)) {
     search.apart_at_rest = std::max(cells_apart * desc.cell, thicknesses_apart * search.thickness);
+    search.seam = (thicknesses_apart - 1) * search.thickness;
+  }
   std::vector<LayerMeeting> found;
   std::vector<LayerSide>& sides = layer_sides[{a, b}];
   const int passed = find_layers(of_a, of_b, search, sides, found);

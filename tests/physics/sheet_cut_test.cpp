@@ -177,6 +177,113 @@ TEST(SheetBlade, PartsMembranesOfAnySeed) {
   part_membranes(test_seed(false), 8);
 }
 
+/// A thick membrane that meets itself.
+SceneDesc thick_membrane(const std::string& model) {
+  SceneDesc scene = membrane_and_scalpel(model);
+  SoftDesc& sheet = scene.soft[0];
+  sheet.size.y() = 0.004;
+  sheet.youngs_modulus = 3e4;
+  sheet.toughness = 0;
+  sheet.self_contact = true;
+  return scene;
+}
+
+double fastest(const Simulation& simulation) {
+  double most = 0;
+  for (BodyId body = 1; body < simulation.body_count(); ++body)
+    if (!simulation.surface(body).triangles.empty())
+      most = std::max(most, simulation.soft_state(body).motion.v.lpNorm<Eigen::Infinity>());
+  return most;
+}
+
+// The sides of a cut lie nearer to each other than the sheet is thick.
+TEST(SheetSeam, ACutSetsNothingGoing) {
+  for (const std::string model : {"mass_spring", "xpbd"}) {
+    Simulation simulation(thick_membrane(model), options());
+    Vec3 at = take(simulation);
+    for (int i = 0; i < 150; ++i) {
+      draw(simulation, at, 1);
+      ASSERT_LT(fastest(simulation), 1e-6) << model << ", tick " << i;
+    }
+    EXPECT_EQ(simulation.body_count(), 3U);
+  }
+}
+
+/// How many nodes of a piece, or of what lies on one side of the cut, are over the other, and how far they
+/// are above it, at least.
+struct Over {
+  int nodes = 0;
+  double lowest = 1;  // m
+};
+
+Over over(const Simulation& simulation, BodyId upper, BodyId lower) {
+  Over out;
+  const auto node = [&](BodyId body, std::uint32_t n) -> Vec3 {
+    return simulation.soft_state(body).motion.x.segment<3>(3 * Eigen::Index{n});
+  };
+  const auto z_at_rest = [&](BodyId body, std::uint32_t n) {
+    return simulation.soft(body).anatomy().tets.positions[n].z();
+  };
+  const Anatomy& sheet = simulation.soft(lower).anatomy();
+  std::vector<std::array<std::uint32_t, 3>> triangles(sheet.triangles.begin(), sheet.triangles.end());
+  for (const auto& [a, b, c, d] : sheet.quads) triangles.insert(triangles.end(), {{a, b, c}, {a, c, d}});
+  for (std::uint32_t n = 0; n < simulation.soft(upper).anatomy().tets.positions.size(); ++n) {
+    if (z_at_rest(upper, n) > -1e-3) continue;
+    const Vec3 x = node(upper, n);
+    for (const auto& [a, b, c] : triangles) {
+      if (std::min({z_at_rest(lower, a), z_at_rest(lower, b), z_at_rest(lower, c)}) < -1e-3) continue;
+      const Vec3 p = node(lower, a), u = node(lower, b) - p, v = node(lower, c) - p;
+      const double area = u.z() * v.x() - u.x() * v.z();
+      const Vec3 way = x - p;
+      const double s = (way.z() * v.x() - way.x() * v.z()) / area,
+                   t = (u.z() * way.x() - u.x() * way.z()) / area;
+      if (!(s > 0 && t > 0 && s + t < 1)) continue;
+      ++out.nodes;
+      out.lowest = std::min(out.lowest, way.y() - s * u.y() - t * v.y());
+    }
+  }
+  return out;
+}
+
+// Of what lies on each other nothing was farther apart at rest than some cells.
+TEST(SheetSeam, SidesPressedOntoEachOtherDontPass) {
+  for (const bool through : {true, false}) {
+    SceneDesc scene = thick_membrane("mass_spring");
+    scene.soft[0].attach = {{{0, membrane_height, 0.06}, 0.03, 1e9}};
+    Simulation simulation(scene, options());
+    Vec3 scalpel_at = take(simulation);
+    draw(simulation, scalpel_at, through ? 150 : 96);
+    ASSERT_EQ(simulation.body_count(), through ? 3U : 2U);
+    const double x = through ? 0 : -0.01;
+    BodyId upper = 1;  // whose strip along the cut is taken
+    if (through && simulation.soft(1).anatomy().tets.positions.front().z() > -0.03) upper = 2;
+    const BodyId lower = through ? 3 - upper : 1;
+    constexpr ParticipantId other = 8;
+    const auto step = [&](const Vec3& hand, std::optional<HandEvent::Kind> kind = {}) {
+      TickInput input = target(scalpel_at);
+      HandTarget& t = input.targets.emplace_back(input.targets[0]);
+      t.participant = other;
+      t.target.p = hand;
+      if (kind) input.events.push_back({*kind, other, right_hand, 0});
+      simulation.step(input);
+    };
+    Vec3 hand(x, membrane_height + 0.012, -0.012);
+    step(hand, HandEvent::Kind::appear);
+    step(hand, HandEvent::Kind::grasp);
+    ASSERT_EQ(simulation.hands()[1].holding, std::optional<BodyId>(upper));
+    const auto go = [&](const Vec3& way, int ticks) {
+      for (int i = 0; i < ticks; ++i) step(hand += way / ticks);
+    };
+    go({0, 0.015, 0}, 20);
+    go({0, 0, 0.028}, 40);
+    go({0, -0.03, 0}, 40);
+    go({0, 0, 0}, 30);
+    const Over now = over(simulation, upper, lower);
+    EXPECT_GE(now.nodes, 5);
+    EXPECT_GT(now.lowest, 0.9 * scene.soft[0].size.y()) << (through ? "two pieces" : "a slit");
+  }
+}
+
 TEST(SheetOrgan, IsUndoneInAnyOrderThatItsCutsAllow) {
   const Simulation simulation(membrane_and_scalpel("xpbd"), options());
   const SoftBody& body = simulation.soft(1);

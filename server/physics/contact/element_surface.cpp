@@ -51,6 +51,26 @@ void ElementSurface::find_neighbours() {
   }
 }
 
+bool ElementSurface::hang_together(std::uint32_t element, std::uint32_t other, double reach) const {
+  if (together_.empty() || reach != reach_) together_.assign(elements_.size(), {});
+  reach_ = reach;
+  std::vector<std::uint32_t>& met = together_[element];
+  if (met.empty()) {
+    const Triangle own = at_rest(element);
+    std::vector<std::uint32_t> seen = {element};  // ascending
+    met.push_back(element);
+    for (std::size_t n = 0; n < met.size(); ++n)
+      for (const std::uint32_t next : around(met[n])) {
+        const auto place = std::lower_bound(seen.begin(), seen.end(), next);
+        if (place != seen.end() && *place == next) continue;
+        seen.insert(place, next);
+        if (closest(own, at_rest(next)).squared_distance < reach * reach) met.push_back(next);
+      }
+    std::sort(met.begin(), met.end());
+  }
+  return std::binary_search(met.begin(), met.end(), other);
+}
+
 void ElementSurface::move(const VecX& x) {
   for (std::size_t i = 0; i < positions_.size(); ++i)
     positions_[i] = x.segment<3>(3 * static_cast<Eigen::Index>(i));

@@ -28,6 +28,9 @@ class ElementSurface {
   std::span<const std::uint32_t> around(std::uint32_t element) const {
     return {around_.data() + around_begin_[element], around_.data() + around_begin_[element + 1]};
   }
+  /// Whether one comes from the one to the other by elements that at rest are nearer than `reach` (m) to it.
+  /// Found when first asked for, all of one at once: not by several threads at the same time.
+  bool hang_together(std::uint32_t element, std::uint32_t other, double reach) const;
   /// Which corner, edge or face of the surface the point with these weights lies on: the same for all
   /// elements that share it. Below features().
   std::uint32_t feature(std::uint32_t element, const Vec3& weights) const;
@@ -70,6 +73,9 @@ class ElementSurface {
   std::vector<std::array<std::uint32_t, 2>> edges_;  // ascending
   std::vector<Vec3> rest_, positions_;               // by node
   std::vector<std::uint32_t> around_begin_, around_;
+  /// By element, of the last reach asked for; with itself, ascending; empty: not asked for.
+  mutable std::vector<std::vector<std::uint32_t>> together_;
+  mutable double reach_ = 0;
   SurfaceTree tree_;
 };
 

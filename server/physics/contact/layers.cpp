@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <tuple>
 
 #include "server/physics/collision/surface_pairs.h"
@@ -53,11 +54,23 @@ class Search {
     return std::pair{s.a, s.b} < std::pair{t.a, t.b};
   }
 
-  bool neighbours(std::uint32_t s, std::uint32_t t) const {
-    if (!(how_.apart_at_rest > 0)) return false;
+  enum class AtRest : std::uint8_t { far, joined, parted };
+
+  AtRest at_rest(std::uint32_t s, std::uint32_t t) const {
+    const double apart = how_.apart_at_rest;
+    if (!(apart > 0)) return AtRest::far;
     const auto around = a_.around(s);
-    return (same_ && std::binary_search(around.begin(), around.end(), t)) ||
-           closest(a_.at_rest(s), b_.at_rest(t)).squared_distance < how_.apart_at_rest * how_.apart_at_rest;
+    if (same_ && std::binary_search(around.begin(), around.end(), t)) return AtRest::joined;
+    if (!(closest(a_.at_rest(s), b_.at_rest(t)).squared_distance < apart * apart)) return AtRest::far;
+    return same_ && a_.hang_together(s, t, apart) ? AtRest::joined : AtRest::parted;
+  }
+
+  /// At which points of two elements touch; not positive: they don't meet.
+  double thickness(AtRest were, std::uint32_t s, const Vec3& weights_a, std::uint32_t t,
+                   const Vec3& weights_b) const {
+    if (were == AtRest::far) return how_.thickness;
+    const Vec3 way = at(a_.at_rest(s), weights_a) - at(b_.at_rest(t), weights_b);
+    return std::min(how_.thickness, way.norm() - how_.seam);
   }
 
   std::optional<Vec3> known(std::uint32_t s, std::uint32_t t) const {
@@ -85,44 +98,74 @@ class Search {
     const Triangle of_a = a_.now(s), of_b = b_.now(t);
     const Aabb box_a = box_around(of_a), box_b = box_around(of_b);
     if (box_a.squared_distance(box_b) > limit * limit) return;
-    if (neighbours(s, t)) return;
+    const AtRest were = at_rest(s, t);
+    if (were == AtRest::joined) return;
     if (box_a.overlaps(box_b))
       if (const TriangleCrossing crosses = crossing(of_a, of_b); crosses.count > 0)
-        return add_crossing(s, t, of_a, of_b, crosses);
-    add_near(s, t, of_a, of_b, limit);
+        return add_crossing(s, t, of_a, of_b, crosses, were);
+    add_near(s, t, of_a, of_b, limit, were);
   }
 
-  void add_near(std::uint32_t s, std::uint32_t t, const Triangle& of_a, const Triangle& of_b, double limit) {
+  void add_near(std::uint32_t s, std::uint32_t t, const Triangle& of_a, const Triangle& of_b, double limit,
+                AtRest were) {
     const TrianglePair pair = closest(of_a, of_b);
     double distance = std::sqrt(pair.squared_distance);
     if (!(distance <= limit) || !(distance > 0)) return;
+    const LayerElement own{a_, s, of_a}, other{b_, t, of_b};
+    const bool by_features = meet_by_features(own, other);
+    const double touching = thickness(were, s, pair.weights_a, t, pair.weights_b);
+    if (!(touching > 0)) {
+      if (by_features) add_features(own, other, limit, were);
+      return;
+    }
     Vec3 n = (pair.on_a - pair.on_b) / distance;
-    if (distance < how_.thickness)
+    if (distance < touching)
       if (const auto side = side_of(s, t); side && n.dot(*side) < 0) {
         n = -n;
         distance = -distance;
         ++passed;
       }
-    if (std::abs(distance) < remembered * how_.thickness) sides.push_back({s, t, n});
-    const double gap = distance - how_.thickness;
+    if (std::abs(distance) < remembered * touching) sides.push_back({s, t, n});
+    const double gap = distance - touching;
     gaps.push_back({{s, t}, gap});
-    const LayerElement own{a_, s, of_a}, other{b_, t, of_b};
-    if (distance > 0 && meet_by_features(own, other))
-      meet_features(own, other, limit, how_.thickness, meetings);
+    if (distance > 0 && by_features)
+      add_features(own, other, limit, were);
     else
       meetings.push_back({LayerMeet::nearest, s, t, pair.weights_a, pair.weights_b, n, gap});
   }
 
+  void add_features(const LayerElement& own, const LayerElement& other, double limit, AtRest were) {
+    const auto before = static_cast<std::ptrdiff_t>(meetings.size());
+    meet_features(own, other, limit, how_.thickness, meetings);
+    if (were == AtRest::far) return;
+    const auto beside = [&](LayerMeeting& m) {
+      const double touching = thickness(were, m.a, m.weights_a, m.b, m.weights_b);
+      m.gap += how_.thickness - touching;
+      return !(touching > 0);
+    };
+    meetings.erase(std::remove_if(meetings.begin() + before, meetings.end(), beside), meetings.end());
+  }
+
   /// The ends of edges that got through go back through where they came.
   void add_crossing(std::uint32_t s, std::uint32_t t, const Triangle& of_a, const Triangle& of_b,
-                    const TriangleCrossing& crosses) {
+                    const TriangleCrossing& crosses, AtRest were) {
+    const auto touching = [&](const Piercing& piercing) {
+      const Triangle& face = piercing.of_a ? of_b : of_a;
+      Vec3 along = Vec3::Zero();
+      along[piercing.edge] = 1 - piercing.along;
+      along[(piercing.edge + 1) % 3] = piercing.along;
+      const Vec3 within = closest_weights(piercing.point, face[0], face[1], face[2]);
+      return piercing.of_a ? thickness(were, s, along, t, within) : thickness(were, s, within, t, along);
+    };
+    const auto all = std::span(crosses.piercings).first(crosses.count);
+    if (std::ranges::none_of(all, [&](const Piercing& p) { return touching(p) > 0; })) return;
     ++passed;
     const std::optional<Vec3> side = side_of(s, t);
     if (!side) return;
     const Vec3 n = *side;
     sides.push_back({s, t, n});
-    for (std::size_t k = 0; k < crosses.count; ++k) {
-      const Piercing& piercing = crosses.piercings[k];
+    for (const Piercing& piercing : all) {
+      if (!(touching(piercing) > 0)) continue;
       const Triangle& edge_of = piercing.of_a ? of_a : of_b;
       const std::size_t from = piercing.edge, to = (from + 1) % 3;
       const Vec3 way = piercing.of_a ? n : Vec3(-n);  // out of the other
@@ -133,7 +176,7 @@ class Search {
                      Vec3::Unit(static_cast<Eigen::Index>(end)),
                      Vec3::Unit(static_cast<Eigen::Index>(end)),
                      n,
-                     way.dot(edge_of[end] - piercing.point) - how_.thickness};
+                     way.dot(edge_of[end] - piercing.point) - touching(piercing)};
       const Triangle& face = piercing.of_a ? of_b : of_a;
       (piercing.of_a ? m.weights_b : m.weights_a) =
           closest_weights(piercing.point, face[0], face[1], face[2]);

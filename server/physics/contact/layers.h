@@ -36,9 +36,14 @@ struct LayerSide {
 
 /// How to look.
 struct LayerSearch {
-  double thickness = 0;      // m, at which they touch: half of either's
-  double margin = 0;         // m: gaps up to it count
-  double apart_at_rest = 0;  // m: parts nearer than that at rest are neighbours, no layers; 0: of two sheets
+  double thickness = 0;  // m, at which they touch: half of either's
+  double margin = 0;     // m: gaps up to it count
+  /// m: what is nearer than that at rest, and hangs together by what is as near, are neighbours, no layers.
+  /// 0: of two sheets.
+  double apart_at_rest = 0;
+  /// m: points so near at rest that a cut parted lie beside each other, and don't meet. From there on they
+  /// touch the farther apart the farther they were at rest, up to the thickness: so no cut makes an overlap.
+  double seam = 0;
 };
 
 /// Speculative contacts: what is near gets one on the side where it is, before it can pass (cf. Bridson,
