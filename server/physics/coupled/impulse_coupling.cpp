@@ -2,8 +2,11 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <optional>
 #include <vector>
 
+#include "server/physics/coupled/held_together.h"
+#include "server/physics/coupled/lever.h"
 #include "server/physics/soft/substepper.h"
 
 namespace prosector {
@@ -17,6 +20,7 @@ struct Rigid {
   Vec3 moved = Vec3::Zero(), turned = Vec3::Zero();  // since the tick's start: m, rad
   double inverse_mass;
   Mat3 inverse_inertia;
+  std::optional<std::size_t> held;  // its place among those that are held together
 };
 
 /// One side of a contact or tie: a point and what an impulse on it does.
@@ -33,12 +37,6 @@ bool is_thin(const Side& side) {
   return side.soft && side.soft->body->anatomy().thickness > 0;
 }
 
-Mat3 cross_matrix(const Vec3& v) {
-  Mat3 m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
-
 struct Joint {
   Side a, b;
   double opening_speed = 0;      // m/s, contacts
@@ -52,6 +50,7 @@ struct Joint {
 struct Buffers {
   std::vector<Rigid> rigid;
   std::vector<Joint> contacts, ties;
+  HeldTogether held;
 };
 
 class Coupling {
@@ -61,11 +60,14 @@ class Coupling {
         tick_(tick),
         work_(work),
         rigid_(buffers.rigid),
+        held_(buffers.held),
         contacts_(buffers.contacts),
         ties_(buffers.ties) {
     rigid_.clear();
     rigid_.reserve(island.rigid.size());  // sides point into it
     for (const RigidMember& m : island.rigid) add_rigid(m);
+    held_.find(island, tick.h);
+    for (std::size_t k = 0; k < held_.members().size(); ++k) rigid_[held_.members()[k]].held = k;
     contacts_.clear();
     for (const std::size_t c : tick.contacts) {
       Contact& contact = island.contacts[c];
@@ -135,10 +137,15 @@ class Coupling {
       std::size_t m = 0;
       while (island_.rigid[m].slot != side.body) ++m;
       out.rigid = &rigid_[m];
-      const Mat3 arm = cross_matrix(side.arm);
-      out.mobility = out.rigid->inverse_mass * Mat3::Identity() - arm * out.rigid->inverse_inertia * arm;
+      out.mobility = mobility(*out.rigid, side.arm);
     }
     return out;
+  }
+
+  Mat3 mobility(const Rigid& rigid, const Vec3& arm) const {
+    if (rigid.held) return lever(arm) * held_.response(*rigid.held, *rigid.held) * lever(arm).transpose();
+    const Mat3 cross = cross_matrix(arm);
+    return rigid.inverse_mass * Mat3::Identity() - cross * rigid.inverse_inertia * cross;
   }
 
   static Vec3 weighted(const Side& side, const VecX& values) {
@@ -190,13 +197,24 @@ class Coupling {
       work_[side.member].done += gained;
     } else {
       const Vec3 before = velocity(side);
-      if (side.rigid) {
-        side.rigid->v += side.rigid->inverse_mass * impulse;
-        side.rigid->w += side.rigid->inverse_inertia * side.at->arm.cross(impulse);
-      }
+      if (side.rigid) push(*side.rigid, side.at->arm, impulse);
       gained = impulse.dot(before + velocity(side)) / 2;
     }
     return gained;
+  }
+
+  void push(Rigid& rigid, const Vec3& arm, const Vec3& impulse) const {
+    if (!rigid.held) {
+      rigid.v += rigid.inverse_mass * impulse;
+      rigid.w += rigid.inverse_inertia * arm.cross(impulse);
+      return;
+    }
+    const Vec6 pushed = lever(arm).transpose() * impulse;
+    for (std::size_t k = 0; k < held_.members().size(); ++k) {
+      const Vec6 change = held_.response(k, *rigid.held) * pushed;
+      rigid_[held_.members()[k]].v += change.head<3>();
+      rigid_[held_.members()[k]].w += change.tail<3>();
+    }
   }
 
   double push(const Joint& joint, const Vec3& impulse, double ahead) const {
@@ -298,6 +316,7 @@ class Coupling {
   std::span<SubstepWork> work_;
   double passed_ = 0;  // share of the tick when the substep ends
   std::vector<Rigid>& rigid_;
+  HeldTogether& held_;
   std::vector<Joint>&contacts_, &ties_;
 };
 

@@ -42,8 +42,9 @@ class ImpulseCoupling {
   /// move nothing: an impulse that moved single nodes would strain what they hang on, for nothing. They
   /// leave velocities that take the gap to 0 at the substep's end, without bounce, if the bodies then do by
   /// themselves what they did in the last one: what rests neither sinks nor creeps. Overlaps open at
-  /// those speeds at most. Ties act after it, as if from its start. A held hand's pull counts as
-  /// inertia k·h². Contact forces are means over the tick. `work`: by soft member.
+  /// those speeds at most. Ties act after it, as if from its start. A hand's pull counts as
+  /// inertia k·h², and so do the ties of what it holds. Contact forces are means over the tick. `work`: by
+  /// soft member.
   void run(Island& island, const SubstepTick& tick, std::span<SubstepWork> work);
 
  private:

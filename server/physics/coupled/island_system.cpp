@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "server/physics/coupled/lever.h"
 #include "server/physics/coupled/potentials.h"
 #include "server/physics/hands/pad.h"
 #include "server/physics/parallel.h"
@@ -14,19 +15,6 @@ constexpr std::size_t nodes_per_chunk = 512;
 // that they allow, and (m/s) what that gives the body.
 constexpr double unsettled_normal = 0.1, unsettled_friction = 0.05, unsettled_speed = 1e-3;
 constexpr double stick_speed = 5e-4;  // m/s: what has no slip to remember sticks below it
-
-Mat3 cross_matrix(const Vec3& v) {
-  Mat3 m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
-
-/// The displacement of a point at `arm` as a map of its body's twist.
-Eigen::Matrix<double, 3, 6> lever(const Vec3& arm) {
-  Eigen::Matrix<double, 3, 6> J;
-  J << Mat3::Identity(), -cross_matrix(arm);
-  return J;
-}
 
 Mat6 inertia_block(const RigidMember& body, double h) {
   Mat6 m = Mat6::Zero();
@@ -339,7 +327,7 @@ void IslandSystem::add_block(const Side& side, const Mat3& D) {
   for (std::size_t k = 0; k < side.nodes; ++k)
     node_blocks_[static_cast<std::size_t>(side.offset[k] / 3)] += side.weight[k] * side.weight[k] * D;
   if (side.rigid >= 0) {
-    const Eigen::Matrix<double, 3, 6> J = lever(side.arm);
+    const Mat36 J = lever(side.arm);
     rigid_sums_[rigid_member(side)] += J.transpose() * D * J;
   }
 }
