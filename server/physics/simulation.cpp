@@ -38,6 +38,7 @@ Simulation::Impl::Impl(const SceneDesc& scene, const CompileOptions& options)
     fit_to_mesh(i, detector(*model.soft[i]), {});
     faces_of(i);  // refuses surfaces that can't be
   }
+  arena.execute([&] { make_organs_ready(); });
   for (BodyId body = 0; body < parts.size(); ++body)
     if (is_part(body) && !panels) panels.emplace(model.h);
   arena.execute([&] { settle(options); });

@@ -35,17 +35,45 @@ void Simulation::Impl::carry_beside_sheet(BladeStroke& stroke, const Blade& blad
   for (std::size_t k = 0; k < from.size(); ++k) stroke.edge[k].room += from[k] - blade.cut_to[first + k];
 }
 
+bool Simulation::Impl::can_cut(std::size_t body, bool with_ray) const {
+  const MeshKind kind = mesh_kind(model.soft[body]->anatomy());
+  return kind != MeshKind::rope && (!with_ray || kind == MeshKind::sheet) &&
+         model.soft_collision[body].fidelity != Fidelity::none;
+}
+
+/// With the scene, so that no tick waits for it.
+void Simulation::Impl::make_organs_ready() {
+  for (std::size_t body = 0; body < model.soft.size(); ++body) {
+    const bool is_cut = std::any_of(blade_shapes.begin(), blade_shapes.end(), [&](const BladeShape& blade) {
+      return std::any_of(blade.edges.begin(), blade.edges.end(),
+                         [&](const BladeShape::Edge& edge) { return can_cut(body, edge.ray); });
+    });
+    if (!is_cut) continue;
+    const SoftBody& soft_body = *model.soft[body];
+    try {
+      uncut_organs.try_emplace(body, body, soft_body.anatomy(), soft_body.desc().density,
+                               held_nodes_of(body));
+    } catch (const InputError&) {  // can't be cut: said when a blade comes to it
+    }
+  }
+}
+
+/// Throws InputError for a mesh that can't be cut.
+Organ& Simulation::Impl::organ_of(std::size_t body) {
+  if (const auto cut = organs.find(body); cut != organs.end()) return cut->second;
+  if (auto ready = uncut_organs.extract(body)) return organs.insert(std::move(ready)).position->second;
+  const SoftBody& soft_body = *model.soft[body];
+  return organs.try_emplace(body, body, soft_body.anatomy(), soft_body.desc().density, held_nodes_of(body))
+      .first->second;
+}
+
 /// Takes an edge of a blade on, through whatever tissue there is.
 void Simulation::Impl::cut_tissue(Blade& blade, std::size_t edge, std::span<const Vec3> from,
                                   std::span<const Vec3> to) {
   const Aabb swept = swept_box(from, to);
   const bool ray = blade_shapes[blade.slot].edges[edge].ray;
   for (std::size_t first = 0; first < model.scene.soft.size(); ++first) {
-    const Anatomy& anatomy = model.soft[first]->anatomy();
-    const MeshKind kind = mesh_kind(anatomy);
-    if (kind == MeshKind::rope || (ray && kind != MeshKind::sheet) ||
-        model.soft_collision[first].fidelity == Fidelity::none)
-      continue;
+    if (!can_cut(first, ray)) continue;
     const auto cut_before = organs.find(first);
     const auto reaches = [&](std::size_t body) {
       return !parts[soft_id(body)].out_of_touch() && outer_box(body).overlaps(swept);
@@ -71,9 +99,7 @@ void Simulation::Impl::cut_tissue(Blade& blade, std::size_t edge, std::span<cons
 /// Throws InputError, and changes nothing, where that can't be.
 void Simulation::Impl::cut_organ(Blade& blade, std::size_t edge, std::size_t first,
                                  std::span<const Vec3> from, std::span<const Vec3> to) {
-  const SoftBody& body = *model.soft[first];
-  Organ& organ = organs.try_emplace(first, first, body.anatomy(), body.desc().density, held_nodes_of(first))
-                     .first->second;
+  Organ& organ = organ_of(first);
   const auto [stroke, begins] = blade.strokes.try_emplace({first, edge});
   if (begins)
     stroke->second = begin_stroke(from);

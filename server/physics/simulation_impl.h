@@ -74,6 +74,8 @@ struct Simulation::Impl : PanelSubjects {
   Model model;
   std::vector<VecX> equilibrium;        // per soft body: node positions at rest under gravity
   std::vector<VecX> uncut_equilibrium;  // likewise, of the scene's bodies as they were compiled
+  /// What a first cut asks of its organ's mesh, until one is made, by soft body: of scenes with a blade.
+  std::map<std::size_t, Organ> uncut_organs;
 
   // ---- State
   SimTime time;
@@ -229,6 +231,9 @@ struct Simulation::Impl : PanelSubjects {
   bool stop_at_sheets(const Blade& blade, std::span<const Vec3> from, std::span<Vec3> to) const;
   std::vector<std::uint8_t> held_nodes_of(std::size_t body) const;
   void cut_tissue(Blade& blade, std::size_t edge, std::span<const Vec3> from, std::span<const Vec3> to);
+  bool can_cut(std::size_t body, bool with_ray) const;
+  void make_organs_ready();
+  Organ& organ_of(std::size_t body);
   void cut_organ(Blade& blade, std::size_t edge, std::size_t first, std::span<const Vec3> from,
                  std::span<const Vec3> to);
   void carry_beside_sheet(BladeStroke& stroke, const Blade& blade, std::size_t edge,

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "common/anatomy/implicit.h"
+#include "common/anatomy/isosurface.h"
 #include "common/anatomy/kuhn_box.h"
 #include "common/anatomy/stuffing.h"
 
@@ -14,6 +15,12 @@ TetMesh box_mesh(std::uint32_t cells) {
 
 TetMesh ball_mesh(double cell) {
   TetMesh mesh = stuff_solid(implicit_shape("ball", Vec3::Constant(mesh_size)), cell);
+  for (Vec3& x : mesh.positions) x += Vec3::Constant(mesh_size / 2);
+  return mesh;
+}
+
+TriangleMesh surface_of(const char* shape, double cell) {
+  TriangleMesh mesh = isosurface(implicit_shape(shape, Vec3::Constant(mesh_size)), cell);
   for (Vec3& x : mesh.positions) x += Vec3::Constant(mesh_size / 2);
   return mesh;
 }
@@ -39,7 +46,11 @@ TetMesh shaken_box(std::uint32_t cells) {
 }
 
 std::vector<NamedMesh> meshes_to_cut() {
-  return {{"box", box_mesh(4)}, {"ball", ball_mesh(0.016)}, {"tet", single_tet()}, {"shaken", shaken_box(4)}};
+  return {{"box", box_mesh(4)},
+          {"ball", ball_mesh(0.016)},
+          {"round_ball", ball_mesh(0.016), surface_of("ball", 0.008)},
+          {"tet", single_tet()},
+          {"shaken", shaken_box(4)}};
 }
 
 }  // namespace prosector

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "common/anatomy/embedding.h"
 #include "server/physics/byte_stream.h"
 #include "server/physics/collision/triangle_surface.h"
 #include "server/physics/contact/surface_detector.h"
@@ -169,6 +170,7 @@ struct Rung {
   const char *name, *model, *solver;
   bool regions = false, damped = false, relaxes = false;
   double stiffness = 1;  // times as stiff as described, since it was made
+  bool round = false;    // with a surface finer than its tetrahedra, rounded
 };
 
 class FollowingRungs : public ::testing::TestWithParam<Rung> {};
@@ -188,7 +190,8 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
     region.youngs_modulus = 5 * desc.youngs_modulus;
   }
   if (rung.relaxes) desc.relaxation = {{0.3, 0.5}, {0.2, 5}};
-  const Anatomy mesh = {shaken_box(4), {}, {}};
+  const Anatomy mesh =
+      rung.round ? embed(shaken_box(4), surface_of("block", 0.01)).anatomy : Anatomy{shaken_box(4), {}, {}};
   Organ organ(0, mesh, desc.density);
   const auto made_anew = [&](std::size_t body) {
     Hung out;
@@ -320,6 +323,8 @@ INSTANTIATE_TEST_SUITE_P(Rungs, FollowingRungs,
                                            Rung{"regions", "fem_corotational", "cg", true, false, false, 3},
                                            Rung{"neo_hookean", "fem_neo_hookean", "cg", true, true},
                                            Rung{"relaxing", "fem_corotational", "cg", false, false, true},
+                                           Rung{"round", "fem_corotational", "cg", false, false, false, 1,
+                                                true},
                                            Rung{"direct", "fem_corotational", "direct"},
                                            Rung{"multigrid", "fem_corotational", "multigrid", false, true}),
                          [](const auto& info) { return std::string(info.param.name); });

@@ -8,17 +8,43 @@ namespace {
 
 constexpr std::uint32_t none = UINT32_MAX;
 
-/// The boundary face met on the way round a–b through the tetrahedra, from face k of `tet`: 4·tet + face.
-std::uint64_t face_across(const TetComplex& complex, TetId tet, std::size_t k, NodeId a, NodeId b) {
+constexpr double most_shift = 2;  // of a weight, by the offset that the shape asks for
+
+/// Of the tetrahedra met on the way round a–b from boundary face k of `tet` to the next the largest; of
+/// equals the first. The same from there.
+TetId largest_around(const TetComplex& complex, TetId tet, std::size_t k, const std::array<NodeId, 2>& edge) {
+  TetId largest = tet;
   for (;;) {
+    if (complex.volume(tet) > complex.volume(largest) ||
+        (complex.volume(tet) == complex.volume(largest) && tet < largest))
+      largest = tet;
     const auto& c = complex.corners(tet);
     std::size_t other = 0;
-    while (other == k || c[other] == a || c[other] == b) ++other;
+    while (other == k || c[other] == edge[0] || c[other] == edge[1]) ++other;
     const TetId next = complex.neighbor(tet, other);
-    if (next == TetComplex::none) return 4ull * tet + other;
+    if (next == TetComplex::none) return largest;
     for (k = 0; complex.neighbor(next, k) != tet;) ++k;
     tet = next;
   }
+}
+
+TetId largest_at(const TetComplex& complex, NodeId node) {
+  TetId largest = complex.star(node).front();
+  for (const TetId tet : complex.star(node))
+    if (complex.volume(tet) > complex.volume(largest)) largest = tet;
+  return largest;
+}
+
+/// By how much weights of a tetrahedron's corners change along the offset.
+std::array<double, 4> shift_of(const TetComplex& complex, TetId tet, const Vec3& offset) {
+  const auto c = complex.corners(tet);
+  Mat3 edges;
+  for (int k = 0; k < 3; ++k)
+    edges.col(k) = complex.rest(c[static_cast<std::size_t>(k) + 1]) - complex.rest(c[0]);
+  const Vec3 w = edges.inverse() * offset;
+  const Eigen::Vector4d all(-w.sum(), w[0], w[1], w[2]);
+  const double most = all.cwiseAbs().maxCoeff(), keep = most > most_shift ? most_shift / most : 1;
+  return {keep * all[0], keep * all[1], keep * all[2], keep * all[3]};
 }
 
 void add_boundary(const TetComplex& complex, TetId tet, std::vector<std::array<std::uint32_t, 2>>& faces) {
@@ -41,7 +67,8 @@ std::vector<TetId> stars(const TetComplex& complex, std::span<const NodeId> node
 
 }  // namespace
 
-Skin::Skin(const TetComplex& complex) {
+Skin::Skin(const TetComplex& complex, std::shared_ptr<const OuterShape> shape) : shape_(std::move(shape)) {
+  if (shape_ && shape_->is_boundary()) shape_ = nullptr;
   update(complex);
 }
 
@@ -50,6 +77,12 @@ Skin::Change Skin::begin(const TetComplex& complex) {
   change.first_vertex = static_cast<std::uint32_t>(vertices_.size());
   slot_of_.resize(16 * complex.tet_end(), none);
   vertex_of_.resize(complex.node_end(), none);
+  found_.resize(complex.node_end(), 0);
+  newest_.resize(complex.node_end(), none);
+  if (shape_) {
+    place_.resize(complex.node_end());
+    placed_.resize(complex.node_end(), 0);
+  }
   ++now_;
   return change;
 }
@@ -95,9 +128,10 @@ Skin::Change Skin::follow(const TetComplex& complex, std::span<const TetId> touc
   return change;
 }
 
-/// Boundary faces that may have become others: of what was touched, and of what has an edge in common with
-/// it, since an edge's faces share their middles. Ascending.
-std::vector<Skin::Face> Skin::faces_near(const TetComplex& complex, std::span<const TetId> touched) const {
+/// Boundary faces that may have become others: of what was touched, of what has an edge in common with it,
+/// since an edge's faces share their middles, and of what has a node in common that hangs on a tetrahedron.
+/// Ascending.
+std::vector<Skin::Face> Skin::faces_near(const TetComplex& complex, std::span<const TetId> touched) {
   std::vector<NodeId> corners;
   std::vector<std::uint8_t> is_corner(complex.node_end(), 0);
   for (const TetId t : touched)
@@ -110,7 +144,12 @@ std::vector<Skin::Face> Skin::faces_near(const TetComplex& complex, std::span<co
   for (const TetId t : stars(complex, corners)) add_boundary(complex, t, faces);
   std::erase_if(faces, [&](const Face& face) {
     int common = 0;
-    for (const std::size_t i : TetComplex::face[face[1]]) common += is_corner[complex.corners(face[0])[i]];
+    for (const std::size_t i : TetComplex::face[face[1]]) {
+      const NodeId node = complex.corners(face[0])[i];
+      if (is_corner[node] == 0) continue;
+      if (shape_ && place(complex, node).nodes > 0) return false;
+      ++common;
+    }
     return common < 2;
   });
   return faces;
@@ -145,23 +184,63 @@ void Skin::find_double_edges(const TetComplex& complex, std::span<const Face> fa
   }
 }
 
-std::uint32_t Skin::corner(NodeId node) {
-  std::uint32_t& slot = vertex_of_[node];
-  if (slot == none) {
-    slot = static_cast<std::uint32_t>(vertices_.size());
-    vertices_.push_back({{node, node}});
-  }
-  return slot;
+/// Ids only grow, and what a cut puts a node between it puts there again.
+const OuterShape::Place& Skin::place(const TetComplex& complex, NodeId node) {
+  if (std::exchange(placed_[node], std::uint8_t{1}) != 0) return place_[node];
+  const TetComplex::Origin& from = complex.origin(node);
+  if (from.a == node)
+    place_[node] = shape_->place(node);
+  else if (from.a == from.b)
+    place_[node] = place(complex, from.a);
+  else
+    place_[node] = shape_->between(place(complex, from.a), place(complex, from.b), from.t);
+  return place_[node];
 }
 
-// A pair of faces is named by the lower of the two.
+/// Of a node, or an edge's middle.
+Vec3 Skin::offset(const TetComplex& complex, const Edge& edge) {
+  if (!shape_) return Vec3::Zero();
+  const OuterShape::Place &a = place(complex, edge[0]), &b = place(complex, edge[1]);
+  if (edge[0] == edge[1]) return shape_->offset(a);
+  const OuterShape::Place half = shape_->between(a, b, 0.5);
+  if (half.nodes == 0) return (shape_->offset(a) + shape_->offset(b)) / 2;  // through the inside
+  return shape_->offset(half);
+}
+
+bool Skin::has_middle(const TetComplex& complex, const Edge& edge) {
+  if (shape_ && shape_->has_middle(place(complex, edge[0]), place(complex, edge[1]))) return true;
+  return std::binary_search(double_edges_.begin(), double_edges_.end(), edge);
+}
+
+std::uint32_t Skin::corner(const TetComplex& complex, NodeId node) {
+  if (std::exchange(found_[node], now_) == now_) return vertex_of_[node];
+  const bool is_off = shape_ && !shape_->offset(place(complex, node)).isZero(0);
+  return vertex_of_[node] =
+             vertex(complex, {node, node}, is_off ? largest_at(complex, node) : TetComplex::none);
+}
+
+/// An edge's pairs of faces each have one of their own.
 std::uint32_t Skin::middle(const TetComplex& complex, TetId tet, std::size_t k, const Edge& edge) {
-  const std::uint64_t face =
-      std::min<std::uint64_t>(4ull * tet + k, face_across(complex, tet, k, edge[0], edge[1]));
-  const auto [it, fresh] =
-      middle_of_.try_emplace({face, edge[0], edge[1]}, static_cast<std::uint32_t>(vertices_.size()));
-  if (fresh) vertices_.push_back({edge});
-  return it->second;
+  return vertex(complex, edge, largest_around(complex, tet, k, edge));
+}
+
+std::uint32_t Skin::vertex(const TetComplex& complex, const Edge& edge, TetId carrier) {
+  Name name{edge, {none, none, none, none}};
+  if (carrier != TetComplex::none) std::ranges::copy(complex.corners(carrier), name.carrier.begin());
+  for (std::uint32_t slot = newest_[edge[0]]; slot != none; slot = next_[slot])
+    if (name_[slot] == name) return slot;
+  Vertex made{{edge[0]}, {1}};
+  if (carrier != TetComplex::none) {
+    const Vec3 off = offset(complex, edge);
+    made.node = name.carrier;
+    made.weight = off.isZero(0) ? std::array<double, 4>{} : shift_of(complex, carrier, off);
+    for (const NodeId end : edge) made.weight[complex.corner_index(carrier, end)] += 0.5;
+  }
+  const auto slot = static_cast<std::uint32_t>(vertices_.size());
+  vertices_.push_back(made);
+  name_.push_back(name);
+  next_.push_back(std::exchange(newest_[edge[0]], slot));
+  return slot;
 }
 
 void Skin::set(std::uint64_t key, const Triangle& triangle, Change& change) {
@@ -185,9 +264,9 @@ void Skin::put_face(const TetComplex& complex, TetId tet, std::size_t k, Change&
     const NodeId a = complex.corners(tet)[TetComplex::face[k][i]];
     const NodeId b = complex.corners(tet)[TetComplex::face[k][(i + 1) % 3]];
     const Edge edge = {std::min(a, b), std::max(a, b)};
-    c[i] = corner(a);
+    c[i] = corner(complex, a);
     m[i] = none;
-    if (!std::binary_search(double_edges_.begin(), double_edges_.end(), edge)) continue;
+    if (!has_middle(complex, edge)) continue;
     m[i] = middle(complex, tet, k, edge);
     ++middles;
     last = i;

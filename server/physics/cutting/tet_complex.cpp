@@ -49,6 +49,7 @@ TetComplex TetComplex::of_sheet(const Anatomy& sheet, double density, std::vecto
 
 void TetComplex::finish() {
   std::fill(node_live_.begin(), node_live_.end(), std::uint8_t{1});
+  for (NodeId node = 0; node < rest_.size(); ++node) origin_[node] = {node, node, 0};
   live_nodes_ = rest_.size();
   live_tets_ = tet_.size();
   std::vector<std::size_t> around(rest_.size(), 0);
@@ -135,6 +136,7 @@ void TetComplex::grow_nodes(std::size_t end) {
   rest_.resize(end, Vec3::Zero());
   mass_.resize(end, 0.0);
   held_.resize(end, 0);
+  origin_.resize(end);
   node_live_.resize(end, 0);
   star_.resize(end);
 }

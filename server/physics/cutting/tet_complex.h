@@ -54,6 +54,12 @@ class TetComplex {
   /// becomes takes that one's, the second gets one of its own. Of live ones no two have the same, and a cut
   /// leaves each where it is.
   TetId place(TetId tet) const { return tet_[tet].place; }
+  /// Where a cut put the node: at a + t·(b − a); a copy of a where that is b; of the compiled mesh itself.
+  struct Origin {
+    NodeId a = none, b = none;
+    double t = 0;
+  };
+  const Origin& origin(NodeId node) const { return origin_[node]; }
   bool has_corner(TetId tet, NodeId node) const;
   std::size_t corner_index(TetId tet, NodeId node) const;  // 4: has none
   /// Tetrahedra with both nodes, ascending.
@@ -128,6 +134,7 @@ class TetComplex {
   std::vector<Vec3> rest_;
   std::vector<double> mass_;
   std::vector<std::uint8_t> held_;  // by node
+  std::vector<Origin> origin_;      // by node, gone ones too
   std::vector<Shared> shared_;      // by node, of sheets
   std::vector<std::uint8_t> node_live_;
   std::vector<std::vector<TetId>> star_;

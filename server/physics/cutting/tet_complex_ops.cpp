@@ -39,6 +39,7 @@ void TetComplex::change(const SplitEdge& op) {
   grow_nodes(op.node + 1u);
   grow_tets(op.first + 2u * op.count);
   rest_[op.node] = middle;
+  origin_[op.node] = {op.a, op.b, op.t};
   node_live_[op.node] = 1;
   ++live_nodes_;
   live_tets_ += op.count;
@@ -174,6 +175,7 @@ void TetComplex::change(const PartNode& op) {
   grow_nodes(op.copies.back().node + 1u);
   for (const auto& copy : op.copies) {
     rest_[copy.node] = rest_[op.node];
+    origin_[copy.node] = {op.node, op.node, 0};
     node_live_[copy.node] = 1;
     ++live_nodes_;
     for (const TetId t : copy.tets) {

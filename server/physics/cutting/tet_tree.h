@@ -12,6 +12,8 @@ namespace prosector {
 
 class TetTree {
  public:
+  TetTree() = default;  // found with the first update
+  explicit TetTree(const TetComplex& complex) { build(complex); }
   /// Takes in what was split since, and where what may touch the box is. `positions`: m, by node id.
   void update(const TetComplex& complex, std::span<const Vec3> positions, const Vec3& low, const Vec3& high);
   // ---- Of what lies in the last update's box

@@ -35,7 +35,8 @@ Organ::Organ(std::size_t body, const Anatomy& anatomy, double density, std::vect
     : whole_(without_edge_nodes(anatomy)),
       held_(std::move(held)),
       complex_(uncut(density)),
-      skin_(complex_),
+      skin_(complex_, std::make_shared<const OuterShape>(complex_, whole_.surface)),
+      tree_(complex_),
       owner_(complex_.tet_end(), body) {
   pieces_.push_back({body, piece_mesh(complex_, complex_.tet_ids())});
 }

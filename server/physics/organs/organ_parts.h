@@ -44,12 +44,13 @@ struct HungVertex {
 };
 template <class F>
 HungVertex hang(const TetComplex& complex, const Skin::Vertex& vertex, const F& index_of) {
-  const auto [a, b] = vertex.node;
-  const bool one = a == b;
   HungVertex out;
-  out.row.node = {index_of(a), one ? 0 : index_of(b), 0, 0};
-  out.row.weight = {one ? 1 : 0.5, one ? 0 : 0.5, 0, 0};
-  out.rest = one ? complex.rest(a) : Vec3((complex.rest(a) + complex.rest(b)) / 2);
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (vertex.weight[k] == 0) continue;
+    out.row.node[k] = index_of(vertex.node[k]);
+    out.row.weight[k] = vertex.weight[k];
+    out.rest += vertex.weight[k] * complex.rest(vertex.node[k]);
+  }
   return out;
 }
 

@@ -1,0 +1,229 @@
+// The shape from the surface that a body has while it is whole.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "server/physics/collision/surface_tree.h"
+#include "server/physics/cutting/outer_shape.h"
+#include "server/physics/parallel.h"
+
+namespace prosector {
+namespace {
+
+constexpr double farthest = 0.5;  // of an edge's length, from the boundary
+constexpr double finer = 1.4;     // than the boundary a surface is whose edges' middles are worth drawing
+constexpr double near_enough = 25e-6;  // m: what is nearer to where it is without the shape stays there
+constexpr double least_cosine = 0.3;   // between a drawn triangle and the face that it is a part of
+constexpr double least_share = 0.2;    // of a drawn triangle in its share of the face, by area
+constexpr double beside = 1e-9;        // of a triangle: a line through an edge hits it
+constexpr int halvings = 12;           // after which what is still bad stays at the boundary
+constexpr std::size_t rays_per_chunk = 256;
+
+/// Where the line x + s·direction goes through the triangle, |s| ≤ 1 (Möller and Trumbore 1997).
+std::optional<double> hit(const Vec3& x, const Vec3& direction, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, p = direction.cross(ac);
+  const double det = ab.dot(p);
+  if (!(det < 0)) return std::nullopt;  // its outside towards where the direction points
+  const Vec3 from = x - a, q = from.cross(ab);
+  const double u = from.dot(p) / det, v = direction.dot(q) / det, s = ac.dot(q) / det;
+  if (u < -beside || v < -beside || u + v > 1 + beside || !(std::abs(s) <= 1)) return std::nullopt;
+  return s;
+}
+
+double mean_edge(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (const auto& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i) sum += (mesh.positions[t[(i + 1) % 3]] - mesh.positions[t[i]]).norm();
+  return sum / (3 * static_cast<double>(mesh.triangles.size()));
+}
+
+}  // namespace
+
+/// In the making.
+class OuterShape::Fit {
+ public:
+  Fit(const TetComplex& complex, const TriangleMesh& surface)
+      : complex_(complex), surface_(surface), tree_(surface.triangles, surface.positions) {}
+
+  void find(OuterShape& out) {
+    find_boundary(out);
+    const std::size_t nodes = complex_.node_end();
+    to_surface_.assign(nodes + edge_.size(), Vec3::Zero());
+    parallel_chunks(to_surface_.size(), rays_per_chunk,
+                    [&](std::size_t first, std::size_t last, std::size_t) {
+                      for (std::size_t i = first; i < last; ++i)
+                        if (reach_[i] > 0) to_surface_[i] = offset_at(place_[i], normal_[i], reach_[i]);
+                    });
+    for (std::size_t i = 0; i < nodes; ++i)
+      if (to_surface_[i].norm() <= near_enough) to_surface_[i].setZero();
+    for (std::size_t i = 0; i < edge_.size(); ++i)  // beside which there is no surface
+      if (to_surface_[nodes + i].isZero(0))
+        to_surface_[nodes + i] = (to_surface_[edge_[i].low] + to_surface_[edge_[i].high]) / 2;
+    draw_in();
+    bool any = std::any_of(to_surface_.begin(), to_surface_.begin() + static_cast<std::ptrdiff_t>(nodes),
+                           [](const Vec3& offset) { return !offset.isZero(0); });
+    out.offset_.assign(to_surface_.begin(), to_surface_.begin() + static_cast<std::ptrdiff_t>(nodes));
+    const double fine = mean_edge(surface_);
+    for (std::size_t i = 0; i < edge_.size(); ++i) {
+      Edge& edge = out.edges_[i];
+      edge.sag = to_surface_[nodes + i] - (to_surface_[edge_[i].low] + to_surface_[edge_[i].high]) / 2;
+      const double length = reach_[nodes + i] / farthest;
+      edge.middle = edge.sag.norm() > (length > finer * fine ? near_enough : chord_error);
+      if (!edge.middle) edge.sag.setZero();
+      any |= edge.middle;
+    }
+    if (!any) out = {};
+  }
+
+ private:
+  struct Side {
+    NodeId low, high, beyond;
+    std::uint32_t face, corner;  // from this corner to the next
+  };
+  struct Face {
+    std::array<NodeId, 3> node;
+    std::array<std::uint32_t, 3> edge;  // from each corner to the next
+  };
+
+  void find_boundary(OuterShape& out) {
+    std::vector<Side> sides;
+    for (const TetId t : complex_.tet_ids())
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (complex_.neighbor(t, k) != TetComplex::none) continue;
+        Face face{};
+        for (std::size_t i = 0; i < 3; ++i) face.node[i] = complex_.corners(t)[TetComplex::face[k][i]];
+        for (std::uint32_t i = 0; i < 3; ++i) {
+          const auto [low, high] = std::minmax(face.node[i], face.node[(i + 1) % 3]);
+          sides.push_back({low, high, face.node[(i + 2) % 3], static_cast<std::uint32_t>(face_.size()), i});
+        }
+        face_.push_back(face);
+      }
+    std::stable_sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+      return std::pair(a.low, a.high) < std::pair(b.low, b.high);
+    });
+    const std::size_t nodes = complex_.node_end();
+    out.begin_.assign(nodes + 1, 0);
+    out.outer_.assign(nodes, 0);
+    for (const Side& side : sides) {
+      if (edge_.empty() || edge_.back().low != side.low || edge_.back().high != side.high) {
+        edge_.push_back(side);
+        out.edges_.push_back({side.high, {side.beyond, side.beyond}, Vec3::Zero(), false});
+        ++out.begin_[side.low + 1u];
+      }
+      out.edges_.back().beyond[1] = side.beyond;
+      face_[side.face].edge[side.corner] = static_cast<std::uint32_t>(edge_.size() - 1);
+      out.outer_[side.low] = out.outer_[side.high] = 1;
+    }
+    for (std::size_t i = 0; i < nodes; ++i) out.begin_[i + 1] += out.begin_[i];
+    find_rays();
+  }
+
+  /// From nodes along the mean of their faces' normals by area, from middles along that of their two.
+  void find_rays() {
+    const std::size_t nodes = complex_.node_end();
+    place_.resize(nodes + edge_.size());
+    normal_.assign(place_.size(), Vec3::Zero());
+    reach_.assign(place_.size(), 0.0);
+    for (const Face& face : face_) {
+      const Vec3 &a = complex_.rest(face.node[0]), &b = complex_.rest(face.node[1]),
+                 &c = complex_.rest(face.node[2]);
+      const Vec3 normal = (b - a).cross(c - a);
+      for (std::size_t i = 0; i < 3; ++i) {
+        normal_[face.node[i]] += normal;
+        normal_[nodes + face.edge[i]] += normal;
+      }
+    }
+    for (Vec3& normal : normal_) normal.normalize();  // zero: inside, or of no direction
+    std::vector<int> ends(nodes, 0);
+    for (std::size_t i = 0; i < edge_.size(); ++i) {
+      const auto [low, high] = std::array{edge_[i].low, edge_[i].high};
+      const double length = (complex_.rest(high) - complex_.rest(low)).norm();
+      place_[nodes + i] = (complex_.rest(low) + complex_.rest(high)) / 2;
+      reach_[nodes + i] = farthest * length;
+      for (const NodeId end : {low, high}) {
+        place_[end] = complex_.rest(end);
+        reach_[end] += farthest * length;
+        ++ends[end];
+      }
+    }
+    for (std::size_t i = 0; i < nodes; ++i)
+      if (ends[i] > 0) reach_[i] /= ends[i];
+  }
+
+  /// To the nearest of what the ray meets; none: zero.
+  Vec3 offset_at(const Vec3& x, const Vec3& normal, double reach) const {
+    const Vec3 direction = reach * normal;
+    Aabb box;
+    box.add(x - direction);
+    box.add(x + direction);
+    double nearest = 2;
+    tree_.visit([&](const Aabb& other) { return box.overlaps(other); },
+                [&](const SurfaceTree::Node& leaf) {
+                  for (std::uint32_t k = leaf.begin; k < leaf.end; ++k) {
+                    const auto& t = surface_.triangles[tree_.order()[k]];
+                    const auto s = hit(x, direction, surface_.positions[t[0]], surface_.positions[t[1]],
+                                       surface_.positions[t[2]]);
+                    if (s && std::abs(*s) < std::abs(nearest)) nearest = *s;
+                  }
+                });
+    return nearest > 1 ? Vec3::Zero() : Vec3(nearest * direction);
+  }
+
+  /// Halves offsets until no drawn triangle is turned over, or nearly so, or shrunk.
+  void draw_in() {
+    std::vector<std::uint8_t> bad(to_surface_.size());
+    for (int round = 0;; ++round) {
+      std::fill(bad.begin(), bad.end(), std::uint8_t{0});
+      bool any = false;
+      for (const Face& face : face_) {
+        if (is_good(face)) continue;
+        any = true;
+        for (std::size_t i = 0; i < 3; ++i) bad[face.node[i]] = bad[complex_.node_end() + face.edge[i]] = 1;
+      }
+      if (!any) return;
+      for (std::size_t i = 0; i < bad.size(); ++i)
+        if (bad[i] != 0) to_surface_[i] *= round < halvings ? 0.5 : 0;
+    }
+  }
+
+  bool is_good(const Face& face) const {
+    std::array<Vec3, 3> corner, middle, drawn, drawn_middle;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t m = complex_.node_end() + face.edge[i];
+      corner[i] = place_[face.node[i]];
+      drawn[i] = corner[i] + to_surface_[face.node[i]];
+      middle[i] = place_[m];
+      drawn_middle[i] = middle[i] + to_surface_[m];
+    }
+    const Vec3 whole = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+    const auto good = [&](const Vec3& a, const Vec3& b, const Vec3& c, double share) {
+      const Vec3 normal = (b - a).cross(c - a);
+      return normal.dot(whole) >= least_cosine * normal.norm() * whole.norm() &&
+             normal.norm() >= least_share * share * whole.norm();
+    };
+    bool all = good(drawn[0], drawn[1], drawn[2], 1) &&
+               good(drawn_middle[0], drawn_middle[1], drawn_middle[2], 0.25);
+    for (std::size_t i = 0; i < 3; ++i)
+      all = all && good(drawn_middle[(i + 2) % 3], drawn[i], drawn_middle[i], 0.25);
+    return all;
+  }
+
+  const TetComplex& complex_;
+  const TriangleMesh& surface_;
+  SurfaceTree tree_;
+  std::vector<Face> face_;
+  std::vector<Side> edge_;  // one of its sides; ascending
+  // Of nodes, then of edges' middles: at rest, m; direction; how far the ray goes, 0: inside; what came of
+  // it.
+  std::vector<Vec3> place_, normal_;
+  std::vector<double> reach_;
+  std::vector<Vec3> to_surface_;
+};
+
+OuterShape::OuterShape(const TetComplex& uncut, const TriangleMesh& surface) {
+  if (uncut.is_sheet() || surface.triangles.empty()) return;
+  Fit(uncut, surface).find(*this);
+}
+
+}  // namespace prosector
