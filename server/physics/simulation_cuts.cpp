@@ -1,8 +1,6 @@
-// Last phase: what blades cut, and what is undone. Pieces that come free become bodies.
+// Last phase: what blades cut, and what is undone.
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <exception>
@@ -10,9 +8,6 @@
 
 #include "common/error.h"
 #include "server/physics/cutting/carry.h"
-#include "server/physics/organs/momentum.h"
-#include "server/physics/organs/sheet_parts.h"
-#include "server/physics/organs/tet_lineage.h"
 #include "server/physics/simulation_impl.h"
 #include "server/physics/soft/rungs.h"
 
@@ -137,191 +132,8 @@ void Simulation::Impl::obey(const CutEvent& event) {
     answer = carry_through(last->pieces().front().body, before, TopologyCause::undo, event.participant);
 }
 
-/// The solver of a piece: named after the organ, and of its material.
-std::unique_ptr<SoftBody> Simulation::Impl::make_piece(const Organ& organ, std::size_t body,
-                                                       Numbering& numbering) const {
-  const std::size_t first = organ.pieces().front().body;
-  SoftDesc desc = model.soft[first]->desc();
-  if (body != first) desc.name = fmt::format("{} piece {}", desc.name, body - model.scene.soft.size() + 1);
-  return std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(body), numbering));
-}
-
-/// Puts a solver in the place of the body's, or at the end, where the body is new; none: it has followed.
-void Simulation::Impl::place_piece(std::size_t body, std::size_t first, std::unique_ptr<SoftBody> solver,
-                                   Numbering numbering, SurfaceDetector surface) {
-  if (body == model.soft.size()) {
-    model.soft.push_back(std::move(solver));
-    model.soft_collision.push_back(model.soft_collision[first]);
-    soft.emplace_back();
-    equilibrium.emplace_back();
-    parts.push_back(parts[soft_id(first)]);
-  } else if (solver) {
-    retired.push_back(std::exchange(model.soft[body], std::move(solver)));
-  }
-  soft[body] = model.soft[body]->initial_state();
-  equilibrium[body] = soft[body].motion.x;
-  fit_to_mesh(body, std::move(surface), std::move(numbering));
-}
-
-/// A body in the making.
-struct Simulation::Impl::NewPiece {
-  std::size_t body = 0;
-  bool whole = true;                 // else it was joined to another
-  std::optional<MeshEdit> edit;      // which the solver that is there follows; else there is a new one
-  PieceSurface skin;                 // with it
-  std::unique_ptr<SoftBody> solver;  // a new one
-  Numbering numbering;
-  std::optional<SurfaceDetector> surface;
-  std::uint64_t content_hash = 0;
-  Motion motion;  // of a whole one: as what was there moved
-  VecX equilibrium, history;
-};
-
-/// Of the pieces that an organ's change left or made. Changes nothing: what can fail fails here.
-std::vector<Simulation::Impl::NewPiece> Simulation::Impl::make_pieces(const Organ& organ,
-                                                                      const Organ::Regrouped& changed) const {
-  const auto make = [&](std::size_t body, NewPiece& made) {
-    const OrganPiece& piece = organ.piece(body);
-    made.body = body;
-    made.whole = piece.whole();
-    made.edit = organ.edit_since(changed, piece);
-    if (made.edit && !model.soft[body]->can_follow(*made.edit)) made.edit.reset();
-    tbb::parallel_invoke(
-        [&] {
-          if (made.edit)
-            made.skin = organ.surface(piece);
-          else
-            made.solver = make_piece(organ, body, made.numbering);
-        },
-        [&] {
-          if (made.whole) carry_motion(organ, changed.before, piece, made);
-        });
-    if (made.solver) fit_around(*made.solver, made);
-  };
-  std::vector<NewPiece> out(changed.bodies.size());
-  std::vector<std::exception_ptr> failed(out.size());
-  tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t i) {
-    try {
-      make(changed.bodies[i], out[i]);
-    } catch (...) {
-      failed[i] = std::current_exception();
-    }
-  });
-  for (const std::exception_ptr& error : failed)  // the first of them, whichever came first
-    if (error) std::rethrow_exception(error);
-  return out;
-}
-
-/// What else is found of a solver's mesh.
-void Simulation::Impl::fit_around(const SoftBody& solver, NewPiece& made) const {
-  tbb::parallel_invoke([&] { made.surface.emplace(detector(solver)); },
-                       [&] { made.content_hash = solver.content_hash(); });
-}
-
-/// Takes the solvers along that can go on. Nothing fails any more.
-void Simulation::Impl::follow_changes(std::span<NewPiece> pieces) {
-  tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
-    NewPiece& piece = pieces[i];
-    if (!piece.edit) return;
-    SoftBody& solver = *model.soft[piece.body];
-    piece.numbering = std::move(piece.skin.numbering);
-    solver.follow(*piece.edit, std::move(piece.skin.surface), std::move(piece.skin.embedding));
-    fit_around(solver, piece);
-  });
-}
-
-/// Where its nodes are and how they move: as what was there did.
-void Simulation::Impl::carry_motion(const Organ& organ, std::span<const OrganPiece> before,
-                                    const OrganPiece& piece, NewPiece& made) const {
-  std::vector<const PieceMesh*> meshes;
-  for (const OrganPiece& old : before) meshes.push_back(&old.mesh);
-  const bool quadratic = model.soft[before.front().body]->desc().element == "tet10";
-  const NodeTransfer transfer(organ.complex(), meshes, piece.mesh, quadratic);
-  const auto carried = [&](const auto& field) {
-    std::vector<const VecX*> fields;
-    for (const OrganPiece& old : before) fields.push_back(&field(old.body));
-    return transfer(fields);
-  };
-  for (VecX Motion::*field : {&Motion::x, &Motion::v, &Motion::x_prev, &Motion::v_prev})
-    made.motion.*field = carried([&](std::size_t body) -> const VecX& { return soft[body].motion.*field; });
-  made.equilibrium = carried([&](std::size_t body) -> const VecX& { return equilibrium[body]; });
-  std::vector<const VecX*> histories;
-  auto numbers = std::numeric_limits<Eigen::Index>::max();
-  for (const OrganPiece& old : before) {
-    histories.push_back(&soft[old.body].history);
-    const bool all = model.soft[old.body]->dropped_elements() == 0;
-    numbers = std::min(numbers, all ? history_per_tet(*histories.back(), old.mesh) : 0);
-  }
-  made.history = carried_history(organ.complex(), meshes, histories, numbers, piece.mesh.tets);
-}
-
-/// Puts a piece in the place of the body that had its index, if any.
-void Simulation::Impl::place(NewPiece piece, std::size_t first, TopologyCause cause, ParticipantId author) {
-  const std::size_t body = piece.body;
-  const bool is_new = body == model.soft.size();
-  place_piece(body, first, std::move(piece.solver), std::move(piece.numbering), std::move(*piece.surface));
-  memories[body].clear();
-  if (!is_new) ++revisions[body];
-  if (piece.whole) {
-    set_going(body, first, std::move(piece.motion), std::move(piece.equilibrium));
-    if (piece.history.size() == soft[body].history.size()) soft[body].history = std::move(piece.history);
-  } else {
-    parts[soft_id(body)].hidden = true;
-  }
-  take_effect(world, soft_id(body));
-  place_surface(body);
-  TopologyChange& change = tell_of(body, piece.content_hash, cause, author);
-  if (is_new) change.piece_of = soft_id(first);
-}
-
-/// A piece moves as what was there did. One that nothing ties to its place any more is out of it.
-void Simulation::Impl::set_going(std::size_t body, std::size_t first, Motion motion, VecX balance) {
-  soft[body].motion = std::move(motion);
-  soft[body].asleep = false;
-  equilibrium[body] = std::move(balance);
-  if (body != first && model.soft[body]->attachment_stiffness().isZero())
-    parts[soft_id(body)].attached = false;
-}
-
-TopologyChange& Simulation::Impl::tell_of(std::size_t body, std::uint64_t content_hash, TopologyCause cause,
-                                          ParticipantId author) {
-  TopologyChange& change = report.topology.emplace_back();
-  change.body = soft_id(body);
-  change.revision = revisions[body];
-  change.content_hash = content_hash;
-  change.cause = cause;
-  change.author = author;
-  return change;
-}
-
-void Simulation::Impl::keep_momentum_of(const Organ& organ, const Organ::Regrouped& changed,
-                                        std::span<NewPiece> made) {
-  std::vector<PieceMotion> before, now;
-  for (const OrganPiece& old : changed.before)
-    before.push_back({old.mesh.nodes, &model.soft[old.body]->node_mass(), &soft[old.body].motion.x,
-                      &soft[old.body].motion.v});
-  for (NewPiece& piece : made)
-    if (piece.whole)
-      now.push_back(
-          {organ.piece(piece.body).mesh.nodes, &piece.solver->node_mass(), &piece.motion.x, &piece.motion.v});
-  // Where pieces are joined, places jump with the nodes that go: what that does to spin is no cut's.
-  keep_momentum(before, now, organ.log().back().cause == TopologyCause::cut);
-}
-
-/// Makes bodies of the pieces that an organ's change left or made.
-void Simulation::Impl::remake(Organ& organ, TopologyCause cause, ParticipantId author) {
-  if (follow_cut(organ, cause, author)) return;
-  const std::size_t first = organ.pieces().front().body;
-  const Organ::Regrouped changed = organ.regroup(model.soft.size());
-  std::vector<NewPiece> pieces = make_pieces(organ, changed);
-  if (organ.complex().is_sheet()) keep_momentum_of(organ, changed, pieces);
-  follow_changes(pieces);
-  for (NewPiece& piece : pieces) place(std::move(piece), first, cause, author);
-  keep_holds(changed.bodies);
-}
-
-/// The same, but leaves everything as it was before the change where that can't be. Empty when done, else why
-/// not.
+/// What an organ's change made of its pieces takes effect, or everything stays as it was before the change.
+/// Empty when done, else why not.
 std::string Simulation::Impl::carry_through(std::size_t first, const Organ::Mark& before, TopologyCause cause,
                                             ParticipantId author) {
   Organ& organ = organs.at(first);

@@ -1,57 +1,121 @@
-// Last phase: what hangs on a piece's mesh follows a cut that nothing comes off.
+// Last phase: what hangs on a piece's mesh follows a cut, or what takes one back, to the bits that it would
+// have if it were made anew.
 
 #include <tbb/parallel_invoke.h>
 
+#include "server/physics/organs/momentum.h"
+#include "server/physics/organs/surface_follow.h"
 #include "server/physics/organs/tet_lineage.h"
 #include "server/physics/simulation_impl.h"
 
 namespace prosector {
 
-/// Where one piece was cut and nothing came off it, what hangs on its mesh follows, to the bits that it would
-/// have if it were made anew. False, and nothing changed, where that can't be. What can fail fails first.
+bool Simulation::Impl::can_follow(const Organ& organ, const PieceEdit& edit) const {
+  const SoftBody& solver = *model.soft[edit.body];
+  return organ.complex().is_sheet() ? solver.can_follow_sheet(edit.mesh.kept_nodes)
+                                    : solver.can_follow(edit.mesh);
+}
+
+/// `surface`: of tetrahedra. The organ has taken the change in.
+Simulation::Impl::Following Simulation::Impl::following(const Organ& organ, PieceEdit edit,
+                                                        std::optional<SurfaceEdit> surface) const {
+  Following out;
+  out.edit = std::move(edit);
+  out.surface = std::move(surface);
+  const std::size_t body = out.edit.body;
+  const OrganPiece& piece = organ.piece(body);
+  if (organ.complex().is_sheet()) {
+    out.sheet = organ.anatomy(piece, out.numbering);
+    out.surface = edit_between(model.soft[body]->anatomy().surface, numberings[body], out.sheet->surface,
+                               out.sheet->embedding, out.numbering);
+  } else if (out.surface) {
+    out.numbering = numberings[body];
+    apply(*out.surface, out.numbering);
+    out.numbering.nodes = piece.mesh.nodes;
+  } else {
+    out.skin = organ.surface(piece);
+    out.numbering = std::move(out.skin.numbering);
+  }
+  return out;
+}
+
+/// None where the piece has to be made anew.
+std::optional<Simulation::Impl::Following> Simulation::Impl::following_since(const Organ& organ,
+                                                                             const Organ::Regrouped& then,
+                                                                             const OrganPiece& piece) const {
+  std::optional<PieceEdit> edit = organ.edit_since(then, piece);
+  if (!edit || !can_follow(organ, *edit)) return std::nullopt;
+  return following(organ, std::move(*edit),
+                   organ.surface_edit_since(then, piece, model.soft[piece.body]->anatomy().surface,
+                                            numberings[piece.body]));
+}
+
+void Simulation::Impl::take_solver_along(Following& following) {
+  const MeshEdit& mesh = following.edit.mesh;
+  SoftBody& solver = *model.soft[following.edit.body];
+  if (following.sheet)
+    solver.follow_sheet(std::move(*following.sheet), mesh.kept_nodes, following.edit.touched);
+  else if (following.surface)
+    solver.follow(mesh, *following.surface);
+  else
+    solver.follow(mesh, std::move(following.skin.surface), std::move(following.skin.embedding));
+}
+
+/// After the solver. The tree of its faces, if it was made, only where it was and is that of an order.
+void Simulation::Impl::take_surface_along(const Following& following) {
+  const std::size_t body = following.edit.body;
+  const SoftBody& solver = *model.soft[body];
+  if (!following.surface) {
+    surfaces[body] = detector(solver);
+    faces[body].reset();
+    return;
+  }
+  surfaces[body].follow(*following.surface);
+  if (numberings[body].triangles.empty() || following.numbering.triangles.empty())
+    faces[body].reset();
+  else if (faces[body])
+    faces[body]->follow(*following.surface, solver.anatomy().surface, surfaces[body].triangle_order());
+}
+
+/// Where one piece was cut and nothing came off it. False, and nothing changed, where that isn't so or can't
+/// be followed. What can fail fails first.
 bool Simulation::Impl::follow_cut(Organ& organ, TopologyCause cause, ParticipantId author) {
-  const std::optional<PieceEdit> edit = organ.cut_in_one_piece();
-  if (!edit) return false;
-  if (organ.complex().is_sheet()) return follow_sheet(organ, *edit, cause, author);
+  std::optional<PieceEdit> edit = organ.cut_in_one_piece();
+  if (!edit || !can_follow(organ, *edit)) return false;
   const std::size_t body = edit->body;
   SoftBody& solver = *model.soft[body];
   const PieceMesh& mesh = organ.piece(body).mesh;
-  if (!solver.can_follow(edit->mesh)) return false;
+  const std::size_t nodes_before = mesh.nodes.size();
+  const VecX mass_before = solver.node_mass();
   const NodeTransfer transfer(organ.complex(), mesh, edit->nodes);
-  const auto carried = [&](const VecX& field) {
-    const VecX* const fields[] = {&field};
-    const VecX made = transfer(fields);
-    VecX all(field.size() + made.size());
-    all << field, made;
-    return all;
-  };
+  Motion motion_before = std::move(soft[body].motion);
   Motion motion;
   for (VecX Motion::*field : {&Motion::x, &Motion::v, &Motion::x_prev, &Motion::v_prev})
-    motion.*field = carried(soft[body].motion.*field);
-  VecX balance = carried(equilibrium[body]);
+    motion.*field = transfer.appended_to(motion_before.*field);
+  VecX balance = transfer.appended_to(equilibrium[body]);
   VecX history = soft[body].history;
   const PieceMesh* const before[] = {&mesh};
-  const VecX* const histories[] = {&soft[body].history};
+  const VecX* const histories[] = {&history};
   const Eigen::Index numbers = history_per_tet(history, mesh);
   const VecX touched = carried_history(organ.complex(), before, histories, numbers, edit->tets);
   std::optional<SurfaceEdit> surface;  // none with the first cut, which makes the tetrahedra's own skin of it
-  if (!numberings[body].triangles.empty())
+  if (!organ.complex().is_sheet() && !numberings[body].triangles.empty())
     surface = organ.surface_edit(*edit, solver.anatomy().surface, numberings[body]);
   organ.follow(*edit);
-  Numbering numbering;  // with the first cut
-  if (surface) {
-    numberings[body].nodes = mesh.nodes;
-    solver.follow(edit->mesh, *surface);
-  } else {
-    PieceSurface skin = organ.surface(organ.piece(body));
-    numbering = std::move(skin.numbering);
-    solver.follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
+  Following follows = following(organ, std::move(*edit), std::move(surface));
+  take_solver_along(follows);
+  if (organ.complex().is_sheet()) {
+    const PieceMotion was[] = {
+        {std::span(mesh.nodes).first(nodes_before), &mass_before, &motion_before.x, &motion_before.v}};
+    const PieceMotion is[] = {{mesh.nodes, &solver.node_mass(), &motion.x, &motion.v}};
+    keep_momentum(was, is, true);
   }
   soft[body] = solver.initial_state();
   set_going(body, organ.pieces().front().body, std::move(motion), std::move(balance));
   history.conservativeResize(soft[body].history.size());
-  for (std::size_t i = 0; i < edit->tets.size(); ++i)
-    history.segment(numbers * Eigen::Index{edit->mesh.tets[i]}, numbers) =
+  const std::vector<std::uint32_t>& tets = follows.edit.mesh.tets;
+  for (std::size_t i = 0; i < tets.size(); ++i)
+    history.segment(numbers * Eigen::Index{tets[i]}, numbers) =
         touched.segment(numbers * static_cast<Eigen::Index>(i), numbers);
   soft[body].history = std::move(history);
   memories[body].clear();
@@ -60,10 +124,8 @@ bool Simulation::Impl::follow_cut(Organ& organ, TopologyCause cause, Participant
   std::uint64_t content_hash = 0;
   tbb::parallel_invoke([&] { content_hash = solver.content_hash(); },
                        [&] {
-                         if (surface)
-                           follow_mesh(body, *surface);
-                         else
-                           fit_to_mesh(body, detector(solver), std::move(numbering));
+                         take_surface_along(follows);
+                         fit_rest_to_mesh(body, std::move(follows.numbering));
                        });
   tell_of(body, content_hash, cause, author);
   keep_holds({body});

@@ -243,19 +243,33 @@ struct Simulation::Impl : PanelSubjects {
   std::unique_ptr<SoftBody> make_piece(const Organ& organ, std::size_t body, Numbering& numbering) const;
   void place_piece(std::size_t body, std::size_t first, std::unique_ptr<SoftBody> solver, Numbering numbering,
                    SurfaceDetector surface);
+  /// What a piece's solver and its surface, which are there, follow.
+  struct Following {
+    PieceEdit edit;
+    std::optional<SurfaceEdit> surface;  // none: it becomes another altogether, which is
+    PieceSurface skin;
+    std::optional<Anatomy> sheet;  // a sheet's geometry, which is made whole
+    Numbering numbering;
+  };
+  bool can_follow(const Organ& organ, const PieceEdit& edit) const;
+  Following following(const Organ& organ, PieceEdit edit, std::optional<SurfaceEdit> surface) const;
+  std::optional<Following> following_since(const Organ& organ, const Organ::Regrouped& then,
+                                           const OrganPiece& piece) const;
+  void take_solver_along(Following& following);
+  void take_surface_along(const Following& following);
   struct NewPiece;
   std::vector<NewPiece> make_pieces(const Organ& organ, const Organ::Regrouped& changed) const;
+  void make_anew(const Organ& organ, NewPiece& made) const;  // part of it
   void carry_motion(const Organ& organ, std::span<const OrganPiece> before, const OrganPiece& piece,
-                    NewPiece& made) const;                        // part of it
-  void fit_around(const SoftBody& solver, NewPiece& made) const;  // likewise
+                    NewPiece& made) const;  // likewise
   void follow_changes(std::span<NewPiece> pieces);
-  void keep_momentum_of(const Organ& organ, const Organ::Regrouped& changed, std::span<NewPiece> made);
+  void keep_momentum_of(const Organ& organ, const Organ::Regrouped& changed, std::span<const VecX> masses,
+                        std::span<NewPiece> made);
   void place(NewPiece piece, std::size_t first, TopologyCause cause, ParticipantId author);
   void set_going(std::size_t body, std::size_t first, Motion motion, VecX balance);
   TopologyChange& tell_of(std::size_t body, std::uint64_t content_hash, TopologyCause cause,
                           ParticipantId author);
   bool follow_cut(Organ& organ, TopologyCause cause, ParticipantId author);
-  bool follow_sheet(Organ& organ, const PieceEdit& edit, TopologyCause cause, ParticipantId author);
   void remake(Organ& organ, TopologyCause cause, ParticipantId author);
   std::string carry_through(std::size_t first, const Organ::Mark& before, TopologyCause cause,
                             ParticipantId author);
@@ -294,9 +308,8 @@ struct Simulation::Impl : PanelSubjects {
   static SurfaceDetector detector(const SoftBody& body);
   /// Puts everything that hangs on the body's mesh in place of what there was; the body may be new.
   void fit_to_mesh(std::size_t body, SurfaceDetector surface, Numbering numbering);
-  /// The same where a cut changed the body's mesh and its surface is what it was but for the edit.
-  void follow_mesh(std::size_t body, const SurfaceEdit& edit);
-  void fit_rest_to_mesh(std::size_t body);            // part of both
+  /// What of that is made anew where surfaces and faces followed.
+  void fit_rest_to_mesh(std::size_t body, Numbering numbering);
   const TriangleSurface* faces_of(std::size_t body);  // null: a rope's
   void track_soft_bodies();                           // to where they are, and may be within the tick
   Aabb box_of(std::size_t body) const;                // of a soft one, likewise

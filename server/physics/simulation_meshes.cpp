@@ -19,7 +19,7 @@ void Simulation::Impl::fit_to_mesh(std::size_t body, SurfaceDetector surface, Nu
     soft_contacts.emplace_back();
     memories.emplace_back();
     revisions.push_back(0);
-    numberings.push_back(std::move(numbering));
+    numberings.emplace_back();
     rough.emplace_back();
     stored.emplace_back();
     layered.push_back(0);
@@ -29,22 +29,13 @@ void Simulation::Impl::fit_to_mesh(std::size_t body, SurfaceDetector surface, Nu
     passed_through.push_back(0);
   } else {
     surfaces[body] = std::move(surface);
-    numberings[body] = std::move(numbering);
   }
   faces[body].reset();
-  fit_rest_to_mesh(body);
+  fit_rest_to_mesh(body, std::move(numbering));
 }
 
-void Simulation::Impl::follow_mesh(std::size_t body, const SurfaceEdit& edit) {
-  surfaces[body].follow(edit);
-  apply(edit, numberings[body]);
-  if (faces[body])
-    faces[body]->follow(edit, model.soft[body]->anatomy().surface, surfaces[body].triangle_order());
-  fit_rest_to_mesh(body);
-}
-
-/// What is made anew with every change.
-void Simulation::Impl::fit_rest_to_mesh(std::size_t body) {
+void Simulation::Impl::fit_rest_to_mesh(std::size_t body, Numbering numbering) {
+  numberings[body] = std::move(numbering);
   faces_moved[body] = layers_moved[body] = 0;
   stored[body].reset();
   fit_rough_shape(body);

@@ -25,10 +25,18 @@ namespace prosector {
 namespace {
 
 constexpr double reach = 0.2;  // m: a stroke goes from −reach to reach along x
+constexpr double nick = 0.03;  // m deep
 constexpr int ticks_before = 30, ticks_after = 30, runs_through = 7;
 constexpr BodyId knife = 0, liver = 1;
-constexpr const char* through = "through at once";
-constexpr const char* tip = "a tip off at once";
+
+/// Right through at once.
+struct Through {
+  const char* name;
+  double height;    // of the cut, in shares of the organ's upper half
+  bool cut_before;  // the organ has a nick already, so its surface is the tetrahedra's own
+};
+constexpr Through through[] = {
+    {"through at once", 0, false}, {"through, cut before", 0, true}, {"a tip off, cut before", 0.8, true}};
 
 struct Stroke {
   const char* name;
@@ -216,11 +224,18 @@ ReportRow measure(const SceneDesc& scene, const Stroke& stroke, int threads) {
 
 struct Made {
   std::unique_ptr<SoftBody> solver, retired;
+  Numbering numbering;
   std::optional<SurfaceDetector> surface;
+
+  void make_anew(const SoftDesc& desc, Anatomy anatomy) {
+    retired = std::exchange(solver, std::make_unique<SoftBody>(desc, std::move(anatomy)));
+    find_surface();
+  }
+  void find_surface() { surface.emplace(solver->anatomy().embedding, solver->anatomy().surface); }
 };
 
-/// Brings the bodies up to date, by index, as the simulation does: solvers that can follow do, unless all
-/// are to be made `anew`.
+/// Brings the bodies up to date, by index, as the simulation does: what can follow does, unless all is to be
+/// made `anew`.
 void fit_bodies(Organ& organ, const SoftDesc& desc, bool anew, std::vector<Made>& bodies) {
   const Organ::Regrouped changed = organ.regroup(bodies.size());
   bodies.resize(std::max(bodies.size(), changed.bodies.back() + 1));
@@ -228,30 +243,37 @@ void fit_bodies(Organ& organ, const SoftDesc& desc, bool anew, std::vector<Made>
     Made& body = bodies[changed.bodies[i]];
     const OrganPiece& piece = organ.piece(changed.bodies[i]);
     const auto edit = anew ? std::nullopt : organ.edit_since(changed, piece);
-    if (edit && body.solver->can_follow(*edit)) {
-      PieceSurface skin = organ.surface(piece);
-      body.solver->follow(*edit, std::move(skin.surface), std::move(skin.embedding));
+    if (!edit || !body.solver->can_follow(edit->mesh)) {
+      body.make_anew(desc, organ.anatomy(piece, body.numbering));
+    } else if (const auto surface =
+                   organ.surface_edit_since(changed, piece, body.solver->anatomy().surface, body.numbering)) {
+      apply(*surface, body.numbering);
+      body.solver->follow(edit->mesh, *surface);
+      body.surface->follow(*surface);
     } else {
-      Numbering numbering;
-      auto made = std::make_unique<SoftBody>(desc, organ.anatomy(piece, numbering));
-      body.retired = std::exchange(body.solver, std::move(made));
+      PieceSurface skin = organ.surface(piece);
+      body.numbering = std::move(skin.numbering);
+      body.solver->follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
+      body.find_surface();
     }
-    body.surface.emplace(body.solver->anatomy().embedding, body.solver->anatomy().surface);
   });
 }
 
-/// A blade as long as the organ is high, right through it in one tick, in which it is cut for the first time:
-/// the mesh is cut, and all that hangs on the pieces' is brought up to date; and that taken back. What a cut
-/// asks of the mesh is found before, with the scene. `height`: of the cut, in shares of the organ's upper
-/// half. Wall time of each, ms.
-ReportRow cut_through(const char* name, double height, double cell, int threads) {
+/// A blade as long as the organ is high, right through it in one tick: the mesh is cut, and all that hangs on
+/// the pieces' is brought up to date; and that taken back. What a cut asks of the mesh is found before, with
+/// the scene. Wall time of each, ms.
+ReportRow cut_through(const Through& way, double cell, int threads) {
   CompileOptions options;
   options.threads = threads;
   const Simulation simulation(scene_of(cell), options);
   const SoftBody& body = simulation.soft(liver);
-  double top = 0;
-  for (const Vec3& at : body.anatomy().tets.positions) top = std::max(top, at.z());
-  const double z = 1e-3 + height * top;
+  Vec3 lowest = Vec3::Zero(), highest = lowest;
+  for (const Vec3& at : body.anatomy().tets.positions) {
+    lowest = lowest.cwiseMin(at);
+    highest = highest.cwiseMax(at);
+  }
+  const auto edge = [](double x, double z) { return std::vector<Vec3>{{x, -reach, z}, {x, reach, z}}; };
+  const double z = 1e-3 + way.height * highest.z();
   std::vector<double> preparing, cutting, making[2], all, undoing[2];  // following, made anew
   std::size_t split = 0, after = 0, kept = 0;
   double mass = 0;             // kg, of all pieces
@@ -263,14 +285,22 @@ ReportRow cut_through(const char* name, double height, double cell, int threads)
     Organ organ(0, body.anatomy(), body.desc().density);
     const auto prepared = std::chrono::steady_clock::now();
     std::vector<Made> bodies(1);
-    bodies[0].solver = std::make_unique<SoftBody>(body.desc(), body.anatomy());
-    std::vector<Vec3> x(organ.complex().node_end());
-    for (NodeId node = 0; node < x.size(); ++node) x[node] = organ.complex().rest(node);
-    const auto edge = [z](double at) { return std::vector<Vec3>{{at, -reach, z}, {at, reach, z}}; };
-    BladeStroke stroke = begin_stroke(edge(-reach));
-    arena.execute([&] {
+    bodies[0].make_anew(body.desc(), body.anatomy());
+    const auto cut_to = [&](double end, double at, std::uint64_t stroke) {
+      std::vector<Vec3> x;
+      for (NodeId node = 0; node < organ.complex().node_end(); ++node)
+        x.push_back(organ.complex().rest(node));
+      BladeStroke blade = begin_stroke(edge(-reach, at));
       const auto begin = std::chrono::steady_clock::now();
-      split = organ.cut(x, edge(reach), stroke, 1, 1).split_tets;
+      split = organ.cut(x, edge(end, at), blade, 1, stroke).split_tets;
+      return begin;
+    };
+    if (way.cut_before) {
+      cut_to(lowest.x() + nick, lowest.z() / 3, 1);
+      fit_bodies(organ, body.desc(), anew, bodies);
+    }
+    arena.execute([&] {
+      const auto begin = cut_to(reach, z, 2);
       const auto cut = std::chrono::steady_clock::now();
       fit_bodies(organ, body.desc(), anew, bodies);
       const auto end = std::chrono::steady_clock::now();
@@ -301,7 +331,7 @@ ReportRow cut_through(const char* name, double height, double cell, int threads)
     });
   }
   ReportRow row;
-  row["stroke"] = name;
+  row["stroke"] = way.name;
   row["tissue"] = body.desc().name;
   row["tets"] = body.elements();
   row["tets_after"] = after;
@@ -321,13 +351,13 @@ ReportRow cut_through(const char* name, double height, double cell, int threads)
   return row;
 }
 
-void add_through(Report& report, const char* name, double height, double cell, int threads) {
-  report.add(cut_through(name, height, cell, threads));
+void add_through(Report& report, const Through& way, double cell, int threads) {
+  report.add(cut_through(way, cell, threads));
   const ReportRow& row = report.rows().back();
   fmt::print(
-      "{:18} {:6} tets, {:6} after, {:6} of them stay: ready in {:7.2f} ms p50, mesh {:7.2f}, bodies "
+      "{:21} {:6} tets, {:6} after, {:6} of them stay: ready in {:7.2f} ms p50, mesh {:7.2f}, bodies "
       "{:7.2f} (anew {:7.2f}), undoing {:7.2f} (anew {:7.2f})\n",
-      name, row["tets"].get<std::size_t>(), row["tets_after"].get<std::size_t>(),
+      way.name, row["tets"].get<std::size_t>(), row["tets_after"].get<std::size_t>(),
       row["tets_that_stay"].get<std::size_t>(), figure(row, "ms_made_ready"), figure(row, "ms_cutting_mesh"),
       figure(row, "ms_making_bodies"), figure(row, "ms_making_bodies_anew"), figure(row, "ms_undoing"),
       figure(row, "ms_undoing_anew"));
@@ -348,7 +378,8 @@ void add_stroke(Report& report, const SceneDesc& scene, const Stroke& stroke, in
 }  // namespace
 
 std::vector<std::string> cut_stroke_names() {
-  std::vector<std::string> names = {through, tip};
+  std::vector<std::string> names;
+  for (const Through& way : through) names.emplace_back(way.name);
   for (const Stroke& stroke : strokes()) names.emplace_back(stroke.name);
   return names;
 }
@@ -363,8 +394,8 @@ Report bench_cut(const CutBenchOptions& options) {
   for (const double cell : cells) {
     for (const Stroke& stroke : strokes())
       if (asked(stroke.name)) add_stroke(report, scene_of(cell), stroke, options.threads);
-    if (asked(through)) add_through(report, through, 0, cell, options.threads);
-    if (asked(tip)) add_through(report, tip, 0.8, cell, options.threads);
+    for (const Through& way : through)
+      if (asked(way.name)) add_through(report, way, cell, options.threads);
   }
   for (const char* model : {"mass_spring", "xpbd"})
     for (const Stroke& stroke : strokes())

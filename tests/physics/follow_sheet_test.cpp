@@ -1,18 +1,17 @@
-// A sheet's piece follows a cut that nothing comes off: to the bits that it has made anew. And what cuts do
-// to its momentum.
+// What hangs on a sheet's piece follows cuts, and what takes them back: to the bits that it has made anew.
+// And what cuts do to its momentum.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 
 #include "common/anatomy/fabric.h"
 #include "server/physics/organs/momentum.h"
-#include "server/physics/organs/organ.h"
 #include "server/physics/organs/sheet_parts.h"
+#include "server/physics/organs/surface_follow.h"
 #include "server/physics/soft/sheet_springs.h"
-#include "server/physics/soft/soft_body.h"
 #include "server/physics/soft/substepper.h"
+#include "tests/physics/following.h"
 #include "tests/random.h"
 
 namespace prosector {
@@ -27,12 +26,6 @@ Anatomy square() {
 /// An edge that stands upright in the sheet, leaning a little.
 std::vector<Vec3> edge_at(const Vec3& at) {
   return {at + Vec3(0, 0.03, 0.002), at - Vec3(0, 0.03, 0.002)};
-}
-
-std::vector<Vec3> rest_of(const Organ& organ) {
-  std::vector<Vec3> out;
-  for (NodeId node = 0; node < organ.complex().node_end(); ++node) out.push_back(organ.complex().rest(node));
-  return out;
 }
 
 /// From somewhere around or in the sheet to somewhere else.
@@ -91,11 +84,12 @@ std::vector<VecX> answers(SoftBody& body, unsigned seed) {
   if (Substepper* steps = body.substepper()) {
     steps->begin(state);
     for (int i = 0; i < 3; ++i) steps->step(1e-3, {0, -9.81, 0}, state);
+    steps->finish(1e-3, state);
   }
   return {body.rest(), body.node_mass(), body.attachment_stiffness(),
           area,        numbers,          gradient,
           product,     solution,         state.motion.x,
-          diagonal};
+          diagonal,    state.mode,       VecX::Constant(1, state.omega)};
 }
 
 ::testing::AssertionResult same(SoftBody& followed, SoftBody& anew, unsigned seed) {
@@ -114,8 +108,54 @@ std::vector<VecX> answers(SoftBody& body, unsigned seed) {
 
 struct Rung {
   const char *name, *model, *solver;
+  const char* integrator = "implicit_euler";
   bool damped = false;
   double stiffness = 1;  // times as stiff as described, since it was made
+};
+
+class FollowingCloths final : public FollowingBodies {
+ public:
+  FollowingCloths(Organ& cut, const SoftDesc& desc, double stiffness)
+      : FollowingBodies(cut), desc_(desc), stiffness_(stiffness) {}
+
+ private:
+  Hung made_anew(std::size_t body) const override {
+    Hung out;
+    out.solver = std::make_unique<SoftBody>(desc_, organ.anatomy(organ.piece(body), out.numbering));
+    out.solver->set_in_force(stiffness_, true);
+    out.find_contact();
+    return out;
+  }
+  bool can_follow(const PieceEdit& edit) const override {
+    return bodies.at(edit.body).solver->can_follow_sheet(edit.mesh.kept_nodes);
+  }
+  void follow_cut(const PieceEdit& edit) override {
+    organ.follow(edit);
+    follow(edit);
+  }
+  void follow_change(const PieceEdit& edit, const Organ::Regrouped&) override { follow(edit); }
+  void follow(const PieceEdit& edit) {
+    Hung& body = bodies[edit.body];
+    Numbering numbering;
+    Anatomy sheet = organ.anatomy(organ.piece(edit.body), numbering);
+    const SurfaceEdit surface = edit_between(body.solver->anatomy().surface, body.numbering, sheet.surface,
+                                             sheet.embedding, numbering);
+    SpringNetwork springs = make_sheet_springs(desc_, body.solver->anatomy());
+    follow_sheet(desc_, sheet, edit.mesh.kept_nodes, edit.touched, springs);
+    springs_ = std::move(springs);
+    body.solver->follow_sheet(std::move(sheet), edit.mesh.kept_nodes, edit.touched);
+    body.follow(surface, std::move(numbering));
+  }
+  ::testing::AssertionResult same(std::size_t body, Hung& anew, unsigned seed) override {
+    if (const auto springs = prosector::same(springs_, make_sheet_springs(desc_, anew.solver->anatomy()));
+        !springs)
+      return springs;
+    return prosector::same(*bodies[body].solver, *anew.solver, seed);
+  }
+
+  const SoftDesc& desc_;
+  double stiffness_;
+  SpringNetwork springs_;  // of what followed last
 };
 
 class FollowingSheets : public ::testing::TestWithParam<Rung> {};
@@ -126,64 +166,37 @@ TEST_P(FollowingSheets, CutsAtRandomIsBeingMadeAnew) {
   desc.name = "sheet";
   desc.model = rung.model;
   desc.solver = rung.solver;
+  desc.integrator = rung.integrator;
   desc.damping_stiffness = rung.damped ? 0.01 : 0;
   desc.attach = {{{0.05, 0, 0.05}, 0.03, 1e8}};
   const Anatomy sheet = square();
   Organ organ(0, sheet, desc.density, held_nodes(desc.attach, sheet));
-  const auto made_anew = [&](std::size_t body) {
-    Numbering numbering;
-    auto out = std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(body), numbering));
-    out->set_in_force(rung.stiffness, true);
-    return out;
-  };
-  struct Piece {
-    std::unique_ptr<SoftBody> solver;
-    SpringNetwork springs;
-  };
-  std::map<std::size_t, Piece> bodies;
-  const auto make = [&](std::size_t body) {
-    auto solver = made_anew(body);
-    SpringNetwork springs = make_sheet_springs(desc, solver->anatomy());
-    bodies[body] = {std::move(solver), std::move(springs)};
-  };
-  make(0);
+  FollowingCloths bodies(organ, desc, rung.stiffness);
   Random random(20261122);
-  std::size_t followed = 0, pieces_followed = 0;
-  for (unsigned stroke = 0; stroke < 24; ++stroke) {
+  bodies.make_strokes(24, [&](unsigned) -> FollowingBodies::Stroke {
     const Way way = random_way(random);
-    constexpr int ticks = 8;
-    BladeStroke blade = begin_stroke(edge_at(way.from));
-    if (stroke % 4 == 3 && organ.undo(1).empty())
-      for (const std::size_t body : organ.regroup(bodies.size()).bodies) make(body);
-    for (int tick = 1; tick <= ticks; ++tick) {
-      if (organ.cut(rest_of(organ), edge_at(way.at(1.0 * tick / ticks)), blade, 1, stroke).ops.empty())
-        continue;
-      const auto edit = organ.cut_in_one_piece();
-      if (!edit || !bodies[edit->body].solver->can_follow_sheet()) {
-        for (const std::size_t body : organ.regroup(bodies.size()).bodies) make(body);
-        continue;
-      }
-      organ.follow(*edit);
-      auto& [solver, springs] = bodies[edit->body];
-      Numbering numbering;
-      solver->follow_sheet(organ.anatomy(organ.piece(edit->body), numbering), edit->touched);
-      follow_sheet(desc, solver->anatomy(), edit->touched, springs);
-      const auto anew = made_anew(edit->body);
-      ASSERT_TRUE(same(springs, make_sheet_springs(desc, anew->anatomy())))
-          << "stroke " << stroke << ", tick " << tick;
-      ASSERT_TRUE(same(*solver, *anew, stroke)) << "stroke " << stroke << ", tick " << tick;
-      ++(edit->body == 0 ? followed : pieces_followed);
-    }
-  }
-  EXPECT_GT(followed, 20U);
-  EXPECT_GT(pieces_followed, 0U);  // what came off follows, too
+    return {[=](double share) { return edge_at(way.at(share)); }, 8};
+  });
+  EXPECT_GT(bodies.cuts, 20U);
+  EXPECT_GT(bodies.of_pieces, 0U);
+  EXPECT_GT(bodies.fell_apart, 0U);
+  EXPECT_GT(bodies.taken_back, 0U);
+  EXPECT_GT(bodies.joined, 0U);
+  EXPECT_EQ(bodies.not_followed, 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rungs, FollowingSheets,
-                         ::testing::Values(Rung{"mass_spring", "mass_spring", "cg", true},
-                                           Rung{"direct", "mass_spring", "direct", false, 3},
-                                           Rung{"xpbd", "xpbd", "cg"}),
-                         [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Rungs, FollowingSheets,
+    ::testing::Values(
+        Rung{.name = "mass_spring", .model = "mass_spring", .solver = "cg", .damped = true},
+        Rung{.name = "direct", .model = "mass_spring", .solver = "direct", .stiffness = 3},
+        Rung{.name = "symplectic_euler",
+             .model = "mass_spring",
+             .solver = "cg",
+             .integrator = "symplectic_euler"},
+        Rung{.name = "rk4", .model = "mass_spring", .solver = "cg", .integrator = "rk4", .damped = true},
+        Rung{.name = "xpbd", .model = "xpbd", .solver = "cg"}),
+    [](const auto& info) { return std::string(info.param.name); });
 
 struct Total {
   double mass = 0;                                    // kg
@@ -210,14 +223,6 @@ VecX masses(const Organ& organ) {
   return VecX::NullaryExpr(static_cast<Eigen::Index>(nodes.size()), [&](Eigen::Index i) {
     return organ.complex().mass(nodes[static_cast<std::size_t>(i)]);
   });
-}
-
-VecX with(const NodeTransfer& transfer, const VecX& field) {
-  const VecX* const fields[] = {&field};
-  const VecX made = transfer(fields);
-  VecX out(field.size() + made.size());
-  out << field, made;
-  return out;
 }
 
 // It flies, turns, bends and ripples while it is cut.
@@ -248,8 +253,8 @@ TEST(SheetMomentum, AndSpinAreKeptByEachCut) {
       if (!edit) return;  // it fell apart
       const NodeTransfer transfer(organ.complex(), mesh, edit->nodes);
       organ.follow(*edit);
-      x = with(transfer, x);
-      v = with(transfer, v);
+      x = transfer.appended_to(x);
+      v = transfer.appended_to(v);
       const VecX carried = v, mass_now = masses(organ);
       const PieceMotion before[] = {{mesh.nodes, &mass, &x_before, &v_before}};
       const PieceMotion now[] = {{organ.piece(0).mesh.nodes, &mass_now, &x, &v}};

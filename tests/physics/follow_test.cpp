@@ -3,16 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 
 #include "common/anatomy/embedding.h"
 #include "server/physics/byte_stream.h"
-#include "server/physics/collision/triangle_surface.h"
-#include "server/physics/contact/surface_detector.h"
-#include "server/physics/organs/organ.h"
 #include "server/physics/organs/tet_lineage.h"
-#include "server/physics/soft/soft_body.h"
+#include "server/physics/soft/substepper.h"
 #include "tests/cutting/meshes.h"
+#include "tests/physics/following.h"
 #include "tests/random.h"
 
 namespace prosector {
@@ -57,9 +54,15 @@ std::vector<VecX> answers(SoftBody& body, unsigned seed) {
                                            static_cast<Eigen::Index>(body.surface_area().size()));
   const VecX numbers = Eigen::Vector4d(energy, body.diagonal(), body.elastic_energy(x),
                                        static_cast<double>(body.tangent_is_cheap()));
-  return {
-      body.rest(), body.node_mass(), body.attachment_stiffness(), area, numbers, gradient, product, solution,
-      blocks,      state.motion.x};
+  if (Substepper* steps = body.substepper()) {
+    steps->begin(state);
+    for (int i = 0; i < 3; ++i) steps->step(1e-4, {0, -9.81, 0}, state);
+    steps->finish(1e-4, state);
+  }
+  return {body.rest(),    body.node_mass(), body.attachment_stiffness(),
+          area,           numbers,          gradient,
+          product,        solution,         blocks,
+          state.motion.x, state.mode,       VecX::Constant(1, state.omega)};
 }
 
 ::testing::AssertionResult same(SoftBody& followed, SoftBody& anew, unsigned seed) {
@@ -75,74 +78,6 @@ std::vector<VecX> answers(SoftBody& body, unsigned seed) {
   const std::vector<VecX> x = answers(followed, seed), y = answers(anew, seed);
   for (std::size_t i = 0; i < x.size(); ++i)
     if (!equal(x[i], y[i])) return ::testing::AssertionFailure() << "answer " << i << " differs";
-  return ::testing::AssertionSuccess();
-}
-
-/// A body with what the simulation hangs on its surface.
-struct Hung {
-  std::unique_ptr<SoftBody> solver;
-  Numbering numbering;
-  std::optional<SurfaceDetector> detector;
-  std::optional<TriangleSurface> faces;
-
-  void find_contact() {
-    detector.emplace(solver->anatomy().embedding, solver->anatomy().surface);
-    if (!numbering.triangles.empty())  // else nobody has cut it
-      faces.emplace(solver->anatomy().surface, detector->triangle_order());
-  }
-};
-
-/// In which order vertices are looked at, and where they are.
-std::vector<Vec3> vertices_in_order(SurfaceDetector& detector, const VecX& x) {
-  detector.update(x.data());
-  std::vector<Vec3> out;
-  detector.in_box(detector.lo(), detector.hi(), [&](std::uint32_t vertex) {
-    out.push_back(detector.positions()[vertex]);
-    out.push_back(Vec3::Constant(vertex));
-  });
-  return out;
-}
-
-::testing::AssertionResult same(const Numbering& a, const Numbering& b) {
-  if (a.nodes != b.nodes || a.vertices != b.vertices || a.triangles != b.triangles)
-    return ::testing::AssertionFailure() << "numbered otherwise";
-  return ::testing::AssertionSuccess();
-}
-
-::testing::AssertionResult same(SurfaceDetector& followed, SurfaceDetector& anew, const SoftBody& body) {
-  if (!std::ranges::equal(followed.triangle_order(), anew.triangle_order()))
-    return ::testing::AssertionFailure() << "another order of triangles";
-  if (vertices_in_order(followed, body.rest()) != vertices_in_order(anew, body.rest()))
-    return ::testing::AssertionFailure() << "another order of vertices";
-  const TriangleMesh& surface = body.anatomy().surface;
-  for (std::uint32_t vertex = 0; vertex < surface.positions.size(); ++vertex)
-    if (!std::ranges::equal(followed.around(vertex), anew.around(vertex)))
-      return ::testing::AssertionFailure() << "other triangles around vertex " << vertex;
-  for (std::uint32_t triangle = 0; triangle < surface.triangles.size(); ++triangle)
-    if (followed.neighbours(triangle) != anew.neighbours(triangle))
-      return ::testing::AssertionFailure() << "other neighbours of triangle " << triangle;
-  return ::testing::AssertionSuccess();
-}
-
-::testing::AssertionResult same(const TriangleSurface& followed, const TriangleSurface& anew) {
-  const SurfaceTopology &a = followed.topology(), &b = anew.topology();
-  if (!std::ranges::equal(a.triangles(), b.triangles()) || a.vertices() != b.vertices() ||
-      a.closed() != b.closed() || !std::ranges::equal(a.pieces(), b.pieces()))
-    return ::testing::AssertionFailure() << "another topology";
-  for (std::uint32_t vertex = 0; vertex < a.vertices(); ++vertex)
-    if (!std::ranges::equal(a.around(vertex), b.around(vertex)))
-      return ::testing::AssertionFailure() << "other faces around vertex " << vertex;
-  for (std::uint32_t triangle = 0; triangle < a.triangles().size(); ++triangle)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (a.across(triangle, k) != b.across(triangle, k))
-        return ::testing::AssertionFailure() << "another face across an edge of " << triangle;
-  const auto same_node = [](const SurfaceTree::Node& p, const SurfaceTree::Node& q) {
-    return p.box.lo == q.box.lo && p.box.hi == q.box.hi && p.begin == q.begin && p.end == q.end &&
-           p.right == q.right;
-  };
-  if (!std::ranges::equal(followed.tree().order(), anew.tree().order()) ||
-      !std::ranges::equal(followed.tree().nodes(), anew.tree().nodes(), same_node))
-    return ::testing::AssertionFailure() << "another tree";
   return ::testing::AssertionSuccess();
 }
 
@@ -168,9 +103,67 @@ std::vector<Vec3> vertices_in_order(SurfaceDetector& detector, const VecX& x) {
 
 struct Rung {
   const char *name, *model, *solver;
+  const char* integrator = "implicit_euler";
   bool regions = false, damped = false, relaxes = false;
   double stiffness = 1;  // times as stiff as described, since it was made
   bool round = false;    // with a surface finer than its tetrahedra, rounded
+};
+
+class FollowingBlocks final : public FollowingBodies {
+ public:
+  FollowingBlocks(Organ& cut, const SoftDesc& desc, const Anatomy& mesh, double stiffness)
+      : FollowingBodies(cut), desc_(desc), mesh_(mesh), stiffness_(stiffness) {}
+  std::size_t surfaces = 0;  // that followed: of what was cut before and is still
+
+ private:
+  Hung made_anew(std::size_t body) const override {
+    Hung out;
+    out.solver = std::make_unique<SoftBody>(desc_, organ.anatomy(organ.piece(body), out.numbering));
+    out.solver->set_in_force(stiffness_, true);
+    out.find_contact();
+    return out;
+  }
+  bool can_follow(const PieceEdit& edit) const override {
+    return bodies.at(edit.body).solver->can_follow(edit.mesh);
+  }
+  void follow_cut(const PieceEdit& edit) override {
+    const Hung& body = bodies[edit.body];
+    std::optional<SurfaceEdit> surface;
+    if (!body.numbering.triangles.empty())
+      surface = organ.surface_edit(edit, body.solver->anatomy().surface, body.numbering);
+    organ.follow(edit);
+    follow(edit, surface);
+  }
+  void follow_change(const PieceEdit& edit, const Organ::Regrouped& changed) override {
+    const Hung& body = bodies[edit.body];
+    follow(edit, organ.surface_edit_since(changed, organ.piece(edit.body), body.solver->anatomy().surface,
+                                          body.numbering));
+  }
+  void follow(const PieceEdit& edit, const std::optional<SurfaceEdit>& surface) {
+    Hung& body = bodies[edit.body];
+    const OrganPiece& piece = organ.piece(edit.body);
+    if (!surface) {
+      PieceSurface skin = organ.surface(piece);
+      body.numbering = std::move(skin.numbering);
+      body.solver->follow(edit.mesh, std::move(skin.surface), std::move(skin.embedding));
+      body.find_contact();
+      return;
+    }
+    Numbering numbering = body.numbering;
+    apply(*surface, numbering);
+    numbering.nodes = piece.mesh.nodes;
+    body.solver->follow(edit.mesh, *surface);
+    body.follow(*surface, std::move(numbering));
+    ++surfaces;
+  }
+  ::testing::AssertionResult same(std::size_t body, Hung& anew, unsigned seed) override {
+    return prosector::same(*bodies[body].solver, *anew.solver, seed);
+  }
+  void end_stroke() override { ASSERT_TRUE(restores_alike(organ, bodies.size(), mesh_, desc_.density)); }
+
+  const SoftDesc& desc_;
+  const Anatomy& mesh_;
+  double stiffness_;
 };
 
 class FollowingRungs : public ::testing::TestWithParam<Rung> {};
@@ -181,6 +174,7 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
   desc.name = "block";
   desc.model = rung.model;
   desc.solver = rung.solver;
+  desc.integrator = rung.integrator;
   desc.damping_stiffness = rung.damped ? 0.01 : 0;
   desc.attach = {{{0.05, 0.1, 0.05}, 0.04, 1e8}};
   if (rung.regions) {
@@ -193,103 +187,26 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
   const Anatomy mesh =
       rung.round ? embed(shaken_box(4), surface_of("block", 0.01)).anatomy : Anatomy{shaken_box(4), {}, {}};
   Organ organ(0, mesh, desc.density);
-  const auto made_anew = [&](std::size_t body) {
-    Hung out;
-    out.solver = std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(body), out.numbering));
-    out.solver->set_in_force(rung.stiffness, true);
-    out.find_contact();
-    return out;
-  };
-  std::map<std::size_t, Hung> bodies;
-  bodies[0] = made_anew(0);
+  FollowingBlocks bodies(organ, desc, mesh, rung.stiffness);
   Random random(20261122);
-  std::size_t followed = 0, pieces_followed = 0, surfaces_followed = 0, fell_apart = 0, taken_back = 0,
-              joined = 0;
-  // As the simulation does; whether each is what it is made anew.
-  const auto regroup = [&](bool undone) {
-    const Organ::Regrouped changed = organ.regroup(bodies.size());
-    const bool joins = std::any_of(changed.before.begin(), changed.before.end(),
-                                   [&](const OrganPiece& old) { return !organ.piece(old.body).whole(); });
-    for (const std::size_t body : changed.bodies) {
-      const OrganPiece& piece = organ.piece(body);
-      Hung anew = made_anew(body);
-      const auto edit = organ.edit_since(changed, piece);
-      if (!edit) {
-        bodies[body] = std::move(anew);
-        continue;
-      }
-      Hung& hung = bodies[body];
-      ASSERT_TRUE(hung.solver->can_follow(*edit));
-      PieceSurface skin = organ.surface(piece);
-      hung.numbering = std::move(skin.numbering);
-      hung.solver->follow(*edit, std::move(skin.surface), std::move(skin.embedding));
-      hung.find_contact();
-      ASSERT_TRUE(same(*hung.solver, *anew.solver, 7)) << "body " << body;
-      ASSERT_TRUE(same(hung.numbering, anew.numbering));
-      ++(!undone ? fell_apart : joins ? joined : taken_back);
-    }
-  };
-  for (unsigned stroke = 0; stroke < 10; ++stroke) {
+  bodies.make_strokes(10, [&](unsigned stroke) -> FollowingBodies::Stroke {
     // Right through at times, else up to somewhere within.
     const Vec3 along = random.point(1).normalized(), ahead = along.cross(random.point(1)).normalized();
     const Vec3 begin = Vec3::Constant(mesh_size / 2) + random.point(0.02) - mesh_size * ahead;
     const int ticks = stroke % 3 == 0 ? 10 : 6;
-    BladeStroke blade = begin_stroke(std::vector<Vec3>{begin - mesh_size * along, begin + mesh_size * along});
-    if (stroke % 4 == 3) {
-      EXPECT_EQ(organ.undo(1), "");
-      ASSERT_NO_FATAL_FAILURE(regroup(true)) << "stroke " << stroke << " undone";
-    }
-    for (int tick = 1; tick <= ticks; ++tick) {
-      std::vector<Vec3> x;
-      for (NodeId node = 0; node < organ.complex().node_end(); ++node)
-        x.push_back(organ.complex().rest(node));
-      const Vec3 middle = begin + tick * 0.2 * mesh_size * ahead;
-      const std::vector<Vec3> edge = {middle - mesh_size * along, middle + mesh_size * along};
-      if (organ.cut(x, edge, blade, 1, stroke).ops.empty()) continue;
-      const auto edit = organ.cut_in_one_piece();
-      if (edit && bodies[edit->body].solver->can_follow(edit->mesh)) {
-        Hung& body = bodies[edit->body];
-        if (body.numbering.triangles.empty()) {
-          organ.follow(*edit);
-          PieceSurface skin = organ.surface(organ.piece(edit->body));
-          body.numbering = std::move(skin.numbering);
-          body.solver->follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
-          body.find_contact();
-        } else {
-          const SurfaceEdit surface =
-              organ.surface_edit(*edit, body.solver->anatomy().surface, body.numbering);
-          organ.follow(*edit);
-          apply(surface, body.numbering);
-          body.numbering.nodes = organ.piece(edit->body).mesh.nodes;
-          body.solver->follow(edit->mesh, surface);
-          body.detector->follow(surface);
-          body.faces->follow(surface, body.solver->anatomy().surface, body.detector->triangle_order());
-          ++surfaces_followed;
-        }
-        ++(edit->body == 0 ? followed : pieces_followed);
-        Hung anew = made_anew(edit->body);
-        SCOPED_TRACE(::testing::Message() << "stroke " << stroke << ", tick " << tick);
-        ASSERT_TRUE(same(*body.solver, *anew.solver, stroke));
-        ASSERT_TRUE(same(body.numbering, anew.numbering));
-        ASSERT_TRUE(same(*body.detector, *anew.detector, *anew.solver));
-        ASSERT_TRUE(same(*body.faces, *anew.faces));
-      } else {
-        ASSERT_NO_FATAL_FAILURE(regroup(false)) << "stroke " << stroke << ", tick " << tick;
-      }
-    }
-    ASSERT_TRUE(restores_alike(organ, bodies.size(), mesh, desc.density)) << "stroke " << stroke;
-  }
-  EXPECT_GT(followed, 10U);
-  EXPECT_GT(pieces_followed, 0U);  // what came off follows, too
-  EXPECT_GT(surfaces_followed, 10U);
-  EXPECT_GT(fell_apart, 0U);
-  // The rest, to the uncut mesh.
-  while (organ.last_stroke(1)) {
-    ASSERT_EQ(organ.undo(1), "");
-    ASSERT_NO_FATAL_FAILURE(regroup(true));
-  }
-  EXPECT_GT(taken_back, 0U);
-  EXPECT_GT(joined, 0U);
+    return {[=](double share) -> std::vector<Vec3> {
+              const Vec3 middle = begin + share * ticks * 0.2 * mesh_size * ahead;
+              return {middle - mesh_size * along, middle + mesh_size * along};
+            },
+            ticks};
+  });
+  EXPECT_GT(bodies.cuts, 10U);
+  EXPECT_GT(bodies.of_pieces, 0U);
+  EXPECT_GT(bodies.surfaces, 20U);
+  EXPECT_GT(bodies.fell_apart, 0U);
+  EXPECT_GT(bodies.taken_back, 0U);
+  EXPECT_GT(bodies.joined, 0U);
+  EXPECT_EQ(bodies.not_followed, 0U);
 }
 
 // What relaxes remembers: each tetrahedron what the one that it is a part of did.
@@ -297,8 +214,7 @@ TEST(Following, HistoryIsThatOfWhatATetrahedronIsPartOf) {
   Organ organ(0, {shaken_box(4), {}, {}}, 1000);
   const PieceMesh before = organ.piece(0).mesh;
   const VecX history = VecX::LinSpaced(6 * static_cast<Eigen::Index>(before.tets.size()), 1, 2);
-  std::vector<Vec3> x;
-  for (NodeId node = 0; node < organ.complex().node_end(); ++node) x.push_back(organ.complex().rest(node));
+  const std::vector<Vec3> x = rest_of(organ);
   const auto edge = [](double at) { return std::vector<Vec3>{{at, 0.051, -0.1}, {at, 0.051, 0.2}}; };
   BladeStroke blade = begin_stroke(edge(-0.01));
   ASSERT_FALSE(organ.cut(x, edge(0.04), blade, 1, 1).ops.empty());
@@ -318,16 +234,26 @@ TEST(Following, HistoryIsThatOfWhatATetrahedronIsPartOf) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Rungs, FollowingRungs,
-                         ::testing::Values(Rung{"corotational", "fem_corotational", "cg", false, true},
-                                           Rung{"regions", "fem_corotational", "cg", true, false, false, 3},
-                                           Rung{"neo_hookean", "fem_neo_hookean", "cg", true, true},
-                                           Rung{"relaxing", "fem_corotational", "cg", false, false, true},
-                                           Rung{"round", "fem_corotational", "cg", false, false, false, 1,
-                                                true},
-                                           Rung{"direct", "fem_corotational", "direct"},
-                                           Rung{"multigrid", "fem_corotational", "multigrid", false, true}),
-                         [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Rungs, FollowingRungs,
+    ::testing::Values(
+        Rung{.name = "corotational", .model = "fem_corotational", .solver = "cg", .damped = true},
+        Rung{.name = "regions", .model = "fem_corotational", .solver = "cg", .regions = true, .stiffness = 3},
+        Rung{.name = "neo_hookean",
+             .model = "fem_neo_hookean",
+             .solver = "cg",
+             .regions = true,
+             .damped = true},
+        Rung{.name = "relaxing", .model = "fem_corotational", .solver = "cg", .relaxes = true},
+        Rung{.name = "round", .model = "fem_corotational", .solver = "cg", .round = true},
+        Rung{.name = "direct", .model = "fem_corotational", .solver = "direct"},
+        Rung{.name = "multigrid", .model = "fem_corotational", .solver = "multigrid", .damped = true},
+        Rung{.name = "explicit",
+             .model = "fem_corotational",
+             .solver = "cg",
+             .integrator = "verlet",
+             .damped = true}),
+    [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
 }  // namespace prosector

@@ -146,4 +146,12 @@ VecX NodeTransfer::operator()(std::span<const VecX* const> fields) const {
   return out;
 }
 
+VecX NodeTransfer::appended_to(const VecX& field) const {
+  const VecX* const fields[] = {&field};
+  const VecX made = (*this)(fields);
+  VecX out(field.size() + made.size());
+  out << field, made;
+  return out;
+}
+
 }  // namespace prosector

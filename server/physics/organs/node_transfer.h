@@ -39,6 +39,8 @@ class NodeTransfer {
   NodeTransfer(const TetComplex& complex, const PieceMesh& before, std::span<const NodeId> made);
   /// `fields`: 3n numbers of each piece in `before`.
   VecX operator()(std::span<const VecX* const> fields) const;
+  /// Of nodes that were made in one piece: its field, and what they have of it after.
+  VecX appended_to(const VecX& field) const;
 
  private:
   struct Term {

@@ -106,7 +106,7 @@ std::string Organ::undo(ParticipantId author) {
   } catch (const InputError& error) {  // something hangs on it that touched() doesn't tell: nothing is undone
     complex_ = before;
     for (OrganChange* change : stroke) change->taken_back = false;
-    changed_.clear();
+    note_from_here();
     return error.what();
   }
   OrganChange entry;
@@ -141,10 +141,18 @@ void Organ::note_touched(const std::vector<TetId>& tets) {
   for (TetId tet = first; tet < owner_.size(); ++tet)  // children after their parents
     owner_[tet] = owner_[complex_.parent(tet)];
   for (const TetId tet : tets) changed_.insert(owner_[tet]);
+  touched_.insert(touched_.end(), tets.begin(), tets.end());
 }
 
 void Organ::note_changed(const Skin::Change& skin) {
   skin_changed_.insert(skin_changed_.end(), skin.slots.begin(), skin.slots.end());
+}
+
+void Organ::note_from_here() {
+  changed_.clear();
+  touched_.clear();
+  skin_changed_.clear();
+  grouped_ = log_.size();
 }
 
 Organ::Regrouped Organ::regroup(std::size_t next_body) {
@@ -188,26 +196,26 @@ Organ::Regrouped Organ::regroup(std::size_t next_body) {
     if (at == pieces_.end()) at = pieces_.insert(at, OrganPiece{c.owner, {}});
     at->mesh = piece_mesh(complex_, c.tets);
   }
-  changed_.clear();
-  skin_changed_.clear();
-  grouped_ = log_.size();
+  out.touched = std::move(touched_);
+  out.skin_changed = std::move(skin_changed_);
+  note_from_here();
   return out;
 }
 
 std::optional<PieceEdit> Organ::cut_in_one_piece() const {
   if (changed_.size() != 1) return std::nullopt;
-  std::vector<TetId> touched, slit;
+  std::vector<TetId> slit;
   for (std::size_t i = grouped_; i < log_.size(); ++i) {
     if (log_[i].cause != TopologyCause::cut) return std::nullopt;
-    touched.insert(touched.end(), log_[i].touched.begin(), log_[i].touched.end());
     for (const TopologyOp& op : log_[i].ops)
       if (const auto* faces = std::get_if<SlitFaces>(&op))
         for (const auto& [a, b] : faces->faces) slit.insert(slit.end(), {a, b});
   }
   if (!hang_together(complex_, slit)) return std::nullopt;
   const PieceMesh& before = piece(*changed_.begin()).mesh;
-  PieceEdit edit = edit_of(complex_, before, touched);
-  if (complex_.is_sheet()) edit.touched = touched_corners(complex_, before, edit, whole_, touched);
+  PieceEdit edit = edit_of(complex_, before, touched_);
+  if (complex_.is_sheet())
+    edit.touched = touched_corners(complex_, before.nodes, edit.mesh.nodes, whole_, touched_);
   edit.body = *changed_.begin();
   return edit;
 }
@@ -216,9 +224,7 @@ void Organ::follow(const PieceEdit& edit) {
   const auto piece =
       std::find_if(pieces_.begin(), pieces_.end(), [&](const OrganPiece& p) { return p.body == edit.body; });
   apply(complex_, edit, piece->mesh);
-  changed_.clear();
-  skin_changed_.clear();
-  grouped_ = log_.size();
+  note_from_here();
 }
 
 const OrganPiece& Organ::piece(std::size_t body) const {
@@ -226,15 +232,20 @@ const OrganPiece& Organ::piece(std::size_t body) const {
                        [&](const OrganPiece& piece) { return piece.body == body; });
 }
 
-std::optional<MeshEdit> Organ::edit_since(const Regrouped& then, const OrganPiece& piece) const {
+std::optional<PieceEdit> Organ::edit_since(const Regrouped& then, const OrganPiece& piece) const {
   const auto before = std::find_if(then.before.begin(), then.before.end(),
                                    [&](const OrganPiece& old) { return old.body == piece.body; });
-  if (complex_.is_sheet() || !piece.whole() || before == then.before.end()) return std::nullopt;
+  if (!piece.whole() || before == then.before.end()) return std::nullopt;
   // As compiled, it may have nodes that no tetrahedron has.
   const TetMesh& mesh = piece.mesh.mesh;
-  if (is_uncut() && (whole_.tets.positions.size() != mesh.positions.size() || whole_.tets.tets != mesh.tets))
-    return std::nullopt;
-  return edit_between(before->mesh, piece.mesh);
+  const bool numbered_alike = whole_.tets.positions.size() == mesh.positions.size() &&
+                              (complex_.is_sheet() || whole_.tets.tets == mesh.tets);
+  if (is_uncut() && !numbered_alike) return std::nullopt;
+  PieceEdit edit = edit_between(before->mesh, piece.mesh);
+  edit.body = piece.body;
+  if (complex_.is_sheet())
+    edit.touched = touched_corners(complex_, piece.mesh.nodes, edit.mesh.nodes, whole_, then.touched);
+  return edit;
 }
 
 bool Organ::is_uncut() const {
@@ -263,8 +274,31 @@ SurfaceEdit Organ::surface_edit(const PieceEdit& edit, const TriangleMesh& surfa
                                 const Numbering& numbering) const {
   std::vector<NodeId> nodes = piece(edit.body).mesh.nodes;
   nodes.insert(nodes.end(), edit.nodes.begin(), edit.nodes.end());
+  return surface_edit(edit.body, nodes, skin_changed_, surface, numbering);
+}
+
+std::optional<SurfaceEdit> Organ::surface_edit_since(const Regrouped& then, const OrganPiece& piece,
+                                                     const TriangleMesh& surface,
+                                                     const Numbering& numbering) const {
+  if (complex_.is_sheet() || numbering.triangles.empty() || is_uncut()) return std::nullopt;
+  // What went with another piece, or came with it, has the corners that it had.
+  std::vector<std::uint32_t> slots = then.skin_changed;
+  const auto first = static_cast<std::uint32_t>(whole_.surface.triangles.size());
+  auto had = numbering.triangles.begin();
+  for (std::uint32_t slot = 0; slot < skin_.triangles().size(); ++slot) {
+    const bool was_its = had != numbering.triangles.end() && *had == first + slot;
+    if (was_its) ++had;
+    const bool is_its = !skin_.triangles()[slot].gone() && owner_[skin_.tet(slot)] == piece.body;
+    if (was_its != is_its) slots.push_back(slot);
+  }
+  return surface_edit(piece.body, piece.mesh.nodes, std::move(slots), surface, numbering);
+}
+
+SurfaceEdit Organ::surface_edit(std::size_t body, std::span<const NodeId> nodes,
+                                std::vector<std::uint32_t> slots, const TriangleMesh& surface,
+                                const Numbering& numbering) const {
   return edit_of_surface(
-      complex_, skin_, nodes, [&](TetId tet) { return owner_[tet] == edit.body; }, skin_changed_, surface,
+      complex_, skin_, nodes, [&](TetId tet) { return owner_[tet] == body; }, std::move(slots), surface,
       numbering, static_cast<std::uint32_t>(whole_.surface.positions.size()),
       static_cast<std::uint32_t>(whole_.surface.triangles.size()));
 }

@@ -66,13 +66,20 @@ class Organ {
   /// Finds the pieces anew after changes: of a body that fell apart the largest piece stays it; the others
   /// get body indices from `next_body` on.
   struct Regrouped {
-    std::vector<OrganPiece> before;   // the pieces that changed, as they were
-    std::vector<std::size_t> bodies;  // that changed, came or went; ascending
+    std::vector<OrganPiece> before;           // the pieces that changed, as they were
+    std::vector<std::size_t> bodies;          // that changed, came or went; ascending
+    std::vector<TetId> touched;               // by the changes
+    std::vector<std::uint32_t> skin_changed;  // slots of its triangles
   };
   Regrouped regroup(std::size_t next_body);
   /// From the mesh that anatomy() gave of the body before that regroup() to the one that it gives now; none
-  /// of a sheet and of what wasn't or isn't a piece.
-  std::optional<MeshEdit> edit_since(const Regrouped& then, const OrganPiece& piece) const;
+  /// of what wasn't or isn't a piece.
+  std::optional<PieceEdit> edit_since(const Regrouped& then, const OrganPiece& piece) const;
+  /// Likewise from the surface of tetrahedra that it had, and its numbering, to the one that it has now; none
+  /// where one of them is the compiled one.
+  std::optional<SurfaceEdit> surface_edit_since(const Regrouped& then, const OrganPiece& piece,
+                                                const TriangleMesh& surface,
+                                                const Numbering& numbering) const;
   const OrganPiece& piece(std::size_t body) const;
   /// Where the changes since the last regroup() are cuts in one piece that nothing came off: what they did to
   /// its mesh.
@@ -116,7 +123,10 @@ class Organ {
   void go_back(std::size_t length);
   void note_touched(const std::vector<TetId>& tets);
   void note_changed(const Skin::Change& skin);
+  void note_from_here();
   bool is_uncut() const;  // no cut is in force
+  SurfaceEdit surface_edit(std::size_t body, std::span<const NodeId> nodes, std::vector<std::uint32_t> slots,
+                           const TriangleMesh& surface, const Numbering& numbering) const;
 
   TetComplex uncut(double density) const;
 
@@ -128,6 +138,7 @@ class Organ {
   std::vector<std::size_t> owner_;           // by tetrahedron: the body that it is, or was, part of
   std::set<std::size_t> changed_;            // bodies, since the last regroup() or follow()
   std::size_t grouped_ = 0;                  // entries of the log, then
+  std::vector<TetId> touched_;               // since then
   std::vector<std::uint32_t> skin_changed_;  // slots of its triangles, since then
   std::vector<OrganChange> log_;
   std::vector<OrganPiece> pieces_;  // by body

@@ -29,9 +29,7 @@ void Organ::rewind(const Organ& then, ParticipantId author) {
       return p.body == piece.body;
     })->mesh = piece.mesh;
   }
-  changed_.clear();
-  skin_changed_.clear();
-  grouped_ = log_.size();
+  note_from_here();
 }
 
 /// Appends to the log what was logged before, and does it to the tetrahedra; caches are the caller's.

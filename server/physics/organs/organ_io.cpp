@@ -92,9 +92,7 @@ void Organ::load(ByteReader& in, std::size_t bodies) {
   }
   const std::vector<std::vector<TetId>> found = prosector::pieces(complex_);
   pieces_.clear();
-  changed_.clear();
-  skin_changed_.clear();
-  grouped_ = log_.size();
+  note_from_here();
   std::size_t used = 0;
   for (std::size_t left = in.count(bodies); left > 0; --left) {
     OrganPiece& piece = pieces_.emplace_back();

@@ -115,8 +115,9 @@ PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector
   return out;
 }
 
-MeshEdit edit_between(const PieceMesh& before, const PieceMesh& now) {
-  MeshEdit out;
+PieceEdit edit_between(const PieceMesh& before, const PieceMesh& now) {
+  PieceEdit piece;
+  MeshEdit& out = piece.mesh;
   out.kept_nodes.before = before.nodes.size();
   out.kept_nodes.now = now.nodes.size();
   for (std::uint32_t i = 0, j = 0; j < now.nodes.size(); ++j) {
@@ -126,6 +127,7 @@ MeshEdit edit_between(const PieceMesh& before, const PieceMesh& now) {
     } else {
       out.made_nodes.push_back(j);
       out.positions.push_back(now.mesh.positions[j]);
+      piece.nodes.push_back(now.nodes[j]);
     }
   }
   const std::vector<std::uint32_t> destination = out.kept_nodes.destinations();
@@ -153,12 +155,13 @@ MeshEdit edit_between(const PieceMesh& before, const PieceMesh& now) {
     }
     out.tets.push_back(j);
     out.corners.push_back(corners);
+    piece.tets.push_back(now.tets[j]);
     for (const std::uint32_t corner : corners) met[corner] = 1;
   }
   while (i < before.tets.size()) gone();
   for (std::uint32_t node = 0; node < met.size(); ++node)
     if (met[node]) out.nodes.push_back(node);
-  return out;
+  return piece;
 }
 
 void apply(const TetComplex& complex, const PieceEdit& edit, PieceMesh& piece) {

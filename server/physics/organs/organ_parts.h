@@ -13,7 +13,7 @@ Anatomy without_edge_nodes(const Anatomy& anatomy);
 
 PieceMesh piece_mesh(const TetComplex& complex, std::span<const TetId> tets);
 
-/// What a cut changed in a piece that nothing came off.
+/// What a cut, or what takes one back, changed in a piece.
 struct PieceEdit {
   std::size_t body = 0;
   std::vector<NodeId> nodes;  // new ones
@@ -23,12 +23,13 @@ struct PieceEdit {
                                        // that came or went; ascending
 };
 
-/// Of tetrahedra of the piece that may have changed: children of its tetrahedra, or corners that were parted.
+/// Where nothing came off it, of tetrahedra that may have changed: children of its tetrahedra, or corners
+/// that were parted.
 PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector<TetId> touched);
 void apply(const TetComplex& complex, const PieceEdit& edit, PieceMesh& piece);
 /// Whatever it was that happened between, of one organ: what is at the same place with the same corners is
 /// what it was.
-MeshEdit edit_between(const PieceMesh& before, const PieceMesh& now);
+PieceEdit edit_between(const PieceMesh& before, const PieceMesh& now);
 
 /// The surface of a piece, hanging on its nodes.
 struct PieceSurface {

@@ -116,21 +116,20 @@ Anatomy sheet_piece(const TetComplex& complex, const PieceMesh& piece, const Ana
 }
 
 // A cell goes whole: also where one of its triangles has the corners that it had.
-std::vector<std::uint32_t> touched_corners(const TetComplex& complex, const PieceMesh& before,
-                                           const PieceEdit& edit, const Anatomy& whole,
+std::vector<std::uint32_t> touched_corners(const TetComplex& complex, std::span<const NodeId> nodes,
+                                           std::vector<std::uint32_t> edited, const Anatomy& whole,
                                            std::span<const TetId> touched) {
-  std::vector<std::uint32_t> out = edit.mesh.nodes;
   for (TetId t : touched) {
     while (complex.parent(t) != TetComplex::none) t = complex.parent(t);
     for (const NodeId corner : whole.quads[t / 2]) {
-      const auto at = std::lower_bound(before.nodes.begin(), before.nodes.end(), corner);
-      if (at != before.nodes.end() && *at == corner)
-        out.push_back(static_cast<std::uint32_t>(at - before.nodes.begin()));
+      const auto at = std::lower_bound(nodes.begin(), nodes.end(), corner);
+      if (at != nodes.end() && *at == corner)
+        edited.push_back(static_cast<std::uint32_t>(at - nodes.begin()));
     }
   }
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
-  return out;
+  std::sort(edited.begin(), edited.end());
+  edited.erase(std::unique(edited.begin(), edited.end()), edited.end());
+  return edited;
 }
 
 Anatomy sheet_remnant(const Anatomy& whole) {

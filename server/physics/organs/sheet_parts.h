@@ -13,9 +13,10 @@ namespace prosector {
 Anatomy sheet_piece(const TetComplex& complex, const PieceMesh& piece, const Anatomy& whole,
                     Numbering& numbering);
 
-/// PieceEdit::touched, of an edit that was made of these triangles.
-std::vector<std::uint32_t> touched_corners(const TetComplex& complex, const PieceMesh& before,
-                                           const PieceEdit& edit, const Anatomy& whole,
+/// PieceEdit::touched of a piece with these nodes, ascending: `edited`, those of its MeshEdit, and the
+/// corners of cells of which one of these triangles is a part, or was.
+std::vector<std::uint32_t> touched_corners(const TetComplex& complex, std::span<const NodeId> nodes,
+                                           std::vector<std::uint32_t> edited, const Anatomy& whole,
                                            std::span<const TetId> touched);
 
 /// One cell, without a surface: what is left to be solved of a piece that was joined to another.

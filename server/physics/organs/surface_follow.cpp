@@ -46,6 +46,45 @@ Numbers unused(const TriangleMesh& surface, const Numbers& gone_triangles, Numbe
   return vertices;
 }
 
+/// An entry's number: where nothing was ever cut, its index.
+std::uint32_t number_of(const Numbers& numbers, std::uint32_t index) {
+  return numbers.empty() ? index : numbers[index];
+}
+
+/// Between lists of so many entries. `is_same(i, j)`: whether those of one number, by indices before and now,
+/// are the same.
+template <class F>
+ListEdit edit_between(std::size_t before, const Numbers& numbered_before, std::size_t now,
+                      const Numbers& numbered, const F& is_same) {
+  Numbers gone, come_before;
+  std::uint32_t i = 0;
+  for (std::uint32_t j = 0; j < now; ++j) {
+    const std::uint32_t number = number_of(numbered, j);
+    while (i < before && number_of(numbered_before, i) < number) gone.push_back(i++);
+    if (i < before && number_of(numbered_before, i) == number) {
+      if (is_same(i, j)) {
+        ++i;
+        continue;
+      }
+      gone.push_back(i++);
+    }
+    come_before.push_back(i);
+  }
+  while (i < before) gone.push_back(i++);
+  return ListEdit(before, std::move(gone), come_before);
+}
+
+/// Vertices there now of triangles that went or came.
+Numbers touched_by(const SurfaceEdit& edit, const TriangleMesh& before) {
+  Numbers out;
+  for (const std::uint32_t triangle : edit.triangles.gone)
+    for (const std::uint32_t vertex : before.triangles[triangle])
+      if (edit.vertices.now[vertex] != ListEdit::none) out.push_back(edit.vertices.now[vertex]);
+  for (const auto& corners : edit.corners) out.insert(out.end(), corners.begin(), corners.end());
+  sort_unique(out);
+  return out;
+}
+
 }  // namespace
 
 SurfaceEdit edit_of_surface(const TetComplex& complex, const Skin& skin, std::span<const NodeId> nodes,
@@ -93,11 +132,34 @@ SurfaceEdit edit_of_surface(const TetComplex& complex, const Skin& skin, std::sp
   };
   for (std::size_t i = 0; i < met.size(); i += 3)
     out.corners.push_back({vertex_now(met[i]), vertex_now(met[i + 1]), vertex_now(met[i + 2])});
-  for (const std::uint32_t vertex : left)
-    if (out.vertices.now[vertex] != ListEdit::none) out.touched.push_back(out.vertices.now[vertex]);
-  for (const auto& corners : out.corners)
-    out.touched.insert(out.touched.end(), corners.begin(), corners.end());
-  sort_unique(out.touched);
+  out.touched = touched_by(out, before);
+  return out;
+}
+
+SurfaceEdit edit_between(const TriangleMesh& before, const Numbering& numbered_before,
+                         const TriangleMesh& now, const SparseMap& hung, const Numbering& numbered) {
+  SurfaceEdit out;
+  out.vertices =
+      edit_between(before.positions.size(), numbered_before.vertices, now.positions.size(), numbered.vertices,
+                   [&](std::uint32_t i, std::uint32_t j) { return before.positions[i] == now.positions[j]; });
+  for (const std::uint32_t vertex : out.vertices.come) {
+    out.positions.push_back(now.positions[vertex]);
+    out.rows.push_back(hung.rows[vertex]);
+    out.vertex_numbers.push_back(number_of(numbered.vertices, vertex));
+  }
+  out.triangles = edit_between(
+      before.triangles.size(), numbered_before.triangles, now.triangles.size(), numbered.triangles,
+      [&](std::uint32_t i, std::uint32_t j) {
+        const auto &were = before.triangles[i], &are = now.triangles[j];
+        return std::equal(were.begin(), were.end(), are.begin(),
+                          [&](std::uint32_t a, std::uint32_t b) { return out.vertices.now[a] == b; });
+      });
+  for (const std::uint32_t triangle : out.triangles.come) {
+    out.corners.push_back(now.triangles[triangle]);
+    out.inner.push_back(0);
+    out.triangle_numbers.push_back(number_of(numbered.triangles, triangle));
+  }
+  out.touched = touched_by(out, before);
   return out;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The surface of a piece after a cut, as what the cut changed in its list.
+// The surface of a piece after a cut, or what takes one back, as what that changed in its list.
 
 #include <functional>
 
@@ -15,5 +15,10 @@ SurfaceEdit edit_of_surface(const TetComplex& complex, const Skin& skin, std::sp
                             const std::function<bool(TetId)>& in_piece, std::vector<std::uint32_t> slots,
                             const TriangleMesh& before, const Numbering& numbering,
                             std::uint32_t first_vertex, std::uint32_t first_triangle);
+
+/// From one surface to another, which are both there: of a sheet, whose geometry is made whole. Without inner
+/// faces.
+SurfaceEdit edit_between(const TriangleMesh& before, const Numbering& numbered_before,
+                         const TriangleMesh& now, const SparseMap& hung, const Numbering& numbered);
 
 }  // namespace prosector

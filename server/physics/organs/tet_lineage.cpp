@@ -19,6 +19,7 @@ std::optional<OldTet> find_old(const TetComplex& complex, std::span<const PieceM
 VecX carried_history(const TetComplex& complex, std::span<const PieceMesh* const> before,
                      std::span<const VecX* const> histories, Eigen::Index numbers,
                      std::span<const TetId> tets) {
+  if (numbers == 0) return {};
   VecX out = VecX::Zero(numbers * static_cast<Eigen::Index>(tets.size()));
   for (std::size_t t = 0; t < tets.size(); ++t)
     if (const auto old = find_old(complex, before, tets[t]))

@@ -104,9 +104,9 @@ void BlockPattern::follow(const MeshEdit& edit) {
   replace_rows(edit.kept_nodes, edit.nodes);
 }
 
-void BlockPattern::follow(std::span<const std::uint32_t> nodes) {
+void BlockPattern::follow(const Kept& kept, std::span<const std::uint32_t> nodes) {
   incidence_ = Incidence(elements_);
-  replace_rows(Kept::all(rows(), elements_.nodes()), nodes);
+  replace_rows(kept, nodes);
 }
 
 /// Those of these nodes are found anew, the others kept.

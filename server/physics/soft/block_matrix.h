@@ -18,8 +18,8 @@ class BlockPattern {
   /// To the elements as they are after they followed `edit`: what its nodes' rows have is found anew.
   void follow(const MeshEdit& edit);
   /// To the elements as they are, of which those that came, went or changed meet these nodes, ascending, and
-  /// the others keep their order.
-  void follow(std::span<const std::uint32_t> nodes);
+  /// the others keep their order. `kept`: of the nodes.
+  void follow(const Kept& kept, std::span<const std::uint32_t> nodes);
 
   std::size_t rows() const { return row_begin_.size() - 1; }
   std::size_t blocks() const { return column_.size(); }

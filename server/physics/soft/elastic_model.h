@@ -59,9 +59,10 @@ class ElasticModel {
   virtual void follow(const SoftDesc& /*desc*/, const TetMesh& /*mesh*/, const MeshEdit& /*edit*/) {}
   /// Likewise of a sheet.
   virtual bool can_follow_sheet() const { return false; }
-  /// `touched`: the corners of cells and triangles that came or went. Returns the nodes, ascending, of
-  /// elements that may have come, gone or changed; the others keep their order.
+  /// `nodes`: which stay; `touched`: the corners there now of cells and triangles that came or went. Returns
+  /// the nodes, ascending, of elements that may have come, gone or changed; the others keep their order.
   virtual std::vector<std::uint32_t> follow_sheet(const SoftDesc& /*desc*/, const Anatomy& /*sheet*/,
+                                                  const Kept& /*nodes*/,
                                                   std::span<const std::uint32_t> /*touched*/) {
     return {};
   }

@@ -20,11 +20,13 @@ constexpr int tick_iterations = 4;  // from the last tick's
 /// a = M⁻¹·(−∂W/∂x − k(x − x₀ + βv) − βK(x_n)·v) − α·v + g, with Rayleigh damping as in soft_body.h.
 class BodyField final : public AccelerationField {
  public:
-  explicit BodyField(const SubstepBody& body)
-      : body_(body), gradient_(body.model.rest().size()), damping_(body.model.rest().size()) {
-    if (body.desc.damping_stiffness > 0) stiffness_.resize(body.pattern.blocks());
-  }
+  explicit BodyField(const SubstepBody& body) : body_(body) { fit(); }
 
+  void fit() {
+    gradient_.resize(body_.model.rest().size());
+    damping_.resize(gradient_.size());
+    if (body_.desc.damping_stiffness > 0) stiffness_.resize(body_.pattern.blocks());
+  }
   void begin(const double* x) {
     if (!stiffness_.empty()) body_.pattern.gather(body_.model.warped_stiffness(x), 0, {}, stiffness_);
   }
@@ -60,22 +62,30 @@ class ExplicitSubstepper final : public Substepper {
  public:
   explicit ExplicitSubstepper(const SubstepBody& body)
       : body_(body),
-        method_(find_row(explicit_integrators(), "integrator", body.desc.integrator).make()),
         sounded_(find_row(explicit_integrators(), "integrator", body.desc.integrator).make()),
         limit_(*sounded_),
         needs_damping_(limit_.at(1) == 0),
-        field_(body),
-        stiffness_(body.pattern.blocks()),
-        scale_(body.model.rest().size()),
-        product_(scale_.size()) {
-    for (Eigen::Index i = 0; i < body.mass.size(); ++i)
-      scale_.segment<3>(3 * i).setConstant(1 / std::sqrt(body.mass[i]));
+        field_(body) {
+    fit();
+  }
+
+  bool can_fit() const override { return true; }
+  /// The frequency is sought from a vector that knows nothing, as ever: from the mode of what the body was it
+  /// would depend on the cuts between.
+  void fit() override {
+    method_ = find_row(explicit_integrators(), "integrator", body_.desc.integrator).make();
+    field_.fit();
+    stiffness_.resize(body_.pattern.blocks());
+    scale_.resize(body_.model.rest().size());
+    product_.resize(scale_.size());
+    for (Eigen::Index i = 0; i < body_.mass.size(); ++i)
+      scale_.segment<3>(3 * i).setConstant(1 / std::sqrt(body_.mass[i]));
     mode_ = VecX::NullaryExpr(scale_.size(), [](Eigen::Index i) {
       const auto k = static_cast<double>(i);
       return std::cos(2.7 * k * k + 0.3);  // of every shape a little, the same each time
     });
     mode_.normalize();
-    omega_ = frequency(body.model.rest().data(), first_iterations, mode_);
+    omega_ = frequency(body_.model.rest().data(), first_iterations, mode_);
   }
 
   void initialise(SoftBodyState& state) override {
@@ -140,7 +150,7 @@ class ExplicitSubstepper final : public Substepper {
   std::vector<Mat3> stiffness_;
   VecX scale_, product_;  // 3n: M^−½; scratch
   VecX mode_;             // at rest
-  double omega_;          // 1/s, at rest
+  double omega_ = 0;      // 1/s, at rest
 };
 
 }  // namespace

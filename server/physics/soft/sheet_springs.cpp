@@ -215,6 +215,25 @@ void replace(std::vector<Element>& elements, std::vector<Element> fresh, const G
   elements = std::move(out);
 }
 
+std::span<const std::uint32_t> nodes_of(const Spring& spring) {
+  return spring.node;
+}
+std::span<const std::uint32_t> nodes_of(const Bend& bend) {
+  return bend.nodes();
+}
+
+/// Leaves out what has a node that is gone: its other nodes are corners of the cell that went with that, or
+/// have a spring to one. The rest keeps its order, for the nodes keep theirs.
+template <class Element>
+void renumber(std::span<const std::uint32_t> now, std::vector<Element>& elements) {
+  std::erase_if(elements, [&](const Element& e) {
+    const auto nodes = nodes_of(e);
+    return std::any_of(nodes.begin(), nodes.end(), [&](std::uint32_t n) { return now[n] == Kept::none; });
+  });
+  for (Element& e : elements)
+    for (std::size_t k = 0; k < nodes_of(e).size(); ++k) e.node[k] = now[e.node[k]];
+}
+
 }  // namespace
 
 SpringNetwork make_sheet_springs(const SoftDesc& desc, const Anatomy& sheet) {
@@ -226,10 +245,15 @@ SpringNetwork make_sheet_springs(const SoftDesc& desc, const Anatomy& sheet) {
 // What cells that came or went have a part in is at one of their corners: a spring at an end, a line in its
 // middle, what bends about an edge at its ends. Of that nothing stays; it is found anew from all cells around
 // those corners, in their order. Nothing else changes.
-std::vector<std::uint32_t> follow_sheet(const SoftDesc& desc, const Anatomy& sheet,
+std::vector<std::uint32_t> follow_sheet(const SoftDesc& desc, const Anatomy& sheet, const Kept& kept,
                                         std::span<const std::uint32_t> touched, SpringNetwork& springs) {
   const std::size_t nodes = sheet.tets.positions.size();
   std::vector<char> is_touched(nodes, 0), met(nodes, 0);
+  if (!kept.all_unmoved()) {
+    const std::vector<std::uint32_t> now = kept.destinations();
+    renumber(now, springs.springs);
+    renumber(now, springs.bends);
+  }
   for (const std::uint32_t node : touched) is_touched[node] = 1;
   const auto any = [&](std::span<const std::uint32_t> of) {
     return std::any_of(of.begin(), of.end(), [&](std::uint32_t node) { return is_touched[node] != 0; });
@@ -250,10 +274,10 @@ std::vector<std::uint32_t> follow_sheet(const SoftDesc& desc, const Anatomy& she
   const auto meet = [&](const SpringNetwork& network) {
     for (const Spring& s : network.springs)
       if (spring_goes(s))
-        for (const std::uint32_t node : s.node) met[node] = 1;
+        for (const std::uint32_t node : nodes_of(s)) met[node] = 1;
     for (const Bend& b : network.bends)
       if (bend_goes(b))
-        for (const std::uint32_t node : b.nodes()) met[node] = 1;
+        for (const std::uint32_t node : nodes_of(b)) met[node] = 1;
   };
   meet(springs);
   meet(fresh);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "server/physics/soft/mesh_edit.h"
 #include "server/physics/soft/spring_network.h"
 
 namespace prosector {
@@ -12,10 +13,11 @@ namespace prosector {
 /// the order of their nodes.
 SpringNetwork make_sheet_springs(const SoftDesc& desc, const Anatomy& sheet);
 
-/// Takes a sheet's springs, of which none was dropped, along with a cut: as if made anew of `sheet`, bit for
-/// bit. `touched`: the corners of cells and triangles that came or went. Returns the nodes, ascending, of
-/// springs and bends that may have come, gone or changed.
-std::vector<std::uint32_t> follow_sheet(const SoftDesc& desc, const Anatomy& sheet,
+/// Takes a sheet's springs, of which none was dropped, along with a cut or what takes one back: as if made
+/// anew of `sheet`, bit for bit. `kept`: of the nodes; `touched`: the corners there now of cells and
+/// triangles that came or went. Returns the nodes, ascending, of springs and bends that may have come, gone
+/// or changed.
+std::vector<std::uint32_t> follow_sheet(const SoftDesc& desc, const Anatomy& sheet, const Kept& kept,
                                         std::span<const std::uint32_t> touched, SpringNetwork& springs);
 
 }  // namespace prosector

@@ -3,25 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <utility>
 
 #include "common/error.h"
 #include "common/hash.h"
-#include "common/messages.h"
 #include "server/physics/parallel.h"
-#include "server/physics/soft/body_hessian.h"
 #include "server/physics/soft/rungs.h"
+#include "server/physics/soft/soft_body_impl.h"
 #include "server/physics/soft/soft_body_setup.h"
-#include "server/physics/soft/stiffness_damping.h"
-#include "server/physics/soft/substepper.h"
 #include "server/physics/soft/tet10.h"
 
 namespace prosector {
 namespace {
-
-const char* const recovery_model = "fem_corotational";  // no minimum but the rest shape was ever seen
 
 template <class T>
 auto named(const SoftDesc& desc, const T& make) {
@@ -46,128 +39,51 @@ std::unique_ptr<ElasticModel> usable_model(const SoftDesc& desc, const Anatomy& 
   return model;
 }
 
-VecX lumped_mass(double density, VecX volume) {
-  const double least = SoftBody::least_mass_share * volume.mean();
-  return density * volume.cwiseMax(least);
-}
-
-double bounding_diagonal(const VecX& x) {
-  const auto points = x.reshaped(3, x.size() / 3);
-  return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
-}
-
 }  // namespace
 
-struct SoftBody::Impl {
-  SoftDesc desc;
-  Anatomy anatomy;
-  std::unique_ptr<ElasticModel> model;
-  std::unique_ptr<TimeIntegrator> integrator, euler;
-  const TimeIntegrator* stepping = nullptr;  // the one of the step begun
-  BlockPattern pattern;
-  SymmetricPattern symmetric;
-  VecX mass, ties;  // n kg; n N/m, as described
-  // A material that is s times as stiff moves as if inertia, ties and loads were 1/s of what they are: so it
-  // is computed, and what leaves this class is multiplied by s. No element knows of it.
-  double strength = 1;  // s
-  bool tied = true;
-  VecX inertia, attached;  // n kg; n N/m: those divided by s
-  std::unique_ptr<Substepper> substepper;
-  std::unique_ptr<SoftBody> recovery;
-  std::vector<double> area;
-  double diagonal;    // m
-  TetMesh eighths;    // of quadratic tetrahedra: linear ones on the same nodes
-  Motion remembered;  // x, v
-  VecX history;       // with them
+SoftBody::Impl::Impl(const SoftDesc& d, Anatomy a)
+    : desc((check_constants(d), d)),
+      anatomy((check_mesh(d, a), nodes_for(d, std::move(a)))),
+      model(usable_model(d, anatomy)),
+      pattern(model->connectivity()),
+      symmetric(pattern),
+      mass(lumped_mass(d.density, model->volume())),
+      ties(prosector::attachment_stiffness(d.attach, model->rest(), model->volume())),
+      inertia(mass),
+      attached(ties),
+      area(vertex_areas(anatomy)),
+      diagonal(bounding_diagonal(model->rest())),
+      system{desc, *model, pattern, symmetric, inertia, attached},
+      elements(system, !model->turns() || desc.solver == "direct"),
+      damping(system, elements),
+      node_sum(node_count()) {
+  named(d, [&] { return make_solver(d.solver); });  // used by whoever solves, refused here
+  build_on_inertia();
+  euler = make_integrator("implicit_euler");
+  if (d.element == "tet10") eighths = divided(anatomy.tets);
+  integrator = make_integrator(substepper ? "implicit_euler" : d.integrator);
+  start_anew();
+}
 
-  Stage stage;
-  VecX x_n;              // 3n
-  bool relaxed = false;  // see set_relaxed
-  SoftSystem system;
-  StageElements elements;
-  StiffnessDamping damping;
-  std::optional<BodyHessian> hessian;
-  NodeSum node_sum;
+void SoftBody::Impl::start_anew() {
+  stepping = integrator.get();
+  relaxed = false;
+  history = {};
+  for (VecX* v : {&x_n, &stage.y, &stage.x_v, &stage.v_h, &remembered.x, &remembered.v})
+    v->setZero(rest().size());
+}
 
-  Impl(const SoftDesc& d, Anatomy a)
-      : desc((check_constants(d), d)),
-        anatomy((check_mesh(d, a), nodes_for(d, std::move(a)))),
-        model(usable_model(d, anatomy)),
-        pattern(model->connectivity()),
-        symmetric(pattern),
-        mass(lumped_mass(d.density, model->volume())),
-        ties(prosector::attachment_stiffness(d.attach, model->rest(), model->volume())),
-        inertia(mass),
-        attached(ties),
-        area(vertex_areas(anatomy)),
-        diagonal(bounding_diagonal(model->rest())),
-        system{desc, *model, pattern, symmetric, inertia, attached},
-        elements(system, !model->turns() || desc.solver == "direct"),
-        damping(system, elements),
-        node_sum(node_count()) {
-    named(d, [&] { return make_solver(d.solver); });  // used by whoever solves, refused here
-    build_on_inertia();
-    euler = make_integrator("implicit_euler");
-    if (d.element == "tet10") eighths = divided(anatomy.tets);
-    integrator = make_integrator(substepper ? "implicit_euler" : d.integrator);
-    start_anew();
-  }
+void SoftBody::Impl::weigh() {
+  inertia = mass / strength;
+  attached = (tied ? 1 / strength : 0) * ties;
+}
 
-  /// Nothing is known of any step.
-  void start_anew() {
-    stepping = integrator.get();
-    relaxed = false;
-    history = {};
-    for (VecX* v : {&x_n, &stage.y, &stage.x_v, &stage.v_h, &remembered.x, &remembered.v})
-      v->setZero(rest().size());
-  }
-
-  /// To model and pattern as they are after a cut; the surface's area is the caller's.
-  void fit() {
-    symmetric.fit(pattern);
-    mass = lumped_mass(desc.density, model->volume());
-    ties = prosector::attachment_stiffness(desc.attach, model->rest(), model->volume());
-    weigh();
-    recovery.reset();
-    diagonal = bounding_diagonal(model->rest());
-    elements.fit();
-    damping.fit(node_count());
-    hessian->fit();
-    node_sum = NodeSum(node_count());
-    start_anew();
-  }
-
-  void weigh() {
-    inertia = mass / strength;
-    attached = (tied ? 1 / strength : 0) * ties;
-  }
-
-  void follow(const MeshEdit& edit) {
-    apply(edit, anatomy.tets);
-    model->follow(desc, anatomy.tets, edit);
-    pattern.follow(edit);
-    fit();
-  }
-
-  void build_on_inertia() {
-    hessian.emplace(system, elements);
-    substepper = named(desc, [&] {
-      return make_substepper({desc, *model, pattern, inertia, attached}, anatomy);
-    });
-  }
-
-  std::size_t node_count() const { return model->connectivity().nodes(); }
-  const VecX& rest() const { return model->rest(); }
-  const TetMesh& linear_tets() const { return eighths.tets.empty() ? anatomy.tets : eighths; }
-
-  void scale(double factor, double* vector) const {
-    if (factor != 1) Eigen::Map<VecX>(vector, rest().size()) *= factor;
-  }
-
-  StageWeights weights() const {
-    return {stage.alpha + desc.damping_mass / stage.dxdv, desc.damping_stiffness / stage.dxdv};
-  }
-};
+void SoftBody::Impl::build_on_inertia() {
+  hessian.emplace(system, elements);
+  substepper = named(desc, [&] {
+    return make_substepper({desc, *model, pattern, inertia, attached}, anatomy);
+  });
+}
 
 SoftBody::SoftBody(const SoftDesc& desc, Anatomy anatomy)
     : impl_(std::make_unique<Impl>(desc, std::move(anatomy))) {}
@@ -216,43 +132,6 @@ void SoftBody::set_in_force(double stiffness, bool attached) {
   m.weigh();
   m.build_on_inertia();
   if (m.recovery) m.recovery->set_in_force(stiffness, attached);
-}
-
-bool SoftBody::can_follow(const MeshEdit& edit) const {
-  const Impl& m = *impl_;
-  return !m.substepper && m.eighths.tets.empty() && m.node_count() == edit.kept_nodes.before &&
-         m.model->can_follow(edit);
-}
-
-void SoftBody::follow(const MeshEdit& edit, TriangleMesh surface, SparseMap embedding) {
-  Impl& m = *impl_;
-  m.anatomy.surface = std::move(surface);
-  m.anatomy.embedding = std::move(embedding);
-  m.area = vertex_areas(m.anatomy);
-  m.follow(edit);
-}
-
-void SoftBody::follow(const MeshEdit& edit, const SurfaceEdit& surface) {
-  Impl& m = *impl_;
-  apply(surface, m.anatomy.surface);
-  apply(surface.vertices, surface.rows, m.anatomy.embedding.rows);
-  follow_vertex_areas(m.anatomy.surface, surface, m.area);
-  m.follow(edit);
-}
-
-bool SoftBody::can_follow_sheet() const {
-  const Impl& m = *impl_;
-  return mesh_kind(m.anatomy) == MeshKind::sheet && m.model->can_follow_sheet() &&
-         (!m.substepper || m.substepper->can_fit());
-}
-
-void SoftBody::follow_sheet(Anatomy sheet, std::span<const std::uint32_t> touched) {
-  Impl& m = *impl_;
-  m.anatomy = std::move(sheet);
-  m.area = vertex_areas(m.anatomy);
-  m.pattern.follow(m.model->follow_sheet(m.desc, m.anatomy, touched));
-  m.fit();
-  if (m.substepper) m.substepper->fit();
 }
 
 bool SoftBody::attached() const {
@@ -453,52 +332,6 @@ double SoftBody::fall_energy(const VecX& from, const VecX& to, const Vec3& gravi
 
 double SoftBody::diagonal() const {
   return impl_->diagonal;
-}
-
-bool SoftBody::has_recovery() const {
-  const SoftDesc& desc = impl_->desc;
-  return (desc.model != recovery_model || desc.element == "tet10") &&
-         mesh_kind(impl_->anatomy) == MeshKind::tets;
-}
-
-SoftBody* SoftBody::recovery() {
-  if (!impl_->recovery && has_recovery()) {
-    SoftDesc desc = impl_->desc;
-    desc.model = recovery_model;
-    desc.integrator = "implicit_euler";
-    desc.solver = "cg";
-    desc.element = "tet4";
-    desc.fiber_stiffness = 0;
-    for (RegionDesc& region : desc.regions) region.fiber_stiffness = -1;
-    desc.relaxation.clear();
-    impl_->recovery = std::make_unique<SoftBody>(desc, Anatomy{impl_->linear_tets(), {}, {}});
-    impl_->recovery->set_in_force(impl_->strength, impl_->tied);
-  }
-  return impl_->recovery.get();
-}
-
-SoftBody& SoftBody::in_force(const SoftBodyState& state) {
-  return state.recovering ? *recovery() : *this;
-}
-
-bool SoftBody::turned_by(double angle, const VecX& x) const {
-  if (impl_->model->objective()) return false;
-  return best_rotation(impl_->rest(), impl_->mass, x).trace() < 1 + 2 * std::cos(angle);
-}
-
-double SoftBody::inverted_share(const VecX& x, double least) const {
-  return crushed_share(impl_->linear_tets(), x, least);
-}
-
-const TetMesh& SoftBody::linear_tets() const {
-  return impl_->linear_tets();
-}
-
-void SoftBody::unfold(SoftBodyState& state) const {
-  prosector::unfold(impl_->rest(), impl_->mass, impl_->model->objective(), state);
-  if (impl_->attached.isZero()) return;
-  state.motion.x = impl_->rest();
-  state.motion.v.setZero();
 }
 
 }  // namespace prosector

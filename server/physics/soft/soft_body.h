@@ -51,7 +51,7 @@ class SoftBody {
   const VecX& attachment_stiffness() const;  // n, N/m, as described; 0: free
   std::uint64_t content_hash() const;        // connectivity, rest shape, masses: topology revision 0
 
-  // ---- Following a cut: between steps
+  // ---- Following a cut, or what takes one back: between steps
   /// Whether follow() will do, else it has to be made anew.
   bool can_follow(const MeshEdit& edit) const;
   /// As if made anew of its mesh so edited and of another surface, bit for bit, and under the same
@@ -59,10 +59,10 @@ class SoftBody {
   void follow(const MeshEdit& edit, TriangleMesh surface, SparseMap embedding);
   /// Likewise, where the surface, too, is what it was but for an edit. It stays at its address.
   void follow(const MeshEdit& edit, const SurfaceEdit& surface);
-  /// The same of a sheet, made of another geometry. `touched`: the corners, ascending, of cells and triangles
-  /// that came or went; nodes that came follow those that were there.
-  bool can_follow_sheet() const;
-  void follow_sheet(Anatomy sheet, std::span<const std::uint32_t> touched);
+  /// The same of a sheet, made of another geometry. `nodes`: which stay; `touched`: the corners there now,
+  /// ascending, of cells and triangles that came or went.
+  bool can_follow_sheet(const Kept& nodes) const;
+  void follow_sheet(Anatomy sheet, const Kept& nodes, std::span<const std::uint32_t> touched);
 
   SoftBodyState initial_state() const;  // rest shape, at rest, asleep
   const VecX& rest() const;             // m, node positions of the rest shape

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/error.h"
+#include "server/physics/soft/soft_body.h"
 
 namespace prosector {
 
@@ -66,6 +67,16 @@ void check_mesh(const SoftDesc& desc, const Anatomy& anatomy) {
     for (std::uint32_t vertex : triangle)
       if (vertex >= vertices)
         refuse(desc, fmt::format("a surface triangle names vertex {}; there are {}", vertex, vertices));
+}
+
+VecX lumped_mass(double density, const VecX& volume) {
+  const double least = SoftBody::least_mass_share * volume.mean();
+  return density * volume.cwiseMax(least);
+}
+
+double bounding_diagonal(const VecX& x) {
+  const auto points = x.reshaped(3, x.size() / 3);
+  return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
 VecX attachment_stiffness(const std::vector<AttachDesc>& attach, const VecX& rest, const VecX& volume) {

@@ -15,6 +15,11 @@ void require(bool ok, const SoftDesc& desc, const std::string& what);
 void check_constants(const SoftDesc& desc);
 void check_mesh(const SoftDesc& desc, const Anatomy& anatomy);
 
+/// kg of each node, from its volume (m³); see SoftBody::least_mass_share.
+VecX lumped_mass(double density, const VecX& volume);
+/// m, of the box around the nodes at x (3n).
+double bounding_diagonal(const VecX& x);
+
 /// N/m per node from the attachments' spheres; a node in several takes the stiffest. `volume`: m³.
 VecX attachment_stiffness(const std::vector<AttachDesc>& attach, const VecX& rest, const VecX& volume);
 

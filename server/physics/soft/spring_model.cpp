@@ -38,9 +38,9 @@ class SpringModel final : public ElasticModel {
 
   const SpringNetwork* springs() const override { return &network_; }
   bool can_follow_sheet() const override { return network_.dropped == 0; }
-  std::vector<std::uint32_t> follow_sheet(const SoftDesc& desc, const Anatomy& sheet,
+  std::vector<std::uint32_t> follow_sheet(const SoftDesc& desc, const Anatomy& sheet, const Kept& nodes,
                                           std::span<const std::uint32_t> touched) override {
-    std::vector<std::uint32_t> met = prosector::follow_sheet(desc, sheet, touched, network_);
+    std::vector<std::uint32_t> met = prosector::follow_sheet(desc, sheet, nodes, touched, network_);
     fit();
     return met;
   }

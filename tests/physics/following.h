@@ -1,0 +1,72 @@
+#pragma once
+// Bodies of an organ that follow strokes at random, pieces that come off and strokes that are taken back.
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "server/physics/collision/triangle_surface.h"
+#include "server/physics/contact/surface_detector.h"
+#include "server/physics/organs/organ.h"
+#include "server/physics/soft/soft_body.h"
+
+namespace prosector {
+
+std::vector<Vec3> rest_of(const Organ& organ);  // m, of its nodes, by id
+
+/// A body with what the simulation hangs on its surface.
+struct Hung {
+  std::unique_ptr<SoftBody> solver;
+  Numbering numbering;
+  std::optional<SurfaceDetector> detector;
+  std::optional<TriangleSurface> faces;
+
+  void find_contact();
+  /// After the solver took the edit in.
+  void follow(const SurfaceEdit& edit, Numbering now);
+};
+
+/// Whether what hangs on a surface is the same, bit for bit.
+::testing::AssertionResult same_contact(Hung& followed, Hung& anew);
+
+class FollowingBodies {
+ public:
+  explicit FollowingBodies(Organ& cut) : organ(cut) {}
+  virtual ~FollowingBodies() = default;
+
+  struct Stroke {
+    std::function<std::vector<Vec3>(double)> edge;  // m, from 0 to 1
+    int ticks = 0;
+  };
+  /// Makes so many, each fourth after the last one was undone, and then takes all back. Stops at what differs
+  /// from what is made anew.
+  void make_strokes(unsigned count, const std::function<Stroke(unsigned)>& next);
+
+  std::size_t cuts = 0, of_pieces = 0;  // followed in one piece, the organ's or one that came off
+  std::size_t fell_apart = 0, taken_back = 0, joined = 0;  // followed by what stayed
+  std::size_t not_followed = 0;                            // by what stayed
+
+ protected:
+  virtual Hung made_anew(std::size_t body) const = 0;
+  virtual bool can_follow(const PieceEdit& edit) const = 0;
+  /// A cut in one piece, which the organ has not followed yet.
+  virtual void follow_cut(const PieceEdit& edit) = 0;
+  virtual void follow_change(const PieceEdit& edit, const Organ::Regrouped& changed) = 0;
+  /// Whether the body's solver is.
+  virtual ::testing::AssertionResult same(std::size_t body, Hung& anew, unsigned seed) = 0;
+  virtual void end_stroke() {}
+
+  Organ& organ;
+  std::map<std::size_t, Hung> bodies;
+
+ private:
+  void regroup(bool undone);
+  void compare(std::size_t body);
+  unsigned compared_ = 0;
+};
+
+}  // namespace prosector
