@@ -44,7 +44,7 @@ std::optional<Simulation::Impl::Following> Simulation::Impl::following_since(con
                                                                              const Organ::Regrouped& then,
                                                                              const OrganPiece& piece) const {
   std::optional<PieceEdit> edit = organ.edit_since(then, piece);
-  if (!edit || !can_follow(organ, *edit)) return std::nullopt;
+  if (!edit || !is_worth_following(*edit) || !can_follow(organ, *edit)) return std::nullopt;
   return following(organ, std::move(*edit),
                    organ.surface_edit_since(then, piece, model.soft[piece.body]->anatomy().surface,
                                             numberings[piece.body]));

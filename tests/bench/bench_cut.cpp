@@ -243,7 +243,7 @@ void fit_bodies(Organ& organ, const SoftDesc& desc, bool anew, std::vector<Made>
     Made& body = bodies[changed.bodies[i]];
     const OrganPiece& piece = organ.piece(changed.bodies[i]);
     const auto edit = anew ? std::nullopt : organ.edit_since(changed, piece);
-    if (!edit || !body.solver->can_follow(edit->mesh)) {
+    if (!edit || !is_worth_following(*edit) || !body.solver->can_follow(edit->mesh)) {
       body.make_anew(desc, organ.anatomy(piece, body.numbering));
     } else if (const auto surface =
                    organ.surface_edit_since(changed, piece, body.solver->anatomy().surface, body.numbering)) {

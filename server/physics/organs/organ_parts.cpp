@@ -8,6 +8,7 @@ namespace prosector {
 namespace {
 
 constexpr std::uint32_t unused = ~0U;
+constexpr double most_others = 0.25;  // of the tetrahedra, for following to take less (docs/cutting.md)
 
 }  // namespace
 
@@ -162,6 +163,11 @@ PieceEdit edit_between(const PieceMesh& before, const PieceMesh& now) {
   for (std::uint32_t node = 0; node < met.size(); ++node)
     if (met[node]) out.nodes.push_back(node);
   return piece;
+}
+
+bool is_worth_following(const PieceEdit& edit) {
+  return static_cast<double>(edit.mesh.tets.size()) <=
+         most_others * static_cast<double>(edit.mesh.kept_tets.now);
 }
 
 void apply(const TetComplex& complex, const PieceEdit& edit, PieceMesh& piece) {

@@ -30,6 +30,8 @@ void apply(const TetComplex& complex, const PieceEdit& edit, PieceMesh& piece);
 /// Whatever it was that happened between, of one organ: what is at the same place with the same corners is
 /// what it was.
 PieceEdit edit_between(const PieceMesh& before, const PieceMesh& now);
+/// Whether that takes less than making all anew, which comes to the same.
+bool is_worth_following(const PieceEdit& edit);
 
 /// The surface of a piece, hanging on its nodes.
 struct PieceSurface {
