@@ -258,13 +258,18 @@ struct Simulation::Impl : PanelSubjects {
   void take_solver_along(Following& following);
   void take_surface_along(const Following& following);
   struct NewPiece;
-  std::vector<NewPiece> make_pieces(const Organ& organ, const Organ::Regrouped& changed) const;
+  using BroughtBack = std::map<std::size_t, Motion>;  // by body
+  BroughtBack brought_back(const Organ& organ, const Organ::Regrouped& changed) const;
+  const Motion& motion_before(std::size_t body, const BroughtBack& back) const;
+  void leave_what_went_back(const BroughtBack& back);
+  std::vector<NewPiece> make_pieces(const Organ& organ, const Organ::Regrouped& changed,
+                                    const BroughtBack& back) const;
   void make_anew(const Organ& organ, NewPiece& made) const;  // part of it
-  void carry_motion(const Organ& organ, std::span<const OrganPiece> before, const OrganPiece& piece,
-                    NewPiece& made) const;  // likewise
+  void carry_motion(const Organ& organ, std::span<const OrganPiece> before, const BroughtBack& back,
+                    const OrganPiece& piece, NewPiece& made) const;  // likewise
   void follow_changes(std::span<NewPiece> pieces);
-  void keep_momentum_of(const Organ& organ, const Organ::Regrouped& changed, std::span<const VecX> masses,
-                        std::span<NewPiece> made);
+  void keep_momentum_of(const Organ& organ, const Organ::Regrouped& changed, BroughtBack& back,
+                        std::span<const VecX> masses, std::span<NewPiece> made);
   void place(NewPiece piece, std::size_t first, TopologyCause cause, ParticipantId author);
   void set_going(std::size_t body, std::size_t first, Motion motion, VecX balance);
   TopologyChange& tell_of(std::size_t body, std::uint64_t content_hash, TopologyCause cause,

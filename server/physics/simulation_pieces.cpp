@@ -55,7 +55,8 @@ struct Simulation::Impl::NewPiece {
 
 /// Of the pieces that an organ's change left or made. Changes nothing: what can fail fails here.
 std::vector<Simulation::Impl::NewPiece> Simulation::Impl::make_pieces(const Organ& organ,
-                                                                      const Organ::Regrouped& changed) const {
+                                                                      const Organ::Regrouped& changed,
+                                                                      const BroughtBack& back) const {
   const auto make = [&](std::size_t body, NewPiece& made) {
     const OrganPiece& piece = organ.piece(body);
     made.body = body;
@@ -66,7 +67,7 @@ std::vector<Simulation::Impl::NewPiece> Simulation::Impl::make_pieces(const Orga
           if (!made.following) make_anew(organ, made);
         },
         [&] {
-          if (made.whole) carry_motion(organ, changed.before, piece, made);
+          if (made.whole) carry_motion(organ, changed.before, back, piece, made);
         });
   };
   std::vector<NewPiece> out(changed.bodies.size());
@@ -100,9 +101,9 @@ void Simulation::Impl::follow_changes(std::span<NewPiece> pieces) {
   });
 }
 
-/// Where its nodes are and how they move: as what was there did.
+/// Where its nodes are and how they move: as what was there did, or was brought back to.
 void Simulation::Impl::carry_motion(const Organ& organ, std::span<const OrganPiece> before,
-                                    const OrganPiece& piece, NewPiece& made) const {
+                                    const BroughtBack& back, const OrganPiece& piece, NewPiece& made) const {
   std::vector<const PieceMesh*> meshes;
   for (const OrganPiece& old : before) meshes.push_back(&old.mesh);
   const bool quadratic = model.soft[before.front().body]->desc().element == "tet10";
@@ -113,7 +114,8 @@ void Simulation::Impl::carry_motion(const Organ& organ, std::span<const OrganPie
     return transfer(fields);
   };
   for (VecX Motion::*field : {&Motion::x, &Motion::v, &Motion::x_prev, &Motion::v_prev})
-    made.motion.*field = carried([&](std::size_t body) -> const VecX& { return soft[body].motion.*field; });
+    made.motion.*field =
+        carried([&](std::size_t body) -> const VecX& { return motion_before(body, back).*field; });
   made.equilibrium = carried([&](std::size_t body) -> const VecX& { return equilibrium[body]; });
   std::vector<const VecX*> histories;
   auto numbers = std::numeric_limits<Eigen::Index>::max();
@@ -172,11 +174,13 @@ TopologyChange& Simulation::Impl::tell_of(std::size_t body, std::uint64_t conten
 
 /// `masses`: of the pieces before.
 void Simulation::Impl::keep_momentum_of(const Organ& organ, const Organ::Regrouped& changed,
-                                        std::span<const VecX> masses, std::span<NewPiece> made) {
+                                        BroughtBack& back, std::span<const VecX> masses,
+                                        std::span<NewPiece> made) {
   std::vector<PieceMotion> before, now;
   for (std::size_t i = 0; i < masses.size(); ++i) {
     const OrganPiece& old = changed.before[i];
-    Motion& motion = soft[old.body].motion;
+    const auto brought = back.find(old.body);
+    Motion& motion = brought == back.end() ? soft[old.body].motion : brought->second;
     before.push_back({old.mesh.nodes, &masses[i], &motion.x, &motion.v});
   }
   for (NewPiece& piece : made) {
@@ -194,11 +198,13 @@ void Simulation::Impl::remake(Organ& organ, TopologyCause cause, ParticipantId a
   if (follow_cut(organ, cause, author)) return;
   const std::size_t first = organ.pieces().front().body;
   const Organ::Regrouped changed = organ.regroup(model.soft.size());
-  std::vector<NewPiece> pieces = make_pieces(organ, changed);
+  BroughtBack back = brought_back(organ, changed);
+  std::vector<NewPiece> pieces = make_pieces(organ, changed, back);
+  leave_what_went_back(back);
   std::vector<VecX> masses;
   for (const OrganPiece& old : changed.before) masses.push_back(model.soft[old.body]->node_mass());
   follow_changes(pieces);
-  if (organ.complex().is_sheet()) keep_momentum_of(organ, changed, masses, pieces);
+  if (organ.complex().is_sheet()) keep_momentum_of(organ, changed, back, masses, pieces);
   for (NewPiece& piece : pieces) place(std::move(piece), first, cause, author);
   keep_holds(changed.bodies);
 }

@@ -79,6 +79,8 @@ with Processes(OUT) as processes:
     wait_until("the cut taken back", lambda: revision() > cut, 10)
     time.sleep(1)
     assert not pieces(), pieces()
+    shift = parts()["liver"]["shift"]
+    assert max(map(abs, shift)) < 0.005, f"the liver is not where it was: {shift} m"
     view.picture().save(OUT / "undone.png")
     act("key", "Escape")
     assert client.wait(20) == 0, "the client did not leave when told to"

@@ -179,6 +179,38 @@ TEST(Organ, UndoGivesBackTheMeshThatWasCut) {
   EXPECT_NE(simulation.step(undo()).cut_answers, std::vector<std::string>{""}) << "undone twice";
 }
 
+// Each row: how high the ties are, so which piece falls, and where the blade comes.
+TEST(Organ, UndoPutsAPieceBackThatHasFallenAndLiesThere) {
+  for (const bool larger_falls : {false, true}) {
+    SceneDesc scene = block_and_scalpel();
+    scene.gravity = Vec3(0, -9.81, 0);
+    scene.soft[0].gravity = false;
+    scene.soft[0].attach = {{{0, 0.03, larger_falls ? 0.05 : -0.05}, 0.03, 1e7}};
+    scene.soft[0].toughness = 0;
+    scene.rigid[0].pose.p.z() = 0.015;
+    Simulation simulation(scene, options());
+    const std::uint64_t uncut = simulation.soft(1).content_hash();
+    Vec3 at(-0.12, 0.14, 0.035);
+    simulation.step(appear(at));
+    simulation.step(event(HandEvent::Kind::grasp, at));
+    draw(simulation, at, 150);
+    ASSERT_EQ(simulation.body_count(), 3U);
+    const BodyId falls = larger_falls ? 1 : 2;
+    for (int i = 0; i < 60; ++i) simulation.step(target(at));
+    ASSERT_GT(simulation.max_displacement(falls), 0.5) << "it should have fallen";
+    ASSERT_EQ(simulation.step(undo()).cut_answers, std::vector<std::string>{""});
+    EXPECT_EQ(simulation.soft(1).content_hash(), uncut);
+    EXPECT_LT(simulation.max_displacement(1), 0.01) << "beside where it came off, larger " << larger_falls;
+    double fastest = 0;
+    for (int i = 0; i < 60; ++i) {
+      simulation.step({});
+      fastest = std::max(fastest, simulation.soft_state(1).motion.v.cwiseAbs().maxCoeff());
+    }
+    EXPECT_LT(fastest, 1) << "it was pulled there";
+    EXPECT_LT(simulation.max_displacement(1), 0.002);
+  }
+}
+
 TEST(Organ, UndoTakesBackOnesOwnCutUnderALaterOneOrSaysWhyNot) {
   SceneDesc scene = block_and_scalpel();
   scene.rigid.push_back(scene.rigid[0]);

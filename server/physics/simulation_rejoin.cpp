@@ -1,0 +1,70 @@
+// Last phase: pieces that a cut taken back joins again are brought to where they came off, first.
+
+#include <algorithm>
+
+#include "server/physics/organs/rejoin.h"
+#include "server/physics/simulation_impl.h"
+
+namespace prosector {
+namespace {
+
+/// Of the pieces `now` the one that a piece `before` is a part of, by its body.
+std::size_t joined_to(const Organ& organ, const PieceMesh& before, std::span<const std::size_t> now) {
+  TetId tet = before.tets.front();
+  while (!organ.complex().has_tet(tet)) tet = organ.complex().parent(tet);
+  const TetId place = organ.complex().place(tet);
+  const auto has_it = [&](std::size_t body) {
+    const std::vector<TetId>& places = organ.piece(body).mesh.places;
+    return std::binary_search(places.begin(), places.end(), place);
+  };
+  return *std::find_if(now.begin(), now.end(), has_it);
+}
+
+/// The same shape there, all of it with one velocity.
+Motion moved(const Motion& motion, const WayBack& way) {
+  Motion out = motion;
+  for (Eigen::Index i = 0; i < out.x.size(); i += 3) {
+    out.x.segment<3>(i) = way.motion * Vec3(motion.x.segment<3>(i));
+    out.v.segment<3>(i) = way.velocity;
+  }
+  out.x_prev = out.x;
+  out.v_prev = out.v;
+  return out;
+}
+
+}  // namespace
+
+/// How those that go back go on, by body: all others as they did.
+Simulation::Impl::BroughtBack Simulation::Impl::brought_back(const Organ& organ,
+                                                             const Organ::Regrouped& changed) const {
+  BroughtBack out;
+  if (organ.log().back().cause != TopologyCause::undo) return out;
+  std::vector<ApartPiece> apart;
+  for (const OrganPiece& old : changed.before) {
+    const Motion& motion = soft[old.body].motion;
+    apart.push_back({&old.mesh, joined_to(organ, old.mesh, changed.bodies), &motion.x, &motion.v,
+                     model.soft[old.body]->attached()});
+  }
+  const auto ways = ways_back(organ.complex(), apart);
+  for (std::size_t i = 0; i < ways.size(); ++i)
+    if (ways[i]) {
+      const std::size_t body = changed.before[i].body;
+      out.emplace(body, moved(soft[body].motion, *ways[i]));
+    }
+  return out;
+}
+
+/// How it was before a change.
+const Motion& Simulation::Impl::motion_before(std::size_t body, const BroughtBack& back) const {
+  const auto found = back.find(body);
+  return found == back.end() ? soft[body].motion : found->second;
+}
+
+/// Of a piece that is joined to another: what it moved like is in `back`. A hand doesn't go with it.
+void Simulation::Impl::leave_what_went_back(const BroughtBack& back) {
+  for (const auto& [body, motion] : back)
+    if ((motion.x - soft[body].motion.x).lpNorm<Eigen::Infinity>() > grasp_reach_soft)
+      let_go_of(soft_id(body), "it was put back");
+}
+
+}  // namespace prosector
