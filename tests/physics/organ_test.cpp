@@ -161,6 +161,47 @@ TEST(Organ, WhatACutTakesAllTiesFromFallsAlsoThePieceThatKeepsTheName) {
   EXPECT_LT(simulation.max_displacement(2), 0.03);
 }
 
+// The surface that is touched changes with the first cut, from the finer one to the boundary's: what lies on
+// it, away from the blade, must hardly notice.
+TEST(Organ, WhatLiesOnItStaysWhereItIsWithTheFirstCut) {
+  SceneDesc scene = block_and_scalpel();
+  scene.gravity = {0, -9.81, 0};
+  scene.rigid[0].balanced = true;
+  SoftDesc& loaf = scene.soft[0];
+  loaf.shape = "ball";
+  loaf.size = {0.14, 0.06, 0.12};
+  loaf.cell = 0.018;
+  loaf.surface_cell = 0.009;
+  loaf.gravity = false;
+  constexpr BodyId weights = 5, tissue = 1 + weights;
+  for (const Vec3& at : {Vec3(0.005, 0.067, 0), Vec3(0, 0.066, 0.022), Vec3(0, 0.066, -0.022),
+                         Vec3(0.026, 0.066, 0.01), Vec3(0.026, 0.066, -0.014)}) {
+    scene.rigid.push_back(part_body("weight", "box", {0.012, 0.01, 0.012}, at));
+    scene.rigid.back().friction = 1;
+  }
+  loaf.friction = 1;
+  CompileOptions from_shape = options();
+  from_shape.anatomy = {};
+  Simulation simulation(scene, from_shape);
+  Vec3 at = take(simulation);
+  run(simulation, 150, target(at));
+  std::vector<Vec3> lay(1 + weights);
+  const auto look = [&] {
+    for (BodyId body = 1; body <= weights; ++body) lay[body] = simulation.rigid_state(body).pose.p;
+  };
+  look();
+  for (int i = 0; i < 60 && draw(simulation, at, 1).empty(); ++i) look();
+  ASSERT_EQ(simulation.revision(tissue), 1U);
+  double moved = 0;
+  for (int i = 0; i < 20; ++i) {
+    simulation.step(target(at));
+    for (BodyId body = 1; body <= weights; ++body)
+      moved = std::max(moved, std::abs(simulation.rigid_state(body).pose.p.y() - lay[body].y()));
+  }
+  RecordProperty("mm", std::to_string(1000 * moved));
+  EXPECT_LT(moved, 0.3e-3);
+}
+
 TEST(Organ, UndoGivesBackTheMeshThatWasCut) {
   Simulation simulation(block_and_scalpel(), options());
   const std::uint64_t uncut = simulation.soft(1).content_hash();

@@ -11,13 +11,14 @@
 namespace prosector {
 namespace {
 
-constexpr double farthest = 0.5;  // of an edge's length, from the boundary
-constexpr double finer = 1.4;     // than the boundary a surface is whose edges' middles are worth drawing
+constexpr double farthest = 0.75;  // of an edge's length, from the boundary
+constexpr double finer = 1.4;      // than the boundary a surface is whose edges' middles are worth drawing
 constexpr double near_enough = 25e-6;  // m: what is nearer to where it is without the shape stays there
 constexpr double least_cosine = 0.3;   // between a drawn triangle and the face that it is a part of
-constexpr double least_share = 0.2;    // of a drawn triangle in its share of the face, by area
 constexpr double beside = 1e-9;        // of a triangle: a line through an edge hits it
-constexpr int halvings = 12;           // after which what is still bad stays at the boundary
+constexpr double least_shape = 0.2;    // of a drawn triangle: twice its area over its longest edge squared
+constexpr double drawn_in = 0.75;      // of an offset, in each round, where a triangle is not good
+constexpr int rounds = 16;             // after which what is still bad stays at the boundary
 constexpr std::size_t rays_per_chunk = 256;
 
 /// Where the line x + s·direction goes through the triangle, |s| ≤ 1 (Möller and Trumbore 1997).
@@ -29,6 +30,12 @@ std::optional<double> hit(const Vec3& x, const Vec3& direction, const Vec3& a, c
   const double u = from.dot(p) / det, v = direction.dot(q) / det, s = ac.dot(q) / det;
   if (u < -beside || v < -beside || u + v > 1 + beside || !(std::abs(s) <= 1)) return std::nullopt;
   return s;
+}
+
+/// Twice the area over the longest edge squared.
+double shape(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return (b - a).cross(c - a).norm() / longest;
 }
 
 double mean_edge(const TriangleMesh& mesh) {
@@ -170,7 +177,7 @@ class OuterShape::Fit {
     return nearest > 1 ? Vec3::Zero() : Vec3(nearest * direction);
   }
 
-  /// Halves offsets until no drawn triangle is turned over, or nearly so, or shrunk.
+  /// Draws offsets in until no drawn triangle is turned over, or nearly so, or a needle.
   void draw_in() {
     std::vector<std::uint8_t> bad(to_surface_.size());
     for (int round = 0;; ++round) {
@@ -183,7 +190,7 @@ class OuterShape::Fit {
       }
       if (!any) return;
       for (std::size_t i = 0; i < bad.size(); ++i)
-        if (bad[i] != 0) to_surface_[i] *= round < halvings ? 0.5 : 0;
+        if (bad[i] != 0) to_surface_[i] *= round < rounds ? drawn_in : 0;
     }
   }
 
@@ -197,15 +204,14 @@ class OuterShape::Fit {
       drawn_middle[i] = middle[i] + to_surface_[m];
     }
     const Vec3 whole = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-    const auto good = [&](const Vec3& a, const Vec3& b, const Vec3& c, double share) {
+    const double flat = std::min(least_shape, shape(corner[0], corner[1], corner[2]) / 2);
+    const auto good = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
       const Vec3 normal = (b - a).cross(c - a);
-      return normal.dot(whole) >= least_cosine * normal.norm() * whole.norm() &&
-             normal.norm() >= least_share * share * whole.norm();
+      return normal.dot(whole) >= least_cosine * normal.norm() * whole.norm() && shape(a, b, c) >= flat;
     };
-    bool all = good(drawn[0], drawn[1], drawn[2], 1) &&
-               good(drawn_middle[0], drawn_middle[1], drawn_middle[2], 0.25);
+    bool all = good(drawn[0], drawn[1], drawn[2]) && good(drawn_middle[0], drawn_middle[1], drawn_middle[2]);
     for (std::size_t i = 0; i < 3; ++i)
-      all = all && good(drawn_middle[(i + 2) % 3], drawn[i], drawn_middle[i], 0.25);
+      all = all && good(drawn_middle[(i + 2) % 3], drawn[i], drawn_middle[i]);
     return all;
   }
 
