@@ -23,8 +23,9 @@ class OuterShape {
   };
 
   OuterShape() = default;  // the boundary itself
-  /// From each node and each edge's middle along the boundary's normal to the surface, half an edge's length
-  /// at most, and less where triangles of fit_outer_shape.cpp's bounds would come of it. `surface`: rest, m.
+  /// From each node and each edge's middle along the boundary's normal to the surface, three quarters of an
+  /// edge's length at most, and less where triangles beyond fit_outer_shape.cpp's bounds would come of it.
+  /// `surface`: at rest, m.
   OuterShape(const TetComplex& uncut, const TriangleMesh& surface);
 
   bool is_boundary() const { return offset_.empty(); }
