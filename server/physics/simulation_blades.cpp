@@ -86,29 +86,34 @@ void Simulation::Impl::grip_blades() {
   for (const Blade& blade : blades) {
     const std::vector<Vec3> now = edge_points(blade.slot);
     const std::vector<TissueNear> near = tissue_near(swept_box(blade.cut_to, blade.cut_to));
+    const RigidMotion& tool = world.motion(blade.slot);
     std::size_t p = 0;
-    for (const BladeShape::Edge& edge : blade_shapes[blade.slot].edges)
+    for (const BladeShape::Edge& edge : blade_shapes[blade.slot].edges) {
+      const Vec3 along = (now[p + edge.points.size() - 1] - now[p]).normalized();
       for (std::size_t k = 0; k < edge.points.size(); ++k, ++p) {
         std::optional<BladeGrip> grip = tissue_at(near, blade.cut_to[p]);
         if (!grip || edge.ray) continue;
         const SoftDesc& tissue = model.soft[grip->body]->desc();
-        const double force = (blade.cutting ? 1 : to_begin) * tissue.toughness * edge.length_per_point;
+        const Vec3 arm = now[p] - tool.pose.p, lag = now[p] - blade.cut_to[p];
+        const double force =
+            (blade.cutting ? 1 : to_begin) * tissue.toughness * edge.length_per_point * slicing(lag, along);
         if (!(force > 0)) continue;
         grip->slot = blade.slot;
         grip->point = p;
         Tie& tie = grip->tie;
         tie.a.kind = ContactSide::Kind::rigid;
         tie.a.body = blade.slot;
-        tie.a.arm = now[p] - world.motion(blade.slot).pose.p;
+        tie.a.arm = arm;
         tie.b.kind = ContactSide::Kind::soft;
         tie.b.body = grip->body;
         tie.b.add(grip->row, 1);
-        tie.offset = now[p] - blade.cut_to[p];
+        tie.offset = lag;
         tie.stiffness = force / edge_give;
         tie.max_force = force;
         wake_soft(grip->body);
         blade_grips.push_back(*grip);
       }
+    }
     grip_sheets(blade, now);
   }
 }

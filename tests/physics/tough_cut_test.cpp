@@ -47,17 +47,18 @@ class ToughTissue : public testing::TestWithParam<double> {};
 TEST_P(ToughTissue, TakesAsMuchUnderEveryRung) {
   const double toughness = GetParam();
   const Felt fem = draw_right_through("fem_corotational", toughness);
-  EXPECT_GT(fem.most, 0.95 * toughness * height);
+  EXPECT_GT(fem.most, 0.9 * toughness * height);  // a blade that leans is drawn along itself a little
   EXPECT_LT(fem.most, 1.5 * toughness * height);  // what begins a cut
   EXPECT_GT(fem.work, toughness * height * length);
   for (const std::string model :
        {"mass_spring", "xpbd", "fem_linear", "fem_corotational", "fem_neo_hookean"}) {
     SCOPED_TRACE(model);
     const Felt felt = draw_right_through(model, toughness);
+    RecordProperty(model, std::to_string(felt.most) + " N, " + std::to_string(felt.work) + " J");
     EXPECT_TRUE(felt.held);
     EXPECT_TRUE(felt.parted);
-    EXPECT_NEAR(felt.most, fem.most, 0.25 * fem.most);
-    EXPECT_NEAR(felt.work, fem.work, 0.25 * fem.work);
+    EXPECT_NEAR(felt.most, fem.most, 0.05 * fem.most);
+    EXPECT_NEAR(felt.work, fem.work, 0.15 * fem.work);
   }
 }
 

@@ -20,7 +20,8 @@ struct Rigid {
   Vec3 moved = Vec3::Zero(), turned = Vec3::Zero();  // since the tick's start: m, rad
   double inverse_mass;
   Mat3 inverse_inertia;
-  std::optional<std::size_t> held;  // its place among those that are held together
+  std::optional<std::size_t> held;            // its place among those that are held together; of these:
+  Vec3 dv = Vec3::Zero(), dw = Vec3::Zero();  // m/s, rad/s, in each substep: what springs of hands do
 };
 
 /// One side of a contact or tie: a point and what an impulse on it does.
@@ -67,7 +68,15 @@ class Coupling {
     rigid_.reserve(island.rigid.size());  // sides point into it
     for (const RigidMember& m : island.rigid) add_rigid(m);
     held_.find(island, tick.h);
-    for (std::size_t k = 0; k < held_.members().size(); ++k) rigid_[held_.members()[k]].held = k;
+    for (std::size_t k = 0; k < held_.members().size(); ++k) {
+      const RigidMember& m = island.rigid[held_.members()[k]];
+      Rigid& r = rigid_[held_.members()[k]];
+      r.held = k;
+      r.dv = (m.twist - m.steady).head<3>() / (tick.h * tick.substeps);
+      r.dw = (m.twist - m.steady).tail<3>() / (tick.h * tick.substeps);
+      r.v = m.steady.head<3>() / tick.h;
+      r.w = m.steady.tail<3>() / tick.h;
+    }
     contacts_.clear();
     for (const std::size_t c : tick.contacts) {
       Contact& contact = island.contacts[c];
@@ -89,6 +98,10 @@ class Coupling {
       if (tick_.substepped[m]) island_.soft[m].body->substepper()->begin(*island_.soft[m].state);
     for (int k = 0; k < tick_.substeps; ++k) {
       passed_ = static_cast<double>(k) / tick_.substeps;
+      for (Rigid& r : rigid_) {
+        r.v += r.dv;
+        r.w += r.dw;
+      }
       if (k == 0) foresee_fall(hs);
       meet(hs);
       for (std::size_t m = 0; m < island_.soft.size(); ++m) {

@@ -43,8 +43,8 @@ class ImpulseCoupling {
   /// leave velocities that take the gap to 0 at the substep's end, without bounce, if the bodies then do by
   /// themselves what they did in the last one: what rests neither sinks nor creeps. Overlaps open at
   /// those speeds at most. Ties act after it, as if from its start. A hand's pull counts as
-  /// inertia k·h², and so do the ties of what it holds. Contact forces are means over the tick. `work`: by
-  /// soft member.
+  /// inertia k·h², and so do the ties of what it holds; what they do to both comes evenly over the tick, as
+  /// impulses do. Contact forces are means over the tick. `work`: by soft member.
   void run(Island& island, const SubstepTick& tick, std::span<SubstepWork> work);
 
  private:

@@ -1,5 +1,6 @@
 #include "server/physics/organs/blade.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace prosector {
@@ -16,6 +17,13 @@ BladeShape blade_shape(const std::vector<EdgeDesc>& edges) {
     made.ray = edge.ray;
   }
   return out;
+}
+
+double slicing(const Vec3& lag, const Vec3& edge) {
+  constexpr double least = 1e-3;
+  const double length = lag.norm(), gone = std::min(1.0, length / edge_give);
+  if (!(length > 0)) return 1;
+  return std::clamp(1 - gone * gone * (1 - lag.cross(edge).norm() / length), least, 1.0);
 }
 
 }  // namespace prosector

@@ -5,7 +5,8 @@
 // spring that bears no more than the tissue's toughness times the length of edge that the point stands for:
 // the force at which a crack of that width goes on (Atkins and Mai 1985). Below it tissue sticks to the edge
 // and is drawn along; at it the point moves on through the tissue, which is cut between where the points were
-// and where they are. So the work done is toughness times the area that was cut.
+// and where they are. Drawn along itself an edge parts less on its way, and bears so much less (slicing()).
+// So the work done is toughness times the area that was cut.
 
 #include <cstdint>
 #include <map>
@@ -30,6 +31,14 @@ struct BladeShape {
   std::vector<Edge> edges;
 };
 BladeShape blade_shape(const std::vector<EdgeDesc>& edges);
+
+/// The share of its bound that a point of an edge along `edge` (unit) bears when it lags behind by `lag` (m)
+/// in the direction that it goes, which is the force's. A way u across the edge and ξu along it parts u times
+/// the edge's length, so F·√(1 + ξ²)·u = R·u·length: F = R·length/√(1 + ξ²), of which R·length/(1 + ξ²)
+/// pushes and ξ times that draws (Atkins, Xu and Jeronimidis 2004, "Cutting, by 'pressing and slicing', of
+/// thin floppy slices of materials"). All of it where the point lags so little that it has not gone anywhere
+/// yet; never less than a thousandth: points stay tied to where they have cut to.
+double slicing(const Vec3& lag, const Vec3& edge);
 
 /// One while it is held.
 struct Blade {
