@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "server/physics/contact/surface_detector.h"
+#include "server/physics/cutting/cut_through.h"
 #include "server/physics/cutting/tet_shape.h"
 #include "server/physics/organs/organ.h"
 #include "server/physics/soft/soft_body.h"
@@ -275,6 +276,7 @@ ReportRow cut_through(const Through& way, double cell, int threads) {
   const auto edge = [](double x, double z) { return std::vector<Vec3>{{x, -reach, z}, {x, reach, z}}; };
   const double z = 1e-3 + way.height * highest.z();
   std::vector<double> preparing, cutting, making[2], all, undoing[2];  // following, made anew
+  std::vector<double> ending;  // what a stroke that was in tissue looks for when it has left
   std::size_t split = 0, after = 0, kept = 0;
   double mass = 0;             // kg, of all pieces
   std::vector<double> angles;  // likewise
@@ -286,11 +288,12 @@ ReportRow cut_through(const Through& way, double cell, int threads) {
     const auto prepared = std::chrono::steady_clock::now();
     std::vector<Made> bodies(1);
     bodies[0].make_anew(body.desc(), body.anatomy());
+    BladeStroke blade;
     const auto cut_to = [&](double end, double at, std::uint64_t stroke) {
       std::vector<Vec3> x;
       for (NodeId node = 0; node < organ.complex().node_end(); ++node)
         x.push_back(organ.complex().rest(node));
-      BladeStroke blade = begin_stroke(edge(-reach, at));
+      blade = begin_stroke(edge(-reach, at));
       const auto begin = std::chrono::steady_clock::now();
       split = organ.cut(x, edge(end, at), blade, 1, stroke).split_tets;
       return begin;
@@ -302,6 +305,11 @@ ReportRow cut_through(const Through& way, double cell, int threads) {
     arena.execute([&] {
       const auto begin = cut_to(reach, z, 2);
       const auto cut = std::chrono::steady_clock::now();
+      const TetComplex& complex = organ.complex();
+      const Marks marks(blade.marks, complex.node_end());
+      missing_nodes(complex, marks, 4);
+      faces_between_parts(complex, marks, least_piece_share * complex.mean_volume());
+      const auto ended = std::chrono::steady_clock::now();
       fit_bodies(organ, body.desc(), anew, bodies);
       const auto end = std::chrono::steady_clock::now();
       const auto ms = [](auto duration) {
@@ -322,11 +330,12 @@ ReportRow cut_through(const Through& way, double cell, int threads) {
       organ.undo(1);
       fit_bodies(organ, body.desc(), anew, bodies);
       const auto undone = std::chrono::steady_clock::now();
-      making[anew].push_back(ms(end - cut));
+      making[anew].push_back(ms(end - ended));
       undoing[anew].push_back(ms(undone - undo));
       if (anew) return;
       preparing.push_back(ms(prepared - first));
       cutting.push_back(ms(cut - begin));
+      ending.push_back(ms(ended - cut));
       all.push_back(cutting.back() + making[anew].back());
     });
   }
@@ -340,6 +349,7 @@ ReportRow cut_through(const Through& way, double cell, int threads) {
   row["split_tets"] = split;
   row["ms_made_ready"] = quantile(preparing, 0.5);
   row["ms_cutting_mesh"] = quantile(cutting, 0.5);
+  row["ms_end_of_stroke"] = quantile(ending, 0.5);
   row["ms_undoing"] = quantile(undoing[0], 0.5);
   row["ms_undoing_anew"] = quantile(undoing[1], 0.5);
   row["ms_making_bodies"] = quantile(making[0], 0.5);
@@ -356,11 +366,12 @@ void add_through(Report& report, const Through& way, double cell, int threads) {
   const ReportRow& row = report.rows().back();
   fmt::print(
       "{:21} {:6} tets, {:6} after, {:6} of them stay: ready in {:7.2f} ms p50, mesh {:7.2f}, bodies "
-      "{:7.2f} (anew {:7.2f}), undoing {:7.2f} (anew {:7.2f})\n",
+      "{:7.2f} (anew {:7.2f}), undoing {:7.2f} (anew {:7.2f}); a stroke's end "
+      "{:5.2f}\n",
       way.name, row["tets"].get<std::size_t>(), row["tets_after"].get<std::size_t>(),
       row["tets_that_stay"].get<std::size_t>(), figure(row, "ms_made_ready"), figure(row, "ms_cutting_mesh"),
       figure(row, "ms_making_bodies"), figure(row, "ms_making_bodies_anew"), figure(row, "ms_undoing"),
-      figure(row, "ms_undoing_anew"));
+      figure(row, "ms_undoing_anew"), figure(row, "ms_end_of_stroke"));
 }
 
 void add_stroke(Report& report, const SceneDesc& scene, const Stroke& stroke, int threads) {

@@ -60,7 +60,8 @@ void TetComplex::finish() {
             fmt::format("cutting: tetrahedron {} names node {}; there are {}", t, node, rest_.size()));
       ++around[node];
     }
-  for (NodeId node = 0; node < star_.size(); ++node) star_[node].reserve(around[node]);
+  // With room for what cuts add.
+  for (NodeId node = 0; node < star_.size(); ++node) star_[node].reserve(around[node] + around[node] / 2);
   for (TetId t = 0; t < tet_.size(); ++t) {
     std::array<Vec3, 4> x;
     for (std::size_t k = 0; k < sides_; ++k) {
@@ -138,6 +139,7 @@ void TetComplex::grow_nodes(std::size_t end) {
   held_.resize(end, 0);
   origin_.resize(end);
   node_live_.resize(end, 0);
+  stale_.resize(end, 0);
   star_.resize(end);
 }
 
@@ -159,10 +161,14 @@ std::size_t TetComplex::corner_index(TetId tet, NodeId node) const {
 
 void TetComplex::around_edge(NodeId a, NodeId b, std::vector<TetId>& tets) const {
   tets.clear();
-  const NodeId fewer = star_[a].size() <= star_[b].size() ? a : b;
-  const NodeId other = fewer == a ? b : a;
-  for (const TetId t : star_[fewer])
-    if (has_corner(t, other)) tets.push_back(t);
+  const TetId *i = star_[a].data(), *j = star_[b].data();
+  const TetId *const last_i = i + star_[a].size(), *const last_j = j + star_[b].size();
+  while (i != last_i && j != last_j) {
+    const TetId of_a = *i, of_b = *j;
+    if (of_a == of_b) tets.push_back(of_a);
+    i += of_a <= of_b;
+    j += of_b <= of_a;
+  }
 }
 
 std::size_t TetComplex::slot_towards(TetId tet, TetId other) const {
@@ -186,19 +192,48 @@ void TetComplex::leave(NodeId node, TetId tet) {
   star.erase(std::lower_bound(star.begin(), star.end(), tet));
 }
 
+void TetComplex::leave_all(NodeId node, std::span<const TetId> tets) {
+  auto next = tets.begin();
+  std::erase_if(star_[node], [&](TetId t) {
+    const bool leaves = next != tets.end() && *next == t;
+    next += leaves;
+    return leaves;
+  });
+}
+
 void TetComplex::enter(NodeId node, TetId tet) {
   auto& star = star_[node];
   star.insert(std::lower_bound(star.begin(), star.end(), tet), tet);
 }
 
-// Summed in the order of ids, so that it is the same however the star came about.
 void TetComplex::update_mass(NodeId node) {
+  if (!masses_held_) return find_mass(node);
+  if (!stale_[node]) unsettled_.push_back(node);
+  stale_[node] = 1;
+}
+
+void TetComplex::settle_masses() {
+  masses_held_ = false;
+  for (const NodeId node : unsettled_) {
+    find_mass(node);
+    stale_[node] = 0;
+  }
+  unsettled_.clear();
+}
+
+// Summed in the order of ids, so that it is the same however the star came about.
+void TetComplex::find_mass(NodeId node) {
   double volume = 0;
   for (const TetId t : star_[node]) volume += tet_[t].volume;
   mass_[node] = density_ * volume / 4;
 }
 
 void TetComplex::update_masses_of(std::span<const TetId> tets) {
+  if (masses_held_) {
+    for (const TetId t : tets)
+      for (const NodeId node : tet_[t].corner) update_mass(node);
+    return;
+  }
   met_.clear();
   for (const TetId t : tets)
     for (const NodeId node : tet_[t].corner)

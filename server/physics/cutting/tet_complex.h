@@ -72,6 +72,10 @@ class TetComplex {
   // ---- Changes. Both throw InputError, and change nothing, for what doesn't fit.
   /// Ids that `op` brings must be unused; splitting makes no tetrahedron of no volume.
   void apply(const TopologyOp& op);
+  /// Masses of tetrahedra's nodes are found once, in settle_masses(), rather than after each change: they are
+  /// sums over stars. Until then those of what changed are not up to date.
+  void hold_masses() { masses_held_ = true; }
+  void settle_masses();
   /// Undoes the op that was applied last of those not yet taken back: content_hash() is then what it was.
   void take_back(const TopologyOp& op);
 
@@ -107,8 +111,10 @@ class TetComplex {
   void grow_nodes(std::size_t end);
   void grow_tets(std::size_t end);
   void leave(NodeId node, TetId tet);
+  void leave_all(NodeId node, std::span<const TetId> tets);  // ascending
   void enter(NodeId node, TetId tet);
   void update_mass(NodeId node);
+  void find_mass(NodeId node);
   void update_masses_of(std::span<const TetId> tets);      // around one edge
   std::size_t slot_towards(TetId tet, TetId other) const;  // by neighbour; 4: none
   std::size_t slot_of_face(TetId tet, TetId other) const;  // by three common corners; 4: none
@@ -139,8 +145,12 @@ class TetComplex {
   std::vector<std::uint8_t> node_live_;
   std::vector<std::vector<TetId>> star_;
   std::vector<Tet> tet_;
-  std::vector<TetId> around_;  // scratch
-  std::vector<NodeId> met_;    // scratch
+  std::vector<std::uint8_t> stale_;  // by node: masses to settle
+  std::vector<NodeId> unsettled_;
+  bool masses_held_ = false;
+  std::vector<std::array<double, 2>> halves_;  // scratch
+  std::vector<TetId> around_;                  // scratch
+  std::vector<NodeId> met_;                    // scratch
   std::size_t live_nodes_ = 0, live_tets_ = 0;
   std::uint64_t undone_ = 0;
 };

@@ -33,8 +33,11 @@ void TetComplex::change(const SplitEdge& op) {
       x[k] = tet_[t].corner[k] == gone ? middle : rest_[tet_[t].corner[k]];
     return size(std::span(x).first(sides_));
   };
-  for (const TetId t : around_)
-    require(volume_with(t, op.a) > 0 && volume_with(t, op.b) > 0, "an edge's splitting makes no volume");
+  halves_.clear();
+  for (const TetId t : around_) {
+    halves_.push_back({volume_with(t, op.b), volume_with(t, op.a)});
+    require(halves_.back()[0] > 0 && halves_.back()[1] > 0, "an edge's splitting makes no volume");
+  }
 
   grow_nodes(op.node + 1u);
   grow_tets(op.first + 2u * op.count);
@@ -43,14 +46,17 @@ void TetComplex::change(const SplitEdge& op) {
   node_live_[op.node] = 1;
   ++live_nodes_;
   live_tets_ += op.count;
+  leave_all(op.a, around_);
+  leave_all(op.b, around_);
+  star_[op.node].reserve(2 * around_.size());
   for (std::size_t i = 0; i < around_.size(); ++i) {
     const TetId t = around_[i], with_a = op.first + 2 * static_cast<TetId>(i), with_b = with_a + 1;
     const std::size_t ka = corner_index(t, op.a), kb = corner_index(t, op.b);
     Tet &whole = tet_[t], &a = tet_[with_a], &b = tet_[with_b];
     a.corner = b.corner = whole.corner;
     a.corner[kb] = b.corner[ka] = op.node;
-    a.volume = volume_with(t, op.b);
-    b.volume = volume_with(t, op.a);
+    a.volume = halves_[i][0];
+    b.volume = halves_[i][1];
     a.wall = static_cast<std::uint8_t>(whole.wall & ~(1u << ka));
     b.wall = static_cast<std::uint8_t>(whole.wall & ~(1u << kb));
     a.parent = b.parent = t;
@@ -77,7 +83,8 @@ void TetComplex::change(const SplitEdge& op) {
         b.beyond[k] = a.beyond[k] + 1;
       }
     }
-    for (const NodeId node : corners(t)) leave(node, t);
+    for (const NodeId node : corners(t))
+      if (node != op.a && node != op.b) leave(node, t);
     for (const NodeId node : corners(with_a)) star_[node].push_back(with_a);
     for (const NodeId node : corners(with_b)) star_[node].push_back(with_b);
   }
@@ -165,7 +172,7 @@ void TetComplex::check_parting(const PartNode& op) const {
       }
     }
   }
-  std::sort(taken.begin(), taken.end());
+  if (op.copies.size() > 1) std::sort(taken.begin(), taken.end());
   require(std::adjacent_find(taken.begin(), taken.end()) == taken.end(), "two copies take one tetrahedron");
   require(!op.copies.empty() && taken.size() < star_[op.node].size(), "a parted node keeps no tetrahedron");
 }
@@ -178,10 +185,8 @@ void TetComplex::change(const PartNode& op) {
     origin_[copy.node] = {op.node, op.node, 0};
     node_live_[copy.node] = 1;
     ++live_nodes_;
-    for (const TetId t : copy.tets) {
-      leave(op.node, t);
-      tet_[t].corner[corner_index(t, op.node)] = copy.node;
-    }
+    leave_all(op.node, copy.tets);
+    for (const TetId t : copy.tets) tet_[t].corner[corner_index(t, op.node)] = copy.node;
     star_[copy.node] = copy.tets;
     if (!is_sheet()) update_mass(copy.node);
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "common/error.h"
 #include "server/physics/cutting/cut_through.h"
@@ -64,34 +65,33 @@ bool is_above(const TetComplex& complex, const Marks& marks, TetId tet, const Ve
 }
 
 SlitFaces faces_to_slit(const TetComplex& complex, const Marks& marks) {
+  std::vector<std::uint8_t> is_touched(complex.tet_end(), 0);
   std::vector<TetId> touched;
-  for (const auto& mark : marks.added()) {
-    const auto star = complex.star(mark.node);
-    touched.insert(touched.end(), star.begin(), star.end());
-  }
+  for (const auto& mark : marks.added())
+    for (const TetId t : complex.star(mark.node))
+      if (!std::exchange(is_touched[t], std::uint8_t{1})) touched.push_back(t);
   std::sort(touched.begin(), touched.end());
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   SlitFaces op;
-  for (const TetId t : touched)
-    for (std::size_t k = 0; k < complex.sides(); ++k) {
+  for (const TetId t : touched) {
+    const auto c = complex.corners(t);
+    std::array<const BladeStroke::Mark*, 4> mark{};
+    std::size_t marked = 0;
+    for (std::size_t k = 0; k < c.size(); ++k)
+      if ((mark[k] = marks.find(c[k]))) ++marked;
+    if (marked + 1 < c.size()) continue;
+    for (std::size_t k = 0; k < c.size(); ++k) {
       const TetId beyond = complex.neighbor(t, k);
-      if (beyond == TetComplex::none) continue;
-      const auto& c = complex.corners(t);
+      if (marked < c.size() && mark[k]) continue;  // a corner of the face has none
+      if (beyond == TetComplex::none || (beyond < t && is_touched[beyond])) continue;
       const BladeStroke::Mark* first = nullptr;
-      bool on_blade = true;
-      for (const std::size_t j : TetComplex::face[k]) {
-        if (j >= c.size()) continue;
-        const BladeStroke::Mark* mark = marks.find(c[j]);
-        on_blade = on_blade && mark;
-        if (mark && (!first || mark->node < first->node)) first = mark;
-      }
-      if (!on_blade) continue;
+      for (const std::size_t j : TetComplex::face[k])
+        if (j < c.size() && (!first || mark[j]->node < first->node)) first = mark[j];
       const Vec3& up = first->normal;
       if (is_above(complex, marks, t, up) != is_above(complex, marks, beyond, up))
         op.faces.push_back({std::min(t, beyond), std::max(t, beyond)});
     }
+  }
   std::sort(op.faces.begin(), op.faces.end());
-  op.faces.erase(std::unique(op.faces.begin(), op.faces.end()), op.faces.end());
   return op;
 }
 
@@ -121,7 +121,7 @@ void leave_crumbs(const TetComplex& complex, SlitFaces& slit) {
   std::vector<bool> in_crumb(complex.tet_end(), false);
   for (const auto& face : slit.faces)
     for (const TetId t : face) {
-      if (in_crumb[t]) continue;
+      if (in_crumb[t] || complex.volume(t) > least_piece_share * complex.mean_volume()) continue;
       const auto crumb = crumb_at(complex, slit, t);
       any |= !crumb.empty();
       for (const TetId part : crumb) in_crumb[part] = true;
@@ -210,6 +210,15 @@ void slit(TetComplex& complex, const SlitFaces& op, std::vector<Vec3>& x, Marks&
   part_nodes(complex, op, x, marks, result);
 }
 
+/// Nothing here asks for masses before the end.
+struct HeldMasses {
+  explicit HeldMasses(TetComplex& of) : complex(of) { complex.hold_masses(); }
+  ~HeldMasses() { complex.settle_masses(); }
+  HeldMasses(const HeldMasses&) = delete;
+  HeldMasses& operator=(const HeldMasses&) = delete;
+  TetComplex& complex;
+};
+
 bool is_in_tissue(const BladeStroke& stroke) {
   return std::any_of(stroke.edge.begin(), stroke.edge.end(),
                      [](const BladeStroke::EdgePoint& p) { return p.tet != TetComplex::none; });
@@ -273,6 +282,7 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
   SheetPassage passage;
   if (complex.is_sheet()) passage = sheet_passage(complex, candidates, x, from, to);
   Marks marks(stroke.marks, complex.node_end());
+  const HeldMasses masses(complex);
   split_edges(complex, sheet, candidates, x, marks, result);
   SlitFaces faces = faces_to_slit(complex, marks);
   leave_crumbs(complex, faces);
