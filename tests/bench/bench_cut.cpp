@@ -55,7 +55,7 @@ const std::vector<Stroke>& strokes() {
 
 /// A liver, tied where it is, that a knife meets no resistance in; the knife's edge is longer than it is
 /// high.
-SceneDesc scene_of(double cell) {
+SceneDesc scene_of(double cell, const std::string& model = {}, const std::string& element = {}) {
   SceneDesc scene;
   scene.gravity = Vec3::Zero();
   scene.rigid = {test::part_body("knife", "box", {0.01, 0.08, 0.01}, {-reach, 0.18, 0})};
@@ -68,6 +68,8 @@ SceneDesc scene_of(double cell) {
   soft.surface_cell = cell;
   soft.toughness = 0;
   soft.attach = {{Vec3::Zero(), 1, 1e7}};
+  if (!model.empty()) soft.model = model;
+  if (!element.empty()) soft.element = element;
   return scene;
 }
 
@@ -205,6 +207,8 @@ ReportRow measure(const SceneDesc& scene, const Stroke& stroke, int threads) {
   const SoftDesc& tissue = scene.soft[0];
   row["stroke"] = stroke.name;
   row["tissue"] = tissue.shape == "sheet" ? tissue.model + " sheet" : tissue.name;
+  row["model"] = tissue.model;
+  row["element"] = tissue.element;
   row["tets"] = tets;
   row["tets_after"] = cells(simulation);
   row["threads"] = threads;
@@ -263,10 +267,10 @@ void fit_bodies(Organ& organ, const SoftDesc& desc, bool anew, std::vector<Made>
 /// A blade as long as the organ is high, right through it in one tick: the mesh is cut, and all that hangs on
 /// the pieces' is brought up to date; and that taken back. What a cut asks of the mesh is found before, with
 /// the scene. Wall time of each, ms.
-ReportRow cut_through(const Through& way, double cell, int threads) {
+ReportRow cut_through(const Through& way, const SceneDesc& scene, int threads) {
   CompileOptions options;
   options.threads = threads;
-  const Simulation simulation(scene_of(cell), options);
+  const Simulation simulation(scene, options);
   const SoftBody& body = simulation.soft(liver);
   Vec3 lowest = Vec3::Zero(), highest = lowest;
   for (const Vec3& at : body.anatomy().tets.positions) {
@@ -342,6 +346,8 @@ ReportRow cut_through(const Through& way, double cell, int threads) {
   ReportRow row;
   row["stroke"] = way.name;
   row["tissue"] = body.desc().name;
+  row["model"] = body.desc().model;
+  row["element"] = body.desc().element;
   row["tets"] = body.elements();
   row["tets_after"] = after;
   row["tets_that_stay"] = kept;
@@ -361,8 +367,8 @@ ReportRow cut_through(const Through& way, double cell, int threads) {
   return row;
 }
 
-void add_through(Report& report, const Through& way, double cell, int threads) {
-  report.add(cut_through(way, cell, threads));
+void add_through(Report& report, const Through& way, const SceneDesc& scene, int threads) {
+  report.add(cut_through(way, scene, threads));
   const ReportRow& row = report.rows().back();
   fmt::print(
       "{:21} {:6} tets, {:6} after, {:6} of them stay: ready in {:7.2f} ms p50, mesh {:7.2f}, bodies "
@@ -403,10 +409,11 @@ Report bench_cut(const CutBenchOptions& options) {
                                     : options.cell > 0 ? std::vector<double>{options.cell}
                                                        : std::vector<double>{0.01475, 0.00918, 0.00672};
   for (const double cell : cells) {
+    const SceneDesc scene = scene_of(cell, options.model, options.element);
     for (const Stroke& stroke : strokes())
-      if (asked(stroke.name)) add_stroke(report, scene_of(cell), stroke, options.threads);
+      if (asked(stroke.name)) add_stroke(report, scene, stroke, options.threads);
     for (const Through& way : through)
-      if (asked(way.name)) add_through(report, way, cell, options.threads);
+      if (asked(way.name)) add_through(report, way, scene, options.threads);
   }
   for (const char* model : {"mass_spring", "xpbd"})
     for (const Stroke& stroke : strokes())
