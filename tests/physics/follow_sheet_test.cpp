@@ -10,7 +10,6 @@
 #include "server/physics/organs/sheet_parts.h"
 #include "server/physics/organs/surface_follow.h"
 #include "server/physics/soft/sheet_springs.h"
-#include "server/physics/soft/substepper.h"
 #include "tests/physics/following.h"
 #include "tests/random.h"
 
@@ -56,42 +55,6 @@ Way random_way(Random& random) {
   return ::testing::AssertionSuccess();
 }
 
-/// What steps would ask of it, at places that only `seed` tells.
-std::vector<VecX> answers(SoftBody& body, unsigned seed) {
-  Random random(seed);
-  const Eigen::Index n = 3 * body.nodes();
-  const auto near = [&](const VecX& x, double reach) {
-    return VecX(x + VecX::NullaryExpr(n, [&] { return random.uniform(-reach, reach); }));
-  };
-  SoftBodyState state = body.initial_state();
-  state.motion.x = near(body.rest(), 1e-3);
-  state.motion.v = near(VecX::Zero(n), 0.1);
-  body.begin_stage(0, 0.01, {0, -9.81, 0}, state);
-  const VecX x = near(state.motion.x, 1e-3), p = near(VecX::Zero(n), 1);
-  body.linearise(x);
-  VecX gradient = VecX::Zero(n), product(n), solution = VecX::Zero(n);
-  body.gradient(x, gradient);
-  const Eigen::Vector4d numbers(body.energy(x), body.diagonal(), body.elastic_energy(x), body.total_mass());
-  body.assemble(x);
-  body.multiply(p.data(), product.data());
-  if (body.desc().solver == "direct") body.factor_solve(p.data(), solution.data());
-  std::vector<Mat3> blocks(static_cast<std::size_t>(body.nodes()));
-  body.diagonal(blocks);
-  const VecX diagonal =
-      Eigen::Map<const VecX>(blocks.front().data(), 9 * static_cast<Eigen::Index>(blocks.size()));
-  const auto areas = body.surface_area();
-  const VecX area = Eigen::Map<const VecX>(areas.data(), static_cast<Eigen::Index>(areas.size()));
-  if (Substepper* steps = body.substepper()) {
-    steps->begin(state);
-    for (int i = 0; i < 3; ++i) steps->step(1e-3, {0, -9.81, 0}, state);
-    steps->finish(1e-3, state);
-  }
-  return {body.rest(), body.node_mass(), body.attachment_stiffness(),
-          area,        numbers,          gradient,
-          product,     solution,         state.motion.x,
-          diagonal,    state.mode,       VecX::Constant(1, state.omega)};
-}
-
 ::testing::AssertionResult same(SoftBody& followed, SoftBody& anew, unsigned seed) {
   const Anatomy &a = followed.anatomy(), &b = anew.anatomy();
   if (followed.content_hash() != anew.content_hash() || a.quads != b.quads || a.triangles != b.triangles ||
@@ -99,11 +62,7 @@ std::vector<VecX> answers(SoftBody& body, unsigned seed) {
     return ::testing::AssertionFailure() << "another mesh";
   if (a.surface.triangles != b.surface.triangles || a.surface.positions != b.surface.positions)
     return ::testing::AssertionFailure() << "another surface";
-  const std::vector<VecX> x = answers(followed, seed), y = answers(anew, seed);
-  for (std::size_t i = 0; i < x.size(); ++i)
-    if (x[i].size() != y[i].size() || x[i] != y[i])
-      return ::testing::AssertionFailure() << "answer " << i << " differs";
-  return ::testing::AssertionSuccess();
+  return same_answers(followed, anew, seed);
 }
 
 struct Rung {

@@ -7,63 +7,12 @@
 #include "common/anatomy/embedding.h"
 #include "server/physics/byte_stream.h"
 #include "server/physics/organs/tet_lineage.h"
-#include "server/physics/soft/substepper.h"
 #include "tests/cutting/meshes.h"
 #include "tests/physics/following.h"
 #include "tests/random.h"
 
 namespace prosector {
 namespace {
-
-bool equal(const VecX& a, const VecX& b) {
-  return a.size() == b.size() && (a.array() == b.array()).all();
-}
-
-/// All that a step would ask of a body, at places that only `seed` tells.
-std::vector<VecX> answers(SoftBody& body, unsigned seed) {
-  Random random(seed);
-  const Eigen::Index n = 3 * body.nodes();
-  const auto near = [&](const VecX& x, double reach) {
-    return VecX(x + VecX::NullaryExpr(n, [&] { return random.uniform(-reach, reach); }));
-  };
-  SoftBodyState state = body.initial_state();
-  state.motion.x = near(body.rest(), 1e-3);
-  state.motion.v = near(VecX::Zero(n), 0.1);
-  body.begin_stage(0, 0.01, {0, -9.81, 0}, state);
-  const VecX x = near(state.motion.x, 1e-3), p = near(VecX::Zero(n), 1);
-  body.linearise(x);
-  VecX gradient = VecX::Zero(n), product(n), solution(n), warm(n);
-  body.gradient(x, gradient);
-  const double energy = body.energy(x);
-  body.assemble(x);
-  body.multiply(p.data(), product.data());
-  std::vector<Mat3> diagonal(static_cast<std::size_t>(body.nodes()));
-  body.diagonal(diagonal);
-  std::vector<Mat3> inverse;
-  for (const Mat3& block : diagonal) inverse.push_back(block.inverse());
-  if (body.desc().solver == "direct")
-    body.factor_solve(p.data(), solution.data());
-  else if (body.desc().solver == "multigrid")
-    body.multigrid_solve(diagonal, inverse, p.data(), solution.data());
-  else
-    solution.setZero();
-  VecX blocks(9 * body.nodes());
-  for (Eigen::Index i = 0; i < body.nodes(); ++i)
-    blocks.segment<9>(9 * i) = diagonal[static_cast<std::size_t>(i)].reshaped();
-  const VecX area = Eigen::Map<const VecX>(body.surface_area().data(),
-                                           static_cast<Eigen::Index>(body.surface_area().size()));
-  const VecX numbers = Eigen::Vector4d(energy, body.diagonal(), body.elastic_energy(x),
-                                       static_cast<double>(body.tangent_is_cheap()));
-  if (Substepper* steps = body.substepper()) {
-    steps->begin(state);
-    for (int i = 0; i < 3; ++i) steps->step(1e-4, {0, -9.81, 0}, state);
-    steps->finish(1e-4, state);
-  }
-  return {body.rest(),    body.node_mass(), body.attachment_stiffness(),
-          area,           numbers,          gradient,
-          product,        solution,         blocks,
-          state.motion.x, state.mode,       VecX::Constant(1, state.omega)};
-}
 
 ::testing::AssertionResult same(SoftBody& followed, SoftBody& anew, unsigned seed) {
   const Anatomy &a = followed.anatomy(), &b = anew.anatomy();
@@ -75,10 +24,7 @@ std::vector<VecX> answers(SoftBody& body, unsigned seed) {
         return p.node == q.node && p.weight == q.weight;
       }))
     return ::testing::AssertionFailure() << "another surface";
-  const std::vector<VecX> x = answers(followed, seed), y = answers(anew, seed);
-  for (std::size_t i = 0; i < x.size(); ++i)
-    if (!equal(x[i], y[i])) return ::testing::AssertionFailure() << "answer " << i << " differs";
-  return ::testing::AssertionSuccess();
+  return same_answers(followed, anew, seed);
 }
 
 /// Whether an organ that goes through the log, looking at all of the skin after each entry, has the surfaces

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "server/physics/soft/substepper.h"
+#include "tests/random.h"
+
 namespace prosector {
 namespace {
 
@@ -63,7 +66,61 @@ AssertionResult same(const TriangleSurface& followed, const TriangleSurface& ane
   return AssertionSuccess();
 }
 
+/// At places that only `seed` tells.
+std::vector<VecX> answers(SoftBody& body, unsigned seed) {
+  Random random(seed);
+  const Eigen::Index n = 3 * body.nodes();
+  const auto near = [&](const VecX& x, double reach) {
+    return VecX(x + VecX::NullaryExpr(n, [&] { return random.uniform(-reach, reach); }));
+  };
+  SoftBodyState state = body.initial_state();
+  state.motion.x = near(body.rest(), 1e-3);
+  state.motion.v = near(VecX::Zero(n), 0.1);
+  body.begin_stage(0, 0.01, {0, -9.81, 0}, state);
+  const VecX x = near(state.motion.x, 1e-3), p = near(VecX::Zero(n), 1);
+  body.linearise(x);
+  VecX gradient = VecX::Zero(n), product(n), solution(n);
+  body.gradient(x, gradient);
+  const double energy = body.energy(x);
+  body.assemble(x);
+  body.multiply(p.data(), product.data());
+  std::vector<Mat3> diagonal(static_cast<std::size_t>(body.nodes()));
+  body.diagonal(diagonal);
+  std::vector<Mat3> inverse;
+  for (const Mat3& block : diagonal) inverse.push_back(block.inverse());
+  if (body.desc().solver == "direct")
+    body.factor_solve(p.data(), solution.data());
+  else if (body.desc().solver == "multigrid")
+    body.multigrid_solve(diagonal, inverse, p.data(), solution.data());
+  else
+    solution.setZero();
+  VecX blocks(9 * body.nodes());
+  for (Eigen::Index i = 0; i < body.nodes(); ++i)
+    blocks.segment<9>(9 * i) = diagonal[static_cast<std::size_t>(i)].reshaped();
+  const VecX area = Eigen::Map<const VecX>(body.surface_area().data(),
+                                           static_cast<Eigen::Index>(body.surface_area().size()));
+  VecX numbers(5);
+  numbers << energy, body.diagonal(), body.elastic_energy(x), body.total_mass(),
+      static_cast<double>(body.tangent_is_cheap());
+  if (Substepper* steps = body.substepper()) {
+    steps->begin(state);
+    for (int i = 0; i < 3; ++i) steps->step(1e-4, {0, -9.81, 0}, state);
+    steps->finish(1e-4, state);
+  }
+  return {body.rest(),    body.node_mass(), body.attachment_stiffness(),
+          area,           numbers,          gradient,
+          product,        solution,         blocks,
+          state.motion.x, state.mode,       VecX::Constant(1, state.omega)};
+}
+
 }  // namespace
+
+AssertionResult same_answers(SoftBody& followed, SoftBody& anew, unsigned seed) {
+  const std::vector<VecX> x = answers(followed, seed), y = answers(anew, seed);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (x[i].size() != y[i].size() || x[i] != y[i]) return AssertionFailure() << "answer " << i << " differs";
+  return AssertionSuccess();
+}
 
 std::vector<Vec3> rest_of(const Organ& organ) {
   std::vector<Vec3> out;

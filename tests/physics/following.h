@@ -30,6 +30,9 @@ struct Hung {
   void follow(const SurfaceEdit& edit, Numbering now);
 };
 
+/// Whether all that a step would ask of them is the same, bit for bit, at places that only `seed` tells.
+::testing::AssertionResult same_answers(SoftBody& followed, SoftBody& anew, unsigned seed);
+
 /// Whether what hangs on a surface is the same, bit for bit.
 ::testing::AssertionResult same_contact(Hung& followed, Hung& anew);
 
