@@ -82,11 +82,6 @@ with Processes(OUT) as processes:
     shift = parts()["liver"]["shift"]
     assert max(map(abs, shift)) < 0.005, f"the liver is not where it was: {shift} m"
     view.picture().save(OUT / "undone.png")
-    act("key", "Escape")
-    assert client.wait(20) == 0, "the client did not leave when told to"
-    server.terminate()
-    assert server.wait(20) == 0
-    commands = json.loads((OUT / "server.json").read_text())["commands"]
-    print(json.dumps(commands))
+    commands = processes.leave(client, server)
     assert commands["grasp"]["granted"] == 1 and commands["undo"] == {"granted": 1, "refused": 0}, commands
     assert cut_off, "nothing came off"

@@ -1,6 +1,7 @@
 """A person at a desk, acted: real processes, a real window, and xdotool for the mouse and the keys. Run under xvfb-run.
 Importing this ends the test as skipped (77) where there is no display or no tool to act on it."""
 
+import json
 import math
 import os
 import shutil
@@ -69,6 +70,16 @@ class Processes:
         with open(self.out / log, "w") as file:
             self.running.append(subprocess.Popen([str(c) for c in command], stdout=file, stderr=subprocess.STDOUT))
         return self.running[-1]
+
+    def leave(self, client, server):
+        """The person leaves and the server ends; what it counted of commands."""
+        act("key", "Escape")
+        assert client.wait(20) == 0, "the client did not leave when told to"
+        server.terminate()
+        assert server.wait(20) == 0
+        commands = json.loads((self.out / "server.json").read_text())["commands"]
+        print(json.dumps(commands))
+        return commands
 
     def says(self, log, words):
         return words in (self.out / log).read_text()

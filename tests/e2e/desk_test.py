@@ -4,7 +4,6 @@ keys: P over an organ brings up its panel, a click presses a button, a drag move
 organ grasps. What came of it is read in the client's pictures and in the server's summary.
 """
 
-import json
 import os
 import pathlib
 import sys
@@ -146,12 +145,7 @@ with Processes(OUT) as processes:
     time.sleep(0.5)
     act("mouseup", 1)
     time.sleep(0.5)
-    act("key", "Escape")
-    assert client.wait(20) == 0, "the client did not leave when told to"
-    server.terminate()
-    assert server.wait(20) == 0
-    commands = json.loads((OUT / "server.json").read_text())["commands"]
-    print(json.dumps(commands))
+    commands = processes.leave(client, server)
     assert commands["open_panel"]["granted"] == 1, commands
     assert commands["set_control"]["granted"] >= 3, commands  # the button, and the slider on its way
     assert commands["set_control"]["refused"] == 0, commands

@@ -75,16 +75,9 @@ struct Rung {
 class FollowingCloths final : public FollowingBodies {
  public:
   FollowingCloths(Organ& cut, const SoftDesc& desc, double stiffness)
-      : FollowingBodies(cut), desc_(desc), stiffness_(stiffness) {}
+      : FollowingBodies(cut, desc, stiffness) {}
 
  private:
-  Hung made_anew(std::size_t body) const override {
-    Hung out;
-    out.solver = std::make_unique<SoftBody>(desc_, organ.anatomy(organ.piece(body), out.numbering));
-    out.solver->set_in_force(stiffness_, true);
-    out.find_contact();
-    return out;
-  }
   bool can_follow(const PieceEdit& edit) const override {
     return bodies.at(edit.body).solver->can_follow_sheet(edit.mesh.kept_nodes);
   }
@@ -99,21 +92,19 @@ class FollowingCloths final : public FollowingBodies {
     Anatomy sheet = organ.anatomy(organ.piece(edit.body), numbering);
     const SurfaceEdit surface = edit_between(body.solver->anatomy().surface, body.numbering, sheet.surface,
                                              sheet.embedding, numbering);
-    SpringNetwork springs = make_sheet_springs(desc_, body.solver->anatomy());
-    follow_sheet(desc_, sheet, edit.mesh.kept_nodes, edit.touched, springs);
+    SpringNetwork springs = make_sheet_springs(desc, body.solver->anatomy());
+    follow_sheet(desc, sheet, edit.mesh.kept_nodes, edit.touched, springs);
     springs_ = std::move(springs);
     body.solver->follow_sheet(std::move(sheet), edit.mesh.kept_nodes, edit.touched);
     body.follow(surface, std::move(numbering));
   }
   ::testing::AssertionResult same(std::size_t body, Hung& anew, unsigned seed) override {
-    if (const auto springs = prosector::same(springs_, make_sheet_springs(desc_, anew.solver->anatomy()));
+    if (const auto springs = prosector::same(springs_, make_sheet_springs(desc, anew.solver->anatomy()));
         !springs)
       return springs;
     return prosector::same(*bodies[body].solver, *anew.solver, seed);
   }
 
-  const SoftDesc& desc_;
-  double stiffness_;
   SpringNetwork springs_;  // of what followed last
 };
 

@@ -58,17 +58,10 @@ struct Rung {
 class FollowingBlocks final : public FollowingBodies {
  public:
   FollowingBlocks(Organ& cut, const SoftDesc& desc, const Anatomy& mesh, double stiffness)
-      : FollowingBodies(cut), desc_(desc), mesh_(mesh), stiffness_(stiffness) {}
+      : FollowingBodies(cut, desc, stiffness), mesh_(mesh) {}
   std::size_t surfaces = 0;  // that followed: of what was cut before and is still
 
  private:
-  Hung made_anew(std::size_t body) const override {
-    Hung out;
-    out.solver = std::make_unique<SoftBody>(desc_, organ.anatomy(organ.piece(body), out.numbering));
-    out.solver->set_in_force(stiffness_, true);
-    out.find_contact();
-    return out;
-  }
   bool can_follow(const PieceEdit& edit) const override {
     return bodies.at(edit.body).solver->can_follow(edit.mesh);
   }
@@ -105,11 +98,9 @@ class FollowingBlocks final : public FollowingBodies {
   ::testing::AssertionResult same(std::size_t body, Hung& anew, unsigned seed) override {
     return prosector::same(*bodies[body].solver, *anew.solver, seed);
   }
-  void end_stroke() override { ASSERT_TRUE(restores_alike(organ, bodies.size(), mesh_, desc_.density)); }
+  void end_stroke() override { ASSERT_TRUE(restores_alike(organ, bodies.size(), mesh_, desc.density)); }
 
-  const SoftDesc& desc_;
   const Anatomy& mesh_;
-  double stiffness_;
 };
 
 class FollowingRungs : public ::testing::TestWithParam<Rung> {};

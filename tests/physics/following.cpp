@@ -158,6 +158,14 @@ AssertionResult same_contact(Hung& followed, Hung& anew) {
   return out;
 }
 
+Hung FollowingBodies::made_anew(std::size_t body) const {
+  Hung out;
+  out.solver = std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(body), out.numbering));
+  out.solver->set_in_force(stiffness_, true);
+  out.find_contact();
+  return out;
+}
+
 void FollowingBodies::make_strokes(unsigned count, const std::function<Stroke(unsigned)>& next) {
   bodies[0] = made_anew(0);
   for (unsigned stroke = 0; stroke < count; ++stroke) {

@@ -38,7 +38,9 @@ struct Hung {
 
 class FollowingBodies {
  public:
-  explicit FollowingBodies(Organ& cut) : organ(cut) {}
+  /// Of bodies `stiffness` times as stiff as described, since they were made.
+  FollowingBodies(Organ& cut, const SoftDesc& description, double stiffness)
+      : organ(cut), desc(description), stiffness_(stiffness) {}
   virtual ~FollowingBodies() = default;
 
   struct Stroke {
@@ -54,7 +56,6 @@ class FollowingBodies {
   std::size_t not_followed = 0;                            // by what stayed
 
  protected:
-  virtual Hung made_anew(std::size_t body) const = 0;
   virtual bool can_follow(const PieceEdit& edit) const = 0;
   /// A cut in one piece, which the organ has not followed yet.
   virtual void follow_cut(const PieceEdit& edit) = 0;
@@ -64,11 +65,14 @@ class FollowingBodies {
   virtual void end_stroke() {}
 
   Organ& organ;
+  const SoftDesc& desc;
   std::map<std::size_t, Hung> bodies;
 
  private:
+  Hung made_anew(std::size_t body) const;
   void regroup(bool undone);
   void compare(std::size_t body);
+  double stiffness_;
   unsigned compared_ = 0;
 };
 
