@@ -7,6 +7,7 @@
 #include "common/anatomy/embedding.h"
 #include "server/physics/byte_stream.h"
 #include "server/physics/organs/tet_lineage.h"
+#include "server/physics/soft/elastic_model.h"
 #include "tests/cutting/meshes.h"
 #include "tests/physics/following.h"
 #include "tests/random.h"
@@ -120,6 +121,7 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
     region.radius = 0.04;
     region.youngs_modulus = 5 * desc.youngs_modulus;
   }
+  if (desc.model == "fem_fibers") desc.fiber_stiffness = 1e4;
   if (rung.relaxes) desc.relaxation = {{0.3, 0.5}, {0.2, 5}};
   const Anatomy mesh =
       rung.round ? embed(shaken_box(4), surface_of("block", 0.01)).anatomy : Anatomy{shaken_box(4), {}, {}};
@@ -144,6 +146,33 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
   EXPECT_GT(bodies.taken_back, 0U);
   EXPECT_GT(bodies.joined, 0U);
   EXPECT_EQ(bodies.not_followed, 0U);
+}
+
+// Which no other answer tells of: it only says from where on single precision will do.
+TEST(Following, StiffnessAtRestIsThatOfAModelMadeAnew) {
+  SoftDesc desc;
+  desc.model = "fem_fibers";
+  desc.fiber_stiffness = 1e4;
+  RegionDesc& region = desc.regions.emplace_back();
+  region.center = {0.07, 0.05, 0.05};
+  region.radius = 0.04;
+  region.fiber_stiffness = 3e4;
+  Organ organ(0, {shaken_box(4), {}, {}}, 1000);
+  Numbering numbering;
+  const auto model = make_elastic_model(desc, organ.anatomy(organ.piece(0), numbering));
+  TetMesh mesh = organ.whole().tets;
+  const auto edge = [](double at) { return std::vector<Vec3>{{at, 0.051, -0.1}, {at, 0.051, 0.2}}; };
+  BladeStroke blade = begin_stroke(edge(-0.01));
+  for (int tick = 1; tick <= 3; ++tick) {
+    ASSERT_FALSE(organ.cut(rest_of(organ), edge(0.03 * tick), blade, 1, 1).ops.empty());
+    const auto edit = organ.cut_in_one_piece();
+    ASSERT_TRUE(edit && model->can_follow(edit->mesh));
+    organ.follow(*edit);
+    apply(edit->mesh, mesh);
+    model->follow(desc, mesh, edit->mesh);
+    const auto anew = make_elastic_model(desc, organ.anatomy(organ.piece(0), numbering));
+    EXPECT_EQ(model->rest_trace(), anew->rest_trace());
+  }
 }
 
 // What relaxes remembers: each tetrahedron what the one that it is a part of did.
@@ -181,6 +210,8 @@ INSTANTIATE_TEST_SUITE_P(
              .solver = "cg",
              .regions = true,
              .damped = true},
+        Rung{
+            .name = "fibers", .model = "fem_fibers", .solver = "multigrid", .regions = true, .relaxes = true},
         Rung{.name = "relaxing", .model = "fem_corotational", .solver = "cg", .relaxes = true},
         Rung{.name = "round", .model = "fem_corotational", .solver = "cg", .round = true},
         Rung{.name = "direct", .model = "fem_corotational", .solver = "direct"},

@@ -142,6 +142,21 @@ TEST_P(Elastic, ForcesAndStiffnessAreDerivativesOfTheEnergy) {
   EXPECT_LT((Kdx - warped).norm(), 1e-9 * Kdx.norm());
 }
 
+TEST_P(Elastic, TraceAtRestIsThatOfTheStiffnessTurned) {
+  const Rung& rung = GetParam();
+  SoftDesc desc = describe(rung);
+  if (rung.model.name == "fem_fibers") desc.fiber_stiffness = 5e4;
+  desc.fiber_direction = {1, 2, -3};
+  const auto model = make_elastic_model(desc, anatomy_of(rung.mesh));
+  const BlockPattern pattern(model->connectivity());
+  std::vector<Mat3> K(pattern.blocks());
+  pattern.gather(model->warped_stiffness(model->rest().data()), 0, {}, K);
+  double trace = 0;
+  for (std::size_t i = 0; i < pattern.rows(); ++i) trace += K[pattern.diagonal(i)].trace();
+  EXPECT_GT(trace, 0);
+  EXPECT_NEAR(model->rest_trace(), trace, 1e-12 * trace);
+}
+
 TEST_P(Elastic, TurningAndMovingStoreNothing) {
   const auto model = make_elastic_model(describe(GetParam()), anatomy_of(GetParam().mesh));
   const VecX& rest = model->rest();

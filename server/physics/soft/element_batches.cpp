@@ -41,7 +41,7 @@ void ElementBatches::set_rest(std::size_t batch) {
   set_trace(batch);
 }
 
-// tr K_aa = V(λ + 4μ)|b_a|².
+// tr K_aa = V(λ + 4μ)|b_a|², and of fibres along f V·k(b_a·f)².
 void ElementBatches::set_trace(std::size_t batch) {
   const LaneRest& rest = rest_[batch];
   double sum = 0;
@@ -55,10 +55,16 @@ void ElementBatches::set_trace(std::size_t batch) {
     squares += own[0] * own[0] + own[1] * own[1] + own[2] * own[2];
     sum += rest.volume[lane] * (rest.lambda[lane] + 4 * rest.mu[lane]) * squares;
   }
+  for (std::size_t e = first(batch); e < first(batch) + count(batch); ++e)
+    if (const Material& material = materials_.of(e); material.fiber_stiffness > 0) {
+      const Vec3 along = elements_.gradients(e).transpose() * material.fiber;
+      const double squares = along.squaredNorm() + along.sum() * along.sum();
+      sum += elements_.volume(e) * material.fiber_stiffness * squares;
+    }
   trace_[batch] = sum;
 }
 
-double ElementBatches::hooke_trace() const {
+double ElementBatches::rest_trace() const {
   return ordered_sum(trace_);
 }
 

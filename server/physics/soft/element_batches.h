@@ -52,8 +52,8 @@ class ElementBatches {
   virtual void turn(std::size_t /*batch*/, double /*share*/, std::span<TurnedVector> /*gradients*/,
                     std::span<Twist> /*twists*/) const {}
 
-  /// The trace of Hooke's stiffness at rest, N/m, all batches; without fibres.
-  double hooke_trace() const;
+  /// The trace of the warped stiffness at rest, N/m, of all batches.
+  double rest_trace() const;
 
  protected:
   std::size_t first(std::size_t batch) const { return batch * elements_per_batch; }
@@ -70,7 +70,7 @@ class ElementBatches {
   void set_rest(std::size_t batch);
   void set_trace(std::size_t batch);
 
-  std::vector<double> trace_;  // N/m: of Hooke's stiffness at rest, of each batch
+  std::vector<double> trace_;  // N/m: of the warped stiffness at rest, of each batch
 };
 
 /// From a law, one for each material; `elements` must outlive the result.

@@ -36,8 +36,9 @@ class Tet4Model final : private Tet4Parts, public BatchedModel {
   Tet4Model(const TetMesh& mesh, const Make& make)
       : Tet4Parts{Tet4Elements(mesh)},
         BatchedModel(mesh, connect(mesh, elements), make(elements), elements_per_batch),
-        volume_(Tet4Elements::lumped_volume(mesh)),
-        forces_(elements.size()) {}
+        volume_(Tet4Elements::lumped_volume(mesh)) {
+    make_room();
+  }
 
   const VecX& volume() const override { return volume_; }
   std::size_t dropped_elements() const override { return elements.dropped(); }
@@ -45,9 +46,14 @@ class Tet4Model final : private Tet4Parts, public BatchedModel {
     return batches().can_follow() && elements.can_follow(rest(), edit);
   }
   void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) override;
-  double rest_trace() override { return turns() ? batches().hooke_trace() : ElasticModel::rest_trace(); }
+  double rest_trace() override { return batches().rest_trace(); }
 
  private:
+  /// For what a step is certain to ask for.
+  void make_room() {
+    forces_.resize(elements.size());
+    if (!turns()) stiffness_.resize(elements.size());
+  }
   void place(const ElementChunk& chunk, const double* x) override { batches().move(chunk.batch, x); }
   double energy_of(const ElementChunk& chunk) const override { return batches().energy(chunk.batch); }
   void find_forces(const ElementChunk& chunk) override {
@@ -88,7 +94,7 @@ void Tet4Model::follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit
       sum += Tet4Elements::lumped_share(mesh, connectivity().element_of(corner));
     volume_[node] = sum;
   }
-  forces_.resize(elements.size());
+  make_room();
 }
 
 }  // namespace
