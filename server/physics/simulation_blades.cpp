@@ -36,7 +36,7 @@ void Simulation::Impl::take_up_blades() {
     auto at = std::lower_bound(blades.begin(), blades.end(), slot,
                                [](const Blade& blade, std::size_t s) { return blade.slot < s; });
     if (at == blades.end() || at->slot != slot) {
-      at = blades.insert(at, Blade{slot, 0, 0, false, {}, {}});
+      at = blades.insert(at, Blade{slot, 0, 0, false, 0, {}, {}});
       at->cut_to = edge_points(slot);
     }
     at->holder = holder->participant;
@@ -132,7 +132,9 @@ void Simulation::Impl::advance(Blade& blade) {
   drag_edges(blade, now, from, to);
   const bool in_volume = enter_volumes(blade, from, to), in_sheet = stop_at_sheets(blade, from, to);
   const bool in_tissue = in_volume || in_sheet;
-  if (in_tissue && !blade.cutting) blade.stroke = ++strokes;
+  const bool begins = blade.stroke == 0 || blade.outside > between_strokes;
+  if (in_tissue && begins) blade.stroke = ++strokes;
+  blade.outside = in_tissue ? 0 : blade.outside + 1 / model.scene.tick_rate;
   std::size_t p = 0;
   const std::vector<BladeShape::Edge>& edges = blade_shapes[blade.slot].edges;
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {

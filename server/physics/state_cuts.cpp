@@ -14,6 +14,7 @@ void add(ByteWriter& out, const Blade& blade) {
   out.add(blade.holder);
   out.add(blade.stroke);
   out.add(static_cast<std::uint8_t>(blade.cutting));
+  out.add(blade.outside);
   for (const Vec3& point : blade.cut_to) out.add(point);
   out.add(static_cast<std::uint64_t>(blade.strokes.size()));
   for (const auto& [where, stroke] : blade.strokes) {
@@ -31,6 +32,7 @@ Blade read_blade(ByteReader& in, const std::vector<BladeShape>& shapes) {
   blade.holder = in.number<ParticipantId>();
   blade.stroke = in.number<std::uint64_t>();
   blade.cutting = in.flag();
+  blade.outside = in.number<double>();
   for (const BladeShape::Edge& edge : edges)
     for (std::size_t k = 0; k < edge.points.size(); ++k) blade.cut_to.push_back(in.vector());
   for (std::size_t left = in.count(most_strokes); left > 0; --left) {

@@ -19,13 +19,23 @@ HANDLE = 0.23, 0.93, 0.105  # above the knife's, as it lies
 ASIDE, ABOVE, BELOW = (0.2, 1.12, 0.12), (0.03, 1.12, 0.12), (0.03, 0.95, 0.12)
 
 
-def parts():
-    """The last that the client knew of them, by name."""
+def last_line():
+    """The last that the client knew."""
     try:
         lines = (OUT / "log.jsonl").read_text().splitlines()
-        return json.loads(lines[-1])["parts"] if lines else {}
+        return json.loads(lines[-1]) if lines else {}
     except (OSError, ValueError):
         return {}  # not there yet, or still being written
+
+
+def parts():
+    """Of the scene, by name."""
+    return last_line().get("parts", {})
+
+
+def topology():
+    """All meshes' hash."""
+    return last_line().get("topology")
 
 
 def revision():
@@ -74,14 +84,17 @@ with Processes(OUT) as processes:
     view.picture().save(OUT / "cut.png")
     print("revision", revision(), "pieces", cut_off)
 
-    cut = revision()
-    act("key", "z")
-    wait_until("the cut taken back", lambda: revision() > cut, 10)
-    time.sleep(1)
-    assert not pieces(), pieces()
+    assert cut_off, "nothing came off"
+    undone = 0
+    while pieces():  # what came off may have been nicked when it lay beside the blade: that is a later cut
+        assert undone < 3, f"{undone} cuts taken back, and still off: {pieces()}"
+        before = topology()
+        act("key", "z")
+        wait_until("a cut taken back", lambda: topology() not in (None, before), 10)
+        undone += 1
+        time.sleep(1)
     shift = parts()["liver"]["shift"]
     assert max(map(abs, shift)) < 0.005, f"the liver is not where it was: {shift} m"
     view.picture().save(OUT / "undone.png")
     commands = processes.leave(client, server)
-    assert commands["grasp"]["granted"] == 1 and commands["undo"] == {"granted": 1, "refused": 0}, commands
-    assert cut_off, "nothing came off"
+    assert commands["grasp"]["granted"] == 1 and commands["undo"] == {"granted": undone, "refused": 0}, commands

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "server/physics/organs/blade.h"
 #include "tests/physics/scalpel.h"
 
 namespace prosector::test {
@@ -156,6 +157,33 @@ TEST(Rewind, RefusesWhatIsNoStateOfThisRunAndChangesNothing) {
     EXPECT_TRUE(report.topology.empty());
     EXPECT_EQ(moment_of(simulation).meshes, before.meshes);
     EXPECT_EQ(simulation.time(), (SimTime{time.epoch, time.tick + 1}));
+  }
+}
+
+/// Into the block's side and out again.
+void nick(Simulation& simulation, double z) {
+  const auto move_to = [&](double x) { simulation.step(target({x, 0.14, z})); };
+  for (int i = 0; i <= 6; ++i) move_to(-0.08 + 0.01 * i);
+  for (int i = 1; i <= 2; ++i) move_to(-0.02 - 0.03 * i);
+}
+
+TEST(Undo, TakesWhatABladeCutsAgainAtOnceForTheSameCut) {
+  for (const bool at_once : {true, false}) {
+    Simulation simulation(tender_block(), options());
+    take(simulation);
+    const std::uint64_t uncut = simulation.soft(1).content_hash();
+    nick(simulation, 0);
+    const std::uint64_t once = simulation.soft(1).content_hash();
+    ASSERT_NE(once, uncut);
+    const double pause = (at_once ? 0.3 : 1.3) * between_strokes;
+    for (int i = 0; i < pause * simulation.scene().tick_rate; ++i)
+      simulation.step(target({-0.08, 0.14, 0.03}));
+    nick(simulation, 0.03);
+    ASSERT_NE(simulation.soft(1).content_hash(), once);
+    EXPECT_EQ(simulation.step(undo()).cut_answers, std::vector<std::string>{""});
+    EXPECT_EQ(simulation.soft(1).content_hash(), at_once ? uncut : once);
+    EXPECT_EQ(simulation.step(undo()).cut_answers == std::vector<std::string>{""}, !at_once);
+    EXPECT_EQ(simulation.soft(1).content_hash(), uncut);
   }
 }
 

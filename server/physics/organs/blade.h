@@ -19,6 +19,9 @@ namespace prosector {
 
 inline constexpr double edge_spacing = 0.004;  // m between points of an edge, at most
 inline constexpr double edge_give = 5e-4;      // m that a point lags behind its edge when tissue gives
+/// s out of tissue after which a blade that enters it begins another stroke. What came off falls past the
+/// blade: who undoes a cut doesn't mean the nick that it got then.
+inline constexpr double between_strokes = 0.2;
 
 /// Points along edges, in the instrument's frame.
 struct BladeShape {
@@ -44,8 +47,9 @@ double slicing(const Vec3& lag, const Vec3& edge);
 struct Blade {
   std::size_t slot = 0;      // of the instrument in the rigid world
   ParticipantId holder = 0;  // whose cut it is
-  std::uint64_t stroke = 0;  // counts, over all blades: from tissue entered to tissue left
+  std::uint64_t stroke = 0;  // counts, over all blades, and is what undo takes back; 0: none yet
   bool cutting = false;      // it was in tissue when the last tick ended
+  double outside = 0;        // s since it was
   std::vector<Vec3> cut_to;  // m, room frame: per point, in order of the edges, where it has cut to
   /// By organ (the soft body that it was) and edge.
   std::map<std::pair<std::size_t, std::size_t>, BladeStroke> strokes;
