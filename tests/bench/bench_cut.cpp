@@ -16,6 +16,7 @@
 
 #include "server/physics/contact/surface_detector.h"
 #include "server/physics/cutting/cut_through.h"
+#include "server/physics/cutting/missing_nodes.h"
 #include "server/physics/cutting/tet_shape.h"
 #include "server/physics/organs/organ.h"
 #include "server/physics/soft/soft_body.h"
@@ -264,6 +265,32 @@ void fit_bodies(Organ& organ, const SoftDesc& desc, bool anew, std::vector<Made>
   });
 }
 
+/// What a stroke that was in tissue looks for when it has left.
+void end_stroke(const TetComplex& complex, const BladeStroke& stroke) {
+  const Marks marks(stroke.marks, complex.node_end());
+  missing_nodes(complex, marks, most_missing(complex, marks));
+  faces_between_parts(complex, marks, least_piece_share * complex.mean_volume());
+}
+
+double ms_between(std::chrono::steady_clock::time_point begin, std::chrono::steady_clock::time_point end) {
+  return std::chrono::duration<double, std::milli>(end - begin).count();
+}
+
+/// ... where half of the cut is missing. Median wall time, ms.
+double ms_end_of_half_a_stroke(const SoftBody& body, const std::vector<Vec3>& from,
+                               const std::vector<Vec3>& to) {
+  Organ organ(0, body.anatomy(), body.desc().density);
+  BladeStroke blade = begin_stroke(from);
+  organ.cut(body.anatomy().tets.positions, to, blade, 1, 1);
+  std::vector<double> ending;
+  for (int run = 0; run < runs_through; ++run) {
+    const auto begin = std::chrono::steady_clock::now();
+    end_stroke(organ.complex(), blade);
+    ending.push_back(ms_between(begin, std::chrono::steady_clock::now()));
+  }
+  return quantile(ending, 0.5);
+}
+
 /// A blade as long as the organ is high, right through it in one tick: the mesh is cut, and all that hangs on
 /// the pieces' is brought up to date; and that taken back. What a cut asks of the mesh is found before, with
 /// the scene. Wall time of each, ms.
@@ -280,7 +307,7 @@ ReportRow cut_through(const Through& way, const SceneDesc& scene, int threads) {
   const auto edge = [](double x, double z) { return std::vector<Vec3>{{x, -reach, z}, {x, reach, z}}; };
   const double z = 1e-3 + way.height * highest.z();
   std::vector<double> preparing, cutting, making[2], all, undoing[2];  // following, made anew
-  std::vector<double> ending;  // what a stroke that was in tissue looks for when it has left
+  std::vector<double> ending;
   std::size_t split = 0, after = 0, kept = 0;
   double mass = 0;             // kg, of all pieces
   std::vector<double> angles;  // likewise
@@ -309,16 +336,10 @@ ReportRow cut_through(const Through& way, const SceneDesc& scene, int threads) {
     arena.execute([&] {
       const auto begin = cut_to(reach, z, 2);
       const auto cut = std::chrono::steady_clock::now();
-      const TetComplex& complex = organ.complex();
-      const Marks marks(blade.marks, complex.node_end());
-      missing_nodes(complex, marks, 4);
-      faces_between_parts(complex, marks, least_piece_share * complex.mean_volume());
+      end_stroke(organ.complex(), blade);
       const auto ended = std::chrono::steady_clock::now();
       fit_bodies(organ, body.desc(), anew, bodies);
       const auto end = std::chrono::steady_clock::now();
-      const auto ms = [](auto duration) {
-        return std::chrono::duration<double, std::milli>(duration).count();
-      };
       after = 0;
       mass = 0;
       angles.clear();
@@ -334,12 +355,12 @@ ReportRow cut_through(const Through& way, const SceneDesc& scene, int threads) {
       organ.undo(1);
       fit_bodies(organ, body.desc(), anew, bodies);
       const auto undone = std::chrono::steady_clock::now();
-      making[anew].push_back(ms(end - ended));
-      undoing[anew].push_back(ms(undone - undo));
+      making[anew].push_back(ms_between(ended, end));
+      undoing[anew].push_back(ms_between(undo, undone));
       if (anew) return;
-      preparing.push_back(ms(prepared - first));
-      cutting.push_back(ms(cut - begin));
-      ending.push_back(ms(ended - cut));
+      preparing.push_back(ms_between(first, prepared));
+      cutting.push_back(ms_between(begin, cut));
+      ending.push_back(ms_between(cut, ended));
       all.push_back(cutting.back() + making[anew].back());
     });
   }
@@ -356,6 +377,7 @@ ReportRow cut_through(const Through& way, const SceneDesc& scene, int threads) {
   row["ms_made_ready"] = quantile(preparing, 0.5);
   row["ms_cutting_mesh"] = quantile(cutting, 0.5);
   row["ms_end_of_stroke"] = quantile(ending, 0.5);
+  row["ms_end_of_half_a_stroke"] = ms_end_of_half_a_stroke(body, edge(-reach, z), edge(0, z));
   row["ms_undoing"] = quantile(undoing[0], 0.5);
   row["ms_undoing_anew"] = quantile(undoing[1], 0.5);
   row["ms_making_bodies"] = quantile(making[0], 0.5);
@@ -373,11 +395,12 @@ void add_through(Report& report, const Through& way, const SceneDesc& scene, int
   fmt::print(
       "{:21} {:6} tets, {:6} after, {:6} of them stay: ready in {:7.2f} ms p50, mesh {:7.2f}, bodies "
       "{:7.2f} (anew {:7.2f}), undoing {:7.2f} (anew {:7.2f}); a stroke's end "
-      "{:5.2f}\n",
+      "{:5.2f}, half through {:5.2f}\n",
       way.name, row["tets"].get<std::size_t>(), row["tets_after"].get<std::size_t>(),
       row["tets_that_stay"].get<std::size_t>(), figure(row, "ms_made_ready"), figure(row, "ms_cutting_mesh"),
       figure(row, "ms_making_bodies"), figure(row, "ms_making_bodies_anew"), figure(row, "ms_undoing"),
-      figure(row, "ms_undoing_anew"), figure(row, "ms_end_of_stroke"));
+      figure(row, "ms_undoing_anew"), figure(row, "ms_end_of_stroke"),
+      figure(row, "ms_end_of_half_a_stroke"));
 }
 
 void add_stroke(Report& report, const SceneDesc& scene, const Stroke& stroke, int threads) {

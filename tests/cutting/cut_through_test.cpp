@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "server/physics/cutting/cut_through.h"
+#include "server/physics/cutting/missing_nodes.h"
 #include "server/physics/cutting/pieces.h"
 #include "tests/cutting/meshes.h"
 #include "tests/cutting/strokes.h"
+#include "tests/random.h"
 
 namespace prosector {
 namespace {
@@ -35,6 +39,64 @@ TEST(CutThrough, WhatHoldsTheHalvesTogetherIsFound) {
     EXPECT_NEAR(mark.normal.z(), 1, 1e-12);
     marks.add(mark);
     EXPECT_EQ(faces_between_parts(complex, marks, 0).faces.size(), 2 * cells * cells);
+  }
+}
+
+/// A strip of the plane, one node wide, and straight ways through each of its nodes from above the marks to
+/// below them: none of them can be spared, however many they are.
+TEST(CutThrough, AsManyAsAreMissingAreFound) {
+  for (const std::uint32_t across : {4U, 8U, 12U}) {
+    const TetComplex complex(box_mesh(across), mesh_density);
+    std::vector<NodeId> left_out;
+    const Marks marks = marks_of(complex, [&](NodeId node) {
+      const bool marked = std::abs(complex.rest(node).x() - middle) > 1e-9;
+      if (!marked) left_out.push_back(node);
+      return marked;
+    });
+    ASSERT_EQ(left_out.size(), across + 1);
+    EXPECT_EQ(missing_nodes(complex, marks, across + 1), left_out);
+    EXPECT_EQ(missing_nodes(complex, marks, 10 * across), left_out);
+    EXPECT_TRUE(missing_nodes(complex, marks, across).empty());
+  }
+}
+
+/// Whether marks, and more nodes, part what is above the middle plane from what is below.
+bool part(const TetComplex& complex, const Marks& marks, const std::vector<NodeId>& more) {
+  std::vector<std::uint8_t> seen(complex.node_end(), 0);
+  for (const NodeId node : more) seen[node] = 1;
+  std::vector<NodeId> open;
+  for (const NodeId node : complex.node_ids())
+    if (complex.rest(node).z() > 0.99 * mesh_size) open.push_back(node);
+  while (!open.empty()) {
+    const NodeId node = open.back();
+    open.pop_back();
+    if (complex.rest(node).z() < 0.01 * mesh_size) return false;
+    for (const TetId t : complex.star(node))
+      for (const NodeId next : complex.corners(t))
+        if (!marks.find(next) && !std::exchange(seen[next], std::uint8_t{1})) open.push_back(next);
+  }
+  return true;
+}
+
+TEST(CutThrough, WhatIsFoundPartsAndNoneOfItCanBeSpared) {
+  const TetComplex complex(box_mesh(8), mesh_density);
+  Random random(test_seed(true));
+  for (const double share : {0.05, 0.1, 0.2}) {
+    std::size_t left_out = 0;
+    const Marks marks = marks_of(complex, [&](NodeId) {
+      const bool marked = random.uniform(0, 1) > share;
+      left_out += marked ? 0 : 1;
+      return marked;
+    });
+    const std::vector<NodeId> missing = missing_nodes(complex, marks, left_out);
+    EXPECT_EQ(missing.size(), left_out) << share;
+    EXPECT_TRUE(part(complex, marks, missing)) << share;
+    for (std::size_t k = 0; k < missing.size(); ++k) {
+      std::vector<NodeId> fewer = missing;
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
+      EXPECT_FALSE(part(complex, marks, fewer)) << share;
+    }
+    EXPECT_TRUE(missing_nodes(complex, marks, missing.size() - 1).empty()) << share;
   }
 }
 
@@ -73,6 +135,23 @@ std::size_t pieces_after(double deepest, bool back) {
 TEST(CutThrough, AHingeStaysWhereTheBladeIsDrawnBack) {
   EXPECT_EQ(pieces_after(0.07, true), 1U);  // of three nodes
   EXPECT_EQ(pieces_after(0.13, false), 2U);
+}
+
+/// A blade that is drawn out along its edge in one tick, and cuts a little more meanwhile.
+TEST(CutThrough, WhatTheBladeDidNotComeToStays) {
+  TetComplex complex(box_mesh(8), mesh_density);
+  TetTree tree;
+  std::vector<Vec3> x = rest_positions(complex);
+  const auto edge = [](double at, double up) {
+    return std::vector<Vec3>{{at, up - 0.5 * mesh_size, 0.52 * mesh_size},
+                             {at, up + 1.5 * mesh_size, 0.52 * mesh_size}};
+  };
+  BladeStroke stroke = begin_stroke(edge(-0.01, 0));
+  cut_and_carry(complex, tree, x, edge(0.075, 0), stroke);
+  EXPECT_FALSE(stroke.ended_inside);
+  const CutResult out = cut_and_carry(complex, tree, x, edge(0.078, 3 * mesh_size), stroke);
+  EXPECT_FALSE(out.ops.empty());
+  EXPECT_EQ(pieces(complex).size(), 1U);
 }
 
 }  // namespace

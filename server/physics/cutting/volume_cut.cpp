@@ -8,6 +8,7 @@
 #include "common/error.h"
 #include "server/physics/cutting/cut_through.h"
 #include "server/physics/cutting/edge_splitter.h"
+#include "server/physics/cutting/missing_nodes.h"
 #include "server/physics/cutting/sheet.h"
 #include "server/physics/cutting/sheet_passage.h"
 
@@ -17,10 +18,6 @@ namespace {
 // m: a point of the edge that moved less stands still, until it has moved that far: which way so little goes
 // is noise, and so would be the normal of what it sweeps.
 constexpr double least_motion = 1e-4;
-// Nodes that may hold together what the blade went right through: so many, or that share of those marked.
-// More, and it didn't.
-constexpr std::size_t most_missing = 4, most_missing_of_sheet = 1;
-constexpr double most_missing_share = 0.05;
 
 bool all_marked(const TetComplex& complex, const Marks& marks, TetId tet) {
   const auto& c = complex.corners(tet);
@@ -227,10 +224,8 @@ bool is_in_tissue(const BladeStroke& stroke) {
 /// The line has left the body. Where it went across all of it, and was cutting to the last, rather than drawn
 /// back the way it came, what the sweeps missed counts as on the blade.
 void end_line(TetComplex& complex, bool ended_inside, std::vector<Vec3>& x, Marks& marks, CutResult& result) {
-  const auto share = static_cast<std::size_t>(most_missing_share * static_cast<double>(marks.all().size()));
-  const std::size_t most = std::max(complex.is_sheet() ? most_missing_of_sheet : most_missing, share);
   if (!ended_inside && !result.ops.empty())
-    for (const NodeId node : missing_nodes(complex, marks, most)) {
+    for (const NodeId node : missing_nodes(complex, marks, most_missing(complex, marks))) {
       ++result.snapped;
       marks.add(mark_between(complex, marks, node));
     }
