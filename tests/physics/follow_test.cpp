@@ -54,6 +54,8 @@ struct Rung {
   bool regions = false, damped = false, relaxes = false;
   double stiffness = 1;  // times as stiff as described, since it was made
   bool round = false;    // with a surface finer than its tetrahedra, rounded
+  bool hold_volume = true;
+  double spring_stiffness = 0;  // N/m; 0: from E
 };
 
 class FollowingBlocks final : public FollowingBodies {
@@ -114,6 +116,8 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
   desc.solver = rung.solver;
   desc.integrator = rung.integrator;
   desc.damping_stiffness = rung.damped ? 0.01 : 0;
+  desc.hold_volume = rung.hold_volume;
+  desc.spring_stiffness = rung.spring_stiffness;
   desc.attach = {{{0.05, 0.1, 0.05}, 0.04, 1e8}};
   if (rung.regions) {
     RegionDesc& region = desc.regions.emplace_back();
@@ -220,7 +224,26 @@ INSTANTIATE_TEST_SUITE_P(
              .model = "fem_corotational",
              .solver = "cg",
              .integrator = "verlet",
-             .damped = true}),
+             .damped = true},
+        Rung{.name = "springs",
+             .model = "mass_spring",
+             .solver = "direct",
+             .damped = true,
+             .hold_volume = false},
+        Rung{.name = "springs_with_volume",
+             .model = "mass_spring",
+             .solver = "multigrid",
+             .regions = true,
+             .damped = true,
+             .stiffness = 3},
+        Rung{.name = "given_springs", .model = "mass_spring", .solver = "cg", .spring_stiffness = 100},
+        Rung{.name = "explicit_springs",
+             .model = "mass_spring",
+             .solver = "cg",
+             .integrator = "symplectic_euler",
+             .regions = true},
+        Rung{.name = "xpbd", .model = "xpbd", .solver = "cg", .damped = true},
+        Rung{.name = "xpbd_regions", .model = "xpbd", .solver = "direct", .regions = true, .stiffness = 3}),
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

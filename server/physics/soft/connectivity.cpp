@@ -65,6 +65,10 @@ Incidence::Incidence(const Connectivity& elements) : begin_(elements.nodes() + 1
 }
 
 void Incidence::follow(const Connectivity& elements, const MeshEdit& edit) {
+  if (!elements.all_of_four() || elements.size() != edit.kept_tets.now) {
+    *this = Incidence(elements);
+    return;
+  }
   std::vector<char> changed(elements.size(), 0);
   std::vector<std::size_t> met_begin(elements.nodes() + 1, 0);  // by node: corners of what changed
   for (const std::uint32_t e : edit.tets) {

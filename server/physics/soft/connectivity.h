@@ -32,6 +32,8 @@ class Connectivity {
   std::span<const std::uint32_t> element(std::size_t e) const {
     return std::span(corner_).subspan(corner_begin_[e], corner_begin_[e + 1] - corner_begin_[e]);
   }
+  /// Whether they are linear tetrahedra, or others of four nodes.
+  bool all_of_four() const { return each_ == 4; }
   std::size_t first_corner(std::size_t e) const { return corner_begin_[e]; }
   std::size_t first_block(std::size_t e) const { return block_begin_[e]; }
   std::size_t element_of(std::size_t corner) const {
@@ -58,7 +60,7 @@ class Connectivity {
 class Incidence {
  public:
   explicit Incidence(const Connectivity& elements);
-  /// To the elements as they are after they followed `edit`.
+  /// To the elements as they are after they followed `edit`: locally where they are the mesh's tetrahedra.
   void follow(const Connectivity& elements, const MeshEdit& edit);
 
   /// Corners of node i, ascending.

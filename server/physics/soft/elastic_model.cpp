@@ -4,6 +4,7 @@
 #include "server/physics/soft/spring_model.h"
 #include "server/physics/soft/tet10_model.h"
 #include "server/physics/soft/tet4_model.h"
+#include "server/physics/soft/tet_springs.h"
 
 namespace prosector {
 
@@ -18,9 +19,8 @@ std::unique_ptr<ElasticModel> make_elastic_model(const SoftDesc& desc, const Ana
   check_rung(desc, anatomy);
   const bool tets = mesh_kind(anatomy) == MeshKind::tets;
   if (desc.model == "mass_spring" || !tets) {
-    SpringNetwork network = make_spring_network(desc, anatomy);
-    const std::optional<Materials> volume = network.volume_springs;
-    auto springs = make_spring_model(std::move(network));
+    auto springs = make_spring_model(make_spring_network(desc, anatomy));
+    const std::optional<Materials> volume = tets ? volume_springs(desc, anatomy.tets) : std::nullopt;
     if (!volume) return springs;
     return make_sum_model(std::move(springs), make_tet4_volume_model(*volume, anatomy.tets));
   }

@@ -69,10 +69,7 @@ double ElementBatches::rest_trace() const {
 }
 
 void ElementBatches::follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) {
-  if (!materials_.kind.empty()) {
-    edit.kept_tets.carry(materials_.kind);
-    for (const std::uint32_t tet : edit.tets) materials_.kind[tet] = kind_of(desc, mesh, tet);
-  }
+  materials_.follow(desc, mesh, edit);
   rest_.resize(chunk_count(elements_.size(), elements_per_batch));
   strain_.resize(rest_.size());
   trace_.resize(rest_.size());

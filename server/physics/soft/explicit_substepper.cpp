@@ -69,7 +69,6 @@ class ExplicitSubstepper final : public Substepper {
     fit();
   }
 
-  bool can_fit() const override { return true; }
   /// The frequency is sought from a vector that knows nothing, as ever: from the mode of what the body was it
   /// would depend on the cuts between.
   void fit() override {

@@ -64,6 +64,12 @@ Materials Materials::at(std::span<const std::uint32_t> source) const {
   return out;
 }
 
+void Materials::follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) {
+  if (kind.empty()) return;
+  edit.kept_tets.carry(kind);
+  for (const std::uint32_t tet : edit.tets) kind[tet] = prosector::kind_of(desc, mesh, tet);
+}
+
 std::uint32_t kind_of(const SoftDesc& desc, const TetMesh& mesh, std::size_t tet) {
   Vec3 middle = Vec3::Zero();
   for (const std::uint32_t node : mesh.tets[tet]) middle += mesh.positions[node] / 4;

@@ -7,6 +7,7 @@
 
 #include "common/mesh.h"
 #include "common/scene/scene.h"
+#include "server/physics/soft/mesh_edit.h"
 
 namespace prosector {
 
@@ -36,6 +37,8 @@ struct Materials {
   const Material& of(std::size_t e) const { return kinds[kind_of(e)]; }
   /// Of elements made from some of the tetrahedra: source[e] is element e's.
   Materials at(std::span<const std::uint32_t> source) const;
+  /// Of all tetrahedra of `mesh`, which was edited so.
+  void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit);
 };
 
 /// λ/μ at ν = 0.499: what XPBD takes a larger ratio for, since beyond it one sweep hardly moves a body's

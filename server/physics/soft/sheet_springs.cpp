@@ -9,51 +9,14 @@
 #include "common/error.h"
 #include "server/physics/soft/constitutive_law.h"
 #include "server/physics/soft/node_vectors.h"
+#include "server/physics/soft/spring_parts.h"
 
 namespace prosector {
 namespace {
 
-using Edge = std::array<std::uint32_t, 2>;
 using Line = std::array<std::uint32_t, 3>;
 using Quads = std::vector<std::array<std::uint32_t, 4>>;
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-
-Edge edge(std::uint32_t a, std::uint32_t b) {
-  return {std::min(a, b), std::max(a, b)};
-}
-
-/// What cells add to an edge or a line of nodes.
-template <class Nodes, class Value>
-struct Part {
-  Nodes at;
-  Value value;
-};
-
-/// Stably by place, which begins with one of so many nodes: in time linear in both, where few have one in
-/// common.
-template <class Nodes, class Value>
-void sort_parts(std::size_t nodes, std::vector<Part<Nodes, Value>>& parts) {
-  std::vector<std::uint32_t> next(nodes + 1, 0);
-  for (const auto& part : parts) ++next[part.at[0] + 1];
-  for (std::size_t i = 0; i < nodes; ++i) next[i + 1] += next[i];
-  const std::vector<std::uint32_t> begin = next;
-  std::vector<Part<Nodes, Value>> out(parts.size());
-  for (const auto& part : parts) {
-    std::uint32_t at = next[part.at[0]]++;
-    for (; at > begin[part.at[0]] && part.at < out[at - 1].at; --at) out[at] = out[at - 1];
-    out[at] = part;
-  }
-  parts = std::move(out);
-}
-
-/// Calls f(first, last) for each run of parts at one place.
-template <class Nodes, class Value, class F>
-void for_each_place(const std::vector<Part<Nodes, Value>>& parts, const F& f) {
-  for (auto first = parts.begin(), last = first; first != parts.end(); first = last) {
-    while (last != parts.end() && last->at == first->at) ++last;
-    f(first, last);
-  }
-}
 
 /// A cell at one of its edges.
 struct Side {
@@ -85,7 +48,7 @@ class SheetSprings {
   static double given(double stiffness, double derived) { return stiffness > 0 ? stiffness : derived; }
 
   void stretch() {
-    std::vector<Part<Edge, double>> parts;  // N/m
+    std::vector<StiffnessPart> parts;
     parts.reserve(6 * quads_.size() + 3 * triangles_.size());
     for (const auto& q : quads_) {
       const double a = (length(q[0], q[3]) + length(q[1], q[2])) / 2;
@@ -105,17 +68,7 @@ class SheetSprings {
         const double l = length(e[0], e[1]);
         parts.push_back({e, given(desc_.spring_stiffness / 2, 8 * C_ * area(c) / (9 * l * l))});
       }
-    sort_parts(x_.size(), parts);
-    out_.springs.reserve(parts.size());
-    for_each_place(parts, [&](auto first, auto last) {
-      double k = 0;
-      for (auto part = first; part != last; ++part) k += part->value;
-      const double l = length(first->at[0], first->at[1]);
-      if (l > 0 && k > 0)
-        out_.springs.push_back({first->at, l, k});
-      else
-        ++out_.dropped;
-    });
+    add_springs(x_, std::move(parts), out_);
   }
 
   /// Two whole cells with a common edge bend along the two lines that cross it at its ends; each line belongs
@@ -195,45 +148,6 @@ void set_nodes(const Anatomy& sheet, SpringNetwork& springs) {
   springs.volume = Eigen::Map<const VecX>(volume.data(), static_cast<Eigen::Index>(volume.size()));
 }
 
-bool before(const Spring& a, const Spring& b) {
-  return a.node < b.node;
-}
-bool before(const Bend& a, const Bend& b) {
-  if (a.count != b.count) return a.count > b.count;  // about edges first
-  return a.node < b.node;
-}
-
-/// Replaces those that `goes` holds for with those of `fresh`, of which it leaves out the others. Both in
-/// order.
-template <class Element, class Goes>
-void replace(std::vector<Element>& elements, std::vector<Element> fresh, const Goes& goes) {
-  std::erase_if(elements, goes);
-  std::erase_if(fresh, [&](const Element& e) { return !goes(e); });
-  std::vector<Element> out(elements.size() + fresh.size());
-  std::merge(elements.begin(), elements.end(), fresh.begin(), fresh.end(), out.begin(),
-             [](const Element& a, const Element& b) { return before(a, b); });
-  elements = std::move(out);
-}
-
-std::span<const std::uint32_t> nodes_of(const Spring& spring) {
-  return spring.node;
-}
-std::span<const std::uint32_t> nodes_of(const Bend& bend) {
-  return bend.nodes();
-}
-
-/// Leaves out what has a node that is gone: its other nodes are corners of the cell that went with that, or
-/// have a spring to one. The rest keeps its order, for the nodes keep theirs.
-template <class Element>
-void renumber(std::span<const std::uint32_t> now, std::vector<Element>& elements) {
-  std::erase_if(elements, [&](const Element& e) {
-    const auto nodes = nodes_of(e);
-    return std::any_of(nodes.begin(), nodes.end(), [&](std::uint32_t n) { return now[n] == Kept::none; });
-  });
-  for (Element& e : elements)
-    for (std::size_t k = 0; k < nodes_of(e).size(); ++k) e.node[k] = now[e.node[k]];
-}
-
 }  // namespace
 
 SpringNetwork make_sheet_springs(const SoftDesc& desc, const Anatomy& sheet) {
@@ -251,6 +165,8 @@ std::vector<std::uint32_t> follow_sheet(const SoftDesc& desc, const Anatomy& she
   std::vector<char> is_touched(nodes, 0), met(nodes, 0);
   if (!kept.all_unmoved()) {
     const std::vector<std::uint32_t> now = kept.destinations();
+    // What has a node that is gone goes: its others are corners of the cell that went with that, or have a
+    // spring to one.
     renumber(now, springs.springs);
     renumber(now, springs.bends);
   }
@@ -274,10 +190,10 @@ std::vector<std::uint32_t> follow_sheet(const SoftDesc& desc, const Anatomy& she
   const auto meet = [&](const SpringNetwork& network) {
     for (const Spring& s : network.springs)
       if (spring_goes(s))
-        for (const std::uint32_t node : nodes_of(s)) met[node] = 1;
+        for (const std::uint32_t node : s.nodes()) met[node] = 1;
     for (const Bend& b : network.bends)
       if (bend_goes(b))
-        for (const std::uint32_t node : nodes_of(b)) met[node] = 1;
+        for (const std::uint32_t node : b.nodes()) met[node] = 1;
   };
   meet(springs);
   meet(fresh);

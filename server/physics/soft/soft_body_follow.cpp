@@ -37,12 +37,13 @@ void SoftBody::Impl::follow(const MeshEdit& edit) {
   apply(edit, anatomy.tets);
   model->follow(desc, anatomy.tets, edit);
   pattern.follow(edit);
+  if (substepper) substepper->follow(anatomy.tets, edit);
   fit();
 }
 
 bool SoftBody::can_follow(const MeshEdit& edit) const {
   const Impl& m = *impl_;
-  return (!m.substepper || m.substepper->can_fit()) && m.eighths.tets.empty() &&
+  return mesh_kind(m.anatomy) == MeshKind::tets && m.eighths.tets.empty() &&
          m.node_count() == edit.kept_nodes.before && m.model->can_follow(edit);
 }
 
@@ -66,7 +67,7 @@ void SoftBody::follow(const MeshEdit& edit, const SurfaceEdit& surface) {
 bool SoftBody::can_follow_sheet(const Kept& nodes) const {
   const Impl& m = *impl_;
   return mesh_kind(m.anatomy) == MeshKind::sheet && m.node_count() == nodes.before &&
-         m.model->can_follow_sheet() && (!m.substepper || m.substepper->can_fit());
+         m.model->can_follow_sheet();
 }
 
 void SoftBody::follow_sheet(Anatomy sheet, const Kept& nodes, std::span<const std::uint32_t> touched) {

@@ -6,6 +6,7 @@
 #include "server/physics/parallel.h"
 #include "server/physics/soft/node_vectors.h"
 #include "server/physics/soft/sheet_springs.h"
+#include "server/physics/soft/tet_springs.h"
 
 namespace prosector {
 namespace {
@@ -37,6 +38,11 @@ class SpringModel final : public ElasticModel {
   std::size_t dropped_elements() const override { return network_.dropped; }
 
   const SpringNetwork* springs() const override { return &network_; }
+  bool can_follow(const MeshEdit&) const override { return network_.dropped == 0; }
+  void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) override {
+    follow_tet_springs(desc, mesh, edit, network_);
+    fit();
+  }
   bool can_follow_sheet() const override { return network_.dropped == 0; }
   std::vector<std::uint32_t> follow_sheet(const SoftDesc& desc, const Anatomy& sheet, const Kept& nodes,
                                           std::span<const std::uint32_t> touched) override {
@@ -65,6 +71,13 @@ class SpringModel final : public ElasticModel {
 
   std::span<const Mat3> tangent(const double* x) override { return stiffness(x, true); }
   std::span<const Mat3> warped_stiffness(const double* x) override { return stiffness(x, false); }
+  double rest_trace() override {
+    double sum = 0;
+    for (const Spring& s : network_.springs) sum += 2 * s.stiffness;
+    for (const Bend& b : network_.bends)
+      for (std::size_t i = 0; i < b.count; ++i) sum += 3 * b.stiffness * b.weight[i] * b.weight[i];
+    return sum;
+  }
 
  private:
   /// To the network as it is.
@@ -157,11 +170,8 @@ class SpringModel final : public ElasticModel {
 class SumModel final : public ElasticModel {
  public:
   SumModel(std::unique_ptr<ElasticModel> a, std::unique_ptr<ElasticModel> b)
-      : a_(std::move(a)), b_(std::move(b)), connectivity_(a_->connectivity().nodes()) {
-    for (const ElasticModel* part : {a_.get(), b_.get()})
-      for (std::size_t e = 0; e < part->connectivity().size(); ++e)
-        connectivity_.add(part->connectivity().element(e));
-    blocks_.resize(connectivity_.blocks());
+      : a_(std::move(a)), b_(std::move(b)), connectivity_(0) {
+    fit();
   }
 
   const VecX& rest() const override { return a_->rest(); }
@@ -177,8 +187,27 @@ class SumModel final : public ElasticModel {
   std::span<const Mat3> warped_stiffness(const double* x) override {
     return joined(a_->warped_stiffness(x), b_->warped_stiffness(x));
   }
+  double rest_trace() override { return a_->rest_trace() + b_->rest_trace(); }
+
+  bool can_follow(const MeshEdit& edit) const override {
+    return a_->can_follow(edit) && b_->can_follow(edit);
+  }
+  void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) override {
+    a_->follow(desc, mesh, edit);
+    b_->follow(desc, mesh, edit);
+    fit();
+  }
 
  private:
+  /// To the parts as they are.
+  void fit() {
+    connectivity_ = Connectivity(a_->connectivity().nodes());
+    for (const ElasticModel* part : {a_.get(), b_.get()})
+      for (std::size_t e = 0; e < part->connectivity().size(); ++e)
+        connectivity_.add(part->connectivity().element(e));
+    blocks_.resize(connectivity_.blocks());
+  }
+
   std::span<const Mat3> joined(std::span<const Mat3> a, std::span<const Mat3> b) {
     std::copy(b.begin(), b.end(), std::copy(a.begin(), a.end(), blocks_.begin()));
     return blocks_;

@@ -17,13 +17,11 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "common/mesh.h"
 #include "common/scene/scene.h"
-#include "server/physics/soft/material.h"
 
 namespace prosector {
 
@@ -31,6 +29,8 @@ namespace prosector {
 struct Spring {
   std::array<std::uint32_t, 2> node;  // ascending
   double rest, stiffness;             // m, N/m
+
+  std::span<const std::uint32_t> nodes() const { return node; }
 };
 
 /// ½s|Σ wᵢxᵢ|², unchanged by turning, and by even stretching, of what is straight at rest. Either of three
@@ -53,10 +53,9 @@ Bend line_bend(const std::array<std::uint32_t, 3>& line, double stiffness, doubl
 struct SpringNetwork {
   std::vector<Spring> springs;
   std::vector<Bend> bends;
-  VecX rest;                                // 3n, m
-  VecX volume;                              // n, m³
-  std::size_t dropped = 0;                  // springs of no length
-  std::optional<Materials> volume_springs;  // that tetrahedra need besides: λ of each
+  VecX rest;                // 3n, m
+  VecX volume;              // n, m³
+  std::size_t dropped = 0;  // springs of no length
 };
 
 /// Of the anatomy's segments, quads or tetrahedra. Throws InputError for constants out of range.

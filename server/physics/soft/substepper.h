@@ -32,10 +32,10 @@ class Substepper {
   virtual double most_pushed(double h) const { return most_gain(h) - 1; }
   /// For people: what of the description it does not follow; empty: nothing.
   virtual const char* remark() const { return ""; }
-  /// Whether fit() will do after a cut; else one is made anew.
-  virtual bool can_fit() const { return false; }
-  /// To the body as it is: as if made anew, bit for bit.
-  virtual void fit() {}
+  /// Takes what it keeps of each tetrahedron along, if the body has any and it does: `mesh` was edited so.
+  virtual void follow(const TetMesh& /*mesh*/, const MeshEdit& /*edit*/) {}
+  /// To the body as it is after it, and this, followed a cut: as if made anew, bit for bit.
+  virtual void fit() = 0;
   /// Starts a tick.
   virtual void begin(const SoftBodyState& state) = 0;
   /// hs s on, free of contacts.

@@ -37,8 +37,7 @@ class XpbdSubstepper final : public Substepper {
   XpbdSubstepper(const SubstepBody& body, const Anatomy& anatomy)
       : body_(body), tets_(anatomy.tets), network_(tets_.size() == 0 ? body.model.springs() : nullptr) {
     if (tets_.size() > 0) {
-      const Materials materials = make_materials(body.desc, anatomy.tets).at(tets_.source());
-      for (std::size_t e = 0; e < tets_.size(); ++e) lame_.push_back(materials.of(e).lame);
+      materials_ = make_materials(body.desc, anatomy.tets).at(tets_.source());
       const auto beyond = [](double ratio) { return 2 * ratio / (1 - 2 * ratio) > most_xpbd_lambda; };
       bounded_ = beyond(body.desc.poisson_ratio);
       for (const RegionDesc& region : body.desc.regions) bounded_ = bounded_ || beyond(region.poisson_ratio);
@@ -46,7 +45,10 @@ class XpbdSubstepper final : public Substepper {
     fit();
   }
 
-  bool can_fit() const override { return tets_.size() == 0; }
+  void follow(const TetMesh& mesh, const MeshEdit& edit) override {
+    tets_.follow(mesh, edit);
+    materials_.follow(body_.desc, mesh, edit);
+  }
   void fit() override {
     inverse_mass_ = body_.mass.cwiseInverse();
     colour();
@@ -187,7 +189,8 @@ class XpbdSubstepper final : public Substepper {
   ///   ((1 + γ)A + α̃)Δλ = −C − γ∇C·(x − x_n),  A = ∇C·M⁻¹·∇Cᵀ.
   void project_tet(std::size_t e, double hs) {
     const double V = tets_.volume(e), gamma = body_.desc.damping_stiffness / hs;
-    const double mu = lame_[e].mu, volume_modulus = lame_[e].lambda + mu;
+    const auto [lambda, mu] = materials_.of(e).lame;
+    const double volume_modulus = lambda + mu;
     const Mat3 F = tets_.edges(e, x_) * tets_.gradients(e).transpose();
     const double norm = F.norm();
     Mat3 cofactor;
@@ -221,7 +224,7 @@ class XpbdSubstepper final : public Substepper {
   Tet4Elements tets_;
   const SpringNetwork* network_;  // the model's; null: tetrahedra
   VecX inverse_mass_;             // n, 1/kg; of attached nodes as hold_attachments says
-  std::vector<Lame> lame_;        // of each tetrahedron
+  Materials materials_ = Lame{};  // of the tetrahedra
   bool bounded_ = false;          // some were beyond most_xpbd_lambda
   std::vector<Element> order_;    // by colour
   std::vector<std::size_t> colour_begin_;
