@@ -6,6 +6,7 @@
 #include "common/error.h"
 #include "common/primitives.h"
 #include "server/physics/byte_stream.h"
+#include "server/physics/contact/self_surface.h"
 #include "server/physics/fracture.h"
 #include "server/physics/model.h"
 #include "server/physics/rigid/collision_shape.h"
@@ -224,9 +225,10 @@ Model compile(const SceneDesc& scene, const CompileOptions& options) {
   };
   for (std::size_t i = 0; i < model.rigid.size(); ++i) add_pieces(model, i, compile_piece);
   for (const SoftDesc& desc : scene.soft) {
-    model.soft_collision.push_back({fidelity_of(desc.collision), groups.mask(desc.group, desc.touches),
-                                    desc.continuous, desc.self_contact});
     model.soft.push_back(std::make_unique<SoftBody>(desc, soft_anatomy(desc, scene, options)));
+    const double cell = desc.self_contact ? mean_edge(model.soft.back()->anatomy().surface) : 0;
+    model.soft_collision.push_back({fidelity_of(desc.collision), groups.mask(desc.group, desc.touches),
+                                    desc.continuous, desc.self_contact, cell});
     say(fmt::format("{}: {} elements, {} nodes, {} surface vertices", desc.name,
                     model.soft.back()->elements(), model.soft.back()->nodes(),
                     model.soft.back()->anatomy().surface.positions.size()));

@@ -60,6 +60,7 @@ struct SoftCollision {
   CollisionMask mask;
   bool continuous = false;
   bool with_itself = false;
+  double cell = 0;  // m, of what meets itself: mean edge of its surface as compiled
 };
 
 struct Model {

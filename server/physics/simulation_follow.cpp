@@ -61,20 +61,26 @@ void Simulation::Impl::take_solver_along(Following& following) {
     solver.follow(mesh, std::move(following.skin.surface), std::move(following.skin.embedding));
 }
 
-/// After the solver. The tree of its faces, if it was made, only where it was and is that of an order.
+/// After the solver. The tree of its faces, if it was made, only where it was and is that of an order; as
+/// what of it may meet what.
 void Simulation::Impl::take_surface_along(const Following& following) {
   const std::size_t body = following.edit.body;
   const SoftBody& solver = *model.soft[body];
   if (!following.surface) {
     surfaces[body] = detector(solver);
     faces[body].reset();
+    folds[body].reset();
     return;
   }
   surfaces[body].follow(*following.surface);
-  if (numberings[body].triangles.empty() || following.numbering.triangles.empty())
+  if (numberings[body].triangles.empty() || following.numbering.triangles.empty()) {
     faces[body].reset();
-  else if (faces[body])
+    folds[body].reset();
+    return;
+  }
+  if (faces[body])
     faces[body]->follow(*following.surface, solver.anatomy().surface, surfaces[body].triangle_order());
+  if (folds[body]) folds[body]->follow(*following.surface, surfaces[body]);
 }
 
 /// Where one piece was cut and nothing came off it. False, and nothing changed, where that isn't so or can't

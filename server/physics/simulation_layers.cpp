@@ -45,7 +45,6 @@ bool Simulation::Impl::is_thin(std::size_t body) const {
 void Simulation::Impl::fit_layers(std::size_t body) {
   layered[body] = 0;
   layers[body].reset();
-  folds[body].reset();
   std::erase_if(layer_sides,
                 [&](const auto& entry) { return entry.first.first == body || entry.first.second == body; });
   const bool blades_come = std::any_of(blade_shapes.begin(), blade_shapes.end(),
@@ -62,14 +61,16 @@ void Simulation::Impl::fit_layers(std::size_t body) {
     // depend on whether it was.
     return i == j ? a.with_itself || (blades_come && can_fall_apart(i)) : may_touch(a.mask, b.mask);
   };
-  const Anatomy& anatomy = model.soft[body]->anatomy();
   if (model.soft_collision[body].with_itself && !is_thin(body) && faces_of(body)) {
     const bool closed = faces_of(body)->topology().closed();
     if (!closed && organs.empty())
       throw InputError(
           fmt::format("[[soft]] \"{}\": self_contact needs a surface without holes, that has an inside",
                       model.soft[body]->desc().name));
-    if (closed) folds[body].emplace(anatomy);
+    if (!closed)
+      folds[body].reset();
+    else if (!folds[body])
+      folds[body].emplace(model.soft[body]->anatomy(), model.soft_collision[body].cell);
   }
   for (std::size_t other = 0; other < model.soft.size() && !layered[body]; ++other)
     layered[body] = meets(body, other);

@@ -31,6 +31,7 @@ void Simulation::Impl::fit_to_mesh(std::size_t body, SurfaceDetector surface, Nu
     surfaces[body] = std::move(surface);
   }
   faces[body].reset();
+  folds[body].reset();
   fit_rest_to_mesh(body, std::move(numbering));
 }
 

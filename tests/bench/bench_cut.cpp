@@ -56,7 +56,7 @@ const std::vector<Stroke>& strokes() {
 
 /// A liver, tied where it is, that a knife meets no resistance in; the knife's edge is longer than it is
 /// high.
-SceneDesc scene_of(double cell, const std::string& model = {}, const std::string& element = {}) {
+SceneDesc scene_of(double cell, const CutBenchOptions& options = {}) {
   SceneDesc scene;
   scene.gravity = Vec3::Zero();
   scene.rigid = {test::part_body("knife", "box", {0.01, 0.08, 0.01}, {-reach, 0.18, 0})};
@@ -69,8 +69,10 @@ SceneDesc scene_of(double cell, const std::string& model = {}, const std::string
   soft.surface_cell = cell;
   soft.toughness = 0;
   soft.attach = {{Vec3::Zero(), 1, 1e7}};
-  if (!model.empty()) soft.model = model;
-  if (!element.empty()) soft.element = element;
+  if (!options.model.empty()) soft.model = options.model;
+  if (!options.element.empty()) soft.element = options.element;
+  if (!options.solver.empty()) soft.solver = options.solver;
+  soft.self_contact = options.self_contact;
   return scene;
 }
 
@@ -210,6 +212,8 @@ ReportRow measure(const SceneDesc& scene, const Stroke& stroke, int threads) {
   row["tissue"] = tissue.shape == "sheet" ? tissue.model + " sheet" : tissue.name;
   row["model"] = tissue.model;
   row["element"] = tissue.element;
+  row["solver"] = tissue.solver;
+  row["self_contact"] = tissue.self_contact;
   row["tets"] = tets;
   row["tets_after"] = cells(simulation);
   row["threads"] = threads;
@@ -369,6 +373,7 @@ ReportRow cut_through(const Through& way, const SceneDesc& scene, int threads) {
   row["tissue"] = body.desc().name;
   row["model"] = body.desc().model;
   row["element"] = body.desc().element;
+  row["solver"] = body.desc().solver;
   row["tets"] = body.elements();
   row["tets_after"] = after;
   row["tets_that_stay"] = kept;
@@ -432,7 +437,7 @@ Report bench_cut(const CutBenchOptions& options) {
                                     : options.cell > 0 ? std::vector<double>{options.cell}
                                                        : std::vector<double>{0.01475, 0.00918, 0.00672};
   for (const double cell : cells) {
-    const SceneDesc scene = scene_of(cell, options.model, options.element);
+    const SceneDesc scene = scene_of(cell, options);
     for (const Stroke& stroke : strokes())
       if (asked(stroke.name)) add_stroke(report, scene, stroke, options.threads);
     for (const Through& way : through)

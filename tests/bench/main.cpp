@@ -89,6 +89,8 @@ int main(int argc, char** argv) try {
   cut_command->add_flag("--sheets", cut.sheets, "Only the sheets");
   cut_command->add_option("--model", cut.model, "The organ's (default: a scene's)");
   cut_command->add_option("--element", cut.element, "The organ's (default: a scene's)");
+  cut_command->add_option("--solver", cut.solver, "The organ's (default: a scene's)");
+  cut_command->add_flag("--self-contact", cut.self_contact, "The organ meets itself");
   cut_command->add_option("--threads", cut.threads, "Of the simulation")->check(CLI::Range(1, 1024));
 
   prosector::TradeBenchOptions trade;

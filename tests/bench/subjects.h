@@ -65,11 +65,12 @@ Report bench_contact(const ContactBenchOptions& options);
 
 struct CutBenchOptions {
   int threads = 2;
-  bool quick = false;          // one coarse organ: to see that it runs
-  double cell = 0;             // m, of the one organ; 0: those of the table
-  std::string only;            // one stroke, as rows name it; empty: all
-  bool sheets = false;         // these alone
-  std::string model, element;  // the organ's, as a scene names them; empty: a scene's default
+  bool quick = false;                  // one coarse organ: to see that it runs
+  double cell = 0;                     // m, of the one organ; 0: those of the table
+  std::string only;                    // one stroke, as rows name it; empty: all
+  bool sheets = false;                 // these alone
+  std::string model, element, solver;  // the organ's, as a scene names them; empty: a scene's default
+  bool self_contact = false;           // of the organ
 };
 std::vector<std::string> cut_stroke_names();
 /// Strokes of a knife through organs of 5, 20 and 50 thousand tetrahedra.

@@ -146,6 +146,7 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
   EXPECT_GT(bodies.cuts, 10U);
   EXPECT_GT(bodies.of_pieces, 0U);
   EXPECT_GT(bodies.surfaces, 20U);
+  EXPECT_GT(bodies.meetings, 200U);
   EXPECT_GT(bodies.fell_apart, 0U);
   EXPECT_GT(bodies.taken_back, 0U);
   EXPECT_GT(bodies.joined, 0U);

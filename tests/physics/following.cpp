@@ -1,6 +1,7 @@
 #include "tests/physics/following.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "server/physics/soft/substepper.h"
 #include "tests/random.h"
@@ -132,8 +133,15 @@ void Hung::find_contact() {
   const Anatomy& anatomy = solver->anatomy();
   detector.emplace(anatomy.embedding, anatomy.surface, anatomy.thickness > 0);
   faces.reset();
+  fold.reset();
   if (!numbering.triangles.empty())  // else nobody has cut it
-    faces.emplace(anatomy.surface, detector->triangle_order());
+    find_faces();
+}
+
+void Hung::find_faces() {
+  const Anatomy& anatomy = solver->anatomy();
+  faces.emplace(anatomy.surface, detector->triangle_order());
+  if (anatomy.thickness == 0) fold.emplace(anatomy, 2 * solver->desc().cell);
 }
 
 void Hung::follow(const SurfaceEdit& edit, Numbering now) {
@@ -141,12 +149,29 @@ void Hung::follow(const SurfaceEdit& edit, Numbering now) {
   const bool was_cut = !numbering.triangles.empty();
   numbering = std::move(now);
   const TriangleMesh& surface = solver->anatomy().surface;
-  if (numbering.triangles.empty())
+  if (numbering.triangles.empty()) {
     faces.reset();
-  else if (was_cut)
+    fold.reset();
+  } else if (was_cut) {
     faces->follow(edit, surface, detector->triangle_order());
-  else
-    faces.emplace(surface, detector->triangle_order());
+    if (fold) fold->follow(edit, *detector);
+  } else {
+    find_faces();
+  }
+}
+
+std::vector<VertexMeeting> meetings_when_crumpled(Hung& body, unsigned seed) {
+  std::vector<VertexMeeting> out;
+  if (!body.fold) return out;
+  const double cell = body.solver->desc().cell, little = 0.1 * std::sin(seed);  // cells
+  const VecX rest = body.solver->rest();
+  VecX x = rest;
+  for (Eigen::Index i = 0; i < x.size(); ++i)
+    x[i] += cell * (1 + little) * std::sin(2 * rest[3 * (i / 3) + (i + 1) % 3] / cell);
+  body.detector->update(x.data());
+  body.faces->move(body.detector->positions());
+  body.fold->find({&*body.detector, &*body.faces, 0, cell}, cell, out);
+  return out;
 }
 
 AssertionResult same_contact(Hung& followed, Hung& anew) {
@@ -214,6 +239,14 @@ void FollowingBodies::compare(std::size_t body) {
   Hung anew = made_anew(body);
   ASSERT_TRUE(same(body, anew, compared_++)) << "body " << body;
   ASSERT_TRUE(same_contact(bodies[body], anew)) << "body " << body;
+  const auto found = meetings_when_crumpled(bodies[body], compared_);
+  const auto same_meeting = [](const VertexMeeting& a, const VertexMeeting& b) {
+    return a.vertex == b.vertex && a.at.triangle == b.at.triangle && a.at.weights == b.at.weights &&
+           a.normal == b.normal && a.gap == b.gap;
+  };
+  ASSERT_TRUE(std::ranges::equal(found, meetings_when_crumpled(anew, compared_), same_meeting))
+      << "body " << body << " meets itself elsewhere";
+  meetings += found.size();
 }
 
 }  // namespace prosector

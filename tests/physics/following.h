@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "server/physics/collision/triangle_surface.h"
-#include "server/physics/contact/surface_detector.h"
+#include "server/physics/contact/self_surface.h"
 #include "server/physics/organs/organ.h"
 #include "server/physics/soft/soft_body.h"
 
@@ -24,8 +24,10 @@ struct Hung {
   Numbering numbering;
   std::optional<SurfaceDetector> detector;
   std::optional<TriangleSurface> faces;
+  std::optional<SelfSurface> fold;  // of tetrahedra
 
   void find_contact();
+  void find_faces();
   /// After the solver took the edit in.
   void follow(const SurfaceEdit& edit, Numbering now);
 };
@@ -35,6 +37,9 @@ struct Hung {
 
 /// Whether what hangs on a surface is the same, bit for bit.
 ::testing::AssertionResult same_contact(Hung& followed, Hung& anew);
+
+/// Where the surface meets itself, crumpled in a way that `seed` changes a little.
+std::vector<VertexMeeting> meetings_when_crumpled(Hung& body, unsigned seed);
 
 class FollowingBodies {
  public:
@@ -54,6 +59,7 @@ class FollowingBodies {
   std::size_t cuts = 0, of_pieces = 0;  // followed in one piece, the organ's or one that came off
   std::size_t fell_apart = 0, taken_back = 0, joined = 0;  // followed by what stayed
   std::size_t not_followed = 0;                            // by what stayed
+  std::size_t meetings = 0;                                // of surfaces with themselves, when compared
 
  protected:
   virtual bool can_follow(const PieceEdit& edit) const = 0;

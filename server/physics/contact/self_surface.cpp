@@ -22,6 +22,8 @@ Vec3 normal(const TriangleMesh& surface, const std::array<std::uint32_t, 3>& t) 
   return (surface.positions[t[1]] - x).cross(surface.positions[t[2]] - x);
 }
 
+}  // namespace
+
 double mean_edge(const TriangleMesh& surface) {
   double sum = 0;
   for (const auto& t : surface.triangles)
@@ -30,39 +32,81 @@ double mean_edge(const TriangleMesh& surface) {
   return sum / (3 * static_cast<double>(surface.triangles.size()));
 }
 
-/// m: volume over area; of a plate half its thickness.
-double half_wall(const TriangleMesh& surface) {
-  double volume = 0, area = 0;
-  for (const auto& t : surface.triangles) {
-    const Vec3 n = normal(surface, t);
-    volume += n.dot(surface.positions[t[0]]) / 6;
-    area += n.norm() / 2;
-  }
-  return volume / area;
-}
-
-}  // namespace
-
-SelfSurface::SelfSurface(const Anatomy& anatomy)
-    : anatomy_(&anatomy),
-      cell_(mean_edge(anatomy.surface)),
-      deepest_(std::min(deepest * cell_, half_wall(anatomy.surface))) {
+SelfSurface::SelfSurface(const Anatomy& anatomy, double cell) : anatomy_(&anatomy), cell_(cell) {
   const TriangleMesh& surface = anatomy.surface;
   outward_.assign(surface.positions.size(), Vec3::Zero());
+  faces_.reserve(surface.triangles.size());
   for (const auto& t : surface.triangles) {
-    const Vec3 n = normal(surface, t);
-    for (const std::uint32_t corner : t) outward_[corner] += n;
-    normals_.push_back(n.normalized());
-    middles_.push_back((surface.positions[t[0]] + surface.positions[t[1]] + surface.positions[t[2]]) / 3);
+    faces_.push_back(face(t));
+    for (const std::uint32_t corner : t) outward_[corner] += normal(surface, t);
   }
   for (Vec3& n : outward_) n.normalize();
+  find_depth();
+}
+
+SelfSurface::Face SelfSurface::face(const std::array<std::uint32_t, 3>& t) const {
+  const std::vector<Vec3>& x = anatomy_->surface.positions;
+  const Vec3 n = normal(anatomy_->surface, t);
+  return {(x[t[0]] + x[t[1]] + x[t[2]]) / 3, n.normalized(), n.norm() / 2, n.dot(x[t[0]]) / 6};
+}
+
+Vec3 SelfSurface::outward(std::uint32_t vertex, const SurfaceDetector& vertices) const {
+  Vec3 sum = Vec3::Zero();
+  for (const std::uint32_t triangle : vertices.around(vertex))
+    sum += normal(anatomy_->surface, anatomy_->surface.triangles[triangle]);
+  return sum.normalized();
+}
+
+/// No more than half of a wall: volume over area is half the thickness of a plate.
+void SelfSurface::find_depth() {
+  double volume = 0, area = 0;
+  for (const Face& face : faces_) {
+    volume += face.pyramid;
+    area += face.area;
+  }
+  deepest_ = std::min(deepest * cell_, volume / area);
+}
+
+void SelfSurface::follow(const SurfaceEdit& edit, const SurfaceDetector& vertices) {
+  std::vector<Face> come;
+  come.reserve(edit.corners.size());
+  for (const auto& corners : edit.corners) come.push_back(face(corners));
+  apply(edit.triangles, come, faces_);
+  const std::vector<Vec3> unknown(edit.positions.size(), Vec3::Zero());
+  apply(edit.vertices, unknown, outward_);
+  for (const std::uint32_t vertex : edit.touched) outward_[vertex] = outward(vertex, vertices);
+  find_depth();
+  if (listed_at_.empty()) return;
+  if (!changed_vertices_.empty()) {  // of a change that nobody has asked about: seldom
+    forget_list();
+    return;
+  }
+  apply(edit.vertices, unknown, listed_at_);
+  new_vertices_ = edit.vertices.come;
+  changed_vertices_ = edit.touched;
+  changed_faces_ = edit.triangles.come;
+  std::vector<std::uint8_t> is_changed(listed_at_.size(), 0);
+  for (const std::uint32_t vertex : changed_vertices_) is_changed[vertex] = 1;
+  std::size_t kept = 0;
+  for (const auto& [was_vertex, was_triangle] : near_) {
+    const std::uint32_t vertex = edit.vertices.now[was_vertex], triangle = edit.triangles.now[was_triangle];
+    if (vertex != ListEdit::none && triangle != ListEdit::none && is_changed[vertex] == 0)
+      near_[kept++] = {vertex, triangle};
+  }
+  near_.resize(kept);
+}
+
+void SelfSurface::forget_list() {
+  listed_at_.clear();
+  near_.clear();
+  for (auto* changed : {&new_vertices_, &changed_vertices_, &changed_faces_}) changed->clear();
 }
 
 bool SelfSurface::may_meet(std::uint32_t vertex, std::uint32_t triangle) const {
-  const Vec3 way = middles_[triangle] - anatomy_->surface.positions[vertex];
+  const Vec3 way = faces_[triangle].middle - anatomy_->surface.positions[vertex];
   const double distance = way.norm();
   if (distance < least_across * cell_) return false;
-  const double out = outward_[vertex].dot(way), in = -normals_[triangle].dot(way);
+  const double out = outward_[vertex].dot(way), in = -faces_[triangle].normal.dot(way);
   const bool facing = std::min(out, in) > across * distance;
   const bool far = distance > apart * cell_ && std::max(out, in) > -through * distance;
   return (facing || far) && !share_nodes(vertex, triangle);
@@ -80,6 +124,24 @@ bool SelfSurface::share_nodes(std::uint32_t vertex, std::uint32_t triangle) cons
   return false;
 }
 
+/// As if they had moved as the others did on average.
+void SelfSurface::place_new_ones(std::span<const Vec3> positions) {
+  Vec3 shift = Vec3::Zero();
+  std::size_t others = 0;
+  auto come = new_vertices_.begin();
+  for (std::uint32_t i = 0; i < positions.size(); ++i) {
+    if (come != new_vertices_.end() && *come == i) {
+      ++come;
+    } else {
+      shift += positions[i] - listed_at_[i];
+      ++others;
+    }
+  }
+  if (others > 0) shift /= static_cast<double>(others);
+  for (const std::uint32_t vertex : new_vertices_) listed_at_[vertex] = positions[vertex] - shift;
+  new_vertices_.clear();
+}
+
 double SelfSurface::neared(std::span<const Vec3> positions) const {
   Vec3 shift = Vec3::Zero();
   for (std::size_t i = 0; i < positions.size(); ++i) shift += positions[i] - listed_at_[i];
@@ -91,28 +153,67 @@ double SelfSurface::neared(std::span<const Vec3> positions) const {
 }
 
 void SelfSurface::list(const SoftSkin& own, double reach) {
+  forget_list();
   const auto positions = own.vertices->positions();
   listed_at_.assign(positions.begin(), positions.end());
   reach_ = reach;
-  near_.clear();
+  for (std::uint32_t vertex = 0; vertex < positions.size(); ++vertex) list_vertex(own, vertex, reach, near_);
+}
+
+void SelfSurface::list_vertex(const SoftSkin& own, std::uint32_t vertex, double reach, Pairs& out) const {
+  const Vec3& x = own.vertices->positions()[vertex];
+  const Aabb box = Aabb{x, x}.grown(reach);
+  const std::size_t first = out.size();
   const SurfaceTree& tree = own.faces->tree();
-  for (std::uint32_t vertex = 0; vertex < positions.size(); ++vertex) {
-    const Aabb box = Aabb{positions[vertex], positions[vertex]}.grown(reach);
-    const std::size_t first = near_.size();
-    tree.visit([&](const Aabb& other) { return box.overlaps(other); },
-               [&](const SurfaceTree::Node& leaf) {
-                 for (std::uint32_t k = leaf.begin; k < leaf.end; ++k)
-                   if (may_meet(vertex, tree.order()[k])) near_.emplace_back(vertex, tree.order()[k]);
-               });
-    std::sort(near_.begin() + static_cast<std::ptrdiff_t>(first), near_.end());
+  tree.visit([&](const Aabb& other) { return box.overlaps(other); },
+             [&](const SurfaceTree::Node& leaf) {
+               for (std::uint32_t k = leaf.begin; k < leaf.end; ++k)
+                 if (may_meet(vertex, tree.order()[k])) out.emplace_back(vertex, tree.order()[k]);
+             });
+  std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end());
+}
+
+void SelfSurface::list_changed(const SoftSkin& own, double reach) {
+  std::vector<std::uint8_t> is_changed(listed_at_.size(), 0);
+  Pairs fresh;
+  for (const std::uint32_t vertex : changed_vertices_) {
+    is_changed[vertex] = 1;
+    list_vertex(own, vertex, reach, fresh);
   }
+  for (const std::uint32_t triangle : changed_faces_) {
+    const Triangle x = own.faces->triangle(triangle);
+    const Vec3 lo = x[0].cwiseMin(x[1]).cwiseMin(x[2]), hi = x[0].cwiseMax(x[1]).cwiseMax(x[2]);
+    own.vertices->in_box(lo - Vec3::Constant(reach), hi + Vec3::Constant(reach), [&](std::uint32_t vertex) {
+      if (is_changed[vertex] == 0 && may_meet(vertex, triangle)) fresh.emplace_back(vertex, triangle);
+    });
+  }
+  std::sort(fresh.begin(), fresh.end());
+  const auto listed = static_cast<std::ptrdiff_t>(near_.size());
+  near_.insert(near_.end(), fresh.begin(), fresh.end());
+  std::inplace_merge(near_.begin(), near_.begin() + listed, near_.end());
+  changed_vertices_.clear();
+  changed_faces_.clear();
+}
+
+/// Brings the list to where it has all that is within `reach`. What has changed since it was made is listed
+/// from where it is now: then any two points had neared each other, and may part again, by that much, so it
+/// is looked for that much farther.
+void SelfSurface::update_list(const SoftSkin& own, double reach) {
+  const auto positions = own.vertices->positions();
+  const bool listed = !listed_at_.empty();
+  if (listed && !new_vertices_.empty()) place_new_ones(positions);
+  const double near_by = listed ? neared(positions) : 0;
+  if (!listed || !(reach + near_by <= reach_))
+    list(own, reach + spare * cell_);
+  else if (!changed_vertices_.empty())
+    list_changed(own, reach_ + near_by);
 }
 
 void SelfSurface::find(const SoftSkin& own, double margin, std::vector<VertexMeeting>& out) {
   const auto positions = own.vertices->positions();
   margin = std::min(margin, most_margin * cell_);
   const double reach = std::max(margin, deepest_);
-  if (listed_at_.empty() || !(reach + neared(positions) <= reach_)) list(own, reach + spare * cell_);
+  update_list(own, reach);
   for (std::size_t i = 0; i < near_.size();) {
     const std::uint32_t vertex = near_[i].first;
     const Vec3 &x = positions[vertex], facing = own.vertices->outward_at(vertex);
