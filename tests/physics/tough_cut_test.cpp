@@ -57,8 +57,8 @@ TEST_P(ToughTissue, TakesAsMuchUnderEveryRung) {
     RecordProperty(model, std::to_string(felt.most) + " N, " + std::to_string(felt.work) + " J");
     EXPECT_TRUE(felt.held);
     EXPECT_TRUE(felt.parted);
-    EXPECT_NEAR(felt.most, fem.most, 0.05 * fem.most);
-    EXPECT_NEAR(felt.work, fem.work, 0.15 * fem.work);
+    EXPECT_NEAR(felt.most, fem.most, 0.02 * fem.most);
+    EXPECT_NEAR(felt.work, fem.work, 0.02 * fem.work);
   }
 }
 

@@ -174,22 +174,29 @@ class Coupling {
                       : Vec3(side.at->moved / tick_.h);
   }
 
-  /// Displacement since the tick's start, `ahead` s from now for rigid bodies; minimised bodies, whose tick
-  /// is done already, are passed through evenly.
-  Vec3 displacement(const Side& side, double ahead) const {
+  /// Displacement since the tick's start; minimised bodies, whose tick is done already, are passed through
+  /// evenly.
+  Vec3 displacement(const Side& side) const {
     if (side.soft) {
       const Vec3 u = weighted(side, side.soft->state->motion.x) - side.start;
       return tick_.substepped[side.member] ? u : Vec3(passed_ * u);
     }
     if (!side.rigid) return passed_ * side.at->moved;
-    const Rigid& r = *side.rigid;
-    return r.moved + ahead * r.v + (r.turned + ahead * r.w).cross(side.at->arm);
+    return side.rigid->moved + side.rigid->turned.cross(side.at->arm);
+  }
+
+  /// s, for which a tie takes a side's velocity to carry it. Where a rigid body is when the tick ends is h
+  /// times the velocity that it has then, so ties take it to go there evenly: where they saw it by what its
+  /// velocities in the tick sum up to, it jumped from one tick to the next, and a light tool, whose hand
+  /// counts as inertia k·h², rang with a period of two ticks.
+  double carried(const Side& side, double hs) const { return side.rigid ? passed_ * tick_.h : hs; }
+  Vec3 tied_at(const Side& side, double hs) const {
+    return side.rigid ? Vec3(carried(side, hs) * velocity(side)) : displacement(side);
   }
 
   /// Between the surfaces: impulses open overlaps without a spring's energy, so they need no rest gap.
   double gap(const Joint& joint, const Contact& contact) const {
-    return contact.gap + contact.rest +
-           contact.normal.dot(displacement(joint.a, 0) - displacement(joint.b, 0));
+    return contact.gap + contact.rest + contact.normal.dot(displacement(joint.a) - displacement(joint.b));
   }
 
   /// `ahead`: s, for which positions go along.
@@ -287,8 +294,10 @@ class Coupling {
 
   /// The tie's spring over the substep, as implicit Euler would have it, bounded.
   void pull(Joint& joint, const Tie& tie, double hs) const {
-    const Vec3 stretch = tie.offset + displacement(joint.a, hs) - displacement(joint.b, hs);
-    const Mat3 A = Mat3::Identity() + hs * hs * tie.stiffness * (joint.a.mobility + joint.b.mobility);
+    const Vec3 stretch = tie.offset + tied_at(joint.a, hs) - tied_at(joint.b, hs);
+    const Mat3 A = Mat3::Identity() +
+                   hs * tie.stiffness *
+                       (carried(joint.a, hs) * joint.a.mobility + carried(joint.b, hs) * joint.b.mobility);
     Vec3 total = joint.impulse - A.inverse() * (hs * tie.stiffness * stretch + joint.impulse);
     const double most = tie.max_force * hs;
     if (total.norm() > most) total *= most / total.norm();
