@@ -2,7 +2,7 @@
 //
 // Where it goes through, it is tied to the sheet there, by a spring that bears the toughness times the
 // sheet's thickness: the force at which a crack of that length goes on. A point that comes down on it stays
-// above until what it stands for, toughness times length, is overcome.
+// above until what it stands for, toughness times length, is overcome. Both are less by slicing().
 
 #include <algorithm>
 #include <limits>
@@ -145,13 +145,15 @@ void Simulation::Impl::grip_sheets(const Blade& blade, std::span<const Vec3> now
         continue;
       }
       const auto cut_to = std::span(blade.cut_to).subspan(first, count);
+      const Vec3 along = (now[first + count - 1] - now[first]).normalized();
       const NearSheet near(sheet, soft[body].motion.x,
                            swept_box(cut_to, cut_to).grown(sheet.thickness / 2 + room));
       const std::vector<SheetCrossing> crossings = sheet_crossings(near, cut_to);
       for (const SheetCrossing& c : crossings) {
         const std::size_t p = first + c.point;
-        grip(body, p, c.row, now[p] + c.share * (now[p + 1] - now[p]), c.place, toughness * sheet.thickness,
-             c.share);
+        const Vec3 at_blade = now[p] + c.share * (now[p + 1] - now[p]);
+        grip(body, p, c.row, at_blade, c.place,
+             toughness * sheet.thickness * slicing(at_blade - c.place, along, c.normal), c.share);
       }
       for (std::size_t k = 0; k < count && crossings.empty(); ++k) {
         double nearest = sheet.thickness / 2;
@@ -164,8 +166,8 @@ void Simulation::Impl::grip_sheets(const Blade& blade, std::span<const Vec3> now
           row = row_of(corners, w);
         });
         if (row)
-          grip(body, first + k, *row, now[first + k], cut_to[k], toughness * edge.length_per_point,
-               std::nullopt);
+          grip(body, first + k, *row, now[first + k], cut_to[k],
+               toughness * edge.length_per_point * slicing(now[first + k] - cut_to[k], along), std::nullopt);
       }
       first += count;
     }

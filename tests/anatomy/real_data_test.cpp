@@ -5,17 +5,10 @@
 #include "common/anatomy/mesh_quality.h"
 #include "common/anatomy/sources.h"
 #include "common/anatomy/surface_check.h"
-#include "common/paths.h"
+#include "tests/real_data.h"
 
 namespace prosector {
 namespace {
-
-std::string find_in_data(const std::string& name) {
-  std::error_code error;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(default_data_dir(), error))
-    if (entry.path().filename() == name) return entry.path().string();
-  return "";
-}
 
 struct Organ {
   const char* name;

@@ -9,12 +9,14 @@
 
 #include "common/anatomy/implicit.h"
 #include "common/anatomy/isosurface.h"
+#include "common/anatomy/sources.h"
 #include "common/anatomy/stuffing.h"
 #include "server/physics/collision/triangle_surface.h"
 #include "server/physics/cutting/skin.h"
 #include "server/physics/cutting/touched.h"
 #include "tests/cutting/meshes.h"
 #include "tests/cutting/strokes.h"
+#include "tests/real_data.h"
 
 namespace prosector {
 namespace {
@@ -111,6 +113,28 @@ INSTANTIATE_TEST_SUITE_P(Organs, OuterShapes,
                                            Shape{"kidney", {0.06, 0.12, 0.05}, 0.01, 0.005, 0.2e-3, 0.6e-3},
                                            Shape{"liver", {0.1, 0.072, 0.083}, 0.01, 0.005, 0.2e-3, 0.9e-3}),
                          [](const auto& info) { return std::string(info.param.name); });
+
+// As in deploy/scenes/cut.toml. The millimetres are where a lobe's edge is thinner than its tetrahedra.
+TEST(OuterShape, OfTheCtLiverIsItsFineSurface) {
+  SoftDesc liver;
+  liver.name = "liver";
+  liver.volume = find_in_data("liver.inr.gz");
+  liver.label = 255;
+  liver.cell = 0.012;
+  liver.surface_cell = 0.006;
+  if (liver.volume.empty()) GTEST_SKIP() << "liver.inr.gz is not below " << default_data_dir();
+  const Anatomy anatomy = make_anatomy(liver, {}, {});
+  const TetComplex complex(anatomy.tets, mesh_density);
+  const Skin skin(complex, std::make_shared<const OuterShape>(complex, anatomy.surface));
+  const TriangleMesh shaped = drawn(skin, complex);
+  const Apart there = apart(anatomy.surface, shaped), back = apart(shaped, anatomy.surface);
+  const auto mm = [](const Apart& a) { return fmt::format("{:.2f}, {:.2f}", 1e3 * a.most, 1e3 * a.rms); };
+  RecordProperty("mm", mm(there) + "; " + mm(back));
+  EXPECT_LT(there.most, 3.3e-3);
+  EXPECT_LT(there.rms, 0.38e-3);
+  EXPECT_LT(back.most, 3.3e-3);
+  EXPECT_LT(back.rms, 0.17e-3);
+}
 
 // A small cut in one side leaves the rest to the bit as it was drawn, in the same slots; where it is, the
 // outside stays as near to the fine surface as the boundary was.

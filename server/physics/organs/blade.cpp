@@ -19,11 +19,26 @@ BladeShape blade_shape(const std::vector<EdgeDesc>& edges) {
   return out;
 }
 
-double slicing(const Vec3& lag, const Vec3& edge) {
+namespace {
+
+/// `parted`: m of the way that part tissue.
+double slicing(double lag, double parted) {
   constexpr double least = 1e-3;
-  const double length = lag.norm(), gone = std::min(1.0, length / edge_give);
-  if (!(length > 0)) return 1;
-  return std::clamp(1 - gone * gone * (1 - lag.cross(edge).norm() / length), least, 1.0);
+  const double gone = std::min(1.0, lag / edge_give);
+  if (!(lag > 0)) return 1;
+  return std::clamp(1 - gone * gone * (1 - parted / lag), least, 1.0);
+}
+
+}  // namespace
+
+double slicing(const Vec3& lag, const Vec3& edge) {
+  return slicing(lag.norm(), lag.cross(edge).norm());
+}
+
+double slicing(const Vec3& lag, const Vec3& edge, const Vec3& normal) {
+  constexpr double along_it = 1e-6;  // cosine: an edge that lies in the sheet
+  const double through = std::max(along_it, std::abs(edge.dot(normal)));
+  return slicing(lag.norm(), normal.cross(lag.cross(edge)).norm() / through);
 }
 
 }  // namespace prosector

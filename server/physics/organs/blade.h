@@ -42,6 +42,9 @@ BladeShape blade_shape(const std::vector<EdgeDesc>& edges);
 /// thin floppy slices of materials"). All of it where the point lags so little that it has not gone anywhere
 /// yet; never less than a thousandth: points stay tied to where they have cut to.
 double slicing(const Vec3& lag, const Vec3& edge);
+/// Likewise where an edge goes through a sheet with that normal (unit): what it parts is as long as its way
+/// in the sheet, wherever it leans to.
+double slicing(const Vec3& lag, const Vec3& edge, const Vec3& normal);
 
 /// One while it is held.
 struct Blade {
