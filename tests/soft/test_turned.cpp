@@ -105,6 +105,10 @@ TEST_P(Turned, TangentAndDampingAreThoseOfTheBlocks) {
   }
 }
 
+TEST_P(Turned, TraceAtRestIsThatOfTheBlocks) {
+  EXPECT_NEAR(model_->rest_trace() / model_->ElasticModel::rest_trace(), 1, 1e-13);
+}
+
 TEST_P(Turned, RowsGoToDoubleAndBack) {
   TurnedElements elements;
   model_->linearise(x_.data(), 1, elements);

@@ -4,14 +4,10 @@
 #include <optional>
 
 #include "server/physics/organs/tet_lineage.h"
-#include "server/physics/soft/tet10.h"
+#include "server/physics/soft/edge_nodes.h"
 
 namespace prosector {
 namespace {
-
-std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
-  return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
-}
 
 /// Of a point at r from a triangle's corner, u and v from there to the others; in its plane.
 Vec3 triangle_weights(const Vec3& u, const Vec3& v, const Vec3& r) {
@@ -37,25 +33,11 @@ std::array<double, 4> weights_at(const TetMesh& mesh, std::size_t tet, const Vec
 
 }  // namespace
 
-std::unordered_map<std::uint64_t, std::uint32_t> edge_nodes_of(
-    std::span<const std::array<std::uint32_t, 4>> tets, std::size_t vertices) {
-  std::vector<std::uint64_t> keys;
-  for (const auto& tet : tets)
-    for (const auto& [a, b] : Tet10Elements::edge) keys.push_back(edge_key(tet[a], tet[b]));
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  std::unordered_map<std::uint64_t, std::uint32_t> out;
-  auto node = static_cast<std::uint32_t>(vertices);
-  for (const std::uint64_t key : keys) out.emplace(key, node++);
-  return out;
-}
-
 NodeTransfer::NodeTransfer(const TetComplex& complex, std::span<const PieceMesh* const> before,
                            const PieceMesh& now, bool quadratic) {
-  std::vector<std::unordered_map<std::uint64_t, std::uint32_t>> edges_before;
+  std::vector<EdgeNodes> edges_before;
   if (quadratic)
-    for (const PieceMesh* piece : before)
-      edges_before.push_back(edge_nodes_of(piece->mesh.tets, piece->nodes.size()));
+    for (const PieceMesh* piece : before) edges_before.emplace_back(piece->mesh.tets, piece->nodes.size());
 
   std::vector<std::size_t> reached(before.size(), 0);  // in each piece's nodes, which ascend as `now`'s do
   const auto itself = [&](NodeId id) -> std::optional<Source> {
@@ -81,9 +63,8 @@ NodeTransfer::NodeTransfer(const TetComplex& complex, std::span<const PieceMesh*
     for (std::size_t k = 0; k < 4; ++k)
       source.terms[source.count++] = {p, corner[k], quadratic ? w[k] * (2 * w[k] - 1) : w[k]};
     if (quadratic)
-      for (const auto& [a, b] : Tet10Elements::edge)
-        source.terms[source.count++] = {p, edges_before[p].at(edge_key(corner[a], corner[b])),
-                                        4 * w[a] * w[b]};
+      for (const auto& [a, b] : EdgeNodes::edges_of_tet)
+        source.terms[source.count++] = {p, edges_before[p].find(corner[a], corner[b]), 4 * w[a] * w[b]};
     return source;
   };
 
@@ -94,14 +75,20 @@ NodeTransfer::NodeTransfer(const TetComplex& complex, std::span<const PieceMesh*
     sources_.push_back(source.value_or(Source{}));
   }
   if (!quadratic) return;
-  const auto edges_now = edge_nodes_of(now.mesh.tets, now.nodes.size());
-  sources_.resize(now.nodes.size() + edges_now.size());
+  const EdgeNodes edges(now.mesh.tets, now.nodes.size());
+  sources_.resize(now.nodes.size() + edges.size());
+  for (std::size_t k = 0; k < edges.size(); ++k) {  // that were edges already
+    const Source &a = sources_[edges.edges()[k][0]], &b = sources_[edges.edges()[k][1]];
+    if (a.count != 1 || b.count != 1 || a.terms[0].piece != b.terms[0].piece) continue;
+    const std::uint32_t p = a.terms[0].piece, node = edges_before[p].find(a.terms[0].node, b.terms[0].node);
+    if (node != EdgeNodes::none) sources_[now.nodes.size() + k] = {1, {{{p, node, 1}}}};
+  }
   for (std::size_t t = 0; t < now.mesh.tets.size(); ++t)
-    for (const auto& [a, b] : Tet10Elements::edge) {
+    for (const auto& [a, b] : EdgeNodes::edges_of_tet) {
       const std::uint32_t i = now.mesh.tets[t][a], j = now.mesh.tets[t][b];
-      const Vec3 middle = (now.mesh.positions[i] + now.mesh.positions[j]) / 2;
-      Source& to = sources_[edges_now.at(edge_key(i, j))];
+      Source& to = sources_[edges.find(i, j)];
       if (to.count > 0) continue;
+      const Vec3 middle = (now.mesh.positions[i] + now.mesh.positions[j]) / 2;
       if (auto source = within(now.tets[t], middle)) {
         to = *source;
         continue;

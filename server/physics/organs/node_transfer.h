@@ -3,7 +3,6 @@
 
 #include <array>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "common/mesh.h"
@@ -20,11 +19,6 @@ struct PieceMesh {
   TetMesh mesh;  // by index in those two, a sheet's triangles with their last corner twice; the nodes on
                  // edges of quadratic elements follow, by their vertices
 };
-
-/// Of quadratic elements: from an edge's vertices (the lower above, the higher below bit 32) to its node;
-/// they follow `vertices` nodes in the order of their keys, as add_edge_nodes() has them.
-std::unordered_map<std::uint64_t, std::uint32_t> edge_nodes_of(
-    std::span<const std::array<std::uint32_t, 4>> tets, std::size_t vertices);
 
 /// Where a node of a new mesh was in an old one: itself, or a point of the tetrahedron that was there, with
 /// the weights of its element's shape functions, so that a new mesh has the shape and the motion that the old

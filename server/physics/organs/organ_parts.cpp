@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "server/physics/organs/sheet_parts.h"
+#include "server/physics/soft/edge_nodes.h"
 
 namespace prosector {
 namespace {
@@ -18,9 +19,7 @@ Anatomy without_edge_nodes(const Anatomy& anatomy) {
     for (const std::uint32_t corner : tet) vertices = std::max(vertices, corner + 1);
   Anatomy out = anatomy;
   if (anatomy.tets.tets.empty() || out.tets.positions.size() == vertices) return out;
-  std::vector<std::array<std::uint32_t, 2>> ends(anatomy.tets.positions.size() - vertices);
-  for (const auto& [key, node] : edge_nodes_of(anatomy.tets.tets, vertices))
-    ends[node - vertices] = {static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)};
+  const EdgeNodes edges(anatomy.tets.tets, vertices);
   out.tets.positions.resize(vertices);
   for (SparseMap::Row& row : out.embedding.rows) {
     SparseMap::Row on_vertices;
@@ -37,7 +36,7 @@ Anatomy without_edge_nodes(const Anatomy& anatomy) {
         add(row.node[k], row.weight[k]);
         continue;
       }
-      for (const std::uint32_t end : ends[row.node[k] - vertices]) add(end, row.weight[k] / 2);
+      for (const std::uint32_t end : edges.ends(row.node[k])) add(end, row.weight[k] / 2);
     }
     row = on_vertices;
   }

@@ -60,7 +60,7 @@ SoftBody::Impl::Impl(const SoftDesc& d, Anatomy a)
   named(d, [&] { return make_solver(d.solver); });  // used by whoever solves, refused here
   build_on_inertia();
   euler = make_integrator("implicit_euler");
-  if (d.element == "tet10") eighths = divided(anatomy.tets);
+  if (d.element == "tet10") eighths = divided(anatomy.tets, EdgeNodes::of(anatomy.tets));
   integrator = make_integrator(substepper ? "implicit_euler" : d.integrator);
   start_anew();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "server/physics/parallel.h"
 #include "server/physics/soft/connectivity.h"
 
 namespace prosector {
@@ -32,113 +33,85 @@ constexpr auto make_shares() {
 }
 constexpr auto shares = make_shares();
 
-using Edge = std::array<std::uint32_t, 2>;
-
-/// Of all tetrahedra, ascending.
-std::vector<Edge> edges_of(const TetMesh& mesh) {
-  std::vector<Edge> edges;
-  for (std::array<std::uint32_t, 4> tet : mesh.tets) {
-    std::sort(tet.begin(), tet.end());
-    for (const auto& [a, b] : Tet10Elements::edge) edges.push_back({tet[a], tet[b]});
+/// Column n of T_q, whole.
+constexpr std::array<double, 4> weights_of(std::size_t point, std::size_t node) {
+  const Share& s = shares[point][node];
+  std::array<double, 4> w{};
+  for (std::size_t k = 0; k < s.count; ++k) w[s.corner[k]] = s.weight[k];
+  return w;
+}
+// The b_c sum to zero and the rules are the same for each corner, so Σ|Σ_c w_c b_c|² = Σ(w_0² − w_0w_1)·Σ|b_c|².
+constexpr double find_squares_of_points() {
+  double sum = 0;
+  for (std::size_t q = 0; q < 4; ++q)
+    for (std::size_t n = 0; n < 10; ++n) {
+      const auto w = weights_of(q, n);
+      sum += w[0] * (w[0] - w[1]);
+    }
+  return sum;
+}
+constexpr double find_squares_of_sums() {
+  double sum = 0;
+  for (std::size_t n = 0; n < 10; ++n) {
+    std::array<double, 2> w{};
+    for (std::size_t q = 0; q < 4; ++q)
+      for (std::size_t c = 0; c < 2; ++c) w[c] += weights_of(q, n)[c];
+    sum += w[0] * (w[0] - w[1]);
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
+  return sum;
 }
 
-/// Edges as nodes after the vertices.
-class EdgeNodes {
- public:
-  EdgeNodes(std::vector<Edge> edges, std::size_t first)
-      : edges_(std::move(edges)), first_(static_cast<std::uint32_t>(first)) {}
-  /// False when no tetrahedron has that edge.
-  bool find(std::uint32_t a, std::uint32_t b, std::uint32_t& node) const {
-    const Edge edge = {std::min(a, b), std::max(a, b)};
-    const auto at = std::lower_bound(edges_.begin(), edges_.end(), edge);
-    if (at == edges_.end() || *at != edge) return false;
-    node = first_ + static_cast<std::uint32_t>(at - edges_.begin());
-    return true;
-  }
+constexpr std::size_t elements_per_chunk = 512;
 
- private:
-  std::vector<Edge> edges_;
-  std::uint32_t first_;
-};
-
-/// The best of the eight: whose least weight is largest.
-SparseMap::Row divided(const SparseMap::Row& linear, const EdgeNodes& edges) {
-  const auto& [node, L] = linear;
-  std::array<std::array<std::uint32_t, 4>, 4> middle{};
-  for (const auto& [a, b] : Tet10Elements::edge) {
-    if (!edges.find(node[a], node[b], middle[a][b])) return linear;  // fewer than four nodes
-    middle[b][a] = middle[a][b];
-  }
-  SparseMap::Row best = linear;
-  double best_least = -1e300;
-  const auto consider = [&](const SparseMap::Row& row) {
-    const double least = *std::min_element(row.weight.begin(), row.weight.end());
-    if (least > best_least) {
-      best = row;
-      best_least = least;
-    }
-  };
-  for (std::size_t c = 0; c < 4; ++c) {  // at a vertex
-    SparseMap::Row row;
-    row.node[0] = node[c];
-    row.weight[0] = 2 * L[c] - 1;
-    for (std::size_t d = 0, at = 1; d < 4; ++d) {
-      if (d == c) continue;
-      row.node[at] = middle[c][d];
-      row.weight[at++] = 2 * L[d];
-    }
-    consider(row);
-  }
-  for (std::size_t s = 0; s < 4; ++s) {  // around the diagonal from the middle of 0 1 to that of 2 3
-    const std::size_t t = s ^ 1, p = s < 2 ? 2 : 0, q = p + 1;
-    consider({{middle[s][t], middle[p][q], middle[s][p], middle[s][q]},
-              {2 * L[t], L[p] + L[q] - L[s] + L[t], L[p] - L[q] + L[s] - L[t], L[q] - L[p] + L[s] - L[t]}});
-  }
-  return best;
+/// V, m³.
+double volume_of(const TetMesh& mesh, std::size_t t) {
+  const auto& tet = mesh.tets[t];
+  const Vec3& x = mesh.positions[tet[0]];
+  return std::abs((mesh.positions[tet[1]] - x)
+                      .cross(mesh.positions[tet[2]] - x)
+                      .dot(mesh.positions[tet[3]] - x)) /
+         6;
+}
+/// What node n of an element of volume V has of it.
+double lumped_share(double V, std::size_t n) {
+  return n < 4 ? V / 36 : 4 * V / 27;
 }
 
 }  // namespace
 
-Tet10Elements::Tet10Elements(const TetMesh& mesh) {
-  std::vector<Edge> edges = edges_of(mesh);
-  const std::size_t vertices = mesh.positions.size() - edges.size();
-  const EdgeNodes edge_nodes(std::move(edges), vertices);
-  const Tet4Elements corners(mesh);
-  dropped_ = corners.dropped();
-  for (std::size_t e = 0; e < corners.size(); ++e) {
-    Nodes nodes{};
-    std::copy_n(corners.nodes(e).begin(), 4, nodes.begin());
-    for (std::size_t k = 0; k < edge.size(); ++k)
-      edge_nodes.find(nodes[edge[k][0]], nodes[edge[k][1]], nodes[4 + k]);
-    nodes_.push_back(nodes);
-    for (std::size_t q = 0; q < points_per_element; ++q) {
-      std::array<std::uint32_t, 4> own{};
-      for (std::size_t c = 0; c < 4; ++c) {
-        own[c] = static_cast<std::uint32_t>(points_.positions.size());
-        points_.positions.push_back(mesh.positions[nodes[c]]);
-      }
-      points_.tets.push_back(own);
-      point_source_.push_back(corners.source()[e]);
+const double Tet10Elements::squares_of_points = find_squares_of_points();
+const double Tet10Elements::squares_of_sums = find_squares_of_sums();
+
+Tet10Elements::Tet10Elements(const TetMesh& mesh)
+    : corners_(mesh), volume_(VecX::Zero(static_cast<Eigen::Index>(mesh.positions.size()))) {
+  const EdgeNodes edges = EdgeNodes::of(mesh);
+  std::vector<Nodes> all(mesh.tets.size());
+  std::vector<double> volume(mesh.tets.size());
+  parallel_chunks(all.size(), elements_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t t = first; t < last; ++t) {
+      Nodes& nodes = all[t];
+      std::copy_n(mesh.tets[t].begin(), 4, nodes.begin());
+      std::sort(nodes.begin(), nodes.begin() + 4);
+      for (std::size_t k = 0; k < edge.size(); ++k)
+        nodes[4 + k] = edges.find(nodes[edge[k][0]], nodes[edge[k][1]]);
+      volume[t] = volume_of(mesh, t);
     }
+  });
+  for (std::size_t t = 0; t < all.size(); ++t)
+    for (std::size_t n = 0; n < nodes_per_element; ++n)
+      volume_[all[t][n]] += lumped_share(volume[t], n);
+  if (dropped() == 0) {
+    nodes_ = std::move(all);
+    return;
   }
-  volume_ = VecX::Zero(static_cast<Eigen::Index>(mesh.positions.size()));
-  for (const auto& tet : mesh.tets) {
-    const Vec3& x = mesh.positions[tet[0]];
-    const double V =
-        std::abs(
-            (mesh.positions[tet[1]] - x).cross(mesh.positions[tet[2]] - x).dot(mesh.positions[tet[3]] - x)) /
-        6;
-    for (std::uint32_t vertex : tet) volume_[vertex] += V / 36;
-    for (const auto& [a, b] : edge) {
-      std::uint32_t node = 0;
-      edge_nodes.find(tet[a], tet[b], node);
-      volume_[node] += 4 * V / 27;
-    }
-  }
+  for (const std::uint32_t t : corners_.source()) nodes_.push_back(all[t]);
+}
+
+std::vector<std::uint32_t> Tet10Elements::point_source() const {
+  std::vector<std::uint32_t> out;
+  out.reserve(points_per_element * size());
+  for (const std::uint32_t t : corners_.source()) out.insert(out.end(), points_per_element, t);
+  return out;
 }
 
 void Tet10Elements::move(std::size_t e, const double* x, double* to) const {
@@ -201,38 +174,6 @@ void Tet10Elements::spread(const TurnedVector* corners, TurnedVector* r) {
       const auto wa = static_cast<float>(s.weight[0]), wb = static_cast<float>(s.weight[1]);
       for (std::size_t k = 0; k < 4; ++k) r->at[k] = wa * a.at[k] + wb * b.at[k];
     }
-}
-
-void add_edge_nodes(Anatomy& anatomy) {
-  std::vector<Edge> edges = edges_of(anatomy.tets);
-  const std::size_t vertices = anatomy.tets.positions.size();
-  for (const auto& [a, b] : edges) {
-    const Vec3 middle = (anatomy.tets.positions[a] + anatomy.tets.positions[b]) / 2;
-    anatomy.tets.positions.push_back(middle);
-  }
-  const EdgeNodes edge_nodes(std::move(edges), vertices);
-  for (SparseMap::Row& row : anatomy.embedding.rows) row = divided(row, edge_nodes);
-}
-
-TetMesh divided(const TetMesh& mesh) {
-  std::vector<Edge> edges = edges_of(mesh);
-  const std::size_t vertices = mesh.positions.size() - edges.size();
-  const EdgeNodes edge_nodes(std::move(edges), vertices);
-  TetMesh out{mesh.positions, {}};
-  out.tets.reserve(8 * mesh.tets.size());
-  for (const auto& tet : mesh.tets) {
-    std::array<std::array<std::uint32_t, 4>, 4> middle{};
-    for (const auto& [a, b] : Tet10Elements::edge) {
-      edge_nodes.find(tet[a], tet[b], middle[a][b]);
-      middle[b][a] = middle[a][b];
-    }
-    for (std::size_t c = 0; c < 4; ++c)
-      out.tets.push_back({tet[c], middle[c][(c + 1) % 4], middle[c][(c + 2) % 4], middle[c][(c + 3) % 4]});
-    const std::array<std::uint32_t, 4> ring = {middle[0][2], middle[1][2], middle[1][3], middle[0][3]};
-    for (std::size_t k = 0; k < 4; ++k)
-      out.tets.push_back({middle[0][1], middle[2][3], ring[k], ring[(k + 1) % 4]});
-  }
-  return out;
 }
 
 }  // namespace prosector

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/mesh.h"
+#include "server/physics/soft/edge_nodes.h"
 #include "server/physics/soft/tet4.h"
 #include "server/physics/soft/turned_elements.h"
 
@@ -21,18 +22,17 @@ class Tet10Elements {
   static constexpr std::size_t nodes_per_element = 10, points_per_element = 4;
   using Nodes = std::array<std::uint32_t, nodes_per_element>;
   /// The vertices of edge node 4 + k.
-  static constexpr std::array<std::array<std::size_t, 2>, 6> edge = {
-      {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+  static constexpr auto& edge = EdgeNodes::edges_of_tet;
 
   /// `mesh` has its edges' nodes already, see add_edge_nodes. Elements too flat to strain are left out as in
   /// tet4.h. Each element's nodes ascend: its vertices, then its edges.
   explicit Tet10Elements(const TetMesh& mesh);
 
   std::size_t size() const { return nodes_.size(); }
-  std::size_t dropped() const { return dropped_; }
+  std::size_t dropped() const { return corners_.dropped(); }
   const Nodes& nodes(std::size_t e) const { return nodes_[e]; }
   /// Of each integration point: which of the mesh's tetrahedra it is in.
-  std::span<const std::uint32_t> point_source() const { return point_source_; }
+  std::vector<std::uint32_t> point_source() const;
   /// m³ of each node, dropped elements included: the diagonal of the mass matrix scaled to the right total
   /// (Hinton, Rock, Zienkiewicz 1976): V/36 at vertices, 4V/27 at edges. Positive, and the better half of the
   /// consistent one; rows summed would be negative at vertices.
@@ -40,7 +40,7 @@ class Tet10Elements {
 
   /// The integration points as linear tetrahedra with four corners of their own each, a quarter of the
   /// element's volume: points 4e … 4e + 3 are those of element e.
-  Tet4Elements points() const { return Tet4Elements(points_, 1.0 / points_per_element); }
+  Tet4Elements points() const { return Tet4Elements::parted(corners_, points_per_element); }
 
   /// D_c of the four points of element e at node positions x (3n), 3 per corner: to[48].
   void move(std::size_t e, const double* x, double* to) const;
@@ -48,21 +48,16 @@ class Tet10Elements {
   static void gather(const Tet4Elements::Forces* points, Vec3* f);
   /// T_qᵀK T_q likewise, one block per pair of nodes a < b in the order of Connectivity::pair_index.
   static void gather(const Tet4Elements::Stiffness* points, Mat3* K);
+  /// Of the nodes' shape functions' gradients g_n at a point and those of its corners, b_c: Σ over points and
+  /// nodes of |g_n|², and Σ over nodes of |Σ over points of g_n|², each over Σ|b_c|².
+  static const double squares_of_points, squares_of_sums;
   /// Gradients of the nodes' shape functions from those of the points' corners (D's transposes): r[40].
   static void spread(const TurnedVector* corners, TurnedVector* r);
 
  private:
+  Tet4Elements corners_;
   std::vector<Nodes> nodes_;
-  std::vector<std::uint32_t> point_source_;
-  TetMesh points_;  // four tetrahedra with corners of their own per element
   VecX volume_;
-  std::size_t dropped_ = 0;
 };
-
-/// Adds the middles of the tetrahedra's edges to the mesh's nodes, in the order of their vertices, and ties
-/// the surface to the eight linear tetrahedra into which the ten nodes of each divide it.
-void add_edge_nodes(Anatomy& anatomy);
-/// The eight linear tetrahedra on the ten nodes of each, all of one volume: the same nodes.
-TetMesh divided(const TetMesh& mesh);
 
 }  // namespace prosector

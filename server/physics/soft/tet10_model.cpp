@@ -18,6 +18,7 @@ constexpr std::size_t pairs = Connectivity::pair_count(nodes);
 
 Connectivity connect(std::size_t node_count, const Tet10Elements& elements) {
   Connectivity out(node_count);
+  out.reserve(elements.size(), nodes);
   for (std::size_t e = 0; e < elements.size(); ++e) out.add(elements.nodes(e));
   return out;
 }
@@ -41,9 +42,11 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
         corners_(12 * points.size()),
         point_forces_(points.size()),
         forces_(nodes * elements.size()) {
+    if (!turns()) reserve_stiffness();  // certain to be asked for
     if (materials.mean.empty()) return;
+    const std::vector<std::uint32_t> source = elements.point_source();
     for (std::size_t e = 0; e < elements.size(); ++e) {
-      const std::size_t kind = materials.local.kind_of(elements.point_source()[per_element * e]);
+      const std::size_t kind = materials.local.kind_of(source[per_element * e]);
       mean_modulus_.push_back(materials.mean[kind]);
       mean_share_.push_back(std::sqrt(materials.mean[kind] / (4 * materials.local.kinds[kind].lame.mu)));
     }
@@ -52,8 +55,21 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
 
   const VecX& volume() const override { return elements.lumped_volume(); }
   std::size_t dropped_elements() const override { return elements.dropped(); }
+  double rest_trace() override {
+    return Tet10Elements::squares_of_points / per_element * batches().rest_trace() + mean_trace();
+  }
 
  private:
+  /// Of λ''/V·G·Gᵀ at rest, of all elements.
+  double mean_trace() const {
+    double sum = 0;
+    for (std::size_t e = 0; e < mean_modulus_.size(); ++e) {
+      const Mat3& b = points.gradients(per_element * e);
+      const double squares = b.squaredNorm() + b.rowwise().sum().squaredNorm();
+      sum += mean_modulus_[e] * volume_of(e) * squares;
+    }
+    return Tet10Elements::squares_of_sums / (per_element * per_element) * sum;
+  }
   /// All of an element's points have the same share of its volume.
   double volume_of(std::size_t e) const { return per_element * points.volume(per_element * e); }
 

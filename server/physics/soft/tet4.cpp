@@ -39,9 +39,8 @@ bool usable(const Mat3& D) {
 
 }  // namespace
 
-Tet4Elements::Tet4Elements(const TetMesh& mesh, double share)
-    : share_(share),
-      nodes_(mesh.tets.size()),
+Tet4Elements::Tet4Elements(const TetMesh& mesh)
+    : nodes_(mesh.tets.size()),
       source_(mesh.tets.size()),
       gradients_(mesh.tets.size()),
       volume_(mesh.tets.size()) {
@@ -51,6 +50,29 @@ Tet4Elements::Tet4Elements(const TetMesh& mesh, double share)
   drop_unusable();
 }
 
+Tet4Elements Tet4Elements::parted(const Tet4Elements& elements, std::size_t parts) {
+  Tet4Elements out;
+  const std::size_t count = parts * elements.size();
+  out.nodes_.resize(count);
+  out.source_.resize(count);
+  out.gradients_.resize(count);
+  out.volume_.resize(count);
+  std::iota(out.source_.begin(), out.source_.end(), 0U);
+  parallel_chunks(elements.size(), tets_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t e = first; e < last; ++e) out.set_parts(e, parts, elements);
+  });
+  return out;
+}
+
+void Tet4Elements::set_parts(std::size_t e, std::size_t parts, const Tet4Elements& elements) {
+  for (std::size_t part = parts * e; part < parts * (e + 1); ++part) {
+    const auto corner = static_cast<std::uint32_t>(4 * part);
+    nodes_[part] = {corner, corner + 1, corner + 2, corner + 3};
+    gradients_[part] = elements.gradients_[e];
+    volume_[part] = elements.volume_[e] / static_cast<double>(parts);
+  }
+}
+
 /// Element e of tetrahedron e; of no volume where it is to be left out.
 void Tet4Elements::set(std::size_t e, const TetMesh& mesh) {
   nodes_[e] = mesh.tets[e];
@@ -58,7 +80,7 @@ void Tet4Elements::set(std::size_t e, const TetMesh& mesh) {
   std::sort(nodes_[e].begin(), nodes_[e].end());
   const Mat3 D = rest_edges(mesh, nodes_[e]);
   const bool kept = usable(D);
-  volume_[e] = kept ? share_ * (std::abs(D.determinant()) / 6) : 0;
+  volume_[e] = kept ? std::abs(D.determinant()) / 6 : 0;
   gradients_[e] = kept ? Mat3(D.inverse().transpose()) : Mat3(Mat3::Zero());
 }
 

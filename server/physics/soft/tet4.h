@@ -28,8 +28,10 @@ class Tet4Elements {
   /// Takes the elements that can strain: a tetrahedron flatter than `least_quality` or of no volume would
   /// only bring 1/0 and is left out (its mass is not, see lumped_volume). An element's nodes are sorted: F
   /// and V don't depend on their order, and no block needs to be transposed to find its place in a matrix.
-  /// Node indices must be in range. `share` of the volume is theirs.
-  explicit Tet4Elements(const TetMesh& mesh, double share = 1);
+  /// Node indices must be in range.
+  explicit Tet4Elements(const TetMesh& mesh);
+  /// Each of these `parts` times, with corners of its own and an equal share of the volume.
+  static Tet4Elements parted(const Tet4Elements& elements, std::size_t parts);
 
   std::size_t size() const { return nodes_.size(); }
   std::size_t dropped() const { return dropped_; }
@@ -63,10 +65,11 @@ class Tet4Elements {
   static constexpr double least_quality = 1e-4;
 
  private:
+  Tet4Elements() = default;
   void set(std::size_t e, const TetMesh& mesh);
+  void set_parts(std::size_t e, std::size_t parts, const Tet4Elements& elements);
   void drop_unusable();
 
-  double share_;
   std::vector<Nodes> nodes_;
   std::vector<std::uint32_t> source_;
   std::vector<Mat3> gradients_;

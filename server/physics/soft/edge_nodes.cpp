@@ -1,0 +1,137 @@
+#include "server/physics/soft/edge_nodes.h"
+
+#include <algorithm>
+
+#include "server/physics/parallel.h"
+
+namespace prosector {
+namespace {
+
+using Tet = std::array<std::uint32_t, 4>;
+
+constexpr std::size_t vertices_per_chunk = 512, tets_per_chunk = 512;
+
+/// In the order of the corners as they are.
+std::array<Tet, 8> eighths(const Tet& tet, const EdgeNodes& edges) {
+  std::array<Tet, 4> middle{};
+  for (const auto& [a, b] : EdgeNodes::edges_of_tet)
+    middle[a][b] = middle[b][a] = edges.find(tet[a], tet[b]);
+  std::array<Tet, 8> out;
+  for (std::size_t c = 0; c < 4; ++c)
+    out[c] = {tet[c], middle[c][(c + 1) % 4], middle[c][(c + 2) % 4], middle[c][(c + 3) % 4]};
+  const Tet ring = {middle[0][2], middle[1][2], middle[1][3], middle[0][3]};
+  for (std::size_t k = 0; k < 4; ++k) out[4 + k] = {middle[0][1], middle[2][3], ring[k], ring[(k + 1) % 4]};
+  return out;
+}
+
+}  // namespace
+
+EdgeNodes::EdgeNodes(std::span<const Tet> tets, std::size_t vertices)
+    : vertices_(vertices) {
+  std::uint32_t end = 0;
+  for (const auto& tet : tets) end = std::max(end, 1 + *std::max_element(tet.begin(), tet.end()));
+  // Upper ends by lower ones, as often as tetrahedra have them.
+  std::vector<std::uint32_t> first(end + 1, 0);
+  const auto for_edges = [&](const auto& f) {
+    for (const auto& tet : tets)
+      for (const auto& [a, b] : edges_of_tet) f(std::min(tet[a], tet[b]), std::max(tet[a], tet[b]));
+  };
+  for_edges([&](std::uint32_t lower, std::uint32_t) { ++first[lower + 1]; });
+  for (std::uint32_t v = 0; v < end; ++v) first[v + 1] += first[v];
+  std::vector<std::uint32_t> upper(first.back()), next(first.begin(), first.end() - 1), count(end, 0);
+  for_edges([&](std::uint32_t lower, std::uint32_t other) { upper[next[lower]++] = other; });
+  parallel_chunks(end, vertices_per_chunk, [&](std::size_t begin, std::size_t last, std::size_t) {
+    for (std::size_t v = begin; v < last; ++v) {
+      const auto from = upper.begin() + first[v], to = upper.begin() + first[v + 1];
+      std::sort(from, to);
+      count[v] = static_cast<std::uint32_t>(std::unique(from, to) - from);
+    }
+  });
+  begin_.assign(1, 0);
+  begin_.reserve(end + 1);
+  for (std::uint32_t v = 0; v < end; ++v) begin_.push_back(begin_.back() + count[v]);
+  edges_.reserve(begin_.back());
+  for (std::uint32_t v = 0; v < end; ++v)
+    for (std::uint32_t k = 0; k < count[v]; ++k) edges_.push_back({v, upper[first[v] + k]});
+}
+
+EdgeNodes EdgeNodes::of(const TetMesh& mesh) {
+  EdgeNodes out(mesh.tets, 0);
+  out.vertices_ = mesh.positions.size() - out.size();
+  return out;
+}
+
+std::uint32_t EdgeNodes::find(std::uint32_t a, std::uint32_t b) const {
+  const std::uint32_t lower = std::min(a, b), upper = std::max(a, b);
+  if (lower + 1 >= begin_.size()) return none;
+  for (std::uint32_t k = begin_[lower]; k < begin_[lower + 1]; ++k)
+    if (edges_[k][1] == upper) return static_cast<std::uint32_t>(vertices_) + k;
+  return none;
+}
+
+EdgeNodes add_edge_nodes(Anatomy& anatomy) {
+  std::vector<Vec3>& positions = anatomy.tets.positions;
+  EdgeNodes edges(anatomy.tets.tets, positions.size());
+  positions.reserve(positions.size() + edges.size());
+  for (const auto& [a, b] : edges.edges()) positions.push_back((positions[a] + positions[b]) / 2);
+  for (SparseMap::Row& row : anatomy.embedding.rows) row = divided(row, edges);
+  return edges;
+}
+
+SparseMap::Row divided(const SparseMap::Row& row, const EdgeNodes& edges) {
+  std::array<std::uint32_t, 4> node{};
+  std::array<double, 4> L{};
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (row.weight[k] == 0) continue;
+    node[n] = row.node[k];
+    L[n++] = row.weight[k];
+  }
+  std::array<std::array<std::uint32_t, 4>, 4> middle{};
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = a + 1; b < n; ++b) {
+      middle[a][b] = middle[b][a] = edges.find(node[a], node[b]);
+      if (middle[a][b] == EdgeNodes::none) return row;
+    }
+  SparseMap::Row best;
+  double best_least = -1e300;
+  const auto consider = [&](const SparseMap::Row& part) {
+    const double least =
+        *std::min_element(part.weight.begin(), part.weight.begin() + static_cast<std::ptrdiff_t>(n));
+    if (least > best_least) {
+      best = part;
+      best_least = least;
+    }
+  };
+  for (std::size_t c = 0; c < n; ++c) {  // at a corner
+    SparseMap::Row part;
+    part.node[0] = node[c];
+    part.weight[0] = 2 * L[c] - 1;
+    for (std::size_t d = 0, at = 1; d < n; ++d) {
+      if (d == c) continue;
+      part.node[at] = middle[c][d];
+      part.weight[at++] = 2 * L[d];
+    }
+    consider(part);
+  }
+  if (n == 3)
+    consider({{middle[1][2], middle[0][2], middle[0][1]}, {1 - 2 * L[0], 1 - 2 * L[1], 1 - 2 * L[2]}});
+  if (n < 4) return best;
+  for (std::size_t s = 0; s < 4; ++s) {  // around the diagonal from the middle of 0 1 to that of 2 3
+    const std::size_t t = s ^ 1, p = s < 2 ? 2 : 0, q = p + 1;
+    consider({{middle[s][t], middle[p][q], middle[s][p], middle[s][q]},
+              {2 * L[t], L[p] + L[q] - L[s] + L[t], L[p] - L[q] + L[s] - L[t], L[q] - L[p] + L[s] - L[t]}});
+  }
+  return best;
+}
+
+TetMesh divided(const TetMesh& mesh, const EdgeNodes& edges) {
+  TetMesh out{mesh.positions, std::vector<Tet>(8 * mesh.tets.size())};
+  parallel_chunks(mesh.tets.size(), tets_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t t = first; t < last; ++t)
+      std::ranges::copy(eighths(mesh.tets[t], edges), out.tets.begin() + static_cast<std::ptrdiff_t>(8 * t));
+  });
+  return out;
+}
+
+}  // namespace prosector
