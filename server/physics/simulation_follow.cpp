@@ -93,12 +93,13 @@ bool Simulation::Impl::follow_cut(Organ& organ, TopologyCause cause, Participant
   const PieceMesh& mesh = organ.piece(body).mesh;
   const std::size_t nodes_before = mesh.nodes.size();
   const VecX mass_before = solver.node_mass();
-  const NodeTransfer transfer(organ.complex(), mesh, edit->nodes);
+  const MeshEdit nodes = solver.edit_of_nodes(edit->mesh);
+  const NodeTransfer transfer(organ.complex(), mesh, edit->nodes, edit->tets, nodes, solver.edge_nodes());
   Motion motion_before = std::move(soft[body].motion);
   Motion motion;
   for (VecX Motion::*field : {&Motion::x, &Motion::v, &Motion::x_prev, &Motion::v_prev})
-    motion.*field = transfer.appended_to(motion_before.*field);
-  VecX balance = transfer.appended_to(equilibrium[body]);
+    motion.*field = transfer.carried(motion_before.*field, nodes);
+  VecX balance = transfer.carried(equilibrium[body], nodes);
   VecX history = soft[body].history;
   const PieceMesh* const before[] = {&mesh};
   const VecX* const histories[] = {&history};

@@ -201,10 +201,10 @@ TEST(SheetMomentum, AndSpinAreKeptByEachCut) {
       if (organ.cut(rest_of(organ), edge_at(way.at(tick / 8.0)), blade, 1, stroke).ops.empty()) continue;
       const auto edit = organ.cut_in_one_piece();
       if (!edit) return;  // it fell apart
-      const NodeTransfer transfer(organ.complex(), mesh, edit->nodes);
+      const NodeTransfer transfer(organ.complex(), mesh, edit->nodes, edit->tets, edit->mesh, nullptr);
       organ.follow(*edit);
-      x = transfer.appended_to(x);
-      v = transfer.appended_to(v);
+      x = transfer.carried(x, edit->mesh);
+      v = transfer.carried(v, edit->mesh);
       const VecX carried = v, mass_now = masses(organ);
       const PieceMotion before[] = {{mesh.nodes, &mass, &x_before, &v_before}};
       const PieceMotion now[] = {{organ.piece(0).mesh.nodes, &mass_now, &x, &v}};

@@ -1,10 +1,8 @@
 #include "server/physics/organs/node_transfer.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "server/physics/organs/tet_lineage.h"
-#include "server/physics/soft/edge_nodes.h"
 
 namespace prosector {
 namespace {
@@ -33,6 +31,27 @@ std::array<double, 4> weights_at(const TetMesh& mesh, std::size_t tet, const Vec
 
 }  // namespace
 
+/// The point of the tetrahedron that was there; none: there was none.
+std::optional<NodeTransfer::Source> NodeTransfer::within(const TetComplex& complex,
+                                                         std::span<const PieceMesh* const> before,
+                                                         std::span<const EdgeNodes> edges, TetId tet,
+                                                         const Vec3& rest) {
+  const auto found = find_old(complex, before, tet);
+  if (!found) return std::nullopt;
+  const auto& [p, i] = *found;
+  const TetMesh& mesh = before[p]->mesh;
+  const auto w = weights_at(mesh, i, rest);
+  const auto& corner = mesh.tets[i];
+  Source source;
+  const bool quadratic = !edges.empty();
+  for (std::size_t k = 0; k < 4; ++k)
+    source.terms[source.count++] = {p, corner[k], quadratic ? w[k] * (2 * w[k] - 1) : w[k]};
+  if (quadratic)
+    for (const auto& [a, b] : EdgeNodes::edges_of_tet)
+      source.terms[source.count++] = {p, edges[p].find(corner[a], corner[b]), 4 * w[a] * w[b]};
+  return source;
+}
+
 NodeTransfer::NodeTransfer(const TetComplex& complex, std::span<const PieceMesh* const> before,
                            const PieceMesh& now, bool quadratic) {
   std::vector<EdgeNodes> edges_before;
@@ -52,26 +71,10 @@ NodeTransfer::NodeTransfer(const TetComplex& complex, std::span<const PieceMesh*
     }
     return std::nullopt;
   };
-  const auto within = [&](TetId tet, const Vec3& rest) -> std::optional<Source> {
-    const auto found = find_old(complex, before, tet);
-    if (!found) return std::nullopt;
-    const auto& [p, i] = *found;
-    const TetMesh& mesh = before[p]->mesh;
-    const auto w = weights_at(mesh, i, rest);
-    const auto& corner = mesh.tets[i];
-    Source source;
-    for (std::size_t k = 0; k < 4; ++k)
-      source.terms[source.count++] = {p, corner[k], quadratic ? w[k] * (2 * w[k] - 1) : w[k]};
-    if (quadratic)
-      for (const auto& [a, b] : EdgeNodes::edges_of_tet)
-        source.terms[source.count++] = {p, edges_before[p].find(corner[a], corner[b]), 4 * w[a] * w[b]};
-    return source;
-  };
-
   sources_.reserve(now.mesh.positions.size());
   for (const NodeId id : now.nodes) {
     std::optional<Source> source = itself(id);
-    if (!source) source = within(complex.star(id).front(), complex.rest(id));
+    if (!source) source = within(complex, before, edges_before, complex.star(id).front(), complex.rest(id));
     sources_.push_back(source.value_or(Source{}));
   }
   if (!quadratic) return;
@@ -89,7 +92,7 @@ NodeTransfer::NodeTransfer(const TetComplex& complex, std::span<const PieceMesh*
       Source& to = sources_[edges.find(i, j)];
       if (to.count > 0) continue;
       const Vec3 middle = (now.mesh.positions[i] + now.mesh.positions[j]) / 2;
-      if (auto source = within(now.tets[t], middle)) {
+      if (auto source = within(complex, before, edges_before, now.tets[t], middle)) {
         to = *source;
         continue;
       }
@@ -101,15 +104,21 @@ NodeTransfer::NodeTransfer(const TetComplex& complex, std::span<const PieceMesh*
     }
 }
 
-NodeTransfer::NodeTransfer(const TetComplex& complex, const PieceMesh& before, std::span<const NodeId> made) {
+NodeTransfer::NodeTransfer(const TetComplex& complex, const PieceMesh& before, std::span<const NodeId> made,
+                           std::span<const TetId> tets, const MeshEdit& edit, const EdgeNodes* edges)
+    : sources_(edit.made_nodes.size()) {
   const PieceMesh* const pieces[] = {&before};
-  for (const NodeId id : made) {
-    Source& source = sources_.emplace_back();
-    const auto found = find_old(complex, pieces, complex.star(id).front());
-    if (!found) continue;
-    const auto w = weights_at(before.mesh, found->tet, complex.rest(id));
-    for (std::size_t k = 0; k < 4; ++k)
-      source.terms[source.count++] = {0, before.mesh.tets[found->tet][k], w[k]};
+  const std::span<const EdgeNodes> edges_before(edges, edges ? 1 : 0);
+  const auto find = [&](TetId tet, const Vec3& rest) {
+    return within(complex, pieces, edges_before, tet, rest).value_or(Source{});
+  };
+  for (std::size_t i = 0; i < made.size(); ++i)
+    sources_[i] = find(complex.star(made[i]).front(), complex.rest(made[i]));
+  for (std::size_t i = 0; i < edit.middles.size(); ++i) {
+    const auto at = std::lower_bound(edit.made_nodes.begin(), edit.made_nodes.end(), edit.middles[i]);
+    if (at == edit.made_nodes.end() || *at != edit.middles[i]) continue;
+    const auto node = static_cast<std::size_t>(at - edit.made_nodes.begin());
+    if (sources_[node].count == 0) sources_[node] = find(tets[i / 6], edit.positions[node]);
   }
 }
 
@@ -133,11 +142,15 @@ VecX NodeTransfer::operator()(std::span<const VecX* const> fields) const {
   return out;
 }
 
-VecX NodeTransfer::appended_to(const VecX& field) const {
+VecX NodeTransfer::carried(const VecX& field, const MeshEdit& edit) const {
   const VecX* const fields[] = {&field};
   const VecX made = (*this)(fields);
-  VecX out(field.size() + made.size());
-  out << field, made;
+  VecX out(3 * static_cast<Eigen::Index>(edit.kept_nodes.now));
+  for (const Kept::Run& run : edit.kept_nodes.runs)
+    out.segment(3 * Eigen::Index{run.to}, 3 * Eigen::Index{run.count}) =
+        field.segment(3 * Eigen::Index{run.from}, 3 * Eigen::Index{run.count});
+  for (std::size_t i = 0; i < edit.made_nodes.size(); ++i)
+    out.segment<3>(3 * Eigen::Index{edit.made_nodes[i]}) = made.segment<3>(3 * static_cast<Eigen::Index>(i));
   return out;
 }
 

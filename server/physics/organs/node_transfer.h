@@ -2,11 +2,13 @@
 // Fields of a body's nodes, carried over to a mesh that a cut made of it.
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "common/mesh.h"
 #include "server/physics/cutting/tet_complex.h"
+#include "server/physics/soft/edge_nodes.h"
 
 namespace prosector {
 
@@ -29,12 +31,15 @@ class NodeTransfer {
   /// ten-node elements.
   NodeTransfer(const TetComplex& complex, std::span<const PieceMesh* const> before, const PieceMesh& now,
                bool quadratic);
-  /// Of linear elements: for these nodes, which the change made, alone.
-  NodeTransfer(const TetComplex& complex, const PieceMesh& before, std::span<const NodeId> made);
+  /// Of what a change made in one piece, alone: nodes, which are the first that `edit`, of all its nodes,
+  /// tells of, and those on the edges of `tets`, that it tells of, too. `edges`: as they were, of quadratic
+  /// elements.
+  NodeTransfer(const TetComplex& complex, const PieceMesh& before, std::span<const NodeId> made,
+               std::span<const TetId> tets, const MeshEdit& edit, const EdgeNodes* edges);
   /// `fields`: 3n numbers of each piece in `before`.
   VecX operator()(std::span<const VecX* const> fields) const;
-  /// Of nodes that were made in one piece: its field, and what they have of it after.
-  VecX appended_to(const VecX& field) const;
+  /// Of nodes that were made in one piece: its field, after that edit.
+  VecX carried(const VecX& field, const MeshEdit& edit) const;
 
  private:
   struct Term {
@@ -45,6 +50,8 @@ class NodeTransfer {
     std::uint32_t count = 0;  // terms used
     std::array<Term, 10> terms{};
   };
+  static std::optional<Source> within(const TetComplex& complex, std::span<const PieceMesh* const> before,
+                                      std::span<const EdgeNodes> edges, TetId tet, const Vec3& rest);
   std::vector<Source> sources_;  // by node of the new mesh
 };
 

@@ -26,7 +26,7 @@ void Connectivity::add(std::span<const std::uint32_t> element) {
 
 void Connectivity::follow(const MeshEdit& edit) {
   nodes_ = edit.kept_nodes.now;
-  edit.kept_tets.carry(corner_, 4);
+  edit.kept_tets.carry(corner_, each_);
   if (!edit.kept_nodes.all_unmoved()) {
     const std::vector<std::uint32_t> now = edit.kept_nodes.destinations();
     for (std::uint32_t& node : corner_) node = now[node];
@@ -34,14 +34,17 @@ void Connectivity::follow(const MeshEdit& edit) {
   for (std::size_t i = 0; i < edit.tets.size(); ++i) {
     MeshEdit::Corners element = edit.corners[i];
     std::sort(element.begin(), element.end());
-    std::copy(element.begin(), element.end(), corner_.begin() + 4 * std::ptrdiff_t{edit.tets[i]});
+    const auto middles = edit.middles.begin() + static_cast<std::ptrdiff_t>((each_ - 4) * i);
+    std::copy_n(middles, each_ - 4,
+                std::copy(element.begin(), element.end(),
+                          corner_.begin() + static_cast<std::ptrdiff_t>(each_ * edit.tets[i])));
   }
   const std::size_t known = std::min(size(), edit.kept_tets.now);
   corner_begin_.resize(edit.kept_tets.now + 1);
   block_begin_.resize(edit.kept_tets.now + 1);
   for (std::size_t e = known; e < size(); ++e) {
-    corner_begin_[e + 1] = corner_begin_[e] + 4;
-    block_begin_[e + 1] = block_begin_[e] + pair_count(4);
+    corner_begin_[e + 1] = corner_begin_[e] + each_;
+    block_begin_[e + 1] = block_begin_[e] + pair_count(each_);
   }
 }
 
@@ -65,7 +68,8 @@ Incidence::Incidence(const Connectivity& elements) : begin_(elements.nodes() + 1
 }
 
 void Incidence::follow(const Connectivity& elements, const MeshEdit& edit) {
-  if (!elements.all_of_four() || elements.size() != edit.kept_tets.now) {
+  const auto each = static_cast<std::uint32_t>(elements.corners_each());
+  if (each < 4 || elements.size() != edit.kept_tets.now) {
     *this = Incidence(elements);
     return;
   }
@@ -89,13 +93,13 @@ void Incidence::follow(const Connectivity& elements, const MeshEdit& edit) {
     stayed.clear();
     if (origin[node] != Kept::none)
       for (const std::uint32_t corner : corners(origin[node]))
-        if (const std::uint32_t e = now[corner / 4]; e != Kept::none && !changed[e])
-          stayed.push_back(4 * e + corner % 4);
+        if (const std::uint32_t e = now[corner / each]; e != Kept::none && !changed[e])
+          stayed.push_back(each * e + corner % each);
     const auto fresh = std::span(met).subspan(met_begin[node], met_begin[node + 1] - met_begin[node]);
     std::merge(stayed.begin(), stayed.end(), fresh.begin(), fresh.end(), std::back_inserter(rows.values));
     rows.counts.push_back(stayed.size() + fresh.size());
   }
-  const auto renumbered = [&](std::uint32_t corner) { return 4 * now[corner / 4] + corner % 4; };
+  const auto renumbered = [&](std::uint32_t corner) { return each * now[corner / each] + corner % each; };
   if (edit.kept_tets.all_unmoved())
     replace_rows(edit.kept_nodes, edit.nodes, rows, std::identity{}, begin_, corner_);
   else

@@ -19,8 +19,8 @@ class Connectivity {
   explicit Connectivity(std::size_t nodes) : nodes_(nodes) {}
   /// `element`: ascending nodes, in range.
   void add(std::span<const std::uint32_t> element);
-  /// Of linear tetrahedra, one each in the mesh's order, each with its nodes sorted: as the mesh so edited
-  /// has them.
+  /// Of linear or quadratic tetrahedra, one each in the mesh's order, each with its corners sorted: as the
+  /// mesh so edited has them.
   void follow(const MeshEdit& edit);
   /// Room for so many elements of so many corners each.
   void reserve(std::size_t elements, std::size_t corners_each);
@@ -32,8 +32,8 @@ class Connectivity {
   std::span<const std::uint32_t> element(std::size_t e) const {
     return std::span(corner_).subspan(corner_begin_[e], corner_begin_[e + 1] - corner_begin_[e]);
   }
-  /// Whether they are linear tetrahedra, or others of four nodes.
-  bool all_of_four() const { return each_ == 4; }
+  /// Of each element; 0: they differ.
+  std::size_t corners_each() const { return each_; }
   std::size_t first_corner(std::size_t e) const { return corner_begin_[e]; }
   std::size_t first_block(std::size_t e) const { return block_begin_[e]; }
   std::size_t element_of(std::size_t corner) const {

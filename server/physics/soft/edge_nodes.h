@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/mesh.h"
+#include "server/physics/soft/mesh_edit.h"
 
 namespace prosector {
 
@@ -31,9 +32,16 @@ class EdgeNodes {
   std::uint32_t find(std::uint32_t a, std::uint32_t b) const;
   Edge ends(std::uint32_t node) const { return edges_[node - vertices_]; }
 
+  /// To the tetrahedra as they are after an edit of vertices and corners, `before` whose edges these were;
+  /// returns the edit of all nodes, those on edges included.
+  MeshEdit follow(const TetMesh& before, const MeshEdit& corners);
+
  private:
+  void index_by_lower_end();
+
   std::size_t vertices_ = 0;
   std::vector<Edge> edges_;           // ascending
+  std::vector<std::uint32_t> count_;  // of each: how many tetrahedra have it
   std::vector<std::uint32_t> begin_;  // by lower vertex: its edges
 };
 
@@ -46,5 +54,7 @@ EdgeNodes add_edge_nodes(Anatomy& anatomy);
 SparseMap::Row divided(const SparseMap::Row& row, const EdgeNodes& edges);
 /// The eight linear tetrahedra on the ten nodes of each, all of one volume: the same nodes.
 TetMesh divided(const TetMesh& mesh, const EdgeNodes& edges);
+/// To those of `mesh`, which was edited so.
+void follow_divided(const TetMesh& mesh, const EdgeNodes& edges, const MeshEdit& edit, TetMesh& parts);
 
 }  // namespace prosector

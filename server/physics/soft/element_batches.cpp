@@ -69,15 +69,16 @@ double ElementBatches::rest_trace() const {
 }
 
 void ElementBatches::follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) {
-  materials_.follow(desc, mesh, edit);
+  const std::size_t each = elements_.size() / edit.kept_tets.now;
+  materials_.follow(desc, mesh, edit, each);
   rest_.resize(chunk_count(elements_.size(), elements_per_batch));
   strain_.resize(rest_.size());
   trace_.resize(rest_.size());
   // From here on lanes have other elements than they had, or none.
-  const std::size_t moved = edit.kept_tets.unmoved() / elements_per_batch;
+  const std::size_t moved = each * edit.kept_tets.unmoved() / elements_per_batch;
   std::vector<std::size_t> others;
-  for (const std::uint32_t e : edit.tets)
-    if (const std::size_t batch = e / elements_per_batch;
+  for (const std::size_t tet : edit.tets)  // whose points are in one batch
+    if (const std::size_t batch = each * tet / elements_per_batch;
         batch < moved && (others.empty() || batch != others.back()))
       others.push_back(batch);
   for (const std::size_t batch : others) set_rest(batch);

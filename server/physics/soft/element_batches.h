@@ -22,9 +22,10 @@ class ElementBatches {
 
   /// Whether follow() will do.
   virtual bool can_follow() const { return true; }
-  /// To the elements as they are after they followed `edit`, of a body's linear tetrahedra.
+  /// To the elements as they are after they followed `edit`: the tetrahedra, or as many points of each.
   virtual void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit);
 
+  std::size_t kind_of(std::size_t e) const { return materials_.kind_of(e); }
   /// Whether turning the whole body turns its forces along.
   virtual bool objective() const { return true; }
   /// Puts a batch at node positions x (3n): what all below share is computed once.

@@ -64,10 +64,12 @@ Materials Materials::at(std::span<const std::uint32_t> source) const {
   return out;
 }
 
-void Materials::follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) {
+void Materials::follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit, std::size_t each) {
   if (kind.empty()) return;
-  edit.kept_tets.carry(kind);
-  for (const std::uint32_t tet : edit.tets) kind[tet] = prosector::kind_of(desc, mesh, tet);
+  edit.kept_tets.carry(kind, each);
+  for (const std::size_t tet : edit.tets)
+    std::fill_n(kind.begin() + static_cast<std::ptrdiff_t>(each * tet), each,
+                prosector::kind_of(desc, mesh, tet));
 }
 
 std::uint32_t kind_of(const SoftDesc& desc, const TetMesh& mesh, std::size_t tet) {

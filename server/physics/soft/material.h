@@ -37,8 +37,8 @@ struct Materials {
   const Material& of(std::size_t e) const { return kinds[kind_of(e)]; }
   /// Of elements made from some of the tetrahedra: source[e] is element e's.
   Materials at(std::span<const std::uint32_t> source) const;
-  /// Of all tetrahedra of `mesh`, which was edited so.
-  void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit);
+  /// Of all tetrahedra of `mesh`, which was edited so, or as many elements of each.
+  void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit, std::size_t each = 1);
 };
 
 /// λ/μ at ν = 0.499: what XPBD takes a larger ratio for, since beyond it one sweep hardly moves a body's

@@ -49,6 +49,9 @@ struct MeshEdit {
   std::vector<Vec3> positions;            // m, at rest: of them
   std::vector<std::uint32_t> tets;        // new ones, and those whose corners are others; ascending
   std::vector<Corners> corners;           // of them
+  /// Of quadratic elements (edge_nodes.h): six of each, on the edges between its corners, these in ascending
+  /// order.
+  std::vector<std::uint32_t> middles;
   std::vector<std::uint32_t> nodes;  // corners of these, of what these were and of what is gone; ascending
 
   /// What is new comes after all that was there.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "common/error.h"
@@ -11,7 +12,6 @@
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body_impl.h"
 #include "server/physics/soft/soft_body_setup.h"
-#include "server/physics/soft/tet10.h"
 
 namespace prosector {
 namespace {
@@ -26,8 +26,12 @@ auto named(const SoftDesc& desc, const T& make) {
 }
 
 /// With the nodes that its elements need.
-Anatomy nodes_for(const SoftDesc& desc, Anatomy anatomy) {
-  if (desc.element == "tet10") add_edge_nodes(anatomy);
+Anatomy nodes_for(const SoftDesc& desc, Anatomy anatomy, std::optional<QuadraticNodes>& quadratic) {
+  if (desc.element != "tet10") return anatomy;
+  SparseMap linear = anatomy.embedding;
+  EdgeNodes edges = add_edge_nodes(anatomy);
+  TetMesh eighths = divided(anatomy.tets, edges);
+  quadratic = QuadraticNodes{std::move(edges), std::move(linear), std::move(eighths)};
   return anatomy;
 }
 
@@ -43,7 +47,7 @@ std::unique_ptr<ElasticModel> usable_model(const SoftDesc& desc, const Anatomy& 
 
 SoftBody::Impl::Impl(const SoftDesc& d, Anatomy a)
     : desc((check_constants(d), d)),
-      anatomy((check_mesh(d, a), nodes_for(d, std::move(a)))),
+      anatomy((check_mesh(d, a), nodes_for(d, std::move(a), quadratic))),
       model(usable_model(d, anatomy)),
       pattern(model->connectivity()),
       symmetric(pattern),
@@ -60,7 +64,6 @@ SoftBody::Impl::Impl(const SoftDesc& d, Anatomy a)
   named(d, [&] { return make_solver(d.solver); });  // used by whoever solves, refused here
   build_on_inertia();
   euler = make_integrator("implicit_euler");
-  if (d.element == "tet10") eighths = divided(anatomy.tets, EdgeNodes::of(anatomy.tets));
   integrator = make_integrator(substepper ? "implicit_euler" : d.integrator);
   start_anew();
 }

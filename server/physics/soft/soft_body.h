@@ -23,6 +23,7 @@
 
 namespace prosector {
 
+class EdgeNodes;
 class Substepper;
 
 class SoftBody {
@@ -51,7 +52,12 @@ class SoftBody {
   const VecX& attachment_stiffness() const;  // n, N/m, as described; 0: free
   std::uint64_t content_hash() const;        // connectivity, rest shape, masses: topology revision 0
 
-  // ---- Following a cut, or what takes one back: between steps
+  // ---- Following a cut, or what takes one back: between steps. Edits are those of the tetrahedra's
+  // vertices; surfaces hang on these.
+  /// Of quadratic elements: the nodes on edges, which follow the vertices; else null.
+  const EdgeNodes* edge_nodes() const;
+  /// The edit of all its nodes.
+  MeshEdit edit_of_nodes(const MeshEdit& edit) const;
   /// Whether follow() will do, else it has to be made anew.
   bool can_follow(const MeshEdit& edit) const;
   /// As if made anew of its mesh so edited and of another surface, bit for bit, and under the same

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "server/physics/soft/body_hessian.h"
+#include "server/physics/soft/edge_nodes.h"
 #include "server/physics/soft/node_sum.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/physics/soft/stiffness_damping.h"
@@ -13,8 +14,16 @@
 
 namespace prosector {
 
+/// What a body of quadratic elements has besides.
+struct QuadraticNodes {
+  EdgeNodes edges;
+  SparseMap embedding;  // of the surface, in the vertices alone
+  TetMesh eighths;      // of the tetrahedra: linear ones on the same nodes
+};
+
 struct SoftBody::Impl {
   SoftDesc desc;
+  std::optional<QuadraticNodes> quadratic;
   Anatomy anatomy;
   std::unique_ptr<ElasticModel> model;
   std::unique_ptr<TimeIntegrator> integrator, euler;
@@ -31,7 +40,6 @@ struct SoftBody::Impl {
   std::unique_ptr<SoftBody> recovery;
   std::vector<double> area;
   double diagonal;    // m
-  TetMesh eighths;    // of quadratic tetrahedra: linear ones on the same nodes
   Motion remembered;  // x, v
   VecX history;       // with them
 
@@ -54,8 +62,9 @@ struct SoftBody::Impl {
   void follow(const MeshEdit& edit);
 
   std::size_t node_count() const { return model->connectivity().nodes(); }
+  std::size_t vertex_count() const { return quadratic ? quadratic->edges.vertices() : node_count(); }
   const VecX& rest() const { return model->rest(); }
-  const TetMesh& linear_tets() const { return eighths.tets.empty() ? anatomy.tets : eighths; }
+  const TetMesh& linear_tets() const { return quadratic ? quadratic->eighths : anatomy.tets; }
 
   void scale(double factor, double* vector) const {
     if (factor != 1) Eigen::Map<VecX>(vector, rest().size()) *= factor;

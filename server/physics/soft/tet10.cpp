@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "server/physics/parallel.h"
-#include "server/physics/soft/connectivity.h"
 
 namespace prosector {
 namespace {
@@ -40,7 +39,8 @@ constexpr std::array<double, 4> weights_of(std::size_t point, std::size_t node) 
   for (std::size_t k = 0; k < s.count; ++k) w[s.corner[k]] = s.weight[k];
   return w;
 }
-// The b_c sum to zero and the rules are the same for each corner, so Σ|Σ_c w_c b_c|² = Σ(w_0² − w_0w_1)·Σ|b_c|².
+// The b_c sum to zero and the rules are the same for each corner, so Σ|Σ_c w_c b_c|² = Σ(w_0² −
+// w_0w_1)·Σ|b_c|².
 constexpr double find_squares_of_points() {
   double sum = 0;
   for (std::size_t q = 0; q < 4; ++q)
@@ -67,9 +67,8 @@ constexpr std::size_t elements_per_chunk = 512;
 double volume_of(const TetMesh& mesh, std::size_t t) {
   const auto& tet = mesh.tets[t];
   const Vec3& x = mesh.positions[tet[0]];
-  return std::abs((mesh.positions[tet[1]] - x)
-                      .cross(mesh.positions[tet[2]] - x)
-                      .dot(mesh.positions[tet[3]] - x)) /
+  return std::abs(
+             (mesh.positions[tet[1]] - x).cross(mesh.positions[tet[2]] - x).dot(mesh.positions[tet[3]] - x)) /
          6;
 }
 /// What node n of an element of volume V has of it.
@@ -98,8 +97,7 @@ Tet10Elements::Tet10Elements(const TetMesh& mesh)
     }
   });
   for (std::size_t t = 0; t < all.size(); ++t)
-    for (std::size_t n = 0; n < nodes_per_element; ++n)
-      volume_[all[t][n]] += lumped_share(volume[t], n);
+    for (std::size_t n = 0; n < nodes_per_element; ++n) volume_[all[t][n]] += lumped_share(volume[t], n);
   if (dropped() == 0) {
     nodes_ = std::move(all);
     return;
@@ -112,6 +110,34 @@ std::vector<std::uint32_t> Tet10Elements::point_source() const {
   out.reserve(points_per_element * size());
   for (const std::uint32_t t : corners_.source()) out.insert(out.end(), points_per_element, t);
   return out;
+}
+
+void Tet10Elements::follow(const TetMesh& mesh, const MeshEdit& edit) {
+  corners_.follow(mesh, edit);
+  edit.kept_tets.carry(nodes_);
+  const std::vector<std::uint32_t> now = edit.kept_nodes.destinations();
+  parallel_chunks(nodes_.size(), elements_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t e = first; e < last; ++e)
+      for (std::uint32_t& node : nodes_[e]) node = now[node];  // of those that are set below, anything
+  });
+  for (std::size_t i = 0; i < edit.tets.size(); ++i) {
+    Nodes& nodes = nodes_[edit.tets[i]];
+    std::copy_n(corners_.nodes(edit.tets[i]).begin(), 4, nodes.begin());
+    std::copy_n(edit.middles.begin() + static_cast<std::ptrdiff_t>(6 * i), 6, nodes.begin() + 4);
+  }
+}
+
+void Tet10Elements::follow_volume(const TetMesh& mesh, const MeshEdit& edit, const Connectivity& connectivity,
+                                  const Incidence& incidence) {
+  edit.kept_nodes.carry(volume_);
+  for (const std::uint32_t node : edit.nodes) {
+    double sum = 0;  // in the order of the elements, as above
+    for (const std::uint32_t corner : incidence.corners(node)) {
+      const std::size_t e = connectivity.element_of(corner);
+      sum += lumped_share(volume_of(mesh, e), corner - connectivity.first_corner(e));
+    }
+    volume_[node] = sum;
+  }
 }
 
 void Tet10Elements::move(std::size_t e, const double* x, double* to) const {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/mesh.h"
+#include "server/physics/soft/connectivity.h"
 #include "server/physics/soft/edge_nodes.h"
 #include "server/physics/soft/tet4.h"
 #include "server/physics/soft/turned_elements.h"
@@ -31,6 +32,8 @@ class Tet10Elements {
   std::size_t size() const { return nodes_.size(); }
   std::size_t dropped() const { return corners_.dropped(); }
   const Nodes& nodes(std::size_t e) const { return nodes_[e]; }
+  /// Which of the mesh's tetrahedra it is.
+  std::uint32_t source(std::size_t e) const { return corners_.source()[e]; }
   /// Of each integration point: which of the mesh's tetrahedra it is in.
   std::vector<std::uint32_t> point_source() const;
   /// m³ of each node, dropped elements included: the diagonal of the mass matrix scaled to the right total
@@ -41,6 +44,20 @@ class Tet10Elements {
   /// The integration points as linear tetrahedra with four corners of their own each, a quarter of the
   /// element's volume: points 4e … 4e + 3 are those of element e.
   Tet4Elements points() const { return Tet4Elements::parted(corners_, points_per_element); }
+
+  /// As linear tetrahedra.
+  const Tet4Elements& corners() const { return corners_; }
+
+  // ---- Following a cut
+  /// See tet4.h. `corners`: of the vertices.
+  bool can_follow(const VecX& rest, const MeshEdit& corners) const {
+    return corners_.can_follow(rest, corners);
+  }
+  /// To `mesh`, which was edited so, the nodes on its edges included; but for the volume, which elements and
+  /// incidence as they are now tell.
+  void follow(const TetMesh& mesh, const MeshEdit& edit);
+  void follow_volume(const TetMesh& mesh, const MeshEdit& edit, const Connectivity& connectivity,
+                     const Incidence& incidence);
 
   /// D_c of the four points of element e at node positions x (3n), 3 per corner: to[48].
   void move(std::size_t e, const double* x, double* to) const;

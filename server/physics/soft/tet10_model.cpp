@@ -39,27 +39,51 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
             mesh, connect(mesh.positions.size(), elements),
             make_relaxing_batches(law, materials.local.at(elements.point_source()), relaxation, points),
             elements_per_chunk),
-        corners_(12 * points.size()),
-        point_forces_(points.size()),
-        forces_(nodes * elements.size()) {
-    if (!turns()) reserve_stiffness();  // certain to be asked for
-    if (materials.mean.empty()) return;
-    const std::vector<std::uint32_t> source = elements.point_source();
-    for (std::size_t e = 0; e < elements.size(); ++e) {
-      const std::size_t kind = materials.local.kind_of(source[per_element * e]);
-      mean_modulus_.push_back(materials.mean[kind]);
-      mean_share_.push_back(std::sqrt(materials.mean[kind] / (4 * materials.local.kinds[kind].lame.mu)));
-    }
-    mean_dilatation_.resize(elements.size());
+        mean_(materials.mean) {
+    for (const Material& kind : materials.local.kinds) mu_.push_back(kind.lame.mu);
+    make_room();
+    for (std::size_t e = 0; e < mean_modulus_.size(); ++e)
+      set_mean(e, materials.local.kind_of(elements.source(e)));
   }
 
   const VecX& volume() const override { return elements.lumped_volume(); }
   std::size_t dropped_elements() const override { return elements.dropped(); }
+  bool can_follow(const MeshEdit& edit) const override {
+    return batches().can_follow() && elements.can_follow(rest(), edit);
+  }
+  void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) override {
+    elements.follow(mesh, edit);
+    points.follow_parted(elements.corners(), edit);
+    follow_elements(desc, mesh, edit);
+    elements.follow_volume(mesh, edit, connectivity(), incidence());
+    if (!mean_.empty()) {
+      edit.kept_tets.carry(mean_modulus_);
+      edit.kept_tets.carry(mean_share_);
+      for (const std::uint32_t e : edit.tets) set_mean(e, batches().kind_of(per_element * e));
+    }
+    make_room();
+  }
   double rest_trace() override {
     return Tet10Elements::squares_of_points / per_element * batches().rest_trace() + mean_trace();
   }
 
  private:
+  /// For what a step is certain to ask for.
+  void make_room() {
+    corners_.resize(12 * points.size());
+    point_forces_.resize(points.size());
+    forces_.resize(nodes * elements.size());
+    if (!turns()) reserve_stiffness();
+    if (mean_.empty()) return;
+    mean_modulus_.resize(elements.size());
+    mean_share_.resize(elements.size());
+    mean_dilatation_.resize(elements.size());
+  }
+  void set_mean(std::size_t e, std::size_t kind) {
+    mean_modulus_[e] = mean_[kind];
+    mean_share_[e] = std::sqrt(mean_[kind] / (4 * mu_[kind]));
+  }
+
   /// Of λ''/V·G·Gᵀ at rest, of all elements.
   double mean_trace() const {
     double sum = 0;
@@ -173,6 +197,7 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
     }
   }
 
+  std::vector<double> mean_, mu_;                       // of each kind: λ'', Pa, or none has any; μ, Pa
   std::vector<double> mean_modulus_, mean_dilatation_;  // λ'' (Pa) and θ̄ of each element; empty: none
   std::vector<double> mean_share_;                      // √(λ''/4μ), see turned_elements.h
   std::vector<double> corners_;                         // 12 a point: its D_c

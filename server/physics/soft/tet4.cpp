@@ -52,22 +52,37 @@ Tet4Elements::Tet4Elements(const TetMesh& mesh)
 
 Tet4Elements Tet4Elements::parted(const Tet4Elements& elements, std::size_t parts) {
   Tet4Elements out;
-  const std::size_t count = parts * elements.size();
-  out.nodes_.resize(count);
-  out.source_.resize(count);
-  out.gradients_.resize(count);
-  out.volume_.resize(count);
-  std::iota(out.source_.begin(), out.source_.end(), 0U);
+  out.resize(parts * elements.size());
   parallel_chunks(elements.size(), tets_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t e = first; e < last; ++e) out.set_parts(e, parts, elements);
   });
   return out;
 }
 
+void Tet4Elements::follow_parted(const Tet4Elements& elements, const MeshEdit& edit) {
+  const std::size_t parts = size() / edit.kept_tets.before;
+  edit.kept_tets.carry(gradients_, parts);
+  edit.kept_tets.carry(volume_, parts);
+  resize(parts * edit.kept_tets.now);
+  for (const std::uint32_t e : edit.tets) set_parts(e, parts, elements);
+}
+
+/// Each with corners of its own.
+void Tet4Elements::resize(std::size_t size) {
+  const std::size_t first = std::min(size, nodes_.size());
+  nodes_.resize(size);
+  source_.resize(size);
+  gradients_.resize(size);
+  volume_.resize(size);
+  for (std::size_t e = first; e < size; ++e) {
+    const auto corner = static_cast<std::uint32_t>(4 * e);
+    nodes_[e] = {corner, corner + 1, corner + 2, corner + 3};
+    source_[e] = static_cast<std::uint32_t>(e);
+  }
+}
+
 void Tet4Elements::set_parts(std::size_t e, std::size_t parts, const Tet4Elements& elements) {
   for (std::size_t part = parts * e; part < parts * (e + 1); ++part) {
-    const auto corner = static_cast<std::uint32_t>(4 * part);
-    nodes_[part] = {corner, corner + 1, corner + 2, corner + 3};
     gradients_[part] = elements.gradients_[e];
     volume_[part] = elements.volume_[e] / static_cast<double>(parts);
   }

@@ -45,6 +45,8 @@ class Tet4Elements {
   bool can_follow(const VecX& rest, const MeshEdit& edit) const;
   /// To `mesh`, which was edited so.
   void follow(const TetMesh& mesh, const MeshEdit& edit);
+  /// Of parted ones: to the elements as they are after they followed.
+  void follow_parted(const Tet4Elements& elements, const MeshEdit& edit);
 
   /// Columns b_1, b_2, b_3; b_0 = −(b_1 + b_2 + b_3).
   const Mat3& gradients(std::size_t e) const { return gradients_[e]; }
@@ -67,6 +69,7 @@ class Tet4Elements {
  private:
   Tet4Elements() = default;
   void set(std::size_t e, const TetMesh& mesh);
+  void resize(std::size_t size);
   void set_parts(std::size_t e, std::size_t parts, const Tet4Elements& elements);
   void drop_unusable();
 
