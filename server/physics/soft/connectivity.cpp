@@ -19,8 +19,45 @@ void Connectivity::add(std::span<const std::uint32_t> element) {
   corner_begin_.push_back(corner_.size());
   block_begin_.push_back(block_begin_.back() + pair_count(element.size()));
   each_ = size() == 1 || each_ == element.size() ? element.size() : 0;
-  if (each_ > 0) return;
-  for (std::size_t e = element_.empty() ? 0 : size() - 1; e < size(); ++e)
+  if (each_ == 0) list_elements_of_corners(size() - 1);
+}
+
+std::span<std::uint32_t> Connectivity::append(std::size_t elements, std::size_t corners_each) {
+  const std::size_t first = size(), corner = corner_.size(), block = block_begin_.back();
+  if (elements == 0) return {};
+  corner_.resize(corner + elements * corners_each);
+  corner_begin_.resize(first + elements + 1);
+  block_begin_.resize(first + elements + 1);
+  for (std::size_t e = 1; e <= elements; ++e) {
+    corner_begin_[first + e] = corner + e * corners_each;
+    block_begin_[first + e] = block + e * pair_count(corners_each);
+  }
+  each_ = first == 0 || each_ == corners_each ? corners_each : 0;
+  if (each_ == 0) list_elements_of_corners(first);
+  return std::span(corner_).subspan(corner);
+}
+
+void Connectivity::append(const Connectivity& elements) {
+  if (elements.each_ == 0) {
+    for (std::size_t e = 0; e < elements.size(); ++e) add(elements.element(e));
+    return;
+  }
+  const std::span<std::uint32_t> nodes = append(elements.size(), elements.each_);
+  std::copy(elements.corner_.begin(), elements.corner_.end(), nodes.begin());
+}
+
+void Connectivity::clear(std::size_t nodes) {
+  nodes_ = nodes;
+  corner_.clear();
+  corner_begin_.assign(1, 0);
+  block_begin_.assign(1, 0);
+  element_.clear();
+  each_ = 0;
+}
+
+/// From `first` on; of those before, too, where all were alike so far.
+void Connectivity::list_elements_of_corners(std::size_t first) {
+  for (std::size_t e = element_.empty() ? 0 : first; e < size(); ++e)
     element_.resize(corner_begin_[e + 1], static_cast<std::uint32_t>(e));
 }
 
@@ -48,23 +85,13 @@ void Connectivity::follow(const MeshEdit& edit) {
   }
 }
 
-void Connectivity::reserve(std::size_t elements, std::size_t corners_each) {
-  corner_.reserve(elements * corners_each);
-  corner_begin_.reserve(elements + 1);
-  block_begin_.reserve(elements + 1);
-}
-
-Incidence::Incidence(const Connectivity& elements) : begin_(elements.nodes() + 1, 0) {
-  for (std::size_t e = 0; e < elements.size(); ++e) {
-    for (std::uint32_t i : elements.element(e)) ++begin_[i + 1];
-  }
+Incidence::Incidence(const Connectivity& elements)
+    : begin_(elements.nodes() + 1, 0), corner_(elements.corners()) {
+  const std::span<const std::uint32_t> nodes = elements.corner_nodes();
+  for (const std::uint32_t i : nodes) ++begin_[i + 1];
   for (std::size_t i = 0; i < elements.nodes(); ++i) begin_[i + 1] += begin_[i];
-  corner_.resize(begin_.back());
   std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-  std::uint32_t corner = 0;
-  for (std::size_t e = 0; e < elements.size(); ++e) {
-    for (std::uint32_t i : elements.element(e)) corner_[next[i]++] = corner++;
-  }
+  for (std::uint32_t corner = 0; corner < nodes.size(); ++corner) corner_[next[nodes[corner]]++] = corner;
 }
 
 void Incidence::follow(const Connectivity& elements, const MeshEdit& edit) {

@@ -19,15 +19,20 @@ class Connectivity {
   explicit Connectivity(std::size_t nodes) : nodes_(nodes) {}
   /// `element`: ascending nodes, in range.
   void add(std::span<const std::uint32_t> element);
+  /// So many elements of so many corners each. Returns where the caller writes their nodes, likewise, end to
+  /// end.
+  std::span<std::uint32_t> append(std::size_t elements, std::size_t corners_each);
+  void append(const Connectivity& elements);
+  /// Of none again, on so many nodes.
+  void clear(std::size_t nodes);
   /// Of linear or quadratic tetrahedra, one each in the mesh's order, each with its corners sorted: as the
   /// mesh so edited has them.
   void follow(const MeshEdit& edit);
-  /// Room for so many elements of so many corners each.
-  void reserve(std::size_t elements, std::size_t corners_each);
 
   std::size_t nodes() const { return nodes_; }
   std::size_t size() const { return corner_begin_.size() - 1; }  // elements
   std::size_t corners() const { return corner_.size(); }
+  std::span<const std::uint32_t> corner_nodes() const { return corner_; }  // of all elements, end to end
   std::size_t blocks() const { return block_begin_.back(); }
   std::span<const std::uint32_t> element(std::size_t e) const {
     return std::span(corner_).subspan(corner_begin_[e], corner_begin_[e + 1] - corner_begin_[e]);
@@ -48,6 +53,8 @@ class Connectivity {
   static constexpr std::size_t pair_count(std::size_t n) { return n * (n - 1) / 2; }
 
  private:
+  void list_elements_of_corners(std::size_t first);
+
   std::size_t nodes_;
   std::vector<std::uint32_t> corner_;
   std::vector<std::size_t> corner_begin_{0}, block_begin_{0};

@@ -1,5 +1,7 @@
 #include "server/physics/soft/spring_model.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -82,9 +84,12 @@ class SpringModel final : public ElasticModel {
  private:
   /// To the network as it is.
   void fit() {
-    connectivity_ = Connectivity(static_cast<std::size_t>(network_.volume.size()));
-    connectivity_.reserve(network_.springs.size() + network_.bends.size(), 3);
-    for (const Spring& s : network_.springs) connectivity_.add(s.node);
+    connectivity_.clear(static_cast<std::size_t>(network_.volume.size()));
+    std::span<std::uint32_t> nodes = connectivity_.append(network_.springs.size(), 2);
+    for (const Spring& s : network_.springs) {
+      std::ranges::copy(s.node, nodes.begin());
+      nodes = nodes.subspan(2);
+    }
     bends_.clear();
     bends_.reserve(network_.bends.size());
     for (const Bend& b : network_.bends) {
@@ -193,18 +198,15 @@ class SumModel final : public ElasticModel {
     return a_->can_follow(edit) && b_->can_follow(edit);
   }
   void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) override {
-    a_->follow(desc, mesh, edit);
-    b_->follow(desc, mesh, edit);
+    tbb::parallel_invoke([&] { a_->follow(desc, mesh, edit); }, [&] { b_->follow(desc, mesh, edit); });
     fit();
   }
 
  private:
   /// To the parts as they are.
   void fit() {
-    connectivity_ = Connectivity(a_->connectivity().nodes());
-    for (const ElasticModel* part : {a_.get(), b_.get()})
-      for (std::size_t e = 0; e < part->connectivity().size(); ++e)
-        connectivity_.add(part->connectivity().element(e));
+    connectivity_.clear(a_->connectivity().nodes());
+    for (const ElasticModel* part : {a_.get(), b_.get()}) connectivity_.append(part->connectivity());
     blocks_.resize(connectivity_.blocks());
   }
 

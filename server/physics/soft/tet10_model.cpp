@@ -18,8 +18,11 @@ constexpr std::size_t pairs = Connectivity::pair_count(nodes);
 
 Connectivity connect(std::size_t node_count, const Tet10Elements& elements) {
   Connectivity out(node_count);
-  out.reserve(elements.size(), nodes);
-  for (std::size_t e = 0; e < elements.size(); ++e) out.add(elements.nodes(e));
+  std::span<std::uint32_t> corners = out.append(elements.size(), nodes);
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    std::ranges::copy(elements.nodes(e), corners.begin());
+    corners = corners.subspan(nodes);
+  }
   return out;
 }
 
