@@ -22,7 +22,7 @@ void Connectivity::add(std::span<const std::uint32_t> element) {
   if (each_ == 0) list_elements_of_corners(size() - 1);
 }
 
-std::span<std::uint32_t> Connectivity::append(std::size_t elements, std::size_t corners_each) {
+std::span<std::uint32_t> Connectivity::grow(std::size_t elements, std::size_t corners_each) {
   const std::size_t first = size(), corner = corner_.size(), block = block_begin_.back();
   if (elements == 0) return {};
   corner_.resize(corner + elements * corners_each);
@@ -42,8 +42,7 @@ void Connectivity::append(const Connectivity& elements) {
     for (std::size_t e = 0; e < elements.size(); ++e) add(elements.element(e));
     return;
   }
-  const std::span<std::uint32_t> nodes = append(elements.size(), elements.each_);
-  std::copy(elements.corner_.begin(), elements.corner_.end(), nodes.begin());
+  std::ranges::copy(elements.corner_, grow(elements.size(), elements.each_).begin());
 }
 
 void Connectivity::clear(std::size_t nodes) {

@@ -2,6 +2,7 @@
 // Which nodes the elements of a body join, whatever the elements are: springs of 2 nodes, hinges and linear
 // tetrahedra of 4, quadratic ones of 10, or several kinds together.
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,9 +20,9 @@ class Connectivity {
   explicit Connectivity(std::size_t nodes) : nodes_(nodes) {}
   /// `element`: ascending nodes, in range.
   void add(std::span<const std::uint32_t> element);
-  /// So many elements of so many corners each. Returns where the caller writes their nodes, likewise, end to
-  /// end.
-  std::span<std::uint32_t> append(std::size_t elements, std::size_t corners_each);
+  /// So many of so many corners each; nodes_of(e): likewise.
+  template <class NodesOf>
+  void append(std::size_t elements, std::size_t corners_each, const NodesOf& nodes_of);
   void append(const Connectivity& elements);
   /// Of none again, on so many nodes.
   void clear(std::size_t nodes);
@@ -53,6 +54,8 @@ class Connectivity {
   static constexpr std::size_t pair_count(std::size_t n) { return n * (n - 1) / 2; }
 
  private:
+  /// Returns where their nodes are to be written, end to end.
+  std::span<std::uint32_t> grow(std::size_t elements, std::size_t corners_each);
   void list_elements_of_corners(std::size_t first);
 
   std::size_t nodes_;
@@ -61,6 +64,12 @@ class Connectivity {
   std::size_t each_ = 0;                // corners of each element; 0: they differ
   std::vector<std::uint32_t> element_;  // by corner, where they differ
 };
+
+template <class NodesOf>
+void Connectivity::append(std::size_t elements, std::size_t corners_each, const NodesOf& nodes_of) {
+  auto to = grow(elements, corners_each).begin();
+  for (std::size_t e = 0; e < elements; ++e) to = std::ranges::copy(nodes_of(e), to).out;
+}
 
 /// Which corners meet at each node, in the order of the elements: sums per-corner data into nodes with the
 /// same bits for any number of threads.

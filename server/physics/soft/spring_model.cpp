@@ -85,11 +85,8 @@ class SpringModel final : public ElasticModel {
   /// To the network as it is.
   void fit() {
     connectivity_.clear(static_cast<std::size_t>(network_.volume.size()));
-    std::span<std::uint32_t> nodes = connectivity_.append(network_.springs.size(), 2);
-    for (const Spring& s : network_.springs) {
-      std::ranges::copy(s.node, nodes.begin());
-      nodes = nodes.subspan(2);
-    }
+    connectivity_.append(network_.springs.size(), 2,
+                         [&](std::size_t e) { return network_.springs[e].nodes(); });
     bends_.clear();
     bends_.reserve(network_.bends.size());
     for (const Bend& b : network_.bends) {

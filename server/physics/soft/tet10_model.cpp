@@ -18,11 +18,7 @@ constexpr std::size_t pairs = Connectivity::pair_count(nodes);
 
 Connectivity connect(std::size_t node_count, const Tet10Elements& elements) {
   Connectivity out(node_count);
-  std::span<std::uint32_t> corners = out.append(elements.size(), nodes);
-  for (std::size_t e = 0; e < elements.size(); ++e) {
-    std::ranges::copy(elements.nodes(e), corners.begin());
-    corners = corners.subspan(nodes);
-  }
+  out.append(elements.size(), nodes, [&](std::size_t e) { return std::span(elements.nodes(e)); });
   return out;
 }
 

@@ -1,7 +1,5 @@
 #include "server/physics/soft/tet4_model.h"
 
-#include <algorithm>
-
 #include "server/physics/soft/batched_model.h"
 #include "server/physics/soft/fem_laws.h"
 #include "server/physics/soft/tet4.h"
@@ -14,11 +12,8 @@ using Stiffness = Tet4Elements::Stiffness;
 
 Connectivity connect(const TetMesh& mesh, const Tet4Elements& elements) {
   Connectivity out(mesh.positions.size());
-  std::span<std::uint32_t> nodes = out.append(elements.size(), Tet4Elements::nodes_per_element);
-  for (std::size_t e = 0; e < elements.size(); ++e) {
-    std::ranges::copy(elements.nodes(e), nodes.begin());
-    nodes = nodes.subspan(Tet4Elements::nodes_per_element);
-  }
+  out.append(elements.size(), Tet4Elements::nodes_per_element,
+             [&](std::size_t e) { return std::span(elements.nodes(e)); });
   return out;
 }
 
