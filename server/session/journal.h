@@ -23,7 +23,7 @@
 
 namespace prosector {
 
-inline constexpr std::uint64_t journal_version = 8;
+inline constexpr std::uint64_t journal_version = 9;
 
 struct JournalHeader {
   std::filesystem::path scene_file;  // absolute: what the scene names is found beside it

@@ -116,7 +116,7 @@ TEST(CutThrough, CrumbsStayTogether) {
   EXPECT_TRUE(faces_between_parts(complex, plane, more_than_all).faces.empty());
 }
 
-std::size_t pieces_after(double deepest, bool back) {
+std::size_t pieces_after(double deepest, double step_back) {
   TetComplex complex(box_mesh(2), mesh_density);
   TetTree tree;
   std::vector<Vec3> x = rest_positions(complex);
@@ -128,13 +128,14 @@ std::size_t pieces_after(double deepest, bool back) {
   BladeStroke stroke = begin_stroke(edge(outside));
   double at = outside;
   for (; at < deepest; at += step) cut_and_carry(complex, tree, x, edge(at), stroke);
-  for (; back && at > outside; at -= step) cut_and_carry(complex, tree, x, edge(at), stroke);
+  while (step_back > 0 && at > outside) cut_and_carry(complex, tree, x, edge(at -= step_back), stroke);
   return pieces(complex).size();
 }
 
 TEST(CutThrough, AHingeStaysWhereTheBladeIsDrawnBack) {
-  EXPECT_EQ(pieces_after(0.07, true), 1U);  // of three nodes
-  EXPECT_EQ(pieces_after(0.13, false), 2U);
+  EXPECT_EQ(pieces_after(0.07, 0.004), 1U);  // of three nodes
+  EXPECT_EQ(pieces_after(0.07, 0.2), 1U);
+  EXPECT_EQ(pieces_after(0.13, 0), 2U);
 }
 
 /// A blade that is drawn out along its edge in one tick, and cuts a little more meanwhile.

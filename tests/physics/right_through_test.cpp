@@ -161,6 +161,13 @@ TEST(RightThrough, OfAFixedSeed) {
   EXPECT_EQ(tried.whole, 0U);
 }
 
+// What is left of it before the blade in the end, too soft to be cut, slips off to behind the blade.
+TEST(RightThrough, WhereTheLastOfItSlipsOff) {
+  Random random(111);
+  for (int i = 0; i < 50; ++i) random_attempt(random);
+  EXPECT_GT(cut_through(random_attempt(random)).off, least_share);
+}
+
 TEST(RightThrough, OfAnySeed) {  // of 4,200 tried three stayed whole
   EXPECT_LE(right_through(test_seed(false)).whole, 1U);
 }

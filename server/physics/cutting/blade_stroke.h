@@ -34,6 +34,7 @@ struct BladeStroke {
   std::vector<EdgePoint> edge;
   std::vector<Mark> marks;    // ascending by node
   bool ended_inside = false;  // an end of the edge was in tissue since the line came into it
+  Vec3 way = Vec3::Zero();    // m: of the line in tissue, in the room, in the last tick that cut
 
   std::size_t points() const {  // of the blade's own
     return edge.empty() ? 0 : static_cast<std::size_t>(edge.back().at) + 1;

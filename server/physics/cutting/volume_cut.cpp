@@ -18,6 +18,7 @@ namespace {
 // m: a point of the edge that moved less stands still, until it has moved that far: which way so little goes
 // is noise, and so would be the normal of what it sweeps.
 constexpr double least_motion = 1e-4;
+constexpr double same_way = 0.5;  // cosine: a line that leaves so went on, one that is drawn back turned
 
 bool all_marked(const TetComplex& complex, const Marks& marks, TetId tet) {
   const auto& c = complex.corners(tet);
@@ -221,10 +222,23 @@ bool is_in_tissue(const BladeStroke& stroke) {
                      [](const BladeStroke::EdgePoint& p) { return p.tet != TetComplex::none; });
 }
 
-/// The line has left the body. Where it went across all of it, and was cutting to the last, rather than drawn
-/// back the way it came, what the sweeps missed counts as on the blade.
-void end_line(TetComplex& complex, bool ended_inside, std::vector<Vec3>& x, Marks& marks, CutResult& result) {
-  if (!ended_inside && !result.ops.empty())
+/// m: how far the line goes on, on average over what of it is in tissue; of a sheet's over all.
+Vec3 way_of(const BladeStroke& stroke, const TetComplex& complex, std::span<const Vec3> from,
+            std::span<const Vec3> to) {
+  Vec3 sum = Vec3::Zero();
+  double count = 0;
+  for (std::size_t i = 0; i < stroke.edge.size(); ++i) {
+    if (!complex.is_sheet() && stroke.edge[i].tet == TetComplex::none) continue;
+    sum += to[i] - from[i];
+    ++count;
+  }
+  return count > 0 ? Vec3(sum / count) : sum;
+}
+
+/// The line has left the body. Where it `went_across` all of it, rather than back the way it came, what the
+/// sweeps missed counts as on the blade.
+void end_line(TetComplex& complex, bool went_across, std::vector<Vec3>& x, Marks& marks, CutResult& result) {
+  if (went_across)
     for (const NodeId node : missing_nodes(complex, marks, most_missing(complex, marks))) {
       ++result.snapped;
       marks.add(mark_between(complex, marks, node));
@@ -284,10 +298,14 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
   slit(complex, faces, x, marks, result);
   const bool was_in_tissue = is_in_tissue(stroke) || passage.was_in;
   const bool ended_inside = stroke.ended_inside || passage.end_came_through;
+  // Tissue that was drawn along may slip off the blade's other side without being cut.
+  const Vec3 way = way_of(stroke, complex, from, to);
+  const bool goes_on = !result.ops.empty() || way.dot(stroke.way) > same_way * way.norm() * stroke.way.norm();
+  if (!result.ops.empty()) stroke.way = way;
   hold_edge(stroke, moved, complex, tree, x);
   if (complex.is_sheet()) stroke.ended_inside = passage.is_in && ended_inside;
   if (was_in_tissue && !is_in_tissue(stroke) && !passage.is_in)
-    end_line(complex, ended_inside, x, marks, result);
+    end_line(complex, goes_on && !ended_inside, x, marks, result);
   stroke.marks = marks.by_node();
   return result;
 }

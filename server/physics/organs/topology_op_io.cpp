@@ -73,6 +73,7 @@ void add(ByteWriter& out, const BladeStroke& stroke) {
     for (const double w : p.weight) out.add(w);
   }
   out.add(static_cast<std::uint8_t>(stroke.ended_inside));
+  out.add(stroke.way);
   out.add(static_cast<std::uint64_t>(stroke.marks.size()));
   for (const BladeStroke::Mark& mark : stroke.marks) {
     out.add(mark.node);
@@ -92,6 +93,7 @@ BladeStroke read_stroke(ByteReader& in) {
     for (double& w : p.weight) w = in.number<double>();
   }
   out.ended_inside = in.flag();
+  out.way = in.vector();
   out.marks.resize(in.count(most_listed));
   for (BladeStroke::Mark& mark : out.marks) {
     mark.node = in.number<NodeId>();
