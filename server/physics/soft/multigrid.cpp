@@ -43,8 +43,11 @@ struct Transfer {
   BlockCsr<6, B> up;
   std::vector<float> prolongation, restriction;
 
-  explicit Transfer(const BlockCsr<B, 6>& P, std::size_t coarse)
-      : down(P), up(transposed(P, coarse)), prolongation(floats(down.value)), restriction(floats(up.value)) {
+  explicit Transfer(const Coarsening<B>& step)
+      : down(step.prolongation),
+        up(step.restriction),
+        prolongation(floats(down.value)),
+        restriction(floats(up.value)) {
     down.value = {};
     up.value = {};
   }
@@ -156,8 +159,12 @@ struct CoarseLevel {
       dense_inverse = dense.llt().solve(Eigen::MatrixXd::Identity(dense.rows(), dense.cols())).cast<float>();
       return;
     }
-    for (std::size_t k = 0; k < stiffness.value.size(); ++k) write(sum(k), value.data() + 36 * k);
-    for (std::size_t i = 0; i < rows(); ++i) write(Mat6(sum(diagonal[i]).inverse()), inverse.data() + 36 * i);
+    parallel_chunks(rows(), coarse_rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t k = stiffness.begin[first]; k < stiffness.begin[last]; ++k)
+        write(sum(k), value.data() + 36 * k);
+      for (std::size_t i = first; i < last; ++i)
+        write(Mat6(sum(diagonal[i]).inverse()), inverse.data() + 36 * i);
+    });
   }
 };
 
@@ -220,9 +227,9 @@ struct Multigrid::Impl {
     const auto modes = rigid_modes();
     const Coarsening<3> first = coarsen<3>(A, modes, held, largest);
     if (first.nodes == 0) return;
-    transfer = std::make_unique<Transfer<3>>(first.prolongation, first.nodes);
-    BlockCsr<6, 6> inertia = product(transposed(first.prolongation, first.nodes),
-                                     product(M, first.prolongation, first.nodes), first.nodes);
+    transfer = std::make_unique<Transfer<3>>(first);
+    BlockCsr<6, 6> inertia =
+        product(first.restriction, product(M, first.prolongation, first.nodes), first.nodes);
     coarse.emplace_back(first.matrix, inertia);
     std::vector<Mat6> coarse_modes = first.modes;
     while (static_cast<Eigen::Index>(6 * coarse.back().rows()) > direct_unknowns) {
@@ -232,9 +239,8 @@ struct Multigrid::Impl {
       const Coarsening<6> next =
           coarsen<6>(level.stiffness, coarse_modes, std::vector<bool>(level.rows(), false), bound);
       if (next.nodes >= level.rows()) break;
-      level.transfer = std::make_unique<Transfer<6>>(next.prolongation, next.nodes);
-      inertia = product(transposed(next.prolongation, next.nodes),
-                        product(inertia, next.prolongation, next.nodes), next.nodes);
+      level.transfer = std::make_unique<Transfer<6>>(next);
+      inertia = product(next.restriction, product(inertia, next.prolongation, next.nodes), next.nodes);
       coarse_modes = next.modes;
       coarse.emplace_back(next.matrix, inertia);
     }

@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
 constexpr int power_iterations = 20;
+constexpr std::size_t aggregates_per_chunk = 16;
 constexpr double least_mode = 1e-6;  // of a mode's size, that an aggregate must move by itself
 
 /// Greedy (Vaněk et al. 1996, alg. 2): whole neighbourhoods first, then whoever is left joins a neighbour's,
@@ -77,13 +78,14 @@ double largest_eigenvalue(const BlockCsr<B, B>& A) {
   double size = 1;
   for (int iteration = 0; iteration < power_iterations; ++iteration) {
     x /= x.norm();
-    for (Eigen::Index i = 0; i < n; ++i) {
-      Eigen::Matrix<double, B, 1> sum = Eigen::Matrix<double, B, 1>::Zero();
-      const auto row = static_cast<std::size_t>(i);
-      for (std::size_t k = A.begin[row]; k < A.begin[row + 1]; ++k)
-        sum += A.value[k] * x.template segment<B>(B * static_cast<Eigen::Index>(A.column[k]));
-      y.template segment<B>(B * i) = inverse[row] * sum;
-    }
+    parallel_chunks(A.rows(), csr_rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t row = first; row < last; ++row) {
+        Eigen::Matrix<double, B, 1> sum = Eigen::Matrix<double, B, 1>::Zero();
+        for (std::size_t k = A.begin[row]; k < A.begin[row + 1]; ++k)
+          sum += A.value[k] * x.template segment<B>(B * static_cast<Eigen::Index>(A.column[k]));
+        y.template segment<B>(B * static_cast<Eigen::Index>(row)) = inverse[row] * sum;
+      }
+    });
     size = y.norm();
     x.swap(y);
   }
@@ -101,14 +103,16 @@ Coarsening<B> coarsen(const BlockCsr<B, B>& A, std::span<const Eigen::Matrix<dou
 
   std::vector<Eigen::Matrix<double, B, 6>> tentative(A.rows());
   out.modes.resize(out.nodes);
-  for (std::size_t a = 0; a < out.nodes; ++a) {
-    Eigen::MatrixXd Q(B * static_cast<Eigen::Index>(members[a].size()), 6);
-    for (std::size_t m = 0; m < members[a].size(); ++m)
-      Q.middleRows<B>(B * static_cast<Eigen::Index>(m)) = modes[members[a][m]];
-    orthonormalise(Q, out.modes[a]);
-    for (std::size_t m = 0; m < members[a].size(); ++m)
-      tentative[members[a][m]] = Q.middleRows<B>(B * static_cast<Eigen::Index>(m));
-  }
+  parallel_chunks(out.nodes, aggregates_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t a = first; a < last; ++a) {
+      Eigen::MatrixXd Q(B * static_cast<Eigen::Index>(members[a].size()), 6);
+      for (std::size_t m = 0; m < members[a].size(); ++m)
+        Q.middleRows<B>(B * static_cast<Eigen::Index>(m)) = modes[members[a][m]];
+      orthonormalise(Q, out.modes[a]);
+      for (std::size_t m = 0; m < members[a].size(); ++m)
+        tentative[members[a][m]] = Q.middleRows<B>(B * static_cast<Eigen::Index>(m));
+    }
+  });
 
   BlockCsr<B, 6> T;
   for (std::size_t i = 0; i < A.rows(); ++i) {
@@ -128,8 +132,8 @@ Coarsening<B> coarsen(const BlockCsr<B, B>& A, std::span<const Eigen::Matrix<dou
       }
     out.prolongation.close_row();
   }
-  out.matrix =
-      product(transposed(out.prolongation, out.nodes), product(A, out.prolongation, out.nodes), out.nodes);
+  out.restriction = transposed(out.prolongation, out.nodes);
+  out.matrix = product(out.restriction, product(A, out.prolongation, out.nodes), out.nodes);
   for (std::size_t a = 0; a < out.nodes; ++a)
     for (std::size_t k = out.matrix.begin[a]; k < out.matrix.begin[a + 1]; ++k)
       if (out.matrix.column[k] == a)

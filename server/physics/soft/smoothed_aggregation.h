@@ -15,6 +15,7 @@ template <int B>
 struct Coarsening {
   std::size_t nodes = 0;                           // coarse
   BlockCsr<B, 6> prolongation;                     // rows without entries: nodes that are left out
+  BlockCsr<6, B> restriction;                      // Pᵀ
   BlockCsr<6, 6> matrix;                           // PᵀAP
   std::vector<Eigen::Matrix<double, 6, 6>> modes;  // the rigid modes in the coarse unknowns
 };
