@@ -109,10 +109,11 @@ bool SelfSurface::may_meet(std::uint32_t vertex, std::uint32_t triangle) const {
   const double out = outward_[vertex].dot(way), in = -faces_[triangle].normal.dot(way);
   const bool facing = std::min(out, in) > across * distance;
   const bool far = distance > apart * cell_ && std::max(out, in) > -through * distance;
-  return (facing || far) && !share_nodes(vertex, triangle);
+  return facing || far;
 }
 
-/// What hangs on the same nodes can't move apart.
+/// What hangs on the same nodes can't move apart. Asked of what meets only: a cut may hang what stays on
+/// other nodes.
 bool SelfSurface::share_nodes(std::uint32_t vertex, std::uint32_t triangle) const {
   const auto& rows = anatomy_->embedding.rows;
   ContactSide face;
@@ -230,6 +231,7 @@ void SelfSurface::find(const SoftSkin& own, double margin, std::vector<VertexMee
       if (distance > (inside ? deepest_ : margin)) continue;
       const Vec3 n = distance > 0 ? Vec3((inside ? -1 : 1) / distance * away) : outward;
       if (!(n.dot(outward) > least_facing && n.dot(facing) < -least_facing)) continue;
+      if (share_nodes(vertex, triangle)) continue;
       nearest = {vertex, {triangle, weights}, n, inside ? -distance : distance};
     }
     if (nearest) out.push_back(*nearest);
