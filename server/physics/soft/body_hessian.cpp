@@ -2,6 +2,7 @@
 
 #include "server/physics/parallel.h"
 #include "server/physics/soft/node_sum.h"
+#include "server/physics/soft/scratch.h"
 
 namespace prosector {
 namespace {
@@ -25,8 +26,8 @@ BodyHessian::BodyHessian(const SoftSystem& system, StageElements& elements)
 
 void BodyHessian::fit() {
   rows_.fit(system_.symmetric);
-  diagonal_.resize(system_.pattern.rows());
-  if (!turns() || system_.desc.solver == "direct") blocks_.resize(system_.pattern.blocks());
+  fit_scratch(diagonal_, system_.pattern.rows());
+  if (!turns() || system_.desc.solver == "direct") fit_scratch(blocks_, system_.pattern.blocks());
   rest_stiffness_ = system_.model.rest_trace() / static_cast<double>(3 * nodes());
   blocks_known_ = rows_known_ = factored_ = multigrid_set_ = multigrid_turned_ = false;
   cholesky_.reset();
@@ -63,7 +64,7 @@ void BodyHessian::assemble(const Eigen::Ref<const VecX>& x) {
   }
   const std::span<const Mat3> damping =
       system_.damped() ? elements_.damping_blocks(x) : std::span<const Mat3>();
-  blocks_.resize(system_.pattern.blocks());
+  fit_scratch(blocks_, system_.pattern.blocks());
   system_.pattern.gather(system_.model.tangent(x.data()), weights_.damping_share, damping, blocks_);
   take_blocks();
 }
@@ -82,7 +83,7 @@ bool BodyHessian::assemble_roughly(const Eigen::Ref<const VecX>& x) {
 
 /// Hooke's stiffness turned with each element in place of the tangent; damping has it anyway.
 void BodyHessian::assemble_warped(const Eigen::Ref<const VecX>& x) {
-  blocks_.resize(system_.pattern.blocks());
+  fit_scratch(blocks_, system_.pattern.blocks());
   if (system_.damped()) {
     const std::span<const Mat3> damping = elements_.damping_blocks(x);
     parallel_chunks(blocks_.size(), blocks_per_chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
@@ -126,7 +127,7 @@ void BodyHessian::add_diagonal(const F& of_elements) {
 
 void BodyHessian::blocks_from_rows() {
   if (blocks_known_) return;
-  blocks_.resize(system_.pattern.blocks());
+  fit_scratch(blocks_, system_.pattern.blocks());
   rows_.write(system_.symmetric, system_.pattern, weights_.scale(), blocks_);
   for (std::size_t i = 0; i < nodes(); ++i) blocks_[system_.pattern.diagonal(i)] = diagonal_[i];
   blocks_known_ = true;

@@ -5,6 +5,7 @@
 
 #include "server/physics/soft/explicit_integrators.h"
 #include "server/physics/soft/find_row.h"
+#include "server/physics/soft/scratch.h"
 #include "server/physics/soft/substepper.h"
 
 namespace prosector {
@@ -25,7 +26,7 @@ class BodyField final : public AccelerationField {
   void fit() {
     gradient_.resize(body_.model.rest().size());
     damping_.resize(gradient_.size());
-    if (body_.desc.damping_stiffness > 0) stiffness_.resize(body_.pattern.blocks());
+    if (body_.desc.damping_stiffness > 0) fit_scratch(stiffness_, body_.pattern.blocks());
   }
   void begin(const double* x) {
     if (!stiffness_.empty()) body_.pattern.gather(body_.model.warped_stiffness(x), 0, {}, stiffness_);
@@ -74,7 +75,7 @@ class ExplicitSubstepper final : public Substepper {
   void fit() override {
     method_ = find_row(explicit_integrators(), "integrator", body_.desc.integrator).make();
     field_.fit();
-    stiffness_.resize(body_.pattern.blocks());
+    fit_scratch(stiffness_, body_.pattern.blocks());
     scale_.resize(body_.model.rest().size());
     product_.resize(scale_.size());
     for (Eigen::Index i = 0; i < body_.mass.size(); ++i)

@@ -7,6 +7,7 @@
 
 #include "server/physics/parallel.h"
 #include "server/physics/soft/node_vectors.h"
+#include "server/physics/soft/scratch.h"
 #include "server/physics/soft/sheet_springs.h"
 #include "server/physics/soft/tet_springs.h"
 
@@ -95,8 +96,8 @@ class SpringModel final : public ElasticModel {
     }
     incidence_.emplace(connectivity_);
     sums_.resize(chunk_count(connectivity_.size(), elements_per_chunk));
-    forces_.resize(connectivity_.corners());
-    blocks_.resize(connectivity_.blocks());
+    fit_scratch(forces_, connectivity_.corners());
+    fit_scratch(blocks_, connectivity_.blocks());
   }
 
   bool is_spring(std::size_t e) const { return e < network_.springs.size(); }
@@ -204,7 +205,7 @@ class SumModel final : public ElasticModel {
   void fit() {
     connectivity_.clear(a_->connectivity().nodes());
     for (const ElasticModel* part : {a_.get(), b_.get()}) connectivity_.append(part->connectivity());
-    blocks_.resize(connectivity_.blocks());
+    fit_scratch(blocks_, connectivity_.blocks());
   }
 
   std::span<const Mat3> joined(std::span<const Mat3> a, std::span<const Mat3> b) {

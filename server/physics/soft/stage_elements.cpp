@@ -1,4 +1,5 @@
 #include "server/physics/soft/stage_elements.h"
+#include "server/physics/soft/scratch.h"
 
 #include "common/messages.h"
 
@@ -12,7 +13,7 @@ constexpr double same_tangent = 0.1;
 
 StageElements::StageElements(const SoftSystem& system, bool in_double) : system_(system) {
   if (system.model.turns()) turned_.emplace(system.model.connectivity(), system.pattern, system.symmetric);
-  if (in_double && system.damped()) blocks_.resize(system.pattern.blocks());
+  if (in_double && system.damped()) fit_scratch(blocks_, system.pattern.blocks());
   fit();
 }
 
@@ -84,7 +85,7 @@ double StageElements::damping_forces(const Eigen::Ref<const VecX>& x, const VecX
 
 std::span<const Mat3> StageElements::damping_blocks(const Eigen::Ref<const VecX>& x) {
   if (!blocks_known_) {
-    blocks_.resize(system_.pattern.blocks());
+    fit_scratch(blocks_, system_.pattern.blocks());
     system_.pattern.gather(system_.model.warped_stiffness(somewhere(x).data()), 0, {}, blocks_);
     blocks_known_ = true;
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "server/physics/soft/block_matrix.h"
+#include "server/physics/soft/scratch.h"
 #include "server/physics/soft/symmetric_product.h"
 
 namespace prosector {
@@ -46,8 +47,8 @@ struct SymmetricRows {
   explicit SymmetricRows(const SymmetricPattern& pattern) { fit(pattern); }
   /// To the pattern as it is; its values are anything.
   void fit(const SymmetricPattern& pattern) {
-    right.resize(9 * pattern.blocks() + 1);
-    diagonal.resize(pattern.rows());
+    fit_scratch(right, 9 * pattern.blocks() + 1);
+    fit_scratch(diagonal, pattern.rows());
   }
 
   /// share·(a double matrix of `pattern`), but the diagonal.

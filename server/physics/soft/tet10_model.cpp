@@ -6,6 +6,7 @@
 
 #include "server/physics/soft/batched_model.h"
 #include "server/physics/soft/mean_dilatation.h"
+#include "server/physics/soft/scratch.h"
 #include "server/physics/soft/tet10.h"
 
 namespace prosector {
@@ -69,9 +70,9 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
  private:
   /// For what a step is certain to ask for.
   void make_room() {
-    corners_.resize(12 * points.size());
-    point_forces_.resize(points.size());
-    forces_.resize(nodes * elements.size());
+    fit_scratch(corners_, 12 * points.size());
+    fit_scratch(point_forces_, points.size());
+    fit_scratch(forces_, nodes * elements.size());
     if (!turns()) reserve_stiffness();
     if (mean_.empty()) return;
     mean_modulus_.resize(elements.size());
@@ -120,8 +121,8 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
   std::span<const Vec3> forces() const override { return forces_; }
 
   void reserve_stiffness() override {
-    point_stiffness_.resize(points.size());
-    stiffness_.resize(pairs * elements.size());
+    fit_scratch(point_stiffness_, points.size());
+    fit_scratch(stiffness_, pairs * elements.size());
   }
   void find_stiffness(const ElementChunk& chunk, bool warped) override {
     const auto K = std::span(point_stiffness_).subspan(per_element * chunk.first, per_element * chunk.size());
@@ -180,9 +181,9 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
   }
 
   void reserve(TurnedElements& out) const override {
-    out.gradient.resize(nodes * points.size());
-    out.twist.resize(points.size());
-    if (!mean_share_.empty()) out.mean.resize(nodes * elements.size());
+    fit_scratch(out.gradient, nodes * points.size());
+    fit_scratch(out.twist, points.size());
+    if (!mean_share_.empty()) fit_scratch(out.mean, nodes * elements.size());
   }
   void turn(const ElementChunk& chunk, double share, TurnedElements& out) const override {
     std::array<TurnedVector, 4 * elements_per_batch> corner{};

@@ -2,6 +2,7 @@
 
 #include "server/physics/soft/batched_model.h"
 #include "server/physics/soft/fem_laws.h"
+#include "server/physics/soft/scratch.h"
 #include "server/physics/soft/tet4.h"
 
 namespace prosector {
@@ -51,8 +52,8 @@ class Tet4Model final : private Tet4Parts, public BatchedModel {
  private:
   /// For what a step is certain to ask for.
   void make_room() {
-    forces_.resize(elements.size());
-    if (!turns()) stiffness_.resize(elements.size());
+    fit_scratch(forces_, elements.size());
+    if (!turns()) fit_scratch(stiffness_, elements.size());
   }
   void place(const ElementChunk& chunk, const double* x) override { batches().move(chunk.batch, x); }
   double energy_of(const ElementChunk& chunk) const override { return batches().energy(chunk.batch); }
@@ -60,7 +61,7 @@ class Tet4Model final : private Tet4Parts, public BatchedModel {
     batches().forces(chunk.batch, std::span(forces_).subspan(chunk.first, chunk.size()));
   }
   std::span<const Vec3> forces() const override { return flat(forces_); }
-  void reserve_stiffness() override { stiffness_.resize(elements.size()); }
+  void reserve_stiffness() override { fit_scratch(stiffness_, elements.size()); }
   void find_stiffness(const ElementChunk& chunk, bool warped) override {
     const std::span<Stiffness> K = std::span(stiffness_).subspan(chunk.first, chunk.size());
     if (warped)
@@ -71,8 +72,8 @@ class Tet4Model final : private Tet4Parts, public BatchedModel {
   std::span<const Mat3> stiffness() const override { return flat(stiffness_); }
 
   void reserve(TurnedElements& out) const override {
-    out.gradient.resize(4 * elements.size());
-    out.twist.resize(elements.size());
+    fit_scratch(out.gradient, 4 * elements.size());
+    fit_scratch(out.twist, elements.size());
   }
   void turn(const ElementChunk& chunk, double share, TurnedElements& out) const override {
     batches().turn(chunk.batch, share, std::span(out.gradient).subspan(4 * chunk.first, 4 * chunk.size()),

@@ -194,6 +194,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 #include "server/physics/parallel.h"
 #include "server/physics/soft/node_vectors.h"
+#include "server/physics/soft/scratch.h"
 
 namespace prosector {
 namespace {
@@ -214,8 +215,8 @@ TurnedStiffness::TurnedStiffness(const Connectivity& elements, const BlockPatter
 }
 
 void TurnedStiffness::fit() {
-  forces_.resize(connectivity_.corners());
-  moved_.resize(4 * connectivity_.nodes());
+  fit_scratch(forces_, connectivity_.corners());
+  fit_scratch(moved_, 4 * connectivity_.nodes());
   sums_.resize(chunk_count(connectivity_.size(), elements_per_chunk));
 }
 
