@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 #include "tests/physics/scalpel.h"
 
@@ -17,11 +18,12 @@ struct Felt {
   double most = 0, work = 0;  // N and J, of the hand along the stroke
 };
 
-Felt draw_right_through(const std::string& model, double toughness) {
+Felt draw_right_through(const std::string& model, const std::string& element, double toughness) {
   SceneDesc scene = block_and_scalpel();
   scene.rigid[0].edges = {{{0, -0.04, 0}, {0, -0.2, 0}}};
   SoftDesc& body = scene.soft[0];
   body.model = model;
+  body.element = element;
   body.youngs_modulus = 2e4;
   body.toughness = toughness;
   Simulation simulation(scene, options());
@@ -42,24 +44,34 @@ Felt draw_right_through(const std::string& model, double toughness) {
   return felt;
 }
 
+/// Of the same tissue in two discretisations.
+void expect_near(const Felt& felt, const Felt& other, double share) {
+  EXPECT_TRUE(felt.held);
+  EXPECT_TRUE(felt.parted);
+  EXPECT_NEAR(felt.most, other.most, share * other.most);
+  EXPECT_NEAR(felt.work, other.work, share * other.work);
+}
+
 class ToughTissue : public testing::TestWithParam<double> {};
 
 TEST_P(ToughTissue, TakesAsMuchUnderEveryRung) {
   const double toughness = GetParam();
-  const Felt fem = draw_right_through("fem_corotational", toughness);
+  const auto felt_under = [&](const std::string& model, const std::string& element) {
+    const Felt felt = draw_right_through(model, element, toughness);
+    RecordProperty(model + "_" + element,
+                   std::to_string(felt.most) + " N, " + std::to_string(felt.work) + " J");
+    return felt;
+  };
+  const Felt fem = felt_under("fem_corotational", "tet4");
   EXPECT_GT(fem.most, 0.9 * toughness * height);  // a blade that leans is drawn along itself a little
   EXPECT_LT(fem.most, 1.5 * toughness * height);  // what begins a cut
   EXPECT_GT(fem.work, toughness * height * length);
-  for (const std::string model :
-       {"mass_spring", "xpbd", "fem_linear", "fem_corotational", "fem_neo_hookean"}) {
+  for (const std::string model : {"mass_spring", "xpbd", "fem_linear", "fem_neo_hookean"}) {
     SCOPED_TRACE(model);
-    const Felt felt = draw_right_through(model, toughness);
-    RecordProperty(model, std::to_string(felt.most) + " N, " + std::to_string(felt.work) + " J");
-    EXPECT_TRUE(felt.held);
-    EXPECT_TRUE(felt.parted);
-    EXPECT_NEAR(felt.most, fem.most, 0.02 * fem.most);
-    EXPECT_NEAR(felt.work, fem.work, 0.02 * fem.work);
+    expect_near(felt_under(model, "tet4"), fem, 0.02);
   }
+  SCOPED_TRACE("tet10");
+  expect_near(felt_under("fem_corotational", "tet10"), fem, 0.05);  // which bend more
 }
 
 INSTANTIATE_TEST_SUITE_P(Toughness, ToughTissue, testing::Values(30.0, 164.0));
