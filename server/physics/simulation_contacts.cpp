@@ -183,6 +183,7 @@ void Simulation::Impl::detect_soft_contacts() {
   for (auto& list : soft_contacts) list.clear();
   std::fill(faces_moved.begin(), faces_moved.end(), 0);
   std::fill(layers_moved.begin(), layers_moved.end(), 0);
+  for (InsideOut& known : inside_out) known.known = false;
   track_soft_bodies();
   const auto awake = [&](const Collider& c) {
     return c.driven_to || (!c.fixed && !world.motion(c.slot).asleep);

@@ -11,6 +11,7 @@
 #include "server/physics/collision/rigid_outline.h"
 #include "server/physics/contact/layers.h"
 #include "server/physics/contact/memory.h"
+#include "server/physics/contact/parting.h"
 #include "server/physics/contact/rough_shape.h"
 #include "server/physics/contact/self_surface.h"
 #include "server/physics/contact/shape_touch.h"
@@ -46,6 +47,12 @@ struct BladeGrip {
   std::optional<double> through{};
   Vec3 beside = Vec3::Zero();  // m: from that material to the point, of one that has come down on a sheet
   Tie tie;
+};
+
+/// Surface vertices of a soft body that hang on tissue that is inside out: they tell nothing of where it is.
+struct InsideOut {
+  bool known = false;          // in this tick
+  std::vector<char> vertices;  // 1: so; empty: none
 };
 
 /// Two soft bodies that touch.
@@ -108,6 +115,8 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<char> layers_moved;                     // per soft body, as faces_moved
   std::vector<int> passed_through;                    // per soft body: elements that a layer has passed
   std::vector<SoftPair> soft_pairs;                   // ascending, those with contacts
+  std::vector<InsideOut> inside_out;                  // per soft body: see inside_out_of
+  std::vector<std::optional<std::size_t>> parted;     // per soft body: another that it is led out of
   std::vector<VertexMeeting> meetings;                // what finding them works in
   std::vector<std::size_t> soft_group;  // per soft body: the first that it hangs together with, by soft pairs
   std::vector<Collider> colliders;      // by slot
@@ -330,6 +339,10 @@ struct Simulation::Impl : PanelSubjects {
   /// Whether the two sides, `gap` m apart now, may come together within the tick.
   bool nears(const Contact& contact, double gap) const;
   bool add_self_contacts(std::size_t body, double margin, std::vector<Contact>& out);
+  const std::vector<char>& inside_out_of(std::size_t body);
+  /// Whether the two are too deep in each other for their faces to tell the way out; then appends what parts
+  /// them.
+  bool add_parting(std::size_t a, std::size_t b, std::vector<Contact>& out);
   // Of layers:
   void fit_layers(std::size_t body);
   bool has_layers() const;               // a body that may meet so, and sides to remember

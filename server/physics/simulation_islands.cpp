@@ -176,15 +176,17 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
   }
 }
 
-/// Of solids that meet other soft bodies.
+/// Of solids that meet other soft bodies, and of those that something has crushed.
 void Simulation::Impl::watch_flat_elements(Island& island) {
-  const std::size_t met = island.contacts.size();
+  const auto met = static_cast<std::ptrdiff_t>(island.contacts.size());
   for (const SoftMember& s : island.soft) {
-    if (std::none_of(island.contacts.begin(), island.contacts.begin() + static_cast<std::ptrdiff_t>(met),
-                     [&](const Contact& c) {
-                       return between_soft(c) && (c.a.body == s.index || c.b.body == s.index);
-                     }))
-      continue;
+    bool touched = false, meets = false;
+    for (auto c = island.contacts.begin(); c != island.contacts.begin() + met; ++c) {
+      const bool own = c->a.kind == ContactSide::Kind::soft && c->a.body == s.index;
+      touched = touched || own;
+      meets = meets || (between_soft(*c) && (own || c->b.body == s.index));
+    }
+    if (!meets && !(touched && s.body->inverted_share(s.state->motion.x) > 0)) continue;
     const double stiffness = model.scene.contact_stiffness * s.body->desc().youngs_modulus;
     find_flat_elements(s.body->linear_tets(), s.state->motion.x, s.state->motion.v,
                        {s.index, stiffness, step_h}, island.contacts);
@@ -213,6 +215,10 @@ void Simulation::Impl::solve_islands() {
       if (passed_through[s.index] > 0) {
         row.converged = false;
         row.note = fmt::format("{} pairs of its elements are through each other", passed_through[s.index]);
+      }
+      if (parted[s.index]) {
+        row.converged = false;
+        row.note = fmt::format("in {}: led out of it", model.soft[*parted[s.index]]->desc().name);
       }
       row.reset = !solved.finite;
       if (!row.reset) continue;

@@ -27,6 +27,8 @@ void Simulation::Impl::fit_to_mesh(std::size_t body, SurfaceDetector surface, Nu
     folds.emplace_back();
     layers_moved.push_back(0);
     passed_through.push_back(0);
+    inside_out.emplace_back();
+    parted.emplace_back();
   } else {
     surfaces[body] = std::move(surface);
   }

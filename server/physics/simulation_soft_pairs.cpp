@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "server/physics/contact/flat_elements.h"
 #include "server/physics/simulation_impl.h"
 
 namespace prosector {
@@ -11,6 +12,21 @@ namespace {
 // Bodies that a scene puts into each other, or that met faster than they were solved, part slowly: an overlap
 // presses no harder than this, times the softer body's Young's modulus.
 constexpr double most_pressure = 4;
+// What is too deep in each other is led apart as a whole, gently: tissue gives way little under it.
+constexpr double parting_speed = 0.25;    // m/s
+constexpr double parting_pressure = 0.5;  // times the softer body's Young's modulus
+
+void leave_out(const std::vector<char>& vertices, const std::vector<char>& corners,
+               const TriangleMesh& surface, std::vector<VertexMeeting>& meetings) {
+  const auto doubtful = [](const std::vector<char>& marks, std::uint32_t vertex) {
+    return !marks.empty() && marks[vertex] != 0;
+  };
+  std::erase_if(meetings, [&](const VertexMeeting& m) {
+    const auto& t = surface.triangles[m.at.triangle];
+    return doubtful(vertices, m.vertex) ||
+           std::any_of(t.begin(), t.end(), [&](std::uint32_t corner) { return doubtful(corners, corner); });
+  });
+}
 
 }  // namespace
 
@@ -84,15 +100,70 @@ bool Simulation::Impl::add_pair_contacts(std::size_t a, std::size_t b, double ma
   if (layered[a] && layered[b]) return add_layer_contacts(a, b, margin, out);
   const std::size_t before = out.size();
   const SoftSkin first = skin(a), second = skin(b);
-  const auto add = [&](std::size_t from, std::size_t to) {
-    for (const VertexMeeting& meeting : meetings) out.push_back(pair_contact(from, to, meeting));
+  bool deep = false;
+  const auto add = [&](std::size_t from, std::size_t to, const SoftSkin& own, const SoftSkin& other) {
     meetings.clear();
+    find_meetings(own, other, margin, meetings);
+    deep = deep || may_be_immersed(own, other, meetings);
+    if (!meetings.empty())
+      leave_out(inside_out_of(from), inside_out_of(to), model.soft[to]->anatomy().surface, meetings);
+    for (const VertexMeeting& meeting : meetings) out.push_back(pair_contact(from, to, meeting));
   };
-  find_meetings(first, second, margin, meetings);
-  add(a, b);
-  find_meetings(second, first, margin, meetings);
-  add(b, a);
+  add(a, b, first, second);
+  add(b, a, second, first);
+  if (deep) {
+    std::vector<Contact> parting;
+    if (add_parting(a, b, parting)) {
+      out.resize(before);
+      out.insert(out.end(), parting.begin(), parting.end());
+    }
+  }
   return out.size() > before;
+}
+
+const std::vector<char>& Simulation::Impl::inside_out_of(std::size_t body) {
+  InsideOut& out = inside_out[body];
+  if (out.known) return out.vertices;
+  out.known = true;
+  out.vertices.clear();
+  std::vector<char> nodes;
+  if (!mark_inverted(model.soft[body]->linear_tets(), soft[body].motion.x, nodes)) return out.vertices;
+  for (const SparseMap::Row& row : model.soft[body]->anatomy().embedding.rows) {
+    double share = 0;
+    for (std::size_t k = 0; k < row.node.size(); ++k) share += nodes[row.node[k]] ? row.weight[k] : 0;
+    out.vertices.push_back(share > 0.5);
+  }
+  return out.vertices;
+}
+
+bool Simulation::Impl::add_parting(std::size_t a, std::size_t b, std::vector<Contact>& out) {
+  const SoftSkin first = skin(a), second = skin(b);
+  const Immersion of_a = find_immersion(first, second, inside_out_of(a));
+  const Immersion of_b = find_immersion(second, first, inside_out_of(b));
+  const auto middle = [&](std::size_t body) -> Vec3 {
+    const VecX& mass = model.soft[body]->node_mass();
+    return soft[body].motion.x.reshaped(3, mass.size()) * mass / mass.sum();
+  };
+  const auto way = way_apart(of_a, of_b, middle(a) - middle(b), std::min(first.cell, second.cell));
+  if (!way) return false;
+  const double step = parting_speed * step_h;
+  const auto lead = [&](std::size_t from, std::size_t to, const Immersion& inside, const Vec3& along) {
+    for (const VertexMeeting& meeting : inside.vertices) {
+      Contact& c = out.emplace_back(pair_contact(from, to, meeting));
+      c.normal = along;
+      c.gap = -step;
+      c.friction = 0;
+      c.feature = Contact::no_feature;
+      c.grip.setZero();
+      c.gripped = 0;
+      c.stiffness *= parting_pressure * second.cell / model.scene.contact_stiffness / step;
+    }
+  };
+  lead(a, b, of_a, *way);
+  lead(b, a, of_b, -*way);
+  parted[a] = b;
+  parted[b] = a;
+  return true;
 }
 
 Aabb Simulation::Impl::box_of(std::size_t body) const {
@@ -128,6 +199,7 @@ void Simulation::Impl::detect_soft_pairs() {
   for (std::size_t i = 0; i < soft.size(); ++i)  // what woke meanwhile
     if (const auto id = static_cast<BroadPhase::Id>(i); soft_boxes.has(id))
       soft_boxes.set_moves(id, !soft[i].asleep);
+  std::fill(parted.begin(), parted.end(), std::nullopt);
   std::fill(passed_through.begin(), passed_through.end(), 0);  // of what was just looked at to wake it, too
   std::vector<BroadPhase::Pair> near = soft_boxes.find_pairs();
   for (BroadPhase::Id i = 0; i < soft.size(); ++i)

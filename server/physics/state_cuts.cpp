@@ -91,6 +91,8 @@ void Simulation::Impl::forget_bodies_from(std::size_t count) {
   shorten(folds);
   shorten(layers_moved);
   shorten(passed_through);
+  shorten(inside_out);
+  shorten(parted);
   shorten(revisions);
   shorten(numberings);
   parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(model.rigid.size() + soft.size()), parts.end());

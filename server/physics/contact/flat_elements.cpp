@@ -34,13 +34,30 @@ Vec3 face_normal(const Tet& at, std::size_t apex, double sign) {
   return sign * (b - a).cross(c - a);
 }
 
+Vec3 read(const VecX& values, std::uint32_t node) {
+  return values.segment<3>(3 * static_cast<Eigen::Index>(node));
+}
+
+double six_volumes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return (b - a).cross(c - a).dot(d - a);
+}
+
 }  // namespace
+
+bool mark_inverted(const TetMesh& mesh, const VecX& x, std::vector<char>& marks) {
+  marks.clear();
+  for (const auto& t : mesh.tets) {
+    const auto& X = mesh.positions;
+    const double now = six_volumes(read(x, t[0]), read(x, t[1]), read(x, t[2]), read(x, t[3]));
+    if (now * six_volumes(X[t[0]], X[t[1]], X[t[2]], X[t[3]]) > 0) continue;
+    marks.resize(static_cast<std::size_t>(x.size() / 3), 0);
+    for (const std::uint32_t node : t) marks[node] = 1;
+  }
+  return !marks.empty();
+}
 
 void find_flat_elements(const TetMesh& mesh, const VecX& x, const VecX& v, const FlatElementSearch& search,
                         std::vector<Contact>& out) {
-  const auto read = [](const VecX& values, std::uint32_t node) -> Vec3 {
-    return values.segment<3>(3 * static_cast<Eigen::Index>(node));
-  };
   for (const auto& t : mesh.tets) {
     Tet at, rest;
     for (std::size_t k = 0; k < 4; ++k) {

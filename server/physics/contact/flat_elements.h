@@ -27,6 +27,10 @@ struct FlatElementSearch {
 void find_flat_elements(const TetMesh& mesh, const VecX& x, const VecX& v, const FlatElementSearch& search,
                         std::vector<Contact>& out);
 
+/// Marks (1) the nodes of elements that are inside out, where mesh and x are as above; `marks`: one a node.
+/// Returns whether there are any.
+bool mark_inverted(const TetMesh& mesh, const VecX& x, std::vector<char>& marks);
+
 /// Whether it is one of those: nothing touches there.
 inline bool within_element(const Contact& c) {
   return c.a.kind == ContactSide::Kind::soft && c.b.kind == ContactSide::Kind::soft && c.a.body == c.b.body &&

@@ -5,7 +5,6 @@
 namespace prosector {
 namespace {
 
-constexpr double deepest = 3;         // cells: what is farther inside is not looked for
 constexpr double least_facing = 0.1;  // cosine, of a solid's face to what stops it
 
 /// Zero where there are no faces.
@@ -22,7 +21,7 @@ Vec3 vertex_normal(const TriangleSurface& faces, std::uint32_t vertex) {
 
 void find_meetings(const SoftSkin& from, const SoftSkin& to, double margin, std::vector<VertexMeeting>& out) {
   if (to.faces == nullptr || to.skin > 0 || !to.faces->topology().closed()) return;
-  const double limit = std::max(margin + from.skin, deepest * to.cell);
+  const double limit = std::max(margin + from.skin, deepest_meeting * to.cell);
   const Vec3 grow = Vec3::Constant(margin + from.skin);
   from.vertices->in_box(to.faces->box().lo - grow, to.faces->box().hi + grow, [&](std::uint32_t vertex) {
     const Vec3& x = from.vertices->positions()[vertex];

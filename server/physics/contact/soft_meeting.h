@@ -25,6 +25,9 @@ struct VertexMeeting {
   double gap = 0;               // m, < 0 penetrates
 };
 
+/// Cells: what is farther inside is not looked for here (parting.h).
+inline constexpr double deepest_meeting = 3;
+
 /// Appends, in a fixed order, vertices of `from` whose gap to the faces of `to` is at most `margin`: none
 /// unless `to` has an inside, which tells where they may not be. Vertices inside are found to a depth of some
 /// cells; their way out is the shortest (Bærentzen and Aanæs 2005). Faces of `from` that look another way

@@ -1,0 +1,67 @@
+#include "server/physics/contact/parting.h"
+
+#include <algorithm>
+
+namespace prosector {
+namespace {
+
+constexpr double suspicious = 2;     // cells: what is as deep may hide what is deeper
+constexpr double least_share = 0.2;  // of the area inside: the normals' sum, where it tells a direction
+
+bool is_inside(const SoftSkin& to, const Vec3& x) {
+  const auto near = to.faces->nearest(x);
+  return near && to.faces->is_inside(x, *near);
+}
+
+/// A third of the triangles around it, m², along their normals.
+Vec3 area_vector(const TriangleSurface& faces, std::uint32_t vertex) {
+  Vec3 sum = Vec3::Zero();
+  for (const std::uint32_t t : faces.topology().around(vertex)) {
+    const Triangle x = faces.triangle(t);
+    sum += (x[1] - x[0]).cross(x[2] - x[0]) / 6;
+  }
+  return sum;
+}
+
+}  // namespace
+
+bool may_be_immersed(const SoftSkin& from, const SoftSkin& to, std::span<const VertexMeeting> found) {
+  if (from.faces == nullptr || to.faces == nullptr || from.skin > 0 || to.skin > 0) return false;
+  if (found.empty()) {
+    const Vec3& x = from.vertices->positions()[0];
+    const Aabb& box = to.faces->box();
+    return (x.array() > box.lo.array()).all() && (x.array() < box.hi.array()).all() && is_inside(to, x);
+  }
+  return std::any_of(found.begin(), found.end(), [&](const VertexMeeting& m) {
+    return m.gap < -suspicious * std::min(from.cell, to.cell);
+  });
+}
+
+Immersion find_immersion(const SoftSkin& from, const SoftSkin& to, std::span<const char> unsure) {
+  Immersion out;
+  from.vertices->in_box(to.faces->box().lo, to.faces->box().hi, [&](std::uint32_t vertex) {
+    if (!unsure.empty() && unsure[vertex]) return;
+    const Vec3& x = from.vertices->positions()[vertex];
+    const auto near = to.faces->nearest(x);
+    if (!near || !to.faces->is_inside(x, *near)) return;
+    VertexMeeting& found = out.vertices.emplace_back();
+    found.vertex = vertex;
+    found.at = {near->triangle, near->weights};
+    found.gap = -near->distance;
+    out.deepest = std::max(out.deepest, near->distance);
+    const Vec3 normal = area_vector(*from.faces, vertex);
+    out.normals += normal;
+    out.area += normal.norm();
+  });
+  return out;
+}
+
+std::optional<Vec3> way_apart(const Immersion& of_a, const Immersion& of_b, const Vec3& between_middles,
+                              double cell) {
+  if (std::max(of_a.deepest, of_b.deepest) <= deepest_meeting * cell) return std::nullopt;
+  const Vec3 sum = of_b.normals - of_a.normals;
+  if (sum.norm() > least_share * (of_a.area + of_b.area)) return sum.normalized();
+  return between_middles.norm() > 0 ? between_middles.normalized() : Vec3(Vec3::UnitY());
+}
+
+}  // namespace prosector

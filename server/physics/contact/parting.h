@@ -1,0 +1,41 @@
+#pragma once
+// Two solids that have got into each other deeper than the nearest face can tell the way out.
+//
+// A vertex that is deep inside is as near to the wrong side as to the right one: each would be led out its
+// own way, which turns tissue inside out and draws both bodies together, and what is deeper than is looked
+// for is held for ever. So such bodies are parted as wholes: everything of one that is inside the other is
+// led along one direction, slowly and gently. It is the one that makes their common volume less soonest, the
+// integral of one surface's normals inside the other (Allard et al. 2010, "Volume contact constraints at
+// arbitrary resolution"); or, where that is as good as zero because one is within the other, from middle to
+// middle.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "server/physics/contact/soft_meeting.h"
+
+namespace prosector {
+
+/// What of a solid is inside another, and how much.
+struct Immersion {
+  std::vector<VertexMeeting> vertices;  // inside; gap and place as find_meetings() tells, however deep
+  double deepest = 0;                   // m
+  Vec3 normals = Vec3::Zero();          // m²: sum of the surface's outward normals there, by area
+  double area = 0;                      // m²: of the surface there
+};
+
+/// Lists which vertices of `from` are inside the solid `to`, however deep. `unsure`: one a vertex of `from`,
+/// 1 where the tissue is inside out and its place tells nothing; empty: nowhere.
+Immersion find_immersion(const SoftSkin& from, const SoftSkin& to, std::span<const char> unsure);
+
+/// Whether what was found near the surfaces (`found`, gaps of `from` to `to`) asks for a look at what is
+/// deeper: something is far inside, or nothing is near though the first vertex is inside.
+bool may_be_immersed(const SoftSkin& from, const SoftSkin& to, std::span<const VertexMeeting> found);
+
+/// Unit, from b to a: the way in which two bodies part; none where they are not so deep in each other.
+/// `between_middles`: from b's middle to a's, m.
+std::optional<Vec3> way_apart(const Immersion& of_a, const Immersion& of_b, const Vec3& between_middles,
+                              double cell);
+
+}  // namespace prosector

@@ -1,0 +1,131 @@
+#include "tests/play/judge.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "server/physics/collision/triangle_surface.h"
+#include "server/physics/soft/soft_body.h"
+
+namespace prosector::test {
+namespace {
+
+bool is_solid(const Simulation& simulation, BodyId body) {
+  return simulation.kind(body) == BodyKind::soft && !simulation.soft(body).linear_tets().tets.empty();
+}
+
+bool willing(const SoftDesc& a, const SoftDesc& b) {
+  return a.touches.empty() || std::ranges::find(a.touches, b.group) != a.touches.end();
+}
+
+/// Whether the bodies' surfaces keep each other out.
+bool may_touch(const Simulation& simulation, BodyId a, BodyId b) {
+  const SoftDesc &first = simulation.soft(a).desc(), &second = simulation.soft(b).desc();
+  return first.collision == "mesh" && second.collision == "mesh" && willing(first, second) &&
+         willing(second, first) && !simulation.part(a).out_of_touch() && !simulation.part(b).out_of_touch();
+}
+
+std::vector<Vec3> surface_positions(const Simulation& simulation, BodyId body) {
+  const Anatomy& anatomy = simulation.soft(body).anatomy();
+  std::vector<Vec3> out(anatomy.surface.positions.size());
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = anatomy.embedding.apply(i, simulation.soft_state(body).motion.x.data());
+  return out;
+}
+
+Aabb box_of(const std::vector<Vec3>& points) {
+  Aabb box{points.front(), points.front()};
+  for (const Vec3& x : points) {
+    box.lo = box.lo.cwiseMin(x);
+    box.hi = box.hi.cwiseMax(x);
+  }
+  return box;
+}
+
+double deepest(std::span<const Vec3> points, const Aabb& box, const TriangleSurface& in) {
+  double most = 0;
+  for (const Vec3& x : points) {
+    if ((x.array() < box.lo.array()).any() || (x.array() > box.hi.array()).any()) continue;
+    if (const auto near = in.nearest(x); in.is_inside(x, *near)) most = std::max(most, near->distance);
+  }
+  return most;
+}
+
+/// Calls visit(a, b, depth) for every pair of solids that may touch.
+template <class Visit>
+void for_each_overlap(const Simulation& simulation, const Visit& visit) {
+  std::vector<BodyId> bodies;
+  std::vector<Aabb> boxes;
+  for (BodyId b = 0; b < simulation.body_count(); ++b) {
+    if (!is_solid(simulation, b)) continue;
+    bodies.push_back(b);
+    boxes.push_back(box_of(surface_positions(simulation, b)));
+  }
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    for (std::size_t j = i + 1; j < bodies.size(); ++j)
+      if (boxes[i].overlaps(boxes[j]) && may_touch(simulation, bodies[i], bodies[j]))
+        visit(bodies[i], bodies[j], overlap(simulation, bodies[i], bodies[j]));
+}
+
+}  // namespace
+
+double volume_ratio(const Simulation& simulation, BodyId body) {
+  const TetMesh& rest = simulation.soft(body).linear_tets();
+  const VecX& x = simulation.soft_state(body).motion.x;
+  const auto at = [&](std::uint32_t i) -> Vec3 { return x.segment<3>(3 * static_cast<Eigen::Index>(i)); };
+  double now = 0, then = 0;
+  for (const auto& t : rest.tets) {
+    const Vec3& a = rest.positions[t[0]];
+    const double whole =
+        (rest.positions[t[1]] - a).cross(rest.positions[t[2]] - a).dot(rest.positions[t[3]] - a);
+    const double sign = whole < 0 ? -1 : 1;
+    then += sign * whole;
+    now += sign * (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).dot(at(t[3]) - at(t[0]));
+  }
+  return now / then;
+}
+
+double overlap(const Simulation& simulation, BodyId a, BodyId b) {
+  const std::vector<Vec3> first = surface_positions(simulation, a), second = surface_positions(simulation, b);
+  const auto surface = [&](BodyId body, const std::vector<Vec3>& at) {
+    TriangleMesh mesh = simulation.soft(body).anatomy().surface;
+    mesh.positions = at;
+    return TriangleSurface(mesh);
+  };
+  const TriangleSurface in_first = surface(a, first), in_second = surface(b, second);
+  return std::max(deepest(first, box_of(second), in_second), deepest(second, box_of(first), in_first));
+}
+
+Judge::Judge(const Simulation& simulation) {
+  for_each_overlap(simulation, [&](BodyId a, BodyId b, double depth) { at_start_[{a, b}] = depth; });
+}
+
+Finding Judge::look(const Simulation& simulation, const Bounds& bounds) const {
+  Finding out;
+  const auto blame = [&](std::string where) {
+    if (out.where.empty()) out.where = std::move(where);
+  };
+  for (BodyId b = 0; b < simulation.body_count(); ++b) {
+    if (!is_solid(simulation, b)) continue;
+    const double ratio = volume_ratio(simulation, b);
+    out.least_volume = std::min(out.least_volume, ratio);
+    out.most_volume = std::max(out.most_volume, ratio);
+    out.inverted =
+        std::max(out.inverted, simulation.soft(b).inverted_share(simulation.soft_state(b).motion.x));
+    if (!(ratio >= bounds.least_volume && ratio <= bounds.most_volume))
+      blame(fmt::format("{} has {:.3f} of its volume", simulation.name(b), ratio));
+  }
+  for_each_overlap(simulation, [&](BodyId a, BodyId b, double depth) {
+    const auto known = at_start_.find({a, b});
+    const double own = known == at_start_.end() ? 0 : known->second;
+    out.overlap = std::max(out.overlap, depth - own);
+    if (depth - own > bounds.most_overlap)
+      blame(fmt::format("{} and {} overlap by {:.2f} mm ({:.2f} mm as the scene has them)",
+                        simulation.name(a), simulation.name(b), 1e3 * depth, 1e3 * own));
+  });
+  return out;
+}
+
+}  // namespace prosector::test

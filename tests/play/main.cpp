@@ -1,0 +1,149 @@
+// prosector-play: people play at random in scenes, and the organs are judged when they have left.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "common/error.h"
+#include "common/paths.h"
+#include "common/scene/load_scene.h"
+#include "server/session/journal_reader.h"
+#include "tests/play/play.h"
+
+namespace prosector::test {
+namespace {
+
+struct Options {
+  std::vector<std::string> scenes;
+  std::string watch, json, model, element;
+  unsigned seed = 1;
+  int seeds = 1, people = 2, bouts = 1, threads = 1;
+  double bout = 8, rest = 5;
+  std::uint64_t from = 0, to = 1ull << 40, every = 30;
+};
+
+void say(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+CompileOptions sources(const Options& options) {
+  CompileOptions compile;
+  compile.threads = options.threads;
+  compile.data_dirs = {default_data_dir()};
+  compile.cache_dir = default_cache_dir();
+  return compile;
+}
+
+/// Runs a journal again and says, each second, how its organs are.
+int watch(const Options& options) {
+  const JournalReader journal(options.watch);
+  const SceneDesc scene = parse_scene(journal.header().scene_text, journal.header().scene_file);
+  Simulation simulation(scene, sources(options));
+  const Judge judge(simulation);
+  PlayFigures figures;
+  journal.for_each_tick(0, [&](const JournalTick& tick) {
+    const StepReport& report = simulation.step(tick.input.input);
+    if (journal.has_checkpoint(tick.tick)) simulation.checkpoint();
+    if (tick.tick > options.to) return false;
+    if (tick.tick < options.from || tick.tick % options.every != 0) return true;
+    const Finding now = judge.look(simulation);
+    std::string notes;
+    for (const BodyReport& row : report.bodies)
+      if (!row.note.empty()) notes += fmt::format("; {}: {}", row.body, row.note);
+    say(fmt::format("{:5} volume {:.3f} … {:.3f}, overlap {:.2f} mm, inverted {:.3f}, {:.1f} ms, {} {}",
+                    tick.tick, now.least_volume, now.most_volume, 1e3 * now.overlap, now.inverted,
+                    1e3 * report.total_seconds, now.where, notes));
+    return true;
+  });
+  return 0;
+}
+
+void put_rung(const Options& options, SceneDesc& scene) {
+  for (SoftDesc& soft : scene.soft) {
+    if (!options.model.empty()) soft.model = options.model;
+    if (!options.element.empty()) soft.element = options.element;
+    if (!options.model.empty()) soft.accuracy = soft.budget = {};
+  }
+}
+
+nlohmann::json to_json(const PlayFigures& f) {
+  return {{"seconds", f.seconds},
+          {"bouts", f.bouts},
+          {"bad", f.bad},
+          {"acts", f.acts},
+          {"resets", f.resets},
+          {"recovering_ticks", f.recoveries},
+          {"least_volume", f.least_volume},
+          {"most_volume", f.most_volume},
+          {"overlap_mm", 1e3 * f.overlap},
+          {"recovery_s", f.recovery},
+          {"slowest_step_ms", f.step_ms},
+          {"rest_step_ms", f.rest_ms},
+          {"found", f.found}};
+}
+
+int run(const Options& options) {
+  if (!options.watch.empty()) return watch(options);
+  PlayFigures all;
+  nlohmann::json rows = nlohmann::json::array();
+  for (const std::string& file : options.scenes)
+    for (int k = 0; k < options.seeds; ++k) {
+      SceneDesc scene = load_scene(file);
+      put_rung(options, scene);
+      Simulation simulation(scene, sources(options));
+      const PlayOptions how{.seed = options.seed + static_cast<unsigned>(k),
+                            .people = options.people,
+                            .bouts = options.bouts,
+                            .bout = options.bout,
+                            .rest = options.rest,
+                            .bounds = {}};
+      const PlayFigures one = play(simulation, how, say);
+      say(fmt::format(
+          "{} seed {}: {:.0f} s, {} acts, {} of {} bouts bad; volume {:.3f} … {:.3f}, overlap {:.2f} mm, "
+          "in bounds after {:.2f} s, {} resets, slowest step {:.0f} ms, at rest {:.2f} ms",
+          scene.name, how.seed, one.seconds, one.acts, one.bad, one.bouts, one.least_volume, one.most_volume,
+          1e3 * one.overlap, one.recovery, one.resets, one.step_ms, one.rest_ms));
+      nlohmann::json row = to_json(one);
+      row["scene"] = scene.name;
+      row["seed"] = how.seed;
+      rows.push_back(row);
+      add(all, one);
+    }
+  if (!options.json.empty())
+    std::ofstream(options.json) << nlohmann::json{{"all", to_json(all)}, {"runs", rows}}.dump(1);
+  return all.bad > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace prosector::test
+
+int main(int argc, char** argv) {
+  using namespace prosector::test;
+  Options options;
+  CLI::App app("People play at random in scenes; the organs are judged when they have left.");
+  app.add_option("scenes", options.scenes, "scene files");
+  app.add_option("--watch", options.watch, "a journal to run again instead, telling how its organs are");
+  app.add_option("--from", options.from, "tick from which it tells");
+  app.add_option("--to", options.to, "tick at which it ends");
+  app.add_option("--every", options.every, "ticks between two lines");
+  app.add_option("--seed", options.seed, "of the first run");
+  app.add_option("--seeds", options.seeds, "how many runs a scene, each of the next seed");
+  app.add_option("--people", options.people, "who play at once");
+  app.add_option("--bouts", options.bouts, "of play and rest, a run");
+  app.add_option("--bout", options.bout, "s of play");
+  app.add_option("--rest", options.rest, "s of rest, then the organs are judged");
+  app.add_option("--threads", options.threads, "of the simulation");
+  app.add_option("--model", options.model, "of every organ, instead of the scene's");
+  app.add_option("--element", options.element, "likewise");
+  app.add_option("--json", options.json, "file for the figures");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return run(options);
+  } catch (const prosector::InputError& e) {
+    fmt::print(stderr, "prosector-play: {}\n", e.what());
+    return 2;
+  }
+}

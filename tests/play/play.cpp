@@ -1,0 +1,95 @@
+#include "tests/play/play.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace prosector::test {
+namespace {
+
+constexpr int looks_per_second = 4;  // while the organs rest
+
+void note(const StepReport& report, PlayFigures& figures) {
+  figures.step_ms = std::max(figures.step_ms, 1e3 * report.total_seconds);
+  for (const BodyReport& row : report.bodies) {
+    figures.resets += row.reset;
+    figures.recoveries += row.note.find("recovering") != std::string::npos;
+  }
+}
+
+}  // namespace
+
+void add(PlayFigures& to, const PlayFigures& from) {
+  to.seconds += from.seconds;
+  to.bouts += from.bouts;
+  to.bad += from.bad;
+  to.acts += from.acts;
+  to.resets += from.resets;
+  to.recoveries += from.recoveries;
+  to.least_volume = std::min(to.least_volume, from.least_volume);
+  to.most_volume = std::max(to.most_volume, from.most_volume);
+  to.overlap = std::max(to.overlap, from.overlap);
+  to.recovery = std::max(to.recovery, from.recovery);
+  to.step_ms = std::max(to.step_ms, from.step_ms);
+  to.rest_ms = std::max(to.rest_ms, from.rest_ms);
+  to.found.insert(to.found.end(), from.found.begin(), from.found.end());
+}
+
+PlayFigures play(Simulation& simulation, const PlayOptions& options,
+                 const std::function<void(const std::string&)>& say) {
+  const double rate = simulation.scene().tick_rate;
+  const Judge judge(simulation);
+  PlayFigures out;
+  const auto step = [&](const TickInput& input) {
+    note(simulation.step(input), out);
+    out.seconds += 1 / rate;
+  };
+  std::vector<Person> people;
+  for (int p = 0; p < options.people; ++p)
+    people.emplace_back(static_cast<ParticipantId>(p + 1), 1000 * options.seed + static_cast<unsigned>(p));
+  for (int bout = 0; bout < options.bouts; ++bout, ++out.bouts) {
+    for (int tick = 0; tick < options.bout * rate; ++tick) {
+      TickInput input;
+      for (Person& person : people) person.act(simulation, input);
+      step(input);
+    }
+    TickInput end;
+    for (Person& person : people) person.leave(end);
+    step(end);
+    const int ticks = static_cast<int>(options.rest * rate);
+    double good_since = options.rest, spent = 0;
+    bool was_good = false;
+    for (int tick = 1; tick <= ticks; ++tick) {
+      step({});
+      const double left = (ticks - tick) / rate;
+      if (tick % std::max(1, static_cast<int>(rate / looks_per_second)) != 0 && tick != ticks) continue;
+      const bool good = judge.look(simulation, options.bounds).good();
+      if (good && !was_good) good_since = options.rest - left;
+      was_good = good;
+    }
+    const Finding end_state = judge.look(simulation, options.bounds);
+    const int last = static_cast<int>(rate / 2);
+    for (int tick = 0; tick < last; ++tick) {
+      const StepReport& report = simulation.step({});
+      spent += report.total_seconds;
+      out.seconds += 1 / rate;
+    }
+    out.rest_ms = std::max(out.rest_ms, 1e3 * spent / last);
+    out.least_volume = std::min(out.least_volume, end_state.least_volume);
+    out.most_volume = std::max(out.most_volume, end_state.most_volume);
+    out.overlap = std::max(out.overlap, end_state.overlap);
+    if (end_state.good()) {
+      out.recovery = std::max(out.recovery, good_since);
+    } else {
+      ++out.bad;
+      out.found.push_back(fmt::format("{}, seed {}, bout {}, tick {}: {}", simulation.scene().name,
+                                      options.seed, bout, simulation.time().tick, end_state.where));
+      if (say) say(out.found.back());
+    }
+  }
+  for (const Person& person : people) out.acts += person.acts();
+  return out;
+}
+
+}  // namespace prosector::test
