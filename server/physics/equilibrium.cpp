@@ -79,6 +79,7 @@ void Simulation::Impl::relax(std::span<const std::size_t> bodies) {
         if (other >= body && may_meet(body, other))
           add_pair_contacts(body, other, relaxation_margin, island.contacts);
     }
+    watch_flat_elements(island, false);
     for (const std::size_t body : bodies) model.soft[body]->set_relaxed(true);
     const IslandReport solved = solver.solve(island, relaxation_step, model.scene.gravity);
     double moved = 0;
@@ -133,6 +134,18 @@ bool Simulation::Impl::floats(std::span<const std::size_t> bodies) const {
   return std::any_of(bodies.begin(), bodies.end(), falls) && std::none_of(bodies.begin(), bodies.end(), held);
 }
 
+/// What rests inside out is no equilibrium of tissue: the author hears of it.
+void Simulation::Impl::tell_if_crushed(std::size_t body, const CompileOptions& options) {
+  const double share = model.soft[body]->inverted_share(equilibrium[body]);
+  if (share == 0 || !options.progress) return;
+  const SoftDesc& desc = model.soft[body]->desc();
+  options.progress(
+      fmt::format("soft body \"{}\": its own weight crushes {:.2g} % of it; let it be stiffer than {:.3g} "
+                  "Pa, smaller, or "
+                  "tied to its place ([[soft.attach]])",
+                  desc.name, 100 * share, desc.youngs_modulus));
+}
+
 void Simulation::Impl::settle(const CompileOptions& options) {
   refresh_colliders();
   for (const SoftBodyState& state : soft) equilibrium.push_back(state.motion.x);
@@ -146,6 +159,7 @@ void Simulation::Impl::settle(const CompileOptions& options) {
       soft[i].motion.x_prev = soft[i].motion.x;
       soft[i].asleep = !falls;
       place_surface(i);
+      tell_if_crushed(i, options);
       if (options.progress && !cached && !falls)
         options.progress(fmt::format(
             "{}: settled, {:.1f} mm from its imaged shape", model.soft[i]->desc().name,

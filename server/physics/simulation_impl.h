@@ -151,7 +151,7 @@ struct Simulation::Impl : PanelSubjects {
   /// Part of it: the friction of an island's last contact becomes that of a patch, if it is a finger's.
   void spread_over_pad(const RigidContact& touch, std::size_t island);
   void place_pads(std::vector<RigidContact>& touches, std::size_t slot) const;  // before that, if it's a hand
-  void watch_flat_elements(Island& island);                                     // part of it
+  void watch_flat_elements(Island& island, bool ahead);                         // part of it
   void solve_islands();
   void keep_pads();  // part of it
   void bounce_rigid();
@@ -375,6 +375,7 @@ struct Simulation::Impl : PanelSubjects {
                           std::vector<Contact>& out) const;
   void wake_soft(std::size_t body);
   void settle(const CompileOptions& options);
+  void tell_if_crushed(std::size_t body, const CompileOptions& options);  // part of it
   std::vector<std::vector<std::size_t>> neighbourhoods();
   void relax(std::span<const std::size_t> bodies);
   bool floats(std::span<const std::size_t> bodies) const;

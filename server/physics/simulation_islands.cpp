@@ -129,14 +129,14 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
       islands.emplace_back();
     }
     Island& island = islands[*at];
-    island.soft.push_back({i, model.soft[i].get(), &soft[i]});
+    island.soft.push_back({i, model.soft[i].get(), &soft[i], &equilibrium[i]});
     island.contacts.insert(island.contacts.end(), soft_contacts[i].begin(), soft_contacts[i].end());
   }
   for (const SoftPair& pair : soft_pairs) {
     Island& island = islands[*island_of_group[soft_group[pair.a]]];
     island.contacts.insert(island.contacts.end(), pair.contacts.begin(), pair.contacts.end());
   }
-  for (Island& island : islands) watch_flat_elements(island);
+  for (Island& island : islands) watch_flat_elements(island, true);
   const auto driven = [&](const ContactSide& side) {
     return side.kind == ContactSide::Kind::fixed && world.driven_to(side.body);
   };
@@ -176,15 +176,15 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
   }
 }
 
-/// Of solids that meet other soft bodies, and of those that something has crushed.
-void Simulation::Impl::watch_flat_elements(Island& island) {
+/// Of solids that something has crushed, and, `ahead` of that, of those that meet other soft bodies.
+void Simulation::Impl::watch_flat_elements(Island& island, bool ahead) {
   const auto met = static_cast<std::ptrdiff_t>(island.contacts.size());
   for (const SoftMember& s : island.soft) {
     bool touched = false, meets = false;
     for (auto c = island.contacts.begin(); c != island.contacts.begin() + met; ++c) {
       const bool own = c->a.kind == ContactSide::Kind::soft && c->a.body == s.index;
       touched = touched || own;
-      meets = meets || (between_soft(*c) && (own || c->b.body == s.index));
+      meets = meets || (ahead && between_soft(*c) && (own || c->b.body == s.index));
     }
     if (!meets && !(touched && s.body->inverted_share(s.state->motion.x) > 0)) continue;
     const double stiffness = model.scene.contact_stiffness * s.body->desc().youngs_modulus;
@@ -283,7 +283,7 @@ void Simulation::Impl::fall_asleep() {
     for (SoftMember& s : island.soft) {
       count_quiet_ticks(s);
       if (!has_relaxed(s.body->desc(), s.state->history)) s.state->quiet_ticks = 0;  // it creeps
-      quiet = quiet && s.state->quiet_ticks == quiet_ticks_to_sleep && s.state->tangled_ticks == 0;
+      quiet = quiet && s.state->quiet_ticks == quiet_ticks_to_sleep && may_sleep(s);
     }
     quiet = quiet && !island.driven;
     for (const RigidMember& r : island.rigid) {

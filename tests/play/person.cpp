@@ -27,7 +27,8 @@ double Person::some_speed() {
 Vec3 Person::some_point(const Simulation& simulation) {
   std::vector<BodyId> organs;
   for (BodyId b = 0; b < simulation.body_count(); ++b)
-    if (simulation.kind(b) == BodyKind::soft) organs.push_back(b);
+    if (simulation.kind(b) == BodyKind::soft && !simulation.soft(b).anatomy().embedding.rows.empty())
+      organs.push_back(b);
   if (organs.empty()) return random_.point(0.3) + Vec3(0, 1, 0);
   const BodyId organ = organs[random_.below(organs.size())];
   const Anatomy& anatomy = simulation.soft(organ).anatomy();

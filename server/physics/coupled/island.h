@@ -21,6 +21,7 @@ struct SoftMember {
   std::size_t index = 0;  // as in ContactSide::body
   SoftBody* body = nullptr;
   SoftBodyState* state = nullptr;
+  const VecX* equilibrium = nullptr;  // 3n, m: where the body rests by itself; null: as at rest shape
   // Results besides the state:
   int substeps = 0;       // that it took by itself; 0: it was minimised
   bool refused = false;   // its own method has a limit and needs more substeps than are allowed, or did not

@@ -11,6 +11,7 @@ constexpr double ruined_share = 0.05;     // of the volume: at once
 constexpr double ruined_seconds = 0.25;   // however little of it
 constexpr double whole = 0.3;             // of its rest volume each element has, in a body that is whole
 constexpr double calm_energy = 0.05;      // times E and the volume, at most, likewise
+constexpr double like_equilibrium = 1.5;  // times what the body's own equilibrium has of both
 constexpr double whole_seconds = 0.25;    // for so long, until its own law takes over
 constexpr double tangled_seconds = 1;     // quiet and out of shape for so long: unfolded
 constexpr double struggling_seconds = 4;  // inside out for so long, however it moves
@@ -32,8 +33,32 @@ double stiffness(const SoftBody& body) {
   return body.desc().youngs_modulus * body.total_mass() / body.desc().density;  // J
 }
 
-bool calm(SoftBody& body, const SoftBodyState& state) {
-  return body.elastic_energy(state.motion.x) + body.kinetic_energy(state) < calm_energy * stiffness(body);
+/// Share of the volume that is inside out or flat; 0 where the body's own equilibrium has as much.
+double ruined(const SoftBody& body, const SoftMember& m) {
+  const double share = body.inverted_share(m.state->motion.x);
+  const bool own =
+      share > 0 && m.equilibrium && share <= like_equilibrium * body.inverted_share(*m.equilibrium);
+  return own ? 0 : share;
+}
+
+/// Whether the body stores and moves no more than what is calm, or than its own equilibrium asks for.
+bool calm(SoftBody& body, const SoftMember& m) {
+  const double most = calm_energy * stiffness(body);
+  const double now = body.elastic_energy(m.state->motion.x) + body.kinetic_energy(*m.state);
+  return now < most || (m.equilibrium && now < like_equilibrium * body.elastic_energy(*m.equilibrium));
+}
+
+/// Whether no more of the body is thin than of its own equilibrium.
+bool is_whole(const SoftBody& body, const SoftMember& m) {
+  const double share = body.inverted_share(m.state->motion.x, whole);
+  return share == 0 || (m.equilibrium && ruined(body, m) == 0 &&
+                        share <= like_equilibrium * body.inverted_share(*m.equilibrium, whole));
+}
+
+/// Whether the body under the law that leads out has come to a stop with nothing inside out: something
+/// presses it, or it bears its weight, and it would stay so for ever.
+bool stands(const SoftBody& body, const SoftMember& m) {
+  return m.state->quiet_ticks == quiet_ticks_to_sleep && ruined(body, m) == 0;
 }
 
 /// Quiet, but in another shape than the one it rests in: a minimum that is not the least. Sheets and ropes
@@ -68,12 +93,13 @@ void choose_law(SoftMember& member, double h) {
   member.note.clear();
   if (!body.has_recovery() || !state.motion.x.allFinite()) return;
   const bool turned = body.turned_by(turn_allowed(body, state), state.motion.x);
-  const double share = turned ? 0 : body.inverted_share(state.motion.x, state.recovering ? whole : flat);
   if (state.recovering) {
-    state.law_seconds =
-        !turned && share == 0 && calm(body.in_force(state), state) ? state.law_seconds + h : 0;
+    const bool out =
+        !turned && ((is_whole(body, member) && calm(body.in_force(state), member)) || stands(body, member));
+    state.law_seconds = out ? state.law_seconds + h : 0;
     if (state.law_seconds > whole_seconds) enter(state, false);
   } else {
+    const double share = turned ? 0 : ruined(body, member);
     state.law_seconds = share > 0 ? state.law_seconds + h : 0;
     if (turned || share > ruined_share || state.law_seconds > ruined_seconds) enter(state, true);
   }
@@ -83,19 +109,24 @@ void choose_law(SoftMember& member, double h) {
                        : "inside out or crushed: recovering as fem_corotational by implicit_euler";
 }
 
+bool may_sleep(const SoftMember& member) {
+  const bool leaves_recovery = member.state->recovering && member.state->law_seconds > 0;
+  return member.state->tangled_ticks == 0 && !leaves_recovery && ruined(*member.body, member) == 0;
+}
+
 void count_quiet_ticks(SoftMember& s) {
   const double speed = s.state->motion.v.lpNorm<Eigen::Infinity>();
   s.state->quiet_ticks = speed < quiet_speed ? std::min(s.state->quiet_ticks + 1, quiet_ticks_to_sleep) : 0;
 }
 
 bool unfold_if_tangled(SoftMember& s, bool held, const VecX& equilibrium, double h, int ticks) {
-  const bool tangled =
-      !held && (s.body->inverted_share(s.state->motion.x) > 0 || stuck(s, equilibrium) || falsely_turned(s));
+  const bool tangled = !held && (ruined(*s.body, s) > 0 || stuck(s, equilibrium) || falsely_turned(s));
   const bool quiet = s.state->quiet_ticks == quiet_ticks_to_sleep;
   s.state->tangled_ticks = tangled ? s.state->tangled_ticks + ticks : 0;
   if (s.state->tangled_ticks * h < (quiet ? tangled_seconds : struggling_seconds)) return false;
   s.body->unfold(*s.state);
-  s.state->tangled_ticks = 0;
+  s.state->tangled_ticks = s.state->quiet_ticks =
+      0;  // what bears its weight has yet to sink to where it rests
   s.note = "stayed inside out or tangled: unfolded into its rest shape where it was";
   return true;
 }

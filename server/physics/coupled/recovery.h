@@ -17,6 +17,9 @@ namespace prosector {
 /// says so in the member. A switch forgets the step before.
 void choose_law(SoftMember& member, double h);
 
+/// Whether a quiet body may stay as it is: neither tangled nor inside out, and under the law it will keep.
+bool may_sleep(const SoftMember& member);
+
 /// After a tick: counts how long the body has been quiet, towards sleep.
 inline constexpr int quiet_ticks_to_sleep = 30;
 void count_quiet_ticks(SoftMember& member);

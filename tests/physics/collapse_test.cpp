@@ -1,0 +1,83 @@
+// What people did to organs, and what organs made of it: shapes that they must come back from.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "server/physics/soft/soft_body.h"
+#include "tests/physics/scenes.h"
+#include "tests/play/judge.h"
+
+namespace prosector::test {
+namespace {
+
+/// A tied bar that hangs, and a small ball that lands on it.
+SceneDesc hanging_bar() {
+  SceneDesc scene;
+  scene.name = "hang";
+  scene.rigid = {part_body("ball", "sphere", {0.01, 0.01, 0.01}, {-0.045, 0.05, 0})};
+  SoftDesc& bar = scene.soft.emplace_back();
+  bar.name = "bar";
+  bar.shape = "beam";
+  bar.size = {0.12, 0.04, 0.04};
+  bar.element = "tet10";
+  bar.attach = {{{-10.055, 0, 0}, 10, 1e12}};
+  return scene;
+}
+
+CompileOptions plain() {
+  CompileOptions options;
+  options.threads = 1;
+  return options;
+}
+
+TEST(Collapse, TouchedBarHangsAgainWhereItHungUnderItsOwnLaw) {
+  Simulation simulation(hanging_bar(), plain());
+  const VecX hung = simulation.soft_state(1).motion.x;
+  ASSERT_LT(simulation.soft(1).rest()[1] - 0.02, 1);
+  const double sunk = (hung - simulation.soft(1).rest()).lpNorm<Eigen::Infinity>();
+  ASSERT_GT(sunk, 0.03) << "it hangs";
+  run(simulation, 1200);
+  EXPECT_FALSE(simulation.soft_state(1).recovering);
+  EXPECT_LT((simulation.soft_state(1).motion.x - hung).lpNorm<Eigen::Infinity>(), 0.02 * sunk);
+}
+
+/// A cube that bears nearly what buckles it.
+class HeavyCube : public testing::TestWithParam<double> {};
+
+TEST_P(HeavyCube, StandsOnItsFootAndStaysThereWhenTouched) {
+  SceneDesc scene;
+  scene.gravity = {0, -2 * 9.81, 0};
+  scene.rigid = {table()};
+  SoftDesc& cube = scene.soft.emplace_back();
+  cube.name = "cube";
+  cube.shape = "block";
+  cube.size = {0.1, 0.1, 0.1};
+  cube.pose.p = {0, 0.05, 0};
+  cube.youngs_modulus = 5000;
+  cube.poisson_ratio = GetParam();
+  Simulation simulation(scene, plain());
+  const auto expect_sound = [&](const char* when) {
+    const VecX& x = simulation.soft_state(1).motion.x;
+    EXPECT_GT(volume_ratio(simulation, 1), 0.7) << when;
+    EXPECT_LT(volume_ratio(simulation, 1), 1.3) << when;
+    EXPECT_EQ(simulation.soft(1).inverted_share(x), 0) << when;
+    double lowest = 1;
+    for (Eigen::Index i = 0; i < x.size() / 3; ++i) lowest = std::min(lowest, x[3 * i + 1]);
+    EXPECT_GT(lowest, -2e-3) << when << ": it is in the table";
+  };
+  expect_sound("compiled");
+  run(simulation, 1, appear({0, 0.3, 0.1}));
+  run(simulation, 60, target({0, 0.12, 0.1}));
+  TickInput gone;
+  gone.events.push_back({HandEvent::Kind::vanish, somebody, right_hand});
+  run(simulation, 1, gone);
+  run(simulation, 300);
+  expect_sound("5 s after a hand left it");
+}
+
+INSTANTIATE_TEST_SUITE_P(PoissonRatios, HeavyCube, testing::Values(0.3, 0.45, 0.49));
+
+}  // namespace
+}  // namespace prosector::test
