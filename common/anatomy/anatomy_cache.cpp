@@ -1,23 +1,21 @@
 #include "common/anatomy/anatomy_cache.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstring>
-#include <fstream>
 #include <span>
 
-#include "common/anatomy/bytes.h"
-#include "common/error.h"
+#include "common/sealed_file.h"
 
 namespace prosector {
 namespace {
 
-constexpr std::uint32_t magic = 0x32434150;  // "PAC2"
-
 std::filesystem::path file_of(const std::filesystem::path& dir, const ContentHash& key) {
   return dir / (to_hex(key) + ".anatomy");
+}
+
+/// What the file is sealed under: its layout, and what the mesh was made from.
+std::string seal_key(const ContentHash& key) {
+  return "anatomy 3 " + to_hex(key);
 }
 
 /// A vector or a string: its length, then its elements' bytes.
@@ -62,26 +60,18 @@ bool consistent(const Anatomy& a) {
 
 }  // namespace
 
-std::optional<CachedAnatomy> load_cached(const std::filesystem::path& dir, const ContentHash& key) {
-  if (dir.empty() || !std::filesystem::is_regular_file(file_of(dir, key))) return {};
-  std::vector<std::uint8_t> bytes;
-  try {
-    bytes = read_file(file_of(dir, key));
-  } catch (const InputError&) {
-    return {};
-  }
-  const std::size_t head = sizeof(magic) + sizeof(ContentHash);
-  if (bytes.size() < head || std::memcmp(bytes.data(), &magic, sizeof(magic)) != 0) return {};
-  std::span<const std::uint8_t> body(bytes.data() + head, bytes.size() - head);
-  const ContentHash hash = content_hash(std::as_bytes(body));
-  if (!std::equal(hash.begin(), hash.end(), bytes.begin() + sizeof(magic))) return {};
+FoundAnatomy load_cached(const std::filesystem::path& dir, const ContentHash& key) {
+  if (dir.empty()) return {};
+  const FoundFile found = read_sealed(file_of(dir, key), seal_key(key));
+  if (!found.bytes) return {std::nullopt, found.trouble};
+  std::span<const std::uint8_t> body(*found.bytes);
   CachedAnatomy out;
   Anatomy& a = out.anatomy;
   const bool whole = get(body, a.tets.positions) && get(body, a.tets.tets) &&
                      get(body, a.surface.positions) && get(body, a.surface.triangles) &&
                      get(body, a.embedding.rows) && get(body, out.warning) && body.empty();
-  if (!whole || !consistent(a)) return {};
-  return out;
+  if (!whole || !consistent(a)) return {std::nullopt, "is damaged"};
+  return {std::move(out), ""};
 }
 
 bool store_cached(const std::filesystem::path& dir, const ContentHash& key, const CachedAnatomy& made) {
@@ -94,25 +84,7 @@ bool store_cached(const std::filesystem::path& dir, const ContentHash& key, cons
   put(body, a.surface.triangles);
   put(body, a.embedding.rows);
   put(body, made.warning);
-  const ContentHash hash = content_hash(std::as_bytes(std::span(body)));
-  std::error_code error;
-  std::filesystem::create_directories(dir, error);
-  const auto file = file_of(dir, key);
-  const std::filesystem::path aside = file.string() + fmt::format(".{}.tmp", getpid());
-  {
-    std::ofstream out(aside, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(&magic), sizeof(magic));
-    out.write(reinterpret_cast<const char*>(hash.data()), sizeof(hash));
-    out.write(reinterpret_cast<const char*>(body.data()), static_cast<std::streamsize>(body.size()));
-    if (!out.flush()) {
-      out.close();
-      std::filesystem::remove(aside, error);
-      return false;
-    }
-  }
-  std::filesystem::rename(aside, file, error);
-  if (error) std::filesystem::remove(aside, error);
-  return std::filesystem::is_regular_file(file);
+  return write_sealed(file_of(dir, key), seal_key(key), body);
 }
 
 }  // namespace prosector

@@ -15,8 +15,12 @@ struct CachedAnatomy {
   std::string warning;  // what its author should know each time that it is used; empty when all is well
 };
 
-/// Nothing when there is no such file, or it is damaged: the caller builds anew.
-std::optional<CachedAnatomy> load_cached(const std::filesystem::path& dir, const ContentHash& key);
+/// What was found: a mesh, or none and why not ("" where there was none): the caller builds anew.
+struct FoundAnatomy {
+  std::optional<CachedAnatomy> made;
+  std::string trouble;
+};
+FoundAnatomy load_cached(const std::filesystem::path& dir, const ContentHash& key);
 
 /// Written aside and renamed, so that readers see all or nothing. False when the folder can't be written:
 /// a cache is no reason to fail.

@@ -146,6 +146,15 @@ void warn(const std::string& name, const CachedAnatomy& made, const Progress& pr
   if (!made.warning.empty()) say(progress, fmt::format("{}: warning: {}", name, made.warning));
 }
 
+/// A damaged cache file is said and made again.
+std::optional<CachedAnatomy> take_cached(const std::string& name, const SourcePaths& paths,
+                                         const ContentHash& key, const Progress& progress) {
+  FoundAnatomy found = load_cached(paths.cache_dir, key);
+  if (!found.trouble.empty())
+    say(progress, fmt::format("{}: its mesh in the cache {}: made anew", name, found.trouble));
+  return std::move(found.made);
+}
+
 }  // namespace
 
 Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progress& progress) {
@@ -170,7 +179,7 @@ Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progr
                           desc.label, desc.threshold, desc.size[0], desc.size[1], desc.size[2], desc.scale,
                           desc.cell, desc.surface_cell, desc.smoothing));
   CachedAnatomy made;
-  if (auto cached = load_cached(paths.cache_dir, key)) {
+  if (auto cached = take_cached(desc.name, paths, key, progress)) {
     made = std::move(*cached);
     say(progress, fmt::format("{}: {} (cached)", desc.name, describe(tet_quality(made.anatomy.tets))));
   } else {
@@ -206,7 +215,7 @@ TriangleMesh make_surface(const RigidDesc& desc, const SourcePaths& paths, const
       hash_of(fmt::format("rigid {} {} {} {} {} {} {} {}", recipe, file_hash(file), desc.volume.empty(),
                           desc.label, desc.threshold, desc.smoothing, desc.scale, desc.surface_cell));
   CachedAnatomy made;
-  auto cached = load_cached(paths.cache_dir, key);
+  auto cached = take_cached(desc.name, paths, key, progress);
   if (cached) {
     made = std::move(*cached);
   } else {

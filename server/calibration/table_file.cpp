@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <stdexcept>
 #include <thread>
 
@@ -16,7 +17,7 @@ namespace prosector {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr const char* format_name = "prosector rungs 1";
+constexpr const char* format_name = "prosector rungs 2";
 
 std::string cpu_name() {
   std::ifstream info("/proc/cpuinfo");
@@ -42,6 +43,13 @@ Json to_json(const RungTable::Row& row) {
                   {"iterations", f.iterations},
                   {"ms_per_frame", f.ms}});
   return out;
+}
+
+/// Over everything else in the file.
+std::string seal_of(Json json) {
+  json.erase("seal");
+  const std::string text = json.dump();
+  return to_hex(content_hash(std::as_bytes(std::span(text))));
 }
 
 double positive(const Json& row, const char* key) {
@@ -85,6 +93,7 @@ FoundTable read_table(const std::filesystem::path& file, const std::string& mach
     const Json json = Json::parse(in);
     if (json.at("format") != format_name) return {{}, "is of another version"};
     if (json.at("machine") != machine) return {{}, "was measured on another machine or by another build"};
+    if (json.at("seal") != seal_of(json)) return {{}, "is damaged"};
     FoundTable out;
     for (const Json& row : json.at("rows")) add_row(row, out.table);
     return out;
@@ -96,6 +105,7 @@ FoundTable read_table(const std::filesystem::path& file, const std::string& mach
 bool write_table(const std::filesystem::path& file, const std::string& machine, const RungTable& table) {
   Json json = {{"format", format_name}, {"machine", machine}, {"rows", Json::array()}};
   for (const RungTable::Row& row : table.rows()) json["rows"].push_back(to_json(row));
+  json["seal"] = seal_of(json);
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
   // Beside and renamed, so that a reader never sees half a file.

@@ -5,11 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <numeric>
 
+#include "common/sealed_file.h"
 #include "server/physics/coupled/island_solver.h"
 #include "server/physics/simulation_impl.h"
 
@@ -25,39 +24,41 @@ std::filesystem::path cache_file(const CompileOptions& options, const ContentHas
   return options.cache_dir / (to_hex(hash) + ".rest");
 }
 
-bool read_cache(const std::filesystem::path& file, std::vector<VecX>& shapes) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return false;
-  const std::vector<char> bytes((std::istreambuf_iterator<char>(in)), {});
+/// What the file is sealed under: its layout, and the scene that it belongs to.
+std::string seal_key(const ContentHash& hash) {
+  return "rest 1 " + to_hex(hash);
+}
+
+bool read_shapes(const std::vector<std::uint8_t>& bytes, std::vector<VecX>& shapes) {
   try {
-    ByteReader reader(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()),
-                      file.string());
+    ByteReader reader(bytes, "equilibrium");
     std::vector<VecX> found;
     for (const VecX& shape : shapes) found.push_back(reader.vector(shape.size()));
     if (!reader.done()) return false;
     shapes = std::move(found);
     return true;
   } catch (const InputError&) {
-    return false;  // damaged: computed anew
+    return false;  // of other bodies
   }
 }
 
-/// Written beside and renamed, so that a reader never sees half a file. A cache that can't be written is no
-/// error.
-void write_cache(const std::filesystem::path& file, const std::vector<VecX>& shapes) {
+/// False when there is none, or one that does not fit: it is found anew.
+bool read_cache(const CompileOptions& options, const ContentHash& hash, std::vector<VecX>& shapes) {
+  if (options.cache_dir.empty()) return false;
+  const std::filesystem::path file = cache_file(options, hash);
+  FoundFile found = read_sealed(file, seal_key(hash));
+  if (found.bytes && read_shapes(*found.bytes, shapes)) return true;
+  if (found.bytes) found.trouble = "is damaged";
+  if (!found.trouble.empty() && options.progress)
+    options.progress(fmt::format("cache {} {}: bodies settle anew", file.filename().string(), found.trouble));
+  return false;
+}
+
+/// A cache that can't be written is no error.
+void write_cache(const CompileOptions& options, const ContentHash& hash, const std::vector<VecX>& shapes) {
   ByteWriter out;
   for (const VecX& shape : shapes) out.add(shape);
-  std::error_code ignored;
-  std::filesystem::create_directories(file.parent_path(), ignored);
-  const auto part = std::filesystem::path(file.string() + ".part");
-  std::ofstream stream(part, std::ios::binary);
-  stream.write(reinterpret_cast<const char*>(out.bytes().data()),
-               static_cast<std::streamsize>(out.bytes().size()));
-  stream.close();
-  if (stream)
-    std::filesystem::rename(part, file, ignored);
-  else
-    std::filesystem::remove(part, ignored);
+  write_sealed(cache_file(options, hash), seal_key(hash), out.bytes());
 }
 
 }  // namespace
@@ -149,7 +150,7 @@ void Simulation::Impl::tell_if_crushed(std::size_t body, const CompileOptions& o
 void Simulation::Impl::settle(const CompileOptions& options) {
   refresh_colliders();
   for (const SoftBodyState& state : soft) equilibrium.push_back(state.motion.x);
-  const bool cached = !options.cache_dir.empty() && read_cache(cache_file(options, model.hash), equilibrium);
+  const bool cached = read_cache(options, model.hash, equilibrium);
   for (const std::vector<std::size_t>& bodies : neighbourhoods()) {
     const bool falls = floats(bodies);
     if (!cached && !falls) relax(bodies);
@@ -167,8 +168,7 @@ void Simulation::Impl::settle(const CompileOptions& options) {
     }
   }
   layer_sides.clear();  // as when the shapes were read
-  if (!cached && !options.cache_dir.empty() && !soft.empty())
-    write_cache(cache_file(options, model.hash), equilibrium);
+  if (!cached && !options.cache_dir.empty() && !soft.empty()) write_cache(options, model.hash, equilibrium);
 }
 
 }  // namespace prosector

@@ -116,7 +116,9 @@ TEST(Sources, CacheGivesTheSameBitsAndSurvivesDamage) {
     f.put('\x55');
     f.put('\x2a');
   }
-  EXPECT_TRUE(same(make_anatomy(d, paths, {})));
+  Lines flipped;
+  EXPECT_TRUE(same(make_anatomy(d, paths, flipped.progress())));
+  EXPECT_TRUE(flipped.say("its mesh in the cache is damaged: made anew"));
   // Another parameter is another file; the pose is not part of it.
   SoftDesc finer = d;
   finer.cell = 0.006;

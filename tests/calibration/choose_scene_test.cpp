@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include "common/anatomy/kuhn_box.h"
 #include "common/error.h"
@@ -111,6 +113,33 @@ TEST(ChooseScene, ForeignAndDamagedTablesAreMeasuredAgainAndSaid) {
     EXPECT_GT(chooser.measured, 0);
     EXPECT_TRUE(chooser.said("is damaged")) << bad.substr(0, 40);
   }
+}
+
+/// A figure with one bit changed may be a figure still.
+TEST(ChooseScene, AFlippedBitOfATableGivesTheSameTableOrNone) {
+  Chooser chooser;
+  SceneDesc scene = Chooser::scene();
+  chooser.choose(scene);
+  std::string whole;
+  std::getline(std::ifstream(chooser.file), whole, '\0');
+  const auto rows = read_table(chooser.file, chooser.machine).table.rows();
+  const auto figures = [](const RungTable::Row& row) {
+    const RungFigures& f = row.figures;
+    return std::array{f.elements, f.settled_sag, f.drift, f.iterations, f.ms};
+  };
+  std::mt19937_64 random(3);
+  int refused = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::string flipped = whole;
+    const std::size_t at = random() % flipped.size();
+    flipped[at] = static_cast<char>(flipped[at] ^ (1 << random() % 8));
+    std::ofstream(chooser.file) << flipped;
+    const FoundTable found = read_table(chooser.file, chooser.machine);
+    refused += !found.trouble.empty();
+    const bool same = std::ranges::equal(found.table.rows(), rows, {}, figures, figures);
+    EXPECT_TRUE(same || !found.trouble.empty()) << "byte " << at;
+  }
+  EXPECT_GT(refused, 200);  // the others are in white space
 }
 
 TEST(ChooseScene, ATableThatCannotBeKeptIsNoError) {
