@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds poll_interval{20};
-constexpr std::chrono::seconds rejoin_interval{1};
+constexpr std::chrono::milliseconds rejoin_interval{300};  // Presence may be said five times a second
 
 ParticipantId draw_participant_id() {
   std::random_device entropy;
@@ -62,13 +62,13 @@ Connection::~Connection() {
 void Connection::find_session(const BusConfig& config, std::chrono::milliseconds patience) {
   const auto deadline = Clock::now() + patience;
   std::vector<Received> received;
-  while (!replica_.session()) {
+  while (!servers_.replica().session()) {
     if (Clock::now() > deadline) throw InputError(no_server(config));
     bus_->wait(poll_interval);
     bus_->take(received);
-    for (const Received& r : received) replica_.apply(r);
+    apply(received);
   }
-  const SessionInfo& session = *replica_.session();
+  const SessionInfo& session = *servers_.replica().session();
   if (session.version != protocol_version)
     throw InputError(fmt::format(
         "session '{}' speaks protocol version {}, this client speaks {}: install the same release on both",
@@ -89,20 +89,27 @@ void Connection::ask_to_join(std::chrono::milliseconds patience) {
     }
     bus_->wait(poll_interval);
     bus_->take(received);
-    // All of the batch goes to the replica, also what came along with the answer.
-    std::optional<CommandResult> answer;
-    for (const Received& r : received) {
-      replica_.apply(r);
-      const auto* result = std::get_if<CommandResult>(&r.message);
-      if (result != nullptr && result->participant == presence_.participant) answer = *result;
-    }
-    if (!answer) continue;
+    const CommandResult* answer = apply(received);
+    if (answer == nullptr) continue;
     if (answer->accepted) return;
-    throw InputError(fmt::format("session '{}' refused {}: {}", replica_.session()->session, presence_.name,
-                                 answer->reason));
+    throw InputError(fmt::format("session '{}' refused {}: {}", servers_.replica().session()->session,
+                                 presence_.name, answer->reason));
   }
   throw InputError(fmt::format("session '{}' was found but did not answer within {} s: is its server stuck?",
-                               replica_.session()->session, static_cast<double>(patience.count()) / 1e3));
+                               servers_.replica().session()->session,
+                               static_cast<double>(patience.count()) / 1e3));
+}
+
+/// Takes a batch; returns the last answer to a command of ours by the server that is followed then, or null.
+const CommandResult* Connection::apply(const std::vector<Received>& received) {
+  for (const Received& r : received) servers_.apply(r);
+  const CommandResult* answer = nullptr;
+  for (const Received& r : received) {
+    const auto* result = std::get_if<CommandResult>(&r.message);
+    const bool ours = result != nullptr && result->participant == presence_.participant;
+    if (ours && r.writer == servers_.followed()) answer = result;
+  }
+  return answer;
 }
 
 void Connection::start() {
@@ -120,15 +127,13 @@ void Connection::run(std::stop_token stop) {
     ask_for_keyframes();
     if (!bus_->wait(std::chrono::milliseconds(100))) continue;
     bus_->take(received);
+    const std::uint64_t followed = servers_.followed();
     if (on_received_)
-      for (const Received& r : received) on_received_(r);
+      for (const Received& r : received)
+        if (r.writer == followed) on_received_(r);
     std::lock_guard lock(mutex_);
-    for (const Received& r : received) {
-      replica_.apply(r);
-      const auto* result = std::get_if<CommandResult>(&r.message);
-      if (result != nullptr && result->participant == presence_.participant && !result->accepted)
-        refusal_ = result->reason;
-    }
+    const CommandResult* answer = apply(received);
+    if (answer != nullptr && !answer->accepted) refusal_ = answer->reason;
   }
 }
 

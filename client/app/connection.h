@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "client/replica/replica.h"
+#include "client/replica/server_choice.h"
 #include "idl/bus.h"
 
 namespace prosector {
@@ -37,10 +37,11 @@ class Connection {
   template <class F>
   auto with_replica(F&& f) {
     std::lock_guard lock(mutex_);
-    return f(replica_);
+    return f(servers_.replica());
   }
 
-  /// Called on the network thread for every sample, before the replica takes it. Set it before start().
+  /// Called on the network thread for every sample of the server that is followed, before the replica takes
+  /// it. Set it before start().
   void on_received(std::function<void(const Received&)> f) { on_received_ = std::move(f); }
   void start();
 
@@ -55,7 +56,7 @@ class Connection {
   std::unique_ptr<Bus> bus_;
   Presence presence_;
   std::mutex mutex_;
-  Replica replica_;
+  ServerChoice servers_;
   std::string refusal_;
   std::atomic<std::uint64_t> command_sequence_ = 0;
   std::function<void(const Received&)> on_received_;
@@ -64,6 +65,7 @@ class Connection {
   void find_session(const BusConfig& config, std::chrono::milliseconds patience);
   void ask_to_join(std::chrono::milliseconds patience);
   void run(std::stop_token stop);
+  const CommandResult* apply(const std::vector<Received>& received);
   void rejoin_if_forgotten();
   void ask_for_keyframes();
 };

@@ -46,7 +46,6 @@ void Replica::apply(const Message& message, std::int64_t arrival_ns) {
   };
   std::visit(Overloaded{
                  [&](const SessionInfo& m) {
-                   if (session_ && session_->server_run != m.server_run) start_over();
                    session_ = m;
                    server_gone_ = false;
                    if (!clock_) clock_.emplace(m.tick_rate);
@@ -117,14 +116,6 @@ void Replica::forget(const Message& message) {
                  [](const auto&) {},
              },
              message);
-}
-
-// Another server run has other bodies, other topology and another clock: only assets, named by content, stay
-// good.
-void Replica::start_over() {
-  AssetStore assets = std::move(assets_);
-  *this = Replica();
-  assets_ = std::move(assets);
 }
 
 void Replica::build_bodies(std::int64_t now_ns) {

@@ -1,6 +1,6 @@
 #pragma once
-// What a client knows of the session, made only from what arrived. Fed by the network thread, read by the
-// view: lock it.
+// What a client knows of the session as one server runs it, made only from what that one said. Fed by the
+// network thread, read by the view: lock it.
 
 #include <cstdint>
 #include <map>
@@ -27,6 +27,10 @@ struct RigidReplica {
 
 class Replica {
  public:
+  Replica() = default;
+  /// With assets that are known already: they are named by content, so they are good for any server.
+  explicit Replica(AssetStore assets) : assets_(std::move(assets)) {}
+
   /// Takes one sample. What contradicts itself (a body that isn't in the scene, an asset that is no mesh) is
   /// counted, not believed.
   void apply(const Received& received);
@@ -63,6 +67,7 @@ class Replica {
   /// What a body collides as, in the frame of its mesh; null: nothing, or not here yet.
   const TriangleMesh* outline(BodyId body);
   bool server_gone() const { return server_gone_; }
+  const AssetStore& assets() const { return assets_; }
   std::uint64_t refused() const;
 
   // ---- At the playhead
@@ -98,7 +103,6 @@ class Replica {
 
   void apply(const Message& message, std::int64_t arrival_ns);
   void forget(const Message& message);
-  void start_over();
   void build_bodies(std::int64_t now_ns);
   void build(BodyId id, const SceneBody& body, std::int64_t now_ns);
   void follow_topology(BodyId body, std::int64_t now_ns);

@@ -1,10 +1,11 @@
-#include "client/replica/replica.h"
+#include "client/replica/server_choice.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "common/asset.h"
+#include "common/server_run.h"
 #include "common/surface_patch.h"
 
 namespace prosector {
@@ -92,6 +93,10 @@ void feed(Replica& replica, const Message& message, std::int64_t arrival_ns = 1)
   replica.apply({message, Liveness::alive, 1, arrival_ns});
 }
 
+void feed(ServerChoice& choice, std::uint64_t writer, const Message& message) {
+  choice.apply({message, Liveness::alive, writer, 1});
+}
+
 SessionInfo session(std::uint64_t run = 1) {
   SessionInfo s;
   s.session = "test";
@@ -160,20 +165,70 @@ TEST(Replica, CountsContradictionsAndGoesOn) {
   EXPECT_GE(replica.refused(), 2u);
 }
 
-TEST(Replica, ARestartedServerStartsOverButKeepsMeshes) {
+TEST(ServerChoice, ARestartedServerStartsOverButKeepsMeshes) {
   const SmallScene s;
-  Replica replica;
+  ServerChoice choice;
   const std::vector<Message> state = {s.scene(), s.first(), s.soft(0, 10, Vec3::Zero()),
                                       s.soft(1, 10, Vec3::Zero())};
   for (const Message& m :
-       std::vector<Message>{session(1), SmallScene::chunk(s.mesh_asset), SmallScene::chunk(s.map_asset)})
-    feed(replica, m);
-  for (const Message& m : state) feed(replica, m);
-  ASSERT_TRUE(replica.complete());
-  feed(replica, session(2));
-  EXPECT_FALSE(replica.complete());
-  for (const Message& m : state) feed(replica, m);
-  EXPECT_TRUE(replica.complete());
+       std::vector<Message>{session(2), SmallScene::chunk(s.mesh_asset), SmallScene::chunk(s.map_asset)})
+    feed(choice, 7, m);
+  for (const Message& m : state) feed(choice, 7, m);
+  ASSERT_TRUE(choice.replica().complete());
+  feed(choice, 8, session(1));
+  EXPECT_FALSE(choice.replica().complete());
+  for (const Message& m : state) feed(choice, 8, m);
+  EXPECT_TRUE(choice.replica().complete());
+}
+
+RosterEntry entry(ParticipantId id) {
+  RosterEntry out;
+  out.participant = id;
+  return out;
+}
+
+TEST(ServerChoice, NeverMixesWhatTwoServersSay) {
+  ServerChoice choice;
+  feed(choice, 7, entry(70));  // before anybody says whose it is
+  EXPECT_FALSE(choice.replica().session());
+  feed(choice, 7, session(5));
+  feed(choice, 8, session(6));
+  feed(choice, 8, entry(80));
+  EXPECT_EQ(choice.followed(), 7u);
+  EXPECT_EQ(choice.replica().session()->server_run, 5u);
+  EXPECT_TRUE(choice.replica().roster().contains(70));
+  EXPECT_FALSE(choice.replica().roster().contains(80));
+  choice.apply({entry(70), Liveness::gone, 8, 1});  // the other's word about ours
+  EXPECT_TRUE(choice.replica().roster().contains(70));
+}
+
+TEST(ServerChoice, FollowsTheServerThatPrecedesAndStaysWithItUntilItIsGone) {
+  ServerChoice choice;
+  feed(choice, 7, session(make_server_run(1)));
+  EXPECT_EQ(choice.followed(), 7u);
+  feed(choice, 8, session(make_server_run(2)));  // went on with the journal
+  feed(choice, 8, entry(80));
+  EXPECT_EQ(choice.followed(), 8u);
+  feed(choice, 7, session(make_server_run(1)));
+  EXPECT_EQ(choice.followed(), 8u);
+  choice.apply({choice.replica().session().value(), Liveness::gone, 8, 1});
+  EXPECT_EQ(choice.followed(), 7u);
+  choice.apply({choice.replica().session().value(), Liveness::gone, 7, 1});
+  EXPECT_TRUE(choice.replica().server_gone());  // nobody else: it may come back
+  feed(choice, 9, session(make_server_run(1)));
+  EXPECT_EQ(choice.followed(), 9u);
+  EXPECT_FALSE(choice.replica().server_gone());
+}
+
+TEST(ServerChoice, IsNotFilledByProcessesThatSayToBeServers) {
+  ServerChoice choice;
+  feed(choice, 7, session(5));
+  for (std::uint64_t writer = 100; writer < 200; ++writer) feed(choice, writer, entry(writer));
+  choice.apply({session(5), Liveness::gone, 7, 1});
+  feed(choice, 300, session(9));
+  EXPECT_EQ(choice.followed(), 300u);
+  feed(choice, 0, session(1));  // of a process that was gone before it was known
+  EXPECT_EQ(choice.followed(), 300u);
 }
 
 TEST(Replica, LeavingTakesAUserAway) {

@@ -15,32 +15,10 @@ namespace prosector {
 namespace {
 
 using namespace std::chrono_literals;
+using Folder = test::BoxFolder;
 using test::feed_until;
 using test::join_network;
 using test::Server;
-
-const char* const scene_text = R"(
-name = "box"
-[[rigid]]
-name = "table"
-fixed = true
-[[rigid.part]]
-shape = "box"
-size = [1, 0.1, 1]
-[[rigid]]
-name = "cube"
-position = [0, 0.4, 0]
-[[rigid.part]]
-shape = "box"
-size = [0.1, 0.1, 0.1]
-)";
-
-/// A folder with the scene.
-struct Folder : test::Folder {
-  explicit Folder(std::uint32_t domain) : test::Folder(domain) {
-    std::ofstream(path / "box.toml") << scene_text;
-  }
-};
 
 TEST(ServerProcess, HostsSummarisesReplaysAndResumes) {
   const Folder folder(94);
@@ -91,19 +69,19 @@ TEST(ServerProcess, HostsSummarisesReplaysAndResumes) {
 TEST(ServerProcess, ARestartAfterAKillIsSeenAsAnotherRun) {
   const Folder folder(95);
   const auto bus = join_network(folder, BusEnd::observer);
-  Replica replica;
+  ServerChoice choice;
   std::uint64_t first = 0;
   {
     Server server(folder, {folder.path / "box.toml"});
-    ASSERT_TRUE(feed_until(*bus, replica, [&] { return replica.complete(); }));
-    first = replica.session()->server_run;
+    ASSERT_TRUE(feed_until(*bus, choice, [&] { return choice.replica().complete(); }));
+    first = choice.replica().session()->server_run;
     server.signal(SIGKILL);
     EXPECT_EQ(server.wait(), -1);
   }
   Server server(folder, {folder.path / "box.toml"});
-  const auto another = [&] { return replica.session() && replica.session()->server_run != first; };
+  const auto another = [&] { return choice.replica().session()->server_run != first; };
   if (!server.says("is open")) GTEST_FAIL() << server.output();
-  EXPECT_TRUE(feed_until(*bus, replica, another));
+  EXPECT_TRUE(feed_until(*bus, choice, another));
 }
 
 std::vector<HandRef> holders(const Replica& replica, BodyId body) {

@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include "client/replica/replica.h"
+#include "client/replica/server_choice.h"
 #include "common/clock.h"
 #include "idl/cyclone_bus.h"
 
@@ -34,6 +34,27 @@ struct Folder {
     std::filesystem::create_directories(path);
   }
   ~Folder() { std::filesystem::remove_all(path); }
+};
+
+/// One with the scene of a cube over a table.
+struct BoxFolder : Folder {
+  explicit BoxFolder(std::uint32_t domain) : Folder(domain) {
+    std::ofstream(path / "box.toml") << R"(
+name = "box"
+[[rigid]]
+name = "table"
+fixed = true
+[[rigid.part]]
+shape = "box"
+size = [1, 0.1, 1]
+[[rigid]]
+name = "cube"
+position = [0, 0.4, 0]
+[[rigid.part]]
+shape = "box"
+size = [0.1, 0.1, 0.1]
+)";
+  }
 };
 
 /// A server started with `arguments`, its output in a file.
@@ -76,6 +97,11 @@ class Server {
     text << in.rdbuf();
     return text.str();
   }
+  bool runs() const {
+    siginfo_t info{};
+    waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT);
+    return info.si_pid == 0;
+  }
   bool says(const std::string& what) const {
     for (int i = 0; i < 500; ++i) {
       if (output().find(what) != std::string::npos) return true;
@@ -97,9 +123,10 @@ inline std::unique_ptr<Bus> join_network(const Folder& folder, BusEnd end) {
   return make_cyclone_bus(config);
 }
 
-/// False: not within that long.
-inline bool feed_until(Bus& bus, Replica& replica, const std::function<bool()>& done,
-                       std::chrono::seconds patience = std::chrono::seconds(5)) {
+/// `replica` is a Replica or a ServerChoice. False: not within that long.
+template <class Taker>
+bool feed_until(Bus& bus, Taker& replica, const std::function<bool()>& done,
+                std::chrono::seconds patience = std::chrono::seconds(5)) {
   const std::int64_t deadline = monotonic_ns() + std::chrono::nanoseconds(patience).count();
   std::vector<Received> received;
   while (!done()) {

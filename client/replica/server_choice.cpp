@@ -1,0 +1,47 @@
+#include "client/replica/server_choice.h"
+
+#include "common/server_run.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t max_servers = 8;  // each costs a scene's memory, and anyone can say to be one
+
+bool hosts(const Replica& replica) {
+  return replica.session() && !replica.server_gone();
+}
+
+}  // namespace
+
+void ServerChoice::apply(const Received& received) {
+  if (!admits(received.writer)) return;
+  servers_.at(received.writer).apply(received);
+  if (std::holds_alternative<SessionInfo>(received.message)) choose();
+}
+
+Replica& ServerChoice::replica() {
+  const auto it = servers_.find(followed_);
+  return it == servers_.end() ? nobody_ : it->second;
+}
+
+/// Not what a process said that was gone before it was known: it fits none.
+bool ServerChoice::admits(std::uint64_t writer) {
+  if (writer == 0) return false;
+  if (servers_.contains(writer)) return true;
+  if (servers_.size() >= max_servers)
+    std::erase_if(servers_, [&](const auto& s) { return s.first != followed_ && !hosts(s.second); });
+  if (servers_.size() >= max_servers) return false;
+  servers_.emplace(writer, Replica(replica().assets()));
+  return true;
+}
+
+void ServerChoice::choose() {
+  for (const auto& [writer, server] : servers_) {
+    if (!hosts(server)) continue;
+    const Replica& now = replica();
+    if (!hosts(now) || precedes(server.session()->server_run, now.session()->server_run)) followed_ = writer;
+  }
+  std::erase_if(servers_, [&](const auto& s) { return s.first != followed_ && s.second.server_gone(); });
+}
+
+}  // namespace prosector
