@@ -18,9 +18,6 @@ std::unique_ptr<Bus> make_cyclone_bus(const BusConfig& config);
 /// 0.5 s; peers without a port are asked at all ten server indices.
 std::vector<SessionInfo> list_sessions(const BusConfig& config, std::chrono::milliseconds timeout);
 
-/// The running server of session config.session, if one is found within `timeout`; returns as soon as it is.
-std::optional<SessionInfo> probe_session(const BusConfig& config, std::chrono::milliseconds timeout);
-
 /// The lowest server index that is free on this host, so that several sessions can share it.
 std::optional<std::uint32_t> free_server_index(const BusConfig& config);
 

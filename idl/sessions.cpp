@@ -1,14 +1,19 @@
 // What there is on the network before one joins: a reader of SessionInfo in every partition.
 
 #include <algorithm>
+#include <condition_variable>
 #include <map>
+#include <mutex>
+#include <thread>
 
 #include "common/clock.h"
 #include "common/error.h"
+#include "common/server_run.h"
 #include "idl/cyclone_bus.h"
 #include "idl/dds/node.h"
 #include "idl/dds/profile.h"
 #include "idl/dds/qos.h"
+#include "idl/session_watch.h"
 #include "idl/wire/codec.h"
 
 namespace prosector {
@@ -81,13 +86,61 @@ std::vector<SessionInfo> list_sessions(const BusConfig& config, std::chrono::mil
   return sessions;
 }
 
-std::optional<SessionInfo> probe_session(const BusConfig& config, std::chrono::milliseconds timeout) {
-  SessionListener listener(config, config.session);
-  for (const std::int64_t deadline = deadline_after(timeout); monotonic_ns() < deadline;) {
-    listener.listen(deadline);
-    if (!listener.found().empty()) return listener.found().begin()->second;
+struct SessionWatch::Impl {
+  explicit Impl(const BusConfig& config) : began_ns(monotonic_ns()) {
+    listener.emplace(config, config.session);
+    thread = std::jthread([this](const std::stop_token& stop) {
+      while (!stop.stop_requested() && look()) {
+      }
+      listener.reset();  // off the network
+    });
   }
-  return std::nullopt;
+
+  /// False when the watch is over.
+  bool look() {
+    constexpr std::int64_t round_ns = 20'000'000;  // until what else is asked of the watch is looked at
+    listener->listen(monotonic_ns() + round_ns);
+    const std::lock_guard lock(mutex);
+    known = listener->found();
+    changed.notify_all();
+    if (!yield) return true;
+    for (const auto& [key, info] : known) {
+      if (!precedes(info.server_run, own)) continue;
+      yield(info);
+      return false;
+    }
+    return monotonic_ns() < guarded_until_ns;
+  }
+
+  std::optional<SessionListener> listener;  // the thread's
+  std::int64_t began_ns;
+  mutable std::mutex mutex;  // of all below
+  mutable std::condition_variable changed;
+  std::map<InstanceKey, SessionInfo> known;
+  std::function<void(const SessionInfo&)> yield;
+  std::uint64_t own = 0;
+  std::int64_t guarded_until_ns = 0;
+  std::jthread thread;
+};
+
+SessionWatch::SessionWatch(const BusConfig& config) : impl_(std::make_unique<Impl>(config)) {}
+SessionWatch::~SessionWatch() = default;
+
+std::optional<SessionInfo> SessionWatch::other(std::chrono::milliseconds time) const {
+  std::unique_lock lock(impl_->mutex);
+  const std::int64_t deadline = impl_->began_ns + std::chrono::nanoseconds(time).count();
+  while (impl_->known.empty() && monotonic_ns() < deadline)
+    impl_->changed.wait_for(lock, std::chrono::nanoseconds(deadline - monotonic_ns()));
+  if (impl_->known.empty()) return std::nullopt;
+  return impl_->known.begin()->second;
+}
+
+void SessionWatch::guard(std::uint64_t own, std::chrono::milliseconds time,
+                         std::function<void(const SessionInfo& other)> yield) {
+  const std::lock_guard lock(impl_->mutex);
+  impl_->own = own;
+  impl_->guarded_until_ns = monotonic_ns() + std::chrono::nanoseconds(time).count();
+  impl_->yield = std::move(yield);
 }
 
 std::optional<std::uint32_t> free_server_index(const BusConfig& config) {

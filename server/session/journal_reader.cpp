@@ -4,23 +4,40 @@
 
 #include "common/error.h"
 #include "server/session/input_bytes.h"
+#include "server/session/readable_database.h"
+#include "server/session/wal_check.h"
 
 namespace prosector {
 
 JournalReader::JournalReader(const std::filesystem::path& file) : file_(file) {
   if (!std::filesystem::is_regular_file(file)) refuse("no such file");
+  const bool damaged_log = log_is_damaged(file.string() + "-wal");
   try {
-    database_ = std::make_unique<SqliteDatabase>(file, SqliteDatabase::Mode::read);
-    const std::string format = meta("format"), wanted = fmt::format("prosector journal {}", journal_version);
-    if (format != wanted) refuse(fmt::format("is a \"{}\", this version reads \"{}\"", format, wanted));
-    header_.scene_file = meta("scene_file");
-    header_.scene_text = meta("scene_text");
-    header_.session = meta("session");
-    content_hash_ = meta("content_hash");
-    header_.choices = decode_choices(meta("choices"));
+    database_ = open_to_read(file);
+    read_description();
+    // Rows that a damaged page hides would not be missed at the end.
+    SqliteStatement check(*database_, "PRAGMA quick_check('tick')");
+    if (!check.step() || check.text(0) != "ok") refuse(fmt::format("is damaged ({})", check.text(0)));
+    if (damaged_log)
+      trouble_ = fmt::format("journal {}: its log is damaged: what was written after tick {} is lost",
+                             file.string(), last_tick());
   } catch (const SqliteError& e) {
     refuse(fmt::format("is no journal ({})", e.what()));
   }
+}
+
+void JournalReader::read_description() {
+  const std::string format = meta("format"), wanted = fmt::format("prosector journal {}", journal_version);
+  if (format != wanted) refuse(fmt::format("is a \"{}\", this version reads \"{}\"", format, wanted));
+  std::vector<std::pair<std::string, std::string>> description;
+  for (const char* key : journal_keys) description.emplace_back(key, meta(key));
+  seal_ = seal_of(description);
+  if (meta("seal") != to_hex(seal_)) refuse("its description is damaged");
+  header_.scene_file = meta("scene_file");
+  header_.scene_text = meta("scene_text");
+  header_.session = meta("session");
+  content_hash_ = meta("content_hash");
+  header_.choices = decode_choices(meta("choices"));
 }
 
 std::uint64_t JournalReader::last_tick() const {
@@ -29,15 +46,45 @@ std::uint64_t JournalReader::last_tick() const {
   return query.number(0);
 }
 
-std::optional<Checkpoint> JournalReader::last_checkpoint() const {
-  SqliteStatement query(*database_, "SELECT tick, state FROM checkpoint ORDER BY tick DESC LIMIT 1");
-  if (!query.step()) return std::nullopt;
-  return Checkpoint{query.number(0), query.bytes(1)};
+std::vector<std::uint64_t> JournalReader::checkpoint_ticks() const {
+  std::vector<std::uint64_t> out;
+  try {
+    SqliteStatement query(*database_, "SELECT tick FROM checkpoint ORDER BY tick DESC");
+    while (query.step()) out.push_back(query.number(0));
+  } catch (const SqliteError&) {
+    // Those that could be listed.
+  }
+  return out;
 }
 
-bool JournalReader::has_checkpoint(std::uint64_t tick) const {
-  SqliteStatement query(*database_, "SELECT 1 FROM checkpoint WHERE tick=?");
-  return query.bind(0, tick).step();
+std::optional<Checkpoint> JournalReader::checkpoint(std::uint64_t tick) const {
+  try {
+    SqliteStatement row(*database_, "SELECT parts, seal FROM checkpoint WHERE tick=?");
+    if (!row.bind(0, tick).step()) return std::nullopt;
+    SqliteStatement parts(*database_, "SELECT bytes FROM checkpoint_part WHERE tick=? ORDER BY part");
+    parts.bind(0, tick);
+    Checkpoint out{tick, {}};
+    std::uint64_t count = 0;
+    for (; parts.step(); ++count) {
+      const std::vector<std::uint8_t> bytes = parts.bytes(0);
+      out.state.insert(out.state.end(), bytes.begin(), bytes.end());
+    }
+    if (count != row.number(0) || seal_of_checkpoint(seal_, tick, out.state) != row.number(1))
+      return std::nullopt;
+    return out;
+  } catch (const SqliteError&) {
+    return std::nullopt;
+  }
+}
+
+std::uint64_t JournalReader::state_hash(std::uint64_t tick) const {
+  std::optional<std::uint64_t> out;
+  for_each_tick(tick - 1, [&](const JournalTick& t) {
+    out = t.state_hash;
+    return false;
+  });
+  if (!out) refuse(fmt::format("tick {} is missing", tick));
+  return *out;
 }
 
 std::vector<TopologyRevision> JournalReader::topology(std::uint64_t tick) const {
@@ -60,22 +107,55 @@ std::vector<TopologyRevision> JournalReader::topology(std::uint64_t tick) const 
   return out;
 }
 
+std::vector<SessionEvent> JournalReader::events(std::uint64_t tick) const {
+  SqliteStatement query(*database_,
+                        "SELECT what, participant, name, detail FROM event WHERE tick=? ORDER BY rowid");
+  query.bind(0, tick);
+  std::vector<SessionEvent> out;
+  while (query.step()) {
+    const auto kind = event_kind(query.text(0));
+    if (!kind) refuse(fmt::format("tick {} is damaged", tick));
+    out.push_back({*kind, query.number(1), query.text(2), query.text(3)});
+  }
+  return out;
+}
+
 void JournalReader::for_each_tick(std::uint64_t after,
                                   const std::function<bool(const JournalTick&)>& visit) const {
+  std::uint64_t expected = after + 1;
   try {
-    SqliteStatement query(*database_, "SELECT tick, state_hash, input FROM tick WHERE tick>? ORDER BY tick");
+    SqliteStatement query(
+        *database_, "SELECT tick, state_hash, input, rebuilt, seal FROM tick WHERE tick>? ORDER BY tick");
     query.bind(0, after);
-    std::uint64_t expected = after + 1;
     while (query.step()) {
       JournalTick tick;
       tick.tick = query.number(0);
-      if (tick.tick != expected++) refuse(fmt::format("tick {} is missing", expected - 1));
+      if (tick.tick != expected) refuse(fmt::format("tick {} is missing", expected));
       tick.state_hash = query.number(1);
-      tick.input = decode_input(query.bytes(2));
+      tick.rebuilt = query.number(3) != 0;
+      tick.topology = topology(tick.tick);
+      tick.events = events(tick.tick);
+      const std::vector<std::uint8_t> input = query.bytes(2);
+      if (seal_of(seal_, tick, input) != query.number(4)) refuse(fmt::format("tick {} is damaged", expected));
+      tick.input = decode_input(input);
       if (!visit(tick)) return;
+      ++expected;
     }
   } catch (const SqliteError& e) {
-    refuse(fmt::format("is damaged ({})", e.what()));
+    refuse(fmt::format("is damaged at tick {} ({})", expected, e.what()));
+  }
+}
+
+void JournalReader::export_to(const std::filesystem::path& file) const {
+  if (std::filesystem::exists(file))
+    throw InputError(fmt::format("{}: exists already; name another file", file.string()));
+  try {
+    SqliteStatement vacuum(*database_, "VACUUM INTO ?");
+    vacuum.bind(0, file.string()).step();
+  } catch (const SqliteError& e) {
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+    throw InputError(fmt::format("{}: cannot be written ({})", file.string(), e.what()));
   }
 }
 

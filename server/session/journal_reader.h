@@ -1,12 +1,15 @@
 #pragma once
-// A journal, read back.
+// A journal, read back: from any place that can be read, and no row is believed whose seal does not fit.
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "server/session/journal.h"
+#include "server/session/journal_file.h"
 
 namespace prosector {
 
@@ -17,27 +20,37 @@ struct Checkpoint {
 
 class JournalReader {
  public:
-  /// Throws InputError when `file` is no journal that this version reads.
+  /// Throws InputError when `file` is no journal that this version reads, or damaged.
   explicit JournalReader(const std::filesystem::path& file);
 
   const JournalHeader& header() const { return header_; }
   const std::string& content_hash() const { return content_hash_; }  // hex, of the compiled scene
   std::uint64_t last_tick() const;                                   // 0: none
-  std::optional<Checkpoint> last_checkpoint() const;
-  bool has_checkpoint(std::uint64_t tick) const;
-  /// What the step of `tick` changed of bodies' topology, in order; without patches, tick by tick.
-  std::vector<TopologyRevision> topology(std::uint64_t tick) const;
+  /// What was read around, for people; empty when all is well.
+  const std::string& trouble() const { return trouble_; }
+  /// Where checkpoints are, newest first; what they hold is proven by checkpoint().
+  std::vector<std::uint64_t> checkpoint_ticks() const;
+  /// Nothing when it is damaged.
+  std::optional<Checkpoint> checkpoint(std::uint64_t tick) const;
+  /// The state hash of a tick. Throws InputError when it is missing or damaged.
+  std::uint64_t state_hash(std::uint64_t tick) const;
   /// Calls `visit` for each tick after `after`, in order, until it returns false. Throws InputError where one
   /// is missing or damaged.
   void for_each_tick(std::uint64_t after, const std::function<bool(const JournalTick&)>& visit) const;
+  /// All of it in a new file, without a log beside it. Throws InputError when that can't be written.
+  void export_to(const std::filesystem::path& file) const;
 
  private:
   std::filesystem::path file_;
   std::unique_ptr<SqliteDatabase> database_;
   JournalHeader header_;
-  std::string content_hash_;
+  std::string content_hash_, trouble_;
+  std::uint64_t seal_ = 0;
 
+  void read_description();
   std::string meta(const std::string& key) const;
+  std::vector<TopologyRevision> topology(std::uint64_t tick) const;
+  std::vector<SessionEvent> events(std::uint64_t tick) const;
   [[noreturn]] void refuse(const std::string& why) const;
 };
 

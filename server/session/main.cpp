@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -12,6 +13,7 @@
 #include "common/error.h"
 #include "common/scene/load_scene.h"
 #include "idl/cyclone_bus.h"
+#include "idl/session_watch.h"
 #include "server/calibration/table_file.h"
 #include "server/physics/freed_memory.h"
 #include "server/physics/soft/rungs.h"
@@ -79,21 +81,44 @@ void describe(const Simulation& simulation) {
   for (const SoftDesc& soft : scene.soft) say(fmt::format("  {}: {}", soft.name, in_words(soft)));
 }
 
-/// The first free place among this host's servers, after making sure that nobody hosts this session.
-BusConfig find_place(const ServerOptions& options, const std::string& session) {
+constexpr std::chrono::milliseconds time_to_find{600};  // a server that runs is heard in half of it
+constexpr std::chrono::seconds time_to_yield{10};  // in which servers that started together find each other
+
+/// Listens while the scene is compiled: both take their time.
+std::unique_ptr<SessionWatch> watch_for_others(const ServerOptions& options, const std::string& session) {
   BusConfig config = options.bus();
   config.session = session;
-  BusConfig probe = config;
-  probe.end = BusEnd::observer;
-  if (const auto other = probe_session(probe, std::chrono::milliseconds(600)))
+  config.end = BusEnd::observer;
+  return std::make_unique<SessionWatch>(config);
+}
+
+/// The first free place among this host's servers, after making sure that nobody hosts this session.
+BusConfig find_place(const ServerOptions& options, const std::string& session, const SessionWatch& watch) {
+  if (const auto other = watch.other(time_to_find))
     throw InputError(fmt::format(
         "a server hosts session \"{}\" already (scene {}): join it, or name another with --session", session,
         other->scene));
+  BusConfig config = options.bus();
+  config.session = session;
   const auto index = options.index ? options.index : free_server_index(config);
   if (!index)
     throw InputError("all ten server places of this host are taken: end a server, or use another --domain");
   config.server_index = *index;
   return config;
+}
+
+/// Opens the network at `place`. Somebody may take the place between finding it and opening it.
+std::unique_ptr<Bus> open_bus(const ServerOptions& options, const std::string& session,
+                              const SessionWatch& watch, BusConfig& place) {
+  constexpr int tries = 3;
+  for (int left = tries - 1;; --left) {
+    place = find_place(options, session, watch);
+    try {
+      return make_cyclone_bus(place);
+    } catch (const InputError&) {
+      if (options.index || left == 0) throw;
+    }
+  }
 }
 
 std::string how_to_join(const BusConfig& config) {
@@ -110,8 +135,28 @@ std::string how_to_join(const BusConfig& config) {
       config.session, more, config.session, more);
 }
 
+void tell_trouble(const JournalReader& journal) {
+  if (!journal.trouble().empty()) say(journal.trouble());
+}
+
+/// The whole of a journal as one file, proven tick by tick where it has arrived.
+void export_journal(const std::vector<std::filesystem::path>& from_to) {
+  const JournalReader from(from_to[0]);
+  tell_trouble(from);
+  from.export_to(from_to[1]);
+  const JournalReader exported(from_to[1]);
+  std::uint64_t ticks = 0;
+  exported.for_each_tick(0, [&](const JournalTick&) { return ++ticks, true; });
+  const std::vector<std::uint64_t> checkpoints = exported.checkpoint_ticks();
+  const auto damaged =
+      std::ranges::count_if(checkpoints, [&](std::uint64_t t) { return !exported.checkpoint(t); });
+  say(fmt::format("{}: {} ticks, {} checkpoints{}", from_to[1].string(), ticks, checkpoints.size(),
+                  damaged > 0 ? fmt::format(", {} of them damaged", damaged) : ""));
+}
+
 int replay_journal(const ServerOptions& options) {
   const JournalReader journal(options.replay);
+  tell_trouble(journal);
   const JournalHeader& header = journal.header();
   SceneDesc scene = parse_scene(header.scene_text, header.scene_file);
   adopt(header.choices, scene);
@@ -142,7 +187,8 @@ std::unique_ptr<Journal> open_journal(const ServerOptions& options, const Simula
 }
 
 void resume_journal(const JournalReader& journal, Simulation& simulation) {
-  const ReplayResult result = resume(journal, simulation);
+  tell_trouble(journal);
+  const ReplayResult result = resume(journal, simulation, say);
   if (!result)
     throw InputError(fmt::format("the journal cannot be resumed: tick {} differs when run again",
                                  *result.first_difference));
@@ -157,6 +203,7 @@ void host(const ServerOptions& options) {
   const std::string session = !options.session.empty() ? options.session
                               : past                   ? past->header().session
                                                        : scene.session.name;
+  std::unique_ptr<SessionWatch> watch = options.check ? nullptr : watch_for_others(options, session);
   // A session that goes on keeps its rungs, whatever this machine would choose.
   const std::vector<Choice> choices = past ? past->header().choices : choose(scene, options);
   adopt(choices, scene);
@@ -166,15 +213,29 @@ void host(const ServerOptions& options) {
   past.reset();
   if (options.check) return;
 
-  const BusConfig place = find_place(options, session);
-  const std::unique_ptr<Bus> bus = make_cyclone_bus(place);
-  const std::unique_ptr<Journal> journal = open_journal(options, simulation, text, session, choices);
-  // Steps that wait for a compiler or a browser are late; not being allowed is no error.
+  BusConfig place;
+  const std::unique_ptr<Bus> bus = open_bus(options, session, *watch, place);
+  // Steps that wait for a compiler or a browser are late, and so is the journal's thread, which is as urgent;
+  // not being allowed is no error.
   setpriority(PRIO_PROCESS, 0, -5);
-  ServerLoop loop(simulation, *bus, session, journal.get(), say, {.choices = choices});
+  const std::unique_ptr<Journal> journal = open_journal(options, simulation, text, session, choices);
+  ServerLoop loop(simulation, *bus, session, journal.get(), say,
+                  {.choices = choices, .reign = journal ? journal->reign() : first_reign});
+  std::optional<SessionInfo> rival;
+  watch->guard(loop.server_run(), time_to_yield, [&](const SessionInfo& other) {
+    rival = other;
+    interrupted = true;
+  });
   say(how_to_join(place));
   loop.run(interrupted, options.seconds, say);
+  watch.reset();
   loop.finish();
+  if (rival)
+    throw InputError(
+        fmt::format("another server started session \"{}\" at the same moment and hosts it (scene {}): this "
+                    "one ends; join "
+                    "it, or name another session with --session",
+                    session, rival->scene));
 
   const RunFigures f = loop.figures();
   say(fmt::format(
@@ -198,6 +259,7 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, [](int) { interrupted = true; });
   std::signal(SIGTERM, [](int) { interrupted = true; });
   try {
+    if (!options.export_journal.empty()) return export_journal(options.export_journal), 0;
     if (!options.replay.empty()) return replay_journal(options);
     host(options);
     return 0;

@@ -57,6 +57,17 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
   replay->type_name("FILE")->group(record)->excludes(journal)->excludes(resume)->excludes(scene);
   resume->type_name("FILE")->group(record)->excludes(journal)->excludes(scene);
 
+  app.add_option(
+         "--export-journal", o.export_journal,
+         "Write a journal, also one that a server is writing or that a crash left, whole to one new file")
+      ->expected(2)
+      ->type_name("FROM TO")
+      ->group(record)
+      ->excludes(journal)
+      ->excludes(replay)
+      ->excludes(resume)
+      ->excludes(scene);
+
   const char* network = "Network (default: this machine only)";
   std::string lan;
   auto* reach =
@@ -94,8 +105,8 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
 
   try {
     app.parse(argc, argv);
-    if (o.scene.empty() && o.replay.empty() && o.resume.empty())
-      throw CLI::RequiredError("SCENE (or --replay or --resume)");
+    if (o.scene.empty() && o.replay.empty() && o.resume.empty() && o.export_journal.empty())
+      throw CLI::RequiredError("SCENE (or --replay, --resume or --export-journal)");
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
   }

@@ -15,8 +15,9 @@ struct ServerOptions {
   std::string session;  // empty: the scene's
   int threads = 0;
   std::filesystem::path journal, replay, resume, summary;
-  double journal_mb = 0;  // 0: no limit
-  double seconds = 0;     // 0: until interrupted
+  std::vector<std::filesystem::path> export_journal;  // from, to; empty: none
+  double journal_mb = 0;                              // 0: no limit
+  double seconds = 0;                                 // 0: until interrupted
   std::uint32_t domain = 0;
   std::optional<std::string> interface;  // none: this machine only; empty: the only network that there is
   std::string profile;

@@ -44,6 +44,7 @@ class Publisher {
   /// Waits until everything queued has been sent.
   void flush();
   PublisherCounters counters() const;
+  const SessionInfo& info() const { return info_; }
 
  private:
   Bus& bus_;

@@ -36,9 +36,8 @@ ReplayResult replay(const JournalReader& journal, Simulation& simulation,
   result.last_hash = simulation.state_hash();
   journal.for_each_tick(simulation.time().tick, [&](const JournalTick& tick) {
     const StepReport& report = simulation.step(tick.input.input);
-    const bool same = same_topology(journal.topology(tick.tick), report.topology);
-    // The recorded run rebuilt its caches here.
-    if (journal.has_checkpoint(tick.tick)) simulation.checkpoint();
+    const bool same = same_topology(tick.topology, report.topology);
+    if (tick.rebuilt) simulation.checkpoint();
     result.last_hash = simulation.state_hash();
     if (result.last_hash != tick.state_hash || !same) {
       result.first_difference = tick.tick;
@@ -51,9 +50,31 @@ ReplayResult replay(const JournalReader& journal, Simulation& simulation,
   return result;
 }
 
-ReplayResult resume(const JournalReader& journal, Simulation& simulation) {
+namespace {
+
+/// Puts the newest checkpoint that is whole into the simulation; where there is none, the scene's beginning
+/// stays.
+void restore_newest(const JournalReader& journal, Simulation& simulation,
+                    const std::function<void(const std::string&)>& say) {
+  for (const std::uint64_t tick : journal.checkpoint_ticks()) {
+    const std::optional<Checkpoint> checkpoint = journal.checkpoint(tick);
+    if (!checkpoint) {
+      say(fmt::format("the checkpoint of tick {} is damaged: going back to an earlier one", tick));
+      continue;
+    }
+    simulation.restore(checkpoint->state);
+    if (simulation.state_hash() != journal.state_hash(tick))
+      throw InputError(fmt::format("the checkpoint of tick {} is another state in this build", tick));
+    return;
+  }
+}
+
+}  // namespace
+
+ReplayResult resume(const JournalReader& journal, Simulation& simulation,
+                    const std::function<void(const std::string&)>& say) {
   require_same_scene(journal, simulation);
-  if (const auto checkpoint = journal.last_checkpoint()) simulation.restore(checkpoint->state);
+  restore_newest(journal, simulation, say);
   return replay(journal, simulation, {});
 }
 

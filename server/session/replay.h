@@ -25,7 +25,9 @@ void require_same_scene(const JournalReader& journal, const Simulation& simulati
 ReplayResult replay(const JournalReader& journal, Simulation& simulation,
                     const std::function<void(std::uint64_t tick)>& progress);
 
-/// Restores the last checkpoint and runs what was journalled after it: where the session stopped.
-ReplayResult resume(const JournalReader& journal, Simulation& simulation);
+/// Restores the newest checkpoint that is whole and runs what was journalled after it: where the session
+/// stopped. `say` hears of each damaged checkpoint. Throws InputError when a tick after it is damaged.
+ReplayResult resume(const JournalReader& journal, Simulation& simulation,
+                    const std::function<void(const std::string&)>& say);
 
 }  // namespace prosector

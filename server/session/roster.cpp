@@ -46,6 +46,12 @@ std::string Roster::refusal(const Presence& p) const {
   return {};
 }
 
+bool Roster::in_anothers_place(const Presence& p) const {
+  return std::ranges::any_of(members_, [&](const auto& m) {
+    return m.second.presence.name == p.name || (p.role == Role::host && m.second.role == Role::host);
+  });
+}
+
 std::string Roster::role_refusal(const Participant& subject, Role role) const {
   if (role == Role::observer && subject.role != Role::observer &&
       observers() >= static_cast<std::uint32_t>(rules_.observers))

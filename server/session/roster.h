@@ -18,6 +18,7 @@ struct SessionRules {
   int observers = 16;  // of them observers, at most
   std::uint64_t input_timeout = 30;
   std::uint64_t presence_timeout = 120;  // ticks that a join waits for its Presence
+  std::uint64_t death_timeout = 90;      // ticks after which a member that died is known to be gone
   std::vector<bool> parts;               // by body, whether it is a part of the anatomy
   std::size_t bodies = 0;                // BodyId below this exist
 };
@@ -35,6 +36,9 @@ class Roster {
 
   /// Empty when `presence` may join now, else why not.
   std::string refusal(const Presence& presence) const;
+  /// Whether only another member is in the way, by its name or as the host: should that one be dead, the next
+  /// moments tell.
+  bool in_anothers_place(const Presence& presence) const;
   /// Empty when a member may become that, else why not. Who may say so is the session's matter.
   std::string role_refusal(const Participant& subject, Role role) const;
   const Participant& admit(const Presence& presence, std::uint64_t writer);

@@ -138,9 +138,4 @@ std::vector<AssetChunk> chunks_of(const Asset& asset) {
   return out;
 }
 
-std::uint64_t random_server_run() {
-  std::random_device entropy;
-  return (std::uint64_t{entropy()} << 32 | entropy()) | 1;
-}
-
 }  // namespace prosector

@@ -38,7 +38,4 @@ std::string beginning(const std::string& text, std::size_t bytes);
 /// The asset in pieces that the network carries.
 std::vector<AssetChunk> chunks_of(const Asset& asset);
 
-/// A fresh number for SessionInfo::server_run.
-std::uint64_t random_server_run();
-
 }  // namespace prosector

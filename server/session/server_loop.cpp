@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <iterator>
 #include <limits>
 
 #include "common/counted.h"
@@ -16,6 +17,9 @@ namespace {
 
 constexpr std::int64_t second_ns = 1'000'000'000;
 constexpr std::int64_t status_period_ns = second_ns / 10;
+constexpr std::int64_t longest_replay_ns = second_ns;  // of ticks, until a resumed session is where it was
+constexpr const char* journal_is_late = "the journal is behind the session: the disk is slow";
+constexpr double death_timeout = 1.5;   // s after which a dead client is known to be: its lease is 1 s
 constexpr double presence_timeout = 2;  // s that a join waits for its Presence
 
 void sleep_until(std::int64_t ns) {
@@ -23,14 +27,18 @@ void sleep_until(std::int64_t ns) {
   clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr);
 }
 
-SessionInfo info_of(const Simulation& simulation, const std::string& session) {
+void append(std::vector<Outgoing>& out, std::vector<Outgoing> more) {
+  out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+SessionInfo info_of(const Simulation& simulation, const std::string& session, std::uint32_t reign) {
   SessionInfo info;
   info.session = session;
   info.scene = simulation.scene().name;
   info.scene_hash = simulation.content_hash();
   info.tick_rate = simulation.scene().tick_rate;
   info.capacity = static_cast<std::uint32_t>(simulation.scene().session.capacity);
-  info.server_run = random_server_run();
+  info.server_run = make_server_run(reign);
   return info;
 }
 
@@ -98,6 +106,7 @@ SessionRules rules_of(const SceneDesc& scene, const std::string& session) {
   rules.observers = scene.session.observers;
   rules.input_timeout = static_cast<std::uint64_t>(std::ceil(scene.session.input_timeout * scene.tick_rate));
   rules.presence_timeout = static_cast<std::uint64_t>(std::ceil(presence_timeout * scene.tick_rate));
+  rules.death_timeout = static_cast<std::uint64_t>(std::ceil(death_timeout * scene.tick_rate));
   for (const RigidDesc& rigid : scene.rigid) rules.parts.push_back(rigid.part);
   for (const SoftDesc& soft : scene.soft) rules.parts.push_back(soft.part);
   rules.bodies = rules.parts.size();
@@ -118,7 +127,7 @@ ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& sess
       body_meter_(simulation, expectations(options_.choices)),
       governor_(simulation.scene().tick_rate, may_step_down(simulation)),
       state_hash_(simulation.state_hash()),
-      publisher_(bus, info_of(simulation, session), content_) {
+      publisher_(bus, info_of(simulation, session, options_.reign), content_) {
   for (auto piece = static_cast<BodyId>(session_.bodies()); piece < simulation.body_count(); ++piece)
     session_.add_body(simulation.soft(piece).desc().part);
   session_.vanish(simulation.hands());  // of a state that was restored
@@ -152,9 +161,7 @@ void ServerLoop::tick() {
   session_.finish_tick(simulation_.hands(), report);
   session_.see_panels(simulation_.panels());
 
-  const bool checkpoint = simulation_.time().tick % checkpoint_ticks == 0;
-  std::vector<std::uint8_t> saved;
-  if (checkpoint) saved = simulation_.checkpoint();
+  std::vector<std::uint8_t> saved = checkpoint_if_due();
   keep_moment(report);
   state_hash_ = simulation_.state_hash();
   std::vector<SessionEvent> events = session_.take_events();
@@ -162,7 +169,7 @@ void ServerLoop::tick() {
     events.push_back(
         {SessionEvent::Kind::broke, 0, simulation_.name(b.body), fmt::format("at {:.0f} N", b.force)});
   announce(events);
-  tell_of_cuts(report);
+  std::vector<Outgoing> told = words_of_cuts(report);
   journal(std::move(input), std::move(saved), std::move(events));
   record(report, begun);
   govern(report, begun);
@@ -172,19 +179,39 @@ void ServerLoop::tick() {
     snapshot->status = status();
     status_ns_ = last_end_ns_;
   }
-  publisher_.say(session_.take_outgoing());
-  publisher_.say(parts_.take(simulation_));
-  tell_of_bodies(report);
+  append(told, session_.take_outgoing());
+  append(told, parts_.take(simulation_));
+  append(told, words_of_bodies(report));
+  settle_journal();
+  publisher_.say(std::move(told));
   publisher_.offer(snapshot);
   last_snapshot_ = std::move(snapshot);
+}
+
+/// At the regular ticks, and with a journal once what lies behind takes long to run again.
+std::vector<std::uint8_t> ServerLoop::checkpoint_if_due() {
+  const bool regular = simulation_.time().tick % checkpoint_ticks == 0;
+  const bool long_ago = journal_ != nullptr && since_checkpoint_ns_ > longest_replay_ns;
+  if (!regular && !long_ago) return {};
+  since_checkpoint_ns_ = 0;
+  return simulation_.checkpoint();
 }
 
 void ServerLoop::journal(ConsumedInput input, std::vector<std::uint8_t> checkpoint,
                          std::vector<SessionEvent> events) {
   if (journal_ == nullptr) return;
-  journal_->append({simulation_.time().tick, std::move(input), state_hash_, std::move(checkpoint),
-                    std::move(events), topology_.take_records()});
-  if (!journal_trouble_.empty()) return;
+  journal_->append({simulation_.time().tick, std::move(input), state_hash_, !checkpoint.empty(),
+                    std::move(events), topology_.take_records()},
+                   std::move(checkpoint));
+}
+
+/// What people see is in the journal first, unless the disk is too slow for that.
+void ServerLoop::settle_journal() {
+  if (journal_ == nullptr || !journal_trouble_.empty()) return;
+  const bool late = !journal_->settle();
+  if (late != journal_late_)
+    say_(late ? fmt::format("{}; the session goes on", journal_is_late) : "the journal has caught up");
+  journal_late_ = late;
   journal_trouble_ = journal_->trouble();
   if (!journal_trouble_.empty()) say_(journal_trouble_ + "; the session goes on without");
 }
@@ -209,6 +236,7 @@ void ServerLoop::record(const StepReport& report, std::int64_t begun_ns) {
     most = std::max(most, 1e3 * simulation_.max_displacement(b));
   }
   meter_.add(report, tissue_awake, begun_ns, last_end_ns_);
+  since_checkpoint_ns_ += last_end_ns_ - begun_ns;
 }
 
 /// What the clock said of this tick becomes an input of the next.
@@ -248,15 +276,15 @@ std::string ServerLoop::stepped_down() const {
   return out;
 }
 
-void ServerLoop::tell_of_bodies(const StepReport& report) {
+std::vector<Outgoing> ServerLoop::words_of_bodies(const StepReport& report) {
   body_meter_.add(report);
   std::vector<Outgoing> out;
   for (const BodyStatus& status : body_meter_.take(simulation_)) out.push_back({status});
-  publisher_.say(std::move(out));
+  return out;
 }
 
 /// Before the tick's own answers and state: clients have the shape when they are told where it is.
-void ServerLoop::tell_of_cuts(const StepReport& report) {
+std::vector<Outgoing> ServerLoop::words_of_cuts(const StepReport& report) {
   for (auto piece = static_cast<BodyId>(session_.bodies()); piece < simulation_.body_count(); ++piece) {
     session_.add_body(simulation_.soft(piece).desc().part);
     body_meter_.add_body(simulation_, piece);
@@ -265,7 +293,7 @@ void ServerLoop::tell_of_cuts(const StepReport& report) {
   topology_.follow(SimulatedShapes(simulation_), report.topology, report.time, session_.roster(), out);
   for (const BodyId body : session_.take_keyframe_requests()) topology_.ask_keyframe(body);
   topology_.send_keyframes(simulation_.time(), out);
-  publisher_.say(std::move(out));
+  return out;
 }
 
 void ServerLoop::announce(const std::vector<SessionEvent>& events) {
@@ -341,6 +369,7 @@ ServerStatus ServerLoop::status() const {
     add(fmt::format("simulated time slowed to {:.2f} of real time", last.real_time_factor));
   add(stepped_down());
   add(last.degraded);
+  if (journal_late_) add(journal_is_late);
   add(journal_trouble_);
   if (out.degraded.size() > max_text_length) out.degraded.resize(max_text_length);
   return out;

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "common/clock.h"
+#include "common/server_run.h"
 #include "idl/bus.h"
 #include "server/physics/simulation.h"
 #include "server/session/body_meter.h"
@@ -24,10 +25,6 @@
 #include "server/session/topology_log.h"
 
 namespace prosector {
-
-// The run that goes on and one restored from a checkpoint are equal from the checkpoint on, so checkpoints
-// are part of the run's bits: always at these ticks, journal or not.
-inline constexpr std::uint64_t checkpoint_ticks = 600;
 
 /// The rules that a scene sets.
 SessionRules rules_of(const SceneDesc& scene, const std::string& session);
@@ -47,6 +44,7 @@ struct RunFigures {
 struct LoopOptions {
   std::vector<Choice> choices;                         // of the scene's bodies that were chosen by need
   std::function<std::int64_t()> clock = monotonic_ns;  // how late ticks are
+  std::uint32_t reign = first_reign;                   // of the session: common/server_run.h
 };
 
 class ServerLoop {
@@ -72,6 +70,7 @@ class ServerLoop {
   const BodyMeter& body_meter() const { return body_meter_; }
   const Session& session() const { return session_; }
   const SceneContent& content() const { return content_; }
+  std::uint64_t server_run() const { return publisher_.info().server_run; }
   const TopologyLog& topology() const { return topology_; }
   Publisher& publisher() { return publisher_; }
 
@@ -98,20 +97,23 @@ class ServerLoop {
   std::uint64_t state_hash_ = 0, last_tick_ = 0;  // last_tick_: when last_end_ns_ was taken
   double energy_ = 0;
   std::uint32_t awake_ = 0, asleep_ = 0;
-  std::int64_t status_ns_ = 0, last_end_ns_ = 0;
+  std::int64_t status_ns_ = 0, last_end_ns_ = 0, since_checkpoint_ns_ = 0;
   std::optional<Count> start_, first_arrival_;
   RunFigures figures_;
   std::string journal_trouble_;
+  bool journal_late_ = false;
   Publisher publisher_;  // last: its thread ends before what it reads
 
   void keep_beginning();
   void keep_moment(const StepReport& report);
   void journal(ConsumedInput input, std::vector<std::uint8_t> checkpoint, std::vector<SessionEvent> events);
+  std::vector<std::uint8_t> checkpoint_if_due();
+  void settle_journal();
   void record(const StepReport& report, std::int64_t begun_ns);
   void govern(const StepReport& report, std::int64_t begun_ns);
   std::string stepped_down() const;
-  void tell_of_bodies(const StepReport& report);
-  void tell_of_cuts(const StepReport& report);
+  std::vector<Outgoing> words_of_bodies(const StepReport& report);
+  std::vector<Outgoing> words_of_cuts(const StepReport& report);
   void announce(const std::vector<SessionEvent>& events);
   double real_time_factor(const std::optional<Count>& since) const;
 };

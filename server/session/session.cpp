@@ -147,8 +147,8 @@ void Session::join(const Command& command, std::uint64_t writer) {
   }
   Visitor* v = visitor(command.participant, writer, "Command: another process's participant");
   if (v == nullptr) return;
+  if (!v->join) v->join_tick = tick_;  // asking again does not start the wait again
   v->join = command;
-  v->join_tick = tick_;
 }
 
 void Session::obey(const Command& command, const Participant& member, Seat& seat) {
@@ -269,6 +269,8 @@ void Session::try_join(ParticipantId id, Visitor& v) {
   std::string refusal;
   if (v.presence) {
     refusal = roster_.refusal(*v.presence);
+    // Whoever was killed and comes back at once meets itself: its lease has not run out.
+    if (roster_.in_anothers_place(*v.presence) && tick_ - v.join_tick < rules_.death_timeout) return;
   } else {
     if (tick_ - v.join_tick < rules_.presence_timeout) return;
     refusal = "your Presence has not arrived";

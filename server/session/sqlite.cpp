@@ -1,8 +1,10 @@
 #include "server/session/sqlite.h"
 
+#include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <bit>
+#include <cctype>
 
 namespace prosector {
 namespace {
@@ -11,12 +13,32 @@ void check(int code, sqlite3* database) {
   if (code != SQLITE_OK) throw SqliteError(database != nullptr ? sqlite3_errmsg(database) : "out of memory");
 }
 
+/// SQLite's file URI: what is no letter, digit or plain sign is escaped.
+std::string uri_of(const std::filesystem::path& file, const std::string& parameters) {
+  std::string out = "file:";
+  for (const char c : std::filesystem::absolute(file).string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = std::isalnum(byte) != 0 || c == '/' || c == '.' || c == '-' || c == '_';
+    out += plain ? std::string(1, c) : fmt::format("%{:02x}", byte);
+  }
+  return out + "?" + parameters;
+}
+
 }  // namespace
 
 SqliteDatabase::SqliteDatabase(const std::filesystem::path& file, Mode mode) {
-  const int flags = mode == Mode::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
-  const int code = sqlite3_open_v2(file.c_str(), &handle_, flags | SQLITE_OPEN_NOMUTEX, nullptr);
-  if (code == SQLITE_OK) return;
+  const bool writes = mode == Mode::write;
+  const int flags =
+      SQLITE_OPEN_NOMUTEX | (writes ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY);
+  const int code = mode == Mode::unchanging ? sqlite3_open_v2(uri_of(file, "immutable=1").c_str(), &handle_,
+                                                              flags | SQLITE_OPEN_URI, nullptr)
+                                            : sqlite3_open_v2(file.c_str(), &handle_, flags, nullptr);
+  if (code == SQLITE_OK) {
+    // A file may come from anybody: what its schema says is not obeyed.
+    sqlite3_db_config(handle_, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+    sqlite3_db_config(handle_, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+    return;
+  }
   const std::string why = handle_ != nullptr ? sqlite3_errmsg(handle_) : "out of memory";
   sqlite3_close(handle_);
   throw SqliteError(why);

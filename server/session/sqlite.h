@@ -22,7 +22,9 @@ class SqliteError : public std::runtime_error {
 
 class SqliteDatabase {
  public:
-  enum class Mode : std::uint8_t { read, write };  // write creates the file when there is none
+  // write creates the file when there is none; unchanging reads one that nothing can write meanwhile, such as
+  // one on a medium that can't be written, where SQLite finds no place for its locks.
+  enum class Mode : std::uint8_t { read, unchanging, write };
   SqliteDatabase(const std::filesystem::path& file, Mode mode);
   ~SqliteDatabase();
   SqliteDatabase(const SqliteDatabase&) = delete;

@@ -16,6 +16,7 @@
 
 #include "common/clock.h"
 #include "common/error.h"
+#include "idl/session_watch.h"
 #include "idl/topics.h"
 #include "tests/idl/samples.h"
 
@@ -95,9 +96,9 @@ TEST(CycloneBus, SessionsAreListedAndProbed) {
   EXPECT_EQ(sessions[0].session, "first");
   EXPECT_EQ(sessions[1].session, "second");
   config.session = "second";
-  EXPECT_TRUE(probe_session(config, 1s).has_value());
+  EXPECT_TRUE(SessionWatch(config).other(1s).has_value());
   config.session = "third";
-  EXPECT_FALSE(probe_session(config, 400ms).has_value());
+  EXPECT_FALSE(SessionWatch(config).other(400ms).has_value());
 }
 
 TEST(CycloneBus, LeavingIsHeard) {

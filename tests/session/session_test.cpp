@@ -17,6 +17,7 @@ SessionRules rules() {
   r.observers = 2;
   r.input_timeout = 5;
   r.presence_timeout = 10;
+  r.death_timeout = 8;
   r.bodies = 3;
   return r;
 }
@@ -112,11 +113,36 @@ TEST(Session, EveryRefusalSaysWhy) {
     Room room;
     row.before(room);
     const auto members = room.session.roster().members().size();
-    const CommandResult result = room.join(row.presence, 9);
+    room.join(row.presence, 9);
+    for (std::uint64_t i = 0; i < rules().death_timeout; ++i) room.feed({});
+    const CommandResult result = room.results.back();
     EXPECT_FALSE(result.accepted);
     EXPECT_NE(result.reason.find(row.reason), std::string::npos) << result.reason;
     EXPECT_EQ(room.session.roster().members().size(), members);
   }
+}
+
+TEST(Session, WhoWasKilledAndComesBackAtOnceIsLetInOnceItsDeathIsKnown) {
+  for (const Role role : {Role::dissector, Role::host}) {
+    Room room;
+    room.join(presence(1, "ada", role), 1);
+    room.feed({from(9, presence(9, "ada", role)), from(9, command(9, CommandKind::join))});
+    for (int i = 0; i < 3; ++i) room.feed({});
+    EXPECT_EQ(room.results.size(), 1u) << room.results.back().reason;
+    room.feed({from(1, presence(1, "ada", role), Liveness::gone)});
+    ASSERT_EQ(room.results.size(), 2u);
+    EXPECT_TRUE(room.results.back().accepted) << room.results.back().reason;
+    EXPECT_EQ(room.session.roster().members().count(9), 1u);
+  }
+}
+
+TEST(Session, ANameThatIsTakenIsRefusedHoweverOftenItIsAskedFor) {
+  Room room;
+  room.join(presence(1, "ada"), 1);
+  for (std::uint64_t i = 0; i <= rules().death_timeout; ++i) room.join(presence(9, "ada"), 9);
+  ASSERT_EQ(room.results.size(), 2u);
+  EXPECT_FALSE(room.results.back().accepted);
+  EXPECT_NE(room.results.back().reason.find("taken"), std::string::npos);
 }
 
 TEST(Session, PresenceAndJoinComeInEitherOrder) {
