@@ -11,16 +11,17 @@ namespace prosector {
 
 JournalReader::JournalReader(const std::filesystem::path& file) : file_(file) {
   if (!std::filesystem::is_regular_file(file)) refuse("no such file");
-  const bool damaged_log = log_is_damaged(file.string() + "-wal");
+  const bool no_log = log_is_missing(file), damaged_log = log_is_damaged(file.string() + "-wal");
   try {
     database_ = open_to_read(file);
     read_description();
     // Rows that a damaged page hides would not be missed at the end.
     SqliteStatement check(*database_, "PRAGMA quick_check('tick')");
     if (!check.step() || check.text(0) != "ok") refuse(fmt::format("is damaged ({})", check.text(0)));
-    if (damaged_log)
-      trouble_ = fmt::format("journal {}: its log is damaged: what was written after tick {} is lost",
-                             file.string(), last_tick());
+    if (no_log || damaged_log)
+      trouble_ = fmt::format("journal {}: its log {} {}: what was written after tick {} is lost",
+                             file.string(), file.filename().string() + "-wal",
+                             no_log ? "is not beside it" : "is damaged", last_tick());
   } catch (const SqliteError& e) {
     refuse(fmt::format("is no journal ({})", e.what()));
   }

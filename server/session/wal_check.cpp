@@ -59,4 +59,12 @@ bool log_is_damaged(const std::filesystem::path& log) {
   return false;
 }
 
+bool log_is_missing(const std::filesystem::path& file) {
+  constexpr std::size_t read_version = 19;  // of the file's header; 2: with a write-ahead log
+  std::array<char, read_version + 1> head{};
+  std::ifstream in(file, std::ios::binary);
+  in.read(head.data(), head.size());
+  return in && head[read_version] == 2 && !std::filesystem::exists(file.string() + "-wal");
+}
+
 }  // namespace prosector

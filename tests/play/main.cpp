@@ -46,7 +46,7 @@ int watch(const Options& options) {
   PlayFigures figures;
   journal.for_each_tick(0, [&](const JournalTick& tick) {
     const StepReport& report = simulation.step(tick.input.input);
-    if (journal.has_checkpoint(tick.tick)) simulation.checkpoint();
+    if (tick.rebuilt) simulation.checkpoint();
     if (tick.tick > options.to) return false;
     if (tick.tick < options.from || tick.tick % options.every != 0) return true;
     const Finding now = judge.look(simulation);

@@ -184,7 +184,7 @@ TEST(JournalDamage, AFlippedBitOfTheLogIsSaidAndWhatCameBeforeItIsKept) {
     flipped[at] = static_cast<char>(flipped[at] ^ (1 << random() % 8));
     put(flipped);
     const JournalReader reader(copy.path);
-    EXPECT_NE(reader.trouble().find("its log is damaged"), std::string::npos) << "byte " << at;
+    EXPECT_NE(reader.trouble().find("-wal is damaged"), std::string::npos) << "byte " << at;
     Simulation simulation(test::hosted_scene(), test::options());
     EXPECT_TRUE(replay(reader, simulation, {})) << "byte " << at;
   }
@@ -235,8 +235,11 @@ TEST(JournalPlace, IsReadByOthersAndWhereNothingCanBeWritten) {
   std::filesystem::copy_file(file.path.string() + "-wal", folder / "whole-wal");
   std::filesystem::copy_file(file.path, folder / "without its log");
   place.lock();
-  EXPECT_EQ(JournalReader(folder / "whole").last_tick(), 20u);
-  EXPECT_EQ(JournalReader(folder / "without its log").header().session, "prosector");
+  const JournalReader whole(folder / "whole"), alone(folder / "without its log");
+  EXPECT_EQ(whole.last_tick(), 20u);
+  EXPECT_EQ(whole.trouble(), "");
+  EXPECT_EQ(alone.header().session, "prosector");
+  EXPECT_NE(alone.trouble().find("-wal is not beside it"), std::string::npos) << alone.trouble();
 }
 
 TEST(JournalPlace, EndsAsOneFileThatIsReadAnywhere) {
@@ -248,6 +251,7 @@ TEST(JournalPlace, EndsAsOneFileThatIsReadAnywhere) {
   std::filesystem::copy_file(file.path, folder / "whole");
   place.lock();
   EXPECT_EQ(JournalReader(folder / "whole").last_tick(), 21u);
+  EXPECT_EQ(JournalReader(folder / "whole").trouble(), "");
 }
 
 TEST(JournalPlace, IsExportedWholeWhileItIsWritten) {
