@@ -24,8 +24,9 @@ std::unique_ptr<Journal> Journal::create(const std::filesystem::path& file, cons
     throw InputError(
         fmt::format("--journal {}: exists already; name another file, or --resume it", file.string()));
   try {
+    std::unique_ptr<JournalFile> made = JournalFile::create(file, header, limits.file_bytes);
     return std::unique_ptr<Journal>(
-        new Journal(file, JournalFile::create(file, header, limits.file_bytes), limits));
+        new Journal(file, std::make_unique<FileClaim>(file), std::move(made), limits));
   } catch (const SqliteError& e) {
     throw InputError(fmt::format("--journal {}: {}", file.string(), e.what()));
   }
@@ -33,16 +34,22 @@ std::unique_ptr<Journal> Journal::create(const std::filesystem::path& file, cons
 
 std::unique_ptr<Journal> Journal::append_to(const std::filesystem::path& file, const JournalLimits& limits) {
   try {
-    return std::unique_ptr<Journal>(new Journal(file, JournalFile::reopen(file, limits.file_bytes), limits));
+    auto claim = std::make_unique<FileClaim>(file);
+    return std::unique_ptr<Journal>(
+        new Journal(file, std::move(claim), JournalFile::reopen(file, limits.file_bytes), limits));
   } catch (const SqliteError& e) {
     throw InputError(fmt::format("--resume {}: {}", file.string(), e.what()));
   }
 }
 
-Journal::Journal(std::filesystem::path path, std::unique_ptr<JournalFile> file, const JournalLimits& limits)
-    : path_(std::move(path)), limits_(limits), file_(std::move(file)), mover_(path_), thread_([this] {
-        run();
-      }) {}
+Journal::Journal(std::filesystem::path path, std::unique_ptr<FileClaim> claim,
+                 std::unique_ptr<JournalFile> file, const JournalLimits& limits)
+    : path_(std::move(path)),
+      limits_(limits),
+      claim_(std::move(claim)),
+      file_(std::move(file)),
+      mover_(path_),
+      thread_([this] { run(); }) {}
 
 Journal::~Journal() {
   {

@@ -17,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include "server/session/file_claim.h"
 #include "server/session/journal_file.h"
 #include "server/session/wal_mover.h"
 
@@ -33,7 +34,7 @@ class Journal {
   /// Starts a new file. Throws InputError when there is one already or none can be made.
   static std::unique_ptr<Journal> create(const std::filesystem::path& file, const JournalHeader& header,
                                          const JournalLimits& limits);
-  /// Goes on with a file that has been read to its end.
+  /// Goes on with a file that has been read to its end. Throws InputError when another server writes it.
   static std::unique_ptr<Journal> append_to(const std::filesystem::path& file, const JournalLimits& limits);
   /// Writes what is queued, and leaves one file without a log beside it.
   ~Journal();
@@ -51,10 +52,12 @@ class Journal {
   std::uint32_t reign() const { return file_->reign(); }
 
  private:
-  Journal(std::filesystem::path path, std::unique_ptr<JournalFile> file, const JournalLimits& limits);
+  Journal(std::filesystem::path path, std::unique_ptr<FileClaim> claim, std::unique_ptr<JournalFile> file,
+          const JournalLimits& limits);
 
   std::filesystem::path path_;
   JournalLimits limits_;
+  std::unique_ptr<FileClaim> claim_;  // outlives the file: to let go of it ends SQLite's locks
   std::unique_ptr<JournalFile> file_;
   WalMover mover_;
 

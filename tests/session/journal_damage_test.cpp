@@ -270,6 +270,16 @@ TEST(JournalPlace, IsExportedWholeWhileItIsWritten) {
   EXPECT_THROW(JournalReader(file.path).export_to(exported.path), InputError);  // never overwrites
 }
 
+TEST(JournalPlace, IsWrittenByOneServerAtATime) {
+  const TemporaryFile file("claimed");
+  {
+    const auto journal =
+        Journal::create(file.path, header_of(Simulation(test::hosted_scene(), test::options())), {});
+    EXPECT_THROW(Journal::append_to(file.path, {}), InputError);
+  }
+  EXPECT_NE(Journal::append_to(file.path, {}), nullptr);
+}
+
 TEST(JournalPace, WhatATickShowedIsInTheFile) {
   const TemporaryFile file("pace");
   const auto journal =
