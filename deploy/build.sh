@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# build.sh PRESET [TARGET...]: configures and builds with Ninja. PRESET: release, asan, tsan.
+# build.sh PRESET [TARGET...]: configures and builds with Ninja. PRESET: release, asan, asan-full, tsan.
 # PROSECTOR_WERROR=ON in the environment makes warnings errors; PROSECTOR_JOBS limits the compilers.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs, builds and runs every test. --quick leaves out the sanitizers.
+# Installs, builds and runs every test but those of deploy/left_out.txt. --quick leaves out the sanitizers.
+# Ends with the minutes of each phase and the tests that were skipped, by name and reason.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -11,9 +12,46 @@ for option in "$@"; do
   esac
 done
 
-step() { printf '\n== %s (%d min %02d s)\n' "$1" $((SECONDS / 60)) $((SECONDS % 60)); }
-jobs=${PROSECTOR_JOBS:-$(nproc)}
 export PROSECTOR_WERROR=ON
+phases=() reports=()
+phase="" began=0
+
+# step NAME: ends the phase before it.
+step() {
+  [ -z "$phase" ] || phases+=("$(printf '%3d min %02d s  %s' $(((SECONDS - began) / 60)) $(((SECONDS - began) % 60)) "$phase")")
+  phase=$1 began=$SECONDS
+  [ -z "$phase" ] || printf '\n== %s (%d min %02d s)\n' "$phase" $((SECONDS / 60)) $((SECONDS % 60))
+}
+
+# summary: also where a phase failed.
+summary() {
+  local status=$?
+  [ $status -eq 0 ] || echo "test: failed in: $phase" >&2
+  step ""
+  printf '\n== minutes of each phase\n'
+  printf '%s\n' "${phases[@]}"
+  printf '%3d min %02d s  in all\n' $((SECONDS / 60)) $((SECONDS % 60))
+  [ ${#reports[@]} -eq 0 ] || deploy/test_report.py --slowest 10 "${reports[@]}"
+  command -v ccache >/dev/null && ccache --show-stats | sed -n '1,4p'
+  exit $status
+}
+trap summary EXIT
+
+# run_tests PRESET WHERE CTEST_OPTION...: all that the options choose but what WHERE of deploy/left_out.txt leaves out.
+run_tests() {
+  local preset=$1 where=$2 left_out report
+  shift 2
+  # shellcheck disable=SC2086
+  left_out=$(deploy/left_out.py "build/$preset" $where)
+  report=$PWD/build/$preset/tests.xml
+  rm -f "$report"
+  reports+=("$preset=$report")
+  ctest --test-dir "build/$preset" --output-on-failure -j2 -E "$left_out" --output-junit "$report" \
+    --test-output-size-passed 1000000 "$@" || {
+    echo "test: see above; again: ctest --test-dir build/$preset --rerun-failed --output-on-failure" >&2
+    return 1
+  }
+}
 
 step "set-up"
 deploy/setup.sh
@@ -24,22 +62,15 @@ deploy/check_format.sh
 step "build: release"
 deploy/build.sh release
 step "tests: release"
-ctest --test-dir build/release --output-on-failure -j2 || {
-  echo "test: see above; again: ctest --test-dir build/release --rerun-failed --output-on-failure" >&2
-  exit 1
-}
+run_tests release all
 if [ "$quick" = no ]; then
   step "build: address and undefined-behaviour sanitizers"
-  cmake --preset asan -DPROSECTOR_WERROR=ON >/dev/null
   # Every unit and fuzz test's executable; the end-to-end ones and the benches' program run optimised only.
+  cmake --preset asan -DPROSECTOR_WERROR=ON >/dev/null
   mapfile -t targets < <(ninja -C build/asan -t targets all | sed -n 's/^\(test_[a-z0-9_]*\): phony$/\1/p' |
-    grep -vx test_bench_json | sort -u)
+    grep -vx -e test_bench_json | sort -u)
   deploy/build.sh asan "${targets[@]}"
   step "tests: address and undefined-behaviour sanitizers"
-  # Not the tests that time real terminals and processes (sanitizers slow those down), nor the network's budget, which takes minutes then.
-  ctest --test-dir build/asan --output-on-failure -j2 -L '^(unit|fuzz)$' -E '^(drivers|server_process|soft_budget)\.' || {
-    echo "test: see above; again: ctest --test-dir build/asan --rerun-failed --output-on-failure" >&2
-    exit 1
-  }
+  run_tests asan "all asan" -L '^(unit|fuzz)$'
 fi
-step "all tests passed"
+echo "test: all tests passed"

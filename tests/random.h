@@ -2,6 +2,7 @@
 // Random numbers for tests that try many cases, and where their seeds come from.
 
 #include <cstdlib>
+#include <iostream>
 #include <random>
 
 #include "common/math.h"
@@ -29,9 +30,12 @@ inline unsigned number(const char* variable, unsigned otherwise) {
   return text ? static_cast<unsigned>(std::strtoul(text, nullptr, 10)) : otherwise;
 }
 
-/// PROSECTOR_SEED, else a fixed one or another each time.
+/// Gives PROSECTOR_SEED, else a fixed seed or a new one each time, and prints it. Tests that ask for a new
+/// one are rows of deploy/left_out.txt.
 inline unsigned test_seed(bool fixed) {
-  return number("PROSECTOR_SEED", fixed ? 20261122 : std::random_device{}());
+  const unsigned seed = number("PROSECTOR_SEED", fixed ? 20261122 : std::random_device{}());
+  std::cout << "PROSECTOR_SEED=" << seed << std::endl;
+  return seed;
 }
 
 }  // namespace prosector

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iostream>
 
 #include "common/anatomy/fabric.h"
 #include "server/physics/cutting/carry.h"
@@ -184,7 +183,6 @@ TEST(SheetComplex, StrokesPartASheetThatIsCurved) {
 
 /// Through sheets bent one way or the other, by blades that lean, and lean otherwise as they go.
 void part_curved_sheets(unsigned seed, int strokes) {
-  std::cout << "PROSECTOR_SEED=" << seed << std::endl;
   Random random(seed);
   for (int i = 0; i < strokes; ++i) {
     const double radius = random.uniform(0.03, 0.2), angle = random.uniform(0, 2 * M_PI);
@@ -263,7 +261,6 @@ void expect_as_rebuilt(const CutSheet& sheet, const Anatomy& uncut) {
 }
 
 void make_random_strokes(unsigned seed) {
-  std::cout << "PROSECTOR_SEED=" << seed << std::endl;
   Random random(seed);
   const Anatomy uncut = square(0.1, 0.02);
   CutSheet sheet(uncut);

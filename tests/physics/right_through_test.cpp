@@ -137,7 +137,6 @@ struct Tried {
 };
 
 Tried right_through(unsigned seed) {
-  std::cout << "PROSECTOR_SEED=" << seed << std::endl;
   Random random(seed);
   Tried out;
   const unsigned attempts = number("PROSECTOR_STROKES", default_strokes);

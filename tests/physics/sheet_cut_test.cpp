@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <iostream>
-
 #include "server/physics/organs/organ.h"
 #include "server/physics/organs/sheet_parts.h"
 #include "server/physics/soft/rungs.h"
@@ -142,7 +140,6 @@ TEST(SheetBlade, CutsKeepAFallingSheetsMomentum) {
 
 /// By a scalpel that leans and turns as it is drawn across.
 void part_membranes(unsigned seed, int strokes) {
-  std::cout << "PROSECTOR_SEED=" << seed << std::endl;
   Random random(seed);
   for (int i = 0; i < strokes; ++i) {
     SceneDesc scene = membrane_and_scalpel(i % 2 == 0 ? "mass_spring" : "xpbd");

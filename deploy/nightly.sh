@@ -1,0 +1,150 @@
+#!/usr/bin/env bash
+# The long runs that deploy/test.sh has no time for; docs/nightly.md says how to read what it leaves.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+cd "$root"
+parts=(asan tsan seeds play)
+
+usage() {
+  cat <<TXT
+deploy/nightly.sh [--hours N] [--only PART]... [--out DIR] [--list]
+  PART         asan   every test under the address and undefined-behaviour sanitizers, all their checks on
+               tsan   what has threads of its own, under the thread sanitizer
+               seeds  tests that draw a new seed, again and again: optimised, and under sanitizers when \`asan\` built them
+               play   deploy/play.sh
+  --hours N    ends after N hours (default 8): a part that takes longer is cut off and counts as failed;
+               \`seeds\` and \`play\` share what is left of them
+  --out DIR    figures.json, table.md, each run's log (default out/nightly)
+  --list       prints each part's tests, where built, and runs nothing
+TXT
+}
+
+refuse() { echo "nightly: $1" >&2; usage >&2; exit 2; }
+
+hours=8 out=$root/out/nightly list=no chosen=()
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --hours) hours=${2:-}; shift ;;
+    --out) out=${2:?--out needs a folder}; shift ;;
+    --only)
+      case " ${parts[*]} " in
+        *" ${2:-} "*) chosen+=("$2"); shift ;;
+        *) refuse "--only ${2:-}: expected one of: ${parts[*]}" ;;
+      esac ;;
+    --list) list=yes ;;
+    -h | --help) usage; exit 0 ;;
+    *) refuse "$1 is no option" ;;
+  esac
+  shift
+done
+[[ $hours =~ ^[0-9]+(\.[0-9]+)?$ ]] || refuse "--hours $hours: expected a number of hours, such as 8 or 0.5"
+limit=$(awk -v hours="$hours" 'BEGIN { printf "%d", 3600 * hours }')
+[ "$limit" -gt 0 ] || refuse "--hours $hours: expected more than a second"
+[ ${#chosen[@]} -gt 0 ] || chosen=("${parts[@]}")
+
+left() { echo $((limit - SECONDS)); }
+is_chosen() { [[ " ${chosen[*]} " == *" $1 "* ]]; }
+is_built() { ls "build/$1/bin/"test_* >/dev/null 2>&1; }
+threaded='^(session|idl|idl_fuzz|replica)\.'
+seeded() { deploy/left_out.py "build/$1" all; }
+
+if [ $list = yes ]; then
+  for preset in release asan-full; do
+    is_built $preset && deploy/left_out.py --list build/$preset all | sed "s/^/seeds, $preset: /"
+  done
+  is_built asan-full && ctest --test-dir build/asan-full -N | sed -n 's/^ *Test *#[0-9]*: /asan: /p'
+  is_built tsan && ctest --test-dir build/tsan -N -R "$threaded" | sed -n 's/^ *Test *#[0-9]*: /tsan: /p'
+  exit 0
+fi
+
+mkdir -p "$out"
+rm -f "$out"/*.log "$out"/*.xml "$out"/runs.tsv
+export PROSECTOR_WERROR=ON
+
+# record PART SEED STATUS SECONDS REPORT: one run. SEED and REPORT: - for none.
+record() { printf '%s\t%s\t%s\t%s\t%s\n' "$@" >>"$out/runs.tsv"; }
+
+# bounded SECONDS COMMAND...: also ends what the command started.
+bounded() { timeout --kill-after=20 "$@"; }
+
+# build PRESET: every test's executable and what those start.
+build() {
+  local targets
+  cmake --preset "$1" -DPROSECTOR_WERROR=ON >/dev/null
+  mapfile -t targets < <(ninja -C "build/$1" -t targets all | sed -n 's/^\(test_[a-z0-9_]*\): phony$/\1/p' |
+    grep -vx test_bench_json | sort -u)
+  bounded "$(left)" deploy/build.sh "$1" "${targets[@]}" >"$out/build-$1.log" 2>&1
+}
+
+# tests PART RUN PRESET SEED CTEST_OPTION...: leaves RUN.log and RUN.xml.
+tests() {
+  local part=$1 run=$2 preset=$3 seed=$4 status=0 began=$SECONDS
+  shift 4
+  [ "$(left)" -gt 0 ] || return 0
+  bounded "$(left)" env ${seed:+PROSECTOR_SEED=$seed} ctest --test-dir "build/$preset" -j2 --output-on-failure \
+    --output-junit "$out/$run.xml" --test-output-size-passed 1000000 --timeout 7200 "$@" >"$out/$run.log" 2>&1 || status=$?
+  record "$part" "${seed:--}" $status $((SECONDS - began)) "$run.xml"
+  [ $status -eq 0 ] || echo "nightly: $part failed: $out/$run.log${seed:+; again: PROSECTOR_SEED=$seed ctest --test-dir build/$preset $*}" >&2
+}
+
+# build_for PART PRESET: false, and recorded, where it fails.
+build_for() {
+  local began=$SECONDS
+  echo "nightly: building $2"
+  build "$2" && return 0
+  echo "nightly: $1: building failed: $out/build-$2.log" >&2
+  record "$1" - 1 $((SECONDS - began)) -
+  return 1
+}
+
+run_asan() {
+  build_for asan asan-full || return 0
+  # Terminals and processes that tests time are too slow then: drivers and server_process run optimised, in the gate.
+  tests asan asan asan-full "" -L '^(unit|fuzz|image)$' -E "^(drivers|server_process)\.|$(seeded asan-full)"
+}
+
+run_tsan() {
+  build_for tsan tsan || return 0
+  export TSAN_OPTIONS="suppressions=$root/tests/tsan.supp:second_deadlock_stack=1"
+  tests tsan tsan tsan "" -R "$threaded"
+  unset TSAN_OPTIONS
+}
+
+# run_seeds SECONDS: at least once in each build.
+run_seeds() {
+  local until=$((SECONDS + $1)) round=0 seed preset presets=(release)
+  build_for seeds release || return 0
+  ! is_built asan-full || presets+=(asan-full)
+  while [ $round -eq 0 ] || [ $SECONDS -lt $until ]; do
+    round=$((round + 1))
+    seed=$(od -An -N4 -tu4 /dev/urandom | tr -d ' ')
+    for preset in "${presets[@]}"; do
+      echo "nightly: seeds: round $round, $preset, PROSECTOR_SEED=$seed"
+      tests seeds "seeds-$round-$preset" "$preset" "$seed" -R "$(seeded "$preset")"
+    done
+  done
+}
+
+# run_play SECONDS
+run_play() {
+  local status=0 began=$SECONDS
+  if [ ! -x deploy/play.sh ]; then
+    echo "nightly: there is no deploy/play.sh; nothing played"
+    return 0
+  fi
+  bounded "$(left)" deploy/play.sh --hours "$(awk -v s="$1" 'BEGIN { printf "%.3f", s / 3600 }')" >"$out/play.log" 2>&1 || status=$?
+  record play - $status $((SECONDS - began)) -
+  [ $status -eq 0 ] || echo "nightly: play failed: $out/play.log" >&2
+}
+
+echo "nightly: at most $hours h, to $out"
+for part in "${chosen[@]}"; do
+  [ "$(left)" -gt 0 ] || break
+  case $part in
+    asan) run_asan ;;
+    tsan) run_tsan ;;
+    seeds) if is_chosen play && [ -x deploy/play.sh ]; then run_seeds $(($(left) / 2)); else run_seeds "$(left)"; fi ;;
+    play) run_play "$(left)" ;;
+  esac
+done
+exec deploy/nightly_figures.py "$out" "${chosen[@]}"

@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+"""gate_tools_test.py DEPLOY WORK: what deploy/test_report.py and deploy/nightly_figures.py say of reports that stand here."""
+import json
+import pathlib
+import subprocess
+import sys
+
+deploy, work = map(pathlib.Path, sys.argv[1:])
+work.mkdir(parents=True, exist_ok=True)
+report = """<testsuite name="x" tests="4">
+ <testcase name="soft.Beam.Bends" time="2.5" status="run"><system-out>[       OK ] Beam.Bends (3 ms)</system-out></testcase>
+ <testcase name="soft.Beam.Swings" time="0.1" status="fail"><failure message=""/><system-out>no\x1b[0m &#x1b; \x02</system-out></testcase>
+ <testcase name="soft.Beam.Whole" time="0.1" status="notrun"><skipped message="SKIP_REGULAR_EXPRESSION_MATCHED"/>
+  <system-out>liver_test.cpp:22: Skipped
+liver.inr.gz is not below /data
+
+[  SKIPPED ] Beam.Whole (0 ms)
+[  SKIPPED ] 1 test, listed below:
+[  SKIPPED ] Beam.Whole
+</system-out></testcase>
+ <testcase name="view.all" time="1" status="run"><system-out>view_test.cpp:9: Skipped
+no display
+
+[  SKIPPED ] View.OnAScreen (0 ms)
+</system-out></testcase>
+</testsuite>
+"""
+(work / "tests.xml").write_text(report)
+
+
+def run(*words):
+    told = subprocess.run([str(word) for word in words], capture_output=True, text=True)
+    return told.returncode, told.stdout + told.stderr
+
+
+def expect(what, text):
+    if what not in text:
+        sys.exit(f"expected: {what}\nin:\n{text}")
+
+
+_, text = run(deploy / "test_report.py", "--slowest", "1", f"release={work / 'tests.xml'}")
+for line in ("release: 4 entries, 1 failed, 2 skipped", "failed   soft.Beam.Swings",
+             "skipped  soft.Beam.Whole: liver.inr.gz is not below /data", "skipped  view.View.OnAScreen: no display",
+             "2.5 s soft.Beam.Bends"):
+    expect(line, text)
+expect("no " + str(work / "none.xml"), run(deploy / "test_report.py", f"asan={work / 'none.xml'}")[1])
+
+(work / "runs.tsv").write_text("seeds\t7\t8\t90\ttests.xml\nasan\t-\t0\t30\ttests.xml\n")
+status, text = run(deploy / "nightly_figures.py", work, "seeds", "play")
+expect("| seeds | 1 | 4 | 2 | seed 7: soft.Beam.Swings | 1.5 |", text)
+expect("| play | 0 | 0 | 0 | did not run | 0.0 |", text)
+if status != 1:
+    sys.exit(f"a failed run and a part that did not run gave status {status}")
+if json.loads((work / "figures.json").read_text())["parts"][0]["failed"][0]["seed"] != "7":
+    sys.exit("figures.json does not tell the seed that failed")
+status, text = run(deploy / "nightly_figures.py", work, "asan")
+if status != 0:
+    sys.exit(f"runs that all passed gave status {status}: {text}")
+for words in (["--hours", "x"], ["--hours", "0"], ["--only", "nothing"], ["--wrong"]):
+    status, text = run(deploy / "nightly.sh", *words)
+    if status != 2:
+        sys.exit(f"nightly.sh {' '.join(words)} gave status {status}: {text}")
+    expect("nightly: " + ("--hours" if words[0] == "--hours" else words[0]), text)
