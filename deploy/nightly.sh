@@ -46,6 +46,7 @@ left() { echo $((limit - SECONDS)); }
 is_chosen() { [[ " ${chosen[*]} " == *" $1 "* ]]; }
 is_built() { ls "build/$1/bin/"test_* >/dev/null 2>&1; }
 threaded='^(session|idl|idl_fuzz|replica)\.'
+threaded_tests() { printf '%s\n' test_session test_idl test_idl_fuzz test_replica; }
 seeded() { deploy/left_out.py "build/$1" all; }
 
 if [ $list = yes ]; then
@@ -64,16 +65,34 @@ export PROSECTOR_WERROR=ON
 # record PART SEED STATUS SECONDS REPORT: one run. SEED and REPORT: - for none.
 record() { printf '%s\t%s\t%s\t%s\t%s\n' "$@" >>"$out/runs.tsv"; }
 
-# bounded SECONDS COMMAND...: also ends what the command started.
-bounded() { timeout --kill-after=20 "$@"; }
+# bounded SECONDS COMMAND...: also ends what the command started, as an interrupt of this script does.
+child=""
+bounded() {
+  timeout --kill-after=20 "$@" &
+  child=$!
+  wait "$child"
+}
+trap '[ -z "$child" ] || kill "$child" 2>/dev/null; exit 130' INT TERM
 
-# build PRESET: every test's executable and what those start.
-build() {
-  local targets
-  cmake --preset "$1" -DPROSECTOR_WERROR=ON >/dev/null
-  mapfile -t targets < <(ninja -C "build/$1" -t targets all | sed -n 's/^\(test_[a-z0-9_]*\): phony$/\1/p' |
-    grep -vx test_bench_json | sort -u)
-  bounded "$(left)" deploy/build.sh "$1" "${targets[@]}" >"$out/build-$1.log" 2>&1
+# every_test PRESET: the targets of all tests.
+every_test() {
+  ninja -C "build/$1" -t targets all | sed -n 's/^\(test_[a-z0-9_]*\): phony$/\1/p' | grep -vx test_bench_json | sort -u
+}
+
+# seeded_tests PRESET: the targets of those that draw a new seed.
+seeded_tests() { sed -n 's/^all *^\([a-z_]*\)\\..*/test_\1/p' deploy/left_out.txt | sort -u; }
+
+# build_for PART PRESET LIST: what the function LIST prints. False, and recorded, where it fails.
+build_for() {
+  local began=$SECONDS targets log=$out/build-$1-$2.log
+  echo "nightly: building $2"
+  if cmake --preset "$2" -DPROSECTOR_WERROR=ON >"$log" 2>&1; then
+    mapfile -t targets < <("$3" "$2")
+    if bounded "$(left)" deploy/build.sh "$2" "${targets[@]}" >>"$log" 2>&1; then return 0; fi
+  fi
+  echo "nightly: $1: building failed: $log" >&2
+  record "$1" - 1 $((SECONDS - began)) -
+  return 1
 }
 
 # tests PART RUN PRESET SEED CTEST_OPTION...: leaves RUN.log and RUN.xml.
@@ -84,44 +103,39 @@ tests() {
   bounded "$(left)" env ${seed:+PROSECTOR_SEED=$seed} ctest --test-dir "build/$preset" -j2 --output-on-failure \
     --output-junit "$out/$run.xml" --test-output-size-passed 1000000 --timeout 7200 "$@" >"$out/$run.log" 2>&1 || status=$?
   record "$part" "${seed:--}" $status $((SECONDS - began)) "$run.xml"
-  [ $status -eq 0 ] || echo "nightly: $part failed: $out/$run.log${seed:+; again: PROSECTOR_SEED=$seed ctest --test-dir build/$preset $*}" >&2
-}
-
-# build_for PART PRESET: false, and recorded, where it fails.
-build_for() {
-  local began=$SECONDS
-  echo "nightly: building $2"
-  build "$2" && return 0
-  echo "nightly: $1: building failed: $out/build-$2.log" >&2
-  record "$1" - 1 $((SECONDS - began)) -
-  return 1
+  [ $status -eq 0 ] ||
+    echo "nightly: $part failed: $out/$run.log${seed:+; again: PROSECTOR_SEED=$seed ctest --test-dir build/$preset $*}" >&2
 }
 
 run_asan() {
-  build_for asan asan-full || return 0
+  build_for asan asan-full every_test || return 0
+  local left_out
+  left_out=$(seeded asan-full)
   # Terminals and processes that tests time are too slow then: drivers and server_process run optimised, in the gate.
-  tests asan asan asan-full "" -L '^(unit|fuzz|image)$' -E "^(drivers|server_process)\.|$(seeded asan-full)"
+  tests asan asan asan-full "" -L '^(unit|fuzz|image)$' -E "^(drivers|server_process)\.|$left_out"
 }
 
 run_tsan() {
-  build_for tsan tsan || return 0
+  build_for tsan tsan threaded_tests || return 0
   export TSAN_OPTIONS="suppressions=$root/tests/tsan.supp:second_deadlock_stack=1"
   tests tsan tsan tsan "" -R "$threaded"
   unset TSAN_OPTIONS
 }
 
-# run_seeds SECONDS: at least once in each build.
+# run_seeds SECONDS: rounds as long as one more fits, one at least.
 run_seeds() {
-  local until=$((SECONDS + $1)) round=0 seed preset presets=(release)
-  build_for seeds release || return 0
+  local until=$((SECONDS + $1)) round=0 longest=0 began seed preset left_out presets=(release)
+  build_for seeds release seeded_tests || return 0
   ! is_built asan-full || presets+=(asan-full)
-  while [ $round -eq 0 ] || [ $SECONDS -lt $until ]; do
-    round=$((round + 1))
+  while [ $round -eq 0 ] || [ $((SECONDS + longest)) -lt $until ]; do
+    round=$((round + 1)) began=$SECONDS
     seed=$(od -An -N4 -tu4 /dev/urandom | tr -d ' ')
     for preset in "${presets[@]}"; do
       echo "nightly: seeds: round $round, $preset, PROSECTOR_SEED=$seed"
-      tests seeds "seeds-$round-$preset" "$preset" "$seed" -R "$(seeded "$preset")"
+      left_out=$(seeded "$preset")
+      tests seeds "seeds-$round-$preset" "$preset" "$seed" -R "$left_out"
     done
+    longest=$((SECONDS - began > longest ? SECONDS - began : longest))
   done
 }
 
