@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""left_out.py BUILD_DIR WHERE...: prints the regular expression of the tests that deploy/left_out.txt leaves out there.
+"""left_out.py list|stay|rest BUILD_DIR WHERE...: splits a build's tests by deploy/left_out.txt. WHERE: all, asan.
 
-WHERE: all, asan. Refuses rows that match no test of BUILD_DIR, and rows whose representative is left out too.
-With --list it prints the tests' names instead.
+list: names what is left out there. stay, rest: prints the numbers of the other tests, and of these, as `ctest -I FILE` wants them
+(not a regular expression: ctest silently ignored one of 40 groups, and ran everything).
+Refuses a row that matches no test of BUILD_DIR, and one whose stand-in does not stay.
 """
 import json
 import pathlib
@@ -10,41 +11,49 @@ import re
 import subprocess
 import sys
 
+table = pathlib.Path(__file__).with_name("left_out.txt")
 
-def rows(path):
-    for number, line in enumerate(path.read_text().splitlines(), 1):
+
+def rows():
+    for number, line in enumerate(table.read_text().splitlines(), 1):
         words = line.split("#")[0].split()
         if not words:
             continue
         if len(words) != 3 or words[0] not in ("all", "asan"):
-            sys.exit(f"{path.name}:{number}: expected 'all|asan TESTS REPRESENTATIVE', got: {line}")
-        yield number, *words
+            sys.exit(f"{table.name}:{number}: expected 'all|asan TESTS STAND-IN', got: {line}")
+        yield f"{table.name}:{number}", *words
 
 
 def tests_of(build):
+    """Names in ctest's order, which is that of its numbers."""
     told = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], capture_output=True, text=True, check=True)
     return [test["name"] for test in json.loads(told.stdout)["tests"]]
 
 
-def main():
-    options = [word for word in sys.argv[1:] if word.startswith("--")]
-    words = [word for word in sys.argv[1:] if not word.startswith("--")]
-    if len(words) < 2 or options not in ([], ["--list"]):
-        sys.exit(__doc__)
-    path = pathlib.Path(__file__).with_name("left_out.txt")
-    names = tests_of(words[0])
-    wanted = [row for row in rows(path) if row[1] in words[1:]]
-    out = "|".join(row[2] for row in wanted) or "^$"
-    stays = [name for name in names if not re.search(out, name)]
-    for number, _, tests, representative in wanted:
+def left_out(names, wheres):
+    wanted = [row for row in rows() if row[1] in wheres]
+    out = {name for name in names if any(re.search(tests, name) for _, _, tests, _ in wanted)}
+    for place, _, tests, stand_in in wanted:
         if not any(re.search(tests, name) for name in names):
-            sys.exit(f"{path.name}:{number}: no test matches {tests}")
-        if not any(re.search(representative, name) for name in stays):
-            sys.exit(f"{path.name}:{number}: {representative}, which should stay, is left out or is no test")
-    if options:
-        print("\n".join(name for name in names if re.search(out, name)))
-    else:
-        print(out)
+            sys.exit(f"{place}: no test matches {tests}")
+        if not any(re.search(stand_in, name) for name in names if name not in out):
+            sys.exit(f"{place}: {stand_in} should stay, but is left out or is no test")
+    return out
+
+
+def main():
+    if len(sys.argv) < 4 or sys.argv[1] not in ("list", "stay", "rest"):
+        sys.exit(__doc__)
+    verb, build, *wheres = sys.argv[1:]
+    names = tests_of(build)
+    out = left_out(names, wheres)
+    if verb == "list":
+        print("\n".join(name for name in names if name in out))
+        return
+    numbers = [str(i) for i, name in enumerate(names, 1) if (name in out) == (verb == "rest")]
+    if not numbers:
+        sys.exit(f"left_out.py: {build}: no tests {verb}")
+    print(",0,," + ",".join(numbers))
 
 
 main()

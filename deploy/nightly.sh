@@ -47,11 +47,10 @@ is_chosen() { [[ " ${chosen[*]} " == *" $1 "* ]]; }
 is_built() { ls "build/$1/bin/"test_* >/dev/null 2>&1; }
 threaded='^(session|idl|idl_fuzz|replica)\.'
 threaded_tests() { printf '%s\n' test_session test_idl test_idl_fuzz test_replica; }
-seeded() { deploy/left_out.py "build/$1" all; }
 
 if [ $list = yes ]; then
   for preset in release asan-full; do
-    is_built $preset && deploy/left_out.py --list build/$preset all | sed "s/^/seeds, $preset: /"
+    is_built $preset && deploy/left_out.py list build/$preset all | sed "s/^/seeds, $preset: /"
   done
   is_built asan-full && ctest --test-dir build/asan-full -N | sed -n 's/^ *Test *#[0-9]*: /asan: /p'
   is_built tsan && ctest --test-dir build/tsan -N -R "$threaded" | sed -n 's/^ *Test *#[0-9]*: /tsan: /p'
@@ -59,7 +58,7 @@ if [ $list = yes ]; then
 fi
 
 mkdir -p "$out"
-rm -f "$out"/*.log "$out"/*.xml "$out"/runs.tsv
+rm -f "$out"/*.log "$out"/*.xml "$out"/*.tests "$out"/runs.tsv
 export PROSECTOR_WERROR=ON
 
 # record PART SEED STATUS SECONDS REPORT: one run. SEED and REPORT: - for none.
@@ -109,10 +108,9 @@ tests() {
 
 run_asan() {
   build_for asan asan-full every_test || return 0
-  local left_out
-  left_out=$(seeded asan-full)
+  deploy/left_out.py stay build/asan-full all >"$out/asan.tests"
   # Terminals and processes that tests time are too slow then: drivers and server_process run optimised, in the gate.
-  tests asan asan asan-full "" -L '^(unit|fuzz|image)$' -E "^(drivers|server_process)\.|$left_out"
+  tests asan asan asan-full "" -I "$out/asan.tests" -L '^(unit|fuzz|image)$' -E '^(drivers|server_process)\.'
 }
 
 run_tsan() {
@@ -124,7 +122,7 @@ run_tsan() {
 
 # run_seeds SECONDS: rounds as long as one more fits, one at least.
 run_seeds() {
-  local until=$((SECONDS + $1)) round=0 longest=0 began seed preset left_out presets=(release)
+  local until=$((SECONDS + $1)) round=0 longest=0 began seed preset presets=(release)
   build_for seeds release seeded_tests || return 0
   ! is_built asan-full || presets+=(asan-full)
   while [ $round -eq 0 ] || [ $((SECONDS + longest)) -lt $until ]; do
@@ -132,8 +130,8 @@ run_seeds() {
     seed=$(od -An -N4 -tu4 /dev/urandom | tr -d ' ')
     for preset in "${presets[@]}"; do
       echo "nightly: seeds: round $round, $preset, PROSECTOR_SEED=$seed"
-      left_out=$(seeded "$preset")
-      tests seeds "seeds-$round-$preset" "$preset" "$seed" -R "$left_out"
+      deploy/left_out.py rest "build/$preset" all >"$out/seeds-$preset.tests"
+      tests seeds "seeds-$round-$preset" "$preset" "$seed" -I "$out/seeds-$preset.tests"
     done
     longest=$((SECONDS - began > longest ? SECONDS - began : longest))
   done
