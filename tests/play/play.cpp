@@ -10,6 +10,14 @@ namespace {
 
 constexpr int looks_per_second = 4;  // while the organs rest
 
+/// What the report says of each body, for people.
+std::string words_of(const StepReport& report) {
+  std::string out;
+  for (const BodyReport& row : report.bodies)
+    if (!row.note.empty()) out += fmt::format("; {}: {}", row.body, row.note);
+  return out;
+}
+
 void note(const StepReport& report, PlayFigures& figures) {
   figures.step_ms = std::max(figures.step_ms, 1e3 * report.total_seconds);
   for (const BodyReport& row : report.bodies) {
@@ -70,12 +78,22 @@ PlayFigures play(Simulation& simulation, const PlayOptions& options,
     }
     const Finding end_state = judge.look(simulation, options.bounds);
     const int last = static_cast<int>(rate / 2);
+    std::string words;
     for (int tick = 0; tick < last; ++tick) {
       const StepReport& report = simulation.step({});
       spent += report.total_seconds;
+      if (tick + 1 == last) words = words_of(report);
       out.seconds += 1 / rate;
     }
-    out.rest_ms = std::max(out.rest_ms, 1e3 * spent / last);
+    const double mean_ms = 1e3 * spent / last;
+    if (say && mean_ms > 1e3 / rate / 2) {
+      std::string awake;
+      for (BodyId b = 0; b < simulation.body_count(); ++b)
+        if (!simulation.asleep(b)) awake += " " + simulation.name(b);
+      say(fmt::format("{}, seed {}, bout {}: still {:.1f} ms a step, awake:{}{}", simulation.scene().name,
+                      options.seed, bout, mean_ms, awake, words));
+    }
+    out.rest_ms = std::max(out.rest_ms, mean_ms);
     out.least_volume = std::min(out.least_volume, end_state.least_volume);
     out.most_volume = std::max(out.most_volume, end_state.most_volume);
     out.overlap = std::max(out.overlap, end_state.overlap);
@@ -83,8 +101,8 @@ PlayFigures play(Simulation& simulation, const PlayOptions& options,
       out.recovery = std::max(out.recovery, good_since);
     } else {
       ++out.bad;
-      out.found.push_back(fmt::format("{}, seed {}, bout {}, tick {}: {}", simulation.scene().name,
-                                      options.seed, bout, simulation.time().tick, end_state.where));
+      out.found.push_back(fmt::format("{}, seed {}, bout {}, tick {}: {}{}", simulation.scene().name,
+                                      options.seed, bout, simulation.time().tick, end_state.where, words));
       if (say) say(out.found.back());
     }
   }
