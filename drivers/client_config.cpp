@@ -6,12 +6,12 @@
 #include <toml++/toml.h>
 
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <set>
-#include <sstream>
 
 #include "common/error.h"
+#include "common/regular_file.h"
+#include "common/toml_nesting.h"
 #include "drivers/gesture.h"
 
 namespace prosector {
@@ -225,6 +225,7 @@ void read_gestures(Section section, ClientConfig& config) {
 }  // namespace
 
 ClientConfig parse_client_config(std::string_view toml, const std::string& file) {
+  check_nesting(toml, file);
   toml::table table;
   try {
     table = toml::parse(toml, file);
@@ -245,10 +246,8 @@ ClientConfig parse_client_config(std::string_view toml, const std::string& file)
 }
 
 ClientConfig load_client_config(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) throw InputError(fmt::format("{}: cannot be read", file.string()));
-  return parse_client_config(text.str(), file.string());
+  constexpr std::size_t max_bytes = 1 << 20;
+  return parse_client_config(read_regular_file(file, max_bytes), file.string());
 }
 
 }  // namespace prosector

@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
+#include <sstream>
 
 #include "common/error.h"
+#include "common/regular_file.h"
 
 namespace prosector {
 namespace {
@@ -32,8 +33,8 @@ std::vector<std::string> split(std::string_view line) {
 }  // namespace
 
 CsvTable::CsvTable(const std::filesystem::path& file, const std::vector<std::string>& known) : file_(file) {
-  std::ifstream in(file);
-  if (!in) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  constexpr std::size_t max_bytes = std::size_t{1} << 28;
+  std::istringstream in(read_regular_file(file, max_bytes));
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {
     if (const std::string t = trimmed(line); t.empty() || t[0] == '#') continue;

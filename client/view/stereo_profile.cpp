@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <vector>
 
 #include "common/error.h"
+#include "common/regular_file.h"
+#include "common/toml_nesting.h"
 
 namespace prosector {
 namespace {
@@ -104,6 +104,7 @@ std::vector<std::string> shipped_profiles() {
 }  // namespace
 
 StereoProfile parse_stereo_profile(std::string_view toml, const std::string& file) {
+  check_nesting(toml, file);
   try {
     return ProfileReader(toml::parse(toml, file), file).read();
   } catch (const toml::parse_error& e) {
@@ -114,12 +115,11 @@ StereoProfile parse_stereo_profile(std::string_view toml, const std::string& fil
 StereoProfile load_stereo_profile(const std::string& profile) {
   std::filesystem::path file = profile;
   if (!std::filesystem::exists(file)) file = stereo_profile_dir() / (profile + ".toml");
-  std::ifstream in(file);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf()))
+  if (!std::filesystem::exists(file))
     throw InputError(fmt::format("stereo profile {}: no such file, nor one of those shipped: {}", profile,
                                  fmt::join(shipped_profiles(), ", ")));
-  return parse_stereo_profile(text.str(), file.string());
+  constexpr std::size_t max_bytes = 1 << 20;
+  return parse_stereo_profile(read_regular_file(file, max_bytes), file.string());
 }
 
 std::filesystem::path stereo_profile_dir() {

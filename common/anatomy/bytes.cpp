@@ -4,23 +4,15 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "common/error.h"
+#include "common/regular_file.h"
 
 namespace prosector {
 
 std::vector<std::uint8_t> read_file(const std::filesystem::path& file, std::size_t max_bytes) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);
-  if (error) throw InputError(fmt::format("{}: cannot be read: {}", file.string(), error.message()));
-  if (size > max_bytes)
-    throw InputError(fmt::format("{}: {} bytes; allowed: at most {}", file.string(), size, max_bytes));
-  std::vector<std::uint8_t> bytes(size);
-  std::ifstream in(file, std::ios::binary);
-  in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (!in) throw InputError(fmt::format("{}: cannot be read to its end", file.string()));
-  return bytes;
+  const std::string bytes = read_regular_file(file, max_bytes);
+  return {bytes.begin(), bytes.end()};
 }
 
 bool is_gzip(std::span<const std::uint8_t> bytes) {

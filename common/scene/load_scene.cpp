@@ -8,18 +8,19 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include "common/error.h"
+#include "common/regular_file.h"
 #include "common/scene/scene_checks.h"
 #include "common/scene/scene_fields.h"
 #include "common/scene/suggest.h"
+#include "common/toml_nesting.h"
 
 namespace prosector {
 namespace {
 
-constexpr std::uintmax_t max_scene_bytes = 4u * 1024 * 1024;
+constexpr std::size_t max_scene_bytes = 4u * 1024 * 1024;
 
 int line_of(const toml::node& node) {
   return static_cast<int>(node.source().begin.line);
@@ -241,6 +242,7 @@ class Reader {
 }  // namespace
 
 SceneDesc parse_scene(std::string_view toml, const std::filesystem::path& file) {
+  check_nesting(toml, file.string());
   toml::table document;
   try {
     document = toml::parse(toml, file.string());
@@ -257,20 +259,12 @@ SceneDesc parse_scene(std::string_view toml, const std::filesystem::path& file) 
   return scene;
 }
 
+std::string read_scene_text(const std::filesystem::path& file) {
+  return read_regular_file(file, max_scene_bytes);
+}
+
 SceneDesc load_scene(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error))
-    throw InputError(fmt::format("{}: is a folder; name a scene file (.toml)", file.string()));
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(fmt::format("{}: can't open this scene file", file.string()));
-  std::string text;
-  text.resize(max_scene_bytes + 1);
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad()) throw InputError(fmt::format("{}: can't read this scene file", file.string()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.size() > max_scene_bytes)
-    throw InputError(fmt::format("{}: larger than {} bytes: no scene file", file.string(), max_scene_bytes));
-  return parse_scene(text, file);
+  return parse_scene(read_scene_text(file), file);
 }
 
 }  // namespace prosector

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <string>
 #include <string_view>
 
 #include "common/scene/scene.h"
@@ -13,7 +14,10 @@ namespace prosector {
 /// file.
 SceneDesc load_scene(const std::filesystem::path& file);
 
-/// The same from text; `file` is only for messages and for resolving paths later.
+/// A scene file's text. Throws InputError when it can't be read, is no regular file or is too large for one.
+std::string read_scene_text(const std::filesystem::path& file);
+
+/// The same as load_scene from text; `file` is only for messages and for resolving paths later.
 SceneDesc parse_scene(std::string_view toml, const std::filesystem::path& file);
 
 /// docs/scene.md, from the same field table.

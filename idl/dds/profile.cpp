@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <sstream>
+#include <filesystem>
 
 #include "common/error.h"
+#include "common/regular_file.h"
 #include "idl/dds/interfaces.h"
 
 namespace prosector {
@@ -17,13 +17,12 @@ std::string read_profile(const std::string& profile) {
   if (profile.empty() || profile == "loopback") return loopback_profile;
   if (profile == "lan") return lan_profile;
   if (profile == "wan") return wan_profile;
-  std::ifstream file(profile);
-  std::stringstream text;
-  if (!file || !(text << file.rdbuf()))
+  if (!std::filesystem::exists(profile))
     throw InputError(fmt::format(
         "network profile \"{}\" can't be read: name loopback, lan, wan or a file such as deploy/dds/lan.xml",
         profile));
-  return text.str();
+  constexpr std::size_t max_bytes = 1 << 20;
+  return read_regular_file(profile, max_bytes);
 }
 
 /// Refuses what would leave an XML attribute.

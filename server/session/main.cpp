@@ -7,8 +7,6 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
-#include <fstream>
-#include <sstream>
 
 #include "common/error.h"
 #include "common/scene/load_scene.h"
@@ -32,13 +30,6 @@ std::atomic<bool> interrupted{false};
 void say(const std::string& line) {
   fmt::print("{}\n", line);
   std::fflush(stdout);
-}
-
-std::string read_text(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) throw InputError(fmt::format("{}: cannot be read", file.string()));
-  return text.str();
 }
 
 CompileOptions sources(const ServerOptions& options) {
@@ -198,7 +189,7 @@ void resume_journal(const JournalReader& journal, Simulation& simulation) {
 void host(const ServerOptions& options) {
   std::optional<JournalReader> past;
   if (!options.resume.empty()) past.emplace(options.resume);
-  const std::string text = past ? past->header().scene_text : read_text(options.scene);
+  const std::string text = past ? past->header().scene_text : read_scene_text(options.scene);
   SceneDesc scene = parse_scene(text, past ? past->header().scene_file : options.scene);
   const std::string session = !options.session.empty() ? options.session
                               : past                   ? past->header().session

@@ -21,6 +21,15 @@ std::vector<std::filesystem::path> shipped() {
   return files;
 }
 
+/// The beginning of something that nests up to 300,000 levels deep, seldom so many.
+std::string nest(std::mt19937_64& random) {
+  static constexpr const char* levels[] = {"a.", "[", "{a=", "[a."};
+  const std::string level = levels[random() % std::size(levels)];
+  std::string out = random() % 2 == 0 ? "\n" : "\n[";
+  for (std::size_t n = random() % 50 == 0 ? 300'000 : random() % 100; n > 0; --n) out += level;
+  return out + "a]=1\n";
+}
+
 std::string mutated(std::string text, std::mt19937_64& random) {
   static constexpr const char* pieces[] = {"nan", "-1", "1e999", "[[",     "]]",   "\"",
                                            "=",   "\n", "{",     "[soft]", "\xff", "99999999999999999999",
@@ -28,7 +37,7 @@ std::string mutated(std::string text, std::mt19937_64& random) {
   const std::size_t edits = 1 + random() % 4;
   for (std::size_t i = 0; i < edits && !text.empty(); ++i) {
     const std::size_t at = random() % text.size();
-    switch (random() % 5) {
+    switch (random() % 6) {
       case 0:
         text[at] = static_cast<char>(random());
         break;
@@ -43,6 +52,9 @@ std::string mutated(std::string text, std::mt19937_64& random) {
         break;
       case 4:
         text.resize(at);
+        break;
+      case 5:
+        text.insert(at, nest(random));
         break;
     }
   }

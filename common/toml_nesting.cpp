@@ -1,0 +1,94 @@
+#include "common/toml_nesting.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+/// Walks the text once, minding what quotes and comments hide.
+class NestingScan {
+ public:
+  NestingScan(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+  void run() {
+    while (at_ < text_.size()) step();
+  }
+
+ private:
+  void step() {
+    switch (const char c = text_[at_]) {
+      case '"':
+      case '\'':
+        return skip_string(c);
+      case '#':
+        at_ = std::min(text_.find('\n', at_), text_.size());
+        return;
+      case '[':
+      case '{':
+        dots_ = 0;
+        limit(++brackets_, "lists and tables are nested too deeply");
+        break;
+      case ']':
+      case '}':
+        dots_ = 0;
+        if (brackets_ > 0) --brackets_;
+        break;
+      case '.':
+        limit(++dots_ + 1, "a key has too many parts");
+        break;
+      case '\n':
+        ++line_;
+        dots_ = 0;
+        break;
+      case '=':
+      case ',':
+        dots_ = 0;
+        break;
+      default:
+        break;
+    }
+    ++at_;
+  }
+
+  /// One-line strings end at the line's end at the latest; those in three quotes at the text's.
+  void skip_string(char quote) {
+    const std::string three(3, quote);
+    const bool multiline = text_.substr(at_, 3) == three;
+    at_ += multiline ? 3 : 1;
+    while (at_ < text_.size()) {
+      if (multiline ? text_.substr(at_, 3) == three : text_[at_] == quote) {
+        at_ += multiline ? 3 : 1;
+        return;
+      }
+      if (text_[at_] == '\n') {
+        if (!multiline) return;
+        ++line_;
+      }
+      at_ += quote == '"' && text_[at_] == '\\' && at_ + 1 < text_.size() && text_[at_ + 1] != '\n' ? 2 : 1;
+    }
+  }
+
+  void limit(int levels, const char* what) const {
+    if (levels > max_toml_nesting)
+      throw InputError(fmt::format("{}:{}: {}; allowed: at most {}", file_, line_, what, max_toml_nesting));
+  }
+
+  std::string_view text_;
+  const std::string& file_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+  int brackets_ = 0;  // open ones
+  int dots_ = 0;      // of the key that is being read
+};
+
+}  // namespace
+
+void check_nesting(std::string_view toml, const std::string& file) {
+  NestingScan(toml, file).run();
+}
+
+}  // namespace prosector
