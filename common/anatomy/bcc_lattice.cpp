@@ -8,25 +8,48 @@
 
 namespace prosector {
 
-BccLattice::BccLattice(const SolidField& field, double cell, const Vec3& offset) {
+namespace {
+
+constexpr double short_edge = 0.86602540378443865;  // of the lattice constant
+
+double points_along(double extent, double cell) {
+  return std::ceil(extent / (cell / short_edge)) + 5;
+}
+
+/// A little above the finest cell of at most `max_points`.
+double finest_cell(const Vec3& extent, double cell, double max_points) {
+  while (lattice_points(extent, cell) > max_points) cell *= 1.02;
+  return 1.01 * cell;
+}
+
+}  // namespace
+
+double lattice_points(const Vec3& extent, double cell) {
+  return 2 * points_along(extent[0], cell) * points_along(extent[1], cell) * points_along(extent[2], cell);
+}
+
+void require_sizes(const SolidField& field, double cell) {
   const Vec3 extent = field.box.size();
   if (!(cell > 0) || !std::isfinite(cell) || !extent.allFinite() || !(extent.minCoeff() > 0))
     throw InputError(fmt::format("mesh: cell {} m around a box of {} x {} x {} m; allowed: positive sizes",
                                  cell, extent[0], extent[1], extent[2]));
-  a_ = cell / 0.86602540378443865;
+}
+
+BccLattice::BccLattice(const SolidField& field, double cell, const Vec3& offset, double max_points) {
+  const Vec3 extent = field.box.size();
+  require_sizes(field, cell);
+  if (lattice_points(extent, cell) > max_points)
+    throw InputError(fmt::format(
+        "mesh: a cell of {:.3g} mm is too fine for a shape {:.3g} x {:.3g} x {:.3g} m large: it needs {:.2g} "
+        "lattice points, of at most {:.2g}; allowed: a cell of {:.3g} mm or more",
+        1000 * cell, extent[0], extent[1], extent[2], lattice_points(extent, cell), max_points,
+        1000 * finest_cell(extent, cell, max_points)));
+  a_ = cell / short_edge;
   // One cell of margin below (and the offset within it) and one above, so that the surface never meets the
   // lattice's own border.
   origin_ = field.box.min - a_ * (Vec3::Constant(1.6) + offset);
-  double points = 2;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double count = std::ceil(extent[static_cast<int>(k)] / a_) + 5;
-    points *= count;
-    if (points > (1u << 26))
-      throw InputError(
-          fmt::format("mesh: a cell of {:.3g} mm needs more than {} lattice points; allowed: a coarser cell",
-                      1000 * cell, 1u << 26));
-    n_[k] = static_cast<int>(count);
-  }
+  for (std::size_t k = 0; k < 3; ++k)
+    n_[k] = static_cast<int>(points_along(extent[static_cast<int>(k)], cell));
   grid_ = static_cast<std::size_t>(n_[0]) * static_cast<std::size_t>(n_[1]) * static_cast<std::size_t>(n_[2]);
 }
 

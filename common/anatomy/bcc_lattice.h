@@ -10,11 +10,18 @@
 
 namespace prosector {
 
+/// Points of the lattice of short edge `cell` (m) that covers a box of `extent` (m).
+double lattice_points(const Vec3& extent, double cell);
+
+/// Throws InputError unless `cell` and the box's sizes are positive and finite.
+void require_sizes(const SolidField& field, double cell);
+
 class BccLattice {
  public:
   /// Covers field.box with a margin; `cell` (m) is the short edge; offset in lattice constants. Throws
-  /// InputError when cell is not positive or more than 2^26 points would be needed.
-  BccLattice(const SolidField& field, double cell, const Vec3& offset);
+  /// InputError when cell is not positive, or when more than `max_points` would be needed: it then says the
+  /// finest cell that is allowed. Allocates nothing.
+  BccLattice(const SolidField& field, double cell, const Vec3& offset, double max_points);
 
   std::size_t size() const { return 2 * grid_; }
   Vec3 position(std::size_t point) const;

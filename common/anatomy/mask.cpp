@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
-#include <set>
+#include <vector>
 
 #include "common/error.h"
 
@@ -170,6 +170,32 @@ double volume_preserving_level(const Volume& smoothed, const Volume& mask) {
   return std::clamp(static_cast<double>(*nth), 0.1, 0.9);
 }
 
+/// The labels of a volume in rising order, those that follow one another as "first to last".
+std::string labels_in_words(const Volume& volume) {
+  constexpr int max_label = 65535;
+  std::vector<bool> present(max_label + 2);
+  bool grey = false;
+  for (const float v : volume.values) {
+    if (v > 0 && v <= static_cast<float>(max_label) && v == std::floor(v))
+      present[static_cast<std::size_t>(v)] = true;
+    else
+      grey = grey || v != 0;
+  }
+  std::vector<std::string> ranges;
+  for (std::size_t label = 1; label <= max_label; ++label) {
+    if (!present[label]) continue;
+    const std::size_t first = label;
+    while (present[label + 1]) ++label;
+    ranges.push_back(first == label ? fmt::format("{}", first) : fmt::format("{} to {}", first, label));
+  }
+  constexpr std::size_t shown = 32;
+  const std::size_t more = ranges.size() - std::min(ranges.size(), shown);
+  ranges.resize(ranges.size() - more);
+  return fmt::format("{}{}{}", fmt::join(ranges, ", "),
+                     more > 0 ? fmt::format(", and {} ranges more", more) : std::string(),
+                     grey || more > 0 ? " (a grey volume? use threshold)" : "");
+}
+
 }  // namespace
 
 Mask mask_of_label(const Volume& volume, int label, int margin, const std::string& name) {
@@ -177,15 +203,8 @@ Mask mask_of_label(const Volume& volume, int label, int margin, const std::strin
   const auto wanted = static_cast<float>(label);
   if (!crop(
           volume, margin, [&](float v) { return v == wanted; }, out)) {
-    constexpr std::size_t shown = 32;
-    std::set<float> present;
-    for (const float v : volume.values) {
-      if (v != 0 && v == std::floor(v)) present.insert(v);
-      if (present.size() > shown) break;
-    }
-    throw InputError(fmt::format("{}: label {} isn't there; allowed: {}{}", name, label,
-                                 fmt::join(present, ", "),
-                                 present.size() > shown ? ", ... (a grey volume? use threshold)" : ""));
+    throw InputError(
+        fmt::format("{}: label {} isn't there; allowed: {}", name, label, labels_in_words(volume)));
   }
   keep_largest(out);
   return out;

@@ -63,8 +63,22 @@ std::string file_hash(const std::filesystem::path& file) {
   return to_hex(content_hash(std::as_bytes(std::span(bytes))));
 }
 
+/// What `make()` gives; what it refuses names the body, too.
+template <class Make>
+auto of_body(const std::string& name, const Make& make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", name, error.what()));
+  }
+}
+
 CachedAnatomy mesh_solid(const std::string& name, const SolidField& field, const SoftDesc& desc,
                          const Progress& progress) {
+  constexpr double takes_a_while = 2e5;  // tetrahedra
+  if (const double tets = expected_tets(field, desc.cell); tets > takes_a_while && tets < max_tets)
+    say(progress,
+        fmt::format("{}: meshing with about {:.2g} tetrahedra takes a while; Ctrl-C ends it", name, tets));
   TetMesh tets = stuff_solid(field, desc.cell);
   say(progress, fmt::format("{}: {}", name, describe(tet_quality(tets))));
   Embedding embedded = embed(std::move(tets), isosurface(field, desc.surface_cell));
@@ -159,7 +173,7 @@ std::optional<CachedAnatomy> take_cached(const std::string& name, const SourcePa
 
 Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progress& progress) {
   if (desc.shape == "sheet" || desc.shape == "rope") {
-    Anatomy made = make_fabric(desc);
+    Anatomy made = of_body(desc.name, [&] { return make_fabric(desc); });
     for (Vec3& x : made.tets.positions) x = desc.pose * x;
     apply_embedding(made);
     return made;
@@ -183,7 +197,7 @@ Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progr
     made = std::move(*cached);
     say(progress, fmt::format("{}: {} (cached)", desc.name, describe(tet_quality(made.anatomy.tets))));
   } else {
-    made = build(desc, file, shape, progress);
+    made = of_body(desc.name, [&] { return build(desc, file, shape, progress); });
     store_cached(paths.cache_dir, key, made);
   }
   warn(desc.name, made, progress);
@@ -207,7 +221,8 @@ TriangleMesh make_surface(const RigidDesc& desc, const SourcePaths& paths, const
       source.empty() ? std::filesystem::path{} : resolve(desc.name, source, desc.fallback, paths, progress);
   if (file.empty()) {
     const double cell = desc.surface_cell > 0 ? desc.surface_cell : desc.size.minCoeff() / 20;
-    TriangleMesh surface = isosurface(implicit_shape(desc.fallback, desc.size), cell);
+    TriangleMesh surface =
+        of_body(desc.name, [&] { return isosurface(implicit_shape(desc.fallback, desc.size), cell); });
     for (Vec3& x : surface.positions) x = desc.fallback_pose * x;
     return surface;
   }
@@ -219,7 +234,7 @@ TriangleMesh make_surface(const RigidDesc& desc, const SourcePaths& paths, const
   if (cached) {
     made = std::move(*cached);
   } else {
-    made = build(desc, file, progress);
+    made = of_body(desc.name, [&] { return build(desc, file, progress); });
     store_cached(paths.cache_dir, key, made);
   }
   say(progress, fmt::format("{}: {} triangles{}", desc.name, made.anatomy.surface.triangles.size(),

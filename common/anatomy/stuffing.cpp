@@ -19,11 +19,22 @@ using Tet = std::array<std::uint32_t, 4>;
 // pair, which bounds dihedral angles below by 10.7°.
 constexpr double snap_long = 0.24999, snap_short = 0.41189;
 
+constexpr double max_lattice_points = 1 << 23;  // 300 MB, a few seconds for each lattice that is tried
+constexpr double tried_lattice_points = 1.25 * max_lattice_points;  // with the cell as small as it is tried
+
+// What stuff_solid tries in turn until a mesh has a manifold boundary.
+constexpr std::array<double, 3> shrink = {1, 0.97, 0.94};
+const std::array<Vec3, 4> offsets = {Vec3(0, 0, 0), Vec3(0.31, 0.17, 0.43), Vec3(0.13, 0.37, 0.23),
+                                     Vec3(0.47, 0.29, 0.11)};
+
 /// The lattice with values, snapped vertices and cut points: the paper's steps 2 and 3.
 class CutLattice {
  public:
   CutLattice(const SolidField& field, double cell, const Vec3& offset)
-      : field_(field), lattice_(field, cell, offset), position_(lattice_.size()), sign_(lattice_.size()) {
+      : field_(field),
+        lattice_(field, cell, offset, tried_lattice_points),
+        position_(lattice_.size()),
+        sign_(lattice_.size()) {
     value_.resize(lattice_.size());
     for (std::size_t i = 0; i < lattice_.size(); ++i) {
       position_[i] = lattice_.position(i);
@@ -244,16 +255,72 @@ TetMesh largest_piece(const TetMesh& mesh) {
   return subset(mesh, keep);
 }
 
+bool gives_tets(const SolidField& field, double cell) {
+  return std::ranges::any_of(shrink, [&](double factor) {
+    return std::ranges::any_of(offsets, [&](const Vec3& offset) {
+      return !CutLattice(field, factor * cell, offset).fill().tets.empty();
+    });
+  });
+}
+
+/// Down to `digits` that count: what a message can say exactly.
+double rounded_down(double x, int digits) {
+  const double unit = std::pow(10, std::floor(std::log10(x)) + 1 - digits);
+  return std::floor(x / unit) * unit;
+}
+
+/// Says a finer cell that does give tetrahedra, having tried it.
+[[noreturn]] void refuse_coarse(const SolidField& field, double cell) {
+  constexpr double max_points = 1 << 18;  // of the finest lattice tried
+  for (double finer = rounded_down(0.9e3 * cell, 2);
+       lattice_points(field.box.size(), 0.94e-3 * finer) < max_points; finer = rounded_down(0.9 * finer, 2))
+    if (gives_tets(field, 1e-3 * finer))
+      throw InputError(
+          fmt::format("mesh: a cell of {:.3g} mm gives no tetrahedra; allowed: a finer one, for "
+                      "instance {:.3g} mm",
+                      1000 * cell, finer));
+  throw InputError(fmt::format(
+      "mesh: a cell of {:.3g} mm gives no tetrahedra, nor does any finer one that was tried", 1000 * cell));
+}
+
+void refuse_fine(const SolidField& field, double cell) {
+  require_sizes(field, cell);
+  const Vec3 extent = field.box.size();
+  const double tets = expected_tets(field, cell);
+  const auto fits = [&](double coarser) {
+    return tets * std::pow(cell / coarser, 3) <= max_tets &&
+           lattice_points(extent, coarser) <= max_lattice_points;
+  };
+  if (fits(cell)) return;
+  double allowed = cell;
+  while (!fits(allowed)) allowed *= 1.02;
+  throw InputError(fmt::format(
+      "mesh: a cell of {:.3g} mm is too fine for a shape {:.3g} x {:.3g} x {:.3g} m large: about {:.2g} "
+      "tetrahedra, of at most {:.2g}; allowed: a cell of {:.3g} mm or more",
+      1000 * cell, extent[0], extent[1], extent[2], tets, max_tets, 1.01e3 * allowed));
+}
+
 }  // namespace
 
 TetMesh stuff(const SolidField& field, double cell, const Vec3& offset) {
   return CutLattice(field, cell, offset).fill();
 }
 
+double expected_tets(const SolidField& field, double cell) {
+  constexpr int samples = 24;  // along each axis
+  const Vec3 step = field.box.size() / samples;
+  int inside = 0;
+  for (int k = 0; k < samples; ++k)
+    for (int j = 0; j < samples; ++j)
+      for (int i = 0; i < samples; ++i)
+        if (field.value(field.box.min + step.cwiseProduct(Vec3(i + 0.5, j + 0.5, k + 0.5))) < 0) ++inside;
+  constexpr double tet_volume_in_cells = 0.128;
+  const double volume = field.box.size().prod() * inside / (samples * samples * samples);
+  return volume / (tet_volume_in_cells * cell * cell * cell);
+}
+
 TetMesh stuff_solid(const SolidField& field, double cell) {
-  constexpr std::array<double, 3> shrink = {1, 0.97, 0.94};
-  const std::array<Vec3, 4> offsets = {Vec3(0, 0, 0), Vec3(0.31, 0.17, 0.43), Vec3(0.13, 0.37, 0.23),
-                                       Vec3(0.47, 0.29, 0.11)};
+  refuse_fine(field, cell);
   TetMesh best;
   std::size_t best_bad = SIZE_MAX;
   for (const double factor : shrink)
@@ -271,13 +338,7 @@ TetMesh stuff_solid(const SolidField& field, double cell) {
         return best;
       }
     }
-  if (best.tets.empty()) {
-    const double extent = 1000 * field.box.size().minCoeff();
-    throw InputError(fmt::format(
-        "mesh: cell of {:.3g} mm gives no tetrahedra; the shape is about {:.3g} mm thin, allowed: a cell of "
-        "at most {:.3g} mm",
-        1000 * cell, extent, extent / 3));
-  }
+  if (best.tets.empty()) refuse_coarse(field, cell);
   split_touching_vertices(best);
   return best;
 }

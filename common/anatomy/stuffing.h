@@ -10,12 +10,18 @@ namespace prosector {
 /// One pass on a uniform body-centred cubic lattice. `cell` is the lattice's short edge (metres), so interior
 /// edges are cell and 1.155 cell long and a tetrahedron has 0.128 cell³; `offset` shifts the lattice, in
 /// lattice constants. Dihedral angles are at least 10.7° where the zero set is met once along each lattice
-/// edge. Throws InputError when the lattice would have more than 2^26 points.
+/// edge. Throws InputError when the lattice would have more than 10 million points.
 TetMesh stuff(const SolidField& field, double cell, const Vec3& offset);
 
+inline constexpr double max_tets = 2e6;  // of one solid: what can be stepped and sent at all
+
+/// Tetrahedra that `stuff` gives, about, from the solid's volume as sampled: in a millisecond.
+double expected_tets(const SolidField& field, double cell);
+
 /// The largest piece of `stuff`, with a manifold boundary: tries lattice offsets, then slightly smaller
-/// cells, and keeps the best; vertices at which pieces only touch are then split. Throws InputError when
-/// there's nothing to mesh or the cell is too coarse for the shape.
+/// cells, and keeps the best; vertices at which pieces only touch are then split. Throws InputError,
+/// with a cell that is allowed, when the cell is too coarse for the shape, or so fine that `max_tets` would
+/// be exceeded; the latter before anything is made.
 TetMesh stuff_solid(const SolidField& field, double cell);
 
 }  // namespace prosector

@@ -1,36 +1,40 @@
 #include "common/anatomy/surface_io.h"
 
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
 #include <fmt/format.h>
 
-#include <assimp/Importer.hpp>
+#include <array>
 #include <cmath>
 #include <map>
 
+#include "common/anatomy/child_process.h"
+#include "common/anatomy/import_reply.h"
 #include "common/anatomy/simplify.h"
 #include "common/error.h"
 
 namespace prosector {
 namespace {
 
-void append(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, TriangleMesh& out) {
-  const aiMatrix4x4 transform = parent * node.mTransformation;
-  for (unsigned m = 0; m < node.mNumMeshes; ++m) {
-    const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
-    const auto base = static_cast<std::uint32_t>(out.positions.size());
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-      const aiVector3D x = transform * mesh.mVertices[v];
-      out.positions.emplace_back(static_cast<double>(x.x), static_cast<double>(x.y),
-                                 static_cast<double>(x.z));
-    }
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-      const aiFace& face = mesh.mFaces[f];
-      if (face.mNumIndices == 3)
-        out.triangles.push_back({base + face.mIndices[0], base + face.mIndices[1], base + face.mIndices[2]});
-    }
+constexpr std::size_t max_reply_bytes = std::size_t{1} << 30;
+
+/// What the file holds, read by a process of its own. Throws InputError with the reader's words, or its end.
+TriangleMesh import(const std::filesystem::path& file, double patience) {
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(
+        fmt::format("{}: not a surface ({}); allowed: OBJ, STL, PLY, OFF, glTF", file.string(), why));
+  };
+  const auto reader = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "prosector-import";
+  const ChildOutcome child =
+      run_child(reader, {std::filesystem::absolute(file).string()}, {patience, max_reply_bytes});
+  if (!child.trouble.empty())
+    refuse(fmt::format("its reader {} {}", reader.filename().string(), child.trouble));
+  ImportReply reply;
+  try {
+    reply = decode_import_reply(child.output);
+  } catch (const InputError& error) {
+    refuse(error.what());
   }
-  for (unsigned c = 0; c < node.mNumChildren; ++c) append(scene, *node.mChildren[c], transform, out);
+  if (!reply.refusal.empty()) refuse(reply.refusal);
+  return std::move(reply.mesh);
 }
 
 // Readers give each triangle its own vertices where normals or seams differ: here a place is a vertex.
@@ -48,18 +52,12 @@ void merge_equal(TriangleMesh& mesh) {
 
 }  // namespace
 
-TriangleMesh load_surface(const std::filesystem::path& file, double scale) {
+TriangleMesh load_surface(const std::filesystem::path& file, double scale, double patience) {
   const std::string name = file.string();
   if (!std::filesystem::is_regular_file(file)) throw InputError(fmt::format("{}: no such file", name));
   if (!(scale > 0) || !std::isfinite(scale))
     throw InputError(fmt::format("{}: scale {}; allowed: above 0", name, scale));
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(name, aiProcess_Triangulate | aiProcess_ValidateDataStructure);
-  if (scene == nullptr || scene->mRootNode == nullptr)
-    throw InputError(fmt::format("{}: not a surface ({}); allowed: OBJ, STL, PLY, OFF, glTF", name,
-                                 importer.GetErrorString()));
-  TriangleMesh mesh;
-  append(*scene, *scene->mRootNode, aiMatrix4x4(), mesh);
+  TriangleMesh mesh = import(file, patience);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (!mesh.positions[v].allFinite())
       throw InputError(fmt::format("{}: vertex {} is not a finite position", name, v));

@@ -9,7 +9,9 @@ namespace prosector {
 
 /// All triangles of the file as one mesh, its nodes' transforms applied, times `scale` (to metres), equal
 /// vertices merged, degenerate triangles dropped. Throws InputError: missing or unreadable file (with the
-/// reader's words), no triangles, a position that isn't finite, an extent above 100 m or under 0.1 mm.
-TriangleMesh load_surface(const std::filesystem::path& file, double scale);
+/// reader's words), no triangles, a position that isn't finite, an extent above 100 m or under 0.1 mm. The
+/// file is read by a process of its own, prosector-import beside this program: where that crashes, uses too
+/// much or takes longer than `patience` seconds, the file is refused.
+TriangleMesh load_surface(const std::filesystem::path& file, double scale, double patience = 120);
 
 }  // namespace prosector

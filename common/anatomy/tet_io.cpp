@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "common/anatomy/bytes.h"
@@ -9,14 +11,29 @@
 #include "common/error.h"
 
 namespace prosector {
+namespace {
+
+void refuse_other_kinds(const std::filesystem::path& file) {
+  const std::string kind = file.extension().string();
+  if (kind == ".msh" || kind == ".vtk") return;
+  constexpr std::array surfaces = {".obj", ".stl", ".ply", ".off", ".gltf", ".glb"};
+  const bool surface = std::ranges::find(surfaces, kind) != surfaces.end();
+  throw InputError(fmt::format(
+      "{}: {}; allowed: .msh (Gmsh), .vtk (legacy VTK){}", file.string(),
+      surface ? "is a surface, and what deforms needs tetrahedra inside" : "not a tetrahedral mesh",
+      surface
+          ? ". Fill the surface with tetrahedra first (Gmsh: merge it, create a volume, mesh in 3D, save as "
+            ".msh), or name a labelled volume, or make it a [[rigid]] body"
+          : ""));
+}
+
+}  // namespace
 
 TetMesh load_tets(const std::filesystem::path& file, double scale) {
   const std::string name = file.string();
+  refuse_other_kinds(file);
   const auto bytes = read_file(file);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (file.extension() != ".msh" && file.extension() != ".vtk")
-    throw InputError(
-        fmt::format("{}: not a tetrahedral mesh; allowed: .msh (Gmsh), .vtk (legacy VTK)", name));
   TetMesh mesh = file.extension() == ".msh" ? parse_gmsh(text, name) : parse_vtk(text, name);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     mesh.positions[v] *= scale;

@@ -64,7 +64,7 @@ const Table& rigid_table() {
          text<R, &R::mesh>("mesh", "surface file: .obj .stl .ply .off .gltf .glb"),
          text<R, &R::volume>("volume", "labelled or grey medical volume: .inr .inr.gz .nii .nii.gz"),
          number<R, &R::label>("label", "", {-1, 65535},
-                              "volumes: label to take; -1: what is above threshold"),
+                              "volumes: label to take, not 0; -1: what is above threshold"),
          number<R, &R::threshold>("threshold", "", {-1e6, 1e6}, "grey volumes: inside is above it"),
          number<R, &R::smoothing>("smoothing", "voxels", {0, 10}, "volumes: Gaussian σ on the mask"),
          words<R, &R::fallback>("fallback", implicit_shape_words(),

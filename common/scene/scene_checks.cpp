@@ -123,6 +123,15 @@ class Checker {
       fail(body, "continuous", "continuous needs something that collides: collision is \"none\"");
   }
 
+  template <class Desc>
+  void check_label(const Desc& desc, const Entry& body) const {
+    if (desc.label == 0)
+      fail(body, "label",
+           "label = 0 marks what belongs to no structure; allowed: 1 to 65535, or -1: what is above "
+           "threshold");
+    if (desc.label > 0 && desc.volume.empty()) fail(body, "label", "label needs a volume");
+  }
+
   void check_rigid(const RigidDesc& rigid, const Entry& body) const {
     const bool swept = !rigid.curves.empty() || !rigid.patches.empty();
     const int sources = !rigid.mesh.empty() + !rigid.volume.empty() + !rigid.parts.empty() + swept;
@@ -133,7 +142,7 @@ class Checker {
     if (!rigid.fallback.empty() && (!rigid.parts.empty() || swept))
       fail(body, "fallback", "fallback stands in for a mesh or volume file, but there is none");
     check_curves(rigid, body);
-    if (rigid.label >= 0 && rigid.volume.empty()) fail(body, "label", "label needs a volume");
+    check_label(rigid, body);
     if (rigid.break_force > 0 && rigid.fractures.empty())
       fail(body, "break_force", "break_force needs a [[rigid.fracture]] to break along");
     if (rigid.fixed && (rigid.part || rigid.break_force > 0))
@@ -161,7 +170,7 @@ class Checker {
            fmt::format("has {} of volume, mesh and shape: give exactly one", sources));
     if (!soft.fallback.empty() && !soft.shape.empty())
       fail(body, "fallback", "fallback stands in for a volume or mesh file, but there is only a shape");
-    if (soft.label >= 0 && soft.volume.empty()) fail(body, "label", "label needs a volume");
+    check_label(soft, body);
     if (soft.fiber_direction.isZero(1e-9)) fail(body, "fiber_direction", "fiber_direction is zero");
     check_fidelity(soft, body);
     if (soft.self_contact && soft.collision != "mesh")

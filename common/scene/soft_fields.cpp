@@ -73,7 +73,7 @@ const Table& soft_table() {
                              "body that it belongs to in the scene graph; not given: the room"),
          text<S, &S::volume>("volume", "labelled or grey medical volume: .inr .inr.gz .nii .nii.gz"),
          number<S, &S::label>("label", "", {-1, 65535},
-                              "volumes: label to take; -1: what is above threshold"),
+                              "volumes: label to take, not 0; -1: what is above threshold"),
          number<S, &S::threshold>("threshold", "", {-1e6, 1e6}, "grey volumes: inside is above it"),
          text<S, &S::mesh>("mesh", "tetrahedral mesh: .msh .vtk"),
          words<S, &S::shape>(

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <set>
 
+#include "common/anatomy/bcc_lattice.h"
 #include "common/anatomy/embedding.h"
 #include "common/anatomy/implicit.h"
 #include "common/anatomy/isosurface.h"
@@ -84,6 +85,59 @@ TEST(Stuffing, RefusesWhatCannotBeMeshed) {
   const SolidField nothing{[](const Vec3&) { return 1.0; }, {Vec3::Zero(), Vec3::Ones()}};
   EXPECT_THROW(stuff_solid(nothing, 0.1), InputError);
   EXPECT_THROW(isosurface(nothing, 0.1), InputError);
+}
+
+/// The number before " mm" that follows `words` in what `make` complains of, in metres.
+double cell_named(const std::string& words, const std::function<void()>& make) {
+  try {
+    make();
+  } catch (const InputError& e) {
+    const std::string what = e.what();
+    const std::size_t at = what.find(words);
+    if (at != std::string::npos) return 1e-3 * std::stod(what.substr(at + words.size()));
+    ADD_FAILURE() << what;
+  }
+  return 0;
+}
+
+TEST(Stuffing, NamesAFinerCellThatDoesGiveTetrahedra) {
+  for (const ImplicitShape& shape : implicit_shapes())
+    for (const double thinness : {1.0, 0.2}) {
+      const SolidField field =
+          implicit_shape(shape.name, shape.natural_size.cwiseProduct(Vec3(1, thinness, 1)));
+      double cell = 2 * field.box.size().maxCoeff();
+      SCOPED_TRACE(std::string(shape.name) + " at " + std::to_string(cell));
+      try {
+        stuff_solid(field, cell);
+        continue;  // a shape that fills its box has tetrahedra at any cell
+      } catch (const InputError&) {
+      }
+      cell = cell_named("for instance ", [&] { stuff_solid(field, cell); });
+      EXPECT_GT(cell, 0);
+      EXPECT_NO_THROW(stuff_solid(field, cell));
+    }
+}
+
+TEST(Stuffing, RefusesWhatIsTooManyBeforeItMakesThem) {
+  const SolidField ball = implicit_shape("ball", Vec3::Ones());
+  EXPECT_NEAR(expected_tets(ball, 0.05), static_cast<double>(stuff_solid(ball, 0.05).tets.size()),
+              0.1 * expected_tets(ball, 0.05));
+  int asked = 0;
+  const SolidField counted{[&](const Vec3& x) { return ++asked, ball.value(x); }, ball.box};
+  const double allowed = cell_named("a cell of ", [&] {
+    try {
+      stuff_solid(counted, 5e-4);
+    } catch (const InputError& e) {
+      throw InputError(std::string(e.what()).substr(std::string(e.what()).find("allowed: ")));
+    }
+  });
+  EXPECT_GT(allowed, 5e-4);
+  EXPECT_LT(expected_tets(ball, allowed), max_tets);
+  EXPECT_LT(lattice_points(ball.box.size(), allowed), 1 << 23);
+  EXPECT_LT(asked, 20000);  // of 10^10 lattice points
+  asked = 0;
+  EXPECT_THROW(isosurface(counted, 5e-4), InputError);
+  EXPECT_EQ(asked, 0);
 }
 
 TEST(Isosurface, EveryShapeIsClosedAndAboutItsCell) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "common/anatomy/mesh_quality.h"
 #include "common/anatomy/surface_check.h"
 #include "common/error.h"
@@ -199,6 +201,64 @@ TEST(Sources, ShapesScaleToTheirSize) {
   EXPECT_GE(q.min_dihedral_deg, 10);
   d.shape = "teapot";
   EXPECT_THROW(make_anatomy(d, {}, {}), InputError);
+}
+
+std::string complaint(const SoftDesc& desc, const SourcePaths& paths) {
+  try {
+    make_anatomy(desc, paths, {});
+    return "";
+  } catch (const InputError& e) {
+    return e.what();
+  }
+}
+
+TEST(Sources, WhatIsRefusedNamesTheBody) {
+  const TempDir dir;
+  write(dir.path / "balls.inr", two_balls());
+  write(dir.path / "organ.obj", std::string("v 0 0 0\n"));
+  const SourcePaths paths{dir.path, {}, {}};
+  EXPECT_NE(complaint(ball_of(8), paths).find("ball: "), std::string::npos);
+  SoftDesc coarse;
+  coarse.name = "thin one";
+  coarse.shape = "cylinder";
+  coarse.size = {0.01, 0.3, 0.01};
+  coarse.cell = 0.3;
+  EXPECT_EQ(complaint(coarse, paths).rfind("thin one: mesh: a cell of 300 mm gives no tetrahedra", 0), 0u)
+      << complaint(coarse, paths);
+  SoftDesc surface;
+  surface.name = "liver";
+  surface.mesh = "organ.obj";
+  const std::string way_out = complaint(surface, paths);
+  EXPECT_EQ(way_out.rfind("liver: ", 0), 0u) << way_out;
+  EXPECT_NE(way_out.find("organ.obj: is a surface, and what deforms needs tetrahedra"), std::string::npos);
+  EXPECT_NE(way_out.find("Gmsh"), std::string::npos);
+}
+
+TEST(Sources, LabelsAreListedInOrderAndInRanges) {
+  const TempDir dir;
+  // As voxels come, the large labels are first.
+  std::vector<std::uint8_t> voxels(8 * 8 * 4);
+  for (std::size_t v = 0; v < voxels.size(); ++v) voxels[v] = static_cast<std::uint8_t>(255 - v);
+  for (const std::uint8_t gone : std::initializer_list<std::uint8_t>{4, 7, 8})
+    std::replace(voxels.begin(), voxels.end(), gone, std::uint8_t{0});
+  write(dir.path / "balls.inr", inrimage(8, 8, 4, {1, 1, 1}, voxels));
+  EXPECT_NE(complaint(ball_of(4), {dir.path, {}, {}})
+                .find("label 4 isn't there; allowed: 1 to 3, 5 to 6, 9 to 255"),
+            std::string::npos)
+      << complaint(ball_of(4), {dir.path, {}, {}});
+}
+
+TEST(Sources, ManyTetrahedraAreAnnounced) {
+  SoftDesc d;
+  d.name = "ball";
+  d.shape = "ball";
+  d.size = Vec3::Constant(0.1);
+  d.cell = 0.1 / 38;
+  d.surface_cell = 0.02;
+  Lines said;
+  make_anatomy(d, {}, said.progress());
+  EXPECT_TRUE(said.lines.front().find("ball: meshing with about 2.2e+05 tetrahedra takes a while") == 0)
+      << said.lines.front();
 }
 
 }  // namespace

@@ -37,6 +37,11 @@ TEST(SceneErrors, NameFileLineFieldAndWhatIsAllowed) {
       {"name = \"s\"\n[[soft]]\nname = \"a\"\nmesh = \"m\"\nshape = \"ball\"\n",
        "test.toml:5: [[soft]] \"a\": has 2"},
       {"name = \"s\"\n[[rigid]]\nname = \"a\"\n", "has no geometry"},
+      {"name = \"s\"\n[[soft]]\nname = \"a\"\nvolume = \"v\"\nlabel = 0\n",
+       "test.toml:5: [[soft]] \"a\": label = 0 marks what belongs to no structure; allowed: 1 to 65535, or "
+       "-1"},
+      {"name = \"s\"\n[[rigid]]\nname = \"a\"\nvolume = \"v\"\nlabel = 0\n",
+       "test.toml:5: [[rigid]] \"a\": label = 0 marks"},
       {"name = \"s\"\n[[rigid]]\nname = \"a\"\nmesh = \"m\"\nvolume = \"v\"\n",
        "test.toml:5: [[rigid]] \"a\": has several of mesh, volume, [[rigid.part]]s, and curves or patches: "
        "give one"},
