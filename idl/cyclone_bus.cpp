@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <mutex>
+#include <optional>
 
 #include "common/clock.h"
 #include "common/error.h"
@@ -12,6 +13,7 @@
 #include "idl/counters.h"
 #include "idl/dds/node.h"
 #include "idl/dds/qos.h"
+#include "idl/dds/timed_wait.h"
 #include "idl/dds/writer_ids.h"
 #include "idl/rate_gate.h"
 #include "idl/wire/codec.h"
@@ -50,7 +52,8 @@ class CycloneBus final : public Bus {
   bool nobody_reads(dds_entity_t writer) const;
 
   std::unique_ptr<Node> node_;
-  Entity publisher_, subscriber_, waitset_;
+  Entity publisher_, subscriber_;
+  std::optional<TimedWait> waiting_;  // for what endpoints read; ends before node_
   std::array<Endpoint, topic_count> endpoints_;
   std::mutex take_mutex_;  // of the three below
   WriterIds writer_ids_;
@@ -64,7 +67,7 @@ CycloneBus::CycloneBus(const BusConfig& config) : node_(std::make_unique<Node>(c
   const Qos partition = partition_qos(config.session);
   publisher_ = Entity(dds_create_publisher(participant, partition.get(), nullptr), "publisher");
   subscriber_ = Entity(dds_create_subscriber(participant, partition.get(), nullptr), "subscriber");
-  waitset_ = Entity(dds_create_waitset(participant), "waitset");
+  waiting_.emplace(participant);
   for (std::size_t i = 0; i < topic_count; ++i) {
     const TopicSpec& spec = topics[i];
     const bool in = reads(config.end, spec), out = writes(config.end, spec);
@@ -80,12 +83,13 @@ CycloneBus::CycloneBus(const BusConfig& config) : node_(std::make_unique<Node>(c
     endpoint.reader =
         Entity(dds_create_reader(subscriber_.get(), endpoint.topic.get(), qos.get(), nullptr), spec.name);
     endpoint.arrived = Entity(dds_create_readcondition(endpoint.reader.get(), DDS_ANY_STATE), spec.name);
-    dds_waitset_attach(waitset_.get(), endpoint.arrived.get(), 0);
+    waiting_->attach(endpoint.arrived.get());
   }
 }
 
 CycloneBus::~CycloneBus() {
   const std::scoped_lock lock(entity_mutex());
+  waiting_.reset();
   node_.reset();  // the domain takes all its entities along
 }
 
@@ -202,8 +206,7 @@ Refusal CycloneBus::accept_data(std::size_t topic, const void* sample, Received&
 }
 
 bool CycloneBus::wait(std::chrono::milliseconds timeout) {
-  const dds_duration_t duration = DDS_MSECS(static_cast<dds_duration_t>(std::max<long>(0, timeout.count())));
-  return dds_waitset_wait(waitset_.get(), nullptr, 0, duration) > 0;
+  return waiting_->wait(timeout);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "common/clock.h"
@@ -13,6 +14,7 @@
 #include "idl/dds/node.h"
 #include "idl/dds/profile.h"
 #include "idl/dds/qos.h"
+#include "idl/dds/timed_wait.h"
 #include "idl/session_watch.h"
 #include "idl/wire/codec.h"
 
@@ -35,18 +37,19 @@ class SessionListener {
     const dds_entity_t topic =
         dds_create_topic(participant, wire_codec(session_info).descriptor, spec.name, nullptr, nullptr);
     reader_ = dds_create_reader(subscriber, topic, endpoint_qos(spec).get(), nullptr);
-    waitset_ = dds_create_waitset(participant);
-    dds_waitset_attach(waitset_, dds_create_readcondition(reader_, DDS_ANY_STATE), 0);
+    waiting_.emplace(participant);
+    waiting_->attach(dds_create_readcondition(reader_, DDS_ANY_STATE));
   }
   ~SessionListener() {
     const std::scoped_lock lock(entity_mutex());
+    waiting_.reset();
     node_.reset();
   }
 
   /// Waits until `deadline_ns` at most, then keeps what arrived.
   void listen(std::int64_t deadline_ns) {
     const std::int64_t left = std::max<std::int64_t>(0, deadline_ns - monotonic_ns());
-    if (dds_waitset_wait(waitset_, nullptr, 0, left) <= 0) return;
+    if (!waiting_->wait(std::chrono::nanoseconds(left))) return;
     void* sample = nullptr;
     dds_sample_info_t info;
     while (dds_take(reader_, &sample, &info, 1, 1) > 0) {
@@ -66,7 +69,8 @@ class SessionListener {
 
  private:
   std::unique_ptr<Node> node_;
-  dds_entity_t reader_ = 0, waitset_ = 0;  // die with their domain
+  std::optional<TimedWait> waiting_;  // for what reader_ reads; ends before node_
+  dds_entity_t reader_ = 0;           // dies with its domain
   std::map<InstanceKey, SessionInfo> found_;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "common/error.h"
+#include "idl/dds/network_log.h"
 #include "idl/dds/profile.h"
 
 namespace prosector {
@@ -12,6 +13,8 @@ namespace {
 /// network is the profile's ExternalDomainId.
 Entity create_domain(const BusConfig& config) {
   const std::string xml = profile_xml(config);
+  quiet_network_log();
+  const NetworkLogPause pause;  // what fails is said below
   dds_entity_t handle = DDS_RETCODE_ERROR;
   for (dds_domainid_t local = 1000; local < 3000; ++local) {
     handle = dds_create_domain(local, xml.c_str());
