@@ -1,5 +1,7 @@
 #include "drivers/five_dt_record.h"
 
+#include <algorithm>
+
 namespace prosector::five_dt {
 namespace {
 
@@ -45,6 +47,8 @@ Report encode_report(const Counts& counts) {
 
 std::optional<Counts> decode_report(std::span<const std::uint8_t> bytes) {
   if (bytes.size() != report_width) return std::nullopt;
+  // No glove bends nothing at all: this is a device that reads as zeros.
+  if (std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte == 0; })) return std::nullopt;
   std::array<std::uint16_t, report_words> words{};
   for (std::size_t i = 0; i < report_words; ++i) {
     words[i] = static_cast<std::uint16_t>(bytes[2 * i] << 8 | bytes[2 * i + 1]);

@@ -23,6 +23,14 @@ TEST(FiveDtRecord, PacketAndReportRoundTrip) {
   EXPECT_EQ(five_dt::decode_report(report), words);
 }
 
+// /dev/zero, and what else reads as zeros, is no glove.
+TEST(FiveDtRecord, AReportOfZerosIsNone) {
+  five_dt::Report report{};
+  EXPECT_FALSE(five_dt::decode_report(report));
+  report[3] = 1;
+  EXPECT_TRUE(five_dt::decode_report(report));
+}
+
 TEST(Calibration, WidensAndGuardsAgainstNoSpan) {
   FlexionCalibrator calibrator(DeviceConfig{}, 16);
   EXPECT_EQ(calibrator.update({100, 100, 100, 100, 100})[0], 0);

@@ -256,6 +256,15 @@ TEST(Line, AbsentDeviceIsReportedNotThrown) {
   EXPECT_NE(device->status().message.find("/nonexistent/tracker"), std::string::npos);
 }
 
+TEST(Line, WhatReadsAsZerosStreamsNothing) {
+  const auto device = open_device("5dt-usb:/dev/zero", {});
+  Samples samples;
+  for (int polls = 0; polls < 5; ++polls) device->poll(samples);
+  EXPECT_TRUE(samples.empty());
+  EXPECT_EQ(device->status().health, DeviceHealth::babbling);
+  EXPECT_NE(device->status().message.find("/dev/zero sends no valid records"), std::string::npos);
+}
+
 TEST(Line, GlovesReportFlexionBothWays) {
   for (const bool hid : {false, true})
     for (const bool left : {false, true}) {
