@@ -35,12 +35,19 @@ bool complete(RungTable& table, const std::vector<RungTrial>& wanted, const Choi
       fmt::format("measuring what {} rungs cost on this machine and get wrong; kept for the next time",
                   missing.size()));
   const std::size_t stride = std::max<std::size_t>(1, missing.size() / progress_lines);
+  std::size_t disturbed = 0;
   for (std::size_t i = 0; i < missing.size(); ++i) {
     if (i % stride == 0)
       say(options, fmt::format("{} of {}: {}, {} cells along a beam", i + 1, missing.size(),
                                missing[i].rung.name(), missing[i].cells));
     table.add(missing[i], options.measure(missing[i]));
+    if (table.rows().back().figures.share < least_share) ++disturbed;
   }
+  if (disturbed > 0)
+    say(options,
+        fmt::format("{} of {} rungs were measured while other programs had the processor, too: they may "
+                    "cost less; measured again next time",
+                    disturbed, missing.size()));
   return true;
 }
 

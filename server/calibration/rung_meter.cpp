@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "server/calibration/beam_piece.h"
 #include "server/calibration/stopwatch.h"
@@ -93,11 +94,13 @@ RungFigures RungMeter::measure(const RungTrial& trial) {
   RungFigures out;
   out.elements = static_cast<double>(piece.mesh.tets.size());
   std::vector<double> ms;
+  double passed_ms = 0;
   double off = 0, moved = 0, not_as_described = 0;
   for (int i = 0; i < (own_steps ? settling_frames : path_frames); ++i) {
-    const double begun = cpu_ms();
+    const double begun = cpu_ms(), begun_wall = wall_ms();
     const StepFigures step = specimen->step(frame_seconds, gravity);
     ms.push_back(cpu_ms() - begun);
+    passed_ms += wall_ms() - begun_wall;
     out.iterations += step.solver_iterations;
     not_as_described += step.reported;
     if (!right) continue;
@@ -107,6 +110,7 @@ RungFigures RungMeter::measure(const RungTrial& trial) {
   }
   const std::size_t frames = ms.size();
   out.iterations /= static_cast<double>(frames);
+  out.share = std::min(1.0, std::accumulate(ms.begin(), ms.end(), 0.0) / passed_ms);
   out.ms = median(std::move(ms));
   out.settled_sag = right ? right->settled_sag : sag(*specimen);
   if (right) out.drift = std::sqrt(off / moved);

@@ -33,6 +33,7 @@ struct RungFigures {
                            // rung
   double iterations = 0;   // of the linear solver, a frame, mean; 0: it has none
   double ms = 0;           // CPU time of a frame of 1/60 s on one thread, median
+  double share = 1;        // CPU time over time that passed meanwhile: below 1, other work had the processor
 };
 
 class RungMeter {

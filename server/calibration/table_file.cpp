@@ -104,7 +104,8 @@ FoundTable read_table(const std::filesystem::path& file, const std::string& mach
 
 bool write_table(const std::filesystem::path& file, const std::string& machine, const RungTable& table) {
   Json json = {{"format", format_name}, {"machine", machine}, {"rows", Json::array()}};
-  for (const RungTable::Row& row : table.rows()) json["rows"].push_back(to_json(row));
+  for (const RungTable::Row& row : table.rows())
+    if (row.figures.share >= least_share) json["rows"].push_back(to_json(row));
   json["seal"] = seal_of(json);
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);

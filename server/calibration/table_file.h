@@ -18,7 +18,12 @@ struct FoundTable {
 };
 /// A table of another machine or build, or a damaged one, counts as none.
 FoundTable read_table(const std::filesystem::path& file, const std::string& machine);
-/// False when it can't be written: no error, it will be measured again.
+/// Below this share of the processor, what a rung costs was measured beside other work, which also takes
+/// caches and memory: such figures serve once and are not kept.
+inline constexpr double least_share = 0.9;
+
+/// Writes the rows that were measured undisturbed. False when it can't be written: no error, it will be
+/// measured again.
 bool write_table(const std::filesystem::path& file, const std::string& machine, const RungTable& table);
 
 }  // namespace prosector
