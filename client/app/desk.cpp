@@ -47,6 +47,7 @@ void Desk::update(const CameraInfo& start, const Panel* own_panel) {
   const double seconds = std::chrono::duration<double>(now - last_update_).count();
   last_update_ = now;
   fly(seconds);
+  pressed_keys_.clear();
   follow_pad(seconds);
   hand_.advance(seconds);
   eye_ = look_at(view_->target + distance_ * back(), view_->target);
@@ -57,6 +58,7 @@ void Desk::take(const WindowEvent& event) {
   if (std::get_if<CloseRequested>(&event)) closed_ = true;
   if (const auto* key = std::get_if<KeyEvent>(&event)) {
     if (key->down && !key->repeat) press(key->key);
+    if (key->down) pressed_keys_.insert(key->key);
     if (key->down)
       held_keys_.insert(key->key);
     else
@@ -106,7 +108,9 @@ void Desk::turn(double right, double down) {
 }
 
 void Desk::fly(double seconds) {
-  const auto held = [&](char key) { return held_keys_.contains(key_of(key)) ? 1.0 : 0.0; };
+  const auto held = [&](char key) {
+    return held_keys_.contains(key_of(key)) || pressed_keys_.contains(key_of(key)) ? 1.0 : 0.0;
+  };
   const Vec3 keys(held('D') - held('A'), held('E') - held('Q'), held('S') - held('W'));
   const Vec3 step = (keys + pad_.flight()).cwiseMax(-1).cwiseMin(1);
   const Quat level(Eigen::AngleAxisd(yaw_, Vec3::UnitY()));

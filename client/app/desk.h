@@ -66,6 +66,7 @@ class Desk {
   bool turning_ = false;
   bool flying_ = false;  // turning moves the target about the eye, not the eye about the target
   std::set<Key> held_keys_;
+  std::set<Key> pressed_keys_;  // since the last update, whether or not they are still held
   GamepadUser pad_;
   std::chrono::steady_clock::time_point last_update_{};
 

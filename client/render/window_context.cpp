@@ -122,13 +122,12 @@ class GlfwWindow final : public WindowContext {
   std::string description() const override { return describe_gl(*this, "window"); }
 
   std::vector<WindowEvent> poll_events() override {
-    events_.clear();
     glfwPollEvents();
     if (const auto pad = gamepad_from_glfw(); pad || has_gamepad_) {
       has_gamepad_ = pad.has_value();
       events_.push_back(GamepadMoved{pad});
     }
-    return std::move(events_);
+    return std::exchange(events_, {});
   }
   void capture_pointer(bool captured) override {
     glfwSetInputMode(window_, GLFW_CURSOR, captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);

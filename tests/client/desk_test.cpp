@@ -94,6 +94,23 @@ TEST_F(AtTheDesk, TheViewTurnsAboutItsTargetOrWithFAboutTheEye) {
   EXPECT_GT(desk.eye().q.angularDistance(before.q), 0.3);
 }
 
+// At a few pictures a second a tap begins and ends between two of them.
+TEST_F(AtTheDesk, AKeyTappedBetweenTwoPicturesMovesTheViewAsLongAsOne) {
+  update();
+  for (const char key : {'W', 'A', 'S', 'D', 'Q', 'E'}) {
+    update();
+    const Vec3 before = desk.eye().p;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    window.events = {KeyEvent{key_of(key), true, false}, KeyEvent{key_of(key), false, false}};
+    update();
+    const Vec3 after = desk.eye().p;
+    EXPECT_GT((after - before).norm(), 1e-3) << key;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    update();
+    EXPECT_EQ(desk.eye().p, after) << key << " is no longer held";
+  }
+}
+
 TEST_F(AtTheDesk, TheWheelTurnsTheWristAboutTheFingertipsWithShiftAndControl) {
   const auto wheel = [&](Key held, double x, double y) {
     window.events.push_back(KeyEvent{held, true, false});
