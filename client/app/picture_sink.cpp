@@ -36,8 +36,7 @@ void PictureSink::take(const Image& image, double seconds) {
   // A video plays at a fixed rate: a picture that took long stands for all the frames that it took.
   const auto due = static_cast<std::size_t>((seconds - *recording_since_) * frames_per_second_) + 1;
   while (recorder_->frames() < due && recorder_->failure().empty()) recorder_->add(image);
-  if (!recorder_->failure().empty() && !std::exchange(failure_told_, true))
-    failures_.push_back(recorder_->failure());
+  if (!recorder_->failure().empty() && !std::exchange(failure_told_, true)) fail(recorder_->failure());
 }
 
 void PictureSink::finish(const Image& image) {
@@ -53,8 +52,13 @@ void PictureSink::write(const Image& image, const std::filesystem::path& file) {
   try {
     write_png(image, file);
   } catch (const InputError& error) {
-    failures_.push_back(error.what());
+    fail(error.what());
   }
+}
+
+void PictureSink::fail(const std::string& why) {
+  failures_.push_back(why);
+  failed_ = true;
 }
 
 std::vector<std::string> PictureSink::take_failures() {

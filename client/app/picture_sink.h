@@ -28,6 +28,8 @@ class PictureSink {
   void finish(const Image& image);
   /// Writes the contact sheet, where one was asked for and there were pictures.
   void finish_sheet();
+  /// True once something asked for could not be kept.
+  bool failed() const { return failed_; }
   /// What went wrong since the last call, for people.
   std::vector<std::string> take_failures();
 
@@ -38,10 +40,11 @@ class PictureSink {
   std::optional<double> recording_since_;
   std::filesystem::path sheet_file_;
   std::optional<TimedSheet> sheet_;
-  bool failure_told_ = false;
+  bool failure_told_ = false, failed_ = false;
   std::vector<std::string> failures_;
 
   void write(const Image& image, const std::filesystem::path& file);
+  void fail(const std::string& why);
 };
 
 }  // namespace prosector

@@ -64,7 +64,7 @@ class Client {
     }
     viewer_->finish(pump_.get());
     if (!options_.summary.empty()) write_report(report_, connection_, options_.summary);
-    return report_.complete_ns ? 0 : 1;
+    return report_.complete_ns && !viewer_->lost_pictures() ? 0 : 1;
   }
 
  private:

@@ -39,6 +39,8 @@ class Viewer {
   void draw_if_seen(InputPump* pump);
   /// The last picture, and all that waits for it.
   void finish(InputPump* pump);
+  /// True once a picture that was asked for could not be kept.
+  bool lost_pictures() const { return sink_.failed(); }
   void reload_changed_shaders();
   void tell_failures();
 
