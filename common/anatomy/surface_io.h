@@ -12,6 +12,6 @@ namespace prosector {
 /// reader's words), no triangles, a position that isn't finite, an extent above 100 m or under 0.1 mm. The
 /// file is read by a process of its own, prosector-import beside this program: where that crashes, uses too
 /// much or takes longer than `patience` seconds, the file is refused.
-TriangleMesh load_surface(const std::filesystem::path& file, double scale, double patience = 120);
+TriangleMesh load_surface(const std::filesystem::path& file, double scale, double patience = 60);
 
 }  // namespace prosector

@@ -74,6 +74,15 @@ void write_scene_manual(std::ostream& out) {
          "with y up, `(` and `)` in a range leave the bound out. An unknown key is an error. Files that a "
          "scene names "
          "are looked up beside it, then in the data folder that `deploy/fetch_anatomy.sh` fills.\n\n"
+         "Only regular files are read, a scene of at most 4 MiB, with keys and lists nested at most 32 deep. "
+         "A solid has at most two million tetrahedra: a finer `cell` is refused before anything is made, "
+         "with "
+         "the finest that is allowed.\n\n"
+         "Surface files are read by `prosector-import`, a process of their own beside the program, within 20 "
+         "s "
+         "of CPU time, 2 GB of memory and 1 GiB of result. A file that its reader crashes of, or never comes "
+         "to "
+         "an end with, is refused in words, and nothing else happens.\n\n"
          "Check a scene with `prosector-scene FILE...`.\n\n";
   write_table(out, scene_table(), 1);
 }

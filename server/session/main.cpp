@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "common/error.h"
+#include "common/scene/hints.h"
 #include "common/scene/load_scene.h"
 #include "idl/cyclone_bus.h"
 #include "idl/session_watch.h"
@@ -70,6 +71,7 @@ void describe(const Simulation& simulation) {
                   scene.name, scene.rigid.size(), scene.soft.size(), simulation.tet_count(), nodes, triangles,
                   usage.ru_maxrss / 1024));
   for (const SoftDesc& soft : scene.soft) say(fmt::format("  {}: {}", soft.name, in_words(soft)));
+  for (const std::string& hint : scene_hints(scene)) say("  " + hint);
 }
 
 constexpr std::chrono::milliseconds time_to_find{600};  // a server that runs is heard in half of it
@@ -186,6 +188,12 @@ void resume_journal(const JournalReader& journal, Simulation& simulation) {
   say(fmt::format("resumed at tick {}, state hash {}", simulation.time().tick, to_hex(result.last_hash)));
 }
 
+/// Lets a signal end the session in order. Before, while a scene is compiled, it ends the process at once.
+void end_session_on_signals() {
+  std::signal(SIGINT, [](int) { interrupted = true; });
+  std::signal(SIGTERM, [](int) { interrupted = true; });
+}
+
 void host(const ServerOptions& options) {
   std::optional<JournalReader> past;
   if (!options.resume.empty()) past.emplace(options.resume);
@@ -204,6 +212,7 @@ void host(const ServerOptions& options) {
   past.reset();
   if (options.check) return;
 
+  end_session_on_signals();
   BusConfig place;
   const std::unique_ptr<Bus> bus = open_bus(options, session, *watch, place);
   // Steps that wait for a compiler or a browser are late, and so is the journal's thread, which is as urgent;
@@ -247,8 +256,6 @@ int main(int argc, char** argv) {
   keep_freed_memory();
   ServerOptions options;
   if (const auto status = parse_options(argc, argv, options)) return *status;
-  std::signal(SIGINT, [](int) { interrupted = true; });
-  std::signal(SIGTERM, [](int) { interrupted = true; });
   try {
     if (!options.export_journal.empty()) return export_journal(options.export_journal), 0;
     if (!options.replay.empty()) return replay_journal(options);

@@ -22,7 +22,7 @@ const std::string ply =
 const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 const std::string off = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 
-std::string complaint(const std::filesystem::path& file, double patience = 120) {
+std::string complaint(const std::filesystem::path& file, double patience = 60) {
   try {
     load_surface(file, 1, patience);
     return "";

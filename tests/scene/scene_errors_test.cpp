@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/scene/hints.h"
 #include "tests/scene/scene_texts.h"
 
 namespace prosector {
@@ -172,6 +173,17 @@ TEST(SceneErrors, NeedsAreNumbersWithUnitsAndNoteWhatIsFixed) {
 TEST(SceneErrors, RotationIsNormalised) {
   const SceneDesc scene = parse_scene(scene_with("[[soft]]", "rotation = [0, 1e300, 0, 0]"), "test.toml");
   EXPECT_DOUBLE_EQ(scene.soft[0].pose.q.x(), 1);
+}
+
+TEST(SceneHints, ASceneWithoutLightIsSaidToBeDark) {
+  const std::string dark = "name = \"s\"\n";
+  const auto hints = scene_hints(parse_scene(dark, "f"));
+  ASSERT_EQ(hints.size(), 1u);
+  EXPECT_NE(hints[0].find("no light"), std::string::npos);
+  // What the hint says to write is what helps.
+  const std::string light = "[[light]]\nkind = \"directional\"\ndirection = [0, -1, -0.5]\n";
+  EXPECT_NE(hints[0].find("kind = \"directional\" and direction = [0, -1, -0.5]"), std::string::npos);
+  EXPECT_TRUE(scene_hints(parse_scene(dark + light, "f")).empty());
 }
 
 }  // namespace

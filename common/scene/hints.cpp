@@ -1,0 +1,14 @@
+#include "common/scene/hints.h"
+
+namespace prosector {
+
+std::vector<std::string> scene_hints(const SceneDesc& scene) {
+  std::vector<std::string> out;
+  if (scene.lights.empty())
+    out.emplace_back(
+        "hint: this scene has no light, so its pictures are dark; add a [[light]], for instance with kind = "
+        "\"directional\" and direction = [0, -1, -0.5]");
+  return out;
+}
+
+}  // namespace prosector
