@@ -11,6 +11,7 @@
 
 #include "client/render/shader_dir.h"
 #include "common/error.h"
+#include "common/version.h"
 
 namespace prosector {
 namespace {
@@ -293,6 +294,7 @@ std::variant<ClientOptions, RenderOptions, int> parse_command_line(int argc, cha
       "  prosector-client observe --follow NAME --record session.avi\n"
       "  prosector-client render SCENE --out DIR                    pictures of a scene file, no server",
       "prosector-client"};
+  app.set_version_flag("--version", version_line("prosector-client"));
   app.require_subcommand(1);
   CLI::App* join = app.add_subcommand("join", "Take part: touch, hold and move");
   CLI::App* observe = app.add_subcommand("observe", "Watch: can disturb nothing, may come at any moment");

@@ -4,7 +4,8 @@
 
 int main(int argc, char** argv) {
   using namespace prosector;
-  CLI::App app("A simulated Polhemus FASTRAK on a pseudo-terminal, whose path is the first line printed.");
+  CLI::App app("A simulated Polhemus FASTRAK on a pseudo-terminal, whose path is the first line printed.",
+               "prosector-fastrak-twin");
   TwinProgramOptions options;
   add_options(app, options);
   FastrakTwinOptions fastrak;
@@ -19,7 +20,7 @@ int main(int argc, char** argv) {
   app.add_option("--baud", fastrak.baud, "limits the rate of wide records")
       ->check(CLI::Range(1200u, 921600u))
       ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  if (const auto status = parse(app, argc, argv)) return *status;
   return run_twin(options, [&](MotionScript script, std::int64_t now_ns) {
     fastrak.script = std::move(script);
     fastrak.room_device = {Vec3(room[0], room[1], room[2]),

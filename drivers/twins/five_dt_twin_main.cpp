@@ -4,7 +4,8 @@
 
 int main(int argc, char** argv) {
   using namespace prosector;
-  CLI::App app("A simulated 5DT data glove on a pseudo-terminal, whose path is the first line printed.");
+  CLI::App app("A simulated 5DT data glove on a pseudo-terminal, whose path is the first line printed.",
+               "prosector-5dt-twin");
   TwinProgramOptions options;
   add_options(app, options);
   FiveDtTwinOptions glove;
@@ -19,7 +20,7 @@ int main(int argc, char** argv) {
   app.add_option("--rate", glove.rate, "packets a second")
       ->check(CLI::Range(1.0, 1000.0))
       ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  if (const auto status = parse(app, argc, argv)) return *status;
   return run_twin(options, [&](MotionScript script, std::int64_t now_ns) {
     glove.script = std::move(script);
     glove.station = station - 1;

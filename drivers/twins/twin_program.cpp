@@ -8,6 +8,7 @@
 
 #include "common/clock.h"
 #include "common/error.h"
+#include "common/version.h"
 
 namespace prosector {
 namespace {
@@ -30,6 +31,7 @@ std::optional<FaultSpan> at_for(const std::vector<double>& v) {
 }  // namespace
 
 void add_options(CLI::App& app, TwinProgramOptions& o) {
+  app.set_version_flag("--version", version_line(app.get_name()));
   app.add_option("--script", o.script, "CSV of keyframes: time,station,x,y,z,qw,qx,qy,qz,thumb,...,little");
   app.add_flag("--wait-client", o.timing.wait_client, "script time starts when a client starts streaming");
   app.add_flag("--loop", o.timing.loop, "play the script again and again");
@@ -48,6 +50,15 @@ void add_options(CLI::App& app, TwinProgramOptions& o) {
   app.add_option("--babble", o.babble, "FROM,TO: send random bytes only, seconds")
       ->expected(2)
       ->delimiter(',');
+}
+
+std::optional<int> parse(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return std::nullopt;
 }
 
 int run_twin(TwinProgramOptions& o,

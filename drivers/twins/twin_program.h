@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,11 @@ struct TwinProgramOptions {
   std::uint64_t seed = 1;
 };
 
+/// Adds what both have, --version with the name of `app` included.
 void add_options(CLI::App& app, TwinProgramOptions& options);
+
+/// Reads the command line. The exit status where there is nothing more to do: bad options are 2, help 0.
+std::optional<int> parse(CLI::App& app, int argc, char** argv);
 
 /// Makes the twin, serves it until SIGINT or SIGTERM; the exit status. Bad input goes to stderr.
 int run_twin(TwinProgramOptions& options,

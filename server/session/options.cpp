@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "common/paths.h"
+#include "common/version.h"
 
 namespace prosector {
 
@@ -21,7 +22,8 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
       "prosector-server: hosts a session on a scene. People join it with prosector-client.\n\n"
       "  prosector-server deploy/scenes/abdomen.toml               this machine only\n"
       "  prosector-server deploy/scenes/abdomen.toml --lan         the local network too\n"};
-  app.set_version_flag("--version", "prosector-server 0.1.0, protocol " + std::to_string(protocol_version));
+  app.set_version_flag("--version",
+                       version_line("prosector-server") + ", protocol " + std::to_string(protocol_version));
   auto* scene = app.add_option("SCENE", o.scene, "Scene file (TOML; docs/scene.md)")->type_name("");
 
   const char* run = "Session";

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <optional>
 
+#include "common/version.h"
 #include "server/physics/freed_memory.h"
 #include "tests/bench/machine.h"
 #include "tests/bench/subjects.h"
@@ -13,6 +14,7 @@ int main(int argc, char** argv) try {
   prosector::keep_freed_memory();  // as the server does
   CLI::App app("Measures what things cost on this machine.", "prosector-bench");
   app.require_subcommand(1);
+  app.set_version_flag("--version", prosector::version_line("prosector-bench"));
   std::string file;
   app.add_option("--json", file, "Also write the figures to this file");
   app.fallthrough();
@@ -149,7 +151,13 @@ int main(int argc, char** argv) try {
   collision_command
       ->add_option("--limit", collision.limit_ms, "CPU ms of a tick after which no larger scene is tried")
       ->check(CLI::Range(1., 1e9));
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (app.exit(error) == 0) return 0;
+    std::cerr << app.help();
+    return 2;
+  }
 
   std::cout << prosector::machine().dump() << std::endl;
   std::optional<prosector::Report> report;

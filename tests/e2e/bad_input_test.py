@@ -6,7 +6,9 @@ Each row: what is bad, how to make it, and the words that the message must hold 
 """
 
 import gzip
+import os
 import pathlib
+import signal
 import struct
 import subprocess
 import sys
@@ -66,6 +68,14 @@ faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
 points = tet + [(x + 0.2, y + 0.2, z + 0.2) for x, y, z in tet]
 write("crossing.off", f"OFF\n8 8 0\n" + "".join("%g %g %g\n" % p for p in points)
       + "".join("3 %d %d %d\n" % f for f in faces + [tuple(i + 4 for i in f) for f in faces]))
+tetrahedron = ("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+               "element face 4\nproperty list uchar int vertex_index\nend_header\n"
+               "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
+write("crash.ply", tetrahedron.replace("3 0 3 2", "\x0e 0 3 2"))
+write("organ.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+pipe = OUT / "pipe.toml"
+if not pipe.exists():
+    os.mkfifo(pipe)
 write("nan.off", "OFF\n3 1 0\nnan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
 
 CASES = [
@@ -82,6 +92,16 @@ CASES = [
     ("NaN voxels", soft_scene("nanvoxel", 'volume = "nan.nii"\nthreshold = 0.5'), ["nan.nii"]),
     ("label that isn't there", soft_scene("label", 'volume = "labels.inr"\nlabel = 7'), ["labels.inr", "7", "255"]),
     ("zero tetrahedra", soft_scene("zero", 'mesh = "zero.msh"'), ["zero.msh"]),
+    ("a pipe as scene", pipe, ["pipe.toml", "is a pipe", "regular file"]),
+    ("a scene nested deeply", write("deep.toml", 'name = "deep"\n[' + "a." * 300000 + "a]\n"), ["deep.toml:2", "32"]),
+    ("a cell that is too fine", soft_scene("fine", 'shape = "ball"\nsize = [1, 1, 1]\ncell = 0.001'),
+     ["organ", "tetrahedra", "allowed: a cell of"]),
+    ("a cell that is too coarse", soft_scene("coarse", 'shape = "cylinder"\nsize = [0.01, 0.3, 0.01]\ncell = 0.3'),
+     ["organ", "no tetrahedra", "allowed: a finer one"]),
+    ("label 0", soft_scene("label0", 'volume = "labels.inr"\nlabel = 0'), ["label0.toml:", "label = 0", "1 to 65535"]),
+    ("a surface where tetrahedra are needed", soft_scene("surface", 'mesh = "organ.obj"'),
+     ["organ", "is a surface", "Gmsh"]),
+    ("a surface that its reader crashes of", rigid_scene("crash", "crash.ply"), ["crash.ply", "crashed", "OBJ"]),
     ("NaN in a surface", rigid_scene("nanoff", "nan.off"), ["nan.off"]),
 ]
 
@@ -113,5 +133,58 @@ for what, arguments, words in CLIENT_CASES:
     good = run.returncode == 2 and all(w in run.stderr for w in words)
     failures += not good
     print(f"{'ok    ' if good else 'FAILED'} {what}: exit {run.returncode}: {run.stderr.strip()}")
+
+
+
+def check(what, good, told):
+    global failures
+    failures += not good
+    print(f"{'ok    ' if good else 'FAILED'} {what}: {told}")
+
+
+PROGRAMS = ["server", "client", "scene", "bench", "fastrak-twin", "5dt-twin", "import"]
+versions = {}
+for program in PROGRAMS:
+    path = BIN / f"prosector-{program}"
+    run = subprocess.run([path, "--version"], capture_output=True, text=True, timeout=60)
+    versions[program] = run.stdout.strip().split(",")[0]
+    check(f"{path.name} --version", run.returncode == 0 and versions[program].startswith(path.name + " "), run.stdout.strip())
+    run = subprocess.run([path, "--no-such-option"], capture_output=True, text=True, timeout=60)
+    check(f"{path.name} --no-such-option", run.returncode == 2 and run.stderr, f"exit {run.returncode}")
+check("one version", len({line.split()[1] for line in versions.values()}) == 1, versions)
+
+# Ctrl-C ends what takes long, here a solid of a million tetrahedra, within a moment.
+scene = soft_scene("long", 'shape = "ball"\nsize = [1, 1, 1]\ncell = 0.016')
+run = subprocess.Popen([BIN / "prosector-server", str(scene), "--check", "--cache", tempfile.mkdtemp(dir=OUT)],
+                       stdout=subprocess.PIPE, text=True)
+lines = [run.stdout.readline() for _ in range(2)]
+run.send_signal(signal.SIGINT)
+try:
+    status = run.wait(timeout=10)
+except subprocess.TimeoutExpired:
+    run.kill()
+    status = "none within 10 s"
+check("Ctrl-C while meshing", status == -signal.SIGINT and "takes a while" in lines[1], f"{status}: {lines[1].strip()}")
+
+# A picture that can't be kept shows in the exit code.
+scene = write("dark.toml", 'name = "dark"\n[[rigid]]\nname = "block"\nfixed = true\n[[rigid.part]]\n')
+server = subprocess.Popen([BIN / "prosector-server", str(scene), "--session", "lost-pictures", "--domain", "89"],
+                          stdout=subprocess.PIPE, text=True)
+said = []
+for line in server.stdout:
+    said.append(line)
+    if "is open" in line:
+        break
+check("a scene without light", any("no light" in line for line in said), "hinted at")
+for file, status, words in [(OUT / "absent" / "a.png", 1, "a.png: cannot write"), (OUT / "a.png", 0, "everything is here")]:
+    for _ in range(3):  # on a busy machine the scene may not be here in time
+        run = subprocess.run([BIN / "prosector-client", "observe", "--session", "lost-pictures", "--domain", "89",
+                              "--display", "osmesa", "--size", "160x120", "--seconds", "3", "--screenshot", str(file)],
+                             capture_output=True, text=True, timeout=60)
+        if "everything is here" in run.stdout:
+            break
+    check(f"a screenshot to {file.parent.name}", run.returncode == status and words in run.stdout, f"exit {run.returncode}")
+server.terminate()
+check("a server that is asked to end", server.wait(timeout=20) == 0, "exit 0")
 
 sys.exit(1 if failures else 0)

@@ -15,12 +15,13 @@
 #include <string_view>
 
 #include "common/anatomy/import_reply.h"
+#include "common/version.h"
 
 namespace prosector {
 namespace {
 
 constexpr rlim_t max_cpu_seconds = 20;
-constexpr rlim_t max_memory = rlim_t{4} << 30;
+constexpr rlim_t max_memory = rlim_t{2} << 30;
 constexpr int max_node_depth = 1000;  // of the file's own tree of nodes, which `append` walks down
 
 void limit(int resource, rlim_t to) {
@@ -85,7 +86,11 @@ bool write_all(const std::vector<std::uint8_t>& bytes) {
 }  // namespace prosector
 
 int main(int argc, char** argv) {
-  if (argc != 2 || isatty(STDOUT_FILENO) != 0) {
+  if (argc == 2 && std::string_view(argv[1]) == "--version") {
+    fmt::print("{}\n", prosector::version_line("prosector-import"));
+    return 0;
+  }
+  if (argc != 2 || argv[1][0] == '-' || isatty(STDOUT_FILENO) != 0) {
     fmt::print(stderr, "prosector-import FILE: reads a surface file for Prosector's other programs\n");
     return 2;
   }
