@@ -25,7 +25,7 @@ constexpr rlim_t max_memory = rlim_t{2} << 30;
 constexpr int max_node_depth = 1000;  // of the file's own tree of nodes, which `append` walks down
 
 void limit(int resource, rlim_t to) {
-  const rlimit bound{to, to};
+  const rlimit bound{to, to + 1};  // the second ends the process without a word
   setrlimit(static_cast<__rlimit_resource>(resource), &bound);
 }
 
