@@ -12,6 +12,7 @@
 #include "common/anatomy/implicit.h"
 #include "common/anatomy/isosurface.h"
 #include "common/anatomy/mesh_quality.h"
+#include "common/anatomy/quartered.h"
 #include "common/anatomy/simplify.h"
 #include "common/anatomy/stuffing.h"
 #include "common/anatomy/surface_check.h"
@@ -106,6 +107,12 @@ SolidField structure_of(const Volume& volume, const std::string& name, const Des
   return smooth_solid(mask, desc.smoothing);
 }
 
+// Whether a mesh file's surface has a vertex on each edge, as quadratic elements have a node there: a load on
+// corners alone is none that they are made for.
+bool halves_edges(const SoftDesc& desc) {
+  return desc.element == "tet10";
+}
+
 // The mesh's own boundary is its surface.
 CachedAnatomy mesh_file(const std::filesystem::path& file, const SoftDesc& desc, const Progress& progress) {
   TetMesh tets = load_tets(file, desc.scale);
@@ -113,6 +120,7 @@ CachedAnatomy mesh_file(const std::filesystem::path& file, const SoftDesc& desc,
   TriangleMesh surface{tets.positions, boundary_faces(tets)};
   drop_unused(surface);
   std::string warning = check_surface(surface).warning();
+  if (halves_edges(desc)) surface = quartered(std::move(surface));
   return {embed(std::move(tets), std::move(surface)).anatomy, std::move(warning)};
 }
 
@@ -188,10 +196,11 @@ Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progr
     if (file.empty()) shape = desc.fallback;
   }
   const std::string made_from = shape.empty() ? file_hash(file) : shape;
-  const ContentHash key =
-      hash_of(fmt::format("soft {} {} {} {} {} {} {} {} {} {} {} {}", recipe, made_from, desc.volume.empty(),
-                          desc.label, desc.threshold, desc.size[0], desc.size[1], desc.size[2], desc.scale,
-                          desc.cell, desc.surface_cell, desc.smoothing));
+  const bool own_boundary = shape.empty() && desc.volume.empty();
+  const ContentHash key = hash_of(fmt::format(
+      "soft {} {} {} {} {} {} {} {} {} {} {} {}{}", recipe, made_from, desc.volume.empty(), desc.label,
+      desc.threshold, desc.size[0], desc.size[1], desc.size[2], desc.scale, desc.cell, desc.surface_cell,
+      desc.smoothing, own_boundary && halves_edges(desc) ? " halved edges" : ""));
   CachedAnatomy made;
   if (auto cached = take_cached(desc.name, paths, key, progress)) {
     made = std::move(*cached);

@@ -10,6 +10,8 @@
 #include "server/physics/fracture.h"
 #include "server/physics/model.h"
 #include "server/physics/rigid/collision_shape.h"
+#include "server/physics/soft/compression.h"
+#include "server/physics/soft/rungs.h"
 #include "server/physics/sources.h"
 
 namespace prosector {
@@ -232,6 +234,9 @@ Model compile(const SceneDesc& scene, const CompileOptions& options) {
     say(fmt::format("{}: {} elements, {} nodes, {} surface vertices", desc.name,
                     model.soft.back()->elements(), model.soft.back()->nodes(),
                     model.soft.back()->anatomy().surface.positions.size()));
+    const bool solid = mesh_kind(model.soft.back()->anatomy()) == MeshKind::tets;
+    if (const std::string limit = limit_under_compression(desc, solid); !limit.empty())
+      say(fmt::format("{}: warning: model {} {}", desc.name, desc.model, limit));
   }
   for (std::size_t hand = 0; hand < 2; ++hand) {
     model.hands[hand] = make_hand_model(hand, scene.hand);

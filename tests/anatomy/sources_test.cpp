@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "common/anatomy/mesh_quality.h"
 #include "common/anatomy/surface_check.h"
@@ -259,6 +260,33 @@ TEST(Sources, ManyTetrahedraAreAnnounced) {
   make_anatomy(d, {}, said.progress());
   EXPECT_TRUE(said.lines.front().find("ball: meshing with about 2.2e+05 tetrahedra takes a while") == 0)
       << said.lines.front();
+}
+
+// Quadratic elements have a node on each edge: a surface of corners alone would load none of those.
+TEST(Sources, MeshFilesOfQuadraticElementsHaveASurfaceVertexOnEachEdge) {
+  const TempDir dir;
+  std::ofstream(dir.path / "one.msh") << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n"
+                                         "3 0 1 0\n4 0 0 1\n$EndNodes\n$Elements\n1\n1 4 2 0 1 1 2 3 4\n"
+                                         "$EndElements\n";
+  const SourcePaths paths{dir.path, {}, dir.path / "cache"};
+  SoftDesc d;
+  d.name = "one";
+  d.mesh = "one.msh";
+  for (int again = 0; again < 2; ++again) {  // made, then from the cache
+    d.element = "tet4";
+    EXPECT_EQ(make_anatomy(d, paths, {}).surface.positions.size(), 4u);
+    d.element = "tet10";
+    const Anatomy a = make_anatomy(d, paths, {});
+    EXPECT_EQ(a.surface.positions.size(), 10u);
+    EXPECT_EQ(a.surface.triangles.size(), 16u);
+    EXPECT_EQ(check_surface(a.surface).open_edges, 0u);
+    EXPECT_NEAR(check_surface(a.surface).volume, 1. / 6, 1e-12);
+    EXPECT_EQ(a.tets.positions.size(), 4u) << "nodes on edges are the element's own";
+    for (std::size_t i = 4; i < 10; ++i)
+      EXPECT_NEAR(*std::max_element(a.embedding.rows[i].weight.begin(), a.embedding.rows[i].weight.end()),
+                  0.5, 1e-12)
+          << i;
+  }
 }
 
 }  // namespace

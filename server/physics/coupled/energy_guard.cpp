@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace prosector {
 namespace {
 
-constexpr double slack_kept = 0.9;     // of the slack, a tick
-constexpr double most_slack = 8e-3;    // of the energy
+constexpr double slack_halved = 2;     // s: longer than the swings of soft organs
+constexpr double least_kept = 0.9;     // of the slack, a tick, however long
+constexpr double most_slack = 0.05;    // of the energy
 constexpr double allowance = 1e-5;     // of the energy at the start
 constexpr double least_strain = 1e-6;  // whose energy is rounding
 constexpr int halvings = 10;
@@ -69,6 +71,10 @@ bool EnergyGuard::sound() const {
   return std::all_of(before_.begin(), before_.end(), [](double energy) { return std::isfinite(energy); });
 }
 
+double EnergyGuard::before() const {
+  return std::accumulate(before_.begin(), before_.end(), 0.0);
+}
+
 bool EnergyGuard::gained(const std::vector<double>& work) {
   bool any = false;
   for (std::size_t m = 0; m < island_->soft.size(); ++m) {
@@ -111,11 +117,12 @@ void EnergyGuard::shorten(const std::vector<double>& work) {
   }
 }
 
-void EnergyGuard::finish(const std::vector<double>& work) {
+void EnergyGuard::finish(const std::vector<double>& work, double h) {
+  const double kept = std::max(least_kept, std::exp2(-h / slack_halved));
   for (std::size_t m = 0; m < island_->soft.size(); ++m) {
     SoftBodyState& state = *island_->soft[m].state;
     const double headroom = std::clamp(allowed(m, work[m]) - after_[m], 0.0, most_slack * after_[m]);
-    state.energy_slack = island_->soft[m].body->integrator().remembers() ? slack_kept * headroom : 0;
+    state.energy_slack = island_->soft[m].body->integrator().remembers() ? kept * headroom : 0;
   }
 }
 

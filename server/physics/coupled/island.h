@@ -64,7 +64,7 @@ struct IslandReport {
   int solver_iterations = 0;
   double residual = 0;     // relative, of the last linear solve
   double last_step = 0;    // m: largest node or body displacement of the last Newton step
-  bool converged = false;  // last step below 0.1 mm
+  bool converged = false;  // last step below 0.1 mm, of small bodies less, and its forces solved for
   bool descended = true;   // false: a search found no lower energy
   bool finite = true;      // false, or out of the room: nothing was taken into the soft states
 };

@@ -11,12 +11,19 @@ namespace {
 constexpr int rigid_newton_iterations = 12;
 constexpr double enough_step =
     1e-5;  // m: a next Newton step below it, at the rate of the last two, is not taken
-constexpr double enough_share = 0.05;  // of the slip over which friction builds up: likewise, where it holds
-constexpr double converged_step = 1e-4;  // m
+constexpr double enough_share = 0.05;   // of the slip over which friction builds up: likewise, where it holds
+constexpr double enough_size = 6e-5;    // of a small body's diagonal, or if that is more, …
+constexpr double enough_square = 4e-3;  // … 1/m, of its square: from 5 cm on, enough_step
+constexpr double converged_steps = 10;  // of those that are enough: what is left then is little
+constexpr double most_unsolved = 0.3;   // of the forces, where a step is to count …
+constexpr double still_share = 0.01;    // … that is not so short
 constexpr double rough_step = 3e-3;  // m: what still moves so far among several soft bodies may gain energy
 constexpr int halvings = 12, halvings_with_care = 40;
 constexpr int newton_until_settled = 4;  // times the scene's iterations, at most, where contacts change
 constexpr int newton_with_care = 4;      // times the scene's iterations
+constexpr int solver_with_care = 4;      // times the scene's iterations, in company
+constexpr double most_gain = 0.05;       // in company: of what an island has, a tick, …
+constexpr double small_speed = 0.02;     // … and m/s, that of its tissue
 constexpr double violent_step = 0.1;     // diagonals of a body that its warm start may lead away
 constexpr double armijo = 1e-4;
 constexpr const char* rigid_solver = "cg";  // of islands without a soft body
@@ -32,12 +39,23 @@ double linear_tolerance(const Island& island, double tolerance) {
   return rigid_contact ? tolerance : std::sqrt(tolerance);
 }
 
+/// m: what is small moves by less than what is large. Those of 5 cm and more, and rigid bodies, are not.
+double enough_for_size(const Island& island) {
+  double enough = enough_step;
+  for (const SoftMember& m : island.soft) {
+    const double diagonal = m.body->diagonal();
+    enough = std::min(enough, std::max(enough_size * diagonal, enough_square * diagonal * diagonal));
+  }
+  return enough;
+}
+
 /// What holds by friction moves by less than its threshold: steps that don't resolve that would leave it to
 /// tremble, and to creep.
 double enough(const Island& island) {
   const bool rough = std::any_of(island.contacts.begin(), island.contacts.end(),
                                  [](const Contact& c) { return c.friction > 0; });
-  return rough ? std::min(enough_step, enough_share * slip_threshold) : enough_step;
+  const double by_size = enough_for_size(island);
+  return rough ? std::min(by_size, enough_share * slip_threshold) : by_size;
 }
 
 /// Whether the warm start of some soft body leads so far that it may be worse than none.
@@ -55,6 +73,14 @@ int stages_of(const SoftMember& m) {
 bool relaxing(const Island& island) {
   return std::any_of(island.soft.begin(), island.soft.end(),
                      [](const SoftMember& m) { return m.state->history.size() > 0; });
+}
+
+/// Whether its soft bodies, of which it has some, are of tetrahedra: sheets and ropes are so light that what
+/// they touch gives them any share of what they have.
+bool solid(const Island& island) {
+  return !island.soft.empty() && std::all_of(island.soft.begin(), island.soft.end(), [](const SoftMember& m) {
+    return !m.body->linear_tets().tets.empty();
+  });
 }
 
 /// Methods of several steps or stages weigh a force otherwise than a rigid body does over the same tick: in
@@ -86,10 +112,12 @@ bool all_held(const Island& island) {
 
 struct IslandSolver::Limits {
   int newton = rigid_newton_iterations;
-  bool alone = true;     // nothing touches or holds: the guard is on
-  bool several = false;  // soft bodies
-  bool held = false;     // nothing moves freely: no momentum has to add up
-  bool careful = false;  // exact tangents from the first on, long searches
+  bool alone = true;        // nothing touches or holds: each body's energy is watched
+  bool in_company = false;  // else, but for what has a history of stress: the island's is
+  bool several = false;     // soft bodies
+  bool held = false;        // nothing moves freely: no momentum has to add up
+  bool careful = false;     // exact tangents from the first on, long searches
+  double enough = enough_step, converged = converged_steps * enough_step;  // m, of Newton's steps
   SolverSettings settings;
   LinearSolver* solver = nullptr;
 };
@@ -102,8 +130,11 @@ IslandSolver::Limits IslandSolver::limits_of(const Island& island) {
   if (!solver) solver = make_solver(name);
   limits.solver = solver.get();
   limits.alone = island.contacts.empty() && island.ties.empty() && !relaxing(island);
+  limits.in_company = !limits.alone && solid(island) && !relaxing(island);
   limits.several = island.soft.size() > 1;
   limits.held = all_held(island);
+  limits.enough = enough(island);
+  limits.converged = converged_steps * enough_for_size(island);
   if (!soft) return limits;
   int steps_down = static_cast<int>(max_steps_down);
   for (const SoftMember& m : island.soft) steps_down = std::min(steps_down, m.state->steps_down);
@@ -136,7 +167,7 @@ void IslandSolver::start_where_energy_is_least() {
 }
 
 /// From q_ on, and there.
-IslandReport IslandSolver::minimise(const Limits& limits, double tolerance, double enough) {
+IslandReport IslandSolver::minimise(const Limits& limits, double tolerance) {
   IslandReport report;
   for (VecX* v : {&solved_, &step_}) v->resize(system_.size());
   bool exact = limits.careful;
@@ -158,7 +189,7 @@ IslandReport IslandSolver::minimise(const Limits& limits, double tolerance, doub
         limits.solver->solve(system_, right_, {limits.settings.max_iterations, tolerance}, solved_);
     report.solver_iterations += solved.iterations;
     system_.expand(g_, solved_, step_);
-    if (report.newton_iterations++ == 0 && step_.lpNorm<Eigen::Infinity>() < converged_step) {
+    if (report.newton_iterations++ == 0 && step_.lpNorm<Eigen::Infinity>() < limits.converged) {
       // Close to rest: this one is the last.
       if (!limits.held) system_.take_balanced();
       solved = limits.solver->solve(system_, right_, limits.settings, solved_);
@@ -189,9 +220,11 @@ IslandReport IslandSolver::minimise(const Limits& limits, double tolerance, doub
     report.last_step = length * step_.lpNorm<Eigen::Infinity>();
     unsettled = system_.unsettled(q_) || (limits.several && report.last_step > rough_step);
     const double rate = before > 0 ? std::min(1.0, report.last_step / before) : 1;
-    if (!unsettled && rate * report.last_step < enough) break;
+    if (!unsettled && rate * report.last_step < limits.enough) break;
   }
-  report.converged = report.last_step < converged_step && std::isfinite(report.residual);
+  // What does not move at all is as good as it gets: of forces that are rounding, solvers leave any share.
+  const double little = (report.residual < most_unsolved ? 1 : still_share) * limits.converged;
+  report.converged = report.last_step < little && std::isfinite(report.residual);
   return report;
 }
 
@@ -233,11 +266,13 @@ IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double 
     for (SoftMember& m : island.soft) m.body->begin_stage(stage, h, gravity, *m.state, m.euler);
     system_.initial_guess(q_);
     if (limits.careful || (limits.alone && violent(island))) start_where_energy_is_least();
-    IslandReport part = minimise(limits, tolerance, enough(island));
+    IslandReport part = minimise(limits, tolerance);
     part.newton_iterations += report.newton_iterations;
     part.solver_iterations += report.solver_iterations;
     part.descended = part.descended && report.descended;
     report = part;
+    if (!report.descended && limits.in_company) system_.energy(q_);
+    if (limits.in_company) stored_ = system_.stored_in_tissue(q_) + system_.stored_in_joints(q_);
     keep_momentum(island, h);
     report.finite = q_.allFinite() && q_.lpNorm<Eigen::Infinity>() < max_coordinate;
     if (!report.finite) return report;
@@ -254,6 +289,37 @@ IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double 
   return report;
 }
 
+/// Of the last attempt.
+IslandSolver::Account IslandSolver::account(const Island& island, double h, const Vec3& gravity) {
+  Account sum{guard_.before(), 0, stored_};
+  for (const SoftMember& m : island.soft) {
+    sum.given += m.body->fall_energy(m.body->remembered().x, m.state->motion.x, gravity);
+    sum.has += m.body->kinetic_energy(*m.state);
+  }
+  for (const RigidMember& m : island.rigid) {
+    const auto product = [&](const Vec6& a, const Vec6& b) {
+      return (m.mass * a.head<3>().dot(b.head<3>()) + a.tail<3>().dot(m.inertia * b.tail<3>())) / (h * h);
+    };
+    sum.had += product(m.steady, m.steady) / 2;
+    sum.given += product(m.predicted - m.steady, m.twist);
+    sum.has += product(m.twist, m.twist) / 2;
+  }
+  next_ = start_;  // where rigid bodies have fallen already
+  next_.tail(6 * static_cast<Eigen::Index>(island.rigid.size())).setZero();
+  sum.had += system_.stored_in_joints(next_);
+  return sum;
+}
+
+/// Whether the last attempt gave the island more energy than weight did, and not by a little. A minimiser
+/// gives none; an iterate that was stopped while much of the forces was left may.
+bool IslandSolver::gained_in_company(const Island& island, double h, const Vec3& gravity) {
+  double mass = 0;
+  for (const SoftMember& m : island.soft) mass += m.body->total_mass();
+  const Account sum = account(island, h, gravity);
+  const double room = most_gain * sum.had + mass * small_speed * small_speed / 2;
+  return !(sum.has <= sum.had + sum.given + room);
+}
+
 IslandReport IslandSolver::solve(Island& island, double h, const Vec3& gravity) {
   Limits limits = limits_of(island);
   choose_integrators(island);
@@ -264,9 +330,14 @@ IslandReport IslandSolver::solve(Island& island, double h, const Vec3& gravity) 
     return lost;
   }
   IslandReport report = attempt(island, limits, h, gravity);
-  if (limits.alone && (!report.finite || guard_.gained(work_))) {
+  const auto gained = [&] {
+    if (limits.alone) return guard_.gained(work_);
+    return limits.in_company && gained_in_company(island, h, gravity);
+  };
+  if (report.finite ? gained() : limits.alone) {
     guard_.rewind();
     limits.newton *= newton_with_care;
+    if (limits.in_company) limits.settings.max_iterations *= solver_with_care;
     limits.careful = true;
     for (SoftMember& m : island.soft) m.euler = m.guarded = true;
     const IslandReport first = report;
@@ -277,7 +348,7 @@ IslandReport IslandSolver::solve(Island& island, double h, const Vec3& gravity) 
       guard_.rewind();
       return report;
     }
-    if (guard_.gained(work_)) {
+    if (limits.alone && guard_.gained(work_)) {
       guard_.shorten(work_);
       report.converged = false;
     }
@@ -286,7 +357,7 @@ IslandReport IslandSolver::solve(Island& island, double h, const Vec3& gravity) 
     guard_.rewind();
     return report;
   }
-  if (limits.alone) guard_.finish(work_);
+  if (limits.alone) guard_.finish(work_, h);
   for (SoftMember& m : island.soft)
     if (m.euler && m.body->integrator().remembers()) m.state->motion.has_history = false;
   return report;

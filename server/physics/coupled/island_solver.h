@@ -25,13 +25,21 @@ class IslandSolver {
 
  private:
   struct Limits;
+  /// J, of an island: in motion, tissue, contacts, ties and pulls.
+  struct Account {
+    double had = 0;    // when the tick began
+    double given = 0;  // by weight
+    double has = 0;
+  };
 
   Limits limits_of(const Island& island);
   void keep_momentum(const Island& island, double h);
   IslandReport attempt(Island& island, const Limits& limits, double h, const Vec3& gravity);
-  IslandReport minimise(const Limits& limits, double tolerance, double enough);
+  IslandReport minimise(const Limits& limits, double tolerance);
   double line_search(double energy, double slope, int halvings);
   void start_where_energy_is_least();
+  Account account(const Island& island, double h, const Vec3& gravity);
+  bool gained_in_company(const Island& island, double h, const Vec3& gravity);
 
   IslandSystem system_;
   EnergyGuard guard_;
@@ -39,6 +47,7 @@ class IslandSolver {
   VecX start_, q_, g_, step_, next_;                              // as the system's unknowns
   VecX right_, solved_;                                           // condensed
   std::vector<double> work_;                                      // J, by joints, on each soft member
+  double stored_ = 0;  // J: in tissue and joints when the tick ends
 };
 
 }  // namespace prosector

@@ -261,13 +261,33 @@ double IslandSystem::energy(const VecX& q) {
   return soft_energy_ + joint_energy(q);
 }
 
+double IslandSystem::stored_in_tissue(const VecX& q) const {
+  double sum = soft_energy_;
+  for (std::size_t m = 0; m < island_->soft.size(); ++m)
+    sum -=
+        island_->soft[m].body->inertia_energy(q.segment(soft_offset_[m], 3 * island_->soft[m].body->nodes()));
+  return sum;
+}
+
+double IslandSystem::stored_in_joints(const VecX& q) const {
+  double sum = joint_energy(q);
+  for (std::size_t m = 0; m < island_->rigid.size(); ++m)
+    sum -= rigid_inertia(island_->rigid[m], q.segment<6>(rigid_offset(m)));
+  return sum;
+}
+
+double IslandSystem::rigid_inertia(const RigidMember& body, const Vec6& twist) const {
+  const Vec6 d = twist - body.predicted;
+  return (body.mass * d.head<3>().squaredNorm() + d.tail<3>().dot(body.inertia * d.tail<3>())) /
+         (2 * h_ * h_);
+}
+
 double IslandSystem::joint_energy(const VecX& q) const {
   double sum = 0;
   for (std::size_t m = 0; m < island_->rigid.size(); ++m) {
     const RigidMember& body = island_->rigid[m];
-    const Vec6 twist = q.segment<6>(rigid_offset(m)), d = twist - body.predicted;
-    sum +=
-        (body.mass * d.head<3>().squaredNorm() + d.tail<3>().dot(body.inertia * d.tail<3>())) / (2 * h_ * h_);
+    const Vec6 twist = q.segment<6>(rigid_offset(m));
+    sum += rigid_inertia(body, twist);
     if (body.pull) {
       const Pull& pull = *body.pull;
       sum +=

@@ -27,6 +27,11 @@ class IslandSystem final : public LinearOperator {
   double energy(const VecX& q);
   /// The same at the q of the last energy(), after lag_friction() changed the friction: no elements visited.
   double energy_with_new_friction(const VecX& q) const { return soft_energy_ + joint_energy(q); }
+  /// J, at the q of the last energy(): in tissue and its attachments, with what stiffness damping takes in
+  /// the tick.
+  double stored_in_tissue(const VecX& q) const;
+  /// J, at q: in contacts with the friction as lagged, in ties and pulls.
+  double stored_in_joints(const VecX& q) const;
   /// Tells soft bodies that energy, gradient and Hessian will be asked for at q.
   void linearise(const VecX& q);
   void gradient(const VecX& q, VecX& g);
@@ -110,6 +115,7 @@ class IslandSystem final : public LinearOperator {
   void add_soft(const Side& side, const Vec3& f, VecX& out) const;
   void pass_through_rigid(VecX& Hp) const;
   double joint_energy(const VecX& q) const;  // all but the soft bodies' own
+  double rigid_inertia(const RigidMember& body, const Vec6& twist) const;
   double contact_energy(std::size_t c, const Vec3& u) const;
   Vec3 contact_force(std::size_t c, const Vec3& u, Mat3* D) const;
 

@@ -17,10 +17,11 @@
 namespace prosector {
 namespace {
 
-constexpr double least_power = 6e-5;  // W, of a body of 1 kg or more: less is nobody's concern
-constexpr int tries = 2;              // by substeps, before a body that got too stiff is minimised
-constexpr int refinements = 2;        // at most, for energy that is small
-constexpr double small_speed = 0.02;  // m/s: energy that would move a body so fast is small
+constexpr double least_power = 6e-5;      // W, of a body of 1 kg or more: less is nobody's concern
+constexpr int tries = 2;                  // by substeps, before a body that got too stiff is minimised
+constexpr int refinements = 2;            // at most, for energy that is small
+constexpr double small_speed = 0.02;      // m/s: energy that would move a body so fast is small
+constexpr double most_unexplained = 0.2;  // of what it had: energy from nothing after the last refinement
 
 bool good(const SoftBodyState& state) {
   return state.motion.x.allFinite() && state.motion.v.allFinite() &&
@@ -101,12 +102,21 @@ class Tick {
 
   /// Whether it has none beyond that but a little: what impulses took counts, and what contacts give both of
   /// their sides, beyond what opens overlaps, does not explain anything.
-  bool passive(std::size_t m) const {
+  bool passive(std::size_t m) const { return unexplained(m) <= 0; }
+
+  /// Whether it has so much beyond that that it is better off by implicit Euler: not when substeps could
+  /// still help, and not for what counts as little.
+  bool wild(std::size_t m, int attempt) const {
+    return attempt >= refinements && unexplained(m) > most_unexplained * (energy_[m] + fallen(m));
+  }
+
+  /// J.
+  double unexplained(std::size_t m) const {
     const SoftMember& member = island_.soft[m];
     const auto moving = [&](double speed) { return member.body->total_mass() * speed * speed / 2; };
     const double made = std::max(0.0, work_[m].made - moving(thin_opening_speed));
-    return energy(member) <= member.body->substepper()->most_gain(h_) * (energy_[m] + fallen(m)) +
-                                 work_[m].done - made + moving(small_speed);
+    return energy(member) - (member.body->substepper()->most_gain(h_) * (energy_[m] + fallen(m)) +
+                             work_[m].done - made + moving(small_speed));
   }
 
   void decide() {
@@ -249,6 +259,10 @@ class Tick {
       const bool held = own->finish(substepped_[m] ? h_ / substeps_ : 0, *member.state);
       if (!substepped_[m]) continue;
       const bool sound = good(*member.state) && tame(m);
+      if (held && sound && wild(m, attempt)) {
+        minimised_always_[m] = again = true;
+        continue;
+      }
       if (held && sound) {
         if (attempt < refinements && !passive(m)) again |= own->refine(h_, substeps_, *member.state);
         continue;

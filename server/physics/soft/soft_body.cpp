@@ -325,6 +325,14 @@ double SoftBody::kinetic_energy(const SoftBodyState& state) const {
   return 0.5 * sum;
 }
 
+double SoftBody::inertia_energy(const Eigen::Ref<const VecX>& x) const {
+  const Impl& m = *impl_;
+  double sum = 0;
+  for (Eigen::Index i = 0; i < nodes(); ++i)
+    sum += m.mass[i] * (x.segment<3>(3 * i) - m.stage.y.segment<3>(3 * i)).squaredNorm();
+  return 0.5 * m.stage.alpha * sum;
+}
+
 double SoftBody::fall_energy(const VecX& from, const VecX& to, const Vec3& gravity) const {
   double sum = 0;
   if (!falls()) return sum;

@@ -134,6 +134,8 @@ class SoftBody {
   /// Elastic + attachment energy at x, J, of what has relaxed (for reports; without inertia and damping).
   double elastic_energy(const Eigen::Ref<const VecX>& x);
   double kinetic_energy(const SoftBodyState& state) const;  // J
+  /// The share of inertia, and of the weight that is in it, in the stage's E(x), J.
+  double inertia_energy(const Eigen::Ref<const VecX>& x) const;
   /// What gravity gave on the way from one shape to another, J.
   double fall_energy(const VecX& from, const VecX& to, const Vec3& gravity) const;
   double diagonal() const;  // m, of the rest shape's bounding box
