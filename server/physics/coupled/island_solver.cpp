@@ -22,7 +22,7 @@ constexpr int halvings = 12, halvings_with_care = 40;
 constexpr int newton_until_settled = 4;  // times the scene's iterations, at most, where contacts change
 constexpr int newton_with_care = 4;      // times the scene's iterations
 constexpr int solver_with_care = 4;      // times the scene's iterations, in company
-constexpr double most_gain = 0.05;       // in company: of what an island has, a tick, …
+constexpr double most_gain = 0.12;       // in company: of what an island has, a tick, …
 constexpr double small_speed = 0.02;     // … and m/s, that of its tissue
 constexpr double violent_step = 0.1;     // diagonals of a body that its warm start may lead away
 constexpr double armijo = 1e-4;
