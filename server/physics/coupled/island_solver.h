@@ -20,8 +20,8 @@ class IslandSolver {
   /// otherwise than a rigid body does, and momentum would be lost between them. A tick that is not finite, or
   /// after which a soft body has more energy than explained, is taken again with more care, by implicit
   /// Euler, and if need be shortened: energy_guard.h. Of solid bodies that touch or hold others, the island's
-  /// energy is watched, and the tick taken again with more care. Momentum of what nothing holds in the room is right
-  /// however early a solve stops.
+  /// energy is watched, and the tick taken again with more care. Momentum of what nothing holds in the room
+  /// is right however early a solve stops.
   IslandReport solve(Island& island, double h, const Vec3& gravity);
 
  private:
