@@ -157,6 +157,7 @@ struct Simulation::Impl : PanelSubjects {
   void bounce_rigid();
   void recover();
   void unfold_tangles();
+  bool is_in_company(std::size_t body) const;  // part of it
   void fall_asleep();
   void describe();
   StoredEnergy stored_in(std::size_t body) const;  // part of it
@@ -340,9 +341,9 @@ struct Simulation::Impl : PanelSubjects {
   bool nears(const Contact& contact, double gap) const;
   bool add_self_contacts(std::size_t body, double margin, std::vector<Contact>& out);
   const std::vector<char>& inside_out_of(std::size_t body);
-  /// Whether the two are too deep in each other for their faces to tell the way out; then appends what parts
-  /// them.
-  bool add_parting(std::size_t a, std::size_t b, std::vector<Contact>& out);
+  /// Puts what leads the two bodies apart in place of contacts (from `before` on in `out`) that can't tell
+  /// the way out.
+  void part(std::size_t a, std::size_t b, std::size_t before, std::vector<Contact>& out);
   // Of layers:
   void fit_layers(std::size_t body);
   bool has_layers() const;               // a body that may meet so, and sides to remember

@@ -34,6 +34,11 @@ ContactSide rigid_side(const RigidWorld& world, std::size_t slot, const Vec3& po
   return side;
 }
 
+/// m: along `up`, of the lowest node.
+double height_of_lowest(const VecX& x, const Vec3& up) {
+  return (up.transpose() * x.reshaped(3, x.size() / 3)).minCoeff();
+}
+
 bool between_soft(const Contact& c) {
   return c.a.kind == ContactSide::Kind::soft && c.b.kind == ContactSide::Kind::soft && c.a.body != c.b.body;
 }
@@ -258,18 +263,33 @@ void Simulation::Impl::recover() {
   }
 }
 
+/// Whether something would be struck by the body if it took its own shape: a hand, or, unless the body has
+/// its own place, whatever is not part of the room.
+bool Simulation::Impl::is_in_company(std::size_t body) const {
+  const auto by_hand = [&](const Contact& c) { return hand_at(c.b.body) != nullptr; };
+  if (std::any_of(soft_contacts[body].begin(), soft_contacts[body].end(), by_hand)) return true;
+  for (const Hand& hand : hands)
+    if (hand.hold && hand.hold->body == soft_id(body)) return true;
+  if (model.soft[body]->attached()) return false;
+  return std::any_of(soft_pairs.begin(), soft_pairs.end(),
+                     [&](const SoftPair& pair) { return pair.a == body || pair.b == body; }) ||
+         std::any_of(soft_contacts[body].begin(), soft_contacts[body].end(),
+                     [](const Contact& c) { return c.b.kind == ContactSide::Kind::rigid; });
+}
+
 void Simulation::Impl::unfold_tangles() {
   if (time.tick % tangle_check_ticks != 0) return;
   for (Island& island : islands)
     for (SoftMember& s : island.soft) {
-      const bool met = std::any_of(soft_pairs.begin(), soft_pairs.end(), [&](const SoftPair& pair) {
-        return pair.a == s.index || pair.b == s.index;
-      });
-      const bool held = met || !soft_contacts[s.index].empty() ||
-                        std::any_of(hands.begin(), hands.end(), [&](const Hand& hand) {
-                          return hand.hold && hand.hold->body == soft_id(s.index);
-                        });
-      if (!unfold_if_tangled(s, held, equilibrium[s.index], step_h, tangle_check_ticks)) continue;
+      const Vec3 up = -model.scene.gravity.normalized();
+      const double lowest = height_of_lowest(s.state->motion.x, up);
+      if (!unfold_if_tangled(s, is_in_company(s.index), equilibrium[s.index], step_h, tangle_check_ticks))
+        continue;
+      VecX& x = s.state->motion.x;
+      if (s.body->attached())
+        x = equilibrium[s.index];
+      else  // what it lies on is no higher than it was
+        x += (std::max(0.0, lowest - height_of_lowest(x, up)) * up).replicate(x.size() / 3, 1);
       BodyReport& row = report.bodies.emplace_back();
       row.body = s.body->desc().name;
       row.reset = true;

@@ -111,13 +111,7 @@ bool Simulation::Impl::add_pair_contacts(std::size_t a, std::size_t b, double ma
   };
   add(a, b, first, second);
   add(b, a, second, first);
-  if (deep) {
-    std::vector<Contact> parting;
-    if (add_parting(a, b, parting)) {
-      out.resize(before);
-      out.insert(out.end(), parting.begin(), parting.end());
-    }
-  }
+  if (deep) part(a, b, before, out);
   return out.size() > before;
 }
 
@@ -136,7 +130,7 @@ const std::vector<char>& Simulation::Impl::inside_out_of(std::size_t body) {
   return out.vertices;
 }
 
-bool Simulation::Impl::add_parting(std::size_t a, std::size_t b, std::vector<Contact>& out) {
+void Simulation::Impl::part(std::size_t a, std::size_t b, std::size_t before, std::vector<Contact>& out) {
   const SoftSkin first = skin(a), second = skin(b);
   const Immersion of_a = find_immersion(first, second, inside_out_of(a));
   const Immersion of_b = find_immersion(second, first, inside_out_of(b));
@@ -144,26 +138,34 @@ bool Simulation::Impl::add_parting(std::size_t a, std::size_t b, std::vector<Con
     const VecX& mass = model.soft[body]->node_mass();
     return soft[body].motion.x.reshaped(3, mass.size()) * mass / mass.sum();
   };
-  const auto way = way_apart(of_a, of_b, middle(a) - middle(b), std::min(first.cell, second.cell));
-  if (!way) return false;
-  const double step = parting_speed * step_h;
+  const Vec3 way = way_apart(of_a, of_b, middle(a) - middle(b));
+  const double cell = std::min(first.cell, second.cell), step = parting_speed * step_h;
+  const bool whole = is_whole_immersed(of_a, of_b, cell);
+  if (whole) out.resize(before);
+  std::vector<Contact> led;
   const auto lead = [&](std::size_t from, std::size_t to, const Immersion& inside, const Vec3& along) {
     for (const VertexMeeting& meeting : inside.vertices) {
-      Contact& c = out.emplace_back(pair_contact(from, to, meeting));
+      if (!whole && !came_through(meeting, along, cell)) continue;
+      std::erase_if(out, [&](const Contact& c) {
+        return c.a.body == from && c.b.body == to && c.feature == meeting.vertex &&
+               c.a.kind == ContactSide::Kind::soft && c.b.kind == ContactSide::Kind::soft;
+      });
+      Contact& c = led.emplace_back(pair_contact(from, to, meeting));
       c.normal = along;
       c.gap = -step;
       c.friction = 0;
       c.feature = Contact::no_feature;
       c.grip.setZero();
       c.gripped = 0;
-      c.stiffness *= parting_pressure * second.cell / model.scene.contact_stiffness / step;
+      c.stiffness *= parting_pressure * cell / model.scene.contact_stiffness / step;
     }
   };
-  lead(a, b, of_a, *way);
-  lead(b, a, of_b, -*way);
+  lead(a, b, of_a, way);
+  lead(b, a, of_b, -way);
+  if (led.empty()) return;
+  out.insert(out.end(), led.begin(), led.end());
   parted[a] = b;
   parted[b] = a;
-  return true;
 }
 
 Aabb Simulation::Impl::box_of(std::size_t body) const {

@@ -21,6 +21,7 @@ struct Options {
   unsigned seed = 1;
   int seeds = 1, people = 2, bouts = 1, threads = 1;
   double bout = 8, rest = 5;
+  bool tell = false;
   std::uint64_t from = 0, to = 1ull << 40, every = 30;
 };
 
@@ -99,6 +100,7 @@ int run(const Options& options) {
                             .bouts = options.bouts,
                             .bout = options.bout,
                             .rest = options.rest,
+                            .tell = options.tell,
                             .bounds = {}};
       const PlayFigures one = play(simulation, how, say);
       say(fmt::format(
@@ -138,6 +140,7 @@ int main(int argc, char** argv) {
   app.add_option("--threads", options.threads, "of the simulation");
   app.add_option("--model", options.model, "of every organ, instead of the scene's");
   app.add_option("--element", options.element, "likewise");
+  app.add_flag("--tell", options.tell, "say how the organs are while they rest");
   app.add_option("--json", options.json, "file for the figures");
   CLI11_PARSE(app, argc, argv);
   try {

@@ -72,7 +72,12 @@ PlayFigures play(Simulation& simulation, const PlayOptions& options,
       step({});
       const double left = (ticks - tick) / rate;
       if (tick % std::max(1, static_cast<int>(rate / looks_per_second)) != 0 && tick != ticks) continue;
-      const bool good = judge.look(simulation, options.bounds).good();
+      const Finding now = judge.look(simulation, options.bounds);
+      const bool good = now.good();
+      if (options.tell && say)
+        say(fmt::format("{:.2f} s after: volume {:.3f} … {:.3f}, overlap {:.2f} mm, inverted {:.4f}; {}",
+                        options.rest - left, now.least_volume, now.most_volume, 1e3 * now.overlap,
+                        now.inverted, now.where));
       if (good && !was_good) good_since = options.rest - left;
       was_good = good;
     }

@@ -14,8 +14,9 @@ struct PlayOptions {
   unsigned seed = 1;
   int people = 2;
   int bouts = 1;
-  double bout = 8;  // s that people play
-  double rest = 5;  // s that the organs have then
+  double bout = 8;    // s that people play
+  double rest = 5;    // s that the organs have then
+  bool tell = false;  // how the organs are while they rest
   Bounds bounds;
 };
 

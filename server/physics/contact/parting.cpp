@@ -5,7 +5,7 @@
 namespace prosector {
 namespace {
 
-constexpr double suspicious = 2;     // cells: what is as deep may hide what is deeper
+constexpr double pressed = 0.5;      // cells: contacts press nothing deeper, for long
 constexpr double least_share = 0.2;  // of the area inside: the normals' sum, where it tells a direction
 
 bool is_inside(const SoftSkin& to, const Vec3& x) {
@@ -32,9 +32,8 @@ bool may_be_immersed(const SoftSkin& from, const SoftSkin& to, std::span<const V
     const Aabb& box = to.faces->box();
     return (x.array() > box.lo.array()).all() && (x.array() < box.hi.array()).all() && is_inside(to, x);
   }
-  return std::any_of(found.begin(), found.end(), [&](const VertexMeeting& m) {
-    return m.gap < -suspicious * std::min(from.cell, to.cell);
-  });
+  return std::any_of(found.begin(), found.end(),
+                     [&](const VertexMeeting& m) { return m.gap < -pressed * std::min(from.cell, to.cell); });
 }
 
 Immersion find_immersion(const SoftSkin& from, const SoftSkin& to, std::span<const char> unsure) {
@@ -48,6 +47,8 @@ Immersion find_immersion(const SoftSkin& from, const SoftSkin& to, std::span<con
     found.vertex = vertex;
     found.at = {near->triangle, near->weights};
     found.gap = -near->distance;
+    found.normal = near->distance > 0 ? Vec3((near->point - x) / near->distance)
+                                      : to.faces->normal_at(near->triangle, near->weights);
     out.deepest = std::max(out.deepest, near->distance);
     const Vec3 normal = area_vector(*from.faces, vertex);
     out.normals += normal;
@@ -56,12 +57,18 @@ Immersion find_immersion(const SoftSkin& from, const SoftSkin& to, std::span<con
   return out;
 }
 
-std::optional<Vec3> way_apart(const Immersion& of_a, const Immersion& of_b, const Vec3& between_middles,
-                              double cell) {
-  if (std::max(of_a.deepest, of_b.deepest) <= deepest_meeting * cell) return std::nullopt;
+Vec3 way_apart(const Immersion& of_a, const Immersion& of_b, const Vec3& between_middles) {
   const Vec3 sum = of_b.normals - of_a.normals;
   if (sum.norm() > least_share * (of_a.area + of_b.area)) return sum.normalized();
   return between_middles.norm() > 0 ? between_middles.normalized() : Vec3(Vec3::UnitY());
+}
+
+bool is_whole_immersed(const Immersion& of_a, const Immersion& of_b, double cell) {
+  return std::max(of_a.deepest, of_b.deepest) > deepest_meeting * cell;
+}
+
+bool came_through(const VertexMeeting& inside, const Vec3& along, double cell) {
+  return inside.gap < -pressed * cell && inside.normal.dot(along) < 0;
 }
 
 }  // namespace prosector
