@@ -250,6 +250,7 @@ SceneDesc parse_scene(std::string_view toml, const std::filesystem::path& file) 
     throw InputError(fmt::format("{}:{}: {}", file.string(), e.source().begin.line, e.description()));
   }
   SceneDesc scene;
+  scene.room.emplace();
   SourceLines lines;
   Reader reader(file, lines);
   reader.read(document, scene_table(), &scene, "", "");

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -238,6 +239,12 @@ struct HandDesc {
   double friction = 0.6;
 };
 
+/// [room]: which sides of the room (common/room.h) collide. People's hands pass through them.
+struct RoomDesc {
+  bool floor = true;
+  bool walls = true;
+};
+
 struct SceneDesc {
   std::string name;
   std::string description;
@@ -246,6 +253,7 @@ struct SceneDesc {
   double contact_stiffness = 20;  // times the soft body's own stiffness over one surface cell
   SessionDesc session;
   HandDesc hand;
+  std::optional<RoomDesc> room;  // every scene file has one; none: empty space, for programs of one's own
   CameraInfo camera;
   std::vector<RigidDesc> rigid;
   std::vector<SoftDesc> soft;

@@ -40,6 +40,24 @@ const Table& hand_table() {
   return table;
 }
 
+const Table& room_table() {
+  using R = RoomDesc;
+  static const Table table{
+      "[room]",
+      "The room around the scene, 7 m by 7 m; what leaves it comes back to its place. Hands pass through its "
+      "sides.",
+      {plain<R, &R::floor>("floor", "true: bodies rest on it; false: they fall through what is drawn of it"),
+       plain<R, &R::walls>("walls", "true: they stop bodies; false: bodies pass through them")},
+      {},
+      fresh<R>};
+  return table;
+}
+
+void* room_of(void* scene) {
+  std::optional<RoomDesc>& room = static_cast<SceneDesc*>(scene)->room;
+  return room ? &*room : &room.emplace();
+}
+
 const Table& camera_table() {
   using C = CameraInfo;
   static const Table table{
@@ -94,6 +112,7 @@ const Table& scene_table() {
            "of contact with a soft body, times that body's own stiffness over one surface cell")},
       {{"session", session_table, false, 1, member<&SD::session>},
        {"hand", hand_table, false, 1, member<&SD::hand>},
+       {"room", room_table, false, 1, room_of},
        {"camera", camera_table, false, 1, member<&SD::camera>},
        {"rigid", rigid_table, true, max_bodies, append<SD, &SD::rigid>},
        {"soft", soft_table, true, max_bodies, append<SD, &SD::soft>},

@@ -17,6 +17,7 @@
 namespace prosector {
 namespace {
 
+constexpr double near_the_room = 0.02;        // m: soft bodies as near may rest on it
 constexpr double least_share_of_hull = 0.02;  // of its hull's volume that a closed mesh fills, at least
 
 ShapePart to_shape(const PartDesc& part) {
@@ -121,6 +122,37 @@ void add_mesh(const TriangleMesh& mesh, ByteWriter& out) {
   for (const auto& t : mesh.triangles) out.raw(t.data(), sizeof t);
 }
 
+std::vector<RoomModel> compile_room(const std::optional<RoomDesc>& room) {
+  std::vector<RoomModel> out;
+  for (const RoomSide& side : room_sides(room)) {
+    RoomModel& made = out.emplace_back();
+    made.side = side;
+    made.shape.parts.push_back(solid_of(side));
+    made.shape.distances.push_back(make_signed_distance(made.shape.parts.front()));
+  }
+  return out;
+}
+
+/// The sides that the body's start is behind: the scene puts it there, so it goes through them.
+template <class Say>
+RoomSides passed_sides(const std::string& name, std::span<const Vec3> start, const Model& model,
+                       const Say& say) {
+  std::vector<RoomSide> room;
+  for (const RoomModel& side : model.room) room.push_back(side.side);
+  const RoomSides out = sides_before(start, room);
+  if (out != 0)
+    say(fmt::format("{}: begins behind the room's {}, so it passes through that side", name,
+                    has_side(out, 0) && model.scene.room->floor ? "floor" : "wall"));
+  return out;
+}
+
+bool begins_on(const SoftBody& body, const RoomSide& side) {
+  const auto& points = body.anatomy().surface.positions;
+  const double reach = near_the_room + body.anatomy().thickness / 2;
+  return std::any_of(points.begin(), points.end(),
+                     [&](const Vec3& x) { return side.normal.dot(x - side.point) <= reach; });
+}
+
 /// Everything that changes what a tick computes or what is drawn.
 ContentHash hash_of(const Model& model) {
   ByteWriter out;
@@ -166,6 +198,12 @@ ContentHash hash_of(const Model& model) {
     add_collision(desc);
     if (desc.self_contact) out.add(std::string("self_contact"));
   }
+  if (scene.room && !scene.room->floor) out.add(std::string("no floor"));
+  if (scene.room && !scene.room->walls) out.add(std::string("no walls"));
+  for (std::size_t i = 0; i < model.room.size(); ++i)  // their equilibrium is another than it was
+    for (std::size_t s = 0; s < model.soft.size(); ++s)
+      if (!has_side(model.soft_collision[s].passes, i) && begins_on(*model.soft[s], model.room[i].side))
+        out.add(static_cast<std::uint64_t>(i));
   for (const RigidDesc& desc : scene.rigid)
     for (const EdgeDesc& edge : desc.edges) {
       out.add(edge.from);
@@ -219,6 +257,7 @@ Model compile(const SceneDesc& scene, const CompileOptions& options) {
   Model model;
   model.scene = scene;
   model.h = 1 / scene.tick_rate;
+  model.room = compile_room(scene.room);
   const CollisionGroups groups = groups_of(scene);
   for (const RigidDesc& desc : scene.rigid)
     model.rigid.push_back(compile_rigid(desc, rigid_surface(desc, scene, options), groups));
@@ -226,11 +265,18 @@ Model compile(const SceneDesc& scene, const CompileOptions& options) {
     return compile_rigid(desc, std::move(surface), groups);
   };
   for (std::size_t i = 0; i < model.rigid.size(); ++i) add_pieces(model, i, compile_piece);
+  for (RigidModel& body : model.rigid) {
+    std::vector<Vec3> start;
+    for (const Vec3& x : body.surface.positions) start.push_back(body.start * x);
+    if (body.setup.mass > 0) body.setup.passes = passed_sides(body.name, start, model, say);
+  }
   for (const SoftDesc& desc : scene.soft) {
     model.soft.push_back(std::make_unique<SoftBody>(desc, soft_anatomy(desc, scene, options)));
     const double cell = desc.self_contact ? mean_edge(model.soft.back()->anatomy().surface) : 0;
+    const RoomSides passes =
+        passed_sides(desc.name, model.soft.back()->anatomy().surface.positions, model, say);
     model.soft_collision.push_back({fidelity_of(desc.collision), groups.mask(desc.group, desc.touches),
-                                    desc.continuous, desc.self_contact, cell});
+                                    passes, desc.continuous, desc.self_contact, cell});
     say(fmt::format("{}: {} elements, {} nodes, {} surface vertices", desc.name,
                     model.soft.back()->elements(), model.soft.back()->nodes(),
                     model.soft.back()->anatomy().surface.positions.size()));
@@ -241,6 +287,7 @@ Model compile(const SceneDesc& scene, const CompileOptions& options) {
   for (std::size_t hand = 0; hand < 2; ++hand) {
     model.hands[hand] = make_hand_model(hand, scene.hand);
     model.hands[hand].setup.mask = groups.mask(hand_group, {});
+    model.hands[hand].setup.passes = all_room_sides;
   }
   model.hash = hash_of(model);
   return model;

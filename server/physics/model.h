@@ -54,10 +54,17 @@ std::vector<Pose> hand_part_poses(std::size_t hand, const std::array<double, fin
 
 HandModel make_hand_model(std::size_t hand, const HandDesc& desc);
 
+/// A side of the room as soft bodies meet it; its frame is the room's.
+struct RoomModel {
+  RoomSide side;
+  RigidShape shape;
+};
+
 /// How a soft body collides.
 struct SoftCollision {
   Fidelity fidelity = Fidelity::mesh;
   CollisionMask mask;
+  RoomSides passes = 0;  // of the room: it goes through these
   bool continuous = false;
   bool with_itself = false;
   double cell = 0;  // m, of what meets itself: mean edge of its surface as compiled
@@ -70,6 +77,7 @@ struct Model {
   std::vector<std::unique_ptr<SoftBody>> soft;
   std::vector<SoftCollision> soft_collision;  // of each
   std::array<HandModel, 2> hands;
+  std::vector<RoomModel> room;
   ContentHash hash{};
 
   /// Stiffness of a contact at a surface vertex, N/m: the body's own over one surface cell, times the

@@ -21,7 +21,7 @@ int threads_of(const CompileOptions& options) {
 
 Simulation::Impl::Impl(const SceneDesc& scene, const CompileOptions& options)
     : model(compile(scene, options)),
-      world(scene.gravity),
+      world(scene.gravity, room_sides(scene.room)),
       soft_boxes(still_margin),
       step_h(model.h),
       arena(threads_of(options)) {
@@ -58,9 +58,10 @@ const StepReport& Simulation::step(const TickInput& input) {
     clock.end(Phase::inputs);
     m.advance_in_parts(clock);
     ++m.time.tick;
-    m.recover();
+    m.recover_hands();
     m.unfold_tangles();
     m.fall_asleep();
+    m.bring_back_lost();
     m.tend_holds();
     m.break_bones();
     m.step_panels();

@@ -40,6 +40,22 @@ void Simulation::Impl::refresh_colliders() {
     if (hand)
       c.pull = std::min(most_reach, ((hand->target * model.hands[hand->side].center).p - c.pose.p).norm());
   }
+  for (std::size_t side = 0; side < model.room.size(); ++side) colliders.push_back(room_collider(side));
+}
+
+Collider Simulation::Impl::room_collider(std::size_t side) const {
+  const RigidShape& shape = model.room[side].shape;
+  const ShapePart& solid = shape.parts.front();
+  Collider c;
+  c.slot = room_slot(side);
+  c.parts = &shape.parts;
+  c.distances = &shape.distances;
+  c.part_poses = {solid.pose};
+  c.lo = solid.pose.p - solid.half;
+  c.hi = solid.pose.p + solid.half;
+  c.friction = room_friction;
+  c.fixed = true;
+  return c;
 }
 
 double Simulation::Impl::body_friction(std::size_t slot) const {
@@ -116,6 +132,10 @@ bool Simulation::Impl::add_contacts(std::size_t body, const Collider& collider, 
   if (rough[body]) return add_rough_contacts(body, collider, margin, out);
   const std::size_t before = out.size();
   const double skin = skin_of(body);
+  const Vec3 near = Vec3::Constant(margin + skin);
+  if (is_room(collider.slot) &&
+      !boxes_overlap(collider.lo - near, collider.hi + near, surfaces[body].lo(), surfaces[body].hi()))
+    return false;
   const bool still = collider.fixed && !collider.driven_to;
   const TriangleMesh& surface = model.soft[body]->anatomy().surface;
   const auto first_face = static_cast<std::uint32_t>(surface.positions.size());
@@ -169,6 +189,7 @@ bool Simulation::Impl::touches(std::size_t body, const Collider& collider, doubl
 
 bool Simulation::Impl::may_meet(std::size_t body, const Collider& collider) const {
   const SoftCollision& own = model.soft_collision[body];
+  if (is_room(collider.slot) && has_side(own.passes, room_side(collider.slot))) return false;
   return collider.parts && !is_held_blade(collider.slot) && own.fidelity != Fidelity::none &&
          may_touch(own.mask, world.mask(collider.slot));
 }
@@ -210,7 +231,8 @@ void Simulation::Impl::detect_soft_contacts() {
       const double own = step_h * soft[i].motion.v.lpNorm<Eigen::Infinity>();
       for (const Collider& c : colliders) {
         if (!may_meet(i, c)) continue;
-        const double reach = std::min(most_reach, own + std::max(c.pull, step_h * total_speed(c)));
+        const double reach =
+            is_room(c.slot) ? own : std::min(most_reach, own + std::max(c.pull, step_h * total_speed(c)));
         const bool touched = is_swept(i, c)
                                  ? add_swept_contacts(i, c, contact_margin + reach, soft_contacts[i])
                                  : add_contacts(i, c, contact_margin + reach, memories[i], soft_contacts[i]);

@@ -142,6 +142,11 @@ void Simulation::Impl::reset_body(BodyId body) {
   }
   let_go_of(body, "it was put back");
   make(body, {});
+  lost.erase(body);
+  put_at_start(body);
+}
+
+void Simulation::Impl::put_at_start(BodyId body) {
   if (!is_soft(body)) {
     RigidMotion motion;
     motion.pose = model.rigid[body].start * model.rigid[body].center;

@@ -172,6 +172,7 @@ bool Simulation::Impl::was_set_down(Hand& hand, const Vec3& force) {
 void Simulation::Impl::tend_holds() {
   for (Hand& hand : hands) {
     if (!hand.hold) continue;
+    lost.erase(hand.hold->body);
     const Vec3 force = hold_force(hand);
     if (force.norm() > model.scene.hand.tear_force)
       release(hand, fmt::format("{} was torn away by {:.0f} N", name_of(hand.hold->body), force.norm()));

@@ -97,14 +97,17 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<std::uint32_t> revisions;   // per soft body
   std::vector<Numbering> numberings;      // likewise
 
+  std::map<BodyId, std::uint8_t> lost;  // how often they left the room since somebody last held them
+
   std::optional<PanelWorld> panels;  // of scenes with parts
   double room_lights = 1;
   std::map<std::pair<std::size_t, std::size_t>, std::vector<LayerSide>> layer_sides;  // by soft bodies
 
   // ---- Of the current tick
   std::vector<SurfaceDetector> surfaces;
-  std::vector<std::optional<RoughShape>> rough;       // per soft body: of those that collide as simple shapes
-  std::vector<std::optional<RigidOutline>> outlines;  // for these: per rigid body, then of each hand
+  std::vector<std::optional<RoughShape>> rough;  // per soft body: of those that collide as simple shapes
+  std::vector<std::optional<RigidOutline>>
+      outlines;  // for these: per rigid body, of each hand, of the room's sides
   std::vector<std::optional<TriangleSurface>> faces;  // per soft body: see faces_of
   std::vector<char> faces_moved;                      // per soft body: they are where its surface is
   std::vector<std::vector<Contact>> soft_contacts;    // per soft body: with rigid ones
@@ -119,7 +122,7 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<std::optional<std::size_t>> parted;     // per soft body: another that it is led out of
   std::vector<VertexMeeting> meetings;                // what finding them works in
   std::vector<std::size_t> soft_group;  // per soft body: the first that it hangs together with, by soft pairs
-  std::vector<Collider> colliders;      // by slot
+  std::vector<Collider> colliders;      // by slot, then of the room's sides
   std::vector<RigidMotion> last_good;   // by slot, at the tick's start
   std::vector<Island> islands;
   std::vector<Pad> pads;                    // in the islands' order
@@ -155,7 +158,10 @@ struct Simulation::Impl : PanelSubjects {
   void solve_islands();
   void keep_pads();  // part of it
   void bounce_rigid();
-  void recover();
+  void recover_hands();
+  void bring_back_lost();
+  void bring_back(BodyId body);  // part of it
+  Aabb within_reach() const;     // likewise: what is beyond is lost
   void unfold_tangles();
   bool is_in_company(std::size_t body) const;  // part of it
   void fall_asleep();
@@ -309,7 +315,9 @@ struct Simulation::Impl : PanelSubjects {
   std::size_t soft_index(BodyId body) const { return body - model.rigid.size(); }
   BodyId soft_id(std::size_t index) const { return static_cast<BodyId>(model.rigid.size() + index); }
   void reset_body(BodyId body);
+  void put_at_start(BodyId body);  // at rest
   void refresh_colliders();
+  Collider room_collider(std::size_t side) const;
   static Vec3 driven_way(const Collider& collider, const Vec3& point);  // m: where the tick takes its point
   Contact soft_contact(std::size_t body, const Vec3& point, const Distance& distance,
                        const Collider& collider) const;  // what its kinds have in common
@@ -354,6 +362,7 @@ struct Simulation::Impl : PanelSubjects {
   // Of simple shapes:
   void fit_rough_shape(std::size_t body);
   double rough_stiffness(std::size_t body) const;
+  const std::optional<RigidOutline>& outline_at(std::size_t slot) const;
   bool add_rough_contacts(std::size_t body, const Collider& collider, double margin,
                           std::vector<Contact>& out) const;
   bool add_rough_pair_contacts(std::size_t a, std::size_t b, double margin, std::vector<Contact>& out) const;

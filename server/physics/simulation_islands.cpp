@@ -245,24 +245,6 @@ void Simulation::Impl::bounce_rigid() {
   }
 }
 
-void Simulation::Impl::recover() {
-  for (std::size_t slot = 0; slot < world.slots(); ++slot) {
-    if (!world.used(slot) || !world.dynamic(slot)) continue;
-    const RigidMotion motion = world.motion(slot);
-    const bool good = is_finite(motion.pose) && motion.linear_velocity.allFinite() &&
-                      motion.angular_velocity.allFinite() &&
-                      motion.pose.p.cwiseAbs().maxCoeff() < max_coordinate;
-    if (good) continue;
-    RigidMotion back = last_good[slot];
-    back.linear_velocity = back.angular_velocity = Vec3::Zero();
-    world.set_motion(slot, back);
-    BodyReport& row = report.bodies.emplace_back();
-    row.body = hand_at(slot) ? "hand" : model.rigid[slot].name;
-    row.reset = true;
-    row.note = "not finite or out of the room: stopped at its last good state";
-  }
-}
-
 /// Whether something would be struck by the body if it took its own shape: a hand, or, unless the body has
 /// its own place, whatever is not part of the room.
 bool Simulation::Impl::is_in_company(std::size_t body) const {

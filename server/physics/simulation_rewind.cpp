@@ -86,8 +86,9 @@ void Simulation::Impl::go_back(const CutEvent& event) {
   }
   for (std::size_t i = 0; i < count; ++i) {
     soft[i].steps_down = steps_down[i];  // the server is as busy as it was
-    std::erase_if(memories[i],
-                  [&](const ContactMemory& m) { return !m.soft && m.body >= model.rigid.size(); });
+    std::erase_if(memories[i], [&](const ContactMemory& m) {
+      return !m.soft && m.body >= model.rigid.size() && !is_room(m.body);
+    });
     revisions[i] = revisions_left[i];
     const std::uint64_t content_hash = model.soft[i]->content_hash();
     if (shown[i] == Shown{content_hash, numberings[i]}) continue;

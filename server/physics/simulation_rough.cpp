@@ -30,6 +30,7 @@ void Simulation::Impl::fit_rough_shape(std::size_t body) {
   for (const RigidModel& r : model.rigid)
     outlines.push_back(r.shape.parts.empty() ? std::nullopt : std::optional(outline_of(r.shape)));
   for (const HandModel& hand : model.hands) outlines.push_back(outline_of(hand.shape));
+  for (const RoomModel& room : model.room) outlines.push_back(outline_of(room.shape));
 }
 
 void Simulation::Impl::place_surface(std::size_t body) {
@@ -50,12 +51,18 @@ double Simulation::Impl::rough_stiffness(std::size_t body) const {
   return model.scene.contact_stiffness * desc.youngs_modulus * std::sqrt(area);
 }
 
+const std::optional<RigidOutline>& Simulation::Impl::outline_at(std::size_t slot) const {
+  const std::size_t first_hand = model.rigid.size(), first_side = first_hand + model.hands.size();
+  if (is_room(slot)) return outlines[first_side + room_side(slot)];
+  const Hand* hand = hand_at(slot);
+  return outlines[hand ? first_hand + hand->side : slot];
+}
+
 bool Simulation::Impl::add_rough_contacts(std::size_t body, const Collider& collider, double margin,
                                           std::vector<Contact>& out) const {
   const RoughShape& own = *rough[body];
   if (!own.box().grown(margin).overlaps({collider.lo, collider.hi})) return false;
-  const Hand* hand = hand_at(collider.slot);
-  const auto& outline = outlines[hand ? model.rigid.size() + hand->side : collider.slot];
+  const auto& outline = outline_at(collider.slot);
   if (!outline) return false;
   std::vector<CollisionPiece> pieces;
   outline->place(collider.pose, collider.part_poses, pieces);

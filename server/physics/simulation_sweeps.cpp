@@ -31,6 +31,7 @@ Collider after(const Collider& collider, double t, const Vec3& drift) {
 }  // namespace
 
 bool Simulation::Impl::is_swept(std::size_t body, const Collider& collider) const {
+  if (is_room(collider.slot)) return false;  // nothing is on its other side
   const bool wanted = model.soft_collision[body].continuous ||
                       (!hand_at(collider.slot) && model.rigid[collider.slot].setup.continuous);
   return wanted &&

@@ -193,9 +193,7 @@ LayerSides read_sides(ByteReader& in, std::size_t bodies) {
   return out;
 }
 
-/// Nothing while nobody made anything of any part: sessions recorded before keep their hashes.
-void add(ByteWriter& out, const std::vector<Part>& parts, const std::vector<Part>& initial) {
-  if (parts == initial) return;
+void add(ByteWriter& out, const std::vector<Part>& parts) {
   for (const Part& part : parts) {
     for (const bool flag : {part.attached, part.hidden, part.lit, part.inspected})
       out.add(static_cast<std::uint8_t>(flag));
@@ -219,6 +217,27 @@ std::vector<Part> read_parts(ByteReader& in, std::vector<Part> parts) {
                "a stiffness out of range");
   }
   return parts;
+}
+
+using LostBodies = std::map<BodyId, std::uint8_t>;
+
+void add(ByteWriter& out, const LostBodies& lost) {
+  out.add(static_cast<std::uint64_t>(lost.size()));
+  for (const auto& [body, times] : lost) {
+    out.add(body);
+    out.add(times);
+  }
+}
+
+LostBodies read_lost(ByteReader& in, std::size_t bodies) {
+  LostBodies lost;
+  if (in.done()) return lost;
+  for (std::size_t left = in.count(bodies); left > 0; --left) {
+    const auto body = in.number<BodyId>();
+    in.require(body < bodies, "a lost body that isn't there");
+    lost[body] = in.number<std::uint8_t>();
+  }
+  return lost;
 }
 
 Hand read_hand(ByteReader& in, const Model& model, std::span<const SoftBody* const> tissues) {
@@ -276,7 +295,9 @@ void Simulation::Impl::save(ByteWriter& out) const {
     out.add(room_lights);
   }
   if (has_layers()) add(out, layer_sides);
-  add(out, parts, initial_parts(soft.size()));
+  // Nothing while nobody made anything of any part and none was lost: earlier sessions keep their hashes.
+  if (parts != initial_parts(soft.size()) || !lost.empty()) add(out, parts);
+  if (!lost.empty()) add(out, lost);
 }
 
 void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
@@ -291,7 +312,7 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
   RestoredCuts cuts(*this);
   if (kind == magic_cut) cuts.read(in);
   const std::vector<const SoftBody*> tissues = cuts.bodies();
-  RigidWorld new_world(model.scene.gravity);
+  RigidWorld new_world(model.scene.gravity, room_sides(model.scene.room));
   for (const RigidModel& r : model.rigid) new_world.add(r.setup, read_motion(in));
   std::vector<SoftBodyState> new_soft;
   for (const SoftBody* body : tissues) new_soft.push_back(read_soft(in, body->initial_state()));
@@ -328,6 +349,7 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
   LayerSides new_sides;
   if (has_layers()) new_sides = read_sides(in, tissues.size());
   std::vector<Part> new_parts = read_parts(in, initial_parts(tissues.size()));
+  LostBodies new_lost = read_lost(in, model.rigid.size() + tissues.size());
   in.require(in.done(), "more than a checkpoint holds");
   cuts.take_effect();
   time = new_time;
@@ -336,6 +358,7 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
   memories = std::move(new_memories);
   hands = std::move(new_hands);
   parts = std::move(new_parts);
+  lost = std::move(new_lost);
   layer_sides = std::move(new_sides);
   panels = std::move(new_panels);
   room_lights = new_lights;

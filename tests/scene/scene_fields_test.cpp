@@ -127,5 +127,21 @@ TEST(SceneFields, ManualIsTheOneCommitted) {
   EXPECT_EQ(generated.str(), committed) << "mend it with: prosector-scene --manual > docs/scene.md";
 }
 
+TEST(SceneFields, EverySceneFileHasARoomThatCollidesUnlessItSaysNot) {
+  const auto room_of = [](const std::string& text) {
+    return parse_scene("name = \"s\"\n" + text, "s.toml").room;
+  };
+  const auto whole = room_of("");
+  ASSERT_TRUE(whole);
+  EXPECT_TRUE(whole->floor && whole->walls);
+  const auto no_floor = room_of("[room]\nfloor = false\n");
+  EXPECT_TRUE(no_floor && !no_floor->floor && no_floor->walls);
+  const auto no_walls = room_of("[room]\nwalls = false\n");
+  EXPECT_TRUE(no_walls && no_walls->floor && !no_walls->walls);
+  EXPECT_FALSE(SceneDesc().room) << "in code, nobody asked for one";
+  EXPECT_NE(complaint("name = \"s\"\n[room]\nceiling = true\n").find("ceiling"), std::string::npos);
+  EXPECT_NE(complaint("name = \"s\"\n[room]\nfloor = 1\n").find("true or false"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace prosector

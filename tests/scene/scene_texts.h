@@ -18,6 +18,7 @@ inline std::string scene_with(const std::string& table, const std::string& line)
       {"", "name = \"s\"\n"},
       {"[session]", "[session]\n"},
       {"[hand]", "[hand]\n"},
+      {"[room]", "[room]\n"},
       {"[camera]", "[camera]\n"},
       {"[[rigid]]", "[[rigid]]\nname = \"r\"\nvolume = \"v.inr\"\n"},
       {"[[rigid.fracture]]", "[[rigid.fracture]]\n"},

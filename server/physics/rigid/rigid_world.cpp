@@ -8,6 +8,7 @@
 
 #include "server/physics/rigid/bullet_shape.h"
 #include "server/physics/rigid/bullet_types.h"
+#include "server/physics/rigid/room_contacts.h"
 #include "server/physics/rotation.h"
 
 namespace prosector {
@@ -22,6 +23,8 @@ constexpr btScalar lost_per_second = 0.98F;          // of the speed of what han
 std::size_t slot_of(const btCollisionObject* object) {
   return static_cast<std::size_t>(object->getUserIndex());
 }
+
+constexpr CollisionMask room_mask{~0U, ~0U};  // whoever touches anything touches the room
 
 constexpr double ccd_share = 0.5;  // of a body's least half extent: the ball that Bullet sweeps ahead
 
@@ -142,11 +145,13 @@ struct RigidWorld::Impl {
   btSequentialImpulseConstraintSolver solver;
   PairFilter filter;
   PhasedWorld world{&dispatcher, &broadphase, &solver, &configuration};
+  RoomContacts room;
   std::vector<Body> bodies;
   std::vector<char> coupled;
   std::vector<MixedIsland> mixed;
 
-  explicit Impl(const Vec3& gravity) {
+  Impl(const Vec3& gravity, std::span<const RoomSide> sides) : room(dispatcher, sides) {
+    configuration.setPlaneConvexMultipointIterations();
     btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
     world.setGravity(to_bullet(gravity));
     broadphase.getOverlappingPairCache()->setOverlapFilterCallback(&filter);
@@ -169,7 +174,8 @@ struct RigidWorld::Impl {
   }
 };
 
-RigidWorld::RigidWorld(const Vec3& gravity) : impl_(std::make_unique<Impl>(gravity)) {}
+RigidWorld::RigidWorld(const Vec3& gravity, std::span<const RoomSide> room)
+    : impl_(std::make_unique<Impl>(gravity, room)) {}
 RigidWorld::~RigidWorld() = default;
 RigidWorld::RigidWorld(RigidWorld&&) noexcept = default;
 RigidWorld& RigidWorld::operator=(RigidWorld&&) noexcept = default;
@@ -213,6 +219,7 @@ void RigidWorld::remove(std::size_t slot) {
   for (auto& other : impl_->bodies)
     if (other.body && other.body.get() != &impl_->at(slot))
       other.body->setIgnoreCollisionCheck(&impl_->at(slot), false);
+  impl_->room.forget(slot);
   impl_->world.removeRigidBody(&impl_->at(slot));
   impl_->bodies[slot].body.reset();
   impl_->bodies[slot].shape = {};
@@ -226,16 +233,17 @@ bool RigidWorld::used(std::size_t slot) const {
   return slot < impl_->bodies.size() && impl_->bodies[slot].body != nullptr;
 }
 bool RigidWorld::dynamic(std::size_t slot) const {
-  return !impl_->at(slot).isStaticObject();
+  return !is_room(slot) && !impl_->at(slot).isStaticObject();
 }
 const CollisionMask& RigidWorld::mask(std::size_t slot) const {
-  return impl_->bodies[slot].setup.mask;
+  return is_room(slot) ? room_mask : impl_->bodies[slot].setup.mask;
 }
 
 void RigidWorld::set_presence(std::size_t slot, BodyPresence presence) {
   Impl::Body& b = impl_->bodies[slot];
   if (b.presence == presence) return;
   b.presence = presence;
+  impl_->room.forget(slot);
   impl_->world.removeRigidBody(b.body.get());
   const bool stays = presence != BodyPresence::free || !(b.setup.mass > 0);
   b.body->setMassProps(stays ? 0 : static_cast<btScalar>(b.setup.mass),
@@ -307,7 +315,8 @@ void RigidWorld::drive(std::size_t slot, const Pose& to, double h) {
 }
 
 const std::optional<Pose>& RigidWorld::driven_to(std::size_t slot) const {
-  return impl_->bodies[slot].driven_to;
+  static const std::optional<Pose> stands_still;
+  return is_room(slot) ? stands_still : impl_->bodies[slot].driven_to;
 }
 
 void RigidWorld::set_part_pose(std::size_t slot, std::size_t part, const Pose& pose) {
@@ -340,6 +349,10 @@ std::pair<Vec3, Vec3> RigidWorld::bounds(std::size_t slot, double margin) const 
 
 void RigidWorld::detect(double h) {
   impl_->world.detect(static_cast<btScalar>(h));
+  for (std::size_t slot = 0; slot < slots(); ++slot)
+    if (used(slot))
+      impl_->room.detect(slot, impl_->at(slot), impl_->bodies[slot].setup.passes,
+                         impl_->world.getDispatchInfo());
 }
 
 void RigidWorld::find_islands(std::span<const std::pair<std::size_t, std::size_t>> links,

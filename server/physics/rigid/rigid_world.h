@@ -13,6 +13,7 @@
 
 #include "common/hash.h"
 #include "server/physics/collision/collision_mask.h"
+#include "server/physics/rigid/room.h"
 #include "server/physics/rigid/shape.h"
 
 namespace prosector {
@@ -26,6 +27,7 @@ struct RigidSetup {
   bool hand = false;      // no gravity, never sleeps, passes through other hands
   bool balanced = false;  // no gravity, and a resistance that soon stops it
   CollisionMask mask;
+  RoomSides passes = 0;  // of the room: it goes through these
   bool continuous =
       false;  // stopped at the time of impact, where its shape is one convex piece around its centre
 };
@@ -63,7 +65,9 @@ struct MixedIsland {
 
 class RigidWorld {
  public:
-  explicit RigidWorld(const Vec3& gravity);
+  /// `room`: what collides of the room around the bodies. Side i is told of in
+  /// contacts as room_slot(i), and is asked about by it: dynamic(), mask() and driven_to() know it.
+  explicit RigidWorld(const Vec3& gravity, std::span<const RoomSide> room = {});
   ~RigidWorld();
   RigidWorld(RigidWorld&&) noexcept;
   RigidWorld& operator=(RigidWorld&&) noexcept;
