@@ -16,6 +16,9 @@
 namespace prosector {
 namespace {
 
+constexpr const char* shaders_help =
+    "Draw with this folder's shaders (default: $PROSECTOR_SHADERS, else the program's own)";
+
 const std::map<std::string, Display> displays = {{"window", Display::window},
                                                  {"stereo", Display::stereo},
                                                  {"offscreen", Display::offscreen},
@@ -129,8 +132,9 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
       ->check(CLI::Range(0.1, 86400.0))
       ->needs(sheet)
       ->group("Pictures");
-  app.add_option("--shaders", o.shaders, "Folder of the shaders")->group("Pictures");
-  app.add_flag("--watch-shaders", o.watch_shaders, "Read the shaders anew whenever one of them is written")
+  app.add_option("--shaders", o.shaders, shaders_help)->group("Pictures");
+  app.add_flag("--watch-shaders", o.watch_shaders,
+               "Read the shaders anew whenever one of their folder is written")
       ->group("Pictures");
   app.add_flag("!--no-overlay", o.overlay, "Leave out figures and axes")->group("Pictures");
   app.add_flag("--wireframes", o.wireframes, "Draw what bodies collide as, in white lines")
@@ -178,7 +182,7 @@ void add_render(CLI::App& app, RenderOptions& o, RawOptions& raw) {
   app.add_option("--effect", raw.effects, "NAME=on or NAME=off (repeatable): " + effect_names(", "));
   add_detail_option(app, raw);
   app.add_option("--size", raw.size, "Picture size, WIDTHxHEIGHT (default 640x480)");
-  app.add_option("--shaders", o.shaders, "Folder of the shaders");
+  app.add_option("--shaders", o.shaders, shaders_help);
 }
 
 void parse_size(const std::string& text, int& width, int& height) {
@@ -279,6 +283,8 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   if (o.bus.profile.empty() && !o.bus.peers.empty()) o.bus.profile = "wan";
   o.bus.end = o.join.role == Role::observer ? BusEnd::observer : BusEnd::dissector;
   if (o.shaders.empty()) o.shaders = default_shader_dir();
+  if (o.watch_shaders && o.shaders.empty())
+    throw InputError("--watch-shaders: name the folder to watch with --shaders");
 }
 
 }  // namespace

@@ -42,8 +42,9 @@ inline constexpr std::array<QualityLevel, 3> quality_levels = {
 /// with and without a window; with a window, `draw` also copies it there (call present() to show it).
 class Renderer {
  public:
-  /// `context` outlives the renderer. `shaders` is the folder with the GLSL files (default_shader_dir()).
-  /// Throws InputError with file and line when one does not compile.
+  /// `context` outlives the renderer. `shaders` is the folder with the GLSL files (default_shader_dir());
+  /// empty: those that are part of the program. Throws InputError with file and line when one does not
+  /// compile.
   Renderer(GlContext& context, const std::filesystem::path& shaders, const RendererSettings& settings = {});
   ~Renderer();
 

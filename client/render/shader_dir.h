@@ -4,8 +4,7 @@
 
 namespace prosector {
 
-/// The first that exists of: $PROSECTOR_SHADERS, the source tree's shaders/, the installed one. When
-/// $PROSECTOR_SHADERS is set it is taken as it is. Throws InputError saying where it looked.
+/// $PROSECTOR_SHADERS as it is; empty when it is unset: the shaders that are part of the program.
 std::filesystem::path default_shader_dir();
 
 }  // namespace prosector

@@ -8,10 +8,27 @@
 #include <optional>
 #include <sstream>
 
+#include "common/embedded_file.h"
 #include "common/error.h"
 
 namespace prosector {
+
+extern const std::span<const EmbeddedFile> shipped_shaders;
+
 namespace {
+
+/// Of a shader in the folder, or of that of the program's own where the folder is empty; none when it can't
+/// be read.
+std::optional<std::string> text_of(const std::filesystem::path& folder, const std::string& file) {
+  if (folder.empty()) {
+    const auto text = find_embedded(shipped_shaders, file);
+    return text ? std::optional<std::string>(*text) : std::nullopt;
+  }
+  std::ifstream in(folder / file);
+  std::ostringstream text;
+  if (!in || !(text << in.rdbuf())) return std::nullopt;
+  return text.str();
+}
 
 /// The FILE of a line `#include "FILE"`; none on any other line.
 std::optional<std::string> included_file(const std::string& line) {
@@ -43,12 +60,13 @@ void append_file(const std::filesystem::path& folder, const std::string& file, S
   const std::filesystem::path path = folder / file;
   if (std::find(source.files.begin(), source.files.end(), path) != source.files.end())
     throw InputError(fmt::format("{}: shader {} is included twice", included_from, path.string()));
-  std::ifstream in(path);
-  if (!in) throw InputError(fmt::format("{}: cannot read shader {}", included_from, path.string()));
+  const auto text = text_of(folder, file);
+  if (!text) throw InputError(fmt::format("{}: cannot read shader {}", included_from, path.string()));
   const std::size_t number = source.files.size();
   source.files.push_back(path);
   source.text += fmt::format("#line 1 {}\n", number);
 
+  std::istringstream in(*text);
   std::string line;
   for (int line_number = 1; std::getline(in, line); ++line_number) {
     if (const auto included = included_file(line)) {

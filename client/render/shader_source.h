@@ -8,14 +8,14 @@
 namespace prosector {
 
 /// A shader's text after `#include "file"` (relative to the shader folder) was replaced. `files[n]` is source
-/// string n of its #line directives.
+/// string n of its #line directives; of a shader that is part of the program it is the bare name.
 struct ShaderSource {
   std::string text;
   std::vector<std::filesystem::path> files;
 };
 
-/// `defines` are macros as "NAME" or "NAME VALUE". Throws InputError when a file is missing or includes
-/// itself.
+/// Reads from the folder; an empty one stands for the shaders that are part of the program. `defines` are
+/// macros as "NAME" or "NAME VALUE". Throws InputError when a file is missing or includes itself.
 ShaderSource load_shader_source(const std::filesystem::path& folder, const std::string& file,
                                 const std::vector<std::string>& defines);
 

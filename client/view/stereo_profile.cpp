@@ -9,15 +9,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <optional>
 #include <vector>
 
+#include "common/embedded_file.h"
 #include "common/error.h"
 #include "common/regular_file.h"
 #include "common/toml_nesting.h"
 
 namespace prosector {
+
+extern const std::span<const EmbeddedFile> shipped_stereo_profiles;
+
 namespace {
 
 struct NumberField {
@@ -94,10 +99,8 @@ class ProfileReader {
 
 std::vector<std::string> shipped_profiles() {
   std::vector<std::string> out;
-  std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(stereo_profile_dir(), none))
-    if (entry.path().extension() == ".toml") out.push_back(entry.path().stem().string());
-  std::sort(out.begin(), out.end());
+  for (const EmbeddedFile& file : shipped_stereo_profiles)
+    out.push_back(std::filesystem::path(file.name).stem().string());
   return out;
 }
 
@@ -113,18 +116,15 @@ StereoProfile parse_stereo_profile(std::string_view toml, const std::string& fil
 }
 
 StereoProfile load_stereo_profile(const std::string& profile) {
-  std::filesystem::path file = profile;
-  if (!std::filesystem::exists(file)) file = stereo_profile_dir() / (profile + ".toml");
-  if (!std::filesystem::exists(file))
-    throw InputError(fmt::format("stereo profile {}: no such file, nor one of those shipped: {}", profile,
-                                 fmt::join(shipped_profiles(), ", ")));
+  if (!std::filesystem::exists(profile)) {
+    const auto shipped = find_embedded(shipped_stereo_profiles, profile + ".toml");
+    if (!shipped)
+      throw InputError(fmt::format("stereo profile {}: no such file, nor one of those shipped: {}", profile,
+                                   fmt::join(shipped_profiles(), ", ")));
+    return parse_stereo_profile(*shipped, profile);
+  }
   constexpr std::size_t max_bytes = 1 << 20;
-  return parse_stereo_profile(read_regular_file(file, max_bytes), file.string());
-}
-
-std::filesystem::path stereo_profile_dir() {
-  const std::filesystem::path source_tree = PROSECTOR_SOURCE_STEREO;
-  return std::filesystem::is_directory(source_tree) ? source_tree : PROSECTOR_INSTALLED_STEREO;
+  return parse_stereo_profile(read_regular_file(profile, max_bytes), profile);
 }
 
 }  // namespace prosector

@@ -1,7 +1,6 @@
 #pragma once
 // A stereo display: two pictures side by side, as a file in deploy/stereo describes it.
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -27,8 +26,5 @@ StereoProfile parse_stereo_profile(std::string_view toml, const std::string& fil
 /// `profile`: a file, or the name of one of those shipped ("5dt_hmd_800_26"). Throws InputError as above, or
 /// naming those that are shipped.
 StereoProfile load_stereo_profile(const std::string& profile);
-
-/// Folder of the shipped profiles: the source tree's, else the installed one.
-std::filesystem::path stereo_profile_dir();
 
 }  // namespace prosector

@@ -259,10 +259,29 @@ TEST(Renderer, CullsOnlyWhatNoCameraSees) {
   EXPECT_FALSE(frustum.may_see({{0, 0, -40}, 0.1})) << "beyond the far plane";
 }
 
+const std::filesystem::path source_shaders = PROSECTOR_SOURCE_SHADERS;
+
+TEST(Renderer, CarriesItsShadersAndReadsAFolderInTheirPlace) {
+  std::size_t read = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(source_shaders)) {
+    if (entry.path().extension() == ".glsl") continue;
+    const std::string file = entry.path().filename().string();
+    const ShaderSource carried = load_shader_source({}, file, {"EFFECT_FILM"});
+    const ShaderSource in_folder = load_shader_source(source_shaders, file, {"EFFECT_FILM"});
+    EXPECT_EQ(carried.text, in_folder.text) << file;
+    EXPECT_EQ(carried.files.front(), file);
+    EXPECT_EQ(in_folder.files.front(), entry.path());
+    ++read;
+  }
+  EXPECT_GE(read, 10u);
+  EXPECT_THROW((void)load_shader_source({}, "no_such.frag", {}), InputError);
+  EXPECT_THROW((void)load_shader_source("/nonexistent", "main.frag", {}), InputError);
+}
+
 TEST(Renderer, NamesTheFileAndLineOfAShaderError) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "prosector_bad_shaders";
   std::filesystem::remove_all(folder);
-  std::filesystem::copy(default_shader_dir(), folder, std::filesystem::copy_options::recursive);
+  std::filesystem::copy(source_shaders, folder, std::filesystem::copy_options::recursive);
   std::ofstream(folder / "noise.glsl", std::ios::app) << "\nfloat broken() { return nonsense; }\n";
   std::ifstream in(folder / "noise.glsl");
   const auto lines = std::count(std::istreambuf_iterator<char>(in), {}, '\n');
@@ -283,7 +302,7 @@ TEST(Renderer, NamesTheFileAndLineOfAShaderError) {
 TEST(Renderer, ReadsShadersAnewAndKeepsTheOldOnesWhenTheNewAreBroken) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "prosector_new_shaders";
   std::filesystem::remove_all(folder);
-  std::filesystem::copy(default_shader_dir(), folder, std::filesystem::copy_options::recursive);
+  std::filesystem::copy(source_shaders, folder, std::filesystem::copy_options::recursive);
   const auto context = make_offscreen_context(60, 60);
   RendererSettings plain;
   plain.effects.reset();
@@ -308,7 +327,7 @@ TEST(Renderer, ReadsShadersAnewAndKeepsTheOldOnesWhenTheNewAreBroken) {
   EXPECT_TRUE(renderer.read_pixels() == before) << "the old ones draw on";
   EXPECT_EQ(renderer.reload_changed_shaders(), std::nullopt) << "told once";
 
-  std::filesystem::copy(default_shader_dir() / "color.glsl", folder / "color.glsl",
+  std::filesystem::copy(source_shaders / "color.glsl", folder / "color.glsl",
                         std::filesystem::copy_options::overwrite_existing);
   append("\n#define with_brightness(shown) vec4(0.0, 1.0, 0.0, 1.0)\n");
   EXPECT_TRUE(renderer.reload_changed_shaders());

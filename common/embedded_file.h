@@ -1,0 +1,25 @@
+#pragma once
+// Files that are part of the program, so that nothing has to be found at run time (common/embed_files.cmake).
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace prosector {
+
+struct EmbeddedFile {
+  std::string_view name;  // without its folder
+  std::string_view text;
+};
+
+/// The text of the file with that name; none when there is no such file.
+inline std::optional<std::string_view> find_embedded(std::span<const EmbeddedFile> files,
+                                                     std::string_view name) {
+  const auto found =
+      std::find_if(files.begin(), files.end(), [&](const EmbeddedFile& file) { return file.name == name; });
+  if (found == files.end()) return std::nullopt;
+  return found->text;
+}
+
+}  // namespace prosector
