@@ -21,7 +21,7 @@ away() {
   (cd "$work" && env -i HOME="$work/home" PATH="$there/bin:/usr/bin:/bin" "${hidden[@]}" "$@")
 }
 hidden=()
-hide=(unshare --map-root-user --mount bash -c 'mount -t tmpfs none "$0" && mount -t tmpfs none "$1" && shift 1 && exec "$@"'
+hide=(unshare --map-root-user --mount bash -c 'mount -t tmpfs none "$0" && { [ ! -d "$1" ] || mount -t tmpfs none "$1"; } && shift && exec "$@"'
   "$source" "$build")
 if "${hide[@]}" true 2>/dev/null; then
   hidden=("${hide[@]}")
