@@ -1,6 +1,6 @@
 # What `cmake --install` installs. Programs carry their shaders, DDS profiles and stereo profiles in them: the files beside them
 # are to start from.
-set(programs prosector-server prosector-client prosector-scene prosector-fastrak-twin prosector-5dt-twin)
+set(programs prosector-server prosector-client prosector-scene prosector-import prosector-fastrak-twin prosector-5dt-twin)
 if(PROSECTOR_TESTS)
   list(APPEND programs prosector-bench)
 endif()

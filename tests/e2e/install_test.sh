@@ -29,10 +29,10 @@ else
   echo "note: no mount namespace here; source and build tree can be seen"
 fi
 
-for program in server client scene bench fastrak-twin 5dt-twin; do
+for program in server client scene import bench fastrak-twin 5dt-twin; do
   file=$there/bin/prosector-$program
   [ -x "$file" ] || fail "prosector-$program is not installed"
-  away "prosector-$program" --help >"$work/help" || fail "prosector-$program --help"
+  away "prosector-$program" --version >"$work/version" || fail "prosector-$program --version"
   ! readelf -d "$file" | grep -E 'R(UN)?PATH' || fail "prosector-$program looks for libraries in a fixed place"
   for tree in "$source" "$build"; do
     ! strings -d "$file" | grep -F "$tree" || fail "prosector-$program names $tree"
