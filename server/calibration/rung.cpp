@@ -94,7 +94,8 @@ class RungSpecimen final : public Specimen {
       member.note = "reset: not finite or out of the room";
     }
     count_quiet_ticks(member);
-    if (unfold_if_tangled(member, !gravity.isZero(), body_.initial_state().motion.x, dt, 1))
+    if (unfold_if_tangled(member, {.company = !gravity.isZero(), .touched = false},
+                          body_.initial_state().motion.x, dt, 1))
       figures.reset = true;
     figures.note = member.note;
     return figures;

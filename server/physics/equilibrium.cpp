@@ -80,7 +80,6 @@ void Simulation::Impl::relax(std::span<const std::size_t> bodies) {
         if (other >= body && may_meet(body, other))
           add_pair_contacts(body, other, relaxation_margin, island.contacts);
     }
-    watch_flat_elements(island, false);
     for (const std::size_t body : bodies) model.soft[body]->set_relaxed(true);
     const IslandReport solved = solver.solve(island, relaxation_step, model.scene.gravity);
     double moved = 0;

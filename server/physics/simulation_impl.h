@@ -17,6 +17,7 @@
 #include "server/physics/contact/shape_touch.h"
 #include "server/physics/contact/soft_meeting.h"
 #include "server/physics/contact/surface_detector.h"
+#include "server/physics/coupled/recovery.h"
 #include "server/physics/coupled/step_island.h"
 #include "server/physics/fracture.h"
 #include "server/physics/hands/finger_drive.h"
@@ -154,7 +155,7 @@ struct Simulation::Impl : PanelSubjects {
   /// Part of it: the friction of an island's last contact becomes that of a patch, if it is a finger's.
   void spread_over_pad(const RigidContact& touch, std::size_t island);
   void place_pads(std::vector<RigidContact>& touches, std::size_t slot) const;  // before that, if it's a hand
-  void watch_flat_elements(Island& island, bool ahead);                         // part of it
+  void watch_flat_elements(Island& island);                                     // part of it
   void solve_islands();
   void keep_pads();  // part of it
   void bounce_rigid();
@@ -163,7 +164,7 @@ struct Simulation::Impl : PanelSubjects {
   void bring_back(BodyId body);  // part of it
   Aabb within_reach() const;     // likewise: what is beyond is lost
   void unfold_tangles();
-  bool is_in_company(std::size_t body) const;  // part of it
+  Surroundings surroundings_of(std::size_t body) const;  // part of it
   void fall_asleep();
   void describe();
   StoredEnergy stored_in(std::size_t body) const;  // part of it

@@ -141,7 +141,7 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
     Island& island = islands[*island_of_group[soft_group[pair.a]]];
     island.contacts.insert(island.contacts.end(), pair.contacts.begin(), pair.contacts.end());
   }
-  for (Island& island : islands) watch_flat_elements(island, true);
+  for (Island& island : islands) watch_flat_elements(island);
   const auto driven = [&](const ContactSide& side) {
     return side.kind == ContactSide::Kind::fixed && world.driven_to(side.body);
   };
@@ -181,17 +181,15 @@ void Simulation::Impl::gather(const std::vector<MixedIsland>& mixed) {
   }
 }
 
-/// Of solids that something has crushed, and, `ahead` of that, of those that meet other soft bodies.
-void Simulation::Impl::watch_flat_elements(Island& island, bool ahead) {
-  const auto met = static_cast<std::ptrdiff_t>(island.contacts.size());
+/// Of solids that meet other soft bodies.
+void Simulation::Impl::watch_flat_elements(Island& island) {
+  const std::size_t met = island.contacts.size();
   for (const SoftMember& s : island.soft) {
-    bool touched = false, meets = false;
-    for (auto c = island.contacts.begin(); c != island.contacts.begin() + met; ++c) {
-      const bool own = c->a.kind == ContactSide::Kind::soft && c->a.body == s.index;
-      touched = touched || own;
-      meets = meets || (ahead && between_soft(*c) && (own || c->b.body == s.index));
-    }
-    if (!meets && !(touched && s.body->inverted_share(s.state->motion.x) > 0)) continue;
+    if (std::none_of(island.contacts.begin(), island.contacts.begin() + static_cast<std::ptrdiff_t>(met),
+                     [&](const Contact& c) {
+                       return between_soft(c) && (c.a.body == s.index || c.b.body == s.index);
+                     }))
+      continue;
     const double stiffness = model.scene.contact_stiffness * s.body->desc().youngs_modulus;
     find_flat_elements(s.body->linear_tets(), s.state->motion.x, s.state->motion.v,
                        {s.index, stiffness, step_h}, island.contacts);
@@ -245,18 +243,20 @@ void Simulation::Impl::bounce_rigid() {
   }
 }
 
-/// Whether something would be struck by the body if it took its own shape: a hand, or, unless the body has
-/// its own place, whatever is not part of the room.
-bool Simulation::Impl::is_in_company(std::size_t body) const {
+/// What the body would strike if it took its own shape: a hand, or, unless it has its own place, whatever is
+/// not part of the room.
+Surroundings Simulation::Impl::surroundings_of(std::size_t body) const {
   const auto by_hand = [&](const Contact& c) { return hand_at(c.b.body) != nullptr; };
-  if (std::any_of(soft_contacts[body].begin(), soft_contacts[body].end(), by_hand)) return true;
-  for (const Hand& hand : hands)
-    if (hand.hold && hand.hold->body == soft_id(body)) return true;
-  if (model.soft[body]->attached()) return false;
-  return std::any_of(soft_pairs.begin(), soft_pairs.end(),
-                     [&](const SoftPair& pair) { return pair.a == body || pair.b == body; }) ||
-         std::any_of(soft_contacts[body].begin(), soft_contacts[body].end(),
-                     [](const Contact& c) { return c.b.kind == ContactSide::Kind::rigid; });
+  const auto by_loose = [](const Contact& c) { return c.b.kind == ContactSide::Kind::rigid; };
+  const std::vector<Contact>& touches = soft_contacts[body];
+  const bool held = std::any_of(hands.begin(), hands.end(), [&](const Hand& hand) {
+    return hand.hold && hand.hold->body == soft_id(body);
+  });
+  const bool met = std::any_of(soft_pairs.begin(), soft_pairs.end(),
+                               [&](const SoftPair& pair) { return pair.a == body || pair.b == body; });
+  const bool by_people = held || std::any_of(touches.begin(), touches.end(), by_hand);
+  const bool loose = met || std::any_of(touches.begin(), touches.end(), by_loose);
+  return {by_people || (loose && !model.soft[body]->attached()), held || met || !touches.empty()};
 }
 
 void Simulation::Impl::unfold_tangles() {
@@ -265,7 +265,7 @@ void Simulation::Impl::unfold_tangles() {
     for (SoftMember& s : island.soft) {
       const Vec3 up = -model.scene.gravity.normalized();
       const double lowest = height_of_lowest(s.state->motion.x, up);
-      if (!unfold_if_tangled(s, is_in_company(s.index), equilibrium[s.index], step_h, tangle_check_ticks))
+      if (!unfold_if_tangled(s, surroundings_of(s.index), equilibrium[s.index], step_h, tangle_check_ticks))
         continue;
       VecX& x = s.state->motion.x;
       if (s.body->attached())

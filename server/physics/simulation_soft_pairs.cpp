@@ -16,18 +16,6 @@ constexpr double most_pressure = 4;
 constexpr double parting_speed = 0.25;    // m/s
 constexpr double parting_pressure = 0.5;  // times the softer body's Young's modulus
 
-void leave_out(const std::vector<char>& vertices, const std::vector<char>& corners,
-               const TriangleMesh& surface, std::vector<VertexMeeting>& meetings) {
-  const auto doubtful = [](const std::vector<char>& marks, std::uint32_t vertex) {
-    return !marks.empty() && marks[vertex] != 0;
-  };
-  std::erase_if(meetings, [&](const VertexMeeting& m) {
-    const auto& t = surface.triangles[m.at.triangle];
-    return doubtful(vertices, m.vertex) ||
-           std::any_of(t.begin(), t.end(), [&](std::uint32_t corner) { return doubtful(corners, corner); });
-  });
-}
-
 }  // namespace
 
 bool Simulation::Impl::may_meet(std::size_t a, std::size_t b) const {
@@ -105,8 +93,6 @@ bool Simulation::Impl::add_pair_contacts(std::size_t a, std::size_t b, double ma
     meetings.clear();
     find_meetings(own, other, margin, meetings);
     deep = deep || may_be_immersed(own, other, meetings);
-    if (!meetings.empty())
-      leave_out(inside_out_of(from), inside_out_of(to), model.soft[to]->anatomy().surface, meetings);
     for (const VertexMeeting& meeting : meetings) out.push_back(pair_contact(from, to, meeting));
   };
   add(a, b, first, second);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/paths.h"
+#include "common/scene/load_scene.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 #include "tests/play/judge.h"
@@ -41,6 +43,32 @@ TEST(Collapse, TouchedBarHangsAgainWhereItHungUnderItsOwnLaw) {
   run(simulation, 1200);
   EXPECT_FALSE(simulation.soft_state(1).recovering);
   EXPECT_LT((simulation.soft_state(1).motion.x - hung).lpNorm<Eigen::Infinity>(), 0.02 * sunk);
+}
+
+/// The hand of a mouse at a desk: thrown into the kidney from above, then through kidney and liver.
+TEST(Collapse, OrgansThatAHandSweptIntoEachOtherComeApart) {
+  SceneDesc scene = load_scene(PROSECTOR_SCENES "/touch.toml");
+  CompileOptions compiled;
+  compiled.threads = 1;
+  compiled.data_dirs = {default_data_dir()};
+  Simulation simulation(scene, compiled);
+  const Judge judge(simulation);
+  const Quat turned(0.94299303515446342, -0.24078565588303089, -0.22261045644208774, -0.05684178264091478);
+  const auto hold = [&](const Vec3& at, int ticks) { run(simulation, ticks, target(at, turned, 0.1)); };
+  run(simulation, 1, appear({0.25088226795196533, 1.4097791910171509, 0.06940777599811554}, turned));
+  hold({0.25088226795196533, 1.4097791910171509, 0.06940777599811554}, 10);
+  hold({0.059637568891048431, 0.95025956630706787, 0.14710028469562531}, 122);
+  hold({-0.18559081852436066, 1.0115559101104736, -0.0185711570084095}, 2);
+  simulation.checkpoint();  // as the session did
+  hold({-0.18559081852436066, 1.0115559101104736, -0.0185711570084095}, 240);
+  TickInput gone;
+  gone.events.push_back({HandEvent::Kind::vanish, somebody, right_hand});
+  run(simulation, 1, gone);
+  run(simulation, 300);
+  const Finding found = judge.look(simulation);
+  EXPECT_TRUE(found.good()) << found.where;
+  EXPECT_EQ(found.inverted, 0);
+  EXPECT_LT(found.overlap, 2e-3);
 }
 
 /// A cube that bears nearly what buckles it.

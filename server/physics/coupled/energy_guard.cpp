@@ -9,7 +9,7 @@ namespace {
 
 constexpr double slack_halved = 2;     // s: longer than the swings of soft organs
 constexpr double least_kept = 0.9;     // of the slack, a tick, however long
-constexpr double most_slack = 0.05;    // of the energy
+constexpr double most_slack = 8e-3;    // of the energy
 constexpr double allowance = 1e-5;     // of the energy at the start
 constexpr double least_strain = 1e-6;  // whose energy is rounding
 constexpr int halvings = 10;

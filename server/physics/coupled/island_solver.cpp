@@ -113,7 +113,7 @@ bool all_held(const Island& island) {
 struct IslandSolver::Limits {
   int newton = rigid_newton_iterations;
   bool alone = true;        // nothing touches or holds: each body's energy is watched
-  bool in_company = false;  // else, but for what has a history of stress: the island's is
+  bool in_company = false;  // else the island's is, but for what has a history of stress or is driven
   bool several = false;     // soft bodies
   bool held = false;        // nothing moves freely: no momentum has to add up
   bool careful = false;     // exact tangents from the first on, long searches
@@ -130,7 +130,7 @@ IslandSolver::Limits IslandSolver::limits_of(const Island& island) {
   if (!solver) solver = make_solver(name);
   limits.solver = solver.get();
   limits.alone = island.contacts.empty() && island.ties.empty() && !relaxing(island);
-  limits.in_company = !limits.alone && solid(island) && !relaxing(island);
+  limits.in_company = !limits.alone && solid(island) && !relaxing(island) && !island.driven;
   limits.several = island.soft.size() > 1;
   limits.held = all_held(island);
   limits.enough = enough(island);

@@ -119,8 +119,10 @@ void count_quiet_ticks(SoftMember& s) {
   s.state->quiet_ticks = speed < quiet_speed ? std::min(s.state->quiet_ticks + 1, quiet_ticks_to_sleep) : 0;
 }
 
-bool unfold_if_tangled(SoftMember& s, bool held, const VecX& equilibrium, double h, int ticks) {
-  const bool tangled = !held && (ruined(*s.body, s) > 0 || stuck(s, equilibrium) || falsely_turned(s));
+bool unfold_if_tangled(SoftMember& s, const Surroundings& about, const VecX& equilibrium, double h,
+                       int ticks) {
+  const bool tangled = !about.company && (ruined(*s.body, s) > 0 ||
+                                          (!about.touched && (stuck(s, equilibrium) || falsely_turned(s))));
   const bool quiet = s.state->quiet_ticks == quiet_ticks_to_sleep;
   s.state->tangled_ticks = tangled ? s.state->tangled_ticks + ticks : 0;
   if (s.state->tangled_ticks * h < (quiet ? tangled_seconds : struggling_seconds)) return false;

@@ -24,10 +24,17 @@ bool may_sleep(const SoftMember& member);
 inline constexpr int quiet_ticks_to_sleep = 30;
 void count_quiet_ticks(SoftMember& member);
 
-/// After a tick of h s, once every `ticks`: puts a body that nothing touches or holds (`held`) and that for a
-/// second has been quiet, inside out or in another shape than `equilibrium` (3n, m), or for four inside out
-/// however it moved or a crumpled sheet or rope, into its rest shape where it is, and says so. True when it
+/// What is about a body that may be unfolded.
+struct Surroundings {
+  bool company = false;  // a hand, or another body that its own shape would strike
+  bool touched = false;  // by anything, the room too: it may be kept from its own shape for good
+};
+
+/// After a tick of h s, once every `ticks`: puts a body into its rest shape where it is, and says so, that
+/// for a second has been quiet and inside out, or quiet and untouched in another shape than `equilibrium`
+/// (3n, m), or for four inside out however it moved or a crumpled sheet or rope. Not in company. True when it
 /// did.
-bool unfold_if_tangled(SoftMember& member, bool held, const VecX& equilibrium, double h, int ticks);
+bool unfold_if_tangled(SoftMember& member, const Surroundings& about, const VecX& equilibrium, double h,
+                       int ticks);
 
 }  // namespace prosector
