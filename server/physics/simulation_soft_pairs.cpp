@@ -118,8 +118,8 @@ const std::vector<char>& Simulation::Impl::inside_out_of(std::size_t body) {
 
 void Simulation::Impl::part(std::size_t a, std::size_t b, std::size_t before, std::vector<Contact>& out) {
   const SoftSkin first = skin(a), second = skin(b);
-  const Immersion of_a = find_immersion(first, second, inside_out_of(a));
-  const Immersion of_b = find_immersion(second, first, inside_out_of(b));
+  const Immersion of_a = find_immersion(first, second, inside_out_of(a), inside_out_of(b));
+  const Immersion of_b = find_immersion(second, first, inside_out_of(b), inside_out_of(a));
   const auto middle = [&](std::size_t body) -> Vec3 {
     const VecX& mass = model.soft[body]->node_mass();
     return soft[body].motion.x.reshaped(3, mass.size()) * mass / mass.sum();

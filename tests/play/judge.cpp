@@ -13,7 +13,8 @@ namespace prosector::test {
 namespace {
 
 bool is_solid(const Simulation& simulation, BodyId body) {
-  return simulation.kind(body) == BodyKind::soft && !simulation.soft(body).linear_tets().tets.empty();
+  return simulation.kind(body) == BodyKind::soft && !simulation.soft(body).linear_tets().tets.empty() &&
+         !simulation.surface(body).triangles.empty();
 }
 
 bool willing(const SoftDesc& a, const SoftDesc& b) {

@@ -36,13 +36,17 @@ bool may_be_immersed(const SoftSkin& from, const SoftSkin& to, std::span<const V
                      [&](const VertexMeeting& m) { return m.gap < -pressed * std::min(from.cell, to.cell); });
 }
 
-Immersion find_immersion(const SoftSkin& from, const SoftSkin& to, std::span<const char> unsure) {
+Immersion find_immersion(const SoftSkin& from, const SoftSkin& to, Unsure of_from, Unsure of_to) {
   Immersion out;
   from.vertices->in_box(to.faces->box().lo, to.faces->box().hi, [&](std::uint32_t vertex) {
-    if (!unsure.empty() && unsure[vertex]) return;
+    if (!of_from.empty() && of_from[vertex]) return;
     const Vec3& x = from.vertices->positions()[vertex];
     const auto near = to.faces->nearest(x);
     if (!near || !to.faces->is_inside(x, *near)) return;
+    const auto& corners = to.faces->topology().triangles()[near->triangle];
+    if (!of_to.empty() &&
+        std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) { return of_to[corner] != 0; }))
+      return;
     VertexMeeting& found = out.vertices.emplace_back();
     found.vertex = vertex;
     found.at = {near->triangle, near->weights};

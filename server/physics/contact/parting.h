@@ -25,9 +25,12 @@ struct Immersion {
   double area = 0;                      // m²: of the surface there
 };
 
-/// Lists which vertices of `from` are inside the solid `to`, however deep. `unsure`: one a vertex of `from`,
-/// 1 where the tissue is inside out and its place tells nothing; empty: nowhere.
-Immersion find_immersion(const SoftSkin& from, const SoftSkin& to, std::span<const char> unsure);
+/// Surface vertices on tissue that is inside out tell nothing of where a body is: 1; empty: there are none.
+using Unsure = std::span<const char>;
+
+/// Lists which vertices of `from` are inside the solid `to`, however deep, but for those that are unsure or
+/// nearest to what is; one mark a vertex of each.
+Immersion find_immersion(const SoftSkin& from, const SoftSkin& to, Unsure of_from, Unsure of_to);
 
 /// Whether what was found near the surfaces (`found`, gaps of `from` to `to`) asks for a look at all that is
 /// inside: something is deeper than contacts leave it, or nothing is near though the first vertex is inside.

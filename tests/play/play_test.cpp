@@ -1,0 +1,73 @@
+// A short part of the play that deploy/play.sh goes on with for hours, of fixed seeds, and its judge.
+
+#include <gtest/gtest.h>
+
+#include "common/scene/load_scene.h"
+#include "tests/play/play.h"
+
+namespace prosector::test {
+namespace {
+
+CompileOptions alone() {
+  CompileOptions options;
+  options.threads = 1;
+  return options;
+}
+
+class ShippedScene : public testing::TestWithParam<const char*> {};
+
+// With the shapes that scenes fall back to, which are the same everywhere.
+TEST_P(ShippedScene, PeopleLeaveOrgansWholeAndApart) {
+  Simulation simulation(load_scene(std::string(PROSECTOR_SCENES "/") + GetParam() + ".toml"), alone());
+  const PlayFigures figures = play(simulation, {.seed = 20261123, .bout = 4, .rest = 3, .bounds = {}});
+  EXPECT_GT(figures.acts, 0);
+  EXPECT_EQ(figures.bouts, 1);
+  for (const std::string& found : figures.found) ADD_FAILURE() << found;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, testing::Values("touch", "cut"),
+                         [](const auto& info) { return std::string(info.param); });
+
+SceneDesc two_balls(double apart) {
+  SceneDesc scene;
+  for (const double side : {-0.5, 0.5}) {
+    SoftDesc& ball = scene.soft.emplace_back();
+    ball.name = side < 0 ? "left" : "right";
+    ball.shape = "ball";
+    ball.size = Vec3::Constant(0.1);
+    ball.cell = ball.surface_cell = 0.025;
+    ball.gravity = false;
+    ball.pose.p.x() = side * apart;
+  }
+  return scene;
+}
+
+TEST(Judge, BlamesBodiesThatGotIntoEachOtherAndNotThoseThatTheScenePutThere) {
+  Simulation apart(two_balls(0.15), alone());
+  SceneDesc overlapping = two_balls(0.15);
+  overlapping.soft[1].pose.p.x() = -0.075 + 0.09;
+  for (SoftDesc& ball : overlapping.soft) ball.attach = {{ball.pose.p, 1, 1e12}};
+  Simulation together(overlapping, alone());
+  ASSERT_GT(overlap(together, 0, 1), 2e-3);
+  EXPECT_TRUE(Judge(apart).look(apart).good());
+  const Finding found = Judge(apart).look(together);
+  EXPECT_FALSE(found.good());
+  EXPECT_NE(found.where.find("left and right overlap"), std::string::npos) << found.where;
+  EXPECT_TRUE(Judge(together).look(together).good());
+}
+
+TEST(Judge, BlamesAnOrganThatLostItsVolume) {
+  SceneDesc hung = two_balls(0.3);
+  for (SoftDesc& ball : hung.soft) {
+    ball.gravity = true;
+    ball.youngs_modulus = 300;
+    ball.poisson_ratio = 0;
+    ball.attach = {{ball.pose.p + Vec3(0, 10.04, 0), 10, 1e12}};
+  }
+  Simulation simulation(hung, alone());
+  EXPECT_GT(volume_ratio(simulation, 0), 1.3) << "it hangs, drawn long";
+  EXPECT_NE(Judge(simulation).look(simulation).where.find("of its volume"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace prosector::test
