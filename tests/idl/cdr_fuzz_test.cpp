@@ -11,6 +11,7 @@
 #include "idl/dds/node.h"
 #include "idl/dds/qos.h"
 #include "idl/wire/codec.h"
+#include "tests/dds_domains.h"
 #include "tests/idl/samples.h"
 
 namespace prosector {
@@ -93,7 +94,7 @@ void fuzz(dds_entity_t participant, const Message& valid, std::mt19937_64& rando
 
 TEST(Fuzz, MutatedSerialisedBytes) {
   BusConfig config;
-  config.domain = 71;
+  config.domain = test::dds_domain::cdr_fuzz;
   const Node node(config);
   std::mt19937_64 random(2);
   for (const Message& message : sample_messages()) fuzz(node.participant.get(), message, random);

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "idl/cyclone_bus.h"
+#include "tests/dds_domains.h"
 
 namespace {
 
@@ -71,8 +72,8 @@ BusConfig config_of(BusEnd end, std::uint32_t domain) {
 TEST(ClockJump, WaitsEndInTimeAndSoDoesTheBus) {
   alarm(60);  // where something waits for an hour, the test is ended
   for (const std::int64_t jump : {-3600 * second, 3600 * second}) {
-    auto server = make_cyclone_bus(config_of(BusEnd::server, 97));
-    auto observer = make_cyclone_bus(config_of(BusEnd::observer, 97));
+    auto server = make_cyclone_bus(config_of(BusEnd::server, test::dds_domain::clock_jump));
+    auto observer = make_cyclone_bus(config_of(BusEnd::observer, test::dds_domain::clock_jump));
     std::atomic<bool> stop{false};
     std::atomic<int> waits{0};
     std::thread waiting([&] {
@@ -93,14 +94,14 @@ TEST(ClockJump, WaitsEndInTimeAndSoDoesTheBus) {
     server.reset();
     EXPECT_LT(std::chrono::steady_clock::now() - begin, 15s);
   }
-  EXPECT_TRUE(list_sessions(config_of(BusEnd::observer, 97), 100ms).empty());
+  EXPECT_TRUE(list_sessions(config_of(BusEnd::observer, test::dds_domain::clock_jump), 100ms).empty());
   alarm(0);
 }
 
 TEST(ClockJump, SamplesStillArrive) {
   alarm(60);
-  auto server = make_cyclone_bus(config_of(BusEnd::server, 98));
-  auto observer = make_cyclone_bus(config_of(BusEnd::observer, 98));
+  auto server = make_cyclone_bus(config_of(BusEnd::server, test::dds_domain::clock_jump + 1));
+  auto observer = make_cyclone_bus(config_of(BusEnd::observer, test::dds_domain::clock_jump + 1));
   set_by_ns -= 3600 * second;
   RoomState room;
   bool arrived = false;

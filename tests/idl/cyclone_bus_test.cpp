@@ -18,6 +18,7 @@
 #include "common/error.h"
 #include "idl/session_watch.h"
 #include "idl/topics.h"
+#include "tests/dds_domains.h"
 #include "tests/idl/samples.h"
 
 namespace prosector {
@@ -55,8 +56,8 @@ std::function<bool(const Received&)> is() {
 }
 
 TEST(CycloneBus, EveryTopicArrives) {
-  const auto server = join(BusEnd::server, 61);
-  const auto client = join(BusEnd::dissector, 61);
+  const auto server = join(BusEnd::server, test::dds_domain::cyclone_bus);
+  const auto client = join(BusEnd::dissector, test::dds_domain::cyclone_bus);
   ASSERT_TRUE(server->publish(sample_messages()[0]));
   ASSERT_TRUE(take_until(*client, 2s, is<SessionInfo>()));
   for (const Message& message : sample_messages()) {
@@ -75,22 +76,22 @@ TEST(CycloneBus, EveryTopicArrives) {
 }
 
 TEST(CycloneBus, ServerIndexTakenIsAnInputError) {
-  const auto server = join(BusEnd::server, 62);
-  EXPECT_THROW(join(BusEnd::server, 62), InputError);
+  const auto server = join(BusEnd::server, test::dds_domain::cyclone_bus + 1);
+  EXPECT_THROW(join(BusEnd::server, test::dds_domain::cyclone_bus + 1), InputError);
   BusConfig config;
-  config.domain = 62;
+  config.domain = test::dds_domain::cyclone_bus + 1;
   EXPECT_EQ(free_server_index(config), 1u);
 }
 
 TEST(CycloneBus, SessionsAreListedAndProbed) {
-  const auto first = join(BusEnd::server, 63, 0, "first");
-  const auto second = join(BusEnd::server, 63, 1, "second");
+  const auto first = join(BusEnd::server, test::dds_domain::cyclone_bus + 2, 0, "first");
+  const auto second = join(BusEnd::server, test::dds_domain::cyclone_bus + 2, 1, "second");
   SessionInfo info{protocol_version, "first", "minimal", {}, 60, 8, 1};
   ASSERT_TRUE(first->publish(info));
   info.session = "second";
   ASSERT_TRUE(second->publish(info));
   BusConfig config;
-  config.domain = 63;
+  config.domain = test::dds_domain::cyclone_bus + 2;
   const auto sessions = list_sessions(config, 600ms);
   ASSERT_EQ(sessions.size(), 2u);
   EXPECT_EQ(sessions[0].session, "first");
@@ -102,8 +103,8 @@ TEST(CycloneBus, SessionsAreListedAndProbed) {
 }
 
 TEST(CycloneBus, LeavingIsHeard) {
-  const auto server = join(BusEnd::server, 64);
-  auto client = join(BusEnd::observer, 64);
+  const auto server = join(BusEnd::server, test::dds_domain::cyclone_bus + 3);
+  auto client = join(BusEnd::observer, test::dds_domain::cyclone_bus + 3);
   const Presence presence{9, protocol_version, "Ada", Role::observer, ""};
   ASSERT_TRUE(client->publish(presence));
   ASSERT_TRUE(take_until(*server, 2s, is<Presence>()));
@@ -136,7 +137,8 @@ double discovery_ms(bool server_first, std::uint32_t domain) {
 }
 
 TEST(CycloneBus, DiscoveryTakesHalfASecondAtMostWhoeverIsFirst) {
-  const double server_first = discovery_ms(true, 65), client_first = discovery_ms(false, 66);
+  const double server_first = discovery_ms(true, test::dds_domain::cyclone_bus + 4),
+               client_first = discovery_ms(false, test::dds_domain::cyclone_bus + 5);
   EXPECT_LT(server_first, 500);
   EXPECT_LT(client_first, 500);
   RecordProperty("server_first_ms", std::to_string(server_first));
@@ -144,14 +146,14 @@ TEST(CycloneBus, DiscoveryTakesHalfASecondAtMostWhoeverIsFirst) {
 }
 
 TEST(CycloneBus, LateJoinerGetsTwentyMegabytes) {
-  const auto server = join(BusEnd::server, 67);
+  const auto server = join(BusEnd::server, test::dds_domain::cyclone_bus + 6);
   AssetChunk chunk;
   chunk.chunks = 80;
   chunk.total_bytes = static_cast<std::uint32_t>(chunk.chunks * asset_chunk_bytes);
   chunk.bytes.assign(asset_chunk_bytes, 0x5a);
   for (chunk.chunk = 0; chunk.chunk < chunk.chunks; ++chunk.chunk) ASSERT_TRUE(server->publish(chunk));
   const std::int64_t start = monotonic_ns();
-  const auto client = join(BusEnd::observer, 67);
+  const auto client = join(BusEnd::observer, test::dds_domain::cyclone_bus + 6);
   std::set<std::uint32_t> got;
   EXPECT_TRUE(take_until(*client, 10s, [&](const Received& r) {
     if (const auto* asset = std::get_if<AssetChunk>(&r.message)) got.insert(asset->chunk);
@@ -163,10 +165,11 @@ TEST(CycloneBus, LateJoinerGetsTwentyMegabytes) {
 }
 
 TEST(CycloneBus, AKilledProcessIsNoticed) {
-  const auto server = join(BusEnd::server, 68);
+  const auto server = join(BusEnd::server, test::dds_domain::cyclone_bus + 7);
   const pid_t child = fork();
   if (child == 0) {
-    execl(PROSECTOR_PEER, PROSECTOR_PEER, "announce", "5", "68", nullptr);
+    execl(PROSECTOR_PEER, PROSECTOR_PEER, "announce", "5",
+          std::to_string(test::dds_domain::cyclone_bus + 7).c_str(), nullptr);
     _exit(127);
   }
   const bool came = take_until(*server, 10s, is<Presence>());
@@ -181,11 +184,12 @@ TEST(CycloneBus, AKilledProcessIsNoticed) {
 }
 
 TEST(CycloneBus, SixtyFourClients) {
-  const auto server = join(BusEnd::server, 69);
+  const auto server = join(BusEnd::server, test::dds_domain::cyclone_bus + 8);
   ASSERT_TRUE(server->publish(SessionInfo{protocol_version, "prosector", "minimal", {}, 60, 64, 1}));
   std::vector<std::unique_ptr<Bus>> clients;
   for (std::uint64_t i = 0; i < 64; ++i) {
-    clients.push_back(join(i % 4 == 0 ? BusEnd::observer : BusEnd::dissector, 69));
+    clients.push_back(
+        join(i % 4 == 0 ? BusEnd::observer : BusEnd::dissector, test::dds_domain::cyclone_bus + 8));
     ASSERT_TRUE(clients.back()->publish(Presence{i + 1, protocol_version, "client", Role::dissector, ""}));
   }
   std::set<std::uint64_t> present, writers;
@@ -202,7 +206,7 @@ TEST(CycloneBus, SixtyFourClients) {
 
 TEST(CycloneBus, TheEnvironmentDoesNotWidenTheDefault) {
   setenv("CYCLONEDDS_URI", "<CycloneDDS><Domain><NoSuchElement/></Domain></CycloneDDS>", 1);
-  const auto server = join(BusEnd::server, 70);
+  const auto server = join(BusEnd::server, test::dds_domain::cyclone_bus + 9);
   EXPECT_NE(server, nullptr);
   unsetenv("CYCLONEDDS_URI");
 }

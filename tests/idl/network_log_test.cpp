@@ -11,13 +11,15 @@
 
 #include "common/error.h"
 #include "idl/cyclone_bus.h"
+#include "tests/dds_domains.h"
 
 namespace prosector {
 namespace {
 
 using namespace std::chrono_literals;
 constexpr std::int64_t second = 1'000'000'000;
-constexpr std::uint32_t domain = 96;
+constexpr std::uint32_t flooded_domain = test::dds_domain::network_log,
+                        taken_domain = test::dds_domain::network_log + 1;
 
 TEST(NetworkLog, AFloodBecomesALineNowAndThen) {
   MessageDigest digest;
@@ -33,7 +35,7 @@ TEST(NetworkLog, AFloodBecomesALineNowAndThen) {
   EXPECT_LT(digest.take(1000 * second, std::string(100'000, 'x'))->size(), 300u);
 }
 
-BusConfig server_config() {
+BusConfig server_in(std::uint32_t domain) {
   BusConfig config;
   config.end = BusEnd::server;
   config.session = "log";
@@ -42,12 +44,12 @@ BusConfig server_config() {
 }
 
 TEST(NetworkLog, MalformedDatagramsDoNotFloodStandardError) {
-  const auto server = make_cyclone_bus(server_config());
+  const auto server = make_cyclone_bus(server_in(flooded_domain));
   testing::internal::CaptureStderr();
   const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
   sockaddr_in to{};
   to.sin_family = AF_INET;
-  to.sin_port = htons(static_cast<std::uint16_t>(7410 + 250 * domain));
+  to.sin_port = htons(static_cast<std::uint16_t>(7410 + 250 * flooded_domain));
   to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   std::mt19937_64 random(20100611);
   for (int k = 0; k < 2000; ++k) {
@@ -66,9 +68,9 @@ TEST(NetworkLog, MalformedDatagramsDoNotFloodStandardError) {
 }
 
 TEST(NetworkLog, APortThatIsTakenIsSaidInOurWordsOnly) {
-  const auto first = make_cyclone_bus(server_config());
+  const auto first = make_cyclone_bus(server_in(taken_domain));
   testing::internal::CaptureStderr();
-  EXPECT_THROW(make_cyclone_bus(server_config()), InputError);
+  EXPECT_THROW(make_cyclone_bus(server_in(taken_domain)), InputError);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 

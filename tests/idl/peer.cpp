@@ -15,13 +15,14 @@
 #include "common/clock.h"
 #include "common/error.h"
 #include "idl/cyclone_bus.h"
+#include "tests/dds_domains.h"
 
 using namespace prosector;
 using namespace std::chrono_literals;
 
 namespace {
 
-constexpr std::uint32_t domain = 60;
+constexpr std::uint32_t domain = test::dds_domain::peer;
 constexpr std::uint32_t chunks_per_frame = 8;
 constexpr double tolerated_loss_percent = 5;  // the worst link of the tests loses 1 %
 

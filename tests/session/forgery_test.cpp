@@ -9,6 +9,7 @@
 #include "idl/cyclone_bus.h"
 #include "idl/local_bus.h"
 #include "server/session/session.h"
+#include "tests/dds_domains.h"
 
 namespace prosector {
 namespace {
@@ -117,7 +118,7 @@ struct Room {
 class Forgery : public testing::TestWithParam<bool> {};  // true: DDS
 
 TEST_P(Forgery, AHandInAnothersNameIsRefused) {
-  Room room(GetParam(), 72);
+  Room room(GetParam(), test::dds_domain::forgery);
   const auto rogue = room.network.join(BusEnd::dissector);
   Room::wait_until_heard(*rogue);
   const Vec3 hers(0.1, 0.2, 0.3), forged(0.9, 0.9, 0.9);
@@ -132,7 +133,7 @@ TEST_P(Forgery, AHandInAnothersNameIsRefused) {
 }
 
 TEST_P(Forgery, ARogueCannotEndAnothersPresenceNorHideItsEnd) {
-  Room room(GetParam(), 73);
+  Room room(GetParam(), test::dds_domain::forgery + 1);
   const auto rogue = room.network.join(BusEnd::dissector);
   Room::wait_until_heard(*rogue);
   EXPECT_TRUE(room.pump(5000ms, [&] {
@@ -146,7 +147,7 @@ TEST_P(Forgery, ARogueCannotEndAnothersPresenceNorHideItsEnd) {
 }
 
 TEST_P(Forgery, AForgedPresenceThatEndsTakesNobodyAlong) {
-  Room room(GetParam(), 74);
+  Room room(GetParam(), test::dds_domain::forgery + 2);
   auto rogue = room.network.join(BusEnd::dissector);
   Room::wait_until_heard(*rogue);
   rogue->publish(presence_of(ada_id, "ada"));
@@ -160,7 +161,7 @@ TEST_P(Forgery, AForgedPresenceThatEndsTakesNobodyAlong) {
 }
 
 TEST_P(Forgery, AProcessThatIsGoneBeforeItIsHeardEndsNobody) {
-  Room room(GetParam(), 75);
+  Room room(GetParam(), test::dds_domain::forgery + 3);
   auto rogue = room.network.join(BusEnd::dissector);
   Room::wait_until_heard(*rogue);
   rogue->publish(presence_of(rogue_id, "rogue"));

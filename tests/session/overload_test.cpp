@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/dds_domains.h"
 #include "tests/session/server_process.h"
 
 namespace prosector {
@@ -58,7 +59,7 @@ class Starved {
 };
 
 TEST(ServerProcess, StepsDownWhenStarvedSaysSoAndStepsUpAgain) {
-  const test::Folder folder(93);
+  const test::Folder folder(test::dds_domain::overload);
   const std::string journal = folder.path / "journal", summary = folder.path / "summary.json";
   std::ofstream(folder.path / "sinking.toml") << scene_text;
   test::Server server(folder, {folder.path / "sinking.toml", "--journal", journal, "--summary", summary});

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/dds_domains.h"
 #include "tests/session/server_process.h"
 
 namespace prosector {
@@ -21,7 +22,7 @@ using test::join_network;
 using test::Server;
 
 TEST(ServerProcess, HostsSummarisesReplaysAndResumes) {
-  const Folder folder(94);
+  const Folder folder(test::dds_domain::process);
   const std::string journal = folder.path / "journal", summary = folder.path / "summary.json";
   {
     Server server(folder, {folder.path / "box.toml", "--journal", journal, "--summary", summary});
@@ -67,7 +68,7 @@ TEST(ServerProcess, HostsSummarisesReplaysAndResumes) {
 }
 
 TEST(ServerProcess, ARestartAfterAKillIsSeenAsAnotherRun) {
-  const Folder folder(95);
+  const Folder folder(test::dds_domain::process + 1);
   const auto bus = join_network(folder, BusEnd::observer);
   ServerChoice choice;
   std::uint64_t first = 0;
@@ -123,7 +124,7 @@ pid_t start_holder(const Folder& folder) {
 }
 
 TEST(ServerProcess, WhatAKilledProcessHeldIsFreeWithinTwoSeconds) {
-  const Folder folder(98);
+  const Folder folder(test::dds_domain::process + 4);
   const pid_t holder = start_holder(folder);
   ASSERT_GT(holder, 0);
   Server server(folder, {folder.path / "box.toml"});
@@ -151,7 +152,7 @@ struct Mistake {
 };
 
 TEST(ServerProcess, MistakesGetOneLineAndStatusTwo) {
-  const Folder folder(96);
+  const Folder folder(test::dds_domain::process + 2);
   std::ofstream(folder.path / "bad.toml") << "name = \"x\"\ncolour = 3\n";
   std::ofstream(folder.path / "garbage") << "no journal";
   const std::vector<Mistake> mistakes = {
@@ -173,7 +174,7 @@ TEST(ServerProcess, MistakesGetOneLineAndStatusTwo) {
 }
 
 TEST(ServerProcess, CheckSaysWhatASceneCosts) {
-  const Folder folder(97);
+  const Folder folder(test::dds_domain::process + 3);
   Server server(folder, {folder.path / "box.toml", "--check"});
   EXPECT_EQ(server.wait(), 0);
   EXPECT_NE(server.output().find("2 rigid and 0 soft bodies"), std::string::npos) << server.output();

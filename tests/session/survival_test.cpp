@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "tests/dds_domains.h"
 #include "tests/session/server_process.h"
 
 namespace prosector {
@@ -72,7 +73,7 @@ struct Person {
 };
 
 TEST(Survival, WhatPeopleSawBeforeTheServerWasKilledIsThereWhenItGoesOn) {
-  const Folder folder(141);
+  const Folder folder(test::dds_domain::survival);
   const std::string journal = folder.path / "journal";
   Person ada(folder, first_id);
   std::optional<Server> server(std::in_place, folder,
@@ -100,7 +101,7 @@ TEST(Survival, WhatPeopleSawBeforeTheServerWasKilledIsThereWhenItGoesOn) {
 }
 
 TEST(Survival, WhoIsKilledAndComesBackAtOnceIsLetIn) {
-  const Folder folder(142);
+  const Folder folder(test::dds_domain::survival + 1);
   const Server server(folder, {folder.path / "box.toml"});
   const pid_t child = fork();
   if (child == 0) {
@@ -138,7 +139,7 @@ DoubleStart start_two(const Folder& folder) {
 TEST(Survival, OfTwoServersThatStartTogetherOneGivesWayInWords) {
   const char* rounds = std::getenv("PROSECTOR_DOUBLE_STARTS");
   for (int i = 0; i < (rounds != nullptr ? std::atoi(rounds) : 3); ++i) {
-    const Folder folder(143);
+    const Folder folder(test::dds_domain::survival + 2);
     const DoubleStart result = start_two(folder);
     EXPECT_EQ(result.hosting, 1) << "round " << i;
     const bool in_words = result.said.find("at the same moment and hosts it") != std::string::npos ||
