@@ -4,6 +4,7 @@
 #include <cstring>
 #include <span>
 
+#include "common/anatomy/counted_bytes.h"
 #include "common/sealed_file.h"
 
 namespace prosector {
@@ -16,31 +17,6 @@ std::filesystem::path file_of(const std::filesystem::path& dir, const ContentHas
 /// What the file is sealed under: its layout, and what the mesh was made from.
 std::string seal_key(const ContentHash& key) {
   return "anatomy 3 " + to_hex(key);
-}
-
-/// A vector or a string: its length, then its elements' bytes.
-template <class Values>
-void put(std::vector<std::uint8_t>& out, const Values& values) {
-  const std::uint64_t count = values.size();
-  const auto* c = reinterpret_cast<const std::uint8_t*>(&count);
-  out.insert(out.end(), c, c + sizeof(count));
-  const auto* p = reinterpret_cast<const std::uint8_t*>(values.data());
-  out.insert(out.end(), p, p + count * sizeof(typename Values::value_type));
-}
-
-template <class Values>
-bool get(std::span<const std::uint8_t>& in, Values& values) {
-  using T = typename Values::value_type;
-  std::uint64_t count = 0;
-  if (in.size() < sizeof(count)) return false;
-  std::memcpy(&count, in.data(), sizeof(count));
-  in = in.subspan(sizeof(count));
-  if (count > in.size() / sizeof(T)) return false;
-  values.resize(count);
-  // memcpy must not be given the null pointer of an empty vector.
-  if (count > 0) std::memcpy(static_cast<void*>(values.data()), in.data(), count * sizeof(T));
-  in = in.subspan(count * sizeof(T));
-  return true;
 }
 
 bool consistent(const Anatomy& a) {

@@ -243,8 +243,8 @@ void Simulation::Impl::bounce_rigid() {
   }
 }
 
-/// What the body would strike if it took its own shape: a hand, or, unless it has its own place, whatever is
-/// not part of the room.
+/// What the body would strike if it took its own shape: a hand, or, unless it has its own place, a loose
+/// thing. Other tissue gives way, and is led out of it.
 Surroundings Simulation::Impl::surroundings_of(std::size_t body) const {
   const auto by_hand = [&](const Contact& c) { return hand_at(c.b.body) != nullptr; };
   const auto by_loose = [](const Contact& c) { return c.b.kind == ContactSide::Kind::rigid; };
@@ -255,7 +255,7 @@ Surroundings Simulation::Impl::surroundings_of(std::size_t body) const {
   const bool met = std::any_of(soft_pairs.begin(), soft_pairs.end(),
                                [&](const SoftPair& pair) { return pair.a == body || pair.b == body; });
   const bool by_people = held || std::any_of(touches.begin(), touches.end(), by_hand);
-  const bool loose = met || std::any_of(touches.begin(), touches.end(), by_loose);
+  const bool loose = std::any_of(touches.begin(), touches.end(), by_loose);
   return {by_people || (loose && !model.soft[body]->attached()), held || met || !touches.empty()};
 }
 

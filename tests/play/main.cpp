@@ -9,6 +9,7 @@
 #include "common/error.h"
 #include "common/paths.h"
 #include "common/scene/load_scene.h"
+#include "server/calibration/choose_scene.h"
 #include "server/session/journal_reader.h"
 #include "tests/play/play.h"
 
@@ -38,13 +39,13 @@ CompileOptions sources(const Options& options) {
   return compile;
 }
 
-/// Runs a journal again and says, each second, how its organs are.
+/// Runs a journal again and says now and then how its organs are.
 int watch(const Options& options) {
   const JournalReader journal(options.watch);
-  const SceneDesc scene = parse_scene(journal.header().scene_text, journal.header().scene_file);
+  SceneDesc scene = parse_scene(journal.header().scene_text, journal.header().scene_file);
+  adopt(journal.header().choices, scene);
   Simulation simulation(scene, sources(options));
   const Judge judge(simulation);
-  PlayFigures figures;
   journal.for_each_tick(0, [&](const JournalTick& tick) {
     const StepReport& report = simulation.step(tick.input.input);
     if (tick.rebuilt) simulation.checkpoint();
