@@ -92,10 +92,7 @@ void Simulation::Impl::relax(std::span<const std::size_t> bodies) {
       state.warm_start.setZero();
       state.motion.has_history = false;
       moved = std::max(moved, (state.motion.x - before[k]).lpNorm<Eigen::Infinity>());
-      place_surface(body);
-      faces_moved[body] = 0;
-      inside_out[body].known = false;
-      layers_moved[body] = 0;
+      follow_nodes(body);
     }
     if (!solved.finite || moved < at_rest) return;
   }

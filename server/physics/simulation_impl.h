@@ -56,6 +56,8 @@ struct InsideOut {
   std::vector<char> vertices;  // 1: so; empty: none
 };
 
+using Entanglements = std::map<std::pair<std::size_t, std::size_t>, Entanglement>;
+
 /// Two soft bodies that touch.
 struct SoftPair {
   std::size_t a = 0, b = 0;  // a < b
@@ -120,6 +122,8 @@ struct Simulation::Impl : PanelSubjects {
   std::vector<int> passed_through;                    // per soft body: elements that a layer has passed
   std::vector<SoftPair> soft_pairs;                   // ascending, those with contacts
   std::vector<InsideOut> inside_out;                  // per soft body: see inside_out_of
+  Entanglements entangled;                            // by soft bodies, the lower first
+  Entanglements still_entangled;                      // as found in this tick
   std::vector<std::optional<std::size_t>> parted;     // per soft body: another that it is led out of
   std::vector<VertexMeeting> meetings;                // what finding them works in
   std::vector<std::size_t> soft_group;  // per soft body: the first that it hangs together with, by soft pairs
@@ -165,6 +169,15 @@ struct Simulation::Impl : PanelSubjects {
   Aabb within_reach() const;     // likewise: what is beyond is lost
   void unfold_tangles();
   Surroundings surroundings_of(std::size_t body) const;  // part of it
+  bool in_a_hand(std::size_t body) const;
+  bool is_being_led(std::size_t body) const;
+  bool is_squeezed(std::size_t body) const;
+  void place_unfolded(std::size_t body, double lowest);
+  void make_room_for(std::size_t body);
+  bool part_at_once(std::size_t a, std::size_t b);
+  void disentangle(std::size_t a, std::size_t b);
+  void put_beside(std::size_t body, std::size_t other);
+  void tell_reset(std::size_t body, const std::string& why);
   void fall_asleep();
   void describe();
   StoredEnergy stored_in(std::size_t body) const;  // part of it
@@ -353,6 +366,7 @@ struct Simulation::Impl : PanelSubjects {
   /// Puts what leads the two bodies apart in place of contacts (from `before` on in `out`) that can't tell
   /// the way out.
   void part(std::size_t a, std::size_t b, std::size_t before, std::vector<Contact>& out);
+  Vec3 middle_of(std::size_t body) const;  // m: its centre of mass
   // Of layers:
   void fit_layers(std::size_t body);
   bool has_layers() const;               // a body that may meet so, and sides to remember
@@ -368,6 +382,7 @@ struct Simulation::Impl : PanelSubjects {
                           std::vector<Contact>& out) const;
   bool add_rough_pair_contacts(std::size_t a, std::size_t b, double margin, std::vector<Contact>& out) const;
   /// Takes what others touch of the body to where its nodes are.
+  void follow_nodes(std::size_t body);  // within a tick: its surface goes where its nodes have been put
   void place_surface(std::size_t body);
   Aabb outer_box(std::size_t body) const;  // around what others touch of it
   /// Whether any of that is within `margin` of the collider.

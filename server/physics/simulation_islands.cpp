@@ -16,7 +16,6 @@ namespace {
 constexpr double opening_speed = 0.25;      // m/s, at most, of rigid bodies that overlap
 constexpr double quiet_rigid_speed = 5e-3;  // m/s
 constexpr double quiet_rigid_spin = 5e-2;   // rad/s
-constexpr int tangle_check_ticks = 8;
 
 Mat3 room_inertia(const RigidSetup& setup, const Pose& pose) {
   const Mat3 R = pose.q.toRotationMatrix();
@@ -32,11 +31,6 @@ ContactSide rigid_side(const RigidWorld& world, std::size_t slot, const Vec3& po
   side.kind = ContactSide::Kind::rigid;
   side.arm = point - world.motion(slot).pose.p;
   return side;
-}
-
-/// m: along `up`, of the lowest node.
-double height_of_lowest(const VecX& x, const Vec3& up) {
-  return (up.transpose() * x.reshaped(3, x.size() / 3)).minCoeff();
 }
 
 bool between_soft(const Contact& c) {
@@ -243,49 +237,13 @@ void Simulation::Impl::bounce_rigid() {
   }
 }
 
-/// What the body would strike if it took its own shape: a hand, or, unless it has its own place, a loose
-/// thing. Other tissue gives way, and is led out of it.
-Surroundings Simulation::Impl::surroundings_of(std::size_t body) const {
-  const auto by_hand = [&](const Contact& c) { return hand_at(c.b.body) != nullptr; };
-  const auto by_loose = [](const Contact& c) { return c.b.kind == ContactSide::Kind::rigid; };
-  const std::vector<Contact>& touches = soft_contacts[body];
-  const bool held = std::any_of(hands.begin(), hands.end(), [&](const Hand& hand) {
-    return hand.hold && hand.hold->body == soft_id(body);
-  });
-  const bool met = std::any_of(soft_pairs.begin(), soft_pairs.end(),
-                               [&](const SoftPair& pair) { return pair.a == body || pair.b == body; });
-  const bool by_people = held || std::any_of(touches.begin(), touches.end(), by_hand);
-  const bool loose = std::any_of(touches.begin(), touches.end(), by_loose);
-  return {by_people || (loose && !model.soft[body]->attached()), held || met || !touches.empty()};
-}
-
-void Simulation::Impl::unfold_tangles() {
-  if (time.tick % tangle_check_ticks != 0) return;
-  for (Island& island : islands)
-    for (SoftMember& s : island.soft) {
-      const Vec3 up = -model.scene.gravity.normalized();
-      const double lowest = height_of_lowest(s.state->motion.x, up);
-      if (!unfold_if_tangled(s, surroundings_of(s.index), equilibrium[s.index], step_h, tangle_check_ticks))
-        continue;
-      VecX& x = s.state->motion.x;
-      if (s.body->attached())
-        x = equilibrium[s.index];
-      else  // what it lies on is no higher than it was
-        x += (std::max(0.0, lowest - height_of_lowest(x, up)) * up).replicate(x.size() / 3, 1);
-      BodyReport& row = report.bodies.emplace_back();
-      row.body = s.body->desc().name;
-      row.reset = true;
-      row.note = s.note;
-    }
-}
-
 void Simulation::Impl::fall_asleep() {
   for (Island& island : islands) {
     bool quiet = true;
     for (SoftMember& s : island.soft) {
       count_quiet_ticks(s);
       if (!has_relaxed(s.body->desc(), s.state->history)) s.state->quiet_ticks = 0;  // it creeps
-      quiet = quiet && s.state->quiet_ticks == quiet_ticks_to_sleep && may_sleep(s);
+      quiet = quiet && s.state->quiet_ticks == quiet_ticks_to_sleep && may_sleep(s) && !is_being_led(s.index);
     }
     quiet = quiet && !island.driven;
     for (const RigidMember& r : island.rigid) {

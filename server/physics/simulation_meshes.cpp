@@ -46,6 +46,12 @@ void Simulation::Impl::fit_rest_to_mesh(std::size_t body, Numbering numbering) {
   place_surface(body);
 }
 
+void Simulation::Impl::follow_nodes(std::size_t body) {
+  place_surface(body);
+  faces_moved[body] = layers_moved[body] = 0;
+  inside_out[body].known = false;
+}
+
 const TriangleSurface* Simulation::Impl::faces_of(std::size_t body) {
   std::optional<TriangleSurface>& own = faces[body];
   const TriangleMesh& surface = model.soft[body]->anatomy().surface;

@@ -88,7 +88,7 @@ bool Simulation::Impl::add_pair_contacts(std::size_t a, std::size_t b, double ma
   if (layered[a] && layered[b]) return add_layer_contacts(a, b, margin, out);
   const std::size_t before = out.size();
   const SoftSkin first = skin(a), second = skin(b);
-  bool deep = false;
+  bool deep = entangled.contains({a, b});
   const auto add = [&](std::size_t from, std::size_t to, const SoftSkin& own, const SoftSkin& other) {
     meetings.clear();
     find_meetings(own, other, margin, meetings);
@@ -116,22 +116,27 @@ const std::vector<char>& Simulation::Impl::inside_out_of(std::size_t body) {
   return out.vertices;
 }
 
+Vec3 Simulation::Impl::middle_of(std::size_t body) const {
+  const VecX& mass = model.soft[body]->node_mass();
+  return soft[body].motion.x.reshaped(3, mass.size()) * mass / mass.sum();
+}
+
 void Simulation::Impl::part(std::size_t a, std::size_t b, std::size_t before, std::vector<Contact>& out) {
   const SoftSkin first = skin(a), second = skin(b);
   const Immersion of_a = find_immersion(first, second, inside_out_of(a), inside_out_of(b));
   const Immersion of_b = find_immersion(second, first, inside_out_of(b), inside_out_of(a));
-  const auto middle = [&](std::size_t body) -> Vec3 {
-    const VecX& mass = model.soft[body]->node_mass();
-    return soft[body].motion.x.reshaped(3, mass.size()) * mass / mass.sum();
-  };
-  const Vec3 way = way_apart(of_a, of_b, middle(a) - middle(b));
   const double cell = std::min(first.cell, second.cell), step = parting_speed * step_h;
-  const bool whole = is_whole_immersed(of_a, of_b, cell);
-  if (whole) out.resize(before);
+  const auto known = entangled.find({a, b});
+  const std::optional<Entanglement> now =
+      lead_apart(of_a, of_b, middle_of(a) - middle_of(b), known != entangled.end() ? &known->second : nullptr,
+                 in_a_hand(a) || in_a_hand(b), cell, step_h);
+  if (!now) return;
+  still_entangled[{a, b}] = *now;
+  if (now->whole) out.resize(before);
   std::vector<Contact> led;
   const auto lead = [&](std::size_t from, std::size_t to, const Immersion& inside, const Vec3& along) {
     for (const VertexMeeting& meeting : inside.vertices) {
-      if (!whole && !came_through(meeting, along, cell)) continue;
+      if (!now->whole && !came_through(meeting, along, cell)) continue;
       std::erase_if(out, [&](const Contact& c) {
         return c.a.body == from && c.b.body == to && c.feature == meeting.vertex &&
                c.a.kind == ContactSide::Kind::soft && c.b.kind == ContactSide::Kind::soft;
@@ -146,9 +151,8 @@ void Simulation::Impl::part(std::size_t a, std::size_t b, std::size_t before, st
       c.stiffness *= parting_pressure * cell / model.scene.contact_stiffness / step;
     }
   };
-  lead(a, b, of_a, way);
-  lead(b, a, of_b, -way);
-  if (led.empty()) return;
+  lead(a, b, of_a, now->way);
+  lead(b, a, of_b, -now->way);
   out.insert(out.end(), led.begin(), led.end());
   parted[a] = b;
   parted[b] = a;
@@ -188,6 +192,7 @@ void Simulation::Impl::detect_soft_pairs() {
     if (const auto id = static_cast<BroadPhase::Id>(i); soft_boxes.has(id))
       soft_boxes.set_moves(id, !soft[i].asleep);
   std::fill(parted.begin(), parted.end(), std::nullopt);
+  still_entangled.clear();
   std::fill(passed_through.begin(), passed_through.end(), 0);  // of what was just looked at to wake it, too
   std::vector<BroadPhase::Pair> near = soft_boxes.find_pairs();
   for (BroadPhase::Id i = 0; i < soft.size(); ++i)
@@ -206,6 +211,7 @@ void Simulation::Impl::detect_soft_pairs() {
     if (add_pair_contacts(a, b, contact_margin + reach, pair.contacts)) ++used;
   }
   soft_pairs.resize(used);
+  std::swap(entangled, still_entangled);
   forget_layers(near);
   group_soft_bodies();
 }

@@ -71,6 +71,7 @@ void Simulation::Impl::save_cuts(ByteWriter& out) const {
 /// Of pieces that are no bodies any more, in a state that is gone back to.
 void Simulation::Impl::forget_bodies_from(std::size_t count) {
   lost.erase(lost.lower_bound(soft_id(count)), lost.end());
+  std::erase_if(entangled, [&](const auto& entry) { return entry.first.second >= count; });
   for (std::size_t i = count; i < soft.size(); ++i)
     if (const auto id = static_cast<BroadPhase::Id>(i); soft_boxes.has(id)) soft_boxes.remove(id);
   const auto shorten = [&](auto& list) {

@@ -193,6 +193,32 @@ LayerSides read_sides(ByteReader& in, std::size_t bodies) {
   return out;
 }
 
+void add(ByteWriter& out, const Entanglements& entangled) {
+  out.add(static_cast<std::uint64_t>(entangled.size()));
+  for (const auto& [bodies, how] : entangled) {
+    out.add(static_cast<std::uint64_t>(bodies.first));
+    out.add(static_cast<std::uint64_t>(bodies.second));
+    out.add(how.way);
+    out.add(static_cast<std::uint8_t>(how.whole));
+    out.add(how.seconds);
+  }
+}
+
+Entanglements read_entangled(ByteReader& in, std::size_t bodies) {
+  Entanglements out;
+  if (in.done()) return out;
+  for (std::size_t left = in.count(bodies * bodies); left > 0; --left) {
+    const auto a = in.number<std::uint64_t>(), b = in.number<std::uint64_t>();
+    in.require(a < b && b < bodies, "entangled bodies that aren't there");
+    Entanglement& how = out[{a, b}];
+    how.way = in.vector();
+    how.whole = in.flag();
+    how.seconds = in.number<double>();
+    in.require(how.seconds >= 0, "bodies entangled for less than no time");
+  }
+  return out;
+}
+
 void add(ByteWriter& out, const std::vector<Part>& parts) {
   for (const Part& part : parts) {
     for (const bool flag : {part.attached, part.hidden, part.lit, part.inspected})
@@ -295,9 +321,12 @@ void Simulation::Impl::save(ByteWriter& out) const {
     out.add(room_lights);
   }
   if (has_layers()) add(out, layer_sides);
-  // Nothing while nobody made anything of any part and none was lost: earlier sessions keep their hashes.
-  if (parts != initial_parts(soft.size()) || !lost.empty()) add(out, parts);
-  if (!lost.empty()) add(out, lost);
+  // Nothing while nobody made anything of any part, none was lost and none are in each other: earlier
+  // sessions keep their hashes.
+  const bool with_entangled = !entangled.empty(), with_lost = with_entangled || !lost.empty();
+  if (with_lost || parts != initial_parts(soft.size())) add(out, parts);
+  if (with_lost) add(out, lost);
+  if (with_entangled) add(out, entangled);
 }
 
 void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
@@ -350,6 +379,7 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
   if (has_layers()) new_sides = read_sides(in, tissues.size());
   std::vector<Part> new_parts = read_parts(in, initial_parts(tissues.size()));
   LostBodies new_lost = read_lost(in, model.rigid.size() + tissues.size());
+  Entanglements new_entangled = read_entangled(in, tissues.size());
   in.require(in.done(), "more than a checkpoint holds");
   cuts.take_effect();
   time = new_time;
@@ -359,6 +389,7 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
   hands = std::move(new_hands);
   parts = std::move(new_parts);
   lost = std::move(new_lost);
+  entangled = std::move(new_entangled);
   layer_sides = std::move(new_sides);
   panels = std::move(new_panels);
   room_lights = new_lights;

@@ -8,6 +8,7 @@
 #include "server/physics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 #include "tests/physics/thrown.h"
+#include "tests/play/judge.h"
 
 namespace prosector::test {
 namespace {

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 
 #include "server/physics/collision/triangle_surface.h"
 #include "server/physics/soft/soft_body.h"
+#include "tests/physics/patched_state.h"
+#include "tests/play/judge.h"
 
 namespace prosector::test {
 namespace {
@@ -47,15 +48,9 @@ SceneDesc two_livers(const ThrownRung& left, const ThrownRung& right, double cel
 }
 
 void throw_body(Simulation& simulation, BodyId body, const Vec3& velocity) {
-  const VecX now = simulation.soft_state(body).motion.v;  // a checkpoint loads itself
-  const VecX wanted = velocity.replicate(now.size() / 3, 1);
-  std::vector<std::uint8_t> bytes = simulation.checkpoint();
-  const auto* begin = reinterpret_cast<const std::uint8_t*>(now.data());
-  const auto size = static_cast<std::size_t>(now.size()) * sizeof(double);
-  const auto at = std::search(bytes.begin(), bytes.end(), begin, begin + size);
-  if (now.isZero(0) || at == bytes.end()) throw std::logic_error("throw_body: the body doesn't move");
-  std::memcpy(&*at, wanted.data(), size);
-  simulation.restore(bytes);
+  const VecX now = simulation.soft_state(body).motion.v;
+  if (now.isZero(0)) throw std::logic_error("throw_body: the body doesn't move");
+  simulation.restore(with_values(simulation.checkpoint(), now, velocity.replicate(now.size() / 3, 1)));
 }
 
 Vec3 momentum(const Simulation& simulation, BodyId body) {
@@ -66,19 +61,6 @@ Vec3 momentum(const Simulation& simulation, BodyId body) {
 Vec3 centre(const Simulation& simulation, BodyId body) {
   const VecX& x = simulation.soft_state(body).motion.x;
   return x.reshaped(3, x.size() / 3).rowwise().mean();
-}
-
-double overlap(const Simulation& simulation, BodyId a, BodyId b) {
-  const TriangleSurface first = surface_of(simulation, a), second = surface_of(simulation, b);
-  double deepest = 0;
-  const auto look = [&](const TriangleSurface& from, const TriangleSurface& in) {
-    for (const Vec3& x : from.positions())
-      if (const auto near = in.nearest(x); in.is_inside(x, *near))
-        deepest = std::max(deepest, near->distance);
-  };
-  look(first, second);
-  look(second, first);
-  return deepest;
 }
 
 double distortion(const Simulation& simulation, BodyId body) {

@@ -22,8 +22,6 @@ void throw_body(Simulation& simulation, BodyId body, const Vec3& velocity);
 
 Vec3 momentum(const Simulation& simulation, BodyId soft_body);
 Vec3 centre(const Simulation& simulation, BodyId soft_body);  // mean of its nodes
-/// m, how deep the deepest surface vertex of either is in the other.
-double overlap(const Simulation& simulation, BodyId a, BodyId b);
 /// m, by how much the distance between two of its surface's points differs most from that at rest, wherever
 /// the body flew.
 double distortion(const Simulation& simulation, BodyId soft_body);

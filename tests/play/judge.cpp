@@ -73,19 +73,7 @@ void for_each_overlap(const Simulation& simulation, const Visit& visit) {
 }  // namespace
 
 double volume_ratio(const Simulation& simulation, BodyId body) {
-  const TetMesh& rest = simulation.soft(body).linear_tets();
-  const VecX& x = simulation.soft_state(body).motion.x;
-  const auto at = [&](std::uint32_t i) -> Vec3 { return x.segment<3>(3 * static_cast<Eigen::Index>(i)); };
-  double now = 0, then = 0;
-  for (const auto& t : rest.tets) {
-    const Vec3& a = rest.positions[t[0]];
-    const double whole =
-        (rest.positions[t[1]] - a).cross(rest.positions[t[2]] - a).dot(rest.positions[t[3]] - a);
-    const double sign = whole < 0 ? -1 : 1;
-    then += sign * whole;
-    now += sign * (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).dot(at(t[3]) - at(t[0]));
-  }
-  return now / then;
+  return simulation.soft(body).volume_share(simulation.soft_state(body).motion.x);
 }
 
 double overlap(const Simulation& simulation, BodyId a, BodyId b) {

@@ -5,8 +5,12 @@
 namespace prosector {
 namespace {
 
-constexpr double pressed = 0.5;      // cells: contacts press nothing deeper, for long
-constexpr double least_share = 0.2;  // of the area inside: the normals' sum, where it tells a direction
+constexpr double deep = 0.5;              // cells: contacts press nothing deeper, for long
+constexpr double apart = 0.1;             // cells: where leading ends
+constexpr double through_seconds = 0.25;  // come through for so long: the bodies are led as wholes
+constexpr double deep_seconds = 0.5;      // deep for so long, though nobody presses them: likewise
+constexpr double steady = 0.7;            // cosine of the angle that the way may turn by in a tick
+constexpr double least_share = 0.2;       // of the area inside: the normals' sum, where it tells a direction
 
 bool is_inside(const SoftSkin& to, const Vec3& x) {
   const auto near = to.faces->nearest(x);
@@ -33,7 +37,7 @@ bool may_be_immersed(const SoftSkin& from, const SoftSkin& to, std::span<const V
     return (x.array() > box.lo.array()).all() && (x.array() < box.hi.array()).all() && is_inside(to, x);
   }
   return std::any_of(found.begin(), found.end(),
-                     [&](const VertexMeeting& m) { return m.gap < -pressed * std::min(from.cell, to.cell); });
+                     [&](const VertexMeeting& m) { return m.gap < -deep * std::min(from.cell, to.cell); });
 }
 
 Immersion find_immersion(const SoftSkin& from, const SoftSkin& to, Unsure of_from, Unsure of_to) {
@@ -67,12 +71,28 @@ Vec3 way_apart(const Immersion& of_a, const Immersion& of_b, const Vec3& between
   return between_middles.norm() > 0 ? between_middles.normalized() : Vec3(Vec3::UnitY());
 }
 
-bool is_whole_immersed(const Immersion& of_a, const Immersion& of_b, double cell) {
-  return std::max(of_a.deepest, of_b.deepest) > deepest_meeting * cell;
+bool came_through(const VertexMeeting& inside, const Vec3& along, double cell) {
+  return inside.gap < -deep * cell && inside.normal.dot(along) < 0;
 }
 
-bool came_through(const VertexMeeting& inside, const Vec3& along, double cell) {
-  return inside.gap < -pressed * cell && inside.normal.dot(along) < 0;
+std::optional<Entanglement> lead_apart(const Immersion& of_a, const Immersion& of_b,
+                                       const Vec3& between_middles, const Entanglement* before, bool pressed,
+                                       double cell, double h) {
+  const double deepest = std::max(of_a.deepest, of_b.deepest);
+  if (deepest < apart * cell) return std::nullopt;
+  Entanglement now = before != nullptr ? *before : Entanglement{};
+  const Vec3 way = way_apart(of_a, of_b, between_middles);
+  if (before == nullptr || way.dot(now.way) > steady) now.way = way;
+  const auto any_through = [&](const Immersion& inside, const Vec3& along) {
+    return std::any_of(inside.vertices.begin(), inside.vertices.end(),
+                       [&](const VertexMeeting& m) { return came_through(m, along, cell); });
+  };
+  const bool through = any_through(of_a, now.way) || any_through(of_b, -now.way);
+  now.whole = now.whole || deepest > deepest_meeting * cell ||
+              now.seconds > (through ? through_seconds : deep_seconds);
+  if (!now.whole && !through && (pressed || deepest < deep * cell)) return std::nullopt;
+  now.seconds += h;
+  return now;
 }
 
 }  // namespace prosector

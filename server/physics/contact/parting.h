@@ -4,12 +4,13 @@
 // A vertex that is deep inside is as near to the wrong side as to the right one: each would be led out its
 // own way, which turns tissue inside out and draws both bodies together, and what is deeper than is looked
 // for is held for ever. So such bodies are parted as wholes: everything of one that is inside the other is
-// led along one direction, slowly and gently; in bodies less deep in each other only what has come through to
-// another side. The direction is the one that makes their common volume less soonest, the
-// integral of one surface's normals inside the other (Allard et al. 2010, "Volume contact constraints at
-// arbitrary resolution"); or, where that is as good as zero because one is within the other, from middle to
-// middle.
+// led along one direction, slowly and gently; so is what is through the other. In bodies less deep in each
+// other only the little that has come through to another side is. The direction is the one that makes their
+// common volume less soonest, the integral of one surface's normals inside the other (Allard et al. 2010,
+// "Volume contact constraints at arbitrary resolution"); or, where that is as good as zero because one is
+// within the other, from middle to middle.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,14 @@ struct Immersion {
   double deepest = 0;                   // m
   Vec3 normals = Vec3::Zero();          // m²: sum of the surface's outward normals there, by area
   double area = 0;                      // m²: of the surface there
+};
+
+/// Two solids that have been in each other for a while. They are led on as they were begun to be, until they
+/// are apart: what is half out looks as if it had come from elsewhere.
+struct Entanglement {
+  Vec3 way = Vec3::Zero();  // unit, from the second to the first
+  bool whole = false;       // all that is inside is led, not only what came through
+  double seconds = 0;
 };
 
 /// Surface vertices on tissue that is inside out tell nothing of where a body is: 1; empty: there are none.
@@ -39,10 +48,15 @@ bool may_be_immersed(const SoftSkin& from, const SoftSkin& to, std::span<const V
 /// Unit, from b to a: the way in which two bodies part. `between_middles`: from b's middle to a's, m.
 Vec3 way_apart(const Immersion& of_a, const Immersion& of_b, const Vec3& between_middles);
 
-/// Whether the bodies are so deep in each other that all of both is led along one way.
-bool is_whole_immersed(const Immersion& of_a, const Immersion& of_b, double cell);
-
 /// Whether this vertex' nearest way out goes against that of the bodies, `along`: it has come through.
 bool came_through(const VertexMeeting& inside, const Vec3& along, double cell);
+
+/// How the bodies are led apart in this tick of h s, after `before`, what was known of them; none: contacts
+/// press them apart by themselves. All that is inside is led where it is deeper than contacts look, where
+/// what came through has not gone back at once, and where, though nobody presses them (`pressed`), they stay
+/// deep. `cell`: m, the smaller one.
+std::optional<Entanglement> lead_apart(const Immersion& of_a, const Immersion& of_b,
+                                       const Vec3& between_middles, const Entanglement* before, bool pressed,
+                                       double cell, double h);
 
 }  // namespace prosector

@@ -1,25 +1,31 @@
 #include "server/physics/coupled/recovery.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "server/physics/soft/rungs.h"
 
 namespace prosector {
 namespace {
 
-constexpr double ruined_share = 0.05;     // of the volume: at once
-constexpr double ruined_seconds = 0.25;   // however little of it
-constexpr double whole = 0.3;             // of its rest volume each element has, in a body that is whole
-constexpr double calm_energy = 0.05;      // times E and the volume, at most, likewise
-constexpr double like_equilibrium = 1.5;  // times what the body's own equilibrium has of both
-constexpr double whole_seconds = 0.25;    // for so long, until its own law takes over
-constexpr double tangled_seconds = 1;     // quiet and out of shape for so long: unfolded
-constexpr double struggling_seconds = 4;  // inside out for so long, however it moves
-constexpr double quiet_speed = 1e-3;      // m/s, of the fastest node
-constexpr double most_turn = 1.05;        // rad, of a body whose law is for small rotations
-constexpr double false_turn = 0.05;       // rad: at rest so turned, such a body is 0.1 % too long
-constexpr double shivering = 0.05;        // of the stored energy, at most, in motion
-constexpr double stuck_energy = 1e-5;     // times E and the volume: a mean strain of about half a per cent
+constexpr double ruined_share = 0.05;        // of the volume: at once
+constexpr double ruined_seconds = 0.25;      // however little of it
+constexpr double whole = 0.3;                // of its rest volume each element has, in a body that is whole
+constexpr double calm_energy = 0.05;         // times E and the volume, at most, likewise
+constexpr double like_equilibrium = 1.5;     // times what the body's own equilibrium has of both
+constexpr double whole_seconds = 0.25;       // for so long, until its own law takes over
+constexpr double least_volume = 0.7;         // of its own equilibrium's, that a body at peace has
+constexpr double most_volume = 1.3;          // likewise
+constexpr double absurd_volume = 3;          // of that at rest: or none at all
+constexpr double absurd_seconds = 0.1;       // for so long: unfolded
+constexpr double ruined_for_seconds = 0.75;  // ruined, or quiet and out of shape for so long: likewise
+constexpr double crumpled_seconds = 4;       // a sheet or rope that isn't quiet: likewise
+constexpr double quiet_speed = 1e-3;         // m/s, of the fastest node
+constexpr double most_turn = 1.05;           // rad, of a body whose law is for small rotations
+constexpr double false_turn = 0.05;          // rad: at rest so turned, such a body is 0.1 % too long
+constexpr double shivering = 0.05;           // of the stored energy, at most, in motion
+constexpr double stuck_energy = 1e-5;        // times E and the volume: a mean strain of about half a per cent
 
 void enter(SoftBodyState& state, bool recovering) {
   state.recovering = recovering;
@@ -79,6 +85,24 @@ bool falsely_turned(const SoftMember& s) {
          s.body->elastic_energy(x) < stuck_energy * stiffness(*s.body);
 }
 
+/// Whether the body has another volume than what its equilibrium has, by more than any press leaves.
+bool has_lost_volume(double volume, const SoftBody& body, const VecX& equilibrium) {
+  const double own = body.volume_share(equilibrium);
+  return volume < least_volume * own || volume > most_volume * own;
+}
+
+/// s: how long the body may stay as it is; infinite: for good.
+double seconds_until_unfolded(const SoftMember& s, const Surroundings& about, const VecX& equilibrium) {
+  const double volume = s.body->volume_share(s.state->motion.x), share = ruined(*s.body, s);
+  if (volume <= 0 || volume > absurd_volume) return absurd_seconds;
+  if (share > (about.company ? ruined_share : 0)) return ruined_for_seconds;
+  if (about.company) return std::numeric_limits<double>::infinity();
+  if (has_lost_volume(volume, *s.body, equilibrium)) return ruined_for_seconds;
+  if (about.touched || !(stuck(s, equilibrium) || falsely_turned(s)))
+    return std::numeric_limits<double>::infinity();
+  return s.state->quiet_ticks == quiet_ticks_to_sleep ? ruined_for_seconds : crumpled_seconds;
+}
+
 /// A free body goes back under a law for small rotations as it rests under it: nothing would turn it there.
 double turn_allowed(const SoftBody& body, const SoftBodyState& state) {
   return state.recovering && !body.attached() ? false_turn : most_turn;
@@ -121,11 +145,9 @@ void count_quiet_ticks(SoftMember& s) {
 
 bool unfold_if_tangled(SoftMember& s, const Surroundings& about, const VecX& equilibrium, double h,
                        int ticks) {
-  const bool tangled = !about.company && (ruined(*s.body, s) > 0 ||
-                                          (!about.touched && (stuck(s, equilibrium) || falsely_turned(s))));
-  const bool quiet = s.state->quiet_ticks == quiet_ticks_to_sleep;
-  s.state->tangled_ticks = tangled ? s.state->tangled_ticks + ticks : 0;
-  if (s.state->tangled_ticks * h < (quiet ? tangled_seconds : struggling_seconds)) return false;
+  const double patience = seconds_until_unfolded(s, about, equilibrium);
+  s.state->tangled_ticks = std::isfinite(patience) ? s.state->tangled_ticks + ticks : 0;
+  if (s.state->tangled_ticks * h < patience) return false;
   s.body->unfold(*s.state);
   s.state->tangled_ticks = s.state->quiet_ticks =
       0;  // what bears its weight has yet to sink to where it rests

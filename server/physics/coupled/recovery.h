@@ -30,10 +30,11 @@ struct Surroundings {
   bool touched = false;  // by anything, the room too: it may be kept from its own shape for good
 };
 
-/// After a tick of h s, once every `ticks`: puts a body into its rest shape where it is, and says so, that
-/// for a second has been quiet and inside out, or quiet and untouched in another shape than `equilibrium`
-/// (3n, m), or for four inside out however it moved or a crumpled sheet or rope. Not in company. True when it
-/// did.
+/// After a tick of h s, once every `ticks`: puts a body into its rest shape where it is, and says so. That is
+/// one that for most of a second was partly inside out, much smaller or larger than in `equilibrium` (3n, m),
+/// or quiet and untouched in another shape. A body without any volume, or with three times its own, waits
+/// less; a crumpled sheet or rope longer. In company only what is ruined beyond what a press does. True when
+/// it did.
 bool unfold_if_tangled(SoftMember& member, const Surroundings& about, const VecX& equilibrium, double h,
                        int ticks);
 

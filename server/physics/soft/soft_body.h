@@ -142,6 +142,8 @@ class SoftBody {
   /// Share of the rest volume that is inside out at x, or flat (below `least` of its own volume); 0 for
   /// sheets and ropes, which have no inside.
   double inverted_share(const VecX& x, double least = flat) const;
+  /// Volume at x over that at rest, below 0 where it is inside out as a whole; 1 for sheets and ropes.
+  double volume_share(const VecX& x) const;
   /// Its tetrahedra at rest, each quadratic one as eight; none of sheets and ropes.
   const TetMesh& linear_tets() const;
   /// The same nodes and attachments under the law that leads out of every shape, corotational, on linear

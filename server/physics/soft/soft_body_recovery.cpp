@@ -47,6 +47,10 @@ double SoftBody::inverted_share(const VecX& x, double least) const {
   return crushed_share(impl_->linear_tets(), x, least);
 }
 
+double SoftBody::volume_share(const VecX& x) const {
+  return prosector::volume_share(impl_->linear_tets(), x);
+}
+
 const TetMesh& SoftBody::linear_tets() const {
   return impl_->linear_tets();
 }

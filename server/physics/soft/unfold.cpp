@@ -1,6 +1,7 @@
 #include "server/physics/soft/unfold.h"
 
 #include <Eigen/LU>
+#include <cmath>
 
 #include "server/physics/soft/polar.h"
 
@@ -28,6 +29,18 @@ double crushed_share(const TetMesh& mesh, const VecX& x, double least) {
     if (now * rest <= least * rest * rest) crushed += std::abs(rest);
   }
   return all > 0 ? crushed / all : 0;
+}
+
+double volume_share(const TetMesh& mesh, const VecX& x) {
+  double then = 0, now = 0;
+  const auto at = [&](std::uint32_t i) -> Vec3 { return x.segment<3>(3 * static_cast<Eigen::Index>(i)); };
+  for (const auto& t : mesh.tets) {
+    const auto& X = mesh.positions;
+    const double rest = six_volumes(X[t[0]], X[t[1]], X[t[2]], X[t[3]]);
+    then += std::abs(rest);
+    now += std::copysign(1, rest) * six_volumes(at(t[0]), at(t[1]), at(t[2]), at(t[3]));
+  }
+  return then > 0 ? now / then : 1;
 }
 
 Mat3 best_rotation(const VecX& rest, const VecX& mass, const VecX& x) {

@@ -12,6 +12,9 @@ inline constexpr double flat = 1e-2;
 /// their own.
 double crushed_share(const TetMesh& mesh, const VecX& x, double least);
 
+/// The mesh's volume at x over that at rest, below 0 where it is inside out; 1 of sheets and ropes.
+double volume_share(const TetMesh& mesh, const VecX& x);
+
 /// The rotation of the rigid motion that takes the rest shape closest to x (Horn 1987); sizes as below.
 Mat3 best_rotation(const VecX& rest, const VecX& mass, const VecX& x);
 
