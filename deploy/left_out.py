@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""left_out.py list|stay|rest BUILD_DIR WHERE...: splits a build's tests by deploy/left_out.txt. WHERE: all, asan.
+"""left_out.py list|stay|rest BUILD_DIR WHERE... [-- CTEST_FILTER...]: splits a build's tests by deploy/left_out.txt. WHERE: all, asan.
 
 list: names what is left out there. stay, rest: prints the numbers of the other tests, and of these, as `ctest -I FILE` wants them
-(not a regular expression: ctest silently ignored one of 40 groups, and ran everything).
+(not a regular expression: ctest silently ignored one of 40 groups, and ran everything). ctest counts what its other filters choose
+(-L, -R, -E), so they must be told here, too.
 Refuses a row that matches no test of BUILD_DIR, and one whose stand-in does not stay.
 """
 import json
@@ -24,9 +25,9 @@ def rows():
         yield f"{table.name}:{number}", *words
 
 
-def tests_of(build):
+def tests_of(build, filters):
     """Names in ctest's order, which is that of its numbers."""
-    told = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], capture_output=True, text=True, check=True)
+    told = subprocess.run(["ctest", "--test-dir", build, *filters, "--show-only=json-v1"], capture_output=True, text=True, check=True)
     return [test["name"] for test in json.loads(told.stdout)["tests"]]
 
 
@@ -42,10 +43,14 @@ def left_out(names, wheres):
 
 
 def main():
-    if len(sys.argv) < 4 or sys.argv[1] not in ("list", "stay", "rest"):
+    words, filters = sys.argv[1:], []
+    if "--" in words:
+        at = words.index("--")
+        words, filters = words[:at], words[at + 1:]
+    if len(words) < 3 or words[0] not in ("list", "stay", "rest"):
         sys.exit(__doc__)
-    verb, build, *wheres = sys.argv[1:]
-    names = tests_of(build)
+    verb, build, *wheres = words
+    names = tests_of(build, filters)
     out = left_out(names, wheres)
     if verb == "list":
         print("\n".join(name for name in names if name in out))

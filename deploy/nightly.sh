@@ -108,9 +108,10 @@ tests() {
 
 run_asan() {
   build_for asan asan-full every_test || return 0
-  deploy/left_out.py stay build/asan-full all >"$out/asan.tests"
   # Terminals and processes that tests time are too slow then: drivers and server_process run optimised, in the gate.
-  tests asan asan asan-full "" -I "$out/asan.tests" -L '^(unit|fuzz|image)$' -E '^(drivers|server_process)\.'
+  local filters=(-L '^(unit|fuzz|image)$' -E '^(drivers|server_process)\.')
+  deploy/left_out.py stay build/asan-full all -- "${filters[@]}" >"$out/asan.tests"
+  tests asan asan asan-full "" -I "$out/asan.tests" "${filters[@]}"
 }
 
 run_tsan() {

@@ -37,21 +37,21 @@ summary() {
 }
 trap summary EXIT
 
-# run_tests PRESET WHERE CTEST_OPTION...: all that the options choose but what WHERE of deploy/left_out.txt leaves out.
+# run_tests PRESET WHERE CTEST_FILTER...: all that the filters choose but what WHERE of deploy/left_out.txt leaves out.
 run_tests() {
   local preset=$1 where=$2 build=$PWD/build/$1
   shift 2
   rm -f "$build/tests.xml"
   reports+=("$preset=$build/tests.xml")
   # shellcheck disable=SC2086
-  deploy/left_out.py stay "$build" $where >"$build/gate_tests"
+  deploy/left_out.py stay "$build" $where -- "$@" >"$build/gate_tests"
   ctest --test-dir "$build" --output-on-failure -j2 -I "$build/gate_tests" --output-junit "$build/tests.xml" \
     --test-output-size-passed 1000000 "$@" || {
     echo "test: see above; again: ctest --test-dir build/$preset --rerun-failed --output-on-failure" >&2
     return 1
   }
   # shellcheck disable=SC2086
-  echo "test: left to deploy/nightly.sh: $(deploy/left_out.py list "$build" $where | wc -l) tests"
+  echo "test: left to deploy/nightly.sh: $(deploy/left_out.py list "$build" $where -- "$@" | wc -l) tests"
 }
 
 step "set-up"

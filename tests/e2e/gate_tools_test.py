@@ -2,6 +2,7 @@
 """gate_tools_test.py DEPLOY WORK: what deploy/test_report.py and deploy/nightly_figures.py say of reports that stand here."""
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 
@@ -61,3 +62,20 @@ for words in (["--hours", "x"], ["--hours", "0"], ["--only", "nothing"], ["--wro
     if status != 2:
         sys.exit(f"nightly.sh {' '.join(words)} gave status {status}: {text}")
     expect("nightly: " + ("--hours" if words[0] == "--hours" else words[0]), text)
+
+# What stays is what ctest runs, also where other filters choose among the tests: it counts what those leave.
+tree = work / "tree"
+tree.mkdir(exist_ok=True)
+shutil.copy(deploy / "left_out.py", work)
+(work / "left_out.txt").write_text(r"all ^soft\.Long$ ^soft\.Short$" + "\n")
+labelled = {"whole.Program": "slow", "soft.Short": "unit", "soft.Long": "unit", "soft.Other": "unit"}
+(tree / "CTestTestfile.cmake").write_text("".join(
+    f'add_test([=[{name}]=] "true")\nset_tests_properties([=[{name}]=] PROPERTIES LABELS {label})\n'
+    for name, label in labelled.items()))
+for filters, wanted in (([], ["whole.Program", "soft.Short", "soft.Other"]), (["-L", "^unit$"], ["soft.Short", "soft.Other"])):
+    _, numbers = run(work / "left_out.py", "stay", tree, "all", "--", *filters)
+    (work / "numbers").write_text(numbers)
+    _, text = run("ctest", "--test-dir", tree, "-N", "-I", work / "numbers", *filters)
+    chosen = [line.split(": ")[1] for line in text.splitlines() if "  Test " in line and "#" in line]
+    if chosen != wanted:
+        sys.exit(f"{filters}: chosen {chosen}, wanted {wanted}")
