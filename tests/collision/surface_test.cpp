@@ -64,6 +64,26 @@ TEST(Surface, KnowsInsideFromOutside) {
   EXPECT_GT(inside, 300);
 }
 
+TEST(Surface, WindsOnceAroundWhatIsInside) {
+  Random random(3);
+  const TriangleSurface ball(ball_mesh(3)), u(horseshoe_mesh());
+  for (const TriangleSurface* s : {&ball, &u})
+    for (int i = 0; i < 500; ++i) {
+      const Vec3 x = random_point(random, 1.5);
+      EXPECT_NEAR(s->winding_number(x), s->is_inside(x, *s->nearest(x)) ? 1 : 0, 1e-9);
+    }
+  // A vertex pushed through the ball and out of its other side: beside the tip the nearest face is inside
+  // out.
+  TriangleMesh dented = ball_mesh(3);
+  const Vec3 tip = -1.5 * dented.positions[0];
+  const Vec3 beside = tip + 0.02 * dented.positions[0].unitOrthogonal() * tip.norm();
+  dented.positions[0] = tip;
+  const TriangleSurface folded(dented);
+  EXPECT_TRUE(folded.is_inside(beside, *folded.nearest(beside)));
+  EXPECT_NEAR(folded.winding_number(beside), 0, 1e-9);
+  EXPECT_NEAR(folded.winding_number(0.5 * tip.unitOrthogonal()), 1, 1e-9);
+}
+
 TEST(Surface, FarthestVertexAsBruteForceHasIt) {
   Random random(3);
   const TriangleMesh mesh = organ_mesh(3, {1, 2, 3});

@@ -49,7 +49,9 @@ double deepest(std::span<const Vec3> points, const Aabb& box, const TriangleSurf
   double most = 0;
   for (const Vec3& x : points) {
     if ((x.array() < box.lo.array()).any() || (x.array() > box.hi.array()).any()) continue;
-    if (const auto near = in.nearest(x); in.is_inside(x, *near)) most = std::max(most, near->distance);
+    if (const auto near = in.nearest(x);
+        near->distance > most && in.is_inside(x, *near) && in.winding_number(x) > 0.5)
+      most = near->distance;
   }
   return most;
 }

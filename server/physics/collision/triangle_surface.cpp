@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "common/error.h"
 
@@ -113,6 +114,16 @@ Vec3 TriangleSurface::normal_at(std::uint32_t t, const Vec3& weights) const {
 
 bool TriangleSurface::is_inside(const Vec3& x, const NearestPoint& nearest) const {
   return topology_->closed() && (x - nearest.point).dot(normal_at(nearest.triangle, nearest.weights)) < 0;
+}
+
+double TriangleSurface::winding_number(const Vec3& x) const {
+  double angle = 0;  // half the solid one, of all triangles (Van Oosterom and Strackee 1983)
+  for (const Corners& t : topology_->triangles()) {
+    const Vec3 a = positions_[t[0]] - x, b = positions_[t[1]] - x, c = positions_[t[2]] - x;
+    const double u = a.norm(), v = b.norm(), w = c.norm();
+    angle += std::atan2(a.dot(b.cross(c)), u * v * w + a.dot(b) * w + b.dot(c) * u + c.dot(a) * v);
+  }
+  return angle / (2 * std::numbers::pi);
 }
 
 std::uint32_t TriangleSurface::farthest(const Vec3& direction) const {

@@ -56,6 +56,10 @@ class TriangleSurface {
   Vec3 normal_at(std::uint32_t triangle, const Vec3& weights) const;
   /// Whether x, whose closest point that is, lies inside; never inside an open surface.
   bool is_inside(const Vec3& x, const NearestPoint& nearest) const;
+  /// How often a closed surface winds around x: 1 inside, 0 outside, also of one that is folded through
+  /// itself, where the nearest point tells nothing (Jacobson et al. 2013, "Robust inside-outside segmentation
+  /// using generalized winding numbers"). O(triangles).
+  double winding_number(const Vec3& x) const;
   /// The vertex that lies farthest that way, the first of equals.
   std::uint32_t farthest(const Vec3& direction) const;
 

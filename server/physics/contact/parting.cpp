@@ -47,6 +47,8 @@ Immersion find_immersion(const SoftSkin& from, const SoftSkin& to, Unsure of_fro
     const Vec3& x = from.vertices->positions()[vertex];
     const auto near = to.faces->nearest(x);
     if (!near || !to.faces->is_inside(x, *near)) return;
+    // Beside a fold the nearest face may lie: so what looks deep is looked at again.
+    if (near->distance > deep * std::min(from.cell, to.cell) && to.faces->winding_number(x) < 0.5) return;
     const auto& corners = to.faces->topology().triangles()[near->triangle];
     if (!of_to.empty() &&
         std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) { return of_to[corner] != 0; }))
