@@ -50,7 +50,8 @@ while [ $SECONDS -lt $end ]; do
     for scene in "${scenes[@]}"; do
       [ $SECONDS -lt $end ] || break 2
       while [ "$(jobs -rp | wc -l)" -ge "$jobs" ]; do wait -n; done
-      play_one $((number++)) "$scene" "$model" &
+      play_one $number "$scene" "$model" &
+      number=$((number + 1))
     done
   done
 done

@@ -98,13 +98,13 @@ bool Simulation::Impl::nears(const Contact& contact, double gap) const {
 
 bool Simulation::Impl::add_self_contacts(std::size_t body, double margin, std::vector<Contact>& out) {
   const std::size_t before = out.size();
+  meetings.clear();
   folds[body]->find(skin(body), margin, meetings);
   for (const VertexMeeting& meeting : meetings) {
     Contact c = pair_contact(body, body, meeting);
     c.gap = std::max(c.gap, -opening_speed * step_h);
     out.push_back(c);
   }
-  meetings.clear();
   return out.size() > before;
 }
 

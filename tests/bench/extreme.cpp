@@ -237,6 +237,7 @@ std::vector<Extreme> make_extremes() {
       {"NaN gravity", clamped, frame, nullptr, Vec3(nan, nan, nan), frame},
       {"NaN in the mesh", spoilt_mesh, frame},
       {"NaN modulus", spoilt_modulus, frame},
+      {.name = "two organs and a hand", .piece = nullptr, .meshes = on_tets, .organs = true},
   };
 }
 

@@ -28,6 +28,7 @@ struct Extreme {
   unsigned meshes = on_all;
   double force = 0;        // N, on all of it along `load`, whatever its mass; 0: `load` is meant
   bool cheap = false;      // done in a blink: also looked at by the test
+  bool organs = false;     // no piece, but two organs and a hand: two_organs.h
   bool for_direct = true;  // false: a sparse factorisation would take minutes
 
   bool is_for(PieceMesh mesh) const { return (meshes >> static_cast<unsigned>(mesh) & 1u) != 0; }

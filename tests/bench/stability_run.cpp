@@ -10,6 +10,7 @@
 #include "server/calibration/stopwatch.h"
 #include "server/physics/soft/time_integrator.h"
 #include "tests/bench/text_table.h"
+#include "tests/bench/two_organs.h"
 
 namespace prosector {
 namespace {
@@ -206,6 +207,7 @@ class StabilityRun {
 
 StabilityResult run_extreme(const StabilityRung& rung, const Extreme& extreme, double limit_ms) {
   try {
+    if (extreme.organs) return press_two_organs(rung.rung, limit_ms);
     return StabilityRun(rung, extreme, limit_ms).run();
   } catch (const InputError& error) {
     StabilityResult refused;

@@ -124,6 +124,35 @@ SceneDesc on_a_table(const SoftDesc& soft) {
   return scene;
 }
 
+// What lies on what elsewhere is nothing to a body that touches itself; once its contacts were found beside
+// those of the pair before.
+TEST(SelfContacts, AreTheSameWhateverElseTouches) {
+  SceneDesc scene;
+  scene.rigid = {table()};
+  scene.soft = {clamp()};
+  const CompileOptions fill = clamps();
+  Simulation alone(scene, fill);
+  for (const double height : {0.011, 0.033}) {
+    SoftDesc& cube = scene.soft.emplace_back(block(height < 0.02 ? "lower" : "upper"));
+    cube.size = {0.02, 0.02, 0.02};
+    cube.cell = cube.surface_cell = 0.004;  // more vertices than the clamp has
+    cube.pose.p = {0.3, height, 0};
+  }
+  CompileOptions both = fill;
+  both.anatomy = [&](const SoftDesc& desc) {
+    return desc.self_contact ? fill.anatomy(desc) : options().anatomy(desc);
+  };
+  Simulation among_others(scene, both);
+  double deepest = 0;
+  for (int tick = 0; tick < 60; ++tick) {
+    alone.step({});
+    among_others.step({});
+    ASSERT_EQ(alone.soft_state(1).motion.x, among_others.soft_state(1).motion.x) << tick;
+    for (const Vec3& x : surface_now(among_others, 2)) deepest = std::max(deepest, x.y());
+  }
+  EXPECT_LT(deepest, 0.023) << "the others touch";
+}
+
 class SelfContact : public ::testing::TestWithParam<Rung> {};
 class StruckClamp : public SelfContact {};
 
