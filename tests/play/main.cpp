@@ -65,6 +65,7 @@ int watch(const Options& options) {
 
 void put_rung(const Options& options, SceneDesc& scene) {
   for (SoftDesc& soft : scene.soft) {
+    if (soft.shape == "sheet" || soft.shape == "rope") continue;  // few models are for these
     if (!options.model.empty()) soft.model = options.model;
     if (!options.element.empty()) soft.element = options.element;
     if (!options.model.empty()) soft.accuracy = soft.budget = {};
@@ -139,7 +140,7 @@ int main(int argc, char** argv) {
   app.add_option("--bout", options.bout, "s of play");
   app.add_option("--rest", options.rest, "s of rest, then the organs are judged");
   app.add_option("--threads", options.threads, "of the simulation");
-  app.add_option("--model", options.model, "of every organ, instead of the scene's");
+  app.add_option("--model", options.model, "of every solid organ, instead of the scene's");
   app.add_option("--element", options.element, "likewise");
   app.add_flag("--tell", options.tell, "say how the organs are while they rest");
   app.add_option("--json", options.json, "file for the figures");
