@@ -2,7 +2,7 @@
 # Takes real anatomy out of Debian's own packages into Prosector's data folder:
 #   libcgal-demo: liver.inr.gz (labelled abdominal CT), femur.off, bones.off (foot)
 #   invesalius-examples: head.nii (CT of a head)
-#   mricron-data: brain.nii.gz (MRI of a brain)
+#   mricron-data: brain.nii.gz (MRI of a brain), aal.nii.gz (its regions: the AAL atlas)
 # Nothing is installed. When something fails it says so in one line and succeeds: scenes then fall back to
 # implicit shapes.
 set -uo pipefail
@@ -15,6 +15,7 @@ files=(  # package, sha256, file
   "libcgal-demo 004bd26f0029910eb2e2fd38b7ca11ea05dd4182e247c0fb778533b860dd7ab2 bones.off"
   "invesalius-examples 74ae85e6206a02d281ac6124e4ad01ca239dd41b661d4c0224655dc1f9a3bf34 head.nii"
   "mricron-data 592a2d20abdf36eefcb540ca8958428040edffc1bc1a18ba1dcfbabac77c5dd1 brain.nii.gz"
+  "mricron-data b512dcd3f36b77f56be7a9a038134096e66314b7e8c31d25875b96bcf6991454 aal.nii.gz"
 )
 packages=(  # package, megabytes
   "libcgal-demo 24"
@@ -32,7 +33,9 @@ take() {
     invesalius-examples)
       python3 "$deploy/inv3_to_nifti.py" "$2/usr/share/doc/invesalius-examples/examples/Cranium.inv3" "$3/head.nii"
       ;;
-    mricron-data) cp "$2/usr/share/mricron/templates/ch2bet.nii.gz" "$3/brain.nii.gz" ;;
+    mricron-data)
+      cp "$2/usr/share/mricron/templates/ch2bet.nii.gz" "$3/brain.nii.gz" && cp "$2/usr/share/mricron/templates/aal.nii.gz" "$3/"
+      ;;
   esac
 }
 

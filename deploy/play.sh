@@ -23,12 +23,23 @@ done
 [[ $hours =~ ^[0-9]+(\.[0-9]+)?$ ]] || refuse "--hours $hours: expected a number of hours, such as 8 or 0.5"
 [[ $jobs =~ ^[1-9][0-9]*$ ]] || refuse "--jobs $jobs: expected a number of runs at once"
 [[ $seed =~ ^[0-9]+$ ]] || refuse "--seed $seed: expected a whole number"
-[ ${#scenes[@]} -gt 0 ] || scenes=("$root"/deploy/scenes/{touch,abdomen,cut,head,minimal,contact,curves,sheet_cut}.toml)
+shipped=no
+[ ${#scenes[@]} -gt 0 ] || shipped=yes
+[ $shipped = no ] || scenes=("$root"/deploy/scenes/{touch,abdomen,cut,head,minimal,contact,curves,sheet_cut}.toml)
 # As the scene says, then each model instead.
 models=("" fem_neo_hookean mass_spring fem_stvk fem_linear fem_neo_hookean_polynomial fem_fibers xpbd)
 
 "$root/deploy/build.sh" release prosector-play
 mkdir -p "$out"
+# The 116 regions of an atlas, too, where fetch_anatomy.sh has been.
+atlas=${PROSECTOR_DATA:-${XDG_DATA_HOME:-$HOME/.local/share}/prosector}/aal.nii.gz
+if [ $shipped = yes ]; then
+  if [ -f "$atlas" ]; then
+    "$root/deploy/atlas_scene.py" "$atlas" "$out/atlas.toml" && scenes+=("$out/atlas.toml")
+  else
+    echo "play: skipped: the atlas: no $atlas (deploy/fetch_anatomy.sh)"
+  fi
+fi
 rm -f "$out"/*.json "$out"/*.log
 end=$((SECONDS + $(awk -v h="$hours" 'BEGIN { printf "%d", 3600 * h }')))
 echo "play: seeds from $seed on, until $hours h are over"

@@ -49,8 +49,8 @@ expect "no network for anatomy" 0 "can't download libcgal-demo \(E: no network\)
   "$deploy/fetch_anatomy.sh"
 fake apt-get 'for last; do :; done; echo nonsense > "${last}_1_all.deb"'
 expect "damaged packages" 0 "can't unpack mricron-data .*; scenes use implicit shapes" 6 "$deploy/fetch_anatomy.sh"
-fake dpkg 'mkdir -p "$3/usr/share/mricron/templates"; echo other > "$3/usr/share/mricron/templates/ch2bet.nii.gz"'
-expect "other files than expected" 0 'brain.nii.gz of mricron-data is not the one expected; scenes use implicit shapes' 6 \
+fake dpkg 'mkdir -p "$3/usr/share/mricron/templates"; for file in ch2bet aal; do echo other > "$3/usr/share/mricron/templates/$file.nii.gz"; done'
+expect "other files than expected" 0 'brain.nii.gz of mricron-data is not the one expected; scenes use implicit shapes' 7 \
   "$deploy/fetch_anatomy.sh"
 expect "a data folder that is none" 0 "can't write /proc/nowhere; scenes use implicit shapes" 1 \
   env PROSECTOR_DATA=/proc/nowhere "$deploy/fetch_anatomy.sh"
