@@ -11,8 +11,7 @@ namespace prosector {
 namespace {
 
 constexpr int tangle_check_ticks = 8;
-constexpr double left_inside =
-    0.1;  // cells: contacts press what is in other tissue no deeper out by themselves
+constexpr double left_inside = 0.1;  // cells: what is no deeper contacts press out by themselves
 constexpr int most_moves = 100;
 constexpr double squeezing = 3;             // weights
 constexpr double entangled_seconds = 0.75;  // for so long bodies are led apart
