@@ -13,7 +13,6 @@
 #include "idl/counters.h"
 #include "idl/dds/node.h"
 #include "idl/dds/qos.h"
-#include "idl/dds/timed_wait.h"
 #include "idl/dds/writer_ids.h"
 #include "idl/rate_gate.h"
 #include "idl/wire/codec.h"
@@ -53,7 +52,7 @@ class CycloneBus final : public Bus {
 
   std::unique_ptr<Node> node_;
   Entity publisher_, subscriber_;
-  std::optional<TimedWait> waiting_;  // for what endpoints read; ends before node_
+  Entity waiting_;  // a wait set for what endpoints read; ends before node_
   std::array<Endpoint, topic_count> endpoints_;
   std::mutex take_mutex_;  // of the three below
   WriterIds writer_ids_;
@@ -67,7 +66,7 @@ CycloneBus::CycloneBus(const BusConfig& config) : node_(std::make_unique<Node>(c
   const Qos partition = partition_qos(config.session);
   publisher_ = Entity(dds_create_publisher(participant, partition.get(), nullptr), "publisher");
   subscriber_ = Entity(dds_create_subscriber(participant, partition.get(), nullptr), "subscriber");
-  waiting_.emplace(participant);
+  waiting_ = Entity(dds_create_waitset(participant), "waitset");
   for (std::size_t i = 0; i < topic_count; ++i) {
     const TopicSpec& spec = topics[i];
     const bool in = reads(config.end, spec), out = writes(config.end, spec);
@@ -83,13 +82,13 @@ CycloneBus::CycloneBus(const BusConfig& config) : node_(std::make_unique<Node>(c
     endpoint.reader =
         Entity(dds_create_reader(subscriber_.get(), endpoint.topic.get(), qos.get(), nullptr), spec.name);
     endpoint.arrived = Entity(dds_create_readcondition(endpoint.reader.get(), DDS_ANY_STATE), spec.name);
-    waiting_->attach(endpoint.arrived.get());
+    dds_waitset_attach(waiting_.get(), endpoint.arrived.get(), 0);
   }
 }
 
 CycloneBus::~CycloneBus() {
   const std::scoped_lock lock(entity_mutex());
-  waiting_.reset();
+  waiting_ = {};
   node_.reset();  // the domain takes all its entities along
 }
 
@@ -206,7 +205,7 @@ Refusal CycloneBus::accept_data(std::size_t topic, const void* sample, Received&
 }
 
 bool CycloneBus::wait(std::chrono::milliseconds timeout) {
-  return waiting_->wait(timeout);
+  return dds_waitset_wait(waiting_.get(), nullptr, 0, std::chrono::nanoseconds(timeout).count()) > 0;
 }
 
 }  // namespace

@@ -14,7 +14,6 @@
 #include "idl/dds/node.h"
 #include "idl/dds/profile.h"
 #include "idl/dds/qos.h"
-#include "idl/dds/timed_wait.h"
 #include "idl/session_watch.h"
 #include "idl/wire/codec.h"
 
@@ -37,19 +36,19 @@ class SessionListener {
     const dds_entity_t topic =
         dds_create_topic(participant, wire_codec(session_info).descriptor, spec.name, nullptr, nullptr);
     reader_ = dds_create_reader(subscriber, topic, endpoint_qos(spec).get(), nullptr);
-    waiting_.emplace(participant);
-    waiting_->attach(dds_create_readcondition(reader_, DDS_ANY_STATE));
+    waiting_ = Entity(dds_create_waitset(participant), "waitset");
+    dds_waitset_attach(waiting_.get(), dds_create_readcondition(reader_, DDS_ANY_STATE), 0);
   }
   ~SessionListener() {
     const std::scoped_lock lock(entity_mutex());
-    waiting_.reset();
+    waiting_ = {};
     node_.reset();
   }
 
   /// Waits until `deadline_ns` at most, then keeps what arrived.
   void listen(std::int64_t deadline_ns) {
     const std::int64_t left = std::max<std::int64_t>(0, deadline_ns - monotonic_ns());
-    if (!waiting_->wait(std::chrono::nanoseconds(left))) return;
+    if (dds_waitset_wait(waiting_.get(), nullptr, 0, left) <= 0) return;
     void* sample = nullptr;
     dds_sample_info_t info;
     while (dds_take(reader_, &sample, &info, 1, 1) > 0) {
@@ -69,8 +68,8 @@ class SessionListener {
 
  private:
   std::unique_ptr<Node> node_;
-  std::optional<TimedWait> waiting_;  // for what reader_ reads; ends before node_
-  dds_entity_t reader_ = 0;           // dies with its domain
+  Entity waiting_;           // a wait set for what reader_ reads; ends before node_
+  dds_entity_t reader_ = 0;  // dies with its domain
   std::map<InstanceKey, SessionInfo> found_;
 };
 
