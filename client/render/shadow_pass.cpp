@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/rotation_between.h"
+
 namespace prosector {
 namespace {
 
@@ -14,7 +16,7 @@ bool casts_shadow(const DrawItem& item) {
 /// The spot light as a square camera; depth is spent only on what casts shadows.
 DrawCamera camera_of(const LightInfo& light, const std::vector<QueuedItem>& items) {
   DrawCamera camera;
-  camera.pose = {light.position, Quat::FromTwoVectors(-Vec3::UnitZ(), light.direction.normalized())};
+  camera.pose = {light.position, rotation_between(-Vec3::UnitZ(), light.direction.normalized())};
   const double widest = 1.3;  // rad; a wider cone is lit but unshadowed at its rim
   const double tangent = std::tan(std::clamp(light.cone, 0.02, widest));
   camera.left = camera.bottom = -tangent;

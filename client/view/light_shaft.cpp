@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/rotation_between.h"
+
 namespace prosector {
 namespace {
 
@@ -44,7 +46,7 @@ void add_light_shaft(DrawList& list, const std::shared_ptr<const DrawMesh>& shaf
   if (length < 1e-3) return;
   DrawItem item;
   item.mesh = shaft;
-  item.pose.q = Quat::FromTwoVectors(-Vec3::UnitZ(), way);
+  item.pose.q = rotation_between(-Vec3::UnitZ(), way);
   const Mat3 turn = item.pose.q.toRotationMatrix();
   item.shape.A =
       turn * Vec3(beyond * part_radius, beyond * part_radius, length).asDiagonal() * turn.transpose();

@@ -6,6 +6,7 @@
 #include "client/view/camera.h"
 #include "client/view/hand_mesh.h"
 #include "client/view/light_shaft.h"
+#include "common/rotation_between.h"
 
 namespace prosector {
 namespace {
@@ -63,7 +64,7 @@ Vec3 inside_of(const DrawItem& body) {
 void add_hands(DrawList& list, const Vec3& between, const Vec3& towards_eye) {
   const std::array<HandSkin, 2> skins = make_hand_skins();
   const Vec3 ahead = -Vec3(towards_eye.x(), 0, towards_eye.z()).normalized();
-  const Quat facing = Quat::FromTwoVectors(-Vec3::UnitZ(), ahead);
+  const Quat facing = rotation_between(-Vec3::UnitZ(), ahead);
   for (const std::size_t hand : {left_hand, right_hand}) {
     auto mesh = skins[hand].make_mesh(first_own_mesh + hand);
     const double bend = hand == left_hand ? 0.15 : 0.8;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "common/rotation_between.h"
+
 namespace prosector {
 namespace {
 
@@ -62,7 +64,7 @@ void sweep_tube(std::span<const Vec3f> axis, float diameter, DrawMesh& tube) {
   Vec3f side = Vec3f::UnitY();
   const auto turn_to = [&](const Vec3f& next) {
     if (next.isZero()) return;
-    side = Eigen::Quaternionf::FromTwoVectors(tangent, next) * side;
+    side = rotation_between(tangent.cast<double>(), next.cast<double>()).cast<float>() * side;
     tangent = next;
     side = (side - side.dot(tangent) * tangent).normalized();
   };

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "common/hand.h"
+#include "common/rotation_between.h"
 #include "server/physics/rotation.h"
 
 namespace prosector {
@@ -68,7 +69,7 @@ Hold hold_rigid(BodyId body, double body_mass, const HandDesc& desc, const Pose&
   const Pose to_hand = hand_centre.inverse(), to_body = body_centre.inverse();
   const double share = 1 / (3.0 * static_cast<double>(touches.size()));
   for (const Touch& touch : touches) {
-    const Quat around = Quat::FromTwoVectors(Vec3::UnitZ(), touch.normal);
+    const Quat around = rotation_between(Vec3::UnitZ(), touch.normal);
     for (int k = 0; k < 3; ++k) {
       const double angle = 2 * std::numbers::pi / 3 * k;
       const Vec3 at = touch.point + patch_radius * (around * Vec3(std::cos(angle), std::sin(angle), 0));

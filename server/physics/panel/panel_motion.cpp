@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/rotation_between.h"
 #include "server/physics/rigid/bullet_types.h"
 
 namespace prosector {
@@ -99,7 +100,7 @@ Pose pose_of(const Capsule& c) {
   const Vec3 along = c.b - c.a;
   const Vec3 middle = (c.a + c.b) / 2;
   if (along.norm() < 1e-9) return {middle, Quat::Identity()};
-  return {middle, Quat::FromTwoVectors(Vec3::UnitY(), along)};  // Bullet's capsules stand along y
+  return {middle, rotation_between(Vec3::UnitY(), along)};  // Bullet's capsules stand along y
 }
 
 /// Bullet's world for one tick of one panel, in the panel's frame.
