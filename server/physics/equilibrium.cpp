@@ -19,6 +19,13 @@ constexpr double relaxation_step = 0.1;  // s
 constexpr int most_relaxation_steps = 150;
 constexpr double at_rest = 2e-6;            // m a step
 constexpr double relaxation_margin = 0.02;  // m: what is nearer may carry the body
+constexpr double most_inverted = 0.05;      // of the volume inside out: no equilibrium of tissue
+
+/// What is found of a body.
+struct Rest {
+  VecX shape;               // 3n, m
+  bool recovering = false;  // under the law that leads out of every shape: its own doesn't carry its weight
+};
 
 std::filesystem::path cache_file(const CompileOptions& options, const ContentHash& hash) {
   return options.cache_dir / (to_hex(hash) + ".rest");
@@ -26,16 +33,19 @@ std::filesystem::path cache_file(const CompileOptions& options, const ContentHas
 
 /// What the file is sealed under: its layout, and the scene that it belongs to.
 std::string seal_key(const ContentHash& hash) {
-  return "rest 1 " + to_hex(hash);
+  return "rest 2 " + to_hex(hash);
 }
 
-bool read_shapes(const std::vector<std::uint8_t>& bytes, std::vector<VecX>& shapes) {
+bool read_rests(const std::vector<std::uint8_t>& bytes, std::vector<Rest>& rests) {
   try {
     ByteReader reader(bytes, "equilibrium");
-    std::vector<VecX> found;
-    for (const VecX& shape : shapes) found.push_back(reader.vector(shape.size()));
+    std::vector<Rest> found;
+    for (const Rest& rest : rests) {
+      found.push_back({reader.vector(rest.shape.size())});
+      found.back().recovering = reader.flag();
+    }
     if (!reader.done()) return false;
-    shapes = std::move(found);
+    rests = std::move(found);
     return true;
   } catch (const InputError&) {
     return false;  // of other bodies
@@ -43,11 +53,11 @@ bool read_shapes(const std::vector<std::uint8_t>& bytes, std::vector<VecX>& shap
 }
 
 /// False when there is none, or one that does not fit: it is found anew.
-bool read_cache(const CompileOptions& options, const ContentHash& hash, std::vector<VecX>& shapes) {
+bool read_cache(const CompileOptions& options, const ContentHash& hash, std::vector<Rest>& rests) {
   if (options.cache_dir.empty()) return false;
   const std::filesystem::path file = cache_file(options, hash);
   FoundFile found = read_sealed(file, seal_key(hash));
-  if (found.bytes && read_shapes(*found.bytes, shapes)) return true;
+  if (found.bytes && read_rests(*found.bytes, rests)) return true;
   if (found.bytes) found.trouble = "is damaged";
   if (!found.trouble.empty() && options.progress)
     options.progress(fmt::format("cache {} {}: bodies settle anew", file.filename().string(), found.trouble));
@@ -55,9 +65,12 @@ bool read_cache(const CompileOptions& options, const ContentHash& hash, std::vec
 }
 
 /// A cache that can't be written is no error.
-void write_cache(const CompileOptions& options, const ContentHash& hash, const std::vector<VecX>& shapes) {
+void write_cache(const CompileOptions& options, const ContentHash& hash, const std::vector<Rest>& rests) {
   ByteWriter out;
-  for (const VecX& shape : shapes) out.add(shape);
+  for (const Rest& rest : rests) {
+    out.add(rest.shape);
+    out.add(static_cast<std::uint8_t>(rest.recovering));
+  }
   write_sealed(cache_file(options, hash), seal_key(hash), out.bytes());
 }
 
@@ -70,7 +83,7 @@ void Simulation::Impl::relax(std::span<const std::size_t> bodies) {
     Island island;
     std::vector<VecX> before;
     for (const std::size_t body : bodies) {
-      island.soft.push_back({body, model.soft[body].get(), &soft[body]});
+      island.soft.push_back({body, &model.soft[body]->in_force(soft[body]), &soft[body]});
       before.push_back(soft[body].motion.x);
       for (Collider c : colliders) {
         c.fixed = true;  // what moves stands still until the scene runs
@@ -80,13 +93,13 @@ void Simulation::Impl::relax(std::span<const std::size_t> bodies) {
         if (other >= body && may_meet(body, other))
           add_pair_contacts(body, other, relaxation_margin, island.contacts);
     }
-    for (const std::size_t body : bodies) model.soft[body]->set_relaxed(true);
+    for (const SoftMember& member : island.soft) member.body->set_relaxed(true);
     const IslandReport solved = solver.solve(island, relaxation_step, model.scene.gravity);
     double moved = 0;
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       const std::size_t body = bodies[k];
       SoftBodyState& state = soft[body];
-      model.soft[body]->set_relaxed(false);
+      island.soft[k].body->set_relaxed(false);
       keep(island.contacts, body, held[body]);
       state.motion.v.setZero();
       state.warm_start.setZero();
@@ -131,29 +144,59 @@ bool Simulation::Impl::floats(std::span<const std::size_t> bodies) const {
   return std::any_of(bodies.begin(), bodies.end(), falls) && std::none_of(bodies.begin(), bodies.end(), held);
 }
 
-/// What rests inside out is no equilibrium of tissue: the author hears of it.
+/// Bodies that their own weight turns inside out settle again, with what they touch, under the law that leads
+/// out of every shape, and keep it.
+void Simulation::Impl::settle_crushed(std::span<const std::size_t> bodies) {
+  bool again = false;
+  for (const std::size_t body : bodies) {
+    SoftBody& b = *model.soft[body];
+    if (!b.has_recovery() || b.inverted_share(soft[body].motion.x) <= most_inverted) continue;
+    b.keep_recovering();
+    again = true;
+  }
+  if (!again) return;
+  for (const std::size_t body : bodies) {
+    soft[body] = model.soft[body]->initial_state();
+    soft[body].recovering = model.soft[body]->keeps_recovering();
+    follow_nodes(body);
+  }
+  relax(bodies);
+}
+
+/// What its own weight crushes is no tissue as it is described: the author hears of it.
 void Simulation::Impl::tell_if_crushed(std::size_t body, const CompileOptions& options) {
-  const double share = model.soft[body]->inverted_share(equilibrium[body]);
-  if (share == 0 || !options.progress) return;
-  const SoftDesc& desc = model.soft[body]->desc();
+  const SoftBody& b = *model.soft[body];
+  const double share = b.inverted_share(equilibrium[body]);
+  if ((share == 0 && !b.keeps_recovering()) || !options.progress) return;
+  const SoftDesc& desc = b.desc();
+  const std::string what =
+      b.keeps_recovering()
+          ? fmt::format("under {} its own weight crushes it: it is fem_corotational", desc.model)
+          : fmt::format("its own weight crushes {:.2g} % of it", 100 * share);
   options.progress(
-      fmt::format("soft body \"{}\": its own weight crushes {:.2g} % of it; let it be stiffer than {:.3g} "
-                  "Pa, smaller, or "
-                  "tied to its place ([[soft.attach]])",
-                  desc.name, 100 * share, desc.youngs_modulus));
+      fmt::format("soft body \"{}\": {}; let it be stiffer than {:.3g} Pa, smaller, or tied to its place "
+                  "([[soft.attach]])",
+                  desc.name, what, desc.youngs_modulus));
 }
 
 void Simulation::Impl::settle(const CompileOptions& options) {
   refresh_colliders();
-  for (const SoftBodyState& state : soft) equilibrium.push_back(state.motion.x);
-  const bool cached = read_cache(options, model.hash, equilibrium);
+  std::vector<Rest> rests;
+  for (const SoftBodyState& state : soft) rests.push_back({state.motion.x});
+  const bool cached = read_cache(options, model.hash, rests);
+  for (std::size_t i = 0; i < soft.size(); ++i)
+    if (cached && rests[i].recovering) model.soft[i]->keep_recovering();
+  equilibrium.resize(soft.size());
   for (const std::vector<std::size_t>& bodies : neighbourhoods()) {
     const bool falls = floats(bodies);
     if (!cached && !falls) relax(bodies);
+    if (!cached && !falls) settle_crushed(bodies);
     for (const std::size_t i : bodies) {
-      if (cached) soft[i].motion.x = equilibrium[i];
+      if (cached) soft[i].motion.x = rests[i].shape;
       equilibrium[i] = soft[i].motion.x;
+      rests[i] = {equilibrium[i], model.soft[i]->keeps_recovering()};
       soft[i].motion.x_prev = soft[i].motion.x;
+      soft[i].recovering = rests[i].recovering;
       soft[i].asleep = !falls;
       place_surface(i);
       tell_if_crushed(i, options);
@@ -164,7 +207,7 @@ void Simulation::Impl::settle(const CompileOptions& options) {
     }
   }
   layer_sides.clear();  // as when the shapes were read
-  if (!cached && !options.cache_dir.empty() && !soft.empty()) write_cache(options, model.hash, equilibrium);
+  if (!cached && !options.cache_dir.empty() && !soft.empty()) write_cache(options, model.hash, rests);
 }
 
 }  // namespace prosector

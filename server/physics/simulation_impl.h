@@ -270,6 +270,7 @@ struct Simulation::Impl : PanelSubjects {
                           std::span<const Vec3> from) const;
   std::vector<Vec3> node_positions(const Organ& organ) const;
   void obey(const CutEvent& event);
+  std::unique_ptr<SoftBody> same_tissue(std::size_t body, SoftDesc desc, Anatomy anatomy) const;
   std::unique_ptr<SoftBody> make_piece(const Organ& organ, std::size_t body, Numbering& numbering) const;
   void place_piece(std::size_t body, std::size_t first, std::unique_ptr<SoftBody> solver, Numbering numbering,
                    SurfaceDetector surface);
@@ -401,6 +402,7 @@ struct Simulation::Impl : PanelSubjects {
                           std::vector<Contact>& out) const;
   void wake_soft(std::size_t body);
   void settle(const CompileOptions& options);
+  void settle_crushed(std::span<const std::size_t> bodies);
   void tell_if_crushed(std::size_t body, const CompileOptions& options);  // part of it
   std::vector<std::vector<std::size_t>> neighbourhoods();
   void relax(std::span<const std::size_t> bodies);

@@ -14,13 +14,21 @@
 
 namespace prosector {
 
+/// A solver of the same tissue as a body's, of other geometry.
+std::unique_ptr<SoftBody> Simulation::Impl::same_tissue(std::size_t body, SoftDesc desc,
+                                                        Anatomy anatomy) const {
+  auto made = std::make_unique<SoftBody>(std::move(desc), std::move(anatomy));
+  if (model.soft[body]->keeps_recovering()) made->keep_recovering();
+  return made;
+}
+
 /// The solver of a piece: named after the organ, and of its material.
 std::unique_ptr<SoftBody> Simulation::Impl::make_piece(const Organ& organ, std::size_t body,
                                                        Numbering& numbering) const {
   const std::size_t first = organ.pieces().front().body;
   SoftDesc desc = model.soft[first]->desc();
   if (body != first) desc.name = fmt::format("{} piece {}", desc.name, body - model.scene.soft.size() + 1);
-  return std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(body), numbering));
+  return same_tissue(first, std::move(desc), organ.anatomy(organ.piece(body), numbering));
 }
 
 /// Puts a solver in the place of the body's, or at the end, where the body is new.

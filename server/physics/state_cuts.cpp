@@ -106,7 +106,7 @@ RestoredCuts::RestoredCuts(Simulation::Impl& simulation)
   for (const auto& [first, organ] : simulation.organs) {
     Piece& uncut = pieces_[first];
     uncut.first = first;
-    uncut.solver = std::make_unique<SoftBody>(simulation.model.soft[first]->desc(), organ.whole());
+    uncut.solver = simulation.same_tissue(first, simulation.model.soft[first]->desc(), organ.whole());
     uncut.equilibrium = simulation.uncut_equilibrium[first];
   }
 }

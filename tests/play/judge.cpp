@@ -12,9 +12,10 @@
 namespace prosector::test {
 namespace {
 
+/// Whether it has a volume; not of what is hidden, which stands still until somebody shows it again.
 bool is_solid(const Simulation& simulation, BodyId body) {
   return simulation.kind(body) == BodyKind::soft && !simulation.soft(body).linear_tets().tets.empty() &&
-         !simulation.surface(body).triangles.empty();
+         !simulation.surface(body).triangles.empty() && !simulation.part(body).out_of_touch();
 }
 
 bool willing(const SoftDesc& a, const SoftDesc& b) {
@@ -25,7 +26,7 @@ bool willing(const SoftDesc& a, const SoftDesc& b) {
 bool may_touch(const Simulation& simulation, BodyId a, BodyId b) {
   const SoftDesc &first = simulation.soft(a).desc(), &second = simulation.soft(b).desc();
   return first.collision == "mesh" && second.collision == "mesh" && willing(first, second) &&
-         willing(second, first) && !simulation.part(a).out_of_touch() && !simulation.part(b).out_of_touch();
+         willing(second, first);
 }
 
 std::vector<Vec3> surface_positions(const Simulation& simulation, BodyId body) {

@@ -22,7 +22,8 @@ constexpr double absurd_seconds = 0.1;       // for so long: unfolded
 constexpr double ruined_for_seconds = 0.75;  // ruined, or quiet and out of shape for so long: likewise
 constexpr double crumpled_seconds = 4;       // a sheet or rope that isn't quiet: likewise
 constexpr double quiet_speed = 1e-3;         // m/s, of the fastest node
-constexpr double most_turn = 1.05;           // rad, of a body whose law is for small rotations
+constexpr double most_turn = 1.05;           // rad, of an attached body whose law is for small rotations
+constexpr double most_free_turn = 0.5;       // rad, of a free one: that law makes 1.3 times its volume of it
 constexpr double false_turn = 0.05;          // rad: at rest so turned, such a body is 0.1 % too long
 constexpr double shivering = 0.05;           // of the stored energy, at most, in motion
 constexpr double stuck_energy = 1e-5;        // times E and the volume: a mean strain of about half a per cent
@@ -105,7 +106,8 @@ double seconds_until_unfolded(const SoftMember& s, const Surroundings& about, co
 
 /// A free body goes back under a law for small rotations as it rests under it: nothing would turn it there.
 double turn_allowed(const SoftBody& body, const SoftBodyState& state) {
-  return state.recovering && !body.attached() ? false_turn : most_turn;
+  if (body.attached()) return most_turn;
+  return state.recovering ? false_turn : most_free_turn;
 }
 
 }  // namespace
@@ -116,6 +118,12 @@ void choose_law(SoftMember& member, double h) {
   member.degraded = member.refused = member.guarded = member.limited = false;
   member.note.clear();
   if (!body.has_recovery() || !state.motion.x.allFinite()) return;
+  if (body.keeps_recovering()) {
+    if (!state.recovering) enter(state, true);
+    member.degraded = true;
+    member.note = "its own weight would crush it: stepped as fem_corotational by implicit_euler";
+    return;
+  }
   const bool turned = body.turned_by(turn_allowed(body, state), state.motion.x);
   if (state.recovering) {
     const bool out =

@@ -151,6 +151,10 @@ class SoftBody {
   /// have it anyway, and for sheets and ropes.
   SoftBody* recovery();
   bool has_recovery() const;
+  /// From here on recovery() is in force for good: under its own law the body's own weight crushes it. Asks
+  /// for has_recovery(). Pieces of it are told, too.
+  void keep_recovering();
+  bool keeps_recovering() const;
   /// The body whose law is in force in this state: itself, or recovery().
   SoftBody& in_force(const SoftBodyState& state);
   /// Whether the body as a whole is turned by more than `angle` (rad) from its rest pose and its law is for

@@ -38,6 +38,7 @@ struct SoftBody::Impl {
   VecX inertia, attached;  // n kg; n N/m: those divided by s
   std::unique_ptr<Substepper> substepper;
   std::unique_ptr<SoftBody> recovery;
+  bool keeps_recovering = false;
   std::vector<double> area;
   double diagonal;    // m
   Motion remembered;  // x, v

@@ -18,6 +18,14 @@ bool SoftBody::has_recovery() const {
          mesh_kind(impl_->anatomy) == MeshKind::tets;
 }
 
+void SoftBody::keep_recovering() {
+  impl_->keeps_recovering = true;
+}
+
+bool SoftBody::keeps_recovering() const {
+  return impl_->keeps_recovering;
+}
+
 SoftBody* SoftBody::recovery() {
   if (!impl_->recovery && has_recovery()) {
     SoftDesc desc = impl_->desc;
