@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "server/physics/soft/soft_body.h"
+
 namespace prosector::test {
 namespace {
 
@@ -24,6 +26,14 @@ void note(const StepReport& report, PlayFigures& figures) {
     figures.resets += row.reset;
     figures.recoveries += row.note.find("recovering") != std::string::npos;
   }
+}
+
+/// m/s: of a soft body's fastest node, along one axis; of a rigid one's middle, or of a point 0.1 m from it.
+double fastest(const Simulation& simulation, BodyId body) {
+  if (simulation.kind(body) == BodyKind::soft)
+    return simulation.soft_state(body).motion.v.lpNorm<Eigen::Infinity>();
+  const auto motion = simulation.rigid_state(body);
+  return std::max(motion.linear_velocity.norm(), 0.1 * motion.angular_velocity.norm());
 }
 
 }  // namespace
@@ -94,7 +104,8 @@ PlayFigures play(Simulation& simulation, const PlayOptions& options,
     if (say && mean_ms > 1e3 / rate / 2) {
       std::string awake;
       for (BodyId b = 0; b < simulation.body_count(); ++b)
-        if (!simulation.asleep(b)) awake += " " + simulation.name(b);
+        if (!simulation.asleep(b))
+          awake += fmt::format(" {} ({:.1f} mm/s)", simulation.name(b), 1e3 * fastest(simulation, b));
       say(fmt::format("{}, seed {}, bout {}: still {:.1f} ms a step, awake:{}{}", simulation.scene().name,
                       options.seed, bout, mean_ms, awake, words));
     }
