@@ -7,7 +7,7 @@
 namespace prosector {
 namespace {
 
-using Triangles = std::span<const std::array<std::uint32_t, 3>>;
+using TriangleSpan = std::span<const std::array<std::uint32_t, 3>>;
 
 /// Disjoint sets over triangle corners 3·t + k.
 class CornerSets {
@@ -30,7 +30,7 @@ struct EdgeCorners {
 };
 
 /// Corners of one vertex belong together when their triangles meet in a flat enough edge.
-CornerSets smooth_corners(Triangles triangles, const std::vector<Vec3>& face_normals, double cos_angle) {
+CornerSets smooth_corners(TriangleSpan triangles, const std::vector<Vec3>& face_normals, double cos_angle) {
   CornerSets sets(3 * triangles.size());
   std::unordered_map<std::uint64_t, EdgeCorners> first_at_edge;
   first_at_edge.reserve(2 * triangles.size());
@@ -54,7 +54,7 @@ CornerSets smooth_corners(Triangles triangles, const std::vector<Vec3>& face_nor
 
 }  // namespace
 
-void smooth_normals(std::span<const Eigen::Vector3f> positions, Triangles triangles,
+void smooth_normals(std::span<const Eigen::Vector3f> positions, TriangleSpan triangles,
                     std::vector<Eigen::Vector3f>& normals) {
   normals.assign(positions.size(), Eigen::Vector3f::Zero());
   for (const auto& t : triangles) {

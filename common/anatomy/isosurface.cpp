@@ -14,10 +14,10 @@
 namespace prosector {
 namespace {
 
-constexpr double max_lattice_points = 1 << 24;  // 128 MB of values, a few seconds
+constexpr double max_surface_lattice = 1 << 24;  // 128 MB of values, a few seconds
 
 TriangleMesh march(const SolidField& field, double cell) {
-  const BccLattice lattice(field, cell, Vec3::Zero(), max_lattice_points);
+  const BccLattice lattice(field, cell, Vec3::Zero(), max_surface_lattice);
   std::vector<double> value(lattice.size());
   for (std::size_t i = 0; i < value.size(); ++i) value[i] = field.value(lattice.position(i));
 

@@ -7,15 +7,7 @@
 namespace prosector {
 namespace {
 
-constexpr double to_begin = 1.5;  // times the force at which a cut goes on: a crack that isn't there yet
-constexpr int halvings = 12;      // of a tick's way, to where a point entered
-constexpr double hold = 2e-4;     // m below the surface, where tissue holds on to what enters it
-
-Vec3 point_of(const SparseMap::Row& row, const VecX& x) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 0; k < 4; ++k) sum += row.weight[k] * x.segment<3>(3 * Eigen::Index{row.node[k]});
-  return sum;
-}
+constexpr double hold = 2e-4;  // m below the surface, where tissue holds on to what enters it
 
 }  // namespace
 
@@ -95,8 +87,8 @@ void Simulation::Impl::grip_blades() {
         if (!grip || edge.ray) continue;
         const SoftDesc& tissue = model.soft[grip->body]->desc();
         const Vec3 arm = now[p] - tool.pose.p, lag = now[p] - blade.cut_to[p];
-        const double force =
-            (blade.cutting ? 1 : to_begin) * tissue.toughness * edge.length_per_point * slicing(lag, along);
+        const double force = (blade.cutting ? 1 : to_begin_cut) * tissue.toughness * edge.length_per_point *
+                             slicing(lag, along);
         if (!(force > 0)) continue;
         grip->slot = blade.slot;
         grip->point = p;
@@ -175,7 +167,7 @@ bool Simulation::Impl::stop_at_the_surface(std::span<const Vec3> from, std::span
     any = true;
     if (in_tissue(from[p])) continue;
     Vec3 outside = from[p], inside = to[p];
-    for (int i = 0; i < halvings; ++i) {
+    for (int i = 0; i < entry_halvings; ++i) {
       const Vec3 middle = (outside + inside) / 2;
       (in_tissue(middle) ? inside : outside) = middle;
     }

@@ -57,16 +57,8 @@ struct Simulation::Impl::NearSheet {
 
 namespace {
 
-constexpr double room = 1e-6;     // m: of rounding, around where near triangles are looked for
-constexpr double to_begin = 1.5;  // times the force at which a cut goes on: a crack that isn't there yet
-constexpr double above = 0.25;    // of the thickness: where points that come down on a sheet are held
-constexpr int halvings = 12;      // of a tick's way, to where an edge came in over the border
-
-Vec3 point_of(const SparseMap::Row& row, const VecX& x) {
-  return row.weight[0] * x.segment<3>(3 * Eigen::Index{row.node[0]}) +
-         row.weight[1] * x.segment<3>(3 * Eigen::Index{row.node[1]}) +
-         row.weight[2] * x.segment<3>(3 * Eigen::Index{row.node[2]});
-}
+constexpr double room = 1e-6;   // m: of rounding, around where near triangles are looked for
+constexpr double above = 0.25;  // of the thickness: where points that come down on a sheet are held
 
 SparseMap::Row row_of(const std::array<std::uint32_t, 3>& corners, const Vec3& weights) {
   return {{corners[0], corners[1], corners[2], 0}, {weights[0], weights[1], weights[2], 0}};
@@ -136,7 +128,7 @@ void Simulation::Impl::grip_sheets(const Blade& blade, std::span<const Vec3> now
     if (!can_cut_sheet(body)) continue;
     const SoftDesc& desc = model.soft[body]->desc();
     const Anatomy& sheet = model.soft[body]->anatomy();
-    const double toughness = (blade.cutting ? 1 : to_begin) * desc.toughness;
+    const double toughness = (blade.cutting ? 1 : to_begin_cut) * desc.toughness;
     std::size_t first = 0;
     for (const BladeShape::Edge& edge : blade_shapes[blade.slot].edges) {
       const std::size_t count = edge.points.size();
@@ -253,7 +245,7 @@ bool Simulation::Impl::stop_at_sheets(const Blade& blade, std::span<const Vec3> 
       if (tough && !in_sheet) {  // over the border
         const std::vector<Vec3> end(after.begin(), after.end());
         double out = 0, in = 1;
-        for (int i = 0; i < halvings; ++i) {
+        for (int i = 0; i < entry_halvings; ++i) {
           const double middle = (out + in) / 2;
           for (std::size_t k = 0; k < before.size(); ++k)
             after[k] = before[k] + middle * (end[k] - before[k]);

@@ -7,8 +7,8 @@ namespace prosector {
 namespace {
 
 constexpr std::uint64_t user_refresh_ticks = 15;
-constexpr int let_go_updates = 10;  // "no longer touching" is repeated: samples get lost
-constexpr double min_shift = 1e-5;  // m
+constexpr int let_go_updates = 10;       // "no longer touching" is repeated: samples get lost
+constexpr double min_hand_shift = 1e-5;  // m
 
 }  // namespace
 
@@ -45,7 +45,7 @@ void HandSender::update_user(const UserState& user, bool everything, std::vector
   Sent& sent = it->second;
   bool send = is_new || everything || user.input_sequence != sent.input_sequence ||
               user.time.tick - sent.tick >= user_refresh_ticks;
-  for (std::size_t h = 0; h < 2; ++h) send |= (user.hands[h].pose.p - sent.hands[h]).norm() > min_shift;
+  for (std::size_t h = 0; h < 2; ++h) send |= (user.hands[h].pose.p - sent.hands[h]).norm() > min_hand_shift;
   if (!send) return;
   sent = {user.input_sequence, user.time.tick, {user.hands[0].pose.p, user.hands[1].pose.p}};
   out.push_back(user);

@@ -15,8 +15,8 @@ namespace {
 
 using namespace test;
 
-constexpr std::array all = {Fidelity::none, Fidelity::sphere, Fidelity::aabb,
-                            Fidelity::obb,  Fidelity::hull,   Fidelity::mesh};
+constexpr std::array all_and_none = {Fidelity::none, Fidelity::sphere, Fidelity::aabb,
+                                     Fidelity::obb,  Fidelity::hull,   Fidelity::mesh};
 
 /// A number of the kind that breaks things.
 double odd_number(Random& random) {
@@ -57,8 +57,8 @@ TEST(Fuzz, SurfacesOfOddTriangles) {
     }
     if (mesh.triangles.empty()) continue;
     ++made;
-    const Fidelity fa = all[static_cast<std::size_t>(i) % all.size()],
-                   fb = all[static_cast<std::size_t>(i / 6) % all.size()];
+    const Fidelity fa = all_and_none[static_cast<std::size_t>(i) % all_and_none.size()],
+                   fb = all_and_none[static_cast<std::size_t>(i / 6) % all_and_none.size()];
     CollisionObject a(mesh, fa, i % 3 ? 0 : 0.01);
     const CollisionObject b =
         from_table(static_cast<std::size_t>(i) % 7, fb, {odd_point(random), random_turn(random)});
@@ -101,8 +101,8 @@ TEST(Fuzz, HullsOfOddClouds) {
 
 TEST(Fuzz, ObjectsInOnePlace) {
   for (std::size_t shape = 0; shape < shape_table().size(); ++shape)
-    for (const Fidelity fa : all)
-      for (const Fidelity fb : all) {
+    for (const Fidelity fa : all_and_none)
+      for (const Fidelity fb : all_and_none) {
         const CollisionObject a = from_table(shape, fa), b = from_table(shape, fb);
         const auto found = proximity(a, b, 0);
         if (fa == Fidelity::none || fb == Fidelity::none) {
@@ -118,7 +118,7 @@ TEST(Fuzz, ObjectsInOnePlace) {
 TEST(Fuzz, BadInputIsSaidClearly) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto refuses = [](const std::vector<ShapePart>& parts) {
-    for (const Fidelity fidelity : all) EXPECT_THROW(RigidOutline(parts, fidelity), InputError);
+    for (const Fidelity fidelity : all_and_none) EXPECT_THROW(RigidOutline(parts, fidelity), InputError);
   };
   refuses({});
   refuses({{ShapeKind::box, {1, 0, 1}, {}, nullptr}});

@@ -13,7 +13,8 @@ namespace {
 using namespace test;
 
 constexpr double slop = 1e-6;
-constexpr std::array all = {Fidelity::sphere, Fidelity::aabb, Fidelity::obb, Fidelity::hull, Fidelity::mesh};
+constexpr std::array all_fidelities = {Fidelity::sphere, Fidelity::aabb, Fidelity::obb, Fidelity::hull,
+                                       Fidelity::mesh};
 
 TEST(Impact, OfBallsAsClosedForm) {
   Random random(1);
@@ -96,7 +97,7 @@ TEST(Impact, OfASoftSurfaceThatMovesInParts) {
   std::vector<Vec3> outward = ball.positions;
   for (Vec3& v : outward) v *= 3;
   const std::vector<ShapePart> wall{{ShapeKind::box, {0.1, 4, 4}, {}, nullptr}};
-  for (const Fidelity fidelity : all) {
+  for (const Fidelity fidelity : all_fidelities) {
     CollisionObject soft(ball, fidelity);
     ASSERT_TRUE(soft.move(ball.positions, outward));
     const auto found =
@@ -125,7 +126,7 @@ TEST(Impact, ComesWithTheGapAndNotBefore) {
   int met = 0;
   for (int i = 0; i < 42; ++i) {
     const auto p = static_cast<std::size_t>(i) % 7, q = static_cast<std::size_t>(i / 7) % 7;
-    for (const Fidelity fidelity : all) {
+    for (const Fidelity fidelity : all_fidelities) {
       CollisionObject a = from_table(p, fidelity), b = from_table(q, fidelity);
       const Vec3 away = 0.3 * random_unit(random);
       a.place({away, random_turn(random)}, -20 * away + random_point(random, 0.5), random_point(random, 10));

@@ -74,7 +74,7 @@ class Wire {
   std::unique_ptr<Device> device_;
 };
 
-MotionScript moving() {
+MotionScript moving_script() {
   MotionScript script;
   for (std::size_t station = 0; station < 2; ++station) {
     script.add(station, 0, {{0.2, 0.1, -0.3}, Quat(0.9, 0.2, -0.1, 0.3).normalized()});
@@ -135,7 +135,7 @@ TEST(Split, FastrakRecordsWhereverTheyAreCut) {
   for (const bool binary : {true, false}) {
     SCOPED_TRACE(binary ? "binary" : "ASCII");
     FastrakTwinOptions options;
-    options.script = moving();
+    options.script = moving_script();
     FastrakTwin twin(options, monotonic_ns());
     DeviceConfig config;
     config.stations = 3;
@@ -149,7 +149,7 @@ TEST(Split, GlovePacketsAndReportsWhereverTheyAreCut) {
     for (const bool left : {false, true}) {
       SCOPED_TRACE(std::string(hid ? "USB" : "serial") + (left ? " left" : " right"));
       FiveDtTwinOptions options;
-      options.script = moving();
+      options.script = moving_script();
       options.hid = hid;
       options.left = left;
       FiveDtTwin twin(options, monotonic_ns());

@@ -61,10 +61,6 @@ CompileOptions with_all_nodes_touched() {
   return out;
 }
 
-double energy(const StepReport& report) {
-  return report.kinetic_energy + report.elastic_energy + report.potential_energy;
-}
-
 class Budget : public testing::TestWithParam<CheapRung> {};
 
 INSTANTIATE_TEST_SUITE_P(

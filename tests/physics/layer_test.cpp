@@ -55,10 +55,6 @@ SoftDesc sheet(const std::string& name, const std::string& model) {
   return soft;
 }
 
-double energy(const StepReport& report) {
-  return report.kinetic_energy + report.elastic_energy + report.potential_energy;
-}
-
 /// Falls on its edge, leaning a little, and folds over onto itself.
 SceneDesc falling_on_its_edge(const std::string& model = "xpbd") {
   SceneDesc scene;

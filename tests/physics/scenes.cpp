@@ -168,6 +168,10 @@ TickInput event(HandEvent::Kind kind, const Vec3& at) {
   return out;
 }
 
+double energy(const StepReport& report) {
+  return report.kinetic_energy + report.elastic_energy + report.potential_energy;
+}
+
 TickInput appear(const Vec3& at, const Quat& q) {
   TickInput out = target(at, q);
   out.events.push_back({HandEvent::Kind::appear, somebody, right_hand, 0});

@@ -28,6 +28,9 @@ CompileOptions options(int threads = 1);
 /// Steps `ticks` times with the same input after the events of the first.
 void run(Simulation& simulation, int ticks, const TickInput& input = {});
 
+/// J: kinetic, elastic and potential.
+double energy(const StepReport& report);
+
 inline constexpr ParticipantId somebody = 7;
 TickInput appear(const Vec3& at, const Quat& q = Quat::Identity());
 TickInput target(const Vec3& at, const Quat& q = Quat::Identity(), double flexion = 0);

@@ -113,10 +113,6 @@ Vec3 momentum(const Simulation& simulation, BodyId body) {
   return sum;
 }
 
-double energy(const StepReport& report) {
-  return report.kinetic_energy + report.elastic_energy + report.potential_energy;
-}
-
 SceneDesc on_a_table(const SoftDesc& soft) {
   SceneDesc scene;
   scene.rigid = {table()};

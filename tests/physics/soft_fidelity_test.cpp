@@ -28,10 +28,6 @@ std::pair<Vec3, Vec3> momentum(const Simulation& simulation, BodyId body) {
   return sum;
 }
 
-double energy(const StepReport& report) {
-  return report.kinetic_energy + report.elastic_energy + report.potential_energy;
-}
-
 bool is_rough(const std::string& fidelity) {
   return fidelity != "none" && fidelity != "mesh";
 }

@@ -13,10 +13,6 @@
 namespace prosector::test {
 namespace {
 
-double energy(const StepReport& report) {
-  return report.kinetic_energy + report.elastic_energy + report.potential_energy;
-}
-
 // Two blocks of the same tissue, the upper one let fall on the lower one, turned so that no vertex meets
 // another.
 SceneDesc tower() {

@@ -7,6 +7,7 @@
 #include "server/physics/collision/triangle_surface.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/physics/patched_state.h"
+#include "tests/physics/scenes.h"
 #include "tests/play/judge.h"
 
 namespace prosector::test {
@@ -20,10 +21,6 @@ TriangleSurface surface_of(const Simulation& simulation, BodyId body) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i)
     mesh.positions[i] = anatomy.embedding.apply(i, simulation.soft_state(body).motion.x.data());
   return TriangleSurface(mesh);
-}
-
-double energy(const StepReport& report) {
-  return report.kinetic_energy + report.elastic_energy + report.potential_energy;
 }
 
 }  // namespace

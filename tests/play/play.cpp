@@ -29,7 +29,7 @@ void note(const StepReport& report, PlayFigures& figures) {
 }
 
 /// m/s: of a soft body's fastest node, along one axis; of a rigid one's middle, or of a point 0.1 m from it.
-double fastest(const Simulation& simulation, BodyId body) {
+double speed_of(const Simulation& simulation, BodyId body) {
   if (simulation.kind(body) == BodyKind::soft)
     return simulation.soft_state(body).motion.v.lpNorm<Eigen::Infinity>();
   const auto motion = simulation.rigid_state(body);
@@ -105,7 +105,7 @@ PlayFigures play(Simulation& simulation, const PlayOptions& options,
       std::string awake;
       for (BodyId b = 0; b < simulation.body_count(); ++b)
         if (!simulation.asleep(b))
-          awake += fmt::format(" {} ({:.1f} mm/s)", simulation.name(b), 1e3 * fastest(simulation, b));
+          awake += fmt::format(" {} ({:.1f} mm/s)", simulation.name(b), 1e3 * speed_of(simulation, b));
       say(fmt::format("{}, seed {}, bout {}: still {:.1f} ms a step, awake:{}{}", simulation.scene().name,
                       options.seed, bout, mean_ms, awake, words));
     }

@@ -7,9 +7,9 @@
 namespace prosector {
 namespace {
 
-constexpr double apart = 2.5;         // cells at rest: what is farther may fold onto each other …
+constexpr double far_apart = 2.5;     // cells at rest: what is farther may fold onto each other …
 constexpr double through = 0.5;       // cosine: … unless the way there leads through the body
-constexpr double across = 0.3;        // cosine: what looks at each other may meet from …
+constexpr double facing_each = 0.3;   // cosine: what looks at each other may meet from …
 constexpr double least_across = 0.5;  // … so many cells on
 constexpr double least_facing = 0.3;  // cosine, of both surfaces to the way out
 constexpr double deepest = 1;         // cells; and of a wall no more than half
@@ -107,8 +107,8 @@ bool SelfSurface::may_meet(std::uint32_t vertex, std::uint32_t triangle) const {
   const double distance = way.norm();
   if (distance < least_across * cell_) return false;
   const double out = outward_[vertex].dot(way), in = -faces_[triangle].normal.dot(way);
-  const bool facing = std::min(out, in) > across * distance;
-  const bool far = distance > apart * cell_ && std::max(out, in) > -through * distance;
+  const bool facing = std::min(out, in) > facing_each * distance;
+  const bool far = distance > far_apart * cell_ && std::max(out, in) > -through * distance;
   return facing || far;
 }
 

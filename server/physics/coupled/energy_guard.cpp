@@ -12,7 +12,7 @@ constexpr double least_kept = 0.9;     // of the slack, a tick, however long
 constexpr double most_slack = 8e-3;    // of the energy
 constexpr double allowance = 1e-5;     // of the energy at the start
 constexpr double least_strain = 1e-6;  // whose energy is rounding
-constexpr int halvings = 10;
+constexpr int share_halvings = 10;
 constexpr double most_diagonals = 10;  // a tick
 
 Vec3 mean(const VecX& values, const VecX& mass) {
@@ -98,7 +98,7 @@ void EnergyGuard::shorten(const std::vector<double>& work) {
     const VecX x = motion.x - start, v = motion.v;
     const Vec3 dx = mean(x, s.body->node_mass()), dv = mean(v, s.body->node_mass());
     double share = 0.5;
-    for (int k = 0; k <= halvings; ++k, share = k < halvings ? share / 2 : 0) {
+    for (int k = 0; k <= share_halvings; ++k, share = k < share_halvings ? share / 2 : 0) {
       motion.x = x;
       motion.v = v;
       gather_towards(dx, share, motion.x);

@@ -17,11 +17,11 @@
 namespace prosector {
 namespace {
 
-constexpr double least_power = 6e-5;      // W, of a body of 1 kg or more: less is nobody's concern
-constexpr int tries = 2;                  // by substeps, before a body that got too stiff is minimised
-constexpr int refinements = 2;            // at most, for energy that is small
-constexpr double small_speed = 0.02;      // m/s: energy that would move a body so fast is small
-constexpr double most_unexplained = 0.2;  // of what it had: energy from nothing after the last refinement
+constexpr double least_power = 6e-5;       // W, of a body of 1 kg or more: less is nobody's concern
+constexpr int tries = 2;                   // by substeps, before a body that got too stiff is minimised
+constexpr int refinements = 2;             // at most, for energy that is small
+constexpr double negligible_speed = 0.02;  // m/s: energy that would move a body so fast is small
+constexpr double most_unexplained = 0.2;   // of what it had: energy from nothing after the last refinement
 
 bool good(const SoftBodyState& state) {
   return state.motion.x.allFinite() && state.motion.v.allFinite() &&
@@ -116,7 +116,7 @@ class Tick {
     const auto moving = [&](double speed) { return member.body->total_mass() * speed * speed / 2; };
     const double made = std::max(0.0, work_[m].made - moving(thin_opening_speed));
     return energy(member) - (member.body->substepper()->most_gain(h_) * (energy_[m] + fallen(m)) +
-                             work_[m].done - made + moving(small_speed));
+                             work_[m].done - made + moving(negligible_speed));
   }
 
   void decide() {

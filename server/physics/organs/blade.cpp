@@ -31,6 +31,13 @@ double slicing(double lag, double parted) {
 
 }  // namespace
 
+Vec3 point_of(const SparseMap::Row& row, const VecX& x) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < row.node.size(); ++k)
+    sum += row.weight[k] * x.segment<3>(3 * Eigen::Index{row.node[k]});
+  return sum;
+}
+
 double slicing(const Vec3& lag, const Vec3& edge) {
   return slicing(lag.norm(), lag.cross(edge).norm());
 }

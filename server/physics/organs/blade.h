@@ -19,9 +19,14 @@ namespace prosector {
 
 inline constexpr double edge_spacing = 0.004;  // m between points of an edge, at most
 inline constexpr double edge_give = 5e-4;      // m that a point lags behind its edge when tissue gives
+inline constexpr double to_begin_cut = 1.5;    // times the force at which one goes on: there is no crack yet
+inline constexpr int entry_halvings = 12;      // of a tick's way, to where a point or an edge entered
 /// s out of tissue after which a blade that enters it begins another stroke. What came off falls past the
 /// blade: who undoes a cut doesn't mean the nick that it got then.
 inline constexpr double between_strokes = 0.2;
+
+/// Where material of `row` is while nodes are at `x` (3n, m).
+Vec3 point_of(const SparseMap::Row& row, const VecX& x);
 
 /// Points along edges, in the instrument's frame.
 struct BladeShape {

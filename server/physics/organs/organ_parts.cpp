@@ -8,7 +8,7 @@
 namespace prosector {
 namespace {
 
-constexpr std::uint32_t unused = ~0U;
+constexpr std::uint32_t no_index = ~0U;
 constexpr double most_others = 0.25;  // of the tetrahedra, for following to take less (docs/cutting.md)
 
 }  // namespace
@@ -52,11 +52,11 @@ PieceMesh piece_mesh(const TetComplex& complex, std::span<const TetId> tets) {
       out.tets.push_back(at_place[place]);
       out.places.push_back(place);
     }
-  std::vector<std::uint32_t> index(complex.node_end(), unused);
+  std::vector<std::uint32_t> index(complex.node_end(), no_index);
   for (const TetId tet : out.tets)
     for (const NodeId node : complex.corners(tet)) index[node] = 0;
   for (NodeId node = 0; node < index.size(); ++node) {
-    if (index[node] == unused) continue;
+    if (index[node] == no_index) continue;
     index[node] = static_cast<std::uint32_t>(out.nodes.size());
     out.nodes.push_back(node);
     out.mesh.positions.push_back(complex.rest(node));
@@ -186,9 +186,9 @@ PieceSurface skinned(const TetComplex& complex, const Skin& skin, const PieceMes
   out.numbering.nodes = piece.nodes;
   std::vector<char> in_piece(complex.tet_end(), 0);
   for (const TetId tet : piece.tets) in_piece[tet] = 1;
-  std::vector<std::uint32_t> index(complex.node_end(), unused);  // by node
+  std::vector<std::uint32_t> index(complex.node_end(), no_index);  // by node
   for (std::uint32_t n = 0; n < piece.nodes.size(); ++n) index[piece.nodes[n]] = n;
-  std::vector<std::uint32_t> vertex(skin.vertices().size(), unused);  // by slot
+  std::vector<std::uint32_t> vertex(skin.vertices().size(), no_index);  // by slot
   for (std::uint32_t slot = 0; slot < skin.triangles().size(); ++slot) {
     const Skin::Triangle& triangle = skin.triangles()[slot];
     if (triangle.gone() || !in_piece[skin.tet(slot)]) continue;
@@ -198,7 +198,7 @@ PieceSurface skinned(const TetComplex& complex, const Skin& skin, const PieceMes
     for (const std::uint32_t corner : triangle.corners) vertex[corner] = 0;
   }
   for (std::uint32_t slot = 0; slot < vertex.size(); ++slot) {
-    if (vertex[slot] == unused) continue;
+    if (vertex[slot] == no_index) continue;
     vertex[slot] = static_cast<std::uint32_t>(out.embedding.rows.size());
     const auto hung = hang(complex, skin.vertices()[slot], [&](NodeId node) { return index[node]; });
     out.embedding.rows.push_back(hung.row);

@@ -12,7 +12,7 @@
 namespace prosector {
 namespace {
 
-constexpr std::size_t rows_per_chunk = 128, rows_found_at_once = 512;
+constexpr std::size_t block_rows_per_chunk = 128, rows_found_at_once = 512;
 
 /// What a run of rows has, end to end.
 struct Rows {
@@ -140,7 +140,7 @@ void BlockPattern::find_mirrors() {
 
 void BlockPattern::gather(std::span<const Mat3> elements, double scale, std::span<const Mat3> base,
                           std::span<Mat3> values) const {
-  parallel_chunks(rows(), rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+  parallel_chunks(rows(), block_rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i) {
       const std::size_t right = diagonal_[i] + 1;
       for (std::size_t k = right; k < end(i); ++k) {
@@ -167,7 +167,7 @@ void BlockPattern::gather(std::span<const Mat3> elements, double scale, std::spa
 
 /// Diagonal blocks from the others; symmetric exactly, which the sum is only to rounding.
 void BlockPattern::close_rows(std::span<Mat3> values) const {
-  parallel_chunks(rows(), rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+  parallel_chunks(rows(), block_rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i) {
       Mat3 sum = Mat3::Zero();
       for (std::size_t k = begin(i); k < diagonal_[i]; ++k) sum += values[k];
@@ -178,7 +178,7 @@ void BlockPattern::close_rows(std::span<Mat3> values) const {
 }
 
 void BlockPattern::multiply(std::span<const Mat3> values, const double* x, double* y) const {
-  parallel_chunks(rows(), rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+  parallel_chunks(rows(), block_rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i) {
       double y0 = 0, y1 = 0, y2 = 0;
       for (std::size_t k = begin(i); k < end(i); ++k) {

@@ -9,7 +9,7 @@ namespace {
 
 using Tet = std::array<std::uint32_t, 4>;
 
-constexpr std::size_t vertices_per_chunk = 512, tets_per_chunk = 512;
+constexpr std::size_t vertices_per_chunk = 512, mesh_tets_per_chunk = 512;
 
 /// In the order of the corners as they are.
 std::array<Tet, 8> eighths(const Tet& tet, const EdgeNodes& edges) {
@@ -226,10 +226,12 @@ SparseMap::Row divided(const SparseMap::Row& row, const EdgeNodes& edges) {
 
 TetMesh divided(const TetMesh& mesh, const EdgeNodes& edges) {
   TetMesh out{mesh.positions, std::vector<Tet>(8 * mesh.tets.size())};
-  parallel_chunks(mesh.tets.size(), tets_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t t = first; t < last; ++t)
-      std::ranges::copy(eighths(mesh.tets[t], edges), out.tets.begin() + static_cast<std::ptrdiff_t>(8 * t));
-  });
+  parallel_chunks(mesh.tets.size(), mesh_tets_per_chunk,
+                  [&](std::size_t first, std::size_t last, std::size_t) {
+                    for (std::size_t t = first; t < last; ++t)
+                      std::ranges::copy(eighths(mesh.tets[t], edges),
+                                        out.tets.begin() + static_cast<std::ptrdiff_t>(8 * t));
+                  });
   return out;
 }
 
@@ -237,7 +239,7 @@ void follow_divided(const TetMesh& mesh, const EdgeNodes& edges, const MeshEdit&
   parts.positions = mesh.positions;
   edit.kept_tets.carry(parts.tets, 8);
   const std::vector<std::uint32_t> now = edit.kept_nodes.destinations();
-  parallel_chunks(parts.tets.size(), 8 * tets_per_chunk,
+  parallel_chunks(parts.tets.size(), 8 * mesh_tets_per_chunk,
                   [&](std::size_t first, std::size_t last, std::size_t) {
                     for (std::size_t t = first; t < last; ++t)
                       for (std::uint32_t& corner : parts.tets[t]) corner = now[corner];

@@ -16,7 +16,7 @@ constexpr int smoothing_steps = 2;
 constexpr Eigen::Index direct_unknowns = 200;  // at most, on the coarsest level
 constexpr double firmly =
     10;  // times its elastic stiffness: who is attached like this is no coarse level's work
-constexpr std::size_t rows_per_chunk = 256, coarse_rows_per_chunk = 32, numbers_per_chunk = 4096;
+constexpr std::size_t fine_rows_per_chunk = 256, coarse_rows_per_chunk = 32, numbers_per_chunk = 4096;
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
@@ -59,7 +59,7 @@ struct Transfer {
   }
   void prolong(const float* coarse, float* fine) const {
     const FloatBlocks A = {down.begin.data(), down.column.data(), prolongation.data()};
-    parallel_chunks(down.rows(), rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    parallel_chunks(down.rows(), fine_rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
       multiply<B, 6>(A, first, last, coarse, fine);
     });
   }
@@ -262,19 +262,20 @@ struct Multigrid::Impl {
 
   /// to = Rᵀ·from or, `forward`, to += R·from.
   void rotate(bool forward, const float* from, float* to) const {
-    parallel_chunks(pattern.rows(), rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t i = first; i < last; ++i) {
-        using Vec = Eigen::Vector3f;
-        const Eigen::Map<const Eigen::Matrix3f> R(turned.data() + 9 * i);
-        const Eigen::Map<const Vec> in(from + 3 * i);
-        Eigen::Map<Vec> out(to + 3 * i);
-        if (forward) {
-          out += turns ? Vec(R * in) : Vec(in);
-        } else {
-          out = turns ? Vec(R.transpose() * in) : Vec(in);
-        }
-      }
-    });
+    parallel_chunks(pattern.rows(), fine_rows_per_chunk,
+                    [&](std::size_t first, std::size_t last, std::size_t) {
+                      for (std::size_t i = first; i < last; ++i) {
+                        using Vec = Eigen::Vector3f;
+                        const Eigen::Map<const Eigen::Matrix3f> R(turned.data() + 9 * i);
+                        const Eigen::Map<const Vec> in(from + 3 * i);
+                        Eigen::Map<Vec> out(to + 3 * i);
+                        if (forward) {
+                          out += turns ? Vec(R * in) : Vec(in);
+                        } else {
+                          out = turns ? Vec(R.transpose() * in) : Vec(in);
+                        }
+                      }
+                    });
   }
 
   void correct(std::size_t l) {
@@ -333,12 +334,13 @@ void Multigrid::set_matrix(const SymmetricBlocks& off_diagonal, double scale, st
   Impl& m = *impl_;
   m.off_diagonal = off_diagonal;
   m.scale = scale;
-  parallel_chunks(m.pattern.rows(), rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t i = first; i < last; ++i) {
-      write(Mat3(diagonal[i] / scale), m.diagonal.data() + 9 * i);
-      write(Mat3(inverse[i] * scale), m.inverse.data() + 9 * i);
-    }
-  });
+  parallel_chunks(m.pattern.rows(), fine_rows_per_chunk,
+                  [&](std::size_t first, std::size_t last, std::size_t) {
+                    for (std::size_t i = first; i < last; ++i) {
+                      write(Mat3(diagonal[i] / scale), m.diagonal.data() + 9 * i);
+                      write(Mat3(inverse[i] * scale), m.inverse.data() + 9 * i);
+                    }
+                  });
 }
 
 void Multigrid::apply(const double* r, double* z) {
@@ -348,16 +350,16 @@ void Multigrid::apply(const double* r, double* z) {
   parallel_chunks(w.b.size(), numbers_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i) w.b[i] = static_cast<float>(r[i] / m.scale);
   });
-  smooth_level(m.matrix(), rows, rows_per_chunk, m.eigenvalue, true, w);
+  smooth_level(m.matrix(), rows, fine_rows_per_chunk, m.eigenvalue, true, w);
   if (m.transfer) {
-    residual_level(m.matrix(), rows, rows_per_chunk, w);
+    residual_level(m.matrix(), rows, fine_rows_per_chunk, w);
     m.rotate(false, w.other.data(), w.d.data());
     m.transfer->restrict_to(w.d.data(), m.coarse.front().work.b.data());
     m.correct(0);
     m.transfer->prolong(m.coarse.front().work.z.data(), w.d.data());
     m.rotate(true, w.d.data(), w.z.data());
   }
-  smooth_level(m.matrix(), rows, rows_per_chunk, m.eigenvalue, false, w);
+  smooth_level(m.matrix(), rows, fine_rows_per_chunk, m.eigenvalue, false, w);
   parallel_chunks(w.z.size(), numbers_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i) z[i] = static_cast<double>(w.z[i]);
   });

@@ -13,7 +13,7 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t per_element = Tet10Elements::points_per_element;
-constexpr std::size_t elements_per_chunk = elements_per_batch / per_element;
+constexpr std::size_t batch_elements_per_chunk = elements_per_batch / per_element;
 constexpr std::size_t nodes = Tet10Elements::nodes_per_element;
 constexpr std::size_t pairs = Connectivity::pair_count(nodes);
 
@@ -38,7 +38,7 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
         BatchedModel(
             mesh, connect(mesh.positions.size(), elements),
             make_relaxing_batches(law, materials.local.at(elements.point_source()), relaxation, points),
-            elements_per_chunk),
+            batch_elements_per_chunk),
         mean_(materials.mean) {
     for (const Material& kind : materials.local.kinds) mu_.push_back(kind.lame.mu);
     make_room();

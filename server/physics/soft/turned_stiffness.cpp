@@ -199,7 +199,7 @@ HWY_AFTER_NAMESPACE();
 namespace prosector {
 namespace {
 
-constexpr std::size_t rows_per_chunk = 64, elements_per_chunk = 256, nodes_per_chunk = 1024;
+constexpr std::size_t turned_rows_per_chunk = 64, elements_per_chunk = 256, nodes_per_chunk = 1024;
 
 }  // namespace
 
@@ -222,13 +222,14 @@ void TurnedStiffness::fit() {
 
 void TurnedStiffness::assemble(const TurnedElements& elements, SymmetricRows& K) const {
   const TurnedRows rows = {blocks_, pattern_, elements};
-  parallel_chunks(pattern_.rows(), rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
-    if (corners() == 4) {
-      HWY_DYNAMIC_DISPATCH(linear_rows)(rows, first, last, K.right.data());
-    } else {
-      HWY_DYNAMIC_DISPATCH(quadratic_rows)(rows, first, last, K.right.data());
-    }
-  });
+  parallel_chunks(pattern_.rows(), turned_rows_per_chunk,
+                  [&](std::size_t first, std::size_t last, std::size_t) {
+                    if (corners() == 4) {
+                      HWY_DYNAMIC_DISPATCH(linear_rows)(rows, first, last, K.right.data());
+                    } else {
+                      HWY_DYNAMIC_DISPATCH(quadratic_rows)(rows, first, last, K.right.data());
+                    }
+                  });
   K.close(pattern_);
 }
 
