@@ -94,8 +94,9 @@ class RungSpecimen final : public Specimen {
       member.note = "reset: not finite or out of the room";
     }
     count_quiet_ticks(member);
-    if (unfold_if_tangled(member, {.company = !gravity.isZero(), .touched = false},
-                          body_.initial_state().motion.x, dt, 1))
+    const bool laden = !gravity.isZero();  // it rests in another shape than it began in
+    if (unfold_if_tangled(member, {.crushed = laden, .company = laden}, body_.initial_state().motion.x, dt,
+                          1))
       figures.reset = true;
     figures.note = member.note;
     return figures;

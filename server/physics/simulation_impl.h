@@ -168,10 +168,11 @@ struct Simulation::Impl : PanelSubjects {
   void bring_back(BodyId body);  // part of it
   Aabb within_reach() const;     // likewise: what is beyond is lost
   void unfold_tangles();
-  Surroundings surroundings_of(std::size_t body) const;  // part of it
+  Surroundings surroundings_of(std::size_t body);  // part of it
   bool in_a_hand(std::size_t body) const;
   bool is_being_led(std::size_t body) const;
   bool is_squeezed(std::size_t body) const;
+  bool is_blind(std::size_t body);
   void place_unfolded(std::size_t body, double lowest);
   void make_room_for(std::size_t body);
   bool part_at_once(std::size_t a, std::size_t b);

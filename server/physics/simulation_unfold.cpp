@@ -38,22 +38,42 @@ bool Simulation::Impl::in_a_hand(std::size_t body) const {
                      [&](const Hand& hand) { return hand.hold && hand.hold->body == soft_id(body); });
 }
 
-/// Whether rigid things press the body harder than its weight makes them: it has no room for its own shape.
+/// Whether rigid things press the body against each other or what it is tied to, harder than its weight and
+/// other tissue do: it has no room for its own shape. What tissue presses has room, because tissue gives way.
 bool Simulation::Impl::is_squeezed(std::size_t body) const {
-  double force = 0;
-  for (const ContactMemory& m : memories[body]) force += m.soft ? 0 : m.force;
-  return force > squeezing * model.soft[body]->total_mass() * model.scene.gravity.norm();
+  double by_rigid = 0, by_tissue = 0;
+  Vec3 unbalanced = Vec3::Zero();  // N: of the rigid things' forces, what tissue and gravity take up
+  for (const ContactMemory& m : memories[body]) {
+    (m.soft ? by_tissue : by_rigid) += m.force;
+    if (!m.soft) unbalanced += m.force * m.normal;
+  }
+  const double between = model.soft[body]->attached() ? by_rigid : by_rigid - unbalanced.norm();
+  const double weight = model.soft[body]->total_mass() * model.scene.gravity.norm();
+  return between > std::max(squeezing * weight, by_tissue);
+}
+
+/// Whether the body is deep in other tissue, but can't be led out: what of it is inside out tells no way.
+bool Simulation::Impl::is_blind(std::size_t body) {
+  if (inside_out_of(body).empty() || in_a_hand(body)) return false;
+  return std::any_of(soft_pairs.begin(), soft_pairs.end(), [&](const SoftPair& pair) {
+    if ((pair.a != body && pair.b != body) || pair.a == pair.b || entangled.contains({pair.a, pair.b}))
+      return false;
+    const SoftSkin a = skin(pair.a), b = skin(pair.b);
+    if (!a.faces || !b.faces || a.skin > 0 || b.skin > 0 || in_a_hand(pair.a + pair.b - body)) return false;
+    return is_deep(find_immersion(a, b, {}, {}), find_immersion(b, a, {}, {}), std::min(a.cell, b.cell));
+  });
 }
 
 /// What the body would strike if it took its own shape: a hand, what squeezes it, or, unless it has its own
-/// place, a loose thing. Other tissue gives way, and is led out of it.
-Surroundings Simulation::Impl::surroundings_of(std::size_t body) const {
+/// place, a rigid thing. Other tissue gives way, and is led out of it.
+Surroundings Simulation::Impl::surroundings_of(std::size_t body) {
   const std::vector<Contact>& touches = soft_contacts[body];
-  const bool loose = std::any_of(touches.begin(), touches.end(),
+  const bool borne = std::any_of(touches.begin(), touches.end(),
                                  [](const Contact& c) { return c.b.kind == ContactSide::Kind::rigid; });
   const bool met = std::any_of(soft_pairs.begin(), soft_pairs.end(),
                                [&](const SoftPair& pair) { return pair.a == body || pair.b == body; });
-  return {in_a_hand(body) || is_squeezed(body) || (loose && !model.soft[body]->attached()),
+  const bool crushed = in_a_hand(body) || is_squeezed(body);
+  return {crushed, is_blind(body), crushed || (borne && !model.soft[body]->attached()),
           met || !touches.empty()};
 }
 

@@ -67,6 +67,10 @@ Immersion find_immersion(const SoftSkin& from, const SoftSkin& to, Unsure of_fro
   return out;
 }
 
+bool is_deep(const Immersion& of_a, const Immersion& of_b, double cell) {
+  return std::max(of_a.deepest, of_b.deepest) > deep * cell;
+}
+
 Vec3 way_apart(const Immersion& of_a, const Immersion& of_b, const Vec3& between_middles) {
   const Vec3 sum = of_b.normals - of_a.normals;
   if (sum.norm() > least_share * (of_a.area + of_b.area)) return sum.normalized();
@@ -92,7 +96,7 @@ std::optional<Entanglement> lead_apart(const Immersion& of_a, const Immersion& o
   const bool through = any_through(of_a, now.way) || any_through(of_b, -now.way);
   now.whole = now.whole || deepest > deepest_meeting * cell ||
               now.seconds > (through ? through_seconds : deep_seconds);
-  if (!now.whole && !through && (pressed || deepest < deep * cell)) return std::nullopt;
+  if (!now.whole && !through && (pressed || !is_deep(of_a, of_b, cell))) return std::nullopt;
   now.seconds += h;
   return now;
 }

@@ -41,6 +41,10 @@ using Unsure = std::span<const char>;
 /// nearest to what is; one mark a vertex of each.
 Immersion find_immersion(const SoftSkin& from, const SoftSkin& to, Unsure of_from, Unsure of_to);
 
+/// Whether something of one of them is deeper in the other than contacts leave it. `cell`: m, the smaller
+/// one.
+bool is_deep(const Immersion& of_a, const Immersion& of_b, double cell);
+
 /// Whether what was found near the surfaces (`found`, gaps of `from` to `to`) asks for a look at all that is
 /// inside: something is deeper than contacts leave it, or nothing is near though the first vertex is inside.
 bool may_be_immersed(const SoftSkin& from, const SoftSkin& to, std::span<const VertexMeeting> found);

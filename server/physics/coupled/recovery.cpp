@@ -96,10 +96,9 @@ bool has_lost_volume(double volume, const SoftBody& body, const VecX& equilibriu
 double seconds_until_unfolded(const SoftMember& s, const Surroundings& about, const VecX& equilibrium) {
   const double volume = s.body->volume_share(s.state->motion.x), share = ruined(*s.body, s);
   if (volume <= 0 || volume > absurd_volume) return absurd_seconds;
-  if (share > (about.company ? ruined_share : 0)) return ruined_for_seconds;
-  if (about.company) return std::numeric_limits<double>::infinity();
-  if (has_lost_volume(volume, *s.body, equilibrium)) return ruined_for_seconds;
-  if (about.touched || !(stuck(s, equilibrium) || falsely_turned(s)))
+  if (share > (about.company && !about.blind ? ruined_share : 0)) return ruined_for_seconds;
+  if (!about.crushed && has_lost_volume(volume, *s.body, equilibrium)) return ruined_for_seconds;
+  if (about.company || about.touched || !(stuck(s, equilibrium) || falsely_turned(s)))
     return std::numeric_limits<double>::infinity();
   return s.state->quiet_ticks == quiet_ticks_to_sleep ? ruined_for_seconds : crumpled_seconds;
 }

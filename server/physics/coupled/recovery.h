@@ -26,15 +26,17 @@ void count_quiet_ticks(SoftMember& member);
 
 /// What is about a body that may be unfolded.
 struct Surroundings {
-  bool company = false;  // a hand, or another body that its own shape would strike
+  bool crushed = false;  // by a hand or between rigid things: it may have another volume for good
+  bool blind = false;    // deep in tissue that it can't be led out of, because what is inside out is there
+  bool company = false;  // crushed, or another body that its own shape would strike
   bool touched = false;  // by anything, the room too: it may be kept from its own shape for good
 };
 
 /// After a tick of h s, once every `ticks`: puts a body into its rest shape where it is, and says so. That is
 /// one that for most of a second was partly inside out, much smaller or larger than in `equilibrium` (3n, m),
 /// or quiet and untouched in another shape. A body without any volume, or with three times its own, waits
-/// less; a crumpled sheet or rope longer. In company only what is ruined beyond what a press does. True when
-/// it did.
+/// less; a crumpled sheet or rope longer. In company only what is ruined beyond what a press does or
+/// blind, and of another volume only while nothing crushes it. True when it did.
 bool unfold_if_tangled(SoftMember& member, const Surroundings& about, const VecX& equilibrium, double h,
                        int ticks);
 
