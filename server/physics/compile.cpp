@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <set>
 
 #include "common/error.h"
@@ -154,7 +155,7 @@ bool begins_on(const SoftBody& body, const RoomSide& side) {
 }
 
 /// Everything that changes what a tick computes or what is drawn.
-ContentHash hash_of(const Model& model) {
+ContentHash hash_of(const Model& model, std::span<const CompiledTissue> soft) {
   ByteWriter out;
   const SceneDesc& scene = model.scene;
   out.add(scene.gravity);
@@ -201,8 +202,8 @@ ContentHash hash_of(const Model& model) {
   if (scene.room && !scene.room->floor) out.add(std::string("no floor"));
   if (scene.room && !scene.room->walls) out.add(std::string("no walls"));
   for (std::size_t i = 0; i < model.room.size(); ++i)  // their equilibrium is another than it was
-    for (std::size_t s = 0; s < model.soft.size(); ++s)
-      if (!has_side(model.soft_collision[s].passes, i) && begins_on(*model.soft[s], model.room[i].side))
+    for (const CompiledTissue& tissue : soft)
+      if (!has_side(tissue.collision.passes, i) && begins_on(*tissue.solver, model.room[i].side))
         out.add(static_cast<std::uint64_t>(i));
   for (const RigidDesc& desc : scene.rigid)
     for (const EdgeDesc& edge : desc.edges) {
@@ -211,7 +212,7 @@ ContentHash hash_of(const Model& model) {
       if (edge.ray) out.add(std::string("ray"));
       for (const SoftDesc& tissue : scene.soft) out.add(tissue.toughness);
     }
-  for (const auto& s : model.soft) {
+  for (const auto& [s, collision] : soft) {
     const SoftDesc& d = s->desc();
     out.add(d.name);
     out.add(s->content_hash());
@@ -240,21 +241,57 @@ ContentHash hash_of(const Model& model) {
   return content_hash(std::as_bytes(std::span(out.bytes())));
 }
 
-}  // namespace
-
-double Model::contact_stiffness(std::size_t soft_body, std::size_t vertex) const {
-  const SoftBody& body = *soft[soft_body];
-  return scene.contact_stiffness * body.desc().youngs_modulus * body.surface_area()[vertex] /
-         body.desc().surface_cell;
+bool is_simple(const CompiledTissue& tissue) {
+  return tissue.collision.fidelity != Fidelity::none && tissue.collision.fidelity != Fidelity::mesh;
 }
 
-Model compile(const SceneDesc& scene, const CompileOptions& options) {
+RigidOutline outline_of(const RigidShape& shape) {
+  const bool mesh = !shape.parts.empty() && shape.parts.front().kind == ShapeKind::triangles;
+  return RigidOutline(shape.parts, mesh ? Fidelity::mesh : Fidelity::hull);
+}
+
+std::vector<std::optional<RigidOutline>> compile_outlines(const Model& model) {
+  std::vector<std::optional<RigidOutline>> out;
+  for (const RigidModel& r : model.rigid)
+    out.push_back(r.shape.parts.empty() ? std::nullopt : std::optional(outline_of(r.shape)));
+  for (const HandModel& hand : model.hands) out.push_back(outline_of(hand.shape));
+  for (const RoomModel& room : model.room) out.push_back(outline_of(room.shape));
+  return out;
+}
+
+CompiledTissue compile_soft(const SoftDesc& desc, Anatomy anatomy, const Model& model,
+                            const CollisionGroups& groups,
+                            const std::function<void(const std::string&)>& say) {
+  CompiledTissue out;
+  out.solver = std::make_unique<SoftBody>(desc, std::move(anatomy));
+  const TriangleMesh& surface = out.solver->anatomy().surface;
+  const double cell = desc.self_contact ? mean_edge(surface) : 0;
+  const RoomSides passes = passed_sides(desc.name, surface.positions, model, say);
+  out.collision = {fidelity_of(desc.collision),
+                   groups.mask(desc.group, desc.touches),
+                   passes,
+                   desc.continuous,
+                   desc.self_contact,
+                   cell,
+                   model.scene.contact_stiffness};
+  say(fmt::format("{}: {} elements, {} nodes, {} surface vertices", desc.name, out.solver->elements(),
+                  out.solver->nodes(), surface.positions.size()));
+  const bool solid = mesh_kind(out.solver->anatomy()) == MeshKind::tets;
+  if (const std::string limit = limit_under_compression(desc, solid); !limit.empty())
+    say(fmt::format("{}: warning: model {} {}", desc.name, desc.model, limit));
+  return out;
+}
+
+}  // namespace
+
+CompiledScene compile(const SceneDesc& scene, const CompileOptions& options) {
   const auto say = [&](const std::string& line) {
     if (options.progress) options.progress(line);
   };
   if (!(scene.tick_rate > 0) || !std::isfinite(scene.tick_rate))
     throw InputError(fmt::format("tick_rate: {} Hz must be positive", scene.tick_rate));
-  Model model;
+  CompiledScene out;
+  Model& model = out.model;
   model.scene = scene;
   model.h = 1 / scene.tick_rate;
   model.room = compile_room(scene.room);
@@ -270,27 +307,17 @@ Model compile(const SceneDesc& scene, const CompileOptions& options) {
     for (const Vec3& x : body.surface.positions) start.push_back(body.start * x);
     if (body.setup.mass > 0) body.setup.passes = passed_sides(body.name, start, model, say);
   }
-  for (const SoftDesc& desc : scene.soft) {
-    model.soft.push_back(std::make_unique<SoftBody>(desc, soft_anatomy(desc, scene, options)));
-    const double cell = desc.self_contact ? mean_edge(model.soft.back()->anatomy().surface) : 0;
-    const RoomSides passes =
-        passed_sides(desc.name, model.soft.back()->anatomy().surface.positions, model, say);
-    model.soft_collision.push_back({fidelity_of(desc.collision), groups.mask(desc.group, desc.touches),
-                                    passes, desc.continuous, desc.self_contact, cell});
-    say(fmt::format("{}: {} elements, {} nodes, {} surface vertices", desc.name,
-                    model.soft.back()->elements(), model.soft.back()->nodes(),
-                    model.soft.back()->anatomy().surface.positions.size()));
-    const bool solid = mesh_kind(model.soft.back()->anatomy()) == MeshKind::tets;
-    if (const std::string limit = limit_under_compression(desc, solid); !limit.empty())
-      say(fmt::format("{}: warning: model {} {}", desc.name, desc.model, limit));
-  }
+  for (const SoftDesc& desc : scene.soft)
+    out.soft.push_back(compile_soft(desc, soft_anatomy(desc, scene, options), model, groups, say));
   for (std::size_t hand = 0; hand < 2; ++hand) {
     model.hands[hand] = make_hand_model(hand, scene.hand);
     model.hands[hand].setup.mask = groups.mask(hand_group, {});
     model.hands[hand].setup.passes = all_room_sides;
   }
-  model.hash = hash_of(model);
-  return model;
+  for (const RigidDesc& desc : model.scene.rigid) model.blades.push_back(blade_shape(desc.edges));
+  if (std::any_of(out.soft.begin(), out.soft.end(), is_simple)) model.outlines = compile_outlines(model);
+  model.hash = hash_of(model, out.soft);
+  return out;
 }
 
 }  // namespace prosector

@@ -1,16 +1,17 @@
-// The shape in which each soft body rests under gravity, on the things around it: found once per
-// compiled scene by dynamic relaxation (implicit steps much longer than a tick, velocities dropped after
-// each).
+#include "server/physics/equilibrium.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
+#include <span>
 
+#include "common/error.h"
 #include "common/sealed_file.h"
+#include "server/physics/byte_stream.h"
+#include "server/physics/contact/rigid_soft_contacts.h"
 #include "server/physics/coupled/island_solver.h"
-#include "server/physics/simulation_impl.h"
 
 namespace prosector {
 namespace {
@@ -74,99 +75,116 @@ void write_cache(const CompileOptions& options, const ContentHash& hash, const s
   write_sealed(cache_file(options, hash), seal_key(hash), out.bytes());
 }
 
-}  // namespace
+/// Finds shapes at rest, with what is about as it is when the scene begins.
+class Settling {
+ public:
+  Settling(State& state, SoftContactFinder& finder) : state_(state), bodies_(state.bodies), finder_(finder) {
+    refresh(colliders_, bodies_, state.hands, state.dissection.blades);
+  }
+  std::vector<std::vector<std::size_t>> neighbourhoods();
+  void relax(std::span<const std::size_t> group);
+  bool floats(std::span<const std::size_t> group) const;
+  void settle_crushed(std::span<const std::size_t> group);
 
-void Simulation::Impl::relax(std::span<const std::size_t> bodies) {
+ private:
+  State& state_;
+  Bodies& bodies_;
+  SoftContactFinder& finder_;
+  Colliders colliders_;
+};
+
+void Settling::relax(std::span<const std::size_t> group) {
   IslandSolver solver;
-  std::vector<ContactMemories> held(soft.size());
+  std::vector<ContactMemories> held(bodies_.soft.size());
   for (int step = 0; step < most_relaxation_steps; ++step) {
     Island island;
     std::vector<VecX> before;
-    for (const std::size_t body : bodies) {
-      island.soft.push_back({body, &model.soft[body]->in_force(soft[body]), &soft[body]});
-      before.push_back(soft[body].motion.x);
-      for (Collider c : colliders) {
+    for (const std::size_t body : group) {
+      island.soft.push_back(
+          {body, &bodies_.soft[body].solver->in_force(bodies_.soft[body].state), &bodies_.soft[body].state});
+      before.push_back(bodies_.soft[body].state.motion.x);
+      for (Collider c : colliders_) {
         c.fixed = true;  // what moves stands still until the scene runs
-        if (may_meet(body, c)) add_contacts(body, c, relaxation_margin, held[body], island.contacts);
+        if (may_meet(bodies_.soft[body], c))
+          add_contacts(bodies_.soft[body], c, relaxation_margin, held[body], bodies_.model.h,
+                       island.contacts);
       }
-      for (const std::size_t other : bodies)
-        if (other >= body && may_meet(body, other))
-          add_pair_contacts(body, other, relaxation_margin, island.contacts);
+      for (const std::size_t other : group)
+        if (other >= body && bodies_.may_meet(body, other))
+          finder_.add_pair_contacts(state_, body, other, relaxation_margin, bodies_.model.h, island.contacts);
     }
     for (const SoftMember& member : island.soft) member.body->set_relaxed(true);
-    const IslandReport solved = solver.solve(island, relaxation_step, model.scene.gravity);
+    const IslandReport solved = solver.solve(island, relaxation_step, bodies_.model.scene.gravity);
     double moved = 0;
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-      const std::size_t body = bodies[k];
-      SoftBodyState& state = soft[body];
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      const std::size_t body = group[k];
+      SoftBodyState& state = bodies_.soft[body].state;
       island.soft[k].body->set_relaxed(false);
       keep(island.contacts, body, held[body]);
-      state.motion.v.setZero();
-      state.warm_start.setZero();
-      state.motion.has_history = false;
+      stop(state);
       moved = std::max(moved, (state.motion.x - before[k]).lpNorm<Eigen::Infinity>());
-      follow_nodes(body);
+      bodies_.soft[body].follow_nodes();
     }
     if (!solved.finite || moved < at_rest) return;
   }
 }
 
 /// Bodies that bear each other have their equilibrium together.
-std::vector<std::vector<std::size_t>> Simulation::Impl::neighbourhoods() {
-  std::vector<std::size_t> first(soft.size());
+std::vector<std::vector<std::size_t>> Settling::neighbourhoods() {
+  std::vector<std::size_t> first(bodies_.soft.size());
   std::iota(first.begin(), first.end(), std::size_t{0});
   std::vector<Contact> found;
-  for (std::size_t i = 0; i < soft.size(); ++i)
-    for (std::size_t j = i + 1; j < soft.size(); ++j) {
-      if (!may_meet(i, j) || first[i] == first[j]) continue;
-      if (!add_pair_contacts(i, j, relaxation_margin, found)) continue;
+  for (std::size_t i = 0; i < bodies_.soft.size(); ++i)
+    for (std::size_t j = i + 1; j < bodies_.soft.size(); ++j) {
+      if (!bodies_.may_meet(i, j) || first[i] == first[j]) continue;
+      if (!finder_.add_pair_contacts(state_, i, j, relaxation_margin, bodies_.model.h, found)) continue;
       const auto [to, from] = std::minmax(first[i], first[j]);
       std::replace(first.begin(), first.end(), std::size_t{from}, std::size_t{to});
     }
-  std::vector<std::vector<std::size_t>> out(soft.size());
-  for (std::size_t i = 0; i < soft.size(); ++i) out[first[i]].push_back(i);
+  std::vector<std::vector<std::size_t>> out(bodies_.soft.size());
+  for (std::size_t i = 0; i < bodies_.soft.size(); ++i) out[first[i]].push_back(i);
   std::erase_if(out, [](const auto& group) { return group.empty(); });
   return out;
 }
 
 /// What nothing ties and nothing is near has no equilibrium to find: it starts where the scene puts it, and
 /// falls.
-bool Simulation::Impl::floats(std::span<const std::size_t> bodies) const {
+bool Settling::floats(std::span<const std::size_t> group) const {
   const auto falls = [&](std::size_t body) {
-    return model.soft[body]->desc().gravity && !model.scene.gravity.isZero();
+    return bodies_.soft[body].solver->desc().gravity && !bodies_.model.scene.gravity.isZero();
   };
   const auto held = [&](std::size_t body) {
-    return !model.soft[body]->attachment_stiffness().isZero() ||
-           std::any_of(colliders.begin(), colliders.end(), [&](const Collider& c) {
-             return may_meet(body, c) && touches(body, c, relaxation_margin);
+    return !bodies_.soft[body].solver->attachment_stiffness().isZero() ||
+           std::any_of(colliders_.begin(), colliders_.end(), [&](const Collider& c) {
+             return may_meet(bodies_.soft[body], c) && touches(bodies_.soft[body], c, relaxation_margin);
            });
   };
-  return std::any_of(bodies.begin(), bodies.end(), falls) && std::none_of(bodies.begin(), bodies.end(), held);
+  return std::any_of(group.begin(), group.end(), falls) && std::none_of(group.begin(), group.end(), held);
 }
 
 /// Bodies that their own weight turns inside out settle again, with what they touch, under the law that leads
 /// out of every shape, and keep it.
-void Simulation::Impl::settle_crushed(std::span<const std::size_t> bodies) {
+void Settling::settle_crushed(std::span<const std::size_t> group) {
   bool again = false;
-  for (const std::size_t body : bodies) {
-    SoftBody& b = *model.soft[body];
-    if (!b.has_recovery() || b.inverted_share(soft[body].motion.x) <= most_inverted) continue;
+  for (const std::size_t body : group) {
+    SoftBody& b = *bodies_.soft[body].solver;
+    if (!b.has_recovery() || b.inverted_share(bodies_.soft[body].state.motion.x) <= most_inverted) continue;
     b.keep_recovering();
     again = true;
   }
   if (!again) return;
-  for (const std::size_t body : bodies) {
-    soft[body] = model.soft[body]->initial_state();
-    soft[body].recovering = model.soft[body]->keeps_recovering();
-    follow_nodes(body);
+  for (const std::size_t body : group) {
+    bodies_.soft[body].state = bodies_.soft[body].solver->initial_state();
+    bodies_.soft[body].state.recovering = bodies_.soft[body].solver->keeps_recovering();
+    bodies_.soft[body].follow_nodes();
   }
-  relax(bodies);
+  relax(group);
 }
 
 /// What its own weight crushes is no tissue as it is described: the author hears of it.
-void Simulation::Impl::tell_if_crushed(std::size_t body, const CompileOptions& options) {
-  const SoftBody& b = *model.soft[body];
-  const double share = b.inverted_share(equilibrium[body]);
+void tell_if_crushed(const Tissue& tissue, const CompileOptions& options) {
+  const SoftBody& b = *tissue.solver;
+  const double share = b.inverted_share(tissue.equilibrium);
   if ((share == 0 && !b.keeps_recovering()) || !options.progress) return;
   const SoftDesc& desc = b.desc();
   const std::string what =
@@ -179,35 +197,39 @@ void Simulation::Impl::tell_if_crushed(std::size_t body, const CompileOptions& o
                   desc.name, what, desc.youngs_modulus));
 }
 
-void Simulation::Impl::settle(const CompileOptions& options) {
-  refresh_colliders();
+}  // namespace
+
+void settle(State& state, SoftContactFinder& finder, const CompileOptions& options) {
+  Bodies& bodies = state.bodies;
+  Settling settling(state, finder);
   std::vector<Rest> rests;
-  for (const SoftBodyState& state : soft) rests.push_back({state.motion.x});
-  const bool cached = read_cache(options, model.hash, rests);
-  for (std::size_t i = 0; i < soft.size(); ++i)
-    if (cached && rests[i].recovering) model.soft[i]->keep_recovering();
-  equilibrium.resize(soft.size());
-  for (const std::vector<std::size_t>& bodies : neighbourhoods()) {
-    const bool falls = floats(bodies);
-    if (!cached && !falls) relax(bodies);
-    if (!cached && !falls) settle_crushed(bodies);
-    for (const std::size_t i : bodies) {
-      if (cached) soft[i].motion.x = rests[i].shape;
-      equilibrium[i] = soft[i].motion.x;
-      rests[i] = {equilibrium[i], model.soft[i]->keeps_recovering()};
-      soft[i].motion.x_prev = soft[i].motion.x;
-      soft[i].recovering = rests[i].recovering;
-      soft[i].asleep = !falls;
-      place_surface(i);
-      tell_if_crushed(i, options);
+  for (const Tissue& tissue : bodies.soft) rests.push_back({tissue.state.motion.x});
+  const bool cached = read_cache(options, bodies.model.hash, rests);
+  for (std::size_t i = 0; i < bodies.soft.size(); ++i)
+    if (cached && rests[i].recovering) bodies.soft[i].solver->keep_recovering();
+  for (const std::vector<std::size_t>& group : settling.neighbourhoods()) {
+    const bool falls = settling.floats(group);
+    if (!cached && !falls) settling.relax(group);
+    if (!cached && !falls) settling.settle_crushed(group);
+    for (const std::size_t i : group) {
+      Tissue& tissue = bodies.soft[i];
+      if (cached) tissue.state.motion.x = rests[i].shape;
+      tissue.equilibrium = tissue.state.motion.x;
+      rests[i] = {tissue.equilibrium, tissue.solver->keeps_recovering()};
+      tissue.state.motion.x_prev = tissue.state.motion.x;
+      tissue.state.recovering = rests[i].recovering;
+      tissue.state.asleep = !falls;
+      tissue.place_surface();
+      tell_if_crushed(tissue, options);
       if (options.progress && !cached && !falls)
         options.progress(fmt::format(
-            "{}: settled, {:.1f} mm from its imaged shape", model.soft[i]->desc().name,
-            1e3 * (equilibrium[i] - model.soft[i]->initial_state().motion.x).lpNorm<Eigen::Infinity>()));
+            "{}: settled, {:.1f} mm from its imaged shape", tissue.solver->desc().name,
+            1e3 * (tissue.equilibrium - tissue.solver->initial_state().motion.x).lpNorm<Eigen::Infinity>()));
     }
   }
-  layer_sides.clear();  // as when the shapes were read
-  if (!cached && !options.cache_dir.empty() && !soft.empty()) write_cache(options, model.hash, rests);
+  state.layer_sides.clear();  // as when the shapes were read
+  if (!cached && !options.cache_dir.empty() && !bodies.soft.empty())
+    write_cache(options, bodies.model.hash, rests);
 }
 
 }  // namespace prosector

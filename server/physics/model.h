@@ -1,6 +1,6 @@
 #pragma once
-// The compiled scene: const while running, but for how stiff tissue is and whether it is attached, which its
-// Part says (SoftBody::set_in_force): restored with the state.
+// The compiled scene: const while running. Soft bodies change as they are cut, so they are handed over to the
+// state (bodies.h).
 
 #include <memory>
 #include <optional>
@@ -8,8 +8,10 @@
 
 #include "common/hash.h"
 #include "common/scene/scene.h"
-#include "server/physics/collision/fidelity.h"
+#include "server/physics/collision/rigid_outline.h"
 #include "server/physics/contact/signed_distance.h"
+#include "server/physics/contact/soft_collision.h"
+#include "server/physics/organs/blade.h"
 #include "server/physics/rigid/rigid_world.h"
 #include "server/physics/simulation.h"
 #include "server/physics/soft/soft_body.h"
@@ -60,32 +62,31 @@ struct RoomModel {
   RigidShape shape;
 };
 
-/// How a soft body collides.
-struct SoftCollision {
-  Fidelity fidelity = Fidelity::mesh;
-  CollisionMask mask;
-  RoomSides passes = 0;  // of the room: it goes through these
-  bool continuous = false;
-  bool with_itself = false;
-  double cell = 0;  // m, of what meets itself: mean edge of its surface as compiled
-};
-
 struct Model {
   SceneDesc scene;
   double h = 0;  // s, one tick
   std::vector<RigidModel> rigid;
-  std::vector<std::unique_ptr<SoftBody>> soft;
-  std::vector<SoftCollision> soft_collision;  // of each
+  std::vector<BladeShape> blades;  // per rigid body of the scene
   std::array<HandModel, 2> hands;
   std::vector<RoomModel> room;
+  /// For soft bodies that collide as simple shapes: per rigid body, of each hand, of the room's sides. Empty
+  /// where there is no such body.
+  std::vector<std::optional<RigidOutline>> outlines;
   ContentHash hash{};
+};
 
-  /// Stiffness of a contact at a surface vertex, N/m: the body's own over one surface cell, times the
-  /// scene's factor.
-  double contact_stiffness(std::size_t soft_body, std::size_t vertex) const;
+/// A soft body as compiled, at rest.
+struct CompiledTissue {
+  std::unique_ptr<SoftBody> solver;
+  SoftCollision collision;
+};
+
+struct CompiledScene {
+  Model model;
+  std::vector<CompiledTissue> soft;
 };
 
 /// Throws InputError for what the scene got wrong.
-Model compile(const SceneDesc& scene, const CompileOptions& options);
+CompiledScene compile(const SceneDesc& scene, const CompileOptions& options);
 
 }  // namespace prosector

@@ -2,12 +2,12 @@
 // Where a step's time goes.
 
 #include "common/clock.h"
-#include "server/physics/simulation_impl.h"
+#include "server/physics/step_report.h"
 
 namespace prosector {
 
 /// Writes the time since it was last asked into a phase of the report; decides nothing.
-class Simulation::Impl::PhaseClock {
+class PhaseClock {
  public:
   explicit PhaseClock(StepReport& report) : report_(report), start_(monotonic_ns()), last_(start_) {}
   void end(Phase phase) {

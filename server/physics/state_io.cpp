@@ -1,11 +1,11 @@
-// Checkpoints. Loading builds the rigid world anew from plain numbers, so whatever Bullet caches is a
-// function of them: a run that goes on after a checkpoint and one that restores it are equal.
+#include "server/physics/state_io.h"
 
 #include <algorithm>
 
 #include "common/hand.h"
-#include "server/physics/simulation_impl.h"
-#include "server/physics/state_cuts.h"
+#include "server/physics/contact/fit_tissue.h"
+#include "server/physics/hands/hands.h"
+#include "server/physics/organs/dissection_io.h"
 
 namespace prosector {
 namespace {
@@ -160,8 +160,6 @@ void add(ByteWriter& out, const Hand& hand) {
   out.add(hand.hold->resting_ticks);
 }
 
-using LayerSides = std::map<std::pair<std::size_t, std::size_t>, std::vector<LayerSide>>;
-
 void add(ByteWriter& out, const LayerSides& sides) {
   out.add(static_cast<std::uint64_t>(sides.size()));
   for (const auto& [bodies, list] : sides) {
@@ -302,34 +300,40 @@ Hand read_hand(ByteReader& in, const Model& model, std::span<const SoftBody* con
 
 }  // namespace
 
-void Simulation::Impl::save(ByteWriter& out) const {
-  out.add(ever_cut() ? magic_cut : magic);
+void save(const State& state, ByteWriter& out) {
+  const Bodies& bodies = state.bodies;
+  const Model& model = bodies.model;
+  const bool cut = state.dissection.ever_cut(), thin = has_thin_shells(bodies);
+  out.add(cut ? magic_cut : magic);
   out.raw(model.hash.data(), model.hash.size());
-  out.add(time.epoch);
-  out.add(time.tick);
-  if (ever_cut()) save_cuts(out);
-  for (std::size_t slot = 0; slot < model.rigid.size(); ++slot) add(out, world.motion(slot));
-  for (const SoftBodyState& state : soft) add(out, state);
-  for (const ContactMemories& of_body : memories) add(out, of_body, has_layers());
-  out.add(static_cast<std::uint64_t>(hands.size()));
-  for (const Hand& hand : hands) {
+  out.add(state.time.epoch);
+  out.add(state.time.tick);
+  if (cut) save_cuts(state, out);
+  for (std::size_t slot = 0; slot < model.rigid.size(); ++slot) add(out, bodies.rigid.motion(slot));
+  for (const Tissue& tissue : bodies.soft) add(out, tissue.state);
+  for (const Tissue& tissue : bodies.soft) add(out, tissue.memories, thin);
+  out.add(static_cast<std::uint64_t>(state.hands.size()));
+  for (const Hand& hand : state.hands) {
     add(out, hand);
-    add(out, world.motion(hand.slot));
+    add(out, bodies.rigid.motion(hand.slot));
   }
-  if (panels) {
-    panels->save(out);
-    out.add(room_lights);
+  if (state.panels) {
+    state.panels->save(out);
+    out.add(state.room_lights);
   }
-  if (has_layers()) add(out, layer_sides);
+  if (thin) add(out, state.layer_sides);
   // Nothing while nobody made anything of any part, none was lost and none are in each other: earlier
   // sessions keep their hashes.
-  const bool with_entangled = !entangled.empty(), with_lost = with_entangled || !lost.empty();
-  if (with_lost || parts != initial_parts(soft.size())) add(out, parts);
-  if (with_lost) add(out, lost);
-  if (with_entangled) add(out, entangled);
+  const bool with_entangled = !state.entangled.empty(), with_lost = with_entangled || !bodies.lost.empty();
+  if (with_lost || bodies.parts != initial_parts(model, bodies.soft.size())) add(out, bodies.parts);
+  if (with_lost) add(out, bodies.lost);
+  if (with_entangled) add(out, state.entangled);
 }
 
-void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
+void load(State& state, std::span<const std::uint8_t> bytes) {
+  Bodies& bodies = state.bodies;
+  const Model& model = bodies.model;
+  const bool thin = has_thin_shells(bodies);
   ByteReader in(bytes, "checkpoint");
   const auto kind = in.number<std::uint64_t>();
   in.require(kind == magic || kind == magic_cut, "not a checkpoint of this version");
@@ -338,7 +342,7 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
   SimTime new_time;
   new_time.epoch = in.number<std::uint32_t>();
   new_time.tick = in.number<std::uint64_t>();
-  RestoredCuts cuts(*this);
+  RestoredCuts cuts(state);
   if (kind == magic_cut) cuts.read(in);
   const std::vector<const SoftBody*> tissues = cuts.bodies();
   RigidWorld new_world(model.scene.gravity, room_sides(model.scene.room));
@@ -355,12 +359,12 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
         anatomy.thickness > 0
             ? anatomy.tets.positions.size() + 4 * (surface.triangles.size() + anatomy.segments.size())
             : 0;
-    new_memories.push_back(read_memories(in, std::max(features, of_layers), has_layers()));
+    new_memories.push_back(read_memories(in, std::max(features, of_layers), thin));
   }
   std::vector<Hand> new_hands(in.count(most_hands));
   for (Hand& hand : new_hands) {
     hand = read_hand(in, model, tissues);
-    hand.slot = add_hand(new_world, hand, read_motion(in));
+    hand.slot = add_hand(model, new_world, hand, read_motion(in));
     if (hand.hold && hand.hold->body < model.rigid.size())
       new_world.set_collides(hand.slot, hand.hold->body, false);
   }
@@ -370,31 +374,42 @@ void Simulation::Impl::load(std::span<const std::uint8_t> bytes) {
                "hands out of order");
   std::optional<PanelWorld> new_panels;
   double new_lights = 1;
-  if (panels) {
+  if (state.panels) {
     new_panels.emplace(model.h).load(in, model.rigid.size() + tissues.size());
     new_lights = in.number<double>();
     in.require(new_lights >= 0 && new_lights <= 1, "a brightness beyond 0 to 1");
   }
   LayerSides new_sides;
-  if (has_layers()) new_sides = read_sides(in, tissues.size());
-  std::vector<Part> new_parts = read_parts(in, initial_parts(tissues.size()));
+  if (thin) new_sides = read_sides(in, tissues.size());
+  std::vector<Part> new_parts = read_parts(in, initial_parts(model, tissues.size()));
   LostBodies new_lost = read_lost(in, model.rigid.size() + tissues.size());
   Entanglements new_entangled = read_entangled(in, tissues.size());
   in.require(in.done(), "more than a checkpoint holds");
   cuts.take_effect();
-  time = new_time;
-  world = std::move(new_world);
-  soft = std::move(new_soft);
-  memories = std::move(new_memories);
-  hands = std::move(new_hands);
-  parts = std::move(new_parts);
-  lost = std::move(new_lost);
-  entangled = std::move(new_entangled);
-  layer_sides = std::move(new_sides);
-  panels = std::move(new_panels);
-  room_lights = new_lights;
-  for (BodyId body = 0; body < parts.size(); ++body) take_effect(world, body);
-  for (std::size_t i = 0; i < soft.size(); ++i) place_surface(i);
+  state.time = new_time;
+  bodies.rigid = std::move(new_world);
+  for (std::size_t i = 0; i < bodies.soft.size(); ++i) {
+    bodies.soft[i].state = std::move(new_soft[i]);
+    bodies.soft[i].memories = std::move(new_memories[i]);
+  }
+  state.hands = std::move(new_hands);
+  bodies.parts = std::move(new_parts);
+  bodies.lost = std::move(new_lost);
+  state.entangled = std::move(new_entangled);
+  state.layer_sides = std::move(new_sides);
+  state.panels = std::move(new_panels);
+  state.room_lights = new_lights;
+  for (BodyId body = 0; body < bodies.parts.size(); ++body) bodies.take_effect(bodies.rigid, body);
+  for (Tissue& tissue : bodies.soft) tissue.place_surface();
+}
+
+std::uint64_t hash_of(const State& state) {
+  StateHasher hasher;
+  ByteWriter bytes;
+  save(state, bytes);
+  hasher.add(std::as_bytes(std::span(bytes.bytes())));
+  state.bodies.rigid.hash(hasher);
+  return hasher.digest();
 }
 
 }  // namespace prosector

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/mesh.h"
+#include "server/physics/collision/collision_mask.h"
 #include "server/physics/collision/space_order.h"
 #include "server/physics/collision/vertex_stars.h"
 #include "server/physics/contact/contact.h"
@@ -16,7 +17,9 @@
 
 namespace prosector {
 
-/// A rigid body as the detector sees it.
+class RigidOutline;
+
+/// A rigid body, a hand or a side of the room as soft bodies meet it.
 struct Collider {
   std::size_t slot = 0;
   Pose pose;                                           // centre of mass in the room
@@ -29,6 +32,10 @@ struct Collider {
   double friction = 0;
   bool fixed = false;
   std::optional<Pose> driven_to;  // fixed: where it is when the tick ends
+  CollisionMask mask;
+  bool continuous = false;                // met at the time of impact, where it is fast
+  bool held_blade = false;                // its edge cuts instead of touching
+  const RigidOutline* outline = nullptr;  // for bodies that collide as simple shapes; null: it has none
 };
 
 /// A point of a surface triangle, off its corners, against a thin part or a part's corner.

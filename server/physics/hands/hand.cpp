@@ -25,6 +25,19 @@ Vec3 clamped(const Vec3& v, double limit) {
 
 }  // namespace
 
+const Hand* hand_at(std::span<const Hand> hands, std::size_t slot) {
+  for (const Hand& hand : hands)
+    if (hand.slot == slot) return &hand;
+  return nullptr;
+}
+
+bool in_a_hand(std::span<const Hand> hands, BodyId body, std::span<const Contact> touches) {
+  return std::any_of(touches.begin(), touches.end(),
+                     [&](const Contact& c) { return hand_at(hands, c.b.body) != nullptr; }) ||
+         std::any_of(hands.begin(), hands.end(),
+                     [&](const Hand& hand) { return hand.hold && hand.hold->body == body; });
+}
+
 Pull hand_pull(const Hand& hand, const HandModel& model, const HandDesc& desc, const Pose& centre, double h) {
   const Pose target = hand.target * model.center, previous = hand.previous_target * model.center;
   const double damping = 2 * std::sqrt(desc.stiffness * desc.mass) / h;  // N/m, of a tick's displacement

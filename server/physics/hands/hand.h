@@ -39,6 +39,12 @@ struct Hand {
   std::vector<PadMemory> pads;  // as the last tick's contacts come
 };
 
+/// Returns the hand in that slot of the rigid world; null: there is none.
+const Hand* hand_at(std::span<const Hand> hands, std::size_t slot);
+
+/// Returns whether a hand holds the soft body or touches it. `touches`: its contacts with what is rigid.
+bool in_a_hand(std::span<const Hand> hands, BodyId body, std::span<const Contact> touches);
+
 inline constexpr double max_hand_speed = 3;         // m/s, of the effective target
 inline constexpr double max_finger_rate = 8;        // 1/s, of flexion: a fist in 1/8 s
 inline constexpr double grasp_reach_rigid = 0.03;   // m

@@ -1,0 +1,94 @@
+#include "server/physics/contact/proxy_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "server/physics/collision/rigid_outline.h"
+#include "server/physics/contact/rigid_soft_contacts.h"
+#include "server/physics/contact/shape_touch.h"
+#include "server/physics/contact/soft_pair_contacts.h"
+
+namespace prosector {
+namespace {
+
+constexpr double sides = 6;  // of a box around a body: all that touches one side counts as a sixth of it
+
+/// N/m, of all that touches one side of the shape: by the scene's factor stiffer than the body as a whole.
+double proxy_stiffness(const Tissue& tissue) {
+  const auto areas = tissue.solver->surface_area();
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0) / sides;
+  return tissue.collision.stiffness_factor * tissue.desc().youngs_modulus * std::sqrt(area);
+}
+
+void add_two_proxies(const Tissue& a, const Tissue& b, double margin, std::vector<Contact>& out) {
+  const RoughShape &shape_a = *a.surface.proxy(), &shape_b = *b.surface.proxy();
+  std::vector<ShapeTouch> touches;
+  find_touches(shape_a.piece(), shape_b.piece(), margin, touches);
+  const Hanger &of_a = shape_a.hanger(), &of_b = shape_b.hanger();
+  const std::size_t shares = std::max(of_a.shares(), of_b.shares());
+  const double own = proxy_stiffness(a), other = proxy_stiffness(b);
+  for (const ShapeTouch& touch : touches)
+    for (std::size_t share = 0; share < shares; ++share) {
+      Contact& c = out.emplace_back(pair_contact(a, b, touch.normal, touch.gap));
+      c.point = of_a.hang(touch.point, touch.normal, share % of_a.shares(), c.a);
+      of_b.hang(touch.point, touch.normal, share % of_b.shares(), c.b);
+      c.stiffness = 2 * own * other / (own + other) / static_cast<double>(touches.size() * shares);
+    }
+}
+
+/// Of the vertices of `a`, which has none, with the proxy of `b`.
+void add_vertices_and_proxy(const Tissue& a, const Tissue& b, double margin, std::vector<Contact>& out) {
+  const RoughShape& shape = *b.surface.proxy();
+  const double skin = a.half_thickness();
+  const Aabb reach = shape.box().grown(margin + skin);
+  const SurfaceDetector& vertices = a.surface.vertices();
+  vertices.in_box(reach.lo, reach.hi, [&](std::uint32_t vertex) {
+    const Vec3& x = vertices.positions()[vertex];
+    const auto near = proximity(CollisionPiece(SphereShape{x, skin}), shape.piece(), margin);
+    if (!near) return;
+    Contact& c = out.emplace_back(pair_contact(a, b, near->normal, near->gap));
+    c.a = a.side(vertex);
+    c.point = x;
+    shape.hanger().hang(x, near->normal, vertex % shape.hanger().shares(), c.b);
+    c.stiffness = pair_stiffness(a, b, vertex);
+    c.feature = vertex;
+    recall(find(a.memories, c.b, c.feature), c);
+  });
+}
+
+}  // namespace
+
+bool add_proxy_contacts(const Tissue& tissue, const Collider& collider, double margin,
+                        std::vector<Contact>& out) {
+  const RoughShape& own = *tissue.surface.proxy();
+  if (!own.box().grown(margin).overlaps({collider.lo, collider.hi}) || !collider.outline) return false;
+  std::vector<CollisionPiece> pieces;
+  collider.outline->place(collider.pose, collider.part_poses, pieces);
+  std::vector<ShapeTouch> touches;
+  for (const CollisionPiece& piece : pieces)
+    if (own.box().grown(margin).overlaps(box_of(piece))) find_touches(own.piece(), piece, margin, touches);
+  const std::size_t shares = own.hanger().shares();
+  const double stiffness = proxy_stiffness(tissue) / static_cast<double>(touches.size() * shares);
+  for (const ShapeTouch& touch : touches)
+    for (std::size_t share = 0; share < shares; ++share) {
+      Contact c = rigid_contact(tissue, touch.point, {touch.gap, touch.normal}, collider);
+      c.point = own.hanger().hang(touch.point, touch.normal, share, c.a);
+      if (!collider.fixed) c.b.arm = c.point - collider.pose.p;
+      c.stiffness = stiffness;
+      out.push_back(c);
+    }
+  return !touches.empty();
+}
+
+bool add_proxy_pair_contacts(const Tissue& a, const Tissue& b, double margin, std::vector<Contact>& out) {
+  if (!b.surface.proxy()) return add_proxy_pair_contacts(b, a, margin, out);
+  const std::size_t before = out.size();
+  if (a.surface.proxy())
+    add_two_proxies(a, b, margin, out);
+  else
+    add_vertices_and_proxy(a, b, margin, out);
+  return out.size() > before;
+}
+
+}  // namespace prosector

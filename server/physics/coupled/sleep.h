@@ -1,0 +1,15 @@
+#pragma once
+// Islands in which nothing moves any more go to sleep, whole.
+
+#include <vector>
+
+#include "server/physics/coupled/island.h"
+#include "server/physics/state.h"
+
+namespace prosector {
+
+/// Puts islands of the last tick to sleep whose bodies have been quiet long enough, and keeps the others
+/// awake. Takes the surfaces of all their soft bodies to where these are.
+void fall_asleep(State& state, std::vector<Island>& islands);
+
+}  // namespace prosector

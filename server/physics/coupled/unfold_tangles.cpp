@@ -1,0 +1,188 @@
+#include "server/physics/coupled/unfold_tangles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "server/physics/contact/parting.h"
+#include "server/physics/coupled/recovery.h"
+
+namespace prosector {
+namespace {
+
+constexpr int tangle_check_ticks = 8;
+constexpr double left_inside = 0.1;  // cells: what is no deeper contacts press out by themselves
+constexpr int most_moves = 100;
+constexpr double squeezing = 3;             // weights
+constexpr double entangled_seconds = 0.75;  // for so long bodies are led apart
+
+/// m: along `up`, of the lowest node.
+double height_of_lowest(const VecX& x, const Vec3& up) {
+  return (up.transpose() * x.reshaped(3, x.size() / 3)).minCoeff();
+}
+
+}  // namespace
+
+bool is_being_led(const Entanglements& entangled, std::size_t body) {
+  return std::any_of(entangled.begin(), entangled.end(), [&](const auto& entry) {
+    return (entry.first.first == body || entry.first.second == body) &&
+           entry.second.seconds < 2 * entangled_seconds;
+  });
+}
+
+namespace {
+
+bool is_in_a_hand(const State& state, const SoftContacts& touching, std::size_t body) {
+  return in_a_hand(state.hands, state.bodies.soft_id(body), touching.with_rigid[body]);
+}
+
+/// Whether rigid things press the body against each other or what it is tied to, harder than its weight and
+/// other tissue do: it has no room for its own shape. What tissue presses has room, because tissue gives way.
+bool is_squeezed(const Bodies& bodies, std::size_t body) {
+  double by_rigid = 0, by_tissue = 0;
+  Vec3 unbalanced = Vec3::Zero();  // N: of the rigid things' forces, what tissue and gravity take up
+  for (const ContactMemory& m : bodies.soft[body].memories) {
+    (m.soft ? by_tissue : by_rigid) += m.force;
+    if (!m.soft) unbalanced += m.force * m.normal;
+  }
+  const double between = bodies.soft[body].solver->attached() ? by_rigid : by_rigid - unbalanced.norm();
+  const double weight = bodies.soft[body].solver->total_mass() * bodies.model.scene.gravity.norm();
+  return between > std::max(squeezing * weight, by_tissue);
+}
+
+/// Whether the body is deep in other tissue, but can't be led out: what of it is inside out tells no way.
+bool is_blind(State& state, const SoftContacts& touching, std::size_t body) {
+  if (state.bodies.soft[body].inside_out().empty() || is_in_a_hand(state, touching, body)) return false;
+  return std::any_of(touching.pairs.begin(), touching.pairs.end(), [&](const SoftPair& pair) {
+    if ((pair.a != body && pair.b != body) || pair.a == pair.b || state.entangled.contains({pair.a, pair.b}))
+      return false;
+    const SoftSkin a = state.bodies.soft[pair.a].skin(), b = state.bodies.soft[pair.b].skin();
+    if (!a.faces || !b.faces || a.skin > 0 || b.skin > 0 || is_in_a_hand(state, touching, pair.a + pair.b - body)) return false;
+    return is_deep(find_immersion(a, b, {}, {}), find_immersion(b, a, {}, {}), std::min(a.cell, b.cell));
+  });
+}
+
+/// What the body would strike if it took its own shape: a hand, what squeezes it, or, unless it has its own
+/// place, a rigid thing. Other tissue gives way, and is led out of it.
+Surroundings surroundings_of(State& state, const SoftContacts& touching, std::size_t body) {
+  const std::vector<Contact>& touches = touching.with_rigid[body];
+  const bool borne = std::any_of(touches.begin(), touches.end(),
+                                 [](const Contact& c) { return c.b.kind == ContactSide::Kind::rigid; });
+  const bool met = std::any_of(touching.pairs.begin(), touching.pairs.end(),
+                               [&](const SoftPair& pair) { return pair.a == body || pair.b == body; });
+  const bool crushed = is_in_a_hand(state, touching, body) || is_squeezed(state.bodies, body);
+  return {crushed, is_blind(state, touching, body), crushed || (borne && !state.bodies.soft[body].solver->attached()),
+          met || !touches.empty()};
+}
+
+void tell_reset(const Bodies& bodies, std::size_t body, const std::string& why, StepReport& report);
+void place_unfolded(Bodies& bodies, std::size_t body, double lowest);
+void make_room_for(Bodies& bodies, std::size_t body);
+void disentangle(Bodies& bodies, std::size_t a, std::size_t b, StepReport& report);
+
+}  // namespace
+
+void unfold_tangles(State& state, std::vector<Island>& islands, const SoftContacts& touching, double h, StepReport& report) {
+  if (state.time.tick % tangle_check_ticks != 0) return;
+  std::vector<std::size_t> unfolded;
+  for (Island& island : islands)
+    for (SoftMember& s : island.soft) {
+      const double lowest = height_of_lowest(s.state->motion.x, -state.bodies.model.scene.gravity.normalized());
+      if (!unfold_if_tangled(s, surroundings_of(state, touching, s.index), state.bodies.soft[s.index].equilibrium, h, tangle_check_ticks))
+        continue;
+      place_unfolded(state.bodies, s.index, lowest);
+      tell_reset(state.bodies, s.index, s.note, report);
+      unfolded.push_back(s.index);
+    }
+  for (const std::size_t body : unfolded) make_room_for(state.bodies, body);
+  for (const auto& [pair, how] : state.entangled)
+    if (how.seconds > entangled_seconds && !is_in_a_hand(state, touching, pair.first) &&
+        !is_in_a_hand(state, touching, pair.second))
+      disentangle(state.bodies, pair.first, pair.second, report);
+}
+
+namespace {
+
+bool part_at_once(Bodies& bodies, std::size_t a, std::size_t b);
+void put_beside(Bodies& bodies, std::size_t body, std::size_t other);
+
+void tell_reset(const Bodies& bodies, std::size_t body, const std::string& why, StepReport& report) {
+  BodyReport& row = report.bodies.emplace_back();
+  row.body = bodies.soft[body].desc().name;
+  row.reset = true;
+  row.note = why;
+}
+
+/// Where an unfolded body goes: what has a place of its own, there; else what it lies on is no higher than it
+/// was.
+void place_unfolded(Bodies& bodies, std::size_t body, double lowest) {
+  VecX& x = bodies.soft[body].state.motion.x;
+  const Vec3 up = -bodies.model.scene.gravity.normalized();
+  if (bodies.soft[body].solver->attached())
+    x = bodies.soft[body].equilibrium;
+  else
+    x += (std::max(0.0, lowest - height_of_lowest(x, up)) * up).replicate(x.size() / 3, 1);
+  bodies.soft[body].follow_nodes();
+}
+
+/// What was unfolded may be in other tissue, and forces that lead it out would crush it again.
+void make_room_for(Bodies& bodies, std::size_t body) {
+  for (std::size_t other = 0; other < bodies.soft.size(); ++other)
+    if (other != body && bodies.may_meet(body, other) && bodies.soft[body].outer_box().overlaps(bodies.soft[other].outer_box()))
+      part_at_once(bodies, body, other);
+}
+
+/// Puts one body beside the other, as a whole: a free one, the lighter one of two. False: neither is free.
+bool part_at_once(Bodies& bodies, std::size_t a, std::size_t b) {
+  const auto ease = [&](std::size_t body) {
+    return bodies.soft[body].solver->attached() ? 0 : 1 / bodies.soft[body].solver->total_mass();
+  };
+  if (ease(a) == 0 && ease(b) == 0) return false;
+  if (ease(a) < ease(b)) std::swap(a, b);
+  put_beside(bodies, a, b);
+  return true;
+}
+
+/// Bodies that did not come apart by being led.
+void disentangle(Bodies& bodies, std::size_t a, std::size_t b, StepReport& report) {
+  if (part_at_once(bodies, a, b)) {
+    tell_reset(bodies, a, fmt::format("stayed in {}: one was put beside the other", bodies.soft[b].desc().name), report);
+    return;
+  }
+  for (const std::size_t body : {a, b}) {
+    const double moved = (bodies.soft[body].state.motion.x - bodies.soft[body].equilibrium).lpNorm<Eigen::Infinity>();
+    if (moved < bodies.soft[body].desc().surface_cell) continue;  // so the scene has it
+    bodies.soft[body].solver->unfold(bodies.soft[body].state);
+    place_unfolded(bodies, body, 0);
+    tell_reset(bodies, body,
+               fmt::format("stayed in {}: put where it rests", bodies.soft[body == a ? b : a].desc().name), report);
+  }
+}
+
+/// Moves a solid out of another along the way in which they part, but never down: something bears it.
+void put_beside(Bodies& bodies, std::size_t body, std::size_t other) {
+  const double cell = std::min(bodies.soft[body].desc().surface_cell, bodies.soft[other].desc().surface_cell);
+  const Vec3 up = -bodies.model.scene.gravity.normalized();
+  Vec3 way = Vec3::Zero();
+  for (int moves = 0; moves < most_moves; ++moves) {
+    const SoftSkin own = bodies.soft[body].skin(), others = bodies.soft[other].skin();
+    if (!own.faces || !others.faces || own.skin > 0 || others.skin > 0) return;
+    const Immersion in = find_immersion(own, others, bodies.soft[body].inside_out(), bodies.soft[other].inside_out());
+    const Immersion around = find_immersion(others, own, bodies.soft[other].inside_out(), bodies.soft[body].inside_out());
+    const double deepest = std::max(in.deepest, around.deepest);
+    if (deepest < left_inside * cell) return;
+    if (moves == 0) {
+      way = way_apart(in, around, bodies.soft[body].middle() - bodies.soft[other].middle());
+      way -= std::min(0.0, way.dot(up)) * up;
+      way = way.norm() > 0 ? Vec3(way.normalized()) : up;
+    }
+    bodies.soft[body].state.motion.x += (deepest * way).replicate(bodies.soft[body].solver->nodes(), 1);
+    bodies.soft[body].state.motion.has_history = false;
+    bodies.soft[body].state.asleep = false;
+    bodies.soft[body].follow_nodes();
+  }
+}
+
+}  // namespace
+
+}  // namespace prosector

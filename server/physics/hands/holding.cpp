@@ -1,0 +1,158 @@
+#include "server/physics/hands/holding.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "server/physics/coupled/potentials.h"
+#include "server/physics/hands/hands.h"
+
+namespace prosector {
+namespace {
+
+// Set down is what was in the air and is carried by something else now, while the hand gives next to nothing.
+constexpr double in_the_air = 0.3, on_something = 0.7;  // of its weight, carried by others than hands
+constexpr double given_up = 0.3;                        // of its weight, carried or pulled by the hand
+constexpr double resting_speed = 0.05;                  // m/s
+constexpr double resting_seconds = 0.25;
+
+/// N: what everything but hands did to the body in this tick, along contacts' normals.
+Vec3 support(const Bodies& bodies, std::span<const Hand> hands, std::span<const Island> islands,
+             BodyId body) {
+  Vec3 sum = Vec3::Zero();
+  const auto is_it = [&](const ContactSide& side) {
+    return side.kind == ContactSide::Kind::soft ? bodies.soft_id(side.body) == body : side.body == body;
+  };
+  const auto is_hand = [&](const ContactSide& side) {
+    return side.kind != ContactSide::Kind::soft && hand_at(hands, side.body) != nullptr;
+  };
+  for (const Island& island : islands)
+    for (const Contact& c : island.contacts) {
+      if (is_it(c.a) && !is_hand(c.b)) sum += c.force * c.normal;
+      if (is_it(c.b) && !is_hand(c.a)) sum -= c.force * c.normal;
+    }
+  return sum;
+}
+
+/// After the step. Takes note in the hold of what it needs to know next time.
+bool was_set_down(const Bodies& bodies, std::span<const Hand> hands, std::span<const Island> islands,
+                  Hand& hand, const Vec3& force) {
+  Hold& hold = *hand.hold;
+  const bool tissue = bodies.is_soft(hold.body);
+  const std::size_t i = tissue ? bodies.soft_index(hold.body) : 0;
+  if (tissue ? bodies.soft[i].solver->attached() || !bodies.soft[i].solver->falls()
+             : bodies.model.rigid[hold.body].setup.balanced)
+    return false;
+  const double mass = tissue ? bodies.soft[i].solver->total_mass() : bodies.model.rigid[hold.body].setup.mass;
+  const double weight = mass * bodies.model.scene.gravity.norm();
+  if (!(weight > 0)) return false;
+  const Vec3 up = -bodies.model.scene.gravity.normalized();
+  const double carried = support(bodies, hands, islands, hold.body).dot(up) / weight;
+  if (carried < in_the_air) hold.lifted = true;
+  const double given = force.dot(up) / weight;
+  const double pulled = (force - force.dot(up) * up).norm() / weight;
+  const double speed = tissue ? bodies.soft[i].state.motion.v.lpNorm<Eigen::Infinity>()
+                              : bodies.rigid.motion(hold.body).linear_velocity.norm();
+  const bool rests = carried > on_something && given < given_up && pulled < given_up && speed < resting_speed;
+  hold.resting_ticks = hold.lifted && rests ? hold.resting_ticks + 1 : 0;
+  return hold.resting_ticks * bodies.model.h >= resting_seconds;
+}
+
+}  // namespace
+
+Vec3 HeldPoint::force() const {
+  const Vec3 stretch = at_hand - at_body;
+  return BoundedSpring{stiffness, max_force}.secant(stretch.norm()) * stretch;
+}
+
+std::vector<HeldPoint> held_points(const Bodies& bodies, const Hand& hand) {
+  const Hold& hold = *hand.hold;
+  const Pose centre = bodies.rigid.motion(hand.slot).pose;
+  const bool tissue = bodies.is_soft(hold.body);
+  const Pose body = tissue ? Pose() : bodies.rigid.motion(hold.body).pose;
+  std::vector<HeldPoint> out;
+  for (const Hold::Point& p : hold.points) {
+    const Vec3 at_body =
+        tissue ? bodies.soft[bodies.soft_index(hold.body)].surface.vertices().positions()[p.vertex]
+               : body * p.in_body;
+    out.push_back({centre * p.in_hand, at_body, p.stiffness, p.max_force});
+  }
+  return out;
+}
+
+Vec3 hold_force(const Bodies& bodies, const Hand& hand) {
+  Vec3 sum = Vec3::Zero();
+  for (const HeldPoint& p : held_points(bodies, hand)) sum += p.force();
+  return sum;
+}
+
+void tend_holds(State& state, std::span<const Island> islands, StepReport& report) {
+  Bodies& bodies = state.bodies;
+  for (Hand& hand : state.hands) {
+    if (!hand.hold) continue;
+    bodies.lost.erase(hand.hold->body);
+    const Vec3 force = hold_force(bodies, hand);
+    if (force.norm() > bodies.model.scene.hand.tear_force)
+      release(bodies, hand,
+              fmt::format("{} was torn away by {:.0f} N", bodies.name_of(hand.hold->body), force.norm()),
+              report);
+    else if (was_set_down(bodies, state.hands, islands, hand, force))
+      release(bodies, hand, fmt::format("{} was set down", bodies.name_of(hand.hold->body)), report);
+  }
+}
+
+void keep_holds(State& state, const std::vector<std::size_t>& pieces) {
+  Bodies& bodies = state.bodies;
+  for (Hand& hand : state.hands) {
+    if (!hand.hold || !bodies.is_soft(hand.hold->body)) continue;
+    if (!std::binary_search(pieces.begin(), pieces.end(), bodies.soft_index(hand.hold->body))) continue;
+    const Pose centre = bodies.rigid.motion(hand.slot).pose;
+    struct Nearest {
+      std::size_t body = 0;
+      std::uint32_t vertex = 0;
+      double distance = std::numeric_limits<double>::infinity();
+    };
+    std::vector<Nearest> found;
+    for (const Hold::Point& p : hand.hold->points) {
+      Nearest& best = found.emplace_back();
+      for (const std::size_t body : pieces) {
+        const auto x = bodies.soft[body].surface.vertices().positions();
+        for (std::uint32_t v = 0; v < x.size(); ++v)
+          if (const double d = (x[v] - centre * p.in_hand).squaredNorm(); d < best.distance)
+            best = {body, v, d};
+      }
+    }
+    // One hand holds one body: that of most points.
+    std::map<std::size_t, std::size_t> points;
+    for (const Nearest& n : found) ++points[n.body];
+    const auto most = std::max_element(points.begin(), points.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    Hold& hold = *hand.hold;
+    hold.body = bodies.soft_id(most->first);
+    std::vector<Hold::Point> kept;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (found[i].body != most->first) continue;
+      kept.push_back(hold.points[i]);
+      kept.back().vertex = found[i].vertex;
+    }
+    hold.points = std::move(kept);
+  }
+}
+
+void hand_over(Bodies& bodies, Hand& hand, const RigidModel::Fracture& plane) {
+  Hold& hold = *hand.hold;
+  const auto above = std::count_if(hold.points.begin(), hold.points.end(), [&](const Hold::Point& p) {
+    return plane.normal.dot(p.in_body - plane.point) > 0;
+  });
+  const std::size_t piece =
+      2 * above >= static_cast<std::ptrdiff_t>(hold.points.size()) ? plane.above : plane.below;
+  const Pose to_piece = bodies.rigid.motion(piece).pose.inverse() * bodies.rigid.motion(hold.body).pose;
+  for (Hold::Point& p : hold.points) p.in_body = to_piece * p.in_body;
+  bodies.rigid.set_collides(hand.slot, hold.body, true);
+  bodies.rigid.set_collides(hand.slot, piece, false);
+  hold.body = static_cast<BodyId>(piece);
+}
+
+}  // namespace prosector

@@ -1,0 +1,47 @@
+#pragma once
+// Checkpoints of what was cut: organs' logs, which are gone through again, and blades that hands hold.
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "server/physics/byte_stream.h"
+#include "server/physics/state.h"
+
+namespace prosector {
+
+void save_cuts(const State& state, ByteWriter& out);
+
+/// What a checkpoint says was cut, beside a state that may have been cut otherwise. Nothing of the
+/// state changes before take_effect().
+class RestoredCuts {
+ public:
+  /// Nothing was cut.
+  explicit RestoredCuts(State& state);
+  /// Throws InputError for what doesn't fit.
+  void read(ByteReader& in);
+  /// Soft bodies with all pieces, by index; valid as long as this and the state are.
+  std::vector<const SoftBody*> bodies() const;
+  /// The state has these bodies, and hands these blades, from now on.
+  void take_effect();
+
+ private:
+  struct Piece {
+    std::size_t first = 0;             // of its organ
+    std::unique_ptr<SoftBody> solver;  // null: the state's own is right
+    Numbering numbering;
+    std::uint32_t revision = 0;
+    VecX equilibrium;
+  };
+  void read_organ(ByteReader& in, std::size_t first);
+  bool is_current(std::size_t first, const Organ& organ) const;
+
+  State& state_;
+  std::size_t count_;  // soft bodies
+  std::map<std::size_t, Organ> organs_;
+  std::map<std::size_t, Piece> pieces_;  // by body
+  std::vector<Blade> blades_;
+  std::uint64_t strokes_ = 0;
+};
+
+}  // namespace prosector
