@@ -93,7 +93,7 @@ class FollowingBlocks final : public FollowingBodies {
       PieceSurface skin = organ.surface(piece);
       body.numbering = std::move(skin.numbering);
       body.solver->follow(edit.mesh, std::move(skin.surface), std::move(skin.embedding));
-      body.find_contact();
+      body.remake_surface();
       return;
     }
     Numbering numbering = body.numbering;

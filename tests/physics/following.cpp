@@ -14,8 +14,9 @@ using ::testing::AssertionResult;
 using ::testing::AssertionSuccess;
 
 /// In which order vertices are looked at, and where they are.
-std::vector<Vec3> vertices_in_order(SurfaceDetector& detector, const VecX& x) {
-  detector.update(x.data());
+std::vector<Vec3> vertices_in_order(TissueSurface& surface, const VecX& x) {
+  surface.place(x);
+  const SurfaceDetector& detector = surface.vertices();
   std::vector<Vec3> out;
   detector.in_box(detector.lo(), detector.hi(), [&](std::uint32_t vertex) {
     out.push_back(detector.positions()[vertex]);
@@ -30,10 +31,11 @@ AssertionResult same(const Numbering& a, const Numbering& b) {
   return AssertionSuccess();
 }
 
-AssertionResult same(SurfaceDetector& followed, SurfaceDetector& anew, const SoftBody& body) {
+AssertionResult same_vertices(TissueSurface& a, TissueSurface& b, const SoftBody& body) {
+  const SurfaceDetector &followed = a.vertices(), &anew = b.vertices();
   if (!std::ranges::equal(followed.triangle_order(), anew.triangle_order()))
     return AssertionFailure() << "another order of triangles";
-  if (vertices_in_order(followed, body.rest()) != vertices_in_order(anew, body.rest()))
+  if (vertices_in_order(a, body.rest()) != vertices_in_order(b, body.rest()))
     return AssertionFailure() << "another order of vertices";
   const TriangleMesh& surface = body.anatomy().surface;
   for (std::uint32_t vertex = 0; vertex < surface.positions.size(); ++vertex)
@@ -129,57 +131,50 @@ std::vector<Vec3> rest_of(const Organ& organ) {
   return out;
 }
 
-void Hung::find_contact() {
-  const Anatomy& anatomy = solver->anatomy();
-  detector.emplace(anatomy.embedding, anatomy.surface, anatomy.thickness > 0);
-  faces.reset();
-  fold.reset();
-  if (!numbering.triangles.empty())  // else nobody has cut it
-    find_faces();
+void Hung::make_surface() {
+  surface.emplace(solver->anatomy());
+  fit();
 }
 
-void Hung::find_faces() {
-  const Anatomy& anatomy = solver->anatomy();
-  faces.emplace(anatomy.surface, detector->triangle_order());
-  if (anatomy.thickness == 0) fold.emplace(anatomy, 2 * solver->desc().cell);
+void Hung::remake_surface() {
+  surface->remake();
+  fit();
 }
 
 void Hung::follow(const SurfaceEdit& edit, Numbering now) {
-  detector->follow(edit);
-  const bool was_cut = !numbering.triangles.empty();
   numbering = std::move(now);
-  const TriangleMesh& surface = solver->anatomy().surface;
-  if (numbering.triangles.empty()) {
-    faces.reset();
-    fold.reset();
-  } else if (was_cut) {
-    faces->follow(edit, surface, detector->triangle_order());
-    if (fold) fold->follow(edit, *detector);
-  } else {
-    find_faces();
-  }
+  surface->follow(edit, !numbering.triangles.empty());
+  fit();
+}
+
+void Hung::fit() {
+  surface->fit({}, !numbering.triangles.empty());
+  if (!surface->faces() || solver->anatomy().thickness > 0) return;
+  EXPECT_TRUE(surface->fit_self_collision(2 * solver->desc().cell)) << "an open surface";
 }
 
 std::vector<VertexMeeting> meetings_when_crumpled(Hung& body, unsigned seed) {
   std::vector<VertexMeeting> out;
-  if (!body.fold) return out;
+  TissueSurface& surface = *body.surface;
+  if (!surface.self_collision()) return out;
   const double cell = body.solver->desc().cell, little = 0.1 * std::sin(seed);  // cells
   const VecX rest = body.solver->rest();
   VecX x = rest;
   for (Eigen::Index i = 0; i < x.size(); ++i)
     x[i] += cell * (1 + little) * std::sin(2 * rest[3 * (i / 3) + (i + 1) % 3] / cell);
-  body.detector->update(x.data());
-  body.faces->move(body.detector->positions());
-  body.fold->find({&*body.detector, &*body.faces, 0, cell}, cell, out);
+  surface.place(x);
+  surface.begin_tick();
+  surface.self_collision()->find({&surface.vertices(), surface.moved_faces(), 0, cell}, cell, out);
   return out;
 }
 
 AssertionResult same_contact(Hung& followed, Hung& anew) {
   AssertionResult out = same(followed.numbering, anew.numbering);
-  if (out) out = same(*followed.detector, *anew.detector, *anew.solver);
-  if (out && followed.faces.has_value() != anew.faces.has_value())
+  if (out) out = same_vertices(*followed.surface, *anew.surface, *anew.solver);
+  const TriangleSurface *a = followed.surface->faces(), *b = anew.surface->faces();
+  if (out && (a == nullptr) != (b == nullptr))
     return AssertionFailure() << "faces where there are none, or none";
-  if (out && anew.faces) out = same(*followed.faces, *anew.faces);
+  if (out && b != nullptr) out = same(*a, *b);
   return out;
 }
 
@@ -187,7 +182,7 @@ Hung FollowingBodies::made_anew(std::size_t body) const {
   Hung out;
   out.solver = std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(body), out.numbering));
   out.solver->set_in_force(stiffness_, true);
-  out.find_contact();
+  out.make_surface();
   return out;
 }
 

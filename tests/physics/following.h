@@ -9,8 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "server/physics/collision/triangle_surface.h"
-#include "server/physics/contact/self_surface.h"
+#include "server/physics/contact/tissue_surface.h"
 #include "server/physics/organs/organ.h"
 #include "server/physics/soft/soft_body.h"
 
@@ -22,14 +21,17 @@ std::vector<Vec3> rest_of(const Organ& organ);  // m, of its nodes, by id
 struct Hung {
   std::unique_ptr<SoftBody> solver;
   Numbering numbering;
-  std::optional<SurfaceDetector> detector;
-  std::optional<TriangleSurface> faces;
-  std::optional<SelfSurface> fold;  // of tetrahedra
+  std::optional<TissueSurface> surface;
 
-  void find_contact();
-  void find_faces();
+  /// After the solver was made.
+  void make_surface();
+  /// After the solver took in a change that no edit of the surface tells of.
+  void remake_surface();
   /// After the solver took the edit in.
   void follow(const SurfaceEdit& edit, Numbering now);
+
+ private:
+  void fit();
 };
 
 /// Whether all that a step would ask of them is the same, bit for bit, at places that only `seed` tells.

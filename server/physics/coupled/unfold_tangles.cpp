@@ -16,7 +16,7 @@ constexpr int most_moves = 100;
 constexpr double squeezing = 3;             // weights
 constexpr double entangled_seconds = 0.75;  // for so long bodies are led apart
 
-/// m: along `up`, of the lowest node.
+/// Returns how high the lowest node is along `up`, m.
 double height_of_lowest(const VecX& x, const Vec3& up) {
   return (up.transpose() * x.reshaped(3, x.size() / 3)).minCoeff();
 }
@@ -36,8 +36,9 @@ bool is_in_a_hand(const State& state, const SoftContacts& touching, std::size_t 
   return in_a_hand(state.hands, state.bodies.soft_id(body), touching.with_rigid[body]);
 }
 
-/// Whether rigid things press the body against each other or what it is tied to, harder than its weight and
-/// other tissue do: it has no room for its own shape. What tissue presses has room, because tissue gives way.
+/// Returns whether rigid things press the body against each other or what it is tied to, harder than its
+/// weight and other tissue do: it has no room for its own shape. What tissue presses has room, because tissue
+/// gives way.
 bool is_squeezed(const Bodies& bodies, std::size_t body) {
   double by_rigid = 0, by_tissue = 0;
   Vec3 unbalanced = Vec3::Zero();  // N: of the rigid things' forces, what tissue and gravity take up
@@ -50,20 +51,23 @@ bool is_squeezed(const Bodies& bodies, std::size_t body) {
   return between > std::max(squeezing * weight, by_tissue);
 }
 
-/// Whether the body is deep in other tissue, but can't be led out: what of it is inside out tells no way.
+/// Returns whether the body is deep in other tissue, but can't be led out: what of it is inside out tells no
+/// way.
 bool is_blind(State& state, const SoftContacts& touching, std::size_t body) {
   if (state.bodies.soft[body].inside_out().empty() || is_in_a_hand(state, touching, body)) return false;
   return std::any_of(touching.pairs.begin(), touching.pairs.end(), [&](const SoftPair& pair) {
     if ((pair.a != body && pair.b != body) || pair.a == pair.b || state.entangled.contains({pair.a, pair.b}))
       return false;
     const SoftSkin a = state.bodies.soft[pair.a].skin(), b = state.bodies.soft[pair.b].skin();
-    if (!a.faces || !b.faces || a.skin > 0 || b.skin > 0 || is_in_a_hand(state, touching, pair.a + pair.b - body)) return false;
+    if (!a.faces || !b.faces || a.skin > 0 || b.skin > 0 ||
+        is_in_a_hand(state, touching, pair.a + pair.b - body))
+      return false;
     return is_deep(find_immersion(a, b, {}, {}), find_immersion(b, a, {}, {}), std::min(a.cell, b.cell));
   });
 }
 
-/// What the body would strike if it took its own shape: a hand, what squeezes it, or, unless it has its own
-/// place, a rigid thing. Other tissue gives way, and is led out of it.
+/// Returns what the body would strike if it took its own shape: a hand, what squeezes it, or, unless it has
+/// its own place, a rigid thing. Other tissue gives way, and is led out of it.
 Surroundings surroundings_of(State& state, const SoftContacts& touching, std::size_t body) {
   const std::vector<Contact>& touches = touching.with_rigid[body];
   const bool borne = std::any_of(touches.begin(), touches.end(),
@@ -71,8 +75,8 @@ Surroundings surroundings_of(State& state, const SoftContacts& touching, std::si
   const bool met = std::any_of(touching.pairs.begin(), touching.pairs.end(),
                                [&](const SoftPair& pair) { return pair.a == body || pair.b == body; });
   const bool crushed = is_in_a_hand(state, touching, body) || is_squeezed(state.bodies, body);
-  return {crushed, is_blind(state, touching, body), crushed || (borne && !state.bodies.soft[body].solver->attached()),
-          met || !touches.empty()};
+  return {crushed, is_blind(state, touching, body),
+          crushed || (borne && !state.bodies.soft[body].solver->attached()), met || !touches.empty()};
 }
 
 void tell_reset(const Bodies& bodies, std::size_t body, const std::string& why, StepReport& report);
@@ -82,13 +86,16 @@ void disentangle(Bodies& bodies, std::size_t a, std::size_t b, StepReport& repor
 
 }  // namespace
 
-void unfold_tangles(State& state, std::vector<Island>& islands, const SoftContacts& touching, double h, StepReport& report) {
+void unfold_tangles(State& state, std::vector<Island>& islands, const SoftContacts& touching, double h,
+                    StepReport& report) {
   if (state.time.tick % tangle_check_ticks != 0) return;
   std::vector<std::size_t> unfolded;
   for (Island& island : islands)
     for (SoftMember& s : island.soft) {
-      const double lowest = height_of_lowest(s.state->motion.x, -state.bodies.model.scene.gravity.normalized());
-      if (!unfold_if_tangled(s, surroundings_of(state, touching, s.index), state.bodies.soft[s.index].equilibrium, h, tangle_check_ticks))
+      const double lowest =
+          height_of_lowest(s.state->motion.x, -state.bodies.model.scene.gravity.normalized());
+      if (!unfold_if_tangled(s, surroundings_of(state, touching, s.index),
+                             state.bodies.soft[s.index].equilibrium, h, tangle_check_ticks))
         continue;
       place_unfolded(state.bodies, s.index, lowest);
       tell_reset(state.bodies, s.index, s.note, report);
@@ -113,8 +120,8 @@ void tell_reset(const Bodies& bodies, std::size_t body, const std::string& why, 
   row.note = why;
 }
 
-/// Where an unfolded body goes: what has a place of its own, there; else what it lies on is no higher than it
-/// was.
+/// Puts an unfolded body in its own place, if it has one; else so that its lowest node is no lower than
+/// before.
 void place_unfolded(Bodies& bodies, std::size_t body, double lowest) {
   VecX& x = bodies.soft[body].state.motion.x;
   const Vec3 up = -bodies.model.scene.gravity.normalized();
@@ -125,10 +132,12 @@ void place_unfolded(Bodies& bodies, std::size_t body, double lowest) {
   bodies.soft[body].follow_nodes();
 }
 
-/// What was unfolded may be in other tissue, and forces that lead it out would crush it again.
+/// Parts an unfolded body from other tissue that it may be in now: forces that lead it out would crush it
+/// again.
 void make_room_for(Bodies& bodies, std::size_t body) {
   for (std::size_t other = 0; other < bodies.soft.size(); ++other)
-    if (other != body && bodies.may_meet(body, other) && bodies.soft[body].outer_box().overlaps(bodies.soft[other].outer_box()))
+    if (other != body && bodies.may_meet(body, other) &&
+        bodies.soft[body].outer_box().overlaps(bodies.soft[other].outer_box()))
       part_at_once(bodies, body, other);
 }
 
@@ -143,19 +152,22 @@ bool part_at_once(Bodies& bodies, std::size_t a, std::size_t b) {
   return true;
 }
 
-/// Bodies that did not come apart by being led.
+/// Puts bodies apart that did not come apart by being led.
 void disentangle(Bodies& bodies, std::size_t a, std::size_t b, StepReport& report) {
   if (part_at_once(bodies, a, b)) {
-    tell_reset(bodies, a, fmt::format("stayed in {}: one was put beside the other", bodies.soft[b].desc().name), report);
+    tell_reset(bodies, a,
+               fmt::format("stayed in {}: one was put beside the other", bodies.soft[b].desc().name), report);
     return;
   }
   for (const std::size_t body : {a, b}) {
-    const double moved = (bodies.soft[body].state.motion.x - bodies.soft[body].equilibrium).lpNorm<Eigen::Infinity>();
+    const double moved =
+        (bodies.soft[body].state.motion.x - bodies.soft[body].equilibrium).lpNorm<Eigen::Infinity>();
     if (moved < bodies.soft[body].desc().surface_cell) continue;  // so the scene has it
     bodies.soft[body].solver->unfold(bodies.soft[body].state);
     place_unfolded(bodies, body, 0);
     tell_reset(bodies, body,
-               fmt::format("stayed in {}: put where it rests", bodies.soft[body == a ? b : a].desc().name), report);
+               fmt::format("stayed in {}: put where it rests", bodies.soft[body == a ? b : a].desc().name),
+               report);
   }
 }
 
@@ -167,8 +179,10 @@ void put_beside(Bodies& bodies, std::size_t body, std::size_t other) {
   for (int moves = 0; moves < most_moves; ++moves) {
     const SoftSkin own = bodies.soft[body].skin(), others = bodies.soft[other].skin();
     if (!own.faces || !others.faces || own.skin > 0 || others.skin > 0) return;
-    const Immersion in = find_immersion(own, others, bodies.soft[body].inside_out(), bodies.soft[other].inside_out());
-    const Immersion around = find_immersion(others, own, bodies.soft[other].inside_out(), bodies.soft[body].inside_out());
+    const Immersion in =
+        find_immersion(own, others, bodies.soft[body].inside_out(), bodies.soft[other].inside_out());
+    const Immersion around =
+        find_immersion(others, own, bodies.soft[other].inside_out(), bodies.soft[body].inside_out());
     const double deepest = std::max(in.deepest, around.deepest);
     if (deepest < left_inside * cell) return;
     if (moves == 0) {

@@ -1,0 +1,180 @@
+// Stations of a step by themselves, on states that nothing has stepped.
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "server/physics/contact/fit_tissue.h"
+#include "server/physics/contact/soft_contact_finder.h"
+#include "server/physics/coupled/island_builder.h"
+#include "server/physics/hands/hands.h"
+#include "server/physics/hands/holding.h"
+#include "server/physics/organs/tissue_near.h"
+#include "server/physics/parts/part_rules.h"
+#include "server/physics/tick_parts.h"
+#include "tests/physics/scenes.h"
+
+namespace prosector {
+namespace {
+
+constexpr double h = 1.0 / 60;
+
+/// A block with a ball beside it, and another block far away.
+SceneDesc two_blocks_and_a_ball() {
+  SceneDesc scene;
+  scene.rigid = {test::part_body("ball", "sphere", Vec3::Constant(0.02), {0, 0.2, 0})};
+  scene.soft = {test::block("near"), test::block("far")};
+  scene.soft[1].pose.p.x() += 1;
+  return scene;
+}
+
+/// What a scene is before its first tick, without its equilibrium.
+class Stations : public ::testing::Test {
+ protected:
+  State& begin(const SceneDesc& scene) {
+    compiled_.emplace(compile(scene, test::options()));
+    state_.emplace(compiled_->model, std::move(compiled_->soft));
+    for (Tissue& tissue : state_->bodies.soft) fit_to_mesh(*state_, tissue.index, {});
+    return *state_;
+  }
+  const Colliders& look() {
+    refresh(colliders_, state_->bodies, state_->hands, state_->dissection.blades);
+    return colliders_;
+  }
+  /// Puts the scene's first rigid body there.
+  void put(const Vec3& at, const Vec3& velocity) {
+    RigidMotion motion = state_->bodies.rigid.motion(0);
+    motion.pose.p = at;
+    motion.linear_velocity = velocity;
+    state_->bodies.rigid.set_motion(0, motion);
+  }
+  Vec3 top_of_first_block() const {
+    const SurfaceDetector& vertices = state_->bodies.soft[0].surface.vertices();
+    const Vec3 middle = (vertices.lo() + vertices.hi()) / 2;
+    return {middle.x(), vertices.hi().y(), middle.z()};
+  }
+
+ private:
+  std::optional<CompiledScene> compiled_;
+  std::optional<State> state_;
+  Colliders colliders_;
+};
+
+TEST_F(Stations, TheContactFinderWakesOnlyWhatAMovingBallComesTo) {
+  State& state = begin(two_blocks_and_a_ball());
+  SoftContactFinder finder(state.bodies.soft.size());
+  put(top_of_first_block() + Vec3(0, 0.5, 0), {0, -0.1, 0});
+  finder.find(state, look(), h);
+  EXPECT_TRUE(state.bodies.soft[0].state.asleep);
+  EXPECT_TRUE(finder.found().with_rigid[0].empty());
+
+  put(top_of_first_block() + Vec3(0, 0.0105, 0), {0, -0.1, 0});
+  const SoftContacts& touching = finder.find(state, look(), h);
+  EXPECT_FALSE(state.bodies.soft[0].state.asleep);
+  EXPECT_FALSE(touching.with_rigid[0].empty());
+  EXPECT_TRUE(state.bodies.soft[1].state.asleep);
+  for (const Contact& contact : touching.with_rigid[0]) {
+    EXPECT_EQ(contact.a.body, 0U);
+    EXPECT_EQ(contact.b.body, 0U);
+    EXPECT_LT(contact.normal.y(), 0);  // out of the ball
+  }
+}
+
+TEST_F(Stations, TheContactFinderGroupsBodiesThatTouchEachOther) {
+  SceneDesc scene = two_blocks_and_a_ball();
+  scene.soft[1].pose = scene.soft[0].pose;
+  scene.soft[1].pose.p.y() += 0.0605;  // on top of it
+  State& state = begin(scene);
+  for (Tissue& tissue : state.bodies.soft) tissue.wake();
+  SoftContactFinder finder(state.bodies.soft.size());
+  const SoftContacts& touching = finder.find(state, look(), h);
+  ASSERT_EQ(touching.pairs.size(), 1U);
+  EXPECT_EQ(touching.pairs[0].a, 0U);
+  EXPECT_EQ(touching.pairs[0].b, 1U);
+  EXPECT_EQ(touching.group, (std::vector<std::size_t>{0, 0}));
+}
+
+TEST_F(Stations, TheIslandBuilderJoinsWhatTouchesAndLeavesSleepersOut) {
+  State& state = begin(two_blocks_and_a_ball());
+  put(top_of_first_block() + Vec3(0, 0.0105, 0), {0, -0.1, 0});
+  const Colliders& colliders = look();
+  state.bodies.rigid.detect(h);
+  SoftContactFinder finder(state.bodies.soft.size());
+  const SoftContacts& touching = finder.find(state, colliders, h);
+  const auto& mixed = find_islands(state.bodies, state.hands, touching, {}, h);
+  std::vector<Island> islands;
+  std::vector<Pad> pads;
+  IslandBuilder(state.bodies, state.hands, touching, colliders, {}, h).build(mixed, islands, pads);
+  ASSERT_EQ(islands.size(), 1U);
+  ASSERT_EQ(islands[0].soft.size(), 1U);
+  EXPECT_EQ(islands[0].soft[0].index, 0U);
+  ASSERT_EQ(islands[0].rigid.size(), 1U);
+  EXPECT_EQ(islands[0].rigid[0].slot, 0U);
+  EXPECT_EQ(islands[0].contacts.size(), touching.with_rigid[0].size());
+  EXPECT_TRUE(islands[0].ties.empty());
+}
+
+TEST_F(Stations, AHoldPullsByItsSpringUpToItsBound) {
+  State& state = begin(two_blocks_and_a_ball());
+  appear(state, 1, right_hand);
+  Hand& hand = state.hands.front();
+  Hold& hold = hand.hold.emplace();
+  hold.body = 0;
+  hold.points.push_back({Vec3::Zero(), Vec3::Zero(), 0, 100, 1e9});
+  const Vec3 apart = state.bodies.rigid.motion(hand.slot).pose.p - state.bodies.rigid.motion(0).pose.p;
+  EXPECT_LT((hold_force(state.bodies, hand) - 100 * apart).norm(), 1e-9 * apart.norm());
+  hold.points.front().max_force = 0.5;
+  EXPECT_LE(hold_force(state.bodies, hand).norm(), 0.5 + 1e-12);
+  EXPECT_GT(hold_force(state.bodies, hand).dot(apart), 0);
+}
+
+TEST_F(Stations, ATickWithAFastPlateIsTakenInPartsThatEndAtItsTarget) {
+  SceneDesc scene = two_blocks_and_a_ball();
+  scene.rigid[0] = test::part_body("plate", "box", {0.2, 0.01, 0.2}, {0, 0.2, 0});
+  scene.rigid[0].fixed = true;
+  State& state = begin(scene);
+  Colliders colliders;
+  EXPECT_EQ(TickParts(state, colliders).count(), 1);
+  const Pose target{top_of_first_block() - Vec3(0, 0.05, 0), Quat::Identity()};
+  state.bodies.rigid.drive(0, target, state.bodies.model.h);
+  TickParts parts(state, colliders);
+  ASSERT_GT(parts.count(), 1);
+  EXPECT_NEAR(parts.count() * parts.h(), state.bodies.model.h, 1e-15);
+  for (int k = 0; k < parts.count(); ++k) parts.aim(k);
+  EXPECT_EQ(state.bodies.rigid.driven_to(0)->p, target.p);
+}
+
+TEST_F(Stations, TissueIsFoundAtPointsInsideItOnly) {
+  State& state = begin(two_blocks_and_a_ball());
+  const Vec3 inside = top_of_first_block() - Vec3(0, 0.03, 0), outside = inside + Vec3(0, 0.06, 0);
+  const std::vector<Vec3> points = {inside, outside};
+  const std::vector<TissueNear> near = tissue_near(state.bodies, swept_box(points, points));
+  ASSERT_EQ(near.size(), 1U);
+  const auto found = tissue_at(near, inside);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->body, 0U);
+  EXPECT_LT((point_of(found->row, state.bodies.soft[0].state.motion.x) - inside).norm(), 1e-9);
+  EXPECT_FALSE(tissue_at(near, outside));
+  state.bodies.parts[state.bodies.soft_id(0)].hidden = true;
+  EXPECT_TRUE(tissue_near(state.bodies, swept_box(points, points)).empty());
+}
+
+TEST_F(Stations, ThePartRulesRefuseWhatIsNoPartAndHideWhatIs) {
+  SceneDesc scene = two_blocks_and_a_ball();
+  scene.soft[0].part = true;
+  State& state = begin(scene);
+  state.bodies.soft[0].wake();
+  StepReport report;
+  PartEvent event;
+  event.kind = PartEvent::Kind::hide;
+  event.body = state.bodies.soft_id(1);
+  EXPECT_NE(obey(state, event, report), "");
+  EXPECT_FALSE(state.bodies.parts[event.body].hidden);
+  event.body = state.bodies.soft_id(0);
+  EXPECT_EQ(obey(state, event, report), "");
+  EXPECT_TRUE(state.bodies.parts[event.body].out_of_touch());
+  EXPECT_TRUE(state.bodies.soft[0].state.asleep);
+}
+
+}  // namespace
+}  // namespace prosector
