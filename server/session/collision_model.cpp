@@ -3,7 +3,7 @@
 #include "common/primitives.h"
 #include "server/physics/collision/bounding.h"
 #include "server/physics/collision/fidelity.h"
-#include "server/physics/rigid/shape.h"
+#include "server/physics/collision/shape.h"
 
 namespace prosector {
 namespace {

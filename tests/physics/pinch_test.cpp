@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "common/hand.h"
-#include "server/physics/hands/pad.h"
+#include "server/physics/contact/pad.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 

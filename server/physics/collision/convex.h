@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "server/physics/collision/shape.h"
 #include "server/physics/collision/triangle_surface.h"
-#include "server/physics/rigid/shape.h"
 
 namespace prosector {
 

@@ -45,7 +45,7 @@ struct Contact {
   double rest = 0;              // m, <= 0: gap between the surfaces at which they don't press, see memory.h
   double stiffness = 0;         // N/m
   double friction = 0;
-  std::uint32_t bearer = 0;  // > 0: of a pad's friction (hands/pad.h): it has none but friction, under its
+  std::uint32_t bearer = 0;  // > 0: of a pad's friction (contact/pad.h): it has none but friction, under its
                              // share of what the contact so many places before it presses with
   double rebound = 0;        // m/s: speed at which rigid sides part when they have pressed, see restitution.h
   static constexpr std::uint32_t no_feature = std::numeric_limits<std::uint32_t>::max();

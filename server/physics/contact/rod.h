@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "server/physics/rigid/shape.h"
+#include "server/physics/collision/shape.h"
 
 namespace prosector {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "server/physics/rigid/shape.h"
+#include "server/physics/collision/shape.h"
 
 namespace prosector {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "server/physics/contact/pad.h"
 #include "server/physics/coupled/lever.h"
 #include "server/physics/coupled/potentials.h"
-#include "server/physics/hands/pad.h"
 #include "server/physics/parallel.h"
 
 namespace prosector {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "server/physics/collision/shape.h"
 #include "server/physics/rigid/bullet_types.h"
-#include "server/physics/rigid/shape.h"
 
 namespace prosector {
 

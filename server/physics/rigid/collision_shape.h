@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "server/physics/collision/fidelity.h"
-#include "server/physics/rigid/shape.h"
+#include "server/physics/collision/shape.h"
 
 namespace prosector {
 

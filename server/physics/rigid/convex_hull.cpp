@@ -1,7 +1,7 @@
 #include <LinearMath/btConvexHullComputer.h>
 
+#include "server/physics/collision/shape.h"
 #include "server/physics/rigid/bullet_types.h"
-#include "server/physics/rigid/shape.h"
 
 namespace prosector {
 

@@ -409,13 +409,6 @@ std::vector<RigidImpulse> RigidWorld::impulses(std::size_t slot) const {
   return out;
 }
 
-std::size_t RigidWorld::contact_count() const {
-  std::size_t count = 0;
-  for (int m = 0; m < impl_->dispatcher.getNumManifolds(); ++m)
-    count += static_cast<std::size_t>(impl_->dispatcher.getManifoldByIndexInternal(m)->getNumContacts());
-  return count;
-}
-
 void RigidWorld::hash(StateHasher& hasher) const {
   for (std::size_t slot = 0; slot < slots(); ++slot) {
     if (!used(slot)) continue;

@@ -13,8 +13,8 @@
 
 #include "common/hash.h"
 #include "server/physics/collision/collision_mask.h"
+#include "server/physics/collision/shape.h"
 #include "server/physics/rigid/room.h"
-#include "server/physics/rigid/shape.h"
 
 namespace prosector {
 
@@ -115,8 +115,6 @@ class RigidWorld {
 
   /// What contacts gave the body in the last solve(), friction too, if its island was not a mixed one.
   std::vector<RigidImpulse> impulses(std::size_t slot) const;
-  /// Contact points found by the last detect().
-  std::size_t contact_count() const;
   /// What the next step reads: motions and the cached contact points with their warm starts.
   void hash(StateHasher& hasher) const;
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "common/scene/scene.h"
-#include "server/physics/rigid/shape.h"
+#include "server/physics/collision/shape.h"
 
 namespace prosector {
 

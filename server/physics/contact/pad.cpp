@@ -1,4 +1,4 @@
-#include "server/physics/hands/pad.h"
+#include "server/physics/contact/pad.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "server/physics/rigid/shape.h"
+#include "server/physics/collision/shape.h"
 
 #include <numbers>
 
