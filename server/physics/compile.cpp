@@ -154,6 +154,54 @@ bool begins_on(const SoftBody& body, const RoomSide& side) {
                      [&](const Vec3& x) { return side.normal.dot(x - side.point) <= reach; });
 }
 
+void add_rigid(const RigidModel& r, double break_force, ByteWriter& out) {
+  out.add(r.name);
+  add_mesh(r.surface, out);
+  out.add(r.center);
+  out.add(r.start);
+  for (const double v : {r.setup.mass, r.setup.friction, r.setup.restitution}) out.add(v);
+  if (r.setup.balanced) out.add(r.setup.balanced);
+  out.add(r.setup.inertia);
+  for (const RigidModel::Fracture& plane : r.fractures) {
+    out.add(plane.point);
+    out.add(plane.normal);
+    out.add(break_force);
+  }
+  for (const ShapePart& part : r.shape.parts) {
+    out.add(part.kind);
+    out.add(part.half);
+    out.add(part.pose);
+    if (part.mesh) add_mesh(*part.mesh, out);
+  }
+}
+
+void add_soft(const SoftBody& s, ByteWriter& out) {
+  const SoftDesc& d = s.desc();
+  out.add(d.name);
+  out.add(s.content_hash());
+  add_mesh(s.anatomy().surface, out);
+  for (const std::string& text : {d.model, d.integrator, d.solver}) out.add(text);
+  for (const double v : {d.youngs_modulus, d.poisson_ratio, d.density, d.damping_mass, d.damping_stiffness,
+                         d.friction, d.solver_tolerance, d.surface_cell, d.spring_stiffness,
+                         d.shear_stiffness, d.bending_stiffness, s.anatomy().thickness})
+    out.add(v);
+  for (const int v : {d.newton_iterations, d.solver_iterations, static_cast<int>(d.gravity), d.substeps,
+                      d.max_substeps, static_cast<int>(d.hold_volume)})
+    out.add(v);
+  // Bodies without these keep the hash that sessions recorded before them have.
+  if (d.fiber_stiffness > 0 || !d.regions.empty()) {
+    out.add(d.fiber_stiffness);
+    out.add(d.fiber_direction);
+  }
+  for (const RegionDesc& r : d.regions) {
+    for (const Vec3& v : {r.center, r.size, r.fiber_direction}) out.add(v);
+    for (const double v : {r.radius, r.youngs_modulus, r.poisson_ratio, r.fiber_stiffness}) out.add(v);
+  }
+  for (const RelaxationDesc& r : d.relaxation)
+    for (const double v : {r.share, r.time}) out.add(v);
+  out.add(s.attachment_stiffness());
+}
+
 /// Everything that changes what a tick computes or what is drawn.
 ContentHash hash_of(const Model& model, std::span<const CompiledTissue> soft) {
   ByteWriter out;
@@ -164,26 +212,8 @@ ContentHash hash_of(const Model& model, std::span<const CompiledTissue> soft) {
   for (const double v : {scene.hand.mass, scene.hand.stiffness, scene.hand.max_force, scene.hand.tear_force,
                          scene.hand.friction})
     out.add(v);
-  for (const RigidModel& r : model.rigid) {
-    out.add(r.name);
-    add_mesh(r.surface, out);
-    out.add(r.center);
-    out.add(r.start);
-    for (const double v : {r.setup.mass, r.setup.friction, r.setup.restitution}) out.add(v);
-    if (r.setup.balanced) out.add(r.setup.balanced);
-    out.add(r.setup.inertia);
-    for (const RigidModel::Fracture& plane : r.fractures) {
-      out.add(plane.point);
-      out.add(plane.normal);
-      out.add(scene.rigid[static_cast<std::size_t>(&r - model.rigid.data())].break_force);
-    }
-    for (const ShapePart& part : r.shape.parts) {
-      out.add(part.kind);
-      out.add(part.half);
-      out.add(part.pose);
-      if (part.mesh) add_mesh(*part.mesh, out);
-    }
-  }
+  for (std::size_t i = 0; i < model.rigid.size(); ++i)
+    add_rigid(model.rigid[i], scene.rigid[i].break_force, out);
   // Scenes without these keep the hash that sessions recorded before them have.
   const auto add_collision = [&](const auto& desc) {
     using Desc = std::decay_t<decltype(desc)>;
@@ -212,32 +242,7 @@ ContentHash hash_of(const Model& model, std::span<const CompiledTissue> soft) {
       if (edge.ray) out.add(std::string("ray"));
       for (const SoftDesc& tissue : scene.soft) out.add(tissue.toughness);
     }
-  for (const auto& [s, collision] : soft) {
-    const SoftDesc& d = s->desc();
-    out.add(d.name);
-    out.add(s->content_hash());
-    add_mesh(s->anatomy().surface, out);
-    for (const std::string& text : {d.model, d.integrator, d.solver}) out.add(text);
-    for (const double v : {d.youngs_modulus, d.poisson_ratio, d.density, d.damping_mass, d.damping_stiffness,
-                           d.friction, d.solver_tolerance, d.surface_cell, d.spring_stiffness,
-                           d.shear_stiffness, d.bending_stiffness, s->anatomy().thickness})
-      out.add(v);
-    for (const int v : {d.newton_iterations, d.solver_iterations, static_cast<int>(d.gravity), d.substeps,
-                        d.max_substeps, static_cast<int>(d.hold_volume)})
-      out.add(v);
-    // Bodies without these keep the hash that sessions recorded before them have.
-    if (d.fiber_stiffness > 0 || !d.regions.empty()) {
-      out.add(d.fiber_stiffness);
-      out.add(d.fiber_direction);
-    }
-    for (const RegionDesc& r : d.regions) {
-      for (const Vec3& v : {r.center, r.size, r.fiber_direction}) out.add(v);
-      for (const double v : {r.radius, r.youngs_modulus, r.poisson_ratio, r.fiber_stiffness}) out.add(v);
-    }
-    for (const RelaxationDesc& r : d.relaxation)
-      for (const double v : {r.share, r.time}) out.add(v);
-    out.add(s->attachment_stiffness());
-  }
+  for (const CompiledTissue& tissue : soft) add_soft(*tissue.solver, out);
   return content_hash(std::as_bytes(std::span(out.bytes())));
 }
 

@@ -129,7 +129,7 @@ void Settling::relax(std::span<const std::size_t> group) {
   }
 }
 
-/// Bodies that bear each other have their equilibrium together.
+/// Returns groups of bodies that bear each other: these have their equilibrium together.
 std::vector<std::vector<std::size_t>> Settling::neighbourhoods() {
   std::vector<std::size_t> first(bodies_.soft.size());
   std::iota(first.begin(), first.end(), std::size_t{0});
@@ -147,8 +147,8 @@ std::vector<std::vector<std::size_t>> Settling::neighbourhoods() {
   return out;
 }
 
-/// What nothing ties and nothing is near has no equilibrium to find: it starts where the scene puts it, and
-/// falls.
+/// Returns whether nothing ties the bodies and nothing is near. Then there is no equilibrium to find: they
+/// start where the scene puts them, and fall.
 bool Settling::floats(std::span<const std::size_t> group) const {
   const auto falls = [&](std::size_t body) {
     return bodies_.soft[body].solver->desc().gravity && !bodies_.model.scene.gravity.isZero();
@@ -162,8 +162,8 @@ bool Settling::floats(std::span<const std::size_t> group) const {
   return std::any_of(group.begin(), group.end(), falls) && std::none_of(group.begin(), group.end(), held);
 }
 
-/// Bodies that their own weight turns inside out settle again, with what they touch, under the law that leads
-/// out of every shape, and keep it.
+/// Lets bodies that their own weight turns inside out settle again, with what they touch, under the law that
+/// leads out of every shape; they keep it.
 void Settling::settle_crushed(std::span<const std::size_t> group) {
   bool again = false;
   for (const std::size_t body : group) {
@@ -181,7 +181,7 @@ void Settling::settle_crushed(std::span<const std::size_t> group) {
   relax(group);
 }
 
-/// What its own weight crushes is no tissue as it is described: the author hears of it.
+/// Tells the author of a body that its own weight crushes: it is no tissue as it is described.
 void tell_if_crushed(const Tissue& tissue, const CompileOptions& options) {
   const SoftBody& b = *tissue.solver;
   const double share = b.inverted_share(tissue.equilibrium);

@@ -10,12 +10,12 @@ namespace {
 
 constexpr double latest_impact = 1;  // s: what would be met later is not told
 
-/// Which body a contact's side belongs to.
+/// Returns which body a contact's side belongs to.
 BodyId body_of(const ContactSide& side, std::size_t rigid_count) {
   return static_cast<BodyId>(side.kind == ContactSide::Kind::soft ? rigid_count + side.body : side.body);
 }
 
-/// m/s, at the tick's end.
+/// Returns the velocity of a contact's side at the tick's end, m/s.
 Vec3 velocity_of(const ContactSide& side, const Bodies& bodies, double h) {
   if (side.kind == ContactSide::Kind::fixed) return side.moved / h;
   if (side.kind == ContactSide::Kind::rigid) {
@@ -29,7 +29,7 @@ Vec3 velocity_of(const ContactSide& side, const Bodies& bodies, double h) {
   return v;
 }
 
-/// What the body has where it is.
+/// Returns the energy that the body has where it is.
 Tissue::StoredEnergy stored_in(const Tissue& tissue, const Vec3& gravity) {
   SoftBody& body = *tissue.solver;
   const VecX& x = tissue.state.motion.x;
@@ -80,7 +80,8 @@ void add_contact(const Bodies& bodies, std::span<const Collider> colliders, Cont
     sample.local_point = bodies.model.rigid[met.body].center * (colliders[met.body].pose.inverse() * c.point);
 }
 
-/// What is held is touched, also where the hand passes through it; the hold's force is the hand's.
+/// Adds a hold. What is held is touched, also where the hand passes through it; the hold's force is the
+/// hand's.
 void add_hold(const Bodies& bodies, ContactSample& sample, const Hand& hand) {
   const Hold& hold = *hand.hold;
   const Vec3 force = hold_force(bodies, hand);

@@ -298,6 +298,35 @@ Hand read_hand(ByteReader& in, const Model& model, std::span<const SoftBody* con
   return hand;
 }
 
+/// Returns how many features contacts may be remembered at.
+std::size_t most_features(const Anatomy& anatomy) {
+  const TriangleMesh& surface = anatomy.surface;
+  const std::size_t features = surface.positions.size() + surface.triangles.size() + most_corners;
+  // Nodes, at most three edges of each element, and the elements themselves.
+  const std::size_t of_thin =
+      anatomy.thickness > 0
+          ? anatomy.tets.positions.size() + 4 * (surface.triangles.size() + anatomy.segments.size())
+          : 0;
+  return std::max(features, of_thin);
+}
+
+/// Reads hands, and puts them into the rigid world.
+std::vector<Hand> read_hands(ByteReader& in, const Model& model, std::span<const SoftBody* const> tissues,
+                             RigidWorld& world) {
+  std::vector<Hand> hands(in.count(most_hands));
+  for (Hand& hand : hands) {
+    hand = read_hand(in, model, tissues);
+    hand.slot = add_hand(model, world, hand, read_motion(in));
+    if (hand.hold && hand.hold->body < model.rigid.size())
+      world.set_collides(hand.slot, hand.hold->body, false);
+  }
+  for (std::size_t i = 1; i < hands.size(); ++i)
+    in.require(std::pair(hands[i - 1].participant, hands[i - 1].side) <
+                   std::pair(hands[i].participant, hands[i].side),
+               "hands out of order");
+  return hands;
+}
+
 }  // namespace
 
 void save(const State& state, ByteWriter& out) {
@@ -350,28 +379,9 @@ void load(State& state, std::span<const std::uint8_t> bytes) {
   std::vector<SoftBodyState> new_soft;
   for (const SoftBody* body : tissues) new_soft.push_back(read_soft(in, body->initial_state()));
   std::vector<ContactMemories> new_memories;
-  for (std::size_t i = 0; i < tissues.size(); ++i) {
-    const Anatomy& anatomy = tissues[i]->anatomy();
-    const TriangleMesh& surface = anatomy.surface;
-    const std::size_t features = surface.positions.size() + surface.triangles.size() + most_corners;
-    // Nodes, at most three edges of each element, and the elements themselves.
-    const std::size_t of_layers =
-        anatomy.thickness > 0
-            ? anatomy.tets.positions.size() + 4 * (surface.triangles.size() + anatomy.segments.size())
-            : 0;
-    new_memories.push_back(read_memories(in, std::max(features, of_layers), thin));
-  }
-  std::vector<Hand> new_hands(in.count(most_hands));
-  for (Hand& hand : new_hands) {
-    hand = read_hand(in, model, tissues);
-    hand.slot = add_hand(model, new_world, hand, read_motion(in));
-    if (hand.hold && hand.hold->body < model.rigid.size())
-      new_world.set_collides(hand.slot, hand.hold->body, false);
-  }
-  for (std::size_t i = 1; i < new_hands.size(); ++i)
-    in.require(std::pair(new_hands[i - 1].participant, new_hands[i - 1].side) <
-                   std::pair(new_hands[i].participant, new_hands[i].side),
-               "hands out of order");
+  for (const SoftBody* body : tissues)
+    new_memories.push_back(read_memories(in, most_features(body->anatomy()), thin));
+  std::vector<Hand> new_hands = read_hands(in, model, tissues, new_world);
   std::optional<PanelWorld> new_panels;
   double new_lights = 1;
   if (state.panels) {

@@ -25,7 +25,7 @@ std::vector<RigidMotion> motions(const RigidWorld& world) {
 }
 
 /// Finds contacts and solves them, for the part of the tick that the buffers' h tells.
-void advance(State& s, StepBuffers& b, PhaseClock& clock, StepReport& report) {
+void advance_part(State& s, StepBuffers& b, PhaseClock& clock, StepReport& report) {
   RigidWorld& world = s.bodies.rigid;
   world.detect(b.h);
   clock.end(Phase::broad);
@@ -57,7 +57,7 @@ void advance_in_parts(State& s, StepBuffers& b, PhaseClock& clock, StepReport& r
       b.earlier_exchanges = exchanges(s, b);
       for (Exchange& e : b.earlier_exchanges) e.points = 0;
     }
-    advance(s, b, clock, report);
+    advance_part(s, b, clock, report);
   }
   parts.finish(report);
 }

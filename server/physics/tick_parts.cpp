@@ -17,12 +17,12 @@ Pose between(const Pose& from, const Pose& to, double share) {
   return {from.p + share * (to.p - from.p), from.q.slerp(share, to.q)};
 }
 
-/// m: how far any point of a body with that half diagonal goes at most.
+/// Returns how far any point of a body with that half diagonal goes at most, m.
 double way(const Pose& from, const Pose& to, double half_diagonal) {
   return (to.p - from.p).norm() + turn(from.q, to.q).norm() * half_diagonal;
 }
 
-/// One row a body: what all parts of the tick did.
+/// Leaves one row a body: what all parts of the tick did.
 void join_rows(std::vector<BodyReport>& rows) {
   std::vector<BodyReport> out;
   for (BodyReport& row : rows) {
@@ -83,7 +83,7 @@ TickParts::TickParts(State& state, Colliders& colliders)
   h_ = bodies.model.h / count_;
 }
 
-/// Methods of several steps, and guesses, are of steps as long as the last.
+/// Forgets earlier steps: methods of several steps, and guesses, are for steps as long as the last.
 void TickParts::restart() {
   for (Tissue& tissue : state_.bodies.soft) {
     tissue.state.motion.has_history = false;

@@ -14,13 +14,15 @@ namespace {
 
 constexpr double sides = 6;  // of a box around a body: all that touches one side counts as a sixth of it
 
-/// N/m, of all that touches one side of the shape: by the scene's factor stiffer than the body as a whole.
+/// Returns the stiffness of all that touches one side of the shape, N/m: by the scene's factor stiffer than
+/// the body as a whole.
 double proxy_stiffness(const Tissue& tissue) {
   const auto areas = tissue.solver->surface_area();
   const double area = std::accumulate(areas.begin(), areas.end(), 0.0) / sides;
   return tissue.collision.stiffness_factor * tissue.desc().youngs_modulus * std::sqrt(area);
 }
 
+/// Appends contacts of two proxies.
 void add_two_proxies(const Tissue& a, const Tissue& b, double margin, std::vector<Contact>& out) {
   const RoughShape &shape_a = *a.surface.proxy(), &shape_b = *b.surface.proxy();
   std::vector<ShapeTouch> touches;
@@ -37,7 +39,7 @@ void add_two_proxies(const Tissue& a, const Tissue& b, double margin, std::vecto
     }
 }
 
-/// Of the vertices of `a`, which has none, with the proxy of `b`.
+/// Appends contacts of the vertices of `a`, which has no proxy, with the proxy of `b`.
 void add_vertices_and_proxy(const Tissue& a, const Tissue& b, double margin, std::vector<Contact>& out) {
   const RoughShape& shape = *b.surface.proxy();
   const double skin = a.half_thickness();

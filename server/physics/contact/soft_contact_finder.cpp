@@ -20,7 +20,7 @@ BroadPhase::Id box_id(std::size_t body) {
   return static_cast<BroadPhase::Id>(body);
 }
 
-/// Around where the body is and may be within h s.
+/// Returns a box around where the body is and may be within h s.
 Aabb box_of(const Tissue& tissue, double h) {
   const double reach = tissue.state.asleep ? 0 : std::min(most_reach, tissue.reach(h));
   return tissue.outer_box().grown(wake_margin + reach);
@@ -30,7 +30,7 @@ bool is_awake(const Collider& c, const RigidWorld& world) {
   return c.driven_to || (!c.fixed && !world.motion(c.slot).asleep);
 }
 
-/// Whether something that moves is about to touch a body that sleeps.
+/// Returns whether something that moves is about to touch a body that sleeps.
 bool woken_by_rigid(const Tissue& tissue, std::span<const Collider> colliders, const RigidWorld& world,
                     double h) {
   return std::any_of(colliders.begin(), colliders.end(), [&](const Collider& c) {
@@ -152,7 +152,7 @@ void SoftContactFinder::meet_each_other(State& state, double h) {
     pair.a = a;
     pair.b = b;
     pair.contacts.clear();
-    // Of a solid that hits something the one part stops and the other goes on.
+    // One part of a solid that hits something stops, the other goes on.
     const double nearing =
         a == b && soft[a].is_thin() ? soft[a].inner_reach(h) : soft[a].reach(h) + soft[b].reach(h);
     const double reach = std::min(most_reach, nearing);

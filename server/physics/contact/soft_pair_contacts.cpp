@@ -70,7 +70,7 @@ void add_self_contacts(Tissue& tissue, double margin, double h, std::vector<Vert
   tissue.surface.self_collision()->find(tissue.skin(), margin, meetings);
   for (const VertexMeeting& meeting : meetings) {
     Contact c = pair_contact(tissue, tissue, meeting);
-    c.gap = std::max(c.gap, -opening_speed * h);
+    c.gap = std::max(c.gap, -overlap_opening_speed * h);
     out.push_back(c);
   }
 }

@@ -8,15 +8,16 @@
 namespace prosector {
 namespace {
 
-constexpr double cells_apart = 2.5;        // at rest: nearer parts of one surface are neighbours
-constexpr double thicknesses_apart = 1.5;  // likewise
-constexpr double hurry = 1.5;              // times the speed at which they near each other: it may grow …
-constexpr double turning = 0.2;            // … and other motion turn into it
+// Parts of one surface that are nearer than that at rest are neighbours.
+constexpr double cells_apart = 2.5;
+constexpr double thicknesses_apart = 1.5;
+constexpr double approach_safety = 1.5;   // times the speed at which they near each other: it may grow …
+constexpr double tangential_share = 0.2;  // … and other motion turn into it
 // Times the mass of what meets over h²: what nears by a cell is stopped within a fraction of a millimetre,
 // and tangles that press against each other store next to nothing.
-constexpr double firmness = 30;
+constexpr double most_stiffness_over_mass = 30;  // 1/h²
 
-/// 1/kg: what a point's velocity changes by for an impulse on it.
+/// Returns what a point's velocity changes by for an impulse on it, 1/kg.
 double lightness(const SoftBody& body, const ContactSide& side) {
   double sum = 0;
   for (std::size_t k = 0; k < side.nodes; ++k)
@@ -31,13 +32,14 @@ Vec3 velocity_of(const SoftBodyState& state, const ContactSide& side) {
   return v;
 }
 
-/// Whether a's and b's sides of the contact, `gap` m apart now, may come together within h s.
+/// Returns whether a's and b's sides of the contact, `gap` m apart now, may come together within h s.
 bool nears(const Tissue& tissue_a, const Tissue& tissue_b, const Contact& contact, double gap, double h) {
   const SoftBodyState &a = tissue_a.state, &b = tissue_b.state;
   // What settles has no speed yet comes nearer by whole steps.
   if (gap <= contact_margin || (a.motion.v.isZero(0) && b.motion.v.isZero(0))) return true;
   const Vec3 apart = velocity_of(a, contact.a) - velocity_of(b, contact.b);
-  const double nearing = hurry * std::max(0.0, -apart.dot(contact.normal)) + turning * apart.norm();
+  const double nearing =
+      approach_safety * std::max(0.0, -apart.dot(contact.normal)) + tangential_share * apart.norm();
   return gap <= contact_margin + h * nearing;
 }
 
@@ -65,14 +67,14 @@ int add_thin_shell_contacts(Tissue& a, Tissue& b, std::vector<LayerSide>& sides,
     own.add(meeting.a, meeting.weights_a, c.a);
     other.add(meeting.b, meeting.weights_b, c.b);
     if (!nears(first, second, c, meeting.gap, h)) continue;
-    c.gap = std::max(c.gap, -opening_speed * h);
+    c.gap = std::max(c.gap, -overlap_opening_speed * h);
     c.point = at(own.now(meeting.a), meeting.weights_a);
     c.stiffness = 0;
     for (std::size_t k = 0; k < 3; ++k)
       c.stiffness += meeting.weights_a[static_cast<Eigen::Index>(k)] *
                      pair_stiffness(first, second, own.corners(meeting.a)[k]);
     const double mass = 1 / (lightness(*first.solver, c.a) + lightness(*second.solver, c.b));
-    c.stiffness = std::min(c.stiffness, firmness * mass / (h * h));
+    c.stiffness = std::min(c.stiffness, most_stiffness_over_mass * mass / (h * h));
     c.feature = own.feature(meeting.a, meeting.weights_a);
     c.met = other.feature(meeting.b, meeting.weights_b);
     recall(find_layer(first.memories, c), c);

@@ -9,7 +9,7 @@
 namespace prosector {
 
 // m/s, at which what overlaps when the tick starts is parted: so no overlap gives more energy than that.
-inline constexpr double opening_speed = 0.06;
+inline constexpr double overlap_opening_speed = 0.06;
 
 /// Appends where elements of the two come within `margin` (m) of each other and may meet within h s. `sides`
 /// tells, and learns, on which side of each other they are; `one_organ`: they were one body, as a body is

@@ -46,9 +46,9 @@ class TissueSurface {
   const TriangleSurface* moved_faces();
   /// Returns the elements as others meet a thin shell's, taken to `x` once a tick.
   const ElementSurface& elements(const VecX& x);
-  /// Of solids that may meet themselves; null: others.
+  /// Returns what finds where a solid meets itself; null: it may not.
   SelfSurface* self_collision() { return self_collision_ ? &*self_collision_ : nullptr; }
-  /// Of bodies that collide as a simple shape; null: others.
+  /// Returns the simple shape that the body collides as; null: it collides as its mesh.
   const RoughShape* proxy() const { return proxy_ ? &*proxy_ : nullptr; }
   bool thin_shell() const { return thin_shell_; }
 

@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-constexpr double opening_speed = 0.25;  // m/s, at most, of rigid bodies that overlap
+constexpr double rigid_opening_speed = 0.25;  // m/s, at most, of rigid bodies that overlap
 
 Mat3 room_inertia(const RigidSetup& setup, const Pose& pose) {
   const Mat3 R = pose.q.toRotationMatrix();
@@ -34,13 +34,13 @@ Vec3 velocity_of(const RigidWorld& world, const ContactSide& side, std::size_t s
   return motion.linear_velocity + motion.angular_velocity.cross(side.arm);
 }
 
-Contact rigid_contact(const RigidWorld& world, const RigidContact& rc, double h) {
+Contact contact_of(const RigidWorld& world, const RigidContact& rc, double h) {
   Contact c;
   c.a = rigid_side(world, rc.a, rc.point_a);
   c.b = rigid_side(world, rc.b, rc.point_b);
   c.point = (rc.point_a + rc.point_b) / 2;
   c.normal = rc.normal;
-  c.gap = std::max(rc.gap, -opening_speed * h);
+  c.gap = std::max(rc.gap, -rigid_opening_speed * h);
   c.friction = rc.friction;
   c.rebound = rebound_speed(
       rc.restitution, rc.normal.dot(velocity_of(world, c.a, rc.a, h) - velocity_of(world, c.b, rc.b, h)));
@@ -151,12 +151,13 @@ void IslandBuilder::add_rigid_contacts(const MixedIsland& mixed, std::size_t ind
   for (const std::size_t slot : mixed.bodies)
     if (const Hand* hand = hand_at(hands_, slot)) place_pads(bodies_, colliders_, *hand, touches);
   for (const RigidContact& rc : touches) {
-    island.contacts.push_back(rigid_contact(bodies_.rigid, rc, h_));
+    island.contacts.push_back(contact_of(bodies_.rigid, rc, h_));
     spread_over_pad(bodies_, hands_, rc, index, island.contacts, pads);
   }
 }
 
-/// A group of soft bodies is in the island of a rigid one that touches or holds one of them, or in its own.
+/// Finds the island of each group of soft bodies: that of a rigid body that touches or holds one of them.
+/// Other groups get one of their own.
 void IslandBuilder::find_islands_of_groups() {
   const std::vector<std::size_t>& group = touching_.group;
   for (std::size_t i = 0; i < bodies_.soft.size(); ++i)
@@ -187,7 +188,7 @@ void IslandBuilder::add_soft_members(std::vector<Island>& islands) {
   }
 }
 
-/// Of solids that meet other soft bodies.
+/// Adds what keeps elements of solids that meet other soft bodies from being pressed flat.
 void IslandBuilder::watch_flat_elements(Island& island) const {
   const std::size_t met = island.contacts.size();
   for (const SoftMember& s : island.soft) {
@@ -202,7 +203,8 @@ void IslandBuilder::watch_flat_elements(Island& island) const {
   }
 }
 
-/// Of contacts between rigid bodies; and whether something kinematic keeps the island awake.
+/// Sets the stiffness of contacts between rigid bodies, and whether something kinematic keeps the island
+/// awake.
 void IslandBuilder::set_stiffness(Island& island) const {
   const auto driven = [&](const ContactSide& side) {
     return side.kind == ContactSide::Kind::fixed && bodies_.rigid.driven_to(side.body);
@@ -217,7 +219,7 @@ void IslandBuilder::set_stiffness(Island& island) const {
       c.stiffness = rigid_contact_stiffness(heaviest, h_);
 }
 
-/// Blades in tissue first, then holds.
+/// Adds ties of blades in tissue first, then those of holds.
 void IslandBuilder::add_ties(std::vector<Island>& islands) const {
   for (const BladeGrip& grip : grips_) islands[island_of_[grip.slot]].ties.push_back(grip.tie);
   for (const Hand& hand : hands_) {

@@ -15,7 +15,8 @@ bool is_sound(const RigidMotion& motion) {
   return is_finite(motion.pose) && motion.linear_velocity.allFinite() && motion.angular_velocity.allFinite();
 }
 
-/// What flies up comes down again, so that way it ends only where poses do.
+/// Returns the box outside of which bodies are lost. What flies up comes down again, so that way it ends only
+/// where poses do.
 Aabb within_reach(const Bodies& bodies) {
   const Vec3 farthest = Vec3::Constant(farthest_share * max_coordinate);
   if (!bodies.model.scene.room) return {-farthest, farthest};
@@ -24,7 +25,7 @@ Aabb within_reach(const Bodies& bodies) {
   return {-half, Vec3(half.x(), farthest.y(), half.z())};
 }
 
-/// A body that gets lost from its very place is left to sleep there: nothing carries it.
+/// Puts a body back. One that gets lost from its very place is left to sleep there: nothing carries it.
 void bring_back(State& state, BodyId body, StepReport& report) {
   Bodies& bodies = state.bodies;
   std::uint8_t& times = bodies.lost[body];

@@ -18,7 +18,7 @@ constexpr std::array<double, 5> along = {-0.5, -0.25, 0.0, 0.25, 0.5};  // of a 
 
 using FingerObstacles = std::array<std::vector<Obstacle>, fingers>;
 
-/// The parts of the hand now, room frame, and how bending its finger by 1 moves a point of one.
+/// The parts of the hand now, world frame, and how bending its finger by 1 moves a point of one.
 struct FingerPoses {
   std::vector<Pose> now, bent;
   FingerPoses(const Hand& hand, const HandModel& hand_model, const Pose& centre) {
@@ -36,7 +36,7 @@ struct FingerPoses {
   }
 };
 
-/// Of a part of the hand on a rigid body, in the last tick.
+/// How a part of the hand pressed a rigid body in the last tick.
 struct Pressed {
   double force = 0;  // N
   int points = 0;
@@ -52,9 +52,9 @@ Pressed pressed(const Hand& hand, std::size_t part, BodyId body) {
   return sum;
 }
 
-/// Of each segment the deepest place in each rigid body. How hard it presses there the last tick's contacts
-/// tell, for Bullet's shapes aren't quite ours: its boxes have round edges. What the hand holds it has no
-/// contacts with: there, its depth does.
+/// Adds the deepest place of each segment in each rigid body. How hard it presses there the last tick's
+/// contacts tell, for Bullet's shapes aren't quite ours: its boxes have round edges. With what it holds the
+/// hand has no contacts: there, its depth tells.
 void add_rigid_obstacles(const Bodies& bodies, std::span<const Collider> colliders, const Hand& hand,
                          const FingerPoses& poses, FingerObstacles& out) {
   const auto [lo, hi] = bodies.rigid.bounds(hand.slot, finger_margin);
@@ -87,7 +87,7 @@ void add_rigid_obstacles(const Bodies& bodies, std::span<const Collider> collide
   }
 }
 
-/// Tissue: its contacts, which give way.
+/// Adds contacts with tissue, which give way.
 void add_soft_obstacles(const Bodies& bodies, std::span<const Collider> colliders, const Hand& hand,
                         const FingerPoses& poses, FingerObstacles& out) {
   const auto points = feelers(hand, bodies.model.hands[hand.side], bodies.rigid.motion(hand.slot).pose);

@@ -13,7 +13,7 @@ struct Holdable {
   std::vector<Touch> touches;
 };
 
-/// Of `count` bodies that may be touched the one that is nearest of those that the hand can hold, nearer than
+/// Returns the nearest of `count` bodies that may be touched and that the hand can hold, if it is nearer than
 /// `reach`.
 template <class MayTouch, class TouchesOf>
 std::optional<Holdable> nearest_that_holds(std::size_t count, double reach, const MayTouch& may_be_touched,

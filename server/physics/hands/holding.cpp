@@ -18,7 +18,7 @@ constexpr double given_up = 0.3;                        // of its weight, carrie
 constexpr double resting_speed = 0.05;                  // m/s
 constexpr double resting_seconds = 0.25;
 
-/// N: what everything but hands did to the body in this tick, along contacts' normals.
+/// Returns the force of everything but hands on the body in this tick, along contacts' normals, N.
 Vec3 support(const Bodies& bodies, std::span<const Hand> hands, std::span<const Island> islands,
              BodyId body) {
   Vec3 sum = Vec3::Zero();
@@ -36,7 +36,7 @@ Vec3 support(const Bodies& bodies, std::span<const Hand> hands, std::span<const 
   return sum;
 }
 
-/// After the step. Takes note in the hold of what it needs to know next time.
+/// Returns whether what the hand holds has been set down. Notes in the hold what it needs to know next time.
 bool was_set_down(const Bodies& bodies, std::span<const Hand> hands, std::span<const Island> islands,
                   Hand& hand, const Vec3& force) {
   Hold& hold = *hand.hold;

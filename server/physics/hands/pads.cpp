@@ -11,7 +11,7 @@ namespace {
 constexpr int projections = 4;         // onto the body and back, to find where a pad is nearest
 constexpr double places_apart = 2e-3;  // m: of contacts of one segment
 
-/// Which side of a contact is a pad of this hand.
+/// Which side of a contact is a pad of a hand.
 struct PadSide {
   bool is_b = false;
   std::uint32_t part = 0;
@@ -25,8 +25,8 @@ std::optional<PadSide> pad_of(const RigidContact& touch, std::size_t hand) {
   return PadSide{is_b, static_cast<std::uint32_t>(part), is_b ? touch.a : touch.b};
 }
 
-/// The contact of a finger's segment, whose middle is at `pose`, with the body, around the point `along` of
-/// its axis (m, from its middle). The hand is side a; room frame.
+/// Returns the contact of a finger's segment, whose middle is at `pose`, with the body, around the point
+/// `along` of its axis (m, from its middle). The hand is side a; world frame.
 RigidContact touch_of(const HandSegment& segment, const Pose& pose, const Collider& body, double along) {
   const Vec3 at = pose * Vec3(0, along, 0);
   const Distance d = distance_to(body, at, contact_margin + segment.radius);
@@ -38,7 +38,7 @@ RigidContact touch_of(const HandSegment& segment, const Pose& pose, const Collid
   return out;
 }
 
-/// Where the segment is nearest to the body, from a place near that on; m along its axis.
+/// Returns where the segment is nearest to the body, m along its axis, from a place near that on.
 double nearest_along(const HandSegment& segment, const Pose& pose, const Collider& body, const Vec3& place) {
   const Pose to_segment = pose.inverse();
   const auto project = [&](const Vec3& x) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "server/physics/hands/fingers.h"
 #include "server/physics/hands/grasping.h"
@@ -26,57 +27,65 @@ void drive(Bodies& bodies, const Drive& drive, StepReport& report) {
       known ? "a drive to nowhere in the room was ignored" : "a drive of what is no fixed body was ignored";
 }
 
+void take(const EffortChange& change, Bodies& bodies) {
+  if (bodies.is_soft(change.body) && bodies.soft_index(change.body) < bodies.soft.size())
+    bodies.soft[bodies.soft_index(change.body)].state.steps_down =
+        std::clamp(change.steps_down, 0, static_cast<int>(max_steps_down));
+}
+
+/// Puts a hand that has just appeared where it is tracked, if that is among this tick's targets.
+void put_at_target(Hand& hand, std::span<const HandTarget> targets, Bodies& bodies) {
+  const auto t = std::find_if(targets.begin(), targets.end(), [&](const HandTarget& target) {
+    return target.participant == hand.participant && target.hand == hand.side;
+  });
+  if (t == targets.end() || !is_finite(t->target)) return;
+  hand.target = hand.previous_target = t->target;
+  RigidMotion motion;
+  motion.pose = t->target * bodies.model.hands[hand.side].center;
+  bodies.rigid.set_motion(hand.slot, motion);
+}
+
+void take(const HandEvent& event, std::span<const HandTarget> targets, State& state, Colliders& colliders,
+          StepReport& report) {
+  using Kind = HandEvent::Kind;
+  if (event.kind == Kind::reset_body) {
+    if (event.body < state.bodies.count()) reset_body(state, event.body, report);
+    return;
+  }
+  if (event.hand > right_hand) return;
+  const auto hand = find_hand(state.hands, event.participant, event.hand);
+  const bool present = hand != state.hands.end();
+  if (event.kind == Kind::appear && !present) {
+    appear(state, event.participant, event.hand);
+    put_at_target(*find_hand(state.hands, event.participant, event.hand), targets, state.bodies);
+  }
+  if (event.kind == Kind::appear || !present) return;
+  if (event.kind == Kind::vanish)
+    vanish(state, hand, report);
+  else if (event.kind == Kind::grasp)
+    grasp(state, colliders, *hand);
+  else
+    release(state.bodies, *hand, "opened", report);
+}
+
+void take(const HandTarget& t, std::vector<Hand>& hands) {
+  const auto hand = find_hand(hands, t.participant, t.hand);
+  if (hand == hands.end() || !is_finite(t.target) || t.target.p.cwiseAbs().maxCoeff() > max_coordinate)
+    return;
+  hand->target = {t.target.p, t.target.q.normalized()};
+  if (std::all_of(t.flexion.begin(), t.flexion.end(), [](double f) { return std::isfinite(f); }))
+    hand->target_flexion = t.flexion;
+}
+
 }  // namespace
 
 void take_inputs(State& state, Colliders& colliders, const TickInput& input, StepReport& report) {
   Bodies& bodies = state.bodies;
-  for (const EffortChange& change : input.efforts)
-    if (bodies.is_soft(change.body) && bodies.soft_index(change.body) < bodies.soft.size())
-      bodies.soft[bodies.soft_index(change.body)].state.steps_down =
-          std::clamp(change.steps_down, 0, static_cast<int>(max_steps_down));
-  const auto target_of = [&](const HandEvent& event) {
-    return std::find_if(input.targets.begin(), input.targets.end(), [&](const HandTarget& t) {
-      return t.participant == event.participant && t.hand == event.hand;
-    });
-  };
+  for (const EffortChange& change : input.efforts) take(change, bodies);
   for (Hand& hand : state.hands) hand.previous_target = hand.target;
-  for (const HandEvent& event : input.events) {
-    if (event.kind == HandEvent::Kind::reset_body) {
-      if (event.body < bodies.model.rigid.size() + bodies.soft.size()) reset_body(state, event.body, report);
-      continue;
-    }
-    if (event.hand > right_hand) continue;
-    const auto hand = find_hand(state.hands, event.participant, event.hand);
-    if (event.kind == HandEvent::Kind::appear) {
-      if (hand != state.hands.end()) continue;
-      appear(state, event.participant, event.hand);
-      const auto made = find_hand(state.hands, event.participant, event.hand);
-      if (const auto t = target_of(event); t != input.targets.end() && is_finite(t->target)) {
-        made->target = made->previous_target = t->target;
-        RigidMotion motion;
-        motion.pose = t->target * bodies.model.hands[event.hand].center;
-        bodies.rigid.set_motion(made->slot, motion);
-      }
-    } else if (hand == state.hands.end()) {
-      continue;
-    } else if (event.kind == HandEvent::Kind::vanish) {
-      vanish(state, hand, report);
-    } else if (event.kind == HandEvent::Kind::grasp) {
-      grasp(state, colliders, *hand);
-    } else {
-      release(bodies, *hand, "opened", report);
-    }
-  }
+  for (const HandEvent& event : input.events) take(event, input.targets, state, colliders, report);
   for (const PartEvent& event : input.parts) report.part_answers.push_back(obey(state, event, report));
-  for (const HandTarget& t : input.targets) {
-    const auto hand = find_hand(state.hands, t.participant, t.hand);
-    if (hand == state.hands.end() || !is_finite(t.target) ||
-        t.target.p.cwiseAbs().maxCoeff() > max_coordinate)
-      continue;
-    hand->target = {t.target.p, t.target.q.normalized()};
-    if (std::all_of(t.flexion.begin(), t.flexion.end(), [](double f) { return std::isfinite(f); }))
-      hand->target_flexion = t.flexion;
-  }
+  for (const HandTarget& target : input.targets) take(target, state.hands);
   if (state.panels) {
     for (const HeadPlace& head : input.heads) state.panels->take(head);
     for (const PanelEvent& event : input.panels) state.panels->take(event, PanelStation(state));

@@ -8,7 +8,7 @@
 namespace prosector {
 namespace {
 
-/// Blades come and go with the hands that hold them.
+/// Lets blades come and go with the hands that hold them.
 void take_up_blades(State& state) {
   Bodies& bodies = state.bodies;
   const auto holder_of = [&](std::size_t slot) {

@@ -14,7 +14,8 @@ struct BladeGrip {
   std::size_t slot = 0;   // of the instrument
   std::size_t point = 0;  // of Blade::cut_to
   SparseMap::Row row;     // of the material where the point has cut to
-  /// Of a sheet that the edge goes through between this point and the next: at this share of the way.
+  /// Where the edge goes through a sheet between this point and the next, as a share of the way; none: in a
+  /// solid.
   std::optional<double> through{};
   Vec3 beside = Vec3::Zero();  // m: from that material to the point, of one that has come down on a sheet
   Tie tie;

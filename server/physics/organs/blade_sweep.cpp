@@ -10,8 +10,8 @@ namespace {
 
 constexpr double entry_depth = 2e-4;  // m below the surface, where tissue holds on to what enters it
 
-/// What enters tissue from outside is held where it enters, until the tissue gives. Whether any point is in
-/// tissue.
+/// Holds what enters tissue from outside where it enters, until the tissue gives. Returns whether any point
+/// is in tissue.
 bool stop_at_the_surface(const Bodies& bodies, std::span<const Vec3> from, std::span<Vec3> to) {
   const std::vector<TissueNear> near = tissue_near(bodies, swept_box(from, to));
   const auto in_tissue = [&](const Vec3& point) { return tissue_at(near, point).has_value(); };
@@ -31,7 +31,7 @@ bool stop_at_the_surface(const Bodies& bodies, std::span<const Vec3> from, std::
   return any;
 }
 
-/// As stop_at_the_surface(), of what may enter.
+/// Does the same for points of all edges that may enter: rays don't.
 bool enter_volumes(const Bodies& bodies, const Blade& blade, std::span<const Vec3> from, std::span<Vec3> to) {
   std::vector<std::size_t> which;
   std::vector<Vec3> solid_from, solid_to;

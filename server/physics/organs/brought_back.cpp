@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-/// Of the pieces `now` the one that a piece `before` is a part of, by its body.
+/// Returns which of the pieces `now` a piece `before` is a part of, by its body.
 std::size_t joined_to(const Organ& organ, const PieceMesh& before, std::span<const std::size_t> now) {
   TetId tet = before.tets.front();
   while (!organ.complex().has_tet(tet)) tet = organ.complex().parent(tet);
@@ -22,7 +22,7 @@ std::size_t joined_to(const Organ& organ, const PieceMesh& before, std::span<con
   return *std::find_if(now.begin(), now.end(), has_it);
 }
 
-/// The same shape there, all of it with one velocity.
+/// Returns the same shape where the way leads, all of it with one velocity.
 Motion moved(const Motion& motion, const WayBack& way) {
   Motion out = motion;
   for (Eigen::Index i = 0; i < out.x.size(); i += 3) {

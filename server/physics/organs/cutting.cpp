@@ -25,7 +25,7 @@ struct CutTick {
   CutResult figures;                                   // over all
 };
 
-/// Where an organ's nodes are, by id.
+/// Returns where an organ's nodes are, by id.
 std::vector<Vec3> node_positions(const Bodies& bodies, const Organ& organ) {
   std::vector<Vec3> out(organ.complex().node_end(), Vec3::Zero());
   for (const OrganPiece& piece : organ.pieces())
@@ -35,7 +35,7 @@ std::vector<Vec3> node_positions(const Bodies& bodies, const Organ& organ) {
   return out;
 }
 
-/// A stroke through a sheet knows its edge in the room only: it goes with the sheet as the edge's points do.
+/// Lets a stroke go with a sheet as the edge's points do: it knows its edge in the world frame only.
 void carry_beside_sheet(const Bodies& bodies, BladeStroke& stroke, const Blade& blade, std::size_t edge,
                         std::span<const Vec3> from) {
   std::size_t first = 0;
@@ -50,7 +50,7 @@ bool can_cut(const Bodies& bodies, std::size_t body, bool with_ray) {
          tissue.collision.fidelity != Fidelity::none;
 }
 
-/// Throws InputError for a mesh that can't be cut.
+/// Returns the body's organ, made where there is none. Throws InputError for a mesh that can't be cut.
 Organ& organ_of(State& state, std::size_t body) {
   if (const auto cut = state.dissection.organs.find(body); cut != state.dissection.organs.end())
     return cut->second;
@@ -62,7 +62,8 @@ Organ& organ_of(State& state, std::size_t body) {
       .first->second;
 }
 
-/// Throws InputError, and changes nothing, where that can't be.
+/// Takes an edge of a blade on through one organ. Throws InputError, and changes nothing, where that can't
+/// be.
 void cut_organ(State& state, Blade& blade, std::size_t edge, std::size_t first, std::span<const Vec3> from,
                std::span<const Vec3> to, CutTick& cut) {
   Organ& organ = organ_of(state, first);
@@ -112,7 +113,8 @@ void cut_tissue(State& state, Blade& blade, std::size_t edge, std::span<const Ve
 }
 
 /// Takes a blade on: what its points sweep through, where tissue lets go of them, is cut.
-void advance(State& state, std::span<const BladeGrip> grips, Blade& blade, CutTick& cut, StepReport& report) {
+void advance_blade(State& state, std::span<const BladeGrip> grips, Blade& blade, CutTick& cut,
+                   StepReport& report) {
   const Sweep sweep = sweep_of(state.bodies, grips, blade);
   const bool begins = blade.stroke == 0 || blade.outside > between_strokes;
   if (sweep.in_tissue && begins) blade.stroke = ++state.dissection.strokes;
@@ -129,8 +131,8 @@ void advance(State& state, std::span<const BladeGrip> grips, Blade& blade, CutTi
   blade.cut_to = sweep.to;
 }
 
-/// What an organ's change made of its pieces takes effect, or everything stays as it was before the change.
-/// Empty when done, else why not.
+/// Lets what an organ's change made of its pieces take effect, or leaves everything as it was before the
+/// change. Returns an empty text when done, else why not.
 std::string carry_through(State& state, std::size_t first, const Organ::Mark& before, TopologyCause cause,
                           ParticipantId author, StepReport& report) {
   Organ& organ = state.dissection.organs.at(first);
@@ -148,7 +150,7 @@ std::string carry_through(State& state, std::size_t first, const Organ::Mark& be
   }
 }
 
-/// Whether the state went back to an earlier one.
+/// Obeys the event. Returns whether the state went back to an earlier one.
 bool obey_cut(State& state, const CutEvent& event, StepReport& report) {
   std::string& answer = report.cut_answers.emplace_back();
   if (event.kind == CutEvent::Kind::rewind) {
@@ -180,7 +182,7 @@ std::uint64_t log_length(const State& state) {
   return sum;
 }
 
-/// What a cut could not keep above the floor.
+/// Tells which angles a cut could not keep above the floor.
 void report_cuts(const CutResult& figures, StepReport& report) {
   if (figures.slivers == 0) return;
   BodyReport& row = report.bodies.emplace_back();
@@ -201,7 +203,7 @@ bool cut_soft_bodies(State& state, std::span<const BladeGrip> grips, const TickI
   for (Blade& blade : state.dissection.blades) {
     std::map<std::size_t, std::size_t> lengths;
     for (const auto& [first, organ] : state.dissection.organs) lengths[first] = organ.log().size();
-    advance(state, grips, blade, tick, report);
+    advance_blade(state, grips, blade, tick, report);
     for (const auto& [first, organ] : state.dissection.organs)
       if (organ.log().size() > lengths[first]) cut_by[first] = blade.holder;
   }

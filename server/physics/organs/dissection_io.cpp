@@ -52,7 +52,7 @@ std::vector<std::uint8_t> bytes_of(const Organ& organ) {
   return out.bytes();
 }
 
-/// Of pieces that are no bodies any more, in a state that is gone back to.
+/// Forgets pieces that are no bodies any more in a state that is gone back to.
 void forget_bodies_from(State& state, std::size_t count) {
   Bodies& bodies = state.bodies;
   bodies.lost.erase(bodies.lost.lower_bound(bodies.soft_id(count)), bodies.lost.end());

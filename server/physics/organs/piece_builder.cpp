@@ -41,7 +41,7 @@ void make_anew(const Bodies& bodies, const Organ& organ, NewPiece& made) {
                        [&] { made.content_hash = made.solver->content_hash(); });
 }
 
-/// Where its nodes are and how they move: as what was there did, or was brought back to.
+/// Fills in where the piece's nodes are and how they move: as what was there did, or was brought back to.
 void carry_motion(const Bodies& bodies, const Organ& organ, std::span<const OrganPiece> before,
                   const BroughtBack& back, const OrganPiece& piece, NewPiece& made) {
   std::vector<const PieceMesh*> meshes;
@@ -67,7 +67,7 @@ void carry_motion(const Bodies& bodies, const Organ& organ, std::span<const Orga
   made.history = carried_history(organ.complex(), meshes, histories, numbers, piece.mesh.tets);
 }
 
-/// Of the pieces that an organ's change left or made. Changes nothing: what can fail fails here.
+/// Returns the pieces that an organ's change left or made. Changes nothing: what can fail fails here.
 std::vector<NewPiece> make_pieces(const Bodies& bodies, const Organ& organ, const Organ::Regrouped& changed,
                                   const BroughtBack& back) {
   const auto make = [&](std::size_t body, NewPiece& made) {
@@ -97,7 +97,7 @@ std::vector<NewPiece> make_pieces(const Bodies& bodies, const Organ& organ, cons
   return out;
 }
 
-/// Those that can go on do. Nothing fails any more.
+/// Lets the pieces that can follow do so. Nothing fails any more.
 void follow_changes(Bodies& bodies, std::span<NewPiece> pieces) {
   tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
     NewPiece& piece = pieces[i];
@@ -137,7 +137,7 @@ void place_new(State& state, NewPiece piece, std::size_t first, TopologyCause ca
   if (is_new) change.piece_of = bodies.soft_id(first);
 }
 
-/// `masses`: of the pieces before.
+/// Keeps the momentum of what was cut or joined. `masses`: of the pieces' nodes before.
 void keep_momentum_of(Bodies& bodies, const Organ& organ, const Organ::Regrouped& changed, BroughtBack& back,
                       std::span<const VecX> masses, std::span<NewPiece> made) {
   std::vector<PieceMotion> before, now;

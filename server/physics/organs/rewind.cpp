@@ -25,7 +25,7 @@ struct Shown {
   }
 };
 
-/// Pieces that came since are bodies still, of nothing.
+/// Keeps pieces that came since as bodies, of nothing.
 void keep_later_pieces(State& state, std::size_t count) {
   Bodies& bodies = state.bodies;
   for (std::size_t body = bodies.soft.size(); body < count; ++body) {
@@ -45,7 +45,7 @@ void keep_later_pieces(State& state, std::size_t count) {
   }
 }
 
-/// `was`: before, by soft body.
+/// Tells which bodies clients have to take anew. `was`: before, by soft body.
 void tell_of_changes(Bodies& bodies, std::span<const Shown> was, ParticipantId author, StepReport& report) {
   for (std::size_t i = 0; i < was.size(); ++i) {
     Tissue& tissue = bodies.soft[i];
@@ -65,7 +65,7 @@ void tell_of_changes(Bodies& bodies, std::span<const Shown> was, ParticipantId a
   }
 }
 
-/// In place of those that were there then.
+/// Puts the hands that are there now in place of those that were there then.
 void bring_back_hands(State& state, std::span<const Hand> present, std::span<const RigidMotion> motions,
                       StepReport& report) {
   for (; !state.hands.empty(); state.hands.pop_back()) state.bodies.rigid.remove(state.hands.back().slot);
@@ -78,7 +78,7 @@ void bring_back_hands(State& state, std::span<const Hand> present, std::span<con
   }
 }
 
-/// Throws InputError for a state that isn't of this run.
+/// Goes back. Throws InputError for a state that isn't of this run.
 void go_back(State& state, const CutEvent& event, StepReport& report) {
   Bodies& bodies = state.bodies;
   const SimTime left = state.time;

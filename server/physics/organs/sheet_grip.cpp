@@ -66,7 +66,7 @@ bool can_cut_sheet(const Bodies& bodies, std::size_t body) {
          !bodies.parts[bodies.soft_id(body)].out_of_touch() && tissue.collision.fidelity != Fidelity::none;
 }
 
-/// In order along the edge; where it goes through at a line between triangles, once.
+/// Returns where the edge goes through the sheet, in order along it; at a line between triangles once.
 std::vector<SheetCrossing> sheet_crossings(const NearSheet& sheet, std::span<const Vec3> edge) {
   std::vector<SheetCrossing> out;
   if (edge.empty()) return out;

@@ -12,7 +12,7 @@ namespace {
 constexpr double seen_through = 0.35;  // opacity of a part that is made transparent
 constexpr double dimmed = 0.25;        // brightness of the room's lights
 
-/// Hands as panels feel them, in canonical order.
+/// Returns hands as panels feel them, in canonical order.
 std::vector<PanelHand> panel_hands(const State& state, std::span<const HandState> hand_states) {
   std::vector<PanelHand> out;
   for (std::size_t i = 0; i < state.hands.size(); ++i) {
@@ -38,8 +38,8 @@ std::vector<PanelHand> panel_hands(const State& state, std::span<const HandState
   return out;
 }
 
-/// A part that refuses (it is too far from its place to be attached) stays as it is, and its control shows
-/// it.
+/// Does what a control asks. A part that refuses (it is too far from its place to be attached) stays as it
+/// is, and its control shows it.
 void carry_out(State& state, const PanelAction& action, StepReport& report) {
   using Kind = PartEvent::Kind;
   const bool on = action.value >= 0.5;

@@ -10,8 +10,8 @@
 namespace prosector {
 namespace {
 
-/// How far the body's points are from where the scene puts them, root mean square, m: of tissue those that
-/// are attached there, if any, weighed by how firmly.
+/// Returns how far the body's points are from where the scene puts them, root mean square, m. Of tissue those
+/// that are attached there count, if any are, weighed by how firmly.
 double distance_from_place(const Bodies& bodies, BodyId body) {
   double sum = 0, weights = 0;
   if (!bodies.is_soft(body)) {

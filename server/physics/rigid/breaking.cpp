@@ -13,8 +13,8 @@ struct PointForce {
   Vec3 point, force;  // m, N
 };
 
-/// Point forces on a rigid body in this tick, besides gravity; room frame. Of contacts that the coupled
-/// solver solved, along their normals; of one that is held in its place, those alone.
+/// Returns the point forces on a rigid body in this tick, besides gravity; world frame. Contacts that the
+/// coupled solver solved count along their normals; for a body that is held in its place, those alone count.
 std::vector<PointForce> forces_on(const Bodies& bodies, std::span<const Hand> hands,
                                   std::span<const Island> islands, std::size_t slot, double h) {
   std::vector<PointForce> out;
@@ -41,7 +41,8 @@ std::vector<PointForce> forces_on(const Bodies& bodies, std::span<const Hand> ha
   return out;
 }
 
-/// Of a body that moves or may: what either side needs to move as it does, less what acts on it.
+/// Returns the force through the plane of a body that moves or may, N: what either side needs to move as it
+/// does, less what acts on it.
 double force_through_free(const Bodies& bodies, std::span<const Collider> colliders, BodyId body,
                           const RigidModel::Fracture& plane, const PlaneLoad& load, double h) {
   const RigidMotion now = bodies.rigid.motion(body);
@@ -58,7 +59,8 @@ double force_through_free(const Bodies& bodies, std::span<const Collider> collid
       .norm();
 }
 
-/// Of a part in its place, which holds it by the side of its centre of mass: what acts on the other side.
+/// Returns the force through the plane of a part in its place, N. Its place holds it by the side of its
+/// centre of mass, so that is what acts on the other side.
 double force_through_held(const Bodies& bodies, BodyId body, const RigidModel::Fracture& plane,
                           const PlaneLoad& load) {
   const double mass = bodies.model.rigid[body].setup.mass;
@@ -67,7 +69,8 @@ double force_through_held(const Bodies& bodies, BodyId body, const RigidModel::F
   return ((holds_above ? load.below : load.above) + free_mass * bodies.model.scene.gravity).norm();
 }
 
-/// The pieces go on with the whole's motion, so its momentum and angular momentum are theirs.
+/// Breaks the body. The pieces go on with the whole's motion, so its momentum and angular momentum are
+/// theirs.
 void break_at(State& state, BodyId body, const RigidModel::Fracture& plane, double force,
               StepReport& report) {
   Bodies& bodies = state.bodies;
