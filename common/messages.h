@@ -1,8 +1,8 @@
 #pragma once
 // What travels between server and clients, as plain data. `idl/` turns each into its wire form and back, with
 // all checks; nobody else knows DDS. Units: SI, seconds, metres, newtons, radians; colours are linear RGB in
-// [0, 1]. Directions and QoS: docs/network.md. Limits that the edge enforces stand here, beside the field
-// they bound.
+// [0, 1]. Directions and QoS: docs/look-up/topics.md. Limits that the edge enforces stand here, beside the
+// field they bound.
 
 #include <array>
 #include <cstdint>
@@ -156,7 +156,7 @@ struct CommandResult {
 
 enum class BodyKind : std::uint8_t { rigid, soft };
 
-/// What an object collides as, coarsest first (docs/collision.md).
+/// What an object collides as, coarsest first (docs/understand/collision.md).
 enum class Fidelity : std::uint8_t { none, sphere, aabb, obb, hull, mesh };
 
 /// What a surface is made of, as far as it can be seen. The last two are the client's own room.
@@ -410,8 +410,8 @@ struct ServerStatus {
 
 /// server → all, about 2 Hz while it is awake, keyed by body: how one deformable is stepped, and what of its
 /// shape is not to be relied on. Both errors are estimates: `residual` is measured, of the solves of the last
-/// second; `error` is looked up in what the server measured on a bending beam as fine and as long (docs/
-/// soft-tissue.md).
+/// second; `error` is looked up in what the server measured on a bending beam as fine and as long
+/// (docs/understand/soft-tissue.md).
 struct BodyStatus {
   BodyId body = 0;
   SimTime time;

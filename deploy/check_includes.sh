@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Who may include whom (docs/architecture.md): each rule is files, what they must not include, and why.
+# Who may include whom (docs/understand/architecture.md): each rule is files, what they must not include, and why.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

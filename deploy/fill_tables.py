@@ -12,7 +12,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGES = ["README.md", "docs/measurements.md", "docs/soft-tissue.md", "docs/collision.md", "docs/contact.md"]
+PAGES = ["README.md", "docs/look-up/measurements.md", *(f"docs/understand/{page}.md" for page in ("soft-tissue", "collision", "contact"))]
 MARKED = re.compile(r"(<!-- measured: (\S+) -->\n)(.*?)(<!-- /measured -->)", re.DOTALL)
 DASH = "–"
 
@@ -292,7 +292,7 @@ def bend_sizes(reports):
     return table(["A beam bends, ν = 0.3", *(f"{count(tets)} elements" for tets in sizes)], lines)
 
 
-# For docs/soft-tissue.md.
+# For docs/understand/soft-tissue.md.
 
 
 def place(reports, case, tets, **settings):

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The long runs that deploy/test.sh has no time for; docs/nightly.md says how to read what it leaves.
+# The long runs that deploy/test.sh has no time for; docs/do/nightly.md says how to read what it leaves.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Lets people play at random in the shipped scenes, under every model, and judges the organs when they have left.
-# docs/play.md says what is judged and how to read what it leaves. Ends with 1 where an organ was out of bounds.
+# docs/do/play.md says what is judged and how to read what it leaves. Ends with 1 where an organ was out of bounds.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 

@@ -1,6 +1,6 @@
 #pragma once
-// Every topic in one table: who writes it, its quality of service, its limits. docs/network.md says the same
-// for people. A row's place is the message's index in the Message variant.
+// Every topic in one table: who writes it, its quality of service, its limits. docs/look-up/topics.md says
+// the same for people. A row's place is the message's index in the Message variant.
 
 #include <array>
 #include <cstddef>

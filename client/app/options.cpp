@@ -56,7 +56,7 @@ void add_network(CLI::App& app, ClientOptions& o, RawOptions& raw) {
       ->expected(0, 1)
       ->type_name("[IFACE]")
       ->group("Network");
-  app.add_option("--profile", o.bus.profile, "loopback, lan, wan or a DDS profile file, see docs/network.md")
+  app.add_option("--profile", o.bus.profile, "loopback, lan, wan or a DDS profile file: docs/do/network.md")
       ->group("Network");
   app.add_option_function<double>(
          "--patience",

@@ -20,7 +20,7 @@ std::string read_scene_text(const std::filesystem::path& file);
 /// The same as load_scene from text; `file` is only for messages and for resolving paths later.
 SceneDesc parse_scene(std::string_view toml, const std::filesystem::path& file);
 
-/// docs/scene.md, from the same field table.
+/// docs/look-up/scene.md, from the same field table.
 void write_scene_manual(std::ostream& out);
 
 }  // namespace prosector

@@ -1,8 +1,8 @@
 #pragma once
 // What the author of a scene wrote, validated. Defaults stand here, in the initialisers, and nowhere else;
 // units, ranges and descriptions stand in the field table (scene_fields.cpp), from which the loader, its
-// errors and docs/scene.md come. SI units; orientations as quaternions w, x, y, z; y is up. What a scene
-// doesn't name is not modelled.
+// errors and docs/look-up/scene.md come. SI units; orientations as quaternions w, x, y, z; y is up. What a
+// scene doesn't name is not modelled.
 
 #include <cstdint>
 #include <filesystem>

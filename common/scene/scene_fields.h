@@ -1,7 +1,7 @@
 #pragma once
 // One description of every key that a scene may hold: where it is stored, its unit, range and meaning. The
-// loader, its error messages and docs/scene.md all come from here. Defaults are not repeated: they are read
-// from a default-constructed description.
+// loader, its error messages and docs/look-up/scene.md all come from here. Defaults are not repeated: they
+// are read from a default-constructed description.
 
 #include <cstddef>
 #include <memory>

@@ -141,7 +141,7 @@ const Table& soft_table() {
                                    "instead of a rung, for solid bodies: how far the settled shape may be "
                                    "from the continuum's; the "
                                    "server chooses the cheapest rung that its measured table says is good "
-                                   "enough (docs/soft-tissue.md). What of "
+                                   "enough (docs/understand/soft-tissue.md). What of "
                                    "model, element, integrator, solver and cell is given beside it is kept"),
          quantity<S, &S::budget>("budget", "ms", {0, 1000, true},
                                  "instead of a rung, for solid bodies: CPU time that the body may take in a "

@@ -24,7 +24,7 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
       "  prosector-server deploy/scenes/abdomen.toml --lan         the local network too\n"};
   app.set_version_flag("--version",
                        version_line("prosector-server") + ", protocol " + std::to_string(protocol_version));
-  auto* scene = app.add_option("SCENE", o.scene, "Scene file (TOML; docs/scene.md)")->type_name("");
+  auto* scene = app.add_option("SCENE", o.scene, "Scene file (TOML; docs/look-up/scene.md)")->type_name("");
 
   const char* run = "Session";
   app.add_option("--session", o.session, "Name that clients join by; default: the scene's")
@@ -79,7 +79,7 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
   reach->expected(0, 1)->type_name("[IFACE]")->group(network);
   app.add_option(
          "--profile", o.profile,
-         "Network profile: loopback, lan, wan, or a file; lan and wan go with --lan (docs/network.md)")
+         "Network profile: loopback, lan, wan, or a file; lan and wan go with --lan (docs/do/network.md)")
       ->type_name("PROFILE")
       ->group(network);
   app.add_option("--domain", o.domain, "DDS domain")

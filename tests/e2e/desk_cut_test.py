@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""desk_cut_test.py BIN OUT, run under xvfb-run: a person at a desk cuts the liver of cut.toml with the mouse, as docs/cutting.md
-tells: takes up the knife, turns the wrist with Shift and the wheel, draws the blade through the left lobe, lets go, and takes
+"""desk_cut_test.py BIN OUT, run under xvfb-run: a person at a desk cuts the liver of cut.toml with the mouse, as
+docs/understand/cutting.md tells: takes up the knife, turns the wrist with Shift and the wheel, draws the blade through the left lobe, lets go, and takes
 the cut back with Z. What came of it is read in the client's log, in the server's summary and in pictures."""
 
 import json

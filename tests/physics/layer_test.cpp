@@ -123,7 +123,7 @@ double mean_height(const Simulation& simulation, BodyId body) {
   return simulation.soft_state(body).motion.x.reshaped(3, simulation.soft(body).nodes()).row(1).mean();
 }
 
-/// Position-based sheets that are hit gain a few mJ (docs/contact.md): their energy is not held to anything.
+/// Position-based sheets that are hit gain a few mJ (docs/understand/contact.md): no bound on their energy.
 class ThinBodies : public ::testing::TestWithParam<const char*> {};
 
 /// Lets body 1 fall on body 0, and on through it where they don't touch; J gained at most.

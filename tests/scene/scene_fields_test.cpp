@@ -122,9 +122,9 @@ TEST(SceneFields, KeysDifferAndShareNoStorage) {
 TEST(SceneFields, ManualIsTheOneCommitted) {
   std::ostringstream generated;
   write_scene_manual(generated);
-  std::ifstream file(PROSECTOR_SOURCE_DIR "/docs/scene.md");
+  std::ifstream file(PROSECTOR_SOURCE_DIR "/docs/look-up/scene.md");
   const std::string committed{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_EQ(generated.str(), committed) << "mend it with: prosector-scene --manual > docs/scene.md";
+  EXPECT_EQ(generated.str(), committed) << "mend it with: prosector-scene --manual > docs/look-up/scene.md";
 }
 
 TEST(SceneFields, EverySceneFileHasARoomThatCollidesUnlessItSaysNot) {

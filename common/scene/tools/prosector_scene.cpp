@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> files;
   bool manual = false;
   app.add_option("FILE", files, "Scene files (.toml) to check; nothing that they name is opened");
-  app.add_flag("--manual", manual, "Print the manual of scene files (docs/scene.md)");
+  app.add_flag("--manual", manual, "Print the manual of scene files (docs/look-up/scene.md)");
   app.set_version_flag("--version", prosector::version_line("prosector-scene"));
   try {
     app.parse(argc, argv);

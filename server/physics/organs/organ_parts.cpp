@@ -9,7 +9,7 @@ namespace prosector {
 namespace {
 
 constexpr std::uint32_t no_index = ~0U;
-constexpr double most_others = 0.25;  // of the tetrahedra, for following to take less (docs/cutting.md)
+constexpr double most_others = 0.25;  // share of new tetrahedra up to which following costs less
 
 }  // namespace
 

@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""check_docs.py [--sentences]: what a reader of README.md and docs/ would stumble over.
+
+Three rules: no sentence is longer than 30 words, each relative link leads to a file and an anchor that exist, and each
+page of docs/ can be reached from docs/README.md by links. Tables, code, headings and docs/decisions are free of the
+first. --sentences prints each page's longest sentence and checks nothing.
+"""
+
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+DOCS = ROOT / "docs"
+MOST_WORDS = 30
+LINK = re.compile(r"!?\[([^\]]*)\]\(([^)\s]+)\)")
+
+
+def without_fences(text):
+    """The lines, those of fenced code and of comments empty, so that line numbers stay."""
+    lines, fenced, comment = [], False, False
+    for line in text.splitlines():
+        if line.lstrip().startswith("```"):
+            fenced = not fenced
+            lines.append("")
+        elif fenced:
+            lines.append("")
+        else:
+            comment = comment or line.lstrip().startswith("<!--")
+            lines.append("" if comment else line)
+            comment = comment and "-->" not in line
+    return lines
+
+
+def paragraphs(text):
+    """(line number, text) of each paragraph and list item, without headings and tables."""
+    found, start, words = [], 0, []
+
+    def end():
+        if words:
+            found.append((start, " ".join(words)))
+        words.clear()
+
+    for number, line in enumerate(without_fences(text), 1):
+        stripped = line.strip()
+        item = re.match(r"([-*+]|\d+\.) ", stripped)
+        if not stripped or stripped[0] in "#|" or item:
+            end()
+        if not stripped or stripped[0] in "#|":
+            continue
+        if not words:
+            start = number
+        words.append(stripped[item.end():] if item else stripped)
+    end()
+    return found
+
+
+def sentences(paragraph):
+    text = LINK.sub(lambda link: "" if link[0].startswith("!") else link[1], paragraph)
+    text = re.sub(r"`[^`]*`", "Code", text)
+    text = re.sub(r"\*+|(?<!\w)_|_(?!\w)", "", text)
+    return re.split(r"(?<=[.!?])[)\"”]?\s+(?=[^a-z\s])", text)
+
+
+def words_of(sentence):
+    return [word for word in sentence.split() if re.search(r"\w", word)]
+
+
+def long_sentences(page):
+    for line, paragraph in paragraphs(page.read_text()):
+        for sentence in sentences(paragraph):
+            if len(words_of(sentence)) > MOST_WORDS:
+                yield line, len(words_of(sentence)), sentence
+
+
+def anchors(page):
+    """As GitHub makes them: lower case, spaces to hyphens, most punctuation gone, doubles numbered."""
+    found = {}
+    for line in without_fences(page.read_text()):
+        heading = re.match(r"#{1,6}\s+(.*)", line)
+        if heading:
+            text = re.sub(r"[`*]", "", LINK.sub(r"\1", heading[1])).strip().lower()
+            anchor = re.sub(r"[^\w\- ]", "", text).replace(" ", "-")
+            found[anchor] = found.get(anchor, -1) + 1
+    return {name if not n else f"{name}-{n}" for name, most in found.items() for n in range(most + 1)}
+
+
+def links(page):
+    """(line number, file, anchor) of each link that leads to a file of the tree."""
+    for number, line in enumerate(without_fences(page.read_text()), 1):
+        for link in LINK.finditer(re.sub(r"`[^`]*`", "", line)):
+            if not re.match(r"[a-z]+:", link[2]):
+                path, _, anchor = link[2].partition("#")
+                yield number, (page.parent / path).resolve() if path else page, anchor
+
+
+def dead_links(page):
+    for line, target, anchor in links(page):
+        if not target.exists():
+            yield line, f"leads to {target}, which is not there"
+        elif anchor and target.suffix == ".md" and anchor not in anchors(target):
+            yield line, f"{target.name} has no heading for #{anchor}"
+
+
+def reached_from(start):
+    found, open_pages = {start}, [start]
+    while open_pages:
+        for _, target, _ in links(open_pages.pop()):
+            if target.is_dir():
+                target = target / "README.md"
+            if target.suffix == ".md" and target.exists() and target not in found:
+                found.add(target)
+                open_pages.append(target)
+    return found
+
+
+def main():
+    pages = sorted(DOCS.rglob("*.md"))
+    prose = [ROOT / "README.md", *(page for page in pages if "decisions" not in page.relative_to(DOCS).parts)]
+    if "--sentences" in sys.argv[1:]:
+        for page in prose:
+            found = list(long_sentences(page))
+            print(f"{len(found):4} {max((n for _, n, _ in found), default=0):4}  {page.relative_to(ROOT)}")
+        return 0
+    faults = []
+    for page in prose:
+        faults += [(page, line, f"{n} words: {text[:90]}…") for line, n, text in long_sentences(page)]
+    for page in [ROOT / "README.md", ROOT / "CHANGELOG.md", *pages]:
+        faults += [(page, line, why) for line, why in dead_links(page)]
+    reached = reached_from(DOCS / "README.md")
+    faults += [(page, 1, "no way of links leads here from docs/README.md") for page in pages if page not in reached]
+    for page, line, why in faults:
+        print(f"{page.relative_to(ROOT)}:{line}: {why}", file=sys.stderr)
+    print(f"docs: {len(faults)} faults" if faults else f"docs: {len(pages)} pages good")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
