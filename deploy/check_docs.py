@@ -116,7 +116,7 @@ def reached_from(start):
 
 def main():
     pages = sorted(DOCS.rglob("*.md"))
-    prose = [ROOT / "README.md", *(page for page in pages if "decisions" not in page.relative_to(DOCS).parts)]
+    prose = [ROOT / "README.md", ROOT / "CHANGELOG.md", *(page for page in pages if "decisions" not in page.relative_to(DOCS).parts)]
     if "--sentences" in sys.argv[1:]:
         for page in prose:
             found = list(long_sentences(page))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""fill_tables.py FOLDER: puts what prosector-bench measured into README.md and docs/.
+"""fill_tables.py FOLDER: puts what prosector-bench measured into docs/.
 
 FOLDER holds reports that `prosector-bench SUBJECT --json FILE` wrote, any number of each subject. Each table stands between
 `<!-- measured: NAME -->` and `<!-- /measured -->`; those whose reports are not there stay as they are, and are named.
@@ -12,7 +12,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGES = ["README.md", "docs/look-up/measurements.md", *(f"docs/understand/{page}.md" for page in ("soft-tissue", "collision", "contact"))]
+PAGES = ["docs/look-up/measurements.md", *(f"docs/understand/{page}.md" for page in ("soft-tissue", "collision", "contact"))]
 MARKED = re.compile(r"(<!-- measured: (\S+) -->\n)(.*?)(<!-- /measured -->)", re.DOTALL)
 DASH = "–"
 

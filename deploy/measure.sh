@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs prosector-bench, keeps its reports and pictures, and fills the tables of README.md and docs/ from them.
+# Runs prosector-bench, keeps its reports and pictures, and fills the tables of docs/ from them.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 subjects=(trade stability scaling soft integrators beam beam101k press collision contact pictures)
@@ -81,7 +81,7 @@ for subject in "${chosen[@]}"; do
 done
 
 if [ $quick = yes ]; then
-  printf '\nReports and pictures: %s; the tables in README.md and docs/ stay as they are\n' "$out"
+  printf '\nReports and pictures: %s; the tables in docs/ stay as they are\n' "$out"
 else
   "$root/deploy/fill_tables.py" "$out"
 fi
