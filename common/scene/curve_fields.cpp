@@ -59,9 +59,9 @@ Table curve_table(std::string_view name, std::string_view about) {
 
 Table side_table(std::string_view name) {
   return {name,
-          "The side of a revolved patch, or a Coons patch's four, in this order: along u at v = 0, along u "
-          "at v = 1, along v at u = 0, "
-          "along v at u = 1. They meet at the corners.",
+          "The side of a revolved patch, or a Coons patch's four, which meet at the corners. "
+          "Their order is: along u at v = 0, along u at v = 1, along v at u = 0, "
+          "along v at u = 1.",
           spline_rows({"bezier", "bspline"}, ""),
           {},
           fresh<CurveDesc>};
