@@ -60,6 +60,7 @@ deploy/fetch_anatomy.sh
 step "include rules and layout"
 deploy/check_includes.sh
 deploy/check_format.sh
+deploy/check_docs.py
 step "build: release"
 deploy/build.sh release
 step "tests: release"
