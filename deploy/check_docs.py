@@ -1,17 +1,15 @@
 #!/usr/bin/env python3
-"""check_docs.py [--sentences]: what a reader of README.md and docs/ would stumble over.
+"""check_docs.py [--sentences] [ROOT]: what a reader of README.md, CHANGELOG.md and docs/ would stumble over.
 
 Three rules: no sentence is longer than 30 words, each relative link leads to a file and an anchor that exist, and each
 page of docs/ can be reached from docs/README.md by links. Tables, code, headings and docs/decisions are free of the
-first. --sentences prints each page's longest sentence and checks nothing.
+first. --sentences prints how many long sentences each page has, and the words of the longest, and checks nothing.
 """
 
 import pathlib
 import re
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-DOCS = ROOT / "docs"
 MOST_WORDS = 30
 LINK = re.compile(r"!?\[([^\]]*)\]\(([^)\s]+)\)")
 
@@ -115,22 +113,25 @@ def reached_from(start):
 
 
 def main():
-    pages = sorted(DOCS.rglob("*.md"))
-    prose = [ROOT / "README.md", ROOT / "CHANGELOG.md", *(page for page in pages if "decisions" not in page.relative_to(DOCS).parts)]
+    words = [word for word in sys.argv[1:] if word != "--sentences"]
+    root = pathlib.Path(words[0] if words else pathlib.Path(__file__).parent.parent).resolve()
+    docs = root / "docs"
+    pages, tops = sorted(docs.rglob("*.md")), [root / "README.md", root / "CHANGELOG.md"]
+    prose = [*tops, *(page for page in pages if "decisions" not in page.relative_to(docs).parts)]
     if "--sentences" in sys.argv[1:]:
         for page in prose:
-            found = list(long_sentences(page))
-            print(f"{len(found):4} {max((n for _, n, _ in found), default=0):4}  {page.relative_to(ROOT)}")
+            found = [length for _, length, _ in long_sentences(page)]
+            print(f"{len(found):4} {max(found, default=0):4}  {page.relative_to(root)}")
         return 0
     faults = []
     for page in prose:
         faults += [(page, line, f"{n} words: {text[:90]}…") for line, n, text in long_sentences(page)]
-    for page in [ROOT / "README.md", ROOT / "CHANGELOG.md", *pages]:
+    for page in [*tops, *pages]:
         faults += [(page, line, why) for line, why in dead_links(page)]
-    reached = reached_from(DOCS / "README.md")
+    reached = reached_from(docs / "README.md")
     faults += [(page, 1, "no way of links leads here from docs/README.md") for page in pages if page not in reached]
     for page, line, why in faults:
-        print(f"{page.relative_to(ROOT)}:{line}: {why}", file=sys.stderr)
+        print(f"{page.relative_to(root)}:{line}: {why}", file=sys.stderr)
     print(f"docs: {len(faults)} faults" if faults else f"docs: {len(pages)} pages good")
     return 1 if faults else 0
 

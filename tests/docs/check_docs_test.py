@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""check_docs_test.py CHECKER WORK: what deploy/check_docs.py says of a small tree with one fault of each kind."""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+
+checker, work = sys.argv[1], pathlib.Path(sys.argv[2])
+LONG = " ".join(["word"] * 31) + "."
+GOOD = {
+    "README.md": "# One\n\nSee [the map](docs/README.md).\n",
+    "CHANGELOG.md": "# Changes\n",
+    "docs/README.md": "# Map\n\n[Page](do/page.md#some-steps-of-x), [decisions](decisions/0001.md).\n",
+    "docs/do/page.md": f"# Page\n\n## Some `steps` of X\n\n| {LONG} |\n\n```sh\n{LONG} [x](nowhere.md)\n```\n\n"
+                       f"{' '.join(['word'] * 30)}. Another. `Code` here: (see above.) Then more.\n",
+    "docs/decisions/0001.md": f"# One\n\n{LONG}\n",
+}
+FAULTS = [
+    ("docs/do/page.md", f"\n{LONG}\n", "31 words"),
+    ("docs/do/page.md", f"\n- item\n  {' '.join(['word'] * 30)}.\n", "31 words"),
+    ("docs/do/page.md", "\n[gone](gone.md)\n", "is not there"),
+    ("docs/README.md", "\n[gone](do/page.md#gone)\n", "no heading for #gone"),
+    ("docs/look-up/lost.md", "# Lost\n", "no way of links"),
+]
+
+
+def check(page=None, text=""):
+    shutil.rmtree(work, ignore_errors=True)
+    for name, content in GOOD.items():
+        (work / name).parent.mkdir(parents=True, exist_ok=True)
+        (work / name).write_text(content)
+    if page:
+        (work / page).parent.mkdir(parents=True, exist_ok=True)
+        with (work / page).open("a") as out:
+            out.write(text)
+    told = subprocess.run([checker, str(work)], capture_output=True, text=True)
+    return told.returncode, told.stdout + told.stderr
+
+
+status, text = check()
+if status or "3 pages good" not in text:
+    sys.exit(f"a good tree gave status {status}:\n{text}")
+for page, fault, words in FAULTS:
+    status, text = check(page, fault)
+    if status != 1 or words not in text or "docs: 1 faults" not in text:
+        sys.exit(f"expected one fault, \"{words}\", in {page}; status {status}:\n{text}")
+print("ok: each fault is found, and none where there is none")
