@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """check_docs.py [--sentences] [ROOT]: what a reader of README.md, CHANGELOG.md and docs/ would stumble over.
 
-Three rules: no sentence is longer than 30 words, each relative link leads to a file and an anchor that exist, and each
-page of docs/ can be reached from docs/README.md by links. Tables, code, headings and docs/decisions are free of the
-first. --sentences prints how many long sentences each page has, and the words of the longest, and checks nothing.
+Four rules: no sentence is longer than 30 words; each relative link leads to a file and an anchor that exist; each page of
+docs/ can be reached from docs/README.md by links; each page that a source names is there. Tables, code, headings and
+docs/decisions are free of the first. --sentences prints how many long sentences each page has, and the words of the longest, and checks nothing.
 """
 
 import pathlib
@@ -11,6 +11,7 @@ import re
 import sys
 
 MOST_WORDS = 30
+SOURCES = ("client", "common", "deploy", "drivers", "idl", "server", "shaders", "tests")
 LINK = re.compile(r"!?\[([^\]]*)\]\(([^)\s]+)\)")
 
 
@@ -112,6 +113,16 @@ def reached_from(start):
     return found
 
 
+def dead_mentions(root):
+    """(file, line number, why) of each page that a comment or string of a source names and that is not there."""
+    for file in (file for folder in SOURCES for file in sorted((root / folder).rglob("*"))):
+        if file.is_file() and root / "tests" / "docs" not in file.parents and file.suffix not in (".png", ".bin"):
+            for number, line in enumerate(file.read_text(errors="ignore").splitlines(), 1):
+                for page in re.findall(r"\bdocs/[\w/-]+\.md\b", line):
+                    if not (root / page).exists():
+                        yield file, number, f"names {page}, which is not there"
+
+
 def main():
     words = [word for word in sys.argv[1:] if word != "--sentences"]
     root = pathlib.Path(words[0] if words else pathlib.Path(__file__).parent.parent).resolve()
@@ -130,6 +141,7 @@ def main():
         faults += [(page, line, why) for line, why in dead_links(page)]
     reached = reached_from(docs / "README.md")
     faults += [(page, 1, "no way of links leads here from docs/README.md") for page in pages if page not in reached]
+    faults += dead_mentions(root)
     for page, line, why in faults:
         print(f"{page.relative_to(root)}:{line}: {why}", file=sys.stderr)
     print(f"docs: {len(faults)} faults" if faults else f"docs: {len(pages)} pages good")

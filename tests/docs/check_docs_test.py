@@ -14,6 +14,7 @@ GOOD = {
     "docs/README.md": "# Map\n\n[Page](do/page.md#some-steps-of-x), [decisions](decisions/0001.md).\n",
     "docs/do/page.md": f"# Page\n\n## Some `steps` of X\n\n| {LONG} |\n\n```sh\n{LONG} [x](nowhere.md)\n```\n\n"
                        f"{' '.join(['word'] * 30)}. Another. `Code` here: (see above.) Then more.\n",
+    "server/b.h": "// See docs/do/page.md.\n",
     "docs/decisions/0001.md": f"# One\n\n{LONG}\n",
 }
 FAULTS = [
@@ -22,6 +23,7 @@ FAULTS = [
     ("docs/do/page.md", "\n[gone](gone.md)\n", "is not there"),
     ("docs/README.md", "\n[gone](do/page.md#gone)\n", "no heading for #gone"),
     ("docs/look-up/lost.md", "# Lost\n", "no way of links"),
+    ("server/a.h", "// See docs/lost.md.\n", "names docs/lost.md"),
 ]
 
 
