@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """check_docs.py [--sentences] [ROOT]: what a reader of README.md, CHANGELOG.md and docs/ would stumble over.
 
-Four rules: no sentence is longer than 30 words; each relative link leads to a file and an anchor that exist; each page of
-docs/ can be reached from docs/README.md by links; each page that a source names is there. Tables, code, headings and
-docs/decisions are free of the first. --sentences prints how many long sentences each page has, and the words of the longest, and checks nothing.
+Five rules: no sentence is longer than 30 words; each relative link leads to a file and an anchor that exist; each page of
+docs/ can be reached from docs/README.md by links; each page that a source names, and each source that a page names in
+`backticks` by a path from the root or from server/physics, is there. Tables, code and headings are free of the first rule,
+docs/decisions of the first and the last. NAME in a path stands for any name. --sentences prints how many long sentences each page has, and the words of the longest, and checks nothing.
 """
 
 import pathlib
@@ -12,6 +13,7 @@ import sys
 
 MOST_WORDS = 30
 SOURCES = ("client", "common", "deploy", "drivers", "idl", "server", "shaders", "tests")
+PATH = re.compile(r"`((?:[\w.-]+/)+[\w-]+\.(?:h|cpp|idl|glsl|frag|vert|py|sh|toml|txt|xml|csv))`")
 LINK = re.compile(r"!?\[([^\]]*)\]\(([^)\s]+)\)")
 
 
@@ -101,6 +103,13 @@ def dead_links(page):
             yield line, f"{target.name} has no heading for #{anchor}"
 
 
+def lost_sources(page, root):
+    for line, text in enumerate(without_fences(page.read_text()), 1):
+        for path in PATH.findall(text):
+            if "NAME" not in path and not any((root / base / path).exists() for base in (".", "server/physics")):
+                yield line, f"names {path}, which is not there"
+
+
 def reached_from(start):
     found, open_pages = {start}, [start]
     while open_pages:
@@ -137,6 +146,8 @@ def main():
     faults = []
     for page in prose:
         faults += [(page, line, f"{n} words: {text[:90]}…") for line, n, text in long_sentences(page)]
+        if page.name != "CHANGELOG.md":
+            faults += [(page, line, why) for line, why in lost_sources(page, root)]
     for page in [*tops, *pages]:
         faults += [(page, line, why) for line, why in dead_links(page)]
     reached = reached_from(docs / "README.md")

@@ -22,6 +22,7 @@ FAULTS = [
     ("docs/do/page.md", f"\n- item\n  {' '.join(['word'] * 30)}.\n", "31 words"),
     ("docs/do/page.md", "\n[gone](gone.md)\n", "is not there"),
     ("docs/README.md", "\n[gone](do/page.md#gone)\n", "no heading for #gone"),
+    ("docs/do/page.md", "\nIn `server/b.h` and `server/NAME.h`, not in `server/c.h`.\n", "names server/c.h"),
     ("docs/look-up/lost.md", "# Lost\n", "no way of links"),
     ("server/a.h", "// See docs/lost.md.\n", "names docs/lost.md"),
 ]
