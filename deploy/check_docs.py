@@ -4,7 +4,8 @@
 Five rules: no sentence is longer than 30 words; each relative link leads to a file and an anchor that exist; each page of
 docs/ can be reached from docs/README.md by links; each page that a source names, and each source that a page names in
 `backticks` by a path from the root or from server/physics, is there. Tables, code and headings are free of the first rule,
-docs/decisions of the first and the last. NAME in a path stands for any name. --sentences prints how many long sentences each page has, and the words of the longest, and checks nothing.
+docs/decisions of the first and the last. NAME in a path stands for any name.
+--sentences prints how many long sentences each page has, and the words of the longest, and checks nothing.
 """
 
 import pathlib
