@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""left_out.py list|stay|rest BUILD_DIR WHERE... [-- CTEST_FILTER...]: splits a build's tests by deploy/left_out.txt. WHERE: all, asan.
+"""left_out.py list|stay|rest BUILD_DIR WHERE... [-- CTEST_FILTER...]: splits a build's tests by deploy/left_out.txt. WHERE: all, asan, package.
 
 list: names what is left out there. stay, rest: prints the numbers of the other tests, and of these, as `ctest -I FILE` wants them
 (not a regular expression: ctest silently ignored one of 40 groups, and ran everything). ctest counts what its other filters choose
@@ -20,8 +20,8 @@ def rows():
         words = line.split("#")[0].split()
         if not words:
             continue
-        if len(words) != 3 or words[0] not in ("all", "asan"):
-            sys.exit(f"{table.name}:{number}: expected 'all|asan TESTS STAND-IN', got: {line}")
+        if len(words) != 3 or words[0] not in ("all", "asan", "package"):
+            sys.exit(f"{table.name}:{number}: expected 'all|asan|package TESTS STAND-IN', got: {line}")
         yield f"{table.name}:{number}", *words
 
 

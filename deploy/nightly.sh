@@ -3,12 +3,13 @@
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
-parts=(asan tsan seeds play)
+parts=(package asan tsan seeds play)
 
 usage() {
   cat <<TXT
 deploy/nightly.sh [--hours N] [--only PART]... [--out DIR] [--list]
-  PART         asan   every test under the address and undefined-behaviour sanitizers, all their checks on
+  PART         package  the Debian packages in a bare root (docs/do/packages.md)
+               asan   every test under the address and undefined-behaviour sanitizers, all their checks on
                tsan   what has threads of its own, under the thread sanitizer
                seeds  tests that draw a new seed, again and again: optimised, and under sanitizers when \`asan\` built them
                play   deploy/play.sh
@@ -49,6 +50,7 @@ threaded='^(session|idl|idl_fuzz|replica)\.'
 threaded_tests() { printf '%s\n' test_session test_idl test_idl_fuzz test_replica; }
 
 if [ $list = yes ]; then
+  is_built release && ctest --test-dir build/release -N -L '^package$' | sed -n 's/^ *Test *#[0-9]*: /package: /p'
   for preset in release asan-full; do
     is_built $preset && deploy/left_out.py list build/$preset all | sed "s/^/seeds, $preset: /"
   done
@@ -78,6 +80,9 @@ every_test() {
   ninja -C "build/$1" -t targets all | sed -n 's/^\(test_[a-z0-9_]*\): phony$/\1/p' | grep -vx test_bench_json | sort -u
 }
 
+# everything PRESET: what a plain build makes.
+everything() { echo all; }
+
 # seeded_tests PRESET: the targets of those that draw a new seed.
 seeded_tests() { sed -n 's/^all *^\([a-z_]*\)\\..*/test_\1/p' deploy/left_out.txt | sort -u; }
 
@@ -104,6 +109,11 @@ tests() {
   record "$part" "${seed:--}" $status $((SECONDS - began)) "$run.xml"
   [ $status -eq 0 ] ||
     echo "nightly: $part failed: $out/$run.log${seed:+; again: PROSECTOR_SEED=$seed ctest --test-dir build/$preset $*}" >&2
+}
+
+run_package() {
+  build_for package release everything || return 0
+  tests package package release "" -L '^package$'
 }
 
 run_asan() {
@@ -154,6 +164,7 @@ echo "nightly: at most $hours h, to $out"
 for part in "${chosen[@]}"; do
   [ "$(left)" -gt 0 ] || break
   case $part in
+    package) run_package ;;
     asan) run_asan ;;
     tsan) run_tsan ;;
     seeds) if is_chosen play && [ -x deploy/play.sh ]; then run_seeds $(($(left) / 2)); else run_seeds "$(left)"; fi ;;

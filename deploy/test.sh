@@ -64,7 +64,7 @@ deploy/check_docs.py
 step "build: release"
 deploy/build.sh release
 step "tests: release"
-run_tests release all
+run_tests release "all package"
 if [ "$quick" = no ]; then
   step "build: address and undefined-behaviour sanitizers"
   # Built are the unit and fuzz tests that run below. Not so: what runs whole programs or draws whole scenes (server_process,
