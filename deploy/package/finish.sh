@@ -14,10 +14,8 @@ mkdir -p "$docs"
   done
 } >"$docs/copyright"
 gzip -9nc "$source/CHANGELOG.md" >"$docs/changelog.gz"
-find "$root/usr/share/man" -name '*.1' -exec gzip -9n {} + 2>/dev/null || true
-find "$root/usr/lib" -name '*.a' -exec strip --strip-debug {} + 2>/dev/null || true
-# What the sum of all licences says stands in each package's copyright file.
-rm -f "$root/usr/share/doc/prosector/LICENSE"
+[ ! -d "$root/usr/share/man" ] || find "$root/usr/share/man" -name '*.1' -exec gzip -9n {} +
+[ ! -d "$root/usr/lib" ] || find "$root/usr/lib" -name '*.a' -exec strip --strip-debug {} +
 
 if [ "$package" = prosector-server ]; then
   install -D -m 644 "$source/deploy/package/prosector-server.default" "$root/etc/default/prosector-server"
