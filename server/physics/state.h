@@ -9,6 +9,7 @@
 #include "server/physics/bodies.h"
 #include "server/physics/contact/layers.h"
 #include "server/physics/contact/parting.h"
+#include "server/physics/coupled/lingering.h"
 #include "server/physics/hands/hand.h"
 #include "server/physics/organs/dissection.h"
 #include "server/physics/panel/panel_world.h"
@@ -20,7 +21,8 @@ using LayerSides = std::map<std::pair<std::size_t, std::size_t>, std::vector<Lay
 using Entanglements = std::map<std::pair<std::size_t, std::size_t>, Entanglement>;
 
 struct State {
-  State(const Model& model, std::vector<CompiledTissue> tissues) : bodies(model, std::move(tissues)) {}
+  State(const Model& model, std::vector<CompiledTissue> tissues)
+      : bodies(model, std::move(tissues)), lingerers(model.h) {}
 
   SimTime time;
   Bodies bodies;
@@ -28,6 +30,7 @@ struct State {
   Dissection dissection;
   LayerSides layer_sides;
   Entanglements entangled;
+  Lingerers lingerers;
   std::optional<PanelWorld> panels;  // of scenes with parts
   double room_lights = 1;
 };

@@ -217,6 +217,29 @@ Entanglements read_entangled(ByteReader& in, std::size_t bodies) {
   return out;
 }
 
+void add(ByteWriter& out, const Lingerers::Map& watched) {
+  out.add(static_cast<std::uint64_t>(watched.size()));
+  for (const auto& [body, how] : watched) {
+    out.add(body);
+    out.add(how.place);
+    out.add(how.ticks);
+  }
+}
+
+Lingerers::Map read_lingerers(ByteReader& in, std::size_t rigid, std::span<const SoftBody* const> tissues) {
+  Lingerers::Map out;
+  if (in.done()) return out;
+  for (std::size_t left = in.count(rigid + tissues.size()); left > 0; --left) {
+    const auto body = in.number<BodyId>();
+    in.require(body < rigid + tissues.size(), "a body that lingers and isn't there");
+    Lingering& how = out[body];
+    how.place = in.vector(body < rigid ? pose_numbers : 3 * tissues[body - rigid]->nodes());
+    how.ticks = in.number<int>();
+    in.require(how.ticks >= 0, "a body that lingers for less than no time");
+  }
+  return out;
+}
+
 void add(ByteWriter& out, const std::vector<Part>& parts) {
   for (const Part& part : parts) {
     for (const bool flag : {part.attached, part.hidden, part.lit, part.inspected})
@@ -327,9 +350,8 @@ std::vector<Hand> read_hands(ByteReader& in, const Model& model, std::span<const
   return hands;
 }
 
-}  // namespace
-
-void save(const State& state, ByteWriter& out) {
+/// Saves the state with those of the lingerers that are given.
+void save(const State& state, const Lingerers::Map& watched, ByteWriter& out) {
   const Bodies& bodies = state.bodies;
   const Model& model = bodies.model;
   const bool cut = state.dissection.ever_cut(), thin = has_thin_shells(bodies);
@@ -351,12 +373,20 @@ void save(const State& state, ByteWriter& out) {
     out.add(state.room_lights);
   }
   if (thin) add(out, state.layer_sides);
-  // Nothing while nobody made anything of any part, none was lost and none are in each other: earlier
-  // sessions keep their hashes.
-  const bool with_entangled = !state.entangled.empty(), with_lost = with_entangled || !bodies.lost.empty();
+  // Nothing while nobody made anything of any part, none was lost, none are in each other and none linger:
+  // earlier sessions keep their hashes.
+  const bool with_lingerers = !watched.empty(), with_entangled = with_lingerers || !state.entangled.empty(),
+             with_lost = with_entangled || !bodies.lost.empty();
   if (with_lost || bodies.parts != initial_parts(model, bodies.soft.size())) add(out, bodies.parts);
   if (with_lost) add(out, bodies.lost);
   if (with_entangled) add(out, state.entangled);
+  if (with_lingerers) add(out, watched);
+}
+
+}  // namespace
+
+void save(const State& state, ByteWriter& out) {
+  save(state, state.lingerers.watched(), out);
 }
 
 void load(State& state, std::span<const std::uint8_t> bytes) {
@@ -394,6 +424,7 @@ void load(State& state, std::span<const std::uint8_t> bytes) {
   std::vector<Part> new_parts = read_parts(in, initial_parts(model, tissues.size()));
   LostBodies new_lost = read_lost(in, model.rigid.size() + tissues.size());
   Entanglements new_entangled = read_entangled(in, tissues.size());
+  Lingerers::Map new_lingerers = read_lingerers(in, model.rigid.size(), tissues);
   in.require(in.done(), "more than a checkpoint holds");
   cuts.take_effect();
   state.time = new_time;
@@ -406,6 +437,7 @@ void load(State& state, std::span<const std::uint8_t> bytes) {
   bodies.parts = std::move(new_parts);
   bodies.lost = std::move(new_lost);
   state.entangled = std::move(new_entangled);
+  state.lingerers.set(std::move(new_lingerers));
   state.layer_sides = std::move(new_sides);
   state.panels = std::move(new_panels);
   state.room_lights = new_lights;
@@ -416,7 +448,7 @@ void load(State& state, std::span<const std::uint8_t> bytes) {
 std::uint64_t hash_of(const State& state) {
   StateHasher hasher;
   ByteWriter bytes;
-  save(state, bytes);
+  save(state, state.lingerers.calmed_next(), bytes);  // others don't change the next tick
   hasher.add(std::as_bytes(std::span(bytes.bytes())));
   state.bodies.rigid.hash(hasher);
   return hasher.digest();

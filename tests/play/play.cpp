@@ -36,6 +36,32 @@ double speed_of(const Simulation& simulation, BodyId body) {
   return std::max(motion.linear_velocity.norm(), 0.1 * motion.angular_velocity.norm());
 }
 
+/// Where bodies are, and how far they go from there.
+class Excursions {
+ public:
+  explicit Excursions(const Simulation& simulation) : farthest_(simulation.body_count(), 0) {
+    for (BodyId b = 0; b < simulation.body_count(); ++b) start_.push_back(place(simulation, b));
+  }
+  void look(const Simulation& simulation) {
+    for (BodyId b = 0; b < farthest_.size(); ++b) {
+      const VecX now = place(simulation, b);
+      if (now.size() == start_[b].size())
+        farthest_[b] = std::max(farthest_[b], (now - start_[b]).lpNorm<Eigen::Infinity>());
+    }
+  }
+  double farthest(BodyId body) const {
+    return body < farthest_.size() ? farthest_[body] : 0;
+  }  // m, along one axis
+
+ private:
+  static VecX place(const Simulation& simulation, BodyId body) {
+    if (simulation.kind(body) == BodyKind::soft) return simulation.soft_state(body).motion.x;
+    return simulation.rigid_state(body).pose.p;
+  }
+  std::vector<VecX> start_;
+  std::vector<double> farthest_;
+};
+
 }  // namespace
 
 void add(PlayFigures& to, const PlayFigures& from) {
@@ -94,8 +120,10 @@ PlayFigures play(Simulation& simulation, const PlayOptions& options,
     const Finding end_state = judge.look(simulation, options.bounds);
     const int last = static_cast<int>(rate / 2);
     std::string words;
+    Excursions excursions(simulation);
     for (int tick = 0; tick < last; ++tick) {
       const StepReport& report = simulation.step({});
+      excursions.look(simulation);
       spent += report.total_seconds;
       if (tick + 1 == last) words = words_of(report);
       out.seconds += 1 / rate;
@@ -105,7 +133,8 @@ PlayFigures play(Simulation& simulation, const PlayOptions& options,
       std::string awake;
       for (BodyId b = 0; b < simulation.body_count(); ++b)
         if (!simulation.asleep(b))
-          awake += fmt::format(" {} ({:.1f} mm/s)", simulation.name(b), 1e3 * speed_of(simulation, b));
+          awake += fmt::format(" {} ({:.1f} mm/s, within {:.2f} mm)", simulation.name(b),
+                               1e3 * speed_of(simulation, b), 1e3 * excursions.farthest(b));
       say(fmt::format("{}, seed {}, bout {}: still {:.1f} ms a step, awake:{}{}", simulation.scene().name,
                       options.seed, bout, mean_ms, awake, words));
     }

@@ -37,6 +37,7 @@ void fit_to_mesh(State& state, std::size_t body, Numbering numbering) {
   Tissue& tissue = state.bodies.soft[body];
   tissue.numbering = std::move(numbering);
   tissue.stored.reset();
+  state.lingerers.forget(state.bodies.soft_id(body));
   tissue.surface.fit(tissue.collision, !tissue.numbering.triangles.empty());
   std::erase_if(state.layer_sides,
                 [&](const auto& entry) { return entry.first.first == body || entry.first.second == body; });

@@ -56,6 +56,7 @@ std::vector<std::uint8_t> bytes_of(const Organ& organ) {
 void forget_bodies_from(State& state, std::size_t count) {
   Bodies& bodies = state.bodies;
   bodies.lost.erase(bodies.lost.lower_bound(bodies.soft_id(count)), bodies.lost.end());
+  state.lingerers.forget_from(bodies.soft_id(count));
   std::erase_if(state.entangled, [&](const auto& entry) { return entry.first.second >= count; });
   while (bodies.soft.size() > count) bodies.soft.pop_back();
   bodies.parts.resize(bodies.count());
