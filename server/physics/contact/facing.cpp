@@ -3,11 +3,11 @@
 namespace prosector {
 namespace {
 
-constexpr double same = 0.5;          // cosine: the nearest way out is still the one known
-constexpr double deeper = 1.5;        // times the last tick's depth: since then only turns and curves can add
-constexpr double least_facing = 0.1;  // cosine: the tissue's surface faces the thing
-constexpr double inside = 1e-9;       // m
-constexpr double outside = 1e-7;      // m
+constexpr double same = 0.5;    // cosine: the nearest way out is still the one known
+constexpr double deeper = 1.5;  // times the last tick's depth: since then only turns and curves can add
+constexpr double least_facing_of_edge = 0.1;  // cosine: the tissue's surface faces the thing
+constexpr double inside = 1e-9;               // m
+constexpr double outside = 1e-7;              // m
 constexpr int most_steps = 24;
 
 /// From a point inside the thing along a direction to its surface, at most so far: marches by the distance,
@@ -38,7 +38,7 @@ std::optional<Distance> side_of(const Collider& collider, const Approach& vertex
           .value_or(nearest);
     // It has slipped off an edge, to the side: what it makes of that is no older than this tick.
   }
-  if (vertex.outward.isZero(0) || -nearest.normal.dot(vertex.outward) > least_facing) return nearest;
+  if (vertex.outward.isZero(0) || -nearest.normal.dot(vertex.outward) > least_facing_of_edge) return nearest;
   const Vec3 from =
       nearest.value >= 0 ? Vec3(vertex.at - (nearest.value + inside) * nearest.normal) : vertex.at;
   const auto back = way_out(collider, from, -vertex.outward, vertex.lip);

@@ -7,14 +7,14 @@
 namespace prosector {
 namespace {
 
-constexpr double far_apart = 2.5;     // cells at rest: what is farther may fold onto each other …
-constexpr double through = 0.5;       // cosine: … unless the way there leads through the body
-constexpr double facing_each = 0.3;   // cosine: what looks at each other may meet from …
-constexpr double least_across = 0.5;  // … so many cells on
-constexpr double least_facing = 0.3;  // cosine, of both surfaces to the way out
-constexpr double deepest = 1;         // cells; and of a wall no more than half
-constexpr double most_margin = 2;     // cells
-constexpr double spare = 1;           // cells, that the list reaches farther than it must
+constexpr double far_apart = 2.5;            // cells at rest: what is farther may fold onto each other …
+constexpr double through = 0.5;              // cosine: … unless the way there leads through the body
+constexpr double facing_each = 0.3;          // cosine: what looks at each other may meet from …
+constexpr double least_across = 0.5;         // … so many cells on
+constexpr double least_facing_of_own = 0.3;  // cosine, of both surfaces to the way out
+constexpr double deepest = 1;                // cells; and of a wall no more than half
+constexpr double most_margin = 2;            // cells
+constexpr double spare = 1;                  // cells, that the list reaches farther than it must
 
 /// Twice the area long.
 Vec3 normal(const TriangleMesh& surface, const std::array<std::uint32_t, 3>& t) {
@@ -230,7 +230,7 @@ void SelfSurface::find(const SoftSkin& own, double margin, std::vector<VertexMee
       const bool inside = away.dot(outward) < 0;
       if (distance > (inside ? deepest_ : margin)) continue;
       const Vec3 n = distance > 0 ? Vec3((inside ? -1 : 1) / distance * away) : outward;
-      if (!(n.dot(outward) > least_facing && n.dot(facing) < -least_facing)) continue;
+      if (!(n.dot(outward) > least_facing_of_own && n.dot(facing) < -least_facing_of_own)) continue;
       if (share_nodes(vertex, triangle)) continue;
       nearest = {vertex, {triangle, weights}, n, inside ? -distance : distance};
     }
