@@ -9,10 +9,6 @@
 #include <functional>
 #include <vector>
 
-#include "common/paths.h"
-#include "common/scene/load_scene.h"
-#include "tests/physics/scenes.h"
-
 namespace prosector::test {
 namespace {
 
@@ -79,28 +75,6 @@ TEST(Lingerers, BelongToTheHashOnlyOnceTheyChangeTheNextTick) {
     lingerers.end_tick();
   }
   EXPECT_EQ(lingerers.calmed_next().size(), 1u);
-}
-
-/// It falls on its edge, folds over, gets through itself, and shivered for as long as anybody looked.
-SceneDesc sheet_that_folds() {
-  SceneDesc scene = load_scene(PROSECTOR_SCENES "/contact.toml");
-  std::erase_if(scene.soft, [](const SoftDesc& soft) { return soft.name != "sheet"; });
-  return scene;
-}
-
-TEST(Lingering, SheetThroughItselfComesToRestAlikeAfterRestore) {
-  Simulation simulation(sheet_that_folds(), options()), other(sheet_that_folds(), options());
-  const BodyId sheet = 1;
-  int ticks = 0;
-  while (ticks < 600 && !simulation.asleep(sheet)) {
-    simulation.step({});
-    if (++ticks == 300) other.restore(simulation.checkpoint());
-    if (ticks <= 300) continue;
-    other.step({});
-    ASSERT_EQ(simulation.state_hash(), other.state_hash()) << ticks;
-  }
-  EXPECT_TRUE(simulation.asleep(sheet)) << "after " << ticks << " ticks";
-  EXPECT_GT(ticks, 300);
 }
 
 }  // namespace

@@ -7,10 +7,13 @@
 #include "server/physics/contact/fit_tissue.h"
 #include "server/physics/contact/soft_contact_finder.h"
 #include "server/physics/coupled/island_builder.h"
+#include "server/physics/coupled/lingering.h"
+#include "server/physics/coupled/sleep.h"
 #include "server/physics/hands/hands.h"
 #include "server/physics/hands/holding.h"
 #include "server/physics/organs/tissue_near.h"
 #include "server/physics/parts/part_rules.h"
+#include "server/physics/state_io.h"
 #include "server/physics/tick_parts.h"
 #include "tests/physics/scenes.h"
 
@@ -59,6 +62,54 @@ class Stations : public ::testing::Test {
   std::optional<State> state_;
   Colliders colliders_;
 };
+
+/// Says of how many ticks the first block is put to rest, if ever, while it shivers by `way` m in what
+/// touches it.
+std::optional<int> ticks_until_rest(State& state, double way, bool touched) {
+  Tissue& block = state.bodies.soft[0];
+  block.state.asleep = false;
+  const VecX x = block.state.motion.x;
+  for (int tick = 1; tick <= 300; ++tick) {
+    state.time.tick = static_cast<std::uint64_t>(tick);
+    block.state.motion.x = x + VecX::Constant(x.size(), tick % 2 ? way : 0);
+    block.state.motion.v = VecX::Constant(x.size(), tick % 2 ? -0.1 : 0.1);
+    std::vector<Island> islands(1);
+    islands[0].soft.push_back({0, block.solver.get(), &block.state, &block.equilibrium});
+    if (touched) {
+      Contact& contact = islands[0].contacts.emplace_back();
+      contact.a.kind = ContactSide::Kind::soft;
+      contact.a.body = 0;
+    }
+    fall_asleep(state, islands);
+    if (block.state.asleep) return tick;
+  }
+  return std::nullopt;
+}
+
+TEST_F(Stations, SleepComesToWhatShiversInContactAndNothingElse) {
+  const double bound = lingering_bound(*begin(two_blocks_and_a_ball()).bodies.soft[0].solver);
+  const std::optional<int> ticks = ticks_until_rest(begin(two_blocks_and_a_ball()), 0.9 * bound, true);
+  ASSERT_TRUE(ticks);
+  EXPECT_NEAR(*ticks, 60 + 150, 2) << "it is watched from a whole second on";
+  EXPECT_FALSE(ticks_until_rest(begin(two_blocks_and_a_ball()), 1.1 * bound, true));
+  EXPECT_FALSE(ticks_until_rest(begin(two_blocks_and_a_ball()), 0.9 * bound, false));
+}
+
+TEST_F(Stations, CheckpointsHoldWhoLingers) {
+  State& state = begin(two_blocks_and_a_ball());
+  state.lingerers.begin_tick(60);
+  state.lingerers.linger({state.bodies.soft_id(0), state.bodies.soft[0].state.motion.x, 1});
+  state.lingerers.linger({0, points_of(Pose{}), 1});
+  state.lingerers.end_tick();
+  const std::uint64_t hash = hash_of(state);
+  ByteWriter out;
+  save(state, out);
+  state.lingerers.set({});
+  EXPECT_EQ(hash_of(state), hash) << "they change nothing in the next tick";
+  load(state, out.bytes());
+  ASSERT_EQ(state.lingerers.watched().size(), 2u);
+  EXPECT_EQ(state.lingerers.watched().begin()->second.place, points_of(Pose{}));
+}
 
 TEST_F(Stations, TheContactFinderWakesOnlyWhatAMovingBallComesTo) {
   State& state = begin(two_blocks_and_a_ball());

@@ -55,7 +55,7 @@ class Lingerers {
 /// m: how far nodes of the body may go and still linger: a cell of what is thin, which sways; else a tenth.
 double lingering_bound(const SoftBody& body);
 /// m: likewise, of a rigid body's points.
-inline constexpr double rigid_lingering_bound = 1e-3;
+inline constexpr double rigid_lingering_bound = 2e-3;
 inline constexpr Eigen::Index pose_numbers = 9;
 /// Points of a rigid body that tell its pose, pose_numbers, m.
 VecX points_of(const Pose& pose);
