@@ -18,14 +18,14 @@ struct Lingering {
 
 enum class Unrest : std::uint8_t { moving, calmed, over };
 
-/// What linger is told of a body.
+/// A body, and where it is now.
 struct Lingerer {
   BodyId body = 0;
   VecX place;         // m, room frame
   double within = 0;  // m: from where it was, along each axis
 };
 
-/// Follows bodies from tick to tick; part of the state.
+/// Follows bodies from tick to tick. Checkpoints hold it.
 class Lingerers {
  public:
   using Map = std::map<BodyId, Lingering>;
@@ -39,7 +39,7 @@ class Lingerers {
   Unrest linger(const Lingerer& now);
   void end_tick() { watched_.swap(next_); }
 
-  /// Those that the next tick calms or ends, should they linger on.
+  /// Returns those that the next tick calms or ends, should they linger on.
   Map calmed_next() const;
   const Map& watched() const { return watched_; }
   void set(Map watched) { watched_ = std::move(watched); }
@@ -52,15 +52,15 @@ class Lingerers {
   double h_;  // s
 };
 
-/// m: how far nodes of the body may go and still linger: a cell of what is thin, which sways; else a tenth.
+/// Returns how far (m) a lingering body's nodes may go: a cell of what is thin, which sways; else a tenth.
 double lingering_bound(const SoftBody& body);
-/// m: likewise, of a rigid body's points.
+/// m: how far a lingering rigid body's points may go.
 inline constexpr double rigid_lingering_bound = 2e-3;
 inline constexpr Eigen::Index pose_numbers = 9;
-/// Points of a rigid body that tell its pose, pose_numbers, m.
+/// Returns points of a rigid body that tell its pose: pose_numbers, m.
 VecX points_of(const Pose& pose);
 
-/// Times its velocity in each tick, of a body that is calmed.
+/// What a calmed body keeps of its velocity in each tick.
 inline constexpr double calming = 0.9;
 
 }  // namespace prosector
