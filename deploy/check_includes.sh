@@ -15,6 +15,16 @@ forbid() {
   fi
 }
 
+# only WHY REGEX ALLOWED FILES...: what files include of REGEX must match ALLOWED, too.
+only() {
+  local why=$1 regex=$2 allowed=$3
+  shift 3
+  if grep -nHE "^[[:space:]]*#[[:space:]]*include[[:space:]]*[<\"]($regex)" "$@" | grep -vE "[<\"]($allowed)"; then
+    echo "  ^ $why"
+    bad=1
+  fi
+}
+
 # sources PATTERN [EXCEPT]: our C++ files below folders matching PATTERN, without those matching EXCEPT.
 all=$(git ls-files --cached --others --exclude-standard '*.h' '*.cpp')
 sources() { grep -E "^($1)" <<<"$all" | { if [ $# -gt 1 ]; then grep -vE "$2"; else cat; fi; } || true; }
@@ -32,10 +42,29 @@ forbid "of drivers, the client's stations include device.h and the driver table 
   'drivers/[a-z0-9_]+/' $(sources client/)
 forbid "only idl knows DDS" '(dds/|ddsc/|prosector\.h)' $(sources '(common|drivers|server|client)/')
 # bullet_types.h hands Bullet on, so including it counts as including Bullet.
-forbid "Bullet only in server/physics/rigid, panel_motion.cpp and the contact .cpp files of server/physics" \
+forbid "Bullet only in server/physics/rigid, panel_motion.cpp, convex_hull.cpp and the contact .cpp files of server/physics" \
   '(bullet/|bt[A-Z]|Bullet(Collision|Dynamics)|LinearMath|.*/bullet_types\.h)' \
   $(sources '(common|idl|drivers|client|server/session)/') \
-  $(sources server/physics/ '^server/physics/(rigid/|panel/panel_motion\.cpp|.*contact[a-z_/]*\.cpp$)')
+  $(sources server/physics/ '^server/physics/(rigid/|panel/panel_motion\.cpp|collision/shapes/convex_hull\.cpp|.*contact[a-z_/]*\.cpp$)')
+# below BASE FOLDERS...: of BASE's folders, in their order, each may include itself and those before it only.
+below() {
+  local base=$1 folder later
+  shift
+  while [ $# -gt 0 ]; do
+    folder=$1
+    shift
+    later=$(IFS='|'; echo "$*")
+    # What lies beside the folders knows them all.
+    forbid "$base/$folder includes only itself and the folders before it" \
+      "$base/(${later:+($later)/|}[a-z0-9_]+\.h)" $(sources "$base/$folder/")
+  done
+}
+below server/physics/soft base simd laws elements springs matrices solvers integrators xpbd
+below server/physics/collision primitives surface shapes narrow outlines broad
+for part in soft collision; do
+  only "$part knows nothing of the rest of physics but threads and edits of lists" 'server/' \
+    "server/physics/($part/|(parallel|list_edit|surface_edit)\\.h)" $(sources "server/physics/$part/")
+done
 forbid "OpenGL only in client/render and client/display" '(GL/|GLFW/|EGL/|GLES)' \
   $(sources '(common|idl|drivers|server)/') $(sources client/ '^client/(render|display)/')
 forbid "toml++, assimp, OpenCV and SQLite only in .cpp files" '(toml|assimp/|opencv|sqlite3)' \

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "common/error.h"
-#include "server/physics/soft/find_row.h"
+#include "server/physics/soft/base/find_row.h"
 #include "server/physics/soft/rungs.h"
 
 namespace prosector {

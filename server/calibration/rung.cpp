@@ -4,8 +4,8 @@
 
 #include "server/physics/coupled/recovery.h"
 #include "server/physics/coupled/step_island.h"
-#include "server/physics/soft/explicit_integrators.h"
-#include "server/physics/soft/find_row.h"
+#include "server/physics/soft/base/find_row.h"
+#include "server/physics/soft/integrators/explicit_integrators.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
 

@@ -9,7 +9,7 @@
 
 #include "server/calibration/beam_piece.h"
 #include "server/calibration/stopwatch.h"
-#include "server/physics/soft/find_row.h"
+#include "server/physics/soft/base/find_row.h"
 #include "server/physics/soft/rungs.h"
 
 namespace prosector {

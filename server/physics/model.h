@@ -8,7 +8,7 @@
 
 #include "common/hash.h"
 #include "common/scene/scene.h"
-#include "server/physics/collision/rigid_outline.h"
+#include "server/physics/collision/outlines/rigid_outline.h"
 #include "server/physics/contact/signed_distance.h"
 #include "server/physics/contact/soft_collision.h"
 #include "server/physics/organs/blade.h"

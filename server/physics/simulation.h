@@ -43,7 +43,7 @@ struct HandEvent {
 };
 
 /// From this tick on the soft body is solved less exactly by that many steps (0: as described); see
-/// soft/effort.h. Whoever shares an island with it decides with it: the one that stepped down least.
+/// soft/base/effort.h. Whoever shares an island with it decides with it: the one that stepped down least.
 struct EffortChange {
   BodyId body = 0;
   int steps_down = 0;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "server/physics/collision/aabb.h"
+#include "server/physics/collision/primitives/aabb.h"
 #include "server/physics/contact/memory.h"
 #include "server/physics/contact/soft_collision.h"
 #include "server/physics/contact/tissue_surface.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "server/physics/soft/integrators/substepper.h"
 #include "server/physics/soft/soft_body.h"
-#include "server/physics/soft/substepper.h"
 
 namespace prosector {
 namespace {

@@ -1,9 +1,9 @@
 #include "server/session/collision_model.h"
 
 #include "common/primitives.h"
-#include "server/physics/collision/bounding.h"
-#include "server/physics/collision/fidelity.h"
-#include "server/physics/collision/shape.h"
+#include "server/physics/collision/outlines/bounding.h"
+#include "server/physics/collision/shapes/fidelity.h"
+#include "server/physics/collision/shapes/shape.h"
 
 namespace prosector {
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "server/physics/collision/fidelity.h"
+#include "server/physics/collision/shapes/fidelity.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/session/collision_model.h"

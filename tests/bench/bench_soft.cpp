@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "server/calibration/stopwatch.h"
-#include "server/physics/soft/block_matrix.h"
-#include "server/physics/soft/elastic_model.h"
+#include "server/physics/soft/make_model.h"
+#include "server/physics/soft/matrices/block_matrix.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "server/physics/collision/triangle_surface.h"
+#include "server/physics/collision/surface/triangle_surface.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/bench/contact_run.h"
 

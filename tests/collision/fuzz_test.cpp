@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "common/error.h"
-#include "server/physics/collision/convex_contact.h"
+#include "server/physics/collision/narrow/convex_contact.h"
 #include "server/physics/collision/narrow_phase.h"
 #include "server/physics/collision/self_contact.h"
 #include "tests/collision/shapes.h"

@@ -4,8 +4,8 @@
 
 #include <numbers>
 
+#include "server/physics/collision/primitives/triangle_crossing.h"
 #include "server/physics/collision/self_contact.h"
-#include "server/physics/collision/triangle_crossing.h"
 #include "tests/collision/shapes.h"
 
 namespace prosector {

@@ -11,7 +11,7 @@
 #include "common/anatomy/isosurface.h"
 #include "common/anatomy/sources.h"
 #include "common/anatomy/stuffing.h"
-#include "server/physics/collision/triangle_surface.h"
+#include "server/physics/collision/surface/triangle_surface.h"
 #include "server/physics/cutting/skin.h"
 #include "server/physics/cutting/touched.h"
 #include "tests/cutting/meshes.h"

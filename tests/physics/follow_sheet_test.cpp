@@ -9,7 +9,7 @@
 #include "server/physics/organs/momentum.h"
 #include "server/physics/organs/sheet_parts.h"
 #include "server/physics/organs/surface_follow.h"
-#include "server/physics/soft/sheet_springs.h"
+#include "server/physics/soft/springs/sheet_springs.h"
 #include "tests/physics/following.h"
 #include "tests/random.h"
 

@@ -7,7 +7,7 @@
 #include "common/anatomy/embedding.h"
 #include "server/physics/byte_stream.h"
 #include "server/physics/organs/tet_lineage.h"
-#include "server/physics/soft/elastic_model.h"
+#include "server/physics/soft/make_model.h"
 #include "tests/cutting/meshes.h"
 #include "tests/physics/following.h"
 #include "tests/random.h"

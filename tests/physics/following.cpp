@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/physics/soft/substepper.h"
+#include "server/physics/soft/integrators/substepper.h"
 #include "tests/random.h"
 
 namespace prosector {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "server/physics/collision/triangle_crossing.h"
+#include "server/physics/collision/primitives/triangle_crossing.h"
 #include "server/physics/contact/element_surface.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/physics/scenes.h"

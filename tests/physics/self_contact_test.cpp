@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/physics/collision/closest_points.h"
+#include "server/physics/collision/primitives/closest_points.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "server/physics/collision/triangle_surface.h"
+#include "server/physics/collision/surface/triangle_surface.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/physics/patched_state.h"
 #include "tests/physics/scenes.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/physics/collision/triangle_surface.h"
+#include "server/physics/collision/surface/triangle_surface.h"
 #include "server/physics/soft/soft_body.h"
 
 namespace prosector::test {

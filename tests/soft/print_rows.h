@@ -3,7 +3,7 @@
 
 #include <ostream>
 
-#include "server/physics/soft/constitutive_law.h"
+#include "server/physics/soft/laws/constitutive_law.h"
 
 namespace prosector {
 

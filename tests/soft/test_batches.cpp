@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "server/physics/parallel.h"
-#include "server/physics/soft/element_batches.h"
-#include "server/physics/soft/fem_laws.h"
+#include "server/physics/soft/elements/element_batches.h"
+#include "server/physics/soft/laws/fem_laws.h"
 
 namespace prosector {
 namespace {

@@ -1,6 +1,6 @@
 // Bodies of several materials: every model against a stack of two layers, whose answer is known.
 
-#include "server/physics/soft/material.h"
+#include "server/physics/soft/laws/material.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Viscoelastic relaxation, for every law and element: closed forms of a held strain, the step's potential,
 // and that what is lost never comes back.
 
-#include "server/physics/soft/relaxation.h"
+#include "server/physics/soft/elements/relaxation.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -9,7 +9,7 @@
 #include <random>
 
 #include "common/error.h"
-#include "server/physics/soft/elastic_model.h"
+#include "server/physics/soft/make_model.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/print_rows.h"
 #include "tests/soft/stepper.h"

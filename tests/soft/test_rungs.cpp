@@ -9,10 +9,10 @@
 
 #include "common/anatomy/fabric.h"
 #include "common/error.h"
-#include "server/physics/soft/elastic_model.h"
-#include "server/physics/soft/linear_solver.h"
+#include "server/physics/soft/integrators/substepper.h"
+#include "server/physics/soft/make_model.h"
 #include "server/physics/soft/rungs.h"
-#include "server/physics/soft/substepper.h"
+#include "server/physics/soft/solvers/linear_solver.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/stepper.h"
 

@@ -1,6 +1,6 @@
 // Quadratic tetrahedra: derivatives, patch test, rotation, mass, and how fast they converge on the beam.
 
-#include "server/physics/soft/tet10.h"
+#include "server/physics/soft/elements/tet10.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

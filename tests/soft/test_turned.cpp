@@ -4,10 +4,10 @@
 
 #include <random>
 
-#include "server/physics/soft/block_matrix.h"
-#include "server/physics/soft/elastic_model.h"
-#include "server/physics/soft/tet10.h"
-#include "server/physics/soft/turned_stiffness.h"
+#include "server/physics/soft/elements/tet10.h"
+#include "server/physics/soft/make_model.h"
+#include "server/physics/soft/matrices/block_matrix.h"
+#include "server/physics/soft/matrices/turned_stiffness.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/stepper.h"
 

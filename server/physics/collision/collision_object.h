@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "server/physics/collision/collision_piece.h"
-#include "server/physics/collision/fidelity.h"
-#include "server/physics/collision/rigid_outline.h"
+#include "server/physics/collision/narrow/collision_piece.h"
+#include "server/physics/collision/outlines/rigid_outline.h"
+#include "server/physics/collision/shapes/fidelity.h"
 
 namespace prosector {
 

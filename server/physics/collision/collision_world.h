@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "server/physics/collision/broad_phase.h"
+#include "server/physics/collision/broad/broad_phase.h"
 #include "server/physics/collision/collision_object.h"
 #include "server/physics/collision/narrow_phase.h"
 

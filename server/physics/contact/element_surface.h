@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "common/mesh.h"
-#include "server/physics/collision/closest_points.h"
-#include "server/physics/collision/surface_tree.h"
+#include "server/physics/collision/primitives/closest_points.h"
+#include "server/physics/collision/surface/surface_tree.h"
 #include "server/physics/contact/contact.h"
 
 namespace prosector {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/physics/collision/closest_points.h"
+#include "server/physics/collision/primitives/closest_points.h"
 
 namespace prosector {
 namespace {

@@ -5,8 +5,8 @@
 #include <span>
 #include <tuple>
 
-#include "server/physics/collision/surface_pairs.h"
-#include "server/physics/collision/triangle_crossing.h"
+#include "server/physics/collision/primitives/triangle_crossing.h"
+#include "server/physics/collision/surface/surface_pairs.h"
 #include "server/physics/contact/layer_features.h"
 
 namespace prosector {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "server/physics/collision/rigid_outline.h"
+#include "server/physics/collision/outlines/rigid_outline.h"
 #include "server/physics/contact/rigid_soft_contacts.h"
 #include "server/physics/contact/shape_touch.h"
 #include "server/physics/contact/soft_pair_contacts.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "server/physics/collision/closest_points.h"
+#include "server/physics/collision/primitives/closest_points.h"
 
 namespace prosector {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "server/physics/collision/shape.h"
+#include "server/physics/collision/shapes/shape.h"
 
 namespace prosector {
 

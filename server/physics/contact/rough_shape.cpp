@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "server/physics/soft/polar.h"
+#include "server/physics/soft/laws/polar.h"
 
 namespace prosector {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "server/physics/collision/bounding.h"
-#include "server/physics/collision/collision_piece.h"
-#include "server/physics/collision/fidelity.h"
+#include "server/physics/collision/narrow/collision_piece.h"
+#include "server/physics/collision/outlines/bounding.h"
+#include "server/physics/collision/shapes/fidelity.h"
 #include "server/physics/contact/hanger.h"
 
 namespace prosector {

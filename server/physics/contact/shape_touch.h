@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "server/physics/collision/collision_piece.h"
+#include "server/physics/collision/narrow/collision_piece.h"
 
 namespace prosector {
 

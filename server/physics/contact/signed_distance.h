@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "server/physics/collision/shape.h"
+#include "server/physics/collision/shapes/shape.h"
 
 namespace prosector {
 

@@ -1,8 +1,8 @@
 #pragma once
 // How a soft body collides, as compiled.
 
-#include "server/physics/collision/collision_mask.h"
-#include "server/physics/collision/fidelity.h"
+#include "server/physics/collision/broad/collision_mask.h"
+#include "server/physics/collision/shapes/fidelity.h"
 #include "server/physics/rigid/room.h"
 
 namespace prosector {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "server/physics/collision/broad_phase.h"
+#include "server/physics/collision/broad/broad_phase.h"
 #include "server/physics/contact/colliders.h"
 #include "server/physics/contact/soft_contacts.h"
 #include "server/physics/state.h"

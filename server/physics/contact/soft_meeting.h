@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "server/physics/collision/proximity.h"
-#include "server/physics/collision/triangle_surface.h"
+#include "server/physics/collision/primitives/proximity.h"
+#include "server/physics/collision/surface/triangle_surface.h"
 #include "server/physics/contact/surface_detector.h"
 
 namespace prosector {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "common/mesh.h"
-#include "server/physics/collision/collision_mask.h"
-#include "server/physics/collision/space_order.h"
-#include "server/physics/collision/vertex_stars.h"
+#include "server/physics/collision/broad/collision_mask.h"
+#include "server/physics/collision/surface/space_order.h"
+#include "server/physics/collision/surface/vertex_stars.h"
 #include "server/physics/contact/contact.h"
 #include "server/physics/contact/rod.h"
 #include "server/physics/contact/signed_distance.h"

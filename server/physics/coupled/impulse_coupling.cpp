@@ -7,7 +7,7 @@
 
 #include "server/physics/coupled/held_together.h"
 #include "server/physics/coupled/lever.h"
-#include "server/physics/soft/substepper.h"
+#include "server/physics/soft/integrators/substepper.h"
 
 namespace prosector {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/physics/soft/effort.h"
+#include "server/physics/soft/base/effort.h"
 
 namespace prosector {
 namespace {

@@ -2,7 +2,7 @@
 // How points of a rigid body move with its twist.
 
 #include "server/physics/coupled/island.h"
-#include "server/physics/soft/vec9.h"
+#include "server/physics/soft/laws/vec9.h"
 
 namespace prosector {
 

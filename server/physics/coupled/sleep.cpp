@@ -6,7 +6,7 @@
 #include "server/physics/coupled/lingering.h"
 #include "server/physics/coupled/recovery.h"
 #include "server/physics/coupled/unfold_tangles.h"
-#include "server/physics/soft/relaxation.h"
+#include "server/physics/soft/elements/relaxation.h"
 
 namespace prosector {
 namespace {

@@ -12,7 +12,7 @@
 #include "server/physics/coupled/impulse_coupling.h"
 #include "server/physics/coupled/island_solver.h"
 #include "server/physics/coupled/recovery.h"
-#include "server/physics/soft/substepper.h"
+#include "server/physics/soft/integrators/substepper.h"
 
 namespace prosector {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "server/physics/collision/surface_tree.h"
+#include "server/physics/collision/surface/surface_tree.h"
 #include "server/physics/cutting/outer_shape.h"
 #include "server/physics/parallel.h"
 

@@ -1,6 +1,6 @@
 #include "server/physics/cutting/sheet_passage.h"
 
-#include "server/physics/collision/segment_hit.h"
+#include "server/physics/collision/primitives/segment_hit.h"
 
 namespace prosector {
 

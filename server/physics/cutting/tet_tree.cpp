@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "server/physics/collision/space_order.h"
+#include "server/physics/collision/surface/space_order.h"
 #include "server/physics/parallel.h"
 
 namespace prosector {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/mesh.h"
-#include "server/physics/collision/aabb.h"
+#include "server/physics/collision/primitives/aabb.h"
 
 namespace prosector {
 

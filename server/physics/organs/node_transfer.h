@@ -8,7 +8,7 @@
 
 #include "common/mesh.h"
 #include "server/physics/cutting/tet_complex.h"
-#include "server/physics/soft/edge_nodes.h"
+#include "server/physics/soft/elements/edge_nodes.h"
 
 namespace prosector {
 

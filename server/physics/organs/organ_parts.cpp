@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "server/physics/organs/sheet_parts.h"
-#include "server/physics/soft/edge_nodes.h"
+#include "server/physics/soft/elements/edge_nodes.h"
 
 namespace prosector {
 namespace {

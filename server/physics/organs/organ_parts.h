@@ -3,7 +3,7 @@
 
 #include "server/physics/cutting/skin.h"
 #include "server/physics/organs/node_transfer.h"
-#include "server/physics/soft/mesh_edit.h"
+#include "server/physics/soft/base/mesh_edit.h"
 #include "server/physics/topology.h"
 
 namespace prosector {

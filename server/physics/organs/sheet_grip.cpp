@@ -5,8 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "server/physics/collision/closest_points.h"
-#include "server/physics/collision/segment_hit.h"
+#include "server/physics/collision/primitives/closest_points.h"
+#include "server/physics/collision/primitives/segment_hit.h"
 #include "server/physics/organs/tissue_near.h"
 #include "server/physics/soft/rungs.h"
 

@@ -1,6 +1,6 @@
 #include "server/physics/rigid/collision_shape.h"
 
-#include "server/physics/collision/rigid_outline.h"
+#include "server/physics/collision/outlines/rigid_outline.h"
 
 namespace prosector {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "server/physics/collision/fidelity.h"
-#include "server/physics/collision/shape.h"
+#include "server/physics/collision/shapes/fidelity.h"
+#include "server/physics/collision/shapes/shape.h"
 
 namespace prosector {
 

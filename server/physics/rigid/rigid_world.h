@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "common/hash.h"
-#include "server/physics/collision/collision_mask.h"
-#include "server/physics/collision/shape.h"
+#include "server/physics/collision/broad/collision_mask.h"
+#include "server/physics/collision/shapes/shape.h"
 #include "server/physics/rigid/room.h"
 
 namespace prosector {

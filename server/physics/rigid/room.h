@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "common/scene/scene.h"
-#include "server/physics/collision/shape.h"
+#include "server/physics/collision/shapes/shape.h"
 
 namespace prosector {
 

@@ -1,8 +1,8 @@
 #include "server/physics/soft/body_hessian.h"
 
 #include "server/physics/parallel.h"
-#include "server/physics/soft/node_sum.h"
-#include "server/physics/soft/scratch.h"
+#include "server/physics/soft/base/node_sum.h"
+#include "server/physics/soft/base/scratch.h"
 
 namespace prosector {
 namespace {

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "server/physics/soft/cholesky.h"
-#include "server/physics/soft/multigrid.h"
+#include "server/physics/soft/solvers/cholesky.h"
+#include "server/physics/soft/solvers/multigrid.h"
 #include "server/physics/soft/stage_elements.h"
 
 namespace prosector {

@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "common/error.h"
-#include "server/physics/soft/constitutive_law.h"
-#include "server/physics/soft/explicit_integrators.h"
-#include "server/physics/soft/find_row.h"
-#include "server/physics/soft/time_integrator.h"
+#include "server/physics/soft/base/find_row.h"
+#include "server/physics/soft/integrators/explicit_integrators.h"
+#include "server/physics/soft/integrators/time_integrator.h"
+#include "server/physics/soft/laws/constitutive_law.h"
 
 namespace prosector {
 

@@ -1,4 +1,5 @@
 #include "server/physics/soft/soft_body.h"
+#include "server/physics/soft/make_model.h"
 
 #include <fmt/format.h>
 

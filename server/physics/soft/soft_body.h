@@ -14,10 +14,10 @@
 
 #include "common/mesh.h"
 #include "common/scene/scene.h"
-#include "server/physics/soft/constitutive_law.h"
-#include "server/physics/soft/linear_solver.h"
-#include "server/physics/soft/mesh_edit.h"
-#include "server/physics/soft/soft_state.h"
+#include "server/physics/soft/base/mesh_edit.h"
+#include "server/physics/soft/integrators/soft_state.h"
+#include "server/physics/soft/laws/constitutive_law.h"
+#include "server/physics/soft/solvers/linear_solver.h"
 #include "server/physics/soft/unfold.h"
 #include "server/physics/surface_edit.h"
 

@@ -4,13 +4,13 @@
 #include <optional>
 #include <vector>
 
+#include "server/physics/soft/base/node_sum.h"
 #include "server/physics/soft/body_hessian.h"
-#include "server/physics/soft/edge_nodes.h"
-#include "server/physics/soft/node_sum.h"
+#include "server/physics/soft/elements/edge_nodes.h"
+#include "server/physics/soft/integrators/substepper.h"
+#include "server/physics/soft/integrators/time_integrator.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/physics/soft/stiffness_damping.h"
-#include "server/physics/soft/substepper.h"
-#include "server/physics/soft/time_integrator.h"
 
 namespace prosector {
 

@@ -2,9 +2,9 @@
 // What a soft body's equations are made of, and how a stage of a step weighs it.
 
 #include "common/scene/scene.h"
-#include "server/physics/soft/block_matrix.h"
-#include "server/physics/soft/elastic_model.h"
-#include "server/physics/soft/symmetric_rows.h"
+#include "server/physics/soft/elements/elastic_model.h"
+#include "server/physics/soft/matrices/block_matrix.h"
+#include "server/physics/soft/matrices/symmetric_rows.h"
 
 namespace prosector {
 

@@ -1,5 +1,5 @@
 #include "server/physics/soft/stage_elements.h"
-#include "server/physics/soft/scratch.h"
+#include "server/physics/soft/base/scratch.h"
 
 #include "common/messages.h"
 

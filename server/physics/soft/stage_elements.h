@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "server/physics/soft/matrices/turned_stiffness.h"
 #include "server/physics/soft/soft_system.h"
-#include "server/physics/soft/turned_stiffness.h"
 
 namespace prosector {
 

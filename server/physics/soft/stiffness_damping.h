@@ -3,7 +3,7 @@
 // at the stage's first place (see stage_elements.h). Over dxdv and times the scene's damping_stiffness it is
 // what SoftBody adds.
 
-#include "server/physics/soft/node_sum.h"
+#include "server/physics/soft/base/node_sum.h"
 #include "server/physics/soft/stage_elements.h"
 
 namespace prosector {

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "server/physics/soft/polar.h"
+#include "server/physics/soft/laws/polar.h"
 
 namespace prosector {
 namespace {

@@ -2,7 +2,7 @@
 // Shapes that no force leads out of, and the way out.
 
 #include "common/mesh.h"
-#include "server/physics/soft/soft_state.h"
+#include "server/physics/soft/integrators/soft_state.h"
 
 namespace prosector {
 

@@ -1,0 +1,32 @@
+#pragma once
+// Surfaces of triangles against each other and against spheres.
+
+#include <memory>
+#include <optional>
+
+#include "server/physics/collision/narrow/box_contact.h"
+#include "server/physics/collision/primitives/proximity.h"
+#include "server/physics/collision/surface/triangle_surface.h"
+
+namespace prosector {
+
+struct MeshShape {
+  std::shared_ptr<const TriangleSurface> surface;
+  Pose pose;            // of its positions in the room
+  double rounding = 0;  // m: half of a sheet's thickness
+};
+
+/// Apart: their distance. Crossing, or one inside the other: the pointwise depth, the farthest that a point
+/// of one surface inside the other is from the other's surface; the normal leads it out the shortest way.
+/// Looked for among corners, and along those parts of edges that the other surface cuts off. For convex
+/// shapes that overlap a little this is the shortest way apart, for others a lower bound. Open surfaces have
+/// no inside: where nothing is inside a closed one, a crossing has gap 0 (less the roundings).
+std::optional<Proximity> surface_proximity(const MeshShape& a, const MeshShape& b, double margin);
+
+/// By the signed distance of the centre.
+std::optional<Proximity> sphere_surface_proximity(const SphereShape& a, const MeshShape& b, double margin);
+
+/// Whether two surfaces cross: no distances, no insides.
+bool surfaces_cross(const MeshShape& a, const MeshShape& b);
+
+}  // namespace prosector

@@ -1,0 +1,94 @@
+#pragma once
+// Which nodes the elements of a body join, whatever the elements are: springs of 2 nodes, hinges and linear
+// tetrahedra of 4, quadratic ones of 10, or several kinds together.
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/math.h"
+#include "server/physics/soft/base/mesh_edit.h"
+
+namespace prosector {
+
+/// Elements one after another, each as its nodes in ascending order. Element e's corners are numbered from
+/// first_corner(e) on: per-corner data of all elements (forces) is one flat array. Its blocks, one per pair
+/// of corners a < b, from first_block(e) on, in the order of pair_index.
+class Connectivity {
+ public:
+  explicit Connectivity(std::size_t nodes) : nodes_(nodes) {}
+  /// `element`: ascending nodes, in range.
+  void add(std::span<const std::uint32_t> element);
+  /// So many of so many corners each; nodes_of(e): likewise.
+  template <class NodesOf>
+  void append(std::size_t elements, std::size_t corners_each, const NodesOf& nodes_of);
+  void append(const Connectivity& elements);
+  /// Of none again, on so many nodes.
+  void clear(std::size_t nodes);
+  /// Of linear or quadratic tetrahedra, one each in the mesh's order, each with its corners sorted: as the
+  /// mesh so edited has them.
+  void follow(const MeshEdit& edit);
+
+  std::size_t nodes() const { return nodes_; }
+  std::size_t size() const { return corner_begin_.size() - 1; }  // elements
+  std::size_t corners() const { return corner_.size(); }
+  std::span<const std::uint32_t> corner_nodes() const { return corner_; }  // of all elements, end to end
+  std::size_t blocks() const { return block_begin_.back(); }
+  std::span<const std::uint32_t> element(std::size_t e) const {
+    return std::span(corner_).subspan(corner_begin_[e], corner_begin_[e + 1] - corner_begin_[e]);
+  }
+  /// Of each element; 0: they differ.
+  std::size_t corners_each() const { return each_; }
+  std::size_t first_corner(std::size_t e) const { return corner_begin_[e]; }
+  std::size_t first_block(std::size_t e) const { return block_begin_[e]; }
+  std::size_t element_of(std::size_t corner) const {
+    if (each_ == 4) return corner / 4;  // most are linear tetrahedra: no division
+    return each_ > 0 ? corner / each_ : element_[corner];
+  }
+
+  /// Index of the pair a < b of an element of n nodes: (0,1), (0,2), … (n−2,n−1).
+  static constexpr std::size_t pair_index(std::size_t a, std::size_t b, std::size_t n) {
+    return a * (2 * n - 3 - a) / 2 + b - 1;
+  }
+  static constexpr std::size_t pair_count(std::size_t n) { return n * (n - 1) / 2; }
+
+ private:
+  /// Returns where their nodes are to be written, end to end.
+  std::span<std::uint32_t> grow(std::size_t elements, std::size_t corners_each);
+  void list_elements_of_corners(std::size_t first);
+
+  std::size_t nodes_;
+  std::vector<std::uint32_t> corner_;
+  std::vector<std::size_t> corner_begin_{0}, block_begin_{0};
+  std::size_t each_ = 0;                // corners of each element; 0: they differ
+  std::vector<std::uint32_t> element_;  // by corner, where they differ
+};
+
+template <class NodesOf>
+void Connectivity::append(std::size_t elements, std::size_t corners_each, const NodesOf& nodes_of) {
+  auto to = grow(elements, corners_each).begin();
+  for (std::size_t e = 0; e < elements; ++e) to = std::ranges::copy(nodes_of(e), to).out;
+}
+
+/// Which corners meet at each node, in the order of the elements: sums per-corner data into nodes with the
+/// same bits for any number of threads.
+class Incidence {
+ public:
+  explicit Incidence(const Connectivity& elements);
+  /// To the elements as they are after they followed `edit`: locally where they are the mesh's tetrahedra.
+  void follow(const Connectivity& elements, const MeshEdit& edit);
+
+  /// Corners of node i, ascending.
+  std::span<const std::uint32_t> corners(std::size_t node) const {
+    return std::span(corner_).subspan(begin_[node], begin_[node + 1] - begin_[node]);
+  }
+  /// g_i += Σ f over the corners at i; `f` by corner, `g` 3n.
+  void add(std::span<const Vec3> f, double* g) const;
+
+ private:
+  std::vector<std::size_t> begin_;
+  std::vector<std::uint32_t> corner_;
+};
+
+}  // namespace prosector

@@ -1,0 +1,169 @@
+// Explicit integrators on a body's forces, in substeps below the limit that its fastest oscillation sets.
+
+#include <cmath>
+#include <limits>
+
+#include "server/physics/soft/base/find_row.h"
+#include "server/physics/soft/base/scratch.h"
+#include "server/physics/soft/integrators/explicit_integrators.h"
+#include "server/physics/soft/integrators/substepper.h"
+
+namespace prosector {
+namespace {
+
+constexpr double safety = 0.9;        // of the stability limit: the estimate of ω comes from below
+constexpr double growth = 0.06;       // 1/s, at most, of energy under methods that hold by damping alone
+constexpr int first_iterations = 60;  // of the power method, from a vector that knows nothing
+constexpr double most_stiffening =
+    1.2;                            // times ω at rest: Hooke's stiffness does not damp what stress stiffens
+constexpr int tick_iterations = 4;  // from the last tick's
+
+/// a = M⁻¹·(−∂W/∂x − k(x − x₀ + βv) − βK(x_n)·v) − α·v + g, with Rayleigh damping as in soft_body.h.
+class BodyField final : public AccelerationField {
+ public:
+  explicit BodyField(const SubstepBody& body) : body_(body) { fit(); }
+
+  void fit() {
+    gradient_.resize(body_.model.rest().size());
+    damping_.resize(gradient_.size());
+    if (body_.desc.damping_stiffness > 0) fit_scratch(stiffness_, body_.pattern.blocks());
+  }
+  void begin(const double* x) {
+    if (!stiffness_.empty()) body_.pattern.gather(body_.model.warped_stiffness(x), 0, {}, stiffness_);
+  }
+  void set_gravity(const Vec3& gravity) { gravity_ = gravity; }
+
+  void at(const VecX& x, const VecX& v, VecX& a) override {
+    const double alpha = body_.desc.damping_mass, beta = body_.desc.damping_stiffness;
+    const VecX& rest = body_.model.rest();
+    a.resize(x.size());
+    gradient_.setZero();
+    body_.model.add_gradient(x.data(), gradient_.data());
+    if (!stiffness_.empty()) {
+      body_.pattern.multiply(stiffness_, v.data(), damping_.data());
+      gradient_ += beta * damping_;
+    }
+    for (Eigen::Index i = 0; i < body_.mass.size(); ++i) {
+      Vec3 g = gradient_.segment<3>(3 * i);
+      if (body_.attached[i] > 0)
+        g += body_.attached[i] * (x.segment<3>(3 * i) - rest.segment<3>(3 * i) + beta * v.segment<3>(3 * i));
+      a.segment<3>(3 * i) = gravity_ - alpha * v.segment<3>(3 * i) - g / body_.mass[i];
+    }
+  }
+  bool damped() const override { return body_.desc.damping_mass > 0 || body_.desc.damping_stiffness > 0; }
+
+ private:
+  const SubstepBody body_;
+  std::vector<Mat3> stiffness_;  // K(x_n), used when damped
+  VecX gradient_, damping_;
+  Vec3 gravity_ = Vec3::Zero();
+};
+
+class ExplicitSubstepper final : public Substepper {
+ public:
+  explicit ExplicitSubstepper(const SubstepBody& body)
+      : body_(body),
+        sounded_(find_row(explicit_integrators(), "integrator", body.desc.integrator).make()),
+        limit_(*sounded_),
+        needs_damping_(limit_.at(1) == 0),
+        field_(body) {
+    fit();
+  }
+
+  /// The frequency is sought from a vector that knows nothing, as ever: from the mode of what the body was it
+  /// would depend on the cuts between.
+  void fit() override {
+    method_ = find_row(explicit_integrators(), "integrator", body_.desc.integrator).make();
+    field_.fit();
+    fit_scratch(stiffness_, body_.pattern.blocks());
+    scale_.resize(body_.model.rest().size());
+    product_.resize(scale_.size());
+    for (Eigen::Index i = 0; i < body_.mass.size(); ++i)
+      scale_.segment<3>(3 * i).setConstant(1 / std::sqrt(body_.mass[i]));
+    mode_ = VecX::NullaryExpr(scale_.size(), [](Eigen::Index i) {
+      const auto k = static_cast<double>(i);
+      return std::cos(2.7 * k * k + 0.3);  // of every shape a little, the same each time
+    });
+    mode_.normalize();
+    omega_ = frequency(body_.model.rest().data(), first_iterations, mode_);
+  }
+
+  void initialise(SoftBodyState& state) override {
+    state.mode = mode_;
+    state.omega = omega_;
+  }
+  double needed(double h, const SoftBodyState& state) const override {
+    const double limit = limit_at(state.omega);
+    return limit > 0 ? std::ceil(h / (safety * limit)) : std::numeric_limits<double>::infinity();
+  }
+  int allowed() const override { return body_.desc.max_substeps; }
+  double most_gain(double h) const override { return needs_damping_ ? 1 + growth * h : 2; }
+  double most_pushed(double h) const override {
+    return needs_damping_ ? growth * h : 2;  // the push itself, and what it strains
+  }
+  void begin(const SoftBodyState& state) override { field_.begin(state.motion.x.data()); }
+  void step(double hs, const Vec3& gravity, SoftBodyState& state) override {
+    field_.set_gravity(gravity);
+    method_->step(field_, hs, state.motion.x, state.motion.v);
+  }
+  bool finish(double hs, SoftBodyState& state) override {
+    if (!state.motion.x.allFinite()) return false;
+    state.omega = std::max(omega_, frequency(state.motion.x.data(), tick_iterations, state.mode));
+    return hs <= limit_at(state.omega);
+  }
+
+ private:
+  /// √ of the largest eigenvalue of M⁻¹K at x by the power method on M^−½KM^−½, which improves `mode`. K is
+  /// the projected tangent and the attachments': what lowers frequencies is left out.
+  double frequency(const double* x, int iterations, VecX& mode) {
+    body_.pattern.gather(body_.model.tangent(x), 0, {}, stiffness_);
+    double lambda = 0;
+    for (int k = 0; k < iterations; ++k) {
+      mode.array() *= scale_.array();
+      body_.pattern.multiply(stiffness_, mode.data(), product_.data());
+      for (Eigen::Index i = 0; i < body_.mass.size(); ++i)
+        product_.segment<3>(3 * i) += body_.attached[i] * mode.segment<3>(3 * i);
+      mode = product_.cwiseProduct(scale_);
+      lambda = mode.norm();
+      if (!(lambda > 0) || !std::isfinite(lambda)) {
+        mode = mode_;
+        return lambda > 0 ? std::numeric_limits<double>::infinity() : 0;
+      }
+      mode /= lambda;
+    }
+    return std::sqrt(lambda);
+  }
+
+  double limit_at(double omega) const {
+    if (!std::isfinite(omega)) return 0;
+    if (!(omega > 0)) return std::numeric_limits<double>::infinity();
+    const bool stiffened = omega > most_stiffening * omega_;
+    return limit_.at(omega, body_.desc.damping_mass,
+                     stiffened && needs_damping_ ? 0 : body_.desc.damping_stiffness);
+  }
+
+  const SubstepBody body_;
+  std::unique_ptr<ExplicitIntegrator> method_, sounded_;  // that steps; whose limit is found
+  mutable StepLimit limit_;                               // with memory of its own
+  bool needs_damping_;                                    // to hold at any step
+  BodyField field_;
+  std::vector<Mat3> stiffness_;
+  VecX scale_, product_;  // 3n: M^−½; scratch
+  VecX mode_;             // at rest
+  double omega_ = 0;      // 1/s, at rest
+};
+
+}  // namespace
+
+std::unique_ptr<Substepper> make_explicit_substepper(const SubstepBody& body) {
+  return std::make_unique<ExplicitSubstepper>(body);
+}
+
+std::unique_ptr<Substepper> make_substepper(const SubstepBody& body, const Anatomy& anatomy) {
+  if (body.desc.model == "xpbd") return make_xpbd_substepper(body, anatomy);
+  for (const ExplicitRow& row : explicit_integrators())
+    if (body.desc.integrator == row.name) return make_explicit_substepper(body);
+  return nullptr;
+}
+
+}  // namespace prosector

@@ -1,0 +1,63 @@
+#pragma once
+// Symmetric sparse matrices of 3×3 blocks, one row of blocks per node.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "server/physics/soft/base/connectivity.h"
+
+namespace prosector {
+
+/// Where the blocks of a body's matrices are, and which element blocks each of them sums: both triangles are
+/// stored, so that a product reads rows only and rows may run in parallel.
+class BlockPattern {
+ public:
+  /// `elements` must outlive this.
+  explicit BlockPattern(const Connectivity& elements);
+  /// To the elements as they are after they followed `edit`: what its nodes' rows have is found anew.
+  void follow(const MeshEdit& edit);
+  /// To the elements as they are, of which those that came, went or changed meet these nodes, ascending, and
+  /// the others keep their order. `kept`: of the nodes.
+  void follow(const Kept& kept, std::span<const std::uint32_t> nodes);
+
+  std::size_t rows() const { return row_begin_.size() - 1; }
+  std::size_t blocks() const { return column_.size(); }
+  std::size_t begin(std::size_t row) const { return row_begin_[row]; }
+  std::size_t end(std::size_t row) const { return row_begin_[row + 1]; }
+  std::uint32_t column(std::size_t block) const { return column_[block]; }
+  std::size_t diagonal(std::size_t row) const { return diagonal_[row]; }
+
+  // ---- What is summed into a row right of its diagonal, in order of the elements.
+  const Incidence& incidence() const { return incidence_; }
+  /// Of the corners that meet at the row's node, in order: the places, from 0 right of the diagonal, of the
+  /// nodes after them in their elements.
+  std::span<const std::uint32_t> places(std::size_t row) const {
+    return std::span(place_).subspan(place_begin_[row], place_begin_[row + 1] - place_begin_[row]);
+  }
+
+  /// values = scale·base + Σ over the elements' blocks (in the connectivity's order), each sum in order of
+  /// the elements: no matter who computes it, its bits are the same. `base` is empty or another matrix of
+  /// this pattern whose rows sum to zero.
+  void gather(std::span<const Mat3> elements, double scale, std::span<const Mat3> base,
+              std::span<Mat3> values) const;
+
+  /// y = A·x for 3n vectors.
+  void multiply(std::span<const Mat3> values, const double* x, double* y) const;
+
+ private:
+  void replace_rows(const Kept& kept, std::span<const std::uint32_t> nodes);
+  void find_mirrors();
+  void close_rows(std::span<Mat3> values) const;
+
+  const Connectivity& elements_;
+  Incidence incidence_;
+  std::vector<std::size_t> row_begin_;
+  std::vector<std::uint32_t> column_;  // ascending within a row
+  std::vector<std::size_t> diagonal_;
+  std::vector<std::size_t> mirror_;  // per block of the upper triangle: its transpose
+  std::vector<std::size_t> place_begin_;
+  std::vector<std::uint32_t> place_;
+};
+
+}  // namespace prosector
