@@ -65,6 +65,8 @@ for part in soft collision; do
   only "$part knows nothing of the rest of physics but threads and edits of lists" 'server/' \
     "server/physics/($part/|(parallel|list_edit|surface_edit)\\.h)" $(sources "server/physics/$part/")
 done
+forbid "TBB's loops only in server/physics/parallel.h, which tells the thread sanitizer their order" 'tbb/parallel_' \
+  $(sources '(common|idl|drivers|server|client)/' '^server/physics/parallel\.h$')
 forbid "OpenGL only in client/render and client/display" '(GL/|GLFW/|EGL/|GLES)' \
   $(sources '(common|idl|drivers|server)/') $(sources client/ '^client/(render|display)/')
 forbid "toml++, assimp, OpenCV and SQLite only in .cpp files" '(toml|assimp/|opencv|sqlite3)' \

@@ -1,12 +1,15 @@
 #pragma once
-// Loops in parallel whose results don't depend on how many threads ran them.
+// Work in parallel whose results don't depend on how many threads did it. All of it goes through here.
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/partitioner.h>
 
 #include <algorithm>
 #include <cstddef>
+
+#include "server/physics/task_order.h"
 
 namespace prosector {
 
@@ -27,12 +30,32 @@ void parallel_chunks(std::size_t n, std::size_t chunk, const F& f) {
     if (chunks == 1) run(0);
     return;
   }
+  TaskOrder order;
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, chunks),
       [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t c = range.begin(); c != range.end(); ++c) run(c);
+        order.run([&] {
+          for (std::size_t c = range.begin(); c != range.end(); ++c) run(c);
+        });
       },
       tbb::auto_partitioner());
+  order.join();
+}
+
+/// Calls f(i) for each i of [0, n), each of them much work.
+template <class F>
+void parallel_each(std::size_t n, const F& f) {
+  TaskOrder order;
+  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) { order.run([&] { f(i); }); });
+  order.join();
+}
+
+/// Calls both, at once where a thread is free.
+template <class F, class G>
+void parallel_both(const F& f, const G& g) {
+  TaskOrder order;
+  tbb::parallel_invoke([&] { order.run(f); }, [&] { order.run(g); });
+  order.join();
 }
 
 }  // namespace prosector

@@ -11,6 +11,7 @@
 #include "server/physics/organs/cutting.h"
 #include "server/physics/state_io.h"
 #include "server/physics/step.h"
+#include "server/physics/task_order.h"
 
 namespace prosector {
 namespace {
@@ -34,6 +35,14 @@ void begin(State& state, StepBuffers& buffers, const CompileOptions& options) {
   for (const Tissue& tissue : bodies.soft) state.dissection.uncut_equilibrium.push_back(tissue.equilibrium);
 }
 
+/// Runs a task with the arena's threads.
+template <class F>
+void run_in(tbb::task_arena& arena, const F& task) {
+  TaskOrder order;
+  arena.execute([&] { order.run(task); });
+  order.join();
+}
+
 }  // namespace
 
 struct Simulation::Impl {
@@ -42,7 +51,7 @@ struct Simulation::Impl {
         state(model, std::move(compiled.soft)),
         buffers(state),
         arena(threads_of(options)) {
-    arena.execute([&] { begin(state, buffers, options); });
+    run_in(arena, [&] { begin(state, buffers, options); });
   }
 
   const Model model;
@@ -58,7 +67,7 @@ Simulation::~Simulation() = default;
 
 const StepReport& Simulation::step(const TickInput& input) {
   Impl& m = *impl_;
-  m.arena.execute([&] {
+  run_in(m.arena, [&] {
     m.report = {};
     prosector::step(m.state, m.buffers, input, m.report);
   });

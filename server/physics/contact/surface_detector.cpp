@@ -1,7 +1,5 @@
 #include "server/physics/contact/surface_detector.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -42,8 +40,8 @@ SurfaceDetector::SurfaceDetector(const SparseMap& embedding, const TriangleMesh&
       two_sided_(two_sided),
       neighbours_(rest.triangles.size()),
       stars_(rest.triangles, rest.positions.size()) {
-  tbb::parallel_invoke([&] { triangle_order_ = SpaceOrder(middles(rest.positions, rest.triangles)); },
-                       [&] { order_ = SpaceOrder(rest.positions); });
+  parallel_both([&] { triangle_order_ = SpaceOrder(middles(rest.positions, rest.triangles)); },
+                [&] { order_ = SpaceOrder(rest.positions); });
   parallel_chunks(neighbours_.size(), triangles_at_once,
                   [&](std::size_t first, std::size_t last, std::size_t) {
                     for (std::size_t i = first; i < last; ++i)

@@ -1,7 +1,6 @@
 #include "server/physics/organs/organ.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <map>
@@ -12,6 +11,7 @@
 #include "server/physics/cutting/touched.h"
 #include "server/physics/organs/sheet_parts.h"
 #include "server/physics/organs/surface_follow.h"
+#include "server/physics/parallel.h"
 
 namespace prosector {
 namespace {
@@ -62,10 +62,10 @@ CutResult Organ::cut(std::span<const Vec3> positions, std::span<const Vec3> edge
     const bool much =
         much_share * static_cast<double>(complex_.tets()) < static_cast<double>(result.split_tets);
     Skin::Change skin;
-    tbb::parallel_invoke([&] { change.touched = touched_by(complex_, change.ops); },
-                         [&] {
-                           if (much) skin = skin_.update(complex_);
-                         });
+    parallel_both([&] { change.touched = touched_by(complex_, change.ops); },
+                  [&] {
+                    if (much) skin = skin_.update(complex_);
+                  });
     note_touched(change.touched);
     if (!much) skin = skin_.follow(complex_, change.touched);
     note_changed(skin);

@@ -1,8 +1,6 @@
 #include "server/physics/organs/piece_builder.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <exception>
@@ -18,6 +16,7 @@
 #include "server/physics/organs/node_transfer.h"
 #include "server/physics/organs/piece_follow.h"
 #include "server/physics/organs/tet_lineage.h"
+#include "server/physics/parallel.h"
 
 namespace prosector {
 namespace {
@@ -37,8 +36,8 @@ struct NewPiece {
 
 void make_anew(const Bodies& bodies, const Organ& organ, NewPiece& made) {
   made.solver = make_piece(bodies, organ, made.body, made.numbering);
-  tbb::parallel_invoke([&] { made.surface.emplace(made.solver->anatomy()); },
-                       [&] { made.content_hash = made.solver->content_hash(); });
+  parallel_both([&] { made.surface.emplace(made.solver->anatomy()); },
+                [&] { made.content_hash = made.solver->content_hash(); });
 }
 
 /// Fills in where the piece's nodes are and how they move: as what was there did, or was brought back to.
@@ -74,7 +73,7 @@ std::vector<NewPiece> make_pieces(const Bodies& bodies, const Organ& organ, cons
     const OrganPiece& piece = organ.piece(body);
     made.body = body;
     made.whole = piece.whole();
-    tbb::parallel_invoke(
+    parallel_both(
         [&] {
           made.following = following_since(bodies, organ, changed, piece);
           if (!made.following) make_anew(bodies, organ, made);
@@ -85,7 +84,7 @@ std::vector<NewPiece> make_pieces(const Bodies& bodies, const Organ& organ, cons
   };
   std::vector<NewPiece> out(changed.bodies.size());
   std::vector<std::exception_ptr> failed(out.size());
-  tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t i) {
+  parallel_each(out.size(), [&](std::size_t i) {
     try {
       make(changed.bodies[i], out[i]);
     } catch (...) {
@@ -99,12 +98,12 @@ std::vector<NewPiece> make_pieces(const Bodies& bodies, const Organ& organ, cons
 
 /// Lets the pieces that can follow do so. Nothing fails any more.
 void follow_changes(Bodies& bodies, std::span<NewPiece> pieces) {
-  tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
+  parallel_each(pieces.size(), [&](std::size_t i) {
     NewPiece& piece = pieces[i];
     if (!piece.following) return;
     take_solver_along(bodies, *piece.following);
-    tbb::parallel_invoke([&] { piece.content_hash = bodies.soft[piece.body].solver->content_hash(); },
-                         [&] { take_surface_along(bodies, *piece.following); });
+    parallel_both([&] { piece.content_hash = bodies.soft[piece.body].solver->content_hash(); },
+                  [&] { take_surface_along(bodies, *piece.following); });
   });
 }
 

@@ -1,7 +1,5 @@
 #include "server/physics/organs/piece_follow.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include "server/physics/contact/fit_tissue.h"
 #include "server/physics/hands/holding.h"
 #include "server/physics/organs/momentum.h"
@@ -9,6 +7,7 @@
 #include "server/physics/organs/piece_builder.h"
 #include "server/physics/organs/surface_follow.h"
 #include "server/physics/organs/tet_lineage.h"
+#include "server/physics/parallel.h"
 
 namespace prosector {
 namespace {
@@ -117,11 +116,11 @@ bool follow_cut(State& state, Organ& organ, TopologyCause cause, ParticipantId a
   ++bodies.soft[body].revision;
   bodies.take_effect(bodies.rigid, bodies.soft_id(body));
   std::uint64_t content_hash = 0;
-  tbb::parallel_invoke([&] { content_hash = solver.content_hash(); },
-                       [&] {
-                         take_surface_along(bodies, follows);
-                         fit_to_mesh(state, body, std::move(follows.numbering));
-                       });
+  parallel_both([&] { content_hash = solver.content_hash(); },
+                [&] {
+                  take_surface_along(bodies, follows);
+                  fit_to_mesh(state, body, std::move(follows.numbering));
+                });
   tell_of(bodies, body, content_hash, cause, author, report);
   keep_holds(state, {body});
   return true;

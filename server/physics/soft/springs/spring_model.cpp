@@ -1,7 +1,5 @@
 #include "server/physics/soft/springs/spring_model.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <optional>
 
@@ -196,7 +194,7 @@ class SumModel final : public ElasticModel {
     return a_->can_follow(edit) && b_->can_follow(edit);
   }
   void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit) override {
-    tbb::parallel_invoke([&] { a_->follow(desc, mesh, edit); }, [&] { b_->follow(desc, mesh, edit); });
+    parallel_both([&] { a_->follow(desc, mesh, edit); }, [&] { b_->follow(desc, mesh, edit); });
     fit();
   }
 
