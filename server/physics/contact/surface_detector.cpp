@@ -143,6 +143,22 @@ double SurfaceDetector::stretch_at(std::uint32_t vertex) const {
   return most;
 }
 
+namespace {
+
+/// Returns the gap between a rod and the nearest of a triangle's corners, m.
+double gap_to_corners(const Rod& rod, const std::array<Vec3, 3>& x) {
+  double gap = std::numeric_limits<double>::max();
+  for (const Vec3& vertex : x) {
+    const Vec3 axis = rod.to - rod.from;
+    const double length = axis.squaredNorm();
+    const double at = length > 0 ? std::clamp((vertex - rod.from).dot(axis) / length, 0.0, 1.0) : 0;
+    gap = std::min(gap, (vertex - rod.from - at * axis).norm() - rod.radius);
+  }
+  return gap;
+}
+
+}  // namespace
+
 std::optional<TriangleTouch> SurfaceDetector::touch(std::uint32_t triangle, const Rod& rod, double margin,
                                                     const KnownSide& known) const {
   const auto x = corners(triangle);
@@ -197,14 +213,7 @@ std::optional<TriangleTouch> SurfaceDetector::touch(std::uint32_t triangle, cons
     out.gap = -std::min(depth, (most_depth - 1) * rod.radius) - rod.radius;
   }
   if (!out.normal.allFinite() || out.gap < -most_depth * rod.radius) return std::nullopt;
-  double corner = std::numeric_limits<double>::max();
-  for (const Vec3& vertex : x) {
-    const Vec3 axis = rod.to - rod.from;
-    const double length = axis.squaredNorm();
-    const double at = length > 0 ? std::clamp((vertex - rod.from).dot(axis) / length, 0.0, 1.0) : 0;
-    corner = std::min(corner, (vertex - rod.from - at * axis).norm() - rod.radius);
-  }
-  const double between = (corner - out.gap) / rod.radius;
+  const double between = (gap_to_corners(rod, x) - out.gap) / rod.radius;
   if (!(between > least_between)) return std::nullopt;
   out.strength = std::min(1.0, (between - least_between) / (fully_between - least_between)) *
                  std::min(1.0, room / (full_room * rod.radius));

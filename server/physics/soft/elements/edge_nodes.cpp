@@ -80,35 +80,30 @@ std::uint32_t EdgeNodes::find(std::uint32_t a, std::uint32_t b) const {
   return none;
 }
 
-MeshEdit EdgeNodes::follow(const TetMesh& before, const MeshEdit& corners) {
-  MeshEdit out = corners;
-  const auto first_before = static_cast<std::uint32_t>(vertices_);
-  std::vector<std::uint32_t> met;  // edges that were there, of tetrahedra that came, went or changed
-  const auto let_go = [&](const Tet& tet) {
+std::vector<std::uint32_t> EdgeNodes::let_go(const TetMesh& before, const MeshEdit& corners) {
+  std::vector<std::uint32_t> met;
+  const auto let_go_of = [&](const Tet& tet) {
     for (const auto& [a, b] : edges_of_tet) {
-      met.push_back(find(tet[a], tet[b]) - first_before);
+      met.push_back(find(tet[a], tet[b]) - static_cast<std::uint32_t>(vertices_));
       --count_[met.back()];
     }
   };
   auto changed = corners.tets.begin();
   std::uint32_t gone = 0;
   for (const Kept::Run& run : corners.kept_tets.runs) {
-    while (gone < run.from) let_go(before.tets[gone++]);
+    while (gone < run.from) let_go_of(before.tets[gone++]);
     while (changed != corners.tets.end() && *changed < run.to) ++changed;  // new ones
     for (; changed != corners.tets.end() && *changed < run.to + run.count; ++changed)
-      let_go(before.tets[run.from + (*changed - run.to)]);
+      let_go_of(before.tets[run.from + (*changed - run.to)]);
     gone = run.from + run.count;
   }
-  while (gone < corners.kept_tets.before) let_go(before.tets[gone++]);
+  while (gone < corners.kept_tets.before) let_go_of(before.tets[gone++]);
+  return met;
+}
 
-  const std::vector<std::uint32_t> origin = corners.kept_nodes.origins(),
-                                   now = corners.kept_nodes.destinations();
-  const auto position = [&](std::uint32_t vertex) -> const Vec3& {
-    if (origin[vertex] != Kept::none) return before.positions[origin[vertex]];
-    const auto at = std::lower_bound(corners.made_nodes.begin(), corners.made_nodes.end(), vertex);
-    return corners.positions[static_cast<std::size_t>(at - corners.made_nodes.begin())];
-  };
-  std::vector<Edge> made;  // as often as tetrahedra have them
+std::vector<EdgeNodes::Edge> EdgeNodes::take_up(const MeshEdit& corners, std::vector<std::uint32_t>& met) {
+  const std::vector<std::uint32_t> origin = corners.kept_nodes.origins();
+  std::vector<Edge> made;
   for (const Tet& tet : corners.corners)
     for (const auto& [i, j] : edges_of_tet) {
       const std::uint32_t a = std::min(tet[i], tet[j]), b = std::max(tet[i], tet[j]);
@@ -117,23 +112,35 @@ MeshEdit EdgeNodes::follow(const TetMesh& before, const MeshEdit& corners) {
       if (was == none) {
         made.push_back({a, b});
       } else {
-        met.push_back(was - first_before);
+        met.push_back(was - static_cast<std::uint32_t>(vertices_));
         ++count_[met.back()];
       }
     }
   std::sort(made.begin(), made.end());
+  return made;
+}
 
-  const auto first = static_cast<std::uint32_t>(corners.kept_nodes.now);
-  std::vector<Edge> edges;
-  std::vector<std::uint32_t> count, is_now(edges_.size(), none);
+EdgeNodes::Merged EdgeNodes::merge(const TetMesh& before, const MeshEdit& corners, std::span<const Edge> made,
+                                   MeshEdit& out) const {
+  const std::vector<std::uint32_t> origin = corners.kept_nodes.origins(),
+                                   now = corners.kept_nodes.destinations();
+  const auto position = [&](std::uint32_t vertex) -> const Vec3& {
+    if (origin[vertex] != Kept::none) return before.positions[origin[vertex]];
+    const auto at = std::lower_bound(corners.made_nodes.begin(), corners.made_nodes.end(), vertex);
+    return corners.positions[static_cast<std::size_t>(at - corners.made_nodes.begin())];
+  };
+  const auto first_before = static_cast<std::uint32_t>(vertices_),
+             first = static_cast<std::uint32_t>(corners.kept_nodes.now);
+  Merged all;
+  all.is_now.assign(edges_.size(), none);
   auto next = made.begin();
   const auto put_made = [&] {
     const Edge edge = *next;
     const auto end = std::find_if(next, made.end(), [&](const Edge& other) { return other != edge; });
-    out.made_nodes.push_back(first + static_cast<std::uint32_t>(edges.size()));
+    out.made_nodes.push_back(first + static_cast<std::uint32_t>(all.edges.size()));
     out.positions.emplace_back((position(edge[0]) + position(edge[1])) / 2);
-    edges.push_back(edge);
-    count.push_back(static_cast<std::uint32_t>(end - next));
+    all.edges.push_back(edge);
+    all.count.push_back(static_cast<std::uint32_t>(end - next));
     next = end;
   };
   out.kept_nodes.before += edges_.size();
@@ -141,25 +148,33 @@ MeshEdit EdgeNodes::follow(const TetMesh& before, const MeshEdit& corners) {
     if (count_[k] == 0) continue;
     const Edge edge = {now[edges_[k][0]], now[edges_[k][1]]};
     while (next != made.end() && *next < edge) put_made();
-    is_now[k] = first + static_cast<std::uint32_t>(edges.size());
-    out.kept_nodes.add(first_before + k, is_now[k]);
-    edges.push_back(edge);
-    count.push_back(count_[k]);
+    all.is_now[k] = first + static_cast<std::uint32_t>(all.edges.size());
+    out.kept_nodes.add(first_before + k, all.is_now[k]);
+    all.edges.push_back(edge);
+    all.count.push_back(count_[k]);
   }
   while (next != made.end()) put_made();
-  out.kept_nodes.now += edges.size();
+  out.kept_nodes.now += all.edges.size();
+  return all;
+}
+
+MeshEdit EdgeNodes::follow(const TetMesh& before, const MeshEdit& corners) {
+  MeshEdit out = corners;
+  std::vector<std::uint32_t> met = let_go(before, corners);
+  const std::vector<Edge> made = take_up(corners, met);
+  Merged all = merge(before, corners, made, out);
 
   std::vector<std::uint32_t> nodes(
       out.made_nodes.begin() + static_cast<std::ptrdiff_t>(corners.made_nodes.size()), out.made_nodes.end());
   for (const std::uint32_t k : met)
-    if (is_now[k] != none) nodes.push_back(is_now[k]);
+    if (all.is_now[k] != none) nodes.push_back(all.is_now[k]);
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   out.nodes.insert(out.nodes.end(), nodes.begin(), nodes.end());
 
-  vertices_ = first;
-  edges_ = std::move(edges);
-  count_ = std::move(count);
+  vertices_ = corners.kept_nodes.now;
+  edges_ = std::move(all.edges);
+  count_ = std::move(all.count);
   index_by_lower_end();
   for (Tet tet : corners.corners) {
     std::sort(tet.begin(), tet.end());

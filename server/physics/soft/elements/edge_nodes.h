@@ -37,6 +37,20 @@ class EdgeNodes {
   MeshEdit follow(const TetMesh& before, const MeshEdit& corners);
 
  private:
+  /// The edges after an edit.
+  struct Merged {
+    std::vector<Edge> edges;            // ascending
+    std::vector<std::uint32_t> count;   // of each: how many tetrahedra have it
+    std::vector<std::uint32_t> is_now;  // by edge before: its node; none: it is gone
+  };
+  /// Takes the tetrahedra that go or change out of the edges' counts. Returns those edges, by place before.
+  std::vector<std::uint32_t> let_go(const TetMesh& before, const MeshEdit& corners);
+  /// Adds the tetrahedra that come or changed to the counts, and their edges that were there to `met`.
+  /// Returns the others, by vertices now, ascending, each as often as tetrahedra have it.
+  std::vector<Edge> take_up(const MeshEdit& corners, std::vector<std::uint32_t>& met);
+  /// Merges the edges that stay with those made, ascending, and writes the edit of their nodes into `out`.
+  Merged merge(const TetMesh& before, const MeshEdit& corners, std::span<const Edge> made,
+               MeshEdit& out) const;
   void index_by_lower_end();
 
   std::size_t vertices_ = 0;
