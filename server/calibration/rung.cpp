@@ -5,6 +5,7 @@
 #include "server/physics/coupled/recovery.h"
 #include "server/physics/coupled/step_island.h"
 #include "server/physics/soft/base/find_row.h"
+#include "server/physics/soft/incremental_potential.h"
 #include "server/physics/soft/integrators/explicit_integrators.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
@@ -102,7 +103,9 @@ class RungSpecimen final : public Specimen {
     return figures;
   }
 
-  double elastic_energy() override { return body_.in_force(state_).elastic_energy(state_.motion.x); }
+  double elastic_energy() override {
+    return body_.in_force(state_).potential().elastic_energy(state_.motion.x);
+  }
 
  private:
   SoftBody body_;

@@ -12,6 +12,9 @@
 #include "server/physics/byte_stream.h"
 #include "server/physics/contact/rigid_soft_contacts.h"
 #include "server/physics/coupled/island_solver.h"
+#include "server/physics/soft/implicit_stepper.h"
+#include "server/physics/soft/recovery_law.h"
+#include "server/physics/soft/unfold.h"
 
 namespace prosector {
 namespace {
@@ -113,13 +116,13 @@ void Settling::relax(std::span<const std::size_t> group) {
         if (other >= body && bodies_.may_meet(body, other))
           finder_.add_pair_contacts(state_, body, other, relaxation_margin, bodies_.model.h, island.contacts);
     }
-    for (const SoftMember& member : island.soft) member.body->set_relaxed(true);
+    for (const SoftMember& member : island.soft) member.body->stepper().set_relaxed(true);
     const IslandReport solved = solver.solve(island, relaxation_step, bodies_.model.scene.gravity);
     double moved = 0;
     for (std::size_t k = 0; k < group.size(); ++k) {
       const std::size_t body = group[k];
       SoftBodyState& state = bodies_.soft[body].state;
-      island.soft[k].body->set_relaxed(false);
+      island.soft[k].body->stepper().set_relaxed(false);
       keep(island.contacts, body, held[body]);
       stop(state);
       moved = std::max(moved, (state.motion.x - before[k]).lpNorm<Eigen::Infinity>());
@@ -168,14 +171,16 @@ void Settling::settle_crushed(std::span<const std::size_t> group) {
   bool again = false;
   for (const std::size_t body : group) {
     SoftBody& b = *bodies_.soft[body].solver;
-    if (!b.has_recovery() || b.inverted_share(bodies_.soft[body].state.motion.x) <= most_inverted) continue;
-    b.keep_recovering();
+    if (!b.recovery().exists() ||
+        inverted_share(b.linear_tets(), bodies_.soft[body].state.motion.x) <= most_inverted)
+      continue;
+    b.recovery().keep();
     again = true;
   }
   if (!again) return;
   for (const std::size_t body : group) {
     bodies_.soft[body].state = bodies_.soft[body].solver->initial_state();
-    bodies_.soft[body].state.recovering = bodies_.soft[body].solver->keeps_recovering();
+    bodies_.soft[body].state.recovering = bodies_.soft[body].solver->recovery().is_kept();
     bodies_.soft[body].follow_nodes();
   }
   relax(group);
@@ -184,11 +189,11 @@ void Settling::settle_crushed(std::span<const std::size_t> group) {
 /// Tells the author of a body that its own weight crushes: it is no tissue as it is described.
 void tell_if_crushed(const Tissue& tissue, const CompileOptions& options) {
   const SoftBody& b = *tissue.solver;
-  const double share = b.inverted_share(tissue.equilibrium);
-  if ((share == 0 && !b.keeps_recovering()) || !options.progress) return;
+  const double share = inverted_share(b.linear_tets(), tissue.equilibrium);
+  if ((share == 0 && !b.recovery().is_kept()) || !options.progress) return;
   const SoftDesc& desc = b.desc();
   const std::string what =
-      b.keeps_recovering()
+      b.recovery().is_kept()
           ? fmt::format("under {} its own weight crushes it: it is fem_corotational", desc.model)
           : fmt::format("its own weight crushes {:.2g} % of it", 100 * share);
   options.progress(
@@ -206,7 +211,7 @@ void settle(State& state, SoftContactFinder& finder, const CompileOptions& optio
   for (const Tissue& tissue : bodies.soft) rests.push_back({tissue.state.motion.x});
   const bool cached = read_cache(options, bodies.model.hash, rests);
   for (std::size_t i = 0; i < bodies.soft.size(); ++i)
-    if (cached && rests[i].recovering) bodies.soft[i].solver->keep_recovering();
+    if (cached && rests[i].recovering) bodies.soft[i].solver->recovery().keep();
   for (const std::vector<std::size_t>& group : settling.neighbourhoods()) {
     const bool falls = settling.floats(group);
     if (!cached && !falls) settling.relax(group);
@@ -215,7 +220,7 @@ void settle(State& state, SoftContactFinder& finder, const CompileOptions& optio
       Tissue& tissue = bodies.soft[i];
       if (cached) tissue.state.motion.x = rests[i].shape;
       tissue.equilibrium = tissue.state.motion.x;
-      rests[i] = {tissue.equilibrium, tissue.solver->keeps_recovering()};
+      rests[i] = {tissue.equilibrium, tissue.solver->recovery().is_kept()};
       tissue.state.motion.x_prev = tissue.state.motion.x;
       tissue.state.recovering = rests[i].recovering;
       tissue.state.asleep = !falls;

@@ -4,6 +4,8 @@
 
 #include "server/physics/contact/flat_elements.h"
 #include "server/physics/hands/holding.h"
+#include "server/physics/soft/incremental_potential.h"
+#include "server/physics/soft/mechanical_energy.h"
 
 namespace prosector {
 namespace {
@@ -34,7 +36,7 @@ Tissue::StoredEnergy stored_in(const Tissue& tissue, const Vec3& gravity) {
   SoftBody& body = *tissue.solver;
   const VecX& x = tissue.state.motion.x;
   Tissue::StoredEnergy out;
-  out.elastic = body.in_force(tissue.state).elastic_energy(x);
+  out.elastic = body.in_force(tissue.state).potential().elastic_energy(x);
   if (!body.falls()) return out;
   for (Eigen::Index n = 0; n < body.nodes(); ++n)
     out.weight -= body.node_mass()[n] * gravity.dot(x.segment<3>(3 * n));
@@ -117,7 +119,7 @@ void describe(State& state, std::span<const Island> islands, StepReport& report)
   }
   for (Tissue& tissue : bodies.soft) {
     ++(tissue.state.asleep ? report.asleep_bodies : report.awake_bodies);
-    report.kinetic_energy += tissue.solver->kinetic_energy(tissue.state);
+    report.kinetic_energy += kinetic_energy(tissue.solver->node_mass(), tissue.state.motion.v);
     if (!tissue.state.asleep || !tissue.stored) tissue.stored = stored_in(tissue, bodies.model.scene.gravity);
     report.elastic_energy += tissue.stored->elastic;
     report.potential_energy += tissue.stored->weight;

@@ -19,6 +19,7 @@
 #include "server/physics/cutting/missing_nodes.h"
 #include "server/physics/cutting/tet_shape.h"
 #include "server/physics/organs/organ.h"
+#include "server/physics/soft/mesh_follower.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/bench/subjects.h"
 #include "tests/physics/scenes.h"
@@ -253,17 +254,17 @@ void fit_bodies(Organ& organ, const SoftDesc& desc, bool anew, std::vector<Made>
     Made& body = bodies[changed.bodies[i]];
     const OrganPiece& piece = organ.piece(changed.bodies[i]);
     const auto edit = anew ? std::nullopt : organ.edit_since(changed, piece);
-    if (!edit || !is_worth_following(*edit) || !body.solver->can_follow(edit->mesh)) {
+    if (!edit || !is_worth_following(*edit) || !body.solver->follower().can_follow(edit->mesh)) {
       body.make_anew(desc, organ.anatomy(piece, body.numbering));
     } else if (const auto surface =
                    organ.surface_edit_since(changed, piece, body.solver->anatomy().surface, body.numbering)) {
       apply(*surface, body.numbering);
-      body.solver->follow(edit->mesh, *surface);
+      body.solver->follower().follow(edit->mesh, *surface);
       body.surface->follow(*surface);
     } else {
       PieceSurface skin = organ.surface(piece);
       body.numbering = std::move(skin.numbering);
-      body.solver->follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
+      body.solver->follower().follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
       body.find_surface();
     }
   });

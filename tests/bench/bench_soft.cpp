@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "server/calibration/stopwatch.h"
+#include "server/physics/soft/implicit_stepper.h"
+#include "server/physics/soft/incremental_potential.h"
 #include "server/physics/soft/make_model.h"
 #include "server/physics/soft/matrices/block_matrix.h"
 #include "server/physics/soft/soft_body.h"
@@ -65,7 +67,8 @@ ReportRow measure(const std::string& model, const std::string& element, const So
   SoftBodyState state = body.initial_state();
   state.motion.x = pressed(state.motion.x);
   const Eigen::Index n = state.motion.x.size();
-  body.begin_stage(0, h, gravity, state);
+  IncrementalPotential& potential = body.potential();
+  body.stepper().begin_stage(0, h, gravity, state);
   // Alternating positions: nothing may be remembered from the last call.
   VecX places[2] = {state.motion.x, state.motion.x * 1.001}, out(n);
   std::size_t turn = 0;
@@ -80,19 +83,19 @@ ReportRow measure(const std::string& model, const std::string& element, const So
                    {"dt", h},
                    {"threads", options.threads}};
   row["blocks"] = matrix_blocks(body);
-  row["ms_energy"] = median_ms(options.repeats, [&] { sum += body.energy(elsewhere()); });
-  row["ms_gradient"] = median_ms(options.repeats, [&] { body.gradient(elsewhere(), out); });
-  row["ms_assemble"] = median_ms(options.repeats, [&] { body.assemble(elsewhere()); });
+  row["ms_energy"] = median_ms(options.repeats, [&] { sum += potential.energy(elsewhere()); });
+  row["ms_gradient"] = median_ms(options.repeats, [&] { potential.gradient(elsewhere(), out); });
+  row["ms_assemble"] = median_ms(options.repeats, [&] { potential.assemble(elsewhere()); });
   row["ms_begin_stage"] = median_ms(options.repeats, [&] {
     state.motion.x = elsewhere();
-    body.begin_stage(0, h, gravity, state);
+    body.stepper().begin_stage(0, h, gravity, state);
   });
-  row["ms_multiply"] = median_ms(options.repeats, [&] { body.multiply(places[0].data(), out.data()); });
+  row["ms_multiply"] = median_ms(options.repeats, [&] { potential.multiply(places[0].data(), out.data()); });
   row["ms_iteration"] = median_ms(options.repeats, [&] {
     const VecX& x = elsewhere();
-    body.gradient(x, out);
-    body.assemble(x);
-    sum += body.energy(x);
+    potential.gradient(x, out);
+    potential.assemble(x);
+    sum += potential.energy(x);
   });
   row["ms_iteration_per_1000_tets"] =
       1e3 * figure(row, "ms_iteration") / static_cast<double>(body.elements());

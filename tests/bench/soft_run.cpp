@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "server/calibration/stopwatch.h"
+#include "server/physics/soft/mechanical_energy.h"
 
 namespace prosector {
 namespace {
@@ -81,7 +82,7 @@ void SoftRun::settle(double h, const Vec3& gravity, int steps) {
   for (int i = 0; i < steps; ++i) {
     before = state_.motion.x;
     step(h, gravity);
-    const double now = body_.kinetic_energy(state_);
+    const double now = kinetic_energy(body_.node_mass(), state_.motion.v);
     if (now < energy) {
       state_.motion.v.setZero();
       state_.warm_start.setZero();

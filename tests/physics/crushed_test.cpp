@@ -6,8 +6,10 @@
 
 #include <filesystem>
 
+#include "server/physics/soft/recovery_law.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
+#include "server/physics/soft/unfold.h"
 #include "tests/physics/patched_state.h"
 #include "tests/physics/scenes.h"
 #include "tests/play/judge.h"
@@ -44,10 +46,10 @@ TEST_P(CrushedByItsWeight, BeginsAndStaysWholeAndTheAuthorHearsOfIt) {
   compiled.progress = [&](const std::string& line) { said += line + "\n"; };
   const SceneDesc scene = soft_ball(GetParam(), 3000);
   Simulation simulation(scene, compiled);
-  const bool crushed = simulation.soft(ball).keeps_recovering();
+  const bool crushed = simulation.soft(ball).recovery().is_kept();
   EXPECT_EQ(said.find("its own weight crushes it: it is fem_corotational") != std::string::npos, crushed)
       << said;
-  EXPECT_LT(simulation.soft(ball).inverted_share(simulation.soft_state(ball).motion.x), 0.05);
+  EXPECT_LT(inverted_share(simulation.soft(ball).linear_tets(), simulation.soft_state(ball).motion.x), 0.05);
   // From the cache as from the compiler.
   Simulation again(scene, compiled);
   std::filesystem::remove_all(folder);
@@ -94,7 +96,7 @@ TEST_P(TurnedLinear, StaysWithinItsVolumeHoweverItIsTurned) {
   double most = 0;
   for (int tick = 0; tick < 120; ++tick) {
     simulation.step({});
-    most = std::max(most, simulation.soft(0).volume_share(simulation.soft_state(0).motion.x));
+    most = std::max(most, volume_share(simulation.soft(0).linear_tets(), simulation.soft_state(0).motion.x));
   }
   EXPECT_LT(most, 1.3);
 }

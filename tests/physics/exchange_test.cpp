@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "server/physics/coupled/island_system.h"
+#include "server/physics/soft/implicit_stepper.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 
@@ -94,7 +95,7 @@ TEST(Exchange, AShortenedStepTellsTheWholeForce) {
     pressed.normal = Vec3::UnitY();
     pressed.gap = -1e-3;
     pressed.stiffness = 1e3;
-    body.begin_stage(0, h, Vec3::Zero(), state, true);
+    body.stepper().begin_stage(0, h, Vec3::Zero(), state, true);
     IslandSystem system;
     system.begin(island, h);
     VecX q, g;

@@ -9,6 +9,7 @@
 #include "server/physics/organs/momentum.h"
 #include "server/physics/organs/sheet_parts.h"
 #include "server/physics/organs/surface_follow.h"
+#include "server/physics/soft/mesh_follower.h"
 #include "server/physics/soft/springs/sheet_springs.h"
 #include "tests/physics/following.h"
 #include "tests/random.h"
@@ -79,7 +80,7 @@ class FollowingCloths final : public FollowingBodies {
 
  private:
   bool can_follow(const PieceEdit& edit) const override {
-    return bodies.at(edit.body).solver->can_follow_sheet(edit.mesh.kept_nodes);
+    return bodies.at(edit.body).solver->follower().can_follow_sheet(edit.mesh.kept_nodes);
   }
   void follow_cut(const PieceEdit& edit) override {
     organ.follow(edit);
@@ -95,7 +96,7 @@ class FollowingCloths final : public FollowingBodies {
     SpringNetwork springs = make_sheet_springs(desc, body.solver->anatomy());
     follow_sheet(desc, sheet, edit.mesh.kept_nodes, edit.touched, springs);
     springs_ = std::move(springs);
-    body.solver->follow_sheet(std::move(sheet), edit.mesh.kept_nodes, edit.touched);
+    body.solver->follower().follow_sheet(std::move(sheet), edit.mesh.kept_nodes, edit.touched);
     body.follow(surface, std::move(numbering));
   }
   ::testing::AssertionResult same(std::size_t body, Hung& anew, unsigned seed) override {

@@ -8,6 +8,7 @@
 #include "server/physics/byte_stream.h"
 #include "server/physics/organs/tet_lineage.h"
 #include "server/physics/soft/make_model.h"
+#include "server/physics/soft/mesh_follower.h"
 #include "tests/cutting/meshes.h"
 #include "tests/physics/following.h"
 #include "tests/random.h"
@@ -71,7 +72,7 @@ class FollowingBlocks final : public FollowingBodies {
 
  private:
   bool can_follow(const PieceEdit& edit) const override {
-    return bodies.at(edit.body).solver->can_follow(edit.mesh);
+    return bodies.at(edit.body).solver->follower().can_follow(edit.mesh);
   }
   void follow_cut(const PieceEdit& edit) override {
     const Hung& body = bodies[edit.body];
@@ -92,14 +93,14 @@ class FollowingBlocks final : public FollowingBodies {
     if (!surface) {
       PieceSurface skin = organ.surface(piece);
       body.numbering = std::move(skin.numbering);
-      body.solver->follow(edit.mesh, std::move(skin.surface), std::move(skin.embedding));
+      body.solver->follower().follow(edit.mesh, std::move(skin.surface), std::move(skin.embedding));
       body.remake_surface();
       return;
     }
     Numbering numbering = body.numbering;
     apply(*surface, numbering);
     numbering.nodes = piece.mesh.nodes;
-    body.solver->follow(edit.mesh, *surface);
+    body.solver->follower().follow(edit.mesh, *surface);
     body.follow(*surface, std::move(numbering));
     ++surfaces;
   }
@@ -225,11 +226,12 @@ TEST(Following, NodesOnEdgesMoveAsThoseOfAMeshMadeAnew) {
   for (int tick = 1; tick <= 3; ++tick) {
     ASSERT_FALSE(organ.cut(rest_of(organ), edge(0.03 * tick), blade, 1, 1).ops.empty());
     const auto edit = organ.cut_in_one_piece();
-    ASSERT_TRUE(edit && body.can_follow(edit->mesh));
+    ASSERT_TRUE(edit && body.follower().can_follow(edit->mesh));
     const VecX field = VecX::NullaryExpr(3 * body.nodes(), [&] { return random.uniform(-1, 1); });
     const PieceMesh before = organ.piece(0).mesh;
-    const MeshEdit nodes = body.edit_of_nodes(edit->mesh);
-    const NodeTransfer made(organ.complex(), before, edit->nodes, edit->tets, nodes, body.edge_nodes());
+    const MeshEdit nodes = body.follower().edit_of_nodes(edit->mesh);
+    const NodeTransfer made(organ.complex(), before, edit->nodes, edit->tets, nodes,
+                            body.follower().edge_nodes());
     const VecX followed = made.carried(field, nodes);
     organ.follow(*edit);
     const PieceMesh* const pieces[] = {&before};
@@ -237,7 +239,7 @@ TEST(Following, NodesOnEdgesMoveAsThoseOfAMeshMadeAnew) {
     const NodeTransfer all(organ.complex(), pieces, organ.piece(0).mesh, true);
     EXPECT_EQ(followed, all(fields));
     PieceSurface skin = organ.surface(organ.piece(0));
-    body.follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
+    body.follower().follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
     EXPECT_EQ(followed.size(), 3 * body.nodes());
     // Nodes that stay keep what they had.
     for (const Kept::Run& run : nodes.kept_nodes.runs)

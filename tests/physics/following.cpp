@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "server/physics/soft/implicit_stepper.h"
+#include "server/physics/soft/incremental_potential.h"
 #include "server/physics/soft/integrators/substepper.h"
 #include "tests/random.h"
 
@@ -79,22 +81,23 @@ std::vector<VecX> answers(SoftBody& body, unsigned seed) {
   SoftBodyState state = body.initial_state();
   state.motion.x = near(body.rest(), 1e-3);
   state.motion.v = near(VecX::Zero(n), 0.1);
-  body.begin_stage(0, 0.01, {0, -9.81, 0}, state);
+  IncrementalPotential& potential = body.potential();
+  body.stepper().begin_stage(0, 0.01, {0, -9.81, 0}, state);
   const VecX x = near(state.motion.x, 1e-3), p = near(VecX::Zero(n), 1);
-  body.linearise(x);
+  potential.linearise(x);
   VecX gradient = VecX::Zero(n), product(n), solution(n);
-  body.gradient(x, gradient);
-  const double energy = body.energy(x);
-  body.assemble(x);
-  body.multiply(p.data(), product.data());
+  potential.gradient(x, gradient);
+  const double energy = potential.energy(x);
+  potential.assemble(x);
+  potential.multiply(p.data(), product.data());
   std::vector<Mat3> diagonal(static_cast<std::size_t>(body.nodes()));
-  body.diagonal(diagonal);
+  potential.diagonal(diagonal);
   std::vector<Mat3> inverse;
   for (const Mat3& block : diagonal) inverse.push_back(block.inverse());
   if (body.desc().solver == "direct")
-    body.factor_solve(p.data(), solution.data());
+    potential.factor_solve(p.data(), solution.data());
   else if (body.desc().solver == "multigrid")
-    body.multigrid_solve(diagonal, inverse, p.data(), solution.data());
+    potential.multigrid_solve(diagonal, inverse, p.data(), solution.data());
   else
     solution.setZero();
   VecX blocks(9 * body.nodes());
@@ -103,8 +106,8 @@ std::vector<VecX> answers(SoftBody& body, unsigned seed) {
   const VecX area = Eigen::Map<const VecX>(body.surface_area().data(),
                                            static_cast<Eigen::Index>(body.surface_area().size()));
   VecX numbers(5);
-  numbers << energy, body.diagonal(), body.elastic_energy(x), body.total_mass(),
-      static_cast<double>(body.tangent_is_cheap());
+  numbers << energy, body.diagonal(), potential.elastic_energy(x), body.total_mass(),
+      static_cast<double>(potential.tangent_is_cheap());
   if (Substepper* steps = body.substepper()) {
     steps->begin(state);
     for (int i = 0; i < 3; ++i) steps->step(1e-4, {0, -9.81, 0}, state);

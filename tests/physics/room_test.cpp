@@ -7,6 +7,7 @@
 
 #include "common/room.h"
 #include "server/physics/soft/soft_body.h"
+#include "server/physics/soft/unfold.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {
@@ -142,8 +143,8 @@ TEST(Room, TissueThatIsFastStopsAtTheWall) {
   EXPECT_LT(extent(simulation, 0, 0).second, RoomShape().width / 2 + 0.01);
   EXPECT_GT(extent(simulation, 0, 0).first, RoomShape().width / 2 - 0.12);
   // What so hard a blow turned inside out is whole again.
-  EXPECT_EQ(simulation.soft(0).inverted_share(simulation.soft_state(0).motion.x), 0);
-  EXPECT_GT(simulation.soft(0).volume_share(simulation.soft_state(0).motion.x), 0.7);
+  EXPECT_EQ(inverted_share(simulation.soft(0).linear_tets(), simulation.soft_state(0).motion.x), 0);
+  EXPECT_GT(volume_share(simulation.soft(0).linear_tets(), simulation.soft_state(0).motion.x), 0.7);
 }
 
 // Tissue that starts on the floor is compiled at rest on it, and sleeps.

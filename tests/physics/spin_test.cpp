@@ -6,6 +6,8 @@
 
 #include "common/anatomy/kuhn_box.h"
 #include "server/physics/coupled/step_island.h"
+#include "server/physics/soft/incremental_potential.h"
+#include "server/physics/soft/mechanical_energy.h"
 #include "server/physics/soft/soft_body.h"
 
 namespace prosector::test {
@@ -52,7 +54,9 @@ Spun spin_cube(const Cube& cube, double spin, int ticks) {
   const Vec3 axis = Vec3(0.2, 1, 0.3).normalized(), centre = Vec3::Constant(cube.side / 2);
   for (Eigen::Index i = 0; i < body.nodes(); ++i)
     state.motion.v.segment<3>(3 * i) = spin * axis.cross(Vec3(state.motion.x.segment<3>(3 * i) - centre));
-  const auto energy = [&] { return body.elastic_energy(state.motion.x) + body.kinetic_energy(state); };
+  const auto energy = [&] {
+    return body.potential().elastic_energy(state.motion.x) + kinetic_energy(body.node_mass(), state.motion.v);
+  };
   const double start = energy(), turning = angular_momentum(body, state, centre).norm();
   Island island;
   island.soft.push_back({0, &body, &state});

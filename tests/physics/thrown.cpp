@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "server/physics/collision/surface/triangle_surface.h"
+#include "server/physics/soft/mechanical_energy.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/physics/patched_state.h"
 #include "tests/physics/scenes.h"
@@ -80,8 +81,8 @@ Thrown throw_at_each_other(Simulation& simulation, int ticks,
   const double mass = simulation.soft(0).total_mass() + simulation.soft(1).total_mass();
   const double h = 1 / simulation.scene().tick_rate;
   const Vec3 left = momentum(simulation, 0), right = momentum(simulation, 1);
-  const double start = simulation.soft(0).kinetic_energy(simulation.soft_state(0)) +
-                       simulation.soft(1).kinetic_energy(simulation.soft_state(1));
+  const double start = kinetic_energy(simulation.soft(0).node_mass(), simulation.soft_state(0).motion.v) +
+                       kinetic_energy(simulation.soft(1).node_mass(), simulation.soft_state(1).motion.v);
   Thrown out;
   double lost = 0, highest = 0, first = 0;
   for (int tick = 1; tick <= ticks; ++tick) {

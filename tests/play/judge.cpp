@@ -8,6 +8,7 @@
 
 #include "server/physics/collision/surface/triangle_surface.h"
 #include "server/physics/soft/soft_body.h"
+#include "server/physics/soft/unfold.h"
 
 namespace prosector::test {
 namespace {
@@ -76,7 +77,7 @@ void for_each_overlap(const Simulation& simulation, const Visit& visit) {
 }  // namespace
 
 double volume_ratio(const Simulation& simulation, BodyId body) {
-  return simulation.soft(body).volume_share(simulation.soft_state(body).motion.x);
+  return volume_share(simulation.soft(body).linear_tets(), simulation.soft_state(body).motion.x);
 }
 
 double overlap(const Simulation& simulation, BodyId a, BodyId b) {
@@ -104,8 +105,8 @@ Finding Judge::look(const Simulation& simulation, const Bounds& bounds) const {
     const double ratio = volume_ratio(simulation, b);
     out.least_volume = std::min(out.least_volume, ratio);
     out.most_volume = std::max(out.most_volume, ratio);
-    out.inverted =
-        std::max(out.inverted, simulation.soft(b).inverted_share(simulation.soft_state(b).motion.x));
+    out.inverted = std::max(
+        out.inverted, inverted_share(simulation.soft(b).linear_tets(), simulation.soft_state(b).motion.x));
     if (!(ratio >= bounds.least_volume && ratio <= bounds.most_volume))
       blame(fmt::format("{} has {:.3f} of its volume", simulation.name(b), ratio));
   }

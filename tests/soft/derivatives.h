@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "server/physics/soft/incremental_potential.h"
 #include "server/physics/soft/soft_body.h"
 
 namespace prosector {
@@ -18,16 +19,16 @@ inline VecX random_vector(Eigen::Index n, std::uint64_t seed) {
 
 /// Along dx at x, within a stage that was begun, where no element's Hessian needs projecting. Leaves the
 /// matrix assembled at x.
-inline void expect_derivatives_of_energy(SoftBody& body, const VecX& x, const VecX& dx) {
+inline void expect_derivatives_of_energy(IncrementalPotential& potential, const VecX& x, const VecX& dx) {
   VecX g(x.size()), g_plus(x.size()), g_minus(x.size()), Hdx(x.size());
   const double e = 1e-7;
-  body.gradient(x, g);
-  const double slope = (body.energy(x + e * dx) - body.energy(x - e * dx)) / (2 * e);
+  potential.gradient(x, g);
+  const double slope = (potential.energy(x + e * dx) - potential.energy(x - e * dx)) / (2 * e);
   EXPECT_NEAR(g.dot(dx), slope, 1e-6 * std::abs(slope));
-  body.gradient(x + e * dx, g_plus);
-  body.gradient(x - e * dx, g_minus);
-  body.assemble(x);
-  body.multiply(dx.data(), Hdx.data());
+  potential.gradient(x + e * dx, g_plus);
+  potential.gradient(x - e * dx, g_minus);
+  potential.assemble(x);
+  potential.multiply(dx.data(), Hdx.data());
   EXPECT_LT((Hdx - (g_plus - g_minus) / (2 * e)).norm(), 1e-5 * Hdx.norm());
 }
 

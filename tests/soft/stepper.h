@@ -5,32 +5,37 @@
 #include <cmath>
 #include <vector>
 
+#include "server/physics/soft/implicit_stepper.h"
+#include "server/physics/soft/incremental_potential.h"
 #include "server/physics/soft/soft_body.h"
+#include "server/physics/soft/solvers/linear_solver.h"
 
 namespace prosector {
 
 class BodyOperator final : public LinearOperator {
  public:
-  explicit BodyOperator(const SoftBody& body) : body_(body), diagonal_(blocks()), inverse_(blocks()) {}
+  explicit BodyOperator(SoftBody& body)
+      : potential_(body.potential()), nodes_(body.nodes()), diagonal_(blocks()), inverse_(blocks()) {}
   void update() {
-    body_.diagonal(diagonal_);
+    potential_.diagonal(diagonal_);
     for (std::size_t i = 0; i < blocks(); ++i) inverse_[i] = diagonal_[i].inverse();
   }
-  Eigen::Index size() const override { return 3 * body_.nodes(); }
-  void multiply(const VecX& p, VecX& Hp) const override { body_.multiply(p.data(), Hp.data()); }
+  Eigen::Index size() const override { return 3 * nodes_; }
+  void multiply(const VecX& p, VecX& Hp) const override { potential_.multiply(p.data(), Hp.data()); }
   void block_jacobi(const VecX& r, VecX& z) const override {
-    for (Eigen::Index i = 0; i < body_.nodes(); ++i) {
+    for (Eigen::Index i = 0; i < nodes_; ++i) {
       z.segment<3>(3 * i) = inverse_[static_cast<std::size_t>(i)] * r.segment<3>(3 * i);
     }
   }
-  void elastic_factor(const VecX& r, VecX& z) const override { body_.factor_solve(r.data(), z.data()); }
+  void elastic_factor(const VecX& r, VecX& z) const override { potential_.factor_solve(r.data(), z.data()); }
   void multigrid(const VecX& r, VecX& z) const override {
-    body_.multigrid_solve(diagonal_, inverse_, r.data(), z.data());
+    potential_.multigrid_solve(diagonal_, inverse_, r.data(), z.data());
   }
 
  private:
-  std::size_t blocks() const { return static_cast<std::size_t>(body_.nodes()); }
-  const SoftBody& body_;
+  std::size_t blocks() const { return static_cast<std::size_t>(nodes_); }
+  IncrementalPotential& potential_;
+  Eigen::Index nodes_;
   std::vector<Mat3> diagonal_, inverse_;
 };
 
@@ -43,16 +48,20 @@ struct StepperSettings {
 class Stepper {
  public:
   explicit Stepper(SoftBody& body, StepperSettings settings = {})
-      : body_(body), settings_(settings), H_(body), solver_(make_solver(body.desc().solver)) {}
+      : potential_(body.potential()),
+        stepper_(body.stepper()),
+        settings_(settings),
+        H_(body),
+        solver_(make_solver(body.desc().solver)) {}
 
   /// Newton iterations taken.
   int step(double h, const Vec3& gravity, SoftBodyState& state) {
     int iterations = 0;
-    for (int stage = 0; stage < body_.integrator().stages(); ++stage) {
-      body_.begin_stage(stage, h, gravity, state);
+    for (int stage = 0; stage < stepper_.integrator().stages(); ++stage) {
+      stepper_.begin_stage(stage, h, gravity, state);
       VecX x = state.motion.x;
       iterations += minimise(x);
-      body_.finish_stage(stage, h, x, state);
+      stepper_.finish_stage(stage, h, x, state);
     }
     return iterations;
   }
@@ -71,10 +80,10 @@ class Stepper {
     VecX g(x.size()), dx = VecX::Zero(x.size()), trial(x.size());
     double first = 0;
     for (int iteration = 0; iteration < settings_.newton_iterations; ++iteration) {
-      body_.gradient(x, g);
+      potential_.gradient(x, g);
       if (iteration == 0) first = g.norm();
       if (g.norm() <= settings_.tolerance * first) return iteration;
-      body_.assemble(x);
+      potential_.assemble(x);
       H_.update();
       dx.setZero();
       solver_->solve(H_, -g, settings_.solver, dx);
@@ -85,11 +94,11 @@ class Stepper {
 
   /// Armijo, up to the energy's rounding; false when no descent is left.
   bool line_search(VecX& x, const VecX& g, const VecX& dx, VecX& trial) {
-    const double start = body_.energy(x), slope = g.dot(dx);
+    const double start = potential_.energy(x), slope = g.dot(dx);
     const double rounding = 1e-13 * std::abs(start);
     for (double t = 1; t > 1e-6; t /= 2) {
       trial = x + t * dx;
-      if (body_.energy(trial) <= start + 1e-4 * t * slope + rounding) {
+      if (potential_.energy(trial) <= start + 1e-4 * t * slope + rounding) {
         x = trial;
         return true;
       }
@@ -97,7 +106,8 @@ class Stepper {
     return false;
   }
 
-  SoftBody& body_;
+  IncrementalPotential& potential_;
+  ImplicitStepper& stepper_;
   StepperSettings settings_;
   BodyOperator H_;
   std::unique_ptr<LinearSolver> solver_;

@@ -5,6 +5,8 @@
 #include <tbb/global_control.h>
 
 #include "server/physics/coupled/step_island.h"
+#include "server/physics/soft/implicit_stepper.h"
+#include "server/physics/soft/incremental_potential.h"
 #include "server/physics/soft/rungs.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/print_rows.h"
@@ -42,24 +44,24 @@ class FixedStep {
   }
   void operator()() {
     constexpr double h = 1. / 60;
-    for (int stage = 0; stage < body_.integrator().stages(); ++stage) {
-      body_.begin_stage(stage, h, Vec3(0, -9.81, 0), state_);
-      body_.initial_guess(h, state_, x_);
+    for (int stage = 0; stage < body_.stepper().integrator().stages(); ++stage) {
+      body_.stepper().begin_stage(stage, h, Vec3(0, -9.81, 0), state_);
+      body_.stepper().initial_guess(h, state_, x_);
       for (int iteration = 0; iteration < 2; ++iteration) {
-        body_.gradient(x_, b_);
+        body_.potential().gradient(x_, b_);
         b_ = -b_;
         if (iteration == 0) {
-          body_.assemble_roughly(x_);
+          body_.potential().assemble_roughly(x_);
         } else {
-          body_.assemble(x_);
+          body_.potential().assemble(x_);
         }
         H_.update();
         dx_.setZero();
         solver_->solve(H_, b_, {}, dx_);
         x_ += dx_;
-        energy_ = body_.energy(x_);
+        energy_ = body_.potential().energy(x_);
       }
-      body_.finish_stage(stage, h, x_, state_);
+      body_.stepper().finish_stage(stage, h, x_, state_);
     }
   }
   double energy() const { return energy_; }

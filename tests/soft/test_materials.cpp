@@ -1,5 +1,6 @@
 // Bodies of several materials: every model against a stack of two layers, whose answer is known.
 
+#include "server/physics/soft/incremental_potential.h"
 #include "server/physics/soft/laws/material.h"
 
 #include <gtest/gtest.h>
@@ -60,7 +61,7 @@ TEST_P(Layers, StoreWhatEachOfThemWould) {
     SoftBody body(d, kuhn_anatomy({4, 2, 2}, size));
     VecX x = body.initial_state().motion.x;
     for (Eigen::Index i = 0; i < x.size(); i += 3) x.segment<3>(i) = F * x.segment<3>(i);
-    return body.elastic_energy(x);
+    return body.potential().elastic_energy(x);
   };
   const double mean = (energy(soft) + energy(hard)) / 2;
   EXPECT_NEAR(energy(desc), mean, 1e-9 * mean);

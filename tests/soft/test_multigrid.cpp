@@ -5,6 +5,8 @@
 
 #include <random>
 
+#include "server/physics/soft/implicit_stepper.h"
+#include "server/physics/soft/incremental_potential.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/stepper.h"
 
@@ -66,8 +68,8 @@ TEST(Multigrid, IsSymmetricAndPositiveWhateverTheShape) {
       for (double step : {1e-3, h, 10.0}) {
         SoftBodyState state = body.initial_state();
         state.motion.x = x;
-        body.begin_stage(0, step, gravity, state);
-        body.assemble(x);
+        body.stepper().begin_stage(0, step, gravity, state);
+        body.potential().assemble(x);
         H.update();
         expect_symmetric_positive(H, law.name);
       }
@@ -84,12 +86,12 @@ int iterations(std::uint32_t n, const std::string& model, double step) {
     Vec3 p = state.motion.x.segment<3>(i);
     state.motion.x.segment<3>(i) = Eigen::AngleAxisd(-2 * p.x(), Vec3::UnitZ()) * p;
   }
-  body.begin_stage(0, step, gravity, state);
+  body.stepper().begin_stage(0, step, gravity, state);
   BodyOperator H(body);
-  body.assemble(state.motion.x);
+  body.potential().assemble(state.motion.x);
   H.update();
   VecX g(state.motion.x.size()), x = VecX::Zero(g.size());
-  body.gradient(state.motion.x, g);
+  body.potential().gradient(state.motion.x, g);
   const SolveReport report = make_solver("multigrid")->solve(H, -g, {200, 1e-3}, x);
   EXPECT_TRUE(report.converged);
   return report.iterations;
@@ -108,9 +110,9 @@ TEST(Multigrid, TakesALawThatDoesNotTurn) {
   SoftBody body(beam("fem_linear"), kuhn_anatomy({16, 4, 4}, size));
   SoftBodyState state = body.initial_state();
   state.motion.x = bent(state.motion.x);
-  body.begin_stage(0, h, gravity, state);
+  body.stepper().begin_stage(0, h, gravity, state);
   BodyOperator H(body);
-  body.assemble(state.motion.x);
+  body.potential().assemble(state.motion.x);
   H.update();
   VecX x = VecX::Zero(H.size());
   EXPECT_LE(make_solver("multigrid")->solve(H, random_vector(H.size(), 1), {200, 1e-3}, x).iterations, 20);

@@ -9,7 +9,9 @@
 #include <random>
 
 #include "common/error.h"
+#include "server/physics/soft/incremental_potential.h"
 #include "server/physics/soft/make_model.h"
+#include "server/physics/soft/mechanical_energy.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/print_rows.h"
 #include "tests/soft/stepper.h"
@@ -139,7 +141,8 @@ void expect_losing(const SoftDesc& soft, double strain, double most_gain) {
         branches += volume / (4 * c.mu * soft.relaxation[i].share) *
                     (square - c.lambda / (3 * c.lambda + 2 * c.mu) * trace * trace);
       }
-    return branches + body.elastic_energy(state.motion.x) + body.kinetic_energy(state);
+    return branches + body.potential().elastic_energy(state.motion.x) +
+           kinetic_energy(body.node_mass(), state.motion.v);
   };
   const double start = energy();
   double before = start;

@@ -7,6 +7,9 @@
 #include <string>
 
 #include "common/error.h"
+#include "server/physics/soft/implicit_stepper.h"
+#include "server/physics/soft/incremental_potential.h"
+#include "server/physics/soft/mechanical_energy.h"
 #include "tests/soft/derivatives.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/print_rows.h"
@@ -42,14 +45,14 @@ TEST_P(Bodies, GradientAndHessianAreThoseOfTheEnergy) {
   const Eigen::Index n = state.motion.x.size();
   state.motion.x += 1e-4 * random_vector(n, 1);
   state.motion.v = random_vector(n, 2);
-  body.begin_stage(0, h, gravity, state);
+  body.stepper().begin_stage(0, h, gravity, state);
   // Slightly swollen, so that every law's Hessian is definite and nothing is projected.
   const VecX x = 1.01 * state.motion.x + 1e-4 * random_vector(n, 3), dx = random_vector(n, 4);
-  expect_derivatives_of_energy(body, x, dx);
+  expect_derivatives_of_energy(body.potential(), x, dx);
 
   VecX Hdx(n), z(n);
-  body.multiply(dx.data(), Hdx.data());
-  body.factor_solve(Hdx.data(), z.data());
+  body.potential().multiply(dx.data(), Hdx.data());
+  body.potential().factor_solve(Hdx.data(), z.data());
   EXPECT_LT((z - dx).norm(), 1e-9 * dx.norm());
 }
 
@@ -64,14 +67,14 @@ TEST_P(Bodies, FirstMatrixIsTheHessianWhereNothingIsStretched) {
       const Mat3 turned = Eigen::AngleAxisd(2, Vec3(1, -2, 3).normalized()).toRotationMatrix();
       state.motion.x = (turned * state.motion.x.reshaped(3, n / 3)).reshaped().eval();
     }
-    body.begin_stage(0, h, gravity, state);
+    body.stepper().begin_stage(0, h, gravity, state);
     const VecX dx = random_vector(n, 4);
     VecX exact(n), first(n);
-    body.assemble(state.motion.x);
-    body.multiply(dx.data(), exact.data());
-    body.begin_stage(0, h, gravity, state);
-    body.assemble_roughly(state.motion.x);
-    body.multiply(dx.data(), first.data());
+    body.potential().assemble(state.motion.x);
+    body.potential().multiply(dx.data(), exact.data());
+    body.stepper().begin_stage(0, h, gravity, state);
+    body.potential().assemble_roughly(state.motion.x);
+    body.potential().multiply(dx.data(), first.data());
     EXPECT_LT((exact - first).norm(), 1e-10 * exact.norm()) << damping;
   }
 }
@@ -90,9 +93,9 @@ TEST_P(Bodies, PassThePatchTest) {
   const VecX rest = state.motion.x;
   state.motion.x = (A * rest.reshaped(3, rest.size() / 3)).reshaped();
   // Gravity off and v = 0: what is left of the gradient at x = x_n is the elastic force.
-  body.begin_stage(0, h, Vec3::Zero(), state);
+  body.stepper().begin_stage(0, h, Vec3::Zero(), state);
   VecX g(rest.size());
-  body.gradient(state.motion.x, g);
+  body.potential().gradient(state.motion.x, g);
   double inside = 0, boundary = 0;
   for (Eigen::Index i = 0; i < body.nodes(); ++i) {
     const Vec3 X = rest.segment<3>(3 * i);
@@ -164,11 +167,12 @@ SoftBodyState recover(SoftBody& body, const VecX& from, int steps) {
   SoftBodyState state = body.initial_state();
   state.motion.x = from;
   Stepper stepper(body, {30, 1e-6, {200, 1e-4}});
-  const double start = body.elastic_energy(from);
+  const double start = body.potential().elastic_energy(from);
   for (int i = 0; i < steps; ++i) {
     stepper.step(h, Vec3::Zero(), state);
     EXPECT_TRUE(state.motion.x.allFinite());
-    const double after = body.elastic_energy(state.motion.x) + body.kinetic_energy(state);
+    const double after =
+        body.potential().elastic_energy(state.motion.x) + kinetic_energy(body.node_mass(), state.motion.v);
     EXPECT_LE(after, start * 1.01 + 1e-12);
   }
   return state;
@@ -183,7 +187,7 @@ TEST_P(Bodies, SurviveRuinedShapes) {
   const auto mapped = [&](const Mat3& A) -> VecX {
     return (A * rest.reshaped(3, rest.size() / 3)).reshaped();
   };
-  const double rest_energy = body.elastic_energy(mapped(0.9 * Mat3::Identity()));
+  const double rest_energy = body.potential().elastic_energy(mapped(0.9 * Mat3::Identity()));
   struct Case {
     const char* name;
     VecX x;
@@ -198,12 +202,12 @@ TEST_P(Bodies, SurviveRuinedShapes) {
     // From 1000 times its size it may overshoot into a tangle, depending on the last bit: not promised.
     const bool promised = model == "fem_linear" || (model == "fem_corotational" && c.name != "far"s);
     if (promised) {
-      EXPECT_LT(body.elastic_energy(state.motion.x), 1e-2 * rest_energy) << c.name;
+      EXPECT_LT(body.potential().elastic_energy(state.motion.x), 1e-2 * rest_energy) << c.name;
     }
     const SoftBodyState slower = recover(damped, c.x, 120);
     // A point-like body that damping keeps from bursting open may unfold into a tangle.
     if (promised && c.name != "small"s) {
-      EXPECT_LT(body.elastic_energy(slower.motion.x), 1e-2 * rest_energy) << c.name << ", damped";
+      EXPECT_LT(body.potential().elastic_energy(slower.motion.x), 1e-2 * rest_energy) << c.name << ", damped";
     }
   }
 }
@@ -212,7 +216,8 @@ TEST(SoftBody, RecoversFromNearCollapseWithTheBarrier) {
   SoftBody body(description("fem_neo_hookean"), kuhn_anatomy({2, 2, 2}, cube_size));
   const VecX rest = body.initial_state().motion.x;
   const SoftBodyState state = recover(body, 0.05 * rest, 240);
-  EXPECT_LT(body.elastic_energy(state.motion.x), 1e-3 * body.elastic_energy(0.9 * rest));
+  EXPECT_LT(body.potential().elastic_energy(state.motion.x),
+            1e-3 * body.potential().elastic_energy(0.9 * rest));
 }
 
 TEST(SoftBody, MassIsThatOfTheVolumeAlsoWithFlatTetrahedra) {

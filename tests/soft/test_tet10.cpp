@@ -7,6 +7,8 @@
 
 #include <random>
 
+#include "server/physics/soft/implicit_stepper.h"
+#include "server/physics/soft/incremental_potential.h"
 #include "tests/soft/derivatives.h"
 #include "tests/soft/kuhn.h"
 #include "tests/soft/print_rows.h"
@@ -43,9 +45,9 @@ TEST_P(Quadratic, GradientAndHessianAreThoseOfTheEnergy) {
   SoftBody body(description(GetParam().name), kuhn_anatomy({2, 2, 2}, cube_size));
   SoftBodyState state = body.initial_state();
   const Eigen::Index n = state.motion.x.size();
-  body.begin_stage(0, h, gravity, state);
+  body.stepper().begin_stage(0, h, gravity, state);
   const VecX x = 1.01 * state.motion.x + 5e-5 * random_vector(n, 3), dx = random_vector(n, 4);
-  expect_derivatives_of_energy(body, x, dx);
+  expect_derivatives_of_energy(body.potential(), x, dx);
 }
 
 TEST_P(Quadratic, PassThePatchTest) {
@@ -64,8 +66,8 @@ TEST_P(Quadratic, PassThePatchTest) {
   // Only the strain energy: the inertia's part is taken away.
   SoftBodyState still = state;
   still.motion.x = x;
-  body.begin_stage(0, 1e6, Vec3::Zero(), still);
-  body.gradient(x, g);
+  body.stepper().begin_stage(0, 1e6, Vec3::Zero(), still);
+  body.potential().gradient(x, g);
   double outside = 0;
   for (Eigen::Index i = 0; i < rest.size(); i += 3) {
     const Vec3 p = rest.segment<3>(i);
@@ -86,7 +88,7 @@ TEST_P(Quadratic, TurningStoresNothing) {
   VecX x = body.initial_state().motion.x;
   const Mat3 R = Eigen::AngleAxisd(2.5, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
   for (Eigen::Index i = 0; i < x.size(); i += 3) x.segment<3>(i) = R * x.segment<3>(i);
-  EXPECT_LT(body.elastic_energy(x), 1e-12 * body.desc().youngs_modulus * cube_size.prod());
+  EXPECT_LT(body.potential().elastic_energy(x), 1e-12 * body.desc().youngs_modulus * cube_size.prod());
 }
 
 TEST_P(Quadratic, SameBitsForAnyNumberOfThreads) {
@@ -127,7 +129,7 @@ TEST(Tet10, StoresTheEnergyOfAQuadraticFieldExactly) {
     x.segment<3>(i) += Vec3(-k * p.x() * p.y(), k * p.x() * p.x() / 2, 0);
   }
   const double exact = 0.5 * desc.youngs_modulus * k * k * std::pow(cube_size[0], 5) / 12;
-  EXPECT_NEAR(body.elastic_energy(x), exact, 1e-12 * exact);
+  EXPECT_NEAR(body.potential().elastic_energy(x), exact, 1e-12 * exact);
 }
 
 /// Points of the embedded surface move with every linear field, and as the middles of edges do with any.

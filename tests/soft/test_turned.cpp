@@ -5,6 +5,8 @@
 #include <random>
 
 #include "server/physics/soft/elements/tet10.h"
+#include "server/physics/soft/implicit_stepper.h"
+#include "server/physics/soft/incremental_potential.h"
 #include "server/physics/soft/make_model.h"
 #include "server/physics/soft/matrices/block_matrix.h"
 #include "server/physics/soft/matrices/turned_stiffness.h"
@@ -153,19 +155,19 @@ TEST_P(Turned, BodiesHaveTheHessianOfTheirEnergy) {
   const Eigen::Index n = state.motion.x.size();
   state.motion.x *= 1.01;  // nothing is projected
   state.motion.v = random_vector(n, 2);
-  body.begin_stage(0, h, gravity, state);
-  ASSERT_TRUE(body.tangent_is_cheap());
+  body.stepper().begin_stage(0, h, gravity, state);
+  ASSERT_TRUE(body.potential().tangent_is_cheap());
   const VecX x = state.motion.x, dx = random_vector(n, 4);
   VecX g(n), g_plus(n), g_minus(n), Hdx(n);
   const double e = 1e-7;
-  body.linearise(x);
-  body.gradient(x, g);
-  body.assemble(x);
-  body.multiply(dx.data(), Hdx.data());
-  const double slope = (body.energy(x + e * dx) - body.energy(x - e * dx)) / (2 * e);
+  body.potential().linearise(x);
+  body.potential().gradient(x, g);
+  body.potential().assemble(x);
+  body.potential().multiply(dx.data(), Hdx.data());
+  const double slope = (body.potential().energy(x + e * dx) - body.potential().energy(x - e * dx)) / (2 * e);
   EXPECT_NEAR(g.dot(dx), slope, 1e-6 * std::abs(slope));
-  body.gradient(x + e * dx, g_plus);
-  body.gradient(x - e * dx, g_minus);
+  body.potential().gradient(x + e * dx, g_plus);
+  body.potential().gradient(x - e * dx, g_minus);
   EXPECT_LT((Hdx - (g_plus - g_minus) / (2 * e)).norm(), 1e-5 * Hdx.norm());
 }
 

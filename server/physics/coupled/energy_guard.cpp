@@ -1,4 +1,7 @@
 #include "server/physics/coupled/energy_guard.h"
+#include "server/physics/soft/implicit_stepper.h"
+#include "server/physics/soft/incremental_potential.h"
+#include "server/physics/soft/mechanical_energy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,13 +52,14 @@ void EnergyGuard::begin(Island& island, const Vec3& gravity) {
   before_.clear();
   after_.assign(island.soft.size(), 0);
   for (SoftMember& m : island.soft) {
-    m.body->remember(*m.state);
+    m.body->stepper().remember(*m.state);
     before_.push_back(stored(m));
   }
 }
 
 double EnergyGuard::stored(const SoftMember& m) const {
-  return m.body->elastic_energy(m.state->motion.x) + m.body->kinetic_energy(*m.state);
+  return m.body->potential().elastic_energy(m.state->motion.x) +
+         kinetic_energy(m.body->node_mass(), m.state->motion.v);
 }
 
 double EnergyGuard::allowed(std::size_t m, double work) const {
@@ -63,7 +67,7 @@ double EnergyGuard::allowed(std::size_t m, double work) const {
   const SoftDesc& desc = s.body->desc();
   const double stiffness = desc.youngs_modulus * s.body->total_mass() / desc.density;  // J
   return (1 + allowance) * (before_[m] + std::max(0.0, work)) + s.state->energy_slack +
-         s.body->fall_energy(s.body->remembered().x, s.state->motion.x, gravity_) +
+         fall_energy(*s.body, s.body->stepper().remembered().x, s.state->motion.x, gravity_) +
          least_strain * least_strain * stiffness;
 }
 
@@ -86,7 +90,7 @@ bool EnergyGuard::gained(const std::vector<double>& work) {
 }
 
 void EnergyGuard::rewind() {
-  for (SoftMember& s : island_->soft) s.body->recall(*s.state);
+  for (SoftMember& s : island_->soft) s.body->stepper().recall(*s.state);
 }
 
 void EnergyGuard::shorten(const std::vector<double>& work) {
@@ -94,7 +98,7 @@ void EnergyGuard::shorten(const std::vector<double>& work) {
     if (after_[m] <= allowed(m, work[m])) continue;
     SoftMember& s = island_->soft[m];
     Motion& motion = s.state->motion;
-    const VecX& start = s.body->remembered().x;
+    const VecX& start = s.body->stepper().remembered().x;
     const VecX x = motion.x - start, v = motion.v;
     const Vec3 dx = mean(x, s.body->node_mass()), dv = mean(v, s.body->node_mass());
     double share = 0.5;
@@ -108,7 +112,7 @@ void EnergyGuard::shorten(const std::vector<double>& work) {
       if (after_[m] <= allowed(m, work[m])) break;
     }
     if (!(after_[m] <= allowed(m, work[m]))) {
-      s.body->recall(*s.state);
+      s.body->stepper().recall(*s.state);
       motion.v.setZero();
       after_[m] = stored(s);
     }
@@ -122,7 +126,7 @@ void EnergyGuard::finish(const std::vector<double>& work, double h) {
   for (std::size_t m = 0; m < island_->soft.size(); ++m) {
     SoftBodyState& state = *island_->soft[m].state;
     const double headroom = std::clamp(allowed(m, work[m]) - after_[m], 0.0, most_slack * after_[m]);
-    state.energy_slack = island_->soft[m].body->integrator().remembers() ? kept * headroom : 0;
+    state.energy_slack = island_->soft[m].body->stepper().integrator().remembers() ? kept * headroom : 0;
   }
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "server/physics/soft/base/effort.h"
+#include "server/physics/soft/implicit_stepper.h"
+#include "server/physics/soft/mechanical_energy.h"
 
 namespace prosector {
 namespace {
@@ -66,7 +68,7 @@ bool violent(const Island& island) {
 }
 
 int stages_of(const SoftMember& m) {
-  return m.euler ? 1 : m.body->integrator().stages();
+  return m.euler ? 1 : m.body->stepper().integrator().stages();
 }
 
 /// Whether some body keeps a history of stress: what it gives back is no gain.
@@ -237,7 +239,7 @@ void IslandSolver::keep_momentum(const Island& island, double h) {
   double inertia = 0;  // N/m
   for (std::size_t m = 0; m < island.soft.size(); ++m) {
     const SoftBody& body = *island.soft[m].body;
-    const Stage& stage = body.stage();
+    const Stage& stage = body.stepper().stage();
     force += g_.segment(system_.soft_offset(m), 3 * body.nodes()).reshaped(3, body.nodes()).rowwise().sum();
     inertia += (stage.alpha + body.desc().damping_mass / stage.dxdv) * body.total_mass();
   }
@@ -263,7 +265,7 @@ IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double 
   system_.begin(island, h);  // displacements count from here, in every stage
   system_.start(start_);
   for (int stage = 0; stage < stages; ++stage) {
-    for (SoftMember& m : island.soft) m.body->begin_stage(stage, h, gravity, *m.state, m.euler);
+    for (SoftMember& m : island.soft) m.body->stepper().begin_stage(stage, h, gravity, *m.state, m.euler);
     system_.initial_guess(q_);
     if (limits.careful || (limits.alone && violent(island))) start_where_energy_is_least();
     IslandReport part = minimise(limits, tolerance);
@@ -281,8 +283,8 @@ IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double 
     system_.tell_contacts(q_, limits.held);
     for (std::size_t m = 0; m < island.soft.size(); ++m) {
       SoftBody& body = *island.soft[m].body;
-      body.finish_stage(stage, h, q_.segment(system_.soft_offset(m), 3 * body.nodes()),
-                        *island.soft[m].state);
+      body.stepper().finish_stage(stage, h, q_.segment(system_.soft_offset(m), 3 * body.nodes()),
+                                  *island.soft[m].state);
     }
     if (stage + 1 == stages) system_.joint_work(start_, q_, work_);
   }
@@ -293,8 +295,8 @@ IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double 
 IslandSolver::Account IslandSolver::account(const Island& island, double h, const Vec3& gravity) {
   Account sum{guard_.before(), 0, stored_};
   for (const SoftMember& m : island.soft) {
-    sum.given += m.body->fall_energy(m.body->remembered().x, m.state->motion.x, gravity);
-    sum.has += m.body->kinetic_energy(*m.state);
+    sum.given += fall_energy(*m.body, m.body->stepper().remembered().x, m.state->motion.x, gravity);
+    sum.has += kinetic_energy(m.body->node_mass(), m.state->motion.v);
   }
   for (const RigidMember& m : island.rigid) {
     const auto product = [&](const Vec6& a, const Vec6& b) {
@@ -359,7 +361,7 @@ IslandReport IslandSolver::solve(Island& island, double h, const Vec3& gravity) 
   }
   if (limits.alone) guard_.finish(work_, h);
   for (SoftMember& m : island.soft)
-    if (m.euler && m.body->integrator().remembers()) m.state->motion.has_history = false;
+    if (m.euler && m.body->stepper().integrator().remembers()) m.state->motion.has_history = false;
   return report;
 }
 

@@ -5,6 +5,7 @@
 
 #include "server/physics/coupled/energy_guard.h"
 #include "server/physics/coupled/island_system.h"
+#include "server/physics/soft/solvers/linear_solver.h"
 
 namespace prosector {
 

@@ -6,6 +6,8 @@
 #include "server/physics/coupled/lever.h"
 #include "server/physics/coupled/potentials.h"
 #include "server/physics/parallel.h"
+#include "server/physics/soft/implicit_stepper.h"
+#include "server/physics/soft/incremental_potential.h"
 
 namespace prosector {
 namespace {
@@ -120,8 +122,8 @@ void IslandSystem::add(const Side& side, const Vec3& f, VecX& out) {
 void IslandSystem::initial_guess(VecX& q) const {
   q.resize(size_);
   for (std::size_t m = 0; m < island_->soft.size(); ++m)
-    island_->soft[m].body->initial_guess(h_, *island_->soft[m].state,
-                                         q.segment(soft_offset_[m], 3 * island_->soft[m].body->nodes()));
+    island_->soft[m].body->stepper().initial_guess(
+        h_, *island_->soft[m].state, q.segment(soft_offset_[m], 3 * island_->soft[m].body->nodes()));
   for (std::size_t m = 0; m < island_->rigid.size(); ++m)
     q.segment<6>(rigid_offset(m)) = island_->rigid[m].steady;
 }
@@ -256,16 +258,16 @@ Vec3 IslandSystem::contact_force(std::size_t c, const Vec3& u, Mat3* D) const {
 double IslandSystem::energy(const VecX& q) {
   soft_energy_ = 0;
   for (std::size_t m = 0; m < island_->soft.size(); ++m)
-    soft_energy_ +=
-        island_->soft[m].body->energy(q.segment(soft_offset_[m], 3 * island_->soft[m].body->nodes()));
+    soft_energy_ += island_->soft[m].body->potential().energy(
+        q.segment(soft_offset_[m], 3 * island_->soft[m].body->nodes()));
   return soft_energy_ + joint_energy(q);
 }
 
 double IslandSystem::stored_in_tissue(const VecX& q) const {
   double sum = soft_energy_;
   for (std::size_t m = 0; m < island_->soft.size(); ++m)
-    sum -=
-        island_->soft[m].body->inertia_energy(q.segment(soft_offset_[m], 3 * island_->soft[m].body->nodes()));
+    sum -= island_->soft[m].body->potential().inertia_energy(
+        q.segment(soft_offset_[m], 3 * island_->soft[m].body->nodes()));
   return sum;
 }
 
@@ -307,14 +309,15 @@ double IslandSystem::joint_energy(const VecX& q) const {
 
 void IslandSystem::linearise(const VecX& q) {
   for (std::size_t m = 0; m < island_->soft.size(); ++m)
-    island_->soft[m].body->linearise(q.segment(soft_offset_[m], 3 * island_->soft[m].body->nodes()));
+    island_->soft[m].body->potential().linearise(
+        q.segment(soft_offset_[m], 3 * island_->soft[m].body->nodes()));
 }
 
 void IslandSystem::gradient(const VecX& q, VecX& g) {
   g.resize(size_);
   for (std::size_t m = 0; m < island_->soft.size(); ++m) {
     const Eigen::Index n = 3 * island_->soft[m].body->nodes();
-    island_->soft[m].body->gradient(q.segment(soft_offset_[m], n), g.segment(soft_offset_[m], n));
+    island_->soft[m].body->potential().gradient(q.segment(soft_offset_[m], n), g.segment(soft_offset_[m], n));
   }
   for (std::size_t m = 0; m < island_->rigid.size(); ++m) {
     const RigidMember& body = island_->rigid[m];
@@ -436,10 +439,10 @@ bool IslandSystem::assemble(const VecX& q, bool exact) {
     SoftBody& body = *island_->soft[m].body;
     const auto x = q.segment(soft_offset_[m], 3 * body.nodes());
     if (exact)
-      body.assemble(x);
+      body.potential().assemble(x);
     else
-      kept = body.assemble_roughly(x) || kept;
-    body.diagonal(
+      kept = body.potential().assemble_roughly(x) || kept;
+    body.potential().diagonal(
         std::span(node_blocks_)
             .subspan(static_cast<std::size_t>(soft_offset_[m] / 3), static_cast<std::size_t>(body.nodes())));
   }
@@ -482,7 +485,7 @@ bool IslandSystem::assemble(const VecX& q, bool exact) {
 void IslandSystem::multiply(const VecX& p, VecX& Hp) const {
   Hp.resize(size_);
   for (std::size_t m = 0; m < island_->soft.size(); ++m)
-    island_->soft[m].body->multiply(p.data() + soft_offset_[m], Hp.data() + soft_offset_[m]);
+    island_->soft[m].body->potential().multiply(p.data() + soft_offset_[m], Hp.data() + soft_offset_[m]);
   for (std::size_t m = 0; m < island_->rigid.size(); ++m)
     Hp.segment<6>(rigid_offset(m)) = rigid_blocks_[m] * p.segment<6>(rigid_offset(m));
   for (const Joint* joint : stiff_) {
@@ -508,12 +511,12 @@ void IslandSystem::block_jacobi(const VecX& r, VecX& z) const {
 void IslandSystem::multigrid(const VecX& r, VecX& z) const {
   z.resize(size_);
   for (std::size_t m = 0; m < island_->soft.size(); ++m) {
-    const SoftBody& body = *island_->soft[m].body;
+    SoftBody& body = *island_->soft[m].body;
     const auto first = static_cast<std::size_t>(soft_offset_[m] / 3),
                count = static_cast<std::size_t>(body.nodes());
-    body.multigrid_solve(std::span(node_blocks_).subspan(first, count),
-                         std::span(node_inverse_).subspan(first, count), r.data() + soft_offset_[m],
-                         z.data() + soft_offset_[m]);
+    body.potential().multigrid_solve(std::span(node_blocks_).subspan(first, count),
+                                     std::span(node_inverse_).subspan(first, count),
+                                     r.data() + soft_offset_[m], z.data() + soft_offset_[m]);
   }
   precondition_rigid(r, z);
 }
@@ -521,7 +524,7 @@ void IslandSystem::multigrid(const VecX& r, VecX& z) const {
 void IslandSystem::elastic_factor(const VecX& r, VecX& z) const {
   z.resize(size_);
   for (std::size_t m = 0; m < island_->soft.size(); ++m)
-    island_->soft[m].body->factor_solve(r.data() + soft_offset_[m], z.data() + soft_offset_[m]);
+    island_->soft[m].body->potential().factor_solve(r.data() + soft_offset_[m], z.data() + soft_offset_[m]);
   precondition_rigid(r, z);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "server/physics/coupled/rigid_block.h"
+#include "server/physics/soft/solvers/linear_solver.h"
 
 namespace prosector {
 

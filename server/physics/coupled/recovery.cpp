@@ -4,7 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "server/physics/soft/incremental_potential.h"
+#include "server/physics/soft/mechanical_energy.h"
+#include "server/physics/soft/recovery_law.h"
 #include "server/physics/soft/rungs.h"
+#include "server/physics/soft/unfold.h"
 
 namespace prosector {
 namespace {
@@ -42,24 +46,27 @@ double stiffness(const SoftBody& body) {
 
 /// Share of the volume that is inside out or flat; 0 where the body's own equilibrium has as much.
 double ruined(const SoftBody& body, const SoftMember& m) {
-  const double share = body.inverted_share(m.state->motion.x);
-  const bool own =
-      share > 0 && m.equilibrium && share <= like_equilibrium * body.inverted_share(*m.equilibrium);
+  const double share = inverted_share(body.linear_tets(), m.state->motion.x);
+  const bool own = share > 0 && m.equilibrium &&
+                   share <= like_equilibrium * inverted_share(body.linear_tets(), *m.equilibrium);
   return own ? 0 : share;
 }
 
 /// Whether the body stores and moves no more than what is calm, or than its own equilibrium asks for.
 bool calm(SoftBody& body, const SoftMember& m) {
   const double most = calm_energy * stiffness(body);
-  const double now = body.elastic_energy(m.state->motion.x) + body.kinetic_energy(*m.state);
-  return now < most || (m.equilibrium && now < like_equilibrium * body.elastic_energy(*m.equilibrium));
+  const double now = body.potential().elastic_energy(m.state->motion.x) +
+                     kinetic_energy(body.node_mass(), m.state->motion.v);
+  return now < most ||
+         (m.equilibrium && now < like_equilibrium * body.potential().elastic_energy(*m.equilibrium));
 }
 
 /// Whether no more of the body is thin than of its own equilibrium.
 bool is_whole(const SoftBody& body, const SoftMember& m) {
-  const double share = body.inverted_share(m.state->motion.x, whole);
-  return share == 0 || (m.equilibrium && ruined(body, m) == 0 &&
-                        share <= like_equilibrium * body.inverted_share(*m.equilibrium, whole));
+  const double share = inverted_share(body.linear_tets(), m.state->motion.x, whole);
+  return share == 0 ||
+         (m.equilibrium && ruined(body, m) == 0 &&
+          share <= like_equilibrium * inverted_share(body.linear_tets(), *m.equilibrium, whole));
 }
 
 /// Whether the body under the law that leads out has come to a stop with nothing inside out: something
@@ -74,27 +81,27 @@ bool stuck(const SoftMember& s, const VecX& equilibrium) {
   const bool quiet = s.state->quiet_ticks == quiet_ticks_to_sleep;
   SoftBody& body = s.body->in_force(*s.state);
   if (!quiet && mesh_kind(body.anatomy()) == MeshKind::tets) return false;
-  const double stored = body.elastic_energy(s.state->motion.x);
-  if (!quiet && body.kinetic_energy(*s.state) > shivering * stored) return false;
-  return stored > 2 * body.elastic_energy(equilibrium) + stuck_energy * stiffness(body);
+  const double stored = body.potential().elastic_energy(s.state->motion.x);
+  if (!quiet && kinetic_energy(body.node_mass(), s.state->motion.v) > shivering * stored) return false;
+  return stored > 2 * body.potential().elastic_energy(equilibrium) + stuck_energy * stiffness(body);
 }
 
 /// In a shape that a law for small rotations takes for a turned one: stretched by 1/cos of the angle.
 bool falsely_turned(const SoftMember& s) {
   const VecX& x = s.state->motion.x;
-  return !s.state->recovering && s.body->turned_by(false_turn, x) &&
-         s.body->elastic_energy(x) < stuck_energy * stiffness(*s.body);
+  return !s.state->recovering && turned_by(*s.body, false_turn, x) &&
+         s.body->potential().elastic_energy(x) < stuck_energy * stiffness(*s.body);
 }
 
 /// Whether the body has another volume than what its equilibrium has, by more than any press leaves.
 bool has_lost_volume(double volume, const SoftBody& body, const VecX& equilibrium) {
-  const double own = body.volume_share(equilibrium);
+  const double own = volume_share(body.linear_tets(), equilibrium);
   return volume < least_volume * own || volume > most_volume * own;
 }
 
 /// s: how long the body may stay as it is; infinite: for good.
 double seconds_until_unfolded(const SoftMember& s, const Surroundings& about, const VecX& equilibrium) {
-  const double volume = s.body->volume_share(s.state->motion.x), share = ruined(*s.body, s);
+  const double volume = volume_share(s.body->linear_tets(), s.state->motion.x), share = ruined(*s.body, s);
   if (volume <= 0 || volume > absurd_volume) return absurd_seconds;
   if (share > (about.company && !about.blind ? ruined_share : 0)) return ruined_for_seconds;
   if (!about.crushed && has_lost_volume(volume, *s.body, equilibrium)) return ruined_for_seconds;
@@ -116,14 +123,14 @@ void choose_law(SoftMember& member, double h) {
   SoftBodyState& state = *member.state;
   member.degraded = member.refused = member.guarded = member.limited = false;
   member.note.clear();
-  if (!body.has_recovery() || !state.motion.x.allFinite()) return;
-  if (body.keeps_recovering()) {
+  if (!body.recovery().exists() || !state.motion.x.allFinite()) return;
+  if (body.recovery().is_kept()) {
     if (!state.recovering) enter(state, true);
     member.degraded = true;
     member.note = "its own weight would crush it: stepped as fem_corotational by implicit_euler";
     return;
   }
-  const bool turned = body.turned_by(turn_allowed(body, state), state.motion.x);
+  const bool turned = turned_by(body, turn_allowed(body, state), state.motion.x);
   if (state.recovering) {
     const bool out =
         !turned && ((is_whole(body, member) && calm(body.in_force(state), member)) || stands(body, member));
@@ -155,7 +162,7 @@ bool unfold_if_tangled(SoftMember& s, const Surroundings& about, const VecX& equ
   const double patience = seconds_until_unfolded(s, about, equilibrium);
   s.state->tangled_ticks = std::isfinite(patience) ? s.state->tangled_ticks + ticks : 0;
   if (s.state->tangled_ticks * h < patience) return false;
-  s.body->unfold(*s.state);
+  unfold(*s.body, *s.state);
   s.state->tangled_ticks = s.state->quiet_ticks =
       0;  // what bears its weight has yet to sink to where it rests
   s.note = "stayed inside out or tangled: unfolded into its rest shape where it was";

@@ -12,7 +12,9 @@
 #include "server/physics/coupled/impulse_coupling.h"
 #include "server/physics/coupled/island_solver.h"
 #include "server/physics/coupled/recovery.h"
+#include "server/physics/soft/incremental_potential.h"
 #include "server/physics/soft/integrators/substepper.h"
+#include "server/physics/soft/mechanical_energy.h"
 
 namespace prosector {
 namespace {
@@ -82,12 +84,13 @@ class Tick {
 
  private:
   static double energy(const SoftMember& m) {
-    return m.body->elastic_energy(m.state->motion.x) + m.body->kinetic_energy(*m.state);
+    return m.body->potential().elastic_energy(m.state->motion.x) +
+           kinetic_energy(m.body->node_mass(), m.state->motion.v);
   }
 
   double fallen(std::size_t m) const {
     const SoftMember& member = island_.soft[m];
-    return std::max(0.0, member.body->fall_energy(start_[m].motion.x, member.state->motion.x, gravity_));
+    return std::max(0.0, fall_energy(*member.body, start_[m].motion.x, member.state->motion.x, gravity_));
   }
 
   /// Whether a substepped body has no more energy than its start, gravity and the impulses on it explain,

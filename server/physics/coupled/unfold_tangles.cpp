@@ -6,6 +6,7 @@
 
 #include "server/physics/contact/parting.h"
 #include "server/physics/coupled/recovery.h"
+#include "server/physics/soft/unfold.h"
 
 namespace prosector {
 namespace {
@@ -163,7 +164,7 @@ void disentangle(Bodies& bodies, std::size_t a, std::size_t b, StepReport& repor
     const double moved =
         (bodies.soft[body].state.motion.x - bodies.soft[body].equilibrium).lpNorm<Eigen::Infinity>();
     if (moved < bodies.soft[body].desc().surface_cell) continue;  // so the scene has it
-    bodies.soft[body].solver->unfold(bodies.soft[body].state);
+    unfold(*bodies.soft[body].solver, bodies.soft[body].state);
     place_unfolded(bodies, body, 0);
     tell_reset(bodies, body,
                fmt::format("stayed in {}: put where it rests", bodies.soft[body == a ? b : a].desc().name),

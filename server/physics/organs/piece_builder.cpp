@@ -17,6 +17,7 @@
 #include "server/physics/organs/piece_follow.h"
 #include "server/physics/organs/tet_lineage.h"
 #include "server/physics/parallel.h"
+#include "server/physics/soft/recovery_law.h"
 
 namespace prosector {
 namespace {
@@ -161,7 +162,7 @@ void keep_momentum_of(Bodies& bodies, const Organ& organ, const Organ::Regrouped
 std::unique_ptr<SoftBody> same_tissue(const Bodies& bodies, std::size_t body, SoftDesc desc,
                                       Anatomy anatomy) {
   auto made = std::make_unique<SoftBody>(std::move(desc), std::move(anatomy));
-  if (bodies.soft[body].solver->keeps_recovering()) made->keep_recovering();
+  if (bodies.soft[body].solver->recovery().is_kept()) made->recovery().keep();
   return made;
 }
 

@@ -8,14 +8,15 @@
 #include "server/physics/organs/surface_follow.h"
 #include "server/physics/organs/tet_lineage.h"
 #include "server/physics/parallel.h"
+#include "server/physics/soft/mesh_follower.h"
 
 namespace prosector {
 namespace {
 
 bool can_follow(const Bodies& bodies, const Organ& organ, const PieceEdit& edit) {
   const SoftBody& solver = *bodies.soft[edit.body].solver;
-  return organ.complex().is_sheet() ? solver.can_follow_sheet(edit.mesh.kept_nodes)
-                                    : solver.can_follow(edit.mesh);
+  return organ.complex().is_sheet() ? solver.follower().can_follow_sheet(edit.mesh.kept_nodes)
+                                    : solver.follower().can_follow(edit.mesh);
 }
 
 /// `surface`: of tetrahedra. The organ has taken the change in.
@@ -56,11 +57,11 @@ void take_solver_along(Bodies& bodies, Following& following) {
   const MeshEdit& mesh = following.edit.mesh;
   SoftBody& solver = *bodies.soft[following.edit.body].solver;
   if (following.sheet)
-    solver.follow_sheet(std::move(*following.sheet), mesh.kept_nodes, following.edit.touched);
+    solver.follower().follow_sheet(std::move(*following.sheet), mesh.kept_nodes, following.edit.touched);
   else if (following.surface)
-    solver.follow(mesh, *following.surface);
+    solver.follower().follow(mesh, *following.surface);
   else
-    solver.follow(mesh, std::move(following.skin.surface), std::move(following.skin.embedding));
+    solver.follower().follow(mesh, std::move(following.skin.surface), std::move(following.skin.embedding));
 }
 
 void take_surface_along(Bodies& bodies, const Following& following) {
@@ -80,8 +81,9 @@ bool follow_cut(State& state, Organ& organ, TopologyCause cause, ParticipantId a
   const PieceMesh& mesh = organ.piece(body).mesh;
   const std::size_t nodes_before = mesh.nodes.size();
   const VecX mass_before = solver.node_mass();
-  const MeshEdit nodes = solver.edit_of_nodes(edit->mesh);
-  const NodeTransfer transfer(organ.complex(), mesh, edit->nodes, edit->tets, nodes, solver.edge_nodes());
+  const MeshEdit nodes = solver.follower().edit_of_nodes(edit->mesh);
+  const NodeTransfer transfer(organ.complex(), mesh, edit->nodes, edit->tets, nodes,
+                              solver.follower().edge_nodes());
   Motion motion_before = std::move(bodies.soft[body].state.motion);
   Motion motion;
   for (VecX Motion::*field : {&Motion::x, &Motion::v, &Motion::x_prev, &Motion::v_prev})

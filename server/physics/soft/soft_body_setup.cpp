@@ -4,9 +4,6 @@
 
 #include <cmath>
 
-#include "common/error.h"
-#include "server/physics/soft/soft_body.h"
-
 namespace prosector {
 
 void refuse(const SoftDesc& desc, const std::string& what) {
@@ -70,7 +67,7 @@ void check_mesh(const SoftDesc& desc, const Anatomy& anatomy) {
 }
 
 VecX lumped_mass(double density, const VecX& volume) {
-  const double least = SoftBody::least_mass_share * volume.mean();
+  const double least = least_mass_share * volume.mean();
   return density * volume.cwiseMax(least);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // Damping proportional to stiffness: the potential ½dᵀKd of how far a stage has led, d = x − x_v, K as it is
 // at the stage's first place (see stage_elements.h). Over dxdv and times the scene's damping_stiffness it is
-// what SoftBody adds.
+// what IncrementalPotential adds.
 
 #include "server/physics/soft/base/node_sum.h"
 #include "server/physics/soft/stage_elements.h"

@@ -18,7 +18,7 @@ Vec3 mean(const VecX& values, const VecX& mass) {
 
 }  // namespace
 
-double crushed_share(const TetMesh& mesh, const VecX& x, double least) {
+double inverted_share(const TetMesh& mesh, const VecX& x, double least) {
   double crushed = 0, all = 0;
   const auto at = [&](std::uint32_t i) -> Vec3 { return x.segment<3>(3 * static_cast<Eigen::Index>(i)); };
   for (const auto& t : mesh.tets) {
@@ -74,6 +74,18 @@ void unfold(const VecX& rest, const VecX& mass, bool turn, SoftBodyState& state)
   state.history.setZero();
   state.recovering = false;
   state.law_seconds = 0;
+}
+
+bool turned_by(const SoftBody& body, double angle, const VecX& x) {
+  if (body.objective()) return false;
+  return best_rotation(body.rest(), body.node_mass(), x).trace() < 1 + 2 * std::cos(angle);
+}
+
+void unfold(const SoftBody& body, SoftBodyState& state) {
+  unfold(body.rest(), body.node_mass(), body.objective(), state);
+  if (!body.attached()) return;
+  state.motion.x = body.rest();
+  state.motion.v.setZero();
 }
 
 }  // namespace prosector

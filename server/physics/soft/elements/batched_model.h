@@ -18,7 +18,33 @@ struct ElementChunk {
   std::size_t size() const { return last - first; }
 };
 
-class BatchedModel : public ElasticModel {
+/// What models on batches differ in: their elements. Several chunks may be worked on at once.
+class ChunkedElements {
+ public:
+  virtual ~ChunkedElements() = default;
+
+  /// Puts the chunk at x, 3n, m.
+  virtual void place(const ElementChunk& chunk, const double* x) = 0;
+
+  // ---- Of the chunk where it was placed
+  /// Returns its energy, J.
+  virtual double energy_of(const ElementChunk& chunk) const = 0;
+  virtual void find_forces(const ElementChunk& chunk) = 0;
+  /// Finds the tangent, or the warped stiffness.
+  virtual void find_stiffness(const ElementChunk& chunk, bool warped) = 0;
+  /// Writes the chunk's turned elements, see ElasticModel::linearise().
+  virtual void turn(const ElementChunk& chunk, double share, TurnedElements& out) const = 0;
+
+  // ---- Of all elements
+  virtual std::span<const Vec3> forces() const = 0;     // N, by corner
+  virtual std::span<const Mat3> stiffness() const = 0;  // N/m, by block
+  /// Makes room for the stiffness when first asked for: models that turn seldom are.
+  virtual void reserve_stiffness() = 0;
+  virtual void reserve(TurnedElements& out) const = 0;
+};
+
+/// Knows where the elements are and what was found there, and goes through them in chunks.
+class BatchedModel : public ElasticModel, protected ChunkedElements {
  public:
   const VecX& rest() const final { return rest_; }
   const Connectivity& connectivity() const final { return connectivity_; }
@@ -36,7 +62,7 @@ class BatchedModel : public ElasticModel {
   void relax_fully() final;
 
  protected:
-  /// Those of the elements that the derived class has taken along already.
+  /// Takes along what the elements share; the derived class has taken the elements along already.
   void follow_elements(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit);
   const Incidence& incidence() const { return incidence_; }
 
@@ -45,25 +71,10 @@ class BatchedModel : public ElasticModel {
 
   ElementBatches& batches() { return *batches_; }
   const ElementBatches& batches() const { return *batches_; }
-  /// What a step stores of what the law would at once, see relaxation.h.
+  /// Returns the share that a step stores of what the law would at once, see relaxation.h.
   double instant_share() const { return relaxing_ ? relaxing_->instant_share() : 1; }
 
  private:
-  // ---- What elements differ in; several chunks at once.
-  /// Puts the chunk at x, 3n.
-  virtual void place(const ElementChunk& chunk, const double* x) = 0;
-  /// J, where it is.
-  virtual double energy_of(const ElementChunk& chunk) const = 0;
-  virtual void find_forces(const ElementChunk& chunk) = 0;
-  virtual std::span<const Vec3> forces() const = 0;  // all, by corner
-  /// Room for the stiffness, when first asked for: models that turn seldom are.
-  virtual void reserve_stiffness() = 0;
-  /// The tangent, or the warped stiffness.
-  virtual void find_stiffness(const ElementChunk& chunk, bool warped) = 0;
-  virtual std::span<const Mat3> stiffness() const = 0;  // all, by block
-  virtual void reserve(TurnedElements& out) const = 0;
-  virtual void turn(const ElementChunk& chunk, double share, TurnedElements& out) const = 0;
-
   bool take(const double* x);
   void move(const double* x);
   template <class F>

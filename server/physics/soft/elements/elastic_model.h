@@ -1,6 +1,6 @@
 #pragma once
-// What a body stores energy in: the strain energy W of its node positions and W's derivatives. SoftBody adds
-// inertia, damping and attachments; it knows of elements only what stands here.
+// What a body stores energy in: the strain energy W of its node positions and W's derivatives.
+// IncrementalPotential adds inertia, damping and attachments; it knows of elements only what stands here.
 
 #include <memory>
 #include <span>

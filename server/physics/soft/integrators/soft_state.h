@@ -7,13 +7,13 @@ namespace prosector {
 
 struct SoftBodyState {
   Motion motion;
-  VecX warm_start;  // 3n, m: last step's change of velocity times h, see SoftBody::initial_guess
+  VecX warm_start;  // 3n, m: last step's change of velocity times h, see ImplicitStepper::initial_guess()
   VecX history;     // viscoelastic, see relaxation.h; empty: none
   bool asleep = true;
   int quiet_ticks = 0;
   int tangled_ticks = 0;  // in a row with inverted elements and nothing that holds them so
   int steps_down = 0;     // how far it is solved less exactly, see effort.h
-  /// Stepped under the law of SoftBody::recovery(), see recovery.h.
+  /// True while it is stepped under the law of SoftBody::recovery(), see coupled/recovery.h.
   bool recovering = false;
   double law_seconds = 0;   // s: for how long the other law has been called for
   double energy_slack = 0;  // J: what its energy has been above what it is, of late, see energy_guard.h

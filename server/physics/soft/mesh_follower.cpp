@@ -1,13 +1,17 @@
-// A soft body follows what cuts, and what takes them back, make of its mesh.
+#include "server/physics/soft/mesh_follower.h"
 
+#include "server/physics/soft/implicit_stepper.h"
+#include "server/physics/soft/incremental_potential.h"
+#include "server/physics/soft/integrators/substepper.h"
+#include "server/physics/soft/recovery_law.h"
 #include "server/physics/soft/rungs.h"
-#include "server/physics/soft/soft_body_impl.h"
 #include "server/physics/soft/soft_body_setup.h"
+#include "server/physics/soft/soft_matter.h"
 
 namespace prosector {
 namespace {
 
-/// What a surface hangs on, by the nodes' indices now; of vertices that go, anything.
+/// Gives what a surface hangs on the nodes' indices now; of vertices that go, anything.
 void renumber(const Kept& nodes, SparseMap& embedding) {
   if (nodes.all_unmoved()) return;
   const std::vector<std::uint32_t> now = nodes.destinations();
@@ -21,8 +25,8 @@ void follow_embedding(const Kept& nodes, const SurfaceEdit& surface, SparseMap& 
   apply(surface.vertices, surface.rows, embedding.rows);
 }
 
-/// Of quadratic elements, which have followed: rows that come, and those between whose nodes edges may have
-/// come or gone.
+/// Finds the rows anew that came, and those between whose nodes edges may have come or gone. The quadratic
+/// elements have followed.
 void divide_again(const QuadraticNodes& nodes, const MeshEdit& edit, const SurfaceEdit& surface,
                   SparseMap& embedding) {
   std::vector<char> met(edit.kept_nodes.now, 0), other(embedding.rows.size(), 0);
@@ -38,85 +42,81 @@ void divide_again(const QuadraticNodes& nodes, const MeshEdit& edit, const Surfa
 
 }  // namespace
 
-void SoftBody::Impl::fit() {
-  symmetric.fit(pattern);
-  mass = lumped_mass(desc.density, model->volume());
-  ties = prosector::attachment_stiffness(desc.attach, model->rest(), model->volume());
-  weigh();
-  recovery.reset();
-  diagonal = bounding_diagonal(model->rest());
-  elements.fit();
-  damping.fit(node_count());
-  hessian->fit();
-  node_sum = NodeSum(node_count());
-  start_anew();
-  if (substepper) substepper->fit();
+const EdgeNodes* MeshFollower::edge_nodes() const {
+  const auto& quadratic = parts_.matter.quadratic;
+  return quadratic ? &quadratic->edges : nullptr;
 }
 
-/// `edit`: of all nodes.
-void SoftBody::Impl::follow(const MeshEdit& edit) {
-  apply(edit, anatomy.tets);
-  if (quadratic) follow_divided(anatomy.tets, quadratic->edges, edit, quadratic->eighths);
-  model->follow(desc, anatomy.tets, edit);
-  pattern.follow(edit);
-  if (substepper) substepper->follow(anatomy.tets, edit);
-  fit();
+MeshEdit MeshFollower::edit_of_nodes(const MeshEdit& edit) const {
+  const SoftMatter& m = parts_.matter;
+  if (!m.quadratic) return edit;
+  return EdgeNodes(m.quadratic->edges).follow(m.anatomy.tets, edit);
 }
 
-bool SoftBody::can_follow(const MeshEdit& edit) const {
-  const Impl& m = *impl_;
+bool MeshFollower::can_follow(const MeshEdit& edit) const {
+  const SoftMatter& m = parts_.matter;
   return mesh_kind(m.anatomy) == MeshKind::tets && m.vertex_count() == edit.kept_nodes.before &&
          m.model->can_follow(edit);
 }
 
-const EdgeNodes* SoftBody::edge_nodes() const {
-  return impl_->quadratic ? &impl_->quadratic->edges : nullptr;
-}
-
-MeshEdit SoftBody::edit_of_nodes(const MeshEdit& edit) const {
-  if (!impl_->quadratic) return edit;
-  return EdgeNodes(impl_->quadratic->edges).follow(impl_->anatomy.tets, edit);
-}
-
-void SoftBody::follow(const MeshEdit& edit, TriangleMesh surface, SparseMap embedding) {
-  Impl& m = *impl_;
+void MeshFollower::follow(const MeshEdit& edit, TriangleMesh surface, SparseMap embedding) {
+  SoftMatter& m = parts_.matter;
   m.anatomy.surface = std::move(surface);
   m.anatomy.embedding = std::move(embedding);
   m.area = vertex_areas(m.anatomy);
-  if (!m.quadratic) return m.follow(edit);
+  if (!m.quadratic) return follow_nodes(edit);
   m.quadratic->embedding = m.anatomy.embedding;
   const MeshEdit nodes = m.quadratic->edges.follow(m.anatomy.tets, edit);
   for (SparseMap::Row& row : m.anatomy.embedding.rows) row = divided(row, m.quadratic->edges);
-  m.follow(nodes);
+  follow_nodes(nodes);
 }
 
-void SoftBody::follow(const MeshEdit& edit, const SurfaceEdit& surface) {
-  Impl& m = *impl_;
+void MeshFollower::follow(const MeshEdit& edit, const SurfaceEdit& surface) {
+  SoftMatter& m = parts_.matter;
   apply(surface, m.anatomy.surface);
   follow_vertex_areas(m.anatomy.surface, surface, m.area);
   if (!m.quadratic) {
     follow_embedding(edit.kept_nodes, surface, m.anatomy.embedding);
-    return m.follow(edit);
+    return follow_nodes(edit);
   }
   const MeshEdit nodes = m.quadratic->edges.follow(m.anatomy.tets, edit);
   follow_embedding(edit.kept_nodes, surface, m.quadratic->embedding);
   follow_embedding(nodes.kept_nodes, surface, m.anatomy.embedding);
   divide_again(*m.quadratic, edit, surface, m.anatomy.embedding);
-  m.follow(nodes);
+  follow_nodes(nodes);
 }
 
-bool SoftBody::can_follow_sheet(const Kept& nodes) const {
-  const Impl& m = *impl_;
+/// Takes in the edit of all nodes.
+void MeshFollower::follow_nodes(const MeshEdit& edit) {
+  SoftMatter& m = parts_.matter;
+  apply(edit, m.anatomy.tets);
+  if (m.quadratic) follow_divided(m.anatomy.tets, m.quadratic->edges, edit, m.quadratic->eighths);
+  m.model->follow(m.desc, m.anatomy.tets, edit);
+  m.pattern.follow(edit);
+  if (parts_.substepper) parts_.substepper->follow(m.anatomy.tets, edit);
+  fit();
+}
+
+bool MeshFollower::can_follow_sheet(const Kept& nodes) const {
+  const SoftMatter& m = parts_.matter;
   return mesh_kind(m.anatomy) == MeshKind::sheet && m.node_count() == nodes.before &&
          m.model->can_follow_sheet();
 }
 
-void SoftBody::follow_sheet(Anatomy sheet, const Kept& nodes, std::span<const std::uint32_t> touched) {
-  Impl& m = *impl_;
+void MeshFollower::follow_sheet(Anatomy sheet, const Kept& nodes, std::span<const std::uint32_t> touched) {
+  SoftMatter& m = parts_.matter;
   m.anatomy = std::move(sheet);
   m.area = vertex_areas(m.anatomy);
   m.pattern.follow(nodes, m.model->follow_sheet(m.desc, m.anatomy, nodes, touched));
-  m.fit();
+  fit();
+}
+
+void MeshFollower::fit() {
+  parts_.matter.fit();
+  parts_.recovery.fit();
+  parts_.potential.fit();
+  parts_.stepper.start_anew();
+  if (parts_.substepper) parts_.substepper->fit();
 }
 
 }  // namespace prosector

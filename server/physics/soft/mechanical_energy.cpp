@@ -1,0 +1,20 @@
+#include "server/physics/soft/mechanical_energy.h"
+
+namespace prosector {
+
+double kinetic_energy(const VecX& mass, const VecX& v) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < mass.size(); ++i) sum += mass[i] * v.segment<3>(3 * i).squaredNorm();
+  return 0.5 * sum;
+}
+
+double fall_energy(const SoftBody& body, const VecX& from, const VecX& to, const Vec3& gravity) {
+  double sum = 0;
+  if (!body.falls()) return sum;
+  const VecX& mass = body.node_mass();
+  for (Eigen::Index i = 0; i < mass.size(); ++i)
+    sum += mass[i] * gravity.dot(to.segment<3>(3 * i) - from.segment<3>(3 * i));
+  return sum;
+}
+
+}  // namespace prosector
