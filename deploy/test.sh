@@ -59,6 +59,7 @@ deploy/setup.sh
 deploy/fetch_anatomy.sh
 step "include rules and layout"
 deploy/check_includes.sh
+deploy/check_types.py
 deploy/check_format.sh
 deploy/check_docs.py
 step "build: release"
