@@ -12,10 +12,10 @@ class StiffnessDamping {
  public:
   /// Both must outlive this.
   StiffnessDamping(const SoftSystem& system, StageElements& elements);
-  /// To so many nodes; nothing is known.
+  /// Makes room for so many nodes; nothing is known.
   void fit(std::size_t nodes);
 
-  /// x_v: 3n, m, must outlive the stage.
+  /// Begins a stage. `x_v`: 3n, m, must outlive it.
   void begin_stage(const VecX& x_v);
   /// Finds what is asked below, at x; forces() only if they are wanted. Does nothing where it is known.
   void update(const Eigen::Ref<const VecX>& x, bool forces);

@@ -1,6 +1,6 @@
 #pragma once
-// What finite-element models have in common, whatever their elements: elements in chunks whose integration
-// points are a batch, what is known of the place they are at, and relaxation.
+// What finite-element models have in common, whatever their elements. These lie in chunks, whose integration
+// points are a batch. The model keeps what is known of the place that they are at, and lets stress relax.
 
 #include <memory>
 #include <span>

@@ -16,24 +16,24 @@ class EdgeNodes {
  public:
   using Edge = std::array<std::uint32_t, 2>;  // vertices, ascending
   static constexpr std::uint32_t none = ~std::uint32_t{0};
-  /// Of a tetrahedron: pairs of its corners.
+  /// The edges of a tetrahedron: pairs of its corners.
   static constexpr std::array<std::array<std::size_t, 2>, 6> edges_of_tet = {
       {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
-  /// Of tetrahedra that have some of these vertices.
+  /// Finds the edges of tetrahedra that have some of these vertices.
   EdgeNodes(std::span<const std::array<std::uint32_t, 4>> tets, std::size_t vertices);
-  /// Of a mesh that has these nodes already, see add_edge_nodes().
+  /// Finds those of a mesh that has these nodes already, see add_edge_nodes().
   static EdgeNodes of(const TetMesh& mesh);
 
   std::size_t vertices() const { return vertices_; }
   std::size_t size() const { return edges_.size(); }
   std::span<const Edge> edges() const { return edges_; }
-  /// The node on the edge between two vertices, in any order; none: no tetrahedron has it.
+  /// Returns the node on the edge between two vertices, in any order; none: no tetrahedron has it.
   std::uint32_t find(std::uint32_t a, std::uint32_t b) const;
   Edge ends(std::uint32_t node) const { return edges_[node - vertices_]; }
 
-  /// To the tetrahedra as they are after an edit of vertices and corners, `before` whose edges these were;
-  /// returns the edit of all nodes, those on edges included.
+  /// Takes an edit of vertices and corners in. `before`: the mesh whose edges these were. Returns the edit of
+  /// all nodes, those on edges included.
   MeshEdit follow(const TetMesh& before, const MeshEdit& corners);
 
  private:
@@ -62,13 +62,13 @@ class EdgeNodes {
 /// Adds the middles of the tetrahedra's edges to the mesh's nodes and ties the surface to what they divide
 /// the tetrahedra into.
 EdgeNodes add_edge_nodes(Anatomy& anatomy);
-/// A point of an edge, a triangle or a tetrahedron, told by its corners, by those of the part in which it is
-/// most inside, of the two, four or eight into which the middles of edges divide it. As it is where an edge
-/// is no tetrahedron's.
+/// Tells a point of an edge, a triangle or a tetrahedron, given by its corners, by those of a part. Middles
+/// of edges divide it into two, four or eight parts; it is the one in which the point is most inside. Returns
+/// the row as it is where an edge is no tetrahedron's.
 SparseMap::Row divided(const SparseMap::Row& row, const EdgeNodes& edges);
-/// The eight linear tetrahedra on the ten nodes of each, all of one volume: the same nodes.
+/// Returns eight linear tetrahedra, all of one volume, on the ten nodes of each: the same nodes.
 TetMesh divided(const TetMesh& mesh, const EdgeNodes& edges);
-/// To those of `mesh`, which was edited so.
+/// Makes `parts` those of `mesh`, which was edited so.
 void follow_divided(const TetMesh& mesh, const EdgeNodes& edges, const MeshEdit& edit, TetMesh& parts);
 
 }  // namespace prosector
