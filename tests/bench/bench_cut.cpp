@@ -19,6 +19,7 @@
 #include "server/physics/cutting/missing_nodes.h"
 #include "server/physics/cutting/tet_shape.h"
 #include "server/physics/organs/organ.h"
+#include "server/physics/organs/organ_geometry.h"
 #include "server/physics/soft/mesh_follower.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/bench/subjects.h"
@@ -248,21 +249,21 @@ struct Made {
 /// Brings the bodies up to date, by index, as the simulation does: what can follow does, unless all is to be
 /// made `anew`.
 void fit_bodies(Organ& organ, const SoftDesc& desc, bool anew, std::vector<Made>& bodies) {
-  const Organ::Regrouped changed = organ.regroup(bodies.size());
+  const Regrouped changed = organ.regroup(bodies.size());
   bodies.resize(std::max(bodies.size(), changed.bodies.back() + 1));
   tbb::parallel_for(std::size_t{0}, changed.bodies.size(), [&](std::size_t i) {
     Made& body = bodies[changed.bodies[i]];
     const OrganPiece& piece = organ.piece(changed.bodies[i]);
-    const auto edit = anew ? std::nullopt : organ.edit_since(changed, piece);
+    const auto edit = anew ? std::nullopt : edit_since(organ, changed, piece);
     if (!edit || !is_worth_following(*edit) || !body.solver->follower().can_follow(edit->mesh)) {
-      body.make_anew(desc, organ.anatomy(piece, body.numbering));
-    } else if (const auto surface =
-                   organ.surface_edit_since(changed, piece, body.solver->anatomy().surface, body.numbering)) {
+      body.make_anew(desc, anatomy_of(organ, piece, body.numbering));
+    } else if (const auto surface = surface_edit_since(organ, changed, piece, body.solver->anatomy().surface,
+                                                       body.numbering)) {
       apply(*surface, body.numbering);
       body.solver->follower().follow(edit->mesh, *surface);
       body.surface->follow(*surface);
     } else {
-      PieceSurface skin = organ.surface(piece);
+      PieceSurface skin = surface_of(organ, piece);
       body.numbering = std::move(skin.numbering);
       body.solver->follower().follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
       body.find_surface();
@@ -274,7 +275,7 @@ void fit_bodies(Organ& organ, const SoftDesc& desc, bool anew, std::vector<Made>
 void end_stroke(const TetComplex& complex, const BladeStroke& stroke) {
   const Marks marks(stroke.marks, complex.node_end());
   missing_nodes(complex, marks, most_missing(complex, marks));
-  faces_between_parts(complex, marks, least_piece_share * complex.mean_volume());
+  faces_between_parts(complex, marks, least_piece_share * complex.tables().mean_volume);
 }
 
 double ms_between(std::chrono::steady_clock::time_point begin, std::chrono::steady_clock::time_point end) {

@@ -21,7 +21,7 @@ constexpr double middle = mesh_size / 2;
 template <class Chosen>
 Marks marks_of(const TetComplex& complex, const Chosen& chosen) {
   Marks marks({}, complex.node_end());
-  for (const NodeId node : complex.node_ids())
+  for (const NodeId node : node_ids(complex))
     if (std::abs(complex.rest(node).z() - middle) < 1e-9 && chosen(node))
       marks.add({node, complex.rest(node), Vec3::UnitZ()});
   return marks;
@@ -29,7 +29,7 @@ Marks marks_of(const TetComplex& complex, const Chosen& chosen) {
 
 TEST(CutThrough, WhatHoldsTheHalvesTogetherIsFound) {
   TetComplex complex(box_mesh(cells), mesh_density);
-  for (const NodeId left_out : complex.node_ids()) {
+  for (const NodeId left_out : node_ids(complex)) {
     if (std::abs(complex.rest(left_out).z() - middle) > 1e-9) continue;
     Marks marks = marks_of(complex, [&](NodeId node) { return node != left_out; });
     const std::vector<NodeId> missing = missing_nodes(complex, marks, 2);
@@ -65,7 +65,7 @@ bool part(const TetComplex& complex, const Marks& marks, const std::vector<NodeI
   std::vector<std::uint8_t> seen(complex.node_end(), 0);
   for (const NodeId node : more) seen[node] = 1;
   std::vector<NodeId> open;
-  for (const NodeId node : complex.node_ids())
+  for (const NodeId node : node_ids(complex))
     if (complex.rest(node).z() > 0.99 * mesh_size) open.push_back(node);
   while (!open.empty()) {
     const NodeId node = open.back();

@@ -35,7 +35,7 @@ class Sets {
 AssertionResult caches_are_as_rebuilt(const TetComplex& complex) {
   std::map<std::array<NodeId, 3>, std::vector<std::pair<TetId, std::size_t>>> faces;
   std::vector<std::vector<TetId>> star(complex.node_end());
-  for (const TetId t : complex.tet_ids())
+  for (const TetId t : tet_ids(complex))
     for (std::size_t k = 0; k < 4; ++k) {
       const auto& c = complex.corners(t);
       if (!complex.has_node(c[k])) return AssertionFailure() << "tet " << t << " has a node that is gone";
@@ -70,7 +70,7 @@ AssertionResult caches_are_as_rebuilt(const TetComplex& complex) {
 class Boundary {
  public:
   explicit Boundary(const TetComplex& complex) : complex_(complex) {
-    for (const TetId t : complex.tet_ids())
+    for (const TetId t : tet_ids(complex))
       for (std::size_t k = 0; k < 4; ++k)
         if (complex.neighbor(t, k) == none) {
           index_[{t, k}] = faces_.size();
@@ -136,7 +136,7 @@ class Boundary {
 };
 
 AssertionResult nodes_are_parted(const TetComplex& complex) {
-  for (const NodeId node : complex.node_ids()) {
+  for (const NodeId node : node_ids(complex)) {
     const auto star = complex.star(node);
     Sets sets(star.size());
     for (std::size_t i = 0; i < star.size(); ++i)
@@ -158,19 +158,19 @@ AssertionResult nodes_are_parted(const TetComplex& complex) {
 Whole whole(const TetComplex& complex) {
   Whole w;
   double cosine = -1;
-  for (const TetId t : complex.tet_ids()) {
+  for (const TetId t : tet_ids(complex)) {
     const auto& c = complex.corners(t);
     w.volume += complex.volume(t);
     cosine = std::max(cosine, cos_least_dihedral({complex.rest(c[0]), complex.rest(c[1]), complex.rest(c[2]),
                                                   complex.rest(c[3])}));
   }
-  for (const NodeId i : complex.node_ids()) w.mass += complex.mass(i);
+  for (const NodeId i : node_ids(complex)) w.mass += complex.mass(i);
   w.least_dihedral_deg = std::acos(std::min(1.0, cosine)) * 180 / std::numbers::pi;
   return w;
 }
 
 AssertionResult is_sound(const TetComplex& complex, const Whole& before) {
-  for (const TetId t : complex.tet_ids())
+  for (const TetId t : tet_ids(complex))
     if (!(complex.volume(t) > 0))
       return AssertionFailure() << "tet " << t << " has a volume of " << complex.volume(t);
   const Whole now = whole(complex);

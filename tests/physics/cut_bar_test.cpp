@@ -8,7 +8,7 @@
 #include <iostream>
 #include <map>
 
-#include "server/physics/organs/organ.h"
+#include "server/physics/organs/organ_geometry.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/physics/scenes.h"
 
@@ -42,7 +42,7 @@ Anatomy cut_bar(const TetMesh& mesh, double to_x) {
   };
   const auto upper = [&](const OrganPiece& a, const OrganPiece& b) { return height(a) < height(b); };
   Numbering numbering;
-  return organ.anatomy(*std::max_element(organ.pieces().begin(), organ.pieces().end(), upper), numbering);
+  return anatomy_of(organ, *std::max_element(organ.pieces().begin(), organ.pieces().end(), upper), numbering);
 }
 
 /// What cutting does by hand: nodes on the plane up to x are one for each side.

@@ -7,6 +7,7 @@
 
 #include "common/anatomy/fabric.h"
 #include "server/physics/organs/momentum.h"
+#include "server/physics/organs/organ_geometry.h"
 #include "server/physics/organs/sheet_parts.h"
 #include "server/physics/organs/surface_follow.h"
 #include "server/physics/soft/mesh_follower.h"
@@ -86,11 +87,11 @@ class FollowingCloths final : public FollowingBodies {
     organ.follow(edit);
     follow(edit);
   }
-  void follow_change(const PieceEdit& edit, const Organ::Regrouped&) override { follow(edit); }
+  void follow_change(const PieceEdit& edit, const Regrouped&) override { follow(edit); }
   void follow(const PieceEdit& edit) {
     Hung& body = bodies[edit.body];
     Numbering numbering;
-    Anatomy sheet = organ.anatomy(organ.piece(edit.body), numbering);
+    Anatomy sheet = anatomy_of(organ, organ.piece(edit.body), numbering);
     const SurfaceEdit surface = edit_between(body.solver->anatomy().surface, body.numbering, sheet.surface,
                                              sheet.embedding, numbering);
     SpringNetwork springs = make_sheet_springs(desc, body.solver->anatomy());
@@ -200,7 +201,7 @@ TEST(SheetMomentum, AndSpinAreKeptByEachCut) {
       const VecX mass = masses(organ), x_before = x;
       VecX v_before = v;
       if (organ.cut(rest_of(organ), edge_at(way.at(tick / 8.0)), blade, 1, stroke).ops.empty()) continue;
-      const auto edit = organ.cut_in_one_piece();
+      const auto edit = cut_in_one_piece(organ);
       if (!edit) return;  // it fell apart
       const NodeTransfer transfer(organ.complex(), mesh, edit->nodes, edit->tets, edit->mesh, nullptr);
       organ.follow(*edit);

@@ -6,6 +6,7 @@
 
 #include "common/anatomy/embedding.h"
 #include "server/physics/byte_stream.h"
+#include "server/physics/organs/organ_geometry.h"
 #include "server/physics/organs/tet_lineage.h"
 #include "server/physics/soft/make_model.h"
 #include "server/physics/soft/mesh_follower.h"
@@ -42,7 +43,7 @@ namespace {
   restored.load(in, bodies);
   for (const OrganPiece& piece : organ.pieces()) {
     if (!piece.whole()) continue;
-    const PieceSurface a = organ.surface(piece), b = restored.surface(restored.piece(piece.body));
+    const PieceSurface a = surface_of(organ, piece), b = surface_of(restored, restored.piece(piece.body));
     if (a.surface.triangles != b.surface.triangles || a.surface.inner != b.surface.inner ||
         a.surface.positions != b.surface.positions || a.numbering.nodes != b.numbering.nodes ||
         a.numbering.vertices != b.numbering.vertices || a.numbering.triangles != b.numbering.triangles)
@@ -78,20 +79,20 @@ class FollowingBlocks final : public FollowingBodies {
     const Hung& body = bodies[edit.body];
     std::optional<SurfaceEdit> surface;
     if (!body.numbering.triangles.empty())
-      surface = organ.surface_edit(edit, body.solver->anatomy().surface, body.numbering);
+      surface = surface_edit(organ, edit, body.solver->anatomy().surface, body.numbering);
     organ.follow(edit);
     follow(edit, surface);
   }
-  void follow_change(const PieceEdit& edit, const Organ::Regrouped& changed) override {
+  void follow_change(const PieceEdit& edit, const Regrouped& changed) override {
     const Hung& body = bodies[edit.body];
-    follow(edit, organ.surface_edit_since(changed, organ.piece(edit.body), body.solver->anatomy().surface,
-                                          body.numbering));
+    follow(edit, surface_edit_since(organ, changed, organ.piece(edit.body), body.solver->anatomy().surface,
+                                    body.numbering));
   }
   void follow(const PieceEdit& edit, const std::optional<SurfaceEdit>& surface) {
     Hung& body = bodies[edit.body];
     const OrganPiece& piece = organ.piece(edit.body);
     if (!surface) {
-      PieceSurface skin = organ.surface(piece);
+      PieceSurface skin = surface_of(organ, piece);
       body.numbering = std::move(skin.numbering);
       body.solver->follower().follow(edit.mesh, std::move(skin.surface), std::move(skin.embedding));
       body.remake_surface();
@@ -172,18 +173,18 @@ TEST(Following, StiffnessAtRestIsThatOfAModelMadeAnew) {
   region.fiber_stiffness = 3e4;
   Organ organ(0, {shaken_box(4), {}, {}}, 1000);
   Numbering numbering;
-  const auto model = make_elastic_model(desc, organ.anatomy(organ.piece(0), numbering));
+  const auto model = make_elastic_model(desc, anatomy_of(organ, organ.piece(0), numbering));
   TetMesh mesh = organ.whole().tets;
   const auto edge = [](double at) { return std::vector<Vec3>{{at, 0.051, -0.1}, {at, 0.051, 0.2}}; };
   BladeStroke blade = begin_stroke(edge(-0.01));
   for (int tick = 1; tick <= 3; ++tick) {
     ASSERT_FALSE(organ.cut(rest_of(organ), edge(0.03 * tick), blade, 1, 1).ops.empty());
-    const auto edit = organ.cut_in_one_piece();
+    const auto edit = cut_in_one_piece(organ);
     ASSERT_TRUE(edit && model->can_follow(edit->mesh));
     organ.follow(*edit);
     apply(edit->mesh, mesh);
     model->follow(desc, mesh, edit->mesh);
-    const auto anew = make_elastic_model(desc, organ.anatomy(organ.piece(0), numbering));
+    const auto anew = make_elastic_model(desc, anatomy_of(organ, organ.piece(0), numbering));
     EXPECT_EQ(model->rest_trace(), anew->rest_trace());
   }
 }
@@ -208,7 +209,8 @@ TEST(Following, HistoryIsThatOfWhatATetrahedronIsPartOf) {
   };
   for (std::size_t i = 0; i < now.tets.size(); ++i) {
     TetId whole = now.tets[i];
-    while (organ.complex().parent(whole) != TetComplex::none) whole = organ.complex().parent(whole);
+    while (organ.complex().lineage(whole).parent != TetComplex::none)
+      whole = organ.complex().lineage(whole).parent;
     EXPECT_EQ(of(carried, i), of(history, whole)) << "tetrahedron " << i;  // uncut, ids are indices
   }
 }
@@ -219,13 +221,13 @@ TEST(Following, NodesOnEdgesMoveAsThoseOfAMeshMadeAnew) {
   desc.element = "tet10";
   Organ organ(0, {shaken_box(3), {}, {}}, 1000);
   Numbering numbering;
-  SoftBody body(desc, organ.anatomy(organ.piece(0), numbering));
+  SoftBody body(desc, anatomy_of(organ, organ.piece(0), numbering));
   const auto edge = [](double at) { return std::vector<Vec3>{{at, 0.051, -0.1}, {at, 0.051, 0.2}}; };
   BladeStroke blade = begin_stroke(edge(-0.01));
   Random random(5);
   for (int tick = 1; tick <= 3; ++tick) {
     ASSERT_FALSE(organ.cut(rest_of(organ), edge(0.03 * tick), blade, 1, 1).ops.empty());
-    const auto edit = organ.cut_in_one_piece();
+    const auto edit = cut_in_one_piece(organ);
     ASSERT_TRUE(edit && body.follower().can_follow(edit->mesh));
     const VecX field = VecX::NullaryExpr(3 * body.nodes(), [&] { return random.uniform(-1, 1); });
     const PieceMesh before = organ.piece(0).mesh;
@@ -238,7 +240,7 @@ TEST(Following, NodesOnEdgesMoveAsThoseOfAMeshMadeAnew) {
     const VecX* const fields[] = {&field};
     const NodeTransfer all(organ.complex(), pieces, organ.piece(0).mesh, true);
     EXPECT_EQ(followed, all(fields));
-    PieceSurface skin = organ.surface(organ.piece(0));
+    PieceSurface skin = surface_of(organ, organ.piece(0));
     body.follower().follow(edit->mesh, std::move(skin.surface), std::move(skin.embedding));
     EXPECT_EQ(followed.size(), 3 * body.nodes());
     // Nodes that stay keep what they had.

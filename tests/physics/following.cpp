@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "server/physics/organs/organ_geometry.h"
 #include "server/physics/soft/implicit_stepper.h"
 #include "server/physics/soft/incremental_potential.h"
 #include "server/physics/soft/integrators/substepper.h"
@@ -183,7 +184,7 @@ AssertionResult same_contact(Hung& followed, Hung& anew) {
 
 Hung FollowingBodies::made_anew(std::size_t body) const {
   Hung out;
-  out.solver = std::make_unique<SoftBody>(desc, organ.anatomy(organ.piece(body), out.numbering));
+  out.solver = std::make_unique<SoftBody>(desc, anatomy_of(organ, organ.piece(body), out.numbering));
   out.solver->set_in_force(stiffness_, true);
   out.make_surface();
   return out;
@@ -199,7 +200,7 @@ void FollowingBodies::make_strokes(unsigned count, const std::function<Stroke(un
     for (int tick = 1; tick <= way.ticks; ++tick) {
       if (::testing::Test::HasFatalFailure()) return;
       if (organ.cut(rest_of(organ), way.edge(1.0 * tick / way.ticks), blade, 1, stroke).ops.empty()) continue;
-      const auto edit = organ.cut_in_one_piece();
+      const auto edit = cut_in_one_piece(organ);
       if (!edit || !can_follow(*edit)) {
         regroup(false);
         continue;
@@ -210,18 +211,18 @@ void FollowingBodies::make_strokes(unsigned count, const std::function<Stroke(un
     }
     end_stroke();
   }
-  while (!::testing::Test::HasFatalFailure() && organ.last_stroke(1)) {
+  while (!::testing::Test::HasFatalFailure() && last_stroke(organ.log(), 1)) {
     ASSERT_EQ(organ.undo(1), "");
     regroup(true);
   }
 }
 
 void FollowingBodies::regroup(bool undone) {
-  const Organ::Regrouped changed = organ.regroup(bodies.size());
+  const Regrouped changed = organ.regroup(bodies.size());
   const bool joins = std::any_of(changed.before.begin(), changed.before.end(),
                                  [&](const OrganPiece& old) { return !organ.piece(old.body).whole(); });
   for (const std::size_t body : changed.bodies) {
-    const auto edit = organ.edit_since(changed, organ.piece(body));
+    const auto edit = edit_since(organ, changed, organ.piece(body));
     if (!edit || !can_follow(*edit)) {
       bodies[body] = made_anew(body);
       not_followed += edit ? 1 : 0;

@@ -67,7 +67,7 @@ class FollowingBodies {
   virtual bool can_follow(const PieceEdit& edit) const = 0;
   /// A cut in one piece, which the organ has not followed yet.
   virtual void follow_cut(const PieceEdit& edit) = 0;
-  virtual void follow_change(const PieceEdit& edit, const Organ::Regrouped& changed) = 0;
+  virtual void follow_change(const PieceEdit& edit, const Regrouped& changed) = 0;
   /// Whether the body's solver is.
   virtual ::testing::AssertionResult same(std::size_t body, Hung& anew, unsigned seed) = 0;
   virtual void end_stroke() {}

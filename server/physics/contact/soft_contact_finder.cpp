@@ -184,7 +184,9 @@ bool SoftContactFinder::add_pair_contacts(State& state, std::size_t a, std::size
 
 bool SoftContactFinder::add_thin_contacts(State& state, std::size_t a, std::size_t b, double margin, double h,
                                           std::vector<Contact>& out) {
-  const auto both_in = [&](const auto& organ) { return organ.second.has(a) && organ.second.has(b); };
+  const auto both_in = [&](const auto& organ) {
+    return organ.second.grouping().has(a) && organ.second.grouping().has(b);
+  };
   const auto& organs = state.dissection.organs;
   const bool one_organ = a == b || std::any_of(organs.begin(), organs.end(), both_in);
   const std::size_t before = out.size();

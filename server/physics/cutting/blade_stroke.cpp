@@ -58,7 +58,7 @@ void find_stretches(const TetComplex& complex, const TetTree& tree, std::span<co
   tree.query(a.cwiseMin(b), a.cwiseMax(b), near);
   for (std::size_t n = 0; n < near.size(); ++n)
     if (!complex.has_tet(near[n])) {
-      near.push_back(complex.child(near[n]));
+      near.push_back(complex.lineage(near[n]).child);
       near.push_back(near.back() + 1);
     }
   for (const TetId t : near)

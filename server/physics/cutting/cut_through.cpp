@@ -17,13 +17,13 @@ class Parts {
  public:
   Parts(const TetComplex& complex, const Marks& marks, double crumb)
       : complex_(complex), marks_(marks), crumb_(crumb), of_(complex.tet_end(), none) {
-    for (const TetId t : complex.tet_ids())
+    for (const TetId t : tet_ids(complex))
       if (of_[t] == none) fill(t);
   }
   /// What is too small to be one goes with a part beside it.
   void join_crumbs() {
     std::vector<TetId> left;
-    for (const TetId t : complex_.tet_ids())
+    for (const TetId t : tet_ids(complex_))
       if (!is_part_[of_[t]]) left.push_back(t);
     for (bool any = true; any;) {
       any = false;

@@ -50,7 +50,7 @@ class EdgeSplitter {
     while (!crossed_.empty()) {
       const CrossedEdge e = crossed_.top();
       crossed_.pop();
-      complex_.around_edge(e.a, e.b, around_);
+      complex_.tables().around_edge(e.a, e.b, around_);
       if (around_.empty() || is_resolved(e)) continue;
       if (!split(e)) snap(e);
     }
@@ -72,7 +72,7 @@ class EdgeSplitter {
     for (NodeId node = 0; node < shortest.size(); ++node) {
       if (shortest[node] == never || marks_.find(node)) continue;
       const double reach = near_share * shortest[node];
-      auto foot = sheet_.foot(x_[node], std::max(reach, wall_share * complex_.cell()));
+      auto foot = sheet_.foot(x_[node], std::max(reach, wall_share * complex_.tables().cell));
       if (foot && foot->distance > reach && !is_on_wall(node)) foot.reset();
       if (foot) mark(node, complex_.star(node).front(), foot->point, foot->normal);
     }
@@ -155,7 +155,7 @@ class EdgeSplitter {
   // Least cosine that t makes; nothing where the floor or the least edge forbid it.
   bool may_split(const CrossedEdge& e, double t, double& worst) const {
     static const double floor = std::cos(least_dihedral_deg * std::numbers::pi / 180);
-    const double least = least_edge_share * complex_.cell();
+    const double least = least_edge_share * complex_.tables().cell;
     if (std::min(t, 1 - t) * e.length < least) return false;
     const Vec3 middle = complex_.rest(e.a) + (complex_.rest(e.b) - complex_.rest(e.a)) * t;
     worst = -1;

@@ -95,7 +95,7 @@ class OuterShape::Fit {
 
   void find_boundary(OuterShape& out) {
     std::vector<Side> sides;
-    for (const TetId t : complex_.tet_ids())
+    for (const TetId t : tet_ids(complex_))
       for (std::size_t k = 0; k < 4; ++k) {
         if (complex_.neighbor(t, k) != TetComplex::none) continue;
         Face face{};

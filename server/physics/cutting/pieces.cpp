@@ -32,7 +32,7 @@ bool hang_together(const TetComplex& complex, std::span<const TetId> tets) {
   std::vector<TetId> open;
   std::vector<std::uint32_t> group_of(complex.tet_end(), TetComplex::none);  // of what was reached
   for (TetId tet : tets) {
-    while (!complex.has_tet(tet)) tet = complex.child(tet);
+    while (!complex.has_tet(tet)) tet = complex.lineage(tet).child;
     if (group_of[tet] != TetComplex::none) continue;
     group_of[tet] = static_cast<std::uint32_t>(open.size());
     open.push_back(tet);

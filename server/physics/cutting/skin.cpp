@@ -187,7 +187,7 @@ void Skin::find_double_edges(const TetComplex& complex, std::span<const Face> fa
 /// Ids only grow, and what a cut puts a node between it puts there again.
 const OuterShape::Place& Skin::place(const TetComplex& complex, NodeId node) {
   if (std::exchange(placed_[node], std::uint8_t{1}) != 0) return place_[node];
-  const TetComplex::Origin& from = complex.origin(node);
+  const TetComplex::Origin& from = complex.tables().origin[node];
   if (from.a == node)
     place_[node] = shape_->place(node);
   else if (from.a == from.b)

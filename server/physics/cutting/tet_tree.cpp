@@ -23,7 +23,7 @@ Vec3 centroid(const TetComplex& complex, TetId t) {
 void TetTree::build(const TetComplex& complex) {
   branches_.clear();
   leaves_.clear();
-  const std::vector<TetId> ids = complex.tet_ids();
+  const std::vector<TetId> ids = tet_ids(complex);
   std::vector<Vec3> middles;
   middles.reserve(ids.size());
   for (const TetId t : ids) middles.push_back(centroid(complex, t));
@@ -59,7 +59,7 @@ std::uint32_t TetTree::split(std::span<const TetId> tets, std::size_t begin, std
 /// What was split since is in its parent's leaf.
 void TetTree::take_in(const TetComplex& complex) {
   for (auto t = static_cast<TetId>(leaf_of_.size()); t < complex.tet_end(); ++t) {
-    const TetId parent = complex.parent(t);
+    const TetId parent = complex.lineage(t).parent;
     leaf_of_.push_back(parent == TetComplex::none ? 0 : leaf_of_[parent]);
     if (parent == TetComplex::none) continue;
     std::vector<TetId>& leaf = leaves_[leaf_of_.back()];

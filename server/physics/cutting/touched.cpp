@@ -11,7 +11,7 @@ struct Touched {
   void operator()(const SplitEdge& op) const {
     for (std::uint32_t i = 0; i < op.count; ++i) {
       const TetId child = op.first + 2 * i;
-      out.insert(out.end(), {complex.parent(child), child, child + 1});
+      out.insert(out.end(), {complex.lineage(child).parent, child, child + 1});
     }
     if (!complex.is_sheet()) return;
     for (const NodeId end : {op.a, op.b}) {  // gave of their masses

@@ -101,7 +101,7 @@ std::vector<TetId> crumb_at(const TetComplex& complex, const SlitFaces& slit, Te
   for (std::size_t n = 0; n < crumb.size(); ++n) {
     const TetId t = crumb[n];
     volume += complex.volume(t);
-    if (volume > least_piece_share * complex.mean_volume()) return {};
+    if (volume > least_piece_share * complex.tables().mean_volume) return {};
     for (std::size_t k = 0; k < complex.sides(); ++k) {
       const TetId beyond = complex.neighbor(t, k);
       if (beyond == TetComplex::none || std::find(crumb.begin(), crumb.end(), beyond) != crumb.end())
@@ -119,7 +119,7 @@ void leave_crumbs(const TetComplex& complex, SlitFaces& slit) {
   std::vector<bool> in_crumb(complex.tet_end(), false);
   for (const auto& face : slit.faces)
     for (const TetId t : face) {
-      if (in_crumb[t] || complex.volume(t) > least_piece_share * complex.mean_volume()) continue;
+      if (in_crumb[t] || complex.volume(t) > least_piece_share * complex.tables().mean_volume) continue;
       const auto crumb = crumb_at(complex, slit, t);
       any |= !crumb.empty();
       for (const TetId part : crumb) in_crumb[part] = true;
@@ -176,7 +176,7 @@ void part_nodes(TetComplex& complex, const SlitFaces& slit, std::vector<Vec3>& x
     if (const auto* split = std::get_if<SplitEdge>(&op)) nodes.push_back(split->node);
   for (const auto& [a, b] : slit.faces)
     for (const NodeId corner : complex.corners(a))
-      if (complex.has_corner(b, corner)) nodes.push_back(corner);
+      if (has_corner(complex, b, corner)) nodes.push_back(corner);
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   Fans fans(complex);
@@ -209,11 +209,11 @@ void slit(TetComplex& complex, const SlitFaces& op, std::vector<Vec3>& x, Marks&
 }
 
 /// Nothing here asks for masses before the end.
-struct HeldMasses {
-  explicit HeldMasses(TetComplex& of) : complex(of) { complex.hold_masses(); }
-  ~HeldMasses() { complex.settle_masses(); }
-  HeldMasses(const HeldMasses&) = delete;
-  HeldMasses& operator=(const HeldMasses&) = delete;
+struct DeferredMasses {
+  explicit DeferredMasses(TetComplex& of) : complex(of) { complex.defer_masses(); }
+  ~DeferredMasses() { complex.settle_masses(); }
+  DeferredMasses(const DeferredMasses&) = delete;
+  DeferredMasses& operator=(const DeferredMasses&) = delete;
   TetComplex& complex;
 };
 
@@ -243,7 +243,7 @@ void end_line(TetComplex& complex, bool went_across, std::vector<Vec3>& x, Marks
       ++result.snapped;
       marks.add(mark_between(complex, marks, node));
     }
-  const double crumb = least_piece_share * complex.mean_volume();
+  const double crumb = least_piece_share * complex.tables().mean_volume;
   if (const SlitFaces op = faces_between_parts(complex, marks, crumb); !op.faces.empty())
     slit(complex, op, x, marks, result);
 }
@@ -291,7 +291,7 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
   SheetPassage passage;
   if (complex.is_sheet()) passage = sheet_passage(complex, candidates, x, from, to);
   Marks marks(stroke.marks, complex.node_end());
-  const HeldMasses masses(complex);
+  const DeferredMasses masses(complex);
   split_edges(complex, sheet, candidates, x, marks, result);
   SlitFaces faces = faces_to_slit(complex, marks);
   leave_crumbs(complex, faces);

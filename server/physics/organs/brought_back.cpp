@@ -13,8 +13,8 @@ namespace {
 /// Returns which of the pieces `now` a piece `before` is a part of, by its body.
 std::size_t joined_to(const Organ& organ, const PieceMesh& before, std::span<const std::size_t> now) {
   TetId tet = before.tets.front();
-  while (!organ.complex().has_tet(tet)) tet = organ.complex().parent(tet);
-  const TetId place = organ.complex().place(tet);
+  while (!organ.complex().has_tet(tet)) tet = organ.complex().lineage(tet).parent;
+  const TetId place = organ.complex().lineage(tet).place;
   const auto has_it = [&](std::size_t body) {
     const std::vector<TetId>& places = organ.piece(body).mesh.places;
     return std::binary_search(places.begin(), places.end(), place);
@@ -36,7 +36,7 @@ Motion moved(const Motion& motion, const WayBack& way) {
 
 }  // namespace
 
-BroughtBack brought_back(const Bodies& bodies, const Organ& organ, const Organ::Regrouped& changed) {
+BroughtBack brought_back(const Bodies& bodies, const Organ& organ, const Regrouped& changed) {
   BroughtBack out;
   if (organ.log().back().cause != TopologyCause::undo) return out;
   std::vector<ApartPiece> apart;

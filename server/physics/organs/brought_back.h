@@ -12,7 +12,7 @@ namespace prosector {
 using BroughtBack = std::map<std::size_t, Motion>;  // by soft body
 
 /// Returns how those that go back go on: all others as they did.
-BroughtBack brought_back(const Bodies& bodies, const Organ& organ, const Organ::Regrouped& changed);
+BroughtBack brought_back(const Bodies& bodies, const Organ& organ, const Regrouped& changed);
 /// Returns how the body was before a change.
 const Motion& motion_before(const Bodies& bodies, std::size_t body, const BroughtBack& back);
 /// Makes hands let go of what was brought back: a hand doesn't go with it.

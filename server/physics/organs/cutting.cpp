@@ -160,7 +160,7 @@ bool obey_cut(State& state, const CutEvent& event, StepReport& report) {
   Organ* last = nullptr;
   std::uint64_t stroke = 0;
   for (auto& [first, organ] : state.dissection.organs)
-    if (const auto newest = organ.last_stroke(event.participant); newest && *newest >= stroke) {
+    if (const auto newest = last_stroke(organ.log(), event.participant); newest && *newest >= stroke) {
       stroke = *newest;
       last = &organ;
     }

@@ -8,7 +8,7 @@
 namespace prosector {
 namespace {
 
-constexpr std::size_t most_pieces = 1 << 20;
+constexpr std::size_t most_soft_bodies = 1 << 20;
 constexpr std::size_t most_strokes = 1 << 20;  // of one blade at once
 
 void add(ByteWriter& out, const Blade& blade) {
@@ -94,7 +94,7 @@ RestoredCuts::RestoredCuts(State& state) : state_(state), count_(state.bodies.mo
 
 void RestoredCuts::read(ByteReader& in) {
   const Model& model = state_.bodies.model;
-  count_ = in.count(most_pieces);
+  count_ = in.count(most_soft_bodies);
   in.require(count_ >= model.scene.soft.size(), "fewer bodies than the scene has");
   const std::size_t described = model.scene.soft.size();
   for (std::size_t left = in.count(described); left > 0; --left) {

@@ -46,7 +46,7 @@ Anatomy without_edge_nodes(const Anatomy& anatomy) {
 PieceMesh piece_mesh(const TetComplex& complex, std::span<const TetId> tets) {
   PieceMesh out;
   std::vector<TetId> at_place(complex.tet_end(), TetComplex::none);
-  for (const TetId tet : tets) at_place[complex.place(tet)] = tet;
+  for (const TetId tet : tets) at_place[complex.lineage(tet).place] = tet;
   for (TetId place = 0; place < at_place.size(); ++place)
     if (at_place[place] != TetComplex::none) {
       out.tets.push_back(at_place[place]);
@@ -72,7 +72,7 @@ PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector
   PieceEdit out;
   std::erase_if(touched, [&](TetId tet) { return !complex.has_tet(tet); });
   std::sort(touched.begin(), touched.end(),
-            [&](TetId a, TetId b) { return complex.place(a) < complex.place(b); });
+            [&](TetId a, TetId b) { return complex.lineage(a).place < complex.lineage(b).place; });
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   for (const TetId tet : touched)
     for (const NodeId node : complex.corners(tet))
@@ -95,7 +95,7 @@ PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector
   for (const TetId tet : touched) {
     const auto c = complex.corners(tet);
     const MeshEdit::Corners corners = {index(c[0]), index(c[1]), index(c[2]), index(c.back())};
-    const auto at = std::lower_bound(piece.places.begin(), piece.places.end(), complex.place(tet));
+    const auto at = std::lower_bound(piece.places.begin(), piece.places.end(), complex.lineage(tet).place);
     if (at != piece.places.end()) {
       const auto i = static_cast<std::uint32_t>(at - piece.places.begin());
       const MeshEdit::Corners& before = piece.mesh.tets[i];
@@ -176,7 +176,7 @@ void apply(const TetComplex& complex, const PieceEdit& edit, PieceMesh& piece) {
   piece.places.resize(piece.mesh.tets.size());
   for (std::size_t i = 0; i < edit.tets.size(); ++i) {
     piece.tets[edit.mesh.tets[i]] = edit.tets[i];
-    piece.places[edit.mesh.tets[i]] = complex.place(edit.tets[i]);
+    piece.places[edit.mesh.tets[i]] = complex.lineage(edit.tets[i]).place;
   }
 }
 

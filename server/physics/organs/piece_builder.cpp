@@ -14,6 +14,7 @@
 #include "server/physics/organs/brought_back.h"
 #include "server/physics/organs/momentum.h"
 #include "server/physics/organs/node_transfer.h"
+#include "server/physics/organs/organ_geometry.h"
 #include "server/physics/organs/piece_follow.h"
 #include "server/physics/organs/tet_lineage.h"
 #include "server/physics/parallel.h"
@@ -68,7 +69,7 @@ void carry_motion(const Bodies& bodies, const Organ& organ, std::span<const Orga
 }
 
 /// Returns the pieces that an organ's change left or made. Changes nothing: what can fail fails here.
-std::vector<NewPiece> make_pieces(const Bodies& bodies, const Organ& organ, const Organ::Regrouped& changed,
+std::vector<NewPiece> make_pieces(const Bodies& bodies, const Organ& organ, const Regrouped& changed,
                                   const BroughtBack& back) {
   const auto make = [&](std::size_t body, NewPiece& made) {
     const OrganPiece& piece = organ.piece(body);
@@ -138,7 +139,7 @@ void place_new(State& state, NewPiece piece, std::size_t first, TopologyCause ca
 }
 
 /// Keeps the momentum of what was cut or joined. `masses`: of the pieces' nodes before.
-void keep_momentum_of(Bodies& bodies, const Organ& organ, const Organ::Regrouped& changed, BroughtBack& back,
+void keep_momentum_of(Bodies& bodies, const Organ& organ, const Regrouped& changed, BroughtBack& back,
                       std::span<const VecX> masses, std::span<NewPiece> made) {
   std::vector<PieceMotion> before, now;
   for (std::size_t i = 0; i < masses.size(); ++i) {
@@ -172,7 +173,7 @@ std::unique_ptr<SoftBody> make_piece(const Bodies& bodies, const Organ& organ, s
   SoftDesc desc = bodies.soft[first].solver->desc();
   if (body != first)
     desc.name = fmt::format("{} piece {}", desc.name, body - bodies.model.scene.soft.size() + 1);
-  return same_tissue(bodies, first, std::move(desc), organ.anatomy(organ.piece(body), numbering));
+  return same_tissue(bodies, first, std::move(desc), anatomy_of(organ, organ.piece(body), numbering));
 }
 
 void place_piece(State& state, std::size_t body, std::size_t first, std::unique_ptr<SoftBody> solver,
@@ -215,7 +216,7 @@ void remake(State& state, Organ& organ, TopologyCause cause, ParticipantId autho
   Bodies& bodies = state.bodies;
   if (follow_cut(state, organ, cause, author, report)) return;
   const std::size_t first = organ.pieces().front().body;
-  const Organ::Regrouped changed = organ.regroup(bodies.soft.size());
+  const Regrouped changed = organ.regroup(bodies.soft.size());
   BroughtBack back = brought_back(bodies, organ, changed);
   std::vector<NewPiece> pieces = make_pieces(bodies, organ, changed, back);
   leave_what_went_back(state, back, report);

@@ -4,6 +4,7 @@
 #include "server/physics/hands/holding.h"
 #include "server/physics/organs/momentum.h"
 #include "server/physics/organs/node_transfer.h"
+#include "server/physics/organs/organ_geometry.h"
 #include "server/physics/organs/piece_builder.h"
 #include "server/physics/organs/surface_follow.h"
 #include "server/physics/organs/tet_lineage.h"
@@ -28,7 +29,7 @@ Following following(const Bodies& bodies, const Organ& organ, PieceEdit edit,
   const std::size_t body = out.edit.body;
   const OrganPiece& piece = organ.piece(body);
   if (organ.complex().is_sheet()) {
-    out.sheet = organ.anatomy(piece, out.numbering);
+    out.sheet = anatomy_of(organ, piece, out.numbering);
     out.surface = edit_between(bodies.soft[body].solver->anatomy().surface, bodies.soft[body].numbering,
                                out.sheet->surface, out.sheet->embedding, out.numbering);
   } else if (out.surface) {
@@ -36,7 +37,7 @@ Following following(const Bodies& bodies, const Organ& organ, PieceEdit edit,
     apply(*out.surface, out.numbering);
     out.numbering.nodes = piece.mesh.nodes;
   } else {
-    out.skin = organ.surface(piece);
+    out.skin = surface_of(organ, piece);
     out.numbering = std::move(out.skin.numbering);
   }
   return out;
@@ -44,13 +45,13 @@ Following following(const Bodies& bodies, const Organ& organ, PieceEdit edit,
 
 }  // namespace
 
-std::optional<Following> following_since(const Bodies& bodies, const Organ& organ,
-                                         const Organ::Regrouped& then, const OrganPiece& piece) {
-  std::optional<PieceEdit> edit = organ.edit_since(then, piece);
+std::optional<Following> following_since(const Bodies& bodies, const Organ& organ, const Regrouped& then,
+                                         const OrganPiece& piece) {
+  std::optional<PieceEdit> edit = edit_since(organ, then, piece);
   if (!edit || !is_worth_following(*edit) || !can_follow(bodies, organ, *edit)) return std::nullopt;
   return following(bodies, organ, std::move(*edit),
-                   organ.surface_edit_since(then, piece, bodies.soft[piece.body].solver->anatomy().surface,
-                                            bodies.soft[piece.body].numbering));
+                   surface_edit_since(organ, then, piece, bodies.soft[piece.body].solver->anatomy().surface,
+                                      bodies.soft[piece.body].numbering));
 }
 
 void take_solver_along(Bodies& bodies, Following& following) {
@@ -74,7 +75,7 @@ void take_surface_along(Bodies& bodies, const Following& following) {
 
 bool follow_cut(State& state, Organ& organ, TopologyCause cause, ParticipantId author, StepReport& report) {
   Bodies& bodies = state.bodies;
-  std::optional<PieceEdit> edit = organ.cut_in_one_piece();
+  std::optional<PieceEdit> edit = cut_in_one_piece(organ);
   if (!edit || !can_follow(bodies, organ, *edit)) return false;
   const std::size_t body = edit->body;
   SoftBody& solver = *bodies.soft[body].solver;
@@ -96,7 +97,7 @@ bool follow_cut(State& state, Organ& organ, TopologyCause cause, ParticipantId a
   const VecX touched = carried_history(organ.complex(), before, histories, numbers, edit->tets);
   std::optional<SurfaceEdit> surface;  // none with the first cut, which makes the tetrahedra's own skin of it
   if (!organ.complex().is_sheet() && !bodies.soft[body].numbering.triangles.empty())
-    surface = organ.surface_edit(*edit, solver.anatomy().surface, bodies.soft[body].numbering);
+    surface = surface_edit(organ, *edit, solver.anatomy().surface, bodies.soft[body].numbering);
   organ.follow(*edit);
   Following follows = following(bodies, organ, std::move(*edit), std::move(surface));
   take_solver_along(bodies, follows);

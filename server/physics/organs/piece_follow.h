@@ -24,8 +24,8 @@ struct Following {
 };
 
 /// Returns how a piece follows the changes since `then`; none where it has to be made anew.
-std::optional<Following> following_since(const Bodies& bodies, const Organ& organ,
-                                         const Organ::Regrouped& then, const OrganPiece& piece);
+std::optional<Following> following_since(const Bodies& bodies, const Organ& organ, const Regrouped& then,
+                                         const OrganPiece& piece);
 void take_solver_along(Bodies& bodies, Following& following);
 /// After the solver.
 void take_surface_along(Bodies& bodies, const Following& following);

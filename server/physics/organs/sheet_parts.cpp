@@ -120,7 +120,7 @@ std::vector<std::uint32_t> touched_corners(const TetComplex& complex, std::span<
                                            std::vector<std::uint32_t> edited, const Anatomy& whole,
                                            std::span<const TetId> touched) {
   for (TetId t : touched) {
-    while (complex.parent(t) != TetComplex::none) t = complex.parent(t);
+    while (complex.lineage(t).parent != TetComplex::none) t = complex.lineage(t).parent;
     for (const NodeId corner : whole.quads[t / 2]) {
       const auto at = std::lower_bound(nodes.begin(), nodes.end(), corner);
       if (at != nodes.end() && *at == corner)

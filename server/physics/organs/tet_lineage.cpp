@@ -6,10 +6,10 @@ namespace prosector {
 
 std::optional<OldTet> find_old(const TetComplex& complex, std::span<const PieceMesh* const> before,
                                TetId tet) {
-  for (; tet != TetComplex::none; tet = complex.parent(tet))
+  for (; tet != TetComplex::none; tet = complex.lineage(tet).parent)
     for (std::uint32_t p = 0; p < before.size(); ++p) {
       const std::vector<TetId>& places = before[p]->places;
-      const auto at = std::lower_bound(places.begin(), places.end(), complex.place(tet));
+      const auto at = std::lower_bound(places.begin(), places.end(), complex.lineage(tet).place);
       const auto i = static_cast<std::size_t>(at - places.begin());
       if (at != places.end() && before[p]->tets[i] == tet) return OldTet{p, i};
     }
