@@ -91,28 +91,52 @@ std::vector<SheetCrossing> sheet_crossings(const NearSheet& sheet, std::span<con
   return out;
 }
 
+/// Where an edge is held back by a sheet.
+struct GripPoint {
+  std::size_t point;              // of the blade's, before it
+  SparseMap::Row row;             // of the sheet
+  Vec3 at_blade, at_sheet;        // m
+  std::optional<double> through;  // share of the way to the next point, where the edge goes through
+};
+
+/// Makes the sheet hold the blade there with a force of at most so many N, and wakes it.
+void add_grip(Bodies& bodies, std::vector<BladeGrip>& grips, const Blade& blade, std::size_t body,
+              const GripPoint& at, double force) {
+  if (!(force > 0)) return;
+  BladeGrip made{body, blade.slot, at.point, at.row, at.through, Vec3::Zero(), {}};
+  if (!at.through) made.beside = at.at_sheet - point_of(at.row, bodies.soft[body].state.motion.x);
+  Tie& tie = made.tie;
+  tie.a.kind = ContactSide::Kind::rigid;
+  tie.a.body = blade.slot;
+  tie.a.arm = at.at_blade - bodies.rigid.motion(blade.slot).pose.p;
+  tie.b.kind = ContactSide::Kind::soft;
+  tie.b.body = body;
+  tie.b.add(at.row, 1);
+  tie.offset = at.at_blade - at.at_sheet;
+  tie.stiffness = force / edge_give;
+  tie.max_force = force;
+  bodies.soft[body].wake();
+  grips.push_back(std::move(made));
+}
+
+/// Returns the point of the sheet nearest to the one given, less than `reach` (m) away; none: there is none.
+std::optional<SparseMap::Row> nearest_in_sheet(const NearSheet& near, std::span<const Vec3> point,
+                                               double reach) {
+  std::optional<SparseMap::Row> row;
+  near.visit(point, reach, [&](const auto& corners, const std::array<Vec3, 3>& at) {
+    const Vec3 w = closest_weights(point[0], at[0], at[1], at[2]);
+    const double d = (w[0] * at[0] + w[1] * at[1] + w[2] * at[2] - point[0]).norm();
+    if (d >= reach) return;
+    reach = d;
+    row = row_of(corners, w);
+  });
+  return row;
+}
+
 }  // namespace
 
 void grip_sheets(Bodies& bodies, std::vector<BladeGrip>& grips, const Blade& blade,
                  std::span<const Vec3> now) {
-  const auto grip = [&](std::size_t body, std::size_t point, const SparseMap::Row& row, const Vec3& at_blade,
-                        const Vec3& at_sheet, double force, std::optional<double> through) {
-    if (!(force > 0)) return;
-    BladeGrip made{body, blade.slot, point, row, through, Vec3::Zero(), {}};
-    if (!through) made.beside = at_sheet - point_of(row, bodies.soft[body].state.motion.x);
-    Tie& tie = made.tie;
-    tie.a.kind = ContactSide::Kind::rigid;
-    tie.a.body = blade.slot;
-    tie.a.arm = at_blade - bodies.rigid.motion(blade.slot).pose.p;
-    tie.b.kind = ContactSide::Kind::soft;
-    tie.b.body = body;
-    tie.b.add(row, 1);
-    tie.offset = at_blade - at_sheet;
-    tie.stiffness = force / edge_give;
-    tie.max_force = force;
-    bodies.soft[body].wake();
-    grips.push_back(std::move(made));
-  };
   for (std::size_t body = 0; body < bodies.soft.size(); ++body) {
     if (!can_cut_sheet(bodies, body)) continue;
     const SoftDesc& desc = bodies.soft[body].solver->desc();
@@ -133,23 +157,13 @@ void grip_sheets(Bodies& bodies, std::vector<BladeGrip>& grips, const Blade& bla
       for (const SheetCrossing& c : crossings) {
         const std::size_t p = first + c.point;
         const Vec3 at_blade = now[p] + c.share * (now[p + 1] - now[p]);
-        grip(body, p, c.row, at_blade, c.place,
-             toughness * sheet.thickness * slicing(at_blade - c.place, along, c.normal), c.share);
+        add_grip(bodies, grips, blade, body, {p, c.row, at_blade, c.place, c.share},
+                 toughness * sheet.thickness * slicing(at_blade - c.place, along, c.normal));
       }
-      for (std::size_t k = 0; k < count && crossings.empty(); ++k) {
-        double nearest = sheet.thickness / 2;
-        std::optional<SparseMap::Row> row;
-        near.visit(cut_to.subspan(k, 1), nearest, [&](const auto& corners, const std::array<Vec3, 3>& at) {
-          const Vec3 w = closest_weights(cut_to[k], at[0], at[1], at[2]);
-          const double d = (w[0] * at[0] + w[1] * at[1] + w[2] * at[2] - cut_to[k]).norm();
-          if (d >= nearest) return;
-          nearest = d;
-          row = row_of(corners, w);
-        });
-        if (row)
-          grip(body, first + k, *row, now[first + k], cut_to[k],
-               toughness * edge.length_per_point * slicing(now[first + k] - cut_to[k], along), std::nullopt);
-      }
+      for (std::size_t k = 0; k < count && crossings.empty(); ++k)
+        if (const auto row = nearest_in_sheet(near, cut_to.subspan(k, 1), sheet.thickness / 2))
+          add_grip(bodies, grips, blade, body, {first + k, *row, now[first + k], cut_to[k], std::nullopt},
+                   toughness * edge.length_per_point * slicing(now[first + k] - cut_to[k], along));
       first += count;
     }
   }
