@@ -46,18 +46,24 @@ forbid "Bullet only in server/physics/rigid, panel_motion.cpp, convex_hull.cpp a
   '(bullet/|bt[A-Z]|Bullet(Collision|Dynamics)|LinearMath|.*/bullet_types\.h)' \
   $(sources '(common|idl|drivers|client|server/session)/') \
   $(sources server/physics/ '^server/physics/(rigid/|panel/panel_motion\.cpp|collision/shapes/convex_hull\.cpp|.*contact[a-z_/]*\.cpp$)')
-# below BASE FOLDERS...: of BASE's folders, in their order, each may include itself and those before it only.
-below() {
-  local base=$1 folder later
-  shift
-  while [ $# -gt 0 ]; do
+# in_order BASE EXCEPT FOLDERS...: of BASE's folders, each may include itself and those before it only. Files that
+# match EXCEPT may include any.
+in_order() {
+  local base=$1 except=$2 folder later
+  shift 2
+  while [ $# -gt 1 ]; do
     folder=$1
     shift
     later=$(IFS='|'; echo "$*")
-    # What lies beside the folders knows them all.
-    forbid "$base/$folder includes only itself and the folders before it" \
-      "$base/(${later:+($later)/|}[a-z0-9_]+\.h)" $(sources "$base/$folder/")
+    forbid "$base/$folder includes of $base's folders only itself and those before it" "$base/($later)/" \
+      $(sources "$base/$folder/" "$except")
   done
+}
+# below BASE FOLDERS...: the same without exceptions, and no folder includes what lies beside them: that knows them all.
+below() {
+  local base=$1 none='^$'
+  in_order "$base" "$none" "${@:2}"
+  forbid "what lies in $base beside its folders knows them all" "$base/[a-z0-9_]+\.h" $(sources "$base/[a-z0-9_]+/")
 }
 below server/physics/soft base simd laws elements springs matrices solvers integrators xpbd
 below server/physics/collision primitives surface shapes narrow outlines broad
@@ -67,6 +73,11 @@ for part in soft collision; do
 done
 forbid "TBB's loops only in server/physics/parallel.h, which tells the thread sanitizer their order" 'tbb/parallel_' \
   $(sources '(common|idl|drivers|server|client)/' '^server/physics/parallel\.h$')
+only "cutting knows collision, and nothing else of physics but threads" 'server/' \
+  'server/physics/((cutting|collision)/|parallel\.h)' $(sources server/physics/cutting/)
+# The exceptions are stations of step() that work on several concepts.
+in_order server/physics '^server/physics/(contact/colliders|hands/take_inputs|rigid/breaking)\.' \
+  soft collision cutting rigid contact hands parts panel organs coupled
 forbid "OpenGL only in client/render and client/display" '(GL/|GLFW/|EGL/|GLES)' \
   $(sources '(common|idl|drivers|server)/') $(sources client/ '^client/(render|display)/')
 forbid "toml++, assimp, OpenCV and SQLite only in .cpp files" '(toml|assimp/|opencv|sqlite3)' \

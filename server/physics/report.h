@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "server/physics/contact/colliders.h"
-#include "server/physics/coupled/island.h"
+#include "server/physics/island.h"
 #include "server/physics/simulation.h"
 #include "server/physics/state.h"
 

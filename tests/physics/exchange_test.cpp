@@ -101,12 +101,12 @@ TEST(Exchange, AShortenedStepTellsTheWholeForce) {
     VecX q, g;
     system.initial_guess(q);
     system.linearise(q);
-    system.lag_friction(q);
+    system.joints().lag_friction(q);
     system.gradient(q, g);
     system.assemble(q, false);
-    if (balanced) system.take_balanced();
-    system.take(length, VecX::Zero(q.size()));
-    system.tell_contacts(q, all_held);
+    if (balanced) system.joints().take_balanced();
+    system.joints().take(length, VecX::Zero(q.size()));
+    system.joints().tell_contacts(q, all_held);
     return pressed.exchanged.y();
   };
   for (const double length : {1.0, 0.5, 1.0 / 32}) {

@@ -13,7 +13,7 @@
 
 #include <vector>
 
-#include "server/physics/coupled/island.h"
+#include "server/physics/island.h"
 
 namespace prosector {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Cholesky>
 #include <vector>
 
-#include "server/physics/coupled/island.h"
+#include "server/physics/island.h"
 
 namespace prosector {
 

@@ -38,7 +38,7 @@ bool is_thin(const Side& side) {
   return side.soft && side.soft->body->anatomy().thickness > 0;
 }
 
-struct Joint {
+struct ImpulseJoint {
   Side a, b;
   double opening_speed = 0;      // m/s, contacts
   double gap = 0;                // m, contacts: when the substep starts
@@ -50,7 +50,7 @@ struct Joint {
 /// What is kept from tick to tick.
 struct Buffers {
   std::vector<Rigid> rigid;
-  std::vector<Joint> contacts, ties;
+  std::vector<ImpulseJoint> contacts, ties;
   HeldTogether held;
 };
 
@@ -80,7 +80,7 @@ class Coupling {
     contacts_.clear();
     for (const std::size_t c : tick.contacts) {
       Contact& contact = island.contacts[c];
-      Joint& joint = contacts_.emplace_back();
+      ImpulseJoint& joint = contacts_.emplace_back();
       joint = {resolve(contact.a), resolve(contact.b)};
       joint.opening_speed =
           is_thin(joint.a) && (!joint.b.soft || is_thin(joint.b)) ? thin_opening_speed : opening_speed;
@@ -195,7 +195,7 @@ class Coupling {
   }
 
   /// Between the surfaces: impulses open overlaps without a spring's energy, so they need no rest gap.
-  double gap(const Joint& joint, const Contact& contact) const {
+  double gap(const ImpulseJoint& joint, const Contact& contact) const {
     return contact.gap + contact.rest + contact.normal.dot(displacement(joint.a) - displacement(joint.b));
   }
 
@@ -237,17 +237,17 @@ class Coupling {
     }
   }
 
-  double push(const Joint& joint, const Vec3& impulse, double ahead) const {
+  double push(const ImpulseJoint& joint, const Vec3& impulse, double ahead) const {
     return push(joint.a, impulse, ahead) + push(joint.b, -impulse, ahead);
   }
 
-  void press_on(const Joint& joint, const Vec3& impulse) const {
+  void press_on(const ImpulseJoint& joint, const Vec3& impulse) const {
     const double made = push(joint, impulse, 0);
     if (joint.a.soft) work_[joint.a.member].made += made;
     if (joint.b.soft) work_[joint.b.member].made += made;
   }
 
-  Vec3 relative_velocity(const Joint& joint) const { return velocity(joint.a) - velocity(joint.b); }
+  Vec3 relative_velocity(const ImpulseJoint& joint) const { return velocity(joint.a) - velocity(joint.b); }
 
   /// m/s, by gravity in a substep.
   Vec3 fall(const Side& side, double hs) const {
@@ -256,7 +256,7 @@ class Coupling {
   }
 
   void foresee_fall(double hs) {
-    for (Joint& joint : contacts_) joint.foreseen = fall(joint.a, hs) - fall(joint.b, hs);
+    for (ImpulseJoint& joint : contacts_) joint.foreseen = fall(joint.a, hs) - fall(joint.b, hs);
   }
 
   /// Contacts, before the substep: on velocities alone, so that nothing is strained by it.
@@ -269,7 +269,7 @@ class Coupling {
     for (int sweep = 0; sweep < sweeps; ++sweep)
       for (std::size_t c = 0; c < contacts_.size(); ++c) press(contacts_[c], contact(c), hs);
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
-      Joint& joint = contacts_[c];
+      ImpulseJoint& joint = contacts_[c];
       contact(c).force += joint.normal / tick_.h;
       contact(c).exchanged += (joint.normal * contact(c).normal + joint.impulse) / tick_.h;
       joint.foreseen = -relative_velocity(joint);
@@ -278,7 +278,7 @@ class Coupling {
 
   /// What the bodies made of the substep by themselves, as after meet(): so much the next one will.
   void learn() {
-    for (Joint& joint : contacts_) {
+    for (ImpulseJoint& joint : contacts_) {
       joint.foreseen += relative_velocity(joint);
       if (const double size = joint.foreseen.norm(); size > most_foreseen)
         joint.foreseen *= most_foreseen / size;
@@ -287,13 +287,13 @@ class Coupling {
 
   /// Ties, after it.
   void hold(double hs) {
-    for (Joint& joint : ties_) joint.impulse.setZero();
+    for (ImpulseJoint& joint : ties_) joint.impulse.setZero();
     for (int sweep = 0; sweep < sweeps; ++sweep)
       for (std::size_t t = 0; t < ties_.size(); ++t) pull(ties_[t], island_.ties[tick_.ties[t]], hs);
   }
 
   /// The tie's spring over the substep, as implicit Euler would have it, bounded.
-  void pull(Joint& joint, const Tie& tie, double hs) const {
+  void pull(ImpulseJoint& joint, const Tie& tie, double hs) const {
     const Vec3 stretch = tie.offset + tied_at(joint.a, hs) - tied_at(joint.b, hs);
     const Mat3 A = Mat3::Identity() +
                    hs * tie.stiffness *
@@ -305,7 +305,7 @@ class Coupling {
     joint.impulse = total;
   }
 
-  void press(Joint& joint, const Contact& contact, double hs) const {
+  void press(ImpulseJoint& joint, const Contact& contact, double hs) const {
     const Mat3 mobility = joint.a.mobility + joint.b.mobility;
     const double along = contact.normal.dot(mobility * contact.normal);
     if (!(along > 0)) return;
@@ -318,7 +318,7 @@ class Coupling {
   }
 
   /// Friction takes the tangential velocity away as far as Coulomb's cone allows.
-  void rub(Joint& joint, const Contact& contact, const Mat3& mobility) const {
+  void rub(ImpulseJoint& joint, const Contact& contact, const Mat3& mobility) const {
     const double most = contact.friction * joint.normal;
     if (!(most > 0) && joint.impulse.isZero()) return;
     const Vec3& n = contact.normal;
@@ -339,7 +339,7 @@ class Coupling {
   double passed_ = 0;  // share of the tick when the substep ends
   std::vector<Rigid>& rigid_;
   HeldTogether& held_;
-  std::vector<Joint>&contacts_, &ties_;
+  std::vector<ImpulseJoint>&contacts_, &ties_;
 };
 
 }  // namespace

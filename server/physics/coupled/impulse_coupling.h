@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "server/physics/coupled/island.h"
+#include "server/physics/island.h"
 
 namespace prosector {
 

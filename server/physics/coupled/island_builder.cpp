@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "server/physics/contact/flat_elements.h"
+#include "server/physics/contact/rigid_contact_stiffness.h"
 #include "server/physics/coupled/restitution.h"
-#include "server/physics/coupled/rigid_contact_stiffness.h"
 #include "server/physics/hands/holding.h"
 
 namespace prosector {

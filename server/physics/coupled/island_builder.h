@@ -7,8 +7,8 @@
 
 #include "server/physics/contact/colliders.h"
 #include "server/physics/contact/soft_contacts.h"
-#include "server/physics/coupled/island.h"
 #include "server/physics/hands/pads.h"
+#include "server/physics/island.h"
 #include "server/physics/organs/blade_grip.h"
 #include "server/physics/state.h"
 

@@ -179,7 +179,7 @@ IslandReport IslandSolver::minimise(const Limits& limits, double tolerance) {
   while (report.newton_iterations < limits.newton ||
          (unsettled && report.newton_iterations < newton_until_settled * limits.newton)) {
     system_.linearise(q_);
-    system_.lag_friction(q_);
+    system_.joints().lag_friction(q_);
     const double energy = system_.energy_with_new_friction(q_);
     system_.gradient(q_, g_);
     const bool kept = system_.assemble(q_, exact);
@@ -193,7 +193,7 @@ IslandReport IslandSolver::minimise(const Limits& limits, double tolerance) {
     system_.expand(g_, solved_, step_);
     if (report.newton_iterations++ == 0 && step_.lpNorm<Eigen::Infinity>() < limits.converged) {
       // Close to rest: this one is the last.
-      if (!limits.held) system_.take_balanced();
+      if (!limits.held) system_.joints().take_balanced();
       solved = limits.solver->solve(system_, right_, limits.settings, solved_);
       report.solver_iterations += solved.iterations;
       system_.expand(g_, solved_, step_);
@@ -201,7 +201,7 @@ IslandReport IslandSolver::minimise(const Limits& limits, double tolerance) {
     report.residual = solved.residual;
     const double slope = -g_.dot(step_);
     if (!(slope < 0)) {  // at rest, or not finite
-      if (report.newton_iterations == 1) system_.take(1, step_.setZero());
+      if (report.newton_iterations == 1) system_.joints().take(1, step_.setZero());
       break;
     }
     const double length = line_search(energy, slope, limits.careful ? halvings_with_care : halvings);
@@ -217,10 +217,10 @@ IslandReport IslandSolver::minimise(const Limits& limits, double tolerance) {
       continue;
     }
     q_.swap(next_);
-    system_.take(length, step_);
+    system_.joints().take(length, step_);
     const double before = report.last_step;
     report.last_step = length * step_.lpNorm<Eigen::Infinity>();
-    unsettled = system_.unsettled(q_) || (limits.several && report.last_step > rough_step);
+    unsettled = system_.joints().unsettled(q_) || (limits.several && report.last_step > rough_step);
     const double rate = before > 0 ? std::min(1.0, report.last_step / before) : 1;
     if (!unsettled && rate * report.last_step < limits.enough) break;
   }
@@ -240,19 +240,19 @@ void IslandSolver::keep_momentum(const Island& island, double h) {
   for (std::size_t m = 0; m < island.soft.size(); ++m) {
     const SoftBody& body = *island.soft[m].body;
     const Stage& stage = body.stepper().stage();
-    force += g_.segment(system_.soft_offset(m), 3 * body.nodes()).reshaped(3, body.nodes()).rowwise().sum();
+    force += g_.segment(system_.layout().soft[m], 3 * body.nodes()).reshaped(3, body.nodes()).rowwise().sum();
     inertia += (stage.alpha + body.desc().damping_mass / stage.dxdv) * body.total_mass();
   }
   for (std::size_t m = 0; m < island.rigid.size(); ++m) {
-    force += g_.segment<3>(system_.rigid_offset(m));
+    force += g_.segment<3>(system_.layout().rigid(m));
     inertia += island.rigid[m].mass / (h * h);
   }
   const Vec3 shift = -force / inertia;
   for (std::size_t m = 0; m < island.soft.size(); ++m) {
     const Eigen::Index nodes = island.soft[m].body->nodes();
-    q_.segment(system_.soft_offset(m), 3 * nodes).reshaped(3, nodes).colwise() += shift;
+    q_.segment(system_.layout().soft[m], 3 * nodes).reshaped(3, nodes).colwise() += shift;
   }
-  for (std::size_t m = 0; m < island.rigid.size(); ++m) q_.segment<3>(system_.rigid_offset(m)) += shift;
+  for (std::size_t m = 0; m < island.rigid.size(); ++m) q_.segment<3>(system_.layout().rigid(m)) += shift;
 }
 
 /// One attempt at the tick. work_: J, by joints on each soft member.
@@ -279,14 +279,14 @@ IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double 
     report.finite = q_.allFinite() && q_.lpNorm<Eigen::Infinity>() < max_coordinate;
     if (!report.finite) return report;
     for (std::size_t m = 0; m < island.rigid.size(); ++m)
-      island.rigid[m].twist = q_.segment<6>(system_.rigid_offset(m));
-    system_.tell_contacts(q_, limits.held);
+      island.rigid[m].twist = q_.segment<6>(system_.layout().rigid(m));
+    system_.joints().tell_contacts(q_, limits.held);
     for (std::size_t m = 0; m < island.soft.size(); ++m) {
       SoftBody& body = *island.soft[m].body;
-      body.stepper().finish_stage(stage, h, q_.segment(system_.soft_offset(m), 3 * body.nodes()),
+      body.stepper().finish_stage(stage, h, q_.segment(system_.layout().soft[m], 3 * body.nodes()),
                                   *island.soft[m].state);
     }
-    if (stage + 1 == stages) system_.joint_work(start_, q_, work_);
+    if (stage + 1 == stages) system_.joints().work(start_, q_, work_);
   }
   return report;
 }

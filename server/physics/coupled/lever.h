@@ -1,7 +1,7 @@
 #pragma once
 // How points of a rigid body move with its twist.
 
-#include "server/physics/coupled/island.h"
+#include "server/physics/island.h"
 #include "server/physics/soft/laws/vec9.h"
 
 namespace prosector {

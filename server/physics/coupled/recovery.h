@@ -9,7 +9,7 @@
 // in another shape than its own is unfolded, a reset; and so is what a law for small rotations takes for a
 // turned body at rest, which is longer than it should be.
 
-#include "server/physics/coupled/island.h"
+#include "server/physics/island.h"
 
 namespace prosector {
 

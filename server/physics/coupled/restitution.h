@@ -6,7 +6,7 @@
 // the speed at which their sides part (Newton's law of impact; none, where it was an overlap), by sequential
 // impulses, equal and opposite; contacts that press beside them are kept from closing.
 
-#include "server/physics/coupled/island.h"
+#include "server/physics/island.h"
 
 namespace prosector {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/physics/coupled/island.h"
+#include "server/physics/island.h"
 
 namespace prosector {
 

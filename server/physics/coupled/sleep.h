@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "server/physics/coupled/island.h"
+#include "server/physics/island.h"
 #include "server/physics/state.h"
 
 namespace prosector {

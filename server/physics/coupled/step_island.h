@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "server/physics/coupled/island.h"
+#include "server/physics/island.h"
 
 namespace prosector {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "server/physics/contact/soft_contacts.h"
-#include "server/physics/coupled/island.h"
+#include "server/physics/island.h"
 #include "server/physics/state.h"
 #include "server/physics/step_report.h"
 

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "common/hand.h"
+#include "server/physics/contact/rigid_contact_stiffness.h"
 #include "server/physics/contact/rigid_soft_contacts.h"
-#include "server/physics/coupled/rigid_contact_stiffness.h"
 #include "server/physics/hands/finger_drive.h"
 
 namespace prosector {

@@ -7,8 +7,8 @@
 
 #include "server/physics/contact/contact.h"
 #include "server/physics/contact/pad.h"
-#include "server/physics/coupled/island.h"
 #include "server/physics/hands/grip.h"
+#include "server/physics/island.h"
 #include "server/physics/model.h"
 
 namespace prosector {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "server/physics/coupled/potentials.h"
+#include "server/physics/contact/potentials.h"
 #include "server/physics/hands/hands.h"
 
 namespace prosector {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "server/physics/contact/colliders.h"
-#include "server/physics/coupled/island.h"
+#include "server/physics/island.h"
 #include "server/physics/state.h"
 #include "server/physics/step_report.h"
 

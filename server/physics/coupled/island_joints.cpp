@@ -1,0 +1,219 @@
+#include "server/physics/coupled/island_joints.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "server/physics/contact/pad.h"
+#include "server/physics/contact/potentials.h"
+
+namespace prosector {
+namespace {
+
+// What a body's contacts may be off by after the last Newton step: of their normal forces, of the friction
+// that they allow, and (m/s) what that gives the body.
+constexpr double unsettled_normal = 0.1, unsettled_friction = 0.05, unsettled_speed = 1e-3;
+constexpr double stick_speed = 5e-4;  // m/s: what has no slip to remember sticks below it
+
+/// Returns where a side is at the tick's start as the unknowns tell it, less what it is driven by, m.
+Vec3 start_of(const Island& island, const ContactSide& side) {
+  Vec3 x = -side.moved;
+  if (side.kind != ContactSide::Kind::soft) return x;
+  for (const SoftMember& m : island.soft)
+    if (m.index == side.body)
+      for (std::size_t k = 0; k < side.nodes; ++k)
+        x += side.weight[k] * m.state->motion.x.segment<3>(3 * static_cast<Eigen::Index>(side.node[k]));
+  return x;
+}
+
+}  // namespace
+
+void IslandJoints::begin(Island& island, const IslandLayout& layout, double h) {
+  island_ = &island;
+  layout_ = &layout;
+  h_ = h;
+  contacts_.clear();
+  ties_.clear();
+  for (const Contact& c : island.contacts) {
+    contacts_.push_back(join(c.a, c.b));
+    contacts_.back().threshold =
+        c.feature != Contact::no_feature || c.bearer > 0 ? slip_threshold : stick_speed * h;
+  }
+  for (const Tie& t : island.ties) ties_.push_back(join(t.a, t.b));
+  lagged_.assign(contacts_.size(), 0);
+  untaken_ = 1;
+}
+
+Joint IslandJoints::join(const ContactSide& a, const ContactSide& b) const {
+  return {layout_->resolve(*island_, a), layout_->resolve(*island_, b),
+          start_of(*island_, a) - start_of(*island_, b)};
+}
+
+/// Where the normal force grows, friction keeps its force, and where it falls, its stretch: a spring that
+/// stiffens while it is stretched would give back more than it got (Thornton and Randall 1988).
+Vec3 IslandJoints::held_slip(std::size_t c) const {
+  const Contact& contact = island_->contacts[c];
+  if (contact.grip.isZero(0)) return contact.grip;
+  const double before = contact.friction * contact.gripped, stretch = std::min(1.0, contact.grip.norm());
+  const double share = lagged_[c] > before ? before / lagged_[c] : 1;
+  const double now = 1 - std::sqrt(1 - share * stretch * (2 - stretch));
+  const Vec3 across = contact.grip - contact.normal.dot(contact.grip) * contact.normal;
+  return slip_threshold * now / stretch * across;
+}
+
+Vec3 IslandJoints::tie_force(std::size_t t, const VecX& q) const {
+  const Tie& tie = island_->ties[t];
+  const Vec3 d = tie.offset + displacement(ties_[t], q);
+  return BoundedSpring{tie.stiffness, tie.max_force}.secant(d.norm()) * d;
+}
+
+void IslandJoints::add_energy(const VecX& q, double& sum) const {
+  for (std::size_t c = 0; c < contacts_.size(); ++c) sum += contact_energy(c, displacement(contacts_[c], q));
+  for (std::size_t t = 0; t < ties_.size(); ++t) {
+    const Tie& tie = island_->ties[t];
+    sum +=
+        BoundedSpring{tie.stiffness, tie.max_force}.energy((tie.offset + displacement(ties_[t], q)).norm());
+  }
+}
+
+void IslandJoints::add_gradient(const VecX& q, VecX& g) const {
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const Vec3 f = contact_force(c, displacement(contacts_[c], q), nullptr);
+    add_force(contacts_[c].a, f, g);
+    add_force(contacts_[c].b, -f, g);
+  }
+  for (std::size_t t = 0; t < ties_.size(); ++t) {
+    const Vec3 f = tie_force(t, q);
+    add_force(ties_[t].a, f, g);
+    add_force(ties_[t].b, -f, g);
+  }
+}
+
+void IslandJoints::linearise(const VecX& q) {
+  for (std::size_t c = 0; c < contacts_.size(); ++c)
+    contacts_[c].force = contact_force(c, displacement(contacts_[c], q), &contacts_[c].D);
+  for (std::size_t t = 0; t < ties_.size(); ++t) {
+    const Tie& tie = island_->ties[t];
+    const double d = (tie.offset + displacement(ties_[t], q)).norm();
+    ties_[t].D = BoundedSpring{tie.stiffness, tie.max_force}.secant(d) * Mat3::Identity();
+  }
+}
+
+void IslandJoints::work(const VecX& start, const VecX& q, std::vector<double>& work) const {
+  const auto add = [&](const JointSide& side, const Vec3& force) {
+    if (side.nodes > 0) work[side.member] += force.dot(moved_by(side, q) - moved_by(side, start));
+  };
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const Vec3 f = contact_force(c, displacement(contacts_[c], q), nullptr);
+    add(contacts_[c].a, -f);
+    add(contacts_[c].b, f);
+  }
+  for (std::size_t t = 0; t < ties_.size(); ++t) {
+    const Vec3 f = tie_force(t, q);
+    add(ties_[t].a, -f);
+    add(ties_[t].b, f);
+  }
+}
+
+double IslandJoints::normal_force(std::size_t c, const VecX& q) const {
+  const Contact& contact = island_->contacts[c];
+  const double gap = contact.gap + contact.normal.dot(displacement(contacts_[c], q));
+  return contact.stiffness * std::max(0.0, -gap);
+}
+
+double IslandJoints::load_of_friction(std::size_t c, const VecX& q) const {
+  const std::uint32_t bearer = island_->contacts[c].bearer;
+  return bearer > 0 ? normal_force(c - bearer, q) / patch_points : normal_force(c, q);
+}
+
+void IslandJoints::lag_friction(const VecX& q) {
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    lagged_[c] = island_->contacts[c].friction * load_of_friction(c, q);
+    contacts_[c].held = held_slip(c);
+  }
+}
+
+void IslandJoints::take(double length, const VecX& step) {
+  untaken_ *= 1 - length;
+  for (Joint& joint : contacts_) {
+    Vec3 force = joint.force;
+    if (!joint.D.isZero(0)) force += joint.D * (moved_by(joint.a, step) - moved_by(joint.b, step));
+    joint.exchanged += length * (force - joint.exchanged);
+    joint.foreseen = joint.force + length * (force - joint.force);
+  }
+}
+
+void IslandJoints::take_balanced() {
+  untaken_ = 0;
+  for (Joint& joint : contacts_) joint.exchanged = joint.force;
+}
+
+void IslandJoints::add_load(const JointSide& side, const Load& load) {
+  if (side.nodes == 0 && side.rigid < 0) return;
+  Load& sum = side.nodes > 0 ? soft_loads_[side.member] : rigid_loads_[layout_->rigid_member(side)];
+  sum.normal += load.normal;
+  sum.normal_off += load.normal_off;
+  sum.friction += load.friction;
+  sum.friction_off += load.friction_off;
+}
+
+bool IslandJoints::unsettled(const VecX& q) {
+  soft_loads_.assign(island_->soft.size(), {});
+  rigid_loads_.assign(island_->rigid.size(), {});
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const Joint& joint = contacts_[c];
+    const Vec3& n = island_->contacts[c].normal;
+    const Vec3 force = contact_force(c, displacement(joint, q), nullptr), off = force - joint.foreseen;
+    const double along = n.dot(off);
+    const Load load = {-n.dot(force), std::abs(along), lagged_[c], (off - along * n).norm()};
+    add_load(joint.a, load);
+    add_load(joint.b, load);
+  }
+  const auto far_off = [&](const Load& load, double mass) {
+    const double little = unsettled_speed * mass / h_;
+    return load.normal_off > unsettled_normal * load.normal + little ||
+           load.friction_off > unsettled_friction * load.friction + little;
+  };
+  for (std::size_t m = 0; m < soft_loads_.size(); ++m)
+    if (far_off(soft_loads_[m], island_->soft[m].body->total_mass())) return true;
+  for (std::size_t m = 0; m < rigid_loads_.size(); ++m)
+    if (far_off(rigid_loads_[m], island_->rigid[m].mass)) return true;
+  return false;
+}
+
+void IslandJoints::tell_contacts(const VecX& q, bool all_held) const {
+  const double taken = all_held && untaken_ < 1 ? 1 - untaken_ : 1;
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    Contact& contact = island_->contacts[c];
+    contact.force = normal_force(c, q);
+    contact.exchanged = -contacts_[c].exchanged / taken;
+    contact.grip_after.setZero();
+    if (!(lagged_[c] > 0)) continue;
+    const Vec3 u = displacement(contacts_[c], q);
+    const Vec3 slip = u - contact.normal.dot(u) * contact.normal + contacts_[c].held;
+    const double length = slip.norm();
+    contact.grip_after = slip / std::max(length, contacts_[c].threshold);
+  }
+}
+
+double IslandJoints::contact_energy(std::size_t c, const Vec3& u) const {
+  const Contact& contact = island_->contacts[c];
+  const double along = contact.normal.dot(u), gap = std::min(0.0, contact.gap + along);
+  const double slip = (u - along * contact.normal + contacts_[c].held).norm();
+  return contact.stiffness * gap * gap / 2 + lagged_[c] * FrictionNorm{contacts_[c].threshold}.energy(slip);
+}
+
+Vec3 IslandJoints::contact_force(std::size_t c, const Vec3& u, Mat3* D) const {
+  const Contact& contact = island_->contacts[c];
+  const Vec3& n = contact.normal;
+  const double along = n.dot(u), gap = std::min(0.0, contact.gap + along);
+  const Vec3 slip = u - along * n + contacts_[c].held;
+  const double drag =
+      lagged_[c] > 0 ? lagged_[c] * FrictionNorm{contacts_[c].threshold}.secant(slip.norm()) : 0;
+  if (D) {
+    const Mat3 nn = n * n.transpose();
+    *D = (gap < 0 ? contact.stiffness : 0.0) * nn + drag * (Mat3::Identity() - nn);
+  }
+  return contact.stiffness * gap * n + drag * slip;
+}
+
+}  // namespace prosector
