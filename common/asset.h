@@ -17,8 +17,8 @@ struct Asset {
   std::vector<std::uint8_t> bytes;
 };
 
-/// How a deformable's surface hangs on its streamed points, and where those are at rest: what SoftState is
-/// told from.
+/// The places of a deformable's streamed points at rest, and how its surface hangs on them: what SoftState is
+/// relative to.
 struct StreamedSurface {
   std::vector<Vec3> rest;  // metres, room frame; float32 when encoded
   SparseMap map;           // surface vertex ← streamed points
@@ -27,7 +27,7 @@ struct StreamedSurface {
 Asset encode(const TriangleMesh& mesh);
 Asset encode(const StreamedSurface& surface);
 
-/// Throw InputError when the bytes are no such asset.
+/// Decodes what encode() made. Throws InputError when the bytes are no such asset.
 TriangleMesh decode_triangle_mesh(std::span<const std::uint8_t> bytes);
 StreamedSurface decode_streamed_surface(std::span<const std::uint8_t> bytes);
 

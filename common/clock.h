@@ -5,10 +5,10 @@
 
 namespace prosector {
 
-/// Nanoseconds since an arbitrary start that is the same for every process of this machine.
+/// Returns nanoseconds since an arbitrary start that is the same for every process of this machine.
 std::int64_t monotonic_ns();
 
-/// Seconds from `t`, which monotonic_ns() gave, until now.
+/// Returns the seconds from `t`, which monotonic_ns() gave, until now.
 inline double seconds_since(std::int64_t t) {
   return 1e-9 * static_cast<double>(monotonic_ns() - t);
 }

@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-/// "1 step", "0 steps", "20 steps": of words whose plural takes an s.
+/// Returns "1 step", "0 steps", "20 steps", for words whose plural takes an s.
 inline std::string counted(std::uint64_t n, std::string_view what) {
   return std::to_string(n) + ' ' + std::string(what) + (n == 1 ? "" : "s");
 }

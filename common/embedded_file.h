@@ -13,7 +13,7 @@ struct EmbeddedFile {
   std::string_view text;
 };
 
-/// The text of the file with that name; none when there is no such file.
+/// Returns the text of the file with that name; none when there is no such file.
 inline std::optional<std::string_view> find_embedded(std::span<const EmbeddedFile> files,
                                                      std::string_view name) {
   const auto found =

@@ -3,7 +3,7 @@
 // (drawn hand).
 //
 // A bend sensor reports x in [0, 1] with x = c₁·MCP + c₄·PIP and c₁·MCP = 2·c₄·PIP, c₁ = 2/3, c₄ = 1/3, so
-// MCP = PIP = x; MCP, PIP and IP in [0, 1] map linearly to 0–90°, DIP = 2/3·PIP, and x = 1 is a closed fist.
+// MCP = PIP = x. MCP, PIP and IP in [0, 1] map linearly to 0–90°, DIP = 2/3·PIP, and x = 1 is a closed fist.
 // The thumb has MCP and IP.
 
 #include <array>
@@ -26,10 +26,11 @@ struct HandSegment {
   double radius;      // m
 };
 
-/// Joint angles in radians from the five flexions (values outside [0, 1] are clamped).
+/// Returns joint angles in radians from the five flexions (values outside [0, 1] are clamped).
 std::array<double, hand_joints> joint_angles(const std::array<double, fingers>& flexion);
 
-/// The right (1) or left (0) hand's segments in joint order; the left is the right's mirror image in x.
+/// Returns the right (1) or left (0) hand's segments in joint order; the left is the right's mirror image in
+/// x.
 const std::array<HandSegment, hand_joints>& hand_segments(std::size_t hand);
 
 /// The palm as a box: half extents and its centre in the wrist frame.
@@ -39,7 +40,7 @@ struct Palm {
 };
 Palm hand_palm(std::size_t hand);
 
-/// Pose of every segment's frame in the wrist's frame, joint order.
+/// Returns the pose of every segment's frame in the wrist's frame, joint order.
 std::array<Pose, hand_joints> hand_pose(std::size_t hand, const std::array<double, fingers>& flexion);
 
 }  // namespace prosector

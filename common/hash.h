@@ -31,7 +31,7 @@ class StateHasher {
   template <class T>
   requires std::is_arithmetic_v<T> || std::is_enum_v<T>
   void add(const T& value) { add(std::as_bytes(std::span<const T, 1>(&value, 1))); }
-  /// `count` contiguous numbers, for instance an Eigen vector's data().
+  /// Adds `count` contiguous numbers, for instance an Eigen vector's data().
   void add(const double* values, std::size_t count) { add(std::as_bytes(std::span(values, count))); }
   std::uint64_t digest() const;
 

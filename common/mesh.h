@@ -63,7 +63,7 @@ struct Anatomy {
   std::vector<double> node_volume = {};  // m³, of a sheet that was cut; empty: lumped from the elements
 };
 
-/// Metres; 0: not a rope.
+/// Returns the rope's diameter in metres; 0: not a rope.
 inline double tube_diameter(const Anatomy& anatomy) {
   return anatomy.segments.empty() ? 0 : anatomy.thickness;
 }

@@ -140,10 +140,10 @@ struct Command {
   std::uint8_t hand = right_hand;  // for grasp and release
   BodyId body = 0;                 // for reset, detach, attach, inspect, open_panel, rewind, keyframe
   ParticipantId subject = 0;       // for set_role
-  Role role = Role::observer;      // likewise
+  Role role = Role::observer;      // for set_role
   Affine shape;  // for inspect: from where the body's points are without it to where they are seen
   PanelControl control = PanelControl::attach;  // for set_control
-  double value = 0;                             // likewise: button 0 off, 1 on; slider 0 … 1
+  double value = 0;                             // for set_control: button 0 off, 1 on; slider 0 … 1
   std::uint32_t revision = 0;                   // for rewind
 };
 
@@ -267,8 +267,8 @@ struct SoftState {
   std::vector<Vec3> velocities;  // m/s, coarse: for Hermite interpolation
 };
 
-/// server → all, reliable, transient-local, keyed by body: a body went to sleep here, at full precision, so
-/// that a lost last chunk never stays wrong and a late joiner has the rest shape.
+/// server → all, reliable, transient-local, keyed by body: a body went to sleep here, at full precision. So a
+/// lost last chunk never stays wrong and a late joiner has the rest shape.
 struct Settled {
   BodyId body = 0;
   SimTime time;
@@ -281,12 +281,12 @@ struct Settled {
 enum class TopologyCause : std::uint8_t { compiled, cut, undo, rewind };
 
 inline constexpr std::size_t max_surface_vertices = 1024 * 1024;       // slots of one soft body
-inline constexpr std::size_t max_surface_triangles = 2 * 1024 * 1024;  // likewise
+inline constexpr std::size_t max_surface_triangles = 2 * 1024 * 1024;  // slots of one soft body
 
 /// What a revision changed of the surface that is drawn. Streamed points, vertices and triangles have slots,
-/// numbers that are never used again: a change only sets some of them and appends others, and what is gone
-/// stays as a slot that nothing uses, of a triangle with its corners equal. Floats, so that every end holds
-/// the same bits.
+/// numbers that are never used again. A change only sets some slots and appends others. What is gone stays as
+/// a slot that nothing uses; such a triangle has its corners equal. Numbers are floats, so that every end
+/// holds the same bits.
 struct SurfacePatch {
   struct Point {                                     // appended, in order
     Eigen::Vector3f rest = Eigen::Vector3f::Zero();  // m, room frame: what SoftState's positions start from
@@ -305,7 +305,7 @@ struct SurfacePatch {
   };
   std::vector<Point> points;
   std::vector<Vertex> vertices;     // by slot, ascending
-  std::vector<Triangle> triangles;  // likewise
+  std::vector<Triangle> triangles;  // by slot, ascending
 };
 
 /// server → all, reliable, transient-local, keyed by (body, revision): the ordered log of topology. A soft
@@ -409,8 +409,8 @@ struct ServerStatus {
 };
 
 /// server → all, about 2 Hz while it is awake, keyed by body: how one deformable is stepped, and what of its
-/// shape is not to be relied on. Both errors are estimates: `residual` is measured, of the solves of the last
-/// second; `error` is looked up in what the server measured on a bending beam as fine and as long
+/// shape is not to be relied on. Both errors are estimates. `residual` is measured, of the solves of the last
+/// second. `error` is looked up in what the server measured on a bending beam as fine and as long
 /// (docs/understand/soft-tissue.md).
 struct BodyStatus {
   BodyId body = 0;
@@ -419,7 +419,7 @@ struct BodyStatus {
   bool converged = true;         // in all ticks since the last one
   std::uint32_t substeps = 0;    // explicit and position-based bodies: in the last tick; 0: solved at once
   double step = 0;               // s: length of its time steps
-  double newton_iterations = 0;  // mean over the ticks since the last one, likewise:
+  double newton_iterations = 0;  // mean over the ticks since the last one, as the next three
   double solver_iterations = 0;  // of the linear solver
   double residual = 0;           // worst: force left unbalanced by a linear solve, over what it started from
   double correction = 0;         // m, worst: how far the last Newton step still moved a node

@@ -64,14 +64,15 @@ constexpr const ControlDesc& describe(PanelControl control) {
   return panel_controls[static_cast<std::size_t>(control)];
 }
 
-/// The cap's face in the panel's frame: its middle, for a position of 0 … 1.
+/// Returns the middle of the cap's face in the panel's frame, for a position of 0 … 1.
 inline Vec3 control_face(const ControlDesc& control, double position) {
   if (control.kind == ControlKind::slider)
     return {control.x + (position - 0.5) * control.travel, control.y, control.height};
   return {control.x, control.y, control.height - position * control.travel};
 }
 
-/// What the slider's place means, and back: ¼ … 4 times, evenly in its logarithm, so that the middle is 1.
+/// Maps the slider's place to its factor on stiffness, and back: ¼ … 4 times, evenly in its logarithm, so
+/// that the middle is 1.
 inline double stiffness_at(double position) {
   return least_stiffness * std::pow(most_stiffness / least_stiffness, position);
 }

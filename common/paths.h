@@ -5,10 +5,11 @@
 
 namespace prosector {
 
-/// Meshes and equilibria by content hash; may be deleted at any time: ${XDG_CACHE_HOME:-~/.cache}/prosector.
+/// Returns the folder of meshes and equilibria by content hash, which may be deleted at any time:
+/// ${XDG_CACHE_HOME:-~/.cache}/prosector.
 std::filesystem::path default_cache_dir();
 
-/// Volumes and surfaces that scenes name, put there by the set-up:
+/// Returns the folder of volumes and surfaces that scenes name, put there by the set-up:
 /// ${PROSECTOR_DATA:-${XDG_DATA_HOME:-~/.local/share}/prosector}.
 std::filesystem::path default_data_dir();
 

@@ -19,8 +19,8 @@ struct FoundFile {
 /// Reads what write_sealed() wrote under the same key. Whatever bit differs, nothing is returned.
 FoundFile read_sealed(const std::filesystem::path& file, const std::string& key);
 
-/// Writes aside and renames, so that readers see all or nothing; makes the folder. False when it can't be
-/// written.
+/// Writes aside and renames, so that readers see all or nothing; makes the folder. Returns false when it
+/// can't be written.
 bool write_sealed(const std::filesystem::path& file, const std::string& key,
                   std::span<const std::uint8_t> bytes);
 

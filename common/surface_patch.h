@@ -1,6 +1,6 @@
 #pragma once
 // The surface of a deformable as server and clients both hold it while it is cut: in slots that are never
-// used again (SurfacePatch), so what a cut changes is told as a difference, and a hash proves that both hold
+// used again (SurfacePatch). So what a cut changes is told as a difference, and a hash proves that both hold
 // the same.
 
 #include <cstdint>
@@ -17,26 +17,28 @@ struct DrawnSurface {
   StreamedSurface streamed;  // streamed.map has a row for each of rest.positions
 };
 
-/// The nearest float's value.
+/// Returns the nearest float's value.
 double to_float(double x);
 Vec3 to_float(const Vec3& x);
 
-/// The surface with every number rounded to float: what a client makes of the two assets.
+/// Returns the surface with every number rounded to float: what a client makes of the two assets.
 DrawnSurface rounded(TriangleMesh rest, StreamedSurface streamed);
 
-/// What takes `before` to `after`. Appended points are said to be at rest. Throws InputError when `after` has
-/// less of anything, or another place at rest of a point that `before` has: slots are only appended.
+/// Returns what takes `before` to `after`. Appended points are said to be at rest. Throws InputError when
+/// `after` has less of anything, or another place at rest of a point that `before` has: slots are only
+/// appended.
 SurfacePatch difference(const DrawnSurface& before, const DrawnSurface& after);
 
-/// Throws InputError when the patch doesn't fit, and leaves the surface as it was: a slot beyond the next, a
-/// vertex on a point or a triangle on a vertex that isn't there, more slots than a surface may have.
+/// Changes the surface by the patch. Throws InputError when the patch doesn't fit, and then leaves the
+/// surface as it was. What doesn't fit: a slot beyond the next, a vertex on a point or a triangle on a vertex
+/// that isn't there, more slots than a surface may have.
 void apply(const SurfacePatch& patch, DrawnSurface& surface);
 
-/// Over every slot.
+/// Hashes every slot.
 std::uint64_t hash(const DrawnSurface& surface);
 
-/// What TopologyRevision::chain_hash has to be: over previous_hash, content_hash, surface_hash, revision and
-/// body.
+/// Returns what TopologyRevision::chain_hash has to be: over previous_hash, content_hash, surface_hash,
+/// revision and body.
 std::uint64_t chain_hash_of(const TopologyRevision& revision);
 
 }  // namespace prosector

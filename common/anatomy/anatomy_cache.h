@@ -22,8 +22,8 @@ struct FoundAnatomy {
 };
 FoundAnatomy load_cached(const std::filesystem::path& dir, const ContentHash& key);
 
-/// Written aside and renamed, so that readers see all or nothing. False when the folder can't be written:
-/// a cache is no reason to fail.
+/// Stores the mesh under its key, written aside and renamed, so that readers see all or nothing. Returns
+/// false when the folder can't be written: a cache is no reason to fail.
 bool store_cached(const std::filesystem::path& dir, const ContentHash& key, const CachedAnatomy& made);
 
 }  // namespace prosector

@@ -10,7 +10,7 @@
 
 namespace prosector {
 
-/// Points of the lattice of short edge `cell` (m) that covers a box of `extent` (m).
+/// Returns the number of points of the lattice of short edge `cell` (m) that covers a box of `extent` (m).
 double lattice_points(const Vec3& extent, double cell);
 
 /// Throws InputError unless `cell` and the box's sizes are positive and finite.
@@ -26,12 +26,12 @@ class BccLattice {
   std::size_t size() const { return 2 * grid_; }
   Vec3 position(std::size_t point) const;
   double edge_length(bool is_long) const { return is_long ? a_ : 0.86602540378443865 * a_; }
-  /// Of two joined points: long edges join points of one grid.
+  /// Tells whether the edge between two joined points is a long one: those join points of one grid.
   bool is_long(std::size_t a, std::size_t b) const { return (a < grid_) == (b < grid_); }
-  /// Of a short edge: whether an even number of coordinates rises from p to n.
+  /// Tells whether an even number of coordinates rises from p to n along a short edge.
   bool parity(std::size_t p, std::size_t n) const;
 
-  /// visit(neighbour, is_long), always in the same order.
+  /// Calls visit(neighbour, is_long) for each neighbour of the point, always in the same order.
   template <class Visit>
   void for_neighbors(std::size_t point, Visit&& visit) const {
     const bool center = point >= grid_;
@@ -49,7 +49,8 @@ class BccLattice {
     }
   }
 
-  /// visit({c, c', v, v'}): two cell centres that share a face, and an edge of that face.
+  /// Calls visit({c, c', v, v'}) for each tetrahedron: two cell centres that share a face, and an edge of
+  /// that face.
   template <class Visit>
   void for_tets(Visit&& visit) const {
     Index i;

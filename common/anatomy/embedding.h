@@ -19,7 +19,7 @@ struct Embedding {
 };
 Embedding embed(TetMesh tets, TriangleMesh surface);
 
-/// surface.positions = W·tets.positions.
+/// Sets surface.positions = W·tets.positions.
 void apply_embedding(Anatomy& anatomy);
 
 }  // namespace prosector

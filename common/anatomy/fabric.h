@@ -6,23 +6,23 @@
 
 namespace prosector {
 
-/// A rectangle of size.x × size.z in the x–z plane around the origin, size.y thick, in cells of about `cell`
-/// metres. Its drawn and touched surface is the sheet's middle, seen from both sides: each node is two
+/// Makes a rectangle of size.x × size.z in the x–z plane around the origin, size.y thick, in cells of about
+/// `cell` metres. Its drawn and touched surface is the sheet's middle, seen from both sides: each node is two
 /// vertices.
 Anatomy make_sheet(const Vec3& size, double cell);
 
-/// Over a patch, `thickness` m thick, in as many cells as its lines along u and v are long on the average.
-/// Throws InputError where two of its nodes coincide, as at a pole.
+/// Makes a sheet over a patch, `thickness` m thick, in as many cells as its lines along u and v are long on
+/// the average. Throws InputError where two of its nodes coincide, as at a pole.
 Anatomy make_sheet(const Patch& patch, double thickness, double cell);
 
-/// m³ of each node of a sheet of whole cells: a quarter of those around it.
+/// Returns the volume (m³) of each node of a sheet of whole cells: a quarter of those around it.
 std::vector<double> sheet_node_volumes(const Anatomy& sheet);
 
-/// A line along x around the origin, size.x long, size.y in diameter, in pieces of about `cell` metres. Its
-/// surface is its axis, one vertex per node and no triangle: what draws it lays a tube around.
+/// Makes a line along x around the origin, size.x long, size.y in diameter, in pieces of about `cell` metres.
+/// Its surface is its axis, one vertex per node and no triangle: what draws it lays a tube around.
 Anatomy make_rope(const Vec3& size, double cell);
 
-/// Along a curve, `diameter` m thick.
+/// Makes a rope along a curve, `diameter` m thick.
 Anatomy make_rope(const NurbsCurve& curve, double diameter, double cell);
 
 }  // namespace prosector

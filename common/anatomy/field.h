@@ -23,11 +23,11 @@ struct SolidField {
   Box box;
 };
 
-/// Central difference of `value`, step in metres.
+/// Returns the gradient of `value` by central differences, step in metres.
 Vec3 gradient(const SolidField& field, const Vec3& x, double step);
 
-/// Where value changes sign between `inside` (value < 0) and `outside` (value >= 0), by bisection with
-/// secant steps; as the fraction of the way from inside to outside, in (0, 1).
+/// Finds where value changes sign between `inside` (value < 0) and `outside` (value >= 0), by bisection with
+/// secant steps. Returns the fraction of the way from inside to outside, in (0, 1).
 double crossing(const SolidField& field, const Vec3& inside, double f_inside, const Vec3& outside,
                 double f_outside);
 

@@ -6,12 +6,12 @@
 
 namespace prosector {
 
-/// Marching tetrahedra on a BCC lattice (always a closed manifold), short edges collapsed and vertices
-/// relaxed along the surface until edges are about `cell` metres long. Only the largest piece is kept.
-/// Throws InputError when there is no surface.
+/// Makes the surface by marching tetrahedra on a BCC lattice (always a closed manifold). Short edges are
+/// collapsed and vertices relaxed along the surface until edges are about `cell` metres long. Only the
+/// largest piece is kept. Throws InputError when there is no surface.
 TriangleMesh isosurface(const SolidField& field, double cell);
 
-/// The piece with the largest enclosed volume.
+/// Returns the piece with the largest enclosed volume.
 TriangleMesh largest_piece(const TriangleMesh& mesh);
 
 }  // namespace prosector

@@ -19,18 +19,19 @@ struct Mask {
   std::size_t dropped_pieces = 0;
 };
 
-/// Voxels equal to `label`, the largest piece (joined through faces), `margin` voxels of border. Throws
-/// InputError that lists the labels present when there are none such.
+/// Returns voxels equal to `label`: the largest piece (joined through faces), with `margin` voxels of border.
+/// Throws InputError that lists the labels present when there are none such.
 Mask mask_of_label(const Volume& volume, int label, int margin, const std::string& name);
 
-/// Voxels above `threshold`; throws InputError with the volume's range when there are none, or only those.
+/// Returns voxels above `threshold`; throws InputError with the volume's range when there are none, or only
+/// those.
 Mask mask_above(const Volume& volume, double threshold, int margin, const std::string& name);
 
-/// The mask under a Gaussian of σ `sigma` voxels along each axis, as the field level − mask: negative inside;
-/// the level is the one that keeps the structure's volume.
+/// Smooths the mask by a Gaussian of σ `sigma` voxels along each axis and returns the field level − mask:
+/// negative inside. The level is the one that keeps the structure's volume.
 SolidField smooth_solid(const Mask& mask, double sigma);
 
-/// Border that `smooth_solid` needs around the structure, voxels.
+/// Returns the border that `smooth_solid` needs around the structure, voxels.
 int smoothing_margin(double sigma);
 
 }  // namespace prosector

@@ -1,5 +1,5 @@
 #pragma once
-// From what a scene says of a body to its geometry: files found, meshed, cached.
+// Makes the geometry of a body from its description in a scene: files found, meshed, cached.
 
 #include <filesystem>
 #include <functional>
@@ -19,11 +19,11 @@ struct SourcePaths {
   std::filesystem::path cache_dir;  // empty: no cache
 };
 
-/// Tetrahedra and embedded surface in the room's frame. A missing file is replaced by desc.fallback, and
-/// `progress` says so; without a fallback InputError lists where it was looked for.
+/// Makes tetrahedra and the embedded surface in the room's frame. A missing file is replaced by
+/// desc.fallback, and `progress` says so; without a fallback InputError lists where it was looked for.
 Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progress& progress);
 
-/// The surface of a rigid body in its own frame: its mesh, scaled and thinned, or its parts.
+/// Makes the surface of a rigid body in its own frame: its mesh, scaled and thinned, or its parts.
 TriangleMesh make_surface(const RigidDesc& desc, const SourcePaths& paths, const Progress& progress);
 
 }  // namespace prosector

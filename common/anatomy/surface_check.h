@@ -17,14 +17,14 @@ struct SurfaceReport {
   Vec3 center_of_mass = Vec3::Zero();  // m, of the enclosed solid
   Mat3 inertia = Mat3::Zero();         // kg m² per kg/m³, about the centre of mass
 
-  /// What a scene's author should know, empty when all is well.
+  /// Returns what a scene's author should know, empty when all is well.
   std::string warning() const;
 };
 
-/// Pairs of triangles without a common vertex that pass through each other.
+/// Finds the pairs of triangles without a common vertex that pass through each other.
 std::vector<std::array<std::uint32_t, 2>> intersecting_triangles(const TriangleMesh& mesh);
 
-/// Mass properties by the divergence theorem (exact for closed surfaces).
+/// Computes mass properties by the divergence theorem (exact for closed surfaces).
 SurfaceReport check_surface(const TriangleMesh& mesh);
 
 }  // namespace prosector

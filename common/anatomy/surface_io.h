@@ -7,11 +7,11 @@
 
 namespace prosector {
 
-/// All triangles of the file as one mesh, its nodes' transforms applied, times `scale` (to metres), equal
-/// vertices merged, degenerate triangles dropped. Throws InputError: missing or unreadable file (with the
-/// reader's words), no triangles, a position that isn't finite, an extent above 100 m or under 0.1 mm. The
-/// file is read by a process of its own, prosector-import beside this program: where that crashes, uses too
-/// much or takes longer than `patience` seconds, the file is refused.
+/// Reads all triangles of the file as one mesh, its nodes' transforms applied, times `scale` (to metres),
+/// equal vertices merged, degenerate triangles dropped. Throws InputError: missing or unreadable file (with
+/// the reader's words), no triangles, a position that isn't finite, an extent above 100 m or under 0.1 mm.
+/// The file is read by a process of its own, prosector-import beside this program. Where that crashes, uses
+/// too much or takes longer than `patience` seconds, the file is refused.
 TriangleMesh load_surface(const std::filesystem::path& file, double scale, double patience = 60);
 
 }  // namespace prosector

@@ -10,11 +10,13 @@
 
 namespace prosector {
 
-/// Times `scale` (to metres); inverted tetrahedra are turned, flat ones dropped. Throws InputError with file
-/// and line: not such a file, an index out of range, a position that isn't finite, no tetrahedra.
+/// Reads a tetrahedral mesh, times `scale` (to metres); inverted tetrahedra are turned, flat ones dropped.
+/// Throws InputError with file and line: not such a file, an index out of range, a position that isn't
+/// finite, no tetrahedra.
 TetMesh load_tets(const std::filesystem::path& file, double scale);
 
-/// The same from text, by format; `name` is for messages. Positions as in the file, unchecked tetrahedra.
+/// Reads a tetrahedral mesh from text, by format; `name` is for messages. Positions are as in the file,
+/// tetrahedra unchecked.
 TetMesh parse_gmsh(std::string_view text, const std::string& name);
 TetMesh parse_vtk(std::string_view text, const std::string& name);
 

@@ -17,20 +17,20 @@ class TokenReader {
  public:
   TokenReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
 
-  /// Empty at the end.
+  /// Returns the next word; empty at the end.
   std::string_view word() {
     while (at_ < text_.size() && is_space(text_[at_])) line_ += text_[at_++] == '\n';
     const std::size_t start = at_;
     while (at_ < text_.size() && !is_space(text_[at_])) ++at_;
     return text_.substr(start, at_ - start);
   }
-  /// The rest of the line.
+  /// Returns the rest of the line.
   std::string_view rest() {
     const std::size_t start = at_;
     while (at_ < text_.size() && text_[at_] != '\n') ++at_;
     return text_.substr(start, at_ - start);
   }
-  /// The line after the current one, without its end; the text's end reads as an empty line.
+  /// Returns the line after the current one, without its end; the text's end reads as an empty line.
   std::string_view next_line() {
     rest();
     if (at_ < text_.size()) {
@@ -50,7 +50,7 @@ class TokenReader {
       fail(fmt::format("\"{}\" where {} should be", w.substr(0, 32), what));
     return value;
   }
-  /// The `bytes` bytes that follow the end of the current line.
+  /// Returns the `bytes` bytes that follow the end of the current line.
   std::string_view raw(std::size_t bytes, const char* what) {
     rest();
     if (at_ >= text_.size() || text_.size() - at_ - 1 < bytes)
@@ -61,7 +61,8 @@ class TokenReader {
     at_ += 1 + bytes;
     return out;
   }
-  /// A count of records that each take at least `bytes` of the text still to come: a lie allocates nothing.
+  /// Reads a count of records that each take at least `bytes` of the text still to come: a lie allocates
+  /// nothing.
   std::uint64_t count(const char* what, std::size_t bytes = 2) {
     const auto n = number<std::uint64_t>(what);
     if (n > (text_.size() - at_) / bytes) fail(fmt::format("{} {}, more than the file can hold", what, n));

@@ -32,7 +32,7 @@ struct Volume {
   }
 };
 
-/// Trilinear between voxel centres; outside them the nearest border value.
+/// Interpolates trilinearly between voxel centres; outside them the nearest border value holds.
 double sample(const Volume& volume, const Vec3& x);
 
 }  // namespace prosector

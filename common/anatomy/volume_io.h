@@ -9,12 +9,14 @@
 
 namespace prosector {
 
-/// Recognises the format from the content. Throws InputError with the file and what is wrong: truncated,
-/// damaged, dims or voxel size out of range (before anything is allocated for them), unknown voxel type,
-/// NaN or infinite voxel (with its index).
+/// Reads a volume, its format recognised from the content. Throws InputError with the file and what is wrong:
+///   truncated or damaged
+///   dims or voxel size out of range, found before anything is allocated for them
+///   unknown voxel type
+///   NaN or infinite voxel, with its index
 Volume load_volume(const std::filesystem::path& file);
 
-/// The same from the file's bytes; `name` is for messages.
+/// Reads a volume from the file's bytes as load_volume does; `name` is for messages.
 Volume parse_volume(std::span<const std::uint8_t> bytes, const std::string& name);
 
 }  // namespace prosector

@@ -28,7 +28,8 @@ struct VolumeHeader {
 /// Throws InputError when dims, voxel size or scaling are out of range. Returns the bytes of all voxels.
 std::size_t check_header(const VolumeHeader& header, const std::string& name);
 
-/// `bytes` is the whole unpacked file. Throws InputError when it is too short or a voxel isn't finite.
+/// Reads the voxels; `bytes` is the whole unpacked file. Throws InputError when it is too short or a voxel
+/// isn't finite.
 Volume read_voxels(const VolumeHeader& header, std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// Headers from the file's first bytes.

@@ -12,16 +12,17 @@ inline constexpr int max_degree = 9;
 
 using BasisRow = std::array<double, max_degree + 1>;  // of the degree + 1 functions that aren't zero
 
-/// Clamped and uniform over 0 … 1, so that the ends are met.
+/// Returns knots that are clamped and uniform over 0 … 1, so that the curve meets its ends.
 std::vector<double> clamped_knots(std::size_t points, int degree);
-/// Zeros, then ones: with it a B-spline is a Bézier curve.
+/// Returns zeros, then ones: with these knots a B-spline is a Bézier curve.
 std::vector<double> bezier_knots(int degree);
 
-/// Throws InputError unless there are points + degree + 1 finite knots, none below the one before, at most
-/// `degree` of them equal but at the ends, and the domain, from knot `degree` to knot `points`, has a length.
+/// Throws InputError unless there are points + degree + 1 finite knots, none below the one before. At most
+/// `degree` of them may be equal but at the ends. The domain, from knot `degree` to knot `points`, must have
+/// a length.
 void check_knots(std::span<const double> knots, std::size_t points, int degree);
 
-/// The knot span that `u` lies in, of those with a length (A2.1).
+/// Finds the knot span that `u` lies in, among those with a length (A2.1).
 std::size_t find_span(std::span<const double> knots, std::size_t points, int degree, double u);
 
 /// N and its first and second derivative by u, of functions span − degree … span (A2.3).

@@ -7,11 +7,11 @@
 
 namespace prosector {
 
-/// (a cos t, b sin t), from < to <= from + 2π; in arcs of at most a quarter turn.
+/// Returns (a cos t, b sin t), from < to <= from + 2π, in arcs of at most a quarter turn.
 NurbsCurve ellipse_arc(double a, double b, double from, double to);
-/// (a t², 2 a t), whose focus lies at x = a.
+/// Returns (a t², 2 a t), whose focus lies at x = a.
 NurbsCurve parabola_arc(double a, double from, double to);
-/// (a cosh t, b sinh t).
+/// Returns (a cosh t, b sinh t).
 NurbsCurve hyperbola_arc(double a, double b, double from, double to);
 
 }  // namespace prosector

@@ -9,11 +9,12 @@
 
 namespace prosector {
 
-/// In the body's frame. Throw InputError saying what of the description is wrong.
+/// Makes the curve or patch in the body's frame. Throws InputError saying what of the description is wrong.
 NurbsCurve make_curve(const CurveDesc& desc);
 std::unique_ptr<Patch> make_patch(const PatchDesc& desc);
 
-/// Tubes around all curves and slabs over all patches, as one mesh; they may overlap, nothing is united.
+/// Makes tubes around all curves and slabs over all patches, as one mesh; they may overlap, nothing is
+/// united.
 TriangleMesh mesh_of(std::span<const CurveDesc> curves, std::span<const PatchDesc> patches);
 
 }  // namespace prosector

@@ -20,8 +20,8 @@ struct CurvePoint {
 
 class NurbsCurve {
  public:
-  /// `weights` as many as points, or none: all 1. Throws InputError for points or weights that aren't finite,
-  /// weights that aren't positive, another number of them, and what check_knots() refuses.
+  /// Takes as many `weights` as points, or none: all 1. Throws InputError for points or weights that aren't
+  /// finite, weights that aren't positive, another number of them, and what check_knots() refuses.
   NurbsCurve(int degree, std::vector<double> knots, std::vector<Vec3> points,
              std::vector<double> weights = {});
 
@@ -34,11 +34,11 @@ class NurbsCurve {
   double begin() const { return knots_[static_cast<std::size_t>(degree_)]; }
   double end() const { return knots_[points_.size()]; }
 
-  /// `u` is clamped to begin() … end().
+  /// Evaluates the curve at `u`, clamped to begin() … end().
   Vec3 at(double u) const { return evaluate(u).x; }
   CurvePoint evaluate(double u) const;
 
-  /// The same curve with one more knot (Boehm 1980; A5.1); `u` inside the domain.
+  /// Returns this curve with one more knot (Boehm 1980; A5.1); `u` inside the domain.
   NurbsCurve with_knot(double u) const;
   NurbsCurve moved(const Pose& pose) const;
 
@@ -55,20 +55,20 @@ struct BezierPiece {
   std::vector<Eigen::Vector4d> points;  // homogeneous
   double from = 0, to = 1;
 
-  /// At a share s of it, by de Casteljau's algorithm.
+  /// Evaluates the piece at a share s of it, by de Casteljau's algorithm.
   Vec3 at(double s) const;
-  /// Both halves, likewise.
+  /// Returns both halves, by de Casteljau's algorithm.
   std::array<BezierPiece, 2> halves() const;
 };
 
-/// The curve's spans, in order.
+/// Returns the curve's spans, in order.
 std::vector<BezierPiece> bezier_pieces(const NurbsCurve& curve);
 
 inline Vec3 projected(const Eigen::Vector4d& homogeneous) {
   return homogeneous.head<3>() / homogeneous.w();
 }
 
-/// All that a curve or a surface asks of its control points; `weights` is filled with ones when empty.
+/// Checks all that a curve or a surface asks of its control points; fills empty `weights` with ones.
 void check_points(std::span<const Vec3> points, std::vector<double>& weights);
 
 }  // namespace prosector

@@ -16,9 +16,9 @@ struct PatchPoint {
 class Patch {
  public:
   virtual ~Patch() = default;
-  /// u and v in 0 … 1.
+  /// Evaluates the surface at u and v in 0 … 1.
   virtual PatchPoint evaluate(double u, double v) const = 0;
-  /// Where its derivatives may jump, 0 and 1 included, rising; of u, then of v.
+  /// Returns where the derivatives may jump, 0 and 1 included, rising: along u, then along v.
   virtual std::array<std::vector<double>, 2> seams() const = 0;
 };
 
@@ -29,8 +29,8 @@ class NurbsSurface final : public Patch {
     int degree;
     std::vector<double> knots;
   };
-  /// `points` row by row, as many along u as `columns`. Throws InputError as NurbsCurve does, and for points
-  /// that don't fill their rows; `u` or `v` named.
+  /// Takes `points` row by row, as many along u as `columns`. Throws InputError as NurbsCurve does, and for
+  /// points that don't fill their rows; `u` or `v` named.
   NurbsSurface(Direction u, Direction v, std::size_t columns, std::span<const Vec3> points,
                std::vector<double> weights = {});
 
@@ -61,8 +61,8 @@ class RevolvedPatch final : public Patch {
 /// ed. 2002, ch. 22).
 class CoonsPatch final : public Patch {
  public:
-  /// Along u at v = 0 and v = 1, along v at u = 0 and u = 1. Throws InputError naming the corner where two of
-  /// them are farther apart than a millionth of their extent.
+  /// Takes the sides along u at v = 0 and v = 1, then along v at u = 0 and u = 1. Throws InputError naming
+  /// the corner where two of them are farther apart than a millionth of their extent.
   explicit CoonsPatch(std::array<NurbsCurve, 4> sides);
 
   PatchPoint evaluate(double u, double v) const override;

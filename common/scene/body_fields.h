@@ -17,7 +17,7 @@ inline std::vector<std::string_view> implicit_shape_words() {
           "ball",  "beam",   "cylinder",    "capsule", "horseshoe"};
 }
 
-/// What rigid and soft bodies have to say about who touches them, and how finely.
+/// Adds the fields of rigid and soft bodies for who touches them, and how finely.
 template <class Struct>
 void add_collision(std::vector<Field>& fields, std::vector<std::string_view> fidelities,
                    std::string_view shape) {
@@ -32,7 +32,7 @@ void add_collision(std::vector<Field>& fields, std::vector<std::string_view> fid
       "(rigid against soft bodies, and rigid ones of one convex piece)"));
 }
 
-/// Where a stand-in goes: a missing file's origin and axes need not be its shape's.
+/// Adds the fields for a stand-in's pose: a missing file's origin and axes need not be its shape's.
 template <class Struct>
 void add_fallback_pose(std::vector<Field>& fields) {
   fields.push_back(number<Struct, &Struct::fallback_pose, &Pose::p>(

@@ -27,7 +27,7 @@ void add_extent(std::vector<Field>& fields) {
       "tolerance", "m", tolerance, "how far its triangles may be from the true surface, at most"));
 }
 
-/// Of a curve given by control points, whether a tube is laid around it or it is a side.
+/// Returns the fields of a curve given by control points, whether a tube is laid around it or it is a side.
 std::vector<Field> spline_rows(std::vector<std::string_view> kinds, std::string_view about) {
   using C = CurveDesc;
   return {words<C, &C::kind>("kind", std::move(kinds), about),

@@ -5,10 +5,10 @@
 
 namespace prosector {
 
-/// Of a rigid body, which is tubes around curves and slabs over patches.
+/// Returns the tables of rigid bodies, which are tubes around curves and slabs over patches.
 const Table& rigid_curve_table();
 const Table& rigid_patch_table();
-/// Of a soft one: what a rope or a sheet is laid along.
+/// Returns the tables of soft bodies: what a rope or a sheet is laid along.
 const Table& soft_curve_table();
 const Table& soft_patch_table();
 

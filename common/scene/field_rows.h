@@ -13,7 +13,7 @@ inline constexpr Range coordinate{-max_coordinate, max_coordinate};
 inline constexpr Range unit_interval{0, 1};
 inline constexpr Range friction{0, 10};
 
-/// The field that a chain of member pointers leads to: in<RigidDesc, &RigidDesc::pose, &Pose::p>.
+/// Returns the field that a chain of member pointers leads to: in<RigidDesc, &RigidDesc::pose, &Pose::p>.
 template <class Struct, auto... Path>
 FieldRef in(void* object) {
   return &(*static_cast<Struct*>(object).*....*Path);
@@ -78,7 +78,7 @@ Field names(std::string_view key, std::string_view description) {
   return {.key = key, .in = in<Struct, Path...>, .text = Text::name, .description = description};
 }
 
-/// What rigid parts, rigid bodies and soft bodies share.
+/// Adds the pose that rigid parts, rigid bodies and soft bodies share.
 template <class Struct>
 void add_pose(std::vector<Field>& fields, std::string_view frames) {
   fields.push_back(number<Struct, &Struct::pose, &Pose::p>("position", "m", coordinate, frames));

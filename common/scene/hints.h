@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-/// Lines for people, each saying what is odd and what to write instead; none: nothing is.
+/// Returns lines for people, each saying what is odd and what to write instead; none: nothing is.
 std::vector<std::string> scene_hints(const SceneDesc& scene);
 
 }  // namespace prosector

@@ -176,7 +176,7 @@ class Reader {
     return true;
   }
 
-  /// Of numbers, or of [x, y, z].
+  /// Stores a list of numbers, or of [x, y, z].
   template <class T>
   static bool store(const toml::node& node, const Field& field, std::vector<T>& out) {
     const toml::array* list = node.as_array();

@@ -10,17 +10,18 @@
 
 namespace prosector {
 
-/// Throws InputError with file, line, field and what is allowed. Unknown keys are errors. Opens no other
-/// file.
+/// Reads a scene file. Throws InputError with file, line, field and what is allowed. Unknown keys are errors.
+/// Opens no other file.
 SceneDesc load_scene(const std::filesystem::path& file);
 
-/// A scene file's text. Throws InputError when it can't be read, is no regular file or is too large for one.
+/// Returns a scene file's text. Throws InputError when it can't be read, is no regular file or is too large
+/// for one.
 std::string read_scene_text(const std::filesystem::path& file);
 
-/// The same as load_scene from text; `file` is only for messages and for resolving paths later.
+/// Reads a scene from text as load_scene does; `file` is only for messages and for resolving paths later.
 SceneDesc parse_scene(std::string_view toml, const std::filesystem::path& file);
 
-/// docs/look-up/scene.md, from the same field table.
+/// Writes docs/look-up/scene.md from the field table that scenes are read by.
 void write_scene_manual(std::ostream& out);
 
 }  // namespace prosector

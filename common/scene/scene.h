@@ -29,7 +29,7 @@ struct PartDesc {
 
 /// [[rigid.curve]], [[soft.curve]], and the sides of patches, which are given by control points. A Bézier or
 /// B-spline curve, rational where it has weights, or an arc of a conic in the x-y plane, for t from `from` to
-/// `to`: ellipse (a cos t, b sin t), parabola (a t², 2 a t), hyperbola (a cosh t, b sinh t).
+/// `to`. Conics: ellipse (a cos t, b sin t), parabola (a t², 2 a t), hyperbola (a cosh t, b sinh t).
 struct CurveDesc {
   std::string kind = "bspline";  // bezier | bspline | ellipse | parabola | hyperbola
   std::vector<Vec3> points;      // m: control points, of a bezier or bspline
@@ -43,9 +43,9 @@ struct CurveDesc {
   double tolerance = chord_error;  // m: of the triangles from the true surface, at most
 };
 
-/// A piece of a surface over 0 … 1 in u and v: [[rigid.patch]], [[soft.patch]]. Bézier or B-spline in both
-/// directions, rational where it has weights, or a Coons patch between four sides: along u at v = 0 and at
-/// v = 1, then along v at u = 0 and at u = 1; or one side in the x-y plane, turned about y.
+/// A piece of a surface over 0 … 1 in u and v: [[rigid.patch]], [[soft.patch]]. It is Bézier or B-spline in
+/// both directions, rational where it has weights. Or it is a Coons patch between four sides: along u at v =
+/// 0 and at v = 1, then along v at u = 0 and at u = 1. Or it is one side in the x-y plane, turned about y.
 struct PatchDesc {
   std::string kind = "bspline";          // bezier | bspline | coons | revolved
   std::vector<Vec3> points;              // m: control points, along u first
@@ -114,9 +114,9 @@ struct RigidDesc {
   Appearance appearance;
 };
 
-/// [[soft.attach]]: tissue that holds the organ to its place: nodes inside the sphere are tied to their rest
+/// [[soft.attach]]: tissue that holds the organ to its place. Nodes inside the sphere are tied to their rest
 /// position by springs, a Winkler foundation over the tied volume, so that the total does not depend on the
-/// mesh: a node that carries V m³ gets stiffness·V N/m. From about 1e12 on it is a pin.
+/// mesh. A node that carries V m³ gets stiffness·V N/m. From about 1e12 on it is a pin.
 struct AttachDesc {
   Vec3 center = Vec3::Zero();  // m, room frame
   double radius = 0.05;        // m
@@ -189,7 +189,7 @@ struct SoftDesc {
   std::string collision = "mesh";  // none | sphere | aabb | obb | hull | mesh
   std::string group = default_group;
   std::vector<std::string> touches;  // as of RigidDesc
-  bool continuous = false;           // likewise
+  bool continuous = false;           // as of RigidDesc
   bool self_contact = false;         // true: it doesn't pass through itself
   bool gravity = true;               // false: the imaged shape already carries it
   int newton_iterations = 3;         // at most, per tick
@@ -197,9 +197,9 @@ struct SoftDesc {
   double solver_tolerance = 1e-3;    // relative residual at which it stops
   int substeps = 20;                 // xpbd: per tick
   int max_substeps = 400;  // explicit integrators: per tick; a body that needs more is stepped implicitly
-  double spring_stiffness = 0;   // mass_spring, xpbd: N/m of each structural spring; 0: from youngs_modulus
-  double shear_stiffness = 0;    // sheets: N/m of each diagonal spring; 0: likewise
-  double bending_stiffness = 0;  // sheets: N·m, D = Et³/12(1−ν²); ropes: N·m², EI; 0: likewise
+  double spring_stiffness = 0;  // mass_spring, xpbd: N/m of each structural spring; 0: from youngs_modulus
+  double shear_stiffness = 0;   // sheets: N/m of each diagonal spring; 0: from youngs_modulus
+  double bending_stiffness = 0;  // sheets: N·m, D = Et³/12(1−ν²); ropes: N·m², EI; 0: from youngs_modulus
   bool hold_volume = true;       // mass_spring on tetrahedra: meet poisson_ratio; false: about ¼
   // Choosing by need instead of by rung: at most one of the two.
   Quantity accuracy;               // %: of error against the continuum
@@ -208,7 +208,7 @@ struct SoftDesc {
   bool step_down = false;          // true: may be solved less exactly while the server is overloaded
   bool show_figures = false;       // true: clients show its live figures above it
   bool part = false;               // as of RigidDesc: what holds it is its `attach`
-  double snap = 0.03;              // m: likewise
+  double snap = 0.03;              // m, as of RigidDesc
   std::vector<CurveDesc> curves;   // of a rope: the line that it is laid along, at most one
   std::vector<PatchDesc> patches;  // of a sheet: what it is laid over, at most one
   std::vector<AttachDesc> attach;

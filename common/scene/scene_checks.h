@@ -12,9 +12,9 @@ namespace prosector {
 class SourceLines {
  public:
   void set(const std::string& path, int line) { lines_[path] = line; }
-  /// The key's line, or its table's where the key was not given.
+  /// Returns the key's line, or its table's where the key was not given.
   int of(const std::string& table, const std::string& key) const;
-  /// Whether the key was given.
+  /// Tells whether the key was given.
   bool has(const std::string& table, const std::string& key) const;
 
  private:
@@ -24,8 +24,8 @@ class SourceLines {
 /// Fills SoftDesc::fixed of bodies that are chosen by need.
 void note_fixed_choices(SceneDesc& scene, const SourceLines& lines);
 
-/// Throws InputError when bodies' names clash, parents are unknown or form a cycle, a body has no geometry or
-/// two, a body is chosen by need and by rung, or a direction is zero.
+/// Throws InputError when bodies' names clash, parents are unknown or form a cycle, or a direction is zero.
+/// Throws when a body has no geometry or two, or is chosen by need and by rung.
 void check_scene(const SceneDesc& scene, const SourceLines& lines);
 
 }  // namespace prosector

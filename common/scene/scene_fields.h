@@ -68,10 +68,11 @@ struct Table {
   std::shared_ptr<void> (*fresh)();  // a default-constructed struct: what a key not given holds
 };
 
-/// The top level; every other table is a child or a grandchild of it.
+/// Returns the top level; every other table is a child or a grandchild of it.
 const Table& scene_table();
 
-/// "in (0, 1e12]", "one of: a, b" …: what a message or the manual says is allowed. `value` tells the type.
+/// Returns what a message or the manual says is allowed: "in (0, 1e12]", "one of: a, b" …; `value` tells the
+/// type.
 std::string allowed(const Field& field, const FieldRef& value);
 
 }  // namespace prosector

@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-/// `; did you mean "cell"?` or, when nothing is near, the list of what is known.
+/// Returns `; did you mean "cell"?` or, when nothing is near, the list of what is known.
 std::string suggest(std::string_view word, std::span<const std::string_view> known);
 
 }  // namespace prosector
