@@ -12,8 +12,8 @@ namespace prosector {
 /// Owns one descriptor; never blocks, never throws. Losing the device closes it and says why.
 class BytePort {
  public:
-  /// `baud` 0 leaves line settings alone (hidraw); else the path must be a terminal, which is set to
-  /// 8 data bits, no parity, 1 stop bit, raw, no flow control.
+  /// Takes the device's path. `baud` 0 leaves line settings alone (hidraw); else the path must be a terminal,
+  /// which is set to 8 data bits, no parity, 1 stop bit, raw, no flow control.
   BytePort(std::string path, unsigned baud);
   ~BytePort();
   BytePort(const BytePort&) = delete;
@@ -24,12 +24,13 @@ class BytePort {
   bool is_open() const { return descriptor_ >= 0; }
   int descriptor() const { return descriptor_; }
   const std::string& path() const { return path_; }
-  /// Why the last open failed or the device was lost, for people.
+  /// Returns, for people, why the last open failed or the device was lost.
   const std::string& error() const { return error_; }
 
-  /// Appends what has arrived, at most `limit` bytes. False when the device is gone (then it is closed).
+  /// Appends what has arrived, at most `limit` bytes. Returns false when the device is gone (then it is
+  /// closed).
   bool read(std::vector<std::uint8_t>& out, std::size_t limit);
-  /// Sends a short command. False when the device is gone, or its queue is full (then it stays open).
+  /// Sends a short command. Returns false when the device is gone, or its queue is full (then it stays open).
   bool write(std::string_view bytes);
 
  private:

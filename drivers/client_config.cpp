@@ -70,7 +70,7 @@ class Section {
     return Section(*table, name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key), file_);
   }
 
-  /// To be called after the last read.
+  /// Throws InputError for a key that nobody read. Called after the last read.
   void finish() const {
     std::string known;
     for (const std::string& k : known_) known += (known.empty() ? "" : ", ") + k;

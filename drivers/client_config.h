@@ -38,9 +38,10 @@ struct ClientConfig {
   ClientConfig() { gloves[left_hand].device.left = true; }
 };
 
-/// Throws InputError with file, line, key and what is allowed; unknown keys are errors.
+/// Reads the client's configuration. Throws InputError with file, line, key and what is allowed; unknown keys
+/// are errors.
 ClientConfig load_client_config(const std::filesystem::path& file);
-/// The same from text; `file` is only for messages.
+/// Reads the configuration from text; `file` is only for messages.
 ClientConfig parse_client_config(std::string_view toml, const std::string& file);
 
 }  // namespace prosector

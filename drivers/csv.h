@@ -11,17 +11,17 @@ namespace prosector {
 
 class CsvTable {
  public:
-  /// Throws InputError with file and line: unreadable, empty, unknown or repeated columns, rows of a wrong
-  /// length. `known` are the columns allowed.
+  /// Reads the file; `known` are the columns allowed. Throws InputError with file and line: unreadable,
+  /// empty, unknown or repeated columns, rows of a wrong length.
   CsvTable(const std::filesystem::path& file, const std::vector<std::string>& known);
 
   std::size_t rows() const { return rows_.size(); }
   bool has(std::string_view column) const { return find(column).has_value(); }
-  /// The text of a cell; empty when the column is absent.
+  /// Returns the text of a cell; empty when the column is absent.
   std::string_view text(std::size_t row, std::string_view column) const;
-  /// The number in a cell, nothing when it is empty; InputError when it isn't a finite number.
+  /// Returns the number in a cell, nothing when it is empty; throws InputError when it isn't a finite number.
   std::optional<double> number(std::size_t row, std::string_view column) const;
-  /// The same where a number must be.
+  /// Returns the number in a cell, where one must be; throws InputError else.
   double required(std::size_t row, std::string_view column) const;
   [[noreturn]] void fail(std::size_t row, const std::string& what) const;
 

@@ -53,7 +53,7 @@ class Device {
   /// Reads what arrived, never blocks; appends samples in order. Reopens a lost device on its own schedule.
   virtual void poll(std::vector<DeviceSample>& out) = 0;
   virtual DeviceStatus status() const = 0;
-  /// A descriptor that becomes readable when poll() has work, or −1.
+  /// Returns a descriptor that becomes readable when poll() has work, or −1.
   virtual int descriptor() const = 0;
 };
 
@@ -99,10 +99,10 @@ struct DeviceConfig {
 
 const std::vector<DriverRow>& drivers();
 
-/// Throws InputError for an unknown driver (listing the known ones) or a missing path.
+/// Splits an address. Throws InputError for an unknown driver (listing the known ones) or a missing path.
 DeviceAddress parse_device_address(const std::string& address);
 
-/// Opens by address; an unknown driver is an InputError that lists the known ones.
+/// Opens a device by address. Throws InputError for an unknown driver (listing the known ones).
 std::unique_ptr<Device> open_device(const std::string& address, const DeviceConfig& config);
 
 }  // namespace prosector

@@ -11,8 +11,9 @@
 
 namespace prosector {
 
-/// What the driver sends, in order, after the device has answered the status question. The last starts
-/// continuous output. Centimetres; output list 2, 11, 1 (position, quaternion, CR LF) for every station.
+/// Returns what the driver sends, in order, after the device has answered the status question. The last
+/// command starts continuous output. Centimetres; output list 2, 11, 1 (position, quaternion, CR LF) for
+/// every station.
 std::vector<std::string> fastrak_commands(const DeviceConfig& config);
 
 class FastrakDevice final : public StreamDevice {
@@ -31,7 +32,8 @@ class FastrakDevice final : public StreamDevice {
 
   void parse_status();
   void parse_records(std::int64_t now_ns, std::vector<DeviceSample>& out);
-  /// Length of a command error record at the front: 0 when there is none, −1 when more bytes are needed.
+  /// Returns the length of a command error record at the front: 0 when there is none, −1 when more bytes are
+  /// needed.
   int error_record_length() const;
   DeviceSample sample(const fastrak::Record& record);
 

@@ -23,7 +23,7 @@ struct ItemRow {
   const char* name;
 };
 std::span<const ItemRow> item_table();
-/// The row of an item code, or nullptr.
+/// Returns the row of an item code, or nullptr.
 const ItemRow* find_item(int code);
 
 inline constexpr std::size_t max_items = 32;
@@ -47,17 +47,17 @@ struct Record {
   std::optional<bool> stylus;
 };
 
-/// Reads one record of exactly record_width(format) bytes. Nothing unless all of it is plausible: header,
-/// separators, numbers finite and in range, quaternion near unit length.
+/// Reads one record of exactly record_width(format) bytes. Returns nothing unless all of it is plausible:
+/// header, separators, numbers finite and in range, quaternion near unit length.
 std::optional<Record> decode(std::span<const std::uint8_t> bytes, const Format& format);
 
-/// R = Rz(azimuth)·Ry(elevation)·Rx(roll), degrees.
+/// Returns R = Rz(azimuth)·Ry(elevation)·Rx(roll), degrees.
 Quat rotation(const std::array<float, 3>& angles);
-/// The inverse: azimuth and roll in (−180, 180], elevation in [−90, 90] degrees.
+/// Inverts rotation(): azimuth and roll in (−180, 180], elevation in [−90, 90] degrees.
 std::array<double, 3> euler_angles(const Quat& q);
 
-/// The transmitter's frame (+X forward, +Y right, +Z down) to Prosector's (x right, y up, −z forward):
-/// x′ = Y, y′ = −Z, z′ = −X; for positions and, conjugated, for orientations.
+/// Maps a pose in the transmitter's frame (+X forward, +Y right, +Z down) to Prosector's axes (x right, y up,
+/// −z forward), and back. Positions map by x′ = Y, y′ = −Z, z′ = −X; orientations by the same, conjugated.
 Pose from_transmitter(const Pose& transmitter);
 Pose to_transmitter(const Pose& device);
 

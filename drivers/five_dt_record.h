@@ -26,7 +26,7 @@ using Report = std::array<std::uint8_t, report_width>;
 
 using Counts = std::array<std::uint16_t, fingers>;  // thumb first
 
-/// Right gloves send thumb to little finger, left ones the reverse.
+/// Makes a packet: right gloves send thumb to little finger, left ones the reverse.
 Packet encode_packet(const Counts& counts, std::uint8_t pitch, std::uint8_t roll, bool left);
 std::optional<Counts> decode_packet(std::span<const std::uint8_t> bytes, bool left);
 

@@ -19,7 +19,7 @@ struct GestureRow {
 };
 std::span<const GestureRow> gesture_table();
 const char* gesture_name(Gesture gesture);
-/// The gesture of that name, or nullptr.
+/// Returns the row of the gesture of that name, or nullptr.
 const GestureRow* find_gesture(std::string_view name);
 
 struct GestureThresholds {
@@ -31,7 +31,8 @@ struct GestureThresholds {
 class GestureDetector {
  public:
   explicit GestureDetector(const GestureThresholds& thresholds) : thresholds_(thresholds) {}
-  /// Gesture::none while any finger is between open and closed.
+  /// Takes the next flexions and returns the gesture: Gesture::none while any finger is between open and
+  /// closed.
   Gesture update(const std::array<double, fingers>& flexion);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// From a glove's raw counts to calibrated flexions and a gesture: what both 5DT protocols share.
+// A glove's raw counts as calibrated flexions and a gesture: what both 5DT protocols share.
 
 #include <array>
 #include <cstdint>

@@ -14,11 +14,11 @@ class HealthMonitor {
   void opened(std::int64_t now_ns);
   void lost();
   void record(std::int64_t now_ns, std::size_t bytes);
-  /// Garbage was skipped. Call once per run of garbage, as runs count as resyncs.
+  /// Notes that garbage was skipped. Called once per run of garbage, as runs count as resyncs.
   void garbage(std::int64_t now_ns, std::size_t bytes);
 
   DeviceHealth health(std::int64_t now_ns) const;
-  /// Time since the last valid record, or since the device was opened.
+  /// Returns the time since the last valid record, or since the device was opened.
   std::int64_t quiet_ns(std::int64_t now_ns) const { return now_ns - last_ns_; }
   std::uint64_t records() const { return records_; }
   std::uint64_t resyncs() const { return resyncs_; }

@@ -17,9 +17,9 @@ namespace prosector {
 /// Appends samples to a file; time 0 is the first sample.
 class SampleRecorder {
  public:
-  /// Throws InputError when the file cannot be written.
+  /// Opens the file. Throws InputError when it cannot be written.
   explicit SampleRecorder(const std::filesystem::path& file);
-  /// False once the file can no longer be written (a full disk).
+  /// Appends the samples. Returns false once the file can no longer be written (a full disk).
   bool write(const std::vector<DeviceSample>& samples);
 
  private:
@@ -31,7 +31,7 @@ struct TimedSample {
   double time = 0;  // s
   DeviceSample sample;
 };
-/// Throws InputError with file and line; times must not fall.
+/// Reads a recording. Throws InputError with file and line; times must not fall.
 std::vector<TimedSample> load_recording(const std::filesystem::path& file);
 
 class RecordedDevice final : public Device {

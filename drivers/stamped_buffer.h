@@ -12,7 +12,7 @@ class StampedBuffer {
  public:
   void append(std::span<const std::uint8_t> bytes, std::int64_t time_ns);
   std::span<const std::uint8_t> bytes() const { return std::span(bytes_).subspan(begin_); }
-  /// When the first byte of bytes() was read; 0 when empty.
+  /// Returns when the first byte of bytes() was read; 0 when empty.
   std::int64_t time_ns() const;
   void drop(std::size_t count);
   void clear();

@@ -20,15 +20,15 @@ class StreamDevice : public Device {
   int descriptor() const final { return port_.descriptor(); }
 
  protected:
-  /// The port has just been opened: start the dialogue from its beginning.
+  /// Starts the dialogue from its beginning: the port has just been opened.
   virtual void started(std::int64_t now_ns) = 0;
   /// Moves the dialogue on: send what is due, start over when the device is silent. Does not wait.
   virtual void advance(std::int64_t now_ns) = 0;
   /// Takes from buffer() what is complete, reports records and garbage to health().
   virtual void parse(std::int64_t now_ns, std::vector<DeviceSample>& out) = 0;
-  /// For people: what to check when this kind of device is silent.
+  /// Returns, for people, what to check when this kind of device is silent.
   virtual std::string silent_hint() const = 0;
-  /// For people: what to check when nothing readable arrives.
+  /// Returns, for people, what to check when nothing readable arrives.
   virtual std::string babble_hint() const = 0;
 
   void send(std::string_view bytes) { port_.write(bytes); }

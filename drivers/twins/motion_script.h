@@ -16,7 +16,7 @@ namespace prosector {
 
 class MotionScript {
  public:
-  /// Throws InputError with file and line; times must rise within a station.
+  /// Reads a script. Throws InputError with file and line; times must rise within a station.
   static MotionScript load(const std::filesystem::path& file);
 
   void add(std::size_t station, double time, const Pose& pose) { poses_[station].push_back({time, pose}); }
@@ -24,9 +24,10 @@ class MotionScript {
     flexions_[station].push_back({time, flexion});
   }
 
-  /// Between keyframes x = a + s·(b − a), s = 6u⁵ − 15u⁴ + 10u³ (twice continuously differentiable, at rest
-  /// at each keyframe), rotations by slerp; held before the first and after the last. Identity and open hand
-  /// for a station without keyframes. With `loop`, time starts again after the last keyframe of all.
+  /// Interpolates between keyframes by x = a + s·(b − a), s = 6u⁵ − 15u⁴ + 10u³ (twice continuously
+  /// differentiable, at rest at each keyframe), rotations by slerp. The pose is held before the first and
+  /// after the last keyframe. A station without keyframes has the identity and an open hand. With `loop`,
+  /// time starts again after the last keyframe of all.
   Pose pose(std::size_t station, double time, bool loop) const;
   std::array<double, fingers> flexion(std::size_t station, double time, bool loop) const;
   double duration() const;

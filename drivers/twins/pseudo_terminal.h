@@ -12,7 +12,8 @@ class PseudoTerminal {
   PseudoTerminal(const PseudoTerminal&) = delete;
   PseudoTerminal& operator=(const PseudoTerminal&) = delete;
 
-  /// Makes a raw terminal and, if `link` isn't empty, points that symbolic link to it. Throws InputError.
+  /// Makes a raw terminal and, if `link` isn't empty, points that symbolic link to it. Throws InputError when
+  /// that fails.
   void open(const std::string& link);
   /// Hangs up, as when the plug is pulled; removes the link.
   void close();

@@ -20,12 +20,12 @@ struct TwinOutput {
 class Twin {
  public:
   virtual ~Twin() = default;
-  /// Bytes from the host; answers are appended to `out`.
+  /// Takes bytes from the host; answers are appended to `out`.
   virtual void receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns,
                        std::vector<TwinOutput>& out) = 0;
   /// Appends the records that are due.
   virtual void produce(std::int64_t now_ns, std::vector<TwinOutput>& out) = 0;
-  /// When produce() has work next.
+  /// Returns when produce() has work next.
   virtual std::int64_t due_ns(std::int64_t now_ns) const = 0;
   /// Lets the script pass its next hold.
   virtual void go_on(std::int64_t now_ns) = 0;
@@ -51,7 +51,7 @@ class ScriptClock {
     const double passed = running_ ? static_cast<double>(now_ns - start_ns_) * 1e-9 : 0.0;
     return next_ < holds_.size() ? std::min(passed, holds_[next_]) : passed;
   }
-  /// A hold that was not reached yet will not hold.
+  /// Passes the next hold: one that was not reached yet will not hold.
   void go_on(std::int64_t now_ns) {
     if (next_ == holds_.size()) return;
     if (running_) start_ns_ = now_ns - static_cast<std::int64_t>(1e9 * seconds(now_ns));

@@ -21,13 +21,14 @@ struct TwinProgramOptions {
   std::uint64_t seed = 1;
 };
 
-/// Adds what both have, --version with the name of `app` included.
+/// Adds the options that both twins have, --version with the name of `app` included.
 void add_options(CLI::App& app, TwinProgramOptions& options);
 
-/// Reads the command line. The exit status where there is nothing more to do: bad options are 2, help 0.
+/// Reads the command line. Returns the exit status where there is nothing more to do: bad options are 2, help
+/// 0.
 std::optional<int> parse(CLI::App& app, int argc, char** argv);
 
-/// Makes the twin, serves it until SIGINT or SIGTERM; the exit status. Bad input goes to stderr.
+/// Makes the twin and serves it until SIGINT or SIGTERM. Returns the exit status. Bad input goes to stderr.
 int run_twin(TwinProgramOptions& options,
              const std::function<std::unique_ptr<Twin>(MotionScript, std::int64_t now_ns)>& make);
 

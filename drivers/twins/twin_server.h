@@ -27,11 +27,12 @@ struct TwinServerOptions {
   bool hears_lines = false;  // each line on standard input is a Twin::go_on()
 };
 
-/// Throws InputError when a file or a terminal cannot be made. `ready` is called with the terminal's path,
-/// again after each unplugging. Returns when `stop` becomes true.
+/// Serves the twin until `stop` becomes true. Calls `ready` with the terminal's path, again after each
+/// unplugging. Throws InputError when a file or a terminal cannot be made.
 ///
-/// The log's lines: time_ns (monotonic, just before the record's first byte is written), station (from 1),
-/// record, then the values exactly as sent, in shortest decimal form that reads back as the same float32.
+/// A line of the log has time_ns (monotonic, just before the record's first byte is written), station (from
+/// 1) and record. Then come the values exactly as sent, in the shortest decimal form that reads back as the
+/// same float32.
 void serve_twin(Twin& twin, const TwinServerOptions& options, const std::atomic<bool>& stop,
                 const std::function<void(const std::string& path)>& ready);
 
