@@ -15,9 +15,9 @@ import sys
 MOST_WORDS = 30
 
 # Held to the rules. A folder holds those below it.
-HELD = ("common", "drivers")
+HELD = ("common", "drivers", "server/calibration")
 # Not yet: empty when all are held. Tests aren't meant to be.
-NOT_YET = ("client", "idl", "server/calibration", "server/physics", "server/session")
+NOT_YET = ("client", "idl", "server/physics", "server/session")
 
 # Capitalised words on s that begin sentences and are no verbs of functions.
 NO_VERBS = {

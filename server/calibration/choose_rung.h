@@ -21,24 +21,24 @@ inline bool chosen_by_need(const SoftDesc& desc) {
   return static_cast<bool>(desc.accuracy) || static_cast<bool>(desc.budget);
 }
 
-/// The rungs that come into question beside what the scene fixed. Throws InputError when it fixed what no
-/// rung goes with.
+/// Returns the rungs that come into question beside what the scene fixed. Throws InputError when it fixed
+/// what no rung goes with.
 std::vector<Rung> candidates(const SoftDesc& desc);
 
-/// What the table must hold to choose among them.
+/// Returns what the table must hold to choose among the candidates.
 std::vector<RungTrial> trials_for(const SoftDesc& desc);
 
-/// `mesh`: of the body with cells of `mesh_cell` m; the number of elements goes with 1/cell³. Meshes are at
-/// most as fine as the table's finest, where nothing is gained that it knows of, and no cell is larger than
-/// `largest_cell` m. Throws std::logic_error when
-/// the table lacks what trials_for() says.
+/// Chooses a rung for the body. `mesh` is the body's with cells of `mesh_cell` m; the number of elements goes
+/// with 1/cell³. Meshes are at most as fine as the table's finest, where nothing is gained that it knows of,
+/// and no cell is larger than `largest_cell` m. Throws std::logic_error when the table lacks what
+/// trials_for() says.
 Choice choose_rung(const SoftDesc& desc, const RungTable& table, const BodyGeometry& mesh, double mesh_cell,
                    double largest_cell = 1);
 
 /// Puts the choice into the description.
 void adopt(const Choice& choice, SoftDesc& desc);
 
-/// One line for people: what was asked, what was chosen, what is expected, and by how much it misses.
+/// Returns one line for people: what was asked, what was chosen, what is expected, and by how much it misses.
 std::string explain(const Choice& choice, const SoftDesc& desc);
 
 }  // namespace prosector

@@ -1,6 +1,6 @@
 #pragma once
-// From needs to rungs for a whole scene: the table that it takes, measured where it is missing, then a choice
-// for each body that asks for one.
+// Choosing rungs by need for a whole scene: the table that it takes, measured where it is missing, then a
+// choice for each body that asks for one.
 
 #include <filesystem>
 #include <functional>
@@ -26,7 +26,7 @@ std::vector<Choice> choose_rungs(SceneDesc& scene, const ChoiceOptions& options)
 /// Puts choices made earlier into the scene. Throws InputError when a body that needs one has none.
 void adopt(const std::vector<Choice>& choices, SceneDesc& scene);
 
-/// Choices as text, for a journal, and back. The latter throws InputError.
+/// Encodes choices as text, for a journal.
 std::string encode(const std::vector<Choice>& choices);
 std::vector<Choice> decode_choices(const std::string& text);
 

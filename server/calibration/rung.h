@@ -10,7 +10,8 @@
 
 namespace prosector {
 
-/// Settings beyond the tables' defaults are the scene file's: SoftDesc's initialisers.
+/// One way of solving: model, element, integrator, solver. Settings beyond the tables' defaults are the scene
+/// file's: SoftDesc's initialisers.
 struct Rung {
   std::string model, integrator, solver;
   std::string element = SoftDesc{}.element;
@@ -22,7 +23,7 @@ struct Rung {
   bool operator==(const Rung&) const = default;
   /// Puts the rung into a body's description.
   void apply_to(SoftDesc& desc) const;
-  /// How much is spent on a step, for people.
+  /// Returns how much is spent on a step, for people.
   std::string effort() const;
   std::string name() const;  // model, element, integrator, solver
   bool is_position_based() const;
@@ -33,7 +34,7 @@ std::vector<std::string> element_names();
 std::vector<std::string> integrator_names();
 std::vector<std::string> solver_names();
 
-/// A specimen of that piece. Throws InputError when the rung refuses it.
+/// Makes a specimen of that piece. Throws InputError when the rung refuses it.
 std::unique_ptr<Specimen> make_specimen(const Rung& rung, const TestPiece& piece);
 
 }  // namespace prosector

@@ -8,8 +8,8 @@
 namespace prosector {
 
 nlohmann::ordered_json rung_to_json(const Rung& rung);
-/// Throws nlohmann::json::exception where a field is missing or of another kind. Other fields are passed
-/// over.
+/// Reads a rung. Throws nlohmann::json::exception where a field is missing or of another kind. Other fields
+/// are passed over.
 Rung rung_from_json(const nlohmann::ordered_json& row);
 
 }  // namespace prosector

@@ -1,9 +1,9 @@
 #pragma once
 // What a rung costs and gets wrong on the bending beam (beam_piece.h), by running it.
 //
-// Three figures: the settled shape, which is the mesh's and the model's error and no solver's; the drift,
-// which is what solving with less effort than to the end adds on the way; the CPU time of a frame. The first
-// two are the same on every machine.
+// It takes three figures. The settled shape is the mesh's and the model's error and no solver's. The drift is
+// what solving with less effort than to the end adds on the way. The third is the CPU time of a frame. The
+// first two are the same on every machine.
 
 #include <map>
 #include <string>
@@ -38,11 +38,12 @@ struct RungFigures {
 
 class RungMeter {
  public:
-  /// Throws InputError when the rung refuses the beam. On one thread whatever the caller's arena.
+  /// Runs the trial on one thread, whatever the caller's arena. Throws InputError when the rung refuses the
+  /// beam.
   RungFigures measure(const RungTrial& trial);
 
  private:
-  /// Of a model on a mesh, by its own exact solution.
+  /// The exact solution of a model on a mesh.
   struct Exact {
     double settled_sag;
     std::vector<VecX> path;  // displacements frame by frame, 3n each

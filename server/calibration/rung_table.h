@@ -4,13 +4,16 @@
 //
 // How a figure is carried over. A mesh's *fineness* is its body's thickness, four times volume over surface,
 // in mean element sizes, (volume / elements)^(1/3). The error at a fineness is interpolated between the
-// beam's in double logarithms; finer than measured it counts as the finest measured, never as better;
-// coarser, it grows by the rate of the first two. No mesh counts as better than a finer one of the same rung:
-// where a model and its locking cancel, that is chance. The cost at a number of elements is interpolated
-// likewise, and beyond what was measured grows as elements^p with p the last two's, held within [1, 4/3]:
-// from work in proportion to that of conjugate gradients, whose iterations grow with the number of elements
-// along a side. The beam is stiff (E = 3e5 Pa), moves, and touches nothing: softer tissue takes fewer
-// iterations, contacts cost extra.
+// beam's in double logarithms. A mesh finer than measured counts as the finest measured, never as better; on
+// a coarser one the error grows by the rate of the first two. No mesh counts as better than a finer one of
+// the same rung: where a model and its locking cancel, that is chance.
+//
+// The cost at a number of elements is interpolated in double logarithms, too. Beyond what was measured it
+// grows as elements^p with p the last two's, held within [1, 4/3]. 1 is work in proportion to the elements;
+// 4/3 is that of conjugate gradients, whose iterations grow with the number of elements along a side.
+//
+// The beam is stiff (E = 3e5 Pa), moves, and touches nothing: softer tissue takes fewer iterations, contacts
+// cost extra.
 
 #include <optional>
 #include <string>
@@ -26,7 +29,7 @@ struct BodyGeometry {
   double thickness = 0;  // m
   double fineness() const;
 };
-/// Of a mesh of tetrahedra, whose surface may be open.
+/// Measures a mesh of tetrahedra, whose surface may be open.
 BodyGeometry geometry_of(const TetMesh& mesh);
 
 /// What is expected of a body by a rung.
@@ -39,11 +42,13 @@ class RungTable {
  public:
   void add(const RungTrial& trial, const RungFigures& figures) { rows_.push_back({trial, figures}); }
   const RungFigures* find(const RungTrial& trial) const;
-  /// `own_law`: true when errors count against the model's own continuum, where it has one; false: tissue's.
-  /// Nothing when the rung is not in the table at that ratio.
+  /// Returns what is expected of the body by the rung; nothing when the rung is not in the table at that
+  /// ratio. `own_law`: true when errors count against the model's own continuum, where it has one; false:
+  /// tissue's.
   std::optional<Prospect> prospect(const Rung& rung, double poisson_ratio, const BodyGeometry& body,
                                    bool own_law) const;
-  /// Fineness of the coarsest and finest mesh that the rung was measured on; 0, 0 when it was not.
+  /// Returns the fineness of the coarsest and finest mesh that the rung was measured on; 0, 0 when it was
+  /// not.
   std::pair<double, double> measured_fineness(const Rung& rung, double poisson_ratio) const;
 
   struct Row {
@@ -58,11 +63,11 @@ class RungTable {
   std::vector<const Row*> rows_of(const Rung& rung, double poisson_ratio) const;
 };
 
-/// The table's ratio that stands for a body's: the next larger one; above all, the largest.
+/// Returns the table's ratio that stands for a body's: the next larger one; above all, the largest.
 double table_ratio(double poisson_ratio);
 
-/// y at x by interpolation between (xs, ys), x rising, all positive, in double logarithms; beyond the ends by
-/// the rate of the nearest two, held within [low, high]. `xs` must not be empty.
+/// Interpolates y at x between (xs, ys), x rising, all positive, in double logarithms. Beyond the ends it
+/// goes on by the rate of the nearest two, held within [low, high]. `xs` must not be empty.
 double log_interpolate(const std::vector<double>& xs, const std::vector<double>& ys, double x, double low,
                        double high);
 

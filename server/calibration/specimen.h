@@ -49,28 +49,29 @@ class Specimen {
  public:
   virtual ~Specimen() = default;
   virtual std::size_t elements() const = 0;
-  /// n, kg; one entry per node of the mesh it computes with.
+  /// Returns the mass (kg) of each node of the mesh that it computes with; n entries.
   virtual const VecX& node_mass() const = 0;
   virtual VecX rest() const = 0;        // 3n, m
   virtual VecX positions() const = 0;   // 3n, m
   virtual VecX velocities() const = 0;  // 3n, m/s
   virtual void set_motion(const VecX& x, const VecX& v) = 0;
   virtual StepFigures step(double dt, const Vec3& gravity) = 0;
-  /// J, of its positions; not a number when it doesn't tell.
+  /// Returns the elastic energy (J) at its positions; not a number when it doesn't tell.
   virtual double elastic_energy() = 0;
 };
 
-/// Centre of mass, momentum, angular momentum about the room's origin.
+/// Returns the centre of mass; then momentum, and angular momentum about the room's origin.
 Vec3 mass_center(const Specimen& specimen);
 Vec3 momentum(const Specimen& specimen);
 Vec3 angular_momentum(const Specimen& specimen);
 double kinetic_energy(const Specimen& specimen);
-/// m³ of the tetrahedra at positions x (3n; corner nodes first).
+/// Returns the volume (m³) of the tetrahedra at positions x (3n; corner nodes first).
 double volume(const TetMesh& mesh, const VecX& x);
-/// m: the largest distance of a node from where it belongs after the rigid motion that brings `x` closest to
-/// `rest`, in the mean over the nodes by mass (Kabsch 1976). Infinite when x is not finite.
+/// Returns the largest distance (m) of a node from where it belongs after the rigid motion that brings `x`
+/// closest to `rest`. Closest is meant in the mean over the nodes by mass (Kabsch 1976). Infinite when x is
+/// not finite.
 double shape_error(const VecX& rest, const VecX& x, const VecX& node_mass);
-/// Index of the node at that place of the rest shape. Throws std::logic_error when there is none.
+/// Returns the index of the node at that place of the rest shape. Throws std::logic_error when there is none.
 Eigen::Index node_at(const VecX& rest, const Vec3& place);
 
 }  // namespace prosector

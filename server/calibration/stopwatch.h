@@ -8,27 +8,28 @@
 
 namespace prosector {
 
-/// Milliseconds that have passed.
+/// Returns the milliseconds that have passed.
 inline double wall_ms() {
   using Clock = std::chrono::steady_clock;
   return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count();
 }
 
-/// Milliseconds that this process worked, all threads together: what other processes take away doesn't count.
+/// Returns the milliseconds that this process worked, all threads together: what other processes take away
+/// doesn't count.
 inline double cpu_ms() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-/// The upper middle one; `values` must not be empty.
+/// Returns the upper middle one; `values` must not be empty.
 inline double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
-/// Median over `repeats` calls after a few to warm up, milliseconds.
+/// Returns the median over `repeats` calls after a few to warm up, milliseconds.
 template <class F>
 double median_ms(int repeats, const F& f) {
   for (int i = 0; i < 3; ++i) f();

@@ -8,7 +8,8 @@
 
 namespace prosector {
 
-/// What figures hold for: CPU, cores, compiler, and this very executable, since other code takes other time.
+/// Returns what figures hold for: CPU, cores, compiler, and this very executable, since other code takes
+/// other time.
 std::string machine_and_build();
 
 /// What was found at `file`: a table, or none and why not ("" where there was no file).
@@ -16,14 +17,14 @@ struct FoundTable {
   RungTable table;
   std::string trouble;
 };
-/// A table of another machine or build, or a damaged one, counts as none.
+/// Reads a table. One of another machine or build, or a damaged one, counts as none.
 FoundTable read_table(const std::filesystem::path& file, const std::string& machine);
 /// Below this share of the processor, what a rung costs was measured beside other work, which also takes
 /// caches and memory: such figures serve once and are not kept.
 inline constexpr double least_share = 0.9;
 
-/// Writes the rows that were measured undisturbed. False when it can't be written: no error, it will be
-/// measured again.
+/// Writes the rows that were measured undisturbed. Returns false when the file can't be written: no error, it
+/// will be measured again.
 bool write_table(const std::filesystem::path& file, const std::string& machine, const RungTable& table);
 
 }  // namespace prosector
