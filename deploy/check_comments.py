@@ -15,15 +15,15 @@ import sys
 MOST_WORDS = 30
 
 # Held to the rules. A folder holds those below it.
-HELD = ("common", "drivers", "server/calibration")
+HELD = ("client", "common", "drivers", "server/calibration")
 # Not yet: empty when all are held. Tests aren't meant to be.
-NOT_YET = ("client", "idl", "server/physics", "server/session")
+NOT_YET = ("idl", "server/physics", "server/session")
 
 # Capitalised words on s that begin sentences and are no verbs of functions.
 NO_VERBS = {
     "Always", "As", "Axes", "Bits", "Bounds", "Bytes", "Contacts", "Corners", "Edges", "Faces", "Figures", "Forces",
-    "Hands", "Headers", "Indices", "Islands", "Its", "Lines", "Links", "Metres", "Milliseconds", "Nanoseconds",
-    "Newtons", "Nodes", "Numbers", "Pairs", "Parts", "Places", "Points", "Seconds", "Segments", "Sides", "Slots",
+    "Hands", "Headers", "Indices", "Islands", "Its", "Lines", "Metres", "Milliseconds", "Nanoseconds",
+    "Newtons", "Nodes", "Numbers", "Pairs", "Parts", "Points", "Seconds", "Segments", "Sides", "Slots",
     "This", "Times", "Triangles", "Tubes", "Us", "Values", "Velocities", "Vertices", "Voxels", "Weights", "Words",
     "Zeros",
 }

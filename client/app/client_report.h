@@ -16,7 +16,7 @@ namespace prosector {
 /// thread.
 class ArrivalLog {
  public:
-  /// CSV: arrived_ns, participant, sequence, tick. Throws InputError when it cannot be written.
+  /// Opens a CSV file: arrived_ns, participant, sequence, tick. Throws InputError when it cannot be written.
   explicit ArrivalLog(const std::filesystem::path& file);
   void received(const Received& received);
 

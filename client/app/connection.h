@@ -25,8 +25,8 @@ struct JoinRequest {
 /// A joined session: a thread takes samples into the replica as they arrive, whatever the drawing does.
 class Connection {
  public:
-  /// Throws InputError with what to do: no server found (and where it looked, and which sessions there are),
-  /// another protocol version, refused by the server and why.
+  /// Joins. Throws InputError with what to do: no server found (and where it looked, and which sessions there
+  /// are), another protocol version, refused by the server and why.
   Connection(const BusConfig& config, const JoinRequest& request);
   ~Connection();
 
@@ -40,8 +40,8 @@ class Connection {
     return f(servers_.replica());
   }
 
-  /// Called on the network thread for every sample of the server that is followed, before the replica takes
-  /// it. Set it before start().
+  /// Sets what is called on the network thread for every sample of the server that is followed, before the
+  /// replica takes it. To be set before start().
   void on_received(std::function<void(const Received&)> f) { on_received_ = std::move(f); }
   void start();
 
@@ -49,7 +49,7 @@ class Connection {
   void command(CommandKind kind, std::size_t hand);
   void command(Command command);  // participant and sequence are filled in
   BusCounters counters() const { return bus_->counters(); }
-  /// The last refusal of a command, for people; empty when all went well.
+  /// Returns the last refusal of a command, for people; empty when all went well.
   std::string last_refusal();
 
  private:

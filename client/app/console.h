@@ -26,25 +26,27 @@ struct TakePicture {
   std::filesystem::path file;
 };
 
-/// From where, and to where, pictures that no desk turns are taken from now on (m, room frame).
+/// A new view of pictures that no desk turns: from `eye`, towards `target` (m, room frame).
 struct LookFrom {
   Vec3 eye, target;
 };
-/// From where the scene says again.
+/// The scene's own view again.
 struct LookAsBefore {};
 
-/// What was cut.
+/// A request for what was cut.
 struct ListCuts {};
 
 /// A command to the server, something that the client does itself, or, in words, why it is neither.
 using ConsoleLine = std::variant<Command, TakePicture, LookFrom, LookAsBefore, ListCuts, std::string>;
 
-/// Names are those of the roster and the scene; they may hold spaces. `middle`: of a body, in the room, m.
+/// Reads a line. Names are those of the roster and the scene; they may hold spaces. `middle` returns that of
+/// a body in the room, m.
 ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
                                const std::map<ParticipantId, RosterEntry>& roster,
                                const std::function<Vec3(BodyId)>& middle);
 
-/// Lines that were typed since the last call; waits for none. Ends quietly with standard input.
+/// Standard input: take() returns the lines that were typed since the last call and waits for none. Ends
+/// quietly with standard input.
 class Console {
  public:
   Console();

@@ -15,7 +15,7 @@
 
 namespace prosector {
 
-/// For people; told when a desk user joins, and shown on a key.
+/// Help for people; told when a desk user joins, and shown on a key.
 inline constexpr const char* desk_help =
     "mouse: moves your hand    wheel: how far away it is    left button: grasps while held\n"
     "Shift and wheel: rolls the wrist    Ctrl and wheel: bends it\n"
@@ -31,7 +31,7 @@ inline constexpr const char* desk_help =
 
 class Desk {
  public:
-  /// `shown`, `full_screen`: at first.
+  /// Takes what is shown at first, and whether it fills the screen.
   Desk(WindowContext& window, Shown shown, bool full_screen)
       : window_(window), shown_(shown), full_screen_(full_screen) {}
 
@@ -40,19 +40,19 @@ class Desk {
   void update(const CameraInfo& start, const Panel* own_panel);
   bool closed() const { return closed_; }
   const Pose& eye() const { return eye_; }
-  /// The user as mouse and keyboard have them.
+  /// Returns the user as mouse and keyboard have them.
   HandInput input() const;
-  /// What the mouse asked for since the last call: to grasp, to release, to set a control. Who asks is the
-  /// caller's to fill in.
+  /// Returns what the mouse asked for since the last call: to grasp, to release, to set a control. Who asks
+  /// is the caller's to fill in.
   std::vector<Command> take_commands();
-  /// Where the user asked for a panel since the last call.
+  /// Returns where the user asked for a panel since the last call.
   std::optional<Ray> take_panel_request();
   bool wireframes() const { return wireframes_; }
   Shown shown() const { return shown_; }
   bool figures() const { return figures_; }
   bool help() const { return help_; }
   bool full_screen() const { return full_screen_; }
-  /// How often the user asked for the eyes of the next one since the last call.
+  /// Returns how often the user asked for the eyes of the next one since the last call.
   std::size_t take_follow_requests();
 
  private:

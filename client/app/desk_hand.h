@@ -8,20 +8,20 @@ namespace prosector {
 
 class DeskHand {
  public:
-  /// Flat, `reach` from the eye (m).
+  /// Puts the hand flat, `reach` from the eye (m).
   void begin(double reach) { reach_ = reach; }
-  /// Farther away, m.
+  /// Moves the hand farther away, m.
   void reach(double by);
-  /// Turns the wrist, rad: `roll` about what is straight ahead, clockwise as the user sees it, so that an
-  /// instrument that was taken up lying stays level; `bend` lifts the fingers.
+  /// Turns the wrist, rad. `roll` is about what is straight ahead, clockwise as the user sees it, so that an
+  /// instrument that was taken up lying stays level. `bend` lifts the fingers.
   void turn(double roll, double bend);
   void close(bool closed) { closed_ = closed; }
   bool closed() const { return closed_; }
-  /// Fingers take a while to bend.
+  /// Bends or opens the fingers, which take a while.
   void advance(double seconds);
 
   double flexion() const { return flexion_; }  // of every finger, 0 … 1
-  /// Of the wrist, in the room's frame. `yaw`: of the view, rad.
+  /// Returns the pose of the wrist in the room's frame. `yaw` is that of the view, rad.
   Pose pose(const Ray& pointer, double yaw) const;
 
  private:

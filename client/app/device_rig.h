@@ -20,7 +20,7 @@ struct GestureTrigger {
   std::size_t hand = right_hand;
 };
 
-/// Drivers in use, for people: "fastrak, 5dt"; empty when the configuration names no device.
+/// Returns drivers in use, for people: "fastrak, 5dt"; empty when the configuration names no device.
 std::string describe_devices(const ClientConfig& config);
 inline bool has_devices(const ClientConfig& config) {
   return !describe_devices(config).empty();
@@ -34,16 +34,16 @@ class DeviceRig {
 
   /// Blocks until a device has something or the time is over.
   void wait(int timeout_ms) const;
-  /// Reads all devices. True if any pose or flexion changed.
+  /// Reads all devices. Returns true if any pose or flexion changed.
   bool poll(std::int64_t now_ns);
 
-  /// Latest state of the user; `participant` and `sequence` are the sender's to fill.
+  /// Returns the latest state of the user; `participant` and `sequence` are the sender's to fill.
   const HandInput& input() const { return input_; }
-  /// The tracker sample that `input().hands[hand]` stands on, if it has one.
+  /// Returns the tracker sample that `input().hands[hand]` stands on, if it has one.
   const std::optional<DeviceSample>& tracker_sample(std::size_t hand) const { return tracker_sample_[hand]; }
-  /// What gestures triggered since the last call.
+  /// Returns what gestures triggered since the last call.
   std::vector<GestureTrigger> take_triggers() { return std::exchange(triggers_, {}); }
-  /// Lines for people about every device whose state changed since the last call: "tracker
+  /// Returns lines for people about every device whose state changed since the last call: "tracker
   /// fastrak:/dev/ttyS0: silent …".
   std::vector<std::string> take_news();
 

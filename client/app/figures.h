@@ -12,9 +12,10 @@ namespace prosector {
 
 class Figures {
  public:
-  /// A picture was drawn, which took `seconds`; `counters` and `status` (null: none yet) as they are.
+  /// Takes that a picture was drawn, which took `seconds`; `counters` and `status` (null: none yet) as they
+  /// are.
   void take(std::int64_t now_ns, double seconds, const BusCounters& counters, const ServerStatus* status);
-  /// Lines of the last half second that is over; empty before that.
+  /// Returns the lines of the last half second that is over; empty before that.
   const std::string& text() const { return text_; }
 
  private:

@@ -17,19 +17,20 @@ namespace prosector {
 
 class InputPump {
  public:
-  /// `log`: if not empty, a CSV with one line per HandInput sent: sequence, monotonic ns, the tracker's raw
-  /// values. It lets latency be measured end to end, by matching the values with those that the device says
-  /// it sent.
+  /// Starts sending. `log`, if not empty, is a CSV with one line per HandInput sent: sequence, monotonic ns,
+  /// the tracker's raw values. It lets latency be measured end to end, by matching the values with those that
+  /// the device says it sent.
   InputPump(Connection& connection, const ClientConfig& config, const std::filesystem::path& log,
             std::function<void(const std::string&)> report);
   ~InputPump();
 
-  /// The user as the devices have them now: drawn at once.
+  /// Returns the user as the devices have them now: drawn at once.
   HandInput latest() const;
-  /// For a user without devices: what mouse and keyboard make of them. Sent at a steady rate, so that a
+  /// Sets, for a user without devices, what mouse and keyboard make of them. Sent at a steady rate, so that a
   /// picture that takes long doesn't look like a hand that is gone.
   void set_desk_input(const HandInput& input);
-  /// Hands whose gestures asked for a panel since the last call: which one is for the drawing side to see.
+  /// Returns hands whose gestures asked for a panel since the last call: which one is for the drawing side to
+  /// see.
   std::vector<std::size_t> take_panel_calls();
 
  private:

@@ -17,20 +17,20 @@ class PictureSink {
  public:
   explicit PictureSink(const ClientOptions& options);
 
-  /// True if a picture taken at `seconds` after joining would be kept.
+  /// Tells whether a picture taken at `seconds` after joining would be kept.
   bool wants(double seconds) const;
   void take(const Image& image, double seconds);
-  /// The next picture goes to `file`.
+  /// Asks for the next picture in `file`.
   void ask(const std::filesystem::path& file) { pending_.push_back({file, 0.0}); }
-  /// True if a screenshot waits for the last picture.
+  /// Tells whether a screenshot waits for the last picture.
   bool wants_last() const { return !pending_.empty(); }
-  /// The last picture, for screenshots without a time, or whose time never came.
+  /// Takes the last picture, for screenshots without a time, or whose time never came.
   void finish(const Image& image);
   /// Writes the contact sheet, where one was asked for and there were pictures.
   void finish_sheet();
-  /// True once something asked for could not be kept.
+  /// Tells whether something asked for could not be kept.
   bool failed() const { return failed_; }
-  /// What went wrong since the last call, for people.
+  /// Returns what went wrong since the last call, for people.
   std::vector<std::string> take_failures();
 
  private:

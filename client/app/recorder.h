@@ -11,12 +11,13 @@ namespace prosector {
 /// Writes frames at a fixed rate. A full disk ends the recording with a message, never the session.
 class Recorder {
  public:
-  /// `.avi` (motion JPEG) or `.mp4`. Throws InputError for another ending, or when the file cannot be begun.
+  /// Begins a `.avi` (motion JPEG) or `.mp4`. Throws InputError for another ending, or when the file cannot
+  /// be begun.
   Recorder(const std::filesystem::path& file, int width, int height, double frames_per_second);
   ~Recorder();
 
   void add(const Image& image);
-  /// What ended the recording early; empty while all is well.
+  /// Returns what ended the recording early; empty while all is well.
   const std::string& failure() const;
   std::size_t frames() const;
 

@@ -7,7 +7,8 @@
 
 namespace prosector {
 
-/// `started_ns`: when the process began (monotonic), to state how long joining took. Returns the exit code.
+/// Runs the client and returns the exit code. `started_ns`: when the process began (monotonic), to state how
+/// long joining took.
 int run_client(const ClientOptions& options, std::int64_t started_ns);
 
 }  // namespace prosector

@@ -12,7 +12,7 @@ namespace prosector {
 
 class SessionLog {
  public:
-  /// Throws InputError when the file cannot be written.
+  /// Opens the file. Throws InputError when it cannot be written.
   explicit SessionLog(const std::filesystem::path& file);
 
   /// Reads the replica at `tick` of its playhead, `seconds` after joining. Says, each by name:

@@ -19,7 +19,7 @@ struct Stage {
   SceneView view;
 };
 
-/// Null with --display none. Throws InputError where OpenGL or the display refuses.
+/// Makes the stage; null with --display none. Throws InputError where OpenGL or the display refuses.
 std::unique_ptr<Stage> make_stage(const ClientOptions& options);
 
 }  // namespace prosector

@@ -91,7 +91,7 @@ void Viewer::drive_hand_at_desk(InputPump& pump, LocalUser& self, bool has_panel
   if (part || has_panel) connection_.command(command);
 }
 
-/// To the next other user who has eyes, and after the last one back to one's own.
+/// Goes on to the next other user who has eyes, and after the last one back to one's own.
 void Viewer::follow_next(ParticipantId self) {
   std::vector<std::string> names = {""};
   connection_.with_replica([&](Replica& replica) {

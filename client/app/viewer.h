@@ -18,28 +18,28 @@ namespace prosector {
 
 class Viewer {
  public:
-  /// All of them outlive the viewer; `tell` prints a line for people.
+  /// Takes what outlives the viewer; `tell` prints a line for people.
   Viewer(const ClientOptions& options, Connection& connection, ClientReport& report,
          std::function<void(const std::string&)> tell);
 
-  /// False: --display none.
+  /// Tells whether pictures are drawn; false: --display none.
   bool draws() const { return stage_ != nullptr; }
   bool has_desk() const { return stage_ && stage_->desk; }
   bool closed() const { return has_desk() && stage_->desk->closed(); }
 
-  /// From where pictures that no desk turns are taken from now on; nullopt: as the scene has it.
+  /// Sets from where pictures that no desk turns are taken from now on; nullopt: as the scene has it.
   void look_from(const std::optional<Pose>& eye) { looks_from_ = eye; }
-  /// The next picture goes to `file`.
+  /// Asks for the next picture in `file`.
   void take_picture(const std::filesystem::path& file);
-  /// The part of the anatomy that the ray meets first in the last picture.
+  /// Returns the part of the anatomy that the ray meets first in the last picture.
   std::optional<BodyId> part_at(const Ray& ray) const;
 
   /// Draws the next picture where somebody sees or keeps it. `pump` carries the user's hands; null: an
   /// observer, who has none.
   void draw_if_seen(InputPump* pump);
-  /// The last picture, and all that waits for it.
+  /// Draws the last picture, and keeps all that waits for it.
   void finish(InputPump* pump);
-  /// True once a picture that was asked for could not be kept.
+  /// Tells whether a picture that was asked for could not be kept.
   bool lost_pictures() const { return sink_.failed(); }
   void reload_changed_shaders();
   void tell_failures();

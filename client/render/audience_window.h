@@ -11,8 +11,8 @@ namespace prosector {
 
 class AudienceWindow {
  public:
-  /// `main`: whose pictures it shows; its context is current, and is again after each call. Throws InputError
-  /// where the monitor is missing or there can be no window.
+  /// Opens the window. `main` is the window whose pictures it shows; its context is current, and is again
+  /// after each call. Throws InputError where the monitor is missing or there can be no window.
   AudienceWindow(GLFWwindow* main, const GlContext& context, const Audience& audience);
   ~AudienceWindow();
   AudienceWindow(const AudienceWindow&) = delete;
@@ -20,7 +20,7 @@ class AudienceWindow {
 
   /// Shows what the main window's back buffer holds, which is that large (pixels).
   void show(int width, int height);
-  /// Whether somebody closed it, or pressed Esc in it.
+  /// Tells whether somebody closed it, or pressed Esc in it.
   bool closed() const;
 
  private:

@@ -26,7 +26,7 @@ struct EffectRow {
   std::string_view about;  // for people
 };
 
-/// The order of Effect.
+/// The effects' names, in the order of Effect.
 inline constexpr std::array<EffectRow, 10> effect_rows = {{
     {"relief", "EFFECT_RELIEF", "bumps and hollows smaller than triangles, by their normals"},
     {"parallax", "EFFECT_PARALLAX", "what is high in a surface shifts against what is low"},

@@ -13,7 +13,7 @@ class EnvironmentPass {
   EnvironmentPass(const EnvironmentPass&) = delete;
   EnvironmentPass& operator=(const EnvironmentPass&) = delete;
 
-  /// The cube map's texture; shaders/lighting.glsl tells how its texels hold radiance.
+  /// Draws and returns the cube map's texture; shaders/lighting.glsl tells how its texels hold radiance.
   GLuint draw(const DrawList& list, const std::vector<QueuedItem>& items, const MeshCache& meshes);
 
  private:

@@ -45,7 +45,7 @@ struct Gl {
 #undef PROSECTOR_GL_MEMBER
 };
 
-/// Throws InputError naming a function that the context lacks.
+/// Loads the functions. Throws InputError naming one that the context lacks.
 Gl load_gl(const GlContext& context);
 
 }  // namespace prosector

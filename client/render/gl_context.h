@@ -18,17 +18,17 @@ class GlContext {
   virtual std::string description() const = 0;  // "EGL surfaceless, llvmpipe (…), Mesa 22.3.6"
 };
 
-/// Throw InputError saying what is missing and what to install or set.
+/// Makes a context. Throws InputError saying what is missing and what to install or set.
 std::unique_ptr<GlContext> make_egl_context(int width, int height);
 std::unique_ptr<GlContext> make_osmesa_context(int width, int height);
-/// EGL surfaceless, else OSMesa.
+/// Makes an EGL surfaceless context, else one of OSMesa.
 std::unique_ptr<GlContext> make_offscreen_context(int width, int height);
 
 inline constexpr int max_picture_size = 8192;  // pixels, each way
 
-/// For contexts: throws InputError unless 1 ≤ width, height ≤ max_picture_size.
+/// Checks a size for contexts: throws InputError unless 1 ≤ width, height ≤ max_picture_size.
 void check_picture_size(int width, int height);
-/// For contexts: "KIND, renderer, version" of the current context.
+/// Returns "KIND, renderer, version" of the current context, for contexts.
 std::string describe_gl(const GlContext& context, const std::string& kind);
 
 }  // namespace prosector

@@ -1,7 +1,7 @@
 #pragma once
 // Glass: what is behind it, bent by its front and its back, and the room mirrored in it. After Wyman, An
-// approximate image-space approach for interactive refraction, ACM Trans. Graph. 24, 2005: a ray goes from
-// the front face as far through the glass as the eye's own ray would, leaves through the back face that is
+// approximate image-space approach for interactive refraction, ACM Trans. Graph. 24, 2005. A ray goes from
+// the front face as far through the glass as the eye's own ray would. It leaves through the back face that is
 // drawn there, and meets what the picture holds. Two layers of glass are seen through, such as both walls of
 // a dish; more are left out. Private to client/render.
 
@@ -19,7 +19,7 @@ class GlassPass {
   GlassPass(const GlassPass&) = delete;
   GlassPass& operator=(const GlassPass&) = delete;
 
-  /// Into `target`, which holds everything that isn't glass; `main` shades it. Draws nothing and costs
+  /// Draws into `target`, which holds everything that isn't glass; `main` shades it. Draws nothing and costs
   /// nothing where no glass is seen.
   void draw(const DrawList& list, const std::vector<QueuedItem>& items, const MeshCache& meshes,
             const Shadow& shadow, GLuint environment, RenderTarget& target, MainPass& main);

@@ -5,8 +5,8 @@ struct GLFWmonitor;
 
 namespace prosector {
 
-/// Counted from 0, the desktop's first. Throws InputError saying how many there are when there is none of
-/// that number.
+/// Returns a monitor, counted from 0, the desktop's first. Throws InputError saying how many there are when
+/// there is none of that number.
 GLFWmonitor* glfw_monitor(int number);
 
 }  // namespace prosector

@@ -19,10 +19,10 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
-/// Throws InputError when the file cannot be written.
+/// Writes the image. Throws InputError when the file cannot be written.
 void write_png(const Image& image, const std::filesystem::path& file);
 
-/// Throws InputError when the file cannot be read or is no PNG; alpha is dropped.
+/// Reads an image; alpha is dropped. Throws InputError when the file cannot be read or is no PNG.
 Image read_png(const std::filesystem::path& file);
 
 }  // namespace prosector

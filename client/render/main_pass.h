@@ -14,25 +14,26 @@
 
 namespace prosector {
 
-/// Whether the item is glass, and whole: a painted one, or one that a panel makes half seen through, is drawn
-/// as any other.
+/// Tells whether the item is glass, and whole: a painted one, or one that a panel makes half seen through, is
+/// drawn as any other.
 bool is_glass(const DrawItem& item);
 
 class MainPass {
  public:
-  /// `defines`: what all of its shaders are compiled with.
+  /// Takes in `defines` what all of its shaders are compiled with.
   MainPass(const Gl& gl, const std::filesystem::path& shaders, std::vector<std::string> defines);
 
   /// Compiles every kind of surface, so that a broken shader shows at once.
   void compile_all();
 
-  /// `items` nearest first, so that hidden fragments are not shaded. What is seen through comes after all
-  /// that is not, farthest first, and light in air last. With `occlusion`, what is hidden is not drawn.
+  /// Draws the list. `items` come nearest first, so that hidden fragments are not shaded. What is seen
+  /// through comes after all that is not, farthest first, and light in air last. With `occlusion`, what is
+  /// hidden is not drawn.
   void draw(const DrawList& list, const DrawCamera& camera, const std::vector<QueuedItem>& items,
             const MeshCache& meshes, const Shadow& shadow, GLuint environment = 0,
             Occlusion* occlusion = nullptr);
 
-  /// One layer of glass; draw() leaves out what is drawn by this (GlassPass).
+  /// Draws one layer of glass; draw() leaves out what is drawn by this (GlassPass).
   void draw_glass(const DrawList& list, const DrawCamera& camera, const std::vector<const QueuedItem*>& glass,
                   const MeshCache& meshes, const Shadow& shadow, GLuint environment, const Refraction& seen);
 

@@ -15,11 +15,11 @@ using LightSet = std::bitset<max_lights>;
 
 inline constexpr int first_glass_unit = 2;  // of textures, after shadow and environment
 
-/// Bit k: light k is to be reckoned with. Only the room is spared lights that don't reach it: what moves in
-/// and out of a cone would need shaders compiled on the way.
+/// Returns a set whose bit k says that light k is to be reckoned with. Only the room is spared lights that
+/// don't reach it: what moves in and out of a cone would need shaders compiled on the way.
 LightSet lights_of(const QueuedItem& queued, const std::vector<LightInfo>& lights);
 
-/// What shaders/lighting.glsl is compiled with: the lights' kinds, and which has the shadow map.
+/// Returns what shaders/lighting.glsl is compiled with: the lights' kinds, and which has the shadow map.
 std::vector<std::string> light_defines(const std::vector<LightInfo>& lights, const LightSet& set,
                                        int shadow_light);
 
@@ -28,10 +28,10 @@ std::vector<std::string> item_defines(Surface surface, bool is_wet, std::vector<
 void set_frame(const ShaderProgram& program, const DrawList& list, const DrawCamera& camera,
                const Shadow& shadow);
 
-/// Where the item is, as room_from_mesh and room_from_normal.
+/// Sets where the item is, as room_from_mesh and room_from_normal.
 void set_placement(const ShaderProgram& program, const DrawItem& item);
 
-/// Normals go with the inverse's transpose; a shape without volume has none.
+/// Returns the map of normals, which go with the inverse's transpose; a shape without volume has none.
 Affine normal_map(const DrawItem& item);
 
 void set_item(const ShaderProgram& program, const DrawItem& item);

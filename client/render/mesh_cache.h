@@ -23,7 +23,7 @@ class MeshCache {
     std::shared_ptr<const Detail> detail;
     std::uint64_t revision = 0, positions_revision = 0;
     Sphere bounds;            // in the mesh's frame
-    Eigen::AlignedBox3f box;  // likewise
+    Eigen::AlignedBox3f box;  // in the mesh's frame
     std::uint64_t last_frame = 0;
   };
 
@@ -36,7 +36,7 @@ class MeshCache {
   void begin_frame();
   /// Uploads what changed. Throws std::invalid_argument when the mesh's arrays don't fit each other.
   const Entry& upload(const DrawMesh& mesh, const std::shared_ptr<const Detail>& detail = nullptr);
-  /// With the mesh's own triangles (0), or those of a coarser level, as far as there are any.
+  /// Draws with the mesh's own triangles (0), or those of a coarser level, as far as there are any.
   void draw(const Entry& entry, std::size_t level) const;
 
  private:

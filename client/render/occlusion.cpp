@@ -13,7 +13,7 @@ constexpr int asked_every = 8;               // pictures, of what was seen
 
 using Corners = std::array<Vec3, 8>;
 
-/// Of the box around the item in the room, `margin` (m) wider each way.
+/// Returns the corners of the box around the item in the room, `margin` (m) wider each way.
 Corners corners_of(const QueuedItem& queued, double margin) {
   const DrawItem& item = *queued.item;
   Corners out;

@@ -1,7 +1,7 @@
 #pragma once
 // What other things hide is not drawn: where a box around it would show nothing over the depth of what is
-// drawn already, it would not either. Asked of the picture itself, so nothing that shows is ever left out;
-// waiting for the answer costs, so it is asked only of what has many triangles and seems covered, and seldom
+// drawn already, it would not either. The picture itself is asked, so nothing that shows is ever left out.
+// Waiting for the answer costs. So it is asked only of what has many triangles and seems covered, and seldom
 // of what was seen (compare Bittner et al., Coherent hierarchical culling, Comput. Graph. Forum 23, 2004).
 // Private to client/render.
 
@@ -22,15 +22,15 @@ class Occlusion {
   Occlusion& operator=(const Occlusion&) = delete;
 
   void begin_picture() { hidden_ = 0; }
-  /// Since then, for all cameras together.
+  /// Returns how many were hidden since then, for all cameras together.
   std::size_t hidden() const { return hidden_; }
 
-  /// Of `solids`, nearest first, those that may be hidden and are worth asking about, moved to a list of
-  /// their own: draw what is left, then what shown() gives of these.
+  /// Moves those of `solids`, nearest first, that may be hidden and are worth asking about to a list of their
+  /// own. The caller draws what is left, then what shown() gives of these.
   std::vector<const QueuedItem*> take_covered(const DrawCamera& camera,
                                               std::vector<const QueuedItem*>& solids);
-  /// Over the depth that is drawn already, with the viewport set. Changes depth and colour masks back to
-  /// writing, and the culling of faces to on.
+  /// Returns those of `covered` that show over the depth that is drawn already, with the viewport set.
+  /// Changes depth and colour masks back to writing, and the culling of faces to on.
   std::vector<const QueuedItem*> shown(const DrawCamera& camera,
                                        const std::vector<const QueuedItem*>& covered);
 

@@ -9,20 +9,20 @@ namespace prosector {
 
 Eigen::Matrix4d matrix_of(const Pose& pose);
 Eigen::Matrix4d matrix_of(const Affine& affine);
-/// Room from the item's mesh.
+/// Maps the item's mesh to the room.
 Eigen::Matrix4d matrix_of(const DrawItem& item);
 
-/// Off-axis frustum of the camera: clip from eye space.
+/// Returns the off-axis frustum of the camera: clip from eye space.
 Eigen::Matrix4d projection_of(const DrawCamera& camera);
 
-/// Clip from room.
+/// Maps the room to clip space.
 Eigen::Matrix4d view_projection_of(const DrawCamera& camera);
 
 /// The six planes of a clip matrix (Gribb and Hartmann 2001).
 class Frustum {
  public:
   explicit Frustum(const Eigen::Matrix4d& clip_from_room);
-  /// False only when the sphere is outside.
+  /// Returns false only when the sphere is outside.
   bool may_see(const Sphere& sphere) const;
 
  private:

@@ -7,17 +7,17 @@
 
 namespace prosector {
 
-/// Fed with what each picture took; goes a level down when the mean of some pictures is over the target, and
-/// up when it is far enough below that the next level, which may cost twice as much, should fit. A level that
-/// proved too dear is not tried again for a while, so that it does not swing.
+/// A choice of level, fed with what each picture took. It goes a level down when the mean of some pictures is
+/// over the target. It goes up when the mean is so far below that the next level, which may cost twice as
+/// much, should fit. A level that proved too dear is not tried again for a while, so that it does not swing.
 class QualityGovernor {
  public:
-  /// `target`: s a picture; throws InputError unless it is above 0.
+  /// Takes the target, s a picture; throws InputError unless it is above 0.
   explicit QualityGovernor(double target);
 
-  /// The level to draw the next picture with.
+  /// Returns the level to draw the next picture with.
   const QualityLevel& level() const { return quality_levels[level_]; }
-  /// What the last picture took, s. True when the level changed.
+  /// Takes what the last picture took, s. Returns true when the level changed.
   bool took(double seconds);
 
  private:

@@ -12,8 +12,8 @@ struct Refraction {
   GLuint picture = 0, scene_depth = 0, front_depth = 0, back_depth = 0, back_normals = 0;
 };
 
-/// Index of refraction for the wavelengths that sRGB's red, green and blue look like, by Cauchy's
-/// n = A + B/λ² through n_d with the dispersion of V_d (Born & Wolf, Principles of Optics, 7th ed.
+/// Returns the index of refraction for the wavelengths that sRGB's red, green and blue look like. It follows
+/// Cauchy's n = A + B/λ² through n_d with the dispersion of V_d (Born & Wolf, Principles of Optics, 7th ed.
 /// 1999, 4.7).
 Vec3 refractive_indices(const Appearance& glass);
 

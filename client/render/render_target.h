@@ -13,11 +13,11 @@ class RenderTarget {
   RenderTarget(const RenderTarget&) = delete;
   RenderTarget& operator=(const RenderTarget&) = delete;
 
-  /// Makes it the framebuffer to draw to, of that size. Throws InputError when the driver refuses.
+  /// Makes this target the framebuffer to draw to, of that size. Throws InputError when the driver refuses.
   void bind(int width, int height);
-  /// The depth of what was drawn so far, as a texture; bind_again() before drawing goes on.
+  /// Returns the depth of what was drawn so far, as a texture; bind_again() before drawing goes on.
   GLuint depth();
-  /// The picture that was drawn so far, as a texture, likewise.
+  /// Returns the picture that was drawn so far, as a texture; bind_again() before drawing goes on.
   GLuint picture();
   int width() const { return width_; }
   int height() const { return height_; }
@@ -27,7 +27,7 @@ class RenderTarget {
   void resolve();
   /// Copies the picture to framebuffer 0, the screen.
   void show() const;
-  /// What was resolved last; throws std::logic_error before the first.
+  /// Reads what was resolved last; throws std::logic_error before the first.
   Image read() const;
 
  private:
@@ -45,7 +45,7 @@ class RenderTarget {
   GLuint drawn_ = 0, color_ = 0, texture_ = 0, depth_ = 0;  // color_ with several samples, else texture_
   GLuint resolved_ = 0, picture_ = 0;
   GLuint depth_read_ = 0, depth_texture_ = 0;      // 0 until asked for
-  GLuint picture_read_ = 0, picture_texture_ = 0;  // likewise
+  GLuint picture_read_ = 0, picture_texture_ = 0;  // 0 until asked for
 };
 
 }  // namespace prosector

@@ -39,32 +39,33 @@ inline constexpr std::array<QualityLevel, 3> quality_levels = {
     {{"low", {1, 512, low_effects}}, {"medium", {}}, {"high", {4, 1024}}}};
 
 /// One code path for every context. Everything is drawn into a target of its own, so a picture is the same
-/// with and without a window; with a window, `draw` also copies it there (call present() to show it).
+/// with and without a window. With a window, `draw` also copies it there (call present() to show it).
 class Renderer {
  public:
-  /// `context` outlives the renderer. `shaders` is the folder with the GLSL files (default_shader_dir());
-  /// empty: those that are part of the program. Throws InputError with file and line when one does not
-  /// compile.
+  /// Takes a `context` that outlives the renderer. `shaders` is the folder with the GLSL files
+  /// (default_shader_dir()); empty: those that are part of the program. Throws InputError with file and line
+  /// when one does not compile.
   Renderer(GlContext& context, const std::filesystem::path& shaders, const RendererSettings& settings = {});
   ~Renderer();
 
-  /// Throws std::invalid_argument when a mesh's normals, rest positions or triangles don't fit its positions.
+  /// Draws the list. Throws std::invalid_argument when a mesh's normals, rest positions or triangles don't
+  /// fit its positions.
   void draw(const DrawList& list);
-  /// From the next picture on; costs what making the renderer does. Throws as it does, and then nothing
-  /// changed.
+  /// Sets the settings from the next picture on; costs what making the renderer does. Throws as it does, and
+  /// then nothing changed.
   void set_settings(const RendererSettings& settings);
-  /// For measurement: calls `done` after each pass with its name, when all its work is done. This costs:
+  /// Calls `done` after each pass with its name, when all its work is done; for measurement. This costs:
   /// passes no longer overlap.
   void on_pass(std::function<void(std::string_view)> done);
-  /// For development: reads the shaders anew when a file of them was written since the last call. What came
-  /// of it, for people: done, or file and line of what does not compile, and then the old shaders stay.
-  /// nullopt: nothing was written.
+  /// Reads the shaders anew when a file of them was written since the last call; for development. Returns
+  /// what came of it, for people: done, or file and line of what does not compile, and then the old shaders
+  /// stay. nullopt: nothing was written.
   std::optional<std::string> reload_changed_shaders();
-  /// For measurement: waits until all that was drawn is there.
+  /// Waits until all that was drawn is there; for measurement.
   void finish();
-  /// What was drawn last.
+  /// Reads what was drawn last.
   Image read_pixels();
-  /// How many items the last picture's cameras left out because other things hide them.
+  /// Returns how many items the last picture's cameras left out because other things hide them.
   std::size_t hidden() const;
 
  private:

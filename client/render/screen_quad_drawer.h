@@ -11,7 +11,8 @@ namespace prosector {
 
 class ScreenQuadDrawer {
  public:
-  /// `shader`: "screen" covers, "text" blends with what is there by how much of a pixel the line takes.
+  /// Compiles `shader`: "screen" covers, "text" blends with what is there by how much of a pixel the line
+  /// takes.
   ScreenQuadDrawer(const Gl& gl, const std::filesystem::path& shaders, const std::string& shader);
   ~ScreenQuadDrawer();
   ScreenQuadDrawer(const ScreenQuadDrawer&) = delete;

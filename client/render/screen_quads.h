@@ -17,8 +17,8 @@ struct Viewport {
   double width, height;  // pixels
 };
 
-/// Adds the two triangles of the line from a to b (clip coordinates), `width` pixels wide, with square ends
-/// and a `margin` (pixels) around it for a shader that fades the line out. What lies behind the eye is cut
+/// Adds the two triangles of the line from a to b (clip coordinates), `width` pixels wide, with square ends.
+/// A `margin` (pixels) around it is for a shader that fades the line out. What lies behind the eye is cut
 /// off.
 void add_line(std::vector<ScreenVertex>& out, Eigen::Vector4d a, Eigen::Vector4d b, const Vec3& color,
               double width, const Viewport& viewport, double margin = 0);

@@ -20,7 +20,7 @@ class ShaderProgram {
   ShaderProgram& operator=(const ShaderProgram&) = delete;
 
   void use() const { gl_.UseProgram(program_); }
-  // Of the program in use; a uniform that the compiler dropped is ignored.
+  // Sets a uniform of the program in use; one that the compiler dropped is ignored.
   void set(const char* name, int value) const { gl_.Uniform1i(location(name), value); }
   void set(const char* name, double value) const { gl_.Uniform1f(location(name), static_cast<float>(value)); }
   void set(const char* name, const Vec3& value) const;

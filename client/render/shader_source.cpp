@@ -17,8 +17,8 @@ extern const std::span<const EmbeddedFile> shipped_shaders;
 
 namespace {
 
-/// Of a shader in the folder, or of that of the program's own where the folder is empty; none when it can't
-/// be read.
+/// Returns the text of a shader in the folder, or of that of the program's own where the folder is empty;
+/// none when it can't be read.
 std::optional<std::string> text_of(const std::filesystem::path& folder, const std::string& file) {
   if (folder.empty()) {
     const auto text = find_embedded(shipped_shaders, file);

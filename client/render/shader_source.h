@@ -19,7 +19,7 @@ struct ShaderSource {
 ShaderSource load_shader_source(const std::filesystem::path& folder, const std::string& file,
                                 const std::vector<std::string>& defines);
 
-/// Mesa's "2:14(3): error: …" and NVIDIA's "2(14) : error …" as "lighting.glsl:14: error: …".
+/// Rewrites Mesa's "2:14(3): error: …" and NVIDIA's "2(14) : error …" as "lighting.glsl:14: error: …".
 std::string readable_log(const std::string& log, const ShaderSource& source);
 
 }  // namespace prosector

@@ -9,7 +9,7 @@ namespace prosector {
 class ShaderWatch {
  public:
   explicit ShaderWatch(const std::filesystem::path& folder) : folder_(folder), written_(times()) {}
-  /// True once for every time that a file of the folder was written, added or removed.
+  /// Returns true once for every time that a file of the folder was written, added or removed.
   bool changed();
 
  private:

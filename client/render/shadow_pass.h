@@ -58,7 +58,7 @@ class ShadowPass {
   std::vector<bool> in_still_;                                // by caster
 
   Layer make_layer() const;
-  /// Notes what changed since the last frame; false when nothing did.
+  /// Notes what changed since the last frame; returns false when nothing did.
   bool note_changes(const Items& items, const Eigen::Matrix4d& clip_from_room);
   void draw_layers(const Items& items, const MeshCache& meshes);
   void draw_items(const Items& items, const MeshCache& meshes) const;

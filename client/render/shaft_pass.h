@@ -15,7 +15,7 @@ class ShaftPass {
   ShaftPass(const ShaftPass&) = delete;
   ShaftPass& operator=(const ShaftPass&) = delete;
 
-  /// Into `target`, which holds the surfaces already.
+  /// Draws into `target`, which holds the surfaces already.
   void draw(const DrawList& list, const Shadow& shadow, RenderTarget& target);
 
  private:

@@ -9,7 +9,7 @@
 
 namespace prosector {
 
-/// The text, broken into lines as it asks for.
+/// Returns the text, broken into lines as it asks for.
 std::string lines_of(const DrawText& text);
 
 struct PlacedText {
@@ -19,9 +19,9 @@ struct PlacedText {
   double lift = 0;         // pixels that it stands above its place
 };
 
-/// Of all texts but those on surfaces that this camera sees, in their order; the list and its cameras outlive
-/// the result. All eyes lift alike, as the list's first camera asks for: nobody can fuse pictures whose texts
-/// differ in height.
+/// Places all texts but those on surfaces that this camera sees, in their order; the list and its cameras
+/// outlive the result. All eyes lift alike, as the list's first camera asks for: nobody can fuse pictures
+/// whose texts differ in height.
 std::vector<PlacedText> place_texts(const DrawList& list, const DrawCamera& camera);
 
 }  // namespace prosector

@@ -23,7 +23,7 @@ void add_strokes(std::vector<ScreenVertex>& out, const std::vector<TextStroke>& 
     add_line(out, flat(stroke.a), flat(stroke.b), color, width, viewport, fade);
 }
 
-/// From a text that was lifted down to its place.
+/// Returns a line from a text that was lifted down to its place.
 TextStroke leader_of(const PlacedText& placed, double gap) {
   const double x = std::round(placed.size.x() / 2), y = placed.size.y() + gap;
   return {{x, y}, {x, y + placed.lift - gap}};

@@ -9,14 +9,14 @@ namespace prosector {
 
 class TimedSheet {
  public:
-  /// A picture every `interval` seconds, the first one as soon as there is one.
+  /// Takes a picture every `interval` seconds, the first one as soon as there is one.
   explicit TimedSheet(double interval) : interval_(interval) {}
 
   bool wants(double seconds) const { return seconds >= next_; }
   /// Takes the picture where one is due.
   void take(const Image& image, double seconds);
   std::size_t pictures() const { return tiles_.size(); }
-  /// Row by row in the order taken. Throws std::invalid_argument while there is none.
+  /// Lays the pictures row by row in the order taken. Throws std::invalid_argument while there is none.
   Image sheet() const;
 
  private:

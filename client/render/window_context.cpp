@@ -55,7 +55,7 @@ std::optional<Key> key_from_glfw(int key) {
   return std::nullopt;
 }
 
-/// Of the first joystick that is a gamepad.
+/// Returns the state of the first joystick that is a gamepad.
 std::optional<Gamepad> gamepad_from_glfw() {
   static constexpr std::array<int, pad_buttons> buttons = {
       GLFW_GAMEPAD_BUTTON_A,           GLFW_GAMEPAD_BUTTON_B,           GLFW_GAMEPAD_BUTTON_X,

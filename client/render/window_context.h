@@ -87,24 +87,24 @@ struct Audience {
 
 class WindowContext : public GlContext {
  public:
-  /// What happened since the last call, in order; never waits. width() and height() are those of the last
-  /// Resized.
+  /// Returns what happened since the last call, in order; never waits. width() and height() are those of the
+  /// last Resized.
   virtual std::vector<WindowEvent> poll_events() = 0;
-  /// True: hides the pointer and keeps it inside, so that moving has no end.
+  /// Hides the pointer and keeps it inside, so that moving has no end, or lets it go.
   virtual void capture_pointer(bool captured) = 0;
   /// Fills this monitor, counted from 0, the desktop's first; nullopt: a window where it was before. Throws
   /// InputError saying how many there are when there is none of that number.
   virtual void set_full_screen(std::optional<int> monitor) = 0;
-  /// Every picture from now on is also shown in a second window, until somebody closes that. Throws
-  /// InputError as above.
+  /// Shows every picture from now on in a second window, too, until somebody closes that. Throws InputError
+  /// as set_full_screen() does, and where there can be no window.
   virtual void open_audience(const Audience& audience) = 0;
-  /// How many times as fine as usual the desktop says that its display is: what is read is to be drawn as
-  /// many times larger.
+  /// Returns how many times as fine as usual the desktop says that its display is: what is read is to be
+  /// drawn as many times larger.
   virtual double content_scale() const = 0;
 };
 
-/// Only one window at a time, in the main thread. Throws InputError saying what is missing: no display (use
-/// an offscreen one), or no OpenGL 3.3.
+/// Opens a window: only one at a time, in the main thread. Throws InputError saying what is missing: no
+/// display (use an offscreen one), or no OpenGL 3.3.
 std::unique_ptr<WindowContext> make_window_context(int width, int height, const std::string& title);
 
 }  // namespace prosector

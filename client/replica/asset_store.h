@@ -17,7 +17,7 @@ class AssetStore {
   /// Takes a chunk; one that fits no asset (other count, other size) is ignored and counted. When the last
   /// chunk completes an asset whose hash is wrong, all its chunks are dropped, so that it can be sent again.
   void add(const AssetChunk& chunk);
-  /// The asset's bytes once complete and proven, else nullopt.
+  /// Returns the asset's bytes once complete and proven, else nullopt.
   std::optional<std::span<const std::uint8_t>> find(const ContentHash& hash) const;
   std::size_t refused() const { return refused_; }
 

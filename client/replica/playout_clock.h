@@ -18,7 +18,8 @@ class PlayoutClock {
   explicit PlayoutClock(double tick_rate) : dt_(1 / tick_rate) {}
 
   void arrived(const SimTime& time, std::int64_t arrival_ns);
-  /// Tick (with fraction) to draw at `now_ns`; monotonic within an epoch. 0 before anything arrived.
+  /// Returns the tick (with fraction) to draw at `now_ns`; monotonic within an epoch. 0 before anything
+  /// arrived.
   double playhead(std::int64_t now_ns);
   double delay_ms() const { return 1e3 * delay_; }
 

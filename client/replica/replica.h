@@ -28,43 +28,43 @@ struct RigidReplica {
 class Replica {
  public:
   Replica() = default;
-  /// With assets that are known already: they are named by content, so they are good for any server.
+  /// Takes assets that are known already: they are named by content, so they are good for any server.
   explicit Replica(AssetStore assets) : assets_(std::move(assets)) {}
 
   /// Takes one sample. What contradicts itself (a body that isn't in the scene, an asset that is no mesh) is
   /// counted, not believed.
   void apply(const Received& received);
 
-  /// True once the scene, every asset, the topology log and a first state of every deformable are there. What
-  /// cuts add later changes that no more: until it is here, it is not shown.
+  /// Tells whether the scene, every asset, the topology log and a first state of every deformable are there.
+  /// What cuts add later changes that no more: until it is here, it is not shown.
   bool complete() const { return complete_; }
-  /// What is still missing, for people: "waiting for 3 of 12 meshes".
+  /// Returns what is still missing, for people: "waiting for 3 of 12 meshes".
   std::string missing() const;
-  /// Over the chain hashes of the topology revisions that are shown of every soft body: equal on every client
-  /// that sees the same cuts.
+  /// Hashes the chain hashes of the topology revisions that are shown of every soft body: equal on every
+  /// client that sees the same cuts.
   std::uint64_t topology_hash() const;
-  /// Bodies of which the server has to be asked for a keyframe; each at most once a second.
+  /// Returns the bodies of which the server has to be asked for a keyframe; each at most once a second.
   std::vector<BodyId> take_keyframe_requests(std::int64_t now_ns);
 
   const std::optional<SessionInfo>& session() const { return session_; }
   const std::optional<SceneInfo>& scene() const { return scene_; }
   const std::map<ParticipantId, RosterEntry>& roster() const { return roster_; }
   const std::optional<ServerStatus>& status() const { return status_; }
-  /// The newest word about a hand's contact; null: none, or none for a quarter of a second.
+  /// Returns the newest word about a hand's contact; null: none, or none for a quarter of a second.
   const ContactSample* contact(ParticipantId participant, std::size_t hand) const;
-  /// Null before its first, and for rigid bodies.
+  /// Returns the newest status of a body; null before its first, and for rigid bodies.
   const BodyStatus* body_status(BodyId body) const;
   const RigidReplica* rigid(BodyId body) const;
   SoftReplica* soft(BodyId body);
-  /// The newest revision of a soft body's mesh that is shown; null: none.
+  /// Returns the newest revision of a soft body's mesh that is shown; null: none.
   const TopologyRevision* topology(BodyId body) const;
-  /// What people made of a body; null while nobody changed it.
+  /// Returns what people made of a body; null while nobody changed it.
   const PartState* part(BodyId body) const;
-  /// Open ones, by whose they are.
+  /// Returns the open panels, by whose they are.
   const std::map<ParticipantId, Panel>& panels() const { return panels_; }
-  /// Brightness of all lights but those that bodies carry, 0 … 1.
+  /// Returns the brightness of all lights but those that bodies carry, 0 … 1.
   double room_lights() const { return room_lights_; }
-  /// What a body collides as, in the frame of its mesh; null: nothing, or not here yet.
+  /// Returns what a body collides as, in the frame of its mesh; null: nothing, or not here yet.
   const TriangleMesh* outline(BodyId body);
   bool server_gone() const { return server_gone_; }
   const AssetStore& assets() const { return assets_; }

@@ -11,13 +11,13 @@ namespace prosector {
 
 class ServerChoice {
  public:
-  /// Takes one sample into what is known of its writer's session, and follows another server when the one
-  /// that was followed is gone, or when one that precedes it is there (common/server_run.h).
+  /// Takes one sample into what is known of its writer's session. Follows another server when the one that
+  /// was followed is gone, or when one that precedes it is there (common/server_run.h).
   void apply(const Received& received);
 
-  /// What the followed server said; an empty one before there is any.
+  /// Returns what the followed server said; an empty one before there is any.
   Replica& replica();
-  /// Its process, as Received::writer says; 0: none yet.
+  /// Returns the process of the followed server, as Received::writer says; 0: none yet.
   std::uint64_t followed() const { return followed_; }
 
  private:

@@ -36,8 +36,8 @@ void SoftReplica::add(std::uint32_t chunk, Chunk sample) {
   chunks_[chunk].add(std::move(sample));
 }
 
-/// Of points that the sample's revision had not yet, as of points that this one has not yet: what is known
-/// best.
+/// Extends or truncates a chunk of another topology revision to this one's size. Points that the sample lacks
+/// take the newest known position and velocity.
 void SoftReplica::complete_from_newest(std::uint32_t chunk, Chunk& sample) const {
   const std::size_t size = size_of(chunk);
   for (std::size_t i = sample.positions.size(); i < size; ++i) {

@@ -15,23 +15,23 @@ namespace prosector {
 
 class SoftReplica {
  public:
-  /// `body` from the scene, `rest` and `streamed` from its assets; sizes agree.
+  /// Takes `body` from the scene, `rest` and `streamed` from its assets; sizes agree.
   SoftReplica(const SceneBody& body, TriangleMesh rest, StreamedSurface streamed);
 
-  /// Dropped when it doesn't fit this body's chunks. False: it tells of points of a later revision, too; give
-  /// it again when that is here.
+  /// Takes a chunk; one that doesn't fit this body's chunks is dropped. Returns false where it tells of
+  /// points of a later revision, too: give it again when that is here.
   bool add(const SoftState& chunk);
-  bool add(const Settled& settled);  // likewise; every chunk at once, at full precision
+  bool add(const Settled& settled);  // takes every chunk at once, at full precision
   bool complete() const { return missing_chunks_ == 0; }
 
   // ---- Topology
-  /// The surface as it is belongs to this revision.
+  /// Sets the revision that the surface belongs to as it is.
   void begin_at(std::uint32_t revision) { revision_ = revision; }
-  /// To the surface that `patch` makes of this one: new points begin where the patch says they are, old ones
-  /// keep their past.
+  /// Goes on to the surface that `patch` makes of this one: new points begin where the patch says they are,
+  /// old ones keep their past.
   void follow(DrawnSurface next, const SurfacePatch& patch, std::uint32_t revision, SimTime time);
-  /// To another surface over the same points and more: those begin displaced like the point before them.
-  /// Throws InputError when it has fewer points.
+  /// Goes on to another surface over the same points and more: those begin displaced like the point before
+  /// them. Throws InputError when it has fewer points.
   void enter(DrawnSurface next, std::uint32_t revision, SimTime time);
 
   /// Interpolates the points at `tick` and carries the surface along. Returns true if anything moved since
@@ -43,7 +43,7 @@ class SoftReplica {
   const TriangleMesh& rest() const { return drawn_.rest; }
   const std::vector<Eigen::Vector3f>& surface() const { return surface_; }
   std::uint32_t revision() const { return revision_; }
-  /// Rises whenever rest() became another mesh.
+  /// Returns a number that rises whenever rest() became another mesh.
   std::uint64_t shape() const { return shape_; }
   std::uint64_t dropped() const { return dropped_; }
 

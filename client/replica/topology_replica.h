@@ -14,16 +14,16 @@ namespace prosector {
 
 class TopologyReplica {
  public:
-  /// Revisions may come in any order, and again.
+  /// Takes a revision; they may come in any order, and again.
   void add(const TopologyRevision& revision);
   /// Takes `soft` on as far as what has arrived goes: by patches in order, by a keyframe over a gap or over a
-  /// patch that did not prove right. True when its surface changed.
+  /// patch that did not prove right. Returns true when its surface changed.
   bool advance(const AssetStore& assets, SoftReplica& soft, std::int64_t now_ns);
 
-  /// Shown now; null before the first.
+  /// Returns the revision shown now; null before the first.
   const TopologyRevision* shown() const { return shown_ ? &*shown_ : nullptr; }
-  /// True when the server has to be asked for a keyframe: something did not prove right, or is long missing.
-  /// At most once a second.
+  /// Tells whether the server has to be asked for a keyframe: something did not prove right, or is long
+  /// missing. True at most once a second.
   bool asks_keyframe(std::int64_t now_ns);
   std::uint64_t refused() const { return refused_; }
 

@@ -10,8 +10,8 @@
 
 namespace prosector {
 
-/// Cubic Hermite between (x0, v0) and (x1, v1), `h` seconds apart, at share s in [0, 1]. Linear interpolation
-/// would err by a·h²/8 under acceleration a.
+/// Interpolates by a cubic Hermite between (x0, v0) and (x1, v1), `h` seconds apart, at share s in [0, 1].
+/// Linear interpolation would err by a·h²/8 under acceleration a.
 inline Vec3 hermite(const Vec3& x0, const Vec3& v0, const Vec3& x1, const Vec3& v1, double h, double s) {
   const double s2 = s * s, s3 = s2 * s;
   return (2 * s3 - 3 * s2 + 1) * x0 + (s3 - 2 * s2 + s) * h * v0 + (3 * s2 - 2 * s3) * x1 +
@@ -42,8 +42,8 @@ class Track {
     double share = 0;            // 0 at `from`, 1 at `to`
   };
 
-  /// What to interpolate at `tick`. A gap longer than `bridge` ticks means that nothing moved in it: `from`
-  /// is held until `bridge` ticks before `to`.
+  /// Returns what to interpolate at `tick`. A gap longer than `bridge` ticks means that nothing moved in it:
+  /// `from` is held until `bridge` ticks before `to`.
   Bracket at(double tick, double dt, double bridge = 4) const {
     Bracket out;
     if (samples_.empty()) return out;
@@ -58,7 +58,7 @@ class Track {
     return {&from, &*to, gap * dt, (tick - (end - gap)) / gap};
   }
 
-  /// `change(sample)` must leave its time alone.
+  /// Calls `change(sample)` for each; it must leave the sample's time alone.
   template <class Change>
   void change_each(const Change& change) {
     for (Sample& sample : samples_) change(sample);

@@ -9,7 +9,7 @@
 
 namespace prosector {
 
-/// A pyramid of a head's size: its apex points ahead (−z), its base is the back of the head.
+/// Makes a pyramid of a head's size: its apex points ahead (−z), its base is the back of the head.
 std::shared_ptr<const DrawMesh> head_mesh(std::uint64_t mesh_id);
 
 /// Adds the head in the user's colour, its local axes (x red, y green, z blue) and its name above it.

@@ -7,8 +7,8 @@
 
 namespace prosector {
 
-/// Its name, then how it is stepped: "12 steps of 1.39 ms"; then what is known of its error, and whether it
-/// was stepped down. A line each.
+/// Returns its name, then how it is stepped: "12 steps of 1.39 ms"; then what is known of its error, and
+/// whether it was stepped down. A line each.
 std::string body_figures(const SceneBody& body, const BodyStatus& status);
 
 }  // namespace prosector

@@ -5,7 +5,7 @@
 
 namespace prosector {
 
-/// The light, given in its carrier's frame, where the carrier is.
+/// Moves the light, given in its carrier's frame, to where the carrier is.
 inline LightInfo carried_by(const Pose& carrier, LightInfo light) {
   light.position = carrier * light.position;
   light.direction = carrier.q * light.direction;

@@ -7,10 +7,10 @@
 
 namespace prosector {
 
-/// The figures as lines of text: depth, point, normal, impulse, force and its direction.
+/// Returns the figures as lines of text: depth, point, normal, impulse, force and its direction.
 std::string contact_figures(const ContactSample& contact, const std::string& body);
 
-/// Beside the axes, over the picture of every eye.
+/// Adds the figures beside the axes, over the picture of every eye.
 void add_contact_overlay(DrawList& list, const ContactSample& contact, const std::string& body);
 
 }  // namespace prosector

@@ -17,7 +17,7 @@ using Vec3f = Eigen::Vector3f;
 constexpr std::size_t most_levels = 6;
 constexpr std::size_t least_triangles = 64;
 
-/// Of one vertex, as error_of() says.
+/// Returns the squared error at one vertex, as error_of() says.
 float squared_error(const CoarserList::LeftOut& out, const std::array<std::uint32_t, 3>& corners,
                     std::span<const Vec3f> positions, std::span<const Vec3f> normals) {
   const auto& [a, b, c] = corners;
@@ -93,7 +93,7 @@ class Coarsening {
   }
 
  private:
-  /// Of those where the vertex went to, the one on its side of creases.
+  /// Returns, among those where the vertex went to, the one on its side of creases.
   std::uint32_t stand_in(std::uint32_t v) const {
     const std::uint32_t place = welded_.place[v], into = collapser_.stand_in(place);
     if (into == place) return v;

@@ -1,6 +1,6 @@
 #pragma once
-// Levels of detail: coarser lists of a mesh's triangles over the same vertices, which move as they did, and
-// how far each list is from the surface as it is bent now.
+// Levels of detail: coarser lists of a mesh's triangles over the same vertices, which move as they did. How
+// far each list is from the surface as it is bent now is known, too.
 
 #include "client/view/edge_collapse.h"
 
@@ -25,14 +25,14 @@ struct Detail {
 /// Below this many triangles a mesh is drawn as it is.
 inline constexpr std::size_t least_detailed = 256;
 
-/// Of a surface at rest. Takes some seconds for a million triangles.
+/// Makes the detail of a surface at rest. Takes some seconds for a million triangles.
 Detail make_detail(std::span<const Eigen::Vector3f> rest, const Triangles& triangles);
 
-/// How far the list is from the surface as that is bent now, m: no vertex that it leaves out is farther from
-/// the place that stands for it, nor so from the coarser surface; and a normal that is off counts as a
-/// bump as high as that times `width`: half of the shortest side of the triangle there or of the width of
-/// the largest triangle that the vertex had, whichever is more. Any value above `enough` where it is more
-/// than that.
+/// Returns how far the list is from the surface as that is bent now, m. No vertex that it leaves out is
+/// farther from the place that stands for it, nor so from the coarser surface. A normal that is off counts as
+/// a bump as high as that times `width`. That is half of the shortest side of the triangle there or of the
+/// width of the largest triangle that the vertex had, whichever is more. Returns any value above `enough`
+/// where it is more than that.
 double error_of(const CoarserList& list, std::span<const Eigen::Vector3f> positions,
                 std::span<const Eigen::Vector3f> normals, double enough);
 

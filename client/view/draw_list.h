@@ -42,7 +42,7 @@ struct DrawItem {
   std::size_t level = 0;                      // of them, for every camera and the shadow; 0: the mesh's own
 };
 
-/// The triangles that the item is drawn with.
+/// Returns the triangles that the item is drawn with.
 inline const Triangles& triangles_of(const DrawItem& item) {
   return item.level == 0 || !item.detail ? item.mesh->triangles
                                          : item.detail->coarser.at(item.level - 1).triangles;

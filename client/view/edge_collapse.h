@@ -1,7 +1,7 @@
 #pragma once
 // Fewer triangles over the same vertices: edges collapse into one of their ends, first where that moves the
-// surface least. Each vertex adds up how far what it stands for has moved, as in Klein, Liebich, Straßer,
-// Mesh reduction with error control, IEEE Visualization 1996, but by distances at vertices alone.
+// surface least. Each vertex adds up how far what it stands for has moved. So do Klein, Liebich, Straßer,
+// Mesh reduction with error control, IEEE Visualization 1996; here it is by distances at vertices alone.
 
 #include <array>
 #include <cstdint>
@@ -19,13 +19,14 @@ using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 /// nothing but what it was given.
 class EdgeCollapser {
  public:
-  /// `positions` outlive it.
+  /// Takes `positions` that outlive it.
   EdgeCollapser(std::span<const Eigen::Vector3f> positions, const Triangles& triangles);
 
-  /// False: no more edges can collapse without a triangle turning over or the surface changing its topology.
+  /// Collapses edges until that many triangles are left. Returns false where no more edges can collapse
+  /// without a triangle turning over or the surface changing its topology.
   bool reduce_to(std::size_t triangles);
   bool is_gone(std::size_t triangle) const { return gone_[triangle]; }
-  /// The vertex that `v` collapsed into, and that in turn; itself while it is there.
+  /// Returns the vertex that `v` collapsed into, and that in turn; itself while it is there.
   std::uint32_t stand_in(std::uint32_t v) const;
 
  private:

@@ -128,7 +128,7 @@ void HandSkin::bend(DrawMesh& mesh, const std::array<double, fingers>& flexion) 
     for (std::uint32_t k = 0; k < vertices_[v].count; ++k) {
       const Influence& influence = influences_[vertices_[v].first + k];
       Eigen::Vector3f x = rest_[v];
-      // From the tip inwards: each joint turns all that lies beyond it, in the open hand's frames.
+      // Goes from the tip inwards: each joint turns all that lies beyond it, in the open hand's frames.
       for (std::size_t joint = joints_of(influence.finger); joint-- > 0;) {
         const Hinge& hinge = hinges[first_joint(influence.finger) + joint];
         const float angle = hinge.angle * influence.turned[joint];

@@ -11,12 +11,12 @@ namespace prosector {
 /// The skin of a right or left hand with its weights, shared by all hands of that side. Wrist frame, metres.
 class HandSkin {
  public:
-  /// Left and right are exact mirror images. Takes some tenths of a second.
+  /// Makes the skin; left and right are exact mirror images. Takes some tenths of a second.
   explicit HandSkin(std::size_t hand);
-  /// The skin of the other hand.
+  /// Returns the skin of the other hand.
   HandSkin mirrored() const;
 
-  /// A new mesh of the open hand; `rest_positions` hold the open shape, so that texture sticks.
+  /// Makes a new mesh of the open hand; `rest_positions` hold the open shape, so that texture sticks.
   std::shared_ptr<DrawMesh> make_mesh(std::uint64_t mesh_id) const;
 
   /// Bends `mesh` (made by make_mesh) and raises its positions_revision.
@@ -44,7 +44,7 @@ class HandSkin {
   std::vector<Influence> influences_;
 };
 
-/// Left and right, for the price of one.
+/// Makes left and right, for the price of one.
 std::array<HandSkin, 2> make_hand_skins();
 
 /// Positions and normals of one bent hand.

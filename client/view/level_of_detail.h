@@ -15,13 +15,14 @@ namespace prosector {
 /// Makes the detail of every item that is worth it and has none.
 void add_detail(DrawList& list);
 
-/// Remembers what it chose, so that a level doesn't come and go with every small step of the eye; and makes
-/// what detail is missing in the background, one mesh after the other: until then a mesh is drawn in full,
-/// and so is one whose triangles keep changing because it is being cut.
+/// A choice of level for each mesh. It remembers what it chose, so that a level doesn't come and go with
+/// every small step of the eye. It makes what detail is missing in the background, one mesh after the other.
+/// Until then a mesh is drawn in full, and so is one whose triangles keep changing because it is being cut.
 class LevelOfDetail {
  public:
   /// Gives each item the coarsest level that is off by no more than `pixels` for any of the list's cameras,
-  /// measured in the middle of its picture; 0: all in full. Both eyes, insets and shadows share a level.
+  /// measured in the middle of its picture. 0: all are drawn in full. Both eyes, insets and shadows share a
+  /// level.
   void choose(DrawList& list, double pixels);
 
  private:

@@ -7,10 +7,11 @@
 
 namespace prosector {
 
-/// A cone of unit height from the origin along −z, its base of unit radius; narrow at the lamp, not a point.
+/// Makes a cone of unit height from the origin along −z, its base of unit radius; narrow at the lamp, not a
+/// point.
 std::shared_ptr<const DrawMesh> shaft_mesh(std::uint64_t mesh_id);
 
-/// From `lamp` (m, room frame) so that it takes in the ball around the part.
+/// Adds a shaft from `lamp` (m, room frame) that takes in the ball around the part.
 void add_light_shaft(DrawList& list, const std::shared_ptr<const DrawMesh>& shaft, const Vec3& lamp,
                      const Vec3& color, const Vec3& part_middle, double part_radius);
 

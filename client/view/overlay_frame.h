@@ -10,10 +10,10 @@ struct OverlayFrame {
 
   OverlayFrame(const DrawCamera& camera, double scale)
       : width(camera.width / scale), height(camera.height / scale) {}
-  /// Of the list's first camera.
+  /// Takes the frame of the list's first camera.
   explicit OverlayFrame(const DrawList& list) : OverlayFrame(list.cameras.front(), list.scale) {}
 
-  /// End of an overlay line: normalised device coordinates of points from the top left.
+  /// Returns the end of an overlay line: normalised device coordinates of points from the top left.
   Vec3 at(double x, double y) const { return {2 * x / width - 1, 1 - 2 * y / height, 0}; }
 };
 

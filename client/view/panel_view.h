@@ -16,7 +16,7 @@ class PanelView {
   explicit PanelView(std::uint64_t first_mesh_id);
   static constexpr std::size_t meshes = 5;
 
-  /// Touched controls are green, buttons that are on glow.
+  /// Adds the panel; touched controls are green, buttons that are on glow.
   void add(DrawList& list, const Panel& panel, const SceneBody& part) const;
 
  private:

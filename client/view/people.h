@@ -17,8 +17,8 @@ namespace prosector {
 
 class People {
  public:
-  /// Everyone as the server has them, but oneself as one's own devices have one: that is faster, and is where
-  /// one feels it. Whoever is named `seen_through` has no head. Meshes get ids from `next_mesh_id` on.
+  /// Adds everyone as the server has them, but oneself as one's own devices have one: that is faster, and is
+  /// where one feels it. Whoever is named `seen_through` has no head. Meshes get ids from `next_mesh_id` on.
   void add(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
            const std::string& seen_through, std::uint64_t& next_mesh_id);
 

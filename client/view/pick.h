@@ -13,10 +13,10 @@ struct Ray {
   Vec3 along = -Vec3::UnitZ();  // unit
 };
 
-/// Through a pixel of the camera's picture, counted from its top left.
+/// Returns the ray through a pixel of the camera's picture, counted from its top left.
 Ray ray_through(const DrawCamera& camera, double x, double y);
 
-/// m along the ray to the item's front, if it meets it.
+/// Returns the distance (m) along the ray to the item's front, if the ray meets it.
 std::optional<double> meet(const Ray& ray, const DrawItem& item);
 
 struct PanelPoint {
@@ -25,10 +25,10 @@ struct PanelPoint {
   std::optional<PanelControl> control;  // that lies there; of the slider its whole way
 };
 
-/// Where the ray meets a panel's front.
+/// Returns where the ray meets a panel's front.
 std::optional<PanelPoint> meet(const Ray& ray, const Panel& panel);
 
-/// The slider's position for a place on the board.
+/// Returns the slider's position for a place on the board.
 double slider_position(const Vec3& at);
 
 }  // namespace prosector

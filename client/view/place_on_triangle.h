@@ -12,8 +12,8 @@ struct PlaceOnTriangle {
   Eigen::Vector3f at = Eigen::Vector3f::Zero();
 };
 
-/// The foot of the triangle's plane; where that lies beyond the border, a place on the border, which need not
-/// be the nearest.
+/// Returns the foot on the triangle's plane; where that lies beyond the border, a place on the border, which
+/// need not be the nearest.
 inline PlaceOnTriangle place_near(const Eigen::Vector3f& x, const Eigen::Vector3f& a,
                                   const Eigen::Vector3f& b, const Eigen::Vector3f& c) {
   const Eigen::Vector3f u = b - a, v = c - a, w = x - a;

@@ -8,8 +8,8 @@
 
 namespace prosector {
 
-/// Floor and four walls, all facing inwards, so that none hides the room from outside. The floor comes in
-/// tiles, so that the renderer can tell those that the lamp reaches. Uses a mesh id an item, from
+/// Makes the floor and four walls, all facing inwards, so that none hides the room from outside. The floor
+/// comes in tiles, so that the renderer can tell those that the lamp reaches. Uses a mesh id an item, from
 /// `first_mesh_id`.
 std::vector<DrawItem> room_items(std::uint64_t first_mesh_id, const RoomShape& shape = {});
 

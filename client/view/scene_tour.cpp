@@ -76,7 +76,7 @@ void add_hands(DrawList& list, const Vec3& between, const Vec3& towards_eye) {
   }
 }
 
-/// From the first spot light, else from above.
+/// Lights the part up from the first spot light, else from above.
 void light_up(DrawList& list, const DrawItem& part) {
   const Eigen::AlignedBox3d box = box_of(part);
   Vec3 lamp = box.center() + Vec3(0, 1.5, 0), color = Vec3::Ones();

@@ -22,11 +22,11 @@ struct Subject {
 };
 Subject subject_of(const SceneDesc& scene, const DrawList& list);
 
-/// From the scene's own camera, from three sides, from close by, from inside the first soft body, with two
-/// hands, with a shaft of light on that body, and at what is of glass, where there is any.
+/// Makes stops at the scene's own camera, on three sides, close by, and inside the first soft body. More
+/// stops are with two hands, with a shaft of light on that body, and at what is of glass, where there is any.
 std::vector<TourStop> tour_of(const SceneDesc& scene, const DrawList& list, int width, int height);
 
-/// A camera `turn` radians around the subject from where the scene's camera stands.
+/// Returns a camera `turn` radians around the subject from where the scene's camera stands.
 DrawCamera orbit_camera(const SceneDesc& scene, const Subject& subject, double turn, int width, int height);
 
 }  // namespace prosector

@@ -25,7 +25,7 @@ class SceneView {
   /// Rebuilds the list for the replica's `tick`. Deformed surfaces are refreshed only when they moved.
   const DrawList& build(Replica& replica, double tick, const LocalUser& self, const ViewSettings& settings);
 
-  /// The part of the anatomy that the ray meets first in the list built last.
+  /// Returns the part of the anatomy that the ray meets first in the list built last.
   std::optional<BodyId> part_at(const Ray& ray) const;
 
  private:

@@ -9,7 +9,7 @@
 namespace prosector {
 namespace {
 
-/// Of the hand that touches; of both, the one that pushes harder.
+/// Adds the contact of the hand that touches; of both, that of the one that pushes harder.
 void add_contact(DrawList& list, const Replica& replica, ParticipantId who) {
   const ContactSample* strongest = nullptr;
   for (const std::size_t hand : {right_hand, left_hand}) {

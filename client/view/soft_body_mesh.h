@@ -15,14 +15,14 @@ class SoftBodyMesh {
  public:
   static constexpr std::uint64_t meshes = 2;  // ids that each needs
 
-  /// `tube_diameter` as in soft_mesh().
+  /// Takes `tube_diameter` as soft_mesh() does.
   SoftBodyMesh(const SoftReplica& soft, double tube_diameter, std::uint64_t first_id);
 
-  /// To the replica's surface as it is now; `moved` since the last call.
+  /// Brings the meshes to the replica's surface as it is now; `moved`: it did since the last call.
   void follow(const SoftReplica& soft, bool moved);
 
   std::shared_ptr<const DrawMesh> outer() const { return outer_; }
-  /// Null while nothing was laid bare.
+  /// Returns the mesh of what cuts laid bare; null while nothing was.
   std::shared_ptr<const DrawMesh> inner() const { return inner_->triangles.empty() ? nullptr : inner_; }
 
  private:
@@ -34,7 +34,7 @@ class SoftBodyMesh {
   void reshape(const SoftReplica& soft);
 };
 
-/// Of the inside, by that of the outside: darker, wetter, without skin.
+/// Returns the inside's appearance by that of the outside: darker, wetter, without skin.
 Appearance inner_appearance(const Appearance& outer);
 
 }  // namespace prosector

@@ -20,11 +20,11 @@ struct StereoProfile {
   int picture_height() const { return static_cast<int>(eye_height); }
 };
 
-/// Throws InputError with file, line, key and what is allowed; unknown keys are errors.
+/// Reads a profile. Throws InputError with file, line, key and what is allowed; unknown keys are errors.
 StereoProfile parse_stereo_profile(std::string_view toml, const std::string& file);
 
-/// `profile`: a file, or the name of one of those shipped ("5dt_hmd_800_26"). Throws InputError as above, or
-/// naming those that are shipped.
+/// Loads `profile`: a file, or the name of one of those shipped ("5dt_hmd_800_26"). Throws InputError as
+/// parse_stereo_profile() does, or naming those that are shipped.
 StereoProfile load_stereo_profile(const std::string& profile);
 
 }  // namespace prosector

@@ -6,8 +6,8 @@
 
 namespace prosector {
 
-/// Room, bodies and lights of a scene; cameras are the caller's to add. Meshing says what it does through
-/// `progress`. Throws InputError where the server would.
+/// Makes room, bodies and lights of a scene; cameras are the caller's to add. Meshing says what it does
+/// through `progress`. Throws InputError where the server would.
 DrawList still_scene(const SceneDesc& scene, const SourcePaths& paths, const Progress& progress);
 
 }  // namespace prosector

@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-// From cold to hot, rising in lightness up to the middle and of different hues after it.
+// The scale's colours from cold to hot, rising in lightness up to the middle and of different hues after it.
 const std::array<Vec3, 5> stops = {
     {{0.02, 0.04, 0.30}, {0.01, 0.30, 0.40}, {0.60, 0.70, 0.10}, {0.90, 0.26, 0.01}, {0.52, 0.01, 0.01}}};
 const Vec3 gray(0.25, 0.25, 0.25);

@@ -32,21 +32,22 @@ constexpr const ValueScale& scale_of(Shown shown) {
   return value_scales[static_cast<std::size_t>(shown)];
 }
 
-/// Linear, as drawn where light falls straight on it. Values beyond the scale have the colour of its end;
-/// those that are not numbers, because they are not known, are gray.
+/// Returns the linear colour, as drawn where light falls straight on it. Values beyond the scale have the
+/// colour of its end; those that are not numbers, because they are not known, are gray.
 Vec3 value_color(const ValueScale& scale, double value);
 inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-/// Largest principal stretch − 1 of the drawn surface from its rest positions, at each vertex: the mean of
-/// the triangles around, weighted by their area at rest. Triangles without area at rest don't count.
+/// Returns the largest principal stretch − 1 of the drawn surface from its rest positions, at each vertex.
+/// That is the mean of the triangles around, weighted by their area at rest. Triangles without area at rest
+/// don't count.
 std::vector<double> surface_strains(const DrawMesh& mesh);
 
 /// The colours of one mesh, kept as long as neither it nor the value changed.
 class PaintedMesh {
  public:
   explicit PaintedMesh(std::uint64_t id) { mesh_->id = id; }
-  /// `mesh` in colours instead of rest positions, for DrawItem::painted. `value`: of the whole mesh;
-  /// without one, its strains.
+  /// Returns `mesh` in colours instead of rest positions, for DrawItem::painted. `value` is that of the whole
+  /// mesh; without one, its strains are shown.
   std::shared_ptr<const DrawMesh> of(const DrawMesh& mesh, const ValueScale& scale,
                                      std::optional<double> value);
 
@@ -57,7 +58,7 @@ class PaintedMesh {
   std::array<std::uint64_t, 2> revisions_{};
 };
 
-/// A bar of the scale's colours with its numbers, at the lower right of the picture.
+/// Adds a bar of the scale's colours with its numbers, at the lower right of the picture.
 void add_legend(DrawList& list, const ValueScale& scale);
 
 }  // namespace prosector

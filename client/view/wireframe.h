@@ -11,13 +11,13 @@ namespace prosector {
 
 using Edges = std::vector<std::array<std::uint32_t, 2>>;
 
-/// Every edge once, but those between faces of one plane.
+/// Returns every edge once, but those between faces of one plane.
 Edges visible_edges(const TriangleMesh& mesh);
 
-/// Every edge once; triangles whose corners are equal have none.
+/// Returns every edge once; triangles whose corners are equal have none.
 Edges all_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-/// `place(vertex)`: m, room frame.
+/// Adds the edges as lines; `place(vertex)` returns m, room frame.
 template <class Place>
 void add_wireframe(DrawList& list, const Edges& edges, const Place& place) {
   for (const auto& [a, b] : edges)
