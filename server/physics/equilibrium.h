@@ -1,5 +1,5 @@
 #pragma once
-// The shape in which each soft body rests under gravity, on the things around it: found once per
+// The shape in which each soft body rests under gravity, on the things around it. It is found once per
 // compiled scene by dynamic relaxation (implicit steps much longer than a tick, velocities dropped after
 // each).
 

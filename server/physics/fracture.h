@@ -18,8 +18,9 @@ void add_pieces(Model& model, std::size_t body,
 struct PlaneLoad {
   Vec3 above = Vec3::Zero(), below = Vec3::Zero();  // N, from outside, on either side
 };
-/// The force that the part below exerts on the part above, N, by D'Alembert's principle on both: with forces
-/// that don't quite explain the motion, what is left is shared. Accelerations of the sides' centres, m/s².
+/// Returns the force (N) that the part below exerts on the part above, by D'Alembert's principle on both.
+/// With forces that don't quite explain the motion, what is left is shared. Accelerations are those of the
+/// sides' centres, m/s².
 Vec3 force_through(const RigidModel::Fracture& plane, double mass, const Vec3& above_acceleration,
                    const Vec3& below_acceleration, const PlaneLoad& load);
 

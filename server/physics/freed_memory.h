@@ -3,9 +3,9 @@
 
 namespace prosector {
 
-/// From here on it stays with the process, up to 512 MB, instead of going back to the system: a cut frees and
-/// takes megabytes, and pages that come from the system cost more than what is written to them. For
-/// programs that simulate, at their start; without effect where the C library can't.
+/// Keeps freed memory with the process from here on, up to 512 MB, instead of giving it back to the system. A
+/// cut frees and takes megabytes, and pages that come from the system cost more than what is written to them.
+/// For programs that simulate, at their start; without effect where the C library can't.
 void keep_freed_memory();
 
 }  // namespace prosector

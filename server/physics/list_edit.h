@@ -17,14 +17,14 @@ struct ListEdit {
   std::vector<std::uint32_t> now;   // by index before: the index now, or none
 
   ListEdit() = default;
-  /// Of a list that had `before` entries. `come_before`: for each that comes, how many of those that were
-  /// there precede it; ascending.
+  /// Describes the edit of a list that had `before` entries. `come_before`: for each that comes, how many of
+  /// those that were there precede it; ascending.
   ListEdit(std::size_t before, std::vector<std::uint32_t> gone_indices,
            std::span<const std::uint32_t> come_before);
 
   std::size_t size_before() const { return now.size(); }
   std::size_t size() const { return now.size() - gone.size() + come.size(); }
-  /// Nothing that was there has another index now.
+  /// Tells whether everything that was there keeps its index.
   bool keeps_indices() const { return gone.empty() && (come.empty() || come.front() == now.size()); }
 };
 

@@ -13,13 +13,13 @@
 
 namespace prosector {
 
-/// How many chunks `parallel_chunks` cuts n items into.
+/// Returns how many chunks `parallel_chunks` cuts n items into.
 constexpr std::size_t chunk_count(std::size_t n, std::size_t chunk) {
   return (n + chunk - 1) / chunk;
 }
 
 /// Calls f(begin, end, chunk_index) for fixed ranges of `chunk` items of [0, n). The ranges depend on n and
-/// `chunk` alone, so whoever writes only to its own items, or sums within a chunk and then over the chunks in
+/// `chunk` alone. So whoever writes only to its own items, or sums within a chunk and then over the chunks in
 /// order, gets equal bits for any number of threads. Runs in the caller's tbb::task_arena and within tbb's
 /// global limits.
 template <class F>

@@ -42,8 +42,9 @@ struct HandEvent {
   BodyId body = 0;  // for reset_body
 };
 
-/// From this tick on the soft body is solved less exactly by that many steps (0: as described); see
-/// soft/base/effort.h. Whoever shares an island with it decides with it: the one that stepped down least.
+/// A change of how exactly a soft body is solved: from this tick on less by that many steps (0: as
+/// described); see soft/base/effort.h. Whoever shares an island with it decides with it: the one that stepped
+/// down least.
 struct EffortChange {
   BodyId body = 0;
   int steps_down = 0;
@@ -78,8 +79,8 @@ struct HandState {
   ContactSample contact;
 };
 
-/// What two bodies did to each other in the last tick, over all points where they touched: of soft bodies
-/// with any, and of rigid ones that were solved with soft ones. Hands have their own (HandState).
+/// What two bodies did to each other in the last tick, over all points where they touched. It is told of soft
+/// bodies with any, and of rigid ones that were solved with soft ones. Hands have their own (HandState).
 struct Exchange {
   BodyId a = 0, b = 0;
   std::uint32_t points = 0;     // that pressed
@@ -141,12 +142,12 @@ class Simulation {
   double max_displacement(
       BodyId soft_body) const;  // m: largest distance of a surface vertex from its equilibrium
 
-  /// Over every bit that changes the next tick.
+  /// Hashes every bit that changes the next tick.
   std::uint64_t state_hash() const;
-  /// The state as it is, to go back to with a CutEvent.
+  /// Returns the state as it is, to go back to with a CutEvent.
   std::vector<std::uint8_t> save() const;
-  /// At a checkpoint both the run that goes on and the one that restores rebuild their caches canonically, so
-  /// they stay equal.
+  /// Returns a checkpoint. There both the run that goes on and the one that restores rebuild their caches
+  /// canonically, so they stay equal.
   std::vector<std::uint8_t> checkpoint();
   /// Throws InputError when the bytes are no checkpoint of this compiled scene.
   void restore(std::span<const std::uint8_t> bytes);

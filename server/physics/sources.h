@@ -5,10 +5,10 @@
 
 namespace prosector {
 
-/// A rigid body's surface in its own frame. Throws InputError.
+/// Makes a rigid body's surface in its own frame. Throws InputError.
 TriangleMesh rigid_surface(const RigidDesc& desc, const SceneDesc& scene, const CompileOptions& options);
 
-/// A soft body's mesh in the room frame. Throws InputError.
+/// Makes a soft body's mesh in the room frame. Throws InputError.
 Anatomy soft_anatomy(const SoftDesc& desc, const SceneDesc& scene, const CompileOptions& options);
 
 }  // namespace prosector

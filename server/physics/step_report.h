@@ -51,7 +51,7 @@ struct StepReport {
   std::uint32_t awake_bodies = 0, asleep_bodies = 0;
   double kinetic_energy = 0, elastic_energy = 0, potential_energy = 0;  // J
   std::vector<std::string> part_answers;  // to TickInput::parts, in order: empty when obeyed, else why not
-  std::vector<std::string> cut_answers;   // likewise, to TickInput::cuts
+  std::vector<std::string> cut_answers;   // to TickInput::cuts, in order: empty when obeyed, else why not
   std::vector<TopologyChange> topology;   // in order; new pieces have the next body ids
   std::vector<LetGo> let_go;
   std::vector<Broken> broken;

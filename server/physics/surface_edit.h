@@ -14,11 +14,11 @@ namespace prosector {
 /// A triangle that got other corners goes, and comes at its place.
 struct SurfaceEdit {
   ListEdit vertices, triangles;
-  // Of the vertices that come: at rest, m; what they hang on; the numbers that they keep for ever.
+  // Vertices that come: at rest, m; what they hang on; the numbers that they keep for ever.
   std::vector<Vec3> positions;
   std::vector<SparseMap::Row> rows;
   std::vector<std::uint32_t> vertex_numbers;
-  // Of the triangles that come: vertices, by their indices now.
+  // Triangles that come: vertices, by their indices now; whether they are inner; their numbers.
   std::vector<std::array<std::uint32_t, 3>> corners;
   std::vector<std::uint8_t> inner;
   std::vector<std::uint32_t> triangle_numbers;

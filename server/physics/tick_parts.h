@@ -17,8 +17,9 @@ namespace prosector {
 
 class TickParts {
  public:
-  /// Decides how many: as many as keep what is kinematic from going farther in one than tissue in its way can
-  /// follow; 1 where nothing goes as far as a surface cell. Refreshes `colliders` where it has to look.
+  /// Decides how many parts the tick has. They keep what is kinematic from going farther in one than tissue
+  /// in its way can follow; 1 where nothing goes as far as a surface cell. Refreshes `colliders` where it has
+  /// to look.
   TickParts(State& state, Colliders& colliders);
 
   int count() const { return count_; }

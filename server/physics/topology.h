@@ -11,8 +11,8 @@
 
 namespace prosector {
 
-/// Of a soft body's anatomy, by index: the number that each keeps for ever. Ascending. Empty lists: it was
-/// never cut, and each is its own index.
+/// The number that each node, vertex and triangle of a soft body's anatomy keeps for ever, by index.
+/// Ascending. Empty lists: it was never cut, and each is its own index.
 struct Numbering {
   std::vector<std::uint32_t> nodes, vertices, triangles;
 };
@@ -37,8 +37,8 @@ struct CutEvent {
   } kind = Kind::undo;
   ParticipantId participant = 0;
   BodyId body = 0;             // of rewind
-  std::uint32_t revision = 0;  // likewise
-  /// Likewise: what Simulation::save() gave then, in this run or the one that it goes on from.
+  std::uint32_t revision = 0;  // of rewind
+  /// What Simulation::save() gave then, in this run or the one that it goes on from; of rewind.
   std::shared_ptr<const std::vector<std::uint8_t>> state{};
 };
 inline constexpr CutEvent::Kind last_cut_event = CutEvent::Kind::rewind;

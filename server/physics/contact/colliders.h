@@ -11,7 +11,7 @@
 
 namespace prosector {
 
-/// By slot, then the sides of the room. What is absent has no parts.
+/// All colliders by slot, then the sides of the room. What is absent has no parts.
 using Colliders = std::vector<Collider>;
 
 /// Makes the list anew: where everything is now, and which instruments are held by their blades.

@@ -12,37 +12,38 @@
 
 namespace prosector {
 
-/// Of sheets the triangles of the cells, each once; of ropes the pieces, as triangles whose last two corners
-/// are one. Their corners are nodes. The tree over them is built at rest and refitted.
+/// The elements of a thin body as others meet them: a sheet's cells as triangles, each once; a rope's pieces,
+/// as triangles whose last two corners are one. Their corners are nodes. The tree over them is built at rest
+/// and refitted.
 class ElementSurface {
  public:
   explicit ElementSurface(const Anatomy& anatomy);
-  /// To the nodes' positions x (3n, m).
+  /// Moves the surface to the nodes' positions x (3n, m).
   void move(const VecX& x);
 
   const SurfaceTree& tree() const { return tree_; }
   const SurfaceTree::Corners& corners(std::uint32_t element) const { return elements_[element]; }
   Triangle now(std::uint32_t element) const { return triangle(element, positions_); }
   Triangle at_rest(std::uint32_t element) const { return triangle(element, rest_); }
-  /// Elements that share a corner with this one, and itself; ascending.
+  /// Returns the elements that share a corner with this one, and itself; ascending.
   std::span<const std::uint32_t> around(std::uint32_t element) const {
     return {around_.data() + around_begin_[element], around_.data() + around_begin_[element + 1]};
   }
-  /// Whether one comes from the one to the other by elements that at rest are nearer than `reach` (m) to it.
+  /// Tells whether elements lead from the one to the other that at rest are nearer than `reach` (m) to it.
   /// Found when first asked for, all of one at once: not by several threads at the same time.
   bool hang_together(std::uint32_t element, std::uint32_t other, double reach) const;
-  /// Which corner, edge or face of the surface the point with these weights lies on: the same for all
+  /// Returns which corner, edge or face of the surface the point with these weights lies on: the same for all
   /// elements that share it. Below features().
   std::uint32_t feature(std::uint32_t element, const Vec3& weights) const;
-  /// Whether the surface leads no nearer to what lies in direction `n` (unit) of that point: a corner, an
-  /// edge, of which n is in the normal cone, but for `slack` rad; a face always.
+  /// Tells whether the surface leads no nearer to what lies in direction `n` (unit) of that point. At a
+  /// corner or an edge it does so where n is in its normal cone, but for `slack` rad; on a face always.
   bool crest_at(std::uint32_t element, const Vec3& weights, const Vec3& n, double slack) const;
-  /// Whether a face with that point is square to n, but for `slack` rad.
+  /// Tells whether a face with that point is square to n, but for `slack` rad.
   bool level_at(std::uint32_t element, const Vec3& weights, const Vec3& n, double slack) const;
   std::size_t features() const { return rest_.size() + edges_.size() + elements_.size(); }
-  /// Mean normal, unit and along n, of the faces with that point; 0 of a rope.
+  /// Returns the mean normal, unit and along n, of the faces with that point; 0 for a rope.
   Vec3 normal_at(std::uint32_t element, const Vec3& weights, const Vec3& n) const;
-  /// Whether it is a rope's piece.
+  /// Tells whether the element is a rope's piece.
   bool thread(std::uint32_t element) const { return elements_[element][1] == elements_[element][2]; }
   /// Adds the point with these weights of the element's corners.
   void add(std::uint32_t element, const Vec3& weights, ContactSide& side) const;
@@ -73,7 +74,8 @@ class ElementSurface {
   std::vector<std::array<std::uint32_t, 2>> edges_;  // ascending
   std::vector<Vec3> rest_, positions_;               // by node
   std::vector<std::uint32_t> around_begin_, around_;
-  /// By element, of the last reach asked for; with itself, ascending; empty: not asked for.
+  /// The elements that hang_together() leads to, by element, for the last reach asked for; with itself,
+  /// ascending; empty: not asked for.
   mutable std::vector<std::vector<std::uint32_t>> together_;
   mutable double reach_ = 0;
   SurfaceTree tree_;

@@ -10,8 +10,8 @@ constexpr double inside = 1e-9;               // m
 constexpr double outside = 1e-7;              // m
 constexpr int most_steps = 24;
 
-/// From a point inside the thing along a direction to its surface, at most so far: marches by the distance,
-/// which is never more than the way (Hart 1996, sphere tracing).
+/// Returns the surface that lies from a point inside the thing along a direction, at most so far. Marches by
+/// the distance, which is never more than the way (Hart 1996, sphere tracing).
 std::optional<Distance> way_out(const Collider& collider, const Vec3& from, const Vec3& direction,
                                 double most) {
   double way = 0;

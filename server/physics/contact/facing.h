@@ -1,10 +1,10 @@
 #pragma once
 // Which side of a thing a surface vertex of tissue is on.
 //
-// The nearest way out of a thing is the wrong one where tissue is pressed in by more than half the thing's
-// thickness (it would go on through), and where an edge has run over a vertex by a hair (its side would stop
-// there, though what is under it gives way). A vertex that was pressed in goes back where it came in; one
-// that is met for the first time goes back into its own tissue, against its surface's normal.
+// The nearest way out of a thing is the wrong one in two cases. Tissue that is pressed in by more than half
+// the thing's thickness would go on through. And where an edge has run over a vertex by a hair, its side
+// would stop there, though what is under it gives way. A vertex that was pressed in goes back where it came
+// in. One that is met for the first time goes back into its own tissue, against its surface's normal.
 
 #include "server/physics/contact/surface_detector.h"
 
@@ -20,7 +20,7 @@ struct Approach {
   double lip = 0;                // m: an edge runs over less than this
 };
 
-/// The contact's gap and normal; none: it is left out, the thing's edge passes it along.
+/// Returns the contact's gap and normal; none: it is left out, the thing's edge passes it along.
 std::optional<Distance> side_of(const Collider& collider, const Approach& vertex);
 
 }  // namespace prosector

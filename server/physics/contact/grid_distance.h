@@ -9,9 +9,10 @@
 
 namespace prosector {
 
-/// Distances are exact to the triangles within a band of some cells around the surface and a lower bound
-/// beyond it. The sign is a majority of ray parities along the three axes, so small holes do no harm.
-/// Between samples: trilinear, with the gradient of the interpolant as the normal.
+/// The signed distance to triangles, sampled on a grid. Distances are exact to the triangles within a band of
+/// some cells around the surface and a lower bound beyond it. The sign is a majority of ray parities along
+/// the three axes, so small holes do no harm. Between samples: trilinear, with the gradient of the
+/// interpolant as the normal.
 class GridDistance final : public SignedDistance {
  public:
   explicit GridDistance(const TriangleMesh& mesh);

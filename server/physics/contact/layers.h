@@ -21,7 +21,7 @@ struct LayerMeeting {
   double gap = 0;                                           // m, less the thickness
 };
 
-/// The same, from b's side.
+/// Tells the meeting from b's side.
 inline void swap_sides(LayerMeeting& m) {
   std::swap(m.a, m.b);
   std::swap(m.weights_a, m.weights_b);
@@ -38,21 +38,21 @@ struct LayerSide {
 struct LayerSearch {
   double thickness = 0;  // m, at which they touch: half of either's
   double margin = 0;     // m: gaps up to it count
-  /// m: what is nearer than that at rest, and hangs together by what is as near, are neighbours, no layers.
-  /// 0: of two sheets.
+  /// Distance (m) below which elements at rest, that hang together by what is as near, are neighbours, no
+  /// layers. 0: for two sheets.
   double apart_at_rest = 0;
-  /// m: points so near at rest that a cut parted lie beside each other, and don't meet. From there on they
-  /// touch the farther apart the farther they were at rest, up to the thickness: so no cut makes an overlap.
+  /// Distance (m) at rest of points that a cut parted and that lie beside each other, and don't meet. From
+  /// there on they touch the farther apart the farther they were at rest, up to the thickness: so no cut
+  /// makes an overlap.
   double seam = 0;
 };
 
-/// Speculative contacts: what is near gets one on the side where it is, before it can pass (cf. Bridson,
-/// Fedkiw and Anderson 2002, "Robust treatment of collisions, contact and friction for cloth animation").
-/// What passed nevertheless is recognised by crossing elements, or by being on the other side than `sides`
-/// say while nearer than the thickness, and is sent back.
-/// Replaces `sides` (ascending by element) by those of this tick and appends the meetings, each pair of
-/// features once, in a fixed order. Returns how many pairs of elements have passed. For a surface against
-/// itself, give it twice.
+/// Finds speculative contacts: what is near gets one on the side where it is, before it can pass (cf.
+/// Bridson, Fedkiw and Anderson 2002, "Robust treatment of collisions, contact and friction for cloth
+/// animation"). What passed nevertheless is recognised by crossing elements, or by being on the other side
+/// than `sides` say while nearer than the thickness, and is sent back. Replaces `sides` (ascending by
+/// element) by those of this tick and appends the meetings, each pair of features once, in a fixed order.
+/// Returns how many pairs of elements have passed. For a surface against itself, give it twice.
 int find_layers(const ElementSurface& a, const ElementSurface& b, const LayerSearch& search,
                 std::vector<LayerSide>& sides, std::vector<LayerMeeting>& out);
 

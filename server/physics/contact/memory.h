@@ -1,13 +1,13 @@
 #pragma once
 // What contacts of tissue remember from one tick to the next.
 //
-// Smoothed friction alone resists motion only: under a steady load a body at rest creeps, however slowly.
-// So each contact's slip is counted from where it last let go, as a spring's (Cundall and Strack 1979): it
+// Smoothed friction alone resists motion only: under a steady load a body at rest creeps, however slowly. So
+// each contact's slip is counted from where it last let go, as a spring's (Cundall and Strack 1979). It
 // carries load at rest, and gives way by one slip threshold before it slides. What is pressed deep into a
 // thing must come out where it went in: facing.h.
 //
 // And contacts on faces come and go, or gain strength, while they are deep: a spring that stiffens while it
-// is pressed gives back more than it got. So such a contact goes on with the force that there was: its gap
+// is pressed gives back more than it got. So such a contact goes on with the force that there was. Its gap
 // counts from a rest gap below 0, which rises to 0 slowly, or as fast as the contact lets go.
 
 #include <span>
@@ -32,18 +32,18 @@ struct ContactMemory {
 /// What the contacts of one soft body remember, in the order of (soft, body, feature, met).
 using ContactMemories = std::vector<ContactMemory>;
 
-/// Null: they did not press each other.
+/// Finds what a contact remembers; null: they did not press each other.
 const ContactMemory* find(const ContactMemories& memories, const ContactSide& other, std::uint32_t feature,
                           std::uint32_t met = 0);
 
-/// Of layers: what this corner or edge held on that side, if on other parts of the other.
+/// Finds, for layers, what this corner or edge held on that side, if on other parts of the other.
 const ContactMemory* find_layer(const ContactMemories& memories, const Contact& contact);
 
 /// Lets a contact of a point on the body's surface hold on where it did.
 void recall(const ContactMemory* memory, Contact& contact);
 
-/// Gives contacts on faces (those of features from `first_face` on), which must be all of the body's with
-/// that other side, the rest gaps that keep the forces from leaping; h: s, the tick.
+/// Gives contacts on faces (those of features from `first_face` on) the rest gaps that keep the forces from
+/// leaping. They must be all of the body's with that other side. h: s, the tick.
 void rest(const ContactMemories& memories, std::uint32_t first_face, double h, std::span<Contact> contacts);
 
 /// Takes what soft body `body` remembers of the tick.

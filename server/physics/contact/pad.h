@@ -14,13 +14,13 @@ namespace prosector {
 
 inline constexpr std::size_t patch_points = 3;
 
-/// m: of the patch of a pad with that radius (m) under that force (N): a³ = 3NR/4E, and no more than R.
-/// Hertz' law, which is that of soft fingers (Xydas and Kao 1999: a ~ N^γ, γ ≤ 1/3) whose pads are linearly
-/// elastic.
+/// Returns the radius (m) of the patch of a pad with that radius (m) under that force (N): a³ = 3NR/4E, and
+/// no more than R. Hertz' law, which is that of soft fingers (Xydas and Kao 1999: a ~ N^γ, γ ≤ 1/3) whose
+/// pads are linearly elastic.
 double contact_radius(double pad_radius, double force);
 
-/// Where, from the patch's middle, its friction acts: 2a/3 away, so that together they bear up to μN·2a/3
-/// about the normal, as an evenly loaded patch of radius a does. `along`: unit; turns with the pad.
+/// Returns where, from the patch's middle, its friction acts: 2a/3 away. So together the points bear up to
+/// μN·2a/3 about the normal, as an evenly loaded patch of radius a does. `along`: unit; turns with the pad.
 std::array<Vec3, patch_points> friction_points(const Vec3& normal, const Vec3& along, double radius);
 
 /// What a pad's contact remembers from one tick to the next. Frame: the hand's centre of mass.
@@ -33,7 +33,7 @@ struct PadMemory {
   std::array<Vec3, patch_points> grip = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 };
 
-/// The one of that pad on that body that is nearest, null: there is none near.
+/// Finds the memory of that pad on that body that is nearest, null: there is none near.
 const PadMemory* find(const std::vector<PadMemory>& memories, std::uint32_t part, std::size_t body,
                       const Vec3& place);
 

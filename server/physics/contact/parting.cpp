@@ -8,9 +8,10 @@ namespace {
 constexpr double deep = 0.5;              // cells: contacts press nothing deeper, for long
 constexpr double apart = 0.1;             // cells: where leading ends
 constexpr double through_seconds = 0.25;  // come through for so long: the bodies are led as wholes
-constexpr double deep_seconds = 0.5;      // deep for so long, though nobody presses them: likewise
-constexpr double steady = 0.7;            // cosine of the angle that the way may turn by in a tick
-constexpr double least_share = 0.2;       // of the area inside: the normals' sum, where it tells a direction
+constexpr double deep_seconds =
+    0.5;                        // deep for so long, though nobody presses them: the bodies are led as wholes
+constexpr double steady = 0.7;  // cosine of the angle that the way may turn by in a tick
+constexpr double least_share = 0.2;  // of the area inside: the normals' sum, where it tells a direction
 
 bool is_inside(const SoftSkin& to, const Vec3& x) {
   const auto near = to.faces->nearest(x);

@@ -9,9 +9,10 @@
 
 namespace prosector {
 
-/// Puts what leads the two bodies apart in a tick of h s in place of contacts (from `first` on in `out`) that
-/// can't tell the way out. `before`: what was known of them; null: nothing. `pressed`: a hand holds or
-/// presses one of them. Returns how they are led; none: contacts press them apart by themselves.
+/// Leads the two bodies apart in a tick of h s, where that is needed, by contacts. They replace those from
+/// `first` on in `out` that can't tell the way out. `before`: what was known of the bodies; null: nothing.
+/// `pressed`: a hand holds or presses one of them. Returns how they are led; none: contacts press them apart
+/// by themselves.
 std::optional<Entanglement> add_parting_contacts(Tissue& a, Tissue& b, const Entanglement* before,
                                                  bool pressed, double h, std::size_t first,
                                                  std::vector<Contact>& out);

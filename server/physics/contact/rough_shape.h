@@ -10,19 +10,20 @@
 
 namespace prosector {
 
-/// Fitted anew to the moved surface in each tick:
+/// The simple shape that a body collides as, fitted anew to the moved surface in each tick:
 ///   aabb    a box that lies along the room's axes at rest
 ///   obb     one along the principal axes then
 ///   sphere  about the middle of the aabb, out to the farthest vertex
 ///   hull    of the vertices
+///
 /// Boxes turn as the body does on the whole, so that turning makes nothing grow into what it touches. All
 /// have half the thickness of a sheet or rope around it. What touches it moves the body as a whole, squeezes
 /// and shears it evenly (hanger.h): it makes no dents.
 class RoughShape {
  public:
-  /// Any fidelity but none and mesh; hull: of a surface with triangles.
+  /// Makes the shape at rest. It takes any fidelity but none and mesh; hull: of a surface with triangles.
   RoughShape(const Anatomy& anatomy, Fidelity fidelity);
-  /// To the nodes' positions x (3n, m) and those of the surface.
+  /// Fits the shape to the nodes' positions x (3n, m) and those of the surface.
   void fit(const VecX& x, std::span<const Vec3> surface);
 
   const CollisionPiece& piece() const { return piece_; }

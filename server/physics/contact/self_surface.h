@@ -8,17 +8,17 @@
 
 namespace prosector {
 
-/// Which parts of a surface may meet, the shape at rest says: those far from each other, but for the two
-/// sides of a wall, and those that look at each other across a gap. Pairs that are near are listed with room
-/// to spare and looked at until the surface may have moved by that much (Verlet 1967, "Computer 'experiments'
-/// on classical fluids"), so a search where nothing is near costs next to nothing, and what it finds doesn't
-/// depend on when the list was made, or on how much of it at a time.
+/// A solid's surface as it meets itself. The shape at rest says which parts of it may meet. Those far from
+/// each other may, but for the two sides of a wall; so may those that look at each other across a gap. Pairs
+/// that are near are listed with room to spare. They are looked at until the surface may have moved by that
+/// much (Verlet 1967, "Computer 'experiments' on classical fluids"). So a search where nothing is near costs
+/// next to nothing. What it finds doesn't depend on when the list was made, or on how much of it at a time.
 class SelfSurface {
  public:
-  /// A solid's, whose surface is closed; it outlives this. `cell`: m, a mean_edge().
+  /// Takes a solid, whose surface is closed; it outlives this. `cell`: m, a mean_edge().
   SelfSurface(const Anatomy& anatomy, double cell);
-  /// After both took the change in: to what finds what a new one would. What the change didn't touch is moved
-  /// or renumbered at most, and stays in the list.
+  /// Follows a change after both took it in: finds from then on what a new one would. What the change didn't
+  /// touch is moved or renumbered at most, and stays in the list.
   void follow(const SurfaceEdit& edit, const SurfaceDetector& vertices);
 
   /// Appends, ascending by vertex, those whose gap to another part of the surface is at most `margin`, or two
@@ -40,7 +40,7 @@ class SelfSurface {
   bool may_meet(std::uint32_t vertex, std::uint32_t triangle) const;
   bool share_nodes(std::uint32_t vertex, std::uint32_t triangle) const;
   void place_new_ones(std::span<const Vec3> positions);
-  /// m: how much any two points may have neared each other since the list was made.
+  /// Returns how much (m) any two points may have neared each other since the list was made.
   double neared(std::span<const Vec3> positions) const;
   void list(const SoftSkin& own, double reach);
   void list_vertex(const SoftSkin& own, std::uint32_t vertex, double reach, Pairs& out) const;
@@ -56,11 +56,12 @@ class SelfSurface {
   Pairs near_;                   // ascending
   std::vector<Vec3> listed_at_;  // m, by vertex; empty: there is no list
   double reach_ = 0;             // m: what was nearer is in the list
-  /// Of the last change, ascending, until the next search: vertices that came; what isn't in the list yet.
+  /// Marks of the last change, ascending, until the next search: vertices that came; what isn't in the list
+  /// yet.
   std::vector<std::uint32_t> new_vertices_, changed_vertices_, changed_faces_;
 };
 
-/// m, of a surface at rest.
+/// Returns the mean edge (m) of a surface at rest.
 double mean_edge(const TriangleMesh& surface);
 
 }  // namespace prosector

@@ -15,7 +15,7 @@ bool is_sphere(const CollisionPiece& piece) {
   return std::holds_alternative<SphereShape>(piece);
 }
 
-/// Of the shape that the piece is, in the room.
+/// Returns the farthest point, in the room, of the shape that the piece is.
 Vec3 farthest(const CollisionPiece& piece, const Vec3& direction) {
   if (const auto* box = std::get_if<BoxShape>(&piece))
     return box->pose * ConvexBox(box->half).farthest(box->pose.q.conjugate() * direction);
@@ -94,7 +94,7 @@ void convex_touches(const CollisionPiece& a, const CollisionPiece& b, double mar
   }
 }
 
-/// Of a convex shape and a mesh.
+/// Appends the touches of a convex shape and a mesh.
 void mesh_touches(const CollisionPiece& a, const MeshShape& mesh, double margin,
                   std::vector<ShapeTouch>& out) {
   const std::size_t first = out.size();

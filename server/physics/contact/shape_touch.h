@@ -13,9 +13,12 @@ struct ShapeTouch {
   double gap = 0;               // m, < 0: depth
 };
 
-/// Appends those whose gap is at most `margin` (m), in a fixed order: of spheres the one; of two boxes the
-/// corners of the clipped face; of a mesh its vertices and the other's corners; of others the deepest and
-/// the farthest points of both in eight directions that lean away from its normal.
+/// Appends the touches whose gap is at most `margin` (m), in a fixed order:
+///   of spheres the one
+///   of two boxes the corners of the clipped face
+///   of a mesh its vertices and the other's corners
+///   of others the deepest, and the farthest points of both in eight directions that lean away from its
+///   normal
 void find_touches(const CollisionPiece& a, const CollisionPiece& b, double margin,
                   std::vector<ShapeTouch>& out);
 

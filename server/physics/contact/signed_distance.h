@@ -15,12 +15,13 @@ struct Distance {
 class SignedDistance {
  public:
   virtual ~SignedDistance() = default;
-  /// At a point in the part's own frame.
+  /// Returns the distance at a point in the part's own frame.
   virtual Distance at(const Vec3& x) const = 0;
 };
 
-/// Exact outside and inside for box, sphere, capsule and cylinder; for an ellipsoid exact on the surface and
-/// of first order near it; for meshes trilinear between samples (see GridDistance).
+/// Makes the distance to a part. It is exact outside and inside for box, sphere, capsule and cylinder. For an
+/// ellipsoid it is exact on the surface and of first order near it; for meshes trilinear between samples (see
+/// GridDistance).
 std::unique_ptr<SignedDistance> make_signed_distance(const ShapePart& part);
 
 }  // namespace prosector

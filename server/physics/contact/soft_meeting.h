@@ -25,13 +25,13 @@ struct VertexMeeting {
   double gap = 0;               // m, < 0 penetrates
 };
 
-/// Cells: what is farther inside is not looked for here (parting.h).
+/// Depth in cells: what is farther inside is not looked for here (parting.h).
 inline constexpr double deepest_meeting = 3;
 
-/// Appends, in a fixed order, vertices of `from` whose gap to the faces of `to` is at most `margin`: none
-/// unless `to` has an inside, which tells where they may not be. Vertices inside are found to a depth of some
-/// cells; their way out is the shortest (Bærentzen and Aanæs 2005). Faces of `from` that look another way
-/// than towards `to` don't stop it.
+/// Appends, in a fixed order, vertices of `from` whose gap to the faces of `to` is at most `margin`. There
+/// are none unless `to` has an inside, which tells where they may not be. Vertices inside are found to a
+/// depth of some cells; their way out is the shortest (Bærentzen and Aanæs 2005). Faces of `from` that look
+/// another way than towards `to` don't stop it.
 void find_meetings(const SoftSkin& from, const SoftSkin& to, double margin, std::vector<VertexMeeting>& out);
 
 }  // namespace prosector

@@ -190,8 +190,7 @@ std::optional<TriangleTouch> SurfaceDetector::touch(std::uint32_t triangle, cons
   out.point = near.weights[0] * x[0] + near.weights[1] * x[1] + near.weights[2] * x[2];
   Vec3 out_of_tissue = side.normalized();
   const Vec3 apart = near.on_segment - out.point;
-  // Of a sheet a distance that is rounding would tell its front that it is on one side, its back on the
-  // other.
+  // A distance that is rounding would tell a sheet's front that it is on one side, its back on the other.
   const bool pierced = two_sided_ ? near.distance < least_apart : near.distance == 0;
   if (two_sided_) {
     const auto before = known ? known(triangle) : std::nullopt;

@@ -48,17 +48,17 @@ struct TriangleTouch {
   double strength = 1;          // in (0, 1]: share of the full contact stiffness, continuous in the positions
 };
 
-/// Which way is out of the rigid part, as far as is known, for a triangle of a sheet: a sheet has no inside
-/// that could tell on which side of it a thing is.
+/// Returns which way is out of the rigid part, as far as is known, for a triangle of a sheet. A sheet has no
+/// inside that could tell on which side of it a thing is.
 using KnownSide = std::function<std::optional<Vec3>(std::uint32_t triangle)>;
 
 /// One soft surface, in the order that keeps neighbours together, with boxes around runs of vertices.
 class SurfaceDetector {
  public:
-  /// Both outlive this. `two_sided`: the surface is a sheet's, not a solid's.
+  /// Keeps references: both outlive this. `two_sided`: the surface is a sheet's, not a solid's.
   SurfaceDetector(const SparseMap& embedding, const TriangleMesh& rest, bool two_sided = false);
-  /// After both, which stay where they are, took the change in: to what a new one would be before its first
-  /// update. What the change didn't touch is moved or renumbered at most.
+  /// Follows a change after both, which stay where they are, took it in: becomes what a new one would be
+  /// before its first update. What the change didn't touch is moved or renumbered at most.
   void follow(const SurfaceEdit& edit);
 
   /// Takes the surface to node positions `x` (3n) and refits the boxes.
@@ -66,10 +66,10 @@ class SurfaceDetector {
   const Vec3& lo() const { return lo_; }
   const Vec3& hi() const { return hi_; }
   std::span<const Vec3> positions() const { return positions_; }
-  /// Out of the tissue at the vertex, unit: its triangles' normals, weighed by their areas; zero: they
-  /// cancel.
+  /// Returns the direction out of the tissue at the vertex, unit: its triangles' normals, weighed by their
+  /// areas; zero: they cancel.
   Vec3 outward_at(std::uint32_t vertex) const;
-  /// Length of the most stretched edge of the faces around the vertex, over its length at rest.
+  /// Returns the length of the most stretched edge of the faces around the vertex, over its length at rest.
   double stretch_at(std::uint32_t vertex) const;
 
   /// Calls back, in a fixed order, for every vertex inside the box.
@@ -79,26 +79,26 @@ class SurfaceDetector {
   /// the closest part.
   template <class F>
   void near(const Collider& collider, double margin, const F& f) const;
-  /// Calls back, in a fixed order, for what vertices alone would let slip between them: points inside faces
-  /// and edges that come at most `margin` near a sphere, capsule or cylinder of the collider, and clearly
-  /// deeper than the face's corners do. Per triangle the deepest part. Of a two-sided surface on the side
-  /// that is known, else on the nearer one.
+  /// Calls back, in a fixed order, for what vertices alone would let slip between them. These are points
+  /// inside faces and edges that come at most `margin` near a sphere, capsule or cylinder of the collider,
+  /// and clearly deeper than the face's corners do. Per triangle it is the deepest part. On a two-sided
+  /// surface it is on the side that is known, else on the nearer one.
   template <class F>
   void near_thin(const Collider& collider, double margin, const KnownSide& known, const F& f) const;
-  /// Where a corner of a box of the collider is nearest to a face or an edge, at most `margin` off or `depth`
-  /// inside, and clearly deeper than the face's corners are in the collider: what vertices alone would let
-  /// sink between them. Of the corner `at` in the room.
+  /// Returns where a corner of a box of the collider, `at` in the room, is nearest to a face or an edge. It
+  /// is at most `margin` off or `depth` inside, and clearly deeper than the face's corners are in the
+  /// collider: what vertices alone would let sink between them.
   std::optional<TriangleTouch> near_corner(const Collider& collider, const Vec3& at, double margin,
                                            double depth) const;
-  /// The triangle across each of its edges, or itself.
+  /// Returns the triangle across each of its edges, or itself.
   const std::array<std::uint32_t, 3>& neighbours(std::uint32_t triangle) const {
     return neighbours_[triangle];
   }
-  /// The triangles around a vertex, ascending.
+  /// Returns the triangles around a vertex, ascending.
   std::span<const std::uint32_t> around(std::uint32_t vertex) const { return stars_[vertex]; }
-  /// Triangles in the order in which they are looked at.
+  /// Returns triangles in the order in which they are looked at.
   std::span<const std::uint32_t> triangle_order() const { return triangle_order_.order(); }
-  /// Whether anything is that near.
+  /// Tells whether anything is that near.
   bool touches(const Collider& collider, double margin) const;
 
  private:
@@ -119,7 +119,7 @@ class SurfaceDetector {
   std::array<Vec3, 3> corners(std::uint32_t triangle) const;
   Vec3 outward(std::uint32_t triangle) const;
   double stretch(std::uint32_t triangle) const;
-  /// What of the triangle touches the rod, if that is for this triangle to say.
+  /// Returns what of the triangle touches the rod, if that is for this triangle to say.
   std::optional<TriangleTouch> touch(std::uint32_t triangle, const Rod& rod, double margin,
                                      const KnownSide& known) const;
 
@@ -137,8 +137,8 @@ class SurfaceDetector {
   Vec3 lo_ = Vec3::Zero(), hi_ = Vec3::Zero();
 };
 
-/// Nearest part of the collider at a point of the room; the normal is in the room frame. Parts farther than
-/// `margin` may be skipped: the value is then larger than it.
+/// Returns the nearest part of the collider at a point of the room; the normal is in the room frame. Parts
+/// farther than `margin` may be skipped: the value is then larger than it.
 Distance distance_to(const Collider& collider, const Vec3& x, double margin);
 
 /// A corner of one of the collider's boxes.
@@ -149,7 +149,7 @@ struct BoxCorner {
 };
 constexpr std::uint32_t corners_per_part = 8;
 
-/// Calls back for each whose place, grown by `margin`, meets the box from lo to hi.
+/// Calls back for each corner whose place, grown by `margin`, meets the box from lo to hi.
 template <class F>
 void box_corners(const Collider& collider, double margin, const Vec3& lo, const Vec3& hi, const F& f) {
   for (std::uint32_t i = 0; i < collider.parts->size(); ++i) {
@@ -165,7 +165,7 @@ void box_corners(const Collider& collider, double margin, const Vec3& lo, const 
   }
 }
 
-/// The collider's thin parts whose boxes, grown by `margin`, meet the given one.
+/// Returns the collider's thin parts whose boxes, grown by `margin`, meet the given one.
 std::vector<Rod> rods_of(const Collider& collider, double margin, const Vec3& lo, const Vec3& hi);
 
 inline bool boxes_overlap(const Vec3& lo, const Vec3& hi, const Vec3& other_lo, const Vec3& other_hi) {

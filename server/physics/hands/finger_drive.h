@@ -1,7 +1,7 @@
 #pragma once
 // How far a finger bends within a tick: towards where it is tracked, with a force that is bounded, against
-// what it meets. A spring with a bound drives it; what it meets resists by the contacts' own stiffness, so
-// the force of a finger at rest on something is known from how deep it is in it: no state but the flexion.
+// what it meets. A spring with a bound drives it. What it meets resists by the contacts' own stiffness, so
+// the force of a finger at rest on something is known from how deep it is. There is no state but the flexion.
 
 #include <span>
 
@@ -20,8 +20,8 @@ struct FingerDrive {
   double lag = 0.5;      // of flexion: how far behind the tracked finger the whole force is there
 };
 
-/// The change of flexion, at most `most` either way, that balances drive and resistance: less force than the
-/// drive's bound, unless the obstacles came towards the finger faster than that.
+/// Returns the change of flexion, at most `most` either way, that balances drive and resistance. The force is
+/// below the drive's bound, unless the obstacles came towards the finger faster than that.
 double finger_step(double tracked, double flexion, double most, std::span<const Obstacle> obstacles,
                    const FingerDrive& drive);
 

@@ -23,12 +23,13 @@ inline constexpr double touching_gap = 0.003;  // m: nearer than that is touched
 /// Five fingers from the thumb, then the palm.
 inline constexpr std::size_t digits = 6;
 std::size_t digit_of(std::size_t part);
-/// Whether they can hold: the thumb against fingers or palm, or at least two of these around it.
+/// Tells whether the touches can hold: the thumb against fingers or palm, or at least two of these around the
+/// thing.
 bool encloses(std::span<const Touch> touches);
-/// Those that touch, if they can hold; else all, for hands whose trackers are a little off; none if these
-/// can't either.
+/// Returns those that touch, if they can hold; else all, for hands whose trackers are a little off; none if
+/// these can't either.
 std::vector<Touch> holding_touches(std::vector<Touch> touches);
-/// Of each digit the one that is nearest.
+/// Returns the nearest touch of each digit.
 std::vector<Touch> nearest_of_each_digit(std::span<const Touch> touches);
 
 }  // namespace prosector

@@ -51,8 +51,8 @@ inline constexpr double grasp_reach_rigid = 0.03;   // m
 inline constexpr double grasp_reach_soft = 0.025;   // m
 inline constexpr std::size_t max_hold_points = 24;  // on tissue
 
-/// The virtual coupling for one tick: critically damped towards the target and its speed, the effective
-/// target never farther away than max_hand_speed allows, force and moment bounded.
+/// Returns the pull of the virtual coupling for one tick: critically damped towards the target and its speed,
+/// force and moment bounded. The effective target is never farther away than max_hand_speed allows.
 Pull hand_pull(const Hand& hand, const HandModel& model, const HandDesc& desc, const Pose& centre, double h);
 
 /// Points on the hand's surface line, room frame, with the radius around each: what a grasp measures from.
@@ -64,7 +64,8 @@ struct Feeler {
 std::vector<Feeler> feelers(const Hand& hand, const HandModel& model, const Pose& centre);
 const Feeler& nearest_feeler(std::span<const Feeler> feelers, const Vec3& point);
 
-/// Three points around each place that is touched pin a rigid body's pose to the hand's.
+/// Makes a hold that pins a rigid body's pose to the hand's by three points around each place that is
+/// touched.
 Hold hold_rigid(BodyId body, double body_mass, const HandDesc& desc, const Pose& hand_centre,
                 const Pose& body_centre, std::span<const Touch> touches, double h);
 

@@ -19,10 +19,10 @@ struct Pad {
 };
 
 /// Puts contacts of the hand's segments, found in our own shapes, in place of those that Bullet found. Bullet
-/// finds which pads touch what; how near they are it tells in single precision, at one place of a line, with
-/// boxes whose edges it rounds, and now and then for a tick not at all: what fingers press would shoot out
-/// between them. So that is looked up where a segment is nearest and at its ends, also for pads that pressed
-/// in the last tick.
+/// finds which pads touch what. But it tells how near they are in single precision, at one place of a line,
+/// with boxes whose edges it rounds. Now and then for a tick it tells nothing at all: what fingers press
+/// would shoot out between them. So the gap is looked up where a segment is nearest and at its ends, also for
+/// pads that pressed in the last tick.
 void place_pads(const Bodies& bodies, std::span<const Collider> colliders, const Hand& hand,
                 std::vector<RigidContact>& touches);
 

@@ -1,8 +1,8 @@
 #pragma once
 // How fingers move a panel's controls within one tick. Buttons and knob are rigid bodies that constraints
-// leave one direction: of a button a spring returns it (btGeneric6DofSpring2Constraint), of the knob dry
-// friction holds it (btSliderConstraint with a motor of speed 0 and bounded force). Fingers are kinematic.
-// Bullet's sequential impulses (projected Gauss–Seidel on the linear complementarity problem) solve it.
+// leave one direction. A spring returns a button (btGeneric6DofSpring2Constraint); dry friction holds the
+// knob (btSliderConstraint with a motor of speed 0 and bounded force). Fingers are kinematic. Bullet's
+// sequential impulses (projected Gauss–Seidel on the linear complementarity problem) solve it.
 //
 // A pure function: the small world is made for the tick from plain numbers and dropped after it, so nothing
 // is cached that a checkpoint would have to hold.
@@ -47,7 +47,7 @@ inline constexpr double max_control_speed = 5;  // m/s
 inline constexpr double max_finger_way = 0.15;  // m in a tick
 inline constexpr double finger_depth = 0.06;    // m
 
-/// True when the segment may touch the board or what is on it.
+/// Tells whether the segment may touch the board or what is on it.
 bool near_panel(const Capsule& finger);
 
 }  // namespace prosector

@@ -12,8 +12,8 @@ struct PanelSite {
   double side;   // ±1: to which side of the part, as the reader sees it; +1 is right
 };
 
-/// Above the part and a little to the side, where reader and fingers find it, facing the reader. Finite and
-/// upright for any finite site.
+/// Returns a place above the part and a little to the side, where reader and fingers find it, facing the
+/// reader. Finite and upright for any finite site.
 Pose place_panel(const PanelSite& site);
 
 }  // namespace prosector

@@ -13,7 +13,7 @@ namespace prosector {
 /// What panels ask of the bodies that they are about.
 class PanelStation final : public PanelSubjects {
  public:
-  /// `state` outlives this.
+  /// Keeps a reference: `state` outlives this.
   explicit PanelStation(const State& state) : state_(state) {}
   bool has_panel(BodyId body) const override;
   std::pair<Vec3, Vec3> box(BodyId body) const override;

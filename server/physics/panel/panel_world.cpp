@@ -113,7 +113,7 @@ void PanelWorld::move(ParticipantId who, Open& panel, std::span<const PanelHand>
   }
 }
 
-/// Of the hands before the panel; what reaches round it from behind works nothing.
+/// Returns the fingers of hands before the panel; what reaches round it from behind works nothing.
 std::vector<FingerSweep> PanelWorld::fingers_before(const Open& panel,
                                                     std::span<const PanelHand> hands) const {
   std::vector<FingerSweep> out;

@@ -32,7 +32,7 @@ using ShownControls = std::array<double, panel_control_count>;
 class PanelSubjects {
  public:
   virtual ~PanelSubjects() = default;
-  /// Whether the body is a part that can be touched: others have no panel.
+  /// Tells whether the body is a part that can be touched: others have no panel.
   virtual bool has_panel(BodyId body) const = 0;
   virtual std::pair<Vec3, Vec3> box(BodyId body) const = 0;  // room frame, lowest and highest corner
   virtual ShownControls shown(BodyId body) const = 0;
@@ -48,17 +48,18 @@ struct PanelAction {
 
 class PanelWorld {
  public:
-  /// `h`: s, of a tick.
+  /// Takes the length h of a tick, s.
   explicit PanelWorld(double h);
 
   void take(const HeadPlace& head);
   void take(const PanelEvent& event, const PanelSubjects& subjects);
-  /// One tick: fingers move controls, touches open panels, time closes them. Returns what was asked for.
+  /// Advances by one tick: fingers move controls, touches open panels, time closes them. Returns what was
+  /// asked for.
   std::vector<PanelAction> step(std::span<const PanelHand> hands, const PanelSubjects& subjects);
-  /// After the actions were carried out: controls show how things stand.
+  /// Makes controls show how things stand, after the actions were carried out.
   void show(const PanelSubjects& subjects);
 
-  /// Open ones, by participant; `time` is the caller's to fill.
+  /// Returns the open panels, by participant; `time` is the caller's to fill.
   std::vector<Panel> panels() const;
 
   void save(ByteWriter& out) const;

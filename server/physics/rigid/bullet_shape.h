@@ -16,7 +16,8 @@ struct BulletShape {
   btCollisionShape* root = nullptr;           // null: collides with nothing
 };
 
-/// `dynamic` bodies need a moving triangle mesh, fixed ones take the cheaper static tree.
+/// Makes a body's shape. `dynamic` bodies need a moving triangle mesh, fixed ones take the cheaper static
+/// tree.
 BulletShape make_bullet_shape(const std::vector<ShapePart>& parts, bool dynamic);
 
 }  // namespace prosector

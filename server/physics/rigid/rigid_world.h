@@ -65,8 +65,8 @@ struct MixedIsland {
 
 class RigidWorld {
  public:
-  /// `room`: what collides of the room around the bodies. Side i is told of in
-  /// contacts as room_slot(i), and is asked about by it: dynamic(), mask() and driven_to() know it.
+  /// Makes an empty world. `room`: what collides of the room around the bodies. Side i is told of in contacts
+  /// as room_slot(i), and is asked about by it: dynamic(), mask() and driven_to() know it.
   explicit RigidWorld(const Vec3& gravity, std::span<const RoomSide> room = {});
   ~RigidWorld();
   RigidWorld(RigidWorld&&) noexcept;
@@ -78,7 +78,7 @@ class RigidWorld {
   std::size_t slots() const;
   bool used(std::size_t slot) const;
   bool dynamic(std::size_t slot) const;
-  /// A body that becomes fixed or absent stops.
+  /// Sets how a body takes part; one that becomes fixed or absent stops.
   void set_presence(std::size_t slot, BodyPresence presence);
   BodyPresence presence(std::size_t slot) const;
   const CollisionMask& mask(std::size_t slot) const;
@@ -92,30 +92,31 @@ class RigidWorld {
   void stay_awake(std::size_t slot);
   /// Takes a fixed body to a pose within the next step of h s, whatever is in its way.
   void drive(std::size_t slot, const Pose& to, double h);
-  /// Where drive() takes it in the step that is under way.
+  /// Returns where drive() takes the body in the step that is under way.
   const std::optional<Pose>& driven_to(std::size_t slot) const;
   void set_part_pose(std::size_t slot, std::size_t part, const Pose& pose);
-  /// Two bodies pass through each other from now on, or collide again.
+  /// Makes two bodies pass through each other from now on, or collide again.
   void set_collides(std::size_t a, std::size_t b, bool collides);
-  /// Box around the body, grown by `margin`: lowest and highest corner.
+  /// Returns the box around the body, grown by `margin`: lowest and highest corner.
   std::pair<Vec3, Vec3> bounds(std::size_t slot, double margin) const;
 
   // ---- One step, in this order
   /// Predicts, then finds pairs and contact points.
   void detect(double h);
-  /// Islands, transitive through contacts and `links`. `coupled` slots make their island a mixed one.
+  /// Finds islands, transitive through contacts and `links`. `coupled` slots make their island a mixed one.
   void find_islands(std::span<const std::pair<std::size_t, std::size_t>> links,
                     std::span<const std::size_t> coupled);
   /// Solves the rigid islands; returns the mixed ones.
   const std::vector<MixedIsland>& solve(double h);
-  /// Velocities after the tick if nothing touched the body: gravity and gyroscopic moment.
+  /// Returns the velocities after the tick if nothing touched the body: gravity and gyroscopic moment.
   std::pair<Vec3, Vec3> predicted_velocity(std::size_t slot, double h) const;
   /// Integrates poses from the velocities; driven bodies arrive and stand still again.
   void integrate(double h);
 
-  /// What contacts gave the body in the last solve(), friction too, if its island was not a mixed one.
+  /// Returns what contacts gave the body in the last solve(), friction too, if its island was not a mixed
+  /// one.
   std::vector<RigidImpulse> impulses(std::size_t slot) const;
-  /// What the next step reads: motions and the cached contact points with their warm starts.
+  /// Hashes what the next step reads: motions and the cached contact points with their warm starts.
   void hash(StateHasher& hasher) const;
 
  private:

@@ -28,10 +28,10 @@ inline constexpr double room_side_extent = 25;  // m: from its middle, along it;
 using RoomSides = std::uint32_t;
 inline constexpr RoomSides all_room_sides = ~0U;
 
-/// In a fixed order: the floor, then the walls; those that the scene has.
+/// Returns the sides that the scene has, in a fixed order: the floor, then the walls.
 std::vector<RoomSide> room_sides(const std::optional<RoomDesc>& room);
 
-/// As a box in the room: one face is the side.
+/// Returns the side as a box in the room, of which one face is the side.
 ShapePart solid_of(const RoomSide& side);
 
 constexpr std::size_t room_slot(std::size_t side) {
@@ -47,7 +47,7 @@ constexpr bool has_side(RoomSides sides, std::size_t side) {
   return ((sides >> side) & 1U) != 0;
 }
 
-/// Those behind which any of the points lies.
+/// Returns the sides behind which any of the points lies.
 RoomSides sides_before(std::span<const Vec3> points, std::span<const RoomSide> room);
 
 }  // namespace prosector

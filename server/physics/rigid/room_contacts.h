@@ -1,7 +1,7 @@
 #pragma once
 // Where rigid bodies meet the room's sides. Only for the .cpp files of this folder.
 //
-// The sides are not in Bullet's world: one more object there would change the order in which its broad phase
+// The sides are not in Bullet's world. One more object there would change the order in which its broad phase
 // finds pairs of others, and with it the hashes of scenes that touch no side.
 
 #include <map>
@@ -17,7 +17,7 @@ namespace prosector {
 
 class RoomContacts {
  public:
-  /// The dispatcher outlives this.
+  /// Keeps a reference: the dispatcher outlives this.
   RoomContacts(btCollisionDispatcher& dispatcher, std::span<const RoomSide> sides);
   ~RoomContacts();
   RoomContacts(const RoomContacts&) = delete;
