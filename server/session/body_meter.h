@@ -14,16 +14,16 @@ namespace prosector {
 
 class BodyMeter {
  public:
-  /// `expected`: by body name; bodies that are missing were not chosen by need.
+  /// Takes what is `expected`, by body name; bodies that are missing were not chosen by need.
   BodyMeter(const Simulation& simulation, const std::map<std::string, Prospect>& expected);
 
-  /// Of a soft body: one that a cut made, for instance. `expected`: null when it wasn't chosen by need.
+  /// Adds a soft body: one that a cut made, for instance. `expected`: null when it wasn't chosen by need.
   void add_body(const Simulation& simulation, BodyId body, const Prospect* expected = nullptr);
   void add(const StepReport& report);
-  /// What is due after the tick that was added: of bodies that were awake since they were last told of, and
-  /// at the first call of all.
+  /// Returns what is due after the tick that was added. That is of bodies that were awake since they were
+  /// last told of; at the first call of all.
   std::vector<BodyStatus> take(const Simulation& simulation);
-  /// The newest, told or not.
+  /// Returns the newest status of each body, told or not.
   const std::map<BodyId, BodyStatus>& newest() const { return newest_; }
 
  private:

@@ -9,7 +9,7 @@
 
 namespace prosector {
 
-/// In the order of CommandKind.
+/// The commands' names, in the order of CommandKind.
 inline constexpr std::array<std::string_view, 16> command_names = {
     "join",    "grasp",       "release",    "reset",       "leave",       "set_role", "detach", "attach",
     "inspect", "end_inspect", "open_panel", "close_panel", "set_control", "undo",     "rewind", "keyframe"};

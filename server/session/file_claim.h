@@ -7,8 +7,8 @@ namespace prosector {
 
 class FileClaim {
  public:
-  /// Throws InputError when another process has claimed the file. Where the file system knows no such claims,
-  /// none is made.
+  /// Claims the file. Throws InputError when another process has claimed it. Where the file system knows no
+  /// such claims, none is made.
   explicit FileClaim(const std::filesystem::path& file);
   ~FileClaim();
   FileClaim(const FileClaim&) = delete;

@@ -25,11 +25,11 @@ class Governor {
   static constexpr double vain_seconds = 5;       // overload so soon after a step up: it was in vain
   static constexpr double longest_patience = 60;  // s: of ticks with room before a step up, at most
 
-  /// `may`: the bodies whose scene allows stepping down, and by how much each is stepped down already.
+  /// Takes the bodies whose scene allows stepping down, and by how much each is stepped down already.
   Governor(double tick_rate, std::map<BodyId, int> may);
 
-  /// One tick took `seconds`, and each body `work` (in any unit that is common to them; asleep or missing:
-  /// none). Returns what the next tick changes.
+  /// Takes that one tick took `seconds`, and each body `work` (in any unit that is common to them; asleep or
+  /// missing: none). Returns what the next tick changes.
   std::optional<EffortChange> tick(double seconds, const std::map<BodyId, double>& work);
 
   const std::map<BodyId, int>& steps_down() const { return steps_; }

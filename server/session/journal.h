@@ -2,9 +2,9 @@
 // The journal of a session: one SQLite file from which the run can be repeated bit for bit, or gone on with.
 //
 // It keeps the scene's text, every tick's inputs as consumed and its state hash, and checkpoints, each under
-// a seal. A thread of its own writes each tick at once, and the loop waits for that, for a bounded time,
-// before it shows the tick to anybody: what people saw survives the death of the server. What the disk
-// refuses never ends a session: journalling stops, and says so.
+// a seal. A thread of its own writes each tick at once. The loop waits for that, for a bounded time, before
+// it shows the tick to anybody: what people saw survives the death of the server. What the disk refuses never
+// ends a session: journalling stops, and says so.
 
 #include <chrono>
 #include <condition_variable>
@@ -41,12 +41,12 @@ class Journal {
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// `checkpoint` is the state at the tick's end; empty: none.
+  /// Appends a tick. `checkpoint` is the state at the tick's end; empty: none.
   void append(JournalTick tick, std::vector<std::uint8_t> checkpoint = {});
   /// Waits until all that was appended is in the file, for `patience` at most. After a wait in vain nobody
-  /// waits until the disk has caught up. False while it has not.
+  /// waits until the disk has caught up. Returns false while it has not.
   bool settle();
-  /// Empty while all is well; else why journalling stopped, and at which tick.
+  /// Returns why journalling stopped, and at which tick; empty while all is well.
   std::string trouble() const;
   const std::filesystem::path& file() const { return path_; }
   std::uint32_t reign() const { return file_->reign(); }

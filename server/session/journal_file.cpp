@@ -112,7 +112,7 @@ std::unique_ptr<JournalFile> JournalFile::reopen(const std::filesystem::path& fi
 JournalFile::JournalFile(std::unique_ptr<SqliteDatabase> database) : database_(std::move(database)) {
   seal_ = std::stoull(answer(*database_, "SELECT value FROM meta WHERE key='seal'"), nullptr, 16);
   begin_reign();
-  // From now on the file alone is a journal, whatever becomes of its log.
+  // The file alone is a journal from now on, whatever becomes of its log.
   database_->execute("PRAGMA wal_checkpoint(TRUNCATE)");
 }
 

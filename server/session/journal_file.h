@@ -37,23 +37,23 @@ struct WaitingCheckpoint {
 
 class JournalFile {
  public:
-  /// A new file, at most so large; 0: as large as the disk allows. Throws SqliteError.
+  /// Makes a new file, at most so large; 0: as large as the disk allows. Throws SqliteError.
   static std::unique_ptr<JournalFile> create(const std::filesystem::path& file, const JournalHeader& header,
                                              std::uint64_t limit_bytes);
-  /// One that has been read to its end. Throws SqliteError.
+  /// Opens one that has been read to its end. Throws SqliteError.
   static std::unique_ptr<JournalFile> reopen(const std::filesystem::path& file, std::uint64_t limit_bytes);
   /// Folds everything into one file.
   ~JournalFile();
   JournalFile(const JournalFile&) = delete;
   JournalFile& operator=(const JournalFile&) = delete;
 
-  /// How often the session was begun or gone on with: common/server_run.h.
+  /// Returns how often the session was begun or gone on with: common/server_run.h.
   std::uint32_t reign() const { return reign_; }
 
-  /// All of them or none: a file ends at a tick whose predecessors are all there. Throws SqliteError.
+  /// Writes all of them or none: a file ends at a tick whose predecessors are all there. Throws SqliteError.
   void write(const std::deque<JournalTick>& batch);
-  /// Writes one more part; true when the checkpoint is whole in the file. Parts are small, so that ticks
-  /// don't wait for a large state. Throws SqliteError.
+  /// Writes one more part; returns true when the checkpoint is whole in the file. Parts are small, so that
+  /// ticks don't wait for a large state. Throws SqliteError.
   bool write_part(WaitingCheckpoint& checkpoint);
 
  private:

@@ -20,24 +20,24 @@ struct Checkpoint {
 
 class JournalReader {
  public:
-  /// Throws InputError when `file` is no journal that this version reads, or damaged.
+  /// Opens `file` to read. Throws InputError when it is no journal that this version reads, or damaged.
   explicit JournalReader(const std::filesystem::path& file);
 
   const JournalHeader& header() const { return header_; }
   const std::string& content_hash() const { return content_hash_; }  // hex, of the compiled scene
   std::uint64_t last_tick() const;                                   // 0: none
-  /// What was read around, for people; empty when all is well.
+  /// Returns what was read around, for people; empty when all is well.
   const std::string& trouble() const { return trouble_; }
-  /// Where checkpoints are, newest first; what they hold is proven by checkpoint().
+  /// Returns the ticks of checkpoints, newest first; what they hold is proven by checkpoint().
   std::vector<std::uint64_t> checkpoint_ticks() const;
-  /// Nothing when it is damaged.
+  /// Returns the checkpoint; nothing when it is damaged.
   std::optional<Checkpoint> checkpoint(std::uint64_t tick) const;
-  /// The state hash of a tick. Throws InputError when it is missing or damaged.
+  /// Returns the state hash of a tick. Throws InputError when it is missing or damaged.
   std::uint64_t state_hash(std::uint64_t tick) const;
   /// Calls `visit` for each tick after `after`, in order, until it returns false. Throws InputError where one
   /// is missing or damaged.
   void for_each_tick(std::uint64_t after, const std::function<bool(const JournalTick&)>& visit) const;
-  /// All of it in a new file, without a log beside it. Throws InputError when that can't be written.
+  /// Writes all of it to a new file, without a log beside it. Throws InputError when that can't be written.
   void export_to(const std::filesystem::path& file) const;
 
  private:

@@ -12,8 +12,8 @@
 
 namespace prosector {
 
-// The run that goes on and one restored from a checkpoint are equal from the checkpoint on, so checkpoints
-// are part of the run's bits: always at these ticks, journal or not.
+// The ticks between checkpoints. The run that goes on and one restored from a checkpoint are equal from the
+// checkpoint on. So checkpoints are part of the run's bits: always at these ticks, journal or not.
 inline constexpr std::uint64_t checkpoint_ticks = 600;
 
 struct JournalTick {
@@ -25,17 +25,18 @@ struct JournalTick {
   std::vector<TopologyRevision> topology;  // that the step made; without patches
 };
 
-/// `journal` is the seal of the file's description: rows of another journal don't fit.
+/// Returns the seal of a row. `journal` is the seal of the file's description: rows of another journal don't
+/// fit.
 std::uint64_t seal_of(std::uint64_t journal, const JournalTick& tick,
                       std::span<const std::uint8_t> input_bytes);
 std::uint64_t seal_of_checkpoint(std::uint64_t journal, std::uint64_t tick,
                                  std::span<const std::uint8_t> state);
-/// Of the file's description, key by key, in their order.
+/// Returns the seal of the file's description, key by key, in their order.
 std::uint64_t seal_of(std::span<const std::pair<std::string, std::string>> description);
 
-/// How an event's kind is written.
+/// Returns how an event's kind is written.
 std::string event_name(SessionEvent::Kind kind);
-/// Nothing when it is no name of one.
+/// Returns the kind of that name; nothing when it is no name of one.
 std::optional<SessionEvent::Kind> event_kind(const std::string& name);
 
 }  // namespace prosector

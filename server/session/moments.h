@@ -22,13 +22,13 @@ class Moments {
 
   explicit Moments(std::size_t budget = moments_budget) : budget_(budget) {}
 
-  /// The state in which these bodies had just got these revisions, in order of ticks. Where states take more
-  /// than the budget, older ones give way where they are densest for their age; the first and the newest
+  /// Keeps the state in which these bodies had just got these revisions, in order of ticks. Where states take
+  /// more than the budget, older ones give way where they are densest for their age; the first and the newest
   /// stay.
   void keep(std::uint64_t tick, std::vector<Revision> revisions, std::vector<std::uint8_t> state);
-  /// Null: not kept.
+  /// Returns the state; null: not kept.
   State find(BodyId body, std::uint32_t revision) const;
-  /// Of which revisions of a body there are states, for people: "0, 3 to 7 and 9".
+  /// Returns, for people, which revisions of a body there are states of: "0, 3 to 7 and 9".
   std::string kept(BodyId body) const;
   std::size_t bytes() const { return bytes_; }
 

@@ -26,7 +26,7 @@ struct ServerOptions {
   std::filesystem::path cache;
   bool check = false;
 
-  /// Network settings; the session's name and the index are still to be filled in.
+  /// Returns network settings; the session's name and the index are still to be filled in.
   BusConfig bus() const;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// From what participants send to what panels consume in a tick: commands become events, heads that moved
-// become places, and a panel whose owner may no longer work it closes.
+// What participants send as what panels consume in a tick: commands become events, heads that moved become
+// places, and a panel whose owner may no longer work it closes.
 
 #include <map>
 #include <span>
@@ -18,15 +18,16 @@ constexpr bool is_panel_command(CommandKind kind) {
 
 class PanelInputs {
  public:
-  /// `parts`: by body, whether it is a part of the anatomy.
+  /// Takes, by body, whether it is a part of the anatomy.
   explicit PanelInputs(std::vector<bool> parts) : parts_(std::move(parts)) {}
 
-  /// The next body.
+  /// Adds the next body.
   void add_body(bool is_part) { parts_.push_back(is_part); }
 
-  /// One of the panel commands of somebody who may touch. Empty: taken; else why not, for people.
+  /// Takes one of the panel commands of somebody who may touch. Returns empty: taken; else why not, for
+  /// people.
   std::string take(const Command& command);
-  /// A participant's newest input; `has_hands` when one of its hands is in the room.
+  /// Takes a participant's newest input; `has_hands` when one of its hands is in the room.
   void see(ParticipantId who, const HandInput& input, bool has_hands);
 
   /// Appends what this tick consumes. `may_touch(who)`: still in the session, and no observer.
@@ -36,7 +37,7 @@ class PanelInputs {
       if (!may_touch(who)) out.panels.push_back({.kind = PanelEvent::Kind::close, .participant = who});
     move_into(out);
   }
-  /// After the step: whose panels are open.
+  /// Takes, after the step, whose panels are open.
   void finish_tick(std::span<const Panel> panels);
 
  private:

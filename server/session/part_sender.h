@@ -10,7 +10,8 @@ namespace prosector {
 
 class PartSender {
  public:
-  /// Those that differ from what was last taken; of bodies that nobody ever changed or held, none.
+  /// Returns the states that differ from what was last taken; for bodies that nobody ever changed or held,
+  /// none.
   std::vector<Outgoing> take(const Simulation& simulation);
 
  private:

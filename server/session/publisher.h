@@ -1,5 +1,5 @@
 #pragma once
-// From snapshots to samples, on a thread of its own: whatever the network does, the step never waits.
+// Snapshots as samples, on a thread of its own: whatever the network does, the step never waits.
 //
 // What must arrive (answers, roster) is queued without loss; snapshots are a queue of two, from which the
 // stale one is dropped. What is sent of a snapshot depends on what was sent before, not on the snapshots

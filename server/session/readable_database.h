@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-/// Throws SqliteError when there is no way to read it.
+/// Opens the file to read. Throws SqliteError when there is no way to read it.
 std::unique_ptr<SqliteDatabase> open_to_read(const std::filesystem::path& file);
 
 }  // namespace prosector

@@ -20,8 +20,8 @@ struct ReplayResult {
 /// Throws InputError when `simulation` was not compiled from what the journal recorded.
 void require_same_scene(const JournalReader& journal, const Simulation& simulation);
 
-/// `simulation` stands at the tick before the first one to run. Stops at the first difference. `progress`
-/// hears of each tick done; may be empty.
+/// Runs what was journalled. `simulation` stands at the tick before the first one to run. Stops at the first
+/// difference. `progress` hears of each tick done; may be empty.
 ReplayResult replay(const JournalReader& journal, Simulation& simulation,
                     const std::function<void(std::uint64_t tick)>& progress);
 

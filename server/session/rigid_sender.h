@@ -1,7 +1,7 @@
 #pragma once
-// Whether a rigid body's state travels this tick: in motion each tick; then a few times that it has settled,
-// since each sample may get lost; then once a second while it lies elsewhere than the scene says, for those
-// who come late.
+// Whether a rigid body's state travels this tick. It does so in motion each tick; then a few times that it
+// has settled, since each sample may get lost. Then it does once a second while it lies elsewhere than the
+// scene says, for those who come late.
 
 #include <cstdint>
 #include <vector>

@@ -24,18 +24,19 @@ struct SceneContent {
   std::size_t asset_bytes() const;
 };
 
-/// `choices`: of bodies that were chosen by need.
+/// Makes what clients are told of the scene. `choices`: of bodies that were chosen by need.
 SceneContent make_scene_content(const Simulation& simulation, const std::vector<Choice>& choices = {});
 
-/// A soft body as clients are told of it, its surface as `log` has it; without meshes' names and method.
+/// Describes a soft body as clients are told of it, its surface as `log` has it; without meshes' names and
+/// method.
 SceneBody describe_soft(const Simulation& simulation, BodyId body, const SurfaceLog& log);
 
-/// Pieces keep the organ's name, with a number where it is taken.
+/// Returns a name for a piece: the organ's, with a number where it is taken.
 std::string free_name(const SceneInfo& scene, const std::string& wanted);
-/// The longest beginning of at most `bytes` bytes that is whole UTF-8.
+/// Returns the longest beginning of at most `bytes` bytes that is whole UTF-8.
 std::string beginning(const std::string& text, std::size_t bytes);
 
-/// The asset in pieces that the network carries.
+/// Returns the asset in pieces that the network carries.
 std::vector<AssetChunk> chunks_of(const Asset& asset);
 
 }  // namespace prosector

@@ -26,7 +26,7 @@
 
 namespace prosector {
 
-/// The rules that a scene sets.
+/// Returns the rules that a scene sets.
 SessionRules rules_of(const SceneDesc& scene, const std::string& session);
 
 struct RunFigures {
@@ -49,15 +49,15 @@ struct LoopOptions {
 
 class ServerLoop {
  public:
-  /// All outlive the loop; `journal` may be null. `say` gets the session's log lines: who came, who left,
-  /// what is solved less exactly.
+  /// Keeps references: all outlive the loop; `journal` may be null. `say` gets the session's log lines: who
+  /// came, who left, what is solved less exactly.
   ServerLoop(Simulation& simulation, Bus& bus, const std::string& session, Journal* journal,
              std::function<void(const std::string&)> say, LoopOptions options = {});
 
-  /// One tick, now.
+  /// Runs one tick, now.
   void tick();
-  /// Ticks at the scene's rate until `stop`, or for `seconds` of wall time when above 0. `each_second` gets a
-  /// line for the console.
+  /// Runs ticks at the scene's rate until `stop`, or for `seconds` of wall time when above 0. `each_second`
+  /// gets a line for the console.
   void run(const std::atomic<bool>& stop, double seconds,
            const std::function<void(const std::string&)>& each_second);
   /// Ends the journal at a checkpoint, so that a resumed session goes on exactly here.

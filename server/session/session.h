@@ -66,19 +66,19 @@ class Session {
 
   /// Takes what arrived before `tick`; returns what the step of that tick consumes, in canonical order.
   ConsumedInput consume(std::span<const Received> received, std::uint64_t tick);
-  /// After the step: grasps are answered by what the hands hold now, what was asked of parts and cuts by
+  /// Answers, after the step, grasps by what the hands hold now, and what was asked of parts and cuts by
   /// `report`.
   void finish_tick(std::span<const HandState> hands, const StepReport& report = {});
 
-  /// Likewise: whose panels are open. Those that nobody here may work close at the next tick.
+  /// Takes, after the step, whose panels are open. Those that nobody here may work close at the next tick.
   void see_panels(std::span<const Panel> panels) { panels_.finish_tick(panels); }
 
   std::size_t bodies() const { return rules_.bodies; }
-  /// A cut made another body; the next id is its.
+  /// Adds a body that a cut made; the next id is its.
   void add_body(bool is_part);
-  /// What the host can rewind to.
+  /// Returns what the host can rewind to.
   Moments& moments() { return moments_; }
-  /// Of which bodies clients asked for a keyframe since the last call.
+  /// Returns the bodies of which clients asked for a keyframe since the last call.
   std::set<BodyId> take_keyframe_requests();
 
   /// Lets go, at the next tick, of hands that nobody here owns: those in a state that was restored.
@@ -88,13 +88,13 @@ class Session {
   std::vector<SessionEvent> take_events();
 
   const Roster& roster() const { return roster_; }
-  /// The newest input of a participant, for UserState; null before the first.
+  /// Returns the newest input of a participant, for UserState; null before the first.
   const HandInput* newest_input(ParticipantId id) const;
   std::uint64_t hand_timeouts() const { return hand_timeouts_; }
-  /// Samples that contradict the session, by reason.
+  /// Returns how many samples contradicted the session, by reason.
   const std::map<std::string, std::uint64_t>& dropped() const { return dropped_; }
   std::uint64_t dropped_total() const { return dropped_total_; }
-  /// Those that were answered.
+  /// Returns the commands that were answered.
   const CommandCounts& commands() const { return commands_; }
 
  private:
@@ -109,8 +109,8 @@ class Session {
     std::array<Hand, 2> hands;
     std::vector<HandEvent> asked;  // by its commands since the last tick
     std::vector<Command> grasps;   // waiting for the step
-    std::vector<Command> parts;    // likewise
-    std::vector<Command> cuts;     // likewise: undo, rewind
+    std::vector<Command> parts;    // waiting for the step
+    std::vector<Command> cuts;     // waiting for the step: undo, rewind
     std::uint32_t commands = 0;    // this tick
   };
   struct Visitor {  // who has shown itself and isn't a member (yet, or any more)
@@ -127,7 +127,7 @@ class Session {
   std::map<ParticipantId, Visitor> visitors_;
   std::vector<HandEvent> vanishing_;
   std::vector<Command> stepping_;  // whose part events the step of this tick obeys, in their order
-  std::vector<Command> cutting_;   // likewise: whose cut events
+  std::vector<Command> cutting_;   // whose cut events the step of this tick obeys, in their order
   std::set<BodyId> keyframes_;     // asked for
   PanelInputs panels_;
   Moments moments_;

@@ -37,8 +37,8 @@ struct Snapshot {
   std::optional<ServerStatus> status;
 };
 
-/// `topology` has followed the simulation to now; `previous` lends the shapes of bodies that slept since; may
-/// be null.
+/// Takes a snapshot. `topology` has followed the simulation to now; `previous` lends the shapes of bodies
+/// that slept since; may be null.
 std::shared_ptr<Snapshot> take_snapshot(const Simulation& simulation, const Session& session,
                                         const TopologyLog& topology, const Snapshot* previous);
 

@@ -22,8 +22,8 @@ class SqliteError : public std::runtime_error {
 
 class SqliteDatabase {
  public:
-  // write creates the file when there is none; unchanging reads one that nothing can write meanwhile, such as
-  // one on a medium that can't be written, where SQLite finds no place for its locks.
+  // Mode write creates the file when there is none. Mode unchanging reads one that nothing can write
+  // meanwhile, such as one on a medium that can't be written, where SQLite finds no place for its locks.
   enum class Mode : std::uint8_t { read, unchanging, write };
   SqliteDatabase(const std::filesystem::path& file, Mode mode);
   ~SqliteDatabase();
@@ -48,7 +48,7 @@ class SqliteStatement {
   SqliteStatement& bind(int parameter, std::uint64_t value);
   SqliteStatement& bind(int parameter, const std::string& value);
   SqliteStatement& bind(int parameter, std::span<const std::uint8_t> value);
-  /// True: a row is there. False: done, and the statement is ready for the next use.
+  /// Returns true: a row is there. False: done, and the statement is ready for the next use.
   bool step();
 
   std::uint64_t number(int column) const;

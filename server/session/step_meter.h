@@ -16,7 +16,7 @@ namespace prosector {
 class DurationHistogram {
  public:
   void add(double ms);
-  /// 0 when empty.
+  /// Returns the quantile; 0 when empty.
   double quantile(double q) const;
   std::uint64_t count() const { return count_; }
 
@@ -38,14 +38,14 @@ class StepMeter {
  public:
   explicit StepMeter(double tick_rate) : dt_(1 / tick_rate) {}
 
-  /// `begun_ns` and `ended_ns`: the whole tick with intake and snapshot, monotonic.
+  /// Adds a tick. `begun_ns` and `ended_ns`: the whole tick with intake and snapshot, monotonic.
   void add(const StepReport& report, bool tissue_awake, std::int64_t begun_ns, std::int64_t ended_ns);
   LastSecond last_second() const;
 
   const DurationHistogram& all() const { return all_; }
   const DurationHistogram& awake() const { return awake_; }  // ticks with tissue awake
   std::uint64_t late() const { return late_; }               // ticks longer than their period
-  /// Body → ticks in which it was reset or did not converge, over the run.
+  /// Returns, by body, the ticks in which it was reset or did not converge, over the run.
   const std::map<std::string, std::uint64_t>& troubles() const { return troubles_; }
 
  private:

@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-/// False when the file cannot be written.
+/// Writes the summary. Returns false when the file cannot be written.
 bool write_summary(const std::filesystem::path& file, const ServerLoop& loop, const Simulation& simulation,
                    const std::filesystem::path& journal);
 

@@ -37,8 +37,8 @@ std::vector<std::uint32_t> carriers_of(const Anatomy& anatomy, bool of_nodes) {
   return out;
 }
 
-/// Of each point that nothing hangs on any more: one of its chunk that is in use, else any; none where the
-/// body has become nothing. The others follow themselves.
+/// Returns, for each point that nothing hangs on any more, one of its chunk that is in use, else any; none
+/// where the body has become nothing. The others follow themselves.
 std::vector<std::uint32_t> leaders(const std::vector<bool>& used, std::uint32_t chunk_points) {
   std::vector<std::uint32_t> out(used.size(), none);
   const auto first = static_cast<std::uint32_t>(std::find(used.begin(), used.end(), true) - used.begin());

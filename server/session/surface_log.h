@@ -24,12 +24,12 @@ class SurfaceLog {
   void follow(const Anatomy& anatomy, const Numbering& numbering, const VecX& x, const TopologyChange& change,
               SimTime time);
 
-  /// What clients are told of the newest revision; without a keyframe's assets.
+  /// Returns what clients are told of the newest revision; without a keyframe's assets.
   const TopologyRevision& newest() const { return newest_; }
   const DrawnSurface& surface() const { return surface_; }
-  /// All slots, as clients take a keyframe: rest mesh and map.
+  /// Returns all slots, as clients take a keyframe: rest mesh and map.
   std::array<Asset, 2> keyframe() const { return {encode(surface_.rest), encode(surface_.streamed)}; }
-  /// Never changed once made: the publisher's thread reads it.
+  /// Returns the stream, never changed once made: the publisher's thread reads it.
   std::shared_ptr<const SurfaceStream> stream() const { return stream_; }
 
  private:
@@ -37,7 +37,7 @@ class SurfaceLog {
   struct Slots {
     std::vector<std::uint32_t> of;
     std::uint32_t count = 0;
-    /// The slot of a number; the next one for a number that had none yet.
+    /// Returns the slot of a number; the next one for a number that had none yet.
     std::uint32_t at(std::uint32_t number);
   };
   /// Slots of the nodes on edges of quadratic elements, which have no numbers: by where they are at rest, in
@@ -49,7 +49,7 @@ class SurfaceLog {
   std::shared_ptr<const SurfaceStream> stream_;
   TopologyRevision newest_;
 
-  /// By carrier, node or vertex; of those alone that are in `carriers`.
+  /// Returns the slots by carrier, node or vertex; of those alone that are in `carriers`.
   std::vector<std::uint32_t> slots_of(std::span<const std::uint32_t> carriers, bool of_nodes,
                                       const Anatomy& anatomy, const Numbering& numbering);
   void place_points(const Anatomy& anatomy, const Numbering& numbering, DrawnSurface& surface,

@@ -2,7 +2,7 @@
 // Which points of a deformable travel, in which order, and how its surface follows from them.
 //
 // The surface hangs on the elements' nodes (x_surface = W·q), so the nodes that W uses say all there is to
-// see; where the surface is coarser than that, its own vertices are fewer. Chosen per body, once: when it is
+// see. Where the surface is coarser than that, its own vertices are fewer. Chosen per body, once: when it is
 // cut, points are appended (SurfaceLog).
 
 #include <cstdint>
@@ -20,14 +20,15 @@ struct SurfaceStream {
   std::uint32_t chunk_points = 0;
   bool of_nodes = false;                // streamed are nodes, else surface vertices …
   std::vector<std::uint32_t> carriers;  // … which ones, by point; ~0: it is gone
-  /// By point: the one that it is displaced like; itself, but for one that is gone: so it makes its chunk's
-  /// box no larger. ~0: none is left, it stays at rest. Empty: all are in use.
+  /// The point that each point is displaced like. It is itself, but for one that is gone: so it makes its
+  /// chunk's box no larger. ~0: none is left, it stays at rest. Empty: all are in use.
   std::vector<std::uint32_t> leaders;
 
   std::uint32_t chunks() const { return (points + chunk_points - 1) / chunk_points; }
 };
 
-/// Chunks are compact in space: what a hand presses is in few of them, and each has a small box to quantise.
+/// Makes the stream. Chunks are compact in space: what a hand presses is in few of them, and each has a small
+/// box to quantise.
 SurfaceStream make_surface_stream(const Anatomy& anatomy, std::uint32_t chunk_points);
 
 }  // namespace prosector

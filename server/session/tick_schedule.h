@@ -5,7 +5,7 @@
 
 namespace prosector {
 
-/// A fixed rate that doesn't spiral: a late tick may be caught up by the following ones while the lag is at
+/// A fixed rate that doesn't spiral. A late tick may be caught up by the following ones while the lag is at
 /// most one period; beyond that the schedule slips, which slows simulated time.
 class TickSchedule {
  public:
@@ -13,9 +13,9 @@ class TickSchedule {
       : period_ns_(static_cast<std::int64_t>(1e9 / tick_rate)), due_ns_(start_ns) {}
 
   std::int64_t period_ns() const { return period_ns_; }
-  /// When the current tick should start.
+  /// Returns when the current tick should start.
   std::int64_t due_ns() const { return due_ns_; }
-  /// The tick that was due has ended at `now_ns`.
+  /// Takes that the tick that was due has ended at `now_ns`.
   void finished(std::int64_t now_ns) {
     due_ns_ += period_ns_;
     const std::int64_t slip = now_ns - due_ns_ - period_ns_;

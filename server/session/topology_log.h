@@ -1,6 +1,6 @@
 #pragma once
-// What cuts make of the scene, as clients are told: revisions of each soft body, keyframes for those who come
-// late or lost their way, and pieces as bodies of the scene.
+// What cuts make of the scene, as clients are told. There are revisions of each soft body, keyframes for
+// those who come late or lost their way, and pieces as bodies of the scene.
 
 #include <map>
 #include <memory>
@@ -30,24 +30,24 @@ class SoftShapes {
   };
   virtual ~SoftShapes() = default;
   virtual Shape shape(BodyId body) const = 0;
-  /// A piece, as clients are told of it.
+  /// Describes a piece, as clients are told of it.
   virtual SceneBody describe(BodyId body, const SurfaceLog& surface) const = 0;
 };
 
 class TopologyLog {
  public:
-  /// `content`: what was announced.
+  /// Takes the content that was announced.
   TopologyLog(const SceneContent& content, double tick_rate);
 
   /// Follows what a step did that ended at `time`; appends what has to be said of it, in order.
   void follow(const SoftShapes& shapes, std::span<const TopologyChange> changes, SimTime time,
               const Roster& roster, std::vector<Outgoing>& out);
-  /// Somebody's copy of the body doesn't fit.
+  /// Notes that somebody's copy of the body doesn't fit.
   void ask_keyframe(BodyId body);
   /// Appends the keyframes that were asked for and are due.
   void send_keyframes(SimTime now, std::vector<Outgoing>& out);
 
-  /// The revisions that follow() made since the last call, without patches: what the journal keeps.
+  /// Returns the revisions that follow() made since the last call, without patches: what the journal keeps.
   std::vector<TopologyRevision> take_records();
 
   std::uint32_t revision(BodyId body) const { return at(body).surface.newest().revision; }

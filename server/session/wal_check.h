@@ -6,10 +6,10 @@
 
 namespace prosector {
 
-/// True when commits lie beyond the part of the log that its checksums prove. A crash leaves none there.
+/// Tells whether commits lie beyond the part of the log that its checksums prove. A crash leaves none there.
 bool log_is_damaged(const std::filesystem::path& log);
 
-/// True when `file` is written with a log beside it, and none is there: it was copied without. Not for a
+/// Tells whether `file` is written with a log beside it, and none is there: it was copied without. Not for a
 /// process that has the file open itself: to close it here would end that process's locks.
 bool log_is_missing(const std::filesystem::path& file);
 

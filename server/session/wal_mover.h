@@ -11,7 +11,7 @@ namespace prosector {
 
 class WalMover {
  public:
-  /// `file` exists, and outlives the mover.
+  /// Starts the mover; `file` exists, and outlives it.
   explicit WalMover(std::filesystem::path file);
   ~WalMover();
   WalMover(const WalMover&) = delete;
