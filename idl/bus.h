@@ -21,7 +21,7 @@ enum class BusEnd : std::uint8_t { server, dissector, observer };
 enum class Liveness : std::uint8_t { alive, gone };  // gone: disposed, or its writer left or died
 
 /// A sample that passed every check at the edge, or news that its instance is gone (then only the key fields
-/// are set): told once, and only of the process that had said the instance (idl/claims.h).
+/// are set). Such news is told once, and only of the process that had said the instance (idl/claims.h).
 struct Received {
   Message message;
   Liveness liveness = Liveness::alive;
@@ -53,7 +53,7 @@ class Bus {
   virtual void dispose(const Message& message) = 0;
   /// Moves everything that arrived since the last call to `out` (cleared first), in order per topic instance.
   virtual void take(std::vector<Received>& out) = 0;
-  /// Blocks until something can be taken or the time is over; true if something can.
+  /// Blocks until something can be taken or the time is over; returns true if something can.
   virtual bool wait(std::chrono::milliseconds timeout) = 0;
   virtual BusCounters counters() const = 0;
 };

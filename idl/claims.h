@@ -17,12 +17,13 @@ namespace prosector {
 
 class Claims {
  public:
-  /// A process (Received::writer) said this instance; false when it holds absurdly many already.
+  /// Notes that a process (Received::writer) said this instance; returns false when it holds absurdly many
+  /// already.
   bool said(std::uint64_t writer, const Message& message);
-  /// It ended the instance; false when it had not said it, or has ended it before.
+  /// Notes that it ended the instance; returns false when it had not said it, or has ended it before.
   bool ended(std::uint64_t writer, const Message& message);
 
-  /// Processes that said something of `topic` and aren't among those present.
+  /// Returns the processes that said something of `topic` and aren't among those present.
   std::vector<std::uint64_t> absent(std::size_t topic, std::span<const std::uint64_t> present) const;
   /// Ends everything of `topic` that `writer` said; appends the instances, key fields only.
   void end_all(std::size_t topic, std::uint64_t writer, std::vector<Message>& out);

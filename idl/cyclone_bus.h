@@ -14,11 +14,11 @@ namespace prosector {
 /// server, its index is taken on this host. BusConfig::profile: empty or "loopback", "lan", "wan", or a file.
 std::unique_ptr<Bus> make_cyclone_bus(const BusConfig& config);
 
-/// Every session that the configuration reaches, whatever its name, after listening for `timeout`. Wants some
-/// 0.5 s; peers without a port are asked at all ten server indices.
+/// Returns every session that the configuration reaches, whatever its name, after listening for `timeout`.
+/// Wants some 0.5 s; peers without a port are asked at all ten server indices.
 std::vector<SessionInfo> list_sessions(const BusConfig& config, std::chrono::milliseconds timeout);
 
-/// The lowest server index that is free on this host, so that several sessions can share it.
+/// Returns the lowest server index that is free on this host, so that several sessions can share it.
 std::optional<std::uint32_t> free_server_index(const BusConfig& config);
 
 }  // namespace prosector

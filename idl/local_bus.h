@@ -29,7 +29,7 @@ class LocalNetwork {
   /// Joins; domain and session must be the same for ends to hear each other. Throws InputError when a
   /// server's index is taken. Destroying the bus is leaving.
   std::unique_ptr<Bus> join(const BusConfig& config);
-  /// The end stops as if its process were killed: the others notice when its lease runs out.
+  /// Stops the end as if its process were killed: the others notice when its lease runs out.
   void crash(Bus& bus);
 
   void advance(std::chrono::nanoseconds time);

@@ -20,9 +20,10 @@ class SessionWatch {
   SessionWatch(const SessionWatch&) = delete;
   SessionWatch& operator=(const SessionWatch&) = delete;
 
-  /// A server of the session, as soon as one is known; none once the watch has listened for `time` in all.
+  /// Returns a server of the session, as soon as one is known; none once the watch has listened for `time` in
+  /// all.
   std::optional<SessionInfo> other(std::chrono::milliseconds time) const;
-  /// For `time` from now: calls `yield`, once and on the watch's thread, when a server is known that precedes
+  /// Calls `yield`, for `time` from now, once and on the watch's thread, when a server is known that precedes
   /// the run `own` (common/server_run.h). Then the watch ends.
   void guard(std::uint64_t own, std::chrono::milliseconds time,
              std::function<void(const SessionInfo& other)> yield);

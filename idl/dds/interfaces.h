@@ -10,10 +10,10 @@ struct NetworkInterface {
   std::string name, address;  // "eth0", "10.0.0.1"
 };
 
-/// Interfaces that are up and have an IPv4 address, but for loopback.
+/// Returns the interfaces that are up and have an IPv4 address, but for loopback.
 std::vector<NetworkInterface> network_interfaces();
 
-/// The name of the only one; throws InputError, listing them, when there are several, or none.
+/// Returns the name of the only one; throws InputError, listing them, when there are several, or none.
 std::string only_interface(const std::vector<NetworkInterface>& interfaces);
 
 }  // namespace prosector

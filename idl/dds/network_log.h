@@ -11,7 +11,7 @@ namespace prosector {
 /// Turns any number of messages into a plain line now and then.
 class MessageDigest {
  public:
-  /// Counts `message`. The line to tell, at most one in ten seconds.
+  /// Counts `message`. Returns the line to tell, at most one in ten seconds.
   std::optional<std::string> take(std::int64_t now_ns, std::string_view message);
 
  private:
@@ -19,7 +19,7 @@ class MessageDigest {
   std::optional<std::int64_t> last_line_ns_;
 };
 
-/// Cyclone's messages of this process go through a MessageDigest to standard error from now on, instead of
+/// Sends Cyclone's messages of this process through a MessageDigest to standard error from now on, instead of
 /// one by one. Any number of calls.
 void quiet_network_log();
 

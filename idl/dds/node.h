@@ -9,7 +9,7 @@
 
 namespace prosector {
 
-/// Creating and deleting local entities is serialised: Cyclone DDS 0.10 has races there.
+/// Returns the mutex that serialises creating and deleting local entities: Cyclone DDS 0.10 has races there.
 std::mutex& entity_mutex();
 
 struct Node {

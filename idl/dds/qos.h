@@ -16,7 +16,7 @@ struct QosDeleter {
 using Qos = std::unique_ptr<dds_qos_t, QosDeleter>;
 
 Qos endpoint_qos(const TopicSpec& topic);
-/// Of a publisher or subscriber: one session is one partition; "*" hears them all.
+/// Makes the QoS of a publisher or subscriber: one session is one partition; "*" hears them all.
 Qos partition_qos(const std::string& session);
 
 }  // namespace prosector

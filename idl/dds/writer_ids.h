@@ -11,9 +11,9 @@ namespace prosector {
 
 class WriterIds {
  public:
-  /// 0 when the writer is gone and was never seen before.
+  /// Returns the writer's id; 0 when it is gone and was never seen before.
   std::uint64_t of(dds_entity_t reader, dds_instance_handle_t publication);
-  /// The processes whose writers this reader is matched with now.
+  /// Returns the processes whose writers this reader is matched with now.
   std::vector<std::uint64_t> present(dds_entity_t reader);
 
  private:

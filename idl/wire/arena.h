@@ -10,7 +10,7 @@ namespace prosector {
 
 class WireArena {
  public:
-  /// `count` value-initialised elements, valid as long as the arena; nullptr for none.
+  /// Makes `count` value-initialised elements, valid as long as the arena; nullptr for none.
   template <class T>
   T* make(std::size_t count) {
     static_assert(std::is_trivially_destructible_v<T>);

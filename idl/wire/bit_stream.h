@@ -8,7 +8,7 @@ namespace prosector {
 
 class BitWriter {
  public:
-  /// `bytes` are zero and large enough for everything that is put.
+  /// Takes `bytes` that are zero and large enough for everything that is put.
   explicit BitWriter(std::span<std::uint8_t> bytes) : bytes_(bytes) {}
 
   void put(std::uint32_t value, unsigned bits) {
@@ -29,7 +29,7 @@ class BitWriter {
 
 class BitReader {
  public:
-  /// `bytes` hold everything that is got.
+  /// Takes `bytes` that hold everything that is got.
   explicit BitReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
   std::uint32_t get(unsigned bits) {

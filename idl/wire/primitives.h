@@ -85,7 +85,7 @@ inline ContentHash from_wire(const prosector_Digest& w) {
   return hash;
 }
 
-/// Points a wire sequence at `count` fresh elements of the arena.
+/// Makes a wire sequence point at `count` fresh elements of the arena.
 template <class Element, class Sequence>
 void make_sequence(Sequence& w, std::size_t count, WireArena& arena) {
   w._maximum = w._length = static_cast<std::uint32_t>(count);

@@ -28,14 +28,14 @@ struct Grid {
   double value(std::uint32_t index, std::size_t component) const;
 };
 
-/// The smallest grid over `points` with steps of at most position_quantum.
+/// Returns the smallest grid over `points` with steps of at most position_quantum.
 Grid position_grid(std::span<const Vec3> points);
-/// The smallest grid over `points` with steps of at most velocity_quantum, or max_velocity_bits.
+/// Returns the smallest grid over `points` with steps of at most velocity_quantum, or max_velocity_bits.
 Grid velocity_grid(std::span<const Vec3> points);
-/// The bits follow from the extent (finite), so they don't travel.
+/// Sets the bits, which follow from the extent (finite), so they don't travel.
 void set_velocity_bits(Grid& grid);
 
-/// Bytes of `count` points packed on these two grids.
+/// Returns the bytes of `count` points packed on these two grids.
 std::size_t packed_bytes(const Grid& positions, const Grid& velocities, std::size_t count);
 /// Packs point by point, position then velocity; `bytes` are zero and packed_bytes() long.
 void pack(const Grid& position_grid, const Grid& velocity_grid, std::span<const Vec3> positions,

@@ -8,10 +8,10 @@ namespace prosector {
 
 class TokenBucket {
  public:
-  /// `rate` in 1/s, `burst` in samples; both > 0.
+  /// Takes `rate` in 1/s, `burst` in samples; both > 0.
   TokenBucket(double rate, double burst) : rate_(rate), burst_(burst), tokens_(burst) {}
 
-  /// Takes one token at time `now_ns` (monotonic); false when there is none.
+  /// Takes one token at time `now_ns` (monotonic); returns false when there is none.
   bool take(std::int64_t now_ns) {
     tokens_ = tokens_at(now_ns);
     last_ns_ = std::max(last_ns_, now_ns);
@@ -19,7 +19,7 @@ class TokenBucket {
     tokens_ -= 1;
     return true;
   }
-  /// True when nothing was taken for so long that a new bucket would be the same.
+  /// Tells whether nothing was taken for so long that a new bucket would be the same.
   bool full(std::int64_t now_ns) const { return tokens_at(now_ns) >= burst_; }
 
  private:
