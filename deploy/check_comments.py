@@ -15,11 +15,11 @@ import sys
 MOST_WORDS = 30
 
 # Held to the rules. A folder holds those below it; FOLDER/* holds its own files only.
-HELD = ("client", "common", "drivers", "server/calibration", "server/physics/*", "server/physics/contact",
-        "server/physics/hands", "server/physics/panel", "server/physics/parts", "server/physics/rigid")
+HELD = ("client", "common", "drivers", "idl", "server/calibration", "server/physics/*", "server/physics/contact",
+        "server/physics/hands", "server/physics/panel", "server/physics/parts", "server/physics/rigid", "server/session")
 # Not yet: empty when all are held. Tests aren't meant to be.
-NOT_YET = ("idl", "server/physics/collision", "server/physics/coupled", "server/physics/cutting", "server/physics/organs",
-           "server/physics/soft", "server/session")
+NOT_YET = ("server/physics/collision", "server/physics/coupled", "server/physics/cutting", "server/physics/organs",
+           "server/physics/soft")
 
 # Capitalised words on s that begin sentences and are no verbs of functions.
 NO_VERBS = {

@@ -38,9 +38,9 @@ bool reads(BusEnd end, const TopicSpec& topic);
 /// Identifies an instance of a topic: what the @key fields of prosector.idl say.
 using InstanceKey = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>;
 InstanceKey instance_key(const Message& message);
-/// Which of the topic's writers sends this message.
+/// Returns which of the topic's writers sends this message.
 std::size_t lane(const Message& message);
-/// The message with only its key fields set.
+/// Returns the message with only its key fields set.
 Message key_only(const Message& message);
 
 }  // namespace prosector

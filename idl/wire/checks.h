@@ -30,12 +30,12 @@ class Checks {
 };
 
 bool valid_utf8(std::string_view text);
-/// 1 … max_name_length bytes of UTF-8 without control characters.
+/// Tells whether it is 1 … max_name_length bytes of UTF-8 without control characters.
 bool valid_name(std::string_view name);
-/// At most max_text_length bytes of UTF-8; no control characters but line feed and tab.
+/// Tells whether it is at most max_text_length bytes of UTF-8; no control characters but line feed and tab.
 bool valid_text(std::string_view text);
 
-/// Finite and at most `limit` in each component's magnitude.
+/// Tells whether it is finite and at most `limit` in each component's magnitude.
 bool within(const Vec3& v, double limit);
 inline bool within(double x, double low, double high) {
   return std::isfinite(x) && x >= low && x <= high;
@@ -45,10 +45,12 @@ bool enum_within(E value, E last) {
   return static_cast<std::uint8_t>(value) <= static_cast<std::uint8_t>(last);
 }
 
-/// Position in the room and a quaternion that is unit within quaternion_slack, which is then re-normalised.
+/// Checks a position in the room and a quaternion that is unit within quaternion_slack, which is then
+/// re-normalised.
 Refusal check_pose(Pose& pose);
 Refusal check_color(const Vec3& color);
-/// Finite, in the room, entries at most most_shape, and not collapsed: a determinant away from 0.
+/// Checks that a shape is finite, in the room, entries at most most_shape, and not collapsed: a determinant
+/// away from 0.
 Refusal check_shape(const Affine& shape);
 
 // All checks of one message, the same before sending and after receiving; poses are re-normalised in place.

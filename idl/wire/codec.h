@@ -17,14 +17,14 @@ struct WireCodec {
   Refusal (*decode)(const void* sample, Message& message);
   /// Reads the key fields only, for news of an instance whose other fields are unset.
   void (*decode_key)(const void* sample, Message& message);
-  /// Serialised size of a sample, but for a few bytes of padding.
+  /// Returns the serialised size of a sample, but for a few bytes of padding.
   std::size_t (*payload_bytes)(const void* sample);
 };
 
-/// `topic`: index in the Message variant.
+/// Returns the codec of `topic`, an index in the Message variant.
 const WireCodec& wire_codec(std::size_t topic);
 
-/// What receiving makes of a sent message, without a network: encode, then decode.
+/// Encodes, then decodes: `received` is what receiving makes of a sent message, without a network.
 Refusal through_the_wire(const Message& message, Message& received, std::size_t& payload_bytes);
 
 }  // namespace prosector

@@ -9,9 +9,9 @@
 
 namespace prosector {
 
-/// Empty for a tick that consumed nothing.
+/// Encodes an input; empty for a tick that consumed nothing.
 std::vector<std::uint8_t> encode_input(const ConsumedInput& input);
-/// Throws InputError when the bytes are no input.
+/// Decodes an input. Throws InputError when the bytes are no input.
 ConsumedInput decode_input(std::span<const std::uint8_t> bytes);
 
 }  // namespace prosector
