@@ -419,8 +419,8 @@ struct BodyStatus {
   bool converged = true;         // in all ticks since the last one
   std::uint32_t substeps = 0;    // explicit and position-based bodies: in the last tick; 0: solved at once
   double step = 0;               // s: length of its time steps
-  double newton_iterations = 0;  // mean over the ticks since the last one, as the next three
-  double solver_iterations = 0;  // of the linear solver
+  double newton_iterations = 0;  // mean over the ticks since the last one
+  double solver_iterations = 0;  // of the linear solver: mean over the ticks since the last one
   double residual = 0;           // worst: force left unbalanced by a linear solve, over what it started from
   double correction = 0;         // m, worst: how far the last Newton step still moved a node
   double error = -1;             // of displacements against the continuum, fraction; < 0: not known

@@ -20,7 +20,7 @@ class BodyMeter {
   /// Adds a soft body: one that a cut made, for instance. `expected`: null when it wasn't chosen by need.
   void add_body(const Simulation& simulation, BodyId body, const Prospect* expected = nullptr);
   void add(const StepReport& report);
-  /// Returns what is due after the tick that was added. That is of bodies that were awake since they were
+  /// Returns what is due after the tick that was added. It tells of bodies that were awake since they were
   /// last told of; at the first call of all.
   std::vector<BodyStatus> take(const Simulation& simulation);
   /// Returns the newest status of each body, told or not.
