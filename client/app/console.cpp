@@ -19,7 +19,7 @@ std::string trimmed(const std::string& text) {
   return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
 }
 
-/// The last word is split off.
+/// Splits off the last word.
 std::pair<std::string, std::string> split_last(const std::string& text) {
   const auto at = text.find_last_of(' ');
   if (at == std::string::npos) return {text, ""};
@@ -39,7 +39,7 @@ std::optional<BodyId> body_of(const SceneInfo& scene, const std::string& name) {
   return std::nullopt;
 }
 
-/// What lies at `center` stays there.
+/// Returns a scaling that leaves what lies at `center` there.
 Affine scaled_about(const Vec3& center, double scale) {
   Affine out;
   out.A *= scale;

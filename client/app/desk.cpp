@@ -99,7 +99,7 @@ Vec3 Desk::back() const {
   return {std::sin(yaw_) * std::cos(pitch_), std::sin(pitch_), std::cos(yaw_) * std::cos(pitch_)};
 }
 
-/// By pixels of the pointer.
+/// Turns the view by pixels of the pointer.
 void Desk::turn(double right, double down) {
   const Vec3 eye = view_->target + distance_ * back();
   yaw_ -= turn_per_pixel * right;
@@ -139,7 +139,7 @@ void Desk::turn_wheel(double notches) {
     hand_.reach(reach_per_notch * notches);
 }
 
-/// On the user's panel the button works its controls, elsewhere it grasps.
+/// Takes the button: on the user's panel it works the controls, elsewhere it grasps.
 void Desk::press() {
   const auto point = panel_ ? meet(pointer(), *panel_) : std::nullopt;
   if (!point) {

@@ -50,12 +50,12 @@ std::vector<WindowEvent> GamepadUser::take(const std::optional<Gamepad>& now) {
   return out;
 }
 
-/// Right: 1.
+/// Returns 1 for the right bumper, −1 for the left.
 double GamepadUser::bumpers() const {
   return (pad_.is_down(PadButton::right_bumper) ? 1 : 0) - (pad_.is_down(PadButton::left_bumper) ? 1 : 0);
 }
 
-/// Up: 1.
+/// Returns 1 for up, −1 for down.
 double GamepadUser::cross() const {
   return (pad_.is_down(PadButton::up) ? 1 : 0) - (pad_.is_down(PadButton::down) ? 1 : 0);
 }

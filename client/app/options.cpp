@@ -195,7 +195,7 @@ void parse_size(const std::string& text, int& width, int& height) {
     throw InputError("--size " + text + ": give WIDTHxHEIGHT, each 16 to 8192, for instance 800x600");
 }
 
-/// DISPLAY or stereo:PROFILE; a profile brings its picture size.
+/// Reads DISPLAY or stereo:PROFILE; a profile brings its picture size.
 void parse_display(const std::string& text, ClientOptions& o) {
   const auto colon = text.find(':');
   const auto found = displays.find(text.substr(0, colon));

@@ -58,8 +58,8 @@ class Pictures {
   std::vector<Image> all_;
 };
 
-/// What glass does is compared where there is some (null: nowhere), so is light in air, everything else from
-/// close by.
+/// Returns the list by which an effect is compared. What glass does is compared where there is some (null:
+/// nowhere), light in air where there is a shaft, everything else from close by.
 const DrawList* compared(const std::vector<TourStop>& tour, Effect effect) {
   const bool of_glass = effect == Effect::refraction || effect == Effect::dispersion;
   const std::string_view best = of_glass ? "glass" : effect == Effect::shafts ? "shaft" : "close";

@@ -123,7 +123,7 @@ class Client {
       pump_ = std::make_unique<InputPump>(connection_, options_.devices, latency_log_of_hands(), tell);
   }
 
-  /// Who joined as an observer logs what arrives instead.
+  /// Returns where inputs are logged; none for an observer, who logs what arrives instead.
   std::filesystem::path latency_log_of_hands() const {
     return options_.join.role == Role::observer ? std::filesystem::path() : options_.latency_log;
   }

@@ -14,7 +14,7 @@ void yield_to_simulation() {
   setpriority(PRIO_PROCESS, 0, 5);
 }
 
-/// In stereo, one eye's picture as the profile's display shows it.
+/// Describes what watchers see: in stereo, one eye's picture as the profile's display shows it.
 Audience audience_of(const ClientOptions& o) {
   Audience out = *o.audience;
   if (o.display == Display::stereo) {

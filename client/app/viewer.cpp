@@ -105,7 +105,7 @@ void Viewer::follow_next(ParticipantId self) {
   follow_ = now == names.end() || now + 1 == names.end() ? "" : *(now + 1);
 }
 
-/// `keep` also reads the picture back, which costs.
+/// Draws the next picture. `keep` also reads it back, which costs.
 Image Viewer::draw(InputPump* pump, bool keep) {
   const std::int64_t begin = monotonic_ns();
   LocalUser self{.participant = connection_.participant(), .input = {}, .present = pump != nullptr};

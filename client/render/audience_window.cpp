@@ -29,7 +29,7 @@ GLFWwindow* make_window(GLFWwindow* main, const Audience& audience) {
   return window;
 }
 
-/// A framebuffer of the current context that has `texture` as its colours.
+/// Makes a framebuffer of the current context that has `texture` as its colours.
 GLuint framebuffer_of(const Gl& gl, GLuint texture) {
   GLuint name = 0;
   gl.GenFramebuffers(1, &name);
@@ -69,7 +69,7 @@ void AudienceWindow::show(int width, int height) {
   glfwMakeContextCurrent(main_);
 }
 
-/// The first eye's part of the back buffer into the picture.
+/// Copies the first eye's part of the back buffer into the picture.
 void AudienceWindow::take(int width, int height) {
   if (width != width_ || height != height_) {
     width_ = width;
@@ -88,7 +88,7 @@ void AudienceWindow::take(int width, int height) {
   gl_.Finish();  // the other context sees nothing of it before
 }
 
-/// As large as fits without changing its shape.
+/// Shows the picture as large as fits without changing its shape.
 void AudienceWindow::put() {
   int across = 0, down = 0;
   glfwGetFramebufferSize(window_, &across, &down);

@@ -9,7 +9,7 @@ namespace {
 
 const Vec3 middle(0, 1.2, 0);  // m: of the room, as high as what lies on a table
 
-/// What looks through the six faces, in OpenGL's order and with its rows.
+/// Returns what looks through the six faces, in OpenGL's order and with its rows.
 std::array<DrawCamera, 6> face_cameras(int side) {
   const std::array<std::array<Vec3, 2>, 6> ahead_and_up = {{{Vec3::UnitX(), -Vec3::UnitY()},
                                                             {-Vec3::UnitX(), -Vec3::UnitY()},

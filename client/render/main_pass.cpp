@@ -11,15 +11,15 @@
 namespace prosector {
 namespace {
 
-/// An eye, and the near plane ahead of it, may be inside of the body, which then shows its inner face rather
-/// than the room behind it.
+/// Tells whether an eye, and the near plane ahead of it, may be inside of the body, which then shows its
+/// inner face rather than the room behind it.
 bool may_be_around(const Vec3& eye, const QueuedItem& queued) {
   const Surface surface = queued.item->appearance.surface;
   return (surface == Surface::tissue || surface == Surface::bone) &&
          (eye - queued.bounds.center).norm() <= queued.bounds.radius;
 }
 
-/// Too small on the picture to be met by a pixel's middle, but by luck.
+/// Tells whether the ball is too small on the picture to be met by a pixel's middle, but by luck.
 bool is_below_a_pixel(const DrawCamera& camera, const Sphere& sphere) {
   constexpr double least = 0.5;  // pixels across
   const double pixels_per_tangent = camera.height / (camera.top - camera.bottom);
@@ -72,7 +72,7 @@ const ShaderProgram& MainPass::program_for(const Defines& defines) {
   return *program;
 }
 
-/// The item's program, in use and with all that it needs.
+/// Returns the item's program, in use and with all that it needs.
 const ShaderProgram& MainPass::ready(const QueuedItem& queued, Frame& frame) {
   const DrawItem& item = *queued.item;
   const bool is_wet = item.appearance.wetness > 0;
@@ -118,7 +118,8 @@ void MainPass::draw_solid(const QueuedItem& queued, Frame& frame) {
   draw_sides(queued, frame, [&] { prosector::draw(frame.meshes, queued); });
 }
 
-/// First its depth alone, so that of a body only the front is seen, not its inside and its back.
+/// Draws what is seen through: first its depth alone, so that of a body only the front is seen, not its
+/// inside and its back.
 void MainPass::draw_clear(const QueuedItem& queued, Frame& frame) {
   draw_sides(queued, frame, [&] {
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);

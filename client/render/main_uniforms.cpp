@@ -21,7 +21,7 @@ Eigen::Vector4f vec4(const Vec3& v, double w) {
           static_cast<float>(w)};
 }
 
-/// A light's cone may reach the sphere. Point and directional lights reach everywhere.
+/// Tells whether a light's cone may reach the sphere. Point and directional lights reach everywhere.
 bool may_light(const LightInfo& light, const Sphere& sphere) {
   if (light.kind != LightKind::spot) return true;
   const Vec3 offset = sphere.center - light.position;

@@ -60,7 +60,7 @@ const MeshCache::Entry& MeshCache::upload(const DrawMesh& mesh, const std::share
   return entry;
 }
 
-/// Those of the mesh, then those of its coarser levels.
+/// Uploads the triangles of the mesh, then those of its coarser levels.
 void MeshCache::upload_triangles(const DrawMesh& mesh, Entry& entry) const {
   std::vector<const Triangles*> lists = {&mesh.triangles};
   if (entry.detail)

@@ -25,7 +25,7 @@ Corners corners_of(const QueuedItem& queued, double margin) {
   return out;
 }
 
-/// A pixel's width where the item is farthest from the eye: what rounding may shift by.
+/// Returns a pixel's width where the item is farthest from the eye: what rounding may shift by.
 double margin_of(const DrawCamera& camera, const QueuedItem& queued) {
   const double farthest = (queued.bounds.center - camera.pose.p).norm() + queued.bounds.radius;
   return farthest * (camera.top - camera.bottom) / camera.height;
@@ -37,7 +37,7 @@ struct Outline {
   double nearest = std::numeric_limits<double>::infinity();  // m ahead of the eye
 };
 
-/// nullopt: the box reaches behind the near plane, or is out of shape.
+/// Returns the outline of the item's box; nullopt: the box reaches behind the near plane, or is out of shape.
 std::optional<Outline> outline_of(const DrawCamera& camera, const QueuedItem& queued) {
   if (!queued.item->shape.A.isIdentity(0)) return std::nullopt;
   const Pose eye_from_room = camera.pose.inverse();

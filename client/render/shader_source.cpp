@@ -30,7 +30,7 @@ std::optional<std::string> text_of(const std::filesystem::path& folder, const st
   return text.str();
 }
 
-/// The FILE of a line `#include "FILE"`; none on any other line.
+/// Returns the FILE of a line `#include "FILE"`; none on any other line.
 std::optional<std::string> included_file(const std::string& line) {
   constexpr std::string_view directive = "#include \"";
   if (!line.starts_with(directive)) return std::nullopt;

@@ -13,7 +13,7 @@ bool casts_shadow(const DrawItem& item) {
   return item.casts_shadow && item.appearance.surface != Surface::glass;
 }
 
-/// The spot light as a square camera; depth is spent only on what casts shadows.
+/// Returns the spot light as a square camera; depth is spent only on what casts shadows.
 DrawCamera camera_of(const LightInfo& light, const std::vector<QueuedItem>& items) {
   DrawCamera camera;
   camera.pose = {light.position, rotation_between(-Vec3::UnitZ(), light.direction.normalized())};

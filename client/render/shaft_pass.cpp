@@ -11,7 +11,7 @@ constexpr int cone_sides = 24;  // as in shaders/shaft.vert
 constexpr double widest = 1.2;  // rad: a wider cone is no beam
 constexpr double reach = 3.0;   // m from the lamp
 
-/// Its light has a cone, and a shadow map to tell what it reaches.
+/// Tells whether the shafts' light has a cone, and a shadow map to tell what it reaches.
 bool has_beam(const DrawList& list, const Shadow& shadow) {
   if (shadow.light < 0) return false;
   const LightInfo& lamp = list.lights[static_cast<std::size_t>(shadow.light)];

@@ -6,8 +6,8 @@
 namespace prosector {
 namespace {
 
-// Each glyph is polylines separated by blanks; a point is two digits: x 0…4 and y, with 8 the height of
-// capitals, 6 that of small letters, 2 the base line and 0 the descender.
+// Each glyph is polylines separated by blanks; a point is two digits, x and y. x is 0…4. Of y, 8 is the
+// height of capitals, 6 that of small letters, 2 the base line and 0 the descender.
 constexpr std::array<std::string_view, 95> glyphs = {
     /*   */ "",
     /* ! */ "2824 2222",

@@ -19,7 +19,7 @@ Eigen::Vector2d size_of(const DrawText& text, double scale) {
   return {text_width(lines, height), height + more_lines * line_spacing(height)};
 }
 
-/// None behind the eye.
+/// Places a text; none where its place is behind the eye.
 std::optional<PlacedText> place(const DrawText& text, const DrawCamera& camera, double scale,
                                 const Eigen::Matrix4d& clip_from_room) {
   const Eigen::Vector2d size = size_of(text, scale);

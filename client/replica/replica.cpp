@@ -160,7 +160,7 @@ void Replica::follow_topology(BodyId body, std::int64_t now_ns) {
   if (topology->second.advance(assets_, soft_.at(body), now_ns)) take_early(body);
 }
 
-/// What came of the body before the client had what it tells of.
+/// Gives a body what came of it before the client had what that tells of.
 void Replica::take_early(BodyId body) {
   SoftReplica& soft = soft_.at(body);
   if (const auto settled = settled_.find(body); settled != settled_.end()) soft.add(settled->second);

@@ -24,7 +24,8 @@ Replica& ServerChoice::replica() {
   return it == servers_.end() ? nobody_ : it->second;
 }
 
-/// Not what a process said that was gone before it was known: it fits none.
+/// Tells whether what the process said is taken, and makes a place for it. It is not where the process was
+/// gone before it was known: it fits none.
 bool ServerChoice::admits(std::uint64_t writer) {
   if (writer == 0) return false;
   if (servers_.contains(writer)) return true;

@@ -45,7 +45,7 @@ bool TopologyReplica::advance(const AssetStore& assets, SoftReplica& soft, std::
   return changed;
 }
 
-/// By the patch of the revision after the one shown.
+/// Goes on by the patch of the revision after the one shown.
 bool TopologyReplica::follow_next(SoftReplica& soft) {
   if (!shown_ || waiting_.empty() || waiting_.begin()->first != shown_->revision + 1) return false;
   const auto next = waiting_.begin();
@@ -67,7 +67,8 @@ bool TopologyReplica::follow_next(SoftReplica& soft) {
   return true;
 }
 
-/// The first revision of all is often that of the scene, which `soft` has already.
+/// Enters the newest keyframe. The first revision of all is often that of the scene, which `soft` has
+/// already.
 bool TopologyReplica::enter_newest_keyframe(const AssetStore& assets, SoftReplica& soft) {
   const auto last = std::find_if(waiting_.rbegin(), waiting_.rend(),
                                  [](const auto& entry) { return entry.second.keyframe(); });

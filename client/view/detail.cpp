@@ -70,7 +70,7 @@ class Coarsening {
     }
   }
 
-  /// nullopt: it can't be reduced to so few.
+  /// Returns a list of so few triangles; nullopt: the surface can't be reduced to so few.
   std::optional<CoarserList> reduced_to(std::size_t triangles) {
     if (!collapser_.reduce_to(triangles)) return std::nullopt;
     CoarserList out;

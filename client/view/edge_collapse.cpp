@@ -56,7 +56,7 @@ void EdgeCollapser::keep_borders() {
   });
 }
 
-/// Ascending, each once.
+/// Returns the vertices around one, ascending, each once.
 std::vector<std::uint32_t> EdgeCollapser::neighbours(std::uint32_t v) const {
   std::vector<std::uint32_t> out;
   for (const std::uint32_t t : around_[v])
@@ -68,7 +68,7 @@ std::vector<std::uint32_t> EdgeCollapser::neighbours(std::uint32_t v) const {
   return out;
 }
 
-/// The cheapest way for this vertex to go, where there is one.
+/// Queues the cheapest way for this vertex to go, where there is one.
 void EdgeCollapser::enqueue(std::uint32_t from) {
   changed_[from] = false;
   if (stays_[from]) return;
@@ -95,7 +95,7 @@ EdgeCollapser::Candidate EdgeCollapser::candidate(std::uint32_t from, std::uint3
   return {moved * moved + share_of_length * length, moved, from, into};
 }
 
-/// Whether the surface stays what it is: the two share exactly the two neighbours of their edge, and no
+/// Tells whether the surface stays what it is: the two share exactly the two neighbours of their edge, and no
 /// triangle turns over or loses its area.
 bool EdgeCollapser::may_collapse(std::uint32_t from, std::uint32_t into) const {
   const auto near_from = neighbours(from), near_into = neighbours(into);

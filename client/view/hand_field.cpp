@@ -21,7 +21,7 @@ struct Limb {
 // Skin over the physical hand's capsules, as a factor of their radii: a touch looks firm, not hovering.
 constexpr double flesh = 1.04;
 
-/// Minimum whose edge is rounded over a band of `blend` metres.
+/// Returns the minimum, its edge rounded over a band of `blend` metres.
 double smooth_min(double a, double b, double blend) {
   const double overlap = std::max(blend - std::abs(a - b), 0.0);
   return std::min(a, b) - overlap * overlap / (4 * blend);
@@ -45,8 +45,8 @@ std::array<Limb, hand_joints> phalanges() {
   return out;
 }
 
-/// Metacarpal bones with the flesh of the palm, from the wrist to each knuckle, and the balls of the thumb
-/// and of the little finger.
+/// Returns the metacarpal bones with the flesh of the palm, from the wrist to each knuckle, and the balls of
+/// the thumb and of the little finger.
 std::array<Limb, 6> palm_limbs() {
   const auto& segments = hand_segments(right_hand);
   std::array<Limb, 6> out;
@@ -66,7 +66,8 @@ double wrist(const Vec3& x) {
   return -smooth_min(-round.distance(squeezed), -cut, 0.008);
 }
 
-/// The flesh between the metacarpals: a slab with round edges, inside the physical palm.
+/// Returns the distance to the flesh between the metacarpals: a slab with round edges, inside the physical
+/// palm.
 double slab(const Vec3& x) {
   const Palm palm = hand_palm(right_hand);
   constexpr double rounding = 0.007;

@@ -20,8 +20,8 @@ std::size_t joints_of(std::size_t finger) {
   return finger == 0 ? 2 : 3;
 }
 
-/// Drawn through a field stretched in width, in which the narrow gaps between the fingers are wide enough for
-/// the lattice to tell the fingers apart.
+/// Makes the surface through a field stretched in width, in which the narrow gaps between the fingers are
+/// wide enough for the lattice to tell the fingers apart.
 TriangleMesh right_hand_surface() {
   constexpr double stretch = 1.8;
   const SolidField stretched{[](const Vec3& x) {

@@ -20,7 +20,7 @@ const std::vector<Eigen::Vector3f>& rest_of(const DrawMesh& mesh) {
   return mesh.rest_positions.empty() ? mesh.positions : mesh.rest_positions;
 }
 
-/// Metres that a pixel shows where the ball is nearest to an eye; 0: an eye is in it.
+/// Returns the metres that a pixel shows where the ball is nearest to an eye; 0: an eye is in it.
 double finest_pixel(const std::vector<DrawCamera>& cameras, const Sphere& bounds) {
   double finest = std::numeric_limits<double>::infinity();
   for (const DrawCamera& camera : cameras) {

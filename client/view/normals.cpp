@@ -29,7 +29,7 @@ struct EdgeCorners {
   std::uint32_t triangle, low, high;  // corners at the edge's lower and higher vertex
 };
 
-/// Corners of one vertex belong together when their triangles meet in a flat enough edge.
+/// Unites corners of one vertex that belong together: their triangles meet in a flat enough edge.
 CornerSets smooth_corners(TriangleSpan triangles, const std::vector<Vec3>& face_normals, double cos_angle) {
   CornerSets sets(3 * triangles.size());
   std::unordered_map<std::uint64_t, EdgeCorners> first_at_edge;

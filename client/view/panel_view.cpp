@@ -26,7 +26,7 @@ std::shared_ptr<const DrawMesh> box(const Vec3& size, double rounding, std::uint
   return rigid_mesh(mesh_of(part), id);
 }
 
-/// Writing whose first line begins at the place, in the panel's frame.
+/// Makes writing whose first line begins at the place, in the panel's frame.
 DrawText write(const Pose& panel, const Vec3& at, std::string text, double height, const Vec3& color,
                double wrap = 0) {
   return {.text = std::move(text),
@@ -37,7 +37,7 @@ DrawText write(const Pose& panel, const Vec3& at, std::string text, double heigh
           .wrap = wrap};
 }
 
-/// In the middle of a place.
+/// Makes writing in the middle of a place.
 DrawText write_centred(const Pose& panel, const Vec3& middle, std::string text, double height,
                        const Vec3& color) {
   const double width = letter_width * height * static_cast<double>(text.size());

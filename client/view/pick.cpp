@@ -6,7 +6,7 @@
 namespace prosector {
 namespace {
 
-/// Möller and Trumbore 1997; only from outside.
+/// Returns the distance to the triangle's outside (Möller and Trumbore 1997).
 std::optional<double> meet(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a, p = ray.along.cross(v);
   const double determinant = u.dot(p);

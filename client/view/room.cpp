@@ -5,7 +5,7 @@
 namespace prosector {
 namespace {
 
-/// Corners counter-clockwise seen from inside.
+/// Makes a quad; its corners are counter-clockwise seen from inside.
 DrawItem quad(std::uint64_t mesh_id, const std::array<Vec3, 4>& corners, const Appearance& appearance) {
   auto mesh = std::make_shared<DrawMesh>();
   mesh->id = mesh_id;

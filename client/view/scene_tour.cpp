@@ -23,12 +23,12 @@ Eigen::AlignedBox3d box_of(const DrawItem& item) {
   return box;
 }
 
-/// still_scene()'s items end with the rigid bodies, then the soft ones.
+/// Returns a body's item: still_scene()'s items end with the rigid bodies, then the soft ones.
 const DrawItem& body_item(const SceneDesc& scene, const DrawList& list, std::size_t body) {
   return list.items[list.items.size() - scene.rigid.size() - scene.soft.size() + body];
 }
 
-/// Around all that is of glass; empty: nothing is.
+/// Returns the box around all that is of glass; empty: nothing is.
 Eigen::AlignedBox3d box_of_glass(const DrawList& list) {
   Eigen::AlignedBox3d box;
   for (const DrawItem& item : list.items)
@@ -49,7 +49,8 @@ DrawCamera camera_around(const Subject& subject, double yaw, double elevation, d
   return mono_camera(look_at(subject.middle + distance * back, subject.middle), fov, width, height);
 }
 
-/// Below the skin where that is nearest to the body's middle, which in a bent body lies outside.
+/// Returns a place below the skin where that is nearest to the body's middle, which in a bent body lies
+/// outside.
 Vec3 inside_of(const DrawItem& body) {
   constexpr double depth = 0.03;  // m: more than a camera's near plane is ahead
   const DrawMesh& mesh = *body.mesh;

@@ -77,7 +77,7 @@ void SceneView::place_cameras(const Replica& replica, double tick, const LocalUs
     list_.cameras.push_back(c);
 }
 
-/// One below the other at the upper right, each with its user's name.
+/// Adds insets one below the other at the upper right, each with its user's name.
 void SceneView::add_insets(const Replica& replica, double tick, const ViewSettings& settings) {
   constexpr int gap = 6;  // pixels
   const int width = settings.width / inset_share, height = settings.height / inset_share;
@@ -183,7 +183,7 @@ std::optional<BodyId> SceneView::part_at(const Ray& ray) const {
   return nearest;
 }
 
-/// The surgical lamp is the first spot light; without one, light comes from above.
+/// Adds a light shaft from the surgical lamp, the first spot light; without one, light comes from above.
 void SceneView::add_light_shaft(const DrawItem& item) {
   Eigen::AlignedBox3d box;
   for (const auto& x : item.mesh->positions) box.extend(item.shape * (item.pose * x.cast<double>().eval()));
@@ -249,7 +249,7 @@ void SceneView::add_panels(const Replica& replica) {
   }
 }
 
-/// Above each body whose scene asks for it.
+/// Adds figures above each body whose scene asks for it.
 void SceneView::add_body_figures(const Replica& replica) {
   constexpr double clearance = 0.03;  // m
   const auto& bodies = replica.scene()->bodies;

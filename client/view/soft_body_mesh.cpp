@@ -32,7 +32,7 @@ void SoftBodyMesh::follow(const SoftReplica& soft, bool moved) {
   ++inner_->positions_revision;
 }
 
-/// Triangles that are gone have their corners equal.
+/// Makes the triangles anew; those that are gone have their corners equal.
 void SoftBodyMesh::reshape(const SoftReplica& soft) {
   const TriangleMesh& rest = soft.rest();
   if (tube_diameter_ > 0 && !rest.positions.empty()) return;  // an axis has no inside

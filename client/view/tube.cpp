@@ -16,8 +16,8 @@ std::size_t ring_count(std::size_t points) {
   return points + 2 * cap_rings;
 }
 
-/// Unit direction of the line at its point `i`: the mean of the pieces before and after. Zero where both
-/// have no length.
+/// Returns the unit direction of the line at its point `i`: the mean of the pieces before and after. Zero
+/// where both have no length.
 Vec3f tangent_at(std::span<const Vec3f> axis, std::size_t i) {
   Vec3f sum = Vec3f::Zero();
   if (i > 0) sum += (axis[i] - axis[i - 1]).normalized();
@@ -25,7 +25,7 @@ Vec3f tangent_at(std::span<const Vec3f> axis, std::size_t i) {
   return sum.norm() > 1e-6F ? sum.normalized() : Vec3f(Vec3f::Zero());
 }
 
-/// One ring of vertices: `across` and `along` are the share of the radius that it lies off the axis and
+/// Lays one ring of vertices. `across` and `along` are the share of the radius that it lies off the axis and
 /// ahead of `centre`; on a unit ball both are its normal's.
 void lay_ring(const Vec3f& centre, const Vec3f& tangent, const Vec3f& side, float radius, float across,
               float along, std::size_t ring, DrawMesh& tube) {

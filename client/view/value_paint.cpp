@@ -15,7 +15,7 @@ const std::array<Vec3, 5> stops = {
     {{0.02, 0.04, 0.30}, {0.01, 0.30, 0.40}, {0.60, 0.70, 0.10}, {0.90, 0.26, 0.01}, {0.52, 0.01, 0.01}}};
 const Vec3 gray(0.25, 0.25, 0.25);
 
-/// Where on the scale, 0 … 1; not a number when the value is none.
+/// Returns the place on the scale, 0 … 1; not a number when the value is none.
 double share_of(const ValueScale& scale, double value) {
   if (std::isnan(value)) return value;
   if (!scale.logarithmic) return std::clamp((value - scale.least) / (scale.most - scale.least), 0.0, 1.0);
