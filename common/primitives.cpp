@@ -24,7 +24,7 @@ struct ProfilePoint {
   double radius, y;
 };
 
-/// A quarter circle or less of the profile, both ends included.
+/// Adds a quarter circle or less to the profile, both ends included.
 void add_arc(std::vector<ProfilePoint>& profile, double center_radius, double center_y, double arc_radius,
              double from, double to, int steps) {
   for (int k = 0; k <= steps; ++k) {
@@ -33,8 +33,8 @@ void add_arc(std::vector<ProfilePoint>& profile, double center_radius, double ce
   }
 }
 
-/// Surface of revolution about y. The profile runs upwards from pole to pole: its first and last point lie on
-/// the axis, all others off it.
+/// Makes a surface of revolution about y. The profile runs upwards from pole to pole: its first and last
+/// point lie on the axis, all others off it.
 TriangleMesh lathe(const std::vector<ProfilePoint>& profile, int around) {
   TriangleMesh mesh;
   const auto n = static_cast<std::uint32_t>(around);
@@ -112,7 +112,7 @@ std::vector<GridLine> grid_lines(double half, double edge) {
   return lines;
 }
 
-/// A box's surface as a cube's grid, projected onto the inner box grown by a sphere of radius `edge`.
+/// Makes a box's surface as a cube's grid, projected onto the inner box grown by a sphere of radius `edge`.
 TriangleMesh box(const Vec3& size, double rounding) {
   const Vec3 half = size / 2;
   const double edge = std::clamp(rounding, 0.0, half.minCoeff());

@@ -45,7 +45,8 @@ TriangleBits bits_of(const TriangleMesh& mesh, std::size_t triangle) {
   return {mesh.triangles[triangle], is_inner(mesh, triangle) ? 1U : 0U};
 }
 
-/// How many slots there are once those of `entries` are set; they may only be set or appended one by one.
+/// Counts the slots that there are once those of `entries` are set; they may only be set or appended one by
+/// one.
 template <class Entry>
 std::size_t count_after(std::size_t count, const std::vector<Entry>& entries, const char* what) {
   std::uint64_t least = 0;

@@ -54,7 +54,8 @@ class NestingScan {
     ++at_;
   }
 
-  /// One-line strings end at the line's end at the latest; those in three quotes at the text's.
+  /// Skips a string. One-line strings end at the line's end at the latest; those in three quotes at the
+  /// text's.
   void skip_string(char quote) {
     const std::string three(3, quote);
     const bool multiline = text_.substr(at_, 3) == three;

@@ -14,7 +14,7 @@ std::filesystem::path file_of(const std::filesystem::path& dir, const ContentHas
   return dir / (to_hex(key) + ".anatomy");
 }
 
-/// What the file is sealed under: its layout, and what the mesh was made from.
+/// Returns what the file is sealed under: its layout, and what the mesh was made from.
 std::string seal_key(const ContentHash& key) {
   return "anatomy 3 " + to_hex(key);
 }

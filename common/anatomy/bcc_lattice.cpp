@@ -16,7 +16,7 @@ double points_along(double extent, double cell) {
   return std::ceil(extent / (cell / short_edge)) + 5;
 }
 
-/// A little above the finest cell of at most `max_points`.
+/// Returns a cell a little above the finest one of at most `max_points`.
 double finest_cell(const Vec3& extent, double cell, double max_points) {
   while (lattice_points(extent, cell) > max_points) cell *= 1.02;
   return 1.01 * cell;

@@ -38,7 +38,7 @@ struct Pipe {
   }
 };
 
-/// 0, or the error's number.
+/// Starts the program. Returns 0, or the error's number.
 int start(const std::filesystem::path& program, const std::vector<std::string>& arguments, int output,
           pid_t& child) {
   std::vector<std::string> words = {program.string()};

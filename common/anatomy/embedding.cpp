@@ -45,14 +45,14 @@ class TetGrid {
     return {1 - b.sum(), b[0], b[1], b[2]};
   }
 
-  /// The tetrahedron that x lies deepest in, or the one whose clamped barycentric point is nearest.
+  /// Returns the tetrahedron that x lies deepest in, or the one whose clamped barycentric point is nearest.
   std::uint32_t nearest(const Vec3& x) const {
     std::uint32_t best = 0;
     double best_distance = std::numeric_limits<double>::max(), best_inner = -1;
     const Eigen::Vector3i home = cell(x);
     for (int ring = 0; ring <= n_.maxCoeff(); ++ring) {
-      // What lies in this ring of cells only is at least (ring − 1) steps away, from outside the grid too:
-      // drawing a point into the box brings it no farther from anything in it.
+      // What lies in this ring of cells only is at least (ring − 1) steps away, from outside the grid too.
+      // For drawing a point into the box brings it no farther from anything in it.
       if ((ring - 1) * step_ > best_distance || best_inner >= 0) break;
       visit_ring(home, ring, [&](std::uint32_t t) {
         const Weights w = weights(t, x);

@@ -54,7 +54,7 @@ Anatomy rope_of(std::vector<Vec3> nodes, double diameter) {
   return out;
 }
 
-/// Mean length of the patch's lines along u (or v).
+/// Returns the mean length of the patch's lines along u (or v).
 double mean_length(const Patch& patch, bool along_u) {
   constexpr int lines = 8, steps = 32;
   double sum = 0;

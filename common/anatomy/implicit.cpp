@@ -132,7 +132,7 @@ const ImplicitShape& find(std::string_view name) {
       fmt::format("implicit shape \"{}\" is unknown; allowed: {}", name, fmt::join(names, ", ")));
 }
 
-/// The box of the negative values, by scanning: shapes needn't state what their unions add up to.
+/// Finds the box of the negative values by scanning: shapes needn't state what their unions add up to.
 Box measured_box(const ImplicitShape& shape) {
   constexpr int n = 64;
   const Vec3 span = 1.5 * shape.natural_size, step = span / n;

@@ -170,7 +170,7 @@ double volume_preserving_level(const Volume& smoothed, const Volume& mask) {
   return std::clamp(static_cast<double>(*nth), 0.1, 0.9);
 }
 
-/// The labels of a volume in rising order, those that follow one another as "first to last".
+/// Returns the labels of a volume in rising order, those that follow one another as "first to last".
 std::string labels_in_words(const Volume& volume) {
   constexpr int max_label = 65535;
   std::vector<bool> present(max_label + 2);

@@ -16,7 +16,7 @@ class Collapser {
       for (const auto v : mesh_.triangles[t]) around_[v].push_back(t);
   }
 
-  /// One sweep over the short edges, shortest first. Returns how many were collapsed.
+  /// Makes one sweep over the short edges, shortest first. Returns how many were collapsed.
   std::size_t sweep();
 
  private:

@@ -39,7 +39,7 @@ std::vector<std::filesystem::path> candidates(const std::string& file, const Sou
   return out;
 }
 
-/// The first place that has the file; empty when missing but replaceable; throws when not.
+/// Finds the first place that has the file; empty when missing but replaceable; throws when not.
 std::filesystem::path resolve(const std::string& body, const std::string& file, const std::string& fallback,
                               const SourcePaths& paths, const Progress& progress) {
   std::vector<std::string> looked;
@@ -64,7 +64,7 @@ std::string file_hash(const std::filesystem::path& file) {
   return to_hex(content_hash(std::as_bytes(std::span(bytes))));
 }
 
-/// What `make()` gives; what it refuses names the body, too.
+/// Returns what `make()` gives; what it refuses names the body, too.
 template <class Make>
 auto of_body(const std::string& name, const Make& make) {
   try {
@@ -94,7 +94,7 @@ CachedAnatomy mesh_solid(const std::string& name, const SolidField& field, const
   return {std::move(embedded.anatomy), std::move(warning)};
 }
 
-/// SoftDesc or RigidDesc: both name a volume's structure alike.
+/// Makes the structure for a SoftDesc or a RigidDesc: both name a volume's structure alike.
 template <class Desc>
 SolidField structure_of(const Volume& volume, const std::string& name, const Desc& desc,
                         const Progress& progress) {
@@ -154,7 +154,7 @@ CachedAnatomy build(const RigidDesc& desc, const std::filesystem::path& file, co
   return made;
 }
 
-/// A sheet or rope, straight or along what the scene says.
+/// Makes a sheet or rope, straight or along what the scene says.
 Anatomy make_fabric(const SoftDesc& desc) {
   if (desc.shape == "rope" && !desc.curves.empty())
     return make_rope(make_curve(desc.curves.front()), desc.curves.front().diameter, desc.cell);
@@ -168,7 +168,7 @@ void warn(const std::string& name, const CachedAnatomy& made, const Progress& pr
   if (!made.warning.empty()) say(progress, fmt::format("{}: warning: {}", name, made.warning));
 }
 
-/// A damaged cache file is said and made again.
+/// Takes a mesh from the cache. A damaged file is told of, and none is returned: the mesh is made again.
 std::optional<CachedAnatomy> take_cached(const std::string& name, const SourcePaths& paths,
                                          const ContentHash& key, const Progress& progress) {
   FoundAnatomy found = load_cached(paths.cache_dir, key);

@@ -184,8 +184,8 @@ void CutLattice::split_pair(std::size_t p, std::size_t q, std::size_t n, std::si
   }
   const auto pm = cut_vertex(p, m), qm = cut_vertex(q, m);
   const bool from_p_m = first_takes_diagonal(p, q, m);
-  // A prism with ends (p, pn, pm) and (q, qn, qm). The third side lies on the surface: its diagonal is free,
-  // so it avoids the twisted prism; where pq is short that also joins the cuts of the two long edges.
+  // A prism with ends (p, pn, pm) and (q, qn, qm). The third side lies on the surface, so its diagonal is
+  // free and avoids the twisted prism. Where pq is short that also joins the cuts of the two long edges.
   add_prism({vp, pn, pm}, {vq, qn, qm}, {from_p_n, !from_p_n, !from_p_m});
 }
 
@@ -263,7 +263,7 @@ bool gives_tets(const SolidField& field, double cell) {
   });
 }
 
-/// Down to `digits` that count: what a message can say exactly.
+/// Rounds down to `digits` that count: what a message can say exactly.
 double rounded_down(double x, int digits) {
   const double unit = std::pow(10, std::floor(std::log10(x)) + 1 - digits);
   return std::floor(x / unit) * unit;

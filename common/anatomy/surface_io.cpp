@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t max_reply_bytes = std::size_t{1} << 30;
 
-/// What the file holds, read by a process of its own. Throws InputError with the reader's words, or its end.
+/// Returns what the file holds, read by a process of its own. Throws InputError with the reader's words, or
+/// its end.
 TriangleMesh import(const std::filesystem::path& file, double patience) {
   const auto refuse = [&](const std::string& why) {
     throw InputError(

@@ -1,5 +1,5 @@
 // The legacy VTK file formats (VTK User's Guide, "VTK file formats"): text keywords, and arrays as text or as
-// big-endian bytes; up to version 4 cells are runs of (count, points…), since 5.0 offsets and connectivity.
+// big-endian bytes. Up to version 4 cells are runs of (count, points…), since 5.0 offsets and connectivity.
 
 #include <algorithm>
 #include <array>
@@ -99,7 +99,7 @@ class VtkReader {
                          w.substr(0, 32)));
   }
 
-  /// visit(value) for each of `count` numbers.
+  /// Calls visit(value) for each of `count` numbers.
   template <class Visit>
   void numbers(std::uint64_t count, const Scalar& type, const char* what, Visit&& visit) {
     if (!binary_) {
@@ -191,7 +191,7 @@ class VtkReader {
     }
   }
 
-  /// Lines up to an empty one.
+  /// Skips lines up to an empty one.
   void skip_metadata() {
     while (!in_.next_line().empty()) {
     }

@@ -29,7 +29,7 @@ BasisRow basis(std::span<const double> knots, std::size_t span, int degree, doub
   return n;
 }
 
-/// Derivative by u of the functions of `degree` from what `lower` is of those of degree − 1 (eq. 2.7).
+/// Returns the derivative by u of the functions of `degree` from `lower`, those of degree − 1 (eq. 2.7).
 BasisRow differentiated(const BasisRow& lower, std::span<const double> knots, std::size_t span, int degree) {
   BasisRow out{};
   const auto p = static_cast<std::size_t>(degree);

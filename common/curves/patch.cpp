@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-/// The knots of the domain, each once, as shares of it.
+/// Adds the knots of the domain, each once, as shares of it.
 void add_seams(std::span<const double> knots, double begin, double end, std::vector<double>& seams) {
   for (const double knot : knots)
     if (knot >= begin && knot <= end) seams.push_back((knot - begin) / (end - begin));
@@ -21,7 +21,7 @@ void sort_once(std::vector<double>& seams) {
   seams.erase(std::unique(seams.begin(), seams.end()), seams.end());
 }
 
-/// A side at a share of its domain; derivatives by the share.
+/// Evaluates a side at a share of its domain; derivatives are by the share.
 CurvePoint share_of(const NurbsCurve& side, double share) {
   const double length = side.end() - side.begin();
   CurvePoint out = side.evaluate(side.begin() + share * length);

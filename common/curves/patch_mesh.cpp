@@ -14,8 +14,8 @@ namespace {
 
 constexpr double least_step = 1e-6;  // of a parameter: finer, a patch is as it is
 
-/// How far the patch is from the straight line between two of its points, a quarter, half and three quarters
-/// of the way along.
+/// Returns how far the patch is from the straight line between two of its points, a quarter, half and three
+/// quarters of the way along.
 double sag(const Patch& patch, double u0, double v0, double u1, double v1) {
   const Vec3 a = patch.evaluate(u0, v0).x, b = patch.evaluate(u1, v1).x;
   double worst = 0;
@@ -28,8 +28,8 @@ double sag(const Patch& patch, double u0, double v0, double u1, double v1) {
   return worst;
 }
 
-/// How far the patch rises out of the plane of two triangles along their common side: along its own normal,
-/// since beside that the triangles may lie elsewhere in the surface.
+/// Returns how far the patch rises out of the plane of two triangles along their common side. It is measured
+/// along the patch's own normal, since beside that the triangles may lie elsewhere in the surface.
 double rise(const Patch& patch, double u0, double v0, double u1, double v1) {
   const Vec3 a = patch.evaluate(u0, v0).x, b = patch.evaluate(u1, v1).x;
   double worst = 0;
@@ -55,7 +55,7 @@ bool halve(std::vector<double>& lines, const IsCoarse& is_coarse) {
   return changed;
 }
 
-/// Lines and what lies halfway between them.
+/// Returns the lines and what lies halfway between them.
 std::vector<double> with_middles(const std::vector<double>& lines) {
   std::vector<double> out;
   for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
@@ -110,7 +110,7 @@ SampledPatch sample(const Patch& patch, const PatchGrid& grid) {
   return out;
 }
 
-/// The first line across u (or v) lies where the last one does, and the surface goes on there.
+/// Tells whether the first line across u (or v) lies where the last one does, and the surface goes on there.
 bool closes(const SampledPatch& p, bool along_u) {
   double extent = 0;
   for (const Vec3& x : p.places) extent = std::max(extent, (x - p.places.front()).norm());

@@ -16,7 +16,7 @@ constexpr int least_sides = 8, most_sides = 256;
 constexpr double widest_turn = pi / 6;  // rad between two rings, however small the tube is
 constexpr std::size_t most_vertices = 1000 * 1000;
 
-/// Half the angle of a chord whose circle of `radius` is at most `error` away.
+/// Returns half the angle of a chord whose circle of `radius` is at most `error` away.
 double half_angle(double radius, double error) {
   return std::acos(std::clamp(1 - error / radius, 0.0, 1.0));
 }

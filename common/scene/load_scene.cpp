@@ -26,7 +26,7 @@ int line_of(const toml::node& node) {
   return static_cast<int>(node.source().begin.line);
 }
 
-/// How a value reads in a message: as it was written, cut short.
+/// Returns how a value reads in a message: as it was written, cut short.
 std::string written(const toml::node& node) {
   std::ostringstream out;
   node.visit([&](const auto& n) { out << n; });
@@ -102,7 +102,7 @@ class Reader {
     }
   }
 
-  /// [[soft]] "liver", or [[light]] 2 where the author gave no name.
+  /// Returns `[[soft]] "liver"`, or `[[light]] 2` where the author gave no name.
   static std::string describe(const toml::table& source, const Table& table, std::size_t i,
                               const std::string& parent) {
     const std::string own = source["name"].is_string()
@@ -119,7 +119,7 @@ class Reader {
                        allowed(field, ref)));
   }
 
-  /// Text carries its own unit, or lacks it.
+  /// Returns the field's unit for messages; none for text, which carries its own unit, or lacks it.
   static std::string unit_of(const toml::node& node, const Field& field) {
     return field.unit.empty() || node.is_string() ? "" : fmt::format(" {}", field.unit);
   }
@@ -186,7 +186,7 @@ class Reader {
     return true;
   }
 
-  /// A number, blanks, the field's unit: "2 %", "0.5ms".
+  /// Stores a number, blanks, the field's unit: "2 %", "0.5ms".
   static bool store(const toml::node& node, const Field& field, Quantity& out) {
     if (!node.is_string()) return false;
     const std::string text = *node.value<std::string>();
@@ -207,7 +207,7 @@ class Reader {
     return true;
   }
 
-  /// `count` finite numbers.
+  /// Stores `count` finite numbers.
   static bool numbers(const toml::node& node, double* out, std::size_t count) {
     const toml::array* list = node.as_array();
     if (list == nullptr || list->size() != count) return false;

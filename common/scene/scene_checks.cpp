@@ -116,7 +116,7 @@ class Checker {
                fmt::format("touches \"{}\": no body is in this group{}", name, suggest(name, groups)));
   }
 
-  /// What detection at this fidelity has no use for.
+  /// Refuses what detection at this fidelity has no use for.
   template <class Desc>
   void check_fidelity(const Desc& desc, const Entry& body) const {
     if (desc.collision == "none" && desc.continuous)
@@ -193,7 +193,7 @@ class Checker {
     check_need(soft, body);
   }
 
-  /// That each of them is a curve or a surface.
+  /// Checks that each of them is a curve or a surface.
   template <class Desc>
   void check_curves(const Desc& desc, const Entry& body) const {
     const auto check = [&](const char* key, std::size_t i, const auto& make) {

@@ -17,7 +17,7 @@ std::string type_name(const FieldRef& ref) {
   return names[ref.index()];
 }
 
-/// A value as a scene file would write it.
+/// Returns a value as a scene file would write it.
 std::string value(const Field& field, const FieldRef& ref) {
   struct {
     const Field& f;

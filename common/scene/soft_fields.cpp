@@ -4,7 +4,7 @@
 namespace prosector {
 namespace {
 
-/// Also those that aren't solid.
+/// Returns the shapes of soft bodies, also those that aren't solid.
 std::vector<std::string_view> soft_shapes() {
   auto out = implicit_shape_words();
   out.insert(out.end(), {"sheet", "rope"});

@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-/// Levenshtein's distance, row by row (Wagner & Fischer 1974).
+/// Returns Levenshtein's distance, row by row (Wagner & Fischer 1974).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

@@ -29,7 +29,7 @@ void limit(int resource, rlim_t to) {
   setrlimit(static_cast<__rlimit_resource>(resource), &bound);
 }
 
-/// What this process may use, and that it ends with the one that started it.
+/// Limits what this process may use, and lets it end with the one that started it.
 void set_limits() {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   limit(RLIMIT_CPU, max_cpu_seconds);
