@@ -111,7 +111,7 @@ void check_address(const Section& section, const std::string& address) {
   }
 }
 
-/// `position` and `orientation` (w, x, y, z) of a table.
+/// Reads `position` and `orientation` (w, x, y, z) of a table.
 Pose read_pose(Section section) {
   Pose pose;
   if (const auto p = section.numbers<3>("position", max_coordinate)) pose.p = Vec3(p->data());
@@ -129,7 +129,7 @@ struct RoleName {
 constexpr std::array<RoleName, 3> role_names = {
     {{"head", StationRole::head}, {"right", StationRole::right_hand}, {"left", StationRole::left_hand}}};
 
-/// Which receiver (counted from 1) is fixed to what, and how.
+/// Reads which receiver (counted from 1) is fixed to what, and how.
 void read_stations(Section section, ClientConfig& config) {
   config.stations.fill(StationRole::none);
   config.tracker_device.stations = 0;

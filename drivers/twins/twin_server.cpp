@@ -95,7 +95,7 @@ class Server {
     return bytes;
   }
 
-  /// A whole record or none: while nobody reads, records are dropped, but none is cut in two.
+  /// Writes a whole record or none: while nobody reads, records are dropped, but none is cut in two.
   bool write(const std::vector<std::uint8_t>& bytes) {
     flush();
     if (!pending_.empty()) return false;
