@@ -8,7 +8,7 @@
 namespace prosector {
 namespace {
 
-/// w and w′ of a clamped–free beam's first mode at x/L, 1 at the tip (Euler–Bernoulli; βL = 1.8751).
+/// Returns w and w′ of a clamped–free beam's first mode at x/L, 1 at the tip (Euler–Bernoulli; βL = 1.8751).
 std::array<double, 2> first_mode(double share) {
   constexpr double b = 1.875104068711961, s = 0.734095513758;
   const double z = b * share;

@@ -81,7 +81,7 @@ struct Option {
   Prospect expected;
 };
 
-/// Finer cells rather than coarser ones, in whole tenths of a millimetre.
+/// Rounds to finer cells rather than coarser ones, in whole tenths of a millimetre.
 double rounded(double cell) {
   return std::max(std::floor(cell / cell_quantum * (1 + 1e-9)) * cell_quantum, least_cell);
 }
@@ -123,7 +123,7 @@ class Options {
   std::vector<Option> all_;
 };
 
-/// The allowed option of the least `cost`; null: none is allowed.
+/// Finds the allowed option of the least `cost`; null: none is allowed.
 template <class Allowed, class Cost>
 const Option* least(const std::vector<Option>& options, const Allowed& allowed, const Cost& cost) {
   const Option* best = nullptr;

@@ -70,7 +70,7 @@ RungTable table_for(const SceneDesc& scene, const ChoiceOptions& options) {
   return table;
 }
 
-/// What the scene's own fields would have to meet.
+/// Checks what the scene's own fields would have to meet.
 void check(const Choice& c) {
   const auto within = [](double x, double low, double high) { return x >= low && x <= high; };
   const Rung& r = c.rung;

@@ -32,12 +32,13 @@ TestPiece beam(const RungTrial& trial, double damping_mass) {
   return piece;
 }
 
-/// m, of a critically damped first mode: where only the settled shape counts.
+/// Returns the mass damping (1/s) that damps the first mode critically, for where only the settled shape
+/// counts.
 double critical() {
   return 2 * 2 * std::numbers::pi * beam_first_frequency;
 }
 
-/// Mean over the free face, which stays flat to well within what is measured.
+/// Returns the mean sag (m) over the free face, which stays flat to well within what is measured.
 double sag(const Specimen& specimen) {
   const VecX rest = specimen.rest(), x = specimen.positions();
   double sum = 0;

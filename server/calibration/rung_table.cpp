@@ -78,7 +78,7 @@ const RungFigures* RungTable::find(const RungTrial& trial) const {
   return nullptr;
 }
 
-/// Coarsest first.
+/// Returns the rung's rows, coarsest first.
 std::vector<const RungTable::Row*> RungTable::rows_of(const Rung& rung, double poisson_ratio) const {
   std::vector<const Row*> out;
   for (const Row& row : rows_)

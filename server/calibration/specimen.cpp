@@ -7,7 +7,7 @@
 namespace prosector {
 namespace {
 
-/// Σ m_i·f(i).
+/// Returns sum + Σ m_i·f(i).
 template <class T, class F>
 T mass_sum(const Specimen& specimen, T sum, const F& f) {
   const VecX& mass = specimen.node_mass();

@@ -45,7 +45,7 @@ Json to_json(const RungTable::Row& row) {
   return out;
 }
 
-/// Over everything else in the file.
+/// Returns a seal over everything else in the file.
 std::string seal_of(Json json) {
   json.erase("seal");
   const std::string text = json.dump();
