@@ -30,7 +30,8 @@ ShapePart to_shape(const PartDesc& part) {
   return {ShapeKind::ellipsoid, part.size / 2, part.pose, nullptr};
 }
 
-/// A mesh as given, or its hull when it isn't closed: a thin or open surface has no volume of its own.
+/// Returns the mass properties of a mesh as given, or of its hull when it isn't closed: a thin or open
+/// surface has no volume of its own.
 MassProperties mesh_mass(const TriangleMesh& mesh, const ShapePart& hull, double density) {
   const MassProperties of_hull = part_mass(hull, density);
   ShapePart solid = hull;
@@ -134,7 +135,7 @@ std::vector<RoomModel> compile_room(const std::optional<RoomDesc>& room) {
   return out;
 }
 
-/// The sides that the body's start is behind: the scene puts it there, so it goes through them.
+/// Returns the sides that the body's start is behind: the scene puts it there, so it goes through them.
 template <class Say>
 RoomSides passed_sides(const std::string& name, std::span<const Vec3> start, const Model& model,
                        const Say& say) {
@@ -202,7 +203,7 @@ void add_soft(const SoftBody& s, ByteWriter& out) {
   out.add(s.attachment_stiffness());
 }
 
-/// Everything that changes what a tick computes or what is drawn.
+/// Hashes everything that changes what a tick computes or what is drawn.
 ContentHash hash_of(const Model& model, std::span<const CompiledTissue> soft) {
   ByteWriter out;
   const SceneDesc& scene = model.scene;

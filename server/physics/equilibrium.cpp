@@ -35,7 +35,7 @@ std::filesystem::path cache_file(const CompileOptions& options, const ContentHas
   return options.cache_dir / (to_hex(hash) + ".rest");
 }
 
-/// What the file is sealed under: its layout, and the scene that it belongs to.
+/// Returns what the file is sealed under: its layout, and the scene that it belongs to.
 std::string seal_key(const ContentHash& hash) {
   return "rest 2 " + to_hex(hash);
 }
@@ -56,7 +56,8 @@ bool read_rests(const std::vector<std::uint8_t>& bytes, std::vector<Rest>& rests
   }
 }
 
-/// False when there is none, or one that does not fit: it is found anew.
+/// Reads the cache. Returns false when there is none, or one that does not fit: the equilibrium is found
+/// anew.
 bool read_cache(const CompileOptions& options, const ContentHash& hash, std::vector<Rest>& rests) {
   if (options.cache_dir.empty()) return false;
   const std::filesystem::path file = cache_file(options, hash);
@@ -68,7 +69,7 @@ bool read_cache(const CompileOptions& options, const ContentHash& hash, std::vec
   return false;
 }
 
-/// A cache that can't be written is no error.
+/// Writes the cache; one that can't be written is no error.
 void write_cache(const CompileOptions& options, const ContentHash& hash, const std::vector<Rest>& rests) {
   ByteWriter out;
   for (const Rest& rest : rests) {

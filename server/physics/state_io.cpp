@@ -76,7 +76,7 @@ SoftBodyState read_soft(ByteReader& in, const SoftBodyState& like) {
   return state;
 }
 
-/// `layers`: whether some may be of layers; scenes without keep the hashes that they had.
+/// Adds memories. `layers`: whether some may be of layers; scenes without keep the hashes that they had.
 void add(ByteWriter& out, const ContactMemories& memories, bool layers) {
   out.add(static_cast<std::uint64_t>(memories.size()));
   for (const ContactMemory& m : memories) {

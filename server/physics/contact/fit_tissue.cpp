@@ -20,8 +20,8 @@ bool can_fall_apart(const Tissue& tissue) {
   return mesh_kind(tissue.anatomy()) == MeshKind::sheet && may_touch(mask, mask);
 }
 
-/// A sheet that can be cut meets itself from the beginning, for its pieces: what a checkpoint holds doesn't
-/// depend on whether it was.
+/// Tells whether two may meet as thin shells. A sheet that can be cut meets itself from the beginning, for
+/// its pieces: what a checkpoint holds doesn't depend on whether it was.
 bool meet_as_thin_shells(const Tissue& a, const Tissue& b, bool with_blades) {
   const SoftCollision &first = a.collision, &second = b.collision;
   if (!a.is_thin() || !b.is_thin() || first.fidelity != Fidelity::mesh || second.fidelity != Fidelity::mesh)

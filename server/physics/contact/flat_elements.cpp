@@ -13,7 +13,7 @@ constexpr double hurry = 2;           // times the speed at which it gets lower:
 
 using Tet = std::array<Vec3, 4>;
 
-/// Which vertex is over the largest face.
+/// Returns which vertex is over the largest face.
 std::size_t apex_of(const Tet& at) {
   std::size_t apex = 0;
   double largest = -1;
@@ -27,8 +27,8 @@ std::size_t apex_of(const Tet& at) {
   return apex;
 }
 
-/// Normal of the face opposite to the apex, twice its area long; towards the apex of an element that is the
-/// right way out.
+/// Returns the normal of the face opposite to the apex, twice its area long; towards the apex of an element
+/// that is the right way out.
 Vec3 face_normal(const Tet& at, std::size_t apex, double sign) {
   const Vec3 &a = at[(apex + 1) % 4], &b = at[(apex + 2) % 4], &c = at[(apex + 3) % 4];
   return sign * (b - a).cross(c - a);

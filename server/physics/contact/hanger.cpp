@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t most_shares = 4;
 constexpr double least_extent = 1e-3;  // of the covariance's largest eigenvalue: below it, flat
 
-/// The nodes that carry the surface, each the farthest from all before it.
+/// Returns the nodes that carry the surface, each the farthest from all before it.
 std::vector<std::uint32_t> spread_nodes(const Anatomy& anatomy, std::size_t count) {
   std::set<std::uint32_t> carriers;
   for (const SparseMap::Row& row : anatomy.embedding.rows)

@@ -13,8 +13,8 @@ Vec3 doubled_area(const Triangle& t) {
   return (t[1] - t[0]).cross(t[2] - t[0]);
 }
 
-/// The direction across layers that are parallel where they meet and lie over each other; else n, from b to
-/// a.
+/// Returns the direction across layers that are parallel where they meet and lie over each other; else n,
+/// from b to a.
 Vec3 across(const LayerElement& a, const Vec3& on_a, const LayerElement& b, const Vec3& on_b, const Vec3& n) {
   const Vec3 of_a = a.of.normal_at(a.index, on_a, n), of_b = b.of.normal_at(b.index, on_b, n);
   const bool over = of_a.dot(of_b) > parallel && of_a.dot(n) > parallel;

@@ -65,7 +65,7 @@ class Search {
     return same_ && a_.hang_together(s, t, apart) ? AtRest::joined : AtRest::parted;
   }
 
-  /// At which points of two elements touch; not positive: they don't meet.
+  /// Returns the distance at which points of two elements touch; not positive: they don't meet.
   double thickness(AtRest were, std::uint32_t s, const Vec3& weights_a, std::uint32_t t,
                    const Vec3& weights_b) const {
     if (were == AtRest::far) return how_.thickness;
@@ -81,7 +81,8 @@ class Search {
     return swapped ? Vec3(-found->normal) : found->normal;
   }
 
-  /// Where the two were, or others beside them: what slides while it is through comes to other elements.
+  /// Returns where the two were, or others beside them: what slides while it is through comes to other
+  /// elements.
   std::optional<Vec3> side_of(std::uint32_t s, std::uint32_t t) const {
     if (const auto own = known(s, t)) return own;
     std::optional<Vec3> out;
@@ -146,7 +147,7 @@ class Search {
     meetings.erase(std::remove_if(meetings.begin() + before, meetings.end(), beside), meetings.end());
   }
 
-  /// The ends of edges that got through go back through where they came.
+  /// Sends the ends of edges that got through back through where they came.
   void add_crossing(std::uint32_t s, std::uint32_t t, const Triangle& of_a, const Triangle& of_b,
                     const TriangleCrossing& crosses, AtRest were) {
     const auto touching = [&](const Piercing& piercing) {
@@ -210,8 +211,8 @@ void keep_nearest(const ElementSurface& a, const ElementSurface& b, double thick
   });
 }
 
-/// Each pair of features once, deepest first; of one surface with itself, whichever comes first as a, but for
-/// corners, which remember whom they met.
+/// Keeps each pair of features once, deepest first. Where one surface meets itself it keeps whichever comes
+/// first as a, but for corners, which remember whom they met.
 void keep_each_once(const ElementSurface& a, const ElementSurface& b, std::vector<LayerMeeting>& meetings) {
   const bool same = &a == &b;
   std::vector<std::pair<Pair, LayerMeeting>> keyed;

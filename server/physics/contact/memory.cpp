@@ -25,7 +25,7 @@ ContactMemories::const_iterator first_from(const ContactMemories& memories, cons
                           [](const ContactMemory& m, const Key& k) { return key(m) < k; });
 }
 
-/// N: of contacts on faces that pressed the other side and aren't there any more.
+/// Returns the force (N) of contacts on faces that pressed the other side and aren't there any more.
 double vanished(const ContactMemories& memories, const ContactSide& other, std::uint32_t first_face,
                 std::span<const Contact> contacts) {
   double force = 0;

@@ -18,7 +18,7 @@ bool is_inside(const SoftSkin& to, const Vec3& x) {
   return near && to.faces->is_inside(x, *near);
 }
 
-/// A third of the triangles around it, m², along their normals.
+/// Returns a third of the triangles around the vertex, m², along their normals.
 Vec3 area_vector(const TriangleSurface& faces, std::uint32_t vertex) {
   Vec3 sum = Vec3::Zero();
   for (const std::uint32_t t : faces.topology().around(vertex)) {

@@ -9,7 +9,7 @@
 namespace prosector {
 namespace {
 
-// Stretch of the surface at which a moving thing loses hold of it: real tissue would have torn long before,
+// Stretch of the surface at which a moving thing loses hold of it. Real tissue would have torn long before,
 // and what a leaping hand has hooked would never come free.
 constexpr double most_stretch = 3;
 constexpr double lip = 0.1;  // surface cells: what an edge runs over

@@ -24,7 +24,7 @@ RoughShape::RoughShape(const Anatomy& anatomy, Fidelity fidelity)
   if (fidelity == Fidelity::obb) rest_axes_ = enclosing_oriented_box(cloud).pose.q;
 }
 
-/// Those of the box at rest, turned by the rotation that fits the vertices best.
+/// Returns the axes of the box at rest, turned by the rotation that fits the vertices best.
 Quat RoughShape::turned_axes(std::span<const Vec3> surface) const {
   Mat3 moved = Mat3::Zero();
   for (std::size_t i = 0; i < rest_.size(); ++i) moved += surface[i] * rest_[i].transpose();

@@ -16,7 +16,7 @@ constexpr double deepest = 1;                // cells; and of a wall no more tha
 constexpr double most_margin = 2;            // cells
 constexpr double spare = 1;                  // cells, that the list reaches farther than it must
 
-/// Twice the area long.
+/// Returns the triangle's normal, twice its area long.
 Vec3 normal(const TriangleMesh& surface, const std::array<std::uint32_t, 3>& t) {
   const Vec3& x = surface.positions[t[0]];
   return (surface.positions[t[1]] - x).cross(surface.positions[t[2]] - x);
@@ -57,7 +57,8 @@ Vec3 SelfSurface::outward(std::uint32_t vertex, const SurfaceDetector& vertices)
   return sum.normalized();
 }
 
-/// No more than half of a wall: volume over area is half the thickness of a plate.
+/// Finds the depth to look to: no more than half of a wall, for volume over area is half the thickness of a
+/// plate.
 void SelfSurface::find_depth() {
   double volume = 0, area = 0;
   for (const Face& face : faces_) {
@@ -112,8 +113,8 @@ bool SelfSurface::may_meet(std::uint32_t vertex, std::uint32_t triangle) const {
   return facing || far;
 }
 
-/// What hangs on the same nodes can't move apart. Asked of what meets only: a cut may hang what stays on
-/// other nodes.
+/// Tells whether they hang on the same nodes, and so can't move apart. Asked of what meets only: a cut may
+/// hang what stays on other nodes.
 bool SelfSurface::share_nodes(std::uint32_t vertex, std::uint32_t triangle) const {
   const auto& rows = anatomy_->embedding.rows;
   ContactSide face;
@@ -125,7 +126,7 @@ bool SelfSurface::share_nodes(std::uint32_t vertex, std::uint32_t triangle) cons
   return false;
 }
 
-/// As if they had moved as the others did on average.
+/// Places new vertices as if they had moved as the others did on average.
 void SelfSurface::place_new_ones(std::span<const Vec3> positions) {
   Vec3 shift = Vec3::Zero();
   std::size_t others = 0;
@@ -197,7 +198,7 @@ void SelfSurface::list_changed(const SoftSkin& own, double reach) {
 }
 
 /// Brings the list to where it has all that is within `reach`. What has changed since it was made is listed
-/// from where it is now: then any two points had neared each other, and may part again, by that much, so it
+/// from where it is now. Then any two points had neared each other, and may part again, by that much: so it
 /// is looked for that much farther.
 void SelfSurface::update_list(const SoftSkin& own, double reach) {
   const auto positions = own.vertices->positions();

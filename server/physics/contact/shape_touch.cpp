@@ -34,7 +34,8 @@ void add_once(const ShapeTouch& touch, std::size_t first, std::vector<ShapeTouch
   if (!known) out.push_back(touch);
 }
 
-/// b's faces are met up to `margin` before they overlap: by a box that much larger.
+/// Appends the touches of two boxes. b's faces are met up to `margin` before they overlap: by a box that much
+/// larger.
 void box_touches(BoxShape a, const BoxShape& b, double margin, std::vector<ShapeTouch>& out) {
   a.half.array() += margin;
   const auto overlap = box_overlap(a, b);
@@ -57,13 +58,13 @@ void box_touches(BoxShape a, const BoxShape& b, double margin, std::vector<Shape
   }
 }
 
-/// The point against the shape; the normal is from the shape to the point.
+/// Returns the point's proximity to the shape; the normal is from the shape to the point.
 std::optional<Proximity> from_point(const Vec3& x, const CollisionPiece& shape, double margin) {
   return proximity(SphereShape{x, 0}, shape, margin);
 }
 
-/// What a corner of one shape bears of the other, whose supporting plane is at `height` along `n`; nothing
-/// where it lies beside the other's face.
+/// Returns what a corner of one shape bears of the other, whose supporting plane is at `height` along `n`;
+/// nothing where it lies beside the other's face.
 std::optional<ShapeTouch> from_corner(const Vec3& x, const CollisionPiece& other, const Vec3& n,
                                       double height, double beside) {
   const double above = n.dot(x) - height;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double least_facing = 0.1;  // cosine, of a solid's face to what stops it
 
-/// Zero where there are no faces.
+/// Returns the normal at a vertex; zero where there are no faces.
 Vec3 vertex_normal(const TriangleSurface& faces, std::uint32_t vertex) {
   const auto around = faces.topology().around(vertex);
   if (around.empty()) return Vec3::Zero();

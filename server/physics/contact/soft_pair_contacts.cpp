@@ -9,8 +9,8 @@
 namespace prosector {
 namespace {
 
-// Bodies that a scene puts into each other, or that met faster than they were solved, part slowly: an overlap
-// presses no harder than this, times the softer body's Young's modulus.
+// The most pressure of an overlap, times the softer body's Young's modulus. So bodies that a scene puts into
+// each other, or that met faster than they were solved, part slowly.
 constexpr double most_pressure = 4;
 
 }  // namespace

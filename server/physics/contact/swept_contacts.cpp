@@ -14,14 +14,14 @@ constexpr double least_way =
     0.002;  // m: between two looks; thin things are looked for twice within their thickness
 constexpr int most_looks = 1000;
 
-/// Half the thinnest extent of the collider's parts.
+/// Returns half the thinnest extent of the collider's parts.
 double thinnest(const Collider& collider) {
   double least = std::numeric_limits<double>::max();
   for (const ShapePart& part : *collider.parts) least = std::min(least, part_extent(part).half.minCoeff());
   return least;
 }
 
-/// The collider after t seconds, seen by something that moves at `drift` (m/s).
+/// Returns the collider after t seconds, seen by something that moves at `drift` (m/s).
 Collider after(const Collider& collider, double t, const Vec3& drift) {
   Collider out = collider;
   const Vec3 turn = t * collider.angular;

@@ -13,8 +13,8 @@ constexpr double cells_apart = 2.5;
 constexpr double thicknesses_apart = 1.5;
 constexpr double approach_safety = 1.5;   // times the speed at which they near each other: it may grow …
 constexpr double tangential_share = 0.2;  // … and other motion turn into it
-// Times the mass of what meets over h²: what nears by a cell is stopped within a fraction of a millimetre,
-// and tangles that press against each other store next to nothing.
+// Most stiffness, times the mass of what meets over h². What nears by a cell is stopped within a fraction of
+// a millimetre, and tangles that press against each other store next to nothing.
 constexpr double most_stiffness_over_mass = 30;  // 1/h²
 
 /// Returns what a point's velocity changes by for an impulse on it, 1/kg.

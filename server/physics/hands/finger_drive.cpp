@@ -8,12 +8,12 @@ namespace {
 
 constexpr int bisections = 24;  // of a step of at most 1
 
-/// N along growing flexion, after a step.
+/// Returns the drive's force, N along growing flexion, after a step.
 double push(double lag, const FingerDrive& drive) {
   return drive.max_force * std::clamp(lag / drive.lag, -1.0, 1.0);
 }
 
-/// N against growing flexion, after a step: grows with it.
+/// Returns the resistance, N against growing flexion, after a step: it grows with the step.
 double resistance(double step, std::span<const Obstacle> obstacles) {
   double sum = 0;
   for (const Obstacle& o : obstacles) {

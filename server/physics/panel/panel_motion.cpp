@@ -33,7 +33,7 @@ constexpr short caps_group = 1, fingers_group = 2;
 
 constexpr double board_reach = 0.04;  // m before the board that still may touch
 
-/// The share [first, second] of the segment from a to b that lies over a rectangle; none: nullopt.
+/// Returns the share [first, second] of the segment from a to b that lies over a rectangle; none: nullopt.
 std::optional<std::pair<double, double>> over(const Capsule& c, double x, double y, double half_x,
                                               double half_y) {
   double first = 0, last = 1;
@@ -54,7 +54,7 @@ std::optional<std::pair<double, double>> over(const Capsule& c, double x, double
   return std::pair(first, last);
 }
 
-/// How far the segment must be lifted so that what of it is over the rectangle stays above `floor`.
+/// Returns how far the segment must be lifted so that what of it is over the rectangle stays above `floor`.
 double lift_over(const Capsule& c, double x, double y, double half_x, double half_y, double floor) {
   const auto share = over(c, x, y, half_x, half_y);
   if (!share) return 0;
@@ -62,7 +62,8 @@ double lift_over(const Capsule& c, double x, double y, double half_x, double hal
   return floor - (std::min(z_at(share->first), z_at(share->second)) - c.radius);
 }
 
-/// The finger as board, pressed buttons and knob stop it; null: too deep behind the board, or away from it.
+/// Returns the finger as board, pressed buttons and knob stop it; null: too deep behind the board, or away
+/// from it.
 std::optional<Capsule> stopped(Capsule c, const ControlMotions& motions) {
   if (!near_panel(c)) return std::nullopt;
   double lift = lift_over(c, 0, 0, panel_width / 2, panel_height / 2, -slop);
@@ -136,7 +137,8 @@ class TickWorld {
     finger.body->setFriction(static_cast<btScalar>(finger_friction));
   }
 
-  /// Where a finger was at the substep's start and is at its end; one that comes anew has no speed yet.
+  /// Places a finger where it was at the substep's start and is at its end; one that comes anew has no speed
+  /// yet.
   void place_finger(std::size_t index, const std::optional<Capsule>& from, const std::optional<Capsule>& to) {
     Finger& finger = fingers_[index];
     if (finger.present && !to) world_.removeRigidBody(finger.body.get());
@@ -190,7 +192,7 @@ class TickWorld {
     return control.kind == ControlKind::button ? Vec3(-Vec3::UnitZ()) : Vec3(Vec3::UnitX());
   }
 
-  /// The middle of a cap's box, whose face is its front.
+  /// Returns the middle of a cap's box, whose face is its front.
   static Pose middle(const ControlDesc& control, double position) {
     return {control_face(control, position) - Vec3(0, 0, cap_depth / 2), Quat::Identity()};
   }
@@ -249,7 +251,8 @@ class TickWorld {
     cap.setAngularVelocity({0, 0, 0});
   }
 
-  /// What the solver left of the directions that the joints take is dropped, and stops are kept exactly.
+  /// Reads the control's motion. What the solver left of the directions that the joints take is dropped, and
+  /// stops are kept exactly.
   void read(const ControlDesc& control) {
     const auto k = static_cast<std::size_t>(control.control);
     const Vec3 moved = unscaled(caps_[k]->getWorldTransform().getOrigin()) - middle(control, 0).p;
@@ -282,7 +285,8 @@ bool at_rest(const ControlMotions& motions) {
   });
 }
 
-/// A button that nobody touches and that has all but arrived is at rest; so is a knob that stands.
+/// Settles controls: a button that nobody touches and that has all but arrived is at rest; so is a knob that
+/// stands.
 void settle(MovedControls& moved) {
   for (const ControlDesc& control : panel_controls) {
     const auto k = static_cast<std::size_t>(control.control);

@@ -13,7 +13,7 @@ constexpr double aside = 0.12;   // m to the side of where it was touched, so th
 constexpr double behind = 0.06;  // m beyond where it was touched
 constexpr double steepest = 0.94;  // sine of the panel's inclination
 
-/// The level direction from one place to another, or towards +z where there is none.
+/// Returns the level direction from one place to another, or towards +z where there is none.
 Vec3 level_direction(const Vec3& from, const Vec3& to) {
   const Vec3 way(to.x() - from.x(), 0, to.z() - from.z());
   return way.norm() > 1e-3 ? Vec3(way.normalized()) : Vec3(Vec3::UnitZ());

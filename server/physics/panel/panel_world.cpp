@@ -49,7 +49,7 @@ void PanelWorld::take(const PanelEvent& event, const PanelSubjects& subjects) {
   }
 }
 
-/// Faces the head if it is known, else whence the hand comes.
+/// Opens a panel that faces the head if it is known, else whence the hand comes.
 void PanelWorld::open(ParticipantId who, BodyId body, const Vec3& touched, const Vec3* palm, double side,
                       const PanelSubjects& subjects) {
   if (const auto old = open_.find(who); old != open_.end() && old->second.body == body) {
@@ -129,8 +129,8 @@ std::vector<FingerSweep> PanelWorld::fingers_before(const Open& panel,
   return out;
 }
 
-/// A hand that rests on a body for a moment calls up the part's panel, or sends its owner's away. Between two
-/// touches of the same body it may lose it for as long as it had it.
+/// Lets a hand that rests on a body for a moment call up the part's panel, or send its owner's away. Between
+/// two touches of the same body it may lose it for as long as it had it.
 void PanelWorld::feel(const PanelHand& hand, const PanelSubjects& subjects) {
   Rest& rest = rests_[hand.who];
   if (!hand.touches) {
@@ -161,7 +161,7 @@ void PanelWorld::grow_old(std::span<const PanelHand> hands, const PanelSubjects&
   }
 }
 
-/// Hands that are gone leave nothing behind, nor do heads of those who have neither hands nor panel.
+/// Forgets hands that are gone, and heads of those who have neither hands nor panel.
 void PanelWorld::remember(std::span<const PanelHand> hands) {
   const auto here = [&](auto belongs) { return std::any_of(hands.begin(), hands.end(), belongs); };
   std::erase_if(rests_, [&](const auto& rest) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr btScalar mesh_margin = 0.0005F;  // m: Bullet grows hulls and triangles by it
 
-/// Evenly spread points on the ellipsoid (Fibonacci lattice): Bullet has no ellipsoid of its own.
+/// Makes evenly spread points on the ellipsoid (Fibonacci lattice): Bullet has no ellipsoid of its own.
 std::unique_ptr<btConvexHullShape> ellipsoid(const Vec3& half) {
   constexpr int count = 96;
   const double golden = std::numbers::pi * (3 - std::sqrt(5.0));

@@ -14,7 +14,7 @@ constexpr double on_plane = 1e-9;  // m
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Vertices at one place become one.
+/// Makes vertices at one place one.
 TriangleMesh welded(const TriangleMesh& mesh) {
   TriangleMesh out;
   std::map<std::array<double, 3>, std::uint32_t> at;
@@ -32,7 +32,7 @@ TriangleMesh welded(const TriangleMesh& mesh) {
   return out;
 }
 
-/// Without vertices that no triangle has.
+/// Returns the mesh without vertices that no triangle has.
 TriangleMesh compacted(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
   TriangleMesh out;
   std::map<std::uint32_t, std::uint32_t> at;

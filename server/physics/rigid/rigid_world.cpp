@@ -164,7 +164,7 @@ struct RigidWorld::Impl {
   }
   btRigidBody& at(std::size_t slot) { return *bodies[slot].body; }
 
-  /// Into the world with the masks, weight and activation of what it is now.
+  /// Puts the body into the world with the masks, weight and activation of what it is now.
   void enter(Body& b) {
     const bool fixed = b.body->isStaticObject();
     const CollisionMask mask = b.presence == BodyPresence::absent ? CollisionMask{0, 0} : b.setup.mask;

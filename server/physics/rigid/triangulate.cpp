@@ -16,7 +16,7 @@ class Polygon {
  public:
   explicit Polygon(std::span<const Vec2> points) : points_(points) {}
 
-  /// Twice the signed area of a triangle; > 0: counter-clockwise.
+  /// Returns twice the signed area of a triangle; > 0: counter-clockwise.
   double turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     return cross(points_[b] - points_[a], points_[c] - points_[a]);
   }
@@ -44,7 +44,7 @@ class Polygon {
     }
     return false;
   }
-  /// The outer loop and the hole as one loop that goes to the hole and back along a bridge.
+  /// Returns the outer loop and the hole as one loop that goes to the hole and back along a bridge.
   Loop joined(const Loop& outer, const Loop& hole) const {
     double shortest = std::numeric_limits<double>::max();
     std::size_t from = 0, to = 0;
@@ -61,7 +61,7 @@ class Polygon {
     out.insert(out.end(), outer.begin() + static_cast<std::ptrdiff_t>(from), outer.end());
     return out;
   }
-  /// Whether the corner at i sticks out with nothing of the loop in it.
+  /// Tells whether the corner at i sticks out with nothing of the loop in it.
   bool is_ear(const Loop& loop, std::size_t i) const {
     const std::size_t n = loop.size();
     const std::uint32_t a = loop[(i + n - 1) % n], b = loop[i], c = loop[(i + 1) % n];
@@ -73,7 +73,8 @@ class Polygon {
       return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
     });
   }
-  /// Where no corner is an ear, for round-off, the sharpest is cut: the boundary stays what it is.
+  /// Returns the next ear. Where no corner is one, for round-off, it is the sharpest: the boundary stays what
+  /// it is.
   std::size_t next_ear(const Loop& loop) const {
     for (std::size_t i = 0; i < loop.size(); ++i)
       if (is_ear(loop, i)) return i;
