@@ -32,7 +32,7 @@ class Reader {
     at_ += sizeof(T);
     return value;
   }
-  /// A count of records of `size` bytes that must still fit, so that a lie cannot make us allocate.
+  /// Reads a count of records of `size` bytes that must still fit, so that a lie cannot make us allocate.
   std::uint32_t count(std::size_t size) {
     const auto n = get<std::uint32_t>();
     if (n > (bytes_.size() - at_) / size) throw InputError(fmt::format("asset: {} records do not fit", n));

@@ -2,9 +2,9 @@
 """check_comments.py [--root ROOT] [FOLDER]...: what a reader of our C++ comments would stumble over,
 in the folders held to it, or in FOLDERs (or files).
 
-In headers: a function's /// comment begins with a verb in the third person (Returns, Makes, Tells whether); no sentence is
-longer than 30 words. In headers and .cpp files: no comment begins with "Of", "From" or "To", says "likewise" or "part of
-it", or is "the same" alone. Each C++ file but those of tests is held, or waits in NOT_YET.
+A function's /// comment begins with a verb in the third person (Returns, Makes, Tells whether). No sentence is longer than
+30 words. No comment begins with "Of", "From" or "To", says "likewise" or "part of it", or is "the same" alone. Each C++
+file but those of tests is held, or waits in NOT_YET.
 """
 
 import pathlib
@@ -119,8 +119,6 @@ def faults(file):
         for rule, why in ANYWHERE:
             if rule.search(flat):
                 yield number, f"{why}: {flat[:70]}"
-        if file.suffix != ".h":
-            continue
         first = re.match(r"[\w`']*", flat)[0]
         if kind == "///" and is_function(below) and (not re.fullmatch(r"[A-Z][a-z]+s", first) or first in NO_VERBS):
             yield number, f"a function's comment begins with a verb (Returns, Makes, Tells whether): {flat[:70]}"

@@ -30,7 +30,7 @@ struct Endpoint {
 
 class CycloneBus final : public Bus {
  public:
-  /// With entity_mutex() held.
+  /// Joins, with entity_mutex() held.
   explicit CycloneBus(const BusConfig& config);
   ~CycloneBus() override;
 
@@ -92,7 +92,7 @@ CycloneBus::~CycloneBus() {
   node_.reset();  // the domain takes all its entities along
 }
 
-/// 0 when this end doesn't write the topic.
+/// Returns the writer of the message; 0 when this end doesn't write the topic.
 dds_entity_t CycloneBus::writer_of(const Message& message) const {
   const std::vector<Entity>& writers = endpoints_[message.index()].writers;
   return writers.empty() ? 0 : writers[lane(message)].get();

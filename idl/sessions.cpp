@@ -99,7 +99,7 @@ struct SessionWatch::Impl {
     });
   }
 
-  /// False when the watch is over.
+  /// Listens for one round. Returns false when the watch is over.
   bool look() {
     constexpr std::int64_t round_ns = 20'000'000;  // until what else is asked of the watch is looked at
     listener->listen(monotonic_ns() + round_ns);

@@ -1,6 +1,6 @@
-// Makes Cyclone DDS wait by the monotonic clock. Its release 0.10 waits until moments of the wall clock:
-// where somebody sets that back by an hour, its events (discovery, heartbeats, leases, resends) rest for that
-// hour, and every peer takes the process for gone (Cyclone's issue 1995, mended after 0.10).
+// Makes Cyclone DDS wait by the monotonic clock. Its release 0.10 waits until moments of the wall clock.
+// Where somebody sets that back by an hour, its events (discovery, heartbeats, leases, resends) rest for that
+// hour. Every peer then takes the process for gone (Cyclone's issue 1995, mended after 0.10).
 //
 // The two functions below have the names and contracts of Cyclone's own (dds/ddsrt/sync.h). A program's
 // definitions come before a shared library's, so Cyclone calls these. CMake's --undefined keeps them in.

@@ -36,7 +36,7 @@ void take_message(void*, const dds_log_data_t* data) {
     fmt::print(stderr, "{}\n", *line);
 }
 
-/// Without control characters, cut short.
+/// Returns the message without control characters, cut short.
 std::string shown(std::string_view message) {
   std::string out;
   for (const char c : message.substr(0, max_shown))

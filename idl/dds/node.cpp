@@ -9,8 +9,8 @@
 namespace prosector {
 namespace {
 
-/// Several nodes may live in one process, so the local domain number is any free one; the number on the
-/// network is the profile's ExternalDomainId.
+/// Creates a domain. Several nodes may live in one process, so the local domain number is any free one; the
+/// number on the network is the profile's ExternalDomainId.
 Entity create_domain(const BusConfig& config) {
   const std::string xml = profile_xml(config);
   quiet_network_log();

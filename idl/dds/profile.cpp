@@ -48,7 +48,7 @@ void append_peer(std::string& xml, const std::string& host, std::uint32_t port) 
   xml += fmt::format("<Peer Address=\"{}:{}\"/>", host, port);
 }
 
-/// A peer without a port may be any of the servers that fit on a host.
+/// Returns the peers. One without a port may be any of the servers that fit on a host.
 std::string peer_elements(const BusConfig& config, bool loopback) {
   if (config.end == BusEnd::server) return "";
   std::vector<std::string> peers = config.peers;
@@ -71,7 +71,7 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
     text.replace(at, what.size(), by);
 }
 
-/// The comment that explains the placeholders must not fill them.
+/// Removes comments: the one that explains the placeholders must not fill them.
 void remove_comments(std::string& xml) {
   for (std::size_t begin = xml.find("<!--"); begin != std::string::npos; begin = xml.find("<!--")) {
     const std::size_t end = xml.find("-->", begin);

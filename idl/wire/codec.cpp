@@ -7,8 +7,9 @@
 namespace prosector {
 namespace {
 
-// Payload: the struct in memory is laid out as CDR is, but for strings (their length and the characters in
-// use, not the capacity) and sequences (their length and elements, not the pointer).
+// Payload: the struct in memory is laid out as CDR is, but for strings and sequences. Strings take their
+// length and the characters in use, not the capacity; sequences take their length and elements, not the
+// pointer.
 template <std::size_t N>
 std::size_t text_bytes(const char (&text)[N]) {
   return 4 + strnlen(text, N) + 1;

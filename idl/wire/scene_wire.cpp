@@ -83,7 +83,7 @@ Refusal check_body(SceneBody& m) {
       .refusal();
 }
 
-/// True when every parent is a body of the scene and no chain of parents closes on itself.
+/// Tells whether every parent is a body of the scene and no chain of parents closes on itself.
 bool parents_form_a_forest(const std::vector<SceneBody>& bodies) {
   const auto count = static_cast<std::int32_t>(bodies.size());
   std::vector<std::int32_t> walked_from(bodies.size(), -1);  // first body whose walk passed here

@@ -22,7 +22,7 @@ bool sound_weights(const std::array<float, 4>& weights) {
   return std::abs(sum - 1) < weight_slack;
 }
 
-/// Slots below `limit`, each once and ascending.
+/// Tells whether slots are below `limit`, each once and ascending.
 template <class Entry>
 bool in_order(const std::vector<Entry>& entries, std::size_t limit) {
   for (std::size_t i = 0; i < entries.size(); ++i)

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double telling_rate = 2;  // Hz
 
-/// How many substeps a tick of h s will be divided into, by what the body's method needs now; 0: it is solved
-/// at once.
+/// Returns how many substeps a tick of h s will be divided into, by what the body's method needs now; 0: it
+/// is solved at once.
 std::uint32_t substeps_to_come(const Simulation& simulation, BodyId body, double h) {
   const Substepper* own = simulation.soft(body).substepper();
   if (own == nullptr) return 0;
@@ -75,7 +75,7 @@ std::vector<BodyStatus> BodyMeter::take(const Simulation& simulation) {
   return out;
 }
 
-/// The mean of what was gathered; starts anew.
+/// Returns the mean of what was gathered; starts anew.
 BodyStatus BodyMeter::close(Sum& sum, const Simulation& simulation) const {
   BodyStatus out = sum.status;
   out.time = simulation.time();

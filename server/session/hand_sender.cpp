@@ -21,8 +21,8 @@ void HandSender::update(const Snapshot& now, bool everything, std::vector<Messag
   update_contacts(now, out);
 }
 
-/// Counted in updates, not in ticks: on a busy machine not every tick is published. Of a hand that is gone
-/// the last word is that it touches nothing, too.
+/// Appends contacts. What was let go is counted in updates, not in ticks: on a busy machine not every tick is
+/// published. The last word of a hand that is gone is that it touches nothing, too.
 void HandSender::update_contacts(const Snapshot& now, std::vector<Message>& out) {
   for (auto& [key, updates] : let_go_) ++updates;
   for (const ContactSample& contact : now.contacts)

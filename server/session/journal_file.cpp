@@ -46,8 +46,8 @@ void in_one_go(SqliteDatabase& database, Work&& work) {
   }
 }
 
-/// Write-ahead logging: a reader may look on, and a crash leaves a sound file. Another connection moves the
-/// log into the file (server/session/wal_mover.h): that waits for the disk.
+/// Sets write-ahead logging: a reader may look on, and a crash leaves a sound file. Another connection moves
+/// the log into the file (server/session/wal_mover.h): that waits for the disk.
 void configure(SqliteDatabase& database, std::uint64_t limit_bytes) {
   database.execute(
       "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA wal_autocheckpoint=0; "
@@ -174,7 +174,8 @@ bool JournalFile::write_part(WaitingCheckpoint& c) {
   return true;
 }
 
-/// Those between the regular ones shorten a resume, and only the newest do.
+/// Forgets checkpoints between the regular ones but the newest: they shorten a resume, and only the newest
+/// do.
 void JournalFile::forget_old_checkpoints() {
   in_one_go(*database_, [&] {
     database_->execute(

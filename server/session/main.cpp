@@ -42,7 +42,7 @@ CompileOptions sources(const ServerOptions& options) {
   return compile;
 }
 
-/// By what this machine is measured to do.
+/// Chooses rungs by what this machine is measured to do.
 std::vector<Choice> choose(SceneDesc& scene, const ServerOptions& options) {
   RungMeter meter;
   return choose_rungs(scene, {.table_file = options.cache / "rungs.json",
@@ -56,7 +56,7 @@ Simulation compile(const SceneDesc& scene, const ServerOptions& options) {
   return Simulation(scene, sources(options));
 }
 
-/// What the scene models, and at what cost.
+/// Says what the scene models, and at what cost.
 void describe(const Simulation& simulation) {
   const SceneDesc& scene = simulation.scene();
   Eigen::Index nodes = 0;
@@ -85,7 +85,7 @@ std::unique_ptr<SessionWatch> watch_for_others(const ServerOptions& options, con
   return std::make_unique<SessionWatch>(config);
 }
 
-/// The first free place among this host's servers, after making sure that nobody hosts this session.
+/// Returns the first free place among this host's servers, after making sure that nobody hosts this session.
 BusConfig find_place(const ServerOptions& options, const std::string& session, const SessionWatch& watch) {
   if (const auto other = watch.other(time_to_find))
     throw InputError(fmt::format(
@@ -132,7 +132,7 @@ void tell_trouble(const JournalReader& journal) {
   if (!journal.trouble().empty()) say(journal.trouble());
 }
 
-/// The whole of a journal as one file, proven tick by tick where it has arrived.
+/// Writes the whole of a journal as one file, proven tick by tick where it has arrived.
 void export_journal(const std::vector<std::filesystem::path>& from_to) {
   const JournalReader from(from_to[0]);
   tell_trouble(from);
@@ -166,7 +166,7 @@ int replay_journal(const ServerOptions& options) {
   return 0;
 }
 
-/// The journal that this run writes to, if any.
+/// Opens the journal that this run writes to, if any.
 std::unique_ptr<Journal> open_journal(const ServerOptions& options, const Simulation& simulation,
                                       const std::string& scene_text, const std::string& session,
                                       const std::vector<Choice>& choices) {

@@ -21,8 +21,8 @@ struct TemporaryFolder {
   }
 };
 
-/// A log that nobody can work off where it lies is worked off beside a copy. The copy stays readable while it
-/// is open, though its name goes.
+/// Opens a copy. A log that nobody can work off where it lies is worked off beside the copy, which stays
+/// readable while it is open, though its name goes.
 std::unique_ptr<SqliteDatabase> open_copy(const fs::path& file, const fs::path& log) {
   const TemporaryFolder folder;
   const fs::path copy = folder.path / "journal";

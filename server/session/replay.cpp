@@ -18,7 +18,7 @@ void require_same_scene(const JournalReader& journal, const Simulation& simulati
 
 namespace {
 
-/// Whether the step made the revisions that the journal says.
+/// Tells whether the step made the revisions that the journal says.
 bool same_topology(const std::vector<TopologyRevision>& recorded, const std::vector<TopologyChange>& made) {
   return std::ranges::equal(recorded, made, [](const TopologyRevision& a, const TopologyChange& b) {
     return a.body == b.body && a.revision == b.revision && a.cause == b.cause && a.author == b.author &&

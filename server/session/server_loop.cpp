@@ -48,7 +48,7 @@ std::map<std::string, Prospect> expectations(const std::vector<Choice>& choices)
   return out;
 }
 
-/// The bodies whose scene allows it, with what a restored state says of them.
+/// Returns the bodies whose scene allows it, with what a restored state says of them.
 std::map<BodyId, int> may_step_down(const Simulation& simulation) {
   std::map<BodyId, int> out;
   for (BodyId b = 0; b < simulation.body_count(); ++b)
@@ -137,7 +137,7 @@ ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& sess
   publisher_.offer(last_snapshot_);
 }
 
-/// What this run began with: the scene, or the end of the session that it goes on with.
+/// Keeps the state that this run began with: the scene, or the end of the session that it goes on with.
 void ServerLoop::keep_beginning() {
   std::vector<Moments::Revision> revisions;
   for (BodyId body = 0; body < simulation_.body_count(); ++body)
@@ -188,7 +188,7 @@ void ServerLoop::tick() {
   last_snapshot_ = std::move(snapshot);
 }
 
-/// At the regular ticks, and with a journal once what lies behind takes long to run again.
+/// Makes a checkpoint at the regular ticks, and with a journal once what lies behind takes long to run again.
 std::vector<std::uint8_t> ServerLoop::checkpoint_if_due() {
   const bool regular = simulation_.time().tick % checkpoint_ticks == 0;
   const bool long_ago = journal_ != nullptr && since_checkpoint_ns_ > longest_replay_ns;
@@ -205,7 +205,7 @@ void ServerLoop::journal(ConsumedInput input, std::vector<std::uint8_t> checkpoi
                    std::move(checkpoint));
 }
 
-/// What people see is in the journal first, unless the disk is too slow for that.
+/// Waits for the journal: what people see is in it first, unless the disk is too slow for that.
 void ServerLoop::settle_journal() {
   if (journal_ == nullptr || !journal_trouble_.empty()) return;
   const bool late = !journal_->settle();
@@ -239,7 +239,7 @@ void ServerLoop::record(const StepReport& report, std::int64_t begun_ns) {
   since_checkpoint_ns_ += last_end_ns_ - begun_ns;
 }
 
-/// What the clock said of this tick becomes an input of the next.
+/// Makes what the clock said of this tick an input of the next.
 void ServerLoop::govern(const StepReport& report, std::int64_t begun_ns) {
   efforts_.clear();
   if (governor_.steps_down().empty()) return;
@@ -266,7 +266,7 @@ void ServerLoop::govern(const StepReport& report, std::int64_t begun_ns) {
                          : "has some room again"));
 }
 
-/// Who is solved less exactly, for the status.
+/// Returns who is solved less exactly, for the status.
 std::string ServerLoop::stepped_down() const {
   std::string out;
   for (const auto& [body, steps] : governor_.steps_down())
@@ -283,7 +283,8 @@ std::vector<Outgoing> ServerLoop::words_of_bodies(const StepReport& report) {
   return out;
 }
 
-/// Before the tick's own answers and state: clients have the shape when they are told where it is.
+/// Returns what is to be said of cuts. It goes before the tick's own answers and state: clients have the
+/// shape when they are told where it is.
 std::vector<Outgoing> ServerLoop::words_of_cuts(const StepReport& report) {
   for (auto piece = static_cast<BodyId>(session_.bodies()); piece < simulation_.body_count(); ++piece) {
     session_.add_body(simulation_.soft(piece).desc().part);

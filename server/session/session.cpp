@@ -27,7 +27,7 @@ const char* role_name(Role role) {
   return "unknown";
 }
 
-/// What a command asks of a part, of those that do.
+/// Returns what a command asks of a part; none for those that don't.
 std::optional<PartEvent::Kind> part_kind(CommandKind kind) {
   switch (kind) {
     case CommandKind::detach:
@@ -188,7 +188,7 @@ void Session::obey(const Command& command, const Participant& member, Seat& seat
     answer(command, "");
 }
 
-/// The host hands out roles; whoever is handed the host's gives theirs for it.
+/// Gives out a role, which only the host does; whoever is handed the host's gives theirs for it.
 void Session::hand_out(const Command& command, const Participant& member) {
   if (member.role != Role::host) {
     drop("Command: roles are the host's to give");
@@ -205,7 +205,7 @@ void Session::hand_out(const Command& command, const Participant& member) {
   give(command.subject, command.role);
 }
 
-/// At this tick. Whoever becomes an observer loses hands and holds.
+/// Gives the role at this tick. Whoever becomes an observer loses hands and holds.
 void Session::give(ParticipantId id, Role role) {
   Participant& member = *roster_.find(id);
   member.role = role;
@@ -227,7 +227,8 @@ void Session::ask_part(const Command& command, Seat& seat) {
   seat.parts.push_back(command);
 }
 
-/// Everyone takes back what they cut; what everyone did is the host's to take back.
+/// Takes what is asked of cuts. Everyone takes back what they cut; what everyone did is the host's to take
+/// back.
 void Session::ask_cut(const Command& command, const Participant& member, Seat& seat) {
   if (command.kind == CommandKind::rewind && member.role != Role::host) {
     drop("Command: rewinding is the host's");
@@ -255,7 +256,7 @@ void Session::vanish_hands(ParticipantId id, Seat& seat) {
     if (seat.hands[h].present) vanishing_.push_back({HandEvent::Kind::vanish, id, h, BodyId{0}});
 }
 
-/// Decided after everything that arrived was read, since Presence and join travel apart.
+/// Decides on joins after everything that arrived was read, since Presence and join travel apart.
 void Session::settle_joins() {
   for (auto it = visitors_.begin(); it != visitors_.end();) {
     const ParticipantId id = it->first;
@@ -375,7 +376,8 @@ void Session::vanish(std::span<const HandState> hands) {
     vanishing_.push_back({HandEvent::Kind::vanish, h.participant, h.hand, BodyId{0}});
 }
 
-/// Null when the id is another process's (counted as `what`) or when too many are at the door.
+/// Returns the visitor. Null when the id is another process's (counted as `what`) or when too many are at the
+/// door.
 Session::Visitor* Session::visitor(ParticipantId id, std::uint64_t writer, const char* what) {
   if (id == 0) {
     drop("participant id 0");
@@ -397,7 +399,7 @@ Session::Visitor* Session::visitor(ParticipantId id, std::uint64_t writer, const
   return &it->second;
 }
 
-/// Who has been quiet for long makes room; who came just now waits its turn.
+/// Forgets who has been quiet for long, which makes room; who came just now waits its turn.
 void Session::forget_visitors() {
   if (visitors_.size() < max_visitors / 2) return;
   std::erase_if(visitors_,

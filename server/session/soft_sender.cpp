@@ -30,7 +30,7 @@ void SoftSender::update(const SoftSnapshot& now, SimTime time, bool everything, 
   known_points_ = stream_->points;
 }
 
-/// Points that came with a new revision are at the end.
+/// Makes room for points that came with a new revision: they are at the end.
 void SoftSender::grow() {
   for (auto* v : {&x_, &v_, &sent_x_, &sent_v_}) v->resize(stream_->points, Vec3::Zero());
   settled_.reset();

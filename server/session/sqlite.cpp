@@ -13,7 +13,7 @@ void check(int code, sqlite3* database) {
   if (code != SQLITE_OK) throw SqliteError(database != nullptr ? sqlite3_errmsg(database) : "out of memory");
 }
 
-/// SQLite's file URI: what is no letter, digit or plain sign is escaped.
+/// Returns SQLite's file URI: what is no letter, digit or plain sign is escaped.
 std::string uri_of(const std::filesystem::path& file, const std::string& parameters) {
   std::string out = "file:";
   for (const char c : std::filesystem::absolute(file).string()) {

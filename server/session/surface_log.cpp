@@ -12,7 +12,7 @@ std::uint32_t number_of(const std::vector<std::uint32_t>& numbers, std::size_t i
   return numbers.empty() ? static_cast<std::uint32_t>(index) : numbers[index];
 }
 
-/// Nodes after these are on edges of quadratic elements.
+/// Counts the nodes that have numbers: those after these are on edges of quadratic elements.
 std::size_t numbered_nodes(const Anatomy& anatomy) {
   if (anatomy.tets.tets.empty()) return anatomy.tets.positions.size();
   std::size_t count = 0;
@@ -21,7 +21,7 @@ std::size_t numbered_nodes(const Anatomy& anatomy) {
   return count;
 }
 
-/// Nodes or vertices that the surface follows from, in the order in which it first does.
+/// Returns nodes or vertices that the surface follows from, in the order in which it first does.
 std::vector<std::uint32_t> carriers_of(const Anatomy& anatomy, bool of_nodes) {
   std::vector<std::uint32_t> out;
   std::vector<bool> seen(anatomy.tets.positions.size());
@@ -124,7 +124,7 @@ std::vector<std::uint32_t> SurfaceLog::slots_of(std::span<const std::uint32_t> c
   return out;
 }
 
-/// A point that is gone keeps its place in its chunk, at rest and as it is told.
+/// Places the streamed points. One that is gone keeps its place in its chunk, at rest and as it is told.
 void SurfaceLog::place_points(const Anatomy& anatomy, const Numbering& numbering, DrawnSurface& surface,
                               SurfaceStream& stream, std::vector<std::uint32_t>& slot_of) {
   const std::vector<SparseMap::Row>& W = anatomy.embedding.rows;

@@ -48,7 +48,7 @@ void TopologyLog::follow(const SoftShapes& shapes, std::span<const TopologyChang
   }
 }
 
-/// Its meshes and its first revision come before the scene that names it.
+/// Adds a piece. Its meshes and its first revision come before the scene that names it.
 void TopologyLog::add_piece(const SoftShapes& shapes, const TopologyChange& change, SimTime time,
                             const Roster& roster, std::vector<Outgoing>& out) {
   const SoftShapes::Shape now = shapes.shape(change.body);
@@ -88,7 +88,8 @@ void TopologyLog::send_keyframes(SimTime now, std::vector<Outgoing>& out) {
   });
 }
 
-/// The newest revision, to be entered without those before; they and the last keyframe are kept no longer.
+/// Sends the newest revision, to be entered without those before; they and the last keyframe are kept no
+/// longer.
 void TopologyLog::send_keyframe(Body& body, std::vector<Outgoing>& out) {
   TopologyRevision revision = body.surface.newest();
   const auto assets = body.surface.keyframe();

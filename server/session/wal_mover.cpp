@@ -10,7 +10,7 @@ namespace {
 // A machine that loses its power loses at most this: what is in the log alone is not on the disk yet.
 constexpr std::chrono::seconds period{5};
 
-/// What can't be moved now, because the disk is full or somebody reads, can be later.
+/// Moves the log. What can't be moved now, because the disk is full or somebody reads, can be later.
 void move(const std::filesystem::path& file) {
   try {
     SqliteDatabase database(file, SqliteDatabase::Mode::write);

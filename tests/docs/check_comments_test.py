@@ -33,7 +33,7 @@ inline constexpr std::size_t most = std::size_t{{1}} << 3;
 /// A table.
 using Table = std::function<void(int)>;
 """,
-    "common/good.cpp": f"/// Where it is. {LONG}.\nint f() {{ return 0; }}\n",
+    "common/good.cpp": "/// Finds it.\nint f() { return 0; }  // a place\n",
     "tests/any.h": f"/// Of {LONG}.\nint likewise();\n",
 }
 VERB = "begins with a verb"
@@ -48,6 +48,8 @@ FAULTS = [
     ("common/a.h", f"int x;  // {LONG}\n", "31 words"),
     ("common/a.h", "int x;  // likewise\n", "says likewise"),
     ("common/a.h", "/// Returns one. Likewise.\nint f();\n", "says likewise"),
+    ("common/a.cpp", "/// The number.\nint f() { return 0; }\n", VERB),
+    ("common/a.cpp", f"int f() {{\n  // {LONG}.\n}}\n", "31 words"),
     ("common/a.cpp", "int x;  // the same\n", "is the same alone"),
     ("common/a.cpp", "// Of these the last.\nint x;\n", "begins with Of, From or To"),
     ("common/a.cpp", "/// From here to there.\nint x;\n", "begins with Of, From or To"),
