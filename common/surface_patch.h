@@ -13,7 +13,7 @@ namespace prosector {
 
 /// All slots of one deformable, those that nothing uses any more too. Every number is a float's.
 struct DrawnSurface {
-  TriangleMesh rest;         // m, room frame; a triangle that is gone has its corners equal
+  TriangleMesh rest;         // m, world frame; a triangle that is gone has its corners equal
   StreamedSurface streamed;  // streamed.map has a row for each of rest.positions
 };
 

@@ -26,7 +26,7 @@ struct TakePicture {
   std::filesystem::path file;
 };
 
-/// A new view of pictures that no desk turns: from `eye`, towards `target` (m, room frame).
+/// A new view of pictures that no desk turns: from `eye`, towards `target` (m, world frame).
 struct LookFrom {
   Vec3 eye, target;
 };

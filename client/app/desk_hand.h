@@ -21,7 +21,7 @@ class DeskHand {
   void advance(double seconds);
 
   double flexion() const { return flexion_; }  // of every finger, 0 … 1
-  /// Returns the pose of the wrist in the room's frame. `yaw` is that of the view, rad.
+  /// Returns the pose of the wrist in the world frame. `yaw` is that of the view, rad.
   Pose pose(const Ray& pointer, double yaw) const;
 
  private:

@@ -10,7 +10,7 @@ namespace prosector {
 struct QueuedItem {
   const DrawItem* item;
   const MeshCache::Entry* mesh;  // until the next frame
-  Sphere bounds;                 // room frame
+  Sphere bounds;                 // world frame
 };
 
 inline void draw(const MeshCache& meshes, const QueuedItem& queued) {

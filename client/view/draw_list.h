@@ -50,7 +50,7 @@ inline const Triangles& triangles_of(const DrawItem& item) {
 
 /// Screen-space line, for axes and overlays; drawn after everything, depth tested or not.
 struct DrawLine {
-  Vec3 a, b;  // room frame, or for `overlay` normalised device coordinates (x, y in −1…1)
+  Vec3 a, b;  // world frame, or for `overlay` normalised device coordinates (x, y in −1…1)
   Vec3 color = Vec3::Ones();
   double width = 2;  // points
   bool overlay = false;
@@ -59,7 +59,7 @@ struct DrawLine {
 /// Text in the overlay, at a place in the room (names above heads), or on a surface in the room.
 struct DrawText {
   std::string text;
-  Vec3 at = Vec3::Zero();  // overlay: points from the top left in x, y; else room frame
+  Vec3 at = Vec3::Zero();  // overlay: points from the top left in x, y; else world frame
   bool overlay = true;
   double height = 14;  // points; on a surface: m
   Vec3 color = Vec3::Ones();

@@ -11,7 +11,7 @@ namespace prosector {
 /// point.
 std::shared_ptr<const DrawMesh> shaft_mesh(std::uint64_t mesh_id);
 
-/// Adds a shaft from `lamp` (m, room frame) that takes in the ball around the part.
+/// Adds a shaft from `lamp` (m, world frame) that takes in the ball around the part.
 void add_light_shaft(DrawList& list, const std::shared_ptr<const DrawMesh>& shaft, const Vec3& lamp,
                      const Vec3& color, const Vec3& part_middle, double part_radius);
 

@@ -17,7 +17,7 @@ Edges visible_edges(const TriangleMesh& mesh);
 /// Returns every edge once; triangles whose corners are equal have none.
 Edges all_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-/// Adds the edges as lines; `place(vertex)` returns m, room frame.
+/// Adds the edges as lines; `place(vertex)` returns m, world frame.
 template <class Place>
 void add_wireframe(DrawList& list, const Edges& edges, const Place& place) {
   for (const auto& [a, b] : edges)

@@ -19,7 +19,7 @@ struct SourcePaths {
   std::filesystem::path cache_dir;  // empty: no cache
 };
 
-/// Makes tetrahedra and the embedded surface in the room's frame. A missing file is replaced by
+/// Makes tetrahedra and the embedded surface in the world frame. A missing file is replaced by
 /// desc.fallback, and `progress` says so; without a fallback InputError lists where it was looked for.
 Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progress& progress);
 

@@ -118,7 +118,7 @@ struct RigidDesc {
 /// position by springs, a Winkler foundation over the tied volume, so that the total does not depend on the
 /// mesh. A node that carries V m³ gets stiffness·V N/m. From about 1e12 on it is a pin.
 struct AttachDesc {
-  Vec3 center = Vec3::Zero();  // m, room frame
+  Vec3 center = Vec3::Zero();  // m, world frame
   double radius = 0.05;        // m
   double stiffness = 2e5;      // N/m⁴: N/m per m³ of tied tissue
 };
@@ -126,7 +126,7 @@ struct AttachDesc {
 /// [[soft.region]]: part of a body that is made of something else: the elements whose middle, at rest, lies
 /// inside. Where regions overlap, the last one holds.
 struct RegionDesc {
-  Vec3 center = Vec3::Zero();           // m, room frame
+  Vec3 center = Vec3::Zero();           // m, world frame
   double radius = 0.05;                 // m: a sphere's
   Vec3 size = Vec3::Zero();             // m: a box's full extents along the room's axes; zero: a sphere
   double youngs_modulus = 0;            // Pa; 0: the body's
@@ -180,7 +180,7 @@ struct SoftDesc {
   double youngs_modulus = 5400;  // Pa; with [[soft.relaxation]]: at once
   double poisson_ratio = 0.45;
   double fiber_stiffness = 0;            // Pa: what fibres add along themselves in tension
-  Vec3 fiber_direction = Vec3::UnitX();  // room frame, at rest; any length but zero
+  Vec3 fiber_direction = Vec3::UnitX();  // world frame, at rest; any length but zero
   double density = 1060;                 // kg/m³
   double damping_mass = 0.5;             // 1/s   Rayleigh: C = damping_mass·M + damping_stiffness·K
   double damping_stiffness = 0.01;       // s

@@ -5,7 +5,7 @@
 
 namespace prosector {
 
-/// Returns the shortest rotation vector that leads from a to b, room frame.
+/// Returns the shortest rotation vector that leads from a to b, world frame.
 inline Vec3 turn(const Quat& a, const Quat& b) {
   Quat q = b * a.conjugate();
   if (q.w() < 0) q.coeffs() = -q.coeffs();

@@ -87,7 +87,7 @@ struct Exchange {
   Vec3 impulse = Vec3::Zero();  // N·s, on a, friction included; on b its opposite
   double normal_impulse = 0;    // N·s, sum over the points, each along its own normal
   double depth = 0;             // m, of the deepest point when the tick began; 0: all were apart
-  Vec3 point = Vec3::Zero();    // m, room frame: where it pressed hardest …
+  Vec3 point = Vec3::Zero();    // m, world frame: where it pressed hardest …
   Vec3 normal = Vec3::UnitY();  // … and the unit normal there, from b to a
 };
 
@@ -103,7 +103,7 @@ struct CompileOptions {
       data_dirs;                    // where sources that the scene names are looked up, after its own folder
   std::filesystem::path cache_dir;  // meshes and equilibria by content hash; empty: none
   std::function<void(const std::string&)> progress;  // lines for people
-  /// Geometry from the caller (room frame) for the soft bodies it returns some for, instead of the sources
+  /// Geometry from the caller (world frame) for the soft bodies it returns some for, instead of the sources
   /// that the scene names.
   std::function<std::optional<Anatomy>(const SoftDesc&)> anatomy;
 };
@@ -120,7 +120,7 @@ class Simulation {
   std::size_t body_count() const;  // rigid bodies first, in scene order, then soft ones
   BodyKind kind(BodyId body) const;
   const std::string& name(BodyId body) const;
-  const TriangleMesh& surface(BodyId body) const;  // rigid: body frame; soft: rest shape, room frame
+  const TriangleMesh& surface(BodyId body) const;  // rigid: body frame; soft: rest shape, world frame
   const SoftBody& soft(BodyId body) const;
   std::uint32_t revision(BodyId soft_body) const;      // of its topology
   const Numbering& numbering(BodyId soft_body) const;  // of soft(body).anatomy()

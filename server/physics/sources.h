@@ -8,7 +8,7 @@ namespace prosector {
 /// Makes a rigid body's surface in its own frame. Throws InputError.
 TriangleMesh rigid_surface(const RigidDesc& desc, const SceneDesc& scene, const CompileOptions& options);
 
-/// Makes a soft body's mesh in the room frame. Throws InputError.
+/// Makes a soft body's mesh in the world frame. Throws InputError.
 Anatomy soft_anatomy(const SoftDesc& desc, const SceneDesc& scene, const CompileOptions& options);
 
 }  // namespace prosector

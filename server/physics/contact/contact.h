@@ -39,7 +39,7 @@ struct ContactSide {
 /// tick.
 struct Contact {
   ContactSide a, b;
-  Vec3 point = Vec3::Zero();    // m, room frame, at the tick's start
+  Vec3 point = Vec3::Zero();    // m, world frame, at the tick's start
   Vec3 normal = Vec3::UnitY();  // unit, from b to a
   double gap = 0;               // m at the tick's start, beyond `rest`; < 0 presses
   double rest = 0;              // m, <= 0: gap between the surfaces at which they don't press, see memory.h

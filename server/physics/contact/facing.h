@@ -12,7 +12,7 @@ namespace prosector {
 
 /// What is known of a vertex that came near a thing.
 struct Approach {
-  Vec3 at = Vec3::Zero();        // m, room frame
+  Vec3 at = Vec3::Zero();        // m, world frame
   Distance nearest;              // of the thing there
   const Vec3* before = nullptr;  // unit: the contact's normal in the last tick, if it pressed then …
   double depth = 0;              // … and how deep it was when that ended, m

@@ -9,7 +9,7 @@
 
 namespace prosector {
 
-/// A capsule: all points within `radius` of the segment; room frame.
+/// A capsule: all points within `radius` of the segment; world frame.
 struct Rod {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();  // m
   double radius = 0;                            // m

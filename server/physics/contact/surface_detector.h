@@ -42,7 +42,7 @@ struct Collider {
 struct TriangleTouch {
   std::uint32_t triangle = 0;
   Vec3 weights = Vec3::Zero();  // of the corners
-  Vec3 point = Vec3::Zero();    // m, room frame
+  Vec3 point = Vec3::Zero();    // m, world frame
   Vec3 normal = Vec3::UnitY();  // unit, out of the rigid part
   double gap = 0;               // m, < 0 penetrates
   double strength = 1;          // in (0, 1]: share of the full contact stiffness, continuous in the positions
@@ -137,14 +137,14 @@ class SurfaceDetector {
   Vec3 lo_ = Vec3::Zero(), hi_ = Vec3::Zero();
 };
 
-/// Returns the nearest part of the collider at a point of the room; the normal is in the room frame. Parts
+/// Returns the nearest part of the collider at a point of the room; the normal is in the world frame. Parts
 /// farther than `margin` may be skipped: the value is then larger than it.
 Distance distance_to(const Collider& collider, const Vec3& x, double margin);
 
 /// A corner of one of the collider's boxes.
 struct BoxCorner {
   std::uint32_t index = 0;  // 8 times the part, plus the corner
-  Vec3 at = Vec3::Zero();   // m, room frame
+  Vec3 at = Vec3::Zero();   // m, world frame
   double depth = 0;         // m: half the box's least extent
 };
 constexpr std::uint32_t corners_per_part = 8;

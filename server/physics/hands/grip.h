@@ -12,7 +12,7 @@ namespace prosector {
 /// Where a part of the hand touches something, or is near it.
 struct Touch {
   std::size_t part = 0;         // of the hand: the palm, then the segments in joint order
-  Vec3 point = Vec3::Zero();    // m, room frame: on the thing
+  Vec3 point = Vec3::Zero();    // m, world frame: on the thing
   Vec3 normal = Vec3::UnitY();  // unit, out of the thing
   double gap = 0;               // m
   std::uint32_t vertex = 0;     // of tissue

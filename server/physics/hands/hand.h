@@ -55,7 +55,7 @@ inline constexpr std::size_t max_hold_points = 24;  // on tissue
 /// force and moment bounded. The effective target is never farther away than max_hand_speed allows.
 Pull hand_pull(const Hand& hand, const HandModel& model, const HandDesc& desc, const Pose& centre, double h);
 
-/// Points on the hand's surface line, room frame, with the radius around each: what a grasp measures from.
+/// Points on the hand's surface line, world frame, with the radius around each: what a grasp measures from.
 struct Feeler {
   Vec3 point;
   double radius;

@@ -22,7 +22,7 @@ inline constexpr PanelEvent::Kind last_panel_event = PanelEvent::Kind::set;
 /// Where somebody's eyes are: their panels face them.
 struct HeadPlace {
   ParticipantId participant = 0;
-  Vec3 at = Vec3::Zero();  // m, room frame
+  Vec3 at = Vec3::Zero();  // m, world frame
 };
 
 }  // namespace prosector

@@ -6,7 +6,7 @@
 namespace prosector {
 
 struct PanelSite {
-  Vec3 touched;  // m, room frame: where the part was touched
+  Vec3 touched;  // m, world frame: where the part was touched
   Vec3 lo, hi;   // m, the part's box
   Vec3 reader;   // m, the eyes
   double side;   // ±1: to which side of the part, as the reader sees it; +1 is right

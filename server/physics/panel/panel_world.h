@@ -19,10 +19,10 @@ namespace prosector {
 /// A hand as panels feel it.
 struct PanelHand {
   HandRef who;
-  Vec3 palm = Vec3::Zero();        // m, room frame, its middle
-  std::vector<Capsule> fingers;    // room frame, always in the same order
+  Vec3 palm = Vec3::Zero();        // m, world frame, its middle
+  std::vector<Capsule> fingers;    // world frame, always in the same order
   std::optional<BodyId> touches;   // the body it touches most
-  Vec3 touched_at = Vec3::Zero();  // m, room frame
+  Vec3 touched_at = Vec3::Zero();  // m, world frame
 };
 
 /// How a control stands if nobody works it: buttons 0 off, 1 on; the slider 0 … 1.
@@ -34,7 +34,7 @@ class PanelSubjects {
   virtual ~PanelSubjects() = default;
   /// Tells whether the body is a part that can be touched: others have no panel.
   virtual bool has_panel(BodyId body) const = 0;
-  virtual std::pair<Vec3, Vec3> box(BodyId body) const = 0;  // room frame, lowest and highest corner
+  virtual std::pair<Vec3, Vec3> box(BodyId body) const = 0;  // world frame, lowest and highest corner
   virtual ShownControls shown(BodyId body) const = 0;
 };
 

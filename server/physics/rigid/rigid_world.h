@@ -37,7 +37,7 @@ enum class BodyPresence : std::uint8_t { free, fixed, absent };
 
 struct RigidMotion {
   Pose pose;
-  Vec3 linear_velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();  // m/s, rad/s, room frame
+  Vec3 linear_velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();  // m/s, rad/s, world frame
   bool asleep = false;
   double quiet_seconds = 0;
 };
@@ -45,7 +45,7 @@ struct RigidMotion {
 /// One point where two rigid bodies touch or nearly do.
 struct RigidContact {
   std::size_t a, b;       // slots
-  Vec3 point_a, point_b;  // room frame, on either surface
+  Vec3 point_a, point_b;  // world frame, on either surface
   Vec3 normal;            // unit, from b to a
   double gap;             // m, < 0 penetrates
   double friction, restitution;
@@ -54,7 +54,7 @@ struct RigidContact {
 
 /// What a contact gave a body.
 struct RigidImpulse {
-  Vec3 point, impulse;  // m, N·s; room frame
+  Vec3 point, impulse;  // m, N·s; world frame
 };
 
 /// An island that Bullet left to the coupled solver.
