@@ -20,7 +20,7 @@ struct Asset {
 /// The places of a deformable's streamed points at rest, and how its surface hangs on them: what SoftState is
 /// relative to.
 struct StreamedSurface {
-  std::vector<Vec3> rest;  // metres, room frame; float32 when encoded
+  std::vector<Vec3> rest;  // metres, world frame; float32 when encoded
   SparseMap map;           // surface vertex ← streamed points
 };
 

@@ -274,7 +274,7 @@ struct Settled {
   SimTime time;
   std::uint32_t revision = 0;
   std::uint64_t hash = 0;                  // StateHasher over the float positions
-  std::vector<Eigen::Vector3f> positions;  // all streamed points, metres, room frame
+  std::vector<Eigen::Vector3f> positions;  // all streamed points, metres, world frame
 };
 
 /// What made a revision of a body's topology.
@@ -289,12 +289,12 @@ inline constexpr std::size_t max_surface_triangles = 2 * 1024 * 1024;  // slots 
 /// holds the same bits.
 struct SurfacePatch {
   struct Point {                                     // appended, in order
-    Eigen::Vector3f rest = Eigen::Vector3f::Zero();  // m, room frame: what SoftState's positions start from
-    Eigen::Vector3f now = Eigen::Vector3f::Zero();   // m, room frame, at the revision's time
+    Eigen::Vector3f rest = Eigen::Vector3f::Zero();  // m, world frame: what SoftState's positions start from
+    Eigen::Vector3f now = Eigen::Vector3f::Zero();   // m, world frame, at the revision's time
   };
   struct Vertex {
     std::uint32_t slot = 0;
-    Eigen::Vector3f rest = Eigen::Vector3f::Zero();  // m, room frame
+    Eigen::Vector3f rest = Eigen::Vector3f::Zero();  // m, world frame
     std::array<std::uint32_t, 4> point{};            // that it hangs on; unused entries: weight 0
     std::array<float, 4> weight{};                   // sum 1
   };
@@ -335,7 +335,7 @@ struct ContactSample {
   SimTime time;
   bool touching = false;
   BodyId body = 0;
-  Vec3 point = Vec3::Zero();        // room frame
+  Vec3 point = Vec3::Zero();        // world frame
   Vec3 normal = {0, 1, 0};          // out of the touched body
   double depth = 0;                 // metres, > 0 penetrates, < 0 a gap
   double impulse = 0;               // N·s over the last tick, all contacts of this hand
