@@ -11,15 +11,15 @@
 
 namespace prosector {
 
-/// Names a piece of content; equal bytes have equal hashes on every machine.
+/// A name of a piece of content; equal bytes have equal hashes on every machine.
 using ContentHash = std::array<std::uint8_t, 16>;
 
 ContentHash content_hash(std::span<const std::byte> bytes);
 std::string to_hex(const ContentHash& hash);
 std::string to_hex(std::uint64_t hash);
 
-/// Feeds the bits of state in a fixed order; the digest is equal if and only if (but for collisions) every
-/// bit was.
+/// A digest of state, whose bits are fed in a fixed order. It is equal if and only if (but for collisions)
+/// every bit was.
 class StateHasher {
  public:
   StateHasher();

@@ -32,9 +32,9 @@ struct TetMesh {
   std::vector<std::array<std::uint32_t, 4>> tets;  // into positions
 };
 
-/// x_surface = W·x_nodes and, transposed, f_nodes = Wᵀ·f_surface: at most 4 nodes a row, weights sum to 1.
-/// No surface index is a degree of freedom; a surface may be finer or coarser than the elements that carry
-/// it.
+/// A sparse map W from nodes to surface: x_surface = W·x_nodes and, transposed, f_nodes = Wᵀ·f_surface. A row
+/// has at most 4 nodes, and its weights sum to 1. No surface index is a degree of freedom; a surface may be
+/// finer or coarser than the elements that carry it.
 struct SparseMap {
   struct Row {
     std::array<std::uint32_t, 4> node{};  // unused entries: weight 0

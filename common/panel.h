@@ -44,7 +44,7 @@ struct ControlDesc {
 inline constexpr double button_travel = 0.007, button_height = 0.010, knob_height = 0.016;
 inline constexpr double slider_y = -0.096;
 
-/// In the order of PanelControl.
+/// The panel's controls, in the order of PanelControl.
 inline constexpr std::array<ControlDesc, panel_control_count> panel_controls = {{
     {PanelControl::attach, ControlKind::button, "attach", "detach", -0.071, 0.028, 0.067, 0.016,
      button_height, button_travel},

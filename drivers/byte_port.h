@@ -9,7 +9,8 @@
 
 namespace prosector {
 
-/// Owns one descriptor; never blocks, never throws. Losing the device closes it and says why.
+/// A serial line or other device file: owns one descriptor; never blocks, never throws. Losing the device
+/// closes it and says why.
 class BytePort {
  public:
   /// Takes the device's path. `baud` 0 leaves line settings alone (hidraw); else the path must be a terminal,

@@ -57,8 +57,8 @@ class Device {
   virtual int descriptor() const = 0;
 };
 
-/// "fastrak:/dev/ttyS0", "5dt:/dev/ttyS1", "5dt-usb:/dev/hidraw0", "recorded:hand.csv": driver, then what it
-/// opens.
+/// The driver, then what it opens: "fastrak:/dev/ttyS0", "5dt:/dev/ttyS1", "5dt-usb:/dev/hidraw0",
+/// "recorded:hand.csv".
 struct DeviceAddress {
   std::string driver;
   std::string path;

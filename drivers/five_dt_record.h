@@ -14,12 +14,13 @@ inline constexpr char reset_command = 'A', stream_command = 'D', sample_command 
 inline constexpr std::uint8_t reset_answer = 0x55, packet_header = 0x80;
 inline constexpr std::size_t info_width = 32;
 
-/// Header, five fingers (0 open … 255 flexed), pitch, roll, XOR of the seven data bytes.
+/// A packet of the serial glove: header, five fingers (0 open … 255 flexed), pitch, roll, XOR of the seven
+/// data bytes.
 inline constexpr std::size_t packet_width = 9;
 using Packet = std::array<std::uint8_t, packet_width>;
 
-/// 16 big-endian words (0–4095) and 32 bytes whose meaning isn't known; a 5-sensor glove's fingers are at
-/// words 0, 3, 6, 9, 12.
+/// A report of the USB glove: 16 big-endian words (0–4095) and 32 bytes whose meaning isn't known. A 5-sensor
+/// glove's fingers are at words 0, 3, 6, 9, 12.
 inline constexpr std::size_t report_width = 64, report_words = 16, report_finger_stride = 3;
 inline constexpr std::uint16_t max_word = 4095;
 using Report = std::array<std::uint8_t, report_width>;

@@ -14,7 +14,7 @@
 
 namespace prosector {
 
-/// Appends samples to a file; time 0 is the first sample.
+/// A file that samples are appended to; time 0 is the first sample.
 class SampleRecorder {
  public:
   /// Opens the file. Throws InputError when it cannot be written.

@@ -12,7 +12,7 @@
 
 namespace prosector {
 
-/// Notes when each input of each participant first showed up in a snapshot here. Called on the network
+/// A log of when each input of each participant first showed up in a snapshot here. Called on the network
 /// thread.
 class ArrivalLog {
  public:

@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-/// Writes frames at a fixed rate. A full disk ends the recording with a message, never the session.
+/// A film of frames at a fixed rate. A full disk ends the recording with a message, never the session.
 class Recorder {
  public:
   /// Begins a `.avi` (motion JPEG) or `.mp4`. Throws InputError for another ending, or when the file cannot

@@ -38,7 +38,7 @@
 
 namespace prosector {
 
-/// gl.Clear(…) is glClear(…).
+/// OpenGL's functions as loaded from a context: gl.Clear(…) is glClear(…).
 struct Gl {
 #define PROSECTOR_GL_MEMBER(TYPE, NAME) PFNGL##TYPE##PROC NAME = nullptr;
   PROSECTOR_GL_FUNCTIONS(PROSECTOR_GL_MEMBER)

@@ -25,7 +25,7 @@ class GlassPass {
             const Shadow& shadow, GLuint environment, RenderTarget& target, MainPass& main);
 
  private:
-  /// Faces of one layer: how deep they are, and of back faces where they look.
+  /// The faces of one layer: how deep they are, and of back faces where they look.
   struct Faces {
     GLuint framebuffer = 0, depth = 0, normals = 0;
   };

@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-/// 8-bit sRGB, rows from the top.
+/// A picture in 8-bit sRGB, rows from the top.
 struct Image {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgb;

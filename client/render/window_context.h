@@ -12,7 +12,8 @@
 
 namespace prosector {
 
-/// Keys that print are their upper-case ASCII character on a US keyboard ('W', '1', ' '); others follow.
+/// The keys of a keyboard. Keys that print are their upper-case ASCII character on a US keyboard ('W', '1', '
+/// '); others follow.
 enum class Key : int {
   space = ' ',
   escape = 256,

@@ -17,12 +17,13 @@ struct CoarserList {
   std::vector<LeftOut> left_out;
 };
 
-/// Each with half of the triangles of the one before, about, beginning with that of the mesh.
+/// A mesh's coarser lists, each with half of the triangles of the one before, about, beginning with that of
+/// the mesh.
 struct Detail {
   std::vector<CoarserList> coarser;
 };
 
-/// Below this many triangles a mesh is drawn as it is.
+/// The fewest triangles of a mesh that has levels of detail; one of fewer is drawn as it is.
 inline constexpr std::size_t least_detailed = 256;
 
 /// Makes the detail of a surface at rest. Takes some seconds for a million triangles.

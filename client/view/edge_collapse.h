@@ -15,8 +15,8 @@ namespace prosector {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-/// Vertices on open edges, and where more than two triangles meet in an edge, stay. The result depends on
-/// nothing but what it was given.
+/// A surface while its edges collapse. Vertices on open edges, and where more than two triangles meet in an
+/// edge, stay. The result depends on nothing but what it was given.
 class EdgeCollapser {
  public:
   /// Takes `positions` that outlive it.

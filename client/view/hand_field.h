@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-/// Signed distances, about, in metres, at one point of the right hand's wrist frame.
+/// The hand's signed distances, about, in metres, at one point of the right hand's wrist frame.
 struct HandField {
   double solid = 0;                    // of the whole hand
   std::array<double, fingers> finger;  // of each finger's flesh alone, thumb first

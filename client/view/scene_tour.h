@@ -15,7 +15,8 @@ struct TourStop {
   DrawList list;      // with its camera
 };
 
-/// Ball around what can move or give way, else around everything but the room, m. `list` is still_scene()'s.
+/// The ball around what can move or give way, else around everything but the room, m. `list` is
+/// still_scene()'s.
 struct Subject {
   Vec3 middle = Vec3::Zero();
   double radius = 1;

@@ -6,7 +6,8 @@
 
 namespace prosector {
 
-/// Ranges stand in the table of stereo_profile.cpp. A file gives angles in degrees.
+/// A head-mounted or other stereo display. Ranges stand in the table of stereo_profile.cpp. A file gives
+/// angles in degrees.
 struct StereoProfile {
   std::string description;
   double eye_width = 800, eye_height = 600;  // pixels, each eye

@@ -11,7 +11,8 @@ namespace prosector {
 
 using Progress = std::function<void(const std::string& line)>;
 
-/// 1 inside, 0 outside, cropped to the structure with a margin of zeros; the frame stays the volume's.
+/// A structure as voxels: 1 inside, 0 outside, cropped to the structure with a margin of zeros; the frame
+/// stays the volume's.
 struct Mask {
   Volume volume;                   // values 0 or 1
   Vec3 origin = Vec3::Zero();      // the cropped volume's centre in the whole one's frame, m

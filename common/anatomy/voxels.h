@@ -32,7 +32,7 @@ std::size_t check_header(const VolumeHeader& header, const std::string& name);
 /// isn't finite.
 Volume read_voxels(const VolumeHeader& header, std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// Headers from the file's first bytes.
+/// The most bytes of a file that its header takes. Headers are read from the file's first bytes.
 inline constexpr std::size_t max_header_bytes = 64 * 1024;
 bool is_inrimage(std::span<const std::uint8_t> head);
 VolumeHeader parse_inrimage_header(std::span<const std::uint8_t> head, const std::string& name);

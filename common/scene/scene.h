@@ -76,7 +76,7 @@ inline constexpr std::size_t max_collision_groups = 32;
 /// Groups that are there without any body naming them: of bodies that name none, and of people's hands.
 inline constexpr const char *default_group = "default", *hand_group = "hand";
 
-/// [[rigid]]
+/// [[rigid]]: a rigid body.
 struct RigidDesc {
   std::string name;
   std::string description;
@@ -153,7 +153,7 @@ struct FixedChoice {
   bool model = false, element = false, integrator = false, solver = false, cell = false;
 };
 
-/// [[soft]]
+/// [[soft]]: a deformable body.
 struct SoftDesc {
   std::string name;
   std::string description;
@@ -217,12 +217,12 @@ struct SoftDesc {
   Appearance appearance = {.surface = Surface::tissue};
 };
 
-/// [[light]]
+/// [[light]]: a light.
 struct LightDesc : LightInfo {
   std::string carrier;  // name of the body that it goes with; empty: it stays
 };
 
-/// [session]
+/// [session]: the session's name, whom it admits, and when a hand is let go.
 struct SessionDesc {
   std::string name = "prosector";
   int capacity = 64;           // people, observers included

@@ -38,7 +38,7 @@ struct TwinTiming {
   std::vector<double> holds = {};  // s, rising: at each, script time stands still until go_on()
 };
 
-/// Script time of a twin.
+/// The time of a twin's script.
 class ScriptClock {
  public:
   ScriptClock(const TwinTiming& timing, std::int64_t now_ns)

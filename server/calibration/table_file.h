@@ -19,8 +19,8 @@ struct FoundTable {
 };
 /// Reads a table. One of another machine or build, or a damaged one, counts as none.
 FoundTable read_table(const std::filesystem::path& file, const std::string& machine);
-/// Below this share of the processor, what a rung costs was measured beside other work, which also takes
-/// caches and memory: such figures serve once and are not kept.
+/// The least share of the processor at which figures are kept. Below it, what a rung costs was measured
+/// beside other work, which also takes caches and memory: such figures serve once.
 inline constexpr double least_share = 0.9;
 
 /// Writes the rows that were measured undisturbed. Returns false when the file can't be written: no error, it

@@ -42,7 +42,7 @@ class ByteWriter {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Throws InputError at the end of the bytes and for numbers that aren't finite.
+/// A reader of bytes, which throws InputError at their end and for numbers that aren't finite.
 class ByteReader {
  public:
   ByteReader(std::span<const std::uint8_t> bytes, std::string what) : bytes_(bytes), what_(std::move(what)) {}

@@ -69,8 +69,8 @@ struct Model {
   std::vector<BladeShape> blades;  // per rigid body of the scene
   std::array<HandModel, 2> hands;
   std::vector<RoomModel> room;
-  /// For soft bodies that collide as simple shapes: per rigid body, of each hand, of the room's sides. Empty
-  /// where there is no such body.
+  /// Outlines for soft bodies that collide as simple shapes: per rigid body, of each hand, of the room's
+  /// sides. Empty where there is no such body.
   std::vector<std::optional<RigidOutline>> outlines;
   ContentHash hash{};
 };

@@ -6,7 +6,7 @@
 
 namespace prosector {
 
-/// Writes the time since it was last asked into a phase of the report; decides nothing.
+/// A stopwatch that writes the time since it was last asked into a phase of the report; decides nothing.
 class PhaseClock {
  public:
   explicit PhaseClock(StepReport& report) : report_(report), start_(monotonic_ns()), last_(start_) {}

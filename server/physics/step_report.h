@@ -11,7 +11,7 @@
 
 namespace prosector {
 
-/// Phases in the order in which a step runs them; reading order of Simulation::step is this order.
+/// The phases in the order in which a step runs them; reading order of Simulation::step is this order.
 enum class Phase : std::uint8_t { inputs, broad, narrow, islands, coupled, rigid, constraints, report };
 inline constexpr std::array<const char*, step_phases> phase_names = {
     "inputs", "broad", "narrow", "islands", "coupled", "rigid", "constraints", "report"};

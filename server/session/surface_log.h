@@ -33,7 +33,7 @@ class SurfaceLog {
   std::shared_ptr<const SurfaceStream> stream() const { return stream_; }
 
  private:
-  /// Slots by number.
+  /// The slots of numbers.
   struct Slots {
     std::vector<std::uint32_t> of;
     std::uint32_t count = 0;

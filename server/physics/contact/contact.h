@@ -19,7 +19,7 @@ struct ContactSide {
   std::array<std::uint32_t, most_nodes> node{};  // … which …
   std::array<double, most_nodes> weight{};       // … and their weights
   Vec3 arm = Vec3::Zero();    // rigid: m, from the centre of mass to the point, at the tick's start
-  Vec3 moved = Vec3::Zero();  // fixed: m, by which it is driven over the tick
+  Vec3 moved = Vec3::Zero();  // fixed: m, its kinematic motion over the tick
 
   /// Adds `share` of a surface vertex.
   void add(const SparseMap::Row& row, double share) {
@@ -33,10 +33,10 @@ struct ContactSide {
   }
 };
 
-/// Potential ½·stiffness·min(g, 0)² with g = gap + normal·(u_a − u_b), u the sides' displacements over the
-/// tick; and smoothed Coulomb friction (Li et al. 2020, "Incremental Potential Contact", 5) on the slip: the
-/// tangential part of u_a − u_b, counted from where friction held (memory.h). The normal is fixed over a
-/// tick.
+/// A contact between a point of side a and a point of side b. Its potential is ½·stiffness·min(g, 0)² with
+/// g = gap + normal·(u_a − u_b), u the sides' displacements over the tick. Smoothed Coulomb friction (Li et
+/// al. 2020, "Incremental Potential Contact", 5) acts on the slip: the tangential part of u_a − u_b, counted
+/// from where friction held (memory.h). The normal is fixed over a tick.
 struct Contact {
   ContactSide a, b;
   Vec3 point = Vec3::Zero();    // m, world frame, at the tick's start
@@ -45,8 +45,9 @@ struct Contact {
   double rest = 0;              // m, <= 0: gap between the surfaces at which they don't press, see memory.h
   double stiffness = 0;         // N/m
   double friction = 0;
-  std::uint32_t bearer = 0;  // > 0: of a pad's friction (contact/pad.h): it has none but friction, under its
-                             // share of what the contact so many places before it presses with
+  std::uint32_t bearer = 0;  // 0: an ordinary contact; n > 0: a friction-only point of a finger's pad
+                             // (contact/pad.h), its normal force 1/patch_points of that of the contact n
+                             // places before it in the island
   double rebound = 0;        // m/s: speed at which rigid sides part when they have pressed, see restitution.h
   static constexpr std::uint32_t no_feature = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t feature = no_feature;  // soft a: its surface vertex; or all vertices' count plus the

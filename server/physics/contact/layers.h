@@ -28,7 +28,8 @@ inline void swap_sides(LayerMeeting& m) {
   m.normal = -m.normal;
 }
 
-/// On which side of b's element a's was when they were last apart: what has got through is sent back there.
+/// The side of b's element on which a's was when they were last apart: what has got through is sent back
+/// there.
 struct LayerSide {
   std::uint32_t a = 0, b = 0;
   Vec3 normal = Vec3::UnitY();  // unit, from b to a

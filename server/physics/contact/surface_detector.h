@@ -48,8 +48,8 @@ struct TriangleTouch {
   double strength = 1;          // in (0, 1]: share of the full contact stiffness, continuous in the positions
 };
 
-/// Returns which way is out of the rigid part, as far as is known, for a triangle of a sheet. A sheet has no
-/// inside that could tell on which side of it a thing is.
+/// A function that returns which way is out of the rigid part, as far as is known, for a triangle of a sheet.
+/// A sheet has no inside that could tell on which side of it a thing is.
 using KnownSide = std::function<std::optional<Vec3>(std::uint32_t triangle)>;
 
 /// One soft surface, in the order that keeps neighbours together, with boxes around runs of vertices.

@@ -20,7 +20,7 @@ struct Touch {
 
 inline constexpr double touching_gap = 0.003;  // m: nearer than that is touched
 
-/// Five fingers from the thumb, then the palm.
+/// The digits of a hand: five fingers from the thumb, then the palm.
 inline constexpr std::size_t digits = 6;
 std::size_t digit_of(std::size_t part);
 /// Tells whether the touches can hold: the thumb against fingers or palm, or at least two of these around the

@@ -38,7 +38,7 @@ class PanelSubjects {
   virtual ShownControls shown(BodyId body) const = 0;
 };
 
-/// Somebody worked a control.
+/// What somebody asked by working a control.
 struct PanelAction {
   ParticipantId participant = 0;
   BodyId body = 0;

@@ -110,7 +110,7 @@ class RigidWorld {
   const std::vector<MixedIsland>& solve(double h);
   /// Returns the velocities after the tick if nothing touched the body: gravity and gyroscopic moment.
   std::pair<Vec3, Vec3> predicted_velocity(std::size_t slot, double h) const;
-  /// Integrates poses from the velocities; driven bodies arrive and stand still again.
+  /// Integrates poses from the velocities; kinematic bodies arrive and stand still again.
   void integrate(double h);
 
   /// Returns what contacts gave the body in the last solve(), friction too, if its island was not a mixed
