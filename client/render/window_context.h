@@ -12,8 +12,8 @@
 
 namespace prosector {
 
-/// The keys of a keyboard. Keys that print are their upper-case ASCII character on a US keyboard ('W', '1', '
-/// '); others follow.
+/// The keys of a keyboard. Those that print are their upper-case ASCII character on a US keyboard: 'W', '1',
+/// a blank. Others follow.
 enum class Key : int {
   space = ' ',
   escape = 256,
