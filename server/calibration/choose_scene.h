@@ -26,7 +26,7 @@ std::vector<Choice> choose_rungs(SceneDesc& scene, const ChoiceOptions& options)
 /// Puts choices made earlier into the scene. Throws InputError when a body that needs one has none.
 void adopt(const std::vector<Choice>& choices, SceneDesc& scene);
 
-/// Encodes choices as text, for a journal.
+/// Encodes choices as text, for a journal; decode_choices() decodes them, and throws InputError.
 std::string encode(const std::vector<Choice>& choices);
 std::vector<Choice> decode_choices(const std::string& text);
 
