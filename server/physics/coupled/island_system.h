@@ -2,12 +2,12 @@
 // An island's energy, gradient and Hessian, the last matrix-free. It puts together its soft bodies', its
 // rigid bodies' (rigid_elimination.h) and what joins them (island_joints.h).
 
+#include <Eigen/Cholesky>
+#include <optional>
 #include "server/physics/coupled/island_joints.h"
 #include "server/physics/coupled/rigid_block.h"
 #include "server/physics/coupled/rigid_elimination.h"
 #include "server/physics/soft/solvers/linear_solver.h"
-#include <Eigen/Cholesky>
-#include <optional>
 
 namespace prosector {
 
