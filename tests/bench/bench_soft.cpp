@@ -9,6 +9,7 @@
 #include "server/calibration/stopwatch.h"
 #include "server/physics/soft/implicit_stepper.h"
 #include "server/physics/soft/incremental_potential.h"
+#include "server/physics/soft/laws/constitutive_law.h"
 #include "server/physics/soft/make_model.h"
 #include "server/physics/soft/matrices/block_matrix.h"
 #include "server/physics/soft/soft_body.h"

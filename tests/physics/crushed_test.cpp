@@ -72,8 +72,8 @@ INSTANTIATE_TEST_SUITE_P(Models, CrushedByItsWeight,
 
 // St. Venant and Kirchhoff's law has no barrier: it is the one that this is for.
 TEST(CrushedByItsWeight, IsWhatStVenantAndKirchhoffsLawDoesAndNoneThatIsStiffer) {
-  EXPECT_TRUE(Simulation(soft_ball("fem_stvk", 3000), options()).soft(ball).keeps_recovering());
-  EXPECT_FALSE(Simulation(soft_ball("fem_stvk", 30000), options()).soft(ball).keeps_recovering());
+  EXPECT_TRUE(Simulation(soft_ball("fem_stvk", 3000), options()).soft(ball).recovery().is_kept());
+  EXPECT_FALSE(Simulation(soft_ball("fem_stvk", 30000), options()).soft(ball).recovery().is_kept());
 }
 
 class TurnedLinear : public testing::TestWithParam<int> {};
