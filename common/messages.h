@@ -429,7 +429,7 @@ struct BodyStatus {
 };
 inline constexpr std::uint32_t max_steps_down = 3;
 
-/// Everything that a Bus carries. Order is not meaning.
+/// Everything that a Bus carries. A message's place is its topic's index (idl/topics.h).
 using Message = std::variant<SessionInfo, Presence, RosterEntry, HandInput, UserState, Command, CommandResult,
                              SceneInfo, AssetChunk, RigidState, SoftState, Settled, TopologyRevision,
                              ContactSample, ServerStatus, BodyStatus, PartState, Panel, RoomState>;

@@ -20,8 +20,7 @@
 namespace prosector {
 namespace {
 
-constexpr std::size_t session_info = 0;  // its place in the Message variant
-static_assert(std::is_same_v<std::variant_alternative_t<session_info, Message>, SessionInfo>);
+constexpr std::size_t session_info = topic_of<SessionInfo>();
 
 class SessionListener {
  public:

@@ -53,25 +53,4 @@ Refusal check_color(const Vec3& color);
 /// away from 0.
 Refusal check_shape(const Affine& shape);
 
-// All checks of one message, the same before sending and after receiving; poses are re-normalised in place.
-Refusal check(SessionInfo& m);
-Refusal check(Presence& m);
-Refusal check(RosterEntry& m);
-Refusal check(HandInput& m);
-Refusal check(UserState& m);
-Refusal check(Command& m);
-Refusal check(CommandResult& m);
-Refusal check(SceneInfo& m);
-Refusal check(AssetChunk& m);
-Refusal check(RigidState& m);
-Refusal check(SoftState& m);
-Refusal check(Settled& m);
-Refusal check(TopologyRevision& m);
-Refusal check(ContactSample& m);
-Refusal check(ServerStatus& m);
-Refusal check(BodyStatus& m);
-Refusal check(PartState& m);
-Refusal check(Panel& m);
-Refusal check(RoomState& m);
-
 }  // namespace prosector

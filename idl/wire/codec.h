@@ -4,8 +4,7 @@
 #include "idl/topics.h"
 #include "idl/wire/arena.h"
 #include "idl/wire/checks.h"
-
-struct dds_topic_descriptor;
+#include "idl/wire/serialised_bytes.h"
 
 namespace prosector {
 
@@ -17,8 +16,8 @@ struct WireCodec {
   Refusal (*decode)(const void* sample, Message& message);
   /// Reads the key fields only, for news of an instance whose other fields are unset.
   void (*decode_key)(const void* sample, Message& message);
-  /// Returns the serialised size of a sample, but for a few bytes of padding.
-  std::size_t (*payload_bytes)(const void* sample);
+
+  std::size_t payload_bytes(const void* sample) const { return serialised_bytes(*descriptor, sample); }
 };
 
 /// Returns the codec of `topic`, an index in the Message variant.

@@ -1,0 +1,83 @@
+#pragma once
+// Which fields of a message say what instance of its topic it is: a list of members for each.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <variant>
+
+#include "common/messages.h"
+
+namespace prosector {
+
+using InstanceKey = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>;
+
+/// The index of a message's topic: its place in the Message variant.
+template <class M, std::size_t i = 0>
+constexpr std::size_t topic_of() {
+  static_assert(i < std::variant_size_v<Message>, "no message that a Bus carries");
+  if constexpr (std::is_same_v<M, std::variant_alternative_t<i, Message>>)
+    return i;
+  else
+    return topic_of<M, i + 1>();
+}
+
+/// How instances of one topic are told apart.
+struct InstanceRules {
+  std::size_t message;                  // the index of the topic whose messages the two others take
+  InstanceKey (*key)(const Message&);   // see instance_key()
+  Message (*key_only)(const Message&);  // see key_only()
+};
+
+/// Appends the words of key fields.
+class KeyWords {
+ public:
+  void add(std::uint64_t word) { words_.at(count_++) = word; }
+  void add(const std::string& text) { add(std::hash<std::string>()(text)); }
+  void add(const ContentHash& hash) {
+    for (std::size_t first = 0; first < hash.size(); first += 8) {
+      std::uint64_t word = 0;
+      for (std::size_t i = 0; i < 8; ++i) word = word << 8 | hash[first + i];
+      add(word);
+    }
+  }
+  InstanceKey key() const { return {words_[0], words_[1], words_[2]}; }
+
+ private:
+  std::array<std::uint64_t, std::tuple_size_v<InstanceKey>> words_{};
+  std::size_t count_ = 0;
+};
+
+template <class Member>
+struct FieldOf;
+template <class M, class Field>
+struct FieldOf<Field M::*> {
+  static constexpr std::size_t words = std::is_same_v<Field, ContentHash> ? 2 : 1;
+};
+
+template <class M, auto... fields>
+InstanceKey key_of(const Message& message) {
+  static_assert((FieldOf<decltype(fields)>::words + ... + 0) <= std::tuple_size_v<InstanceKey>);
+  [[maybe_unused]] const M& m = std::get<M>(message);
+  KeyWords words;
+  (words.add(m.*fields), ...);
+  return words.key();
+}
+
+template <class M, auto... fields>
+Message only_key_of(const Message& message) {
+  [[maybe_unused]] const M& m = std::get<M>(message);
+  M key;
+  ((key.*fields = m.*fields), ...);
+  return key;
+}
+
+/// Messages M, of which equal `fields` mean the same instance; without fields there is but one.
+template <class M, auto... fields>
+inline constexpr InstanceRules keyed{topic_of<M>(), key_of<M, fields...>, only_key_of<M, fields...>};
+
+}  // namespace prosector
