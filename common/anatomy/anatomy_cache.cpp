@@ -4,7 +4,8 @@
 #include <cstring>
 #include <span>
 
-#include "common/anatomy/counted_bytes.h"
+#include "common/byte_stream.h"
+#include "common/error.h"
 #include "common/sealed_file.h"
 
 namespace prosector {
@@ -34,33 +35,43 @@ bool consistent(const Anatomy& a) {
          });
 }
 
+/// Returns whether the bytes are a whole anatomy.
+bool read(std::span<const std::uint8_t> bytes, CachedAnatomy& out) try {
+  ByteReader in(bytes, "anatomy");
+  Anatomy& a = out.anatomy;
+  in.read_all(a.tets.positions);
+  in.read_all(a.tets.tets);
+  in.read_all(a.surface.positions);
+  in.read_all(a.surface.triangles);
+  in.read_all(a.embedding.rows);
+  in.read_all(out.warning);
+  return in.done();
+} catch (const InputError&) {
+  return false;
+}
+
 }  // namespace
 
 FoundAnatomy load_cached(const std::filesystem::path& dir, const ContentHash& key) {
   if (dir.empty()) return {};
   const FoundFile found = read_sealed(file_of(dir, key), seal_key(key));
   if (!found.bytes) return {std::nullopt, found.trouble};
-  std::span<const std::uint8_t> body(*found.bytes);
   CachedAnatomy out;
-  Anatomy& a = out.anatomy;
-  const bool whole = get(body, a.tets.positions) && get(body, a.tets.tets) &&
-                     get(body, a.surface.positions) && get(body, a.surface.triangles) &&
-                     get(body, a.embedding.rows) && get(body, out.warning) && body.empty();
-  if (!whole || !consistent(a)) return {std::nullopt, "is damaged"};
+  if (!read(*found.bytes, out) || !consistent(out.anatomy)) return {std::nullopt, "is damaged"};
   return {std::move(out), ""};
 }
 
 bool store_cached(const std::filesystem::path& dir, const ContentHash& key, const CachedAnatomy& made) {
   if (dir.empty()) return false;
   const Anatomy& a = made.anatomy;
-  std::vector<std::uint8_t> body;
-  put(body, a.tets.positions);
-  put(body, a.tets.tets);
-  put(body, a.surface.positions);
-  put(body, a.surface.triangles);
-  put(body, a.embedding.rows);
-  put(body, made.warning);
-  return write_sealed(file_of(dir, key), seal_key(key), body);
+  ByteWriter body;
+  body.add_all(a.tets.positions);
+  body.add_all(a.tets.tets);
+  body.add_all(a.surface.positions);
+  body.add_all(a.surface.triangles);
+  body.add_all(a.embedding.rows);
+  body.add_all(made.warning);
+  return write_sealed(file_of(dir, key), seal_key(key), body.bytes());
 }
 
 }  // namespace prosector

@@ -1,9 +1,8 @@
 #include "common/anatomy/import_reply.h"
 
 #include <algorithm>
-#include <cstring>
 
-#include "common/anatomy/counted_bytes.h"
+#include "common/byte_stream.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -15,21 +14,22 @@ constexpr std::size_t max_refusal = 4096;
 }  // namespace
 
 std::vector<std::uint8_t> encode(const ImportReply& reply) {
-  const auto* head = reinterpret_cast<const std::uint8_t*>(&magic);
-  std::vector<std::uint8_t> out(head, head + sizeof(magic));
-  put(out, reply.refusal.substr(0, max_refusal));
-  put(out, reply.mesh.positions);
-  put(out, reply.mesh.triangles);
-  return out;
+  ByteWriter out;
+  out.add(magic);
+  out.add_all(reply.refusal.substr(0, max_refusal));
+  out.add_all(reply.mesh.positions);
+  out.add_all(reply.mesh.triangles);
+  return out.take();
 }
 
 ImportReply decode_import_reply(std::span<const std::uint8_t> bytes) {
   ImportReply out;
-  const bool ours = bytes.size() >= sizeof(magic) && std::memcmp(bytes.data(), &magic, sizeof(magic)) == 0;
-  std::span<const std::uint8_t> body = ours ? bytes.subspan(sizeof(magic)) : bytes;
-  if (!ours || !get(body, out.refusal) || !get(body, out.mesh.positions) || !get(body, out.mesh.triangles) ||
-      !body.empty())
-    throw InputError("its reader's answer is not whole");
+  ByteReader in(bytes, "its reader's answer");
+  in.require(in.bits<std::uint64_t>() == magic, "another beginning");
+  in.read_all(out.refusal);
+  in.read_all(out.mesh.positions);
+  in.read_all(out.mesh.triangles);
+  in.end();
   const std::size_t vertices = out.mesh.positions.size();
   for (const auto& t : out.mesh.triangles)
     if (std::ranges::any_of(t, [&](std::uint32_t v) { return v >= vertices; }))

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <set>
 
+#include "common/byte_stream.h"
 #include "common/error.h"
 #include "common/primitives.h"
-#include "server/physics/byte_stream.h"
 #include "server/physics/contact/self_surface.h"
 #include "server/physics/fracture.h"
 #include "server/physics/model.h"

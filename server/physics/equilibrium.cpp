@@ -7,9 +7,9 @@
 #include <numeric>
 #include <span>
 
+#include "common/byte_stream.h"
 #include "common/error.h"
 #include "common/sealed_file.h"
-#include "server/physics/byte_stream.h"
 #include "server/physics/contact/rigid_soft_contacts.h"
 #include "server/physics/coupled/island_solver.h"
 #include "server/physics/soft/implicit_stepper.h"

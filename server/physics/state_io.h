@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "server/physics/byte_stream.h"
+#include "common/byte_stream.h"
 #include "server/physics/state.h"
 
 namespace prosector {

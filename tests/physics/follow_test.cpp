@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "common/anatomy/embedding.h"
+#include "common/byte_stream.h"
 #include "server/physics/byte_stream.h"
 #include "server/physics/organs/organ_geometry.h"
 #include "server/physics/organs/tet_lineage.h"

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "common/byte_stream.h"
+#include "common/messages.h"
 #include "server/physics/cutting/skin.h"
 #include "server/physics/cutting/tet_complex.h"
 #include "server/physics/cutting/volume_cut.h"

@@ -1,7 +1,7 @@
 #pragma once
 // Operations of topology as bytes.
 
-#include "server/physics/byte_stream.h"
+#include "common/byte_stream.h"
 #include "server/physics/cutting/blade_stroke.h"
 #include "server/physics/cutting/topology_op.h"
 

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "server/physics/byte_stream.h"
+#include "common/byte_stream.h"
 #include "server/physics/panel/panel_event.h"
 #include "server/physics/panel/panel_motion.h"
 

@@ -1,17 +1,23 @@
 #pragma once
-// State as bytes: numbers in a fixed order, read back with every size checked.
+// Data as bytes: numbers in a fixed order as they lie in memory, little endian, read back with every size
+// checked. Checkpoints, journals, assets and caches are kept so.
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "common/error.h"
 #include "common/math.h"
 
 namespace prosector {
+
+static_assert(std::endian::native == std::endian::little, "what is written is little endian");
 
 class ByteWriter {
  public:
@@ -28,29 +34,43 @@ class ByteWriter {
     add(static_cast<std::uint64_t>(v.size()));
     raw(v.data(), sizeof(double) * static_cast<std::size_t>(v.size()));
   }
-  void add(const std::string& s) {
-    add(static_cast<std::uint64_t>(s.size()));
-    raw(s.data(), s.size());
+  void add(const std::string& s) { add_all(s); }
+  /// Adds the values of a vector or string as they lie in memory, which must be plain, after their count
+  /// (u64).
+  template <class Values>
+  void add_all(const Values& values) {
+    add(static_cast<std::uint64_t>(values.size()));
+    raw(values.data(), values.size() * sizeof(typename Values::value_type));
   }
   void raw(const void* data, std::size_t size) {
     const auto* begin = static_cast<const std::uint8_t*>(data);
     bytes_.insert(bytes_.end(), begin, begin + size);
   }
+  void reserve(std::size_t size) { bytes_.reserve(size); }
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
+  std::vector<std::uint8_t> take() { return std::move(bytes_); }
 
  private:
   std::vector<std::uint8_t> bytes_;
 };
 
-/// A reader of bytes, which throws InputError at their end and for numbers that aren't finite.
+/// Throws InputError, which begins with `what`, at the end of the bytes and for what can't be.
 class ByteReader {
  public:
   ByteReader(std::span<const std::uint8_t> bytes, std::string what) : bytes_(bytes), what_(std::move(what)) {}
 
+  /// Returns the next bits as they are, NaN included.
   template <class T>
-  T number() {
+  T bits() {
+    static_assert(std::is_trivially_copyable_v<T>);
     T value;
     raw(&value, sizeof value);
+    return value;
+  }
+  /// Returns the next number, which is finite.
+  template <class T>
+  T number() {
+    const T value = bits<T>();
     if constexpr (std::is_floating_point_v<T>) require(std::isfinite(value), "a number that isn't finite");
     return value;
   }
@@ -80,22 +100,47 @@ class ByteReader {
     require(v.allFinite(), "a vector that isn't finite");
     return v;
   }
+  /// Returns a count (u64), at most `limit`.
   std::size_t count(std::size_t limit) {
     const auto n = number<std::uint64_t>();
     require(n <= limit, "a count beyond its limit");
     return static_cast<std::size_t>(n);
   }
+  /// Returns a count (u32) of records of at least `size` bytes that must still fit, so that a lie can't make
+  /// anyone allocate.
+  std::uint32_t records(std::size_t size) {
+    const auto n = bits<std::uint32_t>();
+    require(n <= left() / size, "more records than fit");
+    return n;
+  }
+  /// Returns the next bytes.
+  std::span<const std::uint8_t> block(std::size_t size) {
+    require(left() >= size, "ends too early");
+    const auto out = bytes_.subspan(at_, size);
+    at_ += size;
+    return out;
+  }
+  /// Reads what ByteWriter::add_all() wrote.
+  template <class Values>
+  void read_all(Values& values) {
+    using T = typename Values::value_type;
+    const auto n = bits<std::uint64_t>();
+    require(n <= left() / sizeof(T), "more values than fit");
+    values.resize(static_cast<std::size_t>(n));
+    raw(values.data(), values.size() * sizeof(T));
+  }
   void require(bool good, const char* problem) const {
     if (!good) throw InputError(what_ + ": " + problem + " before byte " + std::to_string(at_));
   }
   bool done() const { return at_ == bytes_.size(); }
+  void end() const { require(done(), "more than there should be"); }
 
  private:
+  std::size_t left() const { return bytes_.size() - at_; }
   void raw(void* to, std::size_t size) {
-    require(bytes_.size() - at_ >= size, "ends too early");
+    const auto from = block(size);
     // Not memcpy, which must not be given the null pointer of an empty vector.
-    std::copy_n(bytes_.data() + at_, size, static_cast<std::uint8_t*>(to));
-    at_ += size;
+    std::copy_n(from.data(), size, static_cast<std::uint8_t*>(to));
   }
 
   std::span<const std::uint8_t> bytes_;
