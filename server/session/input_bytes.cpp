@@ -1,195 +1,198 @@
 #include "server/session/input_bytes.h"
 
-#include <bit>
-#include <cstring>
+#include <tuple>
 
+#include "common/byte_stream.h"
 #include "common/error.h"
 
 namespace prosector {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "journals are little endian");
+// Each kind of input is described once, for writing and for reading: an Io takes the members of an entry in
+// the order of their bytes. Structured bindings name all members, so that a new one doesn't compile before it
+// is given its place here.
 
-template <class T>
-void put(std::vector<std::uint8_t>& out, const T& value) {
-  const std::size_t at = out.size();
-  out.resize(at + sizeof(T));
-  std::memcpy(out.data() + at, &value, sizeof(T));
-}
+class Writer {
+ public:
+  template <class T>
+  using Entry = const T;
+
+  template <class T>
+  void number(const T& value) {
+    bytes_.add(value);
+  }
+  template <class T>
+  void numbers(const T* values, int count) {
+    for (int k = 0; k < count; ++k) bytes_.add(values[k]);
+  }
+  /// A value up to `last`, as `Wire`.
+  template <class Wire, class T>
+  void limited(const T& value, Wire, const char*) {
+    bytes_.add(static_cast<Wire>(value));
+  }
+  void require(bool, const char*) {}
+  void block(const std::shared_ptr<const std::vector<std::uint8_t>>& block) {
+    const std::size_t size = block ? block->size() : 0;
+    bytes_.add(static_cast<std::uint32_t>(size));
+    if (size > 0) bytes_.raw(block->data(), size);
+  }
+  template <class T>
+  void count(const std::vector<T>& entries) {
+    bytes_.add(static_cast<std::uint32_t>(entries.size()));
+  }
+  std::vector<std::uint8_t> take() { return bytes_.take(); }
+
+ private:
+  ByteWriter bytes_;
+};
 
 class Reader {
  public:
-  explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
   template <class T>
-  T get() {
-    if (bytes_.size() < sizeof(T)) throw InputError("journal: a tick's input is truncated");
-    T value;
-    std::memcpy(&value, bytes_.data(), sizeof(T));
-    bytes_ = bytes_.subspan(sizeof(T));
-    return value;
+  using Entry = T;
+
+  explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes, "journal: a tick's input") {}
+
+  template <class T>
+  void number(T& value) {
+    value = bytes_.bits<T>();
   }
-  std::uint32_t count() {
-    const auto n = get<std::uint32_t>();
-    if (n > bytes_.size()) throw InputError("journal: a tick's input is truncated");
-    return n;
+  template <class T>
+  void numbers(T* values, int count) {
+    for (int k = 0; k < count; ++k) values[k] = bytes_.bits<T>();
   }
-  std::shared_ptr<const std::vector<std::uint8_t>> block() {
-    const std::uint32_t size = count();
-    const auto bytes = bytes_.first(size);
-    bytes_ = bytes_.subspan(size);
-    return std::make_shared<const std::vector<std::uint8_t>>(bytes.begin(), bytes.end());
+  template <class Wire, class T>
+  void limited(T& value, Wire last, const char* problem) {
+    const auto read = bytes_.bits<Wire>();
+    bytes_.require(read <= last, problem);
+    value = static_cast<T>(read);
   }
-  void end() const {
-    if (!bytes_.empty()) throw InputError("journal: a tick's input is too long");
+  void require(bool good, const char* problem) { bytes_.require(good, problem); }
+  void block(std::shared_ptr<const std::vector<std::uint8_t>>& block) {
+    const auto bytes = bytes_.block(bytes_.records(1));
+    block = std::make_shared<const std::vector<std::uint8_t>>(bytes.begin(), bytes.end());
   }
+  template <class T>
+  void count(std::vector<T>& entries) {
+    entries.resize(bytes_.records(1));
+  }
+  void end() const { bytes_.end(); }
 
  private:
-  std::span<const std::uint8_t> bytes_;
+  ByteReader bytes_;
 };
 
-std::size_t get_hand(Reader& in) {
-  const auto hand = in.get<std::uint8_t>();
-  if (hand > right_hand) throw InputError("journal: no such hand");
-  return hand;
+template <class Io>
+void entry(Io& io, typename Io::template Entry<InputKey>& e) {
+  auto& [participant, sequence] = e;
+  io.number(participant);
+  io.number(sequence);
+}
+
+template <class Io>
+void entry(Io& io, typename Io::template Entry<EffortChange>& e) {
+  auto& [body, steps_down] = e;
+  io.number(body);
+  io.limited(steps_down, std::uint8_t{max_steps_down}, "stepped down too far");
+}
+
+template <class Io>
+void entry(Io& io, typename Io::template Entry<HandEvent>& e) {
+  auto& [kind, participant, hand, body] = e;
+  io.limited(kind, HandEvent::Kind::reset_body, "no such event");
+  io.number(participant);
+  io.limited(hand, std::uint8_t{right_hand}, "no such hand");
+  io.number(body);
+}
+
+template <class Io>
+void entry(Io& io, typename Io::template Entry<PartEvent>& e) {
+  auto& [kind, participant, body, shape, value] = e;
+  io.limited(kind, last_part_event, "no such event of a part");
+  io.number(participant);
+  io.number(body);
+  for (int k = 0; k < 9; ++k) io.number(shape.A(k / 3, k % 3));
+  io.numbers(shape.p.data(), 3);
+  io.number(value);
+}
+
+template <class Io>
+void entry(Io& io, typename Io::template Entry<HandTarget>& e) {
+  auto& [participant, hand, target, flexion] = e;
+  io.number(participant);
+  io.limited(hand, std::uint8_t{right_hand}, "no such hand");
+  io.numbers(target.p.data(), 3);
+  io.numbers(target.q.coeffs().data(), 4);
+  io.numbers(flexion.data(), fingers);
+  io.require(is_finite(target), "a pose that isn't finite");
+}
+
+template <class Io>
+void entry(Io& io, typename Io::template Entry<HeadPlace>& e) {
+  auto& [participant, at] = e;
+  io.number(participant);
+  io.numbers(at.data(), 3);
+}
+
+template <class Io>
+void entry(Io& io, typename Io::template Entry<PanelEvent>& e) {
+  auto& [kind, participant, body, control, value] = e;
+  io.limited(kind, last_panel_event, "no such event of a panel");
+  io.number(participant);
+  io.number(body);
+  io.limited(control, PanelControl::stiffness, "no such control");
+  io.number(value);
+}
+
+template <class Io>
+void entry(Io& io, typename Io::template Entry<CutEvent>& e) {
+  auto& [kind, participant, body, revision, state] = e;
+  io.limited(kind, last_cut_event, "no such event of a cut");
+  io.number(participant);
+  io.number(body);
+  io.number(revision);
+  if (kind == CutEvent::Kind::rewind) io.block(state);
+}
+
+template <class... Kind>
+constexpr std::size_t size_of(const std::tuple<Kind&...>&) {
+  return (sizeof(Kind) + ...);
+}
+
+/// All kinds of input that a session's tick consumes, in the order of their bytes.
+template <class Consumed>
+auto kinds(Consumed& consumed) {
+  auto& [input, keys] = consumed;
+  auto& [efforts, events, targets, heads, panels, parts, cuts, drives] = input;
+  if (!drives.empty()) throw InternalError("journal: sessions drive nothing");
+  const auto all = std::tie(keys, efforts, events, parts, targets, heads, panels, cuts);
+  static_assert(size_of(all) + sizeof drives == sizeof consumed, "a kind of input that isn't journalled");
+  return all;
+}
+
+template <class Io, class Consumed>
+void all_entries(Io& io, Consumed& consumed) {
+  const auto entries = [&io](auto& of_a_kind) {
+    io.count(of_a_kind);
+    for (auto& e : of_a_kind) entry(io, e);
+  };
+  std::apply([&](auto&... kind) { (entries(kind), ...); }, kinds(consumed));
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> encode_input(const ConsumedInput& input) {
-  std::vector<std::uint8_t> out;
-  if (input.keys.empty() && input.input.efforts.empty() && input.input.events.empty() &&
-      input.input.parts.empty() && input.input.targets.empty() && input.input.panels.empty() &&
-      input.input.heads.empty() && input.input.cuts.empty())
-    return out;
-  out.reserve(16 + 5 * input.input.efforts.size() + 16 * input.keys.size() + 16 * input.input.events.size() +
-              120 * input.input.parts.size() + 112 * input.input.targets.size());
-  put(out, static_cast<std::uint32_t>(input.keys.size()));
-  for (const InputKey& key : input.keys) {
-    put(out, key.participant);
-    put(out, key.sequence);
-  }
-  put(out, static_cast<std::uint32_t>(input.input.efforts.size()));
-  for (const EffortChange& change : input.input.efforts) {
-    put(out, change.body);
-    put(out, static_cast<std::uint8_t>(change.steps_down));
-  }
-  put(out, static_cast<std::uint32_t>(input.input.events.size()));
-  for (const HandEvent& e : input.input.events) {
-    put(out, e.kind);
-    put(out, e.participant);
-    put(out, static_cast<std::uint8_t>(e.hand));
-    put(out, e.body);
-  }
-  put(out, static_cast<std::uint32_t>(input.input.parts.size()));
-  for (const PartEvent& e : input.input.parts) {
-    put(out, e.kind);
-    put(out, e.participant);
-    put(out, e.body);
-    for (int k = 0; k < 9; ++k) put(out, e.shape.A(k / 3, k % 3));
-    for (int k = 0; k < 3; ++k) put(out, e.shape.p[k]);
-    put(out, e.value);
-  }
-  put(out, static_cast<std::uint32_t>(input.input.targets.size()));
-  for (const HandTarget& t : input.input.targets) {
-    put(out, t.participant);
-    put(out, static_cast<std::uint8_t>(t.hand));
-    for (int k = 0; k < 3; ++k) put(out, t.target.p[k]);
-    for (int k = 0; k < 4; ++k) put(out, t.target.q.coeffs()[k]);
-    for (double f : t.flexion) put(out, f);
-  }
-  put(out, static_cast<std::uint32_t>(input.input.heads.size()));
-  for (const HeadPlace& head : input.input.heads) {
-    put(out, head.participant);
-    for (int k = 0; k < 3; ++k) put(out, head.at[k]);
-  }
-  put(out, static_cast<std::uint32_t>(input.input.panels.size()));
-  for (const PanelEvent& e : input.input.panels) {
-    put(out, e.kind);
-    put(out, e.participant);
-    put(out, e.body);
-    put(out, e.control);
-    put(out, e.value);
-  }
-  put(out, static_cast<std::uint32_t>(input.input.cuts.size()));
-  for (const CutEvent& e : input.input.cuts) {
-    put(out, e.kind);
-    put(out, e.participant);
-    put(out, e.body);
-    put(out, e.revision);
-    if (e.kind != CutEvent::Kind::rewind) continue;
-    const std::size_t size = e.state ? e.state->size() : 0;
-    put(out, static_cast<std::uint32_t>(size));
-    if (size > 0) out.insert(out.end(), e.state->begin(), e.state->end());
-  }
-  return out;
+  if (std::apply([](const auto&... kind) { return (kind.empty() && ...); }, kinds(input))) return {};
+  Writer out;
+  all_entries(out, input);
+  return out.take();
 }
 
 ConsumedInput decode_input(std::span<const std::uint8_t> bytes) {
   ConsumedInput out;
   if (bytes.empty()) return out;
   Reader in(bytes);
-  out.keys.resize(in.count());
-  for (InputKey& key : out.keys) {
-    key.participant = in.get<ParticipantId>();
-    key.sequence = in.get<std::uint64_t>();
-  }
-  out.input.efforts.resize(in.count());
-  for (EffortChange& change : out.input.efforts) {
-    change.body = in.get<BodyId>();
-    change.steps_down = in.get<std::uint8_t>();
-    if (change.steps_down > static_cast<int>(max_steps_down))
-      throw InputError("journal: stepped down too far");
-  }
-  out.input.events.resize(in.count());
-  for (HandEvent& e : out.input.events) {
-    e.kind = in.get<HandEvent::Kind>();
-    if (e.kind > HandEvent::Kind::reset_body) throw InputError("journal: no such event");
-    e.participant = in.get<ParticipantId>();
-    e.hand = get_hand(in);
-    e.body = in.get<BodyId>();
-  }
-  out.input.parts.resize(in.count());
-  for (PartEvent& e : out.input.parts) {
-    e.kind = in.get<PartEvent::Kind>();
-    if (e.kind > last_part_event) throw InputError("journal: no such event of a part");
-    e.participant = in.get<ParticipantId>();
-    e.body = in.get<BodyId>();
-    for (int k = 0; k < 9; ++k) e.shape.A(k / 3, k % 3) = in.get<double>();
-    for (int k = 0; k < 3; ++k) e.shape.p[k] = in.get<double>();
-    e.value = in.get<double>();
-  }
-  out.input.targets.resize(in.count());
-  for (HandTarget& t : out.input.targets) {
-    t.participant = in.get<ParticipantId>();
-    t.hand = get_hand(in);
-    for (int k = 0; k < 3; ++k) t.target.p[k] = in.get<double>();
-    for (int k = 0; k < 4; ++k) t.target.q.coeffs()[k] = in.get<double>();
-    for (double& f : t.flexion) f = in.get<double>();
-    if (!is_finite(t.target)) throw InputError("journal: a pose is not finite");
-  }
-  out.input.heads.resize(in.count());
-  for (HeadPlace& head : out.input.heads) {
-    head.participant = in.get<ParticipantId>();
-    for (int k = 0; k < 3; ++k) head.at[k] = in.get<double>();
-  }
-  out.input.panels.resize(in.count());
-  for (PanelEvent& e : out.input.panels) {
-    e.kind = in.get<PanelEvent::Kind>();
-    if (e.kind > last_panel_event) throw InputError("journal: no such event of a panel");
-    e.participant = in.get<ParticipantId>();
-    e.body = in.get<BodyId>();
-    e.control = in.get<PanelControl>();
-    e.value = in.get<double>();
-  }
-  out.input.cuts.resize(in.count());
-  for (CutEvent& e : out.input.cuts) {
-    e.kind = in.get<CutEvent::Kind>();
-    if (e.kind > last_cut_event) throw InputError("journal: no such event of a cut");
-    e.participant = in.get<ParticipantId>();
-    e.body = in.get<BodyId>();
-    e.revision = in.get<std::uint32_t>();
-    if (e.kind == CutEvent::Kind::rewind) e.state = in.block();
-  }
+  all_entries(in, out);
   in.end();
   return out;
 }
