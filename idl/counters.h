@@ -3,8 +3,8 @@
 
 #include <mutex>
 
+#include "common/refusal.h"
 #include "idl/topics.h"
-#include "idl/wire/checks.h"
 
 namespace prosector {
 
@@ -23,9 +23,9 @@ class EdgeCounters {
     const std::scoped_lock lock(mutex_);
     counters_.bytes_in += bytes;
   }
-  void dropped(std::size_t topic, Refusal reason) {
+  void dropped(std::size_t topic, const Refusal& refusal) {
     const std::scoped_lock lock(mutex_);
-    ++counters_.dropped[std::string(topics.at(topic).name) + ": " + reason];
+    ++counters_.dropped[std::string(topics.at(topic).name) + ": " + refusal.why()];
     ++counters_.dropped_total;
   }
   BusCounters read() const {

@@ -106,7 +106,7 @@ bool CycloneBus::nobody_reads(dds_entity_t writer) const {
 bool CycloneBus::publish(const Message& message) {
   const std::size_t topic = message.index();
   const dds_entity_t writer = writer_of(message);
-  const auto refused = [&](Refusal why) {
+  const auto refused = [&](const Refusal& why) {
     counters_.dropped(topic, why);
     return false;
   };
@@ -201,7 +201,7 @@ Refusal CycloneBus::accept_data(std::size_t topic, const void* sample, Received&
   if (const Refusal refusal = wire_codec(topic).decode(sample, received.message)) return refusal;
   if (spec.announces_gone && !claims_.said(received.writer, received.message))
     return "too many instances of one process";
-  return nullptr;
+  return {};
 }
 
 bool CycloneBus::wait(std::chrono::milliseconds timeout) {

@@ -70,7 +70,7 @@ void Hub::send_to_readers(End& from, const Sample& sample) {
 bool Hub::publish(End& from, const Message& message) {
   const std::size_t topic = message.index();
   const TopicSpec& spec = topics[topic];
-  const auto refused = [&](Refusal why) {
+  const auto refused = [&](const Refusal& why) {
     from.counters.dropped(topic, why);
     return false;
   };

@@ -56,7 +56,7 @@ class SessionListener {
       if (!alive) {
         wire_codec(session_info).decode_key(sample, message);
         found_.erase(instance_key(message));
-      } else if (wire_codec(session_info).decode(sample, message) == nullptr) {
+      } else if (!wire_codec(session_info).decode(sample, message)) {
         found_[instance_key(message)] = std::get<SessionInfo>(message);
       }
       dds_return_loan(reader_, &sample, 1);

@@ -62,12 +62,12 @@ Refusal check_pose(Pose& pose) {
   if (std::abs(norm - 1) > quaternion_slack) return "quaternion not unit";
   // A quaternion that is unit already keeps its bits, so that checking twice changes nothing.
   if (std::abs(norm - 1) > 1e-12) pose.q.coeffs() /= norm;
-  return nullptr;
+  return {};
 }
 
 Refusal check_color(const Vec3& color) {
   const bool ok = color.allFinite() && color.minCoeff() >= 0 && color.maxCoeff() <= 1;
-  return ok ? nullptr : "colour outside [0, 1]";
+  return ok ? Refusal() : "colour outside [0, 1]";
 }
 
 Refusal check_shape(const Affine& shape) {

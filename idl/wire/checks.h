@@ -5,11 +5,9 @@
 #include <string_view>
 
 #include "common/messages.h"
+#include "common/refusal.h"
 
 namespace prosector {
-
-/// Why a sample is refused, for people; nullptr: accepted. Always a literal.
-using Refusal = const char*;
 
 inline constexpr double max_speed = 1000.0;         // m/s
 inline constexpr double max_angular_speed = 1.0e4;  // rad/s
@@ -19,14 +17,14 @@ inline constexpr double quaternion_slack = 0.01;    // | |q| − 1 | that is re-
 /// Keeps the first reason of a row of checks.
 class Checks {
  public:
-  Checks& that(bool ok, Refusal otherwise) {
-    if (!ok && refusal_ == nullptr) refusal_ = otherwise;
+  Checks& that(bool ok, const char* otherwise) {
+    if (!ok && first_ == nullptr) first_ = otherwise;
     return *this;
   }
-  Refusal refusal() const { return refusal_; }
+  Refusal refusal() const { return first_ == nullptr ? Refusal() : Refusal(first_); }
 
  private:
-  Refusal refusal_ = nullptr;
+  const char* first_ = nullptr;  // a literal
 };
 
 bool valid_utf8(std::string_view text);

@@ -30,7 +30,7 @@ Refusal from_wire(const prosector_Command& w, Command& m) {
   m.control = static_cast<PanelControl>(w.control_id);
   m.value = w.value;
   m.revision = w.revision;
-  return nullptr;
+  return {};
 }
 
 Refusal check(Command& m) {
@@ -58,7 +58,7 @@ Refusal from_wire(const prosector_CommandResult& w, CommandResult& m) {
   m.sequence = w.number;
   m.accepted = w.accepted != 0;
   m.reason = from_wire(w.reason);
-  return nullptr;
+  return {};
 }
 
 Refusal check(CommandResult& m) {

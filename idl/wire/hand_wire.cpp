@@ -37,7 +37,7 @@ Refusal check_user(M& m) {
   if (const Refusal head = check_pose(m.head)) return head;
   for (HandPose& hand : m.hands)
     if (const Refusal refusal = check_hand(hand)) return refusal;
-  return nullptr;
+  return {};
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ Refusal from_wire(const prosector_HandInput& w, HandInput& m) {
   m.head_tracked = w.head_tracked != 0;
   m.head = from_wire(w.head);
   for (std::size_t i = 0; i < 2; ++i) m.hands[i] = hand_from_wire(w.hands[i]);
-  return nullptr;
+  return {};
 }
 
 Refusal check(HandInput& m) {
@@ -81,7 +81,7 @@ Refusal from_wire(const prosector_UserState& w, UserState& m) {
   m.head_tracked = w.head_tracked != 0;
   m.head = from_wire(w.head);
   for (std::size_t i = 0; i < 2; ++i) m.hands[i] = hand_from_wire(w.hands[i]);
-  return nullptr;
+  return {};
 }
 
 Refusal check(UserState& m) {
@@ -116,7 +116,7 @@ Refusal from_wire(const prosector_ContactSample& w, ContactSample& m) {
   m.local_point = from_wire(w.local_point);
   m.force = from_wire(w.force);
   m.impact = w.impact;
-  return nullptr;
+  return {};
 }
 
 Refusal check(ContactSample& m) {

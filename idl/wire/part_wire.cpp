@@ -33,7 +33,7 @@ Refusal from_wire(const prosector_PartState& w, PartState& m) {
   m.holders.clear();
   for (std::size_t i = 0; i < w.holders._length; ++i)
     m.holders.push_back({w.holders._buffer[i].participant, w.holders._buffer[i].hand});
-  return nullptr;
+  return {};
 }
 
 Refusal check(PartState& m) {
@@ -67,7 +67,7 @@ Refusal from_wire(const prosector_Panel& w, Panel& m) {
   m.pose = from_wire(w.pose);
   for (std::size_t i = 0; i < panel_control_count; ++i)
     m.controls[i] = {w.controls[i].position, w.controls[i].on != 0, w.controls[i].touched != 0};
-  return nullptr;
+  return {};
 }
 
 Refusal check(Panel& m) {
@@ -87,11 +87,11 @@ void to_wire(const RoomState& m, prosector_RoomState& w, WireArena&) {
 Refusal from_wire(const prosector_RoomState& w, RoomState& m) {
   m.time = from_wire(w.time);
   m.lights = w.lights;
-  return nullptr;
+  return {};
 }
 
 Refusal check(RoomState& m) {
-  return within(m.lights, 0, 1) ? nullptr : "brightness outside [0, 1]";
+  return within(m.lights, 0, 1) ? Refusal() : "brightness outside [0, 1]";
 }
 
 }  // namespace prosector

@@ -162,7 +162,7 @@ Refusal from_wire(const prosector_SceneInfo& w, SceneInfo& m) {
   m.lights.clear();
   for (std::size_t i = 0; i < w.lights._length; ++i) m.lights.push_back(light_from_wire(w.lights._buffer[i]));
   m.camera = {from_wire(w.camera_eye), from_wire(w.camera_target), w.camera_fov};
-  return nullptr;
+  return {};
 }
 
 Refusal check(SceneInfo& m) {
@@ -203,7 +203,7 @@ Refusal from_wire(const prosector_AssetChunk& w, AssetChunk& m) {
   m.chunks = w.chunks;
   m.total_bytes = w.total_bytes;
   m.bytes.assign(w.bytes._buffer, w.bytes._buffer + w.bytes._length);
-  return nullptr;
+  return {};
 }
 
 Refusal check(AssetChunk& m) {
@@ -213,7 +213,7 @@ Refusal check(AssetChunk& m) {
   if (m.chunk >= m.chunks) return "no such chunk";
   const std::size_t before = m.chunk * asset_chunk_bytes;
   if (m.bytes.size() != std::min(asset_chunk_bytes, m.total_bytes - before)) return "wrong chunk size";
-  return nullptr;
+  return {};
 }
 
 }  // namespace prosector

@@ -22,7 +22,7 @@ Refusal from_wire(const prosector_SessionInfo& w, SessionInfo& m) {
   m.scene_hash = from_wire(w.scene_hash);
   m.tick_rate = w.tick_rate;
   m.capacity = w.capacity;
-  return nullptr;
+  return {};
 }
 
 Refusal check(SessionInfo& m) {
@@ -48,7 +48,7 @@ Refusal from_wire(const prosector_Presence& w, Presence& m) {
   m.name = from_wire(w.name);
   m.role = static_cast<Role>(w.role);
   m.devices = from_wire(w.devices);
-  return nullptr;
+  return {};
 }
 
 Refusal check(Presence& m) {
@@ -74,16 +74,15 @@ Refusal from_wire(const prosector_RosterEntry& w, RosterEntry& m) {
   m.role = static_cast<Role>(w.role);
   m.color = from_wire(w.color);
   m.devices = from_wire(w.devices);
-  return nullptr;
+  return {};
 }
 
 Refusal check(RosterEntry& m) {
-  const Refusal color = check_color(m.color);
+  if (const Refusal color = check_color(m.color)) return color;
   return Checks()
       .that(m.participant != 0, "participant id 0")
       .that(valid_name(m.name), "name not valid")
       .that(enum_within(m.role, Role::host), "unknown role")
-      .that(color == nullptr, color)
       .that(valid_text(m.devices), "devices not valid text")
       .refusal();
 }

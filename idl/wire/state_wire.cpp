@@ -41,7 +41,7 @@ Refusal from_wire(const prosector_RigidState& w, RigidState& m) {
   m.linear_velocity = from_wire(w.linear_velocity);
   m.angular_velocity = from_wire(w.angular_velocity);
   m.settled = w.settled != 0;
-  return nullptr;
+  return {};
 }
 
 Refusal check(RigidState& m) {
@@ -89,7 +89,7 @@ Refusal from_wire(const prosector_SoftState& w, SoftState& m) {
   m.positions.resize(w.count);
   m.velocities.resize(w.count);
   unpack(positions, velocities, {w.packed._buffer, w.packed._length}, m.positions, m.velocities);
-  return nullptr;
+  return {};
 }
 
 Refusal check(SoftState& m) {
@@ -124,7 +124,7 @@ Refusal from_wire(const prosector_Settled& w, Settled& m) {
   m.positions.resize(w.positions._length / 3);
   for (std::size_t i = 0; i < m.positions.size(); ++i)
     m.positions[i] = Eigen::Map<const Eigen::Vector3f>(w.positions._buffer + 3 * i);
-  return nullptr;
+  return {};
 }
 
 Refusal check(Settled& m) {

@@ -42,7 +42,7 @@ Refusal from_wire(const prosector_ServerStatus& w, ServerStatus& m) {
   m.invalid_dropped = w.invalid_dropped;
   m.state_hash = w.state_hash;
   m.degraded = from_wire(w.degraded);
-  return nullptr;
+  return {};
 }
 
 Refusal check(ServerStatus& m) {
@@ -86,7 +86,7 @@ Refusal from_wire(const prosector_BodyStatus& w, BodyStatus& m) {
   m.error = w.error;
   m.expected_ms = w.expected_ms;
   m.stepped_down = w.stepped_down;
-  return nullptr;
+  return {};
 }
 
 Refusal check(BodyStatus& m) {

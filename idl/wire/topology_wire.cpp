@@ -126,7 +126,7 @@ Refusal from_wire(const prosector_TopologyRevision& w, TopologyRevision& m) {
     std::copy(std::begin(from.corners), std::end(from.corners), to.corners.begin());
     to.inner = from.inner != 0;
   }
-  return nullptr;
+  return {};
 }
 
 Refusal check(TopologyRevision& m) {

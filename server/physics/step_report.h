@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/messages.h"
+#include "common/refusal.h"
 #include "server/physics/topology.h"
 
 namespace prosector {
@@ -50,9 +51,9 @@ struct StepReport {
   std::uint32_t mixed_islands = 0;
   std::uint32_t awake_bodies = 0, asleep_bodies = 0;
   double kinetic_energy = 0, elastic_energy = 0, potential_energy = 0;  // J
-  std::vector<std::string> part_answers;  // to TickInput::parts, in order: empty when obeyed, else why not
-  std::vector<std::string> cut_answers;   // to TickInput::cuts, in order: empty when obeyed, else why not
-  std::vector<TopologyChange> topology;   // in order; new pieces have the next body ids
+  std::vector<Refusal> part_answers;                                    // to TickInput::parts, in order
+  std::vector<Refusal> cut_answers;                                     // likewise, to TickInput::cuts
+  std::vector<TopologyChange> topology;  // in order; new pieces have the next body ids
   std::vector<LetGo> let_go;
   std::vector<Broken> broken;
   std::vector<BodyReport> bodies;  // soft bodies that were solved, and any body with something to report

@@ -12,10 +12,10 @@ constexpr double head_step = 0.01;  // m that a head moves before it is worth te
 
 }  // namespace
 
-std::string PanelInputs::take(const Command& command) {
+Refusal PanelInputs::take(const Command& command) {
   const auto ask = [&](PanelEvent::Kind kind) {
     asked_.push_back({kind, command.participant, command.body, command.control, command.value});
-    return std::string();
+    return Refusal();
   };
   if (command.kind == CommandKind::open_panel) {
     if (command.body >= parts_.size())

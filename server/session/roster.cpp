@@ -24,7 +24,7 @@ bool has_control_character(const std::string& text) {
 
 }  // namespace
 
-std::string Roster::refusal(const Presence& p) const {
+Refusal Roster::refusal(const Presence& p) const {
   if (p.version != protocol_version)
     return fmt::format(
         "this server speaks protocol {}, your client speaks {}: install the same release on both",
@@ -52,7 +52,7 @@ bool Roster::in_anothers_place(const Presence& p) const {
   });
 }
 
-std::string Roster::role_refusal(const Participant& subject, Role role) const {
+Refusal Roster::role_refusal(const Participant& subject, Role role) const {
   if (role == Role::observer && subject.role != Role::observer &&
       observers() >= static_cast<std::uint32_t>(rules_.observers))
     return fmt::format("no place left for an observer: {} are watching", rules_.observers);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "common/messages.h"
+#include "common/refusal.h"
 
 namespace prosector {
 
@@ -34,13 +35,13 @@ class Roster {
  public:
   explicit Roster(const SessionRules& rules) : rules_(rules) {}
 
-  /// Returns empty when `presence` may join now, else why not.
-  std::string refusal(const Presence& presence) const;
-  /// Tells whether only another member is in the way, by its name or as the host: should that one be dead,
-  /// the next moments tell.
+  /// Returns why `presence` may not join now.
+  Refusal refusal(const Presence& presence) const;
+  /// Whether only another member is in the way, by its name or as the host: should that one be dead, the next
+  /// moments tell.
   bool in_anothers_place(const Presence& presence) const;
-  /// Returns empty when a member may become that, else why not. Who may say so is the session's matter.
-  std::string role_refusal(const Participant& subject, Role role) const;
+  /// Returns why a member may not become that. Who may say so is the session's matter.
+  Refusal role_refusal(const Participant& subject, Role role) const;
   const Participant& admit(const Presence& presence, std::uint64_t writer);
   void remove(ParticipantId id) { members_.erase(id); }
 

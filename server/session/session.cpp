@@ -130,7 +130,7 @@ void Session::take(const Command& command, std::uint64_t writer) {
     const auto it = visitors_.find(command.participant);
     if (it == visitors_.end() || it->second.writer != writer)
       return drop("Command: participant not in the session");
-    return answer(command, command.kind == CommandKind::leave ? "" : "join first");
+    return answer(command, command.kind == CommandKind::leave ? Refusal() : "join first");
   }
   if (member->writer != writer) return drop("Command: another process's participant");
   Seat& seat = seats_[command.participant];
@@ -143,7 +143,7 @@ void Session::join(const Command& command, std::uint64_t writer) {
     if (member->writer != writer) return drop("Command: another process's participant");
     if (++seats_[command.participant].commands > max_commands_per_tick)
       return drop("Command: too many in one tick");
-    return answer(command, "");  // already in: a repeated join is no error
+    return answer(command, {});  // already in: a repeated join is no error
   }
   Visitor* v = visitor(command.participant, writer, "Command: another process's participant");
   if (v == nullptr) return;
@@ -153,13 +153,13 @@ void Session::join(const Command& command, std::uint64_t writer) {
 
 void Session::obey(const Command& command, const Participant& member, Seat& seat) {
   if (command.kind == CommandKind::leave) {
-    answer(command, "");
+    answer(command, {});
     return leave(command.participant, SessionEvent::Kind::left);
   }
   if (command.kind == CommandKind::set_role) return hand_out(command, member);
   if (command.kind == CommandKind::keyframe) {
     keyframes_.insert(command.body);
-    return answer(command, "");
+    return answer(command, {});
   }
   if (member.role == Role::observer) {
     drop("Command: from an observer");
@@ -173,7 +173,7 @@ void Session::obey(const Command& command, const Participant& member, Seat& seat
     if (command.body >= rules_.bodies)
       return answer(command, fmt::format("no body {}: the scene has {}", command.body, rules_.bodies));
     seat.asked.push_back({HandEvent::Kind::reset_body, command.participant, command.hand, command.body});
-    return answer(command, "");
+    return answer(command, {});
   }
   if (command.kind != CommandKind::grasp && command.kind != CommandKind::release)
     return answer(command, "no such command");
@@ -185,7 +185,7 @@ void Session::obey(const Command& command, const Participant& member, Seat& seat
   if (grasp)
     seat.grasps.push_back(command);
   else
-    answer(command, "");
+    answer(command, {});
 }
 
 /// Gives out a role, which only the host does; whoever is handed the host's gives theirs for it.
@@ -198,9 +198,9 @@ void Session::hand_out(const Command& command, const Participant& member) {
   if (subject == nullptr) return answer(command, "nobody of that id is in the session");
   if (command.subject == command.participant && command.role != Role::host)
     return answer(command, "hand the host's role to somebody else, and you are a dissector");
-  const std::string refusal = roster_.role_refusal(*subject, command.role);
+  const Refusal refusal = roster_.role_refusal(*subject, command.role);
   answer(command, refusal);
-  if (!refusal.empty() || subject->role == command.role) return;
+  if (refusal || subject->role == command.role) return;
   if (command.role == Role::host) give(command.participant, Role::dissector);
   give(command.subject, command.role);
 }
@@ -267,7 +267,7 @@ void Session::settle_joins() {
 }
 
 void Session::try_join(ParticipantId id, Visitor& v) {
-  std::string refusal;
+  Refusal refusal;
   if (v.presence) {
     refusal = roster_.refusal(*v.presence);
     // Whoever was killed and comes back at once meets itself: its lease has not run out.
@@ -279,8 +279,9 @@ void Session::try_join(ParticipantId id, Visitor& v) {
   answer(*v.join, refusal);
   v.join.reset();
   const std::string name = v.presence ? v.presence->name : "";
-  if (!refusal.empty()) {
-    if (events_.size() < max_events) events_.push_back({SessionEvent::Kind::refused, id, name, refusal});
+  if (refusal) {
+    if (events_.size() < max_events)
+      events_.push_back({SessionEvent::Kind::refused, id, name, refusal.why()});
     return;
   }
   const Participant& member = roster_.admit(*v.presence, v.writer);
@@ -349,9 +350,10 @@ void Session::finish_tick(std::span<const HandState> hands, const StepReport& re
   stepping_.clear();
   for (std::size_t i = 0; i < cutting_.size(); ++i) {
     const Command& c = cutting_[i];
-    answer(c, i < report.cut_answers.size() ? report.cut_answers[i] : "nothing has been cut");
-    const bool rewound =
-        c.kind == CommandKind::rewind && i < report.cut_answers.size() && report.cut_answers[i].empty();
+    const Refusal refusal =
+        i < report.cut_answers.size() ? report.cut_answers[i] : Refusal("nothing has been cut");
+    answer(c, refusal);
+    const bool rewound = c.kind == CommandKind::rewind && !refusal;
     if (const Participant* member = roster_.find(c.participant); rewound && member != nullptr)
       events_.push_back({SessionEvent::Kind::rewound, c.participant, member->presence.name,
                          fmt::format("revision {} of body {}", c.revision, c.body)});
@@ -365,7 +367,7 @@ void Session::finish_tick(std::span<const HandState> hands, const StepReport& re
       const bool holds = std::any_of(hands.begin(), hands.end(), [&](const HandState& h) {
         return h.participant == id && h.hand == grasp.hand && h.holding;
       });
-      answer(grasp, holds ? "" : "nothing within reach");
+      answer(grasp, holds ? Refusal() : "nothing within reach");
     }
     seat.grasps.clear();
   }
@@ -419,11 +421,11 @@ const HandInput* Session::newest_input(ParticipantId id) const {
   return it == seats_.end() || !it->second.input ? nullptr : &*it->second.input;
 }
 
-void Session::answer(const Command& command, const std::string& refusal) {
+void Session::answer(const Command& command, const Refusal& refusal) {
   if (outgoing_.size() >= max_outgoing) return drop("Command: too many to answer");
   if (const auto kind = static_cast<std::size_t>(command.kind); kind < commands_.size())
-    ++(refusal.empty() ? commands_[kind].granted : commands_[kind].refused);
-  outgoing_.push_back({CommandResult{command.participant, command.sequence, refusal.empty(), refusal}});
+    ++(refusal ? commands_[kind].refused : commands_[kind].granted);
+  outgoing_.push_back({CommandResult{command.participant, command.sequence, !refusal, refusal.why()}});
 }
 
 void Session::drop(const char* reason) {

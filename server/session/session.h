@@ -154,7 +154,7 @@ class Session {
   void consume_seat(ParticipantId id, Seat& seat, ConsumedInput& out);
   Visitor* visitor(ParticipantId id, std::uint64_t writer, const char* what);
   void forget_visitors();
-  void answer(const Command& command, const std::string& refusal);
+  void answer(const Command& command, const Refusal& refusal);
   void drop(const char* reason);
 };
 

@@ -22,7 +22,7 @@ Message round_trip(const Message& message) {
   Message received;
   std::size_t bytes = 0;
   const Refusal refusal = through_the_wire(message, received, bytes);
-  EXPECT_EQ(refusal, nullptr) << topics[message.index()].name << ": " << refusal;
+  EXPECT_FALSE(refusal) << topics[message.index()].name << ": " << refusal.why();
   EXPECT_GT(bytes, 0u);
   return received;
 }
@@ -225,7 +225,7 @@ TEST(Wire, SpoiledMessagesAreRefused) {
   for (const Spoiled& spoiled : spoiled_messages()) {
     Message received;
     std::size_t bytes = 0;
-    EXPECT_NE(through_the_wire(spoiled.message, received, bytes), nullptr)
+    EXPECT_TRUE(through_the_wire(spoiled.message, received, bytes))
         << topics[spoiled.message.index()].name << ": " << spoiled.what;
   }
 }
@@ -243,11 +243,11 @@ TEST(Wire, SpoiledWireStructsAreRefused) {
   prosector_SoftState w{};
   to_wire(std::get<SoftState>(sample_messages()[10]), w, arena);
   SoftState m;
-  ASSERT_EQ(from_wire(w, m), nullptr);
+  ASSERT_FALSE(from_wire(w, m));
   const auto refused = [&](auto&& spoil) {
     prosector_SoftState bad = w;
     spoil(bad);
-    EXPECT_NE(from_wire(bad, m), nullptr);
+    EXPECT_TRUE(from_wire(bad, m));
   };
   refused([](auto& bad) { bad.count = 60000; });
   refused([](auto& bad) { bad.count = 113; });
@@ -264,16 +264,16 @@ TEST(Wire, SpoiledWireStructsAreRefused) {
   to_wire(std::get<Settled>(sample_messages()[11]), settled, arena);
   settled.positions._length -= 1;
   Settled out;
-  EXPECT_NE(from_wire(settled, out), nullptr);
+  EXPECT_TRUE(from_wire(settled, out));
 
   prosector_TopologyRevision revision{};
   to_wire(std::get<TopologyRevision>(sample_messages()[12]), revision, arena);
   TopologyRevision cut;
-  ASSERT_EQ(from_wire(revision, cut), nullptr);
+  ASSERT_FALSE(from_wire(revision, cut));
   const auto refused_cut = [&](auto&& spoil) {
     prosector_TopologyRevision bad = revision;
     spoil(bad);
-    EXPECT_NE(from_wire(bad, cut), nullptr);
+    EXPECT_TRUE(from_wire(bad, cut));
   };
   refused_cut([](auto& bad) { bad.points._length = 1u << 30; });
   refused_cut([](auto& bad) { bad.vertices._buffer = nullptr; });
@@ -282,9 +282,9 @@ TEST(Wire, SpoiledWireStructsAreRefused) {
   prosector_Presence presence{};
   std::memset(presence.name, 'x', sizeof presence.name);  // no terminating zero
   Presence named;
-  from_wire(presence, named);
+  static_cast<void>(from_wire(presence, named));
   named.participant = 1;
-  EXPECT_NE(check(named), nullptr);
+  EXPECT_TRUE(check(named));
 }
 
 std::string as_wire_bytes(const Message& message) {

@@ -339,8 +339,8 @@ std::set<std::string> events(const Simulation& simulation, const StepReport& rep
     if (hand.holding) out.insert(held.insert(*hand.holding).second ? "hold" : "shared");
   if (!report.broken.empty()) out.insert("break");
   if (!simulation.panels().empty()) out.insert("panel");
-  for (const std::string& answer : report.part_answers)
-    if (answer.empty()) out.insert("obeyed");
+  for (const Refusal& refusal : report.part_answers)
+    if (!refusal) out.insert("obeyed");
   for (const BodyReport& body : report.bodies) {
     if (body.reset) out.insert("reset");
     if (body.substep > 0) out.insert("substeps");

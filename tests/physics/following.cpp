@@ -196,7 +196,7 @@ void FollowingBodies::make_strokes(unsigned count, const std::function<Stroke(un
     SCOPED_TRACE(::testing::Message() << "stroke " << stroke);
     const Stroke way = next(stroke);
     BladeStroke blade = begin_stroke(way.edge(0));
-    if (stroke % 4 == 3 && organ.undo(1).empty()) regroup(true);
+    if (stroke % 4 == 3 && !organ.undo(1)) regroup(true);
     for (int tick = 1; tick <= way.ticks; ++tick) {
       if (::testing::Test::HasFatalFailure()) return;
       if (organ.cut(rest_of(organ), way.edge(1.0 * tick / way.ticks), blade, 1, stroke).ops.empty()) continue;
@@ -211,8 +211,8 @@ void FollowingBodies::make_strokes(unsigned count, const std::function<Stroke(un
     }
     end_stroke();
   }
-  while (!::testing::Test::HasFatalFailure() && last_stroke(organ.log(), 1)) {
-    ASSERT_EQ(organ.undo(1), "");
+  while (!::testing::Test::HasFatalFailure() && organ.last_stroke(1)) {
+    ASSERT_FALSE(organ.undo(1));
     regroup(true);
   }
 }

@@ -211,13 +211,13 @@ TEST(Organ, UndoGivesBackTheMeshThatWasCut) {
   ASSERT_EQ(simulation.body_count(), 3U);
   EXPECT_NE(simulation.soft(1).content_hash(), uncut);
   const StepReport& report = simulation.step(undo());
-  ASSERT_EQ(report.cut_answers, std::vector<std::string>{""});
+  ASSERT_EQ(report.cut_answers, std::vector<Refusal>(1));
   EXPECT_EQ(simulation.soft(1).content_hash(), uncut);
   EXPECT_EQ(simulation.surface(1).triangles.size(), triangles);
   EXPECT_TRUE(simulation.surface(2).triangles.empty());
   for (int i = 0; i < 120; ++i) simulation.step({});
   EXPECT_LT(simulation.max_displacement(1), 0.002);
-  EXPECT_NE(simulation.step(undo()).cut_answers, std::vector<std::string>{""}) << "undone twice";
+  EXPECT_NE(simulation.step(undo()).cut_answers, std::vector<Refusal>(1)) << "undone twice";
 }
 
 // Each row: how high the ties are, so which piece falls, and where the blade comes.
@@ -239,7 +239,7 @@ TEST(Organ, UndoPutsAPieceBackThatHasFallenAndLiesThere) {
     const BodyId falls = larger_falls ? 1 : 2;
     for (int i = 0; i < 60; ++i) simulation.step(target(at));
     ASSERT_GT(simulation.max_displacement(falls), 0.5) << "it should have fallen";
-    ASSERT_EQ(simulation.step(undo()).cut_answers, std::vector<std::string>{""});
+    ASSERT_EQ(simulation.step(undo()).cut_answers, std::vector<Refusal>(1));
     EXPECT_EQ(simulation.soft(1).content_hash(), uncut);
     EXPECT_LT(simulation.max_displacement(1), 0.01) << "beside where it came off, larger " << larger_falls;
     double fastest = 0;
@@ -293,7 +293,7 @@ TEST(Organ, UndoTakesBackOnesOwnCutUnderALaterOneOrSaysWhyNot) {
     const auto undo_of = [&](ParticipantId who) {
       TickInput input;
       input.cuts = {{CutEvent::Kind::undo, who, 0, 0}};
-      return simulation.step(input).cut_answers.at(0);
+      return simulation.step(input).cut_answers.at(0).why();
     };
     const std::string answer = undo_of(1);
     EXPECT_TRUE(answer.empty() || answer.find("depends on it") != std::string::npos) << answer;

@@ -38,7 +38,7 @@ Vec3 middle(const Simulation& simulation) {
 }
 
 std::string answer(Simulation& simulation, const TickInput& input) {
-  return simulation.step(input).part_answers.at(0);
+  return simulation.step(input).part_answers.at(0).why();
 }
 
 TEST(Part, StaysInItsPlaceUntilDetachedAndFallsThen) {

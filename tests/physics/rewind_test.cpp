@@ -114,7 +114,7 @@ TEST(Rewind, BringsBackTheWholeStateInANewEpoch) {
   const std::uint32_t revision_left = simulation.revision(1);
 
   const StepReport& report = simulation.step(rewind_to(half));
-  ASSERT_EQ(report.cut_answers, std::vector<std::string>{""});
+  ASSERT_EQ(report.cut_answers, std::vector<Refusal>(1));
   expect_moment(simulation, half);
   EXPECT_EQ(simulation.time(), (SimTime{left.epoch + 1, left.tick + 1}));
   EXPECT_EQ(simulation.body_count(), 3U) << "bodies are never taken out of the scene";
@@ -129,10 +129,10 @@ TEST(Rewind, BringsBackTheWholeStateInANewEpoch) {
   }
   EXPECT_FALSE(simulation.hands()[0].holding) << "hands let go";
   ASSERT_EQ(report.let_go.size(), 1U);
-  EXPECT_EQ(simulation.step(undo()).cut_answers, std::vector<std::string>{""})
+  EXPECT_EQ(simulation.step(undo()).cut_answers, std::vector<Refusal>(1))
       << "the half cut is one's own still";
   EXPECT_EQ(moment_of(simulation).meshes[0], uncut.meshes[0]);
-  EXPECT_EQ(simulation.step(rewind_to(uncut)).cut_answers, std::vector<std::string>{""});
+  EXPECT_EQ(simulation.step(rewind_to(uncut)).cut_answers, std::vector<Refusal>(1));
   expect_moment(simulation, uncut);
 }
 
@@ -153,7 +153,7 @@ TEST(Rewind, RefusesWhatIsNoStateOfThisRunAndChangesNothing) {
     TickInput input;
     input.cuts = {{CutEvent::Kind::rewind, somebody, 0, 0, state}};
     const StepReport& report = simulation.step(input);
-    EXPECT_NE(report.cut_answers, std::vector<std::string>{""});
+    EXPECT_NE(report.cut_answers, std::vector<Refusal>(1));
     EXPECT_TRUE(report.topology.empty());
     EXPECT_EQ(moment_of(simulation).meshes, before.meshes);
     EXPECT_EQ(simulation.time(), (SimTime{time.epoch, time.tick + 1}));
@@ -180,9 +180,9 @@ TEST(Undo, TakesWhatABladeCutsAgainAtOnceForTheSameCut) {
       simulation.step(target({-0.08, 0.14, 0.03}));
     nick(simulation, 0.03);
     ASSERT_NE(simulation.soft(1).content_hash(), once);
-    EXPECT_EQ(simulation.step(undo()).cut_answers, std::vector<std::string>{""});
+    EXPECT_EQ(simulation.step(undo()).cut_answers, std::vector<Refusal>(1));
     EXPECT_EQ(simulation.soft(1).content_hash(), at_once ? uncut : once);
-    EXPECT_EQ(simulation.step(undo()).cut_answers == std::vector<std::string>{""}, !at_once);
+    EXPECT_EQ(simulation.step(undo()).cut_answers == std::vector<Refusal>(1), !at_once);
     EXPECT_EQ(simulation.soft(1).content_hash(), uncut);
   }
 }
@@ -202,7 +202,7 @@ TEST(Rewind, UndoAndRewindSampledOverRandomStrokes) {
       ASSERT_NEAR(all_mass(simulation), mass, 1e-9 * mass);
       const auto step_both = [&](const TickInput& input) {  // the copy comes from a checkpoint
         copy.restore(simulation.checkpoint());
-        EXPECT_EQ(simulation.step(input).cut_answers, std::vector<std::string>{""});
+        EXPECT_EQ(simulation.step(input).cut_answers, std::vector<Refusal>(1));
         copy.step(input);
         EXPECT_EQ(simulation.state_hash(), copy.state_hash());
       };

@@ -67,7 +67,7 @@ TEST_P(CutSheet, InTwoBodiesUndoneAndRestored) {
   draw(restored, again, 75);
   EXPECT_EQ(restored.state_hash(), cut);
 
-  ASSERT_EQ(simulation.step(undo()).cut_answers, std::vector<std::string>{""});
+  ASSERT_EQ(simulation.step(undo()).cut_answers, std::vector<Refusal>(1));
   EXPECT_EQ(simulation.soft(1).content_hash(), uncut);
   EXPECT_NEAR(simulation.soft(1).total_mass(), mass, 1e-12 * mass);
   EXPECT_TRUE(simulation.surface(2).triangles.empty());
@@ -299,11 +299,11 @@ TEST(SheetOrgan, IsUndoneInAnyOrderThatItsCutsAllow) {
   const std::uint64_t one = content_hash(organ.complex());
   cut(-0.0341, 2, 2);  // far from it
   cut(0.0361, 3, 3);   // beside it
-  EXPECT_NE(organ.undo(1), "");
-  EXPECT_EQ(organ.undo(3), "");
-  EXPECT_EQ(organ.undo(1), "");
-  EXPECT_EQ(organ.undo(2), "");
-  EXPECT_EQ(content_hash(organ.complex()), uncut);
+  EXPECT_TRUE(organ.undo(1));
+  EXPECT_FALSE(organ.undo(3));
+  EXPECT_FALSE(organ.undo(1));
+  EXPECT_FALSE(organ.undo(2));
+  EXPECT_EQ(organ.complex().content_hash(), uncut);
   EXPECT_NE(one, uncut);
   organ.regroup(organ.pieces().size());
 

@@ -375,7 +375,7 @@ TEST(Session, WhatIsAskedOfPartsIsAnsweredByTheStep) {
   EXPECT_EQ(in.input.parts[0].kind, PartEvent::Kind::detach);
   EXPECT_EQ(in.input.parts[1].kind, PartEvent::Kind::attach);
   StepReport report;
-  report.part_answers = {"", "too far"};
+  report.part_answers = {{}, "too far"};
   room.session.finish_tick({}, report);
   std::map<std::uint64_t, CommandResult> answers;
   for (const Outgoing& o : room.session.take_outgoing())
@@ -418,7 +418,7 @@ TEST(Session, DissectorsUndoTheirOwnAndOnlyTheHostRewinds) {
   EXPECT_EQ(in.input.cuts[1].kind, CutEvent::Kind::undo);
   EXPECT_EQ(in.input.cuts[1].participant, 2u);
   StepReport report;
-  report.cut_answers = {"", "a later cut depends on it"};
+  report.cut_answers = {{}, "a later cut depends on it"};
   room.session.finish_tick({}, report);
   std::map<std::uint64_t, CommandResult> answers;
   for (const Outgoing& o : room.session.take_outgoing())

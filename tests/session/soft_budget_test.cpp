@@ -72,8 +72,7 @@ struct Stream {
     for (const Message& message : out) {
       Message received;
       std::size_t size = 0;
-      if (through_the_wire(message, received, size) != nullptr)
-        throw std::runtime_error("a sample was refused");
+      if (through_the_wire(message, received, size)) throw std::runtime_error("a sample was refused");
       if (const auto* state = std::get_if<SoftState>(&received)) {
         replica.add(*state);
         ++samples;

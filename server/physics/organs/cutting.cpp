@@ -132,9 +132,9 @@ void advance_blade(State& state, std::span<const BladeGrip> grips, Blade& blade,
 }
 
 /// Lets what an organ's change made of its pieces take effect, or leaves everything as it was before the
-/// change. Returns an empty text when done, else why not.
-std::string carry_through(State& state, std::size_t first, const Organ::Mark& before, TopologyCause cause,
-                          ParticipantId author, StepReport& report) {
+/// change, and returns why.
+Refusal carry_through(State& state, std::size_t first, const Organ::Mark& before, TopologyCause cause,
+                      ParticipantId author, StepReport& report) {
   Organ& organ = state.dissection.organs.at(first);
   try {
     remake(state, organ, cause, author, report);
@@ -152,10 +152,10 @@ std::string carry_through(State& state, std::size_t first, const Organ::Mark& be
 
 /// Obeys the event. Returns whether the state went back to an earlier one.
 bool obey_cut(State& state, const CutEvent& event, StepReport& report) {
-  std::string& answer = report.cut_answers.emplace_back();
+  Refusal& answer = report.cut_answers.emplace_back();
   if (event.kind == CutEvent::Kind::rewind) {
     answer = rewind(state, event, report);
-    return answer.empty();
+    return !answer;
   }
   Organ* last = nullptr;
   std::uint64_t stroke = 0;
@@ -170,7 +170,7 @@ bool obey_cut(State& state, const CutEvent& event, StepReport& report) {
   }
   const Organ::Mark before = last->mark();
   answer = last->undo(event.participant);
-  if (answer.empty())
+  if (!answer)
     answer = carry_through(state, last->pieces().front().body, before, TopologyCause::undo, event.participant,
                            report);
   return false;
@@ -208,12 +208,11 @@ bool cut_soft_bodies(State& state, std::span<const BladeGrip> grips, const TickI
       if (organ.log().size() > lengths[first]) cut_by[first] = blade.holder;
   }
   for (const auto& [first, author] : cut_by)
-    if (const std::string failed =
-            carry_through(state, first, marks[first], TopologyCause::cut, author, report);
-        !failed.empty()) {
+    if (const Refusal failed =
+            carry_through(state, first, marks[first], TopologyCause::cut, author, report)) {
       BodyReport& row = report.bodies.emplace_back();
       row.body = state.bodies.soft[first].solver->desc().name;
-      row.note = fmt::format("the cut was taken back: {}", failed);
+      row.note = fmt::format("the cut was taken back: {}", failed.why());
     }
   bool went_back = false;
   for (const CutEvent& event : input.cuts) went_back = obey_cut(state, event, report) || went_back;

@@ -10,6 +10,7 @@
 
 #include "common/byte_stream.h"
 #include "common/messages.h"
+#include "common/refusal.h"
 #include "server/physics/cutting/skin.h"
 #include "server/physics/cutting/tet_complex.h"
 #include "server/physics/cutting/volume_cut.h"
@@ -37,11 +38,12 @@ class Organ {
   /// operations in the result nothing changed.
   CutResult cut(std::span<const Vec3> positions, std::span<const Vec3> edge, BladeStroke& blade,
                 ParticipantId author, std::uint64_t stroke);
-  /// Takes back the author's last stroke. Returns empty when done, else why not.
-  std::string undo(ParticipantId author);
-  /// Makes everything as in `then`, this organ's own earlier state. Cuts made since are taken back, those
-  /// undone since are made again, under the ids that they had. Throws InputError, and changes nothing, where
-  /// the log doesn't begin with `then`'s. Bodies that came since stay, as pieces without tetrahedra.
+  /// Takes back the author's last stroke, or returns why not.
+  Refusal undo(ParticipantId author);
+  std::optional<std::uint64_t> last_stroke(ParticipantId author) const;  // that undo() would take back
+  /// Everything as in `then`, this organ's own earlier state: cuts made since are taken back, those undone
+  /// since are made again, under the ids that they had. Throws InputError, and changes nothing, where the log
+  /// doesn't begin with `then`'s. Bodies that came since stay, as pieces without tetrahedra.
   void rewind(const Organ& then, ParticipantId author);
 
   /// Finds the pieces anew after changes, see OrganPieces::regroup().

@@ -117,7 +117,7 @@ void go_back(State& state, const CutEvent& event, StepReport& report) {
 
 }  // namespace
 
-std::string rewind(State& state, const CutEvent& event, StepReport& report) {
+Refusal rewind(State& state, const CutEvent& event, StepReport& report) {
   if (!event.state) return "that state was not kept";
   ByteWriter now;
   save(state, now);

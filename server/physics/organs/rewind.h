@@ -2,15 +2,12 @@
 // Going back to an earlier state. The logs of cuts go on, so revisions and ids never repeat; the hands that
 // are there stay where they are, holding nothing.
 
-#include <string>
-
 #include "server/physics/state.h"
 #include "server/physics/step_report.h"
 
 namespace prosector {
 
-/// Goes back, and returns an empty text; or returns why not, where nothing changed but caches, which are made
-/// anew.
-std::string rewind(State& state, const CutEvent& event, StepReport& report);
+/// Goes back, or returns why not; then nothing changed but caches, which are made anew.
+Refusal rewind(State& state, const CutEvent& event, StepReport& report);
 
 }  // namespace prosector

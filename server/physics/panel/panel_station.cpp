@@ -44,8 +44,9 @@ void carry_out(State& state, const PanelAction& action, StepReport& report) {
   using Kind = PartEvent::Kind;
   const bool on = action.value >= 0.5;
   const auto tell = [&](Kind kind, BodyId body, double value = 0) {
-    obey(state, {.kind = kind, .participant = action.participant, .body = body, .shape = {}, .value = value},
-         report);
+    static_cast<void>(obey(
+        state, {.kind = kind, .participant = action.participant, .body = body, .shape = {}, .value = value},
+        report));
   };
   switch (action.control) {
     case PanelControl::attach:

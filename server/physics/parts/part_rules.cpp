@@ -62,7 +62,7 @@ void change_part(State& state, BodyId body, const Part& wanted, StepReport& repo
 
 }  // namespace
 
-std::string obey(State& state, const PartEvent& event, StepReport& report) {
+Refusal obey(State& state, const PartEvent& event, StepReport& report) {
   Bodies& bodies = state.bodies;
   using Kind = PartEvent::Kind;
   if (event.body >= bodies.parts.size()) return fmt::format("no body {}", event.body);
