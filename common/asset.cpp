@@ -45,8 +45,8 @@ Asset encode(const TriangleMesh& mesh) {
   ByteWriter out;
   const bool cut = !mesh.inner.empty();
   if (cut && mesh.inner.size() != mesh.triangles.size())
-    throw InputError(fmt::format("mesh: {} flags of inner triangles for {} triangles", mesh.inner.size(),
-                                 mesh.triangles.size()));
+    throw InternalError(fmt::format("mesh: {} flags of inner triangles for {} triangles", mesh.inner.size(),
+                                    mesh.triangles.size()));
   out.reserve(12 + mesh.positions.size() * 12 + mesh.triangles.size() * 12 + mesh.inner.size());
   out.add(cut ? cut_mesh_magic : mesh_magic);
   put_positions(out, mesh.positions);

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "common/assert.h"
+
 namespace prosector {
 
 /// Why something was refused, for people. True means refused; a default one that it was done or accepted.
@@ -13,8 +15,8 @@ namespace prosector {
 class [[nodiscard]] Refusal {
  public:
   Refusal() = default;
-  Refusal(std::string why) : why_(std::move(why)) {}
-  Refusal(const char* why) : why_(why) {}
+  Refusal(std::string why) : why_(std::move(why)) { PROSECTOR_ASSERT(!why_->empty()); }
+  Refusal(const char* why) : Refusal(std::string(why)) {}
   Refusal(std::nullptr_t) = delete;
 
   explicit operator bool() const { return why_.has_value(); }

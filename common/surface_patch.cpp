@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "common/assert.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -59,7 +60,12 @@ std::size_t count_after(std::size_t count, const std::vector<Entry>& entries, co
   return count;
 }
 
+bool has_rows_for_its_vertices(const DrawnSurface& surface) {
+  return surface.streamed.map.rows.size() == surface.rest.positions.size();
+}
+
 void check(const SurfacePatch& patch, const DrawnSurface& surface) {
+  PROSECTOR_ASSERT(has_rows_for_its_vertices(surface));
   const std::size_t points = surface.streamed.rest.size() + patch.points.size();
   const std::size_t vertices = count_after(surface.rest.positions.size(), patch.vertices, "vertex");
   const std::size_t triangles = count_after(surface.rest.triangles.size(), patch.triangles, "triangle");
@@ -96,18 +102,19 @@ DrawnSurface rounded(TriangleMesh rest, StreamedSurface streamed) {
 }
 
 SurfacePatch difference(const DrawnSurface& before, const DrawnSurface& after) {
+  PROSECTOR_ASSERT(has_rows_for_its_vertices(before) && has_rows_for_its_vertices(after));
   const std::size_t points = before.streamed.rest.size(), vertices = before.rest.positions.size(),
                     triangles = before.rest.triangles.size();
   if (after.streamed.rest.size() < points || after.rest.positions.size() < vertices ||
       after.rest.triangles.size() < triangles)
-    throw InputError("surface patch: slots are only appended");
+    throw InternalError("surface patch: slots are only appended");
   SurfacePatch out;
   for (std::size_t i = 0; i < after.streamed.rest.size(); ++i) {
     const Eigen::Vector3f rest = after.streamed.rest[i].cast<float>();
     if (i >= points)
       out.points.push_back({rest, rest});
     else if (rest != before.streamed.rest[i].cast<float>())
-      throw InputError(fmt::format("surface patch: point {} is elsewhere at rest", i));
+      throw InternalError(fmt::format("surface patch: point {} is elsewhere at rest", i));
   }
   for (std::size_t v = 0; v < after.rest.positions.size(); ++v) {
     const VertexBits now = bits_of(after, v);
@@ -150,6 +157,7 @@ void apply(const SurfacePatch& patch, DrawnSurface& surface) {
 }
 
 std::uint64_t hash(const DrawnSurface& surface) {
+  PROSECTOR_ASSERT(has_rows_for_its_vertices(surface));
   StateHasher hasher;
   hasher.add(surface.streamed.rest.size());
   hasher.add(surface.rest.positions.size());

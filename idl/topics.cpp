@@ -1,5 +1,7 @@
 #include "idl/topics.h"
 
+#include "common/assert.h"
+
 namespace prosector {
 
 bool writes(BusEnd end, const TopicSpec& topic) {
@@ -17,6 +19,7 @@ bool reads(BusEnd end, const TopicSpec& topic) {
 }
 
 InstanceKey instance_key(const Message& message) {
+  PROSECTOR_ASSERT(message.index() < topic_count);
   return topics[message.index()].instance.key(message);
 }
 
@@ -26,6 +29,7 @@ std::size_t lane(const Message& message) {
 }
 
 Message key_only(const Message& message) {
+  PROSECTOR_ASSERT(message.index() < topic_count);
   return topics[message.index()].instance.key_only(message);
 }
 

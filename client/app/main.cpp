@@ -19,6 +19,10 @@ int main(int argc, char** argv) {
   } catch (const prosector::InputError& error) {
     fmt::print(stderr, "prosector-client: {}\n", error.what());
     return 2;
+  } catch (const prosector::InternalError& error) {
+    fmt::print(stderr, "prosector-client: a fault of the program, not of its input; please report it: {}\n",
+               error.what());
+    return 1;
   } catch (const std::exception& error) {
     fmt::print(stderr, "prosector-client: unexpected: {}\n", error.what());
     return 1;

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "common/assert.h"
+
 namespace prosector {
 
 class BitWriter {
@@ -12,6 +14,7 @@ class BitWriter {
   explicit BitWriter(std::span<std::uint8_t> bytes) : bytes_(bytes) {}
 
   void put(std::uint32_t value, unsigned bits) {
+    PROSECTOR_ASSERT(bits <= 32 && position_ + bits <= 8 * bytes_.size());
     for (unsigned done = 0; done < bits;) {
       const unsigned offset = position_ % 8;
       const unsigned take = bits - done < 8 - offset ? bits - done : 8 - offset;
@@ -33,6 +36,7 @@ class BitReader {
   explicit BitReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
   std::uint32_t get(unsigned bits) {
+    PROSECTOR_ASSERT(bits <= 32 && position_ + bits <= 8 * bytes_.size());
     std::uint32_t value = 0;
     for (unsigned done = 0; done < bits;) {
       const unsigned offset = position_ % 8;

@@ -2,14 +2,17 @@
 // The pieces that several wire structs share.
 
 #include <cstring>
+#include <limits>
 #include <string>
 
+#include "common/assert.h"
 #include "idl/wire/convert.h"
 
 namespace prosector {
 
 template <std::size_t N>
 void to_wire(const std::string& text, char (&w)[N]) {
+  PROSECTOR_ASSERT(text.size() < N);
   const std::size_t length = std::min(text.size(), N - 1);
   std::memcpy(w, text.data(), length);
   std::memset(w + length, 0, N - length);
@@ -88,6 +91,7 @@ inline ContentHash from_wire(const prosector_Digest& w) {
 /// Makes a wire sequence point at `count` fresh elements of the arena.
 template <class Element, class Sequence>
 void make_sequence(Sequence& w, std::size_t count, WireArena& arena) {
+  PROSECTOR_ASSERT(count <= std::numeric_limits<std::uint32_t>::max());
   w._maximum = w._length = static_cast<std::uint32_t>(count);
   w._buffer = arena.make<Element>(count);
   w._release = false;

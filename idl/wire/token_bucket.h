@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "common/assert.h"
+
 namespace prosector {
 
 class TokenBucket {
  public:
-  /// Takes `rate` in 1/s, `burst` in samples; both > 0.
-  TokenBucket(double rate, double burst) : rate_(rate), burst_(burst), tokens_(burst) {}
+  /// `rate` in 1/s, `burst` in samples; both > 0.
+  TokenBucket(double rate, double burst) : rate_(rate), burst_(burst), tokens_(burst) {
+    PROSECTOR_ASSERT(rate > 0 && burst > 0);
+  }
 
   /// Takes one token at time `now_ns` (monotonic); returns false when there is none.
   bool take(std::int64_t now_ns) {

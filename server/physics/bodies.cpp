@@ -1,5 +1,7 @@
 #include "server/physics/bodies.h"
 
+#include "common/assert.h"
+
 namespace prosector {
 
 Bodies::Bodies(const Model& compiled, std::vector<CompiledTissue> tissues)
@@ -17,14 +19,17 @@ Bodies::Bodies(const Model& compiled, std::vector<CompiledTissue> tissues)
 }
 
 const std::string& Bodies::name_of(BodyId body) const {
+  PROSECTOR_ASSERT(body < count());
   return is_soft(body) ? soft[soft_index(body)].desc().name : model.rigid[body].name;
 }
 
 bool Bodies::is_part(BodyId body) const {
+  PROSECTOR_ASSERT(body < count());
   return is_soft(body) ? soft[soft_index(body)].desc().part : model.scene.rigid[body].part;
 }
 
 bool Bodies::may_meet(std::size_t a, std::size_t b) const {
+  PROSECTOR_ASSERT(a < soft.size() && b < soft.size());
   if (parts[soft_id(a)].out_of_touch() || parts[soft_id(b)].out_of_touch()) return false;
   const SoftCollision &first = soft[a].collision, &second = soft[b].collision;
   if (a == b) return first.with_itself;
@@ -33,6 +38,7 @@ bool Bodies::may_meet(std::size_t a, std::size_t b) const {
 }
 
 void Bodies::take_effect(RigidWorld& world, BodyId body) {
+  PROSECTOR_ASSERT(body < parts.size());
   const Part& part = parts[body];
   if (is_soft(body)) {
     soft[soft_index(body)].solver->set_in_force(part.stiffness, part.attached);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "common/assert.h"
 #include "server/physics/model.h"
 #include "server/physics/part.h"
 #include "server/physics/tissue.h"
@@ -27,7 +28,10 @@ struct Bodies {
 
   std::size_t count() const { return model.rigid.size() + soft.size(); }
   bool is_soft(BodyId body) const { return body >= model.rigid.size(); }
-  std::size_t soft_index(BodyId body) const { return body - model.rigid.size(); }
+  std::size_t soft_index(BodyId body) const {
+    PROSECTOR_ASSERT(is_soft(body));
+    return body - model.rigid.size();
+  }
   BodyId soft_id(std::size_t index) const { return static_cast<BodyId>(model.rigid.size() + index); }
   const std::string& name_of(BodyId body) const;
   /// Returns whether the body is a part of the anatomy, which people may take out and hide.

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "common/assert.h"
+
 namespace prosector {
 
 struct ListEdit {
@@ -31,6 +33,9 @@ struct ListEdit {
 inline ListEdit::ListEdit(std::size_t before, std::vector<std::uint32_t> gone_indices,
                           std::span<const std::uint32_t> come_before)
     : gone(std::move(gone_indices)), now(before) {
+  PROSECTOR_ASSERT(is_ascending(gone) && (gone.empty() || gone.back() < before));
+  PROSECTOR_ASSERT(std::ranges::is_sorted(come_before) &&
+                   (come_before.empty() || come_before.back() <= before));
   std::uint32_t index = 0;
   auto leaving = gone.begin();
   auto coming = come_before.begin();
@@ -46,6 +51,7 @@ inline ListEdit::ListEdit(std::size_t before, std::vector<std::uint32_t> gone_in
 /// Takes a list along; `come`: the values of those that come.
 template <class T>
 void apply(const ListEdit& edit, std::span<const T> come, std::vector<T>& list) {
+  PROSECTOR_ASSERT(list.size() == edit.size_before() && come.size() == edit.come.size());
   if (edit.keeps_indices()) {
     list.insert(list.end(), come.begin(), come.end());
     return;

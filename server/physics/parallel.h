@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "common/assert.h"
 #include "server/physics/task_order.h"
 
 namespace prosector {
@@ -24,6 +25,7 @@ constexpr std::size_t chunk_count(std::size_t n, std::size_t chunk) {
 /// global limits.
 template <class F>
 void parallel_chunks(std::size_t n, std::size_t chunk, const F& f) {
+  PROSECTOR_ASSERT(chunk > 0);
   const std::size_t chunks = chunk_count(n, chunk);
   const auto run = [&](std::size_t c) { f(c * chunk, std::min(n, (c + 1) * chunk), c); };
   if (chunks <= 1) {

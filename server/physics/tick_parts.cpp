@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "common/assert.h"
 #include "server/physics/contact/rigid_soft_contacts.h"
 #include "server/physics/rotation.h"
 
@@ -52,6 +53,7 @@ int count_parts(State& state, Colliders& colliders) {
     if (!to) continue;
     if (!fresh) refresh(colliders, bodies, state.hands, state.dissection.blades);
     fresh = true;
+    PROSECTOR_ASSERT(slot < colliders.size());
     const Collider& c = colliders[slot];
     const double far = way(c.pose, *to, (c.hi - c.lo).norm() / 2);
     for (const Tissue& tissue : bodies.soft) {
@@ -92,6 +94,7 @@ void TickParts::restart() {
 }
 
 void TickParts::aim(int k) {
+  PROSECTOR_ASSERT(k >= 0 && k < count_);
   if (count_ == 1) return;
   const double share = 1.0 / count_, begin = k * share, end = k + 1 == count_ ? 1 : (k + 1) * share;
   for (const Kinematic& d : kinematic_)

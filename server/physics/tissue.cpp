@@ -1,5 +1,6 @@
 #include "server/physics/tissue.h"
 
+#include "common/assert.h"
 #include "server/physics/contact/flat_elements.h"
 
 namespace prosector {
@@ -22,12 +23,14 @@ Tissue::Tissue(std::size_t own_index, std::unique_ptr<SoftBody> own_solver, cons
       surface(std::move(own_surface)) {}
 
 double Tissue::contact_stiffness(std::size_t vertex) const {
+  PROSECTOR_ASSERT(vertex < solver->surface_area().size());
   const SoftBody& body = *solver;
   return collision.stiffness_factor * body.desc().youngs_modulus * body.surface_area()[vertex] /
          body.desc().surface_cell;
 }
 
 ContactSide Tissue::side(std::uint32_t vertex) const {
+  PROSECTOR_ASSERT(vertex < anatomy().embedding.rows.size());
   ContactSide out;
   out.kind = ContactSide::Kind::soft;
   out.body = index;
@@ -74,7 +77,15 @@ const std::vector<char>& Tissue::inside_out() {
   return inside_out_;
 }
 
+/// Returns whether state and surface are of the solver's mesh.
+bool Tissue::fits_its_mesh() const {
+  const Eigen::Index size = 3 * solver->nodes();
+  return state.motion.x.size() == size && state.motion.v.size() == size && equilibrium.size() == size &&
+         anatomy().embedding.rows.size() == anatomy().surface.positions.size();
+}
+
 void Tissue::begin_tick() {
+  PROSECTOR_ASSERT(fits_its_mesh());
   surface.begin_tick();
   knows_inside_out_ = false;
 }

@@ -66,6 +66,7 @@ struct Tissue {
   /// the body is. 1: so; empty: none are.
   const std::vector<char>& inside_out();
 
+  bool fits_its_mesh() const;
   void begin_tick();
   /// Takes what others touch of the body to where its nodes are.
   void place_surface() { surface.place(state.motion.x); }

@@ -264,6 +264,10 @@ int main(int argc, char** argv) {
   } catch (const InputError& e) {
     fmt::print(stderr, "prosector-server: {}\n", e.what());
     return 2;
+  } catch (const InternalError& e) {
+    fmt::print(stderr, "prosector-server: a fault of the program, not of its input; please report it: {}\n",
+               e.what());
+    return 1;
   } catch (const std::exception& e) {
     fmt::print(stderr, "prosector-server: {}\n", e.what());
     return 1;

@@ -47,7 +47,7 @@ TEST(Asset, InnerTrianglesRoundTripAndUncutMeshesKeepTheirNames) {
   bytes.pop_back();
   EXPECT_THROW(decode_triangle_mesh(bytes), InputError);
   mesh.inner.pop_back();
-  EXPECT_THROW(encode(mesh), InputError);
+  EXPECT_THROW(encode(mesh), InternalError);
 }
 
 TEST(Asset, StreamedSurfacesRoundTrip) {

@@ -128,10 +128,10 @@ TEST(SurfacePatch, WhatDoesNotFitIsRefusedAndChangesNothing) {
   refused([&](SurfacePatch& p) { p.points.resize(max_streamed_points); });
   DrawnSurface less = s;
   less.rest.triangles.pop_back();
-  EXPECT_THROW(difference(s, less), InputError);
+  EXPECT_THROW(difference(s, less), InternalError);
   less = s;
   less.streamed.rest[0].x() += 1;
-  EXPECT_THROW(difference(s, less), InputError);
+  EXPECT_THROW(difference(s, less), InternalError);
 }
 
 }  // namespace

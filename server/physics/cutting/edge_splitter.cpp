@@ -6,6 +6,7 @@
 #include <numbers>
 #include <queue>
 
+#include "common/assert.h"
 #include "server/physics/cutting/tet_shape.h"
 
 namespace prosector {
@@ -263,6 +264,7 @@ std::vector<BladeStroke::Mark> Marks::by_node() const {
 
 void split_edges(TetComplex& complex, const Sheet& sheet, std::span<const TetId> candidates,
                  std::vector<Vec3>& x, Marks& marks, CutResult& result) {
+  PROSECTOR_ASSERT(is_ascending(candidates) && x.size() >= complex.node_end());
   EdgeSplitter(complex, sheet, x, marks, result).run(candidates);
 }
 

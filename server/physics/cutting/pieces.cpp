@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include "common/assert.h"
+
 namespace prosector {
 
 std::vector<std::vector<TetId>> pieces(const TetComplex& complex) {
@@ -32,7 +34,10 @@ bool hang_together(const TetComplex& complex, std::span<const TetId> tets) {
   std::vector<TetId> open;
   std::vector<std::uint32_t> group_of(complex.tet_end(), TetComplex::none);  // of what was reached
   for (TetId tet : tets) {
-    while (!complex.has_tet(tet)) tet = complex.lineage(tet).child;
+    while (!complex.has_tet(tet)) {
+      tet = complex.child(tet);
+      PROSECTOR_ASSERT(tet < complex.tet_end());
+    }
     if (group_of[tet] != TetComplex::none) continue;
     group_of[tet] = static_cast<std::uint32_t>(open.size());
     open.push_back(tet);

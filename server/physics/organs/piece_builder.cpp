@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "common/assert.h"
 #include "server/physics/contact/fit_tissue.h"
 #include "server/physics/hands/holding.h"
 #include "server/physics/organs/brought_back.h"
@@ -179,6 +180,9 @@ std::unique_ptr<SoftBody> make_piece(const Bodies& bodies, const Organ& organ, s
 void place_piece(State& state, std::size_t body, std::size_t first, std::unique_ptr<SoftBody> solver,
                  Numbering numbering, TissueSurface surface) {
   Bodies& bodies = state.bodies;
+  PROSECTOR_ASSERT(solver != nullptr && body <= bodies.soft.size() && first < bodies.soft.size());
+  PROSECTOR_ASSERT(is_ascending(numbering.nodes) && is_ascending(numbering.vertices) &&
+                   is_ascending(numbering.triangles));
   if (body == bodies.soft.size()) {
     bodies.soft.emplace_back(body, std::move(solver), bodies.soft[first].collision, std::move(surface));
     bodies.parts.push_back(bodies.parts[bodies.soft_id(first)]);
@@ -194,6 +198,7 @@ void place_piece(State& state, std::size_t body, std::size_t first, std::unique_
 
 void set_going(Bodies& bodies, std::size_t body, std::size_t first, Motion motion, VecX balance) {
   Tissue& tissue = bodies.soft[body];
+  PROSECTOR_ASSERT(motion.x.size() == tissue.state.motion.x.size() && balance.size() == motion.x.size());
   tissue.state.motion = std::move(motion);
   tissue.state.asleep = false;
   tissue.equilibrium = std::move(balance);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/assert.h"
+
 namespace prosector {
 namespace {
 
@@ -24,6 +26,7 @@ bool has(const Numbers& numbers, std::uint32_t number) {
 
 /// `gone`: ascending indices; `come`: ascending numbers that aren't among those that stay.
 ListEdit edit_of(const Numbers& before, Numbers gone, const Numbers& come) {
+  PROSECTOR_ASSERT(is_ascending(before) && is_ascending(come));
   Numbers come_before;
   come_before.reserve(come.size());
   for (const std::uint32_t number : come) come_before.push_back(count_below(before, number));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/assert.h"
 #include "server/physics/hands/hands.h"
 
 namespace prosector {
@@ -64,6 +65,7 @@ void change_part(State& state, BodyId body, const Part& wanted, StepReport& repo
 
 Refusal obey(State& state, const PartEvent& event, StepReport& report) {
   Bodies& bodies = state.bodies;
+  PROSECTOR_ASSERT(bodies.parts.size() == bodies.count());
   using Kind = PartEvent::Kind;
   if (event.body >= bodies.parts.size()) return fmt::format("no body {}", event.body);
   if (!bodies.is_part(event.body))
@@ -139,6 +141,7 @@ void reset_body(State& state, BodyId body, StepReport& report) {
 }
 
 void put_at_start(Bodies& bodies, BodyId body) {
+  PROSECTOR_ASSERT(body < bodies.count());
   if (!bodies.is_soft(body)) {
     RigidMotion motion;
     motion.pose = bodies.model.rigid[body].start * bodies.model.rigid[body].center;

@@ -1,0 +1,27 @@
+#pragma once
+// What the program relies on, checked while it is tested: in the presets asan, asan-full and tsan (the option
+// PROSECTOR_ASSERTIONS). For preconditions that no input can break: bad input is an InputError.
+
+#include <algorithm>
+#include <functional>
+
+namespace prosector {
+
+/// Throws InternalError that names the place and the condition.
+[[noreturn]] void assertion_failed(const char* condition, const char* file, int line);
+
+/// Returns whether each value is greater than the one before.
+template <class Range>
+bool is_ascending(const Range& range) {
+  return std::ranges::adjacent_find(range, std::greater_equal<>()) == std::ranges::end(range);
+}
+
+}  // namespace prosector
+
+// Without PROSECTOR_ASSERTIONS the condition is compiled but never evaluated.
+#ifdef PROSECTOR_ASSERTIONS
+#define PROSECTOR_ASSERT(...) \
+  ((__VA_ARGS__) ? static_cast<void>(0) : ::prosector::assertion_failed(#__VA_ARGS__, __FILE__, __LINE__))
+#else
+#define PROSECTOR_ASSERT(...) static_cast<void>(sizeof((__VA_ARGS__) ? 1 : 0))
+#endif
