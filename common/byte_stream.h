@@ -54,7 +54,7 @@ class ByteWriter {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Throws InputError, which begins with `what`, at the end of the bytes and for what can't be.
+/// A reader of bytes. Throws InputError, which begins with `what`, at their end and for what can't be.
 class ByteReader {
  public:
   ByteReader(std::span<const std::uint8_t> bytes, std::string what) : bytes_(bytes), what_(std::move(what)) {}

@@ -24,8 +24,9 @@ Vec3 to_float(const Vec3& x);
 /// Returns the surface with every number rounded to float: what a client makes of the two assets.
 DrawnSurface rounded(TriangleMesh rest, StreamedSurface streamed);
 
-/// What takes `before` to `after`. Appended points are said to be at rest. Throws InternalError when `after`
-/// has less of anything, or another place at rest of a point that `before` has: slots are only appended.
+/// Returns what takes `before` to `after`. Appended points are said to be at rest. Throws InternalError when
+/// `after` has less of anything, or another place at rest of a point that `before` has: slots are only
+/// appended.
 SurfacePatch difference(const DrawnSurface& before, const DrawnSurface& after);
 
 /// Changes the surface by the patch. Throws InputError when the patch doesn't fit, and then leaves the

@@ -10,7 +10,7 @@ namespace prosector {
 
 class TokenBucket {
  public:
-  /// `rate` in 1/s, `burst` in samples; both > 0.
+  /// Takes `rate` in 1/s, `burst` in samples; both > 0.
   TokenBucket(double rate, double burst) : rate_(rate), burst_(burst), tokens_(burst) {
     PROSECTOR_ASSERT(rate > 0 && burst > 0);
   }

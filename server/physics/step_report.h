@@ -52,7 +52,7 @@ struct StepReport {
   std::uint32_t awake_bodies = 0, asleep_bodies = 0;
   double kinetic_energy = 0, elastic_energy = 0, potential_energy = 0;  // J
   std::vector<Refusal> part_answers;                                    // to TickInput::parts, in order
-  std::vector<Refusal> cut_answers;                                     // likewise, to TickInput::cuts
+  std::vector<Refusal> cut_answers;                                     // to TickInput::cuts, in order
   std::vector<TopologyChange> topology;  // in order; new pieces have the next body ids
   std::vector<LetGo> let_go;
   std::vector<Broken> broken;

@@ -24,9 +24,9 @@ class PanelInputs {
   /// Adds the next body.
   void add_body(bool is_part) { parts_.push_back(is_part); }
 
-  /// One of the panel commands of somebody who may touch. Returns why it wasn't taken.
+  /// Takes one of the panel commands of somebody who may touch, or returns why not.
   Refusal take(const Command& command);
-  /// A participant's newest input; `has_hands` when one of its hands is in the room.
+  /// Takes a participant's newest input; `has_hands` when one of its hands is in the room.
   void see(ParticipantId who, const HandInput& input, bool has_hands);
 
   /// Appends what this tick consumes. `may_touch(who)`: still in the session, and no observer.

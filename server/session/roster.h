@@ -37,8 +37,8 @@ class Roster {
 
   /// Returns why `presence` may not join now.
   Refusal refusal(const Presence& presence) const;
-  /// Whether only another member is in the way, by its name or as the host: should that one be dead, the next
-  /// moments tell.
+  /// Tells whether only another member is in the way, by its name or as the host: should that one be dead,
+  /// the next moments tell.
   bool in_anothers_place(const Presence& presence) const;
   /// Returns why a member may not become that. Who may say so is the session's matter.
   Refusal role_refusal(const Participant& subject, Role role) const;

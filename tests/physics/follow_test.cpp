@@ -6,7 +6,6 @@
 
 #include "common/anatomy/embedding.h"
 #include "common/byte_stream.h"
-#include "server/physics/byte_stream.h"
 #include "server/physics/organs/organ_geometry.h"
 #include "server/physics/organs/tet_lineage.h"
 #include "server/physics/soft/make_model.h"

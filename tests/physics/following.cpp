@@ -211,7 +211,7 @@ void FollowingBodies::make_strokes(unsigned count, const std::function<Stroke(un
     }
     end_stroke();
   }
-  while (!::testing::Test::HasFatalFailure() && organ.last_stroke(1)) {
+  while (!::testing::Test::HasFatalFailure() && last_stroke(organ.log(), 1)) {
     ASSERT_FALSE(organ.undo(1));
     regroup(true);
   }

@@ -303,7 +303,7 @@ TEST(SheetOrgan, IsUndoneInAnyOrderThatItsCutsAllow) {
   EXPECT_FALSE(organ.undo(3));
   EXPECT_FALSE(organ.undo(1));
   EXPECT_FALSE(organ.undo(2));
-  EXPECT_EQ(organ.complex().content_hash(), uncut);
+  EXPECT_EQ(content_hash(organ.complex()), uncut);
   EXPECT_NE(one, uncut);
   organ.regroup(organ.pieces().size());
 

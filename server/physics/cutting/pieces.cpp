@@ -35,7 +35,7 @@ bool hang_together(const TetComplex& complex, std::span<const TetId> tets) {
   std::vector<std::uint32_t> group_of(complex.tet_end(), TetComplex::none);  // of what was reached
   for (TetId tet : tets) {
     while (!complex.has_tet(tet)) {
-      tet = complex.child(tet);
+      tet = complex.lineage(tet).child;
       PROSECTOR_ASSERT(tet < complex.tet_end());
     }
     if (group_of[tet] != TetComplex::none) continue;

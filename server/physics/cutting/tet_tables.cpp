@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/anatomy/mesh_quality.h"
+#include "common/assert.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -194,6 +195,7 @@ void TetTables::leave(NodeId node, TetId t) {
 }
 
 void TetTables::leave_all(NodeId node, std::span<const TetId> tets) {
+  PROSECTOR_ASSERT(node < star.size() && is_ascending(tets) && is_ascending(star[node]));
   auto next = tets.begin();
   std::erase_if(star[node], [&](TetId t) {
     const bool leaves = next != tets.end() && *next == t;
@@ -203,6 +205,7 @@ void TetTables::leave_all(NodeId node, std::span<const TetId> tets) {
 }
 
 void TetTables::enter(NodeId node, TetId t) {
+  PROSECTOR_ASSERT(node < star.size() && !std::ranges::binary_search(star[node], t));
   auto& of = star[node];
   of.insert(std::lower_bound(of.begin(), of.end(), t), t);
 }

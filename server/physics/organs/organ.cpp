@@ -49,27 +49,10 @@ CutResult Organ::cut(std::span<const Vec3> positions, std::span<const Vec3> edge
   return result;
 }
 
-std::vector<OrganChange*> Organ::stroke_of(ParticipantId author) {
-  std::vector<OrganChange*> out;
-  for (auto change = log_.rbegin(); change != log_.rend(); ++change) {
-    if (change->cause != TopologyCause::cut || change->taken_back || change->author != author) continue;
-    if (!out.empty() && out.front()->stroke != change->stroke) break;
-    out.push_back(&*change);
-  }
-  return out;
-}
-
-std::optional<std::uint64_t> Organ::last_stroke(ParticipantId author) const {
-  for (auto change = log_.rbegin(); change != log_.rend(); ++change)
-    if (change->cause == TopologyCause::cut && !change->taken_back && change->author == author)
-      return change->stroke;
-  return std::nullopt;
-}
-
 Refusal Organ::undo(ParticipantId author) {
-  const std::vector<OrganChange*> stroke = stroke_of(author);
+  const std::vector<OrganChange*> stroke = stroke_of(log_, author);
   if (stroke.empty()) return "there is no cut of yours to undo";
-  if (std::string why = why_not_undone(log_, stroke); !why.empty()) return why;
+  if (Refusal why = why_not_undone(log_, stroke)) return why;
   const TetComplex before = complex_;
   try {
     take_back(stroke);

@@ -40,10 +40,9 @@ class Organ {
                 ParticipantId author, std::uint64_t stroke);
   /// Takes back the author's last stroke, or returns why not.
   Refusal undo(ParticipantId author);
-  std::optional<std::uint64_t> last_stroke(ParticipantId author) const;  // that undo() would take back
-  /// Everything as in `then`, this organ's own earlier state: cuts made since are taken back, those undone
-  /// since are made again, under the ids that they had. Throws InputError, and changes nothing, where the log
-  /// doesn't begin with `then`'s. Bodies that came since stay, as pieces without tetrahedra.
+  /// Makes everything as in `then`, this organ's own earlier state. Cuts made since are taken back, those
+  /// undone since are made again, under the ids that they had. Throws InputError, and changes nothing, where
+  /// the log doesn't begin with `then`'s. Bodies that came since stay, as pieces without tetrahedra.
   void rewind(const Organ& then, ParticipantId author);
 
   /// Finds the pieces anew after changes, see OrganPieces::regroup().

@@ -41,7 +41,7 @@ std::optional<std::uint64_t> last_stroke(const OrganLog& log, ParticipantId auth
   return std::nullopt;
 }
 
-std::string why_not_undone(const OrganLog& log, std::span<OrganChange* const> stroke) {
+Refusal why_not_undone(const OrganLog& log, std::span<OrganChange* const> stroke) {
   for (const OrganChange* change : stroke)
     for (const OrganChange& later : log) {
       if (&later <= change || !in_force(later)) continue;

@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "common/byte_stream.h"
 #include "common/messages.h"
-#include "server/physics/byte_stream.h"
+#include "common/refusal.h"
 #include "server/physics/cutting/topology_op.h"
 #include "server/physics/topology.h"
 
@@ -31,8 +32,8 @@ using OrganLog = std::vector<OrganChange>;
 std::vector<OrganChange*> stroke_of(OrganLog& log, ParticipantId author);
 /// Returns the number of that stroke; none: there is none.
 std::optional<std::uint64_t> last_stroke(const OrganLog& log, ParticipantId author);
-/// Returns why the stroke's cuts can't be undone: a later cut depends on them. Empty: none does.
-std::string why_not_undone(const OrganLog& log, std::span<OrganChange* const> stroke);
+/// Returns why the stroke's cuts can't be undone, where a later cut depends on them.
+Refusal why_not_undone(const OrganLog& log, std::span<OrganChange* const> stroke);
 /// Returns whether no cut is in force.
 bool is_uncut(const OrganLog& log);
 /// Returns whether the log begins with the entries of `start`.

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/physics/byte_stream.h"
+#include "common/byte_stream.h"
 #include "server/physics/cutting/skin.h"
 #include "server/physics/cutting/tet_complex.h"
 #include "server/physics/organs/organ_parts.h"
