@@ -4,7 +4,8 @@
 //   E(x, ξ) = Σ_soft E_soft(x) + Σ_rigid ½(ξ − ξ̃)ᵀ(M/h²)(ξ − ξ̃) + Σ contacts + Σ ties + Σ pulls
 //
 // Unknowns: the soft nodes' positions x (3 each), then per rigid body the twist ξ of its displacement over
-// the tick: translation of the centre of mass (m), rotation vector about it (rad), both in the room frame.
+// the tick. That is the translation of its centre of mass (m) and the rotation vector about it (rad), both in
+// the world frame.
 
 #include <string>
 #include <vector>
@@ -33,7 +34,7 @@ struct SoftMember {
   std::string note = {};  // for people: how it was stepped, if not plainly minimised
 };
 
-/// Pulls a rigid body to a displacement, with bounded force and moment: the virtual coupling of a hand.
+/// The virtual coupling of a hand: it pulls a rigid body to a displacement, with bounded force and moment.
 /// Quadratic up to the bound, linear beyond it.
 struct Pull {
   Vec3 translation = Vec3::Zero(), rotation = Vec3::Zero();  // m, rad: where the twist is pulled to
@@ -44,7 +45,7 @@ struct Pull {
 struct RigidMember {
   std::size_t slot = 0;           // as in ContactSide::body
   double mass = 0;                // kg
-  Mat3 inertia = Mat3::Zero();    // kg·m², room frame
+  Mat3 inertia = Mat3::Zero();    // kg·m², world frame
   Vec6 predicted = Vec6::Zero();  // ξ̃: h times the velocity without contacts
   Vec6 steady = Vec6::Zero();     // h times its velocity
   std::optional<Pull> pull;

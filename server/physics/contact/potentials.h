@@ -13,7 +13,7 @@ struct BoundedSpring {
     const double knee = max_force / stiffness;
     return d <= knee ? stiffness * d * d / 2 : max_force * (d - knee / 2);
   }
-  /// φ′(d)/d: times the vector it is the force, and a majorant of the second derivative.
+  /// Returns φ′(d)/d. Times the vector it is the force; it is a majorant of the second derivative.
   double secant(double d) const { return d * stiffness <= max_force ? stiffness : max_force / d; }
 };
 

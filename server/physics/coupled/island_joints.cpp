@@ -48,8 +48,9 @@ Joint IslandJoints::join(const ContactSide& a, const ContactSide& b) const {
           start_of(*island_, a) - start_of(*island_, b)};
 }
 
-/// Where the normal force grows, friction keeps its force, and where it falls, its stretch: a spring that
-/// stiffens while it is stretched would give back more than it got (Thornton and Randall 1988).
+/// Returns the slip that friction has at the tick's start, m. Where the normal force grows, friction keeps
+/// its force, and where it falls, its stretch. A spring that stiffens while it is stretched would give back
+/// more than it got (Thornton and Randall 1988).
 Vec3 IslandJoints::held_slip(std::size_t c) const {
   const Contact& contact = island_->contacts[c];
   if (contact.grip.isZero(0)) return contact.grip;

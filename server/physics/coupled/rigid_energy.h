@@ -1,6 +1,6 @@
 #pragma once
-// Energy of a rigid body over a tick of h s as a function of its twist ξ, see island.h: inertia,
-// ½(ξ − ξ̃)ᵀ(M/h²)(ξ − ξ̃), and the pull of a hand's virtual coupling.
+// Energy of a rigid body over a tick of h s as a function of its twist ξ, see island.h. It has two terms:
+// inertia, ½(ξ − ξ̃)ᵀ(M/h²)(ξ − ξ̃), and the pull of a hand's virtual coupling.
 
 #include "server/physics/island.h"
 

@@ -80,7 +80,7 @@ void NodeMasses::share(const SplitEdge& op) {
   held_[op.node] = at_a && at_b;
 }
 
-/// By the areas that go with each copy.
+/// Shares the node's mass by the areas that go with each copy.
 void NodeMasses::share(const TetTables& tables, const PartNode& op) {
   const auto area = [&](NodeId node) {
     double sum = 0;

@@ -12,7 +12,7 @@ namespace prosector {
 
 class NodeMasses {
  public:
-  /// `density`: kg/m³. Throws InputError unless it is positive.
+  /// Takes the density, kg/m³. Throws InputError unless it is positive.
   explicit NodeMasses(double density);
 
   double density() const { return density_; }
@@ -20,9 +20,10 @@ class NodeMasses {
   bool is_held(NodeId node) const { return held_[node] != 0; }  // of sheets: tied to its place
   void grow(std::size_t end);
 
-  /// Starts with a body that was never cut: sums over the stars of tetrahedra …
+  /// Finds the masses of tetrahedra that were never cut.
   void start(const TetTables& tables);
-  /// … or a sheet's node volumes, m³. `held`: by node, what is tied to its place; empty: nothing.
+  /// Finds those of a sheet by its node volumes, m³. `held`: by node, what is tied to its place; empty:
+  /// nothing.
   void start_sheet(std::span<const double> volumes, std::vector<std::uint8_t> held);
 
   /// Postpones the sums of tetrahedra's nodes to settle(): until then masses of what changes are stale.

@@ -50,7 +50,7 @@ void fill_mean_size(TetTables& tables) {
                                   : std::cbrt(6 * std::sqrt(2.0) * tables.mean_volume);
 }
 
-/// The nodes of a tetrahedron's face k, ascending.
+/// Returns the nodes of a tetrahedron's face k, ascending.
 std::array<NodeId, 3> sorted_face(const TetTables& tables, TetId t, std::size_t k) {
   const TetTables::Corners& c = tables.tet[t].corner;
   const auto& face = TetTables::face[k];

@@ -1,7 +1,7 @@
 #pragma once
 // A soft body of the scene as it has been cut: its tetrahedra, or a sheet's triangles, with all that hangs on
-// them, the pieces that they fall into (organ_pieces.h), and the log of what was done (organ_log.h). The
-// geometry of its pieces is in organ_geometry.h.
+// them. It has the pieces that these fall into (organ_pieces.h) and the log of what was done (organ_log.h).
+// The geometry of its pieces is in organ_geometry.h.
 
 #include <cstdint>
 #include <span>

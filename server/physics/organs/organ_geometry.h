@@ -27,8 +27,8 @@ SurfaceEdit surface_edit(const Organ& organ, const PieceEdit& edit, const Triang
 /// Returns the edit from the mesh that anatomy_of() gave of the body before that regroup() to the one that it
 /// gives now; none where it wasn't or isn't a piece.
 std::optional<PieceEdit> edit_since(const Organ& organ, const Regrouped& then, const OrganPiece& piece);
-/// Returns the edit from the surface of tetrahedra that the body had, with its numbering, to the one that it
-/// has now; none where one of them is the compiled one.
+/// Returns the edit from the surface that a body of tetrahedra had, with its numbering, to the one that it
+/// has now. Returns none where one of them is the compiled one.
 std::optional<SurfaceEdit> surface_edit_since(const Organ& organ, const Regrouped& then,
                                               const OrganPiece& piece, const TriangleMesh& surface,
                                               const Numbering& numbering);
