@@ -16,7 +16,7 @@ namespace prosector {
 
 using InstanceKey = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>;
 
-/// The index of a message's topic: its place in the Message variant.
+/// Returns the index of a message's topic: its place in the Message variant.
 template <class M, std::size_t i = 0>
 constexpr std::size_t topic_of() {
   static_assert(i < std::variant_size_v<Message>, "no message that a Bus carries");

@@ -63,7 +63,7 @@ inline constexpr std::array<TopicSpec, topic_count> topics{{
 }};
 // clang-format on
 
-/// Whether every topic obeys a rule.
+/// Tells whether every topic obeys a rule.
 template <class Rule>
 constexpr bool all_topics(Rule rule) {
   for (std::size_t i = 0; i < topic_count; ++i)

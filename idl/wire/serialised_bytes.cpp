@@ -13,8 +13,8 @@ namespace {
 
 /// Adds up what a struct's instructions say (dds/ddsc/dds_opcodes.h): an opcode with its kind of field, the
 /// field's place in the struct, and what the kind needs to know.
-/// Appendable types are serialised as XCDR2 (OMG DDS-XTYPES 1.3, 7.4.3), which tells the sizes of what has no
-/// fixed layout and aligns numbers to 4 bytes at most; the others as XCDR1.
+/// Appendable types are serialised as XCDR2 (OMG DDS-XTYPES 1.3, 7.4.3). That tells the sizes of what has no
+/// fixed layout, and aligns numbers to 4 bytes at most. The others are serialised as XCDR1.
 class ByteCount {
  public:
   explicit ByteCount(bool xcdr2) : xcdr2_(xcdr2) {}
@@ -76,7 +76,7 @@ class ByteCount {
     for (std::size_t i = 0; i < count; ++i) add_struct(op, first + i * size);
   }
 
-  /// Its length, its characters, a zero.
+  /// Adds its length, its characters and a zero.
   void add_text(const char* text, std::size_t capacity) {
     add_numbers(size_bytes, 1);
     bytes_ += strnlen(text, capacity) + 1;

@@ -25,7 +25,7 @@ class Writer {
   void numbers(const T* values, int count) {
     for (int k = 0; k < count; ++k) bytes_.add(values[k]);
   }
-  /// A value up to `last`, as `Wire`.
+  /// Adds a value up to `last`, as `Wire`.
   template <class Wire, class T>
   void limited(const T& value, Wire, const char*) {
     bytes_.add(static_cast<Wire>(value));
@@ -159,7 +159,7 @@ constexpr std::size_t size_of(const std::tuple<Kind&...>&) {
   return (sizeof(Kind) + ...);
 }
 
-/// All kinds of input that a session's tick consumes, in the order of their bytes.
+/// Lists all kinds of input that a session's tick consumes, in the order of their bytes.
 template <class Consumed>
 auto kinds(Consumed& consumed) {
   auto& [input, keys] = consumed;
