@@ -1,6 +1,8 @@
-// Collision detection at all fidelities: cost, errors, growth.
+// How sessions find contacts at all fidelities: cost, errors against the reference, growth.
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "tests/bench/collision_cases.h"
 #include "tests/bench/collision_plot.h"
@@ -12,25 +14,56 @@ namespace {
 
 using enum Column::Kind;
 
+constexpr std::array scales = {3., 10.};  // of rigid pairs, beside life size
 constexpr std::array fidelities = {Fidelity::sphere, Fidelity::aabb, Fidelity::obb, Fidelity::hull,
                                    Fidelity::mesh};
 
-void add_pairs(const CollisionBenchOptions& options, Report& report) {
-  const TextTable table({{text, "shape", "shape", 10},
-                         {text, "fidelity", "fidelity", 7},
-                         {number, "us_per_pair", "us/pair", 8},
-                         {percent, "false_hits", "false hits", 8},
-                         {percent, "missed_hits", "missed", 8},
-                         {percent, "depth_error", "depth error", 8},
-                         {number, "normal_error_deg", "normal, deg", 8},
-                         {count, "bytes_per_object", "bytes", 9}});
+/// Returns a table of pairs: `first`, what all of them tell of errors, `last`.
+TextTable pair_table(std::vector<Column> first, const std::vector<Column>& last = {}) {
+  first.insert(first.end(), {{percent, "false_hits", "false hits", 8},
+                             {percent, "missed_hits", "missed", 8},
+                             {percent, "depth_error", "depth error", 8},
+                             {number, "normal_error_deg", "normal, deg", 8}});
+  first.insert(first.end(), last.begin(), last.end());
+  return TextTable(std::move(first));
+}
+
+void add_rigid_pairs(const CollisionBenchOptions& options, Report& report) {
+  const TextTable table = pair_table({{text, "shape", "rigid pairs", 11},
+                                      {text, "fidelity", "fidelity", 7},
+                                      {number, "scale", "scale", 5},
+                                      {number, "us_per_pair", "us/pair", 8}},
+                                     {{count, "bytes_per_object", "bytes", 9}});
   table.print_header();
   for (const test::NamedParts& shape : test::shape_table()) {
-    const CollisionPairs pairs(shape, options.pairs);
+    const RigidPairs pairs(shape, options.pairs);
     for (const Fidelity fidelity : fidelities) {
       report.add(pairs.measure(fidelity));
       table.print(report.rows().back());
     }
+    for (const double scale : scales) {
+      report.add(pairs.measure(Fidelity::hull, scale));
+      table.print(report.rows().back());
+    }
+  }
+}
+
+void add_organ_pairs(const CollisionBenchOptions& options, Report& report) {
+  const TextTable table = pair_table({{text, "shape", "organ with", 11},
+                                      {text, "fidelity", "fidelity", 7},
+                                      {number, "us_per_pair", "us/pair", 8}});
+  table.print_header();
+  for (const test::NamedParts& shape : test::shape_table())
+    for (const Fidelity fidelity : fidelities) {
+      report.add(measure_organ_and_rigid(fidelity, shape, options.pairs));
+      table.print(report.rows().back());
+    }
+  const TextTable two =
+      pair_table({{text, "fidelity", "two organs", 11}, {number, "us_per_pair", "us/pair", 8}});
+  two.print_header();
+  for (const Fidelity fidelity : fidelities) {
+    report.add(measure_two_organs(fidelity, options.pairs));
+    two.print(report.rows().back());
   }
 }
 
@@ -39,8 +72,7 @@ void add_bodies(const CollisionBenchOptions& options, Report& report) {
                          {count, "bodies", "bodies", 8},
                          {number, "ms_place", "ms to place", 9},
                          {number, "ms_detect", "ms to detect", 9},
-                         {count, "broad_pairs", "box pairs", 9},
-                         {count, "touches", "touches", 9},
+                         {count, "contacts", "contacts", 9},
                          {number, "bytes_per_body", "bytes/body", 9}});
   table.print_header();
   for (const Fidelity fidelity : fidelities) {
@@ -58,13 +90,26 @@ void add_surfaces(const CollisionBenchOptions& options, Report& report) {
   const TextTable table({{count, "triangles", "triangles", 9},
                          {number, "ms_build", "ms to build", 9},
                          {number, "ms_refit", "refit", 9},
-                         {number, "ms_apart", "distance", 9},
-                         {number, "ms_crossing", "depth", 9},
+                         {number, "ms_apart", "near", 9},
+                         {number, "ms_crossing", "deep", 9},
+                         {number, "ms_list", "list itself", 11},
                          {number, "ms_self", "itself", 9},
                          {number, "bytes_per_triangle", "bytes/triangle", 9}});
   table.print_header();
   for (int levels = 2; 8 << 2 * levels <= options.max_triangles * 4 / 3; ++levels) {
     report.add(measure_surface(levels, options.ticks));
+    table.print(report.rows().back());
+  }
+}
+
+void add_layers(const CollisionBenchOptions& options, Report& report) {
+  const TextTable table({{count, "cells", "cells", 9},
+                         {number, "ms_refit", "ms to refit", 9},
+                         {number, "ms_layers", "layers", 9},
+                         {count, "meetings", "meetings", 9}});
+  table.print_header();
+  for (int cells = 8; 2 * cells * cells <= options.max_triangles; cells *= 2) {
+    report.add(measure_layers(cells, options.ticks));
     table.print(report.rows().back());
   }
 }
@@ -85,9 +130,11 @@ void add_soft_sessions(const CollisionBenchOptions& options, Report& report) {
 
 Report bench_collision(const CollisionBenchOptions& options) {
   Report report("collision");
-  add_pairs(options, report);
+  add_rigid_pairs(options, report);
+  add_organ_pairs(options, report);
   add_bodies(options, report);
   add_surfaces(options, report);
+  add_layers(options, report);
   add_soft_sessions(options, report);
   if (!options.picture_folder.empty())
     draw_collision(report.rows()).write(options.picture_folder + "/collision.svg");

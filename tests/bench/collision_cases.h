@@ -1,42 +1,55 @@
 #pragma once
-// What bench_collision measures; each returns a row of its report.
+// What bench_collision measures of the code that sessions run; each returns a row of its report.
 
-#include "server/physics/collision/collision_world.h"
 #include "tests/bench/report.h"
+#include "tests/collision/reference/collision_object.h"
 #include "tests/collision/shapes.h"
 
 namespace prosector {
 
-/// Random poses of a shape beside others of the table, both at that fidelity, against both as meshes.
-class CollisionPairs {
+/// Random poses of a shape beside others of the table, all rigid, within reach of the two's enclosing
+/// spheres.
+class RigidPairs {
  public:
-  /// Every pair within reach of the two's enclosing spheres; the answers of mesh are found here.
-  CollisionPairs(const test::NamedParts& shape, int pairs);
-  /// `us_per_pair`; `false_hits` of the pairs that mesh leaves apart, `missed_hits` of those it doesn't;
-  /// `depth_error` (median, of the shape's size) and `normal_error_deg` (median) of the hits of both;
-  /// `bytes_per_object`, those of its shape included.
-  ReportRow measure(Fidelity fidelity) const;
+  /// Finds what the reference has to say of each pair.
+  RigidPairs(const test::NamedParts& shape, int pairs);
+  /// Two bodies of the rigid world, both at that fidelity: `us_per_pair` of RigidWorld::detect(), errors as
+  /// PairErrors has them, `bytes_per_object`. `scale`: all lengths are so many times as large, and gaps told
+  /// as if they weren't: what changes with it is rounding and Bullet's fixed tolerances and margins.
+  ReportRow measure(Fidelity fidelity, double scale = 1) const;
 
  private:
   struct Placed {
     std::size_t other;
     Pose a, b;
+    Quat start_a, start_b;  // how they were turned when the scene began
     std::optional<Proximity> truth;
   };
   std::string name_;
-  std::vector<test::NamedParts> table_;
   std::vector<ShapePart> parts_;
   double size_ = 0;  // m, diameter of the enclosing sphere
   std::vector<Placed> pairs_;
 };
 
-/// A cloud of bodies of all shapes, equally dense for any number, which all move a little each tick:
-/// `ms_place`, `ms_detect`, `touches`, `broad_pairs`, `bytes_per_body`.
+/// A soft organ at that fidelity in the middle, a rigid body of that shape at fidelity `mesh` in random poses
+/// around it: `us_per_pair` of add_contacts(), errors as PairErrors has them.
+ReportRow measure_organ_and_rigid(Fidelity fidelity, const test::NamedParts& shape, int pairs);
+
+/// Two soft organs, both at that fidelity, the second in random poses: `us_per_pair` of add_pair_contacts(),
+/// errors as PairErrors has them.
+ReportRow measure_two_organs(Fidelity fidelity, int pairs);
+
+/// A rigid world with bodies of all shapes, equally dense for any number, which all move a little each tick:
+/// `ms_place`, `ms_detect`, `contacts`, `bytes_per_body`.
 ReportRow measure_bodies(Fidelity fidelity, int bodies, int ticks);
 
-/// Two soft organs of about that many triangles, one bent a little more each tick: `ms_build`, `ms_refit`,
-/// `ms_apart` (nearly touching), `ms_crossing` (a tenth deep), `ms_self`, `bytes_per_triangle`.
+/// Two solids' surfaces of about that many triangles, one bent a little more each tick: `ms_build`,
+/// `ms_refit`, `ms_apart` (meetings, nearly touching), `ms_crossing` (a tenth deep), `ms_list` (what may meet
+/// itself, found anew), `ms_self` (in later ticks), `bytes_per_triangle`.
 ReportRow measure_surface(int levels, int ticks);
+
+/// Two sheets of that many cells along a side, one above the other: `ms_refit`, `ms_layers`, `meetings`.
+ReportRow measure_layers(int cells, int ticks);
 
 /// A session of that many small soft balls, 0.1 m from one another, that all fall: `ms_narrow` of a
 /// tick, beside the number of `all_pairs`.

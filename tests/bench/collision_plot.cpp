@@ -91,7 +91,7 @@ void add(Panel& panel, const std::string& name, double x, double y) {
 }  // namespace
 
 Svg draw_collision(const std::vector<ReportRow>& rows) {
-  Panel wrong{"Hits that mesh has not, each shape", "µs a pair", "of the pairs apart", true, {}};
+  Panel wrong{"Rigid pairs: hits that aren't, each shape", "µs a pair", "of the pairs apart", true, {}};
   Panel bodies{"Scenes of moving bodies", "bodies", "ms a tick", false, {}};
   Panel surfaces{"Two soft surfaces", "triangles of each", "ms", false, {}};
   for (const ReportRow& row : rows) {
@@ -101,8 +101,8 @@ Svg draw_collision(const std::vector<ReportRow>& rows) {
     if (kind == "surface")
       for (const auto& [key, name] : {std::pair{"ms_build", "tree built"},
                                       {"ms_refit", "refitted"},
-                                      {"ms_apart", "distance"},
-                                      {"ms_crossing", "depth"},
+                                      {"ms_apart", "near"},
+                                      {"ms_crossing", "deep"},
                                       {"ms_self", "itself"}})
         add(surfaces, name, figure(row, "triangles"), figure(row, key));
   }

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/error.h"
-#include "server/physics/collision/narrow_phase.h"
+#include "tests/collision/reference/narrow_phase.h"
 #include "tests/collision/shapes.h"
 
 namespace prosector {

@@ -6,8 +6,8 @@
 
 #include "common/error.h"
 #include "server/physics/collision/narrow/convex_contact.h"
-#include "server/physics/collision/narrow_phase.h"
-#include "server/physics/collision/self_contact.h"
+#include "tests/collision/reference/narrow_phase.h"
+#include "tests/collision/reference/self_contact.h"
 #include "tests/collision/shapes.h"
 
 namespace prosector {

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "server/physics/collision/narrow_phase.h"
+#include "tests/collision/reference/narrow_phase.h"
 #include "tests/collision/shapes.h"
 
 namespace prosector {

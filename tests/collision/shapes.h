@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/mesh.h"
-#include "server/physics/collision/collision_object.h"
+#include "tests/collision/reference/collision_object.h"
 
 namespace prosector::test {
 

@@ -1,6 +1,6 @@
 // The three stages together.
 
-#include "server/physics/collision/collision_world.h"
+#include "tests/collision/reference/collision_world.h"
 
 #include <gtest/gtest.h>
 

@@ -68,11 +68,11 @@ void near_triangles(const TriangleSurface& a, const InFrame& b, const Limit& lim
                 });
 }
 
-Crossings find_crossings(const TriangleSurface& a, const InFrame& b, bool only_whether) {
+Crossings find_crossings(const TriangleSurface& a, const InFrame& b) {
   Crossings out;
   const Vec3 way = a.box().center() - b(b.surface.box().center());
   near_triangles(
-      a, b, [&] { return out.any && only_whether ? -1.0 : 0.0; },
+      a, b, [] { return 0.0; },
       [&](std::uint32_t ta, const Triangle& of_a, std::uint32_t tb, const Triangle& of_b) {
         const TriangleCrossing found = crossing(of_a, of_b);
         if (!found.crosses) return;
@@ -281,14 +281,10 @@ Proximity in_room(Proximity p, const Pose& frame) {
 
 }  // namespace
 
-bool surfaces_cross(const MeshShape& a, const MeshShape& b) {
-  return find_crossings(*a.surface, InFrame(*b.surface, a.pose.inverse() * b.pose), true).any;
-}
-
 std::optional<Proximity> surface_proximity(const MeshShape& a, const MeshShape& b, double margin) {
   const InFrame in_a(*b.surface, a.pose.inverse() * b.pose);
   const InFrame a_in_b(*a.surface, b.pose.inverse() * a.pose);
-  const Crossings found = find_crossings(*a.surface, in_a, false);
+  const Crossings found = find_crossings(*a.surface, in_a);
   std::optional<Proximity> out;
   if (found.any || some_piece_inside(a_in_b, *b.surface) || some_piece_inside(in_a, *a.surface))
     out = depth_of(a_in_b, in_a, found);

@@ -26,7 +26,4 @@ std::optional<Proximity> surface_proximity(const MeshShape& a, const MeshShape& 
 /// By the signed distance of the centre.
 std::optional<Proximity> sphere_surface_proximity(const SphereShape& a, const MeshShape& b, double margin);
 
-/// Whether two surfaces cross: no distances, no insides.
-bool surfaces_cross(const MeshShape& a, const MeshShape& b);
-
 }  // namespace prosector

@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-/// By Fidelity (common/messages.h), coarsest first. What each encloses: collision_object.h.
+/// By Fidelity (common/messages.h), coarsest first. What each is: rigid_outline.h, rough_shape.h.
 inline constexpr std::array<std::string_view, 6> fidelity_names = {"none", "sphere", "aabb",
                                                                    "obb",  "hull",   "mesh"};
 constexpr std::string_view fidelity_name(Fidelity fidelity) {

@@ -1,4 +1,4 @@
-#include "server/physics/collision/self_contact.h"
+#include "tests/collision/reference/self_contact.h"
 
 #include <algorithm>
 #include <cmath>

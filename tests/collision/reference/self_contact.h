@@ -1,5 +1,5 @@
 #pragma once
-// Where a soft surface comes near itself.
+// The reference of self-collision: where a soft surface comes near itself, by its triangles.
 
 #include <cstdint>
 #include <vector>

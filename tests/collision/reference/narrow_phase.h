@@ -1,9 +1,9 @@
 #pragma once
-// The third stage: pairs of objects.
+// How near, and when, two objects of the reference meet.
 
 #include <optional>
 
-#include "server/physics/collision/collision_object.h"
+#include "tests/collision/reference/collision_object.h"
 
 namespace prosector {
 

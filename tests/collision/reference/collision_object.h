@@ -1,5 +1,5 @@
 #pragma once
-// What collides: a rigid body or a soft surface, taken at its own fidelity.
+// What collides in the reference: a rigid body or a soft surface, taken at its own fidelity.
 
 #include <memory>
 #include <optional>

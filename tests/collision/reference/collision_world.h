@@ -1,13 +1,14 @@
 #pragma once
-// All three stages: masks, broad phase, narrow phase.
+// The reference of collision detection: all objects, rigid or soft, in one world. Sessions find contacts in
+// other ways; what those get wrong is measured against this.
 
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "server/physics/collision/broad/broad_phase.h"
-#include "server/physics/collision/collision_object.h"
-#include "server/physics/collision/narrow_phase.h"
+#include "tests/collision/reference/collision_object.h"
+#include "tests/collision/reference/narrow_phase.h"
 
 namespace prosector {
 

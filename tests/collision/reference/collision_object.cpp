@@ -1,4 +1,4 @@
-#include "server/physics/collision/collision_object.h"
+#include "tests/collision/reference/collision_object.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "server/physics/collision/narrow_phase.h"
+#include "tests/collision/reference/narrow_phase.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "server/physics/collision/collision_world.h"
+#include "tests/collision/reference/collision_world.h"
 
 #include <fmt/format.h>
 
