@@ -22,7 +22,6 @@ using BodyId = std::uint32_t;         // index into SceneInfo::bodies
 
 enum class Role : std::uint8_t { observer, dissector, host };
 enum class Gesture : std::uint8_t { none, fist, point, two, three, little, index_little, flat, pinch };
-enum class Tool : std::uint8_t { none, probe, scalpel };
 
 inline constexpr std::size_t max_name_length = 63;    // bytes, UTF-8: session, participant, body names
 inline constexpr std::size_t max_text_length = 1023;  // bytes: descriptions, reasons

@@ -6,19 +6,11 @@
 #include "server/physics/coupled/step_island.h"
 #include "server/physics/soft/base/find_row.h"
 #include "server/physics/soft/incremental_potential.h"
-#include "server/physics/soft/integrators/explicit_integrators.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
 
 namespace prosector {
 namespace {
-
-template <class Rows>
-std::vector<std::string> names_of(const Rows& rows) {
-  std::vector<std::string> names;
-  for (const auto& row : rows) names.emplace_back(row.name);
-  return names;
-}
 
 SoftDesc describe(const Rung& rung, const TestPiece& piece) {
   SoftDesc desc;
@@ -142,22 +134,14 @@ std::string Rung::name() const {
   return model + ", " + element + ", " + integrator + ", " + solver;
 }
 
-std::vector<std::string> model_names() {
-  return names_of(models());
-}
-
 std::vector<std::string> element_names() {
   return {"tet4", "tet10"};  // SoftDesc::element has no table of its own
 }
 
-std::vector<std::string> integrator_names() {
-  std::vector<std::string> names = names_of(integrators());
-  for (const ExplicitRow& row : explicit_integrators()) names.emplace_back(row.name);
-  return names;
-}
-
 std::vector<std::string> solver_names() {
-  return names_of(solvers());
+  std::vector<std::string> names;
+  for (const auto& row : solvers()) names.emplace_back(row.name);
+  return names;
 }
 
 std::unique_ptr<Specimen> make_specimen(const Rung& rung, const TestPiece& piece) {

@@ -29,9 +29,7 @@ struct Rung {
   bool is_position_based() const;
 };
 
-std::vector<std::string> model_names();
 std::vector<std::string> element_names();
-std::vector<std::string> integrator_names();
 std::vector<std::string> solver_names();
 
 /// Makes a specimen of that piece. Throws InputError when the rung refuses it.

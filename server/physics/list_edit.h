@@ -24,7 +24,6 @@ struct ListEdit {
   ListEdit(std::size_t before, std::vector<std::uint32_t> gone_indices,
            std::span<const std::uint32_t> come_before);
 
-  std::size_t size_before() const { return now.size(); }
   std::size_t size() const { return now.size() - gone.size() + come.size(); }
   /// Tells whether everything that was there keeps its index.
   bool keeps_indices() const { return gone.empty() && (come.empty() || come.front() == now.size()); }

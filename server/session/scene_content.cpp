@@ -116,12 +116,6 @@ SceneContent make_scene_content(const Simulation& simulation, const std::vector<
   return out;
 }
 
-std::size_t SceneContent::asset_bytes() const {
-  std::size_t sum = 0;
-  for (const Asset& a : assets) sum += a.bytes.size();
-  return sum;
-}
-
 std::vector<AssetChunk> chunks_of(const Asset& asset) {
   std::vector<AssetChunk> out;
   const std::size_t count = (asset.bytes.size() + asset_chunk_bytes - 1) / asset_chunk_bytes;

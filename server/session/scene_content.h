@@ -20,8 +20,6 @@ struct SceneContent {
   std::map<BodyId, SurfaceLog> surfaces;   // of every soft body
   std::vector<TopologyRevision> topology;  // the first revision of every soft body
   std::size_t triangles = 0;
-
-  std::size_t asset_bytes() const;
 };
 
 /// Makes what clients are told of the scene. `choices`: of bodies that were chosen by need.

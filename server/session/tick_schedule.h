@@ -12,7 +12,6 @@ class TickSchedule {
   TickSchedule(double tick_rate, std::int64_t start_ns)
       : period_ns_(static_cast<std::int64_t>(1e9 / tick_rate)), due_ns_(start_ns) {}
 
-  std::int64_t period_ns() const { return period_ns_; }
   /// Returns when the current tick should start.
   std::int64_t due_ns() const { return due_ns_; }
   /// Takes that the tick that was due has ended at `now_ns`.

@@ -11,9 +11,4 @@ namespace prosector {
 /// lumped from the tetrahedra, linear momentum and the centre of mass stay.
 void carry(const TopologyOp& op, std::vector<Vec3>& values);
 
-/// The way back, before complex.take_back(op), whose masses weigh. Parts that are joined again meet in their
-/// centre of mass and keep their momentum; a node that goes gives the edge's ends its momentum.
-void carry_back(const TopologyOp& op, const TetComplex& complex, std::vector<Vec3>& positions,
-                std::vector<Vec3>& velocities);
-
 }  // namespace prosector

@@ -32,7 +32,6 @@ class DynamicTree {
   std::size_t size() const { return leaves_; }
   int height() const { return root_ == nothing ? 0 : nodes_[root_].height; }
   std::uint32_t user(Leaf leaf) const { return nodes_[leaf].user; }
-  const Aabb& fat_box(Leaf leaf) const { return nodes_[leaf].box; }
   std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
 
   /// Calls f(user) for all leaves whose fat boxes meet the given one.

@@ -39,7 +39,6 @@ class TriangleSurface {
   bool move(std::span<const Vec3> positions);
 
   const SurfaceTopology& topology() const { return *topology_; }
-  std::shared_ptr<const SurfaceTopology> shared_topology() const { return topology_; }
   std::span<const Vec3> positions() const { return positions_; }
   const SurfaceTree& tree() const { return tree_; }
   const Aabb& box() const { return tree_.box(); }

@@ -53,9 +53,6 @@ struct MeshEdit {
   /// order.
   std::vector<std::uint32_t> middles;
   std::vector<std::uint32_t> nodes;  // corners of these, of what these were and of what is gone; ascending
-
-  /// What is new comes after all that was there.
-  bool appends() const { return kept_nodes.all_unmoved() && kept_tets.all_unmoved(); }
 };
 
 void apply(const MeshEdit& edit, TetMesh& mesh);
