@@ -14,6 +14,7 @@ namespace {
 
 using enum Column::Kind;
 
+constexpr int most_cells = 64;            // along a sheet: of finer ones very many lie within the margin
 constexpr std::array scales = {3., 10.};  // of rigid pairs, beside life size
 constexpr std::array fidelities = {Fidelity::sphere, Fidelity::aabb, Fidelity::obb, Fidelity::hull,
                                    Fidelity::mesh};
@@ -108,7 +109,7 @@ void add_layers(const CollisionBenchOptions& options, Report& report) {
                          {number, "ms_layers", "layers", 9},
                          {count, "meetings", "meetings", 9}});
   table.print_header();
-  for (int cells = 8; 2 * cells * cells <= options.max_triangles; cells *= 2) {
+  for (int cells = 8; cells <= most_cells && 2 * cells * cells <= options.max_triangles; cells *= 2) {
     report.add(measure_layers(cells, options.ticks));
     table.print(report.rows().back());
   }
