@@ -396,12 +396,36 @@ def scaling(reports):
 # Collision.
 
 
+ERRORS = ["false hits", "missed hits", "depth off", "normal off, °"]
+
+
+def errors_of(row):
+    return [percent(row["false_hits"]), percent(row["missed_hits"]), percent(row["depth_error"]), number(row["normal_error_deg"])]
+
+
 def collision_shapes(reports):
-    """A line for each shape and fidelity."""
-    lines = [[row["shape"], f"`{row['fidelity']}`", number(row["us_per_pair"]), percent(row["false_hits"]), percent(row["missed_hits"]),
-              percent(row["depth_error"]), number(row["normal_error_deg"]), count(row["bytes_per_object"])]
+    """A line for each shape and fidelity of rigid bodies."""
+    lines = [[row["shape"], f"`{row['fidelity']}`", number(row["us_per_pair"]), *errors_of(row), count(row["bytes_per_object"])]
              for row in reports.rows("collision", case="pairs")]
-    return table(["Shape", "fidelity", "CPU µs a pair", "false hits", "missed hits", "depth off", "normal off, °", "bytes"], lines)
+    return table(["Shape", "fidelity", "CPU µs a pair", *ERRORS, "bytes"], lines)
+
+
+def collision_scale(reports):
+    """A line for each shape: what rigid bodies miss at fidelity hull, the larger they are."""
+    rows = reports.rows("collision", case="scaled_pairs", fidelity="hull")
+    scales = sorted({row["scale"] for row in rows})
+    lines = []
+    for life in reports.rows("collision", case="pairs", fidelity="hull"):
+        by_scale = {row["scale"]: row for row in rows if row["shape"] == life["shape"]}
+        lines.append([life["shape"], percent(life["missed_hits"]), *(percent(by_scale[scale]["missed_hits"]) for scale in scales)])
+    return table(["Shape", "missed hits in life size", *(f"{scale:g} times as large" for scale in scales)], lines)
+
+
+def collision_organs(reports):
+    """A line for each partner of an organ and its fidelity."""
+    rows = reports.rows("collision", case="organ_rigid") + reports.rows("collision", case="two_organs")
+    lines = [[row.get("shape", "another organ"), f"`{row['fidelity']}`", number(row["us_per_pair"]), *errors_of(row)] for row in rows]
+    return table(["Organ with", "organ's fidelity", "CPU µs a pair", *ERRORS], lines)
 
 
 def collision_bodies(reports):
@@ -412,18 +436,22 @@ def collision_bodies(reports):
     for (bodies,), same in sorted(grouped(rows, "bodies").items()):
         by_fidelity = {row["fidelity"]: row for row in same}
         lines.append([count(bodies), *(number(by_fidelity[f]["ms_scene"]) if f in by_fidelity else DASH for f in fidelities),
-                      count(same[0]["broad_pairs"])])
-    last = [[row for row in rows if row["fidelity"] == f][-1] for f in fidelities]
-    lines.append(["bytes a body", *(count(round(row["bytes_per_body"])) for row in last), ""])
-    return table(["Bodies", *(f"`{f}`" for f in fidelities), f"pairs of boxes, {fidelities[0]}"], lines)
+                      *(count(by_fidelity[f]["contacts"]) if f in by_fidelity else DASH for f in ("sphere", "hull"))])
+    return table(["Bodies", *(f"`{f}`" for f in fidelities), "contacts, `sphere`", "contacts, `hull`"], lines)
 
 
 def collision_surfaces(reports):
-    keys = ["ms_build", "ms_refit", "ms_apart", "ms_crossing", "ms_self"]
+    keys = ["ms_build", "ms_refit", "ms_apart", "ms_crossing", "ms_list", "ms_self"]
     lines = [[count(row["triangles"]), *(number(row[key]) for key in keys), count(round(row["bytes_per_triangle"]))]
              for row in reports.rows("collision", case="surface")]
-    return table(["Triangles of each", "tree built", "refitted", "distance, nearly touching", "depth, a tenth deep", "self-contact",
+    return table(["Triangles of each", "made", "moved", "meetings, nearly touching", "meetings, a tenth deep", "itself, listed anew", "itself, later",
                   "bytes a triangle"], lines)
+
+
+def collision_layers(reports):
+    lines = [[count(row["cells"]), number(row["ms_refit"]), number(row["ms_layers"]), count(row["meetings"])]
+             for row in reports.rows("collision", case="layers")]
+    return table(["Cells of each", "moved", "found", "meetings"], lines)
 
 
 def collision_soft_sessions(reports):
@@ -458,6 +486,7 @@ KEEPING = {"machine": machine, "goals": goals}  # of several benches: lines of t
 TABLES = {"beam": beam, "beam101k": beam101k, "press": press, "bullet-here": bullet_here, "advice": advice,
           "bend-sizes": bend_sizes, "rungs": rungs, "extremes": extremes, "integrators": integrators, "springs": springs, "laws": laws, "scaling": scaling,
           "collision-shapes": collision_shapes, "collision-bodies": collision_bodies, "collision-surfaces": collision_surfaces,
+          "collision-scale": collision_scale, "collision-organs": collision_organs, "collision-layers": collision_layers,
           "collision-soft-sessions": collision_soft_sessions,
           "contact": contact,
           **{f"trade-{case}": trade_case(case) for case in ("bend", "bend_incompressible", "swing", "free", "press")}}
