@@ -50,7 +50,7 @@ inline ListEdit::ListEdit(std::size_t before, std::vector<std::uint32_t> gone_in
 /// Takes a list along; `come`: the values of those that come.
 template <class T>
 void apply(const ListEdit& edit, std::span<const T> come, std::vector<T>& list) {
-  PROSECTOR_ASSERT(list.size() == edit.size_before() && come.size() == edit.come.size());
+  PROSECTOR_ASSERT(list.size() == edit.now.size() && come.size() == edit.come.size());
   if (edit.keeps_indices()) {
     list.insert(list.end(), come.begin(), come.end());
     return;
