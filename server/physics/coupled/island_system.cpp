@@ -163,7 +163,7 @@ void IslandSystem::block_jacobi(const VecX& r, VecX& z) const {
 void IslandSystem::multigrid(const VecX& r, VecX& z) const {
   z.resize(layout_.size);
   for (std::size_t m = 0; m < island_->soft.size(); ++m) {
-    const SoftBody& body = *island_->soft[m].body;
+    SoftBody& body = *island_->soft[m].body;
     const auto first = static_cast<std::size_t>(layout_.soft[m] / 3),
                count = static_cast<std::size_t>(body.nodes());
     body.potential().multigrid_solve(std::span(node_blocks_).subspan(first, count),
