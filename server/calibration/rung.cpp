@@ -8,6 +8,7 @@
 #include "server/physics/soft/incremental_potential.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
+#include "server/physics/soft/solvers/linear_solver.h"
 
 namespace prosector {
 namespace {

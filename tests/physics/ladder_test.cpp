@@ -9,6 +9,7 @@
 #include "common/anatomy/fabric.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
+#include "server/physics/soft/unfold.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector::test {
