@@ -22,7 +22,7 @@ Vec3 mean(const VecX& values, const VecX& mass) {
   return values.reshaped(3, mass.size()) * mass / mass.sum();
 }
 
-/// values = mean + share·(values − mean), by node.
+/// Sets values = mean + share·(values − mean), by node.
 void gather_towards(const Vec3& mean, double share, Eigen::Ref<VecX> values) {
   auto columns = values.reshaped(3, values.size() / 3);
   columns = ((share * columns).colwise() + (1 - share) * mean).eval();

@@ -1,13 +1,14 @@
 #pragma once
 // No tick gives a soft body energy.
 //
-// A minimiser of implicit Euler's potential loses energy by itself; an iterate that was stopped early, or
-// that found no descent, need not, nor need BDF2 and TR-BDF2, whose extrapolations a nonlinear body may not
-// follow. So after each tick a body's total energy (elastic, kinetic, of weight) is compared with what it had
-// when the tick began, what joints did to it, and a slack: what it had more of late, halved in 2 s, because
-// methods of several steps swing about the energy they keep, as slowly as the body itself. A slack that is
-// forgotten sooner than that takes healthy swings for gains, and each tick taken again costs a spinning body
-// a hundredth of its energy. However large, it lets no body have more than it had.
+// A minimiser of implicit Euler's potential loses energy by itself. An iterate that was stopped early or
+// found no descent need not, and neither need BDF2 and TR-BDF2, whose extrapolations a nonlinear body may not
+// follow. So after each tick a body's total energy (elastic, kinetic, of weight) is compared with a bound.
+// The bound is what it had when the tick began, what joints did to it, and a slack. The slack is what it had
+// more of late, halved in 2 s: methods of several steps swing about the energy they keep, as slowly as the
+// body itself. A slack that is forgotten sooner than that takes healthy swings for gains, and each tick taken
+// again costs a spinning body a hundredth of its energy. However large, it lets no body have more than it
+// had.
 //
 // What touches or holds others exchanges energy with them: island_solver.h watches its island's.
 
@@ -17,9 +18,8 @@
 
 namespace prosector {
 
-/// Nodes that run away from their body's mean by more than ten of its diagonals in a tick of h s are held to
-/// that, and the member says so: no input that makes sense asks for more, and beyond it no step resolves
-/// anything.
+/// Holds nodes to ten of their body's diagonals in a tick of h s, relative to the body's mean, and says so in
+/// the member. No input that makes sense asks for more, and beyond it no step resolves anything.
 void limit_speed(SoftMember& member, double h);
 
 class EnergyGuard {
@@ -27,18 +27,18 @@ class EnergyGuard {
   /// Starts a tick: remembers the soft members' motion. The island must outlive it.
   void begin(Island& island, const Vec3& gravity);
 
-  /// Whether the tick began with energies that are numbers.
+  /// Tells whether the tick began with energies that are numbers.
   bool sound() const;
-  /// J, of all soft members, when the tick began.
+  /// Returns the energy of all soft members when the tick began, J.
   double before() const;
-  /// After the tick: whether some member has more energy than explained; `work`: J, by joints, of each.
+  /// Tells after the tick whether some member has more energy than explained. `work`: J, by joints, on each.
   bool gained(const std::vector<double>& work);
-  /// Back to the tick's start.
+  /// Takes the members back to the tick's start.
   void rewind();
-  /// Takes back so much of the tick of those that gained that they did not: all of a body but its mean motion
-  /// goes a part of the way, ½, ¼, … or none.
+  /// Takes back so much of the tick of those that gained that they did not. All of a body but its mean motion
+  /// goes a share of the way: ½, ¼, … or none.
   void shorten(const std::vector<double>& work);
-  /// The tick of h s stands.
+  /// Accepts the tick of h s as it stands.
   void finish(const std::vector<double>& work, double h);
 
  private:

@@ -11,13 +11,14 @@ namespace prosector {
 /// Allocates only for more bodies than it has had.
 class HeldTogether {
  public:
-  /// Of the bodies that ties between rigid ones join, where the island's twists take them. A pull counts as
-  /// inertia k·h², and so does a tie.
+  /// Finds the response of the bodies that ties between rigid ones join, where the island's twists take them.
+  /// A pull counts as inertia k·h², and so does a tie.
   void find(const Island& island, double h);
 
-  /// Of the island's rigid members, ascending.
+  /// Returns the joined ones among the island's rigid members, ascending.
   const std::vector<std::size_t>& members() const { return members_; }
-  /// Velocities (m/s, rad/s) that one of them, by place, gets by an impulse (N·s, N·m·s) on another.
+  /// Returns the map from an impulse (N·s, N·m·s) on one of them to the velocities (m/s, rad/s) that another
+  /// gets, both by place.
   auto response(std::size_t to, std::size_t from) const {
     return response_.block<6, 6>(6 * static_cast<Eigen::Index>(to), 6 * static_cast<Eigen::Index>(from));
   }

@@ -174,8 +174,8 @@ class Coupling {
                       : Vec3(side.at->moved / tick_.h);
   }
 
-  /// Displacement since the tick's start; minimised bodies, whose tick is done already, are passed through
-  /// evenly.
+  /// Returns a side's displacement since the tick's start. Minimised bodies, whose tick is done already, are
+  /// passed through evenly.
   Vec3 displacement(const Side& side) const {
     if (side.soft) {
       const Vec3 u = weighted(side, side.soft->state->motion.x) - side.start;
@@ -185,22 +185,23 @@ class Coupling {
     return side.rigid->moved + side.rigid->turned.cross(side.at->arm);
   }
 
-  /// s, for which a tie takes a side's velocity to carry it. Where a rigid body is when the tick ends is h
-  /// times the velocity that it has then, so ties take it to go there evenly: where they saw it by what its
-  /// velocities in the tick sum up to, it jumped from one tick to the next, and a light tool, whose hand
-  /// counts as inertia k·h², rang with a period of two ticks.
+  /// Returns for how long a tie takes a side's velocity to carry it, s. Where a rigid body is when the tick
+  /// ends is h times the velocity that it has then, so ties take it to go there evenly. Ties that saw it by
+  /// the sum of its velocities in the tick made it jump from one tick to the next. A light tool, whose hand
+  /// counts as inertia k·h², then rang with a period of two ticks.
   double carried(const Side& side, double hs) const { return side.rigid ? passed_ * tick_.h : hs; }
   Vec3 tied_at(const Side& side, double hs) const {
     return side.rigid ? Vec3(carried(side, hs) * velocity(side)) : displacement(side);
   }
 
-  /// Between the surfaces: impulses open overlaps without a spring's energy, so they need no rest gap.
+  /// Returns the gap between the surfaces. Impulses open overlaps without a spring's energy, so they need no
+  /// rest gap.
   double gap(const ImpulseJoint& joint, const Contact& contact) const {
     return contact.gap + contact.rest + contact.normal.dot(displacement(joint.a) - displacement(joint.b));
   }
 
-  /// `ahead`: s, for which positions go along.
-  /// Returns J, what the side's kinetic energy gains.
+  /// Gives a side an impulse; its positions go along for `ahead` s. Returns J, what the side's kinetic energy
+  /// gains.
   double push(const Side& side, const Vec3& impulse, double ahead) const {
     double gained = 0;
     if (side.soft) {
@@ -249,7 +250,7 @@ class Coupling {
 
   Vec3 relative_velocity(const ImpulseJoint& joint) const { return velocity(joint.a) - velocity(joint.b); }
 
-  /// m/s, by gravity in a substep.
+  /// Returns the velocity that gravity adds in a substep, m/s.
   Vec3 fall(const Side& side, double hs) const {
     const bool falls = side.soft && tick_.substepped[side.member] && side.soft->body->falls();
     return falls ? Vec3(hs * tick_.gravity) : Vec3::Zero();
@@ -259,7 +260,8 @@ class Coupling {
     for (ImpulseJoint& joint : contacts_) joint.foreseen = fall(joint.a, hs) - fall(joint.b, hs);
   }
 
-  /// Contacts, before the substep: on velocities alone, so that nothing is strained by it.
+  /// Prepares the contacts before the substep. They act on velocities alone, so that nothing is strained by
+  /// them.
   void meet(double hs) {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       contacts_[c].gap = gap(contacts_[c], contact(c));
@@ -276,7 +278,8 @@ class Coupling {
     }
   }
 
-  /// What the bodies made of the substep by themselves, as after meet(): so much the next one will.
+  /// Learns what the bodies made of the substep by themselves, as after meet(): the next one will make as
+  /// much.
   void learn() {
     for (ImpulseJoint& joint : contacts_) {
       joint.foreseen += relative_velocity(joint);
@@ -292,7 +295,7 @@ class Coupling {
       for (std::size_t t = 0; t < ties_.size(); ++t) pull(ties_[t], island_.ties[tick_.ties[t]], hs);
   }
 
-  /// The tie's spring over the substep, as implicit Euler would have it, bounded.
+  /// Applies the tie's spring over the substep, as implicit Euler would have it, bounded.
   void pull(ImpulseJoint& joint, const Tie& tie, double hs) const {
     const Vec3 stretch = tie.offset + tied_at(joint.a, hs) - tied_at(joint.b, hs);
     const Mat3 A = Mat3::Identity() +
@@ -317,7 +320,7 @@ class Coupling {
     rub(joint, contact, mobility);
   }
 
-  /// Friction takes the tangential velocity away as far as Coulomb's cone allows.
+  /// Takes the tangential velocity away by friction, as far as Coulomb's cone allows.
   void rub(ImpulseJoint& joint, const Contact& contact, const Mat3& mobility) const {
     const double most = contact.friction * joint.normal;
     if (!(most > 0) && joint.impulse.isZero()) return;

@@ -39,12 +39,12 @@ class ImpulseCoupling {
   /// Takes the soft members that are substepped through the tick. Rigid members start with the velocity
   /// twist/h and keep their orientation's inertia; their twists are what the impulses left. An impulse
   /// changes the velocities of both sides by equal and opposite momenta. Contacts act before each substep and
-  /// move nothing: an impulse that moved single nodes would strain what they hang on, for nothing. They
-  /// leave velocities that take the gap to 0 at the substep's end, without bounce, if the bodies then do by
-  /// themselves what they did in the last one: what rests neither sinks nor creeps. Overlaps open at
-  /// those speeds at most. Ties act after it, as if from its start. A hand's pull counts as
-  /// inertia k·h², and so do the ties of what it holds; what they do to both comes evenly over the tick, as
-  /// impulses do. Contact forces are means over the tick. `work`: by soft member.
+  /// move nothing: an impulse that moved single nodes would strain what they hang on, for nothing. They leave
+  /// velocities that take the gap to 0 at the substep's end, without bounce, if the bodies then do by
+  /// themselves what they did in the last one. So what rests neither sinks nor creeps. Overlaps open at those
+  /// speeds at most. Ties act after it, as if from its start. A hand's pull counts as inertia k·h², and so do
+  /// the ties of what it holds; what they do to both comes evenly over the tick, as impulses do. Contact
+  /// forces are means over the tick. `work`: by soft member.
   void run(Island& island, const SubstepTick& tick, std::span<SubstepWork> work);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// From contacts to islands: what is solved together.
+// Islands made from contacts: what is solved together.
 
 #include <optional>
 #include <span>

@@ -13,7 +13,7 @@ namespace {
 constexpr int rigid_newton_iterations = 12;
 constexpr double enough_step =
     1e-5;  // m: a next Newton step below it, at the rate of the last two, is not taken
-constexpr double enough_share = 0.05;   // of the slip over which friction builds up: likewise, where it holds
+constexpr double enough_share = 0.05;   // of the slip over which friction builds up, where it holds
 constexpr double enough_size = 6e-5;    // of a small body's diagonal, or if that is more, …
 constexpr double enough_square = 4e-3;  // … 1/m, of its square: from 5 cm on, enough_step
 constexpr double converged_steps = 10;  // of those that are enough: what is left then is little
@@ -31,9 +31,10 @@ constexpr double armijo = 1e-4;
 constexpr const char* rigid_solver = "cg";  // of islands without a soft body
 constexpr double rounding = 1e-12;          // of |E|: what a sum of this size cannot resolve
 
-/// Inexact Newton (Dembo, Eisenstat and Steihaug 1982): what a tighter solve of the first of several
-/// linearisations would gain, the next one changes again. Not where rigid bodies bear each other: errors
-/// there are pushes, and light bodies under heavy ones drift.
+/// Returns the linear solver's tolerance, as inexact Newton has it (Dembo, Eisenstat and Steihaug 1982). What
+/// a tighter solve of the first of several linearisations would gain, the next one changes again. It stays
+/// tight where rigid bodies bear each other: errors there are pushes, and light bodies under heavy ones
+/// drift.
 double linear_tolerance(const Island& island, double tolerance) {
   const bool rigid_contact =
       std::any_of(island.contacts.begin(), island.contacts.end(),
@@ -41,7 +42,8 @@ double linear_tolerance(const Island& island, double tolerance) {
   return rigid_contact ? tolerance : std::sqrt(tolerance);
 }
 
-/// m: what is small moves by less than what is large. Those of 5 cm and more, and rigid bodies, are not.
+/// Returns the step, m, below which nothing more is solved, by size: what is small moves by less than what is
+/// large. Bodies of 5 cm and more, and rigid bodies, have enough_step.
 double enough_for_size(const Island& island) {
   double enough = enough_step;
   for (const SoftMember& m : island.soft) {
@@ -51,8 +53,8 @@ double enough_for_size(const Island& island) {
   return enough;
 }
 
-/// What holds by friction moves by less than its threshold: steps that don't resolve that would leave it to
-/// tremble, and to creep.
+/// Returns the step, m, below which nothing more is solved. What holds by friction moves by less than its
+/// threshold: steps that don't resolve that would leave it to tremble, and to creep.
 double enough(const Island& island) {
   const bool rough = std::any_of(island.contacts.begin(), island.contacts.end(),
                                  [](const Contact& c) { return c.friction > 0; });
@@ -60,7 +62,7 @@ double enough(const Island& island) {
   return rough ? std::min(by_size, enough_share * slip_threshold) : by_size;
 }
 
-/// Whether the warm start of some soft body leads so far that it may be worse than none.
+/// Tells whether the warm start of some soft body leads so far that it may be worse than none.
 bool violent(const Island& island) {
   return std::any_of(island.soft.begin(), island.soft.end(), [](const SoftMember& m) {
     return m.state->warm_start.lpNorm<Eigen::Infinity>() > violent_step * m.body->diagonal();
@@ -71,27 +73,28 @@ int stages_of(const SoftMember& m) {
   return m.euler ? 1 : m.body->stepper().integrator().stages();
 }
 
-/// Whether some body keeps a history of stress: what it gives back is no gain.
+/// Tells whether some body keeps a history of stress. What it gives back is no gain.
 bool relaxing(const Island& island) {
   return std::any_of(island.soft.begin(), island.soft.end(),
                      [](const SoftMember& m) { return m.state->history.size() > 0; });
 }
 
-/// Whether its soft bodies, of which it has some, are of tetrahedra: sheets and ropes are so light that what
-/// they touch gives them any share of what they have.
+/// Tells whether the island has soft bodies and all are of tetrahedra. Sheets and ropes are so light that
+/// what they touch gives them any share of what they have.
 bool solid(const Island& island) {
   return !island.soft.empty() && std::all_of(island.soft.begin(), island.soft.end(), [](const SoftMember& m) {
     return !m.body->linear_tets().tets.empty();
   });
 }
 
-/// Methods of several steps or stages weigh a force otherwise than a rigid body does over the same tick: in
-/// company of rigid bodies all are stepped by implicit Euler, so that what one loses the other gets.
+/// Chooses implicit Euler for all soft bodies in company of rigid or other soft ones, so that what one loses
+/// the other gets. Methods of several steps or stages weigh a force otherwise than a rigid body does over the
+/// same tick.
 void choose_integrators(Island& island) {
   for (SoftMember& m : island.soft) m.euler = !island.rigid.empty() || island.soft.size() > 1;
 }
 
-/// Whether nothing holds the island in the room.
+/// Tells whether nothing holds the island in the room.
 bool floats(const Island& island) {
   const auto to_room = [](const auto& joint) {
     return joint.a.kind == ContactSide::Kind::fixed || joint.b.kind == ContactSide::Kind::fixed;
@@ -104,7 +107,7 @@ bool floats(const Island& island) {
                       [](const RigidMember& m) { return m.pull.has_value(); });
 }
 
-/// Whether nothing in the island moves freely.
+/// Tells whether nothing in the island moves freely.
 bool all_held(const Island& island) {
   return !floats(island) && std::all_of(island.rigid.begin(), island.rigid.end(),
                                         [](const RigidMember& m) { return m.pull.has_value(); });
@@ -146,8 +149,8 @@ IslandSolver::Limits IslandSolver::limits_of(const Island& island) {
   return limits;
 }
 
-/// Largest step length 1, ½, ¼ … that lowers the energy enough; 0 when none does. next_, and the system's
-/// last energy, are then there.
+/// Returns the largest step length 1, ½, ¼ … that lowers the energy enough; 0 when none does. next_ and the
+/// system's last energy are then those of that length.
 double IslandSolver::line_search(double energy, double slope, int halvings) {
   double length = 1;
   for (int i = 0; i < halvings; ++i, length /= 2) {
@@ -159,7 +162,7 @@ double IslandSolver::line_search(double energy, double slope, int halvings) {
   return 0;
 }
 
-/// q_, or where the tick began.
+/// Starts at q_, or where the tick began, where the energy is less.
 void IslandSolver::start_where_energy_is_least() {
   const double there = system_.energy(q_), here = system_.energy(start_);
   if (!std::isfinite(there) || here < there)
@@ -168,7 +171,7 @@ void IslandSolver::start_where_energy_is_least() {
     system_.energy(q_);
 }
 
-/// From q_ on, and there.
+/// Minimises the energy from q_ on; leaves the result in q_.
 IslandReport IslandSolver::minimise(const Limits& limits, double tolerance) {
   IslandReport report;
   for (VecX* v : {&solved_, &step_}) v->resize(system_.size());
@@ -230,8 +233,8 @@ IslandReport IslandSolver::minimise(const Limits& limits, double tolerance) {
   return report;
 }
 
-/// Whatever Newton's method and the linear solver left undone, the momentum of what floats is right: moved as
-/// a whole, it costs nothing but inertia.
+/// Corrects the momentum of what floats, whatever Newton's method and the linear solver left undone. Moved as
+/// a whole, the island costs nothing but inertia.
 void IslandSolver::keep_momentum(const Island& island, double h) {
   if (!floats(island)) return;
   system_.gradient(q_, g_);
@@ -255,7 +258,7 @@ void IslandSolver::keep_momentum(const Island& island, double h) {
   for (std::size_t m = 0; m < island.rigid.size(); ++m) q_.segment<3>(system_.layout().rigid(m)) += shift;
 }
 
-/// One attempt at the tick. work_: J, by joints on each soft member.
+/// Makes one attempt at the tick. work_: J, by joints on each soft member.
 IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double h, const Vec3& gravity) {
   const double tolerance = linear_tolerance(island, limits.settings.tolerance);
   int stages = 1;
@@ -291,7 +294,7 @@ IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double 
   return report;
 }
 
-/// Of the last attempt.
+/// Sums up the island's energy over the last attempt.
 IslandSolver::Account IslandSolver::account(const Island& island, double h, const Vec3& gravity) {
   Account sum{guard_.before(), 0, stored_};
   for (const SoftMember& m : island.soft) {
@@ -312,8 +315,8 @@ IslandSolver::Account IslandSolver::account(const Island& island, double h, cons
   return sum;
 }
 
-/// Whether the last attempt gave the island more energy than weight did, and not by a little. A minimiser
-/// gives none; an iterate that was stopped while much of the forces was left may.
+/// Tells whether the last attempt gave the island more energy than weight did, and not by a little. A
+/// minimiser gives none; an iterate that was stopped while much of the forces was left may.
 bool IslandSolver::gained_in_company(const Island& island, double h, const Vec3& gravity) {
   double mass = 0;
   for (const SoftMember& m : island.soft) mass += m.body->total_mass();

@@ -14,15 +14,15 @@ class IslandSolver {
  public:
   /// Minimises the island's energy over one tick of h seconds, then finishes the soft bodies' stages and
   /// fills the rigid twists and the contacts' forces. Each Newton step solves with the first soft body's
-  /// linear solver and settings (an island without one: conjugate gradients) and descends by Armijo's rule,
+  /// linear solver and settings (an island without one: conjugate gradients). It descends by Armijo's rule,
   /// so a solve that stops early is still a descent; what was left is in the report. Rigid bodies take the
   /// whole tick in every stage of a multi-stage integrator; the last stage's result counts. Where several
-  /// bodies move together, rigid or soft, all are stepped by implicit Euler: other methods weigh a force
+  /// bodies move together, rigid or soft, all are stepped by implicit Euler. Other methods weigh a force
   /// otherwise than a rigid body does, and momentum would be lost between them. A tick that is not finite, or
-  /// after which a soft body has more energy than explained, is taken again with more care, by implicit
-  /// Euler, and if need be shortened: energy_guard.h. Of solid bodies that touch or hold others, the island's
-  /// energy is watched, and the tick taken again with more care. Momentum of what nothing holds in the room
-  /// is right however early a solve stops.
+  /// after which a soft body has more energy than explained, is taken again with more care. It is then
+  /// stepped by implicit Euler, and if need be shortened (energy_guard.h). Where solid bodies touch or hold
+  /// others, the island's energy is watched, and the tick taken again with more care. Momentum of what
+  /// nothing holds in the room is right however early a solve stops.
   IslandReport solve(Island& island, double h, const Vec3& gravity);
 
  private:

@@ -8,7 +8,8 @@ namespace prosector {
 
 using Mat36 = Eigen::Matrix<double, 3, 6>;
 
-/// The displacement of a point at `arm` from the centre of mass as a map of its body's twist: [1, −arm×].
+/// Returns the displacement of a point at `arm` from the centre of mass as a map of its body's twist: [1,
+/// −arm×].
 inline Mat36 lever(const Vec3& arm) {
   Mat36 J;
   J << Mat3::Identity(), -cross_matrix(arm);

@@ -16,15 +16,15 @@ namespace {
 constexpr double ruined_share = 0.05;        // of the volume: at once
 constexpr double ruined_seconds = 0.25;      // however little of it
 constexpr double whole = 0.3;                // of its rest volume each element has, in a body that is whole
-constexpr double calm_energy = 0.05;         // times E and the volume, at most, likewise
+constexpr double calm_energy = 0.05;         // times E and the volume: stored, at most, in such a body
 constexpr double like_equilibrium = 1.5;     // times what the body's own equilibrium has of both
 constexpr double whole_seconds = 0.25;       // for so long, until its own law takes over
 constexpr double least_volume = 0.7;         // of its own equilibrium's, that a body at peace has
-constexpr double most_volume = 1.3;          // likewise
+constexpr double most_volume = 1.3;          // of its own equilibrium's, at most
 constexpr double absurd_volume = 3;          // of that at rest: or none at all
 constexpr double absurd_seconds = 0.1;       // for so long: unfolded
-constexpr double ruined_for_seconds = 0.75;  // ruined, or quiet and out of shape for so long: likewise
-constexpr double crumpled_seconds = 4;       // a sheet or rope that isn't quiet: likewise
+constexpr double ruined_for_seconds = 0.75;  // ruined, or quiet and out of shape, for so long: unfolded
+constexpr double crumpled_seconds = 4;       // a sheet or rope that isn't quiet, for so long: unfolded
 constexpr double quiet_speed = 1e-3;         // m/s, of the fastest node
 constexpr double most_turn = 1.05;           // rad, of an attached body whose law is for small rotations
 constexpr double most_free_turn = 0.5;       // rad, of a free one: that law makes 1.3 times its volume of it
@@ -44,7 +44,8 @@ double stiffness(const SoftBody& body) {
   return body.desc().youngs_modulus * body.total_mass() / body.desc().density;  // J
 }
 
-/// Share of the volume that is inside out or flat; 0 where the body's own equilibrium has as much.
+/// Returns the share of the volume that is inside out or flat; 0 where the body's own equilibrium has as
+/// much.
 double ruined(const SoftBody& body, const SoftMember& m) {
   const double share = inverted_share(body.linear_tets(), m.state->motion.x);
   const bool own = share > 0 && m.equilibrium &&
@@ -52,7 +53,7 @@ double ruined(const SoftBody& body, const SoftMember& m) {
   return own ? 0 : share;
 }
 
-/// Whether the body stores and moves no more than what is calm, or than its own equilibrium asks for.
+/// Tells whether the body stores and moves no more than what is calm, or than its own equilibrium asks for.
 bool calm(SoftBody& body, const SoftMember& m) {
   const double most = calm_energy * stiffness(body);
   const double now = body.potential().elastic_energy(m.state->motion.x) +
@@ -61,7 +62,7 @@ bool calm(SoftBody& body, const SoftMember& m) {
          (m.equilibrium && now < like_equilibrium * body.potential().elastic_energy(*m.equilibrium));
 }
 
-/// Whether no more of the body is thin than of its own equilibrium.
+/// Tells whether no more of the body is thin than of its own equilibrium.
 bool is_whole(const SoftBody& body, const SoftMember& m) {
   const double share = inverted_share(body.linear_tets(), m.state->motion.x, whole);
   return share == 0 ||
@@ -69,14 +70,15 @@ bool is_whole(const SoftBody& body, const SoftMember& m) {
           share <= like_equilibrium * inverted_share(body.linear_tets(), *m.equilibrium, whole));
 }
 
-/// Whether the body under the law that leads out has come to a stop with nothing inside out: something
+/// Tells whether the body under the law that leads out has come to a stop with nothing inside out. Something
 /// presses it, or it bears its weight, and it would stay so for ever.
 bool stands(const SoftBody& body, const SoftMember& m) {
   return m.state->quiet_ticks == quiet_ticks_to_sleep && ruined(body, m) == 0;
 }
 
-/// Quiet, but in another shape than the one it rests in: a minimum that is not the least. Sheets and ropes
-/// are told as well while what moves them is little of what strains them: crumpled ones shiver and spin.
+/// Tells whether the body is quiet, but in another shape than the one it rests in: a minimum that is not the
+/// least. Sheets and ropes are told as well while what moves them is little of what strains them: crumpled
+/// ones shiver and spin.
 bool stuck(const SoftMember& s, const VecX& equilibrium) {
   const bool quiet = s.state->quiet_ticks == quiet_ticks_to_sleep;
   SoftBody& body = s.body->in_force(*s.state);
@@ -86,20 +88,21 @@ bool stuck(const SoftMember& s, const VecX& equilibrium) {
   return stored > 2 * body.potential().elastic_energy(equilibrium) + stuck_energy * stiffness(body);
 }
 
-/// In a shape that a law for small rotations takes for a turned one: stretched by 1/cos of the angle.
+/// Tells whether the body is in a shape that a law for small rotations takes for a turned one: stretched by
+/// 1/cos of the angle.
 bool falsely_turned(const SoftMember& s) {
   const VecX& x = s.state->motion.x;
   return !s.state->recovering && turned_by(*s.body, false_turn, x) &&
          s.body->potential().elastic_energy(x) < stuck_energy * stiffness(*s.body);
 }
 
-/// Whether the body has another volume than what its equilibrium has, by more than any press leaves.
+/// Tells whether the body has another volume than what its equilibrium has, by more than any press leaves.
 bool has_lost_volume(double volume, const SoftBody& body, const VecX& equilibrium) {
   const double own = volume_share(body.linear_tets(), equilibrium);
   return volume < least_volume * own || volume > most_volume * own;
 }
 
-/// s: how long the body may stay as it is; infinite: for good.
+/// Returns how long the body may stay as it is, s; infinite: for good.
 double seconds_until_unfolded(const SoftMember& s, const Surroundings& about, const VecX& equilibrium) {
   const double volume = volume_share(s.body->linear_tets(), s.state->motion.x), share = ruined(*s.body, s);
   if (volume <= 0 || volume > absurd_volume) return absurd_seconds;
@@ -110,7 +113,8 @@ double seconds_until_unfolded(const SoftMember& s, const Surroundings& about, co
   return s.state->quiet_ticks == quiet_ticks_to_sleep ? ruined_for_seconds : crumpled_seconds;
 }
 
-/// A free body goes back under a law for small rotations as it rests under it: nothing would turn it there.
+/// Returns the turn, rad, up to which a law for small rotations keeps the body. A free body goes back under
+/// it as it rests under it: nothing would turn it there.
 double turn_allowed(const SoftBody& body, const SoftBodyState& state) {
   if (body.attached()) return most_turn;
   return state.recovering ? false_turn : most_free_turn;

@@ -4,20 +4,21 @@
 // Most laws have minima besides the rest shape: a mirrored body under St. Venant and Kirchhoff's stores
 // nothing, a neo-Hookean one that was thrown into a point stays there, and springs don't know inside from
 // outside. The corotational law has none that was ever met. So a body with elements inside out or flat is
-// stepped under that law, with the same constants, until it is whole again; and so is a body under fem_linear
-// that has turned as a whole, because that law then takes every turn for a strain. What even so comes to rest
-// in another shape than its own is unfolded, a reset; and so is what a law for small rotations takes for a
-// turned body at rest, which is longer than it should be.
+// stepped under that law, with the same constants, until it is whole again. A body under fem_linear that has
+// turned as a whole is stepped under it too, because that law then takes every turn for a strain. What even
+// so comes to rest in another shape than its own is unfolded: a reset. So is what a law for small rotations
+// takes for a turned body at rest, which is longer than it should be.
 
 #include "server/physics/island.h"
 
 namespace prosector {
 
-/// Before a tick of h s: decides under which law the body goes through it (SoftBodyState::recovering) and
+/// Decides before a tick of h s under which law the body goes through it (SoftBodyState::recovering), and
 /// says so in the member. A switch forgets the step before.
 void choose_law(SoftMember& member, double h);
 
-/// Whether a quiet body may stay as it is: neither tangled nor inside out, and under the law it will keep.
+/// Tells whether a quiet body may stay as it is: neither tangled nor inside out, and under the law it will
+/// keep.
 bool may_sleep(const SoftMember& member);
 
 /// After a tick: counts how long the body has been quiet, towards sleep.
@@ -32,11 +33,11 @@ struct Surroundings {
   bool touched = false;  // by anything, the room too: it may be kept from its own shape for good
 };
 
-/// After a tick of h s, once every `ticks`: puts a body into its rest shape where it is, and says so. That is
-/// one that for most of a second was partly inside out, much smaller or larger than in `equilibrium` (3n, m),
-/// or quiet and untouched in another shape. A body without any volume, or with three times its own, waits
-/// less; a crumpled sheet or rope longer. In company only what is ruined beyond what a press does or
-/// blind, and of another volume only while nothing crushes it. True when it did.
+/// Puts a body into its rest shape where it is, and says so; called after ticks of h s, once every `ticks`.
+/// Unfolds one that for most of a second was partly inside out, much smaller or larger than in `equilibrium`
+/// (3n, m), or quiet and untouched in another shape. A body without any volume, or with three times its own,
+/// waits less; a crumpled sheet or rope longer. In company it unfolds only what is ruined beyond what a press
+/// does or blind, and what is of another volume only while nothing crushes it. Returns true when it did.
 bool unfold_if_tangled(SoftMember& member, const Surroundings& about, const VecX& equilibrium, double h,
                        int ticks);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The rigid bodies' part of an island's Hessian, factored: what rests on what is then solved exactly, however
+// The rigid bodies' part of an island's Hessian, factored. What rests on what is then solved exactly, however
 // heavy the one and light the other, and the linear solver is left with the tissue between.
 //
 // Cholesky's factorisation in blocks of 6 × 6, the body with the fewest neighbours left eliminated first
@@ -18,16 +18,17 @@ class RigidBlock {
  public:
   using Pair = std::pair<std::size_t, std::size_t>;  // lower body first
 
-  /// Of so many bodies, of which these pairs may be joined. All blocks are then zero.
+  /// Begins a matrix of so many bodies, of which these pairs may be joined. All blocks are then zero.
   void begin(std::size_t bodies, std::span<const Pair> pairs);
 
   void set_zero();
   void add(std::size_t body, const Mat6& block) { diagonal_[rank_[body]] += block; }
-  /// The block of row a and column b, a < b; its transpose is added with it.
+  /// Adds to the block of row a and column b, a < b; its transpose is added with it.
   void add(std::size_t a, std::size_t b, const Mat6& block);
-  /// False when it is not positive definite to rounding: there is nothing to solve with then.
+  /// Factors the matrix; false when it is not positive definite to rounding: there is nothing to solve with
+  /// then.
   bool factor();
-  /// z = A⁻¹r, 6 a body. Not one in the other's place.
+  /// Computes z = A⁻¹r, 6 numbers a body. `z` must not be where `r` is.
   void solve(const Eigen::Ref<const VecX>& r, Eigen::Ref<VecX> z) const;
 
  private:

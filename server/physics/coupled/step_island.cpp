@@ -93,8 +93,8 @@ class Tick {
     return std::max(0.0, fall_energy(*member.body, start_[m].motion.x, member.state->motion.x, gravity_));
   }
 
-  /// Whether a substepped body has no more energy than its start, gravity and the impulses on it explain,
-  /// with what impulses that it gives way to may strain.
+  /// Tells whether a substepped body has no more energy than its start, gravity and the impulses on it
+  /// explain, with what impulses that it gives way to may strain.
   bool tame(std::size_t m) const {
     const SoftMember& member = island_.soft[m];
     const Substepper& own = *member.body->substepper();
@@ -103,17 +103,17 @@ class Tick {
     return energy(member) <= explained + least_power * std::min(1.0, member.body->total_mass()) * h_;
   }
 
-  /// Whether it has none beyond that but a little: what impulses took counts, and what contacts give both of
-  /// their sides, beyond what opens overlaps, does not explain anything.
+  /// Tells whether the body has no more energy than is explained. What impulses took counts. What contacts
+  /// give both of their sides, beyond what opens overlaps, does not explain anything.
   bool passive(std::size_t m) const { return unexplained(m) <= 0; }
 
-  /// Whether it has so much beyond that that it is better off by implicit Euler: not when substeps could
-  /// still help, and not for what counts as little.
+  /// Tells whether the body has so much unexplained energy that it is better off by implicit Euler: not when
+  /// substeps could still help, and not for what counts as little.
   bool wild(std::size_t m, int attempt) const {
     return attempt >= refinements && unexplained(m) > most_unexplained * (energy_[m] + fallen(m));
   }
 
-  /// J.
+  /// Returns the body's energy beyond what is explained, J.
   double unexplained(std::size_t m) const {
     const SoftMember& member = island_.soft[m];
     const auto moving = [&](double speed) { return member.body->total_mass() * speed * speed / 2; };
@@ -146,7 +146,7 @@ class Tick {
     }
   }
 
-  /// Into the note's own memory: notes are written every tick.
+  /// Writes into the note's own memory: notes are written every tick.
   template <class... Values>
   static void say(SoftMember& member, fmt::format_string<const Values&...> text, const Values&... values) {
     member.note.clear();
@@ -171,8 +171,8 @@ class Tick {
       say(member, "{} grows at every step without more damping: stepped by implicit_euler", method);
   }
 
-  /// A minimised body takes a tick in one step: impulses in the course of it would strike single nodes, whose
-  /// neighbours know nothing of it before the next. So what touches one is minimised with it.
+  /// Minimises with a minimised body what touches it. Such a body takes a tick in one step: impulses in the
+  /// course of it would strike single nodes, whose neighbours know nothing of it before the next.
   void join_minimised() {
     for (bool again = true; again;) {
       again = false;
@@ -203,7 +203,7 @@ class Tick {
     return false;
   }
 
-  /// Everything but the substepped bodies and what touches them.
+  /// Minimises everything but the substepped bodies and what touches them.
   IslandReport minimise() {
     Island& rest = buffers_.rest;
     auto &contact_of = buffers_.contact_of, &member_of = buffers_.member_of;
@@ -252,7 +252,8 @@ class Tick {
           island_, {start_, substepped_, buffers_.contacts, buffers_.ties, substeps_, h_, gravity_}, work_);
   }
 
-  /// True when the tick stands. Otherwise everything is where it was, but what was learnt of frequencies.
+  /// Returns true when the tick stands. Otherwise everything is where it was, but what was learnt of
+  /// frequencies.
   bool check(int attempt) {
     bool again = false;
     for (std::size_t m = 0; m < island_.soft.size(); ++m) {

@@ -38,8 +38,8 @@ bool is_in_a_hand(const State& state, const SoftContacts& touching, std::size_t 
 }
 
 /// Returns whether rigid things press the body against each other or what it is tied to, harder than its
-/// weight and other tissue do: it has no room for its own shape. What tissue presses has room, because tissue
-/// gives way.
+/// weight and other tissue do. It then has no room for its own shape. What tissue presses has room, because
+/// tissue gives way.
 bool is_squeezed(const Bodies& bodies, std::size_t body) {
   double by_rigid = 0, by_tissue = 0;
   Vec3 unbalanced = Vec3::Zero();  // N: of the rigid things' forces, what tissue and gravity take up
@@ -133,7 +133,7 @@ void place_unfolded(Bodies& bodies, std::size_t body, double lowest) {
   bodies.soft[body].follow_nodes();
 }
 
-/// Parts an unfolded body from other tissue that it may be in now: forces that lead it out would crush it
+/// Separates an unfolded body from other tissue that it may be in now. Forces that lead it out would crush it
 /// again.
 void make_room_for(Bodies& bodies, std::size_t body) {
   for (std::size_t other = 0; other < bodies.soft.size(); ++other)
