@@ -21,7 +21,7 @@ BladeShape blade_shape(const std::vector<EdgeDesc>& edges) {
 
 namespace {
 
-/// `parted`: m of the way that part tissue.
+/// Returns the share of its bound that a lagging point bears. `parted`: m of the way that part tissue.
 double slicing(double lag, double parted) {
   constexpr double least = 1e-3;
   const double gone = std::min(1.0, lag / edge_give);

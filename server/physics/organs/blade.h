@@ -1,12 +1,12 @@
 #pragma once
 // An instrument's cutting edges while a hand holds it.
 //
-// Along each edge stand points that tissue holds back: each is tied to the material where it has cut to, by a
-// spring that bears no more than the tissue's toughness times the length of edge that the point stands for:
-// the force at which a crack of that width goes on (Atkins and Mai 1985). Below it tissue sticks to the edge
-// and is drawn along; at it the point moves on through the tissue, which is cut between where the points were
-// and where they are. Drawn along itself an edge parts less on its way, and bears so much less (slicing()).
-// So the work done is toughness times the area that was cut.
+// Along each edge stand points that tissue holds back: each is tied by a spring to the material where it has
+// cut to. The spring bears no more than the tissue's toughness times the length of edge that the point stands
+// for. That is the force at which a crack of that width goes on (Atkins and Mai 1985). Below it tissue sticks
+// to the edge and is drawn along. At it the point moves on through the tissue, which is cut between where the
+// points were and where they are. Drawn along itself an edge parts less on its way, and bears so much less
+// (slicing()). So the work done is toughness times the area that was cut.
 
 #include <cstdint>
 #include <map>
@@ -25,7 +25,7 @@ inline constexpr int entry_halvings = 12;      // of a tick's way, to where a po
 /// blade: who undoes a cut doesn't mean the nick that it got then.
 inline constexpr double between_strokes = 0.2;
 
-/// Where material of `row` is while nodes are at `x` (3n, m).
+/// Returns where material of `row` is while nodes are at `x` (3n, m).
 Vec3 point_of(const SparseMap::Row& row, const VecX& x);
 
 /// Points along edges, in the instrument's frame.
@@ -40,15 +40,15 @@ struct BladeShape {
 };
 BladeShape blade_shape(const std::vector<EdgeDesc>& edges);
 
-/// The share of its bound that a point of an edge along `edge` (unit) bears when it lags behind by `lag` (m)
-/// in the direction that it goes, which is the force's. A way u across the edge and ξu along it parts u times
-/// the edge's length, so F·√(1 + ξ²)·u = R·u·length: F = R·length/√(1 + ξ²), of which R·length/(1 + ξ²)
-/// pushes and ξ times that draws (Atkins, Xu and Jeronimidis 2004, "Cutting, by 'pressing and slicing', of
-/// thin floppy slices of materials"). All of it where the point lags so little that it has not gone anywhere
-/// yet; never less than a thousandth: points stay tied to where they have cut to.
+/// Returns the share of its bound that a point of an edge along `edge` (unit) bears. The point lags behind by
+/// `lag` (m) in the direction that it goes, which is the force's. A way u across the edge and ξu along it
+/// parts u times the edge's length, so F·√(1 + ξ²)·u = R·u·length. Hence F = R·length/√(1 + ξ²), of which
+/// R·length/(1 + ξ²) pushes and ξ times that draws. (Atkins, Xu and Jeronimidis 2004, "Cutting, by 'pressing
+/// and slicing', of thin floppy slices of materials".) The share is 1 where the point lags so little that it
+/// has not gone anywhere yet. It is never less than a thousandth: points stay tied to where they have cut to.
 double slicing(const Vec3& lag, const Vec3& edge);
-/// Likewise where an edge goes through a sheet with that normal (unit): what it parts is as long as its way
-/// in the sheet, wherever it leans to.
+/// Returns that share where an edge goes through a sheet with that normal (unit). What it parts is as long as
+/// its way in the sheet, wherever it leans to.
 double slicing(const Vec3& lag, const Vec3& edge, const Vec3& normal);
 
 /// One while it is held.

@@ -16,13 +16,13 @@ void save_cuts(const State& state, ByteWriter& out);
 /// state changes before take_effect().
 class RestoredCuts {
  public:
-  /// Nothing was cut.
+  /// Starts with nothing cut.
   explicit RestoredCuts(State& state);
   /// Throws InputError for what doesn't fit.
   void read(ByteReader& in);
-  /// Soft bodies with all pieces, by index; valid as long as this and the state are.
+  /// Returns the soft bodies with all pieces, by index; valid as long as this and the state are.
   std::vector<const SoftBody*> bodies() const;
-  /// The state has these bodies, and hands these blades, from now on.
+  /// Gives the state these bodies, and hands these blades, from now on.
   void take_effect();
 
  private:

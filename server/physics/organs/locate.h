@@ -13,10 +13,12 @@ namespace prosector {
 /// asked for.
 class Locator {
  public:
-  /// Nodes are at `x` (3n, m; more of them than the tetrahedra's corners may follow). Both must outlive this.
+  /// Builds the locator for nodes at `x` (3n, m; more of them than the tetrahedra's corners may follow). Both
+  /// must outlive this.
   Locator(const TetMesh& mesh, const VecX& x, const Aabb& box);
-  /// The corners of the first tetrahedron that contains the point, its faces included, with the point's
-  /// barycentric weights; nothing outside. Turned-over tetrahedra contain nothing. The point is in the box.
+  /// Returns the corners of the first tetrahedron that contains the point, its faces included, with the
+  /// point's barycentric weights; nothing outside. Turned-over tetrahedra contain nothing. The point must be
+  /// in the box.
   std::optional<SparseMap::Row> at(const Vec3& point) const;
 
  private:

@@ -45,7 +45,8 @@ Whole whole(std::span<const PieceMotion> pieces, const Counts& counts) {
   return out;
 }
 
-/// The turn (rad/s) that gives this spin, about the axes about which there is more inertia than `least`.
+/// Returns the turn (rad/s) that gives this spin, about the axes about which there is more inertia than
+/// `least`.
 Vec3 turn_for(const Vec3& spin, const Mat3& inertia, double least) {
   const Eigen::SelfAdjointEigenSolver<Mat3> axes(inertia);
   Vec3 out = Vec3::Zero();

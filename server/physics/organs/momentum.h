@@ -14,11 +14,11 @@ struct PieceMotion {
   VecX* velocity;                 // 3n, m/s
 };
 
-/// A sheet's new nodes take of the mass of their neighbours without regard to where the centre of mass is, so
-/// what they carry over of velocities isn't their neighbours' momentum. Adds to the nodes that a change made
-/// or gave another mass the one velocity that keeps the momentum of all and, if `spin`, the one turn about
-/// their own centre of mass that keeps the angular momentum of all about its centre of mass: to rounding, but
-/// about an axis that they lie on.
+/// Adds to the nodes that a change made or gave another mass the one velocity that keeps the momentum of all.
+/// If `spin`, it also adds the one turn about their own centre of mass that keeps the angular momentum of all
+/// about its centre of mass. Both are kept to rounding, but for a turn about an axis that the nodes lie on. A
+/// sheet's new nodes take of the mass of their neighbours without regard to where the centre of mass is. So
+/// what they carry over of velocities isn't their neighbours' momentum.
 void keep_momentum(std::span<const PieceMotion> before, std::span<const PieceMotion> now, bool spin);
 
 }  // namespace prosector

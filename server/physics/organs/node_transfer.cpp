@@ -7,14 +7,15 @@
 namespace prosector {
 namespace {
 
-/// Of a point at r from a triangle's corner, u and v from there to the others; in its plane.
+/// Returns the barycentric weights of a point at r from a triangle's corner, in its plane; u and v lead from
+/// there to the other corners.
 Vec3 triangle_weights(const Vec3& u, const Vec3& v, const Vec3& r) {
   const Vec3 n = u.cross(v);
   const double b = r.cross(v).dot(n) / n.squaredNorm(), c = u.cross(r).dot(n) / n.squaredNorm();
   return {1 - b - c, b, c};
 }
 
-/// Barycentric weights of a point of the rest shape.
+/// Returns the barycentric weights of a point of the rest shape.
 std::array<double, 4> weights_at(const TetMesh& mesh, std::size_t tet, const Vec3& point) {
   const auto& c = mesh.tets[tet];
   const Vec3 origin = mesh.positions[c[0]];
@@ -31,7 +32,7 @@ std::array<double, 4> weights_at(const TetMesh& mesh, std::size_t tet, const Vec
 
 }  // namespace
 
-/// The point of the tetrahedron that was there; none: there was none.
+/// Returns the point of the tetrahedron that was there; none: there was none.
 std::optional<NodeTransfer::Source> NodeTransfer::within(const TetComplex& complex,
                                                          std::span<const PieceMesh* const> before,
                                                          std::span<const EdgeNodes> edges, TetId tet,

@@ -23,22 +23,22 @@ struct PieceMesh {
 };
 
 /// Where a node of a new mesh was in an old one: itself, or a point of the tetrahedron that was there, with
-/// the weights of its element's shape functions, so that a new mesh has the shape and the motion that the old
-/// one had. Lumped momentum is kept to rounding where elements are linear.
+/// the weights of its element's shape functions. So a new mesh has the shape and the motion that the old one
+/// had. Lumped momentum is kept to rounding where elements are linear.
 class NodeTransfer {
  public:
-  /// `pieces` of the organ before the change, any number; the complex is as it is after it. `quadratic`: of
-  /// ten-node elements.
+  /// Finds where the nodes of `now` were. `before`: the organ's pieces before the change, any number; the
+  /// complex is as it is after it. `quadratic`: the elements have ten nodes.
   NodeTransfer(const TetComplex& complex, std::span<const PieceMesh* const> before, const PieceMesh& now,
                bool quadratic);
-  /// Of what a change made in one piece, alone: nodes, which are the first that `edit`, of all its nodes,
-  /// tells of, and those on the edges of `tets`, that it tells of, too. `edges`: as they were, of quadratic
-  /// elements.
+  /// Finds where the nodes were that a change made in one piece alone. These are `made`, the first that
+  /// `edit` tells of among all its nodes, and those on the edges of `tets`, that it tells of, too. `edges`:
+  /// as they were, where elements are quadratic.
   NodeTransfer(const TetComplex& complex, const PieceMesh& before, std::span<const NodeId> made,
                std::span<const TetId> tets, const MeshEdit& edit, const EdgeNodes* edges);
-  /// `fields`: 3n numbers of each piece in `before`.
+  /// Returns the field on the new mesh. `fields`: 3n numbers of each piece in `before`.
   VecX operator()(std::span<const VecX* const> fields) const;
-  /// Of nodes that were made in one piece: its field, after that edit.
+  /// Returns the field of one piece after that edit, in which nodes were made.
   VecX carried(const VecX& field, const MeshEdit& edit) const;
 
  private:

@@ -8,7 +8,7 @@
 
 namespace prosector {
 
-/// The vertices alone; what hangs on the middle of an edge hangs on its ends.
+/// Returns the anatomy with the vertices alone; what hangs on the middle of an edge hangs on its ends.
 Anatomy without_edge_nodes(const Anatomy& anatomy);
 
 PieceMesh piece_mesh(const TetComplex& complex, std::span<const TetId> tets);
@@ -23,14 +23,14 @@ struct PieceEdit {
                                        // that came or went; ascending
 };
 
-/// Where nothing came off it, of tetrahedra that may have changed: children of its tetrahedra, or corners
-/// that were parted.
+/// Returns the edit of a piece that nothing came off. `touched`: tetrahedra that may have changed: children
+/// of its tetrahedra, or corners that were parted.
 PieceEdit edit_of(const TetComplex& complex, const PieceMesh& piece, std::vector<TetId> touched);
 void apply(const TetComplex& complex, const PieceEdit& edit, PieceMesh& piece);
-/// Whatever it was that happened between, of one organ: what is at the same place with the same corners is
-/// what it was.
+/// Returns the edit between two pieces of one organ, whatever it was that happened between. What is at the
+/// same place with the same corners is what it was.
 PieceEdit edit_between(const PieceMesh& before, const PieceMesh& now);
-/// Whether that takes less than making all anew, which comes to the same.
+/// Tells whether following the edit takes less than making all anew, which comes to the same.
 bool is_worth_following(const PieceEdit& edit);
 
 /// The surface of a piece, hanging on its nodes.
@@ -57,12 +57,13 @@ HungVertex hang(const TetComplex& complex, const Skin::Vertex& vertex, const F& 
   return out;
 }
 
-/// Its skin's triangles. Vertices and triangles are numbered by their slots, from `first_vertex` and
-/// `first_triangle` on.
+/// Returns the surface of the piece's skin. Vertices and triangles are numbered by their slots, from
+/// `first_vertex` and `first_triangle` on.
 PieceSurface skinned(const TetComplex& complex, const Skin& skin, const PieceMesh& piece,
                      std::uint32_t first_vertex, std::uint32_t first_triangle);
 
-/// One tetrahedron, without a surface: what is left to be solved of a piece that was joined to another.
+/// Returns one tetrahedron, without a surface: what is left to be solved of a piece that was joined to
+/// another.
 Anatomy remnant(const Anatomy& whole);
 
 }  // namespace prosector

@@ -23,7 +23,7 @@ std::unique_ptr<SoftBody> make_piece(const Bodies& bodies, const Organ& organ, s
 void place_piece(State& state, std::size_t body, std::size_t first, std::unique_ptr<SoftBody> solver,
                  Numbering numbering, TissueSurface surface);
 
-// ---- Of what follows a cut, too (piece_follow.cpp)
+// ---- What following a cut uses, too (piece_follow.cpp)
 /// Lets a piece move as what was there did. One that nothing ties to its place any more is out of it.
 void set_going(Bodies& bodies, std::size_t body, std::size_t first, Motion motion, VecX balance);
 /// Tells of the body's new topology.

@@ -20,7 +20,7 @@ bool can_follow(const Bodies& bodies, const Organ& organ, const PieceEdit& edit)
                                     : solver.follower().can_follow(edit.mesh);
 }
 
-/// `surface`: of tetrahedra. The organ has taken the change in.
+/// Returns what follows an edit that the organ has taken in. `surface`: the edit of the tetrahedra's surface.
 Following following(const Bodies& bodies, const Organ& organ, PieceEdit edit,
                     std::optional<SurfaceEdit> surface) {
   Following out;

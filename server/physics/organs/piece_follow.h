@@ -27,7 +27,7 @@ struct Following {
 std::optional<Following> following_since(const Bodies& bodies, const Organ& organ, const Regrouped& then,
                                          const OrganPiece& piece);
 void take_solver_along(Bodies& bodies, Following& following);
-/// After the solver.
+/// Takes the body's surface along with the change; called after the solver.
 void take_surface_along(Bodies& bodies, const Following& following);
 
 }  // namespace prosector

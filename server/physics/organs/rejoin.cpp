@@ -20,8 +20,8 @@ struct RestNode {
 };
 using Twins = std::array<Node, 2>;  // ascending by piece
 
-/// Nodes of different pieces that the cut made of one: at one place at rest, and one of them is gone. (Where
-/// an older cut met it a third is there.)
+/// Returns the pairs of nodes of different pieces that the cut made of one: at one place at rest, and one of
+/// them is gone. (Where an older cut met it a third is there.)
 std::vector<Twins> find_twins(const TetComplex& complex, std::span<const ApartPiece> pieces) {
   std::vector<RestNode> nodes;
   for (std::uint32_t p = 0; p < pieces.size(); ++p)
@@ -69,7 +69,8 @@ Pose fit(std::span<const std::array<Vec3, 2>> from_to) {
   return {to - turn * from, turn.normalized()};
 }
 
-/// Of a piece: to its twins in pieces that are in their places; nothing where it has none there.
+/// Returns the way from a piece to its twins in pieces that are in their places; nothing where it has none
+/// there.
 std::optional<WayBack> way_back(std::span<const ApartPiece> pieces, std::span<const Twins> twins,
                                 std::span<const std::optional<WayBack>> ways,
                                 std::span<const std::uint8_t> placed, std::uint32_t piece) {
@@ -91,7 +92,7 @@ std::optional<WayBack> way_back(std::span<const ApartPiece> pieces, std::span<co
   return out;
 }
 
-/// Which stay.
+/// Tells by piece whether it stays.
 std::vector<std::uint8_t> staying(std::span<const ApartPiece> pieces) {
   std::vector<std::uint8_t> out;
   for (const ApartPiece& piece : pieces) {

@@ -1,7 +1,7 @@
 #pragma once
 // Blades in sheets, which have no inside: an edge goes through one, or comes down on it with its points.
 //
-// Where it goes through, it is tied to the sheet there, by a spring that bears the toughness times the
+// Where it goes through, it is tied to the sheet there by a spring. The spring bears the toughness times the
 // sheet's thickness: the force at which a crack of that length goes on. A point that comes down on it stays
 // above until what it stands for, toughness times length, is overcome. Both are less by slicing().
 

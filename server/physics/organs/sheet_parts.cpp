@@ -5,7 +5,7 @@
 namespace prosector {
 namespace {
 
-/// Whether both triangles of the compiled sheet's cell are there as they were, and hold together.
+/// Tells whether both triangles of the compiled sheet's cell are there as they were, and hold together.
 bool is_whole(const TetComplex& complex, std::size_t cell, const std::array<std::uint32_t, 4>& corners) {
   const auto first = static_cast<TetId>(2 * cell), second = first + 1;
   if (!complex.has_tet(first) || !complex.has_tet(second) || complex.neighbor(first, 1) != second)
@@ -48,7 +48,8 @@ class SheetPiece {
     }
   }
 
-  /// Of the compiled sheet's n nodes: i above, n + i below; of each other both sides, one after the other.
+  /// Adds the vertices. Of the compiled sheet's n nodes, i has i above and n + i below; each other node has
+  /// both sides, one after the other.
   void add_vertices() {
     const auto n = static_cast<NodeId>(whole_.tets.positions.size());
     const auto nodes = static_cast<std::uint32_t>(piece_.nodes.size());
@@ -73,7 +74,8 @@ class SheetPiece {
     }
   }
 
-  /// Of a compiled cell as make_sheet() has them: two above, two below; of each other triangle both sides.
+  /// Adds the triangles. A compiled cell has them as make_sheet() does: two above, two below; each other
+  /// triangle has both sides.
   void add_triangles() {
     std::vector<char> in_piece(complex_.tet_end(), 0);
     for (const TetId t : piece_.tets) in_piece[t] = 1;

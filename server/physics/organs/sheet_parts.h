@@ -7,22 +7,22 @@
 
 namespace prosector {
 
-/// A piece as geometry: cells that are whole as cells, of the others what is left of them; masses as volumes;
-/// its surface seen from both sides. Vertices and triangles keep the numbers that they had in `whole`; those
-/// that came follow.
+/// Returns a piece as geometry: whole cells as cells, and what is left of the others; masses as volumes; its
+/// surface seen from both sides. Vertices and triangles keep the numbers that they had in `whole`; those that
+/// came follow.
 Anatomy sheet_piece(const TetComplex& complex, const PieceMesh& piece, const Anatomy& whole,
                     Numbering& numbering);
 
-/// PieceEdit::touched of a piece with these nodes, ascending: `edited`, those of its MeshEdit, and the
-/// corners of cells of which one of these triangles is a part, or was.
+/// Returns PieceEdit::touched of a piece with these nodes, ascending. These are `edited`, those of its
+/// MeshEdit, and the corners of cells of which one of these triangles is a part, or was.
 std::vector<std::uint32_t> touched_corners(const TetComplex& complex, std::span<const NodeId> nodes,
                                            std::vector<std::uint32_t> edited, const Anatomy& whole,
                                            std::span<const TetId> touched);
 
-/// One cell, without a surface: what is left to be solved of a piece that was joined to another.
+/// Returns one cell, without a surface: what is left to be solved of a piece that was joined to another.
 Anatomy sheet_remnant(const Anatomy& whole);
 
-/// By node of an uncut sheet: whether the attachments tie it to its place.
+/// Tells by node of an uncut sheet whether the attachments tie it to its place.
 std::vector<std::uint8_t> held_nodes(const std::vector<AttachDesc>& attach, const Anatomy& sheet);
 
 }  // namespace prosector

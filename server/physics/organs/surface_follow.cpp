@@ -14,7 +14,7 @@ void sort_unique(Numbers& list) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-/// How many of the ascending numbers are less.
+/// Returns how many of the ascending numbers are less.
 std::uint32_t count_below(const Numbers& numbers, std::uint32_t number) {
   return static_cast<std::uint32_t>(std::lower_bound(numbers.begin(), numbers.end(), number) -
                                     numbers.begin());
@@ -24,7 +24,8 @@ bool has(const Numbers& numbers, std::uint32_t number) {
   return std::binary_search(numbers.begin(), numbers.end(), number);
 }
 
-/// `gone`: ascending indices; `come`: ascending numbers that aren't among those that stay.
+/// Returns the edit of a numbered list. `gone`: ascending indices; `come`: ascending numbers that aren't
+/// among those that stay.
 ListEdit edit_of(const Numbers& before, Numbers gone, const Numbers& come) {
   PROSECTOR_ASSERT(is_ascending(before) && is_ascending(come));
   Numbers come_before;
@@ -33,7 +34,7 @@ ListEdit edit_of(const Numbers& before, Numbers gone, const Numbers& come) {
   return ListEdit(before.size(), std::move(gone), come_before);
 }
 
-/// Of these vertices those that no triangle but the ones that go has; ascending.
+/// Returns those of these vertices that no triangle has but the ones that go; ascending.
 Numbers unused(const TriangleMesh& surface, const Numbers& gone_triangles, Numbers vertices) {
   if (vertices.empty()) return vertices;
   std::vector<std::uint8_t> used(surface.positions.size(), 0);
@@ -49,13 +50,13 @@ Numbers unused(const TriangleMesh& surface, const Numbers& gone_triangles, Numbe
   return vertices;
 }
 
-/// An entry's number: where nothing was ever cut, its index.
+/// Returns an entry's number: where nothing was ever cut, its index.
 std::uint32_t number_of(const Numbers& numbers, std::uint32_t index) {
   return numbers.empty() ? index : numbers[index];
 }
 
-/// Between lists of so many entries. `is_same(i, j)`: whether those of one number, by indices before and now,
-/// are the same.
+/// Returns the edit between lists of so many entries. `is_same(i, j)`: whether those of one number, by
+/// indices before and now, are the same.
 template <class F>
 ListEdit edit_between(std::size_t before, const Numbers& numbered_before, std::size_t now,
                       const Numbers& numbered, const F& is_same) {
@@ -77,7 +78,7 @@ ListEdit edit_between(std::size_t before, const Numbers& numbered_before, std::s
   return ListEdit(before, std::move(gone), come_before);
 }
 
-/// Vertices there now of triangles that went or came.
+/// Returns the vertices, as they are now, of triangles that went or came.
 Numbers touched_by(const SurfaceEdit& edit, const TriangleMesh& before) {
   Numbers out;
   for (const std::uint32_t triangle : edit.triangles.gone)

@@ -9,15 +9,16 @@
 
 namespace prosector {
 
-/// From the surface that skinned() made before to the one that it would make now. `slots`: of the skin's
-/// triangles that may have become others, or another piece's; `nodes`: the piece's, ascending.
+/// Returns the edit from the surface that skinned() made before to the one that it would make now. `slots`:
+/// those of the skin's triangles that may have become others, or another piece's; `nodes`: the piece's,
+/// ascending.
 SurfaceEdit edit_of_surface(const TetComplex& complex, const Skin& skin, std::span<const NodeId> nodes,
                             const std::function<bool(TetId)>& in_piece, std::vector<std::uint32_t> slots,
                             const TriangleMesh& before, const Numbering& numbering,
                             std::uint32_t first_vertex, std::uint32_t first_triangle);
 
-/// From one surface to another, which are both there: of a sheet, whose geometry is made whole. Without inner
-/// faces.
+/// Returns the edit between two surfaces that are both there: those of a sheet, whose geometry is made whole.
+/// It leaves inner faces out.
 SurfaceEdit edit_between(const TriangleMesh& before, const Numbering& numbered_before,
                          const TriangleMesh& now, const SparseMap& hung, const Numbering& numbered);
 

@@ -14,17 +14,19 @@ struct OldTet {
   std::size_t tet = 0;  // its index there
 };
 
-/// The tetrahedron that was where `tet` is now, or the one it is part of; none where a cut was taken back.
+/// Returns the tetrahedron that was where `tet` is now, or the one that `tet` comes from; none where a cut
+/// was taken back.
 std::optional<OldTet> find_old(const TetComplex& complex, std::span<const PieceMesh* const> before,
                                TetId tet);
 
-/// How many numbers of it each tetrahedron has, where every one of them is an element.
+/// Returns how many numbers of the history each tetrahedron has, where every one of them is an element.
 inline Eigen::Index history_per_tet(const VecX& history, const PieceMesh& mesh) {
   return history.size() / static_cast<Eigen::Index>(mesh.tets.size());
 }
 
-/// Viscoelastic history (relaxation.h) of these tetrahedra, `numbers` of each: what it is part of had it, at
-/// the same strain; nothing where there was none. `histories`: of each piece in `before`.
+/// Returns the viscoelastic history (relaxation.h) of these tetrahedra, `numbers` of each. What a tetrahedron
+/// comes from had it, at the same strain; nothing where there was none. `histories`: those of each piece in
+/// `before`.
 VecX carried_history(const TetComplex& complex, std::span<const PieceMesh* const> before,
                      std::span<const VecX* const> histories, Eigen::Index numbers,
                      std::span<const TetId> tets);
