@@ -27,7 +27,8 @@ struct Stretch {
   bool operator<(const Stretch& o) const { return begin != o.begin ? begin < o.begin : tet < o.tet; }
 };
 
-/// None where it passes by, or where the tetrahedron is flat.
+/// Returns the stretch of the segment a–b in a tetrahedron; none where it passes by, or where the tetrahedron
+/// is flat.
 std::optional<Stretch> stretch_in(const TetComplex& complex, TetId tet, std::span<const Vec3> positions,
                                   const Vec3& a, const Vec3& b) {
   const auto& c = complex.corners(tet);
@@ -50,7 +51,7 @@ std::optional<Stretch> stretch_in(const TetComplex& complex, TetId tet, std::spa
   return out;
 }
 
-/// In order along the way, without those that lie within others.
+/// Finds the stretches of the segment in order along the way, without those that lie within others.
 void find_stretches(const TetComplex& complex, const TetTree& tree, std::span<const Vec3> positions,
                     const Vec3& a, const Vec3& b, std::vector<TetId>& near, std::vector<Stretch>& out) {
   near.clear();
@@ -80,7 +81,7 @@ bool are_neighbors(const TetComplex& complex, TetId a, TetId b) {
   return false;
 }
 
-/// The blade's edge at `at` of its points.
+/// Returns the point of the blade's edge at `at` of its points.
 Vec3 point_at(std::span<const Vec3> edge, double at) {
   const std::size_t k = std::min(static_cast<std::size_t>(at), edge.size() - 2);
   return edge[k] + (at - static_cast<double>(k)) * (edge[k + 1] - edge[k]);

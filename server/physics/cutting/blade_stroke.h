@@ -28,9 +28,9 @@ struct BladeStroke {
     Vec3 point = Vec3::Zero();   // m
     Vec3 normal = Vec3::Zero();  // unit
   };
-  /// From end to end. The edge's own points, and in tissue also those where the line goes through faces: so
-  /// it is straight in each tetrahedron, and stays the same line in the tissue however that is bent. Two at
-  /// one place where tetrahedra that the line goes on in have no face in common.
+  /// The line from end to end: the edge's own points, and in tissue also those where the line goes through
+  /// faces. So it is straight in each tetrahedron, and stays the same line in the tissue however that is
+  /// bent. It has two points at one place where tetrahedra that it goes on in have no face in common.
   std::vector<EdgePoint> edge;
   std::vector<Mark> marks;    // ascending by node
   bool ended_inside = false;  // an end of the edge was in tissue since the line came into it
@@ -41,12 +41,13 @@ struct BladeStroke {
   }
 };
 
-/// `edge`: the blade's, a polyline of at least two points in the room, metres. Throws InputError.
+/// Begins a stroke. `edge`: the blade's, a polyline of at least two points in the room, metres. Throws
+/// InputError.
 BladeStroke begin_stroke(std::span<const Vec3> edge);
 
-/// Where the stroke's line would be now had it moved along with the tissue it was in. Points beside tissue
-/// start that much farther behind where the blade's edge is now (`edge`) as the nearest tissue of the line
-/// moved since: what may have come over them they go through again, from outside.
+/// Returns where the stroke's line would be now had it moved along with the tissue it was in. Points beside
+/// tissue start farther behind where the blade's edge is now (`edge`), by what the nearest tissue of the line
+/// moved since. What may have come over them they go through again, from outside.
 std::vector<Vec3> carried_edge(const BladeStroke& stroke, std::span<const Vec3> edge,
                                const TetComplex& complex, std::span<const Vec3> positions);
 

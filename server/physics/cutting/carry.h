@@ -7,8 +7,9 @@
 
 namespace prosector {
 
-/// By node id; grows. A new node on an edge has what is there, copies have what their node has: with masses
-/// lumped from the tetrahedra, linear momentum and the centre of mass stay.
+/// Carries values by node id through a change; `values` grows. A new node on an edge has what is there,
+/// copies have what their node has. With masses lumped from the tetrahedra, linear momentum and the centre of
+/// mass stay.
 void carry(const TopologyOp& op, std::vector<Vec3>& values);
 
 }  // namespace prosector

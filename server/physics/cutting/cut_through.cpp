@@ -20,7 +20,7 @@ class Parts {
     for (const TetId t : tet_ids(complex))
       if (of_[t] == none) fill(t);
   }
-  /// What is too small to be one goes with a part beside it.
+  /// Joins what is too small to be a part to a part beside it.
   void join_crumbs() {
     std::vector<TetId> left;
     for (const TetId t : tet_ids(complex_))
@@ -36,7 +36,8 @@ class Parts {
           }
     }
   }
-  /// Where nothing beside a crumb is a part, it stays as it is.
+  /// Tells whether two tetrahedra belong to different parts. Where nothing beside a crumb is a part, it stays
+  /// as it is.
   bool differ(TetId a, TetId b) const { return of_[a] != of_[b] && is_part_[of_[a]] && is_part_[of_[b]]; }
 
  private:

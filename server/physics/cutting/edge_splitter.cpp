@@ -86,8 +86,8 @@ class EdgeSplitter {
     return false;
   }
 
-  /// `point`, `normal`: of the sheet, as the body is now; kept as they are at rest, which is exact for what
-  /// is linear within the tetrahedron. In a sheet the mark's normal lies in it.
+  /// Marks a node. `point`, `normal`: those of the sheet, as the body is now. They are kept as they are at
+  /// rest, which is exact for what is linear within the tetrahedron. In a sheet the mark's normal lies in it.
   void mark(NodeId node, TetId tet, const Vec3& point, const Vec3& normal) {
     Vec3 covector = gradient(tet).transpose() * normal;
     if (complex_.is_sheet()) covector = in_sheet(covector, complex_.star(node));
@@ -101,7 +101,7 @@ class EdgeSplitter {
     marks_.add(m);
   }
 
-  /// Of the map from the rest shape to now; a triangle's normal goes to its normal.
+  /// Returns the gradient of the map from the rest shape to now; a triangle's normal goes to its normal.
   Mat3 gradient(TetId tet) const {
     const auto& c = complex_.corners(tet);
     Mat3 rest, now;
@@ -117,8 +117,8 @@ class EdgeSplitter {
     return now * rest.inverse();
   }
 
-  /// What of a normal, at rest, lies in these triangles. A blade that leans or twists would else have what
-  /// bends away from them on the wrong side.
+  /// Returns what of a normal, at rest, lies in these triangles. A blade that leans or twists would else have
+  /// what bends away from them on the wrong side.
   Vec3 in_sheet(const Vec3& normal, std::span<const TetId> triangles) const {
     Vec3 area = Vec3::Zero();
     for (const TetId t : triangles) {

@@ -21,7 +21,7 @@ constexpr double drawn_in = 0.75;      // of an offset, in each round, where a t
 constexpr int rounds = 16;             // after which what is still bad stays at the boundary
 constexpr std::size_t rays_per_chunk = 256;
 
-/// Where the line x + s·direction goes through the triangle, |s| ≤ 1 (Möller and Trumbore 1997).
+/// Returns where the line x + s·direction goes through the triangle, |s| ≤ 1 (Möller and Trumbore 1997).
 std::optional<double> hit(const Vec3& x, const Vec3& direction, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a, p = direction.cross(ac);
   const double det = ab.dot(p);
@@ -32,7 +32,7 @@ std::optional<double> hit(const Vec3& x, const Vec3& direction, const Vec3& a, c
   return s;
 }
 
-/// Twice the area over the longest edge squared.
+/// Returns twice the area over the longest edge squared.
 double shape(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
   return (b - a).cross(c - a).norm() / longest;
@@ -126,7 +126,8 @@ class OuterShape::Fit {
     find_rays();
   }
 
-  /// From nodes along the mean of their faces' normals by area, from middles along that of their two.
+  /// Finds the rays: from nodes along the mean of their faces' normals by area, from middles along that of
+  /// their two.
   void find_rays() {
     const std::size_t nodes = complex_.node_end();
     place_.resize(nodes + edge_.size());
@@ -158,7 +159,7 @@ class OuterShape::Fit {
       if (ends[i] > 0) reach_[i] /= ends[i];
   }
 
-  /// To the nearest of what the ray meets; none: zero.
+  /// Returns the offset to the nearest of what the ray meets; none: zero.
   Vec3 offset_at(const Vec3& x, const Vec3& normal, double reach) const {
     const Vec3 direction = reach * normal;
     Aabb box;
@@ -220,8 +221,8 @@ class OuterShape::Fit {
   SurfaceTree tree_;
   std::vector<Face> face_;
   std::vector<Side> edge_;  // one of its sides; ascending
-  // Of nodes, then of edges' middles: at rest, m; direction; how far the ray goes, 0: inside; what came of
-  // it.
+  // Rays of nodes, then of edges' middles: at rest, m; direction; how far the ray goes, 0: inside; what came
+  // of it.
   std::vector<Vec3> place_, normal_;
   std::vector<double> reach_;
   std::vector<Vec3> to_surface_;

@@ -40,7 +40,7 @@ class Surroundings {
   static constexpr std::uint8_t from_above = 1, from_below = 2;
   static constexpr Vertex marked = nobody - 1;
 
-  /// More than once; with the node itself.
+  /// Visits the unmarked nodes beside a node, some more than once, and the node itself.
   template <class Visit>
   void for_unmarked_beside(NodeId node, Visit&& visit) const {
     for (const TetId t : complex_.star(node))
@@ -87,7 +87,7 @@ class Surroundings {
     begin_.push_back(beside_.size());
   }
 
-  /// One vertex for all that can be come to from `first` without units.
+  /// Makes one vertex of all that can be come to from `first` without units.
   void fill(NodeId first) {
     const auto vertex = static_cast<Vertex>(size());
     others_.emplace_back();
@@ -118,8 +118,8 @@ class Surroundings {
   std::vector<NodeId> open_;                 // scratch
 };
 
-/// Paths from above to below that have no unit in common. Each unit is a place to come in and one to go out,
-/// which the paths of a phase, all as long as its shortest, use once; any number go through another vertex.
+/// Paths from above to below that have no unit in common. Each unit is a place to come in and one to go out.
+/// The paths of a phase, all as long as its shortest, use each once; any number go through another vertex.
 /// `sides_hold`: units that are seen above and below are not what is missing, so paths may share them.
 class Paths {
  public:
@@ -136,7 +136,7 @@ class Paths {
     }
   }
 
-  /// How many there are; not more than `most`.
+  /// Finds paths and returns how many there are; not more than `most`.
   std::size_t find(std::size_t most) {
     std::size_t found = 0;
     while (found < most && measure_depths()) {
@@ -146,7 +146,7 @@ class Paths {
     }
     return found;
   }
-  /// After find() found fewer than it might: what keeps it from more.
+  /// Returns what keeps find() from more paths, after it found fewer than it might.
   std::vector<NodeId> bottleneck() const {
     std::vector<NodeId> nodes;
     for (Vertex v = 0; v < around_.size() && around_.is_unit(v); ++v)
@@ -163,19 +163,21 @@ class Paths {
   Place source(Vertex v) const { return sides_hold_ ? out(v) : in(v); }
   bool is_shared(Vertex v) const { return !around_.is_unit(v) || (sides_hold_ && around_.is_above(v)); }
 
-  /// The only way on from where a unit is come in; `unseen` where its own path begins there.
+  /// Returns the only way on from where a unit is come in; `unseen` where its own path begins there.
   Place way_on(Vertex v) const {
     if (!used_[v]) return out(v);
     return before_[v] != nobody ? out(before_[v]) : unseen;
   }
-  /// From `v`, gone out of, to a neighbour: where it is come in, and back along a path that leads from it.
+  /// Returns the ways from `v`, gone out of, to a neighbour: where it is come in, and back along a path that
+  /// leads from it.
   std::array<Place, 2> ways_to(Vertex next, Vertex v) const {
     if (!around_.is_unit(next)) return {out(next), unseen};
     const bool back = !around_.is_unit(v) && used_[next] && after_[next] == v;
     return {is_shared(next) ? unseen : in(next), back ? out(next) : unseen};
   }
 
-  /// Of all places as far from above as the nearest that leads below, and nearer; whether one does.
+  /// Measures the depths of all places as far from above as the nearest that leads below, and nearer. Tells
+  /// whether one does.
   bool measure_depths() {
     depth_.assign(2 * around_.size(), unseen);
     open_.clear();
@@ -205,8 +207,8 @@ class Paths {
     return deepest_ != unseen;
   }
 
-  /// Along places each deeper than the last, without those that a path of this phase took or that led
-  /// nowhere.
+  /// Adds a path along places each deeper than the last, without those that a path of this phase took or that
+  /// led nowhere.
   bool add_one_from(Place source) {
     if (depth_[source] != 0) return false;
     way_.assign(1, source);

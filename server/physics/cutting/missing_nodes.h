@@ -8,13 +8,13 @@
 
 namespace prosector {
 
-/// So many nodes may hold together what the blade went right through. More, and it didn't.
+/// Returns how many nodes may hold together what the blade went right through. Where more do, it didn't.
 std::size_t most_missing(const TetComplex& complex, const Marks& marks);
 
-/// The fewest nodes that, with the marked ones, part the tissue above the marks from that below, all of them
-/// beside marks; none where that takes more than `most`. Those that no mark sees on a side are preferred.
-/// Vertex cut of a unit network, by all augmenting paths of one length at a time (Dinic 1970; Even and Tarjan
-/// 1975).
+/// Returns the fewest nodes that, with the marked ones, part the tissue above the marks from that below, all
+/// of them beside marks. Returns none where that takes more than `most`. Nodes that no mark sees on a side
+/// are preferred. They are a vertex cut of a unit network, found by all augmenting paths of one length at a
+/// time (Dinic 1970; Even and Tarjan 1975).
 std::vector<NodeId> missing_nodes(const TetComplex& complex, const Marks& marks, std::size_t most);
 
 }  // namespace prosector

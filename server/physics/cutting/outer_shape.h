@@ -1,5 +1,5 @@
 #pragma once
-// Where the outside of a body that can be cut is drawn and touched: as far from the boundary of its
+// Where the outside of a body that can be cut is drawn and touched. It is as far from the boundary of its
 // tetrahedra as the finer surface is that it has while it is whole.
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace prosector {
 
-/// Of the compiled mesh: offsets of its boundary's nodes and of its boundary edges' middles, quadratic in
-/// between, so continuous from face to face. Whatever cuts make of the boundary has a place on it.
+/// Offsets of the compiled mesh's boundary: of its nodes and of its edges' middles, quadratic in between, so
+/// continuous from face to face. Whatever cuts make of the boundary has a place on it.
 class OuterShape {
  public:
   /// A node of the boundary, or a point between two or three of one of its faces.
@@ -23,16 +23,16 @@ class OuterShape {
   };
 
   OuterShape() = default;  // the boundary itself
-  /// From each node and each edge's middle along the boundary's normal to the surface, three quarters of an
-  /// edge's length at most, and less where triangles beyond fit_outer_shape.cpp's bounds would come of it.
-  /// `surface`: at rest, m.
+  /// Measures from each node and each edge's middle along the boundary's normal to the surface, three
+  /// quarters of an edge's length at most. It goes less far where triangles beyond fit_outer_shape.cpp's
+  /// bounds would come of it. `surface`: at rest, m.
   OuterShape(const TetComplex& uncut, const TriangleMesh& surface);
 
   bool is_boundary() const { return offset_.empty(); }
   Place place(NodeId node) const;  // of the compiled mesh
   Place between(const Place& a, const Place& b, double t) const;
   Vec3 offset(const Place& place) const;  // m, from the boundary at rest
-  /// Whether that edge's middle is drawn: the surface is not straight between the ends.
+  /// Tells whether that edge's middle is drawn: the surface is not straight between the ends.
   bool has_middle(const Place& a, const Place& b) const;
 
  private:

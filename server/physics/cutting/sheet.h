@@ -37,9 +37,9 @@ class Sheet {
         Twist twist = Twist::flattened);
 
   std::span<const Piece> pieces() const { return pieces_; }
-  /// Where the segment a–b goes through first; grazing along the sheet is none.
+  /// Returns where the segment a–b goes through first; grazing along the sheet is none.
   std::optional<Crossing> crossing(const Vec3& a, const Vec3& b) const;
-  /// The sheet's point nearest to x, where it is nearer than `reach`.
+  /// Returns the sheet's point nearest to x, where it is nearer than `reach`.
   std::optional<Foot> foot(const Vec3& x, double reach) const;
 
  private:

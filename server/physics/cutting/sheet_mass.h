@@ -14,9 +14,9 @@ struct EdgeEnd {
   bool held = false;
 };
 
-/// The edge's two masses shared with a node at a + t·(b − a). Both ends free, or both held (the node is held
-/// then too): m = mₐ + t(m_b − mₐ), and all three times (mₐ + m_b)/(mₐ + m_b + m). One held: the other's,
-/// half and half. Their sum stays.
+/// Returns the edge's two masses shared with a node at a + t·(b − a). Both ends free, or both held (the node
+/// is held then too): m = mₐ + t(m_b − mₐ), and all three times (mₐ + m_b)/(mₐ + m_b + m). One held: the
+/// other's, half and half. Their sum stays.
 EdgeMasses share_mass(const EdgeEnd& a, const EdgeEnd& b, double t);
 
 }  // namespace prosector

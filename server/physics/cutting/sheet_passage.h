@@ -12,8 +12,8 @@ struct SheetPassage {
   bool end_came_through = false;       // an end of it did in between: no way across the sheet's border
 };
 
-/// Of a line that goes from `from` to `to`, as many points each, through what is near it of a sheet
-/// (`triangles`). `x`: m, by node id.
+/// Returns the passage of a line that goes from `from` to `to`, as many points each, through what is near it
+/// of a sheet (`triangles`). `x`: m, by node id.
 SheetPassage sheet_passage(const TetComplex& sheet, std::span<const TetId> triangles, std::span<const Vec3> x,
                            std::span<const Vec3> from, std::span<const Vec3> to);
 

@@ -10,8 +10,8 @@ constexpr std::uint32_t none = UINT32_MAX;
 
 constexpr double most_shift = 2;  // of a weight, by the offset that the shape asks for
 
-/// Of the tetrahedra met on the way round a–b from boundary face k of `tet` to the next the largest; of
-/// equals the first. The same from there.
+/// Returns the largest of the tetrahedra met on the way round a–b from boundary face k of `tet` to the next;
+/// of equals that with the lowest id.
 TetId largest_around(const TetComplex& complex, TetId tet, std::size_t k, const std::array<NodeId, 2>& edge) {
   TetId largest = tet;
   for (;;) {
@@ -35,7 +35,7 @@ TetId largest_at(const TetComplex& complex, NodeId node) {
   return largest;
 }
 
-/// By how much weights of a tetrahedron's corners change along the offset.
+/// Returns by how much weights of a tetrahedron's corners change along the offset.
 std::array<double, 4> shift_of(const TetComplex& complex, TetId tet, const Vec3& offset) {
   const auto c = complex.corners(tet);
   Mat3 edges;
@@ -52,7 +52,7 @@ void add_boundary(const TetComplex& complex, TetId tet, std::vector<std::array<s
     if (complex.neighbor(tet, k) == TetComplex::none) faces.push_back({tet, k});
 }
 
-/// The tetrahedra at these nodes, each once; ascending.
+/// Returns the tetrahedra at these nodes, each once; ascending.
 std::vector<TetId> stars(const TetComplex& complex, std::span<const NodeId> nodes) {
   std::vector<std::uint8_t> seen(complex.node_end(), 0), met(complex.tet_end(), 0);
   std::vector<TetId> out;
@@ -128,9 +128,9 @@ Skin::Change Skin::follow(const TetComplex& complex, std::span<const TetId> touc
   return change;
 }
 
-/// Boundary faces that may have become others: of what was touched, of what has an edge in common with it,
-/// since an edge's faces share their middles, and of what has a node in common that hangs on a tetrahedron.
-/// Ascending.
+/// Returns the boundary faces that may have become others, ascending. These are faces of what was touched,
+/// and faces that have an edge in common with it, since an edge's faces share their middles. Faces with one
+/// node in common are among them where that node has a place on the outer shape: it hangs on a tetrahedron.
 std::vector<Skin::Face> Skin::faces_near(const TetComplex& complex, std::span<const TetId> touched) {
   std::vector<NodeId> corners;
   std::vector<std::uint8_t> is_corner(complex.node_end(), 0);
@@ -167,7 +167,7 @@ void Skin::find_double_edges(const TetComplex& complex, std::span<const Face> fa
   for (const auto& [t, k] : faces)
     if (complex.is_wall(t, k))
       for (const std::size_t i : TetComplex::face[k]) at_wall[complex.corners(t)[i]] = 1;
-  // Of the two faces at an edge one runs along it upwards; where two do, it has four.
+  // One of the two faces at an edge runs along it upwards; where two do, the edge has four.
   std::vector<std::uint64_t> upwards;
   for (const auto& [t, k] : faces)
     for (std::size_t i = 0; i < 3; ++i) {
@@ -197,7 +197,7 @@ const OuterShape::Place& Skin::place(const TetComplex& complex, NodeId node) {
   return place_[node];
 }
 
-/// Of a node, or an edge's middle.
+/// Returns the offset of a node, or an edge's middle.
 Vec3 Skin::offset(const TetComplex& complex, const Edge& edge) {
   if (!shape_) return Vec3::Zero();
   const OuterShape::Place &a = place(complex, edge[0]), &b = place(complex, edge[1]);
@@ -219,7 +219,7 @@ std::uint32_t Skin::corner(const TetComplex& complex, NodeId node) {
              vertex(complex, {node, node}, is_off ? largest_at(complex, node) : TetComplex::none);
 }
 
-/// An edge's pairs of faces each have one of their own.
+/// Returns the vertex of an edge's middle. An edge's pairs of faces each have one of their own.
 std::uint32_t Skin::middle(const TetComplex& complex, TetId tet, std::size_t k, const Edge& edge) {
   return vertex(complex, edge, largest_around(complex, tet, k, edge));
 }
@@ -281,8 +281,8 @@ void Skin::put_face(const TetComplex& complex, TetId tet, std::size_t k, Change&
     for (std::size_t i = 0; i < 3; ++i) add(m[(i + 2) % 3], c[i], m[i]);
     return add(m[0], m[1], m[2]);
   }
-  // From edge i's middle, whose two neighbours are the next edge's and the one's before: one of these at
-  // most.
+  // Triangles from edge i's middle, whose two neighbours are the next edge's and the one's before: one of
+  // these at most.
   const std::size_t i = last, next = (i + 1) % 3, before = (i + 2) % 3;
   if (m[next] != none) {
     add(m[i], c[next], m[next]);

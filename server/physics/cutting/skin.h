@@ -1,7 +1,7 @@
 #pragma once
-// The surface of a body that can be cut: the tetrahedra's own boundary, walls of cuts included, its outside
-// drawn at its shape (outer_shape.h); as slots that are never used again. Closed: each edge has two
-// triangles, which agree; so walls meet the outside without a seam.
+// The surface of a body that can be cut: the tetrahedra's own boundary, walls of cuts included. Its outside
+// is drawn at its shape (outer_shape.h). It is kept as slots that are never used again. Closed: each edge has
+// two triangles, which agree; so walls meet the outside without a seam.
 
 #include <array>
 #include <cstdint>
@@ -16,8 +16,8 @@ namespace prosector {
 
 class Skin {
  public:
-  /// At a node, or half way between two: of an edge that has a middle, and where a cut has opened one but
-  /// neither of its ends yet, so that the two pairs of triangles that meet there are not confused.
+  /// A vertex at a node, or half way between two: of an edge that has a middle, or where a cut has opened an
+  /// edge but neither of its ends yet. There the two pairs of triangles that meet must not be confused.
   struct Vertex {
     std::array<NodeId, 4> node{};    // that it hangs on; those of weight 0 don't count
     std::array<double, 4> weight{};  // sum: 1
@@ -37,24 +37,26 @@ class Skin {
     std::vector<Triangle> triangles;   // what they are now
   };
 
-  /// Of a sheet, which is its own surface, nothing. `shape`: of the outside; none: the boundary itself.
+  /// Builds the skin; of a sheet, which is its own surface, nothing. `shape`: that of the outside; none: the
+  /// boundary itself.
   explicit Skin(const TetComplex& complex, std::shared_ptr<const OuterShape> shape = nullptr);
   /// Follows the complex: after a cut, and after one was taken back, when live triangles are what they were,
   /// in the same slots.
   Change update(const TetComplex& complex);
-  /// The same, looking only where the cut, or the cuts taken back, touched it (touched.h).
+  /// Updates the skin as update() does, looking only where the cut, or the cuts taken back, touched it
+  /// (touched.h).
   Change follow(const TetComplex& complex, std::span<const TetId> touched);
 
   std::span<const Vertex> vertices() const { return vertices_; }      // by slot
   std::span<const Triangle> triangles() const { return triangles_; }  // by slot
-  /// Of a triangle's slot: the tetrahedron whose face it is a part of.
+  /// Returns, of a triangle's slot, the tetrahedron whose face the triangle is a part of.
   TetId tet(std::uint32_t slot) const { return static_cast<TetId>(key_[slot] / 16); }
 
  private:
   using Edge = std::array<NodeId, 2>;         // ascending
   using Face = std::array<std::uint32_t, 2>;  // tetrahedron, and which of its faces
-  /// What a vertex is, as the mesh is: ends of its edge, or a node twice; and the tetrahedron that it hangs
-  /// on, by its corners, which a cut may change.
+  /// What a vertex is, as the mesh is: ends of its edge, or a node twice. With them goes the tetrahedron that
+  /// it hangs on, by its corners, which a cut may change.
   struct Name {
     Edge edge{};
     std::array<NodeId, 4> carrier{};

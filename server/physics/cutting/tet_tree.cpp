@@ -56,7 +56,7 @@ std::uint32_t TetTree::split(std::span<const TetId> tets, std::size_t begin, std
   return index;
 }
 
-/// What was split since is in its parent's leaf.
+/// Takes in new tetrahedra: what was split since is in its parent's leaf.
 void TetTree::take_in(const TetComplex& complex) {
   for (auto t = static_cast<TetId>(leaf_of_.size()); t < complex.tet_end(); ++t) {
     const TetId parent = complex.lineage(t).parent;
@@ -76,7 +76,7 @@ void TetTree::update(const TetComplex& complex, std::span<const Vec3> positions,
   boxes(complex, positions);
 }
 
-/// A tetrahedron is beside the box where its corners all are, on one side.
+/// Finds the tetrahedra near the box. One is beside the box where its corners all are, on one side.
 void TetTree::find_near(const TetComplex& complex, std::span<const Vec3> positions, const Vec3& low,
                         const Vec3& high) {
   beside_.resize(complex.node_end());

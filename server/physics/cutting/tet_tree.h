@@ -16,10 +16,10 @@ class TetTree {
   explicit TetTree(const TetComplex& complex) { build(complex); }
   /// Takes in what was split since, and where what may touch the box is. `positions`: m, by node id.
   void update(const TetComplex& complex, std::span<const Vec3> positions, const Vec3& low, const Vec3& high);
-  // ---- Of what lies in the last update's box
+  // ---- What lies in the last update's box
   /// Appends the tetrahedra of the last update whose boxes meet the piece's box and plane.
   void query(const Sheet::Piece& piece, std::vector<TetId>& found) const;
-  /// Likewise those whose boxes meet that one.
+  /// Appends the tetrahedra of the last update whose boxes meet that box.
   void query(const Vec3& low, const Vec3& high, std::vector<TetId>& found) const;
 
  private:

@@ -9,12 +9,12 @@
 
 namespace prosector {
 
-/// Of one body; never reused, not after an undo either. Nodes and tetrahedra of the compiled mesh have their
-/// indices as ids.
+/// Ids within one body; never reused, not after an undo either. Nodes and tetrahedra of the compiled mesh
+/// have their indices as ids.
 using NodeId = std::uint32_t;
 using TetId = std::uint32_t;
 
-/// The edge a–b gets a node at a + t·(b − a), and each tetrahedron with both becomes two: of the i-th such
+/// The edge a–b gets a node at a + t·(b − a), and each tetrahedron with both becomes two. Of the i-th such
 /// tetrahedron in ascending order, `first + 2i` keeps a and `first + 2i + 1` keeps b.
 struct SplitEdge {
   NodeId a = 0, b = 0;

@@ -7,7 +7,8 @@
 
 namespace prosector {
 
-/// Every tetrahedron that these changes, just made, took away, brought or joined otherwise; ascending.
+/// Returns every tetrahedron that these changes, just made, took away, brought or joined otherwise;
+/// ascending.
 std::vector<TetId> touched_by(const TetComplex& complex, const std::vector<TopologyOp>& ops);
 
 }  // namespace prosector

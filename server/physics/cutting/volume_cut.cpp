@@ -15,7 +15,7 @@
 namespace prosector {
 namespace {
 
-// m: a point of the edge that moved less stands still, until it has moved that far: which way so little goes
+// m: a point of the edge that moved less stands still, until it has moved that far. Which way so little goes
 // is noise, and so would be the normal of what it sweeps.
 constexpr double least_motion = 1e-4;
 constexpr double same_way = 0.5;  // cosine: a line that leaves so went on, one that is drawn back turned
@@ -25,7 +25,7 @@ bool all_marked(const TetComplex& complex, const Marks& marks, TetId tet) {
   return std::all_of(c.begin(), c.end(), [&](NodeId corner) { return marks.find(corner) != nullptr; });
 }
 
-/// How far `x` (at rest) lies above the planes marked at the tetrahedron's corners, up being where
+/// Returns how far `x` (at rest) lies above the planes marked at the tetrahedron's corners, up being where
 /// `reference` points.
 double height(const TetComplex& complex, const Marks& marks, TetId tet, const Vec3& x,
               const Vec3& reference) {
@@ -39,8 +39,9 @@ double height(const TetComplex& complex, const Marks& marks, TetId tet, const Ve
   return sum;
 }
 
-/// Whether a tetrahedron of at least three marked corners lies above: its other corner does. Where all four
-/// are marked either would do; it goes with its neighbours, so that no crumb is left, or with its middle.
+/// Tells whether a tetrahedron of at least three marked corners lies above: its other corner does. Where all
+/// four are marked either would do; it goes with its neighbours, so that no crumb is left, or with its
+/// middle.
 bool is_above(const TetComplex& complex, const Marks& marks, TetId tet, const Vec3& reference) {
   const auto by_corner = [&](TetId t) {
     Vec3 x = Vec3::Zero();
@@ -93,8 +94,8 @@ SlitFaces faces_to_slit(const TetComplex& complex, const Marks& marks) {
   return op;
 }
 
-/// The tetrahedra that hang together with `first` where `slit` is slit too; none where they are more than a
-/// crumb.
+/// Returns the tetrahedra that hang together with `first` where `slit` is slit too; none where they are more
+/// than a crumb.
 std::vector<TetId> crumb_at(const TetComplex& complex, const SlitFaces& slit, TetId first) {
   std::vector<TetId> crumb = {first};
   double volume = 0;
@@ -113,7 +114,8 @@ std::vector<TetId> crumb_at(const TetComplex& complex, const SlitFaces& slit, Te
   return crumb;
 }
 
-/// A blade that follows an older cut would chip off what stands out of its walls: that stays where it is.
+/// Leaves crumbs where they are: a blade that follows an older cut would chip off what stands out of its
+/// walls.
 void leave_crumbs(const TetComplex& complex, SlitFaces& slit) {
   bool any = false;
   std::vector<bool> in_crumb(complex.tet_end(), false);
@@ -129,12 +131,12 @@ void leave_crumbs(const TetComplex& complex, SlitFaces& slit) {
                 [&](const std::array<TetId, 2>& face) { return in_crumb[face[0]] || in_crumb[face[1]]; });
 }
 
-/// Of a node's tetrahedra what hangs together through faces at it.
+/// What of a node's tetrahedra hangs together through faces at it.
 class Fans {
  public:
   explicit Fans(const TetComplex& complex) : complex_(complex), fan_of_(complex.tet_end(), none) {}
 
-  /// How many there are; the one with the lowest id is the first.
+  /// Finds the node's fans and returns how many there are; the one with the lowest id is the first.
   std::uint32_t find(NodeId node) {
     const auto star = complex_.star(node);
     for (const TetId t : star) fan_of_[t] = none;
@@ -157,7 +159,7 @@ class Fans {
     }
     return fans;
   }
-  /// Of a tetrahedron of the node that was asked about last.
+  /// Returns the fan of a tetrahedron of the node that was asked about last.
   std::uint32_t fan_of(TetId tet) const { return fan_of_[tet]; }
 
  private:
@@ -167,8 +169,8 @@ class Fans {
   std::vector<TetId> open_;
 };
 
-/// Of slit faces, and of edges that were split: the tetrahedra around an edge may have fallen apart before
-/// those at its ends.
+/// Splits the nodes of slit faces, and of edges that were split: the tetrahedra around an edge may have
+/// fallen apart before those at its ends.
 void part_nodes(TetComplex& complex, const SlitFaces& slit, std::vector<Vec3>& x, Marks& marks,
                 CutResult& result) {
   std::vector<NodeId> nodes;
@@ -222,7 +224,7 @@ bool is_in_tissue(const BladeStroke& stroke) {
                      [](const BladeStroke::EdgePoint& p) { return p.tet != TetComplex::none; });
 }
 
-/// m: how far the line goes on, on average over what of it is in tissue; of a sheet's over all.
+/// Returns how far the line goes on, m, on average over what of it is in tissue; of a sheet's over all.
 Vec3 way_of(const BladeStroke& stroke, const TetComplex& complex, std::span<const Vec3> from,
             std::span<const Vec3> to) {
   Vec3 sum = Vec3::Zero();
@@ -235,8 +237,8 @@ Vec3 way_of(const BladeStroke& stroke, const TetComplex& complex, std::span<cons
   return count > 0 ? Vec3(sum / count) : sum;
 }
 
-/// The line has left the body. Where it `went_across` all of it, rather than back the way it came, what the
-/// sweeps missed counts as on the blade.
+/// Ends the line, which has left the body. Where it `went_across` all of it, rather than back the way it
+/// came, what the sweeps missed counts as on the blade.
 void end_line(TetComplex& complex, bool went_across, std::vector<Vec3>& x, Marks& marks, CutResult& result) {
   if (went_across)
     for (const NodeId node : missing_nodes(complex, marks, most_missing(complex, marks))) {

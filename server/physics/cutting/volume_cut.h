@@ -2,7 +2,7 @@
 // Cuts tetrahedra, or a sheet's triangles, along the surface that a blade's edge sweeps
 // (docs/decisions/0009).
 //
-// Edges that the sweep crosses are bisected one by one, longest first; where that would make a tetrahedron
+// Edges that the sweep crosses are bisected one by one, longest first. Where that would make a tetrahedron
 // with a dihedral angle below the floor, the nearer end counts as lying on the blade instead. Nodes never
 // move, so the rest shape, its volume and mass stay. Faces whose three nodes lie on the blade, between
 // tetrahedra on different sides of it, become double; nodes whose tetrahedra then fall apart are parted.
@@ -34,9 +34,9 @@ struct CutResult {
   std::size_t slivers = 0;          // of them below the floor, because they were before
 };
 
-/// One tick of the stroke: from where its edge was, carried along by the tissue, to `edge`. `positions`: m,
-/// by node id, at least node_end() of them. Throws InputError, and changes nothing, for another number of
-/// points than the stroke's, numbers that aren't finite, too few positions.
+/// Makes one tick of the stroke: from where its edge was, carried along by the tissue, to `edge`.
+/// `positions`: m, by node id, at least node_end() of them. Throws InputError, and changes nothing, for
+/// another number of points than the stroke's, numbers that aren't finite, too few positions.
 CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> positions, std::span<const Vec3> edge,
               BladeStroke& stroke);
 
