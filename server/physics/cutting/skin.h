@@ -16,8 +16,8 @@ namespace prosector {
 
 class Skin {
  public:
-  /// A vertex at a node, or half way between two: of an edge that has a middle, or where a cut has opened an
-  /// edge but neither of its ends yet. There the two pairs of triangles that meet must not be confused.
+  /// A vertex at a node, or half way between two: of an edge with a middle, or where a cut has opened an edge
+  /// but neither of its ends yet. There the two pairs of triangles that meet must not be confused.
   struct Vertex {
     std::array<NodeId, 4> node{};    // that it hangs on; those of weight 0 don't count
     std::array<double, 4> weight{};  // sum: 1

@@ -8,7 +8,7 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t blocks_per_chunk = 16 * NodeSum::nodes_per_chunk;
-/// Of inertia over stiffness: from here on H in single precision is as definite as in double.
+/// Inertia over stiffness: from here on H in single precision is as definite as in double.
 constexpr double least_inertia = 1e-5;
 
 std::vector<Mat3> rest_stiffness(const SoftSystem& system) {
@@ -81,7 +81,7 @@ bool BodyHessian::assemble_roughly(const Eigen::Ref<const VecX>& x) {
   return true;
 }
 
-/// Hooke's stiffness turned with each element in place of the tangent; damping has it anyway.
+/// Assembles Hooke's stiffness turned with each element in place of the tangent; damping has it anyway.
 void BodyHessian::assemble_warped(const Eigen::Ref<const VecX>& x) {
   fit_scratch(blocks_, system_.pattern.blocks());
   if (system_.damped()) {
@@ -104,14 +104,14 @@ void BodyHessian::take_blocks() {
   if (single_) rows_from_blocks();
 }
 
-/// Completes rows_, likewise.
+/// Completes rows_, as take_blocks() does blocks_.
 void BodyHessian::take_rows() {
   add_diagonal([&](std::size_t i) -> Mat3 { return weights_.scale() * rows_.diagonal[i]; });
   blocks_known_ = false;
   rows_known_ = true;
 }
 
-/// diagonal_ = what elements make of it, and all else that is diagonal.
+/// Sets diagonal_ to what elements make of it, and all else that is diagonal.
 template <class F>
 void BodyHessian::add_diagonal(const F& of_elements) {
   parallel_chunks(nodes(), NodeSum::nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {

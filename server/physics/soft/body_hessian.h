@@ -15,29 +15,30 @@ namespace prosector {
 
 class BodyHessian {
  public:
-  /// Both must outlive this. Allocates all that the scene's solver needs.
+  /// Allocates all that the scene's solver needs. `system` and `elements` must outlive this.
   BodyHessian(const SoftSystem& system, StageElements& elements);
-  /// To the system as it is, as if made anew.
+  /// Fits to the system as it is, as if made anew.
   void fit();
 
-  /// Also begins the stage of the elements. `start`: 3n, m, must outlive the stage.
+  /// Begins the stage, and that of the elements. `start`: 3n, m, must outlive the stage.
   void begin_stage(const VecX& start, const StageWeights& weights);
 
-  /// At x, projected so that it is positive definite.
+  /// Assembles the matrix at x, projected so that it is positive definite.
   void assemble(const Eigen::Ref<const VecX>& x);
-  /// The same, or keeps or takes a matrix at hand that is good to descend with: true then.
+  /// Assembles the matrix at x, or keeps or takes one at hand that is good to descend with; returns true
+  /// then.
   bool assemble_roughly(const Eigen::Ref<const VecX>& x);
 
   void multiply(const double* p, double* Hp) const;             // 3n each
   std::span<const Mat3> diagonal() const { return diagonal_; }  // n
-  /// z = H⁻¹·r by sparse Cholesky, factored at the first call after an assembly.
+  /// Computes z = H⁻¹·r by sparse Cholesky, factored at the first call after an assembly.
   void factor_solve(const double* r, double* z);
-  /// z ≈ H⁻¹·r by a V-cycle; `diagonal` and `inverse`: with whatever touches the body, the same until the
-  /// next assembly.
+  /// Computes z ≈ H⁻¹·r by a V-cycle; `diagonal` and `inverse`: with whatever touches the body, the same
+  /// until the next assembly.
   void multigrid_solve(std::span<const Mat3> diagonal, std::span<const Mat3> inverse, const double* r,
                        double* z);
 
-  /// Whether single precision is enough for matrices that are weighed so.
+  /// Tells whether single precision is enough for matrices that are weighed so.
   bool single_will_do(const StageWeights& weights) const;
 
  private:

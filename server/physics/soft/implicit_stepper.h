@@ -12,8 +12,9 @@ namespace prosector {
 
 class ImplicitStepper {
  public:
-  /// Both must outlive this. `substepped`: whether the body has a substepper: implicit Euler, then, finds its
-  /// equilibrium and steps it where its own method fails. Throws InputError for an unknown integrator.
+  /// Makes the stepper; both must outlive this. `substepped`: whether the body has a substepper: implicit
+  /// Euler, then, finds its equilibrium and steps it where its own method fails. Throws InputError for an
+  /// unknown integrator.
   ImplicitStepper(const SoftMatter& matter, IncrementalPotential& potential, bool substepped);
 
   /// Returns the integrator with which the body is minimised.

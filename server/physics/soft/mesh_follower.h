@@ -30,7 +30,7 @@ struct FollowingParts {
 /// Edits are those of the tetrahedra's vertices: surfaces hang on these, and nodes on edges follow them.
 class MeshFollower {
  public:
-  /// The parts must outlive this.
+  /// Takes the parts, which must outlive this.
   explicit MeshFollower(const FollowingParts& parts) : parts_(parts) {}
 
   /// Returns the nodes on edges of a body of quadratic elements, else null.

@@ -13,7 +13,7 @@ class SoftBody;
 /// leads out of every shape: no minimum but the rest shape was ever seen.
 class RecoveryLaw {
  public:
-  /// `matter` must outlive this.
+  /// Takes the body's matter, which must outlive this.
   explicit RecoveryLaw(const SoftMatter& matter);
   ~RecoveryLaw();
 

@@ -20,14 +20,15 @@ struct ModelRow {
   bool tets, fabric;    // meshes that it makes sense on; fabric: sheets and ropes
   bool position_based;  // integrates by itself, as implicit Euler would
 };
-/// Every law on tetrahedra, mass_spring and xpbd.
+/// Returns the rows of all models: every law on tetrahedra, mass_spring and xpbd.
 const std::vector<ModelRow>& models();
 
-/// `integrator` in a scene file that goes with the model: all of integrators() and explicit_integrators(), or
-/// for a position-based model the one that it approximates.
+/// Returns the values of `integrator` in a scene file that go with the model. These are all of integrators()
+/// and explicit_integrators(), or for a position-based model the one that it approximates.
 std::vector<std::string> integrators_for(const ModelRow& model);
 
-/// The description's rung for people: model, element, integrator, solver and how much is spent on a step.
+/// Returns the description's rung for people: model, element, integrator, solver and how much is spent on a
+/// step.
 std::string in_words(const SoftDesc& desc);
 
 /// Throws InputError that names what is allowed unless the description's model, mesh and integrator go

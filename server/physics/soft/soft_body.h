@@ -62,8 +62,9 @@ class SoftBody {
   void set_in_force(double stiffness, bool attached);
   /// Tells whether something holds it now.
   bool attached() const;
-  /// Tells whether gravity acts. On what was imaged under its weight (gravity = false) it acts only once the
-  /// body is taken out of its place, or all that tied it there was cut off it: nothing carries it any more.
+  /// Tells whether gravity acts. On what was imaged under its weight (gravity = false) it acts only once
+  /// nothing carries it any more. That is once the body is taken out of its place, or all that tied it there
+  /// was cut off it.
   bool falls() const;
 
   // ---- Its parts; const ones are for queries

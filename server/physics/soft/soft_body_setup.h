@@ -11,7 +11,7 @@
 
 namespace prosector {
 
-/// Each throws InputError that names the body, what is wrong and what is allowed.
+/// Throws InputError that names the body, what is wrong and what is allowed; so do the others here.
 [[noreturn]] void refuse(const SoftDesc& desc, const std::string& what);
 void require(bool ok, const SoftDesc& desc, const std::string& what);
 void check_constants(const SoftDesc& desc);

@@ -35,7 +35,7 @@ void StageElements::begin_stage(const VecX& start, double scale, bool single) {
   present_ = assembled_ = nullptr;
 }
 
-/// x, unless it is nowhere to know anything of: the start then.
+/// Returns x, unless it is nowhere to know anything of: the start then.
 Eigen::Ref<const VecX> StageElements::somewhere(const Eigen::Ref<const VecX>& x) const {
   const bool good = x.allFinite() && x.lpNorm<Eigen::Infinity>() < max_coordinate;
   return good ? x : Eigen::Ref<const VecX>(*start_);

@@ -17,33 +17,33 @@ namespace prosector {
 
 class StageElements {
  public:
-  /// What `system` refers to must outlive this. `in_double`: whether blocks will be asked for from the start;
-  /// else they are made when they are.
+  /// Takes the system; what it refers to must outlive this. `in_double`: whether blocks will be asked for
+  /// from the start; else they are made when they are.
   StageElements(const SoftSystem& system, bool in_double);
-  /// To the system as it is; nothing is known.
+  /// Fits to the system as it is; nothing is known.
   void fit();
 
   /// Positions x are 3n, m. `start`: the step's, which must outlive the stage. `single`: whether single
   /// precision will do.
   void begin_stage(const VecX& start, double scale, bool single);
-  /// Whether elements are kept as turned ones in this stage.
+  /// Tells whether elements are kept as turned ones in this stage.
   bool turned() const { return turned_ && single_; }
 
   // ---- Turned elements
-  /// Everything that is known of them, at x, in one pass.
+  /// Finds everything that is known of the elements, at x, in one pass.
   void linearise(const Eigen::Ref<const VecX>& x);
-  /// K at x into `rows`.
+  /// Assembles K at x into `rows`.
   void assemble(const Eigen::Ref<const VecX>& x, SymmetricRows& rows);
-  /// Whether x is where this stage's last assemble() still describes the body.
+  /// Tells whether x is where this stage's last assemble() still describes the body.
   bool near_assembled(const Eigen::Ref<const VecX>& x) const;
   bool near_start(const Eigen::Ref<const VecX>& x) const;
 
   // ---- Damping: K as it is at the stage's first place, which is x unless there was one.
-  /// ½uᵀKu.
+  /// Returns ½uᵀKu.
   double damping_energy(const Eigen::Ref<const VecX>& x, const VecX& u);
-  /// The same, and f = K·u.
+  /// Returns ½uᵀKu and computes f = K·u.
   double damping_forces(const Eigen::Ref<const VecX>& x, const VecX& u, VecX& f);
-  /// K's blocks; not of turned elements.
+  /// Returns K's blocks; not of turned elements.
   std::span<const Mat3> damping_blocks(const Eigen::Ref<const VecX>& x);
 
  private:

@@ -10,7 +10,7 @@ namespace prosector {
 
 class StiffnessDamping {
  public:
-  /// Both must outlive this.
+  /// Takes the system and its elements; both must outlive this.
   StiffnessDamping(const SoftSystem& system, StageElements& elements);
   /// Makes room for so many nodes; nothing is known.
   void fit(std::size_t nodes);

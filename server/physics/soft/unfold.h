@@ -9,7 +9,8 @@ namespace prosector {
 /// Share of the rest volume: what has less is as good as inside out.
 inline constexpr double flat = 1e-2;
 /// Returns the share of the mesh's rest volume in tetrahedra that at node positions x (3n, m) have no more
-/// than `least` of their own: they are inside out, or flat. 0 for sheets and ropes, which have no tetrahedra.
+/// than `least` of their own volume. These are inside out, or flat. 0 for sheets and ropes, which have no
+/// tetrahedra.
 double inverted_share(const TetMesh& mesh, const VecX& x, double least = flat);
 
 /// Returns the mesh's volume at x over that at rest, below 0 where it is inside out; 1 for sheets and ropes.
@@ -20,7 +21,7 @@ double volume_share(const TetMesh& mesh, const VecX& x);
 Mat3 best_rotation(const VecX& rest, const VecX& mass, const VecX& x);
 
 /// Tells whether the body as a whole is turned by more than `angle` (rad) from its rest pose and its law is
-/// for small rotations; never of laws that turn along.
+/// for small rotations. Returns false for laws that turn along.
 bool turned_by(const SoftBody& body, double angle, const VecX& x);
 
 /// Puts the rest shape where the body is: the rigid motion that fits best, at its momentum. `turn`: to the

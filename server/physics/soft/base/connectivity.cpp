@@ -54,7 +54,7 @@ void Connectivity::clear(std::size_t nodes) {
   each_ = 0;
 }
 
-/// From `first` on; of those before, too, where all were alike so far.
+/// Lists the elements of corners from `first` on; of those before, too, where all were alike so far.
 void Connectivity::list_elements_of_corners(std::size_t first) {
   for (std::size_t e = element_.empty() ? 0 : first; e < size(); ++e)
     element_.resize(corner_begin_[e + 1], static_cast<std::uint32_t>(e));

@@ -18,16 +18,17 @@ namespace prosector {
 class Connectivity {
  public:
   explicit Connectivity(std::size_t nodes) : nodes_(nodes) {}
-  /// `element`: ascending nodes, in range.
+  /// Adds an element: ascending nodes, in range.
   void add(std::span<const std::uint32_t> element);
-  /// So many of so many corners each; nodes_of(e): likewise.
+  /// Appends so many elements of so many corners each; nodes_of(e): the nodes of the e-th, ascending, in
+  /// range.
   template <class NodesOf>
   void append(std::size_t elements, std::size_t corners_each, const NodesOf& nodes_of);
   void append(const Connectivity& elements);
-  /// Of none again, on so many nodes.
+  /// Clears the elements: none again, on so many nodes.
   void clear(std::size_t nodes);
-  /// Of linear or quadratic tetrahedra, one each in the mesh's order, each with its corners sorted: as the
-  /// mesh so edited has them.
+  /// Follows an edit of the mesh. The elements are linear or quadratic tetrahedra, one each in the mesh's
+  /// order, each with its corners sorted.
   void follow(const MeshEdit& edit);
 
   std::size_t nodes() const { return nodes_; }
@@ -38,7 +39,7 @@ class Connectivity {
   std::span<const std::uint32_t> element(std::size_t e) const {
     return std::span(corner_).subspan(corner_begin_[e], corner_begin_[e + 1] - corner_begin_[e]);
   }
-  /// Of each element; 0: they differ.
+  /// Returns the number of corners of each element; 0: they differ.
   std::size_t corners_each() const { return each_; }
   std::size_t first_corner(std::size_t e) const { return corner_begin_[e]; }
   std::size_t first_block(std::size_t e) const { return block_begin_[e]; }
@@ -47,7 +48,7 @@ class Connectivity {
     return each_ > 0 ? corner / each_ : element_[corner];
   }
 
-  /// Index of the pair a < b of an element of n nodes: (0,1), (0,2), … (n−2,n−1).
+  /// Returns the index of the pair a < b of an element of n nodes: (0,1), (0,2), … (n−2,n−1).
   static constexpr std::size_t pair_index(std::size_t a, std::size_t b, std::size_t n) {
     return a * (2 * n - 3 - a) / 2 + b - 1;
   }
@@ -76,14 +77,14 @@ void Connectivity::append(std::size_t elements, std::size_t corners_each, const 
 class Incidence {
  public:
   explicit Incidence(const Connectivity& elements);
-  /// To the elements as they are after they followed `edit`: locally where they are the mesh's tetrahedra.
+  /// Follows the elements, which have followed `edit`: locally where they are the mesh's tetrahedra.
   void follow(const Connectivity& elements, const MeshEdit& edit);
 
-  /// Corners of node i, ascending.
+  /// Returns the corners of node i, ascending.
   std::span<const std::uint32_t> corners(std::size_t node) const {
     return std::span(corner_).subspan(begin_[node], begin_[node + 1] - begin_[node]);
   }
-  /// g_i += Σ f over the corners at i; `f` by corner, `g` 3n.
+  /// Adds g_i += Σ f over the corners at i; `f` by corner, `g` 3n.
   void add(std::span<const Vec3> f, double* g) const;
 
  private:

@@ -10,7 +10,8 @@
 
 namespace prosector {
 
-/// The row called `name`; throws InputError that lists the names there are. `field` is the scene file's.
+/// Returns the row called `name`; throws InputError that lists the names there are. `field` is the scene
+/// file's.
 template <class Row>
 const Row& find_row(const std::vector<Row>& rows, const char* field, const std::string& name) {
   std::string allowed;

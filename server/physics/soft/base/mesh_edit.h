@@ -1,6 +1,6 @@
 #pragma once
-// What became of a mesh of tetrahedra most of which stay as they are, in their order: so that what hangs on
-// the mesh can follow instead of being made anew.
+// What became of a mesh of tetrahedra most of which stay as they are, in their order. So what hangs on the
+// mesh can follow instead of being made anew.
 
 #include <algorithm>
 #include <array>
@@ -23,18 +23,18 @@ struct Kept {
   std::vector<Run> runs;  // ascending in both
   std::size_t before = 0, now = 0;
 
-  /// The first `before` of `now`.
+  /// Returns what keeps all: the first `before` of `now` are those that were there.
   static Kept all(std::size_t before, std::size_t now);
-  /// After those added so far.
+  /// Adds one that is moved `from` before `to` now, after those added so far.
   void add(std::uint32_t from, std::uint32_t to);
 
-  /// How many, from the first on, are where they were.
+  /// Returns how many, from the first on, are where they were.
   std::size_t unmoved() const;
   bool all_unmoved() const { return unmoved() == before; }
   std::vector<std::uint32_t> destinations() const;  // by index before: now, or none
   std::vector<std::uint32_t> origins() const;       // by index now: before, or none
 
-  /// To what `values`, `each` an entry, are now; of what is new they are anything.
+  /// Carries `values`, `each` an entry, to what they are now; of what is new they are anything.
   template <class T>
   void carry(std::vector<T>& values, std::size_t each = 1) const;
   void carry(VecX& values) const;
@@ -49,8 +49,8 @@ struct MeshEdit {
   std::vector<Vec3> positions;            // m, at rest: of them
   std::vector<std::uint32_t> tets;        // new ones, and those whose corners are others; ascending
   std::vector<Corners> corners;           // of them
-  /// Of quadratic elements (edge_nodes.h): six of each, on the edges between its corners, these in ascending
-  /// order.
+  /// Middles of quadratic elements (edge_nodes.h): six of each, on the edges between its corners, these in
+  /// ascending order.
   std::vector<std::uint32_t> middles;
   std::vector<std::uint32_t> nodes;  // corners of these, of what these were and of what is gone; ascending
 };

@@ -12,7 +12,7 @@ class NodeSum {
  public:
   explicit NodeSum(std::size_t nodes) : nodes_(nodes), sums_(chunk_count(nodes, nodes_per_chunk)) {}
 
-  /// Σ f(i) over the nodes; allocates nothing.
+  /// Returns Σ f(i) over the nodes; allocates nothing.
   template <class F>
   double operator()(const F& f) {
     parallel_chunks(nodes_, nodes_per_chunk, [&](std::size_t first, std::size_t last, std::size_t chunk) {

@@ -14,7 +14,7 @@ inline VecX to_vector(std::span<const Vec3> points) {
   return x;
 }
 
-/// Of partial sums, in their order.
+/// Sums partial sums in their order.
 inline double ordered_sum(const std::vector<double>& sums) {
   double total = 0;
   for (double sum : sums) total += sum;

@@ -18,8 +18,8 @@ struct FreshRows {
   std::vector<std::size_t> counts;
 };
 
-/// `rows`: those that are `fresh`, ascending, indices as they are now; the others are `kept`, `renumbered`
-/// value for value.
+/// Replaces rows of a table. `rows`: those that are `fresh`, ascending, indices as they are now; the others
+/// are `kept`, `renumbered` value for value.
 template <class T, class Renumbered>
 void replace_rows(const Kept& kept, std::span<const std::uint32_t> rows, const FreshRows<T>& fresh,
                   const Renumbered& renumbered, std::vector<std::size_t>& begin, std::vector<T>& values) {

@@ -71,8 +71,9 @@ class SheetSprings {
     add_springs(x_, std::move(parts), out_);
   }
 
-  /// Two whole cells with a common edge bend along the two lines that cross it at its ends; each line belongs
-  /// half to the cells on either side of it. Where one isn't whole, two triangles bend about the edge.
+  /// Adds the bends. Two whole cells with a common edge bend along the two lines that cross it at its ends;
+  /// each line belongs half to the cells on either side of it. Where one isn't whole, two triangles bend
+  /// about the edge.
   void bend(double D) {
     std::vector<Part<Edge, Side>> sides;
     sides.reserve(4 * quads_.size() + 3 * triangles_.size());
@@ -156,9 +157,9 @@ SpringNetwork make_sheet_springs(const SoftDesc& desc, const Anatomy& sheet) {
   return out;
 }
 
-// What cells that came or went have a part in is at one of their corners: a spring at an end, a line in its
-// middle, what bends about an edge at its ends. Of that nothing stays; it is found anew from all cells around
-// those corners, in their order. Nothing else changes.
+// What cells that came or went have a part in is at one of their corners. It is a spring at an end, a line in
+// its middle, what bends about an edge at its ends. Of that nothing stays; it is found anew from all cells
+// around those corners, in their order. Nothing else changes.
 std::vector<std::uint32_t> follow_sheet(const SoftDesc& desc, const Anatomy& sheet, const Kept& kept,
                                         std::span<const std::uint32_t> touched, SpringNetwork& springs) {
   const std::size_t nodes = sheet.tets.positions.size();

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t elements_per_chunk = 512;
 
-/// With its nodes in ascending order.
+/// Returns the bend with its nodes in ascending order.
 Bend sorted(const Bend& bend) {
   Bend out = bend;
   for (std::size_t i = 1; i < out.count; ++i)
@@ -81,7 +81,7 @@ class SpringModel final : public ElasticModel {
   }
 
  private:
-  /// To the network as it is.
+  /// Fits to the network as it is.
   void fit() {
     connectivity_.clear(static_cast<std::size_t>(network_.volume.size()));
     connectivity_.append(network_.springs.size(), 2,
@@ -130,8 +130,8 @@ class SpringModel final : public ElasticModel {
     f[0] = -f[1];
   }
 
-  /// Off-diagonal blocks: minus the spring's 3×3 matrix k·nnᵀ + max(0, k(1 − l₀/l))(I − nnᵀ). Without the
-  /// second part, which is of the stress, it is Hooke's, turned with the spring.
+  /// Returns the off-diagonal blocks: minus the spring's 3×3 matrix k·nnᵀ + max(0, k(1 − l₀/l))(I − nnᵀ).
+  /// Without the second part, which is of the stress, it is Hooke's, turned with the spring.
   std::span<const Mat3> stiffness(const double* x, bool stress_part) {
     parallel_chunks(connectivity_.size(), elements_per_chunk,
                     [&](std::size_t first, std::size_t last, std::size_t) {
@@ -199,7 +199,7 @@ class SumModel final : public ElasticModel {
   }
 
  private:
-  /// To the parts as they are.
+  /// Fits to the parts as they are.
   void fit() {
     connectivity_.clear(a_->connectivity().nodes());
     for (const ElasticModel* part : {a_.get(), b_.get()}) connectivity_.append(part->connectivity());

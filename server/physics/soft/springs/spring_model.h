@@ -10,7 +10,7 @@ namespace prosector {
 
 std::unique_ptr<ElasticModel> make_spring_model(SpringNetwork network);
 
-/// The sum of two models' energies on the same nodes; rest shape and volumes are the first's.
+/// Returns the sum of two models' energies on the same nodes; rest shape and volumes are the first's.
 std::unique_ptr<ElasticModel> make_sum_model(std::unique_ptr<ElasticModel> a,
                                              std::unique_ptr<ElasticModel> b);
 

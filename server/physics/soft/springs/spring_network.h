@@ -33,11 +33,11 @@ struct Spring {
   std::span<const std::uint32_t> nodes() const { return node; }
 };
 
-/// ½s|Σ wᵢxᵢ|², unchanged by turning, and by even stretching, of what is straight at rest. Either of three
-/// nodes of a line, x₁ between, with w = (l̄/a, −l̄/a − l̄/b, l̄/b) for pieces of a and b, l̄ their mean: (1, −2,
-/// 1) of equal ones; with s = EI/l̄³ the bending energy of a rod (Bergou et al. 2006). Or of two triangles:
-/// x₀, x₁ the ends of the edge between, x₂, x₃ across from it; Σ wᵢxᵢ is the jump of the surface's slope at
-/// the edge.
+/// ½s|Σ wᵢxᵢ|², unchanged by turning, and by even stretching, of what is straight at rest. It is either of
+/// three nodes of a line or of two triangles. Of a line, x₁ lies between, with w = (l̄/a, −l̄/a − l̄/b, l̄/b)
+/// for pieces of a and b, l̄ their mean: (1, −2, 1) of equal ones. With s = EI/l̄³ this is the bending energy
+/// of a rod (Bergou et al. 2006). Of two triangles, x₀, x₁ are the ends of the edge between, x₂, x₃ across
+/// from it; Σ wᵢxᵢ is the jump of the surface's slope at the edge.
 struct Bend {
   std::array<std::uint32_t, 4> node;
   double stiffness;  // N/m
@@ -47,7 +47,7 @@ struct Bend {
   std::span<const std::uint32_t> nodes() const { return std::span(node).first(count); }
 };
 
-/// Of a line whose pieces are a and b (m) long at rest.
+/// Returns the bend of a line whose pieces are a and b (m) long at rest.
 Bend line_bend(const std::array<std::uint32_t, 3>& line, double stiffness, double a, double b);
 
 struct SpringNetwork {
@@ -58,7 +58,8 @@ struct SpringNetwork {
   std::size_t dropped = 0;  // springs of no length
 };
 
-/// Of the anatomy's segments, quads or tetrahedra. Throws InputError for constants out of range.
+/// Makes the springs of the anatomy's segments, quads or tetrahedra. Throws InputError for constants out of
+/// range.
 SpringNetwork make_spring_network(const SoftDesc& desc, const Anatomy& anatomy);
 
 }  // namespace prosector

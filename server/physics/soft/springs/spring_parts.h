@@ -26,8 +26,8 @@ struct Part {
 };
 using StiffnessPart = Part<Edge, double>;  // N/m
 
-/// Stably by place, which begins with one of so many nodes: in time linear in both, where few have one in
-/// common.
+/// Sorts stably by place, which begins with one of so many nodes: in time linear in both, where few have one
+/// in common.
 template <class Nodes, class Value>
 void sort_parts(std::size_t nodes, std::vector<Part<Nodes, Value>>& parts) {
   std::vector<std::uint32_t> next(nodes + 1, 0);
@@ -76,8 +76,8 @@ void replace(std::vector<Element>& elements, std::vector<Element> fresh, const G
   elements = std::move(out);
 }
 
-/// To the nodes' indices `now`; leaves out what has a node that is gone. The rest keeps its order, for the
-/// nodes keep theirs.
+/// Renumbers elements to the nodes' indices `now`; leaves out what has a node that is gone. The rest keeps
+/// its order, for the nodes keep theirs.
 template <class Element>
 void renumber(std::span<const std::uint32_t> now, std::vector<Element>& elements) {
   std::erase_if(elements, [&](const Element& e) {

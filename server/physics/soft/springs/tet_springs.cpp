@@ -26,7 +26,7 @@ class TetSprings {
     }
   }
 
-  /// To the springs between nodes that `wanted` holds for.
+  /// Adds what tetrahedron `t` gives to the springs between nodes that `wanted` holds for.
   template <class Wanted>
   void add(std::size_t t, const Wanted& wanted) {
     const auto& tet = mesh_.tets[t];

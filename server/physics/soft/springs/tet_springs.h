@@ -9,10 +9,10 @@
 
 namespace prosector {
 
-/// In the order of their nodes.
+/// Makes the springs of tetrahedra, in the order of their nodes.
 SpringNetwork make_tet_springs(const SoftDesc& desc, const TetMesh& mesh);
 
-/// λ that the tetrahedra need besides (μ is 0); none: they need none.
+/// Returns the λ that the tetrahedra need besides (μ is 0); none: they need none.
 std::optional<Materials> volume_springs(const SoftDesc& desc, const TetMesh& mesh);
 
 /// Takes springs, of which none was dropped, along: as if made anew of `mesh`, which was edited so, bit for

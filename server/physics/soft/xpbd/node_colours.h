@@ -13,7 +13,7 @@ class NodeColours {
  public:
   explicit NodeColours(std::size_t nodes) : nodes_(nodes), words_(1, std::vector<std::uint64_t>(nodes, 0)) {}
 
-  /// The first colour that none of these nodes has; now they have it.
+  /// Returns the first colour that none of these nodes has; now they have it.
   std::uint32_t take_first_free(std::span<const std::uint32_t> nodes) {
     for (std::size_t w = 0;; ++w) {
       if (w == words_.size()) words_.emplace_back(nodes_, 0);

@@ -67,8 +67,9 @@ class XpbdSubstepper final : public Substepper {
     state.omega = hs > 0 && hs * state.omega < settled ? 0 : relaxed * state.omega;
     return state.motion.x.allFinite();
   }
-  /// One sweep leaves energy in what is stiff for a substep: 4 times less with half as long ones. Where the
-  /// most that are allowed do not do, none are tried until `relaxed` has brought the need down to them again.
+  /// Halves the substeps. One sweep leaves energy in what is stiff for a substep: 4 times less with half as
+  /// long ones. Where the most that are allowed do not do, none are tried until `relaxed` has brought the
+  /// need down to them again.
   bool refine(double h, int taken, SoftBodyState& state) const override {
     const bool more = taken < allowed();
     state.omega = (more ? std::min(2 * taken, allowed()) : 2 * taken) / h;
@@ -103,7 +104,7 @@ class XpbdSubstepper final : public Substepper {
     return tets_.nodes(e.index);
   }
 
-  /// Greedy: each constraint takes the first colour that none of its nodes has.
+  /// Colours the constraints greedily: each takes the first colour that none of its nodes has.
   void colour() {
     std::vector<Element> elements;
     const auto add = [&](Element::Kind kind, std::size_t count) {
@@ -130,8 +131,8 @@ class XpbdSubstepper final : public Substepper {
     for (std::size_t i = 0; i < elements.size(); ++i) order_[next[colours[i]]++] = elements[i];
   }
 
-  /// A node's own spring and its damping, in closed form: with inertia they make one parabola, of weight
-  /// m + k·hs² + βk·hs about a point between, in which constraints move the node from here on.
+  /// Applies a node's own spring and its damping, in closed form. With inertia they make one parabola, of
+  /// weight m + k·hs² + βk·hs about a point between. In it constraints move the node from here on.
   void hold_attachments(double hs) {
     const VecX& rest = body_.model.rest();
     for (Eigen::Index i = 0; i < body_.mass.size(); ++i) {
@@ -143,8 +144,8 @@ class XpbdSubstepper final : public Substepper {
     }
   }
 
-  /// Δλ = (−C − γ∇C·(x − x_n)) / ((1 + γ)·∇C·M⁻¹·∇Cᵀ + α̃), x += M⁻¹∇Cᵀ·Δλ, with α̃ = 1/(k·hs²) and γ = β/hs
-  /// for damping β·k (Macklin et al. 2016, eq. 26): one sweep, from λ = 0.
+  /// Moves a constraint's nodes by one sweep, from λ = 0: Δλ = (−C − γ∇C·(x − x_n)) / ((1 + γ)·∇C·M⁻¹·∇Cᵀ +
+  /// α̃), x += M⁻¹∇Cᵀ·Δλ. Here α̃ = 1/(k·hs²), and γ = β/hs for damping β·k (Macklin et al. 2016, eq. 26).
   void move(std::span<const std::uint32_t> node, const Vec3* gradient, double C, double k, double hs) {
     double mobility = 0, drift = 0;
     for (std::size_t a = 0; a < node.size(); ++a) {
@@ -185,7 +186,8 @@ class XpbdSubstepper final : public Substepper {
     move(b.nodes(), gradient, C, b.stiffness, hs);
   }
 
-  /// Both constraints at once, so that at rest, where neither is 0 but their forces cancel, nothing moves:
+  /// Projects a tetrahedron's constraints, both constraints at once, so that at rest, where neither is 0 but
+  /// their forces cancel, nothing moves:
   ///   ((1 + γ)A + α̃)Δλ = −C − γ∇C·(x − x_n),  A = ∇C·M⁻¹·∇Cᵀ.
   void project_tet(std::size_t e, double hs) {
     const double V = tets_.volume(e), gamma = body_.desc.damping_stiffness / hs;
