@@ -28,8 +28,8 @@ void BatchedModel::follow_elements(const SoftDesc& desc, const TetMesh& mesh, co
   moved_ = energy_known_ = forces_known_ = false;
 }
 
-/// Whether the elements are at x: Newton asks for energy, gradient and Hessian at the same place, and the
-/// next step starts where the last one ended. Otherwise the caller puts them there.
+/// Tells whether the elements are at x. Newton asks for energy, gradient and Hessian at the same place, and
+/// the next step starts where the last one ended. Otherwise the caller puts them there.
 bool BatchedModel::take(const double* x) {
   const auto bytes = static_cast<std::size_t>(moved_to_.size()) * sizeof(double);
   if (moved_ && std::memcmp(x, moved_to_.data(), bytes) == 0) return true;

@@ -26,7 +26,7 @@ class ChunkedElements {
   /// Puts the chunk at x, 3n, m.
   virtual void place(const ElementChunk& chunk, const double* x) = 0;
 
-  // ---- Of the chunk where it was placed
+  // ---- The chunk where it was placed
   /// Returns its energy, J.
   virtual double energy_of(const ElementChunk& chunk) const = 0;
   virtual void find_forces(const ElementChunk& chunk) = 0;
@@ -35,7 +35,7 @@ class ChunkedElements {
   /// Writes the chunk's turned elements, see ElasticModel::linearise().
   virtual void turn(const ElementChunk& chunk, double share, TurnedElements& out) const = 0;
 
-  // ---- Of all elements
+  // ---- All elements
   virtual std::span<const Vec3> forces() const = 0;     // N, by corner
   virtual std::span<const Mat3> stiffness() const = 0;  // N/m, by block
   /// Makes room for the stiffness when first asked for: models that turn seldom are.

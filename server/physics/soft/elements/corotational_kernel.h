@@ -1,11 +1,11 @@
 #pragma once
 // Arithmetic of the corotational law on batches of linear tetrahedra, with the widest vectors that the CPU
-// has. Only +, −, ·, / and √ are used and no element depends on its neighbours, so that every vector width
-// gives the same bits.
+// has. Only +, −, ·, / and √ are used and no element depends on its neighbours: every vector width gives the
+// same bits.
 //
 // With r_a = R·b_a and the twists of fem_corotational.cpp the element's stiffness is
-//   K_ab = V·(2μ (r_a·r_b) I + λ r_a r_bᵀ + ½ [r_a]ₓ C [r_b]ₓᵀ),   C = Σ_k c_k u_k u_kᵀ,  u_k = R v_k,
-// which takes a tenth of the work of contracting a 9×9 tangent.
+//   K_ab = V·(2μ (r_a·r_b) I + λ r_a r_bᵀ + ½ [r_a]ₓ C [r_b]ₓᵀ),   C = Σ_k c_k u_k u_kᵀ,  u_k = R v_k.
+// That takes a tenth of the work of contracting a 9×9 tangent.
 
 #include <span>
 
@@ -15,28 +15,28 @@
 
 namespace prosector {
 
-/// F = edges·gradientsᵀ; `edges` are those from node 0 at present, m.
+/// Computes F = edges·gradientsᵀ; `edges` are those from node 0 at present, m.
 void lane_gradients(const LaneRest& rest, const LaneMatrix& edges, LaneMatrix& F);
-/// strain.R from strain.F as polar() finds it, to rounding.
+/// Finds strain.R from strain.F as polar() does, to rounding.
 void lane_rotations(LaneStrain& strain);
 
-/// V·W, J.
+/// Computes V·W, J.
 void lane_corotational_energy(const LaneRest& rest, const LaneStrain& strain, double* energy);
-/// V·P·b_a, N, of the first forces.size() elements.
+/// Computes V·P·b_a, N, of the first forces.size() elements.
 void lane_corotational_forces(const LaneRest& rest, const LaneStrain& strain,
                               std::span<Tet4Elements::Forces> forces);
-/// θ = R:F − 3 of the first theta.size() elements.
+/// Computes θ = R:F − 3 of the first theta.size() elements.
 void lane_corotational_dilatations(const LaneStrain& strain, std::span<double> theta);
-/// V·R·b_a, m²: V·∂θ/∂x_a of every objective law at F = R, and of the corotational one at any F.
+/// Computes V·R·b_a, m²: V·∂θ/∂x_a of every objective law at F = R, and of the corotational one at any F.
 void lane_turned_gradients(const LaneRest& rest, const LaneMatrix& R, std::span<Tet4Elements::Forces> G);
-/// The projected tangent's blocks of the first K.size() elements, N/m.
+/// Computes the projected tangent's blocks of the first K.size() elements, N/m.
 void lane_corotational_stiffness(const LaneRest& rest, const LaneStrain& strain,
                                  std::span<Tet4Elements::Stiffness> K);
-/// Hooke's stiffness turned by R (warped stiffness, Müller & Gross 2004): the tangent of every objective law
-/// at F = R.
+/// Computes Hooke's stiffness turned by R (warped stiffness, Müller & Gross 2004): the tangent of every
+/// objective law at F = R.
 void lane_warped_stiffness(const LaneRest& rest, const LaneMatrix& R, std::span<Tet4Elements::Stiffness> K);
 
-/// The first twists.size() elements as turned_elements.h has them, see ElasticModel::linearise.
+/// Computes the first twists.size() elements as turned_elements.h has them, see ElasticModel::linearise.
 void lane_turned_elements(const LaneRest& rest, const LaneStrain& strain, double share,
                           std::span<TurnedVector> gradients, std::span<Twist> twists);
 

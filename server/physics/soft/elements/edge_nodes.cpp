@@ -11,7 +11,7 @@ using Tet = std::array<std::uint32_t, 4>;
 
 constexpr std::size_t vertices_per_chunk = 512, mesh_tets_per_chunk = 512;
 
-/// In the order of the corners as they are.
+/// Returns the eight tetrahedra between a quadratic one's nodes, in the order of the corners as they are.
 std::array<Tet, 8> eighths(const Tet& tet, const EdgeNodes& edges) {
   std::array<Tet, 4> middle{};
   for (const auto& [a, b] : EdgeNodes::edges_of_tet) middle[a][b] = middle[b][a] = edges.find(tet[a], tet[b]);
@@ -23,7 +23,7 @@ std::array<Tet, 8> eighths(const Tet& tet, const EdgeNodes& edges) {
   return out;
 }
 
-/// Nodes of no weight named alike.
+/// Names nodes of no weight alike.
 SparseMap::Row without_unused(SparseMap::Row row) {
   for (std::size_t k = 0; k < 4; ++k)
     if (row.weight[k] == 0) row.node[k] = 0;

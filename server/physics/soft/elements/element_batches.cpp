@@ -74,7 +74,7 @@ void ElementBatches::follow(const SoftDesc& desc, const TetMesh& mesh, const Mes
   rest_.resize(chunk_count(elements_.size(), elements_per_batch));
   strain_.resize(rest_.size());
   trace_.resize(rest_.size());
-  // From here on lanes have other elements than they had, or none.
+  // Lanes from here on have other elements than they had, or none.
   const std::size_t moved = each * edit.kept_tets.unmoved() / elements_per_batch;
   std::vector<std::size_t> others;
   for (const std::size_t tet : edit.tets)  // whose points are in one batch

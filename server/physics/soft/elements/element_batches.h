@@ -1,6 +1,6 @@
 #pragma once
-// The strain energy of all elements of a body and its derivatives, batch by batch: the seam at which a law
-// may take over whole batches (corotational_batches.cpp); other laws go element by element
+// The strain energy of all elements of a body and its derivatives, batch by batch. It is the seam at which a
+// law may take over whole batches (corotational_batches.cpp); other laws go element by element
 // (law_batches.cpp).
 
 #include <memory>
@@ -21,46 +21,46 @@ class ElementBatches {
   ElementBatches(const Materials& materials, const Tet4Elements& elements);
   virtual ~ElementBatches() = default;
 
-  /// Whether follow() will do.
+  /// Tells whether follow() will do.
   virtual bool can_follow() const { return true; }
-  /// To the elements as they are after they followed `edit`: the tetrahedra, or as many points of each.
+  /// Follows the elements, which have followed `edit`: the tetrahedra, or as many points of each.
   virtual void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit);
 
   std::size_t kind_of(std::size_t e) const { return materials_.kind_of(e); }
-  /// Whether turning the whole body turns its forces along.
+  /// Tells whether turning the whole body turns its forces along.
   virtual bool objective() const { return true; }
   /// Puts a batch at node positions x (3n): what all below share is computed once.
   virtual void move(std::size_t batch, const double* x) = 0;
-  /// J, of the batch.
+  /// Returns the energy of the batch, J.
   virtual double energy(std::size_t batch) const = 0;
-  /// V·P·b_a, N, one entry per element of the batch.
+  /// Computes V·P·b_a, N, one entry per element of the batch.
   virtual void forces(std::size_t batch, std::span<Tet4Elements::Forces> f) const = 0;
-  /// θ of each element of the batch, see mean_dilatation.h.
+  /// Computes θ of each element of the batch, see mean_dilatation.h.
   virtual void dilatations(std::size_t batch, std::span<double> theta) const = 0;
-  /// V·∂θ/∂x_a, m², one entry per element of the batch.
+  /// Computes V·∂θ/∂x_a, m², one entry per element of the batch.
   virtual void dilatation_forces(std::size_t batch, std::span<Tet4Elements::Forces> G) const = 0;
-  /// The same at F = R.
+  /// Computes V·∂θ/∂x_a at F = R.
   virtual void warped_dilatation_forces(std::size_t batch, std::span<Tet4Elements::Forces> G) const = 0;
   /// Pressures p, Pa, as which forces and stiffness take W + p·θ for W; none until set.
   virtual void set_pressures(std::size_t batch, std::span<const double> pressure);
-  /// The projected tangent, N/m, likewise.
+  /// Computes the projected tangent, N/m, one entry per element of the batch.
   virtual void stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const = 0;
-  /// Hooke's stiffness turned with each element: positive semidefinite and of the size it has at rest,
-  /// whatever the shape.
+  /// Computes Hooke's stiffness turned with each element: positive semidefinite and of the size it has at
+  /// rest, whatever the shape.
   virtual void warped_stiffness(std::size_t batch, std::span<Tet4Elements::Stiffness> K) const = 0;
-  /// Whether turn() is there.
+  /// Tells whether turn() is there.
   virtual bool turns() const { return false; }
-  /// The batch's turned elements: 4 gradients and a twist each, see ElasticModel::linearise.
+  /// Computes the batch's turned elements: 4 gradients and a twist each, see ElasticModel::linearise.
   virtual void turn(std::size_t /*batch*/, double /*share*/, std::span<TurnedVector> /*gradients*/,
                     std::span<Twist> /*twists*/) const {}
 
-  /// The trace of the warped stiffness at rest, N/m, of all batches.
+  /// Returns the trace of the warped stiffness at rest, N/m, of all batches.
   double rest_trace() const;
 
  protected:
   std::size_t first(std::size_t batch) const { return batch * elements_per_batch; }
   std::size_t count(std::size_t batch) const;
-  /// F of the batch at x, into `strain`.
+  /// Computes F of the batch at x, into `strain`.
   void deform(std::size_t batch, const double* x);
 
   Materials materials_;

@@ -80,7 +80,7 @@ class LawBatches final : public ElementBatches {
   }
 
  private:
-  /// R of the batch's strain; I where objective laws have R and this one is not.
+  /// Returns R of the batch's strain; I where objective laws have R and this one is not.
   LaneMatrix warp(std::size_t batch) const {
     LaneStrain strain = strain_[batch];
     if (objective()) {
@@ -93,7 +93,7 @@ class LawBatches final : public ElementBatches {
     return strain.R;
   }
 
-  /// What fibres add along themselves, turned, unless they are slack.
+  /// Adds what fibres add along themselves, turned, unless they are slack.
   void add_fiber(std::size_t e, const LaneMatrix& R, std::size_t lane, Tet4Elements::Stiffness& K) const {
     const Material& material = materials_.of(e);
     if (material.fiber_stiffness == 0 || (F_[e] * material.fiber).squaredNorm() < 1 - 1e-9) return;

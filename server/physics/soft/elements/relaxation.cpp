@@ -14,7 +14,8 @@ namespace {
 
 /// Elements flatter than this have no S worth remembering: F⁻¹ is out of bounds.
 constexpr double least_volume = 0.05;
-/// Of c·μ: H may pull outwards by less than this, so that c·W, which grows at least as μ/3·|F|², holds it.
+/// Share of c·μ: H may pull outwards by less than this, so that c·W, which grows at least as μ/3·|F|², holds
+/// it.
 constexpr double most_outward = 0.5;
 
 Mat3 unpack(const double* h) {
@@ -26,7 +27,7 @@ void pack(const Mat3& A, double* h) {
   h[0] = A(0, 0), h[1] = A(0, 1), h[2] = A(0, 2), h[3] = A(1, 1), h[4] = A(1, 2), h[5] = A(2, 2);
 }
 
-/// The eigenvalues of A raised to `least`.
+/// Returns A with its eigenvalues raised to `least`.
 Mat3 raised(const Mat3& A, double least) {
   const SymmetricEigen eigen = symmetric_eigen(A);
   if (!(eigen.values.minCoeff() < least)) return A;

@@ -1,12 +1,12 @@
 #pragma once
 // Viscoelastic relaxation: a Prony series over any law (Simo 1987; Simo & Hughes 1998, §10.3). With S = F⁻¹P
 // the law's second Piola stress and shares g_i, times τ_i of the terms,
-//   S_v(t) = (1 − Σg_i)·S(t) + Σ h_i(t),   ḣ_i + h_i/τ_i = g_i·Ṡ,   h_i(0) = 0,
-// so that a held strain's stress falls from S to (1 − Σg_i)·S as e^(−t/τ_i), and the law is the material's at
+//   S_v(t) = (1 − Σg_i)·S(t) + Σ h_i(t),   ḣ_i + h_i/τ_i = g_i·Ṡ,   h_i(0) = 0.
+// So a held strain's stress falls from S to (1 − Σg_i)·S as e^(−t/τ_i), and the law is the material's at
 // once. Over a step in which S changes linearly the h_i are known exactly,
-//   h_i ← e_i·h_i + γ_i·(S − S_n),   e_i = e^(−h/τ_i),   γ_i = g_i·(1 − e_i)·τ_i/h,
-// and the step's stress is the gradient of c·W(F) + H : ½FᵀF with c = 1 − Σg_i + Σγ_i and
-// H = Σ(e_i·h_i − γ_i·S_n): minimisers need nothing else. Of the law that is not objective, P itself is
+//   h_i ← e_i·h_i + γ_i·(S − S_n),   e_i = e^(−h/τ_i),   γ_i = g_i·(1 − e_i)·τ_i/h.
+// The step's stress is the gradient of c·W(F) + H : ½FᵀF with c = 1 − Σg_i + Σγ_i and
+// H = Σ(e_i·h_i − γ_i·S_n): minimisers need nothing else. For the law that is not objective, P itself is
 // relaxed, and H : F stands for the last term.
 
 #include <memory>
@@ -24,17 +24,17 @@ class RelaxingBatches final : public ElementBatches {
   RelaxingBatches(std::unique_ptr<ElementBatches> law, std::vector<RelaxationDesc> terms,
                   const Materials& materials, const Tet4Elements& elements);
 
-  /// Numbers of history: six (h_i's upper triangle, Pa) per term and element.
+  /// Returns how many numbers the history has: six (h_i's upper triangle, Pa) per term and element.
   std::size_t history_size() const { return history_per_element() * elements_.size(); }
-  /// c and, with `h` s, e_i and γ_i of the step to come.
+  /// Sets c and, with `h` s, e_i and γ_i of the step to come.
   void set_step(double h);
-  /// c = 1 − Σg_i and H = 0: all has relaxed.
+  /// Sets c = 1 − Σg_i and H = 0: all has relaxed.
   void relax_fully();
-  /// c: what of λ'' a step stores.
+  /// Returns c: what of λ'' a step stores.
   double instant_share() const { return share_; }
-  /// The batch is at x_n, with pressures set.
+  /// Begins a step of the batch, which is at x_n, with pressures set.
   void begin_step(std::size_t batch, const double* history);
-  /// The batch is at the step's end, with pressures set.
+  /// Ends the step of the batch, which is where the step ends, with pressures set.
   void end_step(std::size_t batch, double* history) const;
 
   bool can_follow() const override { return law_->can_follow(); }
@@ -63,7 +63,7 @@ class RelaxingBatches final : public ElementBatches {
  private:
   std::size_t history_per_element() const { return 6 * terms_.size(); }
   Mat3 gradient(std::size_t batch, std::size_t lane) const;
-  /// S of the batch's elements where they are; 0 of flat and inverted ones.
+  /// Computes S of the batch's elements where they are; 0 of flat and inverted ones.
   void second_piola(std::size_t batch, std::span<Mat3> S) const;
 
   std::unique_ptr<ElementBatches> law_;
@@ -74,13 +74,13 @@ class RelaxingBatches final : public ElementBatches {
   std::vector<Mat3> start_;          // S_n
 };
 
-/// The batches of the row of laws() called `law`, under `terms` unless there are none.
+/// Makes the batches of the row of laws() called `law`, under `terms` unless there are none.
 std::unique_ptr<ElementBatches> make_relaxing_batches(const std::string& law, const Materials& materials,
                                                       const std::vector<RelaxationDesc>& terms,
                                                       const Tet4Elements& elements);
 
-/// Whether what is left to relax is so little that the shape is that of a body held for ever: no h_i above a
-/// thousandth of E. `history`: of a state of that body.
+/// Tells whether what is left to relax is so little that the shape is that of a body held for ever: no h_i
+/// above a thousandth of E. `history`: of a state of that body.
 bool has_relaxed(const SoftDesc& desc, const VecX& history);
 
 }  // namespace prosector

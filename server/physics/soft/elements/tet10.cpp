@@ -32,7 +32,7 @@ constexpr auto make_shares() {
 }
 constexpr auto shares = make_shares();
 
-/// Column n of T_q, whole.
+/// Returns column n of T_q, whole.
 constexpr std::array<double, 4> weights_of(std::size_t point, std::size_t node) {
   const Share& s = shares[point][node];
   std::array<double, 4> w{};
@@ -63,7 +63,7 @@ constexpr double find_squares_of_sums() {
 
 constexpr std::size_t elements_per_chunk = 512;
 
-/// V, m³.
+/// Returns V, m³.
 double volume_of(const TetMesh& mesh, std::size_t t) {
   const auto& tet = mesh.tets[t];
   const Vec3& x = mesh.positions[tet[0]];
@@ -71,7 +71,7 @@ double volume_of(const TetMesh& mesh, std::size_t t) {
              (mesh.positions[tet[1]] - x).cross(mesh.positions[tet[2]] - x).dot(mesh.positions[tet[3]] - x)) /
          6;
 }
-/// What node n of an element of volume V has of it.
+/// Returns what node n of an element of volume V has of it.
 double lumped_share(double V, std::size_t n) {
   return n < 4 ? V / 36 : 4 * V / 27;
 }

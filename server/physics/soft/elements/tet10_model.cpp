@@ -68,7 +68,7 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
   }
 
  private:
-  /// For what a step is certain to ask for.
+  /// Makes room for what a step is certain to ask for.
   void make_room() {
     fit_scratch(corners_, 12 * points.size());
     fit_scratch(point_forces_, points.size());
@@ -84,7 +84,7 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
     mean_share_[e] = std::sqrt(mean_[kind] / (4 * mu_[kind]));
   }
 
-  /// Of λ''/V·G·Gᵀ at rest, of all elements.
+  /// Returns the trace of λ''/V·G·Gᵀ at rest, of all elements.
   double mean_trace() const {
     double sum = 0;
     for (std::size_t e = 0; e < mean_modulus_.size(); ++e) {
@@ -94,7 +94,7 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
     }
     return Tet10Elements::squares_of_sums / (per_element * per_element) * sum;
   }
-  /// All of an element's points have the same share of its volume.
+  /// Returns the element's volume: all its points have the same share of it.
   double volume_of(std::size_t e) const { return per_element * points.volume(per_element * e); }
 
   void place(const ElementChunk& chunk, const double* x) override {
@@ -136,7 +136,7 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
   }
   std::span<const Mat3> stiffness() const override { return stiffness_; }
 
-  /// What the mean dilatation couples; the warped stiffness is that of what has not relaxed.
+  /// Adds what the mean dilatation couples; the warped stiffness is that of what has not relaxed.
   void add_mean(const ElementChunk& chunk, bool warped) {
     std::array<Tet4Elements::Forces, elements_per_batch> of_points;
     const std::span G(of_points.data(), per_element * chunk.size());
@@ -149,7 +149,7 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
       add_mean(share * mean_modulus_[e] / volume_of(e), &G[per_element * (e - chunk.first)],
                &stiffness_[pairs * e]);
   }
-  /// K += scale·G·Gᵀ, G gathered from the points.
+  /// Adds K += scale·G·Gᵀ, G gathered from the points.
   static void add_mean(double scale, const Tet4Elements::Forces* points, Mat3* K) {
     std::array<Vec3, nodes> G;
     Tet10Elements::gather(points, G.data());
@@ -157,7 +157,7 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
       for (std::size_t b = a + 1; b < nodes; ++b) *K++ += scale * G[a] * G[b].transpose();
   }
 
-  /// to = share·(the sum of the points' gradients).
+  /// Computes to = share·(the sum of the points' gradients).
   static void average(double share, const TurnedVector* points, TurnedVector* to) {
     for (std::size_t n = 0; n < nodes; ++n)
       for (std::size_t k = 0; k < 4; ++k) {

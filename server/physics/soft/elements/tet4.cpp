@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t tets_per_chunk = 512;
 
-/// Edges from node 0 as columns; `at`: of a node.
+/// Returns the edges from node 0 as columns; `at`: of a node.
 template <class At>
 Mat3 edges_of(const Tet4Elements::Nodes& tet, const At& at) {
   Mat3 D;
@@ -67,7 +67,7 @@ void Tet4Elements::follow_parted(const Tet4Elements& elements, const MeshEdit& e
   for (const std::uint32_t e : edit.tets) set_parts(e, parts, elements);
 }
 
-/// Each with corners of its own.
+/// Resizes to so many elements, each with corners of its own.
 void Tet4Elements::resize(std::size_t size) {
   const std::size_t first = std::min(size, nodes_.size());
   nodes_.resize(size);
@@ -88,7 +88,7 @@ void Tet4Elements::set_parts(std::size_t e, std::size_t parts, const Tet4Element
   }
 }
 
-/// Element e of tetrahedron e; of no volume where it is to be left out.
+/// Sets element e to tetrahedron e; of no volume where it is to be left out.
 void Tet4Elements::set(std::size_t e, const TetMesh& mesh) {
   nodes_[e] = mesh.tets[e];
   source_[e] = static_cast<std::uint32_t>(e);
@@ -135,7 +135,7 @@ void Tet4Elements::follow(const TetMesh& mesh, const MeshEdit& edit) {
   });
 }
 
-/// Those without a volume.
+/// Drops the elements without a volume.
 void Tet4Elements::drop_unusable() {
   std::size_t kept = 0;
   for (std::size_t t = 0; t < volume_.size(); ++t) {

@@ -22,7 +22,7 @@ class Tet4Elements {
   /// The element's stiffness by pairs of nodes a < b, in the order of pair_index. Moving as a whole strains
   /// nothing, so each row sums to zero and the diagonal blocks need not be stored.
   using Stiffness = std::array<Mat3, nodes_per_element*(nodes_per_element - 1) / 2>;
-  /// Index of the pair a < b in Stiffness.
+  /// Returns the index of the pair a < b in Stiffness.
   static constexpr int pair_index(int a, int b) { return a * (5 - a) / 2 + b - 1; }
 
   /// Takes the elements that can strain: a tetrahedron flatter than `least_quality` or of no volume would
@@ -30,37 +30,37 @@ class Tet4Elements {
   /// and V don't depend on their order, and no block needs to be transposed to find its place in a matrix.
   /// Node indices must be in range.
   explicit Tet4Elements(const TetMesh& mesh);
-  /// Each of these `parts` times, with corners of its own and an equal share of the volume.
+  /// Returns each element these `parts` times, with corners of its own and an equal share of the volume.
   static Tet4Elements parted(const Tet4Elements& elements, std::size_t parts);
 
   std::size_t size() const { return nodes_.size(); }
   std::size_t dropped() const { return dropped_; }
   const Nodes& nodes(std::size_t e) const { return nodes_[e]; }
-  /// Of each element: which of the mesh's tetrahedra it is.
+  /// Returns, by element, which of the mesh's tetrahedra it is.
   std::span<const std::uint32_t> source() const { return source_; }
   double volume(std::size_t e) const { return volume_[e]; }  // m³, at rest
 
-  /// Whether these are the elements of the mesh that was edited, none of which was left out, and it has none
-  /// to leave out now. `rest`: 3n, m, before.
+  /// Tells whether these are the elements of the mesh that was edited, none of which was left out, and it has
+  /// none to leave out now. `rest`: 3n, m, before.
   bool can_follow(const VecX& rest, const MeshEdit& edit) const;
-  /// To `mesh`, which was edited so.
+  /// Follows `mesh`, which was edited so.
   void follow(const TetMesh& mesh, const MeshEdit& edit);
-  /// Of parted ones: to the elements as they are after they followed.
+  /// Follows the elements that these are parted from, which have followed.
   void follow_parted(const Tet4Elements& elements, const MeshEdit& edit);
 
   /// Columns b_1, b_2, b_3; b_0 = −(b_1 + b_2 + b_3).
   const Mat3& gradients(std::size_t e) const { return gradients_[e]; }
   /// Columns x_a − x_0 at node positions x (3n).
   Mat3 edges(std::size_t e, const double* x) const;
-  /// V·P·b_a: the gradient of the element's energy.
+  /// Computes V·P·b_a: the gradient of the element's energy.
   void forces(std::size_t e, const Mat3& P, Forces& f) const;
-  /// V·b_aᵀ·(∂P/∂F)·b_b for a < b.
+  /// Computes V·b_aᵀ·(∂P/∂F)·b_b for a < b.
   void stiffness(std::size_t e, const Mat9& dPdF, Stiffness& K) const;
 
-  /// m³ of each node: a quarter of every tetrahedron around it, dropped ones included. Times the density
-  /// this is the lumped mass.
+  /// Returns m³ of each node: a quarter of every tetrahedron around it, dropped ones included. Times the
+  /// density this is the lumped mass.
   static VecX lumped_volume(const TetMesh& mesh);
-  /// A node's share of a tetrahedron, m³.
+  /// Returns a node's share of a tetrahedron, m³.
   static double lumped_share(const TetMesh& mesh, std::size_t tet);
 
   /// 6V over the cube of the longest edge; 0.71 for the regular tetrahedron.

@@ -18,7 +18,7 @@ Connectivity connect(const TetMesh& mesh, const Tet4Elements& elements) {
   return out;
 }
 
-/// The arrays of a vector of std::array<T, n>, end to end.
+/// Views the arrays of a vector of std::array<T, n> end to end.
 template <class Array>
 std::span<const typename Array::value_type> flat(const std::vector<Array>& arrays) {
   static_assert(sizeof(Array) == std::tuple_size_v<Array> * sizeof(typename Array::value_type));
@@ -32,7 +32,7 @@ struct Tet4Parts {
 
 class Tet4Model final : private Tet4Parts, public BatchedModel {
  public:
-  /// make(elements): batches of them.
+  /// Builds the model; make(elements) makes batches of them.
   template <class Make>
   Tet4Model(const TetMesh& mesh, const Make& make)
       : Tet4Parts{Tet4Elements(mesh)},
@@ -50,7 +50,7 @@ class Tet4Model final : private Tet4Parts, public BatchedModel {
   double rest_trace() override { return batches().rest_trace(); }
 
  private:
-  /// For what a step is certain to ask for.
+  /// Makes room for what a step is certain to ask for.
   void make_room() {
     fit_scratch(forces_, elements.size());
     if (!turns()) fit_scratch(stiffness_, elements.size());

@@ -6,7 +6,7 @@
 
 namespace prosector {
 
-/// With the row of laws() called `law`. Throws InputError.
+/// Makes a model of linear tetrahedra with the row of laws() called `law`. Throws InputError.
 std::unique_ptr<ElasticModel> make_tet4_model(const std::string& law, const Materials& materials,
                                               const std::vector<RelaxationDesc>& relaxation,
                                               const TetMesh& mesh);

@@ -1,11 +1,11 @@
 #pragma once
-// Elements as the corotational law's matrices see them, turned with the material. With r_a = √(Vμ)·R·∇N_a at
-// an integration point of volume V, Hooke's stiffness turned with the element (warped stiffness, Müller &
+// Elements as the corotational law's matrices see them, turned with the material. At an integration point of
+// volume V let r_a = √(Vμ)·R·∇N_a. Hooke's stiffness turned with the element (warped stiffness, Müller &
 // Gross 2004) has the blocks
 //   K_ab = (λ/μ) r_a r_bᵀ + r_b r_aᵀ + (r_a·r_b) I = (λ/μ) r_a r_bᵀ + 2 (r_a·r_b) I − [r_a]ₓ[r_b]ₓᵀ
 // and the tangent, see corotational_kernel.h,
 //   H_ab = (λ/μ) r_a r_bᵀ + 2 (r_a·r_b) I + [r_a]ₓ T [r_b]ₓᵀ,   T = C/(2μ).
-// s·K + H, as Rayleigh damping adds it, is (s + 1) times the same with T = (C/(2μ) + I)/(s + 1) − I.
+// The sum s·K + H, as Rayleigh damping adds it, is (s + 1) times the same with T = (C/(2μ) + I)/(s + 1) − I.
 // An element's mean dilatation (mean_dilatation.h) adds m_a m_bᵀ, m_a = √(λ''/(4μ)) Σ_points r_a.
 
 #include <cstddef>
