@@ -19,18 +19,19 @@ using Mat9 = Eigen::Matrix<double, 9, 9>;
 class ConstitutiveLaw {
  public:
   virtual ~ConstitutiveLaw() = default;
-  /// Whether W(QF) = W(F) for rotations Q.
+  /// Tells whether W(QF) = W(F) for rotations Q.
   virtual bool objective() const { return true; }
-  /// W, J/m³.
+  /// Computes W, J/m³.
   virtual void energy_density(std::span<const Mat3> F, std::span<double> W) const = 0;
-  /// First Piola stress P = ∂(W + pθ)/∂F, Pa, with a pressure p (Pa) from outside, see mean_dilatation.h;
-  /// `pressure` empty: none.
+  /// Computes the first Piola stress P = ∂(W + pθ)/∂F, Pa, with a pressure p (Pa) from outside, see
+  /// mean_dilatation.h; `pressure` empty: none.
   virtual void stress(std::span<const Mat3> F, std::span<const double> pressure, std::span<Mat3> P) const = 0;
-  /// ∂vec(P)/∂vec(F), Pa, column-major vec, with its negative eigenvalues projected to 0 so that Newton
-  /// descends (isotropic laws project exactly, by known eigenvectors). Finite for every finite F.
+  /// Computes ∂vec(P)/∂vec(F), Pa, column-major vec. Its negative eigenvalues are projected to 0 so that
+  /// Newton descends (isotropic laws project exactly, by known eigenvectors). It is finite for every finite
+  /// F.
   virtual void tangent(std::span<const Mat3> F, std::span<const double> pressure,
                        std::span<Mat9> dPdF) const = 0;
-  /// θ: the measure of dilatation of whose square W holds λ/2.
+  /// Computes θ: the measure of dilatation of whose square W holds λ/2.
   virtual void dilatation(std::span<const Mat3> F, std::span<double> theta) const = 0;
   virtual void dilatation_gradient(std::span<const Mat3> F, std::span<Mat3> gradient) const = 0;  // ∂θ/∂F
 };

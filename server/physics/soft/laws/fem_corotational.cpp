@@ -10,9 +10,9 @@ namespace {
 
 // With R's derivative along the twists T_k = R[v_k]ₓ/√2 (v_k: principal directions of S, σᵢ + σⱼ the two
 // others' stretches) the tangent is
-//   2μ I + λ RRᵀ + Σ_k c_k T_k T_kᵀ,  c_k = 2(λ tr(S − I) + p − 2μ)/(σᵢ + σⱼ);
-// R is orthogonal to every T_k, so its eigenvalues on the twists are 2μ + c_k, and clamping c_k at −2μ
-// is the exact projection.
+//   2μ I + λ RRᵀ + Σ_k c_k T_k T_kᵀ,  c_k = 2(λ tr(S − I) + p − 2μ)/(σᵢ + σⱼ).
+// Since R is orthogonal to every T_k, the eigenvalues on the twists are 2μ + c_k. Clamping c_k at −2μ is
+// the exact projection.
 class FemCorotational final : public ConstitutiveLaw {
  public:
   explicit FemCorotational(const Lame& constants) : lambda_(constants.lambda), mu_(constants.mu) {}

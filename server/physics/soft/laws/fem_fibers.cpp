@@ -51,7 +51,7 @@ class FemFibers final : public ConstitutiveLaw {
   }
 
  private:
-  /// ⟨I₄ − 1⟩ from f = Fa.
+  /// Returns ⟨I₄ − 1⟩ from f = Fa.
   static double stretched(const Vec3& f) { return std::max(0.0, f.squaredNorm() - 1); }
 
   std::unique_ptr<ConstitutiveLaw> tissue_;

@@ -26,8 +26,8 @@ class FemStVK final : public ConstitutiveLaw {
     }
   }
 
-  /// From its eigenvectors, which every isotropic law has (Smith, de Goes & Kim 2019): with F = UΣVᵀ, twists
-  /// and flips of each pair of axes, and three scalings.
+  /// Builds the tangent from its eigenvectors, which every isotropic law has (Smith, de Goes & Kim 2019):
+  /// with F = UΣVᵀ, twists and flips of each pair of axes, and three scalings.
   void tangent(std::span<const Mat3> F, std::span<const double> pressure,
                std::span<Mat9> dPdF) const override {
     for (std::size_t e = 0; e < F.size(); ++e) {
@@ -50,7 +50,7 @@ class FemStVK final : public ConstitutiveLaw {
  private:
   static Mat3 green(const Mat3& F) { return 0.5 * (F.transpose() * F - Mat3::Identity()); }
 
-  /// `k`: λ tr E and the pressure from outside.
+  /// Adds the scalings. `k`: λ tr E and the pressure from outside.
   void add_scalings(double k, const Vec3& s, const Mat3& U, const Mat3& V, Mat9& H) const {
     Mat3 A = lambda_ * s * s.transpose();
     A.diagonal().array() += k + mu_ * (3 * s.array().square() - 1);

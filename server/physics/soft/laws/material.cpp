@@ -23,7 +23,7 @@ Material make_material(double youngs_modulus, double poisson_ratio, double fiber
   return material;
 }
 
-/// So that XPBD's sweeps, its energy and the implicit steps that it falls back to are of one law.
+/// Limits λ so that XPBD's sweeps, its energy and the implicit steps that it falls back to are of one law.
 void bound_for_xpbd(Materials& materials) {
   for (Material& m : materials.kinds) m.lame.lambda = std::min(m.lame.lambda, most_xpbd_lambda * m.lame.mu);
 }

@@ -35,9 +35,9 @@ struct Materials {
 
   std::size_t kind_of(std::size_t e) const { return kind.empty() ? 0 : kind[e]; }
   const Material& of(std::size_t e) const { return kinds[kind_of(e)]; }
-  /// Of elements made from some of the tetrahedra: source[e] is element e's.
+  /// Returns the materials of elements made from some of the tetrahedra: source[e] is element e's.
   Materials at(std::span<const std::uint32_t> source) const;
-  /// Of all tetrahedra of `mesh`, which was edited so, or as many elements of each.
+  /// Follows all tetrahedra of `mesh`, which was edited so, or as many elements of each.
   void follow(const SoftDesc& desc, const TetMesh& mesh, const MeshEdit& edit, std::size_t each = 1);
 };
 
@@ -45,11 +45,11 @@ struct Materials {
 /// shape.
 inline constexpr double most_xpbd_lambda = 499;
 
-/// The kind that a tetrahedron of `mesh` is of.
+/// Returns the kind that a tetrahedron of `mesh` is of.
 std::uint32_t kind_of(const SoftDesc& desc, const TetMesh& mesh, std::size_t tet);
 
-/// Of the tetrahedra of `mesh`, which is in the room frame; for model "xpbd" with its bound on λ. Throws
-/// InputError that names the region and what is allowed for constants out of range.
+/// Makes the materials of the tetrahedra of `mesh`, which is in the world frame; for model "xpbd" with its
+/// bound on λ. Throws InputError that names the region and what is allowed for constants out of range.
 Materials make_materials(const SoftDesc& desc, const TetMesh& mesh);
 
 }  // namespace prosector

@@ -1,10 +1,10 @@
 #pragma once
-// The remedy for volumetric locking: of nearly incompressible material, an element feels most of its change
-// of volume as its mean over the element, one constraint instead of one at every integration point
-// (Nagtegaal, Parks & Rice 1974; as a split of the energy: Simo, Taylor & Pister 1985).
+// The remedy for volumetric locking. Where material is nearly incompressible, an element feels most of its
+// change of volume as its mean over the element. That is one constraint instead of one at every integration
+// point (Nagtegaal, Parks & Rice 1974; as a split of the energy: Simo, Taylor & Pister 1985).
 //
-// A law's volumetric part is λ/2·θ², θ its own measure of dilatation (ConstitutiveLaw::dilatation). With
-// λ = λ' + λ'' an element stores
+// A law's volumetric part is λ/2·θ², θ its own measure of dilatation (ConstitutiveLaw::dilatation). With λ =
+// λ' + λ'' an element stores
 //   Σ_q V_q W(F_q; λ') + λ''/2·V·θ̄²,   θ̄ = Σ_q V_q θ(F_q)/V,
 // which is the law itself wherever θ is constant over the element. Its tangent is that of W + p·θ at each
 // point, with the pressure p = λ''θ̄, and λ''/V·G·Gᵀ with G = Σ_q V_q ∂θ/∂x.

@@ -10,7 +10,7 @@ namespace {
 using Vec4 = Eigen::Vector4d;
 using Mat4 = Eigen::Matrix4d;
 
-/// qᵀKq = tr(R(q)ᵀF) for unit quaternions q = (w, x, y, z).
+/// Returns the matrix K of qᵀKq = tr(R(q)ᵀF) for unit quaternions q = (w, x, y, z).
 Mat4 horn(const Mat3& F) {
   Mat4 K;
   K(0, 0) = F(0, 0) + F(1, 1) + F(2, 2);
@@ -26,7 +26,7 @@ Mat4 horn(const Mat3& F) {
   return K;
 }
 
-/// The largest root of Horn's characteristic quartic, for ‖F‖ = 1; monotone from above. `gap` is the
+/// Returns the largest root of Horn's characteristic quartic, for ‖F‖ = 1; monotone from above. `gap` is the
 /// derivative there, ∏(λ − λᵢ) over the other roots: 0 where the rotation is not unique.
 double largest_root(const Mat3& F, double& gap) {
   const double det = F.determinant();
@@ -46,7 +46,8 @@ double largest_root(const Mat3& F, double& gap) {
   return x;
 }
 
-/// The null vector of the symmetric, rank-3 M: the column of its adjugate with the largest diagonal entry.
+/// Returns the null vector of the symmetric, rank-3 M: the column of its adjugate with the largest diagonal
+/// entry.
 Vec4 null_vector(const Mat4& M) {
   // 2×2 minors of rows 2, 3, and of rows 0, 1.
   const auto minor = [&](int r, int c, int d) { return M(r, c) * M(r + 1, d) - M(r, d) * M(r + 1, c); };
@@ -86,7 +87,7 @@ Mat3 rotation(const Vec4& q) {
   return Quat(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
 }
 
-/// One Newton step towards symmetric RᵀF: the rotation w with (tr(S)I − S)w = axial(RᵀF − FᵀR)/1.
+/// Makes one Newton step towards symmetric RᵀF: the rotation w with (tr(S)I − S)w = axial(RᵀF − FᵀR)/1.
 Mat3 polished(const Mat3& R, const Mat3& F) {
   const Mat3 S = R.transpose() * F;
   const Vec3 axial(S(2, 1) - S(1, 2), S(0, 2) - S(2, 0), S(1, 0) - S(0, 1));

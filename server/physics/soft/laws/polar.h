@@ -12,13 +12,14 @@ struct Polar {
   Mat3 R, S;
 };
 
-/// For every finite F, also flat, a line, a point or mirrored, R is a proper rotation to rounding (one of the
-/// closest where there are several; the identity for a point or a non-finite F).
+/// Returns the polar factors of F. For every finite F, also flat, a line, a point or mirrored, R is a proper
+/// rotation to rounding. It is one of the closest where there are several, and the identity for a point or a
+/// non-finite F.
 ///
-/// Method: the unit quaternion of R is the eigenvector of Horn's symmetric 4×4 matrix (Horn 1987, JOSA A 4)
-/// for its largest eigenvalue, σ₁+σ₂+σ₃: Newton on the characteristic quartic from the bound √3‖F‖ (Theobald
-/// 2005, Acta Cryst. A61), then a column of the adjugate. Where the two largest eigenvalues nearly coincide
-/// an orthogonal eigensolver takes over.
+/// The unit quaternion of R is the eigenvector of Horn's symmetric 4×4 matrix for its largest eigenvalue,
+/// σ₁+σ₂+σ₃ (Horn 1987, JOSA A 4). Newton's method finds that on the characteristic quartic from the bound
+/// √3‖F‖ (Theobald 2005, Acta Cryst. A61). The eigenvector is then a column of the adjugate. Where the two
+/// largest eigenvalues nearly coincide an orthogonal eigensolver takes over.
 Polar polar(const Mat3& F);
 
 }  // namespace prosector

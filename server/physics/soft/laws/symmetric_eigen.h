@@ -11,7 +11,8 @@ struct SymmetricEigen {
   Mat3 vectors;  // orthonormal columns
 };
 
-/// `A` must be symmetric and finite; only its upper triangle is read.
+/// Returns the eigenvalues and eigenvectors of `A`, which must be symmetric and finite; only its upper
+/// triangle is read.
 SymmetricEigen symmetric_eigen(const Mat3& A);
 
 }  // namespace prosector

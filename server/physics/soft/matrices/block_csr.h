@@ -58,7 +58,7 @@ BlockCsr<R, C> product_rows(const BlockCsr<R, K>& A, const BlockCsr<K, C>& B, st
   return out;
 }
 
-/// One below the other.
+/// Returns the parts one below the other.
 template <int R, int C>
 BlockCsr<R, C> stacked(const std::vector<BlockCsr<R, C>>& parts) {
   BlockCsr<R, C> out;
@@ -77,7 +77,7 @@ BlockCsr<R, C> stacked(const std::vector<BlockCsr<R, C>>& parts) {
   return out;
 }
 
-/// A·B; `columns`: of B. Sums run in the order of A's row.
+/// Returns A·B; `columns`: of B. Sums run in the order of A's row.
 template <int R, int K, int C>
 BlockCsr<R, C> product(const BlockCsr<R, K>& A, const BlockCsr<K, C>& B, std::size_t columns) {
   std::vector<BlockCsr<R, C>> parts(chunk_count(A.rows(), csr_rows_per_chunk));
@@ -106,7 +106,7 @@ BlockCsr<C, R> transposed(const BlockCsr<R, C>& A, std::size_t columns) {
   return out;
 }
 
-/// The inverses of the diagonal blocks, which must be there and positive definite.
+/// Returns the inverses of the diagonal blocks, which must be there and positive definite.
 template <int B>
 std::vector<Eigen::Matrix<double, B, B>> inverse_diagonal(const BlockCsr<B, B>& A) {
   std::vector<Eigen::Matrix<double, B, B>> out(A.rows());

@@ -56,7 +56,7 @@ void find_places(const Connectivity& elements, const Incidence& incidence, std::
   out.places.counts.push_back(place.size() - first);
 }
 
-/// Of `count` rows, rows_found_at_once a run. `row_at`: the i-th.
+/// Finds `count` rows, rows_found_at_once a run. `row_at`: the i-th.
 template <class RowAt>
 std::vector<Rows> find_rows(const Connectivity& elements, const Incidence& incidence, std::size_t count,
                             const RowAt& row_at) {
@@ -109,7 +109,7 @@ void BlockPattern::follow(const Kept& kept, std::span<const std::uint32_t> nodes
   replace_rows(kept, nodes);
 }
 
-/// Those of these nodes are found anew, the others kept.
+/// Finds the rows of these nodes anew and keeps the others.
 void BlockPattern::replace_rows(const Kept& kept, std::span<const std::uint32_t> nodes) {
   Rows rows;
   for (const Rows& run :
@@ -165,7 +165,7 @@ void BlockPattern::gather(std::span<const Mat3> elements, double scale, std::spa
   close_rows(values);
 }
 
-/// Diagonal blocks from the others; symmetric exactly, which the sum is only to rounding.
+/// Computes diagonal blocks from the others; symmetric exactly, which the sum is only to rounding.
 void BlockPattern::close_rows(std::span<Mat3> values) const {
   parallel_chunks(rows(), block_rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i) {

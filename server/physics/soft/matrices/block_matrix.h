@@ -9,16 +9,16 @@
 
 namespace prosector {
 
-/// Where the blocks of a body's matrices are, and which element blocks each of them sums: both triangles are
+/// Where the blocks of a body's matrices are, and which element blocks each of them sums. Both triangles are
 /// stored, so that a product reads rows only and rows may run in parallel.
 class BlockPattern {
  public:
-  /// `elements` must outlive this.
+  /// Builds the pattern of `elements`, which must outlive this.
   explicit BlockPattern(const Connectivity& elements);
-  /// To the elements as they are after they followed `edit`: what its nodes' rows have is found anew.
+  /// Follows the elements, which have followed `edit`: what its nodes' rows have is found anew.
   void follow(const MeshEdit& edit);
-  /// To the elements as they are, of which those that came, went or changed meet these nodes, ascending, and
-  /// the others keep their order. `kept`: of the nodes.
+  /// Follows the elements, of which those that came, went or changed meet these nodes, ascending, and the
+  /// others keep their order. `kept`: of the nodes.
   void follow(const Kept& kept, std::span<const std::uint32_t> nodes);
 
   std::size_t rows() const { return row_begin_.size() - 1; }
@@ -30,19 +30,19 @@ class BlockPattern {
 
   // ---- What is summed into a row right of its diagonal, in order of the elements.
   const Incidence& incidence() const { return incidence_; }
-  /// Of the corners that meet at the row's node, in order: the places, from 0 right of the diagonal, of the
-  /// nodes after them in their elements.
+  /// Returns, for the corners that meet at the row's node, in order, the places of the nodes after them in
+  /// their elements. Places count from 0 right of the diagonal.
   std::span<const std::uint32_t> places(std::size_t row) const {
     return std::span(place_).subspan(place_begin_[row], place_begin_[row + 1] - place_begin_[row]);
   }
 
-  /// values = scale·base + Σ over the elements' blocks (in the connectivity's order), each sum in order of
-  /// the elements: no matter who computes it, its bits are the same. `base` is empty or another matrix of
-  /// this pattern whose rows sum to zero.
+  /// Computes values = scale·base + Σ over the elements' blocks (in the connectivity's order). Each sum is in
+  /// order of the elements: no matter who computes it, its bits are the same. `base` is empty or another
+  /// matrix of this pattern whose rows sum to zero.
   void gather(std::span<const Mat3> elements, double scale, std::span<const Mat3> base,
               std::span<Mat3> values) const;
 
-  /// y = A·x for 3n vectors.
+  /// Computes y = A·x for 3n vectors.
   void multiply(std::span<const Mat3> values, const double* x, double* y) const;
 
  private:

@@ -22,7 +22,7 @@ struct Column {
       return {load4(p), load4(p + B - 4)};
     }
   }
-  /// this + s·v
+  /// Returns this + s·v.
   HWY_INLINE Column plus(float s, const Column& v) const {
     if constexpr (B == 3) {
       return {multiply_add(s, v.head, head), tail};
@@ -48,7 +48,7 @@ HWY_INLINE Column<R> block_times(const float* block, const float* x, Column<R> s
   return sum;
 }
 
-/// even + Σ A_ij x_j: two sums at once, so that one need not wait for the other.
+/// Computes even + Σ A_ij x_j: two sums at once, so that one need not wait for the other.
 template <int R, int C>
 HWY_INLINE void row_product(const FloatBlocks& A, std::size_t i, const float* x, Column<R> even, float* y) {
   Column<R> odd = Column<R>::zero();

@@ -15,7 +15,7 @@ struct FloatBlocks {
   const std::uint32_t* column;
   const float* value;
 };
-/// y = A·x, rows first … last − 1.
+/// Computes y = A·x, rows first … last − 1.
 template <int R, int C>
 void multiply(const FloatBlocks& A, std::size_t first, std::size_t last, const float* x, float* y);
 
@@ -25,13 +25,13 @@ struct FloatRows {
   const float* inverse;
 };
 
-/// A Chebyshev step from zero: d = gain·D⁻¹b, z = d, for rows first … last − 1.
+/// Makes a Chebyshev step from zero: d = gain·D⁻¹b, z = d, for rows first … last − 1.
 void smooth_from_zero(const FloatRows& A, std::size_t first, std::size_t last, const float* b, float gain,
                       float* d, float* z);
-/// A Chebyshev step: d = keep·d + gain·D⁻¹(b − A·z), to = z + d.
+/// Makes a Chebyshev step: d = keep·d + gain·D⁻¹(b − A·z), to = z + d.
 void smooth(const FloatRows& A, std::size_t first, std::size_t last, const float* b, const float* z,
             float keep, float gain, float* d, float* to);
-/// r = b − A·z.
+/// Computes r = b − A·z.
 void residual(const FloatRows& A, std::size_t first, std::size_t last, const float* b, const float* z,
               float* r);
 

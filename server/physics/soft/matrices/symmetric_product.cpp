@@ -58,7 +58,8 @@ struct WideRowSum {
   }
 };
 
-/// Row i of A·x; a mirrored block's column is never the last, so that four of x can be read there.
+/// Adds row i of A·x to `sum`; a mirrored block's column is never the last, so that four of x can be read
+/// there.
 template <class Sum, class Number>
 HWY_INLINE void row_product(const SymmetricBlocks& A, std::size_t i, const Number* x, Sum& sum) {
   for (std::size_t k = A.begin[i]; k < A.begin[i + 1]; ++k)

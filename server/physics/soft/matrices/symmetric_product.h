@@ -1,6 +1,6 @@
 #pragma once
 // Symmetric matrices of 3×3 float blocks, each stored once, times vectors, with fused arithmetic where the
-// CPU has it: double vectors for conjugate gradients, float ones for the finest level of multigrid.
+// CPU has it. There are double vectors for conjugate gradients, float ones for the finest level of multigrid.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,10 +22,10 @@ struct SymmetricBlocks {
 };
 
 // ---- Rows first … last − 1 of n; vectors are 3n.
-/// y = scale·A·x + D·x with vectors and sums in double; D: the diagonal blocks.
+/// Computes y = scale·A·x + D·x with vectors and sums in double; D: the diagonal blocks.
 void multiply(const SymmetricBlocks& A, std::size_t first, std::size_t last, double scale, const double* D,
               const double* x, double* y);
-/// The diagonal blocks with which rows sum to zero, made symmetric, 9 a row.
+/// Computes the diagonal blocks with which rows sum to zero, made symmetric, 9 a row.
 void close_rows(const SymmetricBlocks& A, std::size_t first, std::size_t last, double* D);
 
 /// With its diagonal blocks and their inverses.
@@ -34,7 +34,7 @@ struct SymmetricFloats {
   const float *diagonal, *inverse;
 };
 
-/// As those of float_rows.h.
+/// Smooths as that of float_rows.h does.
 void smooth_from_zero(const SymmetricFloats& A, std::size_t first, std::size_t last, const float* b,
                       float gain, float* d, float* z);
 void smooth(const SymmetricFloats& A, std::size_t first, std::size_t last, const float* b, const float* z,

@@ -45,26 +45,26 @@ class SymmetricPattern {
 /// momentum is conserved as in double.
 struct SymmetricRows {
   explicit SymmetricRows(const SymmetricPattern& pattern) { fit(pattern); }
-  /// To the pattern as it is; its values are anything.
+  /// Fits to the pattern as it is; its values are anything.
   void fit(const SymmetricPattern& pattern) {
     fit_scratch(right, 9 * pattern.blocks() + 1);
     fit_scratch(diagonal, pattern.rows());
   }
 
-  /// share·(a double matrix of `pattern`), but the diagonal.
+  /// Sets to share·(a double matrix of `pattern`), but the diagonal.
   void set(const SymmetricPattern& own, const BlockPattern& pattern, double share,
            std::span<const Mat3> values);
-  /// The other way round.
+  /// Writes the other way round.
   void write(const SymmetricPattern& own, const BlockPattern& pattern, double scale,
              std::span<Mat3> values) const;
-  /// Diagonal blocks from the others.
+  /// Computes diagonal blocks from the others.
   void close(const SymmetricPattern& pattern);
 
   std::vector<float> right;  // 9 a block, column-major, and room to read one more
   std::vector<Mat3> diagonal;
 };
 
-/// y = scale·(K's off-diagonal blocks)·x + D·x, D the diagonal ones; 3n vectors.
+/// Computes y = scale·(K's off-diagonal blocks)·x + D·x, D the diagonal ones; 3n vectors.
 void multiply(const SymmetricPattern& pattern, const SymmetricRows& K, double scale, std::span<const Mat3> D,
               const double* x, double* y);
 

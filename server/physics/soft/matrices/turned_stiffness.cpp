@@ -42,7 +42,7 @@ HWY_INLINE void store_sum(const V4* sum, float* to) {
   for (std::size_t k = 0; k < 4; ++k) store4(sum[k], to + 4 * k);
 }
 
-/// Of row i: the sums at the places `base` … base + count − 1 right of the diagonal.
+/// Sums, in row i, the blocks at the places `base` … base + count − 1 right of the diagonal.
 template <std::size_t corners, std::size_t points>
 HWY_INLINE void sum_row(const TurnedRows& rows, std::size_t i, std::size_t base, std::size_t count,
                         float* sums) {
@@ -106,8 +106,8 @@ void quadratic_rows(const TurnedRows& rows, std::size_t first, std::size_t last,
   assemble_rows<10, 4>(rows, first, last, K);
 }
 
-/// Warped stiffness at a point, with D = Σ (u_b − u_0) r_bᵀ: stress D + Dᵀ + (λ/μ) tr(D) I, and the energy
-/// ½(½‖D + Dᵀ‖² + (λ/μ) tr(D)²).
+/// Computes the warped stiffness's work at a point, with D = Σ (u_b − u_0) r_bᵀ: stress D + Dᵀ + (λ/μ) tr(D)
+/// I. Returns the energy ½(½‖D + Dᵀ‖² + (λ/μ) tr(D)²).
 template <std::size_t corners>
 HWY_INLINE double warped_stress(const W4* u, const TurnedVector* r, float lame_ratio, W4* stress,
                                 double& pressure) {
@@ -126,7 +126,7 @@ HWY_INLINE double warped_stress(const W4* u, const TurnedVector* r, float lame_r
   return 0.5 * (0.5 * sum_of_three(squares) + pressure * trace);
 }
 
-/// ½uᵀKu of an element; with `f`, the forces K·u on its corners, three each.
+/// Returns ½uᵀKu of an element; with `f`, computes the forces K·u on its corners, three each.
 template <std::size_t corners, std::size_t points>
 HWY_INLINE double element_product(const TurnedElements& elements, std::size_t e, const std::uint32_t* node,
                                   const double* x, double (*f)[4]) {
@@ -244,7 +244,7 @@ double TurnedStiffness::multiply(const TurnedElements& elements, const double* u
   return energy;
 }
 
-/// ½uᵀKu and, unless null, the corners' forces.
+/// Returns ½uᵀKu and, unless null, computes the corners' forces.
 double TurnedStiffness::visit(const TurnedElements& elements, const double* u, Vec3* forces) {
   parallel_chunks(connectivity_.nodes(), nodes_per_chunk,
                   [&](std::size_t first, std::size_t last, std::size_t) {

@@ -16,21 +16,21 @@ struct TurnedRows {
 
 class TurnedStiffness {
  public:
-  /// Of elements with 4 corners and one point or with 10 and four. All must outlive this.
+  /// Takes elements with 4 corners and one point or with 10 and four. All must outlive this.
   TurnedStiffness(const Connectivity& elements, const BlockPattern& blocks, const SymmetricPattern& pattern);
 
-  /// To the elements as they are.
+  /// Fits to the elements as they are.
   void fit();
 
-  /// With the elements' twists. Each row by itself, its elements in their order: equal bits for any number
-  /// of threads.
+  /// Assembles K with the elements' twists. Each row is summed by itself, its elements in their order: equal
+  /// bits for any number of threads.
   void assemble(const TurnedElements& elements, SymmetricRows& K) const;
 
   // ---- K, the warped stiffness (whatever the twists), element by element, in double but for the gradients;
   // nothing at all on translations. 3n vectors.
-  /// ½uᵀKu.
+  /// Returns ½uᵀKu.
   double energy(const TurnedElements& elements, const double* u);
-  /// The same, and f = K·u.
+  /// Returns ½uᵀKu and computes f = K·u.
   double multiply(const TurnedElements& elements, const double* u, double* f);
 
  private:
