@@ -107,7 +107,8 @@ const std::vector<ExplicitRow>& explicit_integrators() {
 
 StepLimit::StepLimit(ExplicitIntegrator& method) : method_(method), x_(2), v_(2) {}
 
-/// Spectral radius of one step of h = z in units of 1/ω, from what it makes of (1, 0) and (0, 1).
+/// Returns the spectral radius of one step of h = z in units of 1/ω, from what the step makes of (1, 0) and
+/// (0, 1).
 double StepLimit::growth(AccelerationField& oscillator, double z) {
   x_ << 1, 0;
   v_ << 0, 1;

@@ -14,16 +14,16 @@ namespace prosector {
 class AccelerationField {
  public:
   virtual ~AccelerationField() = default;
-  /// m/s² into `a`; all 3n.
+  /// Computes the acceleration, m/s², into `a`; all 3n.
   virtual void at(const VecX& x, const VecX& v, VecX& a) = 0;
-  /// Whether it depends on v.
+  /// Tells whether the acceleration depends on v.
   virtual bool damped() const = 0;
 };
 
 class ExplicitIntegrator {
  public:
   virtual ~ExplicitIntegrator() = default;
-  /// x, v (3n: m, m/s) by h s. Allocates on the first call only.
+  /// Advances x, v (3n: m, m/s) by h s. Allocates on the first call only.
   virtual void step(AccelerationField& field, double h, VecX& x, VecX& v) = 0;
 };
 
@@ -39,12 +39,12 @@ const std::vector<ExplicitRow>& explicit_integrators();
 /// How long steps a method may take, from its own amplification matrix.
 class StepLimit {
  public:
-  /// `method` must outlive this and step nothing else: its memory is for one oscillation.
+  /// Takes the method, which must outlive this and step nothing else: its memory is for one oscillation.
   explicit StepLimit(ExplicitIntegrator& method);
-  /// The largest step, s, at which the oscillation x″ = −ω²x − (damping_mass + damping_stiffness·ω²)x′ does
-  /// not grow; 0 when it grows at every step. Of a body's oscillations the one with the largest ω, 1/s,
-  /// bounds the step, with damping as without: what grows faster with ω than the growth itself is none of the
-  /// methods' margins. Allocates on the first call only.
+  /// Returns the largest step, s, at which the oscillation x″ = −ω²x − (damping_mass +
+  /// damping_stiffness·ω²)x′ does not grow; 0 when it grows at every step. Of a body's oscillations the one
+  /// with the largest ω, 1/s, bounds the step, with damping as without. What grows faster with ω than the
+  /// growth itself is none of the methods' margins. Allocates on the first call only.
   double at(double omega, double damping_mass = 0, double damping_stiffness = 0);
 
  private:

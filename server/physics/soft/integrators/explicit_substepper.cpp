@@ -70,8 +70,8 @@ class ExplicitSubstepper final : public Substepper {
     fit();
   }
 
-  /// The frequency is sought from a vector that knows nothing, as ever: from the mode of what the body was it
-  /// would depend on the cuts between.
+  /// Fits to the body as it is. The frequency is sought from a vector that knows nothing, as ever: from the
+  /// mode of what the body was it would depend on the cuts between.
   void fit() override {
     method_ = find_row(explicit_integrators(), "integrator", body_.desc.integrator).make();
     field_.fit();
@@ -113,8 +113,8 @@ class ExplicitSubstepper final : public Substepper {
   }
 
  private:
-  /// √ of the largest eigenvalue of M⁻¹K at x by the power method on M^−½KM^−½, which improves `mode`. K is
-  /// the projected tangent and the attachments': what lowers frequencies is left out.
+  /// Returns √ of the largest eigenvalue of M⁻¹K at x by the power method on M^−½KM^−½, which improves
+  /// `mode`. K is the projected tangent and the attachments': what lowers frequencies is left out.
   double frequency(const double* x, int iterations, VecX& mode) {
     body_.pattern.gather(body_.model.tangent(x), 0, {}, stiffness_);
     double lambda = 0;

@@ -5,19 +5,20 @@
 
 namespace prosector {
 
-/// First order, L-stable; damps oscillations of angular frequency ω by a ratio of about ωh/2.
+/// Makes implicit Euler: first order, L-stable; it damps oscillations of angular frequency ω by a ratio of
+/// about ωh/2.
 std::unique_ptr<TimeIntegrator> make_implicit_euler();
 
-/// Second order, L-stable; its first step after a restart is implicit Euler's.
+/// Makes BDF2: second order, L-stable; its first step after a restart is implicit Euler's.
 std::unique_ptr<TimeIntegrator> make_bdf2();
 
-/// Second order, L-stable, two stages; of an oscillation with ωh = ½ it loses 0.02 % a step. Its first stage
-/// after a restart is implicit Euler's.
+/// Makes TR-BDF2: second order, L-stable, two stages; of an oscillation with ωh = ½ it loses 0.02 % a step.
+/// Its first stage after a restart is implicit Euler's.
 std::unique_ptr<TimeIntegrator> make_tr_bdf2();
 
-/// y = x_v + c·v_h + c²·g, from x_v and with v_h given in stage.y.
+/// Computes y = x_v + c·v_h + c²·g, from x_v and with v_h given in stage.y.
 void finish_inertia_target(double c, const Vec3& gravity, Stage& stage);
-/// v = (x − x_v)/c and x into the motion, whose present state becomes its history.
+/// Moves v = (x − x_v)/c and x into the motion, whose present state becomes its history.
 void advance(const Stage& stage, const Eigen::Ref<const VecX>& x, Motion& motion);
 
 }  // namespace prosector

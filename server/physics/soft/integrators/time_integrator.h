@@ -9,13 +9,14 @@
 //   implicit Euler: c = h,     x_v = x_n,                v_h = v_n
 //   BDF2:           c = 2h/3,  x_v = (4x_n − x_{n−1})/3, v_h = (4v_n − v_{n−1})/3
 //   TR-BDF2:        c = γh/2,  x_v = x_n + c·v_n,        v_h = v_n + c·a_n, then with x_γ, v_γ so found
-//                   c = γh/2,  x_v = (x_γ − (1−γ)²x_n)/(γ(2−γ)), v_h likewise;   γ = 2 − √2
+//                   c = γh/2,  x_v = (x_γ − (1−γ)²x_n)/(γ(2−γ)),
+//                              v_h = (v_γ − (1−γ)²v_n)/(γ(2−γ));   γ = 2 − √2
 // (Gear 1971; Bank et al. 1985; as a minimisation: Gast et al. 2015.)
 //
-// Why TR-BDF2 is the energy-faithful one here: at z = ωh = ½ it damps 40 times less than BDF2, yet it is
+// Why TR-BDF2 is the energy-faithful one here: at z = ωh = ½ it damps 40 times less than BDF2. Yet it is
 // L-stable, so that contacts and stiff modes that a tick cannot resolve die out instead of ringing. The
 // implicit midpoint and trapezoid rules lose nothing at all, and for that reason blow up in nonlinear bodies
-// at large steps (Simo & Tarnow 1992); the midpoint moreover extrapolates past the state that was solved
+// at large steps (Simo & Tarnow 1992). The midpoint moreover extrapolates past the state that was solved
 // for, and with it past every contact.
 
 #include <memory>
@@ -48,11 +49,12 @@ class TimeIntegrator {
  public:
   virtual ~TimeIntegrator() = default;
   virtual int stages() const = 0;
-  /// Of the step: what time the stage covers.
+  /// Returns what share of the step's time the stage covers.
   virtual double share(int /*stage_index*/) const { return 1; }
-  /// Whether a step depends on what was before its start.
+  /// Tells whether a step depends on what was before its start.
   virtual bool remembers() const = 0;
-  /// `h` s, `gravity` m/s² (zero for bodies without). Writes into `stage` without allocating once sized.
+  /// Begins a stage of a step of `h` s under `gravity` m/s² (zero for bodies without). Writes into `stage`
+  /// without allocating once sized.
   virtual void begin(int stage_index, double h, const Vec3& gravity, const Motion& motion,
                      Stage& stage) const = 0;
   /// Takes the minimiser x of the stage into the motion; after the last stage the step is done.

@@ -62,12 +62,12 @@ HWY_INLINE V4 multiply_add(V4 a, V4 b, V4 sum) {
 HWY_INLINE V4 scaled(float s, V4 v) {
   return hn::Set(Four(), s) * v;
 }
-/// y, z, x, and anything.
+/// Returns y, z, x, and anything.
 HWY_INLINE V4 turned4(V4 v) {
   alignas(16) static constexpr std::int32_t from[4] = {1, 2, 0, 3};
   return hn::TableLookupLanes(v, hn::SetTableIndices(Four(), from));
 }
-/// Of the first three.
+/// Returns the cross product of the first three entries.
 HWY_INLINE V4 cross4(V4 a, V4 b) {
   return turned4(hn::MulSub(a, turned4(b), turned4(a) * b));
 }
@@ -97,7 +97,7 @@ HWY_INLINE W4 multiply_add(double s, W4 v, W4 sum) {
 HWY_INLINE void store(W4 v, double* p) {
   hn::StoreU(v, FourDoubles(), p);
 }
-/// A += Aᵀ, of three columns; fourth entries don't matter.
+/// Adds A += Aᵀ, for three columns; fourth entries don't matter.
 HWY_INLINE void add_transposed(W4* A) {
   const FourDoubles d;
   const W4 even = hn::InterleaveLower(d, A[0], A[1]),
@@ -142,7 +142,7 @@ HWY_INLINE void add_transposed(W4* A) {
   }
 }
 #endif
-/// The first three entries' sum.
+/// Returns the first three entries' sum.
 HWY_INLINE double sum_of_three(const W4& v) {
   double entry[4];
   store(v, entry);

@@ -22,7 +22,7 @@ using D = hn::CappedTag<double, 8>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 
-/// Of registers of double, or of as many floats.
+/// Vectors of registers of double, or of as many floats.
 template <class T>
 struct VectorOf {
   T x, y, z;

@@ -22,7 +22,7 @@ HWY_INLINE Quaternion normalized(const Quaternion& q) {
   return {s * q.w, s * q.v};
 }
 
-/// Of a unit quaternion.
+/// Returns the rotation of a unit quaternion.
 HWY_INLINE Matrix rotation(const Quaternion& q) {
   const V one = number(1);
   const Vector t = q.v + q.v;
@@ -33,8 +33,8 @@ HWY_INLINE Matrix rotation(const Quaternion& q) {
           {xz + wy, yz - wx, one - (xx + yy)}};
 }
 
-/// The largest root of Horn's quartic for ‖F‖ = 1, to half the digits: `polished` doubles them. A lane that
-/// has converged stays as it is.
+/// Returns the largest root of Horn's quartic for ‖F‖ = 1, to half the digits: `polished` doubles them. A
+/// lane that has converged stays as it is.
 HWY_INLINE V largest_root(const Matrix& F, V& gap) {
   const Vector bc = cross(F.b, F.c), ca = cross(F.c, F.a), ab = cross(F.a, F.b);
   const V one = number(1), two = number(2), four = number(4);
@@ -53,7 +53,8 @@ HWY_INLINE V largest_root(const Matrix& F, V& gap) {
   return x;
 }
 
-/// The null vector of Horn's matrix less its root: the column of the adjugate with the largest diagonal.
+/// Returns the null vector of Horn's matrix less its root: the column of the adjugate with the largest
+/// diagonal.
 HWY_INLINE Quaternion null_vector(const Matrix& F, V root) {
   const V m00 = F.a.x + F.b.y + F.c.z - root, m11 = F.a.x - F.b.y - F.c.z - root,
           m22 = F.b.y - F.a.x - F.c.z - root, m33 = F.c.z - F.a.x - F.b.y - root;
@@ -85,7 +86,7 @@ HWY_INLINE Quaternion null_vector(const Matrix& F, V root) {
   return normalized(q);
 }
 
-/// One Newton step towards symmetric RᵀF.
+/// Makes one Newton step towards symmetric RᵀF.
 HWY_INLINE Matrix polished(const Quaternion& q, const Matrix& F) {
   const Matrix R = rotation(q), Rt = transposed(R), S = {Rt * F.a, Rt * F.b, Rt * F.c};
   const V half = number(0.5);
@@ -100,7 +101,7 @@ HWY_INLINE Matrix polished(const Quaternion& q, const Matrix& F) {
   return rotation(normalized({q.w - dot(q.v, v), q.v + q.w * v + cross(q.v, v)}));
 }
 
-/// R of F; `unique` is false in the lanes left to polar().
+/// Returns R of F; `unique` is false in the lanes left to polar().
 HWY_INLINE Matrix polar_rotation(const Matrix& F, M& unique) {
   const V s = number(1) / hn::Sqrt(double_dot(F, F));
   const Matrix unit = {s * F.a, s * F.b, s * F.c};

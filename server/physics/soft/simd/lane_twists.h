@@ -33,10 +33,10 @@ HWY_INLINE void rotate(Mask active, T& a_pp, T& a_qq, T& a_pq, T& a_rp, T& a_rq,
   u_q = s * p + c * u_q;
 }
 
-/// ½C = ½ Σ c_k u_k u_kᵀ with c_k = max(slope/max(σᵢ + σⱼ, least_pair), −2μ), slope = 2(λ tr(S − I) + p −
-/// 2μ): cyclic Jacobi on S, see symmetric_eigen.h, whose vectors start as R's columns and so become u_k =
-/// R·v_k. They need to be exact only as far as Newton needs its matrix (`tiny`: what is left of S off its
-/// diagonal, relative, squared); that they are orthonormal keeps the projection exact.
+/// Computes ½C = ½ Σ c_k u_k u_kᵀ with c_k = max(slope/max(σᵢ + σⱼ, least_pair), −2μ). Here slope = 2(λ tr(S
+/// − I) + p − 2μ). It runs cyclic Jacobi on S, see symmetric_eigen.h. The vectors start as R's columns and so
+/// become u_k = R·v_k. They need to be exact only as far as Newton needs its matrix (`tiny`: what is left of
+/// S off its diagonal, relative, squared). That they are orthonormal keeps the projection exact.
 template <class T>
 HWY_INLINE MatrixOf<T> half_twists(T lambda, T two_mu, T pressure, double least_pair, double tiny,
                                    const MatrixOf<T>& F, const MatrixOf<T>& R) {

@@ -14,9 +14,9 @@ class Cholesky {
   explicit Cholesky(const BlockPattern& pattern);
   ~Cholesky();
 
-  /// LDLᵀ of the matrix with these blocks; false when it is not positive definite or not finite.
+  /// Factors the matrix with these blocks as LDLᵀ; false when it is not positive definite or not finite.
   bool factor(std::span<const Mat3> values);
-  /// z = A⁻¹·r with the last factor, 3n each.
+  /// Computes z = A⁻¹·r with the last factor, 3n each.
   void solve(const double* r, double* z) const;
 
  private:

@@ -16,7 +16,7 @@ constexpr std::size_t entries_per_chunk = 8192;
 /// as good; beyond, the true one is found.
 constexpr int trusted_iterations = 100;
 
-/// f(i) for all entries of vectors of n.
+/// Calls f(i) for all entries of vectors of n.
 template <class F>
 void for_entries(Eigen::Index n, const F& f) {
   parallel_chunks(static_cast<std::size_t>(n), entries_per_chunk,

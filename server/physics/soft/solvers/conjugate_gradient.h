@@ -5,14 +5,15 @@
 
 namespace prosector {
 
-/// Preconditioned with H's diagonal blocks.
+/// Makes conjugate gradients preconditioned with H's diagonal blocks.
 std::unique_ptr<LinearSolver> make_cg();
 
-/// Preconditioned with the exact factor of the soft bodies' elastic matrices: one iteration without contacts,
-/// about one more for each contact direction that couples.
+/// Makes conjugate gradients preconditioned with the exact factor of the soft bodies' elastic matrices: one
+/// iteration without contacts, about one more for each contact direction that couples.
 std::unique_ptr<LinearSolver> make_direct();
 
-/// Preconditioned with one multigrid V-cycle for each soft body: some ten iterations, however fine the mesh.
+/// Makes conjugate gradients preconditioned with one multigrid V-cycle for each soft body: some ten
+/// iterations, however fine the mesh.
 std::unique_ptr<LinearSolver> make_multigrid();
 
 }  // namespace prosector

@@ -16,12 +16,12 @@ class LinearOperator {
   virtual ~LinearOperator() = default;
   virtual Eigen::Index size() const = 0;
   virtual void multiply(const VecX& p, VecX& Hp) const = 0;
-  /// z = P⁻¹·r with the block-diagonal part of H (3×3 and 6×6 blocks, contacts included).
+  /// Computes z = P⁻¹·r with the block-diagonal part of H (3×3 and 6×6 blocks, contacts included).
   virtual void block_jacobi(const VecX& r, VecX& z) const = 0;
-  /// z = A⁻¹·r with A the soft bodies' elastic matrices (without contacts) factored exactly, block-diagonal
-  /// elsewhere. Factors lazily, reusing the symbolic factorisation.
+  /// Computes z = A⁻¹·r with A the soft bodies' elastic matrices (without contacts) factored exactly,
+  /// block-diagonal elsewhere. Factors lazily, reusing the symbolic factorisation.
   virtual void elastic_factor(const VecX& r, VecX& z) const = 0;
-  /// One multigrid V-cycle for each soft body, contacts as diagonal blocks; block-diagonal elsewhere.
+  /// Applies one multigrid V-cycle for each soft body, contacts as diagonal blocks; block-diagonal elsewhere.
   virtual void multigrid(const VecX& r, VecX& z) const = 0;
 };
 

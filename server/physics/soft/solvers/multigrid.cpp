@@ -97,14 +97,14 @@ void residual_level(const Rows& A, std::size_t rows, std::size_t chunk, Work& w)
   });
 }
 
-/// to += from.
+/// Adds to += from.
 void add(const std::vector<float>& from, std::vector<float>& to) {
   parallel_chunks(to.size(), numbers_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i) to[i] += from[i];
   });
 }
 
-/// Four floats a node, from the first node on: small enough numbers for single precision.
+/// Converts to four floats a node, from the first node on: small enough numbers for single precision.
 void near_origin(const double* x, std::vector<float>& out) {
   parallel_chunks(out.size() / 4, numbers_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i)
@@ -260,7 +260,7 @@ struct Multigrid::Impl {
 
   SymmetricFloats matrix() const { return {off_diagonal, diagonal.data(), inverse.data()}; }
 
-  /// to = Rᵀ·from or, `forward`, to += R·from.
+  /// Computes to = Rᵀ·from or, `forward`, to += R·from.
   void rotate(bool forward, const float* from, float* to) const {
     parallel_chunks(pattern.rows(), fine_rows_per_chunk,
                     [&](std::size_t first, std::size_t last, std::size_t) {

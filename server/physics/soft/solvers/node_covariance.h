@@ -1,6 +1,6 @@
 #pragma once
 // How the material around each node has moved, as one matrix: Σ (x_j − x_i)(X_j − X_i)ᵀ over the node i's
-// neighbours j, whose polar factor is the rotation that fits them best. In single precision.
+// neighbours j. Its polar factor is the rotation that fits them best. In single precision.
 
 #include <cstddef>
 
@@ -9,8 +9,8 @@
 
 namespace prosector {
 
-/// Of nodes first … last − 1, at most elements_per_batch, in F's lanes from 0 on. `x`, `rest`: four floats a
-/// node, of which the fourth doesn't matter, from an origin near the body.
+/// Computes the matrices of nodes first … last − 1, at most elements_per_batch, in F's lanes from 0 on. `x`,
+/// `rest`: four floats a node, of which the fourth doesn't matter, from an origin near the body.
 void node_covariances(const BlockPattern& neighbours, const float* x, const float* rest, std::size_t first,
                       std::size_t last, LaneMatrix& F);
 

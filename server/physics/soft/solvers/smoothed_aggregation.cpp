@@ -11,8 +11,8 @@ constexpr int power_iterations = 20;
 constexpr std::size_t aggregates_per_chunk = 16;
 constexpr double least_mode = 1e-6;  // of a mode's size, that an aggregate must move by itself
 
-/// Greedy (Vaněk et al. 1996, alg. 2): whole neighbourhoods first, then whoever is left joins a neighbour's,
-/// then the rest among themselves. In order of the nodes.
+/// Aggregates greedily (Vaněk et al. 1996, alg. 2): whole neighbourhoods first, then whoever is left joins a
+/// neighbour's, then the rest among themselves. It goes in order of the nodes.
 template <int B>
 std::vector<std::uint32_t> aggregate(const BlockCsr<B, B>& A, const std::vector<bool>& left_out,
                                      std::size_t& count) {
@@ -45,8 +45,8 @@ std::vector<std::uint32_t> aggregate(const BlockCsr<B, B>& A, const std::vector<
   return of;
 }
 
-/// Orthonormal columns of the aggregate's modes (modified Gram–Schmidt) and the factor that they leave; a
-/// mode that the aggregate does not have, as a turn of a single node, becomes a column of zeros.
+/// Makes orthonormal columns of the aggregate's modes (modified Gram–Schmidt) and the factor that they leave.
+/// A mode that the aggregate does not have, as a turn of a single node, becomes a column of zeros.
 void orthonormalise(Eigen::MatrixXd& Q, Eigen::Matrix<double, 6, 6>& R) {
   R.setZero();
   for (int k = 0; k < 6; ++k) {

@@ -20,13 +20,14 @@ struct Coarsening {
   std::vector<Eigen::Matrix<double, 6, 6>> modes;  // the rigid modes in the coarse unknowns
 };
 
-/// `modes`: per node, what the six rigid modes do to its unknowns. `left_out`: nodes that something holds so
-/// firmly that no coarse space is needed. `eigenvalue`: an upper bound of D⁻¹A's, D its diagonal blocks.
+/// Coarsens A. `modes`: per node, what the six rigid modes do to its unknowns. `left_out`: nodes that
+/// something holds so firmly that no coarse space is needed. `eigenvalue`: an upper bound of D⁻¹A's, D its
+/// diagonal blocks.
 template <int B>
 Coarsening<B> coarsen(const BlockCsr<B, B>& A, std::span<const Eigen::Matrix<double, B, 6>> modes,
                       const std::vector<bool>& left_out, double eigenvalue);
 
-/// The largest eigenvalue of D⁻¹A by power iteration, and a tenth more.
+/// Returns the largest eigenvalue of D⁻¹A by power iteration, and a tenth more.
 template <int B>
 double largest_eigenvalue(const BlockCsr<B, B>& A);
 

@@ -67,9 +67,9 @@ class XpbdSubstepper final : public Substepper {
     state.omega = hs > 0 && hs * state.omega < settled ? 0 : relaxed * state.omega;
     return state.motion.x.allFinite();
   }
-  /// Halves the substeps. One sweep leaves energy in what is stiff for a substep: 4 times less with half as
-  /// long ones. Where the most that are allowed do not do, none are tried until `relaxed` has brought the
-  /// need down to them again.
+  /// Asks for half as long substeps. One sweep leaves energy in what is stiff for a substep: 4 times less
+  /// with half as long ones. Where the most that are allowed do not do, none are tried until `relaxed` has
+  /// brought the need down to them again.
   bool refine(double h, int taken, SoftBodyState& state) const override {
     const bool more = taken < allowed();
     state.omega = (more ? std::min(2 * taken, allowed()) : 2 * taken) / h;
