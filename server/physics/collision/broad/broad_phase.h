@@ -18,7 +18,7 @@ class BroadPhase {
   using Id = std::uint32_t;
   using Pair = std::pair<Id, Id>;  // first < second
 
-  /// `margin`: m, what an object may move before its place in the tree changes.
+  /// Takes the margin, m: what an object may move before its place in the tree changes.
   explicit BroadPhase(double margin) : still_(margin), moving_(margin) {}
 
   /// Ids are the caller's, small and dense. The box must be finite.
@@ -28,7 +28,7 @@ class BroadPhase {
   void set_moves(Id id, bool moves);
   bool has(Id id) const { return id < entries_.size() && entries_[id].used; }
 
-  /// Pairs whose boxes meet, whose masks allow it, and of which one moves at least; ascending.
+  /// Finds the pairs whose boxes meet, whose masks allow it, and of which one moves at least; ascending.
   const std::vector<Pair>& find_pairs();
   /// Ids whose boxes meet this one, ascending.
   std::vector<Id> query(const Aabb& box) const;

@@ -15,7 +15,7 @@ struct CollisionMask {
   std::uint32_t mask = ~0u;  // the groups that it touches
 };
 
-/// Each must be willing to touch the other.
+/// Tells whether each is willing to touch the other.
 constexpr bool may_touch(const CollisionMask& a, const CollisionMask& b) {
   return (a.group & b.mask) != 0 && (b.group & a.mask) != 0;
 }
@@ -23,11 +23,12 @@ constexpr bool may_touch(const CollisionMask& a, const CollisionMask& b) {
 /// The names of a scene's groups, as many as bits; each gets the next bit.
 class CollisionGroups {
  public:
-  /// "default" is there from the start.
+  /// Starts with the group "default".
   CollisionGroups();
   /// Throws InputError for an empty or doubled name and when 32 are taken.
   void add(std::string_view name);
-  /// `touches` empty: all. Throws InputError for a name that isn't there, listing those that are.
+  /// Returns the mask of a group. `touches` empty: all. Throws InputError for a name that isn't there,
+  /// listing those that are.
   CollisionMask mask(std::string_view group, std::span<const std::string> touches) const;
   std::span<const std::string> names() const { return names_; }
 

@@ -10,9 +10,9 @@
 namespace prosector {
 
 /// Leaves hold boxes a little larger than what they are for, so that most movements change nothing. A leaf
-/// goes beside the node whose boxes grow the least by it (surface area: Goldsmith and Salmon 1987), and
-/// rotations keep the tree low (Catto 2019, "Dynamic bounding volume hierarchies"). Plain arrays and
-/// indices: the same calls make the same tree.
+/// goes beside the node whose boxes grow the least by it (surface area: Goldsmith and Salmon 1987). Rotations
+/// keep the tree low (Catto 2019, "Dynamic bounding volume hierarchies"). Plain arrays and indices: the same
+/// calls make the same tree.
 ///
 /// Own rather than Bullet's btDbvt: that one is single precision, links by pointers, and its pairs come in an
 /// order that depends on its history.
@@ -21,12 +21,12 @@ class DynamicTree {
   using Leaf = std::uint32_t;
   static constexpr std::uint32_t nothing = ~0u;
 
-  /// `margin`: m, by how much leaves are larger.
+  /// Takes the margin, m: by how much leaves are larger.
   explicit DynamicTree(double margin) : margin_(margin) {}
 
   Leaf insert(const Aabb& box, std::uint32_t user);
   void remove(Leaf leaf);
-  /// Whether it had to go to another place.
+  /// Tells whether the leaf had to go to another place.
   bool move(Leaf leaf, const Aabb& box);
 
   std::size_t size() const { return leaves_; }
@@ -40,7 +40,7 @@ class DynamicTree {
   /// Calls f(user, user) once for every two leaves of this tree whose fat boxes meet.
   template <class F>
   void pairs_within(const F& f) const;
-  /// Calls f(user of this, user of other) likewise.
+  /// Calls f(user of this, user of other) once for every two leaves, one of each tree, whose fat boxes meet.
   template <class F>
   void pairs_with(const DynamicTree& other, const F& f) const;
 

@@ -21,7 +21,7 @@ struct Axis {
   Eigen::Index edge_a = 0, edge_b = 0;
 };
 
-/// Nothing when an axis parts them.
+/// Returns the axis of least overlap; nothing when an axis parts the boxes.
 std::optional<Axis> least_overlap(const BoxShape& a, const BoxShape& b) {
   const Mat3 ra = a.pose.q.toRotationMatrix(), rb = b.pose.q.toRotationMatrix();
   const Vec3 d = a.pose.p - b.pose.p;
@@ -46,7 +46,7 @@ std::optional<Axis> least_overlap(const BoxShape& a, const BoxShape& b) {
   return best;
 }
 
-/// Corner of the box that lies farthest that way, coordinates in the box's frame.
+/// Returns the corner of the box that lies farthest that way, in coordinates of the box's frame.
 Vec3 farthest(const BoxShape& box, const Vec3& direction) {
   return ((box.pose.q.conjugate() * direction).array() < 0).select(-box.half, box.half);
 }
@@ -68,8 +68,8 @@ void clip(std::array<Vec3, 8>& polygon, std::size_t& count, Eigen::Index axis, d
   count = kept;
 }
 
-/// The face of `incident` that looks against `normal` (out of `reference`), clipped to the face `axis` of
-/// `reference` and to what is below it.
+/// Finds the patch of the face of `incident` that looks against `normal` (out of `reference`), clipped to the
+/// face `axis` of `reference` and to what is below it.
 void face_patch(const BoxShape& reference, Eigen::Index axis, const BoxShape& incident, const Vec3& normal,
                 BoxOverlap& out) {
   const Vec3 in_incident = incident.pose.q.conjugate() * normal;

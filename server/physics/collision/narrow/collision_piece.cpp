@@ -39,7 +39,8 @@ struct Kernels {
   Result operator()(const MeshShape& a, const MeshShape& b) const { return surface_proximity(a, b, margin); }
   Result operator()(const BoxShape& a, const MeshShape& b) const { return faceted(a, b); }
   Result operator()(const ConvexShape& a, const MeshShape& b) const { return faceted(a, b); }
-  /// The triangles of a shape that has none of its own mean nothing to the caller.
+  /// Finds the proximity of a shape's faces. The triangles of a shape that has none of its own mean nothing
+  /// to the caller.
   template <class Shape>
   Result faceted(const Shape& a, const MeshShape& b) const {
     Result out = surface_proximity(surface_of(a), b, margin);

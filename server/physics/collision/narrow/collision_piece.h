@@ -19,7 +19,7 @@ struct ConvexShape {
 
 using CollisionPiece = std::variant<SphereShape, BoxShape, ConvexShape, MeshShape>;
 
-/// How near, or how deep. Nothing when farther apart than `margin`. Seven kernels do all sixteen pairs:
+/// Tells how near, or how deep. Nothing when farther apart than `margin`. Seven kernels do all sixteen pairs:
 ///
 ///            sphere   box      convex   mesh
 ///   sphere   closed   closed   GJK      signed distance of the centre
@@ -28,7 +28,7 @@ using CollisionPiece = std::variant<SphereShape, BoxShape, ConvexShape, MeshShap
 ///   mesh                                as surfaces of triangles
 std::optional<Proximity> proximity(const CollisionPiece& a, const CollisionPiece& b, double margin);
 
-/// Box around it in the room.
+/// Returns the box around the piece in the world frame.
 Aabb box_of(const CollisionPiece& piece);
 
 inline bool is_mesh(const CollisionPiece& piece) {

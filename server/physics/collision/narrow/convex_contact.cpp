@@ -14,7 +14,8 @@ namespace {
 
 // Bullet's tolerances are absolute, so shapes are brought to about this size.
 constexpr double bullet_size = 20;
-// Of the size: how far Bullet's depth may be from that of its planes to be taken for the least there is.
+// Share of the size: how far Bullet's depth may be from that of its planes to be taken for the least there
+// is.
 constexpr double certain = 1e-5;
 
 btVector3 to_bullet(const Vec3& v) {
@@ -33,7 +34,7 @@ class BulletCore final : public btConvexInternalShape {
     m_collisionMargin = 0;
   }
 
-  /// m, not scaled.
+  /// Returns the farthest point that way, m, not scaled.
   Vec3 farthest(const Vec3& direction) const {
     return rotation_ * convex_.farthest(rotation_.transpose() * direction) + shift_;
   }
@@ -59,12 +60,12 @@ class BulletCore final : public btConvexInternalShape {
   double scale_;
 };
 
-/// m: of the cores' supporting planes with that normal.
+/// Returns the gap, m, between the cores' supporting planes with that normal.
 double gap_along(const Vec3& normal, const BulletCore& a, const BulletCore& b) {
   return normal.dot(a.farthest(-normal) - b.farthest(normal));
 }
 
-/// Turns a normal of cores that overlap to where the planes overlap less, as long as that helps: at the least
+/// Turns a normal of cores that overlap to where the planes overlap less, as long as that helps. At the least
 /// overlap the corner of b − a that the planes meet lies straight ahead.
 void descend(Vec3& normal, const BulletCore& a, const BulletCore& b) {
   constexpr int most_turns = 24, most_halvings = 6;
@@ -105,7 +106,7 @@ std::optional<BulletDepth> bullet_depth(const BulletCore& a, const BulletCore& b
                      -gap_along(normal, a, b)};
 }
 
-/// Where Bullet is not sure: descends from the best of many directions, its own among them.
+/// Descends, where Bullet is not sure, from the best of many directions, its own among them.
 Vec3 searched_normal(const BulletCore& a, const BulletCore& b, const Pose& frame, const Vec3& apart,
                      const std::optional<BulletDepth>& found) {
   constexpr std::size_t tried = 4;

@@ -18,8 +18,8 @@ struct ClosestPoints {
 /// lies nearer to the origin. Closest points of corners by closest_points.h, tetrahedra by their four faces.
 class Gjk {
  public:
-  /// `farthest_a`, `farthest_b`: Vec3(const Vec3& direction). `start`: any vector but zero, best the way from
-  /// b to a; `size`: of the sets.
+  /// Finds the closest points of two sets. `farthest_a`, `farthest_b`: Vec3(const Vec3& direction). `start`:
+  /// any vector but zero, best the way from b to a; `size`: of the sets.
   template <class A, class B>
   static ClosestPoints run(const A& farthest_a, const B& farthest_b, const Vec3& start, double size);
 

@@ -37,7 +37,7 @@ struct Cut {
 
 struct Crossings {
   bool any = false;
-  // Of the pair whose b faces most the way that the bodies lie, by that share of the way.
+  // What is known of the pair whose b faces most the way that the bodies lie, by that share of the way.
   std::uint32_t triangle_a = 0, triangle_b = 0;
   double facing = -1;
   Vec3 point = Vec3::Zero();  // in a's frame
@@ -119,8 +119,8 @@ SurfacePoint at_vertex(const SurfaceTopology& topology, std::uint32_t vertex) {
   return {t, Vec3::Unit(c[0] == vertex ? 0 : c[1] == vertex ? 1 : 2)};
 }
 
-/// Corners of `one` inside `other`. A box whose middle is that far outside, or that shallow inside, holds no
-/// deeper one: signed distances change by no more than the way.
+/// Offers the corners of `one` inside `other`. A box whose middle is that far outside, or that shallow
+/// inside, holds no deeper one: signed distances change by no more than the way.
 void offer_corners(const InFrame& one, const TriangleSurface& other, Deepest& best) {
   const SurfaceTopology& topology = one.surface.topology();
   one.surface.tree().visit(
@@ -144,7 +144,7 @@ void offer_corners(const InFrame& one, const TriangleSurface& other, Deepest& be
       });
 }
 
-/// The parts of `one`'s edges between two crossings: such a part is no deeper than half its length.
+/// Offers the parts of `one`'s edges between two crossings. Such a part is no deeper than half its length.
 void offer_cut_edges(const InFrame& one, const std::vector<Cut>& cuts, const TriangleSurface& other,
                      Deepest& best) {
   constexpr int samples = 7;  // of a part
@@ -171,7 +171,8 @@ void offer_cut_edges(const InFrame& one, const std::vector<Cut>& cuts, const Tri
   }
 }
 
-/// Some corner of `one` inside `other`, though the surfaces don't cross: each piece is all in or all out.
+/// Tells whether some corner of `one` is inside `other`, though the surfaces don't cross. Each piece is then
+/// all in or all out.
 bool some_piece_inside(const InFrame& one, const TriangleSurface& other) {
   if (!other.topology().closed()) return false;
   const auto pieces = one.surface.topology().pieces();
@@ -183,7 +184,7 @@ bool some_piece_inside(const InFrame& one, const TriangleSurface& other) {
   });
 }
 
-/// Which way out, where the way itself may be too short to say.
+/// Returns which way leads out, where the way itself may be too short to say.
 Vec3 way_out(const Deepest& deepest, const TriangleSurface& other) {
   const Vec3 way = deepest.nearest.point - deepest.point;
   const double length = way.norm();
@@ -192,7 +193,7 @@ Vec3 way_out(const Deepest& deepest, const TriangleSurface& other) {
   return normal.isZero(0) ? Vec3(Vec3::UnitY()) : normal;
 }
 
-/// A crossing without depth: the side of b's face on which most of a lies.
+/// Returns the proximity of a crossing without depth: out on the side of b's face on which most of a lies.
 Proximity crossing_without_depth(const TriangleSurface& a, const InFrame& b, const Crossings& found) {
   Proximity out;
   const Triangle t = b.triangle(found.triangle_b);
@@ -206,7 +207,7 @@ Proximity crossing_without_depth(const TriangleSurface& a, const InFrame& b, con
   return out;
 }
 
-/// In a's frame.
+/// Returns the depth of surfaces that cross, in a's frame.
 Proximity depth_of(const InFrame& a_in_b, const InFrame& b, const Crossings& found) {
   const TriangleSurface& a = a_in_b.surface;
   Deepest of_a, of_b;
@@ -240,7 +241,7 @@ Proximity depth_of(const InFrame& a_in_b, const InFrame& b, const Crossings& fou
   return out;
 }
 
-/// In a's frame.
+/// Returns the distance of surfaces that are apart, in a's frame.
 std::optional<Proximity> distance_of(const TriangleSurface& a, const InFrame& b, double limit) {
   TrianglePair best;
   std::uint32_t triangle_a = 0, triangle_b = 0;

@@ -16,14 +16,15 @@ struct MeshShape {
   double rounding = 0;  // m: half of a sheet's thickness
 };
 
-/// Apart: their distance. Crossing, or one inside the other: the pointwise depth, the farthest that a point
-/// of one surface inside the other is from the other's surface; the normal leads it out the shortest way.
-/// Looked for among corners, and along those parts of edges that the other surface cuts off. For convex
-/// shapes that overlap a little this is the shortest way apart, for others a lower bound. Open surfaces have
-/// no inside: where nothing is inside a closed one, a crossing has gap 0 (less the roundings).
+/// Finds how near, or how deep, two surfaces are. Apart, that is their distance. Where they cross, or one is
+/// inside the other, it is the pointwise depth: the farthest that a point of one surface inside the other is
+/// from the other's surface. The normal leads that point out the shortest way. The point is looked for among
+/// corners, and along those parts of edges that the other surface cuts off. For convex shapes that overlap a
+/// little this is the shortest way apart, for others a lower bound. Open surfaces have no inside: where
+/// nothing is inside a closed one, a crossing has gap 0 (less the roundings).
 std::optional<Proximity> surface_proximity(const MeshShape& a, const MeshShape& b, double margin);
 
-/// By the signed distance of the centre.
+/// Finds the proximity by the signed distance of the centre.
 std::optional<Proximity> sphere_surface_proximity(const SphereShape& a, const MeshShape& b, double margin);
 
 }  // namespace prosector

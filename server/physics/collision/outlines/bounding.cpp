@@ -13,7 +13,7 @@ void for_each_point(std::span<const Cloud> clouds, const F& f) {
     for (const Vec3& x : cloud.points) f(x, cloud.rounding);
 }
 
-/// Right-handed; unit when all points are one.
+/// Returns the principal axes: right-handed; unit when all points are one.
 Quat principal_axes(std::span<const Cloud> clouds) {
   double count = 0;
   Vec3 mean = Vec3::Zero();

@@ -40,14 +40,14 @@ class RigidOutline {
     double rounding = 0;                             // … with balls around them
   };
   Part make_part(const ShapePart& shape) const;
-  /// Of all parts, in the frame that the poses lead to.
+  /// Fits one shape to all parts, in the frame that the poses lead to.
   template <class Fit>
   auto fit(std::span<const Pose> part_poses, const Fit& fit) const;
 
   Fidelity fidelity_;
   std::vector<Part> parts_;
   SphereShape rest_sphere_;  // in the body's frame
-  BoxShape rest_box_;        // likewise
+  BoxShape rest_box_;        // in the body's frame
 };
 
 }  // namespace prosector

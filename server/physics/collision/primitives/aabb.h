@@ -25,7 +25,7 @@ struct Aabb {
   Vec3 center() const { return (lo + hi) / 2; }
   Vec3 half() const { return (hi - lo) / 2; }
   Aabb grown(double by) const { return {lo.array() - by, hi.array() + by}; }
-  /// Touching counts.
+  /// Tells whether the boxes meet; touching counts.
   bool overlaps(const Aabb& b) const {
     return (lo.array() <= b.hi.array()).all() && (b.lo.array() <= hi.array()).all();
   }
@@ -36,14 +36,14 @@ struct Aabb {
     const Vec3 d = hi - lo;
     return 2 * (d.x() * d.y() + d.y() * d.z() + d.z() * d.x());
   }
-  /// m², 0 when they overlap.
+  /// Returns the squared distance, m²; 0 when they overlap.
   double squared_distance(const Aabb& b) const {
     return (lo - b.hi).cwiseMax(b.lo - hi).cwiseMax(0).squaredNorm();
   }
   double squared_distance(const Vec3& x) const { return (lo - x).cwiseMax(x - hi).cwiseMax(0).squaredNorm(); }
 };
 
-/// The box around a box that was turned and shifted; `rotation` is pose.q as a matrix.
+/// Returns the box around a box that was turned and shifted; `rotation` is pose.q as a matrix.
 inline Aabb transformed(const Aabb& box, const Mat3& rotation, const Vec3& shift) {
   const Vec3 center = rotation * box.center() + shift, half = rotation.cwiseAbs() * box.half();
   return {center - half, center + half};

@@ -10,15 +10,15 @@ namespace prosector {
 
 using Triangle = std::array<Vec3, 3>;  // m
 
-/// The point of triangle abc that is closest to p (5.1.5), as its barycentric weights; a weight is exactly 0
-/// where the point lies on an edge or a corner.
+/// Returns the point of triangle abc that is closest to p (5.1.5), as its barycentric weights. A weight is
+/// exactly 0 where the point lies on an edge or a corner.
 Vec3 closest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
 struct SegmentParameters {
   double s, t;  // in [0, 1] along the first and the second segment
 };
 
-/// Closest points p + s·d and q + t·e of two segments (5.1.9).
+/// Finds the closest points p + s·d and q + t·e of two segments (5.1.9).
 SegmentParameters closest_parameters(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& e);
 
 struct TrianglePair {
@@ -27,8 +27,8 @@ struct TrianglePair {
   double squared_distance = 0;                              // m²
 };
 
-/// Closest points of two triangles that do not cross: a corner against a face or an edge against an edge
-/// (5.1.10). Of those that cross, the closest of these features.
+/// Finds the closest points of two triangles that do not cross: a corner against a face or an edge against an
+/// edge (5.1.10). Of those that cross, it finds the closest of these features.
 TrianglePair closest(const Triangle& a, const Triangle& b);
 
 inline Vec3 at(const Triangle& t, const Vec3& weights) {

@@ -26,7 +26,8 @@ struct Proximity {
   Proximity flipped() const { return {-normal, gap, on_b, on_a, at_b, at_a}; }
 };
 
-/// Both shapes larger by their rounding, as if a ball of that radius were rolled around them.
+/// Returns the proximity of both shapes larger by their rounding, as if a ball of that radius were rolled
+/// around them.
 inline Proximity rounded(Proximity p, double rounding_a, double rounding_b) {
   p.gap -= rounding_a + rounding_b;
   p.on_a -= rounding_a * p.normal;

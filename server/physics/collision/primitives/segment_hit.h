@@ -12,8 +12,8 @@ struct SegmentHit {
   Vec3 weights;  // of the triangle's corners
 };
 
-/// None where both lie in one plane. `slack`: as much may a weight be below 0, so that nothing slips through
-/// between two triangles that share an edge.
+/// Returns where the segment a–b goes through the triangle; none where both lie in one plane. `slack`: as
+/// much may a weight be below 0, so that nothing slips through between two triangles that share an edge.
 inline std::optional<SegmentHit> segment_hit(const Vec3& a, const Vec3& b, const Triangle& x,
                                              double slack = 0) {
   const Vec3 n = (x[1] - x[0]).cross(x[2] - x[0]);

@@ -23,10 +23,10 @@ struct TriangleCrossing {
   std::array<Piercing, 6> piercings;
 };
 
-/// Closed triangles: touching counts. As Möller 1997 ("A fast triangle-triangle intersection test"), planes
-/// first; then edges against faces, which says where, and leaves no case out that has a length. Triangles in
-/// one plane, and those without an area, cross where their distance is less than rounding. Equal but for
-/// `of_a` when a and b are swapped.
+/// Tells whether and where closed triangles cross; touching counts. As in Möller 1997 ("A fast
+/// triangle-triangle intersection test"), planes come first. Then come edges against faces, which says where,
+/// and leaves no case out that has a length. Triangles in one plane, and those without an area, cross where
+/// their distance is less than rounding. The result is equal but for `of_a` when a and b are swapped.
 TriangleCrossing crossing(const Triangle& a, const Triangle& b);
 
 }  // namespace prosector

@@ -25,7 +25,7 @@ Aabb box_of(const std::vector<Vec3>& points) {
   return box;
 }
 
-/// Of the points those that can be corners of their hull.
+/// Returns those of the points that can be corners of their hull.
 std::vector<Vec3> outer_points(const std::vector<Vec3>& points) {
   if (points.empty()) throw InputError("collision hull: no points; it needs one at least");
   const Aabb box = box_of(points);

@@ -14,7 +14,7 @@ namespace prosector {
 class Convex {
  public:
   virtual ~Convex() = default;
-  /// Of the core; the direction need not be unit, but not zero.
+  /// Returns the core's farthest point that way; the direction need not be unit, but not zero.
   virtual Vec3 farthest(const Vec3& direction) const = 0;
 
   const Vec3& center() const { return center_; }
@@ -52,18 +52,18 @@ class ConvexBall final : public Convex {
 /// One that has faces too, for meeting triangle meshes.
 class FacetedConvex : public Convex {
  public:
-  /// Round shapes within `chord_error` or 48 segments around (common/primitives.h), hulls of
-  /// points within 1e-4 of their size.
+  /// Returns the faces: round shapes within `chord_error` or 48 segments around (common/primitives.h), hulls
+  /// of points within 1e-4 of their size.
   virtual std::shared_ptr<const TriangleSurface> faces() const = 0;
-  /// m: what of the rounding the faces lack.
+  /// Returns what of the rounding the faces lack, m.
   virtual double faces_rounding() const { return 0; }
 
  protected:
   using Convex::Convex;
 };
 
-/// What moves along with a soft surface: the hull of its points, found through its tree, so that a moved
-/// surface needs no new hull. faces() makes one anew each time it is called.
+/// What moves along with a soft surface: the hull of its points, found through its tree. So a moved surface
+/// needs no new hull. faces() makes one anew each time it is called.
 class SurfaceHull final : public FacetedConvex {
  public:
   SurfaceHull(std::shared_ptr<const TriangleSurface> surface, double rounding)
@@ -86,7 +86,7 @@ class PointHull final : public FacetedConvex {
   explicit PointHull(const std::vector<Vec3>& points);
   Vec3 farthest(const Vec3& direction) const override;
   std::shared_ptr<const TriangleSurface> faces() const override { return faces_; }
-  /// Those that may be corners.
+  /// Returns those that may be corners.
   const std::vector<Vec3>& points() const { return points_; }
 
  private:
@@ -95,15 +95,15 @@ class PointHull final : public FacetedConvex {
   std::shared_ptr<const TriangleSurface> faces_;
 };
 
-/// A part that is neither box nor sphere, in its own frame: capsule, cylinder and ellipsoid exactly, hull and
-/// triangles as the hull of their points.
+/// Makes a part that is neither box nor sphere, in its own frame: capsule, cylinder and ellipsoid exactly,
+/// hull and triangles as the hull of their points.
 std::shared_ptr<const FacetedConvex> make_convex(const ShapePart& part);
 
-/// A part's surface as triangles, in its own frame. Throws InputError for a size that isn't positive and
-/// finite.
+/// Makes a part's surface as triangles, in its own frame. Throws InputError for a size that isn't positive
+/// and finite.
 std::shared_ptr<const TriangleSurface> part_surface(const ShapePart& part);
 
-/// Twelve triangles, of no volume where an extent is 0.
+/// Makes twelve triangles, of no volume where an extent is 0.
 std::shared_ptr<const TriangleSurface> box_surface(const Vec3& half);
 
 /// Throws InputError for a size that isn't positive and finite, or a mesh that isn't there.

@@ -27,11 +27,11 @@ struct MassProperties {
   Mat3 inertia = Mat3::Zero();  // kg·m², about `center`
 };
 
-/// Closed forms for primitives; signed tetrahedra over the surface for meshes (Mirtich 1996). Of the part
-/// in the frame that `part.pose` leads to. A mesh must be closed.
+/// Returns the part's mass properties in the frame that `part.pose` leads to. They are closed forms for
+/// primitives, and signed tetrahedra over the surface for meshes (Mirtich 1996). A mesh must be closed.
 MassProperties part_mass(const ShapePart& part, double density);
 
-/// By the parallel-axis theorem.
+/// Combines mass properties by the parallel-axis theorem.
 MassProperties combine(const std::vector<MassProperties>& parts);
 
 /// Half extents of the box around a part in its own frame, about `center`.
@@ -41,7 +41,7 @@ struct Extent {
 };
 Extent part_extent(const ShapePart& part);
 
-/// The convex hull of points as a closed triangle mesh.
+/// Returns the convex hull of points as a closed triangle mesh.
 TriangleMesh convex_hull(const std::vector<Vec3>& points);
 
 }  // namespace prosector

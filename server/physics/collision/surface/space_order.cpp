@@ -7,7 +7,7 @@
 namespace prosector {
 namespace {
 
-/// The lower 10 bits, with two zeros between each two.
+/// Returns the lower 10 bits, with two zeros between each two.
 std::uint32_t spread(std::uint32_t bits) {
   bits = (bits | bits << 16) & 0x030000FFU;
   bits = (bits | bits << 8) & 0x0300F00FU;
@@ -33,7 +33,7 @@ SpaceOrder::SpaceOrder(std::vector<Vec3> points) : points_(std::move(points)), b
   sort();
 }
 
-/// Morton code: 10 bits of each coordinate, interleaved.
+/// Returns the Morton code: 10 bits of each coordinate, interleaved.
 std::uint32_t SpaceOrder::code(const Vec3& point) const {
   const Vec3 unit = (point - box_.lo) / std::max((box_.hi - box_.lo).maxCoeff(), 1e-9);
   std::uint32_t code = 0;
@@ -42,7 +42,7 @@ std::uint32_t SpaceOrder::code(const Vec3& point) const {
   return code;
 }
 
-/// By the code's digits, the lowest first: each pass keeps the order of the one before.
+/// Sorts by the code's digits, the lowest first: each pass keeps the order of the one before.
 void SpaceOrder::sort() {
   constexpr unsigned digit_bits = 10, digits = 3, values = 1U << digit_bits;
   struct Entry {

@@ -15,10 +15,10 @@ namespace prosector {
 class SpaceOrder {
  public:
   SpaceOrder() = default;
-  /// In linear time.
+  /// Orders the points in linear time.
   explicit SpaceOrder(std::vector<Vec3> points);
-  /// To what it would be of the points after the change: those that come are merged into it, unless the box
-  /// is another.
+  /// Follows a change to what the order of the points would be after it. Those that come are merged into it,
+  /// unless the box is another.
   void follow(const ListEdit& edit, std::span<const Vec3> come);
 
   std::size_t size() const { return order_.size(); }

@@ -8,7 +8,8 @@
 namespace prosector {
 
 /// Calls leaf(node of a, node of b) for pairs of leaves, nearest boxes first, while the boxes' squared
-/// distance is at most `limit()`. b's boxes are taken into a's frame by the pose's rotation and shift.
+/// distance is at most `limit()`. The boxes of b are taken into the frame of a by the rotation and shift of
+/// the pose.
 template <class Limit, class Leaf>
 void descend_pairs(const SurfaceTree& a, const SurfaceTree& b, const Mat3& rotation, const Vec3& shift,
                    const Limit& limit, const Leaf& leaf) {

@@ -42,7 +42,7 @@ void SurfaceTopology::follow(const SurfaceEdit& edit) {
   for (Corners& across : across_)
     for (std::uint32_t& triangle : across) triangle = edit.triangles.now[triangle];
   apply(edit.triangles, edit.corners, across_);  // which are found below, as those at what went are
-  apply(edit.triangles, edit.inner, open_);      // likewise
+  apply(edit.triangles, edit.inner, open_);      // found below, too
   for (const std::uint32_t t : stars_.around(edit.touched)) find_neighbours(t);
   find_out_whether_closed();
   pieces_.clear();

@@ -15,18 +15,19 @@ class SurfaceTopology {
   using Corners = std::array<std::uint32_t, 3>;
   /// Throws InputError when a triangle names a vertex that isn't there or one vertex twice.
   SurfaceTopology(std::vector<Corners> triangles, std::size_t vertices);
-  /// To that of the surface after the change: local but for moving memory and the search for pieces.
+  /// Follows a change to the topology of the surface after it: local but for moving memory and the search for
+  /// pieces.
   void follow(const SurfaceEdit& edit);
 
   std::span<const Corners> triangles() const { return triangles_; }
   std::size_t vertices() const { return stars_.vertices(); }
-  /// Triangles around a vertex, ascending.
+  /// Returns the triangles around a vertex, ascending.
   std::span<const std::uint32_t> around(std::uint32_t vertex) const { return stars_[vertex]; }
-  /// The triangle across edge (k, k + 1); itself where there is none or more than one.
+  /// Returns the triangle across edge (k, k + 1); itself where there is none or more than one.
   std::uint32_t across(std::uint32_t triangle, std::size_t edge) const { return across_[triangle][edge]; }
-  /// Every edge has two triangles that agree: the surface has an inside.
+  /// Tells whether every edge has two triangles that agree: the surface has an inside.
   bool closed() const { return closed_; }
-  /// A vertex of each connected piece, ascending.
+  /// Returns a vertex of each connected piece, ascending.
   std::span<const std::uint32_t> pieces() const { return pieces_; }
 
  private:

@@ -35,7 +35,7 @@ SurfaceTree::SurfaceTree(std::span<const Corners> triangles, std::span<const Vec
   refit(triangles, positions);
 }
 
-/// `halve`: puts what belongs before the middle there.
+/// Builds the node of a run. `halve`: puts what belongs before the middle there.
 template <class F>
 std::uint32_t SurfaceTree::build(std::uint32_t begin, std::uint32_t end, const F& halve) {
   const auto at = static_cast<std::uint32_t>(nodes_.size());

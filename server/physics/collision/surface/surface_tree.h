@@ -12,7 +12,7 @@
 namespace prosector {
 
 /// Built once by halving at the median centroid along the longest side, or runs of a given order, so it is
-/// balanced; when the surface moves, refit() takes the boxes along in O(triangles) and keeps the halves.
+/// balanced. When the surface moves, refit() takes the boxes along in O(triangles) and keeps the halves.
 /// Answers of the queries don't depend on which tree it is (equals are told apart by index) but for rounding;
 /// their cost does.
 class SurfaceTree {
@@ -30,8 +30,8 @@ class SurfaceTree {
   };
 
   SurfaceTree(std::span<const Corners> triangles, std::span<const Vec3> positions);
-  /// Of runs of `order`, which keeps neighbours together (space_order.h): where triangles come and go, the
-  /// tree follows the order.
+  /// Builds the tree of runs of `order`, which keeps neighbours together (space_order.h). Where triangles
+  /// come and go, the tree follows the order.
   SurfaceTree(std::span<const Corners> triangles, std::span<const Vec3> positions,
               std::span<const std::uint32_t> order);
   void refit(std::span<const Corners> triangles, std::span<const Vec3> positions);
@@ -44,8 +44,8 @@ class SurfaceTree {
   /// Calls leaf(node) for all leaves that enter(box) lets in, left to right.
   template <class Enter, class Leaf>
   void visit(const Enter& enter, const Leaf& leaf) const;
-  /// Best first: bound(box) is a lower bound of what leaf(node) can find; goes on while it is at most
-  /// `limit()`.
+  /// Descends best first: bound(box) is a lower bound of what leaf(node) can find. It goes on while the bound
+  /// is at most `limit()`.
   template <class Bound, class Limit, class Leaf>
   void descend(const Bound& bound, const Limit& limit, const Leaf& leaf) const;
 

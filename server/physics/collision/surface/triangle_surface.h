@@ -22,20 +22,21 @@ struct NearestPoint {
 };
 
 /// move() takes a soft surface to new positions and refits its tree. A cut makes a new topology: construct
-/// the surface anew with it, O(n log n), from rest positions where the tree itself shall not depend on when
-/// (its answers don't); or let one whose tree is that of an order follow.
+/// the surface anew with it, O(n log n). Do so from rest positions where the tree itself shall not depend on
+/// when (its answers don't). Or let one whose tree is that of an order follow.
 class TriangleSurface {
  public:
   using Corners = SurfaceTopology::Corners;
   /// Throws InputError for no triangles, numbers that aren't finite, and what SurfaceTopology refuses.
   explicit TriangleSurface(const TriangleMesh& mesh);
   TriangleSurface(std::shared_ptr<const SurfaceTopology> topology, std::vector<Vec3> positions);
-  /// Its tree is that of an order of the triangles (surface_tree.h).
+  /// Builds the surface with the tree of an order of the triangles (surface_tree.h).
   TriangleSurface(const TriangleMesh& mesh, std::span<const std::uint32_t> order);
-  /// To what the last of these would make of the mesh after the change and of its order.
+  /// Follows a change to what the constructor from an order would make of the mesh after it.
   void follow(const SurfaceEdit& edit, const TriangleMesh& mesh, std::span<const std::uint32_t> order);
 
-  /// False, and nothing moved, when a number isn't finite. Throws InputError for a wrong count.
+  /// Moves the vertices. Returns false, and moves nothing, when a number isn't finite. Throws InputError for
+  /// a wrong count.
   bool move(std::span<const Vec3> positions);
 
   const SurfaceTopology& topology() const { return *topology_; }
@@ -47,19 +48,21 @@ class TriangleSurface {
     return {positions_[c[0]], positions_[c[1]], positions_[c[2]]};
   }
 
-  /// Closest point of the surface; nothing farther away than `limit`. Of equally close triangles the first.
+  /// Returns the closest point of the surface; nothing farther away than `limit`. Of equally close triangles
+  /// the first counts.
   std::optional<NearestPoint> nearest(const Vec3& x,
                                       double limit = std::numeric_limits<double>::infinity()) const;
-  /// Unit normal at a point of the surface: of the face, or the angle-weighted pseudonormal of its edge or
-  /// corner (Bærentzen and Aanæs 2005), whose sign tells inside from outside. Zero where all is degenerate.
+  /// Returns the unit normal at a point of the surface: of the face, or the angle-weighted pseudonormal of
+  /// its edge or corner (Bærentzen and Aanæs 2005). Its sign tells inside from outside. It is zero where all
+  /// is degenerate.
   Vec3 normal_at(std::uint32_t triangle, const Vec3& weights) const;
-  /// Whether x, whose closest point that is, lies inside; never inside an open surface.
+  /// Tells whether x, whose closest point that is, lies inside; never inside an open surface.
   bool is_inside(const Vec3& x, const NearestPoint& nearest) const;
-  /// How often a closed surface winds around x: 1 inside, 0 outside, also of one that is folded through
-  /// itself, where the nearest point tells nothing (Jacobson et al. 2013, "Robust inside-outside segmentation
-  /// using generalized winding numbers"). O(triangles).
+  /// Returns how often a closed surface winds around x: 1 inside, 0 outside. It also tells of one that is
+  /// folded through itself, where the nearest point tells nothing (Jacobson et al. 2013, "Robust
+  /// inside-outside segmentation using generalized winding numbers"). O(triangles).
   double winding_number(const Vec3& x) const;
-  /// The vertex that lies farthest that way, the first of equals.
+  /// Returns the vertex that lies farthest that way, the first of equals.
   std::uint32_t farthest(const Vec3& direction) const;
 
  private:
