@@ -176,8 +176,8 @@ class Paths {
     return {is_shared(next) ? unseen : in(next), back ? out(next) : unseen};
   }
 
-  /// Measures the depths of all places as far from above as the nearest that leads below, and nearer. Tells
-  /// whether one does.
+  /// Measures the depths of all places as far from above as the nearest that leads below, and nearer. Returns
+  /// whether some place leads there.
   bool measure_depths() {
     depth_.assign(2 * around_.size(), unseen);
     open_.clear();

@@ -169,7 +169,7 @@ class Fans {
   std::vector<TetId> open_;
 };
 
-/// Splits the nodes of slit faces, and of edges that were split: the tetrahedra around an edge may have
+/// Separates the nodes of slit faces, and of edges that were split: the tetrahedra around an edge may have
 /// fallen apart before those at its ends.
 void part_nodes(TetComplex& complex, const SlitFaces& slit, std::vector<Vec3>& x, Marks& marks,
                 CutResult& result) {

@@ -54,7 +54,7 @@ struct SymmetricRows {
   /// Sets to share·(a double matrix of `pattern`), but the diagonal.
   void set(const SymmetricPattern& own, const BlockPattern& pattern, double share,
            std::span<const Mat3> values);
-  /// Writes the other way round.
+  /// Writes scale·(these blocks) into a double matrix of `pattern`, but the diagonal.
   void write(const SymmetricPattern& own, const BlockPattern& pattern, double scale,
              std::span<Mat3> values) const;
   /// Computes diagonal blocks from the others.
