@@ -76,10 +76,10 @@ forbid "TBB's loops only in server/physics/parallel.h, which tells the thread sa
 only "cutting knows collision, and nothing else of physics but threads" 'server/' \
   'server/physics/((cutting|collision)/|parallel\.h)' $(sources server/physics/cutting/)
 # The exceptions are stations of step() that work on several concepts.
-in_order server/physics '^server/physics/(contact/colliders|hands/take_inputs|rigid/breaking)\.' \
+in_order server/physics '^server/physics/(contact/colliders|rigid/breaking)\.' \
   soft collision cutting rigid contact hands parts panel organs coupled
-forbid "OpenGL only in client/render and client/display" '(GL/|GLFW/|EGL/|GLES)' \
-  $(sources '(common|idl|drivers|server)/') $(sources client/ '^client/(render|display)/')
+forbid "OpenGL only in client/render" '(GL/|GLFW/|EGL/|GLES)' \
+  $(sources '(common|idl|drivers|server)/') $(sources client/ '^client/render/')
 forbid "toml++, assimp, OpenCV and SQLite only in .cpp files" '(toml|assimp/|opencv|sqlite3)' \
   $(sources '(common|idl|drivers|server|client)/' '\.cpp$')
 

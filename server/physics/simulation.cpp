@@ -6,10 +6,10 @@
 #include <thread>
 
 #include "common/error.h"
+#include "server/physics/checkpoint.h"
 #include "server/physics/contact/fit_tissue.h"
 #include "server/physics/equilibrium.h"
 #include "server/physics/organs/cutting.h"
-#include "server/physics/state_io.h"
 #include "server/physics/step.h"
 #include "server/physics/task_order.h"
 

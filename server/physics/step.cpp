@@ -6,12 +6,12 @@
 #include "server/physics/coupled/solve_islands.h"
 #include "server/physics/coupled/unfold_tangles.h"
 #include "server/physics/hands/holding.h"
-#include "server/physics/hands/take_inputs.h"
 #include "server/physics/organs/cutting.h"
 #include "server/physics/panel/panel_station.h"
 #include "server/physics/phase_clock.h"
 #include "server/physics/report.h"
 #include "server/physics/rigid/breaking.h"
+#include "server/physics/take_inputs.h"
 #include "server/physics/tick_parts.h"
 
 namespace prosector {

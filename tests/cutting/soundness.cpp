@@ -6,9 +6,9 @@
 #include <numbers>
 #include <numeric>
 
+#include "server/physics/cutting/mesh_cut.h"
 #include "server/physics/cutting/pieces.h"
 #include "server/physics/cutting/tet_shape.h"
-#include "server/physics/cutting/volume_cut.h"
 
 namespace prosector {
 namespace {

@@ -31,7 +31,8 @@ TEST_P(Trees, FollowCutsAndWhatIsTakenBack) {
       anew.update(complex, x, low, high);
       followed.update(complex, x, low, high);
       const std::vector<std::size_t> one_part(edge.size(), 0);
-      for (const Sheet sheet(edge, next, one_part); const Sheet::Piece& piece : sheet.pieces()) {
+      for (const SweptSurface sheet(edge, next, one_part);
+           const SweptSurface::Piece& piece : sheet.pieces()) {
         std::vector<TetId> a, b;
         followed.query(piece, a);
         anew.query(piece, b);

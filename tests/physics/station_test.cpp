@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "server/physics/checkpoint.h"
 #include "server/physics/contact/fit_tissue.h"
 #include "server/physics/contact/soft_contact_finder.h"
 #include "server/physics/coupled/island_builder.h"
@@ -13,7 +14,6 @@
 #include "server/physics/hands/holding.h"
 #include "server/physics/organs/tissue_near.h"
 #include "server/physics/parts/part_rules.h"
-#include "server/physics/state_io.h"
 #include "server/physics/tick_parts.h"
 #include "tests/physics/scenes.h"
 

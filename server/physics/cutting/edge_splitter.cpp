@@ -23,7 +23,7 @@ double degrees_of(double cosine) {
 struct CrossedEdge {
   double length = 0;  // at rest
   NodeId a = 0, b = 0;
-  Sheet::Crossing at;
+  SweptSurface::Crossing at;
   bool operator<(const CrossedEdge& o) const {  // the longest comes first, then the lower ids
     if (length != o.length) return length < o.length;
     return a != o.a ? a > o.a : b > o.b;
@@ -32,7 +32,8 @@ struct CrossedEdge {
 
 class EdgeSplitter {
  public:
-  EdgeSplitter(TetComplex& complex, const Sheet& sheet, std::vector<Vec3>& x, Marks& marks, CutResult& result)
+  EdgeSplitter(TetComplex& complex, const SweptSurface& sheet, std::vector<Vec3>& x, Marks& marks,
+               CutResult& result)
       : complex_(complex), sheet_(sheet), x_(x), marks_(marks), result_(result) {}
 
   void run(std::span<const TetId> candidates) {
@@ -233,7 +234,7 @@ class EdgeSplitter {
   }
 
   TetComplex& complex_;
-  const Sheet& sheet_;
+  const SweptSurface& sheet_;
   std::vector<Vec3>& x_;
   Marks& marks_;
   CutResult& result_;
@@ -262,7 +263,7 @@ std::vector<BladeStroke::Mark> Marks::by_node() const {
   return out;
 }
 
-void split_edges(TetComplex& complex, const Sheet& sheet, std::span<const TetId> candidates,
+void split_edges(TetComplex& complex, const SweptSurface& sheet, std::span<const TetId> candidates,
                  std::vector<Vec3>& x, Marks& marks, CutResult& result) {
   PROSECTOR_ASSERT(is_ascending(candidates) && x.size() >= complex.node_end());
   EdgeSplitter(complex, sheet, x, marks, result).run(candidates);

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "server/physics/cutting/sheet.h"
-#include "server/physics/cutting/volume_cut.h"
+#include "server/physics/cutting/mesh_cut.h"
+#include "server/physics/cutting/swept_surface.h"
 
 namespace prosector {
 
@@ -29,7 +29,7 @@ class Marks {
 };
 
 /// Splits what `sheet` crosses among `candidates` (ascending). `x`: m, by node id; grows with new nodes.
-void split_edges(TetComplex& complex, const Sheet& sheet, std::span<const TetId> candidates,
+void split_edges(TetComplex& complex, const SweptSurface& sheet, std::span<const TetId> candidates,
                  std::vector<Vec3>& x, Marks& marks, CutResult& result);
 
 }  // namespace prosector

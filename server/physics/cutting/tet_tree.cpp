@@ -161,7 +161,7 @@ void TetTree::visit(Meets&& meets, std::vector<TetId>& found) const {
   }
 }
 
-void TetTree::query(const Sheet::Piece& piece, std::vector<TetId>& found) const {
+void TetTree::query(const SweptSurface::Piece& piece, std::vector<TetId>& found) const {
   visit(
       [&](const Vec3& low, const Vec3& high) {
         if ((low.array() > piece.high.array()).any() || (high.array() < piece.low.array()).any())

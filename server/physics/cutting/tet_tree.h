@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "server/physics/cutting/sheet.h"
+#include "server/physics/cutting/swept_surface.h"
 #include "server/physics/cutting/tet_complex.h"
 
 namespace prosector {
@@ -18,7 +18,7 @@ class TetTree {
   void update(const TetComplex& complex, std::span<const Vec3> positions, const Vec3& low, const Vec3& high);
   // ---- What lies in the last update's box
   /// Appends the tetrahedra of the last update whose boxes meet the piece's box and plane.
-  void query(const Sheet::Piece& piece, std::vector<TetId>& found) const;
+  void query(const SweptSurface::Piece& piece, std::vector<TetId>& found) const;
   /// Appends the tetrahedra of the last update whose boxes meet that box.
   void query(const Vec3& low, const Vec3& high, std::vector<TetId>& found) const;
 

@@ -11,9 +11,9 @@
 #include "common/byte_stream.h"
 #include "common/messages.h"
 #include "common/refusal.h"
+#include "server/physics/cutting/mesh_cut.h"
 #include "server/physics/cutting/skin.h"
 #include "server/physics/cutting/tet_complex.h"
-#include "server/physics/cutting/volume_cut.h"
 #include "server/physics/organs/organ_log.h"
 #include "server/physics/organs/organ_pieces.h"
 
@@ -34,7 +34,7 @@ class Organ {
   const std::vector<OrganPiece>& pieces() const { return grouping_.all(); }
   const OrganPiece& piece(std::size_t body) const { return grouping_.piece(body); }
 
-  /// Cuts for one tick of a blade's stroke, see volume_cut.h. `positions`: of every node, by id, m. Without
+  /// Cuts for one tick of a blade's stroke, see mesh_cut.h. `positions`: of every node, by id, m. Without
   /// operations in the result nothing changed.
   CutResult cut(std::span<const Vec3> positions, std::span<const Vec3> edge, BladeStroke& blade,
                 ParticipantId author, std::uint64_t stroke);

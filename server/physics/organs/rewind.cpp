@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "common/error.h"
+#include "server/physics/checkpoint.h"
 #include "server/physics/hands/hands.h"
 #include "server/physics/organs/piece_builder.h"
-#include "server/physics/state_io.h"
 
 namespace prosector {
 namespace {

@@ -10,7 +10,7 @@
 
 namespace prosector {
 
-class Sheet {
+class SweptSurface {
  public:
   struct Piece {
     std::array<Vec3, 3> corner;
@@ -33,8 +33,8 @@ class Sheet {
   /// are left out. What a part sweeps is smooth: where a piece's own normal is far from that of its part, the
   /// part's is the sheet's. Of a piece of edge whose ends go different ways two triangles have the motion of
   /// one end each; followed, it is divided until they hardly differ.
-  Sheet(std::span<const Vec3> from, std::span<const Vec3> to, std::span<const std::size_t> part,
-        Twist twist = Twist::flattened);
+  SweptSurface(std::span<const Vec3> from, std::span<const Vec3> to, std::span<const std::size_t> part,
+               Twist twist = Twist::flattened);
 
   std::span<const Piece> pieces() const { return pieces_; }
   /// Returns where the segment a–b goes through first; grazing along the sheet is none.

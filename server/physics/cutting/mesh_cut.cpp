@@ -1,4 +1,4 @@
-#include "server/physics/cutting/volume_cut.h"
+#include "server/physics/cutting/mesh_cut.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include "server/physics/cutting/cut_through.h"
 #include "server/physics/cutting/edge_splitter.h"
 #include "server/physics/cutting/missing_nodes.h"
-#include "server/physics/cutting/sheet.h"
 #include "server/physics/cutting/sheet_passage.h"
+#include "server/physics/cutting/swept_surface.h"
 
 namespace prosector {
 namespace {
@@ -271,8 +271,9 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
   std::vector<std::size_t> piece_of_edge;
   for (const BladeStroke::EdgePoint& p : stroke.edge) piece_of_edge.push_back(static_cast<std::size_t>(p.at));
   // In tissue that has an inside the line has points close by each other.
-  const Sheet sheet(from, to, piece_of_edge,
-                    complex.is_sheet() ? Sheet::Twist::followed : Sheet::Twist::flattened);
+  const SweptSurface sheet(
+      from, to, piece_of_edge,
+      complex.is_sheet() ? SweptSurface::Twist::followed : SweptSurface::Twist::flattened);
   Vec3 low = to.front(), high = low;
   for (const std::vector<Vec3>& points : {from, to})
     for (const Vec3& x : points) {
@@ -281,7 +282,7 @@ CutResult cut(TetComplex& complex, TetTree& tree, std::span<const Vec3> position
     }
   tree.update(complex, positions, low, high);
   std::vector<TetId> candidates;
-  for (const Sheet::Piece& piece : sheet.pieces()) tree.query(piece, candidates);
+  for (const SweptSurface::Piece& piece : sheet.pieces()) tree.query(piece, candidates);
   std::sort(candidates.begin(), candidates.end());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
 

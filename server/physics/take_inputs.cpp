@@ -1,4 +1,4 @@
-#include "server/physics/hands/take_inputs.h"
+#include "server/physics/take_inputs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "server/physics/cutting/sheet.h"
+#include "server/physics/cutting/swept_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +27,8 @@ double strips_of(const Vec3& motion, const Vec3& next_motion) {
 
 }  // namespace
 
-Sheet::Sheet(std::span<const Vec3> from, std::span<const Vec3> to, std::span<const std::size_t> part,
-             Twist twist) {
+SweptSurface::SweptSurface(std::span<const Vec3> from, std::span<const Vec3> to,
+                           std::span<const std::size_t> part, Twist twist) {
   for (std::size_t first = 0, next = 0; first + 1 < from.size(); first = next) {
     Vec3 area = Vec3::Zero();
     for (next = first; next + 1 < from.size() && part[next] == part[first]; ++next)
@@ -52,7 +52,7 @@ Sheet::Sheet(std::span<const Vec3> from, std::span<const Vec3> to, std::span<con
   }
 }
 
-void Sheet::add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& part_area) {
+void SweptSurface::add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& part_area) {
   const Vec3 area = twice_area(a, b, c);
   const double longest = std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm()});
   const double rounding = 1e-12 * longest;  // below, the normal is noise
@@ -66,7 +66,7 @@ void Sheet::add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& part_ar
                      a.cwiseMax(b).cwiseMax(c)});
 }
 
-std::optional<Sheet::Crossing> Sheet::crossing(const Vec3& a, const Vec3& b) const {
+std::optional<SweptSurface::Crossing> SweptSurface::crossing(const Vec3& a, const Vec3& b) const {
   constexpr double slack = 1e-9;  // of a piece: no gap between two that share an edge
   std::optional<Crossing> first;
   const Vec3 low = a.cwiseMin(b), high = a.cwiseMax(b);
@@ -86,7 +86,7 @@ std::optional<Sheet::Crossing> Sheet::crossing(const Vec3& a, const Vec3& b) con
   return first;
 }
 
-std::optional<Sheet::Foot> Sheet::foot(const Vec3& x, double reach) const {
+std::optional<SweptSurface::Foot> SweptSurface::foot(const Vec3& x, double reach) const {
   std::optional<Foot> best;
   for (const Piece& p : pieces_) {
     if (((p.low - x).array() > reach).any() || ((x - p.high).array() > reach).any()) continue;

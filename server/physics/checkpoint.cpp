@@ -1,4 +1,4 @@
-#include "server/physics/state_io.h"
+#include "server/physics/checkpoint.h"
 
 #include <algorithm>
 
