@@ -125,7 +125,9 @@ void EnergyGuard::finish(const std::vector<double>& work, double h) {
   const double kept = std::max(least_kept, std::exp2(-h / slack_halved));
   for (std::size_t m = 0; m < island_->soft.size(); ++m) {
     SoftBodyState& state = *island_->soft[m].state;
-    const double headroom = std::clamp(allowed(m, work[m]) - after_[m], 0.0, most_slack * after_[m]);
+    // Stored energy may be below zero by rounding, or by its law: then there is none to spare.
+    const double most = most_slack * std::max(after_[m], 0.0);
+    const double headroom = std::clamp(allowed(m, work[m]) - after_[m], 0.0, most);
     state.energy_slack = island_->soft[m].body->stepper().integrator().remembers() ? kept * headroom : 0;
   }
 }
