@@ -71,7 +71,9 @@ for part in soft collision; do
   only "$part knows nothing of the rest of physics but threads and edits of lists" 'server/' \
     "server/physics/($part/|(parallel|list_edit|surface_edit)\\.h)" $(sources "server/physics/$part/")
 done
-forbid "TBB's loops only in server/physics/parallel.h, which tells the thread sanitizer their order" 'tbb/parallel_' \
+forbid "TBB's loops only in server/physics/fork_join.h, which has others for the thread sanitizer" 'tbb/parallel_' \
+  $(sources '(common|idl|drivers|server|client)/' '^server/physics/fork_join\.h$')
+forbid "fork_join.h only by parallel.h: its ranges depend on the threads" 'server/physics/fork_join\.h' \
   $(sources '(common|idl|drivers|server|client)/' '^server/physics/parallel\.h$')
 only "cutting knows collision, and nothing else of physics but threads" 'server/' \
   'server/physics/((cutting|collision)/|parallel\.h)' $(sources server/physics/cutting/)

@@ -1,16 +1,11 @@
 #pragma once
 // Work in parallel whose results don't depend on how many threads did it. All of it goes through here.
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
-#include <tbb/partitioner.h>
-
 #include <algorithm>
 #include <cstddef>
 
 #include "common/assert.h"
-#include "server/physics/task_order.h"
+#include "server/physics/fork_join.h"
 
 namespace prosector {
 
@@ -32,32 +27,23 @@ void parallel_chunks(std::size_t n, std::size_t chunk, const F& f) {
     if (chunks == 1) run(0);
     return;
   }
-  TaskOrder order;
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, chunks),
-      [&](const tbb::blocked_range<std::size_t>& range) {
-        order.run([&] {
-          for (std::size_t c = range.begin(); c != range.end(); ++c) run(c);
-        });
-      },
-      tbb::auto_partitioner());
-  order.join();
+  fork_join::ranges(chunks, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c != end; ++c) run(c);
+  });
 }
 
 /// Calls f(i) for each i of [0, n), each of them much work.
 template <class F>
 void parallel_each(std::size_t n, const F& f) {
-  TaskOrder order;
-  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) { order.run([&] { f(i); }); });
-  order.join();
+  fork_join::ranges(n, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i != end; ++i) f(i);
+  });
 }
 
 /// Calls both, at once where a thread is free.
 template <class F, class G>
 void parallel_both(const F& f, const G& g) {
-  TaskOrder order;
-  tbb::parallel_invoke([&] { order.run(f); }, [&] { order.run(g); });
-  order.join();
+  fork_join::both(f, g);
 }
 
 }  // namespace prosector

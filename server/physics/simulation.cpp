@@ -11,7 +11,6 @@
 #include "server/physics/equilibrium.h"
 #include "server/physics/organs/cutting.h"
 #include "server/physics/step.h"
-#include "server/physics/task_order.h"
 
 namespace prosector {
 namespace {
@@ -35,14 +34,6 @@ void begin(State& state, StepBuffers& buffers, const CompileOptions& options) {
   for (const Tissue& tissue : bodies.soft) state.dissection.uncut_equilibrium.push_back(tissue.equilibrium);
 }
 
-/// Runs a task with the arena's threads.
-template <class F>
-void run_in(tbb::task_arena& arena, const F& task) {
-  TaskOrder order;
-  arena.execute([&] { order.run(task); });
-  order.join();
-}
-
 }  // namespace
 
 struct Simulation::Impl {
@@ -51,7 +42,7 @@ struct Simulation::Impl {
         state(model, std::move(compiled.soft)),
         buffers(state),
         arena(threads_of(options)) {
-    run_in(arena, [&] { begin(state, buffers, options); });
+    arena.execute([&] { begin(state, buffers, options); });
   }
 
   const Model model;
@@ -67,7 +58,7 @@ Simulation::~Simulation() = default;
 
 const StepReport& Simulation::step(const TickInput& input) {
   Impl& m = *impl_;
-  run_in(m.arena, [&] {
+  m.arena.execute([&] {
     m.report = {};
     prosector::step(m.state, m.buffers, input, m.report);
   });
