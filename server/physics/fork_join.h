@@ -1,6 +1,6 @@
 #pragma once
-// The one place that knows what runs tasks: TBB. Under the thread sanitizer threads of our own take its place:
-// Debian's TBB isn't built with the sanitizer, which then takes all that TBB orders for races.
+// The one place that knows what runs tasks: TBB. Under the thread sanitizer threads of our own take its
+// place: Debian's TBB isn't built with the sanitizer, which then takes all that TBB orders for races.
 
 #ifdef __SANITIZE_THREAD__
 #include <tbb/task_arena.h>
@@ -65,7 +65,8 @@ template <class F>
 void ranges(std::size_t n, const F& f) {
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, n),
-      [&](const tbb::blocked_range<std::size_t>& range) { f(range.begin(), range.end()); }, tbb::auto_partitioner());
+      [&](const tbb::blocked_range<std::size_t>& range) { f(range.begin(), range.end()); },
+      tbb::auto_partitioner());
 }
 
 /// Calls both and waits for both.
