@@ -89,8 +89,9 @@ void Connection::ask_to_join(std::chrono::milliseconds patience) {
     }
     bus_->wait(poll_interval);
     bus_->take(received);
-    const CommandResult* answer = apply(received);
-    if (answer == nullptr) continue;
+    const std::vector<const CommandResult*> answers = apply(received);
+    if (answers.empty()) continue;
+    const CommandResult* answer = answers.back();
     if (answer->accepted) return;
     throw InputError(fmt::format("session '{}' refused {}: {}", servers_.replica().session()->session,
                                  presence_.name, answer->reason));
@@ -100,16 +101,16 @@ void Connection::ask_to_join(std::chrono::milliseconds patience) {
                                static_cast<double>(patience.count()) / 1e3));
 }
 
-/// Takes a batch; returns the last answer to a command of ours by the server that is followed then, or null.
-const CommandResult* Connection::apply(const std::vector<Received>& received) {
+/// Takes a batch; returns the answers to commands of ours by the server that is followed then.
+std::vector<const CommandResult*> Connection::apply(const std::vector<Received>& received) {
   for (const Received& r : received) servers_.apply(r);
-  const CommandResult* answer = nullptr;
+  std::vector<const CommandResult*> answers;
   for (const Received& r : received) {
     const auto* result = std::get_if<CommandResult>(&r.message);
     const bool ours = result != nullptr && result->participant == presence_.participant;
-    if (ours && r.writer == servers_.followed()) answer = result;
+    if (ours && r.writer == servers_.followed()) answers.push_back(result);
   }
-  return answer;
+  return answers;
 }
 
 void Connection::start() {
@@ -132,8 +133,8 @@ void Connection::run(std::stop_token stop) {
       for (const Received& r : received)
         if (r.writer == followed) on_received_(r);
     std::lock_guard lock(mutex_);
-    const CommandResult* answer = apply(received);
-    if (answer != nullptr && !answer->accepted) refusal_ = answer->reason;
+    for (const CommandResult* answer : apply(received))
+      if (!answer->accepted) refusals_.push_back(answer->reason);
   }
 }
 
@@ -172,9 +173,9 @@ void Connection::command(Command command) {
   bus_->publish(command);
 }
 
-std::string Connection::last_refusal() {
+std::vector<std::string> Connection::take_refusals() {
   std::lock_guard lock(mutex_);
-  return std::exchange(refusal_, {});
+  return std::exchange(refusals_, {});
 }
 
 }  // namespace prosector

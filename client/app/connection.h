@@ -49,15 +49,15 @@ class Connection {
   void command(CommandKind kind, std::size_t hand);
   void command(Command command);  // participant and sequence are filled in
   BusCounters counters() const { return bus_->counters(); }
-  /// Returns the last refusal of a command, for people; empty when all went well.
-  std::string last_refusal();
+  /// Returns why commands were refused since the last call, for people, in order.
+  std::vector<std::string> take_refusals();
 
  private:
   std::unique_ptr<Bus> bus_;
   Presence presence_;
   std::mutex mutex_;
   ServerChoice servers_;
-  std::string refusal_;
+  std::vector<std::string> refusals_;
   std::atomic<std::uint64_t> command_sequence_ = 0;
   std::function<void(const Received&)> on_received_;
   std::jthread thread_;
@@ -65,7 +65,7 @@ class Connection {
   void find_session(const BusConfig& config, std::chrono::milliseconds patience);
   void ask_to_join(std::chrono::milliseconds patience);
   void run(std::stop_token stop);
-  const CommandResult* apply(const std::vector<Received>& received);
+  std::vector<const CommandResult*> apply(const std::vector<Received>& received);
   void rejoin_if_forgotten();
   void ask_for_keyframes();
 };

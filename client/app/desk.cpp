@@ -54,6 +54,13 @@ void Desk::update(const CameraInfo& start, const Panel* own_panel) {
   if (hand_.closed() || !at_panel()) hand_pose_ = hand_.pose(pointer(), yaw_);
 }
 
+void Desk::wait() {
+  for (const WindowEvent& event : window_.poll_events()) {
+    const auto* key = std::get_if<KeyEvent>(&event);
+    if (std::get_if<CloseRequested>(&event) || (key && key->down && key->key == Key::escape)) closed_ = true;
+  }
+}
+
 void Desk::take(const WindowEvent& event) {
   if (std::get_if<CloseRequested>(&event)) closed_ = true;
   if (const auto* key = std::get_if<KeyEvent>(&event)) {

@@ -38,6 +38,8 @@ class Desk {
   /// Takes the window's events and moves the view; `start` is where it begins, `own_panel` the user's open
   /// one, or null.
   void update(const CameraInfo& start, const Panel* own_panel);
+  /// Takes the window's events while there is nothing to see yet: closing counts, the rest does not.
+  void wait();
   bool closed() const { return closed_; }
   const Pose& eye() const { return eye_; }
   /// Returns the user as mouse and keyboard have them.

@@ -10,6 +10,7 @@
 #include "client/app/client_report.h"
 #include "client/app/console.h"
 #include "client/app/cut_list.h"
+#include "client/app/happenings.h"
 #include "client/app/input_pump.h"
 #include "client/app/panel_call.h"
 #include "client/app/session_log.h"
@@ -30,7 +31,9 @@ void tell(const std::string& line) {
 class Client {
  public:
   Client(const ClientOptions& options, std::int64_t started_ns)
-      : options_(options), connection_(options.bus, request(options)) {
+      : options_(options),
+        connection_(options.bus, request(options)),
+        happenings_(connection_.participant()) {
     report_.started_ns = started_ns;
     report_.joined_ns = monotonic_ns();
     tell(fmt::format("{} session '{}' as {}", options.join.role == Role::observer ? "observing" : "joined",
@@ -42,7 +45,7 @@ class Client {
     if (!options.session_log.empty()) log_.emplace(options.session_log);
     connection_.start();
     take_role(options.join.role);
-    viewer_.emplace(options, connection_, report_, tell);
+    viewer_.emplace(options, connection_, report_, [this](const std::string& line) { inform(line); });
     if (viewer_->has_desk() && pump_ && !has_devices(options.devices)) tell(desk_help);
     if (isatty(STDIN_FILENO) != 0) tell(console_help);
   }
@@ -58,7 +61,10 @@ class Client {
       if (pump_) obey_gestures();
       if (log_ && report_.complete_ns) write_log();
       viewer_->reload_changed_shaders();
-      if (report_.complete_ns) viewer_->draw_if_seen(pump_.get());
+      if (report_.complete_ns)
+        viewer_->draw_if_seen(pump_.get());
+      else
+        show_loading();
       next = std::max(next + interval, std::chrono::steady_clock::now() - interval);
       std::this_thread::sleep_until(next);
     }
@@ -79,6 +85,7 @@ class Client {
   bool server_gone_ = false;
   Role role_ = Role::observer;
   Console console_;
+  Happenings happenings_;
 
   static JoinRequest request(const ClientOptions& o) {
     JoinRequest out = o.join;
@@ -107,11 +114,26 @@ class Client {
     }
     if (gone != server_gone_) {
       server_gone_ = gone;
-      tell(gone ? "the server is gone; waiting for it to come back" : "the server is back");
+      inform(gone ? "the server is gone; waiting for it to come back" : "the server is back");
     }
-    if (const std::string refusal = connection_.last_refusal(); !refusal.empty())
-      tell("the server refused: " + refusal);
+    for (const std::string& refusal : connection_.take_refusals()) inform("the server refused: " + refusal);
+    for (const std::string& news : connection_.with_replica([&](const Replica& replica) {
+           return happenings_.look(replica, seconds_since(report_.joined_ns));
+         }))
+      inform(news);
     viewer_->tell_failures();
+  }
+
+  /// Tells people at the terminal and in the picture.
+  void inform(const std::string& line) {
+    tell(line);
+    if (viewer_) viewer_->say(line);
+  }
+
+  void show_loading() {
+    const double progress =
+        connection_.with_replica([](const Replica& replica) { return replica.progress(); });
+    viewer_->draw_loading(missing_, progress);
   }
 
   /// Observers have no hands; whoever is made a dissector has.
@@ -143,9 +165,9 @@ class Client {
     });
     if (role == role_) return;
     take_role(role);
-    tell(role == Role::observer
-             ? "you are an observer now"
-             : fmt::format("you are {} now", role == Role::host ? "the host" : "a dissector"));
+    inform(role == Role::observer
+               ? "you are an observer now"
+               : fmt::format("you are {} now", role == Role::host ? "the host" : "a dissector"));
   }
 
   void obey_console() {
@@ -168,7 +190,7 @@ class Client {
                            [&](BodyId body) { return r.topology(body); });
         }));
       else
-        tell(std::get<std::string>(parsed));
+        inform(std::get<std::string>(parsed));
     }
   }
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "common/clock.h"
+#include "client/view/loading_picture.h"
 
 namespace prosector {
 
@@ -37,6 +37,15 @@ void Viewer::draw_if_seen(InputPump* pump) {
   if (!kept && !stage_->desk && report_.first_picture_ns) return;
   const Image image = draw(pump, kept);
   if (kept) sink_.take(image, seconds);
+}
+
+void Viewer::draw_loading(const std::string& waits_for, double progress) {
+  if (!has_desk()) return;
+  stage_->desk->wait();
+  const double scale = options_.scale.value_or(stage_->window->content_scale());
+  stage_->renderer->draw(loading_picture(options_.bus.session, waits_for, progress, stage_->context->width(),
+                                         stage_->context->height(), scale));
+  stage_->context->present();
 }
 
 void Viewer::finish(InputPump* pump) {
@@ -117,6 +126,7 @@ Image Viewer::draw(InputPump* pump, bool keep) {
   settings.detail = governor_ ? governor_->level().detail : options_.quality.detail;
   settings.follow = follow_;
   settings.eye = looks_from_;
+  settings.messages = messages_.shown(seconds_since(report_.joined_ns));
   if (options_.display == Display::stereo) settings.stereo = options_.stereo;
   if (pump != nullptr) self.input = pump->latest();
   if (stage_->desk) use_desk(pump, self, settings);

@@ -13,6 +13,8 @@
 #include "client/app/picture_sink.h"
 #include "client/app/stage.h"
 #include "client/render/quality_governor.h"
+#include "client/view/message_lines.h"
+#include "common/clock.h"
 
 namespace prosector {
 
@@ -29,6 +31,10 @@ class Viewer {
 
   /// Sets from where pictures that no desk turns are taken from now on; nullopt: as the scene has it.
   void look_from(const std::optional<Pose>& eye) { looks_from_ = eye; }
+  /// Shows the line in pictures for a while.
+  void say(const std::string& line) { messages_.say(line, seconds_since(report_.joined_ns)); }
+  /// Shows in the window, if there is one, what is waited for, and how much of it is here (0 … 1).
+  void draw_loading(const std::string& waits_for, double progress);
   /// Asks for the next picture in `file`.
   void take_picture(const std::filesystem::path& file);
   /// Returns the part of the anatomy that the ray meets first in the last picture.
@@ -56,6 +62,7 @@ class Viewer {
   std::string follow_;  // whose eyes to look through; empty: own
   bool full_screen_ = false;
   Figures figures_;
+  MessageLines messages_;
 
   Image draw(InputPump* pump, bool keep);
   void use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings);

@@ -48,4 +48,11 @@ std::optional<std::span<const std::uint8_t>> AssetStore::find(const ContentHash&
   return std::span<const std::uint8_t>(it->second);
 }
 
+double AssetStore::share(const ContentHash& hash) const {
+  if (complete_.contains(hash)) return 1;
+  const auto partial = partial_.find(hash);
+  if (partial == partial_.end()) return 0;
+  return 1 - static_cast<double>(partial->second.missing) / partial->second.chunks;
+}
+
 }  // namespace prosector

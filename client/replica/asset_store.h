@@ -19,6 +19,8 @@ class AssetStore {
   void add(const AssetChunk& chunk);
   /// Returns the asset's bytes once complete and proven, else nullopt.
   std::optional<std::span<const std::uint8_t>> find(const ContentHash& hash) const;
+  /// Returns how much of the asset has arrived, 0 … 1.
+  double share(const ContentHash& hash) const;
   std::size_t refused() const { return refused_; }
 
  private:

@@ -201,6 +201,23 @@ std::string Replica::missing() const {
                      scene_->bodies.size(), states, topologies);
 }
 
+double Replica::progress() const {
+  if (!session_ || !scene_ || scene_->bodies.empty()) return scene_ && session_ ? 1 : 0;
+  double sum = 0;
+  for (BodyId id = 0; id < scene_->bodies.size(); ++id) {
+    const SceneBody& body = scene_->bodies[id];
+    const double mesh = assets_.share(body.mesh);
+    if (body.kind == BodyKind::rigid) {
+      sum += mesh;
+      continue;
+    }
+    const auto soft = soft_.find(id);
+    const double state = soft != soft_.end() && soft->second.complete() ? 1 : 0;
+    sum += (mesh + assets_.share(body.map) + state + (topology(id) != nullptr ? 1 : 0)) / 4;
+  }
+  return sum / static_cast<double>(scene_->bodies.size());
+}
+
 const TopologyRevision* Replica::topology(BodyId body) const {
   const auto found = topology_.find(body);
   return found == topology_.end() ? nullptr : found->second.shown();

@@ -40,6 +40,8 @@ class Replica {
   bool complete() const { return complete_; }
   /// Returns what is still missing, for people: "waiting for 3 of 12 meshes".
   std::string missing() const;
+  /// Returns how much of what missing() waits for is here, 0 … 1.
+  double progress() const;
   /// Hashes the chain hashes of the topology revisions that are shown of every soft body: equal on every
   /// client that sees the same cuts.
   std::uint64_t topology_hash() const;

@@ -11,7 +11,7 @@ namespace prosector {
 namespace {
 
 constexpr double text_height = 13, padding = 7;             // points
-constexpr double left = 118, bottom = 10;                   // points: right of the axes
+constexpr double left = 118, bottom = message_band;         // points: right of the axes
 constexpr double line_spacing = 1.3, letter_width = 0.615;  // of a line's height
 const Vec3 green{0.10, 0.90, 0.20};
 

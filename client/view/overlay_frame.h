@@ -5,6 +5,9 @@
 
 namespace prosector {
 
+/// Points at the lower border that messages have for themselves.
+inline constexpr double message_band = 48;
+
 struct OverlayFrame {
   double width, height;  // of the picture, points
 

@@ -4,6 +4,7 @@
 
 #include "client/view/avatar.h"
 #include "client/view/contact_overlay.h"
+#include "client/view/overlay_frame.h"
 #include "common/counted.h"
 
 namespace prosector {
@@ -19,6 +20,16 @@ void add_contact(DrawList& list, const Replica& replica, ParticipantId who) {
   }
   if (strongest != nullptr)
     add_contact_overlay(list, *strongest, replica.scene()->bodies[strongest->body].name);
+}
+
+/// Adds lines at the lower border, beside the axes.
+void add_messages(DrawList& list, const std::vector<std::string>& messages) {
+  constexpr double left = 118, lowest = 24, spacing = 18, height = 14;  // points
+  const double bottom = OverlayFrame(list).height - lowest;
+  for (std::size_t k = 0; k < messages.size(); ++k)
+    list.texts.push_back({.text = messages[k],
+                          .at = {left, bottom - spacing * static_cast<double>(messages.size() - 1 - k), 0},
+                          .height = height});
 }
 
 }  // namespace
@@ -46,6 +57,7 @@ void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser
     line(3, find_by_name(replica, settings.follow) != nullptr
                 ? fmt::format("through the eyes of {}", settings.follow)
                 : fmt::format("{} is not here; own view", settings.follow));
+  add_messages(list, settings.messages);
   if (const RosterEntry* followed = find_by_name(replica, settings.follow))
     add_contact(list, replica, followed->participant);
   else if (self.present)

@@ -1,0 +1,46 @@
+#pragma once
+// What happened in the session since the last look, in words for people.
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "client/replica/replica.h"
+
+namespace prosector {
+
+/// Compares what a replica knows from look to look. What was there at the first look is no news.
+class Happenings {
+ public:
+  /// Takes whose client this is: that one's deeds are told as "you".
+  explicit Happenings(ParticipantId self) : self_(self) {}
+
+  /// Returns a sentence for everything new about people, cuts, pieces that came off, and the simulation's
+  /// troubles and their end. `now`: s of a clock that never goes back. A stroke is told once, however many
+  /// revisions it makes.
+  std::vector<std::string> look(const Replica& replica, double now);
+
+ private:
+  struct Seen {
+    std::uint32_t revision = 0;
+    TopologyCause cause = TopologyCause::compiled;
+    ParticipantId author = 0;
+    double told = 0;  // s
+  };
+
+  ParticipantId self_;
+  bool looked_ = false;
+  std::map<ParticipantId, RosterEntry> people_;
+  std::map<BodyId, Seen> topologies_;
+  std::map<std::string, double> troubles_;  // by kind: when the server last told of it, s
+  bool in_trouble_ = false;
+
+  void look_at_people(const Replica& replica, std::vector<std::string>& out);
+  void look_at_cuts(const Replica& replica, double now, std::vector<std::string>& out);
+  void look_at_troubles(const Replica& replica, double now, std::vector<std::string>& out);
+  std::string name_of(const Replica& replica, ParticipantId who) const;
+};
+
+}  // namespace prosector

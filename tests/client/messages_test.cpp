@@ -1,0 +1,207 @@
+// Messages in the picture: how long they stay, and what in a session becomes one.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "client/app/happenings.h"
+#include "client/view/loading_picture.h"
+#include "client/view/message_lines.h"
+#include "common/surface_patch.h"
+
+namespace prosector {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+TEST(MessageLines, StayForAsLongAsReadingTakesAndNoLonger) {
+  for (const std::string& text : {std::string("Ada left"), std::string(100, 'x'), std::string(500, 'x')}) {
+    MessageLines messages;
+    messages.say(text, 10);
+    const double time = MessageLines::reading_time(text);
+    EXPECT_EQ(messages.shown(10 + time - 0.01), Lines{text});
+    EXPECT_EQ(messages.shown(10 + time), Lines{});
+    EXPECT_GE(time, 4);
+    EXPECT_LE(time, 12);
+  }
+}
+
+TEST(MessageLines, AreTwoAtATimeAndTheOthersWaitTheirTurn) {
+  MessageLines messages;
+  for (const char* text : {"a", "b", "c"}) messages.say(text, 0);
+  EXPECT_EQ(messages.shown(0), (Lines{"a", "b"}));
+  EXPECT_EQ(messages.shown(4.5), Lines{"c"});
+  EXPECT_EQ(messages.shown(9), Lines{});
+}
+
+TEST(MessageLines, CountWhatIsSaidAgainInsteadOfRepeatingIt) {
+  MessageLines messages;
+  for (int k = 0; k < 50; ++k) messages.say("no", 0.1 * k);
+  EXPECT_EQ(messages.shown(5), Lines{"no (50 times)"});
+  EXPECT_EQ(messages.shown(4.9 + 4), Lines{});
+}
+
+TEST(MessageLines, SayHowManyAFloodLeftOut) {
+  MessageLines messages;
+  for (int k = 0; k < 100; ++k) messages.say("message " + std::to_string(k), 0);
+  EXPECT_EQ(messages.shown(0), (Lines{"message 0", "message 1"}));
+  const Lines later = messages.shown(5);
+  ASSERT_EQ(later.size(), 2u);
+  EXPECT_EQ(later[0], "message 92 (and 90 before it)");
+  for (int round = 0; round < 4; ++round) messages.shown(10 + 5 * round);
+  EXPECT_EQ(messages.shown(40), Lines{});
+}
+
+TEST(LoadingPicture, IsFullAsFarAsThingsAreHere) {
+  for (const double progress : {-1.0, 0.0, 0.25, 1.0, 7.0}) {
+    const DrawList list = loading_picture("abdomen", "waiting", progress, 800, 600, 2);
+    ASSERT_EQ(list.lines.size(), 2u);
+    const double whole = list.lines[0].b.x() - list.lines[0].a.x();
+    const double full = list.lines[1].b.x() - list.lines[1].a.x();
+    EXPECT_NEAR(full / whole, std::clamp(progress, 0.0, 1.0), 1e-12);
+    EXPECT_EQ(list.texts.at(0).text, "abdomen");
+    EXPECT_EQ(list.texts.at(1).text, "waiting");
+  }
+}
+
+// ---- What happened
+
+/// A session of two bodies of which a client is told.
+class Told : public testing::Test {
+ protected:
+  static constexpr ParticipantId self = 7, ada = 9;
+  Replica replica;
+  Happenings happenings{self};
+  SceneInfo scene;
+  TriangleMesh surface{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  SparseMap map{{{{0, 1, 2, 3}, {1, 0, 0, 0}}, {{0, 1, 2, 3}, {0, 1, 0, 0}}, {{0, 1, 2, 3}, {0, 0, 1, 0}}}};
+  std::vector<Vec3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Asset mesh = encode(surface), streamed = encode(StreamedSurface{points, map});
+
+  void SetUp() override {
+    say(SessionInfo{});
+    add_body("liver");
+    for (const Asset* asset : {&mesh, &streamed})
+      say(AssetChunk{asset->hash, 0, 1, static_cast<std::uint32_t>(asset->bytes.size()), asset->bytes});
+    join(self, "Me", Role::host);
+    say(revision(0, 0, TopologyCause::compiled, 0));
+  }
+  void say(Message message) { replica.apply({.message = std::move(message)}); }
+  void join(ParticipantId who, const std::string& name, Role role) {
+    RosterEntry entry;
+    entry.participant = who;
+    entry.name = name;
+    entry.role = role;
+    say(entry);
+  }
+  void add_body(const std::string& name) {
+    SceneBody body;
+    body.name = name;
+    body.kind = BodyKind::soft;
+    body.mesh = mesh.hash;
+    body.map = streamed.hash;
+    body.points = 4;
+    body.chunk_points = 4;
+    scene.bodies.push_back(body);
+    say(scene);
+  }
+  /// Makes a keyframe, which is shown without those before it.
+  TopologyRevision revision(BodyId body, std::uint32_t number, TopologyCause cause, ParticipantId author,
+                            std::int32_t piece_of = -1) const {
+    TopologyRevision out;
+    out.body = body;
+    out.revision = number;
+    out.cause = cause;
+    out.author = author;
+    out.piece_of = piece_of;
+    out.mesh = mesh.hash;
+    out.map = streamed.hash;
+    out.surface_hash = hash(rounded(surface, {points, map}));
+    out.chain_hash = chain_hash_of(out);
+    return out;
+  }
+  Lines news(double now) { return happenings.look(replica, now); }
+};
+
+TEST_F(Told, WhatWasThereAtTheFirstLookIsNoNews) {
+  join(ada, "Ada", Role::dissector);
+  ASSERT_NE(replica.topology(0), nullptr) << replica.missing();
+  EXPECT_EQ(news(0), Lines{});
+  EXPECT_EQ(news(1), Lines{});
+}
+
+TEST_F(Told, WhoComesChangesRolesAndGoesIsTold) {
+  news(0);
+  join(ada, "Ada", Role::dissector);
+  EXPECT_EQ(news(1), Lines{"Ada joined as a dissector"});
+  join(ada, "Ada", Role::observer);
+  EXPECT_EQ(news(2), Lines{"Ada is an observer now"});
+  RosterEntry gone;
+  gone.participant = ada;
+  replica.apply({.message = gone, .liveness = Liveness::gone});
+  EXPECT_EQ(news(3), Lines{"Ada left"});
+}
+
+TEST_F(Told, AStrokeIsToldOnceAndWhatIsTakenBackOnceMore) {
+  join(ada, "Ada", Role::dissector);
+  news(0);
+  for (std::uint32_t k = 1; k <= 60; ++k) {
+    say(revision(0, k, TopologyCause::cut, ada));
+    EXPECT_EQ(news(k / 60.0), k == 1 ? Lines{"Ada cut the liver"} : Lines{}) << k;
+  }
+  say(revision(0, 61, TopologyCause::undo, self));
+  EXPECT_EQ(news(1.1), Lines{"you took back a cut of the liver"});
+  say(revision(0, 62, TopologyCause::cut, self));
+  EXPECT_EQ(news(1.2), Lines{"you cut the liver"});
+}
+
+TEST_F(Told, APieceThatComesOffIsTold) {
+  news(0);
+  add_body("liver 2");
+  say(revision(1, 0, TopologyCause::cut, self, 0));
+  EXPECT_EQ(news(1), Lines{"a piece came off the liver"});
+  EXPECT_EQ(news(2), Lines{});
+}
+
+TEST_F(Told, TroubleIsToldOnceHoweverItsFiguresChangeAndSoIsItsEnd) {
+  news(0);
+  ServerStatus status;
+  const auto tell = [&](const std::string& degraded) {
+    status.degraded = degraded;
+    say(status);
+  };
+  tell("simulated time slowed to 0.75 of real time; liver reset: unfolded");
+  EXPECT_EQ(news(1), (Lines{"simulated time slowed to 0.75 of real time", "liver reset: unfolded"}));
+  tell("simulated time slowed to 0.61 of real time");
+  EXPECT_EQ(news(2), Lines{});
+  tell("");
+  EXPECT_EQ(news(4), Lines{});
+  EXPECT_EQ(news(5.5), Lines{"the simulation is well again"});
+  EXPECT_EQ(news(6), Lines{});
+}
+
+TEST_F(Told, ProgressGrowsToOneAsThingsArrive) {
+  Replica fresh;
+  std::vector<double> steps = {fresh.progress()};
+  const auto take = [&](Message message) {
+    fresh.apply({.message = std::move(message)});
+    steps.push_back(fresh.progress());
+  };
+  take(SessionInfo{});
+  take(scene);
+  for (const Asset* asset : {&mesh, &streamed})
+    take(AssetChunk{asset->hash, 0, 1, static_cast<std::uint32_t>(asset->bytes.size()), asset->bytes});
+  take(revision(0, 0, TopologyCause::compiled, 0));
+  SoftState state;
+  state.chunk = 0;
+  state.positions = points;
+  state.velocities.assign(4, Vec3::Zero());
+  take(state);
+  EXPECT_TRUE(std::ranges::is_sorted(steps));
+  EXPECT_EQ(steps.front(), 0);
+  EXPECT_LT(steps[steps.size() - 2], 1);
+  EXPECT_EQ(steps.back(), 1) << fresh.missing();
+}
+
+}  // namespace
+}  // namespace prosector
