@@ -15,7 +15,7 @@
 
 namespace prosector {
 
-inline constexpr std::uint32_t protocol_version = 5;
+inline constexpr std::uint32_t protocol_version = 6;
 
 using ParticipantId = std::uint64_t;  // drawn at random by each client; 0 is nobody
 using BodyId = std::uint32_t;         // index into SceneInfo::bodies
@@ -116,8 +116,14 @@ enum class CommandKind : std::uint8_t {
   set_control,  // of the sender's open panel, as a finger does: `control` to `value`
   undo,         // the sender's last cut
   rewind,       // by the host: everything as it was when `body` got its `revision`
-  keyframe  // by anyone, observers too: what the sender holds of `body` doesn't fit its log; send it whole
+  keyframe,    // by anyone, observers too: what the sender holds of `body` doesn't fit its log; send it whole
+  set_pace,    // by the host: `value` simulated seconds a real one, least_pace … 1, or 0: time stands still
+  step_ticks,  // by the host: time stands still, but for `revision` ticks, 1 … most_steps
+  reset_all    // by the host: everything as it was when the server began
 };
+inline constexpr CommandKind last_command = CommandKind::reset_all;
+inline constexpr double least_pace = 1.0 / 64;
+inline constexpr std::uint32_t most_steps = 6000;
 
 /// What a part's panel has, in the order of the table in common/panel.h.
 enum class PanelControl : std::uint8_t {
@@ -142,8 +148,8 @@ struct Command {
   Role role = Role::observer;      // for set_role
   Affine shape;  // for inspect: from where the body's points are without it to where they are seen
   PanelControl control = PanelControl::attach;  // for set_control
-  double value = 0;                             // for set_control: button 0 off, 1 on; slider 0 … 1
-  std::uint32_t revision = 0;                   // for rewind
+  double value = 0;            // for set_control: button 0 off, 1 on; slider 0 … 1. For set_pace
+  std::uint32_t revision = 0;  // for rewind; for step_ticks: how many
 };
 
 struct CommandResult {
@@ -387,6 +393,7 @@ struct Panel {
 struct RoomState {
   SimTime time;
   double lights = 1;  // brightness of all lights but the lamps that bodies carry, 0 … 1
+  double pace = 1;    // simulated seconds a real one, as the host has it; 0: time stands still
 };
 
 inline constexpr std::size_t step_phases = 8;

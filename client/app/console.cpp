@@ -75,6 +75,33 @@ ConsoleLine rewind(const std::string& rest, const SceneInfo& scene) {
   return out;
 }
 
+ConsoleLine set_pace(double pace) {
+  Command out;
+  out.kind = CommandKind::set_pace;
+  out.value = pace;
+  return out;
+}
+
+ConsoleLine slow(const std::string& rest) {
+  double share = 0;
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), share);
+  if (error != std::errc() || end != rest.data() + rest.size() || !(share >= least_pace && share <= 1))
+    return fmt::format("slow SHARE: of real time, {:g} to 1", least_pace);
+  return set_pace(share);
+}
+
+ConsoleLine step(const std::string& rest) {
+  Command out;
+  out.kind = CommandKind::step_ticks;
+  out.revision = 1;
+  if (rest.empty()) return out;
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), out.revision);
+  if (error != std::errc() || end != rest.data() + rest.size() || out.revision < 1 ||
+      out.revision > most_steps)
+    return fmt::format("step TICKS: 1 to {}, or nothing for one", most_steps);
+  return out;
+}
+
 ConsoleLine look(const std::string& rest) {
   if (rest.empty()) return LookAsBefore{};
   std::istringstream words(rest);
@@ -107,6 +134,15 @@ ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
   if (verb == "give") return give(rest, roster);
   if (verb == "rewind") return rewind(rest, scene);
   if (verb == "look") return look(rest);
+  if (verb == "stop") return set_pace(0);
+  if (verb == "go") return set_pace(1);
+  if (verb == "slow") return slow(rest);
+  if (verb == "step") return step(rest);
+  if (verb == "reset" && rest == "all") {
+    Command out;
+    out.kind = CommandKind::reset_all;
+    return out;
+  }
   if (verb == "cuts") return ListCuts{};
   if (verb == "undo") {
     Command out;

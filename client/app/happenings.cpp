@@ -59,6 +59,7 @@ std::vector<std::string> entries_of(const std::string& list) {
 std::vector<std::string> Happenings::look(const Replica& replica, double now) {
   std::vector<std::string> out;
   look_at_people(replica, out);
+  look_at_time(replica, out);
   look_at_cuts(replica, now, out);
   if (!looked_) out.clear();
   look_at_troubles(replica, now, out);
@@ -77,6 +78,15 @@ void Happenings::look_at_people(const Replica& replica, std::vector<std::string>
   for (const auto& [who, entry] : people_)
     if (who != self_ && !replica.roster().contains(who)) out.push_back(entry.name + " left");
   people_ = replica.roster();
+}
+
+void Happenings::look_at_time(const Replica& replica, std::vector<std::string>& out) {
+  if (replica.pace() == pace_) return;
+  pace_ = replica.pace();
+  if (pace_ == 0)
+    out.push_back("the host stopped time");
+  else
+    out.push_back(pace_ == 1 ? "time goes on" : fmt::format("slow motion: {:g} of real time", pace_));
 }
 
 void Happenings::look_at_cuts(const Replica& replica, double now, std::vector<std::string>& out) {

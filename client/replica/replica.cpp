@@ -98,7 +98,10 @@ void Replica::apply(const Message& message, std::int64_t arrival_ns) {
                    else
                      panels_.erase(m.participant);
                  },
-                 [&](const RoomState& m) { room_lights_ = m.lights; },
+                 [&](const RoomState& m) {
+                   room_lights_ = m.lights;
+                   pace_ = m.pace;
+                 },
                  [](const auto&) {},  // what only the server reads
              },
              message);

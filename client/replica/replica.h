@@ -68,6 +68,8 @@ class Replica {
   double room_lights() const { return room_lights_; }
   /// Returns what a body collides as, in the frame of its mesh; null: nothing, or not here yet.
   const TriangleMesh* outline(BodyId body);
+  /// Returns how many simulated seconds go by in a real one, as the host has it; 0: time stands still.
+  double pace() const { return pace_; }
   bool server_gone() const { return server_gone_; }
   const AssetStore& assets() const { return assets_; }
   std::uint64_t refused() const;
@@ -98,7 +100,7 @@ class Replica {
   std::map<BodyId, BodyStatus> body_status_;
   std::map<BodyId, PartState> parts_;
   std::map<ParticipantId, Panel> panels_;
-  double room_lights_ = 1;
+  double room_lights_ = 1, pace_ = 1;
   std::map<BodyId, TriangleMesh> outlines_;
   bool complete_ = false, lacks_bodies_ = true, server_gone_ = false;
   std::uint64_t refused_ = 0;

@@ -52,7 +52,12 @@ void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser
     line(1,
          fmt::format("x{:.2f}  step {:.1f} ms  {}  {}", status->real_time_factor, status->step_ms_p50,
                      counted(status->participants, "participant"), counted(status->observers, "observer")));
-  if (replica.server_gone()) line(2, "the server is gone; waiting for it");
+  if (replica.server_gone())
+    line(2, "the server is gone; waiting for it");
+  else if (replica.pace() == 0)
+    line(2, "time stands still");
+  else if (replica.pace() < 1)
+    line(2, fmt::format("slow motion, {:g} of real time", replica.pace()));
   if (!settings.follow.empty())
     line(3, find_by_name(replica, settings.follow) != nullptr
                 ? fmt::format("through the eyes of {}", settings.follow)

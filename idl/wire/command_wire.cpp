@@ -37,7 +37,7 @@ Refusal check(Command& m) {
   if (const Refusal shape = check_shape(m.shape)) return shape;
   return Checks()
       .that(m.participant != 0, "participant id 0")
-      .that(enum_within(m.kind, CommandKind::keyframe), "unknown kind")
+      .that(enum_within(m.kind, last_command), "unknown kind")
       .that(enum_within(m.role, Role::host), "unknown role")
       .that(enum_within(m.control, PanelControl::stiffness), "unknown control")
       .that(within(m.value, 0, 1), "value outside [0, 1]")

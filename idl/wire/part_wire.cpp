@@ -82,16 +82,21 @@ Refusal check(Panel& m) {
 void to_wire(const RoomState& m, prosector_RoomState& w, WireArena&) {
   w.time = to_wire(m.time);
   w.lights = m.lights;
+  w.pace = m.pace;
 }
 
 Refusal from_wire(const prosector_RoomState& w, RoomState& m) {
   m.time = from_wire(w.time);
   m.lights = w.lights;
+  m.pace = w.pace;
   return {};
 }
 
 Refusal check(RoomState& m) {
-  return within(m.lights, 0, 1) ? Refusal() : "brightness outside [0, 1]";
+  return Checks()
+      .that(within(m.lights, 0, 1), "brightness outside [0, 1]")
+      .that(within(m.pace, 0, 1), "pace outside [0, 1]")
+      .refusal();
 }
 
 }  // namespace prosector

@@ -9,15 +9,16 @@ namespace prosector {
 namespace {
 
 using Kind = SessionEvent::Kind;
-constexpr std::array<std::pair<Kind, const char*>, 9> event_names = {{{Kind::joined, "joined"},
-                                                                      {Kind::refused, "refused"},
-                                                                      {Kind::left, "left"},
-                                                                      {Kind::lost, "lost"},
-                                                                      {Kind::hand_timeout, "hand timeout"},
-                                                                      {Kind::role, "role"},
-                                                                      {Kind::let_go, "let go"},
-                                                                      {Kind::broke, "broke"},
-                                                                      {Kind::rewound, "rewound"}}};
+constexpr std::array<std::pair<Kind, const char*>, 10> event_names = {{{Kind::joined, "joined"},
+                                                                       {Kind::refused, "refused"},
+                                                                       {Kind::left, "left"},
+                                                                       {Kind::lost, "lost"},
+                                                                       {Kind::hand_timeout, "hand timeout"},
+                                                                       {Kind::role, "role"},
+                                                                       {Kind::let_go, "let go"},
+                                                                       {Kind::broke, "broke"},
+                                                                       {Kind::rewound, "rewound"},
+                                                                       {Kind::pace, "pace"}}};
 
 void add(StateHasher& hasher, std::span<const std::uint8_t> bytes) {
   hasher.add(std::uint64_t{bytes.size()});

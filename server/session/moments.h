@@ -28,6 +28,8 @@ class Moments {
   void keep(std::uint64_t tick, std::vector<Revision> revisions, std::vector<std::uint8_t> state);
   /// Returns the state; null: not kept.
   State find(BodyId body, std::uint32_t revision) const;
+  /// Returns the first state that was kept; null: none.
+  State first() const { return moments_.empty() ? nullptr : moments_.front().state; }
   /// Returns, for people, which revisions of a body there are states of: "0, 3 to 7 and 9".
   std::string kept(BodyId body) const;
   std::size_t bytes() const { return bytes_; }

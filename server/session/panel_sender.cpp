@@ -38,9 +38,10 @@ void PanelSender::update(const Snapshot& now, std::vector<Message>& out, std::ve
     sent_.insert_or_assign(panel.participant, panel);
     out.push_back(panel);
   }
-  if (now.lights == lights_) return;
+  if (now.lights == lights_ && now.pace == pace_) return;
   lights_ = now.lights;
-  out.push_back(RoomState{now.time, now.lights});
+  pace_ = now.pace;
+  out.push_back(RoomState{now.time, now.lights, now.pace});
 }
 
 }  // namespace prosector

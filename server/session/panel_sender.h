@@ -1,5 +1,6 @@
 #pragma once
-// Which panels travel this tick, and whether the room's light does: what changed. Both stay for late joiners.
+// Which panels travel this tick, and whether the room's light and pace do: what changed. Both stay for late
+// joiners.
 
 #include <map>
 #include <vector>
@@ -15,7 +16,7 @@ class PanelSender {
 
  private:
   std::map<ParticipantId, Panel> sent_;
-  double lights_ = 1;
+  double lights_ = 1, pace_ = 1;
 };
 
 }  // namespace prosector

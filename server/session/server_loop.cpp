@@ -77,6 +77,8 @@ std::string line_of(const SessionEvent& e) {
       return fmt::format("{} broke {}", e.name, e.detail);
     case SessionEvent::Kind::rewound:
       return fmt::format("{} rewound everything to {}", e.name, e.detail);
+    case SessionEvent::Kind::pace:
+      return fmt::format("{} {}", e.name, e.detail);
   }
   return {};
 }
@@ -169,21 +171,43 @@ void ServerLoop::tick() {
     events.push_back(
         {SessionEvent::Kind::broke, 0, simulation_.name(b.body), fmt::format("at {:.0f} N", b.force)});
   announce(events);
+  events.insert(events.begin(), std::make_move_iterator(heard_.begin()),
+                std::make_move_iterator(heard_.end()));
+  heard_.clear();
   std::vector<Outgoing> told = words_of_cuts(report);
   journal(std::move(input), std::move(saved), std::move(events));
   record(report, begun);
   govern(report, begun);
 
-  auto snapshot = take_snapshot(simulation_, session_, topology_, last_snapshot_.get());
-  if (last_end_ns_ - status_ns_ >= status_period_ns) {
-    snapshot->status = status();
-    status_ns_ = last_end_ns_;
-  }
   append(told, session_.take_outgoing());
   append(told, parts_.take(simulation_));
   append(told, words_of_bodies(report));
   settle_journal();
   publisher_.say(std::move(told));
+  offer_snapshot();
+}
+
+void ServerLoop::listen() {
+  last_end_ns_ = options_.clock();
+  bus_.take(received_);
+  session_.listen(received_);
+  std::vector<SessionEvent> events = session_.take_events();
+  announce(events);
+  std::move(events.begin(), events.end(), std::back_inserter(heard_));
+  std::vector<Outgoing> told = session_.take_outgoing();
+  for (const BodyId body : session_.take_keyframe_requests()) topology_.ask_keyframe(body);
+  topology_.send_keyframes(simulation_.time(), told);
+  const bool news = !told.empty();
+  publisher_.say(std::move(told));
+  if (news || last_end_ns_ - status_ns_ >= status_period_ns) offer_snapshot();
+}
+
+void ServerLoop::offer_snapshot() {
+  auto snapshot = take_snapshot(simulation_, session_, topology_, last_snapshot_.get());
+  if (last_end_ns_ - status_ns_ >= status_period_ns) {
+    snapshot->status = status();
+    status_ns_ = last_end_ns_;
+  }
   publisher_.offer(snapshot);
   last_snapshot_ = std::move(snapshot);
 }
@@ -310,7 +334,10 @@ void ServerLoop::run(const std::atomic<bool>& stop, double seconds,
   std::int64_t next_line = begin + second_ns;
   while (!stop && schedule.due_ns() < end) {
     sleep_until(schedule.due_ns());
-    tick();
+    turn();
+    const double pace = session_.pacing().pace();
+    schedule.set_pace(pace == 0 ? 1 : pace);  // time that stands still is looked at as often as it would run
+    if (pace != 1) own_pace_ns_ = last_end_ns_ + second_ns;
     if (last_end_ns_ >= next_line) {
       each_second(console_line());
       next_line += second_ns * (1 + (last_end_ns_ - next_line) / second_ns);
@@ -366,7 +393,8 @@ ServerStatus ServerLoop::status() const {
   const auto add = [&](const std::string& text) {
     if (!text.empty()) out.degraded += (out.degraded.empty() ? "" : "; ") + text;
   };
-  if (last.real_time_factor > 0 && last.real_time_factor < 0.98)
+  const bool own_pace = last_end_ns_ >= own_pace_ns_;  // else it is as slow as the host has it
+  if (own_pace && last.real_time_factor > 0 && last.real_time_factor < 0.98)
     add(fmt::format("simulated time slowed to {:.2f} of real time", last.real_time_factor));
   add(stepped_down());
   add(last.degraded);

@@ -54,8 +54,12 @@ class ServerLoop {
   ServerLoop(Simulation& simulation, Bus& bus, const std::string& session, Journal* journal,
              std::function<void(const std::string&)> say, LoopOptions options = {});
 
+  /// Runs one tick, now; while time stands still, only hears what people say.
+  void turn() { session_.pacing().stands() ? listen() : tick(); }
   /// Runs one tick, now.
   void tick();
+  /// Takes what people say, and tells them, without a tick.
+  void listen();
   /// Runs ticks at the scene's rate until `stop`, or for `seconds` of wall time when above 0. `each_second`
   /// gets a line for the console.
   void run(const std::atomic<bool>& stop, double seconds,
@@ -92,12 +96,14 @@ class ServerLoop {
   Governor governor_;
   PartSender parts_;
   std::vector<EffortChange> efforts_;  // for the next tick
+  std::vector<SessionEvent> heard_;    // while time stood still: for the next tick's record
   std::vector<Received> received_;
   std::shared_ptr<const Snapshot> last_snapshot_;
   std::uint64_t state_hash_ = 0, last_tick_ = 0;  // last_tick_: when last_end_ns_ was taken
   double energy_ = 0;
   std::uint32_t awake_ = 0, asleep_ = 0;
   std::int64_t status_ns_ = 0, last_end_ns_ = 0, since_checkpoint_ns_ = 0;
+  std::int64_t own_pace_ns_ = 0;  // since when time runs at its own pace
   std::optional<Count> start_, first_arrival_;
   RunFigures figures_;
   std::string journal_trouble_;
@@ -110,6 +116,7 @@ class ServerLoop {
   std::vector<std::uint8_t> checkpoint_if_due();
   void settle_journal();
   void record(const StepReport& report, std::int64_t begun_ns);
+  void offer_snapshot();
   void govern(const StepReport& report, std::int64_t begun_ns);
   std::string stepped_down() const;
   std::vector<Outgoing> words_of_bodies(const StepReport& report);

@@ -49,9 +49,7 @@ Session::Session(const SessionRules& rules) : rules_(rules), roster_(rules), pan
 
 ConsumedInput Session::consume(std::span<const Received> received, std::uint64_t tick) {
   tick_ = tick;
-  for (auto& [id, seat] : seats_) seat.commands = 0;
-  for (const Received& r : received) take(r);
-  settle_joins();
+  take_all(received);
 
   ConsumedInput out;
   // Who left comes first: an id that rejoins in the same tick starts with new hands.
@@ -67,6 +65,16 @@ ConsumedInput Session::consume(std::span<const Received> received, std::uint64_t
   panels_.consume(may_touch, out.input);
   forget_visitors();
   return out;
+}
+
+void Session::listen(std::span<const Received> received) {
+  take_all(received);
+}
+
+void Session::take_all(std::span<const Received> received) {
+  for (auto& [id, seat] : seats_) seat.commands = 0;
+  for (const Received& r : received) take(r);
+  settle_joins();
 }
 
 void Session::take(const Received& received) {
@@ -161,13 +169,19 @@ void Session::obey(const Command& command, const Participant& member, Seat& seat
     keyframes_.insert(command.body);
     return answer(command, {});
   }
+  if (command.kind == CommandKind::set_pace || command.kind == CommandKind::step_ticks)
+    return ask_pace(command, member);
   if (member.role == Role::observer) {
     drop("Command: from an observer");
     return answer(command, "an observer changes nothing: join as a dissector");
   }
+  const bool everything = command.kind == CommandKind::rewind || command.kind == CommandKind::reset_all;
+  if (everything && member.role == Role::host)
+    pacing_.run_one_tick();
+  else if (pacing_.stands())
+    return answer(command, "time stands still: the host stopped it");
   if (part_kind(command.kind)) return ask_part(command, seat);
-  if (command.kind == CommandKind::undo || command.kind == CommandKind::rewind)
-    return ask_cut(command, member, seat);
+  if (command.kind == CommandKind::undo || everything) return ask_cut(command, member, seat);
   if (is_panel_command(command.kind)) return answer(command, panels_.take(command));
   if (command.kind == CommandKind::reset) {
     if (command.body >= rules_.bodies)
@@ -221,6 +235,19 @@ void Session::give(ParticipantId id, Role role) {
     events_.push_back({SessionEvent::Kind::role, id, member.presence.name, role_name(role)});
 }
 
+/// Obeys what the host wants of time, which concerns everyone.
+void Session::ask_pace(const Command& command, const Participant& member) {
+  const double before = pacing_.pace();
+  const Refusal refusal = pacing_.obey(command, member.role);
+  answer(command, refusal);
+  if (refusal) return drop("Command: time is not to go so, or is not the sender's");
+  if (pacing_.pace() != before && events_.size() < max_events)
+    events_.push_back({SessionEvent::Kind::pace, command.participant, member.presence.name,
+                       pacing_.pace() == 0
+                           ? "stopped time"
+                           : fmt::format("lets time run at {:g} of its pace", pacing_.pace())});
+}
+
 void Session::ask_part(const Command& command, Seat& seat) {
   if (command.body >= rules_.bodies)
     return answer(command, fmt::format("no body {}: the scene has {}", command.body, rules_.bodies));
@@ -230,10 +257,12 @@ void Session::ask_part(const Command& command, Seat& seat) {
 /// Takes what is asked of cuts. Everyone takes back what they cut; what everyone did is the host's to take
 /// back.
 void Session::ask_cut(const Command& command, const Participant& member, Seat& seat) {
-  if (command.kind == CommandKind::rewind && member.role != Role::host) {
+  if (command.kind != CommandKind::undo && member.role != Role::host) {
     drop("Command: rewinding is the host's");
     return answer(command, "only the host rewinds");
   }
+  if (command.kind == CommandKind::reset_all && !moments_.first())
+    return answer(command, "the state that the session began with is not kept");
   if (command.kind == CommandKind::rewind && command.body >= rules_.bodies)
     return answer(command, fmt::format("no body {}: the scene has {}", command.body, rules_.bodies));
   if (command.kind == CommandKind::rewind && !moments_.find(command.body, command.revision))
@@ -336,6 +365,8 @@ void Session::consume_seat(ParticipantId id, Seat& seat, ConsumedInput& out) {
   for (const Command& c : seat.cuts) {
     if (c.kind == CommandKind::undo)
       out.input.cuts.push_back({CutEvent::Kind::undo, id, BodyId{0}, c.revision});
+    else if (c.kind == CommandKind::reset_all)
+      out.input.cuts.push_back({CutEvent::Kind::rewind, id, BodyId{0}, 0, moments_.first()});
     else
       out.input.cuts.push_back(
           {CutEvent::Kind::rewind, id, c.body, c.revision, moments_.find(c.body, c.revision)});
@@ -345,6 +376,7 @@ void Session::consume_seat(ParticipantId id, Seat& seat, ConsumedInput& out) {
 }
 
 void Session::finish_tick(std::span<const HandState> hands, const StepReport& report) {
+  pacing_.finish_tick();
   for (std::size_t i = 0; i < std::min(stepping_.size(), report.part_answers.size()); ++i)
     answer(stepping_[i], report.part_answers[i]);
   stepping_.clear();
@@ -353,10 +385,12 @@ void Session::finish_tick(std::span<const HandState> hands, const StepReport& re
     const Refusal refusal =
         i < report.cut_answers.size() ? report.cut_answers[i] : Refusal("nothing has been cut");
     answer(c, refusal);
-    const bool rewound = c.kind == CommandKind::rewind && !refusal;
+    const bool rewound = c.kind != CommandKind::undo && !refusal;
     if (const Participant* member = roster_.find(c.participant); rewound && member != nullptr)
       events_.push_back({SessionEvent::Kind::rewound, c.participant, member->presence.name,
-                         fmt::format("revision {} of body {}", c.revision, c.body)});
+                         c.kind == CommandKind::reset_all
+                             ? "its beginning"
+                             : fmt::format("revision {} of body {}", c.revision, c.body)});
   }
   cutting_.clear();
   for (const LetGo& let_go : report.let_go)

@@ -19,6 +19,7 @@
 #include "server/physics/simulation.h"
 #include "server/session/command_count.h"
 #include "server/session/moments.h"
+#include "server/session/pacing.h"
 #include "server/session/panel_inputs.h"
 #include "server/session/roster.h"
 
@@ -53,7 +54,8 @@ struct SessionEvent {
     role,
     let_go,
     broke,
-    rewound
+    rewound,
+    pace
   } kind;
   ParticipantId participant = 0;
   std::string name;
@@ -66,6 +68,8 @@ class Session {
 
   /// Takes what arrived before `tick`; returns what the step of that tick consumes, in canonical order.
   ConsumedInput consume(std::span<const Received> received, std::uint64_t tick);
+  /// Takes what arrived while time stands still: who comes and goes, and what the host wants of time.
+  void listen(std::span<const Received> received);
   /// Answers, after the step, grasps by what the hands hold now, and what was asked of parts and cuts by
   /// `report`.
   void finish_tick(std::span<const HandState> hands, const StepReport& report = {});
@@ -73,6 +77,7 @@ class Session {
   /// Takes, after the step, whose panels are open. Those that nobody here may work close at the next tick.
   void see_panels(std::span<const Panel> panels) { panels_.finish_tick(panels); }
 
+  const Pacing& pacing() const { return pacing_; }
   std::size_t bodies() const { return rules_.bodies; }
   /// Adds a body that a cut made; the next id is its.
   void add_body(bool is_part);
@@ -131,12 +136,14 @@ class Session {
   std::set<BodyId> keyframes_;     // asked for
   PanelInputs panels_;
   Moments moments_;
+  Pacing pacing_;
   std::vector<Outgoing> outgoing_;
   std::vector<SessionEvent> events_;
   std::map<std::string, std::uint64_t> dropped_;
   CommandCounts commands_{};
   std::uint64_t dropped_total_ = 0, hand_timeouts_ = 0, tick_ = 0;
 
+  void take_all(std::span<const Received> received);
   void take(const Received& received);
   void take(const Presence& presence, const Received& received);
   void take(const HandInput& input, std::uint64_t writer);
@@ -145,6 +152,7 @@ class Session {
   void obey(const Command& command, const Participant& member, Seat& seat);
   void hand_out(const Command& command, const Participant& member);
   void give(ParticipantId id, Role role);
+  void ask_pace(const Command& command, const Participant& member);
   void ask_part(const Command& command, Seat& seat);
   void ask_cut(const Command& command, const Participant& member, Seat& seat);
   void vanish_hands(ParticipantId id, Seat& seat);

@@ -67,6 +67,7 @@ std::shared_ptr<Snapshot> take_snapshot(const Simulation& simulation, const Sess
   }
   out->panels = simulation.panels();
   out->lights = simulation.room_lights();
+  out->pace = session.pacing().pace();
   out->users = take_users(simulation, session);
   for (const HandState& hand : simulation.hands()) {
     out->contacts.push_back(hand.contact);

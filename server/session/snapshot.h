@@ -34,6 +34,7 @@ struct Snapshot {
   std::vector<ContactSample> contacts;
   std::vector<Panel> panels;  // open ones
   double lights = 1;          // the room's
+  double pace = 1;            // of simulated time
   std::optional<ServerStatus> status;
 };
 

@@ -10,7 +10,12 @@ namespace prosector {
 class TickSchedule {
  public:
   TickSchedule(double tick_rate, std::int64_t start_ns)
-      : period_ns_(static_cast<std::int64_t>(1e9 / tick_rate)), due_ns_(start_ns) {}
+      : period_at_full_pace_ns_(1e9 / tick_rate),
+        period_ns_(static_cast<std::int64_t>(period_at_full_pace_ns_)),
+        due_ns_(start_ns) {}
+
+  /// Sets how many simulated seconds go by in a real one, from the tick after the next on.
+  void set_pace(double pace) { period_ns_ = static_cast<std::int64_t>(period_at_full_pace_ns_ / pace); }
 
   /// Returns when the current tick should start.
   std::int64_t due_ns() const { return due_ns_; }
@@ -27,6 +32,7 @@ class TickSchedule {
   std::int64_t slipped_ns() const { return slipped_ns_; }
 
  private:
+  double period_at_full_pace_ns_;
   std::int64_t period_ns_, due_ns_, slipped_ns_ = 0;
   std::uint64_t slips_ = 0;
 };

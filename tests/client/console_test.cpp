@@ -104,6 +104,25 @@ TEST(Console, UndoesAndRewinds) {
   EXPECT_NE(refusal("rewind spleen 3").find("no body"), std::string::npos);
 }
 
+TEST(Console, StopsSlowsAndStepsTime) {
+  const auto pace = [](const std::string& line) {
+    const Command out = command(line);
+    EXPECT_EQ(out.kind, CommandKind::set_pace);
+    return out.value;
+  };
+  EXPECT_EQ(pace("stop"), 0);
+  EXPECT_EQ(pace("go"), 1);
+  EXPECT_EQ(pace("slow 0.25"), 0.25);
+  for (const char* bad : {"slow", "slow 0", "slow 2", "slow -1", "slow nan", "slow 0.5x"})
+    EXPECT_NE(refusal(bad).find("SHARE"), std::string::npos) << bad;
+  EXPECT_EQ(command("step").kind, CommandKind::step_ticks);
+  EXPECT_EQ(command("step").revision, 1u);
+  EXPECT_EQ(command("step 120").revision, 120u);
+  for (const char* bad : {"step 0", "step -1", "step 6001", "step x"})
+    EXPECT_NE(refusal(bad).find("TICKS"), std::string::npos) << bad;
+  EXPECT_EQ(command("reset all").kind, CommandKind::reset_all);
+}
+
 TEST(Console, InspectScalesAboutTheMiddle) {
   for (const double scale : {0.01, 0.5, 3.0, most_shape}) {
     const Command out = command("inspect left kidney " + std::to_string(scale));

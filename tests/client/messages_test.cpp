@@ -180,6 +180,20 @@ TEST_F(Told, TroubleIsToldOnceHoweverItsFiguresChangeAndSoIsItsEnd) {
   EXPECT_EQ(news(6), Lines{});
 }
 
+TEST_F(Told, WhatTheHostDoesWithTimeIsTold) {
+  news(0);
+  const auto at_pace = [&](double pace) {
+    RoomState room;
+    room.pace = pace;
+    say(room);
+    return news(1);
+  };
+  EXPECT_EQ(at_pace(0), Lines{"the host stopped time"});
+  EXPECT_EQ(at_pace(0), Lines{});
+  EXPECT_EQ(at_pace(0.25), Lines{"slow motion: 0.25 of real time"});
+  EXPECT_EQ(at_pace(1), Lines{"time goes on"});
+}
+
 TEST_F(Told, ProgressGrowsToOneAsThingsArrive) {
   Replica fresh;
   std::vector<double> steps = {fresh.progress()};

@@ -151,7 +151,7 @@ std::vector<Message> sample_messages() {
           BodyStatus{1, {1, 60}, false, true, 12, 0.00125, 2.5, 40, 1e-3, 2e-5, 0.015, 3.5, 1},
           PartState{1, {1, 60}, false, true, true, true, 0.5, 2, sheared, {{7, left_hand}, {9, right_hand}}},
           panel,
-          RoomState{{1, 60}, 0.25}};
+          RoomState{{1, 60}, 0.25, 0.5}};
 }
 
 }  // namespace prosector

@@ -212,6 +212,7 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<Panel>("pose", [](Panel& m) { m.pose.p.z() = nan; }),
       spoiled<Panel>("control", [](Panel& m) { m.controls[2].position = -0.5; }),
       spoiled<RoomState>("brightness", [](RoomState& m) { m.lights = nan; }),
+      spoiled<RoomState>("pace", [](RoomState& m) { m.pace = 1.5; }),
       spoiled<BodyStatus>("body", [](BodyStatus& m) { m.body = max_bodies; }),
       spoiled<BodyStatus>("step NaN", [](BodyStatus& m) { m.step = nan; }),
       spoiled<BodyStatus>("residual", [](BodyStatus& m) { m.residual = -1; }),
