@@ -1,15 +1,27 @@
-// A stroke with round ends; what it takes of a pixel follows from how far the pixel's centre is from its border.
+// A glyph of a sheet: how much of a pixel it covers, as it is on the sheet or by how far the outline is. No lamp
+// lights it.
 
 #include "color.glsl"
 
-flat in vec3 stroke_color;
-in vec2 place;
-flat in vec2 extent;
+uniform sampler2D sheet;
+uniform float distance_reach;  // pixels of the sheet that its distances reach
+
+flat in vec3 letter_color;
+in vec2 texel;
 
 out vec4 color;
 
 void main() {
-  float from_pen = length(vec2(place.x - clamp(place.x, 0.0, extent.x), place.y));
-  float covered = clamp(extent.y + 0.5 - from_pen, 0.0, 1.0);
-  color = vec4(srgb(stroke_color), covered);
+  float on_sheet = texture(sheet, texel / vec2(textureSize(sheet, 0))).r;
+#ifdef DISTANCES
+  // Green 2007: distances to the outline stay sharp however they are enlarged. Pixels are as many of the sheet's
+  // pixels wide as a square of the same area.
+  vec2 dx = dFdx(texel), dy = dFdy(texel);
+  float pixel = sqrt(max(abs(dx.x * dy.y - dx.y * dy.x), 1e-6));
+  float inside = (on_sheet - 128.0 / 255.0) * (255.0 / 127.0) * distance_reach;
+  float covered = clamp(inside / pixel + 0.5, 0.0, 1.0);
+#else
+  float covered = on_sheet;
+#endif
+  color = vec4(srgb(letter_color), covered);
 }

@@ -30,7 +30,7 @@
   X(POLYGONOFFSET, PolygonOffset) X(READBUFFER, ReadBuffer) X(READPIXELS, ReadPixels)                      \
   X(RENDERBUFFERSTORAGE, RenderbufferStorage)                                                              \
   X(RENDERBUFFERSTORAGEMULTISAMPLE, RenderbufferStorageMultisample) X(SCISSOR, Scissor)                    \
-  X(SHADERSOURCE, ShaderSource) X(TEXIMAGE2D, TexImage2D) X(TEXPARAMETERFV, TexParameterfv) X(TEXPARAMETERI, TexParameteri)                  \
+  X(SHADERSOURCE, ShaderSource) X(TEXIMAGE2D, TexImage2D) X(TEXSUBIMAGE2D, TexSubImage2D) X(TEXPARAMETERFV, TexParameterfv) X(TEXPARAMETERI, TexParameteri)                  \
   X(UNIFORM1F, Uniform1f) X(UNIFORM1I, Uniform1i) X(UNIFORM3F, Uniform3f) X(UNIFORM3FV, Uniform3fv)        \
   X(UNIFORM4FV, Uniform4fv) X(UNIFORMMATRIX4FV, UniformMatrix4fv) X(USEPROGRAM, UseProgram)                \
   X(VERTEXATTRIBPOINTER, VertexAttribPointer) X(VIEWPORT, Viewport)

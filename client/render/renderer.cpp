@@ -38,12 +38,13 @@ void sort_nearest_first(std::vector<QueuedItem>& items, const Vec3& eye) {
 
 /// Everything that is made of shaders, in the order in which it draws.
 struct Passes {
-  Passes(const Gl& gl, const std::filesystem::path& shaders, const RendererSettings& settings)
+  Passes(const Gl& gl, const std::filesystem::path& shaders, const RendererSettings& settings,
+         Typesetter& typesetter)
       : target(gl, shaders, settings),
         shadow(gl, shaders, has(settings.effects, Effect::shadows) ? settings.shadow_size : 0),
         main(gl, shaders, effect_defines(settings.effects)),
-        lines(gl, shaders, "screen"),
-        pen(gl, shaders, "text") {
+        lines(gl, shaders),
+        texts(gl, shaders, typesetter) {
     main.compile_all();
     if (settings.occlusion) occlusion.emplace(gl, shaders);
     if (has(settings.effects, Effect::reflections)) environment.emplace(gl, shaders);
@@ -58,7 +59,8 @@ struct Passes {
   std::optional<Occlusion> occlusion;  // nullopt: everything is drawn
   std::optional<GlassPass> glass;      // nullopt: drawn by `main`, straight through
   std::optional<ShaftPass> shafts;     // nullopt: spared
-  ScreenQuadDrawer lines, pen;
+  ScreenQuadDrawer lines;
+  TextPass texts;
   std::vector<LightKind> prepared_lights;  // for which the surfaces of users to come have shaders
 };
 
@@ -72,7 +74,7 @@ struct Renderer::Impl {
         gl(load_gl(gl_context)),
         meshes(gl),
         watch(folder),
-        passes(std::make_unique<Passes>(gl, folder, chosen)) {
+        passes(std::make_unique<Passes>(gl, folder, chosen, typesetter)) {
     auto point = std::make_shared<DrawMesh>();
     point->id = std::numeric_limits<std::uint64_t>::max();
     point->positions.assign(3, Eigen::Vector3f::Zero());
@@ -102,6 +104,7 @@ struct Renderer::Impl {
   RendererSettings settings;
   Gl gl;
   MeshCache meshes;
+  Typesetter typesetter;
   ShaderWatch watch;
   std::unique_ptr<Passes> passes;
   std::function<void(std::string_view)> pass_done;
@@ -178,26 +181,24 @@ void Renderer::draw(const DrawList& list) {
     if (camera.inset) continue;
     r.set_viewport(camera);
     draw_lines(list, camera, passes.lines);
+    passes.texts.draw_on_surfaces(list, camera);
   }
   r.tell_done("lines");
   draw_surfaces(true);
   r.tell_done("insets");
   passes.target.resolve();
   r.tell_done("edges");
-  r.gl.Enable(GL_BLEND);
-  r.gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   for (const DrawCamera& camera : list.cameras) {
     if (camera.inset) continue;
     r.set_viewport(camera);
-    draw_texts(list, camera, passes.pen);
+    passes.texts.draw_over(list, camera);
   }
-  r.gl.Disable(GL_BLEND);
   r.tell_done("texts");
   if (r.context.has_screen()) passes.target.show();
 }
 
 void Renderer::set_settings(const RendererSettings& settings) {
-  impl_->passes = std::make_unique<Passes>(impl_->gl, impl_->shaders, settings);
+  impl_->passes = std::make_unique<Passes>(impl_->gl, impl_->shaders, settings, impl_->typesetter);
   impl_->settings = settings;
 }
 
@@ -209,7 +210,7 @@ std::optional<std::string> Renderer::reload_changed_shaders() {
   Impl& r = *impl_;
   if (!r.watch.changed()) return std::nullopt;
   try {
-    r.passes = std::make_unique<Passes>(r.gl, r.shaders, r.settings);
+    r.passes = std::make_unique<Passes>(r.gl, r.shaders, r.settings, r.typesetter);
     return "the shaders were read anew";
   } catch (const InputError& error) {
     return std::string(error.what()) + "\nthe old shaders stay";

@@ -44,7 +44,7 @@ class Renderer {
  public:
   /// Takes a `context` that outlives the renderer. `shaders` is the folder with the GLSL files
   /// (default_shader_dir()); empty: those that are part of the program. Throws InputError with file and line
-  /// when one does not compile.
+  /// when one does not compile, and when there is no font to write with.
   Renderer(GlContext& context, const std::filesystem::path& shaders, const RendererSettings& settings = {});
   ~Renderer();
 

@@ -15,22 +15,19 @@ bool clip_near(Eigen::Vector4d& a, Eigen::Vector4d& b) {
 }  // namespace
 
 void add_line(std::vector<ScreenVertex>& out, Eigen::Vector4d a, Eigen::Vector4d b, const Vec3& color,
-              double width, const Viewport& viewport, double margin) {
+              double width, const Viewport& viewport) {
   if (!clip_near(a, b)) return;
   const Vec3 p = a.head<3>() / a.w(), q = b.head<3>() / b.w();
   const Eigen::Vector2d half_size(viewport.width / 2, viewport.height / 2);
   Eigen::Vector2d along = (q - p).head<2>().cwiseProduct(half_size);
-  const double length = along.norm(), reach = width / 2 + margin;
+  const double length = along.norm(), reach = width / 2;
   along = length > 1e-9 ? Eigen::Vector2d(along / length) : Eigen::Vector2d::UnitX();
   const Eigen::Vector2d across(-along.y(), along.x());
   const auto corner = [&](const Vec3& end, double forward, double sideways) {
     const Eigen::Vector2d shift = (forward * along + sideways * across).cwiseQuotient(half_size) * reach;
-    return ScreenVertex{
-        {static_cast<float>(end.x() + shift.x()), static_cast<float>(end.y() + shift.y()),
-         static_cast<float>(end.z())},
-        color.cast<float>(),
-        Eigen::Vector4d(forward > 0 ? length + reach : -reach, sideways * reach, length, width / 2)
-            .cast<float>()};
+    return ScreenVertex{{static_cast<float>(end.x() + shift.x()), static_cast<float>(end.y() + shift.y()),
+                         static_cast<float>(end.z())},
+                        color.cast<float>()};
   };
   const ScreenVertex corners[] = {corner(p, -1, -1), corner(q, 1, -1), corner(q, 1, 1), corner(p, -1, 1)};
   for (const int k : {0, 1, 2, 0, 2, 3}) out.push_back(corners[k]);

@@ -10,17 +10,22 @@ namespace prosector {
 struct ScreenVertex {
   Eigen::Vector3f at;     // normalised device coordinates
   Eigen::Vector3f color;  // linear RGB
-  Eigen::Vector4f pen;    // pixels: along the line from its start, across it; its length, half its width
 };
 
 struct Viewport {
   double width, height;  // pixels
 };
 
+/// Brings what lies on a surface in front of it, in clip coordinates: by about 1 mm at arm's length.
+inline Eigen::Vector4d in_front(Eigen::Vector4d clip) {
+  constexpr double depth_bias = 4e-5;
+  clip.z() -= depth_bias * clip.w();
+  return clip;
+}
+
 /// Adds the two triangles of the line from a to b (clip coordinates), `width` pixels wide, with square ends.
-/// A `margin` (pixels) around it is for a shader that fades the line out. What lies behind the eye is cut
-/// off.
+/// What lies behind the eye is cut off.
 void add_line(std::vector<ScreenVertex>& out, Eigen::Vector4d a, Eigen::Vector4d b, const Vec3& color,
-              double width, const Viewport& viewport, double margin = 0);
+              double width, const Viewport& viewport);
 
 }  // namespace prosector

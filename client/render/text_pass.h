@@ -1,12 +1,44 @@
 #pragma once
-// A DrawList's texts, drawn with a pen: dark strokes under bright ones, legible on any ground, over the
-// finished picture. Private to client/render.
+// A DrawList's texts. Private to client/render.
 
-#include "client/render/screen_quad_drawer.h"
-#include "client/view/draw_list.h"
+#include "client/render/glyph_texture.h"
+#include "client/render/shader_program.h"
+#include "client/render/text_layout.h"
+#include "client/render/text_vertices.h"
+#include "client/render/vertex_stream.h"
 
 namespace prosector {
 
-void draw_texts(const DrawList& list, const DrawCamera& camera, const ScreenQuadDrawer& drawer);
+class TextPass {
+ public:
+  /// Compiles the shaders. The typesetter outlives the pass.
+  TextPass(const Gl& gl, const std::filesystem::path& shaders, Typesetter& typesetter);
+
+  /// Draws the texts on surfaces, behind what hides them and lit by no lamp. The alpha of the picture stays.
+  void draw_on_surfaces(const DrawList& list, const DrawCamera& camera);
+  /// Draws the other texts over the finished picture: first what they stand on, then their glyphs, each as
+  /// FreeType draws it at that size.
+  void draw_over(const DrawList& list, const DrawCamera& camera);
+
+ private:
+  /// Glyphs of one sheet that wait to be drawn.
+  struct Ink {
+    GlyphTexture& texture;
+    const ShaderProgram& program;
+    std::vector<GlyphVertex> vertices = {};
+  };
+
+  void add_letters(Ink& ink, const PlacedText& placed, const Eigen::Vector2d& picture);
+  void add_writing(Ink& ink, const DrawText& text, const Eigen::Matrix4d& clip_from_room);
+  GlyphSpot spot(Ink& ink, const GlyphKey& key, const std::function<GlyphImage()>& make);
+  void draw(Ink& ink);
+
+  const Gl& gl_;
+  Typesetter& typesetter_;
+  ShaderProgram plate_program_, letter_program_, writing_program_;
+  VertexStream plate_stream_, glyph_stream_;
+  GlyphTexture letters_;  // as covered pixels, of each size
+  GlyphTexture shapes_;   // as distances, of one size
+};
 
 }  // namespace prosector

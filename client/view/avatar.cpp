@@ -62,8 +62,10 @@ void add_corner_axes(DrawList& list, const Quat& frame, const DrawCamera& camera
     DrawText label;
     label.text = std::string(1, static_cast<char>('x' + axis));
     const Vec3 beyond = tip + 9 * along.normalized();
-    label.at = {beyond.x() - letter / 3, picture.height - beyond.y() - letter / 2, 0};
+    label.at = {beyond.x(), picture.height - beyond.y(), 0};
     label.height = letter;
+    label.centred = true;
+    label.ground = TextGround::none;
     label.color = color.cwiseMax(0.3);
     list.texts.push_back(label);
   }

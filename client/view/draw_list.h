@@ -56,16 +56,29 @@ struct DrawLine {
   bool overlay = false;
 };
 
-/// Text in the overlay, at a place in the room (names above heads), or on a surface in the room.
+/// What a text over a picture stands on.
+enum class TextGround : std::uint8_t {
+  plate,   // dark, half transparent, with round corners: legible on any picture
+  framed,  // a plate with a rim of the text's colour
+  none
+};
+
+/// Text in the overlay, at a place in the room (names above heads), or on a surface in the room. UTF-8 in any
+/// script. Lines end at '\n'; a '\t' begins the next column, the same for all lines.
 struct DrawText {
   std::string text;
   Vec3 at = Vec3::Zero();  // overlay: points from the top left in x, y; else world frame
   bool overlay = true;
-  double height = 14;  // points; on a surface: m
+  double height = 14;  // of the em, points; on a surface: m
   Vec3 color = Vec3::Ones();
   std::optional<Pose> surface =
       {};           // written on it: from its origin along +x, lines along −y; `at` is unused
   double wrap = 0;  // in the unit of `height`: lines are broken at this width; 0: not
+  /// In the unit of `height`: what a text that does not fit below `tallest` shrinks to at most; still too
+  /// long, it ends with an ellipsis. 0: it does not shrink; any height.
+  double least_height = 0, tallest = 0;
+  bool centred = false;  // its middle stands at its place, each line in the middle
+  TextGround ground = TextGround::plate;
 };
 
 /// One eye's camera. Off-axis frustum: tangents of the four half angles.

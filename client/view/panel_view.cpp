@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "client/text/text_block.h"
 #include "client/view/body_mesh.h"
 #include "common/primitives.h"
 
@@ -13,7 +16,8 @@ constexpr double label_height = 0.0135;  // m
 constexpr double mark_height = 0.010;    // m, of the slider's marks
 constexpr double rim = 0.004;            // m, of the board
 constexpr double over_surface = 0.0004;  // m: writing over what it stands on
-constexpr double letter_width = 0.615;   // of its height
+constexpr double label_margin = 0.004;   // m, beside and above a label on its cap
+constexpr double least_name = 0.010, least_writing = 0.0085;  // m: down to which writing shrinks to fit
 
 const Vec3 board_color{0.020, 0.026, 0.034}, rim_color{0.20, 0.23, 0.26}, rail_color{0.004, 0.005, 0.007};
 const Vec3 cap_color{0.16, 0.18, 0.21}, on_color{0.95, 0.60, 0.10}, touched_color{0.07, 0.75, 0.14};
@@ -26,22 +30,33 @@ std::shared_ptr<const DrawMesh> box(const Vec3& size, double rounding, std::uint
   return rigid_mesh(mesh_of(part), id);
 }
 
-/// Makes writing whose first line begins at the place, in the panel's frame.
-DrawText write(const Pose& panel, const Vec3& at, std::string text, double height, const Vec3& color,
-               double wrap = 0) {
+/// Where writing stands on the panel, in its frame, and what it has to fit into, m.
+struct Place {
+  Vec3 at;  // its top left; of what is centred its middle
+  double width = 0, height = 0;
+};
+
+DrawText write(const Pose& panel, const Place& place, std::string text, double height, const Vec3& color) {
   return {.text = std::move(text),
           .overlay = false,
           .height = height,
           .color = color,
-          .surface = panel * Pose{at + Vec3(0, 0, over_surface), Quat::Identity()},
-          .wrap = wrap};
+          .surface = panel * Pose{place.at + Vec3(0, 0, over_surface), Quat::Identity()},
+          .wrap = place.width,
+          .least_height = std::min(height, least_writing),
+          .tallest = place.height};
 }
 
-/// Makes writing in the middle of a place.
-DrawText write_centred(const Pose& panel, const Vec3& middle, std::string text, double height,
+DrawText write_centred(const Pose& panel, const Place& place, std::string text, double height,
                        const Vec3& color) {
-  const double width = letter_width * height * static_cast<double>(text.size());
-  return write(panel, middle + Vec3(-width / 2, height / 2, 0), std::move(text), height, color);
+  DrawText out = write(panel, place, std::move(text), height, color);
+  out.centred = true;
+  return out;
+}
+
+/// Returns the place on a cap for its label.
+Place label_place(const ControlDesc& control, const Vec3& face) {
+  return {face, 2 * (control.half_width - label_margin), 2 * (control.half_height - label_margin)};
 }
 
 }  // namespace
@@ -60,17 +75,26 @@ void PanelView::add(DrawList& list, const Panel& panel, const SceneBody& part) c
   const auto put = [&](const std::shared_ptr<const DrawMesh>& mesh, const Vec3& at, const Vec3& color) {
     list.items.push_back({.mesh = mesh,
                           .pose = panel.pose * Pose{at, Quat::Identity()},
-                          .appearance = {.color = color, .roughness = 0.6},
+                          .appearance = {.color = color, .surface = Surface::emissive},
                           .casts_shadow = false});
   };
   put(board_, {0, 0, -panel_thickness / 2}, board_color);
   put(rim_, {0, 0, -panel_thickness / 2 - 0.002}, rim_color);
   put(rail_, {0, slider_y, 0.0005}, rail_color);
-  const Vec3 corner(panel_info.left, panel_info.top, 0);
-  list.texts.push_back(write(panel.pose, corner, part.name, panel_name_height, writing));
-  list.texts.push_back(write(panel.pose, corner - Vec3(0, 1.6 * panel_name_height, 0), part.description,
-                             panel_text_height, dim_writing, panel_info.right - panel_info.left));
+  add_information(list, panel.pose, part);
   add_controls(list, panel);
+}
+
+void PanelView::add_information(DrawList& list, const Pose& panel, const SceneBody& part) {
+  constexpr double below_name = 1.6 * panel_name_height;
+  const double width = panel_info.right - panel_info.left, height = panel_info.top - panel_info.bottom;
+  const Vec3 corner(panel_info.left, panel_info.top, 0);
+  DrawText name = write(panel, {corner, width, height_of_lines(1) * panel_name_height}, part.name,
+                        panel_name_height, writing);
+  name.least_height = least_name;
+  list.texts.push_back(std::move(name));
+  list.texts.push_back(write(panel, {corner - Vec3(0, below_name, 0), width, height - below_name},
+                             part.description, panel_text_height, dim_writing));
 }
 
 void PanelView::add_controls(DrawList& list, const Panel& panel) const {
@@ -78,8 +102,7 @@ void PanelView::add_controls(DrawList& list, const Panel& panel) const {
     const ControlState& state = panel.controls[static_cast<std::size_t>(control.control)];
     const bool button = control.kind == ControlKind::button, glows = state.touched || state.on;
     const Vec3 face = control_face(control, state.position);
-    Appearance look{.color = cap_color, .roughness = 0.5};
-    if (glows) look.surface = Surface::emissive;
+    Appearance look{.color = cap_color, .surface = Surface::emissive};
     if (state.on) look.color = on_color;
     if (state.touched) look.color = touched_color;
     const double depth = button ? cap_depth : knob_height + 0.002;
@@ -88,19 +111,20 @@ void PanelView::add_controls(DrawList& list, const Panel& panel) const {
                           .appearance = look,
                           .casts_shadow = false});
     if (button)
-      list.texts.push_back(write_centred(panel.pose, face,
+      list.texts.push_back(write_centred(panel.pose, label_place(control, face),
                                          std::string(state.on ? control.label_on : control.label),
                                          label_height, glows ? dark_writing : writing));
   }
   const ControlDesc& slider = describe(PanelControl::stiffness);
   const double stiffness = stiffness_at(panel.controls[static_cast<std::size_t>(slider.control)].position);
-  list.texts.push_back(write_centred(panel.pose, {0.071, -0.052, 0},
+  const Place stiffness_place{{0.071, -0.052, 0}, 0.134, 0.032};
+  list.texts.push_back(write_centred(panel.pose, stiffness_place,
                                      fmt::format("{} x{:.2f}", slider.label, stiffness), label_height,
                                      writing));
   constexpr std::array<const char*, 5> marks = {"1/4", "1/2", "1", "2", "4"};
   for (std::size_t k = 0; k < marks.size(); ++k) {
     const Vec3 at = control_face(slider, static_cast<double>(k) / 4);
-    list.texts.push_back(write_centred(panel.pose, {at.x(), slider.y - slider.half_height - 0.007, 0},
+    list.texts.push_back(write_centred(panel.pose, {{at.x(), slider.y - slider.half_height - 0.007, 0}},
                                        marks[k], mark_height, dim_writing));
   }
 }

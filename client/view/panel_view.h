@@ -22,6 +22,7 @@ class PanelView {
  private:
   std::shared_ptr<const DrawMesh> board_, rim_, button_, knob_, rail_;
 
+  static void add_information(DrawList& list, const Pose& panel, const SceneBody& part);
   void add_controls(DrawList& list, const Panel& panel) const;
 };
 

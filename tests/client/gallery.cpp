@@ -10,7 +10,9 @@
 #include "client/view/light_shaft.h"
 #include "client/view/panel_view.h"
 #include "client/view/room.h"
+#include "client/view/stereo_profile.h"
 #include "client/view/wireframe.h"
+#include "tests/client/many_scripts.h"
 #include "tests/client/picture.h"
 
 namespace prosector::test {
@@ -191,17 +193,106 @@ GalleryPicture text() {
     if ((c - ' ') % 24 == 23) all += '\n';
   }
   list.texts = {
-      {all, {8, 8, 0}, true, 16, {1, 1, 1}},
-      {"The quick brown fox jumps\nover the lazy dog: 0123456789", {8, 110, 0}, true, 12, {1, 1, 0.6}},
-      {"(gap 1.25 mm) & [N·s] {x;y}", {8, 160, 0}, true, 20, {0.5, 1, 0.6}}};
+      {all, {10, 6, 0}, true, 13, {1, 1, 1}},
+      {"The quick brown fox jumps\nover the lazy dog: 0123456789", {10, 82, 0}, true, 12, {1, 1, 0.6}},
+      {"(gap 1.25 mm) [N·s]", {10, 120, 0}, true, 20, {0.5, 1, 0.6}},
+      {"key\twhat it does\nShift\trolls", {10, 152, 0}, true, 12, {1, 1, 1}}};
+  list.texts[3].ground = TextGround::framed;
+  list.texts.push_back({.text = "no ground", .at = {180, 160, 0}, .height = 12});
+  list.texts.back().ground = TextGround::none;
   return {"text", width, height, list};
+}
+
+/// The same on a display with as many pixels a point.
+GalleryPicture on_finer_display(GalleryPicture picture, int scale) {
+  picture.list.scale = scale;
+  picture.width *= scale;
+  picture.height *= scale;
+  for (DrawCamera& camera : picture.list.cameras)
+    for (int* pixels : {&camera.x, &camera.y, &camera.width, &camera.height}) *pixels *= scale;
+  picture.name.append("_").append(std::to_string(scale)).append("x");
+  return picture;
+}
+
+/// Labels in the overlay and in the room, over a bright thing.
+void add_labels(DrawList& list) {
+  double y = 8;
+  for (const Words& words : many_scripts) {
+    if (words.name.size() > 60) continue;
+    list.texts.push_back({.text = std::string(words.name), .at = {10, y, 0}, .height = 13});
+    y += 20;
+  }
+  list.texts.push_back({.text = "肝脏 · ήπαρ", .at = {0, 1.13, 0}, .overlay = false, .height = 14});
+  list.texts.push_back({.text = "الكبد 12 mm", .at = {0.03, 1.13, 0}, .overlay = false, .height = 14});
+}
+
+GalleryPicture scripts() {
+  constexpr int wide = 400, high = 300;
+  DrawList list = stage({0.1, 1.4, 0.6}, {-0.08, 1.08, 0}, 0.6);
+  list.cameras = {mono_camera(list.cameras[0].pose, 0.6, wide, high)};
+  list.items.push_back(table());
+  list.items.push_back(organ_part());
+  add_labels(list);
+  return {"scripts", wide, high, list};
+}
+
+/// Adds a panel that faces the eye, with the words of a row of many_scripts.
+void add_panel(DrawList& list, std::size_t row, const Vec3& at, const Vec3& eye) {
+  SceneBody part;
+  part.name = many_scripts.at(row).name;
+  part.description = many_scripts.at(row).description;
+  Panel panel;
+  panel.open = true;
+  panel.pose = {at, look_at(eye, at).q};
+  PanelView(40).add(list, panel, part);
+}
+
+/// Long German and Turkish words, words from right to left, and words of a font that steps in.
+GalleryPicture panel_scripts() {
+  constexpr int wide = 480, high = 420;
+  const Vec3 eye(-0.16, 1.2, 0.8);
+  DrawList list = stage(eye, {-0.16, 1.2, 0}, 0.75);
+  list.cameras = {mono_camera(list.cameras[0].pose, 0.75, wide, high)};
+  add_panel(list, 1, {-0.33, 1.34, 0.02}, eye);
+  add_panel(list, 2, {-0.33, 1.06, 0.02}, eye);
+  add_panel(list, 5, {0.01, 1.34, 0.02}, eye);
+  add_panel(list, 8, {0.01, 1.06, 0.02}, eye);
+  return {"panel_scripts", wide, high, list};
+}
+
+/// What both eyes of a headset see: labels and a panel.
+GalleryPicture scripts_stereo() {
+  constexpr int wide = 800, high = 300;
+  const Vec3 eye(0.02, 1.4, 0.65);
+  DrawList list = stage(eye, {-0.06, 1.12, 0}, 0.9);
+  const auto eyes = stereo_cameras(list.cameras[0].pose, StereoProfile{}, wide, high);
+  list.cameras.assign(eyes.begin(), eyes.end());
+  list.items.push_back(table());
+  list.items.push_back(organ_part());
+  add_panel(list, 5, {-0.22, 1.14, 0.02}, eye);
+  list.texts.push_back({.text = "karaciğer · печень", .at = {10, 10, 0}, .height = 13});
+  list.texts.push_back({.text = "肝脏 · ήπαρ", .at = {0.05, 1.12, 0}, .overlay = false, .height = 14});
+  list.texts.push_back({.text = "यकृत 12 mm", .at = {0.06, 1.12, 0}, .overlay = false, .height = 14});
+  return {"scripts_stereo", wide, high, list};
 }
 
 }  // namespace
 
 const std::vector<std::string>& gallery_names() {
-  static const std::vector<std::string> names = {"hand_open", "hand_half", "hand_fist", "organ", "avatar",
-                                                 "text",      "panel",     "parts",     "glass"};
+  static const std::vector<std::string> names = {"hand_open",
+                                                 "hand_half",
+                                                 "hand_fist",
+                                                 "organ",
+                                                 "avatar",
+                                                 "text",
+                                                 "panel",
+                                                 "parts",
+                                                 "glass",
+                                                 "scripts",
+                                                 "scripts_2x",
+                                                 "panel_scripts",
+                                                 "panel_scripts_2x",
+                                                 "scripts_stereo"};
   return names;
 }
 
@@ -214,6 +305,11 @@ GalleryPicture gallery_picture(const std::string& name) {
   if (name == "panel") return panel();
   if (name == "parts") return parts();
   if (name == "glass") return glass();
+  if (name == "scripts") return scripts();
+  if (name == "scripts_2x") return on_finer_display(scripts(), 2);
+  if (name == "panel_scripts") return panel_scripts();
+  if (name == "panel_scripts_2x") return on_finer_display(panel_scripts(), 2);
+  if (name == "scripts_stereo") return scripts_stereo();
   return text();
 }
 

@@ -16,10 +16,12 @@
 #include "client/view/pick.h"
 #include "client/view/room.h"
 #include "client/view/scene_tour.h"
+#include "client/view/set_text.h"
 #include "client/view/still_scene.h"
 #include "client/view/tube.h"
 #include "client/view/wireframe.h"
 #include "common/primitives.h"
+#include "tests/client/many_scripts.h"
 
 namespace prosector {
 namespace {
@@ -312,8 +314,6 @@ TEST(PanelView, ShowsWhereControlsAreAndHowTheyStand) {
     EXPECT_LT(std::abs(at.x()), panel_width / 2) << text.text;
     EXPECT_LT(std::abs(at.y()), panel_height / 2) << text.text;
     EXPECT_GT(at.z(), 0);
-    EXPECT_LT(at.x() + 0.62 * text.height * static_cast<double>(text.text.size()), panel_width / 2)
-        << text.text;
   }
   for (std::size_t k = 0; k < panel_control_count; ++k) {
     Panel worked = rest;
@@ -334,6 +334,54 @@ TEST(PanelView, ShowsWhereControlsAreAndHowTheyStand) {
     }
     EXPECT_EQ(changed, 1u);
   }
+}
+
+// What is written lies on the board, in any script and of any length.
+TEST(PanelView, WritingStaysOnTheBoard) {
+  Typesetter typesetter;
+  const PanelView view(1);
+  const Panel panel = some_panel();
+  for (const test::Words& words : test::many_scripts)
+    for (const int times : {1, 8}) {
+      SceneBody part;
+      for (int k = 0; k < times; ++k) {
+        part.name.append(k == 0 ? "" : " ").append(words.name);
+        part.description.append(k == 0 ? "" : " ").append(words.description);
+      }
+      DrawList list;
+      view.add(list, panel, part);
+      for (const DrawText& text : list.texts) {
+        const SetText set = set_text(typesetter, text, 1);
+        Vec3 at = panel.pose.inverse() * text.surface->p;
+        if (text.centred) at += Vec3(-set.width() / 2, set.height() / 2, 0);
+        EXPECT_GT(at.x(), -panel_width / 2) << words.script << ": " << text.text;
+        EXPECT_LT(at.x() + set.width(), panel_width / 2) << words.script << ": " << text.text;
+        EXPECT_LT(at.y(), panel_height / 2) << words.script << ": " << text.text;
+        const bool control = text.text != part.name && text.text != part.description;
+        EXPECT_GT(at.y() - set.height(), control ? -panel_height / 2 : panel_info.bottom - 1e-9)
+            << words.script << ": " << text.text;
+      }
+    }
+}
+
+TEST(PanelView, ALongNameShrinksAndThenEndsWithAnEllipsis) {
+  Typesetter typesetter;
+  const auto name_on_panel = [&](const std::string& name) {
+    SceneBody part;
+    part.name = name;
+    DrawList list;
+    PanelView(1).add(list, some_panel(), part);
+    return set_text(typesetter, list.texts[0], 1);
+  };
+  const SetText liver = name_on_panel("liver"),
+                longer = name_on_panel("musculus pectoralis major, left side"),
+                longest = name_on_panel(std::string(200, 'w'));
+  EXPECT_EQ(liver.size, panel_name_height);
+  EXPECT_LT(longer.size, panel_name_height);
+  EXPECT_FALSE(longer.block->cut);
+  EXPECT_LT(longest.size, longer.size);
+  EXPECT_TRUE(longest.block->cut);
+  EXPECT_TRUE(longest.block->lines[0].text.ends_with("…"));
 }
 
 TEST(Pick, EveryControlIsFoundThroughItsPixel) {
@@ -450,13 +498,16 @@ TEST(ContactOverlay, TellsEveryFigureInTheLowerLeft) {
                              "5.00 N", "0.00 -0.60 0.80"})
     EXPECT_NE(text.find(figure), std::string::npos) << figure << " in\n" << text;
   add_contact_overlay(list, contact, "liver");
-  ASSERT_EQ(list.lines.size(), 4u);
-  for (const DrawLine& line : list.lines) {
-    EXPECT_TRUE(line.overlay);
-    EXPECT_LT(std::max(line.a.x(), line.b.x()), 0.1);
-    EXPECT_LT(std::max(line.a.y(), line.b.y()), -0.4);
-    EXPECT_GT(line.color.y(), 2 * line.color.x()) << "green";
-  }
+  ASSERT_EQ(list.texts.size(), 1u);
+  const DrawText& figures = list.texts[0];
+  EXPECT_EQ(figures.text, text);
+  EXPECT_EQ(figures.ground, TextGround::framed);
+  EXPECT_GT(figures.color.y(), 2 * figures.color.x()) << "green";
+  Typesetter typesetter;
+  const SetText set = set_text(typesetter, figures, list.scale);
+  EXPECT_LT(figures.at.x() + set.width(), 0.55 * list.cameras[0].width);
+  EXPECT_GT(figures.at.y(), 0.7 * list.cameras[0].height);
+  EXPECT_LT(figures.at.y() + set.height(), list.cameras[0].height);
 }
 
 }  // namespace

@@ -1,0 +1,18 @@
+#pragma once
+// Lines one below the other. Private to client/text.
+
+#include <string_view>
+
+#include "client/text/paragraph.h"
+
+namespace prosector {
+
+struct BlockFrame {
+  double width = 0, height = 0;  // em; 0: any
+  bool centred = false;
+};
+
+/// Lays out lines, columns and paragraphs as Typesetter::set() says.
+TextBlock lay_out(Fonts& fonts, std::u32string_view characters, const BlockFrame& frame);
+
+}  // namespace prosector

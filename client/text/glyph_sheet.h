@@ -1,0 +1,69 @@
+#pragma once
+// Many glyphs on one picture of bounded size. No GL: whoever draws with it uploads the rows that changed.
+
+#include <functional>
+#include <optional>
+#include <unordered_map>
+
+#include "client/text/font.h"
+
+namespace prosector {
+
+/// Names an image of a glyph.
+struct GlyphKey {
+  std::uint32_t font = 0, glyph = 0;
+  int size = 0;   // 64ths of a pixel
+  int phase = 0;  // of pen_phases
+  bool operator==(const GlyphKey&) const = default;
+};
+
+struct GlyphSpot {
+  int x = 0, y = 0, width = 0, height = 0;  // on the sheet, pixels; width 0: nothing to draw
+  int left = 0, top = 0;                    // as GlyphImage's
+};
+
+class GlyphSheet {
+ public:
+  static constexpr int width = 1024;             // pixels, one byte each
+  static constexpr int least_height = 256;       // to begin with
+  static constexpr int most_height = 2048;       // so a sheet holds at most 2 MiB
+  static constexpr int most_glyph_height = 512;  // what is higher is not put on it
+
+  /// Returns where the glyph is, after `make` has drawn it if it is new. nullopt: the sheet is full; clear
+  /// it.
+  std::optional<GlyphSpot> spot(const GlyphKey& key, const std::function<GlyphImage()>& make);
+  /// Forgets all glyphs; the height stays.
+  void clear();
+
+  int height() const { return height_; }
+  std::size_t glyphs() const { return spots_.size(); }
+  const std::uint8_t* row(int y) const {
+    return pixels_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+  }
+
+  struct Rows {
+    int first = 0, end = 0;
+  };
+  /// Returns the rows that changed since the last call.
+  Rows take_changed();
+
+ private:
+  struct Hash {
+    std::size_t operator()(const GlyphKey& key) const;
+  };
+  /// Glyphs of about one height, side by side.
+  struct Shelf {
+    int top, height, used = 0;
+  };
+  Shelf* shelf_for(int glyph_width, int glyph_height);
+  void copy(const GlyphImage& image, const GlyphSpot& spot);
+
+  int height_ = least_height;
+  std::vector<std::uint8_t> pixels_ =
+      std::vector<std::uint8_t>(static_cast<std::size_t>(width) * static_cast<std::size_t>(least_height));
+  std::vector<Shelf> shelves_;
+  std::unordered_map<GlyphKey, GlyphSpot, Hash> spots_;
+  Rows changed_;
+};
+
+}  // namespace prosector
