@@ -82,6 +82,9 @@ in_order server/physics '^server/physics/(contact/colliders|rigid/breaking)\.' \
   soft collision cutting rigid contact hands parts panel organs coupled
 forbid "OpenGL only in client/render" '(GL/|GLFW/|EGL/|GLES)' \
   $(sources '(common|idl|drivers|server)/') $(sources client/ '^client/render/')
+forbid "FreeType, HarfBuzz, FriBidi and fontconfig only in the .cpp files of client/text" '(ft2build|hb|fribidi|fontconfig/)' \
+  $(sources '(common|idl|drivers|server|client)/' '^client/text/[a-z_]*\.cpp$')
+forbid "text knows neither what is drawn nor how" 'client/(app|render|replica|view)/' $(sources client/text/)
 forbid "toml++, assimp, OpenCV and SQLite only in .cpp files" '(toml|assimp/|opencv|sqlite3)' \
   $(sources '(common|idl|drivers|server|client)/' '\.cpp$')
 

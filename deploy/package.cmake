@@ -36,14 +36,16 @@ set(CPACK_DEBIAN_CLIENT_DESCRIPTION "joins or watches a shared dissecting room
 Draws what a prosector-server simulates, and takes part with a mouse, a
 gamepad, a tracker or a data glove. Simulated devices come with it.")
 # Both are opened at run time: windows draw with the first, and where there is neither GPU nor display, the second does.
-set(CPACK_DEBIAN_CLIENT_PACKAGE_DEPENDS "libgl1, libosmesa6")
+# Text needs one font at least; with those recommended it has more scripts (client/text/font_catalogue.cpp).
+set(CPACK_DEBIAN_CLIENT_PACKAGE_DEPENDS "libgl1, libosmesa6, fontconfig-config, fonts-dejavu-core")
+set(CPACK_DEBIAN_CLIENT_PACKAGE_RECOMMENDS "fonts-lohit-deva, fonts-droid-fallback")
 set(CPACK_DEBIAN_CLIENT_PACKAGE_SUGGESTS prosector-server)
 
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME prosector-tools)
 set(CPACK_DEBIAN_TOOLS_DESCRIPTION "checks scenes and measures models of tissue
 Checks scene files and prints their manual, weighs every model of tissue by
 cost and error on this machine, and lets people play at random in a scene.")
-set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS libosmesa6)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "libosmesa6, fontconfig-config, fonts-dejavu-core")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS prosector-server)
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libprosector-dev)

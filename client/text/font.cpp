@@ -6,6 +6,7 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
+#include "client/text/distance_field.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -61,8 +62,7 @@ GlyphImage Font::distances(std::uint32_t glyph) const {
   FT_Face face = face_.get();
   if (FT_Set_Pixel_Sizes(face, distance_em, distance_em) != 0) return {};
   if (FT_Load_Glyph(face, glyph, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) != 0) return {};
-  if (FT_Render_Glyph(face->glyph, FT_RENDER_MODE_SDF) != 0) return {};
-  return image_of(face->glyph);
+  return distance_field(face->glyph);
 }
 
 }  // namespace prosector

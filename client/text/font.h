@@ -35,7 +35,7 @@ class Font {
   /// hinted lightly (in height alone). The pen stands `phase` of `pen_phases` within its pixel.
   GlyphImage coverage(std::uint32_t glyph, int size, int phase) const;
   /// Draws the glyph as distances from its outline: 128 on it, up to 255 `distance_reach` pixels inside, down
-  /// to 0 as far outside. The em is `distance_em` pixels.
+  /// to 1 as far outside. The em is `distance_em` pixels.
   GlyphImage distances(std::uint32_t glyph) const;
 
   hb_font_t* shaping() const { return shaping_.get(); }  // its scale: units of the em

@@ -4,7 +4,6 @@
 
 #include "common/error.h"
 #include FT_FREETYPE_H
-#include FT_MODULE_H
 
 namespace prosector {
 
@@ -13,8 +12,6 @@ Fonts::Fonts(FontCatalogue catalogue)
   FT_Library library = nullptr;
   if (FT_Init_FreeType(&library) != 0) throw InputError("text: FreeType does not start");
   library_.reset(library, &FT_Done_FreeType);
-  FT_Int reach = distance_reach;
-  FT_Property_Set(library, "sdf", "spread", &reach);
   FontId first = 0;
   while (first < catalogue_.size() && !open(first)) ++first;
   if (first == catalogue_.size())

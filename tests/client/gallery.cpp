@@ -236,27 +236,35 @@ GalleryPicture scripts() {
   return {"scripts", wide, high, list};
 }
 
-/// Adds a panel that faces the eye, with the words of a row of many_scripts.
-void add_panel(DrawList& list, std::size_t row, const Vec3& at, const Vec3& eye) {
+/// Adds a panel that faces the eye.
+void add_panel(DrawList& list, std::string_view name, std::string description, const Vec3& at,
+               const Vec3& eye) {
   SceneBody part;
-  part.name = many_scripts.at(row).name;
-  part.description = many_scripts.at(row).description;
+  part.name = name;
+  part.description = std::move(description);
   Panel panel;
   panel.open = true;
   panel.pose = {at, look_at(eye, at).q};
   PanelView(40).add(list, panel, part);
 }
 
-/// Long German and Turkish words, words from right to left, and words of a font that steps in.
+std::string description_in(std::string_view script) {
+  for (const Words& words : many_scripts)
+    if (words.script == script) return std::string(words.description);
+  return {};
+}
+
+/// Long words, words from right to left, and words of fonts that step in.
 GalleryPicture panel_scripts() {
   constexpr int wide = 480, high = 420;
   const Vec3 eye(-0.16, 1.2, 0.8);
   DrawList list = stage(eye, {-0.16, 1.2, 0}, 0.75);
   list.cameras = {mono_camera(list.cameras[0].pose, 0.75, wide, high)};
-  add_panel(list, 1, {-0.33, 1.34, 0.02}, eye);
-  add_panel(list, 2, {-0.33, 1.06, 0.02}, eye);
-  add_panel(list, 5, {0.01, 1.34, 0.02}, eye);
-  add_panel(list, 8, {0.01, 1.06, 0.02}, eye);
+  add_panel(list, many_scripts[1].name, description_in("German"), {-0.33, 1.34, 0.02}, eye);
+  add_panel(list, many_scripts[2].name, description_in("Turkish"), {-0.33, 1.06, 0.02}, eye);
+  add_panel(list, "الكبد · כבד", description_in("Arabic"), {0.01, 1.34, 0.02}, eye);
+  add_panel(list, "肝脏 · ήπαρ · печень", description_in("Chinese") + "\n" + description_in("Devanagari"),
+            {0.01, 1.06, 0.02}, eye);
   return {"panel_scripts", wide, high, list};
 }
 
@@ -269,7 +277,7 @@ GalleryPicture scripts_stereo() {
   list.cameras.assign(eyes.begin(), eyes.end());
   list.items.push_back(table());
   list.items.push_back(organ_part());
-  add_panel(list, 5, {-0.22, 1.14, 0.02}, eye);
+  add_panel(list, "الكبد", description_in("Arabic"), {-0.22, 1.14, 0.02}, eye);
   list.texts.push_back({.text = "karaciğer · печень", .at = {10, 10, 0}, .height = 13});
   list.texts.push_back({.text = "肝脏 · ήπαρ", .at = {0.05, 1.12, 0}, .overlay = false, .height = 14});
   list.texts.push_back({.text = "यकृत 12 mm", .at = {0.06, 1.12, 0}, .overlay = false, .height = 14});
