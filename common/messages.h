@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/hash.h"
+#include "common/local_name.h"
 #include "common/math.h"
 
 namespace prosector {
@@ -23,8 +24,11 @@ using BodyId = std::uint32_t;         // index into SceneInfo::bodies
 enum class Role : std::uint8_t { observer, dissector, host };
 enum class Gesture : std::uint8_t { none, fist, point, two, three, little, index_little, flat, pinch };
 
-inline constexpr std::size_t max_name_length = 63;    // bytes, UTF-8: session, participant, body names
-inline constexpr std::size_t max_text_length = 1023;  // bytes: descriptions, reasons
+inline constexpr std::size_t max_name_length = 63;      // bytes, UTF-8: session, participant, body names
+inline constexpr std::size_t max_text_length = 1023;    // bytes: descriptions, reasons
+inline constexpr std::size_t max_language_length = 35;  // bytes: a language tag (RFC 5646, 4.4.1)
+inline constexpr std::size_t max_local_names = 16;      // of one body
+inline constexpr std::size_t max_term_length = 31;      // bytes: an entry of Terminologia Anatomica
 inline constexpr std::size_t max_bodies = 4096;
 inline constexpr std::size_t max_lights = 16;
 inline constexpr std::size_t max_streamed_points = 1024 * 1024;  // of one soft body
@@ -203,6 +207,8 @@ struct SceneBody {
   Fidelity fidelity = Fidelity::mesh;  // what it collides as
   ContentHash
       outline{};  // Asset: what it collides as, in the frame of `mesh`; zero: nothing, or `mesh` itself
+  std::vector<LocalName> names;  // `name` in other languages, each language once
+  std::string term;              // entry of Terminologia Anatomica (1998): "A05.8.01.001"; empty: none
 };
 
 enum class LightKind : std::uint8_t { directional, point, spot };

@@ -31,13 +31,13 @@ models=("" fem_neo_hookean mass_spring fem_stvk fem_linear fem_neo_hookean_polyn
 
 "$root/deploy/build.sh" release prosector-play
 mkdir -p "$out"
-# The 116 regions of an atlas, too, where fetch_anatomy.sh has been.
+# The 116 regions of the brain, too, where fetch_anatomy.sh has been.
 atlas=${PROSECTOR_DATA:-${XDG_DATA_HOME:-$HOME/.local/share}/prosector}/aal.nii.gz
 if [ $shipped = yes ]; then
   if [ -f "$atlas" ]; then
-    "$root/deploy/atlas_scene.py" "$atlas" "$out/atlas.toml" && scenes+=("$out/atlas.toml")
+    scenes+=("$root/deploy/scenes/brain.toml")
   else
-    echo "play: skipped: the atlas: no $atlas (deploy/fetch_anatomy.sh)"
+    echo "play: skipped: the brain: no $atlas (deploy/fetch_anatomy.sh)"
   fi
 fi
 rm -f "$out"/*.json "$out"/*.log

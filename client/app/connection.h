@@ -19,6 +19,7 @@ struct JoinRequest {
   std::string name;
   Role role = Role::observer;
   std::string devices;
+  std::string language;                      // tag of the names that are shown; empty: the scene's own
   std::chrono::milliseconds patience{5000};  // how long to look for the session
 };
 

@@ -9,6 +9,8 @@
 #include <optional>
 #include <sstream>
 
+#include "client/replica/shown_names.h"
+
 namespace prosector {
 namespace {
 
@@ -35,7 +37,7 @@ std::optional<Role> role_of(const std::string& word) {
 
 std::optional<BodyId> body_of(const SceneInfo& scene, const std::string& name) {
   for (BodyId body = 0; body < scene.bodies.size(); ++body)
-    if (scene.bodies[body].name == name) return body;
+    if (is_called(scene.bodies[body], name)) return body;
   return std::nullopt;
 }
 

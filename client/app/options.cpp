@@ -11,6 +11,7 @@
 
 #include "client/render/shader_dir.h"
 #include "common/error.h"
+#include "common/local_name.h"
 #include "common/version.h"
 
 namespace prosector {
@@ -26,8 +27,8 @@ const std::map<std::string, Display> displays = {{"window", Display::window},
                                                  {"none", Display::none}};
 
 struct RawOptions {
-  std::string tracker, glove, glove_left, config, size, user_name, display = "window", quality = "medium",
-                                                                   show = "none";
+  std::string tracker, glove, glove_left, config, size, user_name, language,
+      display = "window", quality = "medium", show = "none";
   std::optional<std::string> lan;  // empty: the only network that there is
   std::vector<std::string> screenshots, effects;
   std::optional<double> detail;
@@ -146,6 +147,8 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
 
 void add_run(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option("--name", raw.user_name, "Your name, as others see it (default: your login name)");
+  app.add_option("--language", raw.language,
+                 "Tag of the language of parts' names, for instance de, tr (default: the locale's)");
   app.add_option("--seconds", o.seconds, "Leave after this long (default: stay)")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--summary", o.summary, "Write figures of this run as JSON")->group("Measurement");
@@ -253,6 +256,23 @@ std::string login_name() {
   return user != nullptr && *user != '\0' ? user : "guest";
 }
 
+/// Returns the language of the environment's messages, by POSIX' order of its variables.
+std::string locale_language() {
+  for (const char* variable : {"LC_ALL", "LC_MESSAGES", "LANG"})
+    if (const char* value = std::getenv(variable); value != nullptr && *value != '\0')
+      return language_of_locale(value);
+  return "";
+}
+
+std::string parse_language(const std::string& text) {
+  if (text.empty()) return locale_language();
+  std::string tag = text;
+  std::ranges::replace(tag, '_', '-');
+  if (!is_language_tag(tag))
+    throw InputError("--language " + text + ": must be a language tag, for instance de, tr, pt-BR");
+  return tag;
+}
+
 RenderOptions resolve_render(const RawOptions& raw, RenderOptions o) {
   if (!raw.size.empty()) parse_size(raw.size, o.width, o.height);
   o.quality = parse_quality(raw);
@@ -277,6 +297,7 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   for (const std::string& address :
        {o.devices.tracker, o.devices.gloves[left_hand].address, o.devices.gloves[right_hand].address})
     if (!address.empty()) (void)parse_device_address(address);
+  o.join.language = parse_language(raw.language);
   o.join.name = raw.user_name.empty() ? login_name() : raw.user_name;
   o.bus.interface = raw.lan.value_or("");
   if (o.bus.profile.empty() && raw.lan) o.bus.profile = "lan";

@@ -11,6 +11,7 @@
 #include "client/view/level_of_detail.h"
 #include "client/view/scene_tour.h"
 #include "client/view/still_scene.h"
+#include "common/anatomy/atlas.h"
 #include "common/error.h"
 #include "common/paths.h"
 #include "common/scene/load_scene.h"
@@ -101,8 +102,8 @@ void draw_turn(const RenderOptions& o, const SceneDesc& scene, DrawList list, Re
 }  // namespace
 
 int render_scene(const RenderOptions& o) {
-  const SceneDesc scene = load_scene(o.scene);
-  const SourcePaths paths{scene.file.parent_path(), {default_data_dir()}, default_cache_dir()};
+  const SourcePaths paths{o.scene.parent_path(), {default_data_dir()}, default_cache_dir()};
+  const SceneDesc scene = completed(load_scene(o.scene), paths, tell);
   DrawList list = still_scene(scene, paths, tell);
   if (o.quality.detail > 0) add_detail(list);
   std::vector<TourStop> tour = tour_of(scene, list, o.width, o.height);

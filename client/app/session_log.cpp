@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "client/replica/shown_names.h"
 #include "common/error.h"
 #include "common/panel.h"
 
@@ -76,7 +77,7 @@ json parts(Replica& replica, const SceneInfo& scene, double tick) {
       said["size"] = vector(where.box.isEmpty() ? Vec3::Zero() : Vec3(where.box.sizes()), 3);
       said["revision"] = soft->revision();
     }
-    if (!said.empty()) out[scene.bodies[body].name] = said;
+    if (!said.empty()) out[authors_name(scene.bodies[body])] = said;
   }
   return out;
 }
@@ -85,7 +86,7 @@ json panels(const Replica& replica, const SceneInfo& scene) {
   json out = json::object();
   for (const auto& [id, panel] : replica.panels()) {
     if (panel.body >= scene.bodies.size()) continue;
-    json said = {{"part", scene.bodies[panel.body].name},
+    json said = {{"part", authors_name(scene.bodies[panel.body])},
                  {"at", vector(panel.pose.p, 4)},
                  {"faces", vector(panel.pose.q * Vec3::UnitZ(), 4)}};
     for (const ControlDesc& control : panel_controls) {
@@ -104,7 +105,7 @@ json touches(const Replica& replica, const SceneInfo& scene) {
     for (const std::size_t hand : {left_hand, right_hand}) {
       const ContactSample* contact = replica.contact(id, hand);
       if (contact == nullptr || !contact->touching || contact->body >= scene.bodies.size()) continue;
-      out[hand_of(replica, id, hand)] = {{"body", scene.bodies[contact->body].name},
+      out[hand_of(replica, id, hand)] = {{"body", authors_name(scene.bodies[contact->body])},
                                          {"point", vector(contact->point, 4)},
                                          {"force", vector(contact->force, 2)},
                                          {"depth", rounded(contact->depth, 5)}};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "client/replica/shown_names.h"
 #include "common/asset.h"
 #include "common/error.h"
 
@@ -54,6 +55,7 @@ void Replica::apply(const Message& message, std::int64_t arrival_ns) {
                    // A scene only grows: by pieces that were cut off.
                    if (scene_ && m.bodies.size() <= scene_->bodies.size()) return;
                    scene_ = m;
+                   show_names(*scene_, language_);
                    lacks_bodies_ = true;
                  },
                  [&](const AssetChunk& m) { assets_.add(m); },

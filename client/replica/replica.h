@@ -28,8 +28,10 @@ struct RigidReplica {
 class Replica {
  public:
   Replica() = default;
-  /// Takes assets that are known already: they are named by content, so they are good for any server.
-  explicit Replica(AssetStore assets) : assets_(std::move(assets)) {}
+  /// Takes assets that are known already: they are named by content, so they are good for any server. Bodies
+  /// are called as in `language`, a tag, where the scene has such names.
+  explicit Replica(AssetStore assets, std::string language = "")
+      : assets_(std::move(assets)), language_(std::move(language)) {}
 
   /// Takes one sample. What contradicts itself (a body that isn't in the scene, an asset that is no mesh) is
   /// counted, not believed.
@@ -84,6 +86,7 @@ class Replica {
 
  private:
   AssetStore assets_;
+  std::string language_;
   std::optional<SessionInfo> session_;
   std::optional<SceneInfo> scene_;
   std::optional<PlayoutClock> clock_;

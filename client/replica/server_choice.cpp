@@ -32,7 +32,7 @@ bool ServerChoice::admits(std::uint64_t writer) {
   if (servers_.size() >= max_servers)
     std::erase_if(servers_, [&](const auto& s) { return s.first != followed_ && !hosts(s.second); });
   if (servers_.size() >= max_servers) return false;
-  servers_.emplace(writer, Replica(replica().assets()));
+  servers_.emplace(writer, Replica(replica().assets(), language_));
   return true;
 }
 

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
+#include <utility>
 
 #include "client/replica/replica.h"
 
@@ -11,6 +13,9 @@ namespace prosector {
 
 class ServerChoice {
  public:
+  /// Lets bodies be called as in `language` (Replica).
+  explicit ServerChoice(std::string language = "") : language_(std::move(language)) {}
+
   /// Takes one sample into what is known of its writer's session. Follows another server when the one that
   /// was followed is gone, or when one that precedes it is there (common/server_run.h).
   void apply(const Received& received);
@@ -21,6 +26,7 @@ class ServerChoice {
   std::uint64_t followed() const { return followed_; }
 
  private:
+  std::string language_;
   std::map<std::uint64_t, Replica> servers_;  // by process
   std::uint64_t followed_ = 0;
   Replica nobody_;

@@ -1,7 +1,6 @@
 #include "common/anatomy/sources.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <span>
 
@@ -16,12 +15,14 @@
 #include "common/anatomy/simplify.h"
 #include "common/anatomy/stuffing.h"
 #include "common/anatomy/surface_check.h"
+#include "common/anatomy/surface_field.h"
 #include "common/anatomy/surface_io.h"
 #include "common/anatomy/tet_io.h"
 #include "common/anatomy/volume_io.h"
 #include "common/curves/from_scene.h"
 #include "common/error.h"
 #include "common/primitives.h"
+#include "common/surface_files.h"
 
 namespace prosector {
 namespace {
@@ -32,24 +33,12 @@ void say(const Progress& progress, const std::string& line) {
   if (progress) progress(line);
 }
 
-std::vector<std::filesystem::path> candidates(const std::string& file, const SourcePaths& paths) {
-  if (std::filesystem::path(file).is_absolute()) return {file};
-  std::vector<std::filesystem::path> out = {paths.scene_dir / file};
-  for (const auto& dir : paths.data_dirs) out.push_back(dir / file);
-  return out;
-}
-
 /// Finds the first place that has the file; empty when missing but replaceable; throws when not.
 std::filesystem::path resolve(const std::string& body, const std::string& file, const std::string& fallback,
                               const SourcePaths& paths, const Progress& progress) {
-  std::vector<std::string> looked;
-  for (const auto& path : candidates(file, paths)) {
-    if (std::filesystem::is_regular_file(path)) return path;
-    looked.push_back(path.string());
-  }
+  if (auto found = find_source(file, paths); !found.empty()) return found;
   if (fallback.empty())
-    throw InputError(fmt::format("{}: {} is missing; looked for {}. Fetch it, or name a fallback shape", body,
-                                 file, fmt::join(looked, ", ")));
+    throw InputError(fmt::format("{}: {}, or name a fallback shape", body, missing_source(file, paths)));
   say(progress,
       fmt::format("{}: {} is missing: using the implicit shape \"{}\" instead", body, file, fallback));
   return {};
@@ -124,9 +113,26 @@ CachedAnatomy mesh_file(const std::filesystem::path& file, const SoftDesc& desc,
   return {embed(std::move(tets), std::move(surface)).anatomy, std::move(warning)};
 }
 
+/// Fills a closed surface.
+CachedAnatomy fill_surface(const std::filesystem::path& file, const SoftDesc& desc,
+                           const Progress& progress) {
+  TriangleMesh surface = load_surface(file, desc.scale);
+  if (const std::size_t pieces = surface_pieces(surface); pieces > 1)
+    say(progress, fmt::format("{}: {} surfaces in the file: the largest solid between them is kept",
+                              desc.name, pieces));
+  const std::size_t crossings = intersecting_triangles(surface).size();
+  const SolidField field = of_body(file.string(), [&] { return solid_within(std::move(surface)); });
+  CachedAnatomy made = mesh_solid(desc.name, field, desc, progress);
+  if (crossings > 0)
+    made.warning += fmt::format("{}its surface intersects itself: {} pairs of triangles",
+                                made.warning.empty() ? "" : "; ", crossings);
+  return made;
+}
+
 CachedAnatomy build(const SoftDesc& desc, const std::filesystem::path& file, const std::string& shape,
                     const Progress& progress) {
   if (!shape.empty()) return mesh_solid(desc.name, implicit_shape(shape, desc.size), desc, progress);
+  if (is_surface_file(desc.mesh)) return fill_surface(file, desc, progress);
   if (desc.volume.empty()) return mesh_file(file, desc, progress);
   return mesh_solid(desc.name, structure_of(load_volume(file), file.string(), desc, progress), desc,
                     progress);
@@ -196,7 +202,7 @@ Anatomy make_anatomy(const SoftDesc& desc, const SourcePaths& paths, const Progr
     if (file.empty()) shape = desc.fallback;
   }
   const std::string made_from = shape.empty() ? file_hash(file) : shape;
-  const bool own_boundary = shape.empty() && desc.volume.empty();
+  const bool own_boundary = shape.empty() && desc.volume.empty() && !is_surface_file(desc.mesh);
   const ContentHash key = hash_of(fmt::format(
       "soft {} {} {} {} {} {} {} {} {} {} {} {}{}", recipe, made_from, desc.volume.empty(), desc.label,
       desc.threshold, desc.size[0], desc.size[1], desc.size[2], desc.scale, desc.cell, desc.surface_cell,

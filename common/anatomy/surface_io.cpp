@@ -53,30 +53,30 @@ void merge_equal(TriangleMesh& mesh) {
 
 }  // namespace
 
-TriangleMesh load_surface(const std::filesystem::path& file, double scale, double patience) {
+TriangleMesh load_unscaled_surface(const std::filesystem::path& file, double patience) {
   const std::string name = file.string();
   if (!std::filesystem::is_regular_file(file)) throw InputError(fmt::format("{}: no such file", name));
-  if (!(scale > 0) || !std::isfinite(scale))
-    throw InputError(fmt::format("{}: scale {}; allowed: above 0", name, scale));
   TriangleMesh mesh = import(file, patience);
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     if (!mesh.positions[v].allFinite())
       throw InputError(fmt::format("{}: vertex {} is not a finite position", name, v));
-    mesh.positions[v] *= scale;
-  }
   merge_equal(mesh);
   if (mesh.triangles.empty()) throw InputError(fmt::format("{}: no triangles; allowed: at least one", name));
-  Vec3 low = mesh.positions.front(), high = low;
-  for (const Vec3& x : mesh.positions) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
-  const double extent = (high - low).maxCoeff();
+  return mesh;
+}
+
+TriangleMesh load_surface(const std::filesystem::path& file, double scale, double patience) {
+  if (!(scale > 0) || !std::isfinite(scale))
+    throw InputError(fmt::format("{}: scale {}; allowed: above 0", file.string(), scale));
+  TriangleMesh mesh = load_unscaled_surface(file, patience);
+  Eigen::AlignedBox3d box;
+  for (Vec3& x : mesh.positions) box.extend(x *= scale);
+  const double extent = box.sizes().maxCoeff();
   constexpr double max_extent = 100, min_extent = 1e-4;
   if (!(extent >= min_extent && extent <= max_extent))
     throw InputError(fmt::format(
-        "{}: {} m across at scale {}; allowed: {} to {} m (is the file in millimetres? scale = 0.001)", name,
-        extent, scale, min_extent, max_extent));
+        "{}: {} m across at scale {}; allowed: {} to {} m (is the file in millimetres? scale = 0.001)",
+        file.string(), extent, scale, min_extent, max_extent));
   return mesh;
 }
 

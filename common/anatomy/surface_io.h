@@ -14,4 +14,7 @@ namespace prosector {
 /// too much or takes longer than `patience` seconds, the file is refused.
 TriangleMesh load_surface(const std::filesystem::path& file, double scale, double patience = 60);
 
+/// Reads the same in the file's own units, whatever its extent.
+TriangleMesh load_unscaled_surface(const std::filesystem::path& file, double patience = 60);
+
 }  // namespace prosector

@@ -1,14 +1,15 @@
 #include "common/anatomy/tet_io.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "common/anatomy/bytes.h"
 #include "common/anatomy/mesh_quality.h"
 #include "common/error.h"
+#include "common/surface_files.h"
 
 namespace prosector {
 namespace {
@@ -16,15 +17,10 @@ namespace {
 void refuse_other_kinds(const std::filesystem::path& file) {
   const std::string kind = file.extension().string();
   if (kind == ".msh" || kind == ".vtk") return;
-  constexpr std::array surfaces = {".obj", ".stl", ".ply", ".off", ".gltf", ".glb"};
-  const bool surface = std::ranges::find(surfaces, kind) != surfaces.end();
-  throw InputError(fmt::format(
-      "{}: {}; allowed: .msh (Gmsh), .vtk (legacy VTK){}", file.string(),
-      surface ? "is a surface, and what deforms needs tetrahedra inside" : "not a tetrahedral mesh",
-      surface
-          ? ". Fill the surface with tetrahedra first (Gmsh: merge it, create a volume, mesh in 3D, save as "
-            ".msh), or name a labelled volume, or make it a [[rigid]] body"
-          : ""));
+  throw InputError(
+      fmt::format("{}: not a tetrahedral mesh; allowed: .msh (Gmsh), .vtk (legacy VTK), or a closed "
+                  "surface to fill ({})",
+                  file.string(), fmt::join(surface_endings, " ")));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@ namespace prosector {
 
 const Table& rigid_table();
 const Table& soft_table();
+const Table& atlas_table();
 
 inline constexpr Range density{1, 25000};
 inline constexpr Range scale{0, 1e6, true};

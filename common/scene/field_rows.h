@@ -50,8 +50,12 @@ Field words(std::string_view key, std::vector<std::string_view> words, std::stri
 }
 
 template <class Struct, auto... Path>
-Field text(std::string_view key, std::string_view description) {
-  return {.key = key, .in = in<Struct, Path...>, .max_length = max_text_length, .description = description};
+Field text(std::string_view key, std::string_view description, bool required = false) {
+  return {.key = key,
+          .in = in<Struct, Path...>,
+          .max_length = max_text_length,
+          .required = required,
+          .description = description};
 }
 
 template <class Struct, auto... Path>

@@ -112,6 +112,8 @@ struct RigidDesc {
   std::vector<FractureDesc> fractures;
   std::vector<EdgeDesc> edges;  // that cut tissue while a hand holds the body
   Appearance appearance;
+  std::vector<LocalName> names;  // from the scene's labels (LabelTable)
+  std::string term;              // as of SceneBody
 };
 
 /// [[soft.attach]]: tissue that holds the organ to its place. Nodes inside the sphere are tied to their rest
@@ -215,6 +217,34 @@ struct SoftDesc {
   std::vector<RegionDesc> regions;
   std::vector<RelaxationDesc> relaxation;
   Appearance appearance = {.surface = Surface::tissue};
+  std::vector<LocalName> names;  // as of RigidDesc
+  std::string term;
+};
+
+inline constexpr std::size_t max_atlases = 64;
+inline constexpr const char* material_by_name = "by name";  // the material that a structure's name tells of
+
+/// [[atlas]]: the structures of a label map, each of which becomes a body (common/anatomy/atlas.h): of bone
+/// a rigid one, of anything else a soft one.
+struct AtlasDesc {
+  std::string volume;                       // label map: as of SoftDesc
+  std::string labels;                       // table of its names and colours (LabelTable); empty: by number
+  std::vector<std::string> only;            // names; empty: all
+  std::vector<std::string> leave_out;       // names
+  std::string material = material_by_name;  // of all (common/scene/material.h)
+  double cell = 0;                          // m: as of SoftDesc; 0: by the structure's volume
+  double surface_cell = 0.005;              // m: as of SoftDesc
+  double smoothing = 1.5;                   // voxels: as of SoftDesc
+  std::string model = "fem_corotational";
+  std::string element = "tet4";
+  std::string integrator = "implicit_euler";
+  std::string solver = "cg";
+  double hold = 2e5;        // N/m⁴: stiffness of what ties the whole of each to its place; 0: nothing does
+  double damping_mass = 4;  // 1/s: as of SoftDesc
+  bool gravity = false;
+  std::string group = "atlas";  // what lies against each other at rest needs no contacts
+  std::vector<std::string> touches = {default_group, hand_group};
+  Pose pose;  // of all: as of SoftDesc
 };
 
 /// [[light]]: a light.
@@ -257,7 +287,9 @@ struct SceneDesc {
   CameraInfo camera;
   std::vector<RigidDesc> rigid;
   std::vector<SoftDesc> soft;
+  std::vector<AtlasDesc> atlases;
   std::vector<LightDesc> lights;
+  std::string labels;  // table of the bodies' names in languages (LabelTable); empty: they have one name
 
   std::filesystem::path file;  // where it came from, for messages
 };

@@ -9,6 +9,7 @@
 #include "common/curves/from_scene.h"
 #include "common/error.h"
 #include "common/scene/suggest.h"
+#include "common/surface_files.h"
 
 namespace prosector {
 namespace {
@@ -17,9 +18,9 @@ constexpr double least_edge = 1e-4;  // m, of a blade
 
 /// A body, whichever kind, and where it was written.
 struct Entry {
-  std::string table;  // "soft[0]"
-  std::string where;  // [[soft]] "liver"
-  const std::string* name;
+  std::string table;        // "soft[0]"
+  std::string where;        // [[soft]] "liver"
+  const std::string* name;  // null: of an atlas, which has many
   const std::string* parent;
   const std::string* group;
   const std::vector<std::string>* touches;
@@ -99,8 +100,12 @@ class Checker {
   }
 
   void check_groups() const {
+    std::vector<Entry> all = bodies_;
+    for (std::size_t i = 0; i < scene_.atlases.size(); ++i)
+      all.push_back({fmt::format("atlas[{}]", i), fmt::format("[[atlas]] {}", i + 1), nullptr, nullptr,
+                     &scene_.atlases[i].group, &scene_.atlases[i].touches});
     std::vector<std::string_view> groups = {default_group, hand_group};
-    for (const Entry& body : bodies_) {
+    for (const Entry& body : all) {
       if (std::find(groups.begin(), groups.end(), *body.group) != groups.end()) continue;
       if (groups.size() == max_collision_groups)
         fail(body, "group",
@@ -109,7 +114,7 @@ class Checker {
                  *body.group, groups.size(), default_group, hand_group));
       groups.push_back(*body.group);
     }
-    for (const Entry& body : bodies_)
+    for (const Entry& body : all)
       for (const std::string& name : *body.touches)
         if (std::find(groups.begin(), groups.end(), name) == groups.end())
           fail(body, "touches",
@@ -286,7 +291,7 @@ void note_fixed_choices(SceneDesc& scene, const SourceLines& lines) {
     soft.fixed = {lines.has(table, "model"), lines.has(table, "element"), lines.has(table, "integrator"),
                   lines.has(table, "solver"),
                   // A file of tetrahedra is as fine as it is.
-                  lines.has(table, "cell") || !soft.mesh.empty()};
+                  lines.has(table, "cell") || (!soft.mesh.empty() && !is_surface_file(soft.mesh))};
   }
 }
 

@@ -105,6 +105,9 @@ const Table& scene_table() {
       "Keys at the top of the file, before the first table.",
       {name<SD, &SD::name>("name", true, "the scene's name"),
        text<SD, &SD::description>("description", "for people"),
+       text<SD, &SD::labels>("labels",
+                             "table of the bodies' names in languages, with ids of Terminologia Anatomica; "
+                             "how it is written: see [[atlas]]"),
        number<SD, &SD::gravity>("gravity", "m/s²", {-100, 100}, "y is up"),
        number<SD, &SD::tick_rate>("tick_rate", "Hz", {10, 1000}, "steps per simulated second"),
        number<SD, &SD::contact_stiffness>(
@@ -116,6 +119,7 @@ const Table& scene_table() {
        {"camera", camera_table, false, 1, member<&SD::camera>},
        {"rigid", rigid_table, true, max_bodies, append<SD, &SD::rigid>},
        {"soft", soft_table, true, max_bodies, append<SD, &SD::soft>},
+       {"atlas", atlas_table, true, max_atlases, append<SD, &SD::atlases>},
        {"light", light_table, true, max_lights, append<SD, &SD::lights>}},
       fresh<SD>};
   return table;

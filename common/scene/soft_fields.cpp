@@ -75,7 +75,9 @@ const Table& soft_table() {
          number<S, &S::label>("label", "", {-1, 65535},
                               "volumes: label to take, not 0; -1: what is above threshold"),
          number<S, &S::threshold>("threshold", "", {-1e6, 1e6}, "grey volumes: inside is above it"),
-         text<S, &S::mesh>("mesh", "tetrahedral mesh: .msh .vtk"),
+         text<S, &S::mesh>("mesh",
+                           "tetrahedra: .msh .vtk; or a closed surface, which is filled with them: .obj .stl "
+                           ".ply .off .gltf .glb"),
          words<S, &S::shape>(
              "shape", soft_shapes(),
              "implicit shape, `size` large; or a sheet in the x-z plane or over a patch, or a rope along "

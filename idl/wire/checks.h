@@ -6,6 +6,7 @@
 
 #include "common/messages.h"
 #include "common/refusal.h"
+#include "common/valid_text.h"
 
 namespace prosector {
 
@@ -26,12 +27,6 @@ class Checks {
  private:
   const char* first_ = nullptr;  // a literal
 };
-
-bool valid_utf8(std::string_view text);
-/// Tells whether it is 1 … max_name_length bytes of UTF-8 without control characters.
-bool valid_name(std::string_view name);
-/// Tells whether it is at most max_text_length bytes of UTF-8; no control characters but line feed and tab.
-bool valid_text(std::string_view text);
 
 /// Tells whether it is finite and at most `limit` in each component's magnitude.
 bool within(const Vec3& v, double limit);

@@ -1,11 +1,28 @@
 // What is there to see: SceneInfo and its meshes as AssetChunks.
 
+#include <algorithm>
+
 #include "idl/wire/primitives.h"
 
 namespace prosector {
 namespace {
 
-void body_to_wire(const SceneBody& m, prosector_SceneBody& w) {
+void names_to_wire(const SceneBody& m, prosector_SceneBody& w, WireArena& arena) {
+  make_sequence<prosector_LocalName>(w.names, m.names.size(), arena);
+  for (std::size_t i = 0; i < m.names.size(); ++i) {
+    to_wire(m.names[i].language, w.names._buffer[i].language);
+    to_wire(m.names[i].name, w.names._buffer[i].name);
+  }
+  to_wire(m.term, w.term);
+}
+
+void names_from_wire(const prosector_SceneBody& w, SceneBody& m) {
+  for (std::size_t i = 0; i < w.names._length; ++i)
+    m.names.push_back({from_wire(w.names._buffer[i].language), from_wire(w.names._buffer[i].name)});
+  m.term = from_wire(w.term);
+}
+
+void body_to_wire(const SceneBody& m, prosector_SceneBody& w, WireArena& arena) {
   to_wire(m.name, w.name);
   to_wire(m.description, w.description);
   w.kind = static_cast<std::uint8_t>(m.kind);
@@ -29,6 +46,7 @@ void body_to_wire(const SceneBody& m, prosector_SceneBody& w) {
   w.part = m.part;
   w.fidelity = static_cast<std::uint8_t>(m.fidelity);
   w.outline = to_wire(m.outline);
+  names_to_wire(m, w, arena);
 }
 
 SceneBody body_from_wire(const prosector_SceneBody& w) {
@@ -56,13 +74,29 @@ SceneBody body_from_wire(const prosector_SceneBody& w) {
   m.part = w.part != 0;
   m.fidelity = static_cast<Fidelity>(w.fidelity);
   m.outline = from_wire(w.outline);
+  names_from_wire(w, m);
   return m;
+}
+
+Refusal check_names(const SceneBody& m) {
+  if (m.names.size() > max_local_names) return "too many names of a body";
+  for (std::size_t i = 0; i < m.names.size(); ++i) {
+    const std::string& language = m.names[i].language;
+    const auto same = [&](const LocalName& other) { return other.language == language; };
+    if (!is_language_tag(language)) return "language tag not valid";
+    if (std::any_of(m.names.begin(), m.names.begin() + static_cast<std::ptrdiff_t>(i), same))
+      return "two names of a body in one language";
+    if (!valid_name(m.names[i].name)) return "name in a language not valid";
+  }
+  const bool term = m.term.empty() || (m.term.size() <= max_term_length && valid_name(m.term));
+  return term ? Refusal() : "term not valid";
 }
 
 Refusal check_body(SceneBody& m) {
   if (const Refusal pose = check_pose(m.pose)) return pose;
   if (const Refusal color = check_color(m.appearance.color)) return color;
   if (const Refusal tint = check_color(m.appearance.transmittance)) return tint;
+  if (const Refusal names = check_names(m)) return names;
   const bool soft = m.kind == BodyKind::soft;
   return Checks()
       .that(valid_name(m.name), "body name not valid")
@@ -144,7 +178,7 @@ void to_wire(const SceneInfo& m, prosector_SceneInfo& w, WireArena& arena) {
   to_wire(m.name, w.name);
   to_wire(m.description, w.description);
   make_sequence<prosector_SceneBody>(w.bodies, m.bodies.size(), arena);
-  for (std::size_t i = 0; i < m.bodies.size(); ++i) body_to_wire(m.bodies[i], w.bodies._buffer[i]);
+  for (std::size_t i = 0; i < m.bodies.size(); ++i) body_to_wire(m.bodies[i], w.bodies._buffer[i], arena);
   make_sequence<prosector_LightInfo>(w.lights, m.lights.size(), arena);
   for (std::size_t i = 0; i < m.lights.size(); ++i) light_to_wire(m.lights[i], w.lights._buffer[i]);
   to_wire(m.camera.eye, w.camera_eye);
@@ -157,6 +191,8 @@ Refusal from_wire(const prosector_SceneInfo& w, SceneInfo& m) {
   if (!sequence_within(w.lights, max_lights)) return "too many lights";
   m.name = from_wire(w.name);
   m.description = from_wire(w.description);
+  for (std::size_t i = 0; i < w.bodies._length; ++i)
+    if (!sequence_within(w.bodies._buffer[i].names, max_local_names)) return "too many names of a body";
   m.bodies.clear();
   for (std::size_t i = 0; i < w.bodies._length; ++i) m.bodies.push_back(body_from_wire(w.bodies._buffer[i]));
   m.lights.clear();

@@ -290,7 +290,8 @@ CompiledTissue compile_soft(const SoftDesc& desc, Anatomy anatomy, const Model& 
 
 }  // namespace
 
-CompiledScene compile(const SceneDesc& scene, const CompileOptions& options) {
+CompiledScene compile(const SceneDesc& written, const CompileOptions& options) {
+  const SceneDesc scene = whole_scene(written, options);
   const auto say = [&](const std::string& line) {
     if (options.progress) options.progress(line);
   };

@@ -1,5 +1,6 @@
 #include "server/physics/sources.h"
 
+#include "common/anatomy/atlas.h"
 #include "common/anatomy/sources.h"
 
 namespace prosector {
@@ -10,6 +11,10 @@ SourcePaths paths_of(const SceneDesc& scene, const CompileOptions& options) {
 }
 
 }  // namespace
+
+SceneDesc whole_scene(const SceneDesc& scene, const CompileOptions& options) {
+  return completed(scene, paths_of(scene, options), options.progress);
+}
 
 TriangleMesh rigid_surface(const RigidDesc& desc, const SceneDesc& scene, const CompileOptions& options) {
   return make_surface(desc, paths_of(scene, options), options.progress);

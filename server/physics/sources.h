@@ -5,6 +5,10 @@
 
 namespace prosector {
 
+/// Returns the scene with what it says by naming files of labels: bodies of its atlases, names in languages.
+/// Throws InputError.
+SceneDesc whole_scene(const SceneDesc& scene, const CompileOptions& options);
+
 /// Makes a rigid body's surface in its own frame. Throws InputError.
 TriangleMesh rigid_surface(const RigidDesc& desc, const SceneDesc& scene, const CompileOptions& options);
 

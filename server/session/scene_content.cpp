@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 #include <set>
+#include <utility>
 
 #include "server/physics/collision/shapes/fidelity.h"
 #include "server/physics/soft/rungs.h"
@@ -31,6 +32,8 @@ SceneBody describe(const Simulation& simulation, const Desc& desc, BodyKind kind
   body.appearance = desc.appearance;
   body.part = desc.part;
   body.fidelity = fidelity_of(desc.collision);
+  body.names = desc.names;
+  body.term = desc.term;
   return body;
 }
 
@@ -52,6 +55,14 @@ std::string free_name(const SceneInfo& scene, const std::string& wanted) {
     name = beginning(wanted, max_name_length - suffix.size()) + suffix;
   }
   return name;
+}
+
+void name_piece(SceneBody& piece, const SceneInfo& scene) {
+  const std::string whole = std::exchange(piece.name, free_name(scene, piece.name));
+  if (piece.name == whole) return;
+  const std::string number = piece.name.substr(piece.name.rfind(' '));
+  for (LocalName& local : piece.names)
+    local.name = beginning(local.name, max_name_length - number.size()) + number;
 }
 
 SceneBody describe_soft(const Simulation& simulation, BodyId body, const SurfaceLog& log) {
@@ -105,7 +116,7 @@ SceneContent make_scene_content(const Simulation& simulation, const std::vector<
     SceneBody body = describe_soft(simulation, b, log);
     for (const Choice& c : choices)
       if (c.body == body.name) body.method = explain(c, soft.desc());
-    if (b >= desc.rigid.size() + desc.soft.size()) body.name = free_name(out.scene, body.name);
+    if (b >= desc.rigid.size() + desc.soft.size()) name_piece(body, out.scene);
     TopologyRevision first = log.newest();
     auto [mesh, map] = log.keyframe();
     first.mesh = body.mesh = keep(std::move(mesh));

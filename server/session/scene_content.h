@@ -31,6 +31,10 @@ SceneBody describe_soft(const Simulation& simulation, BodyId body, const Surface
 
 /// Returns a name for a piece: the organ's, with a number where it is taken.
 std::string free_name(const SceneInfo& scene, const std::string& wanted);
+/// Gives a piece that was cut off names that no body has: in each language the number that `free_name` finds
+/// stands behind it.
+void name_piece(SceneBody& piece, const SceneInfo& scene);
+
 /// Returns the longest beginning of at most `bytes` bytes that is whole UTF-8.
 std::string beginning(const std::string& text, std::size_t bytes);
 

@@ -57,7 +57,7 @@ void TopologyLog::add_piece(const SoftShapes& shapes, const TopologyChange& chan
                                 Body{SurfaceLog(now.anatomy, now.numbering, change, time), change.revision})
                    .first->second;
   SceneBody described = shapes.describe(change.body, body.surface);
-  described.name = free_name(scene_, described.name);
+  name_piece(described, scene_);
   if (change.piece_of)
     described.description = description_of_piece(scene_.bodies.at(*change.piece_of), change.author, roster);
   const auto [mesh, map] = body.surface.keyframe();

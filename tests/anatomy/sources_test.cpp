@@ -228,11 +228,20 @@ TEST(Sources, WhatIsRefusedNamesTheBody) {
       << complaint(coarse, paths);
   SoftDesc surface;
   surface.name = "liver";
-  surface.mesh = "organ.obj";
-  const std::string way_out = complaint(surface, paths);
-  EXPECT_EQ(way_out.rfind("liver: ", 0), 0u) << way_out;
-  EXPECT_NE(way_out.find("organ.obj: is a surface, and what deforms needs tetrahedra"), std::string::npos);
-  EXPECT_NE(way_out.find("Gmsh"), std::string::npos);
+  write(dir.path / "open.obj",
+        std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\n"));
+  write(dir.path / "organ.xyz", std::string("v 0 0 0\n"));
+  struct {
+    const char *file, *why;
+  } const table[] = {{"organ.obj", "organ.obj: not a surface"},
+                     {"open.obj", "open.obj: not closed: 3 edges on the rims of holes"},
+                     {"organ.xyz", "organ.xyz: not a tetrahedral mesh; allowed: .msh (Gmsh), .vtk"}};
+  for (const auto& row : table) {
+    surface.mesh = row.file;
+    const std::string said = complaint(surface, paths);
+    EXPECT_EQ(said.rfind("liver: ", 0), 0u) << said;
+    EXPECT_NE(said.find(row.why), std::string::npos) << said;
+  }
 }
 
 TEST(Sources, LabelsAreListedInOrderAndInRanges) {

@@ -44,6 +44,8 @@ SceneInfo some_scene() {
   liver.part = true;
   liver.fidelity = Fidelity::hull;
   liver.outline = {3, 4};
+  liver.names = {{"de", "Leber"}, {"tr", "karaciğer"}};
+  liver.term = "A05.8.01.001";
   liver.appearance = {{0.5, 0.25, 0.125}, 0.3, 0.9, Surface::tissue};
   SceneBody suture;
   suture.name = "suture";

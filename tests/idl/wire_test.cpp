@@ -213,6 +213,11 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<Panel>("control", [](Panel& m) { m.controls[2].position = -0.5; }),
       spoiled<RoomState>("brightness", [](RoomState& m) { m.lights = nan; }),
       spoiled<RoomState>("pace", [](RoomState& m) { m.pace = 1.5; }),
+      spoiled<SceneInfo>("name in no language", [](SceneInfo& m) { m.bodies[1].names[0].language = ""; }),
+      spoiled<SceneInfo>("language", [](SceneInfo& m) { m.bodies[1].names[0].language = "de_AT!"; }),
+      spoiled<SceneInfo>("empty name", [](SceneInfo& m) { m.bodies[1].names[0].name = ""; }),
+      spoiled<SceneInfo>("language twice", [](SceneInfo& m) { m.bodies[1].names[1].language = "de"; }),
+      spoiled<SceneInfo>("term", [](SceneInfo& m) { m.bodies[1].term = "A05\n"; }),
       spoiled<BodyStatus>("body", [](BodyStatus& m) { m.body = max_bodies; }),
       spoiled<BodyStatus>("step NaN", [](BodyStatus& m) { m.step = nan; }),
       spoiled<BodyStatus>("residual", [](BodyStatus& m) { m.residual = -1; }),
@@ -280,6 +285,13 @@ TEST(Wire, SpoiledWireStructsAreRefused) {
   refused_cut([](auto& bad) { bad.vertices._buffer = nullptr; });
   refused_cut([](auto& bad) { bad.triangles._length = max_surface_triangles + 1; });
 
+  prosector_SceneInfo scene{};
+  to_wire(std::get<SceneInfo>(sample_messages()[7]), scene, arena);
+  SceneInfo seen;
+  ASSERT_FALSE(from_wire(scene, seen));
+  scene.bodies._buffer[1].names._length = max_local_names + 1;
+  EXPECT_TRUE(from_wire(scene, seen));
+
   prosector_Presence presence{};
   std::memset(presence.name, 'x', sizeof presence.name);  // no terminating zero
   Presence named;
@@ -304,7 +316,8 @@ std::string as_wire_bytes(const Message& message) {
             add(b.show_figures);
             add(b.part);
             add(b.fidelity);
-            text += to_hex(b.outline);
+            text += to_hex(b.outline) + b.term;
+            for (const LocalName& local : b.names) text += local.language + local.name;
             add(b.appearance.color), add(b.appearance.roughness), add(b.appearance.wetness);
             add(b.appearance.surface), add(b.appearance.refractive_index), add(b.appearance.abbe_number);
             add(b.appearance.transmittance);

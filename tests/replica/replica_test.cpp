@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <string>
 
+#include "client/replica/shown_names.h"
 #include "common/asset.h"
 #include "common/server_run.h"
 #include "common/surface_patch.h"
@@ -121,6 +124,22 @@ TEST(Replica, IsCompleteOnlyWithSceneMeshesTopologyAndState) {
   }
   EXPECT_TRUE(replica.complete());
   EXPECT_EQ(replica.refused(), 0u);
+}
+
+TEST(Replica, CallsBodiesAsInItsReadersLanguage) {
+  SceneInfo scene = SmallScene().scene();
+  scene.bodies[0].names = {{"de", "Organ auf Deutsch"}};
+  for (const auto& [language, shown] : std::map<std::string, std::string>{
+           {"", "organ"}, {"tr", "organ"}, {"de", "Organ auf Deutsch"}, {"de-AT", "Organ auf Deutsch"}}) {
+    ServerChoice choice(language);
+    feed(choice, 1, session());
+    feed(choice, 1, scene);
+    const SceneBody& body = choice.replica().scene()->bodies[0];
+    EXPECT_EQ(body.name, shown);
+    EXPECT_EQ(authors_name(body), "organ");
+    EXPECT_TRUE(is_called(body, "organ") && is_called(body, "Organ auf Deutsch"));
+    EXPECT_FALSE(is_called(body, "Leber"));
+  }
 }
 
 TEST(Replica, CarriesTheSurfaceWithTheStreamedPoints) {

@@ -47,6 +47,7 @@ inline std::string scene_with(const std::string& table, const std::string& line)
       {"[[soft.attach]]", "[[soft.attach]]\n"},
       {"[[soft.region]]", "[[soft.region]]\n"},
       {"[[soft.relaxation]]", "[[soft.relaxation]]\n"},
+      {"[[atlas]]", "[[atlas]]\nvolume = \"a.nii\"\n"},
       {"[[light]]", "[[light]]\n"},
   };
   std::string text;

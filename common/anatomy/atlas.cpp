@@ -1,0 +1,245 @@
+#include "common/anatomy/atlas.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "common/anatomy/volume_io.h"
+#include "common/error.h"
+#include "common/scene/label_table.h"
+#include "common/scene/material.h"
+#include "common/scene/suggest.h"
+
+namespace prosector {
+namespace {
+
+constexpr float max_label = 65535;
+constexpr double cells_across = 0.3;   // of a small structure: its cell, times the edge of a cube as large
+constexpr double largest_cell = 9e-3;  // m
+constexpr double finest_cell = 5e-4;   // m: as of [[soft]]
+
+/// Turns one atlas into bodies.
+class AtlasReader {
+ public:
+  AtlasReader(const AtlasDesc& atlas, std::string where, const SourcePaths& paths)
+      : atlas_(atlas), where_(std::move(where)), volume_(load_volume(find(atlas.volume, paths))) {
+    voxels_ = count_labels(volume_, fmt::format("{}: {}", where_, atlas.volume));
+    if (!atlas.labels.empty())
+      table_ = load_labels(find(atlas.labels, paths));
+    else
+      for (const auto& [id, voxels] : voxels_)
+        table_.labels.push_back(
+            {.id = id, .name = fmt::format("region {}", id), .names = {}, .term = {}, .color = {}});
+    check_lists();
+  }
+
+  /// Adds the bodies to the scene, and says what of the map is left out.
+  void add_to(SceneDesc& scene, const Progress& progress) const {
+    std::vector<const Label*> taken;
+    for (const Label& label : table_.labels)
+      if (wanted(label) && has(label)) taken.push_back(&label);
+    if (taken.empty())
+      throw InputError(fmt::format("{}: no label is left; {} has {}", where_, atlas_.volume, listed()));
+    for (std::size_t i = 0; i < taken.size(); ++i)
+      add_body(*taken[i], hue(static_cast<double>(i) / static_cast<double>(taken.size())), scene);
+    const auto unnamed = std::ranges::count_if(
+        voxels_, [&](const auto& entry) { return table_.find(entry.first) == nullptr; });
+    if (progress)
+      progress(fmt::format(
+          "{}: {} of {} labels of {}{}", where_, taken.size(), voxels_.size(), atlas_.volume,
+          unnamed > 0 ? fmt::format("; {} has no name for {} of them", atlas_.labels, unnamed) : ""));
+  }
+
+ private:
+  std::filesystem::path find(const std::string& file, const SourcePaths& paths) const {
+    const auto found = find_source(file, paths);
+    if (found.empty()) throw InputError(fmt::format("{}: {}", where_, missing_source(file, paths)));
+    return found;
+  }
+
+  bool has(const Label& label) const { return voxels_.contains(label.id); }
+
+  bool wanted(const Label& label) const {
+    const auto in = [&](const std::vector<std::string>& list) {
+      return std::ranges::find(list, label.name) != list.end();
+    };
+    return (atlas_.only.empty() || in(atlas_.only)) && !in(atlas_.leave_out);
+  }
+
+  void check_lists() const {
+    std::vector<std::string_view> known;
+    for (const Label& label : table_.labels) {
+      known.push_back(label.name);
+      if (label.id == 0)
+        throw InputError(fmt::format("{}: {}: \"{}\" has no id; a label map's table needs a column \"id\"",
+                                     where_, table_.file, label.name));
+    }
+    const auto check = [&](const char* key, const std::vector<std::string>& list) {
+      for (const std::string& name : list) {
+        const Label* label = table_.find(name);
+        if (label == nullptr)
+          throw InputError(fmt::format("{}: {}: \"{}\": no label of {} has this name{}", where_, key, name,
+                                       atlas_.labels.empty() ? atlas_.volume : atlas_.labels,
+                                       suggest(name, known)));
+        if (!has(*label))
+          throw InputError(fmt::format("{}: {}: label {} (\"{}\") isn't in {}, which has {}", where_, key,
+                                       label->id, name, atlas_.volume, listed()));
+      }
+    };
+    check("only", atlas_.only);
+    check("leave_out", atlas_.leave_out);
+  }
+
+  /// Returns the map's labels in words, the first of them.
+  std::string listed() const {
+    constexpr std::size_t shown = 12;
+    if (voxels_.empty()) return "no label but 0";
+    std::string out;
+    std::size_t i = 0;
+    for (const auto& [id, voxels] : voxels_) {
+      if (i++ == shown) return out + fmt::format(" ... ({} labels)", voxels_.size());
+      out += fmt::format("{}{}", out.empty() ? "" : ", ", id);
+    }
+    return out;
+  }
+
+  static Vec3 hue(double turn) {  // of a colour wheel, a little pale
+    Vec3 out;
+    for (int k = 0; k < 3; ++k) {
+      const double sixths_away = std::abs(std::remainder(6 * (turn - k / 3.), 6));
+      out[k] = 0.27 + 0.33 * std::clamp(2 - sixths_away, 0., 1.);
+    }
+    return out;
+  }
+
+  const Material& material(const Label& label) const {
+    const Material* given = find_material(atlas_.material);
+    return given != nullptr ? *given : material_of(label.name);
+  }
+
+  double cell(const Label& label) const {
+    if (atlas_.cell > 0) return atlas_.cell;
+    const double volume = static_cast<double>(voxels_.at(label.id)) * volume_.voxel_size.prod();
+    return std::clamp(cells_across * std::cbrt(volume), finest_cell, largest_cell);
+  }
+
+  void add_body(const Label& label, const Vec3& wheel, SceneDesc& scene) const {
+    const Material& made_of = material(label);
+    const bool says_nothing = made_of.name == materials().back().name || atlas_.material == made_of.name;
+    const Vec3 color = label.color ? *label.color : says_nothing ? wheel : made_of.color;
+    if (made_of.rigid) {
+      RigidDesc& body = scene.rigid.emplace_back();
+      describe(label, made_of, color, body);
+      body.surface_cell = atlas_.surface_cell;
+      return;
+    }
+    SoftDesc& body = scene.soft.emplace_back();
+    describe(label, made_of, color, body);
+    body.cell = cell(label);
+    body.surface_cell = atlas_.surface_cell;
+    body.model = atlas_.model;
+    body.element = atlas_.element;
+    body.integrator = atlas_.integrator;
+    body.solver = atlas_.solver;
+    body.damping_mass = atlas_.damping_mass;
+    body.gravity = atlas_.gravity;
+    if (atlas_.hold > 0) body.attach = {{atlas_.pose.p, reach(), atlas_.hold}};
+  }
+
+  template <class Desc>
+  void describe(const Label& label, const Material& made_of, const Vec3& color, Desc& body) const {
+    body.name = label.name;
+    body.names = label.names;
+    body.term = label.term;
+    body.volume = atlas_.volume;
+    body.label = label.id;
+    body.smoothing = atlas_.smoothing;
+    body.pose = atlas_.pose;
+    body.part = true;
+    body.group = atlas_.group;
+    body.touches = atlas_.touches;
+    make_of(made_of, body);
+    body.appearance.color = color;
+  }
+
+  /// Returns the radius of a ball that holds the whole map, m.
+  double reach() const {
+    const auto& d = volume_.dims;
+    return 0.5 * Vec3(static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2]))
+                     .cwiseProduct(volume_.voxel_size)
+                     .norm();
+  }
+
+  const AtlasDesc& atlas_;
+  std::string where_;
+  Volume volume_;
+  std::map<int, std::size_t> voxels_;  // of each label
+  LabelTable table_;
+};
+
+/// Refuses what the atlases' bodies have made of the scene as a whole.
+void check_bodies(const SceneDesc& scene) {
+  std::set<std::string_view> names;
+  const auto check = [&](const std::string& name) {
+    if (!names.insert(name).second)
+      throw InputError(
+          fmt::format("{}: [[atlas]]: label \"{}\": another body has this name; names must differ",
+                      scene.file.string(), name));
+  };
+  for (const RigidDesc& body : scene.rigid) check(body.name);
+  for (const SoftDesc& body : scene.soft) check(body.name);
+  if (names.size() > max_bodies)
+    throw InputError(
+        fmt::format("{}: {} bodies with those of its atlases: at most {} are allowed; see `only`",
+                    scene.file.string(), names.size(), max_bodies));
+}
+
+template <class Desc>
+void name_bodies(std::vector<Desc>& bodies, const LabelTable& table) {
+  for (Desc& body : bodies)
+    if (const Label* label = table.find(body.name); label != nullptr && body.names.empty()) {
+      body.names = label->names;
+      body.term = label->term;
+    }
+}
+
+}  // namespace
+
+std::map<int, std::size_t> count_labels(const Volume& volume, const std::string& where) {
+  std::map<int, std::size_t> out;
+  std::size_t run = 0;
+  for (std::size_t i = 0; i < volume.values.size(); i += run) {
+    const float value = volume.values[i];
+    for (run = 1; i + run < volume.values.size() && volume.values[i + run] == value;) ++run;
+    if (!(value >= 0 && value <= max_label && value == std::floor(value)))
+      throw InputError(fmt::format("{}: voxel {} is {}: no label map; allowed: whole numbers in [0, {}]",
+                                   where, i, value, max_label));
+    if (value > 0) out[static_cast<int>(value)] += run;
+  }
+  return out;
+}
+
+SceneDesc completed(SceneDesc scene, const SourcePaths& paths, const Progress& progress) {
+  if (!scene.atlases.empty()) {
+    for (std::size_t i = 0; i < scene.atlases.size(); ++i)
+      AtlasReader(scene.atlases[i], fmt::format("{}: [[atlas]] {}", scene.file.string(), i + 1), paths)
+          .add_to(scene, progress);
+    scene.atlases.clear();
+    check_bodies(scene);
+  }
+  if (scene.labels.empty()) return scene;
+  if (const auto file = find_source(scene.labels, paths); !file.empty()) {
+    const LabelTable table = load_labels(file);
+    name_bodies(scene.rigid, table);
+    name_bodies(scene.soft, table);
+  } else if (progress) {
+    progress(fmt::format("bodies have one name each: {}", missing_source(scene.labels, paths)));
+  }
+  scene.labels.clear();
+  return scene;
+}
+
+}  // namespace prosector

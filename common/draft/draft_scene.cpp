@@ -1,0 +1,342 @@
+#include "common/draft/draft_scene.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "common/anatomy/atlas.h"
+#include "common/anatomy/surface_field.h"
+#include "common/anatomy/surface_io.h"
+#include "common/anatomy/volume_io.h"
+#include "common/draft/setting.h"
+#include "common/draft/toml_text.h"
+#include "common/error.h"
+#include "common/scene/label_table.h"
+#include "common/scene/load_scene.h"
+#include "common/scene/material.h"
+#include "common/surface_files.h"
+#include "common/valid_text.h"
+
+namespace prosector {
+namespace {
+
+constexpr double tets_of_all = 8000, least_tets = 300, most_tets = 4000;  // that a draft's bodies have
+constexpr double tet_share = 0.128;                         // of the cube of its cell: a tetrahedron's volume
+constexpr double finest_cell = 1e-3, coarsest_cell = 0.05;  // m
+constexpr double least_size = 1e-3, most_size = 10;         // m
+constexpr double hold = 2e5;  // N/m⁴: what ties an organ to its place, as of [[atlas]]
+constexpr std::array<std::string_view, 4> volume_endings = {".inr", ".inr.gz", ".nii", ".nii.gz"};
+
+struct Unit {
+  const char* name;
+  const char* flag;
+  double metres;
+};
+constexpr std::array<Unit, 3> units = {
+    {{"millimetres", "mm", 1e-3}, {"centimetres", "cm", 1e-2}, {"metres", "m", 1}}};
+
+/// One surface file, and what is known of it.
+struct Part {
+  std::filesystem::path file;
+  std::string name;
+  const Material* material = nullptr;
+  bool rigid = false;
+  TriangleMesh surface;  // in the file's unit
+  Eigen::AlignedBox3d box;
+};
+
+Eigen::AlignedBox3d box_of(const TriangleMesh& surface, const Pose& pose, double unit) {
+  Eigen::AlignedBox3d out;
+  for (const Vec3& x : surface.positions) out.extend(pose * (unit * x));
+  return out;
+}
+
+bool ends_so(const std::filesystem::path& file, const auto& endings) {
+  const std::string name = file.filename().string();
+  return std::ranges::any_of(endings, [&](std::string_view ending) { return name.ends_with(ending); });
+}
+
+/// Returns how a scene in `folder` names the file: from there, or wholly where it lies elsewhere.
+std::string named_from(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  const auto whole = std::filesystem::weakly_canonical(file);
+  const auto relative = whole.lexically_relative(std::filesystem::weakly_canonical(folder));
+  return relative.empty() || relative.native().starts_with("..") ? whole.string() : relative.string();
+}
+
+std::string name_of(const std::filesystem::path& file) {
+  std::string name = file.stem().string();
+  std::ranges::replace(name, '_', ' ');
+  if (!valid_name(name))
+    throw InputError(fmt::format("{}: its name must do as a body's: 1 to {} bytes of UTF-8", file.string(),
+                                 max_name_length));
+  return name;
+}
+
+std::vector<std::filesystem::path> surfaces_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> out;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.is_regular_file() && is_surface_file(entry.path().string())) out.push_back(entry.path());
+  if (out.empty())
+    throw InputError(fmt::format("{}: holds no surface; allowed: files that end in {}", folder.string(),
+                                 fmt::join(surface_endings, " ")));
+  if (out.size() >= max_bodies)
+    throw InputError(
+        fmt::format("{}: {} surfaces; a scene may have {} bodies", folder.string(), out.size(), max_bodies));
+  std::ranges::sort(out);
+  return out;
+}
+
+Part read_part(const std::filesystem::path& file, bool rigid) {
+  Part out{.file = file, .name = name_of(file), .surface = load_unscaled_surface(file), .box = {}};
+  out.material = &material_of(out.name);
+  out.rigid = rigid || out.material->rigid;
+  out.box = box_of(out.surface, Pose{}, 1);
+  return out;
+}
+
+/// Reads all files, and says of every one that can't be used why.
+std::vector<Part> read_parts(const std::vector<std::filesystem::path>& files, bool rigid) {
+  std::vector<Part> out;
+  std::string bad;
+  std::set<std::string> names = {"table"};
+  const auto refuse = [&](const std::filesystem::path& file, const std::string& why) {
+    bad += fmt::format("{}{}: {}", bad.empty() ? "" : "\n", file.string(), why);
+  };
+  for (const auto& file : files) {
+    Part part = read_part(file, rigid);
+    if (!names.insert(part.name).second)
+      refuse(file, fmt::format("another body is called \"{}\"; names must differ", part.name));
+    if (!part.rigid)
+      if (const SurfaceFaults faults = surface_faults(part.surface))
+        refuse(file, fmt::format("{} (--rigid)", faults.in_words()));
+    out.push_back(std::move(part));
+  }
+  if (!bad.empty()) throw InputError(bad);
+  return out;
+}
+
+double unit_of(const std::vector<Part>& parts, const DraftOptions& options, std::vector<std::string>& notes) {
+  double unit = options.unit.value_or(0);
+  Eigen::AlignedBox3d all;
+  std::vector<double> usual, extents;
+  for (const Part& part : parts) {
+    all.extend(part.box);
+    usual.push_back(part.material->usual_size);
+    extents.push_back(part.box.sizes().maxCoeff());
+  }
+  if (!options.unit) unit = guessed_unit(usual, extents);
+  const auto known = std::ranges::find(units, unit, &Unit::metres);
+  const Vec3 size = all.sizes();
+  notes.push_back(fmt::format("{:.4g} x {:.4g} x {:.4g} in the file{}: {} {}, {:.3g} m across{}", size[0],
+                              size[1], size[2], parts.size() > 1 ? "s" : "", options.unit ? "in" : "taken as",
+                              known == units.end() ? fmt::format("units of {} m", unit) : known->name,
+                              unit * size.maxCoeff(),
+                              options.unit ? "" : "; if that is wrong: --unit mm, cm or m"));
+  const double across = unit * size.maxCoeff();
+  if (!(across >= least_size && across <= most_size))
+    throw InputError(fmt::format("{} m across; allowed: {} to {} m; choose --unit mm, cm or m", across,
+                                 least_size, most_size));
+  return unit;
+}
+
+/// Returns a cell for a solid that holds this volume within this surface (m³, m²).
+double cell_for(double volume, double area, double tets) {
+  const double by_count = std::cbrt(volume / (tet_share * tets));
+  const double thickness = 2 * volume / area;
+  return std::clamp(std::min(by_count, thickness), finest_cell, coarsest_cell);
+}
+
+double area_of(const TriangleMesh& surface) {
+  double out = 0;
+  for (const auto& t : surface.triangles)
+    out += 0.5 * (surface.positions[t[1]] - surface.positions[t[0]])
+                     .cross(surface.positions[t[2]] - surface.positions[t[0]])
+                     .norm();
+  return out;
+}
+
+std::string rotation_text(bool z_up) {
+  return z_up ? "rotation = [0.70710678, -0.70710678, 0, 0]  # the file's z is up\n" : "";
+}
+
+Quat rotation(bool z_up) {
+  return z_up ? Quat(0.70710678, -0.70710678, 0, 0).normalized() : Quat::Identity();
+}
+
+std::string head(const std::string& name, const std::string& description) {
+  return fmt::format("name = {}\ndescription = {}\n\n", toml_text(name), toml_text(description));
+}
+
+/// Writes what bodies of a surface have in common.
+template <class Desc>
+std::string body_text(const char* table, const Part& part, double unit, const Pose& pose, bool z_up,
+                      const std::filesystem::path& folder) {
+  Desc desc;
+  make_of(*part.material, desc);
+  return fmt::format(
+      "\n[[{}]]\nname = {}\nmesh = {}\nscale = {}\nposition = {}\n{}anatomy = true\n"
+      "group = \"anatomy\"  # what lies against each other at rest needs no contacts\n"
+      "touches = [\"default\", \"hand\"]\ndensity = {}\nsurface = \"{}\"\ncolor = {}\nwetness = {}\n",
+      table, toml_text(part.name), toml_text(named_from(part.file, folder)), toml_number(unit),
+      toml_numbers(pose.p), rotation_text(z_up), toml_number(desc.density),
+      part.material->rigid ? "bone" : "tissue", toml_numbers(desc.appearance.color),
+      toml_number(desc.appearance.wetness));
+}
+
+std::string soft_text(const Part& part, double unit, const Pose& pose, double tets,
+                      std::vector<std::string>& notes) {
+  SoftDesc desc;
+  make_of(*part.material, desc);
+  const double volume = std::abs(enclosed_volume(part.surface)) * unit * unit * unit;
+  const double cell = cell_for(volume, area_of(part.surface) * unit * unit, tets);
+  const Eigen::AlignedBox3d box = box_of(part.surface, pose, unit);
+  notes.push_back(fmt::format(
+      "{}: {:.4g} ml of {}{}, cell {:.2g} mm", part.name, 1e6 * volume, part.material->name,
+      part.material == &materials().back() ? " (its name says no material that is known)" : "", 1e3 * cell));
+  return fmt::format(
+      "cell = {}\nsurface_cell = {}\nyoungs_modulus = {}\ntoughness = {}\ndamping_mass = 4\n"
+      "gravity = false  # the file's shape already carries its weight\n\n"
+      "  [[soft.attach]]\n  center = {}\n  radius = {}\n  stiffness = {}\n",
+      toml_number(cell), toml_number(0.5 * cell), toml_number(desc.youngs_modulus),
+      toml_number(desc.toughness), toml_numbers(box.center()), toml_number(0.55 * box.sizes().norm()),
+      toml_number(hold));
+}
+
+Draft draft_surfaces(const std::string& name, const std::vector<std::filesystem::path>& files,
+                     const std::filesystem::path& folder, const DraftOptions& options) {
+  Draft out;
+  const std::vector<Part> parts = read_parts(files, options.rigid);
+  const double unit = unit_of(parts, options, out.notes);
+  const bool z_up = options.z_up.value_or(false);
+  Pose pose{Vec3::Zero(), rotation(z_up)};
+  Eigen::AlignedBox3d box;
+  for (const Part& part : parts) box.extend(box_of(part.surface, pose, unit));
+  pose.p = onto_table(box);
+  box.translate(pose.p);
+  const auto soft = static_cast<double>(std::ranges::count(parts, false, &Part::rigid));
+  const double tets = std::clamp(tets_of_all / std::max(soft, 1.), least_tets, most_tets);
+  out.toml = head(name, parts.size() == 1 ? "Drafted from " + files.front().filename().string()
+                                          : fmt::format("Drafted from {} files", parts.size())) +
+             setting_for(box);
+  for (const Part& part : parts) {
+    if (part.rigid) {
+      out.toml += body_text<RigidDesc>("rigid", part, unit, pose, z_up, folder);
+      out.notes.push_back(fmt::format("{}: keeps its shape ({})", part.name, part.material->name));
+    } else {
+      out.toml += body_text<SoftDesc>("soft", part, unit, pose, z_up, folder) +
+                  soft_text(part, unit, pose, tets, out.notes);
+    }
+  }
+  return out;
+}
+
+/// Finds the table of a label map: map.nii.gz beside map.csv, map.txt, map.nii.csv or map.nii.txt.
+std::filesystem::path labels_beside(const std::filesystem::path& map) {
+  std::filesystem::path stem = map;
+  if (stem.extension() == ".gz") stem.replace_extension();
+  for (const auto& base : {stem, std::filesystem::path(stem).replace_extension()})
+    for (const char* ending : {".csv", ".txt"})
+      if (std::filesystem::path file = base.string() + ending; std::filesystem::is_regular_file(file))
+        return file;
+  return {};
+}
+
+/// Returns how many of the neighbours along x that both have labels have different ones: few within
+/// structures, most in a picture's grey values.
+double unlike_neighbours(const Volume& volume) {
+  std::size_t pairs = 0, unlike = 0;
+  for (std::size_t i = 1; i < volume.values.size(); ++i) {
+    const float a = volume.values[i - 1], b = volume.values[i];
+    if (a <= 0 || b <= 0) continue;
+    ++pairs;
+    unlike += a != b ? 1 : 0;
+  }
+  return pairs == 0 ? 0 : static_cast<double>(unlike) / static_cast<double>(pairs);
+}
+
+/// Returns the box of all voxels that have a label, in the volume's frame (m).
+Eigen::AlignedBox3d labelled_box(const Volume& volume) {
+  Eigen::AlignedBox3d out;
+  std::size_t at = 0;
+  for (std::int64_t k = 0; k < volume.dims[2]; ++k)
+    for (std::int64_t j = 0; j < volume.dims[1]; ++j)
+      for (std::int64_t i = 0; i < volume.dims[0]; ++i)
+        if (volume.values[at++] > 0)
+          out.extend(
+              volume.position({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)}));
+  return out;
+}
+
+Draft draft_atlas(const std::string& name, const std::filesystem::path& map,
+                  const std::filesystem::path& folder, const DraftOptions& options) {
+  Draft out;
+  const Volume volume = load_volume(map);
+  const auto voxels = count_labels(volume, map.string());
+  if (voxels.empty()) throw InputError(fmt::format("{}: no voxel has a label", map.string()));
+  if (unlike_neighbours(volume) > 0.5)
+    throw InputError(
+        fmt::format("{}: most neighbouring voxels differ: grey values, no label map. Write a [[soft]] or "
+                    "[[rigid]] body with "
+                    "this volume and a threshold (docs/look-up/scene.md), or label it first",
+                    map.string()));
+  const auto labels = options.labels.empty() ? labels_beside(map) : options.labels;
+  out.notes.push_back(
+      labels.empty()
+          ? fmt::format("{} labels, by number: name them in a table (--labels FILE)", voxels.size())
+          : fmt::format("{} labels, names from {}", voxels.size(), labels.string()));
+  if (!labels.empty()) (void)load_labels(labels);
+  const bool z_up = options.z_up.value_or(true);
+  Pose pose{Vec3::Zero(), rotation(z_up)};
+  Eigen::AlignedBox3d box;
+  const Eigen::AlignedBox3d in_volume = labelled_box(volume);
+  for (int corner = 0; corner < 8; ++corner)
+    box.extend(pose * Vec3(in_volume.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner))));
+  pose.p = onto_table(box);
+  box.translate(pose.p);
+  out.toml =
+      head(name, "Drafted from " + map.filename().string()) + setting_for(box) +
+      fmt::format("\n[[atlas]]\nvolume = {}\n{}position = {}\n{}", toml_text(named_from(map, folder)),
+                  labels.empty() ? "" : fmt::format("labels = {}\n", toml_text(named_from(labels, folder))),
+                  toml_numbers(pose.p), rotation_text(z_up));
+  return out;
+}
+
+Draft draft(const std::filesystem::path& source, const std::filesystem::path& folder,
+            const DraftOptions& options) {
+  const std::filesystem::path whole = std::filesystem::weakly_canonical(source);
+  if (std::filesystem::is_directory(source))
+    return draft_surfaces(name_of(whole), surfaces_in(source), folder, options);
+  if (!std::filesystem::is_regular_file(source))
+    throw InputError(fmt::format("{}: no such file or folder", source.string()));
+  if (is_surface_file(source.string())) return draft_surfaces(name_of(whole), {source}, folder, options);
+  if (ends_so(source, volume_endings))
+    return draft_atlas(name_of(std::filesystem::path(whole).replace_extension()), source, folder, options);
+  throw InputError(
+      fmt::format("{}: nothing that a scene is made of; allowed: a surface ({}), a folder of surfaces, or "
+                  "a label map ({})",
+                  source.string(), fmt::join(surface_endings, " "), fmt::join(volume_endings, " ")));
+}
+
+}  // namespace
+
+double guessed_unit(const std::vector<double>& usual_sizes, const std::vector<double>& extents) {
+  const auto off = [&](double metres) {
+    double out = 0;
+    for (std::size_t i = 0; i < extents.size(); ++i) out += std::log(metres * extents[i] / usual_sizes[i]);
+    return std::abs(out);
+  };
+  return std::ranges::min_element(units, {}, [&](const Unit& unit) { return off(unit.metres); })->metres;
+}
+
+Draft draft_scene(const std::filesystem::path& source, const std::filesystem::path& folder,
+                  const DraftOptions& options) {
+  Draft out = draft(source, folder, options);
+  parse_scene(out.toml, folder / "draft.toml");  // what is written is a scene
+  return out;
+}
+
+}  // namespace prosector

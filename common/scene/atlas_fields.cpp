@@ -1,0 +1,57 @@
+#include "common/scene/body_fields.h"
+#include "common/scene/material.h"
+
+namespace prosector {
+namespace {
+
+/// Returns the materials, and the word for one by each name.
+std::vector<std::string_view> material_words() {
+  std::vector<std::string_view> out = material_names();
+  out.insert(out.begin(), material_by_name);
+  return out;
+}
+
+}  // namespace
+
+const Table& atlas_table() {
+  using A = AtlasDesc;
+  static const Table table = [] {
+    Table t{
+        "[[atlas]]",
+        "The structures of a label map as bodies, each by the name of its label: of bone rigid ones, of "
+        "anything else soft ones, all held to their places. A table of labels is CSV whose first row names "
+        "its columns: `name`, and any of `id` (in the label map), `name.LANGUAGE` (`name.de`), `ta` "
+        "(Terminologia Anatomica 1998) and `color` (#rrggbb). Or its lines are a number, a name, and a code "
+        "or a colour, as atlases come with. Labels of the map that the table doesn't name are left out.",
+        {text<A, &A::volume>("volume", "label map: .inr .inr.gz .nii .nii.gz", true),
+         text<A, &A::labels>("labels", "table of labels; not given: all labels, as \"region 1\" ..."),
+         names<A, &A::only>("only", "names of labels to take; none given: all"),
+         names<A, &A::leave_out>("leave_out", "names of labels to leave out"),
+         words<A, &A::material>(
+             "material", material_words(),
+             "what they are made of; by name: by a word of each one's name, such as kidney, "
+             "else tissue"),
+         number<A, &A::cell>("cell", "m", {0, 1}, "of soft ones, as of [[soft]]; 0: by each one's volume"),
+         number<A, &A::surface_cell>("surface_cell", "m", {5e-4, 1}, "as of [[soft]]"),
+         number<A, &A::smoothing>("smoothing", "voxels", {0, 10}, "as of [[soft]]"),
+         identifier<A, &A::model>("model", "of soft ones, as of [[soft]]"),
+         words<A, &A::element>("element", {"tet4", "tet10"}, "of soft ones, as of [[soft]]"),
+         identifier<A, &A::integrator>("integrator", "of soft ones, as of [[soft]]"),
+         identifier<A, &A::solver>("solver", "of soft ones, as of [[soft]]"),
+         number<A, &A::hold>("hold", "N/m per m³", {0, 1e12},
+                             "soft ones: what ties all of each to its place; 0: nothing does"),
+         number<A, &A::damping_mass>("damping_mass", "1/s", {0, 1000}, "of soft ones, as of [[soft]]"),
+         plain<A, &A::gravity>("gravity", "as of [[soft]]"),
+         name<A, &A::group>("group", false, "collision group that they belong to"),
+         names<A, &A::touches>("touches",
+                               "groups that they touch; without their own, what lies against each other "
+                               "needs no contacts")},
+        {},
+        fresh<A>};
+    add_pose<A>(t.fields, "the volume's centre in the room");
+    return t;
+  }();
+  return table;
+}
+
+}  // namespace prosector

@@ -1,0 +1,200 @@
+// What `prosector-scene new` writes runs: over many inputs, drafted, loaded, compiled, stepped.
+
+#include "common/draft/draft_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "common/anatomy/mesh_quality.h"
+#include "common/anatomy/sources.h"
+#include "common/anatomy/surface_field.h"
+#include "common/error.h"
+#include "common/scene/load_scene.h"
+#include "server/physics/simulation.h"
+#include "server/physics/soft/soft_body.h"
+#include "tests/anatomy/files.h"
+#include "tests/draft/surface_texts.h"
+
+namespace prosector {
+namespace {
+
+using namespace testing_files;
+
+const Vec3 liver_size(0.22, 0.12, 0.16);
+
+/// Loads, compiles and steps a scene that was written into the folder.
+void run(const SceneDesc& scene, const std::filesystem::path& folder, std::size_t bodies) {
+  CompileOptions options;
+  options.threads = 1;
+  options.cache_dir = folder / "cache";
+  Simulation simulation(scene, options);
+  EXPECT_EQ(simulation.body_count(), bodies);
+  for (int tick = 0; tick < 10; ++tick) simulation.step({});
+  for (BodyId b = 0; b < simulation.body_count(); ++b)
+    if (simulation.kind(b) == BodyKind::soft)
+      EXPECT_TRUE(simulation.soft_state(b).motion.x.allFinite() && simulation.max_displacement(b) < 0.01)
+          << simulation.name(b);
+    else
+      EXPECT_TRUE(simulation.rigid_state(b).pose.p.allFinite()) << simulation.name(b);
+}
+
+SceneDesc drafted(const std::filesystem::path& source, const std::filesystem::path& folder,
+                  const DraftOptions& options = {}) {
+  const Draft draft = draft_scene(source, folder, options);
+  EXPECT_FALSE(draft.notes.empty());
+  write(folder / "scene.toml", draft.toml);
+  return load_scene(folder / "scene.toml");
+}
+
+std::string complaint(const std::filesystem::path& source, const DraftOptions& options = {}) {
+  try {
+    draft_scene(source, source.parent_path(), options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+struct Case {
+  const char *file, *shape;
+  Vec3 size;
+  double per_metre;  // the file's unit
+  double edge;
+};
+
+TEST(DraftScene, SurfacesOfEveryFormatAndUnitRun) {
+  const Case table[] = {
+      {"liver.obj", "liver", liver_size, 1000, 0.012},
+      {"Left_Kidney.stl", "kidney", {0.06, 0.11, 0.05}, 1000, 0.008},
+      {"kidney.ply", "kidney", {0.06, 0.11, 0.05}, 100, 0.008},
+      {"gallbladder.off", "gallbladder", {0.09, 0.04, 0.04}, 1, 0.006},
+      {"femur.obj", "femur", {0.1, 0.15, 0.08}, 1000, 0.01},
+      {"thing.STL", "block", {0.2, 0.05, 0.15}, 1000, 0.01},
+  };
+  for (const Case& c : table) {
+    SCOPED_TRACE(c.file);
+    const TempDir dir;
+    const TriangleMesh mesh = surface_of(c.shape, c.size, c.edge);
+    write(dir.path / c.file, as_text(c.file, mesh, c.per_metre));
+    const SceneDesc scene = drafted(dir.path / c.file, dir.path);
+    const bool bone = std::string(c.file) == "femur.obj";
+    ASSERT_EQ(scene.soft.size(), bone ? 0u : 1u);
+    const double scale = bone ? scene.rigid[1].scale : scene.soft[0].scale;
+    EXPECT_NEAR(scale * c.per_metre, 1, 1e-9);
+    EXPECT_FALSE(scene.lights.empty());
+    run(scene, dir.path, 2);  // and the table
+    if (bone) continue;
+    // As large as it was, and standing on the table.
+    const Anatomy made = make_anatomy(scene.soft[0], {dir.path, {}, {}}, {});
+    Eigen::AlignedBox3d box;
+    for (const Vec3& x : made.surface.positions) box.extend(x);
+    const double volume = std::abs(enclosed_volume(mesh));
+    EXPECT_NEAR(tet_quality(made.tets).volume, volume, 0.1 * volume);
+    EXPECT_NEAR(box.min()[1], 0.902, 0.004);
+    EXPECT_NEAR(box.center()[0], 0, 0.005);
+  }
+}
+
+TEST(DraftScene, AFolderIsABodyEach) {
+  const TempDir dir;
+  std::filesystem::create_directory(dir.path / "patient");
+  const auto put_part = [&](const char* name, const std::string& shape, const Vec3& size, const Vec3& at) {
+    TriangleMesh mesh = surface_of(shape, size, 0.012);
+    for (Vec3& x : mesh.positions) x += at;
+    write(dir.path / "patient" / name, as_text(name, mesh, 1000));
+  };
+  put_part("liver.stl", "liver", liver_size, {0.1, 1.2, 0.3});
+  put_part("kidney.stl", "kidney", {0.06, 0.11, 0.05}, {-0.1, 1.2, 0.2});
+  put_part("rib.obj", "cylinder", {0.03, 0.2, 0.03}, {0.2, 1.2, 0.1});
+  write(dir.path / "patient" / "notes.txt", std::string("not a surface"));
+  const SceneDesc scene = drafted(dir.path / "patient", dir.path);
+  EXPECT_EQ(scene.name, "patient");
+  ASSERT_EQ(scene.soft.size(), 2u);
+  ASSERT_EQ(scene.rigid.size(), 2u);
+  EXPECT_EQ(scene.rigid[1].name, "rib");
+  EXPECT_EQ(scene.soft[0].name, "kidney");
+  EXPECT_GT(scene.soft[0].youngs_modulus, scene.soft[1].youngs_modulus);  // by material
+  EXPECT_EQ(scene.soft[0].pose.p, scene.soft[1].pose.p);  // they stay as they lie to each other
+  EXPECT_TRUE(scene.rigid[1].part);
+  run(scene, dir.path, 4);
+}
+
+TEST(DraftScene, ALabelMapIsAnAtlas) {
+  for (const bool named : {false, true}) {
+    const TempDir dir;
+    write(dir.path / "map.inr", two_balls());
+    if (named) write(dir.path / "map.csv", std::string("id,name\n7,liver\n9,kidney\n"));
+    const SceneDesc scene = drafted(dir.path / "map.inr", dir.path);
+    ASSERT_EQ(scene.atlases.size(), 1u);
+    EXPECT_EQ(scene.atlases[0].labels, named ? "map.csv" : "");
+    run(scene, dir.path, 3);
+  }
+}
+
+TEST(DraftScene, WhatIsSaidIsDone) {
+  const TempDir dir;
+  const auto file = dir.path / "thing.obj";
+  TriangleMesh open = box_surface(Vec3::Zero(), {0.1, 0.2, 0.3});
+  write(file, as_obj(open, 1));
+  EXPECT_EQ(drafted(file, dir.path, {.unit = 1e-2}).soft[0].scale, 1e-2);
+  EXPECT_TRUE(drafted(file, dir.path, {.z_up = true})
+                  .soft[0]
+                  .pose.q.isApprox(Quat(std::sqrt(0.5), -std::sqrt(0.5), 0, 0), 1e-6));
+  open.triangles.pop_back();
+  write(file, as_obj(open, 1));
+  EXPECT_EQ(drafted(file, dir.path, {.rigid = true}).rigid.size(), 2u);
+  // From elsewhere the file is named in full.
+  const TempDir other;
+  EXPECT_EQ(drafted(file, other.path, {.rigid = true}).rigid[1].mesh, std::filesystem::canonical(file));
+}
+
+TEST(DraftScene, GuessesTheUnitBySize) {
+  struct {
+    double usual, extent, unit;
+  } const table[] = {{0.2, 210, 1e-3}, {0.2, 21, 1e-2}, {0.2, 0.21, 1},    {0.1, 60, 1e-3},
+                     {0.1, 10, 1e-2},  {0.1, 0.08, 1},  {1.7, 1750, 1e-3}, {1.7, 1.8, 1}};
+  for (const auto& row : table) EXPECT_EQ(guessed_unit({row.usual}, {row.extent}), row.unit) << row.extent;
+}
+
+TEST(DraftScene, SaysWhatItCantUse) {
+  const TempDir dir;
+  const auto refused = [&](const char* name, const std::string& content, const char* why) {
+    write(dir.path / name, content);
+    const std::string said = complaint(dir.path / name);
+    EXPECT_NE(said.find(why), std::string::npos) << name << ": " << said;
+    EXPECT_NE(said.find(name), std::string::npos) << said;
+  };
+  TriangleMesh open = box_surface(Vec3::Zero(), Vec3::Constant(100));
+  open.triangles.pop_back();
+  refused("open.obj", as_obj(open, 1), "3 edges on the rims of holes");
+  open.triangles.push_back(open.triangles.front());
+  refused("crowded.obj", as_obj(open, 1), "more than two triangles");
+  refused("page.html", "<html>", "nothing that a scene is made of; allowed: a surface (.obj");
+  refused("bad.stl", "nothing", "not a surface");
+  std::vector<std::uint8_t> grey;
+  for (int i = 0; i < 1000; ++i) grey.push_back(static_cast<std::uint8_t>(1 + i * 7 % 200));
+  const Bytes picture = inrimage(10, 10, 10, {1, 1, 1}, grey);
+  refused("grey.inr", std::string(picture.begin(), picture.end()), "grey values, no label map");
+  refused(
+      "empty.inr",
+      [] {
+        const Bytes bytes = inrimage(2, 2, 2, {1, 1, 1}, std::vector<std::uint8_t>(8, 0));
+        return std::string(bytes.begin(), bytes.end());
+      }(),
+      "no voxel has a label");
+  EXPECT_NE(complaint(dir.path / "gone.obj").find("no such file"), std::string::npos);
+  std::filesystem::create_directory(dir.path / "void");
+  EXPECT_NE(complaint(dir.path / "void").find("holds no surface"), std::string::npos);
+  // A folder names all that is wrong in it.
+  const auto folder = dir.path / "several";
+  std::filesystem::create_directory(folder);
+  write(folder / "a.obj", as_obj(open, 1));
+  write(folder / "a.off", as_off(box_surface(Vec3::Zero(), Vec3::Constant(100)), 1));
+  const std::string said = complaint(folder);
+  EXPECT_NE(said.find("a.obj: not closed"), std::string::npos) << said;
+  EXPECT_NE(said.find("a.off: another body is called \"a\""), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace prosector
