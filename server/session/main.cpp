@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 
@@ -20,13 +21,21 @@
 #include "server/session/journal_reader.h"
 #include "server/session/options.h"
 #include "server/session/replay.h"
+#include "server/session/scene_reloader.h"
 #include "server/session/server_loop.h"
 #include "server/session/summary.h"
 
 namespace prosector {
 namespace {
 
-std::atomic<bool> interrupted{false};
+std::atomic<bool> interrupted{false};  // the session ends
+std::atomic<bool> over{false};         // the run ends: so does the session, or another scene follows
+
+/// Ends the session.
+void end() {
+  interrupted = true;
+  over = true;
+}
 
 void say(const std::string& line) {
   fmt::print("{}\n", line);
@@ -51,9 +60,15 @@ std::vector<Choice> choose(SceneDesc& scene, const ServerOptions& options) {
                               .sources = sources(options)});
 }
 
-Simulation compile(const SceneDesc& scene, const ServerOptions& options) {
+std::unique_ptr<Simulation> compile(const SceneDesc& scene, const ServerOptions& options) {
   say(fmt::format("compiling scene {} ({})", scene.name, scene.file.string()));
-  return Simulation(scene, sources(options));
+  return std::make_unique<Simulation>(scene, sources(options));
+}
+
+/// Compiles a scene with rungs that were chosen for it.
+ReadyScene ready(SceneDesc& scene, const std::vector<Choice>& choices, const ServerOptions& options) {
+  adopt(choices, scene);
+  return {choices, compile(scene, options)};
 }
 
 /// Says what the scene models, and at what cost.
@@ -153,9 +168,9 @@ int replay_journal(const ServerOptions& options) {
   const JournalHeader& header = journal.header();
   SceneDesc scene = parse_scene(header.scene_text, header.scene_file);
   adopt(header.choices, scene);
-  Simulation simulation = compile(scene, options);
+  const std::unique_ptr<Simulation> simulation = compile(scene, options);
   const std::uint64_t last = journal.last_tick();
-  const ReplayResult result = replay(journal, simulation, [&](std::uint64_t tick) {
+  const ReplayResult result = replay(journal, *simulation, [&](std::uint64_t tick) {
     if (tick % 600 == 0) say(fmt::format("  tick {} of {}", tick, last));
   });
   if (!result) {
@@ -190,53 +205,20 @@ void resume_journal(const JournalReader& journal, Simulation& simulation) {
 
 /// Lets a signal end the session in order. Before, while a scene is compiled, it ends the process at once.
 void end_session_on_signals() {
-  std::signal(SIGINT, [](int) { interrupted = true; });
-  std::signal(SIGTERM, [](int) { interrupted = true; });
+  std::signal(SIGINT, [](int) { end(); });
+  std::signal(SIGTERM, [](int) { end(); });
 }
 
-void host(const ServerOptions& options) {
-  std::optional<JournalReader> past;
-  if (!options.resume.empty()) past.emplace(options.resume);
-  const std::string text = past ? past->header().scene_text : read_scene_text(options.scene);
-  SceneDesc scene = parse_scene(text, past ? past->header().scene_file : options.scene);
-  const std::string session = !options.session.empty() ? options.session
-                              : past                   ? past->header().session
-                                                       : scene.session.name;
-  std::unique_ptr<SessionWatch> watch = options.check ? nullptr : watch_for_others(options, session);
-  // A session that goes on keeps its rungs, whatever this machine would choose.
-  const std::vector<Choice> choices = past ? past->header().choices : choose(scene, options);
-  adopt(choices, scene);
-  Simulation simulation = compile(scene, options);
-  describe(simulation);
-  if (past) resume_journal(*past, simulation);
-  past.reset();
-  if (options.check) return;
+/// What a run is of, once and for all.
+struct Hosting {
+  const ServerOptions& options;
+  std::string scene_text;
+  std::string session;
+};
 
-  end_session_on_signals();
-  BusConfig place;
-  const std::unique_ptr<Bus> bus = open_bus(options, session, *watch, place);
-  // Steps that wait for a compiler or a browser are late, and so is the journal's thread, which is as urgent;
-  // not being allowed is no error.
-  setpriority(PRIO_PROCESS, 0, -5);
-  const std::unique_ptr<Journal> journal = open_journal(options, simulation, text, session, choices);
-  ServerLoop loop(simulation, *bus, session, journal.get(), say,
-                  {.choices = choices, .reign = journal ? journal->reign() : first_reign});
-  std::optional<SessionInfo> rival;
-  watch->guard(loop.server_run(), time_to_yield, [&](const SessionInfo& other) {
-    rival = other;
-    interrupted = true;
-  });
-  say(how_to_join(place));
-  loop.run(interrupted, options.seconds, say);
-  watch.reset();
-  loop.finish();
-  if (rival)
-    throw InputError(
-        fmt::format("another server started session \"{}\" at the same moment and hosts it (scene {}): this "
-                    "one ends; join "
-                    "it, or name another session with --session",
-                    session, rival->scene));
-
+/// Writes how a run went, for people and to the file that was asked for.
+void sum_up(const ServerOptions& options, const ServerLoop& loop, const Simulation& simulation,
+            const Journal* journal) {
   const RunFigures f = loop.figures();
   say(fmt::format(
       "ended after {} ticks: x{:.3f} real time, step {:.1f} ms p50, {:.1f} p99, {} late, {} dropped, "
@@ -246,6 +228,86 @@ void host(const ServerOptions& options) {
   if (!options.summary.empty() &&
       !write_summary(options.summary, loop, simulation, journal ? journal->file() : std::filesystem::path()))
     throw std::runtime_error(fmt::format("--summary {}: cannot be written", options.summary.string()));
+}
+
+/// Runs a session on one scene, until `over`, or for `seconds` of wall time when above 0.
+void serve(const Hosting& hosting, ReadyScene& scene, std::unique_ptr<SessionWatch> watch, double seconds) {
+  const ServerOptions& options = hosting.options;
+  Simulation& simulation = *scene.simulation;
+  BusConfig place;
+  const std::unique_ptr<Bus> bus = open_bus(options, hosting.session, *watch, place);
+  const std::unique_ptr<Journal> journal =
+      open_journal(options, simulation, hosting.scene_text, hosting.session, scene.choices);
+  ServerLoop loop(simulation, *bus, hosting.session, journal.get(), say,
+                  {.choices = scene.choices, .reign = journal ? journal->reign() : first_reign});
+  std::optional<SessionInfo> rival;
+  watch->guard(loop.server_run(), time_to_yield, [&](const SessionInfo& other) {
+    rival = other;
+    end();
+  });
+  say(how_to_join(place));
+  loop.run(over, seconds, say);
+  watch.reset();
+  loop.finish();
+  if (rival)
+    throw InputError(
+        fmt::format("another server started session \"{}\" at the same moment and hosts it (scene {}): this "
+                    "one ends; join "
+                    "it, or name another session with --session",
+                    hosting.session, rival->scene));
+  sum_up(options, loop, simulation, journal.get());
+}
+
+/// Runs the session on one scene after the other, as the scene's files change. To clients each is a run of
+/// its own, as when a server was started again: who is there joins it by itself.
+void serve_while_it_changes(const Hosting& hosting, ReadyScene scene, std::unique_ptr<SessionWatch> watch) {
+  const ServerOptions& options = hosting.options;
+  const auto load = [&] {
+    SceneDesc changed = parse_scene(read_scene_text(options.scene), options.scene);
+    ReadyScene made = ready(changed, choose(changed, options), options);
+    describe(*made.simulation);
+    return made;
+  };
+  const auto started = std::chrono::steady_clock::now();
+  SceneReloader reloader(scene.simulation->scene(), options.data,
+                         {.load = load, .ready = [] { over = true; }, .say = say});
+  for (double left = options.seconds;;) {
+    if (!watch) watch = watch_for_others(options, hosting.session);
+    serve(hosting, scene, std::move(watch), left);
+    over = false;
+    const double so_far = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    left = options.seconds - so_far;
+    if (interrupted || (options.seconds > 0 && left <= 0)) return;
+    if (std::optional<ReadyScene> next = reloader.take()) scene = std::move(*next);
+    left = std::max(left, 0.);
+  }
+}
+
+void host(const ServerOptions& options) {
+  std::optional<JournalReader> past;
+  if (!options.resume.empty()) past.emplace(options.resume);
+  const std::string text = past ? past->header().scene_text : read_scene_text(options.scene);
+  SceneDesc desc = parse_scene(text, past ? past->header().scene_file : options.scene);
+  const std::string session = !options.session.empty() ? options.session
+                              : past                   ? past->header().session
+                                                       : desc.session.name;
+  std::unique_ptr<SessionWatch> watch = options.check ? nullptr : watch_for_others(options, session);
+  // A session that goes on keeps its rungs, whatever this machine would choose.
+  ReadyScene scene = ready(desc, past ? past->header().choices : choose(desc, options), options);
+  describe(*scene.simulation);
+  if (past) resume_journal(*past, *scene.simulation);
+  past.reset();
+  if (options.check) return;
+
+  end_session_on_signals();
+  // Steps that wait for a compiler or a browser are late, and so is the journal's thread, which is as urgent;
+  // not being allowed is no error.
+  setpriority(PRIO_PROCESS, 0, -5);
+  const Hosting hosting{options, text, session};
+  if (options.watch)
+    serve_while_it_changes(hosting, std::move(scene), std::move(watch));
+  else
+    serve(hosting, scene, std::move(watch), options.seconds);
 }
 
 }  // namespace

@@ -45,6 +45,12 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
   app.add_flag("--check", o.check, "Compile the scene, say what it models and at what cost, and end")
       ->group(run);
 
+  auto* watch =
+      app.add_flag("--watch", o.watch,
+                   "Load the scene anew when it or a file that it names changes; people stay. What doesn't "
+                   "load is told of, and the old scene goes on");
+  watch->group(run);
+
   const char* record = "Journal";
   auto* journal =
       app.add_option("--journal", o.journal, "Record inputs, state hashes and checkpoints to this new file");
@@ -56,6 +62,7 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
       ->group(record);
   auto* replay = app.add_option("--replay", o.replay, "Run a journal again and compare every state hash");
   auto* resume = app.add_option("--resume", o.resume, "Go on where a journal ends, in the same file");
+  watch->excludes(journal)->excludes(replay)->excludes(resume);  // a journal is of one scene
   replay->type_name("FILE")->group(record)->excludes(journal)->excludes(resume)->excludes(scene);
   resume->type_name("FILE")->group(record)->excludes(journal)->excludes(scene);
 

@@ -25,6 +25,7 @@ struct ServerOptions {
   std::vector<std::filesystem::path> data;
   std::filesystem::path cache;
   bool check = false;
+  bool watch = false;  // load the scene anew when its files change
 
   /// Returns network settings; the session's name and the index are still to be filled in.
   BusConfig bus() const;
