@@ -42,8 +42,8 @@ set(CPACK_DEBIAN_CLIENT_PACKAGE_RECOMMENDS "fonts-lohit-deva, fonts-droid-fallba
 set(CPACK_DEBIAN_CLIENT_PACKAGE_SUGGESTS prosector-server)
 
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME prosector-tools)
-set(CPACK_DEBIAN_TOOLS_DESCRIPTION "checks scenes and measures models of tissue
-Checks scene files and prints their manual, weighs every model of tissue by
+set(CPACK_DEBIAN_TOOLS_DESCRIPTION "drafts and checks scenes, measures models of tissue
+Drafts scenes of meshes and label maps, checks scene files, weighs every model of tissue by
 cost and error on this machine, and lets people play at random in a scene.")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "libosmesa6, fontconfig-config, fonts-dejavu-core")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS prosector-server)

@@ -17,9 +17,10 @@ namespace prosector {
 namespace {
 
 constexpr float max_label = 65535;
-constexpr double cells_across = 0.3;   // of a small structure: its cell, times the edge of a cube as large
-constexpr double largest_cell = 9e-3;  // m
-constexpr double finest_cell = 5e-4;   // m: as of [[soft]]
+constexpr std::size_t least_voxels = 64;  // of a structure that is taken unasked: fewer are noise
+constexpr double cells_across = 0.3;      // of a small structure: its cell, times the edge of a cube as large
+constexpr double largest_cell = 9e-3;     // m
+constexpr double finest_cell = 5e-4;      // m: as of [[soft]]
 
 /// Turns one atlas into bodies.
 class AtlasReader {
@@ -40,11 +41,16 @@ class AtlasReader {
   void add_to(SceneDesc& scene, const Progress& progress) const {
     std::vector<const Label*> taken;
     for (const Label& label : table_.labels)
-      if (wanted(label) && has(label)) taken.push_back(&label);
+      if (wanted(label) && has(label) && !is_speck(label)) taken.push_back(&label);
     if (taken.empty())
       throw InputError(fmt::format("{}: no label is left; {} has {}", where_, atlas_.volume, listed()));
     for (std::size_t i = 0; i < taken.size(); ++i)
       add_body(*taken[i], hue(static_cast<double>(i) / static_cast<double>(taken.size())), scene);
+    for (const Label& label : table_.labels)
+      if (progress && wanted(label) && is_speck(label))
+        progress(
+            fmt::format("{}: label {} (\"{}\") has {} voxels only: left out; `only` takes it all the same",
+                        where_, label.id, label.name, voxels_.at(label.id)));
     const auto unnamed = std::ranges::count_if(
         voxels_, [&](const auto& entry) { return table_.find(entry.first) == nullptr; });
     if (progress)
@@ -61,6 +67,10 @@ class AtlasReader {
   }
 
   bool has(const Label& label) const { return voxels_.contains(label.id); }
+  /// Tells whether it is too small for a structure, and nobody asked for it by name.
+  bool is_speck(const Label& label) const {
+    return has(label) && atlas_.only.empty() && voxels_.at(label.id) < least_voxels;
+  }
 
   bool wanted(const Label& label) const {
     const auto in = [&](const std::vector<std::string>& list) {

@@ -22,7 +22,8 @@ const Table& atlas_table() {
         "anything else soft ones, all held to their places. A table of labels is CSV whose first row names "
         "its columns: `name`, and any of `id` (in the label map), `name.LANGUAGE` (`name.de`), `ta` "
         "(Terminologia Anatomica 1998) and `color` (#rrggbb). Or its lines are a number, a name, and a code "
-        "or a colour, as atlases come with. Labels of the map that the table doesn't name are left out.",
+        "or a colour, as atlases come with. Labels of the map that the table doesn't name are left out, "
+        "and so are those of fewer than 64 voxels that `only` doesn't name.",
         {text<A, &A::volume>("volume", "label map: .inr .inr.gz .nii .nii.gz", true),
          text<A, &A::labels>("labels", "table of labels; not given: all labels, as \"region 1\" ..."),
          names<A, &A::only>("only", "names of labels to take; none given: all"),

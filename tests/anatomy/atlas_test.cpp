@@ -129,6 +129,23 @@ TEST(Atlas, SaysWhatIsWrong) {
   EXPECT_NE(of("half.nii").find("voxel 1 is 1.5: no label map"), std::string::npos) << of("half.nii");
 }
 
+TEST(Atlas, SpecksAreLeftOutUnlessAskedFor) {
+  const Map map;
+  std::vector<std::uint8_t> voxels(20 * 20 * 20);
+  for (int k = 5; k < 15; ++k)
+    for (int j = 5; j < 15; ++j)
+      for (int i = 5; i < 15; ++i) voxels[static_cast<std::size_t>(i + 20 * (j + 20 * k))] = 7;
+  voxels[0] = voxels[1] = 9;
+  write(map.dir.path / "map.inr", inrimage(20, 20, 20, {2, 2, 2}, voxels));
+  std::string said;
+  const SceneDesc s =
+      completed(map.scene(""), map.paths, [&](const std::string& line) { said += line + "\n"; });
+  ASSERT_EQ(s.soft.size(), 1u);
+  EXPECT_EQ(s.soft[0].label, 7);
+  EXPECT_NE(said.find("label 9 (\"region 9\") has 2 voxels only: left out"), std::string::npos) << said;
+  EXPECT_EQ(completed(map.scene("only = [\"region 9\"]\n"), map.paths, {}).soft.size(), 1u);
+}
+
 TEST(Atlas, ATableOfNamesIsForTheScenesBodies) {
   const Map map;
   const std::string text =
