@@ -17,10 +17,9 @@ namespace prosector {
 namespace {
 
 constexpr float max_label = 65535;
-constexpr std::size_t least_voxels = 64;  // of a structure that is taken unasked: fewer are noise
-constexpr double cells_across = 0.3;      // of a small structure: its cell, times the edge of a cube as large
-constexpr double largest_cell = 9e-3;     // m
-constexpr double finest_cell = 5e-4;      // m: as of [[soft]]
+constexpr double cells_across = 0.3;   // of a small structure: its cell, times the edge of a cube as large
+constexpr double largest_cell = 9e-3;  // m
+constexpr double finest_cell = 5e-4;   // m: as of [[soft]]
 
 /// Turns one atlas into bodies.
 class AtlasReader {

@@ -11,6 +11,8 @@
 
 namespace prosector {
 
+inline constexpr std::size_t least_voxels = 64;  // of a structure that is taken unasked: fewer are noise
+
 /// Returns the scene with a body for each structure of its atlases, in place of them. Its bodies have the
 /// names that its table of labels has for them; a table that is missing is told of.
 /// Throws InputError, which names the atlas, the label and its file, for

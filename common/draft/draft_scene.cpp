@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "common/anatomy/atlas.h"
@@ -258,14 +259,17 @@ double unlike_neighbours(const Volume& volume) {
   return pairs == 0 ? 0 : static_cast<double>(unlike) / static_cast<double>(pairs);
 }
 
-/// Returns the box of all voxels that have a label, in the volume's frame (m).
-Eigen::AlignedBox3d labelled_box(const Volume& volume) {
+/// Returns the box of all structures but specks, in the volume's frame (m).
+Eigen::AlignedBox3d labelled_box(const Volume& volume, const std::map<int, std::size_t>& voxels) {
+  std::set<float> labels;
+  for (const auto& [label, count] : voxels)
+    if (count >= least_voxels) labels.insert(static_cast<float>(label));
   Eigen::AlignedBox3d out;
   std::size_t at = 0;
   for (std::int64_t k = 0; k < volume.dims[2]; ++k)
     for (std::int64_t j = 0; j < volume.dims[1]; ++j)
       for (std::int64_t i = 0; i < volume.dims[0]; ++i)
-        if (volume.values[at++] > 0)
+        if (const float label = volume.values[at++]; label > 0 && labels.contains(label))
           out.extend(
               volume.position({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)}));
   return out;
@@ -276,7 +280,9 @@ Draft draft_atlas(const std::string& name, const std::filesystem::path& map,
   Draft out;
   const Volume volume = load_volume(map);
   const auto voxels = count_labels(volume, map.string());
-  if (voxels.empty()) throw InputError(fmt::format("{}: no voxel has a label", map.string()));
+  const auto is_structure = [](const auto& entry) { return entry.second >= least_voxels; };
+  if (std::ranges::none_of(voxels, is_structure))
+    throw InputError(fmt::format("{}: no label has as many as {} voxels", map.string(), least_voxels));
   if (unlike_neighbours(volume) > 0.5)
     throw InputError(
         fmt::format("{}: most neighbouring voxels differ: grey values, no label map. Write a [[soft]] or "
@@ -292,7 +298,7 @@ Draft draft_atlas(const std::string& name, const std::filesystem::path& map,
   const bool z_up = options.z_up.value_or(true);
   Pose pose{Vec3::Zero(), rotation(z_up)};
   Eigen::AlignedBox3d box;
-  const Eigen::AlignedBox3d in_volume = labelled_box(volume);
+  const Eigen::AlignedBox3d in_volume = labelled_box(volume, voxels);
   for (int corner = 0; corner < 8; ++corner)
     box.extend(pose * Vec3(in_volume.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner))));
   pose.p = onto_table(box);

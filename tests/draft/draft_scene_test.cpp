@@ -173,8 +173,8 @@ TEST(DraftScene, SaysWhatItCantUse) {
   refused("page.html", "<html>", "nothing that a scene is made of; allowed: a surface (.obj");
   refused("bad.stl", "nothing", "not a surface");
   std::vector<std::uint8_t> grey;
-  for (int i = 0; i < 1000; ++i) grey.push_back(static_cast<std::uint8_t>(1 + i * 7 % 200));
-  const Bytes picture = inrimage(10, 10, 10, {1, 1, 1}, grey);
+  for (int i = 0; i < 8000; ++i) grey.push_back(static_cast<std::uint8_t>(1 + i * 7 % 50));
+  const Bytes picture = inrimage(20, 20, 20, {1, 1, 1}, grey);
   refused("grey.inr", std::string(picture.begin(), picture.end()), "grey values, no label map");
   refused(
       "empty.inr",
@@ -182,7 +182,7 @@ TEST(DraftScene, SaysWhatItCantUse) {
         const Bytes bytes = inrimage(2, 2, 2, {1, 1, 1}, std::vector<std::uint8_t>(8, 0));
         return std::string(bytes.begin(), bytes.end());
       }(),
-      "no voxel has a label");
+      "no label has as many as 64 voxels");
   EXPECT_NE(complaint(dir.path / "gone.obj").find("no such file"), std::string::npos);
   std::filesystem::create_directory(dir.path / "void");
   EXPECT_NE(complaint(dir.path / "void").find("holds no surface"), std::string::npos);

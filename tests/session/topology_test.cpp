@@ -9,6 +9,7 @@
 #include "client/replica/replica.h"
 #include "idl/local_bus.h"
 #include "idl/topics.h"
+#include "server/session/scene_content.h"
 #include "server/session/soft_sender.h"
 #include "tests/physics/scenes.h"
 #include "tests/session/random_cuts.h"
@@ -349,6 +350,26 @@ TEST(Topology, KeyframesAreSentOnceASecondHoweverOftenTheyAreAskedFor) {
     }
   }
   EXPECT_EQ(keyframes, 3u);
+}
+
+TEST(SceneContent, PiecesAreNumberedInEachLanguage) {
+  SceneBody liver;
+  liver.name = "liver";
+  liver.names = {{"de", "Leber"}, {"tr", std::string(max_name_length, 'x')}};
+  SceneInfo scene;
+  scene.bodies = {liver};
+  for (const std::string number : {" 1", " 2"}) {
+    SceneBody piece = liver;
+    name_piece(piece, scene);
+    EXPECT_EQ(piece.name, "liver piece" + number);
+    EXPECT_EQ(piece.names[0].name, "Leber" + number);
+    EXPECT_EQ(piece.names[1].name, std::string(max_name_length - 2, 'x') + number);
+    scene.bodies.push_back(piece);
+  }
+  SceneBody first = liver;
+  name_piece(first, SceneInfo{});
+  EXPECT_EQ(first.name, "liver");
+  EXPECT_EQ(first.names, liver.names);
 }
 
 }  // namespace
