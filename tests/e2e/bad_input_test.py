@@ -78,6 +78,9 @@ if not pipe.exists():
     os.mkfifo(pipe)
 write("nan.off", "OFF\n3 1 0\nnan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
 
+ATLAS = 'name = "bad"\n[[atlas]]\nvolume = "labels.inr"\nlabels = "{}"\n'
+write("bad.csv", "id,name\nx,liver\n")
+
 CASES = [
     ("missing scene", OUT / "absent.toml", ["absent.toml"]),
     ("not TOML", write("syntax.toml", "name = [\n"), ["syntax.toml:"]),
@@ -99,8 +102,11 @@ CASES = [
     ("a cell that is too coarse", soft_scene("coarse", 'shape = "cylinder"\nsize = [0.01, 0.3, 0.01]\ncell = 0.3'),
      ["organ", "no tetrahedra", "allowed: a finer one"]),
     ("label 0", soft_scene("label0", 'volume = "labels.inr"\nlabel = 0'), ["label0.toml:", "label = 0", "1 to 65535"]),
-    ("a surface where tetrahedra are needed", soft_scene("surface", 'mesh = "organ.obj"'),
-     ["organ", "is a surface", "Gmsh"]),
+    ("an open surface where a solid is needed", soft_scene("surface", 'mesh = "organ.obj"'),
+     ["organ: ", "organ.obj: not closed", "3 edges on the rims of holes"]),
+    ("a table of labels with an id that is none", write("atlas.toml", ATLAS.format("bad.csv")),
+     ["bad.csv:2", 'id = "x"', "[1, 65535]"]),
+    ("a label map's table that is missing", write("lost.toml", ATLAS.format("lost.csv")), ["lost.toml: [[atlas]] 1", "lost.csv is missing"]),
     ("a surface that its reader crashes of", rigid_scene("crash", "crash.ply"), ["crash.ply", "crashed", "OBJ"]),
     ("NaN in a surface", rigid_scene("nanoff", "nan.off"), ["nan.off"]),
 ]
@@ -126,6 +132,7 @@ CLIENT_CASES = [
     ("no server", ["observe", "--session", "nobody-is-here", "--patience", "1", "--display", "none"],
      ["nobody-is-here", "looked"]),
     ("bad size", ["observe", "--size", "800"], ["--size", "WIDTHxHEIGHT"]),
+    ("no language", ["observe", "--language", "x y"], ["x y", "language tag"]),
     ("unknown driver", ["join", "--tracker", "magic:/dev/null"], ["magic", "fastrak"]),
 ]
 for what, arguments, words in CLIENT_CASES:
