@@ -32,7 +32,8 @@ const Table& atlas_table() {
              "material", material_words(),
              "what they are made of; by name: by a word of each one's name, such as kidney, "
              "else tissue"),
-         number<A, &A::cell>("cell", "m", {0, 1}, "of soft ones, as of [[soft]]; 0: by each one's volume"),
+         number<A, &A::cell>("cell", "m", {0, 1},
+                             "of soft ones, as of [[soft]]; 0: by each one's volume and thickness"),
          number<A, &A::surface_cell>("surface_cell", "m", {5e-4, 1}, "as of [[soft]]"),
          number<A, &A::smoothing>("smoothing", "voxels", {0, 10}, "as of [[soft]]"),
          identifier<A, &A::model>("model", "of soft ones, as of [[soft]]"),

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "common/anatomy/mesh_quality.h"
 #include "common/anatomy/sources.h"
 #include "common/error.h"
@@ -144,6 +146,28 @@ TEST(Atlas, SpecksAreLeftOutUnlessAskedFor) {
   EXPECT_EQ(s.soft[0].label, 7);
   EXPECT_NE(said.find("label 9 (\"region 9\") has 2 voxels only: left out"), std::string::npos) << said;
   EXPECT_EQ(completed(map.scene("only = [\"region 9\"]\n"), map.paths, {}).soft.size(), 1u);
+}
+
+TEST(Atlas, ThinStructuresGetFinerCells) {
+  const Map map;
+  constexpr int n = 24;
+  std::vector<std::uint8_t> voxels(n * n * n);
+  const auto fill = [&](std::uint8_t label, const std::array<int, 3>& from, const std::array<int, 3>& size) {
+    for (int k = 0; k < size[2]; ++k)
+      for (int j = 0; j < size[1]; ++j)
+        for (int i = 0; i < size[0]; ++i)
+          voxels[static_cast<std::size_t>(from[0] + i + n * (from[1] + j + n * (from[2] + k)))] = label;
+  };
+  fill(1, {1, 1, 1}, {8, 8, 8});
+  fill(2, {1, 0, 20}, {22, 23, 1});  // about as much
+  write(map.dir.path / "map.inr", inrimage(n, n, n, {2, 2, 2}, voxels));
+  const SceneDesc s = completed(map.scene(""), map.paths, {});
+  ASSERT_EQ(s.soft.size(), 2u);
+  EXPECT_NEAR(s.soft[0].cell, 0.3 * 0.016, 1e-9);  // by volume: of a cube of 16 mm
+  EXPECT_LT(s.soft[1].cell, 0.9 * s.soft[0].cell);
+  // What fills its map has no faces, and is still a body.
+  write(map.dir.path / "map.inr", inrimage(8, 8, 8, {2, 2, 2}, std::vector<std::uint8_t>(512, 3)));
+  EXPECT_EQ(completed(map.scene(""), map.paths, {}).soft.size(), 1u);
 }
 
 TEST(Atlas, ATableOfNamesIsForTheScenesBodies) {
