@@ -168,9 +168,21 @@ enum class BodyKind : std::uint8_t { rigid, soft };
 /// What an object collides as, coarsest first (docs/understand/collision.md).
 enum class Fidelity : std::uint8_t { none, sphere, aabb, obb, hull, mesh };
 
-/// What a surface is made of, as far as it can be seen. The last two are the client's own room.
-enum class Surface : std::uint8_t { plain, tissue, bone, metal, skin, cloth, glass, emissive, floor, wall };
-inline constexpr Surface last_body_surface = Surface::emissive;
+/// What a surface is made of, as far as it can be seen. The last three are the client's own room.
+enum class Surface : std::uint8_t {
+  plain,
+  tissue,
+  bone,
+  metal,
+  skin,
+  cloth,
+  glass,
+  emissive,
+  floor,
+  wall,
+  ceiling
+};
+inline constexpr Surface last_body_surface = Surface::emissive, last_surface = Surface::ceiling;
 
 inline constexpr double min_refractive_index = 1, max_refractive_index = 4;
 inline constexpr double min_abbe_number = 10, max_abbe_number = 1000;

@@ -10,24 +10,22 @@ vec3 srgb(vec3 linear) {
   return 0.76301 * r2 + 0.55503 * r4 - 0.26668 * r8 - 0.05136 * x;
 }
 
-const float exposure = 1.15;
-const float white = 3.0;  // luminance that becomes 1
+const float exposure = 0.9;
+const float toe = 0.137, shoulder = 0.321;
 
-// Reinhard et al. 2002, eq. 4, on luminance so that hues stay.
+// A filmic curve, for each channel, so that what is very bright pales: slope 1 at black, contrast in the middle,
+// 0.58 at 0.5, 0.78 at 1, 0.95 at 4, and 1 only at infinity, so that nothing is clipped.
 vec3 tone_map(vec3 radiance) {
-  vec3 x = exposure * radiance;
-  float luminance = max(dot(x, vec3(0.2126, 0.7152, 0.0722)), 1e-5);
-  float mapped = luminance * (1.0 + luminance / (white * white)) / (1.0 + luminance);
-  return x * (mapped / luminance);
+  vec3 x = exposure * max(radiance, 0.0);
+  return x * (x + toe) / (x * (x + shoulder) + toe);
 }
 
 // The radiance that is shown as `shown`: what srgb() and tone_map() do, undone.
 vec3 unshown(vec3 shown) {
-  vec3 x = mix(shown / 12.92, pow((shown + 0.055) / 1.055, vec3(2.4)), step(0.04045, shown));
-  float mapped = max(dot(x, vec3(0.2126, 0.7152, 0.0722)), 1e-5);
-  float b = 1.0 - mapped, w2 = white * white;
-  float luminance = 0.5 * w2 * (sqrt(b * b + 4.0 * mapped / w2) - b);
-  return x * (luminance / mapped / exposure);
+  vec3 y = mix(shown / 12.92, pow((shown + 0.055) / 1.055, vec3(2.4)), step(0.04045, shown));
+  y = min(y, 0.995);
+  vec3 h = toe - shoulder * y;
+  return 2.0 * toe * y / (h + sqrt(h * h + 4.0 * toe * y * (1.0 - y)) + 1e-6) / exposure;
 }
 
 // What a screen shows, with its brightness as alpha, by which edges are found.

@@ -9,7 +9,6 @@ const int max_lights = 16;
 uniform vec4 light_position[max_lights];
 uniform vec4 light_direction[max_lights];  // w: cosine of a spot's half angle
 uniform vec4 light_color[max_lights];      // w: cosine inside which a spot is at full strength
-uniform vec3 ambient;
 
 #if SHADOW_LIGHT >= 0
 uniform sampler2D shadow_map;  // depth; its outermost texels are lit
@@ -18,7 +17,8 @@ in vec4 shadow_place;
 #endif
 
 const float film_f0 = 0.025;
-const float film_roughness = 0.16;
+const float film_roughness = 0.20;
+const float lamp_radius = 0.15;  // m: point and spot lights shine from a disk, so that highlights have a width
 
 float schlick(float cosine) {
   float x = clamp(1.0 - cosine, 0.0, 1.0);
@@ -27,23 +27,37 @@ float schlick(float cosine) {
 }
 
 // π times distribution times visibility (height-correlated Smith, Heitz 2014, in Hammon's 2017 approximation).
-float ggx(float ndl, float ndv, float ndh, float roughness) {
-  float a = max(roughness * roughness, 0.002);
+// `width` is added to the roughness squared: half of the light's radius over its distance (Karis 2013).
+float ggx(float ndl, float ndv, float ndh, float roughness, float width) {
+  float a = min(max(roughness * roughness, 0.002) + width, 1.0);
   float d = ndh * ndh * (a * a - 1.0) + 1.0;
   return 0.5 * a * a / (d * d * mix(2.0 * ndl * ndv, ndl + ndv, a));
 }
 
+#ifdef PROBE
 // A bright ceiling over a dim floor.
-vec3 surroundings(float up) {
-  float t = clamp(0.77 * up + 0.31, 0.0, 1.0);
+vec3 surroundings(vec3 normal) {
+  float t = clamp(0.77 * normal.y + 0.31, 0.0, 1.0);
   return ambient * (0.45 + 1.45 * t * t * (3.0 - 2.0 * t));
 }
+#else
+// Light from around: spherical harmonics up to the second order (Ramamoorthi and Hanrahan 2001), ready for the
+// normal's products (client/render/irradiance.h).
+uniform vec4 irradiance[9];
+
+vec3 surroundings(vec3 n) {
+  vec3 sum = irradiance[0].rgb + n.x * irradiance[1].rgb + n.y * irradiance[2].rgb + n.z * irradiance[3].rgb;
+  sum += n.x * n.y * irradiance[4].rgb + n.y * n.z * irradiance[5].rgb + n.z * n.x * irradiance[6].rgb;
+  sum += n.y * n.y * irradiance[7].rgb + (n.x * n.x - n.z * n.z) * irradiance[8].rgb;
+  return max(sum, 0.0);
+}
+#endif
 
 // The environment map's texels hold the root of a quarter of the radiance.
 vec3 encoded(vec3 radiance) { return sqrt(clamp(0.25 * radiance, 0.0, 1.0)); }
 
 // What a mirror at the place reflects: the room, the more blurred the rougher.
-#ifdef EFFECT_REFLECTIONS
+#if defined(EFFECT_REFLECTIONS) && !defined(PROBE)
 uniform samplerCube environment_map;
 
 vec3 mirrored(vec3 direction, float roughness) {
@@ -51,7 +65,7 @@ vec3 mirrored(vec3 direction, float roughness) {
   return 4.0 * root * root;
 }
 #else
-vec3 mirrored(vec3 direction, float roughness) { return surroundings(direction.y); }
+vec3 mirrored(vec3 direction, float roughness) { return surroundings(direction); }
 #endif
 
 #if SHADOW_LIGHT >= 0
@@ -78,15 +92,18 @@ float shadow_at(vec4 clip) {
 
 // Towards the light, and what arrives from there. A point or spot light of intensity 1 lights a surface that
 // faces it at 1 m as a directional light of intensity 1 does.
-vec3 arriving(int k, int kind, vec3 place, out vec3 towards) {
+// `width`: how wide it is seen, as ggx() takes it.
+vec3 arriving(int k, int kind, vec3 place, out vec3 towards, out float width) {
   if (kind == 0) {
     towards = -light_direction[k].xyz;
+    width = 0.0;
     return light_color[k].rgb;
   }
   vec3 offset = light_position[k].xyz - place;
   float squared = max(dot(offset, offset), 1e-4);
   float inverse = inversesqrt(squared);
   towards = offset * inverse;
+  width = 0.5 * lamp_radius * inverse;
   vec3 light = light_color[k].rgb * (inverse * inverse);
   if (kind == 2) {
     float cosine = -dot(towards, light_direction[k].xyz);
@@ -106,7 +123,8 @@ struct Radiance {
 void add_light(inout Radiance sum, int k, int kind, Material m, vec3 place, vec3 normal, vec3 film_normal,
                vec3 view, float ndv, float film_ndv) {
   vec3 towards;
-  vec3 light = arriving(k, kind, place, towards);
+  float width;
+  vec3 light = arriving(k, kind, place, towards, width);
   float raw = dot(normal, towards);
   float ndl = max(raw, 0.0);
   // Halfway between light and eye, without making the vector.
@@ -122,14 +140,14 @@ void add_light(inout Radiance sum, int k, int kind, Material m, vec3 place, vec3
 #ifdef MATT
   sum.base += light * diffuse;
 #else
-  sum.base += light * (diffuse + (m.f0 + (1.0 - m.f0) * f) * (ggx(ndl, ndv, ndh, m.roughness) * ndl));
+  sum.base += light * (diffuse + (m.f0 + (1.0 - m.f0) * f) * (ggx(ndl, ndv, ndh, m.roughness, width) * ndl));
 #endif
 #ifdef FILM
   float film_raw = dot(film_normal, towards);
   float film_ndl = max(film_raw, 0.0);
   float film_ndh = max((film_raw + film_ndv) * inverse, 0.0);
   sum.film += light * (m.film * (film_f0 + (1.0 - film_f0) * f) * film_ndl *
-                       ggx(film_ndl, film_ndv, film_ndh, film_roughness));
+                       ggx(film_ndl, film_ndv, film_ndh, film_roughness, width));
 #endif
 }
 
@@ -141,7 +159,7 @@ vec3 shade(Material m, vec3 place, vec3 normal, vec3 film_normal, vec3 view) {
   m.albedo *= mix(1.0, 0.82, m.film);  // light lost to total reflection inside the film
   float film_fresnel = m.film * (film_f0 + (1.0 - film_f0) * schlick(film_ndv));
 #endif
-  Radiance sum = Radiance(m.albedo * surroundings(normal.y), vec3(0.0));
+  Radiance sum = Radiance(m.albedo * surroundings(normal), vec3(0.0));
 #ifndef MATT
   vec3 fresnel = m.f0 + (1.0 - m.f0) * schlick(ndv) * (1.0 - m.roughness);
   sum.base += fresnel * mirrored(2.0 * ndv * normal - view, m.roughness);

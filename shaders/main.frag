@@ -6,10 +6,12 @@
 in vec3 room_place;
 in vec3 room_normal;
 in vec3 rest_place;
+in float hollowness;  // −1 on ridges … 1 in hollows (client/render/hollows.h)
 
 uniform mat4 room_from_mesh;
 uniform vec3 eye;
 uniform float brightness;
+uniform float opacity;  // CLEAR: seen straight on
 
 out vec4 color;
 
@@ -23,15 +25,11 @@ out vec4 color;
 vec3 lean(vec3 towards_eye, vec3 normal) {
 #ifdef PARALLAX
   vec3 along = towards_eye - dot(towards_eye, normal) * normal;
-#ifdef IS_ROOM
-  return along;
-#else
   vec3 px = dFdx(room_place), py = dFdy(room_place);
   float xx = dot(px, px), xy = dot(px, py), yy = dot(py, py);
   float x = dot(along, px), y = dot(along, py);
   float determinant = max(xx * yy - xy * xy, 0.02 * xx * yy);
   return ((yy * x - xy * y) * dFdx(rest_place) + (xx * y - xy * x) * dFdy(rest_place)) / determinant;
-#endif
 #else
   return vec3(0.0);
 #endif
@@ -50,7 +48,7 @@ void main() {
   color = with_brightness(srgb(mix(0.45, 1.0, facing) * rest_place));
 #else
   vec3 towards_eye = normalize(eye - room_place);
-  Material material = material_at(rest_place, lean(towards_eye, smooth_normal));
+  Material material = material_at(rest_place, hollowness, lean(towards_eye, smooth_normal));
   vec3 normal = smooth_normal;
   vec3 film_normal = smooth_normal;
 #ifdef RELIEF
@@ -75,5 +73,10 @@ void main() {
 #else
   color = with_brightness(srgb(tone_map(brightness * radiance)));
 #endif
+#endif
+#ifdef CLEAR
+  // A shell is seen through by Beer's law: the more aslant, the longer the way through it.
+  float facing_eye = abs(dot(smooth_normal, normalize(eye - room_place)));
+  color.a = 1.0 - pow(1.0 - opacity, 1.0 / max(facing_eye, 0.2));
 #endif
 }

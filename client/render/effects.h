@@ -18,6 +18,7 @@ enum class Effect : std::uint8_t {
   shadows,
   shafts,
   edges,
+  ambient_occlusion,
 };
 
 struct EffectRow {
@@ -27,7 +28,7 @@ struct EffectRow {
 };
 
 /// The effects' names, in the order of Effect.
-inline constexpr std::array<EffectRow, 10> effect_rows = {{
+inline constexpr std::array<EffectRow, 11> effect_rows = {{
     {"relief", "EFFECT_RELIEF", "bumps and hollows smaller than triangles, by their normals"},
     {"parallax", "EFFECT_PARALLAX", "what is high in a surface shifts against what is low"},
     {"film", "EFFECT_FILM", "the wet film's own highlights"},
@@ -38,6 +39,7 @@ inline constexpr std::array<EffectRow, 10> effect_rows = {{
     {"shadows", nullptr, "of the first spot light"},
     {"shafts", nullptr, "light in air"},
     {"edges", nullptr, "smooth, where there is one sample per pixel"},
+    {"ambient_occlusion", nullptr, "less light from around in creases and where things touch"},
 }};
 
 using EffectSet = std::bitset<effect_rows.size()>;

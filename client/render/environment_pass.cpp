@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "client/render/irradiance.h"
+#include "client/render/main_uniforms.h"
+
 namespace prosector {
 namespace {
 
@@ -35,17 +38,18 @@ bool alike(const LightInfo& a, const LightInfo& b) {
          a.intensity == b.intensity && a.cone == b.cone && a.softness == b.softness;
 }
 
-bool is_room(const QueuedItem& queued) {
-  const Surface surface = queued.item->appearance.surface;
-  return surface == Surface::floor || surface == Surface::wall;
+/// Returns the share of the sphere that a cube's texel takes in, sr; u and v run from −1 to 1 over its face.
+double solid_angle(double u, double v, double width) {
+  const double squared = 1 + u * u + v * v;
+  return width * width / (squared * std::sqrt(squared));
 }
 
 }  // namespace
 
 EnvironmentPass::EnvironmentPass(const Gl& gl, const std::filesystem::path& shaders)
     : gl_(gl), probe_(gl, shaders, {"PROBE"}) {
-  gl_.GenTextures(1, &cube_);
-  gl_.BindTexture(GL_TEXTURE_CUBE_MAP, cube_);
+  gl_.GenTextures(1, &environment_.cube);
+  gl_.BindTexture(GL_TEXTURE_CUBE_MAP, environment_.cube);
   for (GLenum face = 0; face < 6; ++face)
     gl_.TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, GL_RGBA8, side, side, 0, GL_RGBA,
                    GL_UNSIGNED_BYTE, nullptr);
@@ -53,6 +57,7 @@ EnvironmentPass::EnvironmentPass(const Gl& gl, const std::filesystem::path& shad
   gl_.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
     gl_.TexParameteri(GL_TEXTURE_CUBE_MAP, wrap, GL_CLAMP_TO_EDGE);
+  gl_.Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   gl_.GenRenderbuffers(1, &depth_);
   gl_.BindRenderbuffer(GL_RENDERBUFFER, depth_);
   gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, side, side);
@@ -64,36 +69,59 @@ EnvironmentPass::EnvironmentPass(const Gl& gl, const std::filesystem::path& shad
 EnvironmentPass::~EnvironmentPass() {
   gl_.DeleteFramebuffers(1, &framebuffer_);
   gl_.DeleteRenderbuffers(1, &depth_);
-  gl_.DeleteTextures(1, &cube_);
+  gl_.DeleteTextures(1, &environment_.cube);
 }
 
-GLuint EnvironmentPass::draw(const DrawList& list, const std::vector<QueuedItem>& items,
-                             const MeshCache& meshes) {
+const Environment& EnvironmentPass::draw(const DrawList& list, const std::vector<QueuedItem>& items,
+                                         const MeshCache& meshes) {
   const bool same_lights =
       std::equal(list.lights.begin(), list.lights.end(), lights_.begin(), lights_.end(), alike);
-  if (list.ambient == ambient_ && same_lights) return cube_;
+  if (list.ambient == ambient_ && same_lights) return environment_;
   ambient_ = list.ambient;
   lights_ = list.lights;
   std::vector<QueuedItem> room;
   for (const QueuedItem& queued : items)
-    if (is_room(queued)) room.push_back(queued);
+    if (is_room(queued.item->appearance.surface)) room.push_back(queued);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   gl_.Disable(GL_SCISSOR_TEST);
   gl_.Viewport(0, 0, side, side);
   gl_.DepthMask(GL_TRUE);
-  // Where there is no wall, a bright ceiling (as in surroundings() of shaders/lighting.glsl), encoded as the
-  // shader does.
-  const Eigen::Vector3f ceiling = (1.9 * list.ambient / 4).cwiseSqrt().cast<float>();
-  gl_.ClearColor(ceiling.x(), ceiling.y(), ceiling.z(), 1);
+  // Where there is no room, ambient light, encoded as encoded() of shaders/lighting.glsl does.
+  const Eigen::Vector3f around = (list.ambient / 4).cwiseSqrt().cast<float>();
+  gl_.ClearColor(around.x(), around.y(), around.z(), 1);
   GLenum face = GL_TEXTURE_CUBE_MAP_POSITIVE_X;
   for (const DrawCamera& camera : face_cameras(side)) {
-    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, face++, cube_, 0);
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, face++, environment_.cube, 0);
     gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    probe_.draw(list, camera, room, meshes, {});
+    probe_.draw(list, camera, room, meshes, {}, {});
   }
-  gl_.BindTexture(GL_TEXTURE_CUBE_MAP, cube_);
+  gl_.BindTexture(GL_TEXTURE_CUBE_MAP, environment_.cube);
   gl_.GenerateMipmap(GL_TEXTURE_CUBE_MAP);
-  return cube_;
+  read_irradiance();
+  return environment_;
+}
+
+void EnvironmentPass::read_irradiance() {
+  constexpr int level = 2, coarse = side >> level;
+  constexpr double width = 2.0 / coarse;
+  std::vector<LightPatch> around;
+  std::vector<std::uint8_t> texels(4 * coarse * coarse);
+  GLenum face = GL_TEXTURE_CUBE_MAP_POSITIVE_X;
+  for (const DrawCamera& camera : face_cameras(coarse)) {
+    gl_.GetTexImage(face++, level, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+    const std::uint8_t* texel = texels.data();
+    for (int y = 0; y < coarse; ++y)
+      for (int x = 0; x < coarse; ++x, texel += 4) {
+        const double u = width * (x + 0.5) - 1, v = width * (y + 0.5) - 1;
+        const Vec3 root = Vec3(texel[0], texel[1], texel[2]) / 255;
+        around.push_back({camera.pose.q * Vec3(u, v, -1).normalized(), solid_angle(u, v, width),
+                          4 * root.cwiseProduct(root)});
+      }
+  }
+  environment_.irradiance.clear();
+  for (const Vec3& x : irradiance_of(around))
+    environment_.irradiance.emplace_back(static_cast<float>(x.x()), static_cast<float>(x.y()),
+                                         static_cast<float>(x.z()), 0.0F);
 }
 
 }  // namespace prosector

@@ -11,7 +11,7 @@
   X(GETQUERYOBJECTUIV, GetQueryObjectuiv)                                                                  \
   X(ACTIVETEXTURE, ActiveTexture) X(ATTACHSHADER, AttachShader) X(BINDATTRIBLOCATION, BindAttribLocation)  \
   X(BINDBUFFER, BindBuffer) X(BINDFRAMEBUFFER, BindFramebuffer) X(BINDRENDERBUFFER, BindRenderbuffer)      \
-  X(BINDTEXTURE, BindTexture) X(BINDVERTEXARRAY, BindVertexArray) X(BLENDCOLOR, BlendColor)                \
+  X(BINDTEXTURE, BindTexture) X(BINDVERTEXARRAY, BindVertexArray)                \
   X(BLENDFUNC, BlendFunc) X(BLENDFUNCSEPARATE, BlendFuncSeparate) X(COLORMASK, ColorMask)                                                          \
   X(BLITFRAMEBUFFER, BlitFramebuffer) X(BUFFERDATA, BufferData) X(BUFFERSUBDATA, BufferSubData)            \
   X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) X(CLEAR, Clear) X(CLEARCOLOR, ClearColor)              \
@@ -26,7 +26,7 @@
   X(GENFRAMEBUFFERS, GenFramebuffers) X(GENRENDERBUFFERS, GenRenderbuffers) X(GENTEXTURES, GenTextures)    \
   X(GENVERTEXARRAYS, GenVertexArrays) X(GENERATEMIPMAP, GenerateMipmap) X(GETERROR, GetError) X(GETPROGRAMINFOLOG, GetProgramInfoLog)        \
   X(GETPROGRAMIV, GetProgramiv) X(GETSHADERINFOLOG, GetShaderInfoLog) X(GETSHADERIV, GetShaderiv)          \
-  X(GETUNIFORMLOCATION, GetUniformLocation) X(LINKPROGRAM, LinkProgram) X(PIXELSTOREI, PixelStorei)        \
+  X(GETTEXIMAGE, GetTexImage) X(GETUNIFORMLOCATION, GetUniformLocation) X(LINKPROGRAM, LinkProgram) X(PIXELSTOREI, PixelStorei)        \
   X(POLYGONOFFSET, PolygonOffset) X(READBUFFER, ReadBuffer) X(READPIXELS, ReadPixels)                      \
   X(RENDERBUFFERSTORAGE, RenderbufferStorage)                                                              \
   X(RENDERBUFFERSTORAGEMULTISAMPLE, RenderbufferStorageMultisample) X(SCISSOR, Scissor)                    \

@@ -75,7 +75,8 @@ void GlassPass::draw_faces(const DrawCamera& camera, const std::vector<const Que
 }
 
 void GlassPass::draw(const DrawList& list, const std::vector<QueuedItem>& items, const MeshCache& meshes,
-                     const Shadow& shadow, GLuint environment, RenderTarget& target, MainPass& main) {
+                     const Shadow& shadow, const Environment& environment, RenderTarget& target,
+                     MainPass& main) {
   for (const DrawCamera& camera : list.cameras) {
     if (camera.inset) continue;
     const Frustum frustum(view_projection_of(camera));

@@ -22,7 +22,7 @@ class GlassPass {
   /// Draws into `target`, which holds everything that isn't glass; `main` shades it. Draws nothing and costs
   /// nothing where no glass is seen.
   void draw(const DrawList& list, const std::vector<QueuedItem>& items, const MeshCache& meshes,
-            const Shadow& shadow, GLuint environment, RenderTarget& target, MainPass& main);
+            const Shadow& shadow, const Environment& environment, RenderTarget& target, MainPass& main);
 
  private:
   /// The faces of one layer: how deep they are, and of back faces where they look.

@@ -42,8 +42,9 @@ struct MainPass::Frame {
   const DrawCamera& camera;
   const MeshCache& meshes;
   const Shadow& shadow;
+  const Environment& environment;
   bool refracts = false;  // glass is drawn over a picture of what is behind it
-  std::map<std::tuple<Surface, bool, bool, bool, unsigned long>, const ShaderProgram*> found = {};
+  std::map<std::tuple<Surface, bool, bool, bool, bool, unsigned long>, const ShaderProgram*> found = {};
   std::set<const ShaderProgram*> set_up = {};
 };
 
@@ -54,7 +55,7 @@ MainPass::MainPass(const Gl& gl, const std::filesystem::path& shaders, std::vect
       refracts_(std::ranges::count(defines_, effect_rows[index_of(Effect::refraction)].define) > 0) {}
 
 void MainPass::compile_all() {
-  for (std::size_t k = 0; k <= static_cast<std::size_t>(Surface::wall); ++k)
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(last_surface); ++k)
     program_for(item_defines(static_cast<Surface>(k), true, light_defines(std::vector<LightInfo>(1), 1, 0)));
   if (!refracts_) return;
   Defines glass = item_defines(Surface::glass, false, light_defines(std::vector<LightInfo>(1), 1, 0));
@@ -77,19 +78,20 @@ const ShaderProgram& MainPass::ready(const QueuedItem& queued, Frame& frame) {
   const DrawItem& item = *queued.item;
   const bool is_wet = item.appearance.wetness > 0;
   const LightSet lights = item.shaft || item.painted ? LightSet() : lights_of(queued, frame.list.lights);
-  const ShaderProgram*& program =
-      frame.found[{item.appearance.surface, is_wet, item.shaft, item.painted, lights.to_ulong()}];
+  const ShaderProgram*& program = frame.found[{item.appearance.surface, is_wet, item.shaft, item.painted,
+                                               is_clear(item), lights.to_ulong()}];
   if (!program) {
     Defines defines = item_defines(item.appearance.surface, is_wet,
                                    light_defines(frame.list.lights, lights, frame.shadow.light));
     if (item.shaft) defines.push_back("SHAFT");
     if (item.painted) defines.push_back("PAINTED");
+    if (is_clear(item)) defines.push_back("CLEAR");
     if (frame.refracts) defines.push_back("REFRACTS");
     program = &program_for(defines);
   }
   program->use();
   if (frame.set_up.insert(program).second) {
-    set_frame(*program, frame.list, frame.camera, frame.shadow);
+    set_frame(*program, frame.list, frame.camera, frame.shadow, frame.environment);
     if (frame.refracts) set_refraction(*program, frame.camera);
   }
   set_item(*program, item);
@@ -127,8 +129,7 @@ void MainPass::draw_clear(const QueuedItem& queued, Frame& frame) {
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl_.DepthFunc(GL_LEQUAL);
     gl_.Enable(GL_BLEND);
-    gl_.BlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
-    gl_.BlendColor(0, 0, 0, static_cast<float>(std::clamp(queued.item->opacity, 0.0, 1.0)));
+    gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     prosector::draw(frame.meshes, queued);
     gl_.Disable(GL_BLEND);
     gl_.DepthFunc(GL_LESS);
@@ -159,17 +160,18 @@ void MainPass::draw_shaft(const QueuedItem& queued, Frame& frame) {
 }
 
 void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::vector<QueuedItem>& items,
-                    const MeshCache& meshes, const Shadow& shadow, GLuint environment, Occlusion* occlusion) {
+                    const MeshCache& meshes, const Shadow& shadow, const Environment& environment,
+                    Occlusion* occlusion) {
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthMask(GL_TRUE);
   gl_.Enable(GL_CULL_FACE);
   gl_.CullFace(GL_BACK);
   gl_.ActiveTexture(GL_TEXTURE1);
-  gl_.BindTexture(GL_TEXTURE_CUBE_MAP, environment);
+  gl_.BindTexture(GL_TEXTURE_CUBE_MAP, environment.cube);
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, shadow.texture);
   const Frustum frustum(view_projection_of(camera));
-  Frame frame{list, camera, meshes, shadow};
+  Frame frame{list, camera, meshes, shadow, environment};
   std::vector<const QueuedItem*> solids, clear, shafts;
   for (const QueuedItem& queued : items) {
     if (!frustum.may_see(queued.bounds) || is_below_a_pixel(camera, queued.bounds)) continue;
@@ -195,7 +197,7 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
 
 void MainPass::draw_glass(const DrawList& list, const DrawCamera& camera,
                           const std::vector<const QueuedItem*>& glass, const MeshCache& meshes,
-                          const Shadow& shadow, GLuint environment, const Refraction& seen) {
+                          const Shadow& shadow, const Environment& environment, const Refraction& seen) {
   GLenum unit = GL_TEXTURE0 + first_glass_unit;
   for (const GLuint texture :
        {seen.picture, seen.scene_depth, seen.front_depth, seen.back_depth, seen.back_normals}) {
@@ -203,13 +205,13 @@ void MainPass::draw_glass(const DrawList& list, const DrawCamera& camera,
     gl_.BindTexture(GL_TEXTURE_2D, texture);
   }
   gl_.ActiveTexture(GL_TEXTURE1);
-  gl_.BindTexture(GL_TEXTURE_CUBE_MAP, environment);
+  gl_.BindTexture(GL_TEXTURE_CUBE_MAP, environment.cube);
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, shadow.texture);
   gl_.Enable(GL_DEPTH_TEST);
   gl_.Enable(GL_CULL_FACE);
   gl_.DepthMask(GL_FALSE);
-  Frame frame{list, camera, meshes, shadow, true};
+  Frame frame{list, camera, meshes, shadow, environment, true};
   for (const QueuedItem* queued : glass) {
     ready(*queued, frame);
     gl_.CullFace(queued->item->shape.A.determinant() < 0 ? GL_FRONT : GL_BACK);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "client/render/environment.h"
 #include "client/render/occlusion.h"
 #include "client/render/refraction.h"
 #include "client/render/shadow_pass.h"
@@ -30,12 +31,13 @@ class MainPass {
   /// through comes after all that is not, farthest first, and light in air last. With `occlusion`, what is
   /// hidden is not drawn.
   void draw(const DrawList& list, const DrawCamera& camera, const std::vector<QueuedItem>& items,
-            const MeshCache& meshes, const Shadow& shadow, GLuint environment = 0,
+            const MeshCache& meshes, const Shadow& shadow, const Environment& environment,
             Occlusion* occlusion = nullptr);
 
   /// Draws one layer of glass; draw() leaves out what is drawn by this (GlassPass).
   void draw_glass(const DrawList& list, const DrawCamera& camera, const std::vector<const QueuedItem*>& glass,
-                  const MeshCache& meshes, const Shadow& shadow, GLuint environment, const Refraction& seen);
+                  const MeshCache& meshes, const Shadow& shadow, const Environment& environment,
+                  const Refraction& seen);
 
  private:
   using Defines = std::vector<std::string>;

@@ -12,9 +12,9 @@ namespace prosector {
 namespace {
 
 // The order of Surface.
-constexpr std::array<const char*, 10> surface_defines = {
-    "SURFACE_PLAIN", "SURFACE_TISSUE", "SURFACE_BONE",     "SURFACE_METAL", "SURFACE_SKIN",
-    "SURFACE_CLOTH", "SURFACE_GLASS",  "SURFACE_EMISSIVE", "SURFACE_FLOOR", "SURFACE_WALL"};
+constexpr std::array<const char*, 11> surface_defines = {
+    "SURFACE_PLAIN", "SURFACE_TISSUE",   "SURFACE_BONE",  "SURFACE_METAL", "SURFACE_SKIN",   "SURFACE_CLOTH",
+    "SURFACE_GLASS", "SURFACE_EMISSIVE", "SURFACE_FLOOR", "SURFACE_WALL",  "SURFACE_CEILING"};
 
 Eigen::Vector4f vec4(const Vec3& v, double w) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()),
@@ -46,16 +46,15 @@ void set_lights(const ShaderProgram& program, const std::vector<LightInfo>& ligh
   program.set("light_color", color);
 }
 
-static_assert(surface_defines.size() == static_cast<std::size_t>(Surface::wall) + 1);
+static_assert(surface_defines.size() == static_cast<std::size_t>(last_surface) + 1);
 
 }  // namespace
 
 LightSet lights_of(const QueuedItem& queued, const std::vector<LightInfo>& lights) {
   const Surface surface = queued.item->appearance.surface;
-  const bool is_room = surface == Surface::floor || surface == Surface::wall;
   LightSet out;
   for (std::size_t k = 0; k < std::min(lights.size(), max_lights); ++k)
-    out[k] = !is_room || may_light(lights[k], queued.bounds);
+    out[k] = !is_room(surface) || may_light(lights[k], queued.bounds);
   return out;
 }
 
@@ -75,12 +74,13 @@ std::vector<std::string> item_defines(Surface surface, bool is_wet, std::vector<
 }
 
 void set_frame(const ShaderProgram& program, const DrawList& list, const DrawCamera& camera,
-               const Shadow& shadow) {
+               const Shadow& shadow, const Environment& environment) {
   program.set("clip_from_room", view_projection_of(camera));
   program.set("eye", camera.pose.p);
   program.set("ambient", list.ambient);
   program.set("shadow_map", 0);
   program.set("environment_map", 1);
+  program.set("irradiance", environment.irradiance);
   program.set("shadow_clip_from_room", shadow.clip_from_room);
   program.set("shadow_size", shadow.size);
   program.set("shadow_offset", 2 * shadow.texel);
@@ -107,6 +107,7 @@ void set_item(const ShaderProgram& program, const DrawItem& item) {
   program.set("base_roughness", item.appearance.roughness);
   program.set("wetness", item.appearance.wetness);
   program.set("brightness", item.brightness);
+  program.set("opacity", std::clamp(item.opacity, 0.0, 1.0));
   if (item.appearance.surface != Surface::glass) return;
   program.set("refractive_index", refractive_indices(item.appearance));
   program.set("transmittance", item.appearance.transmittance);

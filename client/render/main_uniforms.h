@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/render/draw_queue.h"
+#include "client/render/environment.h"
 #include "client/render/shader_program.h"
 #include "client/render/shadow_pass.h"
 
@@ -14,6 +15,11 @@ namespace prosector {
 using LightSet = std::bitset<max_lights>;
 
 inline constexpr int first_glass_unit = 2;  // of textures, after shadow and environment
+
+/// Tells whether it is the client's own room that looks so.
+inline bool is_room(Surface surface) {
+  return surface > last_body_surface;
+}
 
 /// Returns a set whose bit k says that light k is to be reckoned with. Only the room is spared lights that
 /// don't reach it: what moves in and out of a cone would need shaders compiled on the way.
@@ -26,7 +32,7 @@ std::vector<std::string> light_defines(const std::vector<LightInfo>& lights, con
 std::vector<std::string> item_defines(Surface surface, bool is_wet, std::vector<std::string> defines);
 
 void set_frame(const ShaderProgram& program, const DrawList& list, const DrawCamera& camera,
-               const Shadow& shadow);
+               const Shadow& shadow, const Environment& environment);
 
 /// Sets where the item is, as room_from_mesh and room_from_normal.
 void set_placement(const ShaderProgram& program, const DrawItem& item);

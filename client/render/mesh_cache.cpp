@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "client/render/hollows.h"
+
 namespace prosector {
 namespace {
 
@@ -26,6 +28,17 @@ void check(const DrawMesh& mesh) {
 template <class T>
 GLsizeiptr bytes(const std::vector<T>& v) {
   return static_cast<GLsizeiptr>(v.size() * sizeof(T));
+}
+
+/// Uploads how hollow the rest shape is, which ages with its triangles alone.
+void upload_hollows(const Gl& gl, GLuint& buffer, const DrawMesh& mesh) {
+  const std::vector<float> hollows =
+      hollows_of(mesh.rest_positions.empty() ? mesh.positions : mesh.rest_positions, mesh.triangles);
+  if (buffer == 0) gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  gl.BufferData(GL_ARRAY_BUFFER, bytes(hollows), hollows.data(), GL_STATIC_DRAW);
+  gl.EnableVertexAttribArray(hollow_attribute);
+  gl.VertexAttribPointer(hollow_attribute, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
 void upload_points(const Gl& gl, GLuint& buffer, GLuint attribute, const Points& points, GLenum usage) {
@@ -103,6 +116,7 @@ MeshCache::Entry& MeshCache::upload_mesh(const DrawMesh& mesh) {
     } else {
       upload_points(gl_, entry.rest, rest_attribute, mesh.rest_positions, GL_STATIC_DRAW);
     }
+    upload_hollows(gl_, entry.hollows, mesh);
   }
   upload_points(gl_, entry.normals, normal_attribute, mesh.normals, GL_DYNAMIC_DRAW);
   gl_.BindVertexArray(0);
@@ -125,7 +139,7 @@ void MeshCache::draw(const Entry& entry, std::size_t level) const {
 
 void MeshCache::release(const Entry& entry) const {
   gl_.DeleteVertexArrays(1, &entry.vertex_array);
-  for (const GLuint buffer : {entry.positions, entry.normals, entry.rest, entry.triangles})
+  for (const GLuint buffer : {entry.positions, entry.normals, entry.rest, entry.hollows, entry.triangles})
     if (buffer != 0) gl_.DeleteBuffers(1, &buffer);
 }
 

@@ -9,12 +9,13 @@
 namespace prosector {
 
 // Attribute locations, the same in every shader that draws meshes.
-inline constexpr GLuint position_attribute = 0, normal_attribute = 1, rest_attribute = 2;
+inline constexpr GLuint position_attribute = 0, normal_attribute = 1, rest_attribute = 2,
+                        hollow_attribute = 3;
 
 class MeshCache {
  public:
   struct Entry {
-    GLuint vertex_array = 0, positions = 0, normals = 0, rest = 0, triangles = 0;
+    GLuint vertex_array = 0, positions = 0, normals = 0, rest = 0, hollows = 0, triangles = 0;
     struct Level {
       GLsizeiptr offset;  // bytes, in `triangles`
       GLsizei indices;

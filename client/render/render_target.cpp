@@ -28,6 +28,7 @@ void RenderTarget::bind(int width, int height) {
     allocate(width, height);
   }
   gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_);
+  depth_is_read_ = false;
 }
 
 void RenderTarget::allocate(int width, int height) {
@@ -89,6 +90,8 @@ GLuint RenderTarget::depth() {
     gl_.DrawBuffer(GL_NONE);
     gl_.ReadBuffer(GL_NONE);
   }
+  if (depth_is_read_) return depth_texture_;
+  depth_is_read_ = true;
   gl_.Disable(GL_SCISSOR_TEST);
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_);
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, depth_read_);

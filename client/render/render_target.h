@@ -15,7 +15,8 @@ class RenderTarget {
 
   /// Makes this target the framebuffer to draw to, of that size. Throws InputError when the driver refuses.
   void bind(int width, int height);
-  /// Returns the depth of what was drawn so far, as a texture; bind_again() before drawing goes on.
+  /// Returns the depth of the surfaces that were drawn since bind(), as a texture, copied when first asked
+  /// for; bind_again() before drawing goes on.
   GLuint depth();
   /// Returns the picture that was drawn so far, as a texture; bind_again() before drawing goes on.
   GLuint picture();
@@ -45,6 +46,7 @@ class RenderTarget {
   GLuint drawn_ = 0, color_ = 0, texture_ = 0, depth_ = 0;  // color_ with several samples, else texture_
   GLuint resolved_ = 0, picture_ = 0;
   GLuint depth_read_ = 0, depth_texture_ = 0;      // 0 until asked for
+  bool depth_is_read_ = false;                     // since bind()
   GLuint picture_read_ = 0, picture_texture_ = 0;  // 0 until asked for
 };
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "client/render/ambient_occlusion_pass.h"
 #include "client/render/environment_pass.h"
 #include "client/render/glass_pass.h"
 #include "client/render/line_pass.h"
@@ -42,23 +43,26 @@ struct Passes {
          Typesetter& typesetter)
       : target(gl, shaders, settings),
         shadow(gl, shaders, has(settings.effects, Effect::shadows) ? settings.shadow_size : 0),
+        environment(gl, shaders),
         main(gl, shaders, effect_defines(settings.effects)),
         lines(gl, shaders),
         texts(gl, shaders, typesetter) {
     main.compile_all();
     if (settings.occlusion) occlusion.emplace(gl, shaders);
-    if (has(settings.effects, Effect::reflections)) environment.emplace(gl, shaders);
+    if (has(settings.effects, Effect::ambient_occlusion))
+      ambient.emplace(gl, shaders, settings.ambient_coarser);
     if (has(settings.effects, Effect::refraction)) glass.emplace(gl, shaders);
     if (has(settings.effects, Effect::shafts)) shafts.emplace(gl, shaders);
   }
 
   RenderTarget target;
   ShadowPass shadow;
-  std::optional<EnvironmentPass> environment;  // nullopt: spared
+  EnvironmentPass environment;
   MainPass main;
-  std::optional<Occlusion> occlusion;  // nullopt: everything is drawn
-  std::optional<GlassPass> glass;      // nullopt: drawn by `main`, straight through
-  std::optional<ShaftPass> shafts;     // nullopt: spared
+  std::optional<Occlusion> occlusion;           // nullopt: everything is drawn
+  std::optional<AmbientOcclusionPass> ambient;  // nullopt: spared
+  std::optional<GlassPass> glass;               // nullopt: drawn by `main`, straight through
+  std::optional<ShaftPass> shafts;              // nullopt: spared
   ScreenQuadDrawer lines;
   TextPass texts;
   std::vector<LightKind> prepared_lights;  // for which the surfaces of users to come have shaders
@@ -157,7 +161,7 @@ void Renderer::draw(const DrawList& list) {
   r.tell_done("upload");
   const Shadow shadow = passes.shadow.draw(list, items, r.meshes);
   r.tell_done("shadow");
-  const GLuint environment = passes.environment ? passes.environment->draw(list, items, r.meshes) : 0;
+  const Environment& environment = passes.environment.draw(list, items, r.meshes);
   r.tell_done("environment");
   passes.target.bind(r.context.width(), r.context.height());
   Occlusion* const occlusion = passes.occlusion ? &*passes.occlusion : nullptr;
@@ -172,6 +176,8 @@ void Renderer::draw(const DrawList& list) {
   };
   draw_surfaces(false);
   r.tell_done("surfaces");
+  if (passes.ambient) passes.ambient->draw(list, passes.target);
+  r.tell_done("ambient_occlusion");
   if (passes.glass)
     passes.glass->draw(list, items, r.meshes, shadow, environment, passes.target, passes.main);
   r.tell_done("glass");

@@ -26,7 +26,8 @@ struct RendererSettings {
   int samples = 1;        // of coverage per pixel; shading is once per pixel and triangle
   int shadow_size = 768;  // texels, each way, of the first spot light's shadow map
   EffectSet effects = every_effect;
-  bool occlusion = true;  // what other things hide is not drawn; the picture is the same
+  bool occlusion = true;    // what other things hide is not drawn; the picture is the same
+  int ambient_coarser = 2;  // pixels, each way, that one place of ambient occlusion stands for
 };
 
 struct QualityLevel {
@@ -36,7 +37,9 @@ struct QualityLevel {
 };
 /// What `--quality` chooses from; medium is the default.
 inline constexpr std::array<QualityLevel, 3> quality_levels = {
-    {{"low", {1, 512, low_effects}}, {"medium", {}}, {"high", {4, 1024}}}};
+    {{"low", {.shadow_size = 512, .effects = low_effects}},
+     {"medium", {}},
+     {"high", {.samples = 4, .shadow_size = 1024, .ambient_coarser = 1}}}};
 
 /// One code path for every context. Everything is drawn into a target of its own, so a picture is the same
 /// with and without a window. With a window, `draw` also copies it there (call present() to show it).

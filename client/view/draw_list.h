@@ -96,7 +96,7 @@ struct DrawList {
   std::vector<LightInfo> lights;
   std::vector<DrawLine> lines;
   std::vector<DrawText> texts;
-  Vec3 ambient = {0.10, 0.11, 0.12};
+  Vec3 ambient = {0.175, 0.18, 0.183};  // radiance of the ceiling beside its light panels
   Vec3 background = {0.05, 0.06, 0.07};
   /// Pixels of a point, in which lines, texts and overlays are measured: 1 on a display of usual density.
   double scale = 1;

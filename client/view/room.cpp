@@ -18,8 +18,9 @@ DrawItem quad(std::uint64_t mesh_id, const std::array<Vec3, 4>& corners, const A
   return {.mesh = mesh, .pose = {}, .appearance = appearance, .casts_shadow = false};
 }
 
-const Appearance floor_look = {{0.30, 0.33, 0.34}, 0.45, 0, Surface::floor};
-const Appearance wall_look = {{0.42, 0.47, 0.46}, 0.9, 0, Surface::wall};
+const Appearance floor_look = {{0.58, 0.58, 0.57}, 0.9, 0, Surface::floor};
+const Appearance wall_look = {{0.88, 0.89, 0.87}, 0.9, 0, Surface::wall};
+const Appearance ceiling_look = {{0.80, 0.80, 0.79}, 0.9, 0, Surface::ceiling};
 
 }  // namespace
 
@@ -41,6 +42,7 @@ std::vector<DrawItem> room_items(std::uint64_t first_mesh_id, const RoomShape& s
     const Vec3 &a = round[k], &b = round[(k + 1) % 4], up(0, h, 0);
     add({{a, b, b + up, a + up}}, wall_look);
   }
+  add({{{-x, h, -z}, {x, h, -z}, {x, h, z}, {-x, h, z}}}, ceiling_look);
   return out;
 }
 

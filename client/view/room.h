@@ -1,5 +1,5 @@
 #pragma once
-// Walls and floor around the scene, for a sense of place.
+// Walls, floor and ceiling around the scene, for a sense of place.
 
 #include <vector>
 
@@ -8,8 +8,8 @@
 
 namespace prosector {
 
-/// Makes the floor and four walls, all facing inwards, so that none hides the room from outside. The floor
-/// comes in tiles, so that the renderer can tell those that the lamp reaches. Uses a mesh id an item, from
+/// Makes floor, walls and ceiling, all facing inwards, so that none hides the room from outside. The floor
+/// comes in squares, so that the renderer can tell those that the lamp reaches. Uses a mesh id an item, from
 /// `first_mesh_id`.
 std::vector<DrawItem> room_items(std::uint64_t first_mesh_id, const RoomShape& shape = {});
 

@@ -39,7 +39,7 @@ DrawList everything() {
   DrawList list;
   list.cameras = {straight_camera({-0.03, 0.1, 1}, 160, 160), straight_camera({0.03, 0.1, 1}, 160, 160)};
   list.cameras[1].x = 160;
-  for (int k = 0; k <= static_cast<int>(Surface::wall); ++k) {
+  for (int k = 0; k <= static_cast<int>(last_surface); ++k) {
     DrawItem item;
     item.mesh = sphere_mesh(0.07, 1);
     item.pose.p = {0.2 * (k % 3 - 1), 0.2 * (k / 3 - 1), 0};
@@ -385,7 +385,8 @@ TEST(Renderer, TellsOfEveryPassInTheOrderOfDrawing) {
   std::string passes;
   renderer.on_pass([&](std::string_view name) { passes += std::string(name) + " "; });
   renderer.draw(lit_sphere({0, 0, -1}));
-  EXPECT_EQ(passes, "upload shadow environment surfaces glass shafts lines insets edges texts ");
+  EXPECT_EQ(passes,
+            "upload shadow environment surfaces ambient_occlusion glass shafts lines insets edges texts ");
 }
 
 TEST(Renderer, ReadsTheLogsOfSeveralDrivers) {

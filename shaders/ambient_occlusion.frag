@@ -1,0 +1,48 @@
+// How open the surroundings of a point are: 1 on a plane, less in a crease.
+
+#include "ambient_occlusion.glsl"
+
+out vec4 color;
+
+const float farthest = 3.5;       // m: beyond, nothing is darkened …
+const float fades = 2.5;          // m: … and less from here on
+const float most_pixels = 56.0;   // of the ball's radius
+const float strength = 1.15;
+
+// How much more than half of two lines through the ball is filled. They run along the eye's ray, `offset` pixels
+// to both sides of its middle, `half_length` radii each way. `radii`: for each 1/m of nearness.
+float filled(ivec2 here, vec2 offset, float half_length, float nearness, float radii) {
+  ivec2 aside = ivec2(floor(offset + 0.5));
+  ivec2 low = ivec2(viewport[0].xy), high = low + ivec2(viewport[0].zw) - 1;
+  ivec2 a = here + aside, b = here - aside;
+  if (clamp(a, low, high) != a || clamp(b, low, high) != b) return 0.0;
+  vec2 rises = radii * (vec2(nearness_at(a), nearness_at(b)) - nearness);
+  vec2 full = clamp(0.5 + 0.5 * rises / half_length, 0.0, 1.0);
+  // What stands far before the ball says nothing of it: as if it went on as on the other side.
+  vec2 near = clamp(2.2 - rises, 0.0, 1.0);
+  full = mix(1.0 - full.yx, full, near);
+  return full.x + full.y - 1.0;
+}
+
+void main() {
+  ivec2 here = min(COARSER * ivec2(gl_FragCoord.xy) + COARSER / 2, textureSize(scene_depth, 0) - 1);
+  float nearness = nearness_at(here);
+  float distance = 1.0 / nearness;
+  if (distance > farthest) discard;
+  float pixels = lens[0].z * nearness;  // a metre
+  float reach = clamp(lens[0].w * pixels, 2.0, most_pixels);
+  float radii = distance * distance * pixels / reach;
+
+  // Four pixels look in sixteen directions, and as many distances.
+  ivec2 cell = ivec2(gl_FragCoord.xy) & 1;
+  float which = float(cell.x) * 2.0 + float(cell.x ^ cell.y);
+  float turn = 0.19634954 * (which + 0.3);
+  vec2 d = reach * (0.85 + 0.1 * which) * vec2(cos(turn), sin(turn));
+  vec2 e = 0.70710678 * vec2(d.x - d.y, d.x + d.y);
+  float sum = 0.35 * filled(here, 0.25 * d, 0.968, nearness, radii);
+  sum += 0.31 * filled(here, 0.46 * e, 0.888, nearness, radii);
+  sum += 0.24 * filled(here, 0.66 * vec2(-d.y, d.x), 0.751, nearness, radii);
+  sum += 0.10 * filled(here, 0.84 * vec2(-e.y, e.x), 0.543, nearness, radii);
+  float fade = clamp((farthest - distance) / (farthest - fades), 0.0, 1.0);
+  color = vec4(1.0 - strength * fade * max(sum - 0.02, 0.0));
+}
