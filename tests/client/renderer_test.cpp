@@ -123,6 +123,54 @@ TEST(Renderer, TheLampCastsAShadow) {
   EXPECT_NEAR(luminance(picture_of(list, 120, 120, make_offscreen_context, no_shadows).pixel(x, y)), lit, 2);
 }
 
+DrawItem square(double half, const Pose& pose, std::uint64_t id) {
+  auto quad = std::make_shared<DrawMesh>();
+  quad->id = id;
+  const auto h = static_cast<float>(half);
+  quad->positions = {{-h, -h, 0}, {h, -h, 0}, {h, h, 0}, {-h, h, 0}};
+  quad->normals.assign(4, Eigen::Vector3f::UnitZ());
+  quad->triangles = {{0, 1, 2}, {0, 2, 3}};
+  DrawItem item;
+  item.mesh = quad;
+  item.pose = pose;
+  return item;
+}
+
+/// Mean brightness with ambient occlusion over that without, in 5 × 5 pixels.
+double left_by_occlusion(const DrawList& list, int x, int y, int coarser = 2) {
+  RendererSettings with, without;
+  with.ambient_coarser = coarser;
+  without.effects[index_of(Effect::ambient_occlusion)] = false;
+  std::array<double, 2> sum{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Image image = picture_of(list, 120, 120, make_offscreen_context, k == 0 ? with : without);
+    for (int dy = -2; dy <= 2; ++dy)
+      for (int dx = -2; dx <= 2; ++dx) sum[k] += luminance(image.pixel(x + dx, y + dy));
+  }
+  return sum[0] / sum[1];
+}
+
+TEST(Renderer, AmbientOcclusionDarkensWhereThingsTouchButNoPlane) {
+  DrawList list;
+  list.cameras = {straight_camera({0, 0, 0.6}, 120, 120)};
+  list.lights = {directional({0.2, -0.1, -1})};
+  // A plane aslant, so that its depth changes from pixel to pixel.
+  list.items = {square(1, {{0, 0, 0}, Quat(Eigen::AngleAxisd(0.9, Vec3::UnitX()))}, 1)};
+  EXPECT_NEAR(left_by_occlusion(list, 60, 60), 1, 0.01);
+  // A ball that touches it.
+  const Vec3 up = list.items[0].pose.q * Vec3::UnitZ();
+  DrawItem ball;
+  ball.mesh = sphere_mesh(0.05, 2);
+  ball.pose.p = 0.05 * up;
+  ball.casts_shadow = false;
+  list.items.push_back(ball);
+  // It is seen from 57 pixels below the upper border on: above, the plane goes on behind it.
+  for (const int coarser : {1, 2}) {
+    EXPECT_LT(left_by_occlusion(list, 60, 52, coarser), 0.95) << coarser;
+    EXPECT_NEAR(left_by_occlusion(list, 112, 60, coarser), 1, 0.01) << coarser << ", far from the ball";
+  }
+}
+
 // The eye looks across the beam of a lamp that shines down, at nothing.
 TEST(Renderer, DustShowsInTheBeamButNotInAShadow) {
   DrawList list;
