@@ -100,4 +100,9 @@ std::array<Pose, hand_joints> hand_pose(std::size_t hand, const std::array<doubl
   return out;
 }
 
+Vec3 middle_fingertip(std::size_t hand, const std::array<double, fingers>& flexion) {
+  constexpr std::size_t middle_tip = 7;  // joint
+  return hand_pose(hand, flexion)[middle_tip] * Vec3(0, 0, -hand_segments(hand)[middle_tip].length);
+}
+
 }  // namespace prosector

@@ -43,4 +43,7 @@ Palm hand_palm(std::size_t hand);
 /// Returns the pose of every segment's frame in the wrist's frame, joint order.
 std::array<Pose, hand_joints> hand_pose(std::size_t hand, const std::array<double, fingers>& flexion);
 
+/// Returns the tip of the middle finger in the wrist's frame, m.
+Vec3 middle_fingertip(std::size_t hand, const std::array<double, fingers>& flexion);
+
 }  // namespace prosector

@@ -4,11 +4,13 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <array>
 #include <charconv>
 #include <csignal>
 #include <optional>
 #include <sstream>
 
+#include "client/app/controls.h"
 #include "client/replica/shown_names.h"
 
 namespace prosector {
@@ -121,6 +123,11 @@ ConsoleLine look(const std::string& rest) {
 
 }  // namespace
 
+std::string console_help() {
+  constexpr std::array devices = {ControlDevice::terminal};
+  return help_text(Role::host, devices);
+}
+
 ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
                                const std::map<ParticipantId, RosterEntry>& roster,
                                const std::function<Vec3(BodyId)>& middle) {
@@ -156,7 +163,7 @@ ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
     return TakePicture{rest};
   }
   const auto found = verbs.find(verb);
-  if (found == verbs.end()) return std::string(console_help);
+  if (found == verbs.end()) return console_help();
   Command out;
   out.kind = found->second;
   auto body = body_of(scene, rest);

@@ -12,15 +12,8 @@
 
 namespace prosector {
 
-inline constexpr const char* console_help =
-    "give NAME host|dissector|observer    (the host only)\n"
-    "detach PART    attach PART    reset BODY\n"
-    "inspect PART [SCALE]    end PART    (shows it SCALE times as large, out of touch)\n"
-    "undo    (your last cut)    rewind PART REVISION    (the host only)\n"
-    "stop    go    slow SHARE    step [TICKS]    reset all    (time, the host only)\n"
-    "cuts    (what was cut, and the revisions)\n"
-    "picture FILE    (PNG of what you see)\n"
-    "look X Y Z X Y Z    (from there to there, metres; look alone: as the scene has it)";
+/// Returns what can be typed, for people: all that there is, whoever asks.
+std::string console_help();
 
 /// A picture to take now.
 struct TakePicture {

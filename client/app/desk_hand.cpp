@@ -3,38 +3,150 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace prosector {
 namespace {
 
-constexpr double least_reach = 0.15, most_reach = 4;
-constexpr double wrist_to_fingertips = 0.18;  // m, fingers stretched
-constexpr double hand_pitch = -0.5;           // rad: fingers point into the picture and down
+constexpr double least_reach = 0.12, most_reach = 4;         // m
+constexpr double most_hover = 0.5, least_hover = -0.03;      // m: the open hand presses as deep as that
+constexpr double deepest_tool = -0.15;                       // m
+constexpr double depth_in_soft = 0.008, depth_in_rigid = 0;  // m
+constexpr double tool_speed = 0.4;         // m/s, from the fingertips to an instrument's tip
+constexpr double there = 0.005;            // m
+constexpr double physical_there = 0.03;    // m, of the physical hand, which rests on things
+constexpr double most_patience = 0.5;      // s, for the physical hand
+constexpr double least_seconds_in = 0.12;  // a click that is shorter grasps nothing
+constexpr double across = 0.7;  // rad between the gaze and the fingers: the hand comes from below the picture
+constexpr double lowest_lift = -0.6, highest_lift = 0.4;  // rad above level
+constexpr double highest_over_level = -0.25;  // over what lies level, where the wrist must not be below
+constexpr double lift_speed = 2;              // rad/s
 constexpr double most_bend = 1.5;             // rad from there, either way
 constexpr double open = 0.1, fist = 0.9;      // flexion
-constexpr double close_per_s = 6;             // flexion per second when the button goes down
+constexpr double close_per_s = 6;             // flexion per second when the hand closes
+const Vec3 fingertips_in_wrist{0, 0, -wrist_to_fingertips};
+
+Vec3 at_most(const Vec3& step, double length) {
+  const double norm = step.norm();
+  return norm > length ? Vec3(length / norm * step) : step;
+}
 
 }  // namespace
 
+void DeskHand::begin(const Ray& pointer, double reach) {
+  reach_ = std::clamp(reach, least_reach, most_reach);
+  point_ = pointer.from + reach_ * pointer.along;
+}
+
 void DeskHand::reach(double by) {
-  reach_ = std::clamp(reach_ + by, least_reach, most_reach);
+  if (!std::isfinite(by)) return;
+  if (phase_ == Phase::grips && !has_tool_)
+    pull_ += by;
+  else if (!meets_)
+    reach_ = std::clamp(reach_ + by, least_reach, most_reach);
+  else if (phase_ == Phase::grips)
+    tool_hover_ = std::clamp(tool_hover_ - by, deepest_tool, most_hover);
+  else
+    hover_ = std::clamp(hover_ - by, least_hover, most_hover);
 }
 
 void DeskHand::turn(double roll, double bend) {
+  if (!std::isfinite(roll) || !std::isfinite(bend)) return;
   roll_ = std::remainder(roll_ + roll, 2 * std::numbers::pi);
   bend_ = std::clamp(bend_ + bend, -most_bend, most_bend);
 }
 
-void DeskHand::advance(double seconds) {
-  const double wanted = closed_ ? fist : open;
-  flexion_ += std::clamp(wanted - flexion_, -close_per_s * seconds, close_per_s * seconds);
+void DeskHand::press() {
+  phase_ = Phase::goes_in;
+  seconds_in_ = 0;
 }
 
-Pose DeskHand::pose(const Ray& pointer, double yaw) const {
-  const Vec3 fingertips = pointer.from + reach_ * pointer.along;
-  const Quat q(Eigen::AngleAxisd(yaw, Vec3::UnitY()) * Eigen::AngleAxisd(-roll_, Vec3::UnitZ()) *
-               Eigen::AngleAxisd(hand_pitch + bend_, Vec3::UnitX()));
-  return {fingertips + q * Vec3(0, 0, wrist_to_fingertips), q};
+void DeskHand::let_go() {
+  if (phase_ == Phase::grips) wishes_.push_back(HandWish::release);
+  phase_ = Phase::hovers;
+  tool_hover_ = first_hover;
+  pull_ = 0;
+}
+
+std::vector<HandWish> DeskHand::take_wishes() {
+  return std::exchange(wishes_, {});
+}
+
+void DeskHand::advance(const HandGuide& guide, double seconds) {
+  const double bend_to = is_closed() ? fist : open;
+  flexion_ += std::clamp(bend_to - flexion_, -close_per_s * seconds, close_per_s * seconds);
+  yaw_ = guide.yaw;
+  meets_ = guide.surface.has_value();
+  lift_fingers(guide, seconds);
+  follow_tool(guide, seconds);
+  const Vec3 to = guide.still ? point_ : wanted(guide);
+  if (!to.allFinite()) return;
+  point_ += at_most(to - point_, fastest_hand * seconds);
+  if (phase_ == Phase::goes_in) grip_when_in(guide, to, seconds);
+}
+
+/// Turns the fingers so that the hand hides little of what it is over. What it holds isn't turned.
+void DeskHand::lift_fingers(const HandGuide& guide, double seconds) {
+  if (phase_ == Phase::grips) return;
+  const double level = std::clamp(guide.level, 0.0, 1.0);
+  const double highest = level * highest_over_level + (1 - level) * highest_lift;
+  const double to = std::clamp(across - guide.pitch, lowest_lift, highest);
+  lift_ += std::clamp(to - lift_, -lift_speed * seconds, lift_speed * seconds);
+}
+
+/// Goes over from the fingertips to the tip of an instrument that was taken, and back, without a jump.
+void DeskHand::follow_tool(const HandGuide& guide, double seconds) {
+  has_tool_ = phase_ == Phase::grips && guide.tip;
+  const Vec3 to = has_tool_ ? Vec3(*guide.tip - fingertips_in_wrist) : Vec3(Vec3::Zero());
+  const Vec3 step = at_most(to - from_fingertips_, tool_speed * seconds);
+  if (!step.allFinite()) return;
+  from_fingertips_ += step;
+  point_ += wrist() * step;
+}
+
+/// Returns where the point is to be, and keeps how far that is for where the ray meets nothing.
+Vec3 DeskHand::wanted(const HandGuide& guide) {
+  if (phase_ == Phase::grips && !has_tool_) return drawn_along(guide);
+  anchor_ = point_;
+  if (guide.surface) {
+    double above = phase_ == Phase::grips ? tool_hover_ : hover_;
+    if (phase_ == Phase::goes_in) above = std::min(hover_, guide.soft ? -depth_in_soft : -depth_in_rigid);
+    reach_ = std::clamp(*guide.surface - above, least_reach, most_reach);
+  }
+  return guide.pointer.from + reach_ * guide.pointer.along;
+}
+
+/// Returns where the ray meets the plane through the anchor that is parallel to the picture, pulled.
+Vec3 DeskHand::drawn_along(const HandGuide& guide) {
+  const double towards = -guide.pointer.along.dot(guide.back);
+  const double depth = (guide.pointer.from - anchor_).dot(guide.back);
+  const double reach = towards > 1e-3 ? depth / towards : reach_;
+  reach_ = std::clamp(reach + std::exchange(pull_, 0), least_reach, most_reach);
+  anchor_ = guide.pointer.from + reach_ * guide.pointer.along;
+  return anchor_;
+}
+
+void DeskHand::grip_when_in(const HandGuide& guide, const Vec3& to, double seconds) {
+  seconds_in_ += seconds;
+  const bool in = (to - point_).norm() < there;
+  const bool felt = guide.physical && (guide.physical->p - pose().p).norm() < physical_there;
+  if (seconds_in_ < least_seconds_in || !((in && felt) || seconds_in_ > most_patience)) return;
+  phase_ = Phase::grips;
+  wishes_.push_back(HandWish::grasp);
+}
+
+Quat DeskHand::wrist() const {
+  return Quat(Eigen::AngleAxisd(yaw_, Vec3::UnitY()) * Eigen::AngleAxisd(-roll_, Vec3::UnitZ()) *
+              Eigen::AngleAxisd(lift_ + bend_, Vec3::UnitX()));
+}
+
+Pose DeskHand::pose() const {
+  const Quat q = wrist();
+  return {point_ - q * (fingertips_in_wrist + from_fingertips_), q};
+}
+
+Vec3 DeskHand::fingertips() const {
+  return pose() * fingertips_in_wrist;
 }
 
 }  // namespace prosector

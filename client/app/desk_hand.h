@@ -1,34 +1,81 @@
 #pragma once
-// The hand of a desk user: its fingertips are on the ray through the pointer, its wrist turns about them.
+// The hand of a desk user. Its fingertips hover above what the pointer is at; the button brings them in and
+// closes the hand. What it holds is drawn along the picture, and an instrument hovers by its tip.
+
+#include <optional>
+#include <vector>
 
 #include "client/view/pick.h"
 #include "common/math.h"
 
 namespace prosector {
 
+/// What the hand goes by, each picture.
+struct HandGuide {
+  Ray pointer;
+  Vec3 back = Vec3::UnitZ();      // unit, out of the picture
+  double yaw = 0, pitch = 0;      // rad, of the view
+  std::optional<double> surface;  // m along the pointer's ray; nullopt: it meets nothing
+  bool soft = false;              // the surface gives way
+  double level = 0;               // how far it faces up: its normal's y
+  bool still = false;             // the fingertips stay where they are
+  std::optional<Pose> physical;   // the wrist as physics has it
+  std::optional<Vec3> tip;        // of the instrument in the hand, wrist frame
+};
+
+/// What a hand at the desk asks the server for.
+enum class HandWish { grasp, release };
+
+inline constexpr double fastest_hand = 2;            // m/s, of the fingertips
+inline constexpr double first_hover = 0.04;          // m above the surface, along the ray
+inline constexpr double wrist_to_fingertips = 0.18;  // m, fingers stretched
+
 class DeskHand {
  public:
-  /// Puts the hand flat, `reach` from the eye (m).
-  void begin(double reach) { reach_ = reach; }
-  /// Moves the hand farther away, m.
+  /// Puts the hand flat, the fingertips `reach` (m) along the pointer's ray.
+  void begin(const Ray& pointer, double reach);
+  /// Moves the fingertips farther away, m: nearer to the surface, or into it.
   void reach(double by);
   /// Turns the wrist, rad. `roll` is about what is straight ahead, clockwise as the user sees it, so that an
   /// instrument that was taken up lying stays level. `bend` lifts the fingers.
   void turn(double roll, double bend);
-  void close(bool closed) { closed_ = closed; }
-  bool closed() const { return closed_; }
-  /// Bends or opens the fingers, which take a while.
-  void advance(double seconds);
+  void press();
+  void let_go();
+  /// Goes on by a picture.
+  void advance(const HandGuide& guide, double seconds);
+  /// Returns what the hand asked for since the last call.
+  std::vector<HandWish> take_wishes();
 
+  bool is_pressed() const { return phase_ != Phase::hovers; }
+  bool is_closed() const { return phase_ == Phase::grips; }
   double flexion() const { return flexion_; }  // of every finger, 0 … 1
-  /// Returns the pose of the wrist in the world frame. `yaw` is that of the view, rad.
-  Pose pose(const Ray& pointer, double yaw) const;
+  /// Returns the pose of the wrist in the world frame.
+  Pose pose() const;
+  Vec3 fingertips() const;
 
  private:
-  double reach_ = 0;            // m from the eye to the fingertips
-  double roll_ = 0, bend_ = 0;  // rad
-  bool closed_ = false;
+  enum class Phase { hovers, goes_in, grips };
+
+  Phase phase_ = Phase::hovers;
+  Vec3 point_ = Vec3::Zero();            // m, world frame: the fingertips, or the instrument's tip
+  Vec3 from_fingertips_ = Vec3::Zero();  // m, wrist frame: to the point
+  double reach_ = 0;                     // m from the eye to the point
+  double hover_ = first_hover, tool_hover_ = first_hover;  // m above the surface, along the ray
+  bool meets_ = false;                                     // the pointer's ray met a surface
+  bool has_tool_ = false;
+  Vec3 anchor_ = Vec3::Zero();  // m, world frame: where the point is to be while the hand draws
+  double pull_ = 0;             // m along the ray, that is still to be done to the anchor
+  double yaw_ = 0, lift_ = -0.5, roll_ = 0, bend_ = 0;  // rad; lift: of the fingers, before the bend
+  double seconds_in_ = 0;                               // since the button went down
   double flexion_ = 0.1;
+  std::vector<HandWish> wishes_;
+
+  Quat wrist() const;
+  Vec3 wanted(const HandGuide& guide);
+  Vec3 drawn_along(const HandGuide& guide);
+  void lift_fingers(const HandGuide& guide, double seconds);
+  void follow_tool(const HandGuide& guide, double seconds);
+  void grip_when_in(const HandGuide& guide, const Vec3& wanted, double seconds);
 };
 
 }  // namespace prosector

@@ -14,11 +14,12 @@ struct KeyRow {
   PadButton button;
   Key key;
 };
-constexpr std::array<KeyRow, 8> key_rows = {{{PadButton::west, key_of('P')},
+constexpr std::array<KeyRow, 9> key_rows = {{{PadButton::west, key_of('P')},
                                              {PadButton::east, key_of('Z')},
                                              {PadButton::north, Key::tab},
                                              {PadButton::start, key_of('H')},
                                              {PadButton::back, key_of('I')},
+                                             {PadButton::left_stick, Key::home},
                                              {PadButton::right_stick, key_of('F')},
                                              {PadButton::left, key_of('V')},
                                              {PadButton::right, key_of('C')}}};
@@ -41,6 +42,7 @@ bool works(const Gamepad& pad) {
 }  // namespace
 
 std::vector<WindowEvent> GamepadUser::take(const std::optional<Gamepad>& now) {
+  is_there_ = now.has_value();
   const Gamepad before = std::exchange(pad_, now.value_or(Gamepad{}));
   std::vector<WindowEvent> out;
   for (const auto& [button, key] : key_rows)
@@ -61,8 +63,13 @@ double GamepadUser::cross() const {
 }
 
 Vec3 GamepadUser::flight() const {
+  if (aims(pad_)) return Vec3::Zero();
   const PadStick stick = beyond_rest(pad_.left);
-  return {stick.right, aims(pad_) ? 0 : bumpers(), stick.down};
+  return {stick.right, bumpers(), stick.down};
+}
+
+double GamepadUser::zoom() const {
+  return aims(pad_) ? beyond_rest(pad_.left).down : 0;
 }
 
 PadStick GamepadUser::turn() const {

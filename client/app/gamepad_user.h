@@ -15,12 +15,17 @@ class GamepadUser {
   /// since the last call, as the keys and mouse buttons that do the same.
   std::vector<WindowEvent> take(const std::optional<Gamepad>& now);
 
+  bool is_there() const { return is_there_; }
+
   /// Returns how far the sticks are pushed beyond their rest, each −1 … 1: to the right, up, back. Up and
   /// down is by the bumpers.
   Vec3 flight() const;
   /// Returns the right stick: turns the view, or with the left trigger pulled moves the pointer.
   PadStick turn() const;
   PadStick pointing() const;
+  /// Returns, with the left trigger pulled, how far the left stick is pushed back, −1 … 1: away from what is
+  /// seen. It moves nothing then.
+  double zoom() const;
   /// Returns how the cross is pressed, up: farther away.
   double reach() const;
   /// Returns, with the left trigger pulled, the turn of the wrist: bumpers roll the hand, the cross bends it.
@@ -31,6 +36,7 @@ class GamepadUser {
   double cross() const;
 
   Gamepad pad_;
+  bool is_there_ = false;
 };
 
 }  // namespace prosector

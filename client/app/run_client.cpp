@@ -46,8 +46,8 @@ class Client {
     connection_.start();
     take_role(options.join.role);
     viewer_.emplace(options, connection_, report_, [this](const std::string& line) { inform(line); });
-    if (viewer_->has_desk() && pump_ && !has_devices(options.devices)) tell(desk_help);
-    if (isatty(STDIN_FILENO) != 0) tell(console_help);
+    if (viewer_->has_desk()) tell(viewer_->help(options.join.role));
+    if (isatty(STDIN_FILENO) != 0) tell(console_help());
   }
 
   int run() {

@@ -113,6 +113,25 @@ json touches(const Replica& replica, const SceneInfo& scene) {
   return out;
 }
 
+/// Returns where people's eyes and wrists are, by name.
+json people(const Replica& replica, double tick) {
+  json out = json::object();
+  for (const auto& [id, entry] : replica.roster()) {
+    const auto user = replica.user(id, tick);
+    if (!user) continue;
+    json said = json::object();
+    if (user->head_tracked)
+      said["eyes"] = {{"at", vector(user->head.p, 4)}, {"look", vector(user->head.q * -Vec3::UnitZ(), 4)}};
+    for (const std::size_t hand : {left_hand, right_hand})
+      if (user->hands[hand].tracked)
+        said[hand == left_hand ? "left" : "right"] = {
+            {"at", vector(user->hands[hand].pose.p, 4)},
+            {"points", vector(user->hands[hand].pose.q * -Vec3::UnitZ(), 4)}};
+    out[entry.name] = said;
+  }
+  return out;
+}
+
 }  // namespace
 
 SessionLog::SessionLog(const std::filesystem::path& file) : out_(file) {
@@ -122,11 +141,9 @@ SessionLog::SessionLog(const std::filesystem::path& file) : out_(file) {
 void SessionLog::write(Replica& replica, double tick, double seconds) {
   if (!replica.scene()) return;
   const SceneInfo& scene = *replica.scene();
-  json line = {{"parts", parts(replica, scene, tick)},
-               {"panels", panels(replica, scene)},
-               {"touches", touches(replica, scene)},
-               {"room_lights", replica.room_lights()},
-               {"topology", to_hex(replica.topology_hash())}};
+  json line = {{"parts", parts(replica, scene, tick)}, {"panels", panels(replica, scene)},
+               {"touches", touches(replica, scene)},   {"people", people(replica, tick)},
+               {"room_lights", replica.room_lights()}, {"topology", to_hex(replica.topology_hash())}};
   if (std::string said = line.dump(); said == last_)
     return;
   else

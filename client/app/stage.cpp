@@ -36,7 +36,8 @@ std::unique_ptr<Stage> make_stage(const ClientOptions& o) {
     stage->context = make_osmesa_context(o.width, o.height);
   } else {
     auto window = make_window_context(o.width, o.height, "Prosector: " + o.bus.session);
-    stage->desk = std::make_unique<Desk>(*window, o.shown, o.monitor.has_value());
+    stage->desk =
+        std::make_unique<Desk>(*window, DeskChoices{.shown = o.shown, .full_screen = o.monitor.has_value()});
     stage->window = window.get();
     if (o.audience) window->open_audience(audience_of(o));
     stage->context = std::move(window);

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "client/app/controls.h"
+#include "client/view/anatomy_points.h"
+#include "client/view/held_things.h"
 #include "client/view/loading_picture.h"
 
 namespace prosector {
@@ -25,7 +28,7 @@ void Viewer::take_picture(const std::filesystem::path& file) {
   stage_ ? sink_.ask(file) : tell_("picture: nothing is drawn with --display none");
 }
 
-std::optional<BodyId> Viewer::part_at(const Ray& ray) const {
+std::optional<BodyId> Viewer::part_at(const Ray& ray) {
   return stage_ ? stage_->view.part_at(ray) : std::nullopt;
 }
 
@@ -63,27 +66,73 @@ void Viewer::tell_failures() {
   for (const std::string& failure : sink_.take_failures()) tell_(failure);
 }
 
+std::string Viewer::help(Role role) const {
+  std::vector<ControlDevice> devices;
+  devices.push_back(has_devices(options_.devices) ? ControlDevice::headset : ControlDevice::hand);
+  if (has_desk()) devices.push_back(ControlDevice::view);
+  if (has_desk() && stage_->desk->has_gamepad()) devices.push_back(ControlDevice::gamepad);
+  return help_text(role, devices);
+}
+
+Role Viewer::role_of(ParticipantId participant) {
+  return connection_.with_replica([&](const Replica& replica) {
+    const auto entry = replica.roster().find(participant);
+    return entry == replica.roster().end() ? Role::observer : entry->second.role;
+  });
+}
+
+/// Seats the user before the anatomy, beside those who are there.
+void Viewer::begin_desk(Replica& replica, double tick, ParticipantId self) {
+  std::vector<Vec3> heads;
+  for (const auto& [id, entry] : replica.roster())
+    if (const auto user = replica.user(id, tick); id != self && user && user->head_tracked)
+      heads.push_back(user->head.p);
+  const double aspect = static_cast<double>(stage_->context->width()) / stage_->context->height();
+  stage_->desk->begin(desk_start(replica.scene()->camera, anatomy_points(replica), heads, aspect));
+}
+
+DeskSession Viewer::desk_session(const Replica& replica, double tick, ParticipantId self) {
+  DeskSession out;
+  const HandRef hand{self, right_hand};
+  out.room.surface = [this, held = held_by(replica, hand)](const Ray& ray) {
+    return stage_->view.surface_at(ray, held);
+  };
+  out.room.box = [this](BodyId body) { return stage_->view.box_of(body); };
+  out.is_soft = [this](BodyId body) {
+    return connection_.with_replica([&](Replica& r) { return r.soft(body) != nullptr; });
+  };
+  const auto own = replica.panels().find(self);
+  if (own != replica.panels().end()) out.own_panel = own->second;
+  const auto user = replica.user(self, tick);
+  if (user && user->hands[right_hand].tracked) out.physical_hand = user->hands[right_hand].pose;
+  out.tip = instrument_tip(replica, hand, tick);
+  return out;
+}
+
 void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) {
   Desk& desk = *stage_->desk;
-  std::optional<Panel> own_panel;
-  const CameraInfo camera = connection_.with_replica([&](Replica& r) {
-    if (const auto own = r.panels().find(self.participant); own != r.panels().end()) own_panel = own->second;
-    return r.scene()->camera;
+  const DeskSession session = connection_.with_replica([&](Replica& replica) {
+    const double tick = replica.advance(monotonic_ns());
+    if (!desk.has_begun()) begin_desk(replica, tick, self.participant);
+    return desk_session(replica, tick, self.participant);
   });
-  desk.update(camera, own_panel ? &*own_panel : nullptr);
+  desk.update(session);
+  self.at_desk = !has_devices(options_.devices);
+  const DeskChoices& choices = desk.choices();
   settings.eye = desk.eye();
-  settings.wireframes = options_.wireframes != desk.wireframes();
-  settings.shown = desk.shown();
-  if (desk.full_screen() != full_screen_) {
-    full_screen_ = desk.full_screen();
+  settings.wireframes = options_.wireframes != choices.wireframes;
+  settings.shown = choices.shown;
+  if (choices.full_screen != full_screen_) {
+    full_screen_ = choices.full_screen;
     stage_->window->set_full_screen(full_screen_ ? options_.monitor.value_or(0) : std::optional<int>());
   }
   for (std::size_t n = desk.take_follow_requests(); n > 0; --n) follow_next(self.participant);
   settings.follow = follow_;
-  if (desk.figures()) settings.notes = figures_.text();
-  if (desk.help()) settings.notes += (settings.notes.empty() ? "" : "\n\n") + std::string(desk_help);
+  if (choices.figures) settings.notes = figures_.text();
+  if (choices.help)
+    settings.notes += (settings.notes.empty() ? "" : "\n\n") + help(role_of(self.participant));
   if (pump != nullptr && !has_devices(options_.devices))
-    drive_hand_at_desk(*pump, self, own_panel.has_value());
+    drive_hand_at_desk(*pump, self, session.own_panel.has_value());
 }
 
 void Viewer::drive_hand_at_desk(InputPump& pump, LocalUser& self, bool has_panel) {

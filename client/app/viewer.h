@@ -29,6 +29,9 @@ class Viewer {
   bool has_desk() const { return stage_ && stage_->desk; }
   bool closed() const { return has_desk() && stage_->desk->closed(); }
 
+  /// Returns the help for that role with the devices that this client has.
+  std::string help(Role role) const;
+
   /// Sets from where pictures that no desk turns are taken from now on; nullopt: as the scene has it.
   void look_from(const std::optional<Pose>& eye) { looks_from_ = eye; }
   /// Shows the line in pictures for a while.
@@ -38,7 +41,7 @@ class Viewer {
   /// Asks for the next picture in `file`.
   void take_picture(const std::filesystem::path& file);
   /// Returns the part of the anatomy that the ray meets first in the last picture.
-  std::optional<BodyId> part_at(const Ray& ray) const;
+  std::optional<BodyId> part_at(const Ray& ray);
 
   /// Draws the next picture where somebody sees or keeps it. `pump` carries the user's hands; null: an
   /// observer, who has none.
@@ -66,7 +69,10 @@ class Viewer {
 
   Image draw(InputPump* pump, bool keep);
   void use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings);
+  void begin_desk(Replica& replica, double tick, ParticipantId self);
+  DeskSession desk_session(const Replica& replica, double tick, ParticipantId self);
   void drive_hand_at_desk(InputPump& pump, LocalUser& self, bool has_panel);
+  Role role_of(ParticipantId participant);
   void follow_next(ParticipantId self);
   void note_picture(double seconds);
 };

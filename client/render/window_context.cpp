@@ -11,6 +11,7 @@
 
 #include "client/render/audience_window.h"
 #include "client/render/glfw_monitor.h"
+#include "client/render/keyboard_layout.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -22,12 +23,12 @@ std::string last_glfw_error() {
   return description ? description : "no reason given";
 }
 
-std::optional<Key> key_from_glfw(int key) {
+std::optional<Key> key_from_glfw(int key, int scancode) {
   struct Row {
     int glfw;
     Key ours;
   };
-  static constexpr std::array<Row, 20> rows = {{{GLFW_KEY_ESCAPE, Key::escape},
+  static constexpr std::array<Row, 22> rows = {{{GLFW_KEY_ESCAPE, Key::escape},
                                                 {GLFW_KEY_ENTER, Key::enter},
                                                 {GLFW_KEY_KP_ENTER, Key::enter},
                                                 {GLFW_KEY_TAB, Key::tab},
@@ -46,8 +47,13 @@ std::optional<Key> key_from_glfw(int key) {
                                                 {GLFW_KEY_RIGHT_SHIFT, Key::shift},
                                                 {GLFW_KEY_LEFT_CONTROL, Key::control},
                                                 {GLFW_KEY_RIGHT_CONTROL, Key::control},
-                                                {GLFW_KEY_LEFT_ALT, Key::alt}}};
-  if (key >= ' ' && key <= '~') return static_cast<Key>(key);
+                                                {GLFW_KEY_LEFT_ALT, Key::alt},
+                                                {GLFW_KEY_KP_ADD, key_of('=')},
+                                                {GLFW_KEY_KP_SUBTRACT, key_of('-')}}};
+  if (key >= ' ' && key <= '~') {
+    const char* printed = glfwGetKeyName(key, scancode);
+    return key_meant(static_cast<Key>(key), printed != nullptr ? printed : "");
+  }
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12)
     return static_cast<Key>(static_cast<int>(Key::f1) + key - GLFW_KEY_F1);
   for (const Row& row : rows)
@@ -174,8 +180,8 @@ class GlfwWindow final : public WindowContext {
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
       self(w).events_.push_back(WheelTurned{x, y});
     });
-    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
-      if (const auto ours = key_from_glfw(key))
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int) {
+      if (const auto ours = key_from_glfw(key, scancode))
         self(w).events_.push_back(KeyEvent{*ours, action != GLFW_RELEASE, action == GLFW_REPEAT});
     });
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int width, int height) {

@@ -13,7 +13,7 @@
 namespace prosector {
 
 /// The keys of a keyboard. Those that print are their upper-case ASCII character on a US keyboard: 'W', '1',
-/// a blank. Others follow.
+/// a blank (on others: keyboard_layout.h). Others follow.
 enum class Key : int {
   space = ' ',
   escape = 256,

@@ -4,39 +4,60 @@
 
 #include "client/view/body_mesh.h"
 #include "client/view/overlay_frame.h"
+#include "common/primitives.h"
 
 namespace prosector {
 namespace {
 
 const std::array<Vec3, 3> axis_colors = {{{0.9, 0.05, 0.04}, {0.05, 0.75, 0.08}, {0.08, 0.2, 1.0}}};
 
-}  // namespace
+constexpr double name_above = 0.2;  // m, from the eyes
 
-std::shared_ptr<const DrawMesh> head_mesh(std::uint64_t mesh_id) {
-  constexpr double half_width = 0.08, half_height = 0.10, ahead = 0.13, behind = 0.07;  // m
-  TriangleMesh pyramid;
-  pyramid.positions = {{-half_width, -half_height, behind},
-                       {half_width, -half_height, behind},
-                       {half_width, half_height, behind},
-                       {-half_width, half_height, behind},
-                       {0, 0, -ahead}};
-  pyramid.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}};
-  return rigid_mesh(pyramid, mesh_id);
+const Appearance eyes_look{.color = {0.03, 0.03, 0.035}, .roughness = 0.2};
+
+/// Makes a face pale enough that shading shows, in the user's tint.
+Appearance face_look(const Vec3& color) {
+  return {.color = 0.55 * Vec3(0.85, 0.83, 0.8) + 0.3 * color, .roughness = 0.6, .surface = Surface::skin};
 }
 
-void add_avatar(DrawList& list, const std::shared_ptr<const DrawMesh>& head, const Pose& pose,
-                const Vec3& color, const std::string& name) {
-  DrawItem item;
-  item.mesh = head;
-  item.pose = pose;
-  item.appearance = {color, 0.45, 0};
-  list.items.push_back(item);
-  add_axes(list, pose, 0.22);
+Appearance coat_look(const Vec3& color) {
+  return {.color = 0.85 * color + Vec3::Constant(0.03), .roughness = 0.85, .surface = Surface::cloth};
+}
+
+TriangleMesh eyes_surface() {
+  std::array<PartDesc, 2> eyes;
+  for (std::size_t k = 0; k < 2; ++k) {
+    eyes[k].shape = "sphere";
+    eyes[k].size = Vec3::Constant(0.022);
+    eyes[k].pose.p = {k == 0 ? -0.03 : 0.03, 0, 0.001};
+  }
+  return mesh_of(eyes);
+}
+
+}  // namespace
+
+FigureMeshes::FigureMeshes(const FigureSurfaces& surfaces, std::uint64_t first_mesh_id)
+    : head(rigid_mesh(surfaces.head, first_mesh_id)),
+      bust(rigid_mesh(surfaces.bust, first_mesh_id + 1)),
+      eyes(rigid_mesh(eyes_surface(), first_mesh_id + 2)),
+      forearm(rigid_mesh(surfaces.forearm, first_mesh_id + 3)) {}
+
+void add_avatar(DrawList& list, const FigureMeshes& figure, const Pose& head, const Vec3& color,
+                const std::string& name) {
+  list.items.push_back({.mesh = figure.head, .pose = head, .appearance = face_look(color)});
+  list.items.push_back({.mesh = figure.eyes, .pose = head, .appearance = eyes_look});
+  list.items.push_back({.mesh = figure.bust, .pose = bust_below(head), .appearance = coat_look(color)});
   DrawText label;
   label.text = name;
-  label.at = pose.p + Vec3(0, 0.18, 0);
+  label.at = head.p + Vec3(0, name_above, 0);
   label.overlay = false;
   list.texts.push_back(label);
+}
+
+void add_forearm(DrawList& list, const FigureMeshes& figure, const Pose& wrist, const Pose& bust,
+                 std::size_t hand, const Vec3& color) {
+  list.items.push_back(
+      {.mesh = figure.forearm, .pose = forearm_behind(wrist, bust, hand), .appearance = coat_look(color)});
 }
 
 void add_axes(DrawList& list, const Pose& frame, double length) {

@@ -1,20 +1,31 @@
 #pragma once
-// Other users as pyramid heads with their axes and names; the frame of the room in a corner of one's own
-// view.
+// Other users as people with their names; the frame of the room in a corner of one's own view.
 
+#include <array>
 #include <memory>
 #include <string>
 
 #include "client/view/draw_list.h"
+#include "client/view/figure.h"
 
 namespace prosector {
 
-/// Makes a pyramid of a head's size: its apex points ahead (−z), its base is the back of the head.
-std::shared_ptr<const DrawMesh> head_mesh(std::uint64_t mesh_id);
+/// A person's meshes, shared by all people.
+struct FigureMeshes {
+  std::shared_ptr<const DrawMesh> head, bust, eyes, forearm;
 
-/// Adds the head in the user's colour, its local axes (x red, y green, z blue) and its name above it.
-void add_avatar(DrawList& list, const std::shared_ptr<const DrawMesh>& head, const Pose& pose,
-                const Vec3& color, const std::string& name);
+  static constexpr std::uint64_t meshes = 4;
+  /// Takes mesh ids from `first_mesh_id` on.
+  FigureMeshes(const FigureSurfaces& surfaces, std::uint64_t first_mesh_id);
+};
+
+/// Adds head and shoulders in the user's colour and the name above them.
+void add_avatar(DrawList& list, const FigureMeshes& figure, const Pose& head, const Vec3& color,
+                const std::string& name);
+
+/// Adds the forearm with its cuff behind a wrist; `bust` as bust_below() has it.
+void add_forearm(DrawList& list, const FigureMeshes& figure, const Pose& wrist, const Pose& bust,
+                 std::size_t hand, const Vec3& color);
 
 /// Adds axes of `length` metres at `frame`.
 void add_axes(DrawList& list, const Pose& frame, double length);

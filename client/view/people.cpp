@@ -2,8 +2,6 @@
 
 #include <chrono>
 
-#include "client/view/avatar.h"
-
 namespace prosector {
 namespace {
 
@@ -12,33 +10,75 @@ Appearance glove(const Vec3& color) {
   return {.color = 0.35 * Vec3(0.85, 0.83, 0.8) + 0.55 * color, .roughness = 0.55, .surface = Surface::skin};
 }
 
+constexpr double ghost_from = 0.01;  // m between hand and target: from there on the target is seen
+constexpr double ghost_opacity = 0.25;
+
+Vec3 color_of(const Replica& replica, ParticipantId who) {
+  const auto entry = replica.roster().find(who);
+  return entry == replica.roster().end() ? Vec3(Vec3::Ones()) : entry->second.color;
+}
+
 }  // namespace
+
+bool People::is_ready(std::uint64_t& next_mesh_id) {
+  if (!made_ && to_come_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+    made_ = to_come_.get();
+  if (made_ && !figure_) {
+    figure_.emplace(made_->figure, next_mesh_id);
+    next_mesh_id += FigureMeshes::meshes;
+  }
+  return made_.has_value();
+}
 
 void People::add(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
                  const std::string& seen_through, std::uint64_t& next_mesh_id) {
-  if (!head_) head_ = head_mesh(next_mesh_id++);
-  if (self.present) {
-    const auto me = replica.roster().find(self.participant);
-    const Vec3 color = me == replica.roster().end() ? Vec3(Vec3::Ones()) : me->second.color;
-    add_hands(list, self.participant, self.input.hands, color, next_mesh_id);
-  }
+  own_hand_.reset();
+  if (!is_ready(next_mesh_id)) return;
+  if (self.present) add_self(list, replica, tick, self, next_mesh_id);
   for (const auto& [id, entry] : replica.roster()) {
     const auto user = replica.user(id, tick);
     if (!user || (self.present && id == self.participant)) continue;
     add_hands(list, id, user->hands, entry.color, next_mesh_id);
+    // Without a head, the forearms go straight on.
+    for (const std::size_t hand : {left_hand, right_hand})
+      if (user->hands[hand].tracked)
+        add_forearm(list, *figure_, user->hands[hand].pose, bust_below(user->head), hand, entry.color);
     if (user->head_tracked && entry.name != seen_through)
-      add_avatar(list, head_, user->head, entry.color, entry.name);
+      add_avatar(list, *figure_, user->head, entry.color, entry.name);
   }
+}
+
+void People::add_self(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
+                      std::uint64_t& next_mesh_id) {
+  const Vec3 color = color_of(replica, self.participant);
+  const auto physical = self.at_desk ? replica.user(self.participant, tick) : std::nullopt;
+  const HandPose& target = self.input.hands[right_hand];
+  if (!physical || !physical->hands[right_hand].tracked) {
+    add_hands(list, self.participant, self.input.hands, color, next_mesh_id);
+  } else {
+    own_hand_ = list.items.size();
+    add_hands(list, self.participant, physical->hands, color, next_mesh_id);
+    if ((physical->hands[right_hand].pose.p - target.pose.p).norm() > ghost_from)
+      add_ghost(list, target, color, next_mesh_id);
+  }
+}
+
+void People::add_ghost(DrawList& list, const HandPose& hand, const Vec3& color, std::uint64_t& next_mesh_id) {
+  const HandSkin& skin = made_->skins[right_hand];
+  if (!ghost_) ghost_ = skin.make_mesh(next_mesh_id++);
+  skin.bend(*ghost_, hand.flexion);
+  list.items.push_back({.mesh = ghost_,
+                        .pose = hand.pose,
+                        .appearance = glove(color),
+                        .casts_shadow = false,
+                        .opacity = ghost_opacity});
 }
 
 void People::add_hands(DrawList& list, ParticipantId who, const std::array<HandPose, 2>& hands,
                        const Vec3& color, std::uint64_t& next_mesh_id) {
-  if (!skins_ && skins_to_come_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
-    skins_ = skins_to_come_.get();
-  if (!skins_) return;
   for (const std::size_t hand : {left_hand, right_hand}) {
     if (!hands[hand].tracked) continue;
-    const HandSkin& skin = (*skins_)[hand];
+    const HandSkin& skin = made_->skins[hand];
     auto& mesh = hands_[{who, hand}];
     if (!mesh) mesh = skin.make_mesh(next_mesh_id++);
     skin.bend(*mesh, hands[hand].flexion);

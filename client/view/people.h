@@ -9,6 +9,7 @@
 #include <string>
 
 #include "client/replica/replica.h"
+#include "client/view/avatar.h"
 #include "client/view/draw_list.h"
 #include "client/view/hand_mesh.h"
 #include "client/view/view_settings.h"
@@ -17,18 +18,34 @@ namespace prosector {
 
 class People {
  public:
-  /// Adds everyone as the server has them, but oneself as one's own devices have one: that is faster, and is
-  /// where one feels it. Whoever is named `seen_through` has no head. Meshes get ids from `next_mesh_id` on.
+  /// Adds everyone as the server has them. Oneself is as one's own devices have one, which is faster and
+  /// where one feels it. Whoever sits at a desk feels nothing, and is as the server has them, too. Whoever is
+  /// named `seen_through` has no head. Meshes get ids from `next_mesh_id` on.
   void add(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
            const std::string& seen_through, std::uint64_t& next_mesh_id);
+  /// Returns which of the list's items is one's own right hand; nullopt: it isn't drawn.
+  std::optional<std::size_t> own_hand() const { return own_hand_; }
 
  private:
+  /// Meshes to come: made at once, on a thread of their own, so that no frame waits when the first person
+  /// comes.
+  struct Made {
+    std::array<HandSkin, 2> skins;
+    FigureSurfaces figure;
+  };
   std::map<std::pair<ParticipantId, std::size_t>, std::shared_ptr<DrawMesh>> hands_;
-  // Made at once, on a thread of its own, so that no frame waits when the first hand comes.
-  std::future<std::array<HandSkin, 2>> skins_to_come_ = std::async(std::launch::async, make_hand_skins);
-  std::optional<std::array<HandSkin, 2>> skins_;
-  std::shared_ptr<const DrawMesh> head_;
+  std::shared_ptr<DrawMesh> ghost_;
+  std::future<Made> to_come_ = std::async(std::launch::async, [] {
+    return Made{make_hand_skins(), make_figure_surfaces()};
+  });
+  std::optional<Made> made_;
+  std::optional<FigureMeshes> figure_;
+  std::optional<std::size_t> own_hand_;
 
+  bool is_ready(std::uint64_t& next_mesh_id);
+  void add_self(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
+                std::uint64_t& next_mesh_id);
+  void add_ghost(DrawList& list, const HandPose& hand, const Vec3& color, std::uint64_t& next_mesh_id);
   void add_hands(DrawList& list, ParticipantId who, const std::array<HandPose, 2>& hands, const Vec3& color,
                  std::uint64_t& next_mesh_id);
 };

@@ -4,9 +4,8 @@
 #include <cmath>
 
 namespace prosector {
-namespace {
 
-/// Returns the distance to the triangle's outside (Möller and Trumbore 1997).
+// Möller and Trumbore 1997.
 std::optional<double> meet(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a, p = ray.along.cross(v);
   const double determinant = u.dot(p);
@@ -18,25 +17,10 @@ std::optional<double> meet(const Ray& ray, const Vec3& a, const Vec3& b, const V
   return distance > 0 ? std::optional(distance) : std::nullopt;
 }
 
-}  // namespace
-
 Ray ray_through(const DrawCamera& camera, double x, double y) {
   const Vec3 ahead(camera.left + (camera.right - camera.left) * x / camera.width,
                    camera.top + (camera.bottom - camera.top) * y / camera.height, -1);
   return {camera.pose.p, camera.pose.q * ahead.normalized()};
-}
-
-std::optional<double> meet(const Ray& ray, const DrawItem& item) {
-  std::optional<double> nearest;
-  if (!item.mesh) return nearest;
-  std::vector<Vec3> room;
-  room.reserve(item.mesh->positions.size());
-  for (const auto& x : item.mesh->positions)
-    room.push_back(item.shape * (item.pose * x.cast<double>().eval()));
-  for (const auto& t : item.mesh->triangles)
-    if (const auto d = meet(ray, room[t[0]], room[t[1]], room[t[2]]); d && (!nearest || *d < *nearest))
-      nearest = d;
-  return nearest;
 }
 
 std::optional<PanelPoint> meet(const Ray& ray, const Panel& panel) {

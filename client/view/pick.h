@@ -16,8 +16,20 @@ struct Ray {
 /// Returns the ray through a pixel of the camera's picture, counted from its top left.
 Ray ray_through(const DrawCamera& camera, double x, double y);
 
-/// Returns the distance (m) along the ray to the item's front, if the ray meets it.
-std::optional<double> meet(const Ray& ray, const DrawItem& item);
+/// Returns the distance along the ray, in lengths of its direction, to the outside of the triangle.
+std::optional<double> meet(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// Where a ray meets a surface.
+struct SurfacePoint {
+  double distance = 0;          // m along the ray
+  Vec3 at = Vec3::Zero();       // m, world frame
+  Vec3 normal = Vec3::UnitY();  // unit, outwards
+};
+
+/// A surface point and whose it is.
+struct Picked : SurfacePoint {
+  BodyId body = 0;
+};
 
 struct PanelPoint {
   double distance = 0;                  // m along the ray

@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "client/view/body_figures.h"
 #include "client/view/body_mesh.h"
 #include "client/view/camera.h"
 #include "client/view/carried_light.h"
+#include "client/view/held_things.h"
 #include "client/view/light_shaft.h"
 #include "client/view/normals.h"
 #include "client/view/overlay_frame.h"
 #include "client/view/room.h"
 #include "client/view/session_overlay.h"
+#include "common/hand.h"
 
 namespace prosector {
 namespace {
@@ -20,7 +21,15 @@ namespace {
 constexpr double lit_brightness = 1.6, least_room_light = 0.05;
 constexpr double notes_left = 10, notes_top = 90;  // points: below the overlay's lines
 constexpr int inset_share = 4;    // an inset's width and height are these parts of the picture's
-constexpr double eye_fov = 0.95;  // rad, vertical, through somebody's eyes: one wants to see their hands too
+constexpr double eye_fov = 0.95;  // rad, vertical, of eyes whose field of view is not known
+
+/// Returns the vertical field of view (rad) of a user's eyes. Whoever has no devices sits at a desk, which
+/// shows the scene as its camera does.
+double fov_of(const RosterEntry& user, const CameraInfo& camera) {
+  return user.devices.empty() ? camera.fov : eye_fov;
+}
+
+constexpr double covering_opacity = 0.45, opacity_step = 0.15;  // of one's own hand; a picture
 
 }  // namespace
 
@@ -29,7 +38,8 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   list_.items.clear();
   list_.lines.clear();
   list_.texts.clear();
-  part_items_.clear();
+  body_items_.clear();
+  parts_.clear();
   list_.scale = settings.scale;
   place_lights(replica, tick);
   place_cameras(replica, tick, self, settings);
@@ -39,6 +49,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   if (settings.wireframes) add_wireframes(replica, tick);
   add_panels(replica);
   people_.add(list_, replica, tick, self, settings.follow, next_mesh_id_);
+  if (self.at_desk) add_hand_cues(replica, self, tick);
   level_of_detail_.choose(list_, settings.detail);
   if (settings.shown != Shown::none) add_legend(list_, scale_of(settings.shown));
   if (!settings.notes.empty())
@@ -65,7 +76,7 @@ void SceneView::place_cameras(const Replica& replica, double tick, const LocalUs
     const auto user = replica.user(followed->participant, tick);
     if (user && user->head_tracked) {
       eye = user->head;
-      fov = eye_fov;
+      fov = fov_of(*followed, camera);
     }
   }
   list_.cameras.clear();
@@ -93,7 +104,7 @@ void SceneView::add_insets(const Replica& replica, double tick, const ViewSettin
                            .at = Vec3(left + gap, top + gap, 0) / settings.scale,
                            .height = 11});
     if (!seen) continue;
-    DrawCamera camera = mono_camera(user->head, eye_fov, width, height);
+    DrawCamera camera = mono_camera(user->head, fov_of(*entry, replica.scene()->camera), width, height);
     camera.x = left;
     camera.y = below;
     camera.inset = true;
@@ -113,6 +124,7 @@ void SceneView::add_bodies(Replica& replica, double tick, Shown shown) {
   const auto& bodies = replica.scene()->bodies;
   for (BodyId id = 0; id < bodies.size(); ++id) {
     DrawItem item{.mesh = nullptr, .pose = {}, .appearance = bodies[id].appearance};
+    if (bodies[id].part) parts_.insert(id);
     std::shared_ptr<const DrawMesh> inner;
     if (bodies[id].kind == BodyKind::rigid) {
       auto& mesh = meshes_[id];
@@ -140,7 +152,7 @@ void SceneView::add_bodies(Replica& replica, double tick, Shown shown) {
       if (part->lit) add_light_shaft(item);
     }
     const auto add = [&](DrawItem seen) {
-      if (bodies[id].part) part_items_.emplace_back(id, list_.items.size());
+      body_items_.emplace_back(id, list_.items.size());
       if (shown != Shown::none && bodies[id].kind == BodyKind::soft)
         paint(seen, shown, replica.body_status(id));
       list_.items.push_back(std::move(seen));
@@ -172,15 +184,65 @@ SoftBodyMesh& SceneView::follow_soft(SoftReplica& soft, BodyId body, double tube
   return mesh->second;
 }
 
-std::optional<BodyId> SceneView::part_at(const Ray& ray) const {
-  std::optional<BodyId> nearest;
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& [id, index] : part_items_)
-    if (const auto distance = meet(ray, list_.items[index]); distance && *distance < least) {
-      nearest = id;
-      least = *distance;
-    }
+std::optional<BodyId> SceneView::part_at(const Ray& ray) {
+  const auto nearest = nearest_item(ray, [&](BodyId body) { return parts_.contains(body); });
+  return nearest ? std::optional(nearest->body) : std::nullopt;
+}
+
+std::optional<Picked> SceneView::surface_at(const Ray& ray, const std::vector<BodyId>& without) {
+  return nearest_item(ray, [&](BodyId body) { return std::ranges::find(without, body) == without.end(); });
+}
+
+template <class Counts>
+std::optional<Picked> SceneView::nearest_item(const Ray& ray, const Counts& counts) {
+  std::optional<Picked> nearest;
+  for (const auto& [body, index] : body_items_) {
+    if (!counts(body)) continue;
+    const auto point = trees_.meet(ray, list_.items[index]);
+    if (point && (!nearest || point->distance < nearest->distance)) nearest = Picked{*point, body};
+  }
   return nearest;
+}
+
+/// Adds what tells a desk user, who feels nothing, where their hand is. It is half seen through where it
+/// covers what it touches or is about to.
+void SceneView::add_hand_cues(const Replica& replica, const LocalUser& self, double tick) {
+  const auto index = people_.own_hand();
+  const auto user = replica.user(self.participant, tick);
+  if (!index || !user) return;
+  const std::vector<BodyId> held = held_by(replica, {self.participant, right_hand});
+  const HandPose& hand = user->hands[right_hand];
+  const Vec3 fingertips = hand.pose * middle_fingertip(right_hand, hand.flexion);
+  hand_cues_.add(
+      list_, fingertips,
+      [&](const Ray& ray, std::optional<BodyId> only) {
+        return nearest_item(ray, [&](BodyId body) {
+          return only ? body == *only : std::ranges::find(held, body) == held.end();
+        });
+      },
+      next_mesh_id_);
+  const ContactSample* contact = replica.contact(self.participant, right_hand);
+  const bool covers = hand_covers(contact != nullptr && contact->touching ? contact->point : fingertips);
+  hand_opacity_ += std::clamp((covers ? covering_opacity : 1) - hand_opacity_, -opacity_step, opacity_step);
+  list_.items[*index].opacity = hand_opacity_;
+}
+
+/// Tells whether the first eye sees one's own hand before the point.
+bool SceneView::hand_covers(const Vec3& point) {
+  constexpr double slack = 0.012;  // m: a finger's tip doesn't cover where it touches
+  const Vec3& eye = list_.cameras.front().pose.p;
+  const Vec3 way = point - eye;
+  const auto met = trees_.meet({eye, way.normalized()}, list_.items[*people_.own_hand()]);
+  return met && met->distance < way.norm() - slack;
+}
+
+Eigen::AlignedBox3d SceneView::box_of(BodyId body) const {
+  Eigen::AlignedBox3d box;
+  for (const auto& [id, index] : body_items_)
+    if (id == body)
+      for (const auto& x : list_.items[index].mesh->positions)
+        box.extend(list_.items[index].shape * (list_.items[index].pose * x.cast<double>().eval()));
+  return box;
 }
 
 /// Adds a light shaft from the surgical lamp, the first spot light; without one, light comes from above.

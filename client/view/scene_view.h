@@ -4,16 +4,19 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "client/replica/replica.h"
 #include "client/view/draw_list.h"
+#include "client/view/hand_cues.h"
 #include "client/view/level_of_detail.h"
 #include "client/view/panel_view.h"
 #include "client/view/people.h"
 #include "client/view/pick.h"
 #include "client/view/soft_body_mesh.h"
+#include "client/view/surface_tree.h"
 #include "client/view/value_paint.h"
 #include "client/view/view_settings.h"
 #include "client/view/wireframe.h"
@@ -26,7 +29,11 @@ class SceneView {
   const DrawList& build(Replica& replica, double tick, const LocalUser& self, const ViewSettings& settings);
 
   /// Returns the part of the anatomy that the ray meets first in the list built last.
-  std::optional<BodyId> part_at(const Ray& ray) const;
+  std::optional<BodyId> part_at(const Ray& ray);
+  /// Returns where the ray first meets a body in the list built last, other than those of `without`.
+  std::optional<Picked> surface_at(const Ray& ray, const std::vector<BodyId>& without = {});
+  /// Returns the box around a body as it is drawn, m, world frame; empty: it isn't.
+  Eigen::AlignedBox3d box_of(BodyId body) const;
 
  private:
   std::map<BodyId, std::shared_ptr<DrawMesh>> meshes_;  // of rigid bodies
@@ -35,10 +42,14 @@ class SceneView {
   People people_;
   std::vector<DrawItem> room_;
   std::shared_ptr<const DrawMesh> shaft_;
+  HandCues hand_cues_;
+  double hand_opacity_ = 1;  // of one's own at a desk
   std::optional<PanelView> panel_view_;
   std::map<BodyId, Edges> wires_;
   std::map<BodyId, std::uint64_t> wire_shapes_;             // SoftReplica::shape() that wires_ are of
-  std::vector<std::pair<BodyId, std::size_t>> part_items_;  // of list_.items, the bodies' that are parts
+  std::vector<std::pair<BodyId, std::size_t>> body_items_;  // of list_.items, the bodies'
+  std::set<BodyId> parts_;                                  // of the anatomy
+  SurfaceTrees trees_;
   LevelOfDetail level_of_detail_;
   std::uint64_t next_mesh_id_ = 1;
   DrawList list_;
@@ -51,6 +62,10 @@ class SceneView {
   void add_bodies(Replica& replica, double tick, Shown shown);
   void paint(DrawItem& item, Shown shown, const BodyStatus* status);
   SoftBodyMesh& follow_soft(SoftReplica& soft, BodyId body, double tube_diameter, double tick, double dt);
+  template <class Counts>
+  std::optional<Picked> nearest_item(const Ray& ray, const Counts& counts);
+  void add_hand_cues(const Replica& replica, const LocalUser& self, double tick);
+  bool hand_covers(const Vec3& point);
   void add_light_shaft(const DrawItem& item);
   void add_wireframes(Replica& replica, double tick);
   void add_panels(const Replica& replica);

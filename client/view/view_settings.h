@@ -32,6 +32,9 @@ struct LocalUser {
   ParticipantId participant = 0;
   HandInput input;
   bool present = false;  // false: an observer, who has no hands
+  /// Moves the hand with a pointer and feels nothing. So it is drawn where physics has it, with a ghost where
+  /// it is wanted, and with cues of how far it is from things.
+  bool at_desk = false;
 };
 
 }  // namespace prosector

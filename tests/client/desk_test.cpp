@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <thread>
 
 #include "client/app/figures.h"
+#include "client/view/camera.h"
 
 namespace prosector {
 namespace {
@@ -42,10 +44,43 @@ class ActedWindow final : public WindowContext {
 class AtTheDesk : public testing::Test {
  protected:
   ActedWindow window;
-  Desk desk{window, Shown::none, false};
-  const CameraInfo start{{0, 1.5, 1}, {0, 1, 0}, 0.9};
+  Desk desk{window, {}};
+  const Vec3 target{0, 1, 0};
+  DeskSession session;
 
-  void update() { desk.update(start, nullptr); }
+  void SetUp() override {
+    DeskStart start;
+    start.home = place_of({0, 1.5, 1}, target);
+    start.views[3] = ViewPlace{target, 0, steepest_view, 2};
+    desk.begin(start);
+    session.is_soft = [](BodyId) { return true; };
+    // A floor at the target's height.
+    session.room.surface = [this](const Ray& ray) -> std::optional<Picked> {
+      const double distance = (target.y() - ray.from.y()) / ray.along.y();
+      if (!(distance > 0)) return std::nullopt;
+      return Picked{{distance, ray.from + distance * ray.along, Vec3::UnitY()}, 0};
+    };
+    session.room.box = [](BodyId) { return Eigen::AlignedBox3d(Vec3(-1, 0.9, -1), Vec3(1, 1, 1)); };
+  }
+  void update() { desk.update(session); }
+  void wait(int milliseconds) {
+    for (int k = 0; k < milliseconds; k += 10) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      session.physical_hand = desk.input().hands[right_hand].pose;
+      update();
+    }
+  }
+  void hold(Key key, const std::vector<WindowEvent>& meanwhile) {
+    window.events.push_back(KeyEvent{key, true, false});
+    window.events.insert(window.events.end(), meanwhile.begin(), meanwhile.end());
+    window.events.push_back(KeyEvent{key, false, false});
+    update();
+  }
+  std::vector<WindowEvent> drag(double x, double y) {
+    window.drag_right(x, y);
+    return std::exchange(window.events, {});
+  }
+  double distance() const { return (desk.eye().p - target).norm(); }
   void press(Key key) {
     window.press(key);
     update();
@@ -54,13 +89,13 @@ class AtTheDesk : public testing::Test {
 
 TEST_F(AtTheDesk, AKeyPressedTurnsOnAndOffOnceHoweverLongItIsHeld) {
   press(Key::f1);
-  EXPECT_TRUE(desk.help());
+  EXPECT_TRUE(desk.choices().help);
   press(key_of('H'));
-  EXPECT_FALSE(desk.help());
+  EXPECT_FALSE(desk.choices().help);
   press(key_of('I'));
-  EXPECT_TRUE(desk.figures());
+  EXPECT_TRUE(desk.choices().figures);
   press(Key::f11);
-  EXPECT_TRUE(desk.full_screen());
+  EXPECT_TRUE(desk.choices().full_screen);
   press(Key::tab);
   press(Key::tab);
   EXPECT_EQ(desk.take_follow_requests(), 2u);
@@ -73,19 +108,19 @@ TEST_F(AtTheDesk, AKeyPressedTurnsOnAndOffOnceHoweverLongItIsHeld) {
 TEST_F(AtTheDesk, VGoesThroughAllThatColoursTell) {
   for (const Shown expected : {Shown::strain, Shown::residual, Shown::error, Shown::none}) {
     press(key_of('V'));
-    EXPECT_EQ(desk.shown(), expected);
+    EXPECT_EQ(desk.choices().shown, expected);
   }
 }
 
 TEST_F(AtTheDesk, TheViewTurnsAboutItsTargetOrWithFAboutTheEye) {
   update();
   const Vec3 eye = desk.eye().p;
-  const double distance = (eye - start.target).norm();
+  const double distance = (eye - target).norm();
   window.drag_right(80, 40);
   update();
   EXPECT_GT((desk.eye().p - eye).norm(), 0.2);
   const Vec3 ahead = desk.eye().q * -Vec3::UnitZ();
-  EXPECT_LT((desk.eye().p + distance * ahead - start.target).norm(), 1e-9) << "still in the middle";
+  EXPECT_LT((desk.eye().p + distance * ahead - target).norm(), 1e-9) << "still in the middle";
   const Pose before = desk.eye();
   press(key_of('F'));
   window.drag_right(-80, 20);
@@ -111,12 +146,122 @@ TEST_F(AtTheDesk, AKeyTappedBetweenTwoPicturesMovesTheViewAsLongAsOne) {
   }
 }
 
-TEST_F(AtTheDesk, TheWheelTurnsTheWristAboutTheFingertipsWithShiftAndControl) {
+TEST_F(AtTheDesk, ZoomsByKeysDragAndPinch) {
+  update();
+  const double first = distance();
+  hold(Key::control, {WheelTurned{0, 3}});
+  EXPECT_NEAR(distance(), first * std::exp(-0.3), 1e-9) << "a pinch comes as Ctrl and wheel";
+  hold(Key::control, drag(0, 60));
+  EXPECT_NEAR(distance(), first, 1e-9);
+  window.events = {KeyEvent{key_of('-'), true, false}};
+  wait(50);
+  EXPECT_GT(distance(), 1.02 * first);
+  window.events = {KeyEvent{key_of('-'), false, false}, KeyEvent{key_of('='), true, false}};
+  wait(150);
+  EXPECT_LT(distance(), first);
+  EXPECT_LT((desk.eye().q.angularDistance(place_of({0, 1.5, 1}, target).pose().q)), 1e-9);
+}
+
+TEST_F(AtTheDesk, WhatWasUnderThePointerStaysThereWhenTheViewIsMoved) {
+  update();
+  const auto ray_at = [&](double x, double y) {
+    return ray_through(mono_camera(desk.eye(), DeskStart().fov, 800, 600), x, y);
+  };
+  const auto point = session.room.surface(ray_at(100, 100));
+  ASSERT_TRUE(point);
+  hold(Key::shift, drag(170, -40));
+  const Ray ray = ray_at(270, 60);
+  EXPECT_LT((point->at - ray.from).normalized().cross(ray.along).norm(), 1e-9);
+}
+
+TEST_F(AtTheDesk, HomeAndNumbersBringTheViewToSavedPlaces) {
+  update();
+  const Pose home = desk.eye();
+  window.drag_right(200, 60);
+  update();
+  const Pose turned = desk.eye();
+  hold(Key::control, {KeyEvent{key_of('7'), true, false}, KeyEvent{key_of('7'), false, false}});
+  press(key_of('8'));
+  wait(300);
+  EXPECT_LT((desk.eye().p - turned.p).norm(), 1e-9) << "nothing was saved there";
+  press(Key::home);
+  wait(40);
+  EXPECT_GT((desk.eye().p - home.p).norm(), 1e-3) << "smoothly";
+  wait(300);
+  EXPECT_LT((desk.eye().p - home.p).norm(), 1e-9);
+  press(key_of('4'));
+  wait(300);
+  EXPECT_GT(desk.eye().p.y(), 2.9) << "from above";
+  press(key_of('7'));
+  wait(300);
+  EXPECT_LT((desk.eye().p - turned.p).norm(), 1e-9);
+}
+
+TEST_F(AtTheDesk, ADoubleClickFramesWhatIsThereAndGraspsNothing) {
+  update();
+  const auto click = [&] {
+    window.events.insert(window.events.end(),
+                         {MouseMoved{300, 320}, MouseButtonEvent{MouseButton::left, true}});
+    wait(30);
+    window.events.push_back(MouseButtonEvent{MouseButton::left, false});
+    wait(30);
+  };
+  const Ray at = ray_through(mono_camera(desk.eye(), DeskStart().fov, 800, 600), 300, 320);
+  const Vec3 clicked = session.room.surface(at)->at;
+  click();
+  click();
+  wait(300);
+  EXPECT_TRUE(desk.take_commands().empty());
+  const Vec3 ahead = desk.eye().q * -Vec3::UnitZ();
+  EXPECT_LT((clicked - desk.eye().p).cross(ahead).norm(), 1e-9) << "in the middle now";
+  EXPECT_NEAR((clicked - desk.eye().p).norm(), 0.5, 1e-9) << "brought near: it is too large to frame";
+  session.room.box = [&](BodyId) {
+    return Eigen::AlignedBox3d(clicked - Vec3::Constant(0.1), clicked + Vec3::Constant(0.1));
+  };
+  press(key_of('G'));
+  wait(300);
+  EXPECT_GT((clicked - desk.eye().p).norm(), 0.5) << "framed";
+}
+
+TEST_F(AtTheDesk, APanelThatWasAskedForComesIntoThePicture) {
+  update();
+  Panel panel;
+  panel.pose = {{0.3, 1.6, 0}, Quat::Identity()};
+  session.own_panel = panel;
+  const Pose before = desk.eye();
+  wait(300);
+  EXPECT_EQ(desk.eye().p, before.p) << "nobody asked";
+  session.own_panel.reset();
+  press(key_of('P'));
+  EXPECT_TRUE(desk.take_panel_request());
+  session.own_panel = panel;
+  wait(300);
+  const DrawCamera camera = mono_camera(desk.eye(), DeskStart().fov, 800, 600);
+  for (const double side : {-1.0, 1.0}) {
+    const Vec3 corner =
+        camera.pose.inverse() * (panel.pose * Vec3(side * panel_width / 2, side * panel_height / 2, 0));
+    EXPECT_LT(std::abs(corner.x() / corner.z()), camera.right);
+    EXPECT_LT(std::abs(corner.y() / corner.z()), camera.top);
+  }
+  EXPECT_GT((desk.eye().p - target).dot(before.p - target), 0) << "from the same side";
+}
+
+TEST_F(AtTheDesk, ThePointerBringsTheHandOverTheSurface) {
+  for (const auto& [x, y] : {std::pair(400.0, 300.0), std::pair(200.0, 400.0), std::pair(650.0, 500.0)}) {
+    window.events.push_back(MouseMoved{x, y});
+    wait(800);
+    const Ray ray = ray_through(mono_camera(desk.eye(), DeskStart().fov, 800, 600), x, y);
+    const Pose hand = desk.input().hands[right_hand].pose;
+    const Vec3 fingertips = hand * Vec3(0, 0, -wrist_to_fingertips);
+    const double distance = session.room.surface(ray)->distance - first_hover;
+    EXPECT_LT((fingertips - ray.from - distance * ray.along).norm(), 1e-6) << x;
+  }
+}
+
+TEST_F(AtTheDesk, TheWheelTurnsTheWristAboutTheFingertipsWithShiftAndAlt) {
+  wait(500);
   const auto wheel = [&](Key held, double x, double y) {
-    window.events.push_back(KeyEvent{held, true, false});
-    window.events.push_back(WheelTurned{x, y});
-    window.events.push_back(KeyEvent{held, false, false});
-    update();
+    hold(held, {WheelTurned{x, y}});
     return desk.input().hands[right_hand].pose;
   };
   const auto fingers = [](const Pose& pose) { return Vec3(pose.q * -Vec3::UnitZ()); };
@@ -129,12 +274,14 @@ TEST_F(AtTheDesk, TheWheelTurnsTheWristAboutTheFingertipsWithShiftAndControl) {
   EXPECT_LT((rolled.q * Vec3::UnitX()).y(), (first.q * Vec3::UnitX()).y()) << "clockwise";
   EXPECT_NEAR(wheel(Key::shift, 5, 0).q.angularDistance(first.q), 1, 1e-9) << "a wheel turned sideways";
   wheel(Key::shift, 0, -10);
-  const Pose bent = wheel(Key::control, 0, 3);
+  const Pose bent = wheel(Key::alt, 0, 3);
   EXPECT_NEAR(bent.q.angularDistance(first.q), 0.3, 1e-9);
   EXPECT_GT(fingers(bent).y(), fingers(first).y());
-  wheel(Key::control, 0, 1000);
-  EXPECT_LT((fingertips(wheel(Key::control, 0, -7)) - fingertips(first)).norm(), 1e-9);
-  EXPECT_GT((fingertips(wheel(Key::space, 0, 3)) - fingertips(first)).norm(), 0.05)
+  wheel(Key::alt, 0, 1000);
+  EXPECT_LT((fingertips(wheel(Key::alt, 0, -7)) - fingertips(first)).norm(), 1e-9);
+  wheel(Key::space, 0, -5);
+  wait(300);
+  EXPECT_NEAR((fingertips(desk.input().hands[right_hand].pose) - fingertips(first)).norm(), 0.05, 1e-6)
       << "without them it is how far";
 }
 
@@ -143,43 +290,50 @@ TEST_F(AtTheDesk, AGamepadDoesWhatKeysAndMouseDo) {
   const Pose before = desk.eye();
   Gamepad pad;
   pad.left = {0.1, -0.08};  // worn, at rest
-  const auto hold = [&] {
+  const auto show = [&] {
     window.events.push_back(GamepadMoved{pad});
     update();
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     update();
   };
-  hold();
+  show();
   EXPECT_EQ(desk.eye().p, before.p);
   pad.left = {1, 0};
-  hold();
+  show();
   EXPECT_GT((desk.eye().p - before.p).x(), 0.005) << "to the right";
   pad = {};
   pad.right = {0, 1};
   const Pose turned = desk.eye();
-  hold();
+  show();
   EXPECT_GT(desk.eye().q.angularDistance(turned.q), 0.01);
 
   const Pose hand = desk.input().hands[right_hand].pose, eye = desk.eye();
   pad.right = {1, 0};
   pad.left_trigger = 1;  // the pointer instead
-  hold();
+  show();
   EXPECT_EQ(desk.eye().p, eye.p);
   EXPECT_GT((desk.input().hands[right_hand].pose.p - hand.p).norm(), 0.005);
 
   const Quat wrist = desk.input().hands[right_hand].pose.q;
   pad.right = {0, 0};
   pad.down[static_cast<std::size_t>(PadButton::right_bumper)] = true;  // rolls the hand, and lifts no view
-  hold();
+  show();
   EXPECT_GT(desk.input().hands[right_hand].pose.q.angularDistance(wrist), 0.01);
   EXPECT_EQ(desk.eye().p, eye.p);
 
   pad = {};
+  pad.left_trigger = 1;
+  pad.left = {0, 1};  // zooms, and turns nothing
+  show();
+  EXPECT_LT(desk.eye().q.angularDistance(eye.q), 1e-9);
+  EXPECT_GT((desk.eye().p - eye.p).dot(eye.q * Vec3::UnitZ()), 0.005);
+  pad = {};
   pad.right_trigger = 1;
-  hold();
+  show();
+  wait(700);
   pad.down[static_cast<std::size_t>(PadButton::start)] = true;
-  hold();
-  EXPECT_TRUE(desk.help());
+  show();
+  EXPECT_TRUE(desk.choices().help);
   window.events.push_back(GamepadMoved{std::nullopt});  // unplugged while it grasps
   update();
   const std::vector<Command> commands = desk.take_commands();

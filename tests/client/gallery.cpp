@@ -85,7 +85,7 @@ GalleryPicture organ() {
 GalleryPicture avatar() {
   DrawList list = stage({0.3, 1.6, 1.6}, {0, 1.4, 0});
   const Pose head{{0.1, 1.5, -0.2}, look_at({0.1, 1.5, -0.2}, {-0.3, 1.3, 1}).q};
-  add_avatar(list, head_mesh(30), head, {0.9, 0.5, 0.1}, "Ada Lovelace");
+  add_avatar(list, FigureMeshes(make_figure_surfaces(), 30), head, {0.9, 0.5, 0.1}, "Ada Lovelace");
   add_corner_axes(list, Quat::Identity(), list.cameras[0]);
   list.texts.push_back({"real time 1.00  step 4.2 ms", {8, 8, 0}, true, 14, {1, 1, 1}});
   return {"avatar", width, height, list};

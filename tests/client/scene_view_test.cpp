@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <thread>
 
 #include "client/render/projection.h"
 #include "client/view/camera.h"
@@ -101,6 +102,8 @@ class Client {
     renderer_->draw(list(tick, settings, self));
     return renderer_->read_pixels();
   }
+
+  SceneView& view() { return view_; }
 
   SceneInfo scene;
 
@@ -290,6 +293,87 @@ TEST(SceneView, FiguresStandAboveTheSoftBodyThatAsksForThem) {
   EXPECT_NE(figures()[0].text.find("at rest"), std::string::npos);
   settings.overlay = false;
   EXPECT_TRUE(figures().empty());
+}
+
+// Of a desk user, whose eyes the scene's camera's field of view is known of.
+TEST(SceneView, ThroughAUsersEyesIsSeenWhatTheySee) {
+  Client client;
+  client.join();
+  RosterEntry ada;
+  ada.participant = 5;
+  ada.name = "ada";
+  client.tell(ada);
+  UserState user;
+  user.participant = ada.participant;
+  user.head_tracked = true;
+  user.head = look_at({0.4, 1.5, 0.3}, {0, 1.1, 0});
+  client.tell(user);
+  ViewSettings settings = plain(320, 240);
+  settings.follow = "ada";
+  const DrawCamera desk = client.list(1, settings).cameras.front();
+  EXPECT_LT((desk.pose.p - user.head.p).norm(), 1e-6);
+  EXPECT_NEAR(desk.top, std::tan(client.scene.camera.fov / 2), 1e-9);
+  ada.devices = "fastrak";
+  client.tell(ada);
+  EXPECT_GT(client.list(1, settings).cameras.front().top, desk.top) << "not known: wide enough for the hands";
+}
+
+/// Returns where hands are drawn (their mesh has as many vertices as a skin), and how opaque.
+std::vector<std::pair<Vec3, double>> hands_of(const DrawList& list) {
+  std::vector<std::pair<Vec3, double>> out;
+  for (const DrawItem& item : list.items)
+    if (item.appearance.surface == Surface::skin) out.emplace_back(item.pose.p, item.opacity);
+  return out;
+}
+
+TEST(SceneView, ADeskUsersHandIsWherePhysicsHasItWithAGhostWhereItIsWanted) {
+  Client client;
+  client.join();
+  LocalUser self;
+  self.participant = 7;
+  self.present = self.at_desk = true;
+  HandPose& target = self.input.hands[right_hand];
+  target.tracked = true;
+  target.pose.p = {0, 1.5, 0.18};
+  UserState user;
+  user.participant = self.participant;
+  user.hands[right_hand] = target;
+  client.tell(user);
+  ViewSettings settings = plain(320, 240);
+  settings.eye = look_at({1, 1.6, 0.2}, {0, 1.4, 0});
+  while (hands_of(client.list(1, settings, self)).empty())  // the skin is on its way
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(hands_of(client.list(1, settings, self)).size(), 1u) << "they agree: no ghost";
+  target.pose.p = {0, 1.3, 0.18};  // physics holds it up
+  const auto hands = hands_of(client.list(1, settings, self));
+  ASSERT_EQ(hands.size(), 2u);
+  EXPECT_LT((hands[0].first - Vec3(0, 1.5, 0.18)).norm(), 1e-6);
+  EXPECT_EQ(hands[0].second, 1) << "nothing is covered from the side";
+  EXPECT_LT((hands[1].first - target.pose.p).norm(), 1e-6);
+  EXPECT_LT(hands[1].second, 0.5) << "pale";
+  // Seen along the fingers, the hand covers what is before them.
+  settings.eye = look_at({0, 1.53, 0.8}, {0, 1.5, 0});
+  double opacity = 1;
+  for (int picture = 0; picture < 6; ++picture) opacity = hands_of(client.list(1, settings, self))[0].second;
+  EXPECT_LT(opacity, 0.5);
+}
+
+TEST(SceneView, TheSurfaceThatThePointerFindsIsNotThatOfWhatIsHeld) {
+  Client client;
+  client.join();
+  client.list(1, plain(320, 240));
+  const Ray down{{0, 2.5, 0}, -Vec3::UnitY()};
+  const auto part = client.view().surface_at(down);
+  ASSERT_TRUE(part);
+  EXPECT_EQ(part->body, part_body);
+  EXPECT_NEAR(part->at.y(), 1.3, 2e-3);
+  EXPECT_GT(part->normal.y(), 0.95);
+  const auto table = client.view().surface_at(down, {part_body});
+  ASSERT_TRUE(table);
+  EXPECT_EQ(table->body, 0u);
+  EXPECT_NEAR(table->at.y(), 1, 1e-6);
+  EXPECT_FALSE(client.view().surface_at({{3, 2.5, 3}, -Vec3::UnitY()})) << "the room's floor is no body";
+  EXPECT_NEAR(client.view().box_of(part_body).sizes().y(), 0.2, 1e-3);
 }
 
 struct Columns {

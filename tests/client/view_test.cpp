@@ -4,12 +4,14 @@
 
 #include <cmath>
 #include <map>
+#include <random>
 #include <set>
 
 #include "client/view/avatar.h"
 #include "client/view/body_mesh.h"
 #include "client/view/camera.h"
 #include "client/view/contact_overlay.h"
+#include "client/view/hand_cues.h"
 #include "client/view/hand_mesh.h"
 #include "client/view/normals.h"
 #include "client/view/panel_view.h"
@@ -18,6 +20,7 @@
 #include "client/view/scene_tour.h"
 #include "client/view/set_text.h"
 #include "client/view/still_scene.h"
+#include "client/view/surface_tree.h"
 #include "client/view/tube.h"
 #include "client/view/wireframe.h"
 #include "common/primitives.h"
@@ -233,23 +236,109 @@ TEST(Tube, DoesNotTwistAndSurvivesCoincidingPoints) {
   for (const auto& x : tube->positions) EXPECT_LT((x - axis[0]).norm(), 0.0011F);
 }
 
-TEST(Avatar, HasAHeadThreeAxesAndAName) {
+const FigureSurfaces& figure() {
+  static const FigureSurfaces made = make_figure_surfaces();
+  return made;
+}
+
+TEST(Figure, IsOfClosedSurfacesOfAPersonsSize) {
+  const auto volume = [](const TriangleMesh& mesh) {
+    double six_times = 0;
+    for (const auto& t : mesh.triangles)
+      six_times += mesh.positions[t[0]].cross(mesh.positions[t[1]]).dot(mesh.positions[t[2]]);
+    return six_times / 6;
+  };
+  EXPECT_NEAR(volume(figure().head), 4.5e-3, 1.5e-3) << "m³, with the neck";
+  EXPECT_GT(volume(figure().bust), 10e-3);
+  EXPECT_GT(volume(figure().forearm), 0.6e-3);
+  EXPECT_LT(volume(figure().forearm), 2e-3);
+  for (const TriangleMesh* mesh : {&figure().head, &figure().bust, &figure().forearm}) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const auto& t : mesh->triangles)
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_TRUE(edges.emplace(t[k], t[(k + 1) % 3]).second) << "twice the same way round";
+    for (const auto& [a, b] : edges) EXPECT_TRUE(edges.contains({b, a})) << "open";
+    EXPECT_LT(mesh->triangles.size(), 6000u);
+  }
+  double nose = 0;
+  for (const Vec3& x : figure().head.positions) nose = std::min(nose, x.z());
+  EXPECT_LT(nose, -0.03) << "the nose points ahead";
+}
+
+TEST(Figure, ShouldersStayUprightBelowAnyHead) {
+  for (const double yaw : {0.0, 2.0, -3.0})
+    for (const double pitch : {-1.5, -0.7, 0.0, 1.2, 1.5}) {
+      const Pose head{{1, 1.5, 0},
+                      Quat(Eigen::AngleAxisd(yaw, Vec3::UnitY()) * Eigen::AngleAxisd(pitch, Vec3::UnitX()))};
+      const Pose bust = bust_below(head);
+      EXPECT_NEAR((bust.q * Vec3::UnitY()).y(), 1, 1e-9);
+      EXPECT_NEAR((bust.q * -Vec3::UnitZ()).dot(Vec3(-std::sin(yaw), 0, -std::cos(yaw))), 1, 1e-9)
+          << yaw << " " << pitch;
+    }
+}
+
+TEST(Figure, TheElbowIsBentTowardsTheShoulderAsFarAsAWristBends) {
+  const Pose bust{{0, 1.6, 0.5}, Quat::Identity()};
+  for (const std::size_t hand : {left_hand, right_hand}) {
+    const double side = hand == right_hand ? 1 : -1;
+    const Pose ahead{{side * 0.17, 1.33, 0}, Quat::Identity()};
+    EXPECT_LT(forearm_behind(ahead, bust, hand).q.angularDistance(ahead.q), 1e-6) << "straight before it";
+    const Pose low{{side * 0.17, 1.1, 0.2}, Quat::Identity()};
+    const Vec3 way = (bust * Vec3(side * 0.17, -0.27, 0.1) - low.p).normalized();
+    EXPECT_NEAR((forearm_behind(low, bust, hand).q * Vec3::UnitZ()).dot(way), 1, 1e-6);
+    const Pose turned{low.p, Quat(Eigen::AngleAxisd(2.5, Vec3::UnitY()))};
+    EXPECT_NEAR(forearm_behind(turned, bust, hand).q.angularDistance(turned.q), 0.6, 1e-6);
+  }
+}
+
+TEST(Avatar, HasAHeadShouldersAndAName) {
   DrawList list;
   const Pose pose{{1, 1.5, 0}, Quat(Eigen::AngleAxisd(0.5, Vec3::UnitY()))};
-  add_avatar(list, head_mesh(1), pose, {1, 0, 0}, "Vesalius");
-  ASSERT_EQ(list.items.size(), 1u);
-  EXPECT_EQ(list.items[0].pose.p, pose.p);
-  ASSERT_EQ(list.lines.size(), 3u);
-  for (int axis = 0; axis < 3; ++axis) {
-    const DrawLine& line = list.lines[static_cast<std::size_t>(axis)];
-    EXPECT_NEAR((line.b - line.a).normalized().dot(pose.q * Vec3::Unit(axis)), 1, 1e-12);
-    int brightest = -1;
-    line.color.maxCoeff(&brightest);
-    EXPECT_EQ(brightest, axis) << "x red, y green, z blue";
-  }
+  add_avatar(list, FigureMeshes(figure(), 1), pose, {1, 0, 0}, "Vesalius");
+  ASSERT_EQ(list.items.size(), 3u) << "head, eyes, shoulders";
+  for (const DrawItem& item : list.items) EXPECT_EQ(item.pose.p, pose.p);
+  EXPECT_GT(list.items[2].appearance.color.x(), 2 * list.items[2].appearance.color.y()) << "in their colour";
   ASSERT_EQ(list.texts.size(), 1u);
   EXPECT_EQ(list.texts[0].text, "Vesalius");
-  EXPECT_GT(list.texts[0].at.y(), pose.p.y());
+  EXPECT_GT(list.texts[0].at.y(), pose.p.y() + 0.15) << "above the head";
+}
+
+/// A floor at a height, as cues find it.
+HandCues::Find floor_at(double height) {
+  return [height](const Ray& ray, std::optional<BodyId>) -> std::optional<Picked> {
+    const double distance = (height - ray.from.y()) / ray.along.y();
+    if (!(distance > 0)) return std::nullopt;
+    return Picked{{distance, ray.from + distance * ray.along, Vec3::UnitY()}, 0};
+  };
+}
+
+TEST(HandCues, AShadowGrowsDarkerAsTheHandComesNearAndLiesOnTheSurface) {
+  HandCues cues;
+  std::uint64_t next_mesh_id = 1;
+  double last = 0;
+  for (const double height : {0.5, 0.2, 0.1, 0.05, 0.01, 0.0}) {
+    DrawList list;
+    cues.add(list, {0.1, 1 + height, 0.2}, floor_at(1), next_mesh_id);
+    ASSERT_FALSE(list.items.empty());
+    EXPECT_GT(list.items.front().opacity, last) << height;
+    last = list.items.front().opacity;
+    double within = 1;
+    for (const DrawItem& item : list.items) {
+      EXPECT_LE(item.opacity, within) << "soft at its rim";
+      within = item.opacity;
+      EXPECT_FALSE(item.casts_shadow);
+      for (const auto& x : item.mesh->positions) {
+        EXPECT_NEAR(x.y(), 1, 0.003);
+        EXPECT_LT((x - Eigen::Vector3f(0.1F, x.y(), 0.2F)).norm(), 0.0301F);
+      }
+    }
+    const DrawLine& drop = list.lines.back();
+    EXPECT_NEAR((drop.a - drop.b).norm(), height, 1e-9);
+  }
+  EXPECT_GT(last, 0.5);
+  DrawList list;
+  cues.add(list, {0, 0.5, 0}, floor_at(1), next_mesh_id);
+  EXPECT_TRUE(list.items.empty() && list.lines.empty()) << "nothing lies below";
 }
 
 TEST(Avatar, CornerAxesLieLowerLeftAndTurnWithTheCamera) {
@@ -414,17 +503,63 @@ TEST(Pick, EveryControlIsFoundThroughItsPixel) {
   EXPECT_FALSE(meet(Ray{panel.pose * Vec3(0, 0, -1), panel.pose.q * Vec3::UnitZ()}, panel)) << "from behind";
 }
 
-TEST(Pick, MeetsTheFrontOfAnItem) {
+TEST(SurfaceTree, MeetsTheFrontOfAnItem) {
   PartDesc ball;
   ball.shape = "sphere";
   ball.size = Vec3::Constant(0.2);
   DrawItem item{
       .mesh = rigid_mesh(mesh_of(ball), 1), .pose = {{0.5, 0, 0}, Quat::Identity()}, .appearance = {}};
-  EXPECT_NEAR(meet({{0.5, 0, 1}, -Vec3::UnitZ()}, item).value_or(0), 0.9, 1e-3);
-  EXPECT_FALSE(meet({{0.61, 0, 1}, -Vec3::UnitZ()}, item));
+  SurfaceTrees trees;
+  const auto distance = [&](const Ray& ray) {
+    const auto point = trees.meet(ray, item);
+    return point ? point->distance : -1;
+  };
+  EXPECT_NEAR(distance({{0.5, 0, 1}, -Vec3::UnitZ()}), 0.9, 1e-3);
+  EXPECT_EQ(distance({{0.61, 0, 1}, -Vec3::UnitZ()}), -1);
   item.shape.A = Vec3(2, 1, 3).asDiagonal();
-  EXPECT_NEAR(meet({{1, 0, 1}, -Vec3::UnitZ()}, item).value_or(0), 0.7, 3e-3);
-  EXPECT_TRUE(meet({{1.15, 0, 1}, -Vec3::UnitZ()}, item));
+  EXPECT_NEAR(distance({{1, 0, 1}, -Vec3::UnitZ()}), 0.7, 3e-3);
+  EXPECT_GT(distance({{1.15, 0, 1}, -Vec3::UnitZ()}), 0);
+  const auto point = trees.meet({{1.1, 0, 1}, -Vec3::UnitZ()}, item);
+  ASSERT_TRUE(point);
+  EXPECT_GT(point->normal.dot(Vec3(0.1 / 4, 0, point->at.z() / 9).normalized()), 0.97) << "an ellipsoid's";
+  item.shape.A = Vec3(-2, 1, 3).asDiagonal();
+  EXPECT_NEAR(distance({{-1, 0, 1}, -Vec3::UnitZ()}), 0.7, 3e-3) << "mirrored";
+}
+
+TEST(SurfaceTree, FindsWhatTryingEveryTriangleFindsAlsoAfterTheMeshMoved) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> anywhere(-0.3, 0.3);
+  PartDesc solid;
+  solid.shape = "sphere";
+  solid.size = Vec3(0.3, 0.2, 0.25);
+  const auto mesh = rigid_mesh(mesh_of(solid), 1);
+  DrawItem item{.mesh = mesh, .pose = {}, .appearance = {}};
+  SurfaceTrees trees;
+  int met = 0;
+  for (int round = 0; round < 4; ++round) {
+    for (int k = 0; k < 300; ++k) {
+      const Vec3 from(anywhere(random), anywhere(random), 1);
+      const Ray ray{from, (Vec3(anywhere(random), anywhere(random), 0) - from).normalized()};
+      std::optional<double> expected;
+      for (const auto& t : mesh->triangles)
+        if (const auto d = meet(ray, mesh->positions[t[0]].cast<double>(),
+                                mesh->positions[t[1]].cast<double>(), mesh->positions[t[2]].cast<double>());
+            d && (!expected || *d < *expected))
+          expected = d;
+      const auto point = trees.meet(ray, item);
+      ASSERT_EQ(point.has_value(), expected.has_value());
+      if (!point) continue;
+      ++met;
+      ASSERT_NEAR(point->distance, *expected, 1e-9);
+    }
+    for (auto& x : mesh->positions) x += 0.05F * Eigen::Vector3f::Random();
+    ++mesh->positions_revision;
+    if (round == 2) {  // cut: half of it is gone
+      mesh->triangles.resize(mesh->triangles.size() / 2);
+      ++mesh->revision;
+    }
+  }
+  EXPECT_GT(met, 300);
 }
 
 TEST(Wireframe, OfABoxHasItsTwelveEdges) {

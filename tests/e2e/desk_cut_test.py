@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """desk_cut_test.py BIN OUT, run under xvfb-run: a person at a desk cuts the liver of cut.toml with the mouse, as
-docs/understand/cutting.md tells: takes up the knife, turns the wrist with Shift and the wheel, draws the blade through the left lobe, lets go, and takes
-the cut back with Z. What came of it is read in the client's log, in the server's summary and in pictures."""
+docs/understand/cutting.md tells: from above, takes up the knife, turns the wrist with Shift and Alt and the wheel, lowers the blade into
+the left lobe with the wheel, draws it through, lets go, and takes the cut back with Z. What came of it is read in the client's log, in the server's summary and in
+pictures."""
 
-import json
 import os
 import pathlib
 import sys
@@ -14,28 +14,21 @@ from desk_person import Processes, View, act, wait_until, windows
 BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 SCENE = pathlib.Path(__file__).parents[2] / "deploy/scenes/cut.toml"
 SIZE = 640, 480
-EYE, TARGET, FOV = (-0.3, 1.4, 0.55), (0, 0.96, 0), 0.75  # the scene's camera
-HANDLE = 0.23, 0.93, 0.105  # above the knife's, as it lies
-ASIDE, ABOVE, BELOW = (0.2, 1.12, 0.12), (0.03, 1.12, 0.12), (0.03, 0.95, 0.12)
-
-
-def last_line():
-    """The last that the client knew."""
-    try:
-        lines = (OUT / "log.jsonl").read_text().splitlines()
-        return json.loads(lines[-1]) if lines else {}
-    except (OSError, ValueError):
-        return {}  # not there yet, or still being written
+FOV = 0.75  # the scene's camera's
+HANDLE = 0.23, 0.91, 0.12  # the knife's, as it lies
+BEHIND_LOBE = 0.03, 0.9, -0.11  # where the knife's tip is brought, so that the blade is over the lobe
+BEFORE_LOBE = 0.03, 0.95, 0.04  # where it is drawn to
+HIGH, DEEP = 16, 35  # notches of a centimetre: above the surface, and from there down
 
 
 def parts():
     """Of the scene, by name."""
-    return last_line().get("parts", {})
+    return view.last_line().get("parts", {})
 
 
 def topology():
     """All meshes' hash."""
-    return last_line().get("topology")
+    return view.last_line().get("topology")
 
 
 def revision():
@@ -60,22 +53,33 @@ with Processes(OUT) as processes:
     window = wait_until("the window", lambda: windows(f"Prosector: {session}"))[0]
     act("windowfocus", window)
     wait_until("the scene", lambda: processes.says("client.log", "everything is here"))
-    view = View(window, SIZE, EYE, TARGET, FOV)
-    view.turn_to_yaw(0)  # along the knife
-    time.sleep(0.5)
+    view = View(window, SIZE, FOV, OUT / "log.jsonl")
+    view.eyes()
+    view.picture().save(OUT / "start.png")
+    act("key", "4")  # from above
+    view.wheel(-5, "ctrl")  # so that the knife is in the picture, too
+    view.settle()
     view.picture().save(OUT / "before.png")
 
-    view.reach_for(HANDLE)
+    view.point_at(HANDLE)
     time.sleep(1)
     act("mousedown", 1)
     wait_until("the knife in the hand", holds_knife, 10)
-    view.draw(HANDLE, ASIDE, 10)
+    view.wheel(-HIGH)
+    time.sleep(1)
     view.roll(-1.6)  # the edge down
-    view.draw(ASIDE, ABOVE, 10)
+    view.wheel(-3, "alt")  # the tip lower than the hand
     time.sleep(1)
+    view.draw(HANDLE, BEHIND_LOBE, 20)
+    time.sleep(1)
+    view.picture().save(OUT / "above.png")
     assert revision() == 0, "cut before the knife came down"
-    view.draw(ABOVE, BELOW, 25)
+    for _ in range(DEEP):
+        view.wheel(1)
+        time.sleep(0.1)
+    view.draw(BEHIND_LOBE, BEFORE_LOBE, 20)
     time.sleep(1)
+    view.picture().save(OUT / "through.png")
     assert revision() > 0, "the knife cut nothing"
     cut_off = pieces()
     act("mouseup", 1)

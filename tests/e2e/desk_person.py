@@ -107,67 +107,71 @@ def cross(a, b):
 
 
 class View:
-    """Where a desk user's eye is, as mouse and keyboard have moved it: client/app/desk.cpp."""
+    """What a desk user's window shows, where their eyes are by the client's --session-log, and what their mouse does."""
 
-    FIRST_REACH = 0.7  # of the way to the target
-    TURN_PER_PIXEL = 0.005
-    REACH_PER_NOTCH, WRIST_PER_NOTCH = 0.02, 0.1
+    WRIST_PER_NOTCH = 0.1
 
-    def __init__(self, window, size, eye, target, fov):
+    def __init__(self, window, size, fov, log, name="mouse"):
         self.left, self.top = corner(window)
         self.width, self.height = size
-        self.target, self.fov = target, fov
-        back = minus(eye, target)
-        self.distance = math.sqrt(dot(back, back))
-        self.yaw, self.pitch = math.atan2(back[0], back[2]), math.asin(back[1] / self.distance)
-        self.reach = self.FIRST_REACH * self.distance
+        self.fov, self.log, self.name = fov, log, name
+        act("mousemove", self.left + self.width // 2, self.top + self.height // 2)  # the wheel is of the window below the pointer
 
-    def back(self):
-        return (math.sin(self.yaw) * math.cos(self.pitch), math.sin(self.pitch), math.cos(self.yaw) * math.cos(self.pitch))
+    def last_line(self):
+        """The last that the client knew."""
+        try:
+            lines = self.log.read_text().splitlines()
+            return json.loads(lines[-1]) if lines else {}
+        except (OSError, ValueError):
+            return {}  # not there yet, or still being written
 
-    def eye(self):
-        return plus(self.target, times(self.distance, self.back()))
+    def eyes(self):
+        """Where they are and where they look, once they are known."""
+        eyes = wait_until("the eyes", lambda: self.last_line().get("people", {}).get(self.name, {}).get("eyes"))
+        return tuple(eyes["at"]), tuple(eyes["look"])
 
-    def turn_to_yaw(self, yaw):
-        """With the right button."""
-        x, y = self.left + self.width // 2, self.top + self.height // 2
-        pixels = round((self.yaw - yaw) / self.TURN_PER_PIXEL)
-        act("mousemove", x, y, "mousedown", 3, "mousemove", x + pixels, y)
-        time.sleep(0.2)
-        act("mouseup", 3)
-        self.yaw -= pixels * self.TURN_PER_PIXEL
+    def settle(self):
+        """Waits until the eyes are where they stay."""
+        time.sleep(0.5)
+        before = None
+        while (now := self.eyes()) != before:
+            before = now
+            time.sleep(0.3)
 
-    def wheel(self, notches):
+    def hand(self):
+        """Where the right wrist is, as the physics has it."""
+        return tuple(wait_until("the hand", lambda: self.last_line().get("people", {}).get(self.name, {}).get("right"))["at"])
+
+    def wheel(self, notches, key=None):
+        """Turns the wheel while a key is held: up, away from the person, if notches > 0."""
+        if key:
+            act("keydown", key)
         for _ in range(abs(notches)):
             act("click", 4 if notches > 0 else 5)
+        if key:
+            act("keyup", key)
 
     def roll(self, angle):
-        act("keydown", "shift")
-        self.wheel(round(angle / self.WRIST_PER_NOTCH))
-        act("keyup", "shift")
+        self.wheel(round(angle / self.WRIST_PER_NOTCH), "shift")
 
     def pixel(self, place):
-        """Of a place in the room, on the screen; and how far it is from the eye, m."""
-        way = minus(place, self.eye())
-        back = self.back()
-        right = (math.cos(self.yaw), 0, -math.sin(self.yaw))
-        up = cross(back, right)
-        scale = self.height / 2 / math.tan(self.fov / 2) / -dot(way, back)
-        return (round(self.left + self.width / 2 + scale * dot(way, right)), round(self.top + self.height / 2 - scale * dot(way, up)),
-                math.sqrt(dot(way, way)))
+        """Of a place in the room, on the screen."""
+        eye, look = self.eyes()
+        way = minus(place, eye)
+        level = math.hypot(look[0], look[2])
+        right = (-look[2] / level, 0, look[0] / level)
+        up = cross(right, look)
+        scale = self.height / 2 / math.tan(self.fov / 2) / dot(way, look)
+        return (round(self.left + self.width / 2 + scale * dot(way, right)),
+                round(self.top + self.height / 2 - scale * dot(way, up)))
 
-    def reach_for(self, place):
-        """Brings the fingertips there, to a notch of the wheel."""
-        x, y, distance = self.pixel(place)
-        act("mousemove", x, y)
-        notches = round((distance - self.reach) / self.REACH_PER_NOTCH)
-        self.wheel(notches)
-        self.reach += notches * self.REACH_PER_NOTCH
+    def point_at(self, place):
+        act("mousemove", *self.pixel(place))
 
     def draw(self, start, end, steps):
-        """A tenth of a second a step."""
+        """Moves the pointer from one place in the room to another, a tenth of a second a step."""
         for k in range(1, steps + 1):
-            self.reach_for(plus(start, times(k / steps, minus(end, start))))
+            self.point_at(plus(start, times(k / steps, minus(end, start))))
             time.sleep(0.1)
 
     def picture(self):

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """desk_test.py BIN OUT, run under xvfb-run: a person at a desk. A real server, a real window, and xdotool for the mouse and the
 keys: P over an organ brings up its panel, a click presses a button, a drag moves the slider, the button held over the
-organ grasps. What came of it is read in the client's pictures and in the server's summary.
+organ goes in, touches and holds it. What came of it is read in the client's pictures and log and in the server's summary.
 """
 
 import os
@@ -11,11 +11,11 @@ import time
 
 from PIL import Image, ImageChops, ImageFilter, ImageGrab
 
-from desk_person import Processes, act, corner, wait_until, windows
+from desk_person import Processes, View, act, corner, minus, wait_until, windows
 
 BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 WIDTH, HEIGHT = 800, 600
-BEFORE, PANEL, WORKED = 6, 10, 20  # s after joining: when the client takes its pictures
+START, BEFORE, PANEL, WORKED = 3, 9, 13, 23  # s after joining: when the client takes its pictures
 AUDIENCE = 820, 20, 440, 240  # x, y, width, height, beside the window
 # Of the panel, as parts of its width and height from its upper left corner: common/panel.h.
 LIGHT_SHAFT = ((0.15 + 0.071) / 0.30, (0.13 + 0.012) / 0.26)
@@ -93,6 +93,22 @@ def extent(mask, axis):
     return lit[0], lit[-1] + 1
 
 
+def red_share(image, axis):
+    """The share of the picture's width (axis 0) or height that the red organ takes."""
+    red, green, _ = image.split()
+    lit = ImageChops.subtract(red, green).point(lambda level: 255 if level > 40 else 0).getbbox()
+    return (lit[axis + 2] - lit[axis]) / image.size[axis] if lit else 0
+
+
+def touches():
+    """What the right hand touches, as the client knows."""
+    return view.last_line().get("touches", {}).get("mouse, right", {}).get("body")
+
+
+def holders():
+    return view.last_line().get("parts", {}).get("jelly", {}).get("holders", [])
+
+
 def share(mask, x, y):
     """White part of the panel's area x by y, each from … to, as parts of it."""
     (a, b), (c, d) = panel
@@ -107,14 +123,18 @@ with Processes(OUT) as processes:
                    OUT / "server.json")
     wait_until("the server", lambda: processes.says("server.log", "is open on this machine"))
     client = processes.start("client.log", BIN / "prosector-client", "join", "--name", "mouse", "--session", session, "--domain", 77,
-                   "--size", f"{WIDTH}x{HEIGHT}", "--no-overlay", "--audience", *(word for t in (BEFORE, PANEL, WORKED) for word in ("--screenshot", f"{OUT / str(t)}.png@{t}")))
+                   "--size", f"{WIDTH}x{HEIGHT}", "--no-overlay", "--session-log", OUT / "log.jsonl", "--audience", *(word for t in (START, BEFORE, PANEL, WORKED) for word in ("--screenshot", f"{OUT / str(t)}.png@{t}")))
     window = wait_until("the window", lambda: windows(f"Prosector: {session}"))[0]
     audience = wait_until("the audience's window", lambda: windows("Prosector: audience"))[0]
     act("windowsize", audience, *AUDIENCE[2:], "windowmove", audience, *AUDIENCE[:2])
     left, top = corner(window)
     act("windowfocus", window)
 
-    act("mousemove", left + WIDTH // 2, top + HEIGHT // 2 + 106)  # the organ's middle: 0.2 m below the view's
+    # The organ fills most of the picture, and its middle is the picture's.
+    red = [red_share(picture(START), axis) for axis in (0, 1)]
+    assert 0.5 < max(red) < 0.7, f"the organ takes {red} of the picture's width and height"
+    view = View(window, (WIDTH, HEIGHT), 0.8, OUT / "log.jsonl")
+    view.wheel(-10, "ctrl")  # so that there is room for the panel
     before = picture(BEFORE)
     shown_to_all = ImageGrab.grab(xdisplay="")
     x, y, across, down = AUDIENCE
@@ -140,16 +160,44 @@ with Processes(OUT) as processes:
     act("mouseup", 1)
     worked = picture(WORKED)
 
-    # Beside the panel the same button grasps: there is an organ under the pointer, or there is not.
-    act("mousemove", left + 40, top + HEIGHT - 40, "mousedown", 1)
+    # Beside the panel the same button goes in and holds; what is held follows the pointer, and is let go.
+    middle = left + WIDTH // 2, top + HEIGHT // 2
+    act("mousemove", *middle)
+    time.sleep(1)
+    pressed = time.monotonic()
+    act("mousedown", 1)
+    wait_until("a touch", lambda: touches() == "jelly", 5)
+    print(f"touched {time.monotonic() - pressed:.2f} s after the button went down")
+    wait_until("a hold", lambda: "mouse, right" in holders(), 5)
+    held_at = view.hand()
+    for step in range(1, 6):
+        act("mousemove", middle[0] + 8 * step, middle[1])
+        time.sleep(0.1)
+    time.sleep(1)
+    drawn = minus(view.hand(), held_at)
+    assert drawn[0] > 0.02 and abs(drawn[2]) < 0.5 * drawn[0], f"the hand moved by {drawn} m, not to the right"
+    view.picture().save(OUT / "held.png")
+    act("mouseup", 1)
+    wait_until("it let go", lambda: not holders(), 5)
+
+    act("mousemove", left + 40, top + HEIGHT - 40)  # over nothing
+    before = view.eyes()
+    act("click", 1, "click", 1)
     time.sleep(0.5)
+    assert view.eyes() == before, "a double click over nothing moved the view"
+    act("mousemove", *middle, "click", 1, "click", 1)  # frames the organ
+    view.settle()
+    assert view.eyes() != before
+    view.picture().save(OUT / "framed.png")
+    act("mousemove", left + 40, top + HEIGHT - 40, "mousedown", 1)
+    time.sleep(1)
     act("mouseup", 1)
     time.sleep(0.5)
     commands = processes.leave(client, server)
     assert commands["open_panel"]["granted"] == 1, commands
     assert commands["set_control"]["granted"] >= 3, commands  # the button, and the slider on its way
     assert commands["set_control"]["refused"] == 0, commands
-    assert commands["grasp"]["granted"] + commands["grasp"]["refused"] == 1, commands
+    assert commands["grasp"] == {"granted": 1, "refused": 1}, commands  # the organ; over nothing
     # The slider's knob is where the pointer left it, and not where it was.
     mask = changed(after, worked)
     for x, _ in KNOB, KNOB_RIGHT:

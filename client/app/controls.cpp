@@ -1,0 +1,49 @@
+#include "client/app/controls.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace prosector {
+namespace {
+
+std::string_view name_of(ControlDevice device) {
+  constexpr std::array<std::string_view, 5> names = {"The view, with mouse and keyboard",
+                                                     "Your hand, with the mouse", "Gamepad",
+                                                     "Headset and glove", "At this terminal"};
+  return names[static_cast<std::size_t>(device)];
+}
+
+std::string_view whose(Role least) {
+  constexpr std::array<std::string_view, 3> names = {"everyone", "who takes part", "the host"};
+  return names[static_cast<std::size_t>(least)];
+}
+
+std::size_t longest_input() {
+  return std::ranges::max(controls, {}, [](const Control& c) { return c.input.size(); }).input.size();
+}
+
+}  // namespace
+
+std::string help_text(Role role, std::span<const ControlDevice> devices) {
+  std::string out;
+  for (const ControlDevice device : devices) {
+    std::string lines;
+    for (const Control& control : controls)
+      if (control.device == device && control.least <= role)
+        lines += fmt::format("  {:<{}}  {}\n", control.input, longest_input(), control.does);
+    if (!lines.empty()) out += fmt::format("{}\n{}", name_of(device), lines);
+  }
+  if (!out.empty()) out.pop_back();
+  return out;
+}
+
+std::string controls_in_markdown(ControlDevice device) {
+  std::string out = "| Control | does | for |\n|---|---|---|\n";
+  for (const Control& control : controls)
+    if (control.device == device)
+      out += fmt::format("| {} | {} | {} |\n", control.input, control.does, whose(control.least));
+  return out;
+}
+
+}  // namespace prosector

@@ -1,0 +1,96 @@
+#pragma once
+// Every key and control, once: the help in the window and at the terminal is made of this table, and
+// docs/do/join.md is held to it.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "common/messages.h"
+
+namespace prosector {
+
+/// What people have in their hands. Mouse and keyboard move the view of everyone who has a window, and the
+/// hand of those who have no other device.
+enum class ControlDevice : std::uint8_t { view, hand, gamepad, headset, terminal };
+
+struct Control {
+  ControlDevice device;
+  Role least;  // who has that role or a higher one
+  std::string_view input, does;
+};
+
+inline constexpr std::array controls = {
+    Control{ControlDevice::hand, Role::dissector, "mouse", "your hand hovers over what the pointer is at"},
+    Control{ControlDevice::hand, Role::dissector, "wheel", "how high it hovers, down to pressing in"},
+    Control{ControlDevice::hand, Role::dissector, "hold left button", "goes in, takes hold and draws"},
+    Control{ControlDevice::hand, Role::dissector, "wheel meanwhile",
+            "pulls; an instrument: how deep its tip is"},
+    Control{ControlDevice::hand, Role::dissector, "Shift + wheel", "rolls the wrist"},
+    Control{ControlDevice::hand, Role::dissector, "Alt + wheel", "bends the wrist"},
+    Control{ControlDevice::hand, Role::dissector, "P, middle button",
+            "the panel of the part under the pointer"},
+    Control{ControlDevice::hand, Role::dissector, "left button on it", "works the panel's controls"},
+    Control{ControlDevice::hand, Role::dissector, "Z", "takes back your last cut"},
+    Control{ControlDevice::view, Role::observer, "right drag", "turns the view"},
+    Control{ControlDevice::view, Role::observer, "Shift + right drag", "moves it along the picture"},
+    Control{ControlDevice::view, Role::observer, "+ -, Ctrl + wheel, pinch", "zooms; Ctrl + right drag, too"},
+    Control{ControlDevice::view, Role::observer, "Home", "back to the first view"},
+    Control{ControlDevice::view, Role::observer, "G, double click", "frames what is under the pointer"},
+    Control{ControlDevice::view, Role::observer, "1 to 9", "saved views: front, left, right, above, yours"},
+    Control{ControlDevice::view, Role::observer, "Ctrl + 1 to 9", "saves this view"},
+    Control{ControlDevice::view, Role::observer, "W A S D Q E", "flies"},
+    Control{ControlDevice::view, Role::observer, "F", "turns about the eye, or again about what is seen"},
+    Control{ControlDevice::view, Role::observer, "Tab", "through the eyes of the next user"},
+    Control{ControlDevice::view, Role::observer, "V", "colours organs by strain, residual, error"},
+    Control{ControlDevice::view, Role::observer, "C", "what bodies collide as"},
+    Control{ControlDevice::view, Role::observer, "I", "figures of pictures, network and simulation"},
+    Control{ControlDevice::view, Role::observer, "F11", "fills the screen"},
+    Control{ControlDevice::view, Role::observer, "H, F1", "these lines"},
+    Control{ControlDevice::view, Role::observer, "Esc", "leaves"},
+    Control{ControlDevice::gamepad, Role::observer, "left stick, bumpers", "fly"},
+    Control{ControlDevice::gamepad, Role::observer, "right stick", "turns the view; pressed, as F"},
+    Control{ControlDevice::gamepad, Role::observer, "left trigger + left stick", "zooms"},
+    Control{ControlDevice::gamepad, Role::observer, "left stick pressed", "back to the first view"},
+    Control{ControlDevice::gamepad, Role::observer, "upper button", "through the eyes of the next user"},
+    Control{ControlDevice::gamepad, Role::observer, "cross left, right", "as V, as C"},
+    Control{ControlDevice::gamepad, Role::observer, "back, start", "figures, these lines"},
+    Control{ControlDevice::gamepad, Role::dissector, "left trigger + right stick", "moves the pointer"},
+    Control{ControlDevice::gamepad, Role::dissector, "right trigger, lower button",
+            "as the left mouse button"},
+    Control{ControlDevice::gamepad, Role::dissector, "cross up, down", "as the wheel"},
+    Control{ControlDevice::gamepad, Role::dissector, "left trigger + bumpers", "roll the wrist"},
+    Control{ControlDevice::gamepad, Role::dissector, "left trigger + cross", "bends the wrist"},
+    Control{ControlDevice::gamepad, Role::dissector, "left button",
+            "the panel of the part under the pointer"},
+    Control{ControlDevice::gamepad, Role::dissector, "right button", "takes back your last cut"},
+    Control{ControlDevice::headset, Role::dissector, "tracker, glove", "your hand is where yours is"},
+    Control{ControlDevice::headset, Role::dissector, "make a fist", "takes hold; open the hand: lets go"},
+    Control{ControlDevice::headset, Role::dissector, "index and little finger",
+            "the panel of what you point at"},
+    Control{ControlDevice::headset, Role::dissector, "a stretched index", "works the panel's controls"},
+    Control{ControlDevice::terminal, Role::dissector, "undo", "takes back your last cut"},
+    Control{ControlDevice::terminal, Role::dissector, "detach PART, attach PART",
+            "out of its place; back into it"},
+    Control{ControlDevice::terminal, Role::dissector, "reset BODY", "undoes all that was done to it"},
+    Control{ControlDevice::terminal, Role::dissector, "inspect PART [SCALE]",
+            "shows it SCALE times as large"},
+    Control{ControlDevice::terminal, Role::dissector, "end PART", "puts it back to where it was"},
+    Control{ControlDevice::terminal, Role::observer, "cuts", "what was cut, by whom, and the revisions"},
+    Control{ControlDevice::terminal, Role::observer, "picture FILE",
+            "takes a picture of what is shown (PNG)"},
+    Control{ControlDevice::terminal, Role::observer, "look X Y Z X Y Z", "offscreen: from there to there, m"},
+    Control{ControlDevice::terminal, Role::observer, "look", "as the scene has it"},
+    Control{ControlDevice::terminal, Role::host, "give NAME ROLE", "makes them host, dissector or observer"},
+    Control{ControlDevice::terminal, Role::host, "rewind PART REVISION", "everything as it was then"},
+};
+
+/// Returns the help for who has that role and those devices: a line a control, in columns.
+std::string help_text(Role role, std::span<const ControlDevice> devices);
+
+/// Returns the rows of one device as a table in Markdown.
+std::string controls_in_markdown(ControlDevice device);
+
+}  // namespace prosector

@@ -1,0 +1,52 @@
+#pragma once
+// How mouse, keyboard and gamepad move a desk user's eye and pointer.
+
+#include "client/app/desk_room.h"
+#include "client/app/desk_start.h"
+#include "client/app/gamepad_user.h"
+#include "client/app/held_keys.h"
+#include "client/app/orbit_view.h"
+#include "client/view/draw_list.h"
+
+namespace prosector {
+
+class DeskView {
+ public:
+  /// Begins at the start, with the pointer in the middle of a picture of that size, pixels.
+  void begin(const DeskStart& start, int width, int height);
+  /// Takes an event, whether or not it is for the view.
+  void take(const WindowEvent& event, const DeskRoom& room);
+  void advance(double seconds, const GamepadUser& pad);
+
+  /// Frames what is under the pointer; large things are brought near rather than framed. Over nothing the
+  /// view stays.
+  void frame_pointed(const DeskRoom& room);
+
+  /// Steps back until the whole box is in the picture, unless it is already.
+  void make_room_for(const Eigen::AlignedBox3d& box);
+
+  const ViewPlace& place() const { return orbit_.place(); }
+  DrawCamera camera() const;
+  Ray pointer() const;
+  const Eigen::Vector2d& pointer_pixel() const { return pointer_; }
+  bool is_held(Key key) const { return keys_.is_held(key); }
+
+ private:
+  OrbitView orbit_;
+  double fov_ = 0.8;  // vertical, rad
+  std::array<std::optional<ViewPlace>, saved_views> views_{};
+  bool flies_ = false;  // turning moves the target about the eye, not the eye about the target
+  HeldKeys keys_;
+  int width_ = 1, height_ = 1;                         // of the picture, pixels
+  Eigen::Vector2d pointer_ = Eigen::Vector2d::Zero();  // pixels from the top left
+  bool drags_ = false;                                 // with the right button
+  double drag_depth_ = 1;                              // m ahead of the eye: what was taken hold of
+
+  void press(Key key, const DeskRoom& room);
+  void go_to_saved(std::size_t index);
+  void drag(const Eigen::Vector2d& by);
+  void turn(const Eigen::Vector2d& by);
+  void fly(double seconds, const GamepadUser& pad);
+};
+
+}  // namespace prosector

@@ -1,0 +1,28 @@
+#pragma once
+// What a key is called on keyboards other than a US one.
+
+#include <cctype>
+#include <string_view>
+
+#include "client/render/window_context.h"
+
+namespace prosector {
+
+/// Returns the key that people mean who press what is `place` on a US keyboard and prints `printed` on theirs
+/// (UTF-8, lower case; empty: not known). W A S D Q E are a cross for the fingers and go by their place.
+/// Other letters, plus and minus go by what they print; plus is '=', as on a US keyboard.
+inline Key key_meant(Key place, std::string_view printed) {
+  constexpr std::string_view cross = "WASDQE";
+  const auto in_cross = [&](Key key) {
+    return static_cast<int>(key) < 128 && cross.find(static_cast<char>(key)) != std::string_view::npos;
+  };
+  if (printed.size() != 1 || in_cross(place)) return place;
+  const char sign = printed.front();
+  if (sign == '+' || sign == '=') return key_of('=');
+  if (sign == '-') return key_of('-');
+  if (std::isalpha(static_cast<unsigned char>(sign)) == 0) return place;
+  const Key letter = key_of(static_cast<char>(std::toupper(static_cast<unsigned char>(sign))));
+  return in_cross(letter) ? place : letter;
+}
+
+}  // namespace prosector

@@ -1,0 +1,61 @@
+// The table of controls: the help that is made of it, and the documentation that is held to it.
+
+#include "client/app/controls.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace prosector {
+namespace {
+
+constexpr std::array at_the_desk = {ControlDevice::hand, ControlDevice::view};
+
+TEST(Controls, EachRoleIsToldWhatItMayDoAndNothingElse) {
+  const std::string observer = help_text(Role::observer, at_the_desk);
+  const std::string dissector = help_text(Role::dissector, at_the_desk);
+  EXPECT_EQ(observer.find("hand"), std::string::npos) << observer;
+  EXPECT_NE(observer.find("Tab"), std::string::npos);
+  EXPECT_NE(dissector.find("your hand hovers"), std::string::npos);
+  EXPECT_NE(dissector.find("Tab"), std::string::npos);
+  constexpr std::array terminal = {ControlDevice::terminal};
+  EXPECT_EQ(help_text(Role::dissector, terminal).find("give"), std::string::npos);
+  EXPECT_NE(help_text(Role::host, terminal).find("give"), std::string::npos);
+}
+
+TEST(Controls, HaveOneRowForEachInputOfADeviceAndFitAWindow) {
+  std::set<std::pair<ControlDevice, std::string_view>> seen;
+  for (const Control& control : controls) {
+    EXPECT_TRUE(seen.emplace(control.device, control.input).second) << control.input;
+    EXPECT_FALSE(control.does.empty());
+  }
+  std::istringstream lines(help_text(Role::host, at_the_desk));
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) EXPECT_LT(line.size(), 80u) << line;
+  EXPECT_LT(count, 29) << "of 17 points, below the overlay, on 600";
+}
+
+TEST(Controls, AreInTheDocumentationAsTheyAreHere) {
+  std::ifstream file(PROSECTOR_JOIN_PAGE);
+  std::stringstream page;
+  page << file.rdbuf();
+  constexpr std::array<std::pair<std::string_view, ControlDevice>, 5> tables = {
+      {{"hand", ControlDevice::hand},
+       {"view", ControlDevice::view},
+       {"gamepad", ControlDevice::gamepad},
+       {"headset", ControlDevice::headset},
+       {"terminal", ControlDevice::terminal}}};
+  for (const auto& [name, device] : tables) {
+    const std::string expected = "<!-- controls: " + std::string(name) + " -->\n" +
+                                 controls_in_markdown(device) + "<!-- /controls -->\n";
+    EXPECT_NE(page.str().find(expected), std::string::npos)
+        << "docs/do/join.md differs from client/app/controls.h; put there:\n"
+        << expected;
+  }
+}
+
+}  // namespace
+}  // namespace prosector

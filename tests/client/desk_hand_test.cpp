@@ -1,0 +1,205 @@
+// A hand at the desk: over what the pointer is at, in, and drawn along the picture.
+
+#include "client/app/desk_hand.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace prosector {
+namespace {
+
+constexpr double frame = 0.02;  // s
+
+class HandAtTheDesk : public testing::Test {
+ protected:
+  DeskHand hand;
+  HandGuide guide;
+
+  void SetUp() override {
+    guide.pointer = {{0, 1.5, 1}, Vec3(0, -0.5, -1).normalized()};
+    guide.back = -guide.pointer.along;
+    hand.begin(guide.pointer, 0.7);
+  }
+  /// Goes on; the physical hand is where it is to be.
+  void go_on(double seconds) {
+    for (double t = 0; t < seconds; t += frame) {
+      guide.physical = hand.pose();
+      hand.advance(guide, frame);
+    }
+  }
+  double along() const { return (hand.fingertips() - guide.pointer.from).dot(guide.pointer.along); }
+  double beside() const {
+    return (hand.fingertips() - guide.pointer.from - along() * guide.pointer.along).norm();
+  }
+};
+
+TEST_F(HandAtTheDesk, HoversAboveTheSurfaceAndTheWheelSaysHowHigh) {
+  guide.surface = 1.0;
+  go_on(1);
+  EXPECT_NEAR(along(), 1.0 - first_hover, 1e-9);
+  EXPECT_LT(beside(), 1e-9);
+  hand.reach(-0.05);
+  go_on(1);
+  EXPECT_NEAR(along(), 1.0 - first_hover - 0.05, 1e-9);
+  guide.surface = 0.8;
+  go_on(1);
+  EXPECT_NEAR(along(), 0.8 - first_hover - 0.05, 1e-9) << "kept over another surface";
+  hand.reach(10);
+  go_on(1);
+  EXPECT_GT(along(), 0.8) << "pressed in";
+  EXPECT_LT(along(), 0.85);
+}
+
+TEST_F(HandAtTheDesk, KeepsItsDepthWhereThereIsNoSurface) {
+  guide.surface = 1.0;
+  go_on(1);
+  const double kept = along();
+  guide.surface.reset();
+  go_on(0.5);
+  EXPECT_NEAR(along(), kept, 1e-9);
+  guide.pointer.along = Vec3(0.3, -0.4, -1).normalized();
+  go_on(1);
+  EXPECT_NEAR(along(), kept, 1e-9);
+  hand.reach(0.1);
+  go_on(1);
+  EXPECT_NEAR(along(), kept + 0.1, 1e-9);
+}
+
+TEST_F(HandAtTheDesk, TheButtonBringsItInAndGrasps) {
+  guide.surface = 1.0;
+  guide.soft = true;
+  go_on(1);
+  hand.press();
+  EXPECT_TRUE(hand.take_wishes().empty()) << "not in yet";
+  go_on(0.3);
+  EXPECT_NEAR(along(), 1.008, 1e-6) << "into what gives way";
+  EXPECT_EQ(hand.take_wishes(), std::vector<HandWish>{HandWish::grasp});
+  go_on(0.3);
+  EXPECT_GT(hand.flexion(), 0.8);
+  hand.let_go();
+  EXPECT_EQ(hand.take_wishes(), std::vector<HandWish>{HandWish::release});
+  go_on(0.3);
+  EXPECT_NEAR(along(), 1.0 - first_hover, 1e-9);
+  EXPECT_LT(hand.flexion(), 0.2);
+}
+
+TEST_F(HandAtTheDesk, AClickIsTooShortToGrasp) {
+  guide.surface = 1.0;
+  go_on(1);
+  hand.press();
+  go_on(0.08);
+  hand.let_go();
+  go_on(1);
+  EXPECT_TRUE(hand.take_wishes().empty());
+}
+
+TEST_F(HandAtTheDesk, WaitsForThePhysicalHandButNotForEver) {
+  guide.surface = 1.0;
+  go_on(1);
+  hand.press();
+  guide.physical->p += Vec3(0.2, 0, 0);
+  for (double t = 0; t < 0.4; t += frame) hand.advance(guide, frame);
+  EXPECT_TRUE(hand.take_wishes().empty());
+  for (double t = 0; t < 0.2; t += frame) hand.advance(guide, frame);
+  EXPECT_EQ(hand.take_wishes().size(), 1u);
+}
+
+TEST_F(HandAtTheDesk, WhatItHoldsIsDrawnParallelToThePictureAndPulledByTheWheel) {
+  guide.surface = 1.0;
+  go_on(1);
+  hand.press();
+  go_on(0.5);
+  const Vec3 taken = hand.fingertips();
+  guide.surface = 3;  // what is held is not in the pointer's way: it meets what is behind
+  guide.pointer.along = Vec3(0.2, -0.4, -1).normalized();
+  go_on(1);
+  const Vec3 drawn = hand.fingertips();
+  EXPECT_GT((drawn - taken).norm(), 0.1);
+  EXPECT_NEAR((drawn - taken).dot(guide.back), 0, 1e-9);
+  EXPECT_LT(beside(), 1e-9) << "under the pointer";
+  const double depth = along();
+  for (int k = 0; k < 5; ++k) hand.reach(-0.02);
+  go_on(1);
+  EXPECT_NEAR(along(), depth - 0.1, 1e-9);
+}
+
+TEST_F(HandAtTheDesk, AnInstrumentHoversByItsTip) {
+  guide.surface = 1.0;
+  go_on(1);
+  hand.press();
+  go_on(0.3);
+  const Pose before = hand.pose();
+  guide.tip = Vec3(0.02, -0.01, -0.36);
+  guide.physical = hand.pose();
+  hand.advance(guide, frame);
+  EXPECT_LT((hand.pose().p - before.p).norm(), 2.4 * frame) << "no jump";
+  go_on(2);
+  const auto tip = [&] { return Vec3(hand.pose() * *guide.tip); };
+  EXPECT_LT((tip() - guide.pointer.from - (1.0 - first_hover) * guide.pointer.along).norm(), 1e-6);
+  hand.reach(0.06);
+  go_on(1);
+  EXPECT_NEAR((tip() - guide.pointer.from).dot(guide.pointer.along), 1.02, 1e-6) << "2 cm into it";
+  guide.tip.reset();
+  hand.let_go();
+  go_on(2);
+  EXPECT_NEAR(along(), 1.0 - first_hover, 1e-6);
+}
+
+TEST_F(HandAtTheDesk, ComesFromBelowThePictureButNotFromBelowATable) {
+  const auto lift = [&] { return std::asin((hand.pose().q * -Vec3::UnitZ()).y()); };
+  guide.surface = 1.0;
+  guide.pitch = 0;
+  guide.level = 0;
+  go_on(1);
+  EXPECT_GT(lift(), 0.3) << "a wall, seen level";
+  guide.pitch = 0.6;
+  guide.level = 1;
+  go_on(1);
+  EXPECT_LT(lift(), -0.2) << "a table: the wrist is above it";
+  hand.press();
+  go_on(0.3);
+  const double held = lift();
+  guide.pitch = 1.5;
+  go_on(1);
+  EXPECT_NEAR(lift(), held, 1e-9) << "what is held isn't turned";
+  hand.let_go();
+  go_on(1);
+  EXPECT_NEAR(lift(), -0.6, 1e-9);
+}
+
+TEST_F(HandAtTheDesk, NeverJumps) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> anywhere(-1, 1);
+  Vec3 last = hand.fingertips();
+  for (int k = 0; k < 3000; ++k) {
+    switch (random() % 6) {
+      case 0:
+        guide.pointer.along = Vec3(anywhere(random), anywhere(random), -1).normalized();
+        break;
+      case 1:
+        guide.surface = 2 + 2 * anywhere(random);
+        break;
+      case 2:
+        guide.surface.reset();
+        break;
+      case 3:
+        hand.reach(anywhere(random));
+        break;
+      case 4:
+        hand.press();
+        break;
+      default:
+        hand.let_go();
+    }
+    guide.physical = hand.pose();
+    hand.advance(guide, frame);
+    ASSERT_TRUE(is_finite(hand.pose()));
+    ASSERT_LE((hand.fingertips() - last).norm(), fastest_hand * frame + 1e-9);
+    last = hand.fingertips();
+  }
+}
+
+}  // namespace
+}  // namespace prosector
