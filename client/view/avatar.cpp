@@ -15,6 +15,8 @@ constexpr double name_above = 0.2;  // m, from the eyes
 
 const Appearance eyes_look{.color = {0.03, 0.03, 0.035}, .roughness = 0.2};
 
+const Appearance mask_look{.color = {0.6, 0.68, 0.7}, .roughness = 0.9, .surface = Surface::cloth};
+
 /// Makes a face pale enough that shading shows, in the user's tint.
 Appearance face_look(const Vec3& color) {
   return {.color = 0.55 * Vec3(0.85, 0.83, 0.8) + 0.3 * color, .roughness = 0.6, .surface = Surface::skin};
@@ -38,14 +40,18 @@ TriangleMesh eyes_surface() {
 
 FigureMeshes::FigureMeshes(const FigureSurfaces& surfaces, std::uint64_t first_mesh_id)
     : head(rigid_mesh(surfaces.head, first_mesh_id)),
-      bust(rigid_mesh(surfaces.bust, first_mesh_id + 1)),
-      eyes(rigid_mesh(eyes_surface(), first_mesh_id + 2)),
-      forearm(rigid_mesh(surfaces.forearm, first_mesh_id + 3)) {}
+      cap(rigid_mesh(surfaces.cap, first_mesh_id + 1)),
+      mask(rigid_mesh(surfaces.mask, first_mesh_id + 2)),
+      bust(rigid_mesh(surfaces.bust, first_mesh_id + 3)),
+      eyes(rigid_mesh(eyes_surface(), first_mesh_id + 4)),
+      forearm(rigid_mesh(surfaces.forearm, first_mesh_id + 5)) {}
 
 void add_avatar(DrawList& list, const FigureMeshes& figure, const Pose& head, const Vec3& color,
                 const std::string& name) {
   list.items.push_back({.mesh = figure.head, .pose = head, .appearance = face_look(color)});
   list.items.push_back({.mesh = figure.eyes, .pose = head, .appearance = eyes_look});
+  list.items.push_back({.mesh = figure.cap, .pose = head, .appearance = coat_look(color)});
+  list.items.push_back({.mesh = figure.mask, .pose = head, .appearance = mask_look});
   list.items.push_back({.mesh = figure.bust, .pose = bust_below(head), .appearance = coat_look(color)});
   DrawText label;
   label.text = name;
@@ -54,16 +60,8 @@ void add_avatar(DrawList& list, const FigureMeshes& figure, const Pose& head, co
   list.texts.push_back(label);
 }
 
-void add_forearm(DrawList& list, const FigureMeshes& figure, const Pose& wrist, const Pose& bust,
-                 std::size_t hand, const Vec3& color) {
-  list.items.push_back(
-      {.mesh = figure.forearm, .pose = forearm_behind(wrist, bust, hand), .appearance = coat_look(color)});
-}
-
-void add_axes(DrawList& list, const Pose& frame, double length) {
-  for (int axis = 0; axis < 3; ++axis)
-    list.lines.push_back({frame.p, frame * Vec3(length * Vec3::Unit(axis)),
-                          axis_colors[static_cast<std::size_t>(axis)], 2.5, false});
+void add_forearm(DrawList& list, const FigureMeshes& figure, const Pose& forearm, const Vec3& color) {
+  list.items.push_back({.mesh = figure.forearm, .pose = forearm, .appearance = coat_look(color)});
 }
 
 void add_corner_axes(DrawList& list, const Quat& frame, const DrawCamera& camera) {

@@ -12,9 +12,9 @@ namespace prosector {
 
 /// A person's meshes, shared by all people.
 struct FigureMeshes {
-  std::shared_ptr<const DrawMesh> head, bust, eyes, forearm;
+  std::shared_ptr<const DrawMesh> head, cap, mask, bust, eyes, forearm;
 
-  static constexpr std::uint64_t meshes = 4;
+  static constexpr std::uint64_t meshes = 6;
   /// Takes mesh ids from `first_mesh_id` on.
   FigureMeshes(const FigureSurfaces& surfaces, std::uint64_t first_mesh_id);
 };
@@ -23,12 +23,8 @@ struct FigureMeshes {
 void add_avatar(DrawList& list, const FigureMeshes& figure, const Pose& head, const Vec3& color,
                 const std::string& name);
 
-/// Adds the forearm with its cuff behind a wrist; `bust` as bust_below() has it.
-void add_forearm(DrawList& list, const FigureMeshes& figure, const Pose& wrist, const Pose& bust,
-                 std::size_t hand, const Vec3& color);
-
-/// Adds axes of `length` metres at `frame`.
-void add_axes(DrawList& list, const Pose& frame, double length);
+/// Adds a forearm with its cuff, as forearm_behind() puts it.
+void add_forearm(DrawList& list, const FigureMeshes& figure, const Pose& forearm, const Vec3& color);
 
 /// Adds the axes of `frame` as `camera` sees their directions, in the lower left corner of every view.
 void add_corner_axes(DrawList& list, const Quat& frame, const DrawCamera& camera);

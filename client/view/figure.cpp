@@ -11,9 +11,9 @@
 namespace prosector {
 namespace {
 
-constexpr double head_cell = 0.011, bust_cell = 0.02;  // m, edge length of the triangles, about
-constexpr double most_wrist_bend = 0.6;                // rad
-const Vec3 right_shoulder{0.17, -0.27, 0.1};           // m, from the eyes
+constexpr double head_cell = 0.013, bust_cell = 0.026;  // m, edge length of the triangles, about
+constexpr double most_wrist_bend = 0.6;                 // rad
+const Vec3 right_shoulder{0.17, -0.27, 0.1};            // m, from the eyes
 
 /// Returns about the distance to an ellipsoid.
 double ellipsoid(const Vec3& x, const Vec3& center, const Vec3& radii) {
@@ -36,14 +36,24 @@ double blended(double a, double b, double blend) {
 
 double head_field(const Vec3& at) {
   const Vec3 x(std::abs(at.x()), at.y(), at.z());                                     // both sides are alike
-  double d = ellipsoid(x, {0, 0.035, 0.095}, {0.074, 0.088, 0.094});                  // skull
-  d = blended(d, ellipsoid(x, {0, -0.035, 0.045}, {0.058, 0.08, 0.055}), 0.03);       // face
-  d = blended(d, ellipsoid(x, {0, -0.09, 0.035}, {0.036, 0.028, 0.04}), 0.03);        // chin
+  double d = ellipsoid(x, {0, 0.035, 0.095}, {0.077, 0.088, 0.094});                  // skull
+  d = blended(d, ellipsoid(x, {0, -0.035, 0.045}, {0.063, 0.08, 0.055}), 0.03);       // face
+  d = blended(d, ellipsoid(x, {0, -0.09, 0.035}, {0.04, 0.028, 0.04}), 0.03);         // chin
   d = blended(d, capsule(x, {0, 0.02, -0.006}, {0.03, 0.018, 0.002}, 0.008), 0.012);  // brow
   d = blended(d, capsule(x, {0, -0.002, -0.012}, {0, -0.036, -0.03}, 0.008), 0.012);  // nose
   d = blended(d, capsule(x, {0, -0.068, -0.004}, {0.016, -0.068, 0}, 0.006), 0.008);  // mouth
   d = blended(d, ellipsoid(x, {0.076, -0.01, 0.095}, {0.009, 0.03, 0.018}), 0.008);   // ears
-  return blended(d, capsule(x, {0, -0.08, 0.1}, {0, -0.2, 0.11}, 0.05), 0.03);        // neck
+  return blended(d, capsule(x, {0, -0.08, 0.1}, {0, -0.2, 0.11}, 0.055), 0.03);       // neck
+}
+
+/// Returns the field of a cap on the skull, down to the forehead and lower behind.
+double cap_field(const Vec3& x) {
+  return std::max(head_field(x) - 0.006, 0.062 - 0.3 * x.z() - x.y());
+}
+
+/// Returns the field of a mask over nose and mouth.
+double mask_field(const Vec3& x) {
+  return std::max({head_field(x) - 0.005, x.y() + 0.016, -0.112 - x.y(), x.z() - 0.05});
 }
 
 double bust_field(const Vec3& at) {
@@ -99,6 +109,8 @@ TriangleMesh forearm() {
 
 FigureSurfaces make_figure_surfaces() {
   return {isosurface({head_field, {{-0.11, -0.27, -0.06}, {0.11, 0.15, 0.22}}}, head_cell),
+          isosurface({cap_field, {{-0.11, -0.06, -0.06}, {0.11, 0.15, 0.22}}}, head_cell),
+          isosurface({mask_field, {{-0.11, -0.15, -0.07}, {0.11, 0.01, 0.08}}}, head_cell),
           isosurface({bust_field, {{-0.31, -0.52, -0.05}, {0.31, -0.1, 0.26}}}, bust_cell), forearm()};
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The shape of a person: head, shoulders, forearm with cuff.
+// The shape of a person: head with cap and mask, shoulders, forearm with cuff.
 
 #include <memory>
 
@@ -8,10 +8,10 @@
 
 namespace prosector {
 
-/// What of a person is not a hand, in metres. Head and bust are about the eyes, −z ahead and +y up, the bust
-/// as of a head held level. The forearm is in a wrist's frame, its elbow towards +z.
+/// What of a person is not a hand, in metres. Head, cap, mask and bust are about the eyes, −z ahead and
+/// +y up, the bust as of a head held level. The forearm is in a wrist's frame, its elbow towards +z.
 struct FigureSurfaces {
-  TriangleMesh head, bust, forearm;
+  TriangleMesh head, cap, mask, bust, forearm;
 };
 
 /// Makes the surfaces. Takes some tenths of a second.

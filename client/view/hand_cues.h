@@ -17,9 +17,10 @@ class HandCues {
   /// Finds what a ray meets first; of one body alone, if it is given.
   using Find = std::function<std::optional<Picked>(const Ray&, std::optional<BodyId>)>;
 
-  /// Adds the cues of a hand whose fingertips are there (m, world frame); over nothing there are none. Meshes
-  /// get ids from `next_mesh_id` on.
-  void add(DrawList& list, const Vec3& fingertips, const Find& find, std::uint64_t& next_mesh_id);
+  /// Adds the cues of a hand whose fingertips are there (m, world frame); over nothing there are none.
+  /// Returns what lies near below them. Meshes get ids from `next_mesh_id` on.
+  std::optional<BodyId> add(DrawList& list, const Vec3& fingertips, const Find& find,
+                            std::uint64_t& next_mesh_id);
 
  private:
   static constexpr std::size_t bands = 7;  // of the shadow, from its middle outwards

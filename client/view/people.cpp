@@ -20,36 +20,44 @@ Vec3 color_of(const Replica& replica, ParticipantId who) {
 
 }  // namespace
 
-bool People::is_ready(std::uint64_t& next_mesh_id) {
-  if (!made_ && to_come_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
-    made_ = to_come_.get();
-  if (made_ && !figure_) {
-    figure_.emplace(made_->figure, next_mesh_id);
-    next_mesh_id += FigureMeshes::meshes;
-  }
-  return made_.has_value();
+void People::take_made(std::uint64_t& next_mesh_id) {
+  const auto is_there = [](const auto& future) {
+    return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  };
+  if (is_there(skins_to_come_)) skins_ = skins_to_come_.get();
+  if (!is_there(figure_to_come_)) return;
+  figure_.emplace(figure_to_come_.get(), next_mesh_id);
+  next_mesh_id += FigureMeshes::meshes;
 }
 
 void People::add(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
                  const std::string& seen_through, std::uint64_t& next_mesh_id) {
   own_hand_.reset();
-  if (!is_ready(next_mesh_id)) return;
+  take_made(next_mesh_id);
   if (self.present) add_self(list, replica, tick, self, next_mesh_id);
   for (const auto& [id, entry] : replica.roster()) {
     const auto user = replica.user(id, tick);
     if (!user || (self.present && id == self.participant)) continue;
     add_hands(list, id, user->hands, entry.color, next_mesh_id);
-    // Without a head, the forearms go straight on.
-    for (const std::size_t hand : {left_hand, right_hand})
-      if (user->hands[hand].tracked)
-        add_forearm(list, *figure_, user->hands[hand].pose, bust_below(user->head), hand, entry.color);
-    if (user->head_tracked && entry.name != seen_through)
-      add_avatar(list, *figure_, user->head, entry.color, entry.name);
+    add_figure(list, *user, entry, user->head_tracked && entry.name != seen_through);
   }
+}
+
+void People::add_figure(DrawList& list, const UserState& user, const RosterEntry& entry, bool with_head) {
+  if (!figure_) return;
+  for (const std::size_t hand : {left_hand, right_hand}) {
+    if (!user.hands[hand].tracked) continue;
+    const Pose& wrist = user.hands[hand].pose;
+    // Where the head isn't known, the forearm goes straight on.
+    const Pose forearm = user.head_tracked ? forearm_behind(wrist, bust_below(user.head), hand) : wrist;
+    add_forearm(list, *figure_, forearm, entry.color);
+  }
+  if (with_head) add_avatar(list, *figure_, user.head, entry.color, entry.name);
 }
 
 void People::add_self(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
                       std::uint64_t& next_mesh_id) {
+  if (!skins_) return;
   const Vec3 color = color_of(replica, self.participant);
   const auto physical = self.at_desk ? replica.user(self.participant, tick) : std::nullopt;
   const HandPose& target = self.input.hands[right_hand];
@@ -64,7 +72,7 @@ void People::add_self(DrawList& list, const Replica& replica, double tick, const
 }
 
 void People::add_ghost(DrawList& list, const HandPose& hand, const Vec3& color, std::uint64_t& next_mesh_id) {
-  const HandSkin& skin = made_->skins[right_hand];
+  const HandSkin& skin = (*skins_)[right_hand];
   if (!ghost_) ghost_ = skin.make_mesh(next_mesh_id++);
   skin.bend(*ghost_, hand.flexion);
   list.items.push_back({.mesh = ghost_,
@@ -76,9 +84,10 @@ void People::add_ghost(DrawList& list, const HandPose& hand, const Vec3& color, 
 
 void People::add_hands(DrawList& list, ParticipantId who, const std::array<HandPose, 2>& hands,
                        const Vec3& color, std::uint64_t& next_mesh_id) {
+  if (!skins_) return;
   for (const std::size_t hand : {left_hand, right_hand}) {
     if (!hands[hand].tracked) continue;
-    const HandSkin& skin = made_->skins[hand];
+    const HandSkin& skin = (*skins_)[hand];
     auto& mesh = hands_[{who, hand}];
     if (!mesh) mesh = skin.make_mesh(next_mesh_id++);
     skin.bend(*mesh, hands[hand].flexion);

@@ -27,22 +27,17 @@ class People {
   std::optional<std::size_t> own_hand() const { return own_hand_; }
 
  private:
-  /// Meshes to come: made at once, on a thread of their own, so that no frame waits when the first person
-  /// comes.
-  struct Made {
-    std::array<HandSkin, 2> skins;
-    FigureSurfaces figure;
-  };
   std::map<std::pair<ParticipantId, std::size_t>, std::shared_ptr<DrawMesh>> hands_;
   std::shared_ptr<DrawMesh> ghost_;
-  std::future<Made> to_come_ = std::async(std::launch::async, [] {
-    return Made{make_hand_skins(), make_figure_surfaces()};
-  });
-  std::optional<Made> made_;
+  // Made at once, on threads of their own, so that no frame waits when the first person comes.
+  std::future<std::array<HandSkin, 2>> skins_to_come_ = std::async(std::launch::async, make_hand_skins);
+  std::future<FigureSurfaces> figure_to_come_ = std::async(std::launch::async, make_figure_surfaces);
+  std::optional<std::array<HandSkin, 2>> skins_;
   std::optional<FigureMeshes> figure_;
   std::optional<std::size_t> own_hand_;
 
-  bool is_ready(std::uint64_t& next_mesh_id);
+  void take_made(std::uint64_t& next_mesh_id);
+  void add_figure(DrawList& list, const UserState& user, const RosterEntry& entry, bool with_head);
   void add_self(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
                 std::uint64_t& next_mesh_id);
   void add_ghost(DrawList& list, const HandPose& hand, const Vec3& color, std::uint64_t& next_mesh_id);

@@ -213,27 +213,33 @@ void SceneView::add_hand_cues(const Replica& replica, const LocalUser& self, dou
   const std::vector<BodyId> held = held_by(replica, {self.participant, right_hand});
   const HandPose& hand = user->hands[right_hand];
   const Vec3 fingertips = hand.pose * middle_fingertip(right_hand, hand.flexion);
-  hand_cues_.add(
-      list_, fingertips,
-      [&](const Ray& ray, std::optional<BodyId> only) {
-        return nearest_item(ray, [&](BodyId body) {
-          return only ? body == *only : std::ranges::find(held, body) == held.end();
-        });
-      },
-      next_mesh_id_);
+  const auto find = [&](const Ray& ray, std::optional<BodyId> only) {
+    return nearest_item(
+        ray, [&](BodyId body) { return only ? body == *only : std::ranges::find(held, body) == held.end(); });
+  };
+  const auto below = hand_cues_.add(list_, fingertips, find, next_mesh_id_);
   const ContactSample* contact = replica.contact(self.participant, right_hand);
-  const bool covers = hand_covers(contact != nullptr && contact->touching ? contact->point : fingertips);
-  hand_opacity_ += std::clamp((covers ? covering_opacity : 1) - hand_opacity_, -opacity_step, opacity_step);
+  std::optional<BodyId> worked_on = below;
+  if (contact != nullptr && contact->touching) worked_on = contact->body;
+  if (!held.empty()) worked_on = held.front();
+  const auto& bodies = replica.scene()->bodies;
+  const bool matters = worked_on && *worked_on < bodies.size() &&
+                       (bodies[*worked_on].kind == BodyKind::soft || bodies[*worked_on].moves);
+  const double to = matters && hand_covers(hand, *worked_on) ? covering_opacity : 1;
+  hand_opacity_ += std::clamp(to - hand_opacity_, -opacity_step, opacity_step);
   list_.items[*index].opacity = hand_opacity_;
 }
 
-/// Tells whether the first eye sees one's own hand before the point.
-bool SceneView::hand_covers(const Vec3& point) {
-  constexpr double slack = 0.012;  // m: a finger's tip doesn't cover where it touches
+/// Tells whether the first eye sees a good part of the hand before the body.
+bool SceneView::hand_covers(const HandPose& hand, BodyId body) {
   const Vec3& eye = list_.cameras.front().pose.p;
-  const Vec3 way = point - eye;
-  const auto met = trees_.meet({eye, way.normalized()}, list_.items[*people_.own_hand()]);
-  return met && met->distance < way.norm() - slack;
+  std::size_t before = 0;
+  for (const Pose& joint : hand_pose(right_hand, hand.flexion)) {
+    const Vec3 way = hand.pose * joint.p - eye;
+    const auto point = nearest_item({eye, way.normalized()}, [&](BodyId other) { return other == body; });
+    if (point && point->distance > way.norm()) ++before;
+  }
+  return before >= hand_joints / 4;
 }
 
 Eigen::AlignedBox3d SceneView::box_of(BodyId body) const {

@@ -65,7 +65,7 @@ class SceneView {
   template <class Counts>
   std::optional<Picked> nearest_item(const Ray& ray, const Counts& counts);
   void add_hand_cues(const Replica& replica, const LocalUser& self, double tick);
-  bool hand_covers(const Vec3& point);
+  bool hand_covers(const HandPose& hand, BodyId body);
   void add_light_shaft(const DrawItem& item);
   void add_wireframes(Replica& replica, double tick);
   void add_panels(const Replica& replica);

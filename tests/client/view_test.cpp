@@ -252,7 +252,8 @@ TEST(Figure, IsOfClosedSurfacesOfAPersonsSize) {
   EXPECT_GT(volume(figure().bust), 10e-3);
   EXPECT_GT(volume(figure().forearm), 0.6e-3);
   EXPECT_LT(volume(figure().forearm), 2e-3);
-  for (const TriangleMesh* mesh : {&figure().head, &figure().bust, &figure().forearm}) {
+  for (const TriangleMesh* mesh :
+       {&figure().head, &figure().cap, &figure().mask, &figure().bust, &figure().forearm}) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (const auto& t : mesh->triangles)
       for (std::size_t k = 0; k < 3; ++k)
@@ -295,9 +296,9 @@ TEST(Avatar, HasAHeadShouldersAndAName) {
   DrawList list;
   const Pose pose{{1, 1.5, 0}, Quat(Eigen::AngleAxisd(0.5, Vec3::UnitY()))};
   add_avatar(list, FigureMeshes(figure(), 1), pose, {1, 0, 0}, "Vesalius");
-  ASSERT_EQ(list.items.size(), 3u) << "head, eyes, shoulders";
+  ASSERT_EQ(list.items.size(), 5u) << "head, eyes, cap, mask, shoulders";
   for (const DrawItem& item : list.items) EXPECT_EQ(item.pose.p, pose.p);
-  EXPECT_GT(list.items[2].appearance.color.x(), 2 * list.items[2].appearance.color.y()) << "in their colour";
+  EXPECT_GT(list.items[4].appearance.color.x(), 2 * list.items[4].appearance.color.y()) << "in their colour";
   ASSERT_EQ(list.texts.size(), 1u);
   EXPECT_EQ(list.texts[0].text, "Vesalius");
   EXPECT_GT(list.texts[0].at.y(), pose.p.y() + 0.15) << "above the head";
