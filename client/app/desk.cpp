@@ -108,6 +108,11 @@ void Desk::move_hand(const DeskSession& session, double seconds) {
     guide.soft = session.is_soft(point->body);
     guide.level = point->normal.y();
   }
+  guide.gap = [&](const Vec3& place) -> std::optional<double> {
+    const Vec3 way = place - guide.pointer.from;
+    const auto behind = session.room.surface({guide.pointer.from, way.normalized()});
+    return behind ? std::optional(behind->distance - way.norm()) : std::nullopt;
+  };
   guide.physical = session.physical_hand;
   guide.tip = session.tip;
   hand_.advance(guide, seconds);

@@ -5,11 +5,15 @@
 #include <numbers>
 #include <utility>
 
+#include "common/hand.h"
+
 namespace prosector {
 namespace {
 
 constexpr double least_reach = 0.12, most_reach = 4;         // m
 constexpr double most_hover = 0.5, least_hover = -0.03;      // m: the open hand presses as deep as that
+constexpr double clearance = 0.025;                          // m, of a hovering hand's joints
+constexpr double most_retreat = 0.15;                        // m
 constexpr double deepest_tool = -0.15;                       // m
 constexpr double depth_in_soft = 0.008, depth_in_rigid = 0;  // m
 constexpr double tool_speed = 0.4;         // m/s, from the fingertips to an instrument's tip
@@ -111,9 +115,22 @@ Vec3 DeskHand::wanted(const HandGuide& guide) {
   if (guide.surface) {
     double above = phase_ == Phase::grips ? tool_hover_ : hover_;
     if (phase_ == Phase::goes_in) above = std::min(hover_, guide.soft ? -depth_in_soft : -depth_in_rigid);
-    reach_ = std::clamp(*guide.surface - above, least_reach, most_reach);
+    double reach = *guide.surface - above;
+    if (phase_ == Phase::hovers && hover_ >= clearance) reach -= crowded(guide, reach);
+    reach_ = std::clamp(reach, least_reach, most_reach);
   }
   return guide.pointer.from + reach_ * guide.pointer.along;
+}
+
+/// Returns how much nearer to the eye (m) than `reach` the fingertips must stay, so that no other part of the
+/// hand touches what it only hovers above.
+double DeskHand::crowded(const HandGuide& guide, double reach) const {
+  double lacks = 0;
+  if (!guide.gap) return lacks;
+  const Pose wrist = pose_at(guide.pointer.from + reach * guide.pointer.along);
+  for (const Pose& joint : hand_pose(right_hand, {}))
+    if (const auto gap = guide.gap(wrist * joint.p)) lacks = std::max(lacks, clearance - *gap);
+  return std::min(lacks, most_retreat);
 }
 
 /// Returns where the ray meets the plane through the anchor that is parallel to the picture, pulled.
@@ -136,13 +153,17 @@ void DeskHand::grip_when_in(const HandGuide& guide, const Vec3& to, double secon
 }
 
 Quat DeskHand::wrist() const {
-  return Quat(Eigen::AngleAxisd(yaw_, Vec3::UnitY()) * Eigen::AngleAxisd(-roll_, Vec3::UnitZ()) *
-              Eigen::AngleAxisd(lift_ + bend_, Vec3::UnitX()));
+  return Quat(Eigen::AngleAxisd(yaw_, Vec3::UnitY()) * Eigen::AngleAxisd(bend_, Vec3::UnitX()) *
+              Eigen::AngleAxisd(-roll_, Vec3::UnitZ()) * Eigen::AngleAxisd(lift_, Vec3::UnitX()));
 }
 
 Pose DeskHand::pose() const {
+  return pose_at(point_);
+}
+
+Pose DeskHand::pose_at(const Vec3& point) const {
   const Quat q = wrist();
-  return {point_ - q * (fingertips_in_wrist + from_fingertips_), q};
+  return {point - q * (fingertips_in_wrist + from_fingertips_), q};
 }
 
 Vec3 DeskHand::fingertips() const {

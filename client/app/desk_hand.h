@@ -2,6 +2,7 @@
 // The hand of a desk user. Its fingertips hover above what the pointer is at; the button brings them in and
 // closes the hand. What it holds is drawn along the picture, and an instrument hovers by its tip.
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -18,9 +19,12 @@ struct HandGuide {
   std::optional<double> surface;  // m along the pointer's ray; nullopt: it meets nothing
   bool soft = false;              // the surface gives way
   double level = 0;               // how far it faces up: its normal's y
-  bool still = false;             // the fingertips stay where they are
-  std::optional<Pose> physical;   // the wrist as physics has it
-  std::optional<Vec3> tip;        // of the instrument in the hand, wrist frame
+  /// Returns how far behind a place (m, world frame), as the eye sees it, the next surface is: below 0 it is
+  /// before it; nullopt: there is none. Empty: nothing else is near.
+  std::function<std::optional<double>(const Vec3&)> gap;
+  bool still = false;            // the fingertips stay where they are
+  std::optional<Pose> physical;  // the wrist as physics has it
+  std::optional<Vec3> tip;       // of the instrument in the hand, wrist frame
 };
 
 /// What a hand at the desk asks the server for.
@@ -36,8 +40,8 @@ class DeskHand {
   void begin(const Ray& pointer, double reach);
   /// Moves the fingertips farther away, m: nearer to the surface, or into it.
   void reach(double by);
-  /// Turns the wrist, rad. `roll` is about what is straight ahead, clockwise as the user sees it, so that an
-  /// instrument that was taken up lying stays level. `bend` lifts the fingers.
+  /// Turns the wrist, rad. `bend` lifts what points straight ahead, however the hand is rolled. `roll` is
+  /// about that, clockwise as the user sees it, so that an instrument that was taken up lying stays level.
   void turn(double roll, double bend);
   void press();
   void let_go();
@@ -72,6 +76,8 @@ class DeskHand {
 
   Quat wrist() const;
   Vec3 wanted(const HandGuide& guide);
+  double crowded(const HandGuide& guide, double reach) const;
+  Pose pose_at(const Vec3& point) const;
   Vec3 drawn_along(const HandGuide& guide);
   void lift_fingers(const HandGuide& guide, double seconds);
   void follow_tool(const HandGuide& guide, double seconds);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double head_cell = 0.013, bust_cell = 0.026;  // m, edge length of the triangles, about
 constexpr double most_wrist_bend = 0.6;                 // rad
+const Vec3 neck_top{0, -0.09, 0.1};                     // m, from the eyes: about it the head turns
 const Vec3 right_shoulder{0.17, -0.27, 0.1};            // m, from the eyes
 
 /// Returns about the distance to an ellipsoid.
@@ -43,7 +44,7 @@ double head_field(const Vec3& at) {
   d = blended(d, capsule(x, {0, -0.002, -0.012}, {0, -0.036, -0.03}, 0.008), 0.012);  // nose
   d = blended(d, capsule(x, {0, -0.068, -0.004}, {0.016, -0.068, 0}, 0.006), 0.008);  // mouth
   d = blended(d, ellipsoid(x, {0.076, -0.01, 0.095}, {0.009, 0.03, 0.018}), 0.008);   // ears
-  return blended(d, capsule(x, {0, -0.08, 0.1}, {0, -0.2, 0.11}, 0.055), 0.03);       // neck
+  return blended(d, capsule(x, {0, -0.05, 0.095}, neck_top, 0.052), 0.03);            // nape
 }
 
 /// Returns the field of a cap on the skull, down to the forehead and lower behind.
@@ -60,9 +61,9 @@ double bust_field(const Vec3& at) {
   const Vec3 x(std::abs(at.x()), at.y(), at.z());
   double d = capsule(x, {0, -0.25, 0.105}, right_shoulder, 0.062);
   d = blended(d, ellipsoid(x, {0, -0.4, 0.105}, {0.185, 0.23, 0.115}), 0.06);
-  d = blended(d, capsule(x, right_shoulder, {0.205, -0.46, 0.11}, 0.05), 0.03);   // upper arms
-  d = blended(d, capsule(x, {0, -0.19, 0.105}, {0, -0.24, 0.105}, 0.062), 0.03);  // collar
-  return -blended(-d, x.y() + 0.47, 0.02);                                        // ends below the chest
+  d = blended(d, capsule(x, right_shoulder, {0.205, -0.46, 0.11}, 0.05), 0.03);  // upper arms
+  d = blended(d, capsule(x, {0, -0.13, 0.105}, {0, -0.24, 0.105}, 0.05), 0.04);  // neck, in its collar
+  return -blended(-d, x.y() + 0.47, 0.02);                                       // ends below the chest
 }
 
 /// Makes a surface of revolution about z from (z, radius) pairs, from the wrist on; wider than high.
@@ -108,17 +109,18 @@ TriangleMesh forearm() {
 }  // namespace
 
 FigureSurfaces make_figure_surfaces() {
-  return {isosurface({head_field, {{-0.11, -0.27, -0.06}, {0.11, 0.15, 0.22}}}, head_cell),
+  return {isosurface({head_field, {{-0.11, -0.18, -0.06}, {0.11, 0.15, 0.22}}}, head_cell),
           isosurface({cap_field, {{-0.11, -0.06, -0.06}, {0.11, 0.15, 0.22}}}, head_cell),
           isosurface({mask_field, {{-0.11, -0.15, -0.07}, {0.11, 0.01, 0.08}}}, head_cell),
-          isosurface({bust_field, {{-0.31, -0.52, -0.05}, {0.31, -0.1, 0.26}}}, bust_cell), forearm()};
+          isosurface({bust_field, {{-0.31, -0.52, -0.05}, {0.31, -0.05, 0.26}}}, bust_cell), forearm()};
 }
 
 Pose bust_below(const Pose& head) {
   const Vec3 back = head.q * Vec3::UnitZ(), up = head.q * Vec3::UnitY();
   // Whoever looks straight down or up has the way of their crown or chin.
   const Vec3 level = std::hypot(back.x(), back.z()) > 0.3 ? back : back.y() > 0 ? Vec3(-up) : up;
-  return {head.p, Quat(Eigen::AngleAxisd(std::atan2(level.x(), level.z()), Vec3::UnitY()))};
+  const Quat upright(Eigen::AngleAxisd(std::atan2(level.x(), level.z()), Vec3::UnitY()));
+  return {head * neck_top - upright * neck_top, upright};
 }
 
 Pose forearm_behind(const Pose& wrist, const Pose& bust, std::size_t hand) {

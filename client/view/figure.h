@@ -17,7 +17,8 @@ struct FigureSurfaces {
 /// Makes the surfaces. Takes some tenths of a second.
 FigureSurfaces make_figure_surfaces();
 
-/// Returns the pose of the bust below a head: it stands upright and turns with the head.
+/// Returns the pose of the bust below a head: it stands upright, turns with the head and meets it at the
+/// neck.
 Pose bust_below(const Pose& head);
 
 /// Returns the pose of the forearm behind a wrist: its elbow is bent towards the shoulder of the bust on that

@@ -52,6 +52,20 @@ TEST_F(HandAtTheDesk, HoversAboveTheSurfaceAndTheWheelSaysHowHigh) {
   EXPECT_LT(along(), 0.85);
 }
 
+TEST_F(HandAtTheDesk, StaysClearOfWhatIsBesideThePointer) {
+  guide.surface = 1.0;
+  guide.gap = [](const Vec3& place) { return std::optional(place.x() > 0.02 ? -0.03 : 1.0); };
+  go_on(1);
+  EXPECT_NEAR(along(), 1.0 - first_hover - 0.055, 1e-9) << "3 cm, and 2.5 cm clear of it";
+  hand.press();
+  go_on(0.3);
+  EXPECT_NEAR(along(), 1.0, 1e-6) << "the button touches";
+  hand.let_go();
+  hand.reach(0.03);
+  go_on(1);
+  EXPECT_NEAR(along(), 1.0 - first_hover + 0.03, 1e-6) << "so low the wheel wants it to touch";
+}
+
 TEST_F(HandAtTheDesk, KeepsItsDepthWhereThereIsNoSurface) {
   guide.surface = 1.0;
   go_on(1);
@@ -167,6 +181,18 @@ TEST_F(HandAtTheDesk, ComesFromBelowThePictureButNotFromBelowATable) {
   hand.let_go();
   go_on(1);
   EXPECT_NEAR(lift(), -0.6, 1e-9);
+}
+
+TEST_F(HandAtTheDesk, BendsUpAndDownHoweverItIsRolled) {
+  const Quat level = hand.pose().q;
+  for (const double roll : {0.0, 0.8, 0.8}) {
+    hand.turn(roll, 0);
+    const auto ahead = [&] { return Vec3(hand.pose().q * level.conjugate() * -Vec3::UnitZ()); };
+    EXPECT_LT((ahead() + Vec3::UnitZ()).norm(), 1e-9);
+    hand.turn(0, -0.3);
+    EXPECT_LT((ahead() - Vec3(0, -std::sin(0.3), -std::cos(0.3))).norm(), 1e-9) << roll;
+    hand.turn(0, 0.3);
+  }
 }
 
 TEST_F(HandAtTheDesk, NeverJumps) {
