@@ -12,11 +12,12 @@ namespace {
 
 constexpr double least_reach = 0.12, most_reach = 4;         // m
 constexpr double most_hover = 0.5, least_hover = -0.03;      // m: the open hand presses as deep as that
-constexpr double clearance = 0.025;                          // m, of a hovering hand's joints
+constexpr double clearance = 0.025;                          // m, of a hovering hand's joints and fingertips
 constexpr double most_retreat = 0.15;                        // m
 constexpr double deepest_tool = -0.15;                       // m
 constexpr double depth_in_soft = 0.008, depth_in_rigid = 0;  // m
 constexpr double tool_speed = 0.4;         // m/s, from the fingertips to an instrument's tip
+constexpr double fastest_closed = 0.8;     // m/s: what is held isn't torn out of it
 constexpr double there = 0.005;            // m
 constexpr double physical_there = 0.03;    // m, of the physical hand, which rests on things
 constexpr double most_patience = 0.5;      // s, for the physical hand
@@ -85,7 +86,7 @@ void DeskHand::advance(const HandGuide& guide, double seconds) {
   follow_tool(guide, seconds);
   const Vec3 to = guide.still ? point_ : wanted(guide);
   if (!to.allFinite()) return;
-  point_ += at_most(to - point_, fastest_hand * seconds);
+  point_ += at_most(to - point_, (is_closed() ? fastest_closed : fastest_hand) * seconds);
   if (phase_ == Phase::goes_in) grip_when_in(guide, to, seconds);
 }
 
@@ -128,8 +129,12 @@ double DeskHand::crowded(const HandGuide& guide, double reach) const {
   double lacks = 0;
   if (!guide.gap) return lacks;
   const Pose wrist = pose_at(guide.pointer.from + reach * guide.pointer.along);
-  for (const Pose& joint : hand_pose(right_hand, {}))
-    if (const auto gap = guide.gap(wrist * joint.p)) lacks = std::max(lacks, clearance - *gap);
+  const auto joints = hand_pose(right_hand, {});
+  for (const HandSegment& segment : hand_segments(right_hand))
+    for (const double along : {0.0, segment.length}) {
+      const auto gap = guide.gap(wrist * (joints[segment.joint] * Vec3(0, 0, -along)));
+      if (gap) lacks = std::max(lacks, clearance - *gap);
+    }
   return std::min(lacks, most_retreat);
 }
 

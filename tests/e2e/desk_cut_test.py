@@ -65,6 +65,7 @@ with Processes(OUT) as processes:
     time.sleep(1)
     act("mousedown", 1)
     wait_until("the knife in the hand", holds_knife, 10)
+    time.sleep(1)  # it goes up
     view.wheel(-HIGH)
     time.sleep(1)
     view.roll(-1.6)  # the edge down
