@@ -10,18 +10,19 @@
 namespace prosector {
 namespace {
 
-constexpr double least_reach = 0.12, most_reach = 4;         // m
-constexpr double most_hover = 0.5, least_hover = -0.03;      // m: the open hand presses as deep as that
-constexpr double clearance = 0.025;                          // m, of a hovering hand's joints and fingertips
-constexpr double most_retreat = 0.15;                        // m
-constexpr double deepest_tool = -0.15;                       // m
-constexpr double depth_in_soft = 0.008, depth_in_rigid = 0;  // m
-constexpr double tool_speed = 0.4;         // m/s, from the fingertips to an instrument's tip
-constexpr double fastest_closed = 0.8;     // m/s: what is held isn't torn out of it
-constexpr double there = 0.005;            // m
-constexpr double physical_there = 0.03;    // m, of the physical hand, which rests on things
-constexpr double most_patience = 0.5;      // s, for the physical hand
-constexpr double least_seconds_in = 0.12;  // a click that is shorter grasps nothing
+constexpr double least_reach = 0.12, most_reach = 4;     // m
+constexpr double most_hover = 0.5, least_hover = -0.03;  // m: the open hand presses as deep as that
+constexpr double clearance = 0.025;                      // m, of a hovering hand's joints and fingertips
+constexpr double most_retreat = 0.15;                    // m
+constexpr double deepest_tool = -0.15;                   // m
+constexpr double depth_in_soft = 0.008;                  // m
+constexpr double short_of_rigid = 0.015;                 // m: in reach, with room for fingers to close
+constexpr double tool_speed = 0.4;                       // m/s, from the fingertips to an instrument's tip
+constexpr double fastest_closed = 0.8;                   // m/s: what is held isn't torn out of it
+constexpr double there = 0.005;                          // m
+constexpr double physical_there = 0.03;                  // m, of the physical hand, which rests on things
+constexpr double most_patience = 0.5;                    // s, for the physical hand
+constexpr double least_seconds_in = 0.12;                // a click that is shorter grasps nothing
 constexpr double across = 0.7;  // rad between the gaze and the fingers: the hand comes from below the picture
 constexpr double lowest_lift = -0.6, highest_lift = 0.4;  // rad above level
 constexpr double highest_over_level = -0.25;  // over what lies level, where the wrist must not be below
@@ -115,7 +116,7 @@ Vec3 DeskHand::wanted(const HandGuide& guide) {
   anchor_ = point_;
   if (guide.surface) {
     double above = phase_ == Phase::grips ? tool_hover_ : hover_;
-    if (phase_ == Phase::goes_in) above = std::min(hover_, guide.soft ? -depth_in_soft : -depth_in_rigid);
+    if (phase_ == Phase::goes_in) above = std::min(hover_, guide.soft ? -depth_in_soft : short_of_rigid);
     double reach = *guide.surface - above;
     if (phase_ == Phase::hovers && hover_ >= clearance) reach -= crowded(guide, reach);
     reach_ = std::clamp(reach, least_reach, most_reach);
