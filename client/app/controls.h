@@ -48,6 +48,8 @@ inline constexpr std::array controls = {
     Control{ControlDevice::view, Role::observer, "C", "what bodies collide as"},
     Control{ControlDevice::view, Role::observer, "I", "figures of pictures, network and simulation"},
     Control{ControlDevice::view, Role::observer, "F11", "fills the screen"},
+    Control{ControlDevice::view, Role::host, "Space", "stops time for everyone; lets it go on"},
+    Control{ControlDevice::view, Role::host, "comma, full stop", "half as fast; a single tick"},
     Control{ControlDevice::view, Role::observer, "H, F1", "these lines"},
     Control{ControlDevice::view, Role::observer, "Esc", "leaves"},
     Control{ControlDevice::gamepad, Role::observer, "left stick, bumpers", "fly"},
@@ -85,6 +87,10 @@ inline constexpr std::array controls = {
     Control{ControlDevice::terminal, Role::observer, "look", "as the scene has it"},
     Control{ControlDevice::terminal, Role::host, "give NAME ROLE", "makes them host, dissector or observer"},
     Control{ControlDevice::terminal, Role::host, "rewind PART REVISION", "everything as it was then"},
+    Control{ControlDevice::terminal, Role::host, "stop, go", "time stands still for everyone; goes on"},
+    Control{ControlDevice::terminal, Role::host, "slow SHARE", "slow motion, a share of real time"},
+    Control{ControlDevice::terminal, Role::host, "step [TICKS]", "while time stands still: so many ticks"},
+    Control{ControlDevice::terminal, Role::host, "reset all", "everything as it was at the server's start"},
 };
 
 /// Returns the help for who has that role and those devices: a line a control, in columns.

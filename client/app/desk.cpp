@@ -40,6 +40,7 @@ void Desk::update(const DeskSession& session) {
   const double seconds = last_update_ ? std::chrono::duration<double>(now - *last_update_).count() : 0;
   last_update_ = now;
   follow_panel(session.own_panel);
+  pace_ = session.pace;
   for (const WindowEvent& event : window_.poll_events()) take(event, session.room);
   view_.advance(seconds, pad_);
   move_hand(session, seconds);
@@ -80,6 +81,17 @@ void Desk::press(Key key) {
   if (key == key_of('P')) request_panel();
   if (key == key_of('V')) choices_.shown = next(choices_.shown);
   if (key == key_of('Z')) ask(CommandKind::undo);
+  press_for_time(key);
+}
+
+/// Asks for what the host alone is granted: the server tells others so.
+void Desk::press_for_time(Key key) {
+  if (key == Key::space) ask(CommandKind::set_pace, PanelControl::attach, pace_ == 0 ? 1 : 0);
+  if (key == key_of(',')) ask(CommandKind::set_pace, PanelControl::attach, std::max(pace_ / 2, least_pace));
+  if (key == key_of('.')) {
+    ask(CommandKind::step_ticks);
+    commands_.back().revision = 1;
+  }
 }
 
 void Desk::turn_wheel(double notches) {
@@ -103,6 +115,7 @@ void Desk::move_hand(const DeskSession& session, double seconds) {
   guide.pitch = view_.place().pitch;
   guide.still = at_panel() && !hand_.is_pressed();  // which it would hide
   const auto point = session.room.surface(guide.pointer);
+  pointed_ = point && !at_panel() ? std::optional(point->body) : std::nullopt;
   if (point && point->distance < farthest_surface) {
     guide.surface = point->distance;
     guide.soft = session.is_soft(point->body);

@@ -21,6 +21,7 @@ struct DeskSession {
   std::optional<Pose> physical_hand = {};  // the wrist as physics has it
   std::optional<Vec3> tip = {};            // of the instrument in the hand, wrist frame
   std::function<bool(BodyId)> is_soft = {};
+  double pace = 1;  // of simulated time; 0: it stands still
 };
 
 /// What a desk user chose to see.
@@ -52,6 +53,10 @@ class Desk {
   std::optional<Ray> take_panel_request();
   bool has_gamepad() const { return pad_.is_there(); }
   const DeskChoices& choices() const { return choices_; }
+  /// Returns the body that the pointer is at; nullopt: none, or a panel.
+  std::optional<BodyId> pointed() const { return pointed_; }
+  /// Returns where the pointer is, pixels from the top left.
+  const Eigen::Vector2d& pointer_pixel() const { return view_.pointer_pixel(); }
   /// Returns how often the user asked for the eyes of the next one since the last call.
   std::size_t take_follow_requests();
 
@@ -72,10 +77,13 @@ class Desk {
   Eigen::Vector2d last_press_pixel_ = Eigen::Vector2d::Zero();
   std::vector<Command> commands_;
   std::optional<Ray> panel_request_;
+  std::optional<BodyId> pointed_;
+  double pace_ = 1;
   bool awaits_panel_ = false;  // asked for one that has not come up yet
 
   void take(const WindowEvent& event, const DeskRoom& room);
   void press(Key key);
+  void press_for_time(Key key);
   void turn_wheel(double notches);
   void press_button(const DeskRoom& room);
   bool is_double_click();

@@ -106,6 +106,7 @@ DeskSession Viewer::desk_session(const Replica& replica, double tick, Participan
   const auto user = replica.user(self, tick);
   if (user && user->hands[right_hand].tracked) out.physical_hand = user->hands[right_hand].pose;
   out.tip = instrument_tip(replica, hand, tick);
+  out.pace = replica.pace();
   return out;
 }
 
@@ -120,6 +121,8 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   self.at_desk = !has_devices(options_.devices);
   const DeskChoices& choices = desk.choices();
   settings.eye = desk.eye();
+  settings.pointed = desk.pointed();
+  settings.pointer = desk.pointer_pixel();
   settings.wireframes = options_.wireframes != choices.wireframes;
   settings.shown = choices.shown;
   if (choices.full_screen != full_screen_) {
@@ -146,7 +149,10 @@ void Viewer::drive_hand_at_desk(InputPump& pump, LocalUser& self, bool has_panel
   const auto part = stage_->view.part_at(*request);
   command.kind = part ? CommandKind::open_panel : CommandKind::close_panel;
   command.body = part.value_or(0);
-  if (part || has_panel) connection_.command(command);
+  if (part || has_panel)
+    connection_.command(command);
+  else
+    say("P: this is no part of the anatomy");
 }
 
 /// Goes on to the next other user who has eyes, and after the last one back to one's own.

@@ -1,8 +1,8 @@
 #pragma once
-// Light from around that does not get into creases and between things that touch, found in the picture's depth.
-// It asks how much of a ball around a point is filled (Loos and Sloan, Volumetric obscurance, I3D 2010). Lines
-// through the ball come in pairs, one on each side of its middle, whose sum is nothing on any plane.
-// Private to client/render.
+// Light from around that does not get into creases and between things that touch, found in the picture's
+// depth. It asks how much of a ball around a point is filled (Loos and Sloan, Volumetric obscurance, I3D
+// 2010). Lines through the ball come in pairs, one on each side of its middle, whose sum is nothing on any
+// plane. Private to client/render.
 
 #include "client/render/render_target.h"
 

@@ -1,6 +1,9 @@
 #include "client/view/session_overlay.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <set>
 
 #include "client/view/avatar.h"
 #include "client/view/contact_overlay.h"
@@ -20,6 +23,21 @@ void add_contact(DrawList& list, const Replica& replica, ParticipantId who) {
   }
   if (strongest != nullptr)
     add_contact_overlay(list, *strongest, replica.scene()->bodies[strongest->body].name);
+}
+
+/// Names what the pointer is at, and who holds it.
+void add_pointed_name(DrawList& list, const Replica& replica, const ViewSettings& settings) {
+  constexpr double right = 16, above = 30, height = 13;  // points from the pointer
+  if (!settings.pointed || *settings.pointed >= replica.scene()->bodies.size()) return;
+  std::string text = replica.scene()->bodies[*settings.pointed].name;
+  std::set<std::string> holders;
+  if (const PartState* part = replica.part(*settings.pointed))
+    for (const HandRef& hand : part->holders)
+      if (const auto who = replica.roster().find(hand.participant); who != replica.roster().end())
+        holders.insert(who->second.name);
+  if (!holders.empty()) text += fmt::format(", held by {}", fmt::join(holders, ", "));
+  const Eigen::Vector2d at = settings.pointer / list.scale + Eigen::Vector2d(right, -above);
+  list.texts.push_back({.text = std::move(text), .at = {at.x(), at.y(), 0}, .height = height});
 }
 
 /// Adds lines at the lower border, beside the axes.
@@ -63,6 +81,7 @@ void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser
                 ? fmt::format("through the eyes of {}", settings.follow)
                 : fmt::format("{} is not here; own view", settings.follow));
   add_messages(list, settings.messages);
+  add_pointed_name(list, replica, settings);
   if (const RosterEntry* followed = find_by_name(replica, settings.follow))
     add_contact(list, replica, followed->participant);
   else if (self.present)

@@ -17,12 +17,14 @@ struct ViewSettings {
   std::optional<StereoProfile> stereo;  // nullopt: one picture
   double detail = 0;                    // pixels, for LevelOfDetail::choose()
   bool overlay = true;
-  bool wireframes = false;                 // of what bodies collide as
-  Shown shown = Shown::none;               // by soft bodies' colours
-  std::string notes;                       // lines below the session's; empty: none
-  std::vector<std::string> messages = {};  // lines at the lower border, the oldest first
-  std::vector<std::string> insets;         // names of users whose views are seen small; not in stereo
-  std::string follow;                      // name of a participant; empty: own camera
+  bool wireframes = false;                            // of what bodies collide as
+  Shown shown = Shown::none;                          // by soft bodies' colours
+  std::string notes;                                  // lines below the session's; empty: none
+  std::vector<std::string> messages = {};             // lines at the lower border, the oldest first
+  std::optional<BodyId> pointed = {};                 // body to name beside the pointer
+  Eigen::Vector2d pointer = Eigen::Vector2d::Zero();  // pixels from the top left
+  std::vector<std::string> insets;  // names of users whose views are seen small; not in stereo
+  std::string follow;               // name of a participant; empty: own camera
   std::optional<Pose>
       eye;  // own camera, for instance from the desk; nullopt: tracked head, else the scene's camera
 };

@@ -105,6 +105,34 @@ TEST_F(AtTheDesk, AKeyPressedTurnsOnAndOffOnceHoweverLongItIsHeld) {
   EXPECT_TRUE(desk.closed());
 }
 
+TEST_F(AtTheDesk, KeysAskForTimeToStopGoOnSlowDownAndStep) {
+  const auto asked = [&](Key key, double pace) {
+    session.pace = pace;
+    update();
+    desk.take_commands();
+    press(key);
+    const std::vector<Command> commands = desk.take_commands();
+    EXPECT_EQ(commands.size(), 1u);
+    return commands.empty() ? Command{} : commands.front();
+  };
+  EXPECT_EQ(asked(Key::space, 1).value, 0);
+  EXPECT_EQ(asked(Key::space, 0.25).value, 0);
+  EXPECT_EQ(asked(Key::space, 0).value, 1);
+  EXPECT_EQ(asked(Key::space, 0).kind, CommandKind::set_pace);
+  EXPECT_EQ(asked(key_of(','), 1).value, 0.5);
+  EXPECT_EQ(asked(key_of(','), least_pace).value, least_pace);
+  EXPECT_EQ(asked(key_of('.'), 0).kind, CommandKind::step_ticks);
+  EXPECT_EQ(asked(key_of('.'), 0).revision, 1u);
+}
+
+TEST_F(AtTheDesk, KnowsWhatThePointerIsAt) {
+  update();
+  EXPECT_EQ(desk.pointed(), std::optional<BodyId>(0));
+  session.room.surface = [](const Ray&) -> std::optional<Picked> { return std::nullopt; };
+  update();
+  EXPECT_EQ(desk.pointed(), std::nullopt);
+}
+
 TEST_F(AtTheDesk, VGoesThroughAllThatColoursTell) {
   for (const Shown expected : {Shown::strain, Shown::residual, Shown::error, Shown::none}) {
     press(key_of('V'));
