@@ -37,7 +37,7 @@ inline constexpr std::array<EffectRow, 11> effect_rows = {{
     {"refraction", "EFFECT_REFRACTION", "what is behind glass, bent by it"},
     {"dispersion", "EFFECT_DISPERSION", "glass bends blue more than red"},
     {"shadows", nullptr, "of the first spot light"},
-    {"shafts", nullptr, "light in air"},
+    {"shafts", nullptr, "dust in the lamp's beam"},
     {"edges", nullptr, "smooth, where there is one sample per pixel"},
     {"ambient_occlusion", nullptr, "less light from around in creases and where things touch"},
 }};

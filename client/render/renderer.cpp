@@ -125,7 +125,7 @@ std::vector<QueuedItem> Renderer::Impl::upload(const DrawList& list) {
   std::vector<QueuedItem> items;
   items.reserve(list.items.size());
   for (const DrawItem& item : list.items) {
-    if (!item.mesh || (item.shaft && !passes->shafts)) continue;
+    if (!item.mesh) continue;
     const MeshCache::Entry& mesh = meshes.upload(*item.mesh, item.detail);
     items.push_back({&item, &mesh, placed(mesh.bounds, item)});
   }

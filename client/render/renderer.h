@@ -21,6 +21,8 @@ inline constexpr EffectSet every_effect = (1U << effect_rows.size()) - 1;
 inline constexpr EffectSet low_effects = 1U << index_of(Effect::relief) | 1U << index_of(Effect::film) |
                                          1U << index_of(Effect::translucency) |
                                          1U << index_of(Effect::shadows);
+inline constexpr EffectSet medium_effects =
+    ((1U << effect_rows.size()) - 1) & ~(1U << index_of(Effect::shafts));
 
 struct RendererSettings {
   int samples = 1;        // of coverage per pixel; shading is once per pixel and triangle
@@ -38,7 +40,7 @@ struct QualityLevel {
 /// What `--quality` chooses from; medium is the default.
 inline constexpr std::array<QualityLevel, 3> quality_levels = {
     {{"low", {.shadow_size = 512, .effects = low_effects}},
-     {"medium", {}},
+     {"medium", {.effects = medium_effects}},
      {"high", {.samples = 4, .shadow_size = 1024, .ambient_coarser = 1}}}};
 
 /// One code path for every context. Everything is drawn into a target of its own, so a picture is the same

@@ -276,12 +276,13 @@ Report bench_render(const RenderBenchOptions& options) {
   add_hidden("from below");
   subject.eye = eye;
   set_size(subject, options.width, options.height);
-  add({"only the hand moves", {}, Motion::hand});
-  add({"nothing moves", {}, Motion::none});
+  add({"only the hand moves", usual.settings, Motion::hand});
+  add({"nothing moves", usual.settings, Motion::none});
   for (std::size_t k = 0; k < effect_rows.size(); ++k) {
-    RendererSettings without;
+    RendererSettings without = usual.settings;
     without.effects.flip(k);
-    add({fmt::format("medium without {}", effect_rows[k].name), without, Motion::press});
+    add({fmt::format("medium {} {}", without.effects[k] ? "with" : "without", effect_rows[k].name), without,
+         Motion::press});
   }
   for (const double scale : {0.5, 2.0}) {
     set_size(subject, static_cast<int>(scale * options.width), static_cast<int>(scale * options.height));
