@@ -25,13 +25,15 @@ std::size_t longest_input() {
 
 }  // namespace
 
-std::string help_text(Role role, std::span<const ControlDevice> devices) {
+std::string help_text(Role role, std::span<const ControlDevice> devices, HelpColumns columns) {
   std::string out;
   for (const ControlDevice device : devices) {
     std::string lines;
     for (const Control& control : controls)
       if (control.device == device && control.least <= role)
-        lines += fmt::format("  {:<{}}  {}\n", control.input, longest_input(), control.does);
+        lines += columns == HelpColumns::tabs
+                     ? fmt::format("{}\t{}\n", control.input, control.does)
+                     : fmt::format("  {:<{}}  {}\n", control.input, longest_input(), control.does);
     if (!lines.empty()) out += fmt::format("{}\n{}", name_of(device), lines);
   }
   if (!out.empty()) out.pop_back();

@@ -93,8 +93,12 @@ inline constexpr std::array controls = {
     Control{ControlDevice::terminal, Role::host, "reset all", "everything as it was at the server's start"},
 };
 
-/// Returns the help for who has that role and those devices: a line a control, in columns.
-std::string help_text(Role role, std::span<const ControlDevice> devices);
+/// What divides the columns of help: blanks, for letters of one width, or a tab, for a picture's text.
+enum class HelpColumns : std::uint8_t { blanks, tabs };
+
+/// Returns the help for who has that role and those devices: a line a control, in two columns.
+std::string help_text(Role role, std::span<const ControlDevice> devices,
+                      HelpColumns columns = HelpColumns::blanks);
 
 /// Returns the rows of one device as a table in Markdown.
 std::string controls_in_markdown(ControlDevice device);

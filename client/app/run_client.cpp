@@ -46,7 +46,7 @@ class Client {
     connection_.start();
     take_role(options.join.role);
     viewer_.emplace(options, connection_, report_, [this](const std::string& line) { inform(line); });
-    if (viewer_->has_desk()) tell(viewer_->help(options.join.role));
+    if (viewer_->has_desk()) tell(viewer_->help(options.join.role, HelpColumns::blanks));
     if (isatty(STDIN_FILENO) != 0) tell(console_help());
   }
 
@@ -130,6 +130,9 @@ class Client {
     if (viewer_) viewer_->say(line);
   }
 
+  /// Answers what was typed: in the picture, too, unless it is a page of help.
+  void answer(const std::string& text) { text.find('\n') == std::string::npos ? inform(text) : tell(text); }
+
   void show_loading() {
     const double progress =
         connection_.with_replica([](const Replica& replica) { return replica.progress(); });
@@ -190,7 +193,7 @@ class Client {
                            [&](BodyId body) { return r.topology(body); });
         }));
       else
-        inform(std::get<std::string>(parsed));
+        answer(std::get<std::string>(parsed));
     }
   }
 

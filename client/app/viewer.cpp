@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "client/app/controls.h"
 #include "client/view/anatomy_points.h"
 #include "client/view/held_things.h"
 #include "client/view/loading_picture.h"
@@ -66,12 +65,12 @@ void Viewer::tell_failures() {
   for (const std::string& failure : sink_.take_failures()) tell_(failure);
 }
 
-std::string Viewer::help(Role role) const {
+std::string Viewer::help(Role role, HelpColumns columns) const {
   std::vector<ControlDevice> devices;
   devices.push_back(has_devices(options_.devices) ? ControlDevice::headset : ControlDevice::hand);
   if (has_desk()) devices.push_back(ControlDevice::view);
   if (has_desk() && stage_->desk->has_gamepad()) devices.push_back(ControlDevice::gamepad);
-  return help_text(role, devices);
+  return help_text(role, devices, columns);
 }
 
 Role Viewer::role_of(ParticipantId participant) {
@@ -133,7 +132,8 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   settings.follow = follow_;
   if (choices.figures) settings.notes = figures_.text();
   if (choices.help)
-    settings.notes += (settings.notes.empty() ? "" : "\n\n") + help(role_of(self.participant));
+    settings.notes +=
+        (settings.notes.empty() ? "" : "\n\n") + help(role_of(self.participant), HelpColumns::tabs);
   if (pump != nullptr && !has_devices(options_.devices))
     drive_hand_at_desk(*pump, self, session.own_panel.has_value());
 }

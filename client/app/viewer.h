@@ -8,6 +8,7 @@
 
 #include "client/app/client_report.h"
 #include "client/app/connection.h"
+#include "client/app/controls.h"
 #include "client/app/figures.h"
 #include "client/app/input_pump.h"
 #include "client/app/picture_sink.h"
@@ -30,7 +31,7 @@ class Viewer {
   bool closed() const { return has_desk() && stage_->desk->closed(); }
 
   /// Returns the help for that role with the devices that this client has.
-  std::string help(Role role) const;
+  std::string help(Role role, HelpColumns columns) const;
 
   /// Sets from where pictures that no desk turns are taken from now on; nullopt: as the scene has it.
   void look_from(const std::optional<Pose>& eye) { looks_from_ = eye; }

@@ -26,6 +26,25 @@ TEST(Controls, EachRoleIsToldWhatItMayDoAndNothingElse) {
   EXPECT_NE(help_text(Role::host, terminal).find("give"), std::string::npos);
 }
 
+TEST(Controls, StandInTheSameColumnsAtATerminalAndInAPicture) {
+  std::istringstream blanks(help_text(Role::host, at_the_desk));
+  std::istringstream tabs(help_text(Role::host, at_the_desk, HelpColumns::tabs));
+  std::size_t column = 0;
+  for (std::string plain, tabbed; std::getline(tabs, tabbed) && std::getline(blanks, plain);) {
+    const std::size_t tab = tabbed.find('\t');
+    if (tab == std::string::npos) {
+      EXPECT_EQ(plain, tabbed) << "a head";
+      continue;
+    }
+    const std::size_t does = plain.rfind(tabbed.substr(tab + 1));
+    ASSERT_NE(does, std::string::npos) << plain;
+    if (column == 0) column = does;
+    EXPECT_EQ(does, column) << plain;
+    EXPECT_EQ(plain.find(tabbed.substr(0, tab)), 2u) << plain;
+  }
+  EXPECT_GT(column, 0u);
+}
+
 TEST(Controls, HaveOneRowForEachInputOfADeviceAndFitAWindow) {
   std::set<std::pair<ControlDevice, std::string_view>> seen;
   for (const Control& control : controls) {
