@@ -8,13 +8,13 @@
 namespace prosector {
 namespace {
 
-constexpr double shortest = 4, longest = 12;  // s
+constexpr double shortest_stay = 4, longest_stay = 12;  // s
 constexpr double letters_per_second = 15;
 
 }  // namespace
 
 double MessageLines::reading_time(const std::string& text) {
-  return std::clamp(static_cast<double>(text.size()) / letters_per_second, shortest, longest);
+  return std::clamp(static_cast<double>(text.size()) / letters_per_second, shortest_stay, longest_stay);
 }
 
 void MessageLines::say(std::string text, double now) {

@@ -8,7 +8,7 @@ namespace {
 
 using Pieces = std::span<const CollisionPiece>;
 
-constexpr int most_steps = 200;
+constexpr int most_gjk_steps = 200;
 
 std::vector<Aabb> boxes_of(Pieces pieces) {
   std::vector<Aabb> out;
@@ -71,7 +71,7 @@ std::optional<Impact> time_of_impact(const CollisionObject& a, const CollisionOb
   const Vec3 relative = speed_a.linear - speed_b.linear;
   const double spread = speed_a.spread + speed_b.spread, fastest = relative.norm() + spread;
   Impact out;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_gjk_steps; ++step) {
     const std::vector<CollisionPiece> of_a = a.pieces_after(out.time), of_b = b.pieces_after(out.time);
     double ahead = std::numeric_limits<double>::infinity();
     std::optional<Proximity> nearest;
