@@ -9,10 +9,10 @@
 namespace prosector {
 
 struct DraftOptions {
-  std::optional<double> unit;    // m: of surface files; none: guessed by size
-  std::optional<bool> z_up;      // of the files' frame; none: volumes yes, surfaces no
-  bool rigid = false;            // every surface keeps its shape, and may be open
-  std::filesystem::path labels;  // of a label map; empty: looked for beside it
+  std::optional<double> unit = {};    // m: of surface files; none: guessed by size
+  std::optional<bool> z_up = {};      // of the files' frame; none: volumes yes, surfaces no
+  bool rigid = false;                 // every surface keeps its shape, and may be open
+  std::filesystem::path labels = {};  // of a label map; empty: looked for beside it
 };
 
 struct Draft {
