@@ -54,6 +54,20 @@ std::vector<std::string> entries_of(const std::string& list) {
   return out;
 }
 
+/// Returns what is worth a message of an entry: without solves that stopped early, which is everyday where
+/// somebody touches and stands among the figures.
+std::string worth_telling(const std::string& entry) {
+  constexpr std::string_view everyday = " not converged";
+  std::string out;
+  for (std::size_t from = 0; from < entry.size();) {
+    const std::size_t comma = std::min(entry.find(", ", from), entry.size());
+    const std::string part = entry.substr(from, comma - from);
+    if (!part.ends_with(everyday) && part != "…") out += (out.empty() ? "" : ", ") + part;
+    from = comma + 2;
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<std::string> Happenings::look(const Replica& replica, double now) {
@@ -113,7 +127,9 @@ void Happenings::look_at_cuts(const Replica& replica, double now, std::vector<st
 void Happenings::look_at_troubles(const Replica& replica, double now, std::vector<std::string>& out) {
   if (!replica.status()) return;
   const std::vector<std::string> entries = entries_of(replica.status()->degraded);
-  for (const std::string& trouble : entries) {
+  for (const std::string& entry : entries) {
+    const std::string trouble = worth_telling(entry);
+    if (trouble.empty()) continue;
     const auto [known, is_new] = troubles_.try_emplace(kind_of(trouble), now);
     if (is_new) out.push_back(trouble);
     known->second = now;

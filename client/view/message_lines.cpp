@@ -46,11 +46,13 @@ std::vector<std::string> MessageLines::shown(double now) {
 /// Takes away what has been read, and puts what waits in its place.
 void MessageLines::fill(double now) {
   std::erase_if(shown_, [&](const Line& line) { return line.until <= now; });
-  while (shown_.size() < lines && !waiting_.empty()) {
+  while (!waiting_.empty()) {
+    if (shown_.size() == lines && shown_.front().since + least_stay > now) return;
+    if (shown_.size() == lines) shown_.erase(shown_.begin());
     std::string text = std::move(waiting_.front());
     waiting_.pop_front();
     if (left_out_ > 0) text = fmt::format("{} (and {} before it)", text, std::exchange(left_out_, 0));
-    shown_.push_back({text, 1, now + reading_time(text)});
+    shown_.push_back({text, 1, now, now + reading_time(text)});
   }
 }
 

@@ -42,12 +42,15 @@ void add_pointed_name(DrawList& list, const Replica& replica, const ViewSettings
 
 /// Adds lines at the lower border, beside the axes.
 void add_messages(DrawList& list, const std::vector<std::string>& messages) {
-  constexpr double left = 118, lowest = 24, spacing = 18, height = 14;  // points
+  constexpr double left = 118, lowest = 24, spacing = 18, height = 14, least = 11, margin = 6;  // points
   const double bottom = OverlayFrame(list).height - lowest;
   for (std::size_t k = 0; k < messages.size(); ++k)
     list.texts.push_back({.text = messages[k],
                           .at = {left, bottom - spacing * static_cast<double>(messages.size() - 1 - k), 0},
-                          .height = height});
+                          .height = height,
+                          .wrap = OverlayFrame(list).width - 2 * margin - left,
+                          .least_height = least,
+                          .tallest = spacing});
 }
 
 }  // namespace

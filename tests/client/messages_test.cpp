@@ -30,6 +30,8 @@ TEST(MessageLines, AreTwoAtATimeAndTheOthersWaitTheirTurn) {
   MessageLines messages;
   for (const char* text : {"a", "b", "c"}) messages.say(text, 0);
   EXPECT_EQ(messages.shown(0), (Lines{"a", "b"}));
+  EXPECT_EQ(messages.shown(1.4), (Lines{"a", "b"}));
+  EXPECT_EQ(messages.shown(1.5), (Lines{"b", "c"})) << "what was seen gives way";
   EXPECT_EQ(messages.shown(4.5), Lines{"c"});
   EXPECT_EQ(messages.shown(9), Lines{});
 }
@@ -45,7 +47,7 @@ TEST(MessageLines, SayHowManyAFloodLeftOut) {
   MessageLines messages;
   for (int k = 0; k < 100; ++k) messages.say("message " + std::to_string(k), 0);
   EXPECT_EQ(messages.shown(0), (Lines{"message 0", "message 1"}));
-  const Lines later = messages.shown(5);
+  const Lines later = messages.shown(5.5);
   ASSERT_EQ(later.size(), 2u);
   EXPECT_EQ(later[0], "message 92 (and 90 before it)");
   for (int round = 0; round < 4; ++round) messages.shown(10 + 5 * round);
@@ -174,6 +176,8 @@ TEST_F(Told, TroubleIsToldOnceHoweverItsFiguresChangeAndSoIsItsEnd) {
   EXPECT_EQ(news(1), (Lines{"simulated time slowed to 0.75 of real time", "liver reset: unfolded"}));
   tell("simulated time slowed to 0.61 of real time");
   EXPECT_EQ(news(2), Lines{});
+  tell("liver not converged, kidney not converged, …");
+  EXPECT_EQ(news(3), Lines{}) << "is everyday";
   tell("");
   EXPECT_EQ(news(4), Lines{});
   EXPECT_EQ(news(5.5), Lines{"the simulation is well again"});
