@@ -14,6 +14,7 @@ namespace {
 constexpr std::array<const char*, 3> preferred = {"DejaVu Sans", "Lohit Devanagari", "Droid Sans Fallback"};
 
 using Pattern = std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)>;
+using Config = std::unique_ptr<FcConfig, decltype(&FcConfigDestroy)>;
 using Patterns = std::unique_ptr<FcFontSet, decltype(&FcFontSetDestroy)>;
 
 const FcChar8* bytes(const char* text) {
@@ -62,8 +63,9 @@ std::shared_ptr<const FcCharSet> characters_in(const FcPattern* font) {
 
 FontCatalogue::FontCatalogue() {
   FcResult result = FcResultNoMatch;
+  const Config config(FcInitLoadConfigAndFonts(), &FcConfigDestroy);  // of our own: nothing stays behind
   const Pattern pattern = wish();
-  const Patterns sorted(FcFontSort(nullptr, pattern.get(), FcTrue, nullptr, &result), &FcFontSetDestroy);
+  const Patterns sorted(FcFontSort(config.get(), pattern.get(), FcTrue, nullptr, &result), &FcFontSetDestroy);
   for (int k = 0; sorted && k < sorted->nfont; ++k) {
     const FcPattern* font = sorted->fonts[k];
     if (auto characters = characters_in(font); characters && is_outline(font))
