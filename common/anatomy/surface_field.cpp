@@ -24,7 +24,7 @@ Edge edge_of(std::uint32_t a, std::uint32_t b) {
 
 /// A place on a triangle that is nearest to a point, and what it lies on.
 struct Nearest {
-  Vec3 at;
+  Vec3 at = Vec3::Zero();
   int corners = 3;  // 3: within the face, 2: on the edge of `first` and the next, 1: at `first`
   std::size_t first = 0;
 };
