@@ -236,6 +236,9 @@ TEST(SceneView, AnInsetShowsWhatAUserSeesAndNothingElseChanges) {
   user.head = look_at({0, 1.5, 0.1}, {0, 1.1, 0});  // the part from close by
   client.tell(user);
   ViewSettings settings = plain(320, 240);
+  const auto is_named = [](const DrawText& text) { return text.text == "ada"; };
+  while (std::ranges::none_of(client.list(1, settings).texts, is_named))  // her figure is on its way
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
   const Image without = client.picture(1, settings);
   settings.insets = {"ada", "nobody"};
   const Image with = client.picture(1, settings);

@@ -65,14 +65,14 @@ with Processes(OUT) as processes:
     time.sleep(1)
     act("mousedown", 1)
     wait_until("the knife in the hand", holds_knife, 10)
-    time.sleep(1)  # it goes up
+    view.hand_settles()  # it goes up
     view.wheel(-HIGH)
-    time.sleep(1)
+    view.hand_settles()
     view.roll(-1.6)  # the edge down
     view.wheel(-3, "alt")  # the tip lower than the hand
-    time.sleep(1)
+    view.hand_settles()
     view.draw(HANDLE, BEHIND_LOBE, 20)
-    time.sleep(1)
+    view.hand_settles()
     view.picture().save(OUT / "above.png")
     assert revision() == 0, "cut before the knife came down"
     for _ in range(DEEP):

@@ -142,6 +142,18 @@ class View:
         """Where the right wrist is, as the physics has it."""
         return tuple(wait_until("the hand", lambda: self.last_line().get("people", {}).get(self.name, {}).get("right"))["at"])
 
+    def hand_settles(self):
+        """Waits until the hand is where it stays, however seldom pictures come."""
+        time.sleep(0.7)
+        places = [self.hand()]
+
+        def rests():
+            time.sleep(0.3)
+            places.append(self.hand())
+            return max(abs(d) for d in minus(places[-1], places[-2])) < 2e-3
+
+        wait_until("the hand at rest", rests)
+
     def wheel(self, notches, key=None):
         """Turns the wheel while a key is held: up, away from the person, if notches > 0."""
         if key:
