@@ -9,51 +9,28 @@ constexpr double radius = 0.05;  // m: of the ball around a point
 
 AmbientOcclusionPass::AmbientOcclusionPass(const Gl& gl, const std::filesystem::path& shaders, int coarser)
     : gl_(gl),
-      coarser_(coarser),
       open_(gl, shaders, "ambient_occlusion", {"COARSER " + std::to_string(coarser)}),
-      blend_(gl, shaders, "ambient_occlusion_blend", {"COARSER " + std::to_string(coarser)}) {
+      blend_(gl, shaders, "ambient_occlusion_blend", {"COARSER " + std::to_string(coarser)}),
+      openness_(gl, coarser, GL_R8, GL_RED) {
   gl_.GenVertexArrays(1, &no_vertices_);
-  gl_.GenTextures(1, &openness_);
-  gl_.BindTexture(GL_TEXTURE_2D, openness_);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-    gl_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-  allocate(1, 1);
-  gl_.GenFramebuffers(1, &framebuffer_);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, openness_, 0);
 }
 
 AmbientOcclusionPass::~AmbientOcclusionPass() {
   gl_.DeleteVertexArrays(1, &no_vertices_);
-  gl_.DeleteFramebuffers(1, &framebuffer_);
-  gl_.DeleteTextures(1, &openness_);
-}
-
-void AmbientOcclusionPass::allocate(int width, int height) {
-  if (width == width_ && height == height_) return;
-  width_ = width;
-  height_ = height;
-  gl_.BindTexture(GL_TEXTURE_2D, openness_);
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
 }
 
 void AmbientOcclusionPass::draw(const DrawList& list, RenderTarget& target) {
   const GLuint depth = target.depth();
   gl_.ActiveTexture(GL_TEXTURE0);
-  allocate((target.width() + coarser_ - 1) / coarser_, (target.height() + coarser_ - 1) / coarser_);
   gl_.BindVertexArray(no_vertices_);
   gl_.Disable(GL_DEPTH_TEST);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  gl_.ClearColor(1, 1, 1, 1);
-  gl_.Clear(GL_COLOR_BUFFER_BIT);
+  openness_.begin(target.width(), target.height(), 1);
   gl_.BindTexture(GL_TEXTURE_2D, depth);
   for (const DrawCamera& camera : list.cameras)
     if (!camera.inset) draw_openness(camera);
   target.bind_again();
   gl_.ActiveTexture(GL_TEXTURE1);
-  gl_.BindTexture(GL_TEXTURE_2D, openness_);
+  gl_.BindTexture(GL_TEXTURE_2D, openness_.texture());
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ZERO, GL_SRC_COLOR);
   for (const DrawCamera& camera : list.cameras)
@@ -73,8 +50,8 @@ void AmbientOcclusionPass::set_lens(const ShaderProgram& program, const DrawCame
 }
 
 void AmbientOcclusionPass::draw_openness(const DrawCamera& camera) const {
-  gl_.Viewport(camera.x / coarser_, camera.y / coarser_, (camera.width + coarser_ - 1) / coarser_,
-               (camera.height + coarser_ - 1) / coarser_);
+  const Eigen::Vector4i viewport = openness_.viewport_of(camera);
+  gl_.Viewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   open_.use();
   set_lens(open_, camera);
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);

@@ -4,6 +4,7 @@
 // 2010). Lines through the ball come in pairs, one on each side of its middle, whose sum is nothing on any
 // plane. Private to client/render.
 
+#include "client/render/coarse_layer.h"
 #include "client/render/render_target.h"
 
 namespace prosector {
@@ -21,13 +22,11 @@ class AmbientOcclusionPass {
 
  private:
   const Gl& gl_;
-  int coarser_;
   ShaderProgram open_;
   ShaderProgram blend_;
-  GLuint no_vertices_ = 0, framebuffer_ = 0, openness_ = 0;
-  int width_ = 0, height_ = 0;  // of openness_
+  CoarseLayer openness_;
+  GLuint no_vertices_ = 0;
 
-  void allocate(int width, int height);
   void set_lens(const ShaderProgram& program, const DrawCamera& camera) const;
   void draw_openness(const DrawCamera& camera) const;
   void lay_over(const DrawCamera& camera) const;

@@ -24,43 +24,21 @@ ShaftPass::ShaftPass(const Gl& gl, const std::filesystem::path& shaders)
     : gl_(gl),
       program_(gl, shaders, "shaft",
                {"CONE_SIDES " + std::to_string(cone_sides), "COARSER " + std::to_string(coarser)}),
-      blend_(gl, shaders, "shaft_blend") {
+      blend_(gl, shaders, "shaft_blend"),
+      air_(gl, coarser, GL_RGBA8, GL_RGBA) {
   gl_.GenVertexArrays(1, &no_vertices_);
-  gl_.GenTextures(1, &air_);
-  gl_.BindTexture(GL_TEXTURE_2D, air_);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-    gl_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-  allocate(1, 1);
-  gl_.GenFramebuffers(1, &framebuffer_);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, air_, 0);
 }
 
 ShaftPass::~ShaftPass() {
   gl_.DeleteVertexArrays(1, &no_vertices_);
-  gl_.DeleteFramebuffers(1, &framebuffer_);
-  gl_.DeleteTextures(1, &air_);
-}
-
-void ShaftPass::allocate(int width, int height) {
-  if (width == width_ && height == height_) return;
-  width_ = width;
-  height_ = height;
-  gl_.BindTexture(GL_TEXTURE_2D, air_);
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
 }
 
 void ShaftPass::draw(const DrawList& list, const Shadow& shadow, RenderTarget& target) {
   if (!has_beam(list, shadow)) return;
   const GLuint depth = target.depth();
-  allocate((target.width() + coarser - 1) / coarser, (target.height() + coarser - 1) / coarser);
   gl_.BindVertexArray(no_vertices_);
   gl_.Disable(GL_DEPTH_TEST);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  gl_.ClearColor(0, 0, 0, 0);
-  gl_.Clear(GL_COLOR_BUFFER_BIT);
+  air_.begin(target.width(), target.height(), 0);
   for (const DrawCamera& camera : list.cameras)
     if (!camera.inset) draw_air(list.lights[static_cast<std::size_t>(shadow.light)], camera, shadow, depth);
   target.bind_again();
@@ -71,9 +49,7 @@ void ShaftPass::draw(const DrawList& list, const Shadow& shadow, RenderTarget& t
 void ShaftPass::draw_air(const LightInfo& lamp, const DrawCamera& camera, const Shadow& shadow,
                          GLuint depth) {
   const Eigen::Matrix4d clip_from_room = view_projection_of(camera);
-  const Eigen::Vector4i viewport(camera.x / coarser, camera.y / coarser,
-                                 (camera.width + coarser - 1) / coarser,
-                                 (camera.height + coarser - 1) / coarser);
+  const Eigen::Vector4i viewport = air_.viewport_of(camera);
   gl_.Viewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   program_.use();
   program_.set("clip_from_room", clip_from_room);
@@ -106,10 +82,9 @@ void ShaftPass::lay_over(const DrawCamera& camera) {
   gl_.Viewport(camera.x, camera.y, camera.width, camera.height);
   blend_.use();
   blend_.set("air", 0);
-  blend_.set("texel_from_pixel",
-             std::vector<Eigen::Vector4f>{{1.0F / static_cast<float>(coarser * width_),
-                                           1.0F / static_cast<float>(coarser * height_), 0, 0}});
-  gl_.BindTexture(GL_TEXTURE_2D, air_);
+  const Eigen::Vector2f pixels = air_.pixels().cast<float>();
+  blend_.set("texel_from_pixel", std::vector<Eigen::Vector4f>{{1.0F / pixels.x(), 1.0F / pixels.y(), 0, 0}});
+  gl_.BindTexture(GL_TEXTURE_2D, air_.texture());
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR);
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);

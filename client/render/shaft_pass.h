@@ -3,6 +3,7 @@
 // Reckoned for one pixel in sixteen: air has no edges of its own.
 // Private to client/render.
 
+#include "client/render/coarse_layer.h"
 #include "client/render/render_target.h"
 #include "client/render/shadow_pass.h"
 
@@ -22,10 +23,9 @@ class ShaftPass {
   const Gl& gl_;
   ShaderProgram program_;
   ShaderProgram blend_;
-  GLuint no_vertices_ = 0, framebuffer_ = 0, air_ = 0;
-  int width_ = 0, height_ = 0;  // of air_
+  CoarseLayer air_;
+  GLuint no_vertices_ = 0;
 
-  void allocate(int width, int height);
   void draw_air(const LightInfo& lamp, const DrawCamera& camera, const Shadow& shadow, GLuint depth);
   void lay_over(const DrawCamera& camera);
 };
