@@ -78,6 +78,9 @@ const Table& rigid_table() {
          number<R, &R::density>("density", "kg/m³", density, "of the solid body"),
          number<R, &R::mass>("mass", "kg", {0, 1e6}, "0: from density and volume"),
          number<R, &R::friction>("friction", "", friction, "Coulomb coefficient"),
+         number<R, &R::rolling_resistance>("rolling_resistance", "", unit_interval,
+                                           "force that resists free rolling, over the load; not of what "
+                                           "touches deformable tissue, whose own damping resists"),
          number<R, &R::restitution>(
              "restitution", "", unit_interval,
              "0: lands dead, 1: bounces back; on tissue, or among bodies that touch tissue or a hand: as 0"),

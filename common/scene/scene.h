@@ -103,6 +103,7 @@ struct RigidDesc {
   double density = 1000;  // kg/m³
   double mass = 0;        // kg; 0: from density and volume
   double friction = 0.5;
+  double rolling_resistance = 0;  // force that resists free rolling, over the load
   double restitution = 0;
   bool balanced = false;      // on a counterweighted arm: weighs nothing, stays where it is left
   std::string tool = "none";  // none | probe | scalpel: what a hand that grasps it holds
@@ -187,6 +188,7 @@ struct SoftDesc {
   double damping_mass = 0.5;             // 1/s   Rayleigh: C = damping_mass·M + damping_stiffness·K
   double damping_stiffness = 0.01;       // s
   double friction = 0.3;
+  double rolling_resistance = 0.1;  // as of RigidDesc; of what collides as a sphere or a hull
   double toughness = 164;          // J/m²: work that a cut takes, for its area; liver's (Gokgol et al. 2012)
   std::string collision = "mesh";  // none | sphere | aabb | obb | hull | mesh
   std::string group = default_group;

@@ -114,6 +114,9 @@ const Table& soft_table() {
          number<S, &S::damping_stiffness>("damping_stiffness", "s", {0, 10},
                                           "Rayleigh damping: share of the stiffness"),
          number<S, &S::friction>("friction", "", friction, "Coulomb coefficient"),
+         number<S, &S::rolling_resistance>(
+             "rolling_resistance", "", unit_interval,
+             "force that resists free rolling, over the load, of what collides as a sphere or a hull"),
          number<S, &S::toughness>("toughness", "J/m²", {0, 1e6},
                                   "work that a cut takes, for its area; 0: blades meet no resistance"),
          plain<S, &S::gravity>("gravity", "false: the imaged shape already carries its weight"),

@@ -106,6 +106,7 @@ RigidModel compile_rigid(const RigidDesc& desc, TriangleMesh surface, const Coll
   out.setup.mass = desc.fixed ? 0 : solid.mass.mass;
   if (!desc.fixed) out.setup.inertia = principal.eigenvalues();
   out.setup.friction = desc.friction;
+  out.setup.rolling_resistance = desc.rolling_resistance;
   out.setup.restitution = desc.restitution;
   out.setup.balanced = desc.balanced;
   out.setup.continuous = desc.continuous;
@@ -162,6 +163,7 @@ void add_rigid(const RigidModel& r, double break_force, ByteWriter& out) {
   out.add(r.start);
   for (const double v : {r.setup.mass, r.setup.friction, r.setup.restitution}) out.add(v);
   if (r.setup.balanced) out.add(r.setup.balanced);
+  if (r.setup.rolling_resistance > 0) out.add(r.setup.rolling_resistance);
   out.add(r.setup.inertia);
   for (const RigidModel::Fracture& plane : r.fractures) {
     out.add(plane.point);
@@ -194,6 +196,7 @@ void add_soft(const SoftBody& s, ByteWriter& out) {
     out.add(d.fiber_stiffness);
     out.add(d.fiber_direction);
   }
+  if (rolls(fidelity_of(d.collision))) out.add(d.rolling_resistance);
   for (const RegionDesc& r : d.regions) {
     for (const Vec3& v : {r.center, r.size, r.fiber_direction}) out.add(v);
     for (const double v : {r.radius, r.youngs_modulus, r.poisson_ratio, r.fiber_stiffness}) out.add(v);

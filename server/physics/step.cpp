@@ -72,7 +72,7 @@ void step(State& s, StepBuffers& b, const TickInput& input, StepReport& report) 
   ++s.time.tick;
   recover_hands(s, b.last_good, report);
   unfold_tangles(s, b.islands, b.contacts.found(), b.h, report);
-  fall_asleep(s, b.islands);
+  fall_asleep(s, b.islands, !input.drives.empty());
   bring_back_lost(s, b.islands, report);
   tend_holds(s, b.islands, report);
   break_bones(s, b.islands, b.colliders, b.h, report);

@@ -84,6 +84,16 @@ TEST(Room, RigidBodiesOfEveryShapeRestOnTheFloor) {
   }
 }
 
+// A mesh of Bullet's rocks on what it lies on for ever, by itself.
+TEST(Room, RigidBodiesOfEveryShapeFallAsleepOnTheFloor) {
+  SceneDesc scene = in_room();
+  scene.rigid = one_of_each_shape(0.3);
+  Simulation simulation(scene, options());
+  for (int tick = 0; tick < 600; ++tick) simulation.step({});
+  for (BodyId body = 0; body < scene.rigid.size(); ++body)
+    EXPECT_TRUE(simulation.asleep(body)) << simulation.name(body);
+}
+
 // 17 m/s when they meet: 0.28 m a tick, many times their size.
 TEST(Room, WallsStopWhatIsFast) {
   for (const Vec3& way : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {

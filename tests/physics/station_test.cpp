@@ -80,19 +80,31 @@ std::optional<int> ticks_until_rest(State& state, double way, bool touched) {
       contact.a.kind = ContactSide::Kind::soft;
       contact.a.body = 0;
     }
-    fall_asleep(state, islands);
+    fall_asleep(state, islands, false);
     if (block.state.asleep) return tick;
   }
   return std::nullopt;
 }
 
 TEST_F(Stations, SleepComesToWhatShiversInContactAndNothingElse) {
-  const double bound = lingering_bound(*begin(two_blocks_and_a_ball()).bodies.soft[0].solver);
+  const double bound = *lingering_bound(*begin(two_blocks_and_a_ball()).bodies.soft[0].solver, true);
   const std::optional<int> ticks = ticks_until_rest(begin(two_blocks_and_a_ball()), 0.9 * bound, true);
   ASSERT_TRUE(ticks);
   EXPECT_NEAR(*ticks, 60 + 150, 2) << "it is watched from a whole second on";
   EXPECT_FALSE(ticks_until_rest(begin(two_blocks_and_a_ball()), 1.1 * bound, true));
   EXPECT_FALSE(ticks_until_rest(begin(two_blocks_and_a_ball()), 0.9 * bound, false));
+}
+
+TEST_F(Stations, WhatIsThinMayLingerInTheAirButLess) {
+  SceneDesc scene = two_blocks_and_a_ball();
+  scene.soft[1].shape = "sheet";
+  scene.soft[1].model = "xpbd";
+  scene.soft[1].size.y() = 0.001;
+  const State& state = begin(scene);
+  const SoftBody &block = *state.bodies.soft[0].solver, &sheet = *state.bodies.soft[1].solver;
+  EXPECT_FALSE(lingering_bound(block, false));
+  EXPECT_NEAR(*lingering_bound(sheet, true), sheet.desc().cell, 1e-12);
+  EXPECT_NEAR(*lingering_bound(sheet, false), 0.1 * sheet.desc().cell, 1e-12);
 }
 
 TEST_F(Stations, CheckpointsHoldWhoLingers) {

@@ -68,6 +68,20 @@ void Hanger::fit(const VecX& x) {
   }
 }
 
+Vec3 Hanger::spin(const VecX& v) const {
+  Vec3 out = Vec3::Zero();
+  for (const Share& share : shares_) {
+    Mat3 gradient = Mat3::Zero();  // 1/s
+    for (std::size_t i = 0; i < share.nodes.size(); ++i)
+      gradient += v.segment<3>(3 * Eigen::Index{share.nodes[i]}) * share.arms[i].transpose() * share.inverse /
+                  static_cast<double>(share.nodes.size());
+    out += Vec3(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0),
+                gradient(1, 0) - gradient(0, 1)) /
+           2;
+  }
+  return out / static_cast<double>(shares_.size());
+}
+
 Vec3 Hanger::hang(const Vec3& p, const Vec3& normal, std::size_t index, ContactSide& side) const {
   const Share& share = shares_[index];
   double lowest = 0, highest = 0;

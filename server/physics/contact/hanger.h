@@ -28,6 +28,9 @@ class Hanger {
   /// point.
   Vec3 hang(const Vec3& p, const Vec3& normal, std::size_t share, ContactSide& side) const;
 
+  /// Returns the spin (rad/s) of the affine motion that fits the nodes' velocities v (3n, m/s) best.
+  Vec3 spin(const VecX& v) const;
+
  private:
   struct Share {
     std::vector<std::uint32_t> nodes;

@@ -8,6 +8,7 @@
 #include "server/physics/contact/rigid_soft_contacts.h"
 #include "server/physics/contact/shape_touch.h"
 #include "server/physics/contact/soft_pair_contacts.h"
+#include "server/physics/rigid/rolling.h"
 
 namespace prosector {
 namespace {
@@ -22,6 +23,14 @@ double proxy_stiffness(const Tissue& tissue) {
   return tissue.collision.stiffness_factor * tissue.desc().youngs_modulus * std::sqrt(area);
 }
 
+/// Returns how the body rolls. Boxes don't.
+RollingSide rolling_side(const Tissue& tissue) {
+  if (!rolls(tissue.collision.fidelity)) return {};
+  const RoughShape& shape = *tissue.surface.proxy();
+  return {tissue.desc().rolling_resistance, (shape.box().lo + shape.box().hi) / 2,
+          shape.hanger().spin(tissue.state.motion.v)};
+}
+
 /// Appends contacts of two proxies.
 void add_two_proxies(const Tissue& a, const Tissue& b, double margin, std::vector<Contact>& out) {
   const RoughShape &shape_a = *a.surface.proxy(), &shape_b = *b.surface.proxy();
@@ -30,13 +39,16 @@ void add_two_proxies(const Tissue& a, const Tissue& b, double margin, std::vecto
   const Hanger &of_a = shape_a.hanger(), &of_b = shape_b.hanger();
   const std::size_t shares = std::max(of_a.shares(), of_b.shares());
   const double own = proxy_stiffness(a), other = proxy_stiffness(b);
-  for (const ShapeTouch& touch : touches)
+  const RollingSide rolling_a = rolling_side(a), rolling_b = rolling_side(b);
+  for (const ShapeTouch& touch : touches) {
+    const Vec3 at = touch.point + rolling_lead(rolling_a, rolling_b, touch.point, touch.normal);
     for (std::size_t share = 0; share < shares; ++share) {
       Contact& c = out.emplace_back(pair_contact(a, b, touch.normal, touch.gap));
-      c.point = of_a.hang(touch.point, touch.normal, share % of_a.shares(), c.a);
-      of_b.hang(touch.point, touch.normal, share % of_b.shares(), c.b);
+      c.point = of_a.hang(at, touch.normal, share % of_a.shares(), c.a);
+      of_b.hang(at, touch.normal, share % of_b.shares(), c.b);
       c.stiffness = 2 * own * other / (own + other) / static_cast<double>(touches.size() * shares);
     }
+  }
 }
 
 /// Appends contacts of the vertices of `a`, which has no proxy, with the proxy of `b`.
@@ -72,15 +84,20 @@ bool add_proxy_contacts(const Tissue& tissue, const Collider& collider, double m
     if (own.box().grown(margin).overlaps(box_of(piece))) find_touches(own.piece(), piece, margin, touches);
   const std::size_t shares = own.hanger().shares();
   const double stiffness = proxy_stiffness(tissue) / static_cast<double>(touches.size() * shares);
-  for (const ShapeTouch& touch : touches)
+  if (touches.empty()) return false;
+  const RollingSide rolling = rolling_side(tissue);
+  const RollingSide other{collider.rolling_resistance, collider.pose.p, collider.angular};
+  for (const ShapeTouch& touch : touches) {
+    const Vec3 at = touch.point + rolling_lead(rolling, other, touch.point, touch.normal);
     for (std::size_t share = 0; share < shares; ++share) {
       Contact c = rigid_contact(tissue, touch.point, {touch.gap, touch.normal}, collider);
-      c.point = own.hanger().hang(touch.point, touch.normal, share, c.a);
+      c.point = own.hanger().hang(at, touch.normal, share, c.a);
       if (!collider.fixed) c.b.arm = c.point - collider.pose.p;
       c.stiffness = stiffness;
       out.push_back(c);
     }
-  return !touches.empty();
+  }
+  return true;
 }
 
 bool add_proxy_pair_contacts(const Tissue& a, const Tissue& b, double margin, std::vector<Contact>& out) {

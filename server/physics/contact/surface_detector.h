@@ -30,6 +30,7 @@ struct Collider {
   double pull = 0;                            // m: how far something may pull it within the tick
   Vec3 lo = Vec3::Zero(), hi = Vec3::Zero();  // m, box around it
   double friction = 0;
+  double rolling_resistance = 0;  // as of RigidDesc
   bool fixed = false;
   std::optional<Pose> driven_to;  // fixed: where it is when the tick ends
   CollisionMask mask;

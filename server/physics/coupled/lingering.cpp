@@ -7,7 +7,7 @@ namespace prosector {
 namespace {
 
 constexpr double calmed_after = 2, over_after = 2.5;  // s
-constexpr double solid_share = 0.1;                   // of a cell
+constexpr double least_share = 0.1;                   // of a cell
 constexpr double arm = 0.1;                           // m
 
 }  // namespace
@@ -39,8 +39,10 @@ Unrest Lingerers::linger(const Lingerer& now) {
   return seconds > calmed_after ? Unrest::calmed : Unrest::moving;
 }
 
-double lingering_bound(const SoftBody& body) {
-  return (body.anatomy().thickness > 0 ? 1 : solid_share) * body.desc().cell;
+std::optional<double> lingering_bound(const SoftBody& body, bool touches) {
+  const bool thin = body.anatomy().thickness > 0;
+  if (!touches && !thin) return std::nullopt;
+  return (thin && touches ? 1 : least_share) * body.desc().cell;
 }
 
 VecX points_of(const Pose& pose) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 
 #include "common/math.h"
 #include "common/messages.h"
@@ -52,10 +53,12 @@ class Lingerers {
   double h_;  // s
 };
 
-/// Returns how far (m) a lingering body's nodes may go: a cell of what is thin, which sways; else a tenth.
-double lingering_bound(const SoftBody& body);
-/// m: how far a lingering rigid body's points may go.
-inline constexpr double rigid_lingering_bound = 2e-3;
+/// Returns how far (m) the nodes of a body that touches something may go while it lingers: a cell of what is
+/// thin, which sways; else a tenth. A thin one that touches nothing may go a tenth; other bodies that touch
+/// nothing don't linger.
+std::optional<double> lingering_bound(const SoftBody& body, bool touches);
+/// m: how far a lingering rigid body's points may go where it touches tissue, and where it doesn't.
+inline constexpr double rigid_lingering_bound = 2e-3, lone_lingering_bound = 5e-3;
 inline constexpr Eigen::Index pose_numbers = 9;
 /// Returns points of a rigid body that tell its pose: pose_numbers, m.
 VecX points_of(const Pose& pose);

@@ -1,6 +1,7 @@
 #include "server/physics/coupled/sleep.h"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "server/physics/coupled/lingering.h"
@@ -29,15 +30,24 @@ bool is_left_alone(const Island& island, std::span<const Hand> hands) {
   });
 }
 
+/// Follows a rigid body that may linger within so much (m), and calms it where it has done so for long.
+Unrest calm(std::size_t slot, double within, RigidWorld& world, Lingerers& lingerers) {
+  const RigidMotion motion = world.motion(slot);
+  const Unrest unrest = lingerers.linger({static_cast<BodyId>(slot), points_of(motion.pose), within});
+  if (unrest == Unrest::calmed)
+    world.set_velocity(slot, calming * motion.linear_velocity, calming * motion.angular_velocity);
+  return unrest;
+}
+
 /// Returns whether the body rests: it has been quiet, or has shivered in its place for so long that it shall.
-bool rests(SoftMember& s, BodyId id, bool may_linger, Lingerers& lingerers) {
+bool rests(SoftMember& s, BodyId id, std::optional<double> may_linger_within, Lingerers& lingerers) {
   count_quiet_ticks(s);
   if (!has_relaxed(s.body->desc(), s.state->history)) {  // it creeps
     s.state->quiet_ticks = 0;
     return false;
   }
   Unrest unrest = Unrest::moving;
-  if (may_linger) unrest = lingerers.linger({id, s.state->motion.x, lingering_bound(*s.body)});
+  if (may_linger_within) unrest = lingerers.linger({id, s.state->motion.x, *may_linger_within});
   if (unrest == Unrest::calmed) {
     s.state->motion.v *= calming;
     s.state->motion.has_history = false;
@@ -48,27 +58,35 @@ bool rests(SoftMember& s, BodyId id, bool may_linger, Lingerers& lingerers) {
 /// Returns whether a rigid body that touches tissue rests: it is quiet, or has rocked in its place for long.
 bool rests(const RigidMember& r, bool may_linger, RigidWorld& world, Lingerers& lingerers) {
   const RigidMotion motion = world.motion(r.slot);
-  Unrest unrest = Unrest::moving;
-  if (may_linger)
-    unrest = lingerers.linger({static_cast<BodyId>(r.slot), points_of(motion.pose), rigid_lingering_bound});
-  if (unrest == Unrest::calmed)
-    world.set_velocity(r.slot, calming * motion.linear_velocity, calming * motion.angular_velocity);
   const bool quiet =
       motion.linear_velocity.norm() < quiet_rigid_speed && motion.angular_velocity.norm() < quiet_rigid_spin;
-  return quiet || unrest == Unrest::over;
+  return (may_linger && calm(r.slot, rigid_lingering_bound, world, lingerers) == Unrest::over) || quiet;
+}
+
+/// Calms rigid bodies that are among themselves, and lets Bullet put those to sleep that rock in their place.
+/// Meshes never come to rest otherwise.
+void calm_rigid_bodies(RigidWorld& world, const std::vector<Island>& islands, Lingerers& lingerers) {
+  std::vector<char> elsewhere(world.slots());
+  for (const Island& island : islands)
+    for (const RigidMember& r : island.rigid) elsewhere[r.slot] = 1;
+  for (std::size_t slot = 0; slot < world.slots(); ++slot) {
+    if (elsewhere[slot] || !world.used(slot) || !world.dynamic(slot) || world.motion(slot).asleep) continue;
+    if (calm(slot, lone_lingering_bound, world, lingerers) == Unrest::over)
+      world.sleep(slot, RigidWorld::Sleep::with_neighbours);
+  }
 }
 
 }  // namespace
 
-void fall_asleep(State& state, std::vector<Island>& islands) {
+void fall_asleep(State& state, std::vector<Island>& islands, bool driven) {
   Bodies& bodies = state.bodies;
   state.lingerers.begin_tick(state.time.tick);
   for (Island& island : islands) {
     const bool alone = is_left_alone(island, state.hands), tissue = !island.soft.empty();
     bool quiet = alone;
     for (SoftMember& s : island.soft) {
-      const bool may_linger = alone && touches(island, s.index);
-      quiet &= rests(s, bodies.soft_id(s.index), may_linger, state.lingerers) && may_sleep(s) &&
+      const auto within = alone ? lingering_bound(*s.body, touches(island, s.index)) : std::nullopt;
+      quiet &= rests(s, bodies.soft_id(s.index), within, state.lingerers) && may_sleep(s) &&
                !is_being_led(state.entangled, s.index);
     }
     for (const RigidMember& r : island.rigid)
@@ -82,6 +100,7 @@ void fall_asleep(State& state, std::vector<Island>& islands) {
       bodies.soft[s.index].stored.reset();
     }
   }
+  if (!driven) calm_rigid_bodies(bodies.rigid, islands, state.lingerers);
   state.lingerers.end_tick();
   for (const Island& island : islands)
     for (const SoftMember& s : island.soft) bodies.soft[s.index].place_surface();

@@ -8,6 +8,7 @@
 
 #include "server/physics/rigid/bullet_shape.h"
 #include "server/physics/rigid/bullet_types.h"
+#include "server/physics/rigid/rolling.h"
 #include "server/physics/rigid/room_contacts.h"
 #include "server/physics/rotation.h"
 
@@ -164,6 +165,26 @@ struct RigidWorld::Impl {
   }
   btRigidBody& at(std::size_t slot) { return *bodies[slot].body; }
 
+  RollingSide rolling_side(const btCollisionObject& object) const {
+    const std::size_t slot = slot_of(&object);
+    if (slot >= bodies.size() || !bodies[slot].body) return {};  // the room
+    return {bodies[slot].setup.rolling_resistance, from_bullet(object.getWorldTransform().getOrigin())};
+  }
+
+  /// Gives this tick's contacts the lever at which what bears a body resists its rolling.
+  void resist_rolling() {
+    for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
+      btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(m);
+      const RollingSide a = rolling_side(*manifold.getBody0()), b = rolling_side(*manifold.getBody1());
+      if (a.resistance == 0 && b.resistance == 0) continue;
+      for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        btManifoldPoint& p = manifold.getContactPoint(i);
+        p.m_combinedRollingFriction = static_cast<btScalar>(
+            rolling_lever(a, b, from_bullet(p.getPositionWorldOnB()), from_bullet(p.m_normalWorldOnB)));
+      }
+    }
+  }
+
   /// Puts the body into the world with the masks, weight and activation of what it is now.
   void enter(Body& b) {
     const bool fixed = b.body->isStaticObject();
@@ -291,10 +312,10 @@ void RigidWorld::wake(std::size_t slot) {
   impl_->at(slot).activate();
 }
 
-void RigidWorld::sleep(std::size_t slot) {
+void RigidWorld::sleep(std::size_t slot, Sleep when) {
   btRigidBody& b = impl_->at(slot);
   if (b.getActivationState() == DISABLE_DEACTIVATION) return;
-  b.forceActivationState(ISLAND_SLEEPING);
+  b.forceActivationState(when == Sleep::at_once ? ISLAND_SLEEPING : WANTS_DEACTIVATION);
   set_velocity(slot, Vec3::Zero(), Vec3::Zero());
 }
 
@@ -353,6 +374,7 @@ void RigidWorld::detect(double h) {
     if (used(slot))
       impl_->room.detect(slot, impl_->at(slot), impl_->bodies[slot].setup.passes,
                          impl_->world.getDispatchInfo());
+  impl_->resist_rolling();
 }
 
 void RigidWorld::find_islands(std::span<const std::pair<std::size_t, std::size_t>> links,

@@ -23,6 +23,7 @@ struct RigidSetup {
   double mass = 0;              // kg; 0: part of the room, never moves
   Vec3 inertia = Vec3::Zero();  // kg·m², principal
   double friction = 0.5;
+  double rolling_resistance = 0;  // rolling.h
   double restitution = 0;
   bool hand = false;      // no gravity, never sleeps, passes through other hands
   bool balanced = false;  // no gravity, and a resistance that soon stops it
@@ -87,7 +88,10 @@ class RigidWorld {
   void set_motion(std::size_t slot, const RigidMotion& motion);
   void set_velocity(std::size_t slot, const Vec3& linear, const Vec3& angular);
   void wake(std::size_t slot);
-  void sleep(std::size_t slot);
+  enum class Sleep : std::uint8_t { at_once, with_neighbours };
+  /// Stops the body and puts it to sleep; or lets Bullet do so at the next find_islands(), with all that it
+  /// touches, if these may sleep, too.
+  void sleep(std::size_t slot, Sleep when = Sleep::at_once);
   /// Keeps a body that touches something awake that Bullet doesn't know from going to sleep by itself.
   void stay_awake(std::size_t slot);
   /// Takes a fixed body to a pose within the next step of h s, whatever is in its way.

@@ -14,6 +14,10 @@ inline constexpr std::array<std::string_view, 6> fidelity_names = {"none", "sphe
 constexpr std::string_view fidelity_name(Fidelity fidelity) {
   return fidelity_names[static_cast<std::size_t>(fidelity)];
 }
+/// Returns whether what collides so is round, or nearly, and rolls as a whole.
+constexpr bool rolls(Fidelity fidelity) {
+  return fidelity == Fidelity::sphere || fidelity == Fidelity::hull;
+}
 /// Throws InputError that lists the names.
 Fidelity fidelity_of(std::string_view name);
 
