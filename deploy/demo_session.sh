@@ -28,13 +28,13 @@ begin() {
   . "$root/deploy/demo_lib.sh"
 }
 
-# watch NAME FD OPTIONS: somebody who watches, and whose terminal we type at through descriptor FD.
+# watch NAME FD OPTIONS: somebody who watches, offscreen or on `display`, and whose terminal we type at through descriptor FD.
 watch() {
   local name=$1 fd=$2
   shift 2
   mkfifo "$out/$name.terminal"
   LP_NUM_THREADS=1 "${place[@]}" "$bin/prosector-client" observe --session "$session" --name "$name" "${network[@]}" \
-    --display offscreen --size "$size" "$@" < "$out/$name.terminal" > "$out/$name.log" 2>&1 &
+    --display "${display:-offscreen}" --size "$size" "$@" < "$out/$name.terminal" > "$out/$name.log" 2>&1 &
   pids+=("$!")
   eval "exec $fd> \"\$out/\$name.terminal\""
   wait_for "$out/$name.log" "everything is here" 60 "the $name"

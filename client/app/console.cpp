@@ -11,24 +11,13 @@
 #include <sstream>
 
 #include "client/app/controls.h"
+#include "client/app/words.h"
 #include "client/replica/shown_names.h"
 
 namespace prosector {
 namespace {
 
 constexpr std::size_t longest_line = 4096;
-
-std::string trimmed(const std::string& text) {
-  const auto begin = text.find_first_not_of(" \t\r"), end = text.find_last_not_of(" \t\r");
-  return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
-}
-
-/// Splits off the last word.
-std::pair<std::string, std::string> split_last(const std::string& text) {
-  const auto at = text.find_last_of(' ');
-  if (at == std::string::npos) return {text, ""};
-  return {trimmed(text.substr(0, at)), text.substr(at + 1)};
-}
 
 std::optional<Role> role_of(const std::string& word) {
   if (word == "host") return Role::host;
@@ -131,10 +120,7 @@ std::string console_help() {
 ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
                                const std::map<ParticipantId, RosterEntry>& roster,
                                const std::function<Vec3(BodyId)>& middle) {
-  const std::string text = trimmed(line);
-  const auto space = text.find(' ');
-  const std::string verb = text.substr(0, space);
-  std::string rest = space == std::string::npos ? "" : trimmed(text.substr(space));
+  auto [verb, rest] = split_first(line);
   static const std::map<std::string, CommandKind> verbs = {{"detach", CommandKind::detach},
                                                            {"attach", CommandKind::attach},
                                                            {"reset", CommandKind::reset},

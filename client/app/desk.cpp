@@ -41,9 +41,11 @@ void Desk::update(const DeskSession& session) {
   last_update_ = now;
   follow_panel(session.own_panel);
   pace_ = session.pace;
-  for (const WindowEvent& event : window_.poll_events()) take(event, session.room);
+  for (const WindowEvent& event : window_.poll_events()) take(event, session);
+  frame_parts(session.room);
   view_.advance(seconds, pad_);
   move_hand(session, seconds);
+  parts_.lay_out(session.parts, pointed_, Eigen::Vector2d(window_.width(), window_.height()) / session.scale);
 }
 
 void Desk::wait() {
@@ -53,7 +55,16 @@ void Desk::wait() {
   }
 }
 
-void Desk::take(const WindowEvent& event, const DeskRoom& room) {
+/// Takes an event, unless it is for the list of parts.
+void Desk::take(const WindowEvent& event, const DeskSession& session) {
+  if (const auto* pad = std::get_if<GamepadMoved>(&event))
+    for (const WindowEvent& same : pad_.take(pad->now)) take(same, session);
+  Eigen::Vector2d pointer = view_.pointer_pixel();
+  if (const auto* mouse = std::get_if<MouseMoved>(&event)) pointer = {mouse->x, mouse->y};
+  if (!parts_.take(event, pointer / session.scale)) act(event, session.room);
+}
+
+void Desk::act(const WindowEvent& event, const DeskRoom& room) {
   view_.take(event, room);
   if (std::get_if<CloseRequested>(&event)) closed_ = true;
   if (const auto* key = std::get_if<KeyEvent>(&event); key != nullptr && key->down && !key->repeat)
@@ -64,8 +75,6 @@ void Desk::take(const WindowEvent& event, const DeskRoom& room) {
   }
   if (const auto* wheel = std::get_if<WheelTurned>(&event))
     turn_wheel(wheel->y != 0 ? wheel->y : wheel->x);  // some systems turn it sideways while Shift is held
-  if (const auto* pad = std::get_if<GamepadMoved>(&event))
-    for (const WindowEvent& same : pad_.take(pad->now)) take(same, room);
   if (std::get_if<MouseMoved>(&event) && sliding_ && panel_ &&
       std::chrono::steady_clock::now() - last_slide_ > slide_interval)
     if (const auto point = meet(view_.pointer(), *panel_)) slide(point->at);
@@ -113,9 +122,9 @@ void Desk::move_hand(const DeskSession& session, double seconds) {
   guide.back = view_.place().back();
   guide.yaw = view_.place().yaw;
   guide.pitch = view_.place().pitch;
-  guide.still = at_panel() && !hand_.is_pressed();  // which it would hide
+  guide.still = (at_panel() || parts_.has_pointer()) && !hand_.is_pressed();  // which it would hide
   const auto point = session.room.surface(guide.pointer);
-  pointed_ = point && !at_panel() ? std::optional(point->body) : std::nullopt;
+  pointed_ = point && !at_panel() && !parts_.has_pointer() ? std::optional(point->body) : std::nullopt;
   if (point && point->distance < farthest_surface) {
     guide.surface = point->distance;
     guide.soft = session.is_soft(point->body);
@@ -177,6 +186,12 @@ void Desk::follow_panel(const std::optional<Panel>& panel) {
   for (const double x : {-panel_width / 2, panel_width / 2})
     for (const double y : {-panel_height / 2, panel_height / 2}) box.extend(panel->pose * Vec3(x, y, 0));
   view_.make_room_for(box);
+}
+
+void Desk::frame_parts(const DeskRoom& room) {
+  Eigen::AlignedBox3d box;
+  for (const BodyId body : parts_.take_framed()) box.extend(room.box(body));
+  view_.frame(box);
 }
 
 void Desk::slide(const Vec3& at) {

@@ -8,6 +8,7 @@
 #include "client/app/desk_hand.h"
 #include "client/app/desk_view.h"
 #include "client/app/gamepad_user.h"
+#include "client/app/parts_desk.h"
 #include "client/render/window_context.h"
 #include "client/view/value_paint.h"
 #include "common/messages.h"
@@ -21,7 +22,9 @@ struct DeskSession {
   std::optional<Pose> physical_hand = {};  // the wrist as physics has it
   std::optional<Vec3> tip = {};            // of the instrument in the hand, wrist frame
   std::function<bool(BodyId)> is_soft = {};
-  double pace = 1;  // of simulated time; 0: it stands still
+  double pace = 1;                  // of simulated time; 0: it stands still
+  std::vector<PartRow> parts = {};  // that the open list finds
+  double scale = 1;                 // pixels of a point
 };
 
 /// What a desk user chose to see.
@@ -55,6 +58,7 @@ class Desk {
   const DeskChoices& choices() const { return choices_; }
   /// Returns the body that the pointer is at; nullopt: none, or a panel.
   std::optional<BodyId> pointed() const { return pointed_; }
+  PartsDesk& parts() { return parts_; }
   /// Returns where the pointer is, pixels from the top left.
   const Eigen::Vector2d& pointer_pixel() const { return view_.pointer_pixel(); }
   /// Returns how often the user asked for the eyes of the next one since the last call.
@@ -66,6 +70,7 @@ class Desk {
   DeskView view_;
   DeskHand hand_;
   GamepadUser pad_;
+  PartsDesk parts_;
   std::optional<std::chrono::steady_clock::time_point> last_update_;
   DeskChoices choices_;
   std::size_t follow_requests_ = 0;
@@ -81,7 +86,8 @@ class Desk {
   double pace_ = 1;
   bool awaits_panel_ = false;  // asked for one that has not come up yet
 
-  void take(const WindowEvent& event, const DeskRoom& room);
+  void take(const WindowEvent& event, const DeskSession& session);
+  void act(const WindowEvent& event, const DeskRoom& room);
   void press(Key key);
   void press_for_time(Key key);
   void turn_wheel(double notches);
@@ -91,6 +97,7 @@ class Desk {
   void request_panel();
   void follow_panel(const std::optional<Panel>& panel);
   void slide(const Vec3& at);
+  void frame_parts(const DeskRoom& room);
   void move_hand(const DeskSession& session, double seconds);
   void ask(CommandKind kind, PanelControl control = PanelControl::attach, double value = 0);
   bool at_panel() const { return panel_ && meet(view_.pointer(), *panel_); }

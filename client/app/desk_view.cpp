@@ -78,10 +78,15 @@ void DeskView::frame_pointed(const DeskRoom& room) {
   if (!point) return;
   const ViewPlace& now = place();
   const Eigen::AlignedBox3d box = room.box(point->body);
-  if (!box.isEmpty() && box.sizes().norm() <= largest_framed)
-    orbit_.go_to(framed(box, now.yaw, now.pitch, fov_, static_cast<double>(width_) / height_));
+  if (box.sizes().norm() <= largest_framed)
+    frame(box);
   else
     orbit_.go_to({point->at, now.yaw, now.pitch, std::min(now.distance, near_distance)});
+}
+
+void DeskView::frame(const Eigen::AlignedBox3d& box) {
+  const double aspect = static_cast<double>(width_) / height_;
+  if (!box.isEmpty()) orbit_.go_to(framed(box, place().yaw, place().pitch, fov_, aspect));
 }
 
 void DeskView::make_room_for(const Eigen::AlignedBox3d& box) {

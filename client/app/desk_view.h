@@ -22,6 +22,9 @@ class DeskView {
   /// view stays.
   void frame_pointed(const DeskRoom& room);
 
+  /// Frames a box (m, world frame); an empty one leaves the view as it is.
+  void frame(const Eigen::AlignedBox3d& box);
+
   /// Steps back until the whole box is in the picture, unless it is already.
   void make_room_for(const Eigen::AlignedBox3d& box);
 

@@ -13,6 +13,7 @@
 #include "client/app/happenings.h"
 #include "client/app/input_pump.h"
 #include "client/app/panel_call.h"
+#include "client/app/parts_commands.h"
 #include "client/app/session_log.h"
 #include "client/app/viewer.h"
 #include "client/view/camera.h"
@@ -175,6 +176,7 @@ class Client {
 
   void obey_console() {
     for (const std::string& line : console_.take()) {
+      if (obeys_about_parts(line)) continue;
       const auto parsed = connection_.with_replica([&](Replica& replica) {
         return parse_console_line(line, replica.scene() ? *replica.scene() : SceneInfo{}, replica.roster(),
                                   [&](BodyId body) { return middle_of(replica, body); });
@@ -195,6 +197,19 @@ class Client {
       else
         answer(std::get<std::string>(parsed));
     }
+  }
+
+  /// Obeys a line about what the user sees of the parts; false: it is about something else.
+  bool obeys_about_parts(const std::string& line) {
+    const auto parsed = connection_.with_replica([&](const Replica& replica) {
+      return parse_parts_line(line, parts_known(replica), viewer_->parts());
+    });
+    if (!parsed) return false;
+    if (const PartsOrder* order = std::get_if<PartsOrder>(&*parsed))
+      viewer_->obey(*order);
+    else
+      answer(std::get<std::string>(*parsed));
+    return true;
   }
 
   void obey_gestures() {

@@ -44,10 +44,14 @@ void Viewer::draw_if_seen(InputPump* pump) {
 void Viewer::draw_loading(const std::string& waits_for, double progress) {
   if (!has_desk()) return;
   stage_->desk->wait();
-  const double scale = options_.scale.value_or(stage_->window->content_scale());
   stage_->renderer->draw(loading_picture(options_.bus.session, waits_for, progress, stage_->context->width(),
-                                         stage_->context->height(), scale));
+                                         stage_->context->height(), scale()));
   stage_->context->present();
+}
+
+/// Returns how many pixels a point has.
+double Viewer::scale() const {
+  return options_.scale.value_or(stage_->window != nullptr ? stage_->window->content_scale() : 1);
 }
 
 void Viewer::finish(InputPump* pump) {
@@ -106,6 +110,9 @@ DeskSession Viewer::desk_session(const Replica& replica, double tick, Participan
   if (user && user->hands[right_hand].tracked) out.physical_hand = user->hands[right_hand].pose;
   out.tip = instrument_tip(replica, hand, tick);
   out.pace = replica.pace();
+  out.scale = scale();
+  const PartsDesk& list = stage_->desk->parts();
+  if (list.is_open()) out.parts = part_rows(parts_known(replica), parts_, list.search());
   return out;
 }
 
@@ -124,6 +131,9 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   settings.pointer = desk.pointer_pixel();
   settings.wireframes = options_.wireframes != choices.wireframes;
   settings.shown = choices.shown;
+  for (const PartsOrder& order : desk.parts().take_orders()) obey(order);
+  settings.highlighted = desk.parts().hovered_bodies();
+  settings.parts_list = desk.parts().shown();
   if (choices.full_screen != full_screen_) {
     full_screen_ = choices.full_screen;
     stage_->window->set_full_screen(full_screen_ ? options_.monitor.value_or(0) : std::optional<int>());
@@ -187,7 +197,8 @@ Image Viewer::draw(InputPump* pump, bool keep) {
   if (stage_->desk) use_desk(pump, self, settings);
   settings.width = stage_->context->width();
   settings.height = stage_->context->height();
-  settings.scale = options_.scale.value_or(stage_->window != nullptr ? stage_->window->content_scale() : 1);
+  settings.scale = scale();
+  settings.parts = parts_;
   const DrawList* list = nullptr;
   connection_.with_replica([&](Replica& replica) {
     list = &stage_->view.build(replica, replica.advance(monotonic_ns()), self, settings);

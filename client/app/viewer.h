@@ -44,6 +44,10 @@ class Viewer {
   /// Returns the part of the anatomy that the ray meets first in the last picture.
   std::optional<BodyId> part_at(const Ray& ray);
 
+  /// Changes what the user sees of the parts.
+  void obey(const PartsOrder& order) { parts_.obey(order); }
+  const PartsChoice& parts() const { return parts_; }
+
   /// Draws the next picture where somebody sees or keeps it. `pump` carries the user's hands; null: an
   /// observer, who has none.
   void draw_if_seen(InputPump* pump);
@@ -67,7 +71,9 @@ class Viewer {
   bool full_screen_ = false;
   Figures figures_;
   MessageLines messages_;
+  PartsChoice parts_;
 
+  double scale() const;
   Image draw(InputPump* pump, bool keep);
   void use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings);
   void begin_desk(Replica& replica, double tick, ParticipantId self);

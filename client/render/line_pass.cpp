@@ -14,7 +14,8 @@ void draw_lines(const DrawList& list, const DrawCamera& camera, const ScreenQuad
       const auto flat = [](const Vec3& x) { return Eigen::Vector4d(x.x(), x.y(), 0, 1); };
       add_line(overlay, flat(line.a), flat(line.b), line.color, list.scale * line.width, viewport);
     } else {
-      add_line(room, project(line.a), project(line.b), line.color, list.scale * line.width, viewport);
+      add_line(line.over ? overlay : room, project(line.a), project(line.b), line.color,
+               list.scale * line.width, viewport);
     }
   }
   drawer.draw(room, true);

@@ -1,5 +1,5 @@
 #pragma once
-// A DrawList's lines: those of the room behind what hides them, then those of the overlay. Private to
+// A DrawList's lines: those of the room behind what hides them, then those over it. Private to
 // client/render.
 
 #include "client/render/screen_quad_drawer.h"

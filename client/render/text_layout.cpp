@@ -10,8 +10,6 @@
 namespace prosector {
 namespace {
 
-constexpr double text_margin = 2;  // points between the grounds of two texts
-
 /// Places a text; none where its place is behind the eye.
 std::optional<PlacedText> place(const DrawText& text, const SetText& set, const DrawCamera& camera,
                                 double scale, const Eigen::Matrix4d& clip_from_room) {

@@ -17,9 +17,6 @@ struct PlacedText {
   double lift = 0;         // pixels that it stands above its place
 };
 
-/// Says how far the ground of a text reaches beyond it, in points.
-inline constexpr double ground_beside = 5, ground_above = 0.8;
-
 /// Places all texts but those on surfaces that this camera sees, in their order; the list and its cameras
 /// outlive the result. All eyes lift alike, as the list's first camera asks for: nobody can fuse pictures
 /// whose texts differ in height.

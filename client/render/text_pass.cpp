@@ -34,6 +34,16 @@ void add_ground(std::vector<PlateVertex>& out, const PlacedText& placed, double 
             picture);
 }
 
+void add_plate(std::vector<PlateVertex>& out, const DrawPlate& plate, double scale,
+               const Eigen::Vector2d& picture) {
+  const Eigen::Vector2d low = (scale * plate.low).array().round(),
+                        high = (scale * plate.high).array().round();
+  const Eigen::Vector4f fill = with_opacity(plate.color, plate.opacity);
+  const PlateLook look{fill, plate.rim_width > 0 ? with_opacity(plate.rim_color, 1) : fill,
+                       scale * plate.radius, scale * plate.rim_width};
+  add_plate(out, {low.x(), low.y(), high.x(), high.y()}, look, picture);
+}
+
 /// Adds a line from a text that was lifted down to its place.
 void add_leader(std::vector<PlateVertex>& out, const PlacedText& placed, double scale,
                 const Eigen::Vector2d& picture) {
@@ -61,8 +71,9 @@ TextPass::TextPass(const Gl& gl, const std::filesystem::path& shaders, Typesette
 void TextPass::draw_over(const DrawList& list, const DrawCamera& camera) {
   const Eigen::Vector2d picture(camera.width, camera.height);
   const std::vector<PlacedText> texts = place_texts(list, camera, typesetter_);
-  if (texts.empty()) return;
+  if (texts.empty() && list.plates.empty()) return;
   std::vector<PlateVertex> plates;
+  for (const DrawPlate& plate : list.plates) add_plate(plates, plate, list.scale, picture);
   Ink ink{letters_, letter_program_};
   for (const PlacedText& placed : texts) add_leader(plates, placed, list.scale, picture);
   for (const PlacedText& placed : texts) add_ground(plates, placed, list.scale, picture);

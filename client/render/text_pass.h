@@ -16,8 +16,8 @@ class TextPass {
 
   /// Draws the texts on surfaces, behind what hides them and lit by no lamp. The alpha of the picture stays.
   void draw_on_surfaces(const DrawList& list, const DrawCamera& camera);
-  /// Draws the other texts over the finished picture: first what they stand on, then their glyphs, each as
-  /// FreeType draws it at that size.
+  /// Draws plates and the other texts over the finished picture: first what they stand on, then their glyphs,
+  /// each as FreeType draws it at that size.
   void draw_over(const DrawList& list, const DrawCamera& camera);
 
  private:

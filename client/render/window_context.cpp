@@ -184,6 +184,9 @@ class GlfwWindow final : public WindowContext {
       if (const auto ours = key_from_glfw(key, scancode))
         self(w).events_.push_back(KeyEvent{*ours, action != GLFW_RELEASE, action == GLFW_REPEAT});
     });
+    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned character) {
+      self(w).events_.push_back(CharacterTyped{static_cast<char32_t>(character)});
+    });
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int width, int height) {
       if (width < 1 || height < 1) return;  // minimised: keep drawing the old size
       self(w).width_ = width;

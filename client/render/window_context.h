@@ -67,6 +67,9 @@ struct KeyEvent {
   bool down;
   bool repeat;  // a held key's repeated press
 };
+struct CharacterTyped {
+  char32_t character;  // as the keyboard's layout and input methods make it
+};
 struct Resized {
   int width, height;  // pixels of the picture
 };
@@ -75,8 +78,8 @@ struct GamepadMoved {
   std::optional<Gamepad> now;  // nullopt: unplugged
 };
 
-using WindowEvent =
-    std::variant<MouseMoved, MouseButtonEvent, WheelTurned, KeyEvent, Resized, CloseRequested, GamepadMoved>;
+using WindowEvent = std::variant<MouseMoved, MouseButtonEvent, WheelTurned, KeyEvent, CharacterTyped, Resized,
+                                 CloseRequested, GamepadMoved>;
 
 /// What people see who watch beside the one who takes part.
 struct Audience {

@@ -54,6 +54,16 @@ struct DrawLine {
   Vec3 color = Vec3::Ones();
   double width = 2;  // points
   bool overlay = false;
+  bool over = false;  // in the room, but drawn over what is before it
+};
+
+/// A plate in the overlay, below its texts.
+struct DrawPlate {
+  Eigen::Vector2d low, high;  // points from the top left
+  Vec3 color = Vec3::Zero();
+  double opacity = 1;
+  double radius = 0, rim_width = 0;  // points: of its corners, of a rim
+  Vec3 rim_color = Vec3::Ones();
 };
 
 /// What a text over a picture stands on.
@@ -62,6 +72,10 @@ enum class TextGround : std::uint8_t {
   framed,  // a plate with a rim of the text's colour
   none
 };
+
+/// Says how far the ground of a text reaches beyond it, in points, and how far apart the grounds of two texts
+/// in the room are kept.
+inline constexpr double ground_beside = 5, ground_above = 0.8, text_margin = 2;
 
 /// Text in the overlay, at a place in the room (names above heads), or on a surface in the room. UTF-8 in any
 /// script. Lines end at '\n'; a '\t' begins the next column, the same for all lines.
@@ -95,6 +109,7 @@ struct DrawList {
   std::vector<DrawItem> items;
   std::vector<LightInfo> lights;
   std::vector<DrawLine> lines;
+  std::vector<DrawPlate> plates;
   std::vector<DrawText> texts;
   Vec3 ambient = {0.175, 0.18, 0.183};  // radiance of the ceiling beside its light panels
   Vec3 background = {0.05, 0.06, 0.07};

@@ -18,7 +18,7 @@
 namespace prosector {
 namespace {
 
-constexpr double lit_brightness = 1.6, least_room_light = 0.05;
+constexpr double lit_brightness = 1.6, least_room_light = 0.05, highlighted_brightness = 1.7;
 constexpr double notes_left = 10, notes_top = 90;  // points: below the overlay's lines
 constexpr int inset_share = 4;    // an inset's width and height are these parts of the picture's
 constexpr double eye_fov = 0.95;  // rad, vertical, of eyes whose field of view is not known
@@ -37,6 +37,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
                                  const ViewSettings& settings) {
   list_.items.clear();
   list_.lines.clear();
+  list_.plates.clear();
   list_.texts.clear();
   body_items_.clear();
   parts_.clear();
@@ -45,7 +46,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   place_cameras(replica, tick, self, settings);
   if (!settings.stereo) add_insets(replica, tick, settings);
   add_room();
-  add_bodies(replica, tick, settings.shown);
+  add_bodies(replica, tick, settings);
   if (settings.wireframes) add_wireframes(replica, tick);
   add_panels(replica);
   people_.add(list_, replica, tick, self, settings.follow, next_mesh_id_);
@@ -59,6 +60,8 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
                            .wrap = OverlayFrame(list_).width - 2 * notes_left});
   if (settings.overlay) add_body_figures(replica);
   if (settings.overlay) add_session_overlay(list_, replica, self, settings);
+  if (settings.parts.labels()) add_part_labels(replica, settings);
+  if (settings.parts_list != nullptr) add_parts_list(list_, *settings.parts_list);
   return list_;
 }
 
@@ -120,11 +123,14 @@ void SceneView::add_room() {
   for (const DrawItem& item : room_) list_.items.push_back(item);
 }
 
-void SceneView::add_bodies(Replica& replica, double tick, Shown shown) {
+void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& settings) {
   const auto& bodies = replica.scene()->bodies;
+  const std::vector<PartLook> looks = looks_of(replica, settings.parts);
   for (BodyId id = 0; id < bodies.size(); ++id) {
+    if (looks[id].hidden) continue;
     DrawItem item{.mesh = nullptr, .pose = {}, .appearance = bodies[id].appearance};
     if (bodies[id].part) parts_.insert(id);
+    if (looks[id].color) item.appearance.color = *looks[id].color;
     std::shared_ptr<const DrawMesh> inner;
     if (bodies[id].kind == BodyKind::rigid) {
       auto& mesh = meshes_[id];
@@ -146,15 +152,18 @@ void SceneView::add_bodies(Replica& replica, double tick, Shown shown) {
       if (part->inspected) item.shape = part->shape;
       item.seen_from_inside = part->inspected;
       item.opacity = part->opacity;
-      item.casts_shadow = part->opacity >= 1;
       // As bright as in a bright room, and more.
       if (part->lit) item.brightness = lit_brightness / std::max(replica.room_lights(), least_room_light);
       if (part->lit) add_light_shaft(item);
     }
+    item.opacity *= looks[id].opacity;
+    item.casts_shadow = item.opacity >= 1;
+    if (std::ranges::find(settings.highlighted, id) != settings.highlighted.end())
+      item.brightness *= highlighted_brightness;
     const auto add = [&](DrawItem seen) {
       body_items_.emplace_back(id, list_.items.size());
-      if (shown != Shown::none && bodies[id].kind == BodyKind::soft)
-        paint(seen, shown, replica.body_status(id));
+      if (settings.shown != Shown::none && bodies[id].kind == BodyKind::soft)
+        paint(seen, settings.shown, replica.body_status(id));
       list_.items.push_back(std::move(seen));
     };
     add(item);
@@ -315,6 +324,24 @@ void SceneView::add_panels(const Replica& replica) {
     }
     panel_view_->add(list_, panel, replica.scene()->bodies[panel.body]);
   }
+}
+
+/// Adds names beside what can be taken in hand, clear of what else lies over the picture.
+void SceneView::add_part_labels(const Replica& replica, const ViewSettings& settings) {
+  constexpr double border = 10, below_lines = 74, note_line = 17;  // points
+  const OverlayFrame frame(list_);
+  double right = frame.width - border, top = settings.overlay ? below_lines : border;
+  if (settings.parts_list != nullptr) right = settings.parts_list->board.min().x() - border;
+  if (!settings.insets.empty()) right = std::min(right, frame.width * (1 - 1.0 / inset_share) - border);
+  if (!settings.notes.empty())
+    top = notes_top + note_line * static_cast<double>(1 + std::ranges::count(settings.notes, '\n'));
+  std::vector<NamedItem> named;
+  for (const auto& [body, item] : body_items_)
+    if (const SceneBody& one = replica.scene()->bodies[body];
+        one.part || one.moves || one.kind == BodyKind::soft)
+      named.push_back({body, item, one.name});
+  part_labels_.add(list_, named,
+                   {Eigen::Vector2d(border, top), Eigen::Vector2d(right, frame.height - message_band)});
 }
 
 /// Adds figures above each body whose scene asks for it.

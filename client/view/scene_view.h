@@ -13,6 +13,7 @@
 #include "client/view/hand_cues.h"
 #include "client/view/level_of_detail.h"
 #include "client/view/panel_view.h"
+#include "client/view/part_labels.h"
 #include "client/view/people.h"
 #include "client/view/pick.h"
 #include "client/view/soft_body_mesh.h"
@@ -51,6 +52,7 @@ class SceneView {
   std::set<BodyId> parts_;                                  // of the anatomy
   SurfaceTrees trees_;
   LevelOfDetail level_of_detail_;
+  PartLabels part_labels_;
   std::uint64_t next_mesh_id_ = 1;
   DrawList list_;
 
@@ -59,7 +61,7 @@ class SceneView {
   void add_insets(const Replica& replica, double tick, const ViewSettings& settings);
   void add_room();
   void place_lights(const Replica& replica, double tick);
-  void add_bodies(Replica& replica, double tick, Shown shown);
+  void add_bodies(Replica& replica, double tick, const ViewSettings& settings);
   void paint(DrawItem& item, Shown shown, const BodyStatus* status);
   SoftBodyMesh& follow_soft(SoftReplica& soft, BodyId body, double tube_diameter, double tick, double dt);
   template <class Counts>
@@ -70,6 +72,7 @@ class SceneView {
   void add_wireframes(Replica& replica, double tick);
   void add_panels(const Replica& replica);
   void add_body_figures(const Replica& replica);
+  void add_part_labels(const Replica& replica, const ViewSettings& settings);
 };
 
 }  // namespace prosector

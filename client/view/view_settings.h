@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "client/view/parts_list.h"
 #include "client/view/stereo_profile.h"
 #include "client/view/value_paint.h"
 #include "common/messages.h"
@@ -23,6 +24,9 @@ struct ViewSettings {
   std::vector<std::string> messages = {};             // lines at the lower border, the oldest first
   std::optional<BodyId> pointed = {};                 // body to name beside the pointer
   Eigen::Vector2d pointer = Eigen::Vector2d::Zero();  // pixels from the top left
+  PartsChoice parts = {};                             // what the viewer wants to see of them
+  std::vector<BodyId> highlighted = {};               // bodies that are shown bright
+  const PartsList* parts_list = nullptr;              // to be drawn; null: shut
   std::vector<std::string> insets;  // names of users whose views are seen small; not in stereo
   std::string follow;               // name of a participant; empty: own camera
   std::optional<Pose>

@@ -9,7 +9,9 @@
 #include "client/view/hand_mesh.h"
 #include "client/view/level_of_detail.h"
 #include "client/view/normals.h"
+#include "client/view/part_labels.h"
 #include "client/view/still_scene.h"
+#include "common/anatomy/atlas.h"
 #include "common/clock.h"
 #include "common/paths.h"
 #include "common/scene/load_scene.h"
@@ -24,8 +26,9 @@ namespace {
 struct Subject {
   std::string scene;  // its name
   DrawList list;
-  std::shared_ptr<DrawMesh> organ;  // null: the scene has none
-  std::size_t hand;                 // index into list.items
+  std::shared_ptr<DrawMesh> organ;    // null: the scene has none
+  std::vector<NamedItem> named = {};  // all organs
+  std::size_t hand;                   // index into list.items
   Pose eye;
   double fov = 0;       // rad
   bool stereo = false;  // two eyes side by side
@@ -54,11 +57,16 @@ void look_from_below(Subject& subject) {
 }
 
 Subject scene_with_hand(const RenderBenchOptions& options) {
-  const SceneDesc scene = load_scene(options.scene);
-  const SourcePaths paths{scene.file.parent_path(), {default_data_dir()}, default_cache_dir()};
+  const auto tell = [](const std::string& line) { fmt::print("{}\n", line); };
+  const SourcePaths paths{
+      std::filesystem::path(options.scene).parent_path(), {default_data_dir()}, default_cache_dir()};
+  const SceneDesc scene = completed(load_scene(options.scene), paths, tell);
   Subject out;
   out.scene = scene.name;
-  out.list = still_scene(scene, paths, [](const std::string& line) { fmt::print("{}\n", line); });
+  out.list = still_scene(scene, paths, tell);
+  for (std::size_t k = 0; k < out.list.items.size(); ++k)
+    if (out.list.items[k].appearance.surface == Surface::tissue)
+      out.named.push_back({static_cast<std::uint32_t>(k), k, "a part of the anatomy"});
   for (DrawItem& item : out.list.items) {
     if (item.appearance.surface != Surface::tissue) continue;
     out.organ = std::make_shared<DrawMesh>(*item.mesh);
@@ -85,6 +93,7 @@ struct Case {
   RendererSettings settings;
   Motion motion;
   double detail = quality_levels[1].detail;  // pixels
+  bool labels = false;                       // names beside the organs
 };
 
 void move(Subject& subject, Motion motion) {
@@ -101,6 +110,7 @@ struct Cost {
   double cpu_ms = 0, wall_ms = 0;                 // with reading the picture back
   double drawn_ms = 0;                            // not read back, the next begun before the last is done
   std::map<std::string, double> wall_ms_of = {};  // each pass, with nothing overlapping
+  std::size_t labels = 0;                         // of the last frame
   std::size_t drawn = 0;                          // triangles of the last frame's levels of detail
   std::size_t hidden = 0;                         // items that it left out, of all its cameras
 };
@@ -126,10 +136,19 @@ double drawn_ms(Renderer& renderer, const Draw& draw) {
   return 1e-6 * static_cast<double>(now - start) / frames;
 }
 
+void add_labels(Subject& subject, PartLabels& labels) {
+  subject.list.lines.clear();
+  subject.list.texts.clear();
+  const DrawCamera& camera = subject.list.cameras.front();
+  labels.add(subject.list, subject.named,
+             {Eigen::Vector2d(10, 10), Eigen::Vector2d(camera.width - 10, camera.height - 10)});
+}
+
 Cost measure(Subject& subject, const Case& what, const RenderBenchOptions& options) {
   const auto context = make_offscreen_context(subject.width, subject.height);
   Renderer renderer(*context, default_shader_dir(), what.settings);
   LevelOfDetail level_of_detail;
+  PartLabels labels;
   Cost cost;
   std::int64_t last = 0;
   const auto move_and_draw = [&] {
@@ -137,6 +156,9 @@ Cost measure(Subject& subject, const Case& what, const RenderBenchOptions& optio
     last = monotonic_ns();
     level_of_detail.choose(subject.list, what.detail);
     cost.wall_ms_of["detail"] += 1e-6 * static_cast<double>(monotonic_ns() - last) / options.frames;
+    last = monotonic_ns();
+    if (what.labels) add_labels(subject, labels);
+    cost.wall_ms_of["labels"] += 1e-6 * static_cast<double>(monotonic_ns() - last) / options.frames;
     renderer.draw(subject.list);
   };
   const auto draw = [&](int frames) {
@@ -164,6 +186,9 @@ Cost measure(Subject& subject, const Case& what, const RenderBenchOptions& optio
   });
   draw(options.frames);
   cost.hidden = renderer.hidden();
+  cost.labels = subject.list.texts.size();
+  subject.list.lines.clear();
+  subject.list.texts.clear();
   for (const DrawItem& item : subject.list.items) cost.drawn += triangles_of(item).size();
   return cost;
 }
@@ -222,11 +247,13 @@ Report bench_render(const RenderBenchOptions& options) {
                          {number, "triangles", "triangles"},
                          {number, "drawn", "drawn"},
                          {number, "hidden", "hidden"},
+                         {number, "labels", "labels"},
                          {number, "cpu_ms_per_frame", "CPU ms, all threads"},
                          {number, "wall_ms_per_frame", "ms"},
                          {number, "drawn_ms_per_frame", "not read back"},
                          {number, "ms_passes", "all passes"},
                          {number, "ms_detail", "detail"},
+                         {number, "ms_labels", "placing labels"},
                          {number, "ms_shadow", "shadow"},
                          {number, "ms_environment", "mirror"},
                          {number, "ms_surfaces", "surfaces"},
@@ -245,6 +272,7 @@ Report bench_render(const RenderBenchOptions& options) {
                      {"triangles", triangles_of(subject.list)},
                      {"drawn", cost.drawn},
                      {"hidden", cost.hidden},
+                     {"labels", cost.labels},
                      {"width", subject.width},
                      {"height", subject.height},
                      {"eyes", subject.list.cameras.size()},
@@ -278,6 +306,7 @@ Report bench_render(const RenderBenchOptions& options) {
   set_size(subject, options.width, options.height);
   add({"only the hand moves", usual.settings, Motion::hand});
   add({"nothing moves", usual.settings, Motion::none});
+  add({"nothing moves, labels", usual.settings, Motion::none, usual.detail, true});
   for (std::size_t k = 0; k < effect_rows.size(); ++k) {
     RendererSettings without = usual.settings;
     without.effects.flip(k);

@@ -9,6 +9,8 @@
 #include "client/view/hand_mesh.h"
 #include "client/view/light_shaft.h"
 #include "client/view/panel_view.h"
+#include "client/view/part_labels.h"
+#include "client/view/parts_list.h"
 #include "client/view/room.h"
 #include "client/view/stereo_profile.h"
 #include "client/view/wireframe.h"
@@ -284,6 +286,74 @@ GalleryPicture scripts_stereo() {
   return {"scripts_stereo", wide, high, list};
 }
 
+/// Balls in a heap, named in many scripts.
+std::vector<NamedItem> add_named_heap(DrawList& list) {
+  std::vector<NamedItem> named;
+  for (std::size_t k = 0; k < many_scripts.size(); ++k) {
+    if (many_scripts[k].name.size() > 60) continue;
+    const double turn = 2.4 * static_cast<double>(k);
+    PartDesc ball;
+    ball.shape = "ellipsoid";
+    ball.size = {0.06, 0.05, 0.07};
+    ball.pose.p = {0.07 * std::cos(turn), 1.03 + 0.012 * static_cast<double>(k), 0.07 * std::sin(turn)};
+    named.push_back({static_cast<std::uint32_t>(k), list.items.size(), many_scripts[k].name});
+    const Vec3 color(0.2 + 0.06 * static_cast<double>(k % 4), 0.12, 0.1 + 0.04 * static_cast<double>(k % 3));
+    list.items.push_back(rigid(ball, 50 + k, {color, 0.45, 0.9, Surface::tissue}));
+  }
+  return named;
+}
+
+/// Names in many scripts beside what they name.
+GalleryPicture labels(bool stereo) {
+  const int wide = stereo ? 960 : 480;
+  constexpr int high = 320;
+  DrawList list = stage({0.1, 1.3, 0.55}, {0, 1.07, 0});
+  list.items.push_back(table());
+  const Pose eye = list.cameras[0].pose;
+  list.cameras = {mono_camera(eye, 0.6, wide, high)};
+  if (stereo) {
+    const auto eyes = stereo_cameras(eye, StereoProfile{}, wide, high);
+    list.cameras.assign(eyes.begin(), eyes.end());
+  }
+  const std::vector<NamedItem> named = add_named_heap(list);
+  const double width = list.cameras[0].width;
+  PartLabels().add(list, named, {Eigen::Vector2d(8, 8), Eigen::Vector2d(width - 8, high - 8)});
+  return {stereo ? "labels_stereo" : "labels", wide, high, list};
+}
+
+/// The list of parts named in many scripts: one is hidden, one faint, one red and held; the pointer is at an
+/// eye, and the colours of a row are open.
+GalleryPicture parts_list() {
+  constexpr int wide = 480, high = 420;
+  DrawList list = stage({0.1, 1.3, 0.55}, {0.12, 1.05, 0});
+  list.cameras = {mono_camera(list.cameras[0].pose, 0.6, wide, high)};
+  list.items.push_back(table());
+  add_named_heap(list);
+  PartsKnown known;
+  PartsChoice choice;
+  for (const Words& words : many_scripts) {
+    SceneBody& body = known.scene.bodies.emplace_back();
+    body.name = words.name;
+    body.appearance.color = {0.42, 0.10, 0.08};
+    body.part = true;
+  }
+  known.organs = organs_of(known.scene, [](BodyId) { return -1; });
+  known.holders.resize(known.scene.bodies.size());
+  known.holders[3] = {{"Ada", {0.9, 0.5, 0.1}}};
+  known.holders[5] = {{"Grace", {0.2, 0.5, 0.9}}, {"نور", {0.2, 0.8, 0.3}}};
+  choice.obey({.kind = PartsOrder::Kind::hide, .parts = {known.scene.bodies[4].name}});
+  choice.obey({.kind = PartsOrder::Kind::opacity, .parts = {known.scene.bodies[2].name}, .opacity = 0.4});
+  choice.obey({.kind = PartsOrder::Kind::color,
+               .parts = {known.scene.bodies[3].name},
+               .color = part_colors()[1].color});
+  PartsListState state;
+  state.hovered = PartsSpot{PartsSpot::Kind::eye, 5, 0};
+  state.palette = known.scene.bodies[5].name;
+  state.pointed = 7;
+  add_parts_list(list, lay_out_parts(part_rows(known, choice, ""), state, {wide, high}));
+  return {"parts_list", wide, high, list};
+}
+
 }  // namespace
 
 const std::vector<std::string>& gallery_names() {
@@ -300,7 +370,11 @@ const std::vector<std::string>& gallery_names() {
                                                  "scripts_2x",
                                                  "panel_scripts",
                                                  "panel_scripts_2x",
-                                                 "scripts_stereo"};
+                                                 "scripts_stereo",
+                                                 "labels",
+                                                 "labels_stereo",
+                                                 "parts_list",
+                                                 "parts_list_2x"};
   return names;
 }
 
@@ -318,6 +392,10 @@ GalleryPicture gallery_picture(const std::string& name) {
   if (name == "panel_scripts") return panel_scripts();
   if (name == "panel_scripts_2x") return on_finer_display(panel_scripts(), 2);
   if (name == "scripts_stereo") return scripts_stereo();
+  if (name == "labels") return labels(false);
+  if (name == "labels_stereo") return labels(true);
+  if (name == "parts_list") return parts_list();
+  if (name == "parts_list_2x") return on_finer_display(parts_list(), 2);
   return text();
 }
 
