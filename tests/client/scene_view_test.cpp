@@ -421,6 +421,54 @@ std::array<Columns, 2> difference(const Image& a, const Image& b) {
 }
 
 // Its rims lie e·(1/Z − 1/D) apart in tangents: crossed before the distance of convergence, uncrossed beyond.
+TEST(SceneView, AViewersChoiceChangesWhatThatViewerSeesAndPointsAt) {
+  Client client;
+  client.scene.bodies[part_body].part = true;
+  client.join();
+  ViewSettings settings = plain(400, 300);
+  const std::size_t all = client.list(1, settings).items.size();
+  const Ray down{{0, 1.9, 0}, -Vec3::UnitY()};
+  const auto pointed = [&] { return client.view().surface_at(down)->body; };
+  EXPECT_EQ(pointed(), part_body);
+  const auto item_of_part = [&]() -> const DrawItem& {
+    const auto& items = client.list(1, settings).items;
+    return *std::ranges::find_if(items, [](const DrawItem& item) { return item.pose.p == Vec3(0, 1.2, 0); });
+  };
+
+  settings.parts.obey({.kind = PartsOrder::Kind::color, .parts = {"part"}, .color = Vec3(0, 0, 1)});
+  settings.parts.obey({.kind = PartsOrder::Kind::opacity, .parts = {"part"}, .opacity = 0.4});
+  EXPECT_EQ(item_of_part().appearance.color, Vec3(0, 0, 1));
+  EXPECT_EQ(item_of_part().opacity, 0.4);
+  EXPECT_FALSE(item_of_part().casts_shadow);
+  PartState shared;
+  shared.body = part_body;
+  shared.opacity = 0.5;
+  client.tell(shared);
+  EXPECT_EQ(item_of_part().opacity, 0.2) << "what everybody sees counts, too";
+
+  settings.parts.obey({.kind = PartsOrder::Kind::hide, .parts = {"part"}});
+  EXPECT_EQ(client.list(1, settings).items.size(), all - 1);
+  EXPECT_EQ(pointed(), 0u) << "the table behind it";
+  settings.parts.obey({.kind = PartsOrder::Kind::reset_all});
+  EXPECT_EQ(client.list(1, settings).items.size(), all);
+
+  settings.highlighted = {part_body};
+  EXPECT_GT(item_of_part().brightness, 1);
+}
+
+TEST(SceneView, NamesStandBesideThePartsWhenTheViewerAsksForThem) {
+  Client client;
+  client.scene.bodies[part_body].part = true;
+  client.join();
+  ViewSettings settings = plain(400, 300);
+  EXPECT_TRUE(client.list(1, settings).texts.empty());
+  settings.parts.obey({.kind = PartsOrder::Kind::labels});
+  const DrawList& list = client.list(1, settings);
+  ASSERT_EQ(list.texts.size(), 1u) << "the table is no part, the lamp is not in the picture";
+  EXPECT_EQ(list.texts[0].text, "part");
+  EXPECT_FALSE(list.lines.empty());
+}
+
 TEST(SceneView, BothEyesSeeThePanelWithTheDisparityOfItsDistance) {
   StereoProfile profile;
   Client client;
