@@ -344,14 +344,14 @@ void SceneView::add_part_labels(const Replica& replica, const ViewSettings& sett
                    {Eigen::Vector2d(border, top), Eigen::Vector2d(right, frame.height - message_band)});
 }
 
-/// Adds figures above each body whose scene asks for it.
+/// Adds figures above each body that is drawn and whose scene asks for it.
 void SceneView::add_body_figures(const Replica& replica) {
   constexpr double clearance = 0.03;  // m
   const auto& bodies = replica.scene()->bodies;
   for (BodyId id = 0; id < bodies.size(); ++id) {
     const BodyStatus* status = bodies[id].show_figures ? replica.body_status(id) : nullptr;
     const auto mesh = soft_meshes_.find(id);
-    if (status == nullptr || mesh == soft_meshes_.end()) continue;
+    if (status == nullptr || mesh == soft_meshes_.end() || box_of(id).isEmpty()) continue;
     Eigen::AlignedBox3f box;
     for (const auto& x : mesh->second.outer()->positions) box.extend(x);
     if (box.isEmpty()) continue;
