@@ -106,7 +106,7 @@ std::string told_spot(const PartsList& list, const PartsSpot& spot) {
   if (spot.kind == Kind::name) return row.is_head ? "" : "brings it into the picture";
   if (spot.kind == Kind::eye) return fmt::format("{} {}", row.look.hidden ? "shows" : "hides", what);
   if (spot.kind == Kind::isolate)
-    return row.isolated ? "the others, too: faint, hidden, back" : fmt::format("{}, the others faint", what);
+    return row.isolated ? "hides the others, or brings them back" : "makes the others faint";
   if (spot.kind == Kind::slider) return fmt::format("opacity: {:.0f} %", 100 * row.look.opacity);
   if (spot.kind == Kind::swatch) return fmt::format("gives {} a colour", what);
   const auto colors = part_colors();
