@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace prosector {
 namespace {
@@ -74,6 +75,7 @@ std::vector<std::string> Happenings::look(const Replica& replica, double now) {
   std::vector<std::string> out;
   look_at_people(replica, out);
   look_at_time(replica, out);
+  look_at_hands(replica, out);
   look_at_cuts(replica, now, out);
   if (!looked_) out.clear();
   look_at_troubles(replica, now, out);
@@ -101,6 +103,20 @@ void Happenings::look_at_time(const Replica& replica, std::vector<std::string>& 
     out.push_back("the host stopped time");
   else
     out.push_back(pace_ == 1 ? "time goes on" : fmt::format("slow motion: {:g} of real time", pace_));
+}
+
+void Happenings::look_at_hands(const Replica& replica, std::vector<std::string>& out) {
+  if (!replica.scene()) return;
+  const auto is_own = [&](const HandRef& hand) { return hand.participant == self_; };
+  std::set<BodyId> held;
+  for (BodyId body = 0; body < replica.scene()->bodies.size(); ++body)
+    if (const PartState* part = replica.part(body);
+        part != nullptr && std::ranges::any_of(part->holders, is_own)) {
+      held.insert(body);
+      if (!held_.contains(body))
+        out.push_back(fmt::format("you hold the {}", replica.scene()->bodies[body].name));
+    }
+  held_ = std::move(held);
 }
 
 void Happenings::look_at_cuts(const Replica& replica, double now, std::vector<std::string>& out) {

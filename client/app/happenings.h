@@ -17,9 +17,9 @@ class Happenings {
   /// Takes whose client this is: that one's deeds are told as "you".
   explicit Happenings(ParticipantId self) : self_(self) {}
 
-  /// Returns a sentence for everything new about people, time, cuts, pieces that came off, and the
-  /// simulation's troubles and their end. `now`: s of a clock that never goes back. A stroke is told once,
-  /// however many revisions it makes.
+  /// Returns a sentence for everything new about people, time, what the user took hold of, cuts, pieces
+  /// that came off, and the simulation's troubles and their end. `now`: s of a clock that never goes back. A
+  /// stroke is told once, however many revisions it makes.
   std::vector<std::string> look(const Replica& replica, double now);
 
  private:
@@ -36,10 +36,12 @@ class Happenings {
   std::map<BodyId, Seen> topologies_;
   std::map<std::string, double> troubles_;  // by kind: when the server last told of it, s
   bool in_trouble_ = false;
+  std::set<BodyId> held_;  // by the user
   double pace_ = 1;
 
   void look_at_people(const Replica& replica, std::vector<std::string>& out);
   void look_at_time(const Replica& replica, std::vector<std::string>& out);
+  void look_at_hands(const Replica& replica, std::vector<std::string>& out);
   void look_at_cuts(const Replica& replica, double now, std::vector<std::string>& out);
   void look_at_troubles(const Replica& replica, double now, std::vector<std::string>& out);
   std::string name_of(const Replica& replica, ParticipantId who) const;

@@ -7,6 +7,7 @@
 #include "client/view/anatomy_points.h"
 #include "client/view/held_things.h"
 #include "client/view/loading_picture.h"
+#include "client/view/session_overlay.h"
 
 namespace prosector {
 
@@ -65,12 +66,27 @@ void Viewer::tell_failures() {
   for (const std::string& failure : sink_.take_failures()) tell_(failure);
 }
 
+std::vector<ControlDevice> Viewer::devices() const {
+  std::vector<ControlDevice> out;
+  out.push_back(has_devices(options_.devices) ? ControlDevice::headset : ControlDevice::hand);
+  if (has_desk()) out.push_back(ControlDevice::view);
+  if (has_desk() && stage_->desk->has_gamepad()) out.push_back(ControlDevice::gamepad);
+  return out;
+}
+
 std::string Viewer::help(Role role, HelpColumns columns) const {
-  std::vector<ControlDevice> devices;
-  devices.push_back(has_devices(options_.devices) ? ControlDevice::headset : ControlDevice::hand);
-  if (has_desk()) devices.push_back(ControlDevice::view);
-  if (has_desk() && stage_->desk->has_gamepad()) devices.push_back(ControlDevice::gamepad);
-  return help_text(role, devices, columns);
+  return help_text(role, devices(), columns);
+}
+
+std::vector<std::string> Viewer::greeting(Role role) const {
+  return has_desk() ? first_words(role, devices()) : std::vector<std::string>();
+}
+
+std::string Viewer::pointed() const {
+  const auto body = has_desk() ? stage_->desk->pointed() : std::nullopt;
+  return !body ? "nothing" : connection_.with_replica([&](const Replica& replica) {
+    return named_with_holders(replica, *body);
+  });
 }
 
 Role Viewer::role_of(ParticipantId participant) {
