@@ -135,8 +135,9 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   desk.update(session);
   self.at_desk = !has_devices(options_.devices);
   const DeskChoices& choices = desk.choices();
-  settings.eye = desk.eye();
-  settings.pointed = desk.pointed();
+  const bool head_leads = has_devices(options_.devices) && self.input.head_tracked;
+  if (!head_leads) settings.eye = desk.eye();
+  if (!head_leads) settings.pointed = desk.pointed();
   settings.pointer = desk.pointer_pixel();
   settings.wireframes = options_.wireframes != choices.wireframes;
   settings.shown = choices.shown;
@@ -181,6 +182,7 @@ void Viewer::follow_next(ParticipantId self) {
       if (id != self && user && user->head_tracked) names.push_back(entry.name);
     }
   });
+  if (names.size() == 1 && follow_.empty()) say("Tab: nobody else is here to see through the eyes of");
   const auto now = std::find(names.begin(), names.end(), follow_);
   follow_ = now == names.end() || now + 1 == names.end() ? "" : *(now + 1);
 }
