@@ -24,14 +24,8 @@ class Help:
     """The lines that the client shows on H: a control, and what it does."""
 
     def __init__(self, text):
-        row = re.compile(r"^  (\S.*?) {2,}(\S.*)$", re.MULTILINE)
-        self.rows = [found.groups() for found in row.finditer(text)]
-        self.rows_before_view = len(row.findall(text.partition("The view, ")[0]))
+        self.rows = [row.groups() for row in re.finditer(r"^  (\S.*?) {2,}(\S.*)$", text, re.MULTILINE)]
         assert self.rows, f"there is no help in:\n{text}"
-
-    def view_rows(self):
-        """The rows on the view, but for those that leave it."""
-        return [(control, does) for control, does in self.rows[self.rows_before_view:] if "leaves" not in does]
 
     def find(self, does, by=""):
         """The first way to what these words describe, with `by` in it; None: the help has none."""

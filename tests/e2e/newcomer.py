@@ -21,6 +21,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SIZE = 800, 600  # of the client's window, if nobody says otherwise
 TOUCHED_WITHIN, CUT_WITHIN = 120, 300  # s after the scene is in the window
 LEISURELY, BRISK = 0.8, 0.3  # s that the pointer takes across half the window
+LEFT_OUT = "pinch", "F11", "L", "Esc"  # needs a touchpad; takes the screen; takes the keyboard; leaves
+DONE_BEFORE = "mouse", "hold", "left", "click", "wheel meanwhile"  # while they touched and cut
 SEEN = 20_000  # of a picture's sum of levels, that a person sees to have changed
 PICTURES = "first", "help", "touched", "above", "holds", "cut"  # of the steps that docs/learn/desk.md shows
 
@@ -270,8 +272,8 @@ def tries(person, way):
     """Whether the help's words for a control could be followed, somewhere on the liver; what comes of it is seen in the picture."""
     hands, *_, last = person.hands, *way.split(" + ")
     keys = re.fullmatch(r"(?:\S )+\S|\S", last)
-    if last in ("pinch", "F11", "L"):
-        return False  # needs a touchpad; takes the screen; takes the keyboard
+    if last in LEFT_OUT or way.startswith(DONE_BEFORE):
+        return False
     if " to " in last:
         hands.press(way.replace(last, last.split(" to ")[1]))
         hands.press(way.replace(last, last.split(" to ")[0]))
@@ -288,13 +290,16 @@ def tries(person, way):
 
 
 def tries_every_line(person):
-    """Each way of each line that moves or shows something; those after which nothing in the window changed are told of."""
-    person.hands.press(person.help.control("first view"))
+    """Each way of each line, from the first view on; those after which nothing in the window changes are told of."""
+    home = person.help.control("first view")
+    person.hands.press(home)
     at = person.finds("liver", around((SIZE[0] // 2, SIZE[1] // 2), 60, 5, 4))
-    for control, does in person.help.view_rows():
+    for control, does in person.help.rows:
         for way in control.split(", "):
+            if way != home:
+                person.hands.press(home)
             person.hands.move(at)
-            time.sleep(0.7)
+            time.sleep(0.5)
             before = person.sees()
             if not tries(person, way):
                 continue
@@ -302,7 +307,7 @@ def tries_every_line(person):
             change = ImageStat.Stat(ImageChops.difference(before, person.sees())).sum
             if sum(change) < SEEN:
                 person.stumbles_over(f"{way}, which {does}: nothing changes")
-    person.has("tried every line on the view")
+    person.has("has tried every line")
 
 
 def touches_and_cuts(person):
