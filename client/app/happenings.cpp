@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace prosector {
@@ -10,6 +11,7 @@ namespace {
 
 constexpr double stroke_seconds = 1;    // cuts of one body by one person so close together are one stroke
 constexpr double trouble_seconds = 10;  // a trouble that was away for so long is news again
+constexpr double hardly_slower = 0.9;   // of real time
 constexpr double calm_seconds = 3;      // without any: told to be over
 
 std::string_view role_name(Role role) {
@@ -55,15 +57,21 @@ std::vector<std::string> entries_of(const std::string& list) {
   return out;
 }
 
-/// Returns what is worth a message of an entry: without solves that stopped early, which is everyday where
-/// somebody touches and stands among the figures.
+/// Tells whether a trouble is everyday where somebody touches, and stands among the figures: a solve that
+/// stopped early, and time that is hardly slower than real time.
+bool is_everyday(const std::string& part) {
+  constexpr std::string_view early = " not converged", slowed = "simulated time slowed to ";
+  if (part.starts_with(slowed)) return std::strtod(part.c_str() + slowed.size(), nullptr) >= hardly_slower;
+  return part.ends_with(early) || part == "…";
+}
+
+/// Returns what is worth a message of an entry.
 std::string worth_telling(const std::string& entry) {
-  constexpr std::string_view everyday = " not converged";
   std::string out;
   for (std::size_t from = 0; from < entry.size();) {
     const std::size_t comma = std::min(entry.find(", ", from), entry.size());
     const std::string part = entry.substr(from, comma - from);
-    if (!part.ends_with(everyday) && part != "…") out += (out.empty() ? "" : ", ") + part;
+    if (!is_everyday(part)) out += (out.empty() ? "" : ", ") + part;
     from = comma + 2;
   }
   return out;

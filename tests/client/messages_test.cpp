@@ -193,6 +193,8 @@ TEST_F(Told, TroubleIsToldOnceHoweverItsFiguresChangeAndSoIsItsEnd) {
   EXPECT_EQ(news(2), Lines{});
   tell("liver not converged, kidney not converged, …");
   EXPECT_EQ(news(3), Lines{}) << "is everyday";
+  tell("simulated time slowed to 0.97 of real time");
+  EXPECT_EQ(news(3.5), Lines{}) << "nobody sees that";
   tell("");
   EXPECT_EQ(news(4), Lines{});
   EXPECT_EQ(news(5.5), Lines{"the simulation is well again"});

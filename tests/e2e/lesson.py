@@ -25,7 +25,7 @@ WIDTHS, MOST_BYTES = (800, 640, 560), 150_000  # of a picture of the documentati
 
 def keep(image, file):
     """Saves a picture as large and as faithful as the documentation's bytes allow."""
-    for width in WIDTHS:
+    for width in (min(width, image.width) for width in WIDTHS):
         small = image.resize((width, round(image.height * width / image.width)), Image.LANCZOS)
         small.save(file, optimize=True)
         if file.stat().st_size <= MOST_BYTES:
