@@ -73,7 +73,6 @@ class Viewer {
   Figures figures_;
   MessageLines messages_;
 
-  std::vector<ControlDevice> devices() const;
   Image draw(InputPump* pump, bool keep);
   void use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings);
   void begin_desk(Replica& replica, double tick, ParticipantId self);
@@ -82,6 +81,7 @@ class Viewer {
   Role role_of(ParticipantId participant);
   void follow_next(ParticipantId self);
   void note_picture(double seconds);
+  std::vector<ControlDevice> devices() const;
 };
 
 }  // namespace prosector
