@@ -171,7 +171,7 @@ def touches_the_liver(person):
 
 def looks_from_above(person):
     """And from farther away, as whoever looks for something."""
-    views = next(does for _, does in person.help.rows if does.startswith("saved views: "))
+    views = next(does for _, does in person.help.rows if re.search("views: .*above", does))
     number = re.split("[,;:] ", views).index("above")
     person.hands.press(str(number))
     person.hands.turn_wheel(person.help.control("^zooms", by="wheel"), -5)
