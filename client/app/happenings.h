@@ -11,15 +11,16 @@
 
 namespace prosector {
 
-/// Compares what a replica knows from look to look. What was there at the first look is no news.
+/// Compares what a replica knows from look to look. What was there at the first look is no news. What the
+/// user takes hold of is.
 class Happenings {
  public:
   /// Takes whose client this is: that one's deeds are told as "you".
   explicit Happenings(ParticipantId self) : self_(self) {}
 
-  /// Returns a sentence for everything new about people, time, what the user took hold of, cuts, pieces
-  /// that came off, and the simulation's troubles and their end. `now`: s of a clock that never goes back. A
-  /// stroke is told once, however many revisions it makes.
+  /// Returns a sentence for everything new about people, time, cuts, pieces that came off, and the
+  /// simulation's troubles and their end. `now`: s of a clock that never goes back. A stroke is told once,
+  /// however many revisions it makes.
   std::vector<std::string> look(const Replica& replica, double now);
 
  private:
