@@ -23,6 +23,7 @@ TOUCHED_WITHIN, CUT_WITHIN = 120, 300  # s after the scene is in the window
 LEISURELY, BRISK = 0.8, 0.3  # s that the pointer takes across half the window
 LEFT_OUT = "pinch", "F11", "L", "Esc"  # needs a touchpad; takes the screen; takes the keyboard; leaves
 DONE_BEFORE = "mouse", "hold", "left", "click", "wheel meanwhile"  # while they touched and cut
+DRAWS = "cuts .*along the pointer"  # where a blade stays in the hand without a button
 SEEN = 20_000  # of a picture's sum of levels, that a person sees to have changed
 PICTURES = "first", "help", "touched", "above", "holds", "cut"  # of the steps that docs/learn/desk.md shows
 
@@ -206,11 +207,13 @@ def takes_the_scalpel(person):
             person.has("holds the scalpel")
             time.sleep(1 + person.hands.pace)
             person.picture("holds")
-            if person.help.find("stays in the hand"):
+            if person.help.find(DRAWS):
                 person.hands.let_go()
             return liver
         person.stumbles_over("the pointer is at the scalpel, and the hand holds " + person.last_held())
+        person.hands.move((tray[0] - 90, tray[1] + 200), 2 * person.hands.pace)  # put aside, on the table
         person.hands.let_go()
+        time.sleep(1)
     raise AssertionError("the scalpel never came into the hand")
 
 
@@ -255,7 +258,7 @@ def cuts_the_liver(person, liver):
     time.sleep(1)
     person.picture("over")
     person.turns_to()
-    draw = person.help.find("cuts .*along the pointer")
+    draw = person.help.find(DRAWS)
     assert cuts_as_the_help_says(person, liver, draw) if draw else cuts_by_trying(person, liver), "nothing was cut"
     person.has("cuts the liver", "cut")
 
