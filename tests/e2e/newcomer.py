@@ -180,6 +180,16 @@ def looks_from_above(person):
     person.picture("above")
 
 
+def finds_room_for_a_cut(person):
+    """Where a line on the liver may begin, and where it may end with liver still beyond."""
+    for start in around((SIZE[0] // 2, SIZE[1] // 2), 40, 5, 4):
+        for x, y in ((-30, 0), (0, -30), (-25, -25), (25, -25)):
+            line = [(start[0] + k * x, start[1] + k * y) for k in (0, 1, 2, 3)]
+            if all(person.finds("liver", [place]) for place in line):
+                return line[0], line[2]
+    raise AssertionError("seen from above there is no room on the liver for a cut")
+
+
 def finds_the_scalpel(person, tray, rows):
     """Goes across the tray, from border to border, in rows so far below that place."""
     for down in rows:
@@ -190,12 +200,11 @@ def finds_the_scalpel(person, tray, rows):
 
 
 def takes_the_scalpel(person):
-    """Returns where the liver is in the window by then."""
+    """Returns from where to where on the liver there is room for a cut, in the window as it is by then."""
     looks_from_above(person)
-    middle = SIZE[0] // 2, SIZE[1] // 2
-    liver = person.finds("liver", around(middle, 40, 5, 4))
-    tray = person.finds("tray", around(middle, 80, 4, 2))
-    assert liver and tray, f"seen from above: liver {liver}, tray {tray}"
+    line = finds_room_for_a_cut(person)
+    tray = person.finds("tray", around((SIZE[0] // 2, SIZE[1] // 2), 80, 4, 2))
+    assert tray, "seen from above there is no tray"
     person.has("finds the tray", "tray")
     for rows in (0, 40, -40, 80, -80), (30, -30, 60, -60, 90), (-20, 20, -50, 50, 70):
         finds_the_scalpel(person, tray, rows)
@@ -209,7 +218,7 @@ def takes_the_scalpel(person):
             person.picture("holds")
             if person.help.find(DRAWS):
                 person.hands.let_go()
-            return liver
+            return line
         person.stumbles_over("the pointer is at the scalpel, and the hand holds " + person.last_held())
         person.hands.move((tray[0] - 90, tray[1] + 200), 2 * person.hands.pace)  # put aside, on the table
         person.hands.let_go()
@@ -224,13 +233,14 @@ def strokes(person, start):
     return person.reads("you cut the liver", 1)
 
 
-def cuts_as_the_help_says(person, liver, draw):
-    """A line along the pointer: once, or somewhere else if that failed."""
-    for x in (0, -25, 25):
-        person.hands.move((liver[0] + x, liver[1] - 30), person.hands.pace)
+def cuts_as_the_help_says(person, line, draw):
+    """A line along the pointer; again if that failed."""
+    for _ in range(3):
+        person.hands.move(line[0], person.hands.pace)
+        time.sleep(1)
         person.hands.hold(draw)
-        time.sleep(person.hands.pace)
-        person.hands.move((liver[0] + x, liver[1] + 30), 4 * person.hands.pace)
+        time.sleep(1)
+        person.hands.move(line[1], 4)
         cut = person.reads("you cut the liver", 2)
         person.picture("cutting")
         person.hands.let_go()
@@ -253,13 +263,13 @@ def cuts_by_trying(person, liver):
     return False
 
 
-def cuts_the_liver(person, liver):
-    person.hands.move(liver, 2 * person.hands.pace)
+def cuts_the_liver(person, line):
+    person.hands.move(line[0], 4 * person.hands.pace)
     time.sleep(1)
     person.picture("over")
     person.turns_to()
     draw = person.help.find(DRAWS)
-    assert cuts_as_the_help_says(person, liver, draw) if draw else cuts_by_trying(person, liver), "nothing was cut"
+    assert cuts_as_the_help_says(person, line, draw) if draw else cuts_by_trying(person, line[0]), "nothing was cut"
     person.has("cuts the liver", "cut")
 
 
