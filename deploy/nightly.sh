@@ -3,12 +3,13 @@
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
-parts=(package asan tsan seeds play)
+parts=(package learn asan tsan seeds play)
 
 usage() {
   cat <<TXT
 deploy/nightly.sh [--hours N] [--only PART]... [--out DIR] [--list]
   PART         package  the Debian packages in a bare root (docs/do/packages.md)
+               learn    the lessons of docs/learn, in real windows, at a person's pace
                asan   every test under the address and undefined-behaviour sanitizers, all their checks on
                tsan   what has threads of its own, under the thread sanitizer
                seeds  tests that draw a new seed, again and again: optimised, and under sanitizers when \`asan\` built them
@@ -116,6 +117,14 @@ run_package() {
   tests package package release "" -L '^package$'
 }
 
+run_learn() {
+  local status=0 began=$SECONDS
+  build_for learn release everything || return 0
+  bounded "$(left)" deploy/learn.sh --out "$out/learn" >"$out/learn.log" 2>&1 || status=$?
+  record learn - $status $((SECONDS - began)) -
+  [ $status -eq 0 ] || echo "nightly: learn failed: $out/learn.log" >&2
+}
+
 run_asan() {
   build_for asan asan-full every_test || return 0
   # Terminals and processes that tests time are too slow then: drivers and server_process run optimised, in the gate.
@@ -165,6 +174,7 @@ for part in "${chosen[@]}"; do
   [ "$(left)" -gt 0 ] || break
   case $part in
     package) run_package ;;
+    learn) run_learn ;;
     asan) run_asan ;;
     tsan) run_tsan ;;
     seeds) if is_chosen play && [ -x deploy/play.sh ]; then run_seeds $(($(left) / 2)); else run_seeds "$(left)"; fi ;;

@@ -139,6 +139,7 @@ ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
     return out;
   }
   if (verb == "cuts") return ListCuts{};
+  if (verb == "what") return TellPointed{};
   if (verb == "undo") {
     Command out;
     out.kind = CommandKind::undo;

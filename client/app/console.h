@@ -30,8 +30,12 @@ struct LookAsBefore {};
 /// A request for what was cut.
 struct ListCuts {};
 
+/// A request for what the pointer is at.
+struct TellPointed {};
+
 /// A command to the server, something that the client does itself, or, in words, why it is neither.
-using ConsoleLine = std::variant<Command, TakePicture, LookFrom, LookAsBefore, ListCuts, std::string>;
+using ConsoleLine =
+    std::variant<Command, TakePicture, LookFrom, LookAsBefore, ListCuts, TellPointed, std::string>;
 
 /// Reads a line. Names are those of the roster and the scene; they may hold spaces. `middle` returns that of
 /// a body in the room, m.

@@ -40,6 +40,15 @@ std::string help_text(Role role, std::span<const ControlDevice> devices, HelpCol
   return out;
 }
 
+std::vector<std::string> first_words(Role role, std::span<const ControlDevice> devices) {
+  std::vector<std::string> out;
+  if (std::ranges::count(devices, ControlDevice::view) > 0)
+    out.emplace_back("H: all that mouse and keys do here");
+  if (role != Role::observer && std::ranges::count(devices, ControlDevice::hand) > 0)
+    out.emplace_back("your hand follows the pointer; hold the left button to touch what it is at");
+  return out;
+}
+
 std::string controls_in_markdown(ControlDevice device) {
   std::string out = "| Control | does | for |\n|---|---|---|\n";
   for (const Control& control : controls)

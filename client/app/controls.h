@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/messages.h"
 
@@ -93,6 +94,7 @@ inline constexpr std::array controls = {
             "takes a picture of what is shown (PNG)"},
     Control{ControlDevice::terminal, Role::observer, "look X Y Z X Y Z", "offscreen: from there to there, m"},
     Control{ControlDevice::terminal, Role::observer, "look", "as the scene has it"},
+    Control{ControlDevice::terminal, Role::observer, "what", "says what the pointer is at"},
     Control{ControlDevice::terminal, Role::host, "give NAME ROLE", "makes them host, dissector or observer"},
     Control{ControlDevice::terminal, Role::host, "rewind PART REVISION", "everything as it was then"},
     Control{ControlDevice::terminal, Role::host, "stop, go", "time stands still for everyone; goes on"},
@@ -107,6 +109,9 @@ enum class HelpColumns : std::uint8_t { blanks, tabs };
 /// Returns the help for who has that role and those devices: a line a control, in two columns.
 std::string help_text(Role role, std::span<const ControlDevice> devices,
                       HelpColumns columns = HelpColumns::blanks);
+
+/// Returns what to tell first to who has that role and those devices, a line each.
+std::vector<std::string> first_words(Role role, std::span<const ControlDevice> devices);
 
 /// Returns the rows of one device as a table in Markdown.
 std::string controls_in_markdown(ControlDevice device);

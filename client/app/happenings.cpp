@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <utility>
 
 namespace prosector {
 namespace {
 
 constexpr double stroke_seconds = 1;    // cuts of one body by one person so close together are one stroke
 constexpr double trouble_seconds = 10;  // a trouble that was away for so long is news again
+constexpr double hardly_slower = 0.9;   // of real time
 constexpr double calm_seconds = 3;      // without any: told to be over
 
 std::string_view role_name(Role role) {
@@ -54,15 +57,21 @@ std::vector<std::string> entries_of(const std::string& list) {
   return out;
 }
 
-/// Returns what is worth a message of an entry: without solves that stopped early, which is everyday where
-/// somebody touches and stands among the figures.
+/// Tells whether a trouble is everyday where somebody touches, and stands among the figures: a solve that
+/// stopped early, and time that is hardly slower than real time.
+bool is_everyday(const std::string& part) {
+  constexpr std::string_view early = " not converged", slowed = "simulated time slowed to ";
+  if (part.starts_with(slowed)) return std::strtod(part.c_str() + slowed.size(), nullptr) >= hardly_slower;
+  return part.ends_with(early) || part == "…";
+}
+
+/// Returns what is worth a message of an entry.
 std::string worth_telling(const std::string& entry) {
-  constexpr std::string_view everyday = " not converged";
   std::string out;
   for (std::size_t from = 0; from < entry.size();) {
     const std::size_t comma = std::min(entry.find(", ", from), entry.size());
     const std::string part = entry.substr(from, comma - from);
-    if (!part.ends_with(everyday) && part != "…") out += (out.empty() ? "" : ", ") + part;
+    if (!is_everyday(part)) out += (out.empty() ? "" : ", ") + part;
     from = comma + 2;
   }
   return out;
@@ -74,6 +83,7 @@ std::vector<std::string> Happenings::look(const Replica& replica, double now) {
   std::vector<std::string> out;
   look_at_people(replica, out);
   look_at_time(replica, out);
+  look_at_hands(replica, out);
   look_at_cuts(replica, now, out);
   if (!looked_) out.clear();
   look_at_troubles(replica, now, out);
@@ -101,6 +111,20 @@ void Happenings::look_at_time(const Replica& replica, std::vector<std::string>& 
     out.push_back("the host stopped time");
   else
     out.push_back(pace_ == 1 ? "time goes on" : fmt::format("slow motion: {:g} of real time", pace_));
+}
+
+void Happenings::look_at_hands(const Replica& replica, std::vector<std::string>& out) {
+  if (!replica.scene()) return;
+  const auto is_own = [&](const HandRef& hand) { return hand.participant == self_; };
+  std::set<BodyId> held;
+  for (BodyId body = 0; body < replica.scene()->bodies.size(); ++body)
+    if (const PartState* part = replica.part(body);
+        part != nullptr && std::ranges::any_of(part->holders, is_own)) {
+      held.insert(body);
+      if (!held_.contains(body))
+        out.push_back(fmt::format("you hold the {}", replica.scene()->bodies[body].name));
+    }
+  held_ = std::move(held);
 }
 
 void Happenings::look_at_cuts(const Replica& replica, double now, std::vector<std::string>& out) {

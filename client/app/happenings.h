@@ -11,7 +11,8 @@
 
 namespace prosector {
 
-/// Compares what a replica knows from look to look. What was there at the first look is no news.
+/// Compares what a replica knows from look to look. What was there at the first look is no news. What the
+/// user takes hold of is.
 class Happenings {
  public:
   /// Takes whose client this is: that one's deeds are told as "you".
@@ -36,10 +37,12 @@ class Happenings {
   std::map<BodyId, Seen> topologies_;
   std::map<std::string, double> troubles_;  // by kind: when the server last told of it, s
   bool in_trouble_ = false;
+  std::set<BodyId> held_;  // by the user
   double pace_ = 1;
 
   void look_at_people(const Replica& replica, std::vector<std::string>& out);
   void look_at_time(const Replica& replica, std::vector<std::string>& out);
+  void look_at_hands(const Replica& replica, std::vector<std::string>& out);
   void look_at_cuts(const Replica& replica, double now, std::vector<std::string>& out);
   void look_at_troubles(const Replica& replica, double now, std::vector<std::string>& out);
   std::string name_of(const Replica& replica, ParticipantId who) const;

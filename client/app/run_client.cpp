@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <csignal>
 #include <thread>
+#include <utility>
 
 #include "client/app/client_report.h"
 #include "client/app/console.h"
@@ -83,7 +84,7 @@ class Client {
   std::unique_ptr<InputPump> pump_;
   std::optional<Viewer> viewer_;        // made last: see yield_to_simulation()
   std::string missing_ = "everything";  // what was last told to be missing
-  bool server_gone_ = false;
+  bool server_gone_ = false, greeted_ = false;
   Role role_ = Role::observer;
   Console console_;
   Happenings happenings_;
@@ -112,6 +113,7 @@ class Client {
     if (missing != missing_) {
       missing_ = missing;
       tell(missing.empty() ? "everything is here" : missing);
+      if (missing.empty()) greet();
     }
     if (gone != server_gone_) {
       server_gone_ = gone;
@@ -129,6 +131,12 @@ class Client {
   void inform(const std::string& line) {
     tell(line);
     if (viewer_) viewer_->say(line);
+  }
+
+  /// Tells who has a window what to do first, once.
+  void greet() {
+    if (!std::exchange(greeted_, true))
+      for (const std::string& line : viewer_->greeting(role_)) inform(line);
   }
 
   /// Answers what was typed: in the picture, too, unless it is a page of help.
@@ -189,6 +197,8 @@ class Client {
         viewer_->look_from(look_at(look->eye, look->target));
       else if (std::holds_alternative<LookAsBefore>(parsed))
         viewer_->look_from(std::nullopt);
+      else if (std::holds_alternative<TellPointed>(parsed))
+        tell("at the pointer: " + viewer_->pointed());
       else if (std::holds_alternative<ListCuts>(parsed))
         tell(connection_.with_replica([](const Replica& r) {
           return told_cuts(r.scene() ? *r.scene() : SceneInfo{}, r.roster(), r.tick_seconds(),

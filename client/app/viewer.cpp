@@ -7,6 +7,7 @@
 #include "client/view/anatomy_points.h"
 #include "client/view/held_things.h"
 #include "client/view/loading_picture.h"
+#include "client/view/session_overlay.h"
 
 namespace prosector {
 
@@ -69,12 +70,27 @@ void Viewer::tell_failures() {
   for (const std::string& failure : sink_.take_failures()) tell_(failure);
 }
 
+std::vector<ControlDevice> Viewer::devices() const {
+  std::vector<ControlDevice> out;
+  out.push_back(has_devices(options_.devices) ? ControlDevice::headset : ControlDevice::hand);
+  if (has_desk()) out.push_back(ControlDevice::view);
+  if (has_desk() && stage_->desk->has_gamepad()) out.push_back(ControlDevice::gamepad);
+  return out;
+}
+
 std::string Viewer::help(Role role, HelpColumns columns) const {
-  std::vector<ControlDevice> devices;
-  devices.push_back(has_devices(options_.devices) ? ControlDevice::headset : ControlDevice::hand);
-  if (has_desk()) devices.push_back(ControlDevice::view);
-  if (has_desk() && stage_->desk->has_gamepad()) devices.push_back(ControlDevice::gamepad);
-  return help_text(role, devices, columns);
+  return help_text(role, devices(), columns);
+}
+
+std::vector<std::string> Viewer::greeting(Role role) const {
+  return has_desk() ? first_words(role, devices()) : std::vector<std::string>();
+}
+
+std::string Viewer::pointed() const {
+  const auto body = has_desk() ? stage_->desk->pointed() : std::nullopt;
+  return !body ? "nothing" : connection_.with_replica([&](const Replica& replica) {
+    return named_with_holders(replica, *body);
+  });
 }
 
 Role Viewer::role_of(ParticipantId participant) {
@@ -126,8 +142,9 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   desk.update(session);
   self.at_desk = !has_devices(options_.devices);
   const DeskChoices& choices = desk.choices();
-  settings.eye = desk.eye();
-  settings.pointed = desk.pointed();
+  const bool head_leads = has_devices(options_.devices) && self.input.head_tracked;
+  if (!head_leads) settings.eye = desk.eye();
+  if (!head_leads) settings.pointed = desk.pointed();
   settings.pointer = desk.pointer_pixel();
   settings.wireframes = options_.wireframes != choices.wireframes;
   settings.shown = choices.shown;
@@ -175,6 +192,7 @@ void Viewer::follow_next(ParticipantId self) {
       if (id != self && user && user->head_tracked) names.push_back(entry.name);
     }
   });
+  if (names.size() == 1 && follow_.empty()) say("Tab: nobody else is here to see through the eyes of");
   const auto now = std::find(names.begin(), names.end(), follow_);
   follow_ = now == names.end() || now + 1 == names.end() ? "" : *(now + 1);
 }

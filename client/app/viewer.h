@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "client/app/client_report.h"
 #include "client/app/connection.h"
@@ -32,6 +33,10 @@ class Viewer {
 
   /// Returns the help for that role with the devices that this client has.
   std::string help(Role role, HelpColumns columns) const;
+  /// Returns what to tell first to who has that role and the devices that this client has.
+  std::vector<std::string> greeting(Role role) const;
+  /// Names what the pointer is at, and who holds it, as the picture does; "nothing" where that is so.
+  std::string pointed() const;
 
   /// Sets from where pictures that no desk turns are taken from now on; nullopt: as the scene has it.
   void look_from(const std::optional<Pose>& eye) { looks_from_ = eye; }
@@ -82,6 +87,7 @@ class Viewer {
   Role role_of(ParticipantId participant);
   void follow_next(ParticipantId self);
   void note_picture(double seconds);
+  std::vector<ControlDevice> devices() const;
 };
 
 }  // namespace prosector

@@ -29,15 +29,9 @@ void add_contact(DrawList& list, const Replica& replica, ParticipantId who) {
 void add_pointed_name(DrawList& list, const Replica& replica, const ViewSettings& settings) {
   constexpr double right = 16, above = 30, height = 13;  // points from the pointer
   if (!settings.pointed || *settings.pointed >= replica.scene()->bodies.size()) return;
-  std::string text = replica.scene()->bodies[*settings.pointed].name;
-  std::set<std::string> holders;
-  if (const PartState* part = replica.part(*settings.pointed))
-    for (const HandRef& hand : part->holders)
-      if (const auto who = replica.roster().find(hand.participant); who != replica.roster().end())
-        holders.insert(who->second.name);
-  if (!holders.empty()) text += fmt::format(", held by {}", fmt::join(holders, ", "));
   const Eigen::Vector2d at = settings.pointer / list.scale + Eigen::Vector2d(right, -above);
-  list.texts.push_back({.text = std::move(text), .at = {at.x(), at.y(), 0}, .height = height});
+  list.texts.push_back(
+      {.text = named_with_holders(replica, *settings.pointed), .at = {at.x(), at.y(), 0}, .height = height});
 }
 
 /// Adds lines at the lower border, beside the axes.
@@ -59,6 +53,17 @@ const RosterEntry* find_by_name(const Replica& replica, const std::string& name)
   for (const auto& [id, entry] : replica.roster())
     if (entry.name == name) return &entry;
   return nullptr;
+}
+
+std::string named_with_holders(const Replica& replica, BodyId body) {
+  std::string out = replica.scene()->bodies[body].name;
+  std::set<std::string> holders;
+  if (const PartState* part = replica.part(body))
+    for (const HandRef& hand : part->holders)
+      if (const auto who = replica.roster().find(hand.participant); who != replica.roster().end())
+        holders.insert(who->second.name);
+  if (!holders.empty()) out += fmt::format(", held by {}", fmt::join(holders, ", "));
+  return out;
 }
 
 void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser& self,

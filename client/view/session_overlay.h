@@ -10,6 +10,9 @@ namespace prosector {
 /// Finds the participant of this name; null: nobody has it.
 const RosterEntry* find_by_name(const Replica& replica, const std::string& name);
 
+/// Returns what a body of the scene is called, and who holds it: "scalpel, held by Ann".
+std::string named_with_holders(const Replica& replica, BodyId body);
+
 void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser& self,
                          const ViewSettings& settings);
 

@@ -58,6 +58,7 @@ TEST(Console, EveryVerbTakesNamesWithSpaces) {
 
 TEST(Console, ListsWhatWasCutAndByWhom) {
   EXPECT_TRUE(std::holds_alternative<ListCuts>(parse("cuts")));
+  EXPECT_TRUE(std::holds_alternative<TellPointed>(parse("what")));
   std::map<BodyId, TopologyRevision> shown;
   const auto told = [&] {
     return told_cuts(scene(), roster(), 0.02, [&](BodyId body) {

@@ -26,6 +26,17 @@ TEST(Controls, EachRoleIsToldWhatItMayDoAndNothingElse) {
   EXPECT_NE(help_text(Role::host, terminal).find("give"), std::string::npos);
 }
 
+TEST(Controls, AreToldOfFirstByTheKeyThatShowsThem) {
+  const auto dissector = first_words(Role::dissector, at_the_desk);
+  ASSERT_EQ(dissector.size(), 2u);
+  EXPECT_EQ(dissector[0].substr(0, 3), "H: ");
+  EXPECT_NE(help_text(Role::observer, at_the_desk).find("\n  H, "), std::string::npos);
+  EXPECT_NE(dissector[1].find("left button"), std::string::npos);
+  EXPECT_EQ(first_words(Role::observer, at_the_desk), std::vector{dissector[0]}) << "has no hand";
+  constexpr std::array gloves = {ControlDevice::headset, ControlDevice::view};
+  EXPECT_EQ(first_words(Role::dissector, gloves), std::vector{dissector[0]}) << "has no mouse for a hand";
+}
+
 TEST(Controls, StandInTheSameColumnsAtATerminalAndInAPicture) {
   std::istringstream blanks(help_text(Role::host, at_the_desk));
   std::istringstream tabs(help_text(Role::host, at_the_desk, HelpColumns::tabs));

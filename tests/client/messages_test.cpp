@@ -165,6 +165,21 @@ TEST_F(Told, APieceThatComesOffIsTold) {
   EXPECT_EQ(news(2), Lines{});
 }
 
+TEST_F(Told, WhatTheUserTakesHoldOfIsToldAndWhatOthersTakeIsNot) {
+  news(0);
+  PartState part;
+  part.holders = {{ada, right_hand}};
+  say(part);
+  EXPECT_EQ(news(1), Lines{});
+  part.holders = {{self, right_hand}, {ada, right_hand}};
+  say(part);
+  EXPECT_EQ(news(2), Lines{"you hold the liver"});
+  EXPECT_EQ(news(3), Lines{});
+  part.holders.clear();
+  say(part);
+  EXPECT_EQ(news(4), Lines{});
+}
+
 TEST_F(Told, TroubleIsToldOnceHoweverItsFiguresChangeAndSoIsItsEnd) {
   news(0);
   ServerStatus status;
@@ -178,6 +193,8 @@ TEST_F(Told, TroubleIsToldOnceHoweverItsFiguresChangeAndSoIsItsEnd) {
   EXPECT_EQ(news(2), Lines{});
   tell("liver not converged, kidney not converged, …");
   EXPECT_EQ(news(3), Lines{}) << "is everyday";
+  tell("simulated time slowed to 0.97 of real time");
+  EXPECT_EQ(news(3.5), Lines{}) << "nobody sees that";
   tell("");
   EXPECT_EQ(news(4), Lines{});
   EXPECT_EQ(news(5.5), Lines{"the simulation is well again"});

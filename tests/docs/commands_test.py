@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""commands_test.py BIN WORK: runs the commands of docs/do as a reader would.
+"""commands_test.py BIN WORK: runs the commands of docs/do and docs/learn as a reader would.
 
 Each page gets a folder of its own that looks like a clone: `deploy` and `build/release/bin` lead to the real ones. Its blocks
 fenced as sh run in order, each by a shell of its own that ends at the first command that fails; what a block leaves in the
@@ -113,8 +113,8 @@ def main():
     check_the_check(work, bin_folder, environment)
     print("faults are found; now the pages")
     faults, ran, unrun = [], 0, 0
-    for page in sorted((ROOT / "docs" / "do").glob("*.md")):
-        of_page = check_page(page, work / page.stem, bin_folder, environment)
+    for page in sorted(page for shelf in ("do", "learn") for page in (ROOT / "docs" / shelf).glob("*.md")):
+        of_page = check_page(page, work / page.parent.name / page.stem, bin_folder, environment)
         faults, ran, unrun = faults + of_page[0], ran + of_page[1], unrun + of_page[2]
     for fault in faults:
         print(f"\nFAILED {fault}", file=sys.stderr)

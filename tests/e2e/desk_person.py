@@ -68,7 +68,8 @@ class Processes:
 
     def start(self, log, *command):
         with open(self.out / log, "w") as file:
-            self.running.append(subprocess.Popen([str(c) for c in command], stdout=file, stderr=subprocess.STDOUT))
+            self.running.append(subprocess.Popen([str(c) for c in command], stdin=subprocess.PIPE, stdout=file,
+                                                 stderr=subprocess.STDOUT))
         return self.running[-1]
 
     def leave(self, client, server):

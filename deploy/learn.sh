@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Goes through the lessons of docs/learn by their own words, in real windows on a screen of its own, and makes their pictures.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+
+usage() {
+  cat <<TXT
+deploy/learn.sh [--out DIR] [--renew] [LESSON]...
+  LESSON       desk, headset, host, observer, researcher (default: all, in 6 minutes at most)
+  --out DIR    logs, and pictures in its folder pictures (default out/learn)
+  --renew      puts the pictures into docs/pictures
+The programs are those of build/release/bin, or of PROSECTOR_BIN.
+TXT
+}
+
+out=$root/out/learn renew=no lessons=()
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --out) out=${2:?--out needs a folder}; shift ;;
+    --renew) renew=yes ;;
+    -h | --help) usage; exit 0 ;;
+    desk | headset | host | observer | researcher) lessons+=("$1") ;;
+    *) echo "learn: unknown option or lesson $1" >&2; usage >&2; exit 2 ;;
+  esac
+  shift
+done
+for tool in xvfb-run xdotool unshare ip; do
+  command -v $tool > /dev/null || { echo "learn: $tool is not installed: deploy/setup.sh" >&2; exit 77; }
+done
+
+# A network of its own: the lessons' sessions have plain names, which somebody else's may have, too.
+status=0
+unshare --map-root-user --net bash -c 'ip link set lo up multicast on && exec "$@"' - \
+  xvfb-run -a -s "-screen 0 1640x1260x24" "$root/tests/e2e/learn.py" "${PROSECTOR_BIN:-$root/build/release/bin}" "$out" "${lessons[@]}" || status=$?
+if [ $renew = yes ]; then
+  cp "$out"/pictures/*.png "$root/docs/pictures/"
+fi
+exit $status
