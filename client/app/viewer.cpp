@@ -100,11 +100,18 @@ DeskSession Viewer::desk_session(const Replica& replica, double tick, Participan
   out.is_soft = [this](BodyId body) {
     return connection_.with_replica([&](Replica& r) { return r.soft(body) != nullptr; });
   };
+  out.is_blade = [this](BodyId body) {
+    return connection_.with_replica([&](const Replica& r) {
+      const RigidReplica* rigid = r.rigid(body);
+      return rigid != nullptr && !rigid->edges.empty();
+    });
+  };
   const auto own = replica.panels().find(self);
   if (own != replica.panels().end()) out.own_panel = own->second;
   const auto user = replica.user(self, tick);
   if (user && user->hands[right_hand].tracked) out.physical_hand = user->hands[right_hand].pose;
   out.tip = instrument_tip(replica, hand, tick);
+  out.blade = held_blade(replica, hand, tick);
   out.pace = replica.pace();
   return out;
 }
@@ -122,6 +129,8 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   settings.eye = desk.eye();
   settings.pointed = desk.pointed();
   settings.pointer = desk.pointer_pixel();
+  settings.cut_guide = desk.cut_line();
+  settings.cut_depth = desk.cut_depth();
   settings.wireframes = options_.wireframes != choices.wireframes;
   settings.shown = choices.shown;
   if (choices.full_screen != full_screen_) {

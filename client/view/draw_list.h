@@ -54,6 +54,7 @@ struct DrawLine {
   Vec3 color = Vec3::Ones();
   double width = 2;  // points
   bool overlay = false;
+  bool shines_through = false;  // faintly seen through what hides it
 };
 
 /// What a text over a picture stands on.

@@ -23,6 +23,8 @@ struct ViewSettings {
   std::vector<std::string> messages = {};             // lines at the lower border, the oldest first
   std::optional<BodyId> pointed = {};                 // body to name beside the pointer
   Eigen::Vector2d pointer = Eigen::Vector2d::Zero();  // pixels from the top left
+  std::vector<Vec3> cut_guide = {};                   // m: line on tissue that the desk's blade would cut
+  std::optional<double> cut_depth = {};               // m that the desk's blade is set to
   std::vector<std::string> insets;  // names of users whose views are seen small; not in stereo
   std::string follow;               // name of a participant; empty: own camera
   std::optional<Pose>
