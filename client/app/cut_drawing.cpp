@@ -10,17 +10,19 @@ namespace {
 constexpr double spacing = 0.003;                              // m, of places along the way
 constexpr double shortest_way = 0.006;                         // m: a shorter one has no direction
 constexpr double window_behind = 0.004, window_ahead = 0.008;  // m, over which the direction is taken
-constexpr double steady = 0.6;           // share of the last place's normal in the next one's
-constexpr double over_surface = 0.02;    // m, where rays that look for the way begin
-constexpr double patience_away = 0.15;   // s that the pointer may be off the organ
-constexpr double lean = 0.3;             // rad from the normal: the tip trails
-constexpr double share_of_blade = 0.95;  // of its length, that may be in tissue
+constexpr double steady = 0.6;          // share of the last place's normal in the next one's
+constexpr double over_surface = 0.02;   // m, where rays that look for the way begin
+constexpr double patience_away = 0.15;  // s that the pointer may be off the organ
+constexpr double trails = 0.3, least_lean = -0.2, most_lean = 0.9;  // rad, of the tip behind the normal
+constexpr double share_of_blade = 0.6;  // of its length, that may be in tissue: it leans
 constexpr double move_speed = 0.5, down_speed = 0.1, draw_speed = 0.12, up_speed = 0.2;  // m/s
-constexpr double turn_speed = 3.5;                                                       // rad/s
+constexpr double turn_speed = 2.5;                                                       // rad/s
 constexpr double turned = 0.05, most_astray = 0.4;                                       // rad
 constexpr double near_enough = 0.004, felt_within = 0.02;                                // m
 constexpr double felt_turned = 0.25;                                                     // rad
-constexpr double longest_wait = 1.2;  // s, for the physical hand
+constexpr double longest_wait = 5;                       // s, for the physical hand
+constexpr double arm = 0.1;                              // m, by which turns count as ways
+constexpr double most_behind = 0.06, least_haste = 0.1;  // m, of the physical hand; of the speed
 constexpr double fine_depth = 0.02, fine_notch = 0.001, coarse_notch = 0.005, deepest = 0.2;  // m
 constexpr double preview_behind = 0.015, preview_ahead = 0.025;                               // m
 
@@ -28,9 +30,20 @@ double towards(double from, double to, double most) {
   return from + std::clamp(to - from, -most, most);
 }
 
+/// Returns how fast to go on, as a share: slowly while the physical hand is behind, for tissue holds it back
+/// and simulated time may be slow.
+double haste(const CutGuide& guide, const Pose& wrist) {
+  if (!guide.physical) return 1;
+  const double turned_by = guide.physical->q.angularDistance(wrist.q);
+  const double behind = std::max((guide.physical->p - wrist.p).norm(), turned_by * arm);
+  return std::clamp((most_behind - behind) / (most_behind - felt_within), least_haste, 1.0);
+}
+
 }  // namespace
 
 Quat drawing_turn(const BladeFrame& blade, const Vec3& normal, const Vec3& way) {
+  const double down = std::atan2(way.y(), normal.y());  // from the normal's way in, in the plane
+  const double lean = std::clamp(trails + down, least_lean, most_lean);
   const Vec3 along = -std::cos(lean) * normal - std::sin(lean) * way;
   const Vec3 ahead = std::cos(lean) * way - std::sin(lean) * normal;
   Mat3 in_hand, in_room;
@@ -94,7 +107,7 @@ std::optional<Pose> CutDrawing::advance(const CutGuide& guide, const Pose& wrist
     case Phase::turns:
       return come_over(guide, wrist, seconds);
     case Phase::cuts:
-      return draw(wrist, seconds);
+      return draw(guide, wrist, seconds);
     case Phase::lifts:
       return lift(wrist, seconds);
   }
@@ -176,6 +189,7 @@ Pose CutDrawing::wrist_at(const Quat& turn) const {
 /// Brings the blade over the way's beginning, and turns it.
 Pose CutDrawing::come_over(const CutGuide& guide, const Pose& wrist, double seconds) {
   height_ = over_cut;
+  seconds *= haste(guide, wrist);
   const Quat to = wanted_turn();
   const Quat turn = turned_towards(wrist.q, to, turn_speed * seconds);
   const Vec3 tip = wrist * blade_.tip, goal = wrist_at(to) * blade_.tip;
@@ -190,8 +204,9 @@ Pose CutDrawing::come_over(const CutGuide& guide, const Pose& wrist, double seco
   return out;
 }
 
-Pose CutDrawing::draw(const Pose& wrist, double seconds) {
-  const double down = -std::min(depth_, share_of_blade * std::cos(lean) * blade_.length);
+Pose CutDrawing::draw(const CutGuide& guide, const Pose& wrist, double seconds) {
+  seconds *= haste(guide, wrist);
+  const double down = -std::min(depth_, share_of_blade * blade_.length);
   height_ = towards(height_, down, down_speed * seconds);
   const Quat to = wanted_turn();
   const Quat turn = turned_towards(wrist.q, to, turn_speed * seconds);

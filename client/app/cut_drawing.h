@@ -23,8 +23,9 @@ inline constexpr double first_cut_depth = 0.01;   // m
 inline constexpr double least_cut_depth = 0.001;  // m
 inline constexpr double over_cut = 0.03;          // m, of the tip over the surface before and after a cut
 
-/// Returns the wrist's turn in which the blade stands on a surface, its edge ahead and its tip trailing a
-/// little. `normal`: of the surface; `way`: ahead, at right angles to that; both unit.
+/// Returns the wrist's turn in which the blade stands on a surface, its edge ahead. Its tip trails as far as
+/// keeps it upright in its plane, within bounds. `normal`: of the surface; `way`: ahead, at right angles to
+/// that; both unit.
 Quat drawing_turn(const BladeFrame& blade, const Vec3& normal, const Vec3& way);
 /// Returns the turn on the way from one to another, `most` (rad) farther.
 Quat turned_towards(const Quat& from, const Quat& to, double most);
@@ -81,7 +82,7 @@ class CutDrawing {
   Quat wanted_turn() const;
   Pose wrist_at(const Quat& turn) const;
   Pose come_over(const CutGuide& guide, const Pose& wrist, double seconds);
-  Pose draw(const Pose& wrist, double seconds);
+  Pose draw(const CutGuide& guide, const Pose& wrist, double seconds);
   Pose lift(const Pose& wrist, double seconds);
 };
 

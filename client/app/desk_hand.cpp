@@ -31,6 +31,7 @@ constexpr double lift_speed = 2;              // rad/s
 constexpr double most_bend = 1.5;             // rad from there, either way
 constexpr double open = 0.1, fist = 0.9;      // flexion
 constexpr double close_per_s = 6;             // flexion per second when the hand closes
+constexpr double leash = 0.1;                 // m, from a blade's hand to where it is wanted
 constexpr double upright_speed = 2;           // rad/s
 constexpr double passes_over = 0.025, turns_over = 0.12, looks_ahead = 0.08,
                  looks_from = 0.3;              // m, of a blade's tip
@@ -122,6 +123,8 @@ void DeskHand::advance(const HandGuide& guide, double seconds) {
   follow_tool(guide, seconds);
   const Vec3 to = guide.still ? point_ : over_tissue(guide, wanted(guide));
   if (!to.allFinite()) return;
+  const bool waits = has_blade_ && guide.physical && (guide.physical->p - pose().p).norm() > leash;
+  if (waits) return;  // else the physical blade would take a shorter way than over tissue
   point_ += at_most(to - point_, (is_closed() ? fastest_closed : fastest_hand) * seconds);
   if (phase_ == Phase::goes_in) grip_when_in(guide, to);
 }
