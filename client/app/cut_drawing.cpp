@@ -7,10 +7,11 @@
 namespace prosector {
 namespace {
 
-constexpr double spacing = 0.003;                              // m, of places along the way
-constexpr double shortest_way = 0.006;                         // m: a shorter one has no direction
+constexpr double spacing = 0.003;        // m, of places along the way
+constexpr double shortest_way = 0.006;   // m: a shorter one has no direction
+constexpr double window_normal = 0.012;  // m, before and behind, over which the blade's normal is taken
 constexpr double window_behind = 0.004, window_ahead = 0.008;  // m, over which the direction is taken
-constexpr double steady = 0.6;          // share of the last place's normal in the next one's
+constexpr double steady = 0.75;         // share of the last place's normal in the next one's
 constexpr double over_surface = 0.02;   // m, where rays that look for the way begin
 constexpr double patience_away = 0.15;  // s that the pointer may be off the organ
 constexpr double trails = 0.3, least_lean = -0.2, most_lean = 0.9;  // rad, of the tip behind the normal
@@ -20,9 +21,9 @@ constexpr double turn_speed = 2.5;                                              
 constexpr double turned = 0.05, most_astray = 0.4;                                       // rad
 constexpr double near_enough = 0.004, felt_within = 0.02;                                // m
 constexpr double felt_turned = 0.25;                                                     // rad
-constexpr double longest_wait = 5;                       // s, for the physical hand
-constexpr double arm = 0.1;                              // m, by which turns count as ways
-constexpr double most_behind = 0.06, least_haste = 0.1;  // m, of the physical hand; of the speed
+constexpr double longest_wait = 5;                        // s, for the physical hand
+constexpr double arm = 0.1;                               // m, by which turns count as ways
+constexpr double most_behind = 0.06, least_haste = 0.05;  // m, of the physical hand; of the speed
 constexpr double fine_depth = 0.02, fine_notch = 0.001, coarse_notch = 0.005, deepest = 0.2;  // m
 constexpr double preview_behind = 0.015, preview_ahead = 0.025;                               // m
 
@@ -30,12 +31,12 @@ double towards(double from, double to, double most) {
   return from + std::clamp(to - from, -most, most);
 }
 
-/// Returns how fast to go on, as a share: slowly while the physical hand is behind, for tissue holds it back
-/// and simulated time may be slow.
-double haste(const CutGuide& guide, const Pose& wrist) {
+/// Returns how fast to go on, as a share: slowly while the physical blade is behind, for tissue holds it back
+/// and simulated time may be slow. `tip`: where it is to be.
+double haste(const CutGuide& guide, const Pose& wrist, const Vec3& tip) {
   if (!guide.physical) return 1;
   const double turned_by = guide.physical->q.angularDistance(wrist.q);
-  const double behind = std::max((guide.physical->p - wrist.p).norm(), turned_by * arm);
+  const double behind = std::max((*guide.physical * guide.blade.tip - tip).norm(), turned_by * arm);
   return std::clamp((most_behind - behind) / (most_behind - felt_within), least_haste, 1.0);
 }
 
@@ -173,7 +174,9 @@ CutDrawing::Place CutDrawing::place(double gone) const {
 
 /// Returns the wrist's turn with the blade in the plane of the way and the normal, its edge ahead.
 Quat CutDrawing::wanted_turn() const {
-  const Vec3 normal = place(done_).normal;
+  Vec3 normal = Vec3::Zero();  // of a wider stretch: a turn in tissue pushes it aside
+  for (const double beside : {-window_normal, 0.0, window_normal}) normal += place(done_ + beside).normal;
+  normal.normalize();
   Vec3 way = place(done_ + window_ahead).at - place(done_ - window_behind).at;
   way = (way - way.dot(normal) * normal).normalized();
   if (!way.allFinite()) way = normal.unitOrthogonal();
@@ -189,7 +192,7 @@ Pose CutDrawing::wrist_at(const Quat& turn) const {
 /// Brings the blade over the way's beginning, and turns it.
 Pose CutDrawing::come_over(const CutGuide& guide, const Pose& wrist, double seconds) {
   height_ = over_cut;
-  seconds *= haste(guide, wrist);
+  seconds *= haste(guide, wrist, wrist * blade_.tip);
   const Quat to = wanted_turn();
   const Quat turn = turned_towards(wrist.q, to, turn_speed * seconds);
   const Vec3 tip = wrist * blade_.tip, goal = wrist_at(to) * blade_.tip;
@@ -205,7 +208,7 @@ Pose CutDrawing::come_over(const CutGuide& guide, const Pose& wrist, double seco
 }
 
 Pose CutDrawing::draw(const CutGuide& guide, const Pose& wrist, double seconds) {
-  seconds *= haste(guide, wrist);
+  seconds *= haste(guide, wrist, wrist * blade_.tip);
   const double down = -std::min(depth_, share_of_blade * blade_.length);
   height_ = towards(height_, down, down_speed * seconds);
   const Quat to = wanted_turn();
