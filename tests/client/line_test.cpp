@@ -58,7 +58,7 @@ TEST(BladeEdge, IsNeverNarrowerOrShorterThanOneAndAHalfPixels) {
 TEST(BladeEdge, IsSeenWithoutGapsFromEveryDirection) {
   std::mt19937 random(7);
   std::normal_distribution<double> any;
-  for (int k = 0; k < 12; ++k) {
+  for (int k = 0; k < 6; ++k) {
     const Quat turn = Quat(any(random), any(random), any(random), any(random)).normalized();
     const Image image = edge_before_wall({{0, 0, 0.2}, turn}, 0);
     int left = image.width, right = -1, low = image.height, high = -1;
