@@ -208,7 +208,7 @@ struct SceneBody {
   bool moves = false;        // false: never in RigidState
   Pose pose;                 // at scene start (rigid) / body frame of quantisation (soft)
   ContentHash mesh{};  // Asset: triangle surface, in the body's frame (rigid) or the room's rest shape (soft)
-  ContentHash map{};   // Asset, soft only: StreamedSurface (common/asset.h)
+  ContentHash map{};   // Asset; soft: StreamedSurface (common/asset.h), rigid: ends of cutting edges
   std::uint32_t points = 0;        // soft only: how many points are streamed
   std::uint32_t chunk_points = 0;  // soft only: points per SoftState chunk (the last may hold fewer)
   double tube_diameter = 0;        // m: soft without triangles, whose vertices in order are a tube's axis

@@ -137,6 +137,14 @@ void Desk::move_hand(const DeskSession& session, double seconds) {
   };
   guide.physical = session.physical_hand;
   guide.tip = session.tip;
+  guide.blade = session.blade;
+  guide.at_blade = point && session.is_blade && session.is_blade(point->body);
+  guide.right = view_.place().pose().q * Vec3::UnitX();
+  if (point && guide.soft && !at_panel()) guide.tissue = point;
+  guide.find = [&](const Ray& ray, std::optional<BodyId> only) -> std::optional<Picked> {
+    const auto met = session.room.surface(ray);
+    return met && (!only || met->body == *only) ? met : std::nullopt;
+  };
   hand_.advance(guide, seconds);
   for (const HandWish wish : hand_.take_wishes()) ask(command_of(wish));
 }

@@ -21,10 +21,12 @@ struct DeskSession {
   std::optional<Panel> own_panel = {};     // the user's open one
   std::optional<Pose> physical_hand = {};  // the wrist as physics has it
   std::optional<Vec3> tip = {};            // of the instrument in the hand, wrist frame
+  std::optional<BladeFrame> blade = {};    // in the hand, wrist frame
   std::function<bool(BodyId)> is_soft = {};
-  double pace = 1;                  // of simulated time; 0: it stands still
-  std::vector<PartRow> parts = {};  // that the open list finds
-  double scale = 1;                 // pixels of a point
+  std::function<bool(BodyId)> is_blade = {};  // empty: nothing is
+  double pace = 1;                            // of simulated time; 0: it stands still
+  std::vector<PartRow> parts = {};            // that the open list finds
+  double scale = 1;                           // pixels of a point
 };
 
 /// What a desk user chose to see.
@@ -61,6 +63,9 @@ class Desk {
   PartsDesk& parts() { return parts_; }
   /// Returns where the pointer is, pixels from the top left.
   const Eigen::Vector2d& pointer_pixel() const { return view_.pointer_pixel(); }
+  /// Returns the line (m, world frame) and the depth (m) that the blade in the hand would cut.
+  const std::vector<Vec3>& cut_line() const { return hand_.cut_line(); }
+  std::optional<double> cut_depth() const { return hand_.cut_depth(); }
   /// Returns how often the user asked for the eyes of the next one since the last call.
   std::size_t take_follow_requests();
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -30,6 +31,14 @@ constexpr double lift_speed = 2;              // rad/s
 constexpr double most_bend = 1.5;             // rad from there, either way
 constexpr double open = 0.1, fist = 0.9;      // flexion
 constexpr double close_per_s = 6;             // flexion per second when the hand closes
+constexpr double leash = 0.1;                 // m, from a blade's hand to where it is wanted
+constexpr double upright_speed = 2;           // rad/s
+constexpr double passes_over = 0.025, turns_over = 0.12, looks_ahead = 0.08,
+                 looks_from = 0.3;              // m, of a blade's tip
+constexpr double click = 0.4;                   // s: a press that is shorter
+constexpr double until_known = 0.6;             // s, until the server has told what a hand holds
+constexpr double turn_back_per_s = 4;           // of the turn that cuts gave it
+constexpr double reach_per_depth_notch = 0.01;  // m of reach() that are a notch of a cut's depth
 const Vec3 fingertips_in_wrist{0, 0, -wrist_to_fingertips};
 
 Vec3 at_most(const Vec3& step, double length) {
@@ -46,7 +55,9 @@ void DeskHand::begin(const Ray& pointer, double reach) {
 
 void DeskHand::reach(double by) {
   if (!std::isfinite(by)) return;
-  if (phase_ == Phase::grips && !has_tool_)
+  if (drawing_.is_pressed())
+    drawing_.deepen(by / reach_per_depth_notch);
+  else if (phase_ == Phase::grips && !has_tool_)
     pull_ += by;
   else if (!meets_)
     reach_ = std::clamp(reach_ + by, least_reach, most_reach);
@@ -63,15 +74,38 @@ void DeskHand::turn(double roll, double bend) {
 }
 
 void DeskHand::press() {
-  phase_ = Phase::goes_in;
+  button_ = true;
   seconds_in_ = 0;
+  if (phase_ == Phase::grips && has_blade_)
+    drawing_.press();
+  else
+    phase_ = Phase::goes_in;
 }
 
 void DeskHand::let_go() {
+  button_ = false;
+  if (drawing_.is_pressed()) {
+    const bool beside = !drawing_.is_on_tissue();
+    drawing_.release();
+    if (beside && seconds_in_ < click) put_down();
+  } else if (phase_ == Phase::grips && takes_blade_ && !has_blade_ && seconds_held_ < until_known) {
+    asks_to_release_ = true;
+  } else if (phase_ != Phase::grips || !has_blade_) {
+    put_down();
+  }
+}
+
+void DeskHand::put_down() {
   if (phase_ == Phase::grips) wishes_.push_back(HandWish::release);
   phase_ = Phase::hovers;
   tool_hover_ = first_hover;
   pull_ = 0;
+  asks_to_release_ = has_blade_ = upright_ = false;
+  drawing_.stop();
+}
+
+std::optional<double> DeskHand::cut_depth() const {
+  return has_blade_ ? std::optional(drawing_.depth()) : std::nullopt;
 }
 
 std::vector<HandWish> DeskHand::take_wishes() {
@@ -84,11 +118,74 @@ void DeskHand::advance(const HandGuide& guide, double seconds) {
   yaw_ = guide.yaw;
   meets_ = guide.surface.has_value();
   lift_fingers(guide, seconds);
+  follow_blade(guide, seconds);
+  if (draw_blade(guide, seconds)) return;
   follow_tool(guide, seconds);
-  const Vec3 to = guide.still ? point_ : wanted(guide);
+  const Vec3 to = guide.still ? point_ : over_tissue(guide, wanted(guide));
   if (!to.allFinite()) return;
+  const bool waits = has_blade_ && guide.physical && (guide.physical->p - pose().p).norm() > leash;
+  if (waits) return;  // else the physical blade would take a shorter way than over tissue
   point_ += at_most(to - point_, (is_closed() ? fastest_closed : fastest_hand) * seconds);
-  if (phase_ == Phase::goes_in) grip_when_in(guide, to, seconds);
+  if (phase_ == Phase::goes_in) grip_when_in(guide, to);
+}
+
+/// Keeps whether a blade is in the hand, which stays there when the button goes up.
+void DeskHand::follow_blade(const HandGuide& guide, double seconds) {
+  if (button_ && seconds_in_ == 0) takes_blade_ = guide.at_blade;
+  seconds_in_ += seconds;
+  seconds_held_ = phase_ == Phase::grips ? seconds_held_ + seconds : 0;
+  without_blade_ = guide.blade ? 0 : without_blade_ + seconds;
+  has_blade_ = phase_ == Phase::grips && (guide.blade || (has_blade_ && without_blade_ < until_known));
+  if (has_blade_) asks_to_release_ = false;
+  const bool is_lost = phase_ == Phase::grips && !button_ && !has_blade_ && !asks_to_release_;
+  if (is_lost || (asks_to_release_ && seconds_held_ >= until_known)) put_down();
+  if (has_blade_ && guide.blade && !button_ && !upright_) set_upright(guide, seconds);
+  if (phase_ != Phase::grips)
+    turned_ = turned_.slerp(std::min(1.0, turn_back_per_s * seconds), Quat::Identity());
+}
+
+/// Turns a blade that was taken up lying: tip down, its edge to the right.
+void DeskHand::set_upright(const HandGuide& guide, double seconds) {
+  const Vec3 right = Vec3(guide.right.x(), 0, guide.right.z()).normalized();
+  const bool is_up = guide.physical && (guide.physical->p - pose().p).norm() < physical_there;
+  if (!right.allFinite() || over_ground_ < turns_over - physical_there || !is_up) return;
+  const Quat to = wrist_by_hand().conjugate() * drawing_turn(*guide.blade, Vec3::UnitY(), right);
+  turned_ = turned_towards(turned_, to, upright_speed * seconds);
+  upright_ = turned_.angularDistance(to) < 1e-6;
+}
+
+/// Returns where to go so that a hovering blade passes over what lies on its way to `to`: up, where that is
+/// higher. Whoever has wheeled the tip down wants it to touch.
+Vec3 DeskHand::over_tissue(const HandGuide& guide, const Vec3& to) {
+  if (!has_blade_ || !guide.find || tool_hover_ < first_hover) return to;
+  const Vec3 level(to.x() - point_.x(), 0, to.z() - point_.z());
+  const double far = std::min(level.norm(), looks_ahead);
+  constexpr double nothing = -std::numeric_limits<double>::infinity();
+  double highest = nothing;  // m
+  for (const double share : {0.0, 0.5, 1.0}) {
+    const Vec3 over =
+        point_ + (level.norm() > 0 ? share * far / level.norm() : 0) * level + looks_from * Vec3::UnitY();
+    if (const auto below = guide.find({over, -Vec3::UnitY()}, std::nullopt))
+      highest = std::max(highest, below->at.y());
+  }
+  over_ground_ = point_.y() - highest;
+  const double needed = highest + (upright_ || button_ ? passes_over : turns_over);
+  if (point_.y() < needed - there) return {point_.x(), needed, point_.z()};
+  return {to.x(), std::max(to.y(), needed), to.z()};
+}
+
+/// Lets the drawn cut lead the hand; false: there is none.
+bool DeskHand::draw_blade(const HandGuide& guide, double seconds) {
+  cut_line_.clear();
+  if (!has_blade_ || !guide.blade) return false;
+  const CutGuide cut{*guide.blade, guide.tissue, guide.find, guide.right, guide.physical};
+  const auto led = drawing_.advance(cut, pose(), seconds);
+  cut_line_ = drawing_.line(cut);
+  if (!led || !is_finite(*led)) return false;
+  turned_ = (wrist_by_hand().conjugate() * led->q).normalized();
+  from_fingertips_ = guide.blade->tip - fingertips_in_wrist;
+  point_ = *led * guide.blade->tip;
+  return true;
 }
 
 /// Turns the fingers so that the hand hides little of what it is over. What it holds isn't turned.
@@ -149,8 +246,7 @@ Vec3 DeskHand::drawn_along(const HandGuide& guide) {
   return anchor_;
 }
 
-void DeskHand::grip_when_in(const HandGuide& guide, const Vec3& to, double seconds) {
-  seconds_in_ += seconds;
+void DeskHand::grip_when_in(const HandGuide& guide, const Vec3& to) {
   const bool in = (to - point_).norm() < there;
   const bool felt = guide.physical && (guide.physical->p - pose().p).norm() < physical_there;
   if (seconds_in_ < least_seconds_in || !((in && felt) || seconds_in_ > most_patience)) return;
@@ -159,6 +255,11 @@ void DeskHand::grip_when_in(const HandGuide& guide, const Vec3& to, double secon
 }
 
 Quat DeskHand::wrist() const {
+  return wrist_by_hand() * turned_;
+}
+
+/// Returns the turn that wheel and view give it.
+Quat DeskHand::wrist_by_hand() const {
   return Quat(Eigen::AngleAxisd(yaw_, Vec3::UnitY()) * Eigen::AngleAxisd(bend_, Vec3::UnitX()) *
               Eigen::AngleAxisd(-roll_, Vec3::UnitZ()) * Eigen::AngleAxisd(lift_, Vec3::UnitX()));
 }

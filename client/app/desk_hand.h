@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "client/app/cut_drawing.h"
 #include "client/view/pick.h"
 #include "common/math.h"
 
@@ -25,6 +26,12 @@ struct HandGuide {
   bool still = false;            // the fingertips stay where they are
   std::optional<Pose> physical;  // the wrist as physics has it
   std::optional<Vec3> tip;       // of the instrument in the hand, wrist frame
+  // Where it is a blade:
+  std::optional<BladeFrame> blade;  // in the wrist's frame
+  bool at_blade = false;            // the pointer is at one that can be taken up
+  std::optional<Picked> tissue;     // what the pointer is at, if it can be cut
+  FindSurface find;                 // of what can be cut
+  Vec3 right = Vec3::UnitX();       // unit, the picture's
 };
 
 /// What a hand at the desk asks the server for.
@@ -43,19 +50,25 @@ class DeskHand {
   /// Turns the wrist, rad. `bend` lifts what points straight ahead, however the hand is rolled. `roll` is
   /// about that, clockwise as the user sees it, so that an instrument that was taken up lying stays level.
   void turn(double roll, double bend);
+  /// Takes the button. With a blade in the hand it cuts, else it takes hold.
   void press();
+  /// Takes the button's release. A blade stays in the hand; a click beside tissue puts it down.
   void let_go();
   /// Goes on by a picture.
   void advance(const HandGuide& guide, double seconds);
   /// Returns what the hand asked for since the last call.
   std::vector<HandWish> take_wishes();
 
-  bool is_pressed() const { return phase_ != Phase::hovers; }
+  bool is_pressed() const { return button_; }
   bool is_closed() const { return phase_ == Phase::grips; }
   double flexion() const { return flexion_; }  // of every finger, 0 … 1
   /// Returns the pose of the wrist in the world frame.
   Pose pose() const;
   Vec3 fingertips() const;
+  /// Returns the line on tissue that the blade in the hand is to cut, or would; empty: none. m, world frame.
+  const std::vector<Vec3>& cut_line() const { return cut_line_; }
+  /// Returns how deep (m) the blade in the hand is set to cut; nullopt: there is none.
+  std::optional<double> cut_depth() const;
 
  private:
   enum class Phase { hovers, goes_in, grips };
@@ -71,17 +84,34 @@ class DeskHand {
   double pull_ = 0;             // m along the ray, that is still to be done to the anchor
   double yaw_ = 0, lift_ = -0.5, roll_ = 0, bend_ = 0;  // rad; lift: of the fingers, before the bend
   double seconds_in_ = 0;                               // since the button went down
+  bool button_ = false;                                 // is down
+  double seconds_held_ = 0;                             // since the hand closed
+  bool takes_blade_ = false;                            // the button went down on one
+  bool asks_to_release_ = false;  // the button went up before it was known what the hand holds
+  bool has_blade_ = false;
+  double without_blade_ = 0;  // s since one was in the hand last
+  double over_ground_ = 0;    // m, of its tip over the highest of what lies on its way
+  bool upright_ = false;      // the blade was set on its tip since it was taken up
+  CutDrawing drawing_;
+  Quat turned_ = Quat::Identity();  // of the wrist, by cuts
+  std::vector<Vec3> cut_line_;
   double flexion_ = 0.1;
   std::vector<HandWish> wishes_;
 
   Quat wrist() const;
+  Quat wrist_by_hand() const;
+  void put_down();
+  void follow_blade(const HandGuide& guide, double seconds);
+  bool draw_blade(const HandGuide& guide, double seconds);
+  void set_upright(const HandGuide& guide, double seconds);
+  Vec3 over_tissue(const HandGuide& guide, const Vec3& to);
   Vec3 wanted(const HandGuide& guide);
   double crowded(const HandGuide& guide, double reach) const;
   Pose pose_at(const Vec3& point) const;
   Vec3 drawn_along(const HandGuide& guide);
   void lift_fingers(const HandGuide& guide, double seconds);
   void follow_tool(const HandGuide& guide, double seconds);
-  void grip_when_in(const HandGuide& guide, const Vec3& wanted, double seconds);
+  void grip_when_in(const HandGuide& guide, const Vec3& wanted);
 };
 
 }  // namespace prosector

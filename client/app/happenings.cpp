@@ -9,7 +9,6 @@
 namespace prosector {
 namespace {
 
-constexpr double stroke_seconds = 1;    // cuts of one body by one person so close together are one stroke
 constexpr double trouble_seconds = 10;  // a trouble that was away for so long is news again
 constexpr double hardly_slower = 0.9;   // of real time
 constexpr double calm_seconds = 3;      // without any: told to be over
@@ -85,6 +84,7 @@ std::vector<std::string> Happenings::look(const Replica& replica, double now) {
   look_at_time(replica, out);
   look_at_hands(replica, out);
   look_at_cuts(replica, now, out);
+  look_at_strokes(replica, now, out);
   if (!looked_) out.clear();
   look_at_troubles(replica, now, out);
   looked_ = true;
@@ -140,11 +140,20 @@ void Happenings::look_at_cuts(const Replica& replica, double now, std::vector<st
           fmt::format("a piece came off the {}", bodies[static_cast<std::size_t>(newest->piece_of)].name));
     const bool changed = !is_new && newest->revision != seen.revision;
     const bool same_stroke = newest->cause == TopologyCause::cut && seen.cause == TopologyCause::cut &&
-                             newest->author == seen.author && now - seen.told < stroke_seconds;
+                             newest->author == seen.author && now - seen.told < StrokeGauge::stroke_seconds;
     if (changed && newest->cause != TopologyCause::compiled && !same_stroke)
       out.push_back(fmt::format("{} {} the {}", name_of(replica, newest->author), did(newest->cause),
                                 bodies[body].name));
     if (is_new || changed) seen = {newest->revision, newest->cause, newest->author, now};
+  }
+}
+
+void Happenings::look_at_strokes(const Replica& replica, double now, std::vector<std::string>& out) {
+  strokes_.look(replica, now);
+  for (const StrokeFigures& stroke : strokes_.take_ended()) {
+    const std::string whose = stroke.author == self_ ? "cut" : name_of(replica, stroke.author) + "'s cut";
+    out.push_back(fmt::format("{}: {}, in the {}", whose, in_words(stroke),
+                              replica.scene()->bodies[stroke.organ].name));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "client/replica/replica.h"
+#include "client/replica/stroke_figures.h"
 
 namespace prosector {
 
@@ -20,7 +21,7 @@ class Happenings {
 
   /// Returns a sentence for everything new about people, time, cuts, pieces that came off, and the
   /// simulation's troubles and their end. `now`: s of a clock that never goes back. A stroke is told once,
-  /// however many revisions it makes.
+  /// however many revisions it makes, and how long and deep it was when it has ended.
   std::vector<std::string> look(const Replica& replica, double now);
 
  private:
@@ -35,6 +36,7 @@ class Happenings {
   bool looked_ = false;
   std::map<ParticipantId, RosterEntry> people_;
   std::map<BodyId, Seen> topologies_;
+  StrokeGauge strokes_;
   std::map<std::string, double> troubles_;  // by kind: when the server last told of it, s
   bool in_trouble_ = false;
   std::set<BodyId> held_;  // by the user
@@ -45,6 +47,7 @@ class Happenings {
   void look_at_hands(const Replica& replica, std::vector<std::string>& out);
   void look_at_cuts(const Replica& replica, double now, std::vector<std::string>& out);
   void look_at_troubles(const Replica& replica, double now, std::vector<std::string>& out);
+  void look_at_strokes(const Replica& replica, double now, std::vector<std::string>& out);
   std::string name_of(const Replica& replica, ParticipantId who) const;
 };
 

@@ -120,11 +120,18 @@ DeskSession Viewer::desk_session(const Replica& replica, double tick, Participan
   out.is_soft = [this](BodyId body) {
     return connection_.with_replica([&](Replica& r) { return r.soft(body) != nullptr; });
   };
+  out.is_blade = [this](BodyId body) {
+    return connection_.with_replica([&](const Replica& r) {
+      const RigidReplica* rigid = r.rigid(body);
+      return rigid != nullptr && !rigid->edges.empty();
+    });
+  };
   const auto own = replica.panels().find(self);
   if (own != replica.panels().end()) out.own_panel = own->second;
   const auto user = replica.user(self, tick);
   if (user && user->hands[right_hand].tracked) out.physical_hand = user->hands[right_hand].pose;
   out.tip = instrument_tip(replica, hand, tick);
+  out.blade = held_blade(replica, hand, tick);
   out.pace = replica.pace();
   out.scale = scale();
   const PartsDesk& list = stage_->desk->parts();
@@ -146,6 +153,8 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   if (!head_leads) settings.eye = desk.eye();
   if (!head_leads) settings.pointed = desk.pointed();
   settings.pointer = desk.pointer_pixel();
+  settings.cut_guide = desk.cut_line();
+  settings.cut_depth = desk.cut_depth();
   settings.wireframes = options_.wireframes != choices.wireframes;
   settings.shown = choices.shown;
   for (const PartsOrder& order : desk.parts().take_orders()) obey(order);

@@ -12,7 +12,7 @@
   X(ACTIVETEXTURE, ActiveTexture) X(ATTACHSHADER, AttachShader) X(BINDATTRIBLOCATION, BindAttribLocation)  \
   X(BINDBUFFER, BindBuffer) X(BINDFRAMEBUFFER, BindFramebuffer) X(BINDRENDERBUFFER, BindRenderbuffer)      \
   X(BINDTEXTURE, BindTexture) X(BINDVERTEXARRAY, BindVertexArray)                \
-  X(BLENDFUNC, BlendFunc) X(BLENDFUNCSEPARATE, BlendFuncSeparate) X(COLORMASK, ColorMask)                                                          \
+  X(BLENDCOLOR, BlendColor) X(BLENDFUNC, BlendFunc) X(BLENDFUNCSEPARATE, BlendFuncSeparate) X(COLORMASK, ColorMask)                                                          \
   X(BLITFRAMEBUFFER, BlitFramebuffer) X(BUFFERDATA, BufferData) X(BUFFERSUBDATA, BufferSubData)            \
   X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) X(CLEAR, Clear) X(CLEARCOLOR, ClearColor)              \
   X(COMPILESHADER, CompileShader) X(CREATEPROGRAM, CreateProgram) X(CREATESHADER, CreateShader)            \

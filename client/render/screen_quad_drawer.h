@@ -15,6 +15,8 @@ class ScreenQuadDrawer {
   ScreenQuadDrawer(const Gl& gl, const std::filesystem::path& shaders);
 
   void draw(const std::vector<ScreenVertex>& vertices, bool depth_test) const;
+  /// Draws what lies behind something, over it, with that opacity.
+  void draw_hidden(const std::vector<ScreenVertex>& vertices, float opacity) const;
 
  private:
   const Gl& gl_;

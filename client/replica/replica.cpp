@@ -27,6 +27,16 @@ Pose interpolate(const Pose& a, const Pose& b, double s) {
   return {a.p + s * (b.p - a.p), a.q.slerp(s, b.q)};
 }
 
+/// Returns the edges whose ends are the mesh's vertices, two by two. Throws InputError where it is none.
+std::vector<CuttingEdge> decode_edges(std::span<const std::uint8_t> bytes) {
+  const TriangleMesh ends = decode_triangle_mesh(bytes);
+  if (ends.positions.size() % 2 != 0) throw InputError("asset: an edge without its other end");
+  std::vector<CuttingEdge> out;
+  for (std::size_t k = 0; k < ends.positions.size(); k += 2)
+    out.push_back({ends.positions[k], ends.positions[k + 1]});
+  return out;
+}
+
 }  // namespace
 
 void Replica::apply(const Received& received) {
@@ -139,14 +149,16 @@ void Replica::build_bodies(std::int64_t now_ns) {
 void Replica::build(BodyId id, const SceneBody& body, std::int64_t now_ns) {
   const auto mesh = assets_.find(body.mesh);
   if (!mesh) return;
+  const auto map_bytes = assets_.find(body.map);
   if (body.kind == BodyKind::rigid) {
+    const bool has_edges = body.map != ContentHash{};
     RigidReplica& rigid = rigid_[id];
-    if (!rigid.mesh.positions.empty()) return;
+    if (!rigid.mesh.positions.empty() || (has_edges && !map_bytes)) return;
     rigid.mesh = decode_triangle_mesh(*mesh);
     rigid.scene_pose = body.pose;
+    if (has_edges) rigid.edges = decode_edges(*map_bytes);
     return;
   }
-  const auto map_bytes = assets_.find(body.map);
   if (!map_bytes || soft_.contains(id) || body.points == 0 || body.chunk_points == 0) return;
   TriangleMesh rest = decode_triangle_mesh(*mesh);
   StreamedSurface streamed = decode_streamed_surface(*map_bytes);
@@ -280,6 +292,11 @@ const RigidReplica* Replica::rigid(BodyId body) const {
 }
 
 SoftReplica* Replica::soft(BodyId body) {
+  const auto it = soft_.find(body);
+  return it == soft_.end() ? nullptr : &it->second;
+}
+
+const SoftReplica* Replica::soft(BodyId body) const {
   const auto it = soft_.find(body);
   return it == soft_.end() ? nullptr : &it->second;
 }

@@ -19,9 +19,15 @@
 
 namespace prosector {
 
+/// A straight cutting edge, m, in its body's frame.
+struct CuttingEdge {
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+};
+
 struct RigidReplica {
   TriangleMesh mesh;
-  Pose scene_pose;  // where it stands until a RigidState says otherwise
+  std::vector<CuttingEdge> edges;  // that cut tissue while a hand holds the body
+  Pose scene_pose;                 // where it stands until a RigidState says otherwise
   Track<RigidState> track;
 };
 
@@ -60,6 +66,7 @@ class Replica {
   const BodyStatus* body_status(BodyId body) const;
   const RigidReplica* rigid(BodyId body) const;
   SoftReplica* soft(BodyId body);
+  const SoftReplica* soft(BodyId body) const;
   /// Returns the newest revision of a soft body's mesh that is shown; null: none.
   const TopologyRevision* topology(BodyId body) const;
   /// Returns what people made of a body; null while nobody changed it.

@@ -54,7 +54,8 @@ struct DrawLine {
   Vec3 color = Vec3::Ones();
   double width = 2;  // points
   bool overlay = false;
-  bool over = false;  // in the room, but drawn over what is before it
+  bool over = false;            // in the room, but drawn over what is before it
+  bool shines_through = false;  // faintly seen through what hides it
 };
 
 /// A plate in the overlay, below its texts.

@@ -18,7 +18,7 @@ constexpr double darkest = 0.55, fades_over = 0.12;  // opacity at a touch; m ov
 const Vec3 line_color{0.85, 0.9, 0.95};
 
 /// Returns the place on the body below or above a place beside its middle.
-Vec3 draped(const Vec3& middle, double radius, std::size_t side, const HandCues::Find& find, BodyId body) {
+Vec3 draped(const Vec3& middle, double radius, std::size_t side, const FindSurface& find, BodyId body) {
   const double angle = 2 * std::numbers::pi * static_cast<double>(side) / sides;
   const Vec3 beside = middle + radius * Vec3(std::cos(angle), 0, -std::sin(angle));
   const auto point = find({beside + steepest_step * Vec3::UnitY(), -Vec3::UnitY()}, body);
@@ -42,7 +42,7 @@ void HandCues::make_meshes(std::uint64_t& next_mesh_id) {
   }
 }
 
-std::optional<BodyId> HandCues::add(DrawList& list, const Vec3& fingertips, const Find& find,
+std::optional<BodyId> HandCues::add(DrawList& list, const Vec3& fingertips, const FindSurface& find,
                                     std::uint64_t& next_mesh_id) {
   const auto below = find({fingertips + from_above * Vec3::UnitY(), -Vec3::UnitY()}, std::nullopt);
   if (!below || below->distance > farthest) return std::nullopt;

@@ -3,23 +3,19 @@
 // shadow there grows darker as they come near.
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <optional>
 
+#include "client/view/draped_line.h"
 #include "client/view/draw_list.h"
-#include "client/view/pick.h"
 
 namespace prosector {
 
 class HandCues {
  public:
-  /// Finds what a ray meets first; of one body alone, if it is given.
-  using Find = std::function<std::optional<Picked>(const Ray&, std::optional<BodyId>)>;
-
   /// Adds the cues of a hand whose fingertips are there (m, world frame); over nothing there are none.
   /// Returns what lies near below them. Meshes get ids from `next_mesh_id` on.
-  std::optional<BodyId> add(DrawList& list, const Vec3& fingertips, const Find& find,
+  std::optional<BodyId> add(DrawList& list, const Vec3& fingertips, const FindSurface& find,
                             std::uint64_t& next_mesh_id);
 
  private:

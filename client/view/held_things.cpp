@@ -44,4 +44,16 @@ std::optional<Vec3> instrument_tip(const Replica& replica, const HandRef& hand, 
   return std::nullopt;
 }
 
+std::optional<BladeFrame> held_blade(const Replica& replica, const HandRef& hand, double tick) {
+  const auto user = replica.user(hand.participant, tick);
+  if (!user || !user->hands[hand.hand].tracked) return std::nullopt;
+  for (const BodyId id : held_by(replica, hand)) {
+    const RigidReplica* rigid = replica.rigid(id);
+    if (rigid == nullptr) continue;
+    if (const auto blade = blade_frame(*rigid))
+      return user->hands[hand.hand].pose.inverse() * replica.rigid_pose(id, tick) * *blade;
+  }
+  return std::nullopt;
+}
+
 }  // namespace prosector

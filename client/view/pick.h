@@ -29,6 +29,7 @@ struct SurfacePoint {
 /// A surface point and whose it is.
 struct Picked : SurfacePoint {
   BodyId body = 0;
+  bool inner = false;  // a cut laid it bare
 };
 
 struct PanelPoint {

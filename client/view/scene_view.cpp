@@ -7,6 +7,7 @@
 #include "client/view/body_mesh.h"
 #include "client/view/camera.h"
 #include "client/view/carried_light.h"
+#include "client/view/held_blades.h"
 #include "client/view/held_things.h"
 #include "client/view/light_shaft.h"
 #include "client/view/normals.h"
@@ -18,6 +19,7 @@
 namespace prosector {
 namespace {
 
+constexpr double held_brightness = 1.5;  // of blades: their sides are to be seen
 constexpr double lit_brightness = 1.6, least_room_light = 0.05, highlighted_brightness = 1.7;
 constexpr double notes_left = 10, notes_top = 90;  // points: below the overlay's lines
 constexpr int inset_share = 4;    // an inset's width and height are these parts of the picture's
@@ -51,6 +53,10 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   add_panels(replica);
   people_.add(list_, replica, tick, self, settings.follow, next_mesh_id_);
   if (self.at_desk) add_hand_cues(replica, self, tick);
+  cut_lines_.add(list_);
+  add_blades(replica, self, tick);
+  add_guide(list_, settings.cut_guide);
+  strokes_.look(replica, tick * replica.tick_seconds());
   level_of_detail_.choose(list_, settings.detail);
   if (settings.shown != Shown::none) add_legend(list_, scale_of(settings.shown));
   if (!settings.notes.empty())
@@ -60,6 +66,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
                            .wrap = OverlayFrame(list_).width - 2 * notes_left});
   if (settings.overlay) add_body_figures(replica);
   if (settings.overlay) add_session_overlay(list_, replica, self, settings);
+  if (settings.overlay && self.present) add_stroke_figures(replica, self, tick, settings);
   if (settings.parts.labels()) add_part_labels(replica, settings);
   if (settings.parts_list != nullptr) add_parts_list(list_, *settings.parts_list);
   return list_;
@@ -126,18 +133,21 @@ void SceneView::add_room() {
 void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& settings) {
   const auto& bodies = replica.scene()->bodies;
   const std::vector<PartLook> looks = looks_of(replica, settings.parts);
+  cut_lines_.begin();
   for (BodyId id = 0; id < bodies.size(); ++id) {
     if (looks[id].hidden) continue;
     DrawItem item{.mesh = nullptr, .pose = {}, .appearance = bodies[id].appearance};
     if (bodies[id].part) parts_.insert(id);
     if (looks[id].color) item.appearance.color = *looks[id].color;
     std::shared_ptr<const DrawMesh> inner;
+    const SoftReplica* cut = nullptr;
     if (bodies[id].kind == BodyKind::rigid) {
       auto& mesh = meshes_[id];
       const RigidReplica* rigid = replica.rigid(id);
       if (!mesh) mesh = rigid_mesh(rigid->mesh, next_mesh_id_++);
       item.mesh = mesh;
       item.pose = replica.rigid_pose(id, tick);
+      if (is_held_blade(replica, id)) item.brightness = held_brightness;
     } else {
       SoftReplica* soft = replica.soft(id);
       if (soft == nullptr || !soft->complete()) continue;  // a new piece: still on its way
@@ -145,6 +155,7 @@ void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& se
           follow_soft(*soft, id, bodies[id].tube_diameter, tick, replica.tick_seconds());
       item.mesh = mesh.outer();
       inner = mesh.inner();
+      if (bodies[id].tube_diameter == 0) cut = soft;
     }
     const PartState* part = replica.part(id);
     if (part != nullptr) {
@@ -160,8 +171,9 @@ void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& se
     item.casts_shadow = item.opacity >= 1;
     if (std::ranges::find(settings.highlighted, id) != settings.highlighted.end())
       item.brightness *= highlighted_brightness;
+    if (cut != nullptr) cut_lines_.put(id, *cut, *item.mesh, item.shape);
     const auto add = [&](DrawItem seen) {
-      body_items_.emplace_back(id, list_.items.size());
+      body_items_.push_back({id, list_.items.size(), seen.mesh == inner});
       if (settings.shown != Shown::none && bodies[id].kind == BodyKind::soft)
         paint(seen, settings.shown, replica.body_status(id));
       list_.items.push_back(std::move(seen));
@@ -205,12 +217,19 @@ std::optional<Picked> SceneView::surface_at(const Ray& ray, const std::vector<Bo
 template <class Counts>
 std::optional<Picked> SceneView::nearest_item(const Ray& ray, const Counts& counts) {
   std::optional<Picked> nearest;
-  for (const auto& [body, index] : body_items_) {
+  for (const auto& [body, index, inner] : body_items_) {
     if (!counts(body)) continue;
     const auto point = trees_.meet(ray, list_.items[index]);
-    if (point && (!nearest || point->distance < nearest->distance)) nearest = Picked{*point, body};
+    if (point && (!nearest || point->distance < nearest->distance)) nearest = Picked{*point, body, inner};
   }
   return nearest;
+}
+
+FindSurface SceneView::finder_without(std::vector<BodyId> held) {
+  return [this, held = std::move(held)](const Ray& ray, std::optional<BodyId> only) {
+    return nearest_item(
+        ray, [&](BodyId body) { return only ? body == *only : std::ranges::find(held, body) == held.end(); });
+  };
 }
 
 /// Adds what tells a desk user, who feels nothing, where their hand is. It is half seen through where it
@@ -222,11 +241,7 @@ void SceneView::add_hand_cues(const Replica& replica, const LocalUser& self, dou
   const std::vector<BodyId> held = held_by(replica, {self.participant, right_hand});
   const HandPose& hand = user->hands[right_hand];
   const Vec3 fingertips = hand.pose * middle_fingertip(right_hand, hand.flexion);
-  const auto find = [&](const Ray& ray, std::optional<BodyId> only) {
-    return nearest_item(
-        ray, [&](BodyId body) { return only ? body == *only : std::ranges::find(held, body) == held.end(); });
-  };
-  const auto below = hand_cues_.add(list_, fingertips, find, next_mesh_id_);
+  const auto below = hand_cues_.add(list_, fingertips, finder_without(held), next_mesh_id_);
   const ContactSample* contact = replica.contact(self.participant, right_hand);
   std::optional<BodyId> worked_on = below;
   if (contact != nullptr && contact->touching) worked_on = contact->body;
@@ -237,6 +252,53 @@ void SceneView::add_hand_cues(const Replica& replica, const LocalUser& self, dou
   const double to = matters && hand_covers(hand, *worked_on) ? covering_opacity : 1;
   hand_opacity_ += std::clamp(to - hand_opacity_, -opacity_step, opacity_step);
   list_.items[*index].opacity = hand_opacity_;
+}
+
+/// Adds the edges of blades in hands, and where they would cut. A desk user's is known better from the
+/// pointer.
+void SceneView::add_blades(const Replica& replica, const LocalUser& self, double tick) {
+  for (BodyId id = 0; id < replica.scene()->bodies.size(); ++id) {
+    if (!is_held_blade(replica, id)) continue;
+    add_edges(list_, replica.rigid(id)->edges, replica.rigid_pose(id, tick));
+    for (const HandRef& hand : replica.part(id)->holders)
+      if (!(self.at_desk && hand.participant == self.participant)) add_guide_of(replica, hand, tick);
+  }
+}
+
+void SceneView::add_guide_of(const Replica& replica, const HandRef& hand, double tick) {
+  const auto user = replica.user(hand.participant, tick);
+  const auto blade = held_blade(replica, hand, tick);
+  if (!user || !blade) return;
+  const FindSurface find = finder_without(held_by(replica, hand));
+  add_guide(list_, next_cut(replica, user->hands[hand.hand].pose * *blade, find));
+}
+
+/// Adds the figures of one's own stroke: beside the pointer, or beside the tip of the blade in a hand.
+void SceneView::add_stroke_figures(const Replica& replica, const LocalUser& self, double tick,
+                                   const ViewSettings& settings) {
+  constexpr double right = 16, below = 14, height = 13;  // points from the pointer
+  const StrokeFigures* stroke = strokes_.of(self.participant);
+  std::string text = stroke != nullptr ? in_words(*stroke) : std::string();
+  if (self.at_desk) {
+    if (settings.cut_depth) {
+      if (!text.empty()) text += '\n';
+      text += depth_in_words(*settings.cut_depth);
+    }
+    const Eigen::Vector2d at = settings.pointer / list_.scale + Eigen::Vector2d(right, below);
+    if (!text.empty())
+      list_.texts.push_back({.text = std::move(text), .at = {at.x(), at.y(), 0}, .height = height});
+    return;
+  }
+  if (text.empty()) return;
+  for (const std::size_t hand : {left_hand, right_hand}) {
+    const HandRef ref{self.participant, static_cast<std::uint8_t>(hand)};
+    const auto blade = held_blade(replica, ref, tick);
+    const auto user = replica.user(self.participant, tick);
+    if (!blade || !user) continue;
+    list_.texts.push_back(
+        {.text = text, .at = user->hands[hand].pose * blade->tip, .overlay = false, .height = height});
+    return;
+  }
 }
 
 /// Tells whether the first eye sees a good part of the hand before the body.
@@ -253,7 +315,7 @@ bool SceneView::hand_covers(const HandPose& hand, BodyId body) {
 
 Eigen::AlignedBox3d SceneView::box_of(BodyId body) const {
   Eigen::AlignedBox3d box;
-  for (const auto& [id, index] : body_items_)
+  for (const auto& [id, index, inner] : body_items_)
     if (id == body)
       for (const auto& x : list_.items[index].mesh->positions)
         box.extend(list_.items[index].shape * (list_.items[index].pose * x.cast<double>().eval()));
@@ -336,7 +398,7 @@ void SceneView::add_part_labels(const Replica& replica, const ViewSettings& sett
   if (!settings.notes.empty())
     top = notes_top + note_line * static_cast<double>(1 + std::ranges::count(settings.notes, '\n'));
   std::vector<NamedItem> named;
-  for (const auto& [body, item] : body_items_)
+  for (const auto& [body, item, inner] : body_items_)
     if (const SceneBody& one = replica.scene()->bodies[body];
         one.part || one.moves || one.kind == BodyKind::soft)
       named.push_back({body, item, one.name});

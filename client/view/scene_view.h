@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "client/replica/replica.h"
+#include "client/replica/stroke_figures.h"
+#include "client/view/cut_lines.h"
 #include "client/view/draw_list.h"
 #include "client/view/hand_cues.h"
 #include "client/view/level_of_detail.h"
@@ -44,12 +46,19 @@ class SceneView {
   std::vector<DrawItem> room_;
   std::shared_ptr<const DrawMesh> shaft_;
   HandCues hand_cues_;
+  CutLines cut_lines_;
+  StrokeGauge strokes_;
   double hand_opacity_ = 1;  // of one's own at a desk
   std::optional<PanelView> panel_view_;
   std::map<BodyId, Edges> wires_;
-  std::map<BodyId, std::uint64_t> wire_shapes_;             // SoftReplica::shape() that wires_ are of
-  std::vector<std::pair<BodyId, std::size_t>> body_items_;  // of list_.items, the bodies'
-  std::set<BodyId> parts_;                                  // of the anatomy
+  std::map<BodyId, std::uint64_t> wire_shapes_;  // SoftReplica::shape() that wires_ are of
+  struct BodyItem {
+    BodyId body = 0;
+    std::size_t index = 0;  // of list_.items
+    bool inner = false;     // what cuts laid bare
+  };
+  std::vector<BodyItem> body_items_;
+  std::set<BodyId> parts_;  // of the anatomy
   SurfaceTrees trees_;
   LevelOfDetail level_of_detail_;
   PartLabels part_labels_;
@@ -66,8 +75,13 @@ class SceneView {
   SoftBodyMesh& follow_soft(SoftReplica& soft, BodyId body, double tube_diameter, double tick, double dt);
   template <class Counts>
   std::optional<Picked> nearest_item(const Ray& ray, const Counts& counts);
+  FindSurface finder_without(std::vector<BodyId> held);
   void add_hand_cues(const Replica& replica, const LocalUser& self, double tick);
   bool hand_covers(const HandPose& hand, BodyId body);
+  void add_blades(const Replica& replica, const LocalUser& self, double tick);
+  void add_guide_of(const Replica& replica, const HandRef& hand, double tick);
+  void add_stroke_figures(const Replica& replica, const LocalUser& self, double tick,
+                          const ViewSettings& settings);
   void add_light_shaft(const DrawItem& item);
   void add_wireframes(Replica& replica, double tick);
   void add_panels(const Replica& replica);

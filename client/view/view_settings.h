@@ -27,6 +27,8 @@ struct ViewSettings {
   PartsChoice parts = {};                             // what the viewer wants to see of them
   std::vector<BodyId> highlighted = {};               // bodies that are shown bright
   const PartsList* parts_list = nullptr;              // to be drawn; null: shut
+  std::vector<Vec3> cut_guide = {};                   // m: line on tissue that the desk's blade would cut
+  std::optional<double> cut_depth = {};               // m that the desk's blade is set to
   std::vector<std::string> insets;  // names of users whose views are seen small; not in stereo
   std::string follow;               // name of a participant; empty: own camera
   std::optional<Pose>

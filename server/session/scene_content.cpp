@@ -37,6 +37,14 @@ SceneBody describe(const Simulation& simulation, const Desc& desc, BodyKind kind
   return body;
 }
 
+/// Returns the ends of the body's cutting edges, two by two, without triangles. Beams have no edge.
+TriangleMesh ends_of_edges(const RigidDesc& desc) {
+  TriangleMesh out;
+  for (const EdgeDesc& edge : desc.edges)
+    if (!edge.ray) out.positions.insert(out.positions.end(), {edge.from, edge.to});
+  return out;
+}
+
 }  // namespace
 
 std::string beginning(const std::string& text, std::size_t bytes) {
@@ -98,6 +106,8 @@ SceneContent make_scene_content(const Simulation& simulation, const std::vector<
       SceneBody body = describe(simulation, desc.rigid[b], BodyKind::rigid);
       body.moves = !desc.rigid[b].fixed;
       body.mesh = keep(encode(simulation.surface(b)));
+      if (const TriangleMesh ends = ends_of_edges(desc.rigid[b]); !ends.positions.empty())
+        body.map = keep(encode(ends));
       if (const auto outline = collision_outline(desc.rigid[b], simulation.surface(b)))
         body.outline = keep(encode(*outline));
       out.scene.bodies.push_back(std::move(body));

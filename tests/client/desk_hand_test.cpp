@@ -197,6 +197,100 @@ TEST_F(HandAtTheDesk, BendsUpAndDownHoweverItIsRolled) {
   }
 }
 
+/// A hand at the desk that took up a blade.
+class BladeAtTheDesk : public HandAtTheDesk {
+ protected:
+  const BladeFrame blade{{0.01, -0.01, -0.3}, -Vec3::UnitZ(), -Vec3::UnitX(), 0.04};
+
+  void SetUp() override {
+    HandAtTheDesk::SetUp();
+    guide.surface = 1.0;
+    guide.at_blade = true;
+    go_on(1);
+    hand.press();
+    go_on(0.3);
+    ASSERT_EQ(hand.take_wishes(), std::vector<HandWish>{HandWish::grasp});
+  }
+  void take_up() {
+    guide.blade = blade;
+    guide.tip = blade.tip;
+    guide.at_blade = false;
+    guide.find = [](const Ray& ray, std::optional<BodyId>) { return std::optional(floor_below(ray)); };
+    go_on(0.1);
+    hand.let_go();
+    go_on(1);
+  }
+  static Picked floor_below(const Ray& ray) {
+    const double distance = -ray.from.y() / ray.along.y();
+    return {{distance, ray.from + distance * ray.along, Vec3::UnitY()}, 5};
+  }
+  void point_at_tissue(double x) {
+    guide.pointer.along = (Vec3(x, 0, -1) - guide.pointer.from).normalized();
+    guide.tissue = floor_below(guide.pointer);
+    guide.surface = guide.tissue->distance;
+  }
+};
+
+TEST_F(BladeAtTheDesk, StaysInTheHandUntilAClickBesideTissue) {
+  hand.let_go();
+  EXPECT_TRUE(hand.take_wishes().empty()) << "the server has not told yet what it is";
+  take_up();
+  EXPECT_TRUE(hand.is_closed());
+  EXPECT_TRUE(hand.take_wishes().empty());
+  EXPECT_EQ(hand.cut_depth(), std::optional(first_cut_depth));
+  hand.press();
+  go_on(1);
+  hand.let_go();
+  EXPECT_TRUE(hand.take_wishes().empty()) << "held, not clicked";
+  hand.press();
+  go_on(0.2);
+  hand.let_go();
+  EXPECT_EQ(hand.take_wishes(), std::vector<HandWish>{HandWish::release});
+  EXPECT_FALSE(hand.cut_depth());
+}
+
+TEST_F(BladeAtTheDesk, IsLetGoWhereTheServerSaysThatTheHandHoldsNone) {
+  hand.let_go();
+  go_on(1);
+  EXPECT_EQ(hand.take_wishes(), std::vector<HandWish>{HandWish::release});
+  EXPECT_FALSE(hand.is_closed());
+}
+
+TEST_F(BladeAtTheDesk, OpensWhenTheBladeIsTakenOutOfIt) {
+  take_up();
+  guide.blade.reset();
+  guide.tip.reset();
+  go_on(1);
+  EXPECT_FALSE(hand.is_closed());
+}
+
+TEST_F(BladeAtTheDesk, CutsWhereTheButtonDrawsIt) {
+  take_up();
+  point_at_tissue(0);
+  go_on(1);
+  hand.press();
+  go_on(0.5);
+  hand.let_go();
+  go_on(0.5);
+  EXPECT_TRUE(hand.take_wishes().empty()) << "a click on tissue puts nothing down";
+  hand.press();
+  hand.reach(0.05);
+  double deepest = 0;
+  for (int k = 0; k <= 100; ++k) {
+    point_at_tissue(0.001 * k);
+    go_on(0.02);
+    deepest = std::min(deepest, (hand.pose() * blade.tip).y());
+  }
+  hand.let_go();
+  for (int k = 0; k < 100; ++k) {
+    go_on(0.02);
+    deepest = std::min(deepest, (hand.pose() * blade.tip).y());
+  }
+  EXPECT_NEAR(deepest, -first_cut_depth - 0.005, 1e-3) << "five notches of the wheel deeper";
+  EXPECT_GT((hand.pose() * blade.tip).y(), 0.01) << "out again";
+  EXPECT_TRUE(hand.is_closed());
+}
+
 TEST_F(HandAtTheDesk, NeverJumps) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> anywhere(-1, 1);

@@ -122,6 +122,25 @@ class Told : public testing::Test {
     out.chain_hash = chain_hash_of(out);
     return out;
   }
+  /// Makes the liver's surface a strip with a cut along z = 0 that long, 20 mm deep.
+  void lay_open(double length) {
+    surface.positions = {{0, 0, 0}, {length, 0, 0}, {0, -0.02, 0}, {length, -0.02, 0},
+                         {0, 0, 0}, {length, 0, 0}, {0, -0.02, 0}, {length, -0.02, 0},
+                         {0, 0, 1}, {1, 0, 1},      {0, 0, -1},    {1, 0, -1}};
+    surface.triangles = {{0, 8, 9}, {0, 9, 1}, {4, 5, 11}, {4, 11, 10},
+                         {0, 1, 3}, {0, 3, 2}, {4, 6, 7},  {4, 7, 5}};
+    surface.inner = {0, 0, 0, 0, 1, 1, 1, 1};
+    map.rows.clear();
+    points.resize(4);
+    for (const Vec3& x : surface.positions) {
+      map.rows.push_back({{static_cast<std::uint32_t>(points.size())}, {1}});
+      points.push_back(x);
+    }
+    mesh = encode(surface);
+    streamed = encode(StreamedSurface{points, map});
+    for (const Asset* asset : {&mesh, &streamed})
+      say(AssetChunk{asset->hash, 0, 1, static_cast<std::uint32_t>(asset->bytes.size()), asset->bytes});
+  }
   Lines news(double now) { return happenings.look(replica, now); }
 };
 
@@ -130,6 +149,23 @@ TEST_F(Told, WhatWasThereAtTheFirstLookIsNoNews) {
   ASSERT_NE(replica.topology(0), nullptr) << replica.missing();
   EXPECT_EQ(news(0), Lines{});
   EXPECT_EQ(news(1), Lines{});
+}
+
+TEST_F(Told, AStrokeIsToldWithItsLengthAndDepthWhenItHasEnded) {
+  join(ada, "Ada", Role::dissector);
+  news(0);
+  lay_open(0.06);
+  say(revision(0, 1, TopologyCause::cut, self));
+  EXPECT_EQ(news(1), Lines{"you cut the liver"});
+  lay_open(0.1);
+  say(revision(0, 2, TopologyCause::cut, self));
+  EXPECT_EQ(news(1.9), Lines{});
+  EXPECT_EQ(news(2.8), Lines{}) << "it may go on";
+  EXPECT_EQ(news(3), Lines{"cut: 100 mm long, 20 mm deep, in the liver"});
+  lay_open(0.13);
+  say(revision(0, 3, TopologyCause::cut, ada));
+  EXPECT_EQ(news(4), Lines{"Ada cut the liver"});
+  EXPECT_EQ(news(5.1), Lines{"Ada's cut: 30 mm long, in the liver"}) << "what was there isn't hers";
 }
 
 TEST_F(Told, WhoComesChangesRolesAndGoesIsTold) {

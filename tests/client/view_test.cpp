@@ -307,7 +307,7 @@ TEST(Avatar, HasAHeadShouldersAndAName) {
 }
 
 /// A floor at a height, as cues find it.
-HandCues::Find floor_at(double height) {
+FindSurface floor_at(double height) {
   return [height](const Ray& ray, std::optional<BodyId>) -> std::optional<Picked> {
     const double distance = (height - ray.from.y()) / ray.along.y();
     if (!(distance > 0)) return std::nullopt;

@@ -126,6 +126,31 @@ TEST(Replica, IsCompleteOnlyWithSceneMeshesTopologyAndState) {
   EXPECT_EQ(replica.refused(), 0u);
 }
 
+TEST(Replica, KnowsTheEdgesOfABlade) {
+  const SmallScene s;
+  SceneInfo scene;
+  SceneBody& knife = scene.bodies.emplace_back();
+  knife.name = "knife";
+  knife.mesh = s.mesh_asset.hash;
+  const auto received = [&](const std::vector<Vec3>& ends) {
+    const Asset edges = encode(TriangleMesh{ends, {}});
+    scene.bodies[0].map = edges.hash;
+    Replica replica;
+    for (const Message& m : std::vector<Message>{session(), scene, SmallScene::chunk(s.mesh_asset)})
+      feed(replica, m);
+    EXPECT_FALSE(replica.complete()) << "the edges are on their way";
+    feed(replica, SmallScene::chunk(edges));
+    EXPECT_TRUE(replica.complete());
+    return replica;
+  };
+  const Replica good = received({{0, 0, -0.5}, {0, 0, -1}, {1, 0, 0}, {2, 0, 0}});
+  ASSERT_EQ(good.rigid(0)->edges.size(), 2u);
+  EXPECT_EQ(good.rigid(0)->edges[1].to, Vec3(2, 0, 0));
+  const Replica bad = received({{0, 0, -0.5}, {0, 0, -1}, {1, 0, 0}});
+  EXPECT_TRUE(bad.rigid(0)->edges.empty()) << "one without its other end";
+  EXPECT_EQ(bad.refused(), 1u);
+}
+
 TEST(Replica, CallsBodiesAsInItsReadersLanguage) {
   SceneInfo scene = SmallScene().scene();
   scene.bodies[0].names = {{"de", "Organ auf Deutsch"}};

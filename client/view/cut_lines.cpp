@@ -1,0 +1,81 @@
+#include "client/view/cut_lines.h"
+
+#include <algorithm>
+
+namespace prosector {
+namespace {
+
+constexpr double closer = 0.004;  // m, to the eye: sides of a cut that press on each other go into each other
+const Vec3 wet_dark{0.035, 0.002, 0.002};
+
+/// Returns how many pixels a metre at that place has.
+double pixels_per_metre(const DrawCamera& camera, const Vec3& at) {
+  const double depth = std::max(-(camera.pose.inverse() * at).z(), camera.near);
+  return camera.height / (camera.top - camera.bottom) / depth;
+}
+
+}  // namespace
+
+void CutLines::begin() {
+  for (auto& [id, body] : bodies_) body.mesh = nullptr;
+}
+
+void CutLines::put(BodyId id, const SoftReplica& soft, const DrawMesh& mesh, const Affine& shape) {
+  const auto [entry, is_new] = bodies_.try_emplace(id);
+  Body& body = entry->second;
+  body.mesh = &mesh;
+  body.placed = shape;
+  if (!is_new && body.shape == soft.shape()) return;
+  body.shape = soft.shape();
+  changed_ = true;
+  const TriangleMesh& rest = soft.rest();
+  body.has_walls = std::ranges::find(rest.inner, std::uint8_t{1}) != rest.inner.end();
+  body.rims.clear();
+  body.rest.clear();
+  if (soft.revision() == 0 && !body.has_walls) return;
+  body.rims = cut_rims(rest);
+  for (const CutRim& rim : body.rims) body.rest.push_back({rest.positions[rim.a], rest.positions[rim.b]});
+}
+
+/// Finds the sides of all bodies' cuts. What came off has the other side of what stays.
+void CutLines::find_sides() {
+  changed_ = false;
+  sides_.clear();
+  std::vector<RestEdge> rest;
+  for (const auto& [id, body] : bodies_)
+    for (std::size_t k = 0; k < body.rims.size(); ++k) {
+      sides_.push_back({&body, body.rims[k], {}});
+      rest.push_back(body.rest[k]);
+    }
+  const auto others = other_sides(rest);
+  for (std::size_t k = 0; k < sides_.size(); ++k) sides_[k].other = others[k];
+  // Numbers of sides must stay, so those of a border that is no cut's lose only their body.
+  for (Side& side : sides_)
+    if (!side.other && !side.body->has_walls) side.body = nullptr;
+}
+
+Vec3 CutLines::place(const Side& side, std::uint32_t vertex) {
+  const DrawMesh& mesh = *side.body->mesh;
+  return side.body->placed * mesh.positions[vertex].cast<double>().eval();
+}
+
+void CutLines::add(DrawList& list) {
+  if (changed_) find_sides();
+  const Vec3 eye = list.cameras.front().pose.p;
+  const auto is_seen = [](const Side& side) { return side.body != nullptr && side.body->mesh != nullptr; };
+  for (const Side& side : sides_) {
+    if (!is_seen(side)) continue;
+    const Vec3 a = place(side, side.rim.a), b = place(side, side.rim.b);
+    if (side.other && is_seen(sides_[*side.other])) {
+      const Side& other = sides_[*side.other];
+      const Vec3 opposite = (place(other, other.rim.a) + place(other, other.rim.b)) / 2;
+      const Vec3 middle = (a + b) / 2;
+      const double gap = (opposite - middle).norm() * pixels_per_metre(list.cameras.front(), middle);
+      if (gap > closed_pixels) continue;
+    }
+    const auto nearer = [&](const Vec3& x) { return Vec3(x + closer * (eye - x).normalized()); };
+    list.lines.push_back({.a = nearer(a), .b = nearer(b), .color = wet_dark, .width = width});
+  }
+}
+
+}  // namespace prosector
