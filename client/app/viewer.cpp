@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdlib>
 
+#include "client/app/picture_file.h"
 #include "client/view/anatomy_points.h"
 #include "client/view/held_things.h"
 #include "client/view/loading_picture.h"
+#include "common/error.h"
 
 namespace prosector {
 
@@ -44,9 +48,8 @@ void Viewer::draw_if_seen(InputPump* pump) {
 void Viewer::draw_loading(const std::string& waits_for, double progress) {
   if (!has_desk()) return;
   stage_->desk->wait();
-  const double scale = options_.scale.value_or(stage_->window->content_scale());
   stage_->renderer->draw(loading_picture(options_.bus.session, waits_for, progress, stage_->context->width(),
-                                         stage_->context->height(), scale));
+                                         stage_->context->height(), scale()));
   stage_->context->present();
 }
 
@@ -67,10 +70,16 @@ void Viewer::tell_failures() {
 
 std::string Viewer::help(Role role, HelpColumns columns) const {
   std::vector<ControlDevice> devices;
+  if (has_desk() && connection_.with_replica([](Replica& r) { return r.recording().has_value(); }))
+    devices.push_back(ControlDevice::recording);
   devices.push_back(has_devices(options_.devices) ? ControlDevice::headset : ControlDevice::hand);
   if (has_desk()) devices.push_back(ControlDevice::view);
   if (has_desk() && stage_->desk->has_gamepad()) devices.push_back(ControlDevice::gamepad);
   return help_text(role, devices, columns);
+}
+
+double Viewer::scale() const {
+  return options_.scale.value_or(stage_->window != nullptr ? stage_->window->content_scale() : 1);
 }
 
 Role Viewer::role_of(ParticipantId participant) {
@@ -101,11 +110,16 @@ DeskSession Viewer::desk_session(const Replica& replica, double tick, Participan
     return connection_.with_replica([&](Replica& r) { return r.soft(body) != nullptr; });
   };
   const auto own = replica.panels().find(self);
-  if (own != replica.panels().end()) out.own_panel = own->second;
+  if (own != replica.panels().end()) {
+    out.own_panel = own->second;
+    out.has_effort = replica.body_status(own->second.body) != nullptr;
+  }
   const auto user = replica.user(self, tick);
   if (user && user->hands[right_hand].tracked) out.physical_hand = user->hands[right_hand].pose;
   out.tip = instrument_tip(replica, hand, tick);
   out.pace = replica.pace();
+  out.watched = shown_time(replica, tick);
+  out.scale = scale();
   return out;
 }
 
@@ -136,6 +150,30 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
         (settings.notes.empty() ? "" : "\n\n") + help(role_of(self.participant), HelpColumns::tabs);
   if (pump != nullptr && !has_devices(options_.devices))
     drive_hand_at_desk(*pump, self, session.own_panel.has_value());
+  if (pump == nullptr) ask_for_time();
+}
+
+/// Sends what somebody without hands may ask for.
+void Viewer::ask_for_time() {
+  for (const Command& command : stage_->desk->take_commands())
+    if (command.kind == CommandKind::set_pace || command.kind == CommandKind::step_ticks ||
+        command.kind == CommandKind::seek)
+      connection_.command(command);
+}
+
+/// Shows the time of a recording that is watched.
+void Viewer::watch_time(const Replica& replica, double tick, ViewSettings& settings) const {
+  const std::optional<ShownTime> shown = shown_time(replica, tick);
+  if (!shown) return;
+  WatchedTime& time = settings.time.emplace();
+  time.recording = *replica.recording();
+  time.tick = shown->tick;
+  time.tick_rate = shown->tick_rate;
+  time.pace = shown->pace;
+  time.pointer = {-1, -1};
+  if (!stage_->desk) return;
+  time.wish = stage_->desk->wished_tick();
+  time.pointer = settings.pointer / settings.scale;
 }
 
 void Viewer::drive_hand_at_desk(InputPump& pump, LocalUser& self, bool has_panel) {
@@ -187,17 +225,46 @@ Image Viewer::draw(InputPump* pump, bool keep) {
   if (stage_->desk) use_desk(pump, self, settings);
   settings.width = stage_->context->width();
   settings.height = stage_->context->height();
-  settings.scale = options_.scale.value_or(stage_->window != nullptr ? stage_->window->content_scale() : 1);
-  const DrawList* list = nullptr;
-  connection_.with_replica([&](Replica& replica) {
-    list = &stage_->view.build(replica, replica.advance(monotonic_ns()), self, settings);
-  });
-  stage_->renderer->draw(*list);
+  settings.scale = scale();
+  stage_->renderer->draw(build_list(self, settings));
   Image image;
   if (keep) image = stage_->renderer->read_pixels();
   stage_->context->present();
   note_picture(seconds_since(begin));
+  if (const int times = stage_->desk ? stage_->desk->take_picture_request() : 0; times > 0)
+    keep_picture(times, self, settings);
   return image;
+}
+
+const DrawList& Viewer::build_list(const LocalUser& self, ViewSettings& settings) {
+  return connection_.with_replica([&](Replica& replica) -> const DrawList& {
+    const double tick = replica.advance(monotonic_ns());
+    watch_time(replica, tick, settings);
+    return stage_->view.build(replica, tick, self, settings);
+  });
+}
+
+/// Keeps what is shown as a file of its own, so many times as large.
+void Viewer::keep_picture(int times, const LocalUser& self, ViewSettings settings) {
+  const auto tick = connection_.with_replica(
+      [](Replica& r) { return static_cast<std::uint64_t>(r.shown_tick(r.advance(monotonic_ns()))); });
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::string(value != nullptr ? value : "");
+  };
+  settings.width *= times;
+  settings.height *= times;
+  settings.scale *= times;
+  settings.pointer *= times;
+  try {
+    const std::filesystem::path file =
+        free_picture_file(pictures_folder(variable), std::chrono::system_clock::now(), tick);
+    write_png(stage_->renderer->picture_of(build_list(self, settings), settings.width, settings.height),
+              file);
+    tell_(fmt::format("picture: {}", file.string()));
+  } catch (const InputError& error) {
+    tell_(error.what());
+  }
 }
 
 void Viewer::note_picture(double seconds) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/view/stereo_profile.h"
+#include "client/view/time_bar.h"
 #include "client/view/value_paint.h"
 #include "common/messages.h"
 
@@ -23,6 +24,7 @@ struct ViewSettings {
   std::vector<std::string> messages = {};             // lines at the lower border, the oldest first
   std::optional<BodyId> pointed = {};                 // body to name beside the pointer
   Eigen::Vector2d pointer = Eigen::Vector2d::Zero();  // pixels from the top left
+  std::optional<WatchedTime> time = {};               // of the recording that is watched
   std::vector<std::string> insets;  // names of users whose views are seen small; not in stereo
   std::string follow;               // name of a participant; empty: own camera
   std::optional<Pose>
