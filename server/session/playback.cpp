@@ -119,8 +119,11 @@ void Playback::take_wishes() {
 
 std::vector<Outgoing> Playback::play_tick() {
   const std::int64_t begun = monotonic_ns();
+  const bool was_near_enough = player_.is_near_enough();
+  epoch_left_ = told_time().epoch;
   const StepReport& report = player_.step();
   session_.finish_tick({});
+  if (was_near_enough && !player_.is_near_enough()) return arrive();
   std::vector<Outgoing> out;
   meet_people(out);
   topology_.follow(report.topology, told_time(), people_, out);
@@ -143,8 +146,9 @@ std::vector<Outgoing> Playback::go_on_the_way() {
 /// an epoch of its own, as after a rewind.
 std::vector<Outgoing> Playback::arrive() {
   const double rate = simulation_.scene().tick_rate;
-  say_(fmt::format("at {} after {:.2f} s of work", clock_of(player_.tick(), rate),
-                   seconds_since(way_begun_ns_)));
+  if (way_to_)
+    say_(fmt::format("at {} after {:.2f} s of work", clock_of(player_.tick(), rate),
+                     seconds_since(way_begun_ns_)));
   way_to_.reset();
   epoch_shift_ = epoch_left_ + 1 - simulation_.time().epoch;
   std::vector<Outgoing> out;

@@ -17,6 +17,10 @@ RecordingPlayer::RecordingPlayer(const JournalReader& journal, Simulation& simul
 const StepReport& RecordingPlayer::step() {
   const JournalTick recorded = journal_.tick(tick() + 1);
   const StepReport& report = simulation_.step(recorded.input.input);
+  if (near_enough_) {
+    if (!meet_known_state() && recorded.rebuilt) (void)simulation_.checkpoint();
+    return report;
+  }
   State state;
   if (recorded.rebuilt) state = simulation_.checkpoint();
   if (!same_topology(recorded.topology, report.topology) || simulation_.state_hash() != recorded.state_hash)
@@ -31,8 +35,20 @@ void RecordingPlayer::approach(std::uint64_t tick) {
   if (state.empty()) return;
   simulation_.restore(state);
   difference_.reset();
+  near_enough_ = this->tick() == 0;
   if (this->tick() > 0 && simulation_.state_hash() != journal_.state_hash(this->tick()))
     difference_ = this->tick();
+}
+
+/// Takes the recorded state of this tick, where it is known: from here on it is exact again.
+bool RecordingPlayer::meet_known_state() {
+  const auto kept = kept_.find(tick());
+  std::optional<Checkpoint> checkpoint;
+  if (kept == kept_.end() && checkpoints_.contains(tick())) checkpoint = journal_.checkpoint(tick());
+  if (kept == kept_.end() && !checkpoint) return false;
+  simulation_.restore(kept != kept_.end() ? kept->second : checkpoint->state);
+  near_enough_ = false;
+  return true;
 }
 
 /// Returns the state from which the fewest ticks are left to run; empty: the present one.

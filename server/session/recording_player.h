@@ -34,6 +34,10 @@ class RecordingPlayer {
   /// Returns the tick that differs.
   std::optional<std::uint64_t> difference() const { return difference_; }
 
+  /// Tells whether the beginning was gone back to and no known state was met since. A scene's first ticks run
+  /// on caches that compiling made; after a restore the last bits may differ, so hashes are not compared.
+  bool is_near_enough() const { return near_enough_; }
+
   /// Runs the next tick. Throws InputError when it can't be read any more.
   const StepReport& step();
   /// Goes as near before `tick` as a known state is, unless it is nearer already. The ticks that are left are
@@ -50,7 +54,9 @@ class RecordingPlayer {
   std::map<std::uint64_t, State> kept_;
   std::size_t kept_bytes_ = 0;
   std::optional<std::uint64_t> difference_;
+  bool near_enough_ = false;
 
+  bool meet_known_state();
   void keep(State state);
   State state_before(std::uint64_t tick);
 };
