@@ -121,12 +121,15 @@ enum class CommandKind : std::uint8_t {
   undo,         // the sender's last cut
   rewind,       // by the host: everything as it was when `body` got its `revision`
   keyframe,    // by anyone, observers too: what the sender holds of `body` doesn't fit its log; send it whole
-  set_pace,    // by the host: `value` simulated seconds a real one, least_pace … 1, or 0: time stands still
+  set_pace,    // by the host: `value` simulated seconds a real one: 0, or least_pace … 1
   step_ticks,  // by the host: time stands still, but for `revision` ticks, 1 … most_steps
-  reset_all    // by the host: everything as it was when the server began
+  reset_all,   // by the host: everything as it was when the server began
+  seek,        // of a recording that is watched: to what was at the end of the tick `revision`
+  set_effort,  // by the host: from now on `body` is solved `revision` steps less exactly, 0 … max_steps_down
+  set_all_efforts  // by the host: so is every deformable
 };
-inline constexpr CommandKind last_command = CommandKind::reset_all;
-inline constexpr double least_pace = 1.0 / 64;
+inline constexpr CommandKind last_command = CommandKind::set_all_efforts;
+inline constexpr double least_pace = 1.0 / 64, most_pace = 8;  // above 1: of a recording that is watched
 inline constexpr std::uint32_t most_steps = 6000;
 
 /// What a part's panel has, in the order of the table in common/panel.h.
@@ -147,13 +150,13 @@ struct Command {
   std::uint64_t sequence = 0;
   CommandKind kind = CommandKind::join;
   std::uint8_t hand = right_hand;  // for grasp and release
-  BodyId body = 0;                 // for reset, detach, attach, inspect, open_panel, rewind, keyframe
-  ParticipantId subject = 0;       // for set_role
-  Role role = Role::observer;      // for set_role
+  BodyId body = 0;             // of reset, detach, attach, inspect, open_panel, rewind, keyframe, set_effort
+  ParticipantId subject = 0;   // for set_role
+  Role role = Role::observer;  // for set_role
   Affine shape;  // for inspect: from where the body's points are without it to where they are seen
   PanelControl control = PanelControl::attach;  // for set_control
   double value = 0;            // for set_control: button 0 off, 1 on; slider 0 … 1. For set_pace
-  std::uint32_t revision = 0;  // for rewind; for step_ticks: how many
+  std::uint32_t revision = 0;  // for rewind, step_ticks, seek, set_effort and set_all_efforts
 };
 
 struct CommandResult {
@@ -411,7 +414,7 @@ struct Panel {
 struct RoomState {
   SimTime time;
   double lights = 1;  // brightness of all lights but the lamps that bodies carry, 0 … 1
-  double pace = 1;    // simulated seconds a real one, as the host has it; 0: time stands still
+  double pace = 1;    // simulated seconds a real one, as people have it; 0: time stands still
 };
 
 inline constexpr std::size_t step_phases = 8;
@@ -453,9 +456,27 @@ struct BodyStatus {
 };
 inline constexpr std::uint32_t max_steps_down = 3;
 
+/// What happened in a recorded session, as marks tell.
+enum class MarkKind : std::uint8_t { joined, left, cut, taken_back, reset };
+inline constexpr MarkKind last_mark = MarkKind::reset;
+
+/// Something that happened in a recorded session.
+struct RecordingMark {
+  std::uint64_t tick = 0;
+  MarkKind kind = MarkKind::cut;
+  std::string who;  // name of who did it; empty: nobody
+};
+inline constexpr std::size_t max_recording_marks = 1024;
+
+/// server → all, reliable, transient-local: that a recording is watched. Its ticks are those of SimTime.
+struct Recording {
+  std::uint64_t last_tick = 0;       // it begins at 0
+  std::vector<RecordingMark> marks;  // by tick, ascending
+};
+
 /// Everything that a Bus carries. A message's place is its topic's index (idl/topics.h).
 using Message = std::variant<SessionInfo, Presence, RosterEntry, HandInput, UserState, Command, CommandResult,
                              SceneInfo, AssetChunk, RigidState, SoftState, Settled, TopologyRevision,
-                             ContactSample, ServerStatus, BodyStatus, PartState, Panel, RoomState>;
+                             ContactSample, ServerStatus, BodyStatus, PartState, Panel, RoomState, Recording>;
 
 }  // namespace prosector

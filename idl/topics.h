@@ -60,6 +60,7 @@ inline constexpr std::array<TopicSpec, topic_count> topics{{
   {"PartState",         Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, keyed<PartState, &PartState::body>},
   {"Panel",             Writers::server,   true,    true,     1, 0,   true,  false,   0,  0,   1, keyed<Panel, &Panel::participant>},
   {"RoomState",         Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, keyed<RoomState>},
+  {"Recording",         Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, keyed<Recording>},
 }};
 // clang-format on
 

@@ -36,7 +36,7 @@ class Connection {
 
   /// Runs `f(replica)` while the network thread waits.
   template <class F>
-  auto with_replica(F&& f) {
+  decltype(auto) with_replica(F&& f) {
     std::lock_guard lock(mutex_);
     return f(servers_.replica());
   }

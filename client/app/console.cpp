@@ -4,8 +4,10 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <csignal>
 #include <optional>
 #include <sstream>
@@ -75,12 +77,19 @@ ConsoleLine set_pace(double pace) {
   return out;
 }
 
+/// Reads a number that is not below 0, and nothing else.
+std::optional<double> number_of(const std::string& text) {
+  double out = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole && std::isfinite(out) && out >= 0 ? std::optional(out) : std::nullopt;
+}
+
 ConsoleLine slow(const std::string& rest) {
-  double share = 0;
-  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), share);
-  if (error != std::errc() || end != rest.data() + rest.size() || !(share >= least_pace && share <= 1))
+  const std::optional<double> share = number_of(rest);
+  if (!share || *share < least_pace || *share > 1)
     return fmt::format("slow SHARE: of real time, {:g} to 1", least_pace);
-  return set_pace(share);
+  return set_pace(*share);
 }
 
 ConsoleLine step(const std::string& rest) {
@@ -92,6 +101,55 @@ ConsoleLine step(const std::string& rest) {
   if (error != std::errc() || end != rest.data() + rest.size() || out.revision < 1 ||
       out.revision > most_steps)
     return fmt::format("step TICKS: 1 to {}, or nothing for one", most_steps);
+  return out;
+}
+
+ConsoleLine fast(const std::string& rest) {
+  const std::optional<double> times = number_of(rest);
+  if (!times || *times < 1 || *times > most_pace)
+    return fmt::format("fast TIMES: as fast as real time, 1 to {:g}; of a recording", most_pace);
+  return set_pace(*times);
+}
+
+ConsoleLine effort(const std::string& rest, const SceneInfo& scene) {
+  const auto [name, word] = split_last(rest);
+  const std::optional<double> steps = word == "exact"    ? std::optional(0.0)
+                                      : word == "coarse" ? std::optional<double>(max_steps_down)
+                                                         : number_of(word);
+  if (name.empty() || word.empty() || !steps || *steps > max_steps_down || *steps != std::floor(*steps))
+    return fmt::format("effort PART STEPS, or effort all STEPS: 0 or exact, as described, to {} or coarse",
+                       max_steps_down);
+  Command out;
+  out.kind = name == "all" ? CommandKind::set_all_efforts : CommandKind::set_effort;
+  out.revision = static_cast<std::uint32_t>(*steps);
+  if (name == "all") return out;
+  const auto body = body_of(scene, name);
+  if (!body) return fmt::format("the scene has no body called \"{}\"", name);
+  out.body = *body;
+  return out;
+}
+
+/// Reads seconds, or minutes and seconds: "75", "1:15".
+std::optional<double> seconds_of(const std::string& text) {
+  const auto colon = text.find(':');
+  const std::optional<double> seconds = number_of(text.substr(colon == text.npos ? 0 : colon + 1));
+  if (colon == text.npos || !seconds) return seconds;
+  const std::optional<double> minutes = number_of(text.substr(0, colon));
+  if (!minutes || *seconds >= 60) return std::nullopt;
+  return 60 * *minutes + *seconds;
+}
+
+ConsoleLine seek(const std::string& rest, const std::optional<ShownTime>& watched) {
+  if (!watched) return "seek: this session is live; only a recording has times to go to";
+  const bool from_now = rest.starts_with('+') || rest.starts_with('-');
+  const std::optional<double> seconds = seconds_of(from_now ? rest.substr(1) : rest);
+  if (!seconds) return "seek TIME: 75 or 1:15, in seconds or minutes; or +10, -10 from now";
+  const double way = rest.starts_with('-') ? -*seconds : *seconds;
+  const double tick = (from_now ? watched->tick : 0) + way * watched->tick_rate;
+  Command out;
+  out.kind = CommandKind::seek;
+  out.revision =
+      static_cast<std::uint32_t>(std::lround(std::clamp(tick, 0.0, static_cast<double>(watched->last_tick))));
   return out;
 }
 
@@ -119,7 +177,8 @@ std::string console_help() {
 
 ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
                                const std::map<ParticipantId, RosterEntry>& roster,
-                               const std::function<Vec3(BodyId)>& middle) {
+                               const std::function<Vec3(BodyId)>& middle,
+                               const std::optional<ShownTime>& watched) {
   auto [verb, rest] = split_first(line);
   static const std::map<std::string, CommandKind> verbs = {{"detach", CommandKind::detach},
                                                            {"attach", CommandKind::attach},
@@ -132,6 +191,9 @@ ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
   if (verb == "stop") return set_pace(0);
   if (verb == "go") return set_pace(1);
   if (verb == "slow") return slow(rest);
+  if (verb == "fast") return fast(rest);
+  if (verb == "effort") return effort(rest, scene);
+  if (verb == "seek") return seek(rest, watched);
   if (verb == "step") return step(rest);
   if (verb == "reset" && rest == "all") {
     Command out;

@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "client/replica/shown_time.h"
 #include "common/messages.h"
 
 namespace prosector {
@@ -38,10 +40,11 @@ using ConsoleLine =
     std::variant<Command, TakePicture, LookFrom, LookAsBefore, ListCuts, TellPointed, std::string>;
 
 /// Reads a line. Names are those of the roster and the scene; they may hold spaces. `middle` returns that of
-/// a body in the room, m.
+/// a body in the room, m; `watched` is of the recording that is watched.
 ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
                                const std::map<ParticipantId, RosterEntry>& roster,
-                               const std::function<Vec3(BodyId)>& middle);
+                               const std::function<Vec3(BodyId)>& middle,
+                               const std::optional<ShownTime>& watched = std::nullopt);
 
 /// Standard input: take() returns the lines that were typed since the last call and waits for none. Ends
 /// quietly with standard input.

@@ -8,9 +8,12 @@ namespace prosector {
 namespace {
 
 std::string_view name_of(ControlDevice device) {
-  constexpr std::array<std::string_view, 5> names = {"The view, with mouse and keyboard",
-                                                     "Your hand, with the mouse", "Gamepad",
-                                                     "Headset and glove", "At this terminal"};
+  constexpr std::array<std::string_view, 6> names = {"The view, with mouse and keyboard",
+                                                     "Your hand, with the mouse",
+                                                     "Gamepad",
+                                                     "Headset and glove",
+                                                     "At this terminal",
+                                                     "Time, while a recording is watched"};
   return names[static_cast<std::size_t>(device)];
 }
 

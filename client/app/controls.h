@@ -13,9 +13,9 @@
 
 namespace prosector {
 
-/// What people have in their hands. Mouse and keyboard move the view of everyone who has a window, and the
-/// hand of those who have no other device.
-enum class ControlDevice : std::uint8_t { view, hand, gamepad, headset, terminal };
+/// What people have in their hands; `recording`: time, while one is watched. Mouse and keyboard move the view
+/// of everyone who has a window, and the hand of those who have no other device.
+enum class ControlDevice : std::uint8_t { view, hand, gamepad, headset, terminal, recording };
 
 struct Control {
   ControlDevice device;
@@ -48,7 +48,8 @@ inline constexpr std::array controls = {
     Control{ControlDevice::view, Role::observer, "V", "colours organs by strain, residual, error"},
     Control{ControlDevice::view, Role::observer, "C", "what bodies collide as"},
     Control{ControlDevice::view, Role::observer, "I", "figures of pictures, network and simulation"},
-    Control{ControlDevice::view, Role::observer, "F11", "fills the screen"},
+    Control{ControlDevice::view, Role::observer, "F11, F12",
+            "fills the screen; keeps a picture (Shift: x 2)"},
     Control{ControlDevice::view, Role::host, "Space, comma, full stop",
             "stops time, or goes on; half its pace; a tick"},
     Control{ControlDevice::view, Role::observer, "H, F1", "these lines"},
@@ -101,6 +102,17 @@ inline constexpr std::array controls = {
     Control{ControlDevice::terminal, Role::host, "slow SHARE", "slow motion, a share of real time"},
     Control{ControlDevice::terminal, Role::host, "step [TICKS]", "while time stands still: so many ticks"},
     Control{ControlDevice::terminal, Role::host, "reset all", "everything as it was at the server's start"},
+    Control{ControlDevice::terminal, Role::host, "effort PART STEPS",
+            "how it is solved: 0 exact to 3 coarse; all"},
+    Control{ControlDevice::terminal, Role::observer, "seek TIME", "a recording: to 1:15, or by +10, -10 s"},
+    Control{ControlDevice::terminal, Role::observer, "fast TIMES",
+            "a recording: as fast as real time, 1 to 8"},
+    Control{ControlDevice::recording, Role::observer, "bar: click, drag", "goes to that time"},
+    Control{ControlDevice::recording, Role::observer, "Left, Right", "10 s back; 10 s on"},
+    Control{ControlDevice::recording, Role::observer, "Page up, Page down", "a minute back; a minute on"},
+    Control{ControlDevice::recording, Role::observer, "Backspace", "back to its beginning"},
+    Control{ControlDevice::recording, Role::observer, "Up, Down", "twice as fast; half as fast"},
+    Control{ControlDevice::recording, Role::observer, "Space, full stop", "stands, or goes on; by a tick"},
 };
 
 /// What divides the columns of help: blanks, for letters of one width, or a tab, for a picture's text.

@@ -39,8 +39,11 @@ void Desk::update(const DeskSession& session) {
   const auto now = std::chrono::steady_clock::now();
   const double seconds = last_update_ ? std::chrono::duration<double>(now - *last_update_).count() : 0;
   last_update_ = now;
+  has_effort_ = session.has_effort;
   follow_panel(session.own_panel);
   pace_ = session.pace;
+  scale_ = session.scale;
+  time_.see(session.watched, std::chrono::duration<double>(now.time_since_epoch()).count());
   for (const WindowEvent& event : window_.poll_events()) take(event, session);
   frame_parts(session.room);
   view_.advance(seconds, pad_);
@@ -75,6 +78,7 @@ void Desk::act(const WindowEvent& event, const DeskRoom& room) {
   }
   if (const auto* wheel = std::get_if<WheelTurned>(&event))
     turn_wheel(wheel->y != 0 ? wheel->y : wheel->x);  // some systems turn it sideways while Shift is held
+  if (std::get_if<MouseMoved>(&event)) ask(time_.move(frame(), pointer_point()));
   if (std::get_if<MouseMoved>(&event) && sliding_ && panel_ &&
       std::chrono::steady_clock::now() - last_slide_ > slide_interval)
     if (const auto point = meet(view_.pointer(), *panel_)) slide(point->at);
@@ -85,6 +89,7 @@ void Desk::press(Key key) {
   if (key == Key::tab) ++follow_requests_;
   if (key == Key::f1 || key == key_of('H')) choices_.help = !choices_.help;
   if (key == Key::f11) choices_.full_screen = !choices_.full_screen;
+  if (key == Key::f12) picture_request_ = view_.is_held(Key::shift) ? 2 : 1;
   if (key == key_of('C')) choices_.wireframes = !choices_.wireframes;
   if (key == key_of('I')) choices_.figures = !choices_.figures;
   if (key == key_of('P')) request_panel();
@@ -95,6 +100,7 @@ void Desk::press(Key key) {
 
 /// Asks for what the host alone is granted: the server tells others so.
 void Desk::press_for_time(Key key) {
+  ask(time_.press(key));
   if (key == Key::space) ask(CommandKind::set_pace, PanelControl::attach, pace_ == 0 ? 1 : 0);
   if (key == key_of(',')) ask(CommandKind::set_pace, PanelControl::attach, std::max(pace_ / 2, least_pace));
   if (key == key_of('.')) {
@@ -152,6 +158,13 @@ void Desk::move_hand(const DeskSession& session, double seconds) {
 /// Takes the button: on the user's panel it works the controls, elsewhere it grasps. The second press of a
 /// double click frames what is there; the first one is too short to grasp.
 void Desk::press_button(const DeskRoom& room) {
+  if (const auto wanted = time_.press(frame(), pointer_point())) return ask(wanted);
+  if (const auto steps_down = pointed_effort()) {
+    ask(CommandKind::set_effort);
+    commands_.back().body = panel_->body;
+    commands_.back().revision = *steps_down;
+    return;
+  }
   const auto point = panel_ ? meet(view_.pointer(), *panel_) : std::nullopt;
   if (!point) {
     is_double_click() ? view_.frame_pointed(room) : hand_.press();
@@ -162,6 +175,11 @@ void Desk::press_button(const DeskRoom& room) {
     const ControlState& button = panel_->controls[static_cast<std::size_t>(*point->control)];
     ask(CommandKind::set_control, *point->control, button.on ? 0 : 1);
   }
+}
+
+/// Returns the steps down that the pointer is at on the panel's strip.
+std::optional<std::uint32_t> Desk::pointed_effort() const {
+  return panel_ && has_effort_ ? meet_effort(view_.pointer(), *panel_) : std::nullopt;
 }
 
 /// Tells whether this press is a double click's second one, and keeps it in mind as a first one if not.
@@ -177,6 +195,7 @@ bool Desk::is_double_click() {
 
 void Desk::let_go() {
   sliding_ = false;
+  ask(time_.let_go());
   if (hand_.is_pressed()) hand_.let_go();
 }
 
@@ -192,7 +211,8 @@ void Desk::follow_panel(const std::optional<Panel>& panel) {
   if (!is_new || !std::exchange(awaits_panel_, false)) return;
   Eigen::AlignedBox3d box;
   for (const double x : {-panel_width / 2, panel_width / 2})
-    for (const double y : {-panel_height / 2, panel_height / 2}) box.extend(panel->pose * Vec3(x, y, 0));
+    for (const double y : {has_effort_ ? strip_y - strip_height / 2 : -panel_height / 2, panel_height / 2})
+      box.extend(panel->pose * Vec3(x, y, 0));
   view_.make_room_for(box);
 }
 
@@ -205,6 +225,10 @@ void Desk::frame_parts(const DeskRoom& room) {
 void Desk::slide(const Vec3& at) {
   last_slide_ = std::chrono::steady_clock::now();
   ask(CommandKind::set_control, PanelControl::stiffness, slider_position(at));
+}
+
+void Desk::ask(const std::optional<Command>& command) {
+  if (command) commands_.push_back(*command);
 }
 
 void Desk::ask(CommandKind kind, PanelControl control, double value) {

@@ -3,13 +3,16 @@
 
 #include <chrono>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "client/app/desk_hand.h"
 #include "client/app/desk_view.h"
 #include "client/app/gamepad_user.h"
 #include "client/app/parts_desk.h"
+#include "client/app/time_control.h"
 #include "client/render/window_context.h"
+#include "client/view/effort_strip.h"
 #include "client/view/value_paint.h"
 #include "common/messages.h"
 
@@ -19,6 +22,7 @@ namespace prosector {
 struct DeskSession {
   DeskRoom room;
   std::optional<Panel> own_panel = {};     // the user's open one
+  bool has_effort = false;                 // the panel has a strip that says how exactly its part is solved
   std::optional<Pose> physical_hand = {};  // the wrist as physics has it
   std::optional<Vec3> tip = {};            // of the instrument in the hand, wrist frame
   std::optional<BladeFrame> blade = {};    // in the hand, wrist frame
@@ -26,7 +30,8 @@ struct DeskSession {
   std::function<bool(BodyId)> is_blade = {};  // empty: nothing is
   double pace = 1;                            // of simulated time; 0: it stands still
   std::vector<PartRow> parts = {};            // that the open list finds
-  double scale = 1;                           // pixels of a point
+  std::optional<ShownTime> watched = {};      // of the recording that is watched
+  double scale = 1;                           // pixels of a point, in which overlays are measured
 };
 
 /// What a desk user chose to see.
@@ -66,8 +71,13 @@ class Desk {
   /// Returns the line (m, world frame) and the depth (m) that the blade in the hand would cut.
   const std::vector<Vec3>& cut_line() const { return hand_.cut_line(); }
   std::optional<double> cut_depth() const { return hand_.cut_depth(); }
+  /// Returns the tick of a recording that the user wants and that is not shown yet.
+  std::optional<std::uint64_t> wished_tick() const { return time_.wish(); }
   /// Returns how often the user asked for the eyes of the next one since the last call.
   std::size_t take_follow_requests();
+  /// Returns how many times as large as the window the user wants a picture kept, asked for since the last
+  /// call: 1 or 2; 0: none.
+  int take_picture_request() { return std::exchange(picture_request_, 0); }
 
  private:
   WindowContext& window_;
@@ -76,25 +86,31 @@ class Desk {
   DeskHand hand_;
   GamepadUser pad_;
   PartsDesk parts_;
+  TimeControl time_;
   std::optional<std::chrono::steady_clock::time_point> last_update_;
   DeskChoices choices_;
   std::size_t follow_requests_ = 0;
+  int picture_request_ = 0;
 
   // What the pointer does to parts and panels.
   std::optional<Panel> panel_;
-  bool sliding_ = false;  // the left button holds the slider
+  bool has_effort_ = false;  // the panel's strip is there
+  bool sliding_ = false;     // the left button holds the slider
   std::chrono::steady_clock::time_point last_slide_{}, last_press_{};
   Eigen::Vector2d last_press_pixel_ = Eigen::Vector2d::Zero();
   std::vector<Command> commands_;
   std::optional<Ray> panel_request_;
   std::optional<BodyId> pointed_;
-  double pace_ = 1;
+  double pace_ = 1, scale_ = 1;
   bool awaits_panel_ = false;  // asked for one that has not come up yet
 
   void take(const WindowEvent& event, const DeskSession& session);
   void act(const WindowEvent& event, const DeskRoom& room);
   void press(Key key);
   void press_for_time(Key key);
+  void ask(const std::optional<Command>& command);
+  OverlayFrame frame() const { return {view_.camera(), scale_}; }
+  Eigen::Vector2d pointer_point() const { return view_.pointer_pixel() / scale_; }
   void turn_wheel(double notches);
   void press_button(const DeskRoom& room);
   bool is_double_click();
@@ -105,7 +121,8 @@ class Desk {
   void frame_parts(const DeskRoom& room);
   void move_hand(const DeskSession& session, double seconds);
   void ask(CommandKind kind, PanelControl control = PanelControl::attach, double value = 0);
-  bool at_panel() const { return panel_ && meet(view_.pointer(), *panel_); }
+  std::optional<std::uint32_t> pointed_effort() const;
+  bool at_panel() const { return pointed_effort() || (panel_ && meet(view_.pointer(), *panel_)); }
 };
 
 }  // namespace prosector

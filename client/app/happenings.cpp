@@ -107,6 +107,7 @@ void Happenings::look_at_people(const Replica& replica, std::vector<std::string>
 void Happenings::look_at_time(const Replica& replica, std::vector<std::string>& out) {
   if (replica.pace() == pace_) return;
   pace_ = replica.pace();
+  if (replica.recording()) return;  // its bar tells
   if (pace_ == 0)
     out.push_back("the host stopped time");
   else
@@ -141,7 +142,8 @@ void Happenings::look_at_cuts(const Replica& replica, double now, std::vector<st
     const bool changed = !is_new && newest->revision != seen.revision;
     const bool same_stroke = newest->cause == TopologyCause::cut && seen.cause == TopologyCause::cut &&
                              newest->author == seen.author && now - seen.told < StrokeGauge::stroke_seconds;
-    if (changed && newest->cause != TopologyCause::compiled && !same_stroke)
+    const bool sought = replica.recording() && newest->cause == TopologyCause::rewind && newest->author == 0;
+    if (changed && newest->cause != TopologyCause::compiled && !same_stroke && !sought)
       out.push_back(fmt::format("{} {} the {}", name_of(replica, newest->author), did(newest->cause),
                                 bodies[body].name));
     if (is_new || changed) seen = {newest->revision, newest->cause, newest->author, now};

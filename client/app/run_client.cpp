@@ -186,8 +186,10 @@ class Client {
     for (const std::string& line : console_.take()) {
       if (obeys_about_parts(line)) continue;
       const auto parsed = connection_.with_replica([&](Replica& replica) {
-        return parse_console_line(line, replica.scene() ? *replica.scene() : SceneInfo{}, replica.roster(),
-                                  [&](BodyId body) { return middle_of(replica, body); });
+        return parse_console_line(
+            line, replica.scene() ? *replica.scene() : SceneInfo{}, replica.roster(),
+            [&](BodyId body) { return middle_of(replica, body); },
+            shown_time(replica, replica.advance(monotonic_ns())));
       });
       if (const Command* command = std::get_if<Command>(&parsed))
         connection_.command(*command);

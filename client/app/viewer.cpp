@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdlib>
 
+#include "client/app/picture_file.h"
 #include "client/view/anatomy_points.h"
 #include "client/view/held_things.h"
 #include "client/view/loading_picture.h"
 #include "client/view/session_overlay.h"
+#include "common/error.h"
 
 namespace prosector {
 
@@ -51,10 +55,6 @@ void Viewer::draw_loading(const std::string& waits_for, double progress) {
 }
 
 /// Returns how many pixels a point has.
-double Viewer::scale() const {
-  return options_.scale.value_or(stage_->window != nullptr ? stage_->window->content_scale() : 1);
-}
-
 void Viewer::finish(InputPump* pump) {
   if (stage_ && report_.complete_ns && sink_.wants_last()) sink_.finish(draw(pump, true));
   sink_.finish_sheet();
@@ -72,6 +72,8 @@ void Viewer::tell_failures() {
 
 std::vector<ControlDevice> Viewer::devices() const {
   std::vector<ControlDevice> out;
+  if (has_desk() && connection_.with_replica([](Replica& r) { return r.recording().has_value(); }))
+    out.push_back(ControlDevice::recording);
   out.push_back(has_devices(options_.devices) ? ControlDevice::headset : ControlDevice::hand);
   if (has_desk()) out.push_back(ControlDevice::view);
   if (has_desk() && stage_->desk->has_gamepad()) out.push_back(ControlDevice::gamepad);
@@ -91,6 +93,10 @@ std::string Viewer::pointed() const {
   return !body ? "nothing" : connection_.with_replica([&](const Replica& replica) {
     return named_with_holders(replica, *body);
   });
+}
+
+double Viewer::scale() const {
+  return options_.scale.value_or(stage_->window != nullptr ? stage_->window->content_scale() : 1);
 }
 
 Role Viewer::role_of(ParticipantId participant) {
@@ -127,15 +133,19 @@ DeskSession Viewer::desk_session(const Replica& replica, double tick, Participan
     });
   };
   const auto own = replica.panels().find(self);
-  if (own != replica.panels().end()) out.own_panel = own->second;
+  if (own != replica.panels().end()) {
+    out.own_panel = own->second;
+    out.has_effort = replica.body_status(own->second.body) != nullptr;
+  }
   const auto user = replica.user(self, tick);
   if (user && user->hands[right_hand].tracked) out.physical_hand = user->hands[right_hand].pose;
   out.tip = instrument_tip(replica, hand, tick);
   out.blade = held_blade(replica, hand, tick);
   out.pace = replica.pace();
-  out.scale = scale();
   const PartsDesk& list = stage_->desk->parts();
   if (list.is_open()) out.parts = part_rows(parts_known(replica), parts_, list.search());
+  out.watched = shown_time(replica, tick);
+  out.scale = scale();
   return out;
 }
 
@@ -172,6 +182,30 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
         (settings.notes.empty() ? "" : "\n\n") + help(role_of(self.participant), HelpColumns::tabs);
   if (pump != nullptr && !has_devices(options_.devices))
     drive_hand_at_desk(*pump, self, session.own_panel.has_value());
+  if (pump == nullptr) ask_for_time();
+}
+
+/// Sends what somebody without hands may ask for.
+void Viewer::ask_for_time() {
+  for (const Command& command : stage_->desk->take_commands())
+    if (command.kind == CommandKind::set_pace || command.kind == CommandKind::step_ticks ||
+        command.kind == CommandKind::seek)
+      connection_.command(command);
+}
+
+/// Shows the time of a recording that is watched.
+void Viewer::watch_time(const Replica& replica, double tick, ViewSettings& settings) const {
+  const std::optional<ShownTime> shown = shown_time(replica, tick);
+  if (!shown) return;
+  WatchedTime& time = settings.time.emplace();
+  time.recording = *replica.recording();
+  time.tick = shown->tick;
+  time.tick_rate = shown->tick_rate;
+  time.pace = shown->pace;
+  time.pointer = {-1, -1};
+  if (!stage_->desk) return;
+  time.wish = stage_->desk->wished_tick();
+  time.pointer = settings.pointer / settings.scale;
 }
 
 void Viewer::drive_hand_at_desk(InputPump& pump, LocalUser& self, bool has_panel) {
@@ -226,16 +260,45 @@ Image Viewer::draw(InputPump* pump, bool keep) {
   settings.height = stage_->context->height();
   settings.scale = scale();
   settings.parts = parts_;
-  const DrawList* list = nullptr;
-  connection_.with_replica([&](Replica& replica) {
-    list = &stage_->view.build(replica, replica.advance(monotonic_ns()), self, settings);
-  });
-  stage_->renderer->draw(*list);
+  stage_->renderer->draw(build_list(self, settings));
   Image image;
   if (keep) image = stage_->renderer->read_pixels();
   stage_->context->present();
   note_picture(seconds_since(begin));
+  if (const int times = stage_->desk ? stage_->desk->take_picture_request() : 0; times > 0)
+    keep_picture(times, self, settings);
   return image;
+}
+
+const DrawList& Viewer::build_list(const LocalUser& self, ViewSettings& settings) {
+  return connection_.with_replica([&](Replica& replica) -> const DrawList& {
+    const double tick = replica.advance(monotonic_ns());
+    watch_time(replica, tick, settings);
+    return stage_->view.build(replica, tick, self, settings);
+  });
+}
+
+/// Keeps what is shown as a file of its own, so many times as large.
+void Viewer::keep_picture(int times, const LocalUser& self, ViewSettings settings) {
+  const auto tick = connection_.with_replica(
+      [](Replica& r) { return static_cast<std::uint64_t>(r.shown_tick(r.advance(monotonic_ns()))); });
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::string(value != nullptr ? value : "");
+  };
+  settings.width *= times;
+  settings.height *= times;
+  settings.scale *= times;
+  settings.pointer *= times;
+  try {
+    const std::filesystem::path file =
+        free_picture_file(pictures_folder(variable), std::chrono::system_clock::now(), tick);
+    write_png(stage_->renderer->picture_of(build_list(self, settings), settings.width, settings.height),
+              file);
+    tell_(fmt::format("picture: {}", file.string()));
+  } catch (const InputError& error) {
+    tell_(error.what());
+  }
 }
 
 void Viewer::note_picture(double seconds) {

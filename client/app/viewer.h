@@ -78,16 +78,20 @@ class Viewer {
   MessageLines messages_;
   PartsChoice parts_;
 
-  double scale() const;
   Image draw(InputPump* pump, bool keep);
   void use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings);
   void begin_desk(Replica& replica, double tick, ParticipantId self);
   DeskSession desk_session(const Replica& replica, double tick, ParticipantId self);
   void drive_hand_at_desk(InputPump& pump, LocalUser& self, bool has_panel);
+  void ask_for_time();
+  void watch_time(const Replica& replica, double tick, ViewSettings& settings) const;
+  double scale() const;
   Role role_of(ParticipantId participant);
   void follow_next(ParticipantId self);
   void note_picture(double seconds);
   std::vector<ControlDevice> devices() const;
+  void keep_picture(int times, const LocalUser& self, ViewSettings settings);
+  const DrawList& build_list(const LocalUser& self, ViewSettings& settings);
 };
 
 }  // namespace prosector

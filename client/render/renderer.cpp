@@ -155,6 +155,18 @@ void Renderer::Impl::clear(const DrawCamera& camera, const Vec3& background) con
 
 void Renderer::draw(const DrawList& list) {
   Impl& r = *impl_;
+  draw(list, r.context.width(), r.context.height());
+  if (r.context.has_screen()) r.passes->target.show();
+}
+
+Image Renderer::picture_of(const DrawList& list, int width, int height) {
+  check_picture_size(width, height);
+  draw(list, width, height);
+  return read_pixels();
+}
+
+void Renderer::draw(const DrawList& list, int width, int height) {
+  Impl& r = *impl_;
   Passes& passes = *r.passes;
   std::vector<QueuedItem> items = r.upload(list);
   r.prepare_for_users(list, items);
@@ -163,7 +175,7 @@ void Renderer::draw(const DrawList& list) {
   r.tell_done("shadow");
   const Environment& environment = passes.environment.draw(list, items, r.meshes);
   r.tell_done("environment");
-  passes.target.bind(r.context.width(), r.context.height());
+  passes.target.bind(width, height);
   Occlusion* const occlusion = passes.occlusion ? &*passes.occlusion : nullptr;
   if (occlusion != nullptr) occlusion->begin_picture();
   const auto draw_surfaces = [&](bool insets) {
@@ -200,7 +212,6 @@ void Renderer::draw(const DrawList& list) {
     passes.texts.draw_over(list, camera);
   }
   r.tell_done("texts");
-  if (r.context.has_screen()) passes.target.show();
 }
 
 void Renderer::set_settings(const RendererSettings& settings) {

@@ -56,6 +56,9 @@ class Renderer {
   /// Draws the list. Throws std::invalid_argument when a mesh's normals, rest positions or triangles don't
   /// fit its positions.
   void draw(const DrawList& list);
+  /// Draws the list at another size than the context's, and shows it nowhere. Throws as draw() does, and
+  /// InputError where the size is too large.
+  Image picture_of(const DrawList& list, int width, int height);
   /// Sets the settings from the next picture on; costs what making the renderer does. Throws as it does, and
   /// then nothing changed.
   void set_settings(const RendererSettings& settings);
@@ -76,6 +79,8 @@ class Renderer {
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
+
+  void draw(const DrawList& list, int width, int height);
 };
 
 }  // namespace prosector

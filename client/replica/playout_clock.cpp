@@ -35,10 +35,10 @@ void PlayoutClock::arrived(const SimTime& time, std::int64_t arrival_ns) {
 // Simulated seconds per second.
 double PlayoutClock::slope() const {
   const double window = seconds(samples_.back().arrival_ns - samples_.front().arrival_ns);
-  if (window < least_window) return 1;
-  const double slope =
-      std::clamp((samples_.back().simulated - samples_.front().simulated) / window, 0.0, 1.0);
-  return slope > 1 - slope_noise ? 1 : slope;
+  if (window < least_window) return pace_;
+  const double slope = std::clamp((samples_.back().simulated - samples_.front().simulated) / window, 0.0,
+                                  std::max(1.0, pace_));
+  return std::abs(slope - 1) < slope_noise ? 1 : slope;
 }
 
 double PlayoutClock::playhead(std::int64_t now_ns) {

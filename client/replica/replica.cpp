@@ -55,68 +55,70 @@ void Replica::apply(const Message& message, std::int64_t arrival_ns) {
     newest_ = std::max(newest_, time);
     if (clock_) clock_->arrived(time, arrival_ns);
   };
-  std::visit(Overloaded{
-                 [&](const SessionInfo& m) {
-                   session_ = m;
-                   server_gone_ = false;
-                   if (!clock_) clock_.emplace(m.tick_rate);
-                 },
-                 [&](const SceneInfo& m) {
-                   // A scene only grows: by pieces that were cut off.
-                   if (scene_ && m.bodies.size() <= scene_->bodies.size()) return;
-                   scene_ = m;
-                   show_names(*scene_, language_);
-                   lacks_bodies_ = true;
-                 },
-                 [&](const AssetChunk& m) { assets_.add(m); },
-                 [&](const RosterEntry& m) { roster_[m.participant] = m; },
-                 [&](const UserState& m) {
-                   timed(m.time);
-                   users_[m.participant].add(m);
-                 },
-                 [&](const RigidState& m) {
-                   timed(m.time);
-                   if (!scene_ || m.body < scene_->bodies.size())
-                     rigid_[m.body].track.add(m);
-                   else
-                     ++refused_;
-                 },
-                 [&](const SoftState& m) {
-                   timed(m.time);
-                   const auto it = soft_.find(m.body);
-                   if (it != soft_.end() && it->second.add(m)) return;
-                   if (early_soft_.size() < max_early_chunks) early_soft_.push_back(m);
-                 },
-                 [&](const Settled& m) {
-                   settled_[m.body] = m;
-                   if (const auto it = soft_.find(m.body); it != soft_.end()) it->second.add(m);
-                 },
-                 [&](const TopologyRevision& m) { topology_[m.body].add(m); },
-                 [&](const ContactSample& m) {
-                   timed(m.time);
-                   if (!roster_.contains(m.participant)) return;  // not here yet, or gone: late
-                   ContactSample& known = contacts_[{m.participant, m.hand}];
-                   if (m.time >= known.time) known = m;
-                 },
-                 [&](const ServerStatus& m) {
-                   timed(m.time);
-                   status_ = m;
-                 },
-                 [&](const BodyStatus& m) { body_status_[m.body] = m; },
-                 [&](const PartState& m) { parts_[m.body] = m; },
-                 [&](const Panel& m) {
-                   if (m.open)
-                     panels_[m.participant] = m;
-                   else
-                     panels_.erase(m.participant);
-                 },
-                 [&](const RoomState& m) {
-                   room_lights_ = m.lights;
-                   pace_ = m.pace;
-                 },
-                 [](const auto&) {},  // what only the server reads
-             },
-             message);
+  std::visit(
+      Overloaded{
+          [&](const SessionInfo& m) {
+            session_ = m;
+            server_gone_ = false;
+            if (!clock_) clock_.emplace(m.tick_rate).set_pace(pace_);
+          },
+          [&](const SceneInfo& m) {
+            // A scene only grows: by pieces that were cut off.
+            if (scene_ && m.bodies.size() <= scene_->bodies.size()) return;
+            scene_ = m;
+            show_names(*scene_, language_);
+            lacks_bodies_ = true;
+          },
+          [&](const AssetChunk& m) { assets_.add(m); },
+          [&](const RosterEntry& m) { roster_[m.participant] = m; },
+          [&](const UserState& m) {
+            timed(m.time);
+            users_[m.participant].add(m);
+          },
+          [&](const RigidState& m) {
+            timed(m.time);
+            if (!scene_ || m.body < scene_->bodies.size())
+              rigid_[m.body].track.add(m);
+            else
+              ++refused_;
+          },
+          [&](const SoftState& m) {
+            timed(m.time);
+            const auto it = soft_.find(m.body);
+            if (it != soft_.end() && it->second.add(m)) return;
+            if (early_soft_.size() < max_early_chunks) early_soft_.push_back(m);
+          },
+          [&](const Settled& m) {
+            settled_[m.body] = m;
+            if (const auto it = soft_.find(m.body); it != soft_.end()) it->second.add(m);
+          },
+          [&](const TopologyRevision& m) { topology_[m.body].add(m); },
+          [&](const ContactSample& m) {
+            timed(m.time);
+            if (!roster_.contains(m.participant)) return;  // not here yet, or gone: late
+            ContactSample& known = contacts_[{m.participant, m.hand}];
+            if (m.time >= known.time) known = m;
+          },
+          [&](const ServerStatus& m) {
+            timed(m.time);
+            status_ = m;
+          },
+          [&](const BodyStatus& m) { body_status_[m.body] = m; },
+          [&](const PartState& m) { parts_[m.body] = m; },
+          [&](const Panel& m) {
+            if (m.open)
+              panels_[m.participant] = m;
+            else
+              panels_.erase(m.participant);
+          },
+          [&](const RoomState& m) {
+            room_lights_ = m.lights;
+            pace_ = m.pace;
+            if (clock_) clock_->set_pace(pace_);
+          },
+          [&](const Recording& m) { recording_ = m; }, [](const auto&) {},  // what only the server reads
+      },
+      message);
 }
 
 void Replica::forget(const Message& message) {

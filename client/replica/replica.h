@@ -2,6 +2,7 @@
 // What a client knows of the session as one server runs it, made only from what that one said. Fed by the
 // network thread, read by the view: lock it.
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -79,6 +80,10 @@ class Replica {
   const TriangleMesh* outline(BodyId body);
   /// Returns how many simulated seconds go by in a real one, as the host has it; 0: time stands still.
   double pace() const { return pace_; }
+  /// Returns the recorded session that is watched; nullopt: this one is live.
+  const std::optional<Recording>& recording() const { return recording_; }
+  /// Returns the tick that is shown when the playhead is at `tick`: no later than anything told.
+  double shown_tick(double tick) const { return std::min(tick, static_cast<double>(newest_.tick)); }
   bool server_gone() const { return server_gone_; }
   const AssetStore& assets() const { return assets_; }
   std::uint64_t refused() const;
@@ -107,6 +112,7 @@ class Replica {
   std::vector<SoftState> early_soft_;  // arrived before the scene or its assets
   std::map<BodyId, Settled> settled_;
   std::optional<ServerStatus> status_;
+  std::optional<Recording> recording_;
   std::map<BodyId, BodyStatus> body_status_;
   std::map<BodyId, PartState> parts_;
   std::map<ParticipantId, Panel> panels_;

@@ -35,7 +35,7 @@ std::string contact_figures(const ContactSample& contact, const std::string& bod
 void add_contact_overlay(DrawList& list, const ContactSample& contact, const std::string& body) {
   const std::string text = contact_figures(contact, body);
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
-  const double top = OverlayFrame(list).height - bottom - padding - text_height * height_of_lines(lines);
+  const double top = OverlayFrame(list).lowest - bottom - padding - text_height * height_of_lines(lines);
   list.texts.push_back({.text = text,
                         .at = {left + padding, top, 0},
                         .height = text_height,

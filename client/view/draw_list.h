@@ -116,6 +116,7 @@ struct DrawList {
   Vec3 background = {0.05, 0.06, 0.07};
   /// Pixels of a point, in which lines, texts and overlays are measured: 1 on a display of usual density.
   double scale = 1;
+  double strip = 0;  // points at the lower border that other overlays leave free
 };
 
 }  // namespace prosector

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "client/text/text_block.h"
 #include "client/view/body_mesh.h"
@@ -69,9 +70,12 @@ PanelView::PanelView(std::uint64_t id)
       knob_(box({2 * describe(PanelControl::stiffness).half_width,
                  2 * describe(PanelControl::stiffness).half_height, knob_height + 0.002},
                 0.003, id + 3)),
-      rail_(box({describe(PanelControl::stiffness).travel + 0.02, 0.006, 0.002}, 0.001, id + 4)) {}
+      rail_(box({describe(PanelControl::stiffness).travel + 0.02, 0.006, 0.002}, 0.001, id + 4)),
+      strip_(box({panel_width, strip_height, panel_thickness}, 0.003, id + 5)),
+      notches_(box({notches_width + 0.01, 0.005, 0.002}, 0.001, id + 6)) {}
 
-void PanelView::add(DrawList& list, const Panel& panel, const SceneBody& part) const {
+void PanelView::add(DrawList& list, const Panel& panel, const SceneBody& part,
+                    const std::optional<ShownEffort>& effort) const {
   const auto put = [&](const std::shared_ptr<const DrawMesh>& mesh, const Vec3& at, const Vec3& color) {
     list.items.push_back({.mesh = mesh,
                           .pose = panel.pose * Pose{at, Quat::Identity()},
@@ -83,6 +87,27 @@ void PanelView::add(DrawList& list, const Panel& panel, const SceneBody& part) c
   put(rail_, {0, slider_y, 0.0005}, rail_color);
   add_information(list, panel.pose, part);
   add_controls(list, panel);
+  if (effort) add_effort(list, panel.pose, *effort);
+}
+
+void PanelView::add_effort(DrawList& list, const Pose& panel, const ShownEffort& effort) const {
+  constexpr double word_width = 0.05, figures_above = 0.013;
+  const auto put = [&](const std::shared_ptr<const DrawMesh>& mesh, const Vec3& at, const Vec3& color) {
+    list.items.push_back({.mesh = mesh,
+                          .pose = panel * Pose{at, Quat::Identity()},
+                          .appearance = {.color = color, .surface = Surface::emissive},
+                          .casts_shadow = false});
+  };
+  put(strip_, {0, strip_y, -panel_thickness / 2}, board_color);
+  put(notches_, {0, notches_y, 0.0005}, rail_color);
+  put(knob_, effort_notch(effort.steps_down) + Vec3(0, 0, 0.001), cap_color);
+  const double beside = notches_width / 2 + 0.012 + word_width / 2;
+  for (const auto& [x, word] : {std::pair{-beside, "exact"}, std::pair{beside, "coarse"}})
+    list.texts.push_back(
+        write_centred(panel, {{x, notches_y, 0}, word_width, strip_height}, word, mark_height, dim_writing));
+  list.texts.push_back(write_centred(
+      panel, {{0, strip_y + figures_above, 0}, panel_width - 2 * panel_margin, strip_height / 2},
+      in_words(effort), mark_height, writing));
 }
 
 void PanelView::add_information(DrawList& list, const Pose& panel, const SceneBody& part) {

@@ -31,6 +31,14 @@ double fov_of(const RosterEntry& user, const CameraInfo& camera) {
   return user.devices.empty() ? camera.fov : eye_fov;
 }
 
+/// Returns how a body is solved; nullopt: it is rigid, or not told yet.
+std::optional<ShownEffort> shown_effort(const Replica& replica, BodyId body) {
+  const BodyStatus* status = replica.body_status(body);
+  if (status == nullptr) return std::nullopt;
+  return ShownEffort{status->stepped_down, replica.status() ? replica.status()->step_ms_p50 : 0,
+                     status->error};
+}
+
 constexpr double covering_opacity = 0.45, opacity_step = 0.15;  // of one's own hand; a picture
 
 }  // namespace
@@ -44,6 +52,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   body_items_.clear();
   parts_.clear();
   list_.scale = settings.scale;
+  list_.strip = 0;
   place_lights(replica, tick);
   place_cameras(replica, tick, self, settings);
   if (!settings.stereo) add_insets(replica, tick, settings);
@@ -384,7 +393,7 @@ void SceneView::add_panels(const Replica& replica) {
       panel_view_.emplace(next_mesh_id_);
       next_mesh_id_ += PanelView::meshes;
     }
-    panel_view_->add(list_, panel, replica.scene()->bodies[panel.body]);
+    panel_view_->add(list_, panel, replica.scene()->bodies[panel.body], shown_effort(replica, panel.body));
   }
 }
 

@@ -37,7 +37,7 @@ void add_pointed_name(DrawList& list, const Replica& replica, const ViewSettings
 /// Adds lines at the lower border, beside the axes.
 void add_messages(DrawList& list, const std::vector<std::string>& messages) {
   constexpr double left = 118, lowest = 24, spacing = 18, height = 14, least = 11, margin = 6;  // points
-  const double bottom = OverlayFrame(list).height - lowest;
+  const double bottom = OverlayFrame(list).lowest - lowest;
   for (std::size_t k = 0; k < messages.size(); ++k)
     list.texts.push_back({.text = messages[k],
                           .at = {left, bottom - spacing * static_cast<double>(messages.size() - 1 - k), 0},
@@ -50,9 +50,10 @@ void add_messages(DrawList& list, const std::vector<std::string>& messages) {
 }  // namespace
 
 const RosterEntry* find_by_name(const Replica& replica, const std::string& name) {
+  const RosterEntry* found = nullptr;
   for (const auto& [id, entry] : replica.roster())
-    if (entry.name == name) return &entry;
-  return nullptr;
+    if (entry.name == name && (found == nullptr || found->role == Role::observer)) found = &entry;
+  return found;
 }
 
 std::string named_with_holders(const Replica& replica, BodyId body) {
@@ -68,6 +69,10 @@ std::string named_with_holders(const Replica& replica, BodyId body) {
 
 void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser& self,
                          const ViewSettings& settings) {
+  if (settings.time) {
+    list.strip = time_bar_strip;
+    add_time_bar(list, *settings.time);
+  }
   add_corner_axes(list, Quat::Identity(), list.cameras.front());
   const auto line = [&](int row, std::string text) {
     list.texts.push_back({.text = std::move(text), .at = {10, 10 + 18.0 * row, 0}, .height = 14});
@@ -80,6 +85,8 @@ void add_session_overlay(DrawList& list, const Replica& replica, const LocalUser
                      counted(status->participants, "participant"), counted(status->observers, "observer")));
   if (replica.server_gone())
     line(2, "the server is gone; waiting for it");
+  else if (replica.recording())
+    line(2, "a recording");
   else if (replica.pace() == 0)
     line(2, "time stands still");
   else if (replica.pace() < 1)

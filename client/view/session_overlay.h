@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-/// Finds the participant of this name; null: nobody has it.
+/// Finds the participant of this name, one who takes part before one who watches; null: nobody has it.
 const RosterEntry* find_by_name(const Replica& replica, const std::string& name);
 
 /// Returns what a body of the scene is called, and who holds it: "scalpel, held by Ann".

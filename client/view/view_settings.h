@@ -7,6 +7,7 @@
 
 #include "client/view/parts_list.h"
 #include "client/view/stereo_profile.h"
+#include "client/view/time_bar.h"
 #include "client/view/value_paint.h"
 #include "common/messages.h"
 
@@ -29,6 +30,7 @@ struct ViewSettings {
   const PartsList* parts_list = nullptr;              // to be drawn; null: shut
   std::vector<Vec3> cut_guide = {};                   // m: line on tissue that the desk's blade would cut
   std::optional<double> cut_depth = {};               // m that the desk's blade is set to
+  std::optional<WatchedTime> time = {};               // of the recording that is watched
   std::vector<std::string> insets;  // names of users whose views are seen small; not in stereo
   std::string follow;               // name of a participant; empty: own camera
   std::optional<Pose>

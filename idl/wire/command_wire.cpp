@@ -40,7 +40,7 @@ Refusal check(Command& m) {
       .that(enum_within(m.kind, last_command), "unknown kind")
       .that(enum_within(m.role, Role::host), "unknown role")
       .that(enum_within(m.control, PanelControl::stiffness), "unknown control")
-      .that(within(m.value, 0, 1), "value outside [0, 1]")
+      .that(within(m.value, 0, m.kind == CommandKind::set_pace ? most_pace : 1), "value out of range")
       .that(m.hand <= right_hand, "no such hand")
       .that(m.body < max_bodies, "no such body")
       .refusal();

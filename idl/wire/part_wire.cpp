@@ -95,7 +95,7 @@ Refusal from_wire(const prosector_RoomState& w, RoomState& m) {
 Refusal check(RoomState& m) {
   return Checks()
       .that(within(m.lights, 0, 1), "brightness outside [0, 1]")
-      .that(within(m.pace, 0, 1), "pace outside [0, 1]")
+      .that(within(m.pace, 0, most_pace), "pace out of range")
       .refusal();
 }
 

@@ -22,6 +22,12 @@ std::uint32_t substeps_to_come(const Simulation& simulation, BodyId body, double
 
 }  // namespace
 
+std::map<std::string, Prospect> expectations_of(const std::vector<Choice>& choices) {
+  std::map<std::string, Prospect> out;
+  for (const Choice& c : choices) out[c.body] = c.expected;
+  return out;
+}
+
 BodyMeter::BodyMeter(const Simulation& simulation, const std::map<std::string, Prospect>& expected)
     : tick_seconds_(1 / simulation.scene().tick_rate),
       period_(std::max<std::uint64_t>(

@@ -7,10 +7,14 @@
 #include <vector>
 
 #include "common/messages.h"
+#include "server/calibration/choose_rung.h"
 #include "server/calibration/rung_table.h"
 #include "server/physics/simulation.h"
 
 namespace prosector {
+
+/// Returns what is expected of bodies that were chosen by need, by name.
+std::map<std::string, Prospect> expectations_of(const std::vector<Choice>& choices);
 
 class BodyMeter {
  public:

@@ -79,9 +79,13 @@ std::optional<Checkpoint> JournalReader::checkpoint(std::uint64_t tick) const {
 }
 
 std::uint64_t JournalReader::state_hash(std::uint64_t tick) const {
-  std::optional<std::uint64_t> out;
+  return this->tick(tick).state_hash;
+}
+
+JournalTick JournalReader::tick(std::uint64_t tick) const {
+  std::optional<JournalTick> out;
   for_each_tick(tick - 1, [&](const JournalTick& t) {
-    out = t.state_hash;
+    out = t;
     return false;
   });
   if (!out) refuse(fmt::format("tick {} is missing", tick));

@@ -34,6 +34,8 @@ class JournalReader {
   std::optional<Checkpoint> checkpoint(std::uint64_t tick) const;
   /// Returns the state hash of a tick. Throws InputError when it is missing or damaged.
   std::uint64_t state_hash(std::uint64_t tick) const;
+  /// Returns a tick. Throws InputError when it is missing or damaged.
+  JournalTick tick(std::uint64_t tick) const;
   /// Calls `visit` for each tick after `after`, in order, until it returns false. Throws InputError where one
   /// is missing or damaged.
   void for_each_tick(std::uint64_t after, const std::function<bool(const JournalTick&)>& visit) const;

@@ -12,14 +12,14 @@
 #include "common/error.h"
 #include "common/scene/hints.h"
 #include "common/scene/load_scene.h"
-#include "idl/cyclone_bus.h"
-#include "idl/session_watch.h"
 #include "server/calibration/table_file.h"
 #include "server/physics/freed_memory.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/session/journal_reader.h"
 #include "server/session/options.h"
+#include "server/session/place.h"
+#include "server/session/playback.h"
 #include "server/session/replay.h"
 #include "server/session/scene_reloader.h"
 #include "server/session/server_loop.h"
@@ -89,60 +89,6 @@ void describe(const Simulation& simulation) {
   for (const std::string& hint : scene_hints(scene)) say("  " + hint);
 }
 
-constexpr std::chrono::milliseconds time_to_find{600};  // a server that runs is heard in half of it
-constexpr std::chrono::seconds time_to_yield{10};  // in which servers that started together find each other
-
-/// Listens while the scene is compiled: both take their time.
-std::unique_ptr<SessionWatch> watch_for_others(const ServerOptions& options, const std::string& session) {
-  BusConfig config = options.bus();
-  config.session = session;
-  config.end = BusEnd::observer;
-  return std::make_unique<SessionWatch>(config);
-}
-
-/// Returns the first free place among this host's servers, after making sure that nobody hosts this session.
-BusConfig find_place(const ServerOptions& options, const std::string& session, const SessionWatch& watch) {
-  if (const auto other = watch.other(time_to_find))
-    throw InputError(fmt::format(
-        "a server hosts session \"{}\" already (scene {}): join it, or name another with --session", session,
-        other->scene));
-  BusConfig config = options.bus();
-  config.session = session;
-  const auto index = options.index ? options.index : free_server_index(config);
-  if (!index)
-    throw InputError("all ten server places of this host are taken: end a server, or use another --domain");
-  config.server_index = *index;
-  return config;
-}
-
-/// Opens the network at `place`. Somebody may take the place between finding it and opening it.
-std::unique_ptr<Bus> open_bus(const ServerOptions& options, const std::string& session,
-                              const SessionWatch& watch, BusConfig& place) {
-  constexpr int tries = 3;
-  for (int left = tries - 1;; --left) {
-    place = find_place(options, session, watch);
-    try {
-      return make_cyclone_bus(place);
-    } catch (const InputError&) {
-      if (options.index || left == 0) throw;
-    }
-  }
-}
-
-std::string how_to_join(const BusConfig& config) {
-  const auto port = 7410 + 250 * config.domain + 2 * config.server_index;
-  std::string more = config.domain != 0 ? fmt::format(" --domain {}", config.domain) : "";
-  if (config.profile == "lan") more += " --lan";
-  if (config.profile == "wan") more += " --profile wan --lan --peer THIS_HOST";
-  return fmt::format(
-      "session \"{}\" is open {} (UDP port {})\n"
-      "  take part:  prosector-client join --session {} --name NAME{}\n"
-      "  watch:      prosector-client observe --session {}{}",
-      config.session,
-      config.profile.empty() || config.profile == "loopback" ? "on this machine" : "on the network", port,
-      config.session, more, config.session, more);
-}
-
 void tell_trouble(const JournalReader& journal) {
   if (!journal.trouble().empty()) say(journal.trouble());
 }
@@ -162,13 +108,18 @@ void export_journal(const std::vector<std::filesystem::path>& from_to) {
                   damaged > 0 ? fmt::format(", {} of them damaged", damaged) : ""));
 }
 
-int replay_journal(const ServerOptions& options) {
-  const JournalReader journal(options.replay);
+/// Compiles the scene that a journal recorded.
+std::unique_ptr<Simulation> compile_recorded(const JournalReader& journal, const ServerOptions& options) {
   tell_trouble(journal);
   const JournalHeader& header = journal.header();
   SceneDesc scene = parse_scene(header.scene_text, header.scene_file);
   adopt(header.choices, scene);
-  const std::unique_ptr<Simulation> simulation = compile(scene, options);
+  return compile(scene, options);
+}
+
+int replay_journal(const ServerOptions& options) {
+  const JournalReader journal(options.replay);
+  const std::unique_ptr<Simulation> simulation = compile_recorded(journal, options);
   const std::uint64_t last = journal.last_tick();
   const ReplayResult result = replay(journal, *simulation, [&](std::uint64_t tick) {
     if (tick % 600 == 0) say(fmt::format("  tick {} of {}", tick, last));
@@ -179,6 +130,34 @@ int replay_journal(const ServerOptions& options) {
   }
   say(fmt::format("equal: {} ticks, state hash {}", result.ticks, to_hex(result.last_hash)));
   return 0;
+}
+
+/// Lets a signal end the session in order. Before, while a scene is compiled, it ends the process at once.
+void end_session_on_signals() {
+  std::signal(SIGINT, [](int) { end(); });
+  std::signal(SIGTERM, [](int) { end(); });
+}
+
+/// Shows a recorded session to whoever joins.
+void play_journal(const ServerOptions& options) {
+  const JournalReader journal(options.play);
+  const std::string session = options.session.empty() ? journal.header().session : options.session;
+  std::unique_ptr<SessionWatch> watch = watch_for_others(options, session);
+  const std::unique_ptr<Simulation> simulation = compile_recorded(journal, options);
+  describe(*simulation);
+  end_session_on_signals();
+  BusConfig place;
+  const std::unique_ptr<Bus> bus = open_bus(options, session, *watch, place);
+  Playback playback({journal, *simulation}, *bus, session, say);
+  std::optional<SessionInfo> rival;
+  guard_place(*watch, playback.server_run(), [&](const SessionInfo& other) {
+    rival = other;
+    end();
+  });
+  say(how_to_watch(place));
+  playback.run(over, options.seconds, say);
+  watch.reset();
+  if (rival) refuse_for(*rival, session);
 }
 
 /// Opens the journal that this run writes to, if any.
@@ -201,12 +180,6 @@ void resume_journal(const JournalReader& journal, Simulation& simulation) {
     throw InputError(fmt::format("the journal cannot be resumed: tick {} differs when run again",
                                  *result.first_difference));
   say(fmt::format("resumed at tick {}, state hash {}", simulation.time().tick, to_hex(result.last_hash)));
-}
-
-/// Lets a signal end the session in order. Before, while a scene is compiled, it ends the process at once.
-void end_session_on_signals() {
-  std::signal(SIGINT, [](int) { end(); });
-  std::signal(SIGTERM, [](int) { end(); });
 }
 
 /// What a run is of, once and for all.
@@ -241,7 +214,7 @@ void serve(const Hosting& hosting, ReadyScene& scene, std::unique_ptr<SessionWat
   ServerLoop loop(simulation, *bus, hosting.session, journal.get(), say,
                   {.choices = scene.choices, .reign = journal ? journal->reign() : first_reign});
   std::optional<SessionInfo> rival;
-  watch->guard(loop.server_run(), time_to_yield, [&](const SessionInfo& other) {
+  guard_place(*watch, loop.server_run(), [&](const SessionInfo& other) {
     rival = other;
     end();
   });
@@ -249,12 +222,7 @@ void serve(const Hosting& hosting, ReadyScene& scene, std::unique_ptr<SessionWat
   loop.run(over, seconds, say);
   watch.reset();
   loop.finish();
-  if (rival)
-    throw InputError(
-        fmt::format("another server started session \"{}\" at the same moment and hosts it (scene {}): this "
-                    "one ends; join "
-                    "it, or name another session with --session",
-                    hosting.session, rival->scene));
+  if (rival) refuse_for(*rival, hosting.session);
   sum_up(options, loop, simulation, journal.get());
 }
 
@@ -321,6 +289,7 @@ int main(int argc, char** argv) {
   try {
     if (!options.export_journal.empty()) return export_journal(options.export_journal), 0;
     if (!options.replay.empty()) return replay_journal(options);
+    if (!options.play.empty()) return play_journal(options), 0;
     host(options);
     return 0;
   } catch (const InputError& e) {

@@ -39,11 +39,12 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
       ->capture_default_str()
       ->type_name("N")
       ->group(run);
-  app.add_option("--summary", o.summary, "Write the run's figures to this file (JSON) at the end")
-      ->type_name("FILE")
-      ->group(run);
-  app.add_flag("--check", o.check, "Compile the scene, say what it models and at what cost, and end")
-      ->group(run);
+  auto* summary =
+      app.add_option("--summary", o.summary, "Write the run's figures to this file (JSON) at the end");
+  summary->type_name("FILE")->group(run);
+  auto* check =
+      app.add_flag("--check", o.check, "Compile the scene, say what it models and at what cost, and end");
+  check->group(run);
 
   auto* watch =
       app.add_flag("--watch", o.watch,
@@ -62,7 +63,12 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
       ->group(record);
   auto* replay = app.add_option("--replay", o.replay, "Run a journal again and compare every state hash");
   auto* resume = app.add_option("--resume", o.resume, "Go on where a journal ends, in the same file");
-  watch->excludes(journal)->excludes(replay)->excludes(resume);  // a journal is of one scene
+  auto* play =
+      app.add_option("--play", o.play, "Show a journal's session to whoever joins: they seek, stop, step");
+  watch->excludes(journal)->excludes(replay)->excludes(resume)->excludes(play);  // a journal is of one scene
+  play->type_name("FILE")->group(record)->excludes(journal)->excludes(replay)->excludes(resume)->excludes(
+      scene);
+  play->excludes(summary)->excludes(check);  // of a session that runs
   replay->type_name("FILE")->group(record)->excludes(journal)->excludes(resume)->excludes(scene);
   resume->type_name("FILE")->group(record)->excludes(journal)->excludes(scene);
 
@@ -73,6 +79,7 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
       ->type_name("FROM TO")
       ->group(record)
       ->excludes(journal)
+      ->excludes(play)
       ->excludes(replay)
       ->excludes(resume)
       ->excludes(scene);
@@ -114,8 +121,8 @@ std::optional<int> parse_options(int argc, char** argv, ServerOptions& o) {
 
   try {
     app.parse(argc, argv);
-    if (o.scene.empty() && o.replay.empty() && o.resume.empty() && o.export_journal.empty())
-      throw CLI::RequiredError("SCENE (or --replay, --resume or --export-journal)");
+    if (o.scene.empty() && o.play.empty() && o.replay.empty() && o.resume.empty() && o.export_journal.empty())
+      throw CLI::RequiredError("SCENE (or --play, --replay, --resume or --export-journal)");
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
   }

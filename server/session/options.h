@@ -14,7 +14,7 @@ struct ServerOptions {
   std::filesystem::path scene;
   std::string session;  // empty: the scene's
   int threads = 0;
-  std::filesystem::path journal, replay, resume, summary;
+  std::filesystem::path journal, play, replay, resume, summary;
   std::vector<std::filesystem::path> export_journal;  // from, to; empty: none
   double journal_mb = 0;                              // 0: no limit
   double seconds = 0;                                 // 0: until interrupted

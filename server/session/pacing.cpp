@@ -13,8 +13,9 @@ Refusal Pacing::obey(const Command& command, Role role) {
     steps_ = command.revision;
     return {};
   }
-  if (command.value != 0 && command.value < least_pace)
-    return fmt::format("pace: {:g} of real time; allowed are 0 and {:g} to 1", command.value, least_pace);
+  if (command.value != 0 && (command.value < least_pace || command.value > most_))
+    return fmt::format("pace: {:g} of real time; allowed are 0 and {:g} to {:g}", command.value, least_pace,
+                       most_);
   pace_ = command.value;
   steps_ = 0;
   return {};

@@ -13,7 +13,8 @@ std::vector<Outgoing> PartSender::take(const Simulation& simulation) {
     if (holders.size() < max_holders)
       holders.push_back({hand.participant, static_cast<std::uint8_t>(hand.hand)});
   }
-  told_.resize(now.size());
+  if (told_.size() < now.size())
+    told_.resize(now.size());  // a recording goes back to before pieces were cut off
   std::vector<Outgoing> out;
   for (BodyId body = 0; body < now.size(); ++body) {
     if (now[body] == told_[body]) continue;

@@ -16,9 +16,6 @@ void require_same_scene(const JournalReader& journal, const Simulation& simulati
         to_hex(simulation.content_hash()), journal.content_hash(), journal.header().scene_file.string()));
 }
 
-namespace {
-
-/// Tells whether the step made the revisions that the journal says.
 bool same_topology(const std::vector<TopologyRevision>& recorded, const std::vector<TopologyChange>& made) {
   return std::ranges::equal(recorded, made, [](const TopologyRevision& a, const TopologyChange& b) {
     return a.body == b.body && a.revision == b.revision && a.cause == b.cause && a.author == b.author &&
@@ -26,8 +23,6 @@ bool same_topology(const std::vector<TopologyRevision>& recorded, const std::vec
            a.content_hash == b.content_hash;
   });
 }
-
-}  // namespace
 
 ReplayResult replay(const JournalReader& journal, Simulation& simulation,
                     const std::function<void(std::uint64_t tick)>& progress) {

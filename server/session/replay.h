@@ -20,6 +20,9 @@ struct ReplayResult {
 /// Throws InputError when `simulation` was not compiled from what the journal recorded.
 void require_same_scene(const JournalReader& journal, const Simulation& simulation);
 
+/// Tells whether a step made the revisions that a journal says.
+bool same_topology(const std::vector<TopologyRevision>& recorded, const std::vector<TopologyChange>& made);
+
 /// Runs what was journalled. `simulation` stands at the tick before the first one to run. Stops at the first
 /// difference. `progress` hears of each tick done; may be empty.
 ReplayResult replay(const JournalReader& journal, Simulation& simulation,

@@ -53,6 +53,7 @@ bool Roster::in_anothers_place(const Presence& p) const {
 }
 
 Refusal Roster::role_refusal(const Participant& subject, Role role) const {
+  if (rules_.recording && role == Role::dissector) return "a recording is watched: nobody takes part";
   if (role == Role::observer && subject.role != Role::observer &&
       observers() >= static_cast<std::uint32_t>(rules_.observers))
     return fmt::format("no place left for an observer: {} are watching", rules_.observers);
@@ -65,7 +66,8 @@ const Participant& Roster::admit(const Presence& presence, std::uint64_t writer)
     return std::any_of(members_.begin(), members_.end(), [c](const auto& m) { return m.second.color == c; });
   };
   while (taken(color)) ++color;
-  return members_[presence.participant] = {presence, presence.role, writer, color};
+  const bool watches = rules_.recording && presence.role == Role::dissector;
+  return members_[presence.participant] = {presence, watches ? Role::observer : presence.role, writer, color};
 }
 
 Participant* Roster::find(ParticipantId id) {

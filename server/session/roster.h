@@ -22,6 +22,8 @@ struct SessionRules {
   std::uint64_t death_timeout = 90;      // ticks after which a member that died is known to be gone
   std::vector<bool> parts;               // by body, whether it is a part of the anatomy
   std::size_t bodies = 0;                // BodyId below this exist
+  std::size_t rigid_bodies = 0;          // those come first
+  bool recording = false;                // a recorded session is watched: nobody takes part
 };
 
 struct Participant {

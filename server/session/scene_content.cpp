@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "common/server_run.h"
 #include "server/physics/collision/shapes/fidelity.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
@@ -46,6 +47,17 @@ TriangleMesh ends_of_edges(const RigidDesc& desc) {
 }
 
 }  // namespace
+
+SessionInfo describe_session(const Simulation& simulation, const std::string& session, std::uint32_t reign) {
+  SessionInfo info;
+  info.session = session;
+  info.scene = simulation.scene().name;
+  info.scene_hash = simulation.content_hash();
+  info.tick_rate = simulation.scene().tick_rate;
+  info.capacity = static_cast<std::uint32_t>(simulation.scene().session.capacity);
+  info.server_run = make_server_run(reign);
+  return info;
+}
 
 std::string beginning(const std::string& text, std::size_t bytes) {
   if (text.size() <= bytes) return text;

@@ -22,6 +22,10 @@ struct SceneContent {
   std::size_t triangles = 0;
 };
 
+/// Returns what clients are told of a session that runs on the simulation from now on; `reign`: of
+/// common/server_run.h.
+SessionInfo describe_session(const Simulation& simulation, const std::string& session, std::uint32_t reign);
+
 /// Makes what clients are told of the scene. `choices`: of bodies that were chosen by need.
 SceneContent make_scene_content(const Simulation& simulation, const std::vector<Choice>& choices = {});
 

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <iterator>
 #include <limits>
 
 #include "common/counted.h"
 #include "server/physics/soft/soft_body.h"
+#include "server/session/session_lines.h"
+#include "server/session/simulated_shapes.h"
+#include "server/session/sleep_until.h"
 #include "server/session/tick_schedule.h"
 
 namespace prosector {
@@ -22,30 +24,8 @@ constexpr const char* journal_is_late = "the journal is behind the session: the 
 constexpr double death_timeout = 1.5;   // s after which a dead client is known to be: its lease is 1 s
 constexpr double presence_timeout = 2;  // s that a join waits for its Presence
 
-void sleep_until(std::int64_t ns) {
-  const timespec due{static_cast<time_t>(ns / second_ns), static_cast<long>(ns % second_ns)};
-  clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr);
-}
-
 void append(std::vector<Outgoing>& out, std::vector<Outgoing> more) {
   out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
-
-SessionInfo info_of(const Simulation& simulation, const std::string& session, std::uint32_t reign) {
-  SessionInfo info;
-  info.session = session;
-  info.scene = simulation.scene().name;
-  info.scene_hash = simulation.content_hash();
-  info.tick_rate = simulation.scene().tick_rate;
-  info.capacity = static_cast<std::uint32_t>(simulation.scene().session.capacity);
-  info.server_run = make_server_run(reign);
-  return info;
-}
-
-std::map<std::string, Prospect> expectations(const std::vector<Choice>& choices) {
-  std::map<std::string, Prospect> out;
-  for (const Choice& c : choices) out[c.body] = c.expected;
-  return out;
 }
 
 /// Returns the bodies whose scene allows it, with what a restored state says of them.
@@ -56,48 +36,6 @@ std::map<BodyId, int> may_step_down(const Simulation& simulation) {
       out[b] = simulation.soft_state(b).steps_down;
   return out;
 }
-
-std::string line_of(const SessionEvent& e) {
-  switch (e.kind) {
-    case SessionEvent::Kind::joined:
-      return fmt::format("{} joins as {}", e.name, e.detail);
-    case SessionEvent::Kind::refused:
-      return fmt::format("\"{}\" was refused: {}", e.name, e.detail);
-    case SessionEvent::Kind::left:
-      return fmt::format("{} leaves", e.name);
-    case SessionEvent::Kind::lost:
-      return fmt::format("{} is gone (left or connection lost)", e.name);
-    case SessionEvent::Kind::hand_timeout:
-      return fmt::format("{}: {} no longer tracked, let go", e.name, e.detail);
-    case SessionEvent::Kind::role:
-      return fmt::format("{} is {} now", e.name, e.detail);
-    case SessionEvent::Kind::let_go:
-      return fmt::format("{} let go: {}", e.name, e.detail);
-    case SessionEvent::Kind::broke:
-      return fmt::format("{} broke {}", e.name, e.detail);
-    case SessionEvent::Kind::rewound:
-      return fmt::format("{} rewound everything to {}", e.name, e.detail);
-    case SessionEvent::Kind::pace:
-      return fmt::format("{} {}", e.name, e.detail);
-  }
-  return {};
-}
-
-/// Soft bodies as the simulation has them.
-class SimulatedShapes final : public SoftShapes {
- public:
-  explicit SimulatedShapes(const Simulation& simulation) : simulation_(simulation) {}
-  Shape shape(BodyId body) const override {
-    return {simulation_.soft(body).anatomy(), simulation_.numbering(body),
-            simulation_.soft_state(body).motion.x};
-  }
-  SceneBody describe(BodyId body, const SurfaceLog& surface) const override {
-    return describe_soft(simulation_, body, surface);
-  }
-
- private:
-  const Simulation& simulation_;
-};
 
 }  // namespace
 
@@ -112,6 +50,7 @@ SessionRules rules_of(const SceneDesc& scene, const std::string& session) {
   for (const RigidDesc& rigid : scene.rigid) rules.parts.push_back(rigid.part);
   for (const SoftDesc& soft : scene.soft) rules.parts.push_back(soft.part);
   rules.bodies = rules.parts.size();
+  rules.rigid_bodies = scene.rigid.size();
   return rules;
 }
 
@@ -126,12 +65,13 @@ ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& sess
       topology_(content_, simulation.scene().tick_rate),
       session_(rules_of(simulation.scene(), session)),
       meter_(simulation.scene().tick_rate),
-      body_meter_(simulation, expectations(options_.choices)),
+      body_meter_(simulation, expectations_of(options_.choices)),
       governor_(simulation.scene().tick_rate, may_step_down(simulation)),
       state_hash_(simulation.state_hash()),
-      publisher_(bus, info_of(simulation, session, options_.reign), content_) {
+      publisher_(bus, describe_session(simulation, session, options_.reign), content_) {
   for (auto piece = static_cast<BodyId>(session_.bodies()); piece < simulation.body_count(); ++piece)
     session_.add_body(simulation.soft(piece).desc().part);
+  for (const auto& [body, steps] : governor_.steps_down()) (void)dial_.overload({body, steps});
   session_.vanish(simulation.hands());  // of a state that was restored
   session_.see_panels(simulation.panels());
   keep_beginning();
@@ -158,7 +98,9 @@ void ServerLoop::tick() {
   const std::int64_t begun = options_.clock();
   bus_.take(received_);
   ConsumedInput input = session_.consume(received_, simulation_.time().tick + 1);
-  input.input.efforts.swap(efforts_);
+  for (EffortChange& asked : input.input.efforts) asked = dial_.host(asked);
+  for (const EffortChange& governed : efforts_) input.input.efforts.push_back(dial_.overload(governed));
+  efforts_.clear();
   const StepReport& report = simulation_.step(input.input);
   session_.finish_tick(simulation_.hands(), report);
   session_.see_panels(simulation_.panels());

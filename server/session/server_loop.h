@@ -15,6 +15,7 @@
 #include "idl/bus.h"
 #include "server/physics/simulation.h"
 #include "server/session/body_meter.h"
+#include "server/session/effort_dial.h"
 #include "server/session/governor.h"
 #include "server/session/journal.h"
 #include "server/session/part_sender.h"
@@ -94,6 +95,7 @@ class ServerLoop {
   StepMeter meter_;
   BodyMeter body_meter_;
   Governor governor_;
+  EffortDial dial_;
   PartSender parts_;
   std::vector<EffortChange> efforts_;  // for the next tick
   std::vector<SessionEvent> heard_;    // while time stood still: for the next tick's record

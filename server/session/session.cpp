@@ -45,7 +45,8 @@ std::optional<PartEvent::Kind> part_kind(CommandKind kind) {
 
 }  // namespace
 
-Session::Session(const SessionRules& rules) : rules_(rules), roster_(rules), panels_(rules.parts) {}
+Session::Session(const SessionRules& rules)
+    : rules_(rules), roster_(rules), panels_(rules.parts), pacing_(rules.recording ? most_pace : 1) {}
 
 ConsumedInput Session::consume(std::span<const Received> received, std::uint64_t tick) {
   tick_ = tick;
@@ -57,6 +58,7 @@ ConsumedInput Session::consume(std::span<const Received> received, std::uint64_t
     return std::pair(a.participant, a.hand) < std::pair(b.participant, b.hand);
   });
   out.input.events.swap(vanishing_);
+  out.input.efforts.swap(efforts_);
   for (auto& [id, seat] : seats_) consume_seat(id, seat, out);
   const auto may_touch = [&](ParticipantId id) {
     const Participant* member = roster_.find(id);
@@ -171,10 +173,14 @@ void Session::obey(const Command& command, const Participant& member, Seat& seat
   }
   if (command.kind == CommandKind::set_pace || command.kind == CommandKind::step_ticks)
     return ask_pace(command, member);
+  if (command.kind == CommandKind::seek) return ask_seek(command, member);
+  if (rules_.recording) return answer(command, "a recording is watched: nothing in it can be changed");
   if (member.role == Role::observer) {
     drop("Command: from an observer");
     return answer(command, "an observer changes nothing: join as a dissector");
   }
+  if (command.kind == CommandKind::set_effort || command.kind == CommandKind::set_all_efforts)
+    return ask_effort(command, member);
   const bool everything = command.kind == CommandKind::rewind || command.kind == CommandKind::reset_all;
   if (everything && member.role == Role::host)
     pacing_.run_one_tick();
@@ -215,7 +221,8 @@ void Session::hand_out(const Command& command, const Participant& member) {
   const Refusal refusal = roster_.role_refusal(*subject, command.role);
   answer(command, refusal);
   if (refusal || subject->role == command.role) return;
-  if (command.role == Role::host) give(command.participant, Role::dissector);
+  if (command.role == Role::host)
+    give(command.participant, rules_.recording ? Role::observer : Role::dissector);
   give(command.subject, command.role);
 }
 
@@ -238,7 +245,7 @@ void Session::give(ParticipantId id, Role role) {
 /// Obeys what the host wants of time, which concerns everyone.
 void Session::ask_pace(const Command& command, const Participant& member) {
   const double before = pacing_.pace();
-  const Refusal refusal = pacing_.obey(command, member.role);
+  const Refusal refusal = pacing_.obey(command, role_over_time(member));
   answer(command, refusal);
   if (refusal) return drop("Command: time is not to go so, or is not the sender's");
   if (pacing_.pace() != before && events_.size() < max_events)
@@ -246,6 +253,48 @@ void Session::ask_pace(const Command& command, const Participant& member) {
                        pacing_.pace() == 0
                            ? "stopped time"
                            : fmt::format("lets time run at {:g} of its pace", pacing_.pace())});
+}
+
+/// Obeys what the host wants of how exactly tissue is solved, from the next tick on.
+void Session::ask_effort(const Command& command, const Participant& member) {
+  if (member.role != Role::host) {
+    drop("Command: how exactly tissue is solved is the host's to say");
+    return answer(command, "only the host says how exactly tissue is solved");
+  }
+  if (command.revision > max_steps_down)
+    return answer(command, fmt::format("effort: {} steps; allowed are 0, as described, to {}, coarse",
+                                       command.revision, max_steps_down));
+  const bool all = command.kind == CommandKind::set_all_efforts;
+  if (!all && command.body >= rules_.bodies)
+    return answer(command, fmt::format("no body {}: the scene has {}", command.body, rules_.bodies));
+  if (!all && command.body < rules_.rigid_bodies)
+    return answer(command, "that body is rigid: only soft ones are solved more or less exactly");
+  const int steps = static_cast<int>(command.revision);
+  for (std::size_t body = all ? rules_.rigid_bodies : command.body;
+       body < (all ? rules_.bodies : command.body + std::size_t{1}); ++body)
+    efforts_.push_back({static_cast<BodyId>(body), steps});
+  answer(command, {});
+  if (events_.size() < max_events)
+    events_.push_back(
+        {SessionEvent::Kind::effort, command.participant, member.presence.name,
+         fmt::format("has {} solved {}", all ? "everything" : fmt::format("body {}", command.body),
+                     steps == 0 ? "as described" : fmt::format("{} steps less exactly", steps))});
+}
+
+/// Obeys who wants another time of a recording.
+void Session::ask_seek(const Command& command, const Participant& member) {
+  if (!rules_.recording) return answer(command, "this session is live: only a recording has times to go to");
+  if (role_over_time(member) != Role::host) return answer(command, "only the host goes to another time");
+  seek_ = command.revision;
+  answer(command, {});
+}
+
+/// Returns the role that counts for who has time in hand. That of a recording is everybody's while nobody is
+/// host.
+Role Session::role_over_time(const Participant& member) const {
+  const bool has_host =
+      std::ranges::any_of(roster_.members(), [](const auto& m) { return m.second.role == Role::host; });
+  return rules_.recording && !has_host ? Role::host : member.role;
 }
 
 void Session::ask_part(const Command& command, Seat& seat) {

@@ -13,6 +13,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "idl/bus.h"
@@ -55,7 +56,8 @@ struct SessionEvent {
     let_go,
     broke,
     rewound,
-    pace
+    pace,
+    effort
   } kind;
   ParticipantId participant = 0;
   std::string name;
@@ -78,6 +80,10 @@ class Session {
   void see_panels(std::span<const Panel> panels) { panels_.finish_tick(panels); }
 
   const Pacing& pacing() const { return pacing_; }
+  /// Lets time run at this pace until people have it otherwise; 0: not at all.
+  void set_pace(double pace) { pacing_.set(pace); }
+  /// Returns the tick of a recording that was asked for last since the last call; nullopt: none was.
+  std::optional<std::uint64_t> take_seek() { return std::exchange(seek_, std::nullopt); }
   std::size_t bodies() const { return rules_.bodies; }
   /// Adds a body that a cut made; the next id is its.
   void add_body(bool is_part);
@@ -131,12 +137,14 @@ class Session {
   std::map<ParticipantId, Seat> seats_;
   std::map<ParticipantId, Visitor> visitors_;
   std::vector<HandEvent> vanishing_;
-  std::vector<Command> stepping_;  // whose part events the step of this tick obeys, in their order
-  std::vector<Command> cutting_;   // whose cut events the step of this tick obeys, in their order
-  std::set<BodyId> keyframes_;     // asked for
+  std::vector<EffortChange> efforts_;  // that the host asked for
+  std::vector<Command> stepping_;      // whose part events the step of this tick obeys, in their order
+  std::vector<Command> cutting_;       // whose cut events the step of this tick obeys, in their order
+  std::set<BodyId> keyframes_;         // asked for
   PanelInputs panels_;
   Moments moments_;
   Pacing pacing_;
+  std::optional<std::uint64_t> seek_;
   std::vector<Outgoing> outgoing_;
   std::vector<SessionEvent> events_;
   std::map<std::string, std::uint64_t> dropped_;
@@ -153,6 +161,9 @@ class Session {
   void hand_out(const Command& command, const Participant& member);
   void give(ParticipantId id, Role role);
   void ask_pace(const Command& command, const Participant& member);
+  void ask_seek(const Command& command, const Participant& member);
+  Role role_over_time(const Participant& member) const;
+  void ask_effort(const Command& command, const Participant& member);
   void ask_part(const Command& command, Seat& seat);
   void ask_cut(const Command& command, const Participant& member, Seat& seat);
   void vanish_hands(ParticipantId id, Seat& seat);

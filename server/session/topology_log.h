@@ -50,6 +50,7 @@ class TopologyLog {
   /// Returns the revisions that follow() made since the last call, without patches: what the journal keeps.
   std::vector<TopologyRevision> take_records();
 
+  bool knows(BodyId body) const { return bodies_.contains(body); }
   std::uint32_t revision(BodyId body) const { return at(body).surface.newest().revision; }
   std::shared_ptr<const SurfaceStream> stream(BodyId body) const { return at(body).surface.stream(); }
   const SceneInfo& scene() const { return scene_; }

@@ -124,6 +124,42 @@ TEST(Console, StopsSlowsAndStepsTime) {
   EXPECT_EQ(command("reset all").kind, CommandKind::reset_all);
 }
 
+TEST(Console, GoesToTimesOfARecording) {
+  const ShownTime shown{6000, 1200, 60, 1};
+  const auto tick = [&](const std::string& line, const std::optional<ShownTime>& watched) {
+    const ConsoleLine out = parse_console_line(
+        line, scene(), roster(), [](BodyId) { return middle; }, watched);
+    const Command* const found = std::get_if<Command>(&out);
+    EXPECT_EQ(found == nullptr, !watched || line.find('x') != line.npos) << line;
+    EXPECT_TRUE(found == nullptr || found->kind == CommandKind::seek);
+    return found == nullptr ? 0u : found->revision;
+  };
+  EXPECT_EQ(tick("seek 75", shown), 4500u);
+  EXPECT_EQ(tick("seek 1:15", shown), 4500u);
+  EXPECT_EQ(tick("seek 0.0166667", shown), 1u) << "the nearest one";
+  EXPECT_EQ(tick("seek +10", shown), 1800u);
+  EXPECT_EQ(tick("seek -10", shown), 600u);
+  EXPECT_EQ(tick("seek -1:00", shown), 0u) << "the beginning";
+  EXPECT_EQ(tick("seek 10:00", shown), 6000u) << "the end";
+  for (const char* bad : {"seek x", "seek 1:x", "seek +x", "seek 7x"}) tick(bad, shown);
+  tick("seek 75", std::nullopt);
+  EXPECT_EQ(command("fast 4").value, 4);
+  for (const char* bad : {"fast", "fast 0.5", "fast 9", "fast nan"})
+    EXPECT_NE(refusal(bad).find("TIMES"), std::string::npos) << bad;
+}
+
+TEST(Console, SaysHowExactlyTissueIsSolved) {
+  EXPECT_EQ(command("effort left kidney 2").kind, CommandKind::set_effort);
+  EXPECT_EQ(command("effort left kidney 2").body, 1u);
+  EXPECT_EQ(command("effort left kidney 2").revision, 2u);
+  EXPECT_EQ(command("effort left kidney exact").revision, 0u);
+  EXPECT_EQ(command("effort all coarse").kind, CommandKind::set_all_efforts);
+  EXPECT_EQ(command("effort all coarse").revision, max_steps_down);
+  for (const char* bad : {"effort", "effort all", "effort all 4", "effort all 1.5", "effort all -1"})
+    EXPECT_NE(refusal(bad).find("STEPS"), std::string::npos) << bad;
+  EXPECT_NE(refusal("effort spleen 1").find("no body"), std::string::npos);
+}
+
 TEST(Console, InspectScalesAboutTheMiddle) {
   for (const double scale : {0.01, 0.5, 3.0, most_shape}) {
     const Command out = command("inspect left kidney " + std::to_string(scale));

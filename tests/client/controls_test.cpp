@@ -69,20 +69,21 @@ TEST(Controls, HaveOneRowForEachInputOfADeviceAndFitAWindow) {
 }
 
 TEST(Controls, AreInTheDocumentationAsTheyAreHere) {
-  std::ifstream file(PROSECTOR_JOIN_PAGE);
   std::stringstream page;
-  page << file.rdbuf();
-  constexpr std::array<std::pair<std::string_view, ControlDevice>, 5> tables = {
+  for (const char* name : {"join.md", "watch-recordings.md"})
+    page << std::ifstream(std::string(PROSECTOR_DO_PAGES) + "/" + name).rdbuf();
+  constexpr std::array<std::pair<std::string_view, ControlDevice>, 6> tables = {
       {{"hand", ControlDevice::hand},
        {"view", ControlDevice::view},
        {"gamepad", ControlDevice::gamepad},
        {"headset", ControlDevice::headset},
-       {"terminal", ControlDevice::terminal}}};
+       {"terminal", ControlDevice::terminal},
+       {"recording", ControlDevice::recording}}};
   for (const auto& [name, device] : tables) {
     const std::string expected = "<!-- controls: " + std::string(name) + " -->\n" +
                                  controls_in_markdown(device) + "<!-- /controls -->\n";
     EXPECT_NE(page.str().find(expected), std::string::npos)
-        << "docs/do/join.md differs from client/app/controls.h; put there:\n"
+        << "docs/do differs from client/app/controls.h; put there:\n"
         << expected;
   }
 }

@@ -128,6 +128,18 @@ good = run.returncode == 0 and "warning: intersects itself" in run.stdout
 failures += not good
 print(f"{'ok    ' if good else 'FAILED'} self-intersecting surface: exit {run.returncode}: warned")
 
+PLAY_CASES = [
+    ("a recording that is missing", OUT / "lost.sqlite", ["lost.sqlite", "no such file"]),
+    ("a recording that is none", write("none.sqlite", "no journal"), ["none.sqlite", "no journal"]),
+    ("an empty recording", write("empty.sqlite", ""), ["empty.sqlite"]),
+]
+for what, recording, words in PLAY_CASES:
+    run = subprocess.run([BIN / "prosector-server", "--play", str(recording)], capture_output=True, text=True, timeout=60)
+    message = run.stderr.strip()
+    good = run.returncode == 2 and all(w in message for w in words) and len(message.splitlines()) == 1
+    failures += not good
+    print(f"{'ok    ' if good else 'FAILED'} {what}: exit {run.returncode}: {message}")
+
 CLIENT_CASES = [
     ("no server", ["observe", "--session", "nobody-is-here", "--patience", "1", "--display", "none"],
      ["nobody-is-here", "looked"]),

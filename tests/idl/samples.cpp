@@ -123,6 +123,8 @@ std::vector<Message> sample_messages() {
   const Affine sheared{(Mat3() << 2, 0.5, 0, 0, 2, 0, 0, 0, 4).finished(), {0.25, 1, 0}};
   Panel panel{7, {1, 60}, true, 1, some_pose, {}};
   panel.controls[5] = {0.25, true, true};
+  const Recording recording{
+      600, {{0, MarkKind::joined, "Zoë"}, {60, MarkKind::cut, "Zoë"}, {90, MarkKind::reset, ""}}};
   return {SessionInfo{protocol_version, "prosector", "abdomen", {1, 2}, 60, 64, 42},
           Presence{7, protocol_version, "Zoë", Role::dissector, "fastrak, 5dt"},
           RosterEntry{7, "Zoë", Role::dissector, {1, 0.5, 0}, "fastrak, 5dt"},
@@ -153,7 +155,8 @@ std::vector<Message> sample_messages() {
           BodyStatus{1, {1, 60}, false, true, 12, 0.00125, 2.5, 40, 1e-3, 2e-5, 0.015, 3.5, 1},
           PartState{1, {1, 60}, false, true, true, true, 0.5, 2, sheared, {{7, left_hand}, {9, right_hand}}},
           panel,
-          RoomState{{1, 60}, 0.25, 0.5}};
+          RoomState{{1, 60}, 0.25, 0.5},
+          recording};
 }
 
 }  // namespace prosector

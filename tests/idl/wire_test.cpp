@@ -212,7 +212,11 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<Panel>("pose", [](Panel& m) { m.pose.p.z() = nan; }),
       spoiled<Panel>("control", [](Panel& m) { m.controls[2].position = -0.5; }),
       spoiled<RoomState>("brightness", [](RoomState& m) { m.lights = nan; }),
-      spoiled<RoomState>("pace", [](RoomState& m) { m.pace = 1.5; }),
+      spoiled<RoomState>("pace", [](RoomState& m) { m.pace = 2 * most_pace; }),
+      spoiled<Recording>("a mark beyond the end", [](Recording& m) { m.last_tick = 80; }),
+      spoiled<Recording>("marks out of order", [](Recording& m) { m.marks[0].tick = 70; }),
+      spoiled<Recording>("kind of mark", [](Recording& m) { m.marks[1].kind = static_cast<MarkKind>(5); }),
+      spoiled<Recording>("marks", [](Recording& m) { m.marks.resize(max_recording_marks + 1); }),
       spoiled<SceneInfo>("name in no language", [](SceneInfo& m) { m.bodies[1].names[0].language = ""; }),
       spoiled<SceneInfo>("language", [](SceneInfo& m) { m.bodies[1].names[0].language = "de_AT!"; }),
       spoiled<SceneInfo>("empty name", [](SceneInfo& m) { m.bodies[1].names[0].name = ""; }),
@@ -421,6 +425,10 @@ std::string as_wire_bytes(const Message& message) {
             add(control.position), add(control.on), add(control.touched);
         } else if constexpr (std::is_same_v<M, RoomState>) {
           add(m.lights);
+          add(m.pace);
+        } else if constexpr (std::is_same_v<M, Recording>) {
+          add(m.last_tick);
+          for (const RecordingMark& mark : m.marks) add(mark.tick), add(mark.kind), text += mark.who;
         }
         return text;
       },

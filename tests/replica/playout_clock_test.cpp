@@ -47,6 +47,32 @@ TEST(PlayoutClock, FollowsASlowedSimulation) {
   EXPECT_GT(head, 560);
 }
 
+TEST(PlayoutClock, FollowsARecordingThatRunsFaster) {
+  for (const double pace : {2.0, 4.0, 8.0}) {
+    PlayoutClock clock(rate);
+    clock.set_pace(pace);
+    double head = 0;
+    for (std::uint64_t picture = 1; picture < 300; ++picture) {
+      const auto tick = static_cast<std::uint64_t>(pace * static_cast<double>(picture));
+      clock.arrived({0, tick}, second + made_at(picture));
+      const double before = head;
+      head = clock.playhead(second + made_at(picture));
+      if (picture < 90) continue;
+      EXPECT_LE(head, static_cast<double>(tick));
+      EXPECT_NEAR(head - before, pace, 0.3 * pace) << "no stutter";
+    }
+    EXPECT_GT(head, 299 * pace - 20 * pace);
+  }
+}
+
+TEST(PlayoutClock, StandsStillAtOnceInANewEpochWhileTimeStands) {
+  PlayoutClock clock(rate);
+  clock.set_pace(0);
+  clock.arrived({1, 600}, second);
+  for (int picture = 0; picture < 20; ++picture)
+    EXPECT_LE(clock.playhead(second + made_at(static_cast<std::uint64_t>(picture))), 600);
+}
+
 TEST(PlayoutClock, ANewEpochStartsAnew) {
   PlayoutClock clock(rate);
   for (std::uint64_t tick = 1000; tick < 1100; ++tick) clock.arrived({0, tick}, made_at(tick));

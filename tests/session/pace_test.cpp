@@ -123,6 +123,43 @@ TEST_F(HandOnTime, ResetsEverythingToTheBeginningAlsoWhileTimeStandsStill) {
   EXPECT_LT((hosted.simulation.soft_state(Hosted::liver).motion.x - at_rest).lpNorm<Eigen::Infinity>(), 1e-4);
 }
 
+TEST_F(HandOnTime, SaysHowExactlyTissueIsSolved) {
+  const auto ask_effort = [&](Guest& guest, CommandKind kind, BodyId body, std::uint32_t steps) {
+    Command c;
+    c.participant = guest.id;
+    c.sequence = ++guest.sequence;
+    c.kind = kind;
+    c.body = body;
+    c.revision = steps;
+    guest.bus->publish(c);
+    turn(3);
+    return guest.results.back();
+  };
+  const auto steps_down = [&] { return hosted.simulation.soft_state(Hosted::liver).steps_down; };
+  EXPECT_EQ(ask_effort(bo, CommandKind::set_effort, Hosted::liver, 1).reason,
+            "only the host says how exactly tissue is solved");
+  EXPECT_NE(ask_effort(ada, CommandKind::set_effort, 1, 1).reason.find("rigid"), std::string::npos);
+  EXPECT_NE(ask_effort(ada, CommandKind::set_effort, 9, 1).reason.find("no body"), std::string::npos);
+  EXPECT_NE(ask_effort(ada, CommandKind::set_effort, Hosted::liver, 4).reason.find("allowed"),
+            std::string::npos);
+  EXPECT_EQ(steps_down(), 0);
+  EXPECT_TRUE(ask_effort(ada, CommandKind::set_effort, Hosted::liver, 2).accepted);
+  EXPECT_EQ(steps_down(), 2);
+  EXPECT_TRUE(ask_effort(ada, CommandKind::set_all_efforts, 0, 3).accepted);
+  EXPECT_EQ(steps_down(), 3);
+  EXPECT_TRUE(ask_effort(ada, CommandKind::set_all_efforts, 0, 0).accepted);
+  EXPECT_EQ(steps_down(), 0);
+}
+
+TEST(EffortDial, TakesTheLessExactOfWhatHostAndOverloadAskFor) {
+  EffortDial dial;
+  EXPECT_EQ(dial.host({4, 1}).steps_down, 1);
+  EXPECT_EQ(dial.overload({4, 3}).steps_down, 3);
+  EXPECT_EQ(dial.host({4, 2}).steps_down, 3);
+  EXPECT_EQ(dial.overload({4, 0}).steps_down, 2);
+  EXPECT_EQ(dial.overload({5, 1}).steps_down, 1) << "another body";
+}
+
 TEST(TickSchedule, WaitsAsLongAsThePaceAsks) {
   TickSchedule schedule(100, 0);
   std::vector<std::int64_t> due;

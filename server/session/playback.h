@@ -1,0 +1,93 @@
+#pragma once
+// A recorded session, shown to whoever joins: its ticks are run again and told as those of a live session
+// are, with the people who were there. Who watches joins as an observer, and has time in hand: the pace,
+// steps, and any other moment.
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "server/session/body_meter.h"
+#include "server/session/part_sender.h"
+#include "server/session/publisher.h"
+#include "server/session/recording_index.h"
+#include "server/session/recording_player.h"
+#include "server/session/step_meter.h"
+#include "server/session/told_topology.h"
+
+namespace prosector {
+
+class Playback {
+ public:
+  /// What is played, and how it was compiled.
+  struct Source {
+    const JournalReader& journal;
+    Simulation& simulation;  // at its beginning
+  };
+  /// Reads the whole journal, and announces the session on the bus. All outlive the playback. `say` gets
+  /// lines for people. Throws InputError when the journal is damaged or of another scene or build.
+  Playback(const Source& source, Bus& bus, const std::string& session,
+           std::function<void(const std::string&)> say);
+
+  /// Hears what people say, and goes on by a tick, or on the way to where they want to go. Time begins when
+  /// somebody comes, and stands at the end.
+  void turn();
+  /// Takes turns at the pace that people have it until `stop`, or for `seconds` of wall time when above 0.
+  /// `each_second` gets a line for the console.
+  void run(const std::atomic<bool>& stop, double seconds,
+           const std::function<void(const std::string&)>& each_second);
+
+  std::string console_line() const;
+  std::uint64_t server_run() const { return publisher_.info().server_run; }
+  const Session& session() const { return session_; }
+  const RecordingPlayer& player() const { return player_; }
+  Publisher& publisher() { return publisher_; }
+
+ private:
+  Simulation& simulation_;
+  Bus& bus_;
+  std::function<void(const std::string&)> say_;
+  RecordingPlayer player_;
+  RecordingIndex index_;
+  SceneContent content_;
+  ToldTopology topology_;
+  Session session_;
+  StepMeter meter_;
+  std::map<std::string, Prospect> expected_;
+  BodyMeter body_meter_;
+  std::size_t metered_;  // bodies
+  PartSender parts_;
+  Roster people_;  // who is there at this time of the recording
+  std::optional<std::uint64_t> way_to_;
+  std::uint32_t epoch_shift_ = 0;  // from the simulation's epochs to those that clients are told
+  std::uint32_t epoch_left_ = 0;   // that clients were told last before the way began
+  std::uint64_t turns_ = 0;
+  bool begun_ = false, told_difference_ = false;
+  std::vector<Received> received_;
+  std::shared_ptr<const Snapshot> last_snapshot_;
+  std::int64_t offered_ns_ = 0, status_ns_ = 0, way_begun_ns_ = 0;
+  double energy_ = 0;
+  std::uint32_t awake_ = 0, asleep_ = 0;
+  Publisher publisher_;  // last: its thread ends before what it reads
+
+  bool hear();
+  void begin_with_the_first();
+  void take_wishes();
+  std::vector<Outgoing> play_tick();
+  std::vector<Outgoing> go_on_the_way();
+  std::vector<Outgoing> arrive();
+  void meet_people(std::vector<Outgoing>& out);
+  bool stand_at_the_end();
+  void meter(const StepReport& report, std::int64_t begun_ns);
+  std::vector<Outgoing> words_of_bodies();
+  void offer_snapshot(bool news);
+  std::shared_ptr<Snapshot> told_snapshot() const;
+  SimTime told_time() const;
+  ServerStatus status() const;
+};
+
+}  // namespace prosector

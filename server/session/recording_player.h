@@ -1,0 +1,64 @@
+#pragma once
+// Runs a recorded session, and goes to any of its ticks: from the nearest state before it that is known, the
+// journal's inputs are run again. Every state hash is compared with the recorded one. The journal is only
+// read.
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "server/physics/simulation.h"
+#include "server/session/journal_reader.h"
+
+namespace prosector {
+
+class RecordingPlayer {
+ public:
+  // States are kept of ticks that were passed, so that they are near another time. Where they take more than
+  // this, each second one gives way.
+  static constexpr std::size_t kept_budget = 256 * 1024 * 1024;  // bytes
+
+  /// Takes a simulation at its beginning; both outlive the player. Throws InputError when the simulation was
+  /// not compiled from what the journal recorded.
+  RecordingPlayer(const JournalReader& journal, Simulation& simulation);
+
+  std::uint64_t tick() const { return simulation_.time().tick; }
+  std::uint64_t last_tick() const { return last_tick_; }
+  /// Tells whether the next tick can't be run: there is none, or the last one differs from the recorded one.
+  bool at_end() const { return tick() >= last_tick_ || differs(); }
+  /// Tells whether the state that is shown is not the recorded one: another build or machine ran it.
+  bool differs() const { return difference_.has_value(); }
+  /// Returns the tick that differs.
+  std::optional<std::uint64_t> difference() const { return difference_; }
+
+  /// Tells whether the beginning was gone back to and no known state was met since. A scene's first ticks run
+  /// on caches that compiling made; after a restore the last bits may differ, so hashes are not compared.
+  bool is_near_enough() const { return near_enough_; }
+
+  /// Runs the next tick. Throws InputError when it can't be read any more.
+  const StepReport& step();
+  /// Goes as near before `tick` as a known state is, unless it is nearer already. The ticks that are left are
+  /// the caller's to run.
+  void approach(std::uint64_t tick);
+
+ private:
+  using State = std::vector<std::uint8_t>;
+  const JournalReader& journal_;
+  Simulation& simulation_;
+  std::uint64_t last_tick_;
+  std::set<std::uint64_t> checkpoints_;  // of the journal
+  State beginning_;
+  std::map<std::uint64_t, State> kept_;
+  std::size_t kept_bytes_ = 0;
+  std::optional<std::uint64_t> difference_;
+  bool near_enough_ = false;
+
+  bool meet_known_state();
+  void keep(State state);
+  State state_before(std::uint64_t tick);
+};
+
+}  // namespace prosector

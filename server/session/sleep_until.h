@@ -1,0 +1,16 @@
+#pragma once
+// Waiting for a moment of the clock that monotonic_ns() reads.
+
+#include <cstdint>
+#include <ctime>
+
+namespace prosector {
+
+/// Waits until monotonic_ns() is `ns`; not at all when it is later than that.
+inline void sleep_until(std::int64_t ns) {
+  constexpr std::int64_t second_ns = 1'000'000'000;
+  const timespec due{static_cast<time_t>(ns / second_ns), static_cast<long>(ns % second_ns)};
+  clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr);
+}
+
+}  // namespace prosector
