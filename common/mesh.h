@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "common/math.h"
@@ -26,10 +27,13 @@ inline void append(TriangleMesh& all, const TriangleMesh& mesh) {
   for (const auto& t : mesh.triangles) all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
 
+class RestStretch;
+
 /// A volume of linear tetrahedra; det(x1−x0, x2−x0, x3−x0) > 0.
 struct TetMesh {
-  std::vector<Vec3> positions;                     // metres
-  std::vector<std::array<std::uint32_t, 4>> tets;  // into positions
+  std::vector<Vec3> positions;                      // metres
+  std::vector<std::array<std::uint32_t, 4>> tets;   // into positions
+  std::shared_ptr<const RestStretch> stretch = {};  // of tissue under tension at rest; null: of none
 };
 
 /// A sparse map W from nodes to surface: x_surface = W·x_nodes and, transposed, f_nodes = Wᵀ·f_surface. A row

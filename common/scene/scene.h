@@ -190,6 +190,8 @@ struct SoftDesc {
   double friction = 0.3;
   double rolling_resistance = 0.1;  // as of RigidDesc; of what collides as a sphere or a hull
   double toughness = 164;          // J/m²: work that a cut takes, for its area; liver's (Gokgol et al. 2012)
+  Quantity tension;                // %: by how much less the outermost layer would be by itself
+  double tension_depth = 0.01;     // m: thickness of that layer
   std::string collision = "mesh";  // none | sphere | aabb | obb | hull | mesh
   std::string group = default_group;
   std::vector<std::string> touches;  // as of RigidDesc

@@ -184,6 +184,9 @@ class Checker {
     if (soft.shape == "rope" && soft.collision == "hull")
       fail(body, "collision",
            "a rope has no triangles to be in the hull of: must be one of none, sphere, aabb, obb, mesh");
+    if (soft.tension && soft.shape == "rope")
+      fail(body, "tension",
+           "tension is of an outermost layer, which a rope has not; allowed for solid bodies and sheets");
     check_regions(soft, body);
     check_curves(soft, body);
     if (!soft.curves.empty() && soft.shape != "rope")

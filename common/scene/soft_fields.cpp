@@ -119,6 +119,13 @@ const Table& soft_table() {
              "force that resists free rolling, over the load, of what collides as a sphere or a hull"),
          number<S, &S::toughness>("toughness", "J/m²", {0, 1e6},
                                   "work that a cut takes, for its area; 0: blades meet no resistance"),
+         quantity<S, &S::tension>("tension", "%", {0, 30, true},
+                                  "by how much less a body's outermost layer would be along its surface if "
+                                  "nothing held it: it is stretched, what is below holds it, and a cut "
+                                  "through it gapes (docs/understand/soft-tissue.md). Of a sheet, all of it: "
+                                  "[[soft.attach]] holds it"),
+         number<S, &S::tension_depth>("tension_depth", "m", {0, 1, true},
+                                      "how thick the layer under tension is, in solid bodies"),
          plain<S, &S::gravity>("gravity", "false: the imaged shape already carries its weight"),
          number<S, &S::newton_iterations>("newton_iterations", "", {1, 100}, "at most, per tick"),
          number<S, &S::solver_iterations>("solver_iterations", "", {1, 100000},

@@ -14,10 +14,12 @@
 #include "server/physics/soft/compression.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/sources.h"
+#include "server/physics/tension.h"
 
 namespace prosector {
 namespace {
 
+constexpr double told_of_tension = 1e-3;      // m: of less than this the author is not told
 constexpr double near_the_room = 0.02;        // m: soft bodies as near may rest on it
 constexpr double least_share_of_hull = 0.02;  // of its hull's volume that a closed mesh fills, at least
 
@@ -203,6 +205,10 @@ void add_soft(const SoftBody& s, ByteWriter& out) {
   }
   for (const RelaxationDesc& r : d.relaxation)
     for (const double v : {r.share, r.time}) out.add(v);
+  if (d.tension) {
+    out.add(d.tension.value);
+    out.add(d.tension_depth);
+  }
   out.add(s.attachment_stiffness());
 }
 
@@ -272,6 +278,8 @@ CompiledTissue compile_soft(const SoftDesc& desc, Anatomy anatomy, const Model& 
                             const CollisionGroups& groups,
                             const std::function<void(const std::string&)>& say) {
   CompiledTissue out;
+  if (const double moved = put_under_tension(desc, anatomy); moved > told_of_tension)
+    say(fmt::format("{}: its tension moves it by {:.1f} mm from its imaged shape", desc.name, 1e3 * moved));
   out.solver = std::make_unique<SoftBody>(desc, std::move(anatomy));
   const TriangleMesh& surface = out.solver->anatomy().surface;
   const double cell = desc.self_contact ? mean_edge(surface) : 0;

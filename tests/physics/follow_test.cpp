@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "common/anatomy/embedding.h"
+#include "common/anatomy/rest_stretch.h"
 #include "common/byte_stream.h"
 #include "server/physics/organs/organ_geometry.h"
 #include "server/physics/organs/tet_lineage.h"
@@ -63,6 +64,7 @@ struct Rung {
   const char* element = "tet4";
   double poisson_ratio = SoftDesc().poisson_ratio;
   std::uint32_t cells = 4;  // across
+  bool tense = false;       // each tetrahedron stretched otherwise
 };
 
 class FollowingBlocks final : public FollowingBodies {
@@ -113,6 +115,14 @@ class FollowingBlocks final : public FollowingBodies {
   const Anatomy& mesh_;
 };
 
+void stretch_at_random(TetMesh& mesh) {
+  Random random(8);
+  std::vector<Mat3> stretch;
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    stretch.emplace_back((Vec3::Ones() + random.point(0.1)).asDiagonal());
+  mesh.stretch = std::make_shared<RestStretch>(mesh, stretch);
+}
+
 class FollowingRungs : public ::testing::TestWithParam<Rung> {};
 
 TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
@@ -136,8 +146,9 @@ TEST_P(FollowingRungs, CutsAtRandomIsBeingMadeAnew) {
   }
   if (desc.model == "fem_fibers") desc.fiber_stiffness = 1e4;
   if (rung.relaxes) desc.relaxation = {{0.3, 0.5}, {0.2, 5}};
-  const Anatomy mesh = rung.round ? embed(shaken_box(rung.cells), surface_of("block", 0.01)).anatomy
-                                  : Anatomy{shaken_box(rung.cells), {}, {}};
+  Anatomy mesh = rung.round ? embed(shaken_box(rung.cells), surface_of("block", 0.01)).anatomy
+                            : Anatomy{shaken_box(rung.cells), {}, {}};
+  if (rung.tense) stretch_at_random(mesh.tets);
   Organ organ(0, mesh, desc.density);
   FollowingBlocks bodies(organ, desc, mesh, rung.stiffness);
   Random random(20261122);
@@ -265,6 +276,15 @@ INSTANTIATE_TEST_SUITE_P(
         Rung{.name = "round", .model = "fem_corotational", .solver = "cg", .round = true},
         Rung{.name = "direct", .model = "fem_corotational", .solver = "direct"},
         Rung{.name = "multigrid", .model = "fem_corotational", .solver = "multigrid", .damped = true},
+        Rung{.name = "tense", .model = "fem_corotational", .solver = "cg", .round = true, .tense = true},
+        Rung{.name = "tense_springs", .model = "mass_spring", .solver = "cg", .regions = true, .tense = true},
+        Rung{.name = "tense_xpbd", .model = "xpbd", .solver = "cg", .damped = true, .tense = true},
+        Rung{.name = "tense_quadratic",
+             .model = "fem_neo_hookean",
+             .solver = "cg",
+             .element = "tet10",
+             .cells = 3,
+             .tense = true},
         Rung{.name = "explicit",
              .model = "fem_corotational",
              .solver = "cg",

@@ -89,11 +89,13 @@ bool stuck(const SoftMember& s, const VecX& equilibrium) {
 }
 
 /// Tells whether the body is in a shape that a law for small rotations takes for a turned one: stretched by
-/// 1/cos of the angle.
+/// 1/cos of the angle. Tissue under tension stores energy at rest, too.
 bool falsely_turned(const SoftMember& s) {
   const VecX& x = s.state->motion.x;
-  return !s.state->recovering && turned_by(*s.body, false_turn, x) &&
-         s.body->potential().elastic_energy(x) < stuck_energy * stiffness(*s.body);
+  if (s.state->recovering || !turned_by(*s.body, false_turn, x)) return false;
+  IncrementalPotential& potential = s.body->potential();
+  return potential.elastic_energy(x) <
+         potential.elastic_energy(s.body->rest()) + stuck_energy * stiffness(*s.body);
 }
 
 /// Tells whether the body has another volume than what its equilibrium has, by more than any press leaves.

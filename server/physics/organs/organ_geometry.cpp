@@ -29,7 +29,9 @@ Anatomy anatomy_of(const Organ& organ, const OrganPiece& piece, Numbering& numbe
   if (organ.complex().is_sheet()) return sheet_piece(organ.complex(), piece.mesh, organ.whole(), numbering);
   PieceSurface skin = surface_of(organ, piece);
   numbering = std::move(skin.numbering);
-  return {piece.mesh.mesh, std::move(skin.surface), std::move(skin.embedding)};
+  return {{piece.mesh.mesh.positions, piece.mesh.mesh.tets, organ.whole().tets.stretch},
+          std::move(skin.surface),
+          std::move(skin.embedding)};
 }
 
 PieceSurface surface_of(const Organ& organ, const OrganPiece& piece) {

@@ -216,6 +216,7 @@ Anatomy remnant(const Anatomy& whole) {
   for (const std::uint32_t corner : whole.tets.tets.front())
     out.tets.positions.push_back(whole.tets.positions[corner]);
   out.tets.tets = {{0, 1, 2, 3}};
+  out.tets.stretch = whole.tets.stretch;
   return out;
 }
 

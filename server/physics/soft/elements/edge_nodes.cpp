@@ -240,7 +240,7 @@ SparseMap::Row divided(const SparseMap::Row& row, const EdgeNodes& edges) {
 }
 
 TetMesh divided(const TetMesh& mesh, const EdgeNodes& edges) {
-  TetMesh out{mesh.positions, std::vector<Tet>(8 * mesh.tets.size())};
+  TetMesh out{mesh.positions, std::vector<Tet>(8 * mesh.tets.size()), mesh.stretch};
   parallel_chunks(mesh.tets.size(), mesh_tets_per_chunk,
                   [&](std::size_t first, std::size_t last, std::size_t) {
                     for (std::size_t t = first; t < last; ++t)

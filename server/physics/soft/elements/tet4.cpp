@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "common/anatomy/rest_stretch.h"
 #include "server/physics/parallel.h"
 
 namespace prosector {
@@ -97,6 +98,14 @@ void Tet4Elements::set(std::size_t e, const TetMesh& mesh) {
   const bool kept = usable(D);
   volume_[e] = kept ? std::abs(D.determinant()) / 6 : 0;
   gradients_[e] = kept ? Mat3(D.inverse().transpose()) : Mat3(Mat3::Zero());
+  if (kept && mesh.stretch) set_stretch(e, mesh.stretch->at(middle_of(mesh, nodes_[e])));
+}
+
+/// Makes V the element's Fe at rest: Fe = F·V = Σ_a x_a (V·b_a)ᵀ, and its stress-free volume is V0/det V. So
+/// no law and no solver need to know of tension (rest_stretch.h).
+void Tet4Elements::set_stretch(std::size_t e, const Mat3& stretch) {
+  gradients_[e] = (stretch * gradients_[e]).eval();
+  volume_[e] /= stretch.determinant();
 }
 
 bool Tet4Elements::can_follow(const VecX& rest, const MeshEdit& edit) const {

@@ -38,7 +38,7 @@ class Tet4Elements {
   const Nodes& nodes(std::size_t e) const { return nodes_[e]; }
   /// Returns, by element, which of the mesh's tetrahedra it is.
   std::span<const std::uint32_t> source() const { return source_; }
-  double volume(std::size_t e) const { return volume_[e]; }  // m³, at rest
+  double volume(std::size_t e) const { return volume_[e]; }  // m³, at rest, or where nothing stretches it
 
   /// Tells whether these are the elements of the mesh that was edited, none of which was left out, and it has
   /// none to leave out now. `rest`: 3n, m, before.
@@ -48,7 +48,8 @@ class Tet4Elements {
   /// Follows the elements that these are parted from, which have followed.
   void follow_parted(const Tet4Elements& elements, const MeshEdit& edit);
 
-  /// Columns b_1, b_2, b_3; b_0 = −(b_1 + b_2 + b_3).
+  /// Columns b_1, b_2, b_3; b_0 = −(b_1 + b_2 + b_3). Of tissue under tension at rest V·b_a, with which F
+  /// above is Fe (rest_stretch.h).
   const Mat3& gradients(std::size_t e) const { return gradients_[e]; }
   /// Columns x_a − x_0 at node positions x (3n).
   Mat3 edges(std::size_t e, const double* x) const;
@@ -69,6 +70,7 @@ class Tet4Elements {
  private:
   Tet4Elements() = default;
   void set(std::size_t e, const TetMesh& mesh);
+  void set_stretch(std::size_t e, const Mat3& stretch);
   void resize(std::size_t size);
   void set_parts(std::size_t e, std::size_t parts, const Tet4Elements& elements);
   void drop_unusable();

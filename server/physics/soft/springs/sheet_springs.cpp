@@ -69,6 +69,8 @@ class SheetSprings {
         parts.push_back({e, given(desc_.spring_stiffness / 2, 8 * C_ * area(c) / (9 * l * l))});
       }
     add_springs(x_, std::move(parts), out_);
+    if (desc_.tension)
+      for (Spring& spring : out_.springs) spring.rest *= 1 - desc_.tension.value / 100;
   }
 
   /// Adds the bends. Two whole cells with a common edge bend along the two lines that cross it at its ends;

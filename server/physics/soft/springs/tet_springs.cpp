@@ -1,8 +1,10 @@
 #include "server/physics/soft/springs/tet_springs.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "common/anatomy/rest_stretch.h"
 #include "server/physics/soft/base/node_vectors.h"
 #include "server/physics/soft/elements/tet4.h"
 #include "server/physics/soft/springs/spring_parts.h"
@@ -39,6 +41,7 @@ class TetSprings {
         if (!wanted(tet[a]) || !wanted(tet[b])) continue;
         const double l = (x[tet[a]] - x[tet[b]]).norm();
         parts_.push_back({edge(tet[a], tet[b]), l > 0 ? 2.5 * mu * V / (l * l) : 0});
+        if (mesh_.stretch) by_itself_.push_back({parts_.back().at, length_by_itself(t, tet[a], tet[b])});
       }
   }
 
@@ -46,17 +49,39 @@ class TetSprings {
     const double given = desc_.spring_stiffness;
     if (given > 0)
       for (StiffnessPart& part : parts_) part.value = given;
+    for (std::size_t i = 0; i < by_itself_.size(); ++i) by_itself_[i].value *= parts_[i].value;
     add_springs(mesh_.positions, std::move(parts_), network);
+    shorten(network);
     if (given > 0)
       for (Spring& spring : network.springs) spring.stiffness = given;
   }
   void reserve(std::size_t tets) { parts_.reserve(6 * tets); }
 
  private:
+  /// Returns how long an edge of tetrahedron t would be if nothing stretched it, m.
+  double length_by_itself(std::size_t t, std::uint32_t a, std::uint32_t b) const {
+    const Mat3& V = mesh_.stretch->at(middle_of(mesh_, mesh_.tets[t]));
+    return (V.inverse() * (mesh_.positions[a] - mesh_.positions[b])).norm();
+  }
+
+  /// Makes springs under tension as long as its tetrahedra ask for, each as much as it adds to the spring.
+  void shorten(SpringNetwork& network) {
+    sort_parts(mesh_.positions.size(), by_itself_);
+    auto spring = network.springs.begin();
+    for_each_place(by_itself_, [&](auto first, auto last) {
+      while (spring != network.springs.end() && spring->node < first->at) ++spring;
+      if (spring == network.springs.end() || spring->node != first->at) return;
+      double sum = 0;
+      for (auto part = first; part != last; ++part) sum += part->value;
+      spring->rest = sum / spring->stiffness;
+    });
+  }
+
   const SoftDesc& desc_;
   const TetMesh& mesh_;
   std::vector<double> modulus_;  // of the springs of each kind of tetrahedron, Pa
   std::vector<StiffnessPart> parts_;
+  std::vector<Part<Edge, double>> by_itself_;  // of tissue under tension: lengths, then times stiffness
 };
 
 }  // namespace
