@@ -28,6 +28,9 @@ struct Material {
   vec3 slope;       // RELIEF: gradient of a small relief over the surface, in the mesh's frame
   vec3 scatter;     // SCATTERS: share of light that wraps around the terminator, by colour
   vec3 glow;        // emitted radiance
+#ifdef BRUSHED
+  vec3 along;  // unit, in the room and in the surface: the direction in which it was ground
+#endif
 };
 
 uniform vec3 base_color;
@@ -87,6 +90,11 @@ Material material_at(vec3 rest, float hollow, vec3 lean) {
   m.albedo = vec3(0.0);
   m.roughness = mix(0.45, 1.0, base_roughness);  // matt-finished: never a mirror, however smooth a scene wants it
   m.slope = 23.0 * unevenness * wear.yzw;
+#ifdef BRUSHED
+  // Instruments are brighter than the sheet they lie on. Lines of grinding are finer than a pixel from farther off.
+  m.f0 = base_color * mix(0.9, 1.0, wear.x) * weathered(hollow, vec3(0.7), vec3(1.1));
+  m.roughness = mix(0.28, 1.0, base_roughness);
+#endif
 #elif defined(SURFACE_SKIN)
   vec4 blotch = noise(rest * 70.0);
   vec4 pore = noise(rest * 900.0);

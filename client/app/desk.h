@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/app/desk_hand.h"
+#include "client/app/desk_section.h"
 #include "client/app/desk_view.h"
 #include "client/app/gamepad_user.h"
 #include "client/render/window_context.h"
@@ -27,6 +28,7 @@ struct DeskSession {
 /// What a desk user chose to see.
 struct DeskChoices {
   Shown shown = Shown::none;
+  std::optional<SectionPlane> section = {};  // that opens bodies
   bool wireframes = false, figures = false, help = false, full_screen = false;
 };
 
@@ -65,6 +67,7 @@ class Desk {
   bool closed_ = false;
   DeskView view_;
   DeskHand hand_;
+  DeskSection section_;
   GamepadUser pad_;
   std::optional<std::chrono::steady_clock::time_point> last_update_;
   DeskChoices choices_;
@@ -84,6 +87,7 @@ class Desk {
   void take(const WindowEvent& event, const DeskRoom& room);
   void press(Key key);
   void press_for_time(Key key);
+  void press_for_section(bool down, const DeskRoom& room);
   void turn_wheel(double notches);
   void press_button(const DeskRoom& room);
   bool is_double_click();

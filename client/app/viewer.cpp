@@ -124,6 +124,7 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   settings.pointer = desk.pointer_pixel();
   settings.wireframes = options_.wireframes != choices.wireframes;
   settings.shown = choices.shown;
+  settings.section = choices.section;
   if (choices.full_screen != full_screen_) {
     full_screen_ = choices.full_screen;
     stage_->window->set_full_screen(full_screen_ ? options_.monitor.value_or(0) : std::optional<int>());

@@ -45,7 +45,9 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   place_cameras(replica, tick, self, settings);
   if (!settings.stereo) add_insets(replica, tick, settings);
   add_room();
+  list_.section = settings.section;
   add_bodies(replica, tick, settings.shown);
+  close_section();
   if (settings.wireframes) add_wireframes(replica, tick);
   add_panels(replica);
   people_.add(list_, replica, tick, self, settings.follow, next_mesh_id_);
@@ -124,6 +126,7 @@ void SceneView::add_bodies(Replica& replica, double tick, Shown shown) {
   const auto& bodies = replica.scene()->bodies;
   for (BodyId id = 0; id < bodies.size(); ++id) {
     DrawItem item{.mesh = nullptr, .pose = {}, .appearance = bodies[id].appearance};
+    if (is_openable(item.appearance)) item.solid = id + 1;
     if (bodies[id].part) parts_.insert(id);
     std::shared_ptr<const DrawMesh> inner;
     if (bodies[id].kind == BodyKind::rigid) {
@@ -165,6 +168,12 @@ void SceneView::add_bodies(Replica& replica, double tick, Shown shown) {
   }
 }
 
+/// Closes what the viewer's section opens. One can point at what closes it.
+void SceneView::close_section() {
+  for (const auto& [solid, item] : section_caps_.add(list_, next_mesh_id_))
+    body_items_.emplace_back(solid - 1, item);
+}
+
 void SceneView::paint(DrawItem& item, Shown shown, const BodyStatus* status) {
   std::optional<double> value;  // of the whole body
   if (shown == Shown::residual) value = status != nullptr ? status->residual : not_known;
@@ -193,12 +202,28 @@ std::optional<Picked> SceneView::surface_at(const Ray& ray, const std::vector<Bo
   return nearest_item(ray, [&](BodyId body) { return std::ranges::find(without, body) == without.end(); });
 }
 
+/// Returns where the ray first meets what the section leaves of the item.
+std::optional<SurfacePoint> SceneView::meet(const Ray& ray, const DrawItem& item) {
+  if (!is_opened(item, list_)) return trees_.meet(ray, item);
+  const SectionPlane& section = *list_.section;
+  const double height = section.height(ray.from), sinks = -section.normal.dot(ray.along);
+  if (height <= 0) {
+    const auto point = trees_.meet(ray, item);
+    return point && section.height(point->at) <= 0 ? point : std::nullopt;
+  }
+  if (sinks <= 0) return std::nullopt;
+  const double way = height / sinks;
+  auto point = trees_.meet({ray.from + way * ray.along, ray.along}, item);
+  if (point) point->distance += way;
+  return point;
+}
+
 template <class Counts>
 std::optional<Picked> SceneView::nearest_item(const Ray& ray, const Counts& counts) {
   std::optional<Picked> nearest;
   for (const auto& [body, index] : body_items_) {
     if (!counts(body)) continue;
-    const auto point = trees_.meet(ray, list_.items[index]);
+    const auto point = meet(ray, list_.items[index]);
     if (point && (!nearest || point->distance < nearest->distance)) nearest = Picked{*point, body};
   }
   return nearest;
@@ -227,7 +252,7 @@ void SceneView::add_hand_cues(const Replica& replica, const LocalUser& self, dou
                        (bodies[*worked_on].kind == BodyKind::soft || bodies[*worked_on].moves);
   const double to = matters && hand_covers(hand, *worked_on) ? covering_opacity : 1;
   hand_opacity_ += std::clamp(to - hand_opacity_, -opacity_step, opacity_step);
-  list_.items[*index].opacity = hand_opacity_;
+  for (const std::size_t item : {*index, *index + 1}) list_.items[item].opacity = hand_opacity_;
 }
 
 /// Tells whether the first eye sees a good part of the hand before the body.

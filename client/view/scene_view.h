@@ -15,6 +15,7 @@
 #include "client/view/panel_view.h"
 #include "client/view/people.h"
 #include "client/view/pick.h"
+#include "client/view/section.h"
 #include "client/view/soft_body_mesh.h"
 #include "client/view/surface_tree.h"
 #include "client/view/value_paint.h"
@@ -50,6 +51,7 @@ class SceneView {
   std::vector<std::pair<BodyId, std::size_t>> body_items_;  // of list_.items, the bodies'
   std::set<BodyId> parts_;                                  // of the anatomy
   SurfaceTrees trees_;
+  SectionCaps section_caps_;
   LevelOfDetail level_of_detail_;
   std::uint64_t next_mesh_id_ = 1;
   DrawList list_;
@@ -60,8 +62,10 @@ class SceneView {
   void add_room();
   void place_lights(const Replica& replica, double tick);
   void add_bodies(Replica& replica, double tick, Shown shown);
+  void close_section();
   void paint(DrawItem& item, Shown shown, const BodyStatus* status);
   SoftBodyMesh& follow_soft(SoftReplica& soft, BodyId body, double tube_diameter, double tick, double dt);
+  std::optional<SurfacePoint> meet(const Ray& ray, const DrawItem& item);
   template <class Counts>
   std::optional<Picked> nearest_item(const Ray& ray, const Counts& counts);
   void add_hand_cues(const Replica& replica, const LocalUser& self, double tick);

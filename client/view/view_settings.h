@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "client/view/draw_list.h"
 #include "client/view/stereo_profile.h"
 #include "client/view/value_paint.h"
 #include "common/messages.h"
@@ -17,6 +18,7 @@ struct ViewSettings {
   std::optional<StereoProfile> stereo;  // nullopt: one picture
   double detail = 0;                    // pixels, for LevelOfDetail::choose()
   bool overlay = true;
+  std::optional<SectionPlane> section = {};           // that opens bodies
   bool wireframes = false;                            // of what bodies collide as
   Shown shown = Shown::none;                          // by soft bodies' colours
   std::string notes;                                  // lines below the session's; empty: none
