@@ -85,7 +85,7 @@ Material material_at(vec3 rest, float hollow, vec3 lean) {
   vec4 wear = noise(rest * 23.0);
   wear.x += dot(wear.yzw, 23.0 * (wear.x - 0.5) * unevenness * lean);
   // Steel beside white is darker than a colour says; edges and thin shafts are polished by use, corners are not.
-  m.f0 = base_color * dot(base_color, vec3(0.37)) * mix(0.94, 1.06, wear.x);
+  m.f0 = base_color * dot(base_color, vec3(0.29)) * mix(0.94, 1.06, wear.x);
   m.f0 *= weathered(hollow, vec3(0.55), vec3(1.35));
   m.albedo = vec3(0.0);
   m.roughness = mix(0.45, 1.0, base_roughness);  // matt-finished: never a mirror, however smooth a scene wants it

@@ -132,9 +132,7 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   for (std::size_t n = desk.take_follow_requests(); n > 0; --n) follow_next(self.participant);
   settings.follow = follow_;
   if (choices.figures) settings.notes = figures_.text();
-  if (choices.help)
-    settings.notes +=
-        (settings.notes.empty() ? "" : "\n\n") + help(role_of(self.participant), HelpColumns::tabs);
+  if (choices.help) settings.help = help(role_of(self.participant), HelpColumns::tabs);
   if (pump != nullptr && !has_devices(options_.devices))
     drive_hand_at_desk(*pump, self, session.own_panel.has_value());
 }

@@ -8,6 +8,7 @@
 #include "client/view/camera.h"
 #include "client/view/carried_light.h"
 #include "client/view/held_things.h"
+#include "client/view/help_board.h"
 #include "client/view/light_shaft.h"
 #include "client/view/normals.h"
 #include "client/view/overlay_frame.h"
@@ -54,13 +55,14 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   if (self.at_desk) add_hand_cues(replica, self, tick);
   level_of_detail_.choose(list_, settings.detail);
   if (settings.shown != Shown::none) add_legend(list_, scale_of(settings.shown));
-  if (!settings.notes.empty())
+  if (!settings.notes.empty() && settings.help.empty())
     list_.texts.push_back({.text = settings.notes,
                            .at = {notes_left, notes_top, 0},
                            .height = 13,
                            .wrap = OverlayFrame(list_).width - 2 * notes_left});
   if (settings.overlay) add_body_figures(replica);
-  if (settings.overlay) add_session_overlay(list_, replica, self, settings);
+  if (settings.overlay && settings.help.empty()) add_session_overlay(list_, replica, self, settings);
+  if (!settings.help.empty()) add_help(list_, settings.help);
   return list_;
 }
 

@@ -21,6 +21,7 @@ struct ViewSettings {
   std::optional<SectionPlane> section = {};           // that opens bodies
   bool wireframes = false;                            // of what bodies collide as
   Shown shown = Shown::none;                          // by soft bodies' colours
+  std::string help;                                   // columns by tabs; empty: none
   std::string notes;                                  // lines below the session's; empty: none
   std::vector<std::string> messages = {};             // lines at the lower border, the oldest first
   std::optional<BodyId> pointed = {};                 // body to name beside the pointer
