@@ -34,6 +34,28 @@ float ggx(float ndl, float ndv, float ndh, float roughness, float width) {
   return 0.5 * a * a / (d * d * mix(2.0 * ndl * ndv, ndl + ndv, a));
 }
 
+#ifdef BRUSHED
+// Metal that was ground along an axis mirrors sharply along it and broadly across: the same with a width for each
+// of the two (Burley 2012). `along`: unit, in the surface.
+const float across_grinding = 2.4;  // times the roughness squared, and one over that along the axis
+
+float brushed_ggx(float ndl, float ndv, vec3 halfway, vec3 normal, vec3 along, float roughness, float width) {
+  float a = max(roughness * roughness, 0.002);
+  vec2 w = min(vec2(a / across_grinding, a * across_grinding) + width, 1.0);
+  vec2 h = vec2(dot(halfway, along), dot(halfway, cross(normal, along))) / w;
+  float ndh = dot(halfway, normal);
+  float d = dot(h, h) + ndh * ndh;
+  return 0.5 / (w.x * w.y * d * d * mix(2.0 * ndl * ndv, ndl + ndv, sqrt(w.x * w.y)));
+}
+
+// The normal by which a brushed metal mirrors the room: bent towards the eye across the grinding, where it mirrors
+// from all around.
+vec3 bent_normal(vec3 normal, vec3 along, vec3 view) {
+  vec3 across = view - dot(view, along) * along;
+  return normalize(mix(normal, normalize(across + 1e-4 * normal), 0.35));
+}
+#endif
+
 #ifdef PROBE
 // A bright ceiling over a dim floor.
 vec3 surroundings(vec3 normal) {
@@ -139,6 +161,10 @@ void add_light(inout Radiance sum, int k, int kind, Material m, vec3 place, vec3
 #endif
 #ifdef MATT
   sum.base += light * diffuse;
+#elif defined(BRUSHED)
+  vec3 halfway = (towards + view) * inverse;
+  float shine = brushed_ggx(ndl, ndv, halfway, normal, m.along, m.roughness, width) * ndl;
+  sum.base += light * ((m.f0 + (1.0 - m.f0) * f) * shine);
 #else
   sum.base += light * (diffuse + (m.f0 + (1.0 - m.f0) * f) * (ggx(ndl, ndv, ndh, m.roughness, width) * ndl));
 #endif
@@ -162,7 +188,12 @@ vec3 shade(Material m, vec3 place, vec3 normal, vec3 film_normal, vec3 view) {
   Radiance sum = Radiance(m.albedo * surroundings(normal), vec3(0.0));
 #ifndef MATT
   vec3 fresnel = m.f0 + (1.0 - m.f0) * schlick(ndv) * (1.0 - m.roughness);
-  sum.base += fresnel * mirrored(2.0 * ndv * normal - view, m.roughness);
+#ifdef BRUSHED
+  vec3 facet = bent_normal(normal, m.along, view);
+#else
+  vec3 facet = normal;
+#endif
+  sum.base += fresnel * mirrored(2.0 * max(dot(facet, view), 1e-3) * facet - view, m.roughness);
 #endif
 #ifdef FILM
   sum.film = film_fresnel * mirrored(2.0 * film_ndv * film_normal - view, film_roughness);

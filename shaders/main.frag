@@ -12,6 +12,9 @@ uniform mat4 room_from_mesh;
 uniform vec3 eye;
 uniform float brightness;
 uniform float opacity;  // CLEAR: seen straight on
+#ifdef BRUSHED
+uniform vec3 long_axis;  // in the mesh's frame
+#endif
 
 out vec4 color;
 
@@ -55,6 +58,11 @@ void main() {
   vec3 slope = mat3(room_from_mesh) * material.slope;
   normal = normalize(smooth_normal - (slope - dot(slope, smooth_normal) * smooth_normal));
   film_normal = normalize(normal + smooth_normal);
+#endif
+#ifdef BRUSHED
+  // Where an end faces along the axis any direction does.
+  vec3 along = mat3(room_from_mesh) * long_axis + vec3(1e-3, 2e-3, 1e-3);
+  material.along = normalize(along - dot(along, normal) * normal);
 #endif
   vec3 radiance = shade(material, room_place, normal, film_normal, towards_eye);
 #ifdef SURFACE_GLASS

@@ -6,6 +6,19 @@ layout(location = 3) in float hollow;
 uniform mat4 room_from_mesh;
 uniform mat4 room_from_normal;
 uniform mat4 clip_from_room;
+uniform vec4 kept;  // its product with a place is above zero on the side of the section that stays
+
+#ifdef BRUSHED
+uniform vec3 long_axis;          // of something slender, in the mesh's frame
+uniform vec3 eye;
+uniform float least_half_width;  // m, of what is a metre away
+
+// Something slender is no thinner than a pixel or two, however far away: it would be dotted.
+vec3 widened(vec3 at) {
+  float least = least_half_width * distance(eye, (room_from_mesh * vec4(at, 1.0)).xyz);
+  return mix(sign(at) * max(abs(at), least), at, long_axis);
+}
+#endif
 
 out vec3 room_place;
 out vec3 room_normal;
@@ -18,7 +31,11 @@ out vec4 shadow_place;
 #endif
 
 void main() {
+#ifdef BRUSHED
+  vec4 place = room_from_mesh * vec4(widened(position), 1.0);
+#else
   vec4 place = room_from_mesh * vec4(position, 1.0);
+#endif
   room_place = place.xyz;
   room_normal = mat3(room_from_normal) * normal;
   rest_place = rest;
@@ -28,5 +45,6 @@ void main() {
   vec4 unmoved = shadow_clip_from_room * place;
   shadow_place = unmoved + shadow_clip_from_room * vec4(room_normal * (shadow_offset * unmoved.w), 0.0);
 #endif
+  gl_ClipDistance[0] = dot(kept, place);
   gl_Position = clip_from_room * place;
 }

@@ -28,6 +28,9 @@ struct Material {
   vec3 slope;       // RELIEF: gradient of a small relief over the surface, in the mesh's frame
   vec3 scatter;     // SCATTERS: share of light that wraps around the terminator, by colour
   vec3 glow;        // emitted radiance
+#ifdef BRUSHED
+  vec3 along;  // unit, in the room and in the surface: the direction in which it was ground
+#endif
 };
 
 uniform vec3 base_color;
@@ -82,11 +85,16 @@ Material material_at(vec3 rest, float hollow, vec3 lean) {
   vec4 wear = noise(rest * 23.0);
   wear.x += dot(wear.yzw, 23.0 * (wear.x - 0.5) * unevenness * lean);
   // Steel beside white is darker than a colour says; edges and thin shafts are polished by use, corners are not.
-  m.f0 = base_color * dot(base_color, vec3(0.37)) * mix(0.94, 1.06, wear.x);
+  m.f0 = base_color * dot(base_color, vec3(0.29)) * mix(0.94, 1.06, wear.x);
   m.f0 *= weathered(hollow, vec3(0.55), vec3(1.35));
   m.albedo = vec3(0.0);
   m.roughness = mix(0.45, 1.0, base_roughness);  // matt-finished: never a mirror, however smooth a scene wants it
   m.slope = 23.0 * unevenness * wear.yzw;
+#ifdef BRUSHED
+  // Instruments are brighter than the sheet they lie on. Lines of grinding are finer than a pixel from farther off.
+  m.f0 = base_color * mix(0.9, 1.0, wear.x) * weathered(hollow, vec3(0.7), vec3(1.1));
+  m.roughness = mix(0.28, 1.0, base_roughness);
+#endif
 #elif defined(SURFACE_SKIN)
   vec4 blotch = noise(rest * 70.0);
   vec4 pore = noise(rest * 900.0);

@@ -45,6 +45,8 @@ inline constexpr std::array controls = {
     Control{ControlDevice::view, Role::observer, "W A S D Q E", "flies"},
     Control{ControlDevice::view, Role::observer, "F", "turns about the eye, or again about what is seen"},
     Control{ControlDevice::view, Role::observer, "Tab", "through the eyes of the next user"},
+    Control{ControlDevice::view, Role::observer, "X", "opens what you see at a plane, or closes it"},
+    Control{ControlDevice::view, Role::observer, "hold X, wheel", "moves the plane"},
     Control{ControlDevice::view, Role::observer, "V", "colours organs by strain, residual, error"},
     Control{ControlDevice::view, Role::observer, "C", "what bodies collide as"},
     Control{ControlDevice::view, Role::observer, "I", "figures of pictures, network and simulation"},

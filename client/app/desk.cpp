@@ -19,6 +19,8 @@ constexpr double double_click_pixels = 6;
 constexpr std::chrono::milliseconds double_click{350};
 constexpr std::chrono::milliseconds slide_interval{40};  // a server takes no more than 50 commands a second
 
+constexpr Key section_key = key_of('X');
+
 Shown next(Shown shown) {
   return static_cast<Shown>((static_cast<std::size_t>(shown) + 1) % value_scales.size());
 }
@@ -72,6 +74,9 @@ void Desk::act(const WindowEvent& event, const DeskRoom& room) {
   if (std::get_if<CloseRequested>(&event)) closed_ = true;
   if (const auto* key = std::get_if<KeyEvent>(&event); key != nullptr && key->down && !key->repeat)
     press(key->key);
+  if (const auto* key = std::get_if<KeyEvent>(&event);
+      key != nullptr && key->key == section_key && !key->repeat)
+    press_for_section(key->down, room);
   if (const auto* button = std::get_if<MouseButtonEvent>(&event)) {
     if (button->button == MouseButton::left) button->down ? press_button(room) : let_go();
     if (button->button == MouseButton::middle && button->down) request_panel();
@@ -109,7 +114,20 @@ void Desk::press_for_time(Key key) {
   }
 }
 
+void Desk::press_for_section(bool down, const DeskRoom& room) {
+  const ViewPlace& place = view_.place();
+  const auto point = down ? room.surface(view_.pointer()) : std::nullopt;
+  down ? section_.press(place.back(), point ? room.box(point->body).center() : place.target)
+       : section_.let_go();
+  choices_.section = section_.plane();
+}
+
 void Desk::turn_wheel(double notches) {
+  if (view_.is_held(section_key)) {
+    section_.move(notches);
+    choices_.section = section_.plane();
+    return;
+  }
   if (view_.is_held(Key::control)) return;  // the view zooms
   if (view_.is_held(Key::shift))
     hand_.turn(wrist_per_notch * notches, 0);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "client/app/desk_hand.h"
+#include "client/app/desk_section.h"
 #include "client/app/desk_view.h"
 #include "client/app/gamepad_user.h"
 #include "client/app/parts_desk.h"
@@ -37,6 +38,7 @@ struct DeskSession {
 /// What a desk user chose to see.
 struct DeskChoices {
   Shown shown = Shown::none;
+  std::optional<SectionPlane> section = {};  // that opens bodies
   bool wireframes = false, figures = false, help = false, full_screen = false;
 };
 
@@ -84,6 +86,7 @@ class Desk {
   bool closed_ = false;
   DeskView view_;
   DeskHand hand_;
+  DeskSection section_;
   GamepadUser pad_;
   PartsDesk parts_;
   TimeControl time_;
@@ -111,6 +114,7 @@ class Desk {
   void ask(const std::optional<Command>& command);
   OverlayFrame frame() const { return {view_.camera(), scale_}; }
   Eigen::Vector2d pointer_point() const { return view_.pointer_pixel() / scale_; }
+  void press_for_section(bool down, const DeskRoom& room);
   void turn_wheel(double notches);
   void press_button(const DeskRoom& room);
   bool is_double_click();

@@ -170,6 +170,7 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   for (const PartsOrder& order : desk.parts().take_orders()) obey(order);
   settings.highlighted = desk.parts().hovered_bodies();
   settings.parts_list = desk.parts().shown();
+  settings.section = choices.section;
   if (choices.full_screen != full_screen_) {
     full_screen_ = choices.full_screen;
     stage_->window->set_full_screen(full_screen_ ? options_.monitor.value_or(0) : std::optional<int>());
@@ -177,9 +178,7 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   for (std::size_t n = desk.take_follow_requests(); n > 0; --n) follow_next(self.participant);
   settings.follow = follow_;
   if (choices.figures) settings.notes = figures_.text();
-  if (choices.help)
-    settings.notes +=
-        (settings.notes.empty() ? "" : "\n\n") + help(role_of(self.participant), HelpColumns::tabs);
+  if (choices.help) settings.help = help(role_of(self.participant), HelpColumns::tabs);
   if (pump != nullptr && !has_devices(options_.devices))
     drive_hand_at_desk(*pump, self, session.own_panel.has_value());
   if (pump == nullptr) ask_for_time();

@@ -44,7 +44,7 @@ struct MainPass::Frame {
   const Shadow& shadow;
   const Environment& environment;
   bool refracts = false;  // glass is drawn over a picture of what is behind it
-  std::map<std::tuple<Surface, bool, bool, bool, bool, unsigned long>, const ShaderProgram*> found = {};
+  std::map<std::tuple<Surface, bool, bool, bool, bool, bool, unsigned long>, const ShaderProgram*> found = {};
   std::set<const ShaderProgram*> set_up = {};
 };
 
@@ -57,6 +57,9 @@ MainPass::MainPass(const Gl& gl, const std::filesystem::path& shaders, std::vect
 void MainPass::compile_all() {
   for (std::size_t k = 0; k <= static_cast<std::size_t>(last_surface); ++k)
     program_for(item_defines(static_cast<Surface>(k), true, light_defines(std::vector<LightInfo>(1), 1, 0)));
+  Defines brushed = item_defines(Surface::metal, false, light_defines(std::vector<LightInfo>(1), 1, 0));
+  brushed.push_back("BRUSHED");
+  program_for(brushed);
   if (!refracts_) return;
   Defines glass = item_defines(Surface::glass, false, light_defines(std::vector<LightInfo>(1), 1, 0));
   glass.push_back("REFRACTS");
@@ -79,13 +82,14 @@ const ShaderProgram& MainPass::ready(const QueuedItem& queued, Frame& frame) {
   const bool is_wet = item.appearance.wetness > 0;
   const LightSet lights = item.shaft || item.painted ? LightSet() : lights_of(queued, frame.list.lights);
   const ShaderProgram*& program = frame.found[{item.appearance.surface, is_wet, item.shaft, item.painted,
-                                               is_clear(item), lights.to_ulong()}];
+                                               is_clear(item), is_brushed(item), lights.to_ulong()}];
   if (!program) {
     Defines defines = item_defines(item.appearance.surface, is_wet,
                                    light_defines(frame.list.lights, lights, frame.shadow.light));
     if (item.shaft) defines.push_back("SHAFT");
     if (item.painted) defines.push_back("PAINTED");
     if (is_clear(item)) defines.push_back("CLEAR");
+    if (is_brushed(item)) defines.push_back("BRUSHED");
     if (frame.refracts) defines.push_back("REFRACTS");
     program = &program_for(defines);
   }
@@ -95,6 +99,8 @@ const ShaderProgram& MainPass::ready(const QueuedItem& queued, Frame& frame) {
     if (frame.refracts) set_refraction(*program, frame.camera);
   }
   set_item(*program, item);
+  if (frame.list.section)
+    set_kept(*program, is_opened(item, frame.list) ? kept_side(*frame.list.section) : kept_whole);
   return *program;
 }
 
@@ -104,7 +110,8 @@ void MainPass::draw_sides(const QueuedItem& queued, Frame& frame, const Draw& dr
   const ShaderProgram& program = ready(queued, frame);
   const DrawItem& item = *queued.item;
   const bool mirrored = item.shape.A.determinant() < 0;
-  if (item.seen_from_inside || may_be_around(frame.camera.pose.p, queued)) {
+  const bool opened = is_opened(item, frame.list);
+  if (item.seen_from_inside || opened || may_be_around(frame.camera.pose.p, queued)) {
     const Eigen::Matrix4d normals = matrix_of(normal_map(item));
     program.set("room_from_normal", Eigen::Matrix4d(-normals));
     gl_.CullFace(mirrored ? GL_BACK : GL_FRONT);
@@ -170,6 +177,7 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
   gl_.BindTexture(GL_TEXTURE_CUBE_MAP, environment.cube);
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, shadow.texture);
+  if (list.section) gl_.Enable(GL_CLIP_DISTANCE0);
   const Frustum frustum(view_projection_of(camera));
   Frame frame{list, camera, meshes, shadow, environment};
   std::vector<const QueuedItem*> solids, clear, shafts;
@@ -192,6 +200,7 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
   for (auto queued = clear.rbegin(); queued != clear.rend(); ++queued)
     is_glass(*(*queued)->item) ? draw_pane(**queued, frame) : draw_clear(**queued, frame);
   for (const QueuedItem* queued : shafts) draw_shaft(*queued, frame);
+  gl_.Disable(GL_CLIP_DISTANCE0);
   gl_.Disable(GL_CULL_FACE);
 }
 

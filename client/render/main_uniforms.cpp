@@ -11,6 +11,8 @@
 namespace prosector {
 namespace {
 
+constexpr double least_pixels = 1.5;  // across what is slender, so that it is never dotted
+
 // The order of Surface.
 constexpr std::array<const char*, 11> surface_defines = {
     "SURFACE_PLAIN", "SURFACE_TISSUE",   "SURFACE_BONE",  "SURFACE_METAL", "SURFACE_SKIN",   "SURFACE_CLOTH",
@@ -67,6 +69,10 @@ std::vector<std::string> light_defines(const std::vector<LightInfo>& lights, con
   return {each, fmt::format("SHADOW_LIGHT {}", shadowed ? shadow_light : -1)};
 }
 
+bool is_brushed(const DrawItem& item) {
+  return item.appearance.surface == Surface::metal && !item.painted && !item.mesh->slender.isZero(0);
+}
+
 std::vector<std::string> item_defines(Surface surface, bool is_wet, std::vector<std::string> defines) {
   defines.push_back(surface_defines.at(static_cast<std::size_t>(surface)));
   if (is_wet) defines.push_back("WET");
@@ -77,6 +83,7 @@ void set_frame(const ShaderProgram& program, const DrawList& list, const DrawCam
                const Shadow& shadow, const Environment& environment) {
   program.set("clip_from_room", view_projection_of(camera));
   program.set("eye", camera.pose.p);
+  program.set("least_half_width", 0.5 * least_pixels * (camera.top - camera.bottom) / camera.height);
   program.set("ambient", list.ambient);
   program.set("shadow_map", 0);
   program.set("environment_map", 1);
@@ -96,6 +103,10 @@ Affine normal_map(const DrawItem& item) {
   return out;
 }
 
+void set_kept(const ShaderProgram& program, const Eigen::Vector4d& kept) {
+  program.set("kept", std::vector<Eigen::Vector4f>{kept.cast<float>()});
+}
+
 void set_placement(const ShaderProgram& program, const DrawItem& item) {
   program.set("room_from_mesh", matrix_of(item));
   program.set("room_from_normal", matrix_of(normal_map(item)));
@@ -108,6 +119,7 @@ void set_item(const ShaderProgram& program, const DrawItem& item) {
   program.set("wetness", item.appearance.wetness);
   program.set("brightness", item.brightness);
   program.set("opacity", std::clamp(item.opacity, 0.0, 1.0));
+  if (is_brushed(item)) program.set("long_axis", item.mesh->slender);
   if (item.appearance.surface != Surface::glass) return;
   program.set("refractive_index", refractive_indices(item.appearance));
   program.set("transmittance", item.appearance.transmittance);

@@ -29,10 +29,16 @@ LightSet lights_of(const QueuedItem& queued, const std::vector<LightInfo>& light
 std::vector<std::string> light_defines(const std::vector<LightInfo>& lights, const LightSet& set,
                                        int shadow_light);
 
+/// Tells whether the item is of metal that was ground along its long axis, as instruments are.
+bool is_brushed(const DrawItem& item);
+
 std::vector<std::string> item_defines(Surface surface, bool is_wet, std::vector<std::string> defines);
 
 void set_frame(const ShaderProgram& program, const DrawList& list, const DrawCamera& camera,
                const Shadow& shadow, const Environment& environment);
+
+/// Sets the side of a plane that is drawn: where its product with a place is above zero.
+void set_kept(const ShaderProgram& program, const Eigen::Vector4d& kept);
 
 /// Sets where the item is, as room_from_mesh and room_from_normal.
 void set_placement(const ShaderProgram& program, const DrawItem& item);

@@ -20,6 +20,10 @@ Eigen::Matrix4d matrix_of(const DrawItem& item) {
   return matrix_of(item.shape) * matrix_of(item.pose);
 }
 
+Eigen::Vector4d kept_side(const SectionPlane& section) {
+  return {-section.normal.x(), -section.normal.y(), -section.normal.z(), section.offset};
+}
+
 Eigen::Matrix4d projection_of(const DrawCamera& c) {
   const double wide = c.right - c.left, high = c.top - c.bottom, deep = c.far - c.near;
   Eigen::Matrix4d m = Eigen::Matrix4d::Zero();

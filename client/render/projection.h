@@ -12,6 +12,11 @@ Eigen::Matrix4d matrix_of(const Affine& affine);
 /// Maps the item's mesh to the room.
 Eigen::Matrix4d matrix_of(const DrawItem& item);
 
+/// Returns the plane as the shaders' `kept`: its product with a place is above zero on the side that stays.
+Eigen::Vector4d kept_side(const SectionPlane& section);
+
+inline const Eigen::Vector4d kept_whole{0, 0, 0, 1};  // of what no section opens
+
 /// Returns the off-axis frustum of the camera: clip from eye space.
 Eigen::Matrix4d projection_of(const DrawCamera& camera);
 

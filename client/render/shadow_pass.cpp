@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client/render/main_uniforms.h"
 #include "common/rotation_between.h"
 
 namespace prosector {
@@ -33,6 +34,11 @@ DrawCamera camera_of(const LightInfo& light, const std::vector<QueuedItem>& item
   camera.far = std::max(step * std::ceil(farthest / step), step);
   camera.near = std::clamp(step * std::floor(nearest / step), 0.01 * camera.far, 0.9 * camera.far);
   return camera;
+}
+
+/// Returns the plane that bounds what is left of the item, in its mesh's frame.
+Eigen::Vector4d kept_of(const DrawItem& item, const SectionPlane& section) {
+  return item.solid == 0 ? kept_whole : Eigen::Vector4d(matrix_of(item).transpose() * kept_side(section));
 }
 
 }  // namespace
@@ -80,14 +86,16 @@ Shadow ShadowPass::draw(const DrawList& list, const std::vector<QueuedItem>& ite
   Items casting;
   for (const QueuedItem& queued : items)
     if (casts_shadow(*queued.item) && frustum.may_see(queued.bounds)) casting.push_back(&queued);
-  if (note_changes(casting, shadow.clip_from_room)) draw_layers(casting, meshes);
+  if (note_changes(casting, shadow.clip_from_room, list.section)) draw_layers(casting, meshes);
   return shadow;
 }
 
-bool ShadowPass::note_changes(const Items& items, const Eigen::Matrix4d& clip_from_room) {
-  bool changed = clip_from_room != clip_from_room_ || items.size() != casters_.size();
+bool ShadowPass::note_changes(const Items& items, const Eigen::Matrix4d& clip_from_room,
+                              const std::optional<SectionPlane>& section) {
+  bool changed = clip_from_room != clip_from_room_ || section != section_ || items.size() != casters_.size();
   if (changed) in_still_.assign(items.size(), false);
   clip_from_room_ = clip_from_room;
+  section_ = section;
   casters_.resize(items.size());
   unchanged_.resize(items.size());
   for (std::size_t k = 0; k < items.size(); ++k) {
@@ -133,10 +141,13 @@ void ShadowPass::draw_items(const Items& items, const MeshCache& meshes) const {
   gl_.Enable(GL_POLYGON_OFFSET_FILL);
   gl_.PolygonOffset(1.5F, 4.0F);
   program_.use();
+  if (section_) gl_.Enable(GL_CLIP_DISTANCE0);
   for (const QueuedItem* queued : items) {
     program_.set("clip_from_mesh", Eigen::Matrix4d(clip_from_room_ * matrix_of(*queued->item)));
+    if (section_) set_kept(program_, kept_of(*queued->item, *section_));
     prosector::draw(meshes, *queued);
   }
+  gl_.Disable(GL_CLIP_DISTANCE0);
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
   gl_.Disable(GL_SCISSOR_TEST);
 }

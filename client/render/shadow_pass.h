@@ -3,6 +3,7 @@
 // its own, so that a frame redraws only what moves, and nothing when nothing does. Private to client/render.
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "client/render/draw_queue.h"
@@ -53,13 +54,15 @@ class ShadowPass {
   int size_;
   Layer whole_, still_;
   Eigen::Matrix4d clip_from_room_ = Eigen::Matrix4d::Zero();  // that the layers were drawn with
+  std::optional<SectionPlane> section_;                       // that opened what is in them
   std::vector<Caster> casters_;                               // in whole_
   std::vector<int> unchanged_;                                // for how many frames, by caster
   std::vector<bool> in_still_;                                // by caster
 
   Layer make_layer() const;
   /// Notes what changed since the last frame; returns false when nothing did.
-  bool note_changes(const Items& items, const Eigen::Matrix4d& clip_from_room);
+  bool note_changes(const Items& items, const Eigen::Matrix4d& clip_from_room,
+                    const std::optional<SectionPlane>& section);
   void draw_layers(const Items& items, const MeshCache& meshes);
   void draw_items(const Items& items, const MeshCache& meshes) const;
 };

@@ -4,6 +4,22 @@
 #include "client/view/tube.h"
 
 namespace prosector {
+namespace {
+
+/// Returns the mesh's long axis, along x, y or z; zero where it is not slender.
+Vec3 slender_axis(const std::vector<Eigen::Vector3f>& positions) {
+  constexpr float least = 5;  // times as long as wide
+  Eigen::AlignedBox3f box;
+  for (const auto& x : positions) box.extend(x);
+  if (box.isEmpty()) return Vec3::Zero();
+  Eigen::Vector3f size = box.sizes();
+  Eigen::Index axis = 0;
+  const float length = size.maxCoeff(&axis);
+  size[axis] = 0;
+  return length >= least * size.maxCoeff() ? Vec3(Vec3::Unit(axis)) : Vec3(Vec3::Zero());
+}
+
+}  // namespace
 
 std::shared_ptr<DrawMesh> rigid_mesh(const TriangleMesh& surface, std::uint64_t mesh_id) {
   CreasedMesh creased = split_creases(surface);
@@ -12,6 +28,7 @@ std::shared_ptr<DrawMesh> rigid_mesh(const TriangleMesh& surface, std::uint64_t 
   out->positions = std::move(creased.positions);
   out->normals = std::move(creased.normals);
   out->triangles = std::move(creased.triangles);
+  out->slender = slender_axis(out->positions);
   return out;
 }
 

@@ -22,6 +22,17 @@ struct DrawMesh {
   std::vector<Eigen::Vector3f> normals;
   std::vector<Eigen::Vector3f> rest_positions;  // for textures that stick to tissue; empty: positions
   Triangles triangles;
+  Vec3 slender = Vec3::Zero();  // of what is long and thin, as instruments: its long axis; else zero
+};
+
+/// A plane that opens bodies: what its normal points to is taken away.
+struct SectionPlane {
+  Vec3 normal = Vec3::UnitZ();  // unit
+  double offset = 0;            // of its points along the normal, m
+
+  /// Returns how far the place is on the side that is taken away, m.
+  double height(const Vec3& place) const { return normal.dot(place) - offset; }
+  bool operator==(const SectionPlane&) const = default;
 };
 
 struct DrawItem {
@@ -40,6 +51,7 @@ struct DrawItem {
   bool painted = false;
   std::shared_ptr<const Detail> detail = {};  // coarser lists of the mesh's triangles; null: none
   std::size_t level = 0;                      // of them, for every camera and the shadow; 0: the mesh's own
+  std::uint32_t solid = 0;  // items of one number bound one solid, which a section opens; 0: stays whole
 };
 
 /// Returns the triangles that the item is drawn with.
@@ -112,11 +124,17 @@ struct DrawList {
   std::vector<DrawLine> lines;
   std::vector<DrawPlate> plates;
   std::vector<DrawText> texts;
+  std::optional<SectionPlane> section;  // that opens all solids
   Vec3 ambient = {0.175, 0.18, 0.183};  // radiance of the ceiling beside its light panels
   Vec3 background = {0.05, 0.06, 0.07};
   /// Pixels of a point, in which lines, texts and overlays are measured: 1 on a display of usual density.
   double scale = 1;
   double strip = 0;  // points at the lower border that other overlays leave free
 };
+
+/// Tells whether the list's section takes a part of the item away, if it reaches it.
+inline bool is_opened(const DrawItem& item, const DrawList& list) {
+  return list.section && item.solid != 0;
+}
 
 }  // namespace prosector

@@ -12,7 +12,7 @@ constexpr double bar_share = 0.5;                      // of the picture's width
 constexpr double bar_width = 8;                        // points, across
 constexpr double title_height = 20, text_height = 13;  // points
 constexpr double title_above = 40, text_below = 16;    // points, from the bar
-const Vec3 rail{0.10, 0.12, 0.14}, done{0.20, 0.62, 0.86}, letters{0.85, 0.88, 0.90};
+const Vec3 rail{0.10, 0.12, 0.14}, done{0.20, 0.62, 0.86}, pale_writing{0.85, 0.88, 0.90};
 
 }  // namespace
 
@@ -31,11 +31,11 @@ DrawList loading_picture(const std::string& title, const std::string& waits_for,
   bar(1, rail);
   bar(std::clamp(progress, 0.0, 1.0), done);
   list.texts.push_back(
-      {.text = title, .at = {left, middle - title_above, 0}, .height = title_height, .color = letters});
+      {.text = title, .at = {left, middle - title_above, 0}, .height = title_height, .color = pale_writing});
   list.texts.push_back({.text = waits_for,
                         .at = {left, middle + text_below, 0},
                         .height = text_height,
-                        .color = letters,
+                        .color = pale_writing,
                         .wrap = length});
   return list;
 }

@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "client/view/hand_nails.h"
+
 namespace prosector {
 namespace {
 
@@ -45,14 +47,20 @@ void People::add(DrawList& list, const Replica& replica, double tick, const Loca
 
 void People::add_figure(DrawList& list, const UserState& user, const RosterEntry& entry, bool with_head) {
   if (!figure_) return;
-  for (const std::size_t hand : {left_hand, right_hand}) {
-    if (!user.hands[hand].tracked) continue;
-    const Pose& wrist = user.hands[hand].pose;
-    // Where the head isn't known, the forearm goes straight on.
-    const Pose forearm = user.head_tracked ? forearm_behind(wrist, bust_below(user.head), hand) : wrist;
-    add_forearm(list, *figure_, forearm, entry.color);
-  }
+  add_forearms(list, user.hands, user.head_tracked ? std::optional(user.head) : std::nullopt, entry.color);
   if (with_head) add_avatar(list, *figure_, user.head, entry.color, entry.name);
+}
+
+/// Adds sleeves behind the wrists of hands whose elbows hang below that head.
+void People::add_forearms(DrawList& list, const std::array<HandPose, 2>& hands,
+                          const std::optional<Pose>& head, const Vec3& color) const {
+  if (!figure_) return;
+  for (const std::size_t hand : {left_hand, right_hand}) {
+    if (!hands[hand].tracked) continue;
+    const Pose& wrist = hands[hand].pose;
+    // Where the head isn't known, the forearm goes straight on.
+    add_forearm(list, *figure_, head ? forearm_behind(wrist, bust_below(*head), hand) : wrist, color);
+  }
 }
 
 void People::add_self(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
@@ -61,11 +69,14 @@ void People::add_self(DrawList& list, const Replica& replica, double tick, const
   const Vec3 color = color_of(replica, self.participant);
   const auto physical = self.at_desk ? replica.user(self.participant, tick) : std::nullopt;
   const HandPose& target = self.input.hands[right_hand];
+  const std::optional<Pose> head = self.input.head_tracked ? std::optional(self.input.head) : std::nullopt;
   if (!physical || !physical->hands[right_hand].tracked) {
     add_hands(list, self.participant, self.input.hands, color, next_mesh_id);
+    add_forearms(list, self.input.hands, head, color);
   } else {
     own_hand_ = list.items.size();
     add_hands(list, self.participant, physical->hands, color, next_mesh_id);
+    add_forearms(list, physical->hands, head, color);
     if ((physical->hands[right_hand].pose.p - target.pose.p).norm() > ghost_from)
       add_ghost(list, target, color, next_mesh_id);
   }
@@ -88,10 +99,16 @@ void People::add_hands(DrawList& list, ParticipantId who, const std::array<HandP
   for (const std::size_t hand : {left_hand, right_hand}) {
     if (!hands[hand].tracked) continue;
     const HandSkin& skin = (*skins_)[hand];
-    auto& mesh = hands_[{who, hand}];
-    if (!mesh) mesh = skin.make_mesh(next_mesh_id++);
-    skin.bend(*mesh, hands[hand].flexion);
-    list.items.push_back({.mesh = mesh, .pose = hands[hand].pose, .appearance = glove(color)});
+    HandMeshes& meshes = hands_[{who, hand}];
+    if (!meshes.skin) {
+      meshes.skin = skin.make_mesh(next_mesh_id++);
+      meshes.nails = make_nails(hand, next_mesh_id++);
+    }
+    skin.bend(*meshes.skin, hands[hand].flexion);
+    bend_nails(hand, hands[hand].flexion, *meshes.nails);
+    const Pose& wrist = hands[hand].pose;
+    list.items.push_back({.mesh = meshes.skin, .pose = wrist, .appearance = glove(color)});
+    list.items.push_back({.mesh = meshes.nails, .pose = wrist, .appearance = nail_look(glove(color))});
   }
 }
 

@@ -23,11 +23,14 @@ class People {
   /// named `seen_through` has no head. Meshes get ids from `next_mesh_id` on.
   void add(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
            const std::string& seen_through, std::uint64_t& next_mesh_id);
-  /// Returns which of the list's items is one's own right hand; nullopt: it isn't drawn.
+  /// Returns which of the list's items is one's own right hand, before its nails; nullopt: it isn't drawn.
   std::optional<std::size_t> own_hand() const { return own_hand_; }
 
  private:
-  std::map<std::pair<ParticipantId, std::size_t>, std::shared_ptr<DrawMesh>> hands_;
+  struct HandMeshes {
+    std::shared_ptr<DrawMesh> skin, nails;
+  };
+  std::map<std::pair<ParticipantId, std::size_t>, HandMeshes> hands_;
   std::shared_ptr<DrawMesh> ghost_;
   // Made at once, on threads of their own, so that no frame waits when the first person comes.
   std::future<std::array<HandSkin, 2>> skins_to_come_ = std::async(std::launch::async, make_hand_skins);
@@ -38,6 +41,8 @@ class People {
 
   void take_made(std::uint64_t& next_mesh_id);
   void add_figure(DrawList& list, const UserState& user, const RosterEntry& entry, bool with_head);
+  void add_forearms(DrawList& list, const std::array<HandPose, 2>& hands, const std::optional<Pose>& head,
+                    const Vec3& color) const;
   void add_self(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
                 std::uint64_t& next_mesh_id);
   void add_ghost(DrawList& list, const HandPose& hand, const Vec3& color, std::uint64_t& next_mesh_id);

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client/view/avatar.h"
 #include "client/view/camera.h"
 #include "client/view/hand_mesh.h"
+#include "client/view/hand_nails.h"
 #include "client/view/light_shaft.h"
+#include "client/view/section.h"
 #include "common/rotation_between.h"
 
 namespace prosector {
@@ -16,6 +19,9 @@ constexpr double steep = 1.25;           // rad: past lamps that hang above
 constexpr double margin = 1.15;          // of the picture's height that the subject's ball takes, inverse
 constexpr double dimmed = 0.25;          // of its lights, in a room where a shaft is looked at
 constexpr std::uint64_t first_own_mesh = 1U << 20;
+const Appearance skin_look{
+    .color = {0.50, 0.30, 0.22}, .roughness = 0.5, .wetness = 0.1, .surface = Surface::skin};
+const Vec3 sleeve_color{0.12, 0.34, 0.36};
 
 Eigen::AlignedBox3d box_of(const DrawItem& item) {
   Eigen::AlignedBox3d box;
@@ -64,16 +70,22 @@ Vec3 inside_of(const DrawItem& body) {
 
 void add_hands(DrawList& list, const Vec3& between, const Vec3& towards_eye) {
   const std::array<HandSkin, 2> skins = make_hand_skins();
+  const FigureMeshes figure(make_figure_surfaces(), first_own_mesh + 5);
   const Vec3 ahead = -Vec3(towards_eye.x(), 0, towards_eye.z()).normalized();
   const Quat facing = rotation_between(-Vec3::UnitZ(), ahead);
   for (const std::size_t hand : {left_hand, right_hand}) {
     auto mesh = skins[hand].make_mesh(first_own_mesh + hand);
     const double bend = hand == left_hand ? 0.15 : 0.8;
-    skins[hand].bend(*mesh, {bend, bend, bend, bend, bend});
+    const std::array<double, fingers> bent{bend, bend, bend, bend, bend};
+    skins[hand].bend(*mesh, bent);
     const Vec3 aside = (hand == left_hand ? -0.12 : 0.12) * (facing * Vec3::UnitX());
     const Vec3 at = between - 0.09 * ahead + aside + Vec3(0, 0.03, 0);
-    list.items.push_back(
-        {.mesh = mesh, .pose = {at, facing}, .appearance = {{0.66, 0.42, 0.32}, 0.5, 0.1, Surface::skin}});
+    auto nails = make_nails(hand, first_own_mesh + 3 + hand);
+    bend_nails(hand, bent, *nails);
+    const Pose wrist{at, facing};
+    list.items.push_back({.mesh = mesh, .pose = wrist, .appearance = skin_look});
+    list.items.push_back({.mesh = nails, .pose = wrist, .appearance = nail_look(skin_look)});
+    add_forearm(list, figure, wrist, sleeve_color);
   }
 }
 
@@ -90,6 +102,26 @@ void light_up(DrawList& list, const DrawItem& part) {
   for (LightInfo& light : list.lights) light.intensity *= dimmed;
   list.ambient *= dimmed;
   add_light_shaft(list, shaft_mesh(first_own_mesh + 2), lamp, color, box.center(), box.sizes().norm() / 2);
+}
+
+/// Returns the box around all that a section opens; empty: nothing is.
+Eigen::AlignedBox3d box_of_openable(const DrawList& list) {
+  Eigen::AlignedBox3d box;
+  for (const DrawItem& item : list.items)
+    if (item.solid != 0) box.extend(box_of(item));
+  return box;
+}
+
+/// Opens what is of tissue at an upright plane through its middle that faces the scene's camera. Returns
+/// false where there is no tissue.
+bool open_at_middle(const SceneDesc& scene, DrawList& list) {
+  const Eigen::AlignedBox3d box = box_of_openable(list);
+  if (box.isEmpty()) return false;
+  const Vec3 back = scene.camera.eye - scene.camera.target;
+  list.section = section_facing(Vec3(back.x(), 0, back.z()).normalized(), box.center());
+  std::uint64_t next_mesh_id = first_own_mesh + 5 + FigureMeshes::meshes;
+  SectionCaps().add(list, next_mesh_id);
+  return true;
 }
 
 }  // namespace
@@ -144,6 +176,12 @@ std::vector<TourStop> tour_of(const SceneDesc& scene, const DrawList& list, int 
   if (const Eigen::AlignedBox3d glass = box_of_glass(list); !glass.isEmpty())
     stop("glass", "at what is of glass",
          orbit_camera(scene, {glass.center(), 0.42 * glass.sizes().norm()}, 0, width, height));
+  if (DrawList opened = list; open_at_middle(scene, opened)) {
+    const Eigen::AlignedBox3d box = box_of_openable(list);
+    out.push_back({"section", "opened at a plane through the middle", std::move(opened)});
+    out.back().list.cameras = {
+        orbit_camera(scene, {box.center(), 0.5 * box.sizes().norm()}, 0, width, height)};
+  }
   const Subject reach{close.middle + Vec3(0, 0.1, 0), 0.24};
   add_hands(stop("hands", "with two hands", orbit_camera(scene, reach, 0, width, height)), reach.middle,
             scene.camera.eye - scene.camera.target);

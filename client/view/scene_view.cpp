@@ -9,6 +9,7 @@
 #include "client/view/carried_light.h"
 #include "client/view/held_blades.h"
 #include "client/view/held_things.h"
+#include "client/view/help_board.h"
 #include "client/view/light_shaft.h"
 #include "client/view/normals.h"
 #include "client/view/overlay_frame.h"
@@ -57,7 +58,9 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   place_cameras(replica, tick, self, settings);
   if (!settings.stereo) add_insets(replica, tick, settings);
   add_room();
+  list_.section = settings.section;
   add_bodies(replica, tick, settings);
+  close_section();
   if (settings.wireframes) add_wireframes(replica, tick);
   add_panels(replica);
   people_.add(list_, replica, tick, self, settings.follow, next_mesh_id_);
@@ -68,16 +71,18 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   strokes_.look(replica, tick * replica.tick_seconds());
   level_of_detail_.choose(list_, settings.detail);
   if (settings.shown != Shown::none) add_legend(list_, scale_of(settings.shown));
-  if (!settings.notes.empty())
+  if (!settings.notes.empty() && settings.help.empty())
     list_.texts.push_back({.text = settings.notes,
                            .at = {notes_left, notes_top, 0},
                            .height = 13,
                            .wrap = OverlayFrame(list_).width - 2 * notes_left});
   if (settings.overlay) add_body_figures(replica);
-  if (settings.overlay) add_session_overlay(list_, replica, self, settings);
-  if (settings.overlay && self.present) add_stroke_figures(replica, self, tick, settings);
-  if (settings.parts.labels()) add_part_labels(replica, settings);
+  const bool overlay = settings.overlay && settings.help.empty();  // which the help would lie over
+  if (overlay) add_session_overlay(list_, replica, self, settings);
+  if (overlay && self.present) add_stroke_figures(replica, self, tick, settings);
+  if (settings.parts.labels() && settings.help.empty()) add_part_labels(replica, settings);
   if (settings.parts_list != nullptr) add_parts_list(list_, *settings.parts_list);
+  if (!settings.help.empty()) add_help(list_, settings.help);
   return list_;
 }
 
@@ -146,6 +151,7 @@ void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& se
   for (BodyId id = 0; id < bodies.size(); ++id) {
     if (looks[id].hidden) continue;
     DrawItem item{.mesh = nullptr, .pose = {}, .appearance = bodies[id].appearance};
+    if (is_openable(item.appearance)) item.solid = id + 1;
     if (bodies[id].part) parts_.insert(id);
     if (looks[id].color) item.appearance.color = *looks[id].color;
     std::shared_ptr<const DrawMesh> inner;
@@ -195,6 +201,12 @@ void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& se
   }
 }
 
+/// Closes what the viewer's section opens. One can point at what closes it.
+void SceneView::close_section() {
+  for (const auto& [solid, item] : section_caps_.add(list_, next_mesh_id_))
+    body_items_.push_back({solid - 1, item, true});
+}
+
 void SceneView::paint(DrawItem& item, Shown shown, const BodyStatus* status) {
   std::optional<double> value;  // of the whole body
   if (shown == Shown::residual) value = status != nullptr ? status->residual : not_known;
@@ -223,12 +235,28 @@ std::optional<Picked> SceneView::surface_at(const Ray& ray, const std::vector<Bo
   return nearest_item(ray, [&](BodyId body) { return std::ranges::find(without, body) == without.end(); });
 }
 
+/// Returns where the ray first meets what the section leaves of the item.
+std::optional<SurfacePoint> SceneView::meet(const Ray& ray, const DrawItem& item) {
+  if (!is_opened(item, list_)) return trees_.meet(ray, item);
+  const SectionPlane& section = *list_.section;
+  const double height = section.height(ray.from), sinks = -section.normal.dot(ray.along);
+  if (height <= 0) {
+    const auto point = trees_.meet(ray, item);
+    return point && section.height(point->at) <= 0 ? point : std::nullopt;
+  }
+  if (sinks <= 0) return std::nullopt;
+  const double way = height / sinks;
+  auto point = trees_.meet({ray.from + way * ray.along, ray.along}, item);
+  if (point) point->distance += way;
+  return point;
+}
+
 template <class Counts>
 std::optional<Picked> SceneView::nearest_item(const Ray& ray, const Counts& counts) {
   std::optional<Picked> nearest;
   for (const auto& [body, index, inner] : body_items_) {
     if (!counts(body)) continue;
-    const auto point = trees_.meet(ray, list_.items[index]);
+    const auto point = meet(ray, list_.items[index]);
     if (point && (!nearest || point->distance < nearest->distance)) nearest = Picked{*point, body, inner};
   }
   return nearest;
@@ -260,7 +288,7 @@ void SceneView::add_hand_cues(const Replica& replica, const LocalUser& self, dou
                        (bodies[*worked_on].kind == BodyKind::soft || bodies[*worked_on].moves);
   const double to = matters && hand_covers(hand, *worked_on) ? covering_opacity : 1;
   hand_opacity_ += std::clamp(to - hand_opacity_, -opacity_step, opacity_step);
-  list_.items[*index].opacity = hand_opacity_;
+  for (const std::size_t item : {*index, *index + 1}) list_.items[item].opacity = hand_opacity_;
 }
 
 /// Adds the edges of blades in hands, and where they would cut. A desk user's is known better from the

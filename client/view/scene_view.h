@@ -18,6 +18,7 @@
 #include "client/view/part_labels.h"
 #include "client/view/people.h"
 #include "client/view/pick.h"
+#include "client/view/section.h"
 #include "client/view/soft_body_mesh.h"
 #include "client/view/surface_tree.h"
 #include "client/view/value_paint.h"
@@ -60,6 +61,7 @@ class SceneView {
   std::vector<BodyItem> body_items_;
   std::set<BodyId> parts_;  // of the anatomy
   SurfaceTrees trees_;
+  SectionCaps section_caps_;
   LevelOfDetail level_of_detail_;
   PartLabels part_labels_;
   std::uint64_t next_mesh_id_ = 1;
@@ -71,8 +73,10 @@ class SceneView {
   void add_room();
   void place_lights(const Replica& replica, double tick);
   void add_bodies(Replica& replica, double tick, const ViewSettings& settings);
+  void close_section();
   void paint(DrawItem& item, Shown shown, const BodyStatus* status);
   SoftBodyMesh& follow_soft(SoftReplica& soft, BodyId body, double tube_diameter, double tick, double dt);
+  std::optional<SurfacePoint> meet(const Ray& ray, const DrawItem& item);
   template <class Counts>
   std::optional<Picked> nearest_item(const Ray& ray, const Counts& counts);
   FindSurface finder_without(std::vector<BodyId> held);

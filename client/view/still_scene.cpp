@@ -5,13 +5,15 @@
 #include "client/view/body_mesh.h"
 #include "client/view/carried_light.h"
 #include "client/view/room.h"
+#include "client/view/section.h"
 
 namespace prosector {
 
 DrawList still_scene(const SceneDesc& scene, const SourcePaths& paths, const Progress& progress) {
   DrawList list;
   list.items = room_items(1);
-  std::uint64_t mesh_id = list.items.size() + 1;
+  const std::size_t first = list.items.size();
+  std::uint64_t mesh_id = first + 1;
   for (const RigidDesc& body : scene.rigid)
     list.items.push_back({.mesh = rigid_mesh(make_surface(body, paths, progress), mesh_id++),
                           .pose = body.pose,
@@ -22,6 +24,8 @@ DrawList still_scene(const SceneDesc& scene, const SourcePaths& paths, const Pro
                           .pose = {},
                           .appearance = body.appearance});
   }
+  for (std::size_t k = first; k < list.items.size(); ++k)
+    if (is_openable(list.items[k].appearance)) list.items[k].solid = static_cast<std::uint32_t>(k);
   for (const LightDesc& light : scene.lights) {
     const auto carrier = std::find_if(scene.rigid.begin(), scene.rigid.end(), [&](const RigidDesc& body) {
       return !light.carrier.empty() && body.name == light.carrier;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "client/view/draw_list.h"
 #include "client/view/parts_list.h"
 #include "client/view/stereo_profile.h"
 #include "client/view/time_bar.h"
@@ -19,8 +20,10 @@ struct ViewSettings {
   std::optional<StereoProfile> stereo;  // nullopt: one picture
   double detail = 0;                    // pixels, for LevelOfDetail::choose()
   bool overlay = true;
+  std::optional<SectionPlane> section = {};           // that opens bodies
   bool wireframes = false;                            // of what bodies collide as
   Shown shown = Shown::none;                          // by soft bodies' colours
+  std::string help;                                   // columns by tabs; empty: none
   std::string notes;                                  // lines below the session's; empty: none
   std::vector<std::string> messages = {};             // lines at the lower border, the oldest first
   std::optional<BodyId> pointed = {};                 // body to name beside the pointer

@@ -140,6 +140,21 @@ TEST_F(AtTheDesk, VGoesThroughAllThatColoursTell) {
   }
 }
 
+TEST_F(AtTheDesk, XOpensBodiesAtAPlaneThatTheWheelMovesWhileItIsHeld) {
+  const Key x = key_of('X');
+  press(x);
+  ASSERT_TRUE(desk.choices().section);
+  const SectionPlane first = *desk.choices().section;
+  EXPECT_GT(first.height(desk.eye().p), 0) << "the eye's side is taken away";
+  EXPECT_NEAR(first.height({0, 0.95, 0}), 0, 1e-9) << "the middle of what the pointer is at";
+  hold(x, {WheelTurned{0, 2}});
+  ASSERT_TRUE(desk.choices().section) << "moving does not close";
+  EXPECT_EQ(desk.choices().section->normal, first.normal);
+  EXPECT_LT(desk.choices().section->offset, first.offset) << "away from the eye";
+  press(x);
+  EXPECT_FALSE(desk.choices().section);
+}
+
 TEST_F(AtTheDesk, TheViewTurnsAboutItsTargetOrWithFAboutTheEye) {
   update();
   const Vec3 eye = desk.eye().p;

@@ -12,7 +12,9 @@
 #include "client/view/camera.h"
 #include "client/view/contact_overlay.h"
 #include "client/view/hand_cues.h"
+#include "client/view/hand_field.h"
 #include "client/view/hand_mesh.h"
+#include "client/view/hand_nails.h"
 #include "client/view/normals.h"
 #include "client/view/panel_view.h"
 #include "client/view/pick.h"
@@ -36,6 +38,34 @@ const HandSkin& skin(std::size_t hand) {
 
 std::array<double, fingers> all(double flexion) {
   return {flexion, flexion, flexion, flexion, flexion};
+}
+
+TEST(HandNails, RiseALittleFromTheSkinAndSinkIntoItAtTheirRims) {
+  const auto nails = make_nails(right_hand, 1);
+  const std::size_t points = nails->positions.size() / fingers;
+  for (std::size_t finger = 0; finger < fingers; ++finger) {
+    const Vec3 top = nails->positions[finger * points].cast<double>();
+    EXPECT_GT(hand_field(top).solid, 0) << finger;
+    EXPECT_LT(hand_field(top).solid, 0.003) << finger;
+    const Vec3 rim = nails->positions[(finger + 1) * points - 1].cast<double>();
+    EXPECT_LT(hand_field(rim).solid, 0) << finger;
+  }
+}
+
+TEST(HandNails, GoWithTheFingertips) {
+  for (const std::size_t hand : {left_hand, right_hand}) {
+    const auto nails = make_nails(hand, 1);
+    bend_nails(hand, all(0.7), *nails);
+    const auto mesh = skin(hand).make_mesh(2);
+    skin(hand).bend(*mesh, all(0.7));
+    const std::size_t points = nails->positions.size() / fingers;
+    for (std::size_t finger = 0; finger < fingers; ++finger) {
+      float nearest = 1;
+      for (const auto& x : mesh->positions)
+        nearest = std::min(nearest, (x - nails->positions[finger * points]).norm());
+      EXPECT_LT(nearest, 0.006F) << "hand " << hand << ", finger " << finger;
+    }
+  }
 }
 
 TEST(HandMesh, IsOneClosedSkin) {

@@ -1,0 +1,20 @@
+#pragma once
+// Fingernails: plates on the backs of the fingertips, which tell a hand's back from its palm.
+
+#include <memory>
+
+#include "client/view/draw_list.h"
+#include "common/hand.h"
+
+namespace prosector {
+
+/// Makes the nails of an open right or left hand, in its wrist's frame, m.
+std::shared_ptr<DrawMesh> make_nails(std::size_t hand, std::uint64_t mesh_id);
+
+/// Moves nails of make_nails() with the fingers, and raises the mesh's positions_revision.
+void bend_nails(std::size_t hand, const std::array<double, fingers>& flexion, DrawMesh& nails);
+
+/// Returns how nails look on a hand that looks so: paler, and polished.
+Appearance nail_look(const Appearance& hand);
+
+}  // namespace prosector
