@@ -106,7 +106,7 @@ struct UserState {
 
 enum class CommandKind : std::uint8_t {
   join,
-  grasp,
+  grasp,  // what is nearest to the hand; with the `revision` grasps_body: rather `body`, if it is in reach
   release,
   reset,  // put `body` back to rest, in its place, as the scene has it
   leave,
@@ -156,7 +156,7 @@ struct Command {
   Affine shape;  // for inspect: from where the body's points are without it to where they are seen
   PanelControl control = PanelControl::attach;  // for set_control
   double value = 0;            // for set_control: button 0 off, 1 on; slider 0 … 1. For set_pace
-  std::uint32_t revision = 0;  // for rewind, step_ticks, seek, set_effort and set_all_efforts
+  std::uint32_t revision = 0;  // for rewind, step_ticks, seek, set_effort, set_all_efforts and grasp
 };
 
 struct CommandResult {

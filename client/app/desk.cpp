@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/clock.h"
+#include "common/grasp.h"
 
 namespace prosector {
 namespace {
@@ -170,7 +171,12 @@ void Desk::move_hand(const DeskSession& session, double seconds) {
     return met && (!only || met->body == *only) ? met : std::nullopt;
   };
   hand_.advance(guide, seconds);
-  for (const HandWish wish : hand_.take_wishes()) ask(command_of(wish));
+  for (const HandWish wish : hand_.take_wishes()) {
+    ask(command_of(wish));
+    if (wish == HandWish::release || !pressed_at_) continue;
+    commands_.back().body = *pressed_at_;
+    commands_.back().revision = grasps_body;
+  }
 }
 
 /// Takes the button: on the user's panel it works the controls, elsewhere it grasps. The second press of a
@@ -185,6 +191,7 @@ void Desk::press_button(const DeskRoom& room) {
   }
   const auto point = panel_ ? meet(view_.pointer(), *panel_) : std::nullopt;
   if (!point) {
+    pressed_at_ = pointed_;
     is_double_click() ? view_.frame_pointed(room) : hand_.press();
   } else if (point->control == PanelControl::stiffness) {
     sliding_ = true;

@@ -104,6 +104,7 @@ class Desk {
   std::vector<Command> commands_;
   std::optional<Ray> panel_request_;
   std::optional<BodyId> pointed_;
+  std::optional<BodyId> pressed_at_;  // what the pointer was at when the button went down
   double pace_ = 1, scale_ = 1;
   bool awaits_panel_ = false;  // asked for one that has not come up yet
 

@@ -64,6 +64,8 @@ void take(const HandEvent& event, std::span<const HandTarget> targets, State& st
     vanish(state, hand, report);
   else if (event.kind == Kind::grasp)
     grasp(state, colliders, *hand);
+  else if (event.kind == Kind::grasp_body)
+    grasp(state, colliders, *hand, event.body);
   else
     release(state.bodies, *hand, "opened", report);
 }

@@ -99,7 +99,7 @@ void entry(Io& io, typename Io::template Entry<EffortChange>& e) {
 template <class Io>
 void entry(Io& io, typename Io::template Entry<HandEvent>& e) {
   auto& [kind, participant, hand, body] = e;
-  io.limited(kind, HandEvent::Kind::reset_body, "no such event");
+  io.limited(kind, HandEvent::Kind::grasp_body, "no such event");
   io.number(participant);
   io.limited(hand, std::uint8_t{right_hand}, "no such hand");
   io.number(body);

@@ -1,4 +1,5 @@
 #include "server/session/session.h"
+#include "common/grasp.h"
 
 #include <fmt/format.h>
 
@@ -200,8 +201,10 @@ void Session::obey(const Command& command, const Participant& member, Seat& seat
   if (command.hand > right_hand) return answer(command, fmt::format("no hand {}", command.hand));
   if (!seat.hands[command.hand].present) return answer(command, "the hand is not tracked");
   const bool grasp = command.kind == CommandKind::grasp;
-  seat.asked.push_back({grasp ? HandEvent::Kind::grasp : HandEvent::Kind::release, command.participant,
-                        command.hand, BodyId{0}});
+  HandEvent::Kind kind = grasp ? HandEvent::Kind::grasp : HandEvent::Kind::release;
+  if (grasp && command.revision == grasps_body) kind = HandEvent::Kind::grasp_body;
+  seat.asked.push_back({kind, command.participant, command.hand,
+                        kind == HandEvent::Kind::grasp_body ? command.body : BodyId{0}});
   if (grasp)
     seat.grasps.push_back(command);
   else

@@ -143,6 +143,30 @@ TEST(Hand, HoldsTissueAndLetsGo) {
   EXPECT_TRUE(simulation.asleep(1));
 }
 
+TEST(Hand, TakesWhatIsWantedWhereItReachesThatAndElseTheNearest) {
+  SceneDesc scene = bench();
+  scene.rigid.push_back(scene.rigid[1]);
+  scene.rigid[2].name = "beside";
+  scene.rigid[2].pose.p.z() -= 0.02;
+  scene.rigid.push_back(scene.rigid[1]);
+  scene.rigid[3].name = "far";
+  scene.rigid[3].pose.p.z() -= 0.5;
+  const auto taken = [&](HandEvent::Kind kind, BodyId wanted) {
+    const Vec3 over_them(0, 0.04, 0.045);
+    Simulation simulation(scene, options());
+    run(simulation, 30);
+    simulation.step(appear(over_them));
+    TickInput input = event(kind, over_them);
+    input.events.back().body = wanted;
+    simulation.step(input);
+    return simulation.hands()[0].holding;
+  };
+  const auto nearest = taken(HandEvent::Kind::grasp, 0);
+  ASSERT_TRUE(nearest);
+  for (const BodyId wanted : {1U, 2U}) EXPECT_EQ(taken(HandEvent::Kind::grasp_body, wanted), wanted);
+  for (const BodyId wanted : {0U, 3U, 99U}) EXPECT_EQ(taken(HandEvent::Kind::grasp_body, wanted), nearest);
+}
+
 TEST(Hand, ResetPutsBodiesBack) {
   SceneDesc scene = bench();
   scene.rigid[1].pose.p.y() = 0.5;

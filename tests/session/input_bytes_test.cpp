@@ -15,7 +15,9 @@ ConsumedInput one_of_each() {
   ConsumedInput out;
   out.keys = {{11, 1001}, {12, 1002}};
   out.input.efforts = {{3, 2}};
-  out.input.events = {{HandEvent::Kind::grasp, 11, left_hand, 0}, {HandEvent::Kind::reset_body, 12, 1, 7}};
+  out.input.events = {{HandEvent::Kind::grasp, 11, left_hand, 0},
+                      {HandEvent::Kind::reset_body, 12, 1, 7},
+                      {HandEvent::Kind::grasp_body, 13, 0, 9}};
   PartEvent part{PartEvent::Kind::inspect, 11, 5, {}, 0.25};
   for (int k = 0; k < 9; ++k) part.shape.A(k / 3, k % 3) = 0.5 + k;
   part.shape.p = {1, 2, 3};

@@ -55,11 +55,14 @@ std::vector<Touch> touches_of_soft(const Bodies& bodies, std::span<const Collide
   return out;
 }
 
-std::optional<Hold> reach_rigid(const Bodies& bodies, std::span<const Collider> colliders, const Hand& hand) {
+/// Reaches for a rigid body: for the only one, if there is one.
+std::optional<Hold> reach_rigid(const Bodies& bodies, std::span<const Collider> colliders, const Hand& hand,
+                                std::optional<BodyId> only = std::nullopt) {
   const auto near = nearest_that_holds(
       bodies.model.rigid.size(), grasp_reach_rigid,
       [&](std::size_t body) {
-        return bodies.rigid.dynamic(body) && may_touch(bodies.rigid.mask(hand.slot), bodies.rigid.mask(body));
+        return (!only || body == *only) && bodies.rigid.dynamic(body) &&
+               may_touch(bodies.rigid.mask(hand.slot), bodies.rigid.mask(body));
       },
       [&](std::size_t body) { return touches_of_rigid(bodies, colliders, hand, static_cast<BodyId>(body)); });
   if (!near) return std::nullopt;
@@ -69,11 +72,14 @@ std::optional<Hold> reach_rigid(const Bodies& bodies, std::span<const Collider> 
                     bodies.model.h);
 }
 
-std::optional<Hold> reach_soft(const Bodies& bodies, std::span<const Collider> colliders, const Hand& hand) {
+/// Reaches for a soft body: for the only one, if there is one.
+std::optional<Hold> reach_soft(const Bodies& bodies, std::span<const Collider> colliders, const Hand& hand,
+                               std::optional<BodyId> only = std::nullopt) {
   auto near = nearest_that_holds(
       bodies.soft.size(), grasp_reach_soft,
       [&](std::size_t body) {
-        return !bodies.parts[bodies.soft_id(body)].out_of_touch() &&
+        return (!only || bodies.soft_id(body) == *only) &&
+               !bodies.parts[bodies.soft_id(body)].out_of_touch() &&
                may_meet(bodies.soft[body], colliders[hand.slot]);
       },
       [&](std::size_t body) { return touches_of_soft(bodies, colliders, hand, body); });
@@ -95,11 +101,14 @@ std::optional<Hold> reach_soft(const Bodies& bodies, std::span<const Collider> c
 
 }  // namespace
 
-void grasp(State& state, Colliders& colliders, Hand& hand) {
+void grasp(State& state, Colliders& colliders, Hand& hand, std::optional<BodyId> wanted) {
   Bodies& bodies = state.bodies;
   if (hand.hold) return;
   refresh(colliders, bodies, state.hands, state.dissection.blades);
-  hand.hold = reach_rigid(bodies, colliders, hand);
+  if (wanted && *wanted < bodies.count())
+    hand.hold = bodies.is_soft(*wanted) ? reach_soft(bodies, colliders, hand, wanted)
+                                        : reach_rigid(bodies, colliders, hand, wanted);
+  if (!hand.hold) hand.hold = reach_rigid(bodies, colliders, hand);
   if (!hand.hold) hand.hold = reach_soft(bodies, colliders, hand);
   if (!hand.hold) return;
   if (bodies.is_soft(hand.hold->body))

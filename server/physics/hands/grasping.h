@@ -1,13 +1,15 @@
 #pragma once
 // How a hand takes hold of something.
 
+#include <optional>
+
 #include "server/physics/contact/colliders.h"
 #include "server/physics/state.h"
 
 namespace prosector {
 
-/// Lets the hand hold the nearest body within its reach that its touches can hold, rigid ones first, unless
-/// it holds one already. Refreshes `colliders`.
-void grasp(State& state, Colliders& colliders, Hand& hand);
+/// Lets the hand hold the body that is wanted, if it reaches that; else the nearest that its touches can
+/// hold, rigid ones first. A hand that holds something already keeps it. Refreshes `colliders`.
+void grasp(State& state, Colliders& colliders, Hand& hand, std::optional<BodyId> wanted = std::nullopt);
 
 }  // namespace prosector
