@@ -118,7 +118,8 @@ void Desk::press_for_time(Key key) {
 void Desk::press_for_section(bool down, const DeskRoom& room) {
   const ViewPlace& place = view_.place();
   const auto point = down ? room.surface(view_.pointer()) : std::nullopt;
-  down ? section_.press(place.back(), point ? room.box(point->body).center() : place.target)
+  const bool opens = point && (!room.opens || room.opens(point->body));
+  down ? section_.press(place.back(), opens ? room.box(point->body).center() : place.target)
        : section_.let_go();
   choices_.section = section_.plane();
 }

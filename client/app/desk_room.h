@@ -13,6 +13,8 @@ struct DeskRoom {
   std::function<std::optional<Picked>(const Ray&)> surface;
   /// Returns the box around a body, m, world frame.
   std::function<Eigen::AlignedBox3d(BodyId)> box;
+  /// Tells whether a section opens the body; empty: any.
+  std::function<bool(BodyId)> opens = {};
 };
 
 }  // namespace prosector

@@ -123,6 +123,10 @@ DeskSession Viewer::desk_session(const Replica& replica, double tick, Participan
     return stage_->view.surface_at(ray, held);
   };
   out.room.box = [this](BodyId body) { return stage_->view.box_of(body); };
+  out.room.opens = [this](BodyId body) {
+    return connection_.with_replica(
+        [&](const Replica& r) { return is_openable(r.scene()->bodies[body].appearance); });
+  };
   out.is_soft = [this](BodyId body) {
     return connection_.with_replica([&](Replica& r) { return r.soft(body) != nullptr; });
   };

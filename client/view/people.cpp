@@ -14,6 +14,8 @@ Appearance glove(const Vec3& color) {
 
 constexpr double ghost_from = 0.01;  // m between hand and target: from there on the target is seen
 constexpr double ghost_opacity = 0.25;
+constexpr double own_sleeve_opacity =
+    0.3;  // at a desk, where it comes from the eye and hides what is touched
 
 Vec3 color_of(const Replica& replica, ParticipantId who) {
   const auto entry = replica.roster().find(who);
@@ -76,7 +78,9 @@ void People::add_self(DrawList& list, const Replica& replica, double tick, const
   } else {
     own_hand_ = list.items.size();
     add_hands(list, self.participant, physical->hands, color, next_mesh_id);
+    const std::size_t sleeves = list.items.size();
     add_forearms(list, physical->hands, head, color);
+    for (std::size_t k = sleeves; k < list.items.size(); ++k) list.items[k].opacity = own_sleeve_opacity;
     if ((physical->hands[right_hand].pose.p - target.pose.p).norm() > ghost_from)
       add_ghost(list, target, color, next_mesh_id);
   }

@@ -12,7 +12,7 @@ namespace {
 // Points.
 constexpr double left_margin = 118, right_margin = 178;  // beside the axes; for the time in figures
 constexpr double above_border = 13;
-constexpr double thickness = 8, mark_width = 2, mark_height = 16, knob_width = 4, knob_height = 20;
+constexpr double thickness = 8, mark_width = 2, mark_height = 16, knob_width = 4, time_knob_height = 20;
 constexpr double reach = 9;       // of the pointer above and below the bar's middle, and to a mark beside it
 constexpr double mark_reach = 4;  // of the pointer to a mark beside it
 constexpr double text_height = 13, text_above = 34, beside = 10;
@@ -106,8 +106,8 @@ void add_time_bar(DrawList& list, const WatchedTime& time) {
   along(bar.left(), bar.place_of(time.tick), done);
   for (const RecordingMark& mark : time.recording.marks)
     across(bar.place_of(static_cast<double>(mark.tick)), mark_height, color_of(mark.kind), mark_width);
-  if (time.wish) across(bar.place_of(static_cast<double>(*time.wish)), knob_height, wished, mark_width);
-  across(bar.place_of(time.tick), knob_height, knob, knob_width);
+  if (time.wish) across(bar.place_of(static_cast<double>(*time.wish)), time_knob_height, wished, mark_width);
+  across(bar.place_of(time.tick), time_knob_height, knob, knob_width);
   list.texts.push_back(
       {.text = figures(time), .at = {bar.right() + beside, y - 0.6 * text_height, 0}, .height = text_height});
   add_pointed(list, bar, time);

@@ -25,6 +25,8 @@ constexpr std::size_t plain_bytes() {
     return offsetof(W, points);
   else if constexpr (requires(W w) { w.positions; })
     return offsetof(W, positions);
+  else if constexpr (requires(W w) { w.marks; })
+    return offsetof(W, marks);
   else if constexpr (requires(W w) { w.holders; })
     return offsetof(W, holders);
   else
@@ -45,6 +47,11 @@ void fuzz(const M& valid, std::mt19937_64& random) {
     for (std::size_t i = 0; i < changes; ++i)
       bytes[random() % plain_bytes<W>()] = static_cast<std::uint8_t>(random());
     if constexpr (requires { w.packed; }) w.packed._buffer[random() % w.packed._length] ^= 0xff;
+    if constexpr (requires { w.marks; }) {
+      auto* marks = reinterpret_cast<std::uint8_t*>(w.marks._buffer);
+      marks[random() % (w.marks._length * sizeof(prosector_RecordingMark))] =
+          static_cast<std::uint8_t>(random());
+    }
     if constexpr (requires { w.vertices; }) {
       reinterpret_cast<std::uint8_t*>(w.points._buffer)[random() % (2 * sizeof(prosector_PatchPoint))] ^= 1;
       auto* vertices = reinterpret_cast<std::uint8_t*>(w.vertices._buffer);

@@ -15,9 +15,7 @@ ConsumedInput one_of_each() {
   ConsumedInput out;
   out.keys = {{11, 1001}, {12, 1002}};
   out.input.efforts = {{3, 2}};
-  out.input.events = {{HandEvent::Kind::grasp, 11, left_hand, 0},
-                      {HandEvent::Kind::reset_body, 12, 1, 7},
-                      {HandEvent::Kind::grasp_body, 13, 0, 9}};
+  out.input.events = {{HandEvent::Kind::grasp, 11, left_hand, 0}, {HandEvent::Kind::reset_body, 12, 1, 7}};
   PartEvent part{PartEvent::Kind::inspect, 11, 5, {}, 0.25};
   for (int k = 0; k < 9; ++k) part.shape.A(k / 3, k % 3) = 0.5 + k;
   part.shape.p = {1, 2, 3};
@@ -38,6 +36,15 @@ TEST(InputBytes, StayAsJournalsHaveThem) {
   const std::vector<std::uint8_t> bytes = encode_input(one_of_each());
   EXPECT_EQ(bytes.size(), 414u);
   EXPECT_EQ(to_hex(content_hash(std::as_bytes(std::span(bytes)))), "f52fa11a0183e1f1d6b859f277d90226");
+}
+
+TEST(InputBytes, AGraspOfWhatIsWantedComesBack) {
+  ConsumedInput wanted;
+  wanted.input.events = {{HandEvent::Kind::grasp_body, 13, left_hand, 9}};
+  const ConsumedInput back = decode_input(encode_input(wanted));
+  ASSERT_EQ(back.input.events.size(), 1u);
+  EXPECT_EQ(back.input.events[0].kind, HandEvent::Kind::grasp_body);
+  EXPECT_EQ(back.input.events[0].body, 9u);
 }
 
 TEST(InputBytes, EveryKindComesBack) {

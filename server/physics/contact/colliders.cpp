@@ -31,7 +31,7 @@ Collider body_or_hand(const Bodies& bodies, std::size_t slot, const Hand* hand) 
   else
     for (const ShapePart& part : shape.parts) c.part_poses.push_back(part.pose);
   std::tie(c.lo, c.hi) = world.bounds(slot, 0);
-  c.rolling_resistance = model.rigid[slot].setup.rolling_resistance;
+  if (!hand) c.rolling_resistance = model.rigid[slot].setup.rolling_resistance;
   c.friction = hand ? model.scene.hand.friction : model.rigid[slot].setup.friction;
   c.fixed = !world.dynamic(slot);
   c.driven_to = world.driven_to(slot);
