@@ -100,8 +100,14 @@ void Desk::press(Key key) {
   if (key == key_of('I')) choices_.figures = !choices_.figures;
   if (key == key_of('P')) request_panel();
   if (key == key_of('V')) choices_.shown = next(choices_.shown);
-  if (key == key_of('Z')) ask(CommandKind::undo);
+  if (key == key_of('Z')) take_back();
   press_for_time(key);
+}
+
+/// Takes the last cut back. One that is being drawn goes no further: it would hide that.
+void Desk::take_back() {
+  hand_.stop_cut();
+  ask(CommandKind::undo);
 }
 
 /// Asks for what the host alone is granted: the server tells others so.

@@ -112,6 +112,7 @@ class Desk {
   void act(const WindowEvent& event, const DeskRoom& room);
   void press(Key key);
   void press_for_time(Key key);
+  void take_back();
   void ask(const std::optional<Command>& command);
   OverlayFrame frame() const { return {view_.camera(), scale_}; }
   Eigen::Vector2d pointer_point() const { return view_.pointer_pixel() / scale_; }

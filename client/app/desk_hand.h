@@ -56,6 +56,8 @@ class DeskHand {
   void let_go();
   /// Goes on by a picture.
   void advance(const HandGuide& guide, double seconds);
+  /// Ends a cut that is being drawn where it is.
+  void stop_cut() { drawing_.stop(); }
   /// Returns what the hand asked for since the last call.
   std::vector<HandWish> take_wishes();
 

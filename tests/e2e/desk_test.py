@@ -17,7 +17,8 @@ BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 WIDTH, HEIGHT = 800, 600
 START, BEFORE, PANEL, WORKED = 3, 9, 13, 23  # s after joining: when the client takes its pictures
 AUDIENCE = 820, 20, 440, 240  # x, y, width, height, beside the window
-# Of the panel, as parts of its width and height from its upper left corner: common/panel.h.
+BOARD = 0.26 / 0.318  # of the height of what comes up: the strip of effort is below the board
+# Of the board, as parts of its width and height from its upper left corner: common/panel.h.
 LIGHT_SHAFT = ((0.15 + 0.071) / 0.30, (0.13 + 0.012) / 0.26)
 KNOB, KNOB_RIGHT = (0.5, (0.13 + 0.096) / 0.26), (0.8, (0.13 + 0.096) / 0.26)
 
@@ -147,7 +148,8 @@ with Processes(OUT) as processes:
     act("key", "p")
     after = picture(PANEL)
     mask = changed(before, after)
-    panel = extent(mask, 0), extent(mask, 1)
+    top_row, end = extent(mask, 1)
+    panel = extent(mask, 0), (top_row, top_row + BOARD * (end - top_row))
     print("panel at", panel)
 
     point_at(LIGHT_SHAFT)
