@@ -75,6 +75,11 @@ void CutDrawing::stop() {
   gone_.clear();
 }
 
+void CutDrawing::lift_out() {
+  release();
+  if (phase_ != Phase::lifts) phase_ == Phase::cuts ? go_to(Phase::lifts) : stop();
+}
+
 void CutDrawing::deepen(double notches) {
   if (!std::isfinite(notches)) return;
   const bool coarse = depth_ > fine_depth || (depth_ == fine_depth && notches > 0);

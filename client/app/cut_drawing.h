@@ -38,10 +38,14 @@ class CutDrawing {
   void release();
   /// Ends the cut where it is.
   void stop();
+  /// Ends the cut where it is, and brings a blade in tissue out by the way it came.
+  void lift_out();
   /// Sets the depth by notches of a wheel: a millimetre each, 5 mm where it is deep.
   void deepen(double notches);
   double depth() const { return depth_; }
   bool is_pressed() const { return pressed_; }
+  /// Tells whether the blade is led: to a cut, along it, or out of it.
+  bool leads() const { return phase_ != Phase::rests && phase_ != Phase::waits; }
   /// Tells whether the way has begun since the button went down.
   bool is_on_tissue() const { return !way_.empty(); }
 

@@ -104,10 +104,10 @@ void Desk::press(Key key) {
   press_for_time(key);
 }
 
-/// Takes the last cut back. One that is being drawn goes no further: it would hide that.
+/// Takes the last cut back, once a blade that draws one is out of the tissue: it would cut on its way.
 void Desk::take_back() {
-  hand_.stop_cut();
-  ask(CommandKind::undo);
+  hand_.lift_blade();
+  takes_back_ = true;
 }
 
 /// Asks for what the host alone is granted: the server tells others so.
@@ -178,6 +178,7 @@ void Desk::move_hand(const DeskSession& session, double seconds) {
     return met && (!only || met->body == *only) ? met : std::nullopt;
   };
   hand_.advance(guide, seconds);
+  if (!hand_.draws() && std::exchange(takes_back_, false)) ask(CommandKind::undo);
   for (const HandWish wish : hand_.take_wishes()) {
     ask(command_of(wish));
     if (wish == HandWish::release || !pressed_at_) continue;

@@ -107,6 +107,7 @@ class Desk {
   std::optional<BodyId> pressed_at_;  // what the pointer was at when the button went down
   double pace_ = 1, scale_ = 1;
   bool awaits_panel_ = false;  // asked for one that has not come up yet
+  bool takes_back_ = false;    // the last cut, as soon as no blade is led
 
   void take(const WindowEvent& event, const DeskSession& session);
   void act(const WindowEvent& event, const DeskRoom& room);

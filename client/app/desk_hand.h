@@ -56,8 +56,10 @@ class DeskHand {
   void let_go();
   /// Goes on by a picture.
   void advance(const HandGuide& guide, double seconds);
-  /// Ends a cut that is being drawn where it is.
-  void stop_cut() { drawing_.stop(); }
+  /// Ends a cut that is being drawn where it is, and lifts the blade out.
+  void lift_blade() { drawing_.lift_out(); }
+  /// Tells whether a drawn cut leads the blade.
+  bool draws() const { return drawing_.leads(); }
   /// Returns what the hand asked for since the last call.
   std::vector<HandWish> take_wishes();
 
