@@ -208,9 +208,10 @@ struct SoftDesc {
   double bending_stiffness = 0;  // sheets: N·m, D = Et³/12(1−ν²); ropes: N·m², EI; 0: from youngs_modulus
   bool hold_volume = true;       // mass_spring on tetrahedra: meet poisson_ratio; false: about ¼
   // Choosing by need instead of by rung: at most one of the two.
-  Quantity accuracy;               // %: of error against the continuum
-  Quantity budget;                 // ms: CPU time a frame of 1/60 s
-  FixedChoice fixed;               // filled by the loader
+  Quantity accuracy;                                          // %: of error against the continuum
+  std::vector<std::string> accuracy_of = {"shape", "touch"};  // what `accuracy` and `budget` are judged by
+  Quantity budget;                                            // ms: CPU time a frame of 1/60 s
+  FixedChoice fixed;                                          // filled by the loader
   bool step_down = false;          // true: may be solved less exactly while the server is overloaded
   bool show_figures = false;       // true: clients show its live figures above it
   bool part = false;               // as of RigidDesc: what holds it is its `attach`

@@ -236,6 +236,11 @@ class Checker {
     const char* need = soft.accuracy ? "accuracy" : "budget";
     if (soft.accuracy && soft.budget)
       fail(body, "budget", "accuracy and budget are both given: give one, the server chooses the other");
+    const auto& judged = soft.accuracy_of;
+    if (judged.empty() || std::any_of(judged.begin(), judged.end(), [](const std::string& act) {
+          return act != "shape" && act != "touch";
+        }))
+      fail(body, "accuracy_of", "accuracy_of names what is judged; allowed: \"shape\", \"touch\", or both");
     if (soft.shape == "sheet" || soft.shape == "rope")
       fail(body, need,
            fmt::format(

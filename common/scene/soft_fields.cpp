@@ -149,12 +149,17 @@ const Table& soft_table() {
              "hold_volume",
              "mass_spring on tetrahedra: volume springs that meet poisson_ratio; false: springs "
              "alone, whose ratio is about 1/4"),
-         quantity<S, &S::accuracy>("accuracy", "%", {0, 100, true},
-                                   "instead of a rung, for solid bodies: how far the settled shape may be "
-                                   "from the continuum's; the "
-                                   "server chooses the cheapest rung that its measured table says is good "
-                                   "enough (docs/understand/soft-tissue.md). What of "
-                                   "model, element, integrator, solver and cell is given beside it is kept"),
+         quantity<S, &S::accuracy>(
+             "accuracy", "%", {0, 100, true},
+             "instead of a rung, for solid bodies: how far the body may rest from where "
+             "tissue would, in each of what accuracy_of names; the server chooses the "
+             "cheapest rung that it found good enough on this very body "
+             "(docs/understand/soft-tissue.md). What of "
+             "model, element, integrator, solver and cell is given beside it is kept"),
+         names<S, &S::accuracy_of>(
+             "accuracy_of",
+             "what accuracy and budget are judged by: \"shape\", under its weight, hung "
+             "and on its side; \"touch\", dented by a fingertip"),
          quantity<S, &S::budget>("budget", "ms", {0, 1000, true},
                                  "instead of a rung, for solid bodies: CPU time that the body may take in a "
                                  "frame of 1/60 s; the server chooses "

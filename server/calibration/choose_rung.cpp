@@ -16,8 +16,9 @@ namespace {
 
 constexpr const char* usual_models[] = {"xpbd", "mass_spring", "fem_corotational", "fem_neo_hookean"};
 constexpr const char* usual_solvers[] = {"cg", "multigrid"};
-constexpr int fineness_steps = 16;     // from the coarsest measured to the finest
-constexpr double cell_quantum = 1e-4;  // m
+constexpr int fineness_steps = 16;      // from the coarsest measured to the finest
+constexpr double beyond_the_table = 2;  // times as fine as its finest mesh
+constexpr double cell_quantum = 1e-4;   // m
 constexpr double least_cell = 5e-4;
 constexpr double locking_ratio =
     0.45;  // above, linear tetrahedra are half off and more on any affordable mesh
@@ -79,6 +80,7 @@ struct Option {
   Rung rung;
   double cell;
   Prospect expected;
+  std::vector<ActError> acts;
 };
 
 /// Rounds to finer cells rather than coarser ones, in whole tenths of a millimetre.
@@ -89,8 +91,13 @@ double rounded(double cell) {
 class Options {
  public:
   Options(const SoftDesc& desc, const RungTable& table, const BodyGeometry& mesh, double mesh_cell,
-          double largest_cell)
-      : desc_(desc), table_(table), mesh_(mesh), mesh_cell_(mesh_cell), largest_cell_(largest_cell) {
+          double largest_cell, const OnTheBody& on_the_body)
+      : desc_(desc),
+        table_(table),
+        mesh_(mesh),
+        mesh_cell_(mesh_cell),
+        largest_cell_(largest_cell),
+        on_the_body_(on_the_body) {
     for (const Rung& rung : candidates(desc)) add(rung);
   }
   const std::vector<Option>& all() const { return all_; }
@@ -100,8 +107,10 @@ class Options {
     if (desc_.fixed.cell) return add(rung, mesh_cell_);
     const auto [coarsest, finest] = table_.measured_fineness(rung, desc_.poisson_ratio);
     double last = 0;
+    // What the table's finest mesh gets wrong tells nothing of finer ones, what the body itself does may.
+    const double last_fineness = (on_the_body_ ? beyond_the_table : 1) * finest;
     for (int k = 0; k <= fineness_steps; ++k) {
-      const double fineness = coarsest * std::pow(finest / coarsest, double(k) / fineness_steps);
+      const double fineness = coarsest * std::pow(last_fineness / coarsest, double(k) / fineness_steps);
       const double cell = rounded(std::min(largest_cell_, mesh_cell_ * mesh_.fineness() / fineness));
       if (cell != last) add(rung, cell);
       last = cell;
@@ -111,15 +120,19 @@ class Options {
   void add(const Rung& rung, double cell) {
     BodyGeometry body = mesh_;
     body.elements *= std::pow(mesh_cell_ / cell, 3);
-    const auto expected = table_.prospect(rung, desc_.poisson_ratio, body, desc_.fixed.model);
+    auto expected = table_.prospect(rung, desc_.poisson_ratio, body, desc_.fixed.model);
     if (!expected) throw std::logic_error("a rung that may be chosen was not measured");
-    all_.push_back({rung, cell, *expected});
+    std::vector<ActError> acts;
+    if (on_the_body_) acts = on_the_body_(rung.model, rung.element, cell);
+    if (!acts.empty()) expected->error = worst(acts).error + expected->drift;
+    all_.push_back({rung, cell, *expected, std::move(acts)});
   }
 
   const SoftDesc& desc_;
   const RungTable& table_;
   const BodyGeometry& mesh_;
   double mesh_cell_, largest_cell_;
+  const OnTheBody& on_the_body_;
   std::vector<Option> all_;
 };
 
@@ -134,6 +147,15 @@ const Option* least(const std::vector<Option>& options, const Allowed& allowed, 
 
 bool enough(const SoftDesc& desc, const Prospect& expected) {
   return desc.accuracy ? 100 * expected.error <= desc.accuracy.value : expected.ms <= desc.budget.value;
+}
+
+std::string in_words(const std::vector<ActError>& acts) {
+  std::string out;
+  for (const ActError& act : acts)
+    out += (out.empty() ? "" : ", ") + (act.error < collapsed
+                                            ? fmt::format("{} {:.2g} %", act.act, 100 * act.error)
+                                            : act.act + " it collapses");
+  return out;
 }
 
 }  // namespace
@@ -174,8 +196,8 @@ std::vector<RungTrial> trials_for(const SoftDesc& desc) {
 }
 
 Choice choose_rung(const SoftDesc& desc, const RungTable& table, const BodyGeometry& mesh, double mesh_cell,
-                   double largest_cell) {
-  const Options options(desc, table, mesh, mesh_cell, largest_cell);
+                   double largest_cell, const OnTheBody& on_the_body) {
+  const Options options(desc, table, mesh, mesh_cell, largest_cell, on_the_body);
   const auto error = [](const Option& o) { return o.expected.error; };
   const auto ms = [](const Option& o) { return o.expected.ms; };
   const auto fits = [&](const Option& o) { return enough(desc, o.expected); };
@@ -183,7 +205,7 @@ Choice choose_rung(const SoftDesc& desc, const RungTable& table, const BodyGeome
   const Option* best = desc.accuracy ? least(options.all(), fits, ms) : least(options.all(), fits, error);
   const bool good_enough = best != nullptr;
   if (!best) best = desc.accuracy ? least(options.all(), any, error) : least(options.all(), any, ms);
-  return {desc.name, best->rung, best->cell, best->expected, good_enough};
+  return {desc.name, best->rung, best->cell, best->expected, good_enough, best->acts};
 }
 
 void adopt(const Choice& choice, SoftDesc& desc) {
@@ -199,8 +221,9 @@ std::string explain(const Choice& choice, const SoftDesc& desc) {
   std::string line =
       fmt::format("{} asked for, chosen: {}, cell {:.1f} mm; expected {:.2g} % off, {:.2g} ms a frame", asked,
                   in_words(chosen), 1e3 * choice.cell, 100 * choice.expected.error, choice.expected.ms);
+  if (!choice.acts.empty()) line += "; on this body: " + in_words(choice.acts);
   if (!choice.good_enough && desc.accuracy)
-    line += fmt::format("; nothing measured is good enough, this is the best there is, {:.2g} % short of it",
+    line += fmt::format("; nothing here is good enough, this is the best there is, {:.2g} % short of it",
                         100 * choice.expected.error - desc.accuracy.value);
   if (!choice.good_enough && desc.budget)
     line += fmt::format("; nothing measured is quick enough, this is the cheapest there is, {:.2g} ms over",

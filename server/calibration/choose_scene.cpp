@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/error.h"
+#include "server/calibration/own_errors.h"
 #include "server/calibration/rung_json.h"
 #include "server/calibration/table_file.h"
 #include "server/physics/soft/rungs.h"
@@ -18,6 +19,7 @@ constexpr int most_meshes = 6;           // to find the cell that holds as many 
 constexpr double same_cell = 0.03;       // of each other
 constexpr double cells_across = 1. / 3;  // of the thickness: the coarsest cell that is tried
 constexpr double too_coarse = 0.7;       // of a cell that gave no mesh: the next one to try
+constexpr int most_attempts = 12;        // of ways of modelling tried on a body
 constexpr std::size_t progress_lines = 8;
 
 void say(const ChoiceOptions& options, const std::string& line) {
@@ -90,21 +92,67 @@ BodyGeometry mesh_of(const SoftDesc& desc, const SceneDesc& scene, const ChoiceO
 }
 
 /// Chooses by the mesh that the scene's own cell gives, then by the mesh that was chosen, until both agree.
-Choice choose(const SceneDesc& scene, SoftDesc desc, const RungTable& table, const ChoiceOptions& options) {
-  BodyGeometry mesh = mesh_of(desc, scene, options);
-  double largest_cell = cells_across * mesh.thickness;
-  Choice choice = choose_rung(desc, table, mesh, desc.cell, largest_cell);
-  for (int meshes = 1; meshes < most_meshes && !desc.fixed.cell; ++meshes) {
-    if (std::abs(choice.cell / desc.cell - 1) < same_cell) break;
-    SoftDesc chosen = desc;
-    chosen.cell = choice.cell;
-    try {
-      mesh = mesh_of(chosen, scene, options);
-      desc = chosen;
-    } catch (const InputError&) {
-      largest_cell = too_coarse * choice.cell;  // thinner in places than its thickness tells
+class Chooser {
+ public:
+  Chooser(const SceneDesc& scene, const SoftDesc& desc, const RungTable& table, const ChoiceOptions& options)
+      : scene_(scene),
+        desc_(desc),
+        table_(table),
+        options_(options),
+        mesh_(mesh_of(desc, scene, options)),
+        largest_cell_(cells_across * mesh_.thickness) {}
+
+  Choice choose(const OnTheBody& on_the_body) {
+    Choice choice = choose_rung(desc_, table_, mesh_, desc_.cell, largest_cell_, on_the_body);
+    for (int meshes = 1; meshes < most_meshes && !desc_.fixed.cell; ++meshes) {
+      if (std::abs(choice.cell / desc_.cell - 1) < same_cell) break;
+      SoftDesc chosen = desc_;
+      chosen.cell = choice.cell;
+      try {
+        mesh_ = mesh_of(chosen, scene_, options_);
+        desc_ = chosen;
+      } catch (const InputError&) {
+        largest_cell_ = too_coarse * choice.cell;  // thinner in places than its thickness tells
+      }
+      choice = choose_rung(desc_, table_, mesh_, desc_.cell, largest_cell_, on_the_body);
     }
-    choice = choose_rung(desc, table, mesh, desc.cell, largest_cell);
+    return choice;
+  }
+  /// Returns how many elements the body has in cells of that size, about.
+  double elements_at(double cell) const { return mesh_.elements * std::pow(desc_.cell / cell, 3); }
+
+ private:
+  const SceneDesc& scene_;
+  SoftDesc desc_;  // with the cell whose mesh is known
+  const RungTable& table_;
+  const ChoiceOptions& options_;
+  BodyGeometry mesh_;
+  double largest_cell_;
+};
+
+/// Chooses by what is known, tries what was chosen on the body itself, and chooses again, until that was
+/// tried.
+Choice choose(const SceneDesc& scene, const SoftDesc& desc, const RungTable& table,
+              const ChoiceOptions& options) {
+  Chooser chooser(scene, desc, table, options);
+  if (!options.on_the_body) return chooser.choose({});
+  CompileOptions quiet = options.sources;
+  quiet.progress = {};
+  OwnErrors own({desc, scene.gravity,
+                 [&](double cell) {
+                   SoftDesc at = desc;
+                   at.cell = cell;
+                   return soft_anatomy(at, scene, quiet);
+                 },
+                 options.sources.cache_dir, options.sources.progress});
+  const OnTheBody known = [&](const std::string& model, const std::string& element, double cell) {
+    return own.at(model, element, cell);
+  };
+  Choice choice = chooser.choose(known);
+  for (int i = 0; i < most_attempts; ++i) {
+    if (!own.attempt(choice.rung.model, choice.rung.element, choice.cell, chooser.elements_at(choice.cell)))
+      break;
+    choice = chooser.choose(known);
   }
   return choice;
 }
@@ -144,6 +192,7 @@ std::string encode(const std::vector<Choice>& choices) {
                                       {"expected_error", c.expected.error},
                                       {"expected_ms", c.expected.ms},
                                       {"good_enough", c.good_enough}});
+    for (const ActError& act : c.acts) row["acts"][act.act] = act.error;
     out.push_back(std::move(row));
   }
   return out.dump();
@@ -160,6 +209,8 @@ std::vector<Choice> decode_choices(const std::string& text) {
       row.at("expected_error").get_to(c.expected.error);
       row.at("expected_ms").get_to(c.expected.ms);
       row.at("good_enough").get_to(c.good_enough);
+      if (row.contains("acts"))  // not in journals of choices by the table alone
+        for (const auto& [act, error] : row.at("acts").items()) c.acts.push_back({act, error.get<double>()});
       check(c);
     }
     return out;

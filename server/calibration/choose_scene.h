@@ -16,6 +16,7 @@ struct ChoiceOptions {
   std::filesystem::path table_file;  // kept from run to run; empty: not kept
   std::string machine;               // what a kept table must hold for: machine_and_build()
   std::function<RungFigures(const RungTrial&)> measure;  // by a RungMeter, or what a test says
+  bool on_the_body = true;                               // false: errors are the table's beam's
   CompileOptions sources;                                // where meshes come from, and who hears of progress
 };
 

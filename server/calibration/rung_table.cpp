@@ -100,18 +100,21 @@ std::optional<Prospect> RungTable::prospect(const Rung& rung, double poisson_rat
   const double ratio = table_ratio(poisson_ratio);
   const auto rows = rows_of(rung, ratio);
   if (rows.empty()) return std::nullopt;
-  std::vector<double> fineness, errors, elements, ms;
+  std::vector<double> fineness, errors, drifts, elements, ms;
   for (const Row* row : rows) {
     elements.push_back(row->figures.elements);
     ms.push_back(row->figures.ms);
     fineness.push_back(beam_geometry(row->figures.elements).fineness());
-    errors.push_back(bend_error(rung.model, ratio, row->figures.settled_sag, own_law) + row->figures.drift);
+    const double off = bend_error(rung.model, ratio, row->figures.settled_sag, own_law);
+    errors.push_back(off + row->figures.drift);
+    drifts.push_back(rung.is_position_based() ? errors.back() : std::max(least_error, row->figures.drift));
   }
   // What a finer mesh gets wrong, a coarser one got right by chance: errors that cancel.
   for (std::size_t k = errors.size() - 1; k-- > 0;) errors[k] = std::max(errors[k], errors[k + 1]);
   constexpr double never_better = 0, fourth_order = -4;
   const double finest = std::min(body.fineness(), fineness.back());
   return Prospect{log_interpolate(fineness, errors, finest, fourth_order, never_better),
+                  log_interpolate(fineness, drifts, finest, fourth_order, never_better),
                   log_interpolate(elements, ms, body.elements, 1, 4. / 3)};
 }
 

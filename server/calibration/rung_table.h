@@ -35,6 +35,7 @@ BodyGeometry geometry_of(const TetMesh& mesh);
 /// What is expected of a body by a rung.
 struct Prospect {
   double error = 0;  // of displacements, fraction: of the mesh and model, and of solving with that effort
+  double drift = 0;  // what of the error the effort makes; of position-based models all
   double ms = 0;     // CPU time a frame of 1/60 s, one thread
 };
 

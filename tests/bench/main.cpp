@@ -4,6 +4,7 @@
 #include <iostream>
 #include <optional>
 
+#include "common/paths.h"
 #include "common/version.h"
 #include "server/physics/freed_memory.h"
 #include "tests/bench/machine.h"
@@ -123,6 +124,27 @@ int main(int argc, char** argv) try {
       ->add_option("--limit", stability.limit_ms, "CPU ms that one rung may take for one extreme")
       ->check(CLI::Range(1., 1e9));
 
+  prosector::NeedBenchOptions need;
+  const std::string cache = prosector::default_cache_dir().string();
+  need.cache = cache;
+  CLI::App* need_command = app.add_subcommand(
+      "need", "What each soft body of a scene can have at what price, and what it promises");
+  need_command->add_option("SCENE", need.scene, "Scene file")->check(CLI::ExistingFile)->required();
+  need_command->add_option("--body", need.body, "Only this one");
+  need_command->add_option("--cache", need.cache, "Folder of tables, meshes and trials")
+      ->capture_default_str();
+  need_command->add_option("--data", need.data, "Folder of what the scene names (may be repeated)");
+  need_command->add_flag("--verbose", need.verbose, "Also say what is tried");
+
+  prosector::PromiseBenchOptions promise;
+  promise.cache = cache;
+  CLI::App* promise_command = app.add_subcommand(
+      "promise",
+      "Random bodies that ask for accuracy: what is promised, against finer references and other acts");
+  promise_command->add_option("--cases", promise.cases, "How many")->check(CLI::Range(1, 100000));
+  promise_command->add_option("--seed", promise.seed, "Of the bodies drawn");
+  promise_command->add_option("--cache", promise.cache, "Folder of tables and trials")->capture_default_str();
+
   prosector::ScalingBenchOptions scaling;
   CLI::App* scaling_command = app.add_subcommand("scaling", "Time of a frame against elements and threads");
   scaling_command->add_option("--model", scaling.model, "Only this one");
@@ -171,6 +193,8 @@ int main(int argc, char** argv) try {
   if (*cut_command) report = prosector::bench_cut(cut);
   if (*trade_command) report = prosector::bench_trade(trade);
   if (*stability_command) report = prosector::bench_stability(stability);
+  if (*need_command) report = prosector::bench_need(need);
+  if (*promise_command) report = prosector::bench_promise(promise);
   if (*scaling_command) report = prosector::bench_scaling(scaling);
   if (*collision_command) report = prosector::bench_collision(collision);
   if (!file.empty()) report.value().write(file);

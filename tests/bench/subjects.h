@@ -105,6 +105,24 @@ struct ScalingBenchOptions {
 /// Time against elements, from 100 on, and threads.
 Report bench_scaling(const ScalingBenchOptions& options);
 
+struct NeedBenchOptions {
+  std::string scene;              // file
+  std::string body;               // only this one; empty: all solid soft ones
+  std::string cache;              // folder of rungs.json, meshes and trials
+  std::vector<std::string> data;  // folders of what scenes name
+  bool verbose = false;           // also what is tried
+};
+/// What each soft body of a scene can have at what price, and what it promises.
+Report bench_need(const NeedBenchOptions& options);
+
+struct PromiseBenchOptions {
+  int cases = 30;
+  unsigned seed = 1;
+  std::string cache;
+};
+/// Random bodies that ask for accuracy: what is promised against a finer reference and other acts.
+Report bench_promise(const PromiseBenchOptions& options);
+
 struct CollisionBenchOptions {
   int pairs = 1000;  // poses a shape
   int ticks = 5;

@@ -24,6 +24,7 @@ struct Chooser {
   std::string machine = "a machine";
   int measured = 0;
   double share = 1;  // of the processor, while measuring
+  bool on_the_body = false;
   std::vector<std::string> log;
 
   ~Chooser() { std::filesystem::remove(file); }
@@ -50,6 +51,7 @@ struct Chooser {
                                 figures.share = share;
                                 return figures;
                               },
+                          .on_the_body = on_the_body,
                           .sources = {}};
     options.sources.progress = [this](const std::string& line) { log.push_back(line); };
     options.sources.anatomy = [](const SoftDesc& desc) {
@@ -188,6 +190,22 @@ TEST(ChooseScene, ExpectsWhatTheMeshHolds) {
   body.elements = 24 * across * across * across;
   const auto right = test::made_up_table(scene.soft[1]).prospect(choice.rung, 0.45, body, false);
   EXPECT_NEAR(choice.expected.ms / right->ms, 1, 0.35) << "cells come in whole numbers";
+}
+
+/// What is chosen was tried on the body itself, and is expected to be what that told.
+TEST(ChooseScene, JudgesOnTheBodyItself) {
+  Chooser chooser;
+  chooser.on_the_body = true;
+  SceneDesc scene = Chooser::scene();
+  scene.soft[1].accuracy.value = 40;
+  scene.soft[1].accuracy_of = {"shape"};
+  const Choice choice = chooser.choose(scene).front();
+  ASSERT_FALSE(choice.acts.empty());
+  EXPECT_TRUE(choice.good_enough);
+  EXPECT_LE(choice.expected.error, 0.4);
+  EXPECT_GE(choice.expected.error, worst(choice.acts).error);
+  EXPECT_TRUE(chooser.said("on this body: under its weight ")) << chooser.log.back();
+  EXPECT_EQ(encode(decode_choices(encode({choice}))), encode({choice}));
 }
 
 TEST(Choices, AsTextComeBackAndAreChecked) {

@@ -1,0 +1,109 @@
+#include "server/accuracy/act.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "server/accuracy/foot.h"
+#include "server/accuracy/outer_surface.h"
+
+namespace prosector {
+namespace {
+
+constexpr double fingertip = 6e-3;   // m: radius of the patch that a fingertip presses
+constexpr double dent = 2e-3;        // m
+constexpr double thin = 1. / 4;      // of its thickness: a patch on a thin body
+constexpr double shallow = 1. / 20;  // of its thickness: a dent in a thin body
+constexpr double steepest = 0.2;     // cosine of the angle to the push: what is steeper bears none
+
+double softest(const SoftDesc& desc) {
+  double least = desc.youngs_modulus;
+  for (const RegionDesc& region : desc.regions)
+    if (region.youngs_modulus > 0) least = std::min(least, region.youngs_modulus);
+  return least;
+}
+
+/// Returns the unit direction across gravity along which the body is longest.
+Vec3 sideways(const TetMesh& mesh, const Vec3& gravity) {
+  const Vec3 axis = down(gravity);
+  const Vec3 one = axis.unitOrthogonal(), other = axis.cross(one);
+  const Vec3 longest = extent(mesh, one).length() >= extent(mesh, other).length() ? one : other;
+  return longest;
+}
+
+/// Returns faces that are far from each other and from what is held: the one farthest from the foot, then
+/// each the farthest from those before.
+std::vector<OuterFace> sampled_faces(const SoftDesc& desc, const TetMesh& mesh, const Vec3& gravity,
+                                     std::vector<OuterFace> faces, int count) {
+  std::erase_if(faces, [&](const OuterFace& face) {
+    return std::any_of(desc.attach.begin(), desc.attach.end(), [&](const AttachDesc& tie) {
+      return (middle(mesh, face) - tie.center).norm() < tie.radius + fingertip;
+    });
+  });
+  std::vector<OuterFace> out;
+  const Vec3 up = -down(gravity);
+  while (!faces.empty() && out.size() < static_cast<std::size_t>(count)) {
+    const auto distance = [&](const OuterFace& face) {
+      if (out.empty()) return up.dot(middle(mesh, face)) + 1e-3 * mesh.positions.front().dot(up);
+      double least = std::numeric_limits<double>::infinity();
+      for (const OuterFace& taken : out)
+        least = std::min(least, (middle(mesh, face) - middle(mesh, taken)).norm());
+      return least;
+    };
+    out.push_back(*std::max_element(faces.begin(), faces.end(),
+                                    [&](const auto& a, const auto& b) { return distance(a) < distance(b); }));
+  }
+  return out;
+}
+
+/// Adds the press' forces on the nodes, summing to its force.
+void add_press(const Press& press, const StaticBody& body, VecX& load) {
+  const TetMesh& mesh = body.mesh();
+  const auto near = [&](const OuterFace& face) {
+    const Vec3 area = area_vector(mesh, face);
+    return (middle(mesh, face) - press.point).norm() < 2 * (std::sqrt(area.norm()) + press.radius) &&
+           area.dot(press.inward) < -steepest * area.norm();
+  };
+  VecX share = VecX::Zero(body.mass().size());
+  for_surface_points(body, near, [&](const SurfacePoint& point) {
+    const Vec3 away = point.at - press.point;
+    const double r2 = (away - away.dot(press.inward) * press.inward).squaredNorm();
+    if (r2 >= press.radius * press.radius) return;
+    const double force = point.area * std::sqrt(1 - r2 / (press.radius * press.radius));
+    for (std::size_t k = 0; k < point.node.size(); ++k) share[point.node[k]] += point.shape[k] * force;
+  });
+  const double scale = press.force / share.sum();
+  for (Eigen::Index i = 0; i < share.size(); ++i) load.segment<3>(3 * i) += scale * share[i] * press.inward;
+}
+
+}  // namespace
+
+std::vector<Act> acts_of(const SoftDesc& desc, const TetMesh& mesh, const Vec3& gravity, int presses) {
+  std::vector<Act> out;
+  if (!gravity.isZero()) {
+    if (desc.gravity) out.push_back({"under its weight", gravity, {}});
+    out.push_back({"hung", -gravity, {}});
+    out.push_back({"on its side", gravity.norm() * sideways(mesh, gravity), {}});
+  }
+  const std::vector<OuterFace> faces = outer_faces(mesh);
+  const double thick = thickness(mesh, faces);
+  Press press;
+  press.radius = std::min(fingertip, thin * thick);
+  press.force = 2 * softest(desc) / (1 - desc.poisson_ratio * desc.poisson_ratio) * press.radius *
+                std::min(dent, shallow * thick);
+  for (const OuterFace& face : sampled_faces(desc, mesh, gravity, faces, presses)) {
+    press.point = middle(mesh, face);
+    press.inward = -area_vector(mesh, face).normalized();
+    out.push_back({out.size() < 4 ? "pressed" : "pressed elsewhere", Vec3::Zero(), press});
+  }
+  return out;
+}
+
+VecX load_of(const Act& act, const StaticBody& body) {
+  VecX load(body.rest().size());
+  for (Eigen::Index i = 0; i < body.mass().size(); ++i) load.segment<3>(3 * i) = body.mass()[i] * act.weight;
+  if (act.press) add_press(*act.press, body, load);
+  return load;
+}
+
+}  // namespace prosector

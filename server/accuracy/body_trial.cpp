@@ -1,0 +1,103 @@
+#include "server/accuracy/body_trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "server/physics/soft/elements/edge_nodes.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t place_count = 250;
+constexpr double left_by_halving = 3;  // 2² − 1
+
+/// Turns tetrahedra right side out: a linear element doesn't mind, who looks for its faces does.
+void orient(TetMesh& mesh) {
+  for (auto& tet : mesh.tets) {
+    const auto from_first = [&](std::size_t k) -> Vec3 {
+      return mesh.positions[tet[k]] - mesh.positions[tet[0]];
+    };
+    if (from_first(1).cross(from_first(2)).dot(from_first(3)) < 0) std::swap(tet[0], tet[1]);
+  }
+}
+
+/// Returns each tetrahedron as eight; the surface is left out.
+Anatomy halved(const Anatomy& anatomy) {
+  Anatomy fine;
+  fine.tets = anatomy.tets;
+  const EdgeNodes edges = add_edge_nodes(fine);
+  fine.tets = divided(fine.tets, edges);
+  orient(fine.tets);
+  return fine;
+}
+
+}  // namespace
+
+/// A body as it was modelled, and where it came to rest in each act.
+struct BodyTrial::Solved {
+  Solved(const SoftDesc& desc, Anatomy anatomy) : body(desc, std::move(anatomy)) {}
+  StaticBody body;
+  std::vector<StaticAnswer> answers;
+  std::vector<double> dents;  // m: what the press' force does, over that force; 0 for weights
+  std::unique_ptr<Probes> probes;
+};
+
+const ActError& worst(const std::vector<ActError>& acts) {
+  return *std::max_element(acts.begin(), acts.end(),
+                           [](const ActError& a, const ActError& b) { return a.error < b.error; });
+}
+
+BodyTrial::BodyTrial(const SoftDesc& desc, const Vec3& gravity, Anatomy mesh, const TrialSettings& settings)
+    : desc_(desc),
+      mesh_{std::move(mesh.tets), {}, {}},
+      divided_(8 * mesh_.tets.tets.size() <= settings.most_tets) {
+  foot_ = foot_of(desc, mesh_.tets, gravity);
+  acts_ = acts_of(desc, mesh_.tets, gravity, settings.presses);
+  places_ = places_in(mesh_.tets, place_count);
+  reference_ = solve(settings.law, "tet10", divided_ ? halved(mesh_) : mesh_);
+  unsettled_.assign(acts_.size(), 0);
+  if (!divided_) return;
+  const auto undivided = solve(settings.law, "tet10", mesh_);
+  for (std::size_t act = 0; act < acts_.size(); ++act)
+    unsettled_[act] = difference(act, *undivided, *reference_) / left_by_halving;
+}
+
+BodyTrial::~BodyTrial() = default;
+BodyTrial::BodyTrial(BodyTrial&&) noexcept = default;
+
+std::unique_ptr<BodyTrial::Solved> BodyTrial::solve(const std::string& model, const std::string& element,
+                                                    const Anatomy& mesh) const {
+  SoftDesc desc = desc_;
+  desc.model = model;
+  desc.element = element;
+  auto out = std::make_unique<Solved>(desc, mesh);
+  if (foot_) out->body.tie(ties_of(*foot_, out->body));
+  for (const Act& act : acts_) {
+    const VecX load = load_of(act, out->body);
+    out->answers.push_back(out->body.settle(load));
+    const VecX moved = out->answers.back().x - out->body.rest();
+    out->dents.push_back(act.press ? load.dot(moved) / act.press->force : 0);
+  }
+  out->probes = std::make_unique<Probes>(out->body, places_);
+  return out;
+}
+
+/// Returns how far one answer is from the other: of a press the dent, of weights all displacements.
+double BodyTrial::difference(std::size_t act, const Solved& one, const Solved& other) const {
+  const StaticAnswer &a = one.answers[act], &b = other.answers[act];
+  if (!a.usable() || !b.usable()) return collapsed;
+  if (acts_[act].press) return std::abs(one.dents[act] / other.dents[act] - 1);
+  return relative_difference(*one.probes, a.x, *other.probes, b.x, places_.size());
+}
+
+std::vector<ActError> BodyTrial::measure(const std::string& model, const std::string& element) const {
+  if (element == "tet10" && !divided_) throw std::logic_error("quadratic elements judged by their own kind");
+  const auto solved = solve(model, element, mesh_);
+  std::vector<ActError> out;
+  for (std::size_t act = 0; act < acts_.size(); ++act)
+    out.push_back({acts_[act].name, difference(act, *solved, *reference_) + unsettled_[act]});
+  return out;
+}
+
+}  // namespace prosector

@@ -1,0 +1,82 @@
+#include "server/accuracy/displacement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "server/physics/organs/locate.h"
+#include "server/physics/soft/soft_matter.h"
+
+namespace prosector {
+namespace {
+
+/// Barycentric coordinates of a place on no face of the tetrahedron, nor of what its edges' middles divide it
+/// into.
+constexpr std::array<double, 4> inside = {0.41, 0.27, 0.19, 0.13};
+
+Aabb box_around(std::span<const Vec3> places) {
+  Aabb box;
+  for (const Vec3& place : places) box.add(place);
+  return box;
+}
+
+}  // namespace
+
+std::vector<Vec3> places_in(const TetMesh& mesh, std::size_t count) {
+  const std::size_t stride = std::max<std::size_t>(1, mesh.tets.size() / count);
+  std::vector<Vec3> out;
+  for (std::size_t t = 0; t < mesh.tets.size(); t += stride) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 0; k < 4; ++k) sum += inside[k] * mesh.positions[mesh.tets[t][k]];
+    out.push_back(sum);
+  }
+  return out;
+}
+
+Probes::Probes(const StaticBody& body, std::span<const Vec3> places) : body_(body) {
+  const Locator locator(body.mesh(), body.rest(), box_around(places));
+  for (const Vec3& place : places) {
+    const auto found = locator.at(place);
+    std::optional<Row>& row = rows_.emplace_back();
+    if (!found) continue;
+    row.emplace();
+    const auto& L = found->weight;
+    for (std::size_t k = 0; k < 4; ++k) {
+      row->node[k] = found->node[k];
+      row->weight[k] = body.quadratic() ? L[k] * (2 * L[k] - 1) : L[k];
+    }
+    if (!body.quadratic()) continue;
+    for (std::size_t k = 0; k < EdgeNodes::edges_of_tet.size(); ++k) {
+      const auto [a, b] = EdgeNodes::edges_of_tet[k];
+      row->node[4 + k] = body.matter().quadratic->edges.find(found->node[a], found->node[b]);
+      row->weight[4 + k] = 4 * L[a] * L[b];
+    }
+  }
+}
+
+std::optional<Vec3> Probes::displacement(std::size_t k, const VecX& x) const {
+  if (!rows_[k]) return std::nullopt;
+  Vec3 u = Vec3::Zero();
+  for (std::size_t n = 0; n < 10; ++n) {
+    const auto at = 3 * static_cast<Eigen::Index>(rows_[k]->node[n]);
+    u += rows_[k]->weight[n] * (x.segment<3>(at) - body_.rest().segment<3>(at));
+  }
+  return u;
+}
+
+double relative_difference(const Probes& a, const VecX& x_a, const Probes& b, const VecX& x_b,
+                           std::size_t places) {
+  double off = 0, all = 0;
+  std::size_t shared = 0;
+  for (std::size_t k = 0; k < places; ++k) {
+    const auto u = a.displacement(k, x_a), v = b.displacement(k, x_b);
+    if (!u || !v) continue;
+    off += (*u - *v).squaredNorm();
+    all += v->squaredNorm();
+    ++shared;
+  }
+  if (2 * shared < places) throw std::logic_error("two meshes of a body share less than half of it");
+  return std::sqrt(off / all);
+}
+
+}  // namespace prosector

@@ -1,0 +1,38 @@
+#pragma once
+// The outer faces of a body's elements, and integrals over them.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "common/mesh.h"
+#include "server/accuracy/static_body.h"
+
+namespace prosector {
+
+/// Corners, counter-clockwise seen from outside.
+using OuterFace = std::array<std::uint32_t, 3>;
+
+/// Returns the faces that only one tetrahedron has, in the tetrahedra's order.
+std::vector<OuterFace> outer_faces(const TetMesh& mesh);
+Vec3 middle(const TetMesh& mesh, const OuterFace& face);
+/// Returns m², along the outward normal.
+Vec3 area_vector(const TetMesh& mesh, const OuterFace& face);
+/// Returns four times volume over surface, m: of a long beam its side, of a cube two thirds of its edge.
+double thickness(const TetMesh& mesh, const std::vector<OuterFace>& faces);
+
+/// A point of integration at rest.
+struct SurfacePoint {
+  Vec3 at;                              // m
+  double area;                          // m² that it stands for
+  std::array<std::uint32_t, 6> node{};  // the face's corners, then edges
+  std::array<double, 6> shape{};        // shape functions; 0 on edges of linear elements
+};
+
+/// Calls f for many points of each face that `wanted` chooses. A face whose edges are a centimetre has some
+/// every millimetre.
+void for_surface_points(const StaticBody& body, const std::function<bool(const OuterFace&)>& wanted,
+                        const std::function<void(const SurfacePoint&)>& f);
+
+}  // namespace prosector

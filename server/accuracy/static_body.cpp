@@ -1,0 +1,155 @@
+#include "server/accuracy/static_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "server/accuracy/secants.h"
+#include "server/physics/soft/incremental_potential.h"
+#include "server/physics/soft/soft_matter.h"
+#include "server/physics/soft/solvers/linear_solver.h"
+#include "server/physics/soft/unfold.h"
+
+namespace prosector {
+namespace {
+
+constexpr int most_newton_steps = 120;
+constexpr int most_halvings = 30;
+constexpr double armijo = 1e-4;
+constexpr double settled_decrement = 1e-7;  // of the energy: what a Newton step would gain
+constexpr double noise = 1e-13;             // of the energy: what rounding makes of differences
+constexpr double most_inverted = 0.01;      // of the volume: no answer of tissue
+constexpr SolverSettings solve_settings = {400, 1e-4};
+
+/// Settings of a description that don't bear on where the body rests.
+SoftDesc undamped(SoftDesc desc) {
+  desc.damping_mass = desc.damping_stiffness = 0;
+  desc.solver = "multigrid";  // several times as quick here as a factorisation
+  return desc;
+}
+
+/// The body's Hessian as linear solvers see it.
+class BodyOperator final : public LinearOperator {
+ public:
+  BodyOperator(IncrementalPotential& potential, Eigen::Index nodes)
+      : potential_(potential), diagonal_(static_cast<std::size_t>(nodes)), inverse_(diagonal_.size()) {}
+  void refresh() {
+    potential_.diagonal(diagonal_);
+    std::transform(diagonal_.begin(), diagonal_.end(), inverse_.begin(),
+                   [](const Mat3& block) -> Mat3 { return block.inverse(); });
+  }
+  Eigen::Index size() const override { return 3 * static_cast<Eigen::Index>(diagonal_.size()); }
+  void multiply(const VecX& p, VecX& Hp) const override { potential_.multiply(p.data(), Hp.data()); }
+  void block_jacobi(const VecX& r, VecX& z) const override {
+    for (std::size_t i = 0; i < inverse_.size(); ++i) {
+      const auto at = 3 * static_cast<Eigen::Index>(i);
+      z.segment<3>(at) = inverse_[i] * r.segment<3>(at);
+    }
+  }
+  void elastic_factor(const VecX& r, VecX& z) const override { potential_.factor_solve(r.data(), z.data()); }
+  void multigrid(const VecX& r, VecX& z) const override {
+    potential_.multigrid_solve(diagonal_, inverse_, r.data(), z.data());
+  }
+
+ private:
+  IncrementalPotential& potential_;
+  std::vector<Mat3> diagonal_, inverse_;
+};
+
+}  // namespace
+
+bool StaticAnswer::usable() const {
+  return settled && inverted <= most_inverted;
+}
+
+/// What the minimisation works with.
+struct StaticBody::Newton {
+  Newton(const SoftMatter& matter, Eigen::Index nodes)
+      : potential(matter), hessian(potential, nodes), solver(make_solver(matter.desc.solver)) {}
+  IncrementalPotential potential;
+  BodyOperator hessian;
+  std::unique_ptr<LinearSolver> solver;
+
+  VecX gradient(const VecX& x, const VecX& load) {
+    VecX out(x.size());
+    potential.gradient(x, out);
+    return out - load;
+  }
+  VecX solve(const VecX& r) {
+    VecX z = VecX::Zero(r.size());
+    solver->solve(hessian, r, solve_settings, z);
+    return z;
+  }
+  double energy(const VecX& x, const VecX& rest, const VecX& load) {
+    return potential.energy(x) - load.dot(x - rest);
+  }
+};
+
+StaticBody::StaticBody(const SoftDesc& desc, Anatomy anatomy) {
+  matter_ = std::make_unique<SoftMatter>(undamped(desc), std::move(anatomy));
+  newton_ = std::make_unique<Newton>(*matter_, matter_->mass.size());
+  matter_->model->relax_fully();
+  Stage& stage = newton_->potential.stage();
+  stage.dxdv = 1;
+  stage.y = stage.x_v = matter_->rest();
+}
+
+StaticBody::~StaticBody() = default;
+StaticBody::StaticBody(StaticBody&&) noexcept = default;
+
+const TetMesh& StaticBody::mesh() const {
+  return matter_->anatomy.tets;
+}
+const VecX& StaticBody::rest() const {
+  return matter_->rest();
+}
+const VecX& StaticBody::mass() const {
+  return matter_->mass;
+}
+const VecX& StaticBody::volume() const {
+  return matter_->model->volume();
+}
+bool StaticBody::quadratic() const {
+  return matter_->quadratic.has_value();
+}
+
+void StaticBody::tie(const VecX& stiffness) {
+  matter_->ties += stiffness;
+  matter_->weigh();
+  newton_->potential.reweigh();
+}
+
+StaticAnswer StaticBody::settle(const VecX& load) {
+  Newton& n = *newton_;
+  const VecX& rest = matter_->rest();
+  StaticAnswer out;
+  out.x = rest;
+  n.potential.begin_stage(rest);
+  Secants secants;
+  VecX gradient = n.gradient(out.x, load);
+  double energy = n.energy(out.x, rest, load);
+  for (int i = 0; i < most_newton_steps && !out.settled; ++i) {
+    n.potential.assemble(out.x);
+    n.hessian.refresh();
+    const VecX direction = secants.direction(gradient, [&](const VecX& r) { return n.solve(r); });
+    const double slope = gradient.dot(direction);
+    if (!direction.allFinite() || !(slope < 0)) break;
+    VecX next;
+    double found = 0, length = 1;
+    for (int halvings = 0;; ++halvings, length /= 2) {
+      next = out.x + length * direction;
+      found = n.energy(next, rest, load);
+      if (found <= energy + armijo * length * slope + noise * std::abs(energy)) break;
+      if (halvings == most_halvings) return out;
+    }
+    const VecX next_gradient = n.gradient(next, load);
+    secants.remember(next - out.x, next_gradient - gradient);
+    out.settled = -slope < settled_decrement * std::abs(found);
+    out.x = next;
+    gradient = next_gradient;
+    energy = found;
+  }
+  out.inverted = inverted_share(matter_->linear_tets(), out.x);
+  return out;
+}
+
+}  // namespace prosector

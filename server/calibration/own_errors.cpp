@@ -1,0 +1,200 @@
+#include "server/calibration/own_errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "common/error.h"
+#include "common/hash.h"
+#include "common/sealed_file.h"
+#include "server/calibration/rung_table.h"
+#include "server/physics/soft/laws/constitutive_law.h"
+
+namespace prosector {
+namespace {
+
+constexpr double most_tets_given = 12000;  // of a mesh that has no cell to choose
+constexpr double rounding = 1e-6;          // of a cell
+constexpr double as_tried = 0.03;          // cells that differ by less are one
+constexpr double next_cell = 1.5;          // of the finest that is affordable: the second one tried
+constexpr double least_inferred = 1e-6;
+constexpr double first_order = -1, third_order = -3;  // of errors in 1/cell
+constexpr double caution = 1.25;                      // on what is inferred at finer cells than any tried
+
+bool has_law(const std::string& model) {
+  return std::any_of(laws().begin(), laws().end(), [&](const LawRow& row) { return model == row.name; });
+}
+
+bool counts(const SoftDesc& desc, const std::string& act) {
+  const char* kind = act.starts_with("pressed") ? "touch" : "shape";
+  return std::find(desc.accuracy_of.begin(), desc.accuracy_of.end(), kind) != desc.accuracy_of.end();
+}
+
+/// Hashes what a trial's outcome hangs on.
+class TrialKey {
+ public:
+  void add(double x) { hasher_.add(x); }
+  void add(const Vec3& x) { hasher_.add(x.data(), 3); }
+  void add(const std::string& text) {
+    hasher_.add(text.size());
+    hasher_.add(std::as_bytes(std::span(text)));
+  }
+  std::string hex() { return to_hex(hasher_.digest()); }
+
+ private:
+  StateHasher hasher_;
+};
+
+void add_material(TrialKey& key, const SoftDesc& desc) {
+  for (const double x : {desc.youngs_modulus, desc.poisson_ratio, desc.fiber_stiffness, desc.density,
+                         desc.spring_stiffness, double(desc.hold_volume), double(desc.gravity)})
+    key.add(x);
+  key.add(desc.fiber_direction);
+  for (const RegionDesc& region : desc.regions) {
+    for (const Vec3& x : {region.center, region.size, region.fiber_direction}) key.add(x);
+    for (const double x :
+         {region.radius, region.youngs_modulus, region.poisson_ratio, region.fiber_stiffness})
+      key.add(x);
+  }
+  for (const RelaxationDesc& term : desc.relaxation)
+    for (const double x : {term.share, term.time}) key.add(x);
+  for (const AttachDesc& tie : desc.attach) {
+    key.add(tie.center);
+    for (const double x : {tie.radius, tie.stiffness}) key.add(x);
+  }
+}
+
+std::string as_text(const std::vector<ActError>& acts) {
+  nlohmann::ordered_json out = nlohmann::ordered_json::array();
+  for (const ActError& act : acts) out.push_back({act.act, act.error});
+  return out.dump();
+}
+
+std::vector<ActError> from_text(const std::string& text) {
+  std::vector<ActError> out;
+  for (const auto& row : nlohmann::ordered_json::parse(text))
+    out.push_back({row.at(0).get<std::string>(), row.at(1).get<double>()});
+  return out;
+}
+
+/// Returns an act's error in cells of that size, from those tried.
+double inferred(const std::map<double, std::vector<ActError>>& tried, std::size_t act, double cell) {
+  std::vector<double> fineness, errors;  // 1/cell, rising
+  for (auto it = tried.rbegin(); it != tried.rend(); ++it) {
+    fineness.push_back(1 / it->first);
+    errors.push_back(std::max(least_inferred, it->second[act].error));
+  }
+  const double error = fineness.size() == 1 ? errors[0] * std::pow(1 / (cell * fineness[0]), first_order)
+                                            : log_interpolate(fineness, errors, 1 / cell, third_order, 0);
+  const bool finer = cell < tried.begin()->first * (1 - rounding);
+  return (finer ? caution : 1) * error;
+}
+
+}  // namespace
+
+OwnErrors::OwnErrors(JudgedBody body) : body_(std::move(body)) {
+  if (body_.desc.fixed.model && has_law(body_.desc.model)) settings_.law = body_.desc.model;
+  if (body_.desc.fixed.cell) settings_.most_tets = static_cast<std::size_t>(most_tets_given);
+}
+
+std::vector<ActError> OwnErrors::at(const std::string& model, const std::string& element, double cell) const {
+  const auto it = tried_.find({model, element});
+  if (it == tried_.end()) return {};
+  const Tried& tried = it->second;
+  std::vector<ActError> out;
+  for (std::size_t act = 0; act < tried.begin()->second.size(); ++act) {
+    const std::string& name = tried.begin()->second[act].act;
+    if (counts(body_.desc, name)) out.push_back({name, inferred(tried, act, cell)});
+  }
+  return out;
+}
+
+bool OwnErrors::attempt(const std::string& model, const std::string& element, double cell, double elements) {
+  const bool quadratic = element == "tet10";
+  const double affordable = static_cast<double>(settings_.most_tets) / (quadratic ? 8 : 1);
+  if (elements <= affordable) {
+    const bool divided = 8 * elements <= static_cast<double>(settings_.most_tets);
+    const bool more = !quadratic && !divided && attempt(settings_.law, "tet10", cell, elements);
+    return measure({model, element}, cell) || more;
+  }
+  if (body_.desc.fixed.cell) return false;
+  const double finest = cell * std::cbrt(elements / affordable);
+  const bool one = measure({model, element}, finest), other = measure({model, element}, next_cell * finest);
+  return one || other;
+}
+
+/// Tries the way in such cells, if it wasn't yet and there is a mesh of them.
+bool OwnErrors::measure(const Way& way, double cell) {
+  const Tried& tried = tried_[way];
+  const auto same = [&](const auto& row) { return std::abs(row.first / cell - 1) < as_tried; };
+  if (std::any_of(tried.begin(), tried.end(), same)) return false;
+  try {
+    const Anatomy mesh = body_.mesh(cell);
+    const auto tets = static_cast<double>(mesh.tets.tets.size()),
+               most = static_cast<double>(settings_.most_tets);
+    const bool divided = 8 * tets <= most;
+    if (way.second == "tet10" && !divided) {  // more than its cell let expect
+      if (tried.empty()) tried_.erase(way);
+      return measure(way, cell * std::cbrt(8 * tets / most) * (1 + as_tried));
+    }
+    std::vector<ActError> acts = found(way, mesh, cell);
+    if (!divided) add_reference_error(acts, cell);
+    tried_[way][cell] = std::move(acts);
+  } catch (const InputError&) {  // too coarse for a mesh
+    if (tried_[way].empty()) tried_.erase(way);
+    return false;
+  }
+  return true;
+}
+
+/// Adds what an undivided reference itself is off: as much as is inferred, else half of what the linear
+/// elements are.
+void OwnErrors::add_reference_error(std::vector<ActError>& acts, double cell) const {
+  const auto known = tried_.find({settings_.law, "tet10"});
+  for (std::size_t act = 0; act < acts.size(); ++act) {
+    if (known == tried_.end())
+      acts[act].error *= 2;
+    else
+      acts[act].error += inferred(known->second, act, cell);
+  }
+}
+
+std::filesystem::path OwnErrors::kept_in(const Way& way, const Anatomy& mesh) const {
+  TrialKey key;
+  key.add("trial 1");
+  for (const std::string& text : {settings_.law, way.first, way.second}) key.add(text);
+  key.add(static_cast<double>(settings_.most_tets));
+  key.add(body_.gravity);
+  add_material(key, body_.desc);
+  for (const Vec3& x : mesh.tets.positions) key.add(x);
+  for (const auto& tet : mesh.tets.tets)
+    for (const std::uint32_t node : tet) key.add(double(node));
+  return body_.cache_dir / (key.hex() + ".trial");
+}
+
+/// Finds what the way gets wrong on the mesh: in the cache, or by a trial.
+std::vector<ActError> OwnErrors::found(const Way& way, const Anatomy& mesh, double cell) {
+  const std::filesystem::path file = kept_in(way, mesh);
+  const std::string seal = file.filename().string();
+  if (!body_.cache_dir.empty()) {
+    const FoundFile kept = read_sealed(file, seal);
+    if (kept.bytes) return from_text({kept.bytes->begin(), kept.bytes->end()});
+  }
+  if (body_.say)
+    body_.say(fmt::format("{}: trying {}, {}, cells of {:.1f} mm, {} tetrahedra", body_.desc.name, way.first,
+                          way.second, 1e3 * cell, mesh.tets.tets.size()));
+  auto trial = trials_.find(cell);
+  if (trial == trials_.end())
+    trial = trials_.emplace(cell, BodyTrial(body_.desc, body_.gravity, mesh, settings_)).first;
+  std::vector<ActError> acts = trial->second.measure(way.first, way.second);
+  if (!body_.cache_dir.empty()) {
+    const std::string text = as_text(acts);
+    write_sealed(file, seal, std::vector<std::uint8_t>(text.begin(), text.end()));
+  }
+  return acts;
+}
+
+}  // namespace prosector

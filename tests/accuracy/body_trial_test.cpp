@@ -1,0 +1,83 @@
+// What trials on a body tell, against errors that are known.
+
+#include "server/accuracy/body_trial.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/accuracy/boxes.h"
+
+namespace prosector {
+namespace {
+
+double error_of(const std::vector<ActError>& acts, const std::string& name) {
+  for (const ActError& act : acts)
+    if (act.act == name) return act.error;
+  ADD_FAILURE() << "no act " << name;
+  return 0;
+}
+
+/// The beam of the reference values, 8 × 2 × 2 cells: linear tetrahedra give this share of the continuum's
+/// sag (shared table of fixed-mesh values; corotational over its continuum).
+TEST(BodyTrial, KnowsTheBeamsLocking) {
+  struct Row {
+    double ratio, share;
+  };
+  for (const Row& row : {Row{0.3, 0.06788235 / 0.12275}, Row{0.45, 0.04312521 / 0.1206}}) {
+    const SoftDesc desc = test::pinned(0, 3e5, row.ratio);
+    const BodyTrial trial(desc, test::gravity, test::box({0.4, 0.1, 0.1}, 8, 2, 2),
+                          {.law = "fem_corotational", .presses = 0});
+    ASSERT_TRUE(trial.judges_quadratic());
+    EXPECT_NEAR(error_of(trial.measure("fem_corotational", "tet4"), "under its weight"), 1 - row.share, 0.03)
+        << row.ratio;
+    EXPECT_LT(error_of(trial.measure("fem_corotational", "tet10"), "under its weight"), 0.06) << row.ratio;
+  }
+}
+
+/// A cube that stands is off by the corotational law's error, which bending beams hide.
+TEST(BodyTrial, SeesWhatALawGetsWrongUnderPressure) {
+  const SoftDesc desc = test::pinned(1, 5400, 0.45);
+  const BodyTrial trial(desc, test::gravity, test::box({0.1, 0.1, 0.1}, 4, 4, 4), {.presses = 0});
+  const double own = error_of(trial.measure("fem_neo_hookean", "tet10"), "under its weight");
+  const double other = error_of(trial.measure("fem_corotational", "tet10"), "under its weight");
+  EXPECT_LT(own, 0.05);
+  EXPECT_GT(other, own + 0.03);
+}
+
+/// Errors of every act fall as the cells do, of the reference's own law.
+TEST(BodyTrial, ErrorsFallWithTheCells) {
+  const SoftDesc desc = test::pinned(1, 5400, 0.3);
+  const auto at = [&](unsigned cells) {
+    return BodyTrial(desc, test::gravity, test::box({0.1, 0.1, 0.1}, cells, cells, cells), {.presses = 1})
+        .measure("fem_neo_hookean", "tet4");
+  };
+  const auto coarse = at(2), fine = at(4);
+  ASSERT_EQ(coarse.size(), 4u);
+  for (std::size_t act = 0; act < coarse.size(); ++act)
+    EXPECT_LT(fine[act].error, 0.9 * coarse[act].error) << coarse[act].act;
+}
+
+TEST(BodyTrial, NothingIsNearWhatCollapses) {
+  const SoftDesc desc = test::pinned(1, 150, 0.3);
+  const BodyTrial trial(desc, 2 * test::gravity, test::box({0.1, 0.1, 0.1}, 2, 2, 2), {.presses = 0});
+  for (const char* element : {"tet4", "tet10"})
+    EXPECT_GE(error_of(trial.measure("fem_neo_hookean", element), "under its weight"), collapsed) << element;
+}
+
+/// A free body is held alike on every mesh: by a bed whose springs add up to the same.
+TEST(Foot, HoldsEveryMeshAlike) {
+  SoftDesc desc = test::pinned(1, 5400, 0.3);
+  desc.attach.clear();
+  const Anatomy fine = test::box({0.1, 0.1, 0.1}, 8, 8, 8);
+  const auto foot = foot_of(desc, fine.tets, test::gravity);
+  ASSERT_TRUE(foot);
+  const double all = ties_of(*foot, StaticBody(desc, fine)).sum();
+  for (const char* element : {"tet4", "tet10"}) {
+    desc.element = element;
+    EXPECT_NEAR(ties_of(*foot, StaticBody(desc, test::box({0.1, 0.1, 0.1}, 5, 5, 5))).sum() / all, 1, 0.1)
+        << element;
+  }
+  EXPECT_FALSE(foot_of(test::pinned(1, 5400, 0.3), fine.tets, test::gravity)) << "its ties hold it";
+}
+
+}  // namespace
+}  // namespace prosector

@@ -1,0 +1,98 @@
+// What is known of ways of modelling on a body, found and inferred.
+
+#include "server/calibration/own_errors.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "common/error.h"
+#include "tests/accuracy/boxes.h"
+
+namespace prosector {
+namespace {
+
+struct Judged {
+  SoftDesc desc = test::pinned(0, 3e5, 0.3);
+  int meshes = 0, lines = 0;
+  std::filesystem::path cache;
+
+  OwnErrors errors() {
+    return OwnErrors({desc, Vec3(0, -9.81, 0),
+                      [this](double cell) {
+                        ++meshes;
+                        if (cell > 0.06) throw InputError("too coarse");
+                        const auto n = static_cast<std::uint32_t>(std::max(1., std::round(0.1 / cell)));
+                        return test::box({0.2, 0.1, 0.1}, 2 * n, n, n);
+                      },
+                      cache, [this](const std::string&) { ++lines; }});
+  }
+};
+
+double elements(double cell) {
+  return 12 * std::pow(0.1 / cell, 3);
+}
+
+TEST(OwnErrors, KnowNothingBeforeATrial) {
+  Judged judged;
+  EXPECT_TRUE(judged.errors().at("fem_corotational", "tet4", 0.02).empty());
+}
+
+TEST(OwnErrors, AreOfTheActsThatTheSceneAsksFor) {
+  Judged judged;
+  judged.desc.accuracy_of = {"shape"};
+  OwnErrors own = judged.errors();
+  EXPECT_TRUE(own.attempt("fem_neo_hookean", "tet4", 0.05, elements(0.05)));
+  EXPECT_FALSE(own.attempt("fem_neo_hookean", "tet4", 0.05, elements(0.05))) << "tried already";
+  EXPECT_EQ(own.at("fem_neo_hookean", "tet4", 0.05).size(), 3u);
+  judged.desc.accuracy_of = {"touch"};
+  OwnErrors touched = judged.errors();
+  touched.attempt("fem_neo_hookean", "tet4", 0.05, elements(0.05));
+  EXPECT_EQ(touched.at("fem_neo_hookean", "tet4", 0.05).size(), 2u);
+}
+
+/// Where a trial is too dear, coarser ones tell: no more than these, but for caution.
+TEST(OwnErrors, AreInferredWhereATrialIsTooDear) {
+  Judged judged;
+  judged.desc.accuracy_of = {"shape"};
+  OwnErrors own = judged.errors();
+  EXPECT_TRUE(own.attempt("fem_neo_hookean", "tet10", 0.01, elements(0.01)));
+  const double fine = worst(own.at("fem_neo_hookean", "tet10", 0.01)).error;
+  const double tried = worst(own.at("fem_neo_hookean", "tet10", 0.045)).error;
+  EXPECT_GT(fine, 0);
+  EXPECT_LE(fine, 1.25 * tried * (1 + 1e-9));
+  EXPECT_LT(tried, 0.05);
+  EXPECT_FALSE(own.attempt("fem_neo_hookean", "tet10", 0.01, elements(0.01))) << "nothing more to be found";
+}
+
+TEST(OwnErrors, AreKeptFromRunToRun) {
+  Judged judged;
+  judged.cache = std::filesystem::temp_directory_path() / ("trials." + std::to_string(getpid()));
+  OwnErrors first = judged.errors();
+  first.attempt("fem_corotational", "tet4", 0.05, elements(0.05));
+  EXPECT_EQ(judged.lines, 1);
+  OwnErrors second = judged.errors();
+  second.attempt("fem_corotational", "tet4", 0.05, elements(0.05));
+  EXPECT_EQ(judged.lines, 1) << "found in the cache";
+  const auto one = first.at("fem_corotational", "tet4", 0.05),
+             other = second.at("fem_corotational", "tet4", 0.05);
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(one[k].error, other[k].error);
+  judged.desc.youngs_modulus *= 2;
+  OwnErrors stiffer = judged.errors();
+  stiffer.attempt("fem_corotational", "tet4", 0.05, elements(0.05));
+  EXPECT_EQ(judged.lines, 2) << "another material is tried anew";
+  std::filesystem::remove_all(judged.cache);
+}
+
+TEST(OwnErrors, CellsWithoutAMeshAreNotKnown) {
+  Judged judged;
+  OwnErrors own = judged.errors();
+  EXPECT_FALSE(own.attempt("fem_neo_hookean", "tet4", 0.1, elements(0.1)));
+  EXPECT_TRUE(own.at("fem_neo_hookean", "tet4", 0.1).empty());
+}
+
+}  // namespace
+}  // namespace prosector

@@ -1,0 +1,76 @@
+// What each soft body of a scene can have at what price: the choice that the server makes for a range of
+// accuracies, judged on the body itself.
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "common/scene/load_scene.h"
+#include "server/calibration/choose_scene.h"
+#include "server/calibration/table_file.h"
+#include "server/physics/sources.h"
+#include "tests/bench/subjects.h"
+#include "tests/bench/text_table.h"
+
+namespace prosector {
+namespace {
+
+constexpr double asked[] = {30, 10, 5, 3, 1};  // %
+
+ReportRow row_of(const Choice& choice, double percent) {
+  ReportRow row = {{"body", choice.body},
+                   {"asked", percent / 100},
+                   {"model", choice.rung.model},
+                   {"element", choice.rung.element},
+                   {"solver", choice.rung.solver},
+                   {"effort", choice.rung.effort()},
+                   {"cell_mm", 1e3 * choice.cell},
+                   {"error", choice.expected.error},
+                   {"ms_per_frame", choice.expected.ms},
+                   {"kept", choice.good_enough ? "yes" : "no"}};
+  for (const ActError& act : choice.acts) row["acts"][act.act] = act.error;
+  row["worst_act"] = choice.acts.empty() ? "" : worst(choice.acts).act;
+  return row;
+}
+
+}  // namespace
+
+Report bench_need(const NeedBenchOptions& options) {
+  Report report("need");
+  const TextTable table({{Column::Kind::text, "body", "body", 12},
+                         {Column::Kind::percent, "asked", "asked", 7},
+                         {Column::Kind::percent, "error", "expected", 9},
+                         {Column::Kind::text, "kept", "kept", 4},
+                         {Column::Kind::number, "ms_per_frame", "ms a frame", 10},
+                         {Column::Kind::text, "worst_act", "worst", 18},
+                         {Column::Kind::text, "model", "model", 17},
+                         {Column::Kind::text, "element", "element", 7},
+                         {Column::Kind::text, "solver", "solver", 9},
+                         {Column::Kind::number, "cell_mm", "cell, mm", 8}});
+  table.print_header();
+  RungMeter meter;
+  ChoiceOptions choice{.table_file = std::filesystem::path(options.cache) / "rungs.json",
+                       .machine = machine_and_build(),
+                       .measure = [&](const RungTrial& trial) { return meter.measure(trial); },
+                       .sources = {}};
+  choice.sources.cache_dir = options.cache;
+  for (const std::string& folder : options.data) choice.sources.data_dirs.emplace_back(folder);
+  if (options.verbose) choice.sources.progress = [](const std::string& line) { fmt::print("  {}\n", line); };
+  const SceneDesc scene = whole_scene(load_scene(options.scene), choice.sources);
+  for (const SoftDesc& desc : scene.soft) {
+    if (desc.shape == "sheet" || desc.shape == "rope" || (!options.body.empty() && desc.name != options.body))
+      continue;
+    for (const double percent : asked) {
+      SceneDesc one = scene;
+      one.soft = {desc};
+      one.soft[0].budget.value = 0;
+      one.soft[0].accuracy.value = percent;
+      const ReportRow row = row_of(choose_rungs(one, choice).front(), percent);
+      table.print(row);
+      report.add(row);
+    }
+  }
+  return report;
+}
+
+}  // namespace prosector

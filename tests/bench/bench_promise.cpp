@@ -1,0 +1,148 @@
+// Whether promises of accuracy hold: bodies drawn at random ask for it, the server's choice is judged anew,
+// on a finer reference, with presses at places that the choice didn't try and under a weight that leans.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+#include "common/error.h"
+#include "server/calibration/choose_scene.h"
+#include "server/calibration/table_file.h"
+#include "server/physics/sources.h"
+#include "tests/bench/subjects.h"
+#include "tests/bench/text_table.h"
+#include "tests/random.h"
+
+namespace prosector {
+namespace {
+
+constexpr const char* shapes[] = {"block", "ball", "beam", "liver", "kidney"};
+constexpr double ratios[] = {0, 0.2, 0.3, 0.4, 0.45, 0.49, 0.499, 0.4999};
+constexpr double asked[] = {30, 10, 5, 3};       // %
+constexpr std::size_t finest_reference = 24000;  // tetrahedra
+constexpr double leaning = 0.3;                  // of gravity, sideways
+
+template <class T, std::size_t n>
+const T& one_of(const T (&all)[n], Random& random) {
+  return all[random.below(n)];
+}
+
+SceneDesc drawn(int number, Random& random) {
+  SceneDesc scene;
+  scene.name = "promise";
+  SoftDesc& desc = scene.soft.emplace_back();
+  desc.name = fmt::format("body {}", number);
+  desc.shape = one_of(shapes, random);
+  desc.size = Vec3(random.uniform(0.06, 0.25), random.uniform(0.06, 0.2), random.uniform(0.06, 0.2));
+  desc.youngs_modulus = std::pow(10, random.uniform(3.3, 6));
+  desc.poisson_ratio = one_of(ratios, random);
+  desc.cell = desc.size.minCoeff() / 3;
+  if (random.below(2) == 0) {
+    AttachDesc tie;
+    tie.center = Vec3(-desc.size.x() / 2, 0, 0);
+    tie.radius = random.uniform(0.3, 0.8) * desc.size.minCoeff();
+    tie.stiffness = random.below(2) == 0 ? 1e12 : 2e7;
+    desc.attach.push_back(tie);
+  }
+  if (random.below(3) == 0) {
+    RegionDesc region;
+    region.center = Vec3(desc.size.x() / 4, 0, 0);
+    region.radius = desc.size.minCoeff() / 3;
+    region.youngs_modulus = desc.youngs_modulus * (random.below(2) == 0 ? 0.2 : 5);
+    desc.regions.push_back(region);
+  }
+  desc.accuracy.value = one_of(asked, random);
+  if (random.below(2) == 0) desc.accuracy_of = {"shape"};
+  return scene;
+}
+
+/// Returns the largest error of acts that count, with presses and a weight that the choice didn't try.
+double true_error(const SceneDesc& scene, const Choice& choice) {
+  SoftDesc desc = scene.soft.front();
+  desc.cell = choice.cell;
+  const bool touched = std::count(desc.accuracy_of.begin(), desc.accuracy_of.end(), "touch") > 0;
+  const Vec3 leans = scene.gravity + leaning * scene.gravity.norm() * Vec3(0.6, 0, 0.8);
+  const BodyTrial trial(desc, leans, soft_anatomy(desc, scene, {}),
+                        {.most_tets = finest_reference, .presses = touched ? 4 : 0});
+  if (choice.rung.element == "tet10" && !trial.judges_quadratic()) return std::nan("");
+  const auto acts = trial.measure(choice.rung.model, choice.rung.element);
+  double most = 0;
+  for (const ActError& act : acts) most = std::max(most, act.error);
+  return most;
+}
+
+ReportRow judged(const SceneDesc& scene, const Choice& choice) {
+  const SoftDesc& desc = scene.soft.front();
+  const double promised = choice.good_enough ? desc.accuracy.value / 100 : choice.expected.error;
+  const double error = true_error(scene, choice);
+  return {{"body", desc.name},
+          {"shape", desc.shape},
+          {"youngs_modulus", desc.youngs_modulus},
+          {"poisson_ratio", desc.poisson_ratio},
+          {"held", desc.attach.empty() ? "free" : "tied"},
+          {"judged_by", desc.accuracy_of.size() == 1 ? "shape" : "all"},
+          {"asked", desc.accuracy.value / 100},
+          {"promised", promised},
+          {"expected", choice.expected.error},
+          {"error_continuum", error},
+          {"model", choice.rung.model},
+          {"element", choice.rung.element},
+          {"cell_mm", 1e3 * choice.cell},
+          {"ms_per_frame", choice.expected.ms},
+          {"verdict", std::isnan(error)       ? "not judged"
+                      : error >= collapsed    ? (promised >= collapsed ? "kept" : "collapsed")
+                      : error <= promised     ? "kept"
+                      : error <= 2 * promised ? "missed"
+                                              : "off by more than 2"}};
+}
+
+}  // namespace
+
+Report bench_promise(const PromiseBenchOptions& options) {
+  Report report("promise");
+  report.note("seed", options.seed);
+  fmt::print("seed {}\n", options.seed);
+  const TextTable table({{Column::Kind::text, "shape", "body", 6},
+                         {Column::Kind::number, "youngs_modulus", "E, Pa", 8},
+                         {Column::Kind::number, "poisson_ratio", "ratio", 6},
+                         {Column::Kind::text, "held", "held", 4},
+                         {Column::Kind::text, "judged_by", "by", 5},
+                         {Column::Kind::percent, "asked", "asked", 6},
+                         {Column::Kind::percent, "promised", "promised", 9},
+                         {Column::Kind::percent, "error_continuum", "true", 7},
+                         {Column::Kind::text, "verdict", "verdict", 18},
+                         {Column::Kind::text, "model", "model", 17},
+                         {Column::Kind::text, "element", "element", 7},
+                         {Column::Kind::number, "cell_mm", "cell, mm", 8}});
+  table.print_header();
+  RungMeter meter;
+  ChoiceOptions choice{.table_file = std::filesystem::path(options.cache) / "rungs.json",
+                       .machine = machine_and_build(),
+                       .measure = [&](const RungTrial& trial) { return meter.measure(trial); },
+                       .sources = {}};
+  choice.sources.cache_dir = options.cache;
+  Random random(options.seed);
+  int kept = 0, judged_cases = 0;
+  for (int i = 1; i <= options.cases; ++i) {
+    SceneDesc scene = drawn(i, random);
+    const SceneDesc asks = scene;
+    try {
+      const ReportRow row = judged(asks, choose_rungs(scene, choice).front());
+      table.print(row);
+      report.add(row);
+      judged_cases += setting(row, "verdict") != "not judged";
+      kept += setting(row, "verdict") == "kept";
+    } catch (const InputError& error) {
+      fmt::print("body {}: {}\n", i, error.what());
+    }
+  }
+  fmt::print("{} of {} promises kept\n", kept, judged_cases);
+  report.note("kept", kept);
+  report.note("judged", judged_cases);
+  return report;
+}
+
+}  // namespace prosector
