@@ -27,14 +27,17 @@ Pose place_panel(const PanelSite& site) {
   const Vec3 outward = site.side * up.cross(to_reader);
   const double rim = std::min(std::max(site.hi.y() - site.touched.y(), 0.0) + clearance, highest);
   const Vec3 middle = site.touched + aside * outward - behind * to_reader + (rim + panel_height / 2) * up;
+  return {middle, face_reader(middle, site.reader)};
+}
 
-  const Vec3 ahead = level_direction(middle, site.reader);
-  const double sine = std::clamp((site.reader - middle).stableNormalized().y(), -steepest, steepest);
+Quat face_reader(const Vec3& middle, const Vec3& reader) {
+  const Vec3 up = Vec3::UnitY(), ahead = level_direction(middle, reader);
+  const double sine = std::clamp((reader - middle).stableNormalized().y(), -steepest, steepest);
   Mat3 axes;
   axes.col(2) = std::sqrt(1 - sine * sine) * ahead + sine * up;
   axes.col(0) = up.cross(ahead);
   axes.col(1) = axes.col(2).cross(axes.col(0));
-  return {middle, Quat(axes).normalized()};
+  return Quat(axes).normalized();
 }
 
 }  // namespace prosector
