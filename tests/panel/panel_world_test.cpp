@@ -304,6 +304,18 @@ TEST(PanelWorld, TwoFistsInOnePlacePutItBack) {
   EXPECT_EQ(room.pose().q.coeffs(), room.first.q.coeffs());
 }
 
+TEST(PanelWorld, AHandAtItsHeadPressesNothing) {
+  RoomWithPanel room;
+  for (const double height : {0.03, 0.015, 0.008, 0.002, -0.002, -0.002, 0.01, 0.03}) {
+    PanelHand closing = at_panel(room, ada, over(PanelControl::attach, height));
+    closing.palm = room.head;
+    room.step(closing);
+  }
+  EXPECT_TRUE(room.actions.empty());
+  press(room, ada, PanelControl::attach);
+  EXPECT_EQ(room.actions.size(), 1u) << "but one before the buttons does";
+}
+
 TEST(PanelWorld, AFistElsewhereOrThatComesClosedCarriesNothing) {
   for (const Vec3& at : {Vec3(0.05, panel_head_bottom - 0.03, 0.02), Vec3(0, panel_height / 2, 0.2),
                          Vec3(0.5, panel_head_bottom, 0)}) {

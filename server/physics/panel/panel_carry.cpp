@@ -9,16 +9,8 @@
 namespace prosector {
 namespace {
 
-constexpr double around_head = 0.05;  // m from the head, within which a hand takes hold of it
-
-/// Tells whether a place (panel's frame, m) is at the board's head.
-bool is_at_head(const Vec3& at) {
-  return std::abs(at.x()) < panel_width / 2 + around_head && std::abs(at.z()) < around_head &&
-         at.y() > panel_head_bottom && at.y() < panel_height / 2 + around_head;
-}
-
 /// Tells whether the hand's palm or one of its fingers is at the board's head.
-bool is_at_head(const Pose& panel, const PanelHand& hand) {
+bool reaches_head(const Pose& panel, const PanelHand& hand) {
   const Pose into = panel.inverse();
   return is_at_head(into * hand.palm) ||
          std::any_of(hand.fingers.begin(), hand.fingers.end(),
@@ -50,7 +42,7 @@ std::vector<HandRef> PanelWorld::carriers() const {
 /// Lets a hand that has just closed at a panel's head carry it, or put it back if it is the second time.
 void PanelWorld::take_hold(const PanelHand& hand, Fist& fist) {
   const auto at_head = std::find_if(open_.begin(), open_.end(), [&](const auto& panel) {
-    return !panel.second.hold && is_at_head(panel.second.pose, hand);
+    return !panel.second.hold && reaches_head(panel.second.pose, hand);
   });
   if (at_head == open_.end()) return;
   Open& panel = at_head->second;

@@ -126,15 +126,16 @@ void PanelWorld::move(ParticipantId who, Open& panel, std::span<const PanelHand>
   }
 }
 
-/// Returns the fingers of hands before the panel that don't carry it; what reaches round it from behind works
-/// nothing.
+/// Returns the fingers of hands before the panel. What reaches round it from behind works nothing; neither
+/// does a hand at its head, whose fingers bend over the buttons when it makes a fist.
 std::vector<FingerSweep> PanelWorld::fingers_before(const Open& panel,
                                                     std::span<const PanelHand> hands) const {
   std::vector<FingerSweep> out;
   const Pose into_panel = panel.pose.inverse();
   for (const PanelHand& hand : hands) {
+    const Vec3 palm = into_panel * hand.palm;
     const bool carries = panel.hold && panel.hold->who == hand.who;
-    if (carries || !((into_panel * hand.palm).z() > 0)) continue;
+    if (carries || is_at_head(palm) || !(palm.z() > 0)) continue;
     const auto last = last_fingers_.find(hand.who);
     const bool known = last != last_fingers_.end() && last->second.size() == hand.fingers.size();
     for (std::size_t f = 0; f < hand.fingers.size(); ++f)
