@@ -24,6 +24,8 @@ struct PanelBox {
 inline constexpr PanelBox panel_info{-panel_width / 2 + panel_margin, panel_width / 2 - panel_margin, 0.052,
                                      panel_height / 2 - panel_margin};
 inline constexpr double panel_name_height = 0.016, panel_text_height = 0.0115;  // of a line
+inline constexpr double panel_head_height = 1.6 * panel_name_height;            // of where the name stands
+inline constexpr double panel_head_bottom = panel_info.top - panel_head_height;
 
 enum class ControlKind : std::uint8_t {
   button,  // moves along −z, a spring brings it back

@@ -77,17 +77,18 @@ moment() {
   done
 }
 
-# users: the first and the second join through their simulated devices; adds them to `clients`.
+# users [NAME...]: these, or the first and the second, join through their simulated devices; adds them to `clients`.
 users() {
-  local user
-  for user in first second; do
+  local user names=("$@")
+  [ $# -gt 0 ] || names=(first second)
+  for user in "${names[@]}"; do
     "${place[@]}" "$bin/prosector-client" join --session "$session" --name "$user user" "${network[@]}" \
       --config "$root/deploy/demo/headset.toml" --tracker "fastrak:$out/$user.tracker" --glove "5dt:$out/$user.glove" \
       --display none --summary "$out/$user.json" < /dev/null > "$out/$user.log" 2>&1 &
     pids+=("$!")
     clients+=("$!")
   done
-  for user in first second; do wait_for "$out/$user.log" "tracker .*streaming" 20 "the $user user's tracker"; done
+  for user in "${names[@]}"; do wait_for "$out/$user.log" "tracker .*streaming" 20 "the $user user's tracker"; done
 }
 
 # end: everyone leaves, the server last.

@@ -1,4 +1,4 @@
-// What both shaders of ambient occlusion read of the picture's depth.
+// What the shaders of ambient occlusion read of the picture's depth.
 
 uniform sampler2D scene_depth;
 uniform vec4 lens[1];      // 1/near, 1/far (1/m), pixels of a metre at a metre, radius of the ball (m)
@@ -6,3 +6,46 @@ uniform vec4 viewport[1];  // x, y, width, height, in pixels
 
 // One over the distance ahead of the eye, 1/m: along any plane, linear over the picture.
 float nearness_at(ivec2 pixel) { return mix(lens[0].x, lens[0].y, texelFetch(scene_depth, pixel, 0).r); }
+
+// The pixel that stands for a place: the middle of COARSER × COARSER ones, within the camera's picture.
+ivec2 pixel_of(ivec2 place) {
+  ivec2 low = ivec2(viewport[0].xy), high = low + ivec2(viewport[0].zw) - 1;
+  return clamp(COARSER * place + COARSER / 2, low, high);
+}
+
+// The plane of the surface in a pixel.
+struct Plane {
+  ivec2 pixel;
+  float nearness;
+  vec2 rise;  // of the nearness, from pixel to pixel
+};
+
+const float steepest = 0.02;  // of the distance, from pixel to pixel: more is no slope but an outline
+
+// The smaller of the slopes to both sides: across an outline, that of the pixel's own surface. A surface that is
+// one pixel wide counts as facing the eye.
+float slope(float before, float here, float after) {
+  float a = here - before, b = after - here;
+  float least = abs(a) < abs(b) ? a : b;
+  return abs(least) < steepest * here ? least : 0.0;
+}
+
+Plane plane_at(ivec2 pixel) {
+  ivec2 last = textureSize(scene_depth, 0) - 1;
+  float here = nearness_at(pixel);
+  return Plane(pixel, here,
+               vec2(slope(nearness_at(ivec2(max(pixel.x - 1, 0), pixel.y)), here,
+                          nearness_at(ivec2(min(pixel.x + 1, last.x), pixel.y))),
+                    slope(nearness_at(ivec2(pixel.x, max(pixel.y - 1, 0))), here,
+                          nearness_at(ivec2(pixel.x, min(pixel.y + 1, last.y))))));
+}
+
+const float off_plane = 0.012;  // of the distance
+
+// 1 for a pixel that lies in the plane, 0 for one that is nearer or farther. What is seen aslant may be off by what
+// it rises in a pixel.
+float in_plane(Plane plane, ivec2 pixel) {
+  float off = nearness_at(pixel) - plane.nearness - dot(plane.rise, vec2(pixel - plane.pixel));
+  float may_be_off = off_plane * plane.nearness + abs(plane.rise.x) + abs(plane.rise.y);
+  return max(1.0 - abs(off) / may_be_off, 0.0);
+}

@@ -1,4 +1,5 @@
-// Lays what ambient occlusion leaves of the light over the picture: the mean of 3 × 3 places that are as far away.
+// Lays what ambient occlusion leaves of the light over the picture: between the four places around a pixel, those
+// that lie in its plane. So nearer and farther surfaces leave no rim on it.
 
 #include "ambient_occlusion.glsl"
 
@@ -6,18 +7,26 @@ uniform sampler2D openness;
 
 out vec4 color;
 
+const float unknown = 0.02;  // weight of being open, for a pixel that no place tells of
+
 void main() {
-  vec2 size = vec2(textureSize(openness, 0));
-  vec2 at = gl_FragCoord.xy / float(COARSER);
-  if (texture(openness, at / size).r > 0.985) discard;
-  // Half a place to each side: with the sampler's means, every one of the four directions counts as much.
-  vec2 first = at - 0.5, last = at + 0.5;
-  vec4 open = vec4(texture(openness, first / size).r, texture(openness, vec2(last.x, first.y) / size).r,
-                   texture(openness, vec2(first.x, last.y) / size).r, texture(openness, last / size).r);
-  ivec2 most = textureSize(scene_depth, 0) - 1;
-  float nearness = nearness_at(ivec2(gl_FragCoord.xy));
-  ivec2 a = clamp(COARSER * ivec2(first), ivec2(0), most), b = clamp(COARSER * ivec2(last), ivec2(0), most);
-  vec4 other = vec4(nearness_at(a), nearness_at(ivec2(b.x, a.y)), nearness_at(ivec2(a.x, b.y)), nearness_at(b));
-  vec4 weight = max(1.0 - abs(other / nearness - 1.0) / 0.02, 0.02);
-  color = vec4(dot(open, weight) / dot(weight, vec4(1.0)));
+  ivec2 pixel = ivec2(gl_FragCoord.xy), most = textureSize(openness, 0) - 1;
+  // Where the pixel is among the places.
+  vec2 at = vec2(pixel - COARSER / 2) / float(COARSER);
+  if (texture(openness, (at + 0.5) / vec2(most + 1)).r > 0.995) discard;
+  ivec2 first = ivec2(floor(at));
+  vec2 past = at - vec2(first);
+  Plane plane = plane_at(pixel);
+  float sum = unknown, weights = unknown;
+  for (int y = 0; y < 2; ++y) {
+    for (int x = 0; x < 2; ++x) {
+      ivec2 place = clamp(first + ivec2(x, y), ivec2(0), most);
+      float share = (x == 0 ? 1.0 - past.x : past.x) * (y == 0 ? 1.0 - past.y : past.y);
+      if (share == 0.0) continue;
+      float weight = share * in_plane(plane, pixel_of(place));
+      sum += weight * texelFetch(openness, place, 0).r;
+      weights += weight;
+    }
+  }
+  color = vec4(sum / weights);
 }

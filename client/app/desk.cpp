@@ -42,8 +42,7 @@ void Desk::update(const DeskSession& session) {
   const auto now = std::chrono::steady_clock::now();
   const double seconds = last_update_ ? std::chrono::duration<double>(now - *last_update_).count() : 0;
   last_update_ = now;
-  has_effort_ = session.has_effort;
-  follow_panel(session.own_panel);
+  follow_panel(session);
   pace_ = session.pace;
   scale_ = session.scale;
   time_.see(session.watched, std::chrono::duration<double>(now.time_since_epoch()).count());
@@ -84,10 +83,11 @@ void Desk::act(const WindowEvent& event, const DeskRoom& room) {
   }
   if (const auto* wheel = std::get_if<WheelTurned>(&event))
     turn_wheel(wheel->y != 0 ? wheel->y : wheel->x);  // some systems turn it sideways while Shift is held
-  if (std::get_if<MouseMoved>(&event)) ask(time_.move(frame(), pointer_point()));
-  if (std::get_if<MouseMoved>(&event) && sliding_ && panel_ &&
-      std::chrono::steady_clock::now() - last_slide_ > slide_interval)
-    if (const auto point = meet(view_.pointer(), *panel_)) slide(point->at);
+  if (!std::get_if<MouseMoved>(&event)) return;
+  ask(time_.move(frame(), pointer_point()));
+  panel_.drag(view_.pointer());
+  if (sliding_ && std::chrono::steady_clock::now() - last_slide_ > slide_interval)
+    if (const auto point = panel_.at(view_.pointer())) slide(point->at);
 }
 
 void Desk::press(Key key) {
@@ -137,7 +137,9 @@ void Desk::turn_wheel(double notches) {
     return;
   }
   if (view_.is_held(Key::control)) return;  // the view zooms
-  if (view_.is_held(Key::shift))
+  if (at_panel() && !hand_.is_pressed())
+    panel_.scroll(-notches);
+  else if (view_.is_held(Key::shift))
     hand_.turn(wrist_per_notch * notches, 0);
   else if (view_.is_held(Key::alt))
     hand_.turn(0, wrist_per_notch * notches);
@@ -191,28 +193,29 @@ void Desk::move_hand(const DeskSession& session, double seconds) {
 /// double click frames what is there; the first one is too short to grasp.
 void Desk::press_button(const DeskRoom& room) {
   if (const auto wanted = time_.press(frame(), pointer_point())) return ask(wanted);
-  if (const auto steps_down = pointed_effort()) {
+  if (const auto steps_down = panel_.effort_at(view_.pointer())) {
     ask(CommandKind::set_effort);
-    commands_.back().body = panel_->body;
+    commands_.back().body = panel_.shown()->body;
     commands_.back().revision = *steps_down;
-    return;
-  }
-  const auto point = panel_ ? meet(view_.pointer(), *panel_) : std::nullopt;
-  if (!point) {
+  } else if (const auto point = panel_.at(view_.pointer())) {
+    press_panel(*point);
+  } else {
     pressed_at_ = pointed_;
     is_double_click() ? view_.frame_pointed(room) : hand_.press();
-  } else if (point->control == PanelControl::stiffness) {
-    sliding_ = true;
-    slide(point->at);
-  } else if (point->control) {
-    const ControlState& button = panel_->controls[static_cast<std::size_t>(*point->control)];
-    ask(CommandKind::set_control, *point->control, button.on ? 0 : 1);
   }
 }
 
-/// Returns the steps down that the pointer is at on the panel's strip.
-std::optional<std::uint32_t> Desk::pointed_effort() const {
-  return panel_ && has_effort_ ? meet_effort(view_.pointer(), *panel_) : std::nullopt;
+/// Works what is there of the panel. Its head is dragged; a double click puts the panel back.
+void Desk::press_panel(const PanelPoint& point) {
+  if (is_panel_head(point)) {
+    is_double_click() ? panel_.put_back() : panel_.take_hold(view_.pointer(), point, view_.place().back());
+  } else if (point.control == PanelControl::stiffness) {
+    sliding_ = true;
+    slide(point.at);
+  } else if (point.control) {
+    const ControlState& button = panel_.shown()->controls[static_cast<std::size_t>(*point.control)];
+    ask(CommandKind::set_control, *point.control, button.on ? 0 : 1);
+  }
 }
 
 /// Tells whether this press is a double click's second one, and keeps it in mind as a first one if not.
@@ -229,6 +232,7 @@ bool Desk::is_double_click() {
 void Desk::let_go() {
   sliding_ = false;
   ask(time_.let_go());
+  panel_.let_go();
   if (hand_.is_pressed()) hand_.let_go();
 }
 
@@ -237,15 +241,20 @@ void Desk::request_panel() {
   awaits_panel_ = true;
 }
 
-/// Keeps the panel as it is now. One that the user asked for is brought into the picture when it comes up.
-void Desk::follow_panel(const std::optional<Panel>& panel) {
-  const bool is_new = panel && (!panel_ || panel_->body != panel->body);
-  panel_ = panel;
+/// Keeps the panel as it is now, and open while it is pointed at. One that the user asked for is brought into
+/// the picture when it comes up.
+void Desk::follow_panel(const DeskSession& session) {
+  const bool is_new = panel_.follow(session.own_panel, session.has_effort, session.hidden_panel_lines);
+  if (panel_.asks_to_stay(view_.pointer())) {
+    ask(CommandKind::open_panel);
+    commands_.back().body = panel_.shown()->body;
+  }
   if (!is_new || !std::exchange(awaits_panel_, false)) return;
   Eigen::AlignedBox3d box;
   for (const double x : {-panel_width / 2, panel_width / 2})
-    for (const double y : {has_effort_ ? strip_y - strip_height / 2 : -panel_height / 2, panel_height / 2})
-      box.extend(panel->pose * Vec3(x, y, 0));
+    for (const double y :
+         {panel_.has_effort() ? strip_y - strip_height / 2 : -panel_height / 2, panel_height / 2})
+      box.extend(panel_.shown()->pose * Vec3(x, y, 0));
   view_.make_room_for(box);
 }
 

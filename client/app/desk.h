@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "client/app/desk_hand.h"
+#include "client/app/desk_panel.h"
 #include "client/app/desk_section.h"
 #include "client/app/desk_view.h"
 #include "client/app/gamepad_user.h"
 #include "client/app/parts_desk.h"
 #include "client/app/time_control.h"
 #include "client/render/window_context.h"
-#include "client/view/effort_strip.h"
 #include "client/view/value_paint.h"
 #include "common/messages.h"
 
@@ -24,6 +24,7 @@ struct DeskSession {
   DeskRoom room;
   std::optional<Panel> own_panel = {};     // the user's open one
   bool has_effort = false;                 // the panel has a strip that says how exactly its part is solved
+  std::size_t hidden_panel_lines = 0;      // of its description, which do not fit on it
   std::optional<Pose> physical_hand = {};  // the wrist as physics has it
   std::optional<Vec3> tip = {};            // of the instrument in the hand, wrist frame
   std::optional<BladeFrame> blade = {};    // in the hand, wrist frame
@@ -68,6 +69,8 @@ class Desk {
   /// Returns the body that the pointer is at; nullopt: none, or a panel.
   std::optional<BodyId> pointed() const { return pointed_; }
   PartsDesk& parts() { return parts_; }
+  /// Returns what the user did to their panel.
+  PanelLook panel_look() const { return panel_.look(); }
   /// Returns where the pointer is, pixels from the top left.
   const Eigen::Vector2d& pointer_pixel() const { return view_.pointer_pixel(); }
   /// Returns the line (m, world frame) and the depth (m) that the blade in the hand would cut.
@@ -96,9 +99,8 @@ class Desk {
   int picture_request_ = 0;
 
   // What the pointer does to parts and panels.
-  std::optional<Panel> panel_;
-  bool has_effort_ = false;  // the panel's strip is there
-  bool sliding_ = false;     // the left button holds the slider
+  DeskPanel panel_;
+  bool sliding_ = false;  // the left button holds the slider
   std::chrono::steady_clock::time_point last_slide_{}, last_press_{};
   Eigen::Vector2d last_press_pixel_ = Eigen::Vector2d::Zero();
   std::vector<Command> commands_;
@@ -120,16 +122,16 @@ class Desk {
   void press_for_section(bool down, const DeskRoom& room);
   void turn_wheel(double notches);
   void press_button(const DeskRoom& room);
+  void press_panel(const PanelPoint& point);
   bool is_double_click();
   void let_go();
   void request_panel();
-  void follow_panel(const std::optional<Panel>& panel);
+  void follow_panel(const DeskSession& session);
   void slide(const Vec3& at);
   void frame_parts(const DeskRoom& room);
   void move_hand(const DeskSession& session, double seconds);
   void ask(CommandKind kind, PanelControl control = PanelControl::attach, double value = 0);
-  std::optional<std::uint32_t> pointed_effort() const;
-  bool at_panel() const { return pointed_effort() || (panel_ && meet(view_.pointer(), *panel_)); }
+  bool at_panel() const { return panel_.covers(view_.pointer()); }
 };
 
 }  // namespace prosector

@@ -140,6 +140,7 @@ DeskSession Viewer::desk_session(const Replica& replica, double tick, Participan
   if (own != replica.panels().end()) {
     out.own_panel = own->second;
     out.has_effort = replica.body_status(own->second.body) != nullptr;
+    out.hidden_panel_lines = stage_->view.hidden_panel_lines();
   }
   const auto user = replica.user(self, tick);
   if (user && user->hands[right_hand].tracked) out.physical_hand = user->hands[right_hand].pose;
@@ -175,6 +176,7 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   settings.highlighted = desk.parts().hovered_bodies();
   settings.parts_list = desk.parts().shown();
   settings.section = choices.section;
+  settings.panel = desk.panel_look();
   if (choices.full_screen != full_screen_) {
     full_screen_ = choices.full_screen;
     stage_->window->set_full_screen(full_screen_ ? options_.monitor.value_or(0) : std::optional<int>());
@@ -194,6 +196,14 @@ void Viewer::ask_for_time() {
     if (command.kind == CommandKind::set_pace || command.kind == CommandKind::step_ticks ||
         command.kind == CommandKind::seek)
       connection_.command(command);
+}
+
+/// Lets a tracked user's fingertips scroll what their panel says.
+void Viewer::read_panel(const Replica& replica, const LocalUser& self, ViewSettings& settings) {
+  const auto own = replica.panels().find(self.participant);
+  const auto panel = own == replica.panels().end() ? std::nullopt : std::optional(own->second);
+  panel_finger_.follow(panel, stage_->view.hidden_panel_lines(), self.input);
+  settings.panel = {.place = {}, .first_line = panel_finger_.line()};
 }
 
 /// Shows the time of a recording that is watched.
@@ -277,6 +287,7 @@ const DrawList& Viewer::build_list(const LocalUser& self, ViewSettings& settings
   return connection_.with_replica([&](Replica& replica) -> const DrawList& {
     const double tick = replica.advance(monotonic_ns());
     watch_time(replica, tick, settings);
+    if (has_devices(options_.devices)) read_panel(replica, self, settings);
     return stage_->view.build(replica, tick, self, settings);
   });
 }

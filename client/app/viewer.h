@@ -12,6 +12,7 @@
 #include "client/app/controls.h"
 #include "client/app/figures.h"
 #include "client/app/input_pump.h"
+#include "client/app/panel_finger.h"
 #include "client/app/picture_sink.h"
 #include "client/app/stage.h"
 #include "client/render/quality_governor.h"
@@ -77,6 +78,7 @@ class Viewer {
   Figures figures_;
   MessageLines messages_;
   PartsChoice parts_;
+  PanelFinger panel_finger_;
 
   Image draw(InputPump* pump, bool keep);
   void use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings);
@@ -84,6 +86,7 @@ class Viewer {
   DeskSession desk_session(const Replica& replica, double tick, ParticipantId self);
   void drive_hand_at_desk(InputPump& pump, LocalUser& self, bool has_panel);
   void ask_for_time();
+  void read_panel(const Replica& replica, const LocalUser& self, ViewSettings& settings);
   void watch_time(const Replica& replica, double tick, ViewSettings& settings) const;
   double scale() const;
   Role role_of(ParticipantId participant);

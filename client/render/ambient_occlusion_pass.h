@@ -22,13 +22,14 @@ class AmbientOcclusionPass {
 
  private:
   const Gl& gl_;
-  ShaderProgram open_;
-  ShaderProgram blend_;
-  CoarseLayer openness_;
+  ShaderProgram open_;   // how open each place is, by lines of its own
+  ShaderProgram even_;   // the mean of neighbours
+  ShaderProgram blend_;  // onto pixels
+  CoarseLayer openness_, evened_;
   GLuint no_vertices_ = 0;
 
   void set_lens(const ShaderProgram& program, const DrawCamera& camera) const;
-  void draw_openness(const DrawCamera& camera) const;
+  void draw_places(const ShaderProgram& program, const DrawCamera& camera) const;
   void lay_over(const DrawCamera& camera) const;
 };
 

@@ -99,8 +99,8 @@ const ShaderProgram& MainPass::ready(const QueuedItem& queued, Frame& frame) {
     if (frame.refracts) set_refraction(*program, frame.camera);
   }
   set_item(*program, item);
-  if (frame.list.section)
-    set_kept(*program, is_opened(item, frame.list) ? kept_side(*frame.list.section) : kept_whole);
+  // Also without a section: some drivers go on clipping what a program once clipped.
+  set_kept(*program, is_opened(item, frame.list) ? kept_side(*frame.list.section) : kept_whole);
   return *program;
 }
 

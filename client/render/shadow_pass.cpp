@@ -37,8 +37,9 @@ DrawCamera camera_of(const LightInfo& light, const std::vector<QueuedItem>& item
 }
 
 /// Returns the plane that bounds what is left of the item, in its mesh's frame.
-Eigen::Vector4d kept_of(const DrawItem& item, const SectionPlane& section) {
-  return item.solid == 0 ? kept_whole : Eigen::Vector4d(matrix_of(item).transpose() * kept_side(section));
+Eigen::Vector4d kept_of(const DrawItem& item, const std::optional<SectionPlane>& section) {
+  if (!section || item.solid == 0) return kept_whole;
+  return matrix_of(item).transpose() * kept_side(*section);
 }
 
 }  // namespace
@@ -144,7 +145,7 @@ void ShadowPass::draw_items(const Items& items, const MeshCache& meshes) const {
   if (section_) gl_.Enable(GL_CLIP_DISTANCE0);
   for (const QueuedItem* queued : items) {
     program_.set("clip_from_mesh", Eigen::Matrix4d(clip_from_room_ * matrix_of(*queued->item)));
-    if (section_) set_kept(program_, kept_of(*queued->item, *section_));
+    set_kept(program_, kept_of(*queued->item, section_));
     prosector::draw(meshes, *queued);
   }
   gl_.Disable(GL_CLIP_DISTANCE0);

@@ -18,7 +18,10 @@ constexpr double mark_height = 0.010;    // m, of the slider's marks
 constexpr double rim = 0.004;            // m, of the board
 constexpr double over_surface = 0.0004;  // m: writing over what it stands on
 constexpr double label_margin = 0.004;   // m, beside and above a label on its cap
-constexpr double least_name = 0.010, least_writing = 0.0085;  // m: down to which writing shrinks to fit
+constexpr double least_name = 0.010;     // m: down to which a name shrinks to fit
+
+constexpr double info_width = panel_info.right - panel_info.left;                              // m
+constexpr double description_height = panel_info.top - panel_info.bottom - panel_head_height;  // m
 
 const Vec3 board_color{0.020, 0.026, 0.034}, rim_color{0.20, 0.23, 0.26}, rail_color{0.004, 0.005, 0.007};
 const Vec3 cap_color{0.16, 0.18, 0.21}, on_color{0.95, 0.60, 0.10}, touched_color{0.07, 0.75, 0.14};
@@ -44,7 +47,7 @@ DrawText write(const Pose& panel, const Place& place, std::string text, double h
           .color = color,
           .surface = panel * Pose{place.at + Vec3(0, 0, over_surface), Quat::Identity()},
           .wrap = place.width,
-          .least_height = std::min(height, least_writing),
+          .least_height = std::min(height, least_panel_writing),
           .tallest = place.height};
 }
 
@@ -75,7 +78,7 @@ PanelView::PanelView(std::uint64_t id)
       notches_(box({notches_width + 0.01, 0.005, 0.002}, 0.001, id + 6)) {}
 
 void PanelView::add(DrawList& list, const Panel& panel, const SceneBody& part,
-                    const std::optional<ShownEffort>& effort) const {
+                    const std::optional<ShownEffort>& effort, std::size_t first_line) {
   const auto put = [&](const std::shared_ptr<const DrawMesh>& mesh, const Vec3& at, const Vec3& color) {
     list.items.push_back({.mesh = mesh,
                           .pose = panel.pose * Pose{at, Quat::Identity()},
@@ -85,7 +88,7 @@ void PanelView::add(DrawList& list, const Panel& panel, const SceneBody& part,
   put(board_, {0, 0, -panel_thickness / 2}, board_color);
   put(rim_, {0, 0, -panel_thickness / 2 - 0.002}, rim_color);
   put(rail_, {0, slider_y, 0.0005}, rail_color);
-  add_information(list, panel.pose, part);
+  add_information(list, panel.pose, part, first_line);
   add_controls(list, panel);
   if (effort) add_effort(list, panel.pose, *effort);
 }
@@ -100,7 +103,7 @@ void PanelView::add_effort(DrawList& list, const Pose& panel, const ShownEffort&
   };
   put(strip_, {0, strip_y, -panel_thickness / 2}, board_color);
   put(notches_, {0, notches_y, 0.0005}, rail_color);
-  put(knob_, effort_notch(effort.steps_down) + Vec3(0, 0, 0.001), cap_color);
+  put(knob_, effort_notch(effort.steps_down) + Vec3(0, 0, 0.003), cap_color);
   const double beside = notches_width / 2 + 0.012 + word_width / 2;
   for (const auto& [x, word] : {std::pair{-beside, "exact"}, std::pair{beside, "coarse"}})
     list.texts.push_back(
@@ -110,16 +113,38 @@ void PanelView::add_effort(DrawList& list, const Pose& panel, const ShownEffort&
       in_words(effort), mark_height, writing));
 }
 
-void PanelView::add_information(DrawList& list, const Pose& panel, const SceneBody& part) {
-  constexpr double below_name = 1.6 * panel_name_height;
-  const double width = panel_info.right - panel_info.left, height = panel_info.top - panel_info.bottom;
+std::size_t PanelView::hidden_lines(const SceneBody& part) {
+  const TextFrame board{.size = panel_text_height,
+                        .least_size = least_panel_writing,
+                        .width = info_width,
+                        .height = description_height};
+  if (!typesetter_.set(part.description, board).block->cut) return 0;
+  const SetText all = typesetter_.set(part.description, {.size = least_panel_writing, .width = info_width});
+  std::size_t fit = 1;
+  while (least_panel_writing * height_of_lines(fit + 1) <= description_height) ++fit;
+  return all.block->lines.size() - std::min(fit, all.block->lines.size());
+}
+
+/// Returns the description from a line on, as far as that brings lines to sight that do not fit.
+std::string PanelView::description_from(const SceneBody& part, std::size_t first_line) {
+  const std::size_t first = std::min(first_line, hidden_lines(part));
+  if (first == 0) return part.description;
+  const SetText all = typesetter_.set(part.description, {.size = least_panel_writing, .width = info_width});
+  std::string out;
+  for (std::size_t k = first; k < all.block->lines.size(); ++k) out += all.block->lines[k].text + '\n';
+  out.pop_back();
+  return out;
+}
+
+void PanelView::add_information(DrawList& list, const Pose& panel, const SceneBody& part,
+                                std::size_t first_line) {
   const Vec3 corner(panel_info.left, panel_info.top, 0);
-  DrawText name = write(panel, {corner, width, height_of_lines(1) * panel_name_height}, part.name,
+  DrawText name = write(panel, {corner, info_width, height_of_lines(1) * panel_name_height}, part.name,
                         panel_name_height, writing);
   name.least_height = least_name;
   list.texts.push_back(std::move(name));
-  list.texts.push_back(write(panel, {corner - Vec3(0, below_name, 0), width, height - below_name},
-                             part.description, panel_text_height, dim_writing));
+  list.texts.push_back(write(panel, {corner - Vec3(0, panel_head_height, 0), info_width, description_height},
+                             description_from(part, first_line), panel_text_height, dim_writing));
 }
 
 void PanelView::add_controls(DrawList& list, const Panel& panel) const {

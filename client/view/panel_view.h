@@ -6,11 +6,16 @@
 #include <memory>
 #include <optional>
 
+#include "client/text/text_block.h"
+#include "client/text/typesetter.h"
 #include "client/view/draw_list.h"
 #include "client/view/effort_strip.h"
 #include "common/panel.h"
 
 namespace prosector {
+
+inline constexpr double least_panel_writing = 0.0085;  // m: down to which writing shrinks to fit
+inline constexpr double scrolled_line = line_spacing * least_panel_writing;  // m, of what scrolls
 
 class PanelView {
  public:
@@ -19,13 +24,19 @@ class PanelView {
   static constexpr std::size_t meshes = 7;
 
   /// Adds the panel; touched controls are green, buttons that are on glow. `effort`: of a part that is soft.
+  /// `first_line`: of the description that is seen, where not all fit.
   void add(DrawList& list, const Panel& panel, const SceneBody& part,
-           const std::optional<ShownEffort>& effort = std::nullopt) const;
+           const std::optional<ShownEffort>& effort = std::nullopt, std::size_t first_line = 0);
+  /// Returns how many lines of the part's description do not fit on the board.
+  std::size_t hidden_lines(const SceneBody& part);
 
  private:
   std::shared_ptr<const DrawMesh> board_, rim_, button_, knob_, rail_, strip_, notches_;
 
-  static void add_information(DrawList& list, const Pose& panel, const SceneBody& part);
+  Typesetter typesetter_;
+
+  std::string description_from(const SceneBody& part, std::size_t first_line);
+  void add_information(DrawList& list, const Pose& panel, const SceneBody& part, std::size_t first_line);
   void add_controls(DrawList& list, const Panel& panel) const;
   void add_effort(DrawList& list, const Pose& panel, const ShownEffort& effort) const;
 };

@@ -62,7 +62,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   add_bodies(replica, tick, settings);
   close_section();
   if (settings.wireframes) add_wireframes(replica, tick);
-  add_panels(replica);
+  add_panels(replica, self.participant, settings.panel);
   people_.add(list_, replica, tick, self, settings.follow, next_mesh_id_);
   if (self.at_desk) add_hand_cues(replica, self, tick);
   cut_lines_.add(list_);
@@ -414,14 +414,21 @@ void SceneView::add_wireframes(Replica& replica, double tick) {
   }
 }
 
-void SceneView::add_panels(const Replica& replica) {
+void SceneView::add_panels(const Replica& replica, ParticipantId self, const PanelLook& look) {
+  hidden_panel_lines_ = 0;
   for (const auto& [who, panel] : replica.panels()) {
     if (panel.body >= replica.scene()->bodies.size()) continue;
     if (!panel_view_) {
       panel_view_.emplace(next_mesh_id_);
       next_mesh_id_ += PanelView::meshes;
     }
-    panel_view_->add(list_, panel, replica.scene()->bodies[panel.body], shown_effort(replica, panel.body));
+    const SceneBody& part = replica.scene()->bodies[panel.body];
+    Panel seen = panel;
+    if (who == self) {
+      hidden_panel_lines_ = panel_view_->hidden_lines(part);
+      seen.pose = look.place.value_or(panel.pose);
+    }
+    panel_view_->add(list_, seen, part, shown_effort(replica, panel.body), who == self ? look.first_line : 0);
   }
 }
 

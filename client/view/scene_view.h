@@ -36,6 +36,8 @@ class SceneView {
   std::optional<BodyId> part_at(const Ray& ray);
   /// Returns where the ray first meets a body in the list built last, other than those of `without`.
   std::optional<Picked> surface_at(const Ray& ray, const std::vector<BodyId>& without = {});
+  /// Returns how many lines of the own panel's description do not fit on it.
+  std::size_t hidden_panel_lines() const { return hidden_panel_lines_; }
   /// Returns the box around a body as it is drawn, m, world frame; empty: it isn't.
   Eigen::AlignedBox3d box_of(BodyId body) const;
 
@@ -51,6 +53,7 @@ class SceneView {
   StrokeGauge strokes_;
   double hand_opacity_ = 1;  // of one's own at a desk
   std::optional<PanelView> panel_view_;
+  std::size_t hidden_panel_lines_ = 0;
   std::map<BodyId, Edges> wires_;
   std::map<BodyId, std::uint64_t> wire_shapes_;  // SoftReplica::shape() that wires_ are of
   struct BodyItem {
@@ -88,7 +91,7 @@ class SceneView {
                           const ViewSettings& settings);
   void add_light_shaft(const DrawItem& item);
   void add_wireframes(Replica& replica, double tick);
-  void add_panels(const Replica& replica);
+  void add_panels(const Replica& replica, ParticipantId self, const PanelLook& look);
   void add_body_figures(const Replica& replica);
   void add_part_labels(const Replica& replica, const ViewSettings& settings);
 };

@@ -14,13 +14,20 @@
 
 namespace prosector {
 
+/// What a viewer did to their own panel.
+struct PanelLook {
+  std::optional<Pose> place = {};  // where they put it; nullopt: where it came up
+  std::size_t first_line = 0;      // of its description that is seen
+};
+
 struct ViewSettings {
   int width = 800, height = 600;        // pixels
   double scale = 1;                     // pixels of a point, in which overlays are measured
   std::optional<StereoProfile> stereo;  // nullopt: one picture
   double detail = 0;                    // pixels, for LevelOfDetail::choose()
   bool overlay = true;
-  std::optional<SectionPlane> section = {};           // that opens bodies
+  std::optional<SectionPlane> section = {};  // that opens bodies
+  PanelLook panel = {};
   bool wireframes = false;                            // of what bodies collide as
   Shown shown = Shown::none;                          // by soft bodies' colours
   std::string help;                                   // columns by tabs; empty: none

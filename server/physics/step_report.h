@@ -56,7 +56,8 @@ struct StepReport {
   std::vector<TopologyChange> topology;  // in order; new pieces have the next body ids
   std::vector<LetGo> let_go;
   std::vector<Broken> broken;
-  std::vector<BodyReport> bodies;  // soft bodies that were solved, and any body with something to report
+  std::vector<HandRef> panel_carriers;  // hands that carry a panel, ascending
+  std::vector<BodyReport> bodies;       // soft bodies that were solved, and any body with something to report
 };
 
 }  // namespace prosector

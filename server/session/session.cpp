@@ -453,7 +453,9 @@ void Session::finish_tick(std::span<const HandState> hands, const StepReport& re
       const bool holds = std::any_of(hands.begin(), hands.end(), [&](const HandState& h) {
         return h.participant == id && h.hand == grasp.hand && h.holding;
       });
-      answer(grasp, holds ? Refusal() : "nothing within reach");
+      const bool carries = std::binary_search(report.panel_carriers.begin(), report.panel_carriers.end(),
+                                              HandRef{id, grasp.hand});
+      answer(grasp, holds || carries ? Refusal() : "nothing within reach");
     }
     seat.grasps.clear();
   }

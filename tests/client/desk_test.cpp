@@ -289,6 +289,56 @@ TEST_F(AtTheDesk, APanelThatWasAskedForComesIntoThePicture) {
   EXPECT_GT((desk.eye().p - target).dot(before.p - target), 0) << "from the same side";
 }
 
+TEST_F(AtTheDesk, APanelIsDraggedByItsHeadScrolledAndPutBack) {
+  Panel panel;
+  panel.body = 3;
+  panel.pose = {{0, 1.15, 0.3}, Quat::Identity()};  // in the picture: the pointer can't leave it
+  session.own_panel = panel;
+  session.hidden_panel_lines = 2;
+  update();
+  const auto pixel_of = [&](const Vec3& on_board) -> MouseMoved {
+    const DrawCamera camera = mono_camera(desk.eye(), DeskStart().fov, 800, 600);
+    const Vec3 seen = camera.pose.inverse() * (panel.pose * on_board);
+    const Eigen::Vector2d tangents = seen.head<2>() / -seen.z();
+    return {800 * (tangents.x() - camera.left) / (camera.right - camera.left),
+            600 * (camera.top - tangents.y()) / (camera.top - camera.bottom)};
+  };
+  const MouseMoved head = pixel_of({0, panel_info.top - 0.005, 0});
+  const auto drag = [&](double pixels) {
+    window.events.insert(window.events.end(),
+                         {head, MouseButtonEvent{MouseButton::left, true},
+                          MouseMoved{head.x + pixels, head.y}, MouseButtonEvent{MouseButton::left, false}});
+    update();
+  };
+  window.events = {head, WheelTurned{0, -1}};
+  drag(60);
+  ASSERT_TRUE(desk.panel_look().place);
+  EXPECT_GT(desk.panel_look().place->p.x(), 0.02) << "to the right, as the pointer";
+  EXPECT_NEAR(desk.panel_look().place->p.y(), 1.15, 1e-12) << "level, as the pointer";
+  EXPECT_NEAR(desk.panel_look().place->p.z(), 0.3, 1e-12) << "as far along the view as it was";
+  EXPECT_EQ(desk.panel_look().first_line, 1u);
+  window.events = {WheelTurned{0, -9}};
+  update();
+  EXPECT_EQ(desk.panel_look().first_line, 2u) << "and no farther than to the last line";
+  for (const Command& command : desk.take_commands())
+    EXPECT_EQ(command.kind, CommandKind::open_panel) << "pointed at, it stays";
+  for (int k = 0; k < 2; ++k) {
+    window.events.push_back(MouseButtonEvent{MouseButton::left, true});
+    window.events.push_back(MouseButtonEvent{MouseButton::left, false});
+  }
+  update();
+  EXPECT_FALSE(desk.panel_look().place) << "a double click puts it back";
+  drag(-60);
+  ASSERT_TRUE(desk.panel_look().place);
+  session.own_panel->pose.p.x() += 0.1;
+  update();
+  EXPECT_FALSE(desk.panel_look().place) << "a fist carried it: it stands where everyone has it";
+  EXPECT_EQ(desk.panel_look().first_line, 2u);
+  session.own_panel->body = 4;
+  update();
+  EXPECT_EQ(desk.panel_look().first_line, 0u) << "another one begins anew";
+}
+
 TEST_F(AtTheDesk, ThePointerBringsTheHandOverTheSurface) {
   for (const auto& [x, y] : {std::pair(400.0, 300.0), std::pair(200.0, 400.0), std::pair(650.0, 500.0)}) {
     window.events.push_back(MouseMoved{x, y});

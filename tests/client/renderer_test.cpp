@@ -71,6 +71,32 @@ TEST(Renderer, DrawsTheSameTwice) {
   EXPECT_TRUE(first == renderer.read_pixels());
 }
 
+int largest_difference(const Image& a, const Image& b) {
+  int most = 0;
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x)
+      for (int k = 0; k < 3; ++k) most = std::max(most, std::abs(a.pixel(x, y)[k] - b.pixel(x, y)[k]));
+  return most;
+}
+
+TEST(Renderer, LeavesNothingCutWhenASectionIsClosed) {
+  DrawList closed = everything();
+  closed.lines.clear();
+  closed.texts.clear();
+  for (DrawItem& item : closed.items) item.solid = 1;
+  DrawList opened = closed;
+  opened.section = SectionPlane{Vec3(0.3, 0.2, 1).normalized(), 0.01};
+  const auto context = make_offscreen_context(320, 160);
+  Renderer renderer(*context, default_shader_dir());
+  renderer.draw(opened);
+  const Image cut = renderer.read_pixels();
+  renderer.draw(closed);
+  const Image shut = renderer.read_pixels(), whole = picture_of(closed, 320, 160);
+  EXPECT_GT(largest_difference(cut, whole), 100);
+  // Mirrors may still show what was open: the room is drawn anew only when its lights change.
+  EXPECT_LT(largest_difference(shut, whole), 50);
+}
+
 // Lambert and a matt highlight are brightest near where the normal meets the light (highlight: halfway). With
 // the light behind the eye both coincide with the point that faces it.
 TEST(Renderer, ASphereIsBrightestWhereItFacesTheLight) {

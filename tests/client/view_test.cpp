@@ -40,6 +40,31 @@ std::array<double, fingers> all(double flexion) {
   return {flexion, flexion, flexion, flexion, flexion};
 }
 
+TEST(PanelView, ScrollsADescriptionThatDoesNotFit) {
+  PanelView view(1);
+  SceneBody part;
+  part.name = "part";
+  part.description = "short";
+  EXPECT_EQ(view.hidden_lines(part), 0u);
+  part.description.clear();
+  for (int k = 0; k < 200; ++k) part.description += "word" + std::to_string(k) + " ";
+  const std::size_t hidden = view.hidden_lines(part);
+  ASSERT_GT(hidden, 1u);
+  const auto shown = [&](std::size_t line) {
+    DrawList list;
+    view.add(list, {}, part, std::nullopt, line);
+    return list.texts[1].text;
+  };
+  EXPECT_EQ(shown(0).substr(0, 5), "word0");
+  EXPECT_NE(shown(1).substr(0, 5), "word0");
+  EXPECT_EQ(shown(hidden), shown(hidden + 7)) << "no farther than to the end";
+  DrawList list;
+  view.add(list, {}, part, std::nullopt, hidden);
+  Typesetter typesetter;
+  EXPECT_FALSE(set_text(typesetter, list.texts[1], 1).block->cut);
+  EXPECT_NE(list.texts[1].text.find("word199"), std::string::npos);
+}
+
 TEST(HandNails, RiseALittleFromTheSkinAndSinkIntoItAtTheirRims) {
   const auto nails = make_nails(right_hand, 1);
   const std::size_t points = nails->positions.size() / fingers;
@@ -413,7 +438,7 @@ Panel some_panel() {
 }
 
 TEST(PanelView, ShowsWhereControlsAreAndHowTheyStand) {
-  const PanelView view(1);
+  PanelView view(1);
   SceneBody part;
   part.name = "kidney";
   part.description = "filters blood";
@@ -461,7 +486,7 @@ TEST(PanelView, ShowsWhereControlsAreAndHowTheyStand) {
 // What is written lies on the board, in any script and of any length.
 TEST(PanelView, WritingStaysOnTheBoard) {
   Typesetter typesetter;
-  const PanelView view(1);
+  PanelView view(1);
   const Panel panel = some_panel();
   for (const test::Words& words : test::many_scripts)
     for (const int times : {1, 8}) {

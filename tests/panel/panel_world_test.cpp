@@ -241,6 +241,142 @@ TEST(PanelWorld, CommandsDoWhatFingersDo) {
   EXPECT_EQ(room.world.panels()[0].controls[index_of(PanelControl::light_shaft)].position, 0);
 }
 
+/// A hand with its palm at a place of the world, open or closed.
+PanelHand palm_at(ParticipantId who, const Vec3& at, bool fist) {
+  PanelHand out = hand(who);
+  out.palm = at;
+  out.fingers = {{at, at + Vec3(0, 0, 0.02), 0.008}};
+  out.fist = fist;
+  return out;
+}
+
+/// A room with a panel, its reader and the place of its head.
+struct RoomWithPanel : Room {
+  const Vec3 eyes{0, 1.5, 0.7};
+  Pose first;
+  Vec3 head;
+  RoomWithPanel() {
+    world.take(HeadPlace{ada, eyes});
+    event(PanelEvent::Kind::open, ada, liver);
+    first = world.panels()[0].pose;
+    head = first * Vec3(0.05, panel_head_bottom + 0.01, 0.02);
+  }
+  Pose pose() const { return world.panels()[0].pose; }
+};
+
+TEST(PanelWorld, AFistAtItsHeadCarriesItFacingItsReader) {
+  for (const ParticipantId who : {ada, eve}) {
+    RoomWithPanel room;
+    const Vec3 grip = room.first.inverse() * room.head, way(0.2, -0.05, 0.1);
+    room.step(palm_at(who, room.head, false), 3);
+    EXPECT_EQ((room.pose().p - room.first.p).norm(), 0);
+    for (int k = 0; k <= 30; ++k) room.step(palm_at(who, room.head + way * (k / 30.0), true));
+    room.step(palm_at(who, room.head + way, true), 60);
+    EXPECT_LT((room.pose() * grip - (room.head + way)).norm(), 1e-6) << "it stays in the fist";
+    EXPECT_GT((room.pose().q * Vec3::UnitZ()).dot((room.eyes - room.pose().p).normalized()), 0.9999);
+    EXPECT_NEAR((room.pose().q * Vec3::UnitX()).y(), 0, 1e-12) << "level";
+    ASSERT_EQ(room.world.carriers().size(), 1u);
+    EXPECT_EQ(room.world.carriers()[0].participant, who);
+    const Pose left = room.pose();
+    room.step(palm_at(who, room.head + way, false));
+    room.step(palm_at(who, room.head, false), 30);
+    EXPECT_EQ((room.pose().p - left.p).norm(), 0) << "and where it was let go";
+    EXPECT_TRUE(room.world.carriers().empty());
+    EXPECT_TRUE(room.actions.empty()) << "the fist pressed nothing";
+  }
+}
+
+TEST(PanelWorld, TwoFistsInOnePlacePutItBack) {
+  RoomWithPanel room;
+  const auto close = [&](const Vec3& at, int ticks_open) {
+    room.step(palm_at(ada, at, false), ticks_open);
+    room.step(palm_at(ada, at, true), 5);
+  };
+  close(room.head, 1);
+  const Vec3 there = room.head + Vec3(0.1, 0, 0);
+  for (int k = 0; k <= 10; ++k) room.step(palm_at(ada, room.head + (there - room.head) * (k / 10.0), true));
+  close(there, 5);
+  EXPECT_GT((room.pose().p - room.first.p).norm(), 0.09) << "the palm went on: it is carried again";
+  close(there, 90);
+  EXPECT_GT((room.pose().p - room.first.p).norm(), 0.09) << "too late for a second one";
+  close(there, 5);
+  EXPECT_EQ((room.pose().p - room.first.p).norm(), 0);
+  EXPECT_EQ(room.pose().q.coeffs(), room.first.q.coeffs());
+}
+
+TEST(PanelWorld, AHandAtItsHeadPressesNothing) {
+  RoomWithPanel room;
+  for (const double height : {0.03, 0.015, 0.008, 0.002, -0.002, -0.002, 0.01, 0.03}) {
+    PanelHand closing = at_panel(room, ada, over(PanelControl::attach, height));
+    closing.palm = room.head;
+    room.step(closing);
+  }
+  EXPECT_TRUE(room.actions.empty());
+  press(room, ada, PanelControl::attach);
+  EXPECT_EQ(room.actions.size(), 1u) << "but one before the buttons does";
+}
+
+TEST(PanelWorld, AFistElsewhereOrThatComesClosedCarriesNothing) {
+  for (const Vec3& at : {Vec3(0.05, panel_head_bottom - 0.03, 0.02), Vec3(0, panel_height / 2, 0.2),
+                         Vec3(0.5, panel_head_bottom, 0)}) {
+    RoomWithPanel room;
+    room.step(palm_at(ada, room.first * at, false), 2);
+    for (int k = 0; k < 10; ++k) room.step(palm_at(ada, room.first * at + Vec3(0.01 * k, 0, 0), true));
+    EXPECT_EQ((room.pose().p - room.first.p).norm(), 0) << at.transpose();
+  }
+  RoomWithPanel room;
+  room.step(palm_at(ada, room.head - Vec3(0.4, 0, 0), false));
+  for (int k = 0; k < 40; ++k) room.step(palm_at(ada, room.head + Vec3(0.01 * k - 0.4, 0, 0), true));
+  EXPECT_EQ((room.pose().p - room.first.p).norm(), 0) << "closed before it came";
+}
+
+TEST(PanelWorld, StaysWhileAFingerPointsAtIt) {
+  RoomWithPanel room;
+  PanelHand pointing = hand(ada, kidney);
+  const auto point = [&](double aside) {
+    const Vec3 tip(aside, 0, 0.2);
+    pointing.index = {room.first * tip, room.first * (tip + Vec3(0, 0, 0.02)), 0.008};
+  };
+  point(0.1);
+  room.step(pointing, 3 * static_cast<int>(std::ceil(panel_patience / tick)));
+  ASSERT_EQ(room.world.panels().size(), 1u);
+  EXPECT_EQ(room.world.panels()[0].body, liver) << "although another part is touched";
+  point(0.2);
+  room.step(pointing, static_cast<int>(std::ceil(pinned_by_hand / tick)) + moment());
+  ASSERT_EQ(room.world.panels().size(), 1u);
+  EXPECT_EQ(room.world.panels()[0].body, kidney) << "beside it, it goes as ever";
+}
+
+TEST(PanelWorld, StaysForAWhileWhenItIsAskedForAgain) {
+  RoomWithPanel room;
+  room.event(PanelEvent::Kind::open, ada, liver);
+  room.step(hand(ada, kidney), static_cast<int>(std::ceil(pinned_from_afar / tick)) - 1);
+  EXPECT_EQ(room.world.panels()[0].body, liver);
+  room.step(hand(ada, kidney), moment());
+  EXPECT_EQ(room.world.panels()[0].body, kidney);
+}
+
+TEST(PanelWorld, GoesOnTheSameAfterRestoreWhileItIsCarried) {
+  RoomWithPanel room;
+  room.step(palm_at(ada, room.head, false));
+  room.step(palm_at(ada, room.head, true), 3);
+  Room restored;
+  const auto bytes = room.saved();
+  ByteReader in(bytes, "panels");
+  restored.world.load(in, 10);
+  EXPECT_TRUE(in.done());
+  const auto both = [&](const PanelHand& hand) {
+    room.step(hand);
+    restored.step(hand);
+    EXPECT_EQ(restored.saved(), room.saved());
+  };
+  for (int k = 0; k < 5; ++k) both(palm_at(ada, room.head + Vec3(0.01 * k, 0, 0), true));
+  EXPECT_GT((room.pose().p - room.first.p).norm(), 0.03) << "it was carried on after the restore";
+  both(palm_at(ada, room.head, false));
+  both(palm_at(ada, room.head, true));
+  EXPECT_EQ((room.pose().p - room.first.p).norm(), 0) << "the second fist there put it back";
+}
+
 TEST(PanelWorld, GoesOnTheSameAfterRestore) {
   Room room;
   room.world.take(HeadPlace{ada, {0, 1.5, 0.7}});
@@ -265,6 +401,10 @@ TEST(PanelWorld, BrokenStatesAreRefused) {
   Room room;
   room.step(hand(ada, liver), moment());
   room.step({hand(ada), hand(eve, kidney)});
+  const Vec3 head = room.world.panels()[0].pose * Vec3(0, panel_head_bottom + 0.01, 0);
+  room.step(palm_at(ada, head, false));
+  room.step(palm_at(ada, head, true));
+  ASSERT_EQ(room.world.carriers().size(), 1u);
   const auto good = room.saved();
   const std::span<const std::uint8_t> all = good;
   for (std::size_t size = 0; size < good.size(); ++size) {

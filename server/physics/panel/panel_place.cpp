@@ -1,6 +1,7 @@
 #include "server/physics/panel/panel_place.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/panel.h"
 
@@ -11,7 +12,8 @@ constexpr double clearance = 0.03;  // m between the part's top and the panel's 
 constexpr double highest = 0.25;    // m from where it was touched to the lower rim, however high the part
 constexpr double aside = 0.12;   // m to the side of where it was touched, so that the arm hides little of it
 constexpr double behind = 0.06;  // m beyond where it was touched
-constexpr double steepest = 0.94;  // sine of the panel's inclination
+constexpr double around_head = 0.05;  // m from the head, within which a hand takes hold of it
+constexpr double steepest = 0.94;     // sine of the panel's inclination
 
 /// Returns the level direction from one place to another, or towards +z where there is none.
 Vec3 level_direction(const Vec3& from, const Vec3& to) {
@@ -27,14 +29,22 @@ Pose place_panel(const PanelSite& site) {
   const Vec3 outward = site.side * up.cross(to_reader);
   const double rim = std::min(std::max(site.hi.y() - site.touched.y(), 0.0) + clearance, highest);
   const Vec3 middle = site.touched + aside * outward - behind * to_reader + (rim + panel_height / 2) * up;
+  return {middle, face_reader(middle, site.reader)};
+}
 
-  const Vec3 ahead = level_direction(middle, site.reader);
-  const double sine = std::clamp((site.reader - middle).stableNormalized().y(), -steepest, steepest);
+bool is_at_head(const Vec3& at) {
+  return std::abs(at.x()) < panel_width / 2 + around_head && std::abs(at.z()) < around_head &&
+         at.y() > panel_head_bottom && at.y() < panel_height / 2 + around_head;
+}
+
+Quat face_reader(const Vec3& middle, const Vec3& reader) {
+  const Vec3 up = Vec3::UnitY(), ahead = level_direction(middle, reader);
+  const double sine = std::clamp((reader - middle).stableNormalized().y(), -steepest, steepest);
   Mat3 axes;
   axes.col(2) = std::sqrt(1 - sine * sine) * ahead + sine * up;
   axes.col(0) = up.cross(ahead);
   axes.col(1) = axes.col(2).cross(axes.col(0));
-  return {middle, Quat(axes).normalized()};
+  return Quat(axes).normalized();
 }
 
 }  // namespace prosector

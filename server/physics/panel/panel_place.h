@@ -15,5 +15,10 @@ struct PanelSite {
 /// Returns a place above the part and a little to the side, where reader and fingers find it, facing the
 /// reader. Finite and upright for any finite site.
 Pose place_panel(const PanelSite& site);
+/// Returns how a panel with its middle there is turned so that it faces the reader's eyes; m, world frame.
+/// Upright, whatever the places.
+Quat face_reader(const Vec3& middle, const Vec3& reader);
+/// Tells whether a place (panel's frame, m) is at the board's head, where a hand takes hold of it.
+bool is_at_head(const Vec3& at);
 
 }  // namespace prosector

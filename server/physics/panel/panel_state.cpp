@@ -40,6 +40,13 @@ void PanelWorld::save(ByteWriter& out) const {
     out.add(who);
     out.add(panel.body);
     out.add(panel.pose);
+    out.add(panel.came_up);
+    out.add(static_cast<std::uint8_t>(panel.hold.has_value()));
+    if (panel.hold) {
+      add(out, panel.hold->who);
+      out.add(panel.hold->at);
+    }
+    out.add(panel.pinned);
     out.add(panel.idle);
     for (std::size_t k = 0; k < panel_control_count; ++k) {
       out.add(panel.motions[k].position);
@@ -72,6 +79,13 @@ void PanelWorld::save(ByteWriter& out) const {
       out.add(c.radius);
     }
   }
+  out.add(static_cast<std::uint64_t>(fists_.size()));
+  for (const auto& [hand, fist] : fists_) {
+    add(out, hand);
+    out.add(static_cast<std::uint8_t>(fist.closed));
+    out.add(fist.since);
+    out.add(fist.at);
+  }
 }
 
 void PanelWorld::load(ByteReader& in, std::size_t body_count) {
@@ -87,6 +101,12 @@ void PanelWorld::load(ByteReader& in, std::size_t body_count) {
     panel.body = in.number<BodyId>();
     in.require(panel.body < body_count, "a panel of a body that isn't there");
     panel.pose = in.pose();
+    panel.came_up = in.pose();
+    if (in.flag()) {
+      panel.hold.emplace().who = read_hand_ref(in);
+      panel.hold->at = in.vector();
+    }
+    panel.pinned = in.number<std::uint32_t>();
     panel.idle = in.number<std::uint32_t>();
     for (std::size_t k = 0; k < panel_control_count; ++k) {
       panel.motions[k].position = share();
@@ -117,6 +137,14 @@ void PanelWorld::load(ByteReader& in, std::size_t body_count) {
       in.require(c.radius > 0 && c.radius < 1, "a finger without thickness");
     }
     return segments;
+  });
+  read.fists_ = read_map<decltype(fists_)>(in, hand, [&] {
+    Fist fist;
+    fist.closed = in.flag();
+    fist.since = in.number<std::uint32_t>();
+    in.require(fist.since <= no_fist, "a fist from before all time");
+    fist.at = in.vector();
+    return fist;
   });
   *this = std::move(read);
 }

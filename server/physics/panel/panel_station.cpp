@@ -10,6 +10,8 @@ namespace prosector {
 namespace {
 
 constexpr double seen_through = 0.35;  // opacity of a part that is made transparent
+constexpr double bent = 0.7;           // flexion from which a finger is part of a fist
+constexpr std::size_t index_end = 4;   // of a hand's segments: the last one of the index finger
 constexpr double dimmed = 0.25;        // brightness of the room's lights
 
 /// Returns hands as panels feel them, in canonical order.
@@ -28,6 +30,9 @@ std::vector<PanelHand> panel_hands(const State& state, std::span<const HandState
       felt.fingers.push_back(
           {segment * Vec3(0, -s.length / 2, 0), segment * Vec3(0, s.length / 2, 0), s.radius});
     }
+    felt.index = felt.fingers[index_end];
+    felt.fist = !hand.hold && std::all_of(hand.target_flexion.begin() + 1, hand.target_flexion.end(),
+                                          [](double flexion) { return flexion > bent; });
     if (shown.contact.touching) {
       felt.touches = shown.contact.body;
       felt.touched_at = shown.contact.point;
@@ -110,6 +115,7 @@ void work_panels(State& state, std::span<const HandState> hand_states, StepRepor
   for (const PanelAction& action : state.panels->step(panel_hands(state, hand_states), subjects))
     carry_out(state, action, report);
   state.panels->show(subjects);
+  report.panel_carriers = state.panels->carriers();
 }
 
 }  // namespace prosector

@@ -19,6 +19,16 @@ Capsule into(const Pose& panel_from_room, const Capsule& c) {
   return {panel_from_room * c.a, panel_from_room * c.b, c.radius};
 }
 
+/// Tells whether a segment, whose tip is its `a`, points from near by at the board's front.
+bool points_at(const Capsule& index, const Pose& panel) {
+  const Capsule seen = into(panel.inverse(), index);
+  const Vec3 along = seen.a - seen.b;
+  if (seen.a.z() <= 0 || along.z() >= 0) return false;
+  const Vec3 way = -seen.a.z() / along.z() * along, at = seen.a + way;
+  return way.norm() < pointing_reach && std::abs(at.x()) < panel_width / 2 &&
+         std::abs(at.y()) < panel_height / 2;
+}
+
 }  // namespace
 
 PanelWorld::PanelWorld(double h) : h_(h) {}
@@ -37,6 +47,8 @@ void PanelWorld::take(const PanelEvent& event, const PanelSubjects& subjects) {
     case PanelEvent::Kind::open: {
       if (!subjects.has_panel(event.body)) return;
       const auto [lo, hi] = subjects.box(event.body);
+      if (panel != open_.end() && panel->second.body == event.body)
+        panel->second.pinned = ticks(pinned_from_afar);
       open(event.participant, event.body, (lo + hi) / 2, nullptr, 1, subjects);
       return;
     }
@@ -64,7 +76,7 @@ void PanelWorld::open(ParticipantId who, BodyId body, const Vec3& touched, const
   if (!usable(touched) || !usable(lo) || !usable(hi)) return;
   Open panel;
   panel.body = body;
-  panel.pose = place_panel({touched, lo, hi, reader, side});
+  panel.pose = panel.came_up = place_panel({touched, lo, hi, reader, side});
   panel.shown = subjects.shown(body);
   constexpr auto slider = static_cast<std::size_t>(PanelControl::stiffness);
   panel.motions[slider].position = std::clamp(panel.shown[slider], 0.0, 1.0);
@@ -85,6 +97,7 @@ void PanelWorld::set(Open& panel, const PanelEvent& event) {
 }
 
 std::vector<PanelAction> PanelWorld::step(std::span<const PanelHand> hands, const PanelSubjects& subjects) {
+  carry(hands);
   for (auto& [who, panel] : open_) move(who, panel, hands);
   for (const PanelHand& hand : hands) feel(hand, subjects);
   grow_old(hands, subjects);
@@ -113,13 +126,16 @@ void PanelWorld::move(ParticipantId who, Open& panel, std::span<const PanelHand>
   }
 }
 
-/// Returns the fingers of hands before the panel; what reaches round it from behind works nothing.
+/// Returns the fingers of hands before the panel. What reaches round it from behind works nothing; neither
+/// does a hand at its head, whose fingers bend over the buttons when it makes a fist.
 std::vector<FingerSweep> PanelWorld::fingers_before(const Open& panel,
                                                     std::span<const PanelHand> hands) const {
   std::vector<FingerSweep> out;
   const Pose into_panel = panel.pose.inverse();
   for (const PanelHand& hand : hands) {
-    if (!((into_panel * hand.palm).z() > 0)) continue;
+    const Vec3 palm = into_panel * hand.palm;
+    const bool carries = panel.hold && panel.hold->who == hand.who;
+    if (carries || is_at_head(palm) || !(palm.z() > 0)) continue;
     const auto last = last_fingers_.find(hand.who);
     const bool known = last != last_fingers_.end() && last->second.size() == hand.fingers.size();
     for (std::size_t f = 0; f < hand.fingers.size(); ++f)
@@ -130,7 +146,7 @@ std::vector<FingerSweep> PanelWorld::fingers_before(const Open& panel,
 }
 
 /// Lets a hand that rests on a body for a moment call up the part's panel, or send its owner's away. Between
-/// two touches of the same body it may lose it for as long as it had it.
+/// two touches of the same body it may lose it for as long as it had it. A pinned panel waits.
 void PanelWorld::feel(const PanelHand& hand, const PanelSubjects& subjects) {
   Rest& rest = rests_[hand.who];
   if (!hand.touches) {
@@ -141,6 +157,7 @@ void PanelWorld::feel(const PanelHand& hand, const PanelSubjects& subjects) {
   if (rest.ticks == 0 || rest.body != *hand.touches) rest = {*hand.touches, 0, false};
   rest.ticks = std::min(rest.ticks + 1, ticks(touch_moment));
   if (rest.answered || rest.ticks < ticks(touch_moment)) return;
+  if (const auto own = open_.find(hand.who.participant); own != open_.end() && own->second.pinned > 0) return;
   rest.answered = true;
   if (subjects.has_panel(rest.body))
     open(hand.who.participant, rest.body, hand.touched_at, &hand.palm, hand.who.hand == right_hand ? -1 : 1,
@@ -155,7 +172,12 @@ void PanelWorld::grow_old(std::span<const PanelHand> hands, const PanelSubjects&
     const bool on_part = std::any_of(hands.begin(), hands.end(), [&](const PanelHand& hand) {
       return hand.who.participant == it->first && hand.touches == panel.body;
     });
-    panel.idle = on_part ? 0 : panel.idle + 1;
+    const bool pointed_at = std::any_of(hands.begin(), hands.end(), [&](const PanelHand& hand) {
+      return hand.who.participant == it->first && hand.index.radius > 0 && points_at(hand.index, panel.pose);
+    });
+    if (pointed_at) panel.pinned = std::max(panel.pinned, ticks(pinned_by_hand));
+    panel.idle = on_part || panel.pinned > 0 ? 0 : panel.idle + 1;
+    if (panel.pinned > 0) --panel.pinned;
     const bool over = panel.idle > ticks(panel_patience) || !subjects.has_panel(panel.body);
     it = over ? open_.erase(it) : std::next(it);
   }
@@ -170,6 +192,9 @@ void PanelWorld::remember(std::span<const PanelHand> hands) {
   std::erase_if(heads_, [&](const auto& head) {
     return !open_.contains(head.first) &&
            !here([&](const PanelHand& hand) { return hand.who.participant == head.first; });
+  });
+  std::erase_if(fists_, [&](const auto& fist) {
+    return open_.empty() || !here([&](const PanelHand& hand) { return hand.who == fist.first; });
   });
   last_fingers_.clear();
   if (!open_.empty())

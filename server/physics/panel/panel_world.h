@@ -21,6 +21,8 @@ struct PanelHand {
   HandRef who;
   Vec3 palm = Vec3::Zero();        // m, world frame, its middle
   std::vector<Capsule> fingers;    // world frame, always in the same order
+  Capsule index;                   // the last segment of the index finger, from its tip on; no radius: none
+  bool fist = false;               // its four fingers are bent, around nothing that it holds
   std::optional<BodyId> touches;   // the body it touches most
   Vec3 touched_at = Vec3::Zero();  // m, world frame
 };
@@ -53,12 +55,14 @@ class PanelWorld {
 
   void take(const HeadPlace& head);
   void take(const PanelEvent& event, const PanelSubjects& subjects);
-  /// Advances by one tick: fingers move controls, touches open panels, time closes them. Returns what was
-  /// asked for.
+  /// Advances by one tick: fists carry panels, fingers move controls, touches open panels, time closes them.
+  /// Returns what was asked for.
   std::vector<PanelAction> step(std::span<const PanelHand> hands, const PanelSubjects& subjects);
   /// Makes controls show how things stand, after the actions were carried out.
   void show(const PanelSubjects& subjects);
 
+  /// Returns the hands that carry a panel, ascending.
+  std::vector<HandRef> carriers() const;
   /// Returns the open panels, by participant; `time` is the caller's to fill.
   std::vector<Panel> panels() const;
 
@@ -67,9 +71,16 @@ class PanelWorld {
   void load(ByteReader& in, std::size_t body_count);
 
  private:
+  /// A panel's place in the fist that carries it.
+  struct Hold {
+    HandRef who;
+    Vec3 at = Vec3::Zero();  // m, of the palm in the panel's frame
+  };
   struct Open {
     BodyId body = 0;
-    Pose pose;
+    Pose pose, came_up;        // now, and at first
+    std::optional<Hold> hold;  // nullopt: nobody carries it
+    std::uint32_t pinned = 0;  // ticks that it stays, whatever is touched
     ControlMotions motions;
     std::array<bool, panel_control_count> home{};              // pressed home, and not yet let go
     std::array<bool, panel_control_count> touched{};           // by a finger this tick
@@ -84,16 +95,28 @@ class PanelWorld {
     bool answered = false;  // what it asked for was done
   };
 
+  /// A hand beside open panels.
+  struct Fist {
+    bool closed = false;
+    std::uint32_t since = no_fist;  // ticks since it closed at a panel's head
+    Vec3 at = Vec3::Zero();         // m, world frame: its palm then
+  };
+  static constexpr std::uint32_t no_fist = 1u << 30;  // ticks: it never did
+
   double h_;
   std::map<ParticipantId, Open> open_;
   std::map<ParticipantId, Vec3> heads_;
   std::map<HandRef, Rest> rests_;
   std::map<HandRef, std::vector<Capsule>> last_fingers_;
+  std::map<HandRef, Fist> fists_;
   std::vector<PanelAction> asked_;  // by events, for the next step
 
   void open(ParticipantId who, BodyId body, const Vec3& touched, const Vec3* palm, double side,
             const PanelSubjects& subjects);
   void set(Open& panel, const PanelEvent& event);
+  void carry(std::span<const PanelHand> hands);
+  void take_hold(const PanelHand& hand, Fist& fist);
+  void follow(ParticipantId who, Open& panel, std::span<const PanelHand> hands);
   void move(ParticipantId who, Open& panel, std::span<const PanelHand> hands);
   std::vector<FingerSweep> fingers_before(const Open& panel, std::span<const PanelHand> hands) const;
   void feel(const PanelHand& hand, const PanelSubjects& subjects);
@@ -102,9 +125,14 @@ class PanelWorld {
   std::uint32_t ticks(double seconds) const;
 };
 
-inline constexpr double touch_moment = 0.25;   // s that a hand touches a part before its panel comes up
-inline constexpr double panel_patience = 10;   // s without touch until it goes
-inline constexpr double pointed_time = 0.3;    // s that a control that was set from afar shows it
+inline constexpr double touch_moment = 0.25;     // s that a hand touches a part before its panel comes up
+inline constexpr double panel_patience = 10;     // s without touch until it goes
+inline constexpr double pinned_by_hand = 0.5;    // s that it stays after a finger pointed at it …
+inline constexpr double pinned_from_afar = 1.5;  // … and after its owner asked for it again
+inline constexpr double pointing_reach = 0.5;    // m from a fingertip to what it points at
+inline constexpr double second_fist = 1;         // s within which a second fist at the head puts it back …
+inline constexpr double second_fist_way = 0.03;  // … unless the palm moved so far, m
+inline constexpr double pointed_time = 0.3;      // s that a control that was set from afar shows it
 inline constexpr double home_position = 0.85;  // of its way: from here on a button counts as pressed home …
 inline constexpr double let_go_position = 0.4;  // … and from here back as let go
 

@@ -1,0 +1,57 @@
+#include "client/app/desk_panel.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::chrono::seconds ask_interval{1};
+constexpr double farthest_drag = 4;  // m from the eye
+
+}  // namespace
+
+bool is_panel_head(const PanelPoint& point) {
+  return !point.control && point.at.y() > panel_head_bottom;
+}
+
+bool DeskPanel::follow(const std::optional<Panel>& panel, bool has_effort, std::size_t hidden_lines) {
+  const bool is_new = panel && (!shown_ || shown_->body != panel->body);
+  const bool moved = panel && (panel->pose.p - at_server_.p).norm() > 0;
+  if (is_new || moved || !panel) {
+    place_.reset();
+    held_.reset();
+  }
+  scroll_.follow(panel, hidden_lines);
+  shown_ = panel;
+  has_effort_ = has_effort;
+  if (!panel) return false;
+  at_server_ = panel->pose;
+  if (place_) shown_->pose = *place_;
+  return is_new;
+}
+
+void DeskPanel::take_hold(const Ray& pointer, const PanelPoint& at, const Vec3& back) {
+  const Vec3 held = pointer.from + at.distance * pointer.along;
+  held_ = Hold{held, back, shown_->pose.p - held};
+}
+
+void DeskPanel::drag(const Ray& pointer) {
+  if (!held_ || !shown_) return;
+  const double distance = (held_->at - pointer.from).dot(held_->back) / pointer.along.dot(held_->back);
+  if (!(distance > 0 && distance < farthest_drag)) return;
+  shown_->pose.p = pointer.from + distance * pointer.along + held_->from_middle;
+  place_ = shown_->pose;
+}
+
+void DeskPanel::put_back() {
+  held_.reset();
+  place_.reset();
+  if (shown_) shown_->pose = at_server_;
+}
+
+bool DeskPanel::asks_to_stay(const Ray& pointer) {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_asked_ < ask_interval || !covers(pointer)) return false;
+  last_asked_ = now;
+  return true;
+}
+
+}  // namespace prosector

@@ -1,0 +1,69 @@
+#pragma once
+// A desk user's own panel: as the server has it, but where the user put it, and from which line of its
+// description on. Place and line are this viewer's alone.
+
+#include <chrono>
+#include <optional>
+
+#include "client/app/panel_scroll.h"
+#include "client/view/effort_strip.h"
+#include "client/view/pick.h"
+#include "client/view/view_settings.h"
+#include "common/panel.h"
+
+namespace prosector {
+
+class DeskPanel {
+ public:
+  /// Follows what the server says of it; `hidden_lines`: of its description, which do not fit on it.
+  /// `has_effort`: a strip below it says how exactly its part is solved. Returns true when it is another
+  /// part's. What the server moves stands where the server has it.
+  bool follow(const std::optional<Panel>& panel, bool has_effort, std::size_t hidden_lines);
+  /// Returns the panel where the user has it; nullopt: there is none.
+  const std::optional<Panel>& shown() const { return shown_; }
+  /// Returns where the pointer is on it.
+  std::optional<PanelPoint> at(const Ray& pointer) const {
+    return shown_ ? meet(pointer, *shown_) : std::nullopt;
+  }
+  /// Returns the steps down that the pointer is at on its strip.
+  std::optional<std::uint32_t> effort_at(const Ray& pointer) const {
+    return shown_ && has_effort_ ? meet_effort(pointer, *shown_) : std::nullopt;
+  }
+  /// Tells whether the pointer is at the board or its strip.
+  bool covers(const Ray& pointer) const { return at(pointer) || effort_at(pointer); }
+  bool has_effort() const { return has_effort_; }
+  /// Returns what the user did to it, for its picture.
+  PanelLook look() const { return {.place = place_, .first_line = scroll_.line()}; }
+
+  /// Takes hold of the board at that place, which drag() keeps below the pointer and turned as it is. It
+  /// stays as far away along `back` (unit, out of the picture).
+  void take_hold(const Ray& pointer, const PanelPoint& at, const Vec3& back);
+  void drag(const Ray& pointer);
+  void let_go() { held_.reset(); }
+  /// Puts it back to where it came up.
+  void put_back();
+
+  /// Moves on by lines of its description.
+  void scroll(double lines) { scroll_.move(lines); }
+  /// Tells, about once a second while it is pointed at, that it is to stay open.
+  bool asks_to_stay(const Ray& pointer);
+
+ private:
+  struct Hold {
+    Vec3 at;           // m, world frame: what was taken hold of, in the plane that it stays in
+    Vec3 back;         // that plane's normal
+    Vec3 from_middle;  // m, from what was taken hold of to the board's middle
+  };
+  std::optional<Panel> shown_;
+  bool has_effort_ = false;
+  std::optional<Pose> place_;  // where the user put it; nullopt: nowhere
+  Pose at_server_;
+  std::optional<Hold> held_;
+  PanelScroll scroll_;
+  std::chrono::steady_clock::time_point last_asked_{};
+};
+
+/// Tells whether it is the board's head, where the part's name stands: there it can be taken hold of.
+bool is_panel_head(const PanelPoint& point);
+
+}  // namespace prosector

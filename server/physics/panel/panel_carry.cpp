@@ -1,0 +1,76 @@
+// How fists carry panels by their heads, and put them back.
+
+#include <algorithm>
+#include <cmath>
+
+#include "server/physics/panel/panel_place.h"
+#include "server/physics/panel/panel_world.h"
+
+namespace prosector {
+namespace {
+
+/// Tells whether the hand's palm or one of its fingers is at the board's head.
+bool reaches_head(const Pose& panel, const PanelHand& hand) {
+  const Pose into = panel.inverse();
+  return is_at_head(into * hand.palm) ||
+         std::any_of(hand.fingers.begin(), hand.fingers.end(),
+                     [&](const Capsule& finger) { return is_at_head(into * finger.a); });
+}
+
+}  // namespace
+
+void PanelWorld::carry(std::span<const PanelHand> hands) {
+  if (open_.empty()) return;
+  for (const PanelHand& hand : hands) {
+    const bool known = fists_.contains(hand.who);
+    Fist& fist = fists_[hand.who];
+    fist.since = std::min(fist.since + 1, no_fist);
+    if (known && hand.fist && !fist.closed) take_hold(hand, fist);
+    fist.closed = hand.fist;
+  }
+  for (auto& [who, panel] : open_) follow(who, panel, hands);
+}
+
+std::vector<HandRef> PanelWorld::carriers() const {
+  std::vector<HandRef> out;
+  for (const auto& [who, panel] : open_)
+    if (panel.hold) out.push_back(panel.hold->who);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+/// Lets a hand that has just closed at a panel's head carry it, or put it back if it is the second time.
+void PanelWorld::take_hold(const PanelHand& hand, Fist& fist) {
+  const auto at_head = std::find_if(open_.begin(), open_.end(), [&](const auto& panel) {
+    return !panel.second.hold && reaches_head(panel.second.pose, hand);
+  });
+  if (at_head == open_.end()) return;
+  Open& panel = at_head->second;
+  const bool second = fist.since < ticks(second_fist) && (hand.palm - fist.at).norm() < second_fist_way;
+  fist.since = second ? no_fist : 0;
+  fist.at = hand.palm;
+  panel.idle = 0;
+  if (second)
+    panel.pose = panel.came_up;
+  else
+    panel.hold = Hold{hand.who, panel.pose.inverse() * hand.palm};
+}
+
+/// Moves a panel that is carried with the palm, so that it goes on facing its owner's eyes.
+void PanelWorld::follow(ParticipantId who, Open& panel, std::span<const PanelHand> hands) {
+  if (!panel.hold) return;
+  const auto hand = std::find_if(hands.begin(), hands.end(),
+                                 [&](const PanelHand& h) { return h.who == panel.hold->who && h.fist; });
+  if (hand == hands.end()) {
+    panel.hold.reset();
+    return;
+  }
+  const Vec3 middle = hand->palm - panel.pose.q * panel.hold->at;
+  if (!middle.allFinite() || middle.cwiseAbs().maxCoeff() > max_coordinate) return;
+  panel.pose.p = middle;
+  if (const auto head = heads_.find(who); head != heads_.end())
+    panel.pose.q = face_reader(middle, head->second);
+  panel.idle = 0;
+}
+
+}  // namespace prosector
