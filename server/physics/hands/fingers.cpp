@@ -93,18 +93,20 @@ void add_soft_obstacles(const Bodies& bodies, std::span<const Collider> collider
                         const FingerPoses& poses, FingerObstacles& out) {
   const auto points = feelers(hand, bodies.model.hands[hand.side], bodies.rigid.motion(hand.slot).pose);
   const Collider& own = colliders[hand.slot];
-  for (const Tissue& tissue : bodies.soft) {
-    if (bodies.parts[bodies.soft_id(tissue.index)].out_of_touch() || !may_meet(tissue, own)) continue;
-    std::vector<Contact> contacts;
-    add_contacts(tissue, own, finger_margin, tissue.memories, bodies.model.h, contacts);
-    for (const Contact& c : contacts) {
+  std::vector<std::vector<Contact>> contacts(bodies.soft.size());
+  parallel_each(contacts.size(), [&](std::size_t i) {
+    const Tissue& tissue = bodies.soft[i];
+    if (bodies.parts[bodies.soft_id(tissue.index)].out_of_touch() || !may_meet(tissue, own)) return;
+    add_contacts(tissue, own, finger_margin, tissue.memories, bodies.model.h, contacts[i]);
+  });
+  for (const std::vector<Contact>& of_tissue : contacts)
+    for (const Contact& c : of_tissue) {
       const std::size_t part = nearest_feeler(points, c.point).part;
       if (part == 0) continue;
       const std::size_t finger = digit_of(part);
       const double way = c.normal.dot(poses.way(part, hand.flexion[finger], c.point));
       out[finger].push_back({c.gap, way, c.stiffness, give * c.stiffness});
     }
-  }
 }
 
 /// Returns how the fingers are bent at the tick's end.
