@@ -82,6 +82,22 @@ void add_contact(const Bodies& bodies, std::span<const Collider> colliders, Cont
     sample.local_point = bodies.model.rigid[met.body].center * (colliders[met.body].pose.inverse() * c.point);
 }
 
+/// Adds all contacts to the samples of the hands that have them; `told` is as the state's hands.
+void add_hand_contacts(const State& state, std::span<const Island> islands,
+                       std::span<const Collider> colliders, std::vector<HandState>& told, double h) {
+  std::vector<std::size_t> hand_at(state.bodies.rigid.slots(), told.size());  // by slot; none: as many
+  for (std::size_t i = 0; i < told.size(); ++i) hand_at[state.hands[i].slot] = i;
+  std::vector<double> strongest(told.size(), 0);  // N
+  for (const Island& island : islands)
+    for (const Contact& c : island.contacts)
+      for (const bool hand_is_b : {false, true}) {
+        const ContactSide& side = hand_is_b ? c.b : c.a;
+        if (side.kind != ContactSide::Kind::rigid || hand_at[side.body] == told.size()) continue;
+        const std::size_t i = hand_at[side.body];
+        add_contact(state.bodies, colliders, told[i].contact, c, hand_is_b, strongest[i], h);
+      }
+}
+
 /// Adds a hold. What is held is touched, also where the hand passes through it; the hold's force is the
 /// hand's.
 void add_hold(const Bodies& bodies, ContactSample& sample, const Hand& hand) {
@@ -141,16 +157,10 @@ std::vector<HandState> describe_hands(const State& state, std::span<const Island
     sample.participant = hand.participant;
     sample.hand = static_cast<std::uint8_t>(hand.side);
     sample.time = state.time;
-    double strongest = 0;
-    for (const Island& island : islands)
-      for (const Contact& c : island.contacts)
-        for (const bool hand_is_b : {false, true}) {
-          const ContactSide& side = hand_is_b ? c.b : c.a;
-          if (side.kind == ContactSide::Kind::rigid && side.body == hand.slot)
-            add_contact(bodies, colliders, sample, c, hand_is_b, strongest, h);
-        }
-    if (hand.hold) add_hold(bodies, sample, hand);
   }
+  add_hand_contacts(state, islands, colliders, out, h);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (state.hands[i].hold) add_hold(bodies, out[i].contact, state.hands[i]);
   return out;
 }
 

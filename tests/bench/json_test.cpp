@@ -65,6 +65,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "--case exchange --quick",
                 {"case", "setting", "figure", "unit", "dt"},
                 {"measured", "reference", "tolerance", "verdict", "ms_per_tick"}},
+        Subject{"crowd",
+                PROSECTOR_SCENES "/minimal.toml --users 2 --ticks 3 --threads 1",
+                {"scene", "organ", "tets", "threads", "seed", "dt", "users", "hands", "depth"},
+                {"contacts", "awake", "islands", "newton_iterations", "solver_iterations", "unconverged",
+                 "force", "ms_p50", "ms_p95", "cpu_ms_p50", "ms_narrow", "ms_coupled"}},
         Subject{
             "cut",
             "--quick --threads 1",

@@ -82,6 +82,22 @@ int main(int argc, char** argv) try {
   contact_command->add_option("--svg", contact.picture_folder, "Folder for a picture of the pressed layers")
       ->check(CLI::ExistingDirectory);
 
+  prosector::CrowdBenchOptions crowd;
+  CLI::App* crowd_command = app.add_subcommand(
+      "crowd", "A step while more and more people press one organ: growth, phase by phase");
+  crowd_command->add_option("SCENE", crowd.scene, "Scene file, for instance deploy/scenes/abdomen.toml")
+      ->check(CLI::ExistingFile)
+      ->required();
+  crowd_command->add_option("--organ", crowd.organ, "Pressed (default: the one of the most tetrahedra)");
+  crowd_command->add_option("--users", crowd.users, "How many press, one row each")
+      ->check(CLI::Range(1, 1000));
+  crowd_command->add_option("--hands", crowd.hands, "Of each user")->check(CLI::Range(1, 2));
+  crowd_command->add_option("--depth", crowd.depth, "How far in middle fingertips are aimed, m")
+      ->check(CLI::Range(0., 0.1));
+  crowd_command->add_option("--ticks", crowd.ticks, "Measured for each row")->check(CLI::Range(1, 100000));
+  crowd_command->add_option("--threads", crowd.threads, "Of the simulation")->check(CLI::Range(1, 1024));
+  crowd_command->add_option("--seed", crowd.seed, "Of the places that are pressed");
+
   prosector::CutBenchOptions cut;
   CLI::App* cut_command = app.add_subcommand("cut", "Ticks that cut an organ beside ticks that don't");
   cut_command->add_flag("--quick", cut.quick, "One coarse organ: to see that it runs");
@@ -190,6 +206,7 @@ int main(int argc, char** argv) try {
   if (*beam101k_command) report = prosector::bench_beam101k(beam101k);
   if (*press_command) report = prosector::bench_press(press);
   if (*contact_command) report = prosector::bench_contact(contact);
+  if (*crowd_command) report = prosector::bench_crowd(crowd);
   if (*cut_command) report = prosector::bench_cut(cut);
   if (*trade_command) report = prosector::bench_trade(trade);
   if (*stability_command) report = prosector::bench_stability(stability);

@@ -63,6 +63,19 @@ std::vector<std::string> contact_case_names();
 /// What bodies make of touching each other, beside what they should; one thread.
 Report bench_contact(const ContactBenchOptions& options);
 
+struct CrowdBenchOptions {
+  std::string scene;  // file
+  std::string organ;  // which is pressed; empty: the one of the most tetrahedra
+  std::vector<std::size_t> users = {1, 2, 4, 8, 16, 32, 64};
+  std::size_t hands = 2;  // of each user
+  double depth = 0.02;    // m: how far in middle fingertips are aimed
+  int ticks = 60;         // measured for each crowd
+  int threads = 2;
+  unsigned seed = 1;  // of the places that are pressed
+};
+/// A step's cost against how many people press one organ of a scene.
+Report bench_crowd(const CrowdBenchOptions& options);
+
 struct CutBenchOptions {
   int threads = 2;
   bool quick = false;                  // one coarse organ: to see that it runs

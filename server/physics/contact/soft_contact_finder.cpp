@@ -10,6 +10,7 @@
 #include "server/physics/contact/soft_pair_contacts.h"
 #include "server/physics/contact/swept_contacts.h"
 #include "server/physics/contact/thin_shell_contacts.h"
+#include "server/physics/parallel.h"
 
 namespace prosector {
 namespace {
@@ -39,6 +40,17 @@ bool woken_by_rigid(const Tissue& tissue, std::span<const Collider> colliders, c
     return touches(tissue, c, wake_margin + std::min(most_reach, h * total_speed(c))) ||
            (is_swept(tissue, c, h) && add_swept_contacts(tissue, c, contact_margin, h, found));
   });
+}
+
+/// Appends what the body, which moves by `own` (m) at most within the tick, touches of one collider.
+void add_rigid_contacts(const Tissue& tissue, const Collider& c, double own, double h,
+                        std::vector<Contact>& out) {
+  const double reach =
+      is_room(c.slot) ? own : std::min(most_reach, own + std::max(c.pull, h * total_speed(c)));
+  if (is_swept(tissue, c, h))
+    add_swept_contacts(tissue, c, contact_margin + reach, h, out);
+  else
+    add_contacts(tissue, c, contact_margin + reach, tissue.memories, h, out);
 }
 
 /// Forgets the sides of pairs that are not near any more; of what sleeps they are kept as they were.
@@ -107,16 +119,18 @@ void SoftContactFinder::meet_rigid(State& state, std::span<const Collider> colli
 /// Lists what the body touches that is not soft, and wakes it.
 void SoftContactFinder::list_rigid(Bodies& bodies, Tissue& tissue, std::span<const Collider> colliders,
                                    double h) {
-  std::vector<Contact>& out = found_.with_rigid[tissue.index];
   const double own = tissue.reach(h);
-  for (const Collider& c : colliders) {
-    if (!may_meet(tissue, c)) continue;
-    const double reach =
-        is_room(c.slot) ? own : std::min(most_reach, own + std::max(c.pull, h * total_speed(c)));
-    const bool touched = is_swept(tissue, c, h)
-                             ? add_swept_contacts(tissue, c, contact_margin + reach, h, out)
-                             : add_contacts(tissue, c, contact_margin + reach, tissue.memories, h, out);
-    if (touched && !c.fixed && bodies.rigid.motion(c.slot).asleep) bodies.rigid.wake(c.slot);
+  by_collider_.resize(colliders.size());
+  parallel_each(colliders.size(), [&](std::size_t i) {
+    by_collider_[i].clear();
+    if (may_meet(tissue, colliders[i])) add_rigid_contacts(tissue, colliders[i], own, h, by_collider_[i]);
+  });
+  std::vector<Contact>& out = found_.with_rigid[tissue.index];
+  for (std::size_t i = 0; i < colliders.size(); ++i) {
+    if (by_collider_[i].empty()) continue;
+    out.insert(out.end(), by_collider_[i].begin(), by_collider_[i].end());
+    const Collider& c = colliders[i];
+    if (!c.fixed && bodies.rigid.motion(c.slot).asleep) bodies.rigid.wake(c.slot);
   }
 }
 

@@ -42,6 +42,7 @@ class SoftContactFinder {
   SoftContacts found_;
   Entanglements still_entangled_;  // as found in this tick
   std::vector<VertexMeeting> meetings_;
+  std::vector<std::vector<Contact>> by_collider_;  // of one body
 };
 
 }  // namespace prosector

@@ -66,6 +66,7 @@ void SurfaceDetector::fit_chunks() {
   positions_ = rest_->positions;
   chunks_.resize((order_.size() + chunk_vertices - 1) / chunk_vertices);
   triangle_chunks_.resize((triangle_order_.size() + chunk_triangles - 1) / chunk_triangles);
+  longest_.resize(triangle_order_.size());
 }
 
 std::array<std::uint32_t, 3> SurfaceDetector::neighbours_of(std::uint32_t triangle) const {
@@ -98,12 +99,18 @@ void SurfaceDetector::update(const double* x) {
   }
   for (std::size_t c = 0; c < triangle_chunks_.size(); ++c) {
     Vec3 lo = Vec3::Constant(std::numeric_limits<double>::max()), hi = -lo;
-    for (std::size_t i = c * chunk_triangles; i < triangle_chunk_end(c); ++i)
-      for (const std::uint32_t corner : rest_->triangles[triangle_order_[i]]) {
-        lo = lo.cwiseMin(positions_[corner]);
-        hi = hi.cwiseMax(positions_[corner]);
+    double longest = 0;
+    for (std::size_t i = c * chunk_triangles; i < triangle_chunk_end(c); ++i) {
+      const auto x = corners(triangle_order_[i]);
+      for (const Vec3& corner : x) {
+        lo = lo.cwiseMin(corner);
+        hi = hi.cwiseMax(corner);
       }
-    triangle_chunks_[c] = {lo, hi};
+      const double own = longest_[triangle_order_[i]] =
+          std::max({(x[1] - x[0]).squaredNorm(), (x[2] - x[1]).squaredNorm(), (x[0] - x[2]).squaredNorm()});
+      longest = std::max(longest, own);
+    }
+    triangle_chunks_[c] = {lo, hi, longest};
   }
 }
 
@@ -166,9 +173,7 @@ std::optional<TriangleTouch> SurfaceDetector::touch(std::uint32_t triangle, cons
   if (!boxes_overlap(rod.lo - grow, rod.hi + grow, x[0].cwiseMin(x[1]).cwiseMin(x[2]),
                      x[0].cwiseMax(x[1]).cwiseMax(x[2])))
     return std::nullopt;
-  // Half the longest edge is the radius of the largest ball that passes a right-angled triangle's corners.
-  const double room =
-      std::max({(x[1] - x[0]).norm(), (x[2] - x[1]).norm(), (x[0] - x[2]).norm()}) / 2 - rod.radius;
+  const double room = gauge(longest_[triangle]) - rod.radius;
   if (room <= 0) return std::nullopt;
   const SegmentTriangle near = closest(rod.from, rod.to, x);
   if (near.distance > rod.radius + margin) return std::nullopt;
@@ -279,18 +284,33 @@ bool SurfaceDetector::touches(const Collider& collider, double margin) const {
   return found;
 }
 
+namespace {
+
+/// Takes a part's distance in, if it is less. `local`: the point in the collider's frame.
+void take_nearer(const Collider& collider, std::size_t i, const Vec3& local, double margin, Distance& best) {
+  const ShapePart& part = (*collider.parts)[i];
+  const Pose& pose = collider.part_poses[i];
+  const bool primitive = part.mesh == nullptr;
+  const double reach = part.half.x() + part.half.y() + part.half.z() + margin;  // no less than the radius
+  if (primitive && (local - pose.p).squaredNorm() > reach * reach) return;
+  const Distance d = (*collider.distances)[i]->at(pose.q.conjugate() * (local - pose.p));
+  if (d.value < best.value) best = {d.value, collider.pose.q * (pose.q * d.normal)};
+}
+
+}  // namespace
+
 Distance distance_to(const Collider& collider, const Vec3& x, double margin) {
   const Vec3 local = collider.pose.q.conjugate() * (x - collider.pose.p);
   Distance best{std::numeric_limits<double>::max(), Vec3::UnitY()};
-  for (std::size_t i = 0; i < collider.parts->size(); ++i) {
-    const ShapePart& part = (*collider.parts)[i];
-    const Pose& pose = collider.part_poses[i];
-    const bool primitive = part.mesh == nullptr;
-    const double reach = part.half.x() + part.half.y() + part.half.z() + margin;  // no less than the radius
-    if (primitive && (local - pose.p).squaredNorm() > reach * reach) continue;
-    const Distance d = (*collider.distances)[i]->at(pose.q.conjugate() * (local - pose.p));
-    if (d.value < best.value) best = {d.value, collider.pose.q * (pose.q * d.normal)};
-  }
+  for (std::size_t i = 0; i < collider.parts->size(); ++i) take_nearer(collider, i, local, margin, best);
+  return best;
+}
+
+Distance distance_to(const Collider& collider, const Vec3& x, double margin,
+                     std::span<const std::uint32_t> parts) {
+  const Vec3 local = collider.pose.q.conjugate() * (x - collider.pose.p);
+  Distance best{std::numeric_limits<double>::max(), Vec3::UnitY()};
+  for (const std::uint32_t i : parts) take_nearer(collider, i, local, margin, best);
   return best;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 // Soft surfaces against rigid bodies: which surface vertices are inside or near which body.
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -12,6 +14,7 @@
 #include "server/physics/collision/surface/space_order.h"
 #include "server/physics/collision/surface/vertex_stars.h"
 #include "server/physics/contact/contact.h"
+#include "server/physics/contact/part_boxes.h"
 #include "server/physics/contact/rod.h"
 #include "server/physics/contact/signed_distance.h"
 
@@ -106,6 +109,10 @@ class SurfaceDetector {
   struct Chunk {
     Vec3 lo, hi;
   };
+  struct TriangleChunk {
+    Vec3 lo, hi;
+    double longest;  // m², squared: the longest edge of all
+  };
   static constexpr std::size_t chunk_vertices = 32;
   std::size_t chunk_end(std::size_t chunk) const {
     return std::min(order_.size(), (chunk + 1) * chunk_vertices);
@@ -115,11 +122,18 @@ class SurfaceDetector {
   std::size_t triangle_chunk_end(std::size_t chunk) const {
     return std::min(triangle_order_.size(), (chunk + 1) * chunk_triangles);
   }
+  /// Calls f(chunk, vertices) for each run of vertices that meets the box, in order; vertices(g) calls g for
+  /// each of its vertices inside it.
+  template <class F>
+  void in_chunks(const Vec3& lo, const Vec3& hi, const F& f) const;
   void fit_chunks();
   std::array<std::uint32_t, 3> neighbours_of(std::uint32_t triangle) const;
   std::array<Vec3, 3> corners(std::uint32_t triangle) const;
   Vec3 outward(std::uint32_t triangle) const;
   double stretch(std::uint32_t triangle) const;
+  /// Returns the radius of the largest ball that passes between the corners of a right-angled triangle with
+  /// that longest edge (m², squared), m.
+  static double gauge(double longest) { return std::sqrt(longest) / 2; }
   /// Returns what of the triangle touches the rod, if that is for this triangle to say.
   std::optional<TriangleTouch> touch(std::uint32_t triangle, const Rod& rod, double margin,
                                      const KnownSide& known) const;
@@ -130,7 +144,8 @@ class SurfaceDetector {
   std::vector<std::array<std::uint32_t, 3>>
       neighbours_;             // per triangle and edge (k, k+1): across it, or itself
   SpaceOrder triangle_order_;  // by their middles at rest
-  std::vector<Chunk> triangle_chunks_;
+  std::vector<TriangleChunk> triangle_chunks_;
+  std::vector<double> longest_;  // m², squared: each triangle's longest edge
   VertexStars stars_;
   SpaceOrder order_;             // vertices, at rest
   std::vector<Vec3> positions_;  // by vertex
@@ -166,6 +181,10 @@ void box_corners(const Collider& collider, double margin, const Vec3& lo, const 
   }
 }
 
+/// Returns the same of these parts alone, ascending.
+Distance distance_to(const Collider& collider, const Vec3& x, double margin,
+                     std::span<const std::uint32_t> parts);
+
 /// Returns the collider's thin parts whose boxes, grown by `margin`, meet the given one.
 std::vector<Rod> rods_of(const Collider& collider, double margin, const Vec3& lo, const Vec3& hi);
 
@@ -180,10 +199,14 @@ void SurfaceDetector::near_thin(const Collider& collider, double margin, const K
   if (!boxes_overlap(collider.lo - grow, collider.hi + grow, lo_, hi_)) return;
   const std::vector<Rod> rods = rods_of(collider, margin, lo_, hi_);
   if (rods.empty()) return;
+  double thinnest = rods.front().radius;
+  for (const Rod& rod : rods) thinnest = std::min(thinnest, rod.radius);
   for (std::size_t c = 0; c < triangle_chunks_.size(); ++c) {
-    const Chunk& chunk = triangle_chunks_[c];
+    const TriangleChunk& chunk = triangle_chunks_[c];
+    if (gauge(chunk.longest) <= thinnest) continue;  // corners stop them all
     if (!boxes_overlap(collider.lo - grow, collider.hi + grow, chunk.lo, chunk.hi)) continue;
     for (std::size_t i = c * chunk_triangles; i < triangle_chunk_end(c); ++i) {
+      if (gauge(longest_[triangle_order_[i]]) <= thinnest) continue;
       std::optional<TriangleTouch> deepest;
       for (const Rod& rod : rods)
         if (const auto found = touch(triangle_order_[i], rod, margin, known);
@@ -195,23 +218,37 @@ void SurfaceDetector::near_thin(const Collider& collider, double margin, const K
 }
 
 template <class F>
-void SurfaceDetector::in_box(const Vec3& lo, const Vec3& hi, const F& f) const {
-  if (!boxes_overlap(lo, hi, lo_, hi_)) return;
+void SurfaceDetector::in_chunks(const Vec3& lo, const Vec3& hi, const F& f) const {
   for (std::size_t c = 0; c < chunks_.size(); ++c) {
     if (!boxes_overlap(lo, hi, chunks_[c].lo, chunks_[c].hi)) continue;
-    for (std::size_t i = c * chunk_vertices; i < chunk_end(c); ++i) {
-      const Vec3& x = positions_[order_[i]];
-      if ((x.array() < lo.array()).any() || (x.array() > hi.array()).any()) continue;
-      f(order_[i]);
-    }
+    f(chunks_[c], [&](const auto& of_vertex) {
+      for (std::size_t i = c * chunk_vertices; i < chunk_end(c); ++i) {
+        const Vec3& x = positions_[order_[i]];
+        if ((x.array() < lo.array()).any() || (x.array() > hi.array()).any()) continue;
+        of_vertex(order_[i]);
+      }
+    });
   }
 }
 
 template <class F>
+void SurfaceDetector::in_box(const Vec3& lo, const Vec3& hi, const F& f) const {
+  if (!boxes_overlap(lo, hi, lo_, hi_)) return;
+  in_chunks(lo, hi, [&](const Chunk&, const auto& vertices) { vertices(f); });
+}
+
+template <class F>
 void SurfaceDetector::near(const Collider& collider, double margin, const F& f) const {
-  const Vec3 grow = Vec3::Constant(margin);
-  in_box(collider.lo - grow, collider.hi + grow, [&](std::uint32_t vertex) {
-    if (const Distance d = distance_to(collider, positions_[vertex], margin); d.value <= margin) f(vertex, d);
+  const Vec3 lo = collider.lo.array() - margin, hi = collider.hi.array() + margin;
+  if (!boxes_overlap(lo, hi, lo_, hi_)) return;
+  PartBoxes parts(collider, margin);
+  in_chunks(lo, hi, [&](const Chunk& chunk, const auto& vertices) {
+    const std::vector<std::uint32_t>& met = parts.meeting(chunk.lo, chunk.hi);
+    if (met.empty()) return;
+    vertices([&](std::uint32_t vertex) {
+      if (const Distance d = distance_to(collider, positions_[vertex], margin, met); d.value <= margin)
+        f(vertex, d);
+    });
   });
 }
 

@@ -5,6 +5,7 @@
 
 #include "server/physics/contact/pad.h"
 #include "server/physics/contact/potentials.h"
+#include "server/physics/parallel.h"
 
 namespace prosector {
 namespace {
@@ -15,14 +16,22 @@ constexpr double unsettled_normal = 0.1, unsettled_friction = 0.05, unsettled_sp
 constexpr double stick_speed = 5e-4;  // m/s: what has no slip to remember sticks below it
 
 /// Returns where a side is at the tick's start as the unknowns tell it, less what it is driven by, m.
-Vec3 start_of(const Island& island, const ContactSide& side) {
+Vec3 start_of(const Island& island, const IslandLayout& layout, const ContactSide& side) {
   Vec3 x = -side.moved;
   if (side.kind != ContactSide::Kind::soft) return x;
-  for (const SoftMember& m : island.soft)
-    if (m.index == side.body)
-      for (std::size_t k = 0; k < side.nodes; ++k)
-        x += side.weight[k] * m.state->motion.x.segment<3>(3 * static_cast<Eigen::Index>(side.node[k]));
+  const VecX& nodes = island.soft[layout.soft_members[side.body]].state->motion.x;
+  for (std::size_t k = 0; k < side.nodes; ++k)
+    x += side.weight[k] * nodes.segment<3>(3 * static_cast<Eigen::Index>(side.node[k]));
   return x;
+}
+
+/// Calls f(i) for each of n contacts, which are small work.
+template <class F>
+void for_contacts(std::size_t n, const F& f) {
+  constexpr std::size_t at_once = 128;
+  parallel_chunks(n, at_once, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t c = first; c < last; ++c) f(c);
+  });
 }
 
 }  // namespace
@@ -31,21 +40,22 @@ void IslandJoints::begin(Island& island, const IslandLayout& layout, double h) {
   island_ = &island;
   layout_ = &layout;
   h_ = h;
-  contacts_.clear();
+  contacts_.resize(island.contacts.size());
   ties_.clear();
-  for (const Contact& c : island.contacts) {
-    contacts_.push_back(join(c.a, c.b));
-    contacts_.back().threshold =
+  for_contacts(contacts_.size(), [&](std::size_t i) {
+    const Contact& c = island.contacts[i];
+    contacts_[i] = join(c.a, c.b);
+    contacts_[i].threshold =
         c.feature != Contact::no_feature || c.bearer > 0 ? slip_threshold : stick_speed * h;
-  }
+  });
   for (const Tie& t : island.ties) ties_.push_back(join(t.a, t.b));
   lagged_.assign(contacts_.size(), 0);
   untaken_ = 1;
 }
 
 Joint IslandJoints::join(const ContactSide& a, const ContactSide& b) const {
-  return {layout_->resolve(*island_, a), layout_->resolve(*island_, b),
-          start_of(*island_, a) - start_of(*island_, b)};
+  return {layout_->resolve(a), layout_->resolve(b),
+          start_of(*island_, *layout_, a) - start_of(*island_, *layout_, b)};
 }
 
 /// Returns the slip that friction has at the tick's start, m. Where the normal force grows, friction keeps
@@ -68,7 +78,10 @@ Vec3 IslandJoints::tie_force(std::size_t t, const VecX& q) const {
 }
 
 void IslandJoints::add_energy(const VecX& q, double& sum) const {
-  for (std::size_t c = 0; c < contacts_.size(); ++c) sum += contact_energy(c, displacement(contacts_[c], q));
+  energies_.resize(contacts_.size());
+  for_contacts(contacts_.size(),
+               [&](std::size_t c) { energies_[c] = contact_energy(c, displacement(contacts_[c], q)); });
+  for (const double energy : energies_) sum += energy;
   for (std::size_t t = 0; t < ties_.size(); ++t) {
     const Tie& tie = island_->ties[t];
     sum +=
@@ -77,10 +90,11 @@ void IslandJoints::add_energy(const VecX& q, double& sum) const {
 }
 
 void IslandJoints::add_gradient(const VecX& q, VecX& g) const {
+  find_forces(q);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const Vec3 f = contact_force(c, displacement(contacts_[c], q), nullptr);
-    add_force(contacts_[c].a, f, g);
-    add_force(contacts_[c].b, -f, g);
+    if (forces_[c].isZero(0)) continue;
+    add_force(contacts_[c].a, forces_[c], g);
+    add_force(contacts_[c].b, -forces_[c], g);
   }
   for (std::size_t t = 0; t < ties_.size(); ++t) {
     const Vec3 f = tie_force(t, q);
@@ -89,9 +103,16 @@ void IslandJoints::add_gradient(const VecX& q, VecX& g) const {
   }
 }
 
+void IslandJoints::find_forces(const VecX& q) const {
+  forces_.resize(contacts_.size());
+  for_contacts(contacts_.size(),
+               [&](std::size_t c) { forces_[c] = contact_force(c, displacement(contacts_[c], q), nullptr); });
+}
+
 void IslandJoints::linearise(const VecX& q) {
-  for (std::size_t c = 0; c < contacts_.size(); ++c)
+  for_contacts(contacts_.size(), [&](std::size_t c) {
     contacts_[c].force = contact_force(c, displacement(contacts_[c], q), &contacts_[c].D);
+  });
   for (std::size_t t = 0; t < ties_.size(); ++t) {
     const Tie& tie = island_->ties[t];
     const double d = (tie.offset + displacement(ties_[t], q)).norm();
@@ -127,20 +148,21 @@ double IslandJoints::load_of_friction(std::size_t c, const VecX& q) const {
 }
 
 void IslandJoints::lag_friction(const VecX& q) {
-  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+  for_contacts(contacts_.size(), [&](std::size_t c) {
     lagged_[c] = island_->contacts[c].friction * load_of_friction(c, q);
     contacts_[c].held = held_slip(c);
-  }
+  });
 }
 
 void IslandJoints::take(double length, const VecX& step) {
   untaken_ *= 1 - length;
-  for (Joint& joint : contacts_) {
+  for_contacts(contacts_.size(), [&](std::size_t c) {
+    Joint& joint = contacts_[c];
     Vec3 force = joint.force;
     if (!joint.D.isZero(0)) force += joint.D * (moved_by(joint.a, step) - moved_by(joint.b, step));
     joint.exchanged += length * (force - joint.exchanged);
     joint.foreseen = joint.force + length * (force - joint.force);
-  }
+  });
 }
 
 void IslandJoints::take_balanced() {
@@ -160,10 +182,13 @@ void IslandJoints::add_load(const JointSide& side, const Load& load) {
 bool IslandJoints::unsettled(const VecX& q) {
   soft_loads_.assign(island_->soft.size(), {});
   rigid_loads_.assign(island_->rigid.size(), {});
+  find_forces(q);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const Joint& joint = contacts_[c];
+    const Vec3& force = forces_[c];
+    const Vec3 off = force - joint.foreseen;
+    if (force.isZero(0) && off.isZero(0) && lagged_[c] == 0) continue;
     const Vec3& n = island_->contacts[c].normal;
-    const Vec3 force = contact_force(c, displacement(joint, q), nullptr), off = force - joint.foreseen;
     const double along = n.dot(off);
     const Load load = {-n.dot(force), std::abs(along), lagged_[c], (off - along * n).norm()};
     add_load(joint.a, load);

@@ -56,6 +56,7 @@ class IslandJoints {
   double contact_energy(std::size_t c, const Vec3& u) const;
   Vec3 contact_force(std::size_t c, const Vec3& u, Mat3* D) const;
   Vec3 tie_force(std::size_t t, const VecX& q) const;
+  void find_forces(const VecX& q) const;
   void add_load(const JointSide& side, const Load& load);
 
   Island* island_ = nullptr;
@@ -65,6 +66,8 @@ class IslandJoints {
   std::vector<Joint> contacts_, ties_;
   std::vector<double> lagged_;  // N: friction times normal force, by contact
   std::vector<Load> soft_loads_, rigid_loads_;
+  mutable std::vector<double> energies_;  // J, by contact, of the last add_energy()
+  mutable std::vector<Vec3> forces_;      // N, by contact, of the last find_forces()
 };
 
 }  // namespace prosector

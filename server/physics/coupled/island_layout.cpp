@@ -1,6 +1,14 @@
 #include "server/physics/coupled/island_layout.h"
 
 namespace prosector {
+namespace {
+
+void set(std::vector<std::size_t>& members, std::size_t body, std::size_t member) {
+  if (members.size() <= body) members.resize(body + 1);
+  members[body] = member;
+}
+
+}  // namespace
 
 void IslandLayout::begin(const Island& island) {
   size = 0;
@@ -11,22 +19,21 @@ void IslandLayout::begin(const Island& island) {
   }
   rigid_begin = size;
   size += 6 * static_cast<Eigen::Index>(island.rigid.size());
+  for (std::size_t m = 0; m < island.soft.size(); ++m) set(soft_members, island.soft[m].index, m);
+  for (std::size_t m = 0; m < island.rigid.size(); ++m) set(rigid_members, island.rigid[m].slot, m);
 }
 
-JointSide IslandLayout::resolve(const Island& island, const ContactSide& side) const {
+JointSide IslandLayout::resolve(const ContactSide& side) const {
   JointSide out;
   if (side.kind == ContactSide::Kind::soft) {
-    std::size_t m = 0;
-    while (island.soft[m].index != side.body) ++m;
+    const std::size_t m = soft_members[side.body];
     out.member = m;
     out.nodes = side.nodes;
     out.weight = side.weight;
     for (std::size_t k = 0; k < side.nodes; ++k)
       out.offset[k] = soft[m] + 3 * static_cast<Eigen::Index>(side.node[k]);
   } else if (side.kind == ContactSide::Kind::rigid) {
-    std::size_t m = 0;
-    while (island.rigid[m].slot != side.body) ++m;
-    out.rigid = rigid(m);
+    out.rigid = rigid(rigid_members[side.body]);
     out.arm = side.arm;
   }
   return out;

@@ -12,7 +12,8 @@ namespace prosector {
 struct IslandLayout {
   Eigen::Index size = 0;
   Eigen::Index rigid_begin = 0;
-  std::vector<Eigen::Index> soft;  // by soft member
+  std::vector<Eigen::Index> soft;                        // by soft member
+  std::vector<std::size_t> soft_members, rigid_members;  // of bodies by index, by slot; of others anything
 
   /// Lays out the island's members. Allocates only for more than there ever were.
   void begin(const Island& island);
@@ -22,8 +23,8 @@ struct IslandLayout {
   std::size_t rigid_member(const JointSide& side) const {
     return static_cast<std::size_t>((side.rigid - rigid_begin) / 6);
   }
-  /// Returns the side as unknowns of the island.
-  JointSide resolve(const Island& island, const ContactSide& side) const;
+  /// Returns the side, which is on a member or fixed, as unknowns of the island.
+  JointSide resolve(const ContactSide& side) const;
 };
 
 }  // namespace prosector

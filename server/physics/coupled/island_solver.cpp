@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
+#include "server/physics/parallel.h"
 #include "server/physics/soft/base/effort.h"
 #include "server/physics/soft/implicit_stepper.h"
 #include "server/physics/soft/mechanical_energy.h"
@@ -31,15 +34,47 @@ constexpr double armijo = 1e-4;
 constexpr const char* rigid_solver = "cg";  // of islands without a soft body
 constexpr double rounding = 1e-12;          // of |E|: what a sum of this size cannot resolve
 
+/// Tells whether rigid bodies bear each other on tissue. Those count that nothing pulls, and that tissue
+/// moves, be it through others: a hand is where it is pulled to, and what it pushes aside tissue doesn't know
+/// of.
+bool borne_by_tissue(const Island& island) {
+  std::map<std::size_t, bool> on_tissue;  // of bodies that nothing pulls, by slot
+  for (const RigidMember& m : island.rigid)
+    if (!m.pull) on_tissue[m.slot] = false;
+  const auto find = [&](const ContactSide& side) {
+    return side.kind == ContactSide::Kind::rigid ? on_tissue.find(side.body) : on_tissue.end();
+  };
+  bool more = !on_tissue.empty();
+  const auto spread = [&](const ContactSide& from, const ContactSide& to) {
+    const auto giver = find(from), taker = find(to);
+    if (taker == on_tissue.end() || taker->second) return;
+    if (from.kind == ContactSide::Kind::soft || (giver != on_tissue.end() && giver->second))
+      taker->second = more = true;
+  };
+  const auto spread_both = [&](const auto& joint) {
+    spread(joint.a, joint.b);
+    spread(joint.b, joint.a);
+  };
+  while (std::exchange(more, false)) {
+    std::for_each(island.contacts.begin(), island.contacts.end(), spread_both);
+    std::for_each(island.ties.begin(), island.ties.end(), spread_both);
+  }
+  const auto borne = [&](const ContactSide& side) {
+    const auto known = find(side);
+    return known != on_tissue.end() && known->second;
+  };
+  return std::any_of(island.contacts.begin(), island.contacts.end(), [&](const Contact& c) {
+    return c.a.kind != ContactSide::Kind::soft && (borne(c.a) || borne(c.b));
+  });
+}
+
 /// Returns the linear solver's tolerance, as inexact Newton has it (Dembo, Eisenstat and Steihaug 1982). What
 /// a tighter solve of the first of several linearisations would gain, the next one changes again. It stays
 /// tight where rigid bodies bear each other: errors there are pushes, and light bodies under heavy ones
 /// drift.
 double linear_tolerance(const Island& island, double tolerance) {
-  const bool rigid_contact =
-      std::any_of(island.contacts.begin(), island.contacts.end(),
-                  [](const Contact& c) { return c.a.kind != ContactSide::Kind::soft; });
-  return rigid_contact ? tolerance : std::sqrt(tolerance);
+  const bool borne = island.soft.empty() ? !island.contacts.empty() : borne_by_tissue(island);
+  return borne ? tolerance : std::sqrt(tolerance);
 }
 
 /// Returns the step, m, below which nothing more is solved, by size: what is small moves by less than what is
@@ -268,7 +303,10 @@ IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double 
   system_.begin(island, h);  // displacements count from here, in every stage
   system_.start(start_);
   for (int stage = 0; stage < stages; ++stage) {
-    for (SoftMember& m : island.soft) m.body->stepper().begin_stage(stage, h, gravity, *m.state, m.euler);
+    parallel_each(island.soft.size(), [&](std::size_t i) {
+      const SoftMember& m = island.soft[i];
+      m.body->stepper().begin_stage(stage, h, gravity, *m.state, m.euler);
+    });
     system_.initial_guess(q_);
     if (limits.careful || (limits.alone && violent(island))) start_where_energy_is_least();
     IslandReport part = minimise(limits, tolerance);

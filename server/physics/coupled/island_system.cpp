@@ -1,5 +1,7 @@
 #include "server/physics/coupled/island_system.h"
 
+#include <algorithm>
+
 #include "server/physics/coupled/rigid_energy.h"
 #include "server/physics/parallel.h"
 #include "server/physics/soft/implicit_stepper.h"
@@ -46,9 +48,12 @@ void IslandSystem::start(VecX& q) const {
 }
 
 double IslandSystem::energy(const VecX& q) {
+  energies_.resize(island_->soft.size());
+  parallel_each(energies_.size(), [&](std::size_t m) {
+    energies_[m] = island_->soft[m].body->potential().energy(soft_part(*island_, layout_, m, q));
+  });
   soft_energy_ = 0;
-  for (std::size_t m = 0; m < island_->soft.size(); ++m)
-    soft_energy_ += island_->soft[m].body->potential().energy(soft_part(*island_, layout_, m, q));
+  for (const double energy : energies_) soft_energy_ += energy;
   return soft_energy_ + energy_but_soft(q);
 }
 
@@ -75,15 +80,18 @@ double IslandSystem::energy_but_soft(const VecX& q) const {
 }
 
 void IslandSystem::linearise(const VecX& q) {
-  for (std::size_t m = 0; m < island_->soft.size(); ++m)
+  parallel_each(island_->soft.size(), [&](std::size_t m) {
     island_->soft[m].body->potential().linearise(soft_part(*island_, layout_, m, q));
+  });
 }
 
 void IslandSystem::gradient(const VecX& q, VecX& g) {
   g.resize(layout_.size);
-  for (std::size_t m = 0; m < island_->soft.size(); ++m)
-    island_->soft[m].body->potential().gradient(
-        soft_part(*island_, layout_, m, q), g.segment(layout_.soft[m], 3 * island_->soft[m].body->nodes()));
+  parallel_each(island_->soft.size(), [&](std::size_t m) {
+    SoftBody& body = *island_->soft[m].body;
+    body.potential().gradient(soft_part(*island_, layout_, m, q),
+                              g.segment(layout_.soft[m], 3 * body.nodes()));
+  });
   for (std::size_t m = 0; m < island_->rigid.size(); ++m)
     set_gradient(island_->rigid[m], q.segment<6>(layout_.rigid(m)), h_, g.segment<6>(layout_.rigid(m)));
   joints_.add_gradient(q, g);
@@ -97,24 +105,25 @@ bool IslandSystem::assemble(const VecX& q, bool exact) {
                   [&](std::size_t first, std::size_t last, std::size_t) {
                     for (std::size_t i = first; i < last; ++i) node_inverse_[i] = node_blocks_[i].inverse();
                   });
-  rigid_.factor(stiff_);
+  product_.set(layout_, stiff_);
+  rigid_.factor(stiff_, product_);
   return kept;
 }
 
 bool IslandSystem::assemble_soft(const VecX& q, bool exact) {
-  bool kept = false;
-  for (std::size_t m = 0; m < island_->soft.size(); ++m) {
+  kept_.assign(island_->soft.size(), 0);
+  parallel_each(kept_.size(), [&](std::size_t m) {
     SoftBody& body = *island_->soft[m].body;
     const auto x = soft_part(*island_, layout_, m, q);
     if (exact)
       body.potential().assemble(x);
     else
-      kept = body.potential().assemble_roughly(x) || kept;
+      kept_[m] = body.potential().assemble_roughly(x);
     body.potential().diagonal(
         std::span(node_blocks_)
             .subspan(static_cast<std::size_t>(layout_.soft[m] / 3), static_cast<std::size_t>(body.nodes())));
-  }
-  return kept;
+  });
+  return std::any_of(kept_.begin(), kept_.end(), [](char kept) { return kept != 0; });
 }
 
 void IslandSystem::assemble_joints(const VecX& q) {
@@ -137,14 +146,11 @@ void IslandSystem::add_block(const JointSide& side, const Mat3& D) {
 
 void IslandSystem::multiply(const VecX& p, VecX& Hp) const {
   Hp.resize(layout_.size);
-  for (std::size_t m = 0; m < island_->soft.size(); ++m)
+  parallel_each(island_->soft.size(), [&](std::size_t m) {
     island_->soft[m].body->potential().multiply(p.data() + layout_.soft[m], Hp.data() + layout_.soft[m]);
+  });
   rigid_.multiply(p, Hp);
-  for (const Joint* joint : stiff_) {
-    const Vec3 f = joint->D * (moved_by(joint->a, p) - moved_by(joint->b, p));
-    add_force(joint->a, f, Hp);
-    add_force(joint->b, -f, Hp);
-  }
+  product_.multiply(p, Hp);
   rigid_.condense(Hp);
 }
 
@@ -162,21 +168,22 @@ void IslandSystem::block_jacobi(const VecX& r, VecX& z) const {
 
 void IslandSystem::multigrid(const VecX& r, VecX& z) const {
   z.resize(layout_.size);
-  for (std::size_t m = 0; m < island_->soft.size(); ++m) {
+  parallel_each(island_->soft.size(), [&](std::size_t m) {
     SoftBody& body = *island_->soft[m].body;
     const auto first = static_cast<std::size_t>(layout_.soft[m] / 3),
                count = static_cast<std::size_t>(body.nodes());
     body.potential().multigrid_solve(std::span(node_blocks_).subspan(first, count),
                                      std::span(node_inverse_).subspan(first, count),
                                      r.data() + layout_.soft[m], z.data() + layout_.soft[m]);
-  }
+  });
   rigid_.precondition(r, z);
 }
 
 void IslandSystem::elastic_factor(const VecX& r, VecX& z) const {
   z.resize(layout_.size);
-  for (std::size_t m = 0; m < island_->soft.size(); ++m)
+  parallel_each(island_->soft.size(), [&](std::size_t m) {
     island_->soft[m].body->potential().factor_solve(r.data() + layout_.soft[m], z.data() + layout_.soft[m]);
+  });
   rigid_.precondition(r, z);
 }
 

@@ -68,8 +68,11 @@ class IslandSystem final : public LinearOperator {
   IslandLayout layout_;
   IslandJoints joints_;
   RigidElimination rigid_;
-  std::vector<const Joint*> stiff_;  // those with a stiffness since the last assemble()
+  std::vector<const Joint*> stiff_;  // those with a stiffness since the last assemble() …
+  JointProduct product_;             // … and they as the linear solver has them
   std::vector<Mat3> node_blocks_, node_inverse_;
+  std::vector<double> energies_;  // J, by soft member, of the last energy()
+  std::vector<char> kept_;        // by soft member, whether its matrix was kept in the last assemble()
 };
 
 }  // namespace prosector

@@ -4,8 +4,14 @@
 
 #include "server/physics/coupled/lever.h"
 #include "server/physics/coupled/rigid_energy.h"
+#include "server/physics/parallel.h"
 
 namespace prosector {
+namespace {
+
+constexpr std::size_t factors_at_once = 16;
+
+}  // namespace
 
 void RigidElimination::begin(const Island& island, const IslandLayout& layout, const IslandJoints& joints,
                              double h) {
@@ -34,17 +40,17 @@ void RigidElimination::add(const JointSide& side, const Mat3& D) {
   sums_[layout_->rigid_member(side)] += J.transpose() * D * J;
 }
 
-void RigidElimination::factor(const std::vector<const Joint*>& stiff) {
-  stiff_ = &stiff;
+void RigidElimination::factor(const std::vector<const Joint*>& stiff, const JointProduct& product) {
+  product_ = &product;
   condensed_ = layout_->rigid_begin > 0 && layout_->rigid_begin < layout_->size;
   for (std::size_t m = 0; m < sums_.size(); ++m) factors_[m].compute(sums_[m]);
-  if (!pairs_.empty()) factor_joined();
+  if (!pairs_.empty()) factor_joined(stiff);
 }
 
-void RigidElimination::factor_joined() {
+void RigidElimination::factor_joined(const std::vector<const Joint*>& stiff) {
   block_.set_zero();
   for (std::size_t m = 0; m < sums_.size(); ++m) block_.add(m, sums_[m]);
-  for (const Joint* joint : *stiff_) {
+  for (const Joint* joint : stiff) {
     if (joint->a.rigid < 0 || joint->b.rigid < 0) continue;
     const bool in_order = joint->a.rigid < joint->b.rigid;
     const JointSide &first = in_order ? joint->a : joint->b, &second = in_order ? joint->b : joint->a;
@@ -61,8 +67,10 @@ void RigidElimination::solve(const VecX& r, VecX& z) const {
     block_.solve(r.tail(size), z.tail(size));
     return;
   }
-  for (std::size_t m = 0; m < factors_.size(); ++m)
-    z.segment<6>(layout_->rigid(m)) = factors_[m].solve(r.segment<6>(layout_->rigid(m)));
+  parallel_chunks(factors_.size(), factors_at_once, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t m = first; m < last; ++m)
+      z.segment<6>(layout_->rigid(m)) = factors_[m].solve(r.segment<6>(layout_->rigid(m)));
+  });
 }
 
 void RigidElimination::multiply(const VecX& p, VecX& Hp) const {
@@ -72,14 +80,9 @@ void RigidElimination::multiply(const VecX& p, VecX& Hp) const {
 
 void RigidElimination::condense(VecX& g) const {
   if (!condensed_) return;
-  work_.setZero(layout_->size);
+  work_.resize(layout_->size);
   solve(g, work_);
-  for (const Joint* joint : *stiff_) {
-    if ((joint->a.rigid < 0 && joint->b.rigid < 0) || (joint->a.nodes == 0 && joint->b.nodes == 0)) continue;
-    const Vec3 f = joint->D * (moved_by(joint->b, work_) - moved_by(joint->a, work_));
-    add_to_nodes(joint->a, f, g);
-    add_to_nodes(joint->b, -f, g);
-  }
+  product_->subtract_from_nodes(work_, g);
   g.tail(layout_->size - layout_->rigid_begin).setZero();
 }
 
@@ -87,12 +90,7 @@ void RigidElimination::expand(const VecX& g, const VecX& solved, VecX& step) con
   step = solved;
   if (!condensed_) return;
   rest_ = g;  // less what the soft nodes' step does to the rigid bodies
-  for (const Joint* joint : *stiff_) {
-    if (joint->a.nodes == 0 && joint->b.nodes == 0) continue;
-    const Vec3 f = joint->D * (moved_by(joint->a, step) - moved_by(joint->b, step));
-    add_force(joint->a, -f, rest_);
-    add_force(joint->b, f, rest_);
-  }
+  product_->subtract_from_bodies(step, rest_);
   solve(rest_, step);
 }
 

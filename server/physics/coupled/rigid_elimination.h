@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "server/physics/coupled/island_joints.h"
+#include "server/physics/coupled/joint_product.h"
 #include "server/physics/coupled/rigid_block.h"
 
 namespace prosector {
@@ -24,8 +25,8 @@ class RigidElimination {
   void assemble(const VecX& q);
   /// Adds a joint's stiffness D (N/m) on a side that is on a rigid body.
   void add(const JointSide& side, const Mat3& D);
-  /// Factors the sum. `stiff`: the joints that have a stiffness, until the next call.
-  void factor(const std::vector<const Joint*>& stiff);
+  /// Factors the sum. `stiff`: the joints that have a stiffness; `product`: the same, until the next call.
+  void factor(const std::vector<const Joint*>& stiff, const JointProduct& product);
 
   /// Writes the bodies' own Hessian times p into their part of Hp.
   void multiply(const VecX& p, VecX& Hp) const;
@@ -38,12 +39,12 @@ class RigidElimination {
   void precondition(const VecX& r, VecX& z) const;
 
  private:
-  void factor_joined();
+  void factor_joined(const std::vector<const Joint*>& stiff);
   void solve(const VecX& r, VecX& z) const;
 
   const Island* island_ = nullptr;
   const IslandLayout* layout_ = nullptr;
-  const std::vector<const Joint*>* stiff_ = nullptr;
+  const JointProduct* product_ = nullptr;
   double h_ = 0;
   std::vector<Mat6> own_;   // by body: inertia and pull
   std::vector<Mat6> sums_;  // with joints

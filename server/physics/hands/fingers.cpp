@@ -7,6 +7,7 @@
 #include "server/physics/contact/rigid_contact_stiffness.h"
 #include "server/physics/contact/rigid_soft_contacts.h"
 #include "server/physics/hands/finger_drive.h"
+#include "server/physics/parallel.h"
 
 namespace prosector {
 namespace {
@@ -92,38 +93,46 @@ void add_soft_obstacles(const Bodies& bodies, std::span<const Collider> collider
                         const FingerPoses& poses, FingerObstacles& out) {
   const auto points = feelers(hand, bodies.model.hands[hand.side], bodies.rigid.motion(hand.slot).pose);
   const Collider& own = colliders[hand.slot];
-  for (const Tissue& tissue : bodies.soft) {
-    if (bodies.parts[bodies.soft_id(tissue.index)].out_of_touch() || !may_meet(tissue, own)) continue;
-    std::vector<Contact> contacts;
-    add_contacts(tissue, own, finger_margin, tissue.memories, bodies.model.h, contacts);
-    for (const Contact& c : contacts) {
+  std::vector<std::vector<Contact>> contacts(bodies.soft.size());
+  parallel_each(contacts.size(), [&](std::size_t i) {
+    const Tissue& tissue = bodies.soft[i];
+    if (bodies.parts[bodies.soft_id(tissue.index)].out_of_touch() || !may_meet(tissue, own)) return;
+    add_contacts(tissue, own, finger_margin, tissue.memories, bodies.model.h, contacts[i]);
+  });
+  for (const std::vector<Contact>& of_tissue : contacts)
+    for (const Contact& c : of_tissue) {
       const std::size_t part = nearest_feeler(points, c.point).part;
       if (part == 0) continue;
       const std::size_t finger = digit_of(part);
       const double way = c.normal.dot(poses.way(part, hand.flexion[finger], c.point));
       out[finger].push_back({c.gap, way, c.stiffness, give * c.stiffness});
     }
-  }
 }
 
-void bend(Bodies& bodies, std::span<const Collider> colliders, Hand& hand) {
+/// Returns how the fingers are bent at the tick's end.
+std::array<double, fingers> bent(const Bodies& bodies, std::span<const Collider> colliders,
+                                 const Hand& hand) {
   FingerObstacles obstacles;
   const FingerPoses poses(hand, bodies.model.hands[hand.side], bodies.rigid.motion(hand.slot).pose);
   add_rigid_obstacles(bodies, colliders, hand, poses, obstacles);
   add_soft_obstacles(bodies, colliders, hand, poses, obstacles);
   const FingerDrive drive{.max_force = bodies.model.scene.hand.max_force / fingers};
-  bool moved = false;
+  std::array<double, fingers> flexion = hand.flexion;
   for (std::size_t f = 0; f < fingers; ++f) {
     const double tracked = std::clamp(hand.target_flexion[f], 0.0, 1.0);
     const double step =
         finger_step(tracked, hand.flexion[f], max_finger_rate * bodies.model.h, obstacles[f], drive);
-    hand.flexion[f] = std::clamp(hand.flexion[f] + step, 0.0, 1.0);
-    moved = moved || step != 0;
+    if (step != 0) flexion[f] = std::clamp(hand.flexion[f] + step, 0.0, 1.0);
   }
-  if (!moved) return;
-  const auto bent = hand_part_poses(hand.side, hand.flexion, bodies.model.hands[hand.side].center);
-  for (std::size_t part = 0; part < bent.size(); ++part)
-    bodies.rigid.set_part_pose(hand.slot, part, bent[part]);
+  return flexion;
+}
+
+void set_flexion(Bodies& bodies, Hand& hand, const std::array<double, fingers>& flexion) {
+  if (flexion == hand.flexion) return;
+  hand.flexion = flexion;
+  const auto poses = hand_part_poses(hand.side, hand.flexion, bodies.model.hands[hand.side].center);
+  for (std::size_t part = 0; part < poses.size(); ++part)
+    bodies.rigid.set_part_pose(hand.slot, part, poses[part]);
 }
 
 }  // namespace
@@ -135,8 +144,12 @@ void bend_fingers(State& state, Colliders& colliders) {
   };
   if (std::all_of(state.hands.begin(), state.hands.end(), straight)) return;
   refresh(colliders, state.bodies, state.hands, state.dissection.blades);
-  for (Hand& hand : state.hands)
-    if (!straight(hand)) bend(state.bodies, colliders, hand);
+  std::vector<std::array<double, fingers>> now(state.hands.size());
+  parallel_each(now.size(), [&](std::size_t i) {
+    const Hand& hand = state.hands[i];
+    now[i] = straight(hand) ? hand.flexion : bent(state.bodies, colliders, hand);
+  });
+  for (std::size_t i = 0; i < now.size(); ++i) set_flexion(state.bodies, state.hands[i], now[i]);
 }
 
 }  // namespace prosector

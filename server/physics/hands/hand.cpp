@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "common/hand.h"
@@ -70,9 +71,15 @@ std::vector<Feeler> feelers(const Hand& hand, const HandModel& model, const Pose
 }
 
 const Feeler& nearest_feeler(std::span<const Feeler> feelers, const Vec3& point) {
-  const auto gap = [&](const Feeler& f) { return (point - f.point).norm() - f.radius; };
-  return *std::min_element(feelers.begin(), feelers.end(),
-                           [&](const Feeler& a, const Feeler& b) { return gap(a) < gap(b); });
+  const Feeler* nearest = &feelers.front();
+  double least = std::numeric_limits<double>::infinity();
+  for (const Feeler& f : feelers) {
+    const double gap = (point - f.point).norm() - f.radius;
+    if (!(gap < least)) continue;
+    nearest = &f;
+    least = gap;
+  }
+  return *nearest;
 }
 
 Hold hold_rigid(BodyId body, double body_mass, const HandDesc& desc, const Pose& hand_centre,
