@@ -51,12 +51,12 @@ TEST(AreaRule, WhatIsFlatOrLargeTakesWholeTriangles) {
 }
 
 // Energy, slope and share are derivatives of each other, and the energy is the mean over the area.
-TEST(EvenGap, IsTheMeanOverTheArea) {
-  const EvenGap area{0.3};
+TEST(EvenSpring, IsTheMeanOverTheArea) {
+  const EvenSpring area{1, 0.3};
   constexpr double step = 1e-6;
   for (double g = -0.5; g < 0.5; g += 0.0501) {
     EXPECT_NEAR((area.energy(g + step) - area.energy(g - step)) / (2 * step), area.slope(g), 1e-8) << g;
-    EXPECT_NEAR((area.slope(g + step) - area.slope(g - step)) / (2 * step), area.share(g), 1e-8) << g;
+    EXPECT_NEAR((area.slope(g + step) - area.slope(g - step)) / (2 * step), area.stiffness(g), 1e-8) << g;
     double mean = 0;
     constexpr int parts = 10000;
     for (int i = 0; i < parts; ++i) mean += std::min(0.0, g + 0.3 * ((2 * i + 1.0) / parts - 1)) / parts;
@@ -64,13 +64,13 @@ TEST(EvenGap, IsTheMeanOverTheArea) {
   }
 }
 
-TEST(EvenGap, WithoutSpreadIsASpring) {
-  const EvenGap point{0};
+TEST(EvenSpring, WithoutSpreadIsASpring) {
+  const EvenSpring point{1, 0};
   EXPECT_DOUBLE_EQ(point.slope(-0.2), -0.2);
   EXPECT_DOUBLE_EQ(point.energy(-0.2), 0.02);
-  EXPECT_DOUBLE_EQ(point.share(-0.2), 1);
+  EXPECT_DOUBLE_EQ(point.stiffness(-0.2), 1);
   EXPECT_EQ(point.slope(0.2), 0);
-  EXPECT_EQ(point.share(0), 0);
+  EXPECT_EQ(point.stiffness(0), 0);
 }
 
 SoftDesc tissue(const std::string& element) {
@@ -111,7 +111,9 @@ TEST(SurfacePoint, EvenPressureLoadsNodesAsItMust) {
         const std::uint32_t a = made.anatomy().embedding.rows[surface.triangles[0][k]].node[0],
                             b = made.anatomy().embedding.rows[surface.triangles[0][(k + 1) % 3]].node[0];
         EXPECT_NEAR(load[a], edges ? 0 : 1. / 3, 1e-14);
-        if (edges) EXPECT_NEAR(load[edges->find(a, b)], 1. / 3, 1e-14);
+        if (edges) {
+          EXPECT_NEAR(load[edges->find(a, b)], 1. / 3, 1e-14);
+        }
       }
     }
   }

@@ -34,10 +34,10 @@ struct ContactSide {
 };
 
 /// A contact between a point of side a and a point of side b. Its potential is ½·stiffness·min(g, 0)², or
-/// the mean of that over g ± spread (EvenGap), with g = gap + normal·(u_a − u_b), u the sides' displacements
-/// over the tick. Smoothed Coulomb friction (Li et al. 2020, "Incremental Potential Contact", 5) acts on the
-/// slip: the tangential part of u_a − u_b, counted from where friction held (memory.h). The normal is fixed
-/// over a tick.
+/// the mean of that over g ± spread (EvenSpring), with g = gap + normal·(u_a − u_b), u the sides'
+/// displacements over the tick. Smoothed Coulomb friction (Li et al. 2020, "Incremental Potential Contact",
+/// 5) acts on the slip: the tangential part of u_a − u_b, counted from where friction held (memory.h). The
+/// normal is fixed over a tick.
 struct Contact {
   ContactSide a, b;
   Vec3 point = Vec3::Zero();    // m, world frame, at the tick's start

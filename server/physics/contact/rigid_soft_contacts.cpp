@@ -36,10 +36,9 @@ Contact face_contact(const Tissue& tissue, const TriangleTouch& touch, const Col
 struct Features {
   explicit Features(const Tissue& tissue) {
     const TriangleMesh& surface = tissue.anatomy().surface;
-    const auto vertices = static_cast<std::uint32_t>(surface.positions.size()),
-               triangles = static_cast<std::uint32_t>(surface.triangles.size());
-    first_face = vertices + (tissue.collision.over_area ? most_face_points * triangles : 0);
-    first_corner = first_face + triangles;
+    first_face = tissue.collision.over_area ? area_features(surface)
+                                            : static_cast<std::uint32_t>(surface.positions.size());
+    first_corner = first_face + static_cast<std::uint32_t>(surface.triangles.size());
   }
   std::uint32_t first_face, first_corner;
 };
