@@ -36,6 +36,11 @@ TEST(AreaRule, IsExactForQuadraticFunctions) {
   }
 }
 
+TEST(AreaRule, CornersShareAnEvenPressure) {
+  EXPECT_NEAR(integral(Division::corners, [](const Vec3& w) { return w[0]; }), 1. / 3, 1e-14);
+  EXPECT_TRUE(face_points(Division::corners).empty());
+}
+
 TEST(AreaRule, NumbersOfPointsDiffer) {
   const std::size_t whole = face_points(Division::whole).size(),
                     quarters = face_points(Division::quarters).size();
@@ -44,10 +49,11 @@ TEST(AreaRule, NumbersOfPointsDiffer) {
   EXPECT_EQ(places_on_quarters().size(), quarters);
 }
 
-TEST(AreaRule, WhatIsFlatOrLargeTakesWholeTriangles) {
-  EXPECT_EQ(division_for(1e-4, 0), Division::whole);
-  EXPECT_EQ(division_for(1e-6, 2 / 0.01), Division::whole);
-  EXPECT_EQ(division_for(1e-4, 2 / 0.01), Division::quarters);
+TEST(AreaRule, IsAsFineAsWhatPressesIsRound) {
+  EXPECT_EQ(division_for(1e-4, 0, false), Division::corners);
+  EXPECT_EQ(division_for(1e-4, 0, true), Division::whole);
+  EXPECT_EQ(division_for(1e-6, 2 / 0.01, false), Division::whole);
+  EXPECT_EQ(division_for(1e-4, 2 / 0.01, false), Division::quarters);
 }
 
 // Energy, slope and share are derivatives of each other, and the energy is the mean over the area.
@@ -285,6 +291,53 @@ TEST(AreaContact, WhatRestsSleeps) {
   Simulation simulation(scene, options());
   run(simulation, 300);
   EXPECT_TRUE(simulation.asleep(1));
+}
+
+// One degree below the angle of friction a block of quadratic elements, whose faces' middles touch too, holds
+// on a table that keeps it awake.
+TEST(AreaContact, FrictionHoldsWithoutCreep) {
+  SceneDesc scene;
+  scene.rigid = {table()};
+  scene.soft = {block()};
+  scene.soft[0].contact = "surface";
+  scene.soft[0].element = "tet10";
+  scene.soft[0].cell = scene.soft[0].surface_cell = 0.03;
+  scene.soft[0].youngs_modulus = 2e4;
+  const double angle =
+      std::atan(std::sqrt(scene.soft[0].friction * scene.rigid[0].friction)) - std::numbers::pi / 180;
+  scene.gravity = {9.81 * std::sin(angle), -9.81 * std::cos(angle), 0};
+  Simulation simulation(scene, options());
+  TickInput input;
+  input.drives.push_back({0, {{0, -0.05, 0}, Quat::Identity()}});
+  const auto place = [&] {
+    const auto nodes = simulation.soft_state(1).motion.x.reshaped(3, simulation.soft(1).nodes());
+    return Vec3(nodes.rowwise().mean());
+  };
+  run(simulation, 60, input);
+  const double from = place().x();
+  run(simulation, 180, input);
+  EXPECT_FALSE(simulation.asleep(1));
+  EXPECT_LT(std::abs(place().x() - from), 1e-4);
+}
+
+// A ball of 3 mm and 20 g, which weighs more than a dent of its size bears, stays out of cells of 6 mm.
+TEST(AreaContact, WhatIsSmallAndHeavyStaysOutside) {
+  SceneDesc scene;
+  scene.rigid = {table(), part_body("tip", "sphere", {0.006, 0, 0}, {0.002, 0.0340, 0.001})};
+  scene.rigid[1].mass = 0.02;
+  scene.soft = {block()};
+  scene.soft[0].contact = "surface";
+  scene.soft[0].size = {0.06, 0.03, 0.06};
+  scene.soft[0].cell = scene.soft[0].surface_cell = 0.006;
+  scene.soft[0].pose.p = {0, 0.015, 0};
+  Simulation simulation(scene, options());
+  run(simulation, 90);
+  for (const Exchange& touch : simulation.exchanges()) {
+    if (touch.a != 1 && touch.b != 1) continue;
+    EXPECT_GT(touch.depth, 0);
+    EXPECT_LT(touch.depth, 0.003);
+  }
+  EXPECT_LT(simulation.rigid_state(1).linear_velocity.norm(), 0.02);
 }
 
 TEST(AreaContact, IsForSolidsOnly) {

@@ -16,6 +16,8 @@ namespace {
 // E/(1 − ν²) and this. Measured, see docs/understand/contact.md.
 constexpr double dent_of_linear = 2.1, dent_of_quadratic = 8.5;
 
+constexpr double least_round = 0.1;  // 1/m: below it what is round is flat
+
 // Deeper than this share of its radius of curvature, a round thing is no dent any more: what is beyond
 // presses as what is flat does.
 constexpr double most_dent = 1.0 / 3;
@@ -41,7 +43,7 @@ struct Met {
 Stiffness stiffness_of(const Tissue& tissue, std::uint32_t triangle, double area, double curvature) {
   const SoftDesc& desc = tissue.desc();
   const double flat = area * desc.youngs_modulus * tissue.collision.stiffness_factor / desc.surface_cell;
-  if (curvature == 0) return {flat, 0};
+  if (curvature < least_round) return {flat, 0};
   const double dent = (desc.element == "tet10" ? dent_of_quadratic : dent_of_linear) /
                       (1 - desc.poisson_ratio * desc.poisson_ratio);
   const double wanted = tissue.collision.stiffness_factor / SceneDesc().contact_stiffness;
@@ -86,7 +88,7 @@ class AreaContacts {
       met.outward = places.outward_at(vertex);
       met.aslant = 1;  // of the face that faces most: what the others would press is theirs
       for (const std::uint32_t triangle : places.around(vertex)) {
-        const double whole = area_of(triangle), area = whole * corner_share(division_for(whole, d.curvature));
+        const double whole = area_of(triangle), area = whole * corner_share(division(whole, d.curvature));
         met.area += area;
         met.aslant = std::min(met.aslant, aslant(places.outward(triangle), d.normal));
         const Stiffness of_part = stiffness_of(tissue_, triangle, area, d.curvature);
@@ -106,6 +108,7 @@ class AreaContacts {
       for (const Vec3& corner : x) reach = std::max(reach, (corner - middle).norm());
       const Distance d = distance_to(collider_, middle, reach + margin_);
       if (d.value > reach + margin_) return;
+      if (division(area_of(triangle), d.curvature) == Division::corners) return;
       if (!still_ && places.stretch(triangle) >= most_stretch) return;
       add_points(triangle, d.curvature);
     });
@@ -118,14 +121,18 @@ class AreaContacts {
     return (b - a).cross(c - a).norm() / 2;
   }
 
+  Division division(double area, double curvature) const {
+    return division_for(area, curvature, tissue_.desc().element == "tet10");
+  }
+
   void add_points(std::uint32_t triangle, double curvature) {
     const double area = area_of(triangle);
-    const Division division = division_for(area, curvature);
+    const Division parts = division(area, curvature);
     const auto first = static_cast<std::uint32_t>(surface_.positions.size()) + most_face_points * triangle +
-                       first_face_point(division);
+                       first_face_point(parts);
     const Vec3 outward = tissue_.surface.vertices().outward(triangle);
     const Stiffness whole = stiffness_of(tissue_, triangle, area, curvature);
-    const auto points = face_points(division);
+    const auto points = face_points(parts);
     for (std::uint32_t p = 0; p < points.size(); ++p) {
       const ContactSide side = surface_side(tissue_, triangle, points[p].weights);
       const Distance d = distance_to(collider_, place_of(side, tissue_), margin_);
@@ -158,7 +165,8 @@ class AreaContacts {
 
   /// Adds what a point presses beyond the depth of a dent, if it may be so deep in this tick.
   void add_beyond(const Met& met, Contact first) {
-    first.gap += most_dent / met.nearest.curvature;
+    first.rest = -most_dent / met.nearest.curvature;
+    first.gap -= first.rest;
     if (first.gap > margin_) return;
     first.stiffness = met.stiffness.beyond;
     first.feature += points_of(surface_);
@@ -169,7 +177,8 @@ class AreaContacts {
   }
 
   /// Takes the gap for the mean over the point's area, over which it varies as far as the two are aslant.
-  static void soften(const Met& met, Contact& c) {
+  void soften(const Met& met, Contact& c) const {
+    if (division(met.area, met.nearest.curvature) == Division::corners) return;
     const double width = std::sqrt(met.area);
     c.spread = met.aslant * width / 2;
     c.gap += std::min(met.nearest.curvature * met.area / 24, most_rise * width);

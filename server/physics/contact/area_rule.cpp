@@ -33,22 +33,25 @@ const std::array<AreaPoint, 7>& on_quarters() {
 
 }  // namespace
 
-Division division_for(double area, double curvature) {
+Division division_for(double area, double curvature, bool quadratic) {
+  if (curvature == 0 && !quadratic) return Division::corners;
   // A ball's curvature is twice that of a rod of its radius, and it presses a smaller spot.
   return spacing_of_whole * std::sqrt(area) * curvature / 2 > most_spacing ? Division::quarters
                                                                            : Division::whole;
 }
 
 double corner_share(Division division) {
+  if (division == Division::corners) return 1.0 / 3;
   return division == Division::whole ? at_corner : at_corner / 4;
 }
 
 std::span<const AreaPoint> face_points(Division division) {
+  if (division == Division::corners) return {};
   return division == Division::whole ? std::span<const AreaPoint>(on_whole) : on_quarters();
 }
 
 std::uint32_t first_face_point(Division division) {
-  return division == Division::whole ? 0 : 1;
+  return division == Division::quarters ? 1 : 0;
 }
 
 std::span<const Vec3> places_on_quarters() {

@@ -72,7 +72,11 @@ void add_between(const Tissue& tissue, const Collider& collider, double margin, 
                  const Features& features, std::vector<Contact>& out) {
   const SurfaceDetector& vertices = tissue.surface.vertices();
   const double skin = tissue.half_thickness();
-  const auto others = tissue.collision.over_area ? places_on_quarters() : std::span<const Vec3>();
+  // What is thin is round, a box is flat: the points at which such things press a face.
+  std::span<const Vec3> under_round, under_flat;
+  if (tissue.collision.over_area) under_round = places_on_quarters();
+  if (tissue.collision.over_area && tissue.desc().element == "tet10")
+    under_flat = places_on_quarters().last(1);
   ContactSide other;
   other.body = collider.slot;
   const KnownSide known = [&](std::uint32_t triangle) -> std::optional<Vec3> {
@@ -83,14 +87,14 @@ void add_between(const Tissue& tissue, const Collider& collider, double margin, 
     return std::nullopt;
   };
   // Without a grip: what rolls over a face holds on to no point of it. A corner does not roll.
-  vertices.near_thin(collider, margin + skin, known, others, [&](TriangleTouch touch) {
+  vertices.near_thin(collider, margin + skin, known, under_round, [&](TriangleTouch touch) {
     touch.gap -= skin;
     out.push_back(face_contact(tissue, touch, collider));
     out.back().feature = features.first_face + touch.triangle;
   });
   if (skin > 0) return;
   box_corners(collider, margin, vertices.lo(), vertices.hi(), [&](const BoxCorner& corner) {
-    const auto touch = vertices.near_corner(collider, corner.at, margin, corner.depth, others);
+    const auto touch = vertices.near_corner(collider, corner.at, margin, corner.depth, under_flat);
     if (!touch) return;
     out.push_back(face_contact(tissue, *touch, collider));
     out.back().feature = features.first_corner + corner.index;
