@@ -16,6 +16,8 @@ namespace {
 // E/(1 − ν²) and this. Measured, see docs/understand/contact.md.
 constexpr double dent_of_linear = 2.1, dent_of_quadratic = 8.5;
 
+const double usual_stiffness = SceneDesc().contact_stiffness;  // for which that was measured
+
 constexpr double least_round = 0.1;  // 1/m: below it what is round is flat
 
 // Deeper than this share of its radius of curvature, a round thing is no dent any more: what is beyond
@@ -46,7 +48,7 @@ Stiffness stiffness_of(const Tissue& tissue, std::uint32_t triangle, double area
   if (curvature < least_round) return {flat, 0};
   const double dent = (desc.element == "tet10" ? dent_of_quadratic : dent_of_linear) /
                       (1 - desc.poisson_ratio * desc.poisson_ratio);
-  const double wanted = tissue.collision.stiffness_factor / SceneDesc().contact_stiffness;
+  const double wanted = tissue.collision.stiffness_factor / usual_stiffness;
   const double round =
       std::min(flat, area * desc.youngs_modulus * wanted * dent / element_size(tissue, triangle));
   return {round, flat - round};
