@@ -197,6 +197,7 @@ struct SoftDesc {
   std::vector<std::string> touches;  // as of RigidDesc
   bool continuous = false;           // as of RigidDesc
   bool self_contact = false;         // true: it doesn't pass through itself
+  std::string contact = "vertices";  // vertices | surface: where rigid things press it
   bool gravity = true;               // false: the imaged shape already carries it
   int newton_iterations = 3;         // at most, per tick
   int solver_iterations = 60;        // linear solver, at most, per Newton iteration

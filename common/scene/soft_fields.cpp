@@ -187,6 +187,10 @@ const Table& soft_table() {
         "along its own) or hull around them, fitted anew in each tick, that makes no dents; or nothing");
     t.fields.push_back(plain<S, &S::self_contact>(
         "self_contact", "true: it doesn't pass through itself where it folds; collision must be mesh"));
+    t.fields.push_back(words<S, &S::contact>(
+        "contact", {"vertices", "surface"},
+        "where rigid things press it: at its vertices, or over the area that touches; the latter is for "
+        "solids that collide as mesh and have no substeps"));
     add_pose<S>(t.fields, "the mesh's origin, or the volume's or shape's centre, in the room");
     add_fallback_pose<S>(t.fields);
     add_appearance<S>(t.fields);

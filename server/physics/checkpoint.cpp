@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/hand.h"
+#include "server/physics/contact/area_contacts.h"
 #include "server/physics/contact/fit_tissue.h"
 #include "server/physics/hands/hands.h"
 #include "server/physics/organs/dissection_io.h"
@@ -324,7 +325,7 @@ Hand read_hand(ByteReader& in, const Model& model, std::span<const SoftBody* con
 /// Returns how many features contacts may be remembered at.
 std::size_t most_features(const Anatomy& anatomy) {
   const TriangleMesh& surface = anatomy.surface;
-  const std::size_t features = surface.positions.size() + surface.triangles.size() + most_corners;
+  const std::size_t features = area_features(surface) + surface.triangles.size() + most_corners;
   // Nodes, at most three edges of each element, and the elements themselves.
   const std::size_t of_thin =
       anatomy.thickness > 0

@@ -238,6 +238,7 @@ ContentHash hash_of(const Model& model, std::span<const CompiledTissue> soft) {
   for (const SoftDesc& desc : scene.soft) {
     add_collision(desc);
     if (desc.self_contact) out.add(std::string("self_contact"));
+    if (desc.contact != SoftDesc().contact) out.add(desc.contact);
   }
   if (scene.room && !scene.room->floor) out.add(std::string("no floor"));
   if (scene.room && !scene.room->walls) out.add(std::string("no walls"));
@@ -274,6 +275,19 @@ std::vector<std::optional<RigidOutline>> compile_outlines(const Model& model) {
   return out;
 }
 
+/// Makes rigid things press the body over the area that touches. Throws InputError for what has no such area,
+/// or is not minimised.
+void press_over_area(const SoftBody& body, SoftCollision& collision) {
+  const SoftDesc& desc = body.desc();
+  if (mesh_kind(body.anatomy()) != MeshKind::tets || collision.fidelity != Fidelity::mesh ||
+      body.substepper())
+    throw InputError(
+        fmt::format("[[soft]] \"{}\": contact is \"surface\"; allowed for a solid that collides as mesh and "
+                    "has no substeps, else: vertices",
+                    desc.name));
+  collision.over_area = true;
+}
+
 CompiledTissue compile_soft(const SoftDesc& desc, Anatomy anatomy, const Model& model,
                             const CollisionGroups& groups,
                             const std::function<void(const std::string&)>& say) {
@@ -291,6 +305,7 @@ CompiledTissue compile_soft(const SoftDesc& desc, Anatomy anatomy, const Model& 
                    desc.self_contact,
                    cell,
                    model.scene.contact_stiffness};
+  if (desc.contact == "surface") press_over_area(*out.solver, out.collision);
   say(fmt::format("{}: {} elements, {} nodes, {} surface vertices", desc.name, out.solver->elements(),
                   out.solver->nodes(), surface.positions.size()));
   const bool solid = mesh_kind(out.solver->anatomy()) == MeshKind::tets;

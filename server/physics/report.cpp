@@ -52,7 +52,7 @@ void add_contact(const Bodies& bodies, std::span<const Collider> colliders, Cont
     sample.force += hand_is_b ? c.exchanged : Vec3(-c.exchanged);
     return;
   }
-  const double gap = c.gap + c.rest;
+  const double gap = c.gap + c.rest - c.spread;  // before it begins to press
   if (c.force > 0) {
     sample.impulse += c.force * bodies.model.h;
     sample.force += hand_is_b ? c.exchanged : Vec3(-c.exchanged);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "server/physics/soft/soft_body.h"
 #include "tests/bench/contact_run.h"
@@ -71,6 +72,28 @@ SceneDesc scene_of(const Press& press, const Mesh& mesh, double cell, double sti
   return scene;
 }
 
+struct Settled {
+  double force = 0, change = 1;  // N; of the last tick, over it
+  std::uint32_t points = 0;      // that pressed
+};
+
+/// Holds the ball pressed in at (x, z), m, until its force is settled.
+Settled settle(ContactRun& run, const Press& press, double x, double z) {
+  const Pose pressed{{x, press.radius - press.depth, z}, Quat::Identity()};
+  Settled out;
+  for (int tick = 0; tick < most_ticks && std::abs(out.change) > settled; ++tick) {
+    run.step(driving(0, pressed));
+    const double last = out.force;
+    out.force = 0;
+    for (const Exchange& touch : run.simulation().exchanges()) {
+      out.force += std::abs(touch.impulse.y()) / run.h();
+      out.points = touch.points;
+    }
+    out.change = tick > 0 ? out.force / last - 1 : 1;
+  }
+  return out;
+}
+
 void press(ContactRows& rows, const Press& press, const Mesh& mesh, double stiffness,
            const std::string& setting, std::optional<double> tolerance) {
   const double contact_radius = std::sqrt(press.radius * press.depth);
@@ -83,16 +106,8 @@ void press(ContactRows& rows, const Press& press, const Mesh& mesh, double stiff
     return made;
   };
   ContactRun run(scene_of(press, mesh, cell, stiffness), options);
-  const Pose pressed{{0, press.radius - press.depth, 0}, Quat::Identity()};
-  double force = 0, change = 1;
-  for (int tick = 0; tick < most_ticks && std::abs(change) > settled; ++tick) {
-    run.step(driving(0, pressed));
-    const double last = force;
-    force = 0;
-    for (const Exchange& touch : run.simulation().exchanges()) force += std::abs(touch.impulse.y()) / run.h();
-    change = tick > 0 ? force / last - 1 : 1;
-  }
-  rows.add(run, setting, {"force over the table's", "1", force / press.force, 1, tolerance},
+  const Settled found = settle(run, press, 0, 0);
+  rows.add(run, setting, {"force over the table's", "1", found.force / press.force, 1, tolerance},
            {{"element", mesh.element},
             {"cell_m", cell},
             {"cells_per_contact_radius", mesh.cells},
@@ -101,10 +116,106 @@ void press(ContactRows& rows, const Press& press, const Mesh& mesh, double stiff
             {"depth_m", press.depth},
             {"radius_m", press.radius},
             {"poisson_ratio", press.poisson_ratio},
-            {"force_N", force},
-            {"change_of_last_tick", change},
+            {"force_N", found.force},
+            {"change_of_last_tick", found.change},
             {"tets", run.simulation().tet_count()},
             {"nodes", run.simulation().soft(1).nodes()}});
+}
+
+/// Presses at places all over a cell, with contacts of a scene's default stiffness: over the area that
+/// touches or, to compare, at vertices. What is felt shall not tell where these lie.
+void press_all_over(ContactRows& rows, const Press& press, const Mesh& mesh, const std::string& contact,
+                    const std::string& setting) {
+  constexpr int places = 8;
+  const double contact_radius = std::sqrt(press.radius * press.depth), cell = contact_radius / mesh.cells;
+  SceneDesc scene = scene_of(press, mesh, cell, SceneDesc().contact_stiffness);
+  SoftDesc& layer = scene.soft[0];
+  layer.contact = contact;
+  layer.surface_cell = cell;
+  CompileOptions options;
+  options.threads = 1;
+  options.anatomy = [&](const SoftDesc&) -> std::optional<Anatomy> {
+    return test::pressed_layer(press.height, 1.5 * contact_radius + cell, cell);
+  };
+  double least = 1e300, most = 0, sum = 0;
+  std::uint32_t points = 0;
+  std::optional<ContactRun> run;
+  for (int i = 0; i < places; ++i) {  // evenly spread, by the powers of the plastic number
+    const double x = cell * std::fmod(0.7548776662466927 * i, 1),
+                 z = cell * std::fmod(0.5698402909980532 * i, 1);
+    scene.rigid[0].pose.p = {x, press.radius + 1e-4, z};
+    const Settled found = settle(run.emplace(scene, options), press, x, z);
+    least = std::min(least, found.force);
+    most = std::max(most, found.force);
+    sum += found.force;
+    points = std::max(points, found.points);
+  }
+  const ReportRow more = {{"element", mesh.element},
+                          {"cells_per_contact_radius", mesh.cells},
+                          {"contact", contact},
+                          {"points", points},
+                          {"contact_stiffness", scene.contact_stiffness}};
+  const double mean = sum / places;
+  rows.add(*run, setting, {"mean force over the table's", "1", mean / press.force, 1, std::nullopt}, more);
+  rows.add(*run, setting, {"least and most differ by", "1", (most - least) / mean, 0, std::nullopt}, more);
+}
+
+double force_on(const ContactRun& run) {
+  double force = 0;
+  for (const Exchange& touch : run.simulation().exchanges()) force += std::abs(touch.impulse.y()) / run.h();
+  return force;
+}
+
+/// Presses over the area within a quarter of a second, at 60 ticks/s and with the effort of a scene's
+/// default, holds, and slides over a cell and a half at 2 cm/s.
+void press_live(ContactRows& rows, const Press& press, const Mesh& mesh, const std::string& setting) {
+  constexpr int down = 15, held = 30;
+  constexpr double speed = 0.02;  // m/s
+  const double contact_radius = std::sqrt(press.radius * press.depth), cell = contact_radius / mesh.cells;
+  SceneDesc scene = scene_of(press, mesh, cell, SceneDesc().contact_stiffness);
+  scene.tick_rate = SceneDesc().tick_rate;
+  SoftDesc& layer = scene.soft[0];
+  layer.contact = "surface";
+  layer.surface_cell = cell;
+  layer.damping_mass = SoftDesc().damping_mass;
+  layer.damping_stiffness = SoftDesc().damping_stiffness;
+  layer.newton_iterations = SoftDesc().newton_iterations;
+  layer.solver_iterations = SoftDesc().solver_iterations;
+  layer.solver_tolerance = SoftDesc().solver_tolerance;
+  CompileOptions options;
+  options.threads = 2;
+  options.anatomy = [&](const SoftDesc&) -> std::optional<Anatomy> {
+    return test::pressed_layer(press.height, 1.5 * contact_radius + 2 * cell, cell);
+  };
+  ContactRun run(scene, options);
+  const auto step_to = [&](double x, double depth) {
+    run.step(driving(0, {{x, press.radius - depth, 0.2 * cell}, Quat::Identity()}));
+  };
+  for (int tick = 1; tick <= down + held; ++tick)
+    step_to(0, press.depth * std::min(1.0, static_cast<double>(tick) / down));
+  const double force = force_on(run);
+  double give = 0;  // m
+  for (const Exchange& touch : run.simulation().exchanges()) give = std::max(give, touch.depth);
+  double last = force, jump = 0, least = force, most = force;
+  for (double x = 0; x < 1.5 * cell; x += speed * run.h()) {
+    step_to(x, press.depth);
+    const double now = force_on(run);
+    jump = std::max(jump, std::abs(now / last - 1));
+    least = std::min(least, now);
+    most = std::max(most, now);
+    last = now;
+  }
+  const ReportRow more = {{"element", mesh.element},
+                          {"cells_per_contact_radius", mesh.cells},
+                          {"contact_stiffness", scene.contact_stiffness},
+                          {"median_ms", run.median_ms()},
+                          {"tets", run.simulation().tet_count()}};
+  rows.add(run, setting, {"force over the table's", "1", force / press.force, 1, std::nullopt}, more);
+  rows.add(run, setting, {"contact gives, of the depth", "1", give / press.depth, 0, std::nullopt}, more);
+  rows.add(run, setting, {"median time of a tick, CPU", "ms", run.median_ms(), 0, std::nullopt}, more);
+  rows.add(run, setting, {"sliding: most from tick to tick", "1", jump, 0, 0.02}, more);
+  rows.add(run, setting, {"sliding: least and most differ by", "1", (most - least) / force, 0, std::nullopt},
+           more);
 }
 
 std::string name(const Press& p) {
@@ -141,6 +252,17 @@ void hertz_case(ContactRows& rows, bool quick) {
     return;
   }
   const Mesh finest = meshes[std::size(meshes) - 1];
+  for (const Press& p : {presses[0], presses[1], presses[2], presses[8]})
+    for (const Mesh& mesh : {meshes[0], meshes[1], meshes[3]})
+      press_live(rows, p, mesh, fmt::format("{}, {}, {} cells, live", name(p), mesh.element, mesh.cells));
+  for (const Press& p : presses)
+    for (const Mesh& mesh : meshes)
+      if (mesh.cells < 1 || (mesh.cells < 2 && mesh.element == std::string("tet4")))
+        for (const char* contact : {"surface", "vertices"})
+          if (contact == std::string("surface") || p.height == presses[0].height)
+            press_all_over(rows, p, mesh, contact,
+                           fmt::format("{}, {}, {} cells, all over a cell, {}", name(p), mesh.element,
+                                       mesh.cells, contact));
   for (const Press& p : presses) {
     const bool steep = slope(p) > most_slope;
     for (const Mesh& mesh : meshes)

@@ -33,10 +33,11 @@ struct ContactSide {
   }
 };
 
-/// A contact between a point of side a and a point of side b. Its potential is ½·stiffness·min(g, 0)² with
-/// g = gap + normal·(u_a − u_b), u the sides' displacements over the tick. Smoothed Coulomb friction (Li et
-/// al. 2020, "Incremental Potential Contact", 5) acts on the slip: the tangential part of u_a − u_b, counted
-/// from where friction held (memory.h). The normal is fixed over a tick.
+/// A contact between a point of side a and a point of side b. Its potential is ½·stiffness·min(g, 0)², or
+/// the mean of that over g ± spread (EvenSpring), with g = gap + normal·(u_a − u_b), u the sides'
+/// displacements over the tick. Smoothed Coulomb friction (Li et al. 2020, "Incremental Potential Contact",
+/// 5) acts on the slip: the tangential part of u_a − u_b, counted from where friction held (memory.h). The
+/// normal is fixed over a tick.
 struct Contact {
   ContactSide a, b;
   Vec3 point = Vec3::Zero();    // m, world frame, at the tick's start
@@ -44,15 +45,16 @@ struct Contact {
   double gap = 0;               // m at the tick's start, beyond `rest`; < 0 presses
   double rest = 0;              // m, <= 0: gap between the surfaces at which they don't press, see memory.h
   double stiffness = 0;         // N/m
+  double spread = 0;            // m: the gap varies by ± this over the area that the point stands for
   double friction = 0;
   std::uint32_t bearer = 0;  // 0: an ordinary contact; n > 0: a friction-only point of a finger's pad
                              // (contact/pad.h), its normal force 1/patch_points of that of the contact n
                              // places before it in the island
   double rebound = 0;        // m/s: speed at which rigid sides part when they have pressed, see restitution.h
   static constexpr std::uint32_t no_feature = std::numeric_limits<std::uint32_t>::max();
-  std::uint32_t feature = no_feature;  // soft a: its surface vertex; or all vertices' count plus the
-                                       // triangle; or both counts plus the BoxCorner of b; of layers:
-                                       // as ElementSurface::feature …
+  std::uint32_t feature = no_feature;  // soft a: its surface vertex, or, of area_contacts.h, face point; or
+                                       // all those' count plus the triangle; or both counts plus the
+                                       // BoxCorner of b; of layers: as ElementSurface::feature …
   std::uint32_t met = 0;               // … and that of the other's
   Vec3 grip = Vec3::Zero();  // slip at the tick's start, in thresholds of friction: no longer than 1 …
   double gripped = 0;        // … under this normal force, N

@@ -8,6 +8,9 @@
 namespace prosector {
 namespace {
 
+// 1/m: a mesh doesn't tell how round it is; not 0, since it is not flat either.
+constexpr double untold_curvature = 1e-3;
+
 constexpr int cells_along_longest = 40;
 constexpr int band = 4;  // cells around the surface with exact distances, and of padding
 
@@ -140,7 +143,7 @@ Distance GridDistance::at(const Vec3& x) const {
   }
   const double slope = gradient.norm();
   const double beyond = (g - inside).norm() * cell_;  // outside the grid: at least this far away
-  return {value + beyond, slope > 0 ? Vec3(gradient / slope) : Vec3(Vec3::UnitY())};
+  return {value + beyond, slope > 0 ? Vec3(gradient / slope) : Vec3(Vec3::UnitY()), untold_curvature};
 }
 
 }  // namespace prosector

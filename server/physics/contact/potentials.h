@@ -31,4 +31,27 @@ struct FrictionNorm {
   }
 };
 
+/// ½k·min(g, 0)², as the mean over an area on which g varies evenly by ± spread about its middle. So points
+/// come to press and cease to without a jump. Without spread it is a one-sided spring.
+struct EvenSpring {
+  double k;       // N/m
+  double spread;  // m
+  double energy(double g) const {
+    if (g >= spread) return 0;
+    if (g <= -spread) return k * g * g / 2 + k * spread * spread / 6;
+    const double d = spread - g;
+    return k * d * d * d / (12 * spread);
+  }
+  /// Returns the energy's slope, N: no more than 0.
+  double slope(double g) const {
+    if (g >= spread) return 0;
+    return g <= -spread ? k * g : -k * (spread - g) * (spread - g) / (4 * spread);
+  }
+  /// Returns the slope's slope, N/m: k times the share of the area on which g < 0.
+  double stiffness(double g) const {
+    if (g >= spread) return 0;
+    return g <= -spread ? k : k * (spread - g) / (2 * spread);
+  }
+};
+
 }  // namespace prosector

@@ -2,17 +2,14 @@
 
 #include <algorithm>
 
+#include "server/physics/contact/area_contacts.h"
+#include "server/physics/contact/area_rule.h"
 #include "server/physics/contact/facing.h"
 #include "server/physics/contact/margins.h"
 #include "server/physics/contact/proxy_contacts.h"
 
 namespace prosector {
 namespace {
-
-// Stretch of the surface at which a moving thing loses hold of it. Real tissue would have torn long before,
-// and what a leaping hand has hooked would never come free.
-constexpr double most_stretch = 3;
-constexpr double lip = 0.1;  // surface cells: what an edge runs over
 
 Contact vertex_contact(const Tissue& tissue, std::uint32_t vertex, const Distance& distance,
                        const Collider& collider) {
@@ -33,6 +30,76 @@ Contact face_contact(const Tissue& tissue, const TriangleTouch& touch, const Col
     c.stiffness += touch.strength * share * tissue.contact_stiffness(corners[k]);
   }
   return c;
+}
+
+/// What contacts' features count from.
+struct Features {
+  explicit Features(const Tissue& tissue) {
+    const TriangleMesh& surface = tissue.anatomy().surface;
+    first_face = tissue.collision.over_area ? area_features(surface)
+                                            : static_cast<std::uint32_t>(surface.positions.size());
+    first_corner = first_face + static_cast<std::uint32_t>(surface.triangles.size());
+  }
+  std::uint32_t first_face, first_corner;
+};
+
+void add_vertex_contacts(const Tissue& tissue, const Collider& collider, double margin,
+                         const ContactMemories& held, std::vector<Contact>& out) {
+  const SurfaceDetector& vertices = tissue.surface.vertices();
+  const double skin = tissue.half_thickness();
+  const bool still = collider.fixed && !collider.driven_to;
+  ContactSide other;
+  other.body = collider.slot;
+  vertices.near(collider, margin + skin, [&](std::uint32_t vertex, Distance d) {
+    const ContactMemory* memory = find(held, other, vertex);
+    Approach approach{vertices.positions()[vertex], d};
+    if (memory) {
+      approach.before = &memory->normal;
+      approach.depth = memory->force / tissue.contact_stiffness(vertex);
+    }
+    if (skin == 0) approach.outward = vertices.outward_at(vertex);
+    approach.lip = lip * tissue.desc().surface_cell;
+    std::optional<Distance> side = side_of(collider, approach);
+    if (!side) return;
+    side->value -= skin;
+    if (!still && vertices.stretch_at(vertex) >= most_stretch) return;
+    recall(memory, out.emplace_back(vertex_contact(tissue, vertex, *side, collider)));
+  });
+}
+
+/// Adds what the contacts that there are everywhere would let slip between them: thin things, and corners.
+void add_between(const Tissue& tissue, const Collider& collider, double margin, const ContactMemories& held,
+                 const Features& features, std::vector<Contact>& out) {
+  const SurfaceDetector& vertices = tissue.surface.vertices();
+  const double skin = tissue.half_thickness();
+  // What is thin is round, a box is flat: the points at which such things press a face.
+  std::span<const Vec3> under_round, under_flat;
+  if (tissue.collision.over_area) under_round = places_on_quarters();
+  if (tissue.collision.over_area && tissue.desc().element == "tet10")
+    under_flat = places_on_quarters().last(1);
+  ContactSide other;
+  other.body = collider.slot;
+  const KnownSide known = [&](std::uint32_t triangle) -> std::optional<Vec3> {
+    if (const ContactMemory* own = find(held, other, features.first_face + triangle)) return own->normal;
+    for (const std::uint32_t next : vertices.neighbours(triangle))
+      if (const ContactMemory* near_it = find(held, other, features.first_face + next))
+        return near_it->normal;
+    return std::nullopt;
+  };
+  // Without a grip: what rolls over a face holds on to no point of it. A corner does not roll.
+  vertices.near_thin(collider, margin + skin, known, under_round, [&](TriangleTouch touch) {
+    touch.gap -= skin;
+    out.push_back(face_contact(tissue, touch, collider));
+    out.back().feature = features.first_face + touch.triangle;
+  });
+  if (skin > 0) return;
+  box_corners(collider, margin, vertices.lo(), vertices.hi(), [&](const BoxCorner& corner) {
+    const auto touch = vertices.near_corner(collider, corner.at, margin, corner.depth, under_flat);
+    if (!touch) return;
+    out.push_back(face_contact(tissue, *touch, collider));
+    out.back().feature = features.first_corner + corner.index;
+    recall(find(held, other, out.back().feature), out.back());
+  });
 }
 
 }  // namespace
@@ -73,53 +140,17 @@ bool add_contacts(const Tissue& tissue, const Collider& collider, double margin,
   if (tissue.surface.proxy()) return add_proxy_contacts(tissue, collider, margin, out);
   const SurfaceDetector& vertices = tissue.surface.vertices();
   const std::size_t before = out.size();
-  const double skin = tissue.half_thickness();
-  const Vec3 near = Vec3::Constant(margin + skin);
+  const Vec3 near = Vec3::Constant(margin + tissue.half_thickness());
   if (is_room(collider.slot) &&
       !boxes_overlap(collider.lo - near, collider.hi + near, vertices.lo(), vertices.hi()))
     return false;
-  const bool still = collider.fixed && !collider.driven_to;
-  const TriangleMesh& surface = tissue.anatomy().surface;
-  const auto first_face = static_cast<std::uint32_t>(surface.positions.size());
-  const auto first_corner = first_face + static_cast<std::uint32_t>(surface.triangles.size());
-  ContactSide other;
-  other.body = collider.slot;
-  vertices.near(collider, margin + skin, [&](std::uint32_t vertex, Distance d) {
-    const ContactMemory* memory = find(held, other, vertex);
-    Approach approach{vertices.positions()[vertex], d};
-    if (memory) {
-      approach.before = &memory->normal;
-      approach.depth = memory->force / tissue.contact_stiffness(vertex);
-    }
-    if (skin == 0) approach.outward = vertices.outward_at(vertex);
-    approach.lip = lip * tissue.desc().surface_cell;
-    std::optional<Distance> side = side_of(collider, approach);
-    if (!side) return;
-    side->value -= skin;
-    if (!still && vertices.stretch_at(vertex) >= most_stretch) return;
-    recall(memory, out.emplace_back(vertex_contact(tissue, vertex, *side, collider)));
-  });
-  const KnownSide known = [&](std::uint32_t triangle) -> std::optional<Vec3> {
-    if (const ContactMemory* own = find(held, other, first_face + triangle)) return own->normal;
-    for (const std::uint32_t next : vertices.neighbours(triangle))
-      if (const ContactMemory* near_it = find(held, other, first_face + next)) return near_it->normal;
-    return std::nullopt;
-  };
-  // Without a grip: what rolls over a face holds on to no point of it. A corner does not roll.
-  vertices.near_thin(collider, margin + skin, known, [&](TriangleTouch touch) {
-    touch.gap -= skin;
-    out.push_back(face_contact(tissue, touch, collider));
-    out.back().feature = first_face + touch.triangle;
-  });
-  if (skin == 0)
-    box_corners(collider, margin, vertices.lo(), vertices.hi(), [&](const BoxCorner& corner) {
-      const auto touch = vertices.near_corner(collider, corner.at, margin, corner.depth);
-      if (!touch) return;
-      out.push_back(face_contact(tissue, *touch, collider));
-      out.back().feature = first_corner + corner.index;
-      recall(find(held, other, out.back().feature), out.back());
-    });
-  rest(held, first_face, h, std::span(out).subspan(before));
+  if (tissue.collision.over_area)
+    add_area_contacts(tissue, collider, margin, held, out);
+  else
+    add_vertex_contacts(tissue, collider, margin, held, out);
+  const Features features(tissue);
+  add_between(tissue, collider, margin, held, features, out);
+  rest(held, features.first_face, h, std::span(out).subspan(before));
   return out.size() > before;
 }
 

@@ -8,6 +8,11 @@
 
 namespace prosector {
 
+/// Stretch of the surface at which a moving thing loses hold of it. Real tissue would have torn long before,
+/// and what a leaping hand has hooked would never come free.
+inline constexpr double most_stretch = 3;
+inline constexpr double lip = 0.1;  // surface cells: what an edge runs over
+
 /// Returns whether the two touch at all.
 bool may_meet(const Tissue& tissue, const Collider& collider);
 

@@ -8,16 +8,18 @@
 namespace prosector {
 namespace {
 
-Distance from_center(const Vec3& d, double radius) {
+/// Returns the distance to what is round in `directions` (1 or 2) about a point from which `d` leads.
+Distance from_center(const Vec3& d, double radius, int directions) {
   const double length = d.norm();
-  return {length - radius, length > 0 ? Vec3(d / length) : Vec3(Vec3::UnitY())};
+  return {length - radius, length > 0 ? Vec3(d / length) : Vec3(Vec3::UnitY()), directions / radius};
 }
 
 class CapsuleDistance final : public SignedDistance {  // a sphere is one without length
  public:
   CapsuleDistance(double radius, double half) : radius_(radius), half_(half) {}
   Distance at(const Vec3& x) const override {
-    return from_center({x.x(), x.y() - std::clamp(x.y(), -half_, half_), x.z()}, radius_);
+    const double at = std::clamp(x.y(), -half_, half_);
+    return from_center({x.x(), x.y() - at, x.z()}, radius_, at == x.y() && half_ > 0 ? 1 : 2);
   }
 
  private:
@@ -53,7 +55,7 @@ class CylinderDistance final : public SignedDistance {
       const double d = std::hypot(dr, dy);
       return {d, (dr * radial + dy * axial) / d};
     }
-    return dr > dy ? Distance{dr, radial} : Distance{dy, axial};
+    return dr > dy ? Distance{dr, radial, 1 / radius_} : Distance{dy, axial};
   }
 
  private:
@@ -67,7 +69,8 @@ class EllipsoidDistance final : public SignedDistance {
     const Vec3 unit = x.cwiseQuotient(half_), gradient = unit.cwiseQuotient(half_);
     const double level = unit.norm(), slope = gradient.norm();
     if (!(slope > 0)) return {-half_.minCoeff(), Vec3::UnitY()};
-    return {level * (level - 1) / slope, gradient / slope};
+    // The mean of a sphere's through its extents, twice.
+    return {level * (level - 1) / slope, gradient / slope, 2 * 3 / half_.sum()};
   }
 
  private:

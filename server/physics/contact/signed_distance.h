@@ -10,6 +10,7 @@ namespace prosector {
 struct Distance {
   double value = 0;             // m, < 0 inside
   Vec3 normal = Vec3::UnitY();  // unit, outwards
+  double curvature = 0;         // 1/m: sum of the principal ones there of what is round; 0: it is flat
 };
 
 class SignedDistance {

@@ -15,6 +15,7 @@ struct SoftCollision {
   bool with_itself = false;
   double cell = 0;              // m, of what meets itself: mean edge of its surface as compiled
   double stiffness_factor = 1;  // the scene's contact_stiffness
+  bool over_area = false;       // rigid things press it over the area that touches, not at its vertices
 };
 
 }  // namespace prosector

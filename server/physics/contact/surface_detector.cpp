@@ -152,22 +152,27 @@ double SurfaceDetector::stretch_at(std::uint32_t vertex) const {
 
 namespace {
 
-/// Returns the gap between a rod and the nearest of a triangle's corners, m.
-double gap_to_corners(const Rod& rod, const std::array<Vec3, 3>& x) {
-  double gap = std::numeric_limits<double>::max();
-  for (const Vec3& vertex : x) {
-    const Vec3 axis = rod.to - rod.from;
-    const double length = axis.squaredNorm();
-    const double at = length > 0 ? std::clamp((vertex - rod.from).dot(axis) / length, 0.0, 1.0) : 0;
-    gap = std::min(gap, (vertex - rod.from - at * axis).norm() - rod.radius);
-  }
-  return gap;
+/// Returns the least of what f gives for a triangle's corners and `others`, given by their weights.
+template <class F>
+double least_of_points(const std::array<Vec3, 3>& x, std::span<const Vec3> others, const F& f) {
+  double least = std::min({f(x[0]), f(x[1]), f(x[2])});
+  for (const Vec3& w : others) least = std::min(least, f(w[0] * x[0] + w[1] * x[1] + w[2] * x[2]));
+  return least;
+}
+
+/// Returns the gap between a rod and a point, m.
+double gap_to(const Rod& rod, const Vec3& x) {
+  const Vec3 axis = rod.to - rod.from;
+  const double length = axis.squaredNorm();
+  const double at = length > 0 ? std::clamp((x - rod.from).dot(axis) / length, 0.0, 1.0) : 0;
+  return (x - rod.from - at * axis).norm() - rod.radius;
 }
 
 }  // namespace
 
 std::optional<TriangleTouch> SurfaceDetector::touch(std::uint32_t triangle, const Rod& rod, double margin,
-                                                    const KnownSide& known) const {
+                                                    const KnownSide& known,
+                                                    std::span<const Vec3> others) const {
   const auto x = corners(triangle);
   const Vec3 grow = Vec3::Constant(margin);
   if (!boxes_overlap(rod.lo - grow, rod.hi + grow, x[0].cwiseMin(x[1]).cwiseMin(x[2]),
@@ -217,7 +222,8 @@ std::optional<TriangleTouch> SurfaceDetector::touch(std::uint32_t triangle, cons
     out.gap = -std::min(depth, (most_depth - 1) * rod.radius) - rod.radius;
   }
   if (!out.normal.allFinite() || out.gap < -most_depth * rod.radius) return std::nullopt;
-  const double between = (gap_to_corners(rod, x) - out.gap) / rod.radius;
+  const double points = least_of_points(x, others, [&](const Vec3& p) { return gap_to(rod, p); });
+  const double between = (points - out.gap) / rod.radius;
   if (!(between > least_between)) return std::nullopt;
   out.strength = std::min(1.0, (between - least_between) / (fully_between - least_between)) *
                  std::min(1.0, room / (full_room * rod.radius));
@@ -225,7 +231,8 @@ std::optional<TriangleTouch> SurfaceDetector::touch(std::uint32_t triangle, cons
 }
 
 std::optional<TriangleTouch> SurfaceDetector::near_corner(const Collider& collider, const Vec3& at,
-                                                          double margin, double depth) const {
+                                                          double margin, double depth,
+                                                          std::span<const Vec3> others) const {
   TriangleTouch out;
   SegmentTriangle nearest;
   nearest.distance = std::max(margin, depth);
@@ -259,10 +266,10 @@ std::optional<TriangleTouch> SurfaceDetector::near_corner(const Collider& collid
   out.normal = face || nearest.distance < least_apart ? Vec3(-side)
                                                       : Vec3((above ? -1 : 1) / nearest.distance * apart);
   if (!out.normal.allFinite() || out.gap > margin || out.gap < -depth) return std::nullopt;
-  double vertex = std::numeric_limits<double>::max();
-  for (const Vec3& v : x) vertex = std::min(vertex, distance_to(collider, v, margin).value);
+  const double points =
+      least_of_points(x, others, [&](const Vec3& p) { return distance_to(collider, p, margin).value; });
   const double edge = std::max({(x[1] - x[0]).norm(), (x[2] - x[1]).norm(), (x[0] - x[2]).norm()});
-  out.strength = std::min(1.0, (vertex - out.gap) / (fully_beside * edge));
+  out.strength = std::min(1.0, (points - out.gap) / (fully_beside * edge));
   if (!(out.strength > 0)) return std::nullopt;
   return out;
 }
@@ -280,7 +287,7 @@ std::vector<Rod> rods_of(const Collider& collider, double margin, const Vec3& lo
 bool SurfaceDetector::touches(const Collider& collider, double margin) const {
   bool found = false;
   near(collider, margin, [&](std::uint32_t, const Distance&) { found = true; });
-  if (!found) near_thin(collider, margin, {}, [&](const TriangleTouch&) { found = true; });
+  if (!found) near_thin(collider, margin, {}, {}, [&](const TriangleTouch&) { found = true; });
   return found;
 }
 
@@ -294,7 +301,7 @@ void take_nearer(const Collider& collider, std::size_t i, const Vec3& local, dou
   const double reach = part.half.x() + part.half.y() + part.half.z() + margin;  // no less than the radius
   if (primitive && (local - pose.p).squaredNorm() > reach * reach) return;
   const Distance d = (*collider.distances)[i]->at(pose.q.conjugate() * (local - pose.p));
-  if (d.value < best.value) best = {d.value, collider.pose.q * (pose.q * d.normal)};
+  if (d.value < best.value) best = {d.value, collider.pose.q * (pose.q * d.normal), d.curvature};
 }
 
 }  // namespace

@@ -83,17 +83,28 @@ class SurfaceDetector {
   /// the closest part.
   template <class F>
   void near(const Collider& collider, double margin, const F& f) const;
-  /// Calls back, in a fixed order, for what vertices alone would let slip between them. These are points
-  /// inside faces and edges that come at most `margin` near a sphere, capsule or cylinder of the collider,
-  /// and clearly deeper than the face's corners do. Per triangle it is the deepest part. On a two-sided
-  /// surface it is on the side that is known, else on the nearer one.
+  /// Calls back, in a fixed order, for what contacts at points alone would let slip between them. These are
+  /// points inside faces and edges that come at most `margin` near a sphere, capsule or cylinder of the
+  /// collider. They are clearly deeper than the face's corners, and than `others`: points of it, by their
+  /// corners' weights, that are contacts too. Per triangle it is the deepest part. On a two-sided surface it
+  /// is on the side that is known, else on the nearer one.
   template <class F>
-  void near_thin(const Collider& collider, double margin, const KnownSide& known, const F& f) const;
-  /// Returns where a corner of a box of the collider, `at` in the room, is nearest to a face or an edge. It
-  /// is at most `margin` off or `depth` inside, and clearly deeper than the face's corners are in the
-  /// collider: what vertices alone would let sink between them.
+  void near_thin(const Collider& collider, double margin, const KnownSide& known,
+                 std::span<const Vec3> others, const F& f) const;
+  /// Calls back, in a fixed order, for every triangle whose box, grown by `margin`, meets the collider's.
+  template <class F>
+  void near_triangles(const Collider& collider, double margin, const F& f) const;
+  /// Returns where a corner of a box of the collider, `at` in the room, is nearest to a face or an edge: at
+  /// most `margin` off or `depth` inside. It is clearly deeper than the face's corners and `others`, as
+  /// above, are in the collider: what they alone would let sink between them.
   std::optional<TriangleTouch> near_corner(const Collider& collider, const Vec3& at, double margin,
-                                           double depth) const;
+                                           double depth, std::span<const Vec3> others) const;
+  /// Returns the places of a triangle's corners, m.
+  std::array<Vec3, 3> corners(std::uint32_t triangle) const;
+  /// Returns the direction out of the tissue on the triangle, unit.
+  Vec3 outward(std::uint32_t triangle) const;
+  /// Returns the length of the triangle's most stretched edge over its length at rest.
+  double stretch(std::uint32_t triangle) const;
   /// Returns the triangle across each of its edges, or itself.
   const std::array<std::uint32_t, 3>& neighbours(std::uint32_t triangle) const {
     return neighbours_[triangle];
@@ -128,15 +139,12 @@ class SurfaceDetector {
   void in_chunks(const Vec3& lo, const Vec3& hi, const F& f) const;
   void fit_chunks();
   std::array<std::uint32_t, 3> neighbours_of(std::uint32_t triangle) const;
-  std::array<Vec3, 3> corners(std::uint32_t triangle) const;
-  Vec3 outward(std::uint32_t triangle) const;
-  double stretch(std::uint32_t triangle) const;
   /// Returns the radius of the largest ball that passes between the corners of a right-angled triangle with
   /// that longest edge (m², squared), m.
   static double gauge(double longest) { return std::sqrt(longest) / 2; }
   /// Returns what of the triangle touches the rod, if that is for this triangle to say.
   std::optional<TriangleTouch> touch(std::uint32_t triangle, const Rod& rod, double margin,
-                                     const KnownSide& known) const;
+                                     const KnownSide& known, std::span<const Vec3> others) const;
 
   const SparseMap* embedding_;
   const TriangleMesh* rest_;
@@ -194,7 +202,7 @@ inline bool boxes_overlap(const Vec3& lo, const Vec3& hi, const Vec3& other_lo, 
 
 template <class F>
 void SurfaceDetector::near_thin(const Collider& collider, double margin, const KnownSide& known,
-                                const F& f) const {
+                                std::span<const Vec3> others, const F& f) const {
   const Vec3 grow = Vec3::Constant(margin);
   if (!boxes_overlap(collider.lo - grow, collider.hi + grow, lo_, hi_)) return;
   const std::vector<Rod> rods = rods_of(collider, margin, lo_, hi_);
@@ -209,10 +217,24 @@ void SurfaceDetector::near_thin(const Collider& collider, double margin, const K
       if (gauge(longest_[triangle_order_[i]]) <= thinnest) continue;
       std::optional<TriangleTouch> deepest;
       for (const Rod& rod : rods)
-        if (const auto found = touch(triangle_order_[i], rod, margin, known);
+        if (const auto found = touch(triangle_order_[i], rod, margin, known, others);
             found && (!deepest || found->gap < deepest->gap))
           deepest = found;
       if (deepest) f(*deepest);
+    }
+  }
+}
+
+template <class F>
+void SurfaceDetector::near_triangles(const Collider& collider, double margin, const F& f) const {
+  const Vec3 lo = collider.lo.array() - margin, hi = collider.hi.array() + margin;
+  if (!boxes_overlap(lo, hi, lo_, hi_)) return;
+  for (std::size_t c = 0; c < triangle_chunks_.size(); ++c) {
+    if (!boxes_overlap(lo, hi, triangle_chunks_[c].lo, triangle_chunks_[c].hi)) continue;
+    for (std::size_t i = c * chunk_triangles; i < triangle_chunk_end(c); ++i) {
+      const auto x = corners(triangle_order_[i]);
+      if (boxes_overlap(lo, hi, x[0].cwiseMin(x[1]).cwiseMin(x[2]), x[0].cwiseMax(x[1]).cwiseMax(x[2])))
+        f(triangle_order_[i]);
     }
   }
 }

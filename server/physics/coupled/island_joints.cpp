@@ -139,7 +139,7 @@ void IslandJoints::work(const VecX& start, const VecX& q, std::vector<double>& w
 double IslandJoints::normal_force(std::size_t c, const VecX& q) const {
   const Contact& contact = island_->contacts[c];
   const double gap = contact.gap + contact.normal.dot(displacement(contacts_[c], q));
-  return contact.stiffness * std::max(0.0, -gap);
+  return std::max(0.0, -EvenSpring{contact.stiffness, contact.spread}.slope(gap));
 }
 
 double IslandJoints::load_of_friction(std::size_t c, const VecX& q) const {
@@ -223,23 +223,25 @@ void IslandJoints::tell_contacts(const VecX& q, bool all_held) const {
 
 double IslandJoints::contact_energy(std::size_t c, const Vec3& u) const {
   const Contact& contact = island_->contacts[c];
-  const double along = contact.normal.dot(u), gap = std::min(0.0, contact.gap + along);
+  const double along = contact.normal.dot(u);
   const double slip = (u - along * contact.normal + contacts_[c].held).norm();
-  return contact.stiffness * gap * gap / 2 + lagged_[c] * FrictionNorm{contacts_[c].threshold}.energy(slip);
+  return EvenSpring{contact.stiffness, contact.spread}.energy(contact.gap + along) +
+         lagged_[c] * FrictionNorm{contacts_[c].threshold}.energy(slip);
 }
 
 Vec3 IslandJoints::contact_force(std::size_t c, const Vec3& u, Mat3* D) const {
   const Contact& contact = island_->contacts[c];
   const Vec3& n = contact.normal;
-  const double along = n.dot(u), gap = std::min(0.0, contact.gap + along);
+  const double along = n.dot(u), gap = contact.gap + along;
+  const EvenSpring area{contact.stiffness, contact.spread};
   const Vec3 slip = u - along * n + contacts_[c].held;
   const double drag =
       lagged_[c] > 0 ? lagged_[c] * FrictionNorm{contacts_[c].threshold}.secant(slip.norm()) : 0;
   if (D) {
     const Mat3 nn = n * n.transpose();
-    *D = (gap < 0 ? contact.stiffness : 0.0) * nn + drag * (Mat3::Identity() - nn);
+    *D = area.stiffness(gap) * nn + drag * (Mat3::Identity() - nn);
   }
-  return contact.stiffness * gap * n + drag * slip;
+  return area.slope(gap) * n + drag * slip;
 }
 
 }  // namespace prosector

@@ -1,0 +1,120 @@
+#include "server/physics/contact/surface_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "server/physics/soft/elements/edge_nodes.h"
+#include "server/physics/soft/mesh_follower.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t corners_of_tet = 4;
+
+ContactSide side_of_body(const Tissue& tissue) {
+  ContactSide out;
+  out.kind = ContactSide::Kind::soft;
+  out.body = tissue.index;
+  return out;
+}
+
+/// Adds `share` of a row, told by the elements' corners: a node on an edge is the mean of its ends.
+void add_corners(const SparseMap::Row& row, double share, const EdgeNodes& edges, ContactSide& out) {
+  for (std::size_t k = 0; k < row.node.size(); ++k) {
+    if (row.weight[k] == 0) continue;
+    if (row.node[k] < edges.vertices()) {
+      out.add({{row.node[k]}, {row.weight[k]}}, share);
+      continue;
+    }
+    const auto [a, b] = edges.ends(row.node[k]);
+    out.add({{a, b}, {row.weight[k] / 2, row.weight[k] / 2}}, share);
+  }
+}
+
+/// Makes a point of a tetrahedron, given by its corners, one of its quadratic functions. Returns false, and
+/// makes nothing, where the corners are not of one tetrahedron.
+bool add_quadratic(const ContactSide& corners, const EdgeNodes& edges, ContactSide& out) {
+  if (corners.nodes > corners_of_tet) return false;
+  ContactSide made = out;
+  const auto put = [&](std::uint32_t node, double weight) {
+    made.node[made.nodes] = node;
+    made.weight[made.nodes++] = weight;
+  };
+  for (std::size_t a = 0; a < corners.nodes; ++a) {
+    const double of_a = corners.weight[a];
+    put(corners.node[a], of_a * (2 * of_a - 1));
+    for (std::size_t b = 0; b < a; ++b) {
+      const std::uint32_t middle = edges.find(corners.node[a], corners.node[b]);
+      if (middle == EdgeNodes::none) return false;
+      put(middle, 4 * of_a * corners.weight[b]);
+    }
+  }
+  out = made;
+  return true;
+}
+
+/// Returns the point of surface vertices with these weights.
+ContactSide point_of(const Tissue& tissue, const std::array<std::uint32_t, 3>& vertices,
+                     const Vec3& weights) {
+  const SparseMap& embedding = tissue.anatomy().embedding;
+  ContactSide out = side_of_body(tissue);
+  const EdgeNodes* edges = tissue.solver->follower().edge_nodes();
+  const auto for_vertices = [&](const auto& f) {
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+      if (const double share = weights[static_cast<Eigen::Index>(k)]; share != 0)
+        f(embedding.rows[vertices[k]], share);
+  };
+  if (edges) {
+    ContactSide corners;
+    bool few = true;
+    for_vertices([&](const SparseMap::Row& row, double share) {
+      few = few && corners.nodes <= corners_of_tet;
+      if (few) add_corners(row, share, *edges, corners);
+    });
+    if (few && add_quadratic(corners, *edges, out)) return out;
+  }
+  for_vertices([&](const SparseMap::Row& row, double share) { out.add(row, share); });
+  return out;
+}
+
+}  // namespace
+
+ContactSide surface_side(const Tissue& tissue, std::uint32_t triangle, const Vec3& weights) {
+  return point_of(tissue, tissue.anatomy().surface.triangles[triangle], weights);
+}
+
+ContactSide surface_side(const Tissue& tissue, std::uint32_t vertex) {
+  return point_of(tissue, {vertex, vertex, vertex}, Vec3::UnitX());
+}
+
+double element_size(const Tissue& tissue, std::uint32_t triangle) {
+  const Anatomy& anatomy = tissue.anatomy();
+  const EdgeNodes* edges = tissue.solver->follower().edge_nodes();
+  std::array<std::uint32_t, 3 * ContactSide::most_nodes> corner{};
+  std::size_t corners = 0;
+  for (const std::uint32_t vertex : anatomy.surface.triangles[triangle]) {
+    const SparseMap::Row& row = anatomy.embedding.rows[vertex];
+    for (std::size_t k = 0; k < row.node.size(); ++k) {
+      if (row.weight[k] == 0) continue;
+      if (!edges || row.node[k] < edges->vertices())
+        corner[corners++] = row.node[k];
+      else
+        for (const std::uint32_t end : edges->ends(row.node[k])) corner[corners++] = end;
+    }
+  }
+  double longest = 0;
+  for (std::size_t a = 0; a < corners; ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      longest = std::max(
+          longest, (anatomy.tets.positions[corner[a]] - anatomy.tets.positions[corner[b]]).squaredNorm());
+  return std::sqrt(longest / 2);
+}
+
+Vec3 place_of(const ContactSide& side, const Tissue& tissue) {
+  Vec3 at = Vec3::Zero();
+  for (std::size_t k = 0; k < side.nodes; ++k)
+    at += side.weight[k] * tissue.state.motion.x.segment<3>(3 * static_cast<Eigen::Index>(side.node[k]));
+  return at;
+}
+
+}  // namespace prosector
