@@ -135,7 +135,8 @@ void Connection::run(std::stop_token stop) {
         if (r.writer == followed) on_received_(r);
     std::lock_guard lock(mutex_);
     for (const CommandResult* answer : apply(received))
-      if (!answer->accepted) refusals_.push_back(answer->reason);
+      if (!answer->accepted)
+        words_.push_back((answer->sequence == 0 ? "" : "the server refused: ") + answer->reason);
   }
 }
 
@@ -174,9 +175,9 @@ void Connection::command(Command command) {
   bus_->publish(command);
 }
 
-std::vector<std::string> Connection::take_refusals() {
+std::vector<std::string> Connection::take_words() {
   std::lock_guard lock(mutex_);
-  return std::exchange(refusals_, {});
+  return std::exchange(words_, {});
 }
 
 }  // namespace prosector

@@ -50,15 +50,16 @@ class Connection {
   void command(CommandKind kind, std::size_t hand);
   void command(Command command);  // participant and sequence are filled in
   BusCounters counters() const { return bus_->counters(); }
-  /// Returns why commands were refused since the last call, for people, in order.
-  std::vector<std::string> take_refusals();
+  /// Returns what the server told this user since the last call, for people, in order: why commands were
+  /// refused, and what a hand lost.
+  std::vector<std::string> take_words();
 
  private:
   std::unique_ptr<Bus> bus_;
   Presence presence_;
   std::mutex mutex_;
   ServerChoice servers_;
-  std::vector<std::string> refusals_;
+  std::vector<std::string> words_;
   std::atomic<std::uint64_t> command_sequence_ = 0;
   std::function<void(const Received&)> on_received_;
   std::jthread thread_;

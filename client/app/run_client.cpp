@@ -119,7 +119,7 @@ class Client {
       server_gone_ = gone;
       inform(gone ? "the server is gone; waiting for it to come back" : "the server is back");
     }
-    for (const std::string& refusal : connection_.take_refusals()) inform("the server refused: " + refusal);
+    for (const std::string& words : connection_.take_words()) inform(words);
     for (const std::string& news : connection_.with_replica([&](const Replica& replica) {
            return happenings_.look(replica, seconds_since(report_.joined_ns));
          }))

@@ -74,7 +74,7 @@ void step(State& s, StepBuffers& b, const TickInput& input, StepReport& report) 
   unfold_tangles(s, b.islands, b.contacts.found(), b.h, report);
   fall_asleep(s, b.islands, !input.drives.empty());
   bring_back_lost(s, b.islands, report);
-  tend_holds(s, b.islands, report);
+  tend_holds(s, b.islands, b.h, report);
   break_bones(s, b.islands, b.colliders, b.h, report);
   if (s.panels) work_panels(s, describe_hands(s, b.islands, b.colliders, b.h), report);
   clock.end(Phase::constraints);

@@ -407,7 +407,10 @@ void Session::consume_seat(ParticipantId id, Seat& seat, ConsumedInput& out) {
   }
   seat.fresh = false;
   for (const HandEvent& e : seat.asked)
-    if (e.kind == HandEvent::Kind::reset_body || seat.hands[e.hand].present) out.input.events.push_back(e);
+    if (e.kind == HandEvent::Kind::reset_body || seat.hands[e.hand].present) {
+      out.input.events.push_back(e);
+      if (e.kind == HandEvent::Kind::release) seat.opens[e.hand] = true;
+    }
   seat.asked.clear();
   for (const Command& c : seat.parts) {
     out.input.parts.push_back({*part_kind(c.kind), id, c.body, c.shape, c.value});
@@ -446,8 +449,10 @@ void Session::finish_tick(std::span<const HandState> hands, const StepReport& re
   }
   cutting_.clear();
   for (const LetGo& let_go : report.let_go)
-    if (Participant* member = roster_.find(let_go.participant); member != nullptr)
+    if (Participant* member = roster_.find(let_go.participant); member != nullptr) {
       events_.push_back({SessionEvent::Kind::let_go, let_go.participant, member->presence.name, let_go.why});
+      tell_of_loss(let_go);
+    }
   for (auto& [id, seat] : seats_) {
     for (const Command& grasp : seat.grasps) {
       const bool holds = std::any_of(hands.begin(), hands.end(), [&](const HandState& h) {
@@ -458,7 +463,16 @@ void Session::finish_tick(std::span<const HandState> hands, const StepReport& re
       answer(grasp, holds || carries ? Refusal() : "nothing within reach");
     }
     seat.grasps.clear();
+    seat.opens = {};
   }
+}
+
+/// Tells the user that the hand lost what it held, unless it was asked to let go or is gone.
+void Session::tell_of_loss(const LetGo& let_go) {
+  const Seat& seat = seats_.at(let_go.participant);
+  if (seat.opens[let_go.hand] || !seat.hands[let_go.hand].present) return;
+  if (outgoing_.size() >= max_outgoing) return drop("let go: too many to tell");
+  outgoing_.push_back({CommandResult{let_go.participant, 0, false, "your hand let go: " + let_go.why}});
 }
 
 void Session::vanish(std::span<const HandState> hands) {

@@ -119,6 +119,7 @@ class Session {
     bool fresh = false;
     std::array<Hand, 2> hands;
     std::vector<HandEvent> asked;  // by its commands since the last tick
+    std::array<bool, 2> opens{};   // hands that were asked to let go in this tick
     std::vector<Command> grasps;   // waiting for the step
     std::vector<Command> parts;    // waiting for the step
     std::vector<Command> cuts;     // waiting for the step: undo, rewind
@@ -174,6 +175,7 @@ class Session {
   Visitor* visitor(ParticipantId id, std::uint64_t writer, const char* what);
   void forget_visitors();
   void answer(const Command& command, const Refusal& refusal);
+  void tell_of_loss(const LetGo& let_go);
   void drop(const char* reason);
 };
 

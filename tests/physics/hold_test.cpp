@@ -104,6 +104,27 @@ TEST(Hold, TearsAtTheScenesForce) {
   }
 }
 
+// A client that stalled sends a hand from one pose to quite another: its ends go along arcs, and the hold
+// must not take for a pull what these differ by from straight ways.
+TEST(Hold, ASwiftTurnDoesNotTearALightToolAway) {
+  SceneDesc scene;
+  scene.gravity = Vec3::Zero();
+  scene.rigid = {part_body("knife", "box", {0.27, 0.004, 0.014}, {0.1, 0, 0}, 3000)};
+  Simulation simulation(scene, options());
+  const Vec3 place(0, 0.034, 0.045);
+  simulation.step(at({{1, place}}, HandEvent::Kind::appear));
+  simulation.step(at({{1, place}}, HandEvent::Kind::grasp));
+  ASSERT_TRUE(simulation.hands()[0].holding);
+  run(simulation, 30, at({{1, place}}));
+  for (const double angle : {2.5, -0.5, 2.0}) {
+    TickInput turned = at({{1, place}});
+    turned.targets[0].target.q = Eigen::AngleAxisd(angle, Vec3(1, 2, 0.5).normalized());
+    for (int i = 0; i < 40; ++i)
+      for (const LetGo& let_go : simulation.step(turned).let_go) ADD_FAILURE() << let_go.why;
+  }
+  EXPECT_TRUE(simulation.hands()[0].holding);
+}
+
 TEST(Hold, SettingDownLetsGoAndHoldingOnInTheAirDoesNot) {
   SceneDesc scene;
   scene.rigid = {table(), part_body("rod", "box", {0.2, 0.012, 0.012}, {0, 0.006, 0}, 4000)};

@@ -489,6 +489,27 @@ TEST(Session, CommandsAreAnsweredAndChecked) {
   EXPECT_TRUE(ask(third_hand).empty());
 }
 
+TEST(Session, WhoseHandLosesWhatItHeldIsToldAndWhoLetsGoIsNot) {
+  for (const bool asked : {true, false}) {
+    Room room;
+    room.join(presence(1, "ada"), 1);
+    room.feed({from(1, input(1, 1))});
+    std::vector<Received> received;
+    if (asked) received.push_back(from(1, command(1, CommandKind::release, 2)));
+    room.session.consume(received, ++room.tick);
+    StepReport report;
+    report.let_go.push_back({1, right_hand, 2, "knife was torn away by 80 N"});
+    room.session.finish_tick({}, report);
+    room.results.clear();
+    room.feed({});
+    std::vector<std::string> told;
+    for (const CommandResult& result : room.results)
+      if (result.sequence == 0) told.push_back(result.reason);
+    EXPECT_EQ(told.size(), asked ? 0U : 1U);
+    for (const std::string& words : told) EXPECT_EQ(words, "your hand let go: knife was torn away by 80 N");
+  }
+}
+
 TEST(Session, AFloodOfStrangersIsCountedAndBounded) {
   Room room;
   std::vector<Received> flood;

@@ -60,6 +60,30 @@ bool was_set_down(const Bodies& bodies, std::span<const Hand> hands, std::span<c
   return hold.resting_ticks * bodies.model.h >= resting_seconds;
 }
 
+/// Returns how far beside the straight way that was solved for a point of the body got in its last part of a
+/// tick, m: it went along an arc.
+Vec3 off_the_straight(const RigidMotion& motion, const Vec3& at, double h) {
+  const Vec3 turned = h * motion.angular_velocity;
+  const Vec3 arm = at - motion.pose.p;
+  const double angle = turned.norm();
+  if (!(angle > 0)) return Vec3::Zero();
+  const Vec3 arm_before = Eigen::AngleAxisd(-angle, turned / angle) * arm;
+  return arm - (arm_before + turned.cross(arm_before));
+}
+
+/// Returns the force with which the hold pulled in the last part of a tick, N. What a swift turn opens
+/// between hand and thing, whose points go along arcs about different centres, is no pull.
+Vec3 pull_of(const Bodies& bodies, const Hand& hand, double h) {
+  const bool tissue = bodies.is_soft(hand.hold->body);
+  Vec3 sum = Vec3::Zero();
+  for (HeldPoint p : held_points(bodies, hand)) {
+    p.at_hand -= off_the_straight(bodies.rigid.motion(hand.slot), p.at_hand, h);
+    if (!tissue) p.at_body -= off_the_straight(bodies.rigid.motion(hand.hold->body), p.at_body, h);
+    sum += p.force();
+  }
+  return sum;
+}
+
 }  // namespace
 
 Vec3 HeldPoint::force() const {
@@ -88,12 +112,12 @@ Vec3 hold_force(const Bodies& bodies, const Hand& hand) {
   return sum;
 }
 
-void tend_holds(State& state, std::span<const Island> islands, StepReport& report) {
+void tend_holds(State& state, std::span<const Island> islands, double h, StepReport& report) {
   Bodies& bodies = state.bodies;
   for (Hand& hand : state.hands) {
     if (!hand.hold) continue;
     bodies.lost.erase(hand.hold->body);
-    const Vec3 force = hold_force(bodies, hand);
+    const Vec3 force = pull_of(bodies, hand, h);
     if (force.norm() > bodies.model.scene.hand.tear_force)
       release(bodies, hand,
               fmt::format("{} was torn away by {:.0f} N", bodies.name_of(hand.hold->body), force.norm()),

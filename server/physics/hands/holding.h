@@ -21,8 +21,9 @@ std::vector<HeldPoint> held_points(const Bodies& bodies, const Hand& hand);
 /// Returns the force of the hold on what is held, N.
 Vec3 hold_force(const Bodies& bodies, const Hand& hand);
 
-/// Makes hands let go, after a tick, of what was torn from them or set down. `islands`: of that tick.
-void tend_holds(State& state, std::span<const Island> islands, StepReport& report);
+/// Makes hands let go, after a tick, of what was torn from them or set down. `islands`: of that tick; `h`: s,
+/// of its last part.
+void tend_holds(State& state, std::span<const Island> islands, double h, StepReport& report);
 
 /// Lets hands go on holding what is nearest to where they held it, where a cut changed these bodies (soft
 /// ones, ascending).

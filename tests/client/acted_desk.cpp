@@ -1,0 +1,205 @@
+#include "tests/client/acted_desk.h"
+
+#include <algorithm>
+
+#include "client/view/held_things.h"
+#include "common/grasp.h"
+
+namespace prosector::test {
+namespace {
+
+const Vec3 eye(-0.05, 1.55, 0);  // m: below the lamp, looks down, with the picture's right along x
+const Quat gaze(Eigen::AngleAxisd(-1.5707963, Vec3::UnitX()));
+constexpr double farthest_surface = 4;  // m
+constexpr double first_reach = 0.3;     // m: over all that lies on the table
+constexpr std::int64_t send_ms = 16, stall_every_ms = 1000;
+
+BusConfig config(BusEnd end) {
+  BusConfig out;
+  out.end = end;
+  return out;
+}
+
+LocalNetworkConfig network(const Haste& haste) {
+  LocalNetworkConfig out;
+  out.delay = std::chrono::milliseconds(haste.delay_ms);
+  out.jitter = std::chrono::milliseconds(haste.delay_ms / 2);
+  return out;
+}
+
+}  // namespace
+
+ActedDesk::ActedDesk(Simulation& simulation, const Haste& haste)
+    : haste_(haste),
+      network_(network(haste)),
+      server_bus_(network_.join(config(BusEnd::server))),
+      bus_(network_.join(config(BusEnd::dissector))),
+      loop_(simulation, *server_bus_, "prosector", nullptr,
+            [this](const std::string& line) { log_.push_back(line); },
+            {{}, [this] { return network_.now_ns(); }}),
+      simulation_(simulation) {
+  next_stall_ = stall_every_ms;
+  Presence presence;
+  presence.participant = self_;
+  presence.name = "mouse";
+  presence.role = Role::host;
+  bus_->publish(presence);
+  command(CommandKind::join);
+  wait(0.3);
+}
+
+void ActedDesk::wait(double seconds) {
+  for (int k = 0; k < static_cast<int>(1e3 * seconds); ++k) millisecond();
+}
+
+void ActedDesk::draw(const Vec3& from, const Vec3& to, double seconds) {
+  const int steps = std::max(1, static_cast<int>(seconds / 0.1));  // as the end-to-end test does
+  for (int k = 1; k <= steps; ++k) {
+    point_at(from + (to - from) * k / steps);
+    wait(0.1);
+  }
+}
+
+bool ActedDesk::holds(BodyId body) const {
+  const auto hands = simulation_.hands();
+  return std::ranges::any_of(hands, [&](const HandState& hand) { return hand.holding == body; });
+}
+
+bool ActedDesk::waits_until_held(BodyId body, bool held, double seconds) {
+  for (double t = 0; t < seconds && holds(body) != held; t += 0.05) wait(0.05);
+  return holds(body) == held;
+}
+
+void ActedDesk::millisecond() {
+  if (ms_ >= next_tick_) {
+    loop_.tick();
+    loop_.publisher().flush();
+    next_tick_ = ms_ + haste_.tick_ms;
+  }
+  take();
+  if (ms_ >= next_picture_ && replica_.complete()) {
+    picture();
+    next_picture_ = ms_ + haste_.picture_ms;
+    if (haste_.stall_ms > 0 && ms_ >= next_stall_) {
+      next_picture_ = ms_ + haste_.stall_ms;
+      next_stall_ = ms_ + stall_every_ms;
+    }
+  }
+  if (ms_ >= next_send_ && last_picture_ > 0) {
+    send_hand();
+    next_send_ = ms_ + send_ms;
+  }
+  ++ms_;
+  network_.advance(std::chrono::milliseconds(1));
+}
+
+void ActedDesk::take() {
+  std::vector<Received> received;
+  bus_->take(received);
+  for (const Received& r : received) {
+    if (const auto* result = std::get_if<CommandResult>(&r.message); result && !result->accepted)
+      told_.push_back(result->reason);
+    replica_.apply(r);
+  }
+}
+
+HandGuide ActedDesk::guide(double tick) {
+  HandGuide out;
+  const HandRef own{self_, right_hand};
+  const auto surface = [this, held = held_by(replica_, own)](const Ray& ray) {
+    return view_.surface_at(ray, held);
+  };
+  out.pointer = {eye, (pointed_ - eye).normalized()};
+  out.back = gaze * Vec3::UnitZ();
+  out.pitch = 1.5;
+  out.right = gaze * Vec3::UnitX();
+  const auto point = surface(out.pointer);
+  if (point && point->distance < farthest_surface) {
+    out.surface = point->distance;
+    out.soft = replica_.soft(point->body) != nullptr;
+    out.level = point->normal.y();
+    const RigidReplica* rigid = replica_.rigid(point->body);
+    out.at_blade = rigid != nullptr && !rigid->edges.empty();
+  }
+  if (asked_for_) pressed_at_ = point ? std::optional(point->body) : std::nullopt;
+  asked_for_ = false;
+  out.gap = [surface](const Vec3& place) -> std::optional<double> {
+    const Vec3 way = place - eye;
+    const auto behind = surface({eye, way.normalized()});
+    return behind ? std::optional(behind->distance - way.norm()) : std::nullopt;
+  };
+  const auto user = replica_.user(self_, tick);
+  if (user && user->hands[right_hand].tracked) out.physical = user->hands[right_hand].pose;
+  out.tip = instrument_tip(replica_, own, tick);
+  out.blade = held_blade(replica_, own, tick);
+  if (point && out.soft) out.tissue = point;
+  out.find = [surface](const Ray& ray, std::optional<BodyId> only) -> std::optional<Picked> {
+    const auto met = surface(ray);
+    return met && (!only || met->body == *only) ? met : std::nullopt;
+  };
+  return out;
+}
+
+void ActedDesk::picture() {
+  const double tick = replica_.advance(network_.now_ns());
+  LocalUser user;
+  user.participant = self_;
+  user.present = true;
+  user.at_desk = true;
+  ViewSettings settings;
+  settings.overlay = false;
+  settings.eye = Pose{eye, gaze};
+  view_.build(replica_, tick, user, settings);
+  gauge_.look(replica_, 1e-3 * static_cast<double>(ms_));
+  for (const StrokeFigures& s : gauge_.take_ended()) strokes_.push_back(s);
+  const HandGuide now = guide(tick);
+  if (last_picture_ == 0) hand_.begin(now.pointer, first_reach);
+  hand_.advance(now, last_picture_ == 0 ? 0 : 1e-3 * static_cast<double>(ms_ - last_picture_));
+  last_picture_ = std::max<std::int64_t>(ms_, 1);
+  for (const HandWish wish : hand_.take_wishes()) {
+    Command c;
+    c.kind = wish == HandWish::grasp ? CommandKind::grasp : CommandKind::release;
+    c.hand = right_hand;
+    if (wish == HandWish::grasp && pressed_at_) {
+      c.body = *pressed_at_;
+      c.revision = grasps_body;
+    }
+    publish(c);
+  }
+}
+
+void ActedDesk::send_hand() {
+  HandInput input;
+  input.participant = self_;
+  input.sequence = ++sequence_;
+  input.time_ns = network_.now_ns();
+  input.head_tracked = true;
+  input.head = {eye, gaze};
+  HandPose& hand = input.hands[right_hand];
+  hand.tracked = true;
+  hand.pose = hand_.pose();
+  hand.flexion.fill(hand_.flexion());
+  hand.gesture = hand_.is_closed() ? Gesture::fist : Gesture::flat;
+  bus_->publish(input);
+}
+
+void ActedDesk::take_back() {
+  hand_.lift_blade();
+  for (int k = 0; k < 50 && hand_.draws(); ++k) wait(0.1);
+  command(CommandKind::undo);
+}
+
+void ActedDesk::command(CommandKind kind) {
+  Command c;
+  c.kind = kind;
+  c.hand = right_hand;
+  publish(c);
+}
+
+void ActedDesk::publish(Command c) {
+  c.participant = self_;
+  c.sequence = ++sequence_;
+  bus_->publish(c);
+}
+
+}  // namespace prosector::test
