@@ -22,7 +22,9 @@ constexpr double tool_speed = 0.4;                       // m/s, from the finger
 constexpr double fastest_closed = 0.8;                   // m/s: what is held isn't torn out of it
 constexpr double there = 0.005;                          // m
 constexpr double physical_there = 0.03;                  // m, of the physical hand, which rests on things
-constexpr double most_patience = 0.5;                    // s, for the physical hand
+constexpr double most_patience = 0.5;                    // s, for a physical hand that comes no nearer
+constexpr double longest_way = 3;                        // s, for one that does
+constexpr double comes_nearer = 1e-3;                    // m
 constexpr double least_seconds_in = 0.12;                // a click that is shorter grasps nothing
 constexpr double across = 0.7;  // rad between the gaze and the fingers: the hand comes from below the picture
 constexpr double lowest_lift = -0.6, highest_lift = 0.4;  // rad above level
@@ -76,6 +78,7 @@ void DeskHand::turn(double roll, double bend) {
 void DeskHand::press() {
   button_ = true;
   seconds_in_ = 0;
+  waiting_ = {};
   if (phase_ == Phase::grips && has_blade_)
     drawing_.press();
   else
@@ -126,7 +129,9 @@ void DeskHand::advance(const HandGuide& guide, double seconds) {
   const bool waits = has_blade_ && guide.physical && (guide.physical->p - pose().p).norm() > leash;
   if (waits) return;  // else the physical blade would take a shorter way than over tissue
   point_ += at_most(to - point_, (is_closed() ? fastest_closed : fastest_hand) * seconds);
-  if (phase_ == Phase::goes_in) grip_when_in(guide, to);
+  if (phase_ != Phase::goes_in) return;
+  if (guide.physical) waiting_.count((guide.physical->p - pose().p).norm(), seconds);
+  grip_when_in(guide, to);
 }
 
 /// Keeps whether a blade is in the hand, which stays there when the button goes up.
@@ -246,10 +251,19 @@ Vec3 DeskHand::drawn_along(const HandGuide& guide) {
   return anchor_;
 }
 
+/// Counts seconds in which the physical hand comes no nearer: on a busy machine its news are late.
+void DeskHand::Waiting::count(double distance, double passed) {
+  const bool nearer = distance < nearest - comes_nearer;
+  seconds = nearer ? 0 : seconds + passed;
+  nearest = std::min(nearest, distance);
+}
+
 void DeskHand::grip_when_in(const HandGuide& guide, const Vec3& to) {
   const bool in = (to - point_).norm() < there;
   const bool felt = guide.physical && (guide.physical->p - pose().p).norm() < physical_there;
-  if (seconds_in_ < least_seconds_in || !((in && felt) || seconds_in_ > most_patience)) return;
+  const double waited = guide.physical ? waiting_.seconds : seconds_in_;
+  const bool enough = waited > most_patience || seconds_in_ > longest_way;
+  if (seconds_in_ < least_seconds_in || !((in && felt) || enough)) return;
   phase_ = Phase::grips;
   wishes_.push_back(HandWish::grasp);
 }

@@ -3,6 +3,7 @@
 // closes the hand. What it holds is drawn along the picture, and an instrument hovers by its tip.
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -75,6 +76,13 @@ class DeskHand {
   std::optional<double> cut_depth() const;
 
  private:
+  /// How long the physical hand has been no nearer to where it is to grasp.
+  struct Waiting {
+    double seconds = 0;
+    double nearest = std::numeric_limits<double>::infinity();  // m, so far
+    void count(double distance, double passed);
+  };
+
   enum class Phase { hovers, goes_in, grips };
 
   Phase phase_ = Phase::hovers;
@@ -88,9 +96,10 @@ class DeskHand {
   double pull_ = 0;             // m along the ray, that is still to be done to the anchor
   double yaw_ = 0, lift_ = -0.5, roll_ = 0, bend_ = 0;  // rad; lift: of the fingers, before the bend
   double seconds_in_ = 0;                               // since the button went down
-  bool button_ = false;                                 // is down
-  double seconds_held_ = 0;                             // since the hand closed
-  bool takes_blade_ = false;                            // the button went down on one
+  Waiting waiting_;
+  bool button_ = false;           // is down
+  double seconds_held_ = 0;       // since the hand closed
+  bool takes_blade_ = false;      // the button went down on one
   bool asks_to_release_ = false;  // the button went up before it was known what the hand holds
   bool has_blade_ = false;
   double without_blade_ = 0;  // s since one was in the hand last

@@ -120,6 +120,21 @@ TEST_F(HandAtTheDesk, WaitsForThePhysicalHandButNotForEver) {
   EXPECT_EQ(hand.take_wishes().size(), 1u);
 }
 
+/// On a busy machine the physical hand's news are late: while it comes nearer, the hand doesn't close.
+TEST_F(HandAtTheDesk, WaitsLongerForAPhysicalHandThatIsOnItsWay) {
+  guide.surface = 1.0;
+  go_on(1);
+  hand.press();
+  for (double t = 0; t < 1.6; t += frame) {
+    const double behind = std::max(0.0, 0.2 - 0.1 * std::floor(t / 0.4) * 0.4);
+    guide.physical->p = hand.pose().p + Vec3(behind, 0, 0);
+    hand.advance(guide, frame);
+  }
+  EXPECT_TRUE(hand.take_wishes().empty());
+  go_on(0.1);
+  EXPECT_EQ(hand.take_wishes().size(), 1u) << "it is there";
+}
+
 TEST_F(HandAtTheDesk, WhatItHoldsIsDrawnParallelToThePictureAndPulledByTheWheel) {
   guide.surface = 1.0;
   go_on(1);
