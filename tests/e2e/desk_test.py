@@ -196,7 +196,8 @@ with Processes(OUT) as processes:
     act("mouseup", 1)
     time.sleep(0.5)
     commands = processes.leave(client, server)
-    assert commands["open_panel"]["granted"] == 1, commands
+    # By the key, then once a second while it was pointed at, so that it stays.
+    assert commands["open_panel"]["granted"] >= 1 and commands["open_panel"]["refused"] == 0, commands
     assert commands["set_control"]["granted"] >= 3, commands  # the button, and the slider on its way
     assert commands["set_control"]["refused"] == 0, commands
     assert commands["grasp"] == {"granted": 1, "refused": 1}, commands  # the organ; over nothing

@@ -31,6 +31,10 @@ struct Guest {
   ParticipantId id = 0;
   std::uint64_t sequence = 0;
   std::vector<CommandResult> results;
+  /// Returns the last answer to a command: results numbered 0 answer none.
+  const CommandResult& answer() const {
+    return *std::find_if(results.rbegin(), results.rend(), [](const auto& r) { return r.sequence > 0; });
+  }
 
   void greet(const std::string& name, Role role) {
     Presence p;

@@ -45,15 +45,14 @@ TEST_P(RewoundSession, EveryoneFollowsIntoTheNewEpochAndTheJournalRepeatsIt) {
 
     room.rewind(half);
     room.run(60);
-    EXPECT_TRUE(room.ada.results.back().accepted) << room.ada.results.back().reason;
+    EXPECT_TRUE(room.ada.answer().accepted) << room.ada.answer().reason;
     EXPECT_EQ(hosted.simulation.time().epoch, 1u);
     EXPECT_EQ(hosted.simulation.revision(cut_body), whole + 1);
     EXPECT_EQ(room.mesh(), half_mesh);
     room.rewind(whole + 40);
     room.run(10);
-    EXPECT_FALSE(room.ada.results.back().accepted);
-    EXPECT_NE(room.ada.results.back().reason.find("0 to"), std::string::npos)
-        << room.ada.results.back().reason;
+    EXPECT_FALSE(room.ada.answer().accepted);
+    EXPECT_NE(room.ada.answer().reason.find("0 to"), std::string::npos) << room.ada.answer().reason;
     room.rewind(0);
     room.run(10);
     EXPECT_EQ(room.mesh(), uncut);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "server/physics/parallel.h"
@@ -37,19 +36,24 @@ constexpr double rounding = 1e-12;          // of |E|: what a sum of this size c
 /// Tells whether rigid bodies bear each other on tissue. Those count that nothing pulls, and that tissue
 /// moves, be it through others: a hand is where it is pulled to, and what it pushes aside tissue doesn't know
 /// of.
-bool borne_by_tissue(const Island& island) {
-  std::map<std::size_t, bool> on_tissue;  // of bodies that nothing pulls, by slot
+bool borne_by_tissue(const Island& island, std::vector<BorneBody>& bodies) {
+  bodies.clear();
   for (const RigidMember& m : island.rigid)
-    if (!m.pull) on_tissue[m.slot] = false;
+    if (!m.pull) bodies.push_back({m.slot, false});
+  std::sort(bodies.begin(), bodies.end(), [](const auto& a, const auto& b) { return a.slot < b.slot; });
   const auto find = [&](const ContactSide& side) {
-    return side.kind == ContactSide::Kind::rigid ? on_tissue.find(side.body) : on_tissue.end();
+    if (side.kind != ContactSide::Kind::rigid) return bodies.end();
+    const auto at =
+        std::lower_bound(bodies.begin(), bodies.end(), side.body,
+                         [](const BorneBody& body, std::size_t slot) { return body.slot < slot; });
+    return at != bodies.end() && at->slot == side.body ? at : bodies.end();
   };
-  bool more = !on_tissue.empty();
+  bool more = !bodies.empty();
   const auto spread = [&](const ContactSide& from, const ContactSide& to) {
     const auto giver = find(from), taker = find(to);
-    if (taker == on_tissue.end() || taker->second) return;
-    if (from.kind == ContactSide::Kind::soft || (giver != on_tissue.end() && giver->second))
-      taker->second = more = true;
+    if (taker == bodies.end() || taker->on_tissue) return;
+    if (from.kind == ContactSide::Kind::soft || (giver != bodies.end() && giver->on_tissue))
+      taker->on_tissue = more = true;
   };
   const auto spread_both = [&](const auto& joint) {
     spread(joint.a, joint.b);
@@ -61,7 +65,7 @@ bool borne_by_tissue(const Island& island) {
   }
   const auto borne = [&](const ContactSide& side) {
     const auto known = find(side);
-    return known != on_tissue.end() && known->second;
+    return known != bodies.end() && known->on_tissue;
   };
   return std::any_of(island.contacts.begin(), island.contacts.end(), [&](const Contact& c) {
     return c.a.kind != ContactSide::Kind::soft && (borne(c.a) || borne(c.b));
@@ -72,8 +76,8 @@ bool borne_by_tissue(const Island& island) {
 /// a tighter solve of the first of several linearisations would gain, the next one changes again. It stays
 /// tight where rigid bodies bear each other: errors there are pushes, and light bodies under heavy ones
 /// drift.
-double linear_tolerance(const Island& island, double tolerance) {
-  const bool borne = island.soft.empty() ? !island.contacts.empty() : borne_by_tissue(island);
+double linear_tolerance(const Island& island, double tolerance, std::vector<BorneBody>& bodies) {
+  const bool borne = island.soft.empty() ? !island.contacts.empty() : borne_by_tissue(island, bodies);
   return borne ? tolerance : std::sqrt(tolerance);
 }
 
@@ -295,7 +299,7 @@ void IslandSolver::keep_momentum(const Island& island, double h) {
 
 /// Makes one attempt at the tick. work_: J, by joints on each soft member.
 IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double h, const Vec3& gravity) {
-  const double tolerance = linear_tolerance(island, limits.settings.tolerance);
+  const double tolerance = linear_tolerance(island, limits.settings.tolerance, bodies_);
   int stages = 1;
   for (const SoftMember& m : island.soft) stages = std::max(stages, stages_of(m));
   IslandReport report;

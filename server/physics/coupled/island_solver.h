@@ -9,6 +9,12 @@
 
 namespace prosector {
 
+/// A rigid body that nothing pulls, and whether tissue bears it, be it through others.
+struct BorneBody {
+  std::size_t slot;
+  bool on_tissue;
+};
+
 /// Keeps what ticks work in, so that the same island's next tick allocates nothing; nothing of it is state.
 class IslandSolver {
  public:
@@ -49,6 +55,7 @@ class IslandSolver {
   VecX start_, q_, g_, step_, next_;                              // as the system's unknowns
   VecX right_, solved_;                                           // condensed
   std::vector<double> work_;                                      // J, by joints, on each soft member
+  std::vector<BorneBody> bodies_;                                 // by slot
   double stored_ = 0;  // J: in tissue and joints when the tick ends
 };
 
