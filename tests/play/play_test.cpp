@@ -32,8 +32,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, testing::Values("touch", "cut"),
 
 /// A seed that random play found. A kidney that the liver pressed onto the table kept 0.47 of its volume,
 /// because that was taken for a press between rigid things.
-/// Since hands keep light tools in swift turns, its play goes another way, without a reset. The next seed's
-/// comes to one.
+/// That seed was 920009. Since hands keep light tools in swift turns and islands are solved less tightly, its
+/// play goes another way, without a reset; this one comes to three.
 TEST(Found, KidneyUnderTheLiverIsItselfAgain) {
   if (find_in_data("liver.inr.gz").empty())
     GTEST_SKIP() << "liver.inr.gz is not below " << default_data_dir();
@@ -45,7 +45,7 @@ TEST(Found, KidneyUnderTheLiverIsItselfAgain) {
   CompileOptions compiled = alone();
   compiled.data_dirs = {default_data_dir()};
   Simulation simulation(scene, compiled);
-  const PlayFigures figures = play(simulation, {.seed = 920010, .bounds = {}});
+  const PlayFigures figures = play(simulation, {.seed = 920019, .bounds = {}});
   for (const std::string& found : figures.found) ADD_FAILURE() << found;
   EXPECT_GE(figures.resets, 1);
 }
