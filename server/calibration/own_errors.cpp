@@ -22,7 +22,8 @@ constexpr double as_tried = 0.03;          // cells that differ by less are one
 constexpr double next_cell = 1.5;          // of the finest that is affordable: the second one tried
 constexpr double least_inferred = 1e-6;
 constexpr double first_order = -1, third_order = -3;  // of errors in 1/cell
-constexpr double caution = 1.25;                      // on what is inferred at finer cells than any tried
+constexpr double acts_not_tried = 1.5;  // times what those tried get wrong: other places, another lean
+constexpr double caution = 1.25;        // on what is inferred at finer cells than any tried
 
 bool has_law(const std::string& model) {
   return std::any_of(laws().begin(), laws().end(), [&](const LawRow& row) { return model == row.name; });
@@ -107,7 +108,7 @@ std::vector<ActError> OwnErrors::at(const std::string& model, const std::string&
   std::vector<ActError> out;
   for (std::size_t act = 0; act < tried.begin()->second.size(); ++act) {
     const std::string& name = tried.begin()->second[act].act;
-    if (counts(body_.desc, name)) out.push_back({name, inferred(tried, act, cell)});
+    if (counts(body_.desc, name)) out.push_back({name, acts_not_tried * inferred(tried, act, cell)});
   }
   return out;
 }

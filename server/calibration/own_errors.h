@@ -29,9 +29,9 @@ class OwnErrors {
   explicit OwnErrors(JudgedBody body);
 
   /// Returns what model and element get wrong in cells of that size (m), act by act, of those that the
-  /// description asks for. Inferred where no trial was: between trials in double logarithms; finer by the
-  /// rate of the last two, with a quarter added, or at first order after one. Nothing where there was no
-  /// trial.
+  /// description asks for. It is half as much again as trials told, for acts that none tried. Inferred where
+  /// no trial was: between trials in double logarithms; finer by the rate of the last two, with a quarter
+  /// added, or at first order after one. Nothing where there was no trial.
   std::vector<ActError> at(const std::string& model, const std::string& element, double cell) const;
   /// Tries model and element in such cells, of which the body has so many elements. Where that is too dear,
   /// in the finest that are affordable and in cells half as large again. Returns whether anything new was
