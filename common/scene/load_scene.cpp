@@ -171,6 +171,7 @@ class Reader {
   static bool store(const toml::node& node, const Field& field, std::vector<std::string>& out) {
     const toml::array* list = node.as_array();
     if (list == nullptr) return false;
+    out.clear();  // of what stands there where the author says nothing
     for (const toml::node& name : *list)
       if (!store(name, field, out.emplace_back())) return false;
     return true;
@@ -181,6 +182,7 @@ class Reader {
   static bool store(const toml::node& node, const Field& field, std::vector<T>& out) {
     const toml::array* list = node.as_array();
     if (list == nullptr || list->size() > field.max_length) return false;
+    out.clear();
     for (const toml::node& entry : *list)
       if (!store(entry, field, out.emplace_back())) return false;
     return true;

@@ -127,6 +127,19 @@ TEST(SceneFields, ManualIsTheOneCommitted) {
   EXPECT_EQ(generated.str(), committed) << "mend it with: prosector-scene --manual > docs/look-up/scene.md";
 }
 
+TEST(SceneFields, AListTakesThePlaceOfItsDefault) {
+  const auto judged_by = [](const std::string& text) {
+    return parse_scene("name = \"s\"\n[[soft]]\nname = \"a\"\nshape = \"block\"\naccuracy = \"2 %\"\n" + text,
+                       "s.toml")
+        .soft[0]
+        .accuracy_of;
+  };
+  EXPECT_EQ(judged_by(""), (std::vector<std::string>{"shape", "touch"}));
+  EXPECT_EQ(judged_by("accuracy_of = [\"shape\"]\n"), std::vector<std::string>{"shape"});
+  EXPECT_THROW(judged_by("accuracy_of = []\n"), InputError);
+  EXPECT_THROW(judged_by("accuracy_of = [\"weight\"]\n"), InputError);
+}
+
 TEST(SceneFields, EverySceneFileHasARoomThatCollidesUnlessItSaysNot) {
   const auto room_of = [](const std::string& text) {
     return parse_scene("name = \"s\"\n" + text, "s.toml").room;
