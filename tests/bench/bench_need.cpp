@@ -3,12 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "common/scene/load_scene.h"
-#include "server/calibration/choose_scene.h"
-#include "server/calibration/table_file.h"
 #include "server/physics/sources.h"
+#include "tests/bench/bench_choice.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"
 
@@ -49,11 +46,7 @@ Report bench_need(const NeedBenchOptions& options) {
                          {Column::Kind::number, "cell_mm", "cell, mm", 8}});
   table.print_header();
   RungMeter meter;
-  ChoiceOptions choice{.table_file = std::filesystem::path(options.cache) / "rungs.json",
-                       .machine = machine_and_build(),
-                       .measure = [&](const RungTrial& trial) { return meter.measure(trial); },
-                       .sources = {}};
-  choice.sources.cache_dir = options.cache;
+  ChoiceOptions choice = choice_options(options.cache, meter);
   for (const std::string& folder : options.data) choice.sources.data_dirs.emplace_back(folder);
   if (options.verbose) choice.sources.progress = [](const std::string& line) { fmt::print("  {}\n", line); };
   const SceneDesc scene = whole_scene(load_scene(options.scene), choice.sources);

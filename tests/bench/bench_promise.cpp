@@ -5,13 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 
 #include "common/error.h"
-#include "server/calibration/choose_scene.h"
-#include "server/calibration/table_file.h"
 #include "server/physics/sources.h"
+#include "tests/bench/bench_choice.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"
 #include "tests/random.h"
@@ -119,11 +117,7 @@ Report bench_promise(const PromiseBenchOptions& options) {
                          {Column::Kind::number, "cell_mm", "cell, mm", 8}});
   table.print_header();
   RungMeter meter;
-  ChoiceOptions choice{.table_file = std::filesystem::path(options.cache) / "rungs.json",
-                       .machine = machine_and_build(),
-                       .measure = [&](const RungTrial& trial) { return meter.measure(trial); },
-                       .sources = {}};
-  choice.sources.cache_dir = options.cache;
+  ChoiceOptions choice = choice_options(options.cache, meter);
   Random random(options.seed);
   int kept = 0, judged_cases = 0;
   for (int i = 1; i <= options.cases; ++i) {
