@@ -11,6 +11,7 @@
 #include "server/physics/equilibrium.h"
 #include "server/physics/organs/cutting.h"
 #include "server/physics/step.h"
+#include "server/physics/take_over.h"
 
 namespace prosector {
 namespace {
@@ -160,6 +161,13 @@ std::vector<std::uint8_t> Simulation::checkpoint() {
   const std::vector<std::uint8_t> out = save();
   load(impl_->state, out);
   return out;
+}
+
+Refusal Simulation::take_over(const Simulation& from) {
+  if (Refusal why = prosector::take_over(from.impl_->state, impl_->state)) return why;
+  checkpoint();
+  forget_last_tick(impl_->state, impl_->buffers);
+  return {};
 }
 
 void Simulation::restore(std::span<const std::uint8_t> bytes) {

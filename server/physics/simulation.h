@@ -151,6 +151,8 @@ class Simulation {
   std::vector<std::uint8_t> checkpoint();
   /// Throws InputError when the bytes are no checkpoint of this compiled scene.
   void restore(std::span<const std::uint8_t> bytes);
+  /// Takes over the state of a simulation of the same bodies, some modelled in another way: take_over.h.
+  Refusal take_over(const Simulation& from);
 
   struct Impl;  // of the simulation's own files
 
