@@ -294,7 +294,6 @@ bool SourceLines::has(const std::string& table, const std::string& key) const {
 void note_fixed_choices(SceneDesc& scene, const SourceLines& lines) {
   for (std::size_t i = 0; i < scene.soft.size(); ++i) {
     SoftDesc& soft = scene.soft[i];
-    if (!soft.accuracy && !soft.budget) continue;
     const std::string table = fmt::format("soft[{}]", i);
     soft.fixed = {lines.has(table, "model"), lines.has(table, "element"), lines.has(table, "integrator"),
                   lines.has(table, "solver"),

@@ -1,5 +1,7 @@
 #include "server/accuracy/act.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -91,10 +93,12 @@ std::vector<Act> acts_of(const SoftDesc& desc, const TetMesh& mesh, const Vec3& 
   press.radius = std::min(fingertip, thin * thick);
   press.force = 2 * softest(desc) / (1 - desc.poisson_ratio * desc.poisson_ratio) * press.radius *
                 std::min(dent, shallow * thick);
+  int place = 0;
   for (const OuterFace& face : sampled_faces(desc, mesh, gravity, faces, presses)) {
     press.point = middle(mesh, face);
     press.inward = -area_vector(mesh, face).normalized();
-    out.push_back({out.size() < 4 ? "pressed" : "pressed elsewhere", Vec3::Zero(), press});
+    ++place;
+    out.push_back({place == 1 ? "pressed" : fmt::format("pressed at place {}", place), Vec3::Zero(), press});
   }
   return out;
 }

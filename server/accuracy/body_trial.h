@@ -37,7 +37,7 @@ inline constexpr const char* tissue_law = "fem_neo_hookean";
 struct TrialSettings {
   std::string law = tissue_law;  // the reference's
   std::size_t most_tets = 6000;  // of the reference
-  int presses = 2;               // places that a fingertip presses
+  int presses = 3;               // places that a fingertip presses
 };
 
 class BodyTrial {

@@ -91,13 +91,13 @@ double rounded(double cell) {
 class Options {
  public:
   Options(const SoftDesc& desc, const RungTable& table, const BodyGeometry& mesh, double mesh_cell,
-          double largest_cell, const OnTheBody& on_the_body)
+          double largest_cell, const KnownErrors& known)
       : desc_(desc),
         table_(table),
         mesh_(mesh),
         mesh_cell_(mesh_cell),
         largest_cell_(largest_cell),
-        on_the_body_(on_the_body) {
+        known_(known) {
     for (const Rung& rung : candidates(desc)) add(rung);
   }
   const std::vector<Option>& all() const { return all_; }
@@ -108,7 +108,7 @@ class Options {
     const auto [coarsest, finest] = table_.measured_fineness(rung, desc_.poisson_ratio);
     double last = 0;
     // What the table's finest mesh gets wrong tells nothing of finer ones, what the body itself does may.
-    const double last_fineness = (on_the_body_ ? beyond_the_table : 1) * finest;
+    const double last_fineness = (known_.on_the_body ? beyond_the_table : 1) * finest;
     for (int k = 0; k <= fineness_steps; ++k) {
       const double fineness = coarsest * std::pow(last_fineness / coarsest, double(k) / fineness_steps);
       const double cell = rounded(std::min(largest_cell_, mesh_cell_ * mesh_.fineness() / fineness));
@@ -123,8 +123,10 @@ class Options {
     auto expected = table_.prospect(rung, desc_.poisson_ratio, body, desc_.fixed.model);
     if (!expected) throw std::logic_error("a rung that may be chosen was not measured");
     std::vector<ActError> acts;
-    if (on_the_body_) acts = on_the_body_(rung.model, rung.element, cell);
-    if (!acts.empty()) expected->error = worst(acts).error + expected->drift;
+    if (known_.on_the_body) acts = known_.on_the_body(rung.model, rung.element, cell);
+    const double of_the_way =
+        acts.empty() ? known_.hope * (expected->error - expected->drift) : worst(acts).error;
+    expected->error = of_the_way + expected->drift;
     all_.push_back({rung, cell, *expected, std::move(acts)});
   }
 
@@ -132,7 +134,7 @@ class Options {
   const RungTable& table_;
   const BodyGeometry& mesh_;
   double mesh_cell_, largest_cell_;
-  const OnTheBody& on_the_body_;
+  const KnownErrors& known_;
   std::vector<Option> all_;
 };
 
@@ -196,8 +198,8 @@ std::vector<RungTrial> trials_for(const SoftDesc& desc) {
 }
 
 Choice choose_rung(const SoftDesc& desc, const RungTable& table, const BodyGeometry& mesh, double mesh_cell,
-                   double largest_cell, const OnTheBody& on_the_body) {
-  const Options options(desc, table, mesh, mesh_cell, largest_cell, on_the_body);
+                   double largest_cell, const KnownErrors& known) {
+  const Options options(desc, table, mesh, mesh_cell, largest_cell, known);
   const auto error = [](const Option& o) { return o.expected.error; };
   const auto ms = [](const Option& o) { return o.expected.ms; };
   const auto fits = [&](const Option& o) { return enough(desc, o.expected); };

@@ -36,13 +36,19 @@ std::vector<RungTrial> trials_for(const SoftDesc& desc);
 using OnTheBody =
     std::function<std::vector<ActError>(const std::string& model, const std::string& element, double cell)>;
 
+/// What is known of a body beyond the table.
+struct KnownErrors {
+  OnTheBody on_the_body = {};  // empty: nothing
+  double hope = 1;             // what a way that is not known gets wrong, over what the table's beam does
+};
+
 /// Chooses a rung for the body. `mesh` is the body's with cells of `mesh_cell` m; the number of elements goes
 /// with 1/cell³. Meshes are at most as fine as the table's finest, where nothing is gained that it knows of,
 /// and no cell is larger than `largest_cell` m. What is known of
 /// the body itself takes the place of the table's errors, but for the effort's part. Throws std::logic_error
 /// when the table lacks what trials_for() says.
 Choice choose_rung(const SoftDesc& desc, const RungTable& table, const BodyGeometry& mesh, double mesh_cell,
-                   double largest_cell = 1, const OnTheBody& on_the_body = {});
+                   double largest_cell = 1, const KnownErrors& known = {});
 
 /// Puts the choice into the description.
 void adopt(const Choice& choice, SoftDesc& desc);

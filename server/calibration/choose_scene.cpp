@@ -20,6 +20,9 @@ constexpr double same_cell = 0.03;       // of each other
 constexpr double cells_across = 1. / 3;  // of the thickness: the coarsest cell that is tried
 constexpr double too_coarse = 0.7;       // of a cell that gave no mesh: the next one to try
 constexpr int most_attempts = 12;        // of ways of modelling tried on a body
+// What ways not tried yet are taken to get wrong, over what the table's beam does. First far less, so that
+// those which suit this body better than a beam are tried; then as much.
+constexpr double hopes[] = {0.25, 1};
 constexpr std::size_t progress_lines = 8;
 
 void say(const ChoiceOptions& options, const std::string& line) {
@@ -53,6 +56,12 @@ bool complete(RungTable& table, const std::vector<RungTrial>& wanted, const Choi
   return true;
 }
 
+/// Adds what another run wrote while this one measured.
+void add_missing(const RungTable& other, RungTable& table) {
+  for (const RungTable::Row& row : other.rows())
+    if (!table.find(row.trial)) table.add(row.trial, row.figures);
+}
+
 RungTable table_for(const SceneDesc& scene, const ChoiceOptions& options) {
   std::vector<RungTrial> wanted;
   for (const SoftDesc& desc : scene.soft) {
@@ -66,8 +75,9 @@ RungTable table_for(const SceneDesc& scene, const ChoiceOptions& options) {
       say(options, fmt::format("{} {}: measured again", options.table_file.string(), found.trouble));
     table = std::move(found.table);
   }
-  if (complete(table, wanted, options) && !options.table_file.empty() &&
-      !write_table(options.table_file, options.machine, table))
+  if (!complete(table, wanted, options) || options.table_file.empty()) return table;
+  add_missing(read_table(options.table_file, options.machine).table, table);
+  if (!write_table(options.table_file, options.machine, table))
     say(options, fmt::format("{} can't be written: measured again next time", options.table_file.string()));
   return table;
 }
@@ -102,8 +112,8 @@ class Chooser {
         mesh_(mesh_of(desc, scene, options)),
         largest_cell_(cells_across * mesh_.thickness) {}
 
-  Choice choose(const OnTheBody& on_the_body) {
-    Choice choice = choose_rung(desc_, table_, mesh_, desc_.cell, largest_cell_, on_the_body);
+  Choice choose(const KnownErrors& known) {
+    Choice choice = choose_rung(desc_, table_, mesh_, desc_.cell, largest_cell_, known);
     for (int meshes = 1; meshes < most_meshes && !desc_.fixed.cell; ++meshes) {
       if (std::abs(choice.cell / desc_.cell - 1) < same_cell) break;
       SoftDesc chosen = desc_;
@@ -114,7 +124,7 @@ class Chooser {
       } catch (const InputError&) {
         largest_cell_ = too_coarse * choice.cell;  // thinner in places than its thickness tells
       }
-      choice = choose_rung(desc_, table_, mesh_, desc_.cell, largest_cell_, on_the_body);
+      choice = choose_rung(desc_, table_, mesh_, desc_.cell, largest_cell_, known);
     }
     return choice;
   }
@@ -131,7 +141,7 @@ class Chooser {
 };
 
 /// Chooses by what is known, tries what was chosen on the body itself, and chooses again, until that was
-/// tried.
+/// tried; first with hope in what is not known.
 Choice choose(const SceneDesc& scene, const SoftDesc& desc, const RungTable& table,
               const ChoiceOptions& options) {
   Chooser chooser(scene, desc, table, options);
@@ -145,14 +155,19 @@ Choice choose(const SceneDesc& scene, const SoftDesc& desc, const RungTable& tab
                    return soft_anatomy(at, scene, quiet);
                  },
                  options.sources.cache_dir, options.sources.progress});
-  const OnTheBody known = [&](const std::string& model, const std::string& element, double cell) {
+  KnownErrors known;
+  known.on_the_body = [&](const std::string& model, const std::string& element, double cell) {
     return own.at(model, element, cell);
   };
-  Choice choice = chooser.choose(known);
-  for (int i = 0; i < most_attempts; ++i) {
-    if (!own.attempt(choice.rung.model, choice.rung.element, choice.cell, chooser.elements_at(choice.cell)))
-      break;
+  Choice choice;
+  for (const double hope : hopes) {
+    known.hope = hope;
     choice = chooser.choose(known);
+    for (int i = 0; i < most_attempts; ++i) {
+      const double elements = chooser.elements_at(choice.cell);
+      if (!own.attempt(choice.rung.model, choice.rung.element, choice.cell, elements)) break;
+      choice = chooser.choose(known);
+    }
   }
   return choice;
 }
@@ -174,12 +189,12 @@ std::vector<Choice> choose_rungs(SceneDesc& scene, const ChoiceOptions& options)
 
 void adopt(const std::vector<Choice>& choices, SceneDesc& scene) {
   for (SoftDesc& desc : scene.soft) {
-    if (!chosen_by_need(desc)) continue;
     const auto choice =
         std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.body == desc.name; });
-    if (choice == choices.end())
+    if (choice != choices.end())
+      adopt(*choice, desc);
+    else if (chosen_by_need(desc))
       throw InputError(fmt::format("journal: no choice for soft body \"{}\"", desc.name));
-    adopt(*choice, desc);
   }
 }
 

@@ -24,7 +24,8 @@ struct ChoiceOptions {
 /// line. Meshes each such body once or twice to count its elements. Throws InputError for what no rung fits.
 std::vector<Choice> choose_rungs(SceneDesc& scene, const ChoiceOptions& options);
 
-/// Puts choices made earlier into the scene. Throws InputError when a body that needs one has none.
+/// Puts choices made earlier into the scene, also those of bodies that don't ask for one. Throws InputError
+/// when a body that needs one has none.
 void adopt(const std::vector<Choice>& choices, SceneDesc& scene);
 
 /// Encodes choices as text, for a journal; decode_choices() decodes them, and throws InputError.

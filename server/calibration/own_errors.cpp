@@ -25,10 +25,6 @@ constexpr double first_order = -1, third_order = -3;  // of errors in 1/cell
 constexpr double acts_not_tried = 1.5;  // times what those tried get wrong: other places, another lean
 constexpr double caution = 1.25;        // on what is inferred at finer cells than any tried
 
-bool has_law(const std::string& model) {
-  return std::any_of(laws().begin(), laws().end(), [&](const LawRow& row) { return model == row.name; });
-}
-
 bool counts(const SoftDesc& desc, const std::string& act) {
   const char* kind = act.starts_with("pressed") ? "touch" : "shape";
   return std::find(desc.accuracy_of.begin(), desc.accuracy_of.end(), kind) != desc.accuracy_of.end();
@@ -97,7 +93,7 @@ double inferred(const std::map<double, std::vector<ActError>>& tried, std::size_
 }  // namespace
 
 OwnErrors::OwnErrors(JudgedBody body) : body_(std::move(body)) {
-  if (body_.desc.fixed.model && has_law(body_.desc.model)) settings_.law = body_.desc.model;
+  if (body_.desc.fixed.model && is_law(body_.desc.model)) settings_.law = body_.desc.model;
   if (body_.desc.fixed.cell) settings_.most_tets = static_cast<std::size_t>(most_tets_given);
 }
 
@@ -165,9 +161,10 @@ void OwnErrors::add_reference_error(std::vector<ActError>& acts, double cell) co
 
 std::filesystem::path OwnErrors::kept_in(const Way& way, const Anatomy& mesh) const {
   TrialKey key;
-  key.add("trial 1");
+  key.add("trial 2");
   for (const std::string& text : {settings_.law, way.first, way.second}) key.add(text);
   key.add(static_cast<double>(settings_.most_tets));
+  key.add(static_cast<double>(settings_.presses));
   key.add(body_.gravity);
   add_material(key, body_.desc);
   for (const Vec3& x : mesh.tets.positions) key.add(x);

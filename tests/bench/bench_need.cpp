@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "common/scene/load_scene.h"
+#include "server/calibration/redial.h"
 #include "server/physics/sources.h"
 #include "tests/bench/bench_choice.h"
 #include "tests/bench/subjects.h"
@@ -53,12 +54,9 @@ Report bench_need(const NeedBenchOptions& options) {
   for (const SoftDesc& desc : scene.soft) {
     if (desc.shape == "sheet" || desc.shape == "rope" || (!options.body.empty() && desc.name != options.body))
       continue;
+    const Redial dial(scene, desc.name, choice);
     for (const double percent : asked) {
-      SceneDesc one = scene;
-      one.soft = {desc};
-      one.soft[0].budget.value = 0;
-      one.soft[0].accuracy.value = percent;
-      const ReportRow row = row_of(choose_rungs(one, choice).front(), percent);
+      const ReportRow row = row_of(dial.choose(percent), percent);
       table.print(row);
       report.add(row);
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iostream>
 
 #include "common/error.h"
@@ -17,15 +18,30 @@
 namespace prosector {
 namespace {
 
-constexpr const char* shapes[] = {"block", "ball", "beam", "liver", "kidney"};
+constexpr const char* shapes[] = {"block", "ball", "beam", "liver", "kidney", "CT liver", "CT kidney"};
 constexpr double ratios[] = {0, 0.2, 0.3, 0.4, 0.45, 0.49, 0.499, 0.4999};
-constexpr double asked[] = {30, 10, 5, 3};       // %
-constexpr std::size_t finest_reference = 24000;  // tetrahedra
-constexpr double leaning = 0.3;                  // of gravity, sideways
+constexpr double asked[] = {30, 10, 5, 3};      // %
+constexpr int ct_liver = 255, ct_kidney = 127;  // labels of liver.inr.gz
+constexpr double ct_cell = 0.02;                // m
+constexpr double leaning = 0.3;                 // of gravity, sideways
 
 template <class T, std::size_t n>
 const T& one_of(const T (&all)[n], Random& random) {
   return all[random.below(n)];
+}
+
+/// Takes the body out of the CT volume; without that its shape stands for it.
+void image(SoftDesc& desc) {
+  desc.volume = "liver.inr.gz";
+  desc.label = desc.shape == "CT liver" ? ct_liver : ct_kidney;
+  desc.fallback = desc.shape.substr(3);
+  desc.shape.clear();
+  desc.cell = desc.label == ct_liver ? ct_cell : ct_cell / 2;
+}
+
+/// Returns what the body is, for people.
+std::string shape_of(const SoftDesc& desc) {
+  return desc.volume.empty() ? desc.shape : "CT " + desc.fallback;
 }
 
 SceneDesc drawn(int number, Random& random) {
@@ -38,6 +54,7 @@ SceneDesc drawn(int number, Random& random) {
   desc.youngs_modulus = std::pow(10, random.uniform(3.3, 6));
   desc.poisson_ratio = one_of(ratios, random);
   desc.cell = desc.size.minCoeff() / 3;
+  if (desc.shape.starts_with("CT ")) image(desc);
   if (random.below(2) == 0) {
     AttachDesc tie;
     tie.center = Vec3(-desc.size.x() / 2, 0, 0);
@@ -58,13 +75,14 @@ SceneDesc drawn(int number, Random& random) {
 }
 
 /// Returns the largest error of acts that count, with presses and a weight that the choice didn't try.
-double true_error(const SceneDesc& scene, const Choice& choice) {
+double true_error(const SceneDesc& scene, const Choice& choice, const PromiseBenchOptions& options,
+                  const CompileOptions& sources) {
   SoftDesc desc = scene.soft.front();
   desc.cell = choice.cell;
   const bool touched = std::count(desc.accuracy_of.begin(), desc.accuracy_of.end(), "touch") > 0;
   const Vec3 leans = scene.gravity + leaning * scene.gravity.norm() * Vec3(0.6, 0, 0.8);
-  const BodyTrial trial(desc, leans, soft_anatomy(desc, scene, {}),
-                        {.most_tets = finest_reference, .presses = touched ? 4 : 0});
+  const BodyTrial trial(desc, leans, soft_anatomy(desc, scene, sources),
+                        {.most_tets = options.finest_reference, .presses = touched ? 4 : 0});
   if (choice.rung.element == "tet10" && !trial.judges_quadratic()) return std::nan("");
   const auto acts = trial.measure(choice.rung.model, choice.rung.element);
   double most = 0;
@@ -72,12 +90,11 @@ double true_error(const SceneDesc& scene, const Choice& choice) {
   return most;
 }
 
-ReportRow judged(const SceneDesc& scene, const Choice& choice) {
+ReportRow judged(const SceneDesc& scene, const Choice& choice, double error) {
   const SoftDesc& desc = scene.soft.front();
   const double promised = choice.good_enough ? desc.accuracy.value / 100 : choice.expected.error;
-  const double error = true_error(scene, choice);
   return {{"body", desc.name},
-          {"shape", desc.shape},
+          {"shape", shape_of(desc)},
           {"youngs_modulus", desc.youngs_modulus},
           {"poisson_ratio", desc.poisson_ratio},
           {"held", desc.attach.empty() ? "free" : "tied"},
@@ -86,6 +103,7 @@ ReportRow judged(const SceneDesc& scene, const Choice& choice) {
           {"promised", promised},
           {"expected", choice.expected.error},
           {"error_continuum", error},
+          {"true_over_expected", error / choice.expected.error},
           {"model", choice.rung.model},
           {"element", choice.rung.element},
           {"cell_mm", 1e3 * choice.cell},
@@ -103,7 +121,7 @@ Report bench_promise(const PromiseBenchOptions& options) {
   Report report("promise");
   report.note("seed", options.seed);
   fmt::print("seed {}\n", options.seed);
-  const TextTable table({{Column::Kind::text, "shape", "body", 6},
+  const TextTable table({{Column::Kind::text, "shape", "body", 9},
                          {Column::Kind::number, "youngs_modulus", "E, Pa", 8},
                          {Column::Kind::number, "poisson_ratio", "ratio", 6},
                          {Column::Kind::text, "held", "held", 4},
@@ -111,6 +129,7 @@ Report bench_promise(const PromiseBenchOptions& options) {
                          {Column::Kind::percent, "asked", "asked", 6},
                          {Column::Kind::percent, "promised", "promised", 9},
                          {Column::Kind::percent, "error_continuum", "true", 7},
+                         {Column::Kind::number, "true_over_expected", "over expected", 13},
                          {Column::Kind::text, "verdict", "verdict", 18},
                          {Column::Kind::text, "model", "model", 17},
                          {Column::Kind::text, "element", "element", 7},
@@ -118,14 +137,17 @@ Report bench_promise(const PromiseBenchOptions& options) {
   table.print_header();
   RungMeter meter;
   ChoiceOptions choice = choice_options(options.cache, meter);
+  for (const std::string& folder : options.data) choice.sources.data_dirs.emplace_back(folder);
   Random random(options.seed);
   int kept = 0, judged_cases = 0;
   for (int i = 1; i <= options.cases; ++i) {
     SceneDesc scene = drawn(i, random);
     const SceneDesc asks = scene;
     try {
-      const ReportRow row = judged(asks, choose_rungs(scene, choice).front());
+      const Choice chosen = choose_rungs(scene, choice).front();
+      const ReportRow row = judged(asks, chosen, true_error(asks, chosen, options, choice.sources));
       table.print(row);
+      std::fflush(stdout);
       report.add(row);
       judged_cases += setting(row, "verdict") != "not judged";
       kept += setting(row, "verdict") == "kept";

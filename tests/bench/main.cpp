@@ -160,6 +160,10 @@ int main(int argc, char** argv) try {
   promise_command->add_option("--cases", promise.cases, "How many")->check(CLI::Range(1, 100000));
   promise_command->add_option("--seed", promise.seed, "Of the bodies drawn");
   promise_command->add_option("--cache", promise.cache, "Folder of tables and trials")->capture_default_str();
+  promise_command->add_option("--data", promise.data,
+                              "Folder of liver.inr.gz; without it shapes stand for it");
+  promise_command->add_option("--reference", promise.finest_reference, "Tetrahedra of the reference, at most")
+      ->check(CLI::Range(1000, 1000000));
 
   prosector::ScalingBenchOptions scaling;
   CLI::App* scaling_command = app.add_subcommand("scaling", "Time of a frame against elements and threads");

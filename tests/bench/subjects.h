@@ -131,7 +131,9 @@ Report bench_need(const NeedBenchOptions& options);
 struct PromiseBenchOptions {
   int cases = 30;
   unsigned seed = 1;
+  std::size_t finest_reference = 24000;  // tetrahedra
   std::string cache;
+  std::vector<std::string> data;  // folders where the CT volume is looked up
 };
 /// Random bodies that ask for accuracy: what is promised against a finer reference and other acts.
 Report bench_promise(const PromiseBenchOptions& options);

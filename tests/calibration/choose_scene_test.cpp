@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <random>
 
 #include "common/anatomy/kuhn_box.h"
@@ -25,6 +26,7 @@ struct Chooser {
   int measured = 0;
   double share = 1;  // of the processor, while measuring
   bool on_the_body = false;
+  std::function<void(RungFigures&, const RungTrial&)> on_measure = [](RungFigures&, const RungTrial&) {};
   std::vector<std::string> log;
 
   ~Chooser() { std::filesystem::remove(file); }
@@ -49,6 +51,7 @@ struct Chooser {
                                 ++measured;
                                 RungFigures figures = test::made_up(trial);
                                 figures.share = share;
+                                on_measure(figures, trial);
                                 return figures;
                               },
                           .on_the_body = on_the_body,
@@ -164,6 +167,24 @@ TEST(ChooseScene, AFlippedBitOfATableGivesTheSameTableOrNone) {
   EXPECT_GT(refused, 200);  // the others are in white space
 }
 
+/// Two servers that measure at once keep what both found.
+TEST(ChooseScene, KeepsWhatAnotherWroteMeanwhile) {
+  Chooser one;
+  RungTable elsewhere;
+  RungTrial trial;
+  trial.rung = {.model = "fem_linear", .integrator = "implicit_euler", .solver = "direct"};
+  trial.poisson_ratio = 0.3;
+  elsewhere.add(trial, {10, 0.1, 0, 1, 1, 1});
+  one.on_measure = [&](RungFigures&, const RungTrial&) {
+    EXPECT_TRUE(write_table(one.file, one.machine, elsewhere));
+  };
+  SceneDesc scene = Chooser::scene();
+  one.choose(scene);
+  const FoundTable found = read_table(one.file, one.machine);
+  EXPECT_TRUE(found.table.find(trial));
+  EXPECT_GT(found.table.rows().size(), 1u);
+}
+
 TEST(ChooseScene, ATableThatCannotBeKeptIsNoError) {
   Chooser chooser;
   chooser.file = "/proc/no/such/rungs.json";
@@ -206,6 +227,29 @@ TEST(ChooseScene, JudgesOnTheBodyItself) {
   EXPECT_GE(choice.expected.error, worst(choice.acts).error);
   EXPECT_TRUE(chooser.said("on this body: under its weight ")) << chooser.log.back();
   EXPECT_EQ(encode(decode_choices(encode({choice}))), encode({choice}));
+}
+
+/// A way that the table makes too dark is tried all the same, and chosen where it suits the body.
+TEST(ChooseScene, TriesWhatTheTableMakesTooDark) {
+  Chooser chooser;
+  chooser.on_the_body = true;
+  chooser.on_measure = [](RungFigures& figures, const RungTrial& trial) {
+    if (trial.rung.element == "tet4")
+      figures.settled_sag *= 0.1;  // nine tenths off, whatever the mesh
+    else
+      figures.ms *= 100;
+  };
+  SceneDesc scene = Chooser::scene();
+  SoftDesc& liver = scene.soft[1];
+  liver.model = "fem_neo_hookean";
+  liver.fixed.model = true;
+  liver.poisson_ratio = 0.3;
+  liver.accuracy.value = 60;
+  liver.accuracy_of = {"shape"};
+  const Choice choice = chooser.choose(scene).front();
+  EXPECT_EQ(choice.rung.element, "tet4");
+  EXPECT_TRUE(choice.good_enough);
+  EXPECT_FALSE(choice.acts.empty());
 }
 
 TEST(Choices, AsTextComeBackAndAreChecked) {

@@ -1,5 +1,7 @@
 #include "server/physics/soft/laws/constitutive_law.h"
 
+#include <algorithm>
+
 #include "server/physics/soft/base/find_row.h"
 #include "server/physics/soft/laws/fem_laws.h"
 
@@ -21,6 +23,10 @@ const std::vector<LawRow>& laws() {
        make_fem_fibers},
   };
   return rows;
+}
+
+bool is_law(const std::string& name) {
+  return std::any_of(laws().begin(), laws().end(), [&](const LawRow& row) { return name == row.name; });
 }
 
 std::unique_ptr<ConstitutiveLaw> make_law(const std::string& name, const Material& constants) {

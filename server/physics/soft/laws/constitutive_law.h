@@ -43,6 +43,8 @@ struct LawRow {
   std::unique_ptr<ConstitutiveLaw> (*make)(const Material&);
 };
 const std::vector<LawRow>& laws();
+/// Tells whether one of them has that name.
+bool is_law(const std::string& name);
 /// Throws InputError that lists the names there are.
 std::unique_ptr<ConstitutiveLaw> make_law(const std::string& name, const Material& constants);
 

@@ -1,0 +1,62 @@
+#include "server/calibration/redial.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/error.h"
+#include "common/surface_files.h"
+#include "server/physics/soft/laws/constitutive_law.h"
+
+namespace prosector {
+namespace {
+
+constexpr double offered[] = {30, 10, 5, 3, 1};  // %
+constexpr double worth_offering = 0.9;           // of the error before
+
+}  // namespace
+
+SoftDesc freed(SoftDesc desc) {
+  const bool names_a_law = desc.fixed.model && is_law(desc.model);
+  const bool from_a_file = !desc.mesh.empty() && !is_surface_file(desc.mesh);
+  desc.fixed = {.model = names_a_law, .cell = from_a_file};
+  desc.accuracy = desc.budget = {};
+  return desc;
+}
+
+Redial::Redial(const SceneDesc& scene, const std::string& body, ChoiceOptions options)
+    : scene_(scene), options_(std::move(options)) {
+  const auto of_that_name = [&](const SoftDesc& desc) { return desc.name == body; };
+  const auto found = std::find_if(scene.soft.begin(), scene.soft.end(), of_that_name);
+  if (found == scene.soft.end())
+    throw InputError(fmt::format("{} is no [[soft]] body of the scene's file: it stays as it is", body));
+  scene_.soft = {freed(*found)};
+}
+
+Choice Redial::choose(double percent) const {
+  SceneDesc scene = scene_;
+  scene.soft.front().accuracy.value = percent;
+  return choose_rungs(scene, options_).front();
+}
+
+std::vector<Price> Redial::prices() const {
+  std::vector<Price> out;
+  for (const double percent : offered) {
+    const Choice choice = choose(percent);
+    const Price price{choice.expected.error, choice.expected.ms};
+    if (price.error >= collapsed) continue;
+    if (out.empty() || price.error < worth_offering * out.back().error) out.push_back(price);
+    if (!choice.good_enough) break;
+  }
+  return out;
+}
+
+std::string in_words(const std::vector<Price>& prices) {
+  std::string out;
+  for (const Price& price : prices)
+    out +=
+        fmt::format("{}{:.2g} % for {:.2g} ms a frame", out.empty() ? "" : ", ", 100 * price.error, price.ms);
+  return out;
+}
+
+}  // namespace prosector
