@@ -16,7 +16,7 @@
 
 namespace prosector {
 
-inline constexpr std::uint32_t protocol_version = 6;
+inline constexpr std::uint32_t protocol_version = 7;
 
 using ParticipantId = std::uint64_t;  // drawn at random by each client; 0 is nobody
 using BodyId = std::uint32_t;         // index into SceneInfo::bodies
@@ -126,11 +126,15 @@ enum class CommandKind : std::uint8_t {
   reset_all,   // by the host: everything as it was when the server began
   seek,        // of a recording that is watched: to what was at the end of the tick `revision`
   set_effort,  // by the host: from now on `body` is solved `revision` steps less exactly, 0 … max_steps_down
-  set_all_efforts  // by the host: so is every deformable
+  set_all_efforts,  // by the host: so is every deformable
+  // By the host: `body` is modelled anew, the cheapest way within `value` %. With 0 nothing changes, but its
+  // BodyStatus tells from now on what it can have.
+  set_accuracy
 };
-inline constexpr CommandKind last_command = CommandKind::set_all_efforts;
+inline constexpr CommandKind last_command = CommandKind::set_accuracy;
 inline constexpr double least_pace = 1.0 / 64, most_pace = 8;  // above 1: of a recording that is watched
 inline constexpr std::uint32_t most_steps = 6000;
+inline constexpr double least_accuracy = 0.1, most_accuracy = 100;  // %
 
 /// What a part's panel has, in the order of the table in common/panel.h.
 enum class PanelControl : std::uint8_t {
@@ -150,12 +154,12 @@ struct Command {
   std::uint64_t sequence = 0;
   CommandKind kind = CommandKind::join;
   std::uint8_t hand = right_hand;  // for grasp and release
-  BodyId body = 0;             // of reset, detach, attach, inspect, open_panel, rewind, keyframe, set_effort
+  BodyId body = 0;  // what it is about: reset, detach, attach, inspect, open_panel, rewind, keyframe, set_…
   ParticipantId subject = 0;   // for set_role
   Role role = Role::observer;  // for set_role
   Affine shape;  // for inspect: from where the body's points are without it to where they are seen
   PanelControl control = PanelControl::attach;  // for set_control
-  double value = 0;            // for set_control: button 0 off, 1 on; slider 0 … 1. For set_pace
+  double value = 0;  // for set_control: button 0 off, 1 on; slider 0 … 1. For set_pace, set_accuracy
   std::uint32_t revision = 0;  // for rewind, step_ticks, seek, set_effort, set_all_efforts and grasp
 };
 
@@ -435,6 +439,13 @@ struct ServerStatus {
   std::string degraded;               // bodies reset, not converged or slowed, by name; empty is well
 };
 
+/// What modelling a body in some way gets wrong and costs, as tried on the body itself.
+struct Price {
+  double error = 0;  // of displacements or dents, fraction
+  double ms = 0;     // CPU time a frame of 1/60 s
+};
+inline constexpr std::size_t max_prices = 8;
+
 /// server → all, about 2 Hz while it is awake, keyed by body: how one deformable is stepped, and what of its
 /// shape is not to be relied on. Both errors are estimates. `residual` is measured, of the solves of the last
 /// second. `error` is looked up in what the server measured on a bending beam as fine and as long
@@ -453,6 +464,7 @@ struct BodyStatus {
   double error = -1;             // of displacements against the continuum, fraction; < 0: not known
   double expected_ms = -1;       // CPU ms a frame that were expected when it was chosen; < 0: not chosen
   std::uint32_t stepped_down = 0;  // by how many steps it is solved less exactly because of overload
+  std::vector<Price> prices;       // what it can have, the cheapest first; empty: nobody asked
 };
 inline constexpr std::uint32_t max_steps_down = 3;
 

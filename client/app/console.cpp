@@ -129,6 +129,29 @@ ConsoleLine effort(const std::string& rest, const SceneInfo& scene) {
   return out;
 }
 
+ConsoleLine accuracy(const std::string& rest, const SceneInfo& scene) {
+  Command out;
+  out.kind = CommandKind::set_accuracy;
+  std::string name = rest;
+  std::string last = split_last(rest).second;
+  if (last == "%") {
+    name = split_last(rest).first;
+    last = split_last(name).second + "%";
+  }
+  if (last.ends_with('%')) {
+    const std::optional<double> percent = number_of(last.substr(0, last.size() - 1));
+    if (!percent || *percent < least_accuracy || *percent > most_accuracy)
+      return fmt::format("accuracy PART {:g} … {:g} %, or accuracy PART to be told what it can have",
+                         least_accuracy, most_accuracy);
+    out.value = *percent;
+    name = split_last(name).first;
+  }
+  const auto body = body_of(scene, name);
+  if (!body) return fmt::format("the scene has no body called \"{}\"", name);
+  out.body = *body;
+  return out;
+}
+
 /// Reads seconds, or minutes and seconds: "75", "1:15".
 std::optional<double> seconds_of(const std::string& text) {
   const auto colon = text.find(':');
@@ -193,6 +216,7 @@ ConsoleLine parse_console_line(const std::string& line, const SceneInfo& scene,
   if (verb == "slow") return slow(rest);
   if (verb == "fast") return fast(rest);
   if (verb == "effort") return effort(rest, scene);
+  if (verb == "accuracy") return accuracy(rest, scene);
   if (verb == "seek") return seek(rest, watched);
   if (verb == "step") return step(rest);
   if (verb == "reset" && rest == "all") {

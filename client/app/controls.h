@@ -110,6 +110,8 @@ inline constexpr std::array controls = {
     Control{ControlDevice::terminal, Role::host, "reset all", "everything as it was at the server's start"},
     Control{ControlDevice::terminal, Role::host, "effort PART STEPS",
             "how it is solved: 0 exact to 3 coarse; all"},
+    Control{ControlDevice::terminal, Role::host, "accuracy PART [5 %]",
+            "models it anew, so exactly; alone: what it can have"},
     Control{ControlDevice::terminal, Role::observer, "seek TIME", "a recording: to 1:15, or by +10, -10 s"},
     Control{ControlDevice::terminal, Role::observer, "fast TIMES",
             "a recording: as fast as real time, 1 to 8"},

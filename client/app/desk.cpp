@@ -197,6 +197,10 @@ void Desk::press_button(const DeskRoom& room) {
     ask(CommandKind::set_effort);
     commands_.back().body = panel_.shown()->body;
     commands_.back().revision = *steps_down;
+  } else if (const auto accuracy = panel_.accuracy_at(view_.pointer())) {
+    ask(CommandKind::set_accuracy);
+    commands_.back().body = panel_.shown()->body;
+    commands_.back().value = *accuracy;
   } else if (const auto point = panel_.at(view_.pointer())) {
     press_panel(*point);
   } else {
@@ -244,7 +248,7 @@ void Desk::request_panel() {
 /// Keeps the panel as it is now, and open while it is pointed at. One that the user asked for is brought into
 /// the picture when it comes up.
 void Desk::follow_panel(const DeskSession& session) {
-  const bool is_new = panel_.follow(session.own_panel, session.has_effort, session.hidden_panel_lines);
+  const bool is_new = panel_.follow(session.own_panel, session.effort, session.hidden_panel_lines);
   if (panel_.asks_to_stay(view_.pointer())) {
     ask(CommandKind::open_panel);
     commands_.back().body = panel_.shown()->body;
@@ -252,8 +256,7 @@ void Desk::follow_panel(const DeskSession& session) {
   if (!is_new || !std::exchange(awaits_panel_, false)) return;
   Eigen::AlignedBox3d box;
   for (const double x : {-panel_width / 2, panel_width / 2})
-    for (const double y :
-         {panel_.has_effort() ? strip_y - strip_height / 2 : -panel_height / 2, panel_height / 2})
+    for (const double y : {panel_.bottom(), panel_height / 2})
       box.extend(panel_.shown()->pose * Vec3(x, y, 0));
   view_.make_room_for(box);
 }

@@ -23,7 +23,7 @@ namespace prosector {
 struct DeskSession {
   DeskRoom room;
   std::optional<Panel> own_panel = {};     // the user's open one
-  bool has_effort = false;                 // the panel has a strip that says how exactly its part is solved
+  std::optional<ShownEffort> effort = {};  // what strips below it say of how exactly its part is solved
   std::size_t hidden_panel_lines = 0;      // of its description, which do not fit on it
   std::optional<Pose> physical_hand = {};  // the wrist as physics has it
   std::optional<Vec3> tip = {};            // of the instrument in the hand, wrist frame

@@ -12,7 +12,22 @@ bool is_panel_head(const PanelPoint& point) {
   return !point.control && point.at.y() > panel_head_bottom;
 }
 
-bool DeskPanel::follow(const std::optional<Panel>& panel, bool has_effort, std::size_t hidden_lines) {
+std::optional<double> DeskPanel::accuracy_at(const Ray& pointer) const {
+  if (!shown_ || !effort_ || (effort_->prices.empty() && !effort_->may_ask)) return std::nullopt;
+  const std::vector<Price>& prices = effort_->prices;
+  const auto cell = meet_price(pointer, *shown_, prices.size());
+  if (!cell) return std::nullopt;
+  return prices.empty() ? 0 : accuracy_of(prices[*cell]);
+}
+
+double DeskPanel::bottom() const {
+  if (!effort_) return -panel_height / 2;
+  const bool has_prices = effort_->may_ask || !effort_->prices.empty();
+  return has_prices ? price_strip_y - price_strip_height / 2 : strip_y - strip_height / 2;
+}
+
+bool DeskPanel::follow(const std::optional<Panel>& panel, const std::optional<ShownEffort>& effort,
+                       std::size_t hidden_lines) {
   const bool is_new = panel && (!shown_ || shown_->body != panel->body);
   const bool moved = panel && (panel->pose.p - at_server_.p).norm() > 0;
   if (is_new || moved || !panel) {
@@ -21,7 +36,7 @@ bool DeskPanel::follow(const std::optional<Panel>& panel, bool has_effort, std::
   }
   scroll_.follow(panel, hidden_lines);
   shown_ = panel;
-  has_effort_ = has_effort;
+  effort_ = effort;
   if (!panel) return false;
   at_server_ = panel->pose;
   if (place_) shown_->pose = *place_;

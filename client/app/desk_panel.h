@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "client/app/panel_scroll.h"
-#include "client/view/effort_strip.h"
 #include "client/view/pick.h"
+#include "client/view/price_strip.h"
 #include "client/view/view_settings.h"
 #include "common/panel.h"
 
@@ -16,9 +16,10 @@ namespace prosector {
 class DeskPanel {
  public:
   /// Follows what the server says of it; `hidden_lines`: of its description, which do not fit on it.
-  /// `has_effort`: a strip below it says how exactly its part is solved. Returns true when it is another
-  /// part's. What the server moves stands where the server has it.
-  bool follow(const std::optional<Panel>& panel, bool has_effort, std::size_t hidden_lines);
+  /// `effort`: what strips below it say of how its part is solved; nullopt: there are none. Returns true when
+  /// it is another part's. What the server moves stands where the server has it.
+  bool follow(const std::optional<Panel>& panel, const std::optional<ShownEffort>& effort,
+              std::size_t hidden_lines);
   /// Returns the panel where the user has it; nullopt: there is none.
   const std::optional<Panel>& shown() const { return shown_; }
   /// Returns where the pointer is on it.
@@ -27,11 +28,14 @@ class DeskPanel {
   }
   /// Returns the steps down that the pointer is at on its strip.
   std::optional<std::uint32_t> effort_at(const Ray& pointer) const {
-    return shown_ && has_effort_ ? meet_effort(pointer, *shown_) : std::nullopt;
+    return shown_ && effort_ ? meet_effort(pointer, *shown_) : std::nullopt;
   }
-  /// Tells whether the pointer is at the board or its strip.
-  bool covers(const Ray& pointer) const { return at(pointer) || effort_at(pointer); }
-  bool has_effort() const { return has_effort_; }
+  /// Returns the accuracy that the pointer is at on its strip of prices, %; 0: the question for them.
+  std::optional<double> accuracy_at(const Ray& pointer) const;
+  /// Tells whether the pointer is at the board or its strips.
+  bool covers(const Ray& pointer) const { return at(pointer) || effort_at(pointer) || accuracy_at(pointer); }
+  /// Returns how far board and strips reach down from its middle, m.
+  double bottom() const;
   /// Returns what the user did to it, for its picture.
   PanelLook look() const { return {.place = place_, .first_line = scroll_.line()}; }
 
@@ -55,7 +59,7 @@ class DeskPanel {
     Vec3 from_middle;  // m, from what was taken hold of to the board's middle
   };
   std::optional<Panel> shown_;
-  bool has_effort_ = false;
+  std::optional<ShownEffort> effort_;
   std::optional<Pose> place_;  // where the user put it; nullopt: nowhere
   Pose at_server_;
   std::optional<Hold> held_;

@@ -11,6 +11,7 @@
 #include "client/view/held_things.h"
 #include "client/view/loading_picture.h"
 #include "client/view/session_overlay.h"
+#include "client/view/shown_effort.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -139,7 +140,7 @@ DeskSession Viewer::desk_session(const Replica& replica, double tick, Participan
   const auto own = replica.panels().find(self);
   if (own != replica.panels().end()) {
     out.own_panel = own->second;
-    out.has_effort = replica.body_status(own->second.body) != nullptr;
+    out.effort = shown_effort(replica, own->second.body, self);
     out.hidden_panel_lines = stage_->view.hidden_panel_lines();
   }
   const auto user = replica.user(self, tick);

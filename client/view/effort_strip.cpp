@@ -7,14 +7,18 @@
 
 namespace prosector {
 
-std::optional<std::uint32_t> meet_effort(const Ray& ray, const Panel& panel) {
+std::optional<Vec3> meet_front(const Ray& ray, const Panel& panel) {
   const Pose into = panel.pose.inverse();
   const Vec3 from = into * ray.from, along = into.q * ray.along;
   if (from.z() <= 0 || along.z() > -1e-6) return std::nullopt;
-  const Vec3 at = from - from.z() / along.z() * along;
-  if (std::abs(at.x()) > panel_width / 2 || std::abs(at.y() - strip_y) > strip_height / 2)
+  return from - from.z() / along.z() * along;
+}
+
+std::optional<std::uint32_t> meet_effort(const Ray& ray, const Panel& panel) {
+  const auto at = meet_front(ray, panel);
+  if (!at || std::abs(at->x()) > panel_width / 2 || std::abs(at->y() - strip_y) > strip_height / 2)
     return std::nullopt;
-  const double share = std::clamp(at.x() / notches_width + 0.5, 0.0, 1.0);
+  const double share = std::clamp(at->x() / notches_width + 0.5, 0.0, 1.0);
   return static_cast<std::uint32_t>(std::lround(share * max_steps_down));
 }
 

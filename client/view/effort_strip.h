@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "client/view/pick.h"
 
@@ -15,6 +16,8 @@ struct ShownEffort {
   std::uint32_t steps_down = 0;  // 0: as described … max_steps_down: coarse
   double tick_ms = 0;            // that whole ticks take, median of the last second
   double error = -1;             // of displacements, fraction; below 0: not known
+  std::vector<Price> prices{};   // what it can have; empty: nobody asked
+  bool may_ask = false;          // who sees it may choose among them
 };
 
 inline constexpr double strip_height = 0.052, strip_gap = 0.006;
@@ -25,6 +28,9 @@ inline constexpr double notches_y = strip_y - 0.012, notches_width = 0.15;
 inline Vec3 effort_notch(std::uint32_t steps_down) {
   return {notches_width * (static_cast<double>(steps_down) / max_steps_down - 0.5), notches_y, 0};
 }
+/// Returns where a ray meets the plane of the panel's front from before it, in the panel's frame; nullopt: it
+/// doesn't.
+std::optional<Vec3> meet_front(const Ray& ray, const Panel& panel);
 /// Returns the steps down of the notch that a ray is nearest to; nullopt: it meets no strip.
 std::optional<std::uint32_t> meet_effort(const Ray& ray, const Panel& panel);
 /// Returns cost and error in words.

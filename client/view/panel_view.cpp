@@ -7,6 +7,7 @@
 
 #include "client/text/text_block.h"
 #include "client/view/body_mesh.h"
+#include "client/view/price_strip.h"
 #include "common/primitives.h"
 
 namespace prosector {
@@ -75,7 +76,8 @@ PanelView::PanelView(std::uint64_t id)
                 0.003, id + 3)),
       rail_(box({describe(PanelControl::stiffness).travel + 0.02, 0.006, 0.002}, 0.001, id + 4)),
       strip_(box({panel_width, strip_height, panel_thickness}, 0.003, id + 5)),
-      notches_(box({notches_width + 0.01, 0.005, 0.002}, 0.001, id + 6)) {}
+      notches_(box({notches_width + 0.01, 0.005, 0.002}, 0.001, id + 6)),
+      price_strip_(box({panel_width, price_strip_height, panel_thickness}, 0.003, id + 7)) {}
 
 void PanelView::add(DrawList& list, const Panel& panel, const SceneBody& part,
                     const std::optional<ShownEffort>& effort, std::size_t first_line) {
@@ -91,6 +93,7 @@ void PanelView::add(DrawList& list, const Panel& panel, const SceneBody& part,
   add_information(list, panel.pose, part, first_line);
   add_controls(list, panel);
   if (effort) add_effort(list, panel.pose, *effort);
+  if (effort && (effort->may_ask || !effort->prices.empty())) add_prices(list, panel.pose, effort->prices);
 }
 
 void PanelView::add_effort(DrawList& list, const Pose& panel, const ShownEffort& effort) const {
@@ -111,6 +114,33 @@ void PanelView::add_effort(DrawList& list, const Pose& panel, const ShownEffort&
   list.texts.push_back(write_centred(
       panel, {{0, strip_y + figures_above, 0}, panel_width - 2 * panel_margin, strip_height / 2},
       in_words(effort), mark_height, writing));
+}
+
+/// Adds what the part can have, or the question for it where nobody asked.
+void PanelView::add_prices(DrawList& list, const Pose& panel, const std::vector<Price>& prices) const {
+  constexpr double words_below = 0.012, in_front = 0.001;
+  list.items.push_back({.mesh = price_strip_,
+                        .pose = panel * Pose{{0, price_strip_y, -panel_thickness / 2}, Quat::Identity()},
+                        .appearance = {.color = board_color, .surface = Surface::emissive},
+                        .casts_shadow = false});
+  const Vec3 middle(0, price_strip_y, 0);
+  if (prices.empty())
+    list.texts.push_back(write_centred(panel,
+                                       {middle, panel_width - 2 * panel_margin, price_strip_height / 2},
+                                       price_question, mark_height, writing));
+  const std::vector<Vec3> curve = price_curve(prices);
+  const double cell =
+      (panel_width - 2 * panel_margin) / static_cast<double>(std::max<std::size_t>(1, prices.size()));
+  for (std::size_t k = 0; k < prices.size(); ++k) {
+    const Vec3 at = price_cell(k, prices.size()) - Vec3(0, words_below, 0);
+    list.texts.push_back(write_centred(panel, {at, cell - label_margin, price_strip_height / 2},
+                                       in_words(prices[k]), mark_height, writing));
+    const Vec3 from = curve[std::max<std::size_t>(k, 1) - 1] + Vec3(0, 0, in_front),
+               to = curve[k] + Vec3(0, 0, in_front);
+    list.lines.push_back({panel * from, panel * to, on_color});
+    for (const Vec3& arm : {Vec3(0.002, 0, 0), Vec3(0, 0.002, 0)})
+      list.lines.push_back({panel * Vec3(to - arm), panel * Vec3(to + arm), writing});
+  }
 }
 
 std::size_t PanelView::hidden_lines(const SceneBody& part) {

@@ -21,7 +21,7 @@ class PanelView {
  public:
   /// Uses mesh ids from `first_mesh_id` on: `meshes` of them.
   explicit PanelView(std::uint64_t first_mesh_id);
-  static constexpr std::size_t meshes = 7;
+  static constexpr std::size_t meshes = 8;
 
   /// Adds the panel; touched controls are green, buttons that are on glow. `effort`: of a part that is soft.
   /// `first_line`: of the description that is seen, where not all fit.
@@ -31,7 +31,7 @@ class PanelView {
   std::size_t hidden_lines(const SceneBody& part);
 
  private:
-  std::shared_ptr<const DrawMesh> board_, rim_, button_, knob_, rail_, strip_, notches_;
+  std::shared_ptr<const DrawMesh> board_, rim_, button_, knob_, rail_, strip_, notches_, price_strip_;
 
   Typesetter typesetter_;
 
@@ -39,6 +39,7 @@ class PanelView {
   void add_information(DrawList& list, const Pose& panel, const SceneBody& part, std::size_t first_line);
   void add_controls(DrawList& list, const Panel& panel) const;
   void add_effort(DrawList& list, const Pose& panel, const ShownEffort& effort) const;
+  void add_prices(DrawList& list, const Pose& panel, const std::vector<Price>& prices) const;
 };
 
 }  // namespace prosector

@@ -15,6 +15,7 @@
 #include "client/view/overlay_frame.h"
 #include "client/view/room.h"
 #include "client/view/session_overlay.h"
+#include "client/view/shown_effort.h"
 #include "common/hand.h"
 
 namespace prosector {
@@ -30,14 +31,6 @@ constexpr double eye_fov = 0.95;  // rad, vertical, of eyes whose field of view 
 /// shows the scene as its camera does.
 double fov_of(const RosterEntry& user, const CameraInfo& camera) {
   return user.devices.empty() ? camera.fov : eye_fov;
-}
-
-/// Returns how a body is solved; nullopt: it is rigid, or not told yet.
-std::optional<ShownEffort> shown_effort(const Replica& replica, BodyId body) {
-  const BodyStatus* status = replica.body_status(body);
-  if (status == nullptr) return std::nullopt;
-  return ShownEffort{status->stepped_down, replica.status() ? replica.status()->step_ms_p50 : 0,
-                     status->error};
 }
 
 constexpr double covering_opacity = 0.45, opacity_step = 0.15;  // of one's own hand; a picture
@@ -428,7 +421,8 @@ void SceneView::add_panels(const Replica& replica, ParticipantId self, const Pan
       hidden_panel_lines_ = panel_view_->hidden_lines(part);
       seen.pose = look.place.value_or(panel.pose);
     }
-    panel_view_->add(list_, seen, part, shown_effort(replica, panel.body), who == self ? look.first_line : 0);
+    panel_view_->add(list_, seen, part, shown_effort(replica, panel.body, self),
+                     who == self ? look.first_line : 0);
   }
 }
 

@@ -33,6 +33,16 @@ Refusal from_wire(const prosector_Command& w, Command& m) {
   return {};
 }
 
+namespace {
+
+/// Returns the largest value that a command of that kind may have.
+double most_value(CommandKind kind) {
+  if (kind == CommandKind::set_pace) return most_pace;
+  return kind == CommandKind::set_accuracy ? most_accuracy : 1;
+}
+
+}  // namespace
+
 Refusal check(Command& m) {
   if (const Refusal shape = check_shape(m.shape)) return shape;
   return Checks()
@@ -40,7 +50,7 @@ Refusal check(Command& m) {
       .that(enum_within(m.kind, last_command), "unknown kind")
       .that(enum_within(m.role, Role::host), "unknown role")
       .that(enum_within(m.control, PanelControl::stiffness), "unknown control")
-      .that(within(m.value, 0, m.kind == CommandKind::set_pace ? most_pace : 1), "value out of range")
+      .that(within(m.value, 0, most_value(m.kind)), "value out of range")
       .that(m.hand <= right_hand, "no such hand")
       .that(m.body < max_bodies, "no such body")
       .refusal();

@@ -56,7 +56,7 @@ Refusal check(ServerStatus& m) {
   return checks.refusal();
 }
 
-void to_wire(const BodyStatus& m, prosector_BodyStatus& w, WireArena&) {
+void to_wire(const BodyStatus& m, prosector_BodyStatus& w, WireArena& arena) {
   w.body = m.body;
   w.time = to_wire(m.time);
   w.asleep = m.asleep;
@@ -70,9 +70,12 @@ void to_wire(const BodyStatus& m, prosector_BodyStatus& w, WireArena&) {
   w.error = m.error;
   w.expected_ms = m.expected_ms;
   w.stepped_down = m.stepped_down;
+  make_sequence<prosector_Price>(w.prices, m.prices.size(), arena);
+  for (std::size_t i = 0; i < m.prices.size(); ++i) w.prices._buffer[i] = {m.prices[i].error, m.prices[i].ms};
 }
 
 Refusal from_wire(const prosector_BodyStatus& w, BodyStatus& m) {
+  if (!sequence_within(w.prices, max_prices)) return "too many prices";
   m.body = w.body;
   m.time = from_wire(w.time);
   m.asleep = w.asleep != 0;
@@ -86,11 +89,17 @@ Refusal from_wire(const prosector_BodyStatus& w, BodyStatus& m) {
   m.error = w.error;
   m.expected_ms = w.expected_ms;
   m.stepped_down = w.stepped_down;
+  m.prices.clear();
+  for (std::size_t i = 0; i < w.prices._length; ++i)
+    m.prices.push_back({w.prices._buffer[i].error, w.prices._buffer[i].ms});
   return {};
 }
 
 Refusal check(BodyStatus& m) {
-  return Checks()
+  Checks checks;
+  for (const Price& price : m.prices)
+    checks.that(within(price.error, 0, huge) && within(price.ms, 0, huge), "price out of range");
+  return checks.that(m.prices.size() <= max_prices, "too many prices")
       .that(m.body < max_bodies, "no such body")
       .that(within(m.step, 0, huge), "step out of range")
       .that(within(m.newton_iterations, 0, huge) && within(m.solver_iterations, 0, huge),

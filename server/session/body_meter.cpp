@@ -52,6 +52,13 @@ void BodyMeter::add_body(const Simulation& simulation, BodyId body, const Prospe
   newest_[body] = status;
 }
 
+void BodyMeter::set_prices(BodyId body, std::vector<Price> prices) {
+  const auto it = sums_.find(body);
+  if (it == sums_.end()) return;
+  it->second.status.prices = std::move(prices);
+  it->second.told = false;
+}
+
 void BodyMeter::add(const StepReport& report) {
   for (const BodyReport& row : report.bodies) {
     const auto id = id_of_.find(row.body);

@@ -23,6 +23,8 @@ class BodyMeter {
 
   /// Adds a soft body: one that a cut made, for instance. `expected`: null when it wasn't chosen by need.
   void add_body(const Simulation& simulation, BodyId body, const Prospect* expected = nullptr);
+  /// Says what a body can have at what price; told with its next status.
+  void set_prices(BodyId body, std::vector<Price> prices);
   void add(const StepReport& report);
   /// Returns what is due after the tick that was added. It tells of bodies that were awake since they were
   /// last told of; at the first call of all.

@@ -10,11 +10,11 @@
 namespace prosector {
 
 /// The commands' names, in the order of CommandKind.
-inline constexpr std::array<std::string_view, 22> command_names = {
-    "join",        "grasp",  "release",    "reset",          "leave",      "set_role",
-    "detach",      "attach", "inspect",    "end_inspect",    "open_panel", "close_panel",
-    "set_control", "undo",   "rewind",     "keyframe",       "set_pace",   "step_ticks",
-    "reset_all",   "seek",   "set_effort", "set_all_efforts"};
+inline constexpr std::array<std::string_view, 23> command_names = {
+    "join",        "grasp",  "release",    "reset",           "leave",       "set_role",
+    "detach",      "attach", "inspect",    "end_inspect",     "open_panel",  "close_panel",
+    "set_control", "undo",   "rewind",     "keyframe",        "set_pace",    "step_ticks",
+    "reset_all",   "seek",   "set_effort", "set_all_efforts", "set_accuracy"};
 static_assert(command_names.size() == static_cast<std::size_t>(last_command) + 1);
 
 struct CommandCount {

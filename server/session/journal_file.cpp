@@ -86,7 +86,9 @@ std::unique_ptr<JournalFile> JournalFile::create(const std::filesystem::path& fi
       header.session,
       to_hex(header.content_hash),
       encode(header.choices),
-      random_identity()};
+      random_identity(),
+      std::to_string(header.begins_at),
+      std::string(header.beginning.begin(), header.beginning.end())};
   configure(*database, limit_bytes);
   in_one_go(*database, [&] {
     database->execute(schema);

@@ -15,10 +15,10 @@
 
 namespace prosector {
 
-inline constexpr std::uint64_t journal_version = 11;
+inline constexpr std::uint64_t journal_version = 12;
 /// Keys of the file's description, as they are sealed.
-inline constexpr std::array journal_keys = {"format",       "scene_file", "scene_text", "session",
-                                            "content_hash", "choices",    "identity"};
+inline constexpr std::array journal_keys = {"format",  "scene_file", "scene_text", "session",  "content_hash",
+                                            "choices", "identity",   "begins_at",  "beginning"};
 
 struct JournalHeader {
   std::filesystem::path scene_file;  // absolute: what the scene names is found beside it
@@ -26,6 +26,8 @@ struct JournalHeader {
   std::string session;
   ContentHash content_hash{};   // of the compiled scene
   std::vector<Choice> choices;  // of bodies that were chosen by need: a replay takes them from here
+  std::uint64_t begins_at = 0;  // tick of the state that it begins with
+  std::vector<std::uint8_t> beginning = {};  // that state; empty: the scene's
 };
 
 /// A state that is on its way into the file.

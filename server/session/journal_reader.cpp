@@ -39,6 +39,9 @@ void JournalReader::read_description() {
   header_.session = meta("session");
   content_hash_ = meta("content_hash");
   header_.choices = decode_choices(meta("choices"));
+  header_.begins_at = std::stoull(meta("begins_at"));
+  const std::string beginning = meta("beginning");
+  header_.beginning.assign(beginning.begin(), beginning.end());
 }
 
 std::uint64_t JournalReader::last_tick() const {

@@ -9,7 +9,7 @@ namespace prosector {
 namespace {
 
 using Kind = SessionEvent::Kind;
-constexpr std::array<std::pair<Kind, const char*>, 11> event_names = {{{Kind::joined, "joined"},
+constexpr std::array<std::pair<Kind, const char*>, 12> event_names = {{{Kind::joined, "joined"},
                                                                        {Kind::refused, "refused"},
                                                                        {Kind::left, "left"},
                                                                        {Kind::lost, "lost"},
@@ -19,7 +19,8 @@ constexpr std::array<std::pair<Kind, const char*>, 11> event_names = {{{Kind::jo
                                                                        {Kind::broke, "broke"},
                                                                        {Kind::rewound, "rewound"},
                                                                        {Kind::pace, "pace"},
-                                                                       {Kind::effort, "effort"}}};
+                                                                       {Kind::effort, "effort"},
+                                                                       {Kind::accuracy, "accuracy"}}};
 
 void add(StateHasher& hasher, std::span<const std::uint8_t> bytes) {
   hasher.add(std::uint64_t{bytes.size()});

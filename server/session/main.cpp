@@ -20,6 +20,7 @@
 #include "server/session/options.h"
 #include "server/session/place.h"
 #include "server/session/playback.h"
+#include "server/session/remodeller.h"
 #include "server/session/replay.h"
 #include "server/session/scene_reloader.h"
 #include "server/session/server_loop.h"
@@ -51,13 +52,13 @@ CompileOptions sources(const ServerOptions& options) {
   return compile;
 }
 
-/// Chooses rungs by what this machine is measured to do.
-std::vector<Choice> choose(SceneDesc& scene, const ServerOptions& options) {
-  RungMeter meter;
-  return choose_rungs(scene, {.table_file = options.cache / "rungs.json",
-                              .machine = machine_and_build(),
-                              .measure = [&](const RungTrial& trial) { return meter.measure(trial); },
-                              .sources = sources(options)});
+/// Returns how rungs are chosen: by what this machine is measured to do.
+ChoiceOptions choosing(const ServerOptions& options) {
+  const auto meter = std::make_shared<RungMeter>();
+  return {.table_file = options.cache / "rungs.json",
+          .machine = machine_and_build(),
+          .measure = [meter](const RungTrial& trial) { return meter->measure(trial); },
+          .sources = sources(options)};
 }
 
 std::unique_ptr<Simulation> compile(const SceneDesc& scene, const ServerOptions& options) {
@@ -100,7 +101,7 @@ void export_journal(const std::vector<std::filesystem::path>& from_to) {
   from.export_to(from_to[1]);
   const JournalReader exported(from_to[1]);
   std::uint64_t ticks = 0;
-  exported.for_each_tick(0, [&](const JournalTick&) { return ++ticks, true; });
+  exported.for_each_tick(exported.header().begins_at, [&](const JournalTick&) { return ++ticks, true; });
   const std::vector<std::uint64_t> checkpoints = exported.checkpoint_ticks();
   const auto damaged =
       std::ranges::count_if(checkpoints, [&](std::uint64_t t) { return !exported.checkpoint(t); });
@@ -108,13 +109,21 @@ void export_journal(const std::vector<std::filesystem::path>& from_to) {
                   damaged > 0 ? fmt::format(", {} of them damaged", damaged) : ""));
 }
 
-/// Compiles the scene that a journal recorded.
+/// Takes a scene to the state that its journal begins with.
+void begin_as_recorded(const JournalReader& journal, Simulation& simulation) {
+  require_same_scene(journal, simulation);
+  if (!journal.header().beginning.empty()) simulation.restore(journal.header().beginning);
+}
+
+/// Compiles the scene that a journal recorded, in the state that it begins with.
 std::unique_ptr<Simulation> compile_recorded(const JournalReader& journal, const ServerOptions& options) {
   tell_trouble(journal);
   const JournalHeader& header = journal.header();
   SceneDesc scene = parse_scene(header.scene_text, header.scene_file);
   adopt(header.choices, scene);
-  return compile(scene, options);
+  std::unique_ptr<Simulation> simulation = compile(scene, options);
+  begin_as_recorded(journal, *simulation);
+  return simulation;
 }
 
 int replay_journal(const ServerOptions& options) {
@@ -160,17 +169,13 @@ void play_journal(const ServerOptions& options) {
   if (rival) refuse_for(*rival, session);
 }
 
-/// Opens the journal that this run writes to, if any.
-std::unique_ptr<Journal> open_journal(const ServerOptions& options, const Simulation& simulation,
-                                      const std::string& scene_text, const std::string& session,
-                                      const std::vector<Choice>& choices) {
-  JournalLimits limits;
-  limits.file_bytes = static_cast<std::uint64_t>(options.journal_mb * 1024 * 1024);
-  if (!options.resume.empty()) return Journal::append_to(options.resume, limits);
-  if (options.journal.empty()) return nullptr;
-  return Journal::create(options.journal,
-                         {simulation.scene().file, scene_text, session, simulation.content_hash(), choices},
-                         limits);
+/// Returns the journal's file beside `first` that is the first to be free: "demo-2.journal".
+std::filesystem::path next_journal(const std::filesystem::path& first) {
+  for (int number = 2;; ++number) {
+    std::filesystem::path next = first;
+    next.replace_filename(fmt::format("{}-{}{}", first.stem().string(), number, first.extension().string()));
+    if (!std::filesystem::exists(next)) return next;
+  }
 }
 
 void resume_journal(const JournalReader& journal, Simulation& simulation) {
@@ -189,6 +194,26 @@ struct Hosting {
   std::string session;
 };
 
+/// Opens the journal that a run writes to, if any. One that goes on with what was remodelled begins another
+/// file, with the state that was taken over.
+std::unique_ptr<Journal> open_journal(const Hosting& hosting, const ReadyScene& scene, bool goes_on) {
+  const ServerOptions& options = hosting.options;
+  const Simulation& simulation = *scene.simulation;
+  JournalLimits limits;
+  limits.file_bytes = static_cast<std::uint64_t>(options.journal_mb * 1024 * 1024);
+  if (!goes_on && !options.resume.empty()) return Journal::append_to(options.resume, limits);
+  const std::filesystem::path first = options.resume.empty() ? options.journal : options.resume;
+  if (first.empty()) return nullptr;
+  JournalHeader header{simulation.scene().file, hosting.scene_text, hosting.session,
+                       simulation.content_hash(), scene.choices};
+  if (!goes_on) return Journal::create(first, header, limits);
+  header.begins_at = simulation.time().tick;
+  header.beginning = simulation.save();
+  const std::filesystem::path file = next_journal(first);
+  say(fmt::format("the journal goes on in {}", file.string()));
+  return Journal::create(file, header, limits);
+}
+
 /// Writes how a run went, for people and to the file that was asked for.
 void sum_up(const ServerOptions& options, const ServerLoop& loop, const Simulation& simulation,
             const Journal* journal) {
@@ -203,16 +228,20 @@ void sum_up(const ServerOptions& options, const ServerLoop& loop, const Simulati
     throw std::runtime_error(fmt::format("--summary {}: cannot be written", options.summary.string()));
 }
 
-/// Runs a session on one scene, until `over`, or for `seconds` of wall time when above 0.
-void serve(const Hosting& hosting, ReadyScene& scene, std::unique_ptr<SessionWatch> watch, double seconds) {
+/// Runs a session on one scene, until `over`, or for `seconds` of wall time when above 0. `goes_on`: with
+/// what was taken over from another model of the scene.
+void serve(const Hosting& hosting, ReadyScene& scene, bool goes_on, Remodeller& remodeller,
+           std::unique_ptr<SessionWatch> watch, double seconds) {
   const ServerOptions& options = hosting.options;
   Simulation& simulation = *scene.simulation;
   BusConfig place;
   const std::unique_ptr<Bus> bus = open_bus(options, hosting.session, *watch, place);
-  const std::unique_ptr<Journal> journal =
-      open_journal(options, simulation, hosting.scene_text, hosting.session, scene.choices);
+  const std::unique_ptr<Journal> journal = open_journal(hosting, scene, goes_on);
+  remodeller.begin(scene.choices);
   ServerLoop loop(simulation, *bus, hosting.session, journal.get(), say,
-                  {.choices = scene.choices, .reign = journal ? journal->reign() : first_reign});
+                  {.choices = scene.choices,
+                   .reign = journal ? journal->reign() : first_reign,
+                   .remodeller = &remodeller});
   std::optional<SessionInfo> rival;
   guard_place(*watch, loop.server_run(), [&](const SessionInfo& other) {
     rival = other;
@@ -226,28 +255,58 @@ void serve(const Hosting& hosting, ReadyScene& scene, std::unique_ptr<SessionWat
   sum_up(options, loop, simulation, journal.get());
 }
 
-/// Runs the session on one scene after the other, as the scene's files change. To clients each is a run of
-/// its own, as when a server was started again: who is there joins it by itself.
-void serve_while_it_changes(const Hosting& hosting, ReadyScene scene, std::unique_ptr<SessionWatch> watch) {
-  const ServerOptions& options = hosting.options;
+/// Makes a scene anew when its files change, where that is asked for.
+std::unique_ptr<SceneReloader> reload_on_change(const ServerOptions& options, const SceneDesc& scene) {
+  if (!options.watch) return nullptr;
   const auto load = [&] {
     SceneDesc changed = parse_scene(read_scene_text(options.scene), options.scene);
-    ReadyScene made = ready(changed, choose(changed, options), options);
+    ReadyScene made = ready(changed, choose_rungs(changed, choosing(options)), options);
     describe(*made.simulation);
     return made;
   };
+  return std::make_unique<SceneReloader>(
+      scene, options.data, SceneReloader::Hooks{.load = load, .ready = [] { over = true; }, .say = say});
+}
+
+/// Models bodies anew when the host wants them more or less accurate.
+std::unique_ptr<Remodeller> remodel_on_wish(const Hosting& hosting, const std::filesystem::path& file) {
+  const ServerOptions& options = hosting.options;
+  const auto described = [&options, &hosting, file] {
+    return parse_scene(options.watch ? read_scene_text(file) : hosting.scene_text, file);
+  };
+  return std::make_unique<Remodeller>(
+      Remodeller::Hooks{.describe = described,
+                        .choosing = choosing(options),
+                        .compile = [&options](const SceneDesc& scene) { return compile(scene, options); },
+                        .ready = [] { over = true; }});
+}
+
+/// Runs the session on one scene after the other, as the scene's files change or the host wants bodies
+/// modelled in another way. To clients each is a run of its own, as when a server was started again: who is
+/// there joins it by itself.
+void serve_while_it_changes(const Hosting& hosting, ReadyScene scene, std::unique_ptr<SessionWatch> watch) {
+  const ServerOptions& options = hosting.options;
   const auto started = std::chrono::steady_clock::now();
-  SceneReloader reloader(scene.simulation->scene(), options.data,
-                         {.load = load, .ready = [] { over = true; }, .say = say});
+  const std::unique_ptr<SceneReloader> reloader = reload_on_change(options, scene.simulation->scene());
+  const std::unique_ptr<Remodeller> remodeller = remodel_on_wish(hosting, scene.simulation->scene().file);
+  bool goes_on = false;
   for (double left = options.seconds;;) {
     if (!watch) watch = watch_for_others(options, hosting.session);
-    serve(hosting, scene, std::move(watch), left);
+    serve(hosting, scene, goes_on, *remodeller, std::move(watch), left);
     over = false;
     const double so_far = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     left = options.seconds - so_far;
     if (interrupted || (options.seconds > 0 && left <= 0)) return;
-    if (std::optional<ReadyScene> next = reloader.take()) scene = std::move(*next);
     left = std::max(left, 0.);
+    goes_on = true;
+    if (std::optional<ReadyScene> next = remodeller->take()) {
+      if (const Refusal why = next->simulation->take_over(*scene.simulation))
+        say(fmt::format("{}; the session goes on as it was", why.why()));
+      else
+        scene = std::move(*next);
+    } else if (std::optional<ReadyScene> changed = reloader ? reloader->take() : std::nullopt) {
+      scene = std::move(*changed);
+    }
   }
 }
 
@@ -261,8 +320,10 @@ void host(const ServerOptions& options) {
                                                        : desc.session.name;
   std::unique_ptr<SessionWatch> watch = options.check ? nullptr : watch_for_others(options, session);
   // A session that goes on keeps its rungs, whatever this machine would choose.
-  ReadyScene scene = ready(desc, past ? past->header().choices : choose(desc, options), options);
+  ReadyScene scene =
+      ready(desc, past ? past->header().choices : choose_rungs(desc, choosing(options)), options);
   describe(*scene.simulation);
+  if (past) begin_as_recorded(*past, *scene.simulation);
   if (past) resume_journal(*past, *scene.simulation);
   past.reset();
   if (options.check) return;
@@ -272,10 +333,7 @@ void host(const ServerOptions& options) {
   // not being allowed is no error.
   setpriority(PRIO_PROCESS, 0, -5);
   const Hosting hosting{options, text, session};
-  if (options.watch)
-    serve_while_it_changes(hosting, std::move(scene), std::move(watch));
-  else
-    serve(hosting, scene, std::move(watch), options.seconds);
+  serve_while_it_changes(hosting, std::move(scene), std::move(watch));
 }
 
 }  // namespace

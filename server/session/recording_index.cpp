@@ -45,7 +45,7 @@ void apply(const SessionEvent& event, Roster& roster) {
 
 RecordingIndex::RecordingIndex(const JournalReader& journal,
                                const std::function<void(std::uint64_t tick)>& progress) {
-  journal.for_each_tick(0, [&](const JournalTick& tick) {
+  journal.for_each_tick(journal.header().begins_at, [&](const JournalTick& tick) {
     take(tick);
     if (progress) progress(tick.tick);
     return true;

@@ -36,7 +36,8 @@ void RecordingPlayer::approach(std::uint64_t tick) {
   simulation_.restore(state);
   difference_.reset();
   near_enough_ = this->tick() == 0;
-  if (this->tick() > 0 && simulation_.state_hash() != journal_.state_hash(this->tick()))
+  if (this->tick() > journal_.header().begins_at &&
+      simulation_.state_hash() != journal_.state_hash(this->tick()))
     difference_ = this->tick();
 }
 

@@ -24,6 +24,7 @@ struct SessionRules {
   std::size_t bodies = 0;                // BodyId below this exist
   std::size_t rigid_bodies = 0;          // those come first
   bool recording = false;                // a recorded session is watched: nobody takes part
+  bool remodels = false;                 // bodies can be modelled in another way while it runs
 };
 
 struct Participant {

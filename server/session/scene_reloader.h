@@ -2,7 +2,6 @@
 // A scene that is made ready again when its files change, beside the session that runs on the old one.
 
 #include <functional>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -10,16 +9,9 @@
 #include <vector>
 
 #include "common/scene/scene.h"
-#include "server/calibration/choose_scene.h"
-#include "server/physics/simulation.h"
+#include "server/session/ready_scene.h"
 
 namespace prosector {
-
-/// A scene that can be hosted.
-struct ReadyScene {
-  std::vector<Choice> choices;  // of bodies that are chosen by need
-  std::unique_ptr<Simulation> simulation;
-};
 
 class SceneReloader {
  public:

@@ -39,8 +39,9 @@ std::map<BodyId, int> may_step_down(const Simulation& simulation) {
 
 }  // namespace
 
-SessionRules rules_of(const SceneDesc& scene, const std::string& session) {
+SessionRules rules_of(const SceneDesc& scene, const std::string& session, bool remodels) {
   SessionRules rules;
+  rules.remodels = remodels;
   rules.session = session;
   rules.capacity = scene.session.capacity;
   rules.observers = scene.session.observers;
@@ -63,7 +64,7 @@ ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& sess
       options_(std::move(options)),
       content_(make_scene_content(simulation, options_.choices)),
       topology_(content_, simulation.scene().tick_rate),
-      session_(rules_of(simulation.scene(), session)),
+      session_(rules_of(simulation.scene(), session, options_.remodeller != nullptr)),
       meter_(simulation.scene().tick_rate),
       body_meter_(simulation, expectations_of(options_.choices)),
       governor_(simulation.scene().tick_rate, may_step_down(simulation)),
@@ -75,8 +76,34 @@ ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& sess
   session_.vanish(simulation.hands());  // of a state that was restored
   session_.see_panels(simulation.panels());
   keep_beginning();
+  tell_prices();
   last_snapshot_ = take_snapshot(simulation_, session_, topology_, nullptr);
   publisher_.offer(last_snapshot_);
+}
+
+/// Passes on how accurate the host wants bodies to be, and what came of earlier wishes to who is here.
+void ServerLoop::remodel() {
+  Remodeller* remodeller = options_.remodeller;
+  if (remodeller == nullptr) return;
+  for (const Command& wish : session_.take_accuracy_wishes())
+    remodeller->ask({wish.participant, wish.body, simulation_.name(wish.body), wish.value});
+  std::vector<AccuracyAnswer> answers = remodeller->take_answers();
+  if (!answers.empty()) tell_prices();
+  std::move(answers.begin(), answers.end(), std::back_inserter(unheard_));
+  std::erase_if(unheard_, [&](const AccuracyAnswer& answer) {
+    if (!session_.roster().members().contains(answer.wish.asker)) return false;
+    say_(answer.words);
+    session_.tell(answer.wish.asker, answer.words);
+    return true;
+  });
+}
+
+void ServerLoop::tell_prices() {
+  if (options_.remodeller == nullptr) return;
+  const auto prices = options_.remodeller->prices();
+  for (BodyId body = 0; body < simulation_.body_count(); ++body)
+    if (const auto known = prices.find(simulation_.name(body)); known != prices.end())
+      body_meter_.set_prices(body, known->second);
 }
 
 /// Keeps the state that this run began with: the scene, or the end of the session that it goes on with.
@@ -121,6 +148,7 @@ void ServerLoop::tick() {
   record(report, begun);
   govern(report, begun);
 
+  remodel();
   append(told, session_.take_outgoing());
   append(told, parts_.take(simulation_));
   append(told, words_of_bodies(report));
@@ -136,6 +164,7 @@ void ServerLoop::listen() {
   std::vector<SessionEvent> events = session_.take_events();
   announce(events);
   std::move(events.begin(), events.end(), std::back_inserter(heard_));
+  remodel();
   std::vector<Outgoing> told = session_.take_outgoing();
   for (const BodyId body : session_.take_keyframe_requests()) topology_.ask_keyframe(body);
   topology_.send_keyframes(simulation_.time(), told);

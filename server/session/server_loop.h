@@ -20,6 +20,7 @@
 #include "server/session/journal.h"
 #include "server/session/part_sender.h"
 #include "server/session/publisher.h"
+#include "server/session/remodeller.h"
 #include "server/session/scene_content.h"
 #include "server/session/session.h"
 #include "server/session/step_meter.h"
@@ -27,8 +28,8 @@
 
 namespace prosector {
 
-/// Returns the rules that a scene sets.
-SessionRules rules_of(const SceneDesc& scene, const std::string& session);
+/// Returns the rules that a scene sets. `remodels`: bodies can be modelled in another way while it runs.
+SessionRules rules_of(const SceneDesc& scene, const std::string& session, bool remodels = false);
 
 struct RunFigures {
   std::uint64_t ticks = 0, late_ticks = 0, slips = 0;
@@ -46,6 +47,7 @@ struct LoopOptions {
   std::vector<Choice> choices;                         // of the scene's bodies that were chosen by need
   std::function<std::int64_t()> clock = monotonic_ns;  // how late ticks are
   std::uint32_t reign = first_reign;                   // of the session: common/server_run.h
+  Remodeller* remodeller = nullptr;                    // null: bodies stay as they are modelled
 };
 
 class ServerLoop {
@@ -97,8 +99,9 @@ class ServerLoop {
   Governor governor_;
   EffortDial dial_;
   PartSender parts_;
-  std::vector<EffortChange> efforts_;  // for the next tick
-  std::vector<SessionEvent> heard_;    // while time stood still: for the next tick's record
+  std::vector<EffortChange> efforts_;    // for the next tick
+  std::vector<AccuracyAnswer> unheard_;  // by who isn't here
+  std::vector<SessionEvent> heard_;      // while time stood still: for the next tick's record
   std::vector<Received> received_;
   std::shared_ptr<const Snapshot> last_snapshot_;
   std::uint64_t state_hash_ = 0, last_tick_ = 0;  // last_tick_: when last_end_ns_ was taken
@@ -113,6 +116,8 @@ class ServerLoop {
   Publisher publisher_;  // last: its thread ends before what it reads
 
   void keep_beginning();
+  void remodel();
+  void tell_prices();
   void keep_moment(const StepReport& report);
   void journal(ConsumedInput input, std::vector<std::uint8_t> checkpoint, std::vector<SessionEvent> events);
   std::vector<std::uint8_t> checkpoint_if_due();

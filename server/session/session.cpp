@@ -182,6 +182,7 @@ void Session::obey(const Command& command, const Participant& member, Seat& seat
   }
   if (command.kind == CommandKind::set_effort || command.kind == CommandKind::set_all_efforts)
     return ask_effort(command, member);
+  if (command.kind == CommandKind::set_accuracy) return ask_accuracy(command, member);
   const bool everything = command.kind == CommandKind::rewind || command.kind == CommandKind::reset_all;
   if (everything && member.role == Role::host)
     pacing_.run_one_tick();
@@ -282,6 +283,28 @@ void Session::ask_effort(const Command& command, const Participant& member) {
         {SessionEvent::Kind::effort, command.participant, member.presence.name,
          fmt::format("has {} solved {}", all ? "everything" : fmt::format("body {}", command.body),
                      steps == 0 ? "as described" : fmt::format("{} steps less exactly", steps))});
+}
+
+/// Passes on how accurate the host wants a body to be.
+void Session::ask_accuracy(const Command& command, const Participant& member) {
+  if (member.role != Role::host) {
+    drop("Command: how accurate tissue is, is the host's to say");
+    return answer(command, "only the host says how accurate tissue is to be");
+  }
+  if (!rules_.remodels) return answer(command, "this server models its bodies as it began");
+  if (command.body >= rules_.bodies)
+    return answer(command, fmt::format("no body {}: the scene has {}", command.body, rules_.bodies));
+  if (command.body < rules_.rigid_bodies)
+    return answer(command, "that body is rigid: only soft ones are more or less accurate");
+  if (command.value != 0 && !(command.value >= least_accuracy && command.value <= most_accuracy))
+    return answer(command, fmt::format("accuracy: {:g} %; allowed are {:g} to {:g}, or 0 to be told what the "
+                                       "body can have",
+                                       command.value, least_accuracy, most_accuracy));
+  accuracy_wishes_.push_back(command);
+  answer(command, {});
+  if (command.value == 0 || events_.size() >= max_events) return;
+  events_.push_back({SessionEvent::Kind::accuracy, command.participant, member.presence.name,
+                     fmt::format("wants body {} within {:g} %", command.body, command.value)});
 }
 
 /// Obeys who wants another time of a recording.
@@ -471,8 +494,12 @@ void Session::finish_tick(std::span<const HandState> hands, const StepReport& re
 void Session::tell_of_loss(const LetGo& let_go) {
   const Seat& seat = seats_.at(let_go.participant);
   if (seat.opens[let_go.hand] || !seat.hands[let_go.hand].present) return;
-  if (outgoing_.size() >= max_outgoing) return drop("let go: too many to tell");
-  outgoing_.push_back({CommandResult{let_go.participant, 0, false, "your hand let go: " + let_go.why}});
+  tell(let_go.participant, "your hand let go: " + let_go.why);
+}
+
+void Session::tell(ParticipantId participant, const std::string& words) {
+  if (outgoing_.size() >= max_outgoing) return drop("words: too many to tell");
+  outgoing_.push_back({CommandResult{participant, 0, false, words}});
 }
 
 void Session::vanish(std::span<const HandState> hands) {

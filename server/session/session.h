@@ -57,7 +57,8 @@ struct SessionEvent {
     broke,
     rewound,
     pace,
-    effort
+    effort,
+    accuracy
   } kind;
   ParticipantId participant = 0;
   std::string name;
@@ -87,6 +88,10 @@ class Session {
   std::size_t bodies() const { return rules_.bodies; }
   /// Adds a body that a cut made; the next id is its.
   void add_body(bool is_part);
+  /// Returns the wishes of accuracy since the last call: commands with body and value, in order.
+  std::vector<Command> take_accuracy_wishes() { return std::exchange(accuracy_wishes_, {}); }
+  /// Tells a participant something that is no answer to a command.
+  void tell(ParticipantId participant, const std::string& words);
   /// Returns what the host can rewind to.
   Moments& moments() { return moments_; }
   /// Returns the bodies of which clients asked for a keyframe since the last call.
@@ -139,9 +144,10 @@ class Session {
   std::map<ParticipantId, Visitor> visitors_;
   std::vector<HandEvent> vanishing_;
   std::vector<EffortChange> efforts_;  // that the host asked for
-  std::vector<Command> stepping_;      // whose part events the step of this tick obeys, in their order
-  std::vector<Command> cutting_;       // whose cut events the step of this tick obeys, in their order
-  std::set<BodyId> keyframes_;         // asked for
+  std::vector<Command> accuracy_wishes_;
+  std::vector<Command> stepping_;  // whose part events the step of this tick obeys, in their order
+  std::vector<Command> cutting_;   // whose cut events the step of this tick obeys, in their order
+  std::set<BodyId> keyframes_;     // asked for
   PanelInputs panels_;
   Moments moments_;
   Pacing pacing_;
@@ -165,6 +171,7 @@ class Session {
   void ask_seek(const Command& command, const Participant& member);
   Role role_over_time(const Participant& member) const;
   void ask_effort(const Command& command, const Participant& member);
+  void ask_accuracy(const Command& command, const Participant& member);
   void ask_part(const Command& command, Seat& seat);
   void ask_cut(const Command& command, const Participant& member, Seat& seat);
   void vanish_hands(ParticipantId id, Seat& seat);

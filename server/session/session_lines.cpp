@@ -26,6 +26,7 @@ std::string line_of(const SessionEvent& e) {
       return fmt::format("{} rewound everything to {}", e.name, e.detail);
     case SessionEvent::Kind::pace:
     case SessionEvent::Kind::effort:
+    case SessionEvent::Kind::accuracy:
       return fmt::format("{} {}", e.name, e.detail);
   }
   return {};

@@ -148,6 +148,21 @@ TEST(Console, GoesToTimesOfARecording) {
     EXPECT_NE(refusal(bad).find("TIMES"), std::string::npos) << bad;
 }
 
+TEST(Console, SaysHowAccurateTissueIsToBe) {
+  for (const char* line : {"accuracy left kidney 5 %", "accuracy left kidney 5%"}) {
+    EXPECT_EQ(command(line).kind, CommandKind::set_accuracy) << line;
+    EXPECT_EQ(command(line).body, 1u) << line;
+    EXPECT_EQ(command(line).value, 5) << line;
+  }
+  EXPECT_EQ(command("accuracy left kidney").body, 1u);
+  EXPECT_EQ(command("accuracy left kidney").value, 0) << "only to be told what it can have";
+  for (const char* bad :
+       {"accuracy left kidney 0.01 %", "accuracy left kidney 101 %", "accuracy left kidney x%"})
+    EXPECT_NE(refusal(bad).find("PART"), std::string::npos) << bad;
+  for (const char* bad : {"accuracy", "accuracy spleen 5 %", "accuracy left kidney 5"})
+    EXPECT_NE(refusal(bad).find("no body"), std::string::npos) << bad;
+}
+
 TEST(Console, SaysHowExactlyTissueIsSolved) {
   EXPECT_EQ(command("effort left kidney 2").kind, CommandKind::set_effort);
   EXPECT_EQ(command("effort left kidney 2").body, 1u);

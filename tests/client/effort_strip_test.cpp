@@ -43,8 +43,10 @@ TEST(EffortStrip, DoesNotCoverTheBoard) {
 }
 
 TEST(EffortStrip, TellsCostAndErrorWhereItIsKnown) {
-  EXPECT_EQ(in_words(ShownEffort{0, 4.12, 0.021}), "4.1 ms a tick now, about 2.1 % off");
-  EXPECT_EQ(in_words(ShownEffort{2, 4.12, -1}), "4.1 ms a tick now, error not known");
+  EXPECT_EQ(in_words(ShownEffort{.steps_down = 0, .tick_ms = 4.12, .error = 0.021}),
+            "4.1 ms a tick now, about 2.1 % off");
+  EXPECT_EQ(in_words(ShownEffort{.steps_down = 2, .tick_ms = 4.12, .error = -1}),
+            "4.1 ms a tick now, error not known");
 }
 
 }  // namespace

@@ -122,6 +122,10 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<Command>("body", [](Command& m) { m.body = max_bodies; }),
       spoiled<Command>("role", [](Command& m) { m.role = static_cast<Role>(3); }),
       spoiled<Command>("control", [](Command& m) { m.control = static_cast<PanelControl>(6); }),
+      spoiled<Command>("value", [](Command& m) { m.value = 1.5; }),
+      spoiled<Command>("pace", [](Command& m) { m.kind = CommandKind::set_pace, m.value = most_pace + 1; }),
+      spoiled<Command>("accuracy",
+                       [](Command& m) { m.kind = CommandKind::set_accuracy, m.value = most_accuracy + 1; }),
       spoiled<Command>("value NaN", [](Command& m) { m.value = nan; }),
       spoiled<Command>("flattened", [](Command& m) { m.shape.A.row(1).setZero(); }),
       spoiled<Command>("blown up", [](Command& m) { m.shape.A *= 1e9; }),
@@ -227,6 +231,8 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<BodyStatus>("residual", [](BodyStatus& m) { m.residual = -1; }),
       spoiled<BodyStatus>("correction", [](BodyStatus& m) { m.correction = infinity; }),
       spoiled<BodyStatus>("error NaN", [](BodyStatus& m) { m.error = nan; }),
+      spoiled<BodyStatus>("prices", [](BodyStatus& m) { m.prices.resize(max_prices + 1); }),
+      spoiled<BodyStatus>("price NaN", [](BodyStatus& m) { m.prices[1].ms = nan; }),
       spoiled<BodyStatus>("steps down", [](BodyStatus& m) { m.stepped_down = max_steps_down + 1; }),
   };
 }
@@ -407,6 +413,7 @@ std::string as_wire_bytes(const Message& message) {
             add(x);
           add(m.substeps);
           add(m.stepped_down);
+          for (const Price& price : m.prices) add(price.error), add(price.ms);
           add(m.asleep);
           add(m.converged);
         } else if constexpr (std::is_same_v<M, PartState>) {

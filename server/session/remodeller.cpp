@@ -1,0 +1,123 @@
+#include "server/session/remodeller.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <tbb/task_arena.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "server/calibration/redial.h"
+
+namespace prosector {
+namespace {
+
+constexpr int gives_way = 10;  // of a nice value
+
+/// Returns the choices with that one in place of the body's earlier one.
+std::vector<Choice> with(std::vector<Choice> choices, const Choice& choice) {
+  std::erase_if(choices, [&](const Choice& c) { return c.body == choice.body; });
+  choices.push_back(choice);
+  return choices;
+}
+
+std::string in_words(const Choice& choice) {
+  return fmt::format("{:.2g} % off for {:.2g} ms a frame", 100 * choice.expected.error, choice.expected.ms);
+}
+
+}  // namespace
+
+Remodeller::Remodeller(Hooks hooks)
+    : hooks_(std::move(hooks)), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+void Remodeller::begin(std::vector<Choice> choices) {
+  const std::lock_guard lock(mutex_);
+  choices_ = std::move(choices);
+}
+
+void Remodeller::ask(AccuracyWish wish) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(wishes_, [&](const AccuracyWish& earlier) { return earlier.body == wish.body; });
+  wishes_.push_back(std::move(wish));
+  asked_.notify_one();
+}
+
+std::map<std::string, std::vector<Price>> Remodeller::prices() const {
+  const std::lock_guard lock(mutex_);
+  return prices_;
+}
+
+std::vector<AccuracyAnswer> Remodeller::take_answers() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(answers_, {});
+}
+
+std::optional<ReadyScene> Remodeller::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(made_, std::nullopt);
+}
+
+void Remodeller::run(const std::stop_token& stop) {
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), gives_way);  // not being allowed is no error
+  tbb::task_arena alone(1);  // the session's threads are the session's
+  std::unique_lock lock(mutex_);
+  while (asked_.wait(lock, stop, [&] { return !wishes_.empty(); })) {
+    const AccuracyWish wish = std::move(wishes_.front());
+    wishes_.pop_front();
+    lock.unlock();
+    AccuracyAnswer found = alone.execute([&] { return answer(wish); });
+    lock.lock();
+    answers_.push_back(std::move(found));
+  }
+}
+
+/// Finds what the body can have and makes what was wished, or says why not.
+AccuracyAnswer Remodeller::answer(const AccuracyWish& wish) {
+  AccuracyAnswer out{wish, {}};
+  std::vector<Choice> choices;
+  {
+    const std::lock_guard lock(mutex_);
+    choices = choices_;
+  }
+  try {
+    SceneDesc scene = hooks_.describe();
+    adopt(choices, scene);
+    const Redial dial(scene, wish.name, hooks_.choosing);
+    const std::vector<Price> prices = dial.prices();
+    const std::string can_have = fmt::format("{} can have: {}", wish.name, prosector::in_words(prices));
+    {
+      const std::lock_guard lock(mutex_);
+      prices_[wish.name] = prices;
+    }
+    if (wish.percent > 0) {
+      const Choice choice = dial.choose(wish.percent);
+      out.words = choice.good_enough
+                      ? remodel(wish, scene, choice, std::move(choices))
+                      : fmt::format("nothing here reaches {:.2g} %: {}", wish.percent, can_have);
+    } else {
+      out.words = can_have;
+    }
+  } catch (const std::exception& error) {
+    out.words = error.what();
+  }
+  return out;
+}
+
+/// Compiles the scene with that choice. Returns what to say of it.
+std::string Remodeller::remodel(const AccuracyWish& wish, const SceneDesc& scene, const Choice& choice,
+                                std::vector<Choice> choices) {
+  choices = with(std::move(choices), choice);
+  SceneDesc changed = scene;
+  adopt(choices, changed);
+  ReadyScene made{choices, hooks_.compile(changed)};
+  {
+    const std::lock_guard lock(mutex_);
+    made_ = std::move(made);
+  }
+  hooks_.ready();
+  return fmt::format("{} is modelled anew: expected {}", wish.name, in_words(choice));
+}
+
+}  // namespace prosector
