@@ -58,8 +58,11 @@ struct Dialled {
   Guest ada;
 
   Remodeller::Hooks hooks() {
-    ChoiceOptions choosing{
-        .table_file = {}, .machine = "made up", .measure = slowly_converging, .sources = options()};
+    ChoiceOptions choosing{.table_file = {},
+                           .machine = "made up",
+                           .measure = slowly_converging,
+                           .on_the_body = false,  // trials have their own tests, and take time
+                           .sources = options()};
     return {.describe = described,
             .choosing = choosing,
             .compile = [](const SceneDesc& s) { return std::make_unique<Simulation>(s, options()); },

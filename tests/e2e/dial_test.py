@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+"""dial_test.py BIN OUT: a host has a body modelled anew while the session runs, at the price that the server found for it. Both
+people stay, and both journals replay."""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import threading
+import time
+
+BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+OUT.mkdir(parents=True, exist_ok=True)
+for old in OUT.glob("dial*.sqlite*"):
+    old.unlink()
+ENV = {**os.environ, "LC_ALL": "C"}
+SCENE = """name = "dial"
+[[light]]
+kind = "directional"
+[[soft]]
+name = "ball"
+shape = "ball"
+size = [0.06, 0.06, 0.06]
+cell = 0.02
+surface_cell = 0.01
+youngs_modulus = 20000
+poisson_ratio = 0.3
+position = [0, 1, 0]
+accuracy_of = ["shape"]
+  [[soft.attach]]
+  center = [0, 0.97, 0]
+  radius = 0.02
+  stiffness = 1e8
+"""
+FIRST_TIME = 400  # s: rungs are measured on this machine
+
+
+class Program:
+    """A program that is spoken to, and whose lines can be waited for."""
+
+    def __init__(self, *words):
+        self.lines = []
+        self.process = subprocess.Popen([str(w) for w in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                        stdin=subprocess.PIPE, env=ENV)
+        threading.Thread(target=self.read, daemon=True).start()
+
+    def read(self):
+        for line in self.process.stdout:
+            self.lines.append(line.rstrip("\n"))
+
+    def say(self, line):
+        self.process.stdin.write(line + "\n")
+        self.process.stdin.flush()
+
+    def wait(self, words, times=1, seconds=40):
+        end = time.monotonic() + seconds
+        while sum(words in line for line in list(self.lines)) < times:
+            if time.monotonic() > end or self.process.poll() is not None:
+                sys.exit(f"FAILED: no {times} x \"{words}\" in:\n" + "\n".join(self.lines))
+            time.sleep(0.05)
+        return [line for line in self.lines if words in line][-1]
+
+
+(OUT / "dial.toml").write_text(SCENE)
+session = f"dial{os.getpid()}"
+journal = OUT / "dial.sqlite"
+server = Program(BIN / "prosector-server", OUT / "dial.toml", "--session", session, "--cache", OUT / "cache", "--journal", journal)
+people = []
+try:
+    server.wait("is open")
+    host = Program(BIN / "prosector-client", "join", "--session", session, "--name", "Host", "--host", "--display", "none",
+                   "--patience", "20")
+    people.append(host)
+    server.wait("Host joins")
+    people.append(Program(BIN / "prosector-client", "observe", "--session", session, "--name", "Watcher", "--display", "none",
+                          "--patience", "20"))
+    server.wait("Watcher joins")
+
+    host.say("accuracy ball")
+    told = server.wait("ball can have: ", seconds=FIRST_TIME)
+    prices = [float(p) for p in re.findall(r"([0-9.]+) % for", told)]
+    assert prices == sorted(prices, reverse=True) and len(prices) >= 1, told
+    host.wait("ball can have: ")
+
+    host.say("accuracy ball 0.1 %")
+    server.wait("nothing here reaches 0.1 %", seconds=FIRST_TIME)
+    host.say(f"accuracy ball {1.01 * prices[-1]:.4g} %")
+    server.wait("the journal goes on in", seconds=FIRST_TIME)
+    for name in ("Host", "Watcher"):
+        server.wait(f"{name} joins", times=2)
+    host.wait("ball is modelled anew: expected ")
+    time.sleep(1)
+    for person in people:
+        assert person.process.poll() is None, "somebody didn't stay:\n" + "\n".join(person.lines)
+finally:
+    for program in (*people, server):
+        program.process.terminate()
+        program.process.wait(20)
+
+for file in (journal, OUT / "dial-2.sqlite"):
+    replay = subprocess.run([BIN / "prosector-server", "--replay", file, "--cache", OUT / "cache"], capture_output=True, text=True,
+                            env=ENV, timeout=120)
+    assert replay.returncode == 0 and "equal: " in replay.stdout, f"{file}:\n{replay.stdout}{replay.stderr}"
+print(f"dial: ball can have {prices} %, was modelled anew, two people stayed, both journals replay")
