@@ -437,6 +437,29 @@ struct ServerStatus {
   std::uint64_t invalid_dropped = 0;  // samples refused at the edge since start
   std::uint64_t state_hash = 0;       // of `time`
   std::string degraded;               // bodies reset, not converged or slowed, by name; empty is well
+  double error = -1;                  // largest of the deformables', as they are now; < 0: none is known
+};
+
+/// What makes a body's error, as fractions. Where it is known which way, it has a sign: above 0 the body
+/// gives way less than tissue would.
+struct ErrorParts {
+  double discretisation = 0;  // of mesh and elements
+  double model = 0;           // of the law, against tissue's at the strains that occur
+  double solver = 0;          // of the last tick's solve, ≥ 0
+  double time = 0;            // of the last tick's length, ≥ 0
+};
+
+inline constexpr std::size_t max_error_map_side = 10;  // values
+inline constexpr std::size_t max_error_map_values =
+    max_error_map_side * max_error_map_side * max_error_map_side;
+
+/// Where in a body its error is: values on a grid over its shape at rest, in between linear along each axis.
+/// The mean over the body's volume is its error.
+struct ErrorMap {
+  Vec3 corner = Vec3::Zero();             // m, world frame: where the first value is
+  double cell = 0;                        // m, from one value to the next
+  std::array<std::uint8_t, 3> size{};     // values along x, y, z; all 0: not known
+  std::vector<std::uint8_t> levels = {};  // x fastest; common/error_map.h tells what they mean
 };
 
 /// What modelling a body in some way gets wrong and costs, as tried on the body itself.
@@ -447,9 +470,8 @@ struct Price {
 inline constexpr std::size_t max_prices = 8;
 
 /// server → all, about 2 Hz while it is awake, keyed by body: how one deformable is stepped, and what of its
-/// shape is not to be relied on. Both errors are estimates. `residual` is measured, of the solves of the last
-/// second. `error` is looked up in what the server measured on a bending beam as fine and as long
-/// (docs/understand/soft-tissue.md).
+/// shape is not to be relied on. All errors are estimates of it as it is now. `residual` is measured, of the
+/// solves of the last second (docs/understand/soft-tissue.md).
 struct BodyStatus {
   BodyId body = 0;
   SimTime time;
@@ -461,10 +483,13 @@ struct BodyStatus {
   double solver_iterations = 0;  // of the linear solver: mean over the ticks since the last one
   double residual = 0;           // worst: force left unbalanced by a linear solve, over what it started from
   double correction = 0;         // m, worst: how far the last Newton step still moved a node
-  double error = -1;             // of displacements against the continuum, fraction; < 0: not known
+  double error = -1;             // of how far its loads move it, fraction; < 0: not known
   double expected_ms = -1;       // CPU ms a frame that were expected when it was chosen; < 0: not chosen
   std::uint32_t stepped_down = 0;  // by how many steps it is solved less exactly because of overload
-  std::vector<Price> prices;       // what it can have, the cheapest first; empty: nobody asked
+  std::vector<Price> prices{};     // what it can have, the cheapest first; empty: nobody asked
+  ErrorParts parts = {};           // of `error`
+  double press_error = -1;         // of the force that is felt where it is pressed, fraction; < 0: not known
+  ErrorMap error_map = {};
 };
 inline constexpr std::uint32_t max_steps_down = 3;
 

@@ -14,6 +14,8 @@ std::string body_figures(const SceneBody& body, const BodyStatus& status) {
   if (status.asleep) text += "\nat rest";
   if (!status.asleep && !status.converged) text += "\nnot converged";
   if (status.error >= 0) text += fmt::format("\n{:.2g} % off", 100 * status.error);
+  if (status.press_error >= 0)
+    text += fmt::format("\npressed: force within {:.2g} %", 100 * status.press_error);
   if (status.stepped_down > 0) text += fmt::format("\nstepped down {}", status.stepped_down);
   return text;
 }

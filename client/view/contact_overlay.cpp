@@ -20,7 +20,7 @@ std::string in_words(const Vec3& v, int digits) {
 
 }  // namespace
 
-std::string contact_figures(const ContactSample& contact, const std::string& body) {
+std::string contact_figures(const ContactSample& contact, const std::string& body, double error) {
   const double force = contact.force.norm();
   std::string text = fmt::format("touching {}\n", body);
   text += fmt::format("depth\t{:.2f} mm\n", 1e3 * contact.depth);
@@ -28,12 +28,14 @@ std::string contact_figures(const ContactSample& contact, const std::string& bod
   text += fmt::format("normal\t{}\n", in_words(contact.normal, 2));
   text += fmt::format("impulse\t{:.4f} N s\n", contact.impulse);
   text += fmt::format("force\t{:.2f} N", force);
+  if (error >= 0) text += fmt::format("\nwithin\t{:.2g} %", 100 * error);
   if (force > 0) text += fmt::format("\nalong\t{}", in_words(contact.force / force, 2));
   return text;
 }
 
-void add_contact_overlay(DrawList& list, const ContactSample& contact, const std::string& body) {
-  const std::string text = contact_figures(contact, body);
+void add_contact_overlay(DrawList& list, const ContactSample& contact, const std::string& body,
+                         double error) {
+  const std::string text = contact_figures(contact, body, error);
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
   const double top = OverlayFrame(list).lowest - bottom - padding - text_height * height_of_lines(lines);
   list.texts.push_back({.text = text,

@@ -7,10 +7,12 @@
 
 namespace prosector {
 
-/// Returns the figures as lines of text: depth, point, normal, impulse, force and its direction.
-std::string contact_figures(const ContactSample& contact, const std::string& body);
+/// Returns the figures as lines of text: depth, point, normal, impulse, force, how far that may be off, and
+/// its direction. `error`: of the force, fraction; below 0: not known.
+std::string contact_figures(const ContactSample& contact, const std::string& body, double error = -1);
 
 /// Adds the figures beside the axes, over the picture of every eye.
-void add_contact_overlay(DrawList& list, const ContactSample& contact, const std::string& body);
+void add_contact_overlay(DrawList& list, const ContactSample& contact, const std::string& body,
+                         double error = -1);
 
 }  // namespace prosector

@@ -203,10 +203,12 @@ void SceneView::close_section() {
 void SceneView::paint(DrawItem& item, Shown shown, const BodyStatus* status) {
   std::optional<double> value;  // of the whole body
   if (shown == Shown::residual) value = status != nullptr ? status->residual : not_known;
-  if (shown == Shown::error) value = status != nullptr && status->error >= 0 ? status->error : not_known;
+  const bool known = status != nullptr && status->error >= 0;
+  if (shown == Shown::error) value = known ? status->error : not_known;
+  const ErrorMap* map = shown == Shown::error && known ? &status->error_map : nullptr;
   const auto [painted, is_new] = painted_.try_emplace(item.mesh->id, next_mesh_id_);
   if (is_new) ++next_mesh_id_;
-  item.mesh = painted->second.of(*item.mesh, scale_of(shown), value);
+  item.mesh = painted->second.of(*item.mesh, scale_of(shown), value, map);
   item.painted = true;
 }
 

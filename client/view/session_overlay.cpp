@@ -21,8 +21,10 @@ void add_contact(DrawList& list, const Replica& replica, ParticipantId who) {
     if (contact == nullptr || !contact->touching || contact->body >= replica.scene()->bodies.size()) continue;
     if (strongest == nullptr || contact->impulse > strongest->impulse) strongest = contact;
   }
-  if (strongest != nullptr)
-    add_contact_overlay(list, *strongest, replica.scene()->bodies[strongest->body].name);
+  if (strongest == nullptr) return;
+  const BodyStatus* status = replica.body_status(strongest->body);
+  add_contact_overlay(list, *strongest, replica.scene()->bodies[strongest->body].name,
+                      status != nullptr ? status->press_error : -1);
 }
 
 /// Names what the pointer is at, and who holds it.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "client/view/overlay_frame.h"
+#include "common/error_map.h"
 
 namespace prosector {
 namespace {
@@ -77,17 +78,26 @@ std::vector<double> surface_strains(const DrawMesh& mesh) {
 }
 
 std::shared_ptr<const DrawMesh> PaintedMesh::of(const DrawMesh& mesh, const ValueScale& scale,
-                                                std::optional<double> value) {
+                                                std::optional<double> value, const ErrorMap* map) {
   const std::array<std::uint64_t, 2> revisions = {mesh.revision, mesh.positions_revision};
   const bool same_value = value == value_ || (value && value_ && std::isnan(*value) && std::isnan(*value_));
-  if (scale_ == &scale && same_value && revisions_ == revisions) return mesh_;
+  const std::vector<std::uint8_t> levels = map != nullptr ? map->levels : std::vector<std::uint8_t>();
+  if (scale_ == &scale && same_value && revisions_ == revisions && levels == levels_) return mesh_;
   scale_ = &scale;
   value_ = value;
+  levels_ = levels;
   revisions_ = revisions;
   mesh_->positions = mesh.positions;
   mesh_->normals = mesh.normals;
   mesh_->triangles = mesh.triangles;
   ++mesh_->revision;
+  if (!levels.empty() && mesh.rest_positions.size() == mesh.positions.size()) {
+    mesh_->rest_positions.clear();
+    for (const Eigen::Vector3f& place : mesh.rest_positions)
+      mesh_->rest_positions.push_back(
+          value_color(scale, error_at(*map, place.cast<double>()).value_or(not_known)).cast<float>());
+    return mesh_;
+  }
   if (value) {
     mesh_->rest_positions.assign(mesh.positions.size(), value_color(scale, *value).cast<float>());
     return mesh_;

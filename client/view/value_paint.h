@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "client/view/draw_list.h"
+#include "common/messages.h"
 
 namespace prosector {
 
@@ -27,7 +28,7 @@ inline constexpr std::array<ValueScale, 4> value_scales = {
     {{"none", ""},
      {"strain", "strain, %", 0, 0.3, 100, false},
      {"residual", "worst residual of\nthe last second\n(gray: not known)", 1e-8, 1, 1, true},
-     {"error", "estimated error, %\n(gray: not known)", 0, 0.2, 100, false}}};
+     {"error", "estimated error, %,\nby where it comes from\n(gray: not known)", 0, 0.2, 100, false}}};
 constexpr const ValueScale& scale_of(Shown shown) {
   return value_scales[static_cast<std::size_t>(shown)];
 }
@@ -47,14 +48,16 @@ class PaintedMesh {
  public:
   explicit PaintedMesh(std::uint64_t id) { mesh_->id = id; }
   /// Returns `mesh` in colours instead of rest positions, for DrawItem::painted. `value` is that of the whole
-  /// mesh; without one, its strains are shown.
+  /// mesh; without one, its strains are shown. `map`: what vertices have instead, by their rest positions;
+  /// null or empty: none.
   std::shared_ptr<const DrawMesh> of(const DrawMesh& mesh, const ValueScale& scale,
-                                     std::optional<double> value);
+                                     std::optional<double> value, const ErrorMap* map = nullptr);
 
  private:
   std::shared_ptr<DrawMesh> mesh_ = std::make_shared<DrawMesh>();
   const ValueScale* scale_ = nullptr;
   std::optional<double> value_;
+  std::vector<std::uint8_t> levels_;  // of the map
   std::array<std::uint64_t, 2> revisions_{};
 };
 

@@ -1,11 +1,23 @@
 // How the server does: ServerStatus, and each deformable: BodyStatus.
 
+#include <algorithm>
+#include <iterator>
+
 #include "idl/wire/primitives.h"
 
 namespace prosector {
 namespace {
 
 constexpr double huge = 1e12;  // of whatever unit: no figure of a healthy server comes near
+
+bool is_a_map(const ErrorMap& m) {
+  std::size_t values = 1;
+  for (const std::uint8_t side : m.size) {
+    if (side > max_error_map_side) return false;
+    values *= side;
+  }
+  return m.levels.size() == values && within(m.cell, 0, max_coordinate) && within(m.corner, max_coordinate);
+}
 
 }  // namespace
 
@@ -25,6 +37,7 @@ void to_wire(const ServerStatus& m, prosector_ServerStatus& w, WireArena&) {
   w.invalid_dropped = m.invalid_dropped;
   w.state_hash = m.state_hash;
   to_wire(m.degraded, w.degraded);
+  w.error = m.error;
 }
 
 Refusal from_wire(const prosector_ServerStatus& w, ServerStatus& m) {
@@ -42,6 +55,7 @@ Refusal from_wire(const prosector_ServerStatus& w, ServerStatus& m) {
   m.invalid_dropped = w.invalid_dropped;
   m.state_hash = w.state_hash;
   m.degraded = from_wire(w.degraded);
+  m.error = w.error;
   return {};
 }
 
@@ -51,6 +65,7 @@ Refusal check(ServerStatus& m) {
       .that(within(m.step_ms_p50, 0, huge) && within(m.step_ms_p99, 0, huge), "step time out of range")
       .that(within(m.solver_residual, 0, huge), "residual out of range")
       .that(within(m.energy, -huge, huge), "energy out of range")
+      .that(within(m.error, -1, huge), "error out of range")
       .that(valid_text(m.degraded), "degraded not valid text");
   for (const double ms : m.phase_ms) checks.that(within(ms, 0, huge), "phase time out of range");
   return checks.refusal();
@@ -72,6 +87,16 @@ void to_wire(const BodyStatus& m, prosector_BodyStatus& w, WireArena& arena) {
   w.stepped_down = m.stepped_down;
   make_sequence<prosector_Price>(w.prices, m.prices.size(), arena);
   for (std::size_t i = 0; i < m.prices.size(); ++i) w.prices._buffer[i] = {m.prices[i].error, m.prices[i].ms};
+  w.parts[0] = m.parts.discretisation;
+  w.parts[1] = m.parts.model;
+  w.parts[2] = m.parts.solver;
+  w.parts[3] = m.parts.time;
+  w.press_error = m.press_error;
+  to_wire(m.error_map.corner, w.error_map.corner);
+  w.error_map.cell = m.error_map.cell;
+  std::copy(m.error_map.size.begin(), m.error_map.size.end(), w.error_map.size);
+  make_sequence<std::uint8_t>(w.error_map.levels, m.error_map.levels.size(), arena);
+  std::copy(m.error_map.levels.begin(), m.error_map.levels.end(), w.error_map.levels._buffer);
 }
 
 Refusal from_wire(const prosector_BodyStatus& w, BodyStatus& m) {
@@ -92,6 +117,14 @@ Refusal from_wire(const prosector_BodyStatus& w, BodyStatus& m) {
   m.prices.clear();
   for (std::size_t i = 0; i < w.prices._length; ++i)
     m.prices.push_back({w.prices._buffer[i].error, w.prices._buffer[i].ms});
+  m.parts = {w.parts[0], w.parts[1], w.parts[2], w.parts[3]};
+  m.press_error = w.press_error;
+  m.error_map.corner = from_wire(w.error_map.corner);
+  m.error_map.cell = w.error_map.cell;
+  std::copy(std::begin(w.error_map.size), std::end(w.error_map.size), m.error_map.size.begin());
+  if (!sequence_within(w.error_map.levels, max_error_map_values)) return "error map too large";
+  m.error_map.levels.assign(w.error_map.levels._buffer,
+                            w.error_map.levels._buffer + w.error_map.levels._length);
   return {};
 }
 
@@ -106,7 +139,12 @@ Refusal check(BodyStatus& m) {
             "iterations out of range")
       .that(within(m.residual, 0, huge), "residual out of range")
       .that(within(m.correction, 0, huge), "correction out of range")
-      .that(within(m.error, -1, huge) && within(m.expected_ms, -1, huge), "expectation out of range")
+      .that(within(m.error, -1, huge) && within(m.press_error, -1, huge), "error out of range")
+      .that(within(m.parts.discretisation, -huge, huge) && within(m.parts.model, -huge, huge) &&
+                within(m.parts.solver, 0, huge) && within(m.parts.time, 0, huge),
+            "part of the error out of range")
+      .that(within(m.expected_ms, -1, huge), "expectation out of range")
+      .that(is_a_map(m.error_map), "error map's size, place or values don't agree")
       .that(m.stepped_down <= max_steps_down, "stepped down too far")
       .refusal();
 }

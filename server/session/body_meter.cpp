@@ -31,7 +31,8 @@ std::map<std::string, Prospect> expectations_of(const std::vector<Choice>& choic
 BodyMeter::BodyMeter(const Simulation& simulation, const std::map<std::string, Prospect>& expected)
     : tick_seconds_(1 / simulation.scene().tick_rate),
       period_(std::max<std::uint64_t>(
-          1, static_cast<std::uint64_t>(std::lround(simulation.scene().tick_rate / telling_rate)))) {
+          1, static_cast<std::uint64_t>(std::lround(simulation.scene().tick_rate / telling_rate)))),
+      estimates_(simulation) {
   for (BodyId b = 0; b < simulation.body_count(); ++b) {
     if (simulation.kind(b) != BodyKind::soft) continue;
     const auto it = expected.find(simulation.name(b));
@@ -45,10 +46,7 @@ void BodyMeter::add_body(const Simulation& simulation, BodyId body, const Prospe
   status.body = body;
   status.substeps = substeps_to_come(simulation, body, tick_seconds_);
   status.step = tick_seconds_ / std::max(1u, status.substeps);
-  if (expected != nullptr) {
-    status.error = expected->error;
-    status.expected_ms = expected->ms;
-  }
+  if (expected != nullptr) status.expected_ms = expected->ms;
   newest_[body] = status;
 }
 
@@ -59,7 +57,14 @@ void BodyMeter::set_prices(BodyId body, std::vector<Price> prices) {
   it->second.told = false;
 }
 
-void BodyMeter::add(const StepReport& report) {
+void BodyMeter::add(const Simulation& simulation, const StepReport& report) {
+  estimates_.follow(simulation, report);
+  for (const auto& [body, sum] : sums_) {
+    const LiveEstimate* estimate = estimates_.newest(body);
+    if (estimate == nullptr || estimate->press_error < 0) continue;
+    if (MeteredPress& press = presses_[body]; estimate->press_force > press.force)
+      press = {estimate->press_force, estimate->press_error};
+  }
   for (const BodyReport& row : report.bodies) {
     const auto id = id_of_.find(row.body);
     if (id == id_of_.end()) continue;
@@ -81,11 +86,24 @@ std::vector<BodyStatus> BodyMeter::take(const Simulation& simulation) {
   const bool due = simulation.time().tick % period_ == 0;
   for (auto& [body, sum] : sums_) {
     const bool fell_asleep = simulation.asleep(body) && !sum.was_asleep;
-    if (sum.told && !fell_asleep && !(due && sum.ticks > 0)) continue;
+    if (sum.told && !fell_asleep && !(due && (sum.ticks > 0 || news_of_rest(body, sum)))) continue;
     out.push_back(close(sum, simulation));
     newest_[body] = out.back();
   }
   return out;
+}
+
+/// Tells whether there is an estimate that wasn't told.
+bool BodyMeter::news_of_rest(BodyId body, const Sum& sum) const {
+  const LiveEstimate* estimate = estimates_.newest(body);
+  return estimate != nullptr && estimate->tick != sum.told_estimate;
+}
+
+double BodyMeter::worst_error() const {
+  double worst = -1;
+  for (const auto& [body, sum] : sums_)
+    if (const LiveEstimate* estimate = estimates_.newest(body)) worst = std::max(worst, estimate->error);
+  return worst;
 }
 
 /// Returns the mean of what was gathered; starts anew.
@@ -94,6 +112,13 @@ BodyStatus BodyMeter::close(Sum& sum, const Simulation& simulation) const {
   out.time = simulation.time();
   out.asleep = simulation.asleep(out.body);
   out.stepped_down = static_cast<std::uint32_t>(simulation.soft_state(out.body).steps_down);
+  if (const LiveEstimate* estimate = estimates_.newest(out.body)) {
+    out.error = estimate->error;
+    out.parts = estimate->parts;
+    out.press_error = estimate->press_error;
+    out.error_map = estimate->map;
+    sum.told_estimate = estimate->tick;
+  }
   const double ticks = std::max<std::uint32_t>(1, sum.ticks);
   out.newton_iterations = sum.newton_iterations / ticks;
   out.solver_iterations = sum.solver_iterations / ticks;

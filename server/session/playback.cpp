@@ -177,7 +177,7 @@ void Playback::meter(const StepReport& report, std::int64_t begun_ns) {
   awake_ = report.awake_bodies;
   asleep_ = report.asleep_bodies;
   meter_.add(report, awake_ > 0, begun_ns, monotonic_ns());
-  body_meter_.add(report);
+  body_meter_.add(simulation_, report);
 }
 
 std::vector<Outgoing> Playback::words_of_bodies() {
@@ -246,6 +246,7 @@ ServerStatus Playback::status() const {
   out.asleep_bodies = asleep_;
   out.invalid_dropped = bus_.counters().dropped_total + session_.dropped_total();
   out.state_hash = simulation_.state_hash();
+  out.error = body_meter_.worst_error();
   if (player_.differs())
     out.degraded =
         fmt::format("from tick {} on this machine or build computes another state than was recorded",

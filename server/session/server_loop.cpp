@@ -272,7 +272,7 @@ std::string ServerLoop::stepped_down() const {
 }
 
 std::vector<Outgoing> ServerLoop::words_of_bodies(const StepReport& report) {
-  body_meter_.add(report);
+  body_meter_.add(simulation_, report);
   std::vector<Outgoing> out;
   for (const BodyStatus& status : body_meter_.take(simulation_)) out.push_back({status});
   return out;
@@ -361,6 +361,7 @@ ServerStatus ServerLoop::status() const {
   out.asleep_bodies = asleep_;
   out.invalid_dropped = bus_.counters().dropped_total + session_.dropped_total();
   out.state_hash = state_hash_;
+  out.error = body_meter_.worst_error();
   const auto add = [&](const std::string& text) {
     if (!text.empty()) out.degraded += (out.degraded.empty() ? "" : "; ") + text;
   };
@@ -384,9 +385,12 @@ std::string ServerLoop::console_line() const {
       s.step_ms_p99, counted(s.participants, "participant"), counted(s.observers, "observer"),
       s.invalid_dropped, s.awake_bodies, s.asleep_bodies);
   for (const auto& [body, told] : body_meter_.newest())
-    if (told.error >= 0 && !told.asleep)
+    if (told.error >= 0 && !told.asleep) {
       line += fmt::format(" | {} about {:.2g} % off, residual {:.0e}", simulation_.name(body),
                           100 * told.error, told.residual);
+      if (told.press_error >= 0)
+        line += fmt::format(", pressed: force within {:.2g} %", 100 * told.press_error);
+    }
   if (!s.degraded.empty()) line += " | degraded: " + s.degraded;
   return line;
 }

@@ -89,6 +89,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "--max 100 --threads 1 --model fem_corotational --solver cg",
                 rung,
                 {"ms_per_frame", "cpu_us_per_tet", "steps_per_s", "residual"}},
+        Subject{"estimate",
+                "--quick",
+                {"case", "act", "poisson_ratio", "model", "element", "tets"},
+                {"error_continuum", "unsettled", "estimate", "discretisation", "model_part", "effectivity"}},
         Subject{"collision", "--pairs 10 --ticks 1 --bodies 100 --triangles 128", {"case", "fidelity"}, {}}),
     [](const auto& row) { return std::string(row.param.name) + std::to_string(row.index); });
 

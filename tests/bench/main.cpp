@@ -165,6 +165,18 @@ int main(int argc, char** argv) try {
   promise_command->add_option("--reference", promise.finest_reference, "Tetrahedra of the reference, at most")
       ->check(CLI::Range(1000, 1000000));
 
+  prosector::EstimateBenchOptions estimate;
+  CLI::App* estimate_command =
+      app.add_subcommand("estimate", "What bodies tell of their own error against the error that they have");
+  estimate_command->add_option("--case", estimate.only, "Only this one")
+      ->check(CLI::IsMember({"beam", "cube", "slab", "layer", "liver"}));
+  estimate_command
+      ->add_option("--scene", estimate.scene, "Also what telling costs while two hands press its organ")
+      ->check(CLI::ExistingFile);
+  estimate_command->add_option("--svg", estimate.picture_folder, "Folder for a picture")
+      ->check(CLI::ExistingDirectory);
+  estimate_command->add_flag("--quick", estimate.quick, "One coarse case");
+
   prosector::ScalingBenchOptions scaling;
   CLI::App* scaling_command = app.add_subcommand("scaling", "Time of a frame against elements and threads");
   scaling_command->add_option("--model", scaling.model, "Only this one");
@@ -216,6 +228,7 @@ int main(int argc, char** argv) try {
   if (*stability_command) report = prosector::bench_stability(stability);
   if (*need_command) report = prosector::bench_need(need);
   if (*promise_command) report = prosector::bench_promise(promise);
+  if (*estimate_command) report = prosector::bench_estimate(estimate);
   if (*scaling_command) report = prosector::bench_scaling(scaling);
   if (*collision_command) report = prosector::bench_collision(collision);
   if (!file.empty()) report.value().write(file);

@@ -138,6 +138,15 @@ struct PromiseBenchOptions {
 /// Random bodies that ask for accuracy: what is promised against a finer reference and other acts.
 Report bench_promise(const PromiseBenchOptions& options);
 
+struct EstimateBenchOptions {
+  std::string only;            // one case; empty: all
+  std::string scene;           // file, of which the cost is measured; empty: it isn't
+  std::string picture_folder;  // where to write estimate.svg; empty: nowhere
+  bool quick = false;          // one coarse case: to see that it runs
+};
+/// What bodies tell of their own error against the error that they have, over a table of cases.
+Report bench_estimate(const EstimateBenchOptions& options);
+
 struct CollisionBenchOptions {
   int pairs = 1000;  // poses a shape
   int ticks = 5;

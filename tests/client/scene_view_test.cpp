@@ -290,6 +290,10 @@ TEST(SceneView, FiguresStandAboveTheSoftBodyThatAsksForThem) {
   EXPECT_NEAR(figures()[0].at.x(), 0.1, 1e-6);
   EXPECT_GT(figures()[0].at.y(), 1.3);
   EXPECT_LT(figures()[0].at.y(), 1.4);
+  status.error = 0.031;
+  status.press_error = 0.06;
+  client.tell(status);
+  EXPECT_EQ(figures()[0].text, "membrane\n12 steps of 1.39 ms\n3.1 % off\npressed: force within 6 %");
   status.asleep = true;
   client.tell(status);
   ASSERT_EQ(figures().size(), 1u);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "common/error_map.h"
+
 namespace prosector {
 namespace {
 
@@ -87,6 +89,28 @@ TEST(ValueColor, IsPaintedAnewOnlyWhenSomethingChanged) {
   const Eigen::Vector3f before = seen->rest_positions[2];
   (void)painted.of(mesh, scale_of(Shown::strain), std::nullopt);
   EXPECT_GT((seen->rest_positions[2] - before).norm(), 0.1F);
+}
+
+/// Each vertex has the error that the map has at its rest position.
+TEST(ValueColor, OfAnErrorIsThatOfItsPlace) {
+  const ValueScale& scale = scale_of(Shown::error);
+  const DrawMesh mesh = stretched(1.1F, 1);
+  ErrorMap map;
+  map.cell = 0.1;
+  map.size = {2, 1, 1};
+  map.levels = {level_of(0.02), level_of(0.18)};
+  PaintedMesh painted(7);
+  const auto seen = painted.of(mesh, scale, 0.1, &map);
+  ASSERT_EQ(seen->rest_positions.size(), 4u);
+  for (const auto& [vertex, error] : {std::pair(0u, 0.02), std::pair(1u, 0.18), std::pair(3u, 0.02)})
+    EXPECT_LT((seen->rest_positions[vertex].cast<double>() - value_color(scale, error)).norm(), 0.03)
+        << vertex;
+  EXPECT_GT((seen->rest_positions[0] - seen->rest_positions[1]).norm(), 0.3F);
+  const std::uint64_t first = seen->revision;
+  map.levels[1] = level_of(0.05);
+  (void)painted.of(mesh, scale, 0.1, &map);
+  EXPECT_EQ(seen->revision, first + 1);
+  EXPECT_LT((seen->rest_positions[1].cast<double>() - value_color(scale, 0.05)).norm(), 0.03);
 }
 
 TEST(ValueColor, OfALogarithmicScaleGoesByPowersOfTen) {

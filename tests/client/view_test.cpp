@@ -541,6 +541,8 @@ TEST(ContactOverlay, TellsEveryFigureInTheLowerLeft) {
   for (const char* figure : {"liver", "2.34 mm", "0.100 1.250 -0.300", "0.00 0.80 0.60", "0.0250 N s",
                              "5.00 N", "0.00 -0.60 0.80"})
     EXPECT_NE(text.find(figure), std::string::npos) << figure << " in\n" << text;
+  EXPECT_EQ(text.find("within"), std::string::npos) << "how far the force may be off isn't known";
+  EXPECT_NE(contact_figures(contact, "liver", 0.06).find("\nwithin\t6 %"), std::string::npos);
   add_contact_overlay(list, contact, "liver");
   ASSERT_EQ(list.texts.size(), 1u);
   const DrawText& figures = list.texts[0];

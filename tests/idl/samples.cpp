@@ -22,6 +22,15 @@ AssetChunk some_chunk() {
   return m;
 }
 
+BodyStatus some_body_status() {
+  BodyStatus m{1, {1, 60}, false, true, 12, 0.00125, 2.5, 40, 1e-3, 2e-5, 0.015, 3.5, 1};
+  m.parts = {0.0625, -0.03125, 1e-4, 2e-3};
+  m.prices = {{0.3, 0.8}, {0.07, 4.5}};
+  m.press_error = 0.0625;
+  m.error_map = {{0.5, 1, -0.25}, 0.0125, {3, 1, 2}, {0, 1, 200, 255, 7, 8}};
+  return m;
+}
+
 SceneInfo some_scene() {
   SceneInfo m;
   m.name = "abdomen";
@@ -120,6 +129,7 @@ std::vector<Message> sample_messages() {
   status.phase_ms = {1, 2, 3, 4, 5, 6, 7, 8};
   status.energy = -3;
   status.degraded = "liver: not converged";
+  status.error = 0.125;
   const Affine sheared{(Mat3() << 2, 0.5, 0, 0, 2, 0, 0, 0, 4).finished(), {0.25, 1, 0}};
   Panel panel{7, {1, 60}, true, 1, some_pose, {}};
   panel.controls[5] = {0.25, true, true};
@@ -152,20 +162,7 @@ std::vector<Message> sample_messages() {
                         {0, -8, 0},
                         0.015625},
           status,
-          BodyStatus{1,
-                     {1, 60},
-                     false,
-                     true,
-                     12,
-                     0.00125,
-                     2.5,
-                     40,
-                     1e-3,
-                     2e-5,
-                     0.015,
-                     3.5,
-                     1,
-                     {{0.3, 0.8}, {0.07, 4.5}}},
+          some_body_status(),
           PartState{1, {1, 60}, false, true, true, true, 0.5, 2, sheared, {{7, left_hand}, {9, right_hand}}},
           panel,
           RoomState{{1, 60}, 0.25, 0.5},

@@ -233,6 +233,16 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<BodyStatus>("error NaN", [](BodyStatus& m) { m.error = nan; }),
       spoiled<BodyStatus>("prices", [](BodyStatus& m) { m.prices.resize(max_prices + 1); }),
       spoiled<BodyStatus>("price NaN", [](BodyStatus& m) { m.prices[1].ms = nan; }),
+      spoiled<BodyStatus>("part NaN", [](BodyStatus& m) { m.parts.model = nan; }),
+      spoiled<BodyStatus>("part below 0", [](BodyStatus& m) { m.parts.time = -0.5; }),
+      spoiled<BodyStatus>("press NaN", [](BodyStatus& m) { m.press_error = nan; }),
+      spoiled<BodyStatus>("map's size", [](BodyStatus& m) { m.error_map.size[1] = 2; }),
+      spoiled<BodyStatus>("map's side",
+                          [](BodyStatus& m) {
+                            m.error_map.size = {max_error_map_side + 1, 1, 1};
+                            m.error_map.levels.resize(max_error_map_side + 1);
+                          }),
+      spoiled<BodyStatus>("map's place", [](BodyStatus& m) { m.error_map.corner.y() = nan; }),
       spoiled<BodyStatus>("steps down", [](BodyStatus& m) { m.stepped_down = max_steps_down + 1; }),
   };
 }
@@ -345,6 +355,7 @@ std::string as_wire_bytes(const Message& message) {
           add(m.phase_ms);
           add(m.real_time_factor);
           add(m.energy);
+          add(m.error);
           text += m.degraded;
         } else if constexpr (std::is_same_v<M, SessionInfo>) {
           text = m.session + m.scene + to_hex(m.scene_hash);
@@ -409,8 +420,12 @@ std::string as_wire_bytes(const Message& message) {
           for (const auto& t : m.patch.triangles) add(t.slot), add(t.corners), add(t.inner);
         } else if constexpr (std::is_same_v<M, BodyStatus>) {
           for (const double x : {m.step, m.newton_iterations, m.solver_iterations, m.residual, m.correction,
-                                 m.error, m.expected_ms})
+                                 m.error, m.expected_ms, m.parts.discretisation, m.parts.model,
+                                 m.parts.solver, m.parts.time, m.press_error, m.error_map.cell})
             add(x);
+          add(m.error_map.corner);
+          add(m.error_map.size);
+          for (const std::uint8_t level : m.error_map.levels) add(level);
           add(m.substeps);
           add(m.stepped_down);
           for (const Price& price : m.prices) add(price.error), add(price.ms);

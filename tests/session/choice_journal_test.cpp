@@ -48,7 +48,7 @@ TEST(ChoiceJournal, ReplaysWithoutTheTableOfItsMachine) {
                     {.choices = choices});
     EXPECT_NE(loop.content().scene.bodies[test::Hosted::liver].method.find("accuracy 10 % asked for"),
               std::string::npos);
-    EXPECT_EQ(loop.body_meter().newest().at(test::Hosted::liver).error, choices[0].expected.error);
+    EXPECT_EQ(loop.body_meter().newest().at(test::Hosted::liver).expected_ms, choices[0].expected.ms);
     for (int i = 0; i < 5; ++i) loop.tick();
   }
   const JournalReader journal(file);

@@ -1,0 +1,203 @@
+#include "server/accuracy/live_estimates.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "server/accuracy/body_trial.h"
+#include "server/physics/soft/integrators/explicit_integrators.h"
+#include "server/physics/soft/soft_body.h"
+
+namespace prosector {
+namespace {
+
+constexpr double turn_seconds = 0.25;    // simulated
+constexpr double quiet_seconds = 0.5;    // simulated: after a cut, until elements are listed anew
+constexpr double first_order = 0.5;      // of h·Δv: the error of implicit Euler's step
+constexpr double second_order = 2. / 9;  // of h·Δ²v: of BDF2's step
+constexpr double least_press = 1e-3;     // of the work that loads do: what counts as a press
+
+int order_of(const SoftDesc& desc) {
+  for (const IntegratorRow& row : integrators())
+    if (row.name == desc.integrator) return row.order;
+  for (const auto& row : explicit_integrators())
+    if (row.name == desc.integrator) return row.order;
+  return 1;  // position-based ones
+}
+
+/// Returns the force with which hands press the body, N; below 0: none touches it.
+double pressed(const Simulation& simulation, BodyId body) {
+  double force = -1;
+  for (const HandState& hand : simulation.hands())
+    if (hand.contact.touching && hand.contact.body == body)
+      force = std::max(force, 0.) + hand.contact.force.norm();
+  return force;
+}
+
+/// Returns the work of hands' forces over how far they are in the body, J. Pressure that goes with depth has
+/// its mean at two thirds of a round thing's deepest point.
+double contact_work(const Simulation& simulation, BodyId body) {
+  double work = 0;
+  for (const HandState& hand : simulation.hands())
+    if (hand.contact.touching && hand.contact.body == body)
+      work += 2. / 3 * hand.contact.force.norm() * std::max(hand.contact.depth, 0.);
+  return work;
+}
+
+/// Returns how far the farthest node is from where it rests, m, but for what the body moved as a whole.
+double farthest(const VecX& x, const VecX& rest) {
+  const Eigen::Index n = x.size() / 3;
+  Vec3 mean = Vec3::Zero();
+  for (Eigen::Index i = 0; i < n; ++i) mean += (x - rest).segment<3>(3 * i) / static_cast<double>(n);
+  double most = 0;
+  for (Eigen::Index i = 0; i < n; ++i)
+    most = std::max(most, (x.segment<3>(3 * i) - rest.segment<3>(3 * i) - mean).norm());
+  return most;
+}
+
+}  // namespace
+
+LiveEstimates::LiveEstimates(const Simulation& simulation)
+    : h_(1 / simulation.scene().tick_rate),
+      turn_(std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::lround(turn_seconds / h_)))) {
+  for (BodyId id = 0; id < simulation.body_count(); ++id)
+    if (simulation.kind(id) == BodyKind::soft) rebuild(simulation, id, bodies_[id]);
+}
+
+void LiveEstimates::rebuild(const Simulation& simulation, BodyId id, Body& body) {
+  const SoftBody& soft = simulation.soft(id);
+  body.revision = simulation.revision(id);
+  body.attached = soft.attached();
+  body.rebuild = false;
+  body.settled = false;
+  body.estimator.reset();
+  body.grid.reset();
+  const TetMesh& mesh = soft.anatomy().tets;
+  if (!BodyEstimator::judges(soft.desc(), mesh)) return;
+  const VecX ties = body.attached ? soft.attachment_stiffness() : VecX(VecX::Zero(soft.nodes()));
+  // Fibres are what an author knows of this tissue; a law without them is none to measure it by.
+  const std::string tissue = soft.desc().model == "fem_fibers" ? soft.desc().model : tissue_law;
+  body.estimator = std::make_unique<BodyEstimator>(soft.desc(), mesh, ties, tissue);
+  body.grid = std::make_unique<ErrorGrid>(body.estimator->mesh(), body.estimator->newest().local.size());
+}
+
+void LiveEstimates::follow(const Simulation& simulation, const StepReport& report) {
+  for (const BodyReport& row : report.bodies)
+    for (auto& [id, body] : bodies_)
+      if (simulation.name(id) == row.body)
+        body.solver =
+            row.last_step * (row.converged && std::isfinite(row.residual) ? std::min(row.residual, 1.) : 1);
+  std::size_t all = 0;
+  for (BodyId id = 0; id < simulation.body_count(); ++id) {
+    if (simulation.kind(id) != BodyKind::soft) continue;
+    Body& body = bodies_[id];
+    watch(simulation, id, body);
+    if (body.estimator != nullptr && due(simulation, id, body)) all += body.estimator->pieces();
+  }
+  for (std::size_t left = all / turn_ + 1; left > 0;) {
+    if (!at_) {
+      const auto next = [&](auto first, auto last) {
+        return std::find_if(first, last,
+                            [&](const auto& entry) { return due(simulation, entry.first, entry.second); });
+      };
+      auto found = next(bodies_.upper_bound(last_), bodies_.end());
+      if (found == bodies_.end()) found = next(bodies_.begin(), bodies_.upper_bound(last_));
+      if (found == bodies_.end() || found->second.begun == simulation.time().tick) break;
+      at_ = last_ = found->first;
+      begin(simulation, found->first, found->second);
+    }
+    Body& body = bodies_.at(*at_);
+    const std::size_t pieces = std::min(left, body.estimator->pieces());
+    left -= pieces;
+    if (!body.estimator->go_on(pieces)) continue;
+    take(body);
+    at_.reset();
+  }
+  for (auto& [id, body] : bodies_) remember(simulation, id, body);
+}
+
+/// Sees whether the body is still what its estimator was made of.
+void LiveEstimates::watch(const Simulation& simulation, BodyId id, Body& body) {
+  const std::uint64_t tick = simulation.time().tick;
+  const std::uint32_t revision = simulation.revision(id);
+  const bool attached = simulation.soft(id).attached();
+  if (revision != body.revision || attached != body.attached) {
+    body.revision = revision;
+    body.attached = attached;
+    body.changed = tick;
+    body.rebuild = true;
+    body.newest.reset();
+    body.ticks = 0;
+    if (at_ == id) at_.reset();
+  }
+  if (body.rebuild && (body.changed == 0 || static_cast<double>(tick - body.changed) * h_ >= quiet_seconds))
+    rebuild(simulation, id, body);
+  if (!simulation.asleep(id)) body.settled = false;
+}
+
+bool LiveEstimates::due(const Simulation& simulation, BodyId id, const Body& body) const {
+  if (body.estimator == nullptr || body.rebuild || simulation.soft_state(id).recovering) return false;
+  return simulation.asleep(id) ? !body.settled : body.ticks > 0;
+}
+
+void LiveEstimates::begin(const Simulation& simulation, BodyId id, Body& body) {
+  const SoftBody& soft = simulation.soft(id);
+  const SoftBodyState& state = simulation.soft_state(id);
+  const Vec3 gravity = soft.falls() ? simulation.scene().gravity : Vec3(Vec3::Zero());
+  const Eigen::Index nodes = soft.nodes();
+  body.was_asleep = simulation.asleep(id);
+  body.pressed = pressed(simulation, id);
+  body.begun = simulation.time().tick;
+  moment_.x = state.motion.x;
+  moment_.acceleration.resize(3 * nodes);
+  moment_.slip = VecX::Zero(3 * nodes);
+  moment_.solver = 0;
+  const double strength = simulation.part(id).stiffness;
+  for (Eigen::Index i = 0; i < nodes; ++i) moment_.acceleration.segment<3>(3 * i) = gravity / strength;
+  if (!body.was_asleep) {
+    moment_.acceleration -= (state.motion.v - body.v) / (h_ * strength);
+    if (order_of(soft.desc()) == 1)
+      moment_.slip = first_order * h_ * (state.motion.v - body.v);
+    else if (body.ticks > 1)
+      moment_.slip = second_order * h_ * (state.motion.v - 2 * body.v + body.v_before);
+    const double moved = farthest(state.motion.x, soft.rest());
+    moment_.solver = moved > 0 ? body.solver / moved : 0;
+  }
+  moment_.give = contact_work(simulation, id);
+  body.estimator->begin(moment_);
+}
+
+void LiveEstimates::take(Body& body) {
+  const Estimate& found = body.estimator->newest();
+  if (body.was_asleep) {
+    body.settled = true;
+    body.estimator->keep_as_quiet();
+  }
+  if (!body.newest) body.newest.emplace();
+  LiveEstimate& out = *body.newest;
+  out.tick = body.begun;
+  out.error = found.error;
+  out.parts = found.parts;
+  out.press_error = body.pressed > 0 && found.pressed > least_press ? found.press : -1;
+  out.press_force = std::max(body.pressed, 0.);
+  out.map = body.grid->map_of(found.local);
+}
+
+/// Keeps the velocities that the next tick's are compared with.
+void LiveEstimates::remember(const Simulation& simulation, BodyId id, Body& body) {
+  if (body.estimator == nullptr) return;
+  const VecX& v = simulation.soft_state(id).motion.v;
+  if (simulation.asleep(id) || (body.ticks > 0 && body.v.size() != v.size())) {
+    body.ticks = 0;
+    return;
+  }
+  body.v_before.swap(body.v);
+  body.v = v;
+  body.ticks = std::min(body.ticks + 1, 2);
+}
+
+const LiveEstimate* LiveEstimates::newest(BodyId body) const {
+  const auto found = bodies_.find(body);
+  return found == bodies_.end() || !found->second.newest ? nullptr : &*found->second.newest;
+}
+
+}  // namespace prosector
