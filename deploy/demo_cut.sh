@@ -2,6 +2,7 @@
 # A cut, shown: two headset users, through simulated trackers and gloves, cut a liver. One observer watches all, one from close
 # by, one comes while the knife is in the tissue, and one is cut off the network for 3 s while it goes on. In the end all of
 # them hold one topology, by its hash. Leaves pictures, log.jsonl (what the observer knew), everyone's figures and the journal.
+# docs/pictures/cut-liver.png and cut-first.png are of --size 480x360.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 name=cut
@@ -118,5 +119,16 @@ for file in sorted(glob.glob(sys.argv[1] + "/*.json")):
 for name, said in hashes.items():
     print(f"{name:10} {said}")
 sys.exit(0 if len(set(hashes.values())) == 1 else "demo: they don't agree")
+PY
+python3 - "$root/deploy" "$out" <<'PY'
+import pathlib, sys
+sys.path.insert(0, sys.argv[1])
+from picture_files import below, beside, read_png, write_png
+out = pathlib.Path(sys.argv[2])
+picture = {name: read_png(out / f"{name}.png") for name in
+           ("close-before", "close-opened", "close-during", "close-after", "close-face", "after")}
+write_png(out / "cut-first.png", beside([picture["close-before"], picture["close-opened"]]))
+write_png(out / "cut-liver.png", below([beside([picture["close-during"], picture["close-after"]]),
+                                        beside([picture["close-face"], picture["after"]])]))
 PY
 echo "Pictures and log: $out"

@@ -72,7 +72,7 @@ picture() {  # SCENE SIZE SECONDS
 for subject in "${chosen[@]}"; do
   printf '\n== %s (%d min %02d s)\n' "$subject" $((SECONDS / 60)) $((SECONDS % 60))
   if [ "$subject" = pictures ]; then
-    picture cloth 1200x560 4
+    picture cloth 1200x560 8
     picture ropes 1000x600 4
   else
     # shellcheck disable=SC2046  # words, on purpose

@@ -198,12 +198,13 @@ struct EventName {
   const char* name;
   GestureEvent event;
 };
-constexpr std::array<EventName, 5> event_names = {{{"none", GestureEvent::none},
+constexpr std::array<EventName, 6> event_names = {{{"none", GestureEvent::none},
                                                    {"grasp", GestureEvent::grasp},
                                                    {"release", GestureEvent::release},
                                                    {"reset", GestureEvent::reset},
-                                                   {"panel", GestureEvent::panel}}};
-constexpr const char* allowed_events = "none, grasp, release, reset or panel";
+                                                   {"panel", GestureEvent::panel},
+                                                   {"parts", GestureEvent::parts}}};
+constexpr const char* allowed_events = "none, grasp, release, reset, panel or parts";
 
 void read_gestures(Section section, ClientConfig& config) {
   config.gestures.clear();

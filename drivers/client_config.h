@@ -17,8 +17,8 @@ namespace prosector {
 enum class StationRole : std::uint8_t { none, head, left_hand, right_hand };
 
 /// What making a gesture asks for. `panel`: the panel of the part that the hand touches or points at, or away
-/// with one's own that is open.
-enum class GestureEvent : std::uint8_t { none, grasp, release, reset, panel };
+/// with one's own that is open. `parts`: the list of parts on a board, or away with it.
+enum class GestureEvent : std::uint8_t { none, grasp, release, reset, panel, parts };
 
 struct GloveSettings {
   std::string address;  // empty: no such glove
@@ -33,7 +33,8 @@ struct ClientConfig {
   std::map<Gesture, GestureEvent> gestures = {{Gesture::fist, GestureEvent::grasp},
                                               {Gesture::pinch, GestureEvent::grasp},
                                               {Gesture::flat, GestureEvent::release},
-                                              {Gesture::index_little, GestureEvent::panel}};
+                                              {Gesture::index_little, GestureEvent::panel},
+                                              {Gesture::three, GestureEvent::parts}};
 
   ClientConfig() { gloves[left_hand].device.left = true; }
 };

@@ -132,12 +132,16 @@ void CutDrawing::follow_pointer(const CutGuide& guide, double seconds) {
   const bool on_organ = guide.tissue && (way_.empty() || guide.tissue->body == organ_);
   away_ = on_organ || way_.empty() ? 0 : away_ + seconds;
   if (away_ > patience_away) open_ = false;
-  if (on_organ && on_outside) lead(guide);
+  if (on_organ && on_outside) lead(*guide.tissue, guide.find);
+}
+
+void CutDrawing::trace(const Picked& tissue, const FindSurface& find) {
+  const bool leads_on = open_ && phase_ != Phase::rests && !tissue.inner;
+  if (leads_on && (way_.empty() || tissue.body == organ_)) lead(tissue, find);
 }
 
 /// Lays the way on to where the pointer is, over the surface between.
-void CutDrawing::lead(const CutGuide& guide) {
-  const Picked& to = *guide.tissue;
+void CutDrawing::lead(const Picked& to, const FindSurface& find) {
   if (way_.empty()) {
     organ_ = to.body;
     return add(to.at, to.normal);
@@ -150,7 +154,7 @@ void CutDrawing::lead(const CutGuide& guide) {
     const double share = static_cast<double>(k) / steps;
     const Vec3 normal = ((1 - share) * from.normal + share * to.normal).normalized();
     const Vec3 at = (1 - share) * from.at + share * to.at;
-    const auto under = guide.find({at + over_surface * normal, -normal}, organ_);
+    const auto under = find({at + over_surface * normal, -normal}, organ_);
     if (under && !under->inner && under->distance < 2 * over_surface) add(under->at, under->normal);
   }
   add(to.at, to.normal);

@@ -34,6 +34,9 @@ class CutDrawing {
  public:
   /// Begins a cut where the pointer is, or comes to.
   void press();
+  /// Takes what tissue the pointer is at between two pictures, so that the way is the pointer's own however
+  /// seldom pictures come.
+  void trace(const Picked& tissue, const FindSurface& find);
   /// Ends the way. What of it isn't cut yet is cut still.
   void release();
   /// Ends the cut where it is.
@@ -79,7 +82,7 @@ class CutDrawing {
 
   void go_to(Phase phase);
   void follow_pointer(const CutGuide& guide, double seconds);
-  void lead(const CutGuide& guide);
+  void lead(const Picked& to, const FindSurface& find);
   void add(const Vec3& at, const Vec3& normal);
   double length() const { return gone_.empty() ? 0 : gone_.back(); }
   Place place(double gone) const;

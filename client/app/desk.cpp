@@ -30,6 +30,14 @@ CommandKind command_of(HandWish wish) {
   return wish == HandWish::grasp ? CommandKind::grasp : CommandKind::release;
 }
 
+/// Returns what finds surfaces of the room, which outlives it.
+FindSurface finder(const DeskRoom& room) {
+  return [&room](const Ray& ray, std::optional<BodyId> only) -> std::optional<Picked> {
+    const auto met = room.surface(ray);
+    return met && (!only || met->body == *only) ? met : std::nullopt;
+  };
+}
+
 }  // namespace
 
 void Desk::begin(const DeskStart& start) {
@@ -48,6 +56,7 @@ void Desk::update(const DeskSession& session) {
   time_.see(session.watched, std::chrono::duration<double>(now.time_since_epoch()).count());
   for (const WindowEvent& event : window_.poll_events()) take(event, session);
   frame_parts(session.room);
+  ask(panel_.take_placing());
   view_.advance(seconds, pad_);
   move_hand(session, seconds);
   parts_.lay_out(session.parts, pointed_, Eigen::Vector2d(window_.width(), window_.height()) / session.scale);
@@ -62,14 +71,19 @@ void Desk::wait() {
 
 /// Takes an event, unless it is for the list of parts.
 void Desk::take(const WindowEvent& event, const DeskSession& session) {
-  if (const auto* pad = std::get_if<GamepadMoved>(&event))
+  if (const auto* pad = std::get_if<GamepadMoved>(&event)) {
     for (const WindowEvent& same : pad_.take(pad->now)) take(same, session);
+    for (int calls = pad_.take_list_calls(); calls > 0; --calls) parts_.open_or_shut_by_hand();
+    const int notches = pad_.take_notches();
+    if (notches != 0 && points_over_room()) take(WheelTurned{0, static_cast<double>(notches)}, session);
+  }
   Eigen::Vector2d pointer = view_.pointer_pixel();
   if (const auto* mouse = std::get_if<MouseMoved>(&event)) pointer = {mouse->x, mouse->y};
-  if (!parts_.take(event, pointer / session.scale)) act(event, session.room);
+  if (!parts_.take(event, pointer / session.scale)) act(event, session);
 }
 
-void Desk::act(const WindowEvent& event, const DeskRoom& room) {
+void Desk::act(const WindowEvent& event, const DeskSession& session) {
+  const DeskRoom& room = session.room;
   view_.take(event, room);
   if (std::get_if<CloseRequested>(&event)) closed_ = true;
   if (const auto* key = std::get_if<KeyEvent>(&event); key != nullptr && key->down && !key->repeat)
@@ -79,6 +93,7 @@ void Desk::act(const WindowEvent& event, const DeskRoom& room) {
     press_for_section(key->down, room);
   if (const auto* button = std::get_if<MouseButtonEvent>(&event)) {
     if (button->button == MouseButton::left) button->down ? press_button(room) : let_go();
+    trace_cut(session);
     if (button->button == MouseButton::middle && button->down) request_panel();
   }
   if (const auto* wheel = std::get_if<WheelTurned>(&event))
@@ -86,6 +101,7 @@ void Desk::act(const WindowEvent& event, const DeskRoom& room) {
   if (!std::get_if<MouseMoved>(&event)) return;
   ask(time_.move(frame(), pointer_point()));
   panel_.drag(view_.pointer());
+  trace_cut(session);
   if (sliding_ && std::chrono::steady_clock::now() - last_slide_ > slide_interval)
     if (const auto point = panel_.at(view_.pointer())) slide(point->at);
 }
@@ -149,16 +165,16 @@ void Desk::turn_wheel(double notches) {
 
 void Desk::move_hand(const DeskSession& session, double seconds) {
   const PadStick wrist = pad_.wrist();
-  hand_.reach(pad_reach_speed * seconds * pad_.reach());
+  if (!points_over_room()) hand_.reach(pad_reach_speed * seconds * pad_.reach());
   hand_.turn(pad_wrist_speed * seconds * wrist.right, -pad_wrist_speed * seconds * wrist.down);
   HandGuide guide;
   guide.pointer = view_.pointer();
   guide.back = view_.place().back();
   guide.yaw = view_.place().yaw;
   guide.pitch = view_.place().pitch;
-  guide.still = (at_panel() || parts_.has_pointer()) && !hand_.is_pressed();  // which it would hide
+  guide.still = points_over_room() && !hand_.is_pressed();  // which it would hide
   const auto point = session.room.surface(guide.pointer);
-  pointed_ = point && !at_panel() && !parts_.has_pointer() ? std::optional(point->body) : std::nullopt;
+  pointed_ = point && !points_over_room() ? std::optional(point->body) : std::nullopt;
   if (point && point->distance < farthest_surface) {
     guide.surface = point->distance;
     guide.soft = session.is_soft(point->body);
@@ -175,10 +191,7 @@ void Desk::move_hand(const DeskSession& session, double seconds) {
   guide.at_blade = point && session.is_blade && session.is_blade(point->body);
   guide.right = view_.place().pose().q * Vec3::UnitX();
   if (point && guide.soft && !at_panel()) guide.tissue = point;
-  guide.find = [&](const Ray& ray, std::optional<BodyId> only) -> std::optional<Picked> {
-    const auto met = session.room.surface(ray);
-    return met && (!only || met->body == *only) ? met : std::nullopt;
-  };
+  guide.find = finder(session.room);
   hand_.advance(guide, seconds);
   if (!hand_.draws() && std::exchange(takes_back_, false)) ask(CommandKind::undo);
   for (const HandWish wish : hand_.take_wishes()) {
@@ -187,6 +200,14 @@ void Desk::move_hand(const DeskSession& session, double seconds) {
     commands_.back().body = *pressed_at_;
     commands_.back().revision = grasps_body;
   }
+}
+
+/// Keeps the pointer's way on tissue while a blade may be drawn along it: much of it lies between two
+/// pictures.
+void Desk::trace_cut(const DeskSession& session) {
+  if (!hand_.is_pressed() || !hand_.cut_depth()) return;
+  const auto point = session.room.surface(view_.pointer());
+  if (point && session.is_soft(point->body) && !at_panel()) hand_.trace(*point, finder(session.room));
 }
 
 /// Takes the button: on the user's panel it works the controls, elsewhere it grasps. The second press of a

@@ -112,7 +112,7 @@ class Desk {
   bool takes_back_ = false;    // the last cut, as soon as no blade is led
 
   void take(const WindowEvent& event, const DeskSession& session);
-  void act(const WindowEvent& event, const DeskRoom& room);
+  void act(const WindowEvent& event, const DeskSession& session);
   void press(Key key);
   void press_for_time(Key key);
   void take_back();
@@ -125,6 +125,7 @@ class Desk {
   void press_panel(const PanelPoint& point);
   bool is_double_click();
   void let_go();
+  void trace_cut(const DeskSession& session);
   void request_panel();
   void follow_panel(const DeskSession& session);
   void slide(const Vec3& at);
@@ -132,6 +133,8 @@ class Desk {
   void move_hand(const DeskSession& session, double seconds);
   void ask(CommandKind kind, PanelControl control = PanelControl::attach, double value = 0);
   bool at_panel() const { return panel_.covers(view_.pointer()); }
+  /// Tells whether the pointer is at the panel or the list of parts rather than at what lies in the room.
+  bool points_over_room() const { return at_panel() || parts_.has_pointer(); }
 };
 
 }  // namespace prosector

@@ -53,6 +53,8 @@ class DeskHand {
   void turn(double roll, double bend);
   /// Takes the button. With a blade in the hand it cuts, else it takes hold.
   void press();
+  /// Takes the tissue that the pointer is at between two pictures: a drawn cut goes along it.
+  void trace(const Picked& tissue, const FindSurface& find) { drawing_.trace(tissue, find); }
   /// Takes the button's release. A blade stays in the hand; a click beside tissue puts it down.
   void let_go();
   /// Goes on by a picture.

@@ -4,7 +4,10 @@ namespace prosector {
 namespace {
 
 constexpr std::chrono::seconds ask_interval{1};
-constexpr double farthest_drag = 4;  // m from the eye
+constexpr double farthest_drag = 4;                     // m from the eye
+constexpr std::chrono::milliseconds tell_interval{40};  // a server takes no more than 50 commands a second
+constexpr std::chrono::seconds longest_trip{1};         // until the server has it where it was let go
+constexpr double arrived = 1e-5;                        // m
 
 }  // namespace
 
@@ -29,17 +32,19 @@ double DeskPanel::bottom() const {
 bool DeskPanel::follow(const std::optional<Panel>& panel, const std::optional<ShownEffort>& effort,
                        std::size_t hidden_lines) {
   const bool is_new = panel && (!shown_ || shown_->body != panel->body);
-  const bool moved = panel && (panel->pose.p - at_server_.p).norm() > 0;
-  if (is_new || moved || !panel) {
+  if (is_new || !panel) {
     place_.reset();
     held_.reset();
+    untold_.reset();
+  } else if (place_ && !held_ && !untold_) {
+    const bool is_there = (panel->pose.p - place_->p).norm() < arrived;
+    if (is_there || std::chrono::steady_clock::now() - let_go_ > longest_trip) place_.reset();
   }
   scroll_.follow(panel, hidden_lines);
   shown_ = panel;
   effort_ = effort;
   if (!panel) return false;
-  at_server_ = panel->pose;
-  if (place_) shown_->pose = *place_;
+  if (place_) shown_->pose.p = place_->p;
   return is_new;
 }
 
@@ -54,12 +59,31 @@ void DeskPanel::drag(const Ray& pointer) {
   if (!(distance > 0 && distance < farthest_drag)) return;
   shown_->pose.p = pointer.from + distance * pointer.along + held_->from_middle;
   place_ = shown_->pose;
+  untold_ = PanelPlacing::put;
+}
+
+void DeskPanel::let_go() {
+  if (held_) let_go_ = std::chrono::steady_clock::now();
+  held_.reset();
 }
 
 void DeskPanel::put_back() {
   held_.reset();
   place_.reset();
-  if (shown_) shown_->pose = at_server_;
+  untold_ = PanelPlacing::put_back;
+}
+
+std::optional<Command> DeskPanel::take_placing() {
+  const auto now = std::chrono::steady_clock::now();
+  if (!untold_ || !shown_ || now - last_told_ < tell_interval) return std::nullopt;
+  last_told_ = now;
+  Command out;
+  out.kind = CommandKind::open_panel;
+  out.body = shown_->body;
+  out.revision = static_cast<std::uint32_t>(*untold_);
+  if (*untold_ == PanelPlacing::put) out.shape.p = shown_->pose.p;
+  untold_.reset();
+  return out;
 }
 
 bool DeskPanel::asks_to_stay(const Ray& pointer) {

@@ -1,6 +1,6 @@
 #pragma once
-// A desk user's own panel: as the server has it, but where the user put it, and from which line of its
-// description on. Place and line are this viewer's alone.
+// A desk user's own panel: as the server has it, but where the user drags it until the server has it there,
+// and from which line of its description on. The line is this viewer's alone.
 
 #include <chrono>
 #include <optional>
@@ -10,6 +10,7 @@
 #include "client/view/price_strip.h"
 #include "client/view/view_settings.h"
 #include "common/panel.h"
+#include "common/panel_placing.h"
 
 namespace prosector {
 
@@ -17,7 +18,7 @@ class DeskPanel {
  public:
   /// Follows what the server says of it; `hidden_lines`: of its description, which do not fit on it.
   /// `effort`: what strips below it say of how its part is solved; nullopt: there are none. Returns true when
-  /// it is another part's. What the server moves stands where the server has it.
+  /// it is another part's. What isn't dragged stands where the server has it, at the latest a second after.
   bool follow(const std::optional<Panel>& panel, const std::optional<ShownEffort>& effort,
               std::size_t hidden_lines);
   /// Returns the panel where the user has it; nullopt: there is none.
@@ -43,9 +44,12 @@ class DeskPanel {
   /// stays as far away along `back` (unit, out of the picture).
   void take_hold(const Ray& pointer, const PanelPoint& at, const Vec3& back);
   void drag(const Ray& pointer);
-  void let_go() { held_.reset(); }
+  void let_go();
   /// Puts it back to where it came up.
   void put_back();
+  /// Returns what is to be asked of the server for its place, no oftener than a server takes; nullopt:
+  /// nothing now.
+  std::optional<Command> take_placing();
 
   /// Moves on by lines of its description.
   void scroll(double lines) { scroll_.move(lines); }
@@ -61,8 +65,9 @@ class DeskPanel {
   std::optional<Panel> shown_;
   std::optional<ShownEffort> effort_;
   std::optional<Pose> place_;  // where the user put it; nullopt: nowhere
-  Pose at_server_;
   std::optional<Hold> held_;
+  std::chrono::steady_clock::time_point let_go_{}, last_told_{};
+  std::optional<PanelPlacing> untold_;  // of what the user did to its place
   PanelScroll scroll_;
   std::chrono::steady_clock::time_point last_asked_{};
 };

@@ -45,9 +45,15 @@ std::vector<WindowEvent> GamepadUser::take(const std::optional<Gamepad>& now) {
   is_there_ = now.has_value();
   const Gamepad before = std::exchange(pad_, now.value_or(Gamepad{}));
   std::vector<WindowEvent> out;
-  for (const auto& [button, key] : key_rows)
+  const auto pressed = [&](PadButton button) { return pad_.is_down(button) && !before.is_down(button); };
+  if (aims(pad_) && pressed(PadButton::start)) ++list_calls_;
+  if (!aims(pad_)) notches_ += (pressed(PadButton::up) ? 1 : 0) - (pressed(PadButton::down) ? 1 : 0);
+  for (const auto& [button, plain] : key_rows) {
+    if (button == PadButton::start && aims(pad_)) continue;
+    const Key key = button == PadButton::back && aims(pad_) ? key_of('N') : plain;
     if (pad_.is_down(button) != before.is_down(button))
       out.push_back(KeyEvent{key, pad_.is_down(button), false});
+  }
   if (works(pad_) != works(before)) out.push_back(MouseButtonEvent{MouseButton::left, works(pad_)});
   return out;
 }

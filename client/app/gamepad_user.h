@@ -2,6 +2,7 @@
 // What the user of a gamepad at the desk wants, in the words of mouse and keyboard.
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "client/render/window_context.h"
@@ -16,6 +17,11 @@ class GamepadUser {
   std::vector<WindowEvent> take(const std::optional<Gamepad>& now);
 
   bool is_there() const { return is_there_; }
+  /// Returns how often the list of parts was asked for since the last call.
+  int take_list_calls() { return std::exchange(list_calls_, 0); }
+  /// Returns, without the left trigger, how often the cross was pressed up, less how often down, since the
+  /// last call.
+  int take_notches() { return std::exchange(notches_, 0); }
 
   /// Returns how far the sticks are pushed beyond their rest, each −1 … 1: to the right, up, back. Up and
   /// down is by the bumpers.
@@ -37,6 +43,7 @@ class GamepadUser {
 
   Gamepad pad_;
   bool is_there_ = false;
+  int list_calls_ = 0, notches_ = 0;
 };
 
 }  // namespace prosector

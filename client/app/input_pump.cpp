@@ -71,9 +71,10 @@ void InputPump::obey(const GestureTrigger& trigger) {
       return connection_.command(CommandKind::release, trigger.hand);
     case GestureEvent::reset:
       return connection_.command(CommandKind::reset, trigger.hand);
-    case GestureEvent::panel: {
+    case GestureEvent::panel:
+    case GestureEvent::parts: {
       std::lock_guard lock(mutex_);
-      panel_calls_.push_back(trigger.hand);
+      (trigger.event == GestureEvent::panel ? panel_calls_ : parts_calls_).push_back(trigger.hand);
     }
   }
 }
@@ -81,6 +82,11 @@ void InputPump::obey(const GestureTrigger& trigger) {
 std::vector<std::size_t> InputPump::take_panel_calls() {
   std::lock_guard lock(mutex_);
   return std::exchange(panel_calls_, {});
+}
+
+std::vector<std::size_t> InputPump::take_parts_calls() {
+  std::lock_guard lock(mutex_);
+  return std::exchange(parts_calls_, {});
 }
 
 bool InputPump::desk_driven() const {

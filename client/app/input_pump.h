@@ -32,6 +32,8 @@ class InputPump {
   /// Returns hands whose gestures asked for a panel since the last call: which one is for the drawing side to
   /// see.
   std::vector<std::size_t> take_panel_calls();
+  /// Returns hands whose gestures asked for the list of parts since the last call.
+  std::vector<std::size_t> take_parts_calls();
 
  private:
   Connection& connection_;
@@ -41,7 +43,7 @@ class InputPump {
   mutable std::mutex mutex_;
   HandInput latest_;
   std::optional<HandInput> desk_input_;
-  std::vector<std::size_t> panel_calls_;
+  std::vector<std::size_t> panel_calls_, parts_calls_;
   std::jthread thread_;
 
   void run(std::stop_token stop);

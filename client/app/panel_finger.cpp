@@ -1,19 +1,13 @@
 #include "client/app/panel_finger.h"
 
+#include "client/app/index_tip.h"
 #include "client/view/panel_view.h"
-#include "common/hand.h"
 #include "common/panel.h"
 
 namespace prosector {
 namespace {
 
 constexpr double before_board = 0.02, behind_board = 0.03;  // m that a tip on the text may be off the board
-constexpr std::size_t index_end = 4;                        // the last segment of the index finger
-
-Vec3 index_tip(std::size_t hand, const HandPose& pose) {
-  const Pose segment = pose.pose * hand_pose(hand, pose.flexion)[index_end];
-  return segment * Vec3(0, 0, -hand_segments(hand)[index_end].length);
-}
 
 /// Tells whether a place in the panel's frame (m) is at the description.
 bool is_at_text(const Vec3& at) {

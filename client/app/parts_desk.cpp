@@ -81,6 +81,11 @@ void PartsDesk::open_or_shut() {
   list_.reset();
 }
 
+void PartsDesk::open_or_shut_by_hand() {
+  open_or_shut();
+  state_.typing = opened_by_key_ = false;
+}
+
 void PartsDesk::lay_out(std::vector<PartRow> rows, std::optional<BodyId> pointed,
                         const Eigen::Vector2d& picture) {
   opened_by_key_ = false;

@@ -18,6 +18,11 @@ class PartsDesk {
   /// room.
   void lay_out(std::vector<PartRow> rows, std::optional<BodyId> pointed, const Eigen::Vector2d& picture);
 
+  /// Opens the list for who has no keys, so without its search being typed; or shuts it.
+  void open_or_shut_by_hand();
+  /// Moves on by lines, backwards where they are below 0.
+  void scroll(double lines);
+
   bool is_open() const { return open_; }
   /// Returns what the list is to be searched for.
   const std::string& search() const { return state_.search; }
@@ -52,7 +57,6 @@ class PartsDesk {
   void press(const PartsSpot& spot, const Eigen::Vector2d& pointer);
   void follow(const Eigen::Vector2d& pointer);
   void slide(const Eigen::Vector2d& pointer);
-  void scroll(double lines);
   void order(PartsOrder::Kind kind, const PartRow& row);
 };
 

@@ -12,6 +12,7 @@
 #include "client/app/console.h"
 #include "client/app/cut_list.h"
 #include "client/app/happenings.h"
+#include "client/app/index_tip.h"
 #include "client/app/input_pump.h"
 #include "client/app/panel_call.h"
 #include "client/app/parts_commands.h"
@@ -232,10 +233,10 @@ class Client {
       });
       if (command) connection_.command(*command);
     }
+    for (const std::size_t hand : pump_->take_parts_calls()) viewer_->call_parts(pump_->latest(), hand);
   }
 
   Ray along_index(std::size_t hand) const {
-    constexpr std::size_t index_knuckle = 2;
     const HandPose pose = pump_->latest().hands[hand];
     const Pose finger = pose.pose * hand_pose(hand, pose.flexion)[index_knuckle];
     return {finger.p, finger.q * -Vec3::UnitZ()};

@@ -207,6 +207,25 @@ void Viewer::read_panel(const Replica& replica, const LocalUser& self, ViewSetti
   settings.panel = {.place = {}, .first_line = panel_finger_.line()};
 }
 
+void Viewer::call_parts(const HandInput& user, std::size_t hand) {
+  const Pose eyes = user.head_tracked        ? user.head
+                    : stage_ && stage_->desk ? stage_->desk->eye()
+                    : looks_from_            ? *looks_from_
+                                  : Pose{user.hands[hand].pose.p + Vec3(0, 0.3, 0.3), Quat::Identity()};
+  parts_board_.open_or_shut(eyes, hand);
+}
+
+/// Lets a tracked user's fingertips work the list of parts on its board.
+void Viewer::work_parts_board(const Replica& replica, const LocalUser& self, ViewSettings& settings) {
+  if (!parts_board_.is_open()) return;
+  parts_board_.follow(part_rows(parts_known(replica), parts_, {}), self.input);
+  for (const PartsOrder& order : parts_board_.take_orders()) obey(order);
+  settings.parts = parts_;
+  const std::vector<BodyId> hovered = parts_board_.hovered_bodies();
+  settings.highlighted.insert(settings.highlighted.end(), hovered.begin(), hovered.end());
+  settings.parts_board = parts_board_.shown();
+}
+
 /// Shows the time of a recording that is watched.
 void Viewer::watch_time(const Replica& replica, double tick, ViewSettings& settings) const {
   const std::optional<ShownTime> shown = shown_time(replica, tick);
@@ -289,6 +308,7 @@ const DrawList& Viewer::build_list(const LocalUser& self, ViewSettings& settings
     const double tick = replica.advance(monotonic_ns());
     watch_time(replica, tick, settings);
     if (has_devices(options_.devices)) read_panel(replica, self, settings);
+    if (has_devices(options_.devices)) work_parts_board(replica, self, settings);
     return stage_->view.build(replica, tick, self, settings);
   });
 }

@@ -13,6 +13,7 @@
 #include "client/app/figures.h"
 #include "client/app/input_pump.h"
 #include "client/app/panel_finger.h"
+#include "client/app/parts_board.h"
 #include "client/app/picture_sink.h"
 #include "client/app/stage.h"
 #include "client/render/quality_governor.h"
@@ -53,6 +54,9 @@ class Viewer {
   /// Changes what the user sees of the parts.
   void obey(const PartsOrder& order) { parts_.obey(order); }
   const PartsChoice& parts() const { return parts_; }
+  /// Puts the list of parts up on a board beside a user with tracked hands, one of which asked; or takes it
+  /// away.
+  void call_parts(const HandInput& user, std::size_t hand);
 
   /// Draws the next picture where somebody sees or keeps it. `pump` carries the user's hands; null: an
   /// observer, who has none.
@@ -79,6 +83,7 @@ class Viewer {
   MessageLines messages_;
   PartsChoice parts_;
   PanelFinger panel_finger_;
+  PartsBoard parts_board_;
 
   Image draw(InputPump* pump, bool keep);
   void use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings);
@@ -87,6 +92,7 @@ class Viewer {
   void drive_hand_at_desk(InputPump& pump, LocalUser& self, bool has_panel);
   void ask_for_time();
   void read_panel(const Replica& replica, const LocalUser& self, ViewSettings& settings);
+  void work_parts_board(const Replica& replica, const LocalUser& self, ViewSettings& settings);
   void watch_time(const Replica& replica, double tick, ViewSettings& settings) const;
   double scale() const;
   Role role_of(ParticipantId participant);

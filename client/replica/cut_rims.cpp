@@ -14,7 +14,7 @@ using Corners = std::array<std::uint32_t, 3>;
 /// An edge as a triangle runs along it.
 struct HalfEdge {
   std::uint64_t key;  // its vertices, the lower one first
-  std::uint32_t a, b;
+  std::uint32_t a, b, beside;
 };
 
 bool is_gone(const Corners& t) {
@@ -24,7 +24,7 @@ bool is_gone(const Corners& t) {
 void add_half_edges(const Corners& t, std::vector<HalfEdge>& out) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t a = t[i], b = t[(i + 1) % 3];
-    out.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), a, b});
+    out.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), a, b, t[(i + 2) % 3]});
   }
 }
 
@@ -55,18 +55,71 @@ std::vector<CutRim> rims_of_walls(const TriangleMesh& rest) {
   return out;
 }
 
+/// Drops, of edges at one place that bound the same surface, all but one: a sheet has a front and a back.
+void drop_backs(std::vector<HalfEdge>& edges, const TriangleMesh& rest) {
+  const auto middle = [&](const HalfEdge& e) -> Vec3 {
+    return (rest.positions[e.a] + rest.positions[e.b]) / 2;
+  };
+  std::sort(edges.begin(), edges.end(),
+            [&](const HalfEdge& x, const HalfEdge& y) { return middle(x).x() < middle(y).x(); });
+  const auto same = [&](std::uint32_t v, std::uint32_t w) {
+    return (rest.positions[v] - rest.positions[w]).norm() < same_place;
+  };
+  std::vector<bool> is_back(edges.size(), false);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t j = i + 1; j < edges.size(); ++j) {
+      if (middle(edges[j]).x() - middle(edges[i]).x() > same_place) break;
+      const bool turned = same(edges[i].a, edges[j].b) && same(edges[i].b, edges[j].a);
+      if (turned && same(edges[i].beside, edges[j].beside)) is_back[j] = !is_back[i];
+    }
+  std::size_t k = 0;
+  std::erase_if(edges, [&](const HalfEdge&) { return is_back[k++]; });
+}
+
 std::vector<CutRim> borders(const TriangleMesh& rest) {
-  std::vector<HalfEdge> edges;
+  std::vector<HalfEdge> edges, alone;
   for (const Corners& t : rest.triangles)
     if (!is_gone(t)) add_half_edges(t, edges);
   sort_by_key(edges);
-  std::vector<CutRim> out;
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const bool alone = (i == 0 || edges[i - 1].key != edges[i].key) &&
-                       (i + 1 == edges.size() || edges[i + 1].key != edges[i].key);
-    if (alone) out.push_back({edges[i].a, edges[i].b});
+    const bool is_alone = (i == 0 || edges[i - 1].key != edges[i].key) &&
+                          (i + 1 == edges.size() || edges[i + 1].key != edges[i].key);
+    if (is_alone) alone.push_back(edges[i]);
   }
+  drop_backs(alone, rest);
+  std::vector<CutRim> out;
+  for (const HalfEdge& edge : alone) out.push_back({edge.a, edge.b});
   return out;
+}
+
+Vec3 middle_of(const RestEdge& edge) {
+  return (edge.a + edge.b) / 2;
+}
+
+/// Returns where on `whole` the middle of `edge` is, as a share of it; nullopt: they are not of one line.
+std::optional<double> share_at(const RestEdge& edge, const RestEdge& whole) {
+  const Vec3 along = whole.b - whole.a;
+  const double length = along.norm();
+  if (!(length > same_place)) return std::nullopt;
+  const double at = (middle_of(edge) - whole.a).dot(along) / length;
+  const auto off = [&](const Vec3& x) { return (x - whole.a).cross(along).norm() / length; };
+  const bool beside = at < -same_place || at > length + same_place;
+  if (beside || off(edge.a) > same_place || off(edge.b) > same_place) return std::nullopt;
+  return std::clamp(at / length, 0.0, 1.0);
+}
+
+/// Finds the other sides of edges that have no twin, among each other.
+void find_parted(const std::vector<RestEdge>& edges, std::vector<std::optional<OtherSide>>& sides) {
+  std::vector<std::size_t> alone;
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    if (!sides[k]) alone.push_back(k);
+  for (const std::size_t k : alone)
+    for (const std::size_t other : alone) {
+      if (other == k) continue;
+      const auto share = share_at(edges[k], edges[other]);
+      if (share) sides[k] = OtherSide{other, *share};
+      if (share) break;
+    }
 }
 
 }  // namespace
@@ -76,26 +129,26 @@ std::vector<CutRim> cut_rims(const TriangleMesh& rest) {
   return has_walls ? rims_of_walls(rest) : borders(rest);
 }
 
-std::vector<std::optional<std::size_t>> other_sides(const std::vector<RestEdge>& edges) {
+std::vector<std::optional<OtherSide>> other_sides(const std::vector<RestEdge>& edges) {
   std::vector<std::size_t> order(edges.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto middle = [&](std::size_t k) -> Vec3 { return (edges[k].a + edges[k].b) / 2; };
   std::sort(order.begin(), order.end(),
-            [&](std::size_t x, std::size_t y) { return middle(x).x() < middle(y).x(); });
+            [&](std::size_t x, std::size_t y) { return middle_of(edges[x]).x() < middle_of(edges[y]).x(); });
   const auto same = [](const Vec3& x, const Vec3& y) { return (x - y).norm() < same_place; };
-  std::vector<std::optional<std::size_t>> out(edges.size());
+  std::vector<std::optional<OtherSide>> out(edges.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const RestEdge& edge = edges[order[i]];
     for (std::size_t j = i + 1; j < order.size() && !out[order[i]]; ++j) {
-      if (middle(order[j]).x() - middle(order[i]).x() > same_place) break;
       const RestEdge& other = edges[order[j]];
+      if (middle_of(other).x() - middle_of(edge).x() > same_place) break;
       const bool twin = (same(edge.a, other.b) && same(edge.b, other.a)) ||
                         (same(edge.a, other.a) && same(edge.b, other.b));
       if (out[order[j]] || !twin) continue;
-      out[order[i]] = order[j];
-      out[order[j]] = order[i];
+      out[order[i]] = OtherSide{order[j]};
+      out[order[j]] = OtherSide{order[i]};
     }
   }
+  find_parted(edges, out);
   return out;
 }
 

@@ -29,10 +29,10 @@ void CutLines::put(BodyId id, const SoftReplica& soft, const DrawMesh& mesh, con
   body.shape = soft.shape();
   changed_ = true;
   const TriangleMesh& rest = soft.rest();
-  body.has_walls = std::ranges::find(rest.inner, std::uint8_t{1}) != rest.inner.end();
   body.rims.clear();
   body.rest.clear();
-  if (soft.revision() == 0 && !body.has_walls) return;
+  const bool has_walls = std::ranges::find(rest.inner, std::uint8_t{1}) != rest.inner.end();
+  if (soft.revision() == 0 && !has_walls) return;
   body.rims = cut_rims(rest);
   for (const CutRim& rim : body.rims) body.rest.push_back({rest.positions[rim.a], rest.positions[rim.b]});
 }
@@ -49,30 +49,26 @@ void CutLines::find_sides() {
     }
   const auto others = other_sides(rest);
   for (std::size_t k = 0; k < sides_.size(); ++k) sides_[k].other = others[k];
-  // Numbers of sides must stay, so those of a border that is no cut's lose only their body.
-  for (Side& side : sides_)
-    if (!side.other && !side.body->has_walls) side.body = nullptr;
 }
 
-Vec3 CutLines::place(const Side& side, std::uint32_t vertex) {
-  const DrawMesh& mesh = *side.body->mesh;
-  return side.body->placed * mesh.positions[vertex].cast<double>().eval();
+/// Returns where a share of a side's edge is, in the room.
+Vec3 CutLines::place(const Side& side, double share) {
+  const auto& positions = side.body->mesh->positions;
+  const Vec3 a = positions[side.rim.a].cast<double>(), b = positions[side.rim.b].cast<double>();
+  return side.body->placed * Vec3((1 - share) * a + share * b);
 }
 
 void CutLines::add(DrawList& list) {
   if (changed_) find_sides();
   const Vec3 eye = list.cameras.front().pose.p;
-  const auto is_seen = [](const Side& side) { return side.body != nullptr && side.body->mesh != nullptr; };
   for (const Side& side : sides_) {
-    if (!is_seen(side)) continue;
-    const Vec3 a = place(side, side.rim.a), b = place(side, side.rim.b);
-    if (side.other && is_seen(sides_[*side.other])) {
-      const Side& other = sides_[*side.other];
-      const Vec3 opposite = (place(other, other.rim.a) + place(other, other.rim.b)) / 2;
-      const Vec3 middle = (a + b) / 2;
-      const double gap = (opposite - middle).norm() * pixels_per_metre(list.cameras.front(), middle);
-      if (gap > closed_pixels) continue;
-    }
+    if (!side.other || side.body->mesh == nullptr) continue;
+    const Side& other = sides_[side.other->edge];
+    if (other.body->mesh == nullptr) continue;
+    const Vec3 middle = place(side, 0.5), opposite = place(other, side.other->share);
+    const double gap = (opposite - middle).norm() * pixels_per_metre(list.cameras.front(), middle);
+    if (gap > closed_pixels) continue;
+    const Vec3 a = place(side, 0), b = place(side, 1);
     const auto nearer = [&](const Vec3& x) { return Vec3(x + closer * (eye - x).normalized()); };
     list.lines.push_back({.a = nearer(a), .b = nearer(b), .color = wet_dark, .width = width});
   }

@@ -18,7 +18,7 @@ class CutLines {
   /// `soft` and `mesh` stay as they are until add().
   void put(BodyId body, const SoftReplica& soft, const DrawMesh& mesh, const Affine& shape);
   /// Adds the lines as the list's first camera sees them. A side of a cut has one while the other side is
-  /// nearer than closed_pixels, and where its other side is another body that is not in the picture.
+  /// seen, too, and nearer than closed_pixels. What gapes shows its inside in place of a line.
   void add(DrawList& list);
 
   static constexpr double width = 1.6;        // points
@@ -29,7 +29,6 @@ class CutLines {
     std::uint64_t shape = 0;  // SoftReplica::shape() that rims are of
     std::vector<CutRim> rims;
     std::vector<RestEdge> rest;
-    bool has_walls = false;  // its rims are a cut's; else some are a sheet's own border
     // In this picture:
     const DrawMesh* mesh = nullptr;
     Affine placed{};
@@ -37,14 +36,14 @@ class CutLines {
   struct Side {
     const Body* body;
     CutRim rim;
-    std::optional<std::size_t> other;  // of sides_
+    std::optional<OtherSide> other;  // its edge: of sides_
   };
   std::map<BodyId, Body> bodies_;
   std::vector<Side> sides_;
   bool changed_ = false;  // sides_ are to be found anew
 
   void find_sides();
-  static Vec3 place(const Side& side, std::uint32_t vertex);
+  static Vec3 place(const Side& side, double share);
 };
 
 }  // namespace prosector

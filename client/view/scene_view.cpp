@@ -56,6 +56,10 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   close_section();
   if (settings.wireframes) add_wireframes(replica, tick);
   add_panels(replica, self.participant, settings.panel);
+  if (settings.parts_board) {
+    if (!board_cube_) board_cube_ = board_cube(next_mesh_id_++);
+    add_parts_board(list_, *settings.parts_board, board_cube_);
+  }
   people_.add(list_, replica, tick, self, settings.follow, next_mesh_id_);
   if (self.at_desk) add_hand_cues(replica, self, tick);
   cut_lines_.add(list_);

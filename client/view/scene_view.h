@@ -53,6 +53,7 @@ class SceneView {
   StrokeGauge strokes_;
   double hand_opacity_ = 1;  // of one's own at a desk
   std::optional<PanelView> panel_view_;
+  std::shared_ptr<const DrawMesh> board_cube_;  // null: no board was seen yet
   std::size_t hidden_panel_lines_ = 0;
   std::map<BodyId, Edges> wires_;
   std::map<BodyId, std::uint64_t> wire_shapes_;  // SoftReplica::shape() that wires_ are of

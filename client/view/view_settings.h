@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/view/draw_list.h"
+#include "client/view/parts_board_view.h"
 #include "client/view/parts_list.h"
 #include "client/view/stereo_profile.h"
 #include "client/view/time_bar.h"
@@ -16,7 +17,7 @@ namespace prosector {
 
 /// What a viewer did to their own panel.
 struct PanelLook {
-  std::optional<Pose> place = {};  // where they put it; nullopt: where it came up
+  std::optional<Pose> place = {};  // where they drag it; nullopt: where everyone has it
   std::size_t first_line = 0;      // of its description that is seen
 };
 
@@ -37,6 +38,7 @@ struct ViewSettings {
   Eigen::Vector2d pointer = Eigen::Vector2d::Zero();  // pixels from the top left
   PartsChoice parts = {};                             // what the viewer wants to see of them
   std::vector<BodyId> highlighted = {};               // bodies that are shown bright
+  std::optional<PlacedPartsList> parts_board = {};    // the list of parts in the room
   const PartsList* parts_list = nullptr;              // to be drawn; null: shut
   std::vector<Vec3> cut_guide = {};                   // m: line on tissue that the desk's blade would cut
   std::optional<double> cut_depth = {};               // m that the desk's blade is set to

@@ -136,12 +136,13 @@ void entry(Io& io, typename Io::template Entry<HeadPlace>& e) {
 
 template <class Io>
 void entry(Io& io, typename Io::template Entry<PanelEvent>& e) {
-  auto& [kind, participant, body, control, value] = e;
+  auto& [kind, participant, body, control, value, at] = e;
   io.limited(kind, last_panel_event, "no such event of a panel");
   io.number(participant);
   io.number(body);
   io.limited(control, PanelControl::stiffness, "no such control");
   io.number(value);
+  io.numbers(at.data(), 3);
 }
 
 template <class Io>

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/panel_placing.h"
+
 namespace prosector {
 namespace {
 
@@ -14,10 +16,14 @@ constexpr double head_step = 0.01;  // m that a head moves before it is worth te
 
 Refusal PanelInputs::take(const Command& command) {
   const auto ask = [&](PanelEvent::Kind kind) {
-    asked_.push_back({kind, command.participant, command.body, command.control, command.value});
+    asked_.push_back(
+        {kind, command.participant, command.body, command.control, command.value, command.shape.p});
     return Refusal();
   };
-  if (command.kind == CommandKind::open_panel) {
+  const auto placing = static_cast<PanelPlacing>(command.revision);
+  if (command.kind == CommandKind::open_panel && placing > last_panel_placing)
+    return fmt::format("no way {} to place a panel", command.revision);
+  if (command.kind == CommandKind::open_panel && placing == PanelPlacing::stays) {
     if (command.body >= parts_.size())
       return fmt::format("no body {}: the scene has {}", command.body, parts_.size());
     if (!parts_[command.body]) return "only parts of the anatomy have a panel";
@@ -25,7 +31,9 @@ Refusal PanelInputs::take(const Command& command) {
   }
   const bool open = std::find(open_.begin(), open_.end(), command.participant) != open_.end();
   if (!open) return "you have no panel open";
-  return ask(command.kind == CommandKind::close_panel ? PanelEvent::Kind::close : PanelEvent::Kind::set);
+  if (command.kind == CommandKind::close_panel) return ask(PanelEvent::Kind::close);
+  if (command.kind == CommandKind::set_control) return ask(PanelEvent::Kind::set);
+  return ask(placing == PanelPlacing::put ? PanelEvent::Kind::put : PanelEvent::Kind::put_back);
 }
 
 void PanelInputs::see(ParticipantId who, const HandInput& input, bool has_hands) {

@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 
 #include "common/clock.h"
 #include "common/server_run.h"
 #include "server/session/recorded_users.h"
 #include "server/session/server_loop.h"
 #include "server/session/session_lines.h"
-#include "server/session/sleep_until.h"
-#include "server/session/tick_schedule.h"
+#include "server/session/session_status.h"
+#include "server/session/timed_turns.h"
 
 namespace prosector {
 namespace {
@@ -173,10 +172,7 @@ void Playback::meet_people(std::vector<Outgoing>& out) {
 }
 
 void Playback::meter(const StepReport& report, std::int64_t begun_ns) {
-  energy_ = report.kinetic_energy + report.elastic_energy + report.potential_energy;
-  awake_ = report.awake_bodies;
-  asleep_ = report.asleep_bodies;
-  meter_.add(report, awake_ > 0, begun_ns, monotonic_ns());
+  meter_.add(report, report.awake_bodies > 0, begun_ns, monotonic_ns());
   body_meter_.add(simulation_, report);
 }
 
@@ -231,20 +227,9 @@ SimTime Playback::told_time() const {
 }
 
 ServerStatus Playback::status() const {
-  const LastSecond last = meter_.last_second();
-  ServerStatus out;
+  ServerStatus out = status_of(meter_, session_, bus_);
   out.time = told_time();
-  out.real_time_factor = session_.pacing().pace() == 0 ? 0 : last.real_time_factor;
-  out.step_ms_p50 = last.step_ms_p50;
-  out.step_ms_p99 = last.step_ms_p99;
-  out.phase_ms = last.phase_ms;
-  out.solver_residual = last.solver_residual;
-  out.energy = energy_;
-  out.participants = session_.roster().participants();
-  out.observers = session_.roster().observers();
-  out.awake_bodies = awake_;
-  out.asleep_bodies = asleep_;
-  out.invalid_dropped = bus_.counters().dropped_total + session_.dropped_total();
+  if (session_.pacing().pace() == 0) out.real_time_factor = 0;
   out.state_hash = simulation_.state_hash();
   out.error = body_meter_.worst_error();
   if (player_.differs())
@@ -256,23 +241,12 @@ ServerStatus Playback::status() const {
 
 void Playback::run(const std::atomic<bool>& stop, double seconds,
                    const std::function<void(const std::string&)>& each_second) {
-  const std::int64_t begin = monotonic_ns();
-  const std::int64_t end = seconds > 0 ? begin + static_cast<std::int64_t>(seconds * 1e9)
-                                       : std::numeric_limits<std::int64_t>::max();
-  TickSchedule schedule(simulation_.scene().tick_rate, begin);
-  std::int64_t next_line = begin + second_ns;
-  while (!stop && schedule.due_ns() < end) {
-    sleep_until(schedule.due_ns());
-    turn();
-    const double pace = session_.pacing().pace();
-    schedule.set_pace(pace == 0 ? 1 : pace);  // time that stands still is looked at as often as it would run
-    const std::int64_t now = monotonic_ns();
-    if (now >= next_line) {
-      each_second(console_line());
-      next_line += second_ns * (1 + (now - next_line) / second_ns);
-    }
-    schedule.finished(now);
-  }
+  take({.tick_rate = simulation_.scene().tick_rate,
+        .seconds = seconds,
+        .turn = [&] { turn(); },
+        .pace = [&] { return session_.pacing().pace(); },
+        .each_second = [&] { each_second(console_line()); }},
+       stop);
 }
 
 std::string Playback::console_line() const {

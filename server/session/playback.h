@@ -70,8 +70,6 @@ class Playback {
   std::vector<Received> received_;
   std::shared_ptr<const Snapshot> last_snapshot_;
   std::int64_t offered_ns_ = 0, status_ns_ = 0, way_begun_ns_ = 0;
-  double energy_ = 0;
-  std::uint32_t awake_ = 0, asleep_ = 0;
   Publisher publisher_;  // last: its thread ends before what it reads
 
   bool hear();

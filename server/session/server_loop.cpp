@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include "common/counted.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/session/session_lines.h"
+#include "server/session/session_status.h"
 #include "server/session/simulated_shapes.h"
-#include "server/session/sleep_until.h"
-#include "server/session/tick_schedule.h"
+#include "server/session/timed_turns.h"
 
 namespace prosector {
 namespace {
@@ -215,9 +214,6 @@ void ServerLoop::record(const StepReport& report, std::int64_t begun_ns) {
   last_end_ns_ = options_.clock();
   last_tick_ = simulation_.time().tick;
   if (!start_) start_ = {last_tick_, last_end_ns_};
-  energy_ = report.kinetic_energy + report.elastic_energy + report.potential_energy;
-  awake_ = report.awake_bodies;
-  asleep_ = report.asleep_bodies;
   const Roster& roster = session_.roster();
   if (!roster.members().empty() && !first_arrival_) first_arrival_ = {last_tick_, last_end_ns_};
   figures_.participants = std::max(figures_.participants, roster.participants());
@@ -298,24 +294,17 @@ void ServerLoop::announce(const std::vector<SessionEvent>& events) {
 
 void ServerLoop::run(const std::atomic<bool>& stop, double seconds,
                      const std::function<void(const std::string&)>& each_second) {
-  const std::int64_t begin = monotonic_ns();
-  const std::int64_t end = seconds > 0 ? begin + static_cast<std::int64_t>(seconds * 1e9)
-                                       : std::numeric_limits<std::int64_t>::max();
-  TickSchedule schedule(simulation_.scene().tick_rate, begin);
-  std::int64_t next_line = begin + second_ns;
-  while (!stop && schedule.due_ns() < end) {
-    sleep_until(schedule.due_ns());
-    turn();
-    const double pace = session_.pacing().pace();
-    schedule.set_pace(pace == 0 ? 1 : pace);  // time that stands still is looked at as often as it would run
-    if (pace != 1) own_pace_ns_ = last_end_ns_ + second_ns;
-    if (last_end_ns_ >= next_line) {
-      each_second(console_line());
-      next_line += second_ns * (1 + (last_end_ns_ - next_line) / second_ns);
-    }
-    schedule.finished(monotonic_ns());
-    figures_.slips = schedule.slips();
-  }
+  const auto pace = [&] {
+    const double now = session_.pacing().pace();
+    if (now != 1) own_pace_ns_ = last_end_ns_ + second_ns;
+    return now;
+  };
+  figures_.slips = take({.tick_rate = simulation_.scene().tick_rate,
+                         .seconds = seconds,
+                         .turn = [&] { turn(); },
+                         .pace = pace,
+                         .each_second = [&] { each_second(console_line()); }},
+                        stop);
 }
 
 void ServerLoop::finish() {
@@ -346,30 +335,18 @@ RunFigures ServerLoop::figures() const {
 }
 
 ServerStatus ServerLoop::status() const {
-  const LastSecond last = meter_.last_second();
-  ServerStatus out;
+  ServerStatus out = status_of(meter_, session_, bus_);
   out.time = simulation_.time();
-  out.real_time_factor = last.real_time_factor;
-  out.step_ms_p50 = last.step_ms_p50;
-  out.step_ms_p99 = last.step_ms_p99;
-  out.phase_ms = last.phase_ms;
-  out.solver_residual = last.solver_residual;
-  out.energy = energy_;
-  out.participants = session_.roster().participants();
-  out.observers = session_.roster().observers();
-  out.awake_bodies = awake_;
-  out.asleep_bodies = asleep_;
-  out.invalid_dropped = bus_.counters().dropped_total + session_.dropped_total();
   out.state_hash = state_hash_;
   out.error = body_meter_.worst_error();
   const auto add = [&](const std::string& text) {
     if (!text.empty()) out.degraded += (out.degraded.empty() ? "" : "; ") + text;
   };
   const bool own_pace = last_end_ns_ >= own_pace_ns_;  // else it is as slow as the host has it
-  if (own_pace && last.real_time_factor > 0 && last.real_time_factor < 0.98)
-    add(fmt::format("simulated time slowed to {:.2f} of real time", last.real_time_factor));
+  if (own_pace && out.real_time_factor > 0 && out.real_time_factor < 0.98)
+    add(fmt::format("simulated time slowed to {:.2f} of real time", out.real_time_factor));
   add(stepped_down());
-  add(last.degraded);
+  add(meter_.last_second().degraded);
   if (journal_late_) add(journal_is_late);
   add(journal_trouble_);
   if (out.degraded.size() > max_text_length) out.degraded.resize(max_text_length);

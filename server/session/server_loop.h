@@ -105,8 +105,6 @@ class ServerLoop {
   std::vector<Received> received_;
   std::shared_ptr<const Snapshot> last_snapshot_;
   std::uint64_t state_hash_ = 0, last_tick_ = 0;  // last_tick_: when last_end_ns_ was taken
-  double energy_ = 0;
-  std::uint32_t awake_ = 0, asleep_ = 0;
   std::int64_t status_ns_ = 0, last_end_ns_ = 0, since_checkpoint_ns_ = 0;
   std::int64_t own_pace_ns_ = 0;  // since when time runs at its own pace
   std::optional<Count> start_, first_arrival_;

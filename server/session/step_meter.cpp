@@ -45,6 +45,8 @@ void StepMeter::add(const StepReport& report, bool tissue_awake, std::int64_t be
       tick.degraded.push_back(body.body + " " + what + (body.note.empty() ? "" : ": " + body.note));
     }
   }
+  last_step_ = {report.kinetic_energy + report.elastic_energy + report.potential_energy, report.awake_bodies,
+                report.asleep_bodies};
   all_.add(tick.ms);
   if (tissue_awake) awake_.add(tick.ms);
   if (tick.ms > dt_ * 1e3) ++late_;

@@ -34,6 +34,12 @@ struct LastSecond {
   std::string degraded;                        // by name; empty is well
 };
 
+/// How bodies were after the last step.
+struct LastStep {
+  double energy = 0;                    // J: kinetic, elastic and of gravity
+  std::uint32_t awake = 0, asleep = 0;  // bodies
+};
+
 class StepMeter {
  public:
   explicit StepMeter(double tick_rate) : dt_(1 / tick_rate) {}
@@ -41,6 +47,7 @@ class StepMeter {
   /// Adds a tick. `begun_ns` and `ended_ns`: the whole tick with intake and snapshot, monotonic.
   void add(const StepReport& report, bool tissue_awake, std::int64_t begun_ns, std::int64_t ended_ns);
   LastSecond last_second() const;
+  const LastStep& last_step() const { return last_step_; }
 
   const DurationHistogram& all() const { return all_; }
   const DurationHistogram& awake() const { return awake_; }  // ticks with tissue awake
@@ -57,6 +64,7 @@ class StepMeter {
     std::vector<std::string> degraded;
   };
   double dt_;
+  LastStep last_step_;
   std::deque<Tick> ticks_;  // the last second
   DurationHistogram all_, awake_;
   std::uint64_t late_ = 0;

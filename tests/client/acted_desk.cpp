@@ -52,6 +52,24 @@ void ActedDesk::wait(double seconds) {
   for (int k = 0; k < static_cast<int>(1e3 * seconds); ++k) millisecond();
 }
 
+/// The window tells of the pointer's moves between two pictures, too.
+void ActedDesk::point_at(const Vec3& place) {
+  pointed_ = place;
+  if (!hand_.is_pressed() || !hand_.cut_depth()) return;
+  const auto point = surface({eye, (pointed_ - eye).normalized()});
+  if (point && replica_.soft(point->body) != nullptr)
+    hand_.trace(*point, [this](const Ray& ray, std::optional<BodyId> only) { return found(ray, only); });
+}
+
+std::optional<Picked> ActedDesk::surface(const Ray& ray) {
+  return view_.surface_at(ray, held_by(replica_, {self_, right_hand}));
+}
+
+std::optional<Picked> ActedDesk::found(const Ray& ray, std::optional<BodyId> only) {
+  const auto met = surface(ray);
+  return met && (!only || met->body == *only) ? met : std::nullopt;
+}
+
 void ActedDesk::draw(const Vec3& from, const Vec3& to, double seconds) {
   const int steps = std::max(1, static_cast<int>(seconds / 0.1));  // as the end-to-end test does
   for (int k = 1; k <= steps; ++k) {
@@ -106,9 +124,6 @@ void ActedDesk::take() {
 HandGuide ActedDesk::guide(double tick) {
   HandGuide out;
   const HandRef own{self_, right_hand};
-  const auto surface = [this, held = held_by(replica_, own)](const Ray& ray) {
-    return view_.surface_at(ray, held);
-  };
   out.pointer = {eye, (pointed_ - eye).normalized()};
   out.back = gaze * Vec3::UnitZ();
   out.pitch = 1.5;
@@ -123,7 +138,7 @@ HandGuide ActedDesk::guide(double tick) {
   }
   if (asked_for_) pressed_at_ = point ? std::optional(point->body) : std::nullopt;
   asked_for_ = false;
-  out.gap = [surface](const Vec3& place) -> std::optional<double> {
+  out.gap = [this](const Vec3& place) -> std::optional<double> {
     const Vec3 way = place - eye;
     const auto behind = surface({eye, way.normalized()});
     return behind ? std::optional(behind->distance - way.norm()) : std::nullopt;
@@ -133,10 +148,7 @@ HandGuide ActedDesk::guide(double tick) {
   out.tip = instrument_tip(replica_, own, tick);
   out.blade = held_blade(replica_, own, tick);
   if (point && out.soft) out.tissue = point;
-  out.find = [surface](const Ray& ray, std::optional<BodyId> only) -> std::optional<Picked> {
-    const auto met = surface(ray);
-    return met && (!only || met->body == *only) ? met : std::nullopt;
-  };
+  out.find = [this](const Ray& ray, std::optional<BodyId> only) { return found(ray, only); };
   return out;
 }
 

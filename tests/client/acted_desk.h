@@ -32,7 +32,7 @@ class ActedDesk {
   /// Lets time pass, s.
   void wait(double seconds);
   /// Moves the pointer, which looks straight down, over a place in the room.
-  void point_at(const Vec3& place) { pointed_ = place; }
+  void point_at(const Vec3& place);
   /// Moves it evenly from place to place, s.
   void draw(const Vec3& from, const Vec3& to, double seconds);
   void press() {
@@ -79,6 +79,8 @@ class ActedDesk {
   void command(CommandKind kind);
   void publish(Command command);
   HandGuide guide(double tick);
+  std::optional<Picked> surface(const Ray& ray);
+  std::optional<Picked> found(const Ray& ray, std::optional<BodyId> only);
 };
 
 }  // namespace prosector::test

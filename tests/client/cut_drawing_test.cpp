@@ -114,6 +114,24 @@ TEST_F(DrawnCut, ItsTipStaysUnderAWindingWay) {
   for (const Vec3& tip : tips) EXPECT_NEAR(tip.z(), way(tip.x()), 0.002);
 }
 
+TEST_F(DrawnCut, ItsTipStaysUnderAWayThatThePointerWentBetweenTwoPictures) {
+  ball = {{0, -1000, 0}, 1001};
+  const auto way = [](double s) { return 0.02 * std::sin(s / 0.03); };
+  picture();
+  point(0, way(0));
+  drawing.press();
+  for (double s = 0; s <= 0.12; s += 0.001) {
+    point(s, way(s));
+    drawing.trace(*guide.tissue, guide.find);
+  }
+  drawing.release();
+  EXPECT_TRUE(drawing.is_on_tissue());
+  wait(4);
+  ASSERT_GT(tips.size(), 20u);
+  for (const Vec3& tip : tips) EXPECT_NEAR(tip.z(), way(tip.x()), 0.002);
+  EXPECT_GT(tips.back().x(), 0.115) << "as far as it went before the button went up";
+}
+
 TEST_F(DrawnCut, TheBladeLiesInThePlaneOfTheWayWithItsEdgeAhead) {
   draw(-0.05, 0.05);
   ASSERT_FALSE(wrists.empty());

@@ -91,10 +91,30 @@ TEST(CutRims, HaveTheirOtherSideWhereTheyWereOne) {
   const std::vector<RestEdge> edges = {
       {{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}, {1, 0, 1}}, {{1, 0, 1e-7}, {0, 0, 0}}, {{0, 0, 0}, {0, 1, 0}}};
   const auto others = other_sides(edges);
-  EXPECT_EQ(others[0], std::optional<std::size_t>(2));
-  EXPECT_EQ(others[2], std::optional<std::size_t>(0));
+  ASSERT_TRUE(others[0] && others[2]);
+  EXPECT_EQ(others[0]->edge, 2u);
+  EXPECT_EQ(others[2]->edge, 0u);
+  EXPECT_EQ(others[0]->share, 0.5);
   EXPECT_FALSE(others[1]);
   EXPECT_FALSE(others[3]);
+}
+
+TEST(CutRims, HaveTheirOtherSideWhereALaterCutPartedIt) {
+  const std::vector<RestEdge> edges = {{{0, 0, 0}, {1, 0, 0}},
+                                       {{1, 0, 0}, {0.3, 0, 0}},
+                                       {{0.3, 0, 0}, {0, 0, 0}},
+                                       {{1, 0, 0}, {2, 0, 0}},
+                                       {{0, 0, 0}, {0.3, 0.1, 0}}};
+  const auto others = other_sides(edges);
+  ASSERT_TRUE(others[0] && others[1] && others[2]);
+  EXPECT_EQ(others[0]->edge, 1u);
+  EXPECT_NEAR(others[0]->share, 0.5 / 0.7, 1e-12);
+  EXPECT_EQ(others[1]->edge, 0u);
+  EXPECT_NEAR(others[1]->share, 0.65, 1e-12);
+  EXPECT_EQ(others[2]->edge, 0u);
+  EXPECT_NEAR(others[2]->share, 0.15, 1e-12);
+  EXPECT_FALSE(others[3]) << "goes on where the line ends";
+  EXPECT_FALSE(others[4]) << "goes another way";
 }
 
 TEST(CutLines, AreDarkWhileTheCutIsClosedAndGoneWhenItGapes) {
@@ -103,11 +123,67 @@ TEST(CutLines, AreDarkWhileTheCutIsClosedAndGoneWhenItGapes) {
   EXPECT_EQ(lines_of(opened(), opened(0.01)), 0u);
 }
 
+/// The strip whose one side a later cut has parted at `at` of the way.
+TriangleMesh parted_again(double gap, double at) {
+  TriangleMesh out = opened(gap);
+  const auto m = static_cast<std::uint32_t>(out.positions.size());
+  out.positions.push_back((1 - at) * out.positions[0] + at * out.positions[1]);
+  out.triangles[1] = {m, 9, 1};
+  out.triangles[4] = {m, 1, 3};
+  for (const auto& t : {std::array<std::uint32_t, 3>{0, 9, m}, {0, m, 3}}) {
+    out.triangles.push_back(t);
+    out.inner.push_back(t[1] == m ? 1 : 0);
+  }
+  return out;
+}
+
+TEST(CutLines, AreGoneWhereItGapesAlsoBesideALaterCut) {
+  const SoftReplica closed = replica_of(parted_again(0, 0.3), parted_again(0, 0.3));
+  const SoftReplica gaping = replica_of(parted_again(0, 0.3), parted_again(0.01, 0.3));
+  for (const SoftReplica* soft : {&closed, &gaping}) {
+    const DrawMesh mesh = drawn(*soft);
+    CutLines lines;
+    lines.begin();
+    lines.put(0, *soft, mesh, {});
+    DrawList list = seen_from_above();
+    lines.add(list);
+    EXPECT_EQ(list.lines.size(), soft == &closed ? 3u : 0u);
+  }
+}
+
+TEST(CutLines, OfAPieceThatIsHiddenAreNone) {
+  TriangleMesh stays = opened();
+  stays.triangles = {stays.triangles[0], stays.triangles[1], stays.triangles[4], stays.triangles[5]};
+  stays.inner = {0, 0, 1, 1};
+  EXPECT_EQ(lines_of(stays, opened()), 0u) << "one looks at the cut's face";
+}
+
 TEST(CutLines, OfASheetAreOfItsCutsNotItsBorder) {
   EXPECT_EQ(lines_of(parted_sheet(), parted_sheet()), 2u);
   TriangleMesh whole = parted_sheet();
   whole.triangles.resize(2);
   EXPECT_EQ(lines_of(whole, whole), 0u);
+}
+
+/// As sheets are drawn: front and back, of vertices of their own at the same places.
+TriangleMesh with_back(TriangleMesh sheet) {
+  const auto vertices = static_cast<std::uint32_t>(sheet.positions.size());
+  const std::size_t triangles = sheet.triangles.size();
+  for (std::uint32_t v = 0; v < vertices; ++v) sheet.positions.push_back(Vec3(sheet.positions[v]));
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const auto [a, b, c] = sheet.triangles[t];
+    sheet.triangles.push_back({a + vertices, c + vertices, b + vertices});
+  }
+  return sheet;
+}
+
+TEST(CutLines, OfASheetWithFrontAndBackAreOfItsCutsNotItsBorder) {
+  EXPECT_EQ(cut_rims(with_back(parted_sheet())).size(), cut_rims(parted_sheet()).size());
+  EXPECT_EQ(lines_of(with_back(parted_sheet()), with_back(parted_sheet())), 2u);
+  TriangleMesh gaping = opened(0.01);
+  gaping.triangles.resize(4);
+  gaping.inner.clear();
+  EXPECT_EQ(lines_of(with_back(parted_sheet()), with_back(gaping)), 0u) << "neither the cut nor the border";
 }
 
 TEST(CutLines, HaveTheirOtherSideOnAPieceThatCameOff) {

@@ -9,6 +9,7 @@
 
 #include "client/app/figures.h"
 #include "client/view/camera.h"
+#include "common/panel_placing.h"
 
 namespace prosector {
 namespace {
@@ -320,19 +321,42 @@ TEST_F(AtTheDesk, APanelIsDraggedByItsHeadScrolledAndPutBack) {
   window.events = {WheelTurned{0, -9}};
   update();
   EXPECT_EQ(desk.panel_look().first_line, 2u) << "and no farther than to the last line";
-  for (const Command& command : desk.take_commands())
-    EXPECT_EQ(command.kind, CommandKind::open_panel) << "pointed at, it stays";
+  const auto placings = [&] {
+    std::vector<Command> out;
+    for (const Command& command : desk.take_commands()) {
+      EXPECT_EQ(command.kind, CommandKind::open_panel) << "pointed at, it stays";
+      EXPECT_EQ(command.body, 3u);
+      if (command.revision != static_cast<std::uint32_t>(PanelPlacing::stays)) out.push_back(command);
+    }
+    return out;
+  };
+  const std::vector<Command> put = placings();
+  ASSERT_EQ(put.size(), 1u) << "everyone is to see it there";
+  EXPECT_EQ(put[0].revision, static_cast<std::uint32_t>(PanelPlacing::put));
+  EXPECT_EQ(put[0].shape.p, desk.panel_look().place->p);
+  session.own_panel->pose.p = put[0].shape.p + Vec3(1e-7, 0, 0);
+  update();
+  EXPECT_FALSE(desk.panel_look().place) << "the server has it there";
+  panel.pose = session.own_panel->pose;
   for (int k = 0; k < 2; ++k) {
     window.events.push_back(MouseButtonEvent{MouseButton::left, true});
     window.events.push_back(MouseButtonEvent{MouseButton::left, false});
   }
+  window.events.insert(window.events.begin(), pixel_of({0, panel_info.top - 0.005, 0}));
+  wait(60);
+  EXPECT_FALSE(desk.panel_look().place);
+  const std::vector<Command> back = placings();
+  ASSERT_EQ(back.size(), 1u) << "a double click puts it back, for everyone";
+  EXPECT_EQ(back[0].revision, static_cast<std::uint32_t>(PanelPlacing::put_back));
+  session.own_panel->pose.p = {0, 1.15, 0.3};
   update();
-  EXPECT_FALSE(desk.panel_look().place) << "a double click puts it back";
   drag(-60);
   ASSERT_TRUE(desk.panel_look().place);
   session.own_panel->pose.p.x() += 0.1;
   update();
-  EXPECT_FALSE(desk.panel_look().place) << "a fist carried it: it stands where everyone has it";
+  EXPECT_TRUE(desk.panel_look().place) << "on its way there";
+  wait(1200);
+  EXPECT_FALSE(desk.panel_look().place) << "a fist carries it: it stands where everyone has it";
   EXPECT_EQ(desk.panel_look().first_line, 2u);
   session.own_panel->body = 4;
   update();
@@ -424,6 +448,23 @@ TEST_F(AtTheDesk, AGamepadDoesWhatKeysAndMouseDo) {
   EXPECT_LT(desk.eye().q.angularDistance(eye.q), 1e-9);
   EXPECT_GT((desk.eye().p - eye.p).dot(eye.q * Vec3::UnitZ()), 0.005);
   pad = {};
+  pad.left_trigger = 1;
+  pad.down[static_cast<std::size_t>(PadButton::start)] = true;
+  show();
+  EXPECT_TRUE(desk.parts().is_open());
+  EXPECT_FALSE(desk.choices().help) << "the same button without the trigger";
+  pad = {};
+  show();
+  pad.down[static_cast<std::size_t>(PadButton::north)] = true;
+  show();
+  EXPECT_EQ(desk.take_follow_requests(), 1u) << "no key types into the search";
+  pad = {};
+  pad.left_trigger = 1;
+  pad.down[static_cast<std::size_t>(PadButton::start)] = true;
+  show();
+  EXPECT_FALSE(desk.parts().is_open());
+  pad = {};
+  show();
   pad.right_trigger = 1;
   show();
   wait(700);

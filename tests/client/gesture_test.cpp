@@ -38,7 +38,8 @@ TEST(Gestures, EachAsksForWhatTheTableSays) {
   const std::map<Gesture, GestureEvent> expected = {{Gesture::fist, GestureEvent::grasp},
                                                     {Gesture::pinch, GestureEvent::grasp},
                                                     {Gesture::flat, GestureEvent::release},
-                                                    {Gesture::index_little, GestureEvent::panel}};
+                                                    {Gesture::index_little, GestureEvent::panel},
+                                                    {Gesture::three, GestureEvent::parts}};
   EXPECT_EQ(ClientConfig{}.gestures, expected);
   for (const GestureRow& row : gesture_table()) {
     const auto asked = triggers({row.name});

@@ -53,7 +53,7 @@ TEST(ClientConfig, BadInputSaysWhereAndWhat) {
       {"[glove.right]\naddress = '5dt:/x'\nclosed_above = 0.3", "must exceed open_below"},
       {"[glove.right]\naddress = '5dt:/x'\nopen = [1,2,3,4,5]", "together"},
       {"[glove.middle]\naddress = '5dt:/x'", "allowed here are left, right"},
-      {"[gestures]\nfist = 'explode'", "must be none, grasp, release, reset or panel"},
+      {"[gestures]\nfist = 'explode'", "must be none, grasp, release, reset, panel or parts"},
       {"[gestures]\nwave = 'grasp'", "unknown key"},
       {"[tracker", "c.toml:1"},
   };

@@ -56,6 +56,11 @@ def share_of_dark(image, start, end):
     return dark / (places + 1)
 
 
+def dark_along_the_cut():
+    """The share of dark places along the drawn way, but for its ends, in the window now."""
+    return share_of_dark(view.picture(), plus(BEGIN, (0.03, 0, 0)), plus(END, (-0.03, 0, 0)))
+
+
 def sheet(names):
     """The pictures of these names side by side: what is around the liver."""
     out = Image.new("RGB", (len(names) * 300, 184))
@@ -77,15 +82,14 @@ with Processes(OUT) as processes:
     view = View(window, SIZE, FOV, OUT / "log.jsonl")
     view.eyes()
     view.picture().save(OUT / "start.png")
-    act("key", "4")  # from above
-    view.wheel(-5, "ctrl")  # so that the knife is in the picture, too
-    view.settle()
+    view.after(lambda: act("key", "4"))  # from above
+    view.after(lambda: view.wheel(-5, "ctrl"))  # so that the knife is in the picture, too
     view.picture().save(OUT / "before.png")
 
     view.point_at(HANDLE)
-    time.sleep(1)
+    view.hand_settles()
     act("mousedown", 1)
-    wait_until("the knife in the hand", holds_knife, 10)
+    wait_until("the knife in the hand", holds_knife)
     act("mouseup", 1)
     view.hand_settles()
     assert holds_knife(), "the knife did not stay in the hand"
@@ -101,7 +105,7 @@ with Processes(OUT) as processes:
     view.draw(END, BESIDE, 5)
     time.sleep(1)
     view.picture().save(OUT / "cut.png")
-    dark = share_of_dark(view.picture(), plus(BEGIN, (0.03, 0, 0)), plus(END, (-0.03, 0, 0)))
+    dark = dark_along_the_cut()
     print("revision", revision(), "length", length, "depth", depth, "dark", dark)
     assert 60 <= length <= 250 and 6 <= depth <= 18, f"{length} mm long, {depth} mm deep"
     assert dark > 0.8, f"the line of the cut is seen along {dark:.0%} of its way"
@@ -111,6 +115,8 @@ with Processes(OUT) as processes:
     before = topology()
     act("key", "z")
     wait_until("the cut taken back", lambda: topology() not in (None, before), 10)
+    wait_until("the line of the cut gone", lambda: dark_along_the_cut() < 0.2, 10)
     view.picture().save(OUT / "undone.png")
+    assert not [name for name in parts() if "piece" in name], "a piece was left"
     commands = processes.leave(client, server)
     assert commands["grasp"]["granted"] == 1 and commands["undo"] == {"granted": 1, "refused": 0}, commands

@@ -131,29 +131,45 @@ class View:
         eyes = wait_until("the eyes", lambda: self.last_line().get("people", {}).get(self.name, {}).get("eyes"))
         return tuple(eyes["at"]), tuple(eyes["look"])
 
+    def pause_of_pictures(self):
+        """The longest between the last pictures that showed something new, s. At rest the log says nothing, so no more than 3."""
+        try:
+            seconds = [json.loads(line)["seconds"] for line in self.log.read_text().splitlines()[-4:]]
+        except (OSError, ValueError):
+            return 1
+        return min(3, max((b - a for a, b in zip(seconds, seconds[1:])), default=1))
+
+    def stays(self, what, place, within, seconds=30):
+        """Waits until a place is where it stays for longer than pictures take, however seldom they come."""
+        last, since = place(), time.monotonic()
+
+        def rests():
+            nonlocal last, since
+            now = place()
+            if max(abs(a - b) for a, b in zip(now, last)) > within:
+                last, since = now, time.monotonic()
+            return time.monotonic() - since > max(0.6, 2.5 * self.pause_of_pictures())
+
+        wait_until(f"{what} at rest", rests, seconds)
+
     def settle(self):
         """Waits until the eyes are where they stay."""
-        time.sleep(0.5)
-        before = None
-        while (now := self.eyes()) != before:
-            before = now
-            time.sleep(0.3)
+        self.stays("the eyes", lambda: (*self.eyes()[0], *self.eyes()[1]), 1e-9)
+
+    def after(self, do):
+        """Does what moves the eyes, and waits until they have moved and are where they stay."""
+        before = self.eyes()
+        do()
+        wait_until("the eyes to move", lambda: self.eyes() != before)
+        self.settle()
 
     def hand(self):
         """Where the right wrist is, as the physics has it."""
         return tuple(wait_until("the hand", lambda: self.last_line().get("people", {}).get(self.name, {}).get("right"))["at"])
 
     def hand_settles(self):
-        """Waits until the hand is where it stays, however seldom pictures come."""
-        time.sleep(0.7)
-        places = [self.hand()]
-
-        def rests():
-            time.sleep(0.3)
-            places.append(self.hand())
-            return max(abs(d) for d in minus(places[-1], places[-2])) < 2e-3
-
-        wait_until("the hand at rest", rests)
+        """Waits until the hand is where it stays."""
+        self.stays("the hand", self.hand, 2e-3)
 
     def wheel(self, notches, key=None):
         """Turns the wheel while a key is held: up, away from the person, if notches > 0."""

@@ -187,8 +187,7 @@ with Processes(OUT) as processes:
     act("click", 1, "click", 1)
     time.sleep(0.5)
     assert view.eyes() == before, "a double click over nothing moved the view"
-    act("mousemove", *middle, "click", 1, "click", 1)  # frames the organ
-    view.settle()
+    view.after(lambda: act("mousemove", *middle, "click", 1, "click", 1))  # frames the organ
     assert view.eyes() != before
     view.picture().save(OUT / "framed.png")
     act("mousemove", left + 40, top + HEIGHT - 40, "mousedown", 1)

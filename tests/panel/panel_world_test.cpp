@@ -286,6 +286,32 @@ TEST(PanelWorld, AFistAtItsHeadCarriesItFacingItsReader) {
   }
 }
 
+TEST(PanelWorld, APointerPutsItWhereNoFistCarriesIt) {
+  RoomWithPanel room;
+  PanelEvent put{.kind = PanelEvent::Kind::put, .participant = ada, .at = {0.3, 1.3, -0.1}};
+  room.world.take(put, room.bodies);
+  EXPECT_EQ(room.pose().p, put.at);
+  EXPECT_GT((room.pose().q * Vec3::UnitZ()).dot((room.eyes - put.at).normalized()), 0.9999);
+  for (const Vec3& nowhere : {Vec3(0, std::nan(""), 0), Vec3(0, 2 * max_coordinate, 0)}) {
+    put.at = nowhere;
+    room.world.take(put, room.bodies);
+    EXPECT_EQ(room.pose().p, Vec3(0.3, 1.3, -0.1));
+  }
+  PanelEvent back{.kind = PanelEvent::Kind::put_back, .participant = ada};
+  room.world.take(back, room.bodies);
+  EXPECT_EQ(room.pose().p, room.first.p);
+  EXPECT_EQ(room.pose().q.coeffs(), room.first.q.coeffs());
+  room.step(palm_at(ada, room.head, false));
+  room.step(palm_at(ada, room.head, true), 3);
+  room.step(palm_at(ada, room.head + Vec3(0.1, 0, 0), true));
+  const Vec3 carried = room.pose().p;
+  EXPECT_GT((carried - room.first.p).norm(), 0.05);
+  put.at = {0, 1, 0};
+  room.world.take(put, room.bodies);
+  room.world.take(back, room.bodies);
+  EXPECT_EQ(room.pose().p, carried) << "a fist has it";
+}
+
 TEST(PanelWorld, TwoFistsInOnePlacePutItBack) {
   RoomWithPanel room;
   const auto close = [&](const Vec3& at, int ticks_open) {
@@ -314,6 +340,39 @@ TEST(PanelWorld, AHandAtItsHeadPressesNothing) {
   EXPECT_TRUE(room.actions.empty());
   press(room, ada, PanelControl::attach);
   EXPECT_EQ(room.actions.size(), 1u) << "but one before the buttons does";
+}
+
+/// A hand that closes from `bend` to a fist while its index finger sweeps through a button, as one does that
+/// comes to the head from before the board. Returns how often something was asked for.
+std::size_t presses_while_closing(double bend, const Vec3& second_finger) {
+  RoomWithPanel room;
+  for (const double height : {0.03, 0.015, 0.008, 0.002, -0.002, -0.002, 0.01, 0.03}) {
+    PanelHand closing = at_panel(room, ada, over(PanelControl::attach, height));
+    closing.fingers.push_back(
+        {room.first * second_finger, room.first * (second_finger + Vec3(0, 0, 0.02)), 0.008});
+    closing.bend = bend;
+    bend = std::min(0.9, bend + 0.1);
+    room.step(closing);
+  }
+  return room.actions.size();
+}
+
+TEST(PanelWorld, AHandThatClosesPressesNothing) {
+  const Vec3 at_head(0, panel_head_bottom + 0.005, 0.02), below(0, panel_head_bottom - 0.05, 0.05);
+  EXPECT_EQ(presses_while_closing(0.25, at_head), 0u) << "its fingers reach the head";
+  EXPECT_EQ(presses_while_closing(0.55, below), 0u) << "half a fist, on its way";
+}
+
+TEST(PanelWorld, AHandWithAStretchedFingerPressesWhereverItsOthersAre) {
+  RoomWithPanel room;
+  const Vec3 at_head(0, panel_head_bottom + 0.005, 0.02);
+  for (const double height : {0.03, 0.015, 0.008, 0.002, -0.002, -0.002, 0.01, 0.03}) {
+    PanelHand pointing = at_panel(room, ada, over(PanelControl::attach, height));
+    pointing.fingers.push_back({room.first * at_head, room.first * (at_head + Vec3(0, 0, 0.02)), 0.008});
+    pointing.bend = 0.1;
+    room.step(pointing);
+  }
+  EXPECT_EQ(room.actions.size(), 1u);
 }
 
 TEST(PanelWorld, AFistElsewhereOrThatComesClosedCarriesNothing) {

@@ -24,7 +24,7 @@ ConsumedInput one_of_each() {
   for (std::size_t i = 0; i < fingers; ++i) target.flexion[i] = 0.125 * static_cast<double>(i);
   out.input.targets = {target};
   out.input.heads = {{11, {1.5, 1.6, 1.7}}};
-  out.input.panels = {{PanelEvent::Kind::set, 12, 4, PanelControl::stiffness, 0.75}};
+  out.input.panels = {{PanelEvent::Kind::set, 12, 4, PanelControl::stiffness, 0.75, {0.5, 1.25, 2}}};
   CutEvent undo{CutEvent::Kind::undo, 11, 0, 0, {}};
   CutEvent rewind{CutEvent::Kind::rewind, 12, 2, 9, {}};
   rewind.state = std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{9, 8, 7});
@@ -34,8 +34,8 @@ ConsumedInput one_of_each() {
 
 TEST(InputBytes, StayAsJournalsHaveThem) {
   const std::vector<std::uint8_t> bytes = encode_input(one_of_each());
-  EXPECT_EQ(bytes.size(), 414u);
-  EXPECT_EQ(to_hex(content_hash(std::as_bytes(std::span(bytes)))), "f52fa11a0183e1f1d6b859f277d90226");
+  EXPECT_EQ(bytes.size(), 438u);
+  EXPECT_EQ(to_hex(content_hash(std::as_bytes(std::span(bytes)))), "4953ee951c755ca93a30a80596be1786");
 }
 
 TEST(InputBytes, AGraspOfWhatIsWantedComesBack) {

@@ -4,6 +4,7 @@
 
 #include "common/hand.h"
 #include "common/panel.h"
+#include "common/panel_placing.h"
 #include "server/session/input_bytes.h"
 #include "tests/session/hosted.h"
 
@@ -183,6 +184,26 @@ TEST(PanelSession, CommandsAreForOnesOwnPanelOnly) {
   EXPECT_TRUE(s.ask(s.ada, command(CommandKind::close_panel)).accepted);
   s.tick(2);
   EXPECT_TRUE(s.eve.replica.panels().empty());
+}
+
+TEST(PanelSession, ItsOwnerPutsItSomewhereForEveryoneAndBack) {
+  Session s;
+  Command put = command(CommandKind::open_panel, liver);
+  put.revision = static_cast<std::uint32_t>(PanelPlacing::put);
+  put.shape.p = {0.3, 1.4, -0.2};
+  EXPECT_FALSE(s.ask(s.ada, put).accepted) << "no panel yet";
+  s.ask(s.ada, command(CommandKind::open_panel, liver));
+  const Pose first = s.eve.replica.panels().at(s.ada.id).pose;
+  EXPECT_FALSE(s.ask(s.eve, put).accepted) << "an observer, and not hers";
+  EXPECT_TRUE(s.ask(s.ada, put).accepted);
+  s.tick(2);
+  EXPECT_LT((s.eve.replica.panels().at(s.ada.id).pose.p - put.shape.p).norm(), 1e-6);
+  put.revision = static_cast<std::uint32_t>(PanelPlacing::put_back);
+  EXPECT_TRUE(s.ask(s.ada, put).accepted);
+  s.tick(2);
+  EXPECT_LT((s.eve.replica.panels().at(s.ada.id).pose.p - first.p).norm(), 1e-6);
+  ++put.revision;
+  EXPECT_FALSE(s.ask(s.ada, put).accepted) << "no such way";
 }
 
 TEST(PanelSession, ItGoesWithItsOwner) {

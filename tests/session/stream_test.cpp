@@ -2,13 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <random>
+#include <thread>
 
 #include "server/session/soft_sender.h"
 #include "server/session/step_meter.h"
 #include "server/session/surface_stream.h"
 #include "server/session/tick_schedule.h"
+#include "server/session/timed_turns.h"
 #include "tests/physics/scenes.h"
 
 namespace prosector {
@@ -159,6 +163,48 @@ TEST(TickSchedule, CatchesUpOneTickAndSlipsBeyond) {
   EXPECT_EQ(schedule.due_ns(), 90 * ms);
   EXPECT_EQ(schedule.slips(), 1u);
   EXPECT_EQ(schedule.slipped_ns(), 60 * ms);
+}
+
+TEST(TimedTurns, GoAtTheRateAndThePaceUntilToldToStop) {
+  const auto turns_at = [](double pace) {
+    int turns = 0, seconds = 0;
+    const std::atomic<bool> stop{false};
+    take({.tick_rate = 200,
+          .seconds = 0.2,
+          .turn = [&] { ++turns; },
+          .pace = [=] { return pace; },
+          .each_second = [&] { ++seconds; }},
+         stop);
+    EXPECT_EQ(seconds, 0);
+    return turns;
+  };
+  EXPECT_LE(turns_at(1), 41);
+  EXPECT_LE(turns_at(0), 41) << "as often as it would run";
+  EXPECT_LE(turns_at(0.25), 11);
+  EXPECT_GE(turns_at(0.25), 2);
+  int turns = 0;
+  std::atomic<bool> stop{false};
+  take({.tick_rate = 1000,
+        .turn = [&] { stop = ++turns == 7; },
+        .pace = [] { return 1.0; },
+        .each_second = [] {}},
+       stop);
+  EXPECT_EQ(turns, 7);
+}
+
+TEST(TimedTurns, TellOfEachSecondOnceAlsoAfterALongTurn) {
+  const std::atomic<bool> stop{false};
+  int turns = 0, told = 0;
+  take({.tick_rate = 10,
+        .seconds = 2.15,
+        .turn =
+            [&] {
+              if (++turns == 1) std::this_thread::sleep_for(std::chrono::milliseconds(2100));
+            },
+        .pace = [] { return 1.0; },
+        .each_second = [&] { ++told; }},
+       stop);
+  EXPECT_EQ(told, 1) << "one line after a turn of two seconds";
 }
 
 TEST(StepMeter, SaysWhatIsSlowAndWhoIsDegraded) {

@@ -7,17 +7,23 @@
 #include "server/physics/panel/panel_world.h"
 
 namespace prosector {
-namespace {
 
 /// Tells whether the hand's palm or one of its fingers is at the board's head.
-bool reaches_head(const Pose& panel, const PanelHand& hand) {
-  const Pose into = panel.inverse();
+bool PanelWorld::reaches_head(const Open& panel, const PanelHand& hand) {
+  const Pose into = panel.pose.inverse();
   return is_at_head(into * hand.palm) ||
          std::any_of(hand.fingers.begin(), hand.fingers.end(),
                      [&](const Capsule& finger) { return is_at_head(into * finger.a); });
 }
 
-}  // namespace
+/// Tells whether the hand's fingers work controls. One behind the board doesn't, nor one at the head, whose
+/// fingers bend over the buttons, nor one that closes on its way there.
+bool PanelWorld::presses(const Open& panel, const PanelHand& hand) {
+  if (panel.hold && panel.hold->who == hand.who) return false;
+  const Vec3 palm = panel.pose.inverse() * hand.palm;
+  const bool closes = hand.bend > (reaches_head(panel, hand) ? closing_at_head : closing_bend);
+  return palm.z() > 0 && !is_at_head(palm) && !closes;
+}
 
 void PanelWorld::carry(std::span<const PanelHand> hands) {
   if (open_.empty()) return;
@@ -42,7 +48,7 @@ std::vector<HandRef> PanelWorld::carriers() const {
 /// Lets a hand that has just closed at a panel's head carry it, or put it back if it is the second time.
 void PanelWorld::take_hold(const PanelHand& hand, Fist& fist) {
   const auto at_head = std::find_if(open_.begin(), open_.end(), [&](const auto& panel) {
-    return !panel.second.hold && reaches_head(panel.second.pose, hand);
+    return !panel.second.hold && reaches_head(panel.second, hand);
   });
   if (at_head == open_.end()) return;
   Open& panel = at_head->second;
@@ -65,7 +71,11 @@ void PanelWorld::follow(ParticipantId who, Open& panel, std::span<const PanelHan
     panel.hold.reset();
     return;
   }
-  const Vec3 middle = hand->palm - panel.pose.q * panel.hold->at;
+  place(who, panel, hand->palm - panel.pose.q * panel.hold->at);
+}
+
+/// Puts a panel's middle there, m, world frame; it turns to its owner's eyes.
+void PanelWorld::place(ParticipantId who, Open& panel, const Vec3& middle) {
   if (!middle.allFinite() || middle.cwiseAbs().maxCoeff() > max_coordinate) return;
   panel.pose.p = middle;
   if (const auto head = heads_.find(who); head != heads_.end())

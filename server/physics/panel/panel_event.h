@@ -8,16 +8,19 @@ namespace prosector {
 /// What somebody does to their own panel without a finger; journalled with the tick it is consumed in.
 struct PanelEvent {
   enum class Kind : std::uint8_t {
-    open,   // of the part `body`; another one that is open closes
-    close,  // also when its owner leaves, or may no longer touch
-    set     // of the open panel: `control` to `value`: button 0 off, 1 on; slider 0 … 1
+    open,     // of the part `body`; another one that is open closes
+    close,    // also when its owner leaves, or may no longer touch
+    set,      // of the open panel: `control` to `value`: button 0 off, 1 on; slider 0 … 1
+    put,      // its middle goes to `at`, unless a fist carries it
+    put_back  // to where it came up, unless a fist carries it
   } kind = Kind::open;
   ParticipantId participant = 0;
   BodyId body = 0;
   PanelControl control = PanelControl::attach;
   double value = 0;
+  Vec3 at = Vec3::Zero();  // m, world frame
 };
-inline constexpr PanelEvent::Kind last_panel_event = PanelEvent::Kind::set;
+inline constexpr PanelEvent::Kind last_panel_event = PanelEvent::Kind::put_back;
 
 /// Where somebody's eyes are: their panels face them.
 struct HeadPlace {

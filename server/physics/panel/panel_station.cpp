@@ -31,8 +31,8 @@ std::vector<PanelHand> panel_hands(const State& state, std::span<const HandState
           {segment * Vec3(0, -s.length / 2, 0), segment * Vec3(0, s.length / 2, 0), s.radius});
     }
     felt.index = felt.fingers[index_end];
-    felt.fist = !hand.hold && std::all_of(hand.target_flexion.begin() + 1, hand.target_flexion.end(),
-                                          [](double flexion) { return flexion > bent; });
+    felt.bend = *std::min_element(hand.target_flexion.begin() + 1, hand.target_flexion.end());
+    felt.fist = !hand.hold && felt.bend > bent;
     if (shown.contact.touching) {
       felt.touches = shown.contact.body;
       felt.touched_at = shown.contact.point;

@@ -58,6 +58,12 @@ void PanelWorld::take(const PanelEvent& event, const PanelSubjects& subjects) {
     case PanelEvent::Kind::set:
       if (panel != open_.end()) set(panel->second, event);
       return;
+    case PanelEvent::Kind::put:
+      if (panel != open_.end() && !panel->second.hold) place(panel->first, panel->second, event.at);
+      return;
+    case PanelEvent::Kind::put_back:
+      if (panel != open_.end() && !panel->second.hold) panel->second.pose = panel->second.came_up;
+      return;
   }
 }
 
@@ -126,16 +132,13 @@ void PanelWorld::move(ParticipantId who, Open& panel, std::span<const PanelHand>
   }
 }
 
-/// Returns the fingers of hands before the panel. What reaches round it from behind works nothing; neither
-/// does a hand at its head, whose fingers bend over the buttons when it makes a fist.
+/// Returns the fingers of the hands that press its controls.
 std::vector<FingerSweep> PanelWorld::fingers_before(const Open& panel,
                                                     std::span<const PanelHand> hands) const {
   std::vector<FingerSweep> out;
   const Pose into_panel = panel.pose.inverse();
   for (const PanelHand& hand : hands) {
-    const Vec3 palm = into_panel * hand.palm;
-    const bool carries = panel.hold && panel.hold->who == hand.who;
-    if (carries || is_at_head(palm) || !(palm.z() > 0)) continue;
+    if (!presses(panel, hand)) continue;
     const auto last = last_fingers_.find(hand.who);
     const bool known = last != last_fingers_.end() && last->second.size() == hand.fingers.size();
     for (std::size_t f = 0; f < hand.fingers.size(); ++f)

@@ -23,6 +23,7 @@ struct PanelHand {
   std::vector<Capsule> fingers;    // world frame, always in the same order
   Capsule index;                   // the last segment of the index finger, from its tip on; no radius: none
   bool fist = false;               // its four fingers are bent, around nothing that it holds
+  double bend = 0;                 // flexion that all four fingers have at least, 0 … 1
   std::optional<BodyId> touches;   // the body it touches most
   Vec3 touched_at = Vec3::Zero();  // m, world frame
 };
@@ -117,7 +118,10 @@ class PanelWorld {
   void carry(std::span<const PanelHand> hands);
   void take_hold(const PanelHand& hand, Fist& fist);
   void follow(ParticipantId who, Open& panel, std::span<const PanelHand> hands);
+  void place(ParticipantId who, Open& panel, const Vec3& middle);
   void move(ParticipantId who, Open& panel, std::span<const PanelHand> hands);
+  static bool reaches_head(const Open& panel, const PanelHand& hand);
+  static bool presses(const Open& panel, const PanelHand& hand);
   std::vector<FingerSweep> fingers_before(const Open& panel, std::span<const PanelHand> hands) const;
   void feel(const PanelHand& hand, const PanelSubjects& subjects);
   void grow_old(std::span<const PanelHand> hands, const PanelSubjects& subjects);
@@ -132,7 +136,9 @@ inline constexpr double pinned_from_afar = 1.5;  // … and after its owner aske
 inline constexpr double pointing_reach = 0.5;    // m from a fingertip to what it points at
 inline constexpr double second_fist = 1;         // s within which a second fist at the head puts it back …
 inline constexpr double second_fist_way = 0.03;  // … unless the palm moved so far, m
-inline constexpr double pointed_time = 0.3;      // s that a control that was set from afar shows it
+inline constexpr double closing_bend = 0.5;     // of all four fingers: a hand that closes; it presses nothing
+inline constexpr double closing_at_head = 0.2;  // the same while it reaches a panel's head
+inline constexpr double pointed_time = 0.3;     // s that a control that was set from afar shows it
 inline constexpr double home_position = 0.85;  // of its way: from here on a button counts as pressed home …
 inline constexpr double let_go_position = 0.4;  // … and from here back as let go
 

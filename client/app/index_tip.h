@@ -1,0 +1,17 @@
+#pragma once
+// Where a tracked hand's index finger ends.
+
+#include "common/hand.h"
+#include "common/messages.h"
+
+namespace prosector {
+
+inline constexpr std::size_t index_knuckle = 2, index_end = 4;  // the index finger's first and last segment
+
+/// Returns the tip of the index finger, m, world frame.
+inline Vec3 index_tip(std::size_t hand, const HandPose& pose) {
+  const Pose segment = pose.pose * hand_pose(hand, pose.flexion)[index_end];
+  return segment * Vec3(0, 0, -hand_segments(hand)[index_end].length);
+}
+
+}  // namespace prosector
