@@ -198,6 +198,10 @@ struct SoftDesc {
   bool continuous = false;           // as of RigidDesc
   bool self_contact = false;         // true: it doesn't pass through itself
   std::string contact = "vertices";  // vertices | surface: where rigid things press it
+  std::string refine = "none";       // none | touch: elements are smaller where something touches it
+  double refine_cell = 0;            // m, as `cell`, of these; 0: half of `cell`
+  double refine_reach = 0;           // m: how far from what touches it; 0: `cell`
+  int refine_most = 2000;            // elements at most that it has more for that
   bool gravity = true;               // false: the imaged shape already carries it
   int newton_iterations = 3;         // at most, per tick
   int solver_iterations = 60;        // linear solver, at most, per Newton iteration

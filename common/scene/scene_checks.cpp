@@ -181,6 +181,7 @@ class Checker {
     if (soft.self_contact && soft.collision != "mesh")
       fail(body, "self_contact",
            fmt::format("self_contact is for what collides as mesh: collision is \"{}\"", soft.collision));
+    check_refinement(soft, body);
     if (soft.shape == "rope" && soft.collision == "hull")
       fail(body, "collision",
            "a rope has no triangles to be in the hull of: must be one of none, sphere, aabb, obb, mesh");
@@ -228,6 +229,19 @@ class Checker {
       if (!region.size.isZero(0) && !(region.size.array() > 0).all())
         refuse("size", "size of a box must be three positive numbers, or all 0 for a sphere");
     }
+  }
+
+  void check_refinement(const SoftDesc& soft, const Entry& body) const {
+    if (soft.refine == "none") return;
+    if (soft.shape == "sheet" || soft.shape == "rope")
+      fail(body, "refine", fmt::format("refine is for solid bodies: a {} has no tetrahedra", soft.shape));
+    if (soft.element != "tet4")
+      fail(body, "refine",
+           fmt::format("refine = \"{}\" needs linear elements: element is \"{}\"; allowed: tet4", soft.refine,
+                       soft.element));
+    if (soft.refine_cell >= soft.cell)
+      fail(body, "refine_cell",
+           fmt::format("refine_cell is {}, not smaller than cell, {}", soft.refine_cell, soft.cell));
   }
 
   /// Bodies chosen by need: what of the rung may stand beside it.

@@ -191,6 +191,16 @@ const Table& soft_table() {
         "contact", {"vertices", "surface"},
         "where rigid things press it: at its vertices, or over the area that touches; the latter is for "
         "solids that collide as mesh and have no substeps"));
+    t.fields.push_back(words<S, &S::refine>(
+        "refine", {"none", "touch"},
+        "touch: a solid of linear tetrahedra has smaller ones where hands, and what they hold or push, touch "
+        "it, until a second after they left (docs/understand/contact.md); not once it was cut"));
+    t.fields.push_back(number<S, &S::refine_cell>("refine_cell", "m", {0, 1},
+                                                  "as cell, of these smaller ones; 0: half of cell"));
+    t.fields.push_back(number<S, &S::refine_reach>(
+        "refine_reach", "m", {0, 1}, "how far from what touches it they are smaller; 0: as far as cell"));
+    t.fields.push_back(number<S, &S::refine_most>("refine_most", "", {1, 1000000},
+                                                  "elements, at most, that it has more for that"));
     add_pose<S>(t.fields, "the mesh's origin, or the volume's or shape's centre, in the room");
     add_fallback_pose<S>(t.fields);
     add_appearance<S>(t.fields);

@@ -7,12 +7,15 @@
 #include "server/physics/contact/fit_tissue.h"
 #include "server/physics/hands/hands.h"
 #include "server/physics/organs/dissection_io.h"
+#include "server/physics/organs/refined_io.h"
 
 namespace prosector {
 namespace {
 
-constexpr std::uint64_t magic = 0x31746e696f704350;      // "PCpoint1"
-constexpr std::uint64_t magic_cut = 0x32746e696f704350;  // "PCpoint2": with what was cut
+constexpr std::uint64_t magic = 0x31746e696f704350;              // "PCpoint1"
+constexpr std::uint64_t magic_cut = 0x32746e696f704350;          // "PCpoint2": with what was cut
+constexpr std::uint64_t magic_refined = 0x33746e696f704350;      // "PCpoint3": with what is refined
+constexpr std::uint64_t magic_cut_refined = 0x34746e696f704350;  // "PCpoint4": with both
 constexpr std::size_t most_hands = 1024;
 constexpr std::size_t most_corners = 1 << 20;  // of a collider
 constexpr std::size_t most_memories = 1 << 24;
@@ -355,12 +358,13 @@ std::vector<Hand> read_hands(ByteReader& in, const Model& model, std::span<const
 void save(const State& state, const Lingerers::Map& watched, ByteWriter& out) {
   const Bodies& bodies = state.bodies;
   const Model& model = bodies.model;
-  const bool cut = state.dissection.ever_cut(), thin = has_thin_shells(bodies);
-  out.add(cut ? magic_cut : magic);
+  const bool cut = state.dissection.ever_cut(), refined = any_refined(state), thin = has_thin_shells(bodies);
+  out.add(refined ? (cut ? magic_cut_refined : magic_refined) : (cut ? magic_cut : magic));
   out.raw(model.hash.data(), model.hash.size());
   out.add(state.time.epoch);
   out.add(state.time.tick);
   if (cut) save_cuts(state, out);
+  if (refined) save_refined(state, out);
   for (std::size_t slot = 0; slot < model.rigid.size(); ++slot) add(out, bodies.rigid.motion(slot));
   for (const Tissue& tissue : bodies.soft) add(out, tissue.state);
   for (const Tissue& tissue : bodies.soft) add(out, tissue.memories, thin);
@@ -384,6 +388,17 @@ void save(const State& state, const Lingerers::Map& watched, ByteWriter& out) {
   if (with_lingerers) add(out, watched);
 }
 
+struct CheckpointKind {
+  bool cut = false, refined = false;
+};
+CheckpointKind read_kind(ByteReader& in) {
+  const auto kind = in.number<std::uint64_t>();
+  const CheckpointKind out = {kind == magic_cut || kind == magic_cut_refined,
+                              kind == magic_refined || kind == magic_cut_refined};
+  in.require(out.cut || out.refined || kind == magic, "not a checkpoint of this version");
+  return out;
+}
+
 }  // namespace
 
 void save(const State& state, ByteWriter& out) {
@@ -395,16 +410,18 @@ void load(State& state, std::span<const std::uint8_t> bytes) {
   const Model& model = bodies.model;
   const bool thin = has_thin_shells(bodies);
   ByteReader in(bytes, "checkpoint");
-  const auto kind = in.number<std::uint64_t>();
-  in.require(kind == magic || kind == magic_cut, "not a checkpoint of this version");
+  const auto [cut, refined] = read_kind(in);
   for (const std::uint8_t b : model.hash)
     in.require(in.number<std::uint8_t>() == b, "made from another scene");
   SimTime new_time;
   new_time.epoch = in.number<std::uint32_t>();
   new_time.tick = in.number<std::uint64_t>();
   RestoredCuts cuts(state);
-  if (kind == magic_cut) cuts.read(in);
-  const std::vector<const SoftBody*> tissues = cuts.bodies();
+  if (cut) cuts.read(in);
+  RestoredRefinements refinements(state);
+  if (refined) refinements.read(in, cuts);
+  std::vector<const SoftBody*> tissues = cuts.bodies();
+  refinements.replace(tissues);
   RigidWorld new_world(model.scene.gravity, room_sides(model.scene.room));
   for (const RigidModel& r : model.rigid) new_world.add(r.setup, read_motion(in));
   std::vector<SoftBodyState> new_soft;
@@ -428,6 +445,7 @@ void load(State& state, std::span<const std::uint8_t> bytes) {
   Lingerers::Map new_lingerers = read_lingerers(in, model.rigid.size(), tissues);
   in.require(in.done(), "more than a checkpoint holds");
   cuts.take_effect();
+  refinements.take_effect();
   state.time = new_time;
   bodies.rigid = std::move(new_world);
   for (std::size_t i = 0; i < bodies.soft.size(); ++i) {

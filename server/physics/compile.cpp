@@ -19,8 +19,9 @@
 namespace prosector {
 namespace {
 
-constexpr double told_of_tension = 1e-3;      // m: of less than this the author is not told
-constexpr double near_the_room = 0.02;        // m: soft bodies as near may rest on it
+constexpr double told_of_tension = 1e-3;  // m: of less than this the author is not told
+constexpr double coarse_surface = 1.5;    // a surface's edge over an element's: what is too coarse to feel it
+constexpr double near_the_room = 0.02;    // m: soft bodies as near may rest on it
 constexpr double least_share_of_hull = 0.02;  // of its hull's volume that a closed mesh fills, at least
 
 ShapePart to_shape(const PartDesc& part) {
@@ -239,6 +240,11 @@ ContentHash hash_of(const Model& model, std::span<const CompiledTissue> soft) {
     add_collision(desc);
     if (desc.self_contact) out.add(std::string("self_contact"));
     if (desc.contact != SoftDesc().contact) out.add(desc.contact);
+    if (desc.refine != SoftDesc().refine) {
+      out.add(desc.refine);
+      for (const double v : {desc.cell, desc.refine_cell, desc.refine_reach}) out.add(v);
+      out.add(desc.refine_most);
+    }
   }
   if (scene.room && !scene.room->floor) out.add(std::string("no floor"));
   if (scene.room && !scene.room->walls) out.add(std::string("no walls"));
@@ -288,6 +294,19 @@ void press_over_area(const SoftBody& body, SoftCollision& collision) {
   collision.over_area = true;
 }
 
+/// Warns where smaller elements would be met at the corners of larger triangles.
+void warn_of_coarse_surface(const SoftBody& body, const std::function<void(const std::string&)>& say) {
+  const SoftDesc& desc = body.desc();
+  if (desc.refine == SoftDesc().refine) return;
+  const double cell = desc.refine_cell > 0 ? desc.refine_cell : desc.cell / 2;
+  const double edge = mean_edge(body.anatomy().surface);
+  if (edge > coarse_surface * cell)
+    say(fmt::format(
+        "{}: warning: refine makes elements of {:.1f} mm, but the triangles that are touched have "
+        "edges of {:.1f} mm; a smaller surface_cell lets them be felt",
+        desc.name, 1e3 * cell, 1e3 * edge));
+}
+
 CompiledTissue compile_soft(const SoftDesc& desc, Anatomy anatomy, const Model& model,
                             const CollisionGroups& groups,
                             const std::function<void(const std::string&)>& say) {
@@ -306,6 +325,7 @@ CompiledTissue compile_soft(const SoftDesc& desc, Anatomy anatomy, const Model& 
                    cell,
                    model.scene.contact_stiffness};
   if (desc.contact == "surface") press_over_area(*out.solver, out.collision);
+  warn_of_coarse_surface(*out.solver, say);
   say(fmt::format("{}: {} elements, {} nodes, {} surface vertices", desc.name, out.solver->elements(),
                   out.solver->nodes(), surface.positions.size()));
   const bool solid = mesh_kind(out.solver->anatomy()) == MeshKind::tets;

@@ -10,6 +10,7 @@
 #include "server/physics/contact/fit_tissue.h"
 #include "server/physics/equilibrium.h"
 #include "server/physics/organs/cutting.h"
+#include "server/physics/organs/refining.h"
 #include "server/physics/step.h"
 #include "server/physics/take_over.h"
 
@@ -29,6 +30,7 @@ void begin(State& state, StepBuffers& buffers, const CompileOptions& options) {
     tissue.surface.faces();  // refuses surfaces that can't be
   }
   make_organs_ready(state);
+  make_refinable(state);
   for (BodyId body = 0; body < bodies.count(); ++body)
     if (bodies.is_part(body) && !state.panels) state.panels.emplace(bodies.model.h);
   settle(state, buffers.contacts, options);
@@ -90,6 +92,14 @@ std::uint32_t Simulation::revision(BodyId soft_body) const {
 }
 const Numbering& Simulation::numbering(BodyId soft_body) const {
   return impl_->state.bodies.soft.at(impl_->state.bodies.soft_index(soft_body)).numbering;
+}
+std::uint64_t Simulation::topology_hash(BodyId soft_body) const {
+  return prosector::topology_hash(impl_->state, impl_->state.bodies.soft_index(soft_body));
+}
+std::uint64_t Simulation::rehung(BodyId soft_body) const {
+  const RefinedBodies& refined = impl_->state.dissection.refined;
+  const auto body = refined.find(impl_->state.bodies.soft_index(soft_body));
+  return body == refined.end() ? 0 : body->second.rehung;
 }
 std::size_t Simulation::tet_count() const {
   std::size_t count = 0;

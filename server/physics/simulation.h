@@ -124,6 +124,10 @@ class Simulation {
   const SoftBody& soft(BodyId body) const;
   std::uint32_t revision(BodyId soft_body) const;      // of its topology
   const Numbering& numbering(BodyId soft_body) const;  // of soft(body).anatomy()
+  /// Returns the content hash that its topology was told with: without the elements that are smaller for now.
+  std::uint64_t topology_hash(BodyId soft_body) const;
+  /// Returns how often its surface, which stayed what it was, came to hang on other nodes.
+  std::uint64_t rehung(BodyId soft_body) const;
   std::size_t tet_count() const;
   ContentHash content_hash() const;  // of everything compiled
 

@@ -7,6 +7,7 @@
 #include "server/physics/coupled/unfold_tangles.h"
 #include "server/physics/hands/holding.h"
 #include "server/physics/organs/cutting.h"
+#include "server/physics/organs/refining.h"
 #include "server/physics/panel/panel_station.h"
 #include "server/physics/phase_clock.h"
 #include "server/physics/report.h"
@@ -85,6 +86,7 @@ void step(State& s, StepBuffers& b, const TickInput& input, StepReport& report) 
     b.islands.clear();
     b.hand_states = describe_hands(s, b.islands, b.colliders, b.h);
   }
+  refine_touched(s, b.islands, input.drives);
   clock.end(Phase::constraints);
 }
 

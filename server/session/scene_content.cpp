@@ -128,12 +128,14 @@ SceneContent make_scene_content(const Simulation& simulation, const std::vector<
     const SoftBody& soft = simulation.soft(b);
     const TopologyChange begin{.body = b,
                                .revision = simulation.revision(b),
-                               .content_hash = soft.content_hash(),
+                               .content_hash = simulation.topology_hash(b),
                                .cause = TopologyCause::compiled,
                                .author = 0,
                                .piece_of = {}};
     const SurfaceLog& log =
-        out.surfaces.try_emplace(b, soft.anatomy(), simulation.numbering(b), begin, simulation.time())
+        out.surfaces
+            .try_emplace(b, soft.anatomy(), simulation.numbering(b), begin, simulation.time(),
+                         soft.desc().refine == SoftDesc().refine ? Streamed::fewest : Streamed::vertices)
             .first->second;
     SceneBody body = describe_soft(simulation, b, log);
     for (const Choice& c : choices)

@@ -1,5 +1,6 @@
 #include "server/session/snapshot.h"
 
+#include "common/mesh.h"
 #include "server/physics/soft/soft_body.h"
 
 namespace prosector {
@@ -18,11 +19,17 @@ SoftSnapshot take_soft(const Simulation& simulation, BodyId body, const Topology
   out.body = body;
   out.revision = topology.revision(body);
   out.stream = topology.stream(body);
+  out.rehung = simulation.rehung(body);
+  if (before != nullptr && before->rehung == out.rehung && before->stream == out.stream)
+    out.sources = before->sources;
+  else if (out.rehung > 0)
+    out.sources =
+        std::make_shared<SparseMap>(sources_of(*out.stream, simulation.soft(body).anatomy().embedding));
   out.asleep = simulation.asleep(body);
   const Motion& motion = simulation.soft_state(body).motion;
   // A reset moves a body without waking it, so a sleeping one is compared rather than trusted.
   if (out.asleep && before != nullptr && before->asleep && before->revision == out.revision &&
-      *before->x == motion.x) {
+      before->rehung == out.rehung && *before->x == motion.x) {
     out.x = before->x;
     out.v = before->v;
   } else {

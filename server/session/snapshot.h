@@ -22,8 +22,10 @@ struct SoftSnapshot {
   BodyId body = 0;
   bool asleep = false;
   std::uint32_t revision = 0;
-  std::shared_ptr<const VecX> x, v;             // of all nodes; a sleeping body shares its last snapshot's
-  std::shared_ptr<const SurfaceStream> stream;  // of this revision
+  std::shared_ptr<const VecX> x, v;               // of all nodes; a sleeping body shares its last snapshot's
+  std::shared_ptr<const SurfaceStream> stream;    // of this revision
+  std::uint64_t rehung = 0;                       // as Simulation::rehung()
+  std::shared_ptr<const SparseMap> sources = {};  // of one that was; else null: the stream's
 };
 
 struct Snapshot {

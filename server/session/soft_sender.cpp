@@ -3,6 +3,13 @@
 #include <algorithm>
 
 namespace prosector {
+namespace {
+
+bool is_same(const VecX& a, const VecX& b) {
+  return &a == &b || (a.size() == b.size() && a == b);
+}
+
+}  // namespace
 
 SoftSender::SoftSender(BodyId body, double tick_rate) : body_(body), dt_(1 / tick_rate) {}
 
@@ -14,7 +21,7 @@ void SoftSender::update(const SoftSnapshot& now, SimTime time, bool everything, 
   const bool rewound = time.epoch != epoch_;  // clients drop what they have
   epoch_ = time.epoch;
   if (rewound) settled_.reset();
-  if (now.asleep && settled_ != nullptr && (settled_ == now.x || *settled_ == *now.x)) return;
+  if (now.asleep && settled_ != nullptr && is_same(*settled_, *now.x)) return;
   place(now);
   if (now.asleep) return settle(now, time, out);
   settled_.reset();
@@ -39,10 +46,11 @@ void SoftSender::grow() {
 void SoftSender::place(const SoftSnapshot& now) {
   const std::vector<std::uint32_t>& leaders = stream_->leaders;
   const auto is_gone = [&](std::uint32_t i) { return !leaders.empty() && leaders[i] != i; };
+  const SparseMap& sources = now.sources ? *now.sources : stream_->sources;
   for (std::uint32_t i = 0; i < stream_->points; ++i) {
     if (is_gone(i)) continue;
-    x_[i] = stream_->sources.apply(i, now.x->data());
-    v_[i] = stream_->sources.apply(i, now.v->data());
+    x_[i] = sources.apply(i, now.x->data());
+    v_[i] = sources.apply(i, now.v->data());
   }
   const std::vector<Vec3>& rest = stream_->surface.rest;
   for (std::uint32_t i = 0; i < leaders.size(); ++i) {

@@ -65,8 +65,9 @@ std::uint32_t SurfaceLog::Slots::at(std::uint32_t number) {
 }
 
 SurfaceLog::SurfaceLog(const Anatomy& anatomy, const Numbering& numbering, const TopologyChange& change,
-                       SimTime time) {
-  SurfaceStream stream = make_surface_stream(anatomy, static_cast<std::uint32_t>(soft_chunk_points));
+                       SimTime time, Streamed streamed) {
+  SurfaceStream stream =
+      make_surface_stream(anatomy, static_cast<std::uint32_t>(soft_chunk_points), streamed);
   slots_of(stream.carriers, stream.of_nodes, anatomy, numbering);
   for (std::size_t v = 0; v < anatomy.surface.positions.size(); ++v)
     vertices_.at(number_of(numbering.vertices, v));

@@ -18,7 +18,8 @@ namespace prosector {
 class SurfaceLog {
  public:
   /// Begins with the body as it is, at `change.revision`.
-  SurfaceLog(const Anatomy& anatomy, const Numbering& numbering, const TopologyChange& change, SimTime time);
+  SurfaceLog(const Anatomy& anatomy, const Numbering& numbering, const TopologyChange& change, SimTime time,
+             Streamed streamed = Streamed::fewest);
 
   /// Goes on to what `change` made of the body, whose nodes are at `x` now.
   void follow(const Anatomy& anatomy, const Numbering& numbering, const VecX& x, const TopologyChange& change,

@@ -40,7 +40,14 @@ SparseMap::Row one(std::uint32_t node) {
 
 }  // namespace
 
-SurfaceStream make_surface_stream(const Anatomy& anatomy, std::uint32_t chunk_points) {
+SparseMap sources_of(const SurfaceStream& of_vertices, const SparseMap& embedding) {
+  SparseMap out;
+  for (const std::uint32_t vertex : of_vertices.carriers)
+    out.rows.push_back(vertex == unused ? SparseMap::Row() : embedding.rows[vertex]);
+  return out;
+}
+
+SurfaceStream make_surface_stream(const Anatomy& anatomy, std::uint32_t chunk_points, Streamed what) {
   const std::vector<SparseMap::Row>& W = anatomy.embedding.rows;
   std::vector<std::uint32_t> new_index(anatomy.tets.positions.size(), unused);
   std::vector<std::uint32_t> streamed;  // nodes, or surface vertices
@@ -51,7 +58,7 @@ SurfaceStream make_surface_stream(const Anatomy& anatomy, std::uint32_t chunk_po
         streamed.push_back(row.node[k]);
       }
   if (W.empty()) streamed.push_back(0);  // of a body that has become nothing: a stream has a point
-  const bool nodes = streamed.size() <= W.size() || W.empty();
+  const bool nodes = W.empty() || (what == Streamed::fewest && streamed.size() <= W.size());
   if (!nodes) {
     streamed.resize(W.size());
     std::iota(streamed.begin(), streamed.end(), 0u);

@@ -2,8 +2,9 @@
 // Which points of a deformable travel, in which order, and how its surface follows from them.
 //
 // The surface hangs on the elements' nodes (x_surface = W·q), so the nodes that W uses say all there is to
-// see. Where the surface is coarser than that, its own vertices are fewer. Chosen per body, once: when it is
-// cut, points are appended (SurfaceLog).
+// see. Where the surface is coarser than that, its own vertices are fewer. Where nodes come and go while the
+// surface stays (refine, docs/decisions/0025) they are its vertices. Chosen per body, once: when it is cut,
+// points are appended (SurfaceLog).
 
 #include <cstdint>
 #include <vector>
@@ -27,8 +28,14 @@ struct SurfaceStream {
   std::uint32_t chunks() const { return (points + chunk_points - 1) / chunk_points; }
 };
 
+enum class Streamed : std::uint8_t { fewest, vertices };
+
+/// Returns the rows by which the streamed vertices follow from the body's nodes, which are others now.
+SparseMap sources_of(const SurfaceStream& of_vertices, const SparseMap& embedding);
+
 /// Makes the stream. Chunks are compact in space: what a hand presses is in few of them, and each has a small
 /// box to quantise.
-SurfaceStream make_surface_stream(const Anatomy& anatomy, std::uint32_t chunk_points);
+SurfaceStream make_surface_stream(const Anatomy& anatomy, std::uint32_t chunk_points,
+                                  Streamed what = Streamed::fewest);
 
 }  // namespace prosector

@@ -66,14 +66,14 @@ void ToldTopology::jump(SimTime time, const Roster& people, std::vector<Outgoing
 
 ToldTopology::Told ToldTopology::now(BodyId body) const {
   if (body >= simulation_.body_count()) return {};
-  return {simulation_.revision(body), simulation_.soft(body).content_hash()};
+  return {simulation_.revision(body), simulation_.topology_hash(body)};
 }
 
 /// Returns the change that makes clients know a piece, as it is now.
 TopologyChange ToldTopology::beginning_of(BodyId piece) const {
   TopologyChange out;
   out.body = piece;
-  out.content_hash = simulation_.soft(piece).content_hash();
+  out.content_hash = simulation_.topology_hash(piece);
   if (const TopologyRevision* first = index_.beginning_of(piece)) {
     out.author = first->author;
     out.piece_of = static_cast<BodyId>(first->piece_of);

@@ -70,6 +70,10 @@ INSTANTIATE_TEST_SUITE_P(
                 {"scene", "organ", "tets", "threads", "seed", "dt", "users", "hands", "depth"},
                 {"contacts", "awake", "islands", "newton_iterations", "solver_iterations", "unconverged",
                  "force", "ms_p50", "ms_p95", "cpu_ms_p50", "ms_narrow", "ms_coupled"}},
+        Subject{"refine",
+                "--quick --body layer --threads 1",
+                {"body", "way", "element", "contact", "threads", "cell_mm", "refine_cell_mm"},
+                {"tets_at_most", "force_mN", "error_continuum", "ripple", "cpu_ms_held", "cpu_ms_drawn"}},
         Subject{
             "cut",
             "--quick --threads 1",

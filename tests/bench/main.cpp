@@ -98,6 +98,16 @@ int main(int argc, char** argv) try {
   crowd_command->add_option("--threads", crowd.threads, "Of the simulation")->check(CLI::Range(1, 1024));
   crowd_command->add_option("--seed", crowd.seed, "Of the places that are pressed");
 
+  prosector::RefineBenchOptions refine;
+  CLI::App* refine_command = app.add_subcommand(
+      "refine", "A ball pressed into tissue whose elements are smaller where it presses: force and cost");
+  refine_command->add_flag("--quick", refine.quick, "Two rows, beside no reference: to see that it runs");
+  refine_command->add_option("--body", refine.only, "Only this one")
+      ->check(CLI::IsMember({"layer", "organ"}));
+  refine_command->add_option("--contact", refine.contact, "The body's")
+      ->check(CLI::IsMember({"vertices", "surface"}));
+  refine_command->add_option("--threads", refine.threads, "Of the simulation")->check(CLI::Range(1, 1024));
+
   prosector::CutBenchOptions cut;
   CLI::App* cut_command = app.add_subcommand("cut", "Ticks that cut an organ beside ticks that don't");
   cut_command->add_flag("--quick", cut.quick, "One coarse organ: to see that it runs");
@@ -223,6 +233,7 @@ int main(int argc, char** argv) try {
   if (*press_command) report = prosector::bench_press(press);
   if (*contact_command) report = prosector::bench_contact(contact);
   if (*crowd_command) report = prosector::bench_crowd(crowd);
+  if (*refine_command) report = prosector::bench_refine(refine);
   if (*cut_command) report = prosector::bench_cut(cut);
   if (*trade_command) report = prosector::bench_trade(trade);
   if (*stability_command) report = prosector::bench_stability(stability);

@@ -76,6 +76,15 @@ struct CrowdBenchOptions {
 /// A step's cost against how many people press one organ of a scene.
 Report bench_crowd(const CrowdBenchOptions& options);
 
+struct RefineBenchOptions {
+  bool quick = false;               // a coarse body alone, and refined: to see that it runs
+  std::string only;                 // layer or organ; empty: both
+  std::string contact = "surface";  // the body's, as a scene names it
+  int threads = 2;
+};
+/// The force of a ball pressed into tissue whose elements are smaller where it presses.
+Report bench_refine(const RefineBenchOptions& options);
+
 struct CutBenchOptions {
   int threads = 2;
   bool quick = false;                  // one coarse organ: to see that it runs

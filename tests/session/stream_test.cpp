@@ -73,6 +73,24 @@ TEST(SurfaceStream, SurfaceFollowsFromTheStreamedPointsExactly) {
   }
 }
 
+// Nodes come and go under a surface that stays: what travels is the same, wherever it hangs.
+TEST(SurfaceStream, OfVerticesGoesOnWhenTheyHangOnOtherNodes) {
+  const Anatomy block = with_fine_surface(test::make_block({0.2, 0.1, 0.1}, {10, 5, 5}), 3);
+  const SurfaceStream stream = make_surface_stream(block, 32, Streamed::vertices);
+  ASSERT_EQ(stream.points, block.surface.positions.size());
+  EXPECT_FALSE(stream.of_nodes);
+  const VecX x = nodes_of(block);
+  SparseMap other;  // each vertex a node of its own
+  VecX nodes(3 * stream.points);
+  for (std::uint32_t v = 0; v < stream.points; ++v) {
+    other.rows.push_back({{v}, {1}});
+    nodes.segment<3>(3 * Eigen::Index{v}) = block.embedding.apply(v, x.data());
+  }
+  const SparseMap sources = sources_of(stream, other);
+  for (std::uint32_t i = 0; i < stream.points; ++i)
+    EXPECT_EQ(sources.apply(i, nodes.data()), stream.sources.apply(i, x.data()));
+}
+
 TEST(SurfaceStream, ChunksAreCompact) {
   const Anatomy block = test::make_block({0.2, 0.2, 0.2}, {16, 16, 16});
   const SurfaceStream stream = make_surface_stream(block, 64);

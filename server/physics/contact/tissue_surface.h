@@ -24,6 +24,8 @@ class TissueSurface {
   void follow(const SurfaceEdit& edit, bool cut);
   /// Makes the vertices' tree anew, after a change of the anatomy that no edit tells of.
   void remake();
+  /// Takes in that the surface hangs on other nodes. fit() and fit_self_collision() follow.
+  void rehang() { self_collision_.reset(); }
   /// Makes the proxy shape anew, forgets elements at rest and where things were. Precedes place().
   void fit(const SoftCollision& how, bool cut);
   /// Prepares self-collision of a solid. Returns false, and prepares nothing, where the surface is open.

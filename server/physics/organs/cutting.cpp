@@ -11,6 +11,7 @@
 #include "server/physics/cutting/carry.h"
 #include "server/physics/organs/blade_sweep.h"
 #include "server/physics/organs/piece_builder.h"
+#include "server/physics/organs/refining.h"
 #include "server/physics/organs/rewind.h"
 #include "server/physics/organs/sheet_parts.h"
 #include "server/physics/organs/tissue_near.h"
@@ -102,6 +103,7 @@ void cut_tissue(State& state, Blade& blade, std::size_t edge, std::span<const Ve
       blade.strokes.erase({first, edge});
       continue;
     }
+    take_refinement_back(state, first);
     try {
       cut_organ(state, blade, edge, first, from, to, cut);
     } catch (const InputError& error) {  // a mesh that can't be cut: with flat elements, say
@@ -113,9 +115,7 @@ void cut_tissue(State& state, Blade& blade, std::size_t edge, std::span<const Ve
 }
 
 /// Takes a blade on: what its points sweep through, where tissue lets go of them, is cut.
-void advance_blade(State& state, std::span<const BladeGrip> grips, Blade& blade, CutTick& cut,
-                   StepReport& report) {
-  const Sweep sweep = sweep_of(state.bodies, grips, blade);
+void advance_blade(State& state, const Sweep& sweep, Blade& blade, CutTick& cut, StepReport& report) {
   const bool begins = blade.stroke == 0 || blade.outside > between_strokes;
   if (sweep.in_tissue && begins) blade.stroke = ++state.dissection.strokes;
   blade.outside = sweep.in_tissue ? 0 : blade.outside + 1 / state.bodies.model.scene.tick_rate;
@@ -200,10 +200,13 @@ bool cut_soft_bodies(State& state, std::span<const BladeGrip> grips, const TickI
   std::map<std::size_t, Organ::Mark> marks;  // of organs, before they were cut
   for (const auto& [first, organ] : state.dissection.organs) marks[first] = organ.mark();
   std::map<std::size_t, ParticipantId> cut_by;  // organ → whose cut
-  for (Blade& blade : state.dissection.blades) {
+  std::vector<Sweep> sweeps;                    // of all: a cut takes refinement back, which grips are on
+  for (const Blade& blade : state.dissection.blades) sweeps.push_back(sweep_of(state.bodies, grips, blade));
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    Blade& blade = state.dissection.blades[i];
     std::map<std::size_t, std::size_t> lengths;
     for (const auto& [first, organ] : state.dissection.organs) lengths[first] = organ.log().size();
-    advance_blade(state, grips, blade, tick, report);
+    advance_blade(state, sweeps[i], blade, tick, report);
     for (const auto& [first, organ] : state.dissection.organs)
       if (organ.log().size() > lengths[first]) cut_by[first] = blade.holder;
   }

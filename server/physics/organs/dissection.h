@@ -1,5 +1,5 @@
 #pragma once
-// What has been cut so far, and the blades that cut.
+// What has been cut so far, the blades that cut, and what has smaller elements for now.
 
 #include <cstdint>
 #include <map>
@@ -7,6 +7,7 @@
 
 #include "server/physics/organs/blade.h"
 #include "server/physics/organs/organ.h"
+#include "server/physics/organs/refined_body.h"
 
 namespace prosector {
 
@@ -14,6 +15,7 @@ struct Dissection {
   std::map<std::size_t, Organ> organs;  // those that were cut, by the soft body that each was
   std::vector<Blade> blades;            // that hands hold, by slot
   std::uint64_t strokes = 0;            // of all blades so far
+  RefinedBodies refined;                // all that may be; what is cut isn't
 
   // ---- Made with the scene, not saved
   /// What a first cut asks of its organ's mesh, until one is made, by soft body: of scenes with a blade.

@@ -2,6 +2,7 @@
 
 #include "server/physics/organs/cutting.h"
 #include "server/physics/organs/piece_builder.h"
+#include "server/physics/organs/refining.h"
 #include "server/physics/organs/topology_op_io.h"
 #include "server/physics/soft/rungs.h"
 
@@ -113,7 +114,8 @@ void RestoredCuts::read_organ(ByteReader& in, std::size_t first) {
   const SoftBody& body = *state_.bodies.soft[first].solver;
   in.require(mesh_kind(body.anatomy()) != MeshKind::rope, "a cut through a rope");
   const auto cut = state_.dissection.organs.find(first);
-  const Anatomy& whole = cut == state_.dissection.organs.end() ? body.anatomy() : cut->second.whole();
+  const Anatomy& whole =
+      cut == state_.dissection.organs.end() ? unrefined_anatomy(state_, first) : cut->second.whole();
   Organ& organ = organs_.try_emplace(first, first, whole, body.desc().density, held_nodes_of(state_, first))
                      .first->second;
   organ.load(in, count_);

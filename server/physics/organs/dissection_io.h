@@ -20,6 +20,7 @@ class RestoredCuts {
   explicit RestoredCuts(State& state);
   /// Throws InputError for what doesn't fit.
   void read(ByteReader& in);
+  bool is_cut(std::size_t body) const { return organs_.contains(body); }
   /// Returns the soft bodies with all pieces, by index; valid as long as this and the state are.
   std::vector<const SoftBody*> bodies() const;
   /// Gives the state these bodies, and hands these blades, from now on.

@@ -9,6 +9,7 @@
 #include "server/physics/checkpoint.h"
 #include "server/physics/hands/hands.h"
 #include "server/physics/organs/piece_builder.h"
+#include "server/physics/organs/refining.h"
 
 namespace prosector {
 namespace {
@@ -46,7 +47,8 @@ void keep_later_pieces(State& state, std::size_t count) {
 }
 
 /// Tells which bodies clients have to take anew. `was`: before, by soft body.
-void tell_of_changes(Bodies& bodies, std::span<const Shown> was, ParticipantId author, StepReport& report) {
+void tell_of_changes(State& state, std::span<const Shown> was, ParticipantId author, StepReport& report) {
+  Bodies& bodies = state.bodies;
   for (std::size_t i = 0; i < was.size(); ++i) {
     Tissue& tissue = bodies.soft[i];
     tissue.state.steps_down = was[i].steps_down;  // the server is as busy as it was
@@ -54,7 +56,7 @@ void tell_of_changes(Bodies& bodies, std::span<const Shown> was, ParticipantId a
       return !m.soft && m.body >= bodies.model.rigid.size() && !is_room(m.body);
     });
     tissue.revision = was[i].revision;
-    const std::uint64_t content_hash = tissue.solver->content_hash();
+    const std::uint64_t content_hash = topology_hash(state, i);
     if (was[i].looks_like(content_hash, tissue.numbering)) continue;
     TopologyChange& change = report.topology.emplace_back();
     change.body = bodies.soft_id(i);
@@ -87,7 +89,7 @@ void go_back(State& state, const CutEvent& event, StepReport& report) {
   std::vector<Shown> shown;
   for (const Tissue& tissue : bodies.soft)
     shown.push_back(
-        {tissue.solver->content_hash(), tissue.numbering, tissue.revision, tissue.state.steps_down});
+        {topology_hash(state, tissue.index), tissue.numbering, tissue.revision, tissue.state.steps_down});
   const std::vector<Hand> present = state.hands;
   std::vector<RigidMotion> motions;
   for (const Hand& hand : present) motions.push_back(bodies.rigid.motion(hand.slot));
@@ -99,6 +101,7 @@ void go_back(State& state, const CutEvent& event, StepReport& report) {
   for (const auto& [first, then] : state.dissection.organs)
     if (!cut.contains(first)) throw InputError("cutting: a state to go back to has another past");
   for (auto& [first, organ] : cut) {
+    take_refinement_back(state, first);  // it goes on as one that was cut
     const auto then = state.dissection.organs.find(first);
     organ.rewind(then != state.dissection.organs.end()
                      ? then->second
@@ -111,7 +114,7 @@ void go_back(State& state, const CutEvent& event, StepReport& report) {
   state.time = {left.epoch + 1, left.tick};
   report.time = state.time;
   keep_later_pieces(state, count);
-  tell_of_changes(bodies, shown, event.participant, report);
+  tell_of_changes(state, shown, event.participant, report);
   bring_back_hands(state, present, motions, report);
 }
 

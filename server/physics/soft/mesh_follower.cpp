@@ -62,8 +62,13 @@ bool MeshFollower::can_follow(const MeshEdit& edit) const {
 void MeshFollower::follow(const MeshEdit& edit, TriangleMesh surface, SparseMap embedding) {
   SoftMatter& m = parts_.matter;
   m.anatomy.surface = std::move(surface);
-  m.anatomy.embedding = std::move(embedding);
   m.area = vertex_areas(m.anatomy);
+  follow(edit, std::move(embedding));
+}
+
+void MeshFollower::follow(const MeshEdit& edit, SparseMap embedding) {
+  SoftMatter& m = parts_.matter;
+  m.anatomy.embedding = std::move(embedding);
   if (!m.quadratic) return follow_nodes(edit);
   m.quadratic->embedding = m.anatomy.embedding;
   const MeshEdit nodes = m.quadratic->edges.follow(m.anatomy.tets, edit);

@@ -43,6 +43,8 @@ class MeshFollower {
   /// Makes the body as if made anew, bit for bit, of its mesh so edited, and of another surface. Keeps what
   /// the edit leaves as it is, and what SoftBody::set_in_force() set.
   void follow(const MeshEdit& edit, TriangleMesh surface, SparseMap embedding);
+  /// Makes it so where the surface is what it was, but hangs on other nodes.
+  void follow(const MeshEdit& edit, SparseMap embedding);
   /// Makes it so where the surface, too, is what it was but for an edit. The surface stays at its address.
   void follow(const MeshEdit& edit, const SurfaceEdit& surface);
 

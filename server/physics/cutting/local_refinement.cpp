@@ -1,0 +1,224 @@
+#include "server/physics/cutting/local_refinement.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t most_at_once = 600;  // tetrahedra that are added, at most, in one tick
+constexpr double near_share =
+    0.7;                          // of the reach: what is too large beyond it waits until something nearer is
+constexpr double half_way = 0.5;  // where an edge is bisected
+constexpr std::size_t most_sparse = 4;  // ids used, over the most tetrahedra that there may be
+
+/// An edge, ordered by its length and, among equals, by its ends.
+struct RankedEdge {
+  double squared = -1;  // m²
+  NodeId a = 0, b = 0;  // ascending
+  bool operator<(const RankedEdge& o) const {
+    return squared != o.squared ? squared < o.squared : std::tie(o.a, o.b) < std::tie(a, b);
+  }
+};
+
+RankedEdge longest_edge(const TetComplex& complex, TetId tet) {
+  RankedEdge longest;
+  const auto corners = complex.corners(tet);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t j = i + 1; j < corners.size(); ++j) {
+      const auto [a, b] = std::minmax(corners[i], corners[j]);
+      longest = std::max(longest, {(complex.rest(b) - complex.rest(a)).squaredNorm(), a, b});
+    }
+  return longest;
+}
+
+}  // namespace
+
+LocalRefinement::LocalRefinement(const TetMesh& rest, double density, const RefinementLimits& limits)
+    : limits_(limits),
+      complex_(rest, density),
+      compiled_nodes_(complex_.node_end()),
+      compiled_tets_(complex_.tet_end()) {}
+
+std::vector<RefinementStep> LocalRefinement::follow(const TouchedPlaces& touched, bool resting, bool settle) {
+  std::vector<RefinementStep> steps;
+  keep_touched(touched, resting);
+  if (settle && !resting) coarsen(0, steps);
+  if (!touched.empty()) refine(touched, steps);
+  return steps;
+}
+
+bool LocalRefinement::is_sparse() const {
+  return complex_.tet_end() > most_sparse * (complex_.tets() + limits_.most);
+}
+
+std::vector<RefinementStep> LocalRefinement::take_back() {
+  std::vector<RefinementStep> steps;
+  coarsen(limits_.linger, steps);
+  return steps;
+}
+
+/// Starts the time anew that what is touched stays, and lets it run for the rest.
+void LocalRefinement::keep_touched(const TouchedPlaces& touched, bool resting) {
+  for (Split& split : splits_) {
+    if (is_touched(touched, split))
+      split.left = limits_.linger;
+    else if (!resting && split.left > 0)
+      --split.left;
+  }
+}
+
+/// Tells whether the edge would be bisected again for what is touched, were it whole.
+bool LocalRefinement::is_touched(const TouchedPlaces& touched, const Split& split) const {
+  for (TetId half = split.op.first; half < split.op.first + 2 * split.op.count; half += 2)
+    if (distance(touched, complex_.lineage(half).parent) < limits_.reach) return true;
+  return false;
+}
+
+/// Returns how far the tetrahedron's box is from what is touched, m; the reach, where that is farther.
+double LocalRefinement::distance(const TouchedPlaces& touched, TetId tet) const {
+  if (touched.empty()) return limits_.reach;
+  const auto corners = complex_.corners(tet);
+  Vec3 low = complex_.rest(corners[0]), high = low;
+  for (const NodeId corner : corners.subspan(1)) {
+    low = low.cwiseMin(complex_.rest(corner));
+    high = high.cwiseMax(complex_.rest(corner));
+  }
+  return touched.distance(low, high, limits_.reach);
+}
+
+/// Returns which tetrahedra should be smaller, the nearest first.
+std::vector<LocalRefinement::Wanted> LocalRefinement::too_large(const TouchedPlaces& touched) const {
+  std::vector<Wanted> out;
+  for (TetId tet = 0; tet < complex_.tet_end(); ++tet) {
+    if (!complex_.has_tet(tet)) continue;
+    const double off = distance(touched, tet);
+    if (off < limits_.reach && longest_edge(complex_, tet).squared > limits_.edge * limits_.edge)
+      out.push_back({off, tet});
+  }
+  std::sort(out.begin(), out.end(), [](const Wanted& a, const Wanted& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.tet < b.tet;
+  });
+  return out;
+}
+
+bool LocalRefinement::may_add(std::size_t tets, std::size_t at_begin) const {
+  return added() + tets <= limits_.most && complex_.tets() + tets <= at_begin + most_at_once;
+}
+
+void LocalRefinement::refine(const TouchedPlaces& touched, std::vector<RefinementStep>& steps) {
+  std::vector<Wanted> wanted = too_large(touched);
+  if (wanted.empty() || wanted.front().distance > near_share * limits_.reach) return;
+  if (added() + wanted.size() > limits_.most) {  // room is made by what was touched before
+    coarsen(limits_.linger - 1, steps);
+    wanted = too_large(touched);
+  }
+  const std::size_t at_begin = complex_.tets();
+  for (bool room = true; room && !wanted.empty(); wanted = too_large(touched))
+    for (const Wanted& next : wanted) {
+      while (room && complex_.has_tet(next.tet)) room = split_longest_beside(next.tet, at_begin, steps);
+      if (!room) return;
+    }
+}
+
+/// Bisects the longest edge to which ever longer ones lead from the tetrahedron. Returns false, and changes
+/// nothing, where that is too many tetrahedra or can't be.
+bool LocalRefinement::split_longest_beside(TetId tet, std::size_t at_begin,
+                                           std::vector<RefinementStep>& steps) {
+  RankedEdge edge = longest_edge(complex_, tet);
+  for (bool longest = false; !longest;) {
+    longest = true;
+    complex_.tables().around_edge(edge.a, edge.b, around_);
+    for (const TetId beside : around_)
+      if (const RankedEdge other = longest_edge(complex_, beside); edge < other) {
+        edge = other;
+        longest = false;
+      }
+  }
+  if (!may_add(around_.size(), at_begin)) return false;
+  try {
+    split(edge.a, edge.b, steps);
+    return true;
+  } catch (const InputError&) {  // so flat that rounding leaves its halves no volume
+    return false;
+  }
+}
+
+void LocalRefinement::split(NodeId a, NodeId b, std::vector<RefinementStep>& steps) {
+  complex_.tables().around_edge(a, b, around_);
+  const SplitEdge op{.a = a,
+                     .b = b,
+                     .node = static_cast<NodeId>(complex_.node_end()),
+                     .t = half_way,
+                     .first = static_cast<TetId>(complex_.tet_end()),
+                     .count = static_cast<std::uint32_t>(around_.size())};
+  complex_.apply(op);
+  splits_.push_back({op, limits_.linger});
+  steps.push_back({op});
+}
+
+bool LocalRefinement::can_take_back(const SplitEdge& op) const {
+  if (complex_.star(op.node).size() != 2 * std::size_t{op.count}) return false;
+  for (TetId half = op.first; half < op.first + 2 * op.count; ++half)
+    if (!complex_.has_tet(half)) return false;
+  return true;
+}
+
+/// Takes back what has no more than `left` ticks to stay, and nothing smaller in it, the newest first.
+void LocalRefinement::coarsen(std::uint32_t left, std::vector<RefinementStep>& steps) {
+  std::vector<Split> stay;
+  for (auto split = splits_.rbegin(); split != splits_.rend(); ++split) {
+    const SplitEdge& op = split->op;
+    if (split->left > left || !can_take_back(op)) {
+      stay.push_back(*split);
+      continue;
+    }
+    RefinementStep& step = steps.emplace_back(RefinementStep{op, false});
+    step.node_mass = complex_.mass(op.node);
+    complex_.take_back(op);
+    step.a_mass = complex_.mass(op.a);
+    step.b_mass = complex_.mass(op.b);
+  }
+  splits_.assign(stay.rbegin(), stay.rend());
+}
+
+/// Ids are written as they would be had there been nothing but these splits.
+void LocalRefinement::save(ByteWriter& out) const {
+  const auto number = [&](NodeId node) {
+    if (node < compiled_nodes_) return node;
+    const auto made = std::lower_bound(splits_.begin(), splits_.end(), node,
+                                       [](const Split& split, NodeId id) { return split.op.node < id; });
+    return static_cast<NodeId>(compiled_nodes_ + static_cast<std::size_t>(made - splits_.begin()));
+  };
+  out.add(static_cast<std::uint64_t>(splits_.size()));
+  for (const Split& split : splits_) {
+    out.add(number(split.op.a));
+    out.add(number(split.op.b));
+    out.add(split.left);
+  }
+}
+
+LocalRefinement LocalRefinement::compacted(const TetMesh& rest) const {
+  ByteWriter out;
+  save(out);
+  LocalRefinement made = unrefined(rest);
+  ByteReader in(out.bytes(), "a refinement");
+  made.load(in);
+  return made;
+}
+
+void LocalRefinement::load(ByteReader& in) {
+  std::vector<RefinementStep> steps;
+  for (std::size_t left = in.count(limits_.most); left > 0; --left) {
+    const auto a = in.number<NodeId>(), b = in.number<NodeId>();
+    in.require(complex_.has_node(a) && complex_.has_node(b) && a != b, "an edge that isn't there");
+    split(a, b, steps);
+    splits_.back().left = in.number<std::uint32_t>();
+    in.require(splits_.back().left <= limits_.linger && added() <= limits_.most, "more than may be refined");
+  }
+}
+
+}  // namespace prosector

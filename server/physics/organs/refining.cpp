@@ -1,0 +1,171 @@
+#include "server/physics/organs/refining.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "server/physics/contact/fit_tissue.h"
+#include "server/physics/organs/piece_builder.h"
+#include "server/physics/soft/mesh_follower.h"
+
+namespace prosector {
+namespace {
+
+constexpr double places_apart = 0.25;       // of the smaller cell: what is nearer together is one place
+constexpr std::uint64_t settle_every = 10;  // ticks: so often what may be taken back is
+
+/// Tells whether refinement follows what presses there: a hand, or what is rigid and moves.
+bool is_followed(const ContactSide& other, std::span<const Drive> drives) {
+  if (other.kind != ContactSide::Kind::fixed) return other.kind == ContactSide::Kind::rigid;
+  return std::any_of(drives.begin(), drives.end(), [&](const Drive& d) { return d.body == other.body; });
+}
+
+/// Appends where contacts pressed bodies that may be refined, by soft body: m, at rest.
+void add_pressed(const State& state, std::span<const Island> islands, std::span<const Drive> drives,
+                 std::map<std::size_t, std::vector<Vec3>>& touched) {
+  const auto add = [&](const ContactSide& side, const ContactSide& other) {
+    if (side.kind != ContactSide::Kind::soft || !is_followed(other, drives)) return;
+    const auto points = touched.find(side.body);
+    if (points == touched.end()) return;
+    const VecX& rest = state.bodies.soft[side.body].solver->rest();
+    Vec3 point = Vec3::Zero();
+    for (std::size_t k = 0; k < side.nodes; ++k)
+      point += side.weight[k] * rest.segment<3>(3 * Eigen::Index{side.node[k]});
+    points->second.push_back(point);
+  };
+  for (const Island& island : islands)
+    for (const Contact& contact : island.contacts) {
+      if (!(contact.force > 0)) continue;
+      add(contact.a, contact.b);
+      add(contact.b, contact.a);
+    }
+}
+
+/// Appends where hands hold them.
+void add_held(const State& state, std::map<std::size_t, std::vector<Vec3>>& touched) {
+  for (const Hand& hand : state.hands) {
+    if (!hand.hold || !state.bodies.is_soft(hand.hold->body)) continue;
+    const std::size_t body = state.bodies.soft_index(hand.hold->body);
+    const auto points = touched.find(body);
+    if (points == touched.end()) continue;
+    const std::vector<Vec3>& rest = state.bodies.soft[body].anatomy().surface.positions;
+    for (const Hold::Point& point : hand.hold->points) points->second.push_back(rest[point.vertex]);
+  }
+}
+
+/// Tells whether nothing has cut the body and no blade is at it. An organ that was made of it for a blade
+/// that only came near is put aside again.
+bool is_uncut(Dissection& dissection, std::size_t body) {
+  const auto organ = dissection.organs.find(body);
+  if (organ == dissection.organs.end()) return true;
+  if (!organ->second.log().empty()) return false;
+  for (const Blade& blade : dissection.blades)
+    for (const auto& [where, stroke] : blade.strokes)
+      if (where.first == body) return false;
+  dissection.uncut.insert(dissection.organs.extract(organ));
+  return true;
+}
+
+/// Returns the state of a body after the steps, before which it had that one. `like`: of its solver now.
+SoftBodyState state_after(const SoftBodyState& state, SoftBodyState like, const RefinedBody& refined,
+                          const PieceMesh& now, std::span<const RefinementStep> steps) {
+  const auto take = [&](const VecX& field, Leaving leaving) {
+    return carried(field, refined.piece, now, steps, leaving);
+  };
+  SoftBodyState out = state;
+  out.motion.x = take(state.motion.x, Leaving::nothing);
+  out.motion.x_prev = take(state.motion.x_prev, Leaving::nothing);
+  out.motion.v = take(state.motion.v, Leaving::momentum);
+  out.motion.v_prev = take(state.motion.v_prev, Leaving::momentum);
+  out.warm_start = take(state.warm_start, Leaving::nothing);
+  out.history = refined_history(state.history, refined.mesh.complex(), refined.piece, now, steps);
+  if (out.history.size() != like.history.size()) out.history = std::move(like.history);  // a half is flat
+  out.asleep = false;
+  out.quiet_ticks = 0;
+  out.mode = std::move(like.mode);
+  if (out.mode.size() > 0) out.omega = like.omega;
+  return out;
+}
+
+/// Lets the body's solver and surface follow, or makes the solver anew, which comes to the same.
+void take_along(State& state, std::size_t body, const RefinedBody& refined, const PieceMesh& now) {
+  Tissue& tissue = state.bodies.soft[body];
+  const PieceEdit edit = edit_between(refined.piece, now);
+  if (is_worth_following(edit) && tissue.solver->follower().can_follow(edit.mesh)) {
+    tissue.solver->follower().follow(edit.mesh, refined_embedding(refined, now));
+    tissue.surface.rehang();
+    return;
+  }
+  auto solver = same_tissue(state.bodies, body, tissue.desc(), refined_anatomy(refined, now));
+  TissueSurface surface(solver->anatomy());
+  place_piece(state, body, body, std::move(solver), {}, std::move(surface));
+}
+
+/// Gives the body the mesh that the steps, which its refinement has taken, make of it.
+void take_effect(State& state, std::size_t body, RefinedBody& refined,
+                 std::span<const RefinementStep> steps) {
+  if (steps.empty()) return;
+  Bodies& bodies = state.bodies;
+  Tissue& tissue = bodies.soft[body];
+  PieceMesh now = refined_mesh(refined);
+  const SoftBodyState before = std::move(tissue.state);
+  take_along(state, body, refined, now);
+  tissue.state = state_after(before, tissue.solver->initial_state(), refined, now, steps);
+  tissue.equilibrium = refined_field(refined, now, state.dissection.uncut_equilibrium[body]);
+  refined.piece = std::move(now);
+  ++refined.rehung;
+  if (refined.mesh.is_sparse()) {
+    refined.mesh = refined.mesh.compacted(refined.whole.tets);
+    refined.piece = refined_mesh(refined);
+  }
+  if (!refined.mesh.any()) refined.touched = false;
+  bodies.take_effect(bodies.rigid, bodies.soft_id(body));
+  fit_to_mesh(state, body, {});
+}
+
+}  // namespace
+
+void make_refinable(State& state) {
+  for (const Tissue& tissue : state.bodies.soft)
+    if (tissue.desc().refine != SoftDesc().refine)
+      state.dissection.refined.try_emplace(tissue.index, *tissue.solver, state.bodies.model.scene.tick_rate);
+}
+
+void refine_touched(State& state, std::span<const Island> islands, std::span<const Drive> drives) {
+  if (state.dissection.refined.empty()) return;
+  std::map<std::size_t, std::vector<Vec3>> points;
+  for (const auto& [body, refined] : state.dissection.refined) points[body];
+  add_pressed(state, islands, drives, points);
+  add_held(state, points);
+  for (auto& [body, refined] : state.dissection.refined) {
+    const SoftBodyState& now = state.bodies.soft[body].state;
+    if ((points[body].empty() && !refined.mesh.any()) || now.recovering) continue;
+    if (!is_uncut(state.dissection, body)) continue;
+    const TouchedPlaces touched(std::move(points[body]), places_apart * refined.mesh.limits().edge);
+    const bool resting = now.asleep && refined.touched && touched.empty();
+    if (!resting) refined.touched = !touched.empty();
+    const bool settle = state.time.tick % settle_every == 0;
+    take_effect(state, body, refined, refined.mesh.follow(touched, resting, settle));
+  }
+}
+
+void take_refinement_back(State& state, std::size_t body) {
+  const auto refined = state.dissection.refined.find(body);
+  if (refined == state.dissection.refined.end() || !refined->second.mesh.any()) return;
+  take_effect(state, body, refined->second, refined->second.mesh.take_back());
+}
+
+const Anatomy& unrefined_anatomy(const State& state, std::size_t body) {
+  const auto refined = state.dissection.refined.find(body);
+  if (refined != state.dissection.refined.end() && refined->second.mesh.any()) return refined->second.whole;
+  return state.bodies.soft[body].anatomy();
+}
+
+std::uint64_t topology_hash(const State& state, std::size_t body) {
+  const auto refined = state.dissection.refined.find(body);
+  if (refined != state.dissection.refined.end() && refined->second.mesh.any())
+    return refined->second.content_hash;
+  return state.bodies.soft[body].solver->content_hash();
+}
+
+}  // namespace prosector
