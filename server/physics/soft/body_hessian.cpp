@@ -38,8 +38,9 @@ void BodyHessian::fit() {
 
 void BodyHessian::make_coarse_levels() {
   const std::vector<Mat3> stiffness = prosector::rest_stiffness(system_);
-  multigrid_ = std::make_unique<Multigrid>(
-      RestSystem{system_.pattern, stiffness, system_.model.rest(), system_.mass, system_.attached});
+  multigrid_ =
+      std::make_unique<Multigrid>(RestSystem{system_.pattern, system_.model.connectivity(), stiffness,
+                                             system_.model.rest(), system_.mass, system_.attached});
 }
 
 bool BodyHessian::single_will_do(const StageWeights& weights) const {

@@ -31,7 +31,8 @@ void StageElements::begin_stage(const VecX& start, double scale, bool single) {
   start_ = &start;
   scale_ = scale;
   single_ = single;
-  first_.known = blocks_known_ = false;
+  first_.known = false;
+  if (system_.model.objective()) blocks_known_ = false;  // else turned nowhere
   present_ = assembled_ = nullptr;
 }
 

@@ -8,11 +8,13 @@
 #include "server/physics/soft/matrices/float_rows.h"
 #include "server/physics/soft/solvers/node_covariance.h"
 #include "server/physics/soft/solvers/smoothed_aggregation.h"
+#include "server/physics/soft/solvers/star_patches.h"
 
 namespace prosector {
 namespace {
 
-constexpr int smoothing_steps = 2;
+constexpr int smoothing_steps = 2, smoothing_steps_beside_stars = 1;
+constexpr float share_of_stars = 0.8F;         // most nodes are in two of them
 constexpr Eigen::Index direct_unknowns = 200;  // at most, on the coarsest level
 constexpr double firmly =
     10;  // times its elastic stiffness: who is attached like this is no coarse level's work
@@ -71,11 +73,11 @@ struct Work {
   explicit Work(std::size_t unknowns) : b(unknowns), z(unknowns), other(unknowns), d(unknowns) {}
 };
 
-/// Adds `smoothing_steps` Chebyshev steps to z, or starts from zero.
+/// Adds `steps` Chebyshev steps to z, or starts from zero.
 template <class Rows>
 void smooth_level(const Rows& A, std::size_t rows, std::size_t chunk, float eigenvalue, bool from_zero,
-                  Work& w) {
-  for (int i = 1; i <= smoothing_steps; ++i) {
+                  Work& w, int steps = smoothing_steps) {
+  for (int i = 1; i <= steps; ++i) {
     const float k = static_cast<float>(i - 1);
     const float keep = i == 1 ? 0 : (2 * k - 1) / (2 * k + 3);
     const float gain = i == 1 ? 4 / (3 * eigenvalue) : (8 * k + 4) / ((2 * k + 3) * eigenvalue);
@@ -176,9 +178,11 @@ struct Multigrid::Impl {
   float eigenvalue = 1;
   std::unique_ptr<Transfer<3>> transfer;  // none: everything is held firmly
   std::vector<CoarseLevel> coarse;
+  std::unique_ptr<StarPatches> stars;  // of quadratic elements
   SymmetricBlocks off_diagonal{};
   std::vector<float> diagonal, inverse, turned;  // of H/s; 9 a node, column-major
   std::vector<float> positions, rest_positions;  // 4 a node
+  std::vector<float> turned_back;                // 3 a node: what stars correct
   bool turns = false;
   double alpha = -1, scale = 1;
   Work work;
@@ -206,6 +210,10 @@ struct Multigrid::Impl {
     rest_positions.resize(4 * pattern.rows());
     near_origin(rest.data(), rest_positions);
     coarsen_all(A, M, held);
+    if (transfer && system.elements.corners_each() == 10) {
+      stars = std::make_unique<StarPatches>(system);
+      turned_back.resize(3 * pattern.rows());
+    }
   }
 
   /// Translations and turns about the origin, these per size of the body.
@@ -258,6 +266,8 @@ struct Multigrid::Impl {
     return largest_eigenvalue(M);
   }
 
+  /// Returns how often the finest level is smoothed.
+  int steps() const { return stars ? smoothing_steps_beside_stars : smoothing_steps; }
   SymmetricFloats matrix() const { return {off_diagonal, diagonal.data(), inverse.data()}; }
 
   /// Computes to = Rᵀ·from or, `forward`, to += R·from.
@@ -308,6 +318,7 @@ void Multigrid::retime(double inertia) {
   if (inertia == impl_->alpha) return;
   impl_->alpha = inertia;
   for (CoarseLevel& level : impl_->coarse) level.retime(inertia);
+  if (impl_->stars) impl_->stars->retime(inertia);
 }
 
 void Multigrid::turn(const double* x) {
@@ -350,16 +361,18 @@ void Multigrid::apply(const double* r, double* z) {
   parallel_chunks(w.b.size(), numbers_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i) w.b[i] = static_cast<float>(r[i] / m.scale);
   });
-  smooth_level(m.matrix(), rows, fine_rows_per_chunk, m.eigenvalue, true, w);
+  smooth_level(m.matrix(), rows, fine_rows_per_chunk, m.eigenvalue, true, w, m.steps());
   if (m.transfer) {
     residual_level(m.matrix(), rows, fine_rows_per_chunk, w);
     m.rotate(false, w.other.data(), w.d.data());
+    if (m.stars) m.turned_back = w.d;
     m.transfer->restrict_to(w.d.data(), m.coarse.front().work.b.data());
     m.correct(0);
     m.transfer->prolong(m.coarse.front().work.z.data(), w.d.data());
+    if (m.stars) m.stars->add(share_of_stars, m.turned_back.data(), w.d.data());
     m.rotate(true, w.d.data(), w.z.data());
   }
-  smooth_level(m.matrix(), rows, fine_rows_per_chunk, m.eigenvalue, false, w);
+  smooth_level(m.matrix(), rows, fine_rows_per_chunk, m.eigenvalue, false, w, m.steps());
   parallel_chunks(w.z.size(), numbers_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t i = first; i < last; ++i) z[i] = static_cast<double>(w.z[i]);
   });

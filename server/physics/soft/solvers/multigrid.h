@@ -6,26 +6,18 @@
 // polynomial smoothers for multigrid V-cycles") in D⁻¹H, D its diagonal blocks. The coarse levels
 // (smoothed_aggregation.h) are those of the rest shape, once per topology, and see the residual turned back
 // by each node's rotation. With one rotation R for the whole body, RᵀK(x)R is the matrix at rest, and where
-// rotations vary slowly, nearly so. They are kept as parts that K and M contribute, so that another time step
-// only adds these up anew. Symmetric and positive definite, whatever the shape. Float inside; the same bits
-// for any number of threads; nothing allocates after the constructor.
+// rotations vary slowly, nearly so. Of quadratic elements the stars of vertices (star_patches.h) correct the
+// same residual beside them. Both are kept as parts that K and M contribute, so that another time step only
+// adds these up anew. Symmetric and positive definite, whatever the shape. Float inside; the same bits for
+// any number of threads; nothing allocates after the constructor.
 
 #include <memory>
 #include <span>
 
-#include "server/physics/soft/matrices/block_matrix.h"
 #include "server/physics/soft/matrices/symmetric_product.h"
+#include "server/physics/soft/solvers/rest_system.h"
 
 namespace prosector {
-
-/// A body at rest, as coarse levels are made from it.
-struct RestSystem {
-  const BlockPattern& pattern;      // must outlive the Multigrid
-  std::span<const Mat3> stiffness;  // K's blocks, N/m
-  const VecX& positions;            // 3n, m
-  const VecX& mass;                 // n, kg
-  const VecX& attached;             // n, N/m
-};
 
 class Multigrid {
  public:
