@@ -10,23 +10,17 @@
 
 #include "server/physics/soft/soft_body.h"
 #include "tests/bench/contact_run.h"
+#include "tests/bench/finite_layer.h"
 #include "tests/physics/pressed_layer.h"
 
 namespace prosector {
 namespace {
 
-constexpr double youngs_modulus = 5000;  // Pa
-constexpr int most_ticks = 9;            // of 1 s: inertia is nothing, normals follow the surface …
-constexpr double settled = 3e-3;         // … until two ticks agree so well
+constexpr int most_ticks = 9;     // of 1 s: inertia is nothing, normals follow the surface …
+constexpr double settled = 3e-3;  // … until two ticks agree so well
 
-struct Press {
-  double height, radius, depth, poisson_ratio, force;  // m, m, m, 1, N: converged, ± 0.1 %
-};
-constexpr Press presses[] = {
-    {0.02, 0.01, 0.001, 0.3, 0.02661}, {0.02, 0.01, 0.001, 0.45, 0.03128}, {0.02, 0.01, 0.001, 0.49, 0.03329},
-    {0.05, 0.01, 0.001, 0.3, 0.02426}, {0.05, 0.01, 0.001, 0.45, 0.02795}, {0.05, 0.01, 0.001, 0.49, 0.02946},
-    {0.05, 0.01, 0.002, 0.3, 0.06951}, {0.05, 0.01, 0.002, 0.45, 0.08041}, {0.05, 0.01, 0.002, 0.49, 0.08489},
-};
+using Press = LayerPress;
+constexpr auto& presses = layer_presses;
 
 /// The table is for small slopes. The ball's second order is that of its slope's square, where contact ends:
 /// a steeper one is also judged under a flatter ball of the same radius of contact.
@@ -44,31 +38,15 @@ constexpr Mesh meshes[] = {{"tet4", 0.5, false},  {"tet4", 1, false},  {"tet4", 
                            {"tet10", 0.5, false}, {"tet10", 1, false}, {"tet10", 2, true}};
 
 SceneDesc scene_of(const Press& press, const Mesh& mesh, double cell, double stiffness) {
-  SceneDesc scene;
-  scene.gravity = Vec3::Zero();
+  SceneDesc scene = layer_scene(press, mesh.element, cell);
   scene.tick_rate = 1;
   scene.contact_stiffness = stiffness;
-  const double start = press.radius + 1e-4;
-  scene.rigid = {test::part_body("ball", "sphere", {2 * press.radius, 0, 0}, {0, start, 0})};
-  scene.rigid[0].fixed = true;
-  scene.rigid[0].friction = 0;
-  SoftDesc& layer = scene.soft.emplace_back();
-  layer.name = "layer";
-  layer.model = "fem_linear";
-  layer.element = mesh.element;
-  layer.solver = "multigrid";
-  layer.youngs_modulus = youngs_modulus;
-  layer.poisson_ratio = press.poisson_ratio;
-  layer.gravity = false;
+  SoftDesc& layer = scene.soft[0];
   layer.damping_mass = layer.damping_stiffness = 0;
   layer.newton_iterations = 8;
   layer.solver_iterations = 500;
   layer.solver_tolerance = 1e-5;
-  layer.cell = layer.surface_cell = cell;
   if (layer.element == "tet10") layer.surface_cell = cell / 2;
-  // The floor and nothing above it: a ball so large that it is flat, 10 µm high over the middle.
-  const double flat = 1000, wide = 4 * press.height;
-  layer.attach = {{{0, -press.height - flat, 0}, std::hypot(flat, wide * std::sqrt(2.0)), 1e13}};
   return scene;
 }
 
@@ -160,69 +138,6 @@ void press_all_over(ContactRows& rows, const Press& press, const Mesh& mesh, con
   rows.add(*run, setting, {"least and most differ by", "1", (most - least) / mean, 0, std::nullopt}, more);
 }
 
-double force_on(const ContactRun& run) {
-  double force = 0;
-  for (const Exchange& touch : run.simulation().exchanges()) force += std::abs(touch.impulse.y()) / run.h();
-  return force;
-}
-
-/// Presses over the area within a quarter of a second, at 60 ticks/s and with the effort of a scene's
-/// default, holds, and slides over a cell and a half at 2 cm/s.
-void press_live(ContactRows& rows, const Press& press, const Mesh& mesh, const std::string& setting) {
-  constexpr int down = 15, held = 30;
-  constexpr double speed = 0.02;  // m/s
-  const double contact_radius = std::sqrt(press.radius * press.depth), cell = contact_radius / mesh.cells;
-  SceneDesc scene = scene_of(press, mesh, cell, SceneDesc().contact_stiffness);
-  scene.tick_rate = SceneDesc().tick_rate;
-  SoftDesc& layer = scene.soft[0];
-  layer.contact = "surface";
-  layer.surface_cell = cell;
-  layer.damping_mass = SoftDesc().damping_mass;
-  layer.damping_stiffness = SoftDesc().damping_stiffness;
-  layer.newton_iterations = SoftDesc().newton_iterations;
-  layer.solver_iterations = SoftDesc().solver_iterations;
-  layer.solver_tolerance = SoftDesc().solver_tolerance;
-  CompileOptions options;
-  options.threads = 2;
-  options.anatomy = [&](const SoftDesc&) -> std::optional<Anatomy> {
-    return test::pressed_layer(press.height, 1.5 * contact_radius + 2 * cell, cell);
-  };
-  ContactRun run(scene, options);
-  const auto step_to = [&](double x, double depth) {
-    run.step(driving(0, {{x, press.radius - depth, 0.2 * cell}, Quat::Identity()}));
-  };
-  for (int tick = 1; tick <= down + held; ++tick)
-    step_to(0, press.depth * std::min(1.0, static_cast<double>(tick) / down));
-  const double force = force_on(run);
-  double give = 0;  // m
-  for (const Exchange& touch : run.simulation().exchanges()) give = std::max(give, touch.depth);
-  double last = force, jump = 0, least = force, most = force;
-  for (double x = 0; x < 1.5 * cell; x += speed * run.h()) {
-    step_to(x, press.depth);
-    const double now = force_on(run);
-    jump = std::max(jump, std::abs(now / last - 1));
-    least = std::min(least, now);
-    most = std::max(most, now);
-    last = now;
-  }
-  const ReportRow more = {{"element", mesh.element},
-                          {"cells_per_contact_radius", mesh.cells},
-                          {"contact_stiffness", scene.contact_stiffness},
-                          {"median_ms", run.median_ms()},
-                          {"tets", run.simulation().tet_count()}};
-  rows.add(run, setting, {"force over the table's", "1", force / press.force, 1, std::nullopt}, more);
-  rows.add(run, setting, {"contact gives, of the depth", "1", give / press.depth, 0, std::nullopt}, more);
-  rows.add(run, setting, {"median time of a tick, CPU", "ms", run.median_ms(), 0, std::nullopt}, more);
-  rows.add(run, setting, {"sliding: most from tick to tick", "1", jump, 0, 0.02}, more);
-  rows.add(run, setting, {"sliding: least and most differ by", "1", (most - least) / force, 0, std::nullopt},
-           more);
-}
-
-std::string name(const Press& p) {
-  return fmt::format("layer {:.0f} mm, {:.2g} mm deep, nu {:.2f}", 1e3 * p.height, 1e3 * p.depth,
-                     p.poisson_ratio);
-}
-
 /// A press of the same radius of contact under a ball `times` as large: the table's, scaled as √R·d^1.5, of
 /// which the share that is due to the ball's own shape (Sneddon 1965, against the paraboloid) is taken out.
 Press flatter(Press p, double times) {
@@ -252,9 +167,6 @@ void hertz_case(ContactRows& rows, bool quick) {
     return;
   }
   const Mesh finest = meshes[std::size(meshes) - 1];
-  for (const Press& p : {presses[0], presses[1], presses[2], presses[8]})
-    for (const Mesh& mesh : {meshes[0], meshes[1], meshes[3]})
-      press_live(rows, p, mesh, fmt::format("{}, {}, {} cells, live", name(p), mesh.element, mesh.cells));
   for (const Press& p : presses)
     for (const Mesh& mesh : meshes)
       if (mesh.cells < 1 || (mesh.cells < 2 && mesh.element == std::string("tet4")))

@@ -33,9 +33,10 @@ ContactRun::ContactRun(const SceneDesc& scene, const CompileOptions& options)
     : simulation_(scene, options), h_(1 / scene.tick_rate) {}
 
 const StepReport& ContactRun::step(const TickInput& input) {
-  const double start = prosector::cpu_ms();
+  const double start = prosector::cpu_ms(), wall = wall_ms();
   const StepReport& report = simulation_.step(input);
   tick_ms_.push_back(prosector::cpu_ms() - start);
+  wall_ms_.push_back(wall_ms() - wall);
   watch(report);
   return report;
 }
@@ -69,6 +70,10 @@ double ContactRun::ms_per_tick() const {
   return tick_ms_.empty()
              ? 0
              : std::reduce(tick_ms_.begin(), tick_ms_.end()) / static_cast<double>(tick_ms_.size());
+}
+
+double ContactRun::median_wall_ms() const {
+  return wall_ms_.empty() ? 0 : median(wall_ms_);
 }
 
 double ContactRun::quantile_ms(double share) const {

@@ -31,7 +31,11 @@ class ContactRun {
   double ms_per_tick() const;  // CPU, mean
   double quantile_ms(double share) const;  // CPU time of a tick that this share of the ticks kept to
   double median_ms() const { return quantile_ms(0.5); }
-  void forget_times() { tick_ms_.clear(); }
+  double median_wall_ms() const;  // of a tick, by the clock
+  void forget_times() {
+    tick_ms_.clear();
+    wall_ms_.clear();
+  }
   double energy() const { return energy_; }  // J, last reported: kinetic, elastic and of weight
   double highest_energy() const { return highest_energy_; }
   const std::string& note() const { return note_; }  // what the first reset said
@@ -43,7 +47,7 @@ class ContactRun {
   double h_;
   int ticks_ = 0, resets_ = 0, reported_ = 0;
   bool finite_ = true;
-  std::vector<double> tick_ms_;
+  std::vector<double> tick_ms_, wall_ms_;
   double energy_ = 0, highest_energy_ = 0;
   std::string note_;
 };
@@ -81,6 +85,8 @@ constexpr double hertz_contact_stiffness = 200;
 
 // The cases, each in its file.
 void hertz_case(ContactRows& rows, bool quick);
+void layer_case(ContactRows& rows, bool quick);
+void organ_case(ContactRows& rows, bool quick);
 void incline_case(ContactRows& rows, bool quick);
 void exchange_case(ContactRows& rows, bool quick);
 void ratio_case(ContactRows& rows, bool quick);

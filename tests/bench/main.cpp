@@ -73,6 +73,13 @@ int main(int argc, char** argv) try {
   press_command->add_option("--threads", press.threads, "From one thread to this many")
       ->check(CLI::Range(1, 1024));
 
+  prosector::WeightBenchOptions weight;
+  CLI::App* weight_command = app.add_subcommand(
+      "weight", "A cube and a slab that stand and hang, up to nu 0.4999: error against cost of each element");
+  weight_command->add_option("--body", weight.body, "Only this one")->check(CLI::IsMember({"cube", "slab"}));
+  weight_command->add_option("--nu", weight.poisson_ratio, "Only this one");
+  weight_command->add_flag("--quick", weight.quick, "Coarse: to see that it runs");
+
   prosector::ContactBenchOptions contact;
   CLI::App* contact_command = app.add_subcommand(
       "contact", "Force, friction, momentum and rest of what touches, beside what they should be");
@@ -231,6 +238,7 @@ int main(int argc, char** argv) try {
   if (*beam_command) report = prosector::bench_beam(beam);
   if (*beam101k_command) report = prosector::bench_beam101k(beam101k);
   if (*press_command) report = prosector::bench_press(press);
+  if (*weight_command) report = prosector::bench_weight(weight);
   if (*contact_command) report = prosector::bench_contact(contact);
   if (*crowd_command) report = prosector::bench_crowd(crowd);
   if (*refine_command) report = prosector::bench_refine(refine);

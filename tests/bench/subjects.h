@@ -54,6 +54,14 @@ struct PressBenchOptions {
 /// An organ pressed by a ball: steps a second in contact, and their error.
 Report bench_press(const PressBenchOptions& options);
 
+struct WeightBenchOptions {
+  std::string body;          // only this one; empty: all
+  double poisson_ratio = 0;  // only this one; 0: all
+  bool quick = false;        // coarse: to see that it runs
+};
+/// Bodies that stand and hang: error against cost, the nearer to incompressible the harder.
+Report bench_weight(const WeightBenchOptions& options);
+
 struct ContactBenchOptions {
   std::string only;            // one case; empty: all
   std::string picture_folder;  // where to write contact-hertz.svg; empty: nowhere

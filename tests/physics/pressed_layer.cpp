@@ -8,9 +8,8 @@
 namespace prosector::test {
 namespace {
 
-/// 0, cell, 2·cell … up to `core`, then ever wider up to `end`.
-std::vector<double> graded(double cell, double core, double end) {
-  constexpr double growth = 1.35;
+/// 0, cell, 2·cell … up to `core`, then each wider than the last by `growth`, up to `end`.
+std::vector<double> graded(double cell, double core, double end, double growth) {
   std::vector<double> x = {0};
   while (x.back() < core - cell / 2) x.push_back(x.back() + cell);
   const std::size_t outer = x.size();
@@ -42,8 +41,8 @@ SparseMap::Row middle(const std::array<Node, 4>& tet, Node a, Node b) {
 
 }  // namespace
 
-Anatomy pressed_layer(double height, double core, double cell) {
-  const auto across = graded(cell, core, 3 * height), down = graded(cell, core, height);
+Anatomy pressed_layer(double height, double core, double cell, double growth) {
+  const auto across = graded(cell, core, 3 * height, growth), down = graded(cell, core, height, growth);
   const int n = static_cast<int>(across.size()) - 1, m = static_cast<int>(down.size()) - 1;
   Anatomy out = make_block(Vec3(2 * n, m, 2 * n), {2 * n, m, 2 * n});
   const auto place = [&](Vec3& x) {

@@ -6,8 +6,8 @@
 namespace prosector::test {
 
 /// A layer of the given height under y = 0, three times as far to every side; cells of about `cell` m within
-/// `core` m of the origin, ever wider beyond.
-Anatomy pressed_layer(double height, double core, double cell);
+/// `core` m of the origin, beyond each wider than the last by `growth`.
+Anatomy pressed_layer(double height, double core, double cell, double growth = 1.35);
 
 /// Puts a surface vertex on the middle of each edge too, as the nodes of quadratic elements are.
 void halve_surface(Anatomy& anatomy);

@@ -13,8 +13,9 @@ namespace {
 
 // Under what is round a surface gives way by more than elements show, because they spread the load over a
 // cell. So the pressure on it is that of the dent within a cell: the depth over the cell's size, times
-// E/(1 − ν²) and this. Measured, see docs/understand/contact.md.
-constexpr double dent_of_linear = 2.1, dent_of_quadratic = 8.5;
+// E/(1 − ν²) and this. Quadratic elements dent the more by themselves the less compressible they are, so it
+// is over 1 − ν. Measured, see docs/understand/contact.md.
+constexpr double dent_of_linear = 2.1, dent_of_quadratic = 5.8;
 
 const double usual_stiffness = SceneDesc().contact_stiffness;  // for which that was measured
 
@@ -46,8 +47,9 @@ Stiffness stiffness_of(const Tissue& tissue, std::uint32_t triangle, double area
   const SoftDesc& desc = tissue.desc();
   const double flat = area * desc.youngs_modulus * tissue.collision.stiffness_factor / desc.surface_cell;
   if (curvature < least_round) return {flat, 0};
-  const double dent = (desc.element == "tet10" ? dent_of_quadratic : dent_of_linear) /
-                      (1 - desc.poisson_ratio * desc.poisson_ratio);
+  const double nu = desc.poisson_ratio;
+  const double dent =
+      (desc.element == "tet10" ? dent_of_quadratic / (1 - nu) : dent_of_linear) / (1 - nu * nu);
   const double wanted = tissue.collision.stiffness_factor / usual_stiffness;
   const double round =
       std::min(flat, area * desc.youngs_modulus * wanted * dent / element_size(tissue, triangle));

@@ -1,0 +1,136 @@
+// Bodies that bear their own weight on a glued foot, or hang from it: a cube of 0.1 m and a slab of 0.2 ×
+// 0.06 × 0.2 m of liver (E = 5.4 kPa, stable neo-Hookean), the less compressible the harder for elements.
+// Each rung's settled shape is compared with that of a finer quadratic mesh, and its ticks are timed while
+// gravity sets in.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "server/accuracy/displacement.h"
+#include "tests/bench/soft_run.h"
+#include "tests/bench/subjects.h"
+#include "tests/soft/kuhn.h"
+
+namespace prosector {
+namespace {
+
+constexpr double weighing_step = 1. / 60, weighing_modulus = 5400, foot_stiffness = 1e13;
+constexpr int weighing_ticks = 45;
+constexpr std::size_t weighing_places = 250;
+
+using Cells = std::array<std::uint32_t, 3>;
+struct WeighedMesh {
+  const char* element;
+  Cells cells;
+};
+struct WeighedBody {
+  const char* name;
+  Vec3 size;  // m
+  Cells reference;
+  std::vector<WeighedMesh> meshes;
+};
+
+std::vector<WeighedBody> weighed_bodies() {
+  return {{"cube",
+           {0.1, 0.1, 0.1},
+           {8, 8, 8},
+           {{"tet4", {6, 6, 6}},
+            {"tet4", {9, 9, 9}},
+            {"tet10", {2, 2, 2}},
+            {"tet10", {3, 3, 3}},
+            {"tet10", {4, 4, 4}},
+            {"tet10", {6, 6, 6}}}},
+          {"slab",
+           {0.2, 0.06, 0.2},
+           {14, 6, 14},
+           {{"tet4", {10, 4, 10}},
+            {"tet4", {14, 6, 14}},
+            {"tet10", {4, 2, 4}},
+            {"tet10", {5, 2, 5}},
+            {"tet10", {7, 3, 7}},
+            {"tet10", {10, 4, 10}}}}};
+}
+
+SoftDesc weighed(const WeighedBody& body, const WeighedMesh& mesh, double poisson_ratio) {
+  SoftDesc desc;
+  desc.name = body.name;
+  desc.model = "fem_neo_hookean";
+  desc.element = mesh.element;
+  desc.solver = "multigrid";
+  desc.solver_tolerance = 1e-2;
+  desc.youngs_modulus = weighing_modulus;
+  desc.poisson_ratio = poisson_ratio;
+  desc.cell = body.size[0] / mesh.cells[0];
+  constexpr double flat = 1e5;  // m: a ball so large that the foot alone is in it
+  desc.attach.push_back({Vec3(body.size[0] / 2, -flat, body.size[2] / 2), flat + 1e-4, foot_stiffness});
+  return desc;
+}
+
+/// Where a mesh of the body comes to rest under gravity.
+struct Weighed {
+  Weighed(const WeighedBody& of, const WeighedMesh& mesh, double poisson_ratio, double gravity)
+      : body(weighed(of, mesh, poisson_ratio), kuhn_anatomy(mesh.cells, of.size)) {
+    VecX load = VecX::Zero(body.rest().size());
+    for (Eigen::Index i = 0; i < body.mass().size(); ++i) load[3 * i + 1] = gravity * body.mass()[i];
+    answer = body.settle(load);
+  }
+  StaticBody body;
+  StaticAnswer answer;
+};
+
+ReportRow weigh(const WeighedBody& body, const WeighedMesh& mesh, double poisson_ratio, double gravity,
+                const Weighed& reference) {
+  SoftRun run(weighed(body, mesh, poisson_ratio), kuhn_anatomy(mesh.cells, body.size));
+  ReportRow row = settings(run.body(), weighing_step);
+  CostSummary cost;
+  for (int i = 0; i < weighing_ticks; ++i) cost.add(run.step(weighing_step, {0, gravity, 0}));
+  row["body"] = body.name;
+  row["act"] = gravity < 0 ? "stands" : "hangs";
+  row["poisson_ratio"] = poisson_ratio;
+  row.update(figures(cost));
+  row["ms_per_frame"] = cost.cpu_ms();
+  const Weighed found(body, mesh, poisson_ratio, gravity);
+  row["error"] = nullptr;
+  if (!found.answer.usable() || !reference.answer.usable()) return row;
+  const std::vector<Vec3> places = places_in(reference.body.mesh(), weighing_places);
+  row["error"] = relative_difference(Probes(found.body, places), found.answer.x,
+                                     Probes(reference.body, places), reference.answer.x, places.size());
+  return row;
+}
+
+}  // namespace
+
+Report bench_weight(const WeightBenchOptions& options) {
+  fmt::print("error: RMS of displacements at rest against a finer quadratic mesh; CPU: of a tick, median\n");
+  using enum Column::Kind;
+  const TextTable table({{text, "body", "body", 5},
+                         {text, "act", "act", 6},
+                         {number, "poisson_ratio", "nu", 7},
+                         {text, "element", "element", 7},
+                         {count, "tets", "tets"},
+                         {percent, "error", "error", 8},
+                         {number, "ms_per_frame", "CPU ms", 8},
+                         {number, "newton_per_frame", "Newton"},
+                         {number, "iterations_per_frame", "solver"}});
+  table.print_header();
+  Report report("weight");
+  for (const WeighedBody& body : weighed_bodies()) {
+    if (!options.body.empty() && options.body != body.name) continue;
+    for (const double poisson_ratio : {0.3, 0.45, 0.49, 0.499, 0.4999}) {
+      if (options.poisson_ratio > 0 && options.poisson_ratio != poisson_ratio) continue;
+      for (const double gravity : {-9.81, 9.81}) {
+        const Weighed reference(body, {"tet10", options.quick ? Cells{2, 1, 2} : body.reference},
+                                poisson_ratio, gravity);
+        for (const WeighedMesh& mesh : body.meshes) {
+          if (options.quick && &mesh != &body.meshes[2]) continue;
+          report.add(weigh(body, mesh, poisson_ratio, gravity, reference));
+          table.print(report.rows().back());
+        }
+      }
+    }
+  }
+  return report;
+}
+
+}  // namespace prosector

@@ -1,0 +1,102 @@
+// The presses of the finite-layer table as people would feel them: 60 ticks/s, two threads, as little effort
+// as real time affords, contacts of a scene's default stiffness over the area that touches.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "tests/bench/contact_run.h"
+#include "tests/bench/finite_layer.h"
+#include "tests/physics/pressed_layer.h"
+
+namespace prosector {
+namespace {
+
+constexpr int down = 15, held = 30;  // ticks
+constexpr double speed = 0.02;       // m/s, of the ball that slides
+constexpr double budget = 8;         // ms a tick, wall clock
+
+struct LayerRung {
+  const char* element;
+  double cells;      // under the radius of contact √(R·depth)
+  double tolerance;  // of the linear solver
+};
+/// The first is real time's: a force within 5 % is asked of it, and one that doesn't jump. The second is
+/// smooth wherever in a cell the ball is.
+constexpr LayerRung rungs[] = {
+    {"tet10", 0.5, 1e-2}, {"tet10", 0.75, 1e-2}, {"tet4", 1, 1e-3}, {"tet4", 0.5, 1e-3}};
+
+double force_on(const ContactRun& run) {
+  double force = 0;
+  for (const Exchange& touch : run.simulation().exchanges()) force += std::abs(touch.impulse.y()) / run.h();
+  return force;
+}
+
+/// Presses within a quarter of a second, holds, and slides over a cell.
+void press(ContactRows& rows, const LayerPress& press, const LayerRung& rung, bool asked) {
+  const double contact_radius = std::sqrt(press.radius * press.depth), cell = contact_radius / rung.cells;
+  SceneDesc scene = layer_scene(press, rung.element, cell);
+  SoftDesc& layer = scene.soft[0];
+  layer.contact = "surface";
+  layer.solver_tolerance = rung.tolerance;
+  CompileOptions options;
+  options.threads = 2;
+  options.anatomy = [&](const SoftDesc&) -> std::optional<Anatomy> {
+    constexpr double growth = 3;  // far away little happens
+    return test::pressed_layer(press.height, contact_radius + cell, cell, growth);
+  };
+  ContactRun run(scene, options);
+  const auto step_to = [&](double x, double depth) {
+    run.step(driving(0, {{x, press.radius - depth, 0.2 * cell}, Quat::Identity()}));
+  };
+  for (int tick = 1; tick <= down + held; ++tick)
+    step_to(0, press.depth * std::min(1.0, static_cast<double>(tick) / down));
+  const double force = force_on(run);
+  double give = 0;  // m
+  std::uint32_t points = 0;
+  for (const Exchange& touch : run.simulation().exchanges()) {
+    give = std::max(give, touch.depth);
+    points += touch.points;
+  }
+  double last = force, jump = 0, least = force, most = force;
+  for (double x = 0; x < cell; x += speed * run.h()) {
+    step_to(x, press.depth);
+    const double now = force_on(run);
+    jump = std::max(jump, std::abs(now / last - 1));
+    least = std::min(least, now);
+    most = std::max(most, now);
+    last = now;
+  }
+  const std::string setting = fmt::format("{}, {}, {} cells", name(press), rung.element, rung.cells);
+  const ReportRow more = {{"element", rung.element},
+                          {"cells_per_contact_radius", rung.cells},
+                          {"tets", run.simulation().tet_count()},
+                          {"points", points},
+                          {"wall_ms", run.median_wall_ms()},
+                          {"cpu_ms", run.median_ms()}};
+  const auto within = [&](double tolerance) { return asked ? std::optional(tolerance) : std::nullopt; };
+  rows.add(run, setting, {"force over the table's", "1", force / press.force, 1, within(0.05)}, more);
+  rows.add(run, setting, {"sliding: most from tick to tick", "1", jump, 0, within(0.02)}, more);
+  rows.add(run, setting, {"sliding: least and most differ by", "1", (most - least) / force, 0, std::nullopt},
+           more);
+  rows.add(run, setting, {"contact gives, of the depth", "1", give / press.depth, 0, std::nullopt}, more);
+  rows.add(run, setting, {"median time of a tick, CPU", "ms", run.median_ms(), 0, std::nullopt}, more);
+  rows.add(run, setting, {"median time of a tick, wall clock", "ms", run.median_wall_ms(), 0, within(budget)},
+           more);
+}
+
+}  // namespace
+
+void layer_case(ContactRows& rows, bool quick) {
+  for (const LayerPress& p : layer_presses) {
+    press(rows, p, rungs[0], true);
+    if (quick) return;
+  }
+  for (const LayerPress& p : layer_presses) press(rows, p, rungs[1], false);
+  for (std::size_t i = 0; i < 3; ++i)  // of the thin layer
+    for (const LayerRung& rung : std::span(rungs).subspan(2)) press(rows, layer_presses[i], rung, false);
+}
+
+}  // namespace prosector

@@ -1,0 +1,148 @@
+// A liver, cut from a CT where that is there, pressed by a ball of 10 mm, 10 mm deep, and stroked: what real
+// time affords beside eight times the elements on the same shape.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/paths.h"
+#include "server/physics/soft/elements/edge_nodes.h"
+#include "server/physics/soft/soft_body.h"
+#include "server/physics/sources.h"
+#include "tests/bench/contact_run.h"
+
+namespace prosector {
+namespace {
+
+constexpr double ball_radius = 0.01, organ_depth = 0.01, stroke = 0.01, stroke_speed = 0.02;  // m, m/s
+constexpr int organ_down = 30, organ_held = 30;                                               // ticks
+constexpr double organ_cell = 0.025, organ_coarse_cell = 0.05;                                // m
+
+SceneDesc organ_scene(double cell) {
+  SceneDesc scene;
+  scene.gravity = Vec3::Zero();
+  scene.rigid = {test::part_body("ball", "sphere", {2 * ball_radius, 0, 0}, {0, 1, 0})};
+  scene.rigid[0].fixed = true;
+  scene.rigid[0].friction = 0;
+  SoftDesc& liver = scene.soft.emplace_back();
+  liver.name = "liver";
+  liver.volume = "liver.inr.gz";
+  liver.label = 255;
+  liver.pose.q = Quat(0, 1, 0, 0);
+  liver.fallback = "liver";
+  liver.size = {0.206, 0.149, 0.171};
+  liver.model = "fem_neo_hookean";
+  liver.element = "tet10";
+  liver.solver = "multigrid";
+  liver.solver_tolerance = 1e-2;
+  liver.contact = "surface";
+  liver.youngs_modulus = 5400;
+  liver.damping_mass = 4;
+  liver.damping_stiffness = 0.02;
+  liver.gravity = false;
+  liver.cell = cell;
+  liver.surface_cell = cell / 3;
+  return scene;
+}
+
+/// Returns each tetrahedron as eight, under the same surface.
+Anatomy in_eight(Anatomy anatomy) {
+  const EdgeNodes edges = add_edge_nodes(anatomy);
+  anatomy.tets = divided(anatomy.tets, edges);
+  return anatomy;
+}
+
+Vec3 highest(const TriangleMesh& surface) {
+  return *std::max_element(surface.positions.begin(), surface.positions.end(),
+                           [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); });
+}
+
+/// What is felt of a press, and while it strokes.
+struct Felt {
+  double force = 0, dent = 0;  // N, m: the ball's depth less what the contact gives
+  double jump = 0;             // most from tick to tick, of the force
+  std::vector<double> forces;  // N, while it strokes
+};
+
+double lifting(const ContactRun& run) {
+  double force = 0;
+  for (const Exchange& touch : run.simulation().exchanges()) force += std::abs(touch.impulse.y()) / run.h();
+  return force;
+}
+
+Felt feel(ContactRun& run, const Vec3& top) {
+  const auto step_to = [&](double x, double depth) {
+    run.step(driving(0, {top + Vec3(x, ball_radius - depth, 0), Quat::Identity()}));
+  };
+  for (int tick = 1; tick <= organ_down + organ_held; ++tick)
+    step_to(0, organ_depth * std::min(1.0, static_cast<double>(tick) / organ_down));
+  Felt felt;
+  felt.force = lifting(run);
+  double give = 0;  // m
+  for (const Exchange& touch : run.simulation().exchanges()) give = std::max(give, touch.depth);
+  felt.dent = organ_depth - give;
+  double last = felt.force;
+  for (double x = 0; x < stroke; x += stroke_speed * run.h()) {
+    step_to(x, organ_depth);
+    const double now = lifting(run);
+    felt.jump = std::max(felt.jump, std::abs(now / last - 1));
+    felt.forces.push_back(now);
+    last = now;
+  }
+  return felt;
+}
+
+ContactRun pressed(SceneDesc scene, const Anatomy& anatomy) {
+  scene.rigid[0].pose.p = highest(anatomy.surface) + Vec3(0, ball_radius + 1e-4, 0);
+  CompileOptions options;
+  options.threads = 2;
+  options.anatomy = [&](const SoftDesc&) -> std::optional<Anatomy> { return anatomy; };
+  return ContactRun(scene, options);
+}
+
+}  // namespace
+
+void organ_case(ContactRows& rows, bool quick) {
+  SceneDesc scene = organ_scene(quick ? organ_coarse_cell : organ_cell);
+  CompileOptions options;
+  options.data_dirs = {default_data_dir()};
+  const Anatomy anatomy = soft_anatomy(scene.soft[0], scene, options);
+  double low = anatomy.tets.positions.front().y();
+  for (const Vec3& x : anatomy.tets.positions) low = std::min(low, x.y());
+  constexpr double flat = 1000, foot = 0.02;  // m: the lowest 2 cm lie in a bed
+  scene.soft[0].attach = {{{0, low + foot - flat, 0}, flat, 1e9}};
+  const Vec3 top = highest(anatomy.surface);
+  ContactRun reference = pressed(scene, in_eight(anatomy));
+  const Felt truth = feel(reference, top);
+  for (const char* element : {"tet10", "tet4"}) {
+    scene.soft[0].element = element;
+    ContactRun run = pressed(scene, anatomy);
+    const Felt felt = feel(run, top);
+    double off = 0;
+    for (std::size_t i = 0; i < felt.forces.size(); ++i)
+      off = std::max(off, std::abs(felt.forces[i] / truth.forces[i] - 1));
+    const bool asked = scene.soft[0].element == "tet10";
+    const auto within = [&](double tolerance) { return asked ? std::optional(tolerance) : std::nullopt; };
+    const std::string setting = fmt::format("liver pressed by 10 mm, {}", element);
+    const ReportRow more = {{"element", element},
+                            {"tets", run.simulation().tet_count()},
+                            {"reference_tets", reference.simulation().tet_count()},
+                            {"force_N", felt.force},
+                            {"reference_force_N", truth.force},
+                            {"wall_ms", run.median_wall_ms()},
+                            {"reference_cpu_ms", reference.median_ms()}};
+    rows.add(run, setting, {"force over the reference's", "1", felt.force / truth.force, 1, within(0.05)},
+             more);
+    rows.add(run, setting, {"dent over the reference's", "1", felt.dent / truth.dent, 1, within(0.05)}, more);
+    rows.add(run, setting, {"stroking: most off the reference", "1", off, 0, within(0.05)}, more);
+    rows.add(run, setting, {"stroking: most from tick to tick", "1", felt.jump, 0, within(0.02)}, more);
+    rows.add(run, setting, {"median time of a tick, CPU", "ms", run.median_ms(), 0, std::nullopt}, more);
+    rows.add(run, setting,
+             {"median time of a tick, wall clock", "ms", run.median_wall_ms(), 0, within(1e3 * run.h())},
+             more);
+    if (quick) return;
+  }
+}
+
+}  // namespace prosector
