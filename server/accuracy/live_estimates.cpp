@@ -95,12 +95,13 @@ void LiveEstimates::follow(const Simulation& simulation, const StepReport& repor
   }
   for (std::size_t left = all / turn_ + 1; left > 0;) {
     if (!at_) {
-      const auto next = [&](auto first, auto last) {
-        return std::find_if(first, last,
-                            [&](const auto& entry) { return due(simulation, entry.first, entry.second); });
-      };
-      auto found = next(bodies_.upper_bound(last_), bodies_.end());
-      if (found == bodies_.end()) found = next(bodies_.begin(), bodies_.upper_bound(last_));
+      const auto is_due = [&](const auto& entry) { return due(simulation, entry.first, entry.second); };
+      const auto after = bodies_.upper_bound(last_);
+      auto found = std::find_if(after, bodies_.end(), is_due);
+      if (found == bodies_.end()) {
+        const auto before = std::find_if(bodies_.begin(), after, is_due);
+        if (before != after) found = before;
+      }
       if (found == bodies_.end() || found->second.begun == simulation.time().tick) break;
       at_ = last_ = found->first;
       begin(simulation, found->first, found->second);

@@ -66,6 +66,17 @@ TEST(LiveEstimates, TellOfEveryBodyWithinASecondAndOfAPressWhileItLasts) {
   EXPECT_LT(estimates.newest(1)->press_error, 0) << "the hand left";
 }
 
+/// As of sessions that go on with a restored state: nothing is known yet of how fast nodes were.
+TEST(LiveEstimates, BeginWithBodiesThatMove) {
+  Simulation simulation(pressed_scene(), test::options());
+  for (int tick = 0; tick < 50; ++tick) simulation.step(input_at(tick));
+  ASSERT_FALSE(simulation.asleep(1));
+  LiveEstimates estimates(simulation);
+  for (int tick = 50; tick < 110; ++tick) estimates.follow(simulation, simulation.step(input_at(tick)));
+  ASSERT_NE(estimates.newest(1), nullptr);
+  EXPECT_GT(estimates.newest(1)->press_error, 0);
+}
+
 /// What no law tells the stress of isn't judged.
 TEST(LiveEstimates, SayNothingOfSpringsAndRopes) {
   SceneDesc scene = pressed_scene();

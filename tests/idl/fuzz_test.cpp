@@ -29,6 +29,8 @@ constexpr std::size_t plain_bytes() {
     return offsetof(W, marks);
   else if constexpr (requires(W w) { w.holders; })
     return offsetof(W, holders);
+  else if constexpr (requires(W w) { w.prices; })
+    return offsetof(W, prices);
   else
     return sizeof(W);
 }
@@ -51,6 +53,12 @@ void fuzz(const M& valid, std::mt19937_64& random) {
       auto* marks = reinterpret_cast<std::uint8_t*>(w.marks._buffer);
       marks[random() % (w.marks._length * sizeof(prosector_RecordingMark))] =
           static_cast<std::uint8_t>(random());
+    }
+    if constexpr (requires { w.prices; }) {
+      auto* prices = reinterpret_cast<std::uint8_t*>(w.prices._buffer);
+      prices[random() % (w.prices._length * sizeof(prosector_Price))] = static_cast<std::uint8_t>(random());
+      auto* map = reinterpret_cast<std::uint8_t*>(&w.error_map);
+      map[random() % offsetof(prosector_ErrorMap, levels)] = static_cast<std::uint8_t>(random());
     }
     if constexpr (requires { w.vertices; }) {
       reinterpret_cast<std::uint8_t*>(w.points._buffer)[random() % (2 * sizeof(prosector_PatchPoint))] ^= 1;
