@@ -198,7 +198,7 @@ struct Hosting {
 /// file, with the state that was taken over.
 std::unique_ptr<Journal> open_journal(const Hosting& hosting, const ReadyScene& scene, bool goes_on) {
   const ServerOptions& options = hosting.options;
-  const Simulation& simulation = *scene.simulation;
+  Simulation& simulation = *scene.simulation;
   JournalLimits limits;
   limits.file_bytes = static_cast<std::uint64_t>(options.journal_mb * 1024 * 1024);
   if (!goes_on && !options.resume.empty()) return Journal::append_to(options.resume, limits);
@@ -208,7 +208,8 @@ std::unique_ptr<Journal> open_journal(const Hosting& hosting, const ReadyScene& 
                        simulation.content_hash(), scene.choices};
   if (!goes_on) return Journal::create(first, header, limits);
   header.begins_at = simulation.time().tick;
-  header.beginning = simulation.save();
+  header.beginning =
+      simulation.checkpoint();  // both the run that goes on and one that restores begin with it
   const std::filesystem::path file = next_journal(first);
   say(fmt::format("the journal goes on in {}", file.string()));
   return Journal::create(file, header, limits);

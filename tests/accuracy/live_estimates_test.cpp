@@ -69,10 +69,10 @@ TEST(LiveEstimates, TellOfEveryBodyWithinASecondAndOfAPressWhileItLasts) {
 /// As of sessions that go on with a restored state: nothing is known yet of how fast nodes were.
 TEST(LiveEstimates, BeginWithBodiesThatMove) {
   Simulation simulation(pressed_scene(), test::options());
-  for (int tick = 0; tick < 50; ++tick) simulation.step(input_at(tick));
+  for (int tick = 0; tick < 75; ++tick) simulation.step(input_at(tick));
   ASSERT_FALSE(simulation.asleep(1));
   LiveEstimates estimates(simulation);
-  for (int tick = 50; tick < 110; ++tick) estimates.follow(simulation, simulation.step(input_at(tick)));
+  for (int tick = 75; tick < 135; ++tick) estimates.follow(simulation, simulation.step(input_at(tick)));
   ASSERT_NE(estimates.newest(1), nullptr);
   EXPECT_GT(estimates.newest(1)->press_error, 0);
 }

@@ -21,6 +21,12 @@ SceneDesc two_blocks(const std::string& element = "tet4", double cell = 0.03) {
   return scene;
 }
 
+TickInput vanish() {
+  TickInput input;
+  input.events = {{HandEvent::Kind::vanish, somebody, right_hand, BodyId{0}}};
+  return input;
+}
+
 /// m: how far the places of the tissue are from each other, by where they are at rest.
 double difference(const Simulation& a, const Simulation& b, BodyId body) {
   double worst = 0;
@@ -32,12 +38,6 @@ double difference(const Simulation& a, const Simulation& b, BodyId body) {
                                  b.soft_state(body).motion.x.segment<3>(3 * k))
                                     .norm());
   return worst;
-}
-
-TickInput vanish() {
-  TickInput input;
-  input.events = {{HandEvent::Kind::vanish, somebody, right_hand, BodyId{0}}};
-  return input;
 }
 
 Vec3 momentum(const Simulation& simulation, BodyId body) {
@@ -96,16 +96,23 @@ TEST(TakeOver, WhatNobodyTouchedRestsInTheOtherModelToo) {
   EXPECT_EQ(to.max_displacement(first), 0);
 }
 
+/// Whenever it takes over: before, while and after a hand presses.
 TEST(TakeOver, GoesOnAsOneThatRestoresIt) {
-  Simulation from(two_blocks(), options()), to(two_blocks("tet10"), options()),
-      restored(two_blocks("tet10"), options());
-  run(from, 40);
-  ASSERT_FALSE(to.take_over(from));
-  restored.restore(to.save());
-  EXPECT_EQ(restored.state_hash(), to.state_hash());
-  run(to, 40);
-  run(restored, 40);
-  EXPECT_EQ(restored.state_hash(), to.state_hash());
+  Simulation from(two_blocks(), options()), restored(two_blocks("tet10"), options());
+  for (int tick = 0; tick < 240; ++tick) {
+    const Vec3 at(0.01, 0.14 - 0.001 * std::min(tick, 70), 0.045);
+    from.step(tick == 0 ? appear(at) : tick < 120 ? target(at) : tick == 120 ? vanish() : TickInput{});
+    if (tick % 17 != 0) continue;
+    Simulation to(two_blocks("tet10"), options());
+    ASSERT_FALSE(to.take_over(from));
+    restored.restore(to.checkpoint());
+    ASSERT_EQ(restored.state_hash(), to.state_hash()) << tick;
+    for (int later = 0; later < 3; ++later) {
+      to.step({});
+      restored.step({});
+      ASSERT_EQ(restored.state_hash(), to.state_hash()) << tick << " + " << later;
+    }
+  }
 }
 
 TEST(TakeOver, OtherBodiesAreRefused) {

@@ -180,7 +180,8 @@ TEST(Remodeller, TheSessionGoesOnInAnotherModelAndReplays) {
   TemporaryFile file("remodelled.journal");
   JournalHeader header{"scene.toml", "", "prosector", next->simulation->content_hash(), next->choices};
   header.begins_at = before.tick;
-  header.beginning = next->simulation->save();
+  header.beginning = next->simulation->checkpoint();
+  const std::uint64_t taken_over = next->simulation->state_hash();
   auto journal = Journal::create(file.path, header, {});
   const std::unique_ptr<Simulation> old = std::exchange(dialled.scene, std::move(*next)).simulation;
   dialled.begin(journal.get());
@@ -198,8 +199,9 @@ TEST(Remodeller, TheSessionGoesOnInAnotherModelAndReplays) {
   adopt(reader.header().choices, again);
   Simulation replayed(again, options());
   replayed.restore(reader.header().beginning);
+  EXPECT_EQ(replayed.state_hash(), taken_over);
   const ReplayResult result = replay(reader, replayed, {});
-  EXPECT_TRUE(result);
+  EXPECT_TRUE(result) << "tick " << result.first_difference.value_or(0) << " differs";
   EXPECT_GT(result.ticks, 30u);
   EXPECT_EQ(result.last_hash, last);
 }
