@@ -115,7 +115,7 @@ enum class CommandKind : std::uint8_t {
   attach,    // put it back, where it is near enough to its place
   inspect,   // show `body` as `shape` would have it: moved, turned, scaled, sheared; out of everyone's touch
   end_inspect,
-  open_panel,  // of the part `body`, as a touch does
+  open_panel,  // of the part `body`, as a touch does; of an open one: common/panel_placing.h
   close_panel,
   set_control,  // of the sender's open panel, as a finger does: `control` to `value`
   undo,         // the sender's last cut
@@ -160,7 +160,7 @@ struct Command {
   Affine shape;  // for inspect: from where the body's points are without it to where they are seen
   PanelControl control = PanelControl::attach;  // for set_control
   double value = 0;  // for set_control: button 0 off, 1 on; slider 0 … 1. For set_pace, set_accuracy
-  std::uint32_t revision = 0;  // for rewind, step_ticks, seek, set_effort, set_all_efforts and grasp
+  std::uint32_t revision = 0;  // for rewind, step_ticks, seek, set_effort…, open_panel and grasp
 };
 
 struct CommandResult {

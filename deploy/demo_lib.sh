@@ -62,3 +62,19 @@ twins() {
     [ -e "$out/$link" ] || fail "the simulated $link did not come up" "$out/$link.log"
   done
 }
+
+# everyone_agrees: says what topology each process in $out held in the end; fails where they differ.
+everyone_agrees() {
+  say "What everyone holds in the end"
+  python3 - "$out" <<'PY'
+import glob, json, os, sys
+hashes = {}
+for file in sorted(glob.glob(sys.argv[1] + "/*.json")):
+    figures = json.load(open(file))
+    if "topology_hash" in figures:
+        hashes[os.path.basename(file)[:-5]] = figures["topology_hash"]
+for name, said in hashes.items():
+    print(f"{name:10} {said}")
+sys.exit(0 if len(set(hashes.values())) == 1 else "demo: they don't agree")
+PY
+}

@@ -10,6 +10,11 @@
 #include "server/physics/rigid/room.h"
 
 namespace prosector {
+
+Refusal cut_stays(const std::string& body) {
+  return fmt::format("{} was cut, and its cuts are of its mesh: it stays as it is modelled", body);
+}
+
 namespace {
 
 /// Carries a field of a body's nodes over to those of another mesh of it.
@@ -85,7 +90,7 @@ struct Remodelled {
       const bool cut = from.dissection.organs.contains(i);
       if (cut ? whole_alike(from, to, i) : modelled_alike(from.bodies.soft[i], to.bodies.soft[i])) continue;
       bodies.push_back(i);
-      if (cut) refusal = fmt::format("{} is cut: take its cuts back first", to.bodies.soft[i].desc().name);
+      if (cut) refusal = cut_stays(to.bodies.soft[i].desc().name);
     }
   }
   bool has(std::size_t i) const { return std::binary_search(bodies.begin(), bodies.end(), i); }

@@ -8,6 +8,7 @@
 
 #include "common/counted.h"
 #include "server/physics/soft/soft_body.h"
+#include "server/physics/take_over.h"
 #include "server/session/session_lines.h"
 #include "server/session/session_status.h"
 #include "server/session/simulated_shapes.h"
@@ -84,8 +85,13 @@ ServerLoop::ServerLoop(Simulation& simulation, Bus& bus, const std::string& sess
 void ServerLoop::remodel() {
   Remodeller* remodeller = options_.remodeller;
   if (remodeller == nullptr) return;
-  for (const Command& wish : session_.take_accuracy_wishes())
-    remodeller->ask({wish.participant, wish.body, simulation_.name(wish.body), wish.value});
+  for (const Command& wish : session_.take_accuracy_wishes()) {
+    const std::string& name = simulation_.name(wish.body);
+    if (wish.value > 0 && simulation_.revision(wish.body) > 0)
+      session_.tell(wish.participant, cut_stays(name).why());
+    else
+      remodeller->ask({wish.participant, wish.body, name, wish.value});
+  }
   std::vector<AccuracyAnswer> answers = remodeller->take_answers();
   if (!answers.empty()) tell_prices();
   std::move(answers.begin(), answers.end(), std::back_inserter(unheard_));
