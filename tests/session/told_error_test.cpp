@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "server/session/summary.h"
 #include "tests/session/hosted.h"
@@ -35,6 +37,9 @@ TEST(ToldError, IsTheBodysOwnAsItIsNowAndThatOfAPressWhileItLasts) {
   }
   EXPECT_TRUE(at_rest);
   EXPECT_TRUE(pressed);
+  std::this_thread::sleep_for(std::chrono::milliseconds(110));  // the status is told ten times a second
+  hosted.tick();
+  ada.take();
   ASSERT_TRUE(ada.replica.status());
   EXPECT_GE(ada.replica.status()->error, 0);
   const BodyStatus* told = ada.replica.body_status(Hosted::liver);
