@@ -1,5 +1,7 @@
 #include "server/physics/step.h"
 
+#include <utility>
+
 #include "server/physics/coupled/island_builder.h"
 #include "server/physics/coupled/lost.h"
 #include "server/physics/coupled/sleep.h"
@@ -82,11 +84,12 @@ void step(State& s, StepBuffers& b, const TickInput& input, StepReport& report) 
   describe(s, b.islands, report);
   b.hand_states = describe_hands(s, b.islands, b.colliders, b.h);
   clock.end(Phase::report);
+  PlacesOfBodies pressed = pressed_places(s, b.islands, input.drives);
   if (cut_soft_bodies(s, b.grips, input, report)) {  // what the next tick is made of
     b.islands.clear();
     b.hand_states = describe_hands(s, b.islands, b.colliders, b.h);
   }
-  refine_touched(s, b.islands, input.drives);
+  refine_touched(s, std::move(pressed));
   clock.end(Phase::constraints);
 }
 

@@ -185,7 +185,6 @@ TEST(Remodeller, TheSessionGoesOnInAnotherModelAndReplays) {
   auto journal = Journal::create(file.path, header, {});
   const std::unique_ptr<Simulation> old = std::exchange(dialled.scene, std::move(*next)).simulation;
   dialled.begin(journal.get());
-  dialled.ada.results.clear();
   dialled.ada.greet("ada", Role::host);  // as clients do, who find themselves forgotten
   EXPECT_NE(dialled.hear().find("liver is modelled anew: expected "), std::string::npos);
   dialled.turn(30);

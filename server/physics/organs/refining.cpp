@@ -20,29 +20,8 @@ bool is_followed(const ContactSide& other, std::span<const Drive> drives) {
   return std::any_of(drives.begin(), drives.end(), [&](const Drive& d) { return d.body == other.body; });
 }
 
-/// Appends where contacts pressed bodies that may be refined, by soft body: m, at rest.
-void add_pressed(const State& state, std::span<const Island> islands, std::span<const Drive> drives,
-                 std::map<std::size_t, std::vector<Vec3>>& touched) {
-  const auto add = [&](const ContactSide& side, const ContactSide& other) {
-    if (side.kind != ContactSide::Kind::soft || !is_followed(other, drives)) return;
-    const auto points = touched.find(side.body);
-    if (points == touched.end()) return;
-    const VecX& rest = state.bodies.soft[side.body].solver->rest();
-    Vec3 point = Vec3::Zero();
-    for (std::size_t k = 0; k < side.nodes; ++k)
-      point += side.weight[k] * rest.segment<3>(3 * Eigen::Index{side.node[k]});
-    points->second.push_back(point);
-  };
-  for (const Island& island : islands)
-    for (const Contact& contact : island.contacts) {
-      if (!(contact.force > 0)) continue;
-      add(contact.a, contact.b);
-      add(contact.b, contact.a);
-    }
-}
-
 /// Appends where hands hold them.
-void add_held(const State& state, std::map<std::size_t, std::vector<Vec3>>& touched) {
+void add_held(const State& state, PlacesOfBodies& touched) {
   for (const Hand& hand : state.hands) {
     if (!hand.hold || !state.bodies.is_soft(hand.hold->body)) continue;
     const std::size_t body = state.bodies.soft_index(hand.hold->body);
@@ -131,17 +110,38 @@ void make_refinable(State& state) {
       state.dissection.refined.try_emplace(tissue.index, *tissue.solver, state.bodies.model.scene.tick_rate);
 }
 
-void refine_touched(State& state, std::span<const Island> islands, std::span<const Drive> drives) {
+PlacesOfBodies pressed_places(const State& state, std::span<const Island> islands,
+                              std::span<const Drive> drives) {
+  PlacesOfBodies out;
+  for (const auto& [body, refined] : state.dissection.refined) out[body];
+  if (out.empty()) return out;
+  const auto add = [&](const ContactSide& side, const ContactSide& other) {
+    if (side.kind != ContactSide::Kind::soft || !is_followed(other, drives)) return;
+    const auto points = out.find(side.body);
+    if (points == out.end()) return;
+    const VecX& rest = state.bodies.soft[side.body].solver->rest();
+    Vec3 point = Vec3::Zero();
+    for (std::size_t k = 0; k < side.nodes; ++k)
+      point += side.weight[k] * rest.segment<3>(3 * Eigen::Index{side.node[k]});
+    points->second.push_back(point);
+  };
+  for (const Island& island : islands)
+    for (const Contact& contact : island.contacts) {
+      if (!(contact.force > 0)) continue;
+      add(contact.a, contact.b);
+      add(contact.b, contact.a);
+    }
+  return out;
+}
+
+void refine_touched(State& state, PlacesOfBodies places) {
   if (state.dissection.refined.empty()) return;
-  std::map<std::size_t, std::vector<Vec3>> points;
-  for (const auto& [body, refined] : state.dissection.refined) points[body];
-  add_pressed(state, islands, drives, points);
-  add_held(state, points);
+  add_held(state, places);
   for (auto& [body, refined] : state.dissection.refined) {
     const SoftBodyState& now = state.bodies.soft[body].state;
-    if ((points[body].empty() && !refined.mesh.any()) || now.recovering) continue;
+    if ((places[body].empty() && !refined.mesh.any()) || now.recovering) continue;
     if (!is_uncut(state.dissection, body)) continue;
-    const TouchedPlaces touched(std::move(points[body]), places_apart * refined.mesh.limits().edge);
+    const TouchedPlaces touched(std::move(places[body]), places_apart * refined.mesh.limits().edge);
     const bool resting = now.asleep && refined.touched && touched.empty();
     if (!resting) refined.touched = !touched.empty();
     const bool settle = state.time.tick % settle_every == 0;
