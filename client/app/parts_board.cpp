@@ -8,7 +8,7 @@
 namespace prosector {
 namespace {
 
-constexpr double ahead = 0.42, aside = 0.24, below = 0.12;  // m from the eyes to the board's middle
+constexpr double ahead = 0.42, aside = 0.19, below = 0.12;  // m from the eyes to the board's middle
 constexpr double stretched = 0.5;                           // flexion below which an index finger works
 constexpr std::size_t index_finger = 1;                     // of a hand's flexions
 constexpr double points_per_line = 20;                      // that a finger goes to scroll by one

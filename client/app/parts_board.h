@@ -27,7 +27,7 @@ class PartsBoard {
   std::optional<PlacedPartsList> shown() const;
 
  private:
-  PartsDesk desk_;
+  PartsDesk desk_{true};
   Pose pose_;
   std::array<std::optional<double>, 2> heights_;  // m, of fingertips before the board
   std::optional<std::size_t> worker_;             // the hand that presses

@@ -11,6 +11,10 @@ namespace prosector {
 
 class PartsDesk {
  public:
+  PartsDesk() = default;
+  /// Makes it for a list on a board in the room, or for one in a window.
+  explicit PartsDesk(bool in_room) { state_.in_room = in_room; }
+
   /// Takes an event, with the pointer's place (points from the picture's top left). Returns whether the list
   /// keeps it to itself.
   bool take(const WindowEvent& event, const Eigen::Vector2d& pointer);

@@ -20,11 +20,15 @@ inline const Eigen::Vector2d parts_board_picture(parts_list_width + 2 * parts_li
 /// Returns where a place before the board (its frame, m) is on the list, in points.
 Eigen::Vector2d board_point(const Vec3& place);
 
-/// Adds the board to what is drawn. `cube`: board_cube().
-void add_parts_board(DrawList& out, const PlacedPartsList& placed,
-                     const std::shared_ptr<const DrawMesh>& cube);
+/// Draws the board: all its plates are one mesh in their own colours, with texts on it.
+class PartsBoardView {
+ public:
+  static constexpr std::uint64_t meshes = 1;  // ids from the first one on
+  explicit PartsBoardView(std::uint64_t mesh_id) { mesh_->id = mesh_id; }
+  void add(DrawList& out, const PlacedPartsList& placed);
 
-/// Makes the cube, 1 m wide, that plates of boards are made of.
-std::shared_ptr<const DrawMesh> board_cube(std::uint64_t mesh_id);
+ private:
+  std::shared_ptr<DrawMesh> mesh_ = std::make_shared<DrawMesh>();
+};
 
 }  // namespace prosector

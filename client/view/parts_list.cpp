@@ -98,11 +98,12 @@ void scroll_to(PartsListState& state, const PartsList& list, std::size_t row) {
 
 std::string told_spot(const PartsList& list, const PartsSpot& spot) {
   using Kind = PartsSpot::Kind;
-  if (spot.kind == Kind::search) return "find by name or number, in any language";
+  if (spot.kind == Kind::search) return list.state.in_room ? "" : "find by name or number, in any language";
   if (spot.kind == Kind::reset) return "everything as the scene has it";
   if (spot.kind == Kind::board || spot.row >= list.rows.size()) return "";
   const PartRow& row = list.rows[spot.row];
   const std::string_view what = row.is_head ? "all of them" : "it";
+  if (spot.kind == Kind::name && list.state.in_room) return "draw along the names to scroll";
   if (spot.kind == Kind::name) return row.is_head ? "" : "brings it into the picture";
   if (spot.kind == Kind::eye) return fmt::format("{} {}", row.look.hidden ? "shows" : "hides", what);
   if (spot.kind == Kind::isolate)

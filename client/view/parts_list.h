@@ -21,6 +21,7 @@ struct PartsSpot {
 struct PartsListState {
   std::string search;                       // UTF-8
   bool typing = false;                      // keys go into the search
+  bool in_room = false;                     // on a board that a fingertip works, without keys
   std::size_t first = 0;                    // line of the rows that is at the top
   std::optional<std::string> palette = {};  // text of the row whose colours are open
   std::optional<PartsSpot> hovered = {};

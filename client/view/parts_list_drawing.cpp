@@ -24,7 +24,10 @@ class PartsListDrawing {
                            .radius = corner,
                            .rim_width = 1,
                            .rim_color = rim_color});
-    add_search();
+    const double head_y = list_.search.min().y() + (search_height - height_of_lines(1) * text_height) / 2;
+    list_.state.in_room ? write("parts", left() + pad, head_y, list_.search.sizes().x(), dim_writing)
+                        : add_search(head_y);
+    add_reset(head_y);
     for (const PartsList::Line& line : list_.lines)
       line.is_palette ? add_palette(line) : add_row(line, list_.rows[line.row]);
     add_scroll_mark();
@@ -70,7 +73,7 @@ class PartsListDrawing {
     out_.plates.back().rim_color = color;
   }
 
-  void add_search() {
+  void add_search(double y) {
     const PartsListState& state = list_.state;
     out_.plates.push_back({.low = list_.search.min(),
                            .high = list_.search.max(),
@@ -78,11 +81,13 @@ class PartsListDrawing {
                            .radius = corner,
                            .rim_width = 1,
                            .rim_color = state.typing ? accent : rim_color});
-    const double y = list_.search.min().y() + (search_height - height_of_lines(1) * text_height) / 2;
     const bool empty = state.search.empty();
     const std::string shown = empty && !state.typing ? "search" : state.search + (state.typing ? "|" : "");
     write(shown, list_.search.min().x() + 6, y, list_.search.sizes().x() - 12,
           empty && !state.typing ? dim_writing : writing);
+  }
+
+  void add_reset(double y) {
     const bool hovered = is_hovered({Kind::reset, 0, 0});
     out_.plates.push_back({.low = list_.reset.min(),
                            .high = list_.reset.max(),

@@ -57,8 +57,11 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   if (settings.wireframes) add_wireframes(replica, tick);
   add_panels(replica, self.participant, settings.panel);
   if (settings.parts_board) {
-    if (!board_cube_) board_cube_ = board_cube(next_mesh_id_++);
-    add_parts_board(list_, *settings.parts_board, board_cube_);
+    if (!parts_board_) {
+      parts_board_.emplace(next_mesh_id_);
+      next_mesh_id_ += PartsBoardView::meshes;
+    }
+    parts_board_->add(list_, *settings.parts_board);
   }
   people_.add(list_, replica, tick, self, settings.follow, next_mesh_id_);
   if (self.at_desk) add_hand_cues(replica, self, tick);

@@ -16,6 +16,7 @@
 #include "client/view/level_of_detail.h"
 #include "client/view/panel_view.h"
 #include "client/view/part_labels.h"
+#include "client/view/parts_board_view.h"
 #include "client/view/people.h"
 #include "client/view/pick.h"
 #include "client/view/section.h"
@@ -53,7 +54,7 @@ class SceneView {
   StrokeGauge strokes_;
   double hand_opacity_ = 1;  // of one's own at a desk
   std::optional<PanelView> panel_view_;
-  std::shared_ptr<const DrawMesh> board_cube_;  // null: no board was seen yet
+  std::optional<PartsBoardView> parts_board_;  // nullopt: no board was seen yet
   std::size_t hidden_panel_lines_ = 0;
   std::map<BodyId, Edges> wires_;
   std::map<BodyId, std::uint64_t> wire_shapes_;  // SoftReplica::shape() that wires_ are of

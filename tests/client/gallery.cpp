@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "client/app/index_tip.h"
+#include "client/app/parts_board.h"
 #include "client/view/avatar.h"
 #include "client/view/body_mesh.h"
 #include "client/view/camera.h"
@@ -47,24 +49,24 @@ DrawItem table() {
   return rigid(top, 10, {{0.60, 0.62, 0.64}, 0.38, 0, Surface::metal});
 }
 
-DrawItem hand(std::size_t side, double flexion, const Pose& pose, std::uint64_t id) {
+DrawItem hand(std::size_t side, const HandPose& pose, std::uint64_t id) {
   const HandSkin skin(side);
   auto mesh = skin.make_mesh(id);
-  skin.bend(*mesh, {flexion, flexion, flexion, flexion, flexion});
+  skin.bend(*mesh, pose.flexion);
   DrawItem item;
   item.mesh = mesh;
-  item.pose = pose;
+  item.pose = pose.pose;
   item.appearance = {{0.66, 0.42, 0.32}, 0.5, 0.1, Surface::skin};
   return item;
 }
 
 GalleryPicture hands(const std::string& name, double flexion) {
   DrawList list = stage({0.05, 1.45, 0.45}, {0, 1.12, 0.0});
-  const Quat level = Quat::Identity();
-  list.items.push_back(hand(left_hand, flexion, {{-0.11, 1.12, 0.09}, level}, 20));
-  // The right one shows its palm.
-  list.items.push_back(
-      hand(right_hand, flexion, {{0.11, 1.12, 0.09}, Quat(Eigen::AngleAxisd(2.6, Vec3::UnitZ()))}, 21));
+  HandPose pose{.pose = {{-0.11, 1.12, 0.09}, Quat::Identity()}};
+  pose.flexion.fill(flexion);
+  list.items.push_back(hand(left_hand, pose, 20));
+  pose.pose = {{0.11, 1.12, 0.09}, Quat(Eigen::AngleAxisd(2.6, Vec3::UnitZ()))};  // shows its palm
+  list.items.push_back(hand(right_hand, pose, 21));
   return {name, width, height, list};
 }
 
@@ -321,14 +323,8 @@ GalleryPicture labels(bool stereo) {
   return {stereo ? "labels_stereo" : "labels", wide, high, list};
 }
 
-/// The list of parts named in many scripts: one is hidden, one faint, one red and held; the pointer is at an
-/// eye, and the colours of a row are open.
-GalleryPicture parts_list() {
-  constexpr int wide = 480, high = 420;
-  DrawList list = stage({0.1, 1.3, 0.55}, {0.12, 1.05, 0});
-  list.cameras = {mono_camera(list.cameras[0].pose, 0.6, wide, high)};
-  list.items.push_back(table());
-  add_named_heap(list);
+/// Parts named in many scripts: one is hidden, one faint, one red and held, one held by two.
+std::vector<PartRow> rows_in_many_scripts() {
   PartsKnown known;
   PartsChoice choice;
   for (const Words& words : many_scripts) {
@@ -346,12 +342,67 @@ GalleryPicture parts_list() {
   choice.obey({.kind = PartsOrder::Kind::color,
                .parts = {known.scene.bodies[3].name},
                .color = part_colors()[1].color});
+  return part_rows(known, choice, "");
+}
+
+/// The list of parts: the pointer is at an eye, and the colours of a row are open.
+GalleryPicture parts_list() {
+  constexpr int wide = 480, high = 420;
+  DrawList list = stage({0.1, 1.3, 0.55}, {0.12, 1.05, 0});
+  list.cameras = {mono_camera(list.cameras[0].pose, 0.6, wide, high)};
+  list.items.push_back(table());
+  add_named_heap(list);
   PartsListState state;
   state.hovered = PartsSpot{PartsSpot::Kind::eye, 5, 0};
-  state.palette = known.scene.bodies[5].name;
+  state.palette = many_scripts[5].name;
   state.pointed = 7;
-  add_parts_list(list, lay_out_parts(part_rows(known, choice, ""), state, {wide, high}));
+  add_parts_list(list, lay_out_parts(rows_in_many_scripts(), state, {wide, high}));
   return {"parts_list", wide, high, list};
+}
+
+/// Returns a right hand with its index finger stretched, whose tip is so far before a point of the board (m).
+HandPose finger_at(const Pose& board, const Eigen::Vector2d& point, double before) {
+  HandPose hand{.tracked = true, .pose = {}, .flexion = {0.4, 0, 0.8, 0.85, 0.9}};
+  const Quat comes_from_right_below(Eigen::AngleAxisd(0.5, Vec3::UnitY()) *
+                                    Eigen::AngleAxisd(0.6, Vec3::UnitX()));
+  const Eigen::Vector2d off = board_metres_per_point * (point - parts_board_picture / 2);
+  hand.pose.q = board.q * comes_from_right_below;
+  hand.pose.p = board * Vec3(off.x(), -off.y(), before) - index_tip(right_hand, hand);
+  return hand;
+}
+
+/// What both eyes of a headset see whose user called the board, turned to it, opened the colours of a row,
+/// and now has a fingertip at an eye.
+GalleryPicture parts_board() {
+  constexpr int wide = 1280, high = 480;
+  const Vec3 eye(0.05, 1.42, 0.5);
+  DrawList list = stage(eye, {0, 1.1, 0});
+  const Pose called_from = list.cameras[0].pose;
+  list.items.push_back(table());
+  add_named_heap(list);
+  PartsBoard board;
+  board.open_or_shut(called_from, right_hand);
+  board.follow(rows_in_many_scripts(), {});
+  const PlacedPartsList placed = *board.shown();
+  StereoProfile headset;
+  headset.fov_horizontal = 1.1;
+  headset.fov_vertical = 0.86;
+  const Pose turned_to = look_at(eye, placed.pose * Vec3(0.06, 0, 0));
+  const auto eyes = stereo_cameras(turned_to, headset, wide, high);
+  list.cameras.assign(eyes.begin(), eyes.end());
+  const PartsList& shown = *placed.list;
+  const auto move = [&](std::size_t line, double x, double before) {
+    HandInput user;
+    user.hands[right_hand] = finger_at(placed.pose, {x, shown.lines[line].top + 10}, before);
+    board.follow(rows_in_many_scripts(), user);
+    return user.hands[right_hand];
+  };
+  for (const double before : {0.02, 0.0, 0.02}) move(5, shown.board.min().x() + 14, before);
+  move(7, shown.board.max().x() - 91, 0.006);
+  const HandPose pointing = move(7, shown.board.max().x() - 91, 0.006);  // the board shows it a picture later
+  list.items.push_back(hand(right_hand, pointing, 80));
+  PartsBoardView(81).add(list, placed);
+  return {"parts_board", wide, high, list};
 }
 
 }  // namespace
@@ -374,7 +425,8 @@ const std::vector<std::string>& gallery_names() {
                                                  "labels",
                                                  "labels_stereo",
                                                  "parts_list",
-                                                 "parts_list_2x"};
+                                                 "parts_list_2x",
+                                                 "parts_board"};
   return names;
 }
 
@@ -396,6 +448,7 @@ GalleryPicture gallery_picture(const std::string& name) {
   if (name == "labels_stereo") return labels(true);
   if (name == "parts_list") return parts_list();
   if (name == "parts_list_2x") return on_finer_display(parts_list(), 2);
+  if (name == "parts_board") return parts_board();
   return text();
 }
 

@@ -125,26 +125,81 @@ TEST_F(AFingerAtTheBoard, PressesNothingBentOrFromBehindOrBeside) {
   EXPECT_TRUE(board.take_orders().empty());
 }
 
-TEST_F(AFingerAtTheBoard, IsDrawnAsPlatesAndTextsOnTheBoard) {
+TEST_F(AFingerAtTheBoard, IsDrawnAsOneMeshInItsOwnColoursWithTextsOnIt) {
   DrawList out;
-  const auto cube = board_cube(7);
-  add_parts_board(out, *board.shown(), cube);
-  ASSERT_GT(out.items.size(), 30u);
+  PartsBoardView(7).add(out, *board.shown());
+  ASSERT_EQ(out.items.size(), 1u);
   ASSERT_GT(out.texts.size(), 15u);
-  const Pose into = pose().inverse();
-  for (const DrawItem& item : out.items) {
-    EXPECT_EQ(item.mesh, cube);
-    const Vec3 middle = into * item.shape.p;
-    EXPECT_LT(std::abs(middle.x()), 0.14);
-    EXPECT_LT(std::abs(middle.y()), 0.19);
-    EXPECT_LT(std::abs(middle.z()), 0.01);
+  const DrawMesh& mesh = *out.items[0].mesh;
+  EXPECT_TRUE(out.items[0].painted);
+  ASSERT_EQ(mesh.rest_positions.size(), mesh.positions.size()) << "a colour each";
+  float nearest = 0;
+  for (const Eigen::Vector3f& at : mesh.positions) {
+    EXPECT_LT(std::abs(at.x()), 0.14);
+    EXPECT_LT(std::abs(at.y()), 0.19);
+    EXPECT_LT(std::abs(at.z()), 0.01);
+    nearest = std::max(nearest, at.z());
   }
+  const Pose into = pose().inverse();
   for (const DrawText& text : out.texts) {
     ASSERT_TRUE(text.surface);
     EXPECT_FALSE(text.overlay);
     EXPECT_LT(text.height, 0.02) << "m";
-    EXPECT_GT((into * text.surface->p).z(), (into * out.items.back().shape.p).z());
+    EXPECT_GT((into * text.surface->p).z(), nearest);
   }
+}
+
+TEST_F(AFingerAtTheBoard, FacesTheReaderWithAllButItsSidesAndItsBack) {
+  DrawList out;
+  PartsBoardView(7).add(out, *board.shown());
+  const DrawMesh& mesh = *out.items[0].mesh;
+  std::size_t front = 0, back = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Eigen::Vector3f& from = mesh.positions[a];
+    const float turned = (mesh.positions[b] - from).cross(mesh.positions[c] - from).z();
+    if (from.z() < 0) {
+      EXPECT_LE(turned, 1e-12F) << "what is behind is the back";
+      ++back;
+    } else {
+      EXPECT_GE(turned, -1e-12F);
+      ++front;
+    }
+  }
+  EXPECT_GT(back, 10u);
+  EXPECT_GT(front, 20 * back);
+}
+
+TEST_F(AFingerAtTheBoard, ItsMeshChangesOnlyWithWhatItShows) {
+  PartsBoardView view(7);
+  const auto revision = [&] {
+    DrawList out;
+    view.add(out, *board.shown());
+    return out.items[0].mesh->revision;
+  };
+  const std::uint64_t before = revision();
+  EXPECT_EQ(revision(), before);
+  for (int k = 0; k < 2; ++k) bring(at(2, 91), 0.02);
+  EXPECT_GT(revision(), before) << "the row that a finger is at is bright";
+}
+
+TEST_F(AFingerAtTheBoard, ItsRingsAreRound) {
+  DrawList out;
+  PartsBoardView(7).add(out, *board.shown());
+  const Eigen::Vector2d middle(list().board.max().x() - 69, list().lines[2].top + 10);  // of a row's ring
+  std::vector<double> distances;
+  for (const Eigen::Vector3f& at : out.items[0].mesh->positions)
+    if (const double off = (board_point(at.cast<double>()) - middle).norm(); off > 3 && off < 9 && at.z() > 0)
+      distances.push_back(off);
+  ASSERT_GT(distances.size(), 20u);
+  for (const double distance : distances) EXPECT_NEAR(distance, distance > 5.2 ? 6 : 4.5, 0.02) << "points";
+}
+
+TEST_F(AFingerAtTheBoard, ItOffersNothingThatNeedsKeys) {
+  DrawList out;
+  PartsBoardView(7).add(out, *board.shown());
+  for (const DrawText& text : out.texts) EXPECT_NE(text.text, "search");
+  EXPECT_EQ(told_spot(list(), {PartsSpot::Kind::search, 0, 0}), "");
+  EXPECT_EQ(told_spot(list(), {PartsSpot::Kind::name, 2, 0}), "draw along the names to scroll");
 }
 
 }  // namespace
