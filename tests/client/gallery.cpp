@@ -10,12 +10,15 @@
 #include "client/view/contact_overlay.h"
 #include "client/view/hand_mesh.h"
 #include "client/view/light_shaft.h"
+#include "client/view/normals.h"
 #include "client/view/panel_view.h"
 #include "client/view/part_labels.h"
 #include "client/view/parts_list.h"
 #include "client/view/room.h"
 #include "client/view/stereo_profile.h"
+#include "client/view/value_paint.h"
 #include "client/view/wireframe.h"
+#include "common/error_map.h"
 #include "tests/client/many_scripts.h"
 #include "tests/client/picture.h"
 
@@ -323,6 +326,55 @@ GalleryPicture labels(bool stereo) {
   return {stereo ? "labels_stereo" : "labels", wide, high, list};
 }
 
+/// Returns a map in which the error falls off from a place: 15 % there, 0.3 % far from it.
+ErrorMap map_around(const Vec3& worst, const Eigen::AlignedBox3d& box) {
+  ErrorMap map{.corner = box.min(), .cell = 0.02};
+  for (int axis = 0; axis < 3; ++axis)
+    map.size[static_cast<std::size_t>(axis)] =
+        static_cast<std::uint8_t>(2 + static_cast<int>(box.sizes()[axis] / map.cell));
+  for (int z = 0; z < map.size[2]; ++z)
+    for (int y = 0; y < map.size[1]; ++y)
+      for (int x = 0; x < map.size[0]; ++x) {
+        const double off = (map.corner + map.cell * Vec3(x, y, z) - worst).norm() / 0.035;
+        map.levels.push_back(level_of(0.003 + 0.147 * std::exp(-off * off)));
+      }
+  return map;
+}
+
+/// Three bodies in the colours of their estimated error: one that something presses, whose error is mapped;
+/// one that tells its mean alone; and one that tells none.
+GalleryPicture error() {
+  constexpr int wide = 480, high = 320;
+  DrawList list = stage({0.14, 1.44, 0.74}, {0.11, 1.02, 0}, 0.6);
+  list.cameras = {mono_camera(list.cameras[0].pose, 0.6, wide, high)};
+  list.items.push_back(table());
+  const ValueScale& scale = scale_of(Shown::error);
+  const Vec3 pressed(-0.15, 1.105, 0.02);
+  for (int k = 0; k < 3; ++k) {
+    PartDesc ball;
+    ball.shape = "ellipsoid";
+    ball.size = {0.16, 0.11, 0.14};
+    ball.pose.p = {-0.16 + 0.17 * k, 1.055, 0};
+    DrawItem item = rigid(ball, 90 + static_cast<std::uint64_t>(k), {});
+    DrawMesh mesh = *item.mesh;
+    mesh.rest_positions = mesh.positions;
+    Eigen::AlignedBox3d box;
+    for (Eigen::Vector3f& at : mesh.positions) {
+      box.extend(at.cast<double>());
+      const double off = (at.cast<double>() - pressed).norm() / 0.03;
+      if (k == 0) at.y() -= static_cast<float>(0.025 * std::exp(-off * off));
+    }
+    smooth_normals(mesh.positions, mesh.triangles, mesh.normals);
+    const ErrorMap map = k == 0 ? map_around(pressed, box) : ErrorMap();
+    item.mesh =
+        PaintedMesh(93 + static_cast<std::uint64_t>(k)).of(mesh, scale, k == 2 ? not_known : 0.06, &map);
+    item.painted = true;
+    list.items.push_back(item);
+  }
+  add_legend(list, scale);
+  return {"error", wide, high, list};
+}
+
 /// Parts named in many scripts: one is hidden, one faint, one red and held, one held by two.
 std::vector<PartRow> rows_in_many_scripts() {
   PartsKnown known;
@@ -426,7 +478,8 @@ const std::vector<std::string>& gallery_names() {
                                                  "labels_stereo",
                                                  "parts_list",
                                                  "parts_list_2x",
-                                                 "parts_board"};
+                                                 "parts_board",
+                                                 "error"};
   return names;
 }
 
@@ -449,6 +502,7 @@ GalleryPicture gallery_picture(const std::string& name) {
   if (name == "parts_list") return parts_list();
   if (name == "parts_list_2x") return on_finer_display(parts_list(), 2);
   if (name == "parts_board") return parts_board();
+  if (name == "error") return error();
   return text();
 }
 
