@@ -103,8 +103,10 @@ Material material_at(vec3 rest, float hollow, vec3 lean) {
   m.f0 = vec3(0.028);
   m.scatter = vec3(0.28, 0.12, 0.08);
 #elif defined(SURFACE_CLOTH)
-  vec3 weave = 900.0 * rest;
-  m.albedo *= 0.92 + 0.08 * sin(weave.x) * sin(weave.y + weave.z);
+  // Threads 2.5 mm apart, which fade before they are as fine as pixels: there they would show as stripes.
+  vec2 weave = 2500.0 * vec2(rest.x, rest.y + rest.z);
+  vec2 finer = fwidth(weave);
+  m.albedo *= 0.92 + 0.08 * (1.0 - smoothstep(0.7, 2.2, max(finer.x, finer.y))) * sin(weave.x) * sin(weave.y);
   m.scatter = vec3(0.1);
 #elif defined(SURFACE_GLASS)
   m.albedo = vec3(0.0);  // what isn't mirrored goes through
