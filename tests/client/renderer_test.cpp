@@ -471,6 +471,27 @@ TEST(Renderer, ReadsTheLogsOfSeveralDrivers) {
             "9:1(1): error: beyond\nplain words\n");
 }
 
+/// Returns how far the middle of a ball of cloth, seen from a distance (m) before it, is off being even: of
+/// 255, over 8 pixels.
+double ripple_of_cloth(double distance) {
+  DrawList list = lit_sphere({0, 0, -1});
+  list.cameras = {straight_camera({0, 0, 0.2 + distance}, 200, 150)};
+  list.items[0].appearance.surface = Surface::cloth;
+  const Image image = picture_of(list, 200, 150);
+  double most = 0;
+  for (int y = 65; y < 85; ++y)
+    for (int x = 88; x < 112; ++x) {
+      const auto at = [&](int beside) { return luminance(image.pixel(x + beside, y)); };
+      most = std::max(most, std::abs(at(0) - (at(-4) + at(4)) / 2));
+    }
+  return most;
+}
+
+TEST(Renderer, ThreadsOfClothAreSeenFromCloseByAndAreNoStripesFromFarther) {
+  EXPECT_GT(ripple_of_cloth(0.04), 5);
+  for (const double distance : {0.3, 0.45, 0.6, 0.8}) EXPECT_LT(ripple_of_cloth(distance), 3) << distance;
+}
+
 TEST(Renderer, ContextsRefuseImpossibleSizes) {
   EXPECT_THROW(make_egl_context(0, 10), InputError);
   EXPECT_THROW(make_osmesa_context(10, max_picture_size + 1), InputError);
