@@ -219,10 +219,11 @@ def beam(reports):
 # The trade.
 
 ERROR_KEYS = {"bend": "error_material", "bend_incompressible": "error_material", "swing": "error_dynamic",
-              "free": "angular_momentum_drift", "press": "error_material"}
+              "free": "angular_momentum_drift",
+              **dict.fromkeys(("heavy", "cube", "slab", "hang", "press", "organ"), "error_material")}
 MORE = {"error_frequency": ("frequency", percent), "amplitude_lost_per_period": ("amplitude lost a period", percent),
         "energy_drift": ("energy", percent), "momentum_drift": ("momentum", percent),
-        "largest_stable_step_s": ("largest stable step, s", number), "volume_loss": ("volume lost", percent),
+        "largest_stable_step_s": ("largest stable step, s", number), "volume_loss": ("volume lost", percent), "force_N": ("force, N", number),
         "memory_kib": ("KiB", number)}
 
 
@@ -264,6 +265,25 @@ def trade_case(case):
     return fill
 
 
+def refine(body):
+    def fill(reports):
+        rows = reports.rows("refine", body=body)
+        if not rows:
+            raise Missing(f"refine, body {body}")
+        return table(["Elements", "cell, mm", "where touched, mm", "tetrahedra at most", "force held, mN", "off", "CPU ms a tick, held", "drawn along"],
+                     [["quadratic" if row["element"] == "tet10" else "linear", number(row["cell_mm"]), number(row["refine_cell_mm"]) if row["refine_cell_mm"] else DASH,
+                       count(row["tets_at_most"]), number(row["force_mN"]), percent(row["error_continuum"]), number(row["cpu_ms_held"]), number(row["cpu_ms_drawn"])]
+                      for row in rows])
+
+    return fill
+
+
+def references(reports):
+    return table(["Case", "quadratic mesh", "off what is stored", "stored to within", "force, N"],
+                 [[row["case"], row["mesh"], percent(abs(row["off"])), percent(row["unsettled"]), number(row["force_N"]) if row.get("force_N") else DASH]
+                  for row in reports.rows("references")])
+
+
 def advice(reports):
     lines = [line for report in reports.of("trade") for line in report["recommendation"]]
     return "```\n" + "\n".join(lines) + "\n```\n"
@@ -281,6 +301,8 @@ def cost_and_error(rows, key):
 
 def bend_sizes(reports):
     rows = reports.rows("trade", case="bend")
+    if not rows:
+        raise Missing("trade, case bend")
     sizes = sorted({row["tets"] for row in rows})
     lines = []
     for (model, element), same in grouped(rows, "model", "element").items():
@@ -309,12 +331,15 @@ def verdicts(reports, **settings):
 
 def rungs(reports):
     lines = []
-    for model, element in grouped(reports.rows("trade", case="bend"), "model", "element"):
+    bent = reports.rows("trade", case="bend")
+    if not bent:
+        raise Missing("trade, case bend")
+    for model, element in grouped(bent, "model", "element"):
         if model.startswith("bullet_"):
             continue
         kind = {"model": model, "element": element}
         lines.append([f"`{model}`, {element}", place(reports, "bend", 1536, **kind),
-                      place(reports, "bend_incompressible", 1536, **kind), place(reports, "press", 384, **kind),
+                      place(reports, "bend_incompressible", 1536, **kind), place(reports, "heavy", 384, **kind),
                       verdicts(reports, **kind)])
     return table(["Rung", "beam, ν = 0.3", "beam, ν = 0.45", "cube under load, ν = 0.49",
                   "extremes: survives / degrades / refuses / fails"], lines)
@@ -343,6 +368,8 @@ def extremes(reports):
 def integrators(reports):
     key = ERROR_KEYS["swing"]
     rows = measured(reports.rows("trade", case="swing", model="fem_corotational"), key)
+    if not rows:
+        raise Missing("trade, case swing")
     rows = [row for row in rows if row["tets"] == min(r["tets"] for r in rows)]
     lines = []
     for (element, name, dt_ms), same in sorted(grouped(rows, "element", "integrator", "dt_ms").items(),
@@ -489,7 +516,8 @@ TABLES = {"beam": beam, "beam101k": beam101k, "press": press, "bullet-here": bul
           "collision-scale": collision_scale, "collision-organs": collision_organs, "collision-layers": collision_layers,
           "collision-soft-sessions": collision_soft_sessions,
           "contact": contact,
-          **{f"trade-{case}": trade_case(case) for case in ("bend", "bend_incompressible", "swing", "free", "press")}}
+          **{f"trade-{case}": trade_case(case) for case in ERROR_KEYS},
+          **{f"refine-{body}": refine(body) for body in ("layer", "organ")}, "references": references}
 
 
 def main():

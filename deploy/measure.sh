@@ -2,7 +2,7 @@
 # Runs prosector-bench, keeps its reports and pictures, and fills the tables of docs/ from them.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
-subjects=(trade stability scaling soft integrators beam beam101k press collision contact pictures)
+subjects=(trade stability scaling soft integrators beam beam101k press collision contact references refine pictures)
 
 usage() {
   cat <<TXT
@@ -51,6 +51,9 @@ arguments() {  # of a subject, as published or quick
     'press yes') echo --cells 6 ;;
     'collision no') echo --svg "$pictures" ;;
     'collision yes') echo --pairs 50 --bodies 300 --triangles 2048 --svg "$pictures" ;;
+    'references yes') echo --quick ;;
+    'refine no') echo --svg "$pictures" ;;
+    'refine yes') echo --quick --svg "$pictures" ;;
     'contact no') echo --svg "$pictures" ;;
     'contact yes') echo --quick ;;
   esac

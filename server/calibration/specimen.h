@@ -45,17 +45,22 @@ struct StepFigures {
   std::string note;
 };
 
-class Specimen {
+/// What goes on in steps of time.
+class Steppable {
  public:
-  virtual ~Specimen() = default;
+  virtual ~Steppable() = default;
+  virtual VecX positions() const = 0;  // 3n, m
+  virtual StepFigures step(double dt, const Vec3& gravity) = 0;
+};
+
+class Specimen : public Steppable {
+ public:
   virtual std::size_t elements() const = 0;
   /// Returns the mass (kg) of each node of the mesh that it computes with; n entries.
   virtual const VecX& node_mass() const = 0;
   virtual VecX rest() const = 0;        // 3n, m
-  virtual VecX positions() const = 0;   // 3n, m
   virtual VecX velocities() const = 0;  // 3n, m/s
   virtual void set_motion(const VecX& x, const VecX& v) = 0;
-  virtual StepFigures step(double dt, const Vec3& gravity) = 0;
   /// Returns the elastic energy (J) at its positions; not a number when it doesn't tell.
   virtual double elastic_energy() = 0;
 };

@@ -1,99 +1,50 @@
-// A ball of 10 mm radius pressed into tissue (E = 5 kPa, ν = 0.45), held, and drawn along under it: a bonded
-// layer of 20 mm, 2 mm deep, and an organ on a bed, 10 mm deep. Coarse, finer throughout, and finer only
-// where the ball presses, beside quadratic elements that are finer still.
+// The balls of pressed_tissue.h pressed in, held, and drawn along: the force and its cost with elements that
+// are as small everywhere, and with smaller ones that follow the ball.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <span>
 
-#include "common/anatomy/embedding.h"
 #include "server/calibration/stopwatch.h"
-#include "server/physics/soft/soft_body.h"
+#include "tests/bench/machine.h"
+#include "tests/bench/pressed_tissue.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"
-#include "tests/physics/pressed_layer.h"
-#include "tests/physics/scenes.h"
+#include "tests/bench/trade_plot.h"
 
 namespace prosector {
 namespace {
 
-constexpr double radius = 0.01;  // m, of the ball
 constexpr int down_ticks = 30, held_ticks = 60, drawn_ticks = 60;
 constexpr int last_ticks = 10;  // of those held, in which the force is taken
 constexpr double way = 0.012;   // m: that it is drawn along
-constexpr double layer_height = 0.02, layer_depth = 0.002, organ_depth = 0.01;  // m
-const Vec3 layer_size(0.12, layer_height, 0.12), organ_size(0.16, 0.08, 0.12);
 
 /// A way to model the body.
 struct Modelled {
-  const char* name;
-  double cell;  // m
   const char* element;
+  double cell;         // m
   double refine_cell;  // m; 0: not refined
 };
 
-constexpr Modelled layer_ways[] = {{"coarse", 0.01, "tet4", 0},
-                                   {"refined", 0.01, "tet4", 0.005},
-                                   {"refined twice", 0.01, "tet4", 0.0025},
-                                   {"fine", 0.005, "tet4", 0},
-                                   {"finer", 0.0033, "tet4", 0}};
-constexpr Modelled layer_reference[] = {{"reference", 0.003, "tet10", 0},
-                                        {"finer reference", 0.00225, "tet10", 0}};
+constexpr double mm = 1e-3;
+constexpr Modelled layer_ways[] = {{"tet4", 10 * mm, 0},
+                                   {"tet4", 10 * mm, 5 * mm},
+                                   {"tet4", 10 * mm, 2.5 * mm},
+                                   {"tet4", 20. / 3 * mm, 0},
+                                   {"tet4", 20. / 3 * mm, 10. / 3 * mm},
+                                   {"tet4", 5 * mm, 0},
+                                   {"tet4", 10. / 3 * mm, 0},
+                                   {"tet10", 10 * mm, 0},
+                                   {"tet10", 20. / 3 * mm, 0},
+                                   {"tet10", 5 * mm, 0}};
 constexpr Modelled organ_ways[] = {
-    {"coarse", 0.016, "tet4", 0}, {"refined", 0.016, "tet4", 0.008}, {"refined twice", 0.016, "tet4", 0.004},
-    {"usual", 0.012, "tet4", 0},  {"refined", 0.012, "tet4", 0.006}, {"refined twice", 0.012, "tet4", 0.003},
-    {"fine", 0.008, "tet4", 0}};
-constexpr Modelled organ_reference[] = {{"reference", 0.01, "tet10", 0},
-                                        {"finer reference", 0.008, "tet10", 0}};
-
-SceneDesc scene_of(const Modelled& modelled, const std::string& contact) {
-  SceneDesc scene;
-  scene.gravity = Vec3::Zero();
-  scene.rigid = {test::part_body("ball", "sphere", {2 * radius, 0, 0}, {0, 1, 0})};
-  scene.rigid[0].fixed = true;
-  scene.rigid[0].friction = 0;
-  SoftDesc& soft = scene.soft.emplace_back();
-  soft.name = "tissue";
-  soft.shape = "block";
-  soft.element = modelled.element;
-  soft.youngs_modulus = 5000;
-  soft.poisson_ratio = 0.45;
-  soft.cell = modelled.cell;
-  soft.contact = contact;
-  soft.solver = "multigrid";
-  soft.damping_mass = 5;
-  if (modelled.refine_cell > 0) {
-    soft.refine = "touch";
-    soft.refine_cell = modelled.refine_cell;
-    soft.refine_reach = radius;
-    soft.refine_most = 20000;
-  }
-  return scene;
-}
-
-/// The layer's block in cells of that size, m.
-Anatomy layer_block(double cell) {
-  const auto cells = [&](double size) { return static_cast<int>(std::lround(size / cell)); };
-  Anatomy out =
-      test::make_block(layer_size, {cells(layer_size.x()), cells(layer_size.y()), cells(layer_size.z())});
-  for (auto* points : {&out.tets.positions, &out.surface.positions})
-    for (Vec3& x : *points) x.y() -= layer_height / 2;
-  return out;
-}
-
-/// What is refined has the surface of the mesh that it is refined to.
-CompileOptions layer_options(const Modelled& modelled, int threads) {
-  CompileOptions out = test::options(threads);
-  out.anatomy = [=](const SoftDesc&) -> std::optional<Anatomy> {
-    if (modelled.element == std::string("tet10"))
-      return test::pressed_layer(layer_height, 0.0065, modelled.cell);
-    Anatomy coarse = layer_block(modelled.cell);
-    if (modelled.refine_cell == 0) return coarse;
-    return embed(std::move(coarse.tets), layer_block(modelled.refine_cell).surface).anatomy;
-  };
-  return out;
-}
+    {"tet4", 16 * mm, 0},       {"tet4", 16 * mm, 8 * mm}, {"tet4", 16 * mm, 4 * mm},
+    {"tet4", 32. / 3 * mm, 0},  {"tet4", 12 * mm, 6 * mm}, {"tet4", 12 * mm, 3 * mm},
+    {"tet4", 8 * mm, 0},        {"tet4", 16. / 3 * mm, 0}, {"tet10", 16 * mm, 0},
+    {"tet10", 32. / 3 * mm, 0}, {"tet10", 8 * mm, 0}};
 
 struct Pressed {
   double force = 0;                // N, held
@@ -102,22 +53,21 @@ struct Pressed {
   std::size_t tets = 0;            // at most
 };
 
-/// Presses where the surface's top is at `top`, along −y.
-Pressed press(Simulation& simulation, const Vec3& top, double depth) {
+Pressed press(const PressedBody& body, const Modelled& modelled, const RefineBenchOptions& options) {
+  SoftDesc desc = pressed_desc(body, modelled.cell, modelled.refine_cell);
+  desc.element = modelled.element;
+  desc.contact = options.contact;
+  PressedTissue tissue(body, desc, {.threads = options.threads});
   Pressed out;
   std::vector<double> held, drawn;
   for (int tick = 1; tick <= down_ticks + held_ticks + drawn_ticks; ++tick) {
     const double down = std::min(1.0, tick / double{down_ticks});
     const double along = std::max(0, tick - down_ticks - held_ticks) / double{drawn_ticks};
-    TickInput input;
-    input.drives.push_back({0, {top + Vec3(way * along, radius - depth * down, 0), Quat::Identity()}});
     const double begin = cpu_ms();
-    simulation.step(input);
+    tissue.press(body.depth * down, way * along);
     const double took = cpu_ms() - begin;
-    out.tets = std::max(out.tets, simulation.tet_count());
-    double force = 0;
-    for (const Exchange& touch : simulation.exchanges())
-      force += std::abs(touch.impulse.y()) * simulation.scene().tick_rate;
+    out.tets = std::max(out.tets, tissue.tets());
+    const double force = tissue.force();
     if (tick > down_ticks + held_ticks) {
       drawn.push_back(took);
       out.least = std::min(out.least, force);
@@ -132,42 +82,19 @@ Pressed press(Simulation& simulation, const Vec3& top, double depth) {
   return out;
 }
 
-/// The highest vertex near the middle.
-Vec3 top_of(const Simulation& simulation) {
-  Vec3 top(0, -1e300, 0);
-  for (const Vec3& x : simulation.surface(1).positions)
-    if (std::hypot(x.x(), x.z()) < radius && x.y() > top.y()) top = x;
-  return top;
+constexpr const char* linear = "linear elements";
+constexpr const char* quadratic = "quadratic elements";
+constexpr const char* following = "linear elements, smaller where touched";
+
+std::string way_of(const Modelled& modelled) {
+  if (modelled.refine_cell > 0) return following;
+  return modelled.element == std::string("tet10") ? quadratic : linear;
 }
 
-Pressed press_layer(const Modelled& modelled, const RefineBenchOptions& options) {
-  SceneDesc scene = scene_of(modelled, options.contact);
-  constexpr double bed = 1e4;  // m: a sphere that is flat on this scale
-  scene.soft[0].attach = {{{0, -bed, 0}, bed - layer_height + 1e-4, 1e13}};
-  Simulation simulation(scene, layer_options(modelled, options.threads));
-  return press(simulation, Vec3::Zero(), layer_depth);
-}
-
-Pressed press_organ(const Modelled& modelled, const RefineBenchOptions& options) {
-  SceneDesc scene = scene_of(modelled, options.contact);
-  SoftDesc& soft = scene.soft[0];
-  soft.shape = "liver";
-  soft.size = organ_size;
-  soft.surface_cell = modelled.element == std::string("tet10") ? modelled.cell / 2 : 0.004;
-  constexpr double bed = 1;  // m: radius of what it lies in
-  soft.attach = {{{0, -bed - 0.02, 0}, bed, 1e10}};
-  CompileOptions compile;
-  compile.threads = options.threads;
-  Simulation simulation(scene, compile);
-  return press(simulation, top_of(simulation), organ_depth);
-}
-
-using Press = Pressed (*)(const Modelled&, const RefineBenchOptions&);
-
-ReportRow row_of(const char* body, const Modelled& modelled, const Pressed& pressed, double right,
+ReportRow row_of(const PressedBody& body, const Modelled& modelled, const Pressed& pressed,
                  const RefineBenchOptions& options) {
-  return {{"body", body},
-          {"way", modelled.name},
+  return {{"body", body.name},
+          {"way", way_of(modelled)},
           {"element", modelled.element},
           {"contact", options.contact},
           {"threads", options.threads},
@@ -175,10 +102,39 @@ ReportRow row_of(const char* body, const Modelled& modelled, const Pressed& pres
           {"refine_cell_mm", 1e3 * modelled.refine_cell},
           {"tets_at_most", pressed.tets},
           {"force_mN", 1e3 * pressed.force},
-          {"error_continuum", std::abs(pressed.force / right - 1)},
+          {"error_continuum", pressed.force / body.force - 1},
           {"ripple", (pressed.most - pressed.least) / (pressed.most + pressed.least)},
           {"cpu_ms_held", pressed.ms},
           {"cpu_ms_drawn", pressed.ms_drawn}};
+}
+
+std::string label_of(const ReportRow& row) {
+  const double refined = figure(row, "refine_cell_mm");
+  return fmt::format("{} of {} mm{}, {:.0f} tetrahedra",
+                     setting(row, "element") == "tet10" ? "quadratic" : "linear",
+                     three_digits(figure(row, "cell_mm")),
+                     refined > 0 ? fmt::format(", {} mm where touched", three_digits(refined)) : "",
+                     figure(row, "tets_at_most"));
+}
+
+Svg picture_of(const PressedBody& body, const Report& report) {
+  TradePlot plot;
+  plot.title = fmt::format("A ball pressed {:.0f} mm into {}: with and without elements that follow it",
+                           1e3 * body.depth, body.name == std::string("organ") ? "an organ" : "a layer");
+  const auto where = machine();
+  plot.subtitle =
+      fmt::format("{}, load {:.1f}. Force held against the settled one; cost while the ball is drawn along.",
+                  where["cpu"].get<std::string>(), where["load_average"].get<double>());
+  plot.cost_label = "CPU ms of a tick (real time: 16.7)";
+  plot.error_label = "error of the force";
+  plot.error_floor = body.unsettled / 10;
+  plot.fronts = {{"Without following: nothing is both cheaper and better", {linear, quadratic}},
+                 {"With following", {}}};
+  for (const ReportRow& row : report.rows())
+    if (setting(row, "body") == body.name)
+      plot.points.push_back(
+          {figure(row, "cpu_ms_drawn"), figure(row, "error_continuum"), setting(row, "way"), label_of(row)});
+  return draw(plot);
 }
 
 }  // namespace
@@ -186,8 +142,7 @@ ReportRow row_of(const char* body, const Modelled& modelled, const Pressed& pres
 Report bench_refine(const RefineBenchOptions& options) {
   using enum Column::Kind;
   const TextTable table({{text, "body", "body", 6},
-                         {text, "way", "way", 16},
-                         {text, "element", "element", 6},
+                         {text, "way", "way", 38},
                          {number, "cell_mm", "cell, mm"},
                          {number, "refine_cell_mm", "refined, mm"},
                          {count, "tets_at_most", "tets at most"},
@@ -198,23 +153,18 @@ Report bench_refine(const RefineBenchOptions& options) {
                          {number, "cpu_ms_drawn", "CPU ms drawn"}});
   table.print_header();
   Report report("refine");
-  const auto run = [&](const char* body, Press press_it, std::span<const Modelled> references,
-                       std::span<const Modelled> ways) {
-    if (!options.only.empty() && options.only != body) return;
-    std::vector<Pressed> pressed;
-    if (!options.quick)
-      for (const Modelled& reference : references) pressed.push_back(press_it(reference, options));
-    const double right = pressed.empty() ? std::nan("") : pressed.back().force;
-    const auto tell = [&](const Modelled& modelled, const Pressed& of) {
-      report.add(row_of(body, modelled, of, right, options));
+  const auto run = [&](const PressedBody& body, std::span<const Modelled> ways) {
+    if (!options.only.empty() && options.only != body.name) return;
+    for (const Modelled& modelled : ways.first(options.quick ? 2 : ways.size())) {
+      report.add(row_of(body, modelled, press(body, modelled, options), options));
       table.print(report.rows().back());
-    };
-    for (std::size_t i = 0; i < pressed.size(); ++i) tell(references[i], pressed[i]);
-    for (const Modelled& modelled : ways.first(options.quick ? 2 : ways.size()))
-      tell(modelled, press_it(modelled, options));
+    }
+    if (!options.picture_folder.empty())
+      picture_of(body, report)
+          .write(std::filesystem::path(options.picture_folder) / fmt::format("refine-{}.svg", body.name));
   };
-  run("layer", press_layer, layer_reference, layer_ways);
-  run("organ", press_organ, organ_reference, organ_ways);
+  run(pressed_layer_body(), layer_ways);
+  run(pressed_organ(), organ_ways);
   return report;
 }
 

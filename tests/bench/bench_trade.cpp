@@ -13,6 +13,7 @@
 #include "tests/bench/bullet_specimen.h"
 #include "tests/bench/machine.h"
 #include "tests/bench/memory.h"
+#include "tests/bench/pressed_case.h"
 #include "tests/bench/recommendation.h"
 #include "tests/bench/rung_report.h"
 #include "tests/bench/stable_step.h"
@@ -48,26 +49,28 @@ TextTable table_for(const TradeCase& which) {
   }
   if (name == "swing" || name == "free") columns.push_back({percent, "energy_drift", "energy", 9});
   if (name == "free") columns.push_back({percent, "momentum_drift", "momentum", 9});
-  if (name != "swing") columns.push_back({percent, "volume_loss", "volume", 9});
+  if (which.pressed)
+    columns.push_back({number, "force_N", "force N", 8});
+  else if (name != "swing")
+    columns.push_back({percent, "volume_loss", "volume", 9});
   columns.push_back({text, "remark", "", 0});
   return TextTable(columns);
 }
 
-/// Runs one specimen over a case. `make` may refuse by InputError.
-template <class Make>
-ReportRow run_one(const TradeCase& which, const TestPiece& piece, double dt, double limit_ms, ReportRow row,
-                  const Make& make) {
-  row["tets"] = piece.mesh.tets.size();
-  row["nodes"] = piece.mesh.positions.size();
+/// Runs what `make` makes over a case by `measure`, which is given it, the row and a runner. Either may
+/// refuse by InputError.
+template <class Make, class Measure>
+ReportRow run_one(const TradeCase& which, double dt, double limit_ms, ReportRow row, const Make& make,
+                  const Measure& measure) {
   row["dt"] = dt;
   row["dt_ms"] = 1e3 * dt;
   try {
     const std::size_t before = allocated_bytes();
-    const auto specimen = make();
-    row["nodes"] = specimen->node_mass().size();
-    Runner runner(*specimen, dt, which.gravity, limit_ms);
-    row.update(which.measure(*specimen, piece, row["model"], runner));
+    const auto body = make();
+    Runner runner(*body, dt, which.gravity, limit_ms);
+    measure(*body, row, runner);
     row.update(runner.figures());
+    if (which.judge) which.judge(row);
     row["memory_kib"] = static_cast<double>(allocated_bytes() - before) / 1024;
     if (!runner.finite())
       row["remark"] = "went non-finite";
@@ -79,6 +82,31 @@ ReportRow run_one(const TradeCase& which, const TestPiece& piece, double dt, dou
     row["remark"] = std::string("refused: ") + error.what();
   }
   return row;
+}
+
+/// Runs a piece of tissue as a rung, ours or Bullet's.
+template <class Trial>
+ReportRow run_piece(const TradeCase& which, const Trial& trial, double limit_ms, ReportRow row) {
+  const TestPiece piece = which.piece(trial.cells);
+  row["tets"] = piece.mesh.tets.size();
+  row["nodes"] = piece.mesh.positions.size();
+  return run_one(
+      which, trial.dt, limit_ms, row, [&] { return make_specimen(trial.rung, piece); },
+      [&](Specimen& specimen, ReportRow& out, Runner& runner) {
+        out["nodes"] = specimen.node_mass().size();
+        out.update(which.measure(specimen, piece, out["model"], runner));
+      });
+}
+
+ReportRow run_press(const TradeCase& which, const Trial& trial, double limit_ms, ReportRow row) {
+  return run_one(
+      which, trial.dt, limit_ms, row,
+      [&] { return make_pressed(*which.pressed, trial.rung, trial.cells, trial.dt); },
+      [&](PressedSpecimen& specimen, ReportRow& out, Runner& runner) {
+        out["tets"] = specimen.tissue().tets();
+        out["nodes"] = specimen.nodes();
+        out.update(measure_press(specimen, runner));
+      });
 }
 
 TradePlot plot_for(const TradeCase& which, const Report& report) {
@@ -123,7 +151,7 @@ void take_rows(const TradeCase& which, const std::vector<Json>& earlier, Report&
   for (const Json& one : earlier)
     for (ReportRow row : one["rows"]) {
       if (setting(row, "case") != which.name) continue;
-      if (which.judge && std::isfinite(figure(row, "deflection_m"))) which.judge(row);
+      if (which.judge) which.judge(row);
       report.add(std::move(row));
     }
 }
@@ -155,13 +183,15 @@ Report bench_trade(const TradeBenchOptions& options) {
     table.print_header();
     const auto run = [&](const auto& trial) {
       if (!options.model.empty() && options.model != trial.rung.model) return;
-      const TestPiece piece = which->piece(trial.cells);
       ReportRow row = {{"case", which->name}};
       row.update(settings(trial.rung));
       row["threads"] = 1;
       if (is_swing) row["largest_stable_step_s"] = stable_step(trial.rung);
-      row = run_one(*which, piece, trial.dt, options.limit_ms, row,
-                    [&] { return make_specimen(trial.rung, piece); });
+      if constexpr (std::is_same_v<std::decay_t<decltype(trial)>, Trial>)
+        row = which->pressed ? run_press(*which, trial, options.limit_ms, row)
+                             : run_piece(*which, trial, options.limit_ms, row);
+      else
+        row = run_piece(*which, trial, options.limit_ms, row);
       table.print(row);
       report.add(std::move(row));
     };

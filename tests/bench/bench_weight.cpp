@@ -1,7 +1,6 @@
-// Bodies that bear their own weight on a glued foot, or hang from it: a cube of 0.1 m and a slab of 0.2 ×
-// 0.06 × 0.2 m of liver (E = 5.4 kPa, stable neo-Hookean), the less compressible the harder for elements.
-// Each rung's settled shape is compared with that of a finer quadratic mesh, and its ticks are timed while
-// gravity sets in.
+// A cube of 0.1 m and a slab of 0.2 × 0.06 × 0.2 m that stand on a glued foot, or hang from it. Each rung's
+// settled shape is compared with that of a finer quadratic mesh, and its ticks are timed while gravity sets
+// in.
 
 #include <fmt/format.h>
 
@@ -10,30 +9,28 @@
 #include "server/accuracy/displacement.h"
 #include "tests/bench/soft_run.h"
 #include "tests/bench/subjects.h"
+#include "tests/bench/weighed_body.h"
 #include "tests/soft/kuhn.h"
 
 namespace prosector {
 namespace {
 
-constexpr double weighing_step = 1. / 60, weighing_modulus = 5400, foot_stiffness = 1e13;
+constexpr double weighing_step = 1. / 60;
 constexpr int weighing_ticks = 45;
 constexpr std::size_t weighing_places = 250;
 
-using Cells = std::array<std::uint32_t, 3>;
 struct WeighedMesh {
   const char* element;
   Cells cells;
 };
-struct WeighedBody {
-  const char* name;
-  Vec3 size;  // m
+struct WeighedRow {
+  WeighedBody body;
   Cells reference;
   std::vector<WeighedMesh> meshes;
 };
 
-std::vector<WeighedBody> weighed_bodies() {
-  return {{"cube",
-           {0.1, 0.1, 0.1},
+std::vector<WeighedRow> weighed_rows() {
+  return {{weighed_cube,
            {8, 8, 8},
            {{"tet4", {6, 6, 6}},
             {"tet4", {9, 9, 9}},
@@ -41,8 +38,7 @@ std::vector<WeighedBody> weighed_bodies() {
             {"tet10", {3, 3, 3}},
             {"tet10", {4, 4, 4}},
             {"tet10", {6, 6, 6}}}},
-          {"slab",
-           {0.2, 0.06, 0.2},
+          {weighed_slab,
            {14, 6, 14},
            {{"tet4", {10, 4, 10}},
             {"tet4", {14, 6, 14}},
@@ -52,45 +48,31 @@ std::vector<WeighedBody> weighed_bodies() {
             {"tet10", {10, 4, 10}}}}};
 }
 
-SoftDesc weighed(const WeighedBody& body, const WeighedMesh& mesh, double poisson_ratio) {
-  SoftDesc desc;
-  desc.name = body.name;
-  desc.model = "fem_neo_hookean";
-  desc.element = mesh.element;
+/// Returns how the body is stepped while it is timed.
+SoftDesc stepped(const WeighedRow& row, const WeighedMesh& mesh, double poisson_ratio) {
+  SoftDesc desc = weighed_desc(row.body, mesh.element, poisson_ratio);
   desc.solver = "multigrid";
   desc.solver_tolerance = 1e-2;
-  desc.youngs_modulus = weighing_modulus;
-  desc.poisson_ratio = poisson_ratio;
-  desc.cell = body.size[0] / mesh.cells[0];
-  constexpr double flat = 1e5;  // m: a ball so large that the foot alone is in it
-  desc.attach.push_back({Vec3(body.size[0] / 2, -flat, body.size[2] / 2), flat + 1e-4, foot_stiffness});
+  desc.cell = row.body.size[0] / mesh.cells[0];
   return desc;
 }
 
-/// Where a mesh of the body comes to rest under gravity.
-struct Weighed {
-  Weighed(const WeighedBody& of, const WeighedMesh& mesh, double poisson_ratio, double gravity)
-      : body(weighed(of, mesh, poisson_ratio), kuhn_anatomy(mesh.cells, of.size)) {
-    VecX load = VecX::Zero(body.rest().size());
-    for (Eigen::Index i = 0; i < body.mass().size(); ++i) load[3 * i + 1] = gravity * body.mass()[i];
-    answer = body.settle(load);
-  }
-  StaticBody body;
-  StaticAnswer answer;
-};
+Weighed at_rest(const WeighedRow& row, const WeighedMesh& mesh, double poisson_ratio, double gravity) {
+  return {weighed_desc(row.body, mesh.element, poisson_ratio), row.body.size, mesh.cells, gravity};
+}
 
-ReportRow weigh(const WeighedBody& body, const WeighedMesh& mesh, double poisson_ratio, double gravity,
+ReportRow weigh(const WeighedRow& weighed, const WeighedMesh& mesh, double poisson_ratio, double gravity,
                 const Weighed& reference) {
-  SoftRun run(weighed(body, mesh, poisson_ratio), kuhn_anatomy(mesh.cells, body.size));
+  SoftRun run(stepped(weighed, mesh, poisson_ratio), kuhn_anatomy(mesh.cells, weighed.body.size));
   ReportRow row = settings(run.body(), weighing_step);
   CostSummary cost;
   for (int i = 0; i < weighing_ticks; ++i) cost.add(run.step(weighing_step, {0, gravity, 0}));
-  row["body"] = body.name;
+  row["body"] = weighed.body.name;
   row["act"] = gravity < 0 ? "stands" : "hangs";
   row["poisson_ratio"] = poisson_ratio;
   row.update(figures(cost));
   row["ms_per_frame"] = cost.cpu_ms();
-  const Weighed found(body, mesh, poisson_ratio, gravity);
+  const Weighed found = at_rest(weighed, mesh, poisson_ratio, gravity);
   row["error"] = nullptr;
   if (!found.answer.usable() || !reference.answer.usable()) return row;
   const std::vector<Vec3> places = places_in(reference.body.mesh(), weighing_places);
@@ -115,16 +97,16 @@ Report bench_weight(const WeightBenchOptions& options) {
                          {number, "iterations_per_frame", "solver"}});
   table.print_header();
   Report report("weight");
-  for (const WeighedBody& body : weighed_bodies()) {
-    if (!options.body.empty() && options.body != body.name) continue;
+  for (const WeighedRow& weighed : weighed_rows()) {
+    if (!options.body.empty() && options.body != weighed.body.name) continue;
     for (const double poisson_ratio : {0.3, 0.45, 0.49, 0.499, 0.4999}) {
       if (options.poisson_ratio > 0 && options.poisson_ratio != poisson_ratio) continue;
       for (const double gravity : {-9.81, 9.81}) {
-        const Weighed reference(body, {"tet10", options.quick ? Cells{2, 1, 2} : body.reference},
-                                poisson_ratio, gravity);
-        for (const WeighedMesh& mesh : body.meshes) {
-          if (options.quick && &mesh != &body.meshes[2]) continue;
-          report.add(weigh(body, mesh, poisson_ratio, gravity, reference));
+        const Weighed reference = at_rest(
+            weighed, {"tet10", options.quick ? Cells{2, 1, 2} : weighed.reference}, poisson_ratio, gravity);
+        for (const WeighedMesh& mesh : weighed.meshes) {
+          if (options.quick && &mesh != &weighed.meshes[2]) continue;
+          report.add(weigh(weighed, mesh, poisson_ratio, gravity, reference));
           table.print(report.rows().back());
         }
       }

@@ -10,6 +10,7 @@
 #include "tests/bench/contact_run.h"
 #include "tests/bench/finite_layer.h"
 #include "tests/physics/pressed_layer.h"
+#include "tests/physics/under_ball.h"
 
 namespace prosector {
 namespace {
@@ -27,12 +28,6 @@ struct LayerRung {
 /// smooth wherever in a cell the ball is.
 constexpr LayerRung rungs[] = {
     {"tet10", 0.5, 1e-2}, {"tet10", 0.75, 1e-2}, {"tet4", 1, 1e-3}, {"tet4", 0.5, 1e-3}};
-
-double force_on(const ContactRun& run) {
-  double force = 0;
-  for (const Exchange& touch : run.simulation().exchanges()) force += std::abs(touch.impulse.y()) / run.h();
-  return force;
-}
 
 /// Presses within a quarter of a second, holds, and slides over a cell.
 void press(ContactRows& rows, const LayerPress& press, const LayerRung& rung, bool asked) {
@@ -53,7 +48,7 @@ void press(ContactRows& rows, const LayerPress& press, const LayerRung& rung, bo
   };
   for (int tick = 1; tick <= down + held; ++tick)
     step_to(0, press.depth * std::min(1.0, static_cast<double>(tick) / down));
-  const double force = force_on(run);
+  const double force = test::pressing_force(run.simulation());
   double give = 0;  // m
   std::uint32_t points = 0;
   for (const Exchange& touch : run.simulation().exchanges()) {
@@ -63,7 +58,7 @@ void press(ContactRows& rows, const LayerPress& press, const LayerRung& rung, bo
   double last = force, jump = 0, least = force, most = force;
   for (double x = 0; x < cell; x += speed * run.h()) {
     step_to(x, press.depth);
-    const double now = force_on(run);
+    const double now = test::pressing_force(run.simulation());
     jump = std::max(jump, std::abs(now / last - 1));
     least = std::min(least, now);
     most = std::max(most, now);

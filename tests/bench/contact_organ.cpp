@@ -11,6 +11,7 @@
 #include "server/physics/soft/soft_body.h"
 #include "server/physics/sources.h"
 #include "tests/bench/contact_run.h"
+#include "tests/physics/under_ball.h"
 
 namespace prosector {
 namespace {
@@ -20,12 +21,7 @@ constexpr int organ_down = 30, organ_held = 30;                                 
 constexpr double organ_cell = 0.025, organ_coarse_cell = 0.05;                                // m
 
 SceneDesc organ_scene(double cell) {
-  SceneDesc scene;
-  scene.gravity = Vec3::Zero();
-  scene.rigid = {test::part_body("ball", "sphere", {2 * ball_radius, 0, 0}, {0, 1, 0})};
-  scene.rigid[0].fixed = true;
-  scene.rigid[0].friction = 0;
-  SoftDesc& liver = scene.soft.emplace_back();
+  SoftDesc liver;
   liver.name = "liver";
   liver.volume = "liver.inr.gz";
   liver.label = 255;
@@ -43,7 +39,7 @@ SceneDesc organ_scene(double cell) {
   liver.gravity = false;
   liver.cell = cell;
   liver.surface_cell = cell / 3;
-  return scene;
+  return test::under_ball(liver, ball_radius, {0, 1, 0});
 }
 
 /// Returns each tetrahedron as eight, under the same surface.
@@ -65,12 +61,6 @@ struct Felt {
   std::vector<double> forces;  // N, while it strokes
 };
 
-double lifting(const ContactRun& run) {
-  double force = 0;
-  for (const Exchange& touch : run.simulation().exchanges()) force += std::abs(touch.impulse.y()) / run.h();
-  return force;
-}
-
 Felt feel(ContactRun& run, const Vec3& top) {
   const auto step_to = [&](double x, double depth) {
     run.step(driving(0, {top + Vec3(x, ball_radius - depth, 0), Quat::Identity()}));
@@ -78,14 +68,14 @@ Felt feel(ContactRun& run, const Vec3& top) {
   for (int tick = 1; tick <= organ_down + organ_held; ++tick)
     step_to(0, organ_depth * std::min(1.0, static_cast<double>(tick) / organ_down));
   Felt felt;
-  felt.force = lifting(run);
+  felt.force = test::pressing_force(run.simulation());
   double give = 0;  // m
   for (const Exchange& touch : run.simulation().exchanges()) give = std::max(give, touch.depth);
   felt.dent = organ_depth - give;
   double last = felt.force;
   for (double x = 0; x < stroke; x += stroke_speed * run.h()) {
     step_to(x, organ_depth);
-    const double now = lifting(run);
+    const double now = test::pressing_force(run.simulation());
     felt.jump = std::max(felt.jump, std::abs(now / last - 1));
     felt.forces.push_back(now);
     last = now;

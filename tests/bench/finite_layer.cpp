@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
-#include "tests/physics/scenes.h"
+#include "tests/physics/under_ball.h"
 
 namespace prosector {
 namespace {
@@ -19,13 +17,7 @@ std::string name(const LayerPress& press) {
 }
 
 SceneDesc layer_scene(const LayerPress& press, const std::string& element, double cell) {
-  SceneDesc scene;
-  scene.gravity = Vec3::Zero();
-  const double start = press.radius + 1e-4;
-  scene.rigid = {test::part_body("ball", "sphere", {2 * press.radius, 0, 0}, {0, start, 0})};
-  scene.rigid[0].fixed = true;
-  scene.rigid[0].friction = 0;
-  SoftDesc& layer = scene.soft.emplace_back();
+  SoftDesc layer;
   layer.name = "layer";
   layer.model = "fem_linear";
   layer.element = element;
@@ -34,10 +26,8 @@ SceneDesc layer_scene(const LayerPress& press, const std::string& element, doubl
   layer.poisson_ratio = press.poisson_ratio;
   layer.gravity = false;
   layer.cell = layer.surface_cell = cell;
-  // The floor and nothing above it: a ball so large that it is flat, 10 µm high over the middle.
-  const double flat = 1000, wide = 4 * press.height;
-  layer.attach = {{{0, -press.height - flat, 0}, std::hypot(flat, wide * std::sqrt(2.0)), 1e13}};
-  return scene;
+  layer.attach = {test::bonded_below(press.height)};
+  return test::under_ball(layer, press.radius, {0, press.radius + 1e-4, 0});
 }
 
 }  // namespace prosector

@@ -108,12 +108,21 @@ int main(int argc, char** argv) try {
   prosector::RefineBenchOptions refine;
   CLI::App* refine_command = app.add_subcommand(
       "refine", "A ball pressed into tissue whose elements are smaller where it presses: force and cost");
-  refine_command->add_flag("--quick", refine.quick, "Two rows, beside no reference: to see that it runs");
+  refine_command->add_flag("--quick", refine.quick, "Two rows: to see that it runs");
   refine_command->add_option("--body", refine.only, "Only this one")
       ->check(CLI::IsMember({"layer", "organ"}));
   refine_command->add_option("--contact", refine.contact, "The body's")
       ->check(CLI::IsMember({"vertices", "surface"}));
   refine_command->add_option("--threads", refine.threads, "Of the simulation")->check(CLI::Range(1, 1024));
+  refine_command->add_option("--svg", refine.picture_folder, "Folder for a picture of each body")
+      ->check(CLI::ExistingDirectory);
+
+  prosector::ReferenceBenchOptions references;
+  CLI::App* references_command = app.add_subcommand(
+      "references", "What trade's bodies by their weight and under a ball are judged by, on finer meshes");
+  references_command->add_flag("--quick", references.quick, "The coarsest mesh of each: to see that it runs");
+  references_command->add_option("--case", references.only, "Only this one")
+      ->check(CLI::IsMember({"cube", "slab", "hang", "press", "organ"}));
 
   prosector::CutBenchOptions cut;
   CLI::App* cut_command = app.add_subcommand("cut", "Ticks that cut an organ beside ticks that don't");
@@ -242,6 +251,7 @@ int main(int argc, char** argv) try {
   if (*contact_command) report = prosector::bench_contact(contact);
   if (*crowd_command) report = prosector::bench_crowd(crowd);
   if (*refine_command) report = prosector::bench_refine(refine);
+  if (*references_command) report = prosector::bench_references(references);
   if (*cut_command) report = prosector::bench_cut(cut);
   if (*trade_command) report = prosector::bench_trade(trade);
   if (*stability_command) report = prosector::bench_stability(stability);

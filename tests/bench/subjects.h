@@ -88,10 +88,18 @@ struct RefineBenchOptions {
   bool quick = false;               // a coarse body alone, and refined: to see that it runs
   std::string only;                 // layer or organ; empty: both
   std::string contact = "surface";  // the body's, as a scene names it
-  int threads = 2;
+  std::string picture_folder;       // where to write refine-BODY.svg; empty: nowhere
+  int threads = 1;
 };
 /// The force of a ball pressed into tissue whose elements are smaller where it presses.
 Report bench_refine(const RefineBenchOptions& options);
+
+struct ReferenceBenchOptions {
+  std::string only;    // one of trade's cases; empty: all
+  bool quick = false;  // the coarsest mesh of each: to see that it runs
+};
+/// What trade's cases cube, slab, hang, press and organ are judged by, found anew on finer and finer meshes.
+Report bench_references(const ReferenceBenchOptions& options);
 
 struct CutBenchOptions {
   int threads = 2;

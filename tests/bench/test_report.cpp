@@ -44,6 +44,22 @@ TEST(TradePlot, FrontHoldsWhatNothingElseBeats) {
   EXPECT_EQ(pareto_front(points), (std::vector<std::size_t>{1, 0, 4}));
 }
 
+TEST(TradePlot, DrawsAFrontOfEachOfItsGroups) {
+  TradePlot plot;
+  plot.fronts = {{"some", {"a"}}, {"all", {}}};
+  plot.points = {{1, 0.1, "a", "first"}, {2, 0.01, "a", "second"}, {2, 0.001, "b", "third"}};
+  const std::string svg = draw(plot).str();
+  const auto times = [&](const std::string& word) {
+    std::size_t count = 0;
+    for (std::size_t at = svg.find(word); at != std::string::npos; at = svg.find(word, at + 1)) ++count;
+    return count;
+  };
+  EXPECT_EQ(times("<polyline"), 2u);
+  EXPECT_EQ(times("1  first"), 2u) << "on both, by one number";
+  EXPECT_EQ(times("2  second"), 1u) << "beaten where b counts";
+  EXPECT_EQ(times("3  third"), 1u);
+}
+
 TEST(TradePlot, DrawsEachPointAndLeavesOutWhatIsNotFinite) {
   TradePlot plot;
   plot.title = "a < b & c";

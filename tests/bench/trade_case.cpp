@@ -16,13 +16,13 @@ bool Runner::run(double seconds, const std::function<void(double)>& after) {
   const auto steps = static_cast<std::size_t>(std::max(1.0, std::round(seconds / dt_)));
   for (std::size_t i = 0; i < steps; ++i) {
     const double cpu = prosector::cpu_ms(), wall = prosector::wall_ms();
-    const StepFigures figures = specimen_.step(dt_, gravity_);
+    const StepFigures figures = body_.step(dt_, gravity_);
     step_cpu_ms_.push_back(prosector::cpu_ms() - cpu);
     cpu_ms_ += step_cpu_ms_.back();
     wall_ms_ += prosector::wall_ms() - wall;
     residual_ = std::max(residual_, figures.residual);
     if (figures.reported) note_ = figures.note;
-    finite_ = finite_ && specimen_.positions().allFinite();
+    finite_ = finite_ && body_.positions().allFinite();
     if (!finite_) return false;
     after(static_cast<double>(i + 1) * dt_);
     const auto left = static_cast<double>(steps - i - 1);
@@ -45,7 +45,11 @@ ReportRow Runner::figures() const {
 }
 
 std::vector<const TradeCase*> trade_cases() {
-  return {&bend_case(), &bend_incompressible_case(), &swing_case(), &free_case(), &press_case()};
+  return {&bend_case(),  &bend_incompressible_case(),
+          &swing_case(), &free_case(),
+          &heavy_case(), &cube_case(),
+          &slab_case(),  &hang_case(),
+          &press_case(), &organ_case()};
 }
 
 std::vector<std::string> trade_case_names() {

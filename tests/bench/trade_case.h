@@ -8,16 +8,17 @@
 #include <vector>
 
 #include "server/calibration/specimen.h"
+#include "tests/bench/pressed_tissue.h"
 #include "tests/bench/report.h"
 
 namespace prosector {
 
-/// Runs a specimen step by step and takes the time of it.
+/// Runs a body step by step and takes the time of it.
 class Runner {
  public:
   /// Gives up once the run would take longer than `limit_ms` of CPU time in all.
-  Runner(Specimen& specimen, double dt, const Vec3& gravity, double limit_ms)
-      : specimen_(specimen), dt_(dt), gravity_(gravity), limit_ms_(limit_ms) {}
+  Runner(Steppable& body, double dt, const Vec3& gravity, double limit_ms)
+      : body_(body), dt_(dt), gravity_(gravity), limit_ms_(limit_ms) {}
   /// Steps for that long, s; after each step calls `after(t)`. False: gave up, or went non-finite.
   bool run(double seconds, const std::function<void(double)>& after);
   /// ms_per_frame (CPU, all threads, of 1/60 s; median over steps), ms_per_simulated_s, steps_per_s (by the
@@ -27,7 +28,7 @@ class Runner {
   bool finite() const { return finite_; }
 
  private:
-  Specimen& specimen_;
+  Steppable& body_;
   double dt_;
   Vec3 gravity_;
   double limit_ms_;
@@ -44,13 +45,15 @@ struct TradeCase {
   const char* error_label;  // what it is, for people
   /// Resolutions, coarsest first; cells along the longest side.
   std::vector<unsigned> cells;
+  /// Null where a ball presses: see `pressed`.
   TestPiece (*piece)(unsigned cells);
   /// Runs it and returns the case's own figures (null: it did not get that far). `model` as in the report.
   ReportRow (*measure)(Specimen& specimen, const TestPiece& piece, const std::string& model, Runner& runner);
   Vec3 gravity;
   bool moving = false;  // judged by how it moves: steps and integrators matter
-  /// Errors from the figures of a row that has them, where that can be done: null, where it takes the run.
+  /// Errors from the figures of a row, if it has them, where that can be done: null, where it takes the run.
   void (*judge)(ReportRow& row) = nullptr;
+  const PressedBody* pressed = nullptr;  // by a ball, in the server's own simulation
 };
 
 /// bend: a beam under its own weight, at rest again.
@@ -61,8 +64,15 @@ const TradeCase& bend_incompressible_case();
 const TradeCase& swing_case();
 /// free: a block thrown and spinning: momentum, angular momentum and energy.
 const TradeCase& free_case();
-/// press: a nearly incompressible block under twice its own weight: volume.
+/// heavy: a nearly incompressible block under twice its own weight: volume.
+const TradeCase& heavy_case();
+/// cube, slab, hang: tissue that stands on a bonded foot, or hangs from it, by its own weight.
+const TradeCase& cube_case();
+const TradeCase& slab_case();
+const TradeCase& hang_case();
+/// press, organ: a ball pressed into a bonded layer, and into an organ.
 const TradeCase& press_case();
+const TradeCase& organ_case();
 
 std::vector<const TradeCase*> trade_cases();
 std::vector<std::string> trade_case_names();

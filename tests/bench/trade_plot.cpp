@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "tests/bench/text_table.h"
 
@@ -121,6 +123,31 @@ std::pair<double, double> place_number(double x, double y, std::vector<std::pair
   return place;
 }
 
+void draw_number(Svg& svg, const std::string& number, double x, double y,
+                 std::vector<std::pair<double, double>>& taken) {
+  const auto [at_x, at_y] = place_number(x, y, taken);
+  svg.line(x, y, at_x + 2, at_y - 4, {"#444444", 0.8, ""});
+  svg.circle(at_x, at_y, 8, "#ffffff", "#444444");
+  svg.text(at_x, at_y + 4, number, {10.5, "middle", "#000000", true});
+}
+
+const std::array<Stroke, 2> front_strokes = {Stroke{"#444444", 1.6, "6 3"}, Stroke{"#D55E00", 1.6, ""}};
+
+/// Returns the indices of its points, cheapest first.
+std::vector<std::size_t> front_of(const TradeFront& front, const std::vector<TradePoint>& points) {
+  std::vector<std::size_t> among;
+  std::vector<TradePoint> those;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& groups = front.groups;
+    if (!groups.empty() && std::find(groups.begin(), groups.end(), points[i].group) == groups.end()) continue;
+    among.push_back(i);
+    those.push_back(points[i]);
+  }
+  std::vector<std::size_t> out = pareto_front(those);
+  for (std::size_t& i : out) i = among[i];
+  return out;
+}
+
 }  // namespace
 
 std::vector<std::size_t> pareto_front(const std::vector<TradePoint>& points) {
@@ -141,15 +168,18 @@ std::vector<std::size_t> pareto_front(const std::vector<TradePoint>& points) {
 Svg draw(const TradePlot& plot) {
   const std::vector<TradePoint> points = drawable(plot);
   const std::vector<std::string> groups = groups_of(points);
-  const std::vector<std::size_t> front = pareto_front(points);
-  const double key_height =
-      24 + 18 * static_cast<double>(groups.size()) + 48 + 36 * static_cast<double>(front.size());
+  std::vector<std::vector<std::size_t>> fronts;
+  std::size_t told = 0;
+  for (const TradeFront& front : plot.fronts) told += fronts.emplace_back(front_of(front, points)).size();
+  const double key_height = 24 + 18 * static_cast<double>(groups.size()) +
+                            48 * static_cast<double>(fronts.size()) + 36 * static_cast<double>(told);
   const double height = std::max(top + plot_height + bottom, top + key_height + 20);
   Svg svg(left + plot_width + 30 + key_width, height);
   const LogAxis x = axis(points, &TradePoint::cost, left, plot_width);
-  LogAxis y = axis(points, &TradePoint::error, top + plot_height, -plot_height);
+  const LogAxis y = axis(points, &TradePoint::error, top + plot_height, -plot_height);
   draw_axes(svg, plot, x, y);
-  svg.path(staircase(points, front, x, y), {"#444444", 1.6, "6 3"});
+  for (std::size_t f = 0; f < fronts.size(); ++f)
+    svg.path(staircase(points, fronts[f], x, y), front_strokes[f % front_strokes.size()]);
 
   const double key = left + plot_width + 30;
   double line = top + 6;
@@ -160,23 +190,25 @@ Svg draw(const TradePlot& plot) {
       if (point.group == groups[g]) mark(svg, g, x.at(point.cost), y.at(point.error), 4.5);
     }
   }
-  line += 14;
-  svg.text(key, line, "The front: nothing is both cheaper and better", {12.5, "start", "#000000", true});
   std::vector<std::pair<double, double>> taken;
-  for (std::size_t n = 0; n < front.size(); ++n) {
-    const TradePoint& point = points[front[n]];
-    const double px = x.at(point.cost), py = y.at(point.error);
-    const std::string number = std::to_string(n + 1);
-    const auto [nx, ny] = place_number(px, py, taken);
-    svg.line(px, py, nx + 2, ny - 4, {"#444444", 0.8, ""});
-    svg.circle(nx, ny, 8, "#ffffff", "#444444");
-    svg.text(nx, ny + 4, number, {10.5, "middle", "#000000", true});
+  std::map<std::size_t, std::size_t> numbers;  // by point
+  for (std::size_t f = 0; f < fronts.size(); ++f) {
+    line += 14;
+    svg.line(key, line - 4, key + 30, line - 4, front_strokes[f % front_strokes.size()]);
+    svg.text(key + 36, line, plot.fronts[f].title, {12.5, "start", "#000000", true});
+    for (const std::size_t i : fronts[f]) {
+      const TradePoint& point = points[i];
+      const auto [at, is_new] = numbers.try_emplace(i, numbers.size() + 1);
+      const std::string number = std::to_string(at->second);
+      if (is_new) draw_number(svg, number, x.at(point.cost), y.at(point.error), taken);
+      line += 20;
+      svg.text(key, line, fmt::format("{}  {}", number, point.label), {12});
+      line += 16;
+      svg.text(key + 16, line,
+               fmt::format("{} %  at  {} ms", three_digits(100 * point.error), three_digits(point.cost)),
+               {11.5, "start", "#555555"});
+    }
     line += 20;
-    svg.text(key, line, fmt::format("{}  {}", number, point.label), {12});
-    line += 16;
-    svg.text(key + 16, line,
-             fmt::format("{} %  at  {} ms", three_digits(100 * point.error), three_digits(point.cost)),
-             {11.5, "start", "#555555"});
   }
   return svg;
 }

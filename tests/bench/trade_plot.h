@@ -17,11 +17,18 @@ struct TradePoint {
   std::string label;  // told of points on the front
 };
 
+/// An edge of what can be had.
+struct TradeFront {
+  std::string title;
+  std::vector<std::string> groups;  // whose points; empty: all
+};
+
 struct TradePlot {
   std::string title, subtitle;
   std::string cost_label, error_label;
   /// Errors outside are drawn on the edge: below the floor nothing differs, above the ceiling all is lost.
   double error_floor = negligible_error, error_ceiling = 10;
+  std::vector<TradeFront> fronts = {{"The front: nothing is both cheaper and better", {}}};
   std::vector<TradePoint> points;  // those without a finite positive cost and a finite error are left out
 };
 

@@ -49,8 +49,14 @@ bool is_law(const ModelRow& model) {
   return model.name.rfind("fem_", 0) == 0;
 }
 
+/// Where a ball presses, the solvers that real time affords.
+std::vector<std::string> solvers_for(const TradeCase& which) {
+  if (which.pressed) return {"cg", "multigrid"};
+  return solver_names();
+}
+
 /// Rungs of one model and element at every effort.
-std::vector<Rung> efforts_of(const ModelRow& model, const std::string& element) {
+std::vector<Rung> efforts_of(const TradeCase& which, const ModelRow& model, const std::string& element) {
   const std::string integrator = SoftDesc{}.integrator;
   std::vector<Rung> out;
   if (model.position_based) {
@@ -60,7 +66,7 @@ std::vector<Rung> efforts_of(const ModelRow& model, const std::string& element) 
     }
     return out;
   }
-  for (const std::string& solver : solver_names())
+  for (const std::string& solver : solvers_for(which))
     for (const Effort& effort : efforts) {
       // An exact solve has no effort of its own: only the Newton iterations count.
       if (solver == "direct" && effort.tolerance != SoftDesc{}.solver_tolerance) continue;
@@ -91,7 +97,7 @@ std::vector<Trial> trials(const TradeCase& which, bool quick) {
     for (const std::string& element : element_names()) {
       if (!is_law(model) && element != SoftDesc{}.element) continue;
       for (const unsigned cells : resolutions(which, quick))
-        for (const Rung& rung : efforts_of(model, element)) {
+        for (const Rung& rung : efforts_of(which, model, element)) {
           const bool dear = rung.solver == "direct" && element == "tet10" &&
                             which.piece(cells).mesh.tets.size() > most_quadratic_for_direct;
           if (!dear) all.push_back({rung, cells, frame});
@@ -108,6 +114,7 @@ std::vector<Trial> trials(const TradeCase& which, bool quick) {
 
 std::vector<BulletTrial> bullet_trials(const TradeCase& which, bool quick) {
   std::vector<BulletTrial> all;
+  if (which.pressed) return all;
   for (const BulletRung& rung : bullet_rungs()) {
     for (const unsigned cells : resolutions(which, quick)) {
       for (const double dt : steps(which, quick)) all.push_back({rung, cells, dt});

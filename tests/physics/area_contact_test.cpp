@@ -14,6 +14,7 @@
 #include "server/physics/soft/mesh_follower.h"
 #include "tests/physics/pressed_layer.h"
 #include "tests/physics/scenes.h"
+#include "tests/physics/under_ball.h"
 
 namespace prosector::test {
 namespace {
@@ -157,13 +158,7 @@ constexpr double half_a_cell = 2;                              // radii of conta
 
 struct Layer {
   explicit Layer(const std::string& element, const std::string& contact, double poisson_ratio = 0.3) {
-    SceneDesc scene;
-    scene.gravity = Vec3::Zero();
-    scene.tick_rate = 1;
-    scene.rigid = {part_body("ball", "sphere", {2 * radius, 0, 0}, {0, radius + 1e-4, 0})};
-    scene.rigid[0].fixed = true;
-    scene.rigid[0].friction = 0;
-    SoftDesc& layer = scene.soft.emplace_back();
+    SoftDesc layer;
     layer.name = "layer";
     layer.model = "fem_linear";
     layer.element = element;
@@ -176,8 +171,9 @@ struct Layer {
     layer.solver_iterations = 300;
     layer.solver_tolerance = 1e-4;
     layer.cell = layer.surface_cell = cell;
-    const double flat = 1000, wide = 4 * height;
-    layer.attach = {{{0, -height - flat, 0}, std::hypot(flat, wide * std::numbers::sqrt2), 1e13}};
+    layer.attach = {bonded_below(height)};
+    SceneDesc scene = under_ball(layer, radius, {0, radius + 1e-4, 0});
+    scene.tick_rate = 1;
     CompileOptions options;
     options.threads = 1;
     options.anatomy = [](const SoftDesc&) -> std::optional<Anatomy> {
@@ -188,12 +184,8 @@ struct Layer {
 
   /// Returns the ball's force, N, where it has been pressed at (x, z) for some ticks.
   double press(double x, double z, int ticks) {
-    TickInput input;
-    input.drives.push_back({0, {{x, radius - depth, z}, Quat::Identity()}});
-    run(*simulation, ticks, input);
-    double force = 0;
-    for (const Exchange& touch : simulation->exchanges()) force += std::abs(touch.impulse.y());  // of 1 s
-    return force;
+    run(*simulation, ticks, ball_at({x, radius - depth, z}));
+    return pressing_force(*simulation);
   }
 
   static inline const double cell = half_a_cell * std::sqrt(radius * depth);

@@ -8,6 +8,7 @@
 #include "server/physics/contact/surface_detector.h"
 #include "server/physics/coupled/island_solver.h"
 #include "tests/physics/pressed_layer.h"
+#include "tests/physics/under_ball.h"
 
 namespace prosector::test {
 namespace {
@@ -31,9 +32,7 @@ double press(const Layer& layer, const std::string& element, double cell) {
   desc.newton_iterations = 50;
   desc.solver_iterations = 3000;
   desc.solver_tolerance = 1e-4;
-  // The floor and nothing above it: a ball so large that it is flat, 10 µm high over the middle.
-  const double flat = 1000, wide = 4 * layer.height;
-  desc.attach = {{{0, -layer.height - flat, 0}, std::hypot(flat, wide * std::sqrt(2.0)), 1e13}};
+  desc.attach = {bonded_below(layer.height)};
   Anatomy anatomy = pressed_layer(layer.height, layer.core, cell);
   if (quadratic) halve_surface(anatomy);
   SoftBody body(desc, std::move(anatomy));

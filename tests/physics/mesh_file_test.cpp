@@ -9,7 +9,7 @@
 
 #include "common/anatomy/kuhn_box.h"
 #include "server/physics/soft/soft_body.h"
-#include "tests/physics/scenes.h"
+#include "tests/physics/under_ball.h"
 
 namespace prosector::test {
 namespace {
@@ -45,12 +45,6 @@ constexpr double radius = 0.02, depth = 0.002, youngs_modulus = 5000;
 
 /// N, of a ball driven `depth` into the middle of the slab, held at its bottom, once all is still.
 double force_on_ball(const std::string& mesh, const std::string& element) {
-  SceneDesc scene;
-  scene.gravity.setZero();
-  scene.contact_stiffness = 100;
-  scene.rigid = {part_body("ball", "sphere", {2 * radius, 0, 0}, {0, 0.03 + radius + 0.001, 0})};
-  scene.rigid[0].fixed = true;
-  scene.rigid[0].friction = 0;
   SoftDesc slab;
   slab.name = "slab";
   slab.mesh = mesh;
@@ -63,20 +57,16 @@ double force_on_ball(const std::string& mesh, const std::string& element) {
   slab.friction = 0;
   const double flat = 1000;
   slab.attach = {{{0, -flat, 0}, flat + 1e-4, 1e12}};
-  scene.soft = {slab};
+  SceneDesc scene = under_ball(slab, radius, {0, 0.03 + radius + 0.001, 0});
+  scene.contact_stiffness = 100;
   CompileOptions compiled;
   compiled.threads = 1;
   Simulation simulation(scene, compiled);
-  TickInput input;
-  double force = 0;
   for (int tick = 1; tick <= 60; ++tick) {
     const double down = std::min(1.0, tick / 20.0) * (0.001 + depth);
-    input.drives = {{0, {{0, 0.03 + radius + 0.001 - down, 0}, Quat::Identity()}}};
-    simulation.step(input);
-    force = 0;
-    for (const Exchange& e : simulation.exchanges()) force += 60 * std::abs(e.impulse.y());
+    simulation.step(ball_at({0, 0.03 + radius + 0.001 - down, 0}));
   }
-  return force;
+  return pressing_force(simulation);
 }
 
 // A bonded slab resists more than the half-space of Hertz. Quadratic elements whose corners alone were loaded

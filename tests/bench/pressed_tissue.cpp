@@ -1,0 +1,175 @@
+#include "tests/bench/pressed_tissue.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/anatomy/embedding.h"
+#include "server/accuracy/body_trial.h"
+#include "server/physics/soft/soft_body.h"
+#include "tests/physics/pressed_layer.h"
+#include "tests/physics/scenes.h"
+#include "tests/physics/under_ball.h"
+
+namespace prosector {
+namespace {
+
+constexpr double radius = 0.01;        // m, of the ball
+constexpr double layer_height = 0.02;  // m
+const Vec3 layer_size(0.12, layer_height, 0.12), organ_size(0.16, 0.08, 0.12);
+constexpr double organ_surface_cell = 0.004;  // m
+constexpr double layer_core = 0.0065;         // m: as far as it is pressed
+
+void shape_layer(SoftDesc& desc) {
+  desc.shape = "block";
+  desc.attach = {test::bonded_below(layer_height)};
+}
+
+Anatomy layer_block(double cell) {
+  const auto cells = [&](double size) { return static_cast<int>(std::lround(size / cell)); };
+  Anatomy out =
+      test::make_block(layer_size, {cells(layer_size.x()), cells(layer_size.y()), cells(layer_size.z())});
+  for (auto* points : {&out.tets.positions, &out.surface.positions})
+    for (Vec3& x : *points) x.y() -= layer_height / 2;
+  return out;
+}
+
+/// What is refined has the surface of the mesh that it is refined to.
+Anatomy layer_mesh(const SoftDesc& desc) {
+  Anatomy coarse = layer_block(desc.cell);
+  if (desc.refine_cell == 0) return coarse;
+  return embed(std::move(coarse.tets), layer_block(desc.refine_cell).surface).anatomy;
+}
+
+Anatomy graded_layer(const SoftDesc& desc) {
+  return test::pressed_layer(layer_height, layer_core, desc.cell);
+}
+
+void shape_organ(SoftDesc& desc) {
+  desc.shape = "liver";
+  desc.size = organ_size;
+  desc.surface_cell = organ_surface_cell;
+  constexpr double bed = 1, deep = 0.02;  // m: radius of what it lies in, and how far below the middle
+  desc.attach = {{{0, -bed - deep, 0}, bed, 1e10}};
+}
+
+/// Returns where the vertical through the middle leaves the surface.
+Vec3 top_of(const TriangleMesh& surface) {
+  constexpr double rim = -1e-9;  // share: on an edge is in both triangles
+  Vec3 top(0, -1e300, 0);
+  for (const auto& [i, j, k] : surface.triangles) {
+    const Vec3 &a = surface.positions[i], &b = surface.positions[j], &c = surface.positions[k];
+    const auto twice = [](const Vec3& p, const Vec3& q) { return p.x() * q.z() - p.z() * q.x(); };
+    const Vec3 shares =
+        Vec3(twice(b, c), twice(c, a), twice(a, b)) / (twice(b, c) + twice(c, a) + twice(a, b));
+    if (!(shares.minCoeff() >= rim)) continue;
+    top.y() = std::max(top.y(), shares.dot(Vec3(a.y(), b.y(), c.y())));
+  }
+  return top;
+}
+
+SceneDesc scene_of(const SoftDesc& desc, const PressSettings& settings) {
+  SceneDesc scene = test::under_ball(desc, radius, {0, 1, 0});
+  scene.tick_rate = 1 / settings.tick;
+  scene.contact_stiffness = settings.contact_stiffness;
+  return scene;
+}
+
+CompileOptions options_of(const PressedBody& body, const PressSettings& settings) {
+  CompileOptions out;
+  out.threads = settings.threads;
+  const auto mesh = settings.graded && body.graded_mesh ? body.graded_mesh : body.mesh;
+  if (mesh) out.anatomy = [=](const SoftDesc& desc) -> std::optional<Anatomy> { return mesh(desc); };
+  return out;
+}
+
+/// Returns the mesh that following the ball's press makes.
+Anatomy graded_organ(const SoftDesc& desc) {
+  constexpr double wide = 0.012, reach = 0.02;  // m
+  constexpr int ticks = 40;                     // more than it takes
+  const PressedBody& organ = pressed_organ();
+  SoftDesc coarse = pressed_desc(organ, std::max(desc.cell, wide), desc.cell);
+  coarse.refine_reach = reach;
+  coarse.surface_cell = desc.surface_cell;
+  coarse.refine_most = 100000;
+  PressedTissue tissue(organ, coarse);
+  for (int tick = 1; tick <= ticks; ++tick) tissue.press(organ.depth * tick / ticks);
+  return tissue.simulation().soft(1).anatomy();
+}
+
+}  // namespace
+
+const PressedBody& pressed_layer_body() {
+  static const PressedBody body = {"layer",    0.002,        layer_size.x(), shape_layer,
+                                   layer_mesh, graded_layer, 0.0920,         0.01};
+  return body;
+}
+
+const PressedBody& pressed_organ() {
+  static const PressedBody body = {"organ", 0.01,         organ_size.x(), shape_organ,
+                                   nullptr, graded_organ, 0.478,          0.02};
+  return body;
+}
+
+SoftDesc pressed_desc(const PressedBody& body, double cell, double refine_cell) {
+  SoftDesc desc;
+  desc.name = "tissue";
+  desc.model = tissue_law;
+  desc.solver = "multigrid";
+  desc.youngs_modulus = 5000;
+  desc.poisson_ratio = 0.45;
+  desc.cell = cell;
+  desc.contact = "surface";
+  desc.damping_mass = 5;
+  body.shape(desc);
+  if (refine_cell > 0) {
+    desc.refine = "touch";
+    desc.refine_cell = refine_cell;
+    desc.refine_reach = radius;
+    desc.refine_most = 20000;
+  }
+  return desc;
+}
+
+PressedTissue::PressedTissue(const PressedBody& body, const SoftDesc& desc, const PressSettings& settings)
+    : simulation_(scene_of(desc, settings), options_of(body, settings)),
+      top_(top_of(simulation_.surface(1))) {}
+
+const StepReport& PressedTissue::press(double depth, double along) {
+  return simulation_.step(test::ball_at(top_ + Vec3(along, radius - depth, 0)));
+}
+
+double PressedTissue::force() const {
+  return test::pressing_force(simulation_);
+}
+
+std::size_t PressedTissue::tets() const {
+  return simulation_.tet_count();
+}
+
+double force_at_rest(const PressedBody& body, SoftDesc desc) {
+  desc.element = "tet10";
+  desc.surface_cell = std::min(desc.surface_cell, desc.cell / 2);
+  desc.damping_mass = desc.damping_stiffness = 0;
+  desc.newton_iterations = 8;
+  desc.solver_iterations = 500;
+  desc.solver_tolerance = 1e-4;
+  PressSettings settings;
+  settings.tick = 1;  // s: inertia is nothing
+  settings.contact_stiffness = 200;
+  settings.graded = true;
+  PressedTissue tissue(body, desc, settings);
+  constexpr int ways = 5;  // that it is pressed in by, lest the search go astray
+  for (int i = 1; i <= ways; ++i) tissue.press(body.depth * i / ways);
+  double last = tissue.force();
+  constexpr int most_ticks = 12;
+  constexpr double settled = 5e-4;  // of the force, from tick to tick
+  for (int i = 0; i < most_ticks; ++i) {
+    tissue.press(body.depth);
+    const double now = tissue.force();
+    if (std::abs(now / last - 1) < settled) return now;
+    last = now;
+  }
+  return last;
+}
+
+}  // namespace prosector

@@ -1,0 +1,27 @@
+#include "tests/bench/weighed_body.h"
+
+#include "server/accuracy/act.h"
+#include "server/accuracy/body_trial.h"
+#include "tests/soft/kuhn.h"
+
+namespace prosector {
+
+SoftDesc weighed_desc(const WeighedBody& body, const char* element, double poisson_ratio) {
+  SoftDesc desc;
+  desc.name = body.name;
+  desc.model = tissue_law;
+  desc.element = element;
+  desc.youngs_modulus = weighed_modulus;
+  desc.poisson_ratio = poisson_ratio;
+  desc.density = weighed_density;
+  constexpr double flat = 1e5, foot_stiffness = 1e13;  // m: a ball so large that the foot alone is in it
+  desc.attach.push_back({Vec3(body.size[0] / 2, -flat, body.size[2] / 2), flat + 1e-4, foot_stiffness});
+  return desc;
+}
+
+Weighed::Weighed(const SoftDesc& desc, const Vec3& size, Cells cells, double gravity)
+    : body(desc, kuhn_anatomy(cells, size)) {
+  answer = body.settle(load_of({"weight", Vec3(0, gravity, 0), {}}, body));
+}
+
+}  // namespace prosector
