@@ -23,7 +23,7 @@ SoftDesc describe(const Rung& rung, const TestPiece& piece) {
   desc.damping_mass = piece.damping_mass;
   desc.damping_stiffness = piece.damping_stiffness;
   if (piece.clamped_axis >= 0) {
-    constexpr double far = 1e4;  // m: a sphere so large that its surface is a plane to within a hair
+    constexpr double far = 1e6;  // m: a sphere so large that its surface is a plane to within 0.1 µm here
     desc.attach.push_back({-far * Vec3::Unit(piece.clamped_axis), far + 1e-6, piece.hold_stiffness});
   }
   if (piece.stiffness_ratio != 1) {
