@@ -100,7 +100,7 @@ Anatomy graded_organ(const SoftDesc& desc) {
 
 const PressedBody& pressed_layer_body() {
   static const PressedBody body = {"layer",    0.002,        layer_size.x(), shape_layer,
-                                   layer_mesh, graded_layer, 0.0920,         0.01};
+                                   layer_mesh, graded_layer, 0.0920,         0.02};
   return body;
 }
 
