@@ -153,7 +153,7 @@ struct Quantity {
 
 /// What of a rung the author fixed beside `accuracy` or `budget`; the server chooses the rest.
 struct FixedChoice {
-  bool model = false, element = false, integrator = false, solver = false, cell = false;
+  bool model = false, element = false, integrator = false, solver = false, cell = false, grade = false;
 };
 
 /// [[soft]]: a deformable body.
@@ -198,6 +198,7 @@ struct SoftDesc {
   bool continuous = false;           // as of RigidDesc
   bool self_contact = false;         // true: it doesn't pass through itself
   std::string contact = "vertices";  // vertices | surface: where rigid things press it
+  std::string grade = "none";        // none | rims: elements are smaller at the rim of what holds it
   std::string refine = "none";       // none | touch: elements are smaller where something touches it
   double refine_cell = 0;            // m, as `cell`, of these; 0: half of `cell`
   double refine_reach = 0;           // m: how far from what touches it; 0: `cell`

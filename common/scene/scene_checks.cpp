@@ -181,6 +181,7 @@ class Checker {
     if (soft.self_contact && soft.collision != "mesh")
       fail(body, "self_contact",
            fmt::format("self_contact is for what collides as mesh: collision is \"{}\"", soft.collision));
+    check_grading(soft, body);
     check_refinement(soft, body);
     if (soft.shape == "rope" && soft.collision == "hull")
       fail(body, "collision",
@@ -229,6 +230,11 @@ class Checker {
       if (!region.size.isZero(0) && !(region.size.array() > 0).all())
         refuse("size", "size of a box must be three positive numbers, or all 0 for a sphere");
     }
+  }
+
+  void check_grading(const SoftDesc& soft, const Entry& body) const {
+    if (soft.grade != "none" && (soft.shape == "sheet" || soft.shape == "rope"))
+      fail(body, "grade", fmt::format("grade is for solid bodies: a {} has no tetrahedra", soft.shape));
   }
 
   void check_refinement(const SoftDesc& soft, const Entry& body) const {
@@ -312,7 +318,8 @@ void note_fixed_choices(SceneDesc& scene, const SourceLines& lines) {
     soft.fixed = {lines.has(table, "model"), lines.has(table, "element"), lines.has(table, "integrator"),
                   lines.has(table, "solver"),
                   // A file of tetrahedra is as fine as it is.
-                  lines.has(table, "cell") || (!soft.mesh.empty() && !is_surface_file(soft.mesh))};
+                  lines.has(table, "cell") || (!soft.mesh.empty() && !is_surface_file(soft.mesh)),
+                  lines.has(table, "grade")};
   }
 }
 

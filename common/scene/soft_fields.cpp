@@ -191,6 +191,10 @@ const Table& soft_table() {
         "contact", {"vertices", "surface"},
         "where rigid things press it: at its vertices, or over the area that touches; the latter is for "
         "solids that collide as mesh and have no substeps"));
+    t.fields.push_back(words<S, &S::grade>(
+        "grade", {"none", "rims"},
+        "rims: a solid has smaller elements where the surface that is attached meets the free one, since "
+        "stress is largest there (docs/decisions/0026-graded-at-the-rims.md)"));
     t.fields.push_back(words<S, &S::refine>(
         "refine", {"none", "touch"},
         "touch: a solid of linear tetrahedra has smaller ones where hands, and what they hold or push, touch "

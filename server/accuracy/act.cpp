@@ -104,8 +104,7 @@ std::vector<Act> acts_of(const SoftDesc& desc, const TetMesh& mesh, const Vec3& 
 }
 
 VecX load_of(const Act& act, const StaticBody& body) {
-  VecX load(body.rest().size());
-  for (Eigen::Index i = 0; i < body.mass().size(); ++i) load.segment<3>(3 * i) = body.mass()[i] * act.weight;
+  VecX load = body.weight(act.weight);
   if (act.press) add_press(*act.press, body, load);
   return load;
 }

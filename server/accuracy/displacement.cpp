@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/anatomy/mesh_quality.h"
 #include "server/physics/organs/locate.h"
 #include "server/physics/soft/soft_matter.h"
 
@@ -23,12 +24,22 @@ Aabb box_around(std::span<const Vec3> places) {
 }  // namespace
 
 std::vector<Vec3> places_in(const TetMesh& mesh, std::size_t count) {
-  const std::size_t stride = std::max<std::size_t>(1, mesh.tets.size() / count);
+  const auto volume = [&](const std::array<std::uint32_t, 4>& t) {
+    const auto& x = mesh.positions;
+    return std::abs(tet_volume(x[t[0]], x[t[1]], x[t[2]], x[t[3]]));
+  };
+  double whole = 0;
+  for (const auto& tet : mesh.tets) whole += volume(tet);
+  const double apart = whole / static_cast<double>(count);
   std::vector<Vec3> out;
-  for (std::size_t t = 0; t < mesh.tets.size(); t += stride) {
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t k = 0; k < 4; ++k) sum += inside[k] * mesh.positions[mesh.tets[t][k]];
-    out.push_back(sum);
+  double passed = 0, next = apart / 2;  // m³
+  for (const auto& tet : mesh.tets) {
+    passed += volume(tet);
+    if (passed < next) continue;
+    while (next <= passed) next += apart;
+    Vec3 place = Vec3::Zero();
+    for (std::size_t k = 0; k < 4; ++k) place += inside[k] * mesh.positions[tet[k]];
+    out.push_back(place);
   }
   return out;
 }

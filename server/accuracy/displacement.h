@@ -10,7 +10,8 @@
 
 namespace prosector {
 
-/// Returns `count` places, about, that are spread over the volume at rest, each inside a tetrahedron.
+/// Returns `count` places, about, that are spread evenly over the volume at rest, each inside a tetrahedron:
+/// fewer where that has fewer of them.
 std::vector<Vec3> places_in(const TetMesh& mesh, std::size_t count);
 
 /// Where places of the room lie in a body at rest.

@@ -143,7 +143,7 @@ bool LiveEstimates::due(const Simulation& simulation, BodyId id, const Body& bod
 void LiveEstimates::begin(const Simulation& simulation, BodyId id, Body& body) {
   const SoftBody& soft = simulation.soft(id);
   const SoftBodyState& state = simulation.soft_state(id);
-  const Vec3 gravity = soft.falls() ? simulation.scene().gravity : Vec3(Vec3::Zero());
+  const Vec3 gravity = soft.weight(simulation.scene().gravity, true).acceleration;
   const Eigen::Index nodes = soft.nodes();
   body.was_asleep = simulation.asleep(id);
   body.pressed = pressed(simulation, id);

@@ -108,6 +108,9 @@ const VecX& StaticBody::mass() const {
 const VecX& StaticBody::volume() const {
   return matter_->model->volume();
 }
+VecX StaticBody::weight(const Vec3& acceleration) const {
+  return (matter_->desc.density * acceleration * matter_->model->shape_volume().transpose()).reshaped();
+}
 bool StaticBody::quadratic() const {
   return matter_->quadratic.has_value();
 }

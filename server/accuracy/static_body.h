@@ -32,6 +32,8 @@ class StaticBody {
   const VecX& rest() const;    // 3n, m
   const VecX& mass() const;    // n, kg
   const VecX& volume() const;  // n, m³
+  /// Returns the force (3n, N) of its weight under an acceleration (m/s²), as its elements bear it.
+  VecX weight(const Vec3& acceleration) const;
   bool quadratic() const;
   const SoftMatter& matter() const { return *matter_; }
 

@@ -207,12 +207,19 @@ Choice choose_rung(const SoftDesc& desc, const RungTable& table, const BodyGeome
   const Option* best = desc.accuracy ? least(options.all(), fits, ms) : least(options.all(), fits, error);
   const bool good_enough = best != nullptr;
   if (!best) best = desc.accuracy ? least(options.all(), any, error) : least(options.all(), any, ms);
-  return {desc.name, best->rung, best->cell, best->expected, good_enough, best->acts};
+  return {desc.name, best->rung, best->cell, desc.grade, best->expected, good_enough, best->acts};
+}
+
+bool serves_better(const SoftDesc& desc, const Choice& one, const Choice& other) {
+  if (one.good_enough != other.good_enough) return one.good_enough;
+  const bool by_cost = static_cast<bool>(desc.accuracy) == one.good_enough;
+  return by_cost ? one.expected.ms < other.expected.ms : one.expected.error < other.expected.error;
 }
 
 void adopt(const Choice& choice, SoftDesc& desc) {
   choice.rung.apply_to(desc);
   desc.cell = choice.cell;
+  desc.grade = choice.grade;
 }
 
 std::string explain(const Choice& choice, const SoftDesc& desc) {
@@ -220,9 +227,10 @@ std::string explain(const Choice& choice, const SoftDesc& desc) {
   adopt(choice, chosen);
   const std::string asked = desc.accuracy ? fmt::format("accuracy {} %", desc.accuracy.value)
                                           : fmt::format("budget {} ms", desc.budget.value);
-  std::string line =
-      fmt::format("{} asked for, chosen: {}, cell {:.1f} mm; expected {:.2g} % off, {:.2g} ms a frame", asked,
-                  in_words(chosen), 1e3 * choice.cell, 100 * choice.expected.error, choice.expected.ms);
+  std::string line = fmt::format(
+      "{} asked for, chosen: {}, cell {:.1f} mm{}; expected {:.2g} % off, {:.2g} ms a frame", asked,
+      in_words(chosen), 1e3 * choice.cell, choice.grade == "rims" ? ", smaller at its rims" : "",
+      100 * choice.expected.error, choice.expected.ms);
   if (!choice.acts.empty()) line += "; on this body: " + in_words(choice.acts);
   if (!choice.good_enough && desc.accuracy)
     line += fmt::format("; nothing here is good enough, this is the best there is, {:.2g} % short of it",

@@ -14,7 +14,8 @@ namespace prosector {
 struct Choice {
   std::string body;
   Rung rung;
-  double cell = 0;  // m
+  double cell = 0;             // m
+  std::string grade = "none";  // as SoftDesc::grade
   Prospect expected;
   bool good_enough = true;     // false: nothing was, this is the best there is
   std::vector<ActError> acts;  // what is expected of each; empty: not judged on the body itself
@@ -49,6 +50,9 @@ struct KnownErrors {
 /// when the table lacks what trials_for() says.
 Choice choose_rung(const SoftDesc& desc, const RungTable& table, const BodyGeometry& mesh, double mesh_cell,
                    double largest_cell = 1, const KnownErrors& known = {});
+
+/// Tells whether one choice serves what the description asks for better than the other.
+bool serves_better(const SoftDesc& desc, const Choice& one, const Choice& other);
 
 /// Puts the choice into the description.
 void adopt(const Choice& choice, SoftDesc& desc);

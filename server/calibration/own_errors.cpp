@@ -161,7 +161,7 @@ void OwnErrors::add_reference_error(std::vector<ActError>& acts, double cell) co
 
 std::filesystem::path OwnErrors::kept_in(const Way& way, const Anatomy& mesh) const {
   TrialKey key;
-  key.add("trial 2");
+  key.add("trial 3");
   for (const std::string& text : {settings_.law, way.first, way.second}) key.add(text);
   key.add(static_cast<double>(settings_.most_tets));
   key.add(static_cast<double>(settings_.presses));

@@ -6,6 +6,7 @@
 #include "server/physics/coupled/step_island.h"
 #include "server/physics/soft/base/find_row.h"
 #include "server/physics/soft/incremental_potential.h"
+#include "server/physics/soft/mechanical_energy.h"
 #include "server/physics/soft/rungs.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/physics/soft/solvers/linear_solver.h"
@@ -96,6 +97,10 @@ class RungSpecimen final : public Specimen {
     return figures;
   }
 
+  double weight_energy(const Vec3& gravity) const override {
+    const VecX& x = state_.motion.x;
+    return -fall_energy(body_.node_mass(), VecX::Zero(x.size()), x, body_.weight(gravity, body_.attached()));
+  }
   double elastic_energy() override {
     return body_.in_force(state_).potential().elastic_energy(state_.motion.x);
   }

@@ -17,6 +17,10 @@ T mass_sum(const Specimen& specimen, T sum, const F& f) {
 
 }  // namespace
 
+double Specimen::weight_energy(const Vec3& gravity) const {
+  return -node_mass().sum() * gravity.dot(mass_center(*this));
+}
+
 Vec3 mass_center(const Specimen& specimen) {
   const VecX x = specimen.positions();
   const Vec3 sum = mass_sum(specimen, Vec3(Vec3::Zero()), [&](Eigen::Index k) { return x.segment<3>(k); });

@@ -63,6 +63,9 @@ class Specimen : public Steppable {
   virtual void set_motion(const VecX& x, const VecX& v) = 0;
   /// Returns the elastic energy (J) at its positions; not a number when it doesn't tell.
   virtual double elastic_energy() = 0;
+  /// Returns the energy (J) of its weight under `gravity` (m/s²), as its elements bear it: by default by
+  /// masses.
+  virtual double weight_energy(const Vec3& gravity) const;
 };
 
 /// Returns the centre of mass; then momentum, and angular momentum about the room's origin.

@@ -37,7 +37,7 @@ std::filesystem::path cache_file(const CompileOptions& options, const ContentHas
 
 /// Returns what the file is sealed under: its layout, and the scene that it belongs to.
 std::string seal_key(const ContentHash& hash) {
-  return "rest 2 " + to_hex(hash);
+  return "rest 3 " + to_hex(hash);
 }
 
 bool read_rests(const std::vector<std::uint8_t>& bytes, std::vector<Rest>& rests) {
@@ -117,8 +117,9 @@ void Settling::relax(std::span<const std::size_t> group) {
         if (other >= body && bodies_.may_meet(body, other))
           finder_.add_pair_contacts(state_, body, other, relaxation_margin, bodies_.model.h, island.contacts);
     }
+    weigh(island, bodies_.model.scene.gravity);
     for (const SoftMember& member : island.soft) member.body->stepper().set_relaxed(true);
-    const IslandReport solved = solver.solve(island, relaxation_step, bodies_.model.scene.gravity);
+    const IslandReport solved = solver.solve(island, relaxation_step);
     double moved = 0;
     for (std::size_t k = 0; k < group.size(); ++k) {
       const std::size_t body = group[k];

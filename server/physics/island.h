@@ -23,6 +23,7 @@ struct SoftMember {
   SoftBody* body = nullptr;
   SoftBodyState* state = nullptr;
   const VecX* equilibrium = nullptr;  // 3n, m: where the body rests by itself; null: as at rest shape
+  Weight weight = {};                 // in this tick, see weigh()
   // Results besides the state:
   int substeps = 0;       // that it took by itself; 0: it was minimised
   bool refused = false;   // its own method has a limit and needs more substeps than are allowed, or did not
@@ -59,6 +60,9 @@ struct Island {
   std::vector<Tie> ties;
   bool driven = false;  // something that is driven touches it: it doesn't sleep
 };
+
+/// Gives every soft member its weight under `gravity`, m/s²: borne where something ties, holds or meets it.
+void weigh(Island& island, const Vec3& gravity);
 
 struct IslandReport {
   int newton_iterations = 0;

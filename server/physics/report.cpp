@@ -37,9 +37,9 @@ Tissue::StoredEnergy stored_in(const Tissue& tissue, const Vec3& gravity) {
   const VecX& x = tissue.state.motion.x;
   Tissue::StoredEnergy out;
   out.elastic = body.in_force(tissue.state).potential().elastic_energy(x);
-  if (!body.falls()) return out;
+  const Weight weight = body.weight(gravity, body.attached());
   for (Eigen::Index n = 0; n < body.nodes(); ++n)
-    out.weight -= body.node_mass()[n] * gravity.dot(x.segment<3>(3 * n));
+    out.weight -= body.node_mass()[n] * weight.at(n).dot(x.segment<3>(3 * n));
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include "common/anatomy/atlas.h"
 #include "common/anatomy/sources.h"
+#include "server/physics/grading.h"
 
 namespace prosector {
 namespace {
@@ -21,9 +22,10 @@ TriangleMesh rigid_surface(const RigidDesc& desc, const SceneDesc& scene, const 
 }
 
 Anatomy soft_anatomy(const SoftDesc& desc, const SceneDesc& scene, const CompileOptions& options) {
-  if (options.anatomy)
-    if (std::optional<Anatomy> given = options.anatomy(desc)) return std::move(*given);
-  return make_anatomy(desc, paths_of(scene, options), options.progress);
+  std::optional<Anatomy> made;
+  if (options.anatomy) made = options.anatomy(desc);
+  if (!made) made = make_anatomy(desc, paths_of(scene, options), options.progress);
+  return desc.grade == "rims" ? graded_at_rims(desc, std::move(*made)) : std::move(*made);
 }
 
 }  // namespace prosector

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "server/physics/grading.h"
 #include "tests/accuracy/boxes.h"
 
 namespace prosector {
@@ -54,6 +55,28 @@ TEST(BodyTrial, ErrorsFallWithTheCells) {
   ASSERT_EQ(coarse.size(), 4u);
   for (std::size_t act = 0; act < coarse.size(); ++act)
     EXPECT_LT(fine[act].error, 0.9 * coarse[act].error) << coarse[act].act;
+}
+
+/// A cube that stands, nearly incompressible: smaller elements at the foot's rim gain more than smaller ones
+/// throughout.
+TEST(BodyTrial, ErrorsFallMostWithElementsAtTheRims) {
+  SoftDesc desc = test::pinned(1, 5400, 0.49);
+  desc.element = "tet10";
+  desc.grade = "rims";
+  const auto cube = [](std::uint32_t cells) { return test::box({0.1, 0.1, 0.1}, cells, cells, cells); };
+  StaticBody reference(desc, graded_at_rims(desc, cube(5)));
+  const std::vector<Vec3> places = places_in(reference.mesh(), 200);
+  const Act act = {"under its weight", test::gravity, {}};
+  const VecX right = reference.settle(load_of(act, reference)).x;
+  const auto error_of = [&](const Anatomy& mesh) {
+    StaticBody body(desc, mesh);
+    return relative_difference(Probes(body, places), body.settle(load_of(act, body)).x,
+                               Probes(reference, places), right, places.size());
+  };
+  const Anatomy uniform = cube(3), graded = graded_at_rims(desc, cube(2));
+  EXPECT_LT(graded.tets.tets.size(), uniform.tets.tets.size());
+  EXPECT_LT(error_of(graded), 0.5 * error_of(uniform));
+  EXPECT_LT(error_of(graded), 0.04);
 }
 
 TEST(BodyTrial, NothingIsNearWhatCollapses) {

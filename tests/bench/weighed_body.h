@@ -21,7 +21,7 @@ SoftDesc weighed_desc(const WeighedBody& body, const char* element, double poiss
 /// Where a mesh of the body comes to rest.
 struct Weighed {
   /// `gravity`: m/s² along y; below 0 it stands.
-  Weighed(const SoftDesc& desc, const Vec3& size, Cells cells, double gravity);
+  Weighed(const SoftDesc& desc, Anatomy mesh, double gravity);
   StaticBody body;
   StaticAnswer answer;
 };

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "server/accuracy/displacement.h"
+#include "tests/soft/kuhn.h"
 
 namespace prosector {
 
@@ -54,8 +55,8 @@ double error_of(const WeighedReference& which, const std::array<Vec3, weighed_pl
 std::array<Vec3, weighed_places> moved_at_rest(const WeighedReference& which, std::uint32_t times) {
   Cells cells = which.coarse;
   for (std::uint32_t& n : cells) n *= times;
-  const Weighed found(weighed_desc(which.body, "tet10", which.poisson_ratio), which.body.size, cells,
-                      which.gravity);
+  const Weighed found(weighed_desc(which.body, "tet10", which.poisson_ratio),
+                      kuhn_anatomy(cells, which.body.size), which.gravity);
   if (!found.answer.usable()) throw std::logic_error("the reference comes to no rest");
   const Vec3 middle = which.body.size / 2;
   std::array<Vec3, weighed_places> moved;

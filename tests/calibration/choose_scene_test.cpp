@@ -229,6 +229,37 @@ TEST(ChooseScene, JudgesOnTheBodyItself) {
   EXPECT_EQ(encode(decode_choices(encode({choice}))), encode({choice}));
 }
 
+/// What is held at a face is tried with and without smaller elements at its rim, unless the author chose.
+TEST(ChooseScene, GradesAtRimsWhereThatServes) {
+  Chooser chooser;
+  chooser.on_the_body = true;
+  chooser.on_measure = [](RungFigures& figures, const RungTrial&) { figures.settled_sag = 1; };
+  const auto chosen = [&](const char* grade) {
+    SceneDesc scene = Chooser::scene();
+    SoftDesc& liver = scene.soft[1];
+    constexpr double flat = 1e4;
+    liver.attach.push_back({Vec3(0, -flat, 0), flat + 1e-4, 1e13});
+    liver.youngs_modulus = 1e5;
+    liver.model = "fem_neo_hookean";
+    liver.element = "tet10";
+    liver.cell = 0.05;
+    liver.fixed = {.model = true, .element = true, .cell = true, .grade = grade != nullptr};
+    if (grade) liver.grade = grade;
+    liver.accuracy.value = 1;
+    liver.accuracy_of = {"shape"};
+    const Choice choice = chooser.choose(scene).front();
+    EXPECT_EQ(scene.soft[1].grade, choice.grade);
+    return choice;
+  };
+  const Choice by_need = chosen(nullptr), uniform = chosen("none"), graded = chosen("rims");
+  EXPECT_EQ(by_need.grade, "rims");
+  EXPECT_EQ(uniform.grade, "none");
+  EXPECT_EQ(graded.grade, "rims");
+  EXPECT_EQ(by_need.expected.error, graded.expected.error);
+  EXPECT_LT(graded.expected.error, 0.8 * uniform.expected.error);
+  EXPECT_EQ(decode_choices(encode({graded})).front().grade, "rims");
+}
+
 /// A way that the table makes too dark is tried all the same, and chosen where it suits the body.
 TEST(ChooseScene, TriesWhatTheTableMakesTooDark) {
   Chooser chooser;

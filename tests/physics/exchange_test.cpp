@@ -95,7 +95,7 @@ TEST(Exchange, AShortenedStepTellsTheWholeForce) {
     pressed.normal = Vec3::UnitY();
     pressed.gap = -1e-3;
     pressed.stiffness = 1e3;
-    body.stepper().begin_stage(0, h, Vec3::Zero(), state, true);
+    body.stepper().begin_stage(0, h, {}, state, true);
     IslandSystem system;
     system.begin(island, h);
     VecX q, g;

@@ -83,7 +83,8 @@ std::vector<VecX> answers(SoftBody& body, unsigned seed) {
   state.motion.x = near(body.rest(), 1e-3);
   state.motion.v = near(VecX::Zero(n), 0.1);
   IncrementalPotential& potential = body.potential();
-  body.stepper().begin_stage(0, 0.01, {0, -9.81, 0}, state);
+  const Weight weight = body.weight({0, -9.81, 0}, true);
+  body.stepper().begin_stage(0, 0.01, weight, state);
   const VecX x = near(state.motion.x, 1e-3), p = near(VecX::Zero(n), 1);
   potential.linearise(x);
   VecX gradient = VecX::Zero(n), product(n), solution(n);
@@ -111,7 +112,7 @@ std::vector<VecX> answers(SoftBody& body, unsigned seed) {
       static_cast<double>(potential.tangent_is_cheap());
   if (Substepper* steps = body.substepper()) {
     steps->begin(state);
-    for (int i = 0; i < 3; ++i) steps->step(1e-4, {0, -9.81, 0}, state);
+    for (int i = 0; i < 3; ++i) steps->step(1e-4, weight, state);
     steps->finish(1e-4, state);
   }
   return {body.rest(),    body.node_mass(), body.attachment_stiffness(),

@@ -62,7 +62,7 @@ double press(const Layer& layer, const std::string& element, double cell) {
       c.stiffness = 100 * youngs_modulus * body.surface_area()[vertex] / cell;
       island.contacts.push_back(c);
     });
-    EXPECT_TRUE(IslandSolver().solve(island, 1.0, Vec3::Zero()).converged);
+    EXPECT_TRUE(IslandSolver().solve(island, 1.0).converged);
     state.motion.v.setZero();
     state.warm_start.setZero();
     force = 0;

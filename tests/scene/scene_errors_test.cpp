@@ -122,6 +122,8 @@ TEST(SceneErrors, CollisionOfBodies) {
        "test.toml:6: [[soft]] \"a\": refine = \"touch\" needs linear elements: element is \"tet10\""},
       {"[[soft]]\nname = \"b\"\nshape = \"rope\"\nrefine = \"touch\"\n", "a rope has no tetrahedra"},
       {"refine = \"touch\"\ncell = 0.01\nrefine_cell = 0.01\n", "refine_cell is 0.01, not smaller than cell"},
+      {"grade = \"rim\"\n", "must be one of: none, rims"},
+      {"[[soft]]\nname = \"b\"\nshape = \"sheet\"\ngrade = \"rims\"\n", "a sheet has no tetrahedra"},
       {"touches = \"organs\"\n", "must be a list of names"},
       {"touches = [\"organs\", 3]\n", "must be a list of names"},
       {"touches = [\"default\", \"organ\"]\n",

@@ -10,7 +10,7 @@ namespace {
 void step(const TimeIntegrator& method, double h, double omega, double zeta, double g, Motion& m) {
   Stage s;
   for (int stage = 0; stage < method.stages(); ++stage) {
-    method.begin(stage, h, Vec3::Constant(g), m, s);
+    method.begin(stage, h, Vec3(Vec3::Constant(g)), m, s);
     const double damping = 2 * zeta * omega / s.dxdv;
     const VecX x = (s.alpha * s.y + damping * s.x_v) / (s.alpha + omega * omega + damping);
     method.finish(stage, h, s, x, m);

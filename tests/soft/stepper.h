@@ -48,7 +48,8 @@ struct StepperSettings {
 class Stepper {
  public:
   explicit Stepper(SoftBody& body, StepperSettings settings = {})
-      : potential_(body.potential()),
+      : body_(body),
+        potential_(body.potential()),
         stepper_(body.stepper()),
         settings_(settings),
         H_(body),
@@ -58,7 +59,7 @@ class Stepper {
   int step(double h, const Vec3& gravity, SoftBodyState& state) {
     int iterations = 0;
     for (int stage = 0; stage < stepper_.integrator().stages(); ++stage) {
-      stepper_.begin_stage(stage, h, gravity, state);
+      stepper_.begin_stage(stage, h, body_.weight(gravity, body_.attached()), state);
       VecX x = state.motion.x;
       iterations += minimise(x);
       stepper_.finish_stage(stage, h, x, state);
@@ -106,6 +107,7 @@ class Stepper {
     return false;
   }
 
+  SoftBody& body_;
   IncrementalPotential& potential_;
   ImplicitStepper& stepper_;
   StepperSettings settings_;

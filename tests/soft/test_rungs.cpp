@@ -99,7 +99,8 @@ int tick(SoftBody& body, const Vec3& g, SoftBodyState& state) {
   const double needed = own->needed(h, state);
   if (needed > own->allowed()) return -1;
   own->begin(state);
-  for (int k = 0; k < static_cast<int>(needed); ++k) own->step(h / needed, g, state);
+  for (int k = 0; k < static_cast<int>(needed); ++k)
+    own->step(h / needed, body.weight(g, body.attached()), state);
   EXPECT_TRUE(own->finish(h / needed, state));
   return static_cast<int>(needed);
 }

@@ -93,7 +93,7 @@ TEST_P(Bodies, PassThePatchTest) {
   const VecX rest = state.motion.x;
   state.motion.x = (A * rest.reshaped(3, rest.size() / 3)).reshaped();
   // Gravity off and v = 0: what is left of the gradient at x = x_n is the elastic force.
-  body.stepper().begin_stage(0, h, Vec3::Zero(), state);
+  body.stepper().begin_stage(0, h, {}, state);
   VecX g(rest.size());
   body.potential().gradient(state.motion.x, g);
   double inside = 0, boundary = 0;

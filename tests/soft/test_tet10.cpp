@@ -66,7 +66,7 @@ TEST_P(Quadratic, PassThePatchTest) {
   // Only the strain energy: the inertia's part is taken away.
   SoftBodyState still = state;
   still.motion.x = x;
-  body.stepper().begin_stage(0, 1e6, Vec3::Zero(), still);
+  body.stepper().begin_stage(0, 1e6, {}, still);
   body.potential().gradient(x, g);
   double outside = 0;
   for (Eigen::Index i = 0; i < rest.size(); i += 3) {

@@ -46,9 +46,8 @@ void limit_speed(SoftMember& m, double h) {
   m.state->warm_start.setZero();
 }
 
-void EnergyGuard::begin(Island& island, const Vec3& gravity) {
+void EnergyGuard::begin(Island& island) {
   island_ = &island;
-  gravity_ = gravity;
   before_.clear();
   after_.assign(island.soft.size(), 0);
   for (SoftMember& m : island.soft) {
@@ -67,7 +66,7 @@ double EnergyGuard::allowed(std::size_t m, double work) const {
   const SoftDesc& desc = s.body->desc();
   const double stiffness = desc.youngs_modulus * s.body->total_mass() / desc.density;  // J
   return (1 + allowance) * (before_[m] + std::max(0.0, work)) + s.state->energy_slack +
-         fall_energy(*s.body, s.body->stepper().remembered().x, s.state->motion.x, gravity_) +
+         fall_energy(s.body->node_mass(), s.body->stepper().remembered().x, s.state->motion.x, s.weight) +
          least_strain * least_strain * stiffness;
 }
 

@@ -25,7 +25,7 @@ void limit_speed(SoftMember& member, double h);
 class EnergyGuard {
  public:
   /// Starts a tick: remembers the soft members' motion. The island must outlive it.
-  void begin(Island& island, const Vec3& gravity);
+  void begin(Island& island);
 
   /// Tells whether the tick began with energies that are numbers.
   bool sound() const;
@@ -46,7 +46,6 @@ class EnergyGuard {
   double allowed(std::size_t m, double work) const;
 
   Island* island_ = nullptr;
-  Vec3 gravity_ = Vec3::Zero();
   std::vector<double> before_, after_;  // J, elastic and kinetic, of each soft member
 };
 

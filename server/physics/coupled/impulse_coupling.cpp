@@ -106,9 +106,7 @@ class Coupling {
       meet(hs);
       for (std::size_t m = 0; m < island_.soft.size(); ++m) {
         SoftMember& member = island_.soft[m];
-        const bool falls = member.body->falls();
-        if (tick_.substepped[m])
-          member.body->substepper()->step(hs, falls ? tick_.gravity : Vec3::Zero(), *member.state);
+        if (tick_.substepped[m]) member.body->substepper()->step(hs, member.weight, *member.state);
       }
       passed_ = static_cast<double>(k + 1) / tick_.substeps;
       learn();
@@ -252,8 +250,8 @@ class Coupling {
 
   /// Returns the velocity that gravity adds in a substep, m/s.
   Vec3 fall(const Side& side, double hs) const {
-    const bool falls = side.soft && tick_.substepped[side.member] && side.soft->body->falls();
-    return falls ? Vec3(hs * tick_.gravity) : Vec3::Zero();
+    if (!side.soft || !tick_.substepped[side.member]) return Vec3::Zero();
+    return hs * side.soft->weight.acceleration;
   }
 
   void foresee_fall(double hs) {

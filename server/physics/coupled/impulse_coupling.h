@@ -16,7 +16,6 @@ struct SubstepTick {
   std::span<const std::size_t> contacts, ties;  // by index, of any members: those to be solved
   int substeps = 1;                             // equal ones
   double h = 0;                                 // s
-  Vec3 gravity = Vec3::Zero();                  // m/s²
 };
 
 /// J, what impulses did to a soft member within the tick.

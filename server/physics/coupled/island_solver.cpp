@@ -298,7 +298,7 @@ void IslandSolver::keep_momentum(const Island& island, double h) {
 }
 
 /// Makes one attempt at the tick. work_: J, by joints on each soft member.
-IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double h, const Vec3& gravity) {
+IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double h) {
   const double tolerance = linear_tolerance(island, limits.settings.tolerance, bodies_);
   int stages = 1;
   for (const SoftMember& m : island.soft) stages = std::max(stages, stages_of(m));
@@ -309,7 +309,7 @@ IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double 
   for (int stage = 0; stage < stages; ++stage) {
     parallel_each(island.soft.size(), [&](std::size_t i) {
       const SoftMember& m = island.soft[i];
-      m.body->stepper().begin_stage(stage, h, gravity, *m.state, m.euler);
+      m.body->stepper().begin_stage(stage, h, m.weight, *m.state, m.euler);
     });
     system_.initial_guess(q_);
     if (limits.careful || (limits.alone && violent(island))) start_where_energy_is_least();
@@ -337,10 +337,11 @@ IslandReport IslandSolver::attempt(Island& island, const Limits& limits, double 
 }
 
 /// Sums up the island's energy over the last attempt.
-IslandSolver::Account IslandSolver::account(const Island& island, double h, const Vec3& gravity) {
+IslandSolver::Account IslandSolver::account(const Island& island, double h) {
   Account sum{guard_.before(), 0, stored_};
   for (const SoftMember& m : island.soft) {
-    sum.given += fall_energy(*m.body, m.body->stepper().remembered().x, m.state->motion.x, gravity);
+    sum.given +=
+        fall_energy(m.body->node_mass(), m.body->stepper().remembered().x, m.state->motion.x, m.weight);
     sum.has += kinetic_energy(m.body->node_mass(), m.state->motion.v);
   }
   for (const RigidMember& m : island.rigid) {
@@ -359,27 +360,27 @@ IslandSolver::Account IslandSolver::account(const Island& island, double h, cons
 
 /// Tells whether the last attempt gave the island more energy than weight did, and not by a little. A
 /// minimiser gives none; an iterate that was stopped while much of the forces was left may.
-bool IslandSolver::gained_in_company(const Island& island, double h, const Vec3& gravity) {
+bool IslandSolver::gained_in_company(const Island& island, double h) {
   double mass = 0;
   for (const SoftMember& m : island.soft) mass += m.body->total_mass();
-  const Account sum = account(island, h, gravity);
+  const Account sum = account(island, h);
   const double room = most_gain * sum.had + mass * small_speed * small_speed / 2;
   return !(sum.has <= sum.had + sum.given + room);
 }
 
-IslandReport IslandSolver::solve(Island& island, double h, const Vec3& gravity) {
+IslandReport IslandSolver::solve(Island& island, double h) {
   Limits limits = limits_of(island);
   choose_integrators(island);
-  guard_.begin(island, gravity);
+  guard_.begin(island);
   if (!guard_.sound()) {
     IslandReport lost;
     lost.finite = false;
     return lost;
   }
-  IslandReport report = attempt(island, limits, h, gravity);
+  IslandReport report = attempt(island, limits, h);
   const auto gained = [&] {
     if (limits.alone) return guard_.gained(work_);
-    return limits.in_company && gained_in_company(island, h, gravity);
+    return limits.in_company && gained_in_company(island, h);
   };
   if (report.finite ? gained() : limits.alone) {
     guard_.rewind();
@@ -388,7 +389,7 @@ IslandReport IslandSolver::solve(Island& island, double h, const Vec3& gravity) 
     limits.careful = true;
     for (SoftMember& m : island.soft) m.euler = m.guarded = true;
     const IslandReport first = report;
-    report = attempt(island, limits, h, gravity);
+    report = attempt(island, limits, h);
     report.newton_iterations += first.newton_iterations;
     report.solver_iterations += first.solver_iterations;
     if (!report.finite) {

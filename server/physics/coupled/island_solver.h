@@ -29,7 +29,7 @@ class IslandSolver {
   /// stepped by implicit Euler, and if need be shortened (energy_guard.h). Where solid bodies touch or hold
   /// others, the island's energy is watched, and the tick taken again with more care. Momentum of what
   /// nothing holds in the room is right however early a solve stops.
-  IslandReport solve(Island& island, double h, const Vec3& gravity);
+  IslandReport solve(Island& island, double h);
 
  private:
   struct Limits;
@@ -42,12 +42,12 @@ class IslandSolver {
 
   Limits limits_of(const Island& island);
   void keep_momentum(const Island& island, double h);
-  IslandReport attempt(Island& island, const Limits& limits, double h, const Vec3& gravity);
+  IslandReport attempt(Island& island, const Limits& limits, double h);
   IslandReport minimise(const Limits& limits, double tolerance);
   double line_search(double energy, double slope, int halvings);
   void start_where_energy_is_least();
-  Account account(const Island& island, double h, const Vec3& gravity);
-  bool gained_in_company(const Island& island, double h, const Vec3& gravity);
+  Account account(const Island& island, double h);
+  bool gained_in_company(const Island& island, double h);
 
   IslandSystem system_;
   EnergyGuard guard_;

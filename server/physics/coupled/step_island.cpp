@@ -52,10 +52,9 @@ IslandSolver& solver_of(const Island& island, Solvers& solvers) {
 /// One attempt at the tick, with who is substepped decided.
 class Tick {
  public:
-  Tick(Island& island, double h, const Vec3& gravity, TickBuffers& buffers, Solvers& solvers)
+  Tick(Island& island, double h, TickBuffers& buffers, Solvers& solvers)
       : island_(island),
         h_(h),
-        gravity_(gravity),
         start_(buffers.start),
         energy_(buffers.energy),
         work_(buffers.work),
@@ -90,7 +89,8 @@ class Tick {
 
   double fallen(std::size_t m) const {
     const SoftMember& member = island_.soft[m];
-    return std::max(0.0, fall_energy(*member.body, start_[m].motion.x, member.state->motion.x, gravity_));
+    return std::max(0.0, fall_energy(member.body->node_mass(), start_[m].motion.x, member.state->motion.x,
+                                     member.weight));
   }
 
   /// Tells whether a substepped body has no more energy than its start, gravity and the impulses on it
@@ -216,6 +216,7 @@ class Tick {
       if (!substepped_[m]) {
         const SoftMember& member = island_.soft[m];
         rest.soft.push_back({member.index, member.body, member.state});
+        rest.soft.back().weight = member.weight;
         rest.soft.back().guarded = member.guarded;
         member_of.push_back(m);
       }
@@ -238,7 +239,7 @@ class Tick {
     IslandReport report;
     report.converged = true;
     if (rest.soft.empty() && rest.rigid.empty()) return report;
-    report = solver_of(rest, solvers_).solve(rest, h_, gravity_);
+    report = solver_of(rest, solvers_).solve(rest, h_);
     island_.rigid = rest.rigid;
     for (std::size_t m = 0; m < member_of.size(); ++m)
       island_.soft[member_of[m]].guarded = rest.soft[m].guarded;
@@ -248,8 +249,8 @@ class Tick {
 
   void substep() {
     if (substeps_ > 0)
-      buffers_.coupling.run(
-          island_, {start_, substepped_, buffers_.contacts, buffers_.ties, substeps_, h_, gravity_}, work_);
+      buffers_.coupling.run(island_, {start_, substepped_, buffers_.contacts, buffers_.ties, substeps_, h_},
+                            work_);
   }
 
   /// Returns true when the tick stands. Otherwise everything is where it was, but what was learnt of
@@ -289,7 +290,6 @@ class Tick {
 
   Island& island_;
   double h_;
-  const Vec3& gravity_;
   std::vector<SoftBodyState>& start_;
   std::vector<double>& energy_;
   std::vector<SubstepWork>& work_;
@@ -321,11 +321,11 @@ IslandReport IslandStepper::step(Island& island, double h, const Vec3& gravity) 
     if (island.contacts.empty() && island.ties.empty()) limit_speed(m, h);
   }
   const bool sane = gravity.allFinite();
-  const Vec3 pull = sane ? gravity : Vec3(Vec3::Zero());
+  weigh(island, sane ? gravity : Vec3(Vec3::Zero()));
   const bool substeps = std::any_of(island.soft.begin(), island.soft.end(),
                                     [](const SoftMember& m) { return m.body->substepper() != nullptr; });
-  const IslandReport report = substeps ? Tick(island, h, pull, buffers_->tick, buffers_->solvers).run()
-                                       : solver_of(island, buffers_->solvers).solve(island, h, pull);
+  const IslandReport report = substeps ? Tick(island, h, buffers_->tick, buffers_->solvers).run()
+                                       : solver_of(island, buffers_->solvers).solve(island, h);
   for (std::size_t i = 0; i < own.size(); ++i) {
     SoftMember& m = island.soft[i];
     m.body = own[i];

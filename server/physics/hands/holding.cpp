@@ -42,13 +42,13 @@ bool was_set_down(const Bodies& bodies, std::span<const Hand> hands, std::span<c
   Hold& hold = *hand.hold;
   const bool tissue = bodies.is_soft(hold.body);
   const std::size_t i = tissue ? bodies.soft_index(hold.body) : 0;
-  if (tissue ? bodies.soft[i].solver->attached() || !bodies.soft[i].solver->falls()
-             : bodies.model.rigid[hold.body].setup.balanced)
-    return false;
-  const double mass = tissue ? bodies.soft[i].solver->total_mass() : bodies.model.rigid[hold.body].setup.mass;
-  const double weight = mass * bodies.model.scene.gravity.norm();
+  const Vec3& gravity = bodies.model.scene.gravity;
+  if (tissue ? bodies.soft[i].solver->attached() : bodies.model.rigid[hold.body].setup.balanced) return false;
+  const double weight = tissue ? bodies.soft[i].solver->total_mass() *
+                                     bodies.soft[i].solver->weight(gravity, false).acceleration.norm()
+                               : bodies.model.rigid[hold.body].setup.mass * gravity.norm();
   if (!(weight > 0)) return false;
-  const Vec3 up = -bodies.model.scene.gravity.normalized();
+  const Vec3 up = -gravity.normalized();
   const double carried = support(bodies, hands, islands, hold.body).dot(up) / weight;
   if (carried < in_the_air) hold.lifted = true;
   const double given = force.dot(up) / weight;

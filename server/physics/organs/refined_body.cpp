@@ -132,6 +132,11 @@ RefinedBody::RefinedBody(const SoftBody& compiled, double tick_rate)
   piece = refined_mesh(*this);
 }
 
+RefinedBody::RefinedBody(Anatomy anatomy, double density, const RefinementLimits& limits)
+    : whole(std::move(anatomy)), mesh(whole.tets, density, limits) {
+  carrier = carriers(whole, mesh.complex());
+}
+
 PieceMesh refined_mesh(const RefinedBody& body) {
   const TetComplex& complex = body.mesh.complex();
   const auto compiled = static_cast<NodeId>(body.whole.tets.positions.size());

@@ -17,12 +17,15 @@ struct RefinedBody {
   /// Takes a body as compiled, whose description says how it is refined. `tick_rate`: Hz. Throws InputError
   /// for what has no linear tetrahedra, or flat ones.
   RefinedBody(const SoftBody& compiled, double tick_rate);
+  /// Takes tetrahedra that are no body's yet. `density`: kg/m³. Throws InputError for what TetComplex
+  /// refuses.
+  RefinedBody(Anatomy anatomy, double density, const RefinementLimits& limits);
 
-  Anatomy whole;               // as compiled
-  std::uint64_t content_hash;  // of the body as compiled
-  std::vector<TetId> carrier;  // by surface vertex: the compiled tetrahedron that it hangs on
-  PieceMesh piece;             // as the body's solver has it
-  std::uint64_t rehung = 0;    // how often its surface came to hang on other nodes
+  Anatomy whole;                   // as compiled
+  std::uint64_t content_hash = 0;  // of the body as compiled
+  std::vector<TetId> carrier;      // by surface vertex: the compiled tetrahedron that it hangs on
+  PieceMesh piece;                 // as the body's solver has it
+  std::uint64_t rehung = 0;        // how often its surface came to hang on other nodes
 
   // ---- State
   LocalRefinement mesh;

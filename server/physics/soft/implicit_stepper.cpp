@@ -19,11 +19,10 @@ void ImplicitStepper::start_anew() {
     v->setZero(matter_.rest().size());
 }
 
-void ImplicitStepper::begin_stage(int stage_index, double h, const Vec3& gravity, const SoftBodyState& state,
+void ImplicitStepper::begin_stage(int stage_index, double h, const Weight& weight, const SoftBodyState& state,
                                   bool euler) {
   stepping_ = euler ? euler_.get() : integrator_.get();
-  stepping_->begin(stage_index, h, matter_.falls() ? gravity : Vec3::Zero(), state.motion,
-                   potential_.stage());
+  stepping_->begin(stage_index, h, weight, state.motion, potential_.stage());
   x_n_ = state.motion.x;
   potential_.begin_stage(x_n_);
   if (relaxed_)

@@ -8,12 +8,10 @@ double kinetic_energy(const VecX& mass, const VecX& v) {
   return 0.5 * sum;
 }
 
-double fall_energy(const SoftBody& body, const VecX& from, const VecX& to, const Vec3& gravity) {
+double fall_energy(const VecX& mass, const VecX& from, const VecX& to, const Weight& weight) {
   double sum = 0;
-  if (!body.falls()) return sum;
-  const VecX& mass = body.node_mass();
   for (Eigen::Index i = 0; i < mass.size(); ++i)
-    sum += mass[i] * gravity.dot(to.segment<3>(3 * i) - from.segment<3>(3 * i));
+    sum += mass[i] * weight.at(i).dot(to.segment<3>(3 * i) - from.segment<3>(3 * i));
   return sum;
 }
 

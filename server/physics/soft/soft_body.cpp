@@ -123,8 +123,10 @@ void SoftBody::set_in_force(double stiffness, bool attached) {
 bool SoftBody::attached() const {
   return !parts_->matter.attached.isZero();
 }
-bool SoftBody::falls() const {
-  return parts_->matter.falls();
+Weight SoftBody::weight(const Vec3& gravity, bool borne) const {
+  const SoftMatter& m = parts_->matter;
+  if (!m.falls()) return {};
+  return borne && m.borne.size() > 0 ? Weight(gravity, m.borne) : Weight(gravity);
 }
 
 IncrementalPotential& SoftBody::potential() {

@@ -16,6 +16,7 @@
 
 #include "common/mesh.h"
 #include "common/scene/scene.h"
+#include "server/physics/soft/base/weight.h"
 #include "server/physics/soft/integrators/soft_state.h"
 
 namespace prosector {
@@ -62,10 +63,11 @@ class SoftBody {
   void set_in_force(double stiffness, bool attached);
   /// Tells whether something holds it now.
   bool attached() const;
-  /// Tells whether gravity acts. On what was imaged under its weight (gravity = false) it acts only once
-  /// nothing carries it any more. That is once the body is taken out of its place, or all that tied it there
-  /// was cut off it.
-  bool falls() const;
+  /// Returns what it weighs under `gravity` (m/s²). What was imaged under its weight (gravity = false) weighs
+  /// nothing until nothing carries it any more. That is once the body is taken out of its place, or all that
+  /// tied it there was cut off it. `borne`: whether something bears it. Then quadratic elements bear their
+  /// weight by shape functions. What falls bears it by masses, or it would strain.
+  Weight weight(const Vec3& gravity, bool borne) const;
 
   // ---- Its parts; const ones are for queries
   IncrementalPotential& potential();

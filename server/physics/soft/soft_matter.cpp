@@ -28,6 +28,11 @@ std::unique_ptr<ElasticModel> usable_model(const SoftDesc& desc, const Anatomy& 
   return model;
 }
 
+VecX borne_shares(const ElasticModel& model) {
+  if (&model.shape_volume() == &model.volume()) return {};
+  return model.shape_volume().cwiseQuotient(model.volume());
+}
+
 }  // namespace
 
 SoftMatter::SoftMatter(const SoftDesc& d, Anatomy a)
@@ -38,6 +43,7 @@ SoftMatter::SoftMatter(const SoftDesc& d, Anatomy a)
       symmetric(pattern),
       mass(lumped_mass(d.density, model->volume())),
       ties(attachment_stiffness(d.attach, model->rest(), model->volume())),
+      borne(borne_shares(*model)),
       inertia(mass),
       attached(ties),
       area(vertex_areas(anatomy)),
@@ -52,6 +58,7 @@ void SoftMatter::fit() {
   symmetric.fit(pattern);
   mass = lumped_mass(desc.density, model->volume());
   ties = attachment_stiffness(desc.attach, model->rest(), model->volume());
+  borne = borne_shares(*model);
   weigh();
   diagonal = bounding_diagonal(model->rest());
 }

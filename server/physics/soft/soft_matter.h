@@ -33,6 +33,7 @@ struct SoftMatter {
   BlockPattern pattern;
   SymmetricPattern symmetric;
   VecX mass, ties;  // n kg; n N/m, as described
+  VecX borne;       // n: by shape functions, of a node's weight by its mass; empty: linear elements, all 1
   // A material that is s times as stiff moves as if inertia, ties and loads were 1/s of what they are. So it
   // is computed, and what leaves the body is multiplied by s: no element knows of it.
   double strength = 1;  // s
@@ -50,7 +51,7 @@ struct SoftMatter {
   std::size_t vertex_count() const { return quadratic ? quadratic->edges.vertices() : node_count(); }
   const VecX& rest() const { return model->rest(); }
   const TetMesh& linear_tets() const { return quadratic ? quadratic->eighths : anatomy.tets; }
-  /// Tells whether gravity acts, see SoftBody::falls().
+  /// Tells whether gravity acts, see SoftBody::weight().
   bool falls() const;
 };
 

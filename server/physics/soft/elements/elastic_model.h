@@ -24,6 +24,9 @@ class ElasticModel {
 
   virtual const VecX& rest() const = 0;    // 3n, m: where W = 0
   virtual const VecX& volume() const = 0;  // n, m³: lumped; times the density it is the nodes' mass
+  /// Returns what the shape functions' integrals give nodes of the volume, n, m³: all of it together, but
+  /// some less than none. Of linear elements it is volume().
+  virtual const VecX& shape_volume() const { return volume(); }
   virtual const Connectivity& connectivity() const = 0;
   virtual std::size_t dropped_elements() const = 0;  // degenerate ones, left out of the connectivity
 

@@ -75,6 +75,10 @@ double volume_of(const TetMesh& mesh, std::size_t t) {
 double lumped_share(double V, std::size_t n) {
   return n < 4 ? V / 36 : 4 * V / 27;
 }
+/// Returns the integral of its shape function.
+double shape_share(double V, std::size_t n) {
+  return n < 4 ? -V / 20 : V / 5;
+}
 
 }  // namespace
 
@@ -82,7 +86,9 @@ const double Tet10Elements::squares_of_points = find_squares_of_points();
 const double Tet10Elements::squares_of_sums = find_squares_of_sums();
 
 Tet10Elements::Tet10Elements(const TetMesh& mesh)
-    : corners_(mesh), volume_(VecX::Zero(static_cast<Eigen::Index>(mesh.positions.size()))) {
+    : corners_(mesh),
+      volume_(VecX::Zero(static_cast<Eigen::Index>(mesh.positions.size()))),
+      shape_volume_(volume_) {
   const EdgeNodes edges = EdgeNodes::of(mesh);
   std::vector<Nodes> all(mesh.tets.size());
   std::vector<double> volume(mesh.tets.size());
@@ -97,7 +103,10 @@ Tet10Elements::Tet10Elements(const TetMesh& mesh)
     }
   });
   for (std::size_t t = 0; t < all.size(); ++t)
-    for (std::size_t n = 0; n < nodes_per_element; ++n) volume_[all[t][n]] += lumped_share(volume[t], n);
+    for (std::size_t n = 0; n < nodes_per_element; ++n) {
+      volume_[all[t][n]] += lumped_share(volume[t], n);
+      shape_volume_[all[t][n]] += shape_share(volume[t], n);
+    }
   if (dropped() == 0) {
     nodes_ = std::move(all);
     return;
@@ -130,13 +139,18 @@ void Tet10Elements::follow(const TetMesh& mesh, const MeshEdit& edit) {
 void Tet10Elements::follow_volume(const TetMesh& mesh, const MeshEdit& edit, const Connectivity& connectivity,
                                   const Incidence& incidence) {
   edit.kept_nodes.carry(volume_);
+  edit.kept_nodes.carry(shape_volume_);
   for (const std::uint32_t node : edit.nodes) {
-    double sum = 0;  // in the order of the elements, as above
+    double lumped = 0, by_shape = 0;  // in the order of the elements, as above
     for (const std::uint32_t corner : incidence.corners(node)) {
       const std::size_t e = connectivity.element_of(corner);
-      sum += lumped_share(volume_of(mesh, e), corner - connectivity.first_corner(e));
+      const std::size_t n = corner - connectivity.first_corner(e);
+      const double V = volume_of(mesh, e);
+      lumped += lumped_share(V, n);
+      by_shape += shape_share(V, n);
     }
-    volume_[node] = sum;
+    volume_[node] = lumped;
+    shape_volume_[node] = by_shape;
   }
 }
 

@@ -40,6 +40,8 @@ class Tet10Elements {
   /// total (Hinton, Rock, Zienkiewicz 1976): V/36 at vertices, 4V/27 at edges. Positive, and the better half
   /// of the consistent one; rows summed would be negative at vertices.
   const VecX& lumped_volume() const { return volume_; }
+  /// Returns m³ of each node by the integrals of the shape functions: −V/20 at vertices, V/5 at edges.
+  const VecX& shape_volume() const { return shape_volume_; }
 
   /// Returns the integration points as linear tetrahedra with four corners of their own each, a quarter of
   /// the element's volume: points 4e … 4e + 3 are those of element e.
@@ -75,7 +77,7 @@ class Tet10Elements {
  private:
   Tet4Elements corners_;
   std::vector<Nodes> nodes_;
-  VecX volume_;
+  VecX volume_, shape_volume_;
 };
 
 }  // namespace prosector

@@ -47,6 +47,7 @@ class Tet10Model final : private Tet10Parts, public BatchedModel {
   }
 
   const VecX& volume() const override { return elements.lumped_volume(); }
+  const VecX& shape_volume() const override { return elements.shape_volume(); }
   std::size_t dropped_elements() const override { return elements.dropped(); }
   bool can_follow(const MeshEdit& edit) const override {
     return batches().can_follow() && elements.can_follow(rest(), edit);

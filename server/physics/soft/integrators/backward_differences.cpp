@@ -12,15 +12,15 @@ class BackwardDifferences final : public TimeIntegrator {
   int stages() const override { return 1; }
   bool remembers() const override { return order_ > 1; }
 
-  void begin(int, double h, const Vec3& gravity, const Motion& motion, Stage& stage) const override {
+  void begin(int, double h, const Weight& weight, const Motion& motion, Stage& stage) const override {
     if (order_ == 2 && motion.has_history) {
       stage.x_v = (4 * motion.x - motion.x_prev) / 3;
       stage.y = (4 * motion.v - motion.v_prev) / 3;
-      finish_inertia_target(2 * h / 3, gravity, stage);
+      finish_inertia_target(2 * h / 3, weight, stage);
     } else {
       stage.x_v = motion.x;
       stage.y = motion.v;
-      finish_inertia_target(h, gravity, stage);
+      finish_inertia_target(h, weight, stage);
     }
   }
 

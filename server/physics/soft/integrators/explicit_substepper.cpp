@@ -31,7 +31,7 @@ class BodyField final : public AccelerationField {
   void begin(const double* x) {
     if (!stiffness_.empty()) body_.pattern.gather(body_.model.warped_stiffness(x), 0, {}, stiffness_);
   }
-  void set_gravity(const Vec3& gravity) { gravity_ = gravity; }
+  void set_weight(const Weight& weight) { weight_ = weight; }
 
   void at(const VecX& x, const VecX& v, VecX& a) override {
     const double alpha = body_.desc.damping_mass, beta = body_.desc.damping_stiffness;
@@ -47,7 +47,7 @@ class BodyField final : public AccelerationField {
       Vec3 g = gradient_.segment<3>(3 * i);
       if (body_.attached[i] > 0)
         g += body_.attached[i] * (x.segment<3>(3 * i) - rest.segment<3>(3 * i) + beta * v.segment<3>(3 * i));
-      a.segment<3>(3 * i) = gravity_ - alpha * v.segment<3>(3 * i) - g / body_.mass[i];
+      a.segment<3>(3 * i) = weight_.at(i) - alpha * v.segment<3>(3 * i) - g / body_.mass[i];
     }
   }
   bool damped() const override { return body_.desc.damping_mass > 0 || body_.desc.damping_stiffness > 0; }
@@ -56,7 +56,7 @@ class BodyField final : public AccelerationField {
   const SubstepBody body_;
   std::vector<Mat3> stiffness_;  // K(x_n), used when damped
   VecX gradient_, damping_;
-  Vec3 gravity_ = Vec3::Zero();
+  Weight weight_;
 };
 
 class ExplicitSubstepper final : public Substepper {
@@ -102,8 +102,8 @@ class ExplicitSubstepper final : public Substepper {
     return needs_damping_ ? growth * h : 2;  // the push itself, and what it strains
   }
   void begin(const SoftBodyState& state) override { field_.begin(state.motion.x.data()); }
-  void step(double hs, const Vec3& gravity, SoftBodyState& state) override {
-    field_.set_gravity(gravity);
+  void step(double hs, const Weight& weight, SoftBodyState& state) override {
+    field_.set_weight(weight);
     method_->step(field_, hs, state.motion.x, state.motion.v);
   }
   bool finish(double hs, SoftBodyState& state) override {

@@ -17,7 +17,7 @@ std::unique_ptr<TimeIntegrator> make_bdf2();
 std::unique_ptr<TimeIntegrator> make_tr_bdf2();
 
 /// Computes y = x_v + c·v_h + c²·g, from x_v and with v_h given in stage.y.
-void finish_inertia_target(double c, const Vec3& gravity, Stage& stage);
+void finish_inertia_target(double c, const Weight& weight, Stage& stage);
 /// Moves v = (x − x_v)/c and x into the motion, whose present state becomes its history.
 void advance(const Stage& stage, const Eigen::Ref<const VecX>& x, Motion& motion);
 

@@ -39,7 +39,7 @@ class Substepper {
   /// Starts a tick.
   virtual void begin(const SoftBodyState& state) = 0;
   /// Steps the body by hs s, free of contacts.
-  virtual void step(double hs, const Vec3& gravity, SoftBodyState& state) = 0;
+  virtual void step(double hs, const Weight& weight, SoftBodyState& state) = 0;
   /// Ends a tick that took substeps of hs s (0: it was stepped otherwise) and finds what the next one needs.
   /// False when, in hindsight, hs was too long, because the body got stiffer within the tick.
   virtual bool finish(double hs, SoftBodyState& state) = 0;

@@ -18,11 +18,11 @@ std::unique_ptr<TimeIntegrator> make_integrator(const std::string& name) {
   return find_row(integrators(), "integrator", name).make();
 }
 
-void finish_inertia_target(double c, const Vec3& gravity, Stage& stage) {
+void finish_inertia_target(double c, const Weight& weight, Stage& stage) {
   stage.alpha = 1 / (c * c);
   stage.dxdv = c;
   stage.y = stage.x_v + c * stage.y;
-  stage.y.reshaped(3, stage.y.size() / 3).colwise() += c * c * gravity;
+  weight.add(c * c, stage.y);
 }
 
 void advance(const Stage& stage, const Eigen::Ref<const VecX>& x, Motion& motion) {

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "common/math.h"
+#include "server/physics/soft/base/weight.h"
 
 namespace prosector {
 
@@ -53,9 +54,8 @@ class TimeIntegrator {
   virtual double share(int /*stage_index*/) const { return 1; }
   /// Tells whether a step depends on what was before its start.
   virtual bool remembers() const = 0;
-  /// Begins a stage of a step of `h` s under `gravity` m/s² (zero for bodies without). Writes into `stage`
-  /// without allocating once sized.
-  virtual void begin(int stage_index, double h, const Vec3& gravity, const Motion& motion,
+  /// Begins a stage of a step of `h` s. Writes into `stage` without allocating once sized.
+  virtual void begin(int stage_index, double h, const Weight& weight, const Motion& motion,
                      Stage& stage) const = 0;
   /// Takes the minimiser x of the stage into the motion; after the last stage the step is done.
   virtual void finish(int stage_index, double h, const Stage& stage, const Eigen::Ref<const VecX>& x,

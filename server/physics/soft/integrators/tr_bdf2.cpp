@@ -18,12 +18,12 @@ class TrBdf2 final : public TimeIntegrator {
   double share(int stage_index) const override { return stage_index == 0 ? gamma : 1 - gamma; }
   bool remembers() const override { return true; }
 
-  void begin(int stage_index, double h, const Vec3& gravity, const Motion& motion,
+  void begin(int stage_index, double h, const Weight& weight, const Motion& motion,
              Stage& stage) const override {
     if (stage_index == 0 && !motion.has_history) {  // nothing is known of the acceleration: backward Euler
       stage.x_v = motion.x;
       stage.y = motion.v;
-      finish_inertia_target(gamma * h, gravity, stage);
+      finish_inertia_target(gamma * h, weight, stage);
       return;
     }
     const double c = gamma * h / 2;
@@ -36,7 +36,7 @@ class TrBdf2 final : public TimeIntegrator {
       stage.y = now * motion.v - before * motion.v_prev;
     }
     stage.v_h = stage.y;
-    finish_inertia_target(c, gravity, stage);
+    finish_inertia_target(c, weight, stage);
   }
 
   void finish(int stage_index, double h, const Stage& stage, const Eigen::Ref<const VecX>& x,

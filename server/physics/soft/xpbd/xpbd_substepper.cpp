@@ -76,11 +76,11 @@ class XpbdSubstepper final : public Substepper {
     return more;
   }
 
-  void step(double hs, const Vec3& gravity, SoftBodyState& state) override {
+  void step(double hs, const Weight& weight, SoftBodyState& state) override {
     VecX &x = state.motion.x, &v = state.motion.v;
     x_ = x.data();
     start_ = x;
-    v.reshaped(3, body_.mass.size()).colwise() += hs * gravity;
+    weight.add(hs, v);
     v *= std::exp(-hs * body_.desc.damping_mass);
     x += hs * v;
     hold_attachments(hs);
