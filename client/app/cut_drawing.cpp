@@ -21,6 +21,7 @@ constexpr double turn_speed = 2.5;                                              
 constexpr double turned = 0.05, most_astray = 0.4;                                       // rad
 constexpr double near_enough = 0.004, felt_within = 0.02;                                // m
 constexpr double felt_turned = 0.25;                                                     // rad
+constexpr double over_turn = 0.12;                        // m, of the tip over the surface
 constexpr double longest_wait = 5;                        // s, for the physical hand
 constexpr double arm = 0.1;                               // m, by which turns count as ways
 constexpr double most_behind = 0.06, least_haste = 0.05;  // m, of the physical hand; of the speed
@@ -100,6 +101,7 @@ std::optional<Pose> CutDrawing::advance(const CutGuide& guide, const Pose& wrist
   seconds_ += seconds;
   if (phase_ == Phase::rests && std::exchange(again_, false)) go_to(Phase::waits);
   follow_pointer(guide, seconds);
+  seconds = std::min(seconds, longest_step);
   switch (phase_) {
     case Phase::rests:
       return std::nullopt;
@@ -198,11 +200,12 @@ Pose CutDrawing::wrist_at(const Quat& turn) const {
   return {here.at + height_ * here.normal - turn * blade_.tip, turn};
 }
 
-/// Brings the blade over the way's beginning, and turns it.
+/// Brings the blade over the way's beginning, and turns it, high up if it has far to turn: its edge would
+/// nick tissue beside its tip.
 Pose CutDrawing::come_over(const CutGuide& guide, const Pose& wrist, double seconds) {
-  height_ = over_cut;
   seconds *= haste(guide, wrist, wrist * blade_.tip);
   const Quat to = wanted_turn();
+  height_ = wrist.q.angularDistance(to) > most_astray ? over_turn : over_cut;
   const Quat turn = turned_towards(wrist.q, to, turn_speed * seconds);
   const Vec3 tip = wrist * blade_.tip, goal = wrist_at(to) * blade_.tip;
   const Vec3 step = goal - tip;

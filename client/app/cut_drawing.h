@@ -21,7 +21,10 @@ struct CutGuide {
 
 inline constexpr double first_cut_depth = 0.01;   // m
 inline constexpr double least_cut_depth = 0.001;  // m
-inline constexpr double over_cut = 0.03;          // m, of the tip over the surface before and after a cut
+/// s that a late picture leads a blade on by. Physics goes straight to where the wrist is next: over a longer
+/// way and turn the tip would leave tissue, or nick it.
+inline constexpr double longest_step = 0.1;
+inline constexpr double over_cut = 0.03;  // m, of the tip over the surface before and after a cut
 
 /// Returns the wrist's turn in which the blade stands on a surface, its edge ahead. Its tip trails as far as
 /// keeps it upright in its plane, within bounds. `normal`: of the surface; `way`: ahead, at right angles to

@@ -128,7 +128,8 @@ void DeskHand::advance(const HandGuide& guide, double seconds) {
   if (!to.allFinite()) return;
   const bool waits = has_blade_ && guide.physical && (guide.physical->p - pose().p).norm() > leash;
   if (waits) return;  // else the physical blade would take a shorter way than over tissue
-  point_ += at_most(to - point_, (is_closed() ? fastest_closed : fastest_hand) * seconds);
+  const double most = (is_closed() ? fastest_closed : fastest_hand) * seconds;
+  point_ += at_most(to - point_, has_blade_ ? std::min(most, looks_ahead) : most);
   if (phase_ != Phase::goes_in) return;
   if (guide.physical) waiting_.count((guide.physical->p - pose().p).norm(), seconds);
   grip_when_in(guide, to);
@@ -155,7 +156,7 @@ void DeskHand::set_upright(const HandGuide& guide, double seconds) {
   const bool is_up = guide.physical && (guide.physical->p - pose().p).norm() < physical_there;
   if (!right.allFinite() || over_ground_ < turns_over - physical_there || !is_up) return;
   const Quat to = wrist_by_hand().conjugate() * drawing_turn(*guide.blade, Vec3::UnitY(), right);
-  turned_ = turned_towards(turned_, to, upright_speed * seconds);
+  turned_ = turned_towards(turned_, to, upright_speed * std::min(seconds, longest_step));
   upright_ = turned_.angularDistance(to) < 1e-6;
 }
 
@@ -176,7 +177,9 @@ Vec3 DeskHand::over_tissue(const HandGuide& guide, const Vec3& to) {
   over_ground_ = point_.y() - highest;
   const double needed = highest + (upright_ || button_ ? passes_over : turns_over);
   if (point_.y() < needed - there) return {point_.x(), needed, point_.z()};
-  return {to.x(), std::max(to.y(), needed), to.z()};
+  Vec3 ahead = point_ + (level.norm() > far ? far / level.norm() : 1) * (to - point_);  // what was looked at
+  ahead.y() = std::max(ahead.y(), needed);
+  return ahead;
 }
 
 /// Lets the drawn cut lead the hand; false: there is none.

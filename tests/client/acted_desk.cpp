@@ -162,7 +162,7 @@ void ActedDesk::picture() {
   settings.overlay = false;
   settings.eye = Pose{eye, gaze};
   view_.build(replica_, tick, user, settings);
-  gauge_.look(replica_, 1e-3 * static_cast<double>(ms_));
+  gauge_.look(replica_, tick * replica_.tick_seconds());
   for (const StrokeFigures& s : gauge_.take_ended()) strokes_.push_back(s);
   const HandGuide now = guide(tick);
   if (last_picture_ == 0) hand_.begin(now.pointer, first_reach);

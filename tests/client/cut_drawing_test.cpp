@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -43,9 +44,9 @@ class DrawnCut : public testing::Test {
     guide.blade = {{0.01, -0.02, -0.28}, -Vec3::UnitZ(), -Vec3::UnitX(), 0.1};
     guide.find = [this](const Ray& ray, std::optional<BodyId>) { return ball.meet(ray); };
   }
-  void picture() {
+  void picture(double seconds = picture_seconds) {
     guide.physical = wrist;
-    if (const auto led = drawing.advance(guide, wrist, picture_seconds)) {
+    if (const auto led = drawing.advance(guide, wrist, seconds)) {
       EXPECT_LT((led->p - wrist.p).norm(), 0.12) << "a jump";
       wrist = *led;
       const Vec3 tip = wrist * guide.blade.tip;
@@ -130,6 +131,52 @@ TEST_F(DrawnCut, ItsTipStaysUnderAWayThatThePointerWentBetweenTwoPictures) {
   ASSERT_GT(tips.size(), 20u);
   for (const Vec3& tip : tips) EXPECT_NEAR(tip.z(), way(tip.x()), 0.002);
   EXPECT_GT(tips.back().x(), 0.115) << "as far as it went before the button went up";
+}
+
+TEST_F(DrawnCut, ALatePictureLeadsItNoFartherThanATenthOfASecondDoes) {
+  ball = {{0, -1000, 0}, 1001};
+  picture();
+  for (double x = -0.1; x <= 0.1; x += 0.003) {
+    point(x, 0);
+    x == -0.1 ? drawing.press() : drawing.trace(*guide.tissue, guide.find);
+    if (x == -0.1) picture();
+  }
+  drawing.release();
+  double farthest = 0, most_turned = 0;
+  int pictures = 0;
+  for (; pictures < 100 && (pictures < 3 || drawing.leads()); ++pictures) {
+    const Pose before = wrist;
+    picture(0.9);
+    farthest = std::max(farthest, (wrist * guide.blade.tip - before * guide.blade.tip).norm());
+    most_turned = std::max(most_turned, wrist.q.angularDistance(before.q));
+  }
+  EXPECT_LT(pictures, 60) << "late as they are";
+  EXPECT_LT(farthest, 0.051);
+  EXPECT_LT(most_turned, 0.26);
+  ASSERT_GT(tips.size(), 10u);
+  EXPECT_GT(tips.back().x(), 0.09);
+}
+
+TEST_F(DrawnCut, TurnsFarOnlyHighOverTissue) {
+  ball = {{0, -1000, 0}, 1001};
+  wrist.p = {0, 1.06, 0.3};  // its tip 4 cm up, the blade level
+  const Quat level = wrist.q;
+  point(-0.05, 0);
+  drawing.press();
+  std::vector<Pose> way;
+  for (int k = 0; k <= 300 && tips.empty(); ++k) {
+    point(-0.05 + 0.1 * std::min(k / 60.0, 1.0), 0);
+    picture();
+    way.push_back(wrist);
+  }
+  ASSERT_FALSE(tips.empty());
+  EXPECT_GT(level.angularDistance(wrist.q), 1);
+  double lowest = 1;
+  for (const Pose& at : way)
+    if (at.q.angularDistance(level) > 0.6 && at.q.angularDistance(wrist.q) > 0.6)
+      lowest = std::min(lowest, (at * guide.blade.tip).y() - 1);
+  EXPECT_GT(lowest, 0.08);
+  EXPECT_LT(lowest, 1) << "it was seen to turn";
 }
 
 TEST_F(DrawnCut, TheBladeLiesInThePlaneOfTheWayWithItsEdgeAhead) {
