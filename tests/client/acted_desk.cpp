@@ -39,6 +39,7 @@ ActedDesk::ActedDesk(Simulation& simulation, const Haste& haste)
             {{}, [this] { return network_.now_ns(); }}),
       simulation_(simulation) {
   next_stall_ = stall_every_ms;
+  loop_.publisher().flush();  // the network's chances are those of one order of what is said
   Presence presence;
   presence.participant = self_;
   presence.name = "mouse";
