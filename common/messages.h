@@ -72,12 +72,16 @@ struct RosterEntry {
   std::string devices;
 };
 
+/// Bit of HandPose::buttons: the hand draws a cut, from when its blade is led to it until it is out again.
+/// The lower bits are devices' own.
+inline constexpr std::uint32_t draws_cut = 1u << 31;
+
 struct HandPose {
   bool tracked = false;  // false: no pose this time; the server holds the last for a while
   Pose pose;             // wrist in the room: −z towards the fingers, +y out of the back of the hand
   std::array<double, fingers> flexion{};  // 0 open … 1 closed fist, thumb first
   Gesture gesture = Gesture::none;
-  std::uint32_t buttons = 0;  // bit per button
+  std::uint32_t buttons = 0;  // bit per button, and draws_cut
 };
 
 inline constexpr std::size_t left_hand = 0, right_hand = 1;

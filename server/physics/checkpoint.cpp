@@ -147,8 +147,9 @@ void add(ByteWriter& out, const Hand& hand) {
   out.add(hand.previous_target);
   for (const double f : hand.target_flexion) out.add(f);
   for (const double f : hand.flexion) out.add(f);
-  // One byte: whether it holds something, and the bit above that, whether pads press.
-  out.add(static_cast<std::uint8_t>((hand.hold ? 1 : 0) | (hand.pads.empty() ? 0 : 2)));
+  // One byte: whether it holds something, and the bits above that, whether pads press and whether it draws.
+  out.add(
+      static_cast<std::uint8_t>((hand.hold ? 1 : 0) | (hand.pads.empty() ? 0 : 2) | (hand.draws ? 4 : 0)));
   if (!hand.pads.empty()) add(out, hand.pads);
   if (!hand.hold) return;
   out.add(hand.hold->body);
@@ -300,7 +301,9 @@ Hand read_hand(ByteReader& in, const Model& model, std::span<const SoftBody* con
   for (double& f : hand.target_flexion) f = in.number<double>();
   for (double& f : hand.flexion) f = in.number<double>();
   const auto holds = in.number<std::uint8_t>();
-  in.require(holds <= 3 && (holds < 2 || !model.rigid.empty()), "a hand that neither holds nor doesn't");
+  in.require(holds <= 7 && ((holds & 2) == 0 || !model.rigid.empty()),
+             "a hand that neither holds nor doesn't");
+  hand.draws = (holds & 4) != 0;
   if ((holds & 2) != 0) hand.pads = read_pads(in, model.rigid.size());
   if ((holds & 1) == 0) return hand;
   Hold& hold = hand.hold.emplace();

@@ -32,6 +32,7 @@ struct HandTarget {
   std::size_t hand = right_hand;
   Pose target;
   std::array<double, fingers> flexion{};
+  bool draws = false;  // a cut, which is one stroke however often the blade leaves tissue meanwhile
 };
 
 /// Discrete events, journalled with the tick they are consumed in.

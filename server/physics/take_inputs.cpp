@@ -75,6 +75,7 @@ void take(const HandTarget& t, std::vector<Hand>& hands) {
   if (hand == hands.end() || !is_finite(t.target) || t.target.p.cwiseAbs().maxCoeff() > max_coordinate)
     return;
   hand->target = {t.target.p, t.target.q.normalized()};
+  hand->draws = t.draws;
   if (std::all_of(t.flexion.begin(), t.flexion.end(), [](double f) { return std::isfinite(f); }))
     hand->target_flexion = t.flexion;
 }

@@ -8,6 +8,9 @@
 namespace prosector {
 namespace {
 
+constexpr std::uint8_t said_of_hand = 2;  // the bit above a hand's
+constexpr const char* no_such_hand = "no such hand";
+
 // Each kind of input is described once, for writing and for reading: an Io takes the members of an entry in
 // the order of their bytes. Structured bindings name all members, so that a new one doesn't compile before it
 // is given its place here.
@@ -29,6 +32,10 @@ class Writer {
   template <class Wire, class T>
   void limited(const T& value, Wire, const char*) {
     bytes_.add(static_cast<Wire>(value));
+  }
+  /// Adds a hand and a bit that is said of it, as one byte.
+  void hand(const std::size_t& hand, const bool& said) {
+    bytes_.add(static_cast<std::uint8_t>(hand | (said ? said_of_hand : 0)));
   }
   void require(bool, const char*) {}
   void block(const std::shared_ptr<const std::vector<std::uint8_t>>& block) {
@@ -67,6 +74,12 @@ class Reader {
     bytes_.require(read <= last, problem);
     value = static_cast<T>(read);
   }
+  void hand(std::size_t& hand, bool& said) {
+    const auto read = bytes_.bits<std::uint8_t>();
+    said = (read & said_of_hand) != 0;
+    hand = read & ~std::size_t{said_of_hand};
+    bytes_.require(hand <= right_hand, no_such_hand);
+  }
   void require(bool good, const char* problem) { bytes_.require(good, problem); }
   void block(std::shared_ptr<const std::vector<std::uint8_t>>& block) {
     const auto bytes = bytes_.block(bytes_.records(1));
@@ -101,7 +114,7 @@ void entry(Io& io, typename Io::template Entry<HandEvent>& e) {
   auto& [kind, participant, hand, body] = e;
   io.limited(kind, HandEvent::Kind::grasp_body, "no such event");
   io.number(participant);
-  io.limited(hand, std::uint8_t{right_hand}, "no such hand");
+  io.limited(hand, std::uint8_t{right_hand}, no_such_hand);
   io.number(body);
 }
 
@@ -118,9 +131,9 @@ void entry(Io& io, typename Io::template Entry<PartEvent>& e) {
 
 template <class Io>
 void entry(Io& io, typename Io::template Entry<HandTarget>& e) {
-  auto& [participant, hand, target, flexion] = e;
+  auto& [participant, hand, target, flexion, draws] = e;
   io.number(participant);
-  io.limited(hand, std::uint8_t{right_hand}, "no such hand");
+  io.hand(hand, draws);
   io.numbers(target.p.data(), 3);
   io.numbers(target.q.coeffs().data(), 4);
   io.numbers(flexion.data(), fingers);

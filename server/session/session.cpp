@@ -411,7 +411,7 @@ void Session::consume_seat(ParticipantId id, Seat& seat, ConsumedInput& out) {
     Hand& hand = seat.hands[h];
     if (seat.fresh && seat.input->hands[h].tracked) {
       const HandPose& pose = seat.input->hands[h];
-      hand.target = {id, h, pose.pose, pose.flexion};
+      hand.target = {id, h, pose.pose, pose.flexion, (pose.buttons & draws_cut) != 0};
       hand.tracked_tick = tick_;
       if (!hand.present) out.input.events.push_back({HandEvent::Kind::appear, id, h, BodyId{0}});
       hand.present = true;

@@ -160,9 +160,16 @@ TEST(Rewind, RefusesWhatIsNoStateOfThisRunAndChangesNothing) {
   }
 }
 
+/// Moves the hand. `draws`: it draws a cut.
+void move(Simulation& simulation, const Vec3& to, bool draws) {
+  TickInput input = target(to);
+  input.targets[0].draws = draws;
+  simulation.step(input);
+}
+
 /// Into the block's side and out again.
-void nick(Simulation& simulation, double z) {
-  const auto move_to = [&](double x) { simulation.step(target({x, 0.14, z})); };
+void nick(Simulation& simulation, double z, bool draws = false) {
+  const auto move_to = [&](double x) { move(simulation, {x, 0.14, z}, draws); };
   for (int i = 0; i <= 6; ++i) move_to(-0.08 + 0.01 * i);
   for (int i = 1; i <= 2; ++i) move_to(-0.02 - 0.03 * i);
 }
@@ -185,6 +192,50 @@ TEST(Undo, TakesWhatABladeCutsAgainAtOnceForTheSameCut) {
     EXPECT_EQ(simulation.step(undo()).cut_answers == std::vector<Refusal>(1), !at_once);
     EXPECT_EQ(simulation.soft(1).content_hash(), uncut);
   }
+}
+
+TEST(Undo, TakesADrawnCutBackWholeHoweverLongTheBladeWasOutMeanwhile) {
+  for (const bool draws : {true, false}) {
+    Simulation simulation(tender_block(), options());
+    take(simulation);
+    const std::uint64_t uncut = simulation.soft(1).content_hash();
+    nick(simulation, 0, draws);
+    const std::uint64_t once = simulation.soft(1).content_hash();
+    for (int i = 0; i < 5 * between_strokes * simulation.scene().tick_rate; ++i) {
+      if (i == 20) simulation.restore(simulation.checkpoint());
+      i % 3 == 0 ? move(simulation, {-0.08, 0.14, 0.03}, draws) : (void)simulation.step({});
+    }
+    nick(simulation, 0.03, draws);
+    ASSERT_NE(simulation.soft(1).content_hash(), once);
+    EXPECT_EQ(simulation.step(undo()).cut_answers, std::vector<Refusal>(1));
+    EXPECT_EQ(simulation.soft(1).content_hash(), draws ? uncut : once);
+  }
+}
+
+TEST(Undo, TakesOneOfTwoDrawnCutsHoweverFastTheyFollow) {
+  Simulation simulation(tender_block(), options());
+  take(simulation);
+  std::vector<std::uint64_t> hashes = {simulation.soft(1).content_hash()};
+  for (const bool draws : {true, false, true}) {
+    nick(simulation, 0.02 * static_cast<double>(hashes.size()) - 0.04, draws);
+    ASSERT_NE(simulation.soft(1).content_hash(), hashes.back());
+    hashes.push_back(simulation.soft(1).content_hash());
+  }
+  for (hashes.pop_back(); !hashes.empty(); hashes.pop_back()) {
+    EXPECT_EQ(simulation.step(undo()).cut_answers, std::vector<Refusal>(1));
+    EXPECT_EQ(simulation.soft(1).content_hash(), hashes.back());
+  }
+}
+
+TEST(Undo, TakesADrawnCutBackWithWhatItsBladeStillCutsWhenTheDrawingEndsInTissue) {
+  Simulation simulation(tender_block(), options());
+  take(simulation);
+  const std::uint64_t uncut = simulation.soft(1).content_hash();
+  for (int i = 0; i <= 16; ++i) move(simulation, {-0.08 + 0.005 * i, 0.14, 0}, i < 12);
+  for (int i = 1; i <= 2; ++i) move(simulation, {-0.02 - 0.03 * i, 0.14, 0}, false);
+  ASSERT_NE(simulation.soft(1).content_hash(), uncut);
+  EXPECT_EQ(simulation.step(undo()).cut_answers, std::vector<Refusal>(1));
+  EXPECT_EQ(simulation.soft(1).content_hash(), uncut);
 }
 
 TEST(Rewind, UndoAndRewindSampledOverRandomStrokes) {

@@ -47,6 +47,19 @@ TEST(InputBytes, AGraspOfWhatIsWantedComesBack) {
   EXPECT_EQ(back.input.events[0].body, 9u);
 }
 
+TEST(InputBytes, AHandThatDrawsIsNoLongerThanOneThatDoesNot) {
+  ConsumedInput drawn = one_of_each();
+  drawn.input.targets[0].hand = right_hand;
+  drawn.input.targets[0].draws = true;
+  const std::vector<std::uint8_t> bytes = encode_input(drawn);
+  EXPECT_EQ(bytes.size(), encode_input(one_of_each()).size()) << "journals from before it stay readable";
+  const ConsumedInput back = decode_input(bytes);
+  ASSERT_EQ(back.input.targets.size(), 1u);
+  EXPECT_TRUE(back.input.targets[0].draws);
+  EXPECT_EQ(back.input.targets[0].hand, right_hand);
+  EXPECT_FALSE(decode_input(encode_input(one_of_each())).input.targets[0].draws);
+}
+
 TEST(InputBytes, EveryKindComesBack) {
   const std::vector<std::uint8_t> bytes = encode_input(one_of_each());
   const ConsumedInput back = decode_input(bytes);

@@ -48,6 +48,7 @@ ConsumedInput random_input(std::mt19937_64& random) {
     t.hand = random() % 2;
     t.target = {Vec3(x(random), x(random), x(random)), Quat::UnitRandom()};
     for (double& f : t.flexion) f = x(random);
+    t.draws = random() % 2 == 0;
     out.input.targets.push_back(t);
   }
   for (std::uint64_t i = 0; i < random() % 3; ++i)

@@ -195,6 +195,19 @@ TEST(Session, NewestInputIsConsumedOnceInIdOrder) {
   EXPECT_TRUE(room.feed({}).input.targets.empty());
 }
 
+TEST(Session, PassesOnWhichHandsDrawCutsWhateverElseIsPressed) {
+  Room room;
+  room.join(presence(1, "ada"), 1);
+  std::uint64_t number = 0;
+  for (const std::uint32_t buttons : {0u, draws_cut, ~draws_cut, draws_cut | 1u, ~0u}) {
+    HandInput sample = input(1, ++number);
+    sample.hands[right_hand].buttons = buttons;
+    const ConsumedInput in = room.feed({from(1, sample)});
+    ASSERT_EQ(in.input.targets.size(), 1u);
+    EXPECT_EQ(in.input.targets[0].draws, buttons >= draws_cut) << buttons;
+  }
+}
+
 TEST(Session, HandVanishesAfterTheTimeoutInTicks) {
   Room room;
   room.join(presence(1, "ada"), 1);

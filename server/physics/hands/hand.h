@@ -35,6 +35,7 @@ struct Hand {
   Pose target;           // wrist
   Pose previous_target;
   std::array<double, fingers> target_flexion{}, flexion{};
+  bool draws = false;  // a cut
   std::optional<Hold> hold;
   std::vector<PadMemory> pads;  // as the last tick's contacts come
 };

@@ -57,7 +57,8 @@ struct Blade {
   ParticipantId holder = 0;  // whose cut it is
   std::uint64_t stroke = 0;  // counts, over all blades, and is what undo takes back; 0: none yet
   bool cutting = false;      // it was in tissue when the last tick ended
-  double outside = 0;        // s since it was
+  bool drawn = false;        // its hand draws a cut, which is one stroke
+  double outside = 0;        // s since it was in tissue; stays while it is drawn
   std::vector<Vec3> cut_to;  // m, room frame: per point, in order of the edges, where it has cut to
   /// By organ (the soft body that it was) and edge.
   std::map<std::pair<std::size_t, std::size_t>, BladeStroke> strokes;

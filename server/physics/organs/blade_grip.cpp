@@ -1,6 +1,7 @@
 #include "server/physics/organs/blade_grip.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "server/physics/organs/sheet_grip.h"
 #include "server/physics/organs/tissue_near.h"
@@ -23,10 +24,13 @@ void take_up_blades(State& state) {
     auto at = std::lower_bound(state.dissection.blades.begin(), state.dissection.blades.end(), slot,
                                [](const Blade& blade, std::size_t s) { return blade.slot < s; });
     if (at == state.dissection.blades.end() || at->slot != slot) {
-      at = state.dissection.blades.insert(at, Blade{slot, 0, 0, false, 0, {}, {}});
+      at = state.dissection.blades.insert(at, Blade{});
+      at->slot = slot;
       at->cut_to = edge_points(bodies, slot);
     }
     at->holder = holder->participant;
+    const bool begins_or_ends = std::exchange(at->drawn, holder->draws) != holder->draws;
+    if (begins_or_ends && !at->cutting) at->stroke = 0;  // a drawn cut is a stroke of its own
   }
 }
 

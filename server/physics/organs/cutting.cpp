@@ -118,7 +118,10 @@ void cut_tissue(State& state, Blade& blade, std::size_t edge, std::span<const Ve
 void advance_blade(State& state, const Sweep& sweep, Blade& blade, CutTick& cut, StepReport& report) {
   const bool begins = blade.stroke == 0 || blade.outside > between_strokes;
   if (sweep.in_tissue && begins) blade.stroke = ++state.dissection.strokes;
-  blade.outside = sweep.in_tissue ? 0 : blade.outside + 1 / state.bodies.model.scene.tick_rate;
+  if (sweep.in_tissue)
+    blade.outside = 0;
+  else if (!blade.drawn)
+    blade.outside += 1 / state.bodies.model.scene.tick_rate;
   std::size_t p = 0;
   const std::vector<BladeShape::Edge>& edges = state.bodies.model.blades[blade.slot].edges;
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {

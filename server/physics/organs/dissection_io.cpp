@@ -16,7 +16,7 @@ void add(ByteWriter& out, const Blade& blade) {
   out.add(static_cast<std::uint64_t>(blade.slot));
   out.add(blade.holder);
   out.add(blade.stroke);
-  out.add(static_cast<std::uint8_t>(blade.cutting));
+  out.add(static_cast<std::uint8_t>((blade.cutting ? 1 : 0) | (blade.drawn ? 2 : 0)));
   out.add(blade.outside);
   for (const Vec3& point : blade.cut_to) out.add(point);
   out.add(static_cast<std::uint64_t>(blade.strokes.size()));
@@ -34,7 +34,10 @@ Blade read_blade(ByteReader& in, const std::vector<BladeShape>& shapes) {
   const std::vector<BladeShape::Edge>& edges = shapes[blade.slot].edges;
   blade.holder = in.number<ParticipantId>();
   blade.stroke = in.number<std::uint64_t>();
-  blade.cutting = in.flag();
+  const auto use = in.number<std::uint8_t>();
+  in.require(use <= 3, "a blade that neither cuts nor doesn't");
+  blade.cutting = (use & 1) != 0;
+  blade.drawn = (use & 2) != 0;
   blade.outside = in.number<double>();
   for (const BladeShape::Edge& edge : edges)
     for (std::size_t k = 0; k < edge.points.size(); ++k) blade.cut_to.push_back(in.vector());
