@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/anatomy/embedding.h"
 #include "common/error.h"
 #include "server/physics/contact/area_contacts.h"
 #include "server/physics/contact/area_rule.h"
@@ -149,6 +150,19 @@ TEST(SurfacePoint, ElementSizeIsNotTheSurfaces) {
       b(0, std::make_unique<SoftBody>(desc, fine), {});
   EXPECT_NEAR(element_size(a, 0), 0.05, 1e-12);
   for (std::uint32_t t = 0; t < 4; ++t) EXPECT_NEAR(element_size(b, t), 0.05, 1e-12);
+}
+
+// Embedding leaves weights of rounding's size at nodes off the face.
+TEST(SurfacePoint, ElementSizeIsNotToldByRounding) {
+  SoftDesc desc = tissue("tet4");
+  const Anatomy own = make_block({0.1, 0.1, 0.1}, {3, 3, 3});
+  Anatomy embedded = embed(own.tets, own.surface).anatomy;
+  for (SparseMap::Row& row : embedded.embedding.rows)
+    for (double& weight : row.weight)
+      if (std::abs(weight) < 1e-12) weight = 1e-17;
+  const Tissue made(0, std::make_unique<SoftBody>(desc, embedded), {});
+  for (std::uint32_t t = 0; t < own.surface.triangles.size(); ++t)
+    EXPECT_NEAR(element_size(made, t), 0.1 / 3, 1e-12);
 }
 
 // ---- Presses

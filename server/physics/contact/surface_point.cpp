@@ -77,6 +77,48 @@ ContactSide point_of(const Tissue& tissue, const std::array<std::uint32_t, 3>& v
   return out;
 }
 
+/// Nodes of the corners of elements, each once.
+class Corners {
+ public:
+  std::size_t count() const { return count_; }
+
+  void add(std::uint32_t node) {
+    const auto end = nodes_.begin() + static_cast<std::ptrdiff_t>(count_);
+    if (std::find(nodes_.begin(), end, node) == end) nodes_[count_++] = node;
+  }
+
+  void add(const Corners& other) {
+    for (std::size_t k = 0; k < other.count_; ++k) add(other.nodes_[k]);
+  }
+
+  /// Returns the side of the square whose diagonal is the longest distance between two of them, m.
+  double size(const std::vector<Vec3>& positions) const {
+    double squared = 0;
+    for (std::size_t a = 0; a < count_; ++a)
+      for (std::size_t b = 0; b < a; ++b)
+        squared = std::max(squared, (positions[nodes_[a]] - positions[nodes_[b]]).squaredNorm());
+    return std::sqrt(squared / 2);
+  }
+
+ private:
+  std::array<std::uint32_t, 3 * ContactSide::most_nodes> nodes_{};
+  std::size_t count_ = 0;
+};
+
+/// Returns the corners that carry a surface vertex. What rounding leaves of the others' weights is none.
+Corners corners_of(const SparseMap::Row& row, const EdgeNodes* edges) {
+  constexpr double carries = 1e-9;  // weight
+  Corners out;
+  for (std::size_t k = 0; k < row.node.size(); ++k) {
+    if (std::abs(row.weight[k]) < carries) continue;
+    if (!edges || row.node[k] < edges->vertices())
+      out.add(row.node[k]);
+    else
+      for (const std::uint32_t end : edges->ends(row.node[k])) out.add(end);
+  }
+  return out;
+}
+
 }  // namespace
 
 ContactSide surface_side(const Tissue& tissue, std::uint32_t triangle, const Vec3& weights) {
@@ -90,24 +132,19 @@ ContactSide surface_side(const Tissue& tissue, std::uint32_t vertex) {
 double element_size(const Tissue& tissue, std::uint32_t triangle) {
   const Anatomy& anatomy = tissue.anatomy();
   const EdgeNodes* edges = tissue.solver->follower().edge_nodes();
-  std::array<std::uint32_t, 3 * ContactSide::most_nodes> corner{};
-  std::size_t corners = 0;
+  Corners all;
+  double of_hanging = 0;  // m, sum
+  int hanging = 0;        // vertices that are no node
   for (const std::uint32_t vertex : anatomy.surface.triangles[triangle]) {
-    const SparseMap::Row& row = anatomy.embedding.rows[vertex];
-    for (std::size_t k = 0; k < row.node.size(); ++k) {
-      if (row.weight[k] == 0) continue;
-      if (!edges || row.node[k] < edges->vertices())
-        corner[corners++] = row.node[k];
-      else
-        for (const std::uint32_t end : edges->ends(row.node[k])) corner[corners++] = end;
+    const Corners own = corners_of(anatomy.embedding.rows[vertex], edges);
+    if (own.count() > 1) {
+      of_hanging += own.size(anatomy.tets.positions);
+      ++hanging;
     }
+    all.add(own);
   }
-  double longest = 0;
-  for (std::size_t a = 0; a < corners; ++a)
-    for (std::size_t b = 0; b < a; ++b)
-      longest = std::max(
-          longest, (anatomy.tets.positions[corner[a]] - anatomy.tets.positions[corner[b]]).squaredNorm());
-  return std::sqrt(longest / 2);
+  const bool within_one = all.count() <= corners_of_tet;
+  return within_one ? all.size(anatomy.tets.positions) : of_hanging / hanging;
 }
 
 Vec3 place_of(const ContactSide& side, const Tissue& tissue) {

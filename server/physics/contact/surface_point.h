@@ -14,7 +14,7 @@ ContactSide surface_side(const Tissue& tissue, std::uint32_t triangle, const Vec
 ContactSide surface_side(const Tissue& tissue, std::uint32_t vertex);
 
 /// Returns the size of the elements that a surface triangle lies in, at rest: of the cube whose face is two
-/// such triangles, m.
+/// such triangles, m. Of one that spans several it is the mean of those that its corners hang in.
 double element_size(const Tissue& tissue, std::uint32_t triangle);
 
 /// Returns where a soft side is now, m.

@@ -1,0 +1,77 @@
+// What is felt of elements that are smaller where a ball presses: the same as of that mesh by itself.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "common/anatomy/embedding.h"
+#include "server/physics/soft/soft_body.h"
+#include "tests/physics/scenes.h"
+#include "tests/physics/under_ball.h"
+
+namespace prosector::test {
+namespace {
+
+constexpr double mm = 1e-3, radius = 10 * mm, depth = 2 * mm, height = 20 * mm, width = 120 * mm;
+constexpr double coarse = 10 * mm;
+
+/// A layer under y = 0.
+Anatomy layer_of(double cell) {
+  const auto cells = [&](double size) { return static_cast<int>(std::lround(size / cell)); };
+  Anatomy out = make_block({width, height, width}, {cells(width), cells(height), cells(width)});
+  for (auto* points : {&out.tets.positions, &out.surface.positions})
+    for (Vec3& x : *points) x.y() -= height / 2;
+  return out;
+}
+
+SoftDesc described(double refine_cell) {
+  SoftDesc layer;
+  layer.name = "layer";
+  layer.model = "fem_corotational";
+  layer.youngs_modulus = 5000;
+  layer.poisson_ratio = 0.45;
+  layer.contact = "surface";
+  layer.damping_mass = 5;
+  layer.cell = coarse;
+  layer.attach = {bonded_below(height)};
+  if (refine_cell > 0) {
+    layer.refine = "touch";
+    layer.refine_cell = refine_cell;
+    layer.refine_reach = radius;
+    layer.refine_most = 20000;
+  }
+  return layer;
+}
+
+/// Makes the layer and presses the ball into its middle until it is at rest.
+std::unique_ptr<Simulation> under_press(const SoftDesc& layer, const Anatomy& anatomy) {
+  CompileOptions options;
+  options.threads = 1;
+  options.anatomy = [&](const SoftDesc&) -> std::optional<Anatomy> { return anatomy; };
+  auto out = std::make_unique<Simulation>(under_ball(layer, radius, {0, 2 * radius, 0}), options);
+  constexpr int down = 15, ticks = 45;
+  for (int tick = 1; tick <= ticks; ++tick)
+    out->step(ball_at({0, radius - depth * std::min(1.0, tick / double{down}), 0}));
+  return out;
+}
+
+class RefinedPress : public ::testing::TestWithParam<double> {};
+
+// The surface of the one was there before the elements and hangs on them, the other's is their boundary.
+TEST_P(RefinedPress, FeelsLikeTheSameMeshByItself) {
+  const double cell = GetParam();
+  const Anatomy hanging = embed(layer_of(coarse).tets, layer_of(cell).surface).anatomy;
+  const auto followed = under_press(described(cell), hanging);
+  const auto itself = under_press(described(0), with_boundary(followed->soft(1).anatomy().tets));
+  ASSERT_GT(followed->tet_count(), hanging.tets.tets.size() + 300);
+  EXPECT_EQ(followed->tet_count(), itself->tet_count());
+  EXPECT_NEAR(pressing_force(*followed) / pressing_force(*itself), 1, 0.04);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cells, RefinedPress, ::testing::Values(5 * mm, 10. / 3 * mm));
+
+}  // namespace
+}  // namespace prosector::test
