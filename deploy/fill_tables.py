@@ -270,9 +270,10 @@ def refine(body):
         rows = reports.rows("refine", body=body)
         if not rows:
             raise Missing(f"refine, body {body}")
-        return table(["Elements", "cell, mm", "where touched, mm", "tetrahedra at most", "force held, mN", "off", "CPU ms a tick, held", "drawn along"],
+        return table(["Elements", "cell, mm", "where touched, mm", "tetrahedra at most", "force held, mN", "off", "drawn along: off its trend", "from tick to tick", "CPU ms a tick, held", "drawn along"],
                      [["quadratic" if row["element"] == "tet10" else "linear", number(row["cell_mm"]), number(row["refine_cell_mm"]) if row["refine_cell_mm"] else DASH,
-                       count(row["tets_at_most"]), number(row["force_mN"]), percent(row["error_continuum"]), number(row["cpu_ms_held"]), number(row["cpu_ms_drawn"])]
+                       count(row["tets_at_most"]), number(row["force_mN"]), percent(row["error_continuum"]),
+                       percent(row["off_trend"]), percent(row["from_tick_to_tick"]), number(row["cpu_ms_held"]), number(row["cpu_ms_drawn"])]
                       for row in rows])
 
     return fill

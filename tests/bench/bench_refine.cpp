@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -47,11 +48,32 @@ constexpr Modelled organ_ways[] = {
     {"tet10", 32. / 3 * mm, 0}, {"tet10", 8 * mm, 0}};
 
 struct Pressed {
-  double force = 0;                // N, held
-  double least = 1e300, most = 0;  // N, drawn along
-  double ms = 0, ms_drawn = 0;     // CPU time of a tick, median
-  std::size_t tets = 0;            // at most
+  double force = 0;             // N, held
+  double off_trend = 0;         // fraction of the force, at most, drawn along
+  double from_tick = 0;         // the same, from one tick to the next
+  double ms = 0, ms_drawn = 0;  // CPU time of a tick, median
+  std::size_t tets = 0;         // at most
 };
+
+/// Returns how far a path's forces are off the cubic that is nearest to them, at most, as a fraction.
+double off_slow_trend(const std::vector<double>& forces) {
+  constexpr Eigen::Index terms = 4;
+  const auto count = static_cast<Eigen::Index>(forces.size());
+  const Eigen::Map<const VecX> force(forces.data(), count);
+  Eigen::MatrixXd powers(count, terms);
+  const VecX along = VecX::LinSpaced(count, -1, 1);
+  for (Eigen::Index k = 0; k < terms; ++k) powers.col(k) = along.array().pow(static_cast<double>(k));
+  const VecX trend = powers * powers.colPivHouseholderQr().solve(force);
+  return ((force - trend).array() / trend.array()).abs().maxCoeff();
+}
+
+/// Returns how far each is off the one before, at most, as a fraction.
+double most_from_tick_to_tick(const std::vector<double>& forces) {
+  double most = 0;
+  for (std::size_t i = 1; i < forces.size(); ++i)
+    most = std::max(most, std::abs(forces[i] / forces[i - 1] - 1));
+  return most;
+}
 
 Pressed press(const PressedBody& body, const Modelled& modelled, const RefineBenchOptions& options) {
   SoftDesc desc = pressed_desc(body, modelled.cell, modelled.refine_cell);
@@ -59,7 +81,7 @@ Pressed press(const PressedBody& body, const Modelled& modelled, const RefineBen
   desc.contact = options.contact;
   PressedTissue tissue(body, desc, {.threads = options.threads});
   Pressed out;
-  std::vector<double> held, drawn;
+  std::vector<double> held, drawn, forces;  // ms, ms, N while drawn
   for (int tick = 1; tick <= down_ticks + held_ticks + drawn_ticks; ++tick) {
     const double down = std::min(1.0, tick / double{down_ticks});
     const double along = std::max(0, tick - down_ticks - held_ticks) / double{drawn_ticks};
@@ -70,8 +92,7 @@ Pressed press(const PressedBody& body, const Modelled& modelled, const RefineBen
     const double force = tissue.force();
     if (tick > down_ticks + held_ticks) {
       drawn.push_back(took);
-      out.least = std::min(out.least, force);
-      out.most = std::max(out.most, force);
+      forces.push_back(force);
     } else if (tick > down_ticks) {
       held.push_back(took);
       if (tick > down_ticks + held_ticks - last_ticks) out.force += force / last_ticks;
@@ -79,6 +100,8 @@ Pressed press(const PressedBody& body, const Modelled& modelled, const RefineBen
   }
   out.ms = median(held);
   out.ms_drawn = median(drawn);
+  out.off_trend = off_slow_trend(forces);
+  out.from_tick = most_from_tick_to_tick(forces);
   return out;
 }
 
@@ -103,7 +126,8 @@ ReportRow row_of(const PressedBody& body, const Modelled& modelled, const Presse
           {"tets_at_most", pressed.tets},
           {"force_mN", 1e3 * pressed.force},
           {"error_continuum", pressed.force / body.force - 1},
-          {"ripple", (pressed.most - pressed.least) / (pressed.most + pressed.least)},
+          {"off_trend", pressed.off_trend},
+          {"from_tick_to_tick", pressed.from_tick},
           {"cpu_ms_held", pressed.ms},
           {"cpu_ms_drawn", pressed.ms_drawn}};
 }
@@ -148,7 +172,8 @@ Report bench_refine(const RefineBenchOptions& options) {
                          {count, "tets_at_most", "tets at most"},
                          {number, "force_mN", "force, mN"},
                          {percent, "error_continuum", "error"},
-                         {percent, "ripple", "drawn: ±"},
+                         {percent, "off_trend", "off trend"},
+                         {percent, "from_tick_to_tick", "a tick"},
                          {number, "cpu_ms_held", "CPU ms held"},
                          {number, "cpu_ms_drawn", "CPU ms drawn"}});
   table.print_header();

@@ -77,7 +77,8 @@ INSTANTIATE_TEST_SUITE_P(
         Subject{"refine",
                 "--quick --body layer --threads 1",
                 {"body", "way", "element", "contact", "threads", "cell_mm", "refine_cell_mm"},
-                {"tets_at_most", "force_mN", "error_continuum", "ripple", "cpu_ms_held", "cpu_ms_drawn"}},
+                {"tets_at_most", "force_mN", "error_continuum", "off_trend", "from_tick_to_tick",
+                 "cpu_ms_held", "cpu_ms_drawn"}},
         Subject{
             "cut",
             "--quick --threads 1",

@@ -49,7 +49,8 @@ class PressedTissue {
 };
 
 /// Returns the force at the body's depth, at rest, of quadratic elements and a hard ball, N. Inertia,
-/// damping and what a solver leaves play no part. `desc`: material and cell.
+/// damping and what a solver leaves play no part. `desc`: material and cell. Throws InputError where the law
+/// in force is not the body's own any more.
 double force_at_rest(const PressedBody& body, SoftDesc desc);
 
 }  // namespace prosector
