@@ -10,7 +10,6 @@
 #include "server/accuracy/body_trial.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/physics/pressed_layer.h"
-#include "tests/physics/scenes.h"
 #include "tests/physics/under_ball.h"
 
 namespace prosector {
@@ -28,12 +27,7 @@ void shape_layer(SoftDesc& desc) {
 }
 
 Anatomy layer_block(double cell) {
-  const auto cells = [&](double size) { return static_cast<int>(std::lround(size / cell)); };
-  Anatomy out =
-      test::make_block(layer_size, {cells(layer_size.x()), cells(layer_size.y()), cells(layer_size.z())});
-  for (auto* points : {&out.tets.positions, &out.surface.positions})
-    for (Vec3& x : *points) x.y() -= layer_height / 2;
-  return out;
+  return test::even_layer(layer_size.x(), layer_height, cell);
 }
 
 /// What is refined has the surface of the mesh that it is refined to.

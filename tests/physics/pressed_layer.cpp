@@ -56,6 +56,14 @@ Anatomy pressed_layer(double height, double core, double cell, double growth) {
   return out;
 }
 
+Anatomy even_layer(double width, double height, double cell) {
+  const auto cells = [&](double size) { return static_cast<int>(std::lround(size / cell)); };
+  Anatomy out = make_block({width, height, width}, {cells(width), cells(height), cells(width)});
+  for (auto* points : {&out.tets.positions, &out.surface.positions})
+    for (Vec3& x : *points) x.y() -= height / 2;
+  return out;
+}
+
 void halve_surface(Anatomy& anatomy) {
   TriangleMesh& surface = anatomy.surface;
   auto& rows = anatomy.embedding.rows;

@@ -9,6 +9,7 @@
 
 #include "common/anatomy/embedding.h"
 #include "server/physics/soft/soft_body.h"
+#include "tests/physics/pressed_layer.h"
 #include "tests/physics/scenes.h"
 #include "tests/physics/under_ball.h"
 
@@ -17,15 +18,6 @@ namespace {
 
 constexpr double mm = 1e-3, radius = 10 * mm, depth = 2 * mm, height = 20 * mm, width = 120 * mm;
 constexpr double coarse = 10 * mm;
-
-/// A layer under y = 0.
-Anatomy layer_of(double cell) {
-  const auto cells = [&](double size) { return static_cast<int>(std::lround(size / cell)); };
-  Anatomy out = make_block({width, height, width}, {cells(width), cells(height), cells(width)});
-  for (auto* points : {&out.tets.positions, &out.surface.positions})
-    for (Vec3& x : *points) x.y() -= height / 2;
-  return out;
-}
 
 SoftDesc described(double refine_cell) {
   SoftDesc layer;
@@ -63,7 +55,8 @@ class RefinedPress : public ::testing::TestWithParam<double> {};
 // The surface of the one was there before the elements and hangs on them, the other's is their boundary.
 TEST_P(RefinedPress, FeelsLikeTheSameMeshByItself) {
   const double cell = GetParam();
-  const Anatomy hanging = embed(layer_of(coarse).tets, layer_of(cell).surface).anatomy;
+  const Anatomy hanging =
+      embed(even_layer(width, height, coarse).tets, even_layer(width, height, cell).surface).anatomy;
   const auto followed = under_press(described(cell), hanging);
   const auto itself = under_press(described(0), with_boundary(followed->soft(1).anatomy().tets));
   ASSERT_GT(followed->tet_count(), hanging.tets.tets.size() + 300);

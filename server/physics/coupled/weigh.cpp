@@ -17,8 +17,12 @@ bool is_met(const Island& island, const SoftMember& member) {
 }  // namespace
 
 void weigh(Island& island, const Vec3& gravity) {
-  for (SoftMember& member : island.soft)
-    member.weight = member.body->weight(gravity, member.body->attached() || is_met(island, member));
+  for (SoftMember& member : island.soft) {
+    member.weight = member.body->weight(gravity, true);
+    const bool matters = member.weight.by_shape != nullptr;  // not to linear elements
+    if (matters && !member.body->attached() && !is_met(island, member))
+      member.weight = member.body->weight(gravity, false);
+  }
 }
 
 }  // namespace prosector

@@ -21,8 +21,8 @@ class ImplicitStepper {
   const TimeIntegrator& integrator() const { return *integrator_; }
 
   // ---- One step
-  /// Starts a stage of a step of h s: finds what the potential is to be. `euler`: by
-  /// implicit Euler, whatever integrator() is; the same for all stages of the step.
+  /// Starts a stage of a step of h s: finds what the potential is to be. `euler`: by implicit
+  /// Euler, whatever integrator() is; the same for all stages of the step.
   void begin_stage(int stage_index, double h, const Weight& weight, const SoftBodyState& state,
                    bool euler = false);
   const Stage& stage() const { return potential_.stage(); }
