@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """left_out.py list|stay|rest BUILD_DIR WHERE... [-- CTEST_FILTER...]: splits a build's tests by deploy/left_out.txt. WHERE: all, asan, package.
+left_out.py slow JUNIT SECONDS: prints what deploy/slow_sanitized.txt is to hold.
 
 list: names what is left out there. stay, rest: prints the numbers of the other tests, and of these, as `ctest -I FILE` wants them
 (not a regular expression: ctest silently ignored one of 40 groups, and ran everything). ctest counts what its other filters choose
 (-L, -R, -E), so they must be told here, too.
 Refuses a row that matches no test of BUILD_DIR, and one whose stand-in does not stay. A row may be about tests that the filters
-don't choose.
+don't choose. `asan` leaves out what deploy/slow_sanitized.txt names, too: each of them must be a test of BUILD_DIR, and of each
+executable some must stay.
 """
 import json
 import pathlib
@@ -13,7 +15,10 @@ import re
 import subprocess
 import sys
 
+import junit
+
 table = pathlib.Path(__file__).with_name("left_out.txt")
+slow_ones = pathlib.Path(__file__).with_name("slow_sanitized.txt")
 
 
 def rows():
@@ -41,7 +46,31 @@ def left_out(every, wheres):
             sys.exit(f"{place}: no test matches {tests}")
         if not any(re.search(stand_in, name) for name in every if name not in out):
             sys.exit(f"{place}: {stand_in} should stay, but is left out or is no test")
-    return out
+    return out | slow(every, out) if "asan" in wheres else out
+
+
+def slow(every, out):
+    """Names that deploy/slow_sanitized.txt leaves out, beside OUT."""
+    named = {line for line in slow_ones.read_text().splitlines() if line and not line.startswith("#")}
+    if strange := named - set(every):
+        sys.exit(f"{slow_ones.name}: no test is named {min(strange)}")
+    stay = {program_of(name) for name in every if name not in out | named}
+    if gone := {program_of(name) for name in named} - stay:
+        sys.exit(f"{slow_ones.name}: nothing stays of {min(gone)}")
+    return named
+
+
+def program_of(name):
+    return name.split(".")[0]
+
+
+def tell_slow(report, seconds):
+    """Prints the tests of a report that took longer."""
+    print(f"# Tests that took more than {seconds:g} s each under the preset asan, two at a time on two cores.\n"
+          "# The gate runs them optimised, the nightly run under sanitizers. deploy/left_out.py slow makes this list.")
+    cases = sorted(junit.cases_of(report), key=junit.seconds)
+    fastest = {program_of(junit.name(case)): junit.name(case) for case in reversed(cases)}.values()  # stay in any case
+    print("\n".join(sorted(name for case in cases if junit.seconds(case) > seconds and (name := junit.name(case)) not in fastest)))
 
 
 def main():
@@ -49,6 +78,9 @@ def main():
     if "--" in words:
         at = words.index("--")
         words, filters = words[:at], words[at + 1:]
+    if words[:1] == ["slow"] and len(words) == 3:
+        tell_slow(words[1], float(words[2]))
+        return
     if len(words) < 3 or words[0] not in ("list", "stay", "rest"):
         sys.exit(__doc__)
     verb, build, *wheres = words

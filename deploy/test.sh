@@ -69,14 +69,9 @@ step "tests: release"
 run_tests release "all package"
 if [ "$quick" = no ]; then
   step "build: address and undefined-behaviour sanitizers"
-  # Built are the unit and fuzz tests that run below. Not so: what runs whole programs or draws whole scenes (server_process,
-  # bench_json, scene_view, gallery, looks), times real terminals (drivers; drivers_fuzz stays) or takes minutes then
-  # (soft_budget; session stays). deploy/nightly.sh runs scene_view, gallery and soft_budget under sanitizers.
-  cmake --preset asan -DPROSECTOR_WERROR=ON >/dev/null
-  mapfile -t targets < <(ninja -C build/asan -t targets all | sed -n 's/^\(test_[a-z0-9_]*\): phony$/\1/p' | sort -u |
-    grep -vxE 'test_(server_process|bench_json|scene_view|gallery|looks|drivers|soft_budget)')
-  deploy/build.sh asan "${targets[@]}"
+  # Not those that tests/*/CMakeLists.txt call SANITIZED_NIGHTLY, nor what deploy/slow_sanitized.txt lists.
+  deploy/build.sh asan sanitized_tests
   step "tests: address and undefined-behaviour sanitizers"
-  run_tests asan "all asan" -L '^(unit|fuzz)$'
+  run_tests asan "all asan" -L '^(unit|fuzz)$' -LE '^sanitized_nightly$'
 fi
 echo "test: all tests passed"

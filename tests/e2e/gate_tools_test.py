@@ -66,7 +66,8 @@ for words in (["--hours", "x"], ["--hours", "0"], ["--only", "nothing"], ["--wro
 # What stays is what ctest runs, also where other filters choose among the tests: it counts what those leave.
 tree = work / "tree"
 tree.mkdir(exist_ok=True)
-shutil.copy(deploy / "left_out.py", work)
+for name in ("left_out.py", "junit.py"):
+    shutil.copy(deploy / name, work)
 (work / "left_out.txt").write_text(r"all ^soft\.Long$ ^soft\.Short$" + "\n")
 labelled = {"whole.Program": "slow", "soft.Short": "unit", "soft.Long": "unit", "soft.Other": "unit"}
 (tree / "CTestTestfile.cmake").write_text("".join(
@@ -79,3 +80,14 @@ for filters, wanted in (([], ["whole.Program", "soft.Short", "soft.Other"]), (["
     chosen = [line.split(": ")[1] for line in text.splitlines() if "  Test " in line and "#" in line]
     if chosen != wanted:
         sys.exit(f"{filters}: chosen {chosen}, wanted {wanted}")
+
+# Under sanitizers what took longest is left out by name, as a report told; never all of an executable.
+_, slow = run(work / "left_out.py", "slow", work / "tests.xml", "1.5")
+expect("\nsoft.Beam.Bends\n", slow)
+for names, status, words in (("soft.Other\n", 0, "soft.Long\nsoft.Other\n"), (slow, 1, "no test is named soft.Beam.Bends"),
+                             ("soft.Other\nsoft.Short\n", 1, "nothing stays of soft")):
+    (work / "slow_sanitized.txt").write_text(names)
+    found, text = run(work / "left_out.py", "list", tree, "all", "asan")
+    expect(words, text)
+    if found != status:
+        sys.exit(f"{names!r} gave status {found}")
