@@ -72,8 +72,8 @@ struct RosterEntry {
   std::string devices;
 };
 
-/// Bit of HandPose::buttons: the hand draws a cut, from when its blade is led to it until it is out again.
-/// The lower bits are devices' own.
+/// Bit of HandPose::buttons: the hand draws a cut, from when a button goes down for it until its blade is
+/// out. The lower bits are devices' own.
 inline constexpr std::uint32_t draws_cut = 1u << 31;
 
 struct HandPose {

@@ -13,6 +13,7 @@ constexpr double window_normal = 0.012;  // m, before and behind, over which the
 constexpr double window_behind = 0.004, window_ahead = 0.008;  // m, over which the direction is taken
 constexpr double steady = 0.75;         // share of the last place's normal in the next one's
 constexpr double over_surface = 0.02;   // m, where rays that look for the way begin
+constexpr double over_rim = 0.008;      // m that a way goes on where the pointer crosses an organ's rim
 constexpr double patience_away = 0.15;  // s that the pointer may be off the organ
 constexpr double trails = 0.3, least_lean = -0.2, most_lean = 0.9;  // rad, of the tip behind the normal
 constexpr double share_of_blade = 0.6;  // of its length, that may be in tissue: it leans
@@ -66,6 +67,7 @@ void CutDrawing::press() {
 }
 
 void CutDrawing::release() {
+  if (open_ && away_ > 0) lengthen_over_rims(true);
   pressed_ = open_ = again_ = false;
 }
 
@@ -95,6 +97,7 @@ void CutDrawing::go_to(Phase phase) {
   gone_.clear();
   done_ = away_ = 0;
   open_ = true;
+  came_on_ = false;
 }
 
 std::optional<Pose> CutDrawing::advance(const CutGuide& guide, const Pose& wrist, double seconds) {
@@ -107,9 +110,10 @@ std::optional<Pose> CutDrawing::advance(const CutGuide& guide, const Pose& wrist
       return std::nullopt;
     case Phase::waits:
       blade_ = guide.blade;
-      if (length() >= shortest_way)
+      if (length() >= shortest_way) {
+        if (came_on_) lengthen_over_rims(false);
         go_to(Phase::turns);
-      else if (!open_)
+      } else if (!open_)
         go_to(Phase::rests);
       return std::nullopt;
     case Phase::turns:
@@ -131,9 +135,10 @@ void CutDrawing::follow_pointer(const CutGuide& guide, double seconds) {
   }
   if (on_outside && (!last_ || (guide.tissue->at - *last_).norm() >= spacing)) last_ = guide.tissue->at;
   if (!open_ || phase_ == Phase::rests) return;
+  if (way_.empty() && !guide.tissue) came_on_ = true;
   const bool on_organ = guide.tissue && (way_.empty() || guide.tissue->body == organ_);
   away_ = on_organ || way_.empty() ? 0 : away_ + seconds;
-  if (away_ > patience_away) open_ = false;
+  if (away_ > patience_away && std::exchange(open_, false)) lengthen_over_rims(true);
   if (on_organ && on_outside) lead(*guide.tissue, guide.find);
 }
 
@@ -172,6 +177,19 @@ void CutDrawing::add(const Vec3& at, const Vec3& normal) {
   if (!(step > spacing / 4)) return;
   way_.push_back({at, (steady * way_.back().normal + (1 - steady) * normal).normalized()});
   gone_.push_back(gone_.back() + step);
+}
+
+/// Lets the way begin or end beyond the rim that the pointer crossed there: pictures come before and after
+/// it, and what lies between would stay tied.
+void CutDrawing::lengthen_over_rims(bool at_its_end) {
+  if (length() < shortest_way) return;
+  const double from = at_its_end ? length() : 0;
+  const Vec3 at = place(from).at, inward = place(at_its_end ? from - shortest_way : shortest_way).at;
+  const Place beyond{at + over_rim * (at - inward).normalized(), place(from).normal};
+  if (at_its_end) return add(beyond.at, beyond.normal);
+  way_.insert(way_.begin(), beyond);
+  for (double& gone : gone_) gone += over_rim;
+  gone_.insert(gone_.begin(), 0);
 }
 
 CutDrawing::Place CutDrawing::place(double gone) const {

@@ -52,6 +52,8 @@ class CutDrawing {
   bool is_pressed() const { return pressed_; }
   /// Tells whether the blade is led: to a cut, along it, or out of it.
   bool leads() const { return phase_ != Phase::rests && phase_ != Phase::waits; }
+  /// Tells whether a cut is drawn: from when the button goes down until its blade is out again.
+  bool is_under_way() const { return phase_ != Phase::rests; }
   /// Tells whether the way has begun since the button went down.
   bool is_on_tissue() const { return !way_.empty(); }
 
@@ -80,6 +82,7 @@ class CutDrawing {
   double height_ = 0;            // m, of the tip over the surface
   double seconds_ = 0;           // in this phase
   double away_ = 0;              // s, of the pointer from the organ
+  bool came_on_ = false;         // the pointer came onto the organ while the button was down
   std::optional<Vec3> last_;     // m: where the pointer was on tissue
   Vec3 heading_ = Vec3::Zero();  // unit, of the pointer on tissue; zero: not known
 
@@ -87,6 +90,7 @@ class CutDrawing {
   void follow_pointer(const CutGuide& guide, double seconds);
   void lead(const Picked& to, const FindSurface& find);
   void add(const Vec3& at, const Vec3& normal);
+  void lengthen_over_rims(bool at_its_end);
   double length() const { return gone_.empty() ? 0 : gone_.back(); }
   Place place(double gone) const;
   Quat wanted_turn() const;

@@ -63,6 +63,8 @@ class DeskHand {
   void lift_blade() { drawing_.lift_out(); }
   /// Tells whether a drawn cut leads the blade.
   bool draws() const { return drawing_.leads(); }
+  /// Tells whether a cut is drawn, from when the button goes down: all of it is one stroke.
+  bool is_drawing() const { return drawing_.is_under_way(); }
   /// Returns what the hand asked for since the last call.
   std::vector<HandWish> take_wishes();
 

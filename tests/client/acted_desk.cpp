@@ -193,7 +193,7 @@ void ActedDesk::send_hand() {
   hand.pose = hand_.pose();
   hand.flexion.fill(hand_.flexion());
   hand.gesture = hand_.is_closed() ? Gesture::fist : Gesture::flat;
-  if (hand_.draws()) hand.buttons = draws_cut;
+  if (hand_.is_drawing()) hand.buttons = draws_cut;
   bus_->publish(input);
 }
 

@@ -133,6 +133,32 @@ TEST_F(DrawnCut, ItsTipStaysUnderAWayThatThePointerWentBetweenTwoPictures) {
   EXPECT_GT(tips.back().x(), 0.115) << "as far as it went before the button went up";
 }
 
+TEST_F(DrawnCut, GoesOnOverRimsThatThePointerCrossesAndEndsWhereTheButtonGoesUpOnTissue) {
+  for (const bool beside : {true, false}) {
+    ball = {{0, -1000, 0}, 1001};
+    tips.clear();
+    drawing = {};
+    const auto at = [&](double x) {
+      point(x, 0);
+      if (beside && std::abs(x) > 0.05) guide.tissue.reset();
+    };
+    at(beside ? -0.06 : -0.05);
+    drawing.press();
+    for (int k = 0; k <= 120; ++k) {
+      at((beside ? 0.06 : 0.05) * (k / 60.0 - 1));
+      picture();
+    }
+    drawing.release();
+    for (int k = 0; k < 200; ++k) picture();
+    ASSERT_FALSE(tips.empty());
+    double first = 0, last = 0;
+    for (const Vec3& tip : tips) first = std::min(first, tip.x()), last = std::max(last, tip.x());
+    const double beyond = beside ? 0.008 : 0;
+    EXPECT_NEAR(last, 0.05 + beyond, 0.0035) << beside;
+    EXPECT_NEAR(first, -0.05 - beyond, 0.0035) << beside;
+  }
+}
+
 TEST_F(DrawnCut, ALatePictureLeadsItNoFartherThanATenthOfASecondDoes) {
   ball = {{0, -1000, 0}, 1001};
   picture();

@@ -1,0 +1,105 @@
+#!/usr/bin/python3
+"""desk_piece_test.py BIN OUT, run under xvfb-run: a person at a desk cuts the skin of sheet_cut.toml right through with the mouse, sees
+its halves part, and has it whole again with one Z. What came of it is read in the client's log, in the server's summary and in pictures."""
+
+import os
+import pathlib
+import sys
+import time
+
+from PIL import Image
+
+from desk_person import Processes, View, act, wait_until, windows
+
+BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+SCENE = pathlib.Path(__file__).parents[2] / "deploy/scenes/sheet_cut.toml"
+SIZE = 640, 480
+FOV = 0.75  # the scene's camera's
+HANDLE = 0.24, 0.902, 0.1  # the scalpel's, as it lies
+BEGIN, END = (-0.13, 0.99, 0.03), (0.13, 0.99, 0.03)  # of the drawn cut: off the skin at both ends
+MIDDLE = 0.02, 0.99, 0.03  # on the cut, where it gapes
+AWAY = 0.25, 0.9, -0.05  # where neither hand nor words hide the skin
+
+
+def parts():
+    """Of the scene, by name."""
+    return view.last_line().get("parts", {})
+
+
+def pieces():
+    """Sizes of what is off, by name: what was joined again is hidden. Crumbs of the border may be among it."""
+    return {name: part["size"] for name, part in parts().items() if "piece" in name and not part.get("hidden")}
+
+
+def topology():
+    """All meshes' hash."""
+    return view.last_line().get("topology")
+
+
+def holds_scalpel():
+    return "mouse, right" in parts().get("scalpel", {}).get("holders", [])
+
+
+def shows_skin(image):
+    """Tells whether the cut's middle shows the skin's colour, which is redder than the table below it."""
+    x, y = (round(a - b) for a, b in zip(view.pixel(MIDDLE), (view.left, view.top)))
+    colours = [image.getpixel((x + i, y + j)) for i in (-2, 0, 2) for j in (-2, 0, 2)]
+    return sum(red - blue for red, _, blue in colours) / len(colours) > 12
+
+
+def picture(name):
+    """The window now, kept."""
+    image = view.picture()
+    image.save(OUT / f"{name}.png")
+    return image
+
+
+with Processes(OUT) as processes:
+    session = f"desk-piece-{os.getpid()}"
+    server = processes.start("server.log", BIN / "prosector-server", SCENE, "--session", session, "--domain", 92,
+                             "--summary", OUT / "server.json", "--journal", OUT / "journal.sqlite")
+    wait_until("the server", lambda: processes.says("server.log", "is open on this machine"), 60)
+    client = processes.start("client.log", BIN / "prosector-client", "join", "--name", "mouse", "--session", session, "--domain", 92,
+                             "--size", "x".join(map(str, SIZE)), "--quality", "low", "--session-log", OUT / "log.jsonl")
+    window = wait_until("the window", lambda: windows(f"Prosector: {session}"))[0]
+    act("windowfocus", window)
+    wait_until("the scene", lambda: processes.says("client.log", "everything is here"))
+    view = View(window, SIZE, FOV, OUT / "log.jsonl")
+    view.settle()
+    view.point_at(HANDLE)
+    view.hand_settles()
+    assert shows_skin(picture("start")), "the skin is not seen where it lies"
+    whole = topology()
+
+    act("mousedown", 1)
+    wait_until("the scalpel in the hand", holds_scalpel)
+    act("mouseup", 1)
+    view.hand_settles()
+    assert holds_scalpel(), "the scalpel did not stay in the hand"
+    view.draw(HANDLE, BEGIN, 10)
+    view.hand_settles()
+    picture("above")
+    assert topology() == whole, "cut before the button went down"
+    act("mousedown", 1)
+    view.draw(BEGIN, END, 60)
+    picture("drawn")
+    act("mouseup", 1)
+    wait_until("a half that came off", lambda: any(max(size) > 0.15 for size in pieces().values()), 60)
+    view.draw(END, AWAY, 5)
+    wait_until("the cut open", lambda: not shows_skin(view.picture()), 20)
+    time.sleep(1)
+    picture("off")
+    print("came off:", pieces())
+    act("key", "z")
+    wait_until("one skin again", lambda: "skin" in parts() and not pieces(), 20)
+    wait_until("the cut shut", lambda: shows_skin(view.picture()), 20)
+    time.sleep(1)
+    picture("back")
+    act("key", "z")
+    wait_until("word that nothing is left to take back", lambda: processes.says("client.log", "no cut of yours to undo"), 10)
+    sheet = Image.new("RGB", (3 * 320, 240))
+    for k, name in enumerate(("above", "off", "back")):
+        sheet.paste(Image.open(OUT / f"{name}.png").resize((320, 240)), (k * 320, 0))
+    sheet.save(OUT / "sheet.png")
+    commands = processes.leave(client, server)
+    assert commands["undo"] == {"granted": 1, "refused": 1}, commands
