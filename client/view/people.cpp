@@ -14,8 +14,7 @@ Appearance glove(const Vec3& color) {
 
 constexpr double ghost_from = 0.01;  // m between hand and target: from there on the target is seen
 constexpr double ghost_opacity = 0.25;
-constexpr double own_sleeve_opacity =
-    0.3;  // at a desk, where it comes from the eye and hides what is touched
+constexpr double own_sleeve_opacity = 0.3;  // of whoever's eyes see
 
 Vec3 color_of(const Replica& replica, ParticipantId who) {
   const auto entry = replica.roster().find(who);
@@ -35,52 +34,55 @@ void People::take_made(std::uint64_t& next_mesh_id) {
 }
 
 void People::add(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
-                 const std::string& seen_through, std::uint64_t& next_mesh_id) {
+                 const ViewSettings& settings, std::uint64_t& next_mesh_id) {
   own_hand_.reset();
   take_made(next_mesh_id);
-  if (self.present) add_self(list, replica, tick, self, next_mesh_id);
+  if (self.present) add_self(list, replica, tick, self, settings, next_mesh_id);
   for (const auto& [id, entry] : replica.roster()) {
     const auto user = replica.user(id, tick);
     if (!user || (self.present && id == self.participant)) continue;
     add_hands(list, id, user->hands, entry.color, next_mesh_id);
-    add_figure(list, *user, entry, user->head_tracked && entry.name != seen_through);
+    add_figure(list, *user, entry, entry.name == settings.follow);
   }
 }
 
-void People::add_figure(DrawList& list, const UserState& user, const RosterEntry& entry, bool with_head) {
+void People::add_figure(DrawList& list, const UserState& user, const RosterEntry& entry,
+                        bool is_seen_through) {
   if (!figure_) return;
-  add_forearms(list, user.hands, user.head_tracked ? std::optional(user.head) : std::nullopt, entry.color);
-  if (with_head) add_avatar(list, *figure_, user.head, entry.color, entry.name);
+  add_forearms(list, user.hands, user.head_tracked ? std::optional(user.head) : std::nullopt, entry.color,
+               is_seen_through ? own_sleeve_opacity : 1);
+  if (user.head_tracked && !is_seen_through) add_avatar(list, *figure_, user.head, entry.color, entry.name);
 }
 
 /// Adds sleeves behind the wrists of hands whose elbows hang below that head.
 void People::add_forearms(DrawList& list, const std::array<HandPose, 2>& hands,
-                          const std::optional<Pose>& head, const Vec3& color) const {
+                          const std::optional<Pose>& head, const Vec3& color, double opacity) const {
   if (!figure_) return;
+  const std::size_t sleeves = list.items.size();
   for (const std::size_t hand : {left_hand, right_hand}) {
     if (!hands[hand].tracked) continue;
     const Pose& wrist = hands[hand].pose;
     // Where the head isn't known, the forearm goes straight on.
     add_forearm(list, *figure_, head ? forearm_behind(wrist, bust_below(*head), hand) : wrist, color);
   }
+  for (std::size_t k = sleeves; k < list.items.size(); ++k) list.items[k].opacity = opacity;
 }
 
 void People::add_self(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
-                      std::uint64_t& next_mesh_id) {
+                      const ViewSettings& settings, std::uint64_t& next_mesh_id) {
   if (!skins_) return;
   const Vec3 color = color_of(replica, self.participant);
   const auto physical = self.at_desk ? replica.user(self.participant, tick) : std::nullopt;
   const HandPose& target = self.input.hands[right_hand];
   const std::optional<Pose> head = self.input.head_tracked ? std::optional(self.input.head) : std::nullopt;
+  const bool own_eyes = head && !settings.eye && settings.follow.empty();
   if (!physical || !physical->hands[right_hand].tracked) {
     add_hands(list, self.participant, self.input.hands, color, next_mesh_id);
-    add_forearms(list, self.input.hands, head, color);
+    add_forearms(list, self.input.hands, head, color, own_eyes ? own_sleeve_opacity : 1);
   } else {
     own_hand_ = list.items.size();
     add_hands(list, self.participant, physical->hands, color, next_mesh_id);
-    const std::size_t sleeves = list.items.size();
-    add_forearms(list, physical->hands, head, color);
-    for (std::size_t k = sleeves; k < list.items.size(); ++k) list.items[k].opacity = own_sleeve_opacity;
+    add_forearms(list, physical->hands, head, color, own_sleeve_opacity);
     if ((physical->hands[right_hand].pose.p - target.pose.p).norm() > ghost_from)
       add_ghost(list, target, color, next_mesh_id);
   }

@@ -20,9 +20,10 @@ class People {
  public:
   /// Adds everyone as the server has them. Oneself is as one's own devices have one, which is faster and
   /// where one feels it. Whoever sits at a desk feels nothing, and is as the server has them, too. Whoever is
-  /// named `seen_through` has no head. Meshes get ids from `next_mesh_id` on.
+  /// followed has no head. Sleeves of whoever's eyes see are half transparent, as they come from the eye and
+  /// hide what the hand works at. Meshes get ids from `next_mesh_id` on.
   void add(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
-           const std::string& seen_through, std::uint64_t& next_mesh_id);
+           const ViewSettings& settings, std::uint64_t& next_mesh_id);
   /// Returns which of the list's items is one's own right hand, before its nails; nullopt: it isn't drawn.
   std::optional<std::size_t> own_hand() const { return own_hand_; }
 
@@ -40,11 +41,11 @@ class People {
   std::optional<std::size_t> own_hand_;
 
   void take_made(std::uint64_t& next_mesh_id);
-  void add_figure(DrawList& list, const UserState& user, const RosterEntry& entry, bool with_head);
+  void add_figure(DrawList& list, const UserState& user, const RosterEntry& entry, bool is_seen_through);
   void add_forearms(DrawList& list, const std::array<HandPose, 2>& hands, const std::optional<Pose>& head,
-                    const Vec3& color) const;
+                    const Vec3& color, double opacity) const;
   void add_self(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
-                std::uint64_t& next_mesh_id);
+                const ViewSettings& settings, std::uint64_t& next_mesh_id);
   void add_ghost(DrawList& list, const HandPose& hand, const Vec3& color, std::uint64_t& next_mesh_id);
   void add_hands(DrawList& list, ParticipantId who, const std::array<HandPose, 2>& hands, const Vec3& color,
                  std::uint64_t& next_mesh_id);

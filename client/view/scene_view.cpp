@@ -63,7 +63,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
     }
     parts_board_->add(list_, *settings.parts_board);
   }
-  people_.add(list_, replica, tick, self, settings.follow, next_mesh_id_);
+  people_.add(list_, replica, tick, self, settings, next_mesh_id_);
   if (self.at_desk) add_hand_cues(replica, self, tick);
   cut_lines_.add(list_);
   add_blades(replica, self, tick);

@@ -359,6 +359,50 @@ TEST(SceneView, ADeskUsersHandIsWherePhysicsHasItWithAGhostWhereItIsWanted) {
   EXPECT_LT(hands[1].second, 0.5) << "pale";
 }
 
+/// Returns how opaque sleeves are, and shoulders where they are drawn.
+std::vector<double> cloth_of(const DrawList& list) {
+  std::vector<double> out;
+  for (const DrawItem& item : list.items)
+    if (item.appearance.surface == Surface::cloth) out.push_back(item.opacity);
+  return out;
+}
+
+TEST(SceneView, SleevesAreSeenThroughByWhomTheyBelongTo) {
+  Client client;
+  client.join();
+  RosterEntry ada;
+  ada.participant = 5;
+  ada.name = "ada";
+  client.tell(ada);
+  UserState user;
+  user.participant = ada.participant;
+  user.head_tracked = true;
+  user.head = look_at({0.4, 1.5, 0.3}, {0, 1.1, 0});
+  user.hands[right_hand].tracked = true;
+  user.hands[right_hand].pose.p = {0.1, 1.2, 0.1};
+  client.tell(user);
+  ViewSettings settings = plain(320, 240);
+  LocalUser ada_herself;
+  ada_herself.participant = ada.participant;
+  ada_herself.present = true;
+  ada_herself.input.head_tracked = true;
+  ada_herself.input.head = user.head;
+  ada_herself.input.hands = user.hands;
+  while (cloth_of(client.list(1, settings, ada_herself)).empty())  // her figure is on its way
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  const auto seen_through = [](double opacity) { return opacity < 0.5; };
+  const auto solid = [](double opacity) { return opacity == 1; };
+  EXPECT_TRUE(std::ranges::all_of(cloth_of(client.list(1, settings, ada_herself)), seen_through));
+  EXPECT_TRUE(std::ranges::all_of(cloth_of(client.list(1, settings)), solid)) << "somebody else's eyes";
+  ViewSettings outside = settings;
+  outside.eye = look_at({1, 1.6, 0.2}, {0, 1.4, 0});
+  EXPECT_TRUE(std::ranges::all_of(cloth_of(client.list(1, outside, ada_herself)), solid)) << "from outside";
+  settings.follow = "ada";
+  const auto followed = cloth_of(client.list(1, settings));
+  EXPECT_FALSE(followed.empty());
+  EXPECT_TRUE(std::ranges::all_of(followed, seen_through));
+}
+
 TEST(SceneView, ADeskUsersHandIsSeenThroughWhereItCoversWhatItIsAbove) {
   Client client;
   client.scene.bodies[part_body].moves = true;
