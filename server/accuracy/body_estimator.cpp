@@ -83,16 +83,16 @@ struct ElementState {
   Mat3 R = Mat3::Identity();                // of its mean F
   Mat3 S = Mat3::Zero(), Q = Mat3::Zero();  // means of RᵀF and RᵀP
   double work = 0;                          // J/m³: P:(F − R)
-  double law = 0;                           // J/m³: law_difference
+  LawDifference law;                        // from tissue's
 };
 
 /// What a body was like: what is taken off it later.
 struct Baseline {
-  std::vector<Mat3> S, Q;      // by element
+  std::vector<Mat3> S, Q;  // by element
+  std::vector<LawDifference> law;
   std::vector<Vec3> residual;  // N, by function, in the world's frame then
   std::vector<Vec3> reaction;  // N, by vertex, the same
   Mat3 turn = Mat3::Identity();
-  double law = 0;  // J
   bool known = false;
 };
 
@@ -139,6 +139,7 @@ struct BodyEstimator::Work {
   BodyMoment moment;
   std::size_t done = 0;
   std::vector<Mat3> S, Q, R;        // by element
+  std::vector<LawDifference> law;   // as many
   std::vector<Vec3> residual;       // N, by function
   std::vector<Vec3> reaction;       // N, by vertex: what the stress leaves to the outside
   std::vector<double> disc, model;  // J, by vertex
@@ -198,6 +199,7 @@ BodyEstimator::Work::Work(const SoftDesc& desc, const TetMesh& body_mesh, const 
   make_faces();
   make_compliance();
   for (auto* by_element : {&S, &Q, &R}) by_element->assign(element_count(), Mat3::Identity());
+  law.assign(element_count(), {});
   residual.assign(functions.size(), Vec3::Zero());
   reaction.assign(vertices, Vec3::Zero());
   disc.assign(vertices, 0);
@@ -391,8 +393,11 @@ void BodyEstimator::Work::add_element(std::size_t e) {
   Q[e] = now.Q;
   R[e] = now.R;
   mean_F += V * now.R * now.S;
-  all.law += V * now.law;
-  for (const std::uint32_t node : nodes) model[node] += V * std::abs(now.law) / 4;
+  law[e] = now.law;
+  const double left_over =
+      V * (rest.known ? work_on_top(now.law, rest.law[e], now.S - rest.S[e]) : now.law.work);
+  all.law += left_over;
+  for (const std::uint32_t node : nodes) model[node] += std::abs(left_over) / 4;
   const auto add_work = [&](Sums& sums, const Baseline& base) {
     if (base.known)
       sums.work += V * (now.Q - base.Q[e]).cwiseProduct(now.S - base.S[e]).sum();
@@ -475,7 +480,7 @@ void BodyEstimator::Work::finish() {
   add_forces(quiet.known ? quiet : rest, press);
   if (!quiet.known) press.weight = all.weight;  // else it was there before
   const double d = finite(surplus_share(all) * all.surplus / all.work);
-  const double law = finite((all.law - rest.law) / all.work);
+  const double law = finite(all.law / all.work);
   // Where tissue is stiffer, the first order tells by how much: nothing gives way less than not
   // at all.
   const double m = law < 0 ? law / (1 - law) : law;
@@ -514,7 +519,7 @@ void BodyEstimator::Work::keep(Baseline& base) const {
   base.residual = residual;
   base.reaction = reaction;
   base.turn = polar(mean_F).R;
-  base.law = all.law;
+  base.law = law;
   base.known = true;
 }
 

@@ -37,7 +37,7 @@ Stretched stretched(const ConstitutiveLaw& tissue, double mean, std::span<const 
 
 }  // namespace
 
-double law_difference(const ConstitutiveLaw& tissue, double mean, const ElementStrain& strain) {
+LawDifference law_difference(const ConstitutiveLaw& tissue, double mean, const ElementStrain& strain) {
   const std::size_t n = strain.F.size();
   PROSECTOR_ASSERT(n > 0 && n <= most_points && strain.P.size() == n && strain.R.size() == n);
   double pressure = 0;
@@ -53,12 +53,19 @@ double law_difference(const ConstitutiveLaw& tissue, double mean, const ElementS
     at = stretched(tissue, mean, strain.F, s);
     if (std::abs(step) < precise) break;
   }
-  double out = 3 * pressure * std::log(s);
+  LawDifference out{.pressure = pressure, .stretch = std::log(s)};
+  out.work = 3 * pressure * out.stretch;
   for (std::size_t q = 0; q < n; ++q) {
     const Mat3 difference = strain.P[q] - at.P[q] / (s * s);  // of the same Cauchy stress, on F's faces
-    out += difference.cwiseProduct(strain.F[q] - strain.R[q]).sum() / static_cast<double>(n);
+    out.work += difference.cwiseProduct(strain.F[q] - strain.R[q]).sum() / static_cast<double>(n);
+    out.stress += strain.R[q].transpose() * difference / static_cast<double>(n);
   }
   return out;
+}
+
+double work_on_top(const LawDifference& now, const LawDifference& before, const Mat3& strain) {
+  return (now.stress - before.stress).cwiseProduct(strain).sum() +
+         3 * (now.pressure - before.pressure) * (now.stretch - before.stretch);
 }
 
 }  // namespace prosector

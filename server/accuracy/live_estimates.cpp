@@ -15,6 +15,7 @@ constexpr double quiet_seconds = 0.5;    // simulated: after a cut, until elemen
 constexpr double first_order = 0.5;      // of h·Δv: the error of implicit Euler's step
 constexpr double second_order = 2. / 9;  // of h·Δ²v: of BDF2's step
 constexpr double least_press = 1e-3;     // of the work that loads do: what counts as a press
+constexpr double least_moved = 5e-5;     // m: surfaces are drawn to twice that
 
 int order_of(const SoftDesc& desc) {
   for (const IntegratorRow& row : integrators())
@@ -43,15 +44,17 @@ double contact_work(const Simulation& simulation, BodyId body) {
   return work;
 }
 
-/// Returns how far the farthest node is from where it rests, m, but for what the body moved as a whole.
-double farthest(const VecX& x, const VecX& rest) {
-  const Eigen::Index n = x.size() / 3;
-  Vec3 mean = Vec3::Zero();
-  for (Eigen::Index i = 0; i < n; ++i) mean += (x - rest).segment<3>(3 * i) / static_cast<double>(n);
+/// How far nodes are from where they rest, m, but for what the body moved as a whole.
+struct Moved {
   double most = 0;
-  for (Eigen::Index i = 0; i < n; ++i)
-    most = std::max(most, (x.segment<3>(3 * i) - rest.segment<3>(3 * i) - mean).norm());
-  return most;
+  double mean = 0;  // root of the mean square
+};
+Moved moved(const VecX& x, const VecX& rest) {
+  const auto n = static_cast<double>(x.size() / 3);
+  const auto by_node = (x - rest).reshaped(3, x.size() / 3);
+  const Vec3 whole = by_node.rowwise().mean();
+  const VecX far = (by_node.colwise() - whole).colwise().norm();
+  return {far.maxCoeff(), far.norm() / std::sqrt(n)};
 }
 
 }  // namespace
@@ -154,14 +157,15 @@ void LiveEstimates::begin(const Simulation& simulation, BodyId id, Body& body) {
   moment_.solver = 0;
   const double strength = simulation.part(id).stiffness;
   for (Eigen::Index i = 0; i < nodes; ++i) moment_.acceleration.segment<3>(3 * i) = gravity / strength;
+  const Moved far = moved(state.motion.x, soft.rest());
+  body.stirred = far.mean > least_moved;
   if (!body.was_asleep) {
     moment_.acceleration -= (state.motion.v - body.v) / (h_ * strength);
     if (order_of(soft.desc()) == 1)
       moment_.slip = first_order * h_ * (state.motion.v - body.v);
     else if (body.ticks > 1)
       moment_.slip = second_order * h_ * (state.motion.v - 2 * body.v + body.v_before);
-    const double moved = farthest(state.motion.x, soft.rest());
-    moment_.solver = moved > 0 ? body.solver / moved : 0;
+    moment_.solver = far.most > 0 ? body.solver / far.most : 0;
   }
   moment_.give = contact_work(simulation, id);
   body.estimator->begin(moment_);
@@ -176,11 +180,12 @@ void LiveEstimates::take(Body& body) {
   if (!body.newest) body.newest.emplace();
   LiveEstimate& out = *body.newest;
   out.tick = body.begun;
-  out.error = found.error;
-  out.parts = found.parts;
+  // What moved by less than is told of it has no error to tell of: a fraction of that would say nothing.
+  out.error = body.stirred ? found.error : 0;
+  out.parts = body.stirred ? found.parts : ErrorParts{};
   out.press_error = body.pressed > 0 && found.pressed > least_press ? found.press : -1;
   out.press_force = std::max(body.pressed, 0.);
-  out.map = body.grid->map_of(found.local);
+  out.map = body.grid->map_of(body.stirred ? found.local : std::vector<double>(found.local.size()));
 }
 
 /// Keeps the velocities that the next tick's are compared with.

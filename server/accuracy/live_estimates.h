@@ -17,7 +17,7 @@ namespace prosector {
 /// What is told of one body.
 struct LiveEstimate {
   std::uint64_t tick = 0;  // of the state that it is of
-  double error = -1;       // as of BodyStatus
+  double error = -1;       // as of BodyStatus; 0 where the body moved by less than is told of it
   ErrorParts parts;
   double press_error = -1;
   double press_force = 0;  // N: with which hands press it
@@ -49,6 +49,7 @@ class LiveEstimates {
     double solver = 0;        // m: how far the last solve left nodes wrong
     double pressed = -1;      // N: by hands, when the estimate began; below 0: none touched it
     bool was_asleep = false;  // when the estimate began
+    bool stirred = false;     // then: moved by more than is told of positions
     std::uint64_t begun = 0;
     std::optional<LiveEstimate> newest;
   };

@@ -66,6 +66,20 @@ TEST(LiveEstimates, TellOfEveryBodyWithinASecondAndOfAPressWhileItLasts) {
   EXPECT_LT(estimates.newest(1)->press_error, 0) << "the hand left";
 }
 
+/// A fraction of next to nothing would be told as if something were wrong.
+TEST(LiveEstimates, TellNoErrorOfWhatMovesByLessThanIsSeen) {
+  for (const double weight : {1e-3, 1.}) {
+    SceneDesc scene = pressed_scene();
+    scene.gravity *= weight;
+    Simulation simulation(scene, test::options());
+    LiveEstimates estimates(simulation);
+    for (int tick = 0; tick < 60; ++tick) estimates.follow(simulation, simulation.step({}));
+    ASSERT_NE(estimates.newest(1), nullptr);
+    EXPECT_EQ(estimates.newest(1)->error > 0, weight == 1) << weight;
+    EXPECT_EQ(std::abs(estimates.newest(1)->parts.discretisation) > 0, weight == 1) << weight;
+  }
+}
+
 /// As of sessions that go on with a restored state: nothing is known yet of how fast nodes were.
 TEST(LiveEstimates, BeginWithBodiesThatMove) {
   Simulation simulation(pressed_scene(), test::options());

@@ -191,6 +191,18 @@ int main(int argc, char** argv) try {
   promise_command->add_option("--reference", promise.finest_reference, "Tetrahedra of the reference, at most")
       ->check(CLI::Range(1000, 1000000));
 
+  prosector::FeltBenchOptions felt;
+  CLI::App* felt_command = app.add_subcommand(
+      "felt", "What people felt in a recorded session, against finer models of what they pressed");
+  felt_command->add_option("JOURNAL", felt.journal, "Journal of the session")
+      ->check(CLI::ExistingFile)
+      ->required();
+  felt_command->add_option("--body", felt.body, "Soft body that was pressed")->capture_default_str();
+  felt_command->add_option("--cell", felt.cells, "Size of a finer model's elements, m (may be repeated)")
+      ->check(CLI::Range(1e-3, 1.))
+      ->capture_default_str();
+  felt_command->add_option("--threads", felt.threads)->check(CLI::Range(1, 256))->capture_default_str();
+
   prosector::EstimateBenchOptions estimate;
   CLI::App* estimate_command =
       app.add_subcommand("estimate", "What bodies tell of their own error against the error that they have");
@@ -257,6 +269,7 @@ int main(int argc, char** argv) try {
   if (*stability_command) report = prosector::bench_stability(stability);
   if (*need_command) report = prosector::bench_need(need);
   if (*promise_command) report = prosector::bench_promise(promise);
+  if (*felt_command) report = prosector::bench_felt(felt);
   if (*estimate_command) report = prosector::bench_estimate(estimate);
   if (*scaling_command) report = prosector::bench_scaling(scaling);
   if (*collision_command) report = prosector::bench_collision(collision);

@@ -172,6 +172,15 @@ struct EstimateBenchOptions {
 /// What bodies tell of their own error against the error that they have, over a table of cases.
 Report bench_estimate(const EstimateBenchOptions& options);
 
+struct FeltBenchOptions {
+  std::string journal;                               // file of a recorded session
+  std::string body = "liver";                        // soft body whose force is told
+  std::vector<double> cells = {0.016, 0.012, 0.01};  // m: of the finer models, quadratic and of tissue's law
+  unsigned threads = 2;
+};
+/// What people felt in a recorded session, against what finer models of the organ would have let them feel.
+Report bench_felt(const FeltBenchOptions& options);
+
 struct CollisionBenchOptions {
   int pairs = 1000;  // poses a shape
   int ticks = 5;

@@ -290,7 +290,7 @@ def tries(person, way):
     if " to " in last:
         hands.press(way.replace(last, last.split(" to ")[1]))
         hands.press(way.replace(last, last.split(" to ")[0]))
-    elif last == "wheel":
+    elif last.startswith("wheel"):  # also on the list that a line before opened
         hands.turn_wheel(way, 3)
     elif last.endswith(" drag"):
         hands.drag(way, (60, 30))

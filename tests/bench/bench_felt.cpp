@@ -1,0 +1,130 @@
+// What people felt in a recorded session, against what they would have felt with finer models of the organ.
+//
+// The journal's inputs are run again on each model: hands are pulled as their owners pulled them. Forces are
+// means over the ticks in which the session's own model pushed back hardest.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "common/error.h"
+#include "common/paths.h"
+#include "common/scene/load_scene.h"
+#include "server/accuracy/body_trial.h"
+#include "server/calibration/choose_scene.h"
+#include "server/calibration/stopwatch.h"
+#include "server/calibration/stopwatch.h"
+#include "server/physics/soft/soft_body.h"
+#include "server/session/journal_reader.h"
+#include "tests/bench/crowd.h"
+#include "tests/bench/subjects.h"
+#include "tests/bench/text_table.h"
+
+namespace prosector {
+namespace {
+
+constexpr double pressed_hard = 0.9;      // of the largest force: ticks from there on count
+constexpr int reference_iterations = 12;  // Newton's, at most: what a scene gives may be too few to settle
+
+/// What was felt in each tick.
+struct Felt {
+  std::vector<double> force;  // N: of all hands on the body
+  std::vector<double> moved;  // m: of its farthest point
+  std::size_t tets = 0;
+  double ms = 0;  // CPU time of a tick in which it was pressed, mean
+};
+
+double force_on(const Simulation& simulation, BodyId body) {
+  double force = 0;
+  for (const HandState& hand : simulation.hands())
+    if (hand.contact.touching && hand.contact.body == body) force += hand.contact.force.norm();
+  return force;
+}
+
+Felt run(const JournalReader& journal, const SceneDesc& scene, const FeltBenchOptions& options) {
+  CompileOptions compile;
+  compile.threads = options.threads;
+  compile.data_dirs = {default_data_dir()};
+  compile.cache_dir = default_cache_dir();
+  Simulation simulation(scene, compile);
+  const BodyId body = pressed_body(simulation, options.body);
+  Felt out;
+  out.tets = simulation.soft(body).elements();
+  journal.for_each_tick(0, [&](const JournalTick& tick) {
+    const double begun = cpu_ms();
+    simulation.step(tick.input.input);
+    out.force.push_back(force_on(simulation, body));
+    out.moved.push_back(simulation.max_displacement(body));
+    if (out.force.back() > 0) out.ms += cpu_ms() - begun;
+    return true;
+  });
+  out.ms /= std::max<double>(
+      1, static_cast<double>(std::ranges::count_if(out.force, [](double f) { return f > 0; })));
+  return out;
+}
+
+/// Returns the mean over the ticks in which `own` pushed back hardest.
+double while_pressed(const std::vector<double>& values, const std::vector<double>& own) {
+  const double hard = pressed_hard * *std::ranges::max_element(own);
+  double sum = 0, ticks = 0;
+  for (std::size_t tick = 0; tick < own.size(); ++tick) {
+    if (own[tick] < hard) continue;
+    sum += values[tick];
+    ++ticks;
+  }
+  return sum / ticks;
+}
+
+}  // namespace
+
+Report bench_felt(const FeltBenchOptions& options) {
+  using enum Column::Kind;
+  const JournalReader journal(options.journal);
+  if (!journal.header().beginning.empty())
+    throw InputError(
+        fmt::format("{}: begins with a state; expected a session from its scene on", options.journal));
+  SceneDesc scene = parse_scene(journal.header().scene_text, journal.header().scene_file);
+  adopt(journal.header().choices, scene);
+
+  Report report("felt");
+  const TextTable table({{text, "model", "model", 16},
+                         {text, "element", "element", 7},
+                         {number, "cell_mm", "cell mm", 7},
+                         {count, "tets", "tets", 6},
+                         {number, "force_N", "force N", 8},
+                         {percent, "force_off", "own less it", 11},
+                         {number, "moved_mm", "moved mm", 8},
+                         {number, "ms", "ms a tick", 9}});
+  table.print_header();
+  const Felt own = run(journal, scene, options);
+  const std::string body = options.body;
+  if (*std::ranges::max_element(own.force) <= 0)
+    throw InputError(fmt::format("{}: no hand pressed that body in this session", options.journal));
+  const double own_force = while_pressed(own.force, own.force);
+  const auto tell = [&](const SoftDesc& desc, const Felt& felt) {
+    const double force = while_pressed(felt.force, own.force);
+    report.add({{"model", desc.model},
+                {"element", desc.element},
+                {"cell_mm", 1e3 * desc.cell},
+                {"tets", felt.tets},
+                {"force_N", force},
+                {"force_off", own_force / force - 1},
+                {"moved_mm", 1e3 * while_pressed(felt.moved, own.force)},
+                {"ms", felt.ms}});
+    table.print(report.rows().back());
+  };
+  SoftDesc& desc = *std::ranges::find(scene.soft, body, &SoftDesc::name);
+  tell(desc, own);
+  desc.model = tissue_law;
+  desc.element = "tet10";
+  desc.contact = "surface";
+  desc.newton_iterations = std::max(desc.newton_iterations, reference_iterations);
+  for (const double cell : options.cells) {
+    desc.cell = cell;
+    tell(desc, run(journal, scene, options));
+  }
+  return report;
+}
+
+}  // namespace prosector
