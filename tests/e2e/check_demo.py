@@ -28,6 +28,12 @@ check("and came back within 1 mm of rest", summary["residual_displacement_mm"]["
 check("the observer was complete within 2 s", summary["late_join_ms"] <= 2000)
 check("latency stands on at least 300 records", summary["device_to_observer_samples"] >= 300)
 check("nothing that arrived was invalid", summary["invalid_dropped"] == 0)
+press = summary["pressed"]["liver"]
+if "reference" in press:
+    told, off = press["error"], press["off_reference"]
+    check(f"the force is off the reference by {off:.0%}, and {told:.0%} was told", 0.5 * off <= told <= 2 * off)
+else:
+    print("skipped: the press has no reference: the CT liver is not fetched, or the scene is another one")
 headset = json.loads((folder / "headset.json").read_text())
 check("headset user and observer hold the same topology", headset["topology_hash"] == summary["topology_hash"])
 
