@@ -74,23 +74,23 @@ SceneDesc drawn(int number, Random& random) {
   return scene;
 }
 
-/// Returns the largest error of acts that count, with presses and a weight that the choice didn't try.
-double true_error(const SceneDesc& scene, const Choice& choice, const PromiseBenchOptions& options,
-                  const CompileOptions& sources) {
+/// Returns the act with the largest error, of those that count, with presses and a weight that the choice
+/// didn't try.
+ActError true_error(const SceneDesc& scene, const Choice& choice, const PromiseBenchOptions& options,
+                    const CompileOptions& sources) {
   SoftDesc desc = scene.soft.front();
   desc.cell = choice.cell;
+  desc.grade = choice.grade;
   const bool touched = std::count(desc.accuracy_of.begin(), desc.accuracy_of.end(), "touch") > 0;
   const Vec3 leans = scene.gravity + leaning * scene.gravity.norm() * Vec3(0.6, 0, 0.8);
   const BodyTrial trial(desc, leans, soft_anatomy(desc, scene, sources),
                         {.most_tets = options.finest_reference, .presses = touched ? 4 : 0});
-  if (choice.rung.element == "tet10" && !trial.judges_quadratic()) return std::nan("");
-  const auto acts = trial.measure(choice.rung.model, choice.rung.element);
-  double most = 0;
-  for (const ActError& act : acts) most = std::max(most, act.error);
-  return most;
+  if (choice.rung.element == "tet10" && !trial.judges_quadratic()) return {"", std::nan("")};
+  return worst(trial.measure(choice.rung.model, choice.rung.element));
 }
 
-ReportRow judged(const SceneDesc& scene, const Choice& choice, double error) {
+ReportRow judged(const SceneDesc& scene, const Choice& choice, const ActError& found) {
+  const double error = found.error;
   const SoftDesc& desc = scene.soft.front();
   const double promised = choice.good_enough ? desc.accuracy.value / 100 : choice.expected.error;
   return {{"body", desc.name},
@@ -107,6 +107,8 @@ ReportRow judged(const SceneDesc& scene, const Choice& choice, double error) {
           {"model", choice.rung.model},
           {"element", choice.rung.element},
           {"cell_mm", 1e3 * choice.cell},
+          {"grade", choice.grade},
+          {"act", found.act},
           {"ms_per_frame", choice.expected.ms},
           {"verdict", std::isnan(error)       ? "not judged"
                       : error >= collapsed    ? (promised >= collapsed ? "kept" : "collapsed")
@@ -133,7 +135,9 @@ Report bench_promise(const PromiseBenchOptions& options) {
                          {Column::Kind::text, "verdict", "verdict", 18},
                          {Column::Kind::text, "model", "model", 17},
                          {Column::Kind::text, "element", "element", 7},
-                         {Column::Kind::number, "cell_mm", "cell, mm", 8}});
+                         {Column::Kind::number, "cell_mm", "cell, mm", 8},
+                         {Column::Kind::text, "grade", "grade", 5},
+                         {Column::Kind::text, "act", "by", 18}});
   table.print_header();
   RungMeter meter;
   ChoiceOptions choice = choice_options(options.cache, meter);
