@@ -96,7 +96,8 @@ std::vector<ActError> BodyTrial::measure(const std::string& model, const std::st
   const auto solved = solve(model, element, mesh_);
   std::vector<ActError> out;
   for (std::size_t act = 0; act < acts_.size(); ++act)
-    out.push_back({acts_[act].name, difference(act, *solved, *reference_) + unsettled_[act]});
+    out.push_back(
+        {acts_[act].name, difference(act, *solved, *reference_) + unsettled_[act], unsettled_[act]});
   return out;
 }
 

@@ -25,7 +25,8 @@ inline constexpr double collapsed = 1e3;
 
 struct ActError {
   std::string act;
-  double error = 0;  // of displacements, fraction; at least collapsed: it collapsed, or didn't settle
+  double error = 0;      // of displacements, fraction; at least collapsed: it collapsed, or didn't settle
+  double unsettled = 0;  // of it, what the reference itself may be off
 };
 
 /// Returns the act with the largest error; there must be one.

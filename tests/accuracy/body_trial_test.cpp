@@ -53,8 +53,12 @@ TEST(BodyTrial, ErrorsFallWithTheCells) {
   };
   const auto coarse = at(2), fine = at(4);
   ASSERT_EQ(coarse.size(), 4u);
-  for (std::size_t act = 0; act < coarse.size(); ++act)
+  for (std::size_t act = 0; act < coarse.size(); ++act) {
     EXPECT_LT(fine[act].error, 0.9 * coarse[act].error) << coarse[act].act;
+    EXPECT_GT(fine[act].unsettled, 0) << "the reference's own part";
+    EXPECT_LT(fine[act].unsettled, 0.3 * fine[act].error);
+    EXPECT_LT(fine[act].unsettled, 0.9 * coarse[act].unsettled);
+  }
 }
 
 /// A cube that stands, nearly incompressible: smaller elements at the foot's rim gain more than smaller ones

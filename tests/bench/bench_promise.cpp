@@ -109,12 +109,14 @@ ReportRow judged(const SceneDesc& scene, const Choice& choice, const ActError& f
           {"cell_mm", 1e3 * choice.cell},
           {"grade", choice.grade},
           {"act", found.act},
+          {"unsettled", found.unsettled},
           {"ms_per_frame", choice.expected.ms},
-          {"verdict", std::isnan(error)       ? "not judged"
-                      : error >= collapsed    ? (promised >= collapsed ? "kept" : "collapsed")
-                      : error <= promised     ? "kept"
-                      : error <= 2 * promised ? "missed"
-                                              : "off by more than 2"}};
+          {"verdict", std::isnan(error)    ? "not judged"
+                      : error >= collapsed ? (promised >= collapsed ? "kept" : "collapsed")
+                      : error <= promised  ? "kept"
+                      : error - 2 * found.unsettled <= promised ? "not settled"
+                      : error <= 2 * promised                   ? "missed"
+                                                                : "off by more than 2"}};
 }
 
 }  // namespace
@@ -137,10 +139,12 @@ Report bench_promise(const PromiseBenchOptions& options) {
                          {Column::Kind::text, "element", "element", 7},
                          {Column::Kind::number, "cell_mm", "cell, mm", 8},
                          {Column::Kind::text, "grade", "grade", 5},
-                         {Column::Kind::text, "act", "by", 18}});
+                         {Column::Kind::text, "act", "by", 18},
+                         {Column::Kind::percent, "unsettled", "unsettled", 9}});
   table.print_header();
   RungMeter meter;
   ChoiceOptions choice = choice_options(options.cache, meter);
+  if (options.verbose) choice.sources.progress = [](const std::string& line) { fmt::print("  {}\n", line); };
   for (const std::string& folder : options.data) choice.sources.data_dirs.emplace_back(folder);
   Random random(options.seed);
   int kept = 0, judged_cases = 0;
@@ -153,7 +157,7 @@ Report bench_promise(const PromiseBenchOptions& options) {
       table.print(row);
       std::fflush(stdout);
       report.add(row);
-      judged_cases += setting(row, "verdict") != "not judged";
+      judged_cases += !setting(row, "verdict").starts_with("not ");
       kept += setting(row, "verdict") == "kept";
     } catch (const InputError& error) {
       fmt::print("body {}: {}\n", i, error.what());

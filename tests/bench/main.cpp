@@ -188,6 +188,7 @@ int main(int argc, char** argv) try {
   promise_command->add_option("--cache", promise.cache, "Folder of tables and trials")->capture_default_str();
   promise_command->add_option("--data", promise.data,
                               "Folder of liver.inr.gz; without it shapes stand for it");
+  promise_command->add_flag("--verbose", promise.verbose, "Also say what is tried");
   promise_command->add_option("--reference", promise.finest_reference, "Tetrahedra of the reference, at most")
       ->check(CLI::Range(1000, 1000000));
 

@@ -159,6 +159,7 @@ struct PromiseBenchOptions {
   std::size_t finest_reference = 24000;  // tetrahedra
   std::string cache;
   std::vector<std::string> data;  // folders where the CT volume is looked up
+  bool verbose = false;           // also what is tried
 };
 /// Random bodies that ask for accuracy: what is promised against a finer reference and other acts.
 Report bench_promise(const PromiseBenchOptions& options);

@@ -34,6 +34,15 @@ TEST(ClientConfig, ReadsStationsAndRoom) {
   EXPECT_EQ(config.tracker_device.room_device.p, Vec3(0, 1, 2));
 }
 
+TEST(ClientConfig, AGestureThatIsNotNamedAsksForWhatItDoesByDefault) {
+  const ClientConfig defaults,
+      config = parse_client_config("[gestures]\nfist = 'none'\ntwo = 'reset'\n", "c.toml");
+  EXPECT_EQ(config.gestures.at(Gesture::fist), GestureEvent::none);
+  EXPECT_EQ(config.gestures.at(Gesture::two), GestureEvent::reset);
+  for (const auto& [gesture, event] : defaults.gestures)
+    EXPECT_EQ(config.gestures.at(gesture), gesture == Gesture::fist ? GestureEvent::none : event);
+}
+
 TEST(ClientConfig, BadInputSaysWhereAndWhat) {
   struct Case {
     const char* toml;
