@@ -84,9 +84,6 @@ every_test() {
 # everything PRESET: what a plain build makes.
 everything() { echo all; }
 
-# seeded_tests PRESET: the targets of those that draw a new seed.
-seeded_tests() { sed -n 's/^all *^\([a-z_]*\)\\..*/test_\1/p' deploy/left_out.txt | sort -u; }
-
 # build_for PART PRESET LIST: what the function LIST prints. False, and recorded, where it fails.
 build_for() {
   local began=$SECONDS targets log=$out/build-$1-$2.log
@@ -142,16 +139,19 @@ run_tsan() {
 
 # run_seeds SECONDS: rounds as long as one more fits, one at least.
 run_seeds() {
-  local until=$((SECONDS + $1)) round=0 longest=0 began seed preset presets=(release)
-  build_for seeds release seeded_tests || return 0
+  local until=$((SECONDS + $1)) round=0 longest=0 began seed preset presets=(release) filters
+  build_for seeds release everything || return 0  # whole programs are among what the gate leaves out
   ! is_built asan-full || presets+=(asan-full)
   while [ $round -eq 0 ] || [ $((SECONDS + longest)) -lt $until ]; do
     round=$((round + 1)) began=$SECONDS
     seed=$(od -An -N4 -tu4 /dev/urandom | tr -d ' ')
     for preset in "${presets[@]}"; do
+      # Sanitized builds have tests alone, no programs.
+      filters=()
+      [ "$preset" = release ] || filters=(-L '^(unit|fuzz|image)$')
       echo "nightly: seeds: round $round, $preset, PROSECTOR_SEED=$seed"
-      deploy/left_out.py rest "build/$preset" all >"$out/seeds-$preset.tests"
-      tests seeds "seeds-$round-$preset" "$preset" "$seed" -I "$out/seeds-$preset.tests"
+      deploy/left_out.py rest "build/$preset" all -- "${filters[@]}" >"$out/seeds-$preset.tests"
+      tests seeds "seeds-$round-$preset" "$preset" "$seed" -I "$out/seeds-$preset.tests" "${filters[@]}"
     done
     longest=$((SECONDS - began > longest ? SECONDS - began : longest))
   done
