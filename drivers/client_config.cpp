@@ -216,6 +216,7 @@ void read_gestures(Section section, ClientConfig& config) {
       if (*name != e.name) continue;
       found = true;
       config.gestures[row.gesture] = e.event;
+      if (e.event == GestureEvent::none) config.gestures.erase(row.gesture);
     }
     if (!found) section.fail(row.name, fmt::format("must be {}", allowed_events));
   }
