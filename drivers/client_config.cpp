@@ -207,6 +207,7 @@ constexpr std::array<EventName, 6> event_names = {{{"none", GestureEvent::none},
 constexpr const char* allowed_events = "none, grasp, release, reset, panel or parts";
 
 void read_gestures(Section section, ClientConfig& config) {
+  config.gestures.clear();
   for (const GestureRow& row : gesture_table()) {
     if (row.gesture == Gesture::none) continue;
     const auto name = section.value<std::string>(row.name, allowed_events);
@@ -215,8 +216,7 @@ void read_gestures(Section section, ClientConfig& config) {
     for (const EventName& e : event_names) {
       if (*name != e.name) continue;
       found = true;
-      config.gestures[row.gesture] = e.event;
-      if (e.event == GestureEvent::none) config.gestures.erase(row.gesture);
+      if (e.event != GestureEvent::none) config.gestures[row.gesture] = e.event;
     }
     if (!found) section.fail(row.name, fmt::format("must be {}", allowed_events));
   }

@@ -34,18 +34,6 @@ TEST(ClientConfig, ReadsStationsAndRoom) {
   EXPECT_EQ(config.tracker_device.room_device.p, Vec3(0, 1, 2));
 }
 
-TEST(ClientConfig, AGestureThatIsNotNamedAsksForWhatItDoesByDefault) {
-  const ClientConfig defaults,
-      config = parse_client_config("[gestures]\nfist = 'none'\ntwo = 'reset'\n", "c.toml");
-  EXPECT_FALSE(config.gestures.contains(Gesture::fist));
-  EXPECT_EQ(config.gestures.at(Gesture::two), GestureEvent::reset);
-  for (const auto& [gesture, event] : defaults.gestures) {
-    if (gesture == Gesture::fist) continue;
-    ASSERT_TRUE(config.gestures.contains(gesture));
-    EXPECT_EQ(config.gestures.at(gesture), event);
-  }
-}
-
 TEST(ClientConfig, BadInputSaysWhereAndWhat) {
   struct Case {
     const char* toml;
