@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "common/error.h"
@@ -28,6 +29,7 @@ constexpr int reference_iterations = 12;  // Newton's, at most: what a scene giv
 
 /// What was felt in each tick.
 struct Felt {
+  std::string body;
   std::vector<double> force;  // N: of all hands on the body
   std::vector<double> moved;  // m: of its farthest point
   std::size_t tets = 0;
@@ -49,6 +51,7 @@ Felt run(const JournalReader& journal, const SceneDesc& scene, const FeltBenchOp
   Simulation simulation(scene, compile);
   const BodyId body = pressed_body(simulation, options.body);
   Felt out;
+  out.body = simulation.name(body);
   out.tets = simulation.soft(body).elements();
   journal.for_each_tick(0, [&](const JournalTick& tick) {
     const double begun = cpu_ms();
@@ -97,9 +100,8 @@ Report bench_felt(const FeltBenchOptions& options) {
                          {number, "ms", "ms a tick", 9}});
   table.print_header();
   const Felt own = run(journal, scene, options);
-  const std::string body = options.body;
-  if (*std::ranges::max_element(own.force) <= 0)
-    throw InputError(fmt::format("{}: no hand pressed that body in this session", options.journal));
+  if (own.force.empty() || *std::ranges::max_element(own.force) <= 0)
+    throw InputError(fmt::format("{}: no hand pressed \"{}\" in this session", options.journal, own.body));
   const double own_force = while_pressed(own.force, own.force);
   const auto tell = [&](const SoftDesc& desc, const Felt& felt) {
     const double force = while_pressed(felt.force, own.force);
@@ -113,7 +115,7 @@ Report bench_felt(const FeltBenchOptions& options) {
                 {"ms", felt.ms}});
     table.print(report.rows().back());
   };
-  SoftDesc& desc = *std::ranges::find(scene.soft, body, &SoftDesc::name);
+  SoftDesc& desc = *std::ranges::find(scene.soft, own.body, &SoftDesc::name);
   tell(desc, own);
   desc.model = tissue_law;
   desc.element = "tet10";

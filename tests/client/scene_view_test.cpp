@@ -220,15 +220,20 @@ TEST(SceneView, AHeadInsideAPartSeesNothingButItsInside) {
       }
 }
 
+RosterEntry ada_entry() {
+  RosterEntry ada;
+  ada.participant = 5;
+  ada.name = "ada";
+  return ada;
+}
+
 TEST(SceneView, AnInsetShowsWhatAUserSeesAndNothingElseChanges) {
   Client client;
   LightInfo light;
   light.position = {0, 2, 1};
   client.scene.lights = {light};
   client.join();
-  RosterEntry ada;
-  ada.participant = 5;
-  ada.name = "ada";
+  const RosterEntry ada = ada_entry();
   client.tell(ada);
   UserState user;
   user.participant = ada.participant;
@@ -306,9 +311,7 @@ TEST(SceneView, FiguresStandAboveTheSoftBodyThatAsksForThem) {
 TEST(SceneView, ThroughAUsersEyesIsSeenWhatTheySee) {
   Client client;
   client.join();
-  RosterEntry ada;
-  ada.participant = 5;
-  ada.name = "ada";
+  RosterEntry ada = ada_entry();
   client.tell(ada);
   UserState user;
   user.participant = ada.participant;
@@ -370,9 +373,7 @@ std::vector<double> cloth_of(const DrawList& list) {
 TEST(SceneView, SleevesAreSeenThroughByWhomTheyBelongTo) {
   Client client;
   client.join();
-  RosterEntry ada;
-  ada.participant = 5;
-  ada.name = "ada";
+  const RosterEntry ada = ada_entry();
   client.tell(ada);
   UserState user;
   user.participant = ada.participant;

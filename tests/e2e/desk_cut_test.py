@@ -11,7 +11,7 @@ import time
 
 from PIL import Image
 
-from desk_person import Processes, View, act, minus, plus, times, wait_until, windows
+from desk_person import Processes, View, act, minus, plus, times, wait_until
 
 BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 SCENE = pathlib.Path(__file__).parents[2] / "deploy/scenes/cut.toml"
@@ -70,15 +70,7 @@ def sheet(names):
 
 
 with Processes(OUT) as processes:
-    session = f"desk-cut-{os.getpid()}"
-    server = processes.start("server.log", BIN / "prosector-server", SCENE, "--session", session, "--domain", 92,
-                             "--summary", OUT / "server.json", "--journal", OUT / "journal.sqlite")
-    wait_until("the server", lambda: processes.says("server.log", "is open on this machine"), 60)
-    client = processes.start("client.log", BIN / "prosector-client", "join", "--name", "mouse", "--session", session, "--domain", 92,
-                             "--size", "x".join(map(str, SIZE)), "--quality", "low", "--session-log", OUT / "log.jsonl")
-    window = wait_until("the window", lambda: windows(f"Prosector: {session}"))[0]
-    act("windowfocus", window)
-    wait_until("the scene", lambda: processes.says("client.log", "everything is here"))
+    server, client, window = processes.host_and_join(BIN, SCENE, f"desk-cut-{os.getpid()}", SIZE)
     view = View(window, SIZE, FOV, OUT / "log.jsonl")
     view.eyes()
     view.picture().save(OUT / "start.png")

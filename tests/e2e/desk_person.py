@@ -72,6 +72,19 @@ class Processes:
                                                  stderr=subprocess.STDOUT))
         return self.running[-1]
 
+    def host_and_join(self, programs, scene, session, size, domain=92):
+        """A server of that scene, a desk user in its window, which has the keys, and that window."""
+        server = self.start("server.log", programs / "prosector-server", scene, "--session", session, "--domain", domain,
+                            "--summary", self.out / "server.json", "--journal", self.out / "journal.sqlite")
+        wait_until("the server", lambda: self.says("server.log", "is open on this machine"), 60)
+        client = self.start("client.log", programs / "prosector-client", "join", "--name", "mouse", "--session", session,
+                            "--domain", domain, "--size", "x".join(map(str, size)), "--quality", "low",
+                            "--session-log", self.out / "log.jsonl")
+        window = wait_until("the window", lambda: windows(f"Prosector: {session}"))[0]
+        act("windowfocus", window)
+        wait_until("the scene", lambda: self.says("client.log", "everything is here"))
+        return server, client, window
+
     def leave(self, client, server):
         """The person leaves and the server ends; what it counted of commands."""
         act("key", "Escape")

@@ -9,7 +9,7 @@ import time
 
 from PIL import Image
 
-from desk_person import Processes, View, act, wait_until, windows
+from desk_person import Processes, View, act, wait_until
 
 BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 SCENE = pathlib.Path(__file__).parents[2] / "deploy/scenes/sheet_cut.toml"
@@ -55,15 +55,7 @@ def picture(name):
 
 
 with Processes(OUT) as processes:
-    session = f"desk-piece-{os.getpid()}"
-    server = processes.start("server.log", BIN / "prosector-server", SCENE, "--session", session, "--domain", 92,
-                             "--summary", OUT / "server.json", "--journal", OUT / "journal.sqlite")
-    wait_until("the server", lambda: processes.says("server.log", "is open on this machine"), 60)
-    client = processes.start("client.log", BIN / "prosector-client", "join", "--name", "mouse", "--session", session, "--domain", 92,
-                             "--size", "x".join(map(str, SIZE)), "--quality", "low", "--session-log", OUT / "log.jsonl")
-    window = wait_until("the window", lambda: windows(f"Prosector: {session}"))[0]
-    act("windowfocus", window)
-    wait_until("the scene", lambda: processes.says("client.log", "everything is here"))
+    server, client, window = processes.host_and_join(BIN, SCENE, f"desk-piece-{os.getpid()}", SIZE)
     view = View(window, SIZE, FOV, OUT / "log.jsonl")
     view.settle()
     view.point_at(HANDLE)
