@@ -10,13 +10,14 @@
 #include <variant>
 #include <vector>
 
+#include "common/contact_plane.h"
 #include "common/hash.h"
 #include "common/local_name.h"
 #include "common/math.h"
 
 namespace prosector {
 
-inline constexpr std::uint32_t protocol_version = 7;
+inline constexpr std::uint32_t protocol_version = 8;
 
 using ParticipantId = std::uint64_t;  // drawn at random by each client; 0 is nobody
 using BodyId = std::uint32_t;         // index into SceneInfo::bodies
@@ -61,6 +62,7 @@ struct Presence {
   std::string name;
   Role role = Role::observer;  // what the participant asks for; the server's Roster says what it got
   std::string devices;         // for people: "fastrak, 5dt-serial"
+  std::uint8_t arms = 0;       // hands that are moved by a haptic arm: bit 0 the left one, bit 1 the right
 };
 
 /// server → all; one per participant, removed (disposed) when it leaves.
@@ -378,6 +380,29 @@ struct ContactSample {
   double impact = -1;               // s from the tick's start until they meet, 0: met before; < 0: they don't
 };
 
+/// server → participants with an arm, best effort, keyed by (participant, hand), each tick: what the hand
+/// feels. Without planes it feels nothing; that is told, too, so that silence means a broken line.
+struct FeltPlanes {
+  ParticipantId participant = 0;
+  std::uint8_t hand = right_hand;
+  SimTime time;
+  std::uint64_t input_sequence = 0;  // the last HandInput that the tick consumed
+  std::vector<ContactPlane> planes;  // at most max_contact_planes
+  double taken = 0;                  // J, since the hand appeared: what it gave to bodies …
+  double given = 0;                  // … and what they gave to it; both only grow
+};
+
+/// participant → server, best effort, keyed by (participant, hand), with each HandInput: what the arm does.
+struct ArmForce {
+  ParticipantId participant = 0;
+  std::uint8_t hand = right_hand;
+  std::uint64_t sequence = 0;   // rises by one a sample
+  Vec3 force = Vec3::Zero();    // N, on the hand, mean since the sample before
+  double taken = 0, given = 0;  // J, as FeltPlanes': from and to the person's hand
+};
+inline constexpr double max_arm_force = 1000;  // N
+inline constexpr double max_arm_energy = 1e9;  // J
+
 /// server → all, reliable, transient-local, keyed by body: what people made of a body. Sent when it changes;
 /// of a body that was never changed nothing is sent.
 struct HandRef {
@@ -516,8 +541,9 @@ struct Recording {
 };
 
 /// Everything that a Bus carries. A message's place is its topic's index (idl/topics.h).
-using Message = std::variant<SessionInfo, Presence, RosterEntry, HandInput, UserState, Command, CommandResult,
-                             SceneInfo, AssetChunk, RigidState, SoftState, Settled, TopologyRevision,
-                             ContactSample, ServerStatus, BodyStatus, PartState, Panel, RoomState, Recording>;
+using Message =
+    std::variant<SessionInfo, Presence, RosterEntry, HandInput, UserState, Command, CommandResult, SceneInfo,
+                 AssetChunk, RigidState, SoftState, Settled, TopologyRevision, ContactSample, ServerStatus,
+                 BodyStatus, PartState, Panel, RoomState, Recording, FeltPlanes, ArmForce>;
 
 }  // namespace prosector

@@ -14,7 +14,7 @@ import sys
 MOST_WORDS = 30
 
 # Held to the rules. A folder holds those below it; FOLDER/* holds its own files only.
-HELD = ("client", "common", "deploy", "drivers", "idl", "server/accuracy", "server/calibration", "server/physics/*",
+HELD = ("client", "common", "deploy", "drivers", "idl", "server/accuracy", "server/calibration", "server/haptics", "server/physics/*",
         "server/physics/collision", "server/physics/contact", "server/physics/coupled", "server/physics/cutting",
         "server/physics/hands", "server/physics/organs", "server/physics/panel", "server/physics/parts",
         "server/physics/rigid", "server/physics/soft", "server/session")

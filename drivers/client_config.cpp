@@ -194,6 +194,23 @@ void read_glove(Section section, GloveSettings& glove) {
   section.finish();
 }
 
+void read_arm(Section section, ArmSettings& arm) {
+  section.read("address", arm.address);
+  if (arm.address.empty()) section.fail("address", "must be given, as in \"omni-twin:/tmp/omni\"");
+  try {
+    parse_arm_address(arm.address);
+  } catch (const InputError& e) {
+    section.fail("address", e.what());
+  }
+  if (const auto hand = section.value<std::string>("hand", "\"left\" or \"right\"")) {
+    if (*hand != "left" && *hand != "right") section.fail("hand", "must be \"left\" or \"right\"");
+    arm.hand = *hand == "left" ? left_hand : right_hand;
+  }
+  if (auto room = section.section("room")) arm.arm.room_arm = read_pose(*room);
+  if (auto mount = section.section("mount")) arm.mount = read_pose(*mount);
+  section.finish();
+}
+
 struct EventName {
   const char* name;
   GestureEvent event;
@@ -241,6 +258,7 @@ ClientConfig parse_client_config(std::string_view toml, const std::string& file)
     if (auto left = glove->section("left")) read_glove(*left, config.gloves[left_hand]);
     glove->finish();
   }
+  if (auto arm = root.section("arm")) read_arm(*arm, config.arm);
   if (auto gestures = root.section("gestures")) read_gestures(*gestures, config);
   root.finish();
   return config;

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "common/messages.h"
+#include "drivers/arm.h"
 #include "drivers/device.h"
 
 namespace prosector {
@@ -25,11 +26,20 @@ struct GloveSettings {
   DeviceConfig device;
 };
 
+struct ArmSettings {
+  std::string address;            // empty: no arm
+  std::size_t hand = right_hand;  // that it moves
+  ArmConfig arm;
+  std::optional<Pose>
+      mount;  // of the wrist in the stylus' frame; none: the index finger's tip is the stylus'
+};
+
 struct ClientConfig {
   std::string tracker;  // address; empty: no tracker
   DeviceConfig tracker_device;
   std::array<StationRole, max_stations> stations{StationRole::right_hand};
   std::array<GloveSettings, 2> gloves;  // left_hand, right_hand; `left` is set
+  ArmSettings arm;
   std::map<Gesture, GestureEvent> gestures = {{Gesture::fist, GestureEvent::grasp},
                                               {Gesture::pinch, GestureEvent::grasp},
                                               {Gesture::flat, GestureEvent::release},

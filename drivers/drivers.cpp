@@ -1,10 +1,8 @@
 // The table of drivers.
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "common/error.h"
 #include "drivers/device.h"
+#include "drivers/device_address.h"
 #include "drivers/fastrak.h"
 #include "drivers/five_dt.h"
 #include "drivers/recorded.h"
@@ -23,19 +21,7 @@ const std::vector<DriverRow>& drivers() {
 }
 
 DeviceAddress parse_device_address(const std::string& address) {
-  const auto colon = address.find(':');
-  const DeviceAddress parsed = {address.substr(0, colon),
-                                colon == std::string::npos ? "" : address.substr(colon + 1)};
-  std::string known;
-  for (const DriverRow& row : drivers()) known += fmt::format("{}{}", known.empty() ? "" : ", ", row.name);
-  const bool found = std::any_of(drivers().begin(), drivers().end(),
-                                 [&](const DriverRow& row) { return parsed.driver == row.name; });
-  if (!found)
-    throw InputError(fmt::format("device '{}': there is no driver '{}'; known are {} (DRIVER:PATH)", address,
-                                 parsed.driver, known));
-  if (parsed.path.empty())
-    throw InputError(fmt::format("device '{}': a path must follow, as in {}:PATH", address, parsed.driver));
-  return parsed;
+  return split_address("device", address, drivers());
 }
 
 std::unique_ptr<Device> open_device(const std::string& address, const DeviceConfig& config) {

@@ -65,6 +65,7 @@ struct BusConfig {
   std::uint32_t domain = 0;           // 0–230
   std::string profile;                // empty: built-in loopback; else a file of deploy/dds
   std::string interface;              // for profiles that name one: "eth0" or an address
+  bool arm = false;                   // of a client: it has a haptic arm, and takes part in topics for these
   std::vector<std::string> peers;     // explicit servers, "host" or "host:port"
   std::uint32_t server_index =
       0;  // fixed participant index of the server: its port is 7410 + 250·domain + 2·index

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <mutex>
 #include <optional>
 
@@ -41,6 +42,8 @@ class CycloneBus final : public Bus {
   BusCounters counters() const override { return counters_.read(); }
 
  private:
+  void open(std::size_t topic, bool arm);
+  void open_for_arms();
   void take_topic(std::size_t topic, std::vector<Received>& out);
   void take_samples(std::size_t topic, std::vector<Received>& out);
   void end_what_the_departed_said(std::size_t topic, std::uint64_t writer, std::vector<Received>& out);
@@ -50,40 +53,55 @@ class CycloneBus final : public Bus {
   dds_entity_t writer_of(const Message& message) const;
   bool nobody_reads(dds_entity_t writer) const;
 
+  const BusConfig config_;
   std::unique_ptr<Node> node_;
   Entity publisher_, subscriber_;
   Entity waiting_;  // a wait set for what endpoints read; ends before node_
   std::array<Endpoint, topic_count> endpoints_;
-  std::mutex take_mutex_;  // of the three below
+  std::atomic<bool> arms_;  // endpoints for arms are there
+  std::mutex take_mutex_;   // of the three below
   WriterIds writer_ids_;
   Claims claims_;
   RateGate gate_;
   EdgeCounters counters_;
 };
 
-CycloneBus::CycloneBus(const BusConfig& config) : node_(std::make_unique<Node>(config)) {
+CycloneBus::CycloneBus(const BusConfig& config)
+    : config_(config), node_(std::make_unique<Node>(config)), arms_(config.arm) {
   const dds_entity_t participant = node_->participant.get();
   const Qos partition = partition_qos(config.session);
   publisher_ = Entity(dds_create_publisher(participant, partition.get(), nullptr), "publisher");
   subscriber_ = Entity(dds_create_subscriber(participant, partition.get(), nullptr), "subscriber");
   waiting_ = Entity(dds_create_waitset(participant), "waitset");
-  for (std::size_t i = 0; i < topic_count; ++i) {
-    const TopicSpec& spec = topics[i];
-    const bool in = reads(config.end, spec), out = writes(config.end, spec);
-    if (!in && !out) continue;
-    Endpoint& endpoint = endpoints_[i];
-    const Qos qos = endpoint_qos(spec);
-    endpoint.topic = Entity(
-        dds_create_topic(participant, wire_codec(i).descriptor, spec.name, nullptr, nullptr), spec.name);
-    for (std::uint32_t k = 0; out && k < spec.lanes; ++k)
-      endpoint.writers.emplace_back(
-          dds_create_writer(publisher_.get(), endpoint.topic.get(), qos.get(), nullptr), spec.name);
-    if (!in) continue;
-    endpoint.reader =
-        Entity(dds_create_reader(subscriber_.get(), endpoint.topic.get(), qos.get(), nullptr), spec.name);
-    endpoint.arrived = Entity(dds_create_readcondition(endpoint.reader.get(), DDS_ANY_STATE), spec.name);
-    dds_waitset_attach(waiting_.get(), endpoint.arrived.get(), 0);
-  }
+  for (std::size_t i = 0; i < topic_count; ++i) open(i, config.arm);
+}
+
+/// Makes what this end needs of the topic.
+void CycloneBus::open(std::size_t topic, bool arm) {
+  const TopicSpec& spec = topics[topic];
+  const bool in = reads(config_.end, arm, spec), out = writes(config_.end, arm, spec);
+  if (!in && !out) return;
+  Endpoint& endpoint = endpoints_[topic];
+  const Qos qos = endpoint_qos(spec);
+  endpoint.topic = Entity(
+      dds_create_topic(node_->participant.get(), wire_codec(topic).descriptor, spec.name, nullptr, nullptr),
+      spec.name);
+  for (std::uint32_t k = 0; out && k < spec.lanes; ++k)
+    endpoint.writers.emplace_back(
+        dds_create_writer(publisher_.get(), endpoint.topic.get(), qos.get(), nullptr), spec.name);
+  if (!in) return;
+  endpoint.reader =
+      Entity(dds_create_reader(subscriber_.get(), endpoint.topic.get(), qos.get(), nullptr), spec.name);
+  endpoint.arrived = Entity(dds_create_readcondition(endpoint.reader.get(), DDS_ANY_STATE), spec.name);
+  dds_waitset_attach(waiting_.get(), endpoint.arrived.get(), 0);
+}
+
+/// Makes a server take part in topics for arms, once somebody has one.
+void CycloneBus::open_for_arms() {
+  const std::scoped_lock lock(entity_mutex());
+  for (std::size_t i = 0; i < topic_count; ++i)
+    if (topics[i].for_arms) open(i, true);
+  arms_ = true;  // from now on publish(), on its own thread, may look at them
 }
 
 CycloneBus::~CycloneBus() {
@@ -94,6 +112,7 @@ CycloneBus::~CycloneBus() {
 
 /// Returns the writer of the message; 0 when this end doesn't write the topic.
 dds_entity_t CycloneBus::writer_of(const Message& message) const {
+  if (topics[message.index()].for_arms && !arms_) return 0;
   const std::vector<Entity>& writers = endpoints_[message.index()].writers;
   return writers.empty() ? 0 : writers[lane(message)].get();
 }
@@ -134,6 +153,11 @@ void CycloneBus::take(std::vector<Received>& out) {
   out.clear();
   for (std::size_t i = 0; i < topic_count; ++i)
     if (endpoints_[i].reader) take_topic(i, out);
+  const auto has_arm = [](const Received& r) {
+    const auto* presence = std::get_if<Presence>(&r.message);
+    return presence != nullptr && presence->arms != 0;
+  };
+  if (!arms_ && std::any_of(out.begin(), out.end(), has_arm)) open_for_arms();
 }
 
 void CycloneBus::take_topic(std::size_t topic, std::vector<Received>& out) {

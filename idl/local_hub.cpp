@@ -27,7 +27,8 @@ std::int64_t Hub::transit_ns() {
 
 bool Hub::meet(const End& writer, const End& reader, std::size_t topic) {
   return &writer != &reader && reader.alive && writer.config.session == reader.config.session &&
-         writer.config.domain == reader.config.domain && reads(reader.config.end, topics[topic]);
+         writer.config.domain == reader.config.domain &&
+         reads(reader.config.end, reader.has_arm(), topics[topic]);
 }
 
 std::shared_ptr<Hub::End> Hub::join(const BusConfig& end_config) {
@@ -74,7 +75,8 @@ bool Hub::publish(End& from, const Message& message) {
     from.counters.dropped(topic, why);
     return false;
   };
-  if (!from.alive || !writes(from.config.end, spec)) return refused("not written by this end");
+  if (!from.alive || !writes(from.config.end, from.has_arm(), spec))
+    return refused("not written by this end");
   const auto hears = [&](const auto& to) { return meet(from, *to, topic); };
   if (spec.needs_reader && std::ranges::none_of(ends, hears)) return refused("no server to hear it");
   Sample sample;
@@ -94,7 +96,7 @@ bool Hub::publish(End& from, const Message& message) {
 
 void Hub::dispose(End& from, const Message& message) {
   const std::size_t topic = message.index();
-  if (!writes(from.config.end, topics[topic])) return;
+  if (!writes(from.config.end, from.has_arm(), topics[topic])) return;
   from.kept.erase({topic, instance_key(message)});
   if (!topics[topic].announces_gone) return;
   Sample sample;

@@ -35,6 +35,7 @@ struct LocalNetwork::Hub {
     RateGate gate;
     Claims claims;
     EdgeCounters counters;
+    bool has_arm() const { return config.arm || config.end == BusEnd::server; }
   };
 
   explicit Hub(const LocalNetworkConfig& network) : config(network), random(network.seed) {}

@@ -4,7 +4,8 @@
 
 namespace prosector {
 
-bool writes(BusEnd end, const TopicSpec& topic) {
+bool writes(BusEnd end, bool arm, const TopicSpec& topic) {
+  if (topic.for_arms && !arm) return false;
   switch (topic.writers) {
     case Writers::server:
       return end == BusEnd::server;
@@ -14,8 +15,8 @@ bool writes(BusEnd end, const TopicSpec& topic) {
   return false;
 }
 
-bool reads(BusEnd end, const TopicSpec& topic) {
-  return (end == BusEnd::server) != (topic.writers == Writers::server);
+bool reads(BusEnd end, bool arm, const TopicSpec& topic) {
+  return (arm || !topic.for_arms) && (end == BusEnd::server) != (topic.writers == Writers::server);
 }
 
 InstanceKey instance_key(const Message& message) {

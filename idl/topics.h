@@ -30,6 +30,7 @@ struct TopicSpec {
   bool needs_reader;    // publish() fails while nobody would get the sample
   double rate, burst;   // samples/s and at once that one writer may send; 0: not limited
   std::uint32_t lanes;  // writers that share the instances
+  bool for_arms;        // there is neither writer nor reader before somebody has a haptic arm
   InstanceRules instance;
 };
 
@@ -37,30 +38,32 @@ inline constexpr std::size_t topic_count = std::variant_size_v<Message>;
 
 // clang-format off
 inline constexpr std::array<TopicSpec, topic_count> topics{{
-  //                    writers            reliable  late  depth lease gone  reader rate burst lanes  message and its key
-  {"SessionInfo",       Writers::server,   true,    true,     1, 0,   true,  false,   0,  0,   1, keyed<SessionInfo, &SessionInfo::session, &SessionInfo::server_run>},
-  {"Presence",          Writers::clients,  true,    true,     1, 1,   true,  false,   5, 10,   1, keyed<Presence, &Presence::participant>},
-  {"RosterEntry",       Writers::server,   true,    true,     1, 0,   true,  false,   0,  0,   1, keyed<RosterEntry, &RosterEntry::participant>},
-  {"HandInput",         Writers::clients,  false,   false,    1, 0,   false, false, 400, 40,   1, keyed<HandInput, &HandInput::participant>},
-  {"UserState",         Writers::server,   false,   false,    1, 0,   false, false,   0,  0,   8, keyed<UserState, &UserState::participant>},
+  //                    writers            reliable  late  depth lease gone  reader rate burst lanes arms  message and its key
+  {"SessionInfo",       Writers::server,   true,    true,     1, 0,   true,  false,   0,  0,   1, false, keyed<SessionInfo, &SessionInfo::session, &SessionInfo::server_run>},
+  {"Presence",          Writers::clients,  true,    true,     1, 1,   true,  false,   5, 10,   1, false, keyed<Presence, &Presence::participant>},
+  {"RosterEntry",       Writers::server,   true,    true,     1, 0,   true,  false,   0,  0,   1, false, keyed<RosterEntry, &RosterEntry::participant>},
+  {"HandInput",         Writers::clients,  false,   false,    1, 0,   false, false, 400, 40,   1, false, keyed<HandInput, &HandInput::participant>},
+  {"UserState",         Writers::server,   false,   false,    1, 0,   false, false,   0,  0,   8, false, keyed<UserState, &UserState::participant>},
   // A command that nobody hears is not sent, so that a server which starts later never obeys a stale one.
-  {"Command",           Writers::clients,  true,    false,    0, 0,   false, true,   50, 50,   1, keyed<Command, &Command::participant>},
+  {"Command",           Writers::clients,  true,    false,    0, 0,   false, true,   50, 50,   1, false, keyed<Command, &Command::participant>},
   // Results stay a while: the writer never blocks on a stopped client, and none is lost while ends still match.
-  {"CommandResult",     Writers::server,   true,    true,    32, 0,   false, false,   0,  0,   1, keyed<CommandResult, &CommandResult::participant>},
-  {"SceneInfo",         Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, keyed<SceneInfo>},
-  {"AssetChunk",        Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, keyed<AssetChunk, &AssetChunk::hash, &AssetChunk::chunk>},
-  {"RigidState",        Writers::server,   false,   false,    1, 0,   false, false,   0,  0,  16, keyed<RigidState, &RigidState::body>},
-  {"SoftState",         Writers::server,   false,   false,    1, 0,   false, false,   0,  0,  32, keyed<SoftState, &SoftState::body, &SoftState::chunk>},
-  {"Settled",           Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, keyed<Settled, &Settled::body>},
+  {"CommandResult",     Writers::server,   true,    true,    32, 0,   false, false,   0,  0,   1, false, keyed<CommandResult, &CommandResult::participant>},
+  {"SceneInfo",         Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, false, keyed<SceneInfo>},
+  {"AssetChunk",        Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, false, keyed<AssetChunk, &AssetChunk::hash, &AssetChunk::chunk>},
+  {"RigidState",        Writers::server,   false,   false,    1, 0,   false, false,   0,  0,  16, false, keyed<RigidState, &RigidState::body>},
+  {"SoftState",         Writers::server,   false,   false,    1, 0,   false, false,   0,  0,  32, false, keyed<SoftState, &SoftState::body, &SoftState::chunk>},
+  {"Settled",           Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, false, keyed<Settled, &Settled::body>},
   // Each revision is an instance. Not keep-all: one stopped reader would make each write block and drop it.
-  {"TopologyRevision",  Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, keyed<TopologyRevision, &TopologyRevision::body, &TopologyRevision::revision>},
-  {"ContactSample",     Writers::server,   false,   false,    1, 0,   false, false,   0,  0,   8, keyed<ContactSample, &ContactSample::participant, &ContactSample::hand>},
-  {"ServerStatus",      Writers::server,   false,   false,    1, 0,   false, false,   0,  0,   1, keyed<ServerStatus>},
-  {"BodyStatus",        Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, keyed<BodyStatus, &BodyStatus::body>},
-  {"PartState",         Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, keyed<PartState, &PartState::body>},
-  {"Panel",             Writers::server,   true,    true,     1, 0,   true,  false,   0,  0,   1, keyed<Panel, &Panel::participant>},
-  {"RoomState",         Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, keyed<RoomState>},
-  {"Recording",         Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, keyed<Recording>},
+  {"TopologyRevision",  Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, false, keyed<TopologyRevision, &TopologyRevision::body, &TopologyRevision::revision>},
+  {"ContactSample",     Writers::server,   false,   false,    1, 0,   false, false,   0,  0,   8, false, keyed<ContactSample, &ContactSample::participant, &ContactSample::hand>},
+  {"ServerStatus",      Writers::server,   false,   false,    1, 0,   false, false,   0,  0,   1, false, keyed<ServerStatus>},
+  {"BodyStatus",        Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, false, keyed<BodyStatus, &BodyStatus::body>},
+  {"PartState",         Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, false, keyed<PartState, &PartState::body>},
+  {"Panel",             Writers::server,   true,    true,     1, 0,   true,  false,   0,  0,   1, false, keyed<Panel, &Panel::participant>},
+  {"RoomState",         Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, false, keyed<RoomState>},
+  {"Recording",         Writers::server,   true,    true,     1, 0,   false, false,   0,  0,   1, false, keyed<Recording>},
+  {"FeltPlanes",        Writers::server,   false,   false,    1, 0,   false, false,   0,  0,   1, true,  keyed<FeltPlanes, &FeltPlanes::participant, &FeltPlanes::hand>},
+  {"ArmForce",          Writers::clients,  false,   false,    1, 0,   false, false, 800, 80,   1, true,  keyed<ArmForce, &ArmForce::participant, &ArmForce::hand>},
 }};
 // clang-format on
 
@@ -82,8 +85,10 @@ static_assert(all_topics([](std::size_t, const TopicSpec& t) {
               }),
               "topics: what clients write is limited");
 
-bool writes(BusEnd end, const TopicSpec& topic);
-bool reads(BusEnd end, const TopicSpec& topic);
+/// Tells whether an end writes or reads the topic, ever. Topics for arms: if `arm` says that it has one, or,
+/// of a server, that somebody has.
+bool writes(BusEnd end, bool arm, const TopicSpec& topic);
+bool reads(BusEnd end, bool arm, const TopicSpec& topic);
 
 /// Identifies an instance of a topic: what the @key fields of prosector.idl say.
 InstanceKey instance_key(const Message& message);

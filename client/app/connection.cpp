@@ -47,7 +47,8 @@ Connection::Connection(const BusConfig& config, const JoinRequest& request)
       presence_{.participant = draw_participant_id(),
                 .name = request.name,
                 .role = request.role,
-                .devices = request.devices},
+                .devices = request.devices,
+                .arms = request.arms},
       servers_(request.language) {
   find_session(config, request.patience);
   ask_to_join(request.patience);

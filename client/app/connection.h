@@ -19,6 +19,7 @@ struct JoinRequest {
   std::string name;
   Role role = Role::observer;
   std::string devices;
+  std::uint8_t arms = 0;                     // as Presence::arms
   std::string language;                      // tag of the names that are shown; empty: the scene's own
   std::chrono::milliseconds patience{5000};  // how long to look for the session
 };
@@ -47,6 +48,7 @@ class Connection {
   void start();
 
   void publish(const HandInput& input) { bus_->publish(input); }
+  void publish(const ArmForce& force) { bus_->publish(force); }
   void command(CommandKind kind, std::size_t hand);
   void command(Command command);  // participant and sequence are filled in
   BusCounters counters() const { return bus_->counters(); }

@@ -20,6 +20,8 @@ std::string describe_devices(const ClientConfig& config) {
   for (const std::string& address :
        {config.tracker, config.gloves[left_hand].address, config.gloves[right_hand].address})
     if (!address.empty()) out += (out.empty() ? "" : ", ") + parse_device_address(address).driver;
+  if (!config.arm.address.empty())
+    out += (out.empty() ? "" : ", ") + parse_arm_address(config.arm.address).driver;
   return out;
 }
 

@@ -18,9 +18,9 @@ constexpr std::int64_t longest_ns =
 
 }  // namespace
 
-InputPump::InputPump(Connection& connection, const ClientConfig& config, const std::filesystem::path& log,
-                     std::function<void(const std::string&)> report)
-    : connection_(connection), rig_(config), report_(std::move(report)) {
+InputPump::InputPump(Connection& connection, const ClientConfig& config, ArmHand* arm,
+                     const std::filesystem::path& log, std::function<void(const std::string&)> report)
+    : connection_(connection), rig_(config), arm_(arm), report_(std::move(report)) {
   if (!log.empty()) {
     log_.open(log);
     if (!log_) throw InputError(fmt::format("--latency-log {}: cannot be written", log.string()));
@@ -51,9 +51,13 @@ void InputPump::run(std::stop_token stop) {
   while (!stop.stop_requested()) {
     rig_.wait(4);
     const std::int64_t now = monotonic_ns();
-    news |= rig_.poll(now);
+    news |= rig_.poll(now) || arm_ != nullptr;
     for (const std::string& line : rig_.take_news()) report_(line);
     for (const GestureTrigger& trigger : rig_.take_triggers()) obey(trigger);
+    if (arm_ != nullptr) {
+      for (const std::string& line : arm_->take_news()) report_(line);
+      for (const CommandKind wish : arm_->take_wishes()) connection_.command(wish, arm_->hand());
+    }
     if (now - sent_ns < (news ? shortest_ns : desk_driven() ? desk_ns : longest_ns)) continue;
     send(now, ++sequence);
     sent_ns = now;
@@ -102,6 +106,10 @@ void InputPump::send(std::int64_t now_ns, std::uint64_t sequence) {
   }
   input.participant = connection_.participant();
   input.sequence = sequence;
+  if (arm_ != nullptr) {
+    input.time_ns = now_ns;
+    connection_.publish(arm_->fill(input));
+  }
   connection_.publish(input);
   if (const auto& sample = rig_.tracker_sample(right_hand); log_.is_open() && sample)
     fmt::print(log_, "{},{},{}\n", sequence, now_ns, fmt::join(sample->raw_pose, ","));

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "client/app/arm_hand.h"
 #include "client/app/connection.h"
 #include "client/app/device_rig.h"
 
@@ -19,9 +20,9 @@ class InputPump {
  public:
   /// Starts sending. `log`, if not empty, is a CSV with one line per HandInput sent: sequence, monotonic ns,
   /// the tracker's raw values. It lets latency be measured end to end, by matching the values with those that
-  /// the device says it sent.
-  InputPump(Connection& connection, const ClientConfig& config, const std::filesystem::path& log,
-            std::function<void(const std::string&)> report);
+  /// the device says it sent. `arm`: the hand that an arm moves; null: none does.
+  InputPump(Connection& connection, const ClientConfig& config, ArmHand* arm,
+            const std::filesystem::path& log, std::function<void(const std::string&)> report);
   ~InputPump();
 
   /// Returns the user as the devices have them now: drawn at once.
@@ -38,6 +39,7 @@ class InputPump {
  private:
   Connection& connection_;
   DeviceRig rig_;
+  ArmHand* arm_;
   std::ofstream log_;
   std::function<void(const std::string&)> report_;
   mutable std::mutex mutex_;

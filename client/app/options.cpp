@@ -27,7 +27,7 @@ const std::map<std::string, Display> displays = {{"window", Display::window},
                                                  {"none", Display::none}};
 
 struct RawOptions {
-  std::string tracker, glove, glove_left, config, size, user_name, language,
+  std::string tracker, glove, glove_left, arm, config, size, user_name, language,
       display = "window", quality = "medium", show = "none";
   std::optional<std::string> lan;  // empty: the only network that there is
   std::vector<std::string> screenshots, effects;
@@ -165,6 +165,8 @@ void add_devices(CLI::App& app, RawOptions& raw) {
   app.add_option("--glove", raw.glove, "Right glove: for instance 5dt:/dev/ttyS1 or 5dt-usb:/dev/hidraw0")
       ->group("Devices");
   app.add_option("--glove-left", raw.glove_left, "Left glove")->group("Devices");
+  app.add_option("--arm", raw.arm, "Haptic arm of the right hand: for instance omni-twin:/tmp/omni")
+      ->group("Devices");
   app.add_option("--config", raw.config, "Client configuration, see deploy/client.toml")
       ->check(CLI::ExistingFile)
       ->group("Devices");
@@ -294,6 +296,8 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   if (!raw.tracker.empty()) o.devices.tracker = raw.tracker;
   if (!raw.glove.empty()) o.devices.gloves[right_hand].address = raw.glove;
   if (!raw.glove_left.empty()) o.devices.gloves[left_hand].address = raw.glove_left;
+  if (!raw.arm.empty()) o.devices.arm.address = raw.arm;
+  if (!o.devices.arm.address.empty()) (void)parse_arm_address(o.devices.arm.address);
   for (const std::string& address :
        {o.devices.tracker, o.devices.gloves[left_hand].address, o.devices.gloves[right_hand].address})
     if (!address.empty()) (void)parse_device_address(address);
@@ -303,6 +307,7 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   if (o.bus.profile.empty() && raw.lan) o.bus.profile = "lan";
   if (o.bus.profile.empty() && !o.bus.peers.empty()) o.bus.profile = "wan";
   o.bus.end = o.join.role == Role::observer ? BusEnd::observer : BusEnd::dissector;
+  o.bus.arm = o.bus.end == BusEnd::dissector && !o.devices.arm.address.empty();
   if (o.shaders.empty()) o.shaders = default_shader_dir();
   if (o.watch_shaders && o.shaders.empty())
     throw InputError("--watch-shaders: name the folder to watch with --shaders");

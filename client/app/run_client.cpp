@@ -27,6 +27,11 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
+/// Tells whether the user has an arm and is to feel with it: an observer has no hands.
+bool has_arm(const ClientOptions& options) {
+  return !options.devices.arm.address.empty() && options.join.role != Role::observer;
+}
+
 void tell(const std::string& line) {
   fmt::print("{}\n", line), std::fflush(stdout);
 }
@@ -41,10 +46,10 @@ class Client {
     report_.joined_ns = monotonic_ns();
     tell(fmt::format("{} session '{}' as {}", options.join.role == Role::observer ? "observing" : "joined",
                      options.bus.session, options.join.name));
-    if (!options.latency_log.empty() && options.join.role == Role::observer) {
+    if (!options.latency_log.empty() && options.join.role == Role::observer)
       arrivals_.emplace(options.latency_log);
-      connection_.on_received([this](const Received& r) { arrivals_->received(r); });
-    }
+    if (has_arm(options)) arm_ = std::make_unique<ArmHand>(options.devices.arm);
+    if (arrivals_ || arm_) connection_.on_received([this](const Received& r) { received(r); });
     if (!options.session_log.empty()) log_.emplace(options.session_log);
     connection_.start();
     take_role(options.join.role);
@@ -72,6 +77,7 @@ class Client {
       std::this_thread::sleep_until(next);
     }
     viewer_->finish(pump_.get());
+    if (arm_) tell(servo_line());
     if (!options_.summary.empty()) write_report(report_, connection_, options_.summary);
     return report_.complete_ns && !viewer_->lost_pictures() ? 0 : 1;
   }
@@ -82,6 +88,7 @@ class Client {
   Connection connection_;
   std::optional<ArrivalLog> arrivals_;
   std::optional<SessionLog> log_;
+  std::unique_ptr<ArmHand> arm_;  // null: no arm
   std::unique_ptr<InputPump> pump_;
   std::optional<Viewer> viewer_;        // made last: see yield_to_simulation()
   std::string missing_ = "everything";  // what was last told to be missing
@@ -93,7 +100,25 @@ class Client {
   static JoinRequest request(const ClientOptions& o) {
     JoinRequest out = o.join;
     if (out.role != Role::observer) out.devices = describe_devices(o.devices);
+    if (has_arm(o)) out.arms = static_cast<std::uint8_t>(1u << o.devices.arm.hand);
     return out;
+  }
+
+  /// Takes a sample on the network's thread.
+  void received(const Received& r) {
+    if (arrivals_) arrivals_->received(r);
+    if (const auto* felt = std::get_if<FeltPlanes>(&r.message); felt != nullptr && arm_)
+      arm_->received(*felt, connection_.participant());
+  }
+
+  /// Says how punctual the arm's thread was.
+  std::string servo_line() {
+    const Lateness late = arm_->servo().lateness();
+    return fmt::format(
+        "arm: {} cycles, {} skipped; late by {:.3f} ms at p50, {:.3f} at p99, {:.1f} at worst, {} real-time "
+        "priority",
+        late.cycles, late.skipped, 1e3 * late.p50, 1e3 * late.p99, 1e3 * late.worst,
+        arm_->servo().real_time() ? "with" : "without");
   }
 
   bool done() {
@@ -155,7 +180,8 @@ class Client {
     if (role == Role::observer)
       pump_.reset();
     else if (!pump_)
-      pump_ = std::make_unique<InputPump>(connection_, options_.devices, latency_log_of_hands(), tell);
+      pump_ = std::make_unique<InputPump>(connection_, options_.devices, arm_.get(), latency_log_of_hands(),
+                                          tell);
   }
 
   /// Returns where inputs are logged; none for an observer, who logs what arrives instead.

@@ -40,6 +40,7 @@ void to_wire(const Presence& m, prosector_Presence& w, WireArena&) {
   to_wire(m.name, w.name);
   w.role = static_cast<std::uint8_t>(m.role);
   to_wire(m.devices, w.devices);
+  w.arms = m.arms;
 }
 
 Refusal from_wire(const prosector_Presence& w, Presence& m) {
@@ -48,6 +49,7 @@ Refusal from_wire(const prosector_Presence& w, Presence& m) {
   m.name = from_wire(w.name);
   m.role = static_cast<Role>(w.role);
   m.devices = from_wire(w.devices);
+  m.arms = w.arms;
   return {};
 }
 
@@ -56,7 +58,8 @@ Refusal check(Presence& m) {
   checks.that(m.participant != 0, "participant id 0").that(valid_name(m.name), "name not valid");
   if (m.version == protocol_version)
     checks.that(enum_within(m.role, Role::host), "unknown role")
-        .that(valid_text(m.devices), "devices not valid text");
+        .that(valid_text(m.devices), "devices not valid text")
+        .that(m.arms <= 3, "arms of hands that nobody has");
   return checks.refusal();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "server/accuracy/secants.h"
+#include "server/physics/soft/body_operator.h"
 #include "server/physics/soft/incremental_potential.h"
 #include "server/physics/soft/soft_matter.h"
 #include "server/physics/soft/solvers/linear_solver.h"
@@ -26,34 +27,6 @@ SoftDesc undamped(SoftDesc desc) {
   desc.solver = "multigrid";  // several times as quick here as a factorisation
   return desc;
 }
-
-/// The body's Hessian as linear solvers see it.
-class BodyOperator final : public LinearOperator {
- public:
-  BodyOperator(IncrementalPotential& potential, Eigen::Index nodes)
-      : potential_(potential), diagonal_(static_cast<std::size_t>(nodes)), inverse_(diagonal_.size()) {}
-  void refresh() {
-    potential_.diagonal(diagonal_);
-    std::transform(diagonal_.begin(), diagonal_.end(), inverse_.begin(),
-                   [](const Mat3& block) -> Mat3 { return block.inverse(); });
-  }
-  Eigen::Index size() const override { return 3 * static_cast<Eigen::Index>(diagonal_.size()); }
-  void multiply(const VecX& p, VecX& Hp) const override { potential_.multiply(p.data(), Hp.data()); }
-  void block_jacobi(const VecX& r, VecX& z) const override {
-    for (std::size_t i = 0; i < inverse_.size(); ++i) {
-      const auto at = 3 * static_cast<Eigen::Index>(i);
-      z.segment<3>(at) = inverse_[i] * r.segment<3>(at);
-    }
-  }
-  void elastic_factor(const VecX& r, VecX& z) const override { potential_.factor_solve(r.data(), z.data()); }
-  void multigrid(const VecX& r, VecX& z) const override {
-    potential_.multigrid_solve(diagonal_, inverse_, r.data(), z.data());
-  }
-
- private:
-  IncrementalPotential& potential_;
-  std::vector<Mat3> diagonal_, inverse_;
-};
 
 }  // namespace
 

@@ -147,9 +147,11 @@ void add(ByteWriter& out, const Hand& hand) {
   out.add(hand.previous_target);
   for (const double f : hand.target_flexion) out.add(f);
   for (const double f : hand.flexion) out.add(f);
-  // One byte: whether it holds something, and the bits above that, whether pads press and whether it draws.
-  out.add(
-      static_cast<std::uint8_t>((hand.hold ? 1 : 0) | (hand.pads.empty() ? 0 : 2) | (hand.draws ? 4 : 0)));
+  // One byte: whether it holds something, and the bits above that: whether pads press, whether it draws, and
+  // whether an arm moves it.
+  out.add(static_cast<std::uint8_t>((hand.hold ? 1 : 0) | (hand.pads.empty() ? 0 : 2) | (hand.draws ? 4 : 0) |
+                                    (hand.reaction ? 8 : 0)));
+  if (hand.reaction) out.add(*hand.reaction);
   if (!hand.pads.empty()) add(out, hand.pads);
   if (!hand.hold) return;
   out.add(hand.hold->body);
@@ -301,9 +303,11 @@ Hand read_hand(ByteReader& in, const Model& model, std::span<const SoftBody* con
   for (double& f : hand.target_flexion) f = in.number<double>();
   for (double& f : hand.flexion) f = in.number<double>();
   const auto holds = in.number<std::uint8_t>();
-  in.require(holds <= 7 && ((holds & 2) == 0 || !model.rigid.empty()),
+  in.require(holds <= 15 && ((holds & 2) == 0 || !model.rigid.empty()),
              "a hand that neither holds nor doesn't");
   hand.draws = (holds & 4) != 0;
+  if ((holds & 8) != 0) hand.reaction = in.number<double>();
+  in.require(!hand.reaction || *hand.reaction >= 0, "an arm that pushes with no force");
   if ((holds & 2) != 0) hand.pads = read_pads(in, model.rigid.size());
   if ((holds & 1) == 0) return hand;
   Hold& hold = hand.hold.emplace();

@@ -9,6 +9,7 @@
 #include "server/physics/checkpoint.h"
 #include "server/physics/contact/fit_tissue.h"
 #include "server/physics/equilibrium.h"
+#include "server/physics/hands/touching.h"
 #include "server/physics/organs/cutting.h"
 #include "server/physics/organs/refining.h"
 #include "server/physics/step.h"
@@ -129,6 +130,12 @@ const Part& Simulation::part(BodyId body) const {
 bool Simulation::asleep(BodyId body) const {
   if (impl_->state.bodies.is_soft(body)) return soft_state(body).asleep;
   return !impl_->state.bodies.rigid.dynamic(body) || impl_->state.bodies.rigid.motion(body).asleep;
+}
+std::vector<HandTouch> Simulation::touches(const HandRef& hand, double reach) const {
+  return touches_of(impl_->state, impl_->buffers.islands, impl_->buffers.colliders, hand, reach);
+}
+std::vector<Support> Simulation::supports(BodyId soft_body) const {
+  return supports_of(impl_->state, impl_->buffers.islands, soft_body);
 }
 std::vector<Panel> Simulation::panels() const {
   if (!impl_->state.panels) return {};

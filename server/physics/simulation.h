@@ -16,6 +16,7 @@
 #include "common/mesh.h"
 #include "common/messages.h"
 #include "common/scene/scene.h"
+#include "server/physics/contact/contact.h"
 #include "server/physics/panel/panel_event.h"
 #include "server/physics/part.h"
 #include "server/physics/step_report.h"
@@ -33,6 +34,7 @@ struct HandTarget {
   Pose target;
   std::array<double, fingers> flexion{};
   bool draws = false;  // a cut, which is one stroke however often the blade leaves tissue meanwhile
+  std::optional<double> reaction = {};  // N: with which a haptic arm pushes this hand back; none: no arm does
 };
 
 /// Discrete events, journalled with the tick they are consumed in.
@@ -92,6 +94,26 @@ struct Exchange {
   Vec3 normal = Vec3::UnitY();  // … and the unit normal there, from b to a
 };
 
+/// A point of a body that a hand meets, or is near.
+struct HandTouch {
+  BodyId body = 0;
+  ContactSide side;               // the point of the body
+  Vec3 point = Vec3::Zero();      // m, room: on the hand, when the tick ends
+  Vec3 normal = Vec3::UnitY();    // unit, from the body to the hand
+  double gap = 0;                 // m, when the tick began; of what presses below 0
+  double force = 0;               // N, normal, when the tick ends
+  Vec3 exchanged = Vec3::Zero();  // N, on the hand, friction included: mean over the tick
+  double stiffness = 0;           // N/m, of the contact by itself; 0: it doesn't touch
+  double friction = 0;            // coefficient
+};
+
+/// What keeps a point of a soft body in its place: a contact that presses, or a hold.
+struct Support {
+  ContactSide side;
+  Mat3 stiffness = Mat3::Zero();  // N/m
+  std::optional<HandRef> hand;    // whose it is
+};
+
 struct RigidBodyState {
   Pose pose;  // of the body's own frame (not its centre of mass)
   Vec3 linear_velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
@@ -141,9 +163,13 @@ class Simulation {
   bool asleep(BodyId body) const;
   const Part& part(BodyId body) const;       // what people made of it
   std::span<const HandState> hands() const;  // canonical order
-  std::vector<Panel> panels() const;         // open ones, by participant
-  double room_lights() const;                // brightness of all lights but those that bodies carry, 0 … 1
-  std::vector<Exchange> exchanges() const;   // of the last tick, in a fixed order
+  /// Returns what the hand meets in the last tick, and what is nearer to it than `reach` (m).
+  std::vector<HandTouch> touches(const HandRef& hand, double reach) const;
+  /// Returns what kept a soft body in its place in the last tick, besides its ties.
+  std::vector<Support> supports(BodyId soft_body) const;
+  std::vector<Panel> panels() const;        // open ones, by participant
+  double room_lights() const;               // brightness of all lights but those that bodies carry, 0 … 1
+  std::vector<Exchange> exchanges() const;  // of the last tick, in a fixed order
   double max_displacement(
       BodyId soft_body) const;  // m: largest distance of a surface vertex from its equilibrium
 

@@ -7,11 +7,15 @@
 #include "server/physics/hands/fingers.h"
 #include "server/physics/hands/grasping.h"
 #include "server/physics/hands/hands.h"
+#include "server/physics/organs/locate.h"
 #include "server/physics/panel/panel_station.h"
 #include "server/physics/parts/part_rules.h"
 
 namespace prosector {
 namespace {
+
+constexpr double step_back = 0.01;  // m
+constexpr int most_steps_back = 20;
 
 /// Takes a fixed body on to where a program wants it when the tick ends.
 void drive(Bodies& bodies, const Drive& drive, StepReport& report) {
@@ -33,6 +37,33 @@ void take(const EffortChange& change, Bodies& bodies) {
         std::clamp(change.steps_down, 0, static_cast<int>(max_steps_down));
 }
 
+/// Tells whether a hand whose centre is there has a finger in tissue that may be touched. Tissue whose box is
+/// elsewhere isn't looked through.
+bool in_tissue(const Bodies& bodies, const Hand& hand, const Pose& centre) {
+  const std::vector<Feeler> points = feelers(hand, bodies.model.hands[hand.side], centre);
+  Aabb around;
+  for (const Feeler& f : points) around.add(f.point);
+  for (const Tissue& tissue : bodies.soft) {
+    if (bodies.parts[bodies.soft_id(tissue.index)].out_of_touch() || !tissue.outer_box().overlaps(around))
+      continue;
+    const Locator locator(tissue.solver->linear_tets(), tissue.state.motion.x, around);
+    if (std::any_of(points.begin(), points.end(), [&](const Feeler& f) { return locator.at(f.point); }))
+      return true;
+  }
+  return false;
+}
+
+/// Returns where the centre of a hand that is to appear can be. That is at its target, or as far back along
+/// its own fingers as it takes to be out of tissue. From there it is pulled to its target, and tissue stops
+/// it.
+Pose out_of_tissue(const Bodies& bodies, const Hand& hand, const Pose& wrist) {
+  const Pose& centre = bodies.model.hands[hand.side].center;
+  Pose at = wrist;
+  for (int step = 0; step <= most_steps_back; ++step, at.p += wrist.q * Vec3(0, 0, step_back))
+    if (!in_tissue(bodies, hand, at * centre)) return at * centre;
+  return wrist * centre;
+}
+
 /// Puts a hand that has just appeared where it is tracked, if that is among this tick's targets.
 void put_at_target(Hand& hand, std::span<const HandTarget> targets, Bodies& bodies) {
   const auto t = std::find_if(targets.begin(), targets.end(), [&](const HandTarget& target) {
@@ -41,7 +72,7 @@ void put_at_target(Hand& hand, std::span<const HandTarget> targets, Bodies& bodi
   if (t == targets.end() || !is_finite(t->target)) return;
   hand.target = hand.previous_target = t->target;
   RigidMotion motion;
-  motion.pose = t->target * bodies.model.hands[hand.side].center;
+  motion.pose = out_of_tissue(bodies, hand, t->target);
   bodies.rigid.set_motion(hand.slot, motion);
 }
 
@@ -76,6 +107,7 @@ void take(const HandTarget& t, std::vector<Hand>& hands) {
     return;
   hand->target = {t.target.p, t.target.q.normalized()};
   hand->draws = t.draws;
+  hand->reaction = t.reaction && std::isfinite(*t.reaction) ? t.reaction : std::nullopt;
   if (std::all_of(t.flexion.begin(), t.flexion.end(), [](double f) { return std::isfinite(f); }))
     hand->target_flexion = t.flexion;
 }

@@ -19,6 +19,7 @@ void HandSender::update(const Snapshot& now, bool everything, std::vector<Messag
                         [&](const UserState& u) { return u.participant == sent.first; });
   });
   update_contacts(now, out);
+  for (const FeltPlanes& felt : now.felt) out.push_back(felt);
 }
 
 /// Appends contacts. What was let go is counted in updates, not in ticks: on a busy machine not every tick is

@@ -8,7 +8,7 @@
 namespace prosector {
 namespace {
 
-constexpr std::uint8_t said_of_hand = 2;  // the bit above a hand's
+constexpr std::uint8_t said_of_hand = 2, arm_of_hand = 4;  // the bits above a hand's
 constexpr const char* no_such_hand = "no such hand";
 
 // Each kind of input is described once, for writing and for reading: an Io takes the members of an entry in
@@ -33,9 +33,9 @@ class Writer {
   void limited(const T& value, Wire, const char*) {
     bytes_.add(static_cast<Wire>(value));
   }
-  /// Adds a hand and a bit that is said of it, as one byte.
-  void hand(const std::size_t& hand, const bool& said) {
-    bytes_.add(static_cast<std::uint8_t>(hand | (said ? said_of_hand : 0)));
+  /// Adds a hand, a bit that is said of it, and whether a number is, as one byte.
+  void hand(const std::size_t& hand, const bool& said, const std::optional<double>& number) {
+    bytes_.add(static_cast<std::uint8_t>(hand | (said ? said_of_hand : 0) | (number ? arm_of_hand : 0)));
   }
   void require(bool, const char*) {}
   void block(const std::shared_ptr<const std::vector<std::uint8_t>>& block) {
@@ -74,10 +74,11 @@ class Reader {
     bytes_.require(read <= last, problem);
     value = static_cast<T>(read);
   }
-  void hand(std::size_t& hand, bool& said) {
+  void hand(std::size_t& hand, bool& said, std::optional<double>& number) {
     const auto read = bytes_.bits<std::uint8_t>();
     said = (read & said_of_hand) != 0;
-    hand = read & ~std::size_t{said_of_hand};
+    if ((read & arm_of_hand) != 0) number = 0;
+    hand = read & ~std::size_t{said_of_hand | arm_of_hand};
     bytes_.require(hand <= right_hand, no_such_hand);
   }
   void require(bool good, const char* problem) { bytes_.require(good, problem); }
@@ -131,13 +132,15 @@ void entry(Io& io, typename Io::template Entry<PartEvent>& e) {
 
 template <class Io>
 void entry(Io& io, typename Io::template Entry<HandTarget>& e) {
-  auto& [participant, hand, target, flexion, draws] = e;
+  auto& [participant, hand, target, flexion, draws, reaction] = e;
   io.number(participant);
-  io.hand(hand, draws);
+  io.hand(hand, draws, reaction);
   io.numbers(target.p.data(), 3);
   io.numbers(target.q.coeffs().data(), 4);
   io.numbers(flexion.data(), fingers);
+  if (reaction) io.number(*reaction);
   io.require(is_finite(target), "a pose that isn't finite");
+  io.require(!reaction || *reaction >= 0, "an arm that pushes with no force");
 }
 
 template <class Io>

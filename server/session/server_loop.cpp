@@ -37,6 +37,18 @@ std::map<BodyId, int> may_step_down(const Simulation& simulation) {
   return out;
 }
 
+/// Returns the hands that arms move, with what was last heard of them.
+std::vector<FeelingHand> feeling_hands(const Session& session) {
+  std::vector<FeelingHand> out;
+  for (const auto& [id, member] : session.roster().members())
+    for (const std::size_t hand : {left_hand, right_hand}) {
+      if ((member.presence.arms >> hand & 1) == 0 || member.role == Role::observer) continue;
+      const HandInput* input = session.newest_input(id);
+      out.push_back({{id, static_cast<std::uint8_t>(hand)}, input == nullptr ? 0 : input->sequence});
+    }
+  return out;
+}
+
 }  // namespace
 
 SessionRules rules_of(const SceneDesc& scene, const std::string& session, bool remodels) {
@@ -159,7 +171,7 @@ void ServerLoop::tick() {
   append(told, words_of_bodies(report));
   settle_journal();
   publisher_.say(std::move(told));
-  offer_snapshot();
+  offer_snapshot(felt_.follow(simulation_, feeling_hands(session_)));
 }
 
 void ServerLoop::listen() {
@@ -178,8 +190,9 @@ void ServerLoop::listen() {
   if (news || last_end_ns_ - status_ns_ >= status_period_ns) offer_snapshot();
 }
 
-void ServerLoop::offer_snapshot() {
+void ServerLoop::offer_snapshot(std::vector<FeltPlanes> felt) {
   auto snapshot = take_snapshot(simulation_, session_, topology_, last_snapshot_.get());
+  snapshot->felt = std::move(felt);
   if (last_end_ns_ - status_ns_ >= status_period_ns) {
     snapshot->status = status();
     status_ns_ = last_end_ns_;

@@ -13,6 +13,7 @@
 #include "common/clock.h"
 #include "common/server_run.h"
 #include "idl/bus.h"
+#include "server/haptics/felt_hands.h"
 #include "server/physics/simulation.h"
 #include "server/session/body_meter.h"
 #include "server/session/effort_dial.h"
@@ -99,6 +100,7 @@ class ServerLoop {
   Governor governor_;
   EffortDial dial_;
   PartSender parts_;
+  FeltHands felt_;
   std::vector<EffortChange> efforts_;    // for the next tick
   std::vector<AccuracyAnswer> unheard_;  // by who isn't here
   std::vector<SessionEvent> heard_;      // while time stood still: for the next tick's record
@@ -121,7 +123,7 @@ class ServerLoop {
   std::vector<std::uint8_t> checkpoint_if_due();
   void settle_journal();
   void record(const StepReport& report, std::int64_t begun_ns);
-  void offer_snapshot();
+  void offer_snapshot(std::vector<FeltPlanes> felt = {});
   void govern(const StepReport& report, std::int64_t begun_ns);
   std::string stepped_down() const;
   std::vector<Outgoing> words_of_bodies(const StepReport& report);

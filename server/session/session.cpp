@@ -86,6 +86,7 @@ void Session::take(const Received& received) {
   if (received.liveness == Liveness::gone) return;  // an ended stream says nothing: Presence decides
   if (const auto* input = std::get_if<HandInput>(&received.message)) return take(*input, received.writer);
   if (const auto* command = std::get_if<Command>(&received.message)) return take(*command, received.writer);
+  if (const auto* force = std::get_if<ArmForce>(&received.message)) return take(*force, received.writer);
   drop("not a message for a server");
 }
 
@@ -406,12 +407,31 @@ void Session::leave(ParticipantId id, SessionEvent::Kind how) {
   if (Visitor* v = visitor(id, member.writer, "")) v->presence = member.presence;
 }
 
+void Session::take(const ArmForce& force, std::uint64_t writer) {
+  const Participant* member = roster_.find(force.participant);
+  if (member == nullptr) return;  // it overtakes Presence, or its sender is leaving
+  if (member->writer != writer) return drop("ArmForce: another process's participant");
+  if (member->role == Role::observer) return drop("ArmForce: from an observer");
+  if ((member->presence.arms >> force.hand & 1) == 0) return drop("ArmForce: of a hand that no arm moves");
+  Reaction& reaction = seats_[force.participant].reactions[force.hand];
+  if (force.sequence <= reaction.sequence) return;  // overtaken on the way
+  reaction = {force.sequence, tick_, force.force.norm()};
+}
+
+/// Returns with which force an arm pushes the hand back, N; nothing: no arm moves it. What was told too long
+/// ago counts as none.
+std::optional<double> Session::reaction(ParticipantId id, const Seat& seat, std::size_t hand) const {
+  if ((roster_.members().at(id).presence.arms >> hand & 1) == 0) return std::nullopt;
+  const Reaction& last = seat.reactions[hand];
+  return tick_ - last.tick > rules_.input_timeout ? 0 : last.force;
+}
+
 void Session::consume_seat(ParticipantId id, Seat& seat, ConsumedInput& out) {
   for (std::size_t h = 0; h < 2; ++h) {
     Hand& hand = seat.hands[h];
     if (seat.fresh && seat.input->hands[h].tracked) {
       const HandPose& pose = seat.input->hands[h];
-      hand.target = {id, h, pose.pose, pose.flexion, (pose.buttons & draws_cut) != 0};
+      hand.target = {id, h, pose.pose, pose.flexion, (pose.buttons & draws_cut) != 0, reaction(id, seat, h)};
       hand.tracked_tick = tick_;
       if (!hand.present) out.input.events.push_back({HandEvent::Kind::appear, id, h, BodyId{0}});
       hand.present = true;

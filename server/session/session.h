@@ -119,16 +119,22 @@ class Session {
     std::uint64_t tracked_tick = 0;
     HandTarget target;
   };
+  struct Reaction {  // of a haptic arm
+    std::uint64_t sequence = 0;
+    std::uint64_t tick = 0;  // when it came
+    double force = 0;        // N
+  };
   struct Seat {  // of a member
     std::optional<HandInput> input;
     bool fresh = false;
     std::array<Hand, 2> hands;
-    std::vector<HandEvent> asked;  // by its commands since the last tick
-    std::array<bool, 2> opens{};   // hands that were asked to let go in this tick
-    std::vector<Command> grasps;   // waiting for the step
-    std::vector<Command> parts;    // waiting for the step
-    std::vector<Command> cuts;     // waiting for the step: undo, rewind
-    std::uint32_t commands = 0;    // this tick
+    std::vector<HandEvent> asked;       // by its commands since the last tick
+    std::array<bool, 2> opens{};        // hands that were asked to let go in this tick
+    std::vector<Command> grasps;        // waiting for the step
+    std::vector<Command> parts;         // waiting for the step
+    std::vector<Command> cuts;          // waiting for the step: undo, rewind
+    std::uint32_t commands = 0;         // this tick
+    std::array<Reaction, 2> reactions;  // of arms
   };
   struct Visitor {  // who has shown itself and isn't a member (yet, or any more)
     std::uint64_t writer = 0;
@@ -163,6 +169,8 @@ class Session {
   void take(const Presence& presence, const Received& received);
   void take(const HandInput& input, std::uint64_t writer);
   void take(const Command& command, std::uint64_t writer);
+  void take(const ArmForce& force, std::uint64_t writer);
+  std::optional<double> reaction(ParticipantId id, const Seat& seat, std::size_t hand) const;
   void join(const Command& command, std::uint64_t writer);
   void obey(const Command& command, const Participant& member, Seat& seat);
   void hand_out(const Command& command, const Participant& member);

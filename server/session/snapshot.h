@@ -34,9 +34,10 @@ struct Snapshot {
   std::vector<SoftSnapshot> soft;
   std::vector<UserState> users;
   std::vector<ContactSample> contacts;
-  std::vector<Panel> panels;  // open ones
-  double lights = 1;          // the room's
-  double pace = 1;            // of simulated time
+  std::vector<FeltPlanes> felt;  // of hands that arms move
+  std::vector<Panel> panels;     // open ones
+  double lights = 1;             // the room's
+  double pace = 1;               // of simulated time
   std::optional<ServerStatus> status;
 };
 

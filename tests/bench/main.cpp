@@ -244,6 +244,13 @@ int main(int argc, char** argv) try {
   collision_command
       ->add_option("--limit", collision.limit_ms, "CPU ms of a tick after which no larger scene is tried")
       ->check(CLI::Range(1., 1e9));
+
+  prosector::HapticsBenchOptions haptics;
+  CLI::App* haptics_command = app.add_subcommand(
+      "haptics", "What a hand feels with an arm over a network: stable stiffness, felt stiffness, energy");
+  haptics_command->add_flag("--quick", haptics.quick, "Coarse: to see that it runs");
+  haptics_command->add_option("--svg", haptics.picture_folder, "Folder for two pictures")
+      ->check(CLI::ExistingDirectory);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -274,6 +281,7 @@ int main(int argc, char** argv) try {
   if (*estimate_command) report = prosector::bench_estimate(estimate);
   if (*scaling_command) report = prosector::bench_scaling(scaling);
   if (*collision_command) report = prosector::bench_collision(collision);
+  if (*haptics_command) report = prosector::bench_haptics(haptics);
   if (!file.empty()) report.value().write(file);
   return 0;
 } catch (const std::exception& error) {

@@ -193,4 +193,11 @@ struct CollisionBenchOptions {
 /// Collision detection at every fidelity: cost, false and missed hits, errors, memory, growth; one thread.
 Report bench_collision(const CollisionBenchOptions& options);
 
+struct HapticsBenchOptions {
+  bool quick = false;          // coarse: to see that it runs
+  std::string picture_folder;  // where to write haptics-stable.svg and haptics-felt.svg; empty: nowhere
+};
+/// What a hand feels of tissue over a network with an arm, scheme by scheme, in virtual time.
+Report bench_haptics(const HapticsBenchOptions& options);
+
 }  // namespace prosector

@@ -31,6 +31,8 @@ constexpr std::size_t plain_bytes() {
     return offsetof(W, holders);
   else if constexpr (requires(W w) { w.prices; })
     return offsetof(W, prices);
+  else if constexpr (requires(W w) { w.planes; })
+    return offsetof(W, planes);
   else
     return sizeof(W);
 }
@@ -52,6 +54,11 @@ void fuzz(const M& valid, std::mt19937_64& random) {
     if constexpr (requires { w.marks; }) {
       auto* marks = reinterpret_cast<std::uint8_t*>(w.marks._buffer);
       marks[random() % (w.marks._length * sizeof(prosector_RecordingMark))] =
+          static_cast<std::uint8_t>(random());
+    }
+    if constexpr (requires { w.planes; }) {
+      auto* planes = reinterpret_cast<std::uint8_t*>(w.planes._buffer);
+      planes[random() % (w.planes._length * sizeof(prosector_ContactPlane))] =
           static_cast<std::uint8_t>(random());
     }
     if constexpr (requires { w.prices; }) {

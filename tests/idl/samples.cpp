@@ -12,6 +12,24 @@ HandPose some_hand() {
   return {true, some_pose, {0, 0.25, 0.5, 0.75, 1}, Gesture::point, 5};
 }
 
+ContactPlane some_plane() {
+  ContactPlane m;
+  m.id = 3;
+  m.body = 1;
+  m.arm = {0, 0.015625, -0.125};
+  m.point = {0.5, 1, 0.25};
+  m.normal = {0, 0, 1};
+  m.force = {0.25, 0, 1.5};
+  m.stiffness = 512;
+  m.tangential = 384;
+  m.damping = 0.5;
+  m.friction = 0.25;
+  m.radius = 0.0078125;
+  m.velocity = {0, 0, -0.0625};
+  m.holds = true;
+  return m;
+}
+
 AssetChunk some_chunk() {
   AssetChunk m;
   m.hash = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
@@ -136,7 +154,7 @@ std::vector<Message> sample_messages() {
   const Recording recording{
       600, {{0, MarkKind::joined, "Zoë"}, {60, MarkKind::cut, "Zoë"}, {90, MarkKind::reset, ""}}};
   return {SessionInfo{protocol_version, "prosector", "abdomen", {1, 2}, 60, 64, 42},
-          Presence{7, protocol_version, "Zoë", Role::dissector, "fastrak, 5dt"},
+          Presence{7, protocol_version, "Zoë", Role::dissector, "fastrak, 5dt, omni", 2},
           RosterEntry{7, "Zoë", Role::dissector, {1, 0.5, 0}, "fastrak, 5dt"},
           HandInput{7, 12, 123456789, true, some_pose, hands},
           UserState{7, {1, 60}, 12, true, some_pose, hands},
@@ -166,7 +184,9 @@ std::vector<Message> sample_messages() {
           PartState{1, {1, 60}, false, true, true, true, 0.5, 2, sheared, {{7, left_hand}, {9, right_hand}}},
           panel,
           RoomState{{1, 60}, 0.25, 0.5},
-          recording};
+          recording,
+          FeltPlanes{7, right_hand, {1, 60}, 12, {some_plane(), some_plane()}, 0.25, 0.125},
+          ArmForce{7, right_hand, 12, {0, 1.5, -0.25}, 0.25, 0.125}};
 }
 
 }  // namespace prosector

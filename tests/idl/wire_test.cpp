@@ -217,6 +217,26 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<Panel>("control", [](Panel& m) { m.controls[2].position = -0.5; }),
       spoiled<RoomState>("brightness", [](RoomState& m) { m.lights = nan; }),
       spoiled<RoomState>("pace", [](RoomState& m) { m.pace = 2 * most_pace; }),
+      spoiled<Presence>("three arms", [](Presence& m) { m.arms = 4; }),
+      spoiled<FeltPlanes>("nobody", [](FeltPlanes& m) { m.participant = 0; }),
+      spoiled<FeltPlanes>("third hand", [](FeltPlanes& m) { m.hand = 2; }),
+      spoiled<FeltPlanes>("too many planes", [](FeltPlanes& m) { m.planes.resize(5, m.planes[0]); }),
+      spoiled<FeltPlanes>("body", [](FeltPlanes& m) { m.planes[1].body = max_bodies; }),
+      spoiled<FeltPlanes>("point", [](FeltPlanes& m) { m.planes[0].point.y() = nan; }),
+      spoiled<FeltPlanes>("off the hand", [](FeltPlanes& m) { m.planes[0].arm.x() = 2; }),
+      spoiled<FeltPlanes>("normal", [](FeltPlanes& m) { m.planes[0].normal.setZero(); }),
+      spoiled<FeltPlanes>("huge force", [](FeltPlanes& m) { m.planes[0].force.z() = 2000; }),
+      spoiled<FeltPlanes>("negative stiffness", [](FeltPlanes& m) { m.planes[0].stiffness = -1; }),
+      spoiled<FeltPlanes>("huge stiffness", [](FeltPlanes& m) { m.planes[0].tangential = 1e9; }),
+      spoiled<FeltPlanes>("damping", [](FeltPlanes& m) { m.planes[0].damping = nan; }),
+      spoiled<FeltPlanes>("friction", [](FeltPlanes& m) { m.planes[0].friction = -0.1; }),
+      spoiled<FeltPlanes>("radius", [](FeltPlanes& m) { m.planes[0].radius = -1; }),
+      spoiled<FeltPlanes>("velocity", [](FeltPlanes& m) { m.planes[0].velocity.x() = 100; }),
+      spoiled<FeltPlanes>("energy", [](FeltPlanes& m) { m.taken = -1; }),
+      spoiled<ArmForce>("nobody", [](ArmForce& m) { m.participant = 0; }),
+      spoiled<ArmForce>("third hand", [](ArmForce& m) { m.hand = 2; }),
+      spoiled<ArmForce>("force", [](ArmForce& m) { m.force.x() = nan; }),
+      spoiled<ArmForce>("energy", [](ArmForce& m) { m.given = nan; }),
       spoiled<Recording>("a mark beyond the end", [](Recording& m) { m.last_tick = 80; }),
       spoiled<Recording>("marks out of order", [](Recording& m) { m.marks[0].tick = 70; }),
       spoiled<Recording>("kind of mark", [](Recording& m) { m.marks[1].kind = static_cast<MarkKind>(5); }),
@@ -451,6 +471,26 @@ std::string as_wire_bytes(const Message& message) {
         } else if constexpr (std::is_same_v<M, Recording>) {
           add(m.last_tick);
           for (const RecordingMark& mark : m.marks) add(mark.tick), add(mark.kind), text += mark.who;
+        } else if constexpr (std::is_same_v<M, FeltPlanes>) {
+          add(m.hand);
+          add(m.input_sequence);
+          add(m.taken);
+          add(m.given);
+          for (const ContactPlane& plane : m.planes) {
+            add(plane.id);
+            add(plane.body);
+            for (const Vec3& v : {plane.arm, plane.point, plane.normal, plane.force, plane.velocity}) add(v);
+            for (const double x :
+                 {plane.stiffness, plane.tangential, plane.damping, plane.friction, plane.radius})
+              add(x);
+            add(plane.holds);
+          }
+        } else if constexpr (std::is_same_v<M, ArmForce>) {
+          add(m.hand);
+          add(m.sequence);
+          add(m.force);
+          add(m.taken);
+          add(m.given);
         }
         return text;
       },

@@ -41,8 +41,9 @@ bool in_a_hand(std::span<const Hand> hands, BodyId body, std::span<const Contact
 
 Pull hand_pull(const Hand& hand, const HandModel& model, const HandDesc& desc, const Pose& centre, double h) {
   const Pose target = hand.target * model.center, previous = hand.previous_target * model.center;
-  const double damping = 2 * std::sqrt(desc.stiffness * desc.mass) / h;  // N/m, of a tick's displacement
-  const double total = desc.stiffness + damping, share = damping / total;
+  const double stiffness = hand.reaction ? arm_coupling : desc.stiffness;
+  const double damping = 2 * std::sqrt(stiffness * desc.mass) / h;  // N/m, of a tick's displacement
+  const double total = stiffness + damping, share = damping / total;
   const double reach = max_hand_speed * h;
   Pull pull;
   pull.translation =
@@ -51,6 +52,8 @@ Pull hand_pull(const Hand& hand, const HandModel& model, const HandDesc& desc, c
                   share * clamped(turn(previous.q, target.q), max_turn);
   pull.stiffness = total;
   pull.max_force = desc.max_force;
+  if (hand.reaction && !hand.hold)
+    pull.max_force = std::min(desc.max_force, arm_allowance + arm_share * *hand.reaction);
   pull.angular_stiffness = total * lever * lever;
   pull.max_moment = desc.max_force * lever;
   return pull;

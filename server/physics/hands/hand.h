@@ -35,7 +35,8 @@ struct Hand {
   Pose target;           // wrist
   Pose previous_target;
   std::array<double, fingers> target_flexion{}, flexion{};
-  bool draws = false;  // a cut
+  bool draws = false;              // a cut
+  std::optional<double> reaction;  // N, of the haptic arm that moves it; none: no arm does
   std::optional<Hold> hold;
   std::vector<PadMemory> pads;  // as the last tick's contacts come
 };
@@ -51,9 +52,14 @@ inline constexpr double max_finger_rate = 8;        // 1/s, of flexion: a fist i
 inline constexpr double grasp_reach_rigid = 0.03;   // m
 inline constexpr double grasp_reach_soft = 0.025;   // m
 inline constexpr std::size_t max_hold_points = 24;  // on tissue
+inline constexpr double arm_coupling = 5e4;         // N/m, of a hand that an arm moves
+inline constexpr double arm_allowance = 1,
+                        arm_share = 1.25;  // N, and times its reaction: with which it may press
 
 /// Returns the pull of the virtual coupling for one tick: critically damped towards the target and its speed,
-/// force and moment bounded. The effective target is never farther away than max_hand_speed allows.
+/// force and moment bounded. The effective target is never farther away than max_hand_speed allows. A hand
+/// that an arm moves is where the arm is, so that a person feels tissue and not the coupling. It presses with
+/// little more than what the arm pushes it back with.
 Pull hand_pull(const Hand& hand, const HandModel& model, const HandDesc& desc, const Pose& centre, double h);
 
 /// Points on the hand's surface line, world frame, with the radius around each: what a grasp measures from.

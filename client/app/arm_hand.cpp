@@ -1,0 +1,83 @@
+#include "client/app/arm_hand.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "client/app/index_tip.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::uint32_t first_button = 1;
+constexpr std::array<double, fingers> pointing = {1, 0, 1, 1, 1};  // flexion: the index finger is the tip
+
+/// Returns the pose of the wrist in the stylus' frame.
+Pose mount_of(const ArmSettings& settings) {
+  if (settings.mount) return *settings.mount;
+  HandPose hand;
+  hand.flexion = pointing;
+  return {-index_tip(settings.hand, hand), Quat::Identity()};
+}
+
+const char* words_of(DeviceHealth health) {
+  switch (health) {
+    case DeviceHealth::connecting:
+      return "connecting";
+    case DeviceHealth::streaming:
+      return "ready";
+    case DeviceHealth::silent:
+      return "silent";
+    case DeviceHealth::babbling:
+      return "sends what is no packet";
+    case DeviceHealth::absent:
+      return "away";
+  }
+  return "";
+}
+
+}  // namespace
+
+ArmHand::ArmHand(const ArmSettings& settings)
+    : settings_(settings), servo_(open_arm(settings.address, settings.arm), mount_of(settings)) {}
+
+void ArmHand::received(const FeltPlanes& felt, ParticipantId participant) {
+  if (felt.participant == participant && felt.hand == settings_.hand) servo_.feel(felt.planes);
+}
+
+ArmForce ArmHand::fill(HandInput& input) {
+  view_ = servo_.view();
+  HandPose& hand = input.hands[settings_.hand];
+  hand.tracked = view_.reading.valid;
+  if (hand.tracked) hand.pose = view_.reading.stylus;
+  hand.flexion = pointing;
+  const std::uint32_t pressed = view_.reading.buttons & ~buttons_;
+  buttons_ = view_.reading.buttons;
+  hand.buttons = buttons_;
+  if ((pressed & first_button) != 0) {
+    holds_ = !holds_;
+    wishes_.push_back(holds_ ? CommandKind::grasp : CommandKind::release);
+  }
+  ArmForce out;
+  out.participant = input.participant;
+  out.hand = static_cast<std::uint8_t>(settings_.hand);
+  out.sequence = ++sequence_;
+  out.force = view_.force;
+  out.taken = view_.energy.taken;
+  out.given = view_.energy.given;
+  return out;
+}
+
+std::vector<CommandKind> ArmHand::take_wishes() {
+  return std::exchange(wishes_, {});
+}
+
+std::vector<std::string> ArmHand::take_news() {
+  if (view_.status.health == told_ && view_.status.message == told_message_) return {};
+  told_ = view_.status.health;
+  told_message_ = view_.status.message;
+  return {fmt::format("arm {}: {}{}{}", settings_.address, words_of(told_), told_message_.empty() ? "" : ": ",
+                      told_message_)};
+}
+
+}  // namespace prosector

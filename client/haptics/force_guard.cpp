@@ -1,0 +1,50 @@
+#include "client/haptics/force_guard.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prosector {
+namespace {
+
+constexpr double rise_seconds = 0.3;   // from nothing to all of the force, once it may act
+constexpr double fade_seconds = 0.05;  // and back to nothing once it may not
+constexpr double heat_seconds = 20;    // in which motors' heat follows what they do
+constexpr double warm = 0.8;           // of the heat that may last: from here on less force is let through
+
+}  // namespace
+
+Vec3 ForceGuard::pass(const Vec3& wanted, bool allowed, bool hot, double dt) {
+  const bool finite = wanted.allFinite();
+  if (!finite) ++counts_.not_finite;
+  share_ =
+      allowed && finite ? std::min(1., share_ + dt / rise_seconds) : std::max(0., share_ - dt / fade_seconds);
+  left_ = std::max(0., left_ - dt / fade_seconds);
+  // What fades is the force that acted, if there is no better one.
+  Vec3 force =
+      finite ? Vec3(share_ * wanted + left_ * leaving_) : Vec3(last_ * std::max(0., 1 - dt / fade_seconds));
+
+  const double worn = hot ? 1 : std::clamp((heat_ - warm) / (1 - warm), 0., 1.);
+  const double most = limits_.peak_force + worn * (limits_.continuous_force - limits_.peak_force);
+  if (const double size = force.norm(); size > most) {
+    force *= most / size;
+    ++counts_.saturated;
+  }
+  const Vec3 change = force - last_;
+  if (const double size = change.norm(), step = limits_.max_slew * dt; size > step) {
+    force = last_ + change * (step / size);
+    ++counts_.slowed;
+  }
+  const double load = force.squaredNorm() / std::pow(limits_.continuous_force, 2);
+  heat_ += std::min(1., dt / heat_seconds) * (load - heat_);
+  last_ = force;
+  return force;
+}
+
+void ForceGuard::stalled() {
+  ++counts_.stalls;
+  share_ = 0;
+  leaving_ = last_;
+  left_ = 1;
+}
+
+}  // namespace prosector

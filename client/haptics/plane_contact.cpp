@@ -1,0 +1,96 @@
+#include "client/haptics/plane_contact.h"
+
+#include <algorithm>
+
+namespace prosector {
+namespace {
+
+constexpr double longest_drift = 0.1;  // s: a surface is taken to move on for no longer than this
+
+Vec3 along(const Vec3& v, const Vec3& normal) {
+  return v - v.dot(normal) * normal;
+}
+
+}  // namespace
+
+PlaneContact::PlaneContact(const ContactPlane& plane, const Pose& hand, double spread)
+    : plane_(plane), anchor_(plane.point), spread_(spread), spread_left_(spread) {
+  jump_ = -elastic(hand * plane.arm);
+}
+
+void PlaneContact::renew(const ContactPlane& plane, const Pose& hand, double spread) {
+  const Vec3 p = hand * plane_.arm;
+  const Vec3 before = gone_ ? Vec3(Vec3::Zero()) : elastic(p);
+  const double left = spread_ > 0 ? spread_left_ / spread_ : 0;
+  plane_ = plane;
+  age_ = 0;
+  gone_ = false;
+  anchored_ = false;
+  jump_ = before + left * jump_ - elastic(hand * plane_.arm);
+  spread_ = spread_left_ = spread;
+}
+
+void PlaneContact::end(const Pose& hand, double spread) {
+  if (gone_) return;
+  const double left = spread_ > 0 ? spread_left_ / spread_ : 0;
+  jump_ = elastic(hand * plane_.arm) + left * jump_;
+  gone_ = true;
+  spread_ = spread_left_ = spread;
+}
+
+PlaneForce PlaneContact::advance(const Pose& hand, const Vec3& velocity, double dt) {
+  PlaneForce out;
+  out.point = hand * plane_.arm;
+  age_ += dt;
+  const Vec3& n = plane_.normal;
+  if (!gone_) {
+    const Vec3 moved = plane_.velocity * dt;
+    if (anchored_ && age_ < longest_drift) anchor_ += along(moved, n);
+    Vec3 force = elastic(out.point);
+    const double pressed = force.dot(n);
+    if (pressed > 0 || plane_.holds) {
+      const Vec3 sliding = along(force, n);
+      if (plane_.tangential > 0) {
+        anchor_ = along(out.point, n) + sliding / plane_.tangential;
+        anchored_ = true;
+      }
+      const double damped = pressed - plane_.damping * (velocity - plane_.velocity).dot(n);
+      force = sliding + (plane_.holds ? damped : std::max(0., damped)) * n;
+    } else {
+      anchored_ = false;
+    }
+    if (plane_.stiffness > 0) out.stored = pressed * pressed / (2 * plane_.stiffness);
+    out.force = force;
+    out.power = std::max(0., force.dot(plane_.velocity));
+  }
+  if (spread_left_ > 0) {
+    spread_left_ = std::max(0., spread_left_ - dt);
+    out.force += spread_left_ / spread_ * jump_;
+  }
+  // A plane that only presses doesn't pull while a jump is spread either.
+  if (const double pull = out.force.dot(n); pull < 0 && !plane_.holds) out.force -= pull * n;
+  return out;
+}
+
+/// Returns the plane's force without its damping on the hand's point at p.
+Vec3 PlaneContact::elastic(const Vec3& p) const {
+  const Vec3& n = plane_.normal;
+  const Vec3 surface = plane_.point + plane_.velocity * std::min(age_, longest_drift);
+  const double pressed = plane_.force.dot(n) + plane_.stiffness * (surface - p).dot(n);
+  if (plane_.holds) return pressed * n + friction(p, pressed);
+  if (pressed <= 0) return Vec3::Zero();
+  return pressed * n + friction(p, pressed);
+}
+
+/// Returns what holds the point at p along the plane, N.
+Vec3 PlaneContact::friction(const Vec3& p, double normal_force) const {
+  const Vec3& n = plane_.normal;
+  const Vec3 sliding = anchored_
+                           ? Vec3(plane_.tangential * along(anchor_ - p, n))
+                           : Vec3(along(plane_.force, n) + plane_.tangential * along(plane_.point - p, n));
+  if (plane_.holds) return sliding;
+  const double bound = plane_.friction * normal_force, size = sliding.norm();
+  return size > bound ? Vec3(sliding * (bound / size)) : sliding;
+}
+
+}  // namespace prosector

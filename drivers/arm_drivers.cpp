@@ -1,0 +1,29 @@
+// The table of haptic arms.
+#include <algorithm>
+
+#include "drivers/arm.h"
+#include "drivers/device_address.h"
+#include "drivers/omni.h"
+
+namespace prosector {
+
+const std::vector<ArmRow>& arm_drivers() {
+  static const std::vector<ArmRow> rows = {
+      {"omni", "PHANTOM Omni on a FireWire port, omni:0", open_omni},
+      {"omni-twin", "a simulated PHANTOM Omni at a socket, omni-twin:/tmp/omni", open_omni_twin},
+  };
+  return rows;
+}
+
+DeviceAddress parse_arm_address(const std::string& address) {
+  return split_address("arm", address, arm_drivers());
+}
+
+std::unique_ptr<Arm> open_arm(const std::string& address, const ArmConfig& config) {
+  const DeviceAddress parsed = parse_arm_address(address);
+  const auto row = std::find_if(arm_drivers().begin(), arm_drivers().end(),
+                                [&](const ArmRow& r) { return parsed.driver == r.name; });
+  return row->open(parsed.path, config);
+}
+
+}  // namespace prosector

@@ -1,0 +1,57 @@
+#pragma once
+// One hand that an arm moves: its contact planes from tick to tick.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "server/haptics/compliance.h"
+
+namespace prosector {
+
+/// Touches of one body from one side, which become one plane.
+struct TouchGroup {
+  BodyId body = 0;
+  std::vector<HandTouch> touches;
+  Vec3 normal = Vec3::UnitY();  // unit, towards the hand
+  Vec3 point = Vec3::Zero();    // m, room: on the hand
+  double force = 0;             // N, along the normal
+  Vec3 sliding = Vec3::Zero();  // N, on the hand, along the plane
+  bool holds = false;           // it is what the hand holds
+};
+
+class FeltHand {
+ public:
+  explicit FeltHand(const HandRef& ref) : ref_(ref) {}
+
+  const HandRef& ref() const { return ref_; }
+  /// Takes what the hand meets now. Returns what is felt, with the stiffnesses that are known.
+  FeltPlanes follow(const Simulation& simulation, const HandState& hand);
+
+  /// Returns a patch for each of its planes on that soft body, and their ids.
+  void patches_on(BodyId body, std::vector<Patch>& patches, std::vector<std::uint64_t>& names) const;
+  /// Takes how far the body gives way under a plane.
+  void take(std::uint64_t name, const Compliance& found);
+
+ private:
+  struct Place {
+    std::uint32_t id = 0;
+    TouchGroup group;
+    std::optional<Compliance> tissue;
+    double surface = 0;  // m, along the normal: where it would be without this hand
+    double speed = 0;    // m/s, of that, smoothed
+    bool known = false;  // `surface` is
+  };
+
+  ContactPlane plane_of(const Simulation& simulation, const Pose& hand, Place& place) const;
+  void count_energy(const HandState& hand);
+  std::uint64_t name_of(const Place& place) const;
+
+  HandRef ref_;
+  std::vector<Place> places_;
+  std::uint32_t last_id_ = 0;
+  std::optional<Vec3> last_point_;  // m, room: where the hand was
+  double taken_ = 0, given_ = 0;    // J
+};
+
+}  // namespace prosector

@@ -1,0 +1,93 @@
+#include "server/haptics/felt_hands.h"
+
+#include <algorithm>
+#include <set>
+
+#include "server/physics/soft/soft_body.h"
+
+namespace prosector {
+namespace {
+
+/// Returns a number that changes with a body's mesh and ties.
+std::uint64_t version_of(const Simulation& simulation, BodyId body) {
+  return (std::uint64_t{simulation.revision(body)} << 32 | simulation.rehung(body) << 1) +
+         (simulation.soft(body).attached() ? 1 : 0);
+}
+
+std::shared_ptr<const BodyCopy> copy_of(const SoftBody& body) {
+  auto copy = std::make_shared<BodyCopy>();
+  copy->desc = body.desc();
+  copy->anatomy = body.anatomy();
+  copy->ties = body.attached() ? body.attachment_stiffness() : VecX(VecX::Zero(body.nodes()));
+  return copy;
+}
+
+/// Tells whether the body has a potential whose tangent says how stiff it is.
+bool has_tangent(const SoftBody& body) {
+  return body.substepper() == nullptr && !body.anatomy().tets.tets.empty();
+}
+
+}  // namespace
+
+std::vector<FeltPlanes> FeltHands::follow(const Simulation& simulation, std::span<const FeelingHand> hands) {
+  std::erase_if(hands_, [&](const auto& known) {
+    return std::none_of(hands.begin(), hands.end(),
+                        [&](const FeelingHand& h) { return h.hand == known.first; });
+  });
+  take_answers();
+  std::vector<FeltPlanes> out;
+  for (const FeelingHand& feeling : hands) {
+    FeltPlanes message;
+    message.participant = feeling.hand.participant;
+    message.hand = feeling.hand.hand;
+    message.time = simulation.time();
+    for (const HandState& state : simulation.hands())
+      if (state.participant == feeling.hand.participant && state.hand == feeling.hand.hand)
+        message = hands_.try_emplace(feeling.hand, feeling.hand).first->second.follow(simulation, state);
+    message.input_sequence = feeling.input_sequence;
+    out.push_back(std::move(message));
+  }
+  ask(simulation);
+  return out;
+}
+
+/// Asks about the next of the bodies that are felt, if the worker has nothing to do.
+void FeltHands::ask(const Simulation& simulation) {
+  if (worker_ && worker_->busy()) return;
+  std::set<BodyId> felt;
+  for (BodyId body = 0; body < simulation.body_count(); ++body) {
+    std::vector<Patch> patches;
+    std::vector<std::uint64_t> names;
+    if (simulation.kind(body) != BodyKind::soft || !has_tangent(simulation.soft(body))) continue;
+    for (const auto& [ref, hand] : hands_) hand.patches_on(body, patches, names);
+    if (!patches.empty()) felt.insert(body);
+  }
+  if (felt.empty()) return;
+  const auto next = felt.upper_bound(last_asked_);
+  const BodyId body = next == felt.end() ? *felt.begin() : *next;
+  ComplianceQuestion question;
+  question.body = last_asked_ = body;
+  question.version = version_of(simulation, body);
+  if (const auto known = copied_.find(body); known == copied_.end() || known->second != question.version)
+    question.copy = copy_of(simulation.soft(body));
+  question.x = simulation.soft_state(body).motion.x;
+  question.stiffness = simulation.part(body).stiffness;
+  for (Support& support : simulation.supports(body)) {
+    // A hand that feels presses with what it renders: it bears nothing.
+    if (support.hand && hands_.contains(*support.hand)) continue;
+    question.supports.push_back(std::move(support));
+  }
+  for (const auto& [ref, hand] : hands_) hand.patches_on(body, question.patches, question.names);
+  if (!worker_) worker_ = std::make_unique<ComplianceWorker>();
+  const std::uint64_t version = question.version;
+  if (worker_->ask(std::move(question))) copied_[body] = version;
+}
+
+void FeltHands::take_answers() {
+  if (!worker_) return;
+  for (const ComplianceAnswer& answer : worker_->take())
+    for (std::size_t i = 0; i < answer.found.size(); ++i)
+      for (auto& [ref, hand] : hands_) hand.take(answer.names[i], answer.found[i]);
+}
+
+}  // namespace prosector

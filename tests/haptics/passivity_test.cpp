@@ -1,0 +1,57 @@
+// The energy that a hand puts in and gets back, and what is done when it gets too much.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "client/haptics/passivity.h"
+#include "tests/haptics/haptic_case.h"
+
+namespace prosector {
+namespace {
+
+TEST(Passivity, CountsWhatForcesThatAreHeldDo) {
+  Passivity passivity;
+  passivity.observe(Vec3::Zero(), 0, 0, dt);
+  passivity.applied({0, 2, 0});
+  passivity.observe({0, -0.003, 0}, 1, 0, dt);  // pressed in against 2 N
+  EXPECT_NEAR(passivity.book().taken, 0.006, 1e-12);
+  passivity.applied({0, 1, 0});
+  passivity.observe(Vec3::Zero(), 1, 0, dt);
+  EXPECT_NEAR(passivity.book().given, 0.003, 1e-12);
+  EXPECT_NEAR(passivity.level(), 0.003, 1e-12);
+}
+
+TEST(Passivity, DampsOnlyWhereEnergyIsMissing) {
+  Passivity passivity;
+  passivity.observe(Vec3::Zero(), 0, 0, dt);
+  const Vec3 force(0, 1, 0), velocity(0, 0.1, 0);
+  EXPECT_EQ(passivity.damp(force, velocity, dt), force);
+  passivity.applied(force);
+  passivity.observe({0, 0.0001, 0}, 0, 0, dt);  // it gave 0.1 mJ that nobody had put in
+  const Vec3 damped = passivity.damp(force, velocity, dt);
+  EXPECT_NEAR(damped.y(), 0, 1e-12) << "0.1 mJ at 0.1 m/s in a cycle takes 1 N";
+  EXPECT_EQ(passivity.damp(force, Vec3::Zero(), dt), force) << "nothing moves: nothing to damp";
+}
+
+TEST(Passivity, WhatMovingSurfacesGiveIsNotMissing) {
+  Passivity passivity;
+  passivity.observe(Vec3::Zero(), 0, 0, dt);
+  passivity.applied({0, 1, 0});
+  passivity.observe({0, 0.0001, 0}, 0, 0.1, dt);
+  EXPECT_GE(passivity.level(), -1e-15);
+}
+
+TEST(Passivity, WhatWasSpentLongAgoIsNoSaving) {
+  Passivity passivity;
+  passivity.observe(Vec3::Zero(), 0, 0, dt);
+  Vec3 place = Vec3::Zero();
+  for (int k = 0; k < 10000; ++k) {
+    passivity.applied({0, 1, 0});
+    place.y() -= 0.001;
+    passivity.observe(place, 0.01, 0, dt);
+  }
+  EXPECT_LT(passivity.level(), 0.0121) << "what springs hold, and little more";
+}
+
+}  // namespace
+}  // namespace prosector

@@ -1,0 +1,120 @@
+// What a hand feels of one plane, and of a message's planes together.
+#include <gtest/gtest.h>
+
+#include "client/haptics/plane_set.h"
+#include "tests/haptics/haptic_case.h"
+
+namespace prosector {
+namespace {
+
+ContactPlane wall(double stiffness = 500) {
+  ContactPlane plane;
+  plane.id = 1;
+  plane.normal = Vec3::UnitY();
+  plane.stiffness = plane.tangential = stiffness;
+  plane.friction = 0.5;
+  return plane;
+}
+
+Pose at(double x, double y) {
+  return {Vec3(x, y, 0), Quat::Identity()};
+}
+
+TEST(PlaneContact, PushesByStiffnessTimesDepthAndOnlyOutwards) {
+  PlaneContact contact(wall(), at(0, 1), 0);
+  EXPECT_NEAR(contact.advance(at(0, -0.002), Vec3::Zero(), dt).force.y(), 1, 1e-12);
+  EXPECT_EQ(contact.advance(at(0, 0.001), Vec3::Zero(), dt).force, Vec3::Zero());
+}
+
+TEST(PlaneContact, WhatIsHeldPullsAsWell) {
+  ContactPlane plane = wall();
+  plane.holds = true;
+  plane.force = {0, -2, 0};
+  PlaneContact contact(plane, at(0, 0), 0);
+  EXPECT_NEAR(contact.advance(at(0, 0), Vec3::Zero(), dt).force.y(), -2, 1e-12);
+  EXPECT_NEAR(contact.advance(at(0, 0.002), Vec3::Zero(), dt).force.y(), -3, 1e-12);
+}
+
+TEST(PlaneContact, FrictionHoldsAndThenSlidesAtItsCoefficient) {
+  PlaneContact contact(wall(), at(0, 1), 0);
+  contact.advance(at(0, -0.002), Vec3::Zero(), dt);  // 1 N
+  EXPECT_NEAR(contact.advance(at(0.0005, -0.002), Vec3::Zero(), dt).force.x(), -0.25, 1e-9);
+  EXPECT_NEAR(contact.advance(at(0.01, -0.002), Vec3::Zero(), dt).force.x(), -0.5, 1e-9);
+  // It slid: back by a little is the way back from there, not from where it was first touched.
+  EXPECT_NEAR(contact.advance(at(0.0095, -0.002), Vec3::Zero(), dt).force.x(), -0.25, 1e-9);
+}
+
+TEST(PlaneContact, ANewerPlaneTakesOverWithoutAJump) {
+  PlaneContact contact(wall(), at(0, 1), 0);
+  const Pose hand = at(0, -0.002);
+  contact.advance(hand, Vec3::Zero(), dt);
+  ContactPlane newer = wall(800);
+  newer.point.y() = 0.001;
+  contact.renew(newer, hand, 0.02);
+  double before = 1, largest = 0;
+  for (int k = 0; k < 20; ++k) {
+    const double force = contact.advance(hand, Vec3::Zero(), dt).force.y();
+    largest = std::max(largest, std::abs(force - before));
+    before = force;
+  }
+  EXPECT_NEAR(before, 800 * 0.003, 1e-9);
+  EXPECT_NEAR(largest, (2.4 - 1) / 20, 1e-9);
+}
+
+TEST(PlaneContact, ASurfaceThatMovesTakesItsForceAlong) {
+  ContactPlane plane = wall();
+  plane.velocity = {0, 0.1, 0};
+  PlaneContact contact(plane, at(0, 1), 0);
+  PlaneForce felt;
+  for (int k = 0; k < 50; ++k) felt = contact.advance(at(0, 0), Vec3::Zero(), dt);
+  EXPECT_NEAR(felt.force.y(), 500 * 0.1 * 0.05, 1e-9);
+  EXPECT_NEAR(felt.power, felt.force.y() * 0.1, 1e-9);
+  for (int k = 0; k < 1000; ++k) felt = contact.advance(at(0, 0), Vec3::Zero(), dt);
+  EXPECT_NEAR(felt.force.y(), 500 * 0.1 * 0.1, 1e-9) << "goes on for no longer than is known";
+}
+
+TEST(PlaneSet, APlaneThatIsNotToldAnyMoreFades) {
+  PlaneSet set;
+  const Pose hand = at(0, -0.002);
+  const std::vector<ContactPlane> one = {wall()};
+  for (int k = 0; k < 10; ++k) set.take(one, hand, k / 60.);
+  double force = 0;
+  for (int k = 0; k < 60; ++k) force = set.advance(hand, Vec3::Zero(), dt).force.y();
+  EXPECT_NEAR(force, 1, 1e-9);
+  set.take({}, hand, 10 / 60.);
+  double before = force;
+  for (int k = 0; k < 30; ++k) {
+    force = set.advance(hand, Vec3::Zero(), dt).force.y();
+    EXPECT_LE(force, before);
+    EXPECT_GT(force, before - 0.1) << "by a step";
+    before = force;
+  }
+  EXPECT_EQ(force, 0);
+  EXPECT_FALSE(set.touches());
+}
+
+TEST(PlaneSet, SilenceIsNoticedWithinAFewMessages) {
+  PlaneSet set;
+  EXPECT_TRUE(set.stale(0)) << "before the first message";
+  double t = 0;
+  for (; t < 1; t += 1. / 60) set.take({}, at(0, 0), t);
+  EXPECT_FALSE(set.stale(t));
+  EXPECT_TRUE(set.stale(t + 0.1));
+}
+
+TEST(PlaneSet, TwoPlanesThatFaceEachOtherAddUp) {
+  PlaneSet set;
+  ContactPlane above = wall();
+  above.id = 2;
+  above.normal = -Vec3::UnitY();
+  above.point.y() = 0.001;
+  const std::vector<ContactPlane> both = {wall(), above};
+  const Pose hand = at(0, -0.001);
+  set.take(both, hand, 0);
+  PlaneForce felt;
+  for (int k = 0; k < 100; ++k) felt = set.advance(hand, Vec3::Zero(), dt);
+  EXPECT_NEAR(felt.force.y(), 0.5, 1e-9);
+}
+
+}  // namespace
+}  // namespace prosector
