@@ -2,6 +2,10 @@
 
 #include <malloc.h>
 
+#include <algorithm>
+#include <memory>
+#include <vector>
+
 namespace prosector {
 
 void keep_freed_memory() {
@@ -10,6 +14,16 @@ void keep_freed_memory() {
   mallopt(M_TRIM_THRESHOLD, kept);
   mallopt(M_MMAP_THRESHOLD, taken_alone);
 #endif
+}
+
+void take_memory_ahead(std::size_t bytes) {
+  constexpr std::size_t piece = 8 << 20, page = 4096;  // bytes; pieces, as larger ones aren't kept
+  std::vector<std::unique_ptr<char[]>> taken;
+  for (std::size_t begin = 0; begin < bytes; begin += piece) {
+    const std::size_t size = std::min(piece, bytes - begin);
+    taken.emplace_back(new char[size]);
+    for (std::size_t at = 0; at < size; at += page) static_cast<volatile char*>(taken.back().get())[at] = 0;
+  }
 }
 
 }  // namespace prosector

@@ -15,26 +15,6 @@ constexpr double near_share =
 constexpr double half_way = 0.5;  // where an edge is bisected
 constexpr std::size_t most_sparse = 4;  // ids used, over the most tetrahedra that there may be
 
-/// An edge, ordered by its length and, among equals, by its ends.
-struct RankedEdge {
-  double squared = -1;  // m²
-  NodeId a = 0, b = 0;  // ascending
-  bool operator<(const RankedEdge& o) const {
-    return squared != o.squared ? squared < o.squared : std::tie(o.a, o.b) < std::tie(a, b);
-  }
-};
-
-RankedEdge longest_edge(const TetComplex& complex, TetId tet) {
-  RankedEdge longest;
-  const auto corners = complex.corners(tet);
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    for (std::size_t j = i + 1; j < corners.size(); ++j) {
-      const auto [a, b] = std::minmax(corners[i], corners[j]);
-      longest = std::max(longest, {(complex.rest(b) - complex.rest(a)).squaredNorm(), a, b});
-    }
-  return longest;
-}
-
 }  // namespace
 
 LocalRefinement::LocalRefinement(const TetMesh& rest, double density, const RefinementLimits& limits)
@@ -74,30 +54,45 @@ void LocalRefinement::keep_touched(const TouchedPlaces& touched, bool resting) {
 /// Tells whether the edge would be bisected again for what is touched, were it whole.
 bool LocalRefinement::is_touched(const TouchedPlaces& touched, const Split& split) const {
   for (TetId half = split.op.first; half < split.op.first + 2 * split.op.count; half += 2)
-    if (distance(touched, complex_.lineage(half).parent) < limits_.reach) return true;
+    if (const RestBox box = box_of(complex_.lineage(half).parent);
+        touched.within(box.low, box.high, limits_.reach))
+      return true;
   return false;
 }
 
-/// Returns how far the tetrahedron's box is from what is touched, m; the reach, where that is farther.
-double LocalRefinement::distance(const TouchedPlaces& touched, TetId tet) const {
-  if (touched.empty()) return limits_.reach;
+LocalRefinement::RestBox LocalRefinement::box_of(TetId tet) const {
   const auto corners = complex_.corners(tet);
-  Vec3 low = complex_.rest(corners[0]), high = low;
+  RestBox box = {complex_.rest(corners[0]), complex_.rest(corners[0])};
   for (const NodeId corner : corners.subspan(1)) {
-    low = low.cwiseMin(complex_.rest(corner));
-    high = high.cwiseMax(complex_.rest(corner));
+    box.low = box.low.cwiseMin(complex_.rest(corner));
+    box.high = box.high.cwiseMax(complex_.rest(corner));
   }
-  return touched.distance(low, high, limits_.reach);
+  return box;
+}
+
+/// Returns the longest edge of a tetrahedron, which is found once.
+const LocalRefinement::RankedEdge& LocalRefinement::longest_edge(TetId tet) {
+  if (tet >= longest_.size()) longest_.resize(complex_.tet_end());
+  RankedEdge& longest = longest_[tet];
+  if (longest.squared >= 0) return longest;
+  const auto corners = complex_.corners(tet);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t j = i + 1; j < corners.size(); ++j) {
+      const auto [a, b] = std::minmax(corners[i], corners[j]);
+      longest = std::max(longest, {(complex_.rest(b) - complex_.rest(a)).squaredNorm(), a, b});
+    }
+  return longest;
 }
 
 /// Returns which tetrahedra should be smaller, the nearest first.
-std::vector<LocalRefinement::Wanted> LocalRefinement::too_large(const TouchedPlaces& touched) const {
+std::vector<LocalRefinement::Wanted> LocalRefinement::too_large(const TouchedPlaces& touched) {
   std::vector<Wanted> out;
   for (TetId tet = 0; tet < complex_.tet_end(); ++tet) {
     if (!complex_.has_tet(tet)) continue;
-    const double off = distance(touched, tet);
-    if (off < limits_.reach && longest_edge(complex_, tet).squared > limits_.edge * limits_.edge)
-      out.push_back({off, tet});
+    if (longest_edge(tet).squared <= limits_.edge * limits_.edge) continue;
+    const RestBox box = box_of(tet);
+    const double off = touched.distance(box.low, box.high, limits_.reach);
+    if (off < limits_.reach) out.push_back({off, tet});
   }
   std::sort(out.begin(), out.end(), [](const Wanted& a, const Wanted& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.tet < b.tet;
@@ -128,12 +123,12 @@ void LocalRefinement::refine(const TouchedPlaces& touched, std::vector<Refinemen
 /// nothing, where that is too many tetrahedra or can't be.
 bool LocalRefinement::split_longest_beside(TetId tet, std::size_t at_begin,
                                            std::vector<RefinementStep>& steps) {
-  RankedEdge edge = longest_edge(complex_, tet);
+  RankedEdge edge = longest_edge(tet);
   for (bool longest = false; !longest;) {
     longest = true;
     complex_.tables().around_edge(edge.a, edge.b, around_);
     for (const TetId beside : around_)
-      if (const RankedEdge other = longest_edge(complex_, beside); edge < other) {
+      if (const RankedEdge other = longest_edge(beside); edge < other) {
         edge = other;
         longest = false;
       }

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "common/byte_stream.h"
@@ -71,10 +72,22 @@ class LocalRefinement {
     double distance = 0;  // m
     TetId tet = 0;
   };
+  /// An edge, ordered by its length and, among equals, by its ends.
+  struct RankedEdge {
+    double squared = -1;  // m²; below 0: not found yet
+    NodeId a = 0, b = 0;  // ascending
+    bool operator<(const RankedEdge& o) const {
+      return squared != o.squared ? squared < o.squared : std::tie(o.a, o.b) < std::tie(a, b);
+    }
+  };
+  struct RestBox {
+    Vec3 low, high;  // m
+  };
   bool is_touched(const TouchedPlaces& touched, const Split& split) const;
   void keep_touched(const TouchedPlaces& touched, bool resting);
-  double distance(const TouchedPlaces& touched, TetId tet) const;
-  std::vector<Wanted> too_large(const TouchedPlaces& touched) const;
+  RestBox box_of(TetId tet) const;
+  const RankedEdge& longest_edge(TetId tet);
+  std::vector<Wanted> too_large(const TouchedPlaces& touched);
   void refine(const TouchedPlaces& touched, std::vector<RefinementStep>& steps);
   bool may_add(std::size_t tets, std::size_t at_begin) const;
   bool split_longest_beside(TetId tet, std::size_t at_begin, std::vector<RefinementStep>& steps);
@@ -86,6 +99,7 @@ class LocalRefinement {
   TetComplex complex_;
   std::size_t compiled_nodes_, compiled_tets_;
   std::vector<Split> splits_;          // in force, as they were made
+  std::vector<RankedEdge> longest_;    // by tetrahedron, as far as they were asked for
   mutable std::vector<TetId> around_;  // scratch
 };
 

@@ -38,9 +38,20 @@ TouchedPlaces::TouchedPlaces(std::vector<Vec3> points, double apart) : places_(s
   }
 }
 
-double TouchedPlaces::distance(const Vec3& low, const Vec3& high, double limit) const {
+/// Tells whether a box is so far from all of them that none needs to be looked at.
+bool TouchedPlaces::all_beyond(const Vec3& low, const Vec3& high, double limit) const {
   const Vec3 between = (low - high_).cwiseMax(low_ - high).cwiseMax(Vec3::Zero());
-  if (places_.empty() || between.norm() >= limit) return limit;
+  return places_.empty() || between.norm() >= limit;
+}
+
+bool TouchedPlaces::within(const Vec3& low, const Vec3& high, double limit) const {
+  return !all_beyond(low, high, limit) && std::any_of(places_.begin(), places_.end(), [&](const Vec3& place) {
+    return to_box(place, low, high) < limit;
+  });
+}
+
+double TouchedPlaces::distance(const Vec3& low, const Vec3& high, double limit) const {
+  if (all_beyond(low, high, limit)) return limit;
   double nearest = limit;
   for (const Vec3& place : places_) nearest = std::min(nearest, to_box(place, low, high));
   return nearest;

@@ -20,7 +20,12 @@ class TouchedPlaces {
   /// Returns the distance from the box to the nearest place, m; `limit`, where none is nearer.
   double distance(const Vec3& low, const Vec3& high, double limit) const;
 
+  /// Tells whether a place is nearer to the box than `limit`, m.
+  bool within(const Vec3& low, const Vec3& high, double limit) const;
+
  private:
+  bool all_beyond(const Vec3& low, const Vec3& high, double limit) const;
+
   std::vector<Vec3> places_;  // in order
   Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "server/physics/contact/fit_tissue.h"
+#include "server/physics/freed_memory.h"
 #include "server/physics/organs/piece_builder.h"
 #include "server/physics/soft/mesh_follower.h"
 
@@ -13,6 +14,8 @@ namespace {
 
 constexpr double places_apart = 0.25;       // of the smaller cell: what is nearer together is one place
 constexpr std::uint64_t settle_every = 10;  // ticks: so often what may be taken back is
+/// What refining takes anew in a tick, and that much of it is taken ahead at most.
+constexpr std::size_t bytes_a_tet = 8192, most_ahead = 96 << 20;
 
 /// Tells whether refinement follows what presses there: a hand, or what is rigid and moves.
 bool is_followed(const ContactSide& other, std::span<const Drive> drives) {
@@ -105,9 +108,13 @@ void take_effect(State& state, std::size_t body, RefinedBody& refined,
 }  // namespace
 
 void make_refinable(State& state) {
-  for (const Tissue& tissue : state.bodies.soft)
-    if (tissue.desc().refine != SoftDesc().refine)
-      state.dissection.refined.try_emplace(tissue.index, *tissue.solver, state.bodies.model.scene.tick_rate);
+  std::size_t most = 0;  // tetrahedra that there may be
+  for (const Tissue& tissue : state.bodies.soft) {
+    if (tissue.desc().refine == SoftDesc().refine) continue;
+    state.dissection.refined.try_emplace(tissue.index, *tissue.solver, state.bodies.model.scene.tick_rate);
+    most += tissue.anatomy().tets.tets.size() + static_cast<std::size_t>(tissue.desc().refine_most);
+  }
+  take_memory_ahead(std::min(bytes_a_tet * most, most_ahead));
 }
 
 PlacesOfBodies pressed_places(const State& state, std::span<const Island> islands,

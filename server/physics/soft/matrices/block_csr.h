@@ -20,6 +20,11 @@ struct BlockCsr {
   std::vector<Block> value;
 
   std::size_t rows() const { return begin.size() - 1; }
+  void reserve(std::size_t rows, std::size_t blocks) {
+    begin.reserve(rows + 1);
+    column.reserve(blocks);
+    value.reserve(blocks);
+  }
   void add(std::uint32_t to, const Block& block) {
     column.push_back(to);
     value.push_back(block);
@@ -29,62 +34,60 @@ struct BlockCsr {
 
 inline constexpr std::size_t csr_rows_per_chunk = 64;
 
-/// Rows [first, last) of A·B.
+/// Finds the columns of A·B's rows [first, last), ascending, and how many there are before each row's end.
 template <int R, int K, int C>
-BlockCsr<R, C> product_rows(const BlockCsr<R, K>& A, const BlockCsr<K, C>& B, std::size_t columns,
-                            std::size_t first, std::size_t last) {
-  using Block = typename BlockCsr<R, C>::Block;
-  BlockCsr<R, C> out;
-  std::vector<Block> sum(columns);
-  std::vector<std::size_t> seen(columns, 0);  // row + 1 that last touched the column
-  std::vector<std::uint32_t> touched;
+void product_columns(const BlockCsr<R, K>& A, const BlockCsr<K, C>& B, std::size_t columns, std::size_t first,
+                     std::size_t last, std::vector<std::uint32_t>& column, std::size_t* ends) {
+  std::vector<std::size_t> seen(columns, 0);  // row + 1 that last met the column
   for (std::size_t i = first; i < last; ++i) {
-    touched.clear();
-    for (std::size_t a = A.begin[i]; a < A.begin[i + 1]; ++a) {
+    const auto begun = static_cast<std::ptrdiff_t>(column.size());
+    for (std::size_t a = A.begin[i]; a < A.begin[i + 1]; ++a)
       for (std::size_t b = B.begin[A.column[a]]; b < B.begin[A.column[a] + 1]; ++b) {
         const std::uint32_t j = B.column[b];
-        if (seen[j] != i + 1) {
-          seen[j] = i + 1;
-          sum[j].setZero();
-          touched.push_back(j);
-        }
-        sum[j].noalias() += A.value[a] * B.value[b];
+        if (seen[j] == i + 1) continue;
+        seen[j] = i + 1;
+        column.push_back(j);
       }
+    std::sort(column.begin() + begun, column.end());
+    ends[i] = column.size();
+  }
+}
+
+/// Computes A·B's blocks of rows [first, last), whose columns are known. Sums run in the order of A's row.
+template <int R, int K, int C>
+void product_blocks(const BlockCsr<R, K>& A, const BlockCsr<K, C>& B, std::size_t columns, std::size_t first,
+                    std::size_t last, BlockCsr<R, C>& out) {
+  std::vector<std::size_t> place(columns);
+  for (std::size_t i = first; i < last; ++i) {
+    for (std::size_t k = out.begin[i]; k < out.begin[i + 1]; ++k) {
+      place[out.column[k]] = k;
+      out.value[k].setZero();
     }
-    std::sort(touched.begin(), touched.end());
-    for (std::uint32_t j : touched) out.add(j, sum[j]);
-    out.close_row();
+    for (std::size_t a = A.begin[i]; a < A.begin[i + 1]; ++a)
+      for (std::size_t b = B.begin[A.column[a]]; b < B.begin[A.column[a] + 1]; ++b)
+        out.value[place[B.column[b]]].noalias() += A.value[a] * B.value[b];
   }
-  return out;
 }
 
-/// Returns the parts one below the other.
-template <int R, int C>
-BlockCsr<R, C> stacked(const std::vector<BlockCsr<R, C>>& parts) {
-  BlockCsr<R, C> out;
-  std::vector<std::size_t> at;  // where each part's blocks go
-  for (const BlockCsr<R, C>& part : parts) {
-    at.push_back(out.begin.back());
-    for (std::size_t i = 0; i < part.rows(); ++i) out.begin.push_back(at.back() + part.begin[i + 1]);
-  }
-  out.column.resize(out.begin.back());
-  out.value.resize(out.begin.back());
-  parallel_chunks(parts.size(), 1, [&](std::size_t, std::size_t, std::size_t p) {
-    const auto to = static_cast<std::ptrdiff_t>(at[p]);
-    std::copy(parts[p].column.begin(), parts[p].column.end(), out.column.begin() + to);
-    std::copy(parts[p].value.begin(), parts[p].value.end(), out.value.begin() + to);
-  });
-  return out;
-}
-
-/// Returns A·B; `columns`: of B. Sums run in the order of A's row.
+/// Returns A·B; `columns`: of B.
 template <int R, int K, int C>
 BlockCsr<R, C> product(const BlockCsr<R, K>& A, const BlockCsr<K, C>& B, std::size_t columns) {
-  std::vector<BlockCsr<R, C>> parts(chunk_count(A.rows(), csr_rows_per_chunk));
+  BlockCsr<R, C> out;
+  out.begin.resize(A.rows() + 1);
+  std::vector<std::vector<std::uint32_t>> parts(chunk_count(A.rows(), csr_rows_per_chunk));
   parallel_chunks(A.rows(), csr_rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t part) {
-    parts[part] = product_rows(A, B, columns, first, last);
+    product_columns(A, B, columns, first, last, parts[part], out.begin.data() + 1);
   });
-  return stacked(parts);
+  for (std::size_t part = 0, i = 0; part < parts.size(); ++part) {
+    const std::size_t before = out.column.size();
+    for (; i < std::min(A.rows(), (part + 1) * csr_rows_per_chunk); ++i) out.begin[i + 1] += before;
+    out.column.insert(out.column.end(), parts[part].begin(), parts[part].end());
+  }
+  out.value.resize(out.column.size());
+  parallel_chunks(A.rows(), csr_rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    product_blocks(A, B, columns, first, last, out);
+  });
+  return out;
 }
 
 template <int R, int C>

@@ -22,20 +22,27 @@ constexpr std::size_t fine_rows_per_chunk = 256, coarse_rows_per_chunk = 32, num
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-/// Blocks with room to read beyond the last.
-template <class Block>
-std::vector<float> floats(const std::vector<Block>& blocks) {
-  std::vector<float> out;
-  out.reserve(blocks.size() * static_cast<std::size_t>(Block::SizeAtCompileTime) + 1);
-  for (const Block& block : blocks)
-    for (Eigen::Index k = 0; k < block.size(); ++k) out.push_back(static_cast<float>(block.data()[k]));
-  out.push_back(0);
-  return out;
-}
-
 template <class Block>
 void write(const Block& block, float* to) {
   for (Eigen::Index k = 0; k < block.size(); ++k) to[k] = static_cast<float>(block.data()[k]);
+}
+
+/// Blocks with room to read beyond the last.
+template <class Block>
+std::vector<float> floats(const std::vector<Block>& blocks) {
+  constexpr auto size = static_cast<std::size_t>(Block::SizeAtCompileTime);
+  std::vector<float> out(size * blocks.size() + 1);
+  for (std::size_t k = 0; k < blocks.size(); ++k) write(blocks[k], out.data() + size * k);
+  return out;
+}
+
+/// Returns the matrix with each row times a number.
+template <int R, int C>
+BlockCsr<R, C> weighted(const VecX& weight, BlockCsr<R, C> A) {
+  for (std::size_t i = 0; i < A.rows(); ++i)
+    for (std::size_t k = A.begin[i]; k < A.begin[i + 1]; ++k)
+      A.value[k] *= weight[static_cast<Eigen::Index>(i)];
+  return A;
 }
 
 /// P and Pᵀ between a level of B unknowns a node and the next coarser one.
@@ -189,7 +196,8 @@ struct Multigrid::Impl {
 
   explicit Impl(const RestSystem& system)
       : pattern(system.pattern), rest(system.positions), work(3 * system.pattern.rows()) {
-    BlockCsr<3, 3> A, M;
+    BlockCsr<3, 3> A;
+    A.reserve(pattern.rows(), pattern.blocks());
     std::vector<bool> held(pattern.rows());
     for (std::size_t i = 0; i < pattern.rows(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
@@ -200,8 +208,6 @@ struct Multigrid::Impl {
       held[i] = 3 * system.attached[row] > firmly * own.trace();
       own.diagonal().array() += system.attached[row];
       if (!(own.trace() > 0)) own.setIdentity(), held[i] = true;  // in no element
-      M.add(static_cast<std::uint32_t>(i), system.mass[row] * Mat3::Identity());
-      M.close_row();
     }
     diagonal.resize(9 * pattern.rows() + 1);
     inverse.resize(9 * pattern.rows() + 1);
@@ -209,7 +215,7 @@ struct Multigrid::Impl {
     positions.resize(4 * pattern.rows());
     rest_positions.resize(4 * pattern.rows());
     near_origin(rest.data(), rest_positions);
-    coarsen_all(A, M, held);
+    coarsen_all(A, system.mass, held);
     if (transfer && system.elements.corners_each() == 10) {
       stars = std::make_unique<StarPatches>(system);
       turned_back.resize(3 * pattern.rows());
@@ -229,15 +235,14 @@ struct Multigrid::Impl {
     return modes;
   }
 
-  void coarsen_all(const BlockCsr<3, 3>& A, const BlockCsr<3, 3>& M, const std::vector<bool>& held) {
+  void coarsen_all(const BlockCsr<3, 3>& A, const VecX& mass, const std::vector<bool>& held) {
     const double largest = largest_eigenvalue(A);
     eigenvalue = static_cast<float>(largest);
     const auto modes = rigid_modes();
     const Coarsening<3> first = coarsen<3>(A, modes, held, largest);
     if (first.nodes == 0) return;
     transfer = std::make_unique<Transfer<3>>(first);
-    BlockCsr<6, 6> inertia =
-        product(first.restriction, product(M, first.prolongation, first.nodes), first.nodes);
+    BlockCsr<6, 6> inertia = product(first.restriction, weighted(mass, first.prolongation), first.nodes);
     coarse.emplace_back(first.matrix, inertia);
     std::vector<Mat6> coarse_modes = first.modes;
     while (static_cast<Eigen::Index>(6 * coarse.back().rows()) > direct_unknowns) {

@@ -67,6 +67,23 @@ void orthonormalise(Eigen::MatrixXd& Q, Eigen::Matrix<double, 6, 6>& R) {
   }
 }
 
+/// Leaves these rows without entries.
+template <int R, int C>
+void drop_rows(const std::vector<bool>& which, BlockCsr<R, C>& A) {
+  std::size_t to = 0;
+  for (std::size_t i = 0, from = 0; i < A.rows(); ++i) {
+    const std::size_t end = A.begin[i + 1];
+    for (; from < end; ++from) {
+      if (which[i]) continue;
+      A.column[to] = A.column[from];
+      A.value[to++] = A.value[from];
+    }
+    A.begin[i + 1] = to;
+  }
+  A.column.resize(to);
+  A.value.resize(to);
+}
+
 }  // namespace
 
 template <int B>
@@ -115,6 +132,7 @@ Coarsening<B> coarsen(const BlockCsr<B, B>& A, std::span<const Eigen::Matrix<dou
   });
 
   BlockCsr<B, 6> T;
+  T.reserve(A.rows(), A.rows());
   for (std::size_t i = 0; i < A.rows(); ++i) {
     if (of[i] != none) T.add(of[i], tentative[i]);
     T.close_row();
@@ -122,16 +140,16 @@ Coarsening<B> coarsen(const BlockCsr<B, B>& A, std::span<const Eigen::Matrix<dou
   // P = (I − ω D⁻¹A) T, without the rows of nodes left out.
   const double omega = 4 / (3 * eigenvalue);
   const auto inverse = inverse_diagonal(A);
-  const BlockCsr<B, 6> AT = product(A, T, out.nodes);
-  for (std::size_t i = 0; i < A.rows(); ++i) {
-    if (!left_out[i])
-      for (std::size_t k = AT.begin[i]; k < AT.begin[i + 1]; ++k) {
-        Eigen::Matrix<double, B, 6> block = -omega * inverse[i] * AT.value[k];
-        if (AT.column[k] == of[i]) block += tentative[i];
-        out.prolongation.add(AT.column[k], block);
+  out.prolongation = product(A, T, out.nodes);
+  drop_rows(left_out, out.prolongation);
+  parallel_chunks(A.rows(), csr_rows_per_chunk, [&](std::size_t first, std::size_t last, std::size_t) {
+    BlockCsr<B, 6>& P = out.prolongation;
+    for (std::size_t i = first; i < last; ++i)
+      for (std::size_t k = P.begin[i]; k < P.begin[i + 1]; ++k) {
+        P.value[k] = (-omega * inverse[i] * P.value[k]).eval();
+        if (P.column[k] == of[i]) P.value[k] += tentative[i];
       }
-    out.prolongation.close_row();
-  }
+  });
   out.restriction = transposed(out.prolongation, out.nodes);
   out.matrix = product(out.restriction, product(A, out.prolongation, out.nodes), out.nodes);
   for (std::size_t a = 0; a < out.nodes; ++a)
