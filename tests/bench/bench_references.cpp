@@ -1,5 +1,5 @@
-// What trade's cases cube, slab, hang, press and organ are judged by, found anew on finer and finer meshes,
-// and how far each mesh is off the stored figure.
+// What trade's cases cube, slab, hang, press and organ, and refine's liver, are judged by, found anew on
+// finer and finer meshes, and how far each mesh is off the stored figure.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,8 @@ namespace prosector {
 namespace {
 
 constexpr std::array<std::uint32_t, 3> divisions = {2, 4, 8};
-constexpr double layer_cells[] = {2.25e-3, 1.6e-3, 1.2e-3}, organ_cells[] = {8e-3, 4.5e-3, 3.2e-3};  // m
+constexpr double layer_cells[] = {2.25e-3, 1.6e-3, 1.2e-3}, organ_cells[] = {8e-3, 4.5e-3, 3.2e-3},  // m
+    liver_cells[] = {8e-3, 6e-3, 5e-3};
 
 class Rows {
  public:
@@ -71,6 +72,7 @@ Report bench_references(const ReferenceBenchOptions& options) {
     if (asked(which.name)) find(which, options.quick, rows);
   if (asked("press")) find("press", pressed_layer_body(), layer_cells, options.quick, rows);
   if (asked("organ")) find("organ", pressed_organ(), organ_cells, options.quick, rows);
+  if (asked("liver")) find("liver", pressed_liver(), liver_cells, options.quick, rows);
   return report;
 }
 

@@ -110,7 +110,7 @@ int main(int argc, char** argv) try {
       "refine", "A ball pressed into tissue whose elements are smaller where it presses: force and cost");
   refine_command->add_flag("--quick", refine.quick, "Two rows: to see that it runs");
   refine_command->add_option("--body", refine.only, "Only this one")
-      ->check(CLI::IsMember({"layer", "organ"}));
+      ->check(CLI::IsMember({"layer", "organ", "liver"}));
   refine_command->add_option("--contact", refine.contact, "The body's")
       ->check(CLI::IsMember({"vertices", "surface"}));
   refine_command->add_option("--threads", refine.threads, "Of the simulation")->check(CLI::Range(1, 1024));
@@ -122,7 +122,7 @@ int main(int argc, char** argv) try {
       "references", "What trade's bodies by their weight and under a ball are judged by, on finer meshes");
   references_command->add_flag("--quick", references.quick, "The coarsest mesh of each: to see that it runs");
   references_command->add_option("--case", references.only, "Only this one")
-      ->check(CLI::IsMember({"cube", "slab", "hang", "press", "organ"}));
+      ->check(CLI::IsMember({"cube", "slab", "hang", "press", "organ", "liver"}));
 
   prosector::CutBenchOptions cut;
   CLI::App* cut_command = app.add_subcommand("cut", "Ticks that cut an organ beside ticks that don't");
@@ -198,6 +198,8 @@ int main(int argc, char** argv) try {
   felt_command->add_option("JOURNAL", felt.journal, "Journal of the session")
       ->check(CLI::ExistingFile)
       ->required();
+  felt_command->add_option("--scene", felt.scene, "Scene file to run it in, in place of its own")
+      ->check(CLI::ExistingFile);
   felt_command->add_option("--body", felt.body, "Soft body that was pressed")->capture_default_str();
   felt_command->add_option("--cell", felt.cells, "Size of a finer model's elements, m (may be repeated)")
       ->check(CLI::Range(1e-3, 1.))

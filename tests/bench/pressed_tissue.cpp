@@ -7,6 +7,7 @@
 
 #include "common/anatomy/embedding.h"
 #include "common/error.h"
+#include "common/paths.h"
 #include "server/accuracy/body_trial.h"
 #include "server/physics/soft/soft_body.h"
 #include "tests/physics/pressed_layer.h"
@@ -17,9 +18,10 @@ namespace {
 
 constexpr double radius = 0.01;        // m, of the ball
 constexpr double layer_height = 0.02;  // m
-const Vec3 layer_size(0.12, layer_height, 0.12), organ_size(0.16, 0.08, 0.12);
-constexpr double organ_surface_cell = 0.004;  // m
-constexpr double layer_core = 0.0065;         // m: as far as it is pressed
+const Vec3 layer_size(0.12, layer_height, 0.12), organ_size(0.16, 0.08, 0.12),
+    liver_size(0.206, 0.149, 0.171);
+constexpr double organ_surface_cell = 0.004, liver_surface_cell = 0.004;  // m
+constexpr double layer_core = 0.0065;                                     // m: as far as it is pressed
 
 void shape_layer(SoftDesc& desc) {
   desc.shape = "block";
@@ -49,6 +51,18 @@ void shape_organ(SoftDesc& desc) {
   desc.attach = {{{0, -bed - deep, 0}, bed, 1e10}};
 }
 
+void shape_liver(SoftDesc& desc) {
+  desc.volume = "liver.inr.gz";
+  desc.label = 255;
+  desc.pose.q = Quat(0, 1, 0, 0);  // the image lies supine
+  desc.fallback = "liver";
+  desc.size = liver_size;
+  desc.youngs_modulus = 5400;
+  desc.surface_cell = liver_surface_cell;
+  constexpr double bed = 1, deep = 0.03;  // m: so the lowest 55 mm lie in it
+  desc.attach = {{{0, -bed - deep, 0}, bed, 1e10}};
+}
+
 /// Returns where the vertical through the middle leaves the surface.
 Vec3 top_of(const TriangleMesh& surface) {
   constexpr double rim = -1e-9;  // share: on an edge is in both triangles
@@ -64,6 +78,11 @@ Vec3 top_of(const TriangleMesh& surface) {
   return top;
 }
 
+Vec3 highest(const TriangleMesh& surface) {
+  return *std::max_element(surface.positions.begin(), surface.positions.end(),
+                           [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); });
+}
+
 SceneDesc scene_of(const SoftDesc& desc, const PressSettings& settings) {
   SceneDesc scene = test::under_ball(desc, radius, {0, 1, 0});
   scene.tick_rate = 1 / settings.tick;
@@ -74,36 +93,51 @@ SceneDesc scene_of(const SoftDesc& desc, const PressSettings& settings) {
 CompileOptions options_of(const PressedBody& body, const PressSettings& settings) {
   CompileOptions out;
   out.threads = settings.threads;
+  out.data_dirs = {default_data_dir()};
   const auto mesh = settings.graded && body.graded_mesh ? body.graded_mesh : body.mesh;
   if (mesh) out.anatomy = [=](const SoftDesc& desc) -> std::optional<Anatomy> { return mesh(desc); };
   return out;
 }
 
-/// Returns the mesh that following the ball's press makes.
-Anatomy graded_organ(const SoftDesc& desc) {
-  constexpr double wide = 0.012, reach = 0.02;  // m
-  constexpr int ticks = 40;                     // more than it takes
-  const PressedBody& organ = pressed_organ();
-  SoftDesc coarse = pressed_desc(organ, std::max(desc.cell, wide), desc.cell);
+/// Returns the mesh that following the ball's press makes of cells so wide, m.
+Anatomy graded_by_press(const PressedBody& body, const SoftDesc& desc, double wide) {
+  constexpr double reach = 0.02;  // m
+  constexpr int ticks = 40;       // more than it takes
+  SoftDesc coarse = pressed_desc(body, wide, desc.cell);
   coarse.refine_reach = reach;
   coarse.surface_cell = desc.surface_cell;
   coarse.refine_most = 100000;
-  PressedTissue tissue(organ, coarse);
-  for (int tick = 1; tick <= ticks; ++tick) tissue.press(organ.depth * tick / ticks);
+  PressedTissue tissue(body, coarse);
+  for (int tick = 1; tick <= ticks; ++tick) tissue.press(body.depth * tick / ticks);
   return tissue.simulation().soft(1).anatomy();
+}
+
+Anatomy graded_organ(const SoftDesc& desc) {
+  constexpr double wide = 0.012;  // m
+  return graded_by_press(pressed_organ(), desc, std::max(desc.cell, wide));
+}
+
+Anatomy graded_liver(const SoftDesc& desc) {
+  return graded_by_press(pressed_liver(), desc, 2 * desc.cell);  // its outline is its cells'
 }
 
 }  // namespace
 
 const PressedBody& pressed_layer_body() {
-  static const PressedBody body = {"layer",    0.002,        layer_size.x(), shape_layer,
-                                   layer_mesh, graded_layer, 0.0920,         0.02};
+  static const PressedBody body = {"layer",      "a layer", 0.002, layer_size.x(), shape_layer, layer_mesh,
+                                   graded_layer, 0.0920,    0.02};
   return body;
 }
 
 const PressedBody& pressed_organ() {
-  static const PressedBody body = {"organ", 0.01,         organ_size.x(), shape_organ,
-                                   nullptr, graded_organ, 0.592,          0.02};
+  static const PressedBody body = {"organ",      "an organ", 0.01, organ_size.x(), shape_organ, nullptr,
+                                   graded_organ, 0.592,      0.02};
+  return body;
+}
+
+const PressedBody& pressed_liver() {
+  static const PressedBody body = {"liver", "a liver",    0.01,  liver_size.x(), shape_liver,
+                                   nullptr, graded_liver, 0.258, 0.02,           true};
   return body;
 }
 
@@ -130,7 +164,7 @@ SoftDesc pressed_desc(const PressedBody& body, double cell, double refine_cell) 
 
 PressedTissue::PressedTissue(const PressedBody& body, const SoftDesc& desc, const PressSettings& settings)
     : simulation_(scene_of(desc, settings), options_of(body, settings)),
-      top_(top_of(simulation_.surface(1))) {}
+      top_((body.by_image ? highest : top_of)(simulation_.surface(1))) {}
 
 const StepReport& PressedTissue::press(double depth, double along) {
   return simulation_.step(test::ball_at(top_ + Vec3(along, radius - depth, 0)));
@@ -146,7 +180,7 @@ std::size_t PressedTissue::tets() const {
 
 double force_at_rest(const PressedBody& body, SoftDesc desc) {
   desc.element = "tet10";
-  desc.surface_cell = std::min(desc.surface_cell, desc.cell / 2);
+  if (!body.by_image) desc.surface_cell = std::min(desc.surface_cell, desc.cell / 2);
   desc.damping_mass = desc.damping_stiffness = 0;
   desc.newton_iterations = 40;
   desc.solver_iterations = 500;

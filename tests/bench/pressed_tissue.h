@@ -1,13 +1,14 @@
 #pragma once
 // A ball of 10 mm radius pressed into tissue (E = 5 kPa, ν = 0.45), held, and drawn along under it, by the
-// server's own simulation: a bonded layer of 20 mm, 2 mm deep, and an organ on a bed, 10 mm deep.
+// server's own simulation: a bonded layer of 20 mm, 2 mm deep, an organ on a bed, 10 mm
+// deep, and the CT's liver (E = 5.4 kPa) so.
 
 #include "server/physics/simulation.h"
 
 namespace prosector {
 
 struct PressedBody {
-  const char* name;
+  const char *name, *called;
   double depth;    // m
   double longest;  // m, of its sides
   /// Says which body it is, and what holds it.
@@ -19,9 +20,14 @@ struct PressedBody {
   Anatomy (*graded_mesh)(const SoftDesc& desc);
   double force;      // N: the continuum's
   double unsettled;  // fraction, of it
+  /// Finer triangles show another shape, so all models have the same surface. It is pressed where it is
+  /// highest, others in the middle.
+  bool by_image = false;
 };
 const PressedBody& pressed_layer_body();
 const PressedBody& pressed_organ();
+/// Without the CT, the shape that stands in for it.
+const PressedBody& pressed_liver();
 
 /// Describes such a body of tissue's law (stable neo-Hookean), of cells of that size, m, where `refine_cell`
 /// isn't 0 smaller ones where it is touched.

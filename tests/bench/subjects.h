@@ -175,6 +175,7 @@ Report bench_estimate(const EstimateBenchOptions& options);
 
 struct FeltBenchOptions {
   std::string journal;                               // file of a recorded session
+  std::string scene;                                 // file in place of the session's own scene; empty: that
   std::string body = "liver";                        // soft body whose force is told
   std::vector<double> cells = {0.016, 0.012, 0.01};  // m: of the finer models, quadratic and of tissue's law
   unsigned threads = 2;
