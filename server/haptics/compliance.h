@@ -1,7 +1,7 @@
 #pragma once
-// How far a soft body gives way where it is pressed, per newton: the static tangent of its elements, ties and
-// supports as they are now, K·u = f, solved for the load that presses. Neither its step nor its inertia is in
-// it, so a hand that rests feels what tissue is and not what a tick makes of it.
+// How far a soft body gives way where it is pressed, per newton. It solves K·u = f for the load that presses,
+// with K the static tangent of its elements, ties and supports as they are now. Neither its step nor its
+// inertia is in it, so a hand that rests feels what tissue is and not what a tick makes of it.
 
 #include <memory>
 #include <vector>

@@ -92,18 +92,11 @@ double friction_of(const TouchGroup& group) {
   return most;
 }
 
-/// Tells whether something besides this hand may move what it touches.
-bool others_act(const Simulation& simulation, BodyId body, const HandRef& ref) {
-  if (simulation.kind(body) != BodyKind::soft) return false;
-  for (const Support& support : simulation.supports(body))
-    if (support.hand && *support.hand != ref) return true;
-  return false;
-}
-
 }  // namespace
 
 FeltPlanes FeltHand::follow(const Simulation& simulation, const HandState& hand) {
-  std::vector<TouchGroup> groups = grouped(simulation.touches(ref_, told_from));
+  around_ = simulation.around(ref_, told_from);
+  std::vector<TouchGroup> groups = grouped(around_.touches);
   std::vector<Place> before = std::move(places_);
   places_.clear();
   for (TouchGroup& group : groups) {
@@ -130,6 +123,12 @@ FeltPlanes FeltHand::follow(const Simulation& simulation, const HandState& hand)
   out.taken = taken_;
   out.given = given_;
   return out;
+}
+
+/// Tells whether something besides this hand may move what it touches.
+bool FeltHand::others_act(BodyId body) const {
+  return std::any_of(around_.supports.begin(), around_.supports.end(),
+                     [&](const Support& s) { return s.body == body && s.hand && *s.hand != ref_; });
 }
 
 ContactPlane FeltHand::plane_of(const Simulation& simulation, const Pose& hand, Place& place) const {
@@ -165,7 +164,7 @@ ContactPlane FeltHand::plane_of(const Simulation& simulation, const Pose& hand, 
 
   const double h = 1 / simulation.scene().tick_rate;
   const double surface = plane.point.dot(plane.normal) + group.force / plane.stiffness;
-  if (place.known && others_act(simulation, group.body, ref_))
+  if (place.known && others_act(group.body))
     place.speed += std::min(1., h / smoothing) * ((surface - place.surface) / h - place.speed);
   else
     place.speed = 0;

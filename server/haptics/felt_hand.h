@@ -28,6 +28,8 @@ class FeltHand {
   /// Takes what the hand meets now. Returns what is felt, with the stiffnesses that are known.
   FeltPlanes follow(const Simulation& simulation, const HandState& hand);
 
+  /// Returns what bears the soft bodies that it meets.
+  const std::vector<Support>& supports() const { return around_.supports; }
   /// Returns a patch for each of its planes on that soft body, and their ids.
   void patches_on(BodyId body, std::vector<Patch>& patches, std::vector<std::uint64_t>& names) const;
   /// Takes how far the body gives way under a plane.
@@ -43,11 +45,13 @@ class FeltHand {
     bool known = false;  // `surface` is
   };
 
+  bool others_act(BodyId body) const;
   ContactPlane plane_of(const Simulation& simulation, const Pose& hand, Place& place) const;
   void count_energy(const HandState& hand);
   std::uint64_t name_of(const Place& place) const;
 
   HandRef ref_;
+  Surroundings around_;  // after the last tick
   std::vector<Place> places_;
   std::uint32_t last_id_ = 0;
   std::optional<Vec3> last_point_;  // m, room: where the hand was

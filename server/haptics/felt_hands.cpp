@@ -1,6 +1,7 @@
 #include "server/haptics/felt_hands.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "server/physics/soft/soft_body.h"
@@ -72,10 +73,18 @@ void FeltHands::ask(const Simulation& simulation) {
     question.copy = copy_of(simulation.soft(body));
   question.x = simulation.soft_state(body).motion.x;
   question.stiffness = simulation.part(body).stiffness;
-  for (Support& support : simulation.supports(body)) {
-    // A hand that feels presses with what it renders: it bears nothing.
-    if (support.hand && hands_.contains(*support.hand)) continue;
-    question.supports.push_back(std::move(support));
+  // A hand that feels presses with what it renders: it bears nothing.
+  const auto bears = [&](const Support& s) {
+    return s.body == body && !(s.hand && hands_.contains(*s.hand));
+  };
+  for (const auto& [ref, hand] : hands_) {
+    std::vector<Patch> own;
+    std::vector<std::uint64_t> names;
+    hand.patches_on(body, own, names);
+    if (own.empty()) continue;
+    std::copy_if(hand.supports().begin(), hand.supports().end(), std::back_inserter(question.supports),
+                 bears);
+    break;  // all hands that meet a body see the same supports
   }
   for (const auto& [ref, hand] : hands_) hand.patches_on(body, question.patches, question.names);
   if (!worker_) worker_ = std::make_unique<ComplianceWorker>();

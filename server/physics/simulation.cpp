@@ -102,11 +102,6 @@ std::uint64_t Simulation::rehung(BodyId soft_body) const {
   const auto body = refined.find(impl_->state.bodies.soft_index(soft_body));
   return body == refined.end() ? 0 : body->second.rehung;
 }
-std::size_t Simulation::tet_count() const {
-  std::size_t count = 0;
-  for (const Tissue& tissue : impl_->state.bodies.soft) count += tissue.anatomy().tets.tets.size();
-  return count;
-}
 ContentHash Simulation::content_hash() const {
   return impl_->model.hash;
 }
@@ -131,11 +126,8 @@ bool Simulation::asleep(BodyId body) const {
   if (impl_->state.bodies.is_soft(body)) return soft_state(body).asleep;
   return !impl_->state.bodies.rigid.dynamic(body) || impl_->state.bodies.rigid.motion(body).asleep;
 }
-std::vector<HandTouch> Simulation::touches(const HandRef& hand, double reach) const {
-  return touches_of(impl_->state, impl_->buffers.islands, impl_->buffers.colliders, hand, reach);
-}
-std::vector<Support> Simulation::supports(BodyId soft_body) const {
-  return supports_of(impl_->state, impl_->buffers.islands, soft_body);
+Surroundings Simulation::around(const HandRef& hand, double reach) const {
+  return surroundings_of(impl_->state, impl_->buffers.islands, impl_->buffers.colliders, hand, reach);
 }
 std::vector<Panel> Simulation::panels() const {
   if (!impl_->state.panels) return {};
@@ -190,6 +182,13 @@ Refusal Simulation::take_over(const Simulation& from) {
 void Simulation::restore(std::span<const std::uint8_t> bytes) {
   load(impl_->state, bytes);
   forget_last_tick(impl_->state, impl_->buffers);
+}
+
+std::size_t tet_count(const Simulation& simulation) {
+  std::size_t count = 0;
+  for (BodyId body = 0; body < simulation.body_count(); ++body)
+    if (simulation.kind(body) == BodyKind::soft) count += simulation.soft(body).anatomy().tets.tets.size();
+  return count;
 }
 
 }  // namespace prosector

@@ -109,9 +109,16 @@ struct HandTouch {
 
 /// What keeps a point of a soft body in its place: a contact that presses, or a hold.
 struct Support {
+  BodyId body = 0;
   ContactSide side;
   Mat3 stiffness = Mat3::Zero();  // N/m
   std::optional<HandRef> hand;    // whose it is
+};
+
+/// What there is around a hand after a tick.
+struct Surroundings {
+  std::vector<HandTouch> touches;  // what presses on it first
+  std::vector<Support> supports;   // of the soft bodies among them, besides their ties; by body
 };
 
 struct RigidBodyState {
@@ -151,7 +158,6 @@ class Simulation {
   std::uint64_t topology_hash(BodyId soft_body) const;
   /// Returns how often its surface, which stayed what it was, came to hang on other nodes.
   std::uint64_t rehung(BodyId soft_body) const;
-  std::size_t tet_count() const;
   ContentHash content_hash() const;  // of everything compiled
 
   // ---- Running
@@ -163,10 +169,8 @@ class Simulation {
   bool asleep(BodyId body) const;
   const Part& part(BodyId body) const;       // what people made of it
   std::span<const HandState> hands() const;  // canonical order
-  /// Returns what the hand meets in the last tick, and what is nearer to it than `reach` (m).
-  std::vector<HandTouch> touches(const HandRef& hand, double reach) const;
-  /// Returns what kept a soft body in its place in the last tick, besides its ties.
-  std::vector<Support> supports(BodyId soft_body) const;
+  /// Returns what the hand met in the last tick, or has nearer than `reach` (m), and what bears that.
+  Surroundings around(const HandRef& hand, double reach) const;
   std::vector<Panel> panels() const;        // open ones, by participant
   double room_lights() const;               // brightness of all lights but those that bodies carry, 0 … 1
   std::vector<Exchange> exchanges() const;  // of the last tick, in a fixed order
@@ -190,5 +194,8 @@ class Simulation {
  private:
   std::unique_ptr<Impl> impl_;
 };
+
+/// Returns how many tetrahedra all its bodies have.
+std::size_t tet_count(const Simulation& simulation);
 
 }  // namespace prosector

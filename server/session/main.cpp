@@ -84,7 +84,7 @@ void describe(const Simulation& simulation) {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   say(fmt::format("{}: {} rigid and {} soft bodies, {} tetrahedra on {} nodes, {} surface triangles, {} MB",
-                  scene.name, scene.rigid.size(), scene.soft.size(), simulation.tet_count(), nodes, triangles,
+                  scene.name, scene.rigid.size(), scene.soft.size(), tet_count(simulation), nodes, triangles,
                   usage.ru_maxrss / 1024));
   for (const SoftDesc& soft : scene.soft) say(fmt::format("  {}: {}", soft.name, in_words(soft)));
   for (const std::string& hint : scene_hints(scene)) say("  " + hint);

@@ -11,7 +11,7 @@ bool write_summary(const std::filesystem::path& file, const ServerLoop& loop, co
   const StepMeter& meter = loop.meter();
   nlohmann::ordered_json out;
   out["scene"] = simulation.scene().name;
-  out["tets"] = simulation.tet_count();
+  out["tets"] = tet_count(simulation);
   out["participants"] = f.participants;
   out["observers"] = f.observers;
   out["real_time_factor"] = f.real_time_factor;

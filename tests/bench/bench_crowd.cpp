@@ -83,7 +83,7 @@ ReportRow row_of(const Simulation& simulation, BodyId organ, std::size_t users, 
   ReportRow row = {
       {"scene", simulation.scene().name},
       {"organ", simulation.name(organ)},
-      {"tets", simulation.tet_count()},
+      {"tets", tet_count(simulation)},
       {"threads", options.threads},
       {"seed", options.seed},
       {"dt", 1 / simulation.scene().tick_rate},
@@ -146,7 +146,7 @@ Report bench_crowd(const CrowdBenchOptions& options) {
     const BodyId organ = pressed_body(simulation, options.organ);
     if (!headed)
       fmt::print("{}: {} pressed, {} tetrahedra in the scene\n", scene.name, simulation.name(organ),
-                 simulation.tet_count());
+                 tet_count(simulation));
     if (!headed) table.print_header();
     headed = true;
     const Crowd crowd(spread_places(simulation, organ, users * options.hands, options.seed), users,

@@ -93,7 +93,7 @@ SceneDesc sheet_scene(const char* model, double cell) {
 }
 
 std::size_t cells(const Simulation& simulation) {
-  std::size_t sum = simulation.tet_count();
+  std::size_t sum = tet_count(simulation);
   for (BodyId body = liver; body < simulation.body_count(); ++body) {
     const Anatomy& anatomy = simulation.soft(body).anatomy();
     if (!simulation.surface(body).triangles.empty())

@@ -175,7 +175,7 @@ double PressedTissue::force() const {
 }
 
 std::size_t PressedTissue::tets() const {
-  return simulation_.tet_count();
+  return tet_count(simulation_);
 }
 
 double force_at_rest(const PressedBody& body, SoftDesc desc) {

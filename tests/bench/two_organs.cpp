@@ -61,7 +61,7 @@ StabilityResult press_two_organs(const Rung& rung, double limit_ms) {
   const test::Judge judge(simulation);
   const double h = 1 / simulation.scene().tick_rate;
   StabilityResult result;
-  result.tets = simulation.tet_count();
+  result.tets = tet_count(simulation);
   for (const BodyId body : {left, right})
     result.nodes += static_cast<std::size_t>(simulation.soft(body).nodes());
   std::vector<double> steps_ms;

@@ -9,6 +9,7 @@ import signal
 import statistics
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 
@@ -18,6 +19,7 @@ for old in OUT.glob("arm*"):
     old.unlink()
 ENV = {**os.environ, "LC_ALL": "C"}
 HERE = pathlib.Path(__file__).parent
+SOCKET = pathlib.Path(tempfile.mkdtemp()) / "omni"  # a short path: sockets' are bounded
 TOP = 1.03  # m: of the tissue
 ARM = "0,1.07,-0.03,1,0,0,0"
 SETTLES, MEASURED = 3, 2  # s
@@ -81,7 +83,7 @@ def told_force():
     return told
 
 
-(OUT / "arm_client.toml").write_text((HERE / "arm_client.toml").read_text().replace("/tmp/omni", str(OUT / "arm.socket")))
+(OUT / "arm_client.toml").write_text((HERE / "arm_client.toml").read_text().replace("/tmp/omni", str(SOCKET)))
 session = f"arm{os.getpid()}"
 SERVE = [BIN / "prosector-server", HERE / "arm.toml", "--session", session, "--cache", OUT / "cache", "--journal",
          OUT / "arm.sqlite"]
@@ -96,7 +98,7 @@ def start(*words):
 try:
     server = start(*SERVE)
     server.wait("is open")
-    twin = start(BIN / "prosector-omni-twin", OUT / "arm.socket", "--script", HERE / "arm_press.csv", "--room-arm", ARM,
+    twin = start(BIN / "prosector-omni-twin", SOCKET, "--script", HERE / "arm_press.csv", "--room-arm", ARM,
                  "--wait-client", "--log", OUT / "arm.csv")
     twin.wait("ready")
     user = start(BIN / "prosector-client", "join", "--session", session, "--name", "Feeler", "--display", "none", "--config",
@@ -142,4 +144,6 @@ try:
 finally:
     for program in programs:
         program.end(signal.SIGKILL)
+    SOCKET.unlink(missing_ok=True)
+    SOCKET.parent.rmdir()
 sys.exit("\n".join(failures) if failures else 0)

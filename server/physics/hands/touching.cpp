@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "server/physics/contact/rigid_soft_contacts.h"
 
@@ -68,33 +69,30 @@ void add_near_tissue(const State& state, const Collider& collider, const Hand& h
   }
 }
 
-}  // namespace
-
 std::vector<HandTouch> touches_of(const State& state, std::span<const Island> islands,
-                                  std::span<const Collider> colliders, const HandRef& ref, double reach) {
+                                  std::span<const Collider> colliders, const Hand& hand, double reach) {
   std::vector<HandTouch> out;
-  const Hand* hand = hand_of(state, ref);
-  if (hand == nullptr) return out;
   const auto own = [&](const ContactSide& side) {
-    return side.kind == ContactSide::Kind::rigid && side.body == hand->slot;
+    return side.kind == ContactSide::Kind::rigid && side.body == hand.slot;
   };
   for (const Island& island : islands)
     for (const Contact& c : island.contacts)
       if (c.force > 0 && c.bearer == 0 && own(c.a) != own(c.b)) out.push_back(touch_of(state, c, own(c.b)));
-  if (hand->slot < colliders.size()) add_near_tissue(state, colliders[hand->slot], *hand, reach, out);
+  if (hand.slot < colliders.size()) add_near_tissue(state, colliders[hand.slot], hand, reach, out);
   return out;
 }
 
-std::vector<Support> supports_of(const State& state, std::span<const Island> islands, BodyId soft_body) {
-  std::vector<Support> out;
-  const std::size_t index = state.bodies.soft_index(soft_body);
+/// Adds what presses on a soft body in the tick's islands, or holds it.
+void add_supports(const State& state, std::span<const Island> islands, BodyId body,
+                  std::vector<Support>& out) {
+  const std::size_t index = state.bodies.soft_index(body);
   const auto own = [&](const ContactSide& side) {
     return side.kind == ContactSide::Kind::soft && side.body == index;
   };
   const auto add = [&](const ContactSide& side, const ContactSide& other, const Mat3& stiffness) {
     std::optional<HandRef> hand;
     if (other.kind == ContactSide::Kind::rigid) hand = owner_of(state, other.body);
-    out.push_back({side, stiffness, hand});
+    out.push_back({body, side, stiffness, hand});
   };
   for (const Island& island : islands) {
     for (const Contact& c : island.contacts) {
@@ -106,6 +104,20 @@ std::vector<Support> supports_of(const State& state, std::span<const Island> isl
       if (own(tie.a) != own(tie.b))
         add(own(tie.a) ? tie.a : tie.b, own(tie.a) ? tie.b : tie.a, tie.stiffness * Mat3::Identity());
   }
+}
+
+}  // namespace
+
+Surroundings surroundings_of(const State& state, std::span<const Island> islands,
+                             std::span<const Collider> colliders, const HandRef& ref, double reach) {
+  Surroundings out;
+  const Hand* hand = hand_of(state, ref);
+  if (hand == nullptr) return out;
+  out.touches = touches_of(state, islands, colliders, *hand, reach);
+  std::set<BodyId> met;
+  for (const HandTouch& touch : out.touches)
+    if (state.bodies.is_soft(touch.body)) met.insert(touch.body);
+  for (const BodyId body : met) add_supports(state, islands, body, out.supports);
   return out;
 }
 

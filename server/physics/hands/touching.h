@@ -10,11 +10,10 @@
 
 namespace prosector {
 
-/// Returns the points that press on the hand in the tick's islands, then those of tissue that are nearer than
-/// `reach` (m) and don't, the nearest of each body.
-std::vector<HandTouch> touches_of(const State& state, std::span<const Island> islands,
-                                  std::span<const Collider> colliders, const HandRef& hand, double reach);
-/// Returns what presses on a soft body in the tick's islands, or holds it.
-std::vector<Support> supports_of(const State& state, std::span<const Island> islands, BodyId soft_body);
+/// Returns the points that press on the hand in the tick's islands. Then come those of tissue that are nearer
+/// than `reach` (m) and don't, the nearest of each body. With them comes what presses on these bodies, or
+/// holds them.
+Surroundings surroundings_of(const State& state, std::span<const Island> islands,
+                             std::span<const Collider> colliders, const HandRef& hand, double reach);
 
 }  // namespace prosector
