@@ -51,7 +51,7 @@ class FeltHand {
   std::uint64_t name_of(const Place& place) const;
 
   HandRef ref_;
-  Surroundings around_;  // after the last tick
+  HandSurroundings around_;  // after the last tick
   std::vector<Place> places_;
   std::uint32_t last_id_ = 0;
   std::optional<Vec3> last_point_;  // m, room: where the hand was

@@ -126,7 +126,7 @@ bool Simulation::asleep(BodyId body) const {
   if (impl_->state.bodies.is_soft(body)) return soft_state(body).asleep;
   return !impl_->state.bodies.rigid.dynamic(body) || impl_->state.bodies.rigid.motion(body).asleep;
 }
-Surroundings Simulation::around(const HandRef& hand, double reach) const {
+HandSurroundings Simulation::around(const HandRef& hand, double reach) const {
   return surroundings_of(impl_->state, impl_->buffers.islands, impl_->buffers.colliders, hand, reach);
 }
 std::vector<Panel> Simulation::panels() const {

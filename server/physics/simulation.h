@@ -116,7 +116,7 @@ struct Support {
 };
 
 /// What there is around a hand after a tick.
-struct Surroundings {
+struct HandSurroundings {
   std::vector<HandTouch> touches;  // what presses on it first
   std::vector<Support> supports;   // of the soft bodies among them, besides their ties; by body
 };
@@ -170,7 +170,7 @@ class Simulation {
   const Part& part(BodyId body) const;       // what people made of it
   std::span<const HandState> hands() const;  // canonical order
   /// Returns what the hand met in the last tick, or has nearer than `reach` (m), and what bears that.
-  Surroundings around(const HandRef& hand, double reach) const;
+  HandSurroundings around(const HandRef& hand, double reach) const;
   std::vector<Panel> panels() const;        // open ones, by participant
   double room_lights() const;               // brightness of all lights but those that bodies carry, 0 … 1
   std::vector<Exchange> exchanges() const;  // of the last tick, in a fixed order

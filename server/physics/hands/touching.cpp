@@ -108,9 +108,9 @@ void add_supports(const State& state, std::span<const Island> islands, BodyId bo
 
 }  // namespace
 
-Surroundings surroundings_of(const State& state, std::span<const Island> islands,
-                             std::span<const Collider> colliders, const HandRef& ref, double reach) {
-  Surroundings out;
+HandSurroundings surroundings_of(const State& state, std::span<const Island> islands,
+                                 std::span<const Collider> colliders, const HandRef& ref, double reach) {
+  HandSurroundings out;
   const Hand* hand = hand_of(state, ref);
   if (hand == nullptr) return out;
   out.touches = touches_of(state, islands, colliders, *hand, reach);

@@ -13,7 +13,7 @@ namespace prosector {
 /// Returns the points that press on the hand in the tick's islands. Then come those of tissue that are nearer
 /// than `reach` (m) and don't, the nearest of each body. With them comes what presses on these bodies, or
 /// holds them.
-Surroundings surroundings_of(const State& state, std::span<const Island> islands,
-                             std::span<const Collider> colliders, const HandRef& hand, double reach);
+HandSurroundings surroundings_of(const State& state, std::span<const Island> islands,
+                                 std::span<const Collider> colliders, const HandRef& hand, double reach);
 
 }  // namespace prosector
