@@ -26,13 +26,15 @@ BodyOperator::Spring spring_of(const ContactSide& side, const Mat3& stiffness) {
   return out;
 }
 
-/// Returns the load of one newton along `direction`, spread as the patch says.
-VecX load_of(const Patch& patch, const Vec3& direction, Eigen::Index size) {
-  VecX out = VecX::Zero(size);
-  for (std::size_t i = 0; i < patch.points.size(); ++i)
-    for (std::size_t k = 0; k < patch.points[i].nodes; ++k)
-      out.segment<3>(3 * static_cast<Eigen::Index>(patch.points[i].node[k])) +=
-          patch.weight[i] * patch.points[i].weight[k] * direction;
+void add(const ContactSide& side, const Vec3& force, VecX& out) {
+  for (std::size_t k = 0; k < side.nodes; ++k)
+    out.segment<3>(3 * static_cast<Eigen::Index>(side.node[k])) += side.weight[k] * force;
+}
+
+Vec3 moved(const ContactSide& side, const VecX& u) {
+  Vec3 out = Vec3::Zero();
+  for (std::size_t k = 0; k < side.nodes; ++k)
+    out += side.weight[k] * u.segment<3>(3 * static_cast<Eigen::Index>(side.node[k]));
   return out;
 }
 
@@ -45,11 +47,16 @@ struct TissueCompliance::Solver {
   BodyOperator hessian;
   std::unique_ptr<LinearSolver> solver;
 
-  double give(const Patch& patch, const Vec3& direction) {
-    const VecX f = load_of(patch, direction, hessian.size());
-    VecX u = VecX::Zero(f.size());
+  /// Returns how the force on `patch` grows as a hand moves by `e`, whose springs are those of `pressing`.
+  double slope(const std::vector<const Patch*>& pressing, const Patch& patch, const Vec3& e,
+               double strength) {
+    VecX f = VecX::Zero(hessian.size()), u = f;
+    for (const Patch* p : pressing)
+      for (const Patch::Point& point : p->points) add(point.side, point.stiffness / strength * e, f);
     solver->solve(hessian, f, solve_settings, u);
-    return u.dot(f);
+    double out = 0;
+    for (const Patch::Point& point : patch.points) out += e.dot(point.stiffness * (e - moved(point.side, u)));
+    return out;
   }
 };
 
@@ -62,25 +69,31 @@ TissueCompliance::TissueCompliance(const SoftDesc& desc, Anatomy anatomy, const 
 }
 TissueCompliance::~TissueCompliance() = default;
 
-std::vector<Compliance> TissueCompliance::find(const VecX& x, double stiffness,
-                                               const std::vector<Support>& supports,
-                                               const std::vector<Patch>& patches) {
+std::vector<Slopes> TissueCompliance::find(const VecX& x, double strength,
+                                           const std::vector<Support>& supports,
+                                           const std::vector<Patch>& patches) {
   Solver& s = *solver_;
-  // A material that is that many times as stiff is one whose supports are that many times as soft.
-  std::vector<BodyOperator::Spring> springs;
-  for (const Support& support : supports)
-    springs.push_back(spring_of(support.side, support.stiffness / stiffness));
   Stage& stage = s.potential.stage();
   stage.alpha = std::pow(2 * std::numbers::pi * slowest, 2);
   stage.dxdv = 1;
   stage.y = stage.x_v = x;
   s.potential.begin_stage(x);
   s.potential.assemble(x);
-  s.hessian.refresh(std::move(springs));
-  std::vector<Compliance> out;
+  std::vector<Slopes> out;
   for (const Patch& patch : patches) {
-    const Vec3 along = patch.normal.unitOrthogonal();
-    out.push_back({s.give(patch, patch.normal) / stiffness, s.give(patch, along) / stiffness});
+    std::vector<const Patch*> pressing;
+    for (const Patch& other : patches)
+      if (&other == &patch || (other.presses && other.hand == patch.hand)) pressing.push_back(&other);
+    // A material that is that many times as stiff is one whose springs are that many times as soft.
+    std::vector<BodyOperator::Spring> springs;
+    for (const Support& support : supports)
+      springs.push_back(spring_of(support.side, support.stiffness / strength));
+    for (const Patch* p : pressing)
+      for (const Patch::Point& point : p->points)
+        springs.push_back(spring_of(point.side, point.stiffness / strength));
+    s.hessian.refresh(std::move(springs));
+    out.push_back({s.slope(pressing, patch, patch.normal, strength),
+                   s.slope(pressing, patch, patch.normal.unitOrthogonal(), strength)});
   }
   return out;
 }

@@ -1,7 +1,8 @@
 #pragma once
-// How far a soft body gives way where it is pressed, per newton. It solves K·u = f for the load that presses,
-// with K the static tangent of its elements, ties and supports as they are now. Neither its step nor its
-// inertia is in it, so a hand that rests feels what tissue is and not what a tick makes of it.
+// How a soft body pushes back where a rigid hand presses it. It solves (K + Σ WᵀDW)·u = Σ WᵀD·e for a hand
+// that moves by e, with K the static tangent of the body's elements and ties as they are now, and D the
+// springs of the contacts. Neither the body's step nor its inertia is in it, so a hand that rests feels what
+// tissue is and not what a tick makes of it.
 
 #include <memory>
 #include <vector>
@@ -14,15 +15,20 @@ namespace prosector {
 
 struct SoftMatter;
 
-/// A load spread over points of a body; the weights add up to 1.
+/// Points of a body where a hand presses it, or will. Each is a spring between the point and the hand.
 struct Patch {
-  std::vector<ContactSide> points;
-  std::vector<double> weight;
+  struct Point {
+    ContactSide side;
+    Mat3 stiffness = Mat3::Zero();  // N/m
+  };
+  std::vector<Point> points;
   Vec3 normal = Vec3::UnitY();  // unit, out of the body
+  HandRef hand;
+  bool presses = false;  // now; else it is only near
 };
 
-/// Metres per newton of a patch's load, along its normal and along its plane.
-struct Compliance {
+/// How a patch's force grows, N/m, as the whole hand moves along the patch's normal, and along its plane.
+struct Slopes {
   double normal = 0, tangential = 0;
 };
 
@@ -32,9 +38,10 @@ class TissueCompliance {
   TissueCompliance(const SoftDesc& desc, Anatomy anatomy, const VecX& ties);
   ~TissueCompliance();
 
-  /// Returns what each patch gives way with the nodes at x (3n, m). `stiffness`: times what is described.
-  std::vector<Compliance> find(const VecX& x, double stiffness, const std::vector<Support>& supports,
-                               const std::vector<Patch>& patches);
+  /// Returns the slopes of each patch with the nodes at x (3n, m). `strength`: how many times as stiff the
+  /// material is as described.
+  std::vector<Slopes> find(const VecX& x, double strength, const std::vector<Support>& supports,
+                           const std::vector<Patch>& patches);
 
  private:
   struct Solver;

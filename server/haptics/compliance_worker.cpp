@@ -55,7 +55,7 @@ ComplianceAnswer ComplianceWorker::answer(ComplianceQuestion question) {
                                                                   question.copy->ties)};
   ComplianceAnswer out{question.body, question.version, std::move(question.names), {}};
   if (known.compliance && known.version == question.version)
-    out.found = known.compliance->find(question.x, question.stiffness, question.supports, question.patches);
+    out.found = known.compliance->find(question.x, question.strength, question.supports, question.patches);
   return out;
 }
 

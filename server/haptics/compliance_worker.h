@@ -27,7 +27,7 @@ struct ComplianceQuestion {
   std::uint64_t version = 0;                  // of the body's mesh and ties
   std::shared_ptr<const BodyCopy> copy = {};  // of that version; null: the worker has it
   VecX x;
-  double stiffness = 1;
+  double strength = 1;
   std::vector<Support> supports;
   std::vector<Patch> patches;
   std::vector<std::uint64_t> names;  // of the patches
@@ -37,7 +37,7 @@ struct ComplianceAnswer {
   BodyId body = 0;
   std::uint64_t version = 0;
   std::vector<std::uint64_t> names;
-  std::vector<Compliance> found;
+  std::vector<Slopes> found;  // by name; empty: nothing is known
 };
 
 class ComplianceWorker {

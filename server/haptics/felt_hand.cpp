@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "server/physics/coupled/island_joints.h"
 #include "server/physics/hands/hand.h"
 #include "server/physics/soft/soft_body.h"
 
@@ -12,9 +13,12 @@ namespace {
 
 constexpr double told_from = 0.03;      // m: what is nearer to a hand is told before it is met
 constexpr double one_side = 0.7;        // cosine: normals that are nearer to each other are of one plane
+constexpr double agreement = 0.5;       // of forces: their sum over the sum of their sizes
 constexpr double same_place = 0.04;     // m: a plane that moved by more is another
 constexpr double least_radius = 0.005;  // m
 constexpr double held_damping = 1;      // N·s/m: of what is held and free
+constexpr double slips_from = 0.95;     // of what friction holds
+constexpr double softest = 1e-3;        // N/m
 constexpr double smoothing = 0.1;       // s, of the surface's speed
 constexpr double least_speed = 5e-3, most_speed = 0.5;  // m/s: slower counts as still, faster as that
 
@@ -38,31 +42,38 @@ double area_of(const SoftBody& body, const std::vector<HandTouch>& touches) {
 /// Adds a touch. A group that nothing presses yet is where its touches are; else where they press.
 void add(TouchGroup& group, const HandTouch& touch) {
   group.touches.push_back(touch);
-  Vec3 pressing = Vec3::Zero(), facing = Vec3::Zero(), pressed = Vec3::Zero(), middle = Vec3::Zero();
+  Vec3 pressing = Vec3::Zero(), rubbing = Vec3::Zero(), facing = Vec3::Zero(), pressed = Vec3::Zero(),
+       middle = Vec3::Zero();
   double force = 0;
-  group.sliding = Vec3::Zero();
   for (const HandTouch& t : group.touches) {
     pressing += t.force * t.normal;
+    rubbing += t.exchanged - t.exchanged.dot(t.normal) * t.normal;
     pressed += t.force * t.point;
     force += t.force;
     facing += t.normal;
     middle += t.point / static_cast<double>(group.touches.size());
-    group.sliding += t.exchanged;
   }
-  group.force = pressing.norm();
+  group.pressing = pressing.norm();
+  group.force = pressing + rubbing;
   group.point = force > 0 ? Vec3(pressed / force) : middle;
-  const Vec3& direction = group.force > 0 ? pressing : facing;
+  const Vec3& direction = group.pressing > 0 ? pressing : facing;
   group.normal = direction.norm() > 0 ? Vec3(direction.normalized()) : touch.normal;
-  group.sliding -= group.sliding.dot(group.normal) * group.normal;
 }
 
-/// Puts touches that are of one body and one side together, the strongest first. Once there are as many
-/// groups as there may be, what presses goes to the group of its body that faces it most: no force is left
-/// out.
-std::vector<TouchGroup> grouped(std::vector<HandTouch> touches) {
-  std::stable_sort(touches.begin(), touches.end(),
-                   [](const HandTouch& a, const HandTouch& b) { return a.force > b.force; });
-  std::vector<TouchGroup> out;
+/// Tells whether what presses the hand presses it one way, as a fingertip in tissue is. Else it is gripped.
+bool one_way(std::span<const HandTouch> touches) {
+  Vec3 sum = Vec3::Zero();
+  double all = 0;
+  for (const HandTouch& t : touches) {
+    sum += t.force * t.normal;
+    all += t.force;
+  }
+  return sum.norm() >= agreement * all;
+}
+
+/// Adds a body's touches, each side as a group of its own. Once there are as many groups as there may be,
+/// what presses goes to the one that faces it most: no force is left out.
+void add_sides(std::span<const HandTouch> touches, std::vector<TouchGroup>& out) {
   for (const HandTouch& touch : touches) {
     TouchGroup* nearest = nullptr;
     for (TouchGroup& group : out)
@@ -70,26 +81,60 @@ std::vector<TouchGroup> grouped(std::vector<HandTouch> touches) {
           (nearest == nullptr || group.normal.dot(touch.normal) > nearest->normal.dot(touch.normal)))
         nearest = &group;
     const bool fits = nearest != nullptr && nearest->normal.dot(touch.normal) > one_side;
-    if (!fits && out.size() < max_contact_planes) {
+    const bool is_new = !fits && out.size() < max_contact_planes;
+    if (is_new) {
       nearest = &out.emplace_back();
       nearest->body = touch.body;
     }
-    if (nearest != nullptr && (fits || nearest->touches.empty() || touch.force > 0)) add(*nearest, touch);
+    if (nearest != nullptr && (fits || is_new || touch.force > 0)) add(*nearest, touch);
+  }
+}
+
+/// Puts touches that become one plane together: those of a body, if they press one way, else those of a side.
+std::vector<TouchGroup> grouped(std::vector<HandTouch> touches) {
+  std::stable_sort(touches.begin(), touches.end(), [](const HandTouch& a, const HandTouch& b) {
+    return a.body != b.body ? a.body < b.body : a.force > b.force;
+  });
+  std::vector<TouchGroup> out;
+  for (auto first = touches.begin(); first != touches.end();) {
+    const auto last =
+        std::find_if(first, touches.end(), [&](const HandTouch& t) { return t.body != first->body; });
+    if (!one_way({first, last})) {
+      add_sides({first, last}, out);
+    } else if (out.size() < max_contact_planes) {
+      out.emplace_back().body = first->body;
+      for (auto touch = first; touch != last; ++touch) add(out.back(), *touch);
+    }
+    first = last;
   }
   return out;
 }
 
-/// Returns the contacts' own stiffness, N/m; 0: nothing touches.
+/// Returns the contacts' own stiffness along the group's normal, N/m; 0: nothing touches.
 double contact_stiffness(const TouchGroup& group) {
   double sum = 0;
-  for (const HandTouch& t : group.touches) sum += t.stiffness;
+  for (const HandTouch& t : group.touches) sum += t.stiffness * std::pow(t.normal.dot(group.normal), 2);
   return sum;
 }
 
+/// Returns the spring that a touch is, N/m: along its normal, and along its plane while friction holds.
+Mat3 spring_of(const HandTouch& t) {
+  const Mat3 along = t.normal * t.normal.transpose();
+  const Vec3 rubbing = t.exchanged - along * t.exchanged;
+  const double bound = t.friction * t.force;
+  const double holds = t.force > 0 && rubbing.norm() < slips_from * bound ? bound / slip_threshold : 0;
+  return t.stiffness * along + holds * (Mat3::Identity() - along);
+}
+
+/// Returns the coefficient of friction that a group's resultant has. Where tissue is around a finger, its
+/// sides press, too.
 double friction_of(const TouchGroup& group) {
-  double most = 0;
-  for (const HandTouch& t : group.touches) most = std::max(most, t.friction);
-  return most;
+  double most = 0, all = 0;
+  for (const HandTouch& t : group.touches) {
+    most = std::max(most, t.friction);
+    all += t.force;
+  }
+  return group.pressing > 0 ? most * all / group.pressing : most;
 }
 
 }  // namespace
@@ -131,29 +176,39 @@ bool FeltHand::others_act(BodyId body) const {
                      [&](const Support& s) { return s.body == body && s.hand && *s.hand != ref_; });
 }
 
+/// Returns a plane's slopes: as they were found, else as a flat punch on the body's material has them. What
+/// is rigid gives way in its contacts alone.
+Slopes FeltHand::slopes_of(const Simulation& simulation, const Place& place) const {
+  if (place.slopes) return *place.slopes;
+  const BodyId id = place.group.body;
+  const double contact = contact_stiffness(place.group);
+  if (simulation.kind(id) != BodyKind::soft) return {contact, contact};
+  const SoftBody& body = simulation.soft(id);
+  const double punch =
+      punch_stiffness(body, area_of(body, place.group.touches), simulation.part(id).stiffness);
+  return {contact > 0 ? 1 / (1 / punch + 1 / contact) : punch, punch};
+}
+
 ContactPlane FeltHand::plane_of(const Simulation& simulation, const Pose& hand, Place& place) const {
   const TouchGroup& group = place.group;
-  const double strength = simulation.part(group.body).stiffness;
-  double give = 1 / arm_coupling, sideways = give, damping = 0;  // m/N
-  if (const double contact = contact_stiffness(group); contact > 0) give += 1 / contact;
+  const Slopes slopes = slopes_of(simulation, place);
+  const double give = 1 / arm_coupling + 1 / std::max(slopes.normal, softest);
+  const double sideways = 1 / arm_coupling + 1 / std::max(slopes.tangential, softest);
+  double damping = 0;  // N·s/m
   double radius = least_radius;
   if (simulation.kind(group.body) == BodyKind::soft) {
     const SoftBody& body = simulation.soft(group.body);
-    const double area = area_of(body, group.touches);
-    radius = std::max(radius, 2 * std::sqrt(area / std::numbers::pi));
-    const double guess = 1 / punch_stiffness(body, area, strength);
-    give += place.tissue ? place.tissue->normal : guess;
-    sideways += place.tissue ? place.tissue->tangential : guess;
+    radius = std::max(radius, 2 * std::sqrt(area_of(body, group.touches) / std::numbers::pi));
     damping = body.desc().damping_stiffness / give;
   }
   ContactPlane plane;
   plane.id = place.id;
   plane.body = group.body;
   plane.normal = group.normal;
-  plane.force = group.force * group.normal + group.sliding;
+  plane.force = group.force;
   plane.arm = hand.inverse() * group.point;
   // What presses is where the arm is, but for what the coupling gives way.
-  const bool pressed = group.force > 0;
+  const bool pressed = group.pressing > 0;
   plane.point = pressed ? Vec3(group.point - plane.force / arm_coupling)
                         : Vec3(group.point - group.touches.front().gap * group.normal);
   plane.stiffness = std::min(1 / give, max_plane_stiffness);
@@ -163,7 +218,7 @@ ContactPlane FeltHand::plane_of(const Simulation& simulation, const Pose& hand, 
   plane.radius = radius;
 
   const double h = 1 / simulation.scene().tick_rate;
-  const double surface = plane.point.dot(plane.normal) + group.force / plane.stiffness;
+  const double surface = plane.point.dot(plane.normal) + plane.force.dot(plane.normal) / plane.stiffness;
   if (place.known && others_act(group.body))
     place.speed += std::min(1., h / smoothing) * ((surface - place.surface) / h - place.speed);
   else
@@ -187,23 +242,23 @@ void FeltHand::count_energy(const HandState& hand) {
 void FeltHand::patches_on(BodyId body, std::vector<Patch>& patches, std::vector<std::uint64_t>& names) const {
   for (const Place& place : places_) {
     if (place.group.body != body) continue;
-    Patch patch;
+    Patch& patch = patches.emplace_back();
     patch.normal = place.group.normal;
-    double force = 0;
-    for (const HandTouch& t : place.group.touches) force += t.force;
-    for (const HandTouch& t : place.group.touches) {
-      patch.points.push_back(t.side);
-      patch.weight.push_back(force > 0 ? t.force / force
-                                       : 1 / static_cast<double>(place.group.touches.size()));
-    }
-    patches.push_back(std::move(patch));
+    patch.hand = ref_;
+    patch.presses = place.group.pressing > 0;
+    for (const HandTouch& t : place.group.touches) patch.points.push_back({t.side, spring_of(t)});
     names.push_back(name_of(place));
   }
 }
 
-void FeltHand::take(std::uint64_t name, const Compliance& found) {
-  for (Place& place : places_)
-    if (name_of(place) == name && found.normal > 0 && found.tangential > 0) place.tissue = found;
+void FeltHand::take(const ComplianceAnswer& answer) {
+  if (answer.found.size() != answer.names.size()) return;
+  for (Place& place : places_) {
+    const auto own = std::find(answer.names.begin(), answer.names.end(), name_of(place));
+    if (own == answer.names.end()) continue;
+    const Slopes& found = answer.found[static_cast<std::size_t>(own - answer.names.begin())];
+    if (found.normal > 0 && found.tangential > 0) place.slopes = found;
+  }
 }
 
 std::uint64_t FeltHand::name_of(const Place& place) const {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "server/haptics/compliance.h"
+#include "server/haptics/compliance_worker.h"
 
 namespace prosector {
 
@@ -15,8 +15,8 @@ struct TouchGroup {
   std::vector<HandTouch> touches;
   Vec3 normal = Vec3::UnitY();  // unit, towards the hand
   Vec3 point = Vec3::Zero();    // m, room: on the hand
-  double force = 0;             // N, along the normal
-  Vec3 sliding = Vec3::Zero();  // N, on the hand, along the plane
+  double pressing = 0;          // N: size of the sum of what presses, which is along the normal
+  Vec3 force = Vec3::Zero();    // N, on the hand, friction included
   bool holds = false;           // it is what the hand holds
 };
 
@@ -32,20 +32,21 @@ class FeltHand {
   const std::vector<Support>& supports() const { return around_.supports; }
   /// Returns a patch for each of its planes on that soft body, and their ids.
   void patches_on(BodyId body, std::vector<Patch>& patches, std::vector<std::uint64_t>& names) const;
-  /// Takes how far the body gives way under a plane.
-  void take(std::uint64_t name, const Compliance& found);
+  /// Takes how far a body gives way under its planes.
+  void take(const ComplianceAnswer& answer);
 
  private:
   struct Place {
     std::uint32_t id = 0;
     TouchGroup group;
-    std::optional<Compliance> tissue;
-    double surface = 0;  // m, along the normal: where it would be without this hand
-    double speed = 0;    // m/s, of that, smoothed
-    bool known = false;  // `surface` is
+    std::optional<Slopes> slopes;  // as the body was found to have; none: it was not asked yet
+    double surface = 0;            // m, along the normal: where it would be without this hand
+    double speed = 0;              // m/s, of that, smoothed
+    bool known = false;            // `surface` is
   };
 
   bool others_act(BodyId body) const;
+  Slopes slopes_of(const Simulation& simulation, const Place& place) const;
   ContactPlane plane_of(const Simulation& simulation, const Pose& hand, Place& place) const;
   void count_energy(const HandState& hand);
   std::uint64_t name_of(const Place& place) const;

@@ -72,7 +72,7 @@ void FeltHands::ask(const Simulation& simulation) {
   if (const auto known = copied_.find(body); known == copied_.end() || known->second != question.version)
     question.copy = copy_of(simulation.soft(body));
   question.x = simulation.soft_state(body).motion.x;
-  question.stiffness = simulation.part(body).stiffness;
+  question.strength = simulation.part(body).stiffness;
   // A hand that feels presses with what it renders: it bears nothing.
   const auto bears = [&](const Support& s) {
     return s.body == body && !(s.hand && hands_.contains(*s.hand));
@@ -95,8 +95,7 @@ void FeltHands::ask(const Simulation& simulation) {
 void FeltHands::take_answers() {
   if (!worker_) return;
   for (const ComplianceAnswer& answer : worker_->take())
-    for (std::size_t i = 0; i < answer.found.size(); ++i)
-      for (auto& [ref, hand] : hands_) hand.take(answer.names[i], answer.found[i]);
+    for (auto& [ref, hand] : hands_) hand.take(answer);
 }
 
 }  // namespace prosector

@@ -103,7 +103,7 @@ struct HandTouch {
   double gap = 0;                 // m, when the tick began; of what presses below 0
   double force = 0;               // N, normal, when the tick ends
   Vec3 exchanged = Vec3::Zero();  // N, on the hand, friction included: mean over the tick
-  double stiffness = 0;           // N/m, of the contact by itself; 0: it doesn't touch
+  double stiffness = 0;           // N/m, of the contact by itself, or of one at that point
   double friction = 0;            // coefficient
 };
 

@@ -63,6 +63,7 @@ void add_near_tissue(const State& state, const Collider& collider, const Hand& h
       nearest->normal = -d.normal;
       nearest->point = tissue.surface.vertices().positions()[vertex] - d.value * d.normal;
       nearest->gap = d.value;
+      nearest->stiffness = tissue.contact_stiffness(vertex);
       nearest->friction = std::sqrt(tissue.desc().friction * collider.friction);
     });
     if (nearest) out.push_back(*nearest);
