@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "common/hand.h"
 #include "server/accuracy/static_body.h"
@@ -54,6 +55,7 @@ class Felt : public testing::Test {
   Simulation simulation_{held_block(), options()};
   FeltHands felt_;
   FeltPlanes last_;
+  double clear_ = 0.02;  // m: where the finger is
 
   Felt() {
     step(moved(0.02, 0, true));
@@ -66,7 +68,9 @@ class Felt : public testing::Test {
   }
   /// Presses to that place until all is at rest and the body was asked.
   void press(double clear, double reaction = 40) {
-    for (int k = 0; k < 240; ++k) step(moved(clear, reaction));
+    const double from = std::exchange(clear_, clear);
+    for (int k = 1; k <= 60; ++k) step(moved(from + (clear - from) * k / 60, reaction));
+    for (int k = 0; k < 180; ++k) step(moved(clear, reaction));
     for (int k = 0; k < 200; ++k) {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
       step(moved(clear, reaction));
