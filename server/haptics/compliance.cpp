@@ -47,15 +47,23 @@ struct TissueCompliance::Solver {
   BodyOperator hessian;
   std::unique_ptr<LinearSolver> solver;
 
-  /// Returns how the force on `patch` grows as a hand moves by `e`, whose springs are those of `pressing`.
-  double slope(const std::vector<const Patch*>& pressing, const Patch& patch, const Vec3& e,
-               double strength) {
+  /// Returns how the force on `patch` grows as a hand moves by `e`, whose springs are those of `pressing`,
+  /// with or without the friction that holds.
+  double slope(const std::vector<const Patch*>& pressing, const Patch& patch, const Vec3& e, bool holds,
+               std::vector<BodyOperator::Spring> springs, double strength) {
+    const auto spring = [&](const Patch::Point& point) -> Mat3 {
+      return holds ? Mat3(point.stiffness + point.holding) : point.stiffness;
+    };
     VecX f = VecX::Zero(hessian.size()), u = f;
     for (const Patch* p : pressing)
-      for (const Patch::Point& point : p->points) add(point.side, point.stiffness / strength * e, f);
+      for (const Patch::Point& point : p->points) {
+        add(point.side, spring(point) / strength * e, f);
+        springs.push_back(spring_of(point.side, spring(point) / strength));
+      }
+    hessian.refresh(std::move(springs));
     solver->solve(hessian, f, solve_settings, u);
     double out = 0;
-    for (const Patch::Point& point : patch.points) out += e.dot(point.stiffness * (e - moved(point.side, u)));
+    for (const Patch::Point& point : patch.points) out += e.dot(spring(point) * (e - moved(point.side, u)));
     return out;
   }
 };
@@ -88,12 +96,8 @@ std::vector<Slopes> TissueCompliance::find(const VecX& x, double strength,
     std::vector<BodyOperator::Spring> springs;
     for (const Support& support : supports)
       springs.push_back(spring_of(support.side, support.stiffness / strength));
-    for (const Patch* p : pressing)
-      for (const Patch::Point& point : p->points)
-        springs.push_back(spring_of(point.side, point.stiffness / strength));
-    s.hessian.refresh(std::move(springs));
-    out.push_back({s.slope(pressing, patch, patch.normal, strength),
-                   s.slope(pressing, patch, patch.normal.unitOrthogonal(), strength)});
+    out.push_back({s.slope(pressing, patch, patch.normal, false, springs, strength),
+                   s.slope(pressing, patch, patch.normal.unitOrthogonal(), true, springs, strength)});
   }
   return out;
 }

@@ -1,8 +1,8 @@
 #pragma once
-// How a soft body pushes back where a rigid hand presses it. It solves (K + Σ WᵀDW)·u = Σ WᵀD·e for a hand
-// that moves by e, with K the static tangent of the body's elements and ties as they are now, and D the
-// springs of the contacts. Neither the body's step nor its inertia is in it, so a hand that rests feels what
-// tissue is and not what a tick makes of it.
+// How a soft body pushes back where a rigid hand presses it. The hand moves by e, and (K + Σ WᵀDW)·u = Σ
+// WᵀD·e is solved. Here K is the static tangent of the body's elements and ties as they are now, and D the
+// contacts' springs. Neither the body's step nor its inertia is in it. So a hand that rests feels what tissue
+// is, and not what a tick makes of it.
 
 #include <memory>
 #include <vector>
@@ -19,7 +19,8 @@ struct SoftMatter;
 struct Patch {
   struct Point {
     ContactSide side;
-    Mat3 stiffness = Mat3::Zero();  // N/m
+    Mat3 stiffness = Mat3::Zero();  // N/m: along its own normal
+    Mat3 holding = Mat3::Zero();    // N/m: of friction, while it holds
   };
   std::vector<Point> points;
   Vec3 normal = Vec3::UnitY();  // unit, out of the body
@@ -28,6 +29,8 @@ struct Patch {
 };
 
 /// How a patch's force grows, N/m, as the whole hand moves along the patch's normal, and along its plane.
+/// What slides past a finger on its way in has no part in the first: friction holds over hundredths of a
+/// millimetre.
 struct Slopes {
   double normal = 0, tangential = 0;
 };

@@ -117,13 +117,13 @@ double contact_stiffness(const TouchGroup& group) {
   return sum;
 }
 
-/// Returns the spring that a touch is, N/m: along its normal, and along its plane while friction holds.
-Mat3 spring_of(const HandTouch& t) {
+/// Returns the springs that a touch is: along its normal, and along its plane while friction holds.
+Patch::Point point_of(const HandTouch& t) {
   const Mat3 along = t.normal * t.normal.transpose();
   const Vec3 rubbing = t.exchanged - along * t.exchanged;
   const double bound = t.friction * t.force;
   const double holds = t.force > 0 && rubbing.norm() < slips_from * bound ? bound / slip_threshold : 0;
-  return t.stiffness * along + holds * (Mat3::Identity() - along);
+  return {t.side, t.stiffness * along, holds * (Mat3::Identity() - along)};
 }
 
 /// Returns the coefficient of friction that a group's resultant has. Where tissue is around a finger, its
@@ -246,7 +246,7 @@ void FeltHand::patches_on(BodyId body, std::vector<Patch>& patches, std::vector<
     patch.normal = place.group.normal;
     patch.hand = ref_;
     patch.presses = place.group.pressing > 0;
-    for (const HandTouch& t : place.group.touches) patch.points.push_back({t.side, spring_of(t)});
+    for (const HandTouch& t : place.group.touches) patch.points.push_back(point_of(t));
     names.push_back(name_of(place));
   }
 }

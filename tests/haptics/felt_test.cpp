@@ -193,7 +193,7 @@ TEST(TissueCompliance, IsThatOfAStaticSolution) {
   side.node[0] = top;
   side.weight[0] = 1;
   constexpr double stiff = 5000;  // N/m: between hand and point
-  patch.points = {{side, stiff * patch.normal * patch.normal.transpose()}};
+  patch.points = {{side, stiff * patch.normal * patch.normal.transpose(), Mat3::Zero()}};
   patch.presses = true;
   TissueCompliance compliance(body.desc(), body.anatomy(), body.attachment_stiffness());
   const Slopes found = compliance.find(body.rest(), 1, {}, {patch}).at(0);
