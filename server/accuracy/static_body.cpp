@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "server/accuracy/secants.h"
-#include "server/physics/soft/body_operator.h"
+#include "server/physics/soft/body_on_springs.h"
 #include "server/physics/soft/incremental_potential.h"
 #include "server/physics/soft/soft_matter.h"
 #include "server/physics/soft/solvers/linear_solver.h"
@@ -39,7 +39,7 @@ struct StaticBody::Newton {
   Newton(const SoftMatter& matter, Eigen::Index nodes)
       : potential(matter), hessian(potential, nodes), solver(make_solver(matter.desc.solver)) {}
   IncrementalPotential potential;
-  BodyOperator hessian;
+  BodyOnSprings hessian;
   std::unique_ptr<LinearSolver> solver;
 
   VecX gradient(const VecX& x, const VecX& load) {

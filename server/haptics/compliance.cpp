@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "server/physics/soft/body_operator.h"
+#include "server/physics/soft/body_on_springs.h"
 #include "server/physics/soft/soft_matter.h"
 
 namespace prosector {
@@ -19,8 +19,8 @@ SoftDesc at_rest(SoftDesc desc) {
   return desc;
 }
 
-BodyOperator::Spring spring_of(const ContactSide& side, const Mat3& stiffness) {
-  BodyOperator::Spring out{{}, stiffness};
+BodyOnSprings::Spring spring_of(const ContactSide& side, const Mat3& stiffness) {
+  BodyOnSprings::Spring out{{}, stiffness};
   for (std::size_t k = 0; k < side.nodes; ++k)
     out.nodes.emplace_back(static_cast<Eigen::Index>(side.node[k]), side.weight[k]);
   return out;
@@ -44,13 +44,13 @@ struct TissueCompliance::Solver {
   Solver(const SoftMatter& matter, Eigen::Index nodes)
       : potential(matter), hessian(potential, nodes), solver(make_solver(matter.desc.solver)) {}
   IncrementalPotential potential;
-  BodyOperator hessian;
+  BodyOnSprings hessian;
   std::unique_ptr<LinearSolver> solver;
 
   /// Returns how the force on `patch` grows as a hand moves by `e`, whose springs are those of `pressing`,
   /// with or without the friction that holds.
   double slope(const std::vector<const Patch*>& pressing, const Patch& patch, const Vec3& e, bool holds,
-               std::vector<BodyOperator::Spring> springs, double strength) {
+               std::vector<BodyOnSprings::Spring> springs, double strength) {
     const auto spring = [&](const Patch::Point& point) -> Mat3 {
       return holds ? Mat3(point.stiffness + point.holding) : point.stiffness;
     };
@@ -93,7 +93,7 @@ std::vector<Slopes> TissueCompliance::find(const VecX& x, double strength,
     for (const Patch& other : patches)
       if (&other == &patch || (other.presses && other.hand == patch.hand)) pressing.push_back(&other);
     // A material that is that many times as stiff is one whose springs are that many times as soft.
-    std::vector<BodyOperator::Spring> springs;
+    std::vector<BodyOnSprings::Spring> springs;
     for (const Support& support : supports)
       springs.push_back(spring_of(support.side, support.stiffness / strength));
     out.push_back({s.slope(pressing, patch, patch.normal, false, springs, strength),

@@ -72,7 +72,8 @@ void put_at_target(Hand& hand, std::span<const HandTarget> targets, Bodies& bodi
   if (t == targets.end() || !is_finite(t->target)) return;
   hand.target = hand.previous_target = t->target;
   RigidMotion motion;
-  motion.pose = out_of_tissue(bodies, hand, t->target);
+  motion.pose =
+      t->reaction ? out_of_tissue(bodies, hand, t->target) : t->target * bodies.model.hands[hand.side].center;
   bodies.rigid.set_motion(hand.slot, motion);
 }
 

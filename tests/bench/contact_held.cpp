@@ -61,7 +61,7 @@ void held_case(ContactRows& rows, bool quick) {
   const HandState& hand = run.simulation().hands()[0];
   const std::string setting = "a liver on a table, swung by a hand";
   rows.add(run, setting, {"CPU time a tick, median", "ms", run.median_ms(), 0, budget},
-           {{"tets", run.simulation().tet_count()},
+           {{"tets", tet_count(run.simulation())},
             {"nodes", run.simulation().soft(1).nodes()},
             {"surface_vertices", run.simulation().surface(1).positions.size()},
             {"held", hand.holding.has_value()},

@@ -96,7 +96,7 @@ void press(ContactRows& rows, const Press& press, const Mesh& mesh, double stiff
             {"poisson_ratio", press.poisson_ratio},
             {"force_N", found.force},
             {"change_of_last_tick", found.change},
-            {"tets", run.simulation().tet_count()},
+            {"tets", tet_count(run.simulation())},
             {"nodes", run.simulation().soft(1).nodes()}});
 }
 

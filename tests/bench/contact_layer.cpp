@@ -67,7 +67,7 @@ void press(ContactRows& rows, const LayerPress& press, const LayerRung& rung, bo
   const std::string setting = fmt::format("{}, {}, {} cells", name(press), rung.element, rung.cells);
   const ReportRow more = {{"element", rung.element},
                           {"cells_per_contact_radius", rung.cells},
-                          {"tets", run.simulation().tet_count()},
+                          {"tets", tet_count(run.simulation())},
                           {"points", points},
                           {"wall_ms", run.median_wall_ms()},
                           {"cpu_ms", run.median_ms()}};

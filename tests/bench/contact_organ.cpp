@@ -116,8 +116,8 @@ void organ_case(ContactRows& rows, bool quick) {
     const auto within = [&](double tolerance) { return asked ? std::optional(tolerance) : std::nullopt; };
     const std::string setting = fmt::format("liver pressed by 10 mm, {}", element);
     const ReportRow more = {{"element", element},
-                            {"tets", run.simulation().tet_count()},
-                            {"reference_tets", reference.simulation().tet_count()},
+                            {"tets", tet_count(run.simulation())},
+                            {"reference_tets", tet_count(reference.simulation())},
                             {"force_N", felt.force},
                             {"reference_force_N", truth.force},
                             {"wall_ms", run.median_wall_ms()},

@@ -28,7 +28,7 @@ void throw_two(ContactRows& rows, const test::ThrownRung& left, const test::Thro
   rows.add(run, setting, {"momentum lost, of that exchanged", "1", thrown.momentum_lost, 0, 1e-3},
            {{"deepest_mm", 1e3 * thrown.deepest},
             {"exchanged_Ns", thrown.exchanged},
-            {"tets", run.simulation().tet_count()}});
+            {"tets", tet_count(run.simulation())}});
   rows.add(run, setting, {"energy gained, of that thrown", "1", thrown.energy_gained, 0, 1e-2});
   rows.add(run, setting, {"in each other 2 s later", "mm", 1e3 * thrown.overlap_after, 0, 0.1});
   rows.add(run, setting, {"off its shape 2 s later", "mm", 1e3 * thrown.distortion_after, 0, 2});

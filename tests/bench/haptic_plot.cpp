@@ -10,7 +10,7 @@
 namespace prosector {
 namespace {
 
-constexpr double left = 80, top = 70, width = 520, height = 380;
+constexpr double from_left = 80, from_top = 70, width = 520, height = 380;
 
 /// An axis from one value to another, evenly or by ratios.
 struct Axis {
@@ -30,18 +30,19 @@ struct Words {
 /// Draws one line a scheme through the points that `x` and `y` give of its rows.
 Svg draw(const std::vector<ReportRow>& rows, const Axis& across, const Axis& up, const Words& words,
          const std::function<double(const ReportRow&)>& x, const std::function<double(const ReportRow&)>& y) {
-  Svg svg(left + width + 260, top + height + 70);
+  Svg svg(from_left + width + 260, from_top + height + 70);
   const auto at = [&](double value, double other) {
-    return std::pair(left + width * across.share(value), top + height * (1 - up.share(other)));
+    return std::pair(from_left + width * across.share(value), from_top + height * (1 - up.share(other)));
   };
   for (const double tick : across.ticks) {
-    svg.line(at(tick, up.least).first, top, at(tick, up.least).first, top + height, {"#e2e2e2", 1, ""});
-    svg.text(at(tick, up.least).first, top + height + 20, fmt::format("{:g}", tick), {13, "middle"});
+    svg.line(at(tick, up.least).first, from_top, at(tick, up.least).first, from_top + height,
+             {"#e2e2e2", 1, ""});
+    svg.text(at(tick, up.least).first, from_top + height + 20, fmt::format("{:g}", tick), {13, "middle"});
   }
   for (const double tick : up.ticks) {
-    svg.line(left, at(across.least, tick).second, left + width, at(across.least, tick).second,
+    svg.line(from_left, at(across.least, tick).second, from_left + width, at(across.least, tick).second,
              {"#e2e2e2", 1, ""});
-    svg.text(left - 8, at(across.least, tick).second + 5, fmt::format("{:g}", tick), {13, "end"});
+    svg.text(from_left - 8, at(across.least, tick).second + 5, fmt::format("{:g}", tick), {13, "end"});
   }
   std::map<std::string, std::vector<std::pair<double, double>>> lines;
   std::vector<std::string> order;
@@ -54,15 +55,16 @@ Svg draw(const std::vector<ReportRow>& rows, const Axis& across, const Axis& up,
     const std::string& color = palette[i % palette.size()];
     svg.path(lines[order[i]], {color, i == 0 ? 3. : 1.6, ""});
     for (const auto& [px, py] : lines[order[i]]) svg.circle(px, py, i == 0 ? 4.5 : 3, color);
-    const double line = top + 12 + 22 * static_cast<double>(i);
-    svg.line(left + width + 16, line - 4, left + width + 32, line - 4, {color, i == 0 ? 3. : 1.6, ""});
-    svg.text(left + width + 38, line, order[i], {12.5});
+    const double line = from_top + 12 + 22 * static_cast<double>(i);
+    svg.line(from_left + width + 16, line - 4, from_left + width + 32, line - 4,
+             {color, i == 0 ? 3. : 1.6, ""});
+    svg.text(from_left + width + 38, line, order[i], {12.5});
   }
-  svg.rect(left, top, width, height, "none", "#555555");
-  svg.text(left, 28, words.title, {18, "start", "#000000", true});
-  svg.text(left, 50, words.under, {12, "start", "#555555"});
-  svg.text(left + width / 2, top + height + 46, words.along, {14, "middle"});
-  svg.text(24, top + height / 2, words.up, {14, "middle", "#222222", false, -90});
+  svg.rect(from_left, from_top, width, height, "none", "#555555");
+  svg.text(from_left, 28, words.title, {18, "start", "#000000", true});
+  svg.text(from_left, 50, words.under, {12, "start", "#555555"});
+  svg.text(from_left + width / 2, from_top + height + 46, words.along, {14, "middle"});
+  svg.text(24, from_top + height / 2, words.up, {14, "middle", "#222222", false, -90});
   return svg;
 }
 

@@ -186,7 +186,7 @@ TEST(Refine, ARestoredRunEqualsTheOneThatWentOn) {
   const auto middle = through.checkpoint();
   const auto expected = hashes(through, 35, 70);
   through.restore(begin);
-  EXPECT_EQ(tet_count(through), Simulation(pressed_block(), halved()).tet_count());
+  EXPECT_EQ(tet_count(through), tet_count(Simulation(pressed_block(), halved())));
   through.restore(middle);
   EXPECT_EQ(hashes(through, 35, 70), expected);
 }

@@ -1,14 +1,14 @@
-#include "server/physics/soft/body_operator.h"
+#include "server/physics/soft/body_on_springs.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace prosector {
 
-BodyOperator::BodyOperator(IncrementalPotential& potential, Eigen::Index nodes)
+BodyOnSprings::BodyOnSprings(IncrementalPotential& potential, Eigen::Index nodes)
     : potential_(potential), diagonal_(static_cast<std::size_t>(nodes)), inverse_(diagonal_.size()) {}
 
-void BodyOperator::refresh(std::vector<Spring> springs) {
+void BodyOnSprings::refresh(std::vector<Spring> springs) {
   springs_ = std::move(springs);
   potential_.diagonal(diagonal_);
   for (const Spring& spring : springs_)
@@ -18,7 +18,7 @@ void BodyOperator::refresh(std::vector<Spring> springs) {
                  [](const Mat3& block) -> Mat3 { return block.inverse(); });
 }
 
-void BodyOperator::multiply(const VecX& p, VecX& Hp) const {
+void BodyOnSprings::multiply(const VecX& p, VecX& Hp) const {
   potential_.multiply(p.data(), Hp.data());
   for (const Spring& spring : springs_) {
     Vec3 u = Vec3::Zero();
@@ -28,18 +28,18 @@ void BodyOperator::multiply(const VecX& p, VecX& Hp) const {
   }
 }
 
-void BodyOperator::block_jacobi(const VecX& r, VecX& z) const {
+void BodyOnSprings::block_jacobi(const VecX& r, VecX& z) const {
   for (std::size_t i = 0; i < inverse_.size(); ++i) {
     const auto at = 3 * static_cast<Eigen::Index>(i);
     z.segment<3>(at) = inverse_[i] * r.segment<3>(at);
   }
 }
 
-void BodyOperator::elastic_factor(const VecX& r, VecX& z) const {
+void BodyOnSprings::elastic_factor(const VecX& r, VecX& z) const {
   potential_.factor_solve(r.data(), z.data());
 }
 
-void BodyOperator::multigrid(const VecX& r, VecX& z) const {
+void BodyOnSprings::multigrid(const VecX& r, VecX& z) const {
   potential_.multigrid_solve(diagonal_, inverse_, r.data(), z.data());
 }
 

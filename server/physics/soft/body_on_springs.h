@@ -8,10 +8,10 @@
 
 namespace prosector {
 
-class BodyOperator final : public LinearOperator {
+class BodyOnSprings final : public LinearOperator {
  public:
   /// Takes the potential, which must outlive this.
-  BodyOperator(IncrementalPotential& potential, Eigen::Index nodes);
+  BodyOnSprings(IncrementalPotential& potential, Eigen::Index nodes);
   /// A 3×3 stiffness (N/m) on a point that hangs on nodes by weights.
   struct Spring {
     std::vector<std::pair<Eigen::Index, double>> nodes;
