@@ -16,7 +16,6 @@ constexpr double fingertip = 6e-3;   // m: radius of the patch that a fingertip 
 constexpr double dent = 2e-3;        // m
 constexpr double thin = 1. / 4;      // of its thickness: a patch on a thin body
 constexpr double shallow = 1. / 20;  // of its thickness: a dent in a thin body
-constexpr double tilt = 0.3;         // of gravity, sideways
 constexpr double steepest = 0.2;     // cosine of the angle to the push: what is steeper bears none
 
 double softest(const SoftDesc& desc) {
@@ -102,12 +101,6 @@ std::vector<Act> acts_of(const SoftDesc& desc, const TetMesh& mesh, const Vec3& 
     out.push_back({place == 1 ? "pressed" : fmt::format("pressed at place {}", place), Vec3::Zero(), press});
   }
   return out;
-}
-
-std::optional<Act> tilted(const SoftDesc& desc, const TetMesh& mesh, const Vec3& gravity) {
-  if (!desc.attach.empty() || !desc.gravity || gravity.isZero()) return std::nullopt;
-  const Vec3 weight = gravity + tilt * gravity.norm() * sideways(mesh, gravity);
-  return Act{"tilted", weight, {}, down(weight)};
 }
 
 VecX load_of(const Act& act, const StaticBody& body) {

@@ -51,13 +51,9 @@ const ActError& worst(const std::vector<ActError>& acts) {
 BodyTrial::BodyTrial(const SoftDesc& desc, const Vec3& gravity, Anatomy mesh, const TrialSettings& settings)
     : desc_(desc),
       mesh_{std::move(mesh.tets), {}, {}},
-      divided_(8 * mesh_.tets.tets.size() <= settings.most_tets),
-      before_step_(settings.before_step) {
-  const Vec3 weighs = settings.weight * gravity;
-  acts_ = acts_of(desc, mesh_.tets, weighs, settings.presses);
-  if (settings.tilts)
-    if (auto act = tilted(desc, mesh_.tets, weighs)) acts_.push_back(std::move(*act));
-  for (const Act& act : acts_) feet_.push_back(foot_of(desc, mesh_.tets, act.stands.value_or(gravity)));
+      divided_(8 * mesh_.tets.tets.size() <= settings.most_tets) {
+  foot_ = foot_of(desc, mesh_.tets, gravity);
+  acts_ = acts_of(desc, mesh_.tets, gravity, settings.presses);
   places_ = places_in(mesh_.tets, place_count);
   reference_ = solve(settings.law, "tet10", divided_ ? halved(mesh_) : mesh_);
   unsettled_.assign(acts_.size(), 0);
@@ -76,11 +72,10 @@ std::unique_ptr<BodyTrial::Solved> BodyTrial::solve(const std::string& model, co
   desc.model = model;
   desc.element = element;
   auto out = std::make_unique<Solved>(desc, mesh);
-  for (std::size_t i = 0; i < acts_.size(); ++i) {
-    const Act& act = acts_[i];
-    if (feet_[i]) out->body.tie(ties_of(*feet_[i], out->body));
+  if (foot_) out->body.tie(ties_of(*foot_, out->body));
+  for (const Act& act : acts_) {
     const VecX load = load_of(act, out->body);
-    out->answers.push_back(out->body.settle(load, before_step_));
+    out->answers.push_back(out->body.settle(load));
     const VecX moved = out->answers.back().x - out->body.rest();
     out->dents.push_back(act.press ? load.dot(moved) / act.press->force : 0);
   }

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "server/physics/grading.h"
-#include "server/physics/soft/soft_matter.h"
 #include "tests/accuracy/boxes.h"
 
 namespace prosector {
@@ -89,24 +88,6 @@ TEST(BodyTrial, NothingIsNearWhatCollapses) {
   const BodyTrial trial(desc, 2 * test::gravity, test::box({0.1, 0.1, 0.1}, 2, 2, 2), {.presses = 0});
   for (const char* element : {"tet4", "tet10"})
     EXPECT_GE(error_of(trial.measure("fem_neo_hookean", element), "under its weight"), collapsed) << element;
-}
-
-/// A free body that is tilted stands on less of it, and coarse elements get more of that wrong.
-TEST(BodyTrial, TiltsWhatIsFree) {
-  SoftDesc desc = test::pinned(1, 30000, 0.3);
-  const Anatomy mesh = test::box({0.24, 0.1, 0.1}, 4, 2, 2);
-  const TrialSettings settings = {.most_tets = 1000, .presses = 0};
-  const BodyTrial tied(desc, test::gravity, mesh, settings);
-  for (const Act& act : tied.acts()) EXPECT_NE(act.name, "tilted");
-  desc.attach.clear();
-  const BodyTrial trial(desc, test::gravity, mesh, settings);
-  const auto acts = trial.measure("fem_neo_hookean", "tet10");
-  EXPECT_GT(error_of(acts, "tilted"), 1.5 * error_of(acts, "under its weight"));
-  StaticBody body(desc, mesh);
-  const VecX ties = ties_of(*foot_of(desc, mesh.tets, test::gravity), body);
-  body.tie(2 * ties);
-  body.tie(ties);
-  EXPECT_NEAR((body.matter().ties - ties).norm(), 0, 1e-9 * ties.norm()) << "in place of those before";
 }
 
 /// A free body is held alike on every mesh: by a bed whose springs add up to the same.
