@@ -27,8 +27,9 @@ namespace {
 using namespace std::chrono_literals;
 
 std::unique_ptr<Bus> join(BusEnd end, std::uint32_t domain, std::uint32_t index = 0,
-                          const std::string& session = "prosector") {
+                          const std::string& session = "prosector", bool arm = false) {
   BusConfig config;
+  config.arm = arm;
   config.end = end;
   config.domain = domain;
   config.server_index = index;
@@ -57,9 +58,12 @@ std::function<bool(const Received&)> is() {
 
 TEST(CycloneBus, EveryTopicArrives) {
   const auto server = join(BusEnd::server, test::dds_domain::cyclone_bus);
-  const auto client = join(BusEnd::dissector, test::dds_domain::cyclone_bus);
+  const auto client = join(BusEnd::dissector, test::dds_domain::cyclone_bus, 0, "prosector", true);
   ASSERT_TRUE(server->publish(sample_messages()[0]));
   ASSERT_TRUE(take_until(*client, 2s, is<SessionInfo>()));
+  FeltPlanes felt;
+  felt.participant = 7;
+  EXPECT_FALSE(server->publish(felt)) << "before anybody with an arm is here";
   for (const Message& message : sample_messages()) {
     const bool from_server = topics[message.index()].writers == Writers::server;
     Bus& sender = from_server ? *server : *client;

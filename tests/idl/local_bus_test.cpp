@@ -53,17 +53,23 @@ Command grasp_number(std::uint64_t sequence) {
 TEST(LocalBus, EveryTopicArrivesAtTheEndsThatReadIt) {
   LocalNetwork network({});
   const auto server = network.join(config_of(BusEnd::server));
-  const auto dissector = network.join(config_of(BusEnd::dissector));
+  BusConfig with_arm = config_of(BusEnd::dissector);
+  with_arm.arm = true;
+  const auto dissector = network.join(with_arm);
   const auto observer = network.join(config_of(BusEnd::observer));
   std::vector<Received> received;
   for (const Message& message : sample_messages()) {
     const bool from_server = topics[message.index()].writers == Writers::server;
+    observer->take(received);
     EXPECT_EQ(server->publish(message), from_server);
     EXPECT_EQ(dissector->publish(message), !from_server);
     dissector->take(received);
     EXPECT_EQ(received.size(), from_server ? 1u : 0u);
     server->take(received);
     EXPECT_EQ(received.size(), from_server ? 0u : 1u);
+    observer->take(received);
+    EXPECT_EQ(received.size(), from_server && !topics[message.index()].for_arms ? 1u : 0u)
+        << "without an arm";
   }
   // An observer may be made a dissector while it is here: its hands arrive, and the session says if they
   // count.
