@@ -15,18 +15,6 @@ constexpr std::uint8_t to_arm = 0, from_arm = 1;  // channels
 
 constexpr std::uint8_t dock_light = 3;
 
-ArmLimits omni_figures() {
-  ArmLimits out;  // its data sheet: docs/do/arms.md
-  out.low = {-0.08, -0.06, -0.035};
-  out.high = {0.08, 0.06, 0.035};
-  out.peak_force = 3.3;
-  out.continuous_force = 0.88;
-  out.stiffness = 1020;
-  out.max_slew = 1500;
-  out.rate = 1000;
-  return out;
-}
-
 }  // namespace
 
 OmniArm::OmniArm(std::unique_ptr<omni::Line> line, const ArmConfig& config,
@@ -40,9 +28,15 @@ OmniArm::~OmniArm() {
   line_->write(omni::control_register, {&off, 1});
 }
 
-const ArmLimits& OmniArm::limits() const {
-  static const ArmLimits figures = omni_figures();
-  return figures;
+ArmLimits omni_limits() {
+  ArmLimits out;  // its data sheet: docs/do/arms.md
+  out.low = {-0.08, -0.06, -0.035};
+  out.high = {0.08, 0.06, 0.035};
+  out.peak_force = 3.3;
+  out.continuous_force = 0.88;
+  out.stiffness = 1020;
+  out.max_slew = 1500;
+  return out;
 }
 
 ArmReading OmniArm::read() {

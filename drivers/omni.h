@@ -12,13 +12,16 @@
 
 namespace prosector {
 
+/// Returns what an Omni can do, by its data sheet.
+ArmLimits omni_limits();
+
 class OmniArm final : public Arm {
  public:
   OmniArm(std::unique_ptr<omni::Line> line, const ArmConfig& config,
           std::function<std::int64_t()> clock = monotonic_ns);
   ~OmniArm() override;
 
-  const ArmLimits& limits() const override;
+  const ArmLimits& limits() const override { return limits_; }
   ArmReading read() override;
   void set_force(const Vec3& force) override;
   DeviceStatus status() const override;
@@ -31,6 +34,7 @@ class OmniArm final : public Arm {
 
   std::unique_ptr<omni::Line> line_;
   ArmConfig config_;
+  ArmLimits limits_ = omni_limits();
   std::function<std::int64_t()> clock_;
   std::int64_t next_open_ns_ = 0, heard_ns_ = 0;
   std::optional<omni::State> last_;

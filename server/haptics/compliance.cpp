@@ -9,8 +9,7 @@
 namespace prosector {
 namespace {
 
-constexpr SolverSettings solve_settings = {60,
-                                           1e-2};  // on u; what is told is uᵀf, so its error is the square
+constexpr SolverSettings solve_settings = {60, 1e-2};
 constexpr double slowest = 0.5;  // Hz: what nothing holds is borne by its inertia at that frequency
 
 SoftDesc at_rest(SoftDesc desc) {

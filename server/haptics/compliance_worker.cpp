@@ -1,5 +1,6 @@
 #include "server/haptics/compliance_worker.h"
 
+#include <exception>
 #include <utility>
 
 namespace prosector {
@@ -47,15 +48,20 @@ void ComplianceWorker::run(std::stop_token stop) {
   }
 }
 
-/// Answers with nothing found where the body isn't the one that is known.
+/// Answers with nothing found where the body isn't the one that is known, or can't be asked: nothing that
+/// goes wrong here may end the session.
 ComplianceAnswer ComplianceWorker::answer(ComplianceQuestion question) {
-  Known& known = known_[question.body];
-  if (question.copy)
-    known = {question.version, std::make_unique<TissueCompliance>(question.copy->desc, question.copy->anatomy,
-                                                                  question.copy->ties)};
   ComplianceAnswer out{question.body, question.version, std::move(question.names), {}};
-  if (known.compliance && known.version == question.version)
-    out.found = known.compliance->find(question.x, question.strength, question.supports, question.patches);
+  try {
+    Known& known = known_[question.body];
+    if (question.copy)
+      known = {question.version, std::make_unique<TissueCompliance>(
+                                     question.copy->desc, question.copy->anatomy, question.copy->ties)};
+    if (known.compliance && known.version == question.version)
+      out.found = known.compliance->find(question.x, question.strength, question.supports, question.patches);
+  } catch (const std::exception&) {
+    known_.erase(question.body);
+  }
   return out;
 }
 

@@ -16,7 +16,6 @@ constexpr double one_side = 0.7;        // cosine: normals that are nearer to ea
 constexpr double agreement = 0.5;       // of forces: their sum over the sum of their sizes
 constexpr double same_place = 0.04;     // m: a plane that moved by more is another
 constexpr double least_radius = 0.005;  // m
-constexpr double held_damping = 1;      // N·s/m: of what is held and free
 constexpr double slips_from = 0.95;     // of what friction holds
 constexpr double softest = 1e-3;        // N/m
 constexpr double smoothing = 0.1;       // s, of the surface's speed

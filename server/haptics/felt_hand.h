@@ -17,7 +17,6 @@ struct TouchGroup {
   Vec3 point = Vec3::Zero();    // m, room: on the hand
   double pressing = 0;          // N: size of the sum of what presses, which is along the normal
   Vec3 force = Vec3::Zero();    // N, on the hand, friction included
-  bool holds = false;           // it is what the hand holds
 };
 
 class FeltHand {

@@ -7,17 +7,16 @@ import os
 import pathlib
 import signal
 import statistics
-import subprocess
 import sys
 import tempfile
-import threading
 import time
+
+from program import Program
 
 BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 OUT.mkdir(parents=True, exist_ok=True)
 for old in OUT.glob("arm*"):
     old.unlink()
-ENV = {**os.environ, "LC_ALL": "C"}
 HERE = pathlib.Path(__file__).parent
 SOCKET = pathlib.Path(tempfile.mkdtemp()) / "omni"  # a short path: sockets' are bounded
 TOP = 1.03  # m: of the tissue
@@ -31,32 +30,6 @@ def check(what, holds):
     print(("ok    " if holds else "FAILED"), what)
     if not holds:
         failures.append(what)
-
-
-class Program:
-    """A program whose lines can be waited for."""
-
-    def __init__(self, *words):
-        self.lines = []
-        self.process = subprocess.Popen([str(w) for w in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                        stdin=subprocess.PIPE, env=ENV)
-        threading.Thread(target=self.read, daemon=True).start()
-
-    def read(self):
-        for line in self.process.stdout:
-            self.lines.append(line.rstrip("\n"))
-
-    def wait(self, words, seconds=40):
-        end = time.monotonic() + seconds
-        while not any(words in line for line in list(self.lines)):
-            if time.monotonic() > end or self.process.poll() is not None:
-                sys.exit(f"FAILED: no \"{words}\" in:\n" + "\n".join(self.lines))
-            time.sleep(0.02)
-
-    def end(self, how=signal.SIGTERM):
-        if self.process.poll() is None:
-            self.process.send_signal(how)
-        self.process.wait(30)
 
 
 def arm_log(since=0.0):

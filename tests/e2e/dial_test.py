@@ -6,14 +6,14 @@ import pathlib
 import re
 import subprocess
 import sys
-import threading
 import time
+
+from program import ENV, Program
 
 BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 OUT.mkdir(parents=True, exist_ok=True)
 for old in OUT.glob("dial*.sqlite*"):
     old.unlink()
-ENV = {**os.environ, "LC_ALL": "C"}
 SCENE = """name = "dial"
 [[light]]
 kind = "directional"
@@ -33,33 +33,6 @@ accuracy_of = ["shape"]
   stiffness = 1e8
 """
 FIRST_TIME = 400  # s: rungs are measured on this machine
-
-
-class Program:
-    """A program that is spoken to, and whose lines can be waited for."""
-
-    def __init__(self, *words):
-        self.lines = []
-        self.process = subprocess.Popen([str(w) for w in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                        stdin=subprocess.PIPE, env=ENV)
-        threading.Thread(target=self.read, daemon=True).start()
-
-    def read(self):
-        for line in self.process.stdout:
-            self.lines.append(line.rstrip("\n"))
-
-    def say(self, line):
-        self.process.stdin.write(line + "\n")
-        self.process.stdin.flush()
-
-    def wait(self, words, times=1, seconds=40):
-        end = time.monotonic() + seconds
-        while sum(words in line for line in list(self.lines)) < times:
-            if time.monotonic() > end or self.process.poll() is not None:
-                sys.exit(f"FAILED: no {times} x \"{words}\" in:\n" + "\n".join(self.lines))
-            time.sleep(0.05)
-        return [line for line in self.lines if words in line][-1]
-
 
 (OUT / "dial.toml").write_text(SCENE)
 session = f"dial{os.getpid()}"

@@ -98,17 +98,6 @@ Planes tell(const HapticScheme& scheme, const HapticCase& test, double place, do
 
 }  // namespace
 
-ArmLimits omni_limits() {
-  ArmLimits limits;
-  limits.low = {-0.08, -0.06, -0.035};
-  limits.high = {0.08, 0.06, 0.035};
-  limits.peak_force = 3.3;
-  limits.continuous_force = 0.88;
-  limits.stiffness = 1020;
-  limits.max_slew = 1500;
-  return limits;
-}
-
 HapticResult run(const HapticScheme& scheme, const HapticCase& test) {
   std::mt19937_64 random(test.seed);
   Line<Vec3> up(test.line, random);

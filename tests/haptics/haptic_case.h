@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "client/haptics/haptic_loop.h"
+#include "drivers/omni.h"
 #include "drivers/twins/arm_model.h"
 
 namespace prosector {
@@ -51,8 +52,5 @@ struct HapticResult {
 HapticResult run(const HapticScheme& scheme, const HapticCase& test);
 
 inline constexpr double dt = 1e-3;  // s: the servo's period
-
-/// The limits that benches and twins of an Omni go by.
-ArmLimits omni_limits();
 
 }  // namespace prosector
