@@ -32,7 +32,7 @@ struct ContactPlane {
   double tangential = 0;         // N/m, along the plane
   double damping = 0;            // N·s/m, along the normal
   double friction = 0;           // coefficient of Coulomb's law
-  double radius = 0;             // m, around `point`: how far this is known to hold
+  double radius = 0;             // m: how far it holds; what `holds` yields once it is moved by more
   Vec3 velocity = Vec3::Zero();  // m/s, of the surface, without what this hand does to it
   bool holds = false;            // the hand holds it: it pulls, too, and friction has no bound
 };

@@ -42,7 +42,14 @@ ArmHand::ArmHand(const ArmSettings& settings)
     : settings_(settings), servo_(open_arm(settings.address, settings.arm), mount_of(settings)) {}
 
 void ArmHand::received(const FeltPlanes& felt, ParticipantId participant) {
-  if (felt.participant == participant && felt.hand == settings_.hand) servo_.feel(felt.planes);
+  if (felt.participant != participant || felt.hand != settings_.hand) return;
+  if (felt_tick_.exchange(felt.time.tick) == felt.time.tick) {
+    servo_.heard_again();
+  } else {
+    servo_.feel(felt.planes);
+    far_taken_ = felt.taken;
+    far_given_ = felt.given;
+  }
 }
 
 ArmForce ArmHand::fill(HandInput& input) {

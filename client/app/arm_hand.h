@@ -1,6 +1,7 @@
 #pragma once
 // A user's hand that a haptic arm moves: between the servo's thread, the network's and who sends inputs.
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ class ArmHand {
   /// Returns a line for people when its state changed since the last call.
   std::vector<std::string> take_news();
   ServoThread& servo() { return servo_; }
+  /// Returns what the server counts of the hand's energy, as it told last.
+  EnergyBook far_end() const { return {far_taken_, far_given_}; }
 
  private:
   ArmSettings settings_;
@@ -38,6 +41,8 @@ class ArmHand {
   DeviceHealth told_ = DeviceHealth::connecting;
   std::string told_message_;
   ServoView view_;
+  std::atomic<std::uint64_t> felt_tick_ = 0;           // of the newest message
+  std::atomic<double> far_taken_ = 0, far_given_ = 0;  // J
 };
 
 }  // namespace prosector

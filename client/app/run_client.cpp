@@ -77,7 +77,10 @@ class Client {
       std::this_thread::sleep_until(next);
     }
     viewer_->finish(pump_.get());
-    if (arm_) tell(servo_line());
+    if (arm_) {
+      tell(servo_line());
+      tell(energy_line());
+    }
     if (!options_.summary.empty()) write_report(report_, connection_, options_.summary);
     return report_.complete_ns && !viewer_->lost_pictures() ? 0 : 1;
   }
@@ -119,6 +122,13 @@ class Client {
         "priority",
         late.cycles, late.skipped, 1e3 * late.p50, 1e3 * late.p99, 1e3 * late.worst,
         arm_->servo().real_time() ? "with" : "without");
+  }
+
+  /// Says what went through the arm's hand, as both ends counted it.
+  std::string energy_line() {
+    const EnergyBook here = arm_->servo().view().energy, there = arm_->far_end();
+    return fmt::format("arm: the hand gave {:.1f} mJ and got {:.1f}; the server counted {:.1f} and {:.1f}",
+                       1e3 * here.taken, 1e3 * here.given, 1e3 * there.taken, 1e3 * there.given);
   }
 
   bool done() {

@@ -6,10 +6,10 @@
 namespace prosector {
 namespace {
 
-constexpr double rise_seconds = 0.3;   // from nothing to all of the force, once it may act
-constexpr double fade_seconds = 0.05;  // and back to nothing once it may not
-constexpr double heat_seconds = 20;    // in which motors' heat follows what they do
-constexpr double warm = 0.8;           // of the heat that may last: from here on less force is let through
+constexpr double rise_seconds = 0.3;    // from nothing to all of the force, once it may act
+constexpr double fade_seconds = 0.025;  // and back to nothing once it may not
+constexpr double heat_seconds = 20;     // in which motors' heat follows what they do
+constexpr double warm = 0.8;            // of the heat that may last: from here on less force is let through
 
 }  // namespace
 

@@ -23,6 +23,8 @@ class HapticLoop {
 
   /// Takes a message's planes, before the cycle at `time` (s, of the servo's clock).
   void take(std::span<const ContactPlane> planes, double time);
+  /// Notes that the newest message came once more.
+  void heard_again(double time) { planes_.heard_again(time); }
   /// Returns the force for the arm, N, room frame. `time` rises from call to call.
   Vec3 cycle(const ArmReading& reading, double time);
 

@@ -59,9 +59,13 @@ PlaneForce PlaneContact::advance(const Pose& hand, const Vec3& velocity, double 
     } else {
       anchored_ = false;
     }
-    if (plane_.stiffness > 0) out.stored = pressed * pressed / (2 * plane_.stiffness);
     out.force = force;
-    out.power = std::max(0., force.dot(plane_.velocity));
+    if (plane_.holds) {
+      out.power = std::max(0., force.dot(velocity));
+    } else {
+      if (plane_.stiffness > 0) out.stored = pressed * pressed / (2 * plane_.stiffness);
+      out.power = std::max(0., force.dot(plane_.velocity));
+    }
   }
   if (spread_left_ > 0) {
     spread_left_ = std::max(0., spread_left_ - dt);
@@ -77,7 +81,11 @@ Vec3 PlaneContact::elastic(const Vec3& p) const {
   const Vec3& n = plane_.normal;
   const Vec3 surface = plane_.point + plane_.velocity * std::min(age_, longest_drift);
   const double pressed = plane_.force.dot(n) + plane_.stiffness * (surface - p).dot(n);
-  if (plane_.holds) return pressed * n + friction(p, pressed);
+  if (plane_.holds) {
+    const Vec3 pulled = pressed * n + friction(p, pressed);
+    const double bound = plane_.force.norm() + plane_.radius * plane_.stiffness, size = pulled.norm();
+    return size > bound ? Vec3(pulled * (bound / size)) : pulled;
+  }
   if (pressed <= 0) return Vec3::Zero();
   return pressed * n + friction(p, pressed);
 }

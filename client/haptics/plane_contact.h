@@ -10,7 +10,9 @@ struct PlaneForce {
   Vec3 force = Vec3::Zero();  // N, on the hand
   Vec3 point = Vec3::Zero();  // m, room: where it acts
   double stored = 0;          // J, in the plane's springs
-  double power = 0;           // W, that the surface gives by moving, besides what this hand does to it
+  // W, that the surface gives by moving, besides what this hand does to it. What is held may give any energy:
+  // it has weight, and others move it.
+  double power = 0;
 };
 
 class PlaneContact {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/haptics/plane_contact.h"
+#include "client/haptics/rhythm.h"
 
 namespace prosector {
 
@@ -13,18 +14,19 @@ class PlaneSet {
  public:
   /// Takes a message's planes, which arrived at `time` (s, of the servo's clock), with the hand at `hand`.
   void take(std::span<const ContactPlane> planes, const Pose& hand, double time);
+  /// Notes that the newest message came once more.
+  void heard_again(double time) { signs_.note(time); }
   /// Returns the sum of forces, and goes on by dt s.
   PlaneForce advance(const Pose& hand, const Vec3& velocity, double dt);
   bool touches() const { return !contacts_.empty(); }
 
   /// Tells whether so much time passed since the last message that none is to be expected any more.
-  bool stale(double time) const;
+  bool stale(double time) const { return signs_.broken(time); }
 
  private:
   std::vector<PlaneContact> contacts_;
-  double last_ = -1;           // s: when the newest message came; below 0: none did
-  double interval_ = 1. / 60;  // s, between messages, of late …
-  double jitter_ = 0;          // … and by how much that varies
+  Rhythm news_;   // of messages that told something newer
+  Rhythm signs_;  // of all signs of life
 };
 
 }  // namespace prosector

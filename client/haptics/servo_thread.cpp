@@ -81,6 +81,7 @@ void ServoThread::cycle(double time) {
     loop_.take(*planes_, time);
     planes_.reset();
   }
+  if (repeated_.exchange(false)) loop_.heard_again(time);
   const Vec3 force = loop_.cycle(reading, time);
   arm_->set_force(force);
   const std::unique_lock lock(mutex_, std::try_to_lock);

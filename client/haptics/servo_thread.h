@@ -40,6 +40,8 @@ class ServoThread {
 
   /// Passes on what the hand feels now. Called by the network's thread.
   void feel(std::vector<ContactPlane> planes);
+  /// Passes on that the last of them were told again.
+  void heard_again() { repeated_ = true; }
   ServoView view();
   Lateness lateness() const;
   /// Tells whether the system gave it a real-time priority.
@@ -53,7 +55,7 @@ class ServoThread {
   std::unique_ptr<Arm> arm_;
   Pose hand_of_stylus_;
   HapticLoop loop_;
-  std::atomic<bool> real_time_ = false;
+  std::atomic<bool> real_time_ = false, repeated_ = false;
 
   mutable std::mutex mutex_;  // of what follows; the servo takes it only if it is free, but when it shows
   std::optional<std::vector<ContactPlane>> planes_;

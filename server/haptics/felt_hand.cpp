@@ -12,12 +12,11 @@ namespace prosector {
 namespace {
 
 constexpr double told_from = 0.03;      // m: what is nearer to a hand is told before it is met
-constexpr double one_side = 0.7;        // cosine: normals that are nearer to each other are of one plane
-constexpr double agreement = 0.5;       // of forces: their sum over the sum of their sizes
 constexpr double same_place = 0.04;     // m: a plane that moved by more is another
 constexpr double least_radius = 0.005;  // m
 constexpr double slips_from = 0.95;     // of what friction holds
 constexpr double softest = 1e-3;        // N/m
+constexpr double farthest = 0.1;        // m: what is held is told of as far as that
 constexpr double smoothing = 0.1;       // s, of the surface's speed
 constexpr double least_speed = 5e-3, most_speed = 0.5;  // m/s: slower counts as still, faster as that
 
@@ -38,86 +37,31 @@ double area_of(const SoftBody& body, const std::vector<HandTouch>& touches) {
   return std::max(static_cast<double>(touches.size()) * mean, std::numbers::pi * least_radius * least_radius);
 }
 
-/// Adds a touch. A group that nothing presses yet is where its touches are; else where they press.
-void add(TouchGroup& group, const HandTouch& touch) {
-  group.touches.push_back(touch);
-  Vec3 pressing = Vec3::Zero(), rubbing = Vec3::Zero(), facing = Vec3::Zero(), pressed = Vec3::Zero(),
-       middle = Vec3::Zero();
-  double force = 0;
-  for (const HandTouch& t : group.touches) {
-    pressing += t.force * t.normal;
-    rubbing += t.exchanged - t.exchanged.dot(t.normal) * t.normal;
-    pressed += t.force * t.point;
-    force += t.force;
-    facing += t.normal;
-    middle += t.point / static_cast<double>(group.touches.size());
-  }
-  group.pressing = pressing.norm();
-  group.force = pressing + rubbing;
-  group.point = force > 0 ? Vec3(pressed / force) : middle;
-  const Vec3& direction = group.pressing > 0 ? pressing : facing;
-  group.normal = direction.norm() > 0 ? Vec3(direction.normalized()) : touch.normal;
-}
-
-/// Tells whether what presses the hand presses it one way, as a fingertip in tissue is. Else it is gripped.
-bool one_way(std::span<const HandTouch> touches) {
-  Vec3 sum = Vec3::Zero();
-  double all = 0;
-  for (const HandTouch& t : touches) {
-    sum += t.force * t.normal;
-    all += t.force;
-  }
-  return sum.norm() >= agreement * all;
-}
-
-/// Adds a body's touches, each side as a group of its own. Once there are as many groups as there may be,
-/// what presses goes to the one that faces it most: no force is left out.
-void add_sides(std::span<const HandTouch> touches, std::vector<TouchGroup>& out) {
-  for (const HandTouch& touch : touches) {
-    TouchGroup* nearest = nullptr;
-    for (TouchGroup& group : out)
-      if (group.body == touch.body &&
-          (nearest == nullptr || group.normal.dot(touch.normal) > nearest->normal.dot(touch.normal)))
-        nearest = &group;
-    const bool fits = nearest != nullptr && nearest->normal.dot(touch.normal) > one_side;
-    const bool is_new = !fits && out.size() < max_contact_planes;
-    if (is_new) {
-      nearest = &out.emplace_back();
-      nearest->body = touch.body;
-    }
-    if (nearest != nullptr && (fits || is_new || touch.force > 0)) add(*nearest, touch);
-  }
-}
-
-/// Puts touches that become one plane together: those of a body, if they press one way, else those of a side.
-std::vector<TouchGroup> grouped(std::vector<HandTouch> touches) {
-  std::stable_sort(touches.begin(), touches.end(), [](const HandTouch& a, const HandTouch& b) {
-    return a.body != b.body ? a.body < b.body : a.force > b.force;
-  });
-  std::vector<TouchGroup> out;
-  for (auto first = touches.begin(); first != touches.end();) {
-    const auto last =
-        std::find_if(first, touches.end(), [&](const HandTouch& t) { return t.body != first->body; });
-    if (!one_way({first, last})) {
-      add_sides({first, last}, out);
-    } else if (out.size() < max_contact_planes) {
-      out.emplace_back().body = first->body;
-      for (auto touch = first; touch != last; ++touch) add(out.back(), *touch);
-    }
-    first = last;
-  }
-  return out;
-}
-
-/// Returns the contacts' own stiffness along the group's normal, N/m; 0: nothing touches.
-double contact_stiffness(const TouchGroup& group) {
+/// Returns the joints' own stiffness along the group's normal, N/m; 0: nothing touches.
+double joint_stiffness(const TouchGroup& group) {
   double sum = 0;
-  for (const HandTouch& t : group.touches) sum += t.stiffness * std::pow(t.normal.dot(group.normal), 2);
+  for (const HandTouch& t : group.touches)
+    sum += t.stiffness * (t.holds ? 1 : std::pow(t.normal.dot(group.normal), 2));
   return sum;
+}
+
+/// Returns how far the hand's side of the group yields along `direction` (unit) while the arm stays, m/N.
+double give_along(const TouchGroup& group, const Vec3& direction) {
+  double sum = 0;
+  for (const HandTouch& t : group.touches) sum += direction.dot(t.give * direction);
+  return sum / static_cast<double>(group.touches.size());
+}
+
+/// Returns how much farther what is held can be moved until all that holds it gives way, m.
+double reach_of(const TouchGroup& group, double stiffness) {
+  double bound = 0;
+  for (const HandTouch& t : group.touches) bound += t.bound;
+  return std::clamp((bound - group.pressing) / stiffness, 0., farthest);
 }
 
 /// Returns the springs that a touch is: along its normal, and along its plane while friction holds.
 Patch::Point point_of(const HandTouch& t) {
+  if (t.holds) return {t.side, t.stiffness * Mat3::Identity(), Mat3::Zero()};
   const Mat3 along = t.normal * t.normal.transpose();
   const Vec3 rubbing = t.exchanged - along * t.exchanged;
   const double bound = t.friction * t.force;
@@ -146,7 +90,8 @@ FeltPlanes FeltHand::follow(const Simulation& simulation, const HandState& hand)
   for (TouchGroup& group : groups) {
     Place place;
     const auto same = std::find_if(before.begin(), before.end(), [&](const Place& p) {
-      return p.id != 0 && p.group.body == group.body && p.group.normal.dot(group.normal) > one_side &&
+      return p.id != 0 && p.group.body == group.body && p.group.holds == group.holds &&
+             (group.holds || p.group.normal.dot(group.normal) > same_side) &&
              (p.group.point - group.point).norm() < same_place;
     });
     if (same != before.end()) {
@@ -162,7 +107,9 @@ FeltPlanes FeltHand::follow(const Simulation& simulation, const HandState& hand)
   out.participant = ref_.participant;
   out.hand = ref_.hand;
   out.time = simulation.time();
-  for (Place& place : places_) out.planes.push_back(plane_of(simulation, hand.pose, place));
+  Vec3 all = Vec3::Zero();  // N, on the hand
+  for (const Place& place : places_) all += place.group.force;
+  for (Place& place : places_) out.planes.push_back(plane_of(simulation, hand.pose, all, place));
   count_energy(hand);
   out.taken = taken_;
   out.given = given_;
@@ -180,7 +127,7 @@ bool FeltHand::others_act(BodyId body) const {
 Slopes FeltHand::slopes_of(const Simulation& simulation, const Place& place) const {
   if (place.slopes) return *place.slopes;
   const BodyId id = place.group.body;
-  const double contact = contact_stiffness(place.group);
+  const double contact = joint_stiffness(place.group);
   if (simulation.kind(id) != BodyKind::soft) return {contact, contact};
   const SoftBody& body = simulation.soft(id);
   const double punch =
@@ -188,11 +135,13 @@ Slopes FeltHand::slopes_of(const Simulation& simulation, const Place& place) con
   return {contact > 0 ? 1 / (1 / punch + 1 / contact) : punch, punch};
 }
 
-ContactPlane FeltHand::plane_of(const Simulation& simulation, const Pose& hand, Place& place) const {
+ContactPlane FeltHand::plane_of(const Simulation& simulation, const Pose& hand, const Vec3& all,
+                                Place& place) const {
   const TouchGroup& group = place.group;
   const Slopes slopes = slopes_of(simulation, place);
-  const double give = 1 / arm_coupling + 1 / std::max(slopes.normal, softest);
-  const double sideways = 1 / arm_coupling + 1 / std::max(slopes.tangential, softest);
+  const double give = give_along(group, group.normal) + 1 / std::max(slopes.normal, softest);
+  const double sideways =
+      give_along(group, group.normal.unitOrthogonal()) + 1 / std::max(slopes.tangential, softest);
   double damping = 0;  // N·s/m
   double radius = least_radius;
   if (simulation.kind(group.body) == BodyKind::soft) {
@@ -206,15 +155,16 @@ ContactPlane FeltHand::plane_of(const Simulation& simulation, const Pose& hand, 
   plane.normal = group.normal;
   plane.force = group.force;
   plane.arm = hand.inverse() * group.point;
-  // What presses is where the arm is, but for what the coupling gives way.
-  const bool pressed = group.pressing > 0;
-  plane.point = pressed ? Vec3(group.point - plane.force / arm_coupling)
-                        : Vec3(group.point - group.touches.front().gap * group.normal);
+  // What presses or pulls is where the arm is, but for what the coupling gives way.
+  plane.point = group.pressing > 0 || group.holds
+                    ? Vec3(group.point - all / arm_coupling)
+                    : Vec3(group.point - group.touches.front().gap * group.normal);
   plane.stiffness = std::min(1 / give, max_plane_stiffness);
   plane.tangential = std::min(1 / sideways, max_plane_stiffness);
   plane.damping = std::min(damping, max_plane_damping);
   plane.friction = std::min(friction_of(group), max_plane_friction);
-  plane.radius = radius;
+  plane.holds = group.holds;
+  plane.radius = group.holds ? reach_of(group, plane.stiffness) : radius;
 
   const double h = 1 / simulation.scene().tick_rate;
   const double surface = plane.point.dot(plane.normal) + plane.force.dot(plane.normal) / plane.stiffness;

@@ -6,18 +6,9 @@
 #include <vector>
 
 #include "server/haptics/compliance_worker.h"
+#include "server/haptics/touch_groups.h"
 
 namespace prosector {
-
-/// Touches of one body from one side, which become one plane.
-struct TouchGroup {
-  BodyId body = 0;
-  std::vector<HandTouch> touches;
-  Vec3 normal = Vec3::UnitY();  // unit, towards the hand
-  Vec3 point = Vec3::Zero();    // m, room: on the hand
-  double pressing = 0;          // N: size of the sum of what presses, which is along the normal
-  Vec3 force = Vec3::Zero();    // N, on the hand, friction included
-};
 
 class FeltHand {
  public:
@@ -46,7 +37,7 @@ class FeltHand {
 
   bool others_act(BodyId body) const;
   Slopes slopes_of(const Simulation& simulation, const Place& place) const;
-  ContactPlane plane_of(const Simulation& simulation, const Pose& hand, Place& place) const;
+  ContactPlane plane_of(const Simulation& simulation, const Pose& hand, const Vec3& all, Place& place) const;
   void count_energy(const HandState& hand);
   std::uint64_t name_of(const Place& place) const;
 

@@ -105,6 +105,9 @@ struct HandTouch {
   Vec3 exchanged = Vec3::Zero();  // N, on the hand, friction included: mean over the tick
   double stiffness = 0;           // N/m, of the contact by itself, or of one at that point
   double friction = 0;            // coefficient
+  Mat3 give = Mat3::Zero();       // m/N: how far that point of the hand yields while its arm stays
+  bool holds = false;             // a spring that pulls as well as it presses, any way; or a weight
+  double bound = 0;               // N: of what holds, its largest force
 };
 
 /// What keeps a point of a soft body in its place: a contact that presses, or a hold.

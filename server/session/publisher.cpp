@@ -6,6 +6,8 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t max_waiting_snapshots = 2;
+constexpr std::chrono::milliseconds felt_interval{5};   // between repeats
+constexpr std::chrono::milliseconds longest_felt{250};  // then what was felt is no sign of life any more
 
 }  // namespace
 
@@ -65,7 +67,13 @@ void Publisher::run() {
   while (true) {
     busy_ = false;
     idle_.notify_all();
-    wake_.wait(lock, [this] { return stop_ || !messages_.empty() || !snapshots_.empty(); });
+    const auto has_work = [this] { return stop_ || !messages_.empty() || !snapshots_.empty(); };
+    while (repeats_felt() && !wake_.wait_for(lock, felt_interval, has_work)) {
+      lock.unlock();
+      repeat_felt();
+      lock.lock();
+    }
+    wake_.wait(lock, has_work);
     if (messages_.empty() && snapshots_.empty()) return;
     busy_ = true;
     std::deque<Outgoing> messages;
@@ -111,6 +119,16 @@ void Publisher::send(const Snapshot& snapshot) {
   if (snapshot.status) out.push_back(*snapshot.status);
   newcomer_ = false;
   for (const Message& m : out) publish(m);
+  felt_ = snapshot.felt;
+  felt_at_ = std::chrono::steady_clock::now();
+}
+
+bool Publisher::repeats_felt() const {
+  return !felt_.empty() && std::chrono::steady_clock::now() - felt_at_ < longest_felt;
+}
+
+void Publisher::repeat_felt() {
+  for (const FeltPlanes& felt : felt_) publish(felt);
 }
 
 void Publisher::publish(const Message& message) {

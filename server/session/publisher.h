@@ -4,7 +4,11 @@
 // What must arrive (answers, roster) is queued without loss; snapshots are a queue of two, from which the
 // stale one is dropped. What is sent of a snapshot depends on what was sent before, not on the snapshots
 // between, so a dropped one loses nothing but time.
+//
+// What hands with an arm feel is sent again and again until there is something newer. So a lost message is
+// made up for within milliseconds, and an arm soon knows that the server is gone.
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -55,6 +59,8 @@ class Publisher {
   HandSender hands_;
   PanelSender panels_;
   bool newcomer_ = false;
+  std::vector<FeltPlanes> felt_;                        // of the newest snapshot
+  std::chrono::steady_clock::time_point felt_at_ = {};  // when it was sent first
 
   mutable std::mutex mutex_;
   std::condition_variable wake_, idle_;
@@ -68,6 +74,8 @@ class Publisher {
   void announce();
   void send(const Snapshot& snapshot);
   void publish(const Message& message);
+  void repeat_felt();
+  bool repeats_felt() const;
 };
 
 }  // namespace prosector

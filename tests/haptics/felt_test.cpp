@@ -1,21 +1,16 @@
 // What the server tells of tissue under a hand that an arm moves, against what that tissue does.
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
 #include <utility>
 
 #include "common/hand.h"
 #include "server/accuracy/static_body.h"
-#include "server/haptics/felt_hands.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/physics/soft/soft_matter.h"
-#include "tests/physics/scenes.h"
+#include "tests/haptics/felt_case.h"
 
 namespace prosector::test {
 namespace {
-
-const HandRef feeler{somebody, right_hand};
 
 /// A block that is held at its foot.
 SceneDesc held_block(double poisson_ratio = 0.4) {
@@ -50,73 +45,48 @@ TickInput moved(double clear, double reaction, bool appears = false) {
   return input;
 }
 
-class Felt : public testing::Test {
+class Felt : public testing::Test, protected FeltCase {
  protected:
-  Simulation simulation_{held_block(), options()};
-  FeltHands felt_;
-  FeltPlanes last_;
   double clear_ = 0.02;  // m: where the finger is
 
-  Felt() {
+  Felt() : FeltCase(held_block()) {
     step(moved(0.02, 0, true));
     for (int k = 0; k < 20; ++k) step(moved(0.02, 0));
-  }
-  void step(const TickInput& input) {
-    simulation_.step(input);
-    const FeelingHand hand{feeler, 5};
-    last_ = felt_.follow(simulation_, {&hand, 1}).at(0);
   }
   /// Presses to that place until all is at rest and the body was asked.
   void press(double clear, double reaction = 40) {
     const double from = std::exchange(clear_, clear);
     for (int k = 1; k <= 60; ++k) step(moved(from + (clear - from) * k / 60, reaction));
-    for (int k = 0; k < 180; ++k) step(moved(clear, reaction));
-    for (int k = 0; k < 200; ++k) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-      step(moved(clear, reaction));
-    }
-  }
-  Vec3 told_force() const {
-    Vec3 out = Vec3::Zero();
-    for (const ContactPlane& plane : last_.planes) out += plane.force;
-    return out;
-  }
-  /// N/m, upwards: of a hand that moves down.
-  double told_stiffness() const {
-    double out = 0;
-    for (const ContactPlane& plane : last_.planes)
-      out += plane.stiffness * plane.normal.y() * plane.normal.y() +
-             plane.tangential * (1 - plane.normal.y() * plane.normal.y());
-    return out;
+    settle(moved(clear, reaction));
   }
 };
 
 TEST_F(Felt, TissueIsToldBeforeItIsMet) {
   step(moved(0.02, 0));
-  ASSERT_EQ(last_.planes.size(), 1u);
-  const ContactPlane& plane = last_.planes[0];
+  ASSERT_EQ(last.planes.size(), 1u);
+  const ContactPlane& plane = last.planes[0];
   EXPECT_EQ(plane.force, Vec3::Zero());
   EXPECT_GT(plane.normal.y(), 0.9);
   EXPECT_NEAR(plane.point.y(), 0.06, 1e-3) << "its surface";
   EXPECT_GT(plane.stiffness, 10);
-  EXPECT_EQ(last_.input_sequence, 5u);
+  EXPECT_EQ(last.input_sequence, 5u);
 }
 
 TEST_F(Felt, FarFromAllNothingIsTold) {
   for (int k = 0; k < 60; ++k) step(moved(0.2, 0));
-  EXPECT_TRUE(last_.planes.empty());
+  EXPECT_TRUE(last.planes.empty());
 }
 
 TEST_F(Felt, ForceIsWhatTheContactDoes) {
   press(-0.006);
-  const Vec3 contact = simulation_.hands()[0].contact.force;  // on the body
+  const Vec3 contact = simulation.hands()[0].contact.force;  // on the body
   EXPECT_GT(told_force().y(), 0.5);
   EXPECT_NEAR((told_force() + contact).norm(), 0, 0.02 * contact.norm());
 }
 
 TEST_F(Felt, ThePlaneIsWhereTheArmIs) {
   press(-0.006);
-  for (const ContactPlane& plane : last_.planes) {
+  for (const ContactPlane& plane : last.planes) {
     const Vec3 of_arm = finger(-0.006) * plane.arm;
     EXPECT_LT(std::abs((of_arm - plane.point).dot(plane.normal)), 2e-4);
   }
@@ -133,19 +103,19 @@ TEST_F(Felt, StiffnessIsTheSlopeOfForceOverWay) {
 
 TEST_F(Felt, NobodyPressesHarderThanTheyFeel) {
   press(-0.007, 40);
-  EXPECT_GT(simulation_.hands()[0].contact.force.norm(), 1.6);
+  EXPECT_GT(simulation.hands()[0].contact.force.norm(), 1.6);
   press(-0.007, 0.2);
-  EXPECT_LT(simulation_.hands()[0].contact.force.norm(), 1.3) << "1 N and a quarter more than the arm's";
+  EXPECT_LT(simulation.hands()[0].contact.force.norm(), 1.3) << "1 N and a quarter more than the arm's";
 }
 
 TEST_F(Felt, BothEndsOfTheBookGrow) {
   press(-0.006);
-  const double taken = last_.taken;
+  const double taken = last.taken;
   EXPECT_GT(taken, 0);
   press(0.02);
-  EXPECT_GE(last_.taken, taken);
-  EXPECT_GT(last_.given, 0) << "tissue pushes the hand out";
-  EXPECT_GT(last_.taken, last_.given) << "and keeps some";
+  EXPECT_GE(last.taken, taken);
+  EXPECT_GT(last.given, 0) << "tissue pushes the hand out";
+  EXPECT_GT(last.taken, last.given) << "and keeps some";
 }
 
 TEST(FeltHands, TheStateIsTheSameWithAndWithout) {

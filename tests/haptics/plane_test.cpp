@@ -30,9 +30,29 @@ TEST(PlaneContact, WhatIsHeldPullsAsWell) {
   ContactPlane plane = wall();
   plane.holds = true;
   plane.force = {0, -2, 0};
+  plane.radius = 0.003;
   PlaneContact contact(plane, at(0, 0), 0);
   EXPECT_NEAR(contact.advance(at(0, 0), Vec3::Zero(), dt).force.y(), -2, 1e-12);
   EXPECT_NEAR(contact.advance(at(0, 0.002), Vec3::Zero(), dt).force.y(), -3, 1e-12);
+}
+
+TEST(PlaneContact, WhatIsHeldYieldsBeyondItsRadius) {
+  ContactPlane plane = wall();
+  plane.holds = true;
+  plane.force = {0, -2, 0};
+  plane.radius = 0.001;  // half a newton more
+  PlaneContact contact(plane, at(0, 0), 0);
+  EXPECT_NEAR(contact.advance(at(0, 0.02), Vec3::Zero(), dt).force.norm(), 2.5, 1e-12);
+  EXPECT_NEAR(contact.advance(at(0.05, 0), Vec3::Zero(), dt).force.norm(), 2.5, 1e-12);
+}
+
+TEST(PlaneContact, AWeightIsTheSameEverywhere) {
+  ContactPlane plane = wall(0);
+  plane.holds = true;
+  plane.force = {0, -2, 0};
+  PlaneContact contact(plane, at(0, 0), 0);
+  for (const double y : {0., 0.3, -0.3})
+    EXPECT_EQ(contact.advance(at(0.1, y), Vec3::Zero(), dt).force, plane.force);
 }
 
 TEST(PlaneContact, FrictionHoldsAndThenSlidesAtItsCoefficient) {
@@ -100,6 +120,23 @@ TEST(PlaneSet, SilenceIsNoticedWithinAFewMessages) {
   for (; t < 1; t += 1. / 60) set.take({}, at(0, 0), t);
   EXPECT_FALSE(set.stale(t));
   EXPECT_TRUE(set.stale(t + 0.1));
+}
+
+TEST(PlaneSet, ARepeatedMessageIsASignOfLifeAndNothingElse) {
+  PlaneSet set;
+  const std::vector<ContactPlane> one = {wall()};
+  double t = 0;
+  for (; t < 1; t += 0.1) {
+    set.take(one, at(0, -0.002), t);
+    for (double again = 0.005; again < 0.099; again += 0.005) {
+      set.heard_again(t + again);
+      EXPECT_FALSE(set.stale(t + again + 0.015));
+    }
+  }
+  EXPECT_TRUE(set.stale(t + 0.03)) << "messages a tenth of a second apart, their repeats 5 ms";
+  double force = 0;
+  for (int k = 0; k < 60; ++k) force = set.advance(at(0, -0.002), Vec3::Zero(), dt).force.y();
+  EXPECT_NEAR(force, 1, 1e-9);
 }
 
 TEST(PlaneSet, TwoPlanesThatFaceEachOtherAddUp) {

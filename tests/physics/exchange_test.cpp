@@ -106,7 +106,7 @@ TEST(Exchange, AShortenedStepTellsTheWholeForce) {
     system.assemble(q, false);
     if (balanced) system.joints().take_balanced();
     system.joints().take(length, VecX::Zero(q.size()));
-    system.joints().tell_contacts(q, all_held);
+    system.joints().tell_joints(q, all_held);
     return pressed.exchanged.y();
   };
   for (const double length : {1.0, 0.5, 1.0 / 32}) {

@@ -65,12 +65,15 @@ struct Contact {
   Vec3 grip_after = Vec3::Zero();  // as grip, at the tick's end
 };
 
-/// A bounded spring between a point of side a and a point of side b: a hand's hold on tissue.
+/// A bounded spring between a point of side a and a point of side b: a hand's hold, or tissue that holds a
+/// blade back.
 struct Tie {
   ContactSide a, b;
   Vec3 offset = Vec3::Zero();  // m: a − b − rest, at the tick's start
   double stiffness = 0;        // N/m
   double max_force = 0;        // N
+  // Result:
+  Vec3 force = Vec3::Zero();  // N, on a, at the tick's end
 };
 
 }  // namespace prosector

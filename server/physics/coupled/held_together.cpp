@@ -1,7 +1,7 @@
 #include "server/physics/coupled/held_together.h"
 
 #include "server/physics/contact/potentials.h"
-#include "server/physics/coupled/lever.h"
+#include "server/physics/lever.h"
 
 namespace prosector {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "server/physics/coupled/held_together.h"
-#include "server/physics/coupled/lever.h"
+#include "server/physics/lever.h"
 #include "server/physics/soft/integrators/substepper.h"
 
 namespace prosector {

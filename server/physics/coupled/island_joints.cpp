@@ -206,7 +206,7 @@ bool IslandJoints::unsettled(const VecX& q) {
   return false;
 }
 
-void IslandJoints::tell_contacts(const VecX& q, bool all_held) const {
+void IslandJoints::tell_joints(const VecX& q, bool all_held) const {
   const double taken = all_held && untaken_ < 1 ? 1 - untaken_ : 1;
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     Contact& contact = island_->contacts[c];
@@ -219,6 +219,7 @@ void IslandJoints::tell_contacts(const VecX& q, bool all_held) const {
     const double length = slip.norm();
     contact.grip_after = slip / std::max(length, contacts_[c].threshold);
   }
+  for (std::size_t t = 0; t < ties_.size(); ++t) island_->ties[t].force = -tie_force(t, q);
 }
 
 double IslandJoints::contact_energy(std::size_t c, const Vec3& u) const {

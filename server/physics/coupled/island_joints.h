@@ -39,9 +39,10 @@ class IslandJoints {
   /// Returns whether contacts have yet to follow. At q, where the last step led, their forces (friction as
   /// lagged) are others than the step took them for, by more than a share of those on some body.
   bool unsettled(const VecX& q);
-  /// Fills the contacts' results: forces at q, and what was exchanged. `all_held`: every body of the island
-  /// is held or pulled. No momentum has to add up then, and what the steps left untaken counts like the rest.
-  void tell_contacts(const VecX& q, bool all_held) const;
+  /// Fills the results of contacts and ties: forces at q, and what was exchanged. `all_held`: every body of
+  /// the island is held or pulled. No momentum has to add up then, and what the steps left untaken counts
+  /// like the rest.
+  void tell_joints(const VecX& q, bool all_held) const;
 
  private:
   /// Contact forces on a body: how large, and how far off, N.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "server/physics/coupled/lever.h"
 #include "server/physics/coupled/rigid_energy.h"
+#include "server/physics/lever.h"
 #include "server/physics/parallel.h"
 
 namespace prosector {

@@ -12,7 +12,7 @@
 namespace prosector {
 namespace {
 
-constexpr double lever = 0.05;          // m: turns the coupling's stiffness into an angular one
+constexpr double turning_arm = 0.05;    // m: turns the coupling's stiffness into an angular one
 constexpr double patch_radius = 0.015;  // m, of a digit's grip
 constexpr double grip_force = 4;        // times the coupling's bound: a rigid hold tears, it doesn't stretch
 constexpr double grip_stiffness = 10;  // times the heavier of hand and thing over h²: what a light tool does
@@ -54,9 +54,15 @@ Pull hand_pull(const Hand& hand, const HandModel& model, const HandDesc& desc, c
   pull.max_force = desc.max_force;
   if (hand.reaction && !hand.hold)
     pull.max_force = std::min(desc.max_force, arm_allowance + arm_share * *hand.reaction);
-  pull.angular_stiffness = total * lever * lever;
-  pull.max_moment = desc.max_force * lever;
+  pull.angular_stiffness = total * turning_arm * turning_arm;
+  pull.max_moment = desc.max_force * turning_arm;
   return pull;
+}
+
+Mat3 coupling_give(const Pose& centre, const Vec3& point) {
+  const Vec3 r = point - centre.p;
+  const Mat3 turned = r.squaredNorm() * Mat3::Identity() - r * r.transpose();
+  return (Mat3::Identity() + turned / (turning_arm * turning_arm)) / arm_coupling;
 }
 
 std::vector<Feeler> feelers(const Hand& hand, const HandModel& model, const Pose& centre) {

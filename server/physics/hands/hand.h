@@ -62,6 +62,10 @@ inline constexpr double arm_allowance = 1,
 /// little more than what the arm pushes it back with.
 Pull hand_pull(const Hand& hand, const HandModel& model, const HandDesc& desc, const Pose& centre, double h);
 
+/// Returns how far a point of a hand that an arm moves yields under a force on it while the arm stays, m/N.
+/// `centre`: the hand's, world frame.
+Mat3 coupling_give(const Pose& centre, const Vec3& point);
+
 /// Points on the hand's surface line, world frame, with the radius around each: what a grasp measures from.
 struct Feeler {
   Vec3 point;

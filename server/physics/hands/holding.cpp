@@ -8,6 +8,7 @@
 
 #include "server/physics/contact/potentials.h"
 #include "server/physics/hands/hands.h"
+#include "server/physics/lever.h"
 
 namespace prosector {
 namespace {
@@ -110,6 +111,15 @@ Vec3 hold_force(const Bodies& bodies, const Hand& hand) {
   Vec3 sum = Vec3::Zero();
   for (const HeldPoint& p : held_points(bodies, hand)) sum += p.force();
   return sum;
+}
+
+Mat3 grip_give(const Bodies& bodies, const Hand& hand, const Vec3& point) {
+  Mat6 stiffness = Mat6::Zero();  // over twists about `point`
+  for (const HeldPoint& p : held_points(bodies, hand)) {
+    const Mat36 moved = lever(p.at_body - point);
+    stiffness += p.stiffness * moved.transpose() * moved;
+  }
+  return stiffness.inverse().topLeftCorner<3, 3>();
 }
 
 void tend_holds(State& state, std::span<const Island> islands, double h, StepReport& report) {

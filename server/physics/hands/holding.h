@@ -21,6 +21,9 @@ std::vector<HeldPoint> held_points(const Bodies& bodies, const Hand& hand);
 /// Returns the force of the hold on what is held, N.
 Vec3 hold_force(const Bodies& bodies, const Hand& hand);
 
+/// Returns how far a point of the rigid body that the hand holds yields in its grip under a force on it, m/N.
+Mat3 grip_give(const Bodies& bodies, const Hand& hand, const Vec3& point);
+
 /// Makes hands let go, after a tick, of what was torn from them or set down. `islands`: of that tick; `h`: s,
 /// of its last part.
 void tend_holds(State& state, std::span<const Island> islands, double h, StepReport& report);

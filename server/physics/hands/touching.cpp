@@ -5,6 +5,7 @@
 #include <set>
 
 #include "server/physics/contact/rigid_soft_contacts.h"
+#include "server/physics/hands/holding.h"
 
 namespace prosector {
 namespace {
@@ -15,11 +16,22 @@ const Hand* hand_of(const State& state, const HandRef& ref) {
   return nullptr;
 }
 
-/// Returns whose slot of the rigid world it is; nothing: no hand's.
+/// Tells whether the hand holds the rigid body in that slot. It is then as a part of the hand.
+bool wields(const State& state, const Hand& hand, std::size_t slot) {
+  return hand.hold && !state.bodies.is_soft(hand.hold->body) && hand.hold->body == slot;
+}
+
+/// Tells whether a contact's side is the hand's, or that of a rigid body in it.
+bool is_of(const State& state, const Hand& hand, const ContactSide& side) {
+  return side.kind == ContactSide::Kind::rigid && (side.body == hand.slot || wields(state, hand, side.body));
+}
+
+/// Returns whose slot of the rigid world it is, or that of what he holds; nothing: no hand's.
 std::optional<HandRef> owner_of(const State& state, std::size_t slot) {
-  const Hand* hand = hand_at(state.hands, slot);
-  if (hand == nullptr) return std::nullopt;
-  return HandRef{hand->participant, static_cast<std::uint8_t>(hand->side)};
+  for (const Hand& hand : state.hands)
+    if (hand.slot == slot || wields(state, hand, slot))
+      return HandRef{hand.participant, static_cast<std::uint8_t>(hand.side)};
+  return std::nullopt;
 }
 
 BodyId body_of(const State& state, const ContactSide& side) {
@@ -27,16 +39,27 @@ BodyId body_of(const State& state, const ContactSide& side) {
                                               : static_cast<BodyId>(side.body);
 }
 
-/// Returns the touch of a contact whose side `on_hand` is the hand's.
-HandTouch touch_of(const State& state, const Contact& c, bool hand_is_b) {
-  const ContactSide& met = hand_is_b ? c.a : c.b;
+/// Returns how far a point of what is in `slot` yields, m/N: that of the hand, or of what it holds.
+Mat3 give_of(const State& state, const Hand& hand, std::size_t slot, const Vec3& point) {
+  const Mat3 coupling = coupling_give(state.bodies.rigid.motion(hand.slot).pose, point);
+  return slot == hand.slot ? coupling : Mat3(coupling + grip_give(state.bodies, hand, point));
+}
+
+/// Returns what a contact or tie between the hand's side and another tells, but for its force.
+HandTouch touch_between(const State& state, const Hand& hand, const ContactSide& own,
+                        const ContactSide& met) {
   HandTouch out;
   out.body = body_of(state, met);
   out.side = met;
+  out.point = state.bodies.rigid.motion(own.body).pose.p + own.arm;
+  out.give = give_of(state, hand, own.body, out.point);
+  return out;
+}
+
+HandTouch touch_of(const State& state, const Hand& hand, const Contact& c) {
+  const bool hand_is_b = is_of(state, hand, c.b);
+  HandTouch out = touch_between(state, hand, hand_is_b ? c.b : c.a, hand_is_b ? c.a : c.b);
   out.normal = hand_is_b ? Vec3(-c.normal) : c.normal;
-  const ContactSide& own = hand_is_b ? c.b : c.a;
-  const RigidMotion motion = state.bodies.rigid.motion(own.body);
-  out.point = motion.pose.p + own.arm;
   out.gap = c.gap + c.rest;
   out.force = c.force;
   out.exchanged = hand_is_b ? Vec3(-c.exchanged) : c.exchanged;
@@ -45,9 +68,36 @@ HandTouch touch_of(const State& state, const Contact& c, bool hand_is_b) {
   return out;
 }
 
-/// Adds the nearest point of each soft body that is near the hand and doesn't press on it.
-void add_near_tissue(const State& state, const Collider& collider, const Hand& hand, double reach,
-                     std::vector<HandTouch>& out) {
+/// Returns what a tie of the hand, or of a blade in it, tells. One that bears all it can stretches freely.
+HandTouch touch_of(const State& state, const Hand& hand, const Tie& tie) {
+  const bool hand_is_b = is_of(state, hand, tie.b);
+  HandTouch out = touch_between(state, hand, hand_is_b ? tie.b : tie.a, hand_is_b ? tie.a : tie.b);
+  out.exchanged = hand_is_b ? Vec3(-tie.force) : tie.force;
+  out.force = tie.force.norm();
+  out.stiffness = tie.stiffness;
+  out.holds = true;
+  out.bound = tie.max_force;
+  return out;
+}
+
+/// Returns the weight of the rigid body that the hand holds.
+HandTouch weight_of(const State& state, const Hand& hand) {
+  const Bodies& bodies = state.bodies;
+  const RigidSetup& setup = bodies.model.rigid[hand.hold->body].setup;
+  HandTouch out;
+  out.body = hand.hold->body;
+  out.side.kind = ContactSide::Kind::rigid;
+  out.side.body = hand.hold->body;
+  out.point = bodies.rigid.motion(hand.hold->body).pose.p;
+  out.exchanged = setup.balanced ? Vec3(Vec3::Zero()) : Vec3(setup.mass * bodies.model.scene.gravity);
+  out.force = out.bound = out.exchanged.norm();
+  out.holds = true;
+  return out;
+}
+
+/// Adds the nearest point of each soft body that is near the hand, or what it holds, and doesn't press on it.
+void add_near_tissue(const State& state, const Collider& collider, const Hand& hand, std::size_t slot,
+                     double reach, std::vector<HandTouch>& out) {
   for (const Tissue& tissue : state.bodies.soft) {
     const BodyId body = state.bodies.soft_id(tissue.index);
     const auto same = [&](const HandTouch& t) { return t.body == body; };
@@ -66,20 +116,39 @@ void add_near_tissue(const State& state, const Collider& collider, const Hand& h
       nearest->stiffness = tissue.contact_stiffness(vertex);
       nearest->friction = std::sqrt(tissue.desc().friction * collider.friction);
     });
-    if (nearest) out.push_back(*nearest);
+    if (!nearest) continue;
+    nearest->give = give_of(state, hand, slot, nearest->point);
+    out.push_back(*nearest);
+  }
+}
+
+/// Adds what presses on the hand, or on what it holds, in the tick's islands, and what it pulls.
+void add_met(const State& state, std::span<const Island> islands, const Hand& hand,
+             std::vector<HandTouch>& out) {
+  const auto between = [&](const auto& joint) {
+    return is_of(state, hand, joint.a) != is_of(state, hand, joint.b);
+  };
+  for (const Island& island : islands) {
+    for (const Contact& c : island.contacts)
+      if (c.force > 0 && c.bearer == 0 && between(c)) out.push_back(touch_of(state, hand, c));
+    for (const Tie& tie : island.ties)
+      if (between(tie)) out.push_back(touch_of(state, hand, tie));
   }
 }
 
 std::vector<HandTouch> touches_of(const State& state, std::span<const Island> islands,
                                   std::span<const Collider> colliders, const Hand& hand, double reach) {
   std::vector<HandTouch> out;
-  const auto own = [&](const ContactSide& side) {
-    return side.kind == ContactSide::Kind::rigid && side.body == hand.slot;
+  add_met(state, islands, hand, out);
+  const auto add_near = [&](std::size_t slot) {
+    if (slot < colliders.size()) add_near_tissue(state, colliders[slot], hand, slot, reach, out);
   };
-  for (const Island& island : islands)
-    for (const Contact& c : island.contacts)
-      if (c.force > 0 && c.bearer == 0 && own(c.a) != own(c.b)) out.push_back(touch_of(state, c, own(c.b)));
-  if (hand.slot < colliders.size()) add_near_tissue(state, colliders[hand.slot], hand, reach, out);
+  add_near(hand.slot);
+  if (hand.hold && wields(state, hand, hand.hold->body)) {
+    if (state.bodies.model.blades[hand.hold->body].edges.empty()) add_near(hand.hold->body);
+    const HandTouch weight = weight_of(state, hand);
+    if (weight.force > 0) out.push_back(weight);
+  }
   return out;
 }
 

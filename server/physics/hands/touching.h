@@ -1,5 +1,5 @@
 #pragma once
-// What a hand meets, and what bears the tissue that it meets: what those are told who feel with an arm.
+// Contacts, holds and weight that an arm lets its user feel. A rigid body in a hand counts as the hand.
 
 #include <span>
 #include <vector>
@@ -10,9 +10,10 @@
 
 namespace prosector {
 
-/// Returns the points that press on the hand in the tick's islands. Then come those of tissue that are nearer
-/// than `reach` (m) and don't, the nearest of each body. With them comes what presses on these bodies, or
-/// holds them.
+/// Returns the points that press on the hand in the tick's islands, and those that it holds or cuts. Then
+/// come those of tissue that are nearer than `reach` (m) and don't, the nearest of each body, and the weight
+/// of a rigid body that it holds. With them comes what presses on the soft bodies among these, or holds
+/// them.
 HandSurroundings surroundings_of(const State& state, std::span<const Island> islands,
                                  std::span<const Collider> colliders, const HandRef& hand, double reach);
 
