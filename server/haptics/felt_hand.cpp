@@ -37,11 +37,13 @@ double area_of(const SoftBody& body, const std::vector<HandTouch>& touches) {
   return std::max(static_cast<double>(touches.size()) * mean, std::numbers::pi * least_radius * least_radius);
 }
 
-/// Returns the joints' own stiffness along the group's normal, N/m; 0: nothing touches.
+/// Returns the joints' own stiffness along the group's normal, N/m: of those that press, if any do; 0:
+/// nothing touches.
 double joint_stiffness(const TouchGroup& group) {
   double sum = 0;
   for (const HandTouch& t : group.touches)
-    sum += t.stiffness * (t.holds ? 1 : std::pow(t.normal.dot(group.normal), 2));
+    if (t.holds || t.force > 0 || group.pressing == 0)
+      sum += t.stiffness * (t.holds ? 1 : std::pow(t.normal.dot(group.normal), 2));
   return sum;
 }
 

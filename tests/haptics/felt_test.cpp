@@ -101,6 +101,23 @@ TEST_F(Felt, StiffnessIsTheSlopeOfForceOverWay) {
   EXPECT_NEAR(told / slope, 1, 0.11) << "of " << slope << " N/m";
 }
 
+TEST_F(Felt, TheBlockIsWhereAStaticSolutionUnderTheTouchesHasIt) {
+  press(-0.006);
+  const SoftBody& body = simulation.soft(0);
+  VecX load = VecX::Zero(3 * body.nodes());
+  for (const HandTouch& touch : simulation.around(feeler, 0).touches)
+    for (std::size_t k = 0; k < touch.side.nodes; ++k)
+      load.segment<3>(3 * static_cast<Eigen::Index>(touch.side.node[k])) -=
+          touch.side.weight[k] * touch.exchanged;
+  StaticBody still(body.desc(), body.anatomy());
+  still.tie(body.attachment_stiffness() - still.matter().ties);
+  const StaticAnswer answer = still.settle(load);
+  ASSERT_TRUE(answer.usable());
+  const VecX moved = simulation.soft_state(0).motion.x - body.rest(), there = answer.x - body.rest();
+  EXPECT_GT(there.lpNorm<Eigen::Infinity>(), 3e-3);
+  EXPECT_LT((moved - there).norm(), 0.03 * there.norm());
+}
+
 TEST_F(Felt, NobodyPressesHarderThanTheyFeel) {
   press(-0.007, 40);
   EXPECT_GT(simulation.hands()[0].contact.force.norm(), 1.6);

@@ -1,6 +1,6 @@
 // A far network in user space: one TAP device in each of two network namespaces, and between them, in each
 // direction, a seeded loss, a rate limit with a queue, and a delay with jitter.
-//   wan_bridge NAMESPACE_A ADDRESS_A/BITS NAMESPACE_B ADDRESS_B/BITS [SEED]
+//   wan_bridge NAMESPACE_A ADDRESS_A/BITS NAMESPACE_B ADDRESS_B/BITS [SEED [DELAY_MS]]
 // Prints "ready" when both devices are up; ends with its standard input or a signal. Needs root.
 
 #include <fcntl.h>
@@ -27,7 +27,7 @@
 namespace {
 
 constexpr double loss = 0.01;
-constexpr std::int64_t delay_ns = 20'000'000, jitter_ns = 5'000'000;
+constexpr std::int64_t default_delay_ns = 20'000'000, jitter_ns = 5'000'000;
 constexpr double bits_per_ns = 0.05;                  // 50 Mbit/s
 constexpr std::int64_t queue_limit_ns = 200'000'000;  // a packet that would wait longer is dropped
 
@@ -53,7 +53,8 @@ int open_tap(const std::string& space, const std::string& address) {
 /// One direction of the link.
 class Link {
  public:
-  Link(int from, int to, std::uint64_t seed) : from_(from), to_(to), random_(seed) {}
+  Link(int from, int to, std::int64_t delay_ns, std::uint64_t seed)
+      : from_(from), to_(to), delay_ns_(delay_ns), random_(seed) {}
 
   void read_all(std::int64_t now) {
     std::array<char, 65536> frame;
@@ -77,17 +78,18 @@ class Link {
     free_at_ = start + static_cast<std::int64_t>(8.0 * static_cast<double>(frame.size()) / bits_per_ns);
     if (std::uniform_real_distribution<double>(0, 1)(random_) < loss) return;
     const auto jitter = std::uniform_int_distribution<std::int64_t>(-jitter_ns, jitter_ns)(random_);
-    under_way_.emplace(free_at_ + delay_ns + jitter, std::move(frame));
+    under_way_.emplace(free_at_ + delay_ns_ + jitter, std::move(frame));
   }
 
   int from_, to_;
+  std::int64_t delay_ns_;
   std::mt19937_64 random_;
   std::int64_t free_at_ = 0;  // when the rate limit lets the next packet start
   std::multimap<std::int64_t, std::vector<char>> under_way_;
 };
 
-void run(int a, int b, std::uint64_t seed) {
-  Link there(a, b, seed), back(b, a, seed + 1);
+void run(int a, int b, std::int64_t delay_ns, std::uint64_t seed) {
+  Link there(a, b, delay_ns, seed), back(b, a, delay_ns, seed + 1);
   std::array<pollfd, 3> files{{{a, POLLIN, 0}, {b, POLLIN, 0}, {STDIN_FILENO, POLLIN, 0}}};
   while ((files[2].revents & (POLLIN | POLLHUP)) == 0) {
     const std::int64_t now = prosector::monotonic_ns();
@@ -107,14 +109,17 @@ void run(int a, int b, std::uint64_t seed) {
 
 int main(int argc, char** argv) {
   if (argc < 5) {
-    fmt::print(stderr, "usage: wan_bridge NAMESPACE_A ADDRESS_A/BITS NAMESPACE_B ADDRESS_B/BITS [SEED]\n");
+    fmt::print(stderr,
+               "usage: wan_bridge NAMESPACE_A ADDRESS_A/BITS NAMESPACE_B ADDRESS_B/BITS [SEED [DELAY_MS]]\n");
     return 2;
   }
   try {
     const int a = open_tap(argv[1], argv[2]), b = open_tap(argv[3], argv[4]);
     fmt::print("ready\n");
     std::fflush(stdout);
-    run(a, b, argc > 5 ? std::strtoull(argv[5], nullptr, 10) : 1);
+    const std::int64_t delay_ns =
+        argc > 6 ? std::strtoll(argv[6], nullptr, 10) * 1'000'000 : default_delay_ns;
+    run(a, b, delay_ns, argc > 5 ? std::strtoull(argv[5], nullptr, 10) : 1);
   } catch (const std::runtime_error& error) {
     fmt::print(stderr, "wan_bridge: {}\n", error.what());
     return 1;

@@ -122,15 +122,18 @@ void add_near_tissue(const State& state, const Collider& collider, const Hand& h
   }
 }
 
-/// Adds what presses on the hand, or on what it holds, in the tick's islands, and what it pulls.
+/// Adds what presses on the hand, or on what it holds, in the tick's islands, and what it pulls. What is
+/// rigid counts when it is about to.
 void add_met(const State& state, std::span<const Island> islands, const Hand& hand,
              std::vector<HandTouch>& out) {
   const auto between = [&](const auto& joint) {
     return is_of(state, hand, joint.a) != is_of(state, hand, joint.b);
   };
   for (const Island& island : islands) {
-    for (const Contact& c : island.contacts)
-      if (c.force > 0 && c.bearer == 0 && between(c)) out.push_back(touch_of(state, hand, c));
+    for (const Contact& c : island.contacts) {
+      const bool rigid = c.a.kind != ContactSide::Kind::soft && c.b.kind != ContactSide::Kind::soft;
+      if ((c.force > 0 || rigid) && c.bearer == 0 && between(c)) out.push_back(touch_of(state, hand, c));
+    }
     for (const Tie& tie : island.ties)
       if (between(tie)) out.push_back(touch_of(state, hand, tie));
   }
