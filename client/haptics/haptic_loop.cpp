@@ -9,12 +9,13 @@ namespace {
 
 constexpr double usual_cycle = 1e-3;    // s
 constexpr double longest_cycle = 0.02;  // s: after a longer one force begins at nothing again
-constexpr double cutoff = 150;          // Hz, of the velocity's filter: encoders have steps
+constexpr double cutoff = 150;          // Hz, of the velocity's filter: encoders have steps …
+constexpr double slow_cutoff = 40;      // … which the passivity's strong damping must not make felt
 
 }  // namespace
 
 void HapticLoop::take(std::span<const ContactPlane> planes, double time) {
-  planes_.take(planes, hand_, time);
+  planes_.take(planes, time);
 }
 
 Vec3 HapticLoop::cycle(const ArmReading& reading, double time) {
@@ -27,6 +28,7 @@ Vec3 HapticLoop::cycle(const ArmReading& reading, double time) {
     guard_.stalled();
     passivity_.interrupt();
     velocity_.setZero();
+    slow_velocity_.setZero();
     if (valid) hand_ = reading.stylus;
   } else if (valid) {
     follow(reading.stylus, dt);
@@ -40,7 +42,7 @@ Vec3 HapticLoop::cycle(const ArmReading& reading, double time) {
   Vec3 force = felt.force;
   if (valid) {
     passivity_.observe(hand_.p, felt.stored, felt.power, dt);
-    if (safeguards_.passivity) force = passivity_.damp(force, velocity_, dt);
+    if (safeguards_.passivity) force = passivity_.damp(force, slow_velocity_, dt);
   } else {
     passivity_.interrupt();
   }
@@ -51,8 +53,10 @@ Vec3 HapticLoop::cycle(const ArmReading& reading, double time) {
 
 /// Takes where the hand is now, and how fast.
 void HapticLoop::follow(const Pose& stylus, double dt) {
-  const double share = 1 - std::exp(-2 * std::numbers::pi * cutoff * dt);
-  velocity_ += share * ((stylus.p - hand_.p) / dt - velocity_);
+  const auto share = [&](double at) { return 1 - std::exp(-2 * std::numbers::pi * at * dt); };
+  const Vec3 velocity = (stylus.p - hand_.p) / dt;
+  velocity_ += share(cutoff) * (velocity - velocity_);
+  slow_velocity_ += share(slow_cutoff) * (velocity - slow_velocity_);
   hand_ = stylus;
 }
 

@@ -45,8 +45,8 @@ class HapticLoop {
   bool known_ = false;  // the last reading was valid
   double time_ = 0;     // s, of the last cycle
   Pose hand_;
-  Vec3 velocity_ = Vec3::Zero();  // m/s, filtered
-  Vec3 force_ = Vec3::Zero();     // N, that acts
+  Vec3 velocity_ = Vec3::Zero(), slow_velocity_ = Vec3::Zero();  // m/s, filtered, the second more
+  Vec3 force_ = Vec3::Zero();                                    // N, that acts
 };
 
 }  // namespace prosector

@@ -9,6 +9,7 @@ namespace {
 constexpr double most_damping = 20;   // N·s/m: more than that makes light arms rattle at 1 kHz
 constexpr double most_saved = 2e-3;   // J: what was spent long ago doesn't excuse what is given now
 constexpr double least_speed = 1e-3;  // m/s: below it damping has no way to act on
+constexpr double sets_in = 0.005, lets_go = 0.03;  // s, in which all of it comes and goes: it must not jolt
 
 }  // namespace
 
@@ -23,10 +24,12 @@ void Passivity::observe(const Vec3& position, double stored, double surroundings
   position_ = position;
 }
 
-Vec3 Passivity::damp(const Vec3& force, const Vec3& velocity, double dt) const {
-  const double speed = velocity.norm();
-  if (level_ >= 0 || speed < least_speed) return force;
-  return force - std::min(most_damping, -level_ / (speed * speed * dt)) * velocity;
+Vec3 Passivity::damp(const Vec3& force, const Vec3& velocity, double dt) {
+  const double speed = std::max(least_speed, velocity.norm());
+  const double needed = std::min(most_damping, std::max(0., -level_) / (speed * speed * dt));
+  damping_ =
+      std::clamp(needed, damping_ - most_damping * dt / lets_go, damping_ + most_damping * dt / sets_in);
+  return force - damping_ * velocity;
 }
 
 }  // namespace prosector

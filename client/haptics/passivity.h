@@ -22,7 +22,7 @@ class Passivity {
   void observe(const Vec3& position, double stored, double surroundings, double dt);
   /// Returns the force with as much damping as spends what the hand got too much, within what arms bear.
   /// Cutting the force instead makes it chatter: a limit cycle at 3 kN/m (docs/decisions).
-  Vec3 damp(const Vec3& force, const Vec3& velocity, double dt) const;
+  Vec3 damp(const Vec3& force, const Vec3& velocity, double dt);
   /// Tells which force acts from now on, N.
   void applied(const Vec3& force) { force_ = force; }
   /// Forgets where the hand was: nothing is known of the way it takes meanwhile.
@@ -34,7 +34,7 @@ class Passivity {
  private:
   bool known_ = false;
   Vec3 position_ = Vec3::Zero(), force_ = Vec3::Zero();
-  double level_ = 0;
+  double level_ = 0, damping_ = 0;  // J, N·s/m
   EnergyBook book_;
 };
 

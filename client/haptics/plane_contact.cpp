@@ -1,6 +1,7 @@
 #include "client/haptics/plane_contact.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace prosector {
 namespace {
@@ -13,28 +14,21 @@ Vec3 along(const Vec3& v, const Vec3& normal) {
 
 }  // namespace
 
-PlaneContact::PlaneContact(const ContactPlane& plane, const Pose& hand, double spread)
-    : plane_(plane), anchor_(plane.point), spread_(spread), spread_left_(spread) {
-  jump_ = -elastic(hand * plane.arm);
-}
+PlaneContact::PlaneContact(const ContactPlane& plane, double spread)
+    : plane_(plane), anchor_(plane.point), spread_(spread), spread_left_(spread) {}
 
-void PlaneContact::renew(const ContactPlane& plane, const Pose& hand, double spread) {
-  const Vec3 p = hand * plane_.arm;
-  const Vec3 before = gone_ ? Vec3(Vec3::Zero()) : elastic(p);
-  const double left = spread_ > 0 ? spread_left_ / spread_ : 0;
+void PlaneContact::renew(const ContactPlane& plane, double spread) {
   plane_ = plane;
   age_ = 0;
   gone_ = false;
   anchored_ = false;
-  jump_ = before + left * jump_ - elastic(hand * plane_.arm);
+  fresh_ = true;
   spread_ = spread_left_ = spread;
 }
 
-void PlaneContact::end(const Pose& hand, double spread) {
+void PlaneContact::end(double spread) {
   if (gone_) return;
-  const double left = spread_ > 0 ? spread_left_ / spread_ : 0;
-  jump_ = elastic(hand * plane_.arm) + left * jump_;
-  gone_ = true;
+  gone_ = fresh_ = true;
   spread_ = spread_left_ = spread;
 }
 
@@ -46,34 +40,36 @@ PlaneForce PlaneContact::advance(const Pose& hand, const Vec3& velocity, double 
   if (!gone_) {
     const Vec3 moved = plane_.velocity * dt;
     if (anchored_ && age_ < longest_drift) anchor_ += along(moved, n);
-    Vec3 force = elastic(out.point);
+    const Vec3 force = elastic(out.point);
     const double pressed = force.dot(n);
-    if (pressed > 0 || plane_.holds) {
-      const Vec3 sliding = along(force, n);
-      if (plane_.tangential > 0) {
-        anchor_ = along(out.point, n) + sliding / plane_.tangential;
-        anchored_ = true;
-      }
-      const double damped = pressed - plane_.damping * (velocity - plane_.velocity).dot(n);
-      force = sliding + (plane_.holds ? damped : std::max(0., damped)) * n;
-    } else {
-      anchored_ = false;
-    }
-    out.force = force;
+    anchored_ = plane_.tangential > 0 && (pressed > 0 || plane_.holds);
+    if (anchored_) anchor_ = along(out.point, n) + along(force, n) / plane_.tangential;
+    out.force = damped(force, velocity);
     if (plane_.holds) {
-      out.power = std::max(0., force.dot(velocity));
+      out.power = std::max(0., out.force.dot(velocity));
     } else {
       if (plane_.stiffness > 0) out.stored = pressed * pressed / (2 * plane_.stiffness);
-      out.power = std::max(0., force.dot(plane_.velocity));
+      out.power = std::max(0., out.force.dot(plane_.velocity));
     }
   }
+  if (std::exchange(fresh_, false)) jump_ = last_ - out.force;
   if (spread_left_ > 0) {
     spread_left_ = std::max(0., spread_left_ - dt);
     out.force += spread_left_ / spread_ * jump_;
   }
   // A plane that only presses doesn't pull while a jump is spread either.
   if (const double pull = out.force.dot(n); pull < 0 && !plane_.holds) out.force -= pull * n;
+  last_ = out.force;
   return out;
+}
+
+/// Returns a force with the plane's damping, which never makes it pull what isn't held.
+Vec3 PlaneContact::damped(const Vec3& force, const Vec3& velocity) const {
+  const Vec3& n = plane_.normal;
+  const double pressed = force.dot(n);
+  if (pressed <= 0 && !plane_.holds) return force;
+  const double all = pressed - plane_.damping * (velocity - plane_.velocity).dot(n);
+  return along(force, n) + (plane_.holds ? all : std::max(0., all)) * n;
 }
 
 /// Returns the plane's force without its damping on the hand's point at p.

@@ -17,23 +17,23 @@ struct PlaneForce {
 
 class PlaneContact {
  public:
-  /// Begins with a plane that was not felt before. The hand is at `hand`; should it be pressed there already,
-  /// that force comes over `spread` s.
-  PlaneContact(const ContactPlane& plane, const Pose& hand, double spread);
+  /// Begins with a plane that was not felt before. Should the hand be pressed there already, that force comes
+  /// over `spread` s.
+  PlaneContact(const ContactPlane& plane, double spread);
 
   std::uint32_t id() const { return plane_.id; }
   bool gone() const { return gone_ && spread_left_ <= 0; }
 
-  /// Takes the same contact's newer plane. What the force would jump by, with the hand at `hand`, is spread
-  /// over `spread` s.
-  void renew(const ContactPlane& plane, const Pose& hand, double spread);
+  /// Takes the same contact's newer plane. What the force would jump by is spread over `spread` s.
+  void renew(const ContactPlane& plane, double spread);
   /// Lets the contact go: its force fades over `spread` s.
-  void end(const Pose& hand, double spread);
+  void end(double spread);
 
   /// Returns the force on a hand at `hand` whose point moves with `velocity` (m/s), and goes on by dt s.
   PlaneForce advance(const Pose& hand, const Vec3& velocity, double dt);
 
  private:
+  Vec3 damped(const Vec3& force, const Vec3& velocity) const;
   Vec3 elastic(const Vec3& p) const;
   Vec3 friction(const Vec3& p, double normal_force) const;
 
@@ -42,7 +42,9 @@ class PlaneContact {
   Vec3 anchor_;                          // m, room: where friction would hold with no force (the proxy)
   bool anchored_ = false;                // the anchor is known: it was touched since the plane came
   bool gone_ = false;                    // ended: only what is left to spread acts
-  Vec3 jump_ = Vec3::Zero();             // N: what the force lacked of the old one when the plane came
+  bool fresh_ = true;                    // it was not felt yet as it is now
+  Vec3 last_ = Vec3::Zero();             // N, as it was felt
+  Vec3 jump_ = Vec3::Zero();             // N: what the force lacked of that when the plane came
   double spread_ = 0, spread_left_ = 0;  // s
 };
 

@@ -9,20 +9,20 @@ constexpr double least_spread = 0.005, most_spread = 0.05;  // s
 
 }  // namespace
 
-void PlaneSet::take(std::span<const ContactPlane> planes, const Pose& hand, double time) {
+void PlaneSet::take(std::span<const ContactPlane> planes, double time) {
   news_.note(time);
   signs_.note(time);
   const double spread = std::clamp(news_.interval(), least_spread, most_spread);
   for (PlaneContact& contact : contacts_)
     if (std::none_of(planes.begin(), planes.end(), [&](const auto& p) { return p.id == contact.id(); }))
-      contact.end(hand, spread);
+      contact.end(spread);
   for (const ContactPlane& plane : planes) {
     const auto known = std::find_if(contacts_.begin(), contacts_.end(),
                                     [&](const PlaneContact& c) { return c.id() == plane.id; });
     if (known == contacts_.end())
-      contacts_.emplace_back(plane, hand, spread);
+      contacts_.emplace_back(plane, spread);
     else
-      known->renew(plane, hand, spread);
+      known->renew(plane, spread);
   }
 }
 

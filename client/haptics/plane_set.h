@@ -12,8 +12,8 @@ namespace prosector {
 
 class PlaneSet {
  public:
-  /// Takes a message's planes, which arrived at `time` (s, of the servo's clock), with the hand at `hand`.
-  void take(std::span<const ContactPlane> planes, const Pose& hand, double time);
+  /// Takes a message's planes, which arrived at `time` (s, of the servo's clock).
+  void take(std::span<const ContactPlane> planes, double time);
   /// Notes that the newest message came once more.
   void heard_again(double time) { signs_.note(time); }
   /// Returns the sum of forces, and goes on by dt s.
