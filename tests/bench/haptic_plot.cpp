@@ -81,7 +81,7 @@ Svg draw_stable_stiffness(const std::vector<ReportRow>& rows) {
 
 Svg draw_felt_stiffness(const std::vector<ReportRow>& rows) {
   return draw(
-      rows, {30, 3000, true, {30, 100, 300, 1000, 3000}}, {0, 3, false, {0, 0.5, 1, 1.5, 2, 2.5, 3}},
+      rows, {30, 10000, true, {30, 100, 300, 1000, 3000, 10000}}, {0, 3, false, {0, 0.5, 1, 1.5, 2, 2.5, 3}},
       {"Stiffness as it is felt, over what it is",
        "a medium hand that swings twice a second; 100 ms round trip, jitter 0 to 20 ms, 5 % lost",
        "stiffness of the tissue, N/m", "felt over true"},
