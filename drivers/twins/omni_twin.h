@@ -7,20 +7,13 @@
 #include <optional>
 #include <random>
 #include <span>
-#include <vector>
 
 #include "drivers/omni_packets.h"
-#include "drivers/twins/arm_model.h"
-#include "drivers/twins/motion_script.h"
-#include "drivers/twins/twin.h"
+#include "drivers/twins/held_arm.h"
 
 namespace prosector {
 
-struct OmniTwinOptions {
-  MotionScript script;  // station 0: where the hand wants the stylus, in the room
-  TwinTiming timing;
-  Pose room_arm;
-  HandImpedance hand = medium_hand;
+struct OmniTwinOptions : HeldArmOptions {
   std::uint64_t seed = 1;
   double garbage = 0;  // probability that a packet is random bytes
 };
@@ -34,27 +27,21 @@ class OmniTwin {
   void command(std::span<const std::uint8_t> packet);
   /// Moves on to `now_ns`. Returns the packet that it sends then; nothing: it doesn't stream.
   std::optional<std::array<std::uint8_t, omni::state_bytes>> advance(std::int64_t now_ns);
-  void go_on(std::int64_t now_ns) { clock_.go_on(now_ns); }
+  void go_on(std::int64_t now_ns) { arm_.go_on(now_ns); }
 
-  const ArmModel& model() const { return model_; }  // in the arm's frame
+  const HeldArm& arm() const { return arm_; }
+  const ArmModel& model() const { return arm_.model(); }  // in the arm's frame
   bool streaming() const { return streaming_; }
-  Vec3 intended() const { return intended_; }  // m, arm's frame
   std::uint64_t bad_commands() const { return bad_commands_; }
 
  private:
-  struct Wish {
-    Vec3 place, velocity;
-  };
-  Wish wish(std::int64_t now_ns) const;
   omni::State state() const;
 
-  OmniTwinOptions options_;
-  ScriptClock clock_;
-  ArmModel model_;
+  double garbage_;
+  HeldArm arm_;
   std::mt19937_64 random_;
-  std::int64_t now_ns_, started_ns_ = 0;
-  bool streaming_ = false, docked_ = true, motors_on_ = false;
-  Vec3 intended_;
+  std::int64_t started_ns_ = 0;
+  bool streaming_ = false;
   std::array<int, 3> offset_{};  // of the encoders: where they were when it was switched on
   std::uint32_t count_ = 0;
   std::uint64_t bad_commands_ = 0;

@@ -1,0 +1,59 @@
+#pragma once
+// What all simulated arms have behind their bytes: an arm's mechanics, in a hand that wants to be where a
+// script says. It runs in the time that its owner gives it.
+
+#include <cstdint>
+
+#include "drivers/twins/arm_model.h"
+#include "drivers/twins/motion_script.h"
+#include "drivers/twins/twin.h"
+
+namespace prosector {
+
+struct HeldArmOptions {
+  MotionScript script;  // station 0: where the hand wants the stylus, in the room
+  TwinTiming timing;
+  Pose room_arm;
+  HandImpedance hand = medium_hand;
+};
+
+class HeldArm {
+ public:
+  /// Makes an arm that lies at `rest` (m, arm's frame) until it is taken.
+  HeldArm(HeldArmOptions options, const ArmMechanics& mechanics, const Vec3& rest, std::int64_t now_ns);
+  /// Makes an arm that lies where the script begins.
+  HeldArm(HeldArmOptions options, const ArmMechanics& mechanics, std::int64_t now_ns);
+
+  /// Lets the hand take it at that time. 0.8 s later it is where the script begins, and the script starts.
+  void take(std::int64_t time_ns);
+  /// Lets the hand put it down at once, without motors.
+  void put_down();
+  void go_on(std::int64_t now_ns) { clock_.go_on(now_ns); }
+  /// Sets the motors' force, N, arm's frame. One that lies has none.
+  void set_force(const Vec3& force);
+  void advance(std::int64_t now_ns);
+
+  bool taken() const { return taken_; }
+  const ArmModel& model() const { return model_; }  // in the arm's frame
+  Vec3 intended() const { return intended_; }       // m, arm's frame: where the hand wants it
+  /// Returns how the hand turns the stylus, arm's frame.
+  Quat orientation() const;
+  const Pose& room_arm() const { return options_.room_arm; }
+
+ private:
+  struct Wish {
+    Vec3 place, velocity;
+  };
+  Vec3 scripted(double seconds) const;
+  Wish wish() const;
+
+  HeldArmOptions options_;
+  ScriptClock clock_;
+  Vec3 rest_;
+  ArmModel model_;
+  std::int64_t now_ns_, taken_ns_ = 0;
+  bool taken_ = false;
+  Vec3 intended_;
+};
+
+}  // namespace prosector
