@@ -3,6 +3,8 @@
 
 #include "drivers/arm.h"
 #include "drivers/device_address.h"
+#include "drivers/dhd.h"
+#include "drivers/hdapi.h"
 #include "drivers/omni.h"
 
 namespace prosector {
@@ -10,6 +12,8 @@ namespace prosector {
 const std::vector<ArmRow>& arm_drivers() {
   static const std::vector<ArmRow> rows = {
       {"omni", "PHANTOM Omni on a FireWire port, omni:0", open_omni},
+      {"hdapi", "PHANTOM or Touch by OpenHaptics' libHD.so, hdapi:default", open_hdapi},
+      {"dhd", "omega, delta, sigma, lambda by Force Dimension's libdhd.so, dhd:0", open_dhd},
       {"omni-twin", "a simulated PHANTOM Omni at a socket, omni-twin:/tmp/omni", open_omni_twin},
   };
   return rows;

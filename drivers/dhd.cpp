@@ -1,0 +1,148 @@
+#include "drivers/dhd.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include "common/error.h"
+#include "drivers/arm_pose.h"
+
+namespace prosector {
+namespace {
+
+constexpr const char* usual_dhd = "libdhd.so";
+constexpr int known_dhd_major = 3;
+constexpr int most_failed = 100;           // calls in a row, after which it is opened anew
+constexpr std::uint64_t look_cycles = 50;  // from one look at its status to the next
+constexpr int asked_buttons = 4;
+
+/// Returns the matrix that turns vectors of DHD's axes (x to the user, y right, z up) into the arm's frame's.
+Mat3 axes() {
+  return (Mat3() << 0, 1, 0, 0, 0, 1, 1, 0, 0).finished();
+}
+
+}  // namespace
+
+ArmLimits dhd_limits() {
+  ArmLimits out;
+  out.low = {-0.08, -0.08, -0.055};
+  out.high = {0.08, 0.08, 0.055};
+  out.peak_force = out.continuous_force = 12;
+  out.stiffness = 14500;
+  out.max_slew = 1500;
+  return out;
+}
+
+dhd::Session::Session(const LibraryAddress& address) : api_(SharedLibrary(address.library)) {
+  int major = 0, minor = 0, release = 0, revision = 0;
+  api_.get_sdk_version(&major, &minor, &release, &revision);
+  if (major != known_dhd_major)
+    throw InputError(fmt::format("library '{}' is of version {}.{}.{}; known is {}", address.library, major,
+                                 minor, release, known_dhd_major));
+  const std::string& name = address.device;
+  int number = 0;
+  const auto [end, problem] = std::from_chars(name.data(), name.data() + name.size(), number);
+  const bool by_number =
+      problem == std::errc() && end == name.data() + name.size() && number >= 0 && number < 128;
+  if (!by_number && name != "default")
+    throw InputError(fmt::format("'{}' must be the number of a device, from 0, or \"default\"", name));
+  const int opened = by_number ? api_.open_id(static_cast<char>(number)) : api_.open();
+  if (opened < 0) throw InputError(fmt::format("device '{}' can't be opened: {}", name, last_error(api_)));
+  id_ = static_cast<char>(opened);
+  if (api_.enable_force(1, id_) >= 0) return;
+  const std::string why = last_error(api_);
+  api_.close(id_);
+  throw InputError(fmt::format("device '{}' takes no force: {}", name, why));
+}
+
+dhd::Session::~Session() {
+  api_.set_force(0, 0, 0, id_);
+  api_.close(id_);
+}
+
+DhdArm::DhdArm(const std::string& path, const ArmConfig& config, std::launch opening,
+               std::function<std::int64_t()> clock)
+    : address_(split_library(path, usual_dhd)),
+      config_(config),
+      clock_(std::move(clock)),
+      opening_([this] { return std::make_unique<dhd::Session>(address_); }, opening) {}
+
+ArmReading DhdArm::read() {
+  const std::int64_t now = clock_();
+  const dhd::Session* session = opening_.poll(now);
+  if (session == nullptr) return {};
+  if (cycles_++ % look_cycles == 0) look(*session);
+  ArmReading out;
+  if (ask(*session, out)) {
+    ++counts_.records;
+    if (failed_ < most_failed) return out;
+  }
+  ++counts_.resyncs;
+  if (++failed_ < most_failed) return {};
+  ++counts_.reopens;
+  opening_.lose("lost: " + dhd::last_error(session->api()), now);
+  failed_ = 0;
+  return {};
+}
+
+/// Reads the pose and the buttons. Returns false where the device does not tell.
+bool DhdArm::ask(const dhd::Session& session, ArmReading& out) {
+  const dhd::Api& api = session.api();
+  Vec3 p = Vec3::Zero();
+  double rows[3][3] = {};
+  if (api.get_position(&p.x(), &p.y(), &p.z(), session.id()) < 0 ||
+      api.get_orientation_frame(rows, session.id()) < 0)
+    return false;
+  const Mat3 turn = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&rows[0][0]);
+  const Mat3 to_arm = axes();
+  const auto stylus = arm_pose(to_arm * p, to_arm * turn * to_arm.transpose());
+  if (!stylus) return false;
+  out.stylus = config_.room_arm * *stylus;
+  for (int i = 0; i < asked_buttons; ++i)
+    if (api.get_button(i, session.id()) == 1) out.buttons |= 1u << i;
+  out.valid = !resting_ && !std::exchange(begins_, false);
+  return true;
+}
+
+/// Looks at the device's status, for what people are to know.
+void DhdArm::look(const dhd::Session& session) {
+  std::array<int, dhd::status_size> status{};
+  if (session.api().get_status(status.data(), session.id()) < 0) return;
+  resting_ = status[dhd::in_reset] != 0;
+  const bool was_free = std::exchange(free_, status[dhd::forces_on] != 0);
+  begins_ = free_ && !was_free;
+  if (resting_)
+    condition_ = "put it to its place of rest: it is being calibrated";
+  else if (!free_)
+    condition_ = fmt::format("its forces are off (cause {}): press its force button", status[dhd::off_cause]);
+  else
+    condition_.clear();
+}
+
+void DhdArm::set_force(const Vec3& force) {
+  const dhd::Session* session = opening_.get();
+  if (session == nullptr) return;
+  const bool may = free_ && !resting_ && force.allFinite();
+  const Vec3 f =
+      may ? Vec3(axes().transpose() * (config_.room_arm.q.conjugate() * force)) : Vec3(Vec3::Zero());
+  failed_ = session->api().set_force(f.x(), f.y(), f.z(), session->id()) < 0 ? failed_ + 1 : 0;
+}
+
+DeviceStatus DhdArm::status() const {
+  DeviceStatus out = counts_;
+  const bool open = opening_.get() != nullptr;
+  if (!open)
+    out.health = opening_.problem().empty() ? DeviceHealth::connecting : DeviceHealth::absent;
+  else
+    out.health = failed_ > 0 ? DeviceHealth::silent : DeviceHealth::streaming;
+  out.message = open ? condition_ : opening_.problem();
+  return out;
+}
+
+std::unique_ptr<Arm> open_dhd(const std::string& path, const ArmConfig& config) {
+  return std::make_unique<DhdArm>(path, config);
+}
+
+}  // namespace prosector

@@ -1,0 +1,24 @@
+#include "drivers/dhd_library.h"
+
+namespace prosector::dhd {
+
+Api::Api(const SharedLibrary& library) {
+  library.find("dhdGetSDKVersion", get_sdk_version);
+  library.find("dhdOpen", open);
+  library.find("dhdOpenID", open_id);
+  library.find("dhdClose", close);
+  library.find("dhdEnableForce", enable_force);
+  library.find("dhdGetPosition", get_position);
+  library.find("dhdGetOrientationFrame", get_orientation_frame);
+  library.find("dhdGetButton", get_button);
+  library.find("dhdGetStatus", get_status);
+  library.find("dhdSetForce", set_force);
+  library.find("dhdErrorGetLastStr", error_get_last_str);
+}
+
+std::string last_error(const Api& api) {
+  const char* words = api.error_get_last_str();
+  return words != nullptr ? words : "an error without a name";
+}
+
+}  // namespace prosector::dhd

@@ -1,0 +1,162 @@
+#include "drivers/hdapi_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <utility>
+
+#include "common/error.h"
+#include "drivers/arm_pose.h"
+
+namespace prosector::hdapi {
+namespace {
+
+constexpr int known_major = 3;                   // of the versions
+constexpr int clean_frames = 3;                  // after the start: the first ones tell no true pose
+constexpr int most_bad = 100;                    // frames with errors in a row, after which it is opened anew
+constexpr int most_errors = 16;                  // that are asked for at once, lest they never end
+constexpr double hot = 0.9;                      // of a motor's temperature, 0 … 1
+constexpr std::int64_t warm_ns = 1'000'000'000;  // that motors count as hot after an error said so
+constexpr double mm = 1e-3;
+
+Api load(const std::string& name) {
+  const SharedLibrary library(name);
+  Api api(library);
+  const char* said = api.get_string(version);
+  if (said == nullptr || std::atoi(said) != known_major)
+    throw InputError(fmt::format("library '{}' is of version '{}'; known is {}", name,
+                                 said != nullptr ? said : "", known_major));
+  return api;
+}
+
+}  // namespace
+
+Session::Session(const LibraryAddress& address, const Quat& room_arm, std::function<std::int64_t()> clock)
+    : api_(load(address.library)), clock_(std::move(clock)), room_arm_(room_arm) {
+  pop_errors();
+  device_ = api_.init_device(address.device == "default" ? nullptr : address.device.c_str());
+  Enum error = pop_errors();
+  if (error == success && device_ == no_device) error = bad_handle;
+  if (error != success) {
+    if (device_ != no_device) api_.disable_device(device_);
+    throw InputError(fmt::format("device '{}' can't be opened: {}", address.device, words_of(api_, error)));
+  }
+  api_.make_current_device(device_);
+  api_.enable(force_output);
+  api_.enable(max_force_clamping);
+  api_.enable(force_ramping);
+  schedule_ = api_.schedule_asynchronous(in_scheduler, this, usual_priority);
+  api_.start_scheduler();
+  error = pop_errors();
+  // The first frames may fail already: they are judged where they end.
+  if (error == success || error >> 8 == frame_error >> 8) return;
+  close();
+  throw InputError(fmt::format("device '{}' can't be started: {}", address.device, words_of(api_, error)));
+}
+
+void Session::close() {
+  api_.stop_scheduler();
+  api_.unschedule(schedule_);
+  api_.disable_device(device_);
+}
+
+Enum Session::in_scheduler(void* session) {
+  return static_cast<Session*>(session)->tick();
+}
+
+Enum Session::tick() {
+  sample_.time_ns = clock_();
+  api_.begin_frame(device_);
+  const Enum calibration = api_.check_calibration();
+  const Enum unread = read();
+  const bool may = sample_.reading.valid && calibration == calibrated && clean_ >= clean_frames;
+  const Vec3 force =
+      may ? Vec3(room_arm_.conjugate() * exchange_.force(sample_.time_ns)) : Vec3(Vec3::Zero());
+  api_.set_doublev(current_force, force.data());
+  api_.end_frame(device_);
+  const Enum unsent = pop_errors();
+  judge(unread != success ? unread : unsent, calibration);
+  calibrate(calibration);
+  exchange_.tell(sample_);
+  return sample_.condition == lost ? done : again;
+}
+
+/// Takes what the frame has. Returns its error.
+Enum Session::read() {
+  std::array<double, transform_size> transform{};
+  int buttons = 0;
+  api_.get_doublev(current_transform, transform.data());
+  api_.get_integerv(current_buttons, &buttons);
+  const Enum error = pop_errors();
+  const Eigen::Map<const Eigen::Matrix4d> matrix(transform.data());
+  const auto pose = arm_pose(mm * matrix.topRightCorner<3, 1>(), matrix.topLeftCorner<3, 3>());
+  sample_.reading.valid = error == success && pose;
+  if (sample_.reading.valid) sample_.reading.stylus = *pose;
+  sample_.reading.buttons = static_cast<std::uint32_t>(buttons);
+
+  std::array<double, most_motors> temperatures{};
+  if (tells_temperature_) {
+    api_.get_doublev(motor_temperature, temperatures.data());
+    tells_temperature_ = pop_errors() == success || error != success;
+  }
+  sample_.reading.hot =
+      sample_.time_ns < warm_until_ns_ ||
+      std::any_of(temperatures.begin(), temperatures.end(), [](double t) { return t >= hot; });
+  return error;
+}
+
+/// Decides what the frame is worth.
+void Session::judge(Enum error, Enum calibration) {
+  const bool passes = error >> 8 == warm_motors >> 8;  // of the force alone
+  const bool clean = error == success || passes;
+  if (error == warm_motors) warm_until_ns_ = sample_.time_ns + warm_ns;
+  // What refused a force gets it back from nothing on.
+  if (passes && error != warm_motors) ++sample_.jumps;
+  clean_ = clean ? std::min(clean_ + 1, clean_frames) : 0;
+  bad_ = clean ? 0 : bad_ + 1;
+  const bool awake = clean_ >= clean_frames;
+  sample_.reading.valid = sample_.reading.valid && awake && calibration == calibrated;
+  ++(clean ? sample_.records : sample_.bad);
+  sample_.code = static_cast<int>(error);
+  if (error >> 8 == device_fault >> 8 || bad_ >= most_bad)
+    sample_.condition = lost;
+  else if (!awake)
+    sample_.condition = waking;
+  else if (calibration != calibrated)
+    sample_.condition = calibration == needs_hand ? wants_hand : being_calibrated;
+  else
+    sample_.condition = passes ? refused : well;
+}
+
+/// Calibrates where the device says that it is time to. Its pose may jump.
+void Session::calibrate(Enum state) {
+  if (clean_ < clean_frames || state == calibrated) return;
+  ++sample_.jumps;
+  if (state != needs_update) return;
+  int styles = 0;
+  api_.get_integerv(calibration_style, &styles);
+  const auto offers = [&](Enum style) { return (static_cast<Enum>(styles) & style) != 0; };
+  if (offers(automatic)) {
+    api_.update_calibration(automatic);
+  } else if (offers(by_inkwell)) {
+    api_.update_calibration(by_inkwell);
+  } else if (sample_.reading.buttons != 0) {
+    // Where it is now becomes its place of rest: only a person can say that it is there.
+    api_.update_calibration(by_encoder_reset);
+  } else {
+    sample_.condition = wants_hand;
+  }
+  pop_errors();
+}
+
+/// Empties the pile of errors. Returns the newest; success: there was none.
+Enum Session::pop_errors() {
+  const Enum newest = api_.get_error().code;
+  if (newest == success) return success;
+  for (int k = 1; k < most_errors && api_.get_error().code != success;) ++k;
+  return newest;
+}
+
+}  // namespace prosector::hdapi

@@ -1,0 +1,147 @@
+// A simulated omega.3 of Force Dimension: a library with DHD's functions, as its documentation tells of them.
+// It goes on when it is asked where it is.
+#include <array>
+
+#include "common/clock.h"
+#include "drivers/dhd_library.h"
+#include "drivers/twins/library_twin.h"
+
+namespace prosector {
+namespace {
+
+constexpr int error_general = -1, yes = 1;
+
+/// Returns figures of an omega.3: its data sheet's peak force and resolution; mass and friction are assumed.
+ArmMechanics omega() {
+  ArmMechanics out;
+  out.mass = 0.2;
+  out.damping = 0.3;
+  out.quantum = 1e-5;
+  out.peak_force = 12;
+  return out;
+}
+
+class DhdTwin {
+ public:
+  DhdTwin() {
+    library.on_restart = [this] { open_ = forces_ = false; };
+  }
+
+  LibraryTwin library{omega()};
+
+  int open(int id) {
+    if (library.faults.away || id != 0 || open_ || library.arm() == nullptr) return error_general;
+    open_ = true;
+    library.arm()->take(now());
+    return id;
+  }
+  int close() {
+    if (!open_) return error_general;
+    library.arm()->put_down();
+    open_ = forces_ = false;
+    return 0;
+  }
+  int enable_force(bool on) {
+    if (const int error = answer(); error < 0) return error;
+    forces_ = on;
+    return 0;
+  }
+  int position(double* x, double* y, double* z) {
+    if (const int error = answer(); error < 0) return error;
+    if (library.in_own_time()) library.advance(now());
+    // Its axes are x to the user, y right, z up.
+    const Vec3 p = library.arm()->model().measured();
+    *x = library.told(p.z());
+    *y = library.told(p.x());
+    *z = library.told(p.y());
+    return 0;
+  }
+  int orientation(double (*matrix)[3]) {
+    if (const int error = answer(); error < 0) return error;
+    const Mat3 turn = library.arm()->orientation().toRotationMatrix();
+    constexpr std::array<Eigen::Index, 3> axis = {2, 0, 1};  // of the arm's frame, for x, y, z of DHD
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) matrix[i][j] = library.told(turn(axis[i], axis[j]));
+    return 0;
+  }
+  int button(int index) {
+    if (const int error = answer(); error < 0) return error;
+    return static_cast<int>(library.faults.buttons >> index & 1u);
+  }
+  int status(int* out) {
+    if (const int error = answer(); error < 0) return error;
+    out[dhd::in_reset] = library.faults.needs_calibration ? yes : 0;
+    out[dhd::forces_on] = forces_ && !library.faults.forces_off ? yes : 0;
+    out[dhd::off_cause] = library.faults.forces_off ? yes : 0;
+    return 0;
+  }
+  int set_force(const Vec3& force) {
+    if (const int error = answer(); error < 0) return error;
+    if (library.faults.force_error != 0) return library.faults.force_error;
+    const bool acts = forces_ && !library.faults.forces_off;
+    library.arm()->set_force(acts ? Vec3(force.y(), force.z(), force.x()) : Vec3(Vec3::Zero()));
+    return 0;
+  }
+
+ private:
+  bool open_ = false, forces_ = false;
+
+  std::int64_t now() const { return library.in_own_time() ? monotonic_ns() : library.now_ns(); }
+  int answer() const { return !open_ || library.faults.away ? error_general : library.faults.error; }
+};
+
+/// Returns the one twin of this library.
+DhdTwin& twin() {
+  static DhdTwin only;
+  return only;
+}
+
+}  // namespace
+}  // namespace prosector
+
+using prosector::locked;
+using prosector::twin;
+
+extern "C" {
+
+void dhdGetSDKVersion(int* major, int* minor, int* release, int* revision) {
+  *major = twin().library.faults.version;
+  *minor = 17;
+  *release = 5;
+  *revision = 0;
+}
+int dhdOpen() {
+  return locked(twin(), [](auto& t) { return t.open(0); });
+}
+int dhdOpenID(char id) {
+  return locked(twin(), [&](auto& t) { return t.open(id); });
+}
+int dhdClose(char) {
+  return locked(twin(), [](auto& t) { return t.close(); });
+}
+int dhdEnableForce(unsigned char on, char) {
+  return locked(twin(), [&](auto& t) { return t.enable_force(on != 0); });
+}
+int dhdGetPosition(double* x, double* y, double* z, char) {
+  return locked(twin(), [&](auto& t) { return t.position(x, y, z); });
+}
+int dhdGetOrientationFrame(double (*matrix)[3], char) {
+  return locked(twin(), [&](auto& t) { return t.orientation(matrix); });
+}
+int dhdGetButton(int index, char) {
+  return locked(twin(), [&](auto& t) { return t.button(index); });
+}
+int dhdGetStatus(int* status, char) {
+  return locked(twin(), [&](auto& t) { return t.status(status); });
+}
+int dhdSetForce(double x, double y, double z, char) {
+  return locked(twin(), [&](auto& t) { return t.set_force({x, y, z}); });
+}
+const char* dhdErrorGetLastStr() {
+  return "an error of the simulated arm";
+}
+prosector::LibraryTwin* prosector_twin() {
+  return &twin().library;
+}
+
+}  // extern "C"
