@@ -5,6 +5,7 @@
 #include "drivers/device_address.h"
 #include "drivers/dhd.h"
 #include "drivers/hdapi.h"
+#include "drivers/inverse3.h"
 #include "drivers/omni.h"
 
 namespace prosector {
@@ -14,6 +15,7 @@ const std::vector<ArmRow>& arm_drivers() {
       {"omni", "PHANTOM Omni on a FireWire port, omni:0", open_omni},
       {"hdapi", "PHANTOM or Touch by OpenHaptics' libHD.so, hdapi:default", open_hdapi},
       {"dhd", "omega, delta, sigma, lambda by Force Dimension's libdhd.so, dhd:0", open_dhd},
+      {"inverse3", "Haply Inverse3 by its service, inverse3:localhost:10001", open_inverse3},
       {"omni-twin", "a simulated PHANTOM Omni at a socket, omni-twin:/tmp/omni", open_omni_twin},
   };
   return rows;

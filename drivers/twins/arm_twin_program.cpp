@@ -69,10 +69,11 @@ void ArmLog::write(std::int64_t now_ns, const HeldArm& arm) {
                       arm.model().energy());
 }
 
-void serve_arm(const std::function<void(std::int64_t now_ns)>& cycle,
+void serve_arm(const ArmTwinSettings& settings, const std::function<void(std::int64_t now_ns)>& cycle,
                const std::function<void(std::int64_t now_ns)>& go_on) {
   std::signal(SIGINT, stop_arm_twin);
   std::signal(SIGTERM, stop_arm_twin);
+  const bool holds = !settings.timing.holds.empty();
   std::int64_t next = monotonic_ns();
   while (!arm_twin_stopped) {
     next = std::max(next + period_ns, monotonic_ns());
@@ -80,7 +81,7 @@ void serve_arm(const std::function<void(std::int64_t now_ns)>& cycle,
     clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
     const std::int64_t now = monotonic_ns();
     pollfd input{STDIN_FILENO, POLLIN, 0};
-    if (std::string line; go_on && ::poll(&input, 1, 0) > 0 && std::getline(std::cin, line)) go_on(now);
+    if (std::string line; holds && ::poll(&input, 1, 0) > 0 && std::getline(std::cin, line)) go_on(now);
     cycle(now);
   }
 }

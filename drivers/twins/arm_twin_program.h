@@ -36,9 +36,9 @@ class ArmLog {
   std::ofstream out_;
 };
 
-/// Calls `cycle` a thousand times a second until SIGINT or SIGTERM. Lines on standard input go to `go_on`,
-/// unless it is empty.
-void serve_arm(const std::function<void(std::int64_t now_ns)>& cycle,
+/// Calls `cycle` a thousand times a second until SIGINT or SIGTERM. Where the script has holds, each line on
+/// standard input calls `go_on`.
+void serve_arm(const ArmTwinSettings& settings, const std::function<void(std::int64_t now_ns)>& cycle,
                const std::function<void(std::int64_t now_ns)>& go_on);
 
 }  // namespace prosector

@@ -99,16 +99,14 @@ int run(int argc, char** argv) {
   Server server(socket);
   OmniTwin twin({held_arm_options(settings), settings.seed, settings.garbage}, monotonic_ns());
   std::cout << "ready: " << socket << std::endl;
-  const auto cycle = [&](std::int64_t now) {
-    server.serve(twin, now);
-    if (const auto packet = twin.advance(now)) server.send(omni::carries_state, *packet);
-    if (twin.streaming()) log.write(now, twin.arm());
-  };
-  const auto go_on = [&](std::int64_t now) { twin.go_on(now); };
-  if (settings.timing.holds.empty())
-    serve_arm(cycle, {});
-  else
-    serve_arm(cycle, go_on);
+  serve_arm(
+      settings,
+      [&](std::int64_t now) {
+        server.serve(twin, now);
+        if (const auto packet = twin.advance(now)) server.send(omni::carries_state, *packet);
+        if (twin.streaming()) log.write(now, twin.arm());
+      },
+      [&](std::int64_t now) { twin.go_on(now); });
   return 0;
 }
 

@@ -1,0 +1,34 @@
+#pragma once
+// A conversation over a WebSocket: each text that comes is answered by one. It has a thread of its own, and
+// connects again by itself.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace prosector {
+
+class WebSocket {
+ public:
+  /// How it goes.
+  struct State {
+    bool connected = false;
+    std::uint64_t connections = 0;
+    std::string problem;  // why it isn't connected
+  };
+
+  /// Starts to connect. Its thread calls `answer` with each text, and sends what that returns.
+  WebSocket(std::string host, std::string port, std::function<std::string(std::string_view text)> answer);
+  /// Lets one more answer go out, if one is due within 50 ms, and ends.
+  ~WebSocket();
+
+  /// Returns how it goes, without waiting. One thread calls it.
+  const State& state();
+
+ private:
+  class Talk;
+  std::unique_ptr<Talk> talk_;
+};
+
+}  // namespace prosector
