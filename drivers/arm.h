@@ -34,6 +34,9 @@ class Arm {
   virtual ArmReading read() = 0;
   /// Sets the force on the hand, N, room frame, until the next call. It is within the limits.
   virtual void set_force(const Vec3& force) = 0;
+  /// Sets a force that changes with the way from where the last reading was: force − stiffness·way (N, N/m,
+  /// room frame). Arms that close a loop of their own render that; others hold the force.
+  virtual void set_field(const Vec3& force, [[maybe_unused]] const Mat3& stiffness) { set_force(force); }
   virtual DeviceStatus status() const = 0;
 };
 

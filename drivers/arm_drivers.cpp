@@ -7,6 +7,7 @@
 #include "drivers/hdapi.h"
 #include "drivers/inverse3.h"
 #include "drivers/omni.h"
+#include "drivers/vrpn_arm.h"
 
 namespace prosector {
 
@@ -16,6 +17,7 @@ const std::vector<ArmRow>& arm_drivers() {
       {"hdapi", "PHANTOM or Touch by OpenHaptics' libHD.so, hdapi:default", open_hdapi},
       {"dhd", "omega, delta, sigma, lambda by Force Dimension's libdhd.so, dhd:0", open_dhd},
       {"inverse3", "Haply Inverse3 by its service, inverse3:localhost:10001", open_inverse3},
+      {"vrpn", "a force device of a VRPN server, vrpn:Phantom0@lab", open_vrpn},
       {"omni-twin", "a simulated PHANTOM Omni at a socket, omni-twin:/tmp/omni", open_omni_twin},
   };
   return rows;

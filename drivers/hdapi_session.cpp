@@ -21,20 +21,16 @@ constexpr double hot = 0.9;                      // of a motor's temperature, 0 
 constexpr std::int64_t warm_ns = 1'000'000'000;  // that motors count as hot after an error said so
 constexpr double mm = 1e-3;
 
-Api load(const std::string& name) {
-  const SharedLibrary library(name);
-  Api api(library);
-  const char* said = api.get_string(version);
-  if (said == nullptr || std::atoi(said) != known_major)
-    throw InputError(fmt::format("library '{}' is of version '{}'; known is {}", name,
-                                 said != nullptr ? said : "", known_major));
-  return api;
+/// Tells whether a version, as a library says it, may be one that is known. Without a number it may.
+bool may_be_known(const std::string& said) {
+  const auto number = said.find_first_of("0123456789");
+  return number == std::string::npos || std::atoi(said.c_str() + number) == known_major;
 }
 
 }  // namespace
 
 Session::Session(const LibraryAddress& address, const Quat& room_arm, std::function<std::int64_t()> clock)
-    : api_(load(address.library)), clock_(std::move(clock)), room_arm_(room_arm) {
+    : api_(SharedLibrary(address.library)), clock_(std::move(clock)), room_arm_(room_arm) {
   pop_errors();
   device_ = api_.init_device(address.device == "default" ? nullptr : address.device.c_str());
   Enum error = pop_errors();
@@ -44,6 +40,14 @@ Session::Session(const LibraryAddress& address, const Quat& room_arm, std::funct
     throw InputError(fmt::format("device '{}' can't be opened: {}", address.device, words_of(api_, error)));
   }
   api_.make_current_device(device_);
+  const char* told = api_.get_string(version);  // known once a device is open
+  const std::string said = told != nullptr ? told : "";
+  if (!may_be_known(said)) {
+    api_.disable_device(device_);
+    throw InputError(
+        fmt::format("library '{}' is of version '{}'; known is {}", address.library, said, known_major));
+  }
+  pop_errors();
   api_.enable(force_output);
   api_.enable(max_force_clamping);
   api_.enable(force_ramping);

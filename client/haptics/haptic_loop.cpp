@@ -48,6 +48,10 @@ Vec3 HapticLoop::cycle(const ArmReading& reading, double time) {
   }
   force_ = guard_.pass(force, valid && !planes_.stale(time), reading.hot, dt);
   passivity_.applied(force_);
+  // What lets through a part of the force lets through that part of its slope.
+  const double asked = force.norm();
+  stiffness_ = std::isfinite(asked) && asked > 0 ? Mat3(std::min(1., force_.norm() / asked) * felt.stiffness)
+                                                 : Mat3(Mat3::Zero());
   return force_;
 }
 

@@ -34,6 +34,8 @@ class HapticLoop {
   /// Returns the hand's pose and the force of the last cycle.
   const Pose& hand() const { return hand_; }
   const Vec3& force() const { return force_; }
+  /// Returns by how much that force falls along a way of the hand, N/m, room frame.
+  const Mat3& stiffness() const { return stiffness_; }
 
  private:
   void follow(const Pose& stylus, double dt);
@@ -47,6 +49,7 @@ class HapticLoop {
   Pose hand_;
   Vec3 velocity_ = Vec3::Zero(), slow_velocity_ = Vec3::Zero();  // m/s, filtered, the second more
   Vec3 force_ = Vec3::Zero();                                    // N, that acts
+  Mat3 stiffness_ = Mat3::Zero();
 };
 
 }  // namespace prosector

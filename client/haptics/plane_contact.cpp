@@ -7,6 +7,7 @@ namespace prosector {
 namespace {
 
 constexpr double longest_drift = 0.1;  // s: a surface is taken to move on for no longer than this
+constexpr double sticking = 1 - 1e-9;  // of what friction can bear: there it slides
 
 Vec3 along(const Vec3& v, const Vec3& normal) {
   return v - v.dot(normal) * normal;
@@ -45,6 +46,7 @@ PlaneForce PlaneContact::advance(const Pose& hand, const Vec3& velocity, double 
     anchored_ = plane_.tangential > 0 && (pressed > 0 || plane_.holds);
     if (anchored_) anchor_ = along(out.point, n) + along(force, n) / plane_.tangential;
     out.force = damped(force, velocity);
+    if (pressed > 0 || plane_.holds) out.stiffness = stiffness_under(force);
     if (plane_.holds) {
       out.power = std::max(0., out.force.dot(velocity));
     } else {
@@ -70,6 +72,14 @@ Vec3 PlaneContact::damped(const Vec3& force, const Vec3& velocity) const {
   if (pressed <= 0 && !plane_.holds) return force;
   const double all = pressed - plane_.damping * (velocity - plane_.velocity).dot(n);
   return along(force, n) + (plane_.holds ? all : std::max(0., all)) * n;
+}
+
+/// Returns the stiffness of what acts with that force: without friction's where it slides.
+Mat3 PlaneContact::stiffness_under(const Vec3& force) const {
+  const Mat3 across = plane_.normal * plane_.normal.transpose();
+  const bool sticks = plane_.holds || along(force, plane_.normal).norm() <
+                                          sticking * plane_.friction * force.dot(plane_.normal);
+  return plane_.stiffness * across + (sticks ? plane_.tangential : 0) * (Mat3::Identity() - across);
 }
 
 /// Returns the plane's force without its damping on the hand's point at p.

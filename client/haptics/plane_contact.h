@@ -7,9 +7,10 @@ namespace prosector {
 
 /// What hands feel of a plane in one cycle.
 struct PlaneForce {
-  Vec3 force = Vec3::Zero();  // N, on the hand
-  Vec3 point = Vec3::Zero();  // m, room: where it acts
-  double stored = 0;          // J, in the plane's springs
+  Vec3 force = Vec3::Zero();      // N, on the hand
+  Vec3 point = Vec3::Zero();      // m, room: where it acts
+  Mat3 stiffness = Mat3::Zero();  // N/m: of the springs that act, by how much force falls along a way
+  double stored = 0;              // J, in the plane's springs
   // W, that the surface gives by moving, besides what this hand does to it. What is held may give any energy:
   // it has weight, and others move it.
   double power = 0;
@@ -34,6 +35,7 @@ class PlaneContact {
 
  private:
   Vec3 damped(const Vec3& force, const Vec3& velocity) const;
+  Mat3 stiffness_under(const Vec3& force) const;
   Vec3 elastic(const Vec3& p) const;
   Vec3 friction(const Vec3& p, double normal_force) const;
 

@@ -32,6 +32,7 @@ PlaneForce PlaneSet::advance(const Pose& hand, const Vec3& velocity, double dt) 
   for (PlaneContact& contact : contacts_) {
     const PlaneForce one = contact.advance(hand, velocity, dt);
     sum.force += one.force;
+    sum.stiffness += one.stiffness;
     sum.stored += one.stored;
     sum.power += one.power;
     sum.point += one.force.norm() * one.point;

@@ -83,7 +83,7 @@ void ServoThread::cycle(double time) {
   }
   if (repeated_.exchange(false)) loop_.heard_again(time);
   const Vec3 force = loop_.cycle(reading, time);
-  arm_->set_force(force);
+  arm_->set_field(force, loop_.stiffness());
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock) return;
   view_.reading = reading;

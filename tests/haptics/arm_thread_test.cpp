@@ -2,22 +2,17 @@
 // the environment is what its hand does.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 
 #include "client/haptics/servo_thread.h"
+#include "tests/haptics/arm_line_case.h"
 
 namespace prosector {
 namespace {
 
-using namespace std::chrono_literals;
-
 constexpr double stiffness = 300;  // N/m
-constexpr auto patience = 30s;
-constexpr auto look = 2ms;
 
 /// Writes what the hand does: it goes 10 mm below the plane at height 0, and stays.
 std::filesystem::path script() {
@@ -27,16 +22,14 @@ std::filesystem::path script() {
 }
 
 /// Waits until the servo's force is the plane's at its place, and the hand's press is all there.
-bool comes_to_press(ServoThread& servo, std::vector<ContactPlane> planes) {
-  const auto end = std::chrono::steady_clock::now() + patience;
-  while (std::chrono::steady_clock::now() < end) {
+bool comes_to_press(ServoThread& servo, const std::vector<ContactPlane>& planes) {
+  const bool came = comes_true([&] {
     servo.feel(planes);
-    std::this_thread::sleep_for(look);
     const ServoView view = servo.view();
     const double depth = -view.reading.stylus.p.y();
-    if (view.reading.valid && depth > 3e-3 && std::abs(view.force_now.y() - stiffness * depth) < 0.03)
-      return true;
-  }
+    return view.reading.valid && depth > 3e-3 && std::abs(view.force_now.y() - stiffness * depth) < 0.03;
+  });
+  if (came) return true;
   const ServoView view = servo.view();
   ADD_FAILURE() << view.status.message << " valid " << view.reading.valid << " y "
                 << view.reading.stylus.p.y() << " m, force " << view.force_now.y() << " N";

@@ -1,28 +1,18 @@
 // The driver of Haply's Inverse3 at a real WebSocket of its twin, with the faults that real lines have.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <chrono>
-#include <functional>
-#include <thread>
-
 #include "common/clock.h"
 #include "drivers/inverse3.h"
 #include "drivers/twins/inverse3_server.h"
-#include "tests/haptics/press_case.h"
+#include "tests/haptics/arm_line_case.h"
 
 namespace prosector {
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr auto most = 30s;  // that anything takes, on however busy a machine
-
 /// A twin at its socket, served by a thread a thousand times a second.
 class ServedTwin {
  public:
-  explicit ServedTwin(std::uint16_t port = 0)
-      : server_(twin_, port), thread_([this](std::stop_token stop) { run(stop); }) {}
+  explicit ServedTwin(std::uint16_t port = 0) : server_(twin_, port) {}
 
   std::string path() const { return "localhost:" + std::to_string(server_.port()); }
   std::uint16_t port() const { return server_.port(); }
@@ -33,35 +23,15 @@ class ServedTwin {
  private:
   Inverse3Twin twin_{{pressing_hand(), 1, 0}, monotonic_ns()};
   Inverse3Server server_;
-  std::jthread thread_;
-
-  void run(const std::stop_token& stop) {
-    while (!stop.stop_requested()) {
-      std::this_thread::sleep_for(1ms);
-      server_.mute = mute;
-      twin_.garbage = garbage;
-      if (cut.exchange(false)) server_.cut();
-      server_.serve();
-      twin_.advance(monotonic_ns());
-      force = twin_.arm().model().force().norm();
-    }
-  }
+  EachMillisecond thread_{[this] {
+    server_.mute = mute;
+    twin_.garbage = garbage;
+    if (cut.exchange(false)) server_.cut();
+    server_.serve();
+    twin_.advance(monotonic_ns());
+    force = twin_.arm().model().force().norm();
+  }};
 };
-
-/// Reads and sets a force as a servo does, until `holds`. Returns whether that came in time.
-bool comes(Arm& arm, const std::function<bool(const ArmReading&)>& holds) {
-  const auto end = std::chrono::steady_clock::now() + most;
-  while (std::chrono::steady_clock::now() < end) {
-    const ArmReading reading = arm.read();
-    arm.set_force({0, 1, 0});
-    if (holds(reading)) return true;
-    std::this_thread::sleep_for(1ms);
-  }
-  return false;
-}
-bool valid(const ArmReading& reading) {
-  return reading.valid;
-}
 
 TEST(Inverse3Line, ConnectsFeelsAndLeavesNoForce) {
   ServedTwin twin;
@@ -72,9 +42,7 @@ TEST(Inverse3Line, ConnectsFeelsAndLeavesNoForce) {
     EXPECT_EQ(arm->status().health, DeviceHealth::streaming);
     arm->set_force(Vec3::Zero());
   }
-  const auto end = std::chrono::steady_clock::now() + most;
-  while (twin.force > 0 && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(1ms);
-  EXPECT_EQ(twin.force, 0);
+  EXPECT_TRUE(comes_true([&] { return twin.force == 0; }));
 }
 
 TEST(Inverse3Line, ALineThatBreaksComesBackByItself) {

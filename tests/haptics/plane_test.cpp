@@ -109,6 +109,23 @@ TEST(PlaneContact, ASurfaceThatMovesTakesItsForceAlong) {
   EXPECT_NEAR(felt.force.y(), 500 * 0.1 * 0.1, 1e-9) << "goes on for no longer than is known";
 }
 
+TEST(PlaneContact, StiffnessIsTheSlopeOfItsForce) {
+  for (const bool slides : {false, true}) {
+    PlaneContact contact(wall(), 0);
+    contact.advance(at(0, -0.002), Vec3::Zero(), dt);
+    const double x = slides ? 0.01 : 0.0002, step = 1e-6;
+    const PlaneForce here = contact.advance(at(x, -0.002), Vec3::Zero(), dt);
+    PlaneContact deeper = contact, further = contact;
+    const Vec3 down = (deeper.advance(at(x, -0.002 - step), Vec3::Zero(), dt).force - here.force) / step;
+    const Vec3 on = (further.advance(at(x + step, -0.002), Vec3::Zero(), dt).force - here.force) / step;
+    EXPECT_NEAR(down.y(), here.stiffness(1, 1), 1e-6);
+    EXPECT_NEAR(on.x(), -here.stiffness(0, 0), 1e-6);
+    EXPECT_EQ(here.stiffness(0, 0) == 0, slides);
+  }
+  PlaneContact away(wall(), 0);
+  EXPECT_EQ(away.advance(at(0, 0.001), Vec3::Zero(), dt).stiffness, Mat3::Zero());
+}
+
 TEST(PlaneSet, APlaneThatIsNotToldAnyMoreFades) {
   PlaneSet set;
   const Pose hand = at(0, -0.002);

@@ -28,7 +28,7 @@ HeldArmOptions pressing_hand() {
 }
 
 PressResult press(Arm& arm, const HeldArm& held, double stiffness, std::int64_t& now_ns,
-                  const std::function<void(std::int64_t now_ns)>& tick) {
+                  const std::function<void(std::int64_t now_ns)>& tick, bool field) {
   ContactPlane plane;
   plane.id = 1;
   plane.point = Vec3(0.11, surface, -0.19);
@@ -43,7 +43,8 @@ PressResult press(Arm& arm, const HeldArm& held, double stiffness, std::int64_t&
     tick(now_ns);
     const double time = 1e-9 * static_cast<double>(now_ns - start);
     if (k % cycles_a_message == 0) loop.take({&plane, 1}, time);
-    arm.set_force(loop.cycle(arm.read(), time));
+    const Vec3 force = loop.cycle(arm.read(), time);
+    arm.set_field(force, field ? loop.stiffness() : Mat3(Mat3::Zero()));
     out.least_energy = std::min(out.least_energy, held.model().energy());
     if (k < from) continue;
     const double depth = surface - (held.room_arm() * held.model().position()).y();

@@ -14,6 +14,7 @@ inline constexpr std::int64_t ms = 1'000'000;
 
 /// Returns an arm that stands turned in the room, and a hand that wants to be 10 mm below a plane.
 HeldArmOptions pressing_hand();
+inline constexpr double hand_speed = 0.057;  // m/s: the most that it wants
 
 struct PressResult {
   double force = 0, depth = 0;  // N, m: means of the last second, along the plane's normal
@@ -22,8 +23,9 @@ struct PressResult {
 };
 
 /// Presses for five seconds from `now_ns` on. `tick` lets the twin go on to the time that it is given.
+/// `field`: the arm is told how force changes around a place, as the client's servo does.
 PressResult press(Arm& arm, const HeldArm& held, double stiffness, std::int64_t& now_ns,
-                  const std::function<void(std::int64_t now_ns)>& tick);
+                  const std::function<void(std::int64_t now_ns)>& tick, bool field = true);
 
 /// Expects that a press felt the plane as stiff as it is, stayed still and gave no energy.
 void expect_felt(const PressResult& pressed, double stiffness);

@@ -1,0 +1,147 @@
+#include "drivers/vrpn_arm.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "common/error.h"
+#include "drivers/arm_pose.h"
+#include "drivers/omni.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::int64_t pose_lasts_ns = 100'000'000;  // some servers report sixty times a second
+constexpr std::int64_t server_lasts_ns = 3'000'000'000;
+constexpr std::int64_t duty_ns = 5'000'000'000;  // that motors count as hot after an error said so
+constexpr double field_radius = 5e-3;  // m: what a hand may move until it is told anew; beyond, nothing acts
+constexpr std::int32_t own_sender = 0, own_field = 0;  // as they are named to the server
+constexpr std::int32_t buttons_known = 32;
+
+}  // namespace
+
+VrpnArm::VrpnArm(std::string name, const ArmConfig& config,
+                 std::function<std::unique_ptr<vrpn::Line>()> connect, std::launch opening,
+                 std::function<std::int64_t()> clock)
+    : name_(std::move(name)),
+      config_(config),
+      limits_(omni_limits()),  // a server doesn't say which arm it has
+      clock_(std::move(clock)),
+      opening_(std::move(connect), opening) {}
+
+VrpnArm::~VrpnArm() {
+  if (opening_.get() != nullptr) VrpnArm::set_field(Vec3::Zero(), Mat3::Zero());
+}
+
+ArmReading VrpnArm::read() {
+  const std::int64_t now = clock_();
+  vrpn::Line* line = opening_.poll(now);
+  if (line == nullptr) return {};
+  if (!std::exchange(greeted_, true)) greet(*line);
+  bytes_.clear();
+  const bool there = line->receive(bytes_);
+  reader_.take(bytes_);
+  while (const auto message = reader_.next()) take(*message, now);
+  if (!there) {
+    lose(line->error(), now);
+  } else if (reader_.broken()) {
+    ++counts_.resyncs;
+    lose("what answers does not speak VRPN 07", now);
+  } else if (now - std::max(heard_ns_, opening_.opened_ns()) > server_lasts_ns) {
+    lose("the server says nothing any more", now);
+  }
+  ArmReading out = last_;
+  out.valid = posed_ns_ > 0 && now - posed_ns_ <= pose_lasts_ns;
+  out.hot = now < hot_until_ns_;
+  out.stylus = config_.room_arm * out.stylus;
+  return out;
+}
+
+/// Begins to talk: who this is, and what it will send.
+void VrpnArm::greet(vrpn::Line& line) {
+  reader_ = {};
+  vrpn::Bytes out = vrpn::cookie();
+  vrpn::put(out, vrpn::naming(vrpn::names_sender, own_sender, name_));
+  vrpn::put(out, vrpn::naming(vrpn::names_type, own_field, vrpn::field_type));
+  line.send(out);
+}
+
+void VrpnArm::take(const vrpn::Message& message, std::int64_t now_ns) {
+  heard_ns_ = now_ns;
+  if (message.type < 0 || reader_.sender(message) != name_) return;
+  const std::string& type = reader_.type(message);
+  if (type == vrpn::pose_type) {
+    const auto said = vrpn::tracker_pose_of(message.body);
+    if (said && said->sensor != 0) return;
+    const bool turns = said && said->turn.coeffs().allFinite() && said->turn.norm() > 0;
+    const auto pose =
+        turns ? arm_pose(said->place, said->turn.normalized().toRotationMatrix()) : std::nullopt;
+    ++(pose ? counts_.records : counts_.resyncs);
+    posed_ns_ = pose ? now_ns : 0;
+    if (pose) last_.stylus = *pose;
+  } else if (type == vrpn::button_type) {
+    const auto button = vrpn::button_of(message.body);
+    if (!button || button->number < 0 || button->number >= buttons_known) return;
+    const std::uint32_t bit = 1u << button->number;
+    last_.buttons = button->pressed ? last_.buttons | bit : last_.buttons & ~bit;
+  } else if (type == vrpn::error_type) {
+    const auto code = vrpn::code_of(message.body);
+    if (code == vrpn::duty_cycle_error) hot_until_ns_ = now_ns + duty_ns;
+    if (code == vrpn::no_force_error) hot_until_ns_ = 0;
+  }
+}
+
+void VrpnArm::lose(std::string why, std::int64_t now_ns) {
+  opening_.lose(std::move(why), now_ns);
+  greeted_ = false;
+  posed_ns_ = 0;
+  last_ = {};
+  ++counts_.reopens;
+}
+
+void VrpnArm::set_field(const Vec3& force, const Mat3& stiffness) {
+  vrpn::Line* line = opening_.get();
+  if (line == nullptr || !greeted_ || !force.allFinite() || !stiffness.allFinite()) return;
+  const Mat3 turn = config_.room_arm.q.toRotationMatrix();
+  vrpn::ForceField field;
+  field.origin = last_.stylus.p;
+  field.force = turn.transpose() * force;
+  field.jacobian = -(turn.transpose() * stiffness * turn);
+  field.radius = field_radius;
+  vrpn::Bytes out;
+  vrpn::put(out, {own_sender, own_field, vrpn::body_of(field)});
+  line->send(out);
+}
+
+DeviceStatus VrpnArm::status() const {
+  DeviceStatus out = counts_;
+  const bool open = opening_.get() != nullptr;
+  if (!open) {
+    out.health = opening_.problem().empty() ? DeviceHealth::connecting : DeviceHealth::absent;
+    out.message = opening_.problem();
+  } else if (posed_ns_ > 0 && clock_() - posed_ns_ <= pose_lasts_ns) {
+    out.health = DeviceHealth::streaming;
+    if (clock_() < hot_until_ns_) out.message = "its motors are hot: force is less until they cooled down";
+  } else {
+    out.health = DeviceHealth::silent;
+    out.message =
+        fmt::format("the server is there, but no pose of '{}' comes: is that its name there?", name_);
+  }
+  return out;
+}
+
+std::unique_ptr<Arm> open_vrpn(const std::string& path, const ArmConfig& config) {
+  const auto at = path.find('@');
+  const std::string name = path.substr(0, at), where = at == std::string::npos ? "" : path.substr(at + 1);
+  const auto colon = where.rfind(':');
+  const std::string host = where.substr(0, colon);
+  const std::string port = colon == std::string::npos ? vrpn::usual_port : where.substr(colon + 1);
+  if (name.empty() || host.empty() || port.empty() ||
+      port.find_first_not_of("0123456789") != std::string::npos)
+    throw InputError(
+        fmt::format("arm 'vrpn:{}': must be vrpn:NAME@HOST[:PORT], as in vrpn:Phantom0@lab", path));
+  return std::make_unique<VrpnArm>(name, config, [host, port] { return vrpn::connect_line(host, port); });
+}
+
+}  // namespace prosector

@@ -1,0 +1,203 @@
+#include "drivers/vrpn_messages.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <string_view>
+
+namespace prosector::vrpn {
+namespace {
+
+constexpr std::string_view magic = "vrpn: ver. 07.35";  // 16 letters; those up to the dot after 07 must fit
+constexpr std::size_t must_fit = 14, cookie_bytes = 24, header_bytes = 24, block = 8;
+constexpr std::size_t longest_message = 65536;  // bytes: far more than any that is known here
+constexpr std::size_t most_names = 2000;
+
+template <class Word>
+void put_word(Bytes& out, Word word) {
+  for (std::size_t i = sizeof(Word); i-- > 0;)
+    out.push_back(static_cast<std::uint8_t>(word >> (8 * i) & 0xff));
+}
+void put_int(Bytes& out, std::int32_t value) {
+  put_word(out, static_cast<std::uint32_t>(value));
+}
+void put_double(Bytes& out, double value) {
+  put_word(out, std::bit_cast<std::uint64_t>(value));
+}
+void put_float(Bytes& out, double value) {
+  put_word(out, std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+}
+
+/// Reads numbers one after the other. Who reads knows that there are enough bytes.
+class Numbers {
+ public:
+  explicit Numbers(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+  std::int32_t integer() { return static_cast<std::int32_t>(word<std::uint32_t>()); }
+  double real() { return std::bit_cast<double>(word<std::uint64_t>()); }
+  double single() { return static_cast<double>(std::bit_cast<float>(word<std::uint32_t>())); }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+  template <class Word>
+  Word word() {
+    Word out = 0;
+    for (std::size_t i = 0; i < sizeof(Word); ++i) out = static_cast<Word>(out << 8 | bytes_[i]);
+    bytes_ = bytes_.subspan(sizeof(Word));
+    return out;
+  }
+};
+
+std::size_t padded(std::size_t size) {
+  return (size + block - 1) / block * block;
+}
+
+}  // namespace
+
+Bytes cookie() {
+  Bytes out(cookie_bytes, 0);
+  std::fill_n(out.begin(), magic.size() + 2, ' ');
+  std::copy(magic.begin(), magic.end(), out.begin());
+  out[magic.size() + 2] = '0';  // nothing is to be logged
+  return out;
+}
+
+void put(Bytes& out, const Message& message) {
+  put_int(out, static_cast<std::int32_t>(header_bytes + message.body.size()));
+  put_int(out, 0);  // seconds and microseconds: nobody here asks when
+  put_int(out, 0);
+  put_int(out, message.sender);
+  put_int(out, message.type);
+  put_int(out, 0);
+  const std::size_t begin = out.size();
+  out.insert(out.end(), message.body.begin(), message.body.end());
+  out.resize(begin + padded(message.body.size()), 0);
+}
+
+Message naming(std::int32_t kind, std::int32_t number, const std::string& name) {
+  Message out{number, kind, {}};
+  put_int(out.body, static_cast<std::int32_t>(name.size() + 1));
+  for (const char c : name) out.body.push_back(static_cast<std::uint8_t>(c));
+  out.body.push_back(0);
+  return out;
+}
+
+Bytes body_of(const TrackerPose& pose) {
+  Bytes out;
+  put_int(out, pose.sensor);
+  put_int(out, 0);
+  for (const double x : pose.place) put_double(out, x);
+  for (const double x : pose.turn.coeffs()) put_double(out, x);  // x, y, z, w
+  return out;
+}
+
+std::optional<TrackerPose> tracker_pose_of(const Bytes& body) {
+  if (body.size() != 64) return std::nullopt;
+  Numbers in(body);
+  TrackerPose out;
+  out.sensor = in.integer();
+  in.integer();
+  for (double& x : out.place) x = in.real();
+  for (double& x : out.turn.coeffs()) x = in.real();
+  return out;
+}
+
+Bytes body_of(const Button& button) {
+  Bytes out;
+  put_int(out, button.number);
+  put_int(out, button.pressed ? 1 : 0);
+  return out;
+}
+
+std::optional<Button> button_of(const Bytes& body) {
+  if (body.size() != 8) return std::nullopt;
+  Numbers in(body);
+  Button out;
+  out.number = in.integer();
+  out.pressed = in.integer() != 0;
+  return out;
+}
+
+Bytes body_of(const ForceField& field) {
+  Bytes out;
+  for (const double x : field.origin) put_float(out, x);
+  for (const double x : field.force) put_float(out, x);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) put_float(out, field.jacobian(i, j));
+  put_float(out, field.radius);
+  return out;
+}
+
+std::optional<ForceField> field_of(const Bytes& body) {
+  if (body.size() != 64) return std::nullopt;
+  Numbers in(body);
+  ForceField out;
+  for (double& x : out.origin) x = in.single();
+  for (double& x : out.force) x = in.single();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) out.jacobian(i, j) = in.single();
+  out.radius = in.single();
+  return out;
+}
+
+Bytes body_of(std::int32_t code) {
+  Bytes out;
+  put_int(out, code);
+  return out;
+}
+
+std::optional<std::int32_t> code_of(const Bytes& body) {
+  if (body.size() != 4) return std::nullopt;
+  return Numbers(body).integer();
+}
+
+void Reader::take(std::span<const std::uint8_t> bytes) {
+  if (!broken_) waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
+}
+
+std::optional<Message> Reader::next() {
+  if (broken_) return std::nullopt;
+  if (!greeted_) {
+    const std::size_t known = std::min(waiting_.size(), must_fit);
+    broken_ =
+        !std::equal(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(known), magic.begin());
+    if (broken_ || waiting_.size() < cookie_bytes) return std::nullopt;
+    waiting_.erase(waiting_.begin(), waiting_.begin() + cookie_bytes);
+    greeted_ = true;
+  }
+  if (waiting_.size() < header_bytes) return std::nullopt;
+  Numbers header(waiting_);
+  const std::int32_t length = header.integer();
+  if (length < static_cast<std::int32_t>(header_bytes) ||
+      length > static_cast<std::int32_t>(longest_message)) {
+    broken_ = true;
+    return std::nullopt;
+  }
+  const std::size_t size = static_cast<std::size_t>(length) - header_bytes;
+  if (waiting_.size() < header_bytes + padded(size)) return std::nullopt;
+  header.integer();
+  header.integer();
+  Message out;
+  out.sender = header.integer();
+  out.type = header.integer();
+  const auto body = waiting_.begin() + header_bytes;
+  out.body.assign(body, body + static_cast<std::ptrdiff_t>(size));
+  waiting_.erase(waiting_.begin(), body + static_cast<std::ptrdiff_t>(padded(size)));
+  learn(out);
+  return out;
+}
+
+/// Takes a name that the other side gives.
+void Reader::learn(const Message& message) {
+  if (message.type != names_sender && message.type != names_type) return;
+  Names& names = message.type == names_sender ? senders_ : types_;
+  if (message.body.size() < 5 || names.size() >= most_names) return;
+  names[message.sender] = std::string(message.body.begin() + 4, message.body.end() - 1);
+}
+
+const std::string& Reader::name(const Names& names, std::int32_t number) {
+  static const std::string none;
+  const auto found = names.find(number);
+  return found == names.end() ? none : found->second;
+}
+
+}  // namespace prosector::vrpn

@@ -1,0 +1,91 @@
+#pragma once
+// VRPN's bytes on a TCP line: a cookie each way, then messages. Numbers are big endian; each side names its
+// senders and types of messages before it uses them.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/math.h"
+
+namespace prosector::vrpn {
+
+using Bytes = std::vector<std::uint8_t>;
+
+inline constexpr const char* usual_port = "3883";
+inline constexpr std::int32_t names_sender = -1, names_type = -2;  // types of messages that name
+inline constexpr const char* pose_type = "vrpn_Tracker Pos_Quat";
+inline constexpr const char* button_type = "vrpn_Button Change";
+inline constexpr const char* field_type = "vrpn_ForceDevice Force_Field";
+inline constexpr const char* error_type = "vrpn_ForceDevice Force_Error";
+
+struct Message {
+  std::int32_t sender = 0, type = 0;  // of a message that names: what is named is the sender
+  Bytes body;
+};
+
+/// Returns the cookie that each side sends first.
+Bytes cookie();
+/// Appends a message.
+void put(Bytes& out, const Message& message);
+/// Returns the message that names a sender or a type.
+Message naming(std::int32_t kind, std::int32_t number, const std::string& name);
+
+/// What a tracker says of one sensor: m, its server's frame.
+struct TrackerPose {
+  std::int32_t sensor = 0;
+  Vec3 place = Vec3::Zero();
+  Quat turn = Quat::Identity();  // as it came, not of unit length
+};
+Bytes body_of(const TrackerPose& pose);
+std::optional<TrackerPose> tracker_pose_of(const Bytes& body);
+
+struct Button {
+  std::int32_t number = 0;
+  bool pressed = false;
+};
+Bytes body_of(const Button& button);
+std::optional<Button> button_of(const Bytes& body);
+
+/// What an arm's server renders by itself: force + jacobian·(x − origin) within the radius, else nothing.
+struct ForceField {
+  Vec3 origin = Vec3::Zero(), force = Vec3::Zero();  // m, N
+  Mat3 jacobian = Mat3::Zero();                      // N/m
+  double radius = 0;                                 // m
+};
+Bytes body_of(const ForceField& field);
+std::optional<ForceField> field_of(const Bytes& body);
+
+// Codes of Force_Error.
+inline constexpr std::int32_t duty_cycle_error = 1, force_error = 2, no_force_error = 4;
+Bytes body_of(std::int32_t code);
+std::optional<std::int32_t> code_of(const Bytes& body);
+
+/// Takes bytes as they come and finds the messages in them.
+class Reader {
+ public:
+  void take(std::span<const std::uint8_t> bytes);
+  /// Returns the next message that is whole.
+  std::optional<Message> next();
+  /// Tells whether what came is not VRPN's of this version. Nothing comes from it any more then.
+  bool broken() const { return broken_; }
+  bool greeted() const { return greeted_; }
+  /// Returns the name of a sender or a type, as the other side gave it; empty: it gave none.
+  const std::string& sender(const Message& message) const { return name(senders_, message.sender); }
+  const std::string& type(const Message& message) const { return name(types_, message.type); }
+
+ private:
+  using Names = std::map<std::int32_t, std::string>;
+  static const std::string& name(const Names& names, std::int32_t number);
+  void learn(const Message& message);
+
+  Bytes waiting_;
+  bool greeted_ = false, broken_ = false;
+  Names senders_, types_;
+};
+
+}  // namespace prosector::vrpn
