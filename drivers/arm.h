@@ -18,12 +18,14 @@ struct ArmLimits {
   double rate = 1000;                            // Hz, of its servo loop
 };
 
+inline constexpr unsigned arm_buttons = 32;  // at most
+
 /// One reading of the arm.
 struct ArmReading {
-  bool valid = false;  // the pose was read and the arm knows where it is (homed, not being calibrated)
-  Pose stylus;         // in the room; −z towards the tip
-  std::uint32_t buttons = 0;
-  bool hot = false;  // a motor is near its limit: less force must do
+  bool valid = false;         // the pose was read and the arm knows where it is (homed, not being calibrated)
+  Pose stylus;                // in the room; −z towards the tip
+  std::uint32_t buttons = 0;  // the first one's bit is 1
+  bool hot = false;           // a motor is near its limit: less force must do
 };
 
 class Arm {

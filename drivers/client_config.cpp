@@ -206,6 +206,11 @@ void read_arm(Section section, ArmSettings& arm) {
     if (*hand != "left" && *hand != "right") section.fail("hand", "must be \"left\" or \"right\"");
     arm.hand = *hand == "left" ? left_hand : right_hand;
   }
+  double button = 0;
+  section.read("dead_man", button, 1, arm_buttons);
+  if (button != std::floor(button))
+    section.fail("dead_man", fmt::format("must be a whole number from 1 to {}", arm_buttons));
+  arm.dead_man = static_cast<unsigned>(button);
   if (auto room = section.section("room")) arm.arm.room_arm = read_pose(*room);
   if (auto mount = section.section("mount")) arm.mount = read_pose(*mount);
   section.finish();

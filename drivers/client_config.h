@@ -31,7 +31,8 @@ struct ArmSettings {
   std::size_t hand = right_hand;  // that it moves
   ArmConfig arm;
   std::optional<Pose>
-      mount;  // of the wrist in the stylus' frame; none: the index finger's tip is the stylus'
+      mount;              // of the wrist in the stylus' frame; none: the index finger's tip is the stylus'
+  unsigned dead_man = 0;  // the button, from 1, without which there is no force; 0: none is needed
 };
 
 struct ClientConfig {

@@ -20,6 +20,11 @@ Pose mount_of(const ArmSettings& settings) {
   return {-index_tip(settings.hand, hand), Quat::Identity()};
 }
 
+/// Returns the bit of a button that is counted from 1; 0: of none.
+std::uint32_t bit_of(unsigned button) {
+  return button == 0 ? 0 : 1u << (button - 1);
+}
+
 const char* words_of(DeviceHealth health) {
   switch (health) {
     case DeviceHealth::connecting:
@@ -39,7 +44,8 @@ const char* words_of(DeviceHealth health) {
 }  // namespace
 
 ArmHand::ArmHand(const ArmSettings& settings)
-    : settings_(settings), servo_(open_arm(settings.address, settings.arm), mount_of(settings)) {}
+    : settings_(settings),
+      servo_(open_arm(settings.address, settings.arm), mount_of(settings), bit_of(settings.dead_man)) {}
 
 void ArmHand::received(const FeltPlanes& felt, ParticipantId participant) {
   if (felt.participant != participant || felt.hand != settings_.hand) return;

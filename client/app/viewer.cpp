@@ -155,6 +155,14 @@ DeskSession Viewer::desk_session(const Replica& replica, double tick, Participan
   return out;
 }
 
+/// Returns the force on the desk user's hand, N.
+double Viewer::touch_force(ParticipantId self) {
+  return connection_.with_replica([&](const Replica& replica) {
+    const ContactSample* contact = replica.contact(self, right_hand);
+    return contact != nullptr && contact->touching ? contact->force.norm() : 0;
+  });
+}
+
 void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) {
   Desk& desk = *stage_->desk;
   const DeskSession session = connection_.with_replica([&](Replica& replica) {
@@ -163,6 +171,7 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
     return desk_session(replica, tick, self.participant);
   });
   desk.update(session);
+  rumble_.follow(desk.has_gamepad(), touch_force(self.participant), monotonic_ns());
   self.at_desk = !has_devices(options_.devices);
   const DeskChoices& choices = desk.choices();
   const bool head_leads = has_devices(options_.devices) && self.input.head_tracked;

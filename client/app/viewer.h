@@ -16,6 +16,7 @@
 #include "client/app/parts_board.h"
 #include "client/app/picture_sink.h"
 #include "client/app/stage.h"
+#include "client/app/touch_rumble.h"
 #include "client/render/quality_governor.h"
 #include "client/view/message_lines.h"
 #include "common/clock.h"
@@ -83,9 +84,11 @@ class Viewer {
   MessageLines messages_;
   PartsChoice parts_;
   PanelFinger panel_finger_;
+  TouchRumble rumble_;
   PartsBoard parts_board_;
 
   Image draw(InputPump* pump, bool keep);
+  double touch_force(ParticipantId self);
   void use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings);
   void begin_desk(Replica& replica, double tick, ParticipantId self);
   DeskSession desk_session(const Replica& replica, double tick, ParticipantId self);

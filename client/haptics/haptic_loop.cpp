@@ -18,7 +18,7 @@ void HapticLoop::take(std::span<const ContactPlane> planes, double time) {
   planes_.take(planes, time);
 }
 
-Vec3 HapticLoop::cycle(const ArmReading& reading, double time) {
+Vec3 HapticLoop::cycle(const ArmReading& reading, double time, bool allowed) {
   const double since = time - time_;
   time_ = time;
   const bool valid = reading.valid && is_finite(reading.stylus);
@@ -46,7 +46,7 @@ Vec3 HapticLoop::cycle(const ArmReading& reading, double time) {
   } else {
     passivity_.interrupt();
   }
-  force_ = guard_.pass(force, valid && !planes_.stale(time), reading.hot, dt);
+  force_ = guard_.pass(force, allowed && valid && !planes_.stale(time), reading.hot, dt);
   passivity_.applied(force_);
   // What lets through a part of the force lets through that part of its slope.
   const double asked = force.norm();

@@ -25,8 +25,9 @@ class HapticLoop {
   void take(std::span<const ContactPlane> planes, double time);
   /// Notes that the newest message came once more.
   void heard_again(double time) { planes_.heard_again(time); }
-  /// Returns the force for the arm, N, room frame. `time` rises from call to call.
-  Vec3 cycle(const ArmReading& reading, double time);
+  /// Returns the force for the arm, N, room frame. `time` rises from call to call. Unless it is `allowed`,
+  /// force fades, and comes back slowly once it is.
+  Vec3 cycle(const ArmReading& reading, double time, bool allowed = true);
 
   const EnergyBook& energy() const { return passivity_.book(); }
   double energy_level() const { return passivity_.level(); }

@@ -30,8 +30,8 @@ void sleep_until(std::int64_t time_ns) {
 
 }  // namespace
 
-ServoThread::ServoThread(std::unique_ptr<Arm> arm, const Pose& hand_of_stylus)
-    : arm_(std::move(arm)), hand_of_stylus_(hand_of_stylus), loop_(arm_->limits()) {
+ServoThread::ServoThread(std::unique_ptr<Arm> arm, const Pose& hand_of_stylus, std::uint32_t dead_man)
+    : arm_(std::move(arm)), hand_of_stylus_(hand_of_stylus), dead_man_(dead_man), loop_(arm_->limits()) {
   thread_ = std::jthread([this](std::stop_token stop) { run(stop); });
 }
 
@@ -82,7 +82,8 @@ void ServoThread::cycle(double time) {
     planes_.reset();
   }
   if (repeated_.exchange(false)) loop_.heard_again(time);
-  const Vec3 force = loop_.cycle(reading, time);
+  const bool let_go = dead_man_ != 0 && (reading.buttons & dead_man_) == 0;
+  const Vec3 force = loop_.cycle(reading, time, !let_go);
   arm_->set_field(force, loop_.stiffness());
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock) return;

@@ -34,8 +34,9 @@ struct ServoView {
 
 class ServoThread {
  public:
-  /// Starts. `hand_of_stylus`: pose of the hand in the stylus' frame. Tries to run with a real-time priority.
-  ServoThread(std::unique_ptr<Arm> arm, const Pose& hand_of_stylus);
+  /// Starts. `hand_of_stylus`: pose of the hand in the stylus' frame. `dead_man`: bits of buttons of which
+  /// one must be down for any force to act; 0: none must. Tries to run with a real-time priority.
+  ServoThread(std::unique_ptr<Arm> arm, const Pose& hand_of_stylus, std::uint32_t dead_man = 0);
   ~ServoThread();
 
   /// Passes on what the hand feels now. Called by the network's thread.
@@ -54,6 +55,7 @@ class ServoThread {
 
   std::unique_ptr<Arm> arm_;
   Pose hand_of_stylus_;
+  std::uint32_t dead_man_;
   HapticLoop loop_;
   std::atomic<bool> real_time_ = false, repeated_ = false;
 

@@ -7,6 +7,7 @@
 #include "client/view/body_mesh.h"
 #include "client/view/camera.h"
 #include "client/view/carried_light.h"
+#include "client/view/force_arrow.h"
 #include "client/view/held_blades.h"
 #include "client/view/held_things.h"
 #include "client/view/help_board.h"
@@ -283,7 +284,10 @@ void SceneView::add_hand_cues(const Replica& replica, const LocalUser& self, dou
   const auto below = hand_cues_.add(list_, fingertips, finder_without(held), next_mesh_id_);
   const ContactSample* contact = replica.contact(self.participant, right_hand);
   std::optional<BodyId> worked_on = below;
-  if (contact != nullptr && contact->touching) worked_on = contact->body;
+  if (contact != nullptr && contact->touching) {
+    worked_on = contact->body;
+    add_force_arrow(list_, contact->point, -contact->force);
+  }
   if (!held.empty()) worked_on = held.front();
   const auto& bodies = replica.scene()->bodies;
   const bool matters = worked_on && *worked_on < bodies.size() &&

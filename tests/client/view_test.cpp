@@ -11,6 +11,7 @@
 #include "client/view/body_mesh.h"
 #include "client/view/camera.h"
 #include "client/view/contact_overlay.h"
+#include "client/view/force_arrow.h"
 #include "client/view/hand_cues.h"
 #include "client/view/normals.h"
 #include "client/view/panel_view.h"
@@ -219,6 +220,29 @@ FindSurface floor_at(double height) {
     if (!(distance > 0)) return std::nullopt;
     return Picked{{distance, ray.from + distance * ray.along, Vec3::UnitY()}, 0};
   };
+}
+
+TEST(ForceArrow, IsAsLongAsTheForceIsLargeAndPointsAlongIt) {
+  const Vec3 point(0.1, 1, 0.2), direction = Vec3(1, 2, -1).normalized();
+  double last = 0;
+  for (const double force : {0.1, 1., 4.}) {
+    DrawList list;
+    add_force_arrow(list, point, force * direction);
+    ASSERT_EQ(list.lines.size(), 5u);
+    const Vec3 shaft = list.lines[0].b - list.lines[0].a;
+    EXPECT_EQ(list.lines[0].a, point);
+    EXPECT_NEAR(shaft.normalized().dot(direction), 1, 1e-12);
+    EXPECT_GT(shaft.norm(), last);
+    last = shaft.norm();
+    for (const DrawLine& line : list.lines) EXPECT_EQ(line.b, list.lines[0].b) << "all end at its tip";
+  }
+  DrawList huge, faint, broken;
+  add_force_arrow(huge, point, 1e6 * direction);
+  EXPECT_LT((huge.lines[0].b - point).norm(), 0.2);
+  add_force_arrow(faint, point, 0.01 * direction);
+  EXPECT_TRUE(faint.lines.empty());
+  add_force_arrow(broken, point, Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_TRUE(broken.lines.empty());
 }
 
 TEST(HandCues, AShadowGrowsDarkerAsTheHandComesNearAndLiesOnTheSurface) {

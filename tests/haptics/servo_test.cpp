@@ -14,6 +14,7 @@ namespace {
 /// What the test sees of the arm while the thread has it.
 struct Seen {
   std::atomic<std::uint64_t> reads = 0;
+  std::atomic<std::uint32_t> buttons = 0;
   std::atomic<double> force = 0, last = -1;
 };
 
@@ -26,6 +27,7 @@ class StillArm final : public Arm {
     ArmReading out;
     out.valid = true;
     out.stylus.p = {0, -0.002, 0};
+    out.buttons = seen_.buttons;
     return out;
   }
   void set_force(const Vec3& force) override {
@@ -59,6 +61,27 @@ TEST(ServoThread, RendersWhatItIsTold) {
     EXPECT_TRUE(servo.view().reading.valid);
   }
   EXPECT_EQ(seen.last, 0) << "the arm is left without force";
+}
+
+TEST(ServoThread, WithoutItsDeadMansButtonNothingIsFelt) {
+  Seen seen;
+  seen.buttons = 1;  // another one
+  ServoThread servo(std::make_unique<StillArm>(seen), Pose(), 2);
+  const auto feel_for = [&](std::uint64_t cycles) {
+    const std::uint64_t until = seen.reads + cycles;
+    while (seen.reads < until) {
+      servo.feel(floor_below());
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  };
+  feel_for(100);
+  EXPECT_EQ(seen.force, 0);
+  seen.buttons = 3;
+  for (int k = 0; k < 200 && seen.force < 0.5; ++k) feel_for(10);
+  EXPECT_GE(seen.force, 0.5);
+  seen.buttons = 1;
+  feel_for(200);
+  EXPECT_EQ(seen.last, 0) << "let go";
 }
 
 TEST(ServoThread, NothingToldIsNothingFelt) {
