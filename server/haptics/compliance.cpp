@@ -12,9 +12,10 @@ namespace {
 constexpr SolverSettings solve_settings = {60, 1e-2};
 constexpr double slowest = 0.5;  // Hz: what nothing holds is borne by its inertia at that frequency
 
-SoftDesc at_rest(SoftDesc desc) {
+/// Describes the body without what moves it. A sheet or a rope has no coarse levels.
+SoftDesc at_rest(SoftDesc desc, bool solid) {
   desc.damping_mass = desc.damping_stiffness = 0;
-  desc.solver = "multigrid";
+  desc.solver = solid ? "multigrid" : "cg";
   return desc;
 }
 
@@ -68,7 +69,7 @@ struct TissueCompliance::Solver {
 };
 
 TissueCompliance::TissueCompliance(const SoftDesc& desc, Anatomy anatomy, const VecX& ties)
-    : matter_(std::make_unique<SoftMatter>(at_rest(desc), std::move(anatomy))) {
+    : matter_(std::make_unique<SoftMatter>(at_rest(desc, !anatomy.tets.tets.empty()), std::move(anatomy))) {
   matter_->ties = ties;
   matter_->weigh();
   solver_ = std::make_unique<Solver>(*matter_, matter_->mass.size());

@@ -25,7 +25,7 @@ std::shared_ptr<const BodyCopy> copy_of(const SoftBody& body) {
 
 /// Tells whether the body has a potential whose tangent says how stiff it is.
 bool has_tangent(const SoftBody& body) {
-  return body.substepper() == nullptr && !body.anatomy().tets.tets.empty();
+  return body.substepper() == nullptr;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "server/physics/soft/soft_body.h"
 #include "server/physics/soft/soft_matter.h"
 #include "tests/haptics/felt_case.h"
+#include "tests/physics/scalpel.h"
 
 namespace prosector::test {
 namespace {
@@ -133,6 +134,25 @@ TEST_F(Felt, BothEndsOfTheBookGrow) {
   EXPECT_GE(last.taken, taken);
   EXPECT_GT(last.given, 0) << "tissue pushes the hand out";
   EXPECT_GT(last.taken, last.given) << "and keeps some";
+}
+
+TEST(FeltSheet, StiffnessIsTheSlopeOfForceOverWay) {
+  SceneDesc scene = membrane_and_scalpel("mass_spring");
+  scene.rigid.clear();
+  scene.soft[0].pose.p.y() = 0.06;
+  scene.soft[0].attach = {{{0, 0.06, 0.06}, 0.045, 1e9}, {{0, 0.06, -0.06}, 0.045, 1e9}};
+  FeltCase c(scene);
+  c.step(moved(0.02, 0, true));
+  const auto press = [&](double from, double to) {
+    for (int k = 1; k <= 60; ++k) c.step(moved(from + (to - from) * k / 60, 40));
+    c.settle(moved(to, 40));
+  };
+  press(0.02, -0.015);
+  const double told = c.told_stiffness(), before = c.told_force().y();
+  press(-0.015, -0.0155);
+  const double slope = (c.told_force().y() - before) / 5e-4;
+  EXPECT_GT(before, 0.5);
+  EXPECT_NEAR(told / slope, 1, 0.15) << "of " << slope << " N/m";
 }
 
 TEST(FeltHands, TheStateIsTheSameWithAndWithout) {
