@@ -34,6 +34,7 @@ void HeldArm::take(std::int64_t time_ns) {
 
 void HeldArm::put_down() {
   taken_ = false;
+  rest_ = model_.position();
   model_.set_force(Vec3::Zero());
 }
 

@@ -26,7 +26,7 @@ class HeldArm {
 
   /// Lets the hand take it at that time. 0.8 s later it is where the script begins, and the script starts.
   void take(std::int64_t time_ns);
-  /// Lets the hand put it down at once, without motors.
+  /// Lets the hand put it down where it is, at once, without motors.
   void put_down();
   void go_on(std::int64_t now_ns) { clock_.go_on(now_ns); }
   /// Sets the motors' force, N, arm's frame. One that lies has none.
