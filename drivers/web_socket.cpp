@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "drivers/newest.h"
+#include "drivers/real_time.h"
 
 namespace prosector {
 namespace {
@@ -33,7 +34,10 @@ class WebSocket::Talk {
   Talk(std::string host, std::string port, std::function<std::string(std::string_view)> answer)
       : host_(std::move(host)), port_(std::move(port)), answer_(std::move(answer)) {
     resolve();
-    thread_ = std::thread([this] { io_.run(); });
+    thread_ = std::thread([this] {
+      ask_for_real_time(line_priority);
+      io_.run();
+    });
   }
   ~Talk() {
     net::post(io_, [this] { end(); });

@@ -1,6 +1,6 @@
 #pragma once
-// A conversation over a WebSocket: each text that comes is answered by one. It has a thread of its own, and
-// connects again by itself.
+// A conversation over a WebSocket: each text that comes is answered by one. It has a thread of its own, with
+// a real-time priority where the system gives one, and connects again by itself.
 
 #include <functional>
 #include <memory>

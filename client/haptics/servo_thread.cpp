@@ -1,27 +1,19 @@
 #include "client/haptics/servo_thread.h"
 
-#include <pthread.h>
-#include <sched.h>
 #include <time.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "common/clock.h"
+#include "drivers/real_time.h"
 
 namespace prosector {
 namespace {
 
-constexpr int priority = 50;  // of SCHED_FIFO: above the desktop's sound, below the kernel's interrupts
 constexpr std::int64_t second_ns = 1'000'000'000;
 constexpr double bins_an_octave = 8;
 constexpr std::uint64_t status_cycles = 100;  // from one look at the arm's status to the next
-
-bool ask_for_real_time() {
-  sched_param wanted{};
-  wanted.sched_priority = priority;
-  return pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted) == 0;
-}
 
 void sleep_until(std::int64_t time_ns) {
   const timespec until{time_ns / second_ns, time_ns % second_ns};
@@ -54,7 +46,7 @@ ServoView ServoThread::view() {
 }
 
 void ServoThread::run(std::stop_token stop) {
-  real_time_ = ask_for_real_time();
+  real_time_ = ask_for_real_time(servo_priority);
   const auto period = static_cast<std::int64_t>(second_ns / arm_->limits().rate);
   const std::int64_t start = monotonic_ns();
   std::int64_t next = start + period;
