@@ -12,6 +12,7 @@
 
 #include "common/clock.h"
 #include "common/error.h"
+#include "drivers/real_time.h"
 
 namespace prosector {
 namespace {
@@ -73,6 +74,7 @@ void serve_arm(const ArmTwinSettings& settings, const std::function<void(std::in
                const std::function<void(std::int64_t now_ns)>& go_on) {
   std::signal(SIGINT, stop_arm_twin);
   std::signal(SIGTERM, stop_arm_twin);
+  ask_for_real_time(servo_priority);  // an arm moves on, however busy the machine is
   const bool holds = !settings.timing.holds.empty();
   std::int64_t next = monotonic_ns();
   while (!arm_twin_stopped) {

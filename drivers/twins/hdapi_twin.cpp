@@ -10,6 +10,7 @@
 
 #include "common/clock.h"
 #include "drivers/hdapi_library.h"
+#include "drivers/real_time.h"
 #include "drivers/twins/library_twin.h"
 
 namespace prosector::hdapi {
@@ -177,6 +178,7 @@ class HdapiTwin {
     ticking_ = false;
   }
   void run(std::stop_token stop) {
+    ask_for_real_time(servo_priority);
     for (std::int64_t next = monotonic_ns(); !stop.stop_requested();) {
       next = std::max(next + period_ns, monotonic_ns());
       const timespec until{next / 1'000'000'000, next % 1'000'000'000};
