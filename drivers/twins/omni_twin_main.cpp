@@ -98,7 +98,7 @@ int run(int argc, char** argv) {
   ArmLog log(settings.log);
   Server server(socket);
   OmniTwin twin({held_arm_options(settings), settings.seed, settings.garbage}, monotonic_ns());
-  std::cout << "ready: " << socket << std::endl;
+  std::cout << "ready: omni-twin:" << socket << std::endl;
   serve_arm(
       settings,
       [&](std::int64_t now) {

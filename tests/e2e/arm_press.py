@@ -11,12 +11,17 @@ from program import Program
 
 HERE = pathlib.Path(__file__).parent
 
+# What plays an arm, by driver: a program and where it listens (none: at a socket), or the arm's name and a library.
+PROGRAMS = {"omni-twin": ("prosector-omni-twin", None), "inverse3": ("prosector-inverse3-twin", "0"),
+            "vrpn": ("prosector-vrpn-twin", "0")}
+LIBRARIES = {"hdapi": ("default", "libHD.so"), "dhd": ("0", "libdhd.so")}
+
 
 class ArmPress:
-    """An Omni's twin whose modelled hand presses at a place of the room, m, and the user whose arm it is."""
+    """A simulated arm whose modelled hand presses at a place of the room, m, and the user whose arm it is."""
 
-    def __init__(self, binaries, out, name, place, from_behind=True):
-        self.binaries, self.out, self.name = binaries, out, name
+    def __init__(self, binaries, out, name, place, from_behind=True, driver="omni-twin"):
+        self.binaries, self.out, self.name, self.driver = binaries, out, name, driver
         self.socket = pathlib.Path(tempfile.mkdtemp()) / "omni"  # a short path: sockets' are bounded
         # Where the arm stands: its inkwell is farther away than it, and lower than the place.
         self.stand = [place[0], place[1] + 0.04, place[2] - 0.03 if from_behind else place[2] + 0.03]
@@ -24,8 +29,8 @@ class ArmPress:
         self.place = place
         self.programs = []
 
-    def start(self, *words):
-        self.programs.append(Program(*words))
+    def start(self, *words, env=None):
+        self.programs.append(Program(*words, env=env))
         return self.programs[-1]
 
     def write_script(self, above, deep, at=1.5):
@@ -36,20 +41,28 @@ class ArmPress:
         script.write_text("time,x,y,z\n" + "\n".join(rows) + "\n")
         return script
 
-    def write_config(self):
-        config = (HERE / "arm_client.toml").read_text().replace("/tmp/omni", str(self.socket))
+    def start_twin(self, script):
+        """Starts what plays the arm. Returns its address, and what the client's environment has to say."""
+        stand = ",".join(map(str, self.stand + self.turn))
+        words = ["--script", script, "--room-arm", stand, "--log", self.out / f"{self.name}.csv"]
+        if self.driver in LIBRARIES:  # the twin is in the client
+            library = self.binaries.parent / "lib/twins" / LIBRARIES[self.driver][1]
+            return f"{self.driver}:{LIBRARIES[self.driver][0]}@{library}", {"PROSECTOR_TWIN": " ".join(map(str, words))}
+        program, at = PROGRAMS[self.driver]
+        twin = self.start(self.binaries / program, at or self.socket, "--wait-client", *words)
+        return twin.wait("ready").removeprefix("ready: "), {}
+
+    def write_config(self, address):
+        config = (HERE / "arm_client.toml").read_text().replace("omni-twin:/tmp/omni", address)
         config = config.replace("[0, 1.07, -0.03]", f"{self.stand}\norientation = {self.turn}")
         (self.out / f"{self.name}.toml").write_text(config)
 
     def join(self, script, *words):
         """Starts the twin, whose hand goes by the script, and its user's client."""
-        self.write_config()
-        stand = ",".join(map(str, self.stand + self.turn))
-        twin = self.start(self.binaries / "prosector-omni-twin", self.socket, "--script", script, "--room-arm", stand,
-                          "--wait-client", "--log", self.out / f"{self.name}.csv")
-        twin.wait("ready")
+        address, env = self.start_twin(script)
+        self.write_config(address)
         user = self.start(self.binaries / "prosector-client", "join", "--name", "Feeler", "--display", "none", "--config",
-                          self.out / f"{self.name}.toml", "--session-log", self.out / f"{self.name}.jsonl", "--patience", "40", *words)
+                          self.out / f"{self.name}.toml", "--session-log", self.out / f"{self.name}.jsonl", "--patience", "40", *words, env=env)
         user.wait("ready")
         return user
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""arm_test.py BIN OUT: a simulated haptic arm presses tissue in a real session, held by a modelled hand. What the arm pushes back
+"""arm_test.py BIN OUT [DRIVER]: a simulated haptic arm presses tissue in a real session, held by a modelled hand. What the arm pushes back
 with is what the server says of the contact; when the server is killed in mid-press the arm goes limp, and it comes back with it."""
 import os
 import pathlib
@@ -20,7 +20,7 @@ SETTLES, MEASURED = 4, 2  # s
 session = f"arm{os.getpid()}"
 SERVE = [BIN / "prosector-server", HERE / "arm.toml", "--session", session, "--cache", OUT / "cache", "--journal",
          OUT / "arm.sqlite"]
-arm = ArmPress(BIN, OUT, "arm", [0, 1.03, 0])
+arm = ArmPress(BIN, OUT, "arm", [0, 1.03, 0], driver=sys.argv[3] if len(sys.argv) > 3 else "omni-twin")
 try:
     server = arm.start(*SERVE)
     server.wait("is open")

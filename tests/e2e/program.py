@@ -13,10 +13,10 @@ ENV = {**os.environ, "LC_ALL": "C"}
 class Program:
     """A program that is spoken to, and whose lines can be waited for."""
 
-    def __init__(self, *words):
+    def __init__(self, *words, env=None):
         self.lines = []
         self.process = subprocess.Popen([str(w) for w in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                        stdin=subprocess.PIPE, env=ENV)
+                                        stdin=subprocess.PIPE, env={**ENV, **(env or {})})
         threading.Thread(target=self.read, daemon=True).start()
 
     def read(self):
