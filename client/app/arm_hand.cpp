@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "client/app/index_tip.h"
+#include "common/index_tip.h"
 
 namespace prosector {
 namespace {

@@ -1,7 +1,7 @@
 #include "client/app/panel_finger.h"
 
-#include "client/app/index_tip.h"
 #include "client/view/panel_view.h"
+#include "common/index_tip.h"
 #include "common/panel.h"
 
 namespace prosector {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "client/app/index_tip.h"
+#include "common/index_tip.h"
 
 namespace prosector {
 namespace {

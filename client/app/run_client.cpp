@@ -12,7 +12,6 @@
 #include "client/app/console.h"
 #include "client/app/cut_list.h"
 #include "client/app/happenings.h"
-#include "client/app/index_tip.h"
 #include "client/app/input_pump.h"
 #include "client/app/panel_call.h"
 #include "client/app/parts_commands.h"
@@ -21,6 +20,7 @@
 #include "client/view/camera.h"
 #include "common/clock.h"
 #include "common/hand.h"
+#include "common/index_tip.h"
 
 namespace prosector {
 namespace {

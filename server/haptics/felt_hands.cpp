@@ -4,6 +4,7 @@
 #include <iterator>
 #include <set>
 
+#include "server/haptics/felt_panel.h"
 #include "server/physics/soft/soft_body.h"
 
 namespace prosector {
@@ -21,6 +22,16 @@ std::shared_ptr<const BodyCopy> copy_of(const SoftBody& body) {
   copy->anatomy = body.anatomy();
   copy->ties = body.attached() ? body.attachment_stiffness() : VecX(VecX::Zero(body.nodes()));
   return copy;
+}
+
+/// Adds what the hand meets of panels, as far as there is room.
+void add_panels(const Simulation& simulation, const HandState& hand, std::vector<ContactPlane>& planes) {
+  HandPose pose;
+  pose.pose = hand.pose;
+  pose.flexion = hand.flexion;
+  for (const Panel& panel : simulation.panels())
+    for (const ContactPlane& plane : panel_planes(panel, hand.hand, pose))
+      if (planes.size() < max_contact_planes) planes.push_back(plane);
 }
 
 /// Tells whether the body has a potential whose tangent says how stiff it is.
@@ -42,9 +53,11 @@ std::vector<FeltPlanes> FeltHands::follow(const Simulation& simulation, std::spa
     message.participant = feeling.hand.participant;
     message.hand = feeling.hand.hand;
     message.time = simulation.time();
-    for (const HandState& state : simulation.hands())
-      if (state.participant == feeling.hand.participant && state.hand == feeling.hand.hand)
-        message = hands_.try_emplace(feeling.hand, feeling.hand).first->second.follow(simulation, state);
+    for (const HandState& state : simulation.hands()) {
+      if (state.participant != feeling.hand.participant || state.hand != feeling.hand.hand) continue;
+      message = hands_.try_emplace(feeling.hand, feeling.hand).first->second.follow(simulation, state);
+      add_panels(simulation, state, message.planes);
+    }
     message.input_sequence = feeling.input_sequence;
     out.push_back(std::move(message));
   }

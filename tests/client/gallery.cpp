@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "client/app/index_tip.h"
 #include "client/app/parts_board.h"
 #include "client/view/avatar.h"
 #include "client/view/body_mesh.h"
@@ -19,6 +18,7 @@
 #include "client/view/value_paint.h"
 #include "client/view/wireframe.h"
 #include "common/error_map.h"
+#include "common/index_tip.h"
 #include "tests/client/many_scripts.h"
 #include "tests/client/picture.h"
 

@@ -16,7 +16,6 @@ namespace {
 constexpr double cap_mass = 0.02;          // kg
 constexpr double cap_depth = 0.03;         // m, of the caps' boxes, most of it behind the board
 constexpr double no_tilting = 1000;        // times a cap's own inertia: friction pulls, and doesn't tip, it
-constexpr double button_stiffness = 400;   // N/m: 2.8 N when pressed home
 constexpr double button_damping = 5;       // N·s/m: just under critical for cap and spring
 constexpr double knob_friction = 1.5;      // N
 constexpr double finger_friction = 1.2;    // of rubber on skin

@@ -43,9 +43,10 @@ struct MovedControls {
 /// lay on it, until it is `finger_depth` behind.
 MovedControls move_controls(const ControlMotions& before, std::span<const FingerSweep> fingers, double h);
 
-inline constexpr double max_control_speed = 5;  // m/s
-inline constexpr double max_finger_way = 0.15;  // m in a tick
-inline constexpr double finger_depth = 0.06;    // m
+inline constexpr double button_stiffness = 400;  // N/m: 2.8 N when pressed home
+inline constexpr double max_control_speed = 5;   // m/s
+inline constexpr double max_finger_way = 0.15;   // m in a tick
+inline constexpr double finger_depth = 0.06;     // m
 
 /// Tells whether the segment may touch the board or what is on it.
 bool near_panel(const Capsule& finger);

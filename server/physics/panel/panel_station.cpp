@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/hand.h"
+#include "common/index_tip.h"
 #include "server/physics/parts/part_rules.h"
 
 namespace prosector {
@@ -11,7 +12,6 @@ namespace {
 
 constexpr double seen_through = 0.35;  // opacity of a part that is made transparent
 constexpr double bent = 0.7;           // flexion from which a finger is part of a fist
-constexpr std::size_t index_end = 4;   // of a hand's segments: the last one of the index finger
 constexpr double dimmed = 0.25;        // brightness of the room's lights
 
 /// Returns hands as panels feel them, in canonical order.

@@ -1,5 +1,5 @@
 #pragma once
-// Where a tracked hand's index finger ends.
+// Where a hand's index finger ends.
 
 #include "common/hand.h"
 #include "common/messages.h"
