@@ -16,7 +16,9 @@ constexpr double fingertip = 6e-3;   // m: radius of the patch that a fingertip 
 constexpr double dent = 2e-3;        // m
 constexpr double thin = 1. / 4;      // of its thickness: a patch on a thin body
 constexpr double shallow = 1. / 20;  // of its thickness: a dent in a thin body
-constexpr double steepest = 0.2;     // cosine of the angle to the push: what is steeper bears none
+constexpr double tilt = 0.3;         // of gravity, sideways
+constexpr std::size_t candidates_to_press = 40;
+constexpr double steepest = 0.2;  // cosine of the angle to the push: what is steeper bears none
 
 double softest(const SoftDesc& desc) {
   double least = desc.youngs_modulus;
@@ -33,20 +35,13 @@ Vec3 sideways(const TetMesh& mesh, const Vec3& gravity) {
   return longest;
 }
 
-/// Returns faces that are far from each other and from what is held: the one farthest from the foot, then
-/// each the farthest from those before.
-std::vector<OuterFace> sampled_faces(const SoftDesc& desc, const TetMesh& mesh, const Vec3& gravity,
-                                     std::vector<OuterFace> faces, int count) {
-  std::erase_if(faces, [&](const OuterFace& face) {
-    return std::any_of(desc.attach.begin(), desc.attach.end(), [&](const AttachDesc& tie) {
-      return (middle(mesh, face) - tie.center).norm() < tie.radius + fingertip;
-    });
-  });
+/// Returns faces that are far from each other: the highest, then each the farthest from those before.
+std::vector<OuterFace> spread_faces(const TetMesh& mesh, const Vec3& up, std::vector<OuterFace> faces,
+                                    std::size_t count) {
   std::vector<OuterFace> out;
-  const Vec3 up = -down(gravity);
-  while (!faces.empty() && out.size() < static_cast<std::size_t>(count)) {
+  while (!faces.empty() && out.size() < count) {
     const auto distance = [&](const OuterFace& face) {
-      if (out.empty()) return up.dot(middle(mesh, face)) + 1e-3 * mesh.positions.front().dot(up);
+      if (out.empty()) return up.dot(middle(mesh, face));
       double least = std::numeric_limits<double>::infinity();
       for (const OuterFace& taken : out)
         least = std::min(least, (middle(mesh, face) - middle(mesh, taken)).norm());
@@ -54,7 +49,27 @@ std::vector<OuterFace> sampled_faces(const SoftDesc& desc, const TetMesh& mesh, 
     };
     out.push_back(*std::max_element(faces.begin(), faces.end(),
                                     [&](const auto& a, const auto& b) { return distance(a) < distance(b); }));
+    std::erase(faces, out.back());
   }
+  return out;
+}
+
+/// Returns faces that no tie is near: half of them far from each other, then those of many such below which
+/// the body is thinnest, where elements get most wrong.
+std::vector<OuterFace> pressed_faces(const SoftDesc& desc, const TetMesh& mesh, const Vec3& gravity,
+                                     const std::vector<OuterFace>& faces, int count) {
+  std::vector<OuterFace> loose = faces;
+  std::erase_if(loose, [&](const OuterFace& face) {
+    return std::any_of(desc.attach.begin(), desc.attach.end(), [&](const AttachDesc& tie) {
+      return (middle(mesh, face) - tie.center).norm() < tie.radius + fingertip;
+    });
+  });
+  std::vector<OuterFace> out = spread_faces(mesh, -down(gravity), loose, candidates_to_press);
+  const auto spread = std::min<std::ptrdiff_t>(std::ssize(out), (count + 1) / 2);
+  std::stable_sort(out.begin() + spread, out.end(), [&](const auto& a, const auto& b) {
+    return depth_below(mesh, faces, a) < depth_below(mesh, faces, b);
+  });
+  out.resize(std::min(out.size(), static_cast<std::size_t>(count)));
   return out;
 }
 
@@ -94,13 +109,23 @@ std::vector<Act> acts_of(const SoftDesc& desc, const TetMesh& mesh, const Vec3& 
   press.force = 2 * softest(desc) / (1 - desc.poisson_ratio * desc.poisson_ratio) * press.radius *
                 std::min(dent, shallow * thick);
   int place = 0;
-  for (const OuterFace& face : sampled_faces(desc, mesh, gravity, faces, presses)) {
+  for (const OuterFace& face : pressed_faces(desc, mesh, gravity, faces, presses)) {
     press.point = middle(mesh, face);
     press.inward = -area_vector(mesh, face).normalized();
     ++place;
     out.push_back({place == 1 ? "pressed" : fmt::format("pressed at place {}", place), Vec3::Zero(), press});
   }
   return out;
+}
+
+std::vector<Act> tilts(const SoftDesc& desc, const TetMesh& mesh, const Vec3& gravity) {
+  if (tied(desc, mesh) || !desc.gravity || gravity.isZero()) return {};
+  const Vec3 along = sideways(mesh, gravity), across = down(gravity).cross(along);
+  const auto towards = [&](const Vec3& side, const std::string& name) {
+    const Vec3 weight = gravity + tilt * gravity.norm() * side.normalized();
+    return Act{name, weight, {}, down(weight)};
+  };
+  return {towards(2 * along + across, "tilted"), towards(2 * across - along, "tilted across")};
 }
 
 VecX load_of(const Act& act, const StaticBody& body) {

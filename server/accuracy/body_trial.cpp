@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
 #include "server/physics/soft/elements/edge_nodes.h"
@@ -51,11 +52,16 @@ const ActError& worst(const std::vector<ActError>& acts) {
 BodyTrial::BodyTrial(const SoftDesc& desc, const Vec3& gravity, Anatomy mesh, const TrialSettings& settings)
     : desc_(desc),
       mesh_{std::move(mesh.tets), {}, {}},
-      divided_(8 * mesh_.tets.tets.size() <= settings.most_tets) {
-  foot_ = foot_of(desc, mesh_.tets, gravity);
-  acts_ = acts_of(desc, mesh_.tets, gravity, settings.presses);
+      divided_(8 * mesh_.tets.tets.size() <= settings.most_tets),
+      before_step_(settings.before_step) {
+  const Vec3 weighs = settings.weight * gravity;
+  acts_ = acts_of(desc, mesh_.tets, weighs, settings.presses);
+  if (settings.tilts)
+    for (Act& act : tilts(desc, mesh_.tets, weighs)) acts_.push_back(std::move(act));
+  for (const Act& act : acts_) feet_.push_back(foot_of(desc, mesh_.tets, act.stands.value_or(gravity)));
   places_ = places_in(mesh_.tets, place_count);
   reference_ = solve(settings.law, "tet10", divided_ ? halved(mesh_) : mesh_);
+  leave_out_unborne();
   unsettled_.assign(acts_.size(), 0);
   if (!divided_) return;
   const auto undivided = solve(settings.law, "tet10", mesh_);
@@ -66,16 +72,31 @@ BodyTrial::BodyTrial(const SoftDesc& desc, const Vec3& gravity, Anatomy mesh, co
 BodyTrial::~BodyTrial() = default;
 BodyTrial::BodyTrial(BodyTrial&&) noexcept = default;
 
+/// Leaves out being tilted where tissue itself doesn't bear it: such a body can't stand so.
+void BodyTrial::leave_out_unborne() {
+  const auto leave_out = [](auto& of_acts, std::size_t act) {
+    of_acts.erase(of_acts.begin() + static_cast<std::ptrdiff_t>(act));
+  };
+  for (std::size_t act = acts_.size(); act-- > 0;) {
+    if (!acts_[act].stands || reference_->answers[act].usable()) continue;
+    leave_out(acts_, act);
+    leave_out(feet_, act);
+    leave_out(reference_->answers, act);
+    leave_out(reference_->dents, act);
+  }
+}
+
 std::unique_ptr<BodyTrial::Solved> BodyTrial::solve(const std::string& model, const std::string& element,
                                                     const Anatomy& mesh) const {
   SoftDesc desc = desc_;
   desc.model = model;
   desc.element = element;
   auto out = std::make_unique<Solved>(desc, mesh);
-  if (foot_) out->body.tie(ties_of(*foot_, out->body));
-  for (const Act& act : acts_) {
+  for (std::size_t i = 0; i < acts_.size(); ++i) {
+    const Act& act = acts_[i];
+    if (feet_[i]) out->body.tie(ties_of(*feet_[i], out->body));
     const VecX load = load_of(act, out->body);
-    out->answers.push_back(out->body.settle(load));
+    out->answers.push_back(out->body.settle(load, before_step_));
     const VecX moved = out->answers.back().x - out->body.rest();
     out->dents.push_back(act.press ? load.dot(moved) / act.press->force : 0);
   }

@@ -9,6 +9,7 @@
 // since displacements converge at second order at least. Where a body's own law turns it inside out, or
 // nothing settles, the error is `collapsed`: there is nothing to be near to.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,7 +39,11 @@ inline constexpr const char* tissue_law = "fem_neo_hookean";
 struct TrialSettings {
   std::string law = tissue_law;  // the reference's
   std::size_t most_tets = 6000;  // of the reference
-  int presses = 3;               // places that a fingertip presses
+  int presses = 6;               // places that a fingertip presses
+  bool tilts = true;             // whether a free body is tilted, too
+  double weight = 1;             // of the body, times its own
+  /// Called before each step of solving; may throw to give up.
+  std::function<void()> before_step = {};
 };
 
 class BodyTrial {
@@ -57,6 +62,7 @@ class BodyTrial {
 
  private:
   struct Solved;
+  void leave_out_unborne();
   std::unique_ptr<Solved> solve(const std::string& model, const std::string& element,
                                 const Anatomy& mesh) const;
   double difference(std::size_t act, const Solved& one, const Solved& other) const;
@@ -64,8 +70,9 @@ class BodyTrial {
   SoftDesc desc_;
   Anatomy mesh_;
   bool divided_;
-  std::optional<Foot> foot_;
+  std::vector<std::optional<Foot>> feet_;  // by act
   std::vector<Act> acts_;
+  std::function<void()> before_step_;
   std::vector<Vec3> places_;
   std::unique_ptr<Solved> reference_;
   std::vector<double> unsettled_;  // by act

@@ -21,8 +21,17 @@ EndsAlong extent(const TetMesh& mesh, const Vec3& axis) {
   return {axis.dot(*low), axis.dot(*high)};
 }
 
+bool tied(const SoftDesc& desc, const TetMesh& mesh) {
+  const auto held = [&](const Vec3& x) {
+    return std::any_of(desc.attach.begin(), desc.attach.end(), [&](const AttachDesc& tie) {
+      return tie.stiffness > 0 && (x - tie.center).norm() <= tie.radius;
+    });
+  };
+  return std::any_of(mesh.positions.begin(), mesh.positions.end(), held);
+}
+
 std::optional<Foot> foot_of(const SoftDesc& desc, const TetMesh& mesh, const Vec3& gravity) {
-  if (!desc.attach.empty()) return std::nullopt;
+  if (tied(desc, mesh)) return std::nullopt;
   Foot foot;
   foot.axis = down(gravity);
   const EndsAlong along = extent(mesh, foot.axis);

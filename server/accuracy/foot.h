@@ -17,6 +17,9 @@ struct Foot {
   double stiffness = 0;       // N/m⁴, at the lowest level
 };
 
+/// Tells whether any tie of the description holds a node of the mesh.
+bool tied(const SoftDesc& desc, const TetMesh& mesh);
+
 /// Returns the foot of a body of that mesh; nothing where something ties it.
 std::optional<Foot> foot_of(const SoftDesc& desc, const TetMesh& mesh, const Vec3& gravity);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "server/physics/soft/soft_matter.h"
@@ -41,6 +42,19 @@ std::vector<Vec3> middles_of_parts() {
   return out;
 }
 
+/// Returns where a ray from `from` along the unit direction meets a face, m; infinity: nowhere before it.
+double distance_to(const TetMesh& mesh, const OuterFace& face, const Vec3& from, const Vec3& direction) {
+  constexpr double nowhere = std::numeric_limits<double>::infinity();
+  const Vec3& a = mesh.positions[face[0]];
+  const Vec3 ab = mesh.positions[face[1]] - a, ac = mesh.positions[face[2]] - a;
+  const Vec3 across = direction.cross(ac), away = from - a;
+  const double volume = ab.dot(across);
+  if (volume == 0) return nowhere;
+  const double b = away.dot(across) / volume, c = direction.dot(away.cross(ab)) / volume;
+  const double distance = ac.dot(away.cross(ab)) / volume;
+  return b < 0 || c < 0 || b + c > 1 || distance <= 0 ? nowhere : distance;
+}
+
 }  // namespace
 
 std::vector<OuterFace> outer_faces(const TetMesh& mesh) {
@@ -78,6 +92,14 @@ double thickness(const TetMesh& mesh, const std::vector<OuterFace>& faces) {
     area += of_face.norm();
   }
   return 4 * volume / area;
+}
+
+double depth_below(const TetMesh& mesh, const std::vector<OuterFace>& faces, const OuterFace& face) {
+  const Vec3 from = middle(mesh, face), inwards = -area_vector(mesh, face).normalized();
+  double depth = std::numeric_limits<double>::infinity();
+  for (const OuterFace& other : faces)
+    if (other != face) depth = std::min(depth, distance_to(mesh, other, from, inwards));
+  return depth;
 }
 
 void for_surface_points(const StaticBody& body, const std::function<bool(const OuterFace&)>& wanted,

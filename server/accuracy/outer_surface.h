@@ -22,6 +22,9 @@ Vec3 area_vector(const TetMesh& mesh, const OuterFace& face);
 /// Returns four times volume over surface, m: of a long beam its side, of a cube two thirds of its edge.
 double thickness(const TetMesh& mesh, const std::vector<OuterFace>& faces);
 
+/// Returns how far the body goes on inwards from the middle of one of its outer faces, along the normal, m.
+double depth_below(const TetMesh& mesh, const std::vector<OuterFace>& faces, const OuterFace& face);
+
 /// A point of integration at rest.
 struct SurfacePoint {
   Vec3 at;                              // m

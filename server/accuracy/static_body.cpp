@@ -60,6 +60,7 @@ struct StaticBody::Newton {
 StaticBody::StaticBody(const SoftDesc& desc, Anatomy anatomy) {
   matter_ = std::make_unique<SoftMatter>(undamped(desc), std::move(anatomy));
   newton_ = std::make_unique<Newton>(*matter_, matter_->mass.size());
+  described_ = matter_->ties;
   matter_->model->relax_fully();
   Stage& stage = newton_->potential.stage();
   stage.dxdv = 1;
@@ -89,12 +90,12 @@ bool StaticBody::quadratic() const {
 }
 
 void StaticBody::tie(const VecX& stiffness) {
-  matter_->ties += stiffness;
+  matter_->ties = described_ + stiffness;
   matter_->weigh();
   newton_->potential.reweigh();
 }
 
-StaticAnswer StaticBody::settle(const VecX& load) {
+StaticAnswer StaticBody::settle(const VecX& load, const std::function<void()>& before_step) {
   Newton& n = *newton_;
   const VecX& rest = matter_->rest();
   StaticAnswer out;
@@ -104,6 +105,7 @@ StaticAnswer StaticBody::settle(const VecX& load) {
   VecX gradient = n.gradient(out.x, load);
   double energy = n.energy(out.x, rest, load);
   for (int i = 0; i < most_newton_steps && !out.settled; ++i) {
+    if (before_step) before_step();
     n.potential.assemble(out.x);
     n.hessian.refresh();
     const VecX direction = secants.direction(gradient, [&](const VecX& r) { return n.solve(r); });

@@ -3,6 +3,7 @@
 // loads' potential, found to the end by projected Newton. Neither time nor effort is in it: what is left is
 // what mesh, element and law get wrong.
 
+#include <functional>
 #include <memory>
 
 #include "common/mesh.h"
@@ -37,17 +38,19 @@ class StaticBody {
   bool quadratic() const;
   const SoftMatter& matter() const { return *matter_; }
 
-  /// Ties the nodes to their places at rest by springs, besides what the description ties. `stiffness`: n,
-  /// N/m.
+  /// Ties the nodes to their places at rest by springs, besides what the description ties, in place of those
+  /// before. `stiffness`: n, N/m.
   void tie(const VecX& stiffness);
 
-  /// Finds where the body rests under `load` (3n, N), beginning at rest. Something must tie it.
-  StaticAnswer settle(const VecX& load);
+  /// Finds where the body rests under `load` (3n, N), beginning at rest. Something must tie it. `before_step`
+  /// is called before each Newton step, and may throw to give up.
+  StaticAnswer settle(const VecX& load, const std::function<void()>& before_step = {});
 
  private:
   struct Newton;
   std::unique_ptr<SoftMatter> matter_;
   std::unique_ptr<Newton> newton_;
+  VecX described_;  // n, N/m: the ties of the description
 };
 
 }  // namespace prosector

@@ -151,15 +151,6 @@ bool enough(const SoftDesc& desc, const Prospect& expected) {
   return desc.accuracy ? 100 * expected.error <= desc.accuracy.value : expected.ms <= desc.budget.value;
 }
 
-std::string in_words(const std::vector<ActError>& acts) {
-  std::string out;
-  for (const ActError& act : acts)
-    out += (out.empty() ? "" : ", ") + (act.error < collapsed
-                                            ? fmt::format("{} {:.2g} %", act.act, 100 * act.error)
-                                            : act.act + " it collapses");
-  return out;
-}
-
 }  // namespace
 
 std::vector<Rung> candidates(const SoftDesc& desc) {
@@ -220,6 +211,15 @@ void adopt(const Choice& choice, SoftDesc& desc) {
   choice.rung.apply_to(desc);
   desc.cell = choice.cell;
   desc.grade = choice.grade;
+}
+
+std::string in_words(const std::vector<ActError>& acts) {
+  std::string out;
+  for (const ActError& act : acts)
+    out += (out.empty() ? "" : ", ") + (act.error < collapsed
+                                            ? fmt::format("{} {:.2g} %", act.act, 100 * act.error)
+                                            : act.act + " it collapses");
+  return out;
 }
 
 std::string explain(const Choice& choice, const SoftDesc& desc) {

@@ -57,6 +57,9 @@ bool serves_better(const SoftDesc& desc, const Choice& one, const Choice& other)
 /// Puts the choice into the description.
 void adopt(const Choice& choice, SoftDesc& desc);
 
+/// Lists what acts get wrong, for people.
+std::string in_words(const std::vector<ActError>& acts);
+
 /// Returns one line for people: what was asked, what was chosen, what is expected, and by how much it misses.
 std::string explain(const Choice& choice, const SoftDesc& desc);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "common/error.h"
 #include "server/calibration/own_errors.h"
@@ -20,6 +21,7 @@ constexpr double same_cell = 0.03;       // of each other
 constexpr double cells_across = 1. / 3;  // of the thickness: the coarsest cell that is tried
 constexpr double too_coarse = 0.7;       // of a cell that gave no mesh: the next one to try
 constexpr int most_attempts = 12;        // of ways of modelling tried on a body
+constexpr int most_proofs = 4;           // of what was chosen, each of some seconds to minutes
 // What ways not tried yet are taken to get wrong, over what the table's beam does. First far less, so that
 // those which suit this body better than a beam are tried; then as much.
 constexpr double hopes[] = {0.25, 1};
@@ -93,10 +95,15 @@ void check(const Choice& c) {
     throw InputError(fmt::format("journal: the choice for \"{}\" is out of range", c.body));
 }
 
+/// Returns the sources without who hears of progress: what is to be said of a mesh is said when it is used.
+CompileOptions quiet(const ChoiceOptions& options) {
+  CompileOptions sources = options.sources;
+  sources.progress = {};
+  return sources;
+}
+
 BodyGeometry mesh_of(const SoftDesc& desc, const SceneDesc& scene, const ChoiceOptions& options) {
-  CompileOptions quiet = options.sources;  // what is to be said of the mesh is said when it is used
-  quiet.progress = {};
-  const Anatomy anatomy = soft_anatomy(desc, scene, quiet);
+  const Anatomy anatomy = soft_anatomy(desc, scene, quiet(options));
   if (mesh_kind(anatomy) != MeshKind::tets)
     throw InputError(fmt::format("soft body \"{}\": accuracy and budget need tetrahedra", desc.name));
   return geometry_of(anatomy.tets);
@@ -141,50 +148,85 @@ class Chooser {
   double largest_cell_;
 };
 
-/// Chooses by what is known, tries what was chosen on the body itself, and chooses again, until that was
-/// tried; first with hope in what is not known. The mesh is graded as the description says.
-Choice choose_as_graded(const SceneDesc& scene, const SoftDesc& desc, const RungTable& table,
-                        const ChoiceOptions& options) {
-  Chooser chooser(scene, desc, table, options);
-  if (!options.on_the_body) return chooser.choose({});
-  CompileOptions quiet = options.sources;
-  quiet.progress = {};
-  OwnErrors own({desc, scene.gravity,
-                 [&](double cell) {
-                   SoftDesc at = desc;
-                   at.cell = cell;
-                   return soft_anatomy(at, scene, quiet);
-                 },
-                 options.sources.cache_dir, options.sources.progress});
-  KnownErrors known;
-  known.on_the_body = [&](const std::string& model, const std::string& element, double cell) {
-    return own.at(model, element, cell);
-  };
-  Choice choice;
-  for (const double hope : hopes) {
-    known.hope = hope;
-    choice = chooser.choose(known);
-    for (int i = 0; i < most_attempts; ++i) {
-      const double elements = chooser.elements_at(choice.cell);
-      if (!own.attempt(choice.rung.model, choice.rung.element, choice.cell, elements)) break;
-      choice = chooser.choose(known);
-    }
-  }
-  return choice;
-}
+/// Chooses a way of modelling a body by trials on the body itself. Its mesh is graded as the description
+/// says.
+class TriedBody {
+ public:
+  TriedBody(const SceneDesc& scene, const SoftDesc& desc, const RungTable& table,
+            const ChoiceOptions& options)
+      : chooser_(scene, desc, table, options),
+        own_({.desc = desc,
+              .gravity = scene.gravity,
+              .mesh =
+                  [&scene, desc, sources = quiet(options)](double cell) {
+                    SoftDesc at = desc;
+                    at.cell = cell;
+                    return soft_anatomy(at, scene, sources);
+                  },
+              .cache_dir = options.sources.cache_dir,
+              .say = options.sources.progress,
+              .prove = options.prove,
+              .before_step = options.before_step}) {}
 
-/// Chooses with and without smaller elements at the rims of what is attached, unless the author chose.
+  /// Chooses by what is known, tries what was chosen, and chooses again, until that was tried; first with
+  /// hope in what is not known.
+  Choice choose() {
+    KnownErrors known;
+    known.on_the_body = [&](const std::string& model, const std::string& element, double cell) {
+      return own_.at(model, element, cell);
+    };
+    Choice choice;
+    for (const double hope : hopes) {
+      known.hope = hope;
+      choice = chooser_.choose(known);
+      for (int i = 0; i < most_attempts && learn(&OwnErrors::attempt, choice); ++i)
+        choice = chooser_.choose(known);
+    }
+    return choice;
+  }
+  /// Judges the choice by a larger reference. Returns whether that told anything new.
+  bool prove(const Choice& choice) { return learn(&OwnErrors::prove, choice); }
+
+ private:
+  using Judge = bool (OwnErrors::*)(const std::string& model, const std::string& element, double cell,
+                                    double elements);
+  bool learn(Judge judge, const Choice& c) {
+    return (own_.*judge)(c.rung.model, c.rung.element, c.cell, chooser_.elements_at(c.cell));
+  }
+
+  Chooser chooser_;
+  OwnErrors own_;
+};
+
+/// Chooses with and without smaller elements at the rims of what is attached, unless the author chose. What
+/// serves better is proved, and the choice made again by what was learnt.
 Choice choose(const SceneDesc& scene, const SoftDesc& desc, const RungTable& table,
               const ChoiceOptions& options) {
-  Choice choice = choose_as_graded(scene, desc, table, options);
-  if (desc.fixed.grade || desc.attach.empty() || !options.on_the_body) return choice;
-  SoftDesc graded = desc;
-  graded.grade = "rims";
-  try {
-    Choice other = choose_as_graded(scene, graded, table, options);
-    return serves_better(desc, other, choice) ? other : choice;
-  } catch (const InputError&) {  // a mesh that can't be graded
-    return choice;
+  if (!options.on_the_body) return Chooser(scene, desc, table, options).choose({});
+  struct Tried {
+    std::unique_ptr<TriedBody> body;
+    Choice choice;
+  };
+  std::vector<Tried> tried;
+  const auto add = [&](const SoftDesc& way) {
+    auto body = std::make_unique<TriedBody>(scene, way, table, options);
+    Choice choice = body->choose();
+    tried.push_back({std::move(body), std::move(choice)});
+  };
+  add(desc);
+  if (!desc.fixed.grade && !desc.attach.empty()) {
+    SoftDesc graded = desc;
+    graded.grade = "rims";
+    try {
+      add(graded);
+    } catch (const InputError&) {  // a mesh that can't be graded
+    }
+  }
+  for (int proofs = 0;; ++proofs) {
+    Tried& best =
+        tried.size() > 1 && serves_better(desc, tried[1].choice, tried[0].choice) ? tried[1] : tried[0];
+    if (proofs == most_proofs || !best.body->prove(best.choice)) return best.choice;
+    best.choice = best.body->choose();
   }
 }
 

@@ -18,6 +18,8 @@ struct ChoiceOptions {
   std::function<RungFigures(const RungTrial&)> measure;  // by a RungMeter, or what a test says
   bool on_the_body = true;                               // false: errors are the table's beam's
   CompileOptions sources;                                // where meshes come from, and who hears of progress
+  bool prove = false;  // judge what is chosen once more, by large references; false: by proofs that are kept
+  std::function<void()> before_step = {};  // called before each step of a trial; may throw to give up
 };
 
 /// Chooses for every body with `accuracy` or `budget`, puts the choices into the scene, and says each in one

@@ -16,17 +16,21 @@
 namespace prosector {
 namespace {
 
-constexpr double most_tets_given = 12000;  // of a mesh that has no cell to choose
-constexpr double rounding = 1e-6;          // of a cell
-constexpr double as_tried = 0.03;          // cells that differ by less are one
-constexpr double next_cell = 1.5;          // of the finest that is affordable: the second one tried
+constexpr std::size_t most_tets_given = 12000;  // of a mesh that has no cell to choose
+constexpr double weight_proving = 1.2;          // times its own: what is about to fold or to collapse is told
+constexpr double rounding = 1e-6;               // of a cell
+constexpr double as_tried = 0.03;               // cells that differ by less are one
+constexpr double next_cell = 1.5;               // of the finest that is affordable: the second one tried
 constexpr double least_inferred = 1e-6;
 constexpr double first_order = -1, third_order = -3;  // of errors in 1/cell
 constexpr double acts_not_tried = 1.5;  // times what those tried get wrong: other places, another lean
 constexpr double caution = 1.25;        // on what is inferred at finer cells than any tried
 
-bool counts(const SoftDesc& desc, const std::string& act) {
-  const char* kind = act.starts_with("pressed") ? "touch" : "shape";
+const char* kind_of(const ActError& act) {
+  return act.act.starts_with("pressed") ? "touch" : "shape";
+}
+
+bool counts(const SoftDesc& desc, const char* kind) {
   return std::find(desc.accuracy_of.begin(), desc.accuracy_of.end(), kind) != desc.accuracy_of.end();
 }
 
@@ -77,12 +81,12 @@ std::vector<ActError> from_text(const std::string& text) {
   return out;
 }
 
-/// Returns an act's error in cells of that size, from those tried.
-double inferred(const std::map<double, std::vector<ActError>>& tried, std::size_t act, double cell) {
+/// Returns an act's error in cells of that size, from those tried, by cell.
+double inferred(const std::map<double, double>& tried, double cell) {
   std::vector<double> fineness, errors;  // 1/cell, rising
   for (auto it = tried.rbegin(); it != tried.rend(); ++it) {
     fineness.push_back(1 / it->first);
-    errors.push_back(std::max(least_inferred, it->second[act].error));
+    errors.push_back(std::max(least_inferred, it->second));
   }
   const double error = fineness.size() == 1 ? errors[0] * std::pow(1 / (cell * fineness[0]), first_order)
                                             : log_interpolate(fineness, errors, 1 / cell, third_order, 0);
@@ -94,78 +98,110 @@ double inferred(const std::map<double, std::vector<ActError>>& tried, std::size_
 
 OwnErrors::OwnErrors(JudgedBody body) : body_(std::move(body)) {
   if (body_.desc.fixed.model && is_law(body_.desc.model)) settings_.law = body_.desc.model;
-  if (body_.desc.fixed.cell) settings_.most_tets = static_cast<std::size_t>(most_tets_given);
+  if (body_.desc.fixed.cell) body_.most_tets = std::max(body_.most_tets, most_tets_given);
+  settings_.most_tets = body_.most_tets;
+  if (!counts(body_.desc, "touch")) settings_.presses = 0;
+  settings_.before_step = body_.before_step;
 }
 
 std::vector<ActError> OwnErrors::at(const std::string& model, const std::string& element, double cell) const {
   const auto it = tried_.find({model, element});
-  if (it == tried_.end()) return {};
-  const Tried& tried = it->second;
+  if (it == tried_.end() || it->second.empty()) return {};
   std::vector<ActError> out;
-  for (std::size_t act = 0; act < tried.begin()->second.size(); ++act) {
-    const std::string& name = tried.begin()->second[act].act;
-    if (counts(body_.desc, name)) out.push_back({name, acts_not_tried * inferred(tried, act, cell)});
+  for (const ActError& act : it->second.begin()->second.acts)
+    if (counts(body_.desc, kind_of(act)))
+      out.push_back({act.act, acts_not_tried * inferred(errors_of(it->first, act.act), cell)});
+  return out;
+}
+
+/// Returns what the way gets wrong in an act, by cells tried. What an undivided reference itself is off is
+/// added: as much as is inferred, else as much as it told.
+std::map<double, double> OwnErrors::errors_of(const Way& way, const std::string& act) const {
+  const auto tried = tried_.find(way);
+  std::map<double, double> out;
+  if (tried == tried_.end()) return out;
+  std::map<double, double> of_reference;
+  const Way reference = {settings_.law, "tet10"};
+  if (way != reference) of_reference = errors_of(reference, act);
+  for (const auto& [cell, found] : tried->second) {
+    const auto same = [&](const ActError& a) { return a.act == act; };
+    const auto told = std::find_if(found.acts.begin(), found.acts.end(), same);
+    if (told == found.acts.end()) continue;  // a place that only other meshes have
+    const double more = found.divided ? 0 : of_reference.empty() ? told->error : inferred(of_reference, cell);
+    out[cell] = told->error + more;
   }
   return out;
 }
 
 bool OwnErrors::attempt(const std::string& model, const std::string& element, double cell, double elements) {
-  const bool quadratic = element == "tet10";
-  const double affordable = static_cast<double>(settings_.most_tets) / (quadratic ? 8 : 1);
+  return attempt({model, element}, cell, elements);
+}
+
+bool OwnErrors::prove(const std::string& model, const std::string& element, double cell, double elements) {
+  settings_.most_tets = body_.most_tets_proving;
+  settings_.weight = weight_proving;
+  const bool more = attempt({model, element}, cell, elements);
+  settings_.most_tets = body_.most_tets;
+  settings_.weight = 1;
+  return more;
+}
+
+bool OwnErrors::attempt(const Way& way, double cell, double elements) {
+  const bool quadratic = way.second == "tet10";
+  const auto most = static_cast<double>(settings_.most_tets);
+  const double affordable = most / (quadratic ? 8 : 1);
   if (elements <= affordable) {
-    const bool divided = 8 * elements <= static_cast<double>(settings_.most_tets);
-    const bool more = !quadratic && !divided && attempt(settings_.law, "tet10", cell, elements);
-    return measure({model, element}, cell) || more;
+    const bool divided = 8 * elements <= most;
+    const bool more = !quadratic && !divided && attempt({settings_.law, "tet10"}, cell, elements);
+    return measure(way, cell) || more;
   }
   if (body_.desc.fixed.cell) return false;
   const double finest = cell * std::cbrt(elements / affordable);
-  const bool one = measure({model, element}, finest), other = measure({model, element}, next_cell * finest);
+  const bool one = measure(way, finest), other = !proving() && measure(way, next_cell * finest);
   return one || other;
 }
 
-/// Tries the way in such cells, if it wasn't yet and there is a mesh of them.
+/// Tries the way in such cells where there is a mesh of them, and it wasn't tried yet or can be proved.
 bool OwnErrors::measure(const Way& way, double cell) {
   const Tried& tried = tried_[way];
-  const auto same = [&](const auto& row) { return std::abs(row.first / cell - 1) < as_tried; };
-  if (std::any_of(tried.begin(), tried.end(), same)) return false;
+  const auto same = std::find_if(tried.begin(), tried.end(),
+                                 [&](const auto& row) { return std::abs(row.first / cell - 1) < as_tried; });
+  if (same != tried.end()) {
+    if (same->second.proved || !proving()) return false;
+    cell = same->first;
+  }
   try {
-    const Anatomy mesh = body_.mesh(cell);
-    const auto tets = static_cast<double>(mesh.tets.tets.size()),
-               most = static_cast<double>(settings_.most_tets);
-    const bool divided = 8 * tets <= most;
-    if (way.second == "tet10" && !divided) {  // more than its cell let expect
-      if (tried.empty()) tried_.erase(way);
-      return measure(way, cell * std::cbrt(8 * tets / most) * (1 + as_tried));
-    }
-    std::vector<ActError> acts = found(way, mesh, cell);
-    if (!divided) add_reference_error(acts, cell);
-    tried_[way][cell] = std::move(acts);
+    return judge(way, cell);
   } catch (const InputError&) {  // too coarse for a mesh
-    if (tried_[way].empty()) tried_.erase(way);
     return false;
   }
-  return true;
 }
 
-/// Adds what an undivided reference itself is off: as much as is inferred, else half of what the linear
-/// elements are.
-void OwnErrors::add_reference_error(std::vector<ActError>& acts, double cell) const {
-  const auto known = tried_.find({settings_.law, "tet10"});
-  for (std::size_t act = 0; act < acts.size(); ++act) {
-    if (known == tried_.end())
-      acts[act].error *= 2;
-    else
-      acts[act].error += inferred(known->second, act, cell);
+bool OwnErrors::judge(const Way& way, double cell) {
+  const Anatomy mesh = body_.mesh(cell);
+  const auto tets = static_cast<double>(mesh.tets.tets.size()),
+             most = static_cast<double>(settings_.most_tets);
+  const bool divided = 8 * tets <= most;
+  if (way.second == "tet10" && !divided)  // more than its cell let expect
+    return measure(way, cell * std::cbrt(8 * tets / most) * (1 + as_tried));
+  Tried& tried = tried_[way];
+  if (const auto known = tried.find(cell); known != tried.end() && !divided) {
+    known->second.proved = true;
+    return false;
   }
+  std::optional<std::vector<ActError>> acts = found(way, mesh, cell);
+  if (!acts) return false;
+  tried[cell] = {std::move(*acts), divided, proving()};
+  return true;
 }
 
 std::filesystem::path OwnErrors::kept_in(const Way& way, const Anatomy& mesh) const {
   TrialKey key;
-  key.add("trial 3");
+  key.add("trial 5");
   for (const std::string& text : {settings_.law, way.first, way.second}) key.add(text);
   key.add(static_cast<double>(settings_.most_tets));
   key.add(static_cast<double>(settings_.presses));
-  key.add(body_.gravity);
+  key.add(settings_.weight * body_.gravity);
   add_material(key, body_.desc);
   for (const Vec3& x : mesh.tets.positions) key.add(x);
   for (const auto& tet : mesh.tets.tets)
@@ -173,21 +209,35 @@ std::filesystem::path OwnErrors::kept_in(const Way& way, const Anatomy& mesh) co
   return body_.cache_dir / (key.hex() + ".trial");
 }
 
-/// Finds what the way gets wrong on the mesh: in the cache, or by a trial.
-std::vector<ActError> OwnErrors::found(const Way& way, const Anatomy& mesh, double cell) {
+const BodyTrial& OwnErrors::trial_on(const Anatomy& mesh, double cell) {
+  const auto made = [&] { return BodyTrial(body_.desc, body_.gravity, mesh, settings_); };
+  if (proving()) {
+    if (!proof_ || proof_->first != cell) {
+      proof_.reset();
+      proof_.emplace(cell, made());
+    }
+    return proof_->second;
+  }
+  auto trial = trials_.find(cell);
+  if (trial == trials_.end()) trial = trials_.emplace(cell, made()).first;
+  return trial->second;
+}
+
+/// Finds what the way gets wrong on the mesh: in the cache, or by a trial. Nothing where a proof is not kept
+/// and not to be made.
+std::optional<std::vector<ActError>> OwnErrors::found(const Way& way, const Anatomy& mesh, double cell) {
   const std::filesystem::path file = kept_in(way, mesh);
   const std::string seal = file.filename().string();
   if (!body_.cache_dir.empty()) {
     const FoundFile kept = read_sealed(file, seal);
     if (kept.bytes) return from_text({kept.bytes->begin(), kept.bytes->end()});
   }
+  if (proving() && !body_.prove) return std::nullopt;
   if (body_.say)
-    body_.say(fmt::format("{}: trying {}, {}, cells of {:.1f} mm, {} tetrahedra", body_.desc.name, way.first,
-                          way.second, 1e3 * cell, mesh.tets.tets.size()));
-  auto trial = trials_.find(cell);
-  if (trial == trials_.end())
-    trial = trials_.emplace(cell, BodyTrial(body_.desc, body_.gravity, mesh, settings_)).first;
-  std::vector<ActError> acts = trial->second.measure(way.first, way.second);
+    body_.say(fmt::format("{}: {} {}, {}, cells of {:.1f} mm, {} tetrahedra", body_.desc.name,
+                          proving() ? "proving" : "trying", way.first, way.second, 1e3 * cell,
+                          mesh.tets.tets.size()));
+  std::vector<ActError> acts = trial_on(mesh, cell).measure(way.first, way.second);
   if (!body_.cache_dir.empty()) {
     const std::string text = as_text(acts);
     write_sealed(file, seal, std::vector<std::uint8_t>(text.begin(), text.end()));

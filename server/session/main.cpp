@@ -279,7 +279,8 @@ std::unique_ptr<Remodeller> remodel_on_wish(const Hosting& hosting, const std::f
       Remodeller::Hooks{.describe = described,
                         .choosing = choosing(options),
                         .compile = [&options](const SceneDesc& scene) { return compile(scene, options); },
-                        .ready = [] { over = true; }});
+                        .ready = [] { over = true; },
+                        .say = say});
 }
 
 /// Runs the session on one scene after the other, as the scene's files change or the host wants bodies

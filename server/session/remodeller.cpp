@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <utility>
 
@@ -23,6 +24,16 @@ std::vector<Choice> with(std::vector<Choice> choices, const Choice& choice) {
   return choices;
 }
 
+/// Thrown out of a proof that something else comes before.
+struct PutOff {};
+
+/// Tells whether a proof changed what is chosen, or what is told of it.
+bool differ(const Choice& told, const Choice& proved) {
+  constexpr double alike = 0.1;  // of the error
+  return !(told.rung == proved.rung) || told.cell != proved.cell || told.grade != proved.grade ||
+         std::abs(proved.expected.error - told.expected.error) > alike * told.expected.error;
+}
+
 std::string in_words(const Choice& choice) {
   return fmt::format("{:.2g} % off for {:.2g} ms a frame", 100 * choice.expected.error, choice.expected.ms);
 }
@@ -35,6 +46,8 @@ Remodeller::Remodeller(Hooks hooks)
 void Remodeller::begin(std::vector<Choice> choices) {
   const std::lock_guard lock(mutex_);
   choices_ = std::move(choices);
+  unproved_ = !choices_.empty() && hooks_.choosing.on_the_body;
+  asked_.notify_one();
 }
 
 void Remodeller::ask(AccuracyWish wish) {
@@ -63,13 +76,57 @@ void Remodeller::run(const std::stop_token& stop) {
   setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), gives_way);  // not being allowed is no error
   tbb::task_arena alone(1);  // the session's threads are the session's
   std::unique_lock lock(mutex_);
-  while (asked_.wait(lock, stop, [&] { return !wishes_.empty(); })) {
+  while (asked_.wait(lock, stop, [&] { return !wishes_.empty() || unproved_; })) {
+    if (wishes_.empty()) {
+      unproved_ = false;
+      lock.unlock();
+      alone.execute([&] { prove(stop); });
+      lock.lock();
+      continue;
+    }
     const AccuracyWish wish = std::move(wishes_.front());
     wishes_.pop_front();
     lock.unlock();
     AccuracyAnswer found = alone.execute([&] { return answer(wish); });
     lock.lock();
     answers_.push_back(std::move(found));
+  }
+}
+
+/// Proves what the scene's bodies were chosen by, which is kept, and says what it changes. Puts that off
+/// while there are wishes.
+void Remodeller::prove(const std::stop_token& stop) {
+  ChoiceOptions options = hooks_.choosing;
+  options.sources.progress = {};
+  options.before_step = [&] {
+    const std::lock_guard lock(mutex_);
+    if (!wishes_.empty()) unproved_ = true;
+    if (unproved_ || stop.stop_requested()) throw PutOff{};
+  };
+  RungTable measured;  // what the kept table lacks: both choices are by the same
+  options.measure = [&](const RungTrial& trial) {
+    if (const RungFigures* known = measured.find(trial)) return *known;
+    options.before_step();
+    measured.add(trial, hooks_.choosing.measure(trial));
+    return *measured.find(trial);
+  };
+  try {
+    const SceneDesc scene = hooks_.describe();
+    SceneDesc told_of = scene, proved_of = scene;
+    const std::vector<Choice> told = choose_rungs(told_of, options);
+    options.prove = true;
+    const std::vector<Choice> proved = choose_rungs(proved_of, options);
+    if (!hooks_.say) return;
+    for (std::size_t i = 0; i < proved.size(); ++i) {
+      if (!differ(told[i], proved[i])) continue;
+      const auto body = std::find_if(scene.soft.begin(), scene.soft.end(),
+                                     [&](const SoftDesc& desc) { return desc.name == proved[i].body; });
+      hooks_.say(fmt::format("{}, proved by finer elements: {}; so from the next start on", proved[i].body,
+                             explain(proved[i], *body)));
+    }
+  } catch (const PutOff&) {
+  } catch (const std::exception& error) {
+    if (hooks_.say) hooks_.say(fmt::format("what was chosen can't be proved: {}", error.what()));
   }
 }
 

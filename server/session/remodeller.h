@@ -1,6 +1,7 @@
 #pragma once
 // A session's bodies modelled in other ways while it runs: ways are tried and the scene is compiled beside
-// it, on a thread that gives way to the session.
+// it, on a thread that gives way to the session. That thread also proves, while nobody wishes for anything,
+// what was chosen when the scene was loaded; from the next start on bodies are modelled by what it finds.
 
 #include <condition_variable>
 #include <deque>
@@ -37,12 +38,13 @@ class Remodeller {
     std::function<SceneDesc()> describe;  // the scene as its text says; throws InputError
     ChoiceOptions choosing;
     std::function<std::unique_ptr<Simulation>(const SceneDesc&)> compile;
-    std::function<void()> ready;  // called when a scene is there to take()
+    std::function<void()> ready;                       // called when a scene is there to take()
+    std::function<void(const std::string&)> say = {};  // what a proof finds; may be called by any thread
   };
 
   explicit Remodeller(Hooks hooks);
 
-  /// Says with which choices the session runs now.
+  /// Says with which choices the session runs now, and has what the scene asks for proved.
   void begin(std::vector<Choice> choices);
   void ask(AccuracyWish wish);
   /// Returns what bodies can have, of those that were asked about, by name.
@@ -61,10 +63,12 @@ class Remodeller {
   std::map<std::string, std::vector<Price>> prices_;
   std::vector<Choice> choices_;
   std::optional<ReadyScene> made_;
+  bool unproved_ = false;
   std::jthread thread_;  // last: it ends before what it uses
 
   void run(const std::stop_token& stop);
   AccuracyAnswer answer(const AccuracyWish& wish);
+  void prove(const std::stop_token& stop);
   std::string remodel(const AccuracyWish& wish, const SceneDesc& scene, const Choice& choice,
                       std::vector<Choice> choices);
 };

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "server/accuracy/outer_surface.h"
 #include "server/physics/grading.h"
+#include "server/physics/soft/soft_matter.h"
 #include "tests/accuracy/boxes.h"
 
 namespace prosector {
@@ -88,6 +90,73 @@ TEST(BodyTrial, NothingIsNearWhatCollapses) {
   const BodyTrial trial(desc, 2 * test::gravity, test::box({0.1, 0.1, 0.1}, 2, 2, 2), {.presses = 0});
   for (const char* element : {"tet4", "tet10"})
     EXPECT_GE(error_of(trial.measure("fem_neo_hookean", element), "under its weight"), collapsed) << element;
+}
+
+std::vector<std::string> names(const std::vector<Act>& acts) {
+  std::vector<std::string> out;
+  for (const Act& act : acts) out.push_back(act.name);
+  return out;
+}
+
+/// A free body that is tilted stands on less of it, and coarse elements get more of that wrong.
+TEST(BodyTrial, TiltsWhatIsFree) {
+  SoftDesc desc = test::pinned(1, 30000, 0.3);
+  const Anatomy mesh = test::box({0.24, 0.1, 0.1}, 4, 2, 2);
+  const TrialSettings settings = {.most_tets = 1000, .presses = 0};
+  const std::vector<std::string> level = {"under its weight", "hung", "on its side"};
+  EXPECT_EQ(names(BodyTrial(desc, test::gravity, mesh, settings).acts()), level) << "tied";
+  desc.attach.clear();
+  const BodyTrial trial(desc, test::gravity, mesh, settings);
+  const auto acts = trial.measure("fem_neo_hookean", "tet10");
+  EXPECT_GT(error_of(acts, "tilted"), 1.5 * error_of(acts, "under its weight"));
+  EXPECT_GT(error_of(acts, "tilted across"), 0);
+}
+
+/// A long soft body doesn't stand on its end, whatever models it: that says nothing of a model.
+TEST(BodyTrial, LeavesOutATiltThatTissueDoesNotBear) {
+  SoftDesc desc = test::pinned(1, 1000, 0.3);
+  desc.attach.clear();
+  const Anatomy mesh = test::box({0.4, 0.1, 0.1}, 4, 1, 1);
+  const BodyTrial trial(desc, test::gravity, mesh, {.most_tets = 200, .presses = 0});
+  const std::vector<std::string> level = {"under its weight", "hung", "on its side"};
+  EXPECT_EQ(names(trial.acts()), level);
+  EXPECT_EQ(trial.measure("fem_neo_hookean", "tet4").size(), level.size());
+}
+
+/// What a tie misses lies free: without a bed nothing would come to rest.
+TEST(BodyTrial, ATieThatHoldsNothingLeavesABodyFree) {
+  SoftDesc desc = test::pinned(1, 30000, 0.3);
+  desc.attach = {{Vec3(1, 1, 1), 0.01, 1e12}};
+  const BodyTrial trial(desc, test::gravity, test::box({0.1, 0.1, 0.1}, 2, 2, 2),
+                        {.most_tets = 400, .presses = 1});
+  EXPECT_LT(worst(trial.measure("fem_neo_hookean", "tet10")).error, 1);
+}
+
+/// Half of the places that a fingertip presses are where a body is thin.
+TEST(BodyTrial, PressesWhereABodyIsThin) {
+  const TetMesh mesh = test::box({0.3, 0.12, 0.06}, 6, 3, 2).tets;
+  for (const OuterFace& face : outer_faces(mesh)) {
+    const Vec3 normal = area_vector(mesh, face).normalized();
+    EXPECT_NEAR(depth_below(mesh, outer_faces(mesh), face), std::abs(normal.dot(Vec3(0.3, 0.12, 0.06))),
+                1e-12);
+  }
+  const std::vector<Act> acts = acts_of(SoftDesc{}, mesh, Vec3::Zero(), 6);
+  ASSERT_EQ(acts.size(), 6u);
+  for (std::size_t i = 3; i < acts.size(); ++i)
+    EXPECT_NEAR(std::abs(acts[i].press->inward.z()), 1, 1e-9) << acts[i].name;
+}
+
+/// A bed takes the place of the one before; what the description ties stays.
+TEST(StaticBody, IsTiedInPlaceOfTiesBefore) {
+  SoftDesc desc = test::pinned(1, 30000, 0.3);
+  const Anatomy mesh = test::box({0.1, 0.1, 0.1}, 2, 2, 2);
+  StaticBody body(desc, mesh);
+  const VecX described = body.matter().ties;
+  ASSERT_GT(described.norm(), 0);
+  const VecX bed = VecX::Constant(described.size(), 3);
+  body.tie(2 * bed);
+  body.tie(bed);
+  EXPECT_NEAR((body.matter().ties - described - bed).norm(), 0, 1e-9 * described.norm());
 }
 
 /// A free body is held alike on every mesh: by a bed whose springs add up to the same.

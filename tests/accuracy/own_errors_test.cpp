@@ -18,18 +18,30 @@ struct Judged {
   SoftDesc desc = test::pinned(0, 3e5, 0.3);
   int meshes = 0, lines = 0;
   std::filesystem::path cache;
+  bool prove = false;
+  std::size_t most_tets = TrialSettings{}.most_tets;
 
   OwnErrors errors() {
-    return OwnErrors({desc, Vec3(0, -9.81, 0),
-                      [this](double cell) {
-                        ++meshes;
-                        if (cell > 0.06) throw InputError("too coarse");
-                        const auto n = static_cast<std::uint32_t>(std::max(1., std::round(0.1 / cell)));
-                        return test::box({0.2, 0.1, 0.1}, 2 * n, n, n);
-                      },
-                      cache, [this](const std::string&) { ++lines; }});
+    return OwnErrors({.desc = desc,
+                      .gravity = test::gravity,
+                      .mesh = [this](double cell) { return mesh(cell); },
+                      .cache_dir = cache,
+                      .say = [this](const std::string&) { ++lines; },
+                      .prove = prove,
+                      .most_tets = most_tets,
+                      .most_tets_proving = 8 * 96});
+  }
+  Anatomy mesh(double cell) {
+    ++meshes;
+    if (cell > 0.06) throw InputError("too coarse");
+    const auto n = static_cast<std::uint32_t>(std::max(1., std::round(0.1 / cell)));
+    return test::box({0.2, 0.1, 0.1}, 2 * n, n, n);
   }
 };
+
+std::filesystem::path new_folder() {
+  return std::filesystem::temp_directory_path() / ("trials." + std::to_string(getpid()));
+}
 
 double elements(double cell) {
   return 12 * std::pow(0.1 / cell, 3);
@@ -70,7 +82,7 @@ TEST(OwnErrors, AreInferredWhereATrialIsTooDear) {
 
 TEST(OwnErrors, AreKeptFromRunToRun) {
   Judged judged;
-  judged.cache = std::filesystem::temp_directory_path() / ("trials." + std::to_string(getpid()));
+  judged.cache = new_folder();
   OwnErrors first = judged.errors();
   first.attempt("fem_corotational", "tet4", 0.05, elements(0.05));
   EXPECT_EQ(judged.lines, 1);
@@ -85,6 +97,40 @@ TEST(OwnErrors, AreKeptFromRunToRun) {
   OwnErrors stiffer = judged.errors();
   stiffer.attempt("fem_corotational", "tet4", 0.05, elements(0.05));
   EXPECT_EQ(judged.lines, 2) << "another material is tried anew";
+  std::filesystem::remove_all(judged.cache);
+}
+
+/// Linear elements on a mesh too fine for a divided reference: quadratic ones on it are off themselves where
+/// nearly incompressible tissue hangs on a corner. What proves divides them.
+TEST(OwnErrors, AreProvedByADividedReference) {
+  Judged judged;
+  judged.desc = test::pinned(0, 2e4, 0.49);
+  judged.desc.attach = {{Vec3(0, 0.05, 0.05), 0.055, 1e13}};
+  judged.desc.accuracy_of = {"shape"};
+  judged.most_tets = 96;
+  judged.cache = new_folder();
+  EXPECT_FALSE(judged.errors().prove("fem_neo_hookean", "tet4", 0.05, 96))
+      << "none is kept, none is to be made";
+  judged.prove = true;
+  OwnErrors own = judged.errors();
+  EXPECT_TRUE(own.attempt("fem_neo_hookean", "tet4", 0.05, 96));
+  const auto tried = own.at("fem_neo_hookean", "tet4", 0.05);
+  EXPECT_TRUE(own.prove("fem_neo_hookean", "tet4", 0.05, 96));
+  const auto proved = own.at("fem_neo_hookean", "tet4", 0.05);
+  const BodyTrial divided(judged.desc, test::gravity, judged.mesh(0.05),
+                          {.most_tets = 8 * 96, .presses = 0, .weight = 1.2});
+  const auto right = divided.measure("fem_neo_hookean", "tet4");
+  ASSERT_EQ(proved.size(), right.size());
+  for (std::size_t act = 0; act < right.size(); ++act) {
+    EXPECT_DOUBLE_EQ(proved[act].error, 1.5 * right[act].error) << "half as much again is promised";
+    EXPECT_NE(proved[act].error, tried[act].error);
+  }
+  EXPECT_FALSE(own.prove("fem_neo_hookean", "tet4", 0.05, 96)) << "nothing more to be found";
+
+  judged.prove = false;
+  OwnErrors later = judged.errors();
+  EXPECT_TRUE(later.prove("fem_neo_hookean", "tet4", 0.05, 96)) << "it is kept";
+  EXPECT_EQ(worst(later.at("fem_neo_hookean", "tet4", 0.05)).error, worst(proved).error);
   std::filesystem::remove_all(judged.cache);
 }
 

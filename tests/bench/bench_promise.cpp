@@ -74,22 +74,23 @@ SceneDesc drawn(int number, Random& random) {
   return scene;
 }
 
-/// Returns the act with the largest error, of those that count, with presses and a weight that the choice
-/// didn't try.
-ActError true_error(const SceneDesc& scene, const Choice& choice, const PromiseBenchOptions& options,
-                    const CompileOptions& sources) {
+/// Returns what each act that counts gets wrong, with presses and a weight that the choice didn't try.
+/// Nothing where the reference can't judge the choice.
+std::vector<ActError> true_errors(const SceneDesc& scene, const Choice& choice,
+                                  const PromiseBenchOptions& options, const CompileOptions& sources) {
   SoftDesc desc = scene.soft.front();
   desc.cell = choice.cell;
   desc.grade = choice.grade;
   const bool touched = std::count(desc.accuracy_of.begin(), desc.accuracy_of.end(), "touch") > 0;
   const Vec3 leans = scene.gravity + leaning * scene.gravity.norm() * Vec3(0.6, 0, 0.8);
   const BodyTrial trial(desc, leans, soft_anatomy(desc, scene, sources),
-                        {.most_tets = options.finest_reference, .presses = touched ? 4 : 0});
-  if (choice.rung.element == "tet10" && !trial.judges_quadratic()) return {"", std::nan("")};
-  return worst(trial.measure(choice.rung.model, choice.rung.element));
+                        {.most_tets = options.finest_reference, .presses = touched ? 8 : 0, .tilts = false});
+  if (choice.rung.element == "tet10" && !trial.judges_quadratic()) return {};
+  return trial.measure(choice.rung.model, choice.rung.element);
 }
 
-ReportRow judged(const SceneDesc& scene, const Choice& choice, const ActError& found) {
+ReportRow judged(const SceneDesc& scene, const Choice& choice, const std::vector<ActError>& acts) {
+  const ActError found = acts.empty() ? ActError{"", std::nan("")} : worst(acts);
   const double error = found.error;
   const SoftDesc& desc = scene.soft.front();
   const double promised = choice.good_enough ? desc.accuracy.value / 100 : choice.expected.error;
@@ -144,6 +145,7 @@ Report bench_promise(const PromiseBenchOptions& options) {
   table.print_header();
   RungMeter meter;
   ChoiceOptions choice = choice_options(options.cache, meter);
+  choice.prove = true;  // as the server does while a session runs
   if (options.verbose) choice.sources.progress = [](const std::string& line) { fmt::print("  {}\n", line); };
   for (const std::string& folder : options.data) choice.sources.data_dirs.emplace_back(folder);
   Random random(options.seed);
@@ -153,7 +155,9 @@ Report bench_promise(const PromiseBenchOptions& options) {
     const SceneDesc asks = scene;
     try {
       const Choice chosen = choose_rungs(scene, choice).front();
-      const ReportRow row = judged(asks, chosen, true_error(asks, chosen, options, choice.sources));
+      const std::vector<ActError> acts = true_errors(asks, chosen, options, choice.sources);
+      if (options.verbose && !acts.empty()) fmt::print("  body {}: in truth {}\n", i, in_words(acts));
+      const ReportRow row = judged(asks, chosen, acts);
       table.print(row);
       std::fflush(stdout);
       report.add(row);

@@ -272,8 +272,10 @@ TEST(ChooseScene, TriesWhatTheTableMakesTooDark) {
   };
   SceneDesc scene = Chooser::scene();
   SoftDesc& liver = scene.soft[1];
+  constexpr double flat = 1e4;
+  liver.attach.push_back({Vec3(0, -flat, 0), flat + 1e-4, 1e13});  // tilted, linear ones would not suit it
   liver.model = "fem_neo_hookean";
-  liver.fixed.model = true;
+  liver.fixed.model = liver.fixed.grade = true;
   liver.poisson_ratio = 0.3;
   liver.accuracy.value = 60;
   liver.accuracy_of = {"shape"};

@@ -108,6 +108,45 @@ struct Dialled {
   }
 };
 
+/// What was chosen is proved once the session runs. A wish is answered before that is done.
+TEST(Remodeller, AProofIsPutOff) {
+  std::atomic<int> steps{0};
+  const auto describe = [] {
+    SceneDesc scene = described();
+    scene.soft.front().accuracy.value = 10;
+    return scene;
+  };
+  Remodeller::Hooks hooks{.describe = describe,
+                          .choosing = {.table_file = {},
+                                       .machine = "made up",
+                                       .measure =
+                                           [&](const RungTrial& trial) {
+                                             ++steps;
+                                             return slowly_converging(trial);
+                                           },
+                                       .sources = options()},
+                          .compile = {},
+                          .ready = [] {},
+                          .say = {}};
+  const auto started = std::chrono::steady_clock::now();
+  {
+    Remodeller remodeller(std::move(hooks));
+    std::vector<Choice> choices(1);
+    choices[0].body = describe().soft.front().name;
+    remodeller.begin(choices);
+    while (steps == 0 && std::chrono::steady_clock::now() < started + 60s) std::this_thread::sleep_for(1ms);
+    EXPECT_GT(steps, 0) << "it began by itself";
+    remodeller.ask({1, 1, "nobody", 0});
+    std::vector<AccuracyAnswer> answers;
+    while (answers.empty() && std::chrono::steady_clock::now() < started + 60s) {
+      std::this_thread::sleep_for(1ms);
+      answers = remodeller.take_answers();
+    }
+    ASSERT_EQ(answers.size(), 1u);
+    EXPECT_NE(answers[0].words.find("nobody"), std::string::npos);
+  }
+}
+
 TEST(Remodeller, OnlyTheHostAsksAndOnlyForWhatThereIs) {
   Dialled dialled;
   Guest bo;
