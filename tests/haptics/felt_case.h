@@ -12,7 +12,8 @@ namespace prosector::test {
 inline const HandRef feeler{somebody, right_hand};
 
 struct FeltCase {
-  explicit FeltCase(const SceneDesc& scene) : simulation(scene, options()) {}
+  explicit FeltCase(const SceneDesc& scene, const CompileOptions& compile = options())
+      : simulation(scene, compile) {}
 
   Simulation simulation;
   FeltHands felt;

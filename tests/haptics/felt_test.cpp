@@ -4,11 +4,14 @@
 #include <utility>
 
 #include "common/hand.h"
+#include "common/paths.h"
+#include "common/scene/load_scene.h"
 #include "server/accuracy/static_body.h"
 #include "server/physics/soft/soft_body.h"
 #include "server/physics/soft/soft_matter.h"
 #include "tests/haptics/felt_case.h"
 #include "tests/physics/scalpel.h"
+#include "tests/real_data.h"
 
 namespace prosector::test {
 namespace {
@@ -29,21 +32,47 @@ SceneDesc held_block(double poisson_ratio = 0.4) {
 constexpr std::array<double, fingers> pointing = {1, 0, 1, 1, 1};
 const Quat down = Quat::FromTwoVectors(-Vec3::UnitZ(), -Vec3::UnitY());
 
-/// The wrist of a hand whose index finger points down and ends `clear` metres over the middle of the block.
-Pose finger(double clear) {
+/// The wrist of a hand whose index finger points down and ends at a place, m.
+Pose finger_at(const Vec3& place) {
   const Pose segment = hand_pose(right_hand, pointing)[4];
   const HandSegment& last = hand_segments(right_hand)[4];
   const Vec3 tip = segment * Vec3(0, 0, -(last.length + last.radius));
-  return {Vec3(0.004, 0.06 + clear, 0.003) - down * tip, down};
+  return {place - down * tip, down};
+}
+
+/// The same, `clear` metres over the middle of the block.
+Pose finger(double clear) {
+  return finger_at({0.004, 0.06 + clear, 0.003});
 }
 
 /// A hand that an arm moves, at a place; `reaction`: N, of the arm.
-TickInput moved(double clear, double reaction, bool appears = false) {
-  const Pose at = finger(clear);
+TickInput moved_to(const Pose& at, double reaction, bool appears = false) {
   TickInput input = appears ? appear(at.p, at.q) : target(at.p, at.q);
   input.targets[0].flexion = pointing;
   input.targets[0].reaction = reaction;
   return input;
+}
+TickInput moved(double clear, double reaction, bool appears = false) {
+  return moved_to(finger(clear), reaction, appears);
+}
+
+/// What the hand does to the body, N, by nodes.
+VecX load_of_touches(const Simulation& simulation, BodyId body) {
+  VecX load = VecX::Zero(3 * simulation.soft(body).nodes());
+  for (const HandTouch& touch : simulation.around(feeler, 0).touches)
+    for (std::size_t k = 0; k < touch.side.nodes; ++k)
+      load.segment<3>(3 * static_cast<Eigen::Index>(touch.side.node[k])) -=
+          touch.side.weight[k] * touch.exchanged;
+  return load;
+}
+
+/// The body where a static solution has it under a load, m.
+VecX at_rest_under(const SoftBody& body, const VecX& load) {
+  StaticBody still(body.desc(), body.anatomy());
+  still.tie(body.attachment_stiffness() - still.matter().ties);
+  const StaticAnswer answer = still.settle(load);
+  EXPECT_TRUE(answer.usable());
+  return answer.x;
 }
 
 class Felt : public testing::Test, protected FeltCase {
@@ -105,16 +134,8 @@ TEST_F(Felt, StiffnessIsTheSlopeOfForceOverWay) {
 TEST_F(Felt, TheBlockIsWhereAStaticSolutionUnderTheTouchesHasIt) {
   press(-0.006);
   const SoftBody& body = simulation.soft(0);
-  VecX load = VecX::Zero(3 * body.nodes());
-  for (const HandTouch& touch : simulation.around(feeler, 0).touches)
-    for (std::size_t k = 0; k < touch.side.nodes; ++k)
-      load.segment<3>(3 * static_cast<Eigen::Index>(touch.side.node[k])) -=
-          touch.side.weight[k] * touch.exchanged;
-  StaticBody still(body.desc(), body.anatomy());
-  still.tie(body.attachment_stiffness() - still.matter().ties);
-  const StaticAnswer answer = still.settle(load);
-  ASSERT_TRUE(answer.usable());
-  const VecX moved = simulation.soft_state(0).motion.x - body.rest(), there = answer.x - body.rest();
+  const VecX moved = simulation.soft_state(0).motion.x - body.rest();
+  const VecX there = at_rest_under(body, load_of_touches(simulation, 0)) - body.rest();
   EXPECT_GT(there.lpNorm<Eigen::Infinity>(), 3e-3);
   EXPECT_LT((moved - there).norm(), 0.03 * there.norm());
 }
@@ -134,6 +155,32 @@ TEST_F(Felt, BothEndsOfTheBookGrow) {
   EXPECT_GE(last.taken, taken);
   EXPECT_GT(last.given, 0) << "tissue pushes the hand out";
   EXPECT_GT(last.taken, last.given) << "and keeps some";
+}
+
+TEST(FeltLiver, IsWhereAStaticSolutionUnderTheTouchesHasIt) {
+  if (find_in_data("liver.inr.gz").empty())
+    GTEST_SKIP() << "liver.inr.gz is not below " << default_data_dir();
+  const SceneDesc scene = load_scene(PROSECTOR_SCENES "/cut.toml");
+  CompileOptions compile;
+  compile.threads = 1;
+  compile.data_dirs = {default_data_dir()};
+  FeltCase c(scene, compile);
+  const auto liver = static_cast<BodyId>(scene.rigid.size());
+  const Vec3 place(-0.085, 1.04, 0.02);  // on its left lobe
+  const auto at = [&](double deep) { return finger_at(place - Vec3(0, deep, 0)); };
+  c.step(moved_to(at(-0.03), 40, true));
+  for (int k = 0; k < 60; ++k) c.step(moved_to(at(-0.03), 40));
+  const VecX before = c.simulation.soft_state(liver).motion.x;
+  for (int k = 0; k <= 60; ++k) c.step(moved_to(at(-0.03 + 0.048 * k / 60), 40));
+  c.settle(moved_to(at(0.018), 40));
+
+  const SoftBody& body = c.simulation.soft(liver);
+  const VecX load = load_of_touches(c.simulation, liver);
+  EXPECT_GT(load.reshaped(3, body.nodes()).rowwise().sum().norm(), 0.1) << "N";
+  const VecX moved = c.simulation.soft_state(liver).motion.x - before;
+  const VecX there = at_rest_under(body, load) - at_rest_under(body, VecX::Zero(load.size()));
+  EXPECT_GT(there.lpNorm<Eigen::Infinity>(), 5e-3);
+  EXPECT_LT((moved - there).norm(), 0.05 * there.norm());
 }
 
 TEST(FeltSheet, StiffnessIsTheSlopeOfForceOverWay) {
