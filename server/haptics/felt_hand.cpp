@@ -82,6 +82,17 @@ double friction_of(const TouchGroup& group) {
   return group.pressing > 0 ? most * all / group.pressing : most;
 }
 
+/// Makes the plane that of a hard surface. Its place is known, and what the hand does there is the arm's own:
+/// no arm shows a contact of the solver, and its force over any delay is unstable.
+void make_hard(const TouchGroup& group, ContactPlane& plane) {
+  const double contact = joint_stiffness(group);
+  const double inside =
+      group.pressing > 0 && contact > 0 ? group.pressing / contact : -group.touches.front().gap;
+  plane.point = group.point + inside * group.normal;
+  plane.force = Vec3::Zero();
+  plane.stiffness = plane.tangential = hard_stiffness;
+}
+
 }  // namespace
 
 FeltPlanes FeltHand::follow(const Simulation& simulation, const HandState& hand) {
@@ -167,6 +178,7 @@ ContactPlane FeltHand::plane_of(const Simulation& simulation, const Pose& hand, 
   plane.friction = std::min(friction_of(group), max_plane_friction);
   plane.holds = group.holds;
   plane.radius = group.holds ? reach_of(group, plane.stiffness) : radius;
+  if (simulation.kind(group.body) != BodyKind::soft && !group.holds) make_hard(group, plane);
 
   const double h = 1 / simulation.scene().tick_rate;
   const double surface = plane.point.dot(plane.normal) + plane.force.dot(plane.normal) / plane.stiffness;

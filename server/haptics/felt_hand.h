@@ -10,6 +10,8 @@
 
 namespace prosector {
 
+inline constexpr double hard_stiffness = 2000;  // N/m, of what is rigid: arms show that well
+
 class FeltHand {
  public:
   explicit FeltHand(const HandRef& ref) : ref_(ref) {}

@@ -4,13 +4,13 @@
 
 #include "common/index_tip.h"
 #include "common/panel.h"
+#include "server/haptics/felt_hand.h"
 #include "server/physics/panel/panel_motion.h"
 
 namespace prosector {
 namespace {
 
 constexpr double told_over = 0.03;             // m over the board: from there on it is told of
-constexpr double stop_stiffness = 2000;        // N/m, of board and stops: an arm shows that well
 constexpr double rubbing = 0.6;                // coefficient of friction
 constexpr std::uint32_t of_panels = 1u << 31;  // in ids: no other plane has it
 
@@ -49,10 +49,10 @@ std::vector<ContactPlane> panel_planes(const Panel& panel, std::size_t hand, con
     out.push_back(plane);
   };
   if (control != nullptr && control->kind == ControlKind::button) {
-    add(control->height - control->travel, stop_stiffness);
+    add(control->height - control->travel, hard_stiffness);
     add(control->height, button_stiffness);
   } else {
-    add(control != nullptr ? control->height : 0, stop_stiffness);
+    add(control != nullptr ? control->height : 0, hard_stiffness);
   }
   return out;
 }

@@ -157,6 +157,30 @@ TEST_F(Felt, BothEndsOfTheBookGrow) {
   EXPECT_GT(last.taken, last.given) << "and keeps some";
 }
 
+TEST(FeltTable, IsAHardSurfaceWhereItIs) {
+  SceneDesc scene;
+  scene.rigid = {table()};
+  FeltCase c(scene);
+  const auto go = [&](double from, double to, double reaction) {
+    for (int k = 1; k <= 60; ++k) c.step(moved_to(finger_at({0, from + (to - from) * k / 60, 0}), reaction));
+    for (int k = 0; k < 40; ++k) c.step(moved_to(finger_at({0, to, 0}), reaction));
+  };
+  const auto expect_surface = [&] {
+    ASSERT_EQ(c.last.planes.size(), 1u);
+    const ContactPlane& plane = c.last.planes[0];
+    EXPECT_GT(plane.normal.y(), 0.99);
+    EXPECT_EQ(plane.force, Vec3::Zero());
+    EXPECT_EQ(plane.stiffness, hard_stiffness);
+    EXPECT_NEAR(plane.point.y(), 0, 5e-4);
+  };
+  c.step(moved_to(finger_at({0, 0.02, 0}), 0, true));
+  go(0.02, 0.0003, 0);
+  expect_surface();
+  go(0.0003, -0.002, 4);  // as an arm pushes back that is so deep in it
+  expect_surface();
+  EXPECT_GT(c.simulation.hands()[0].contact.force.norm(), 3) << "the hand presses";
+}
+
 TEST(FeltLiver, IsWhereAStaticSolutionUnderTheTouchesHasIt) {
   if (find_in_data("liver.inr.gz").empty())
     GTEST_SKIP() << "liver.inr.gz is not below " << default_data_dir();

@@ -114,7 +114,8 @@ std::array<double, fingers> bent(const Bodies& bodies, std::span<const Collider>
                                  const Hand& hand) {
   FingerObstacles obstacles;
   const FingerPoses poses(hand, bodies.model.hands[hand.side], bodies.rigid.motion(hand.slot).pose);
-  add_rigid_obstacles(bodies, colliders, hand, poses, obstacles);
+  // A haptic arm's stylus is a finger that nothing hard bends: its user's own give way.
+  if (!hand.reaction) add_rigid_obstacles(bodies, colliders, hand, poses, obstacles);
   add_soft_obstacles(bodies, colliders, hand, poses, obstacles);
   const FingerDrive drive{.max_force = bodies.model.scene.hand.max_force / fingers};
   std::array<double, fingers> flexion = hand.flexion;

@@ -132,7 +132,11 @@ void add_met(const State& state, std::span<const Island> islands, const Hand& ha
   for (const Island& island : islands) {
     for (const Contact& c : island.contacts) {
       const bool rigid = c.a.kind != ContactSide::Kind::soft && c.b.kind != ContactSide::Kind::soft;
-      if ((c.force > 0 || rigid) && c.bearer == 0 && between(c)) out.push_back(touch_of(state, hand, c));
+      if (!between(c) || !(c.force > 0 || rigid)) continue;
+      HandTouch touch = touch_of(state, hand, c);
+      if (c.bearer > 0)
+        touch.force = touch.stiffness = 0;  // a pad's friction, of a contact that is told itself
+      out.push_back(touch);
     }
     for (const Tie& tie : island.ties)
       if (between(tie)) out.push_back(touch_of(state, hand, tie));
