@@ -15,6 +15,8 @@ struct ArmLimits {
   double continuous_force = 0;                   // N, for hours
   double stiffness = 0;                          // N/m: of the hardest wall that it shows
   double max_slew = 0;                           // N/s
+  double peak_torque = 0;                        // N·m, for hours; 0: no motors turn the stylus
+  double torsion = 0;                            // N·m/rad: of the hardest turn that it shows
   double rate = 1000;                            // Hz, of its servo loop
 };
 
@@ -26,6 +28,7 @@ struct ArmReading {
   Pose stylus;                // in the room; −z towards the tip
   std::uint32_t buttons = 0;  // the first one's bit is 1
   bool hot = false;           // a motor is near its limit: less force must do
+  bool turns = false;         // motors turn the stylus: torque acts
 };
 
 class Arm {
@@ -34,6 +37,9 @@ class Arm {
   virtual const ArmLimits& limits() const = 0;
   /// Reads the arm and waits for nothing: what doesn't answer gives a reading that isn't valid.
   virtual ArmReading read() = 0;
+  /// Sets the torque on the hand about the stylus' point, N·m, room frame, which acts from the next force on.
+  /// It is within the limits. Arms whose readings don't say that they turn it have none.
+  virtual void set_torque([[maybe_unused]] const Vec3& torque) {}
   /// Sets the force on the hand, N, room frame, until the next call. It is within the limits.
   virtual void set_force(const Vec3& force) = 0;
   /// Sets a force that changes with the way from where the last reading was: force − stiffness·way (N, N/m,

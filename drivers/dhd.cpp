@@ -32,6 +32,8 @@ ArmLimits dhd_limits() {
   out.peak_force = out.continuous_force = 12;
   out.stiffness = 14500;
   out.max_slew = 1500;
+  out.peak_torque = 0.4;
+  out.torsion = 5;
   return out;
 }
 
@@ -51,6 +53,7 @@ dhd::Session::Session(const LibraryAddress& address) : api_(SharedLibrary(addres
   const int opened = by_number ? api_.open_id(static_cast<char>(number)) : api_.open();
   if (opened < 0) throw InputError(fmt::format("device '{}' can't be opened: {}", name, last_error(api_)));
   id_ = static_cast<char>(opened);
+  turns_ = api_.has_active_wrist(id_);
   if (api_.enable_force(1, id_) >= 0) return;
   const std::string why = last_error(api_);
   api_.close(id_);
@@ -58,7 +61,10 @@ dhd::Session::Session(const LibraryAddress& address) : api_(SharedLibrary(addres
 }
 
 dhd::Session::~Session() {
-  api_.set_force(0, 0, 0, id_);
+  if (turns_)
+    api_.set_force_and_torque(0, 0, 0, 0, 0, 0, id_);
+  else
+    api_.set_force(0, 0, 0, id_);
   api_.close(id_);
 }
 
@@ -102,6 +108,7 @@ bool DhdArm::ask(const dhd::Session& session, ArmReading& out) {
   out.stylus = config_.room_arm * *stylus;
   for (int i = 0; i < asked_buttons; ++i)
     if (api.get_button(i, session.id()) == 1) out.buttons |= 1u << i;
+  out.turns = session.turns();
   out.valid = !resting_ && !std::exchange(begins_, false);
   return true;
 }
@@ -124,10 +131,16 @@ void DhdArm::look(const dhd::Session& session) {
 void DhdArm::set_force(const Vec3& force) {
   const dhd::Session* session = opening_.get();
   if (session == nullptr) return;
-  const bool may = free_ && !resting_ && force.allFinite();
-  const Vec3 f =
-      may ? Vec3(axes().transpose() * (config_.room_arm.q.conjugate() * force)) : Vec3(Vec3::Zero());
-  failed_ = session->api().set_force(f.x(), f.y(), f.z(), session->id()) < 0 ? failed_ + 1 : 0;
+  const bool may = free_ && !resting_ && force.allFinite() && torque_.allFinite();
+  const auto told = [&](const Vec3& v) {
+    return may ? Vec3(axes().transpose() * (config_.room_arm.q.conjugate() * v)) : Vec3(Vec3::Zero());
+  };
+  const Vec3 f = told(force), t = told(torque_);
+  const dhd::Api& api = session->api();
+  const int result = session->turns()
+                         ? api.set_force_and_torque(f.x(), f.y(), f.z(), t.x(), t.y(), t.z(), session->id())
+                         : api.set_force(f.x(), f.y(), f.z(), session->id());
+  failed_ = result < 0 ? failed_ + 1 : 0;
 }
 
 DeviceStatus DhdArm::status() const {

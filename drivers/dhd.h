@@ -14,7 +14,8 @@
 
 namespace prosector {
 
-/// Returns what any of these arms can do, by the data sheet of the omega.3.
+/// Returns what any of these arms can do, by the data sheets of the omega.3 and, of torque, of the sigma.7.
+/// How hard a turn a sigma.7 shows isn't in its sheet, and assumed.
 ArmLimits dhd_limits();
 
 namespace dhd {
@@ -31,10 +32,13 @@ class Session {
 
   const Api& api() const { return api_; }
   char id() const { return id_; }
+  /// Tells whether motors turn its stylus.
+  bool turns() const { return turns_; }
 
  private:
   Api api_;
   char id_ = 0;
+  bool turns_ = false;
 };
 
 }  // namespace dhd
@@ -48,6 +52,7 @@ class DhdArm final : public Arm {
 
   const ArmLimits& limits() const override { return limits_; }
   ArmReading read() override;
+  void set_torque(const Vec3& torque) override { torque_ = torque; }
   void set_force(const Vec3& force) override;
   DeviceStatus status() const override;
 
@@ -59,7 +64,8 @@ class DhdArm final : public Arm {
   ArmConfig config_;
   ArmLimits limits_ = dhd_limits();
   std::function<std::int64_t()> clock_;
-  int failed_ = 0;  // calls in a row
+  Vec3 torque_ = Vec3::Zero();  // N·m, room frame
+  int failed_ = 0;              // calls in a row
   std::uint64_t cycles_ = 0;
   bool resting_ = false;  // it is being calibrated
   bool free_ = true;      // it lets itself have forces …

@@ -12,7 +12,9 @@ Api::Api(const SharedLibrary& library) {
   library.find("dhdGetOrientationFrame", get_orientation_frame);
   library.find("dhdGetButton", get_button);
   library.find("dhdGetStatus", get_status);
+  library.find("dhdHasActiveWrist", has_active_wrist);
   library.find("dhdSetForce", set_force);
+  library.find("dhdSetForceAndTorque", set_force_and_torque);
   library.find("dhdErrorGetLastStr", error_get_last_str);
 }
 

@@ -28,7 +28,10 @@ struct Api {
   int (*get_orientation_frame)(double (*matrix)[3], char id);
   int (*get_button)(int index, char id);
   int (*get_status)(int* status, char id);
+  bool (*has_active_wrist)(char id);
   int (*set_force)(double x, double y, double z, char id);
+  int (*set_force_and_torque)(double x, double y, double z, double about_x, double about_y, double about_z,
+                              char id);
   const char* (*error_get_last_str)();
 };
 

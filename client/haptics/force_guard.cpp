@@ -24,17 +24,17 @@ Vec3 ForceGuard::pass(const Vec3& wanted, bool allowed, bool hot, double dt) {
       finite ? Vec3(share_ * wanted + left_ * leaving_) : Vec3(last_ * std::max(0., 1 - dt / fade_seconds));
 
   const double worn = hot ? 1 : std::clamp((heat_ - warm) / (1 - warm), 0., 1.);
-  const double most = limits_.peak_force + worn * (limits_.continuous_force - limits_.peak_force);
+  const double most = bounds_.peak + worn * (bounds_.lasting - bounds_.peak);
   if (const double size = force.norm(); size > most) {
     force *= most / size;
     ++counts_.saturated;
   }
   const Vec3 change = force - last_;
-  if (const double size = change.norm(), step = limits_.max_slew * dt; size > step) {
+  if (const double size = change.norm(), step = bounds_.slew * dt; size > step) {
     force = last_ + change * (step / size);
     ++counts_.slowed;
   }
-  const double load = force.squaredNorm() / std::pow(limits_.continuous_force, 2);
+  const double load = force.squaredNorm() / std::pow(bounds_.lasting, 2);
   heat_ += std::min(1., dt / heat_seconds) * (load - heat_);
   last_ = force;
   return force;

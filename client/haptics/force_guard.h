@@ -15,11 +15,23 @@ struct GuardCounts {
   std::uint64_t stalls = 0;      // cycles that came too late
 };
 
+/// What an arm bears of force (N, N/s) or of torque (N·m, N·m/s).
+struct GuardBounds {
+  double peak = 0, lasting = 0, slew = 0;
+};
+inline GuardBounds force_bounds(const ArmLimits& limits) {
+  return {limits.peak_force, limits.continuous_force, limits.max_slew};
+}
+/// Returns those of torque, which comes as fast as force does: from none to its peak in the same time.
+inline GuardBounds torque_bounds(const ArmLimits& limits) {
+  return {limits.peak_torque, limits.peak_torque, limits.max_slew * limits.peak_torque / limits.peak_force};
+}
+
 class ForceGuard {
  public:
-  explicit ForceGuard(const ArmLimits& limits) : limits_(limits) {}
+  explicit ForceGuard(const GuardBounds& bounds) : bounds_(bounds) {}
 
-  /// Returns what may act: of `wanted` (N) as much as ramps and limits let through, its direction kept.
+  /// Returns what may act: of what is `wanted` as much as ramps and bounds let through, its direction kept.
   /// `allowed`: whether force may act at all; else it fades. `hot`: the arm says that a motor is.
   Vec3 pass(const Vec3& wanted, bool allowed, bool hot, double dt);
   /// Tells that the loop stood still for longer than is safe, or knew no pose. What acts fades, and new force
@@ -29,7 +41,7 @@ class ForceGuard {
   const GuardCounts& counts() const { return counts_; }
 
  private:
-  ArmLimits limits_;
+  GuardBounds bounds_;
   double share_ = 0;  // of the force that may act: rises after a start, falls when it may not
   double heat_ = 0;   // mean square of force over what may act for long, squared
   Vec3 last_ = Vec3::Zero();

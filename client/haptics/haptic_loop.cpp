@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+
+#include "common/rotation.h"
 
 namespace prosector {
 namespace {
@@ -12,7 +15,19 @@ constexpr double longest_cycle = 0.02;  // s: after a longer one force begins at
 constexpr double cutoff = 150;          // Hz, of the velocity's filter: encoders have steps …
 constexpr double slow_cutoff = 40;      // … which the passivity's strong damping must not make felt
 
+/// Returns where a hand is that moved on like that for dt s.
+Pose moved(const Pose& hand, const HandMotion& motion, double dt) {
+  return {hand.p + dt * motion.velocity, turned_by(dt * motion.spin) * hand.q};
+}
+
 }  // namespace
+
+HapticLoop::HapticLoop(const ArmLimits& limits, Safeguards safeguards, const Vec3& grip)
+    : guard_(force_bounds(limits)),
+      torque_guard_(torque_bounds(limits)),
+      safeguards_(safeguards),
+      grip_(grip),
+      torsion_(limits.torsion) {}
 
 void HapticLoop::take(std::span<const ContactPlane> planes, double time) {
   planes_.take(planes, time);
@@ -26,9 +41,9 @@ Vec3 HapticLoop::cycle(const ArmReading& reading, double time, bool allowed) {
   const double dt = on_time ? since : usual_cycle;
   if (!on_time || (valid && !known_)) {
     guard_.stalled();
+    torque_guard_.stalled();
     passivity_.interrupt();
-    velocity_.setZero();
-    slow_velocity_.setZero();
+    forget_motion();
     if (valid) hand_ = reading.stylus;
   } else if (valid) {
     follow(reading.stylus, dt);
@@ -36,32 +51,51 @@ Vec3 HapticLoop::cycle(const ArmReading& reading, double time, bool allowed) {
   known_ = valid;
 
   // A force is held until the next cycle. What a spring would do meanwhile is what it does half a cycle on.
-  Pose ahead = hand_;
-  if (safeguards_.prediction) ahead.p += 0.5 * dt * velocity_;
-  const PlaneForce felt = planes_.advance(ahead, velocity_, dt);
-  Vec3 force = felt.force;
+  const Pose ahead = safeguards_.prediction ? moved(hand_, motion_, 0.5 * dt) : hand_;
+  const FeltWrench felt = planes_.advance(ahead, motion_, ahead * grip_, dt);
+  Wrench wrench = shown(felt, reading.turns);
   if (valid) {
-    passivity_.observe(hand_.p, felt.stored, felt.power, dt);
-    if (safeguards_.passivity) force = passivity_.damp(force, slow_velocity_, dt);
+    // A turn against a torque that no motor shows costs the hand nothing, but is put in all the same.
+    const double unshown = std::max(0., -(felt.wrench.torque - wrench.torque).dot(motion_.spin));
+    passivity_.observe(stylus(), felt.stored, felt.power + unshown, dt);
+    const HandMotion damped = {slow_motion_.velocity, reading.turns ? slow_motion_.spin : Vec3(Vec3::Zero())};
+    if (safeguards_.passivity) wrench = passivity_.damp(wrench, damped, dt);
   } else {
     passivity_.interrupt();
   }
-  force_ = guard_.pass(force, allowed && valid && !planes_.stale(time), reading.hot, dt);
-  passivity_.applied(force_);
+  allowed = allowed && valid && !planes_.stale(time);
+  acts_.force = guard_.pass(wrench.force, allowed, reading.hot, dt);
+  acts_.torque =
+      reading.turns ? torque_guard_.pass(wrench.torque, allowed, reading.hot, dt) : Vec3(Vec3::Zero());
+  passivity_.applied(acts_);
   // What lets through a part of the force lets through that part of its slope.
-  const double asked = force.norm();
-  stiffness_ = std::isfinite(asked) && asked > 0 ? Mat3(std::min(1., force_.norm() / asked) * felt.stiffness)
-                                                 : Mat3(Mat3::Zero());
-  return force_;
+  const double asked = wrench.force.norm();
+  stiffness_ = std::isfinite(asked) && asked > 0
+                   ? Mat3(std::min(1., acts_.force.norm() / asked) * felt.stiffness)
+                   : Mat3(Mat3::Zero());
+  return acts_.force;
+}
+
+/// Returns what of it the arm can show: less torque where a turn would be harder than it is stable at.
+Wrench HapticLoop::shown(const FeltWrench& felt, bool turns) const {
+  Wrench out{felt.wrench.force, Vec3::Zero()};
+  if (turns) out.torque = (felt.torsion > torsion_ ? torsion_ / felt.torsion : 1) * felt.wrench.torque;
+  return out;
 }
 
 /// Takes where the hand is now, and how fast.
-void HapticLoop::follow(const Pose& stylus, double dt) {
+void HapticLoop::follow(const Pose& hand, double dt) {
   const auto share = [&](double at) { return 1 - std::exp(-2 * std::numbers::pi * at * dt); };
-  const Vec3 velocity = (stylus.p - hand_.p) / dt;
-  velocity_ += share(cutoff) * (velocity - velocity_);
-  slow_velocity_ += share(slow_cutoff) * (velocity - slow_velocity_);
-  hand_ = stylus;
+  const Pose before = std::exchange(hand_, hand);
+  const HandMotion now = {(hand.p - before.p) / dt, turn(before.q, hand.q) / dt};
+  motion_.velocity += share(cutoff) * (now.velocity - motion_.velocity);
+  motion_.spin += share(cutoff) * (now.spin - motion_.spin);
+  slow_motion_.velocity += share(slow_cutoff) * (now.at(hand.q * grip_) - slow_motion_.velocity);
+  slow_motion_.spin += share(slow_cutoff) * (now.spin - slow_motion_.spin);
+}
+
+void HapticLoop::forget_motion() {
+  motion_ = slow_motion_ = {};
 }
 
 }  // namespace prosector

@@ -18,8 +18,8 @@ struct Safeguards {
 
 class HapticLoop {
  public:
-  explicit HapticLoop(const ArmLimits& limits, Safeguards safeguards = {})
-      : guard_(limits), safeguards_(safeguards) {}
+  /// Makes a loop. `grip`: the stylus' point, m, in the hand's frame, where force acts, and torque about it.
+  explicit HapticLoop(const ArmLimits& limits, Safeguards safeguards = {}, const Vec3& grip = Vec3::Zero());
 
   /// Takes a message's planes, before the cycle at `time` (s, of the servo's clock).
   void take(std::span<const ContactPlane> planes, double time);
@@ -34,22 +34,30 @@ class HapticLoop {
   const GuardCounts& guard() const { return guard_.counts(); }
   /// Returns the hand's pose and the force of the last cycle.
   const Pose& hand() const { return hand_; }
-  const Vec3& force() const { return force_; }
+  const Vec3& force() const { return acts_.force; }
+  /// Returns the torque of the last cycle about the stylus' point, N·m, room frame; none where motors don't
+  /// turn it.
+  const Vec3& torque() const { return acts_.torque; }
   /// Returns by how much that force falls along a way of the hand, N/m, room frame.
   const Mat3& stiffness() const { return stiffness_; }
 
  private:
-  void follow(const Pose& stylus, double dt);
+  void follow(const Pose& hand, double dt);
+  void forget_motion();
+  Pose stylus() const { return {hand_ * grip_, hand_.q}; }
+  Wrench shown(const FeltWrench& felt, bool turns) const;
 
   PlaneSet planes_;
   Passivity passivity_;
-  ForceGuard guard_;
+  ForceGuard guard_, torque_guard_;
   Safeguards safeguards_;
+  Vec3 grip_;
+  double torsion_;      // N·m/rad: of the hardest turn that the arm shows
   bool known_ = false;  // the last reading was valid
   double time_ = 0;     // s, of the last cycle
   Pose hand_;
-  Vec3 velocity_ = Vec3::Zero(), slow_velocity_ = Vec3::Zero();  // m/s, filtered, the second more
-  Vec3 force_ = Vec3::Zero();                                    // N, that acts
+  HandMotion motion_, slow_motion_;  // filtered: of the hand, and more so of the stylus' point
+  Wrench acts_;
   Mat3 stiffness_ = Mat3::Zero();
 };
 

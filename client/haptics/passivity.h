@@ -3,9 +3,10 @@
 // (Hannaford & Ryu 2002, "Time-domain passivity control of haptic interfaces", IEEE Trans. Robotics and
 // Automation 18). Delay, lost messages or a wrong estimate of stiffness would.
 //
-// Forces are held between cycles, so the energy is known exactly: F of the last cycle times the way since.
+// Forces are held between cycles, so the energy is known exactly: F of the last cycle times the way since,
+// and its torque times the turn.
 
-#include "common/math.h"
+#include "client/haptics/hand_motion.h"
 
 namespace prosector {
 
@@ -17,14 +18,15 @@ struct EnergyBook {
 
 class Passivity {
  public:
-  /// Counts what the force of the last cycle did on the way to `position`, m. `stored`: what the contacts
-  /// hold now as springs, J, which the hand gets back. `surroundings`: W, that moving surfaces give.
-  void observe(const Vec3& position, double stored, double surroundings, double dt);
-  /// Returns the force with as much damping as spends what the hand got too much, within what arms bear.
+  /// Counts what the last cycle's force did on the way to `stylus`, where it acts. `stored`: what the
+  /// contacts hold now as springs, J, which the hand gets back. `surroundings`: W, that others give.
+  void observe(const Pose& stylus, double stored, double surroundings, double dt);
+  /// Returns what acts with as much damping as spends what the hand got too much, within what arms bear.
+  /// `motion`: of where it acts; no spin where the arm has no torque.
   /// Cutting the force instead makes it chatter: a limit cycle at 3 kN/m (docs/decisions).
-  Vec3 damp(const Vec3& force, const Vec3& velocity, double dt);
-  /// Tells which force acts from now on, N.
-  void applied(const Vec3& force) { force_ = force; }
+  Wrench damp(const Wrench& wanted, const HandMotion& motion, double dt);
+  /// Tells what acts from now on.
+  void applied(const Wrench& wrench) { acts_ = wrench; }
   /// Forgets where the hand was: nothing is known of the way it takes meanwhile.
   void interrupt() { known_ = false; }
 
@@ -33,7 +35,8 @@ class Passivity {
 
  private:
   bool known_ = false;
-  Vec3 position_ = Vec3::Zero(), force_ = Vec3::Zero();
+  Pose stylus_;
+  Wrench acts_;
   double level_ = 0, damping_ = 0;  // J, N·s/m
   EnergyBook book_;
 };

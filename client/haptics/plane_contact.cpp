@@ -33,9 +33,10 @@ void PlaneContact::end(double spread) {
   spread_ = spread_left_ = spread;
 }
 
-PlaneForce PlaneContact::advance(const Pose& hand, const Vec3& velocity, double dt) {
+PlaneForce PlaneContact::advance(const Pose& hand, const HandMotion& motion, double dt) {
   PlaneForce out;
   out.point = hand * plane_.arm;
+  const Vec3 velocity = motion.at(out.point - hand.p);
   age_ += dt;
   const Vec3& n = plane_.normal;
   if (!gone_) {

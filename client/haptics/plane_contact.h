@@ -1,6 +1,7 @@
 #pragma once
 // The force of one contact plane on a hand that moves, with its friction and its take-over of newer planes.
 
+#include "client/haptics/hand_motion.h"
 #include "common/contact_plane.h"
 
 namespace prosector {
@@ -30,8 +31,8 @@ class PlaneContact {
   /// Lets the contact go: its force fades over `spread` s.
   void end(double spread);
 
-  /// Returns the force on a hand at `hand` whose point moves with `velocity` (m/s), and goes on by dt s.
-  PlaneForce advance(const Pose& hand, const Vec3& velocity, double dt);
+  /// Returns the force on a hand at `hand` whose origin moves like that, and goes on by dt s.
+  PlaneForce advance(const Pose& hand, const HandMotion& motion, double dt);
 
  private:
   Vec3 damped(const Vec3& force, const Vec3& velocity) const;

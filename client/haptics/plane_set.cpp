@@ -1,11 +1,18 @@
 #include "client/haptics/plane_set.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 
 namespace prosector {
 namespace {
 
 constexpr double least_spread = 0.005, most_spread = 0.05;  // s
+
+/// Returns the matrix that crosses v with what it multiplies.
+Mat3 crossing(const Vec3& v) {
+  return (Mat3() << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0).finished();
+}
 
 }  // namespace
 
@@ -26,19 +33,20 @@ void PlaneSet::take(std::span<const ContactPlane> planes, double time) {
   }
 }
 
-PlaneForce PlaneSet::advance(const Pose& hand, const Vec3& velocity, double dt) {
-  PlaneForce sum;
-  double weight = 0;
+FeltWrench PlaneSet::advance(const Pose& hand, const HandMotion& motion, const Vec3& pivot, double dt) {
+  FeltWrench sum;
+  Mat3 turning = Mat3::Zero();
   for (PlaneContact& contact : contacts_) {
-    const PlaneForce one = contact.advance(hand, velocity, dt);
-    sum.force += one.force;
+    const PlaneForce one = contact.advance(hand, motion, dt);
+    const Vec3 lever = one.point - pivot;
+    sum.wrench.force += one.force;
+    sum.wrench.torque += lever.cross(one.force);
     sum.stiffness += one.stiffness;
+    turning += crossing(lever) * one.stiffness * crossing(lever).transpose();
     sum.stored += one.stored;
     sum.power += one.power;
-    sum.point += one.force.norm() * one.point;
-    weight += one.force.norm();
   }
-  if (weight > 0) sum.point /= weight;
+  sum.torsion = turning.selfadjointView<Eigen::Lower>().operatorNorm();
   std::erase_if(contacts_, [](const PlaneContact& c) { return c.gone(); });
   return sum;
 }

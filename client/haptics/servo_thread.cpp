@@ -23,7 +23,10 @@ void sleep_until(std::int64_t time_ns) {
 }  // namespace
 
 ServoThread::ServoThread(std::unique_ptr<Arm> arm, const Pose& hand_of_stylus, std::uint32_t dead_man)
-    : arm_(std::move(arm)), hand_of_stylus_(hand_of_stylus), dead_man_(dead_man), loop_(arm_->limits()) {
+    : arm_(std::move(arm)),
+      hand_of_stylus_(hand_of_stylus),
+      dead_man_(dead_man),
+      loop_(arm_->limits(), {}, hand_of_stylus.inverse().p) {
   thread_ = std::jthread([this](std::stop_token stop) { run(stop); });
 }
 
@@ -63,6 +66,7 @@ void ServoThread::run(std::stop_token stop) {
       next += missed * period;
     }
   }
+  arm_->set_torque(Vec3::Zero());
   arm_->set_force(Vec3::Zero());
 }
 
@@ -76,6 +80,7 @@ void ServoThread::cycle(double time) {
   if (repeated_.exchange(false)) loop_.heard_again(time);
   const bool let_go = dead_man_ != 0 && (reading.buttons & dead_man_) == 0;
   const Vec3 force = loop_.cycle(reading, time, !let_go);
+  arm_->set_torque(loop_.torque());
   arm_->set_field(force, loop_.stiffness());
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock) return;

@@ -50,6 +50,7 @@ HeldArmOptions held_arm_options(const ArmTwinSettings& settings) {
   const std::vector<double>& r = settings.room;
   out.room_arm = {Vec3(r[0], r[1], r[2]), Quat(r[3], r[4], r[5], r[6]).normalized()};
   out.hand = settings.hand == "light" ? light_hand : medium_hand;
+  out.turns = settings.turns;
   return out;
 }
 

@@ -17,6 +17,7 @@ struct ArmTwinSettings {
   std::vector<double> room = {0, 0, 0, 1, 0, 0, 0};
   TwinTiming timing;
   double garbage = 0;
+  bool turns = false;
   std::uint64_t seed = 1;
 };
 

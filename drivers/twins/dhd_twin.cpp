@@ -75,11 +75,13 @@ class DhdTwin {
     out[dhd::off_cause] = library.faults.forces_off ? yes : 0;
     return 0;
   }
-  int set_force(const Vec3& force) {
+  bool turns() { return answer() >= 0 && library.arm()->turns(); }
+  int set_force(const Vec3& force, const Vec3& torque) {
     if (const int error = answer(); error < 0) return error;
     if (library.faults.force_error != 0) return library.faults.force_error;
     const bool acts = forces_ && !library.faults.forces_off;
-    library.arm()->set_force(acts ? Vec3(force.y(), force.z(), force.x()) : Vec3(Vec3::Zero()));
+    const auto taken = [&](const Vec3& v) { return acts ? Vec3(v.y(), v.z(), v.x()) : Vec3(Vec3::Zero()); };
+    library.arm()->set_force(taken(force), taken(torque));
     return 0;
   }
 
@@ -134,8 +136,14 @@ int dhdGetButton(int index, char) {
 int dhdGetStatus(int* status, char) {
   return locked(twin(), [&](auto& t) { return t.status(status); });
 }
+bool dhdHasActiveWrist(char) {
+  return locked(twin(), [](auto& t) { return t.turns(); });
+}
 int dhdSetForce(double x, double y, double z, char) {
-  return locked(twin(), [&](auto& t) { return t.set_force({x, y, z}); });
+  return locked(twin(), [&](auto& t) { return t.set_force({x, y, z}, prosector::Vec3::Zero()); });
+}
+int dhdSetForceAndTorque(double x, double y, double z, double about_x, double about_y, double about_z, char) {
+  return locked(twin(), [&](auto& t) { return t.set_force({x, y, z}, {about_x, about_y, about_z}); });
 }
 const char* dhdErrorGetLastStr() {
   return "an error of the simulated arm";

@@ -18,9 +18,10 @@ Vec3 beginning(const HeldArmOptions& options) {
 HeldArm::HeldArm(HeldArmOptions options, const ArmMechanics& mechanics, const Vec3& rest, std::int64_t now_ns)
     : options_(std::move(options)),
       clock_(options_.timing, now_ns),
+      now_ns_(now_ns),
       rest_(rest),
       model_(mechanics, options_.hand, rest),
-      now_ns_(now_ns),
+      wrist_({}, options_.hand, intended_turn()),
       intended_(rest) {}
 
 HeldArm::HeldArm(HeldArmOptions options, const ArmMechanics& mechanics, std::int64_t now_ns)
@@ -35,11 +36,12 @@ void HeldArm::take(std::int64_t time_ns) {
 void HeldArm::put_down() {
   taken_ = false;
   rest_ = model_.position();
-  model_.set_force(Vec3::Zero());
+  set_force(Vec3::Zero());
 }
 
-void HeldArm::set_force(const Vec3& force) {
+void HeldArm::set_force(const Vec3& force, const Vec3& torque) {
   model_.set_force(taken_ ? force : Vec3(Vec3::Zero()));
+  wrist_.set_torque(taken_ ? torque : Vec3(Vec3::Zero()));
 }
 
 void HeldArm::advance(std::int64_t now_ns) {
@@ -50,9 +52,11 @@ void HeldArm::advance(std::int64_t now_ns) {
   const Wish wanted = wish();
   intended_ = wanted.place;
   model_.advance(dt, wanted.place, wanted.velocity);
+  wrist_.advance(dt, intended_turn());
 }
 
-Quat HeldArm::orientation() const {
+/// Returns how the hand wants the stylus to be turned, arm's frame.
+Quat HeldArm::intended_turn() const {
   const Quat room = options_.script.pose(0, clock_.seconds(now_ns_), options_.timing.loop).q;
   return options_.room_arm.q.conjugate() * room;
 }

@@ -7,6 +7,7 @@
 #include "drivers/twins/arm_model.h"
 #include "drivers/twins/motion_script.h"
 #include "drivers/twins/twin.h"
+#include "drivers/twins/wrist_model.h"
 
 namespace prosector {
 
@@ -15,6 +16,7 @@ struct HeldArmOptions {
   TwinTiming timing;
   Pose room_arm;
   HandImpedance hand = medium_hand;
+  bool turns = false;  // motors turn the stylus, too; else the hand turns it freely
 };
 
 class HeldArm {
@@ -29,15 +31,17 @@ class HeldArm {
   /// Lets the hand put it down where it is, at once, without motors.
   void put_down();
   void go_on(std::int64_t now_ns) { clock_.go_on(now_ns); }
-  /// Sets the motors' force, N, arm's frame. One that lies has none.
-  void set_force(const Vec3& force);
+  /// Sets the motors' force (N) and torque (N·m), arm's frame. One that lies has none.
+  void set_force(const Vec3& force, const Vec3& torque = Vec3::Zero());
   void advance(std::int64_t now_ns);
 
   bool taken() const { return taken_; }
-  const ArmModel& model() const { return model_; }  // in the arm's frame
-  Vec3 intended() const { return intended_; }       // m, arm's frame: where the hand wants it
-  /// Returns how the hand turns the stylus, arm's frame.
-  Quat orientation() const;
+  bool turns() const { return options_.turns; }
+  const ArmModel& model() const { return model_; }    // in the arm's frame
+  Vec3 intended() const { return intended_; }         // m, arm's frame: where the hand wants it
+  const WristModel& wrist() const { return wrist_; }  // of an arm whose motors turn the stylus
+  /// Returns how the stylus is turned, arm's frame.
+  Quat orientation() const { return options_.turns ? wrist_.measured() : intended_turn(); }
   const Pose& room_arm() const { return options_.room_arm; }
 
  private:
@@ -46,12 +50,14 @@ class HeldArm {
   };
   Vec3 scripted(double seconds) const;
   Wish wish() const;
+  Quat intended_turn() const;
 
   HeldArmOptions options_;
   ScriptClock clock_;
+  std::int64_t now_ns_, taken_ns_ = 0;
   Vec3 rest_;
   ArmModel model_;
-  std::int64_t now_ns_, taken_ns_ = 0;
+  WristModel wrist_;
   bool taken_ = false;
   Vec3 intended_;
 };

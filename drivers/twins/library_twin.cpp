@@ -21,6 +21,7 @@ std::optional<ArmTwinSettings> settings_in_environment() {
   CLI::App app("", words_variable);
   ArmTwinSettings settings;
   add_arm_options(app, settings, "numbers");
+  app.add_flag("--turns", settings.turns, "Motors turn the stylus, too (Force Dimension)");
   try {
     app.parse(words, false);
   } catch (const CLI::ParseError& error) {

@@ -178,7 +178,10 @@ ContactPlane FeltHand::plane_of(const Simulation& simulation, const Pose& hand, 
   plane.friction = std::min(friction_of(group), max_plane_friction);
   plane.holds = group.holds;
   plane.radius = group.holds ? reach_of(group, plane.stiffness) : radius;
-  if (simulation.kind(group.body) != BodyKind::soft && !group.holds) make_hard(group, plane);
+  // What a tool meets far from its grip is as soft as the grip: a push turns it in the hand.
+  const bool grip_is_softer = give_along(group, group.normal) > 1 / hard_stiffness;
+  if (simulation.kind(group.body) != BodyKind::soft && !group.holds && !grip_is_softer)
+    make_hard(group, plane);
 
   const double h = 1 / simulation.scene().tick_rate;
   const double surface = plane.point.dot(plane.normal) + plane.force.dot(plane.normal) / plane.stiffness;

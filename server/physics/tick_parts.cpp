@@ -5,8 +5,8 @@
 #include <tuple>
 
 #include "common/assert.h"
+#include "common/rotation.h"
 #include "server/physics/contact/rigid_soft_contacts.h"
-#include "server/physics/rotation.h"
 
 namespace prosector {
 namespace {

@@ -1,6 +1,9 @@
 // The driver of Force Dimension's arms, at a library with the same functions.
 #include "drivers/dhd.h"
 
+#include <limits>
+
+#include "common/rotation.h"
 #include "tests/haptics/library_arm_case.h"
 
 namespace prosector {
@@ -40,6 +43,35 @@ TEST_F(DhdDriver, ForceGoesWhereItIsSent) {
   EXPECT_NEAR((acts - Vec3(0.5, 0, 0.3)).norm(), 0, 1e-9);
   arm_.reset();
   EXPECT_EQ(twin_.arm()->model().force(), Vec3::Zero());
+}
+
+TEST_F(DhdDriver, TorqueGoesWhereItIsSentAndTurnsTheStylus) {
+  HeldArmOptions turning = pressing_hand();
+  turning.turns = true;
+  arm_.reset();
+  twin_.restart(turning, now_ns_, 1);
+  arm_ = open(address_);
+  EXPECT_TRUE(go(1).turns);
+  const HeldArm& held = *twin_.arm();
+  const Quat before = held.room_arm().q * held.orientation();
+  const Vec3 torque(0.02, 0.01, -0.03);
+  arm_->set_torque(torque);
+  expect_there(go(1, {0.5, 0, 0.3}));
+  EXPECT_NEAR((held.room_arm().q * held.wrist().torque() - torque).norm(), 0, 1e-9);
+  EXPECT_NEAR((held.room_arm().q * held.model().force() - Vec3(0.5, 0, 0.3)).norm(), 0, 1e-9);
+  // A medium hand holds 0.5 N·m/rad; friction takes 2 mN·m of what turns.
+  const Vec3 turned = turn(before, held.room_arm().q * held.orientation());
+  EXPECT_NEAR((0.5 * turned - torque).norm(), 0, 0.0021 + 1e-3);
+  arm_->set_torque({0, std::numeric_limits<double>::quiet_NaN(), 0});
+  go(0.01);
+  EXPECT_EQ(held.wrist().torque(), Vec3::Zero());
+}
+
+TEST_F(DhdDriver, WithoutMotorsThatTurnItHasNoTorque) {
+  EXPECT_FALSE(go(1).turns);
+  arm_->set_torque({0.1, 0, 0});
+  go(0.1, {0.5, 0, 0});
+  EXPECT_EQ(twin_.arm()->wrist().torque(), Vec3::Zero());
 }
 
 TEST_F(DhdDriver, WhileItIsCalibratedItIsNowhere) {

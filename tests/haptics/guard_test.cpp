@@ -13,13 +13,13 @@ namespace {
 
 /// A guard whose ramp is over.
 ForceGuard ready() {
-  ForceGuard guard(omni_limits());
+  ForceGuard guard(force_bounds(omni_limits()));
   for (int k = 0; k < 1000; ++k) guard.pass(Vec3::Zero(), true, false, dt);
   return guard;
 }
 
 TEST(ForceGuard, LetsForceComeSlowlyAfterAStart) {
-  ForceGuard guard(omni_limits());
+  ForceGuard guard(force_bounds(omni_limits()));
   EXPECT_LT(guard.pass({1, 0, 0}, true, false, dt).norm(), 0.01);
   Vec3 force;
   for (int k = 0; k < 400; ++k) force = guard.pass({1, 0, 0}, true, false, dt);

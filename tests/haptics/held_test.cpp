@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "client/haptics/plane_set.h"
 #include "tests/haptics/felt_case.h"
 #include "tests/physics/scalpel.h"
 
@@ -74,6 +75,77 @@ TEST(Held, WhatAToolPressesIsFelt) {
   c.settle(moved_to(at));
   const double slope = (c.told_force().y() - before) / 5e-4;
   EXPECT_NEAR(told / slope, 1, 0.2) << "of " << slope << " N/m";
+}
+
+/// What the arm renders of the told planes where the hand is as the arm has it, N.
+Vec3 rendered(const FeltCase& c, const Vec3& at) {
+  PlaneSet set;
+  set.take(c.last.planes, 0);
+  Vec3 force;
+  for (int k = 0; k < 100; ++k) force = set.advance({at, Quat::Identity()}, {}, at, 1e-3).wrench.force;
+  return force;
+}
+
+TEST(Held, AToolOnATableIsAHardSurface) {
+  SceneDesc scene;
+  scene.rigid = {table(), part_body("stick", "box", {0.02, 0.1, 0.02}, {0, 0.05, 0}, 500)};
+  FeltCase c(scene);
+  Vec3 at(0, 0.08, 0.03);
+  c.step(appear(at));
+  c.step(event(HandEvent::Kind::grasp, at));
+  ASSERT_TRUE(c.simulation.hands()[0].holding);
+  c.settle(moved_to(at));
+  const double before = rendered(c, at).y();
+  go(c, at, at - Vec3(0, 1e-3, 0));
+  c.settle(moved_to(at));
+  EXPECT_NEAR(rendered(c, at).y() - before, 2, 0.1) << "2 kN/m, whatever the solver's contact has";
+  go(c, at, at + Vec3(0, 0.02, 0));
+  c.settle(moved_to(at));
+  EXPECT_NEAR(rendered(c, at).y(), -0.02 * 9.81, 0.01) << "lifted, it has its weight and no more";
+}
+
+constexpr BodyId right_bar = 1, below = 5;
+/// A plate with a hole of 24 mm, and below it a block of tissue.
+SceneDesc port_over_a_block() {
+  SceneDesc scene = soft_block();
+  const auto bar = [&](const char* name, const Vec3& size, const Vec3& place) {
+    scene.rigid.push_back(part_body(name, "box", size, place));
+    scene.rigid.back().fixed = true;
+  };
+  bar("left", {0.05, 0.02, 0.2}, {-0.037, 0.15, 0});
+  bar("right", {0.05, 0.02, 0.2}, {0.037, 0.15, 0});
+  bar("front", {0.024, 0.02, 0.05}, {0, 0.15, 0.037});
+  bar("back", {0.024, 0.02, 0.05}, {0, 0.15, -0.037});
+  scene.rigid.push_back(part_body("rod", "box", {0.02, 0.2, 0.02}, {0, 0.17, 0}, 500));
+  return scene;
+}
+
+TEST(Held, AToolThroughAPortFeelsThePortAtItsSideAndTissueAtItsTip) {
+  FeltCase c(port_over_a_block());
+  Vec3 at(0, 0.25, 0.03);
+  c.step(appear(at));
+  c.step(event(HandEvent::Kind::grasp, at));
+  ASSERT_TRUE(c.simulation.hands()[0].holding);
+  c.settle(moved_to(at));
+  const double weight = 0.04 * 9.81;
+  EXPECT_NEAR((rendered(c, at) - Vec3(0, -weight, 0)).norm(), 0, 0.02)
+      << "free in the port, above the tissue";
+  for (const double side : {0.003, 0.005, 0.008}) {
+    go(c, at, Vec3(side, at.y(), at.z()));
+    c.settle(moved_to(at));
+    expect_as_on_the_hand(c, 0.05);
+    // The port is 0.1 m from the grip, so that a push at it turns the rod in the hand: it is no hard wall.
+    EXPECT_NEAR(-rendered(c, at).x() / (side - 0.002), 430, 40) << side;
+  }
+  go(c, at, at - Vec3(0, 0.014, 0));
+  c.settle(moved_to(at));
+  expect_as_on_the_hand(c, 0.05);
+  const auto feels = [&](BodyId body) {
+    return std::any_of(c.last.planes.begin(), c.last.planes.end(),
+                       [&](const ContactPlane& p) { return p.body == body && p.force.norm() > 0.3; });
+  };
+  EXPECT_TRUE(feels(right_bar)) << "the port's side";
+  EXPECT_TRUE(feels(below)) << "and tissue at the tip";
 }
 
 TEST(Held, TissuePullsBackAsItIsPulled) {

@@ -20,10 +20,14 @@ Pose at(double x, double y) {
   return {Vec3(x, y, 0), Quat::Identity()};
 }
 
+Vec3 force_of(PlaneSet& set, const Pose& hand) {
+  return set.advance(hand, {}, hand.p, dt).wrench.force;
+}
+
 TEST(PlaneContact, PushesByStiffnessTimesDepthAndOnlyOutwards) {
   PlaneContact contact(wall(), 0);
-  EXPECT_NEAR(contact.advance(at(0, -0.002), Vec3::Zero(), dt).force.y(), 1, 1e-12);
-  EXPECT_EQ(contact.advance(at(0, 0.001), Vec3::Zero(), dt).force, Vec3::Zero());
+  EXPECT_NEAR(contact.advance(at(0, -0.002), HandMotion{}, dt).force.y(), 1, 1e-12);
+  EXPECT_EQ(contact.advance(at(0, 0.001), HandMotion{}, dt).force, Vec3::Zero());
 }
 
 TEST(PlaneContact, WhatIsHeldPullsAsWell) {
@@ -32,8 +36,8 @@ TEST(PlaneContact, WhatIsHeldPullsAsWell) {
   plane.force = {0, -2, 0};
   plane.radius = 0.003;
   PlaneContact contact(plane, 0);
-  EXPECT_NEAR(contact.advance(at(0, 0), Vec3::Zero(), dt).force.y(), -2, 1e-12);
-  EXPECT_NEAR(contact.advance(at(0, 0.002), Vec3::Zero(), dt).force.y(), -3, 1e-12);
+  EXPECT_NEAR(contact.advance(at(0, 0), HandMotion{}, dt).force.y(), -2, 1e-12);
+  EXPECT_NEAR(contact.advance(at(0, 0.002), HandMotion{}, dt).force.y(), -3, 1e-12);
 }
 
 TEST(PlaneContact, WhatIsHeldYieldsBeyondItsRadius) {
@@ -42,8 +46,8 @@ TEST(PlaneContact, WhatIsHeldYieldsBeyondItsRadius) {
   plane.force = {0, -2, 0};
   plane.radius = 0.001;  // half a newton more
   PlaneContact contact(plane, 0);
-  EXPECT_NEAR(contact.advance(at(0, 0.02), Vec3::Zero(), dt).force.norm(), 2.5, 1e-12);
-  EXPECT_NEAR(contact.advance(at(0.05, 0), Vec3::Zero(), dt).force.norm(), 2.5, 1e-12);
+  EXPECT_NEAR(contact.advance(at(0, 0.02), HandMotion{}, dt).force.norm(), 2.5, 1e-12);
+  EXPECT_NEAR(contact.advance(at(0.05, 0), HandMotion{}, dt).force.norm(), 2.5, 1e-12);
 }
 
 TEST(PlaneContact, AWeightIsTheSameEverywhere) {
@@ -52,28 +56,28 @@ TEST(PlaneContact, AWeightIsTheSameEverywhere) {
   plane.force = {0, -2, 0};
   PlaneContact contact(plane, 0);
   for (const double y : {0., 0.3, -0.3})
-    EXPECT_EQ(contact.advance(at(0.1, y), Vec3::Zero(), dt).force, plane.force);
+    EXPECT_EQ(contact.advance(at(0.1, y), HandMotion{}, dt).force, plane.force);
 }
 
 TEST(PlaneContact, FrictionHoldsAndThenSlidesAtItsCoefficient) {
   PlaneContact contact(wall(), 0);
-  contact.advance(at(0, -0.002), Vec3::Zero(), dt);  // 1 N
-  EXPECT_NEAR(contact.advance(at(0.0005, -0.002), Vec3::Zero(), dt).force.x(), -0.25, 1e-9);
-  EXPECT_NEAR(contact.advance(at(0.01, -0.002), Vec3::Zero(), dt).force.x(), -0.5, 1e-9);
+  contact.advance(at(0, -0.002), HandMotion{}, dt);  // 1 N
+  EXPECT_NEAR(contact.advance(at(0.0005, -0.002), HandMotion{}, dt).force.x(), -0.25, 1e-9);
+  EXPECT_NEAR(contact.advance(at(0.01, -0.002), HandMotion{}, dt).force.x(), -0.5, 1e-9);
   // It slid: back by a little is the way back from there, not from where it was first touched.
-  EXPECT_NEAR(contact.advance(at(0.0095, -0.002), Vec3::Zero(), dt).force.x(), -0.25, 1e-9);
+  EXPECT_NEAR(contact.advance(at(0.0095, -0.002), HandMotion{}, dt).force.x(), -0.25, 1e-9);
 }
 
 TEST(PlaneContact, ANewerPlaneTakesOverWithoutAJump) {
   PlaneContact contact(wall(), 0);
   const Pose hand = at(0, -0.002);
-  contact.advance(hand, Vec3::Zero(), dt);
+  contact.advance(hand, HandMotion{}, dt);
   ContactPlane newer = wall(800);
   newer.point.y() = 0.001;
   contact.renew(newer, 0.02);
   double before = 1, largest = 0;
   for (int k = 0; k < 20; ++k) {
-    const double force = contact.advance(hand, Vec3::Zero(), dt).force.y();
+    const double force = contact.advance(hand, HandMotion{}, dt).force.y();
     largest = std::max(largest, std::abs(force - before));
     before = force;
   }
@@ -86,11 +90,11 @@ TEST(PlaneContact, ASurfaceThatBeginsToMoveBringsNoJolt) {
   plane.damping = 10;
   PlaneContact contact(plane, 0);
   const Pose hand = at(0, -0.002);
-  double before = contact.advance(hand, Vec3::Zero(), dt).force.y();
+  double before = contact.advance(hand, HandMotion{}, dt).force.y();
   plane.velocity = {0, 0.1, 0};  // a newton by damping
   contact.renew(plane, 0.02);
   for (int k = 0; k < 20; ++k) {
-    const double force = contact.advance(hand, Vec3::Zero(), dt).force.y();
+    const double force = contact.advance(hand, HandMotion{}, dt).force.y();
     EXPECT_LT(std::abs(force - before), 0.11) << k;
     before = force;
   }
@@ -102,28 +106,28 @@ TEST(PlaneContact, ASurfaceThatMovesTakesItsForceAlong) {
   plane.velocity = {0, 0.1, 0};
   PlaneContact contact(plane, 0);
   PlaneForce felt;
-  for (int k = 0; k < 50; ++k) felt = contact.advance(at(0, 0), Vec3::Zero(), dt);
+  for (int k = 0; k < 50; ++k) felt = contact.advance(at(0, 0), HandMotion{}, dt);
   EXPECT_NEAR(felt.force.y(), 500 * 0.1 * 0.05, 1e-9);
   EXPECT_NEAR(felt.power, felt.force.y() * 0.1, 1e-9);
-  for (int k = 0; k < 1000; ++k) felt = contact.advance(at(0, 0), Vec3::Zero(), dt);
+  for (int k = 0; k < 1000; ++k) felt = contact.advance(at(0, 0), HandMotion{}, dt);
   EXPECT_NEAR(felt.force.y(), 500 * 0.1 * 0.1, 1e-9) << "goes on for no longer than is known";
 }
 
 TEST(PlaneContact, StiffnessIsTheSlopeOfItsForce) {
   for (const bool slides : {false, true}) {
     PlaneContact contact(wall(), 0);
-    contact.advance(at(0, -0.002), Vec3::Zero(), dt);
+    contact.advance(at(0, -0.002), HandMotion{}, dt);
     const double x = slides ? 0.01 : 0.0002, step = 1e-6;
-    const PlaneForce here = contact.advance(at(x, -0.002), Vec3::Zero(), dt);
+    const PlaneForce here = contact.advance(at(x, -0.002), HandMotion{}, dt);
     PlaneContact deeper = contact, further = contact;
-    const Vec3 down = (deeper.advance(at(x, -0.002 - step), Vec3::Zero(), dt).force - here.force) / step;
-    const Vec3 on = (further.advance(at(x + step, -0.002), Vec3::Zero(), dt).force - here.force) / step;
+    const Vec3 down = (deeper.advance(at(x, -0.002 - step), HandMotion{}, dt).force - here.force) / step;
+    const Vec3 on = (further.advance(at(x + step, -0.002), HandMotion{}, dt).force - here.force) / step;
     EXPECT_NEAR(down.y(), here.stiffness(1, 1), 1e-6);
     EXPECT_NEAR(on.x(), -here.stiffness(0, 0), 1e-6);
     EXPECT_EQ(here.stiffness(0, 0) == 0, slides);
   }
   PlaneContact away(wall(), 0);
-  EXPECT_EQ(away.advance(at(0, 0.001), Vec3::Zero(), dt).stiffness, Mat3::Zero());
+  EXPECT_EQ(away.advance(at(0, 0.001), HandMotion{}, dt).stiffness, Mat3::Zero());
 }
 
 TEST(PlaneSet, APlaneThatIsNotToldAnyMoreFades) {
@@ -132,12 +136,12 @@ TEST(PlaneSet, APlaneThatIsNotToldAnyMoreFades) {
   const std::vector<ContactPlane> one = {wall()};
   for (int k = 0; k < 10; ++k) set.take(one, k / 60.);
   double force = 0;
-  for (int k = 0; k < 60; ++k) force = set.advance(hand, Vec3::Zero(), dt).force.y();
+  for (int k = 0; k < 60; ++k) force = force_of(set, hand).y();
   EXPECT_NEAR(force, 1, 1e-9);
   set.take({}, 10 / 60.);
   double before = force;
   for (int k = 0; k < 30; ++k) {
-    force = set.advance(hand, Vec3::Zero(), dt).force.y();
+    force = force_of(set, hand).y();
     EXPECT_LE(force, before);
     EXPECT_GT(force, before - 0.1) << "by a step";
     before = force;
@@ -168,7 +172,7 @@ TEST(PlaneSet, ARepeatedMessageIsASignOfLifeAndNothingElse) {
   }
   EXPECT_TRUE(set.stale(t + 0.03)) << "messages a tenth of a second apart, their repeats 5 ms";
   double force = 0;
-  for (int k = 0; k < 60; ++k) force = set.advance(at(0, -0.002), Vec3::Zero(), dt).force.y();
+  for (int k = 0; k < 60; ++k) force = force_of(set, at(0, -0.002)).y();
   EXPECT_NEAR(force, 1, 1e-9);
 }
 
@@ -181,9 +185,26 @@ TEST(PlaneSet, TwoPlanesThatFaceEachOtherAddUp) {
   const std::vector<ContactPlane> both = {wall(), above};
   const Pose hand = at(0, -0.001);
   set.take(both, 0);
-  PlaneForce felt;
-  for (int k = 0; k < 100; ++k) felt = set.advance(hand, Vec3::Zero(), dt);
-  EXPECT_NEAR(felt.force.y(), 0.5, 1e-9);
+  Vec3 force;
+  for (int k = 0; k < 100; ++k) force = force_of(set, hand);
+  EXPECT_NEAR(force.y(), 0.5, 1e-9);
+}
+
+TEST(PlaneSet, APlaneAtAToolsTipTurnsTheHand) {
+  PlaneSet set;
+  ContactPlane tip = wall();
+  tip.arm = {0, 0, -0.1};
+  tip.damping = 10;
+  set.take({&tip, 1}, 0);
+  const Pose hand = at(0, -0.002);
+  const HandMotion turning{Vec3::Zero(), {0.5, 0, 0}};  // the tip rises by 5 cm/s
+  FeltWrench felt;
+  for (int k = 0; k < 100; ++k) felt = set.advance(hand, turning, hand.p, dt);
+  EXPECT_NEAR(felt.wrench.force.y(), 1 - 0.5, 1e-9) << "damped by how fast the tip moves";
+  EXPECT_NEAR((felt.wrench.torque - Vec3(0.1 * 0.5, 0, 0)).norm(), 0, 1e-9);
+  EXPECT_NEAR(felt.torsion, 500 * 0.01, 1e-9);
+  felt = set.advance(hand, turning, hand * tip.arm, dt);
+  EXPECT_NEAR(felt.wrench.torque.norm(), 0, 1e-12) << "about the tip there is none";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/rotation.h"
 #include "server/physics/contact/colliders.h"
 #include "server/physics/contact/margins.h"
 #include "server/physics/contact/rigid_soft_contacts.h"
@@ -24,8 +25,7 @@ double thinnest(const Collider& collider) {
 /// Returns the collider after t seconds, seen by something that moves at `drift` (m/s).
 Collider after(const Collider& collider, double t, const Vec3& drift) {
   Collider out = collider;
-  const Vec3 turn = t * collider.angular;
-  if (turn.norm() > 0) out.pose.q = Quat(Eigen::AngleAxisd(turn.norm(), turn.normalized())) * collider.pose.q;
+  out.pose.q = turned_by(t * collider.angular) * collider.pose.q;
   out.pose.p += t * (collider.linear - drift);
   return out;
 }

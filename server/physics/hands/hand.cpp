@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "common/hand.h"
+#include "common/rotation.h"
 #include "common/rotation_between.h"
-#include "server/physics/rotation.h"
 
 namespace prosector {
 namespace {

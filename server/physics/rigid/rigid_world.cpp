@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <map>
 
+#include "common/rotation.h"
 #include "server/physics/rigid/bullet_shape.h"
 #include "server/physics/rigid/bullet_types.h"
 #include "server/physics/rigid/rolling.h"
 #include "server/physics/rigid/room_contacts.h"
-#include "server/physics/rotation.h"
 
 namespace prosector {
 namespace {

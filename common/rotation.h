@@ -13,4 +13,10 @@ inline Vec3 turn(const Quat& a, const Quat& b) {
   return rotation.angle() * rotation.axis();
 }
 
+/// Returns the turn by a rotation vector.
+inline Quat turned_by(const Vec3& vector) {
+  const double angle = vector.norm();
+  return angle > 0 ? Quat(Eigen::AngleAxisd(angle, vector / angle)) : Quat::Identity();
+}
+
 }  // namespace prosector
