@@ -46,6 +46,7 @@ class ArmPress:
         stand = ",".join(map(str, self.stand + self.turn))
         words = ["--script", script, "--room-arm", stand, "--log", self.out / f"{self.name}.csv"]
         if self.driver in LIBRARIES:  # the twin is in the client
+            words += ["--turns"] if self.driver == "dhd" else []
             library = self.binaries.parent / "lib/twins" / LIBRARIES[self.driver][1]
             return f"{self.driver}:{LIBRARIES[self.driver][0]}@{library}", {"PROSECTOR_TWIN": " ".join(map(str, words))}
         program, at = PROGRAMS[self.driver]
