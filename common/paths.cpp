@@ -32,4 +32,17 @@ fs::path default_data_dir() {
   return xdg("XDG_DATA_HOME", ".local/share") / "prosector";
 }
 
+fs::path default_config_dir() {
+  return xdg("XDG_CONFIG_HOME", ".config") / "prosector";
+}
+
+fs::path shipped_scenes_dir(const fs::path& programs) {
+  for (const char* beside : {"../share/prosector/scenes", "../../../deploy/scenes"}) {
+    std::error_code error;
+    if (const fs::path found = fs::weakly_canonical(programs / beside, error); fs::is_directory(found, error))
+      return found;
+  }
+  return {};
+}
+
 }  // namespace prosector

@@ -13,4 +13,11 @@ std::filesystem::path default_cache_dir();
 /// ${PROSECTOR_DATA:-${XDG_DATA_HOME:-~/.local/share}/prosector}.
 std::filesystem::path default_data_dir();
 
+/// Returns the folder of what people chose: ${XDG_CONFIG_HOME:-~/.config}/prosector.
+std::filesystem::path default_config_dir();
+
+/// Returns the folder of scenes that come with the program in `programs`: of an installed one, else of the
+/// checkout that it was built in; empty: there is none.
+std::filesystem::path shipped_scenes_dir(const std::filesystem::path& programs);
+
 }  // namespace prosector

@@ -82,6 +82,9 @@ in_order server/physics '^server/physics/(contact/colliders|rigid/breaking)\.' \
   soft collision cutting rigid contact hands parts panel organs coupled
 forbid "OpenGL only in client/render" '(GL/|GLFW/|EGL/|GLES)' \
   $(sources '(common|idl|drivers|server)/') $(sources client/ '^client/render/')
+forbid "Dear ImGui only in the .cpp files of client/setup" 'imgui' \
+  $(sources '(common|idl|drivers|server|client)/' '^client/setup/[a-z_]*\.cpp$')
+forbid "the set-up window starts programs: it knows neither sessions from inside nor the desk" 'client/(app|replica|view)/' $(sources client/setup/)
 forbid "FreeType, HarfBuzz, FriBidi and fontconfig only in the .cpp files of client/text" '(ft2build|hb|fribidi|fontconfig/)' \
   $(sources '(common|idl|drivers|server|client)/' '^client/text/[a-z_]*\.cpp$')
 forbid "text knows neither what is drawn nor how" 'client/(app|render|replica|view)/' $(sources client/text/)

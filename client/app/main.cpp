@@ -5,6 +5,7 @@
 #include "client/app/options.h"
 #include "client/app/render_scene.h"
 #include "client/app/run_client.h"
+#include "client/app/run_setup.h"
 #include "common/clock.h"
 #include "common/error.h"
 
@@ -15,6 +16,8 @@ int main(int argc, char** argv) {
     if (const int* code = std::get_if<int>(&parsed)) return *code;
     if (const auto* render = std::get_if<prosector::RenderOptions>(&parsed))
       return prosector::render_scene(*render);
+    if (const auto* setup = std::get_if<prosector::SetupOptions>(&parsed))
+      return prosector::run_setup(*setup);
     return prosector::run_client(std::get<prosector::ClientOptions>(parsed), started_ns);
   } catch (const prosector::InputError& error) {
     fmt::print(stderr, "prosector-client: {}\n", error.what());

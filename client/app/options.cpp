@@ -190,6 +190,21 @@ void add_render(CLI::App& app, RenderOptions& o, RawOptions& raw) {
   app.add_option("--shaders", o.shaders, shaders_help);
 }
 
+void add_setup(CLI::App& app, SetupOptions& setup, ClientOptions& o, RawOptions& raw) {
+  add_network(app, o, raw);
+  app.add_option("--name", raw.user_name, "Your name, until you give another one (default: your login name)");
+  app.add_option("--scenes", setup.scenes, "Folder of scenes to host (default: those of the program)")
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--config", setup.config, "The client's configuration, which need not be there yet");
+  app.add_option("--size", raw.size, "Of the window, WIDTHxHEIGHT (default 1280x720)");
+  app.add_option("--scale", setup.scale,
+                 "Size of letters and controls (default: as the desktop scales its own)")
+      ->check(CLI::Range(0.5, 8.0));
+  app.add_option("--layout-log", setup.layout_log,
+                 "Write where controls are as JSON, whenever that changes: for scripts that click");
+  app.add_option("--shaders", setup.shaders, shaders_help);
+}
+
 void parse_size(const std::string& text, int& width, int& height) {
   const auto x = text.find('x');
   const auto number = [&](std::size_t from, std::size_t to, int& out) {
@@ -282,6 +297,22 @@ RenderOptions resolve_render(const RawOptions& raw, RenderOptions o) {
   return o;
 }
 
+/// Says how the network is reached that options name.
+void resolve_network(const RawOptions& raw, BusConfig& bus) {
+  bus.interface = raw.lan.value_or("");
+  if (bus.profile.empty() && raw.lan) bus.profile = "lan";
+  if (bus.profile.empty() && !bus.peers.empty()) bus.profile = "wan";
+}
+
+SetupOptions resolve_setup(const RawOptions& raw, ClientOptions& o, SetupOptions setup) {
+  if (!raw.size.empty()) parse_size(raw.size, setup.width, setup.height);
+  resolve_network(raw, o.bus);
+  setup.bus = o.bus;
+  setup.name = raw.user_name.empty() ? login_name() : raw.user_name;
+  if (setup.shaders.empty()) setup.shaders = default_shader_dir();
+  return setup;
+}
+
 void resolve(const RawOptions& raw, ClientOptions& o) {
   parse_display(raw.display, o);
   if (o.monitor && o.display != Display::window && o.display != Display::stereo)
@@ -303,9 +334,7 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
     if (!address.empty()) (void)parse_device_address(address);
   o.join.language = parse_language(raw.language);
   o.join.name = raw.user_name.empty() ? login_name() : raw.user_name;
-  o.bus.interface = raw.lan.value_or("");
-  if (o.bus.profile.empty() && raw.lan) o.bus.profile = "lan";
-  if (o.bus.profile.empty() && !o.bus.peers.empty()) o.bus.profile = "wan";
+  resolve_network(raw, o.bus);
   o.bus.end = o.join.role == Role::observer ? BusEnd::observer : BusEnd::dissector;
   o.bus.arm = o.bus.end == BusEnd::dissector && !o.devices.arm.address.empty();
   if (o.shaders.empty()) o.shaders = default_shader_dir();
@@ -315,11 +344,13 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
 
 }  // namespace
 
-std::variant<ClientOptions, RenderOptions, int> parse_command_line(int argc, char** argv) {
+ClientCommand parse_command_line(int argc, char** argv) {
   ClientOptions o;
   RawOptions raw;
   CLI::App app{
       "Join or watch a dissecting room that a prosector-server hosts.\n"
+      "  prosector-client                                           a window to find, host and enter "
+      "sessions\n"
       "  prosector-client join --name NAME                          mouse and keyboard drive your hand\n"
       "  prosector-client join --name NAME --tracker fastrak:/dev/ttyS0 --glove 5dt:/dev/ttyS1 --display "
       "stereo\n"
@@ -327,7 +358,10 @@ std::variant<ClientOptions, RenderOptions, int> parse_command_line(int argc, cha
       "  prosector-client render SCENE --out DIR                    pictures of a scene file, no server",
       "prosector-client"};
   app.set_version_flag("--version", version_line("prosector-client"));
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
+  SetupOptions setup;
+  CLI::App* set_up = app.add_subcommand("setup", "The set-up window; also what comes without a command");
+  add_setup(*set_up, setup, o, raw);
   CLI::App* join = app.add_subcommand("join", "Take part: touch, hold and move");
   CLI::App* observe = app.add_subcommand("observe", "Watch: can disturb nothing, may come at any moment");
   for (CLI::App* command : {join, observe}) {
@@ -344,6 +378,7 @@ std::variant<ClientOptions, RenderOptions, int> parse_command_line(int argc, cha
   try {
     app.parse(argc, argv);
     if (render->parsed()) return resolve_render(raw, still);
+    if (app.get_subcommands().empty() || set_up->parsed()) return resolve_setup(raw, o, setup);
     o.join.role = !join->parsed() ? Role::observer : host ? Role::host : Role::dissector;
     resolve(raw, o);
   } catch (const CLI::ParseError& error) {

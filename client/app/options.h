@@ -48,7 +48,20 @@ struct ClientOptions {
   Shown shown = Shown::none;   // by soft bodies' colours; a desk user's V key changes it
 };
 
+/// What the set-up window is told.
+struct SetupOptions {
+  BusConfig bus;
+  std::string name;  // until somebody gives another one
+  std::filesystem::path scenes,
+      config;  // folder of scenes to host, the client's configuration; empty: the usual
+  std::filesystem::path shaders, layout_log;
+  int width = 1280, height = 720;
+  std::optional<double> scale;  // nullopt: as the desktop says
+};
+
+using ClientCommand = std::variant<SetupOptions, ClientOptions, RenderOptions, int>;
+
 /// Parses; on --help or a wrong line prints to the user and returns the exit code.
-std::variant<ClientOptions, RenderOptions, int> parse_command_line(int argc, char** argv);
+ClientCommand parse_command_line(int argc, char** argv);
 
 }  // namespace prosector

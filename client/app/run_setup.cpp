@@ -1,0 +1,89 @@
+#include "client/app/run_setup.h"
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "client/setup/anteroom.h"
+#include "client/setup/interface.h"
+#include "client/setup/layout_log.h"
+#include "client/setup/pages.h"
+#include "common/error.h"
+#include "common/paths.h"
+
+namespace prosector {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds picture_time{33}, idle_time{200};
+
+volatile std::sig_atomic_t setup_interrupted = 0;
+
+/// Shows the pages until somebody goes somewhere. Returns the command that leads there; none: the window was
+/// closed.
+std::optional<std::vector<std::string>> show_pages(const SetupOptions& o, Anteroom& room) {
+  auto window = make_window_context(o.width, o.height, "Prosector");
+  Interface ui(*window, o.shaders, o.scale.value_or(window->content_scale()));
+  Pages pages(room);
+  LayoutLog layout(o.layout_log);
+  Clock::time_point last = Clock::now(), busy = last;
+  while (setup_interrupted == 0) {
+    const std::vector<WindowEvent> events = window->poll_events();
+    for (const WindowEvent& event : events)
+      if (std::holds_alternative<CloseRequested>(event)) return std::nullopt;
+    ui.take(events);
+    const Clock::time_point now = Clock::now();
+    if (!events.empty() || ui.behind()) busy = now;
+    // Where nobody does anything, a picture now and then is enough.
+    if (now - busy > idle_time && now - last < idle_time) {
+      std::this_thread::sleep_for(picture_time / 2);
+      continue;
+    }
+    room.poll();
+    ui.draw(std::chrono::duration<double>(now - last).count(), [&] { pages.draw(ui); });
+    last = now;
+    window->present();
+    layout.write(ui, room.words());
+    if (auto entry = room.take_entry()) return entry;
+    std::this_thread::sleep_until(now + picture_time);
+  }
+  return std::nullopt;
+}
+
+/// Runs a client until it ends, while the room goes on. Interrupted, it interrupts the client.
+void visit(const std::vector<std::string>& command, Anteroom& room) {
+  try {
+    ChildProcess client(command);
+    while (!client.ended()) {
+      if (setup_interrupted != 0) client.interrupt();
+      std::this_thread::sleep_for(picture_time);
+      client.poll();
+      room.poll();
+    }
+    room.came_back(*client.ended(), client.lines().empty() ? "" : client.lines().back());
+  } catch (const InputError& error) {
+    room.say(error.what(), true);
+  }
+}
+
+}  // namespace
+
+int run_setup(const SetupOptions& options) {
+  std::signal(SIGINT, [](int) { setup_interrupted = 1; });
+  std::signal(SIGTERM, [](int) { setup_interrupted = 1; });
+  const std::filesystem::path config = default_config_dir();
+  Anteroom room({.bus = options.bus,
+                 .scenes = options.scenes.empty() ? shipped_scenes_dir(program_folder()) : options.scenes,
+                 .cache = default_cache_dir(),
+                 .memory = config / "anteroom.toml",
+                 .config = options.config.empty() ? config / "client.toml" : options.config});
+  if (room.memory.name.empty()) room.memory.name = options.name;
+  while (setup_interrupted == 0) {
+    const auto entry = show_pages(options, room);
+    if (!entry) break;
+    visit(*entry, room);
+  }
+  return 0;
+}
+
+}  // namespace prosector

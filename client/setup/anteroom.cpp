@@ -1,0 +1,108 @@
+#include "client/setup/anteroom.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "common/error.h"
+
+namespace prosector {
+
+Anteroom::Anteroom(AnteroomPlaces places)
+    : memory(recall(places.memory)),
+      places_(std::move(places)),
+      scenes_(places_.scenes, places_.cache),
+      search_(where()) {}
+
+/// Returns the network as it is looked at now.
+BusConfig Anteroom::where() const {
+  BusConfig out = places_.bus;
+  if (memory.lan && out.profile.empty()) out.profile = "lan";
+  return out;
+}
+
+void Anteroom::poll() {
+  scenes_.poll();
+  found_ = search_.result();
+  if (!hosting_) return;
+  hosting_->poll();
+  if (hosting_->over()) {
+    say(fmt::format("The session \"{}\" has ended: {}", hosting_->session(), hosting_->words()),
+        enters_when_open_);
+    hosting_.reset();
+    enters_when_open_ = false;
+  } else if (hosting_->open() && std::exchange(enters_when_open_, false)) {
+    enter(hosting_->session());
+  }
+}
+
+void Anteroom::look_on_lan(bool lan) {
+  memory.lan = lan;
+  search_.search(where());
+}
+
+void Anteroom::host(const std::filesystem::path& scene, const std::string& session) {
+  BusConfig at = where();
+  at.session = session;
+  try {
+    hosting_.reset();
+    hosting_ = std::make_unique<Hosting>(scene, at);
+    enters_when_open_ = true;
+    memory.scene = scene;
+    say(fmt::format("Opening \"{}\" …", session), false);
+  } catch (const InputError& error) {
+    say(error.what(), true);
+  }
+}
+
+void Anteroom::close_hosted() {
+  if (!hosting_) return;
+  say(fmt::format("The session \"{}\" is closed.", hosting_->session()), false);
+  hosting_.reset();
+}
+
+void Anteroom::enter(const std::string& session) {
+  note_entered(memory, session);
+  keep();
+  entry_ = entering(session);
+}
+
+std::vector<std::string> Anteroom::entering(const std::string& session) const {
+  const bool own = hosting_ && hosting_->session() == session;
+  std::vector<std::string> out = {program_folder() / "prosector-client", memory.watches ? "observe" : "join",
+                                  "--session", session};
+  if (!memory.name.empty()) out.insert(out.end(), {"--name", memory.name});
+  if (own && !memory.watches) out.push_back("--host");
+  for (std::string& word : network_words(where())) out.push_back(std::move(word));
+  if (!memory.watches && std::filesystem::exists(places_.config))
+    out.insert(out.end(), {"--config", places_.config});
+  return out;
+}
+
+std::optional<std::vector<std::string>> Anteroom::take_entry() {
+  return std::exchange(entry_, std::nullopt);
+}
+
+void Anteroom::came_back(int status, const std::string& words) {
+  if (status == 0)
+    say("You are back from the session.", false);
+  else
+    say(words.empty() ? fmt::format("The client ended with {}.", status) : words, true);
+  search_.search(where());
+}
+
+void Anteroom::say(std::string words, bool wrong) {
+  words_ = std::move(words);
+  wrong_ = wrong;
+}
+
+/// Keeps what was chosen, for the next time.
+void Anteroom::keep() {
+  try {
+    remember(memory, places_.memory);
+  } catch (const InputError& error) {
+    say(error.what(), true);
+  }
+}
+
+}  // namespace prosector

@@ -1,0 +1,68 @@
+#include "client/setup/anteroom_memory.h"
+
+#define TOML_EXCEPTIONS 1
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "common/error.h"
+#include "common/regular_file.h"
+#include "common/toml_nesting.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t most_bytes = 65536;
+
+}  // namespace
+
+AnteroomMemory recall(const std::filesystem::path& file) {
+  AnteroomMemory out;
+  try {
+    const std::string text = read_regular_file(file, most_bytes);
+    check_nesting(text, file.string());
+    const toml::table table = toml::parse(text, file.string());
+    out.name = table["name"].value_or(std::string());
+    out.watches = table["watches"].value_or(false);
+    out.lan = table["lan"].value_or(false);
+    out.scene = table["scene"].value_or(std::string());
+    if (const toml::array* entered = table["entered"].as_array())
+      for (const toml::node& node : *entered)
+        if (const auto session = node.value<std::string>(); session && out.entered.size() < most_entered)
+          out.entered.push_back(*session);
+  } catch (const InputError&) {
+  } catch (const toml::parse_error&) {
+  }
+  return out;
+}
+
+void remember(const AnteroomMemory& memory, const std::filesystem::path& file) {
+  toml::array entered;
+  for (const std::string& session : memory.entered) entered.push_back(session);
+  const toml::table table{{"name", memory.name},
+                          {"watches", memory.watches},
+                          {"lan", memory.lan},
+                          {"scene", memory.scene.string()},
+                          {"entered", entered}};
+  std::ostringstream text;
+  text << "# What was chosen last in Prosector's set-up window.\n" << table << "\n";
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  std::filesystem::path fresh = file;
+  fresh += ".new";
+  std::ofstream out(fresh);
+  out << text.str();
+  out.close();
+  if (out) std::filesystem::rename(fresh, file, error);
+  if (!out || error) throw InputError(file.string() + ": cannot be written");
+}
+
+void note_entered(AnteroomMemory& memory, const std::string& session) {
+  std::erase(memory.entered, session);
+  memory.entered.insert(memory.entered.begin(), session);
+  if (memory.entered.size() > most_entered) memory.entered.resize(most_entered);
+}
+
+}  // namespace prosector

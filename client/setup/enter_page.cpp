@@ -1,0 +1,183 @@
+#include "client/setup/enter_page.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "client/setup/words.h"
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+constexpr float picture_aspect = 16.f / 9;
+constexpr int scenes_across = 3;
+
+/// Returns why nobody can enter a session; empty: one can.
+std::string refusal(const FoundSession& session) {
+  if (!session.speaks_our_version())
+    return fmt::format("It speaks version {} of the protocol, this program version {}: install the same.",
+                       session.info.version, protocol_version);
+  if (session.full())
+    return fmt::format("It is full: it has place for {}, observers included.", session.info.capacity);
+  return {};
+}
+
+}  // namespace
+
+void EnterPage::draw(Interface& ui, Anteroom& room) {
+  draw_person(ui, room);
+  const float width = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
+  const float left = std::floor(0.36f * width);
+  ImGui::BeginChild("sessions", {left, 0}, true);
+  draw_sessions(ui, room);
+  ImGui::EndChild();
+  ImGui::SameLine(0, gap);
+  ImGui::BeginChild("scenes", {0, 0}, true);
+  draw_scenes(ui, room);
+  ImGui::EndChild();
+}
+
+void EnterPage::draw_person(Interface& ui, Anteroom& room) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Your name");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(220 * static_cast<float>(ui.scale()));
+  ImGui::InputText("##name", &room.memory.name);
+  ui.note("name");
+  ImGui::SameLine(0, 2 * ImGui::GetStyle().ItemSpacing.x);
+  if (ImGui::RadioButton("take part", !room.memory.watches)) room.memory.watches = false;
+  ui.note("take part");
+  ImGui::SameLine();
+  if (ImGui::RadioButton("watch", room.memory.watches)) room.memory.watches = true;
+  ui.note("watch");
+  ImGui::SameLine(0, 2 * ImGui::GetStyle().ItemSpacing.x);
+  bool lan = room.memory.lan;
+  if (ImGui::Checkbox("the local network, too", &lan)) room.look_on_lan(lan);
+  ui.note("lan");
+}
+
+void EnterPage::draw_sessions(Interface& ui, Anteroom& room) {
+  const SearchResult& found = room.found();
+  title(room.memory.lan ? "Sessions on the local network" : "Sessions on this machine");
+  if (!found.problem.empty())
+    warning(found.problem);
+  else if (found.rounds == 0)
+    quiet("Looking …");
+  else if (found.sessions.empty())
+    quiet("There is none yet. Host one: choose a scene.");
+  const FoundSession* chosen = nullptr;
+  for (const FoundSession& session : found.sessions) {
+    const std::string& name = session.info.session;
+    const std::string label = fmt::format("{}  ·  {}  ·  {}###{}", name, session.info.scene,
+                                          count_words(session.people.size(), "person", "people"), name);
+    if (ImGui::Selectable(label.c_str(), name == session_)) session_ = name;
+    ui.note("session " + name);
+    if (name == session_) chosen = &session;
+  }
+  if (chosen == nullptr && !found.sessions.empty()) session_ = found.sessions.front().info.session;
+  if (chosen != nullptr) draw_session(ui, room, *chosen);
+}
+
+void EnterPage::draw_session(Interface& ui, Anteroom& room, const FoundSession& session) {
+  ImGui::Separator();
+  const auto scene = std::find_if(room.scenes().scenes().begin(), room.scenes().scenes().end(),
+                                  [&](const ListedScene& s) { return s.name == session.info.scene; });
+  if (scene != room.scenes().scenes().end()) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (void* texture = picture(ui, *scene)) ImGui::Image(texture, {width, width / picture_aspect});
+    wrapped(scene->description);
+  }
+  std::string people;
+  for (const std::string& person : session.people) people += (people.empty() ? "" : ", ") + person;
+  wrapped(people.empty() ? "Nobody is in." : "In it: " + people + ".");
+  if (const std::string why = refusal(session); !why.empty()) {
+    warning(why);
+    return;
+  }
+  if (ImGui::Button(room.memory.watches ? "Watch it" : "Enter", {ImGui::GetContentRegionAvail().x, 0}))
+    room.enter(session.info.session);
+  ui.note("enter");
+  std::vector<std::string> command = room.entering(session.info.session);
+  command.front() = std::filesystem::path(command.front()).filename();
+  quiet(shell_line(command));
+}
+
+void EnterPage::draw_scenes(Interface& ui, Anteroom& room) {
+  title("Host a session");
+  const std::vector<ListedScene>& scenes = room.scenes().scenes();
+  if (!scene_chosen_) {
+    scene_chosen_ = true;
+    const auto last = std::find_if(scenes.begin(), scenes.end(),
+                                   [&](const ListedScene& s) { return s.file == room.memory.scene; });
+    if (last != scenes.end()) scene_ = static_cast<std::size_t>(last - scenes.begin());
+  }
+  const float below = ImGui::GetFrameHeightWithSpacing() + 3 * ImGui::GetTextLineHeightWithSpacing();
+  ImGui::BeginChild("grid", {0, -below});
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width =
+      std::floor((ImGui::GetContentRegionAvail().x - (scenes_across - 1) * gap) / scenes_across);
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    if (k % scenes_across != 0) ImGui::SameLine(0, gap);
+    ImGui::BeginGroup();
+    ImGui::PushID(static_cast<int>(k));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = std::floor(width / picture_aspect);
+    if (ImGui::Selectable("##scene", k == scene_, ImGuiSelectableFlags_None,
+                          {width, height + ImGui::GetTextLineHeightWithSpacing() + 4}))
+      scene_ = k;
+    ui.note("scene " + scenes[k].name);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 low{at.x + 4, at.y + 4}, high{at.x + width - 4, at.y + height - 2};
+    if (void* texture = picture(ui, scenes[k]))
+      list.AddImage(texture, low, high);
+    else
+      list.AddRectFilled(low, high, IM_COL32(255, 255, 255, 16));
+    list.AddText({at.x + 6, at.y + height + 2}, ImGui::GetColorU32(ImGuiCol_Text), scenes[k].name.c_str());
+    ImGui::PopID();
+    ImGui::EndGroup();
+  }
+  ImGui::EndChild();
+  if (scene_ < scenes.size()) {
+    wrapped(scenes[scene_].description);
+    if (!scenes[scene_].problem.empty()) warning(scenes[scene_].problem);
+  }
+  draw_hosting(ui, room);
+}
+
+void EnterPage::draw_hosting(Interface& ui, Anteroom& room) {
+  const std::vector<ListedScene>& scenes = room.scenes().scenes();
+  if (const Hosting* hosting = room.hosting()) {
+    wrapped(hosting->open() ? fmt::format("You host \"{}\".", hosting->session())
+                            : fmt::format("Opening \"{}\": {}", hosting->session(), hosting->words()));
+    if (hosting->open()) {
+      if (ImGui::Button("Enter your session")) room.enter(hosting->session());
+      ui.note("enter own");
+      ImGui::SameLine();
+    }
+    if (ImGui::Button("Close it for everyone")) room.close_hosted();
+    ui.note("close");
+    return;
+  }
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Called");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(200 * static_cast<float>(ui.scale()));
+  ImGui::InputText("##hosted", &hosted_name_);
+  ui.note("hosted name");
+  ImGui::SameLine();
+  if (ImGui::Button("Host and enter") && scene_ < scenes.size()) room.host(scenes[scene_].file, hosted_name_);
+  ui.note("host");
+}
+
+void* EnterPage::picture(Interface& ui, const ListedScene& scene) {
+  if (!scene.picture) return nullptr;
+  void*& texture = textures_[scene.file.string()];
+  if (texture == nullptr) texture = ui.texture_of(*scene.picture);
+  return texture;
+}
+
+}  // namespace prosector

@@ -1,0 +1,10 @@
+// Controls and their letters: a texture that is tinted. No lamp lights them.
+
+uniform sampler2D picture;
+
+in vec2 texture_place;
+in vec4 tint;
+
+out vec4 color;
+
+void main() { color = tint * texture(picture, texture_place); }

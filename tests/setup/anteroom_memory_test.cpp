@@ -1,0 +1,70 @@
+// What the set-up window keeps for the next time.
+#include "client/setup/anteroom_memory.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "common/error.h"
+#include "tests/random.h"
+#include "tests/session/temporary_file.h"
+
+namespace prosector::test {
+namespace {
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+}
+
+TEST(AnteroomMemory, ComesBackAsItWasKept) {
+  const TemporaryFile file("anteroom.toml");
+  AnteroomMemory memory{"Ada \"the\" Ünïcode", true, true, "/tmp/scénes/a b.toml", {"two", "one"}};
+  remember(memory, file.path);
+  const AnteroomMemory back = recall(file.path);
+  EXPECT_EQ(back.name, memory.name);
+  EXPECT_EQ(back.watches, memory.watches);
+  EXPECT_EQ(back.lan, memory.lan);
+  EXPECT_EQ(back.scene, memory.scene);
+  EXPECT_EQ(back.entered, memory.entered);
+}
+
+TEST(AnteroomMemory, WhatIsMissingOrDamagedIsAsGoodAsNone) {
+  const TemporaryFile file("anteroom.toml");
+  EXPECT_EQ(recall(file.path).name, "");
+  for (const char* text :
+       {"name = ", "name = 3\nwatches = \"yes\"\nentered = 7", "[[[[", "entered = [1, [2], \"x\"]"}) {
+    write(file.path, text);
+    const AnteroomMemory back = recall(file.path);
+    EXPECT_EQ(back.name, "") << text;
+    EXPECT_FALSE(back.watches) << text;
+  }
+}
+
+TEST(AnteroomMemory, NoBytesHurt) {
+  const TemporaryFile file("anteroom.toml");
+  std::mt19937_64 random(3);
+  const std::string good = "name = 'Ada'\nwatches = true\nentered = ['a', 'b']\n";
+  for (int k = 0; k < 300; ++k) {
+    std::string text = good;
+    for (int n = 0; n < 4; ++n) text[random() % text.size()] = static_cast<char>(random());
+    write(file.path, text);
+    EXPECT_LE(recall(file.path).entered.size(), most_entered);
+  }
+}
+
+TEST(AnteroomMemory, KeepsTheLastSessionsEachOnce) {
+  AnteroomMemory memory;
+  for (int k = 0; k < 20; ++k) note_entered(memory, std::to_string(k % 12));
+  EXPECT_EQ(memory.entered.size(), most_entered);
+  EXPECT_EQ(memory.entered.front(), "7");
+  note_entered(memory, "5");
+  EXPECT_EQ(memory.entered.front(), "5");
+  EXPECT_EQ(std::count(memory.entered.begin(), memory.entered.end(), "5"), 1);
+}
+
+TEST(AnteroomMemory, SaysWhereItCannotBeKept) {
+  EXPECT_THROW(remember({}, "/proc/nowhere/anteroom.toml"), InputError);
+}
+
+}  // namespace
+}  // namespace prosector::test
