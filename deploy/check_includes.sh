@@ -38,8 +38,9 @@ forbid "physics and its calibration know no network and no session" '(idl|server
   $(sources 'server/(physics|calibration)/')
 forbid "of idl, others include its bus headers only: idl/wire and idl/dds are its own" 'idl/(wire|dds)/' \
   $(sources '(server|client)/')
-forbid "of drivers, the client's stations include device.h and the driver table only" \
-  'drivers/[a-z0-9_]+/' $(sources client/)
+only "of drivers' folders, the client includes what calibration fits" 'drivers/[a-z0-9_]+/' 'drivers/fitting/' \
+  $(sources client/)
+forbid "drivers know nothing of calibration but what it fits" 'drivers/fitting/' $(sources drivers/ '^drivers/fitting/')
 forbid "only idl knows DDS" '(dds/|ddsc/|prosector\.h)' $(sources '(common|drivers|server|client)/')
 # bullet_types.h hands Bullet on, so including it counts as including Bullet.
 forbid "Bullet only in server/physics/rigid, panel_motion.cpp, convex_hull.cpp and the contact .cpp files of server/physics" \
