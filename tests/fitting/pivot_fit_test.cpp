@@ -13,7 +13,6 @@
 namespace prosector {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 const Vec3 tip(0.01, -0.02, -0.118);  // 120 mm from the receiver
 const Vec3 pivot(0.3, -0.1, 0.4);
 

@@ -9,8 +9,9 @@
 
 namespace prosector {
 
-inline constexpr double fastrak_noise = 0.8e-3;                              // m RMS, all three axes together
-inline constexpr double fastrak_turn_noise = 0.15 * std::numbers::pi / 180;  // rad RMS, all three together
+inline constexpr double degree = std::numbers::pi / 180;
+inline constexpr double fastrak_noise = 0.8e-3;              // m RMS, all three axes together
+inline constexpr double fastrak_turn_noise = 0.15 * degree;  // rad RMS, all three together
 
 class SimulatedTracker {
  public:

@@ -1,0 +1,156 @@
+#include "drivers/fitting/field_fit.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <cmath>
+
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t folds = 5;
+constexpr std::array<double, 3> smoothings = {1e-3, 1e-2, 1e-1};
+constexpr int most_tried_degree = 6;
+constexpr double least_box = 0.05;  // m, each side
+
+/// Returns rows of what the map must give: shift, and the turn from the reported to the true orientation.
+FieldTerms wanted(std::span<const FieldSample> samples) {
+  FieldTerms out(static_cast<Eigen::Index>(samples.size()), 7);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    Quat turn = samples[i].truth.q * samples[i].reported.q.conjugate();
+    if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
+    out.row(row) << (samples[i].truth.p - samples[i].reported.p).transpose(), turn.w(), turn.x(), turn.y(),
+        turn.z();
+  }
+  return out;
+}
+
+/// Sets the box that the reported places fill.
+void set_box(std::span<const FieldSample> samples, FieldMap& map) {
+  Vec3 low = samples.front().reported.p, high = low;
+  for (const FieldSample& s : samples) {
+    low = low.cwiseMin(s.reported.p);
+    high = high.cwiseMax(s.reported.p);
+  }
+  map.centre = (low + high) / 2;
+  map.half = (high - low) / 2;
+}
+
+/// Returns every fifth sample from `fold` on, or all others.
+std::vector<FieldSample> part(std::span<const FieldSample> samples, std::size_t fold, bool left_out) {
+  std::vector<FieldSample> out;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    // Neighbours on a grid fall into different folds.
+    if (((i * 7 + i / folds) % folds == fold) == left_out) out.push_back(samples[i]);
+  return out;
+}
+
+PoseErrors cross_validated(std::span<const FieldSample> samples, const FieldTrial& form) {
+  double squares = 0, turns = 0;
+  for (std::size_t fold = 0; fold < folds; ++fold) {
+    const FieldMap map = fit_field_form(part(samples, fold, false), form);
+    const std::vector<FieldSample> left_out = part(samples, fold, true);
+    const PoseErrors e = pose_errors(left_out, &map);
+    squares += e.position * e.position * static_cast<double>(left_out.size());
+    turns += e.turn * e.turn * static_cast<double>(left_out.size());
+  }
+  const auto n = static_cast<double>(samples.size());
+  return {std::sqrt(squares / n), std::sqrt(turns / n)};
+}
+
+std::vector<FieldTrial> forms_for(std::size_t samples) {
+  std::vector<FieldTrial> out;
+  const std::size_t fitted = samples - samples / folds - 1;
+  for (int degree = 0; degree <= most_tried_degree; ++degree)
+    if (2 * field_term_count(degree) <= fitted) out.push_back({.degree = degree});
+  for (const double smoothing : smoothings)
+    out.push_back({.degree = 1, .spline = true, .smoothing = smoothing});
+  return out;
+}
+
+}  // namespace
+
+std::string FieldTrial::name() const {
+  return spline ? fmt::format("spline, smoothing {}", smoothing)
+                : fmt::format("polynomial of degree {}", degree);
+}
+
+FieldMap fit_field_form(std::span<const FieldSample> samples, const FieldTrial& form) {
+  FieldMap map;
+  map.degree = form.degree;
+  set_box(samples, map);
+  const FieldTerms right = wanted(samples);
+  const auto n = static_cast<Eigen::Index>(samples.size());
+  const auto terms = static_cast<Eigen::Index>(field_term_count(form.degree));
+  Eigen::MatrixXd polynomials(n, terms);
+  std::vector<Vec3> places;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    places.push_back(map.scaled(samples[static_cast<std::size_t>(i)].reported.p));
+    polynomials.row(i) = field_terms(places.back(), form.degree).transpose();
+  }
+  if (!form.spline) {
+    map.polynomial = polynomials.colPivHouseholderQr().solve(right);
+    map.weights.resize(0, 7);
+    return map;
+  }
+  // [K − λI, P; Pᵀ, 0] [w; a] = [y; 0], K_ij = |x_i − x_j|: K is negative definite where Pᵀ w = 0.
+  Eigen::MatrixXd m = Eigen::MatrixXd::Zero(n + terms, n + terms);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j)
+      m(i, j) = i == j ? -form.smoothing
+                       : (places[static_cast<std::size_t>(i)] - places[static_cast<std::size_t>(j)]).norm();
+  m.topRightCorner(n, terms) = polynomials;
+  m.bottomLeftCorner(terms, n) = polynomials.transpose();
+  Eigen::MatrixXd y = Eigen::MatrixXd::Zero(n + terms, 7);
+  y.topRows(n) = right;
+  const Eigen::MatrixXd solution = m.partialPivLu().solve(y);
+  map.nodes = std::move(places);
+  map.weights = solution.topRows(n);
+  map.polynomial = solution.bottomRows(terms);
+  return map;
+}
+
+FieldFit fit_field(std::span<const FieldSample> samples) {
+  if (samples.size() < least_field_samples)
+    throw InputError(
+        fmt::format("{} places: at least {} are needed (a grid of 3 an axis), and 343 are better",
+                    samples.size(), least_field_samples));
+  FieldFit fit;
+  set_box(samples, fit.map);
+  if (fit.map.half.minCoeff() < least_box / 2)
+    throw InputError(fmt::format(
+        "the places fill a box of {:.0f} × {:.0f} × {:.0f} mm: each side must be at least {:.0f} mm",
+        2e3 * fit.map.half.x(), 2e3 * fit.map.half.y(), 2e3 * fit.map.half.z(), 1e3 * least_box));
+  const PoseErrors raw = pose_errors(samples, nullptr);
+  fit.before = raw.position;
+  fit.turn_before = raw.turn;
+  for (FieldTrial form : forms_for(samples.size())) {
+    const PoseErrors e = cross_validated(samples, form);
+    form.error = e.position;
+    form.turn_error = e.turn;
+    if (fit.trials.empty() || form.error < fit.chosen.error) fit.chosen = form;
+    fit.trials.push_back(form);
+  }
+  fit.map = fit_field_form(samples, fit.chosen);
+  fit.map.before = fit.before;
+  fit.map.after = fit.after = fit.chosen.error;
+  fit.turn_after = fit.chosen.turn_error;
+  return fit;
+}
+
+PoseErrors pose_errors(std::span<const FieldSample> samples, const FieldMap* map) {
+  PoseErrors out;
+  for (const FieldSample& s : samples) {
+    const Pose x = map == nullptr ? s.reported : map->apply(s.reported);
+    const double turn = x.q.angularDistance(s.truth.q);
+    out.position += (x.p - s.truth.p).squaredNorm() / static_cast<double>(samples.size());
+    out.turn += turn * turn / static_cast<double>(samples.size());
+  }
+  return {std::sqrt(out.position), std::sqrt(out.turn)};
+}
+
+}  // namespace prosector
