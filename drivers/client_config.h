@@ -1,6 +1,6 @@
 #pragma once
 // The client's configuration file (TOML): which devices, how they stand in the room, what gestures do.
-// deploy/client.toml is a documented sample.
+// client_config_table.h has every key; deploy/client.toml is a documented sample.
 
 #include <array>
 #include <filesystem>
@@ -14,8 +14,9 @@
 
 namespace prosector {
 
-/// What a tracker's receiver is fixed to.
-enum class StationRole : std::uint8_t { none, head, left_hand, right_hand };
+/// What a tracker's receiver is fixed to. `instrument`: what touches points when the tracker is calibrated;
+/// no hand.
+enum class StationRole : std::uint8_t { none, head, left_hand, right_hand, instrument };
 
 /// What making a gesture asks for. `panel`: the panel of the part that the hand touches or points at, or away
 /// with one's own that is open. `parts`: the list of parts on a board, or away with it.
@@ -35,12 +36,20 @@ struct ArmSettings {
   unsigned dead_man = 0;  // the button, from 1, without which there is no force; 0: none is needed
 };
 
+/// What was measured of a user's eyes and display; each takes the place of the stereo profile's.
+struct EyeSettings {
+  std::optional<double> distance;                      // m, between the pupils
+  std::optional<double> fov_horizontal, fov_vertical;  // rad, each eye
+  std::optional<double> convergence;                   // m: where both pictures coincide
+};
+
 struct ClientConfig {
   std::string tracker;  // address; empty: no tracker
   DeviceConfig tracker_device;
   std::array<StationRole, max_stations> stations{StationRole::right_hand};
   std::array<GloveSettings, 2> gloves;  // left_hand, right_hand; `left` is set
   ArmSettings arm;
+  EyeSettings eyes;
   std::map<Gesture, GestureEvent> gestures = {{Gesture::fist, GestureEvent::grasp},
                                               {Gesture::pinch, GestureEvent::grasp},
                                               {Gesture::flat, GestureEvent::release},
@@ -53,7 +62,8 @@ struct ClientConfig {
 /// Reads the client's configuration. Throws InputError with file, line, key and what is allowed; unknown keys
 /// are errors.
 ClientConfig load_client_config(const std::filesystem::path& file);
-/// Reads the configuration from text; `file` is only for messages.
+/// Reads the configuration from text; `file` is for messages, and files that it names are looked for beside
+/// it.
 ClientConfig parse_client_config(std::string_view toml, const std::string& file);
 
 }  // namespace prosector

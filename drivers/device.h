@@ -89,8 +89,9 @@ struct DeviceConfig {
   Vec3 hemisphere = {1, 0, 0};  // fastrak: zenith of the operational hemisphere, transmitter frame
   bool boresight = false;       // fastrak: boresight every station when it starts
   std::optional<std::array<double, 9>> alignment;  // fastrak: O, X, Y points of the alignment frame, cm
-  bool left = false;                               // glove: left hand
-  double closed_above = 0.65, open_below = 0.35;   // glove: gesture thresholds, flexion
+  std::string field_map;  // fastrak: file that puts poses right where metal bends the field; empty: none
+  bool left = false;      // glove: left hand
+  double closed_above = 0.65, open_below = 0.35;  // glove: gesture thresholds, flexion
   double hysteresis = 0.05;                     // glove: how far past its threshold a finger keeps its state
   bool pinch = false;                           // glove: thumb and index closed, the others open, is a pinch
   bool falls_on_bending = false;                // glove: counts fall when a finger bends (some USB gloves)

@@ -50,6 +50,7 @@ std::vector<std::string> fastrak_commands(const DeviceConfig& config) {
 FastrakDevice::FastrakDevice(const std::string& path, const DeviceConfig& config)
     : StreamDevice(path, fastrak_baud),
       config_(config),
+      chain_(config),
       format_{config.binary, {2, 11, 1}},
       commands_(fastrak_commands(config)) {}
 
@@ -165,7 +166,7 @@ DeviceSample FastrakDevice::sample(const fastrak::Record& record) {
   out.has_pose = record.error == ' ';  // with an error the device itself doesn't trust the pose
   const Pose transmitter = {metres_per_cm * Vec3(p[0], p[1], p[2]),
                             Quat(q[0], q[1], q[2], q[3]).normalized()};
-  out.pose = config_.room_device * fastrak::from_transmitter(transmitter) * config_.mount[record.station];
+  out.pose = chain_.room(fastrak::from_transmitter(transmitter), record.station);
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drivers/fastrak_record.h"
+#include "drivers/pose_chain.h"
 #include "drivers/stream_device.h"
 
 namespace prosector {
@@ -38,6 +39,7 @@ class FastrakDevice final : public StreamDevice {
   DeviceSample sample(const fastrak::Record& record);
 
   DeviceConfig config_;
+  PoseChain chain_;
   fastrak::Format format_;
   std::vector<std::string> commands_;
   Phase phase_ = Phase::stopping;

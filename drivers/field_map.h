@@ -1,14 +1,18 @@
 #pragma once
 // How a magnetic field that metal bends makes a tracker's poses wrong, and how they are put right.
 //
-// With the place x = (p − centre)/half that a receiver reports, scaled to the cube ±1, what is added is
+// The place that a receiver reports is scaled to the cube ±1: x = (p − centre)/half. What is added there is
+//
 //   y(x) = Σ_j a_j T_j(x) + Σ_i w_i |x − x_i|
-// T_j are products of Chebyshev polynomials of a total degree, and the second sum is a spline: |r| is the
-// Green's function of the biharmonic equation in space, so this is the surface that bends least (Duchon
-// 1977). Without nodes x_i it is a polynomial. y has seven numbers: the shift of the position in metres, and
-// the quaternion by which the orientation is multiplied from the left, normalised (quaternion form: Ikits,
-// Brederson, Hansen and Hollerbach 2001; surveys: Kindratenko 2000). Frame: the device's, x right, y up, −z
-// forward. Beyond the sampled box the correction is that of the box' nearest place.
+//
+// T_j are products of Chebyshev polynomials up to a total degree. The second sum is a spline: |r| is the
+// Green's function of the biharmonic equation in space, so it bends least of all that fit (Duchon 1977).
+// Without nodes x_i the map is a polynomial.
+//
+// y has seven numbers: the shift of the position in metres, then a quaternion. It is normalised and
+// multiplies the orientation from the left (Ikits, Brederson, Hansen and Hollerbach 2001; survey: Kindratenko
+// 2000). Frame: the device's, x right, y up, −z forward. Beyond the sampled box the correction is that of its
+// nearest place.
 
 #include <filesystem>
 #include <string>

@@ -8,7 +8,7 @@ namespace prosector {
 namespace {
 
 constexpr unsigned glove_baud = 19200;
-constexpr std::int64_t answer_ns = 500'000'000;
+constexpr std::int64_t glove_answer_ns = 500'000'000;
 constexpr double serial_least_span = 16;  // of 255 counts
 constexpr double usb_least_span = 40;     // of 4095 counts, of which about 500 are used
 
@@ -42,7 +42,7 @@ void FiveDtSerialGlove::started(std::int64_t now_ns) {
   buffer().clear();
   send(std::string_view(&five_dt::reset_command, 1));
   streaming_ = false;
-  due_ns_ = now_ns + answer_ns;
+  due_ns_ = now_ns + glove_answer_ns;
 }
 
 void FiveDtSerialGlove::advance(std::int64_t now_ns) {

@@ -67,7 +67,7 @@ void DeviceRig::take_tracker(const DeviceSample& sample) {
     input_.head_tracked = true;
     input_.head = sample.pose;
     head_seen_ns_ = sample.time_ns;
-  } else if (role != StationRole::none) {
+  } else if (role == StationRole::right_hand || role == StationRole::left_hand) {
     const std::size_t hand = role == StationRole::right_hand ? right_hand : left_hand;
     input_.hands[hand].tracked = true;
     input_.hands[hand].pose = sample.pose;

@@ -285,8 +285,9 @@ std::string FastrakTwin::status_record() const {
 
 FastrakTwin::Reading FastrakTwin::measure(std::size_t station, std::int64_t now_ns) {
   const Station& s = settings_.stations[station];
-  const Pose room = options_.script.pose(station, clock_.seconds(now_ns), options_.timing.loop);
-  Pose seen = fastrak::to_transmitter(options_.room_device.inverse() * room);
+  const Pose moved = options_.script.pose(station, clock_.seconds(now_ns), options_.timing.loop);
+  const Pose device = options_.room_device.inverse() * moved * options_.tip.inverse();
+  Pose seen = fastrak::to_transmitter(options_.field.report(device));
   seen.p *= 100;  // m to cm
   std::normal_distribution<double> normal;
   if (options_.noise_cm > 0)

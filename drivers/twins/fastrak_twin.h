@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "drivers/fastrak_record.h"
+#include "drivers/twins/bent_field.h"
 #include "drivers/twins/motion_script.h"
 #include "drivers/twins/twin.h"
 
@@ -16,6 +17,8 @@ namespace prosector {
 struct FastrakTwinOptions {
   MotionScript script;
   Pose room_device;  // pose of the transmitter (x right, y up, −z forward) in the room
+  Pose tip;          // what the script moves, in the receiver's frame: an instrument's tip
+  BentField field;   // as metal bends it
   TwinTiming timing;
   double noise_cm = 0, noise_deg = 0;  // standard deviations
   std::uint64_t seed = 1;

@@ -13,6 +13,17 @@ int main(int argc, char** argv) {
   app.add_option("--room-device", room, "x,y,z,qw,qx,qy,qz: pose of the transmitter in the room")
       ->expected(7)
       ->delimiter(',');
+  std::vector<double> tip = {0, 0, 0}, metal = {0, 0, 0, 0, 0};
+  app.add_option("--tip", tip,
+                 "x,y,z: what the script moves is this point of an instrument, in its receiver's frame, m")
+      ->expected(3)
+      ->delimiter(',');
+  app.add_option("--distortion", metal,
+                 "x,y,z,mm,deg: metal there, in the transmitter's frame (x right, y up, m), shifts and turns "
+                 "by so much "
+                 "half a metre beside it")
+      ->expected(5)
+      ->delimiter(',');
   app.add_option("--noise-cm", fastrak.noise_cm, "standard deviation of positions")
       ->check(CLI::Range(0.0, 100.0));
   app.add_option("--noise-deg", fastrak.noise_deg, "standard deviation of orientations")
@@ -25,6 +36,10 @@ int main(int argc, char** argv) {
     fastrak.script = std::move(script);
     fastrak.room_device = {Vec3(room[0], room[1], room[2]),
                            Quat(room[3], room[4], room[5], room[6]).normalized()};
+    fastrak.tip.p = Vec3(tip.data());
+    fastrak.field.metal = Vec3(metal.data());
+    fastrak.field.shift = 1e-3 * metal[3];
+    fastrak.field.turn = metal[4] * M_PI / 180;
     fastrak.timing = options.timing;
     fastrak.seed = options.seed;
     return std::make_unique<FastrakTwin>(fastrak, now_ns);

@@ -1,0 +1,533 @@
+#include "drivers/client_config_table.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "common/error.h"
+#include "drivers/gesture.h"
+
+namespace prosector {
+namespace {
+
+constexpr double max_device_count = 65535;
+constexpr double max_frame_point = 10;  // m
+constexpr double cm_per_m = 100;
+constexpr double degree = std::numbers::pi / 180;
+
+using Keys = std::vector<ConfigKey>;
+using Numbers = std::vector<double>;
+
+struct RoleName {
+  const char* name;
+  StationRole role;
+  const char* help;
+};
+constexpr std::array<RoleName, 4> role_names = {
+    {{"head", StationRole::head, "the head; its pose is the point between the eyes"},
+     {"right", StationRole::right_hand, "the right hand; its pose is the wrist"},
+     {"left", StationRole::left_hand, "the left hand; its pose is the wrist"},
+     {"instrument", StationRole::instrument,
+      "an instrument that touches points in calibration; its pose is the tip"}}};
+
+struct EventName {
+  const char* name;
+  GestureEvent event;
+};
+constexpr std::array<EventName, 6> event_names = {{{"none", GestureEvent::none},
+                                                   {"grasp", GestureEvent::grasp},
+                                                   {"release", GestureEvent::release},
+                                                   {"reset", GestureEvent::reset},
+                                                   {"panel", GestureEvent::panel},
+                                                   {"parts", GestureEvent::parts}}};
+
+/// Makes a key of a member that is found by `in`: flags, numbers and texts.
+template <class T>
+ConfigKey plain(std::string name, std::string member, T& (*in)(ClientConfig&), std::string unit,
+                std::string help) {
+  ConfigKey key;
+  key.name = std::move(name);
+  key.member = std::move(member);
+  key.unit = std::move(unit);
+  key.help = std::move(help);
+  key.type = std::is_same_v<T, bool>          ? ConfigType::flag
+             : std::is_same_v<T, std::string> ? ConfigType::text
+                                              : ConfigType::number;
+  key.set = [in](ClientConfig& c, const ConfigValue& v) { in(c) = std::get<T>(v); };
+  key.get = [in](const ClientConfig& c) -> std::optional<ConfigValue> {
+    ClientConfig copy = c;
+    return ConfigValue(in(copy));
+  };
+  return key;
+}
+
+ConfigKey ranged(ConfigKey key, double least, double most) {
+  key.least = least;
+  key.most = most;
+  return key;
+}
+
+/// Makes the key of a table's address, which must name a driver.
+ConfigKey address(std::string name, std::string member, std::string& (*in)(ClientConfig&),
+                  std::string example, std::string help, bool arm) {
+  ConfigKey key = plain<std::string>(std::move(name), std::move(member), in, "", std::move(help));
+  key.needed = std::move(example);
+  key.set = [in, arm, needed = key.needed](ClientConfig& c, const ConfigValue& v) {
+    in(c) = std::get<std::string>(v);
+    if (in(c).empty()) throw InputError(fmt::format("must be given, as in {}", needed));
+    if (arm)
+      (void)parse_arm_address(in(c));
+    else
+      (void)parse_device_address(in(c));
+  };
+  key.get = [in](const ClientConfig& c) -> std::optional<ConfigValue> {
+    ClientConfig copy = c;
+    if (in(copy).empty()) return std::nullopt;
+    return ConfigValue(in(copy));
+  };
+  return key;
+}
+
+using FindPose = std::function<Pose*(ClientConfig&)>;  // nullptr: there is none
+
+/// Adds `position` and `orientation` of a pose. Without `shown`, the file has none by default.
+void add_pose(Keys& keys, const std::string& table, const std::string& member, const FindPose& in,
+              const std::string& what, bool shown = true) {
+  const auto pose_of = [in, shown](const ClientConfig& c) -> std::optional<Pose> {
+    ClientConfig copy = c;
+    const Pose* pose = in(copy);
+    if (pose == nullptr || (!shown && pose->p.isZero() && pose->q.isApprox(Quat::Identity())))
+      return std::nullopt;
+    return *pose;
+  };
+  ConfigKey position;
+  position.name = table + ".position";
+  position.member = member + ".p";
+  position.type = ConfigType::numbers;
+  position.count = 3;
+  position.most = max_coordinate;
+  position.unit = "m";
+  position.help = what;
+  position.set = [in](ClientConfig& c, const ConfigValue& v) {
+    in(c)->p = Vec3(std::get<Numbers>(v).data());
+  };
+  position.get = [pose_of](const ClientConfig& c) -> std::optional<ConfigValue> {
+    const auto pose = pose_of(c);
+    if (!pose) return std::nullopt;
+    return Numbers{pose->p.x(), pose->p.y(), pose->p.z()};
+  };
+  keys.push_back(position);
+  ConfigKey turn = position;
+  turn.name = table + ".orientation";
+  turn.member = member + ".q";
+  turn.count = 4;
+  turn.most = 1;
+  turn.unit = "";
+  turn.help = "w, x, y, z";
+  turn.set = [in](ClientConfig& c, const ConfigValue& v) {
+    const Numbers& q = std::get<Numbers>(v);
+    const Quat read(q[0], q[1], q[2], q[3]);
+    if (std::abs(read.norm() - 1) > 0.01) throw InputError("must be a unit quaternion w, x, y, z");
+    in(c)->q = read.normalized();
+  };
+  turn.get = [pose_of](const ClientConfig& c) -> std::optional<ConfigValue> {
+    const auto pose = pose_of(c);
+    if (!pose) return std::nullopt;
+    return Numbers{pose->q.w(), pose->q.x(), pose->q.y(), pose->q.z()};
+  };
+  keys.push_back(turn);
+}
+
+std::optional<std::size_t> station_of(const ClientConfig& config, StationRole role) {
+  const auto at = std::find(config.stations.begin(), config.stations.end(), role);
+  if (at == config.stations.end()) return std::nullopt;
+  return static_cast<std::size_t>(at - config.stations.begin());
+}
+
+void add_stations(Keys& keys) {
+  for (const RoleName& row : role_names) {
+    const StationRole role = row.role;
+    const std::string table = fmt::format("tracker.stations.{}", row.name);
+    ConfigKey station;
+    station.name = table + ".station";
+    station.member = "stations";
+    station.type = ConfigType::whole;
+    station.least = 1;
+    station.most = max_stations;
+    station.needed = "1";
+    station.help = "the receiver, counted from 1";
+    station.set = [role](ClientConfig& c, const ConfigValue& v) {
+      const auto index = static_cast<std::size_t>(std::get<double>(v)) - 1;
+      if (c.stations[index] != StationRole::none) throw InputError("is another role's already");
+      c.stations[index] = role;
+      c.tracker_device.stations |= 1u << index;
+    };
+    station.get = [role](const ClientConfig& c) -> std::optional<ConfigValue> {
+      const auto index = station_of(c, role);
+      if (!index) return std::nullopt;
+      return ConfigValue(static_cast<double>(*index + 1));
+    };
+    keys.push_back(station);
+    add_pose(
+        keys, table + ".mount", "tracker_device.mount",
+        [role](ClientConfig& c) -> Pose* {
+          const auto index = station_of(c, role);
+          return index ? &c.tracker_device.mount[*index] : nullptr;
+        },
+        "where what is tracked (wrist, eyes, tip) lies in the receiver's frame");
+  }
+}
+
+void add_tracker(Keys& keys) {
+  keys.push_back(address(
+      "tracker.address", "tracker", [](ClientConfig& c) -> std::string& { return c.tracker; },
+      "\"fastrak:/dev/ttyS0\"", "the device, DRIVER:PATH", false));
+  keys.push_back(plain<bool>(
+      "tracker.binary", "tracker_device.binary",
+      [](ClientConfig& c) -> bool& { return c.tracker_device.binary; }, "", "binary records; false: ASCII"));
+  keys.push_back(plain<bool>(
+      "tracker.boresight", "tracker_device.boresight",
+      [](ClientConfig& c) -> bool& { return c.tracker_device.boresight; }, "",
+      "true: each receiver's orientation at start becomes straight ahead"));
+  ConfigKey hemisphere;
+  hemisphere.name = "tracker.hemisphere";
+  hemisphere.member = "tracker_device.hemisphere";
+  hemisphere.type = ConfigType::numbers;
+  hemisphere.count = 3;
+  hemisphere.most = 1;
+  hemisphere.help = "the side of the transmitter where the receivers are: X forward, Y right, Z down";
+  hemisphere.set = [](ClientConfig& c, const ConfigValue& v) {
+    c.tracker_device.hemisphere = Vec3(std::get<Numbers>(v).data());
+  };
+  hemisphere.get = [](const ClientConfig& c) -> std::optional<ConfigValue> {
+    const Vec3& h = c.tracker_device.hemisphere;
+    return Numbers{h.x(), h.y(), h.z()};
+  };
+  keys.push_back(hemisphere);
+  ConfigKey frame;
+  frame.name = "tracker.alignment_frame";
+  frame.member = "tracker_device.alignment";
+  frame.type = ConfigType::numbers;
+  frame.count = 9;
+  frame.most = max_frame_point;
+  frame.unit = "m";
+  frame.help = "the device's own alignment: origin, a point on +X, a point on +Y";
+  frame.set = [](ClientConfig& c, const ConfigValue& v) {
+    std::array<double, 9> a{};
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] = cm_per_m * std::get<Numbers>(v)[i];
+    const Vec3 o(a.data()), x(a.data() + 3), y(a.data() + 6);
+    if ((x - o).cross(y - o).norm() < 1e-6) throw InputError("its three points must not lie on a line");
+    c.tracker_device.alignment = a;
+  };
+  frame.get = [](const ClientConfig& c) -> std::optional<ConfigValue> {
+    if (!c.tracker_device.alignment) return std::nullopt;
+    Numbers out;
+    for (const double x : *c.tracker_device.alignment) out.push_back(x / cm_per_m);
+    return out;
+  };
+  keys.push_back(frame);
+  keys.push_back(plain<std::string>(
+      "tracker.field_map", "tracker_device.field_map",
+      [](ClientConfig& c) -> std::string& { return c.tracker_device.field_map; }, "",
+      "file that `calibrate field` wrote, beside this one; empty: none"));
+  add_pose(
+      keys, "tracker.room", "tracker_device.room_device",
+      [](ClientConfig& c) { return &c.tracker_device.room_device; },
+      "where the transmitter stands: x right, y up, −z forward");
+  add_stations(keys);
+}
+
+/// Adds a glove's fixed counts: the stretched or the bent fingers'.
+void add_counts(Keys& keys, const std::string& table, std::size_t hand, bool open) {
+  ConfigKey key;
+  key.name = table + (open ? ".open" : ".closed");
+  key.member = fmt::format("gloves[].device.calibration.{}", open ? "open" : "closed");
+  key.type = ConfigType::numbers;
+  key.count = fingers;
+  key.most = max_device_count;
+  key.unit = "counts";
+  key.help =
+      open ? "of the stretched fingers, thumb to little; learnt from the range seen where there are none"
+           : "of the bent fingers; together with `open`";
+  key.set = [hand, open](ClientConfig& c, const ConfigValue& v) {
+    auto& calibration = c.gloves[hand].device.calibration;
+    if (!calibration) {
+      calibration.emplace();
+      calibration->open.fill(std::numeric_limits<double>::quiet_NaN());
+      calibration->closed.fill(std::numeric_limits<double>::quiet_NaN());
+    }
+    std::copy_n(std::get<Numbers>(v).begin(), fingers,
+                (open ? calibration->open : calibration->closed).begin());
+  };
+  key.get = [hand, open](const ClientConfig& c) -> std::optional<ConfigValue> {
+    const auto& calibration = c.gloves[hand].device.calibration;
+    if (!calibration) return std::nullopt;
+    const auto& counts = open ? calibration->open : calibration->closed;
+    return Numbers(counts.begin(), counts.end());
+  };
+  keys.push_back(key);
+}
+
+template <std::size_t Hand>
+void add_glove(Keys& keys) {
+  const std::string table = Hand == right_hand ? "glove.right" : "glove.left";
+  const std::string in = "gloves[].device.";
+  keys.push_back(address(
+      table + ".address", "gloves[].address",
+      [](ClientConfig& c) -> std::string& { return c.gloves[Hand].address; }, "\"5dt:/dev/ttyS1\"",
+      "the device, DRIVER:PATH", false));
+  keys.push_back(ranged(plain<double>(
+                            table + ".closed_above", in + "closed_above",
+                            [](ClientConfig& c) -> double& { return c.gloves[Hand].device.closed_above; },
+                            "flexion", "a finger bent more is closed"),
+                        0, 1));
+  keys.push_back(ranged(plain<double>(
+                            table + ".open_below", in + "open_below",
+                            [](ClientConfig& c) -> double& { return c.gloves[Hand].device.open_below; },
+                            "flexion", "a finger bent less is open; between there is no gesture"),
+                        0, 1));
+  keys.push_back(ranged(plain<double>(
+                            table + ".hysteresis", in + "hysteresis",
+                            [](ClientConfig& c) -> double& { return c.gloves[Hand].device.hysteresis; },
+                            "flexion", "how far past its threshold a finger keeps its state"),
+                        0, 0.5));
+  keys.push_back(plain<bool>(
+      table + ".pinch", in + "pinch", [](ClientConfig& c) -> bool& { return c.gloves[Hand].device.pinch; },
+      "", "true: thumb and index finger closed, the others open, is `pinch`"));
+  keys.push_back(plain<bool>(
+      table + ".falls_on_bending", in + "falls_on_bending",
+      [](ClientConfig& c) -> bool& { return c.gloves[Hand].device.falls_on_bending; }, "",
+      "true where counts fall as a finger bends"));
+  add_counts(keys, table, Hand, true);
+  add_counts(keys, table, Hand, false);
+}
+
+void add_arm(Keys& keys) {
+  keys.push_back(address(
+      "arm.address", "arm.address", [](ClientConfig& c) -> std::string& { return c.arm.address; },
+      "\"omni-twin:/tmp/omni\"", "the haptic arm, DRIVER:PATH", true));
+  ConfigKey hand;
+  hand.name = "arm.hand";
+  hand.member = "arm.hand";
+  hand.choices = {"left", "right"};
+  hand.help = "that it moves";
+  hand.set = [](ClientConfig& c, const ConfigValue& v) {
+    c.arm.hand = std::get<std::string>(v) == "left" ? left_hand : right_hand;
+  };
+  hand.get = [](const ClientConfig& c) -> std::optional<ConfigValue> {
+    return ConfigValue(std::string(c.arm.hand == left_hand ? "left" : "right"));
+  };
+  keys.push_back(hand);
+  ConfigKey button;
+  button.name = "arm.dead_man";
+  button.member = "arm.dead_man";
+  button.type = ConfigType::whole;
+  button.least = 1;
+  button.most = arm_buttons;
+  button.help = "the button, from 1, without which there is no force; none is needed where this isn't given";
+  button.set = [](ClientConfig& c, const ConfigValue& v) {
+    c.arm.dead_man = static_cast<unsigned>(std::get<double>(v));
+  };
+  button.get = [](const ClientConfig& c) -> std::optional<ConfigValue> {
+    if (c.arm.dead_man == 0) return std::nullopt;
+    return ConfigValue(static_cast<double>(c.arm.dead_man));
+  };
+  keys.push_back(button);
+  add_pose(
+      keys, "arm.room", "arm.arm.room_arm", [](ClientConfig& c) { return &c.arm.arm.room_arm; },
+      "where the arm stands: x right, y up, z towards you");
+  add_pose(
+      keys, "arm.mount", "arm.mount", [](ClientConfig& c) { return c.arm.mount ? &*c.arm.mount : nullptr; },
+      "the wrist in the stylus' frame; without it the index finger's tip is the stylus'");
+}
+
+void add_gestures(Keys& keys) {
+  for (const GestureRow& row : gesture_table()) {
+    if (row.gesture == Gesture::none) continue;
+    ConfigKey key;
+    key.name = fmt::format("gestures.{}", row.name);
+    key.member = "gestures";
+    for (const EventName& e : event_names) key.choices.emplace_back(e.name);
+    key.help = "what this gesture asks for";
+    key.set = [gesture = row.gesture](ClientConfig& c, const ConfigValue& v) {
+      const auto event = std::find_if(event_names.begin(), event_names.end(),
+                                      [&](const EventName& e) { return e.name == std::get<std::string>(v); });
+      if (event->event == GestureEvent::none)
+        c.gestures.erase(gesture);
+      else
+        c.gestures[gesture] = event->event;
+    };
+    key.get = [gesture = row.gesture](const ClientConfig& c) -> std::optional<ConfigValue> {
+      const auto at = c.gestures.find(gesture);
+      const GestureEvent asked = at == c.gestures.end() ? GestureEvent::none : at->second;
+      return ConfigValue(std::string(event_names[static_cast<std::size_t>(asked)].name));
+    };
+    keys.push_back(key);
+  }
+}
+
+/// Adds what was measured of the eyes; `scale` is our unit in the file's.
+void add_eye_value(Keys& keys, const char* name, std::optional<double> EyeSettings::*in, double least,
+                   double most, double scale, const char* unit, const char* help) {
+  ConfigKey key;
+  key.name = fmt::format("eyes.{}", name);
+  key.member = fmt::format("eyes.{}", name);
+  key.type = ConfigType::number;
+  key.least = least;
+  key.most = most;
+  key.unit = unit;
+  key.help = help;
+  key.set = [in, scale](ClientConfig& c, const ConfigValue& v) { c.eyes.*in = scale * std::get<double>(v); };
+  key.get = [in, scale](const ClientConfig& c) -> std::optional<ConfigValue> {
+    if (!(c.eyes.*in)) return std::nullopt;
+    return ConfigValue(*(c.eyes.*in) / scale);
+  };
+  keys.push_back(key);
+}
+
+Keys make_keys() {
+  Keys keys;
+  ConfigKey version;
+  version.name = "version";
+  version.member = "–";
+  version.type = ConfigType::whole;
+  version.least = 1;
+  version.most = client_config_version;
+  version.help = "of this table of keys; a file without it is of version 1";
+  version.set = [](ClientConfig&, const ConfigValue&) {};
+  version.get = [](const ClientConfig&) -> std::optional<ConfigValue> { return std::nullopt; };
+  keys.push_back(version);
+  add_tracker(keys);
+  add_glove<right_hand>(keys);
+  add_glove<left_hand>(keys);
+  add_arm(keys);
+  add_gestures(keys);
+  add_eye_value(keys, "distance", &EyeSettings::distance, 0, 0.2, 1, "m",
+                "between the pupils; without it the stereo profile's, as for the others here");
+  add_eye_value(keys, "fov_horizontal", &EyeSettings::fov_horizontal, 1, 170, degree, "degrees",
+                "that each eye's picture fills");
+  add_eye_value(keys, "fov_vertical", &EyeSettings::fov_vertical, 1, 170, degree, "degrees",
+                "that each eye's picture fills");
+  add_eye_value(keys, "convergence", &EyeSettings::convergence, 0.05, 1000, 1, "m",
+                "distance at which both pictures coincide");
+  return keys;
+}
+
+std::optional<ConfigFault> check_glove(ClientConfig& config, std::size_t hand) {
+  const DeviceConfig& device = config.gloves[hand].device;
+  if (device.closed_above - device.open_below <= device.hysteresis)
+    return ConfigFault{"closed_above", "must exceed open_below by more than hysteresis"};
+  if (!device.calibration) return std::nullopt;
+  const GloveCalibration& c = *device.calibration;
+  if (std::isnan(c.open[0]) || std::isnan(c.closed[0]))
+    return ConfigFault{std::isnan(c.open[0]) ? "closed" : "open", "open and closed must be given together"};
+  for (std::size_t i = 0; i < fingers; ++i)
+    if (c.open[i] == c.closed[i]) return ConfigFault{"closed", "must differ from open for every finger"};
+  return std::nullopt;
+}
+
+std::vector<ConfigTable> make_tables() {
+  std::vector<ConfigTable> tables = {
+      {"", "", {}, {}},
+      {"tracker", "A tracker of several receivers.", {}, {}},
+      {"tracker.room", "", {}, {}},
+      {"tracker.stations",
+       "Which receiver is fixed to what. Without this table receiver 1 is the right hand.",
+       [](ClientConfig& c) {
+         c.stations.fill(StationRole::none);
+         c.tracker_device.stations = 0;
+       },
+       [](ClientConfig& c) -> std::optional<ConfigFault> {
+         if (c.tracker_device.stations != 0) return std::nullopt;
+         return ConfigFault{"right", "name at least one of head, right, left, instrument"};
+       }}};
+  for (const RoleName& row : role_names) {
+    tables.push_back(
+        {fmt::format("tracker.stations.{}", row.name), fmt::format("The receiver of {}.", row.help), {}, {}});
+    tables.push_back({fmt::format("tracker.stations.{}.mount", row.name), "", {}, {}});
+  }
+  tables.push_back({"glove", "", {}, {}});
+  tables.push_back({"glove.right", "A glove of five bend sensors.", {}, [](ClientConfig& c) {
+                      return check_glove(c, right_hand);
+                    }});
+  tables.push_back({"glove.left", "The left hand's glove.", {}, [](ClientConfig& c) {
+                      return check_glove(c, left_hand);
+                    }});
+  tables.push_back({"arm", "A haptic arm: [arms](../do/arms.md).", {}, {}});
+  tables.push_back({"arm.room", "", {}, {}});
+  tables.push_back({"arm.mount", "", [](ClientConfig& c) { c.arm.mount.emplace(); }, {}});
+  tables.push_back(
+      {"gestures",
+       "What a gesture asks for. Where this table is, gestures that it doesn't name ask for nothing.",
+       [](ClientConfig& c) { c.gestures.clear(); },
+       {}});
+  tables.push_back({"eyes", "What was measured of the eyes and the display.", {}, {}});
+  return tables;
+}
+
+}  // namespace
+
+std::span<const ConfigKey> client_config_keys() {
+  static const Keys keys = make_keys();
+  return keys;
+}
+
+std::span<const ConfigTable> client_config_tables() {
+  static const std::vector<ConfigTable> tables = make_tables();
+  return tables;
+}
+
+const ConfigKey* find_config_key(std::string_view name) {
+  const auto keys = client_config_keys();
+  const auto found =
+      std::find_if(keys.begin(), keys.end(), [&](const ConfigKey& k) { return k.name == name; });
+  return found == keys.end() ? nullptr : &*found;
+}
+
+std::string allowed_values(const ConfigKey& key) {
+  switch (key.type) {
+    case ConfigType::flag:
+      return "must be true or false";
+    case ConfigType::number:
+      return fmt::format("must be a number from {} to {}", key.least, key.most);
+    case ConfigType::whole:
+      return fmt::format("must be a whole number from {} to {}", key.least, key.most);
+    case ConfigType::numbers:
+      return fmt::format("must be {} numbers within ±{}", key.count, key.most);
+    case ConfigType::text:
+      break;
+  }
+  if (key.choices.empty()) return "must be a string";
+  const std::vector<std::string> first(key.choices.begin(), key.choices.end() - 1);
+  return fmt::format("must be {} or {}", fmt::join(first, ", "), key.choices.back());
+}
+
+bool fits(const ConfigKey& key, const ConfigValue& value) {
+  const auto within = [](double v, double least, double most) { return v >= least && v <= most; };  // not NaN
+  switch (key.type) {
+    case ConfigType::flag:
+      return std::holds_alternative<bool>(value);
+    case ConfigType::number:
+    case ConfigType::whole: {
+      const double* v = std::get_if<double>(&value);
+      return v != nullptr && within(*v, key.least, key.most) &&
+             (key.type == ConfigType::number || *v == std::floor(*v));
+    }
+    case ConfigType::numbers: {
+      const Numbers* v = std::get_if<Numbers>(&value);
+      return v != nullptr && v->size() == key.count &&
+             std::all_of(v->begin(), v->end(), [&](double x) { return within(x, -key.most, key.most); });
+    }
+    case ConfigType::text:
+      break;
+  }
+  const std::string* v = std::get_if<std::string>(&value);
+  return v != nullptr &&
+         (key.choices.empty() || std::find(key.choices.begin(), key.choices.end(), *v) != key.choices.end());
+}
+
+}  // namespace prosector

@@ -1,0 +1,110 @@
+#include "drivers/fitting/glove_fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::array<const char*, fingers> finger_names = {"thumb", "index finger", "middle finger",
+                                                           "ring finger", "little finger"};
+constexpr std::array<GlovePose, 2 + fingers> poses = {
+    {{"flat", "Stretch all fingers, the thumb, too, and hold still", {}},
+     {"fist", "Make a fist, the thumb bent over it, and hold still", {true, true, true, true, true}},
+     {"thumb", "Bend the thumb alone", {true, false, false, false, false}},
+     {"index", "Bend the index finger alone", {false, true, false, false, false}},
+     {"middle", "Bend the middle finger alone", {false, false, true, false, false}},
+     {"ring", "Bend the ring finger alone; its neighbours may follow", {false, false, false, true, false}},
+     {"little",
+      "Bend the little finger alone; its neighbour may follow",
+      {false, false, false, false, true}}}};
+constexpr double full_bend = std::numbers::pi / 2;  // rad, of a joint over the whole span
+constexpr double much_repeat = 0.25;                // flexion
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Says where a finger that was bent alone moved another sensor most.
+void check_alone(std::span<const HeldCounts> held, GloveFit& fit) {
+  for (std::size_t f = 0; f < fingers; ++f) {
+    const HeldCounts& alone = held[2 + f];
+    const auto flexion = [&](std::size_t i) {
+      return (alone.median[i] - fit.calibration.open[i]) /
+             (fit.calibration.closed[i] - fit.calibration.open[i]);
+    };
+    std::size_t most = 0;
+    for (std::size_t i = 1; i < fingers; ++i)
+      if (flexion(i) > flexion(most)) most = i;
+    fit.repeat[f] = std::abs(flexion(f) - 1);
+    if (most != f && flexion(most) > flexion(f) + much_repeat)
+      fit.doubts.push_back(
+          fmt::format("bending the {} alone moved the sensor of the {} most: is it the other hand's glove, "
+                      "or are sensors swapped?",
+                      finger_names[f], finger_names[most]));
+    else if (fit.repeat[f] > much_repeat)
+      fit.doubts.push_back(
+          fmt::format("the {} was bent by {:.0f} % of what it was in the fist: repeat, if it was meant fully",
+                      finger_names[f], 100 * flexion(f)));
+  }
+}
+
+}  // namespace
+
+std::span<const GlovePose> glove_poses() {
+  return poses;
+}
+
+HeldCounts hold_counts(std::span<const std::array<std::uint16_t, fingers>> readings) {
+  HeldCounts out;
+  for (std::size_t f = 0; f < fingers; ++f) {
+    std::vector<double> counts;
+    for (const auto& r : readings) counts.push_back(r[f]);
+    if (counts.empty()) continue;
+    out.median[f] = median_of(counts);
+    double squares = 0;
+    for (const double c : counts) squares += (c - out.median[f]) * (c - out.median[f]);
+    out.noise[f] = std::sqrt(squares / static_cast<double>(counts.size()));
+  }
+  return out;
+}
+
+GloveFit fit_glove(std::span<const HeldCounts> held, double least_span) {
+  if (held.size() != 2 && held.size() != poses.size())
+    throw InputError(
+        fmt::format("{} poses held: flat and fist are needed, or all {}", held.size(), poses.size()));
+  GloveFit fit;
+  fit.calibration = {held[0].median, held[1].median};
+  std::size_t falling = 0;
+  for (std::size_t f = 0; f < fingers; ++f) {
+    fit.span[f] = std::abs(held[1].median[f] - held[0].median[f]);
+    if (fit.span[f] < least_span)
+      throw InputError(
+          fmt::format("the {}'s sensor moved by {:.0f} counts between flat hand and fist, {:.0f} are needed: "
+                      "repeat both poses, and check that the glove sits tight",
+                      finger_names[f], fit.span[f], least_span));
+    if (held[1].median[f] < held[0].median[f]) ++falling;
+  }
+  fit.falls_on_bending = falling > fingers / 2;
+  if (falling != 0 && falling != fingers)
+    fit.doubts.push_back(fmt::format(
+        "the counts of {} of {} sensors fall on bending: unusual, but calibrated so", falling, fingers));
+  if (held.size() == poses.size()) check_alone(held, fit);
+  constexpr double quantum = 1.0 / 12;
+  for (std::size_t f = 0; f < fingers; ++f) {
+    const double noise = std::max(held[0].noise[f], held[1].noise[f]);
+    const double bend = full_bend / fit.span[f];
+    fit.joint_error[f] = std::sqrt(bend * bend * (noise * noise + quantum) +
+                                   full_bend * full_bend * fit.repeat[f] * fit.repeat[f]);
+  }
+  return fit;
+}
+
+}  // namespace prosector

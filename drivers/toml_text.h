@@ -1,0 +1,62 @@
+#pragma once
+// A TOML text that is changed in place: what isn't changed keeps every byte, comments and order included.
+//
+// The text must parse as TOML; who changes it checks that first. Keys in quotes with escapes are never found.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace prosector {
+
+using TomlPath = std::vector<std::string>;
+TomlPath split_toml_path(std::string_view dotted);
+
+class TomlText {
+ public:
+  explicit TomlText(std::string text);
+
+  const std::string& text() const { return text_; }
+  /// Returns the value's text, or nothing where the key isn't.
+  std::optional<std::string> value(const TomlPath& path) const;
+  /// Sets a key's value, given as TOML. A key that isn't there is added where its table is, else with a table
+  /// of its own at the end.
+  void set(const TomlPath& path, const std::string& value);
+  /// Renames the last part of a key that is there; its table stays.
+  void rename(const TomlPath& path, const std::string& name);
+
+ private:
+  struct Entry {
+    TomlPath path;
+    std::size_t key_begin, key_end;  // the last part of the key
+    std::size_t value_begin, value_end;
+    std::size_t section;  // index of its section
+    bool is_inline;       // a member of an inline table
+    bool is_table;        // its value is an inline table
+  };
+  struct Section {
+    TomlPath path;
+    std::size_t end;  // where a key can be added: after its last key's line, or its header's
+    bool has_keys = false;
+  };
+
+  void scan();
+  std::size_t scan_header(std::size_t at);
+  std::size_t scan_entry(std::size_t at, const TomlPath& prefix, bool is_inline);
+  std::size_t scan_value(std::size_t at, const TomlPath& path, bool* is_table);
+  std::size_t scan_key(std::size_t at, TomlPath& path, std::size_t* last) const;
+  std::size_t skip_blank(std::size_t at) const;
+  std::size_t line_end(std::size_t at) const;
+  const Entry* find(const TomlPath& path) const;
+  void replace(std::size_t begin, std::size_t end, const std::string& with);
+  bool add_to_inline_table(const TomlPath& path, const std::string& value);
+  bool add_to_section(const TomlPath& path, const std::string& value);
+  void add_section(const TomlPath& path, const std::string& value);
+
+  std::string text_, line_break_;
+  std::vector<Entry> entries_;
+  std::vector<Section> sections_;  // the first is the root
+};
+
+}  // namespace prosector
