@@ -21,10 +21,11 @@ volatile std::sig_atomic_t setup_interrupted = 0;
 
 /// Shows the pages until somebody goes somewhere. Returns the command that leads there; none: the window was
 /// closed.
-std::optional<std::vector<std::string>> show_pages(const SetupOptions& o, Anteroom& room) {
+std::optional<std::vector<std::string>> show_pages(const SetupOptions& o, Anteroom& room,
+                                                   ConfigDraft& draft) {
   auto window = make_window_context(o.width, o.height, "Prosector");
   Interface ui(*window, o.shaders, o.scale.value_or(window->content_scale()));
-  Pages pages(room);
+  Pages pages(room, draft);
   LayoutLog layout(o.layout_log);
   Clock::time_point last = Clock::now(), busy = last;
   while (setup_interrupted == 0) {
@@ -33,7 +34,7 @@ std::optional<std::vector<std::string>> show_pages(const SetupOptions& o, Antero
       if (std::holds_alternative<CloseRequested>(event)) return std::nullopt;
     ui.take(events);
     const Clock::time_point now = Clock::now();
-    if (!events.empty() || ui.behind()) busy = now;
+    if (!events.empty() || ui.behind() || pages.lively()) busy = now;
     // Where nobody does anything, a picture now and then is enough.
     if (now - busy > idle_time && now - last < idle_time) {
       std::this_thread::sleep_for(picture_time / 2);
@@ -72,14 +73,16 @@ int run_setup(const SetupOptions& options) {
   std::signal(SIGINT, [](int) { setup_interrupted = 1; });
   std::signal(SIGTERM, [](int) { setup_interrupted = 1; });
   const std::filesystem::path config = default_config_dir();
+  const std::filesystem::path settings = options.config.empty() ? config / "client.toml" : options.config;
+  ConfigDraft draft(settings);
   Anteroom room({.bus = options.bus,
                  .scenes = options.scenes.empty() ? shipped_scenes_dir(program_folder()) : options.scenes,
                  .cache = default_cache_dir(),
                  .memory = config / "anteroom.toml",
-                 .config = options.config.empty() ? config / "client.toml" : options.config});
+                 .config = settings});
   if (room.memory.name.empty()) room.memory.name = options.name;
   while (setup_interrupted == 0) {
-    const auto entry = show_pages(options, room);
+    const auto entry = show_pages(options, room, draft);
     if (!entry) break;
     visit(*entry, room);
   }

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "client/setup/words.h"
+#include "common/clock.h"
 
 namespace prosector {
 
@@ -12,7 +13,20 @@ void Pages::draw(Interface& ui) {
   ImGui::Begin("anteroom", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
   const float line = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
   ImGui::BeginChild("page", {0, -line});
-  enter_.draw(ui, room_);
+  if (ImGui::BeginTabBar("pages")) {
+    const auto page = [&](const char* name, const auto& draw) {
+      const bool open = ImGui::BeginTabItem(name);
+      ui.note(name);
+      if (open) {
+        draw();
+        ImGui::EndTabItem();
+      }
+      return open;
+    };
+    page("Enter", [&] { enter_.draw(ui, room_); });
+    if (!page("Devices", [&] { devices_.draw(ui, draft_, monotonic_ns()); })) devices_.close();
+    ImGui::EndTabBar();
+  }
   ImGui::EndChild();
   if (room_.wrong())
     warning(room_.words());

@@ -2,6 +2,7 @@
 // The set-up window's pages, and what is said below them.
 
 #include "client/setup/anteroom.h"
+#include "client/setup/devices_page.h"
 #include "client/setup/enter_page.h"
 #include "client/setup/interface.h"
 
@@ -9,13 +10,17 @@ namespace prosector {
 
 class Pages {
  public:
-  explicit Pages(Anteroom& room) : room_(room) {}
+  Pages(Anteroom& room, ConfigDraft& draft) : room_(room), draft_(draft) {}
 
   void draw(Interface& ui);
+  /// Tells whether something is shown that goes on by itself.
+  bool lively() const { return devices_.open(); }
 
  private:
   Anteroom& room_;
+  ConfigDraft& draft_;
   EnterPage enter_;
+  DevicesPage devices_;
 };
 
 }  // namespace prosector

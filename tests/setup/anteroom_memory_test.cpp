@@ -3,18 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "common/error.h"
 #include "tests/random.h"
 #include "tests/session/temporary_file.h"
+#include "tests/setup/written_file.h"
 
 namespace prosector::test {
 namespace {
-
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream(file) << text;
-}
 
 TEST(AnteroomMemory, ComesBackAsItWasKept) {
   const TemporaryFile file("anteroom.toml");
@@ -33,7 +28,7 @@ TEST(AnteroomMemory, WhatIsMissingOrDamagedIsAsGoodAsNone) {
   EXPECT_EQ(recall(file.path).name, "");
   for (const char* text :
        {"name = ", "name = 3\nwatches = \"yes\"\nentered = 7", "[[[[", "entered = [1, [2], \"x\"]"}) {
-    write(file.path, text);
+    write_file(file.path, text);
     const AnteroomMemory back = recall(file.path);
     EXPECT_EQ(back.name, "") << text;
     EXPECT_FALSE(back.watches) << text;
@@ -47,7 +42,7 @@ TEST(AnteroomMemory, NoBytesHurt) {
   for (int k = 0; k < 300; ++k) {
     std::string text = good;
     for (int n = 0; n < 4; ++n) text[random() % text.size()] = static_cast<char>(random());
-    write(file.path, text);
+    write_file(file.path, text);
     EXPECT_LE(recall(file.path).entered.size(), most_entered);
   }
 }

@@ -1,0 +1,79 @@
+#include "client/setup/config_draft.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> out;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) out.push_back(line);
+  return out;
+}
+
+}  // namespace
+
+ConfigDraft::ConfigDraft(std::filesystem::path file) : file_(std::move(file)) {
+  if (!std::filesystem::exists(file_)) return;
+  try {
+    saved_ = draft_ = read_config_text(file_);
+    config_ = parse_client_config(draft_, file_.string());
+  } catch (const InputError& error) {
+    problem_ = error.what();
+  }
+}
+
+std::string ConfigDraft::change(const std::vector<ConfigChange>& changes) {
+  if (!problem_.empty()) return problem_;
+  try {
+    std::string text = write_client_config(draft_, changes, file_.string());
+    config_ = parse_client_config(text, file_.string());
+    draft_ = std::move(text);
+    return {};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+void ConfigDraft::save() {
+  std::error_code error;
+  std::filesystem::create_directories(file_.parent_path(), error);
+  save_config_text(file_, draft_);
+  saved_ = draft_;
+}
+
+void ConfigDraft::revert() {
+  draft_ = saved_;
+  config_ = parse_client_config(draft_, file_.string());
+}
+
+/// Returns what differs, line by line: lines keep their order, so what both have in common is stepped over.
+std::vector<ChangedLine> ConfigDraft::changes() const {
+  const std::vector<std::string> before = lines_of(saved_), after = lines_of(draft_);
+  std::vector<ChangedLine> out;
+  std::size_t b = 0, a = 0;
+  while (b < before.size() || a < after.size()) {
+    if (b < before.size() && a < after.size() && before[b] == after[a]) {
+      ++b, ++a;
+      continue;
+    }
+    const auto later = [&](const std::vector<std::string>& lines, std::size_t from, const std::string& line) {
+      return std::find(lines.begin() + static_cast<std::ptrdiff_t>(from), lines.end(), line) != lines.end();
+    };
+    if (a < after.size() && (b >= before.size() || later(after, a, before[b]))) {
+      out.push_back({"", after[a++]});
+    } else if (a >= after.size() || later(before, b, after[a])) {
+      out.push_back({before[b++], ""});
+    } else {
+      out.push_back({before[b++], after[a++]});
+    }
+  }
+  return out;
+}
+
+}  // namespace prosector

@@ -1,0 +1,44 @@
+#pragma once
+// The client's configuration while it is changed in the set-up window: what is in the file, what it would be,
+// and both as a person reads them. Nothing is written before it was asked for.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "drivers/client_config.h"
+#include "drivers/client_config_write.h"
+
+namespace prosector {
+
+/// A line that a draft changes. Either may be empty: it comes, or it goes.
+struct ChangedLine {
+  std::string before, after;
+};
+
+class ConfigDraft {
+ public:
+  /// Reads the file. One that is missing counts as empty; of one that can't be used, problem() tells why, and
+  /// nothing is changed in it.
+  explicit ConfigDraft(std::filesystem::path file);
+
+  /// Changes keys. Returns why that isn't allowed; empty: it is done.
+  std::string change(const std::vector<ConfigChange>& changes);
+  /// Writes the draft, with its comments and order kept. Throws InputError where that can't be.
+  void save();
+  /// Forgets what was not written.
+  void revert();
+
+  const ClientConfig& config() const { return config_; }
+  const std::filesystem::path& file() const { return file_; }
+  const std::string& problem() const { return problem_; }
+  bool changed() const { return draft_ != saved_; }
+  std::vector<ChangedLine> changes() const;
+
+ private:
+  std::filesystem::path file_;
+  std::string saved_, draft_, problem_;
+  ClientConfig config_;
+};
+
+}  // namespace prosector

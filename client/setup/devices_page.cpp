@@ -1,0 +1,279 @@
+#include "client/setup/devices_page.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "client/setup/words.h"
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::int64_t look_again_ns = 2'000'000'000, assign_ns = 6'000'000'000;
+
+struct RoleWord {
+  StationRole role;
+  const char* key;
+  const char* name;
+  const char* instruction;
+};
+constexpr std::array<RoleWord, 3> roles = {
+    {{StationRole::right_hand, "right", "right hand", "Move your right hand."},
+     {StationRole::left_hand, "left", "left hand", "Move your left hand."},
+     {StationRole::head, "head", "head", "Move your head."}}};
+
+const char* health_word(DeviceHealth health) {
+  switch (health) {
+    case DeviceHealth::connecting:
+      return "connecting";
+    case DeviceHealth::streaming:
+      return "streaming";
+    case DeviceHealth::silent:
+      return "silent";
+    case DeviceHealth::babbling:
+      return "babbling";
+    case DeviceHealth::absent:
+      return "absent";
+  }
+  return "";
+}
+
+const std::string& address_in(const ClientConfig& config, std::size_t field) {
+  switch (field) {
+    case 0:
+      return config.tracker;
+    case 1:
+      return config.gloves[right_hand].address;
+    case 2:
+      return config.gloves[left_hand].address;
+    default:
+      return config.arm.address;
+  }
+}
+
+std::string pose_words(const Pose& pose) {
+  return fmt::format("{:+.3f} {:+.3f} {:+.3f} m   {:+.2f} {:+.2f} {:+.2f} {:+.2f}", pose.p.x(), pose.p.y(),
+                     pose.p.z(), pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z());
+}
+
+}  // namespace
+
+void DevicesPage::draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
+  look(draft, now_ns);
+  const float width = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
+  ImGui::BeginChild("which", {std::floor(0.44f * width), 0}, true);
+  draw_addresses(ui, draft);
+  draw_status(ui);
+  draw_changes(ui, draft);
+  ImGui::EndChild();
+  ImGui::SameLine(0, gap);
+  ImGui::BeginChild("live", {0, 0}, true);
+  draw_device(ui, draft, now_ns);
+  ImGui::EndChild();
+}
+
+/// Opens what the draft names, reads it, and looks now and then what is plugged in.
+void DevicesPage::look(const ConfigDraft& draft, std::int64_t now_ns) {
+  if (!watch_) {
+    watch_ = std::make_unique<DeviceWatch>(draft.config());
+    for (std::size_t k = 0; k < fields_.size(); ++k) fields_[k].text = address_in(draft.config(), k);
+  }
+  watch_->poll(now_ns);
+  if (found_ns_ != 0 && now_ns - found_ns_ < look_again_ns) return;
+  found_ns_ = now_ns;
+  found_ = found_devices();
+}
+
+void DevicesPage::change(ConfigDraft& draft, const std::vector<ConfigChange>& changes,
+                         const std::string& done) {
+  words_ = draft.change(changes);
+  wrong_ = !words_.empty();
+  if (wrong_) return;
+  words_ = done;
+  watch_.reset();
+}
+
+void DevicesPage::draw_addresses(Interface& ui, ConfigDraft& draft) {
+  title("Devices");
+  const float label = 110 * static_cast<float>(ui.scale());
+  for (std::size_t k = 0; k < fields_.size(); ++k) {
+    AddressField& field = fields_[k];
+    ImGui::PushID(field.key);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(field.name);
+    ImGui::SameLine(label);
+    const float button = ImGui::GetFrameHeight();
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
+    const bool entered = ImGui::InputText("##address", &field.text, ImGuiInputTextFlags_EnterReturnsTrue);
+    ui.note(field.key);
+    const bool left = ImGui::IsItemDeactivatedAfterEdit();
+    ImGui::SameLine();
+    bool picked = false;
+    if (ImGui::BeginCombo("##found", "", ImGuiComboFlags_NoPreview)) {
+      for (const FoundDevice& device : found_)
+        for (const std::string& address : device.addresses)
+          if (ImGui::Selectable(fmt::format("{}   ({})", address, device.name).c_str())) {
+            field.text = address;
+            picked = true;
+          }
+      if (found_.empty()) quiet("No serial port and no glove is plugged in.");
+      ImGui::EndCombo();
+    }
+    if ((entered || left || picked) && !field.text.empty() && field.text != address_in(draft.config(), k))
+      change(draft, {{field.key, field.text}}, fmt::format("{}: {}", field.name, field.text));
+    ImGui::PopID();
+  }
+  if (!words_.empty()) wrong_ ? warning(words_) : quiet(words_);
+  if (!draft.problem().empty()) warning(draft.problem());
+}
+
+void DevicesPage::draw_status(Interface& ui) {
+  const std::vector<WatchedDevice>& devices = watch_ ? watch_->devices() : std::vector<WatchedDevice>();
+  ImGui::Separator();
+  if (devices.empty()) {
+    quiet("None is named yet. Give an address, DRIVER:PATH, or choose what is plugged in.");
+    return;
+  }
+  for (std::size_t k = 0; k < devices.size(); ++k) {
+    const WatchedDevice& device = devices[k];
+    double rate = 0;
+    for (const WatchedStation& station : device.stations) rate = std::max(rate, station.rate);
+    const std::string label =
+        fmt::format("{}: {}, {:.0f} Hz, {} records, {} resyncs, {} reopened###{}", device.name,
+                    health_word(device.status.health), rate, device.status.records, device.status.resyncs,
+                    device.status.reopens, device.name);
+    if (ImGui::Selectable(label.c_str(), k == shown_)) shown_ = k;
+    ui.note(device.name);
+    if (!device.status.message.empty()) warning(device.status.message);
+  }
+}
+
+void DevicesPage::draw_device(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
+  if (!watch_ || shown_ >= watch_->devices().size()) {
+    title("What it tells");
+    quiet("Choose a device on the left.");
+    return;
+  }
+  const WatchedDevice& device = watch_->devices()[shown_];
+  title(device.name + "   " + device.address);
+  if (device.stations.empty()) quiet("It tells nothing yet.");
+  for (const WatchedStation& station : device.stations) {
+    const DeviceSample& s = station.last;
+    ImGui::Separator();
+    if (device.kind == WatchedKind::tracker)
+      wrapped(fmt::format("Receiver {}   {:.0f} Hz ± {:.1f} ms   moved {:.2f} m", s.station + 1, station.rate,
+                          1e3 * station.jitter, station.moved));
+    if (s.has_pose) {
+      wrapped("in the room   " + pose_words(s.pose));
+      if (device.kind == WatchedKind::tracker)
+        quiet(fmt::format("as sent   {:.3f} {:.3f} {:.3f}   {:.3f} {:.3f} {:.3f} {:.3f}", s.raw_pose[0],
+                          s.raw_pose[1], s.raw_pose[2], s.raw_pose[3], s.raw_pose[4], s.raw_pose[5],
+                          s.raw_pose[6]));
+    }
+    if (s.buttons != 0) wrapped(fmt::format("buttons {:#b}", s.buttons));
+    constexpr std::array names = {"thumb", "index", "middle", "ring", "little"};
+    for (std::size_t f = 0; s.has_flexion && f < fingers; ++f) {
+      ImGui::ProgressBar(static_cast<float>(s.flexion[f]), {0.6f * ImGui::GetContentRegionAvail().x, 0},
+                         fmt::format("{} {:.2f}", names[f], s.flexion[f]).c_str());
+      ImGui::SameLine();
+      quiet(fmt::format("{}", s.raw_flexion[f]));
+    }
+  }
+  if (device.kind == WatchedKind::tracker) draw_roles(ui, draft, device, now_ns);
+}
+
+void DevicesPage::draw_roles(Interface& ui, ConfigDraft& draft, const WatchedDevice& tracker,
+                             std::int64_t now_ns) {
+  ImGui::Separator();
+  title("What is fixed to what");
+  for (const RoleWord& role : roles) {
+    const auto& stations = draft.config().stations;
+    const auto at = std::find(stations.begin(), stations.end(), role.role);
+    ImGui::AlignTextToFramePadding();
+    wrapped(fmt::format(
+        "{}: {}", role.name,
+        at == stations.end() ? "nothing" : fmt::format("receiver {}", at - stations.begin() + 1)));
+    ImGui::SameLine(220 * static_cast<float>(ui.scale()));
+    if (ImGui::Button(fmt::format("Find it by moving##{}", role.key).c_str())) {
+      assigned_ = role.role;
+      assigned_until_ns_ = now_ns + assign_ns;
+    }
+    ui.note(fmt::format("move {}", role.key));
+    if (assigned_ != role.role) continue;
+    const auto moving = moving_station(tracker);
+    if (moving) {
+      assigned_.reset();
+      assign(draft, role.role, *moving);
+      return;
+    }
+    if (now_ns > assigned_until_ns_) {
+      assigned_.reset();
+      words_ = "No receiver moved much farther than the others.";
+      wrong_ = true;
+      return;
+    }
+    wrapped(role.instruction);
+  }
+}
+
+/// Gives a receiver to a role. One that had it gets what that role had.
+void DevicesPage::assign(ConfigDraft& draft, StationRole role, std::uint32_t station) {
+  const auto& stations = draft.config().stations;
+  const auto word_of = [&](StationRole wanted) {
+    return std::find_if(roles.begin(), roles.end(),
+                        [&](const RoleWord& word) { return word.role == wanted; });
+  };
+  const auto set = [](const RoleWord& word, std::size_t to) {
+    return ConfigChange{fmt::format("tracker.stations.{}.station", word.key), static_cast<double>(to + 1)};
+  };
+  const RoleWord& own = *word_of(role);
+  std::vector<ConfigChange> changes = {set(own, station)};
+  const auto other = word_of(stations[station]);
+  const auto before = std::find(stations.begin(), stations.end(), role);
+  if (other != roles.end() && other->role != role) {
+    if (before == stations.end()) {
+      words_ =
+          fmt::format("Receiver {} is the {}'s: find that one by moving first.", station + 1, other->name);
+      wrong_ = true;
+      return;
+    }
+    changes.push_back(set(*other, static_cast<std::size_t>(before - stations.begin())));
+  }
+  change(draft, changes, fmt::format("Receiver {} is the {}'s.", station + 1, own.name));
+}
+
+void DevicesPage::draw_changes(Interface& ui, ConfigDraft& draft) {
+  ImGui::Separator();
+  if (!draft.changed()) {
+    quiet(draft.file().string() + (std::filesystem::exists(draft.file()) ? "" : ": none yet"));
+    return;
+  }
+  title("To be written to " + draft.file().string());
+  for (const ChangedLine& line : draft.changes()) {
+    if (!line.before.empty()) quiet("- " + line.before);
+    if (!line.after.empty()) wrapped("+ " + line.after);
+  }
+  if (ImGui::Button("Save")) {
+    try {
+      draft.save();
+      words_ = "Saved.";
+      wrong_ = false;
+    } catch (const InputError& error) {
+      words_ = error.what();
+      wrong_ = true;
+    }
+  }
+  ui.note("save");
+  ImGui::SameLine();
+  if (ImGui::Button("Discard")) {
+    draft.revert();
+    watch_.reset();
+  }
+  ui.note("discard");
+}
+
+}  // namespace prosector

@@ -1,0 +1,55 @@
+#pragma once
+// The page of trackers, gloves and arms: which there are, what they tell now, and what each is fixed to.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/setup/config_draft.h"
+#include "client/setup/device_watch.h"
+#include "client/setup/interface.h"
+#include "drivers/found_devices.h"
+
+namespace prosector {
+
+class DevicesPage {
+ public:
+  void draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns);
+  /// Lets devices go, so that another program can have them.
+  void close() { watch_.reset(); }
+  bool open() const { return watch_ != nullptr; }
+
+ private:
+  /// A key that names a device, as it is typed.
+  struct AddressField {
+    const char* key;
+    const char* name;
+    std::string text;
+  };
+  std::array<AddressField, 4> fields_ = {{{"tracker.address", "Tracker", {}},
+                                          {"glove.right.address", "Right glove", {}},
+                                          {"glove.left.address", "Left glove", {}},
+                                          {"arm.address", "Arm", {}}}};
+  std::unique_ptr<DeviceWatch> watch_;
+  std::vector<FoundDevice> found_;
+  std::int64_t found_ns_ = 0;
+  std::size_t shown_ = 0;                // device
+  std::optional<StationRole> assigned_;  // to what is moved …
+  std::int64_t assigned_until_ns_ = 0;   // … until then
+  std::string words_;
+  bool wrong_ = false;
+
+  void look(const ConfigDraft& draft, std::int64_t now_ns);
+  void change(ConfigDraft& draft, const std::vector<ConfigChange>& changes, const std::string& done);
+  void assign(ConfigDraft& draft, StationRole role, std::uint32_t station);
+  void draw_addresses(Interface& ui, ConfigDraft& draft);
+  void draw_status(Interface& ui);
+  void draw_device(Interface& ui, ConfigDraft& draft, std::int64_t now_ns);
+  void draw_roles(Interface& ui, ConfigDraft& draft, const WatchedDevice& tracker, std::int64_t now_ns);
+  void draw_changes(Interface& ui, ConfigDraft& draft);
+};
+
+}  // namespace prosector
