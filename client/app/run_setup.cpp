@@ -4,6 +4,7 @@
 #include <csignal>
 #include <thread>
 
+#include "client/app/picture_time.h"
 #include "client/setup/anteroom.h"
 #include "client/setup/interface.h"
 #include "client/setup/layout_log.h"
@@ -15,9 +16,13 @@ namespace prosector {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds picture_time{33}, idle_time{200};
+constexpr std::chrono::milliseconds between_pictures{33}, idle_time{200};
 
 volatile std::sig_atomic_t setup_interrupted = 0;
+
+std::filesystem::path scenes_of(const SetupOptions& o) {
+  return o.scenes.empty() ? shipped_scenes_dir(program_folder()) : o.scenes;
+}
 
 /// Shows the pages until somebody goes somewhere. Returns the command that leads there; none: the window was
 /// closed.
@@ -25,7 +30,14 @@ std::optional<std::vector<std::string>> show_pages(const SetupOptions& o, Antero
                                                    ConfigDraft& draft) {
   auto window = make_window_context(o.width, o.height, "Prosector");
   Interface ui(*window, o.shaders, o.scale.value_or(window->content_scale()));
-  Pages pages(room, draft);
+  const std::filesystem::path scenes = scenes_of(o);
+  Pages pages(room, draft, [&] {
+    try {
+      return check_pictures(picture_time(*window, o.shaders, scenes / "minimal.toml"), window->description());
+    } catch (const InputError& error) {
+      return MachineCheck{"Pictures", CheckState::unknown, error.what()};
+    }
+  });
   LayoutLog layout(o.layout_log);
   Clock::time_point last = Clock::now(), busy = last;
   while (setup_interrupted == 0) {
@@ -37,16 +49,16 @@ std::optional<std::vector<std::string>> show_pages(const SetupOptions& o, Antero
     if (!events.empty() || ui.behind() || pages.lively()) busy = now;
     // Where nobody does anything, a picture now and then is enough.
     if (now - busy > idle_time && now - last < idle_time) {
-      std::this_thread::sleep_for(picture_time / 2);
+      std::this_thread::sleep_for(between_pictures / 2);
       continue;
     }
     room.poll();
     ui.draw(std::chrono::duration<double>(now - last).count(), [&] { pages.draw(ui); });
     last = now;
     window->present();
-    layout.write(ui, room.words());
+    layout.write(ui, pages.said().words);
     if (auto entry = room.take_entry()) return entry;
-    std::this_thread::sleep_until(now + picture_time);
+    std::this_thread::sleep_until(now + between_pictures);
   }
   return std::nullopt;
 }
@@ -57,7 +69,7 @@ void visit(const std::vector<std::string>& command, Anteroom& room) {
     ChildProcess client(command);
     while (!client.ended()) {
       if (setup_interrupted != 0) client.interrupt();
-      std::this_thread::sleep_for(picture_time);
+      std::this_thread::sleep_for(between_pictures);
       client.poll();
       room.poll();
     }
@@ -76,7 +88,7 @@ int run_setup(const SetupOptions& options) {
   const std::filesystem::path settings = options.config.empty() ? config / "client.toml" : options.config;
   ConfigDraft draft(settings);
   Anteroom room({.bus = options.bus,
-                 .scenes = options.scenes.empty() ? shipped_scenes_dir(program_folder()) : options.scenes,
+                 .scenes = scenes_of(options),
                  .cache = default_cache_dir(),
                  .memory = config / "anteroom.toml",
                  .config = settings});

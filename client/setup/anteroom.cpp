@@ -92,8 +92,7 @@ void Anteroom::came_back(int status, const std::string& words) {
 }
 
 void Anteroom::say(std::string words, bool wrong) {
-  words_ = std::move(words);
-  wrong_ = wrong;
+  said_ = {std::move(words), wrong};
 }
 
 /// Keeps what was chosen, for the next time.

@@ -11,6 +11,7 @@
 #include "client/setup/hosting.h"
 #include "client/setup/scene_list.h"
 #include "client/setup/session_search.h"
+#include "client/setup/words.h"
 
 namespace prosector {
 
@@ -48,8 +49,7 @@ class Anteroom {
   const SearchResult& found() const { return found_; }
   const SceneList& scenes() const { return scenes_; }
   const Hosting* hosting() const { return hosting_.get(); }
-  const std::string& words() const { return words_; }
-  bool wrong() const { return wrong_; }  // what is said is of something that went wrong
+  const Said& said() const { return said_; }
 
  private:
   AnteroomPlaces places_;
@@ -59,8 +59,7 @@ class Anteroom {
   std::unique_ptr<Hosting> hosting_;
   bool enters_when_open_ = false;
   std::optional<std::vector<std::string>> entry_;
-  std::string words_;
-  bool wrong_ = false;
+  Said said_;
 
   BusConfig where() const;
   void keep();

@@ -90,10 +90,11 @@ void DevicesPage::look(const ConfigDraft& draft, std::int64_t now_ns) {
 
 void DevicesPage::change(ConfigDraft& draft, const std::vector<ConfigChange>& changes,
                          const std::string& done) {
-  words_ = draft.change(changes);
-  wrong_ = !words_.empty();
-  if (wrong_) return;
-  words_ = done;
+  if (const std::string why = draft.change(changes); !why.empty()) {
+    said_ = {why, true};
+    return;
+  }
+  said_ = {done, false};
   watch_.reset();
 }
 
@@ -127,7 +128,6 @@ void DevicesPage::draw_addresses(Interface& ui, ConfigDraft& draft) {
       change(draft, {{field.key, field.text}}, fmt::format("{}: {}", field.name, field.text));
     ImGui::PopID();
   }
-  if (!words_.empty()) wrong_ ? warning(words_) : quiet(words_);
   if (!draft.problem().empty()) warning(draft.problem());
 }
 
@@ -212,8 +212,7 @@ void DevicesPage::draw_roles(Interface& ui, ConfigDraft& draft, const WatchedDev
     }
     if (now_ns > assigned_until_ns_) {
       assigned_.reset();
-      words_ = "No receiver moved much farther than the others.";
-      wrong_ = true;
+      said_ = {"No receiver moved much farther than the others.", true};
       return;
     }
     wrapped(role.instruction);
@@ -236,9 +235,9 @@ void DevicesPage::assign(ConfigDraft& draft, StationRole role, std::uint32_t sta
   const auto before = std::find(stations.begin(), stations.end(), role);
   if (other != roles.end() && other->role != role) {
     if (before == stations.end()) {
-      words_ =
-          fmt::format("Receiver {} is the {}'s: find that one by moving first.", station + 1, other->name);
-      wrong_ = true;
+      said_ = {
+          fmt::format("Receiver {} is the {}'s: find that one by moving first.", station + 1, other->name),
+          true};
       return;
     }
     changes.push_back(set(*other, static_cast<std::size_t>(before - stations.begin())));
@@ -260,11 +259,9 @@ void DevicesPage::draw_changes(Interface& ui, ConfigDraft& draft) {
   if (ImGui::Button("Save")) {
     try {
       draft.save();
-      words_ = "Saved.";
-      wrong_ = false;
+      said_ = {"Saved.", false};
     } catch (const InputError& error) {
-      words_ = error.what();
-      wrong_ = true;
+      said_ = {error.what(), true};
     }
   }
   ui.note("save");

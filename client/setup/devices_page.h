@@ -11,6 +11,7 @@
 #include "client/setup/config_draft.h"
 #include "client/setup/device_watch.h"
 #include "client/setup/interface.h"
+#include "client/setup/words.h"
 #include "drivers/found_devices.h"
 
 namespace prosector {
@@ -21,6 +22,7 @@ class DevicesPage {
   /// Lets devices go, so that another program can have them.
   void close() { watch_.reset(); }
   bool open() const { return watch_ != nullptr; }
+  const Said& said() const { return said_; }
 
  private:
   /// A key that names a device, as it is typed.
@@ -39,8 +41,7 @@ class DevicesPage {
   std::size_t shown_ = 0;                // device
   std::optional<StationRole> assigned_;  // to what is moved …
   std::int64_t assigned_until_ns_ = 0;   // … until then
-  std::string words_;
-  bool wrong_ = false;
+  Said said_;
 
   void look(const ConfigDraft& draft, std::int64_t now_ns);
   void change(ConfigDraft& draft, const std::vector<ConfigChange>& changes, const std::string& done);

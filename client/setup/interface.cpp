@@ -48,6 +48,7 @@ void set_style(double scale) {
   style.Colors[ImGuiCol_ChildBg] = {1, 1, 1, 0.03f};
   style.Colors[ImGuiCol_Border] = {1, 1, 1, 0.12f};
   style.Colors[ImGuiCol_Button] = {0.16f, 0.36f, 0.52f, 1};
+  style.Colors[ImGuiCol_PlotHistogram] = {0.16f, 0.42f, 0.34f, 1};
   style.Colors[ImGuiCol_NavHighlight] = {1, 0.8f, 0.3f, 1};
   style.ScaleAllSizes(static_cast<float>(scale));
 }

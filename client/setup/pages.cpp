@@ -25,14 +25,14 @@ void Pages::draw(Interface& ui) {
     };
     page("Enter", [&] { enter_.draw(ui, room_); });
     if (!page("Devices", [&] { devices_.draw(ui, draft_, monotonic_ns()); })) devices_.close();
+    page("Checks", [&] { checks_.draw(ui); });
     ImGui::EndTabBar();
   }
   ImGui::EndChild();
-  if (room_.wrong())
-    warning(room_.words());
+  if (said().wrong)
+    warning(said().words);
   else
-    quiet(room_.words());
-  ui.note(room_.wrong() ? "wrong" : "said");
+    quiet(said().words);
   ImGui::End();
 }
 

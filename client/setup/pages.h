@@ -2,6 +2,7 @@
 // The set-up window's pages, and what is said below them.
 
 #include "client/setup/anteroom.h"
+#include "client/setup/checks_page.h"
 #include "client/setup/devices_page.h"
 #include "client/setup/enter_page.h"
 #include "client/setup/interface.h"
@@ -10,9 +11,11 @@ namespace prosector {
 
 class Pages {
  public:
-  Pages(Anteroom& room, ConfigDraft& draft) : room_(room), draft_(draft) {}
+  Pages(Anteroom& room, ConfigDraft& draft, std::function<MachineCheck()> measure_pictures)
+      : room_(room), draft_(draft), checks_(std::move(measure_pictures)) {}
 
   void draw(Interface& ui);
+  const Said& said() const { return devices_.open() ? devices_.said() : room_.said(); }
   /// Tells whether something is shown that goes on by itself.
   bool lively() const { return devices_.open(); }
 
@@ -21,6 +24,7 @@ class Pages {
   ConfigDraft& draft_;
   EnterPage enter_;
   DevicesPage devices_;
+  ChecksPage checks_;
 };
 
 }  // namespace prosector

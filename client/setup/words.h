@@ -6,6 +6,12 @@
 
 namespace prosector {
 
+/// What a page says below, until it says something else.
+struct Said {
+  std::string words;
+  bool wrong = false;  // of something that went wrong
+};
+
 void title(const std::string& words);
 void wrapped(const std::string& words);
 void quiet(const std::string& words);

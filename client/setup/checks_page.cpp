@@ -1,0 +1,53 @@
+#include "client/setup/checks_page.h"
+
+#include <imgui.h>
+
+#include <array>
+#include <thread>
+
+#include "client/setup/words.h"
+#include "common/paths.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::array state_words = {"unknown", "good", "fair", "bad"};
+const std::array<ImVec4, 4> state_colors = {
+    {{0.55f, 0.57f, 0.6f, 1}, {0.35f, 0.8f, 0.45f, 1}, {0.95f, 0.72f, 0.25f, 1}, {0.95f, 0.38f, 0.33f, 1}}};
+
+}  // namespace
+
+void ChecksPage::draw(Interface& ui) {
+  title("What bears a session on this machine");
+  if (checks_.empty())
+    checks_ = {measure_pictures_(),
+               check_cores(std::thread::hardware_concurrency()),
+               check_network_buffers(),
+               check_real_time(),
+               check_clock(),
+               check_anatomy(default_data_dir()),
+               {"From hand to picture", CheckState::unknown,
+                "Only a second device that sees the screen can tell. prosector-client calibrate latency "
+                "compares two."}};
+  const float scale = static_cast<float>(ui.scale());
+  for (const MachineCheck& check : checks_) {
+    ImGui::Separator();
+    const auto state = static_cast<std::size_t>(check.state);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float line = ImGui::GetTextLineHeight();
+    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 0.5f * line, at.y + 0.5f * line}, 0.36f * line,
+                                                ImGui::GetColorU32(state_colors[state]));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.5f * line);
+    ImGui::TextUnformatted(check.name.c_str());
+    ui.note("check " + check.name);
+    ImGui::SameLine(230 * scale);
+    ImGui::TextColored(state_colors[state], "%s", state_words[state]);
+    ImGui::SameLine(310 * scale);
+    wrapped(check.words);
+  }
+  ImGui::Separator();
+  if (ImGui::Button("Look again")) checks_.clear();
+  ui.note("look again");
+}
+
+}  // namespace prosector

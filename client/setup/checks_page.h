@@ -1,0 +1,25 @@
+#pragma once
+// The page that says, in green, amber and red, what of this machine bears a session.
+
+#include <functional>
+#include <vector>
+
+#include "client/setup/interface.h"
+#include "client/setup/machine_checks.h"
+
+namespace prosector {
+
+class ChecksPage {
+ public:
+  /// `measure_pictures`: draws some, which takes a moment.
+  explicit ChecksPage(std::function<MachineCheck()> measure_pictures)
+      : measure_pictures_(std::move(measure_pictures)) {}
+
+  void draw(Interface& ui);
+
+ private:
+  std::function<MachineCheck()> measure_pictures_;
+  std::vector<MachineCheck> checks_;
+};
+
+}  // namespace prosector
