@@ -1,5 +1,5 @@
 #pragma once
-// From what a receiver reports to a pose in the room: what every tracker's driver does.
+// How a receiver's report becomes a pose in the room: what every tracker's driver does.
 
 #include <optional>
 

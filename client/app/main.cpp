@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   try {
     const auto parsed = prosector::parse_command_line(argc, argv);
     if (const int* code = std::get_if<int>(&parsed)) return *code;
+    if (const auto* task = std::get_if<prosector::Task>(&parsed)) return (*task)();
     if (const auto* render = std::get_if<prosector::RenderOptions>(&parsed))
       return prosector::render_scene(*render);
     if (const auto* setup = std::get_if<prosector::SetupOptions>(&parsed))

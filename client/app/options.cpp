@@ -9,6 +9,9 @@
 #include <cstdlib>
 #include <map>
 
+#include "client/app/calibrate.h"
+#include "client/app/config_command.h"
+#include "client/app/record_device.h"
 #include "client/render/shader_dir.h"
 #include "common/error.h"
 #include "common/local_name.h"
@@ -313,6 +316,14 @@ SetupOptions resolve_setup(const RawOptions& raw, ClientOptions& o, SetupOptions
   return setup;
 }
 
+/// Lets what was measured of the eyes take the place of the profile's.
+void take_eyes(const EyeSettings& eyes, StereoProfile& profile) {
+  profile.eye_distance = eyes.distance.value_or(profile.eye_distance);
+  profile.fov_horizontal = eyes.fov_horizontal.value_or(profile.fov_horizontal);
+  profile.fov_vertical = eyes.fov_vertical.value_or(profile.fov_vertical);
+  profile.convergence = eyes.convergence.value_or(profile.convergence);
+}
+
 void resolve(const RawOptions& raw, ClientOptions& o) {
   parse_display(raw.display, o);
   if (o.monitor && o.display != Display::window && o.display != Display::stereo)
@@ -324,6 +335,7 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   o.shown = parse_shown(raw.show);
   for (const std::string& text : raw.screenshots) o.screenshots.push_back(parse_screenshot(text));
   if (!raw.config.empty()) o.devices = load_client_config(raw.config);
+  take_eyes(o.devices.eyes, o.stereo);
   if (!raw.tracker.empty()) o.devices.tracker = raw.tracker;
   if (!raw.glove.empty()) o.devices.gloves[right_hand].address = raw.glove;
   if (!raw.glove_left.empty()) o.devices.gloves[left_hand].address = raw.glove_left;
@@ -373,10 +385,23 @@ ClientCommand parse_command_line(int argc, char** argv) {
   CLI::App* render = app.add_subcommand("render", "Pictures of a scene file, without a server");
   RenderOptions still;
   add_render(*render, still, raw);
+  CalibrateOptions calibrating;
+  CLI::App* calibrating_app =
+      app.add_subcommand("calibrate", "Guided steps: tracker, instrument, glove, eyes");
+  add_calibrate(*calibrating_app, calibrating);
+  RecordOptions recording;
+  CLI::App* recording_app = app.add_subcommand("record", "A device's samples into a file, without a server");
+  add_record(*recording_app, recording);
+  ConfigOptions configuring;
+  CLI::App* configuring_app = app.add_subcommand("config", "Check or change a configuration");
+  add_config(*configuring_app, configuring);
   bool host = false;
   join->add_flag("--host", host, "Be the session's host, who hands out roles, unless it has one");
   try {
     app.parse(argc, argv);
+    if (calibrating_app->parsed()) return Task([calibrating] { return calibrate(calibrating); });
+    if (recording_app->parsed()) return Task([recording] { return record_device(recording); });
+    if (configuring_app->parsed()) return Task([configuring] { return run_config(configuring); });
     if (render->parsed()) return resolve_render(raw, still);
     if (app.get_subcommands().empty() || set_up->parsed()) return resolve_setup(raw, o, setup);
     o.join.role = !join->parsed() ? Role::observer : host ? Role::host : Role::dissector;

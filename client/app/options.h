@@ -2,6 +2,7 @@
 // What the command line of prosector-client says.
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,6 +49,9 @@ struct ClientOptions {
   Shown shown = Shown::none;   // by soft bodies' colours; a desk user's V key changes it
 };
 
+/// A command that joins no session: what it does, and its exit code.
+using Task = std::function<int()>;
+
 /// What the set-up window is told.
 struct SetupOptions {
   BusConfig bus;
@@ -59,7 +63,7 @@ struct SetupOptions {
   std::optional<double> scale;  // nullopt: as the desktop says
 };
 
-using ClientCommand = std::variant<SetupOptions, ClientOptions, RenderOptions, int>;
+using ClientCommand = std::variant<SetupOptions, ClientOptions, RenderOptions, Task, int>;
 
 /// Parses; on --help or a wrong line prints to the user and returns the exit code.
 ClientCommand parse_command_line(int argc, char** argv);

@@ -31,9 +31,9 @@ struct SeenPoint {
 };
 inline constexpr std::size_t least_seen_points = 12;
 
-/// One eye's camera as SPAAM finds it (Tuceryan and Navab 2000): the 3×4 matrix that maps points to pixels,
-/// solved from normalised pairs by the least singular vector (DLT; Hartley 1997), and split into K, R and the
-/// eye's place.
+/// One eye's camera as SPAAM finds it (Tuceryan and Navab 2000): the 3×4 matrix that maps points to pixels.
+/// It is solved from normalised pairs by the least singular vector (DLT; Hartley 1997), and split into K, R
+/// and the eye's place.
 struct EyeFit {
   Eigen::Matrix<double, 3, 4> projection;           // pixels from points
   Pose eye;                                         // in the head receiver's frame; −z looks ahead, +y up

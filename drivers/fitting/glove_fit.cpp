@@ -69,9 +69,10 @@ HeldCounts hold_counts(std::span<const std::array<std::uint16_t, fingers>> readi
     for (const auto& r : readings) counts.push_back(r[f]);
     if (counts.empty()) continue;
     out.median[f] = median_of(counts);
-    double squares = 0;
-    for (const double c : counts) squares += (c - out.median[f]) * (c - out.median[f]);
-    out.noise[f] = std::sqrt(squares / static_cast<double>(counts.size()));
+    // What came in before the hand was still doesn't count as noise.
+    constexpr double rms_of_median = 1.4826;  // of a normal distribution
+    for (double& c : counts) c = std::abs(c - out.median[f]);
+    out.noise[f] = rms_of_median * median_of(counts);
   }
   return out;
 }

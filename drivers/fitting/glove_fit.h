@@ -32,7 +32,7 @@ std::span<const GlovePose> glove_poses();
 /// What a sensor told while a pose was held.
 struct HeldCounts {
   GloveCounts median{};
-  GloveCounts noise{};  // RMS about the median
+  GloveCounts noise{};  // RMS, by the median distance from the median
 };
 HeldCounts hold_counts(std::span<const std::array<std::uint16_t, fingers>> readings);
 

@@ -10,8 +10,8 @@ namespace prosector {
 
 struct StillLimits {
   double seconds = 0.5;    // for so long it must be still
-  double motion = 4e-3;    // m: between the means of both halves; noise of a reading is not motion
-  double turn = 0.02;      // rad, the same of orientations
+  double motion = 1e-3;    // m: between the means of both halves; noise of a reading is not motion
+  double turn = 0.01;      // rad, between those of orientations
   std::size_t least = 20;  // readings
 };
 

@@ -1,0 +1,267 @@
+#include "client/app/calibrate.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <fstream>
+#include <functional>
+
+#include "client/app/guided_run.h"
+#include "common/error.h"
+#include "drivers/csv.h"
+#include "drivers/fitting/eye_fit.h"
+#include "drivers/fitting/field_guide.h"
+#include "drivers/fitting/glove_guide.h"
+#include "drivers/fitting/room_guide.h"
+#include "drivers/fitting/timed_guides.h"
+#include "drivers/fitting/tip_guide.h"
+
+namespace prosector {
+namespace {
+
+/// Everything that a procedure has at hand.
+struct Calibration {
+  const CalibrateOptions& options;
+  ClientConfig config;
+  StationRole role;
+};
+
+std::vector<double> parse_numbers(const std::string& text, char between) {
+  std::vector<double> out;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(between, at), text.size());
+    double value = 0;
+    const auto [stop, error] = std::from_chars(text.data() + at, text.data() + end, value);
+    if (error != std::errc() || stop != text.data() + end) return {};
+    out.push_back(value);
+    at = end + 1;
+  }
+  return out;
+}
+
+StationRole parse_role(const std::string& name, const ClientConfig& config) {
+  if (name.empty()) {
+    const bool instrument = std::find(config.stations.begin(), config.stations.end(),
+                                      StationRole::instrument) != config.stations.end();
+    return instrument ? StationRole::instrument : StationRole::right_hand;
+  }
+  for (const StationRole role :
+       {StationRole::head, StationRole::left_hand, StationRole::right_hand, StationRole::instrument})
+    if (name == role_name(role)) return role;
+  throw InputError(fmt::format("--station {}: must be head, right, left or instrument", name));
+}
+
+std::unique_ptr<Device> open_tracker(const Calibration& c, const DeviceConfig& device) {
+  if (c.config.tracker.empty())
+    throw InputError(fmt::format("{}: names no tracker", c.options.config.string()));
+  return open_device(c.config.tracker, device);
+}
+
+GuideOutcome calibrate_room(const Calibration& c) {
+  std::vector<Vec3> points;
+  for (const std::string& text : c.options.points) {
+    const std::vector<double> p = parse_numbers(text, ',');
+    if (p.size() != 3) throw InputError(fmt::format("--point {}: must be x,y,z in m", text));
+    points.emplace_back(p.data());
+  }
+  RoomGuide guide(c.config, c.role, std::move(points));
+  run_guide(guide, *open_tracker(c, RoomGuide::device(c.config)), c.options.patience);
+  return guide.outcome();
+}
+
+GuideOutcome calibrate_tip(const Calibration& c) {
+  TipGuide guide(c.config, c.role);
+  run_guide(guide, *open_tracker(c, TipGuide::device(c.config, c.role)), c.options.patience);
+  return guide.outcome();
+}
+
+GuideOutcome calibrate_field(const Calibration& c) {
+  const CalibrateOptions& o = c.options;
+  FieldGrid grid{Vec3(o.low.data()), Vec3(o.high.data()), o.grid, std::nullopt};
+  if (!o.orientation.empty())
+    grid.orientation =
+        Quat(o.orientation[0], o.orientation[1], o.orientation[2], o.orientation[3]).normalized();
+  FieldGuide guide(c.config, c.role, grid, o.map.string());
+  run_guide(guide, *open_tracker(c, FieldGuide::device(c.config)), o.patience);
+  const GuideOutcome outcome = guide.outcome();
+  if (o.write) {
+    const std::filesystem::path file = o.config.parent_path() / o.map;
+    save_config_text(file, write_field_map(guide.fit().map));
+    fmt::print("wrote {}\n", file.string());
+  }
+  return outcome;
+}
+
+GuideOutcome calibrate_glove(const Calibration& c) {
+  const std::size_t hand = c.options.hand == "left" ? left_hand : right_hand;
+  const GloveSettings& glove = c.config.gloves[hand];
+  if (glove.address.empty())
+    throw InputError(fmt::format("{}: names no {} glove", c.options.config.string(), c.options.hand));
+  GloveGuide guide(hand, GloveGuide::least_span_of(glove.address));
+  run_guide(guide, *open_device(glove.address, glove.device), c.options.patience);
+  return guide.outcome();
+}
+
+GuideOutcome calibrate_noise(const Calibration& c) {
+  RestGuide guide(station_with_role(c.config, c.role), c.options.seconds);
+  run_guide(guide, *open_tracker(c, c.config.tracker_device), c.options.patience);
+  return guide.outcome();
+}
+
+/// Reads places of a station from a twin's log: time_ns,station,record,x,y,z and more.
+void take_log(const std::filesystem::path& file, std::size_t station, DelayGuide& guide) {
+  std::ifstream in(file);
+  std::string line;
+  for (std::size_t number = 1; std::getline(in, line); ++number) {
+    if (number == 1) continue;
+    const std::vector<double> v = parse_numbers(line, ',');
+    if (v.size() < 6)
+      throw InputError(fmt::format("{}:{}: must be time_ns,station,record,x,y,z", file.string(), number));
+    if (v[1] == static_cast<double>(station + 1))
+      guide.take_other(static_cast<std::int64_t>(v[0]), Vec3(v[3], v[4], v[5]));
+  }
+}
+
+GuideOutcome calibrate_latency(const Calibration& c) {
+  const std::size_t station = station_with_role(c.config, c.role);
+  DelayGuide guide(station, c.options.seconds);
+  const auto device = open_tracker(c, c.config.tracker_device);
+  if (std::filesystem::exists(c.options.against)) {
+    run_guide(guide, *device, c.options.patience);
+    take_log(c.options.against, station, guide);
+    return guide.outcome();
+  }
+  const auto other = open_device(c.options.against, {});
+  std::vector<DeviceSample> samples;
+  run_guide(guide, *device, c.options.patience, [&] {
+    samples.clear();
+    other->poll(samples);
+    for (const DeviceSample& s : samples)
+      if (s.has_pose && s.station == 0) guide.take_other(s.time_ns, s.pose.p);
+  });
+  return guide.outcome();
+}
+
+EyeFit fit_seen(const std::filesystem::path& file, const std::array<int, 2>& size) {
+  const CsvTable table(file, {"x", "y", "z", "u", "v"});
+  std::vector<SeenPoint> seen;
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    seen.push_back({{table.required(i, "x"), table.required(i, "y"), table.required(i, "z")},
+                    {table.required(i, "u"), table.required(i, "v")}});
+  try {
+    return fit_eye(seen, size[0], size[1]);
+  } catch (const InputError& e) {
+    throw InputError(fmt::format("{}: {}", file.string(), e.what()));
+  }
+}
+
+GuideOutcome calibrate_eyes(const Calibration& c) {
+  const CalibrateOptions& o = c.options;
+  GuideOutcome out;
+  if (o.seen.size() == 2) {
+    const EyeFit left = fit_seen(o.seen[0], o.size), right = fit_seen(o.seen[1], o.size);
+    const EyesFit eyes = join_eyes(left, right);
+    constexpr double degree = M_PI / 180;
+    out.words.push_back(fmt::format("residual {:.2f} pixels of the left eye, {:.2f} of the right one",
+                                    left.residual, right.residual));
+    out.words.push_back(fmt::format("eyes {:.1f} mm apart, {:.1f}° × {:.1f}° each", 1e3 * eyes.distance,
+                                    eyes.fov_horizontal / degree, eyes.fov_vertical / degree));
+    out.changes = {{"eyes.distance", eyes.distance},
+                   {"eyes.fov_horizontal", eyes.fov_horizontal / degree},
+                   {"eyes.fov_vertical", eyes.fov_vertical / degree}};
+    if (eyes.convergence > 0) out.changes.push_back({"eyes.convergence", eyes.convergence});
+    return out;
+  }
+  const EyeDistance eyes = eye_distance_by_sight(o.marks, o.screen, o.rod);
+  out.words.push_back(fmt::format("eyes {:.1f} ± {:.1f} mm apart", 1e3 * eyes.distance, 1e3 * eyes.error));
+  out.changes = {{"eyes.distance", eyes.distance}};
+  return out;
+}
+
+/// One row: what can be calibrated, and how.
+struct Procedure {
+  const char* name;
+  GuideOutcome (*run)(const Calibration&);
+};
+constexpr std::array<Procedure, 7> procedures = {{{"room", calibrate_room},
+                                                  {"tip", calibrate_tip},
+                                                  {"field", calibrate_field},
+                                                  {"glove", calibrate_glove},
+                                                  {"noise", calibrate_noise},
+                                                  {"latency", calibrate_latency},
+                                                  {"eyes", calibrate_eyes}}};
+
+void print_outcome(const GuideOutcome& outcome, const CalibrateOptions& o) {
+  for (const std::string& line : outcome.words) fmt::print("{}\n", line);
+  if (outcome.changes.empty()) return;
+  const std::string before = read_config_text(o.config);
+  const std::string after = write_client_config(before, outcome.changes, o.config.string());
+  fmt::print("{} of {}:\n", o.write ? "new lines" : "lines for --write", o.config.string());
+  for (const ConfigChange& change : outcome.changes)
+    fmt::print("  {} = {}\n", change.key, to_toml(change.value));
+  if (!o.write) return;
+  save_config_text(o.config, after);
+  fmt::print("wrote {}\n", o.config.string());
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& app, CalibrateOptions& o) {
+  std::vector<std::string> names;
+  for (const Procedure& p : procedures) names.emplace_back(p.name);
+  app.add_option("WHAT", o.what,
+                 "room: where the tracker stands; tip: of an instrument; field: bent by metal; glove: "
+                 "counts; noise: of a "
+                 "resting receiver; latency: against another device; eyes: distance and display")
+      ->check(CLI::IsMember(names))
+      ->required();
+  app.add_option("--config", o.config, "Client configuration with the devices")
+      ->check(CLI::ExistingFile)
+      ->required();
+  app.add_flag("--write", o.write, "Write what came out into the configuration; all else stays as it is");
+  app.add_option("--station", o.station,
+                 "Role of the receiver (default: instrument where there is one, else right)");
+  app.add_option("--point", o.points,
+                 "room: x,y,z of a known point, m (repeatable; in the order of touching)");
+  app.add_option("--low", o.low, "field: x,y,z of the grid's lower corner, m")->delimiter(',');
+  app.add_option("--high", o.high, "field: x,y,z of its upper corner, m")->delimiter(',');
+  app.add_option("--grid", o.grid, "field: points along x,y,z (default 5,5,5)")->delimiter(',');
+  app.add_option("--orientation", o.orientation,
+                 "field: w,x,y,z of the receiver in the room (default: as it is nearest to the transmitter)")
+      ->expected(4)
+      ->delimiter(',');
+  app.add_option("--map", o.map, "field: file for the map, beside the configuration")->capture_default_str();
+  app.add_option("--hand", o.hand, "glove: left or right")
+      ->check(CLI::IsMember({"left", "right"}))
+      ->capture_default_str();
+  app.add_option("--seconds", o.seconds, "noise, latency: how long to watch")
+      ->check(CLI::Range(1.0, 3600.0))
+      ->capture_default_str();
+  app.add_option("--against", o.against,
+                 "latency: a twin's log, or the DRIVER:PATH of a second device that moves along");
+  app.add_option("--marks", o.marks, "eyes: how far apart both marks are on the screen, m");
+  app.add_option("--screen", o.screen, "eyes: from the eyes to the screen, m");
+  app.add_option("--rod", o.rod, "eyes: from the eyes to the rod, m");
+  app.add_option(
+         "--seen", o.seen,
+         "eyes: CSV of pairs x,y,z,u,v (m in the head receiver's frame, pixels): left eye's, right eye's")
+      ->expected(2)
+      ->check(CLI::ExistingFile);
+  app.add_option("--size", o.size, "eyes: pixels of each eye's picture, WIDTH,HEIGHT (default 800,600)")
+      ->delimiter(',');
+  app.add_option("--patience", o.patience, "Seconds that all of it may take")
+      ->check(CLI::Range(1.0, 86400.0))
+      ->capture_default_str();
+}
+
+int calibrate(const CalibrateOptions& o) {
+  const ClientConfig config = load_client_config(o.config);
+  const Calibration c{o, config, parse_role(o.station, config)};
+  const auto row = std::find_if(procedures.begin(), procedures.end(),
+                                [&](const Procedure& p) { return o.what == p.name; });
+  print_outcome(row->run(c), o);
+  return 0;
+}
+
+}  // namespace prosector

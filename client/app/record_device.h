@@ -1,0 +1,27 @@
+#pragma once
+// `prosector-client record`: samples of a device into a file that the drivers `recorded` and `recorded-loop`
+// play.
+
+#include <filesystem>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace prosector {
+
+struct RecordOptions {
+  std::string address;           // DRIVER:PATH
+  std::filesystem::path out;     // CSV
+  std::filesystem::path config;  // how the device is used; empty: by defaults
+  double seconds = 0;            // 0: until interrupted
+};
+
+/// Adds the options of the command.
+void add_record(CLI::App& command, RecordOptions& options);
+
+/// Records until the time is over or SIGINT comes. Returns the exit code.
+int record_device(const RecordOptions& options);
+
+}  // namespace prosector

@@ -1,0 +1,142 @@
+#include "drivers/fitting/field_guide.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+constexpr double least_spacing = 0.02, least_reach = 0.06;  // m
+constexpr std::size_t most_per_axis = 12;
+
+/// Returns the grid's points, to and fro, so that each is beside the one before.
+std::vector<Vec3> points_of(const FieldGrid& grid) {
+  std::vector<Vec3> out;
+  const auto at = [&](Eigen::Index axis, std::size_t i) {
+    const auto steps = static_cast<double>(grid.count[static_cast<std::size_t>(axis)] - 1);
+    return grid.low[axis] + (grid.high[axis] - grid.low[axis]) * static_cast<double>(i) / steps;
+  };
+  std::size_t row = 0;
+  for (std::size_t y = 0; y < grid.count[1]; ++y)
+    for (std::size_t zz = 0; zz < grid.count[2]; ++zz, ++row) {
+      const std::size_t z = y % 2 == 0 ? zz : grid.count[2] - 1 - zz;
+      for (std::size_t xx = 0; xx < grid.count[0]; ++xx) {
+        const std::size_t x = row % 2 == 0 ? xx : grid.count[0] - 1 - xx;
+        out.emplace_back(at(0, x), at(1, y), at(2, z));
+      }
+    }
+  return out;
+}
+
+/// Returns the least distance of neighbours. Throws InputError for a grid that is none.
+double spacing_of(const FieldGrid& grid) {
+  double least = 1e9;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (grid.count[axis] < 3 || grid.count[axis] > most_per_axis)
+      throw InputError(fmt::format("a grid has 3 to {} points along each axis", most_per_axis));
+    const auto i = static_cast<Eigen::Index>(axis);
+    least = std::min(least, (grid.high[i] - grid.low[i]) / static_cast<double>(grid.count[axis] - 1));
+  }
+  if (least < least_spacing)
+    throw InputError(
+        fmt::format("a grid's points must be at least {:.0f} mm apart along each axis", 1e3 * least_spacing));
+  return least;
+}
+
+}  // namespace
+
+FieldGuide::FieldGuide(const ClientConfig& config, StationRole role, const FieldGrid& grid, std::string file)
+    : room_device_(config.tracker_device.room_device),
+      station_(station_with_role(config, role)),
+      grid_(grid),
+      file_(std::move(file)),
+      catcher_(0.4 * spacing_of(grid), {.seconds = 0.3}),
+      reach_(std::max(least_reach, spacing_of(grid))) {
+  points_ = points_of(grid);
+}
+
+DeviceConfig FieldGuide::device(const ClientConfig& config) {
+  DeviceConfig out = config.tracker_device;
+  out.room_device = {};
+  out.mount.fill({});
+  out.field_map.clear();
+  return out;
+}
+
+void FieldGuide::take(const DeviceSample& sample) {
+  if (sample.station != station_ || !sample.has_pose || caught_.size() == points_.size()) return;
+  const auto place = catcher_.take(sample.time_ns, sample.pose);
+  if (!place) return;
+  trouble_.clear();
+  const double off = (room_device_ * place->p - points_[caught_.size()]).norm();
+  if (off <= reach_)
+    caught_.push_back(*place);
+  else
+    trouble_ = fmt::format(
+        "the receiver seems to be {:.0f} mm from this point: go there, or align with the room first",
+        1e3 * off);
+}
+
+GuideStep FieldGuide::step() const {
+  GuideStep out;
+  out.index = caught_.size();
+  out.count = points_.size();
+  out.done = out.index == out.count;
+  out.trouble = trouble_;
+  if (out.done) return out;
+  const Vec3& p = points_[out.index];
+  out.instruction = fmt::format(
+      "Put the receiver at {:.3f}, {:.3f}, {:.3f} m, turned as before, and hold still", p.x(), p.y(), p.z());
+  out.target = p;
+  out.progress = catcher_.held();
+  return out;
+}
+
+std::vector<FieldSample> FieldGuide::samples() const {
+  const Pose device_room = room_device_.inverse();
+  Quat turn = Quat::Identity();
+  if (grid_.orientation) {
+    turn = device_room.q * *grid_.orientation;
+  } else {
+    // Nearest to the transmitter the field is least bent.
+    double nearest = 1e9;
+    for (const Pose& x : caught_)
+      if (x.p.norm() < nearest) {
+        nearest = x.p.norm();
+        turn = x.q;
+      }
+  }
+  std::vector<FieldSample> out;
+  for (std::size_t i = 0; i < caught_.size(); ++i)
+    out.push_back({caught_[i], {device_room * points_[i], turn}});
+  return out;
+}
+
+FieldFit FieldGuide::fit() const {
+  return fit_field(samples());
+}
+
+void FieldGuide::back() {
+  if (!caught_.empty()) caught_.pop_back();
+}
+
+GuideOutcome FieldGuide::outcome() const {
+  const FieldFit f = fit();
+  constexpr double degrees = 180 / std::numbers::pi;
+  GuideOutcome out;
+  out.words.push_back(fmt::format(
+      "before: {:.2f} mm, {:.2f}° RMS; after: {:.2f} mm, {:.2f}° RMS at points left out of the fit",
+      1e3 * f.before, degrees * f.turn_before, 1e3 * f.after, degrees * f.turn_after));
+  out.words.push_back("chosen: " + f.chosen.name());
+  for (const FieldTrial& t : f.trials)
+    out.words.push_back(
+        fmt::format("  {:<26} {:6.2f} mm {:6.2f}°", t.name(), 1e3 * t.error, degrees * t.turn_error));
+  out.changes = {{"tracker.field_map", file_}};
+  return out;
+}
+
+}  // namespace prosector

@@ -1,0 +1,24 @@
+#include "drivers/fitting/guide.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/error.h"
+
+namespace prosector {
+
+const char* role_name(StationRole role) {
+  constexpr std::array names = {"none", "head", "left", "right", "instrument"};
+  return names.at(static_cast<std::size_t>(role));
+}
+
+std::size_t station_with_role(const ClientConfig& config, StationRole role) {
+  const auto at = std::find(config.stations.begin(), config.stations.end(), role);
+  if (at == config.stations.end())
+    throw InputError(fmt::format("no receiver has the role '{}': give [tracker.stations] {}.station",
+                                 role_name(role), role_name(role)));
+  return static_cast<std::size_t>(at - config.stations.begin());
+}
+
+}  // namespace prosector

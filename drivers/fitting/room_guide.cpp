@@ -1,0 +1,98 @@
+#include "drivers/fitting/room_guide.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+constexpr double leave_distance = 0.03;  // m: known points lie farther apart
+constexpr int most_refused = 2;          // tries in a row before the point before is touched again, too
+constexpr double most_mismatch = 0.06;   // m: of distances between points; a bent field does less
+
+}  // namespace
+
+RoomGuide::RoomGuide(const ClientConfig& config, StationRole role, std::vector<Vec3> points)
+    : station_(station_with_role(config, role)), points_(std::move(points)), catcher_(leave_distance) {
+  std::vector<TouchedPoint> exact;
+  for (const Vec3& p : points_) exact.push_back({p, p});
+  (void)fit_rigid(exact);
+  for (std::size_t i = 1; i < points_.size(); ++i)
+    if ((points_[i] - points_[i - 1]).norm() < 2 * leave_distance)
+      throw InputError(
+          fmt::format("points {} and {} are closer than {:.0f} mm", i, i + 1, 2e3 * leave_distance));
+}
+
+DeviceConfig RoomGuide::device(const ClientConfig& config) {
+  DeviceConfig out = config.tracker_device;
+  out.room_device = {};
+  return out;
+}
+
+void RoomGuide::take(const DeviceSample& sample) {
+  if (sample.station != station_ || !sample.has_pose || touched_.size() == points_.size()) return;
+  const auto place = catcher_.take(sample.time_ns, sample.pose);
+  if (place && plausible(place->p)) touched_.push_back({place->p, points_[touched_.size()]});
+}
+
+/// Tells whether the place is as far from those before as it should be; else says so.
+bool RoomGuide::plausible(const Vec3& place) {
+  trouble_.clear();
+  for (std::size_t i = 0; i < touched_.size(); ++i) {
+    const double seen = (place - touched_[i].device).norm();
+    const double known = (points_[touched_.size()] - touched_[i].room).norm();
+    if (std::abs(seen - known) <= most_mismatch) continue;
+    if (++refused_ == most_refused) {
+      // What was touched before may be what is wrong.
+      back();
+      refused_ = 0;
+    }
+    trouble_ = fmt::format("that was {:.0f} mm from point {}, but should be {:.0f} mm: touch point {} again",
+                           1e3 * seen, i + 1, 1e3 * known, touched_.size() + 1);
+    return false;
+  }
+  refused_ = 0;
+  return true;
+}
+
+GuideStep RoomGuide::step() const {
+  GuideStep out;
+  out.index = touched_.size();
+  out.count = points_.size();
+  out.done = out.index == out.count;
+  out.trouble = trouble_;
+  if (out.done) return out;
+  const Vec3& p = points_[out.index];
+  out.instruction = fmt::format("Touch point {} of {} at {:.3f}, {:.3f}, {:.3f} m and hold still",
+                                out.index + 1, out.count, p.x(), p.y(), p.z());
+  out.target = p;
+  out.progress = catcher_.held();
+  return out;
+}
+
+void RoomGuide::back() {
+  if (!touched_.empty()) touched_.pop_back();
+}
+
+GuideOutcome RoomGuide::outcome() const {
+  const RigidFit f = fit();
+  GuideOutcome out;
+  const auto worst = std::max_element(f.residuals.begin(), f.residuals.end());
+  out.words.push_back(
+      fmt::format("residual {:.2f} mm RMS, at most {:.2f} mm at point {}; a touch is off by {:.2f} mm RMS",
+                  1e3 * f.fre, 1e3 * *worst, worst - f.residuals.begin() + 1, 1e3 * f.fle));
+  out.words.push_back(
+      fmt::format("error to expect: {:.2f} mm RMS amid the points, {:.2f} mm half a metre above them",
+                  1e3 * f.expected_error(f.centre), 1e3 * f.expected_error(f.centre + Vec3(0, 0.5, 0))));
+  const Vec3& p = f.room_device.p;
+  const Quat& q = f.room_device.q;
+  out.changes = {{"tracker.room.position", std::vector<double>{p.x(), p.y(), p.z()}},
+                 {"tracker.room.orientation", std::vector<double>{q.w(), q.x(), q.y(), q.z()}}};
+  return out;
+}
+
+}  // namespace prosector

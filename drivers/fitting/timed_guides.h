@@ -1,0 +1,48 @@
+#pragma once
+// Guides that watch for some seconds: a receiver at rest, and a hand that moves while two devices tell it.
+
+#include "drivers/fitting/delay_fit.h"
+#include "drivers/fitting/guide.h"
+#include "drivers/fitting/rest_fit.h"
+
+namespace prosector {
+
+class RestGuide final : public Guide {
+ public:
+  RestGuide(std::size_t station, double seconds) : station_(station), seconds_(seconds) {}
+  void take(const DeviceSample& sample) override;
+  GuideStep step() const override;
+  void back() override { readings_.clear(); }
+  GuideOutcome outcome() const override;
+  RestFit fit() const { return fit_rest(readings_); }
+
+ private:
+  double passed() const;
+
+  std::size_t station_;
+  double seconds_;
+  std::vector<TimedPose> readings_;
+};
+
+/// Compares when two devices tell the same motion. Each may have its own frame and unit: what is compared is
+/// the distance from the mean place.
+class DelayGuide final : public Guide {
+ public:
+  DelayGuide(std::size_t station, double seconds) : station_(station), seconds_(seconds) {}
+  void take(const DeviceSample& sample) override;
+  /// Takes what the other device told at a time, in any frame and unit.
+  void take_other(std::int64_t time_ns, const Vec3& place) {
+    other_.push_back({time_ns, {place, Quat::Identity()}});
+  }
+  GuideStep step() const override;
+  void back() override;
+  GuideOutcome outcome() const override;
+  DelayFit fit() const;
+
+ private:
+  std::size_t station_;
+  double seconds_;
+  std::vector<TimedPose> own_, other_;
+};
+
+}  // namespace prosector

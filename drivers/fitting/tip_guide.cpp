@@ -1,0 +1,76 @@
+#include "drivers/fitting/tip_guide.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t wanted_poses = 200;
+constexpr double next_pose_turn = 0.01;  // rad: what turned less says nothing new
+
+}  // namespace
+
+TipGuide::TipGuide(const ClientConfig& config, StationRole role)
+    : role_(role), station_(station_with_role(config, role)) {}
+
+DeviceConfig TipGuide::device(const ClientConfig& config, StationRole role) {
+  DeviceConfig out = config.tracker_device;
+  out.room_device = {};
+  out.mount[station_with_role(config, role)] = {};
+  return out;
+}
+
+void TipGuide::take(const DeviceSample& sample) {
+  if (sample.station != station_ || !sample.has_pose || poses_.size() == wanted_poses) return;
+  if (!rests_) {
+    window_.take(sample.time_ns, sample.pose);
+    rests_ = window_.still();
+    if (!rests_) return;
+  }
+  if (poses_.empty() || poses_.back().q.angularDistance(sample.pose.q) >= next_pose_turn)
+    poses_.push_back(sample.pose);
+}
+
+GuideStep TipGuide::step() const {
+  GuideStep out;
+  out.count = 2;
+  out.index = poses_.size() == wanted_poses ? 2 : rests_ ? 1 : 0;
+  out.done = out.index == out.count;
+  if (out.index == 0) {
+    out.instruction = "Put the tip into a dimple, so that it can't slip, and hold still";
+    out.progress = window_.filled();
+  } else if (out.index == 1) {
+    out.instruction =
+        "Swing the instrument about its tip, in a cone of ±30° to all sides, without lifting the tip";
+    out.progress = static_cast<double>(poses_.size()) / wanted_poses;
+  }
+  return out;
+}
+
+void TipGuide::back() {
+  rests_ = false;
+  window_.clear();
+  poses_.clear();
+}
+
+GuideOutcome TipGuide::outcome() const {
+  const PivotFit f = fit();
+  const std::string station = fmt::format("tracker.stations.{}.", role_name(role_));
+  constexpr double degrees = 180 / std::numbers::pi;
+  GuideOutcome out;
+  out.words.push_back(
+      fmt::format("tip at {:.2f}, {:.2f}, {:.2f} mm in the receiver's frame, {:.1f} mm from it",
+                  1e3 * f.tip.x(), 1e3 * f.tip.y(), 1e3 * f.tip.z(), 1e3 * f.tip.norm()));
+  out.words.push_back(fmt::format(
+      "{} poses, turned by {:.0f}° RMS at least; residual {:.2f} mm RMS; error to expect of the tip "
+      "{:.2f} mm RMS",
+      f.poses, degrees * f.turn, 1e3 * f.residual, 1e3 * f.tip_error));
+  out.changes = {{station + "station", static_cast<double>(station_ + 1)},
+                 {station + "mount.position", std::vector<double>{f.tip.x(), f.tip.y(), f.tip.z()}}};
+  return out;
+}
+
+}  // namespace prosector
