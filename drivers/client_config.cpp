@@ -14,6 +14,7 @@
 #include "common/toml_nesting.h"
 #include "drivers/client_config_table.h"
 #include "drivers/client_config_write.h"
+#include "drivers/field_map.h"
 
 namespace prosector {
 namespace {
@@ -147,7 +148,9 @@ ClientConfig parse_client_config(std::string_view toml, const std::string& file)
 }
 
 ClientConfig load_client_config(const std::filesystem::path& file) {
-  return parse_client_config(read_config_text(file), file.string());
+  ClientConfig config = parse_client_config(read_config_text(file), file.string());
+  if (const std::string& map = config.tracker_device.field_map; !map.empty()) (void)load_field_map(map);
+  return config;
 }
 
 }  // namespace prosector

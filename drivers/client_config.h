@@ -59,8 +59,8 @@ struct ClientConfig {
   ClientConfig() { gloves[left_hand].device.left = true; }
 };
 
-/// Reads the client's configuration. Throws InputError with file, line, key and what is allowed; unknown keys
-/// are errors.
+/// Reads the client's configuration, and checks the files that it names. Throws InputError with file, line,
+/// key and what is allowed; unknown keys are errors.
 ClientConfig load_client_config(const std::filesystem::path& file);
 /// Reads the configuration from text; `file` is for messages, and files that it names are looked for beside
 /// it.

@@ -431,41 +431,45 @@ std::optional<ConfigFault> check_glove(ClientConfig& config, std::size_t hand) {
 }
 
 std::vector<ConfigTable> make_tables() {
-  std::vector<ConfigTable> tables = {
-      {"", "", {}, {}},
-      {"tracker", "A tracker of several receivers.", {}, {}},
-      {"tracker.room", "", {}, {}},
-      {"tracker.stations",
-       "Which receiver is fixed to what. Without this table receiver 1 is the right hand.",
-       [](ClientConfig& c) {
-         c.stations.fill(StationRole::none);
-         c.tracker_device.stations = 0;
-       },
-       [](ClientConfig& c) -> std::optional<ConfigFault> {
-         if (c.tracker_device.stations != 0) return std::nullopt;
-         return ConfigFault{"right", "name at least one of head, right, left, instrument"};
-       }}};
+  std::vector<ConfigTable> tables;
+  const auto add = [&](std::string name, std::string help) -> ConfigTable& {
+    return tables.emplace_back(ConfigTable{std::move(name), std::move(help), {}, false, {}});
+  };
+  add("", "");
+  add("tracker", "A tracker of several receivers.");
+  add("tracker.room", "");
+  ConfigTable& stations =
+      add("tracker.stations",
+          "Which receiver is fixed to what. Without this table receiver 1 is the right hand.");
+  stations.whole = true;
+  stations.begin = [](ClientConfig& c) {
+    c.stations.fill(StationRole::none);
+    c.tracker_device.stations = 0;
+  };
+  stations.finish = [](ClientConfig& c) -> std::optional<ConfigFault> {
+    if (c.tracker_device.stations != 0) return std::nullopt;
+    return ConfigFault{"right", "name at least one of head, right, left, instrument"};
+  };
   for (const RoleName& row : role_names) {
-    tables.push_back(
-        {fmt::format("tracker.stations.{}", row.name), fmt::format("The receiver of {}.", row.help), {}, {}});
-    tables.push_back({fmt::format("tracker.stations.{}.mount", row.name), "", {}, {}});
+    add(fmt::format("tracker.stations.{}", row.name), fmt::format("The receiver of {}.", row.help));
+    add(fmt::format("tracker.stations.{}.mount", row.name), "");
   }
-  tables.push_back({"glove", "", {}, {}});
-  tables.push_back({"glove.right", "A glove of five bend sensors.", {}, [](ClientConfig& c) {
-                      return check_glove(c, right_hand);
-                    }});
-  tables.push_back({"glove.left", "The left hand's glove.", {}, [](ClientConfig& c) {
-                      return check_glove(c, left_hand);
-                    }});
-  tables.push_back({"arm", "A haptic arm: [arms](../do/arms.md).", {}, {}});
-  tables.push_back({"arm.room", "", {}, {}});
-  tables.push_back({"arm.mount", "", [](ClientConfig& c) { c.arm.mount.emplace(); }, {}});
-  tables.push_back(
-      {"gestures",
-       "What a gesture asks for. Where this table is, gestures that it doesn't name ask for nothing.",
-       [](ClientConfig& c) { c.gestures.clear(); },
-       {}});
-  tables.push_back({"eyes", "What was measured of the eyes and the display.", {}, {}});
+  add("glove", "");
+  add("glove.right", "A glove of five bend sensors.").finish = [](ClientConfig& c) {
+    return check_glove(c, right_hand);
+  };
+  add("glove.left", "The left hand's glove.").finish = [](ClientConfig& c) {
+    return check_glove(c, left_hand);
+  };
+  add("arm", "A haptic arm: [arms](../do/arms.md).");
+  add("arm.room", "");
+  add("arm.mount", "").begin = [](ClientConfig& c) { c.arm.mount.emplace(); };
+  ConfigTable& gestures =
+      add("gestures",
+          "What a gesture asks for. Where this table is, gestures that it doesn't name ask for nothing.");
+  gestures.whole = true;
+  gestures.begin = [](ClientConfig& c) { c.gestures.clear(); };
+  add("eyes", "What was measured of the eyes and the display.");
   return tables;
 }
 

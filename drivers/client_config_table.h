@@ -44,7 +44,8 @@ struct ConfigFault {
 struct ConfigTable {
   std::string name;  // dotted; empty: the top of the file
   std::string help;
-  std::function<void(ClientConfig&)> begin;                         // before its keys are read; may be empty
+  std::function<void(ClientConfig&)> begin;  // before its keys are read; may be empty
+  bool whole = false;  // where it is, the defaults of keys that it doesn't name don't hold
   std::function<std::optional<ConfigFault>(ClientConfig&)> finish;  // after all keys; may be empty
 };
 

@@ -60,6 +60,35 @@ void renew(std::string& text) {
   text = edited.text();
 }
 
+/// Returns the changes, and before them the defaults that would cease to hold because a change makes their
+/// table.
+std::vector<ConfigChange> with_defaults(const TomlText& text, const std::vector<ConfigChange>& changes) {
+  std::vector<ConfigChange> out;
+  const auto is_changed = [&](const std::string& key, const ConfigValue& value) {
+    return std::any_of(changes.begin(), changes.end(), [&](const ConfigChange& c) {
+      const bool same_station = c.key.ends_with(".station") && key.ends_with(".station") && c.value == value;
+      return c.key == key || same_station;
+    });
+  };
+  for (const ConfigTable& table : client_config_tables()) {
+    const std::string below = table.name + ".";
+    const bool made = table.whole && !text.has_table(split_toml_path(table.name)) &&
+                      std::any_of(changes.begin(), changes.end(),
+                                  [&](const ConfigChange& c) { return c.key.starts_with(below); });
+    if (!made) continue;
+    ClientConfig without;
+    table.begin(without);
+    for (const ConfigKey& key : client_config_keys()) {
+      if (!key.name.starts_with(below) || key.type == ConfigType::numbers) continue;
+      const auto value = key.get(ClientConfig());
+      if (value && value != key.get(without) && !is_changed(key.name, *value))
+        out.push_back({key.name, *value});
+    }
+  }
+  out.insert(out.end(), changes.begin(), changes.end());
+  return out;
+}
+
 }  // namespace
 
 MigratedConfig migrate_client_config(std::string text) {
@@ -83,7 +112,7 @@ std::string write_client_config(const std::string& text, const std::vector<Confi
   std::string out = text;
   renew(out);
   TomlText edited(out);
-  for (const ConfigChange& change : changes) {
+  for (const ConfigChange& change : with_defaults(edited, changes)) {
     const ConfigKey* key = find_config_key(change.key);
     if (key == nullptr) throw InputError(fmt::format("{}: {}: there is no such key", file, change.key));
     if (!fits(*key, change.value))

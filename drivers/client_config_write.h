@@ -24,8 +24,10 @@ struct MigratedConfig {
 /// Brings the keys of an older version to the present one. Each stays on its line. The text must be TOML.
 MigratedConfig migrate_client_config(std::string text);
 
-/// Returns the text with the changes, its older keys brought to the present version. Throws InputError where
-/// the text, a key or a value is not allowed, or what comes out isn't; `file` is for messages.
+/// Returns the text with the changes, its older keys brought to the present version. What no change names
+/// means what it meant before: where a change makes a table whose defaults hold only without it, these are
+/// written out. Throws InputError where the text, a key or a value is not allowed, or what comes out isn't;
+/// `file` is for messages.
 std::string write_client_config(const std::string& text, const std::vector<ConfigChange>& changes,
                                 const std::string& file);
 

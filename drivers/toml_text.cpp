@@ -176,6 +176,12 @@ std::optional<std::string> TomlText::value(const TomlPath& path) const {
   return text_.substr(entry->value_begin, entry->value_end - entry->value_begin);
 }
 
+bool TomlText::has_table(const TomlPath& path) const {
+  const auto below = [&](const auto& thing) { return starts_with(thing.path, path); };
+  return std::any_of(entries_.begin(), entries_.end(), below) ||
+         std::any_of(sections_.begin(), sections_.end(), below);
+}
+
 void TomlText::replace(std::size_t begin, std::size_t end, const std::string& with) {
   text_.replace(begin, end - begin, with);
   scan();

@@ -20,6 +20,8 @@ class TomlText {
   const std::string& text() const { return text_; }
   /// Returns the value's text, or nothing where the key isn't.
   std::optional<std::string> value(const TomlPath& path) const;
+  /// Tells whether a table is there, by a header, by a dotted key below it, or inline.
+  bool has_table(const TomlPath& path) const;
   /// Sets a key's value, given as TOML. A key that isn't there is added where its table is, else with a table
   /// of its own at the end.
   void set(const TomlPath& path, const std::string& value);

@@ -27,10 +27,10 @@ class FieldGuide final : public Guide {
   void back() override;
   GuideOutcome outcome() const override;
   FieldFit fit() const;
-
- private:
+  /// Returns what was reported where, in the device's frame: what a picture shows.
   std::vector<FieldSample> samples() const;
 
+ private:
   Pose room_device_;
   std::size_t station_;
   FieldGrid grid_;

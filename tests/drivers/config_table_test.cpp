@@ -58,6 +58,25 @@ bool same(const ConfigValue& a, const ConfigValue& b) {
                                              [](double x, double y) { return std::abs(x - y) < 1e-9; });
 }
 
+/// The names of keys, but for those of the changes, whose meaning two texts differ in.
+std::string differing(const std::string& before, const std::string& after,
+                      const std::vector<ConfigChange>& changes) {
+  const ClientConfig a = parse_client_config(before, "c.toml"), b = parse_client_config(after, "c.toml");
+  const auto concerns = [](const ConfigChange& c, const std::string& key) {
+    // A mount's other half comes with the first.
+    const bool same_mount = key.find("mount.") != std::string::npos &&
+                            c.key.substr(0, c.key.rfind('.')) == key.substr(0, key.rfind('.'));
+    return c.key == key || same_mount;
+  };
+  std::string out;
+  for (const ConfigKey& key : client_config_keys()) {
+    if (std::ranges::any_of(changes, [&](const ConfigChange& c) { return concerns(c, key.name); })) continue;
+    const auto x = key.get(a), y = key.get(b);
+    if (x.has_value() != y.has_value() || (x && !same(*x, *y))) out += key.name + " ";
+  }
+  return out;
+}
+
 /// What must stand beside a key so that the whole is allowed.
 std::vector<ConfigChange> companions(const std::string& name) {
   std::vector<ConfigChange> out;
@@ -156,6 +175,9 @@ TEST(ConfigWrite, EachKeyComesBackFromEachText) {
         ASSERT_TRUE(read.has_value());
         EXPECT_TRUE(same(*read, change.value)) << to_toml(*read);
         EXPECT_EQ(write_client_config(out, {change}, "c.toml"), out) << "a second time changes nothing";
+        if (!key.name.ends_with(".station")) {
+          EXPECT_EQ(differing(base, out, {change}), "");
+        }
       }
     }
   }
@@ -225,6 +247,7 @@ TEST(ConfigWrite, DamagedTextsAreRefusedOrChangedCorrectly) {
     try {
       const std::string out = write_client_config(damaged, {change}, "c.toml");
       EXPECT_EQ(parse_client_config(out, "c.toml").gloves[right_hand].device.hysteresis, 0.125) << damaged;
+      EXPECT_EQ(differing(damaged, out, {change}), "") << damaged;
       ++changed;
     } catch (const InputError& e) {
       EXPECT_NE(std::string(e.what()).find("c.toml"), std::string::npos) << e.what();
@@ -244,6 +267,25 @@ TEST(ConfigWrite, ChangesOneValueAndNothingElse) {
       write_client_config(text, {{"tracker.field_map", std::string("f.toml")}}, "c.toml"),
       "# mine\n[tracker] # t\naddress = 'fastrak:/x'   # port\nfield_map = \"f.toml\"\n\n[tracker.room]\n"
       "position = [0, 1, 2] # measured\n# end\n");
+}
+
+// Tables whose defaults hold only without them: a change of one key must not take the others away.
+TEST(ConfigWrite, WhatNoChangeNamesMeansWhatItMeantBefore) {
+  const std::string text = "[tracker]\naddress = 'fastrak:/x'\n";
+  const ClientConfig gestures = parse_client_config(
+      write_client_config(text, {{"gestures.point", std::string("panel")}}, "c.toml"), "c.toml");
+  auto expected = ClientConfig().gestures;
+  expected[Gesture::point] = GestureEvent::panel;
+  EXPECT_EQ(gestures.gestures, expected);
+  const auto stations = [&](double instrument) {
+    return parse_client_config(
+               write_client_config(text, {{"tracker.stations.instrument.station", instrument}}, "c.toml"),
+               "c.toml")
+        .stations;
+  };
+  EXPECT_EQ(stations(3)[0], StationRole::right_hand);
+  EXPECT_EQ(stations(3)[2], StationRole::instrument);
+  EXPECT_EQ(stations(1)[0], StationRole::instrument) << "unless the change takes its receiver";
 }
 
 void expect_refusal(const std::vector<ConfigChange>& changes, const char* says) {

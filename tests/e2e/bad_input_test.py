@@ -140,12 +140,27 @@ for what, recording, words in PLAY_CASES:
     failures += not good
     print(f"{'ok    ' if good else 'FAILED'} {what}: exit {run.returncode}: {message}")
 
+DEVICES = write("devices.toml", "[tracker]\naddress = 'fastrak:/nonexistent'\n")
 CLIENT_CASES = [
     ("no server", ["observe", "--session", "nobody-is-here", "--patience", "1", "--display", "none"],
      ["nobody-is-here", "looked"]),
     ("bad size", ["observe", "--size", "800"], ["--size", "WIDTHxHEIGHT"]),
     ("no language", ["observe", "--language", "x y"], ["x y", "language tag"]),
     ("unknown driver", ["join", "--tracker", "magic:/dev/null"], ["magic", "fastrak"]),
+    ("a field map that is none", ["join", "--config", write("no_map.toml", "[tracker]\naddress = 'fastrak:/dev/null'\nfield_map = 'no.toml'\n")],
+     ["no.toml"]),
+    ("points on a line", ["calibrate", "room", "--config", DEVICES, "--point=0,0,0", "--point=0.3,0,0", "--point=0.6,0,0"], ["one line"]),
+    ("two points", ["calibrate", "room", "--config", DEVICES, "--point=0,0,0", "--point=0.3,0,0"], ["at least 3"]),
+    ("a point of two numbers", ["calibrate", "room", "--config", DEVICES, "--point=1,2"], ["--point 1,2", "x,y,z"]),
+    ("no such receiver", ["calibrate", "tip", "--config", DEVICES, "--station", "instrument"], ["instrument", "tracker.stations"]),
+    ("no grid", ["calibrate", "field", "--config", DEVICES, "--grid", "2,2,2"], ["3 to 12 points"]),
+    ("no glove", ["calibrate", "glove", "--config", DEVICES], ["devices.toml", "right glove"]),
+    ("a tracker that is away", ["calibrate", "noise", "--config", DEVICES, "--patience", "1"], ["not done after 1 s"]),
+    ("nobody's eyes", ["calibrate", "eyes", "--config", DEVICES, "--marks", "0.2", "--screen", "0.7", "--rod", "0.4"], ["between the eyes"]),
+    ("a recording of nothing", ["record", "magic:/dev/null", "--out", OUT / "recording.csv"], ["magic", "fastrak"]),
+    ("a key that is none", ["config", DEVICES, "--set", "tracker.colour=1"], ["tracker.colour", "no such key"]),
+    ("a value that is not allowed", ["config", DEVICES, "--set", "eyes.distance=1"], ["eyes.distance", "from 0 to 0.2"]),
+    ("a newer configuration", ["config", write("newer.toml", "version = 99\n")], ["newer.toml:1", "newer Prosector"]),
 ]
 for what, arguments, words in CLIENT_CASES:
     run = subprocess.run([BIN / "prosector-client", *arguments], capture_output=True, text=True, timeout=60)
