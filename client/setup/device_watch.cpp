@@ -39,6 +39,12 @@ WatchedStation look_at(const std::deque<DeviceSample>& samples) {
   return out;
 }
 
+/// Asks a tracker for all its receivers, those too that nobody has yet.
+DeviceConfig all_receivers(DeviceConfig device) {
+  device.stations = (1u << max_stations) - 1;
+  return device;
+}
+
 }  // namespace
 
 struct DeviceWatch::Opened {
@@ -71,7 +77,7 @@ DeviceWatch::DeviceWatch(const ClientConfig& config) {
     add({kind, hand, name, address, {}, {}}, std::move(opened));
   };
   open(WatchedKind::tracker, right_hand, "tracker", config.tracker,
-       [&](Opened& o) { o.device = open_device(config.tracker, config.tracker_device); });
+       [&](Opened& o) { o.device = open_device(config.tracker, all_receivers(config.tracker_device)); });
   for (const std::size_t hand : {right_hand, left_hand}) {
     const GloveSettings& glove = config.gloves[hand];
     open(WatchedKind::glove, hand, hand == right_hand ? "right glove" : "left glove", glove.address,

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client/setup/words.h"
-#include "common/error.h"
+#include "client/setup/draft_changes.h"
 
 namespace prosector {
 namespace {
@@ -68,7 +67,8 @@ void DevicesPage::draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
   ImGui::BeginChild("which", {std::floor(0.44f * width), 0}, true);
   draw_addresses(ui, draft);
   draw_status(ui);
-  draw_changes(ui, draft);
+  ImGui::Separator();
+  if (draw_draft_changes(ui, draft, said_)) watch_.reset();
   ImGui::EndChild();
   ImGui::SameLine(0, gap);
   ImGui::BeginChild("live", {0, 0}, true);
@@ -243,34 +243,6 @@ void DevicesPage::assign(ConfigDraft& draft, StationRole role, std::uint32_t sta
     changes.push_back(set(*other, static_cast<std::size_t>(before - stations.begin())));
   }
   change(draft, changes, fmt::format("Receiver {} is the {}'s.", station + 1, own.name));
-}
-
-void DevicesPage::draw_changes(Interface& ui, ConfigDraft& draft) {
-  ImGui::Separator();
-  if (!draft.changed()) {
-    quiet(draft.file().string() + (std::filesystem::exists(draft.file()) ? "" : ": none yet"));
-    return;
-  }
-  title("To be written to " + draft.file().string());
-  for (const ChangedLine& line : draft.changes()) {
-    if (!line.before.empty()) quiet("- " + line.before);
-    if (!line.after.empty()) wrapped("+ " + line.after);
-  }
-  if (ImGui::Button("Save")) {
-    try {
-      draft.save();
-      said_ = {"Saved.", false};
-    } catch (const InputError& error) {
-      said_ = {error.what(), true};
-    }
-  }
-  ui.note("save");
-  ImGui::SameLine();
-  if (ImGui::Button("Discard")) {
-    draft.revert();
-    watch_.reset();
-  }
-  ui.note("discard");
 }
 
 }  // namespace prosector

@@ -50,7 +50,6 @@ class DevicesPage {
   void draw_status(Interface& ui);
   void draw_device(Interface& ui, ConfigDraft& draft, std::int64_t now_ns);
   void draw_roles(Interface& ui, ConfigDraft& draft, const WatchedDevice& tracker, std::int64_t now_ns);
-  void draw_changes(Interface& ui, ConfigDraft& draft);
 };
 
 }  // namespace prosector

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace prosector {
 
@@ -10,7 +11,7 @@ void LayoutLog::write(const Interface& ui, const std::string& words) {
   nlohmann::json controls = nlohmann::json::object();
   for (const PlacedControl& c : ui.placed()) controls[c.name] = {c.left, c.top, c.right, c.bottom};
   std::string text = nlohmann::json{{"controls", controls}, {"words", words}}.dump();
-  if (text == written_) return;
+  if (text == written_ || std::exchange(last_, text) != text) return;
   written_ = std::move(text);
   std::filesystem::path fresh = file_;
   fresh += ".new";

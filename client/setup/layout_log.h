@@ -13,12 +13,13 @@ class LayoutLog {
   /// Takes a file; empty: nothing is written.
   explicit LayoutLog(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// Writes the places of all controls and what is said, if either changed. The file is whole at any time.
+  /// Writes the places of all controls and what is said, once two pictures have the same: what comes anew
+  /// finds its place first. The file is whole at any time.
   void write(const Interface& ui, const std::string& words);
 
  private:
   std::filesystem::path file_;
-  std::string written_;
+  std::string last_, written_;
 };
 
 }  // namespace prosector

@@ -23,9 +23,24 @@ void Pages::draw(Interface& ui) {
       }
       return open;
     };
-    page("Enter", [&] { enter_.draw(ui, room_); });
-    if (!page("Devices", [&] { devices_.draw(ui, draft_, monotonic_ns()); })) devices_.close();
-    page("Checks", [&] { checks_.draw(ui); });
+    page("Enter", [&] {
+      enter_.draw(ui, room_);
+      said_ = &room_.said();
+    });
+    const bool devices = page("Devices", [&] {
+      devices_.draw(ui, draft_, monotonic_ns());
+      said_ = &devices_.said();
+    });
+    if (!devices) devices_.close();
+    const bool calibrate = page("Calibrate", [&] {
+      calibrate_.draw(ui, draft_);
+      said_ = &calibrate_.said();
+    });
+    if (!calibrate) calibrate_.close();
+    page("Checks", [&] {
+      checks_.draw(ui);
+      said_ = &room_.said();
+    });
     ImGui::EndTabBar();
   }
   ImGui::EndChild();

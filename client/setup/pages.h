@@ -2,6 +2,7 @@
 // The set-up window's pages, and what is said below them.
 
 #include "client/setup/anteroom.h"
+#include "client/setup/calibrate_page.h"
 #include "client/setup/checks_page.h"
 #include "client/setup/devices_page.h"
 #include "client/setup/enter_page.h"
@@ -15,15 +16,17 @@ class Pages {
       : room_(room), draft_(draft), checks_(std::move(measure_pictures)) {}
 
   void draw(Interface& ui);
-  const Said& said() const { return devices_.open() ? devices_.said() : room_.said(); }
+  const Said& said() const { return *said_; }
   /// Tells whether something is shown that goes on by itself.
-  bool lively() const { return devices_.open(); }
+  bool lively() const { return devices_.open() || calibrate_.running(); }
 
  private:
   Anteroom& room_;
   ConfigDraft& draft_;
+  const Said* said_ = &room_.said();  // of the page that is open
   EnterPage enter_;
   DevicesPage devices_;
+  CalibratePage calibrate_;
   ChecksPage checks_;
 };
 

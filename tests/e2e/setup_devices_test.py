@@ -19,7 +19,7 @@ MOTION = """time,station,x,y,z,qw,qx,qy,qz,thumb,index,middle,ring,little
 1,1,-0.1,1.2,0.2,1,0,0,0,0.2,0.5,0.7,0.8,0.9
 2,1,-0.1,1.2,0.2,1,0,0,0,0,0,0,0,0
 0,2,0.0,1.3,0.0,1,0,0,0,0,0,0,0,0
-1,2,0.3,1.4,0.0,0.9,0.1,0,0,0,0,0,0,0
+1,2,0.3,1.4,0.0,0.995004,0.099833,0,0,0,0,0,0,0
 2,2,0.0,1.3,0.0,1,0,0,0,0,0,0,0,0
 """
 
@@ -44,7 +44,7 @@ position = [0, 0.8, 0]
     (OUT / "scenes").mkdir()
     user = SetupWindow(processes, PROGRAMS, "Ada", "--config", config, "--scenes", OUT / "scenes")
     user.click("Checks")
-    user.sees("check Pictures")
+    user.sees("check Pictures", 90)
     user.picture("setup-checks.png")
     user.click("Devices")
     user.click("glove.right.address")

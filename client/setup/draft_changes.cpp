@@ -1,0 +1,35 @@
+#include "client/setup/draft_changes.h"
+
+#include <imgui.h>
+
+#include "common/error.h"
+
+namespace prosector {
+
+bool draw_draft_changes(Interface& ui, ConfigDraft& draft, Said& said) {
+  if (!draft.changed()) {
+    quiet(draft.file().string() + (std::filesystem::exists(draft.file()) ? "" : ": none yet"));
+    return false;
+  }
+  title("To be written to " + draft.file().string());
+  for (const ChangedLine& line : draft.changes()) {
+    if (!line.before.empty()) quiet("- " + line.before);
+    if (!line.after.empty()) wrapped("+ " + line.after);
+  }
+  if (ImGui::Button("Save")) {
+    try {
+      draft.save();
+      said = {"Saved.", false};
+    } catch (const InputError& error) {
+      said = {error.what(), true};
+    }
+  }
+  ui.note("save");
+  ImGui::SameLine();
+  const bool discarded = ImGui::Button("Discard");
+  ui.note("discard");
+  if (discarded) draft.revert();
+  return discarded;
+}
+
+}  // namespace prosector

@@ -1,0 +1,70 @@
+#include "client/setup/guided_calibration.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "common/error.h"
+#include "drivers/fitting/glove_guide.h"
+#include "drivers/fitting/room_guide.h"
+#include "drivers/fitting/timed_guides.h"
+#include "drivers/fitting/tip_guide.h"
+
+namespace prosector {
+namespace {
+
+const std::string& tracker_of(const ClientConfig& config) {
+  if (config.tracker.empty()) throw InputError("No tracker is named yet: name it on the page of devices.");
+  return config.tracker;
+}
+
+}  // namespace
+
+GuidedCalibration::GuidedCalibration(std::unique_ptr<Guide> guide, const std::string& address,
+                                     const DeviceConfig& device)
+    : guide_(std::move(guide)), device_(open_device(address, device)) {}
+
+void GuidedCalibration::poll() {
+  samples_.clear();
+  device_->poll(samples_);
+  for (const DeviceSample& sample : samples_)
+    if (!guide_->step().done) guide_->take(sample);
+}
+
+std::unique_ptr<GuidedCalibration> begin_room(const ClientConfig& config, const CalibrationWishes& wishes) {
+  const std::string& tracker = tracker_of(config);
+  return std::make_unique<GuidedCalibration>(std::make_unique<RoomGuide>(config, wishes.role, wishes.points),
+                                             tracker, RoomGuide::device(config));
+}
+
+std::unique_ptr<GuidedCalibration> begin_tip(const ClientConfig& config, const CalibrationWishes& wishes) {
+  const std::string& tracker = tracker_of(config);
+  return std::make_unique<GuidedCalibration>(std::make_unique<TipGuide>(config, wishes.role), tracker,
+                                             TipGuide::device(config, wishes.role));
+}
+
+std::unique_ptr<GuidedCalibration> begin_field(const ClientConfig& config, const CalibrationWishes& wishes) {
+  const std::string& tracker = tracker_of(config);
+  return std::make_unique<GuidedCalibration>(
+      std::make_unique<FieldGuide>(config, wishes.role, wishes.grid, field_map_file), tracker,
+      FieldGuide::device(config));
+}
+
+std::unique_ptr<GuidedCalibration> begin_glove(const ClientConfig& config, const CalibrationWishes& wishes) {
+  const GloveSettings& glove = config.gloves[wishes.hand];
+  if (glove.address.empty())
+    throw InputError(fmt::format("No {} glove is named yet: name it on the page of devices.",
+                                 wishes.hand == left_hand ? "left" : "right"));
+  return std::make_unique<GuidedCalibration>(
+      std::make_unique<GloveGuide>(wishes.hand, GloveGuide::least_span_of(glove.address)), glove.address,
+      glove.device);
+}
+
+std::unique_ptr<GuidedCalibration> begin_noise(const ClientConfig& config, const CalibrationWishes& wishes) {
+  const std::string& tracker = tracker_of(config);
+  return std::make_unique<GuidedCalibration>(
+      std::make_unique<RestGuide>(station_with_role(config, wishes.role), wishes.seconds), tracker,
+      config.tracker_device);
+}
+
+}  // namespace prosector

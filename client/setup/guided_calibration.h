@@ -1,0 +1,51 @@
+#pragma once
+// A guide with the device that it watches: one calibration from its beginning to what came out.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drivers/fitting/field_guide.h"
+#include "drivers/fitting/guide.h"
+
+namespace prosector {
+
+class GuidedCalibration {
+ public:
+  /// Begins with a guide, and opens the device. Throws InputError for an address of no driver.
+  GuidedCalibration(std::unique_ptr<Guide> guide, const std::string& address, const DeviceConfig& device);
+
+  /// Lets what the device told go through the guide.
+  void poll();
+  void back() { guide_->back(); }
+  GuideStep step() const { return guide_->step(); }
+  DeviceStatus device() const { return device_->status(); }
+  const Guide& guide() const { return *guide_; }
+
+ private:
+  std::unique_ptr<Guide> guide_;
+  std::unique_ptr<Device> device_;
+  std::vector<DeviceSample> samples_;
+};
+
+/// What a person says before a calibration begins.
+struct CalibrationWishes {
+  StationRole role = StationRole::right_hand;  // whose receiver touches, swings or rests
+  std::size_t hand = right_hand;               // of the glove
+  std::vector<Vec3> points;                    // m, room: to be touched
+  FieldGrid grid;
+  double seconds = 10;  // to rest
+};
+
+/// Begin each calibration with the devices of a configuration. Throw InputError where it names none, or what
+/// is wished can't be.
+std::unique_ptr<GuidedCalibration> begin_room(const ClientConfig& config, const CalibrationWishes& wishes);
+std::unique_ptr<GuidedCalibration> begin_tip(const ClientConfig& config, const CalibrationWishes& wishes);
+std::unique_ptr<GuidedCalibration> begin_field(const ClientConfig& config, const CalibrationWishes& wishes);
+std::unique_ptr<GuidedCalibration> begin_glove(const ClientConfig& config, const CalibrationWishes& wishes);
+std::unique_ptr<GuidedCalibration> begin_noise(const ClientConfig& config, const CalibrationWishes& wishes);
+
+/// The file of a field map, beside the configuration.
+inline constexpr const char* field_map_file = "field.toml";
+
+}  // namespace prosector
