@@ -10,7 +10,7 @@
 #include "client/app/guided_run.h"
 #include "common/error.h"
 #include "drivers/csv.h"
-#include "drivers/fitting/eye_fit.h"
+#include "drivers/fitting/eyes_guide.h"
 #include "drivers/fitting/field_guide.h"
 #include "drivers/fitting/glove_guide.h"
 #include "drivers/fitting/room_guide.h"
@@ -158,21 +158,11 @@ EyeFit fit_seen(const std::filesystem::path& file, const std::array<int, 2>& siz
 
 GuideOutcome calibrate_eyes(const Calibration& c) {
   const CalibrateOptions& o = c.options;
-  GuideOutcome out;
   if (o.seen.size() == 2) {
     const EyeFit left = fit_seen(o.seen[0], o.size), right = fit_seen(o.seen[1], o.size);
-    const EyesFit eyes = join_eyes(left, right);
-    constexpr double degree = M_PI / 180;
-    out.words.push_back(fmt::format("residual {:.2f} pixels of the left eye, {:.2f} of the right one",
-                                    left.residual, right.residual));
-    out.words.push_back(fmt::format("eyes {:.1f} mm apart, {:.1f}° × {:.1f}° each", 1e3 * eyes.distance,
-                                    eyes.fov_horizontal / degree, eyes.fov_vertical / degree));
-    out.changes = {{"eyes.distance", eyes.distance},
-                   {"eyes.fov_horizontal", eyes.fov_horizontal / degree},
-                   {"eyes.fov_vertical", eyes.fov_vertical / degree}};
-    if (eyes.convergence > 0) out.changes.push_back({"eyes.convergence", eyes.convergence});
-    return out;
+    return eyes_outcome(left, right, join_eyes(left, right));
   }
+  GuideOutcome out;
   const EyeDistance eyes = eye_distance_by_sight(o.marks, o.screen, o.rod);
   out.words.push_back(fmt::format("eyes {:.1f} ± {:.1f} mm apart", 1e3 * eyes.distance, 1e3 * eyes.error));
   out.changes = {{"eyes.distance", eyes.distance}};

@@ -90,6 +90,17 @@ EyeDistance eye_distance_by_sight(double marks_apart, double screen, double rod,
                        std::pow(by_rod * length_error, 2))};
 }
 
+double pixel_by_card(double card_pixels) {
+  constexpr double card = 85.60e-3;                 // m
+  constexpr double finest = 2e-5, coarsest = 2e-3;  // m: a telephone's screen, a wall of lamps
+  const double pixel = card / card_pixels;
+  if (!(pixel >= finest && pixel <= coarsest))
+    throw InputError(fmt::format(
+        "a card of {} pixels is that of no screen: lay it on the screen and drag both marks to its ends",
+        card_pixels));
+  return pixel;
+}
+
 double EyeFit::fov_horizontal() const {
   return std::atan(right) - std::atan(left);
 }

@@ -13,12 +13,13 @@ namespace prosector {
 
 /// Where a person is in a calibration.
 struct GuideStep {
-  std::string instruction;           // what to do now
-  std::size_t index = 0, count = 1;  // steps that are done, of all
-  double progress = 0;               // of this step, 0 to 1
-  bool done = false;                 // all steps are
-  std::optional<Vec3> target;        // where to go, m, room
-  std::string trouble;               // why the last try didn't count; empty: nothing is wrong
+  std::string instruction;               // what to do now
+  std::size_t index = 0, count = 1;      // steps that are done, of all
+  double progress = 0;                   // of this step, 0 to 1
+  bool done = false;                     // all steps are
+  std::optional<Vec3> target;            // where to go, m, room
+  std::optional<Eigen::Vector2d> pixel;  // where a cross is shown in an eye's picture, from the upper left
+  std::string trouble;                   // why the last try didn't count; empty: nothing is wrong
 };
 
 struct GuideOutcome {

@@ -249,6 +249,8 @@ TEST(EyeFit, TheSightGivesTheDistanceAndRefusesNonsense) {
   }
   EXPECT_NEAR(std::sqrt(squares), fit.error, 0.05 * fit.error);
   expect_input_error([] { (void)eye_distance_by_sight(0.01, 0.7, 0.4); }, "between the eyes");
+  EXPECT_DOUBLE_EQ(pixel_by_card(342.4), 0.25e-3);
+  expect_input_error([] { (void)pixel_by_card(0); }, "no screen");
   expect_input_error([] { (void)eye_distance_by_sight(0.05, 0.4, 0.7); }, "between the eyes and the screen");
 }
 

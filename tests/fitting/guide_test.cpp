@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "common/error.h"
+#include "drivers/fitting/eyes_guide.h"
 #include "drivers/fitting/field_guide.h"
 #include "drivers/fitting/glove_guide.h"
 #include "drivers/fitting/room_guide.h"
@@ -230,6 +231,56 @@ TEST(GloveGuide, TakesEachPoseOnceAndFindsTheCounts) {
     EXPECT_LT(fit.joint_error[i], 3 * degree);
   }
   EXPECT_TRUE(std::get<bool>(change_of(guide.outcome(), "glove.right.falls_on_bending")));
+}
+
+// Both eyes through a display with known truth: what comes out is read back by the configuration.
+TEST(EyesGuide, FindsDisplayEyesAndMount) {
+  SimulatedTracker tracker(9);
+  ClientConfig config =
+      parse_client_config("[tracker]\naddress = 'fastrak:/x'\nstations.head.station = 2\n", "c.toml");
+  const Vec3 mark(0.1, 1.2, -1.5);
+  const Pose mount = {Vec3(0.01, -0.09, -0.06), Quat(Eigen::AngleAxisd(0.15, Vec3(1, 0.2, 0).normalized()))};
+  constexpr double apart = 0.066;
+  const double half_wide = std::tan(20 * degree), half_high = std::tan(15.5 * degree),
+               shift = apart / 2 / 0.8;
+  EyesGuide guide(config, mark, 800, 600);
+  FedGuide fed{guide, tracker, 1, 0, {}};
+  EXPECT_FALSE(guide.confirm());
+  EXPECT_NE(guide.step().trouble.find("still"), std::string::npos);
+  while (!guide.step().done) {
+    const std::size_t before = guide.step().index;
+    const bool right = before >= guide.step().count / 2;
+    const Eigen::Vector2d cross = *guide.step().pixel;
+    // Where the mark is in the eye's frame, so that the cross lies over it.
+    const double far = before % 2 == 0 ? 0.6 : 2,
+                 u = (2 * cross.x() / 800 - 1) * half_wide + (right ? -shift : shift),
+                 v = (1 - 2 * cross.y() / 600) * half_high;
+    const Vec3 in_eye(far * u, far * v, -far);
+    const Vec3 in_head = Vec3((right ? 0.5 : -0.5) * apart, 0, 0) + in_eye;
+    const Quat turn = tracker.orientation();
+    const Pose receiver = {mark - turn * (mount * in_head), turn};
+    for (int i = 0; i < 60; ++i) {
+      DeviceSample sample;
+      sample.station = 1;
+      sample.has_pose = true;
+      sample.time_ns = fed.time_ns += 8'333'333;
+      sample.pose = tracker.read(receiver, 2e-4, 1e-4);
+      guide.take(sample);
+    }
+    ASSERT_TRUE(guide.confirm());
+    EXPECT_EQ(guide.step().index, before + 1);
+  }
+  const std::string text = write_client_config(
+      "[tracker]\naddress = 'fastrak:/x'\nstations.head.station = 2\n", guide.outcome().changes, "c.toml");
+  const ClientConfig read = parse_client_config(text, "c.toml");
+  EXPECT_NEAR(*read.eyes.distance, apart, 1e-3);
+  EXPECT_NEAR(*read.eyes.fov_horizontal, 40 * degree, 0.3 * degree);
+  EXPECT_NEAR(*read.eyes.fov_vertical, 31 * degree, 0.3 * degree);
+  EXPECT_NEAR(*read.eyes.convergence, 0.8, 0.1);
+  EXPECT_LT((read.tracker_device.mount[1].p - mount.p).norm(), 2e-3);
+  EXPECT_LT(read.tracker_device.mount[1].q.angularDistance(mount.q), 0.3 * degree);
+  guide.back();
+  EXPECT_FALSE(guide.step().done);
 }
 
 TEST(DelayGuide, ComparesDevicesOfOtherFramesAndUnits) {

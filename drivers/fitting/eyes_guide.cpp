@@ -1,0 +1,102 @@
+#include "drivers/fitting/eyes_guide.h"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t crosses = 16;  // of each eye
+// A head is never as still as what lies on a table.
+constexpr StillLimits head_limits = {.seconds = 0.3, .motion = 4e-3, .turn = 0.01, .least = 10};
+constexpr std::array<const char*, 2> distances = {"at arm's length", "from three steps away"};
+
+}  // namespace
+
+EyesGuide::EyesGuide(const ClientConfig& config, const Vec3& mark, int width, int height)
+    : mark_(mark),
+      width_(width),
+      height_(height),
+      station_(station_with_role(config, StationRole::head)),
+      window_(head_limits) {}
+
+DeviceConfig EyesGuide::device(const ClientConfig& config) {
+  DeviceConfig out = config.tracker_device;
+  out.mount[station_with_role(config, StationRole::head)] = {};
+  return out;
+}
+
+void EyesGuide::take(const DeviceSample& sample) {
+  if (sample.station == station_ && sample.has_pose) window_.take(sample.time_ns, sample.pose);
+}
+
+/// Returns where the present cross is: in a grid of 4 × 4, neighbours far from each other.
+Eigen::Vector2d EyesGuide::cross() const {
+  constexpr std::size_t side = 4, stride = 7;
+  const std::size_t place = covered() % crosses * stride % crosses;
+  const auto part = [](std::size_t i) { return (static_cast<double>(i) + 0.5) / side; };
+  return {width_ * part(place % side), height_ * part(place / side)};
+}
+
+bool EyesGuide::confirm() {
+  trouble_.clear();
+  if (covered() == 2 * crosses) return false;
+  if (!window_.still()) {
+    trouble_ = "the head moved: hold it still while you confirm";
+    return false;
+  }
+  const Vec3 point = window_.mean().inverse() * mark_;
+  seen_[covered() < crosses ? 0 : 1].push_back({point, cross()});
+  return true;
+}
+
+GuideStep EyesGuide::step() const {
+  GuideStep out;
+  out.index = covered();
+  out.count = 2 * crosses;
+  out.done = out.index == out.count;
+  out.trouble = trouble_;
+  if (out.done) return out;
+  out.instruction =
+      fmt::format("With the {} eye alone, lay the cross over the mark {}, hold still and confirm",
+                  out.index < crosses ? "left" : "right", distances[out.index % distances.size()]);
+  out.target = mark_;
+  out.pixel = cross();
+  out.progress = window_.filled();
+  return out;
+}
+
+void EyesGuide::back() {
+  std::vector<SeenPoint>& last = seen_[seen_[1].empty() ? 0 : 1];
+  if (!last.empty()) last.pop_back();
+}
+
+GuideOutcome EyesGuide::outcome() const {
+  const EyeFit left = fit(false), right = fit(true);
+  const EyesFit eyes = join_eyes(left, right);
+  GuideOutcome out = eyes_outcome(left, right, eyes);
+  const std::string mount = "tracker.stations.head.mount.";
+  const Vec3& p = eyes.head.p;
+  const Quat& q = eyes.head.q;
+  out.changes.push_back({"tracker.stations.head.station", static_cast<double>(station_ + 1)});
+  out.changes.push_back({mount + "position", std::vector<double>{p.x(), p.y(), p.z()}});
+  out.changes.push_back({mount + "orientation", std::vector<double>{q.w(), q.x(), q.y(), q.z()}});
+  return out;
+}
+
+GuideOutcome eyes_outcome(const EyeFit& left, const EyeFit& right, const EyesFit& eyes) {
+  constexpr double degree = std::numbers::pi / 180;
+  GuideOutcome out;
+  out.words.push_back(fmt::format("residual {:.2f} pixels of the left eye, {:.2f} of the right one",
+                                  left.residual, right.residual));
+  out.words.push_back(fmt::format("eyes {:.1f} mm apart, {:.1f}° × {:.1f}° each", 1e3 * eyes.distance,
+                                  eyes.fov_horizontal / degree, eyes.fov_vertical / degree));
+  out.changes = {{"eyes.distance", eyes.distance},
+                 {"eyes.fov_horizontal", eyes.fov_horizontal / degree},
+                 {"eyes.fov_vertical", eyes.fov_vertical / degree}};
+  if (eyes.convergence > 0) out.changes.push_back({"eyes.convergence", eyes.convergence});
+  return out;
+}
+
+}  // namespace prosector
