@@ -7,7 +7,7 @@
 namespace prosector {
 namespace {
 
-constexpr std::size_t crosses = 16;  // of each eye
+constexpr std::size_t crosses = 20;  // of each eye
 // A head is never as still as what lies on a table.
 constexpr StillLimits head_limits = {.seconds = 0.3, .motion = 4e-3, .turn = 0.01, .least = 10};
 constexpr std::array<const char*, 2> distances = {"at arm's length", "from three steps away"};
@@ -31,12 +31,12 @@ void EyesGuide::take(const DeviceSample& sample) {
   if (sample.station == station_ && sample.has_pose) window_.take(sample.time_ns, sample.pose);
 }
 
-/// Returns where the present cross is: in a grid of 4 × 4, neighbours far from each other.
+/// Returns where the present cross is: in a grid of 5 × 4, neighbours far from each other.
 Eigen::Vector2d EyesGuide::cross() const {
-  constexpr std::size_t side = 4, stride = 7;
+  constexpr std::size_t columns = 5, rows = 4, stride = 7;
   const std::size_t place = covered() % crosses * stride % crosses;
-  const auto part = [](std::size_t i) { return (static_cast<double>(i) + 0.5) / side; };
-  return {width_ * part(place % side), height_ * part(place / side)};
+  return {width_ * (static_cast<double>(place % columns) + 0.5) / columns,
+          height_ * (static_cast<double>(place / columns) + 0.5) / rows};
 }
 
 bool EyesGuide::confirm() {

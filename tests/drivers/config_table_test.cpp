@@ -234,7 +234,7 @@ TEST(ConfigWrite, DamagedTextsAreRefusedOrChangedCorrectly) {
   constexpr std::string_view bytes = "[]{}\"'=.,#\n\r\t \\a1";
   Random random(24);
   int changed = 0;
-  for (int k = 0; k < 4000; ++k) {
+  for (int k = 0; k < 1500; ++k) {
     std::string damaged = text;
     for (std::size_t i = 0; i <= random.below(3); ++i) {
       const std::size_t at = random.below(damaged.size());
@@ -253,7 +253,7 @@ TEST(ConfigWrite, DamagedTextsAreRefusedOrChangedCorrectly) {
       EXPECT_NE(std::string(e.what()).find("c.toml"), std::string::npos) << e.what();
     }
   }
-  EXPECT_GT(changed, 1000);
+  EXPECT_GT(changed, 300);
 }
 
 TEST(ConfigWrite, ChangesOneValueAndNothingElse) {

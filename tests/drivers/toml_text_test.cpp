@@ -87,7 +87,7 @@ TEST(TomlText, ChangesOneKeyAndNoOther) {
   TextMaker maker(random);
   const char* added[] = {"r0.z", "new", "a.new", "a.k0.y", "b.c.new", "b.new", "d.e.f", "e.f.g"};
   int changed = 0, made = 0;
-  for (int k = 0; k < 4000; ++k) {
+  for (int k = 0; k < 3000; ++k) {
     const std::string text = maker.text();
     std::map<std::string, std::string> before, after;
     try {

@@ -233,6 +233,28 @@ TEST(EyeFit, SpaamFindsBothEyesAndTheDisplay) {
   expect_input_error([&] { (void)fit_eye(flat, 800, 600); }, "one plane");
 }
 
+TEST(EyeFit, OnePixelOffIsAFewMillimetres) {
+  SimulatedTracker tracker(7);
+  const double half_wide = std::tan(20 * degree), half_high = std::tan(15.5 * degree), apart = 0.0634;
+  const SimulatedEye left{{Vec3(-apart / 2, 0, 0), Quat::Identity()}, half_wide, half_high, apart / 1.2};
+  const SimulatedEye right{{Vec3(apart / 2, 0, 0), Quat::Identity()}, half_wide, half_high, -apart / 1.2};
+  for (const int count : {12, 16, 20}) {
+    double distance = 0, fov = 0;
+    constexpr int trials = 300;
+    for (int k = 0; k < trials; ++k) {
+      const EyesFit eyes = join_eyes(fit_eye(look(tracker, left, count, 1), 800, 600),
+                                     fit_eye(look(tracker, right, count, 1), 800, 600));
+      distance += std::pow(eyes.distance - apart, 2) / trials;
+      fov += std::pow(eyes.fov_horizontal - 40 * degree, 2) / trials;
+    }
+    std::cout << fmt::format(
+        "{} points an eye, 1 pixel off: distance within {:.2f} mm RMS, field of view {:.2f}°\n", count,
+        1e3 * std::sqrt(distance), std::sqrt(fov) / degree);
+    EXPECT_LT(std::sqrt(distance), 6e-3);
+    EXPECT_LT(std::sqrt(fov), 2 * degree);
+  }
+}
+
 TEST(EyeFit, TheSightGivesTheDistanceAndRefusesNonsense) {
   // Eyes 64 mm apart, the rod at 0.4 m, the screen at 0.7 m: the marks are 48 mm apart.
   const EyeDistance fit = eye_distance_by_sight(0.048, 0.7, 0.4);
