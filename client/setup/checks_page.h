@@ -11,7 +11,7 @@ namespace prosector {
 
 class ChecksPage {
  public:
-  /// `measure_pictures`: draws some, which takes a moment.
+  /// Takes what measures pictures, which takes a moment.
   explicit ChecksPage(std::function<MachineCheck()> measure_pictures)
       : measure_pictures_(std::move(measure_pictures)) {}
 
