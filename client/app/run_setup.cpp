@@ -31,13 +31,17 @@ std::optional<std::vector<std::string>> show_pages(const SetupOptions& o, Antero
   auto window = make_window_context(o.width, o.height, "Prosector");
   Interface ui(*window, o.shaders, o.scale.value_or(window->content_scale()));
   const std::filesystem::path scenes = scenes_of(o);
-  Pages pages(room, draft, [&] {
-    try {
-      return check_pictures(picture_time(*window, o.shaders, scenes / "minimal.toml"), window->description());
-    } catch (const InputError& error) {
-      return MachineCheck{"Pictures", CheckState::unknown, error.what()};
-    }
-  });
+  Pages pages(
+      room, draft,
+      [&] {
+        try {
+          return check_pictures(picture_time(*window, o.shaders, scenes / "minimal.toml"),
+                                window->description());
+        } catch (const InputError& error) {
+          return MachineCheck{"Pictures", CheckState::unknown, error.what()};
+        }
+      },
+      shipped_profiles());
   LayoutLog layout(o.layout_log);
   Clock::time_point last = Clock::now(), busy = last;
   while (setup_interrupted == 0) {

@@ -61,6 +61,15 @@ void Anteroom::close_hosted() {
   hosting_.reset();
 }
 
+std::optional<std::size_t> Anteroom::offer(const std::filesystem::path& scene) {
+  try {
+    return scenes_.add(scene);
+  } catch (const InputError& error) {
+    say(error.what(), true);
+    return std::nullopt;
+  }
+}
+
 void Anteroom::enter(const std::string& session) {
   note_entered(memory, session);
   keep();
@@ -73,6 +82,7 @@ std::vector<std::string> Anteroom::entering(const std::string& session) const {
                                   "--session", session};
   if (!memory.name.empty()) out.insert(out.end(), {"--name", memory.name});
   if (own && !memory.watches) out.push_back("--host");
+  for (std::string& word : memory.seen.words()) out.push_back(std::move(word));
   for (std::string& word : network_words(where())) out.push_back(std::move(word));
   if (!memory.watches && std::filesystem::exists(places_.config))
     out.insert(out.end(), {"--config", places_.config});

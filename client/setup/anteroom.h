@@ -34,6 +34,8 @@ class Anteroom {
   /// Begins to host a scene, and to enter once it is open. Says so where it can't.
   void host(const std::filesystem::path& scene, const std::string& session);
   void close_hosted();
+  /// Offers a scene file of somebody's own. Returns its place among the scenes; none: it says why not.
+  std::optional<std::size_t> offer(const std::filesystem::path& scene);
   /// Asks to go into a session.
   void enter(const std::string& session);
   /// Returns the command that leads into a session.

@@ -18,6 +18,18 @@ constexpr std::size_t most_bytes = 65536;
 
 }  // namespace
 
+std::vector<std::string> SeenAs::words() const {
+  const SeenAs usual;
+  std::vector<std::string> out;
+  if (display != usual.display) out.insert(out.end(), {"--display", display});
+  if (monitor >= 0) out.insert(out.end(), {"--monitor", std::to_string(monitor)});
+  if (quality.empty())
+    out.insert(out.end(), {"--frame-time", "33"});
+  else if (quality != usual.quality)
+    out.insert(out.end(), {"--quality", quality});
+  return out;
+}
+
 AnteroomMemory recall(const std::filesystem::path& file) {
   AnteroomMemory out;
   try {
@@ -28,6 +40,9 @@ AnteroomMemory recall(const std::filesystem::path& file) {
     out.watches = table["watches"].value_or(false);
     out.lan = table["lan"].value_or(false);
     out.scene = table["scene"].value_or(std::string());
+    out.seen.display = table["display"].value_or(out.seen.display);
+    out.seen.quality = table["quality"].value_or(out.seen.quality);
+    out.seen.monitor = table["monitor"].value_or(out.seen.monitor);
     if (const toml::array* entered = table["entered"].as_array())
       for (const toml::node& node : *entered)
         if (const auto session = node.value<std::string>(); session && out.entered.size() < most_entered)
@@ -45,6 +60,9 @@ void remember(const AnteroomMemory& memory, const std::filesystem::path& file) {
                           {"watches", memory.watches},
                           {"lan", memory.lan},
                           {"scene", memory.scene.string()},
+                          {"display", memory.seen.display},
+                          {"quality", memory.seen.quality},
+                          {"monitor", memory.seen.monitor},
                           {"entered", entered}};
   std::ostringstream text;
   text << "# What was chosen last in Prosector's set-up window.\n" << table << "\n";

@@ -7,12 +7,23 @@
 
 namespace prosector {
 
+/// How a person sees a session.
+struct SeenAs {
+  std::string display = "window";  // as --display
+  std::string quality = "medium";  // as --quality; empty: as quickly as --frame-time asks
+  int monitor = -1;                // to fill, from 0; below: a window
+
+  /// Returns the words of a command line, without what holds anyway.
+  std::vector<std::string> words() const;
+};
+
 struct AnteroomMemory {
   std::string name;                  // as others see it
   bool watches = false;              // rather than taking part
   bool lan = false;                  // looks for sessions on the local network, too
   std::filesystem::path scene;       // hosted last
   std::vector<std::string> entered;  // sessions, the last first
+  SeenAs seen;
 };
 inline constexpr std::size_t most_entered = 8;
 

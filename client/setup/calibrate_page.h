@@ -21,8 +21,9 @@ class CalibratePage {
   const Said& said() const { return said_; }
 
  private:
-  CalibrationWishes wishes_ = {.points = {{0, 0.9, 0}, {0.4, 0.9, 0}, {0, 0.9, 0.4}, {0.4, 0.9, 0.4}},
-                               .grid = {.low = {-0.4, 0.9, -0.4}, .high = {0.4, 1.5, 0.4}, .orientation = {}}};
+  CalibrationWishes wishes_ = {
+      .points = {{0, 0.9, 0}, {0.4, 0.9, 0}, {0, 0.9, 0.4}, {0.4, 0.9, 0.4}},
+      .grid = {.low = {-0.4, 0.9, -0.4}, .high = {0.4, 1.5, 0.4}, .orientation = {}}};
   double marks_mm_ = 20, screen_mm_ = 600, rod_mm_ = 450;  // of the sight: what comes out are 60 mm
   std::size_t chosen_ = 0;
   std::unique_ptr<GuidedCalibration> running_;

@@ -171,6 +171,12 @@ void EnterPage::draw_hosting(Interface& ui, Anteroom& room) {
   ImGui::SameLine();
   if (ImGui::Button("Host and enter") && scene_ < scenes.size()) room.host(scenes[scene_].file, hosted_name_);
   ui.note("host");
+  ImGui::SameLine(0, 3 * ImGui::GetStyle().ItemSpacing.x);
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::InputTextWithHint("##own", "another scene file, then Enter", &own_scene_,
+                               ImGuiInputTextFlags_EnterReturnsTrue))
+    if (const auto place = room.offer(own_scene_)) scene_ = *place;
+  ui.note("own scene");
 }
 
 void* EnterPage::picture(Interface& ui, const ListedScene& scene) {

@@ -37,8 +37,8 @@ struct CalibrationWishes {
   double seconds = 10;  // to rest
 };
 
-/// Begins a calibration with the devices of a configuration. Throws InputError where it names none, or what is
-/// wished can't be.
+/// Begins a calibration with the devices of a configuration. Throws InputError where it names none, or what
+/// is wished can't be.
 std::unique_ptr<GuidedCalibration> begin_room(const ClientConfig& config, const CalibrationWishes& wishes);
 std::unique_ptr<GuidedCalibration> begin_tip(const ClientConfig& config, const CalibrationWishes& wishes);
 std::unique_ptr<GuidedCalibration> begin_field(const ClientConfig& config, const CalibrationWishes& wishes);

@@ -37,6 +37,10 @@ void Pages::draw(Interface& ui) {
       said_ = &calibrate_.said();
     });
     if (!calibrate) calibrate_.close();
+    page("Pictures", [&] {
+      pictures_.draw(ui, room_);
+      said_ = &room_.said();
+    });
     page("Checks", [&] {
       checks_.draw(ui);
       said_ = &room_.said();

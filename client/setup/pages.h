@@ -7,13 +7,18 @@
 #include "client/setup/devices_page.h"
 #include "client/setup/enter_page.h"
 #include "client/setup/interface.h"
+#include "client/setup/pictures_page.h"
 
 namespace prosector {
 
 class Pages {
  public:
-  Pages(Anteroom& room, ConfigDraft& draft, std::function<MachineCheck()> measure_pictures)
-      : room_(room), draft_(draft), checks_(std::move(measure_pictures)) {}
+  Pages(Anteroom& room, ConfigDraft& draft, std::function<MachineCheck()> measure_pictures,
+        std::vector<std::string> stereo_profiles)
+      : room_(room),
+        draft_(draft),
+        pictures_(std::move(stereo_profiles)),
+        checks_(std::move(measure_pictures)) {}
 
   void draw(Interface& ui);
   const Said& said() const { return *said_; }
@@ -27,6 +32,7 @@ class Pages {
   EnterPage enter_;
   DevicesPage devices_;
   CalibratePage calibrate_;
+  PicturesPage pictures_;
   ChecksPage checks_;
 };
 

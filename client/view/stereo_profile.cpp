@@ -97,14 +97,14 @@ class ProfileReader {
   }
 };
 
+}  // namespace
+
 std::vector<std::string> shipped_profiles() {
   std::vector<std::string> out;
   for (const EmbeddedFile& file : shipped_stereo_profiles)
     out.push_back(std::filesystem::path(file.name).stem().string());
   return out;
 }
-
-}  // namespace
 
 StereoProfile parse_stereo_profile(std::string_view toml, const std::string& file) {
   check_nesting(toml, file);

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace prosector {
 
@@ -27,5 +28,8 @@ StereoProfile parse_stereo_profile(std::string_view toml, const std::string& fil
 /// Loads `profile`: a file, or the name of one of those shipped ("5dt_hmd_800_26"). Throws InputError as
 /// parse_stereo_profile() does, or naming those that are shipped.
 StereoProfile load_stereo_profile(const std::string& profile);
+
+/// Returns the names of the profiles that are shipped, by name.
+std::vector<std::string> shipped_profiles();
 
 }  // namespace prosector

@@ -13,7 +13,8 @@ namespace {
 
 TEST(AnteroomMemory, ComesBackAsItWasKept) {
   const TemporaryFile file("anteroom.toml");
-  AnteroomMemory memory{"Ada \"the\" Ünïcode", true, true, "/tmp/scénes/a b.toml", {"two", "one"}};
+  AnteroomMemory memory{"Ada \"the\" Ünïcode",  true,           true,
+                        "/tmp/scénes/a b.toml", {"two", "one"}, {"stereo:anaglyph", "", 1}};
   remember(memory, file.path);
   const AnteroomMemory back = recall(file.path);
   EXPECT_EQ(back.name, memory.name);
@@ -21,6 +22,15 @@ TEST(AnteroomMemory, ComesBackAsItWasKept) {
   EXPECT_EQ(back.lan, memory.lan);
   EXPECT_EQ(back.scene, memory.scene);
   EXPECT_EQ(back.entered, memory.entered);
+  EXPECT_EQ(back.seen.words(), memory.seen.words());
+}
+
+TEST(AnteroomMemory, HowASessionIsSeenIsAsTheCommandLineSaysIt) {
+  EXPECT_TRUE(SeenAs{}.words().empty()) << "what holds anyway isn't said";
+  const std::vector<std::string> words = {"--display", "stereo:x", "--monitor", "1", "--quality", "low"};
+  EXPECT_EQ((SeenAs{"stereo:x", "low", 1}.words()), words);
+  const std::vector<std::string> by_itself = {"--frame-time", "33"};
+  EXPECT_EQ((SeenAs{"window", "", -1}.words()), by_itself);
 }
 
 TEST(AnteroomMemory, WhatIsMissingOrDamagedIsAsGoodAsNone) {
