@@ -14,6 +14,19 @@ constexpr double leave_distance = 0.03;  // m: known points lie farther apart
 constexpr int most_refused = 2;          // tries in a row before the point before is touched again, too
 constexpr double most_mismatch = 0.06;   // m: of distances between points; a bent field does less
 
+constexpr double much_residual = 0.02;  // m RMS
+
+/// Throws InputError where the points fit far better once each is at −p: the field is symmetric, so a tracker
+/// reports that on the wrong side of its hemisphere.
+void refuse_mirrored(std::vector<TouchedPoint> points, double fre) {
+  if (fre < much_residual) return;
+  for (TouchedPoint& p : points) p.device = -p.device;
+  if (fit_rigid(points).fre < fre / 3)
+    throw InputError(
+        "the tracker reports mirrored places: its receivers are on the other side of `hemisphere`; give the "
+        "opposite one, and touch the points again");
+}
+
 }  // namespace
 
 RoomGuide::RoomGuide(const ClientConfig& config, StationRole role, std::vector<Vec3> points)
@@ -80,6 +93,7 @@ void RoomGuide::back() {
 
 GuideOutcome RoomGuide::outcome() const {
   const RigidFit f = fit();
+  refuse_mirrored(touched_, f.fre);
   GuideOutcome out;
   const auto worst = std::max_element(f.residuals.begin(), f.residuals.end());
   out.words.push_back(

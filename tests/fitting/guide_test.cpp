@@ -108,6 +108,23 @@ TEST(RoomGuide, GoesBackWhereThePointBeforeWasWrong) {
   EXPECT_EQ(guide.step().index, corners.size() - 1);
 }
 
+TEST(RoomGuide, TellsAWrongHemisphere) {
+  SimulatedTracker tracker(10);
+  RoomGuide guide(ClientConfig(), StationRole::right_hand, corners);
+  FedGuide fed{guide, tracker, 0, 0, {Vec3(0, -0.5, 0.2), Quat::Identity()}};
+  for (const Vec3& p : corners) {
+    fed.go({-p, Quat::Identity()});
+    fed.hold(fed.at, 1);
+  }
+  ASSERT_TRUE(guide.step().done);
+  try {
+    (void)guide.outcome();
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("hemisphere"), std::string::npos) << e.what();
+  }
+}
+
 TEST(RoomGuide, RefusesPointsThatGiveNoPose) {
   const std::vector<Vec3> line = {{0, 0, 0}, {0.3, 0, 0}, {0.6, 0, 0}};
   EXPECT_THROW(RoomGuide(ClientConfig(), StationRole::right_hand, line), InputError);
