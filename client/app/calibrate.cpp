@@ -84,13 +84,13 @@ GuideOutcome calibrate_field(const Calibration& c) {
         Quat(o.orientation[0], o.orientation[1], o.orientation[2], o.orientation[3]).normalized();
   FieldGuide guide(c.config, c.role, grid, o.map.string());
   run_guide(guide, *open_tracker(c, FieldGuide::device(c.config)), o.patience);
-  const GuideOutcome outcome = guide.outcome();
+  const FieldFit fit = guide.fit();
   if (o.write) {
     const std::filesystem::path file = o.config.parent_path() / o.map;
-    save_config_text(file, write_field_map(guide.fit().map));
+    save_config_text(file, write_field_map(fit.map));
     fmt::print("wrote {}\n", file.string());
   }
-  return outcome;
+  return guide.outcome_of(fit);
 }
 
 GuideOutcome calibrate_glove(const Calibration& c) {

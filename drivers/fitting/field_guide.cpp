@@ -125,7 +125,10 @@ void FieldGuide::back() {
 }
 
 GuideOutcome FieldGuide::outcome() const {
-  const FieldFit f = fit();
+  return outcome_of(fit());
+}
+
+GuideOutcome FieldGuide::outcome_of(const FieldFit& f) const {
   constexpr double degrees = 180 / std::numbers::pi;
   GuideOutcome out;
   out.words.push_back(fmt::format(

@@ -26,7 +26,10 @@ class FieldGuide final : public Guide {
   GuideStep step() const override;
   void back() override;
   GuideOutcome outcome() const override;
+  /// Fits, which takes seconds with a thousand points.
   FieldFit fit() const;
+  /// Returns what came out, of a fit that is there already.
+  GuideOutcome outcome_of(const FieldFit& fit) const;
   /// Returns what was reported where, in the device's frame: what a picture shows.
   std::vector<FieldSample> samples() const;
 

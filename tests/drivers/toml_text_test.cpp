@@ -28,7 +28,7 @@ class TextMaker {
       lines(out, "k");
     }
     if (random_.below(4) == 0) out += "[[list]]\nn = 1\n";
-    if (random_.below(5) == 0) out.pop_back();  // no line break at the end
+    if (random_.below(5) == 0 && !out.empty()) out.pop_back();  // no line break at the end
     return out;
   }
 
