@@ -212,6 +212,19 @@ bool TomlText::add_to_inline_table(const TomlPath& path, const std::string& valu
   return true;
 }
 
+/// Returns a table of tables, as [tracker.stations], in which the new one is begun by a dotted key; nothing
+/// where there is none, or other headers begin it already.
+std::optional<std::size_t> TomlText::group_for(const TomlPath& table) const {
+  constexpr std::size_t least_depth = 2;
+  for (std::size_t i = 1; i < sections_.size(); ++i) {
+    const TomlPath& group = sections_[i].path;
+    if (group.size() < least_depth || group.size() >= table.size() || !starts_with(table, group)) continue;
+    if (!has_table(TomlPath(table.begin(), table.begin() + static_cast<std::ptrdiff_t>(group.size()) + 1)))
+      return i;
+  }
+  return std::nullopt;
+}
+
 bool TomlText::add_to_section(const TomlPath& path, const std::string& value) {
   // A table that dotted keys made can't have a header of its own: what is added stands beside them.
   const TomlPath table(path.begin(), path.end() - 1);
@@ -234,6 +247,7 @@ bool TomlText::add_to_section(const TomlPath& path, const std::string& value) {
       shared = sections_[i].path.size();
     }
   }
+  if (!chosen) chosen = group_for(table);
   if (!chosen) return false;
   const Section& section = sections_[*chosen];
   const bool breaks = section.end > 0 && text_[section.end - 1] != '\n';

@@ -54,6 +54,7 @@ class TomlText {
   void replace(std::size_t begin, std::size_t end, const std::string& with);
   bool add_to_inline_table(const TomlPath& path, const std::string& value);
   bool add_to_section(const TomlPath& path, const std::string& value);
+  std::optional<std::size_t> group_for(const TomlPath& table) const;
   void add_section(const TomlPath& path, const std::string& value);
 
   std::string text_, line_break_;

@@ -85,7 +85,8 @@ void leaves(const toml::table& table, const std::string& prefix, std::map<std::s
 TEST(TomlText, ChangesOneKeyAndNoOther) {
   Random random(25);
   TextMaker maker(random);
-  const char* added[] = {"r0.z", "new", "a.new", "a.k0.y", "b.c.new", "b.new", "d.e.f", "e.f.g"};
+  const char* added[] = {"r0.z",      "new",        "a.new", "a.k0.y", "b.c.new",
+                         "b.c.new.x", "b.c.k0.y.z", "b.new", "d.e.f",  "e.f.g"};
   int changed = 0, made = 0;
   for (int k = 0; k < 3000; ++k) {
     const std::string text = maker.text();
