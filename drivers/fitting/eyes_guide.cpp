@@ -77,11 +77,9 @@ GuideOutcome EyesGuide::outcome() const {
   const EyesFit eyes = join_eyes(left, right);
   GuideOutcome out = eyes_outcome(left, right, eyes);
   const std::string mount = "tracker.stations.head.mount.";
-  const Vec3& p = eyes.head.p;
-  const Quat& q = eyes.head.q;
   out.changes.push_back({"tracker.stations.head.station", static_cast<double>(station_ + 1)});
-  out.changes.push_back({mount + "position", std::vector<double>{p.x(), p.y(), p.z()}});
-  out.changes.push_back({mount + "orientation", std::vector<double>{q.w(), q.x(), q.y(), q.z()}});
+  out.changes.push_back({mount + "position", written(eyes.head.p)});
+  out.changes.push_back({mount + "orientation", written(eyes.head.q)});
   return out;
 }
 

@@ -3,10 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/error.h"
 
 namespace prosector {
+
+ConfigValue written(const Vec3& place) {
+  constexpr double steps = 1e6;
+  std::vector<double> out;
+  for (int i = 0; i < 3; ++i) out.push_back(std::round(steps * place[i]) / steps);
+  return out;
+}
+
+ConfigValue written(const Quat& q) {
+  constexpr double steps = 1e7;
+  std::vector<double> out = {q.w(), q.x(), q.y(), q.z()};
+  for (double& x : out) x = std::round(steps * x) / steps;
+  return out;
+}
 
 const char* role_name(StationRole role) {
   constexpr std::array names = {"none", "head", "left", "right", "instrument"};

@@ -38,6 +38,11 @@ class Guide {
   virtual GuideOutcome outcome() const = 0;
 };
 
+/// Returns a place for the configuration, rounded to micrometres.
+ConfigValue written(const Vec3& place);
+/// Returns an orientation for the configuration (w, x, y, z), rounded to 1e-7.
+ConfigValue written(const Quat& orientation);
+
 /// Returns the name of a role in the configuration: head, right, left, instrument.
 const char* role_name(StationRole role);
 /// Returns the receiver (from 0) that has a role. Throws InputError where none has.

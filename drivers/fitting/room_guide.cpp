@@ -102,10 +102,8 @@ GuideOutcome RoomGuide::outcome() const {
   out.words.push_back(
       fmt::format("error to expect: {:.2f} mm RMS amid the points, {:.2f} mm half a metre above them",
                   1e3 * f.expected_error(f.centre), 1e3 * f.expected_error(f.centre + Vec3(0, 0.5, 0))));
-  const Vec3& p = f.room_device.p;
-  const Quat& q = f.room_device.q;
-  out.changes = {{"tracker.room.position", std::vector<double>{p.x(), p.y(), p.z()}},
-                 {"tracker.room.orientation", std::vector<double>{q.w(), q.x(), q.y(), q.z()}}};
+  out.changes = {{"tracker.room.position", written(f.room_device.p)},
+                 {"tracker.room.orientation", written(f.room_device.q)}};
   return out;
 }
 

@@ -69,7 +69,7 @@ GuideOutcome TipGuide::outcome() const {
       "{:.2f} mm RMS",
       f.poses, degrees * f.turn, 1e3 * f.residual, 1e3 * f.tip_error));
   out.changes = {{station + "station", static_cast<double>(station_ + 1)},
-                 {station + "mount.position", std::vector<double>{f.tip.x(), f.tip.y(), f.tip.z()}}};
+                 {station + "mount.position", written(f.tip)}};
   return out;
 }
 

@@ -83,7 +83,7 @@ TEST(RoomGuide, LeadsFromPointToPointAndRefusesWrongOnes) {
   EXPECT_TRUE(guide.step().done);
   EXPECT_LT((guide.fit().room_device.p - truth.p).norm(), 1e-3);
   const auto p = std::get<std::vector<double>>(change_of(guide.outcome(), "tracker.room.position"));
-  EXPECT_EQ(Vec3(p.data()), guide.fit().room_device.p);
+  EXPECT_LT((Vec3(p.data()) - guide.fit().room_device.p).norm(), 1e-6);
 }
 
 TEST(RoomGuide, GoesBackWhereThePointBeforeWasWrong) {
