@@ -18,9 +18,14 @@ constexpr std::int64_t longest_ns =
 
 }  // namespace
 
-InputPump::InputPump(Connection& connection, const ClientConfig& config, ArmHand* arm,
-                     const std::filesystem::path& log, std::function<void(const std::string&)> report)
-    : connection_(connection), rig_(config), arm_(arm), report_(std::move(report)) {
+InputPump::InputPump(Connection& connection, const ClientConfig& config, const ConfigSource& source,
+                     ArmHand* arm, const std::filesystem::path& log,
+                     std::function<void(const std::string&)> report)
+    : connection_(connection),
+      watch_(source),
+      rig_(std::make_unique<DeviceRig>(config)),
+      arm_(arm),
+      report_(std::move(report)) {
   if (!log.empty()) {
     log_.open(log);
     if (!log_) throw InputError(fmt::format("--latency-log {}: cannot be written", log.string()));
@@ -49,11 +54,15 @@ void InputPump::run(std::stop_token stop) {
   std::int64_t sent_ns = 0;
   bool news = false;
   while (!stop.stop_requested()) {
-    rig_.wait(4);
+    rig_->wait(4);
     const std::int64_t now = monotonic_ns();
-    news |= rig_.poll(now) || arm_ != nullptr;
-    for (const std::string& line : rig_.take_news()) report_(line);
-    for (const GestureTrigger& trigger : rig_.take_triggers()) obey(trigger);
+    if (const auto config = watch_.look(now, report_)) {
+      rig_.reset();  // first: a port is one program's, once
+      rig_ = std::make_unique<DeviceRig>(*config);
+    }
+    news |= rig_->poll(now) || arm_ != nullptr;
+    for (const std::string& line : rig_->take_news()) report_(line);
+    for (const GestureTrigger& trigger : rig_->take_triggers()) obey(trigger);
     if (arm_ != nullptr) {
       for (const std::string& line : arm_->take_news()) report_(line);
       for (const CommandKind wish : arm_->take_wishes()) connection_.command(wish, arm_->hand());
@@ -99,7 +108,7 @@ bool InputPump::desk_driven() const {
 }
 
 void InputPump::send(std::int64_t now_ns, std::uint64_t sequence) {
-  HandInput input = rig_.input();
+  HandInput input = rig_->input();
   {
     std::lock_guard lock(mutex_);
     if (desk_input_) input = *desk_input_;
@@ -111,7 +120,7 @@ void InputPump::send(std::int64_t now_ns, std::uint64_t sequence) {
     connection_.publish(arm_->fill(input));
   }
   connection_.publish(input);
-  if (const auto& sample = rig_.tracker_sample(right_hand); log_.is_open() && sample)
+  if (const auto& sample = rig_->tracker_sample(right_hand); log_.is_open() && sample)
     fmt::print(log_, "{},{},{}\n", sequence, now_ns, fmt::join(sample->raw_pose, ","));
   std::lock_guard lock(mutex_);
   latest_ = input;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "client/app/arm_hand.h"
+#include "client/app/config_watch.h"
 #include "client/app/connection.h"
 #include "client/app/device_rig.h"
 
@@ -20,8 +21,9 @@ class InputPump {
  public:
   /// Starts sending. `log`, if not empty, is a CSV with one line per HandInput sent: sequence, monotonic ns,
   /// the tracker's raw values. It lets latency be measured end to end, by matching the values with those that
-  /// the device says it sent. `arm`: the hand that an arm moves; null: none does.
-  InputPump(Connection& connection, const ClientConfig& config, ArmHand* arm,
+  /// the device says it sent. `arm`: the hand that an arm moves; null: none does. What is written into the
+  /// configuration's file meanwhile is taken over, but for the arm.
+  InputPump(Connection& connection, const ClientConfig& config, const ConfigSource& source, ArmHand* arm,
             const std::filesystem::path& log, std::function<void(const std::string&)> report);
   ~InputPump();
 
@@ -38,7 +40,8 @@ class InputPump {
 
  private:
   Connection& connection_;
-  DeviceRig rig_;
+  ConfigWatch watch_;
+  std::unique_ptr<DeviceRig> rig_;
   ArmHand* arm_;
   std::ofstream log_;
   std::function<void(const std::string&)> report_;

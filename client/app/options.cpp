@@ -334,16 +334,9 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   o.quality = parse_quality(raw);
   o.shown = parse_shown(raw.show);
   for (const std::string& text : raw.screenshots) o.screenshots.push_back(parse_screenshot(text));
-  if (!raw.config.empty()) o.devices = load_client_config(raw.config);
+  o.source = {raw.config, raw.tracker, raw.glove_left, raw.glove, raw.arm};
+  o.devices = o.source.read();
   take_eyes(o.devices.eyes, o.stereo);
-  if (!raw.tracker.empty()) o.devices.tracker = raw.tracker;
-  if (!raw.glove.empty()) o.devices.gloves[right_hand].address = raw.glove;
-  if (!raw.glove_left.empty()) o.devices.gloves[left_hand].address = raw.glove_left;
-  if (!raw.arm.empty()) o.devices.arm.address = raw.arm;
-  if (!o.devices.arm.address.empty()) (void)parse_arm_address(o.devices.arm.address);
-  for (const std::string& address :
-       {o.devices.tracker, o.devices.gloves[left_hand].address, o.devices.gloves[right_hand].address})
-    if (!address.empty()) (void)parse_device_address(address);
   o.join.language = parse_language(raw.language);
   o.join.name = raw.user_name.empty() ? login_name() : raw.user_name;
   resolve_network(raw, o.bus);

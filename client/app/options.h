@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "client/app/config_watch.h"
 #include "client/app/connection.h"
 #include "client/app/render_scene.h"
 #include "client/render/renderer.h"
@@ -27,6 +28,7 @@ struct Screenshot {
 struct ClientOptions {
   BusConfig bus;
   JoinRequest join;
+  ConfigSource source;  // of `devices`
   ClientConfig devices;
   Display display = Display::window;
   StereoProfile stereo;  // with Display::stereo

@@ -190,8 +190,8 @@ class Client {
     if (role == Role::observer)
       pump_.reset();
     else if (!pump_)
-      pump_ = std::make_unique<InputPump>(connection_, options_.devices, arm_.get(), latency_log_of_hands(),
-                                          tell);
+      pump_ = std::make_unique<InputPump>(connection_, options_.devices, options_.source, arm_.get(),
+                                          latency_log_of_hands(), tell);
   }
 
   /// Returns where inputs are logged; none for an observer, who logs what arrives instead.
