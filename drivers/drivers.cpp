@@ -6,6 +6,7 @@
 #include "drivers/fastrak.h"
 #include "drivers/five_dt.h"
 #include "drivers/recorded.h"
+#include "drivers/vrpn_device.h"
 
 namespace prosector {
 
@@ -14,6 +15,7 @@ const std::vector<DriverRow>& drivers() {
       {"fastrak", "Polhemus FASTRAK tracker on a serial port, fastrak:/dev/ttyS0", open_fastrak},
       {"5dt", "5DT Data Glove 5 on a serial port, 5dt:/dev/ttyS1", open_five_dt},
       {"5dt-usb", "5DT Data Glove Ultra over USB, 5dt-usb:/dev/hidraw0", open_five_dt_usb},
+      {"vrpn", "a tracker, buttons, analog or dials of a VRPN server, vrpn:Tracker0@lab", open_vrpn_device},
       {"recorded", "samples from a CSV file, played once, recorded:hand.csv", open_recorded},
       {"recorded-loop", "the same, again and again, recorded-loop:hand.csv", open_recorded_loop},
   };
