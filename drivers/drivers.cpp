@@ -5,6 +5,7 @@
 #include "drivers/device_address.h"
 #include "drivers/fastrak.h"
 #include "drivers/five_dt.h"
+#include "drivers/igtl_device.h"
 #include "drivers/recorded.h"
 #include "drivers/vrpn_device.h"
 
@@ -16,6 +17,7 @@ const std::vector<DriverRow>& drivers() {
       {"5dt", "5DT Data Glove 5 on a serial port, 5dt:/dev/ttyS1", open_five_dt},
       {"5dt-usb", "5DT Data Glove Ultra over USB, 5dt-usb:/dev/hidraw0", open_five_dt_usb},
       {"vrpn", "a tracker, buttons, analog or dials of a VRPN server, vrpn:Tracker0@lab", open_vrpn_device},
+      {"igtl", "a tracker of an OpenIGTLink server, igtl:HOST[:PORT][/TOOL,TOOL,...]", open_igtl},
       {"recorded", "samples from a CSV file, played once, recorded:hand.csv", open_recorded},
       {"recorded-loop", "the same, again and again, recorded-loop:hand.csv", open_recorded_loop},
   };

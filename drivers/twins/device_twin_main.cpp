@@ -2,6 +2,7 @@
 #include <array>
 #include <iostream>
 
+#include "drivers/twins/igtl_twin.h"
 #include "drivers/twins/twin_program.h"
 #include "drivers/twins/vrpn_tracker_twin.h"
 
@@ -18,7 +19,11 @@ std::unique_ptr<Twin> make_vrpn(const TrackerTwinOptions& options, std::int64_t 
   return std::make_unique<VrpnTrackerTwin>("Tracker0", options, now_ns);
 }
 
-constexpr std::array<Kind, 1> kinds = {{{"vrpn", "vrpn:Tracker0@", make_vrpn}}};
+std::unique_ptr<Twin> make_igtl(const TrackerTwinOptions& options, std::int64_t now_ns) {
+  return std::make_unique<IgtlTwin>(options, now_ns);
+}
+
+constexpr std::array<Kind, 2> kinds = {{{"vrpn", "vrpn:Tracker0@", make_vrpn}, {"igtl", "igtl:", make_igtl}}};
 
 const Kind* find_kind(const std::string& name) {
   for (const Kind& kind : kinds)
@@ -50,6 +55,8 @@ int run_device_twin(int argc, char** argv) {
   app.add_option("--rate", tracker.rate, "records of a station a second")
       ->check(CLI::Range(1.0, 1000.0))
       ->capture_default_str();
+  app.add_option("--bad-crc", tracker.bad_sums, "igtl: share of messages whose checksum is wrong")
+      ->check(CLI::Range(0.0, 1.0));
   app.add_option("--wrong-version", wrong_version, "FROM,TO: greet as another version would, seconds")
       ->expected(2)
       ->delimiter(',');
@@ -67,6 +74,7 @@ int run_device_twin(int argc, char** argv) {
     tracker.room_device = {Vec3(room[0], room[1], room[2]),
                            Quat(room[3], room[4], room[5], room[6]).normalized()};
     tracker.timing = options.timing;
+    tracker.seed = options.seed;
     tracker.wrong_version = from_to(wrong_version);
     return row.make(tracker, now_ns);
   });

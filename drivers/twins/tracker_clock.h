@@ -13,8 +13,10 @@ struct TrackerTwinOptions {
   MotionScript script;
   Pose room_device;  // pose of the device's frame in the room
   TwinTiming timing;
-  std::size_t stations = 1;                // how many it tells of
-  double rate = 100;                       // Hz
+  std::size_t stations = 1;  // how many it tells of
+  double rate = 100;         // Hz
+  double bad_sums = 0;       // share of messages whose checksum is wrong
+  std::uint64_t seed = 1;
   std::optional<FaultSpan> wrong_version;  // while it greets as if it were of another version, s
 };
 

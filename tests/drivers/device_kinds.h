@@ -8,6 +8,8 @@
 
 #include "drivers/device.h"
 #include "drivers/device_port.h"
+#include "drivers/igtl_device.h"
+#include "drivers/twins/igtl_twin.h"
 #include "drivers/twins/tracker_clock.h"
 #include "drivers/twins/vrpn_tracker_twin.h"
 #include "drivers/vrpn_device.h"
@@ -28,6 +30,13 @@ inline const std::vector<DeviceKind>& device_kinds() {
        },
        [](const TrackerTwinOptions& options, std::int64_t now_ns) {
          return std::make_unique<VrpnTrackerTwin>("Tracker0", options, now_ns);
+       }},
+      {"igtl",
+       [](auto port, const DeviceConfig& config) {
+         return std::make_unique<IgtlDevice>(std::vector<std::string>{}, std::move(port), config);
+       },
+       [](const TrackerTwinOptions& options, std::int64_t now_ns) {
+         return std::make_unique<IgtlTwin>(options, now_ns);
        }},
   };
   return kinds;

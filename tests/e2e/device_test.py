@@ -85,8 +85,7 @@ try:
         check(f"it is {state} by {until} s", wait_for(lambda: is_now(state), max(started + until - time.monotonic(), 0.1)))
     for state in {"silent", "absent", SPOILT, WRONGLY}:
         check(f"words say what is {state}: {told(state)[-1:]}", told(state) and len(told(state)[-1]) > len(address) + 50)
-    count = len(pushes())
-    check("and the hand presses again", wait_for(lambda: len(pushes()) > count, 3) and pushes()[-1] > 0.1)
+    check("and the hand presses again", wait_for(lambda: "Feeler, right" in list(lines_of_log())[-1]["touches"] and pushes()[-1] > 0.1, 4))
     user.end(signal.SIGINT)
     check("the client ends well", user.process.returncode == 0)
     print("\n".join(line for line in user.lines if line.startswith("tracker ")))
