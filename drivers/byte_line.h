@@ -17,6 +17,8 @@ class ByteLine {
   virtual bool receive(std::vector<std::uint8_t>& out) = 0;
   /// Sends bytes. While earlier ones wait for their way out, newer ones are dropped, as a whole.
   virtual void send(std::span<const std::uint8_t> bytes) = 0;
+  /// Tells whether earlier bytes still wait.
+  virtual bool is_full() { return false; }
   /// Returns a descriptor that becomes readable when something arrived, or −1.
   virtual int descriptor() const { return -1; }
   virtual const std::string& error() const = 0;

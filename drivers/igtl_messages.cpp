@@ -98,6 +98,9 @@ void put(Bytes& out, const Message& message, std::uint16_t version) {
   header.version = version;
   put_text(header.name, message.type);
   put_text(header.device_name, message.device);
+  const auto seconds = static_cast<std::uint64_t>(message.time_ns / 1'000'000'000);
+  const auto rest = static_cast<std::uint64_t>(message.time_ns % 1'000'000'000);
+  header.timestamp = seconds << 32 | (rest << 32) / 1'000'000'000;
   header.body_size = message.body.size();
   header.crc = sum_of(message.body);
   ::igtl_header_convert_byte_order(&header);

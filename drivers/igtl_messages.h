@@ -26,7 +26,7 @@ inline constexpr std::size_t longest_name = 20;                 // bytes, of a d
 struct Message {
   std::string type, device;
   Bytes body;
-  std::int64_t time_ns = 0;  // when its first byte was read
+  std::int64_t time_ns = 0;  // of one that came: when its first byte was read; else since the epoch, or 0
 };
 
 /// Appends a message, of header version 1 unless told otherwise.

@@ -58,6 +58,10 @@ class SocketLine final : public ByteLine {
     waiting_.assign(bytes.begin(), bytes.end());
     flush();
   }
+  bool is_full() override {
+    flush();
+    return !waiting_.empty();
+  }
   int descriptor() const override { return descriptor_; }
   const std::string& error() const override { return error_; }
 

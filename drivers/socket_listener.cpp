@@ -16,7 +16,7 @@
 namespace prosector {
 namespace {
 
-constexpr int backlog = 16;
+constexpr int backlog = 64;
 
 /// Binds and listens. Returns the descriptor. Throws InputError where it can't.
 template <class Address>

@@ -71,8 +71,8 @@ Bytes cookie() {
 
 void put(Bytes& out, const Message& message) {
   put_int(out, static_cast<std::int32_t>(header_bytes + message.body.size()));
-  put_int(out, 0);  // seconds and microseconds: nobody here asks when
-  put_int(out, 0);
+  put_int(out, static_cast<std::int32_t>(message.time_ns / 1'000'000'000));
+  put_int(out, static_cast<std::int32_t>(message.time_ns % 1'000'000'000 / 1000));  // µs
   put_int(out, message.sender);
   put_int(out, message.type);
   put_int(out, 0);

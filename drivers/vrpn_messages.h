@@ -40,7 +40,7 @@ std::optional<Place> parse_place(const std::string& text);
 struct Message {
   std::int32_t sender = 0, type = 0;  // of a message that names: what is named is the sender
   Bytes body;
-  std::int64_t time_ns = 0;  // when its first byte was read
+  std::int64_t time_ns = 0;  // of one that came: when its first byte was read; else since the epoch, or 0
 };
 
 /// Returns the cookie that each side sends first.

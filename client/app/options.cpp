@@ -30,7 +30,7 @@ struct RawOptions {
   std::string tracker, glove, glove_left, arm, config, size, user_name, language,
       display = "window", quality = "medium", show = "none";
   std::optional<std::string> lan;  // empty: the only network that there is
-  std::vector<std::string> screenshots, effects;
+  std::vector<std::string> screenshots, effects, offers;
   std::optional<double> detail;
 };
 
@@ -73,6 +73,14 @@ CLI::Option* add_detail_option(CLI::App& app, RawOptions& raw) {
                   "Pixels by which surfaces may be off to be drawn with fewer triangles; 0: never (default: "
                   "the quality's)")
       ->check(CLI::Range(0.0, 100.0));
+}
+
+void add_offers(CLI::App& app, RawOptions& raw) {
+  app.add_option(
+         "--offer", raw.offers,
+         "Offer hands, heads and held tools to other software (repeatable): vrpn or igtl, on this machine "
+         "alone; vrpn:ADDRESS:PORT")
+      ->group("Network");
 }
 
 void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
@@ -292,6 +300,7 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   o.quality = parse_quality(raw);
   o.shown = parse_shown(raw.show);
   for (const std::string& text : raw.screenshots) o.screenshots.push_back(parse_screenshot(text));
+  for (const std::string& text : raw.offers) o.offers.push_back(parse_offer(text));
   if (!raw.config.empty()) o.devices = load_client_config(raw.config);
   if (!raw.tracker.empty()) o.devices.tracker = raw.tracker;
   if (!raw.glove.empty()) o.devices.gloves[right_hand].address = raw.glove;
@@ -333,6 +342,7 @@ std::variant<ClientOptions, RenderOptions, int> parse_command_line(int argc, cha
   for (CLI::App* command : {join, observe}) {
     add_run(*command, o, raw);
     add_network(*command, o, raw);
+    add_offers(*command, raw);
     add_pictures(*command, o, raw);
   }
   add_devices(*join, raw);
