@@ -3,6 +3,8 @@
 #include <iostream>
 
 #include "drivers/twins/igtl_twin.h"
+#include "drivers/twins/leap_twin.h"
+#include "drivers/twins/space_mouse_twin.h"
 #include "drivers/twins/twin_program.h"
 #include "drivers/twins/vrpn_tracker_twin.h"
 
@@ -23,7 +25,18 @@ std::unique_ptr<Twin> make_igtl(const TrackerTwinOptions& options, std::int64_t 
   return std::make_unique<IgtlTwin>(options, now_ns);
 }
 
-constexpr std::array<Kind, 2> kinds = {{{"vrpn", "vrpn:Tracker0@", make_vrpn}, {"igtl", "igtl:", make_igtl}}};
+std::unique_ptr<Twin> make_leap(const TrackerTwinOptions& options, std::int64_t now_ns) {
+  return std::make_unique<LeapTwin>(options, now_ns);
+}
+
+std::unique_ptr<Twin> make_space_mouse(const TrackerTwinOptions& options, std::int64_t now_ns) {
+  return std::make_unique<SpaceMouseTwin>(options, now_ns);
+}
+
+constexpr std::array<Kind, 4> kinds = {{{"vrpn", "vrpn:Tracker0@", make_vrpn},
+                                        {"igtl", "igtl:", make_igtl},
+                                        {"leap", "leap:", make_leap},
+                                        {"spacemouse", "spacemouse:", make_space_mouse}}};
 
 const Kind* find_kind(const std::string& name) {
   for (const Kind& kind : kinds)

@@ -21,8 +21,10 @@ PRESSED_BY = 1.5  # s of the script
 # What goes wrong in seconds since the twin's start, and the state that is told of it.
 SILENCE, BABBLE, UNPLUG, WRONG = (3.5, 5), (5.8, 6.6), (8.2, 0.6), (8.5, 10.5)
 
-# How what is spoilt, and another version, shows.
-SPOILT, WRONGLY = "babbling", "babbling"
+# How silence, what is spoilt, and another version show. A WebSocket that is silent or spoilt is connected anew; a SpaceMouse that nobody
+# pushes is silent anyway, and its records have no version.
+SILENT, SPOILT, WRONGLY = {"leap": ("absent", "absent", "babbling"), "spacemouse": ("streaming", "babbling", "streaming")}.get(
+    DRIVER, ("silent", "babbling", "babbling"))
 
 
 def lines_of_log():
@@ -54,19 +56,20 @@ reach = [0.0315, 1.03 + 0.178, 0]  # of the wrist, when the tip is at the block'
 script = OUT / "device_press.csv"
 rows = [[t, reach[0], reach[1] + up, reach[2], *turn, 0, 0, 0, 0, 0] for t, up in ((0, 0.06), (PRESSED_BY, -0.012), (60, -0.012))]
 script.write_text("time,x,y,z,qw,qx,qy,qz,thumb,index,middle,ring,little\n" + "\n".join(",".join(map(str, row)) for row in rows) + "\n")
-stand = [0.1, 0.9, 0.2, 0.70710678, 0, 0.70710678, 0]
+stand = [0, 0, 0, 1, 0, 0, 0] if DRIVER == "spacemouse" else [0.1, 0.9, 0.2, 0.70710678, 0, 0.70710678, 0]
 programs = []
 try:
     programs.append(Program(BIN / "prosector-server", HERE / "arm.toml", "--session", session, "--cache", OUT / "cache"))
     programs[0].wait("is open")
-    at = OUT / "socket" if DRIVER == "spacemouse" else 0
+    at = f"/tmp/prosector-{os.getpid()}" if DRIVER == "spacemouse" else 0
     started = time.monotonic()
     twin = Program(BIN / "prosector-device-twin", DRIVER, at, "--script", script, "--wait-client", "--room-device", ",".join(map(str, stand)),
                    "--silence", "{},{}".format(*SILENCE), "--babble", "{},{}".format(*BABBLE), "--unplug", "{},{}".format(*UNPLUG),
                    "--wrong-version", "{},{}".format(*WRONG))
     programs.append(twin)
     address = twin.wait(f"{DRIVER}:")
-    (OUT / "device.toml").write_text(f'[tracker]\naddress = "{address}"\n[tracker.room]\nposition = {stand[:3]}\norientation = {stand[3:]}\n')
+    room, mount = (rows[0][1:4], f"[tracker.stations.right]\nstation = 1\nmount.orientation = {turn}\n") if DRIVER == "spacemouse" else (stand[:3], "")
+    (OUT / "device.toml").write_text(f'[tracker]\naddress = "{address}"\n[tracker.room]\nposition = {room}\norientation = {stand[3:]}\n{mount}')
     user = Program(BIN / "prosector-client", "join", "--name", "Feeler", "--display", "none", "--config", OUT / "device.toml", "--session-log",
                    LOG, "--session", session)
     programs.append(user)
@@ -80,10 +83,10 @@ try:
     def is_now(state):
         return [line for line in user.lines if line.startswith(f"tracker {address}: ")][-1] in told(state)
 
-    for state, until in (("silent", SILENCE[1]), ("streaming", BABBLE[0]), (SPOILT, BABBLE[1] + 0.5), ("streaming", UNPLUG[0]),
+    for state, until in ((SILENT, SILENCE[1]), ("streaming", BABBLE[0]), (SPOILT, BABBLE[1] + 0.5), ("streaming", UNPLUG[0]),
                          ("absent", UNPLUG[0] + 0.7), (WRONGLY, WRONG[1]), ("streaming", WRONG[1] + 3)):
         check(f"it is {state} by {until} s", wait_for(lambda: is_now(state), max(started + until - time.monotonic(), 0.1)))
-    for state in {"silent", "absent", SPOILT, WRONGLY}:
+    for state in {SILENT, "absent", SPOILT, WRONGLY} - {"streaming"}:
         check(f"words say what is {state}: {told(state)[-1:]}", told(state) and len(told(state)[-1]) > len(address) + 50)
     check("and the hand presses again", wait_for(lambda: "Feeler, right" in list(lines_of_log())[-1]["touches"] and pushes()[-1] > 0.1, 4))
     user.end(signal.SIGINT)
