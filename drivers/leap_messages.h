@@ -40,8 +40,8 @@ std::string ask_for_frames();
 
 /// Returns the wrist's pose: −z along the hand, y out of its back.
 Pose wrist_of(const Hand& hand);
-/// Returns bends as a glove's sensors would see them: of fingers, 2/3 of the knuckle's and 1/3 of the next
-/// joint's; of the thumb, the mean of its two; 90° of both is 1.
+/// Returns bends as a glove's sensors would see them; 90° is 1. A finger's is 2/3 of the knuckle's angle and
+/// 1/3 of the next joint's. The thumb's is the mean of its two.
 std::array<double, fingers> flexion_of(const Hand& hand);
 
 }  // namespace prosector::leap

@@ -62,7 +62,7 @@ void SpaceMouse::parse(std::int64_t now_ns, std::vector<DeviceSample>& out) {
   sample.time_ns = now_ns;
   sample.has_pose = true;
   sample.pose = config_.room_device * hand_ * config_.mount[0];
-  for (std::size_t i = 0; i < push_.size(); ++i) sample.raw_pose[i] = static_cast<float>(push_[i]);
+  for (std::size_t i = 0; i < 3; ++i) sample.raw_pose[i] = static_cast<float>(push_[i]);
   sample.buttons = buttons_;
 }
 

@@ -15,6 +15,8 @@ int main(int argc, char** argv) {
     if (const int* code = std::get_if<int>(&parsed)) return *code;
     if (const auto* render = std::get_if<prosector::RenderOptions>(&parsed))
       return prosector::render_scene(*render);
+    if (const auto* test = std::get_if<prosector::SelfTestOptions>(&parsed))
+      return prosector::self_test(*test);
     return prosector::run_client(std::get<prosector::ClientOptions>(parsed), started_ns);
   } catch (const prosector::InputError& error) {
     fmt::print(stderr, "prosector-client: {}\n", error.what());

@@ -198,6 +198,15 @@ void add_render(CLI::App& app, RenderOptions& o, RawOptions& raw) {
   app.add_option("--shaders", o.shaders, shaders_help);
 }
 
+void add_self_test(CLI::App& app, SelfTestOptions& o) {
+  app.add_option("ADDRESS", o.address, "The device: DRIVER:PATH, for instance 5dt-usb:/dev/hidraw0")
+      ->required();
+  app.add_option("--seconds", o.seconds, "How long it is recorded")
+      ->capture_default_str()
+      ->check(CLI::Range(0.1, 86400.0));
+  app.add_option("--out", o.out, "The report; the samples are beside it, as .csv")->capture_default_str();
+}
+
 void parse_size(const std::string& text, int& width, int& height) {
   const auto x = text.find('x');
   const auto number = [&](std::size_t from, std::size_t to, int& out) {
@@ -324,7 +333,7 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
 
 }  // namespace
 
-std::variant<ClientOptions, RenderOptions, int> parse_command_line(int argc, char** argv) {
+std::variant<ClientOptions, RenderOptions, SelfTestOptions, int> parse_command_line(int argc, char** argv) {
   ClientOptions o;
   RawOptions raw;
   CLI::App app{
@@ -349,11 +358,15 @@ std::variant<ClientOptions, RenderOptions, int> parse_command_line(int argc, cha
   CLI::App* render = app.add_subcommand("render", "Pictures of a scene file, without a server");
   RenderOptions still;
   add_render(*render, still, raw);
+  CLI::App* test = app.add_subcommand("selftest", "Record a device, and say what of it fits its protocol");
+  SelfTestOptions tried;
+  add_self_test(*test, tried);
   bool host = false;
   join->add_flag("--host", host, "Be the session's host, who hands out roles, unless it has one");
   try {
     app.parse(argc, argv);
     if (render->parsed()) return resolve_render(raw, still);
+    if (test->parsed()) return tried;
     o.join.role = !join->parsed() ? Role::observer : host ? Role::host : Role::dissector;
     resolve(raw, o);
   } catch (const CLI::ParseError& error) {

@@ -8,6 +8,7 @@
 
 #include "client/app/connection.h"
 #include "client/app/render_scene.h"
+#include "client/app/self_test.h"
 #include "client/offer/offer_protocol.h"
 #include "client/render/renderer.h"
 #include "client/render/window_context.h"
@@ -51,6 +52,6 @@ struct ClientOptions {
 };
 
 /// Parses; on --help or a wrong line prints to the user and returns the exit code.
-std::variant<ClientOptions, RenderOptions, int> parse_command_line(int argc, char** argv);
+std::variant<ClientOptions, RenderOptions, SelfTestOptions, int> parse_command_line(int argc, char** argv);
 
 }  // namespace prosector
