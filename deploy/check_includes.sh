@@ -41,6 +41,8 @@ forbid "of idl, others include its bus headers only: idl/wire and idl/dds are it
 only "of drivers' folders, the client includes what calibration fits" 'drivers/[a-z0-9_]+/' 'drivers/fitting/' \
   $(sources client/)
 forbid "drivers know nothing of calibration but what it fits" 'drivers/fitting/' $(sources drivers/ '^drivers/fitting/')
+forbid "OpenIGTLink only in drivers/igtl_messages.cpp" 'igtl_(header|tdata|transform|util)\.h' \
+  $(sources '(common|idl|drivers|server|client)/' '^drivers/igtl_messages\.cpp$')
 forbid "only idl knows DDS" '(dds/|ddsc/|prosector\.h)' $(sources '(common|drivers|server|client)/')
 # bullet_types.h hands Bullet on, so including it counts as including Bullet.
 forbid "Bullet only in server/physics/rigid, panel_motion.cpp, convex_hull.cpp and the contact .cpp files of server/physics" \

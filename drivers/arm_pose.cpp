@@ -8,10 +8,12 @@ constexpr double slack = 1e-3;  // by how much columns may not be unit vectors t
 
 }  // namespace
 
+bool is_rotation(const Mat3& turn) {
+  return turn.allFinite() && (turn.transpose() * turn).isIdentity(slack) && turn.determinant() > 0;
+}
+
 std::optional<Pose> arm_pose(const Vec3& place, const Mat3& turn) {
-  if (!place.allFinite() || !turn.allFinite() || place.norm() > reach ||
-      !(turn.transpose() * turn).isIdentity(slack) || turn.determinant() < 0)
-    return std::nullopt;
+  if (!place.allFinite() || place.norm() > reach || !is_rotation(turn)) return std::nullopt;
   return Pose{place, Quat(turn).normalized()};
 }
 

@@ -7,32 +7,28 @@
 #include <string_view>
 #include <vector>
 
+#include "drivers/device_port.h"
+
 namespace prosector {
 
-/// A serial line or other device file: owns one descriptor; never blocks, never throws. Losing the device
-/// closes it and says why.
-class BytePort {
+/// A serial line or other device file: owns one descriptor.
+class BytePort final : public DevicePort {
  public:
   /// Takes the device's path. `baud` 0 leaves line settings alone (hidraw); else the path must be a terminal,
   /// which is set to 8 data bits, no parity, 1 stop bit, raw, no flow control.
   BytePort(std::string path, unsigned baud);
-  ~BytePort();
+  ~BytePort() override;
   BytePort(const BytePort&) = delete;
   BytePort& operator=(const BytePort&) = delete;
 
-  bool open();
-  void close();
-  bool is_open() const { return descriptor_ >= 0; }
-  int descriptor() const { return descriptor_; }
-  const std::string& path() const { return path_; }
-  /// Returns, for people, why the last open failed or the device was lost.
-  const std::string& error() const { return error_; }
-
-  /// Appends what has arrived, at most `limit` bytes. Returns false when the device is gone (then it is
-  /// closed).
-  bool read(std::vector<std::uint8_t>& out, std::size_t limit);
-  /// Sends a short command. Returns false when the device is gone, or its queue is full (then it stays open).
-  bool write(std::string_view bytes);
+  bool open() override;
+  void close() override;
+  bool is_open() const override { return descriptor_ >= 0; }
+  int descriptor() const override { return descriptor_; }
+  const std::string& path() const override { return path_; }
+  const std::string& error() const override { return error_; }
+  bool read(std::vector<std::uint8_t>& out, std::size_t limit) override;
+  bool write(std::string_view bytes) override;
 
  private:
   bool set_up_line();

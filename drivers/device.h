@@ -69,6 +69,7 @@ struct DriverRow {
   const char* name;
   const char* help;  // one line for --help
   std::unique_ptr<Device> (*open)(const std::string& path, const struct DeviceConfig& config);
+  bool knows_hands = false;  // station 1 is the right hand, station 2 the left one, whatever is configured
 };
 
 inline constexpr std::size_t max_stations = 4;  // receivers of one tracker
@@ -102,6 +103,9 @@ const std::vector<DriverRow>& drivers();
 
 /// Splits an address. Throws InputError for an unknown driver (listing the known ones) or a missing path.
 DeviceAddress parse_device_address(const std::string& address);
+
+/// Returns the row of an address' driver. Throws InputError for an unknown one (listing the known ones).
+const DriverRow& driver_of(const std::string& address);
 
 /// Opens a device by address. Throws InputError for an unknown driver (listing the known ones).
 std::unique_ptr<Device> open_device(const std::string& address, const DeviceConfig& config);

@@ -5,7 +5,11 @@
 #include "drivers/device_address.h"
 #include "drivers/fastrak.h"
 #include "drivers/five_dt.h"
+#include "drivers/igtl_device.h"
+#include "drivers/leap_device.h"
 #include "drivers/recorded.h"
+#include "drivers/space_mouse.h"
+#include "drivers/vrpn_device.h"
 
 namespace prosector {
 
@@ -14,6 +18,10 @@ const std::vector<DriverRow>& drivers() {
       {"fastrak", "Polhemus FASTRAK tracker on a serial port, fastrak:/dev/ttyS0", open_fastrak},
       {"5dt", "5DT Data Glove 5 on a serial port, 5dt:/dev/ttyS1", open_five_dt},
       {"5dt-usb", "5DT Data Glove Ultra over USB, 5dt-usb:/dev/hidraw0", open_five_dt_usb},
+      {"vrpn", "a tracker, buttons, analog or dials of a VRPN server, vrpn:Tracker0@lab", open_vrpn_device},
+      {"igtl", "a tracker of an OpenIGTLink server, igtl:HOST[:PORT][/TOOL,TOOL,...]", open_igtl},
+      {"leap", "both hands by Ultraleap's WebSocket, leap:localhost:6437", open_leap, true},
+      {"spacemouse", "a SpaceMouse by spacenavd's socket, spacemouse:/run/spnav.sock", open_space_mouse},
       {"recorded", "samples from a CSV file, played once, recorded:hand.csv", open_recorded},
       {"recorded-loop", "the same, again and again, recorded-loop:hand.csv", open_recorded_loop},
   };
@@ -24,11 +32,14 @@ DeviceAddress parse_device_address(const std::string& address) {
   return split_address("device", address, drivers());
 }
 
-std::unique_ptr<Device> open_device(const std::string& address, const DeviceConfig& config) {
+const DriverRow& driver_of(const std::string& address) {
   const DeviceAddress parsed = parse_device_address(address);
-  const auto row = std::find_if(drivers().begin(), drivers().end(),
-                                [&](const DriverRow& r) { return parsed.driver == r.name; });
-  return row->open(parsed.path, config);
+  return *std::find_if(drivers().begin(), drivers().end(),
+                       [&](const DriverRow& r) { return parsed.driver == r.name; });
+}
+
+std::unique_ptr<Device> open_device(const std::string& address, const DeviceConfig& config) {
+  return driver_of(address).open(parse_device_address(address).path, config);
 }
 
 }  // namespace prosector

@@ -12,7 +12,7 @@ FlexionCalibrator::FlexionCalibrator(const DeviceConfig& config, double least_sp
   max_.fill(-std::numeric_limits<double>::infinity());
 }
 
-std::array<double, fingers> FlexionCalibrator::update(const std::array<std::uint16_t, fingers>& raw) {
+std::array<double, fingers> FlexionCalibrator::update(const std::array<double, fingers>& raw) {
   std::array<double, fingers> flexion{};
   for (std::size_t i = 0; i < fingers; ++i) {
     const double count = raw[i];
@@ -32,11 +32,18 @@ GloveHand::GloveHand(const DeviceConfig& config, double least_span)
       gestures_({config.closed_above, config.open_below, config.hysteresis, config.pinch}) {}
 
 DeviceSample GloveHand::sample(const std::array<std::uint16_t, fingers>& raw, std::int64_t time_ns) {
+  std::array<double, fingers> counts{};
+  std::ranges::copy(raw, counts.begin());
+  DeviceSample out = sample(counts, time_ns);
+  out.raw_flexion = raw;
+  return out;
+}
+
+DeviceSample GloveHand::sample(const std::array<double, fingers>& raw, std::int64_t time_ns) {
   DeviceSample out;
   out.record = records_++;
   out.time_ns = time_ns;
   out.has_flexion = true;
-  out.raw_flexion = raw;
   out.flexion = calibrator_.update(raw);
   out.gesture = gestures_.update(out.flexion);
   return out;

@@ -14,7 +14,7 @@ namespace prosector {
 class FlexionCalibrator {
  public:
   FlexionCalibrator(const DeviceConfig& config, double least_span);
-  std::array<double, fingers> update(const std::array<std::uint16_t, fingers>& raw);
+  std::array<double, fingers> update(const std::array<double, fingers>& raw);
 
  private:
   bool falls_;
@@ -28,6 +28,8 @@ class GloveHand {
  public:
   GloveHand(const DeviceConfig& config, double least_span);
   DeviceSample sample(const std::array<std::uint16_t, fingers>& raw, std::int64_t time_ns);
+  /// Takes values that need not be counts, as an analog's channels.
+  DeviceSample sample(const std::array<double, fingers>& raw, std::int64_t time_ns);
 
  private:
   FlexionCalibrator calibrator_;

@@ -31,7 +31,8 @@ Inverse3Arm::Inverse3Arm(const ArmConfig& config, std::function<std::int64_t()> 
     : config_(config), clock_(std::move(clock)) {}
 
 void Inverse3Arm::talk_to(const std::string& host, const std::string& port) {
-  socket_ = std::make_unique<WebSocket>(host, port, [this](std::string_view text) { return hear(text); });
+  socket_ =
+      std::make_unique<WebSocket>(host, port, "/", [this](std::string_view text) { return hear(text); });
 }
 
 std::string Inverse3Arm::hear(std::string_view text) {

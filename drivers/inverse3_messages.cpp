@@ -1,29 +1,23 @@
 #include "drivers/inverse3_messages.h"
 
 #include <array>
-#include <nlohmann/json.hpp>
+
+#include "drivers/json_lookup.h"
 
 namespace prosector::inverse3 {
 namespace {
 
 using Json = nlohmann::json;
 
-const Json nothing;
-
-/// Returns what a key leads to; without such a key, or in what has no keys, null.
-const Json& at(const Json& json, const char* key) {
-  const auto found = json.find(key);
-  return found == json.end() ? nothing : *found;
-}
 const Json& first(const Json& list) {
-  return list.is_array() && !list.empty() ? list.front() : nothing;
+  return list.is_array() && !list.empty() ? list.front() : json_at(list, "");
 }
 
 template <std::size_t N>
 std::optional<std::array<double, N>> numbers(const Json& json, const std::array<const char*, N>& keys) {
   std::array<double, N> out{};
   for (std::size_t i = 0; i < N; ++i) {
-    const Json& value = at(json, keys[i]);
+    const Json& value = json_at(json, keys[i]);
     if (!value.is_number()) return std::nullopt;
     out[i] = value.get<double>();
   }
@@ -40,20 +34,20 @@ Json json_of(const Vec3& v) {
 
 std::optional<State> state_of(std::string_view text) {
   const Json json = Json::parse(text, nullptr, false);
-  const Json& arms = at(json, "inverse3");
+  const Json& arms = json_at(json, "inverse3");
   if (!arms.is_array()) return std::nullopt;
   State out;
   if (arms.empty()) return out;
-  const Json& id = at(first(arms), "device_id");
-  const auto place = numbers(at(at(first(arms), "state"), "cursor_position"), xyz);
+  const Json& id = json_at(first(arms), "device_id");
+  const auto place = numbers(json_at(json_at(first(arms), "state"), "cursor_position"), xyz);
   if (!id.is_string() || id.get_ref<const std::string&>().empty() || !place) return std::nullopt;
   out.device = id.get<std::string>();
   out.place = Vec3((*place)[0], (*place)[1], (*place)[2]);
-  const Json& grip = at(first(at(json, "wireless_verse_grip")), "state");
-  if (const auto q = numbers(at(grip, "orientation"), xyzw))
+  const Json& grip = json_at(first(json_at(json, "wireless_verse_grip")), "state");
+  if (const auto q = numbers(json_at(grip, "orientation"), xyzw))
     out.turn = Quat((*q)[3], (*q)[0], (*q)[1], (*q)[2]);
   for (std::size_t i = 0; i < abc.size(); ++i)
-    if (at(at(grip, "buttons"), abc[i]) == true) out.buttons |= 1u << i;
+    if (json_at(json_at(grip, "buttons"), abc[i]) == true) out.buttons |= 1u << i;
   return out;
 }
 
@@ -76,9 +70,9 @@ std::string text_of(const State& state, bool first) {
 
 std::optional<Force> force_of(std::string_view text) {
   const Json json = Json::parse(text, nullptr, false);
-  const Json& arm = first(at(json, "inverse3"));
-  const auto force = numbers(at(at(at(arm, "commands"), "set_cursor_force"), "values"), xyz);
-  const Json& id = at(arm, "device_id");
+  const Json& arm = first(json_at(json, "inverse3"));
+  const auto force = numbers(json_at(json_at(json_at(arm, "commands"), "set_cursor_force"), "values"), xyz);
+  const Json& id = json_at(arm, "device_id");
   if (!force || !id.is_string()) return std::nullopt;
   return Force{id.get<std::string>(), Vec3((*force)[0], (*force)[1], (*force)[2])};
 }

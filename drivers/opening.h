@@ -50,6 +50,7 @@ class Opening {
     problem_ = std::move(why);
     next_ns_ = now_ns + retry_ns;
   }
+  bool is_trying() const { return attempt_.valid(); }
   T* get() const { return open_.get(); }
   std::int64_t opened_ns() const { return opened_ns_; }
   const std::string& problem() const { return problem_; }

@@ -1,11 +1,12 @@
 #pragma once
 // What all devices on a byte port share: open, read, heal, judge. A protocol fills in the rest.
 
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "drivers/byte_port.h"
 #include "drivers/device.h"
+#include "drivers/device_port.h"
 #include "drivers/health_monitor.h"
 #include "drivers/stamped_buffer.h"
 
@@ -13,11 +14,13 @@ namespace prosector {
 
 class StreamDevice : public Device {
  public:
+  /// Reads a device file; the next one, any port.
   StreamDevice(const std::string& path, unsigned baud);
+  explicit StreamDevice(std::unique_ptr<DevicePort> port);
 
   void poll(std::vector<DeviceSample>& out) final;
   DeviceStatus status() const override;
-  int descriptor() const final { return port_.descriptor(); }
+  int descriptor() const final { return port_->descriptor(); }
 
  protected:
   /// Starts the dialogue from its beginning: the port has just been opened.
@@ -30,21 +33,29 @@ class StreamDevice : public Device {
   virtual std::string silent_hint() const = 0;
   /// Returns, for people, what to check when nothing readable arrives.
   virtual std::string babble_hint() const = 0;
+  /// Returns, for people, what to check when it can't be opened.
+  virtual std::string absent_hint() const { return "check that it is plugged in and that you may read it"; }
 
-  void send(std::string_view bytes) { port_.write(bytes); }
+  const std::string& path() const { return port_->path(); }
+  /// Gives up the port, as what talks there is not what it should be. It is opened again, later each time.
+  void refuse(std::string why);
+  void send(std::string_view bytes) { port_->write(bytes); }
   StampedBuffer& buffer() { return buffer_; }
   const StampedBuffer& buffer() const { return buffer_; }
   HealthMonitor& health() { return health_; }
 
  private:
   void open(std::int64_t now_ns);
+  void wait_longer(std::int64_t now_ns);
 
-  BytePort port_;
+  std::unique_ptr<DevicePort> port_;
   StampedBuffer buffer_;
   HealthMonitor health_;
   std::vector<std::uint8_t> chunk_;
   std::int64_t next_open_ns_ = 0;
   std::int64_t open_delay_ns_;
+  std::string refused_;  // why the port was given up, until something valid came
+  std::uint64_t refused_records_ = 0;
 };
 
 }  // namespace prosector

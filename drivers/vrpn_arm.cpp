@@ -22,7 +22,7 @@ constexpr std::int32_t buttons_known = 32;
 }  // namespace
 
 VrpnArm::VrpnArm(std::string name, const ArmConfig& config,
-                 std::function<std::unique_ptr<vrpn::Line>()> connect, std::launch opening,
+                 std::function<std::unique_ptr<ByteLine>()> connect, std::launch opening,
                  std::function<std::int64_t()> clock)
     : name_(std::move(name)),
       config_(config),
@@ -36,7 +36,7 @@ VrpnArm::~VrpnArm() {
 
 ArmReading VrpnArm::read() {
   const std::int64_t now = clock_();
-  vrpn::Line* line = opening_.poll(now);
+  ByteLine* line = opening_.poll(now);
   if (line == nullptr) return {};
   if (!std::exchange(greeted_, true)) greet(*line);
   bytes_.clear();
@@ -59,7 +59,7 @@ ArmReading VrpnArm::read() {
 }
 
 /// Begins to talk: who this is, and what it will send.
-void VrpnArm::greet(vrpn::Line& line) {
+void VrpnArm::greet(ByteLine& line) {
   reader_ = {};
   vrpn::Bytes out = vrpn::cookie();
   vrpn::put(out, vrpn::naming(vrpn::names_sender, own_sender, name_));
@@ -101,7 +101,7 @@ void VrpnArm::lose(std::string why, std::int64_t now_ns) {
 }
 
 void VrpnArm::set_field(const Vec3& force, const Mat3& stiffness) {
-  vrpn::Line* line = opening_.get();
+  ByteLine* line = opening_.get();
   if (line == nullptr || !greeted_ || !force.allFinite() || !stiffness.allFinite()) return;
   const Mat3 turn = config_.room_arm.q.toRotationMatrix();
   vrpn::ForceField field;
@@ -132,16 +132,12 @@ DeviceStatus VrpnArm::status() const {
 }
 
 std::unique_ptr<Arm> open_vrpn(const std::string& path, const ArmConfig& config) {
-  const auto at = path.find('@');
-  const std::string name = path.substr(0, at), where = at == std::string::npos ? "" : path.substr(at + 1);
-  const auto colon = where.rfind(':');
-  const std::string host = where.substr(0, colon);
-  const std::string port = colon == std::string::npos ? vrpn::usual_port : where.substr(colon + 1);
-  if (name.empty() || host.empty() || port.empty() ||
-      port.find_first_not_of("0123456789") != std::string::npos)
+  const auto there = vrpn::parse_place(path);
+  if (!there)
     throw InputError(
         fmt::format("arm 'vrpn:{}': must be vrpn:NAME@HOST[:PORT], as in vrpn:Phantom0@lab", path));
-  return std::make_unique<VrpnArm>(name, config, [host, port] { return vrpn::connect_line(host, port); });
+  return std::make_unique<VrpnArm>(there->name, config,
+                                   [there] { return connect_tcp(there->at.host, there->at.port); });
 }
 
 }  // namespace prosector

@@ -9,8 +9,9 @@
 
 #include "common/clock.h"
 #include "drivers/arm.h"
+#include "drivers/byte_line.h"
 #include "drivers/opening.h"
-#include "drivers/vrpn_line.h"
+#include "drivers/vrpn_messages.h"
 
 namespace prosector {
 
@@ -18,7 +19,7 @@ class VrpnArm final : public Arm {
  public:
   /// Takes the device's name and what opens a line to its server. `opening`: deferred opens in read(), for
   /// tests in their own time.
-  VrpnArm(std::string name, const ArmConfig& config, std::function<std::unique_ptr<vrpn::Line>()> connect,
+  VrpnArm(std::string name, const ArmConfig& config, std::function<std::unique_ptr<ByteLine>()> connect,
           std::launch opening = std::launch::async, std::function<std::int64_t()> clock = monotonic_ns);
   ~VrpnArm() override;
 
@@ -29,7 +30,7 @@ class VrpnArm final : public Arm {
   DeviceStatus status() const override;
 
  private:
-  void greet(vrpn::Line& line);
+  void greet(ByteLine& line);
   void take(const vrpn::Message& message, std::int64_t now_ns);
   void lose(std::string why, std::int64_t now_ns);
 
@@ -43,7 +44,7 @@ class VrpnArm final : public Arm {
   ArmReading last_;  // its stylus is in the arm's frame
   std::int64_t heard_ns_ = 0, posed_ns_ = 0, hot_until_ns_ = 0;
   DeviceStatus counts_;
-  Opening<vrpn::Line> opening_;
+  Opening<ByteLine> opening_;
 };
 
 /// Opens an arm at a server, "vrpn:Phantom0@lab:3883". Throws InputError for what is no NAME@HOST[:PORT].

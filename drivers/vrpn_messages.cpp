@@ -53,6 +53,14 @@ std::size_t padded(std::size_t size) {
 
 }  // namespace
 
+std::optional<Place> parse_place(const std::string& text) {
+  const auto sign = text.find('@');
+  if (sign == 0 || sign == std::string::npos) return std::nullopt;
+  const auto at = parse_host_port(text.substr(sign + 1), usual_port);
+  if (!at) return std::nullopt;
+  return Place{text.substr(0, sign), *at};
+}
+
 Bytes cookie() {
   Bytes out(cookie_bytes, 0);
   std::fill_n(out.begin(), magic.size() + 2, ' ');
@@ -63,8 +71,8 @@ Bytes cookie() {
 
 void put(Bytes& out, const Message& message) {
   put_int(out, static_cast<std::int32_t>(header_bytes + message.body.size()));
-  put_int(out, 0);  // seconds and microseconds: nobody here asks when
-  put_int(out, 0);
+  put_int(out, static_cast<std::int32_t>(message.time_ns / 1'000'000'000));
+  put_int(out, static_cast<std::int32_t>(message.time_ns % 1'000'000'000 / 1000));  // µs
   put_int(out, message.sender);
   put_int(out, message.type);
   put_int(out, 0);
@@ -117,6 +125,38 @@ std::optional<Button> button_of(const Bytes& body) {
   return out;
 }
 
+Bytes body_of(const Channels& channels) {
+  Bytes out;
+  put_double(out, static_cast<double>(channels.size()));
+  for (const double x : channels) put_double(out, x);
+  return out;
+}
+
+std::optional<Channels> channels_of(const Bytes& body) {
+  if (body.size() < 8 || body.size() % 8 != 0) return std::nullopt;
+  Numbers in(body);
+  if (in.real() != static_cast<double>(body.size() / 8 - 1)) return std::nullopt;
+  Channels out(body.size() / 8 - 1);
+  for (double& x : out) x = in.real();
+  return out;
+}
+
+Bytes body_of(const Dial& dial) {
+  Bytes out;
+  put_double(out, dial.turned);
+  put_int(out, dial.number);
+  return out;
+}
+
+std::optional<Dial> dial_of(const Bytes& body) {
+  if (body.size() != 12) return std::nullopt;
+  Numbers in(body);
+  Dial out;
+  out.turned = in.real();
+  out.number = in.integer();
+  return out;
+}
+
 Bytes body_of(const ForceField& field) {
   Bytes out;
   for (const double x : field.origin) put_float(out, x);
@@ -150,22 +190,22 @@ std::optional<std::int32_t> code_of(const Bytes& body) {
   return Numbers(body).integer();
 }
 
-void Reader::take(std::span<const std::uint8_t> bytes) {
-  if (!broken_) waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
+void Reader::take(std::span<const std::uint8_t> bytes, std::int64_t time_ns) {
+  if (!broken_) waiting_.append(bytes, time_ns);
 }
 
 std::optional<Message> Reader::next() {
   if (broken_) return std::nullopt;
   if (!greeted_) {
-    const std::size_t known = std::min(waiting_.size(), must_fit);
-    broken_ =
-        !std::equal(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(known), magic.begin());
-    if (broken_ || waiting_.size() < cookie_bytes) return std::nullopt;
-    waiting_.erase(waiting_.begin(), waiting_.begin() + cookie_bytes);
+    const auto known = waiting_.bytes().first(std::min(waiting_.bytes().size(), must_fit));
+    broken_ = !std::equal(known.begin(), known.end(), magic.begin());
+    if (broken_ || waiting_.bytes().size() < cookie_bytes) return std::nullopt;
+    waiting_.drop(cookie_bytes);
     greeted_ = true;
   }
-  if (waiting_.size() < header_bytes) return std::nullopt;
-  Numbers header(waiting_);
+  const auto bytes = waiting_.bytes();
+  if (bytes.size() < header_bytes) return std::nullopt;
+  Numbers header(bytes);
   const std::int32_t length = header.integer();
   if (length < static_cast<std::int32_t>(header_bytes) ||
       length > static_cast<std::int32_t>(longest_message)) {
@@ -173,15 +213,16 @@ std::optional<Message> Reader::next() {
     return std::nullopt;
   }
   const std::size_t size = static_cast<std::size_t>(length) - header_bytes;
-  if (waiting_.size() < header_bytes + padded(size)) return std::nullopt;
+  if (bytes.size() < header_bytes + padded(size)) return std::nullopt;
   header.integer();
   header.integer();
   Message out;
   out.sender = header.integer();
   out.type = header.integer();
-  const auto body = waiting_.begin() + header_bytes;
-  out.body.assign(body, body + static_cast<std::ptrdiff_t>(size));
-  waiting_.erase(waiting_.begin(), body + static_cast<std::ptrdiff_t>(padded(size)));
+  out.time_ns = waiting_.time_ns();
+  const auto body = bytes.subspan(header_bytes, size);
+  out.body.assign(body.begin(), body.end());
+  waiting_.drop(header_bytes + padded(size));
   learn(out);
   return out;
 }

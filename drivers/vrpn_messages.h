@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "common/math.h"
+#include "drivers/byte_line.h"
+#include "drivers/stamped_buffer.h"
 
 namespace prosector::vrpn {
 
@@ -20,12 +22,25 @@ inline constexpr const char* usual_port = "3883";
 inline constexpr std::int32_t names_sender = -1, names_type = -2;  // types of messages that name
 inline constexpr const char* pose_type = "vrpn_Tracker Pos_Quat";
 inline constexpr const char* button_type = "vrpn_Button Change";
+inline constexpr const char* analog_type = "vrpn_Analog Channel";
+inline constexpr const char* dial_type = "vrpn_Dial update";
+inline constexpr const char* ping_type = "vrpn_Base ping_message";  // answered by a pong
+inline constexpr const char* pong_type = "vrpn_Base pong_message";
 inline constexpr const char* field_type = "vrpn_ForceDevice Force_Field";
 inline constexpr const char* error_type = "vrpn_ForceDevice Force_Error";
+
+/// A device at a server, as people write it: NAME@HOST[:PORT].
+struct Place {
+  std::string name;
+  HostPort at;
+};
+/// Returns nothing for what is no such place.
+std::optional<Place> parse_place(const std::string& text);
 
 struct Message {
   std::int32_t sender = 0, type = 0;  // of a message that names: what is named is the sender
   Bytes body;
+  std::int64_t time_ns = 0;  // of one that came: when its first byte was read; else since the epoch, or 0
 };
 
 /// Returns the cookie that each side sends first.
@@ -51,6 +66,20 @@ struct Button {
 Bytes body_of(const Button& button);
 std::optional<Button> button_of(const Bytes& body);
 
+/// Channels of an analog: numbers of any meaning.
+using Channels = std::vector<double>;
+Bytes body_of(const Channels& channels);
+/// Returns nothing where the count isn't that of what follows.
+std::optional<Channels> channels_of(const Bytes& body);
+
+/// By how much a dial was turned, turns.
+struct Dial {
+  std::int32_t number = 0;
+  double turned = 0;
+};
+Bytes body_of(const Dial& dial);
+std::optional<Dial> dial_of(const Bytes& body);
+
 /// What an arm's server renders by itself: force + jacobian·(x − origin) within the radius, else nothing.
 struct ForceField {
   Vec3 origin = Vec3::Zero(), force = Vec3::Zero();  // m, N
@@ -68,7 +97,7 @@ std::optional<std::int32_t> code_of(const Bytes& body);
 /// Takes bytes as they come and finds the messages in them.
 class Reader {
  public:
-  void take(std::span<const std::uint8_t> bytes);
+  void take(std::span<const std::uint8_t> bytes, std::int64_t time_ns = 0);
   /// Returns the next message that is whole.
   std::optional<Message> next();
   /// Tells whether what came is not VRPN's of this version. Nothing comes from it any more then.
@@ -83,7 +112,7 @@ class Reader {
   static const std::string& name(const Names& names, std::int32_t number);
   void learn(const Message& message);
 
-  Bytes waiting_;
+  StampedBuffer waiting_;
   bool greeted_ = false, broken_ = false;
   Names senders_, types_;
 };

@@ -31,8 +31,12 @@ constexpr std::size_t longest_text = 65536;  // bytes
 
 class WebSocket::Talk {
  public:
-  Talk(std::string host, std::string port, std::function<std::string(std::string_view)> answer)
-      : host_(std::move(host)), port_(std::move(port)), answer_(std::move(answer)) {
+  Talk(std::string host, std::string port, std::string target,
+       std::function<std::optional<std::string>(std::string_view)> answer)
+      : host_(std::move(host)),
+        port_(std::move(port)),
+        target_(std::move(target)),
+        answer_(std::move(answer)) {
     resolve();
     thread_ = std::thread([this] {
       ask_for_real_time(line_priority);
@@ -46,8 +50,8 @@ class WebSocket::Talk {
   const State& state() { return told_.read(); }
 
  private:
-  std::string host_, port_;
-  std::function<std::string(std::string_view)> answer_;
+  std::string host_, port_, target_;
+  std::function<std::optional<std::string>(std::string_view)> answer_;
   net::io_context io_;
   net::ip::tcp::resolver resolver_{io_};
   net::steady_timer timer_{io_};
@@ -76,7 +80,7 @@ class WebSocket::Talk {
     beast::get_lowest_layer(*stream_).socket().set_option(net::ip::tcp::no_delay(true), ignored);
     stream_->set_option(beast::websocket::stream_base::timeout{to_connect, silence, false});
     stream_->read_message_max(longest_text);
-    stream_->async_handshake(host_ + ":" + port_, "/", [this](Error error) {
+    stream_->async_handshake(host_ + ":" + port_, target_, [this](Error error) {
       if (error) return lose(error);
       ++state_.connections;
       state_.connected = true;
@@ -89,7 +93,11 @@ class WebSocket::Talk {
     buffer_.clear();
     stream_->async_read(buffer_, [this](Error error, std::size_t) {
       if (error) return lose(error);
-      text_ = answer_({static_cast<const char*>(buffer_.data().data()), buffer_.size()});
+      const auto answer = answer_({static_cast<const char*>(buffer_.data().data()), buffer_.size()});
+      state_.refused = !answer;
+      if (!answer) return lose(net::error::connection_aborted);
+      text_ = *answer;
+      if (text_.empty()) return ends_ ? io_.stop() : listen();
       stream_->text(true);
       stream_->async_write(net::buffer(text_), [this](Error failed, std::size_t) {
         if (failed) return lose(failed);
@@ -100,6 +108,7 @@ class WebSocket::Talk {
   }
   void lose(Error error) {
     if (ends_) return io_.stop();
+    state_.refused = state_.refused && error == net::error::connection_aborted;
     state_.connected = false;
     state_.problem = fmt::format("{}:{}: {}", host_, port_,
                                  error == beast::error::timeout ? "nothing comes any more" : error.message());
@@ -118,8 +127,9 @@ class WebSocket::Talk {
   }
 };
 
-WebSocket::WebSocket(std::string host, std::string port, std::function<std::string(std::string_view)> answer)
-    : talk_(std::make_unique<Talk>(std::move(host), std::move(port), std::move(answer))) {}
+WebSocket::WebSocket(std::string host, std::string port, std::string target,
+                     std::function<std::optional<std::string>(std::string_view text)> answer)
+    : talk_(std::make_unique<Talk>(std::move(host), std::move(port), std::move(target), std::move(answer))) {}
 
 WebSocket::~WebSocket() = default;
 

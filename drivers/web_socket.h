@@ -1,9 +1,10 @@
 #pragma once
-// A conversation over a WebSocket: each text that comes is answered by one. It has a thread of its own, with
-// a real-time priority where the system gives one, and connects again by itself.
+// A conversation over a WebSocket: each text that comes may be answered by one. It has a thread of its own,
+// with a real-time priority where the system gives one, and connects again by itself.
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,11 +16,15 @@ class WebSocket {
   struct State {
     bool connected = false;
     std::uint64_t connections = 0;
-    std::string problem;  // why it isn't connected
+    bool refused = false;  // it isn't connected, as `answer` would have it so
+    std::string problem;   // why it isn't connected
   };
 
-  /// Starts to connect. Its thread calls `answer` with each text, and sends what that returns.
-  WebSocket(std::string host, std::string port, std::function<std::string(std::string_view text)> answer);
+  /// Starts to connect to what is served there ("/" or "/v6.json"). Its thread calls `answer` with each text,
+  /// and sends what that returns, unless it is empty. Where it returns nothing, it hangs up, and connects
+  /// anew.
+  WebSocket(std::string host, std::string port, std::string target,
+            std::function<std::optional<std::string>(std::string_view text)> answer);
   /// Lets one more answer go out, if one is due within 50 ms, and ends.
   ~WebSocket();
 

@@ -6,6 +6,7 @@
 namespace prosector {
 namespace {
 
+constexpr std::uint32_t first_button = 1;
 constexpr std::int64_t pose_lifetime_ns = 250'000'000;  // a pose older than this is no pose any more
 
 const char* name_of(DeviceHealth health) {
@@ -26,6 +27,10 @@ std::string describe_devices(const ClientConfig& config) {
 }
 
 DeviceRig::DeviceRig(const ClientConfig& config) : config_(config) {
+  if (!config_.tracker.empty() && driver_of(config_.tracker).knows_hands) {
+    config_.stations = {StationRole::right_hand, StationRole::left_hand};
+    config_.tracker_device.stations = 3;
+  }
   if (!config_.tracker.empty()) open("tracker", config_.tracker, config_.tracker_device, std::nullopt);
   for (std::size_t hand : {left_hand, right_hand})
     if (const GloveSettings& glove = config_.gloves[hand]; !glove.address.empty())
@@ -51,12 +56,22 @@ bool DeviceRig::poll(std::int64_t now_ns) {
     entry.device->poll(samples_);
     for (const DeviceSample& sample : samples_) {
       if (sample.has_pose) take_tracker(sample);
-      if (sample.has_flexion) take_glove(entry.glove_hand.value_or(right_hand), sample);
+      const auto hand = entry.glove_hand ? entry.glove_hand : ungloved_hand(sample.station);
+      if (hand && sample.has_flexion) take_glove(*hand, sample);
+      if (hand && !sample.has_flexion) take_buttons(*hand, sample);
       changed = true;
     }
   }
   expire(now_ns);
   return changed;
+}
+
+/// Returns the hand of a tracker's station, unless it has a glove.
+std::optional<std::size_t> DeviceRig::ungloved_hand(std::uint32_t station) const {
+  const StationRole role = station < max_stations ? config_.stations[station] : StationRole::none;
+  if (role != StationRole::right_hand && role != StationRole::left_hand) return std::nullopt;
+  const std::size_t hand = role == StationRole::right_hand ? right_hand : left_hand;
+  return config_.gloves[hand].address.empty() ? std::optional(hand) : std::nullopt;
 }
 
 void DeviceRig::take_tracker(const DeviceSample& sample) {
@@ -85,6 +100,15 @@ void DeviceRig::take_glove(std::size_t hand, const DeviceSample& sample) {
   gesture_[hand] = sample.gesture;
   if (const auto it = config_.gestures.find(sample.gesture); it != config_.gestures.end())
     triggers_.push_back({it->second, hand});
+}
+
+/// Takes the buttons of what has no fingers: the first takes hold, and lets go again.
+void DeviceRig::take_buttons(std::size_t hand, const DeviceSample& sample) {
+  const std::uint32_t pressed = sample.buttons & ~buttons_[hand];
+  buttons_[hand] = sample.buttons;
+  if ((pressed & first_button) == 0) return;
+  holds_[hand] = !holds_[hand];
+  triggers_.push_back({holds_[hand] ? GestureEvent::grasp : GestureEvent::release, hand});
 }
 
 void DeviceRig::expire(std::int64_t now_ns) {

@@ -62,11 +62,15 @@ class DeviceRig {
   std::array<std::int64_t, 2> hand_seen_ns_{};
   std::int64_t head_seen_ns_ = 0;
   std::array<Gesture, 2> gesture_{};
+  std::array<std::uint32_t, 2> buttons_{};
+  std::array<bool, 2> holds_{};
   std::vector<GestureTrigger> triggers_;
   std::vector<DeviceSample> samples_;
 
   void open(const std::string& role, const std::string& address, const DeviceConfig& config,
             std::optional<std::size_t> glove_hand);
+  std::optional<std::size_t> ungloved_hand(std::uint32_t station) const;
+  void take_buttons(std::size_t hand, const DeviceSample& sample);
   void take_tracker(const DeviceSample& sample);
   void take_glove(std::size_t hand, const DeviceSample& sample);
   void expire(std::int64_t now_ns);

@@ -33,7 +33,7 @@ struct RawOptions {
   std::string tracker, glove, glove_left, arm, config, size, user_name, language,
       display = "window", quality = "medium", show = "none";
   std::optional<std::string> lan;  // empty: the only network that there is
-  std::vector<std::string> screenshots, effects;
+  std::vector<std::string> screenshots, effects, offers;
   std::optional<double> detail;
 };
 
@@ -76,6 +76,14 @@ CLI::Option* add_detail_option(CLI::App& app, RawOptions& raw) {
                   "Pixels by which surfaces may be off to be drawn with fewer triangles; 0: never (default: "
                   "the quality's)")
       ->check(CLI::Range(0.0, 100.0));
+}
+
+void add_offers(CLI::App& app, RawOptions& raw) {
+  app.add_option(
+         "--offer", raw.offers,
+         "Offer hands, heads and held tools to other software (repeatable): vrpn or igtl, on this machine "
+         "alone; vrpn:ADDRESS:PORT")
+      ->group("Network");
 }
 
 void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
@@ -208,6 +216,15 @@ void add_setup(CLI::App& app, SetupOptions& setup, ClientOptions& o, RawOptions&
   app.add_option("--shaders", setup.shaders, shaders_help);
 }
 
+void add_self_test(CLI::App& app, SelfTestOptions& o) {
+  app.add_option("ADDRESS", o.address, "The device: DRIVER:PATH, for instance 5dt-usb:/dev/hidraw0")
+      ->required();
+  app.add_option("--seconds", o.seconds, "How long it is recorded")
+      ->capture_default_str()
+      ->check(CLI::Range(0.1, 86400.0));
+  app.add_option("--out", o.out, "The report; the samples are beside it, as .csv")->capture_default_str();
+}
+
 void parse_size(const std::string& text, int& width, int& height) {
   const auto x = text.find('x');
   const auto number = [&](std::size_t from, std::size_t to, int& out) {
@@ -334,6 +351,7 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   o.quality = parse_quality(raw);
   o.shown = parse_shown(raw.show);
   for (const std::string& text : raw.screenshots) o.screenshots.push_back(parse_screenshot(text));
+  for (const std::string& text : raw.offers) o.offers.push_back(parse_offer(text));
   o.source = {raw.config, raw.tracker, raw.glove_left, raw.glove, raw.arm};
   o.devices = o.source.read();
   take_eyes(o.devices.eyes, o.stereo);
@@ -372,6 +390,7 @@ ClientCommand parse_command_line(int argc, char** argv) {
   for (CLI::App* command : {join, observe}) {
     add_run(*command, o, raw);
     add_network(*command, o, raw);
+    add_offers(*command, raw);
     add_pictures(*command, o, raw);
   }
   add_devices(*join, raw);
@@ -388,6 +407,9 @@ ClientCommand parse_command_line(int argc, char** argv) {
   ConfigOptions configuring;
   CLI::App* configuring_app = app.add_subcommand("config", "Check or change a configuration");
   add_config(*configuring_app, configuring);
+  CLI::App* test = app.add_subcommand("selftest", "Record a device, and say what of it fits its protocol");
+  SelfTestOptions tried;
+  add_self_test(*test, tried);
   bool host = false;
   join->add_flag("--host", host, "Be the session's host, who hands out roles, unless it has one");
   try {
@@ -396,6 +418,7 @@ ClientCommand parse_command_line(int argc, char** argv) {
     if (recording_app->parsed()) return Task([recording] { return record_device(recording); });
     if (configuring_app->parsed()) return Task([configuring] { return run_config(configuring); });
     if (render->parsed()) return resolve_render(raw, still);
+    if (test->parsed()) return Task([tried] { return self_test(tried); });
     if (app.get_subcommands().empty() || set_up->parsed()) return resolve_setup(raw, o, setup);
     o.join.role = !join->parsed() ? Role::observer : host ? Role::host : Role::dissector;
     resolve(raw, o);

@@ -10,6 +10,8 @@
 #include "client/app/config_watch.h"
 #include "client/app/connection.h"
 #include "client/app/render_scene.h"
+#include "client/app/self_test.h"
+#include "client/offer/offer_protocol.h"
 #include "client/render/renderer.h"
 #include "client/render/window_context.h"
 #include "client/view/stereo_profile.h"
@@ -45,6 +47,7 @@ struct ClientOptions {
   std::vector<Screenshot> screenshots;
   double sheet_interval = 10;  // s between two pictures of `sheet`
   std::filesystem::path record, sheet, latency_log, session_log, summary, shaders;
+  std::vector<Offer> offers;   // of poses to other software
   bool overlay = true;         // figures and axes
   bool watch_shaders = false;  // read anew whenever one is written
   bool wireframes = false;     // of what bodies collide as; a desk user's C key changes it

@@ -17,6 +17,7 @@
 #include "client/app/parts_commands.h"
 #include "client/app/session_log.h"
 #include "client/app/viewer.h"
+#include "client/offer/offer_server.h"
 #include "client/view/camera.h"
 #include "common/clock.h"
 #include "common/hand.h"
@@ -52,6 +53,13 @@ class Client {
     if (arrivals_ || arm_) connection_.on_received([this](const Received& r) { received(r); });
     if (!options.session_log.empty()) log_.emplace(options.session_log);
     connection_.start();
+    for (const Offer& offer : options.offers) {
+      offers_.push_back(std::make_unique<OfferServer>(offer, [this] {
+        return connection_.with_replica(
+            [](Replica& replica) { return offered(replica, replica.advance(monotonic_ns())); });
+      }));
+      tell(offers_.back()->words());
+    }
     take_role(options.join.role);
     viewer_.emplace(options, connection_, report_, [this](const std::string& line) { inform(line); });
     if (viewer_->has_desk()) tell(viewer_->help(options.join.role, HelpColumns::blanks));
@@ -89,6 +97,7 @@ class Client {
   const ClientOptions& options_;
   ClientReport report_;
   Connection connection_;
+  std::vector<std::unique_ptr<OfferServer>> offers_;
   std::optional<ArrivalLog> arrivals_;
   std::optional<SessionLog> log_;
   std::unique_ptr<ArmHand> arm_;  // null: no arm

@@ -27,8 +27,16 @@ class Twin {
   virtual void produce(std::int64_t now_ns, std::vector<TwinOutput>& out) = 0;
   /// Returns when produce() has work next.
   virtual std::int64_t due_ns(std::int64_t now_ns) const = 0;
+  /// Forgets who was talked to: at a socket, a new client begins anew.
+  virtual void hung_up() {}
   /// Lets the script pass its next hold.
   virtual void go_on(std::int64_t now_ns) = 0;
+};
+
+/// A span of time, s.
+struct FaultSpan {
+  double from = 0, to = 0;
+  bool contains(double t) const { return t >= from && t < to; }
 };
 
 /// When a twin's script starts and how it goes on.

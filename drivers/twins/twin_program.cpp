@@ -20,9 +20,13 @@ void request_stop(int) {
   stop_requested = true;
 }
 
+}  // namespace
+
 std::optional<FaultSpan> from_to(const std::vector<double>& v) {
   return v.size() == 2 ? std::optional(FaultSpan{v[0], v[1]}) : std::nullopt;
 }
+
+namespace {
 
 std::optional<FaultSpan> at_for(const std::vector<double>& v) {
   return v.size() == 2 ? std::optional(FaultSpan{v[0], v[0] + v[1]}) : std::nullopt;
@@ -74,7 +78,7 @@ int run_twin(TwinProgramOptions& o,
     throw InputError("--hold: times must rise");
   const auto twin = make(o.script.empty() ? MotionScript() : MotionScript::load(o.script), monotonic_ns());
   serve_twin(*twin, o.server, stop_requested,
-             [](const std::string& path) { std::cout << path << std::endl; });
+             [&](const std::string& path) { std::cout << o.address << path << std::endl; });
   return 0;
 } catch (const InputError& e) {
   std::cerr << e.what() << '\n';

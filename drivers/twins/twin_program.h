@@ -1,5 +1,5 @@
 #pragma once
-// What both twin programs share: their options and their life.
+// What programs of simulated devices share: their options and their life.
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -19,9 +19,13 @@ struct TwinProgramOptions {
   TwinServerOptions server;
   std::vector<double> silence, unplug, babble;
   std::uint64_t seed = 1;
+  std::string address;  // what comes before the path in the line that says where it is
 };
 
-/// Adds the options that both twins have, --version with the name of `app` included.
+/// Returns the span of an option FROM,TO; nothing where it isn't given.
+std::optional<FaultSpan> from_to(const std::vector<double>& numbers);
+
+/// Adds the options that all have, --version with the name of `app` included.
 void add_options(CLI::App& app, TwinProgramOptions& options);
 
 /// Reads the command line. Returns the exit status where there is nothing more to do: bad options are 2, help

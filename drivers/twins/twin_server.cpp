@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 
 #include "common/clock.h"
 #include "common/error.h"
-#include "drivers/twins/pseudo_terminal.h"
+#include "drivers/twins/twin_port.h"
 
 namespace prosector {
 namespace {
@@ -19,10 +20,20 @@ constexpr std::int64_t longest_wait_ns = 20'000'000;  // between looks at `stop`
 constexpr std::int64_t babble_period_ns = 5'000'000;
 constexpr int longest_garbage = 40;
 
+std::unique_ptr<TwinPort> port_of(const TwinServerOptions& options) {
+  if (options.port) return tcp_port(*options.port);
+  return options.socket.empty() ? terminal_port(options.link) : local_port(options.socket);
+}
+
 class Server {
  public:
   Server(Twin& twin, const TwinServerOptions& options, const std::function<void(const std::string&)>& ready)
-      : twin_(twin), options_(options), ready_(ready), random_(options.seed), start_ns_(monotonic_ns()) {
+      : twin_(twin),
+        options_(options),
+        ready_(ready),
+        port_(port_of(options)),
+        random_(options.seed),
+        start_ns_(monotonic_ns()) {
     if (!options.log.empty()) {
       log_.open(options.log);
       if (!log_) throw InputError(fmt::format("{}: cannot be written", options.log));
@@ -35,14 +46,16 @@ class Server {
     const std::int64_t now_ns = monotonic_ns();
     const double t = static_cast<double>(now_ns - start_ns_) * 1e-9;
     const bool unplugged = options_.unplug && options_.unplug->contains(t);
-    if (unplugged && terminal_.is_open()) terminal_.close();
-    if (!unplugged && !terminal_.is_open()) plug_in();
-    if (!terminal_.is_open()) {
+    if (unplugged && port_->is_open()) pull_plug();
+    if (!unplugged && !port_->is_open()) plug_in();
+    if (!port_->is_open()) {
       wait(now_ns + longest_wait_ns);
       return;
     }
     if (hears_lines_) hear(now_ns);
+    if (port_->let_in()) begin_anew();
     outputs_.clear();
+    if (port_->descriptor() < 0) return wait(now_ns + longest_wait_ns);
     receive(now_ns);
     twin_.produce(now_ns, outputs_);
     if (options_.babble && options_.babble->contains(t)) {
@@ -57,9 +70,19 @@ class Server {
 
  private:
   void plug_in() {
+    begin_anew();
+    port_->open();
+    ready_(port_->path());
+  }
+
+  void pull_plug() {
+    port_->close();
+    begin_anew();
+  }
+
+  void begin_anew() {
     pending_.clear();
-    terminal_.open(options_.link);
-    ready_(terminal_.path());
+    twin_.hung_up();
   }
 
   void hear(std::int64_t now_ns) {
@@ -74,8 +97,12 @@ class Server {
 
   void receive(std::int64_t now_ns) {
     std::array<std::uint8_t, 1024> chunk;
-    const ssize_t n = ::read(terminal_.descriptor(), chunk.data(), chunk.size());
+    const ssize_t n = ::read(port_->descriptor(), chunk.data(), chunk.size());
     if (n > 0) twin_.receive(std::span(chunk).first(static_cast<std::size_t>(n)), now_ns, outputs_);
+    if (n == 0 || (n < 0 && errno != EAGAIN && errno != EINTR && errno != EIO)) {
+      port_->let_go();
+      begin_anew();
+    }
   }
 
   void send(const TwinOutput& out) {
@@ -108,33 +135,34 @@ class Server {
 
   void flush() {
     if (pending_.empty()) return;
-    const ssize_t n = ::write(terminal_.descriptor(), pending_.data(), pending_.size());
+    const ssize_t n = ::write(port_->descriptor(), pending_.data(), pending_.size());
     if (n > 0) pending_.erase(pending_.begin(), pending_.begin() + n);
   }
 
   void wait(std::int64_t until_ns) {
     const std::int64_t left = std::max<std::int64_t>(until_ns - monotonic_ns(), 0);
     const timespec time = {.tv_sec = left / 1'000'000'000, .tv_nsec = left % 1'000'000'000};
-    pollfd fd = {.fd = terminal_.descriptor(), .events = POLLIN, .revents = 0};
-    ppoll(&fd, terminal_.is_open() ? 1 : 0, &time, nullptr);
+    pollfd fd = {.fd = port_->descriptor(), .events = POLLIN, .revents = 0};
+    ppoll(&fd, port_->descriptor() >= 0 ? 1 : 0, &time, nullptr);
   }
 
   Twin& twin_;
   const TwinServerOptions& options_;
   bool hears_lines_ = options_.hears_lines;
   const std::function<void(const std::string&)>& ready_;
-  PseudoTerminal terminal_;
+  std::unique_ptr<TwinPort> port_;
   std::ofstream log_;
   std::mt19937_64 random_;
   std::int64_t start_ns_, next_babble_ns_ = 0;
   std::vector<TwinOutput> outputs_;
-  std::vector<std::uint8_t> pending_;  // what the terminal hasn't taken yet
+  std::vector<std::uint8_t> pending_;  // what the client hasn't taken yet
 };
 
 }  // namespace
 
 void serve_twin(Twin& twin, const TwinServerOptions& options, const std::atomic<bool>& stop,
                 const std::function<void(const std::string&)>& ready) {
+  std::signal(SIGPIPE, SIG_IGN);  // a client may hang up at any time
   Server server(twin, options, ready);
   while (!stop) server.step();
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Serves a twin on a pseudo-terminal, with the faults that real lines have.
+// Serves a twin on a pseudo-terminal or at a socket, with the faults that real lines have.
 
 #include <atomic>
 #include <fstream>
@@ -12,22 +12,18 @@
 
 namespace prosector {
 
-/// A span of time, seconds since the server started.
-struct FaultSpan {
-  double from = 0, to = 0;
-  bool contains(double t) const { return t >= from && t < to; }
-};
-
 struct TwinServerOptions {
-  std::string link;    // symbolic link to the terminal, kept up to date; empty: none
-  std::string log;     // CSV file of the records sent; empty: none
-  double garbage = 0;  // probability that random bytes precede a record
-  std::optional<FaultSpan> silence, unplug, babble;
+  std::optional<std::uint16_t> port;  // TCP, on this machine; 0: one that is free; none: no TCP
+  std::string socket;                 // Unix; empty: none. Without either: a pseudo-terminal
+  std::string link;                   // symbolic link to the terminal, kept up to date; empty: none
+  std::string log;                    // CSV file of the records sent; empty: none
+  double garbage = 0;                 // probability that random bytes precede a record
+  std::optional<FaultSpan> silence, unplug, babble;  // since the server started
   std::uint64_t seed = 1;
   bool hears_lines = false;  // each line on standard input is a Twin::go_on()
 };
 
-/// Serves the twin until `stop` becomes true. Calls `ready` with the terminal's path, again after each
+/// Serves the twin until `stop` becomes true. Calls `ready` with where clients find it, again after each
 /// unplugging. Throws InputError when a file or a terminal cannot be made.
 ///
 /// A line of the log has time_ns (monotonic, just before the record's first byte is written), station (from

@@ -1,49 +1,21 @@
 #include "drivers/twins/vrpn_server.h"
 
-#include <fmt/format.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
-#include <cstring>
-
-#include "common/error.h"
 
 namespace prosector {
 
-VrpnServer::VrpnServer(VrpnTwin& twin, std::uint16_t port) : twin_(twin) {
-  listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  const int on = 1;
-  ::setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on));
-  sockaddr_in here{};
-  here.sin_family = AF_INET;
-  here.sin_port = htons(port);
-  here.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof(here);
-  if (listener_ < 0 || ::bind(listener_, reinterpret_cast<const sockaddr*>(&here), sizeof(here)) != 0 ||
-      ::listen(listener_, 1) != 0 ||
-      ::getsockname(listener_, reinterpret_cast<sockaddr*>(&here), &size) != 0) {
-    const int error = errno;
-    ::close(listener_);
-    throw InputError(fmt::format("port {}: {}", port, std::strerror(error)));
-  }
-  port_ = ntohs(here.sin_port);
-}
+VrpnServer::VrpnServer(VrpnTwin& twin, std::uint16_t port) : twin_(twin), listener_("127.0.0.1", port) {}
 
 VrpnServer::~VrpnServer() {
   cut();
-  ::close(listener_);
 }
 
 void VrpnServer::serve(std::int64_t now_ns) {
-  if (client_ < 0) {
-    client_ = ::accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
-    const int on = 1;
-    if (client_ >= 0) ::setsockopt(client_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
-  }
+  if (client_ < 0) client_ = listener_.accept();
   hear();
   tell(twin_.advance(now_ns));
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "drivers/socket_listener.h"
 #include "drivers/twins/vrpn_twin.h"
 
 namespace prosector {
@@ -15,7 +16,7 @@ class VrpnServer {
   VrpnServer(const VrpnServer&) = delete;
   VrpnServer& operator=(const VrpnServer&) = delete;
 
-  std::uint16_t port() const { return port_; }
+  std::uint16_t port() const { return listener_.port(); }
   /// Lets the twin go on to that time, with what its client says and hears, and waits for nothing.
   void serve(std::int64_t now_ns);
   /// Hangs up on the client.
@@ -26,8 +27,8 @@ class VrpnServer {
   void tell(const vrpn::Bytes& bytes);
 
   VrpnTwin& twin_;
-  int listener_ = -1, client_ = -1;
-  std::uint16_t port_ = 0;
+  SocketListener listener_;
+  int client_ = -1;
   vrpn::Bytes waiting_;  // of a message that did not fit
 };
 

@@ -150,7 +150,10 @@ TEST(GloveFit, JointsAreWithinThreeDegrees) {
       for (int pose = 0; pose < 40; ++pose) {
         std::array<double, fingers> flexion{};
         for (double& x : flexion) x = tracker.uniform(0, 1);
-        const auto truth = joint_angles(flexion), told = joint_angles(calibrator.update(glove.read(flexion)));
+        const std::array<std::uint16_t, fingers> counts = glove.read(flexion);
+        GloveCounts read{};
+        std::copy(counts.begin(), counts.end(), read.begin());
+        const auto truth = joint_angles(flexion), told = joint_angles(calibrator.update(read));
         for (std::size_t j = 0; j < hand_joints; ++j, ++judged) squares += std::pow(told[j] - truth[j], 2);
       }
       for (const double e : fit.joint_error) expected += e * e / fingers / trials;

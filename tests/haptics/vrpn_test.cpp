@@ -71,7 +71,7 @@ struct NetFaults {
 };
 
 /// A line to a twin in the same process.
-class NetLine final : public vrpn::Line {
+class NetLine final : public ByteLine {
  public:
   NetLine(VrpnTwin& twin, NetFaults& faults, const std::int64_t& now_ns)
       : twin_(twin), faults_(faults), now_ns_(now_ns) {}
@@ -116,8 +116,8 @@ class VrpnDriver : public testing::Test {
   static VrpnTwinOptions options(std::uint64_t seed, double garbage = 0) {
     return {pressing_hand(), "Arm0", seed, garbage};
   }
-  std::function<std::unique_ptr<vrpn::Line>()> line(VrpnTwin& twin) {
-    return [this, &twin]() -> std::unique_ptr<vrpn::Line> {
+  std::function<std::unique_ptr<ByteLine>()> line(VrpnTwin& twin) {
+    return [this, &twin]() -> std::unique_ptr<ByteLine> {
       if (net_.away) throw InputError("lab:3883: Connection refused");
       return std::make_unique<NetLine>(twin, net_, now_ns_);
     };

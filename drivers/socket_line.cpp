@@ -4,6 +4,7 @@
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <array>
@@ -11,25 +12,27 @@
 #include <cstring>
 
 #include "common/error.h"
-#include "drivers/vrpn_line.h"
+#include "drivers/byte_line.h"
 
-namespace prosector::vrpn {
+namespace prosector {
 namespace {
 
 constexpr int connect_ms = 2000;
+constexpr unsigned unheard_ms = 5000;  // what isn't acknowledged for so long was sent to nobody
 constexpr std::size_t chunk = 4096, most_at_once = 65536;  // bytes: who sends faster waits
 
-class TcpLine final : public Line {
+class SocketLine final : public ByteLine {
  public:
-  TcpLine(int descriptor, std::string where) : descriptor_(descriptor), where_(std::move(where)) {
+  SocketLine(int descriptor, std::string where) : descriptor_(descriptor), where_(std::move(where)) {
     const int on = 1;
     ::setsockopt(descriptor_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
+    ::setsockopt(descriptor_, IPPROTO_TCP, TCP_USER_TIMEOUT, &unheard_ms, sizeof(unheard_ms));
   }
-  ~TcpLine() override { ::close(descriptor_); }
-  TcpLine(const TcpLine&) = delete;
-  TcpLine& operator=(const TcpLine&) = delete;
+  ~SocketLine() override { ::close(descriptor_); }
+  SocketLine(const SocketLine&) = delete;
+  SocketLine& operator=(const SocketLine&) = delete;
 
-  bool receive(Bytes& out) override {
+  bool receive(std::vector<std::uint8_t>& out) override {
     flush();
     std::array<std::uint8_t, chunk> bytes;
     for (std::size_t sum = 0; sum < most_at_once;) {
@@ -38,7 +41,7 @@ class TcpLine final : public Line {
         out.insert(out.end(), bytes.begin(), bytes.begin() + got);
         sum += static_cast<std::size_t>(got);
       } else if (got == 0) {
-        error_ = where_ + ": the server hung up";
+        error_ = where_ + ": the other side hung up";
         break;
       } else if (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR) {
         break;
@@ -55,12 +58,17 @@ class TcpLine final : public Line {
     waiting_.assign(bytes.begin(), bytes.end());
     flush();
   }
+  bool is_full() override {
+    flush();
+    return !waiting_.empty();
+  }
+  int descriptor() const override { return descriptor_; }
   const std::string& error() const override { return error_; }
 
  private:
   int descriptor_;
   std::string where_, error_;
-  Bytes waiting_;
+  std::vector<std::uint8_t> waiting_;
 
   void flush() {
     if (waiting_.empty()) return;
@@ -91,7 +99,11 @@ int connected(const addrinfo& address) {
 
 }  // namespace
 
-std::unique_ptr<Line> connect_line(const std::string& host, const std::string& port) {
+std::unique_ptr<ByteLine> socket_line(int descriptor, std::string where) {
+  return std::make_unique<SocketLine>(descriptor, std::move(where));
+}
+
+std::unique_ptr<ByteLine> connect_tcp(const std::string& host, const std::string& port) {
   const std::string where = host + ":" + port;
   addrinfo wanted{};
   wanted.ai_socktype = SOCK_STREAM;
@@ -101,8 +113,30 @@ std::unique_ptr<Line> connect_line(const std::string& host, const std::string& p
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> addresses(found, ::freeaddrinfo);
   for (const addrinfo* address = found; address != nullptr; address = address->ai_next)
     if (const int descriptor = connected(*address); descriptor >= 0)
-      return std::make_unique<TcpLine>(descriptor, where);
+      return std::make_unique<SocketLine>(descriptor, where);
   throw InputError(fmt::format("{}: {}", where, std::strerror(errno)));
 }
 
-}  // namespace prosector::vrpn
+std::unique_ptr<ByteLine> connect_local(const std::string& path) {
+  sockaddr_un there{};
+  there.sun_family = AF_UNIX;
+  if (path.size() >= sizeof(there.sun_path)) throw InputError(fmt::format("{}: too long for a socket", path));
+  path.copy(there.sun_path, path.size());
+  const int descriptor = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (descriptor >= 0 && ::connect(descriptor, reinterpret_cast<const sockaddr*>(&there), sizeof(there)) == 0)
+    return socket_line(descriptor, path);
+  const int error = errno;
+  ::close(descriptor);
+  throw InputError(fmt::format("{}: {}", path, std::strerror(error)));
+}
+
+std::optional<HostPort> parse_host_port(const std::string& text, const char* usual_port) {
+  const auto colon = text.rfind(':');
+  HostPort out{text.substr(0, colon), colon == std::string::npos ? usual_port : text.substr(colon + 1)};
+  const bool number = !out.port.empty() && out.port.size() <= 5 &&
+                      out.port.find_first_not_of("0123456789") == std::string::npos;
+  if (out.host.empty() || !number || std::stoul(out.port) > 65535) return std::nullopt;
+  return out;
+}
+
+}  // namespace prosector

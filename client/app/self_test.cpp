@@ -1,0 +1,66 @@
+#include "client/app/self_test.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include "client/app/device_report.h"
+#include "common/clock.h"
+#include "common/error.h"
+#include "drivers/recorded.h"
+
+namespace prosector {
+namespace {
+
+constexpr double told_every = 10;      // s
+constexpr unsigned all_stations = 15;  // bits
+std::atomic<bool> ended = false;
+
+}  // namespace
+
+int self_test(const SelfTestOptions& options) {
+  DeviceConfig config;
+  config.stations = all_stations;
+  const auto device = open_device(options.address, config);
+  const std::filesystem::path samples_file = std::filesystem::path(options.out).replace_extension(".csv");
+  SampleRecorder recorder(samples_file);
+  std::ofstream report_file(options.out);
+  if (!report_file) throw InputError(fmt::format("{}: cannot be written", options.out.string()));
+  fmt::print(
+      "{}: move it through all its reach for {:g} s, turn it, open and close all fingers, press its "
+      "buttons\n",
+      options.address, options.seconds);
+  std::fflush(stdout);
+  std::signal(SIGINT, [](int) { ended = true; });
+  std::signal(SIGTERM, [](int) { ended = true; });
+  DeviceReport report(options.address);
+  std::vector<DeviceSample> samples;
+  const std::int64_t start_ns = monotonic_ns();
+  bool kept = true;
+  for (double seconds = 0, told = told_every; seconds < options.seconds && !ended;) {
+    samples.clear();
+    device->poll(samples);
+    seconds = 1e-9 * static_cast<double>(monotonic_ns() - start_ns);
+    report.take(samples, device->status(), seconds);
+    kept = recorder.write(samples) && kept;
+    if (seconds > told) {
+      fmt::print("{:.0f} s: {} records\n", seconds, device->status().records);
+      std::fflush(stdout);
+      told += told_every;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  const std::string text = report.text();
+  fmt::print("\n{}\nThe report is in {}, the samples are in {}: `recorded:{}` plays them.\n", text,
+             options.out.string(), samples_file.string(), samples_file.string());
+  report_file << text;
+  if (!kept || !report_file.flush())
+    throw InputError(fmt::format("{}: cannot be written", samples_file.string()));
+  return report.fits() ? 0 : 1;
+}
+
+}  // namespace prosector

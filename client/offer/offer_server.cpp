@@ -1,0 +1,79 @@
+#include "client/offer/offer_server.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <utility>
+
+#include "common/clock.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t most_peers = 32;
+constexpr std::int64_t patience_ns = 10'000'000'000;  // with a peer that takes nothing
+constexpr int idle_ms = 100;
+constexpr std::chrono::microseconds interval(16667);
+
+std::int64_t since_epoch_ns() {
+  return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+OfferServer::OfferServer(const Offer& offer, std::function<std::vector<Offered>()> things)
+    : offer_(offer),
+      things_(std::move(things)),
+      listener_(offer.address, offer.port),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+OfferServer::~OfferServer() {
+  thread_.request_stop();
+  thread_.join();
+}
+
+std::string OfferServer::words() const {
+  return fmt::format("offers hands, heads and held tools by {} at {} port {}", offer_.protocol->name,
+                     offer_.address, port());
+}
+
+void OfferServer::run(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    let_in(monotonic_ns());
+    if (peers_.empty()) {
+      pollfd waiting{listener_.descriptor(), POLLIN, 0};
+      ::poll(&waiting, 1, idle_ms);
+      continue;
+    }
+    const auto next = std::chrono::steady_clock::now() + interval;
+    const std::vector<Offered> things = things_();
+    const std::int64_t now_ns = monotonic_ns();
+    std::erase_if(peers_, [&](Peer& peer) { return !serve(peer, things, now_ns); });
+    std::this_thread::sleep_until(next);
+  }
+}
+
+/// Lets in who waits, as far as there is room.
+void OfferServer::let_in(std::int64_t now_ns) {
+  for (int descriptor = listener_.accept(); descriptor >= 0; descriptor = listener_.accept()) {
+    if (peers_.size() < most_peers)
+      peers_.push_back({socket_line(descriptor, "peer"), offer_.protocol->talk(), now_ns});
+    else
+      ::close(descriptor);
+  }
+}
+
+/// Hears a peer, and tells it what there is, unless it still has to take what was said before. Returns
+/// whether it stays.
+bool OfferServer::serve(Peer& peer, const std::vector<Offered>& things, std::int64_t now_ns) {
+  std::vector<std::uint8_t> bytes;
+  if (!peer.line->receive(bytes) || !peer.talk->hear(bytes)) return false;
+  if (peer.line->is_full()) return now_ns - peer.heard_out_ns < patience_ns;
+  peer.heard_out_ns = now_ns;
+  if (const auto said = peer.talk->say(things, since_epoch_ns()); !said.empty()) peer.line->send(said);
+  return true;
+}
+
+}  // namespace prosector

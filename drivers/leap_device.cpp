@@ -1,0 +1,112 @@
+#include "drivers/leap_device.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "common/error.h"
+#include "drivers/byte_line.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t most_heard = 64;  // texts that wait: the oldest goes first
+
+GestureDetector detector(const DeviceConfig& config) {
+  return GestureDetector({config.closed_above, config.open_below, config.hysteresis, config.pinch});
+}
+
+}  // namespace
+
+LeapDevice::LeapDevice(std::string where, const DeviceConfig& config)
+    : where_(std::move(where)), config_(config), gestures_{detector(config), detector(config)} {}
+
+void LeapDevice::talk_to(const std::string& host, const std::string& port) {
+  socket_ = std::make_unique<WebSocket>(host, port, leap::target,
+                                        [this](std::string_view text) { return hear(text); });
+}
+
+std::optional<std::string> LeapDevice::hear(std::string_view text) {
+  Heard heard{monotonic_ns(), text.size(), leap::read_text(text)};
+  const bool greets = heard.text && heard.text->version;
+  const bool strange = greets && heard.text->version != leap::known_version;
+  std::lock_guard lock(mutex_);
+  if (heard_.size() == most_heard) heard_.pop_front();
+  heard_.push_back(std::move(heard));
+  if (strange) return std::nullopt;
+  return greets ? leap::ask_for_frames() : "";
+}
+
+void LeapDevice::poll(std::vector<DeviceSample>& out) {
+  const std::int64_t now_ns = monotonic_ns();
+  if (socket_) line_ = socket_->state();
+  if (line_.connections > connections_) health_.opened(now_ns);
+  connections_ = line_.connections;
+  std::deque<Heard> heard;
+  {
+    std::lock_guard lock(mutex_);
+    heard.swap(heard_);
+  }
+  for (const Heard& one : heard) take(one, out);
+  if (socket_ && !line_.connected) health_.lost();
+}
+
+void LeapDevice::take(const Heard& heard, std::vector<DeviceSample>& out) {
+  if (!heard.text) return health_.garbage(heard.time_ns, heard.bytes);
+  if (heard.text->version) version_ = *heard.text->version;
+  if (version_ != leap::known_version) return health_.garbage(heard.time_ns, heard.bytes);
+  if (heard.text->version) return;
+  health_.record(heard.time_ns, heard.bytes);
+  for (const leap::Hand& hand : heard.text->hands) {
+    const std::size_t station = hand.left ? 1 : 0;
+    const Pose wrist = leap::wrist_of(hand);
+    DeviceSample& sample = out.emplace_back();
+    sample.station = static_cast<std::uint32_t>(station);
+    sample.record = records_[station]++;
+    sample.time_ns = heard.time_ns;
+    sample.has_pose = sample.has_flexion = true;
+    sample.pose = config_.room_device * wrist * config_.mount[station];
+    sample.raw_pose = {static_cast<float>(wrist.p.x()), static_cast<float>(wrist.p.y()),
+                       static_cast<float>(wrist.p.z()), static_cast<float>(wrist.q.w()),
+                       static_cast<float>(wrist.q.x()), static_cast<float>(wrist.q.y()),
+                       static_cast<float>(wrist.q.z())};
+    sample.flexion = leap::flexion_of(hand);
+    sample.gesture = gestures_[station].update(sample.flexion);
+  }
+}
+
+DeviceStatus LeapDevice::status() const {
+  DeviceStatus out;
+  out.health = health_.health(monotonic_ns());
+  out.records = health_.records();
+  out.resyncs = health_.resyncs();
+  out.skipped_bytes = health_.skipped_bytes();
+  out.reopens = health_.reopens();
+  if (version_ != leap::known_version && (!socket_ || line_.connected || line_.refused)) {
+    out.health = DeviceHealth::babbling;
+    out.message =
+        fmt::format("{} speaks version {}, known is {}; retrying", where_, version_, leap::known_version);
+  } else if (socket_ && !line_.connected) {
+    out.health = line_.problem.empty() ? DeviceHealth::connecting : DeviceHealth::absent;
+    out.message = line_.problem.empty()
+                      ? where_ + " is starting"
+                      : line_.problem + "; check that Ultraleap's tracking WebSocket runs there; retrying";
+  } else if (out.health == DeviceHealth::babbling) {
+    out.message = where_ + " sends what are no frames of hands";
+  } else if (out.health == DeviceHealth::silent) {
+    out.message = where_ + " sends no frames: is the camera plugged in?";
+  }
+  return out;
+}
+
+std::unique_ptr<Device> open_leap(const std::string& path, const DeviceConfig& config) {
+  const auto at = parse_host_port(path, leap::usual_port);
+  if (!at)
+    throw InputError(
+        fmt::format("device 'leap:{}': must be leap:HOST[:PORT], as in leap:localhost:6437", path));
+  auto out = std::make_unique<LeapDevice>(at->host + ":" + at->port, config);
+  out->talk_to(at->host, at->port);
+  return out;
+}
+
+}  // namespace prosector

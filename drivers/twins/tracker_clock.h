@@ -1,0 +1,69 @@
+#pragma once
+// What simulated trackers behind a program share: options, the script's time, when a record is due.
+
+#include <cmath>
+#include <optional>
+
+#include "drivers/twins/motion_script.h"
+#include "drivers/twins/twin.h"
+
+namespace prosector {
+
+struct TrackerTwinOptions {
+  MotionScript script;
+  Pose room_device;  // pose of the device's frame in the room
+  TwinTiming timing;
+  std::size_t stations = 1;  // how many it tells of
+  double rate = 100;         // Hz
+  double bad_sums = 0;       // share of messages whose checksum is wrong
+  std::uint64_t seed = 1;
+  std::optional<FaultSpan> wrong_version;  // while it greets as if it were of another version, s
+};
+
+/// Tells when a record is due, and where the script is then.
+class TrackerClock {
+ public:
+  TrackerClock(const TrackerTwinOptions& options, std::int64_t now_ns)
+      : options_(options),
+        script_(options.timing, now_ns),
+        start_ns_(now_ns),
+        next_ns_(now_ns),
+        period_ns_(std::llround(1e9 / options.rate)) {}
+
+  bool lies(std::int64_t now_ns) const {
+    return options_.wrong_version &&
+           options_.wrong_version->contains(1e-9 * static_cast<double>(now_ns - start_ns_));
+  }
+  /// Tells whether a record is due; then the next one is due a period later.
+  bool due(std::int64_t now_ns) {
+    if (now_ns < next_ns_) return false;
+    next_ns_ += (1 + (now_ns - next_ns_) / period_ns_) * period_ns_;
+    script_.streaming(now_ns);
+    return true;
+  }
+  std::int64_t next_ns() const { return next_ns_; }
+  void go_on(std::int64_t now_ns) { script_.go_on(now_ns); }
+
+  /// Returns where a station is in the device's frame, and how its fingers are bent.
+  Pose pose(std::size_t station, std::int64_t now_ns) const {
+    return options_.room_device.inverse() *
+           options_.script.pose(station, script_.seconds(now_ns), options_.timing.loop);
+  }
+  std::array<double, fingers> flexion(std::size_t station, std::int64_t now_ns) const {
+    return options_.script.flexion(station, script_.seconds(now_ns), options_.timing.loop);
+  }
+
+ private:
+  TrackerTwinOptions options_;
+  ScriptClock script_;
+  std::int64_t start_ns_, next_ns_, period_ns_;
+};
+
+/// Fills in a record's place (m or mm, as sent) and turn as a log has them.
+inline std::vector<float> record_values(const Vec3& place, const Quat& turn) {
+  return {static_cast<float>(place.x()), static_cast<float>(place.y()), static_cast<float>(place.z()),
+          static_cast<float>(turn.w()),  static_cast<float>(turn.x()),  static_cast<float>(turn.y()),
+          static_cast<float>(turn.z())};
+}
+
+}  // namespace prosector
