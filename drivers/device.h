@@ -20,6 +20,11 @@ enum class DeviceHealth : std::uint8_t {
   babbling,    // bytes arrive but most are no records
   absent,      // cannot be opened; retried
 };
+/// Returns what people read of it.
+inline const char* health_word(DeviceHealth health) {
+  constexpr std::array words = {"connecting", "streaming", "silent", "babbling", "absent"};
+  return words[static_cast<std::size_t>(health)];
+}
 
 /// One reading of one station (a tracker's receiver, a glove). Flags say which fields hold something.
 struct DeviceSample {

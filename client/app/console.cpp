@@ -15,18 +15,12 @@
 #include "client/app/controls.h"
 #include "client/app/words.h"
 #include "client/replica/shown_names.h"
+#include "common/role_words.h"
 
 namespace prosector {
 namespace {
 
 constexpr std::size_t longest_line = 4096;
-
-std::optional<Role> role_of(const std::string& word) {
-  if (word == "host") return Role::host;
-  if (word == "dissector") return Role::dissector;
-  if (word == "observer") return Role::observer;
-  return std::nullopt;
-}
 
 std::optional<BodyId> body_of(const SceneInfo& scene, const std::string& name) {
   for (BodyId body = 0; body < scene.bodies.size(); ++body)

@@ -53,18 +53,13 @@ bool has_raw_quaternion(const DeviceSample& s) {
          std::all_of(s.raw_pose.begin() + 3, s.raw_pose.end(), [](float x) { return std::abs(x) <= 1.5f; });
 }
 
-const char* word_of(DeviceHealth health) {
-  constexpr std::array words = {"connecting", "streaming", "silent", "babbling", "absent"};
-  return words[static_cast<std::size_t>(health)];
-}
-
 }  // namespace
 
 void DeviceReport::take(const std::vector<DeviceSample>& samples, const DeviceStatus& status,
                         double seconds) {
   const bool first = states_.empty();
   if (first || status.health != status_.health)
-    states_.push_back(fmt::format("{:7.2f} s  {}{}{}", seconds, word_of(status.health),
+    states_.push_back(fmt::format("{:7.2f} s  {}{}{}", seconds, health_word(status.health),
                                   status.message.empty() ? "" : ": ", status.message));
   status_ = status;
   seconds_ = seconds;
@@ -117,7 +112,8 @@ std::vector<DeviceReport::Line> DeviceReport::lines() const {
   say(status_.resyncs == 0,
       fmt::format("{} times garbage was skipped, {} bytes in all", status_.resyncs, status_.skipped_bytes));
   say(status_.reopens == 0, fmt::format("opened anew {} times", status_.reopens));
-  say(status_.health == DeviceHealth::streaming, fmt::format("at the end it is {}", word_of(status_.health)));
+  say(status_.health == DeviceHealth::streaming,
+      fmt::format("at the end it is {}", health_word(status_.health)));
   for (const auto& [number, station] : stations_) judge(number, station, out);
   return out;
 }

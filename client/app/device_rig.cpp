@@ -9,11 +9,6 @@ namespace {
 constexpr std::uint32_t first_button = 1;
 constexpr std::int64_t pose_lifetime_ns = 250'000'000;  // a pose older than this is no pose any more
 
-const char* name_of(DeviceHealth health) {
-  constexpr std::array names = {"connecting", "streaming", "silent", "babbling", "absent"};
-  return names[static_cast<std::size_t>(health)];
-}
-
 }  // namespace
 
 std::string describe_devices(const ClientConfig& config) {
@@ -126,7 +121,7 @@ std::vector<std::string> DeviceRig::take_news() {
     const DeviceStatus status = entry.device->status();
     if (status.health == entry.reported) continue;
     entry.reported = status.health;
-    out.push_back(fmt::format("{}: {}{}{}", entry.label, name_of(status.health),
+    out.push_back(fmt::format("{}: {}{}{}", entry.label, health_word(status.health),
                               status.message.empty() ? "" : ": ", status.message));
   }
   return out;

@@ -25,22 +25,6 @@ constexpr std::array<RoleWord, 3> roles = {
      {StationRole::left_hand, "left", "left hand", "Move your left hand."},
      {StationRole::head, "head", "head", "Move your head."}}};
 
-const char* health_word(DeviceHealth health) {
-  switch (health) {
-    case DeviceHealth::connecting:
-      return "connecting";
-    case DeviceHealth::streaming:
-      return "streaming";
-    case DeviceHealth::silent:
-      return "silent";
-    case DeviceHealth::babbling:
-      return "babbling";
-    case DeviceHealth::absent:
-      return "absent";
-  }
-  return "";
-}
-
 const std::string& address_in(const ClientConfig& config, std::size_t field) {
   switch (field) {
     case 0:

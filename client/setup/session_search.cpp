@@ -7,24 +7,13 @@
 #include <map>
 
 #include "common/error.h"
+#include "common/role_words.h"
 #include "idl/cyclone_bus.h"
 
 namespace prosector {
 namespace {
 
 constexpr std::chrono::milliseconds listening{600}, asking{400}, resting{1500};
-
-const char* role_word(Role role) {
-  switch (role) {
-    case Role::host:
-      return "host";
-    case Role::dissector:
-      return "dissector";
-    case Role::observer:
-      return "observer";
-  }
-  return "";
-}
 
 /// Returns who is in a session, by listening to its server for a moment.
 std::vector<std::string> people_in(BusConfig where, const std::string& session) {

@@ -3,18 +3,12 @@
 #include <algorithm>
 
 #include "common/error.h"
+#include "common/role_words.h"
 
 namespace prosector {
 namespace {
 
 constexpr std::uint64_t least_marks_apart = 60;  // ticks, of one kind and person
-
-std::optional<Role> role_of(const std::string& name) {
-  if (name == "observer") return Role::observer;
-  if (name == "dissector") return Role::dissector;
-  if (name == "host") return Role::host;
-  return std::nullopt;
-}
 
 /// Lets go of whoever has the name: who comes under it has taken their place, for instance after a crash.
 void make_room(Roster& roster, const std::string& name) {

@@ -1,5 +1,6 @@
 #include "server/session/session.h"
 #include "common/grasp.h"
+#include "common/role_words.h"
 
 #include <fmt/format.h>
 
@@ -15,18 +16,6 @@ constexpr std::size_t max_visitors = 1024;
 // Nobody presses more buttons than this in a tick; what comes beyond is a flood.
 constexpr std::uint32_t max_commands_per_tick = 16;
 constexpr std::size_t max_events = 4096, max_outgoing = 4096;  // between two ticks
-
-const char* role_name(Role role) {
-  switch (role) {
-    case Role::observer:
-      return "observer";
-    case Role::dissector:
-      return "dissector";
-    case Role::host:
-      return "host";
-  }
-  return "unknown";
-}
 
 /// Returns what a command asks of a part; none for those that don't.
 std::optional<PartEvent::Kind> part_kind(CommandKind kind) {
@@ -244,7 +233,7 @@ void Session::give(ParticipantId id, Role role) {
   }
   outgoing_.push_back({Roster::entry(member)});
   if (events_.size() < max_events)
-    events_.push_back({SessionEvent::Kind::role, id, member.presence.name, role_name(role)});
+    events_.push_back({SessionEvent::Kind::role, id, member.presence.name, role_word(role)});
 }
 
 /// Obeys what the host wants of time, which concerns everyone.
@@ -392,14 +381,14 @@ void Session::try_join(ParticipantId id, Visitor& v) {
   const Participant& member = roster_.admit(*v.presence, v.writer);
   seats_[id] = {};
   outgoing_.push_back({Roster::entry(member)});
-  events_.push_back({SessionEvent::Kind::joined, id, name, role_name(member.role)});
+  events_.push_back({SessionEvent::Kind::joined, id, name, role_word(member.role)});
 }
 
 /// Frees everything that the participant had; its hands vanish at this tick.
 void Session::leave(ParticipantId id, SessionEvent::Kind how) {
   const Participant member = *roster_.find(id);
   vanish_hands(id, seats_[id]);
-  events_.push_back({how, id, member.presence.name, role_name(member.role)});
+  events_.push_back({how, id, member.presence.name, role_word(member.role)});
   outgoing_.push_back({Roster::entry(member), true});
   seats_.erase(id);
   roster_.remove(id);
