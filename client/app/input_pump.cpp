@@ -18,9 +18,9 @@ constexpr std::int64_t longest_ns =
 
 }  // namespace
 
-InputPump::InputPump(Connection& connection, const ClientConfig& config, ArmHand* arm,
+InputPump::InputPump(Connection& connection, const ClientConfig& config, HeadsetUser* headset, ArmHand* arm,
                      const std::filesystem::path& log, std::function<void(const std::string&)> report)
-    : connection_(connection), rig_(config), arm_(arm), report_(std::move(report)) {
+    : connection_(connection), rig_(config, headset), arm_(arm), report_(std::move(report)) {
   if (!log.empty()) {
     log_.open(log);
     if (!log_) throw InputError(fmt::format("--latency-log {}: cannot be written", log.string()));

@@ -20,8 +20,9 @@ class InputPump {
  public:
   /// Starts sending. `log`, if not empty, is a CSV with one line per HandInput sent: sequence, monotonic ns,
   /// the tracker's raw values. It lets latency be measured end to end, by matching the values with those that
-  /// the device says it sent. `arm`: the hand that an arm moves; null: none does.
-  InputPump(Connection& connection, const ClientConfig& config, ArmHand* arm,
+  /// the device says it sent. `headset`
+  /// tracks the user, too, and `arm` is the hand that an arm moves; null: none does.
+  InputPump(Connection& connection, const ClientConfig& config, HeadsetUser* headset, ArmHand* arm,
             const std::filesystem::path& log, std::function<void(const std::string&)> report);
   ~InputPump();
 

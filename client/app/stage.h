@@ -8,14 +8,16 @@
 #include "client/render/renderer.h"
 #include "client/render/window_context.h"
 #include "client/view/scene_view.h"
+#include "client/xr/headset.h"
 
 namespace prosector {
 
 struct Stage {
   std::unique_ptr<GlContext> context;
   std::unique_ptr<Renderer> renderer;
-  WindowContext* window = nullptr;  // the context, where it is one
-  std::unique_ptr<Desk> desk;       // with a window only
+  WindowContext* window = nullptr;   // the context, where it is one
+  std::unique_ptr<Desk> desk;        // with a window only
+  std::unique_ptr<Headset> headset;  // with --display openxr only
   SceneView view;
 };
 

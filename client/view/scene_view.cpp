@@ -50,7 +50,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   list_.strip = 0;
   place_lights(replica, tick);
   place_cameras(replica, tick, self, settings);
-  if (!settings.stereo) add_insets(replica, tick, settings);
+  if (!settings.stereo && !settings.eyes) add_insets(replica, tick, settings);
   add_room();
   list_.section = settings.section;
   add_bodies(replica, tick, settings);
@@ -105,6 +105,10 @@ void SceneView::place_cameras(const Replica& replica, double tick, const LocalUs
     }
   }
   list_.cameras.clear();
+  if (settings.eyes) {
+    list_.cameras.assign(settings.eyes->begin(), settings.eyes->end());
+    return;
+  }
   if (!settings.stereo) {
     list_.cameras.push_back(mono_camera(eye, fov, settings.width, settings.height));
     return;
