@@ -130,7 +130,8 @@ void XrRun::enter(XrSessionState state) {
 }
 
 void XrRun::follow_focus(bool focused) {
-  if (focused_ && !focused) tell_("headset: another program has your hands");
+  if (focused_ && !focused && state_ == XR_SESSION_STATE_VISIBLE)
+    tell_("headset: another program has your hands");
   if (!focused_ && focused && had_focus_) tell_("headset: your hands are back");
   focused_ = focused;
   had_focus_ = had_focus_ || focused;

@@ -29,8 +29,8 @@ std::array<Pose, worn_joints> seen_joints(std::size_t hand, const std::array<dou
 }
 
 Pose HeadsetWearer::grip(std::size_t hand, double time) const {
-  // Of the right hand: +x from the palm to the hand's back, −z from the little finger to the thumb, which is
-  // on the left; of the left one: the other way.
+  // The right hand's +x goes from the palm to its back, and −z from the little finger to the thumb, on its
+  // left. The left hand's go the other way.
   const Palm palm = hand_palm(hand);
   const Quat turn = hand == right_hand ? Quat(0.5, 0.5, 0.5, 0.5) : Quat(0.5, 0.5, -0.5, -0.5);
   return wrist(hand, time) * Pose{palm.center - Vec3(0, palm.half_extents.y(), 0), turn};

@@ -46,14 +46,14 @@ class DoubleRuntime {
   DoubleSettings settings;
   HeadsetWearer wearer;
 
-  // Of the instance.
+  // An instance has:
   bool has_instance = false, instance_lost = false;
   std::vector<std::string> paths = {""};                                  // by XrPath
   std::vector<std::string> actions = {""};                                // names, by XrAction
   std::map<std::pair<std::uint64_t, std::size_t>, std::string> bindings;  // action, hand: of what is held
   std::deque<XrEventDataBuffer> events;
 
-  // Of the session.
+  // A session has:
   bool has_session = false, running = false, session_lost = false;
   XrSessionState state = XR_SESSION_STATE_UNKNOWN;
   std::vector<DoubleSpace> spaces = {{}};  // by XrSpace

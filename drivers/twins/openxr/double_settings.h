@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-/// From when to when, s after the first instance was made.
+/// A time, s after the first instance was made.
 struct Span {
   double begin = std::numeric_limits<double>::infinity(), end = begin;
   bool holds(double time) const { return time >= begin && time < end; }
