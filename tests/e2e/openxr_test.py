@@ -7,6 +7,7 @@ import os
 import pathlib
 import shutil
 import signal
+import subprocess
 import sys
 import time
 
@@ -21,13 +22,13 @@ SIZE = 320  # pixels of an eye's picture, each way
 HEAD, PITCH = (0.05, 1.3, 0.45), 2 * math.atan2(-0.3173047, 0.9483237)  # openxr_wearer.csv
 FOV = {"left": (-0.85, 0.70, 0.72, -0.80, -0.032), "right": (-0.70, 0.85, 0.72, -0.80, 0.032)}  # left, right, up, down, rad; aside, m
 FAULTS = {  # s: what the double does, and what the user is told
-    "--unfocused 4 4.6": ("another program has your hands", "your hands are back"),
-    "--garbage 5.4 6": (),
-    "--centred-anew 6.6": ("centred anew",),
-    "--session-lost 7": ("the session is lost",),
-    "--frame-refused 9": ("the runtime failed",),
-    "--instance-lost 11 --away 11 12.2": ("the runtime failed", "no runtime answers"),
-    "--left 14.5": ("it is put away",),
+    "--unfocused 0.2 0.8": ("another program has your hands", "your hands are back"),
+    "--garbage 1 1.5": (),
+    "--centred-anew 1.7": ("centred anew",),
+    "--session-lost 2.5": ("the session is lost",),
+    "--frame-refused 4": ("the runtime failed",),
+    "--instance-lost 5.5 --away 5.5 6.3": ("the runtime failed", "no runtime answers"),
+    "--left 8": ("it is put away",),
 }
 
 shutil.rmtree(OUT, ignore_errors=True)
@@ -97,16 +98,19 @@ def wearer(line):
 
 
 session = f"openxr{os.getpid()}"
-words = f"--script {HERE / 'openxr_wearer.csv'} --pictures {OUT} --width {SIZE} --height {SIZE}"
-words += {"hands": " --session-lost 7", "controllers": " --controllers --no-stage", "faults": " " + " ".join(FAULTS)}[WHAT]
+words = f"--waits-for {OUT}/go --script {HERE / 'openxr_wearer.csv'} --pictures {OUT} --width {SIZE} --height {SIZE}"
+words += {"hands": " --session-lost 3", "controllers": " --controllers --no-stage", "faults": " " + " ".join(FAULTS)}[WHAT]
 env = {"XR_RUNTIME_JSON": str(BIN.parent / "lib/twins/openxr_double.json"), "PROSECTOR_OPENXR": words}
 programs = []
 try:
     server = Program(BIN / "prosector-server", HERE.parents[1] / "deploy/scenes/minimal.toml", "--session", session)
     programs.append(server)
     server.wait("is open")
-    user = Program(BIN / "prosector-client", "join", "--name", "Wearer", "--display", "openxr", "--session", session, "--session-log",
-                   OUT / "client.jsonl", "--no-overlay", env=env)
+    client = [BIN / "prosector-client", "join", "--name", "Wearer", "--display", "openxr", "--session", session, "--no-overlay"]
+    if WHAT == "faults":
+        refused = subprocess.run(client, env={**os.environ, "XR_RUNTIME_JSON": "/none.json"}, capture_output=True, text=True, timeout=40)
+        check("without a runtime the client says so", refused.returncode != 0 and "active_runtime.json" in refused.stderr)
+    user = Program(*client, "--session-log", OUT / "client.jsonl", env=env)
     programs.append(user)
     user.wait("simulated headset by Prosector's OpenXR double")
     user.wait("everything is here")
@@ -116,6 +120,8 @@ try:
              and near(wearer(line).get("left"), (-0.25, 1.1, 0.1)) and near(wearer(line).get("right"), (0.3, 1.2, 0.1)))
     if WHAT != "faults":
         look()
+    (OUT / "go").touch()
+    if WHAT != "faults":
         rest = told()[-1]["parts"]["ball"]["size"][1]
         wait_for("the hand presses the ball", lambda line: line["parts"]["ball"]["size"][1] < rest - 0.005)
     if WHAT == "hands":

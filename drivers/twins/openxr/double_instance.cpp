@@ -28,7 +28,7 @@ XrResult XRAPI_CALL enumerate_extensions(const char* layer, std::uint32_t capaci
 XrResult XRAPI_CALL create_instance(const XrInstanceCreateInfo* info, XrInstance* out) {
   DoubleRuntime& r = double_runtime();
   const std::lock_guard lock(r.mutex);
-  r.note_beginning();
+  r.begin_time();
   if (r.has_instance) return DoubleRuntime::wrong("a second instance", XR_ERROR_LIMIT_REACHED);
   if (r.settings.away.holds(r.seconds_now())) return XR_ERROR_RUNTIME_UNAVAILABLE;
   for (std::uint32_t k = 0; k < info->enabledExtensionCount; ++k) {

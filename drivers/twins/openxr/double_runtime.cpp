@@ -1,6 +1,7 @@
 #include "drivers/twins/openxr/double_runtime.h"
 
 #include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 
@@ -34,12 +35,14 @@ double DoubleRuntime::seconds_now() const {
   return seconds(monotonic_ns());
 }
 
-void DoubleRuntime::note_beginning() {
-  if (begun_ns_ == 0) begun_ns_ = monotonic_ns();
+void DoubleRuntime::begin_time() {
+  if (begun_ns_ == 0 && (settings.waits_for.empty() || std::filesystem::exists(settings.waits_for)))
+    begun_ns_ = monotonic_ns();
 }
 
 // Each fault of a moment happens once: it is taken out of the settings.
 void DoubleRuntime::go_on() {
+  begin_time();
   const double now = seconds_now();
   const auto comes = [now](double& moment) {
     if (now < moment) return false;

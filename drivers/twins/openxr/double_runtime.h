@@ -62,10 +62,13 @@ class DoubleRuntime {
   FramePhase phase = FramePhase::none;
   XrTime shown_ns = 0;
 
-  /// Returns the time since the first instance was made, s.
-  double seconds(XrTime time) const { return 1e-9 * static_cast<double>(time - begun_ns_); }
+  /// Returns the time since the wearer goes on, s; below 0 before.
+  double seconds(XrTime time) const {
+    return begun_ns_ == 0 ? -1 : 1e-9 * static_cast<double>(time - begun_ns_);
+  }
   double seconds_now() const;
-  void note_beginning();
+  /// Lets the wearer go on, once there is what they wait for.
+  void begin_time();
   /// Does what the settings have for now.
   void go_on();
   void enter(XrSessionState next);

@@ -24,6 +24,7 @@ DoubleSettings settings_of_double() {
   if (words == nullptr) return out;
   CLI::App app("", "PROSECTOR_OPENXR");
   app.add_option("--script", out.script, "CSV of the wearer's motion");
+  app.add_option("--waits-for", out.waits_for, "File without which time stands still");
   app.add_option("--pictures", out.pictures, "Folder for left.ppm and right.ppm");
   app.add_option("--rate", out.rate, "Frames a second");
   app.add_option("--width", out.width, "Of an eye's picture");

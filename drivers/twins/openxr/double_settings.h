@@ -7,16 +7,17 @@
 
 namespace prosector {
 
-/// A time, s after the first instance was made.
+/// A time, s after the first instance was made, or after the wearer goes on.
 struct Span {
   double begin = std::numeric_limits<double>::infinity(), end = begin;
   bool holds(double time) const { return time >= begin && time < end; }
 };
 
 struct DoubleSettings {
-  std::string script;    // of the wearer's motion; empty: they stand still
-  std::string pictures;  // folder for both eyes' pictures, left.ppm and right.ppm; empty: none
-  double rate = 60;      // frames a second
+  std::string script;     // of the wearer's motion; empty: they stand still
+  std::string waits_for;  // a file without which time stands still; empty: it goes on at once
+  std::string pictures;   // folder for both eyes' pictures, left.ppm and right.ppm; empty: none
+  double rate = 60;       // frames a second
   int width = 320, height = 320;
   bool controllers = false;  // in the hands, which are not seen by themselves
   bool no_stage = false;     // it doesn't know the floor
