@@ -329,7 +329,8 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   if (o.audience && o.display != Display::window && o.display != Display::stereo)
     throw InputError("--audience: only with --display window or stereo");
   if (!o.record.empty() && o.display == Display::openxr)
-    throw InputError("--record: not with --display openxr; an observer records what NAME sees: --follow NAME");
+    throw InputError(
+        "--record: not with --display openxr; an observer records what NAME sees: --follow NAME");
   if (!raw.size.empty()) parse_size(raw.size, o.width, o.height);
   o.quality = parse_quality(raw);
   o.shown = parse_shown(raw.show);
