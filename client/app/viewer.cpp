@@ -12,6 +12,7 @@
 #include "client/view/loading_picture.h"
 #include "client/view/session_overlay.h"
 #include "client/view/shown_effort.h"
+#include "client/view/words_ahead.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -74,10 +75,11 @@ void Viewer::draw_in_headset(InputPump* pump) {
 
 void Viewer::draw_loading_in_headset(const std::string& waits_for, double progress) {
   if (!begin_headset_frame()) return;
-  DrawList list =
-      loading_picture(options_.bus.session, waits_for, progress, seen_->width, seen_->height, scale());
+  DrawList list;
+  list.scale = scale();
   const auto eyes = seen_->cameras();
   list.cameras.assign(eyes.begin(), eyes.end());
+  add_words_ahead(list, fmt::format("{}: {:.0f} %\n{}", options_.bus.session, 100 * progress, waits_for));
   stage_->renderer->draw(list, 2 * seen_->width, seen_->height);
   show_in_headset();
 }

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "client/render/projection.h"
+#include "client/view/words_ahead.h"
 #include "client/xr/eye_view.h"
 #include "client/xr/hand_joints.h"
 #include "common/hand.h"
@@ -116,6 +117,30 @@ TEST(HeadsetEye, AsymmetricFieldsOfViewFillThePicture) {
   EXPECT_LT((clip(-0.85, -0.80) - Eigen::Vector2d(-1, -1)).norm(), 1e-9);
   EXPECT_LT((clip(0.70, 0.72) - Eigen::Vector2d(1, 1)).norm(), 1e-9);
   EXPECT_GT(clip(0, 0).x(), 0.1);  // straight ahead isn't the middle
+}
+
+// Words are seen a metre away, whatever the eyes' fields of view.
+TEST(HeadsetEye, WordsStandWhereBothEyesMeet) {
+  const double half = 0.032;  // m, of the eyes' distance
+  DrawList list;
+  for (const double side : {-half, half}) {
+    const Pose pose = somewhere * Pose{{side, 0, 0}, Quat::Identity()};
+    const EyeView eye =
+        side < 0 ? EyeView{pose, -0.85, 0.70, 0.72, -0.80} : EyeView{pose, -0.70, 0.85, 0.72, -0.80};
+    list.cameras.push_back(camera_of(eye, side < 0 ? 0 : 320, 320, 320));
+  }
+  add_words_ahead(list, "");
+  EXPECT_TRUE(list.texts.empty());
+  add_words_ahead(list, "here");
+  ASSERT_EQ(list.texts.size(), 1U);
+  EXPECT_FALSE(list.texts[0].overlay);
+  for (const DrawCamera& camera : list.cameras) {
+    const Vec3 seen = camera.pose.inverse() * list.texts[0].at;
+    EXPECT_NEAR(std::abs(seen.x() / seen.z()), half, 1e-9);
+    EXPECT_LT(seen.z(), 0);
+    const Eigen::Vector4d clip = view_projection_of(camera) * list.texts[0].at.homogeneous();
+    EXPECT_LT(std::abs(clip.y() / clip.w()), 0.6);
+  }
 }
 
 TEST(HeadsetEye, GarbageIsRefused) {
