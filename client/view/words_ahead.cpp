@@ -6,7 +6,7 @@ namespace prosector {
 
 void add_words_ahead(DrawList& list, const std::string& words) {
   if (words.empty()) return;
-  const Vec3 ahead(0, -0.45, -1);                                  // m, of the place between the eyes
+  const Vec3 ahead(0, -0.6, -1);                                   // m, of the place between the eyes
   constexpr double height = 0.025, width = 0.8, least_height = 9;  // tangents; points
   const DrawCamera& eye = list.cameras[0];
   const double points = eye.height / (eye.top - eye.bottom) / list.scale;  // of a tangent

@@ -13,12 +13,13 @@ import time
 
 from PIL import Image
 
-from checks import check, finish
+from checks import check, figures, finish
 from program import Program
 
 HERE = pathlib.Path(__file__).parent
 BIN, OUT, WHAT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3]
 SIZE = 320  # pixels of an eye's picture, each way
+RATE = 20  # frames a second of the headset with controllers: fewer than the client draws by itself
 HEAD, PITCH = (0.05, 1.3, 0.45), 2 * math.atan2(-0.3173047, 0.9483237)  # openxr_wearer.csv
 FOV = {"left": (-0.85, 0.70, 0.72, -0.80, -0.032), "right": (-0.70, 0.85, 0.72, -0.80, 0.032)}  # left, right, up, down, rad; aside, m
 FAULTS = {  # s: what the double does, and what the user is told
@@ -99,20 +100,21 @@ def wearer(line):
 
 session = f"openxr{os.getpid()}"
 words = f"--waits-for {OUT}/go --script {HERE / 'openxr_wearer.csv'} --pictures {OUT} --width {SIZE} --height {SIZE}"
-words += {"hands": " --session-lost 3", "controllers": " --controllers --no-stage", "faults": " " + " ".join(FAULTS)}[WHAT]
+words += {"hands": " --session-lost 3", "controllers": f" --controllers --no-stage --rate {RATE}", "faults": " " + " ".join(FAULTS)}[WHAT]
 env = {"XR_RUNTIME_JSON": str(BIN.parent / "lib/twins/openxr_double.json"), "PROSECTOR_OPENXR": words}
 programs = []
 try:
     server = Program(BIN / "prosector-server", HERE.parents[1] / "deploy/scenes/minimal.toml", "--session", session)
     programs.append(server)
     server.wait("is open")
-    client = [BIN / "prosector-client", "join", "--name", "Wearer", "--display", "openxr", "--session", session, "--no-overlay"]
+    client = [BIN / "prosector-client", "join", "--name", "Wearer", "--display", "openxr", "--session", session, "--no-overlay", "--summary", OUT / "client.json"]
     if WHAT == "faults":
         refused = subprocess.run(client, env={**os.environ, "XR_RUNTIME_JSON": "/none.json"}, capture_output=True, text=True, timeout=40)
         check("without a runtime the client says so", refused.returncode != 0 and "active_runtime.json" in refused.stderr)
     user = Program(*client, "--session-log", OUT / "client.jsonl", env=env)
     programs.append(user)
     user.wait("simulated headset by Prosector's OpenXR double")
+    begin = time.monotonic()
     user.wait("everything is here")
     if WHAT == "controllers":
         user.wait("doesn't know its room's floor")
@@ -124,6 +126,7 @@ try:
     if WHAT != "faults":
         rest = told()[-1]["parts"]["ball"]["size"][1]
         wait_for("the hand presses the ball", lambda line: line["parts"]["ball"]["size"][1] < rest - 0.005)
+        user.wait("you hold the ball")  # once the hand is closed
     if WHAT == "hands":
         user.wait("the session is lost")
         user.wait("simulated headset by", 2)
@@ -138,6 +141,12 @@ try:
         places = [place["at"] for line in told() for place in [wearer(line).get("right")] if place]
         check("no garbage arrived", all(math.dist(at, (0.15, 1.1, 0.1)) < 0.4 for at in places))
         check("centred anew, the hand is elsewhere", any(abs(at[0] + 0.1) < 0.02 for at in places))
+    if WHAT == "controllers":
+        seconds = time.monotonic() - begin
+        user.end(signal.SIGINT)
+        pictures = figures(OUT / "client.json")["pictures"]
+        print(f"{pictures} pictures in {seconds:.2f} s")
+        check("the headset sets the rhythm", 0.3 * RATE * seconds < pictures < RATE * (seconds + 0.3))
     check("the client keeps to the specification", not any("WRONG" in line for line in user.lines))
 finally:
     for program in programs:
