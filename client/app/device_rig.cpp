@@ -84,7 +84,9 @@ void DeviceRig::take_headset(const TrackedUser& user) {
     HandPose& mine = input_.hands[hand];
     const bool appears = !std::exchange(mine.tracked, true);
     mine.pose = user.hands[hand]->wrist;
-    mine.buttons = user.hands[hand]->buttons;
+    const std::uint32_t pressed =
+        user.hands[hand]->buttons & ~std::exchange(mine.buttons, user.hands[hand]->buttons);
+    if ((pressed & menu_button) != 0 && !appears) triggers_.push_back({GestureEvent::panel, hand});
     hand_seen_ns_[hand] = user.time_ns;
     DeviceSample bends;
     bends.flexion = user.hands[hand]->flexion;

@@ -9,10 +9,12 @@
 
 namespace prosector {
 
+inline constexpr std::uint32_t menu_button = 1;  // of a controller: its menu, A or X
+
 struct TrackedHand {
   Pose wrist;                             // −z towards the fingers, +y out of the back of the hand
   std::array<double, fingers> flexion{};  // 0 open … 1 closed fist, thumb first
-  std::uint32_t buttons = 0;              // of a controller; bit 0: its menu, A or X
+  std::uint32_t buttons = 0;              // of a controller: menu_button
 };
 
 struct TrackedUser {

@@ -22,7 +22,7 @@
   X(AcquireSwapchainImage) X(AttachSessionActionSets) X(BeginFrame) X(BeginSession) X(CreateAction)       \
   X(CreateActionSet) X(CreateActionSpace) X(CreateReferenceSpace) X(CreateSession) X(CreateSwapchain)     \
   X(DestroyActionSet) X(DestroyInstance) X(DestroySession) X(DestroySpace) X(DestroySwapchain)            \
-  X(EndFrame) X(EndSession) X(EnumerateReferenceSpaces) X(EnumerateSwapchainFormats)                      \
+  X(EndFrame) X(EndSession) X(EnumerateEnvironmentBlendModes) X(EnumerateReferenceSpaces) X(EnumerateSwapchainFormats)                      \
   X(EnumerateSwapchainImages) X(EnumerateViewConfigurationViews) X(GetActionStateBoolean)                 \
   X(GetActionStateFloat) X(GetInstanceProperties) X(GetSystem) X(GetSystemProperties)                     \
   X(LocateSpace) X(LocateViews) X(PollEvent) X(ReleaseSwapchainImage) X(StringToPath)                     \

@@ -177,8 +177,9 @@ std::optional<TrackedHand> XrInput::controller(std::size_t hand, XrSpace base, X
   wish.subactionPath = hand_paths_[hand];
   auto menu = typed<XrActionStateBoolean>(XR_TYPE_ACTION_STATE_BOOLEAN);
   PROSECTOR_XR_CHECK(xr_, GetActionStateBoolean, session_, &wish, &menu);
-  return hand_of_controller(hand, {*grip, value(trigger_, hand), value(squeeze_, hand),
-                                   menu.isActive == XR_TRUE && menu.currentState == XR_TRUE ? 1u : 0u});
+  return hand_of_controller(hand,
+                            {*grip, value(trigger_, hand), value(squeeze_, hand),
+                             menu.isActive == XR_TRUE && menu.currentState == XR_TRUE ? menu_button : 0u});
 }
 
 }  // namespace prosector

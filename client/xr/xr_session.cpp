@@ -209,7 +209,7 @@ void XrRun::end_empty() {
 void XrRun::end(const XrCompositionLayerBaseHeader* layer) {
   auto info = typed<XrFrameEndInfo>(XR_TYPE_FRAME_END_INFO);
   info.displayTime = frame_.predictedDisplayTime;
-  info.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
+  info.environmentBlendMode = system_.blend_mode();
   info.layerCount = layer != nullptr ? 1 : 0;
   info.layers = layer != nullptr ? &layer : nullptr;
   PROSECTOR_XR_CHECK(xr_, EndFrame, session_, &info);

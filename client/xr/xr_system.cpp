@@ -73,6 +73,12 @@ void XrSystem::find_headset() {
   std::uint32_t count = 0;
   PROSECTOR_XR_CHECK(xr_, EnumerateViewConfigurationViews, instance_, id_,
                      XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 2, &count, views_.data());
+  PROSECTOR_XR_CHECK(xr_, EnumerateEnvironmentBlendModes, instance_, id_,
+                     XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 0, &count, nullptr);
+  std::vector<XrEnvironmentBlendMode> modes(count);
+  PROSECTOR_XR_CHECK(xr_, EnumerateEnvironmentBlendModes, instance_, id_,
+                     XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, count, &count, modes.data());
+  if (!modes.empty()) blend_mode_ = modes.front();
   auto needed = typed<XrGraphicsRequirementsOpenGLKHR>(XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR);
   PROSECTOR_XR_CHECK(xr_, GetOpenGLGraphicsRequirementsKHR, instance_, id_, &needed);
 }

@@ -23,6 +23,8 @@ class XrSystem {
   bool tracks_hands() const { return tracks_hands_; }
   bool tells_time() const { return xr_.ConvertTimespecTimeToTimeKHR != nullptr; }
   const std::array<XrViewConfigurationView, 2>& views() const { return views_; }
+  /// Returns how pictures lie over what is around, as the headset likes it most.
+  XrEnvironmentBlendMode blend_mode() const { return blend_mode_; }
   /// Returns the runtime and the headset, for people.
   std::string description() const;
 
@@ -32,6 +34,7 @@ class XrSystem {
   XrSystemId id_ = XR_NULL_SYSTEM_ID;
   bool tracks_hands_ = false;
   std::array<XrViewConfigurationView, 2> views_{};
+  XrEnvironmentBlendMode blend_mode_ = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
   std::string runtime_, headset_;
 
   void create();

@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "client/app/device_rig.h"
 #include "client/render/projection.h"
 #include "client/view/words_ahead.h"
 #include "client/xr/eye_view.h"
@@ -99,6 +100,47 @@ TEST(HeadsetController, TriggerGraspsAndSqueezePoints) {
       EXPECT_EQ(seen->buttons, 1U);
     }
   }
+}
+
+// Coming into sight a hand asks for nothing; then gestures do, and the button.
+TEST(HeadsetUser, BecomesInputAndWishes) {
+  HeadsetUser headset;
+  DeviceRig rig(ClientConfig(), &headset);
+  std::int64_t now = 1'000'000'000;
+  const auto wishes = [&](double flexion, std::uint32_t buttons) {
+    TrackedUser user;
+    user.time_ns = now += 10'000'000;
+    user.head = somewhere;
+    user.hands[left_hand].emplace();
+    user.hands[left_hand]->wrist = somewhere;
+    user.hands[left_hand]->flexion.fill(flexion);
+    user.hands[left_hand]->buttons = buttons;
+    headset.put(user);
+    EXPECT_TRUE(rig.poll(now));
+    std::vector<GestureEvent> out;
+    for (const GestureTrigger& trigger : rig.take_triggers()) {
+      EXPECT_EQ(trigger.hand, left_hand);
+      out.push_back(trigger.event);
+    }
+    return out;
+  };
+  using Wishes = std::vector<GestureEvent>;
+  EXPECT_EQ(wishes(1, menu_button), Wishes{});
+  EXPECT_EQ(wishes(0.5, 0), Wishes{});
+  EXPECT_EQ(wishes(0, 0), Wishes{GestureEvent::release});
+  EXPECT_EQ(wishes(0, menu_button), Wishes{GestureEvent::panel});
+  EXPECT_EQ(wishes(0, menu_button), Wishes{});
+  EXPECT_EQ(wishes(1, 0), Wishes{GestureEvent::grasp});
+  EXPECT_TRUE(rig.input().head_tracked);
+  EXPECT_TRUE(rig.input().hands[left_hand].tracked);
+  EXPECT_FALSE(rig.input().hands[right_hand].tracked);
+  EXPECT_EQ(rig.input().hands[left_hand].pose.p, somewhere.p);
+  EXPECT_EQ(rig.input().hands[left_hand].flexion[2], 1);
+  now += 300'000'000;
+  EXPECT_FALSE(rig.poll(now));
+  EXPECT_FALSE(rig.input().head_tracked);
+  EXPECT_FALSE(rig.input().hands[left_hand].tracked);
+  EXPECT_EQ(wishes(1, 0), Wishes{});
 }
 
 // What is at an angle of the field of view is at the picture's rim.

@@ -139,6 +139,9 @@ XrResult XRAPI_CALL end_frame(XrSession, const XrFrameEndInfo* info) {
     if (r.phase != FramePhase::begun)
       return DoubleRuntime::wrong("a frame ended that wasn't begun", XR_ERROR_CALL_ORDER_INVALID);
     r.phase = FramePhase::none;
+    if (info->environmentBlendMode != XR_ENVIRONMENT_BLEND_MODE_OPAQUE)
+      return DoubleRuntime::wrong("a blend mode that isn't offered",
+                                  XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED);
     rise(r);
     if (r.seconds_now() >= r.settings.frame_refused) {
       r.settings.frame_refused = Span().begin;

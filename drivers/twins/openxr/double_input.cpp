@@ -1,5 +1,6 @@
 // Controllers of the simulated OpenXR runtime: the wearer's index finger pulls the trigger, the middle one
-// squeezes. It holds one of the kind "oculus/touch_controller", and doesn't know Microsoft's.
+// squeezes, the ring finger presses A or X. It holds one of the kind "oculus/touch_controller", and doesn't
+// know Microsoft's.
 
 #include "drivers/twins/openxr/double_runtime.h"
 
@@ -64,7 +65,7 @@ std::optional<double> pressed(const DoubleRuntime& r, const XrActionStateGetInfo
   const auto flexion = r.wearer.flexion(hand, r.seconds_now());
   if (bound->second == "/input/trigger/value") return flexion[1];
   if (bound->second == "/input/squeeze/value") return flexion[2];
-  return 0;
+  return flexion[3];  // a button
 }
 
 XrResult XRAPI_CALL float_state(XrSession, const XrActionStateGetInfo* info, XrActionStateFloat* out) {

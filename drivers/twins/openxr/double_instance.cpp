@@ -84,6 +84,13 @@ XrResult XRAPI_CALL view_configuration_views(XrInstance, XrSystemId, XrViewConfi
   });
 }
 
+XrResult XRAPI_CALL blend_modes(XrInstance, XrSystemId, XrViewConfigurationType, std::uint32_t capacity,
+                                std::uint32_t* count, XrEnvironmentBlendMode* out) {
+  return enumerate(capacity, count, out, 1, [](std::uint32_t, XrEnvironmentBlendMode& mode) {
+    mode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
+  });
+}
+
 XrResult XRAPI_CALL graphics_requirements(XrInstance, XrSystemId, XrGraphicsRequirementsOpenGLKHR* out) {
   out->minApiVersionSupported = XR_MAKE_VERSION(3, 3, 0);
   out->maxApiVersionSupported = XR_MAKE_VERSION(4, 6, 0);
@@ -151,6 +158,7 @@ PFN_xrVoidFunction instance_function(const std::string& name) {
       {"xrGetSystem", reinterpret_cast<PFN_xrVoidFunction>(get_system)},
       {"xrGetSystemProperties", reinterpret_cast<PFN_xrVoidFunction>(system_properties)},
       {"xrEnumerateViewConfigurationViews", reinterpret_cast<PFN_xrVoidFunction>(view_configuration_views)},
+      {"xrEnumerateEnvironmentBlendModes", reinterpret_cast<PFN_xrVoidFunction>(blend_modes)},
       {"xrGetOpenGLGraphicsRequirementsKHR", reinterpret_cast<PFN_xrVoidFunction>(graphics_requirements)},
       {"xrPollEvent", reinterpret_cast<PFN_xrVoidFunction>(poll_event)},
       {"xrStringToPath", reinterpret_cast<PFN_xrVoidFunction>(string_to_path)},
