@@ -1,5 +1,5 @@
 #pragma once
-// A headset's user on the way from the thread that draws to the one that sends.
+// A headset's user on the way from the headset's thread to the one that sends.
 
 #include <mutex>
 #include <optional>

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "client/app/desk.h"
+#include "client/app/headset_user.h"
 #include "client/app/options.h"
 #include "client/render/renderer.h"
 #include "client/render/window_context.h"
@@ -21,7 +22,8 @@ struct Stage {
   SceneView view;
 };
 
-/// Makes the stage; null with --display none. Throws InputError where OpenGL or the display refuses.
-std::unique_ptr<Stage> make_stage(const ClientOptions& options);
+/// Makes the stage; null with --display none. A headset tells `user`, who outlives it, where its wearer is.
+/// Throws InputError where OpenGL or the display refuses.
+std::unique_ptr<Stage> make_stage(const ClientOptions& options, HeadsetUser& user);
 
 }  // namespace prosector

@@ -22,10 +22,9 @@ Viewer::Viewer(const ClientOptions& options, Connection& connection, ClientRepor
     : options_(options),
       connection_(connection),
       report_(report),
-      headset_user_(headset_user),
       tell_(std::move(tell)),
       sink_(options),
-      stage_(make_stage(options)),
+      stage_(make_stage(options, headset_user)),
       follow_(options.follow) {
   if (options.frame_time) governor_.emplace(*options.frame_time);
   if (stage_) report_.renderer = stage_->context->description();
@@ -54,7 +53,6 @@ void Viewer::draw_if_seen(InputPump* pump) {
 bool Viewer::begin_headset_frame() {
   auto frame = stage_->headset->next_frame();
   for (const std::string& line : stage_->headset->take_news()) tell_(line);
-  headset_user_.put(stage_->headset->user());
   if (!frame) return false;
   seen_ = std::move(frame);
   return true;

@@ -78,7 +78,6 @@ class Viewer {
   const ClientOptions& options_;
   Connection& connection_;
   ClientReport& report_;
-  HeadsetUser& headset_user_;
   std::function<void(const std::string&)> tell_;
   PictureSink sink_;
   std::unique_ptr<Stage> stage_;

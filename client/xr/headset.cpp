@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+
 #include "client/xr/xr_session.h"
 #include "common/clock.h"
 #include "common/error.h"
@@ -10,6 +12,7 @@ namespace prosector {
 namespace {
 
 constexpr std::int64_t retry_ns = 500'000'000;
+constexpr std::chrono::milliseconds follow_interval(8);
 
 EglHandles egl_of(const GlContext& context) {
   if (const auto egl = context.egl()) return *egl;
@@ -25,8 +28,9 @@ struct Headset::Parts {
   XrRun run;
 };
 
-Headset::Headset(const GlContext& context, const Pose& room_stage)
-    : egl_(egl_of(context)), room_stage_(room_stage) {
+Headset::Headset(const GlContext& context, const Pose& room_stage,
+                 std::function<void(const TrackedUser& user)> take_user)
+    : egl_(egl_of(context)), room_stage_(room_stage), take_user_(std::move(take_user)) {
   try {
     connect();
   } catch (const XrFailure& failure) {
@@ -37,20 +41,48 @@ Headset::Headset(const GlContext& context, const Pose& room_stage)
                       failure.what()));
     lose(failure.what());
   }
+  follower_ = std::jthread([this](std::stop_token stop) {
+    for (; !stop.stop_requested(); std::this_thread::sleep_for(follow_interval)) follow_user();
+  });
 }
 
-Headset::~Headset() = default;
+Headset::~Headset() {
+  follower_.request_stop();
+  follower_.join();
+}
+
+/// Tells where the user is now. A runtime that fails is the drawing thread's matter.
+void Headset::follow_user() {
+  TrackedUser user;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!parts_ || !parts_->run.has_user()) return;
+    try {
+      user = in_room(parts_->run.user_now());
+    } catch (const XrFailure&) {
+      return;
+    }
+  }
+  user.time_ns = monotonic_ns();
+  take_user_(user);
+}
 
 void Headset::connect() {
   tried_ns_ = monotonic_ns();
-  parts_ = std::make_unique<Parts>(egl_, [this](const std::string& line) { news_.push_back(line); });
+  auto parts = std::make_unique<Parts>(egl_, [this](const std::string& line) { news_.push_back(line); });
+  {
+    const std::lock_guard lock(mutex_);
+    parts_ = std::move(parts);
+  }
   news_.push_back(fmt::format("headset: {}", parts_->system.description()));
   reason_.clear();
 }
 
 void Headset::lose(const std::string& why) {
-  parts_.reset();
-  user_ = {};
+  {
+    const std::lock_guard lock(mutex_);
+    parts_.reset();
+  }
   keeps_time_ = false;
   if (why != reason_) news_.push_back(fmt::format("headset: {}; waiting for it to come back", why));
   reason_ = why;
@@ -71,16 +103,18 @@ std::optional<HeadsetFrame> Headset::next_frame() {
 
 std::optional<HeadsetFrame> Headset::frame() {
   XrRun& run = parts_->run;
-  run.follow_events();
-  closed_ = run.over();
-  if (!run.running()) {
-    user_ = {};
-    return std::nullopt;
+  {
+    const std::lock_guard lock(mutex_);
+    run.follow_events();
   }
+  closed_ = run.over();
+  if (!run.running()) return std::nullopt;
   const bool seen = run.wait();
   keeps_time_ = true;
-  user_ = in_room(run.user_now());
-  user_.time_ns = monotonic_ns();
+  {
+    const std::lock_guard lock(mutex_);
+    run.sync();
+  }
   const auto eyes = seen ? run.eyes() : std::nullopt;
   if (!eyes) {
     run.end_empty();

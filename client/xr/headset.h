@@ -3,8 +3,10 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -30,8 +32,10 @@ class Headset {
  public:
   /// Looks for the headset. `context` draws, and outlives this; `room_stage` is the pose of the headset's
   /// stage in the room. Throws InputError where there is no loader, no runtime, or none that fits; a headset
-  /// that isn't connected is waited for.
-  Headset(const GlContext& context, const Pose& room_stage);
+  /// that isn't connected is waited for. A thread of its own calls `take_user` with the user as they are, in
+  /// the room, however long pictures take.
+  Headset(const GlContext& context, const Pose& room_stage,
+          std::function<void(const TrackedUser& user)> take_user);
   ~Headset();
 
   /// Goes on to the next frame, for which it waits. Returns it where a picture is wanted: then show() must
@@ -41,8 +45,6 @@ class Headset {
   void show(const std::function<void(unsigned texture)>& draw);
   /// Tells whether next_frame() kept the headset's rhythm: false where it has none now.
   bool keeps_time() const { return keeps_time_; }
-  /// Returns the user as of the last frame, in the room; no head, no hands where the headset is away.
-  const TrackedUser& user() const { return user_; }
   /// Tells whether the headset's own menu ended the program.
   bool closed() const { return closed_; }
   /// Returns lines for people about what happened since the last call.
@@ -53,13 +55,16 @@ class Headset {
 
   EglHandles egl_;
   Pose room_stage_;
+  std::function<void(const TrackedUser& user)> take_user_;
+  std::mutex mutex_;              // of the parts' being there, and of what the runtime says of hands
   std::unique_ptr<Parts> parts_;  // null: lost, or not yet there
   std::int64_t tried_ns_ = 0;
   std::string reason_;  // for which it isn't there, as last told
-  TrackedUser user_;
   bool keeps_time_ = false, closed_ = false;
   std::vector<std::string> news_;
+  std::jthread follower_;
 
+  void follow_user();
   void connect();
   void lose(const std::string& why);
   std::optional<HeadsetFrame> frame();

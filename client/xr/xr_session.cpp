@@ -143,8 +143,12 @@ bool XrRun::wait() {
   PROSECTOR_XR_CHECK(xr_, WaitFrame, session_, &wait_info, &frame_);
   const auto begin_info = typed<XrFrameBeginInfo>(XR_TYPE_FRAME_BEGIN_INFO);
   PROSECTOR_XR_CHECK(xr_, BeginFrame, session_, &begin_info);
-  input_.sync(focused_);
   return frame_.shouldRender == XR_TRUE;
+}
+
+void XrRun::sync() {
+  input_.sync(focused_);
+  synced_ns_ = frame_.predictedDisplayTime;
 }
 
 std::optional<std::array<EyeView, 2>> XrRun::eyes() {
@@ -168,7 +172,7 @@ std::optional<std::array<EyeView, 2>> XrRun::eyes() {
 }
 
 TrackedUser XrRun::user_now() const {
-  if (!system_.tells_time()) return user_then();
+  if (!system_.tells_time()) return input_.locate(stage_, synced_ns_);
   const std::int64_t now = monotonic_ns();
   constexpr std::int64_t second = 1'000'000'000;
   const timespec as_timespec{now / second, now % second};

@@ -26,11 +26,15 @@ class XrRun {
 
   /// Waits for the next frame, and begins it. Returns whether a picture of it will be seen.
   bool wait();
+  /// Reads what the user presses.
+  void sync();
   /// Returns both eyes when the frame is seen, in the stage; nullopt: the headset doesn't know.
   std::optional<std::array<EyeView, 2>> eyes();
   /// Returns the user when the frame is seen, in the stage.
   TrackedUser user_then() const { return input_.locate(stage_, frame_.predictedDisplayTime); }
-  /// Returns the user now, in the stage; where the runtime tells no time, when the frame is seen.
+  /// Tells whether user_now() is known.
+  bool has_user() const { return running_ && synced_ns_ != 0; }
+  /// Returns the user now, in the stage; where the runtime tells no time, when the last frame is seen.
   TrackedUser user_now() const;
   /// Ends the frame with the picture of both eyes that `draw` copies into the texture.
   void end(const std::function<void(unsigned texture)>& draw);
@@ -52,6 +56,7 @@ class XrRun {
   XrSwapchain pictures_ = XR_NULL_HANDLE;
   std::vector<XrSwapchainImageOpenGLKHR> images_;
   XrFrameState frame_{};
+  XrTime synced_ns_ = 0;  // when the frame is seen that what is pressed was read for; 0: none was
   std::array<XrView, 2> views_{};
   XrInput input_;
 

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <mutex>
 #include <thread>
 
 #include "client/xr/headset.h"
@@ -42,14 +43,19 @@ TEST(Headset, ComesBackFromWhateverARuntimeDoes) {
          "--frame-refused 1.1 --instance-lost 1.4 --away 1.4 2.2 --left 3.2",
          1);
   const auto context = make_egl_context(64, 64);
-  Headset headset(*context, room_stage);
-  Seen seen;
+  Seen seen, told;
+  std::mutex telling;
+  std::optional<Headset> made;
+  made.emplace(*context, room_stage, [&](const TrackedUser& user) {
+    const std::lock_guard lock(telling);
+    told.take(user);
+  });
+  Headset& headset = *made;
   std::vector<std::string> news;
   const std::int64_t end = monotonic_ns() + 30'000'000'000;
   while (!headset.closed() && monotonic_ns() < end) {
     const auto frame = headset.next_frame();
     for (const std::string& line : headset.take_news()) news.push_back(line);
-    seen.take(headset.user());
     if (!headset.keeps_time()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (!frame) continue;
     ++seen.frames;
@@ -62,6 +68,9 @@ TEST(Headset, ComesBackFromWhateverARuntimeDoes) {
     headset.show([&](unsigned texture) { seen.shown += texture != 0 ? 1 : 0; });
   }
   EXPECT_TRUE(headset.closed());
+  made.reset();
+  EXPECT_GT(told.heads, 20);
+  EXPECT_GT(told.hands, 20);
   EXPECT_GT(seen.frames, 10);
   EXPECT_GT(seen.shown, 10);
   EXPECT_GT(seen.heads, seen.frames / 2);
