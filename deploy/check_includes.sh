@@ -83,8 +83,13 @@ only "cutting knows collision, and nothing else of physics but threads" 'server/
 # The exceptions are stations of step() that work on several concepts.
 in_order server/physics '^server/physics/(contact/colliders|rigid/breaking)\.' \
   soft collision cutting rigid contact hands parts panel organs coupled
-forbid "OpenGL only in client/render" '(GL/|GLFW/|EGL/|GLES)' \
-  $(sources '(common|idl|drivers|server)/') $(sources client/ '^client/render/')
+forbid "OpenGL only in client/render; OpenXR asks for EGL's types" '(GL/|GLFW/|EGL/|GLES)' \
+  $(sources '(common|idl|drivers|server)/' '^drivers/twins/openxr/') \
+  $(sources client/ '^client/(render/|xr/xr_api\.h$)')
+forbid "OpenXR only in client/xr/xr_api.h and in the simulated runtime" 'openxr/(openxr|openxr_[a-z_]*)\.h' \
+  $(sources '(common|idl|drivers|server|client)/' '^(client/xr/xr_api\.h|drivers/twins/openxr/double_runtime\.h)$')
+forbid "what of client/xr knows OpenXR is its own" 'client/xr/xr_' $(sources client/ '^client/xr/(xr_[a-z_]*\.(h|cpp)|headset\.cpp)$')
+forbid "a headset knows neither sessions nor the desk" 'client/(app|replica|setup)/' $(sources client/xr/)
 forbid "Dear ImGui only in the .cpp files of client/setup" 'imgui' \
   $(sources '(common|idl|drivers|server|client)/' '^client/setup/[a-z_]*\.cpp$')
 forbid "the set-up window starts programs: it knows neither sessions from inside nor the desk" 'client/(app|replica|view)/' $(sources client/setup/)

@@ -39,7 +39,8 @@ gamepad, a tracker or a data glove. Simulated devices come with it.")
 # Text needs one font at least; with those recommended it has more scripts (client/text/font_catalogue.cpp).
 set(CPACK_DEBIAN_CLIENT_PACKAGE_DEPENDS "libgl1, libosmesa6, fontconfig-config, fonts-dejavu-core")
 set(CPACK_DEBIAN_CLIENT_PACKAGE_RECOMMENDS "fonts-lohit-deva, fonts-droid-fallback")
-set(CPACK_DEBIAN_CLIENT_PACKAGE_SUGGESTS prosector-server)
+# OpenXR's loader is opened for who has a headset.
+set(CPACK_DEBIAN_CLIENT_PACKAGE_SUGGESTS "prosector-server, libopenxr-loader1")
 
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME prosector-tools)
 set(CPACK_DEBIAN_TOOLS_DESCRIPTION "drafts and checks scenes, measures models of tissue

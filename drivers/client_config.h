@@ -49,6 +49,7 @@ struct ClientConfig {
   std::array<StationRole, max_stations> stations{StationRole::right_hand};
   std::array<GloveSettings, 2> gloves;  // left_hand, right_hand; `left` is set
   ArmSettings arm;
+  Pose headset_room;  // pose of an OpenXR headset's stage in the room
   EyeSettings eyes;
   std::map<Gesture, GestureEvent> gestures = {{Gesture::fist, GestureEvent::grasp},
                                               {Gesture::pinch, GestureEvent::grasp},

@@ -406,6 +406,9 @@ Keys make_keys() {
   add_glove<left_hand>(keys);
   add_arm(keys);
   add_gestures(keys);
+  add_pose(
+      keys, "headset.room", "headset_room", [](ClientConfig& c) { return &c.headset_room; },
+      "where the stage of an OpenXR headset lies: its middle on the floor; x right, y up, −z forward");
   add_eye_value(keys, "distance", &EyeSettings::distance, 0, 0.2, 1, "m",
                 "between the pupils; without it the stereo profile's, as for the others here");
   add_eye_value(keys, "fov_horizontal", &EyeSettings::fov_horizontal, 1, 170, degree, "degrees",
@@ -469,6 +472,8 @@ std::vector<ConfigTable> make_tables() {
           "What a gesture asks for. Where this table is, gestures that it doesn't name ask for nothing.");
   gestures.whole = true;
   gestures.begin = [](ClientConfig& c) { c.gestures.clear(); };
+  add("headset", "A headset by OpenXR: [join](../do/join.md#with-a-headset-by-openxr).");
+  add("headset.room", "");
   add("eyes", "What was measured of the eyes and the display.");
   return tables;
 }

@@ -9,6 +9,11 @@ namespace {
 constexpr std::uint32_t first_button = 1;
 constexpr std::int64_t pose_lifetime_ns = 250'000'000;  // a pose older than this is no pose any more
 
+/// Makes gestures of a headset's hand, by the thresholds that its glove would have.
+GestureDetector gestures_of(const DeviceConfig& glove) {
+  return GestureDetector({glove.closed_above, glove.open_below, glove.hysteresis, glove.pinch});
+}
+
 }  // namespace
 
 std::string describe_devices(const ClientConfig& config) {
@@ -21,7 +26,11 @@ std::string describe_devices(const ClientConfig& config) {
   return out;
 }
 
-DeviceRig::DeviceRig(const ClientConfig& config) : config_(config) {
+DeviceRig::DeviceRig(const ClientConfig& config, HeadsetUser* headset)
+    : config_(config),
+      headset_(headset),
+      headset_gestures_{gestures_of(config.gloves[left_hand].device),
+                        gestures_of(config.gloves[right_hand].device)} {
   if (!config_.tracker.empty() && driver_of(config_.tracker).knows_hands) {
     config_.stations = {StationRole::right_hand, StationRole::left_hand};
     config_.tracker_device.stations = 3;
@@ -57,6 +66,10 @@ bool DeviceRig::poll(std::int64_t now_ns) {
       changed = true;
     }
   }
+  if (const auto user = headset_ != nullptr ? headset_->take() : std::nullopt) {
+    take_headset(*user);
+    changed = true;
+  }
   expire(now_ns);
   return changed;
 }
@@ -67,6 +80,30 @@ std::optional<std::size_t> DeviceRig::ungloved_hand(std::uint32_t station) const
   if (role != StationRole::right_hand && role != StationRole::left_hand) return std::nullopt;
   const std::size_t hand = role == StationRole::right_hand ? right_hand : left_hand;
   return config_.gloves[hand].address.empty() ? std::optional(hand) : std::nullopt;
+}
+
+void DeviceRig::take_headset(const TrackedUser& user) {
+  input_.time_ns = user.time_ns;
+  if (user.head) {
+    input_.head_tracked = true;
+    input_.head = *user.head;
+    head_seen_ns_ = user.time_ns;
+  }
+  for (std::size_t hand : {left_hand, right_hand}) {
+    if (!user.hands[hand]) continue;
+    HandPose& mine = input_.hands[hand];
+    const bool appears = !std::exchange(mine.tracked, true);
+    mine.pose = user.hands[hand]->wrist;
+    const std::uint32_t pressed =
+        user.hands[hand]->buttons & ~std::exchange(mine.buttons, user.hands[hand]->buttons);
+    if ((pressed & menu_button) != 0 && !appears) triggers_.push_back({GestureEvent::panel, hand});
+    hand_seen_ns_[hand] = user.time_ns;
+    DeviceSample bends;
+    bends.flexion = user.hands[hand]->flexion;
+    bends.gesture = headset_gestures_[hand].update(bends.flexion);
+    if (appears) gesture_[hand] = bends.gesture;  // coming into sight it asks for nothing
+    take_glove(hand, bends);
+  }
 }
 
 void DeviceRig::take_tracker(const DeviceSample& sample) {

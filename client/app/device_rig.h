@@ -9,9 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "client/app/headset_user.h"
 #include "common/messages.h"
 #include "drivers/client_config.h"
 #include "drivers/device.h"
+#include "drivers/gesture.h"
 
 namespace prosector {
 
@@ -29,8 +31,8 @@ inline bool has_devices(const ClientConfig& config) {
 class DeviceRig {
  public:
   /// Opens what the configuration names; devices that can't be opened yet are retried and reported, never
-  /// fatal.
-  explicit DeviceRig(const ClientConfig& config);
+  /// fatal. `headset` tracks the user, too; null: none does.
+  explicit DeviceRig(const ClientConfig& config, HeadsetUser* headset = nullptr);
 
   /// Blocks until a device has something or the time is over.
   void wait(int timeout_ms) const;
@@ -56,6 +58,8 @@ class DeviceRig {
   };
 
   ClientConfig config_;
+  HeadsetUser* headset_;
+  std::array<GestureDetector, 2> headset_gestures_;
   std::vector<Entry> devices_;
   HandInput input_;
   std::array<std::optional<DeviceSample>, 2> tracker_sample_;
@@ -71,6 +75,7 @@ class DeviceRig {
             std::optional<std::size_t> glove_hand);
   std::optional<std::size_t> ungloved_hand(std::uint32_t station) const;
   void take_buttons(std::size_t hand, const DeviceSample& sample);
+  void take_headset(const TrackedUser& user);
   void take_tracker(const DeviceSample& sample);
   void take_glove(std::size_t hand, const DeviceSample& sample);
   void expire(std::int64_t now_ns);

@@ -18,12 +18,12 @@ constexpr std::int64_t longest_ns =
 
 }  // namespace
 
-InputPump::InputPump(Connection& connection, const ClientConfig& config, const ConfigSource& source,
-                     ArmHand* arm, const std::filesystem::path& log,
-                     std::function<void(const std::string&)> report)
+InputPump::InputPump(Connection& connection, const ConfigSource& source, HeadsetUser* headset, ArmHand* arm,
+                     const std::filesystem::path& log, std::function<void(const std::string&)> report)
     : connection_(connection),
       watch_(source),
-      rig_(std::make_unique<DeviceRig>(config)),
+      headset_(headset),
+      rig_(std::make_unique<DeviceRig>(source.read(), headset)),
       arm_(arm),
       report_(std::move(report)) {
   if (!log.empty()) {
@@ -58,7 +58,7 @@ void InputPump::run(std::stop_token stop) {
     const std::int64_t now = monotonic_ns();
     if (const auto config = watch_.look(now, report_)) {
       rig_.reset();  // first: a port is one program's, once
-      rig_ = std::make_unique<DeviceRig>(*config);
+      rig_ = std::make_unique<DeviceRig>(*config, headset_);
     }
     news |= rig_->poll(now) || arm_ != nullptr;
     for (const std::string& line : rig_->take_news()) report_(line);

@@ -23,11 +23,9 @@ namespace {
 constexpr const char* shaders_help =
     "Draw with this folder's shaders (default: $PROSECTOR_SHADERS, else the program's own)";
 
-const std::map<std::string, Display> displays = {{"window", Display::window},
-                                                 {"stereo", Display::stereo},
-                                                 {"offscreen", Display::offscreen},
-                                                 {"osmesa", Display::osmesa},
-                                                 {"none", Display::none}};
+const std::map<std::string, Display> displays = {
+    {"window", Display::window},       {"stereo", Display::stereo}, {"openxr", Display::openxr},
+    {"offscreen", Display::offscreen}, {"osmesa", Display::osmesa}, {"none", Display::none}};
 
 struct RawOptions {
   std::string tracker, glove, glove_left, arm, config, size, user_name, language,
@@ -89,8 +87,8 @@ void add_offers(CLI::App& app, RawOptions& raw) {
 void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option(
          "--display", raw.display,
-         "window, stereo or stereo:PROFILE (side by side; a name in deploy/stereo, or a file), offscreen, "
-         "osmesa, none")
+         "window, stereo or stereo:PROFILE (side by side; a name in deploy/stereo, or a file), openxr (a "
+         "headset, with head and hands), offscreen, osmesa, none")
       ->capture_default_str()
       ->group("Pictures");
   app.add_option("--quality", raw.quality, "Of pictures: low, medium, high")
@@ -241,7 +239,7 @@ void parse_display(const std::string& text, ClientOptions& o) {
   const auto found = displays.find(text.substr(0, colon));
   if (found == displays.end() || (colon != std::string::npos && found->second != Display::stereo))
     throw InputError("--display " + text +
-                     ": give window, stereo, stereo:PROFILE, offscreen, osmesa or none");
+                     ": give window, stereo, stereo:PROFILE, openxr, offscreen, osmesa or none");
   o.display = found->second;
   if (o.display != Display::stereo) return;
   if (colon != std::string::npos) o.stereo = load_stereo_profile(text.substr(colon + 1));
@@ -347,6 +345,9 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
     throw InputError("--monitor: only with --display window or stereo");
   if (o.audience && o.display != Display::window && o.display != Display::stereo)
     throw InputError("--audience: only with --display window or stereo");
+  if (!o.record.empty() && o.display == Display::openxr)
+    throw InputError(
+        "--record: not with --display openxr; an observer records what NAME sees: --follow NAME");
   if (!raw.size.empty()) parse_size(raw.size, o.width, o.height);
   o.quality = parse_quality(raw);
   o.shown = parse_shown(raw.show);

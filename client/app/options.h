@@ -9,6 +9,7 @@
 
 #include "client/app/config_watch.h"
 #include "client/app/connection.h"
+#include "client/app/device_rig.h"
 #include "client/app/render_scene.h"
 #include "client/app/self_test.h"
 #include "client/offer/offer_protocol.h"
@@ -20,7 +21,7 @@
 
 namespace prosector {
 
-enum class Display : std::uint8_t { window, stereo, offscreen, osmesa, none };
+enum class Display : std::uint8_t { window, stereo, openxr, offscreen, osmesa, none };
 
 struct Screenshot {
   std::filesystem::path file;
@@ -53,6 +54,11 @@ struct ClientOptions {
   bool wireframes = false;     // of what bodies collide as; a desk user's C key changes it
   Shown shown = Shown::none;   // by soft bodies' colours; a desk user's V key changes it
 };
+
+/// Tells whether devices or a headset say where the user's hands are.
+inline bool is_tracked(const ClientOptions& options) {
+  return has_devices(options.devices) || options.display == Display::openxr;
+}
 
 /// A command that joins no session: what it does, and its exit code.
 using Task = std::function<int()>;

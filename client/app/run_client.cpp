@@ -61,7 +61,8 @@ class Client {
       tell(offers_.back()->words());
     }
     take_role(options.join.role);
-    viewer_.emplace(options, connection_, report_, [this](const std::string& line) { inform(line); });
+    viewer_.emplace(options, connection_, report_, headset_user_,
+                    [this](const std::string& line) { inform(line); });
     if (viewer_->has_desk()) tell(viewer_->help(options.join.role, HelpColumns::blanks));
     if (isatty(STDIN_FILENO) != 0) tell(console_help());
   }
@@ -81,6 +82,7 @@ class Client {
         viewer_->draw_if_seen(pump_.get());
       else
         show_loading();
+      if (viewer_->keeps_time()) continue;
       next = std::max(next + interval, std::chrono::steady_clock::now() - interval);
       std::this_thread::sleep_until(next);
     }
@@ -101,6 +103,7 @@ class Client {
   std::optional<ArrivalLog> arrivals_;
   std::optional<SessionLog> log_;
   std::unique_ptr<ArmHand> arm_;  // null: no arm
+  HeadsetUser headset_user_;
   std::unique_ptr<InputPump> pump_;
   std::optional<Viewer> viewer_;        // made last: see yield_to_simulation()
   std::string missing_ = "everything";  // what was last told to be missing
@@ -111,7 +114,10 @@ class Client {
 
   static JoinRequest request(const ClientOptions& o) {
     JoinRequest out = o.join;
-    if (out.role != Role::observer) out.devices = describe_devices(o.devices);
+    if (out.role != Role::observer) {
+      out.devices = describe_devices(o.devices);
+      if (o.display == Display::openxr) out.devices += out.devices.empty() ? "openxr" : ", openxr";
+    }
     if (has_arm(o)) out.arms = static_cast<std::uint8_t>(1u << o.devices.arm.hand);
     return out;
   }
@@ -199,7 +205,7 @@ class Client {
     if (role == Role::observer)
       pump_.reset();
     else if (!pump_)
-      pump_ = std::make_unique<InputPump>(connection_, options_.devices, options_.source, arm_.get(),
+      pump_ = std::make_unique<InputPump>(connection_, options_.source, &headset_user_, arm_.get(),
                                           latency_log_of_hands(), tell);
   }
 

@@ -26,11 +26,15 @@ Audience audience_of(const ClientOptions& o) {
 
 }  // namespace
 
-std::unique_ptr<Stage> make_stage(const ClientOptions& o) {
+std::unique_ptr<Stage> make_stage(const ClientOptions& o, HeadsetUser& user) {
   if (o.display == Display::none) return nullptr;
   yield_to_simulation();
   auto stage = std::make_unique<Stage>();
-  if (o.display == Display::offscreen) {
+  if (o.display == Display::openxr) {
+    stage->context = make_egl_context(o.width, o.height);
+    stage->headset = std::make_unique<Headset>(*stage->context, o.devices.headset_room,
+                                               [&user](const TrackedUser& now) { user.put(now); });
+  } else if (o.display == Display::offscreen) {
     stage->context = make_offscreen_context(o.width, o.height);
   } else if (o.display == Display::osmesa) {
     stage->context = make_osmesa_context(o.width, o.height);

@@ -4,22 +4,26 @@
 #include <memory>
 
 #include "client/app/desk.h"
+#include "client/app/headset_user.h"
 #include "client/app/options.h"
 #include "client/render/renderer.h"
 #include "client/render/window_context.h"
 #include "client/view/scene_view.h"
+#include "client/xr/headset.h"
 
 namespace prosector {
 
 struct Stage {
   std::unique_ptr<GlContext> context;
   std::unique_ptr<Renderer> renderer;
-  WindowContext* window = nullptr;  // the context, where it is one
-  std::unique_ptr<Desk> desk;       // with a window only
+  WindowContext* window = nullptr;   // the context, where it is one
+  std::unique_ptr<Desk> desk;        // with a window only
+  std::unique_ptr<Headset> headset;  // with --display openxr only
   SceneView view;
 };
 
-/// Makes the stage; null with --display none. Throws InputError where OpenGL or the display refuses.
-std::unique_ptr<Stage> make_stage(const ClientOptions& options);
+/// Makes the stage; null with --display none. A headset tells `user`, who outlives it, where its wearer is.
+/// Throws InputError where OpenGL or the display refuses.
+std::unique_ptr<Stage> make_stage(const ClientOptions& options, HeadsetUser& user);
 
 }  // namespace prosector

@@ -12,18 +12,19 @@
 #include "client/view/loading_picture.h"
 #include "client/view/session_overlay.h"
 #include "client/view/shown_effort.h"
+#include "client/view/words_ahead.h"
 #include "common/error.h"
 
 namespace prosector {
 
 Viewer::Viewer(const ClientOptions& options, Connection& connection, ClientReport& report,
-               std::function<void(const std::string&)> tell)
+               HeadsetUser& headset_user, std::function<void(const std::string&)> tell)
     : options_(options),
       connection_(connection),
       report_(report),
       tell_(std::move(tell)),
       sink_(options),
-      stage_(make_stage(options)),
+      stage_(make_stage(options, headset_user)),
       follow_(options.follow) {
   if (options.frame_time) governor_.emplace(*options.frame_time);
   if (stage_) report_.renderer = stage_->context->description();
@@ -40,6 +41,7 @@ std::optional<BodyId> Viewer::part_at(const Ray& ray) {
 // Offscreen, a picture that nobody keeps is not drawn; the first one proves that drawing works.
 void Viewer::draw_if_seen(InputPump* pump) {
   if (!stage_) return;
+  if (has_headset()) return draw_in_headset(pump);
   const double seconds = seconds_since(report_.joined_ns);
   const bool kept = sink_.wants(seconds);
   if (!kept && !stage_->desk && report_.first_picture_ns) return;
@@ -47,7 +49,53 @@ void Viewer::draw_if_seen(InputPump* pump) {
   if (kept) sink_.take(image, seconds);
 }
 
+/// Goes on to the headset's next frame, and hands on what it says. Returns whether a picture is wanted.
+bool Viewer::begin_headset_frame() {
+  auto frame = stage_->headset->next_frame();
+  for (const std::string& line : stage_->headset->take_news()) tell_(line);
+  if (!frame) return false;
+  seen_ = std::move(frame);
+  return true;
+}
+
+void Viewer::show_in_headset() {
+  stage_->headset->show([this](unsigned texture) { stage_->renderer->copy_to(texture); });
+}
+
+void Viewer::draw_in_headset(InputPump* pump) {
+  if (!begin_headset_frame()) return;
+  const double seconds = seconds_since(report_.joined_ns);
+  const bool kept = sink_.wants(seconds);
+  const Image image = draw(pump, kept);
+  show_in_headset();
+  if (kept) sink_.take(image, seconds);
+}
+
+void Viewer::draw_loading_in_headset(const std::string& waits_for, double progress) {
+  if (!begin_headset_frame()) return;
+  DrawList list;
+  list.scale = scale();
+  const auto eyes = seen_->cameras();
+  list.cameras.assign(eyes.begin(), eyes.end());
+  add_words_ahead(list, fmt::format("{}: {:.0f} %\n{}", options_.bus.session, 100 * progress, waits_for));
+  stage_->renderer->draw(list, 2 * seen_->width, seen_->height);
+  show_in_headset();
+}
+
+/// Draws for the eyes that a headset has, and one's own hands where they are when that is seen.
+void Viewer::look_through_headset(LocalUser& self, ViewSettings& settings) const {
+  settings.eyes = seen_->cameras();
+  settings.width = 2 * seen_->width;
+  settings.height = seen_->height;
+  for (std::size_t hand : {left_hand, right_hand})
+    if (const auto& then = seen_->user.hands[hand]; then && self.input.hands[hand].tracked) {
+      self.input.hands[hand].pose = then->wrist;
+      self.input.hands[hand].flexion = then->flexion;
+    }
+}
+
 void Viewer::draw_loading(const std::string& waits_for, double progress) {
+  if (has_headset()) return draw_loading_in_headset(waits_for, progress);
   if (!has_desk()) return;
   stage_->desk->wait();
   stage_->renderer->draw(loading_picture(options_.bus.session, waits_for, progress, stage_->context->width(),
@@ -75,7 +123,7 @@ std::vector<ControlDevice> Viewer::devices() const {
   std::vector<ControlDevice> out;
   if (has_desk() && connection_.with_replica([](Replica& r) { return r.recording().has_value(); }))
     out.push_back(ControlDevice::recording);
-  out.push_back(has_devices(options_.devices) ? ControlDevice::headset : ControlDevice::hand);
+  out.push_back(is_tracked(options_) ? ControlDevice::headset : ControlDevice::hand);
   if (has_desk()) out.push_back(ControlDevice::view);
   if (has_desk() && stage_->desk->has_gamepad()) out.push_back(ControlDevice::gamepad);
   return out;
@@ -172,9 +220,9 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   });
   desk.update(session);
   rumble_.follow(desk.has_gamepad(), touch_force(self.participant), monotonic_ns());
-  self.at_desk = !has_devices(options_.devices);
+  self.at_desk = !is_tracked(options_);
   const DeskChoices& choices = desk.choices();
-  const bool head_leads = has_devices(options_.devices) && self.input.head_tracked;
+  const bool head_leads = is_tracked(options_) && self.input.head_tracked;
   if (!head_leads) settings.eye = desk.eye();
   if (!head_leads) settings.pointed = desk.pointed();
   settings.pointer = desk.pointer_pixel();
@@ -195,7 +243,7 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   settings.follow = follow_;
   if (choices.figures) settings.notes = figures_.text();
   if (choices.help) settings.help = help(role_of(self.participant), HelpColumns::tabs);
-  if (pump != nullptr && !has_devices(options_.devices))
+  if (pump != nullptr && !is_tracked(options_))
     drive_hand_at_desk(*pump, self, session.own_panel.has_value());
   if (pump == nullptr) ask_for_time();
 }
@@ -300,9 +348,14 @@ Image Viewer::draw(InputPump* pump, bool keep) {
   if (stage_->desk) use_desk(pump, self, settings);
   settings.width = stage_->context->width();
   settings.height = stage_->context->height();
+  if (seen_) look_through_headset(self, settings);
   settings.scale = scale();
   settings.parts = parts_;
-  stage_->renderer->draw(build_list(self, settings));
+  const DrawList& list = build_list(self, settings);
+  if (seen_)
+    stage_->renderer->draw(list, settings.width, settings.height);
+  else
+    stage_->renderer->draw(list);
   Image image;
   if (keep) image = stage_->renderer->read_pixels();
   stage_->context->present();
@@ -316,8 +369,8 @@ const DrawList& Viewer::build_list(const LocalUser& self, ViewSettings& settings
   return connection_.with_replica([&](Replica& replica) -> const DrawList& {
     const double tick = replica.advance(monotonic_ns());
     watch_time(replica, tick, settings);
-    if (has_devices(options_.devices)) read_panel(replica, self, settings);
-    if (has_devices(options_.devices)) work_parts_board(replica, self, settings);
+    if (is_tracked(options_)) read_panel(replica, self, settings);
+    if (is_tracked(options_)) work_parts_board(replica, self, settings);
     return stage_->view.build(replica, tick, self, settings);
   });
 }

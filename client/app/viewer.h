@@ -25,14 +25,19 @@ namespace prosector {
 
 class Viewer {
  public:
-  /// Takes what outlives the viewer; `tell` prints a line for people.
+  /// Takes what outlives the viewer; `headset_user` learns where a headset's user is, `tell` prints a line
+  /// for people.
   Viewer(const ClientOptions& options, Connection& connection, ClientReport& report,
-         std::function<void(const std::string&)> tell);
+         HeadsetUser& headset_user, std::function<void(const std::string&)> tell);
 
   /// Tells whether pictures are drawn; false: --display none.
   bool draws() const { return stage_ != nullptr; }
   bool has_desk() const { return stage_ && stage_->desk; }
-  bool closed() const { return has_desk() && stage_->desk->closed(); }
+  bool closed() const {
+    return (has_desk() && stage_->desk->closed()) || (has_headset() && stage_->headset->closed());
+  }
+  /// Tells whether the last picture was drawn in the rhythm of a headset, which waits by itself.
+  bool keeps_time() const { return has_headset() && stage_->headset->keeps_time(); }
 
   /// Returns the help for that role with the devices that this client has.
   std::string help(Role role, HelpColumns columns) const;
@@ -77,6 +82,7 @@ class Viewer {
   PictureSink sink_;
   std::unique_ptr<Stage> stage_;
   std::optional<QualityGovernor> governor_;  // of pictures; nullopt: their quality stays
+  std::optional<HeadsetFrame> seen_;         // what a headset asked for last; nullopt: none did
   std::optional<Pose> looks_from_;
   std::string follow_;  // whose eyes to look through; empty: own
   bool full_screen_ = false;
@@ -87,6 +93,12 @@ class Viewer {
   TouchRumble rumble_;
   PartsBoard parts_board_;
 
+  bool has_headset() const { return stage_ && stage_->headset; }
+  bool begin_headset_frame();
+  void show_in_headset();
+  void draw_in_headset(InputPump* pump);
+  void draw_loading_in_headset(const std::string& waits_for, double progress);
+  void look_through_headset(LocalUser& self, ViewSettings& settings) const;
   Image draw(InputPump* pump, bool keep);
   double touch_force(ParticipantId self);
   void use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings);

@@ -27,9 +27,8 @@ class EglContext final : public GlContext {
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr)) fail("no display");
     if (!eglBindAPI(EGL_OPENGL_API)) fail("no desktop OpenGL");
     const EGLint config_wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
-    EGLConfig config{};
     EGLint found = 0;
-    if (!eglChooseConfig(display_, config_wish, &config, 1, &found) || found == 0) fail("no configuration");
+    if (!eglChooseConfig(display_, config_wish, &config_, 1, &found) || found == 0) fail("no configuration");
     const EGLint wish[] = {EGL_CONTEXT_MAJOR_VERSION,
                            3,
                            EGL_CONTEXT_MINOR_VERSION,
@@ -37,7 +36,7 @@ class EglContext final : public GlContext {
                            EGL_CONTEXT_OPENGL_PROFILE_MASK,
                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                            EGL_NONE};
-    context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, wish);
+    context_ = eglCreateContext(display_, config_, EGL_NO_CONTEXT, wish);
     if (context_ == EGL_NO_CONTEXT) fail("no OpenGL 3.3 core context");
     if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
       eglDestroyContext(display_, context_);
@@ -57,11 +56,13 @@ class EglContext final : public GlContext {
   int height() const override { return height_; }
   bool has_screen() const override { return false; }
   void present() override {}
+  std::optional<EglHandles> egl() const override { return EglHandles{display_, config_, context_}; }
   std::string description() const override { return describe_gl(*this, "EGL surfaceless"); }
 
  private:
   int width_, height_;
   EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLConfig config_{};
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 

@@ -2,9 +2,15 @@
 // Where OpenGL 3.3 core comes from: EGL surfaceless, OSMesa, or a window. One renderer serves them all.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace prosector {
+
+/// A context as EGL has it, for others who draw with it: EGLDisplay, EGLConfig, EGLContext.
+struct EglHandles {
+  void *display, *config, *context;
+};
 
 /// A current context. Not thread safe: used by the thread that made it, one context per thread at a time.
 class GlContext {
@@ -13,8 +19,9 @@ class GlContext {
   virtual void* proc(const char* name) const = 0;  // address of a GL function
   virtual int width() const = 0;                   // of the picture, pixels
   virtual int height() const = 0;
-  virtual bool has_screen() const = 0;          // framebuffer 0 is a window's; offscreen there is none
-  virtual void present() = 0;                   // swaps a window's buffers; offscreen: nothing
+  virtual bool has_screen() const = 0;  // framebuffer 0 is a window's; offscreen there is none
+  virtual void present() = 0;           // swaps a window's buffers; offscreen: nothing
+  virtual std::optional<EglHandles> egl() const { return std::nullopt; }  // nullopt: is none of EGL
   virtual std::string description() const = 0;  // "EGL surfaceless, llvmpipe (…), Mesa 22.3.6"
 };
 

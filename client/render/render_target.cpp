@@ -128,6 +128,16 @@ void RenderTarget::show() const {
   copy(resolved_, 0);
 }
 
+void RenderTarget::copy_to(GLuint texture) const {
+  GLuint target = 0;
+  gl_.GenFramebuffers(1, &target);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, target);
+  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  gl_.Disable(GL_SCISSOR_TEST);
+  copy(resolved_, target);
+  gl_.DeleteFramebuffers(1, &target);
+}
+
 // Over the copy: the shader keeps off the pixels at no edge.
 void RenderTarget::blend_steps() const {
   gl_.Viewport(0, 0, width_, height_);

@@ -28,6 +28,8 @@ class RenderTarget {
   void resolve();
   /// Copies the picture to framebuffer 0, the screen.
   void show() const;
+  /// Copies the picture into a texture of its size.
+  void copy_to(GLuint texture) const;
   /// Reads what was resolved last; throws std::logic_error before the first.
   Image read() const;
 

@@ -242,6 +242,10 @@ std::size_t Renderer::hidden() const {
   return impl_->passes->occlusion ? impl_->passes->occlusion->hidden() : 0;
 }
 
+void Renderer::copy_to(unsigned texture) {
+  impl_->passes->target.copy_to(texture);
+}
+
 Image Renderer::read_pixels() {
   return impl_->passes->target.read();
 }

@@ -56,8 +56,12 @@ class Renderer {
   /// Draws the list. Throws std::invalid_argument when a mesh's normals, rest positions or triangles don't
   /// fit its positions.
   void draw(const DrawList& list);
-  /// Draws the list at another size than the context's, and shows it nowhere. Throws as draw() does, and
-  /// InputError where the size is too large.
+  /// Draws the list at another size than the context's, and shows it nowhere. Throws as draw() does.
+  void draw(const DrawList& list, int width, int height);
+  /// Copies what was drawn last into a texture of its size, as it is stored: encoded as sRGB.
+  void copy_to(unsigned texture);
+  /// Returns the list at another size, shown nowhere. Throws as draw() does, and InputError where the size is
+  /// too large.
   Image picture_of(const DrawList& list, int width, int height);
   /// Sets the settings from the next picture on; costs what making the renderer does. Throws as it does, and
   /// then nothing changed.
@@ -79,8 +83,6 @@ class Renderer {
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
-
-  void draw(const DrawList& list, int width, int height);
 };
 
 }  // namespace prosector

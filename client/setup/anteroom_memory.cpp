@@ -15,6 +15,7 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t most_bytes = 65536;
+constexpr const char* in_headset = "openxr";  // fills no screen
 
 }  // namespace
 
@@ -22,7 +23,7 @@ std::vector<std::string> SeenAs::words() const {
   const SeenAs usual;
   std::vector<std::string> out;
   if (display != usual.display) out.insert(out.end(), {"--display", display});
-  if (monitor >= 0) out.insert(out.end(), {"--monitor", std::to_string(monitor)});
+  if (monitor >= 0 && display != in_headset) out.insert(out.end(), {"--monitor", std::to_string(monitor)});
   if (quality.empty())
     out.insert(out.end(), {"--frame-time", "33"});
   else if (quality != usual.quality)

@@ -33,6 +33,7 @@ void PicturesPage::draw(Interface& ui, Anteroom& room) {
   choice("in a window", "window");
   for (const std::string& profile : profiles_)
     choice(fmt::format("side by side, for two eyes: {}", profile).c_str(), "stereo:" + profile);
+  choice("in a headset by OpenXR, with its own tracking", "openxr");
   bool fills = seen.monitor >= 0;
   if (ImGui::Checkbox("filling the screen", &fills)) seen.monitor = fills ? 0 : -1;
   ui.note("fills");

@@ -1,5 +1,8 @@
 #include "client/view/scene_view.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,6 +20,7 @@
 #include "client/view/room.h"
 #include "client/view/session_overlay.h"
 #include "client/view/shown_effort.h"
+#include "client/view/words_ahead.h"
 #include "common/hand.h"
 
 namespace prosector {
@@ -50,7 +54,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   list_.strip = 0;
   place_lights(replica, tick);
   place_cameras(replica, tick, self, settings);
-  if (!settings.stereo) add_insets(replica, tick, settings);
+  if (!settings.stereo && !settings.eyes) add_insets(replica, tick, settings);
   add_room();
   list_.section = settings.section;
   add_bodies(replica, tick, settings);
@@ -78,9 +82,11 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
                            .height = 13,
                            .wrap = OverlayFrame(list_).width - 2 * notes_left});
   if (settings.overlay) add_body_figures(replica);
-  const bool overlay = settings.overlay && settings.help.empty();  // which the help would lie over
+  const bool overlay =
+      settings.overlay && settings.help.empty() && !settings.eyes;  // which the help would lie over
   if (overlay) add_session_overlay(list_, replica, self, settings);
   if (overlay && self.present) add_stroke_figures(replica, self, tick, settings);
+  if (settings.eyes) add_words_ahead(list_, fmt::format("{}", fmt::join(settings.messages, "\n")));
   if (settings.parts.labels() && settings.help.empty()) add_part_labels(replica, settings);
   if (settings.parts_list != nullptr) add_parts_list(list_, *settings.parts_list);
   if (!settings.help.empty()) add_help(list_, settings.help);
@@ -105,6 +111,10 @@ void SceneView::place_cameras(const Replica& replica, double tick, const LocalUs
     }
   }
   list_.cameras.clear();
+  if (settings.eyes) {
+    list_.cameras.assign(settings.eyes->begin(), settings.eyes->end());
+    return;
+  }
   if (!settings.stereo) {
     list_.cameras.push_back(mono_camera(eye, fov, settings.width, settings.height));
     return;

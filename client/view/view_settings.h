@@ -1,6 +1,7 @@
 #pragma once
 // Who looks at a session, and how.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,10 +23,11 @@ struct PanelLook {
 };
 
 struct ViewSettings {
-  int width = 800, height = 600;        // pixels
-  double scale = 1;                     // pixels of a point, in which overlays are measured
-  std::optional<StereoProfile> stereo;  // nullopt: one picture
-  double detail = 0;                    // pixels, for LevelOfDetail::choose()
+  int width = 800, height = 600;                       // pixels
+  double scale = 1;                                    // pixels of a point, in which overlays are measured
+  std::optional<StereoProfile> stereo;                 // nullopt: one picture
+  std::optional<std::array<DrawCamera, 2>> eyes = {};  // as a headset has them; then `stereo` is not used
+  double detail = 0;                                   // pixels, for LevelOfDetail::choose()
   bool overlay = true;
   std::optional<SectionPlane> section = {};  // that opens bodies
   PanelLook panel = {};

@@ -29,6 +29,8 @@ TEST(AnteroomMemory, HowASessionIsSeenIsAsTheCommandLineSaysIt) {
   EXPECT_TRUE(SeenAs{}.words().empty()) << "what holds anyway isn't said";
   const std::vector<std::string> words = {"--display", "stereo:x", "--monitor", "1", "--quality", "low"};
   EXPECT_EQ((SeenAs{"stereo:x", "low", 1}.words()), words);
+  const std::vector<std::string> headset = {"--display", "openxr"};
+  EXPECT_EQ((SeenAs{"openxr", "medium", 0}.words()), headset) << "it fills no screen";
   const std::vector<std::string> by_itself = {"--frame-time", "33"};
   EXPECT_EQ((SeenAs{"window", "", -1}.words()), by_itself);
 }

@@ -1,0 +1,143 @@
+#include "client/xr/headset.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "client/xr/xr_session.h"
+#include "common/clock.h"
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::int64_t retry_ns = 500'000'000;
+constexpr std::chrono::milliseconds follow_interval(8);
+
+EglHandles egl_of(const GlContext& context) {
+  if (const auto egl = context.egl()) return *egl;
+  throw InputError("--display openxr: needs OpenGL by EGL; install libegl1");
+}
+
+}  // namespace
+
+struct Headset::Parts {
+  Parts(const EglHandles& egl, std::function<void(const std::string&)> tell)
+      : run(system, egl, std::move(tell)) {}
+  XrSystem system;
+  XrRun run;
+};
+
+Headset::Headset(const GlContext& context, const Pose& room_stage,
+                 std::function<void(const TrackedUser& user)> take_user)
+    : egl_(egl_of(context)), room_stage_(room_stage), take_user_(std::move(take_user)) {
+  try {
+    connect();
+  } catch (const XrFailure& failure) {
+    if (failure.result != XR_ERROR_FORM_FACTOR_UNAVAILABLE)
+      throw InputError(
+          fmt::format("--display openxr: {}; start the headset's runtime, and see that it is the active one "
+                      "(XR_RUNTIME_JSON, or active_runtime.json in ~/.config/openxr/1 or /etc/xdg/openxr/1)",
+                      failure.what()));
+    lose(failure.what());
+  }
+  follower_ = std::jthread([this](std::stop_token stop) {
+    for (; !stop.stop_requested(); std::this_thread::sleep_for(follow_interval)) follow_user();
+  });
+}
+
+Headset::~Headset() {
+  follower_.request_stop();
+  follower_.join();
+}
+
+/// Tells where the user is now. A runtime that fails is the drawing thread's matter.
+void Headset::follow_user() {
+  TrackedUser user;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!parts_ || !parts_->run.has_user()) return;
+    try {
+      user = in_room(parts_->run.user_now());
+    } catch (const XrFailure&) {
+      return;
+    }
+  }
+  user.time_ns = monotonic_ns();
+  take_user_(user);
+}
+
+void Headset::connect() {
+  tried_ns_ = monotonic_ns();
+  auto parts = std::make_unique<Parts>(egl_, [this](const std::string& line) { news_.push_back(line); });
+  {
+    const std::lock_guard lock(mutex_);
+    parts_ = std::move(parts);
+  }
+  news_.push_back(fmt::format("headset: {}", parts_->system.description()));
+  reason_.clear();
+}
+
+void Headset::lose(const std::string& why) {
+  {
+    const std::lock_guard lock(mutex_);
+    parts_.reset();
+  }
+  keeps_time_ = false;
+  if (why != reason_) news_.push_back(fmt::format("headset: {}; waiting for it to come back", why));
+  reason_ = why;
+}
+
+std::optional<HeadsetFrame> Headset::next_frame() {
+  keeps_time_ = false;
+  try {
+    if (!parts_ && monotonic_ns() - tried_ns_ >= retry_ns) connect();
+    return parts_ ? frame() : std::nullopt;
+  } catch (const XrFailure& failure) {
+    lose(failure.what());
+  } catch (const InputError& error) {
+    lose(error.what());
+  }
+  return std::nullopt;
+}
+
+std::optional<HeadsetFrame> Headset::frame() {
+  XrRun& run = parts_->run;
+  {
+    const std::lock_guard lock(mutex_);
+    run.follow_events();
+  }
+  closed_ = run.over();
+  if (!run.running()) return std::nullopt;
+  const bool seen = run.wait();
+  keeps_time_ = true;
+  {
+    const std::lock_guard lock(mutex_);
+    run.sync();
+  }
+  const auto eyes = seen ? run.eyes() : std::nullopt;
+  if (!eyes) {
+    run.end_empty();
+    return std::nullopt;
+  }
+  HeadsetFrame out{*eyes, run.eye_width(), run.eye_height(), in_room(run.user_then())};
+  for (EyeView& eye : out.eyes) eye.pose = room_stage_ * eye.pose;
+  return out;
+}
+
+void Headset::show(const std::function<void(unsigned texture)>& draw) {
+  try {
+    parts_->run.end(draw);
+  } catch (const XrFailure& failure) {
+    lose(failure.what());
+  }
+}
+
+TrackedUser Headset::in_room(TrackedUser user) const {
+  if (user.head) user.head = room_stage_ * *user.head;
+  for (auto& hand : user.hands)
+    if (hand) hand->wrist = room_stage_ * hand->wrist;
+  return user;
+}
+
+}  // namespace prosector

@@ -1,0 +1,83 @@
+#pragma once
+// OpenXR's functions, found in its loader when a headset is asked for. Private to client/xr.
+
+#define EGL_NO_PLATFORM_SPECIFIC_TYPES
+#include <EGL/egl.h>
+#include <time.h>
+
+#define XR_NO_PROTOTYPES
+#define XR_USE_GRAPHICS_API_OPENGL
+#define XR_USE_PLATFORM_EGL
+#define XR_USE_TIMESPEC
+#include <openxr/openxr.h>
+#include <openxr/openxr_platform.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "common/math.h"
+
+// clang-format off
+#define PROSECTOR_XR_FUNCTIONS(X) \
+  X(AcquireSwapchainImage) X(AttachSessionActionSets) X(BeginFrame) X(BeginSession) X(CreateAction)       \
+  X(CreateActionSet) X(CreateActionSpace) X(CreateReferenceSpace) X(CreateSession) X(CreateSwapchain)     \
+  X(DestroyActionSet) X(DestroyInstance) X(DestroySession) X(DestroySpace) X(DestroySwapchain)            \
+  X(EndFrame) X(EndSession) X(EnumerateEnvironmentBlendModes) X(EnumerateReferenceSpaces) X(EnumerateSwapchainFormats)                      \
+  X(EnumerateSwapchainImages) X(EnumerateViewConfigurationViews) X(GetActionStateBoolean)                 \
+  X(GetActionStateFloat) X(GetInstanceProperties) X(GetSystem) X(GetSystemProperties)                     \
+  X(LocateSpace) X(LocateViews) X(PollEvent) X(ReleaseSwapchainImage) X(StringToPath)                     \
+  X(SuggestInteractionProfileBindings) X(SyncActions) X(WaitFrame) X(WaitSwapchainImage)
+#define PROSECTOR_XR_GRAPHICS(X) X(GetOpenGLGraphicsRequirementsKHR)
+#define PROSECTOR_XR_HANDS(X) X(CreateHandTrackerEXT) X(DestroyHandTrackerEXT) X(LocateHandJointsEXT)
+#define PROSECTOR_XR_TIME(X) X(ConvertTimespecTimeToTimeKHR)
+// clang-format on
+
+namespace prosector {
+
+/// The functions: xr.WaitFrame(…) is xrWaitFrame(…). Those of an extension are null where the runtime lacks
+/// it.
+struct XrFunctions {
+  PFN_xrGetInstanceProcAddr GetInstanceProcAddr = nullptr;
+  PFN_xrCreateInstance CreateInstance = nullptr;
+  PFN_xrEnumerateInstanceExtensionProperties EnumerateInstanceExtensionProperties = nullptr;
+#define PROSECTOR_XR_MEMBER(NAME) PFN_xr##NAME NAME = nullptr;
+  PROSECTOR_XR_FUNCTIONS(PROSECTOR_XR_MEMBER)
+  PROSECTOR_XR_GRAPHICS(PROSECTOR_XR_MEMBER)
+  PROSECTOR_XR_HANDS(PROSECTOR_XR_MEMBER)
+  PROSECTOR_XR_TIME(PROSECTOR_XR_MEMBER)
+#undef PROSECTOR_XR_MEMBER
+};
+
+/// What a runtime refused: session, instance or runtime are gone, or it can't be worked with.
+struct XrFailure : std::runtime_error {
+  XrFailure(const char* function, XrResult why);
+  XrResult result;
+};
+
+/// Returns the result, for people.
+std::string name_of(XrResult result);
+
+/// Throws XrFailure where the result is an error, or says that the session will be lost.
+void check_xr(const char* function, XrResult result);
+#define PROSECTOR_XR_CHECK(XR, NAME, ...) check_xr("xr" #NAME, (XR).NAME(__VA_ARGS__))
+
+/// Opens the loader, and finds what needs no instance. Throws InputError saying what to install.
+XrFunctions load_openxr();
+/// Finds the functions of an instance.
+void load_functions(XrInstance instance, XrFunctions& xr, bool hands, bool time);
+
+/// Returns a structure of that type, which is zero but for it.
+template <class T>
+T typed(XrStructureType type) {
+  T out{};
+  out.type = type;
+  return out;
+}
+
+inline Pose pose_of(const XrPosef& p) {
+  const auto& [x, y, z, w] = p.orientation;
+  return {{p.position.x, p.position.y, p.position.z}, Quat(w, x, y, z).normalized()};
+}
+inline constexpr XrPosef xr_identity = {{0, 0, 0, 1}, {0, 0, 0}};
+
+}  // namespace prosector

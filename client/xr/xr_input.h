@@ -1,0 +1,44 @@
+#pragma once
+// Where a headset's user has head and hands: bare hands where they are seen, else controllers. Private to
+// client/xr.
+
+#include "client/xr/hand_joints.h"
+#include "client/xr/xr_system.h"
+
+namespace prosector {
+
+class XrInput {
+ public:
+  XrInput(const XrSystem& system, XrSession session);
+  ~XrInput();
+  XrInput(const XrInput&) = delete;
+  XrInput& operator=(const XrInput&) = delete;
+
+  /// Reads controllers' keys; `focused`: the user's input is ours.
+  void sync(bool focused);
+  /// Returns the user at that time in `base`; hands only while the input is ours.
+  TrackedUser locate(XrSpace base, XrTime time) const;
+
+ private:
+  const XrSystem& system_;
+  const XrFunctions& xr_;
+  XrSession session_;
+  bool focused_ = false;
+  XrSpace head_ = XR_NULL_HANDLE;
+  XrActionSet set_ = XR_NULL_HANDLE;
+  XrAction grip_ = XR_NULL_HANDLE, trigger_ = XR_NULL_HANDLE, squeeze_ = XR_NULL_HANDLE,
+           menu_ = XR_NULL_HANDLE;
+  std::array<XrPath, 2> hand_paths_{};
+  std::array<XrSpace, 2> grips_{};
+  std::array<XrHandTrackerEXT, 2> trackers_{};
+
+  XrPath path(const char* text) const;
+  XrAction make_action(const char* name, const char* shown, XrActionType type) const;
+  void suggest_bindings() const;
+  double value(XrAction action, std::size_t hand) const;
+  std::optional<Pose> locate(XrSpace space, XrSpace base, XrTime time) const;
+  std::optional<TrackedHand> bare_hand(std::size_t hand, XrSpace base, XrTime time) const;
+  std::optional<TrackedHand> controller(std::size_t hand, XrSpace base, XrTime time) const;
+};
+
+}  // namespace prosector

@@ -1,0 +1,44 @@
+#pragma once
+// A runtime's instance and the headset that it has. Private to client/xr.
+
+#include <array>
+#include <vector>
+
+#include "client/xr/xr_api.h"
+
+namespace prosector {
+
+class XrSystem {
+ public:
+  /// Asks the runtime for a headset of two eyes. Throws XrFailure where it isn't there now, InputError where
+  /// it never will be.
+  XrSystem();
+  ~XrSystem();
+  XrSystem(const XrSystem&) = delete;
+  XrSystem& operator=(const XrSystem&) = delete;
+
+  const XrFunctions& xr() const { return xr_; }
+  XrInstance instance() const { return instance_; }
+  XrSystemId id() const { return id_; }
+  bool tracks_hands() const { return tracks_hands_; }
+  bool tells_time() const { return xr_.ConvertTimespecTimeToTimeKHR != nullptr; }
+  const std::array<XrViewConfigurationView, 2>& views() const { return views_; }
+  /// Returns how pictures lie over what is around, as the headset likes it most.
+  XrEnvironmentBlendMode blend_mode() const { return blend_mode_; }
+  /// Returns the runtime and the headset, for people.
+  std::string description() const;
+
+ private:
+  XrFunctions xr_;
+  XrInstance instance_ = XR_NULL_HANDLE;
+  XrSystemId id_ = XR_NULL_SYSTEM_ID;
+  bool tracks_hands_ = false;
+  std::array<XrViewConfigurationView, 2> views_{};
+  XrEnvironmentBlendMode blend_mode_ = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
+  std::string runtime_, headset_;
+
+  void create();
+  void find_headset();
+};
+
+}  // namespace prosector
