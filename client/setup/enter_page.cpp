@@ -108,6 +108,10 @@ void EnterPage::draw_session(Interface& ui, Anteroom& room, const FoundSession& 
 
 void EnterPage::draw_scenes(Interface& ui, Anteroom& room) {
   title("Host a session");
+  if (room.scenes().scenes().empty())
+    quiet(
+        "No scenes are here: they come with the server (prosector-server). Name a file below, or a folder "
+        "with --scenes.");
   const std::vector<ListedScene>& scenes = room.scenes().scenes();
   if (!scene_chosen_) {
     scene_chosen_ = true;
