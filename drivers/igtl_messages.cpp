@@ -45,8 +45,9 @@ std::uint64_t sum_of(std::span<const std::uint8_t> body) {
 
 template <class Record>
 void append(Bytes& out, const Record& record) {
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(&record);
-  out.insert(out.end(), bytes, bytes + sizeof(Record));
+  const std::size_t before = out.size();
+  out.resize(before + sizeof(Record));
+  std::memcpy(out.data() + before, &record, sizeof(Record));
 }
 template <class Record>
 Record record_at(std::span<const std::uint8_t> bytes) {
