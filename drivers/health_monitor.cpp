@@ -53,4 +53,14 @@ DeviceHealth HealthMonitor::health(std::int64_t now_ns) const {
   return streamed_ ? DeviceHealth::streaming : DeviceHealth::connecting;
 }
 
+DeviceStatus HealthMonitor::status(std::int64_t now_ns) const {
+  DeviceStatus out;
+  out.health = health(now_ns);
+  out.records = records();
+  out.resyncs = resyncs();
+  out.skipped_bytes = skipped_bytes();
+  out.reopens = reopens();
+  return out;
+}
+
 }  // namespace prosector

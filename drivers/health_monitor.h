@@ -18,6 +18,8 @@ class HealthMonitor {
   void garbage(std::int64_t now_ns, std::size_t bytes);
 
   DeviceHealth health(std::int64_t now_ns) const;
+  /// Returns health and counts, without words.
+  DeviceStatus status(std::int64_t now_ns) const;
   /// Returns the time since the last valid record, or since the device was opened.
   std::int64_t quiet_ns(std::int64_t now_ns) const { return now_ns - last_ns_; }
   std::uint64_t records() const { return records_; }

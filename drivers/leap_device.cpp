@@ -19,7 +19,7 @@ GestureDetector detector(const DeviceConfig& config) {
 }  // namespace
 
 LeapDevice::LeapDevice(std::string where, const DeviceConfig& config)
-    : where_(std::move(where)), config_(config), gestures_{detector(config), detector(config)} {}
+    : where_(std::move(where)), chain_(config), gestures_{detector(config), detector(config)} {}
 
 void LeapDevice::talk_to(const std::string& host, const std::string& port) {
   socket_ = std::make_unique<WebSocket>(host, port, leap::target,
@@ -65,7 +65,7 @@ void LeapDevice::take(const Heard& heard, std::vector<DeviceSample>& out) {
     sample.record = records_[station]++;
     sample.time_ns = heard.time_ns;
     sample.has_pose = sample.has_flexion = true;
-    sample.pose = config_.room_device * wrist * config_.mount[station];
+    sample.pose = chain_.room(wrist, station);
     sample.raw_pose = {static_cast<float>(wrist.p.x()), static_cast<float>(wrist.p.y()),
                        static_cast<float>(wrist.p.z()), static_cast<float>(wrist.q.w()),
                        static_cast<float>(wrist.q.x()), static_cast<float>(wrist.q.y()),
@@ -76,12 +76,7 @@ void LeapDevice::take(const Heard& heard, std::vector<DeviceSample>& out) {
 }
 
 DeviceStatus LeapDevice::status() const {
-  DeviceStatus out;
-  out.health = health_.health(monotonic_ns());
-  out.records = health_.records();
-  out.resyncs = health_.resyncs();
-  out.skipped_bytes = health_.skipped_bytes();
-  out.reopens = health_.reopens();
+  DeviceStatus out = health_.status(monotonic_ns());
   if (version_ != leap::known_version && (!socket_ || line_.connected || line_.refused)) {
     out.health = DeviceHealth::babbling;
     out.message =

@@ -13,6 +13,7 @@
 #include "drivers/gesture.h"
 #include "drivers/health_monitor.h"
 #include "drivers/leap_messages.h"
+#include "drivers/pose_chain.h"
 #include "drivers/web_socket.h"
 
 namespace prosector {
@@ -41,7 +42,7 @@ class LeapDevice final : public Device {
   void take(const Heard& heard, std::vector<DeviceSample>& out);
 
   std::string where_;
-  DeviceConfig config_;
+  PoseChain chain_;
   std::mutex mutex_;
   std::deque<Heard> heard_;  // by the thread that talks
   HealthMonitor health_;

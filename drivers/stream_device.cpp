@@ -66,12 +66,7 @@ void StreamDevice::poll(std::vector<DeviceSample>& out) {
 }
 
 DeviceStatus StreamDevice::status() const {
-  DeviceStatus status;
-  status.health = health_.health(monotonic_ns());
-  status.records = health_.records();
-  status.resyncs = health_.resyncs();
-  status.skipped_bytes = health_.skipped_bytes();
-  status.reopens = health_.reopens();
+  DeviceStatus status = health_.status(monotonic_ns());
   const bool tried = !port_->error().empty() || status.reopens > 0 || status.records > 0;
   if (status.health == DeviceHealth::absent && !tried) status.health = DeviceHealth::connecting;
   if (!refused_.empty()) {

@@ -9,6 +9,11 @@
 namespace prosector {
 namespace {
 
+/// Returns what the file has; a missing one has nothing.
+std::string text_of(const std::filesystem::path& file) {
+  return std::filesystem::exists(file) ? read_config_text(file) : "";
+}
+
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> out;
   std::istringstream in(text);
@@ -19,9 +24,14 @@ std::vector<std::string> lines_of(const std::string& text) {
 }  // namespace
 
 ConfigDraft::ConfigDraft(std::filesystem::path file) : file_(std::move(file)) {
-  if (!std::filesystem::exists(file_)) return;
+  read();
+}
+
+void ConfigDraft::read() {
+  saved_ = draft_ = problem_ = "";
+  config_ = {};
   try {
-    saved_ = draft_ = read_config_text(file_);
+    saved_ = draft_ = text_of(file_);
     config_ = parse_client_config(draft_, file_.string());
   } catch (const InputError& error) {
     problem_ = error.what();
@@ -41,6 +51,9 @@ std::string ConfigDraft::change(const std::vector<ConfigChange>& changes) {
 }
 
 void ConfigDraft::save() {
+  if (text_of(file_) != saved_)
+    throw InputError(file_.string() +
+                     " was written by another program meanwhile: discard, and it is read anew");
   std::error_code error;
   std::filesystem::create_directories(file_.parent_path(), error);
   save_config_text(file_, draft_);
@@ -48,8 +61,7 @@ void ConfigDraft::save() {
 }
 
 void ConfigDraft::revert() {
-  draft_ = saved_;
-  config_ = parse_client_config(draft_, file_.string());
+  read();
 }
 
 /// Returns what differs, line by line: lines keep their order, so what both have in common is stepped over.

@@ -24,9 +24,10 @@ class ConfigDraft {
 
   /// Changes keys. Returns why that isn't allowed; empty: it is done.
   std::string change(const std::vector<ConfigChange>& changes);
-  /// Writes the draft, with its comments and order kept. Throws InputError where that can't be.
+  /// Writes the draft, with its comments and order kept. Throws InputError where that can't be, and where the
+  /// file was written by others since it was read: that isn't written over.
   void save();
-  /// Forgets what was not written.
+  /// Forgets what was not written, and reads the file anew.
   void revert();
 
   const ClientConfig& config() const { return config_; }
@@ -39,6 +40,8 @@ class ConfigDraft {
   std::filesystem::path file_;
   std::string saved_, draft_, problem_;
   ClientConfig config_;
+
+  void read();
 };
 
 }  // namespace prosector

@@ -80,6 +80,12 @@ void EnterPage::draw_sessions(Interface& ui, Anteroom& room) {
   }
   if (chosen == nullptr && !found.sessions.empty()) session_ = found.sessions.front().info.session;
   if (chosen != nullptr) draw_session(ui, room, *chosen);
+  std::string before;
+  for (const std::string& name : room.memory.entered)
+    if (std::none_of(found.sessions.begin(), found.sessions.end(),
+                     [&](const FoundSession& s) { return s.info.session == name; }))
+      before += (before.empty() ? "" : ", ") + name;
+  if (found.rounds > 0 && !before.empty()) quiet("You were in these, which aren't open here now: " + before);
 }
 
 void EnterPage::draw_session(Interface& ui, Anteroom& room, const FoundSession& session) {

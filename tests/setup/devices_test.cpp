@@ -62,6 +62,23 @@ TEST(ConfigDraft, OfAFileThatIsMissingOneIsMade) {
   EXPECT_EQ(ConfigDraft(file.path).config().gloves[right_hand].address, "5dt:/dev/ttyS1");
 }
 
+TEST(ConfigDraft, WhatOthersWroteMeanwhileIsNotWrittenOver) {
+  const TemporaryFile file("draft.toml");
+  write_file(file.path, own_config);
+  ConfigDraft draft(file.path);
+  EXPECT_EQ(draft.change({{"tracker.boresight", true}}), "");
+  const std::string theirs = std::string(own_config) + "[eyes]\ndistance = 0.06\n";
+  write_file(file.path, theirs);
+  EXPECT_THROW(draft.save(), InputError);
+  EXPECT_EQ(read_file(file.path), theirs);
+  draft.revert();
+  EXPECT_EQ(draft.config().eyes.distance, 0.06);
+  EXPECT_EQ(draft.change({{"tracker.boresight", true}}), "");
+  draft.save();
+  EXPECT_NE(read_file(file.path).find("distance = 0.06"), std::string::npos);
+  EXPECT_NE(read_file(file.path).find("boresight = true"), std::string::npos);
+}
+
 TEST(ConfigDraft, OfADamagedFileItSaysWhyAndTouchesNothing) {
   const TemporaryFile file("draft.toml");
   write_file(file.path, "[tracker]\nwings = 2\n");
