@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """check_comments.py [--root ROOT] [FOLDER]...: what a reader of our C++ comments would stumble over,
 in the folders held to it, or in FOLDERs (or files).
 

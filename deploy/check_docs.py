@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """check_docs.py [--sentences] [ROOT]: what a reader of README.md, CHANGELOG.md and docs/ would stumble over.
 
 Five rules: no sentence is longer than 30 words; each relative link leads to a file and an anchor that exist; each page of

@@ -99,5 +99,11 @@ forbid "text knows neither what is drawn nor how" 'client/(app|render|replica|vi
 forbid "toml++, assimp, OpenCV and SQLite only in .cpp files" '(toml|assimp/|opencv|sqlite3)' \
   $(sources '(common|idl|drivers|server|client)/' '\.cpp$')
 
+# Debian's packages of Python's modules are for its own interpreter, which need not be the first on PATH.
+if git ls-files --cached --others --exclude-standard '*.py' | xargs grep -nHE '^#!.*python' | grep -v ':1:#!/usr/bin/python3$'; then
+  echo "  ^ programs in Python begin with #!/usr/bin/python3"
+  bad=1
+fi
+
 [ $bad -eq 0 ] || { echo "includes: move the code or the seam, not the rule" >&2; exit 1; }
 echo "includes: good"

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """check_types.py [ROOT] [--list]: no type of server/physics is large, and no function long.
 
 A class or struct may have 30 member functions (constructors, private and static ones among them) and 20 data members (static

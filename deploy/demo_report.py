@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Joins what the processes of the demo measured into DIR/summary.json and prints it.
 
 Latency from device to observer: the simulated tracker logs when it sent the first byte of each record and the values in it;

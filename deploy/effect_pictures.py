@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws each effect on and off, side by side, for docs/understand/pictures.md.
 
 deploy/effect_pictures.py [--client PROGRAM] [--out FOLDER]

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """fill_tables.py FOLDER: puts what prosector-bench measured into docs/.
 
 FOLDER holds reports that `prosector-bench SUBJECT --json FILE` wrote, any number of each subject. Each table stands between

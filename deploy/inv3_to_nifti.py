@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """inv3_to_nifti.py PROJECT.inv3 OUT.nii: the grey volume of an InVesalius project as an uncompressed NIfTI-1 file.
 
 An .inv3 file is a gzipped tar of property lists and raw arrays. The matrix is stored slice by slice from the feet up, each slice

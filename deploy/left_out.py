@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """left_out.py list|stay|rest BUILD_DIR WHERE... [-- CTEST_FILTER...]: splits a build's tests by deploy/left_out.txt. WHERE: all, asan, package.
 left_out.py slow JUNIT SECONDS: prints what deploy/slow_sanitized.txt is to hold.
 

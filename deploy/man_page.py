@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """man_page.py PROGRAM FILE: writes its man page, made of what `PROGRAM --help` and the `--help` of each of its commands say."""
 import os
 import pathlib

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """nightly_figures.py OUT PART...: makes OUT/figures.json and OUT/table.md of OUT/runs.tsv and the JUnit files beside it.
 
 Exits 1 where a run failed, or a part did not run.

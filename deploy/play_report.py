@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """play_report.py DIR: sums what deploy/play.sh left in DIR into figures.json and table.md, and prints the table.
 
 Exits with 1 where a bout ended with an organ out of bounds, or a run ended by itself.

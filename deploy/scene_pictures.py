@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws the shipped scenes for docs/understand/pictures.md, and sets them beside what an older commit had drawn.
 
 deploy/scene_pictures.py [--client PROGRAM] [--out FOLDER] [--before COMMIT] [--only NAME...]

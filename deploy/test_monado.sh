@@ -32,7 +32,7 @@ sleep 3
 XR_RUNTIME_JSON=$manifest XRT_COMPOSITOR_NULL=1 SIMULATED_ENABLE=1 "$bin/prosector-client" join --name Wearer --display openxr \
   --session "$session" --seconds 8 --session-log "$out/log" --screenshot "$out/eyes.png" | tee "$out/said"
 grep -q '^headset: ' "$out/said"
-python3 - "$out" <<'END'
+/usr/bin/python3 - "$out" <<'END'
 import json, pathlib, sys
 from PIL import Image, ImageChops
 out = pathlib.Path(sys.argv[1])

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """test_report.py [--slowest N] NAME=JUNIT...: counts, skipped tests with reasons and the slowest of ctest's JUnit files."""
 import pathlib
 import sys

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """check_docs_test.py CHECKER WORK: what deploy/check_docs.py says of a small tree with one fault of each kind."""
 
 import pathlib

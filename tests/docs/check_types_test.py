@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """check_types_test.py CHECKER WORK: what deploy/check_types.py says of types and functions at its limits and above them."""
 
 import pathlib

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """commands_test.py BIN WORK: runs the commands of docs/do and docs/learn as a reader would.
 
 Each page gets a folder of its own that looks like a clone: `deploy` and `build/release/bin` lead to the real ones. Its blocks

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """arm_liver_test.py BIN OUT near|far: a simulated haptic arm presses the CT's liver in a real session. near: on loopback, while
 somebody cuts its right lobe; then the server is killed and comes back. far: from another network namespace, behind a bridge with
 25 ms each way, 5 ms jitter and 1 % loss; skipped (77) where namespaces can't be made."""

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """arm_post_test.py BIN OUT: a simulated haptic arm presses on a post of wood in a real session, held by a modelled hand. It is felt as the
 hard surface that docs/understand/haptics.md tells of, and the arm rests on it."""
 import os

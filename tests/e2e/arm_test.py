@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """arm_test.py BIN OUT [DRIVER]: a simulated haptic arm presses tissue in a real session, held by a modelled hand. What the arm pushes back
 with is what the server says of the contact; when the server is killed in mid-press the arm goes limp, and it comes back with it."""
 import os

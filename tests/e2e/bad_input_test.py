@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """bad_input_test.py BIN OUT: gives the real programs bad input of every kind and expects one clear line and exit code 2.
 What can be used all the same (a surface that intersects itself, as scanned ones do) is warned of instead.
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """calibrate_test.py BIN OUT: a person calibrates simulated devices in the terminal: an instrument's tip, the room, a glove, noise, latency and a
 bent field. What is written is compared with what the twins were told, which the client never sees."""
 import math

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Checks what cut_test.sh left in DIR: summaries of all clients, the server's summary and its journal."""
 
 import pathlib

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Checks what demo_cut.sh left in DIR: everyone's summary, the observer's log and the server's journal."""
 
 import json

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Checks what the demo left in DIR: every figure there, the liver pressed and back, pictures that differ, a video."""
 
 import json

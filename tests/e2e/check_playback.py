@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """check_playback.py DIR [--stops]: what playback_test.sh left in DIR. --stops prints the two times, s, at which the session stood."""
 
 import pathlib

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Checks what the observer of deploy/demo_touch.sh knew: DIR/log.jsonl, written from its replica, and DIR's pictures."""
 
 import json

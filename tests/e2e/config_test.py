@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """config_test.py BIN OUT: what is written into a client's configuration while it takes part holds at once: a tracker that comes, one that is
 named otherwise, and a mistake, which changes nothing."""
 

@@ -91,6 +91,7 @@ with Processes(OUT) as processes:
     assert revision() == 0, "cut before the button went down"
     act("mousedown", 1)
     view.draw(BEGIN, END, 20)
+    view.hand_settles()  # a person looks whether the blade is there, however slow the pictures are
     view.picture().save(OUT / "drawn.png")
     act("mouseup", 1)
     length, depth = wait_until("the figures of the cut", told)[0]

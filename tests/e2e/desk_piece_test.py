@@ -74,6 +74,7 @@ with Processes(OUT) as processes:
     assert topology() == whole, "cut before the button went down"
     act("mousedown", 1)
     view.draw(BEGIN, END, 60)
+    view.hand_settles()  # a person looks whether the blade is there, however slow the pictures are
     picture("drawn")
     act("mouseup", 1)
     wait_until("a half that came off", lambda: any(max(size) > 0.15 for size in pieces().values()), 60)

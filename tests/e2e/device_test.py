@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """device_test.py BIN OUT DRIVER: a simulated device that is reached by a network or a socket moves a hand, which presses tissue in a real
 session. Then it is unplugged, silent, spoils its bytes, floods and is of another version: each is told in words, and it comes back by itself."""
 import json

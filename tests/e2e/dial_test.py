@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """dial_test.py BIN OUT: a host has a body modelled anew while the session runs, at the price that the server found for it. Both
 people stay, and both journals replay."""
 import os

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """full_disk_test.py BIN OUT: a disk fills up while a client records a video on it and the server its journal. Each says so once,
 what it wrote so far is whole, and the session goes on. Needs root, to mount a small disk of memory; skipped (77) without.
 """

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """gate_tools_test.py DEPLOY WORK: what deploy/test_report.py and deploy/nightly_figures.py say of reports that stand here."""
 import json
 import pathlib

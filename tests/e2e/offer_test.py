@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """offer_test.py BIN OUT: a watcher offers the hands of a session by VRPN and OpenIGTLink. Two more users, whose trackers these offers are,
 follow the first one's hand."""
 import json

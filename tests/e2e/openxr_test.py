@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """openxr_test.py BIN OUT hands|controllers|faults: a client with a headset by OpenXR, whose runtime is our double: its wearer looks at a soft
 ball and presses it. `faults`: whatever a runtime may do to a program, which comes back by itself each time."""
 import json

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """setup_calibrate_test.py PROGRAMS OUT: a person calibrates a simulated tracker and glove in the set-up window, by guided steps, in less than
 three minutes, and saves. What is written is compared with what the twins were told, which the window never sees."""
 

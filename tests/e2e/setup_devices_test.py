@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """setup_devices_test.py PROGRAMS OUT: a person with a simulated tracker and glove names both in the set-up window, sees them live, finds the
 receiver of the right hand by moving it, and saves the configuration, whose comments stay."""
 

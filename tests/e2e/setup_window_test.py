@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """setup_window_test.py PROGRAMS SCENES OUT: a person with a mouse and a fresh home opens the set-up window, hosts a session in it in two
 clicks, takes part, comes back, and closes it. Another one sees the session and who is in, and watches it."""
 

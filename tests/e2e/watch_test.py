@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """watch_test.py BIN OUT: a scene that changes on disk while its server runs with --watch. Who watches stays and sees the new one;
 a file that doesn't load leaves the old one and is told of once."""
 import json

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """check_figures.py FILE: the example's figures are near what theory says, or within what the scene allows."""
 import re
 import sys

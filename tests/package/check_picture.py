@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """check_picture.py PICTURE FIGURES: an observer saw the red ball of minimal.toml, and missed nothing."""
 import json
 import sys

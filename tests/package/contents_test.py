@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """contents_test.py PACKAGES BUILD: what is in the packages, from which no file is in two, and what they say of themselves."""
 import gzip
 import pathlib
