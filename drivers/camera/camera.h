@@ -1,0 +1,30 @@
+#pragma once
+// A camera, real or synthetic: it gives pictures, each with the time of its exposure.
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "drivers/camera/frame.h"
+#include "drivers/camera/lens.h"
+
+namespace prosector {
+
+class Camera {
+ public:
+  virtual ~Camera() = default;
+  /// Waits for the next picture, at most that long; who comes late gets the newest. Returns nothing where
+  /// none came. Throws InputError when the camera is gone: it must be opened anew.
+  virtual std::optional<Frame> next(std::chrono::milliseconds patience) = 0;
+  /// Returns what is known of its lens: a synthetic camera's; nothing for a real one.
+  virtual std::optional<Lens> lens() const { return std::nullopt; }
+  /// Returns what tells it from other cameras, to find its calibration by: model, serial number.
+  virtual std::string identity() const = 0;
+};
+
+/// Opens a camera: "/dev/video0", a number, a video's file, a stream's URL, or "synthetic:SCENE.toml". Throws
+/// InputError where it can't be opened.
+std::unique_ptr<Camera> open_camera(const std::string& address);
+
+}  // namespace prosector
