@@ -96,8 +96,14 @@ forbid "the set-up window starts programs: it knows neither sessions from inside
 forbid "FreeType, HarfBuzz, FriBidi and fontconfig only in the .cpp files of client/text" '(ft2build|hb|fribidi|fontconfig/)' \
   $(sources '(common|idl|drivers|server|client)/' '^client/text/[a-z_]*\.cpp$')
 forbid "text knows neither what is drawn nor how" 'client/(app|render|replica|view)/' $(sources client/text/)
-forbid "toml++, assimp, OpenCV and SQLite only in .cpp files" '(toml|assimp/|opencv|sqlite3)' \
+forbid "toml++, assimp, OpenCV and SQLite only in .cpp files" '(toml\+\+|assimp/|opencv|sqlite3)' \
+  $(sources '(common|idl|drivers|server|client)/' '(\.cpp|^drivers/camera/pose_of_cv\.h)$')
+forbid "what turns OpenCV's poses into ours only in .cpp files" 'drivers/camera/pose_of_cv' \
   $(sources '(common|idl|drivers|server|client)/' '\.cpp$')
+forbid "libapriltag only in drivers/camera/tags/tag_finder.cpp" 'apriltag/' \
+  $(sources '(common|idl|drivers|server|client)/' '^drivers/camera/tags/tag_finder\.cpp$')
+forbid "what is seen in pictures knows no device" 'drivers/(device|fitting/|twins/)' \
+  $(sources drivers/camera/ '_device\.(h|cpp)$')
 
 # Debian's packages of Python's modules are for its own interpreter, which need not be the first on PATH.
 if git ls-files --cached --others --exclude-standard '*.py' | xargs grep -nHE '^#!.*python' | grep -v ':1:#!/usr/bin/python3$'; then

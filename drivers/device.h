@@ -26,6 +26,8 @@ inline const char* health_word(DeviceHealth health) {
   return words[static_cast<std::size_t>(health)];
 }
 
+inline constexpr std::int32_t buttons_told = 32;  // bits of a sample's buttons
+
 /// One reading of one station (a tracker's receiver, a glove). Flags say which fields hold something.
 struct DeviceSample {
   std::uint32_t station = 0;  // tracker: 0-based receiver; glove: 0

@@ -17,7 +17,6 @@ constexpr double reach = 0.8;                 // m, from where the hand began, e
 constexpr std::int64_t step_ns = 10'000'000;  // between two samples
 constexpr double longest_step = 0.1;          // s: a client that was stopped doesn't fling the hand
 constexpr std::int64_t push_lasts_ns = 500'000'000;  // spacenavd repeats what is held, several times in this
-constexpr std::int32_t buttons_told = 32;
 
 /// Returns how far an axis is pushed beyond its rest, −1 … 1.
 double beyond_rest(std::int32_t counts) {

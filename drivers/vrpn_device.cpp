@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::int64_t ping_ns = 1'000'000'000;
 constexpr std::int32_t own_sender = 0, own_ping = 0;  // as they are named to the server
-constexpr std::int32_t buttons_told = 32;
 constexpr double most_channel = 1e6;
 constexpr double no_least_span = 0;  // channels bend by configured values alone
 

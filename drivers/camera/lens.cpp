@@ -31,6 +31,10 @@ Vec2 Lens::bend(const Vec2& direction) const {
   return bent_with_slope(*this, direction).at;
 }
 
+Eigen::Matrix2d Lens::bend_slope(const Vec2& direction) const {
+  return bent_with_slope(*this, direction).slope;
+}
+
 Vec2 Lens::straighten(const Vec2& bent) const {
   Vec2 guess = bent;
   for (int step = 0; step < most_steps; ++step) {

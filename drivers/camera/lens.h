@@ -23,6 +23,8 @@ struct Lens {
 
   /// Maps a direction at distance 1 (a, b) to where the lens bends it.
   Vec2 bend(const Vec2& direction) const;
+  /// Returns how bend() moves by the direction.
+  Eigen::Matrix2d bend_slope(const Vec2& direction) const;
   /// Finds what bend() maps there, by Newton's method; exact to 1e-12 where the lens doesn't fold.
   Vec2 straighten(const Vec2& bent) const;
   /// Returns the pixel of a point in the camera's frame; it must lie ahead.

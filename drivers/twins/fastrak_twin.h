@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "drivers/fastrak_record.h"
+#include "drivers/motion_script.h"
 #include "drivers/twins/bent_field.h"
-#include "drivers/twins/motion_script.h"
 #include "drivers/twins/twin.h"
 
 namespace prosector {

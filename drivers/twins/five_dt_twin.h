@@ -4,7 +4,7 @@
 #include <random>
 
 #include "drivers/five_dt_record.h"
-#include "drivers/twins/motion_script.h"
+#include "drivers/motion_script.h"
 #include "drivers/twins/twin.h"
 
 namespace prosector {

@@ -2,7 +2,7 @@
 // Who wears a simulated headset: a script's stations 1, 2 and 3 are head, left and right hand.
 
 #include "common/hand.h"
-#include "drivers/twins/motion_script.h"
+#include "drivers/motion_script.h"
 
 namespace prosector {
 

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
+#include "drivers/motion_script.h"
 #include "drivers/twins/arm_model.h"
-#include "drivers/twins/motion_script.h"
 #include "drivers/twins/twin.h"
 #include "drivers/twins/wrist_model.h"
 

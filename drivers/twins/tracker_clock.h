@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "drivers/twins/motion_script.h"
+#include "drivers/motion_script.h"
 #include "drivers/twins/twin.h"
 
 namespace prosector {

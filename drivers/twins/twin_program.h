@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/twins/motion_script.h"
+#include "drivers/motion_script.h"
 #include "drivers/twins/twin_server.h"
 
 namespace prosector {

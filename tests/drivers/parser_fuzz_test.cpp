@@ -9,9 +9,9 @@
 #include "common/error.h"
 #include "drivers/fastrak_record.h"
 #include "drivers/five_dt_record.h"
+#include "drivers/motion_script.h"
 #include "drivers/recorded.h"
 #include "drivers/stamped_buffer.h"
-#include "drivers/twins/motion_script.h"
 
 namespace prosector {
 namespace {

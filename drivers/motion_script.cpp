@@ -1,4 +1,4 @@
-#include "drivers/twins/motion_script.h"
+#include "drivers/motion_script.h"
 
 #include <algorithm>
 #include <cmath>

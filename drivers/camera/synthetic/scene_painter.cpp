@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <limits>
+
+#include "drivers/camera/camera_frames.h"
+#include "drivers/camera/synthetic/synthetic_scene.h"
+
+namespace prosector {
+namespace {
+
+constexpr float backdrop_top = 0.20f, backdrop_bottom = 0.10f;  // light of what is behind everything
+
+std::vector<Pose> seen_from(const SyntheticScene& scene, double seconds) {
+  const SyntheticTruth truth = scene.truth(seconds);
+  const Pose camera_room = truth.room_camera.inverse();
+  std::vector<Pose> out;
+  for (const Pose& thing : truth.room_things) out.push_back(camera_room * thing);
+  return out;
+}
+
+void spoil(CameraFault fault, std::uint64_t number, Image& image) {
+  switch (fault) {
+    case CameraFault::torn: {  // the lower part is of nothing that can be read
+      const std::size_t from = image.rgb.size() / 3 * (1 + number % 2);
+      std::uint32_t noise = static_cast<std::uint32_t>(number) * 2654435761u + 1;
+      for (std::size_t i = from; i < image.rgb.size(); ++i) {
+        noise = noise * 1664525u + 1013904223u;
+        image.rgb[i] = static_cast<std::uint8_t>(noise >> 24);
+      }
+      return;
+    }
+    case CameraFault::black:
+      std::fill(image.rgb.begin(), image.rgb.end(), std::uint8_t{0});
+      return;
+    case CameraFault::upside_down: {
+      Image turned = image;
+      const std::size_t pixels = image.rgb.size() / 3;
+      for (std::size_t i = 0; i < pixels; ++i)
+        std::copy_n(image.rgb.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
+                    turned.rgb.begin() + static_cast<std::ptrdiff_t>(3 * (pixels - 1 - i)));
+      image = std::move(turned);
+      return;
+    }
+    case CameraFault::resized: {  // every other pixel
+      Image half{image.width / 2, image.height / 2, {}};
+      for (int y = 0; y < half.height; ++y)
+        for (int x = 0; x < half.width; ++x)
+          half.rgb.insert(half.rgb.end(), image.pixel(2 * x, 2 * y), image.pixel(2 * x, 2 * y) + 3);
+      image = std::move(half);
+      return;
+    }
+    case CameraFault::slow:
+    case CameraFault::unplugged:
+      return;  // the camera's own
+  }
+}
+
+}  // namespace
+
+ScenePainter::ScenePainter(SyntheticScene scene)
+    : scene_(std::move(scene)), grid_(scene_.lens, scene_.rays) {}
+
+Image ScenePainter::paint(std::uint64_t number) const {
+  return paint_at(scene_.seconds_of(number), number);
+}
+
+Image ScenePainter::paint_at(double seconds, std::uint64_t number) const {
+  const Exposure exposure{seconds, scene_.exposure, scene_.readout};
+  const SyntheticTruth truth = scene_.truth(seconds);
+  const Lamp lamp{truth.room_camera.q.conjugate() * scene_.to_lamp, scene_.ambient};
+  const FlatPainter painter(
+      grid_, scene_.things, [this](double at) { return seen_from(scene_, at); }, exposure, lamp);
+  const int width = scene_.lens.width, height = scene_.lens.height;
+  const std::size_t rays = grid_.rays(), in_row = rays * static_cast<std::size_t>(width);
+  RayRow row;
+  std::vector<Rgb> light;
+  light.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y) {
+    const float share = static_cast<float>(y) / static_cast<float>(height);
+    const float behind = backdrop_top + share * (backdrop_bottom - backdrop_top);
+    row.light.assign(in_row, {behind, behind, behind});
+    row.depth.assign(in_row, std::numeric_limits<float>::infinity());
+    painter.draw(y, row);
+    for (std::size_t pixel = 0; pixel < static_cast<std::size_t>(width); ++pixel) {
+      Rgb sum{};
+      for (std::size_t ray = 0; ray < rays; ++ray)
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += row.light[pixel * rays + ray][c];
+      for (float& c : sum) c /= static_cast<float>(rays);
+      light.push_back(sum);
+    }
+  }
+  Image image = expose(scene_.sensor, width, height, std::move(light), number);
+  for (const CameraFaultSpan& span : scene_.faults)
+    if (seconds >= span.from && seconds < span.to) spoil(span.fault, number, image);
+  return image;
+}
+
+}  // namespace prosector

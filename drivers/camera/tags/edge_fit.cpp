@@ -1,0 +1,218 @@
+#include "drivers/camera/tags/edge_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace prosector {
+namespace {
+
+constexpr int rounds = 4;
+constexpr double least_cell = 2.2;                 // pixels: edges of smaller tags blur into each other
+constexpr double half_of_cell = 0.5;               // how far across an edge is looked, in cells …
+constexpr double least_half = 1.0, most_half = 4;  // … and in pixels
+constexpr double most_spacing_across = 0.5, spacing_along = 1;  // pixels
+constexpr double end_share = 0.08;     // of an edge at its ends, where its neighbour is near
+constexpr int level_window = 6;        // places to each side that share levels of dark and bright
+constexpr double least_contrast = 20;  // of 255
+constexpr double most_off = 0.7;       // of the half width; what is farther is no edge
+constexpr double level_slack = 0.35;   // of the contrast that brightness may leave its levels by
+constexpr int least_samples = 12;
+constexpr double huber = 1.345;  // of the spread
+
+using Row6 = Eigen::Matrix<double, 1, 6>;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+
+/// An edge's place found across it.
+struct Sample {
+  double off;  // pixels along the normal
+  Row6 slope;  // of the predicted place by the pose
+};
+
+/// Light by brightness, of 255.
+using LightTable = std::array<float, 256>;
+
+LightTable light_table(double response) {
+  LightTable out{};
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = static_cast<float>(255 * std::pow(static_cast<double>(i) / 255, response));
+  return out;
+}
+
+double light_at(const GreyImage& image, const LightTable& light, const Vec2& at) {
+  const int x = static_cast<int>(at.x()), y = static_cast<int>(at.y());
+  const double a = at.x() - x, b = at.y() - y;
+  const auto pixel = [&](int i, int j) {
+    return static_cast<double>(
+        light[image.grey[static_cast<std::size_t>(j) * static_cast<std::size_t>(image.width) +
+                         static_cast<std::size_t>(i)]]);
+  };
+  return (1 - b) * ((1 - a) * pixel(x, y) + a * pixel(x + 1, y)) +
+         b * ((1 - a) * pixel(x, y + 1) + a * pixel(x + 1, y + 1));
+}
+
+bool lies_within(const GreyImage& image, const Vec2& at, double margin) {
+  return at.x() >= margin && at.y() >= margin && at.x() < image.width - 1 - margin &&
+         at.y() < image.height - 1 - margin;
+}
+
+/// Returns how a point's pixel moves by the point.
+Eigen::Matrix<double, 2, 3> pixel_slope(const Lens& lens, const Vec3& p) {
+  Eigen::Matrix<double, 2, 3> by_point;
+  by_point << 1 / p.z(), 0, -p.x() / (p.z() * p.z()), 0, 1 / p.z(), -p.y() / (p.z() * p.z());
+  const Eigen::Matrix2d bend = lens.bend_slope({p.x() / p.z(), p.y() / p.z()});
+  return Vec2(lens.fx, lens.fy).asDiagonal() * bend * by_point;
+}
+
+/// Returns how a point moves by the pose: by a turn about the camera's axes, then by a shift.
+Eigen::Matrix<double, 3, 6> point_slope(const Vec3& p) {
+  Eigen::Matrix<double, 3, 6> by_pose;
+  by_pose << 0, p.z(), -p.y(), 1, 0, 0, -p.z(), 0, p.x(), 0, 1, 0, p.y(), -p.x(), 0, 0, 0, 1;
+  return by_pose;
+}
+
+/// One place along an edge: brightness across it.
+struct Crossing {
+  Row6 slope;  // of its predicted place along the normal, by the pose
+  std::vector<double> bright;
+};
+
+class EdgeReader {
+ public:
+  EdgeReader(const GreyImage& image, const Lens& lens, double response)
+      : image_(image), lens_(lens), light_(light_table(response)) {}
+
+  /// Reads the edge from one corner to the next; the tag lies to its left. Corners are in the camera's frame.
+  void read(const Vec3& from, const Vec3& to, std::vector<Sample>& out) const {
+    if (from.z() <= 0 || to.z() <= 0) return;
+    const Vec2 a = lens_.project(from), b = lens_.project(to);
+    const double length = (b - a).norm(), cell = length / black_cells;
+    if (cell < least_cell) return;
+    const double half = std::clamp(half_of_cell * cell, least_half, most_half);
+    const std::vector<Crossing> crossings = crossings_of(from, to, length, half);
+    const auto count = static_cast<int>(crossings.size());
+    for (int k = 0; k < count; ++k) {
+      const Crossing& here = crossings[static_cast<std::size_t>(k)];
+      if (here.bright.empty()) continue;
+      if (const auto off = place(crossings, k, half)) out.push_back({*off, here.slope});
+    }
+  }
+
+ private:
+  std::vector<Crossing> crossings_of(const Vec3& from, const Vec3& to, double length, double half) const {
+    std::vector<Crossing> out;
+    const int count = std::max(3, static_cast<int>(length * (1 - 2 * end_share) / spacing_along));
+    const int steps = static_cast<int>(std::ceil(2 * half / most_spacing_across));  // the same to both sides
+    for (int k = 0; k < count; ++k) {
+      // Even steps on the edge aren't even in the picture; what counts is that the point lies on it.
+      const Vec3 point = from + (end_share + (1 - 2 * end_share) * (k + 0.5) / count) * (to - from);
+      const Eigen::Matrix<double, 2, 3> slope = pixel_slope(lens_, point);
+      const Vec2 along = (slope * (to - from)).normalized(), outward(-along.y(), along.x());
+      Crossing crossing{outward.transpose() * slope * point_slope(point), {}};
+      const Vec2 at = lens_.project(point);
+      if (lies_within(image_, at, half + 1))
+        for (int i = 0; i <= steps; ++i)
+          crossing.bright.push_back(light_at(image_, light_, at + half * (2.0 * i / steps - 1) * outward));
+      out.push_back(std::move(crossing));
+    }
+    return out;
+  }
+
+  /// Finds the edge's place at crossing k; nothing where there is none.
+  static std::optional<double> place(const std::vector<Crossing>& crossings, int k, double half) {
+    double dark = 0, bright = 0;
+    int levels = 0;
+    for (int j = std::max(0, k - level_window);
+         j <= std::min(static_cast<int>(crossings.size()) - 1, k + level_window); ++j) {
+      const std::vector<double>& values = crossings[static_cast<std::size_t>(j)].bright;
+      if (values.empty()) continue;
+      dark += values.front();
+      bright += values.back();
+      ++levels;
+    }
+    dark /= levels;
+    bright /= levels;
+    const double contrast = bright - dark;
+    if (contrast < least_contrast) return std::nullopt;
+    const std::vector<double>& values = crossings[static_cast<std::size_t>(k)].bright;
+    double sum = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double share = (values[i] - dark) / contrast;
+      if (share < -level_slack || share > 1 + level_slack) return std::nullopt;
+      sum += share * (i == 0 || i + 1 == values.size() ? 0.5 : 1);
+    }
+    const double spacing = 2 * half / static_cast<double>(values.size() - 1);
+    const double off = half - sum * spacing;
+    if (std::abs(off) > most_off * half) return std::nullopt;
+    return off;
+  }
+
+  const GreyImage& image_;
+  const Lens& lens_;
+  const LightTable light_;
+};
+
+std::vector<Sample> samples_at(const EdgeReader& reader, const Board& board, std::span<const int> codes,
+                               const Pose& camera_board) {
+  std::vector<Sample> out;
+  for (const int code : codes) {
+    const BoardTag* tag = board.find(code);
+    if (tag == nullptr) continue;
+    const Pose camera_tag = camera_board * tag->pose;
+    if ((camera_tag.q * Vec3::UnitZ()).dot(camera_tag.p) >= 0) continue;  // seen from behind
+    const auto corners = tag->corners();
+    // Clockwise as seen, so that the tag lies to the left in a picture whose y grows downwards.
+    for (std::size_t c = 0; c < corners.size(); ++c)
+      reader.read(camera_board * corners[c], camera_board * corners[(c + 1) % corners.size()], out);
+  }
+  return out;
+}
+
+double spread_of(const std::vector<Sample>& samples) {
+  std::vector<double> off;
+  for (const Sample& sample : samples) off.push_back(std::abs(sample.off));
+  std::nth_element(off.begin(), off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2), off.end());
+  return std::max(1e-3, 1.4826 * off[off.size() / 2]);
+}
+
+Pose moved(const Pose& pose, const Vec6& by) {
+  const Vec3 turn = by.head<3>();
+  const double angle = turn.norm();
+  const Quat q = angle > 0 ? Quat(Eigen::AngleAxisd(angle, turn / angle)) : Quat::Identity();
+  return {q * pose.p + by.tail<3>(), (q * pose.q).normalized()};
+}
+
+}  // namespace
+
+std::optional<EdgeFit> fit_edges(const GreyImage& image, const Lens& lens, const Board& board,
+                                 std::span<const int> codes, const Pose& camera_board, double response) {
+  const EdgeReader reader(image, lens, response);
+  EdgeFit fit{camera_board, 0, 0, Mat6::Zero()};
+  for (int round = 0; round < rounds; ++round) {
+    const std::vector<Sample> samples = samples_at(reader, board, codes, fit.camera_board);
+    if (static_cast<int>(samples.size()) < least_samples) return std::nullopt;
+    const double bound = huber * spread_of(samples);
+    Mat6 sum = Mat6::Zero();
+    Vec6 right = Vec6::Zero();
+    double squares = 0, weights = 0;
+    for (const Sample& sample : samples) {
+      const double weight = std::min(1.0, bound / std::max(bound, std::abs(sample.off)));
+      sum += weight * sample.slope.transpose() * sample.slope;
+      right += weight * sample.off * sample.slope.transpose();
+      squares += weight * sample.off * sample.off;
+      weights += weight;
+    }
+    const Eigen::LDLT<Mat6> solver(sum);
+    if (solver.info() != Eigen::Success || solver.vectorD().minCoeff() <= 0) return std::nullopt;
+    const Vec6 step = solver.solve(right);
+    if (!step.allFinite()) return std::nullopt;
+    fit.camera_board = moved(fit.camera_board, step);
+    fit.rms = std::sqrt(squares / weights);
+    fit.samples = static_cast<int>(samples.size());
+    fit.covariance = fit.rms * fit.rms * solver.solve(Mat6::Identity());
+  }
+  return fit;
+}
+
+}  // namespace prosector

@@ -1,0 +1,35 @@
+#pragma once
+// How far off boards are found, over many places before a synthetic camera.
+
+#include <vector>
+
+#include "drivers/camera/tags/edge_fit.h"
+#include "tests/camera/tag_cases.h"
+
+namespace prosector {
+
+struct TagCase {
+  Board board;
+  double distance = 0.6;   // m
+  double most_tilt = 0.9;  // rad
+  double covered = 0;      // share of the board's width that a hand-like plate hides
+  double response = 2.2;   // the camera's
+  double assumed = usual_response;
+  double exposure = 0, speed = 0;  // s; m/s across the picture
+  double noise = 3;                // of 255
+  TagFinderSettings finder = {};
+  int places = 12;
+};
+
+struct TagErrors {
+  std::vector<double> depth, lateral;  // mm
+  std::vector<double> turn;            // rad
+  std::vector<double> told;            // mm: the standard deviation of depth that the fit tells
+  int seen = 0;
+};
+
+TagErrors tag_errors(const TagCase& what);
+/// Returns the value that a share of them doesn't exceed; infinity of none.
+double quantile(std::vector<double> values, double share);
+
+}  // namespace prosector
