@@ -12,6 +12,8 @@
 #include "common/error.h"
 #include "common/regular_file.h"
 #include "common/toml_nesting.h"
+#include "drivers/camera/camera_calibration.h"
+#include "drivers/camera/tags/known_boards.h"
 #include "drivers/client_config_table.h"
 #include "drivers/client_config_write.h"
 #include "drivers/field_map.h"
@@ -138,9 +140,13 @@ ClientConfig parse_client_config(std::string_view toml, const std::string& file)
     const MigratedConfig migrated = migrate_client_config(std::string(toml));
     if (!migrated.notes.empty()) table = toml::parse(migrated.text, file);
     ClientConfig config = ConfigReader(table, file).read();
-    std::filesystem::path map = config.tracker_device.field_map;
-    if (!map.empty() && map.is_relative()) map = std::filesystem::path(file).parent_path() / map;
-    config.tracker_device.field_map = map.string();
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    DeviceConfig& tracker = config.tracker_device;
+    for (std::string* name : {&tracker.field_map, &tracker.lens})
+      if (!name->empty()) *name = (folder / *name).string();
+    for (std::string& board : tracker.boards)
+      if (board.ends_with(".toml")) board = (folder / board).string();
+    if (tracker.table.ends_with(".toml")) tracker.table = (folder / tracker.table).string();
     return config;
   } catch (const toml::parse_error& e) {
     throw InputError(fmt::format("{}:{}: {}", file, e.source().begin.line, e.description()));
@@ -150,6 +156,10 @@ ClientConfig parse_client_config(std::string_view toml, const std::string& file)
 ClientConfig load_client_config(const std::filesystem::path& file) {
   ClientConfig config = parse_client_config(read_config_text(file), file.string());
   if (const std::string& map = config.tracker_device.field_map; !map.empty()) (void)load_field_map(map);
+  if (const std::string& lens = config.tracker_device.lens; !lens.empty()) (void)load_calibration(lens);
+  for (const std::string& board : config.tracker_device.boards)
+    if (!board.empty()) (void)find_board(board);
+  if (const std::string& table = config.tracker_device.table; !table.empty()) (void)find_board(table);
   return config;
 }
 

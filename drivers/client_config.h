@@ -57,7 +57,10 @@ struct ClientConfig {
                                               {Gesture::index_little, GestureEvent::panel},
                                               {Gesture::three, GestureEvent::parts}};
 
-  ClientConfig() { gloves[left_hand].device.left = true; }
+  ClientConfig() {
+    gloves[left_hand].device.left = true;
+    tracker_device.boards[0] = "wrist-right";
+  }
 };
 
 /// Reads the client's configuration, and checks the files that it names. Throws InputError with file, line,

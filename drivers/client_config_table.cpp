@@ -25,13 +25,14 @@ using Numbers = std::vector<double>;
 struct RoleName {
   const char* name;
   StationRole role;
+  const char* board;  // that it wears before a camera, where none is named
   const char* help;
 };
 constexpr std::array<RoleName, 4> role_names = {
-    {{"head", StationRole::head, "the head; its pose is the point between the eyes"},
-     {"right", StationRole::right_hand, "the right hand; its pose is the wrist"},
-     {"left", StationRole::left_hand, "the left hand; its pose is the wrist"},
-     {"instrument", StationRole::instrument,
+    {{"head", StationRole::head, "head", "the head; its pose is the point between the eyes"},
+     {"right", StationRole::right_hand, "wrist-right", "the right hand; its pose is the wrist"},
+     {"left", StationRole::left_hand, "wrist-left", "the left hand; its pose is the wrist"},
+     {"instrument", StationRole::instrument, "instrument",
       "an instrument that touches points in calibration; its pose is the tip"}}};
 
 struct EventName {
@@ -179,6 +180,22 @@ void add_stations(Keys& keys) {
           return index ? &c.tracker_device.mount[*index] : nullptr;
         },
         "where what is tracked (wrist, eyes, tip) lies in the receiver's frame");
+    ConfigKey board;
+    board.name = table + ".board";
+    board.member = "tracker_device.boards";
+    board.help =
+        "before a camera: a known board (prosector-board --list), or a file beside this one; else the role's "
+        "own";
+    board.set = [role](ClientConfig& c, const ConfigValue& v) {
+      if (const auto index = station_of(c, role)) c.tracker_device.boards[*index] = std::get<std::string>(v);
+    };
+    board.get = [role, usual = std::string(row.board)](const ClientConfig& c) -> std::optional<ConfigValue> {
+      const auto index = station_of(c, role);
+      if (!index || c.tracker_device.boards[*index].empty() || c.tracker_device.boards[*index] == usual)
+        return std::nullopt;
+      return ConfigValue(c.tracker_device.boards[*index]);
+    };
+    keys.push_back(board);
   }
 }
 
@@ -237,7 +254,20 @@ void add_tracker(Keys& keys) {
   add_pose(
       keys, "tracker.room", "tracker_device.room_device",
       [](ClientConfig& c) { return &c.tracker_device.room_device; },
-      "where the transmitter stands: x right, y up, −z forward");
+      "where the transmitter, or the camera, stands: x right, y up, −z forward");
+  keys.push_back(plain<std::string>(
+      "tracker.lens", "tracker_device.lens",
+      [](ClientConfig& c) -> std::string& { return c.tracker_device.lens; }, "",
+      "before a camera: file that `camera calibrate` wrote, beside this one; empty: guessed"));
+  keys.push_back(plain<std::string>(
+      "tracker.table.board", "tracker_device.table",
+      [](ClientConfig& c) -> std::string& { return c.tracker_device.table; }, "",
+      "before a camera: the board that lies still and says where the room is; empty: the camera stands "
+      "still"));
+  add_pose(
+      keys, "tracker.table", "tracker_device.room_table",
+      [](ClientConfig& c) { return &c.tracker_device.room_table; },
+      "where that board lies; its z looks up where it lies flat");
   add_stations(keys);
 }
 
@@ -448,11 +478,16 @@ std::vector<ConfigTable> make_tables() {
   stations.begin = [](ClientConfig& c) {
     c.stations.fill(StationRole::none);
     c.tracker_device.stations = 0;
+    c.tracker_device.boards = {};
   };
   stations.finish = [](ClientConfig& c) -> std::optional<ConfigFault> {
+    for (const RoleName& row : role_names)
+      if (const auto index = station_of(c, row.role); index && c.tracker_device.boards[*index].empty())
+        c.tracker_device.boards[*index] = row.board;
     if (c.tracker_device.stations != 0) return std::nullopt;
     return ConfigFault{"right", "name at least one of head, right, left, instrument"};
   };
+  add("tracker.table", "The board that lies still before a camera.");
   for (const RoleName& row : role_names) {
     add(fmt::format("tracker.stations.{}", row.name), fmt::format("The receiver of {}.", row.help));
     add(fmt::format("tracker.stations.{}.mount", row.name), "");

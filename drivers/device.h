@@ -98,7 +98,12 @@ struct DeviceConfig {
   bool boresight = false;       // fastrak: boresight every station when it starts
   std::optional<std::array<double, 9>> alignment;  // fastrak: O, X, Y points of the alignment frame, cm
   std::string field_map;  // fastrak: file that puts poses right where metal bends the field; empty: none
-  bool left = false;      // glove: left hand
+  std::string lens;       // camera: file of its calibration; empty: guessed
+  std::array<std::string, max_stations>
+      boards{};       // camera: each station's, a known board's name or a file; empty: none
+  std::string table;  // camera: the board that lies still and says where the room is; empty: none
+  Pose room_table;    // its pose in the room
+  bool left = false;  // glove: left hand
   double closed_above = 0.65, open_below = 0.35;  // glove: gesture thresholds, flexion
   double hysteresis = 0.05;                     // glove: how far past its threshold a finger keeps its state
   bool pinch = false;                           // glove: thumb and index closed, the others open, is a pinch

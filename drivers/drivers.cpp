@@ -9,6 +9,7 @@
 #include "drivers/leap_device.h"
 #include "drivers/recorded.h"
 #include "drivers/space_mouse.h"
+#include "drivers/tags_device.h"
 #include "drivers/vrpn_device.h"
 
 namespace prosector {
@@ -22,6 +23,9 @@ const std::vector<DriverRow>& drivers() {
       {"igtl", "a tracker of an OpenIGTLink server, igtl:HOST[:PORT][/TOOL,TOOL,...]", open_igtl},
       {"leap", "both hands by Ultraleap's WebSocket, leap:localhost:6437", open_leap, true},
       {"spacemouse", "a SpaceMouse by spacenavd's socket, spacemouse:/run/spnav.sock", open_space_mouse},
+      {"tags",
+       "printed boards before a camera, tags:0, tags:/dev/video0, tags:clip.mkv, tags:synthetic:SCENE.toml",
+       open_tags},
       {"recorded", "samples from a CSV file, played once, recorded:hand.csv", open_recorded},
       {"recorded-loop", "the same, again and again, recorded-loop:hand.csv", open_recorded_loop},
   };

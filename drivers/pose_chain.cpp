@@ -6,8 +6,8 @@ PoseChain::PoseChain(const DeviceConfig& config) : room_device_(config.room_devi
   if (!config.field_map.empty()) field_ = load_field_map(config.field_map);
 }
 
-Pose PoseChain::room(const Pose& device, std::size_t station) const {
-  return room_device_ * (field_ ? field_->apply(device) : device) * mount_.at(station);
+Pose PoseChain::from(const Pose& room_device, const Pose& device, std::size_t station) const {
+  return room_device * (field_ ? field_->apply(device) : device) * mount_.at(station);
 }
 
 }  // namespace prosector

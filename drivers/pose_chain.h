@@ -14,7 +14,9 @@ class PoseChain {
   /// Loads the field map that the configuration names. Throws InputError where it can't be read.
   explicit PoseChain(const DeviceConfig& config);
   /// Maps a receiver's pose in the device's frame (x right, y up, −z forward; m) into the room.
-  Pose room(const Pose& device, std::size_t station) const;
+  Pose room(const Pose& device, std::size_t station) const { return from(room_device_, device, station); }
+  /// Maps it where the device stands elsewhere than is configured.
+  Pose from(const Pose& room_device, const Pose& device, std::size_t station) const;
 
  private:
   Pose room_device_;

@@ -11,6 +11,8 @@
 
 namespace prosector {
 
+inline constexpr double usual_response = 2.2;  // exponent from light to brightness: about as sRGB has it
+
 class Camera {
  public:
   virtual ~Camera() = default;
@@ -19,6 +21,8 @@ class Camera {
   virtual std::optional<Frame> next(std::chrono::milliseconds patience) = 0;
   /// Returns what is known of its lens: a synthetic camera's; nothing for a real one.
   virtual std::optional<Lens> lens() const { return std::nullopt; }
+  /// Returns the exponent from light to brightness, as far as it is known.
+  virtual double response() const { return usual_response; }
   /// Returns what tells it from other cameras, to find its calibration by: model, serial number.
   virtual std::string identity() const = 0;
 };

@@ -7,6 +7,7 @@
 
 #include "common/messages.h"
 #include "drivers/camera/camera_frames.h"
+#include "drivers/camera/tags/known_boards.h"
 #include "drivers/toml_fields.h"
 
 namespace prosector {
@@ -29,7 +30,7 @@ constexpr std::array<FaultName, 6> fault_names = {{{"torn", CameraFault::torn},
                                                    {"unplugged", CameraFault::unplugged}}};
 
 Carrier read_carrier(const TomlFields& fields, const std::string& name) {
-  Carrier carrier{fields.text("name", name), fields.pose(), {}, 0, fields.flag("loop", false)};
+  Carrier carrier{fields.text("name", name), fields.pose(), {}, 0, fields.flag("loop", false), {}};
   if (fields.has("motion")) carrier.motion = MotionScript::load(fields.file("motion"));
   carrier.station = static_cast<std::size_t>(fields.whole("station", 1, max_stations, 1) - 1);
   return carrier;
@@ -161,8 +162,11 @@ SyntheticScene SyntheticScene::load(const std::filesystem::path& file) {
     plate.refuse_others();
   }
   for (const TomlFields& one : fields.tables("board")) {
-    const Board board = load_board(one.file("file"));
-    scene.add_board(board, read_carrier(one, board.name));
+    const std::string known = one.text("known", "");
+    const Board board = known.empty() ? load_board(one.file("file")) : find_board(known);
+    Carrier carrier = read_carrier(one, board.name);
+    if (one.flag("worn", false)) carrier.offset = worn_on(known).inverse();
+    scene.add_board(board, std::move(carrier));
     one.refuse_others();
   }
   for (const TomlFields& fault : fields.tables("fault")) scene.faults.push_back(read_fault(fault));

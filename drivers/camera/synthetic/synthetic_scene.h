@@ -25,8 +25,9 @@ struct Carrier {
   std::optional<MotionScript> motion;
   std::size_t station = 0;
   bool loop = false;
+  Pose offset;  // in the frame of what moves, where it isn't that itself
 
-  Pose at(double seconds) const { return motion ? motion->pose(station, seconds, loop) : pose; }
+  Pose at(double seconds) const { return motion ? motion->pose(station, seconds, loop) * offset : pose; }
 };
 
 /// What goes wrong with a camera, for a span of time.

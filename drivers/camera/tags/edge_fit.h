@@ -10,13 +10,12 @@
 
 #include <optional>
 
+#include "drivers/camera/camera.h"
 #include "drivers/camera/grey_image.h"
 #include "drivers/camera/tags/board.h"
 #include "drivers/camera/tags/board_pose.h"
 
 namespace prosector {
-
-inline constexpr double usual_response = 2.2;  // of cameras' pictures, about as sRGB has it
 
 struct EdgeFit {
   Pose camera_board;

@@ -1,0 +1,16 @@
+#include <string_view>
+
+#include "drivers/camera/camera.h"
+#include "drivers/camera/synthetic/synthetic_camera.h"
+#include "drivers/camera/video_camera.h"
+
+namespace prosector {
+
+std::unique_ptr<Camera> open_camera(const std::string& address) {
+  constexpr std::string_view synthetic = "synthetic:";
+  if (address.starts_with(synthetic))
+    return std::make_unique<SyntheticCamera>(SyntheticScene::load(address.substr(synthetic.size())));
+  return open_video(address);
+}
+
+}  // namespace prosector

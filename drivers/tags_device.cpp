@@ -1,0 +1,170 @@
+#include "drivers/tags_device.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/clock.h"
+#include "common/error.h"
+#include "drivers/camera/camera_frames.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t most_found = 256;  // samples that wait: the oldest goes first
+constexpr std::size_t most_frames = 64;
+constexpr std::int64_t unseen_ns = 1'000'000'000;  // after which it says that it sees no board
+constexpr double shape_tolerance = 0.01;  // by which a picture's shape may differ from the calibrated one's
+
+}  // namespace
+
+CameraPlace::CameraPlace(const std::string& board, const Pose& room_board)
+    : room_board_(room_board), tracker_(find_board(board)) {}
+
+void CameraPlace::update(const TagPicture& picture, const TagOptics& optics) {
+  const auto seen = tracker_.update(picture, optics);
+  if (!seen || seen->followed) return;
+  room_camera_ = filter_.update(room_board_ * seen->camera_board.inverse(), picture.time_ns);
+}
+
+TagsDevice::TagsDevice(const std::string& camera, const DeviceConfig& config)
+    : is_calibrated_by_file_(!config.lens.empty()), finder_(TagFinderSettings{}), chain_(config) {
+  if (is_calibrated_by_file_) calibration_ = load_calibration(config.lens);
+  for (std::size_t i = 0; i < max_stations; ++i) {
+    if (config.boards[i].empty()) continue;
+    stations_.push_back(
+        {i, BoardTracker(find_board(config.boards[i])), worn_on(config.boards[i]), PoseFilter{}});
+  }
+  if (!config.table.empty()) place_.emplace(config.table, config.room_table);
+  thread_ = std::make_unique<CameraThread>(
+      camera, [this](const Camera& opened) { begin(opened); }, [this](const Frame& frame) { see(frame); });
+}
+
+void TagsDevice::begin(const Camera& camera) {
+  {
+    const std::lock_guard lock(mutex_);
+    seen_ns_ = monotonic_ns();
+  }
+  if (is_calibrated_by_file_) return;
+  const auto lens = camera.lens();
+  calibration_.reset();
+  if (lens) calibration_ = CameraCalibration{camera.identity(), *lens, camera.response(), 0};
+  reading_ = {};
+}
+
+void TagsDevice::make_ready(int width, int height) {
+  if (reading_.width == width && reading_.height == height) return;
+  const CameraCalibration known = calibration_.value_or(guessed_calibration(width, height));
+  const double stretch =
+      static_cast<double>(width) * known.lens.height / (static_cast<double>(height) * known.lens.width);
+  if (std::abs(stretch - 1) > shape_tolerance)
+    throw InputError(
+        fmt::format("pictures are {} × {}, but the camera was calibrated with {} × {}: calibrate it anew, or "
+                    "set it to that size",
+                    width, height, known.lens.width, known.lens.height));
+  Reading next;
+  next.optics.bent = known.lens.scaled(width, height);
+  next.optics.response = known.response;
+  next.straightener = std::make_unique<Straightener>(next.optics.bent);
+  next.optics.straight = next.straightener->lens();
+  next.width = width;
+  next.height = height;
+  reading_ = std::move(next);
+  for (Station& station : stations_) station.tracker.forget();
+}
+
+void TagsDevice::see(const Frame& frame) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (frames_ns_.size() < most_frames) frames_ns_.push_back(frame.time_ns);
+    is_guessed_ = !calibration_;
+  }
+  make_ready(frame.image.width, frame.image.height);
+  TagPicture picture;
+  picture.bent = grey_of(frame.image);
+  picture.straight = reading_.straightener->straight(picture.bent);
+  picture.tags = finder_.find(picture.straight);
+  picture.time_ns = frame.time_ns;
+  if (place_) place_->update(picture, reading_.optics);
+  std::vector<DeviceSample> found;
+  std::string trouble;
+  for (Station& station : stations_) {
+    const auto seen = station.tracker.update(picture, reading_.optics);
+    if (seen) found.push_back(sample_of(station, *seen, frame.time_ns));
+    int twice = 0;
+    (void)corners_seen(station.tracker.board(), picture.tags, &twice);
+    if (twice > 0)
+      trouble = fmt::format("board {} is seen twice: put the other copy away", station.tracker.board().name);
+  }
+  if (place_ && !place_->room_camera()) {
+    found.clear();
+    trouble = "the table's board hasn't been seen yet, so nobody knows where the camera is";
+  }
+  const std::lock_guard lock(mutex_);
+  for (const DeviceSample& sample : found) {
+    if (found_.size() == most_found) found_.pop_front();
+    found_.push_back(sample);
+  }
+  if (!found.empty()) seen_ns_ = frame.time_ns;
+  trouble_ = std::move(trouble);
+}
+
+DeviceSample TagsDevice::sample_of(Station& station, const TrackedBoard& seen, std::int64_t time_ns) const {
+  const Pose device = device_camera * seen.camera_board;
+  DeviceSample out;
+  out.station = static_cast<std::uint32_t>(station.index);
+  out.record = station.records++;
+  out.time_ns = time_ns;
+  out.has_pose = true;
+  for (std::size_t i = 0; i < 3; ++i) out.raw_pose[i] = static_cast<float>(device.p[static_cast<int>(i)]);
+  const std::array<double, 4> q = {device.q.w(), device.q.x(), device.q.y(), device.q.z()};
+  for (std::size_t i = 0; i < 4; ++i) out.raw_pose[3 + i] = static_cast<float>(q[i]);
+  const Pose worn = device * station.worn;
+  const bool by_table = place_ && place_->room_camera();
+  out.pose = station.filter.update(
+      by_table ? chain_.from(*place_->room_camera() * device_camera, worn, station.index)
+               : chain_.room(worn, station.index),
+      time_ns);
+  return out;
+}
+
+void TagsDevice::poll(std::vector<DeviceSample>& out) {
+  const CameraState camera = thread_->state();
+  const std::int64_t now_ns = monotonic_ns();
+  if (camera.opened > opened_) health_.opened(now_ns);
+  opened_ = camera.opened;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto bytes = static_cast<std::size_t>(3 * camera.width * camera.height);
+    for (const std::int64_t time_ns : frames_ns_) health_.record(std::max(time_ns, now_ns - 1), bytes);
+    frames_ns_.clear();
+    out.insert(out.end(), found_.begin(), found_.end());
+    found_.clear();
+  }
+  if (opened_ > 0 && !camera.is_open) health_.lost();
+}
+
+DeviceStatus TagsDevice::status() const {
+  const CameraState camera = thread_->state();
+  DeviceStatus out = health_.status(monotonic_ns());
+  const std::lock_guard lock(mutex_);
+  if (!camera.problem.empty())
+    out.message = camera.problem;
+  else if (out.health == DeviceHealth::silent)
+    out.message = "the camera is open and gives no pictures: unplug it and plug it in again";
+  else if (!trouble_.empty())
+    out.message = trouble_;
+  else if (out.health == DeviceHealth::streaming && monotonic_ns() - seen_ns_ > unseen_ns)
+    out.message = "no board is seen: is there light, and is it in the picture, whole and flat?";
+  else if (is_guessed_)
+    out.message =
+        "the camera isn't calibrated: places are right to a tenth or so (prosector-client camera calibrate)";
+  return out;
+}
+
+std::unique_ptr<Device> open_tags(const std::string& path, const DeviceConfig& config) {
+  return std::make_unique<TagsDevice>(path, config);
+}
+
+}  // namespace prosector
