@@ -203,8 +203,8 @@ Network::~Network() = default;
 Network::Network(Network&&) noexcept = default;
 Network& Network::operator=(Network&&) noexcept = default;
 
-const std::vector<std::size_t>& Network::input_shape() const {
-  return runtime_->plan.tensors[runtime_->plan.input].shape;
+std::size_t Network::outputs() const {
+  return runtime_->plan.outputs.size();
 }
 
 std::span<float> Network::input() {

@@ -16,12 +16,12 @@ class Network {
   Network(Network&&) noexcept;
   Network& operator=(Network&&) noexcept;
 
-  const std::vector<std::size_t>& input_shape() const;
   /// Returns what to fill before run().
   std::span<float> input();
   void run();
   /// Returns what run() made of an output of the plan, in the plan's order.
   std::span<const float> output(std::size_t number) const;
+  std::size_t outputs() const;
 
  private:
   struct Runtime;
