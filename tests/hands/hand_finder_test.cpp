@@ -51,7 +51,7 @@ TEST_F(HandsInPictures, AreTwoOfTwoSides) {
   scene.light.ambient = 0.5;
   scene.light.towards = Vec3(0.2, -0.5, -0.8).normalized();
   scene.wall = {0.1F, 0.15F, 0.2F};
-  ShownHand left{left_hand, {}, {0.1, 0.1, 0.1, 0.1, 0.1}}, right = left;
+  BentHand left{left_hand, {}, {0.1, 0.1, 0.1, 0.1, 0.1}}, right = left;
   right.hand = right_hand;
   Mat3 upright;  // backs to the camera, fingers up
   upright << 1, 0, 0, 0, 0, 1, 0, -1, 0;

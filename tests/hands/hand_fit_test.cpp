@@ -8,7 +8,7 @@
 namespace prosector {
 namespace {
 
-HandView view_of(const HandScene& scene, const ShownHand& hand) {
+HandView view_of(const HandScene& scene, const BentHand& hand) {
   return {true_points(scene, hand), scene.lens, scene.camera_rig};
 }
 
@@ -16,7 +16,7 @@ HandView view_of(const HandScene& scene, const ShownHand& hand) {
 HandScene shown(Random& random) {
   HandScene scene;
   scene.lens = webcam();
-  ShownHand hand = random_hand(random, 0.3, 0.8);
+  BentHand hand = random_hand(random, 0.3, 0.8);
   hand.size = random.uniform(0.8, 1.15);
   scene.hands = {hand};
   return scene;
@@ -28,7 +28,7 @@ TEST(HandFit, FindsTheHandThatMadeThePoints) {
   constexpr int tries = 200;
   for (int k = 0; k < tries; ++k) {
     const HandScene scene = shown(random);
-    const ShownHand& hand = scene.hands[0];
+    const BentHand& hand = scene.hands[0];
     const HandView view = view_of(scene, hand);
     const auto fit = fit_hand({&view, 1}, {hand.hand, hand.size}, std::nullopt);
     ASSERT_TRUE(fit);
@@ -47,7 +47,7 @@ TEST(HandFit, GoesOnFromWhereTheHandWas) {
   Random random(2);
   for (int k = 0; k < 100; ++k) {
     const HandScene scene = shown(random);
-    const ShownHand& hand = scene.hands[0];
+    const BentHand& hand = scene.hands[0];
     HandFit before{hand.camera_wrist, hand.flexion, 0, true};
     before.wrist.p += random.point(0.01);
     before.wrist.q =
@@ -67,7 +67,7 @@ TEST(HandFit, MeasuresDepthByASecondCamera) {
   double one = 0, two = 0;
   for (int k = 0; k < 60; ++k) {
     HandScene scene = shown(random);
-    const ShownHand hand = scene.hands[0];
+    const BentHand hand = scene.hands[0];
     std::vector<HandView> views;
     for (const double x : {0.0, -0.12}) {
       scene.camera_rig = {Vec3(x, 0, 0), Quat::Identity()};

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "common/error.h"
-#include "common/smooth_normals.h"
 #include "drivers/camera/hands/hand_fit.h"
 
 namespace prosector {
@@ -22,40 +21,6 @@ double normal_number(Random& random) {
   double sum = 0;
   for (int k = 0; k < 6; ++k) sum += random.uniform(-1, 1);
   return sum / std::sqrt(2.0);
-}
-
-/// Paints skin: palms are lighter than backs, joints are redder there and have folds inside, nails are light.
-std::vector<Rgb> painted(const HandSkin& skin, std::size_t hand, const Rgb& tone) {
-  std::vector<Eigen::Vector3f> normals;
-  smooth_normals(skin.rest(), skin.triangles(), normals);
-  const auto joints = hand_pose(hand, {});
-  const auto& segments = hand_segments(hand);
-  std::vector<Rgb> out;
-  for (std::size_t v = 0; v < normals.size(); ++v) {
-    std::size_t nearest = 0;  // segment, by the distance to its middle
-    float best = 1;
-    for (std::size_t j = 0; j < hand_joints; ++j)
-      if (const float far =
-              (skin.rest()[v] - (joints[j] * Vec3(0, 0, -segments[j].length / 2)).cast<float>()).norm();
-          far < best) {
-        best = far;
-        nearest = j;
-      }
-    const Vec3 at = joints[nearest].inverse() * skin.rest()[v].cast<double>();
-    const double back = (joints[nearest].q.conjugate() * normals[v].cast<double>()).y();
-    const bool is_tip = nearest == 1 || (nearest >= 2 && nearest % 3 == 1);
-    const double along = -at.z() / segments[nearest].length;
-    const auto fold = static_cast<float>(std::exp(-std::pow(at.z() / 0.003, 2)));  // at the joint
-    Rgb paint = tone;
-    const float inside = back < -0.2 ? 1 : 0, outside = back > 0.4 ? 1 : 0;
-    const float light = 1 + 0.18F * inside - 0.25F * fold * inside - 0.1F * fold * outside;
-    for (float& c : paint) c *= light;
-    paint[0] *= 1 + 0.12F * fold * outside;
-    if (is_tip && back > 0.6 && along > 0.45 && along < 0.95 && best < 0.02F)
-      paint = {1.15F * tone[0], 1.25F * tone[1], 1.3F * tone[2]};
-    out.push_back(paint);
-  }
-  return out;
 }
 
 /// Draws the mean of all rays of each pixel, as light.
@@ -96,8 +61,8 @@ Lens webcam() {
   return out;
 }
 
-ShownHand random_hand(Random& random, double nearest, double farthest) {
-  ShownHand out;
+BentHand random_hand(Random& random, double nearest, double farthest) {
+  BentHand out;
   out.hand = random.below(2);
   // Fingers up (the camera's −y), the palm or the back to the camera.
   Mat3 upright;
@@ -116,7 +81,7 @@ ShownHand random_hand(Random& random, double nearest, double farthest) {
   return out;
 }
 
-HandScene random_scene(Random& random, const ShownHand& hand) {
+HandScene random_scene(Random& random, const BentHand& hand) {
   HandScene out;
   out.lens = webcam();
   out.hands = {hand};
@@ -125,25 +90,18 @@ HandScene random_scene(Random& random, const ShownHand& hand) {
   out.light.ambient = random.uniform(0.3, 0.7);
   const auto tone = static_cast<float>(random.uniform(0.5, 1.2)),
              wall = static_cast<float>(random.uniform(0.05, 0.7));
-  out.hands[0].skin = {tone * 0.55F, tone * 0.32F, tone * 0.22F};
+  out.hands[0].tone = {tone * 0.55F, tone * 0.32F, tone * 0.22F};
   for (float& c : out.wall) c = wall * static_cast<float>(random.uniform(0.7, 1));
   return out;
 }
 
-HandPainter::HandPainter(const Lens& lens) : lens_(lens), rays_(rays_of(lens)), skins_(make_hand_skins()) {}
+HandPainter::HandPainter(const Lens& lens) : lens_(lens), rays_(rays_of(lens)), layer_(lens) {}
 
 Image HandPainter::paint(const HandScene& scene, Random& random) const {
   if (scene.lens != lens_) throw InternalError("a hand painter draws for one lens");
-  const Vec2 low = scene.lens.ray({-1, -1}).head<2>(),
-             high = scene.lens.ray({scene.lens.width * 1.0, scene.lens.height * 1.0}).head<2>();
-  MeshLayer layer(3 * scene.lens.width, 3 * scene.lens.height, low, high);
-  for (const ShownHand& hand : scene.hands) {
-    SkinnedHand bent = skin_hand(skins_.at(hand.hand), hand.flexion);
-    for (auto& x : bent.positions) x *= static_cast<float>(hand.size);
-    const std::vector<Rgb> paint = painted(skins_.at(hand.hand), hand.hand, hand.skin);
-    layer.draw({bent.positions, bent.normals, skins_.at(hand.hand).triangles(), paint},
-               scene.camera_rig * hand.camera_wrist, scene.light);
-  }
+  std::vector<BentHand> hands = scene.hands;
+  for (BentHand& hand : hands) hand.camera_wrist = scene.camera_rig * hand.camera_wrist;
+  const MeshLayer layer = layer_.draw(hands, scene.light);
   Image out{scene.lens.width, scene.lens.height, {}};
   for (const Rgb& light : light_of(scene, layer, rays_))
     for (const float c : light) {
@@ -153,7 +111,7 @@ Image HandPainter::paint(const HandScene& scene, Random& random) const {
   return out;
 }
 
-std::array<Vec2, 21> true_points(const HandScene& scene, const ShownHand& hand) {
+std::array<Vec2, 21> true_points(const HandScene& scene, const BentHand& hand) {
   std::array<Vec2, 21> out;
   const auto points = points_of_hand(hand.hand, hand.flexion);
   for (std::size_t k = 0; k < out.size(); ++k)
@@ -161,7 +119,7 @@ std::array<Vec2, 21> true_points(const HandScene& scene, const ShownHand& hand) 
   return out;
 }
 
-double length_in_picture(const HandScene& scene, const ShownHand& hand) {
+double length_in_picture(const HandScene& scene, const BentHand& hand) {
   const Vec3 middle = scene.camera_rig * hand.camera_wrist * Vec3(0, 0, -0.09);
   return scene.lens.fx * hand_length * hand.size / middle.z();
 }

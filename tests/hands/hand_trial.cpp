@@ -20,7 +20,7 @@ double thread_ms() {
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-Vec3 palm_middle(const ShownHand& hand) {
+Vec3 palm_middle(const BentHand& hand) {
   return hand.camera_wrist * Vec3(hand.size * hand_palm(hand.hand).center);
 }
 
@@ -50,7 +50,7 @@ class TrialRun {
 
   /// Shows a picture. Returns how the hand is taken to be, where it is.
   std::optional<HandFit> show(HandScene scene) {
-    const ShownHand& hand = scene.hands[0];
+    const BentHand& hand = scene.hands[0];
     ++trial.pictures;
     std::vector<HandView> views;
     bool right_side = true;
@@ -82,7 +82,7 @@ class TrialRun {
   HandTrial trial;
 
  private:
-  void judge_points(const HandScene& scene, const ShownHand& hand, const HandPoints& points) {
+  void judge_points(const HandScene& scene, const BentHand& hand, const HandPoints& points) {
     const auto truth = true_points(scene, hand);
     const double length = length_in_picture(scene, hand);
     double sum = 0;
@@ -92,7 +92,7 @@ class TrialRun {
     for (std::size_t k = 0; k < hand_points; ++k) trial.points.add((points[k] - truth[k]).norm() / length);
   }
 
-  void judge_fit(const ShownHand& hand, const HandFit& fit) {
+  void judge_fit(const BentHand& hand, const HandFit& fit) {
     ++trial.sure;
     const Vec3 off = fit.wrist * Vec3(hand.size * hand_palm(hand.hand).center) - palm_middle(hand);
     trial.lateral.add(off.head<2>().norm());
@@ -148,7 +148,7 @@ HandTrial first_sight(const std::filesystem::path& nets, HandNets size, const Ha
 HandTrial followed_hand(const std::filesystem::path& nets, HandNets size, const HandPainter& painter,
                         std::size_t pictures, std::size_t cameras, unsigned seed) {
   TrialRun run(nets, size, painter, cameras, seed);
-  ShownHand hand = random_hand(run.random(), 0.35, 0.7);
+  BentHand hand = random_hand(run.random(), 0.35, 0.7);
   HandScene scene = random_scene(run.random(), hand);
   std::array<Swing, 6> ways;
   for (std::size_t k = 0; k < 3; ++k) ways[k] = random_swing(run.random(), -0.04, 0.04);
@@ -159,7 +159,7 @@ HandTrial followed_hand(const std::filesystem::path& nets, HandNets size, const 
   const Pose start = hand.camera_wrist;
   for (std::size_t k = 0; k < pictures; ++k) {
     const double t = static_cast<double>(k) / 30;
-    ShownHand& shown = scene.hands[0];
+    BentHand& shown = scene.hands[0];
     shown.camera_wrist.p = start.p + Vec3(ways[0].at(t), ways[1].at(t), ways[2].at(t));
     shown.camera_wrist.q = (Quat(Eigen::AngleAxisd(ways[3].at(t), Vec3::UnitX())) *
                             Eigen::AngleAxisd(ways[4].at(t), Vec3::UnitY()) *
@@ -180,7 +180,7 @@ HandTrial shown_gestures(const std::filesystem::path& nets, HandNets size, const
     for (std::size_t view = 0; view < views; ++view) {
       run.forget();
       HandScene scene = random_scene(run.random(), random_hand(run.random(), 0.35, 0.6));
-      ShownHand& hand = scene.hands[0];
+      BentHand& hand = scene.hands[0];
       for (std::size_t f = 1; f < fingers; ++f)
         hand.flexion[f] = row.open_fingers >> (f - 1) & 1 ? 0.05 : 0.9;
       hand.flexion[0] = row.gesture == Gesture::flat ? 0.1 : 0.6;
