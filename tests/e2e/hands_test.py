@@ -25,11 +25,11 @@ PRESSES = 4  # s of the script
 TORN, BLACK, UNPLUGGED, SPAN = 8, 9, 10, 0.6  # s of the camera's time
 
 session = f"hands{os.getpid()}"
-# A hand that points down, whose index finger's tip goes 15 mm into the block; its palm is to the camera.
+# A hand that points down, whose index finger's tip goes 20 mm into the block; its palm is to the camera.
 turn = [0.70710678, -0.70710678, 0, 0]
 reach = [0.0315, 1.03 + 0.178, 0]  # of the wrist, when the tip is at the block's top (arm_client.toml)
 rows = [[t, reach[0], reach[1] + up, reach[2], *turn, *bends]
-        for t, up, bends in ((0, 0.06, [0.1] * 5), (PRESSES - 1.5, 0.06, [0.1] * 5), (PRESSES, -0.015, [0.1] * 5), (60, -0.015, [0.1] * 5))]
+        for t, up, bends in ((0, 0.06, [0.1] * 5), (PRESSES - 1.5, 0.06, [0.1] * 5), (PRESSES, -0.02, [0.1] * 5), (60, -0.02, [0.1] * 5))]
 (OUT / "hands_press.csv").write_text("time,x,y,z,qw,qx,qy,qz,thumb,index,middle,ring,little\n" + "\n".join(",".join(map(str, row)) for row in rows) + "\n")
 camera = [0.03, 1.16, 0.5]
 faults = "".join(f'[[fault]]\nkind = "{kind}"\nfrom = {at}\nto = {at + SPAN}\n' for kind, at in (("torn", TORN), ("black", BLACK), ("unplugged", UNPLUGGED)))
@@ -51,14 +51,18 @@ try:
     def told(state):
         return [line for line in user.lines if line.startswith(f"tracker {address}: {state}")]
 
+    check("it isn't away while it is being opened", not told("absent"))
+
     check("the camera streams", LOG.wait(lambda: told("streaming"), 5))
     check("the bare hand presses the tissue", LOG.wait(lambda: any(force > 0.3 for force in LOG.pushes("Feeler, right")), PRESSES + 4))
     print(f"the hand pushes with {LOG.pushes('Feeler, right')[-1]:.2f} N" if LOG.pushes("Feeler, right") else "nothing is touched")
     check("an unplugged camera is told of", LOG.wait(lambda: told("absent"), max(started + UNPLUGGED + 4 - time.monotonic(), 1)))
     check(f"in words: {told('absent')[-1:]}", told("absent") and "unplugged" in told("absent")[-1])
     # A synthetic camera begins anew when it is opened, and so does its hand.
+    check("it is opened again", LOG.wait(lambda: len(told("streaming")) == 2, 5))
+    check("the hand comes back and lets go", LOG.wait(lambda: "Feeler, right" not in list(LOG.lines())[-1]["touches"], 5))
     seen = len(LOG.pushes("Feeler, right"))
-    check("the hand comes back and presses again", LOG.wait(lambda: any(force > 0.3 for force in LOG.pushes("Feeler, right")[seen + 20:]), PRESSES + 5))
+    check("and presses again", LOG.wait(lambda: any(force > 0.3 for force in LOG.pushes("Feeler, right")[seen:]), PRESSES + 4))
     user.end(signal.SIGINT)
     check("the client ends well", user.process.returncode == 0)
     print("\n".join(line for line in user.lines if line.startswith("tracker ")))

@@ -87,6 +87,7 @@ class TrialRun {
     const double length = length_in_picture(scene, hand);
     double sum = 0;
     for (std::size_t k = 0; k < hand_points; ++k) sum += (points[k] - truth[k]).norm() / length / hand_points;
+    ++trial.views;
     if (sum > wrong_points) return;
     ++trial.right_points;
     for (std::size_t k = 0; k < hand_points; ++k) trial.points.add((points[k] - truth[k]).norm() / length);

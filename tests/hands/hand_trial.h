@@ -9,10 +9,13 @@
 
 namespace prosector {
 
-/// One error of many, sorted when asked.
+/// Errors of one kind.
 class ErrorList {
  public:
   void add(double error) { errors_.push_back(error); }
+  void add(const ErrorList& others) {
+    errors_.insert(errors_.end(), others.errors_.begin(), others.errors_.end());
+  }
   /// Returns the error that this share of them is below; 0.5: the median.
   double at(double share) const;
   double mean() const;
@@ -24,6 +27,7 @@ class ErrorList {
 
 struct HandTrial {
   std::size_t pictures = 0, seen = 0;  // hands that were shown, and where one was seen
+  std::size_t views = 0;               // by one camera, of hands that it saw
   std::size_t right_points = 0;  // seen with points that are less than a tenth of the hand off, in the mean
   std::size_t right_side = 0;
   std::size_t sure = 0;  // the fit says that it holds

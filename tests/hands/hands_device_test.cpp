@@ -104,7 +104,7 @@ TEST_F(BareHands, ComeFromASyntheticCameraInRealTime) {
   const std::filesystem::path folder = testing::TempDir();
   std::ofstream(folder / "bare_hands.csv")
       << "time,station,x,y,z,qw,qx,qy,qz,thumb,index,middle,ring,little\n"
-         "0,1,0.1,1,0,0.70710678,0.70710678,0,0,0.5,0.05,0.9,0.9,0.9\n"
+         "0,1,0.1,1,0,0.70710678,0.70710678,0,0,0.2,0.05,0.9,0.9,0.9\n"
          "0,2,-0.1,1,0,0.70710678,0.70710678,0,0,0.1,0.05,0.05,0.05,0.05\n";
   std::ofstream(folder / "bare_hands.toml")
       << "ambient = 0.6\n[[camera]]\nrate = 15\nrays = 1\ndistortion = [-0.18, 0, 0, 0, 0]\n"
@@ -146,10 +146,11 @@ TEST_F(BareHands, SayThatTheCameraIsAway) {
   const auto device = open_hands("/dev/no-such-camera", {});
   std::vector<DeviceSample> samples;
   const std::int64_t start = monotonic_ns();
-  while (device->status().message.empty() && seconds_since(start) < 3)
+  while (device->status().health != DeviceHealth::absent && seconds_since(start) < 3)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   device->poll(samples);
   EXPECT_TRUE(samples.empty());
+  EXPECT_EQ(device->status().health, DeviceHealth::absent);
   EXPECT_NE(device->status().message.find("no-such-camera"), std::string::npos);
 }
 

@@ -123,6 +123,11 @@ DeviceStatus HandsDevice::status() const {
       out.message = problem;
       return out;
     }
+  if (opened_ == 0) {
+    out.health = DeviceHealth::connecting;
+    out.message = "the camera is being opened";
+    return out;
+  }
   const std::lock_guard lock(mutex_);
   if (out.health == DeviceHealth::silent)
     out.message = "the camera is open and gives no pictures: unplug it and plug it in again";

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t palm_input = 192;  // pixels a side
 constexpr std::size_t palm_anchors = 2016, palm_values = 18;
-constexpr double palm_threshold = 0.5;
-constexpr double same_palm = 0.3;  // overlap
+constexpr double palm_threshold = 0.3;  // who asks looks closer
+constexpr double same_palm = 0.3;       // overlap
 // Points of an answer, after its box.
 constexpr std::size_t palm_wrist = 0, palm_middle_knuckle = 2;
 // The hand's square: this many of the palm box's sides, shifted along the fingers by this many.
