@@ -43,6 +43,8 @@ only "of drivers' folders, the client includes what calibration fits" 'drivers/[
 forbid "drivers know nothing of calibration but what it fits" 'drivers/fitting/' $(sources drivers/ '^drivers/fitting/')
 forbid "OpenIGTLink only in drivers/igtl_messages.cpp" 'igtl_(header|tdata|transform|util)\.h' \
   $(sources '(common|idl|drivers|server|client)/' '^drivers/igtl_messages\.cpp$')
+forbid "XNNPACK only in drivers/camera/hands/network.cpp" '(xnnpack|pthreadpool)\.h' \
+  $(sources '(common|idl|drivers|server|client)/' '^drivers/camera/hands/network\.cpp$')
 forbid "only idl knows DDS" '(dds/|ddsc/|prosector\.h)' $(sources '(common|drivers|server|client)/')
 # bullet_types.h hands Bullet on, so including it counts as including Bullet.
 forbid "Bullet only in server/physics/rigid, panel_motion.cpp, convex_hull.cpp and the contact .cpp files of server/physics" \

@@ -31,6 +31,7 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT server)
 
 install(DIRECTORY ${deploy}/stereo ${deploy}/demo DESTINATION ${data} COMPONENT client)
 install(FILES ${deploy}/client.toml DESTINATION ${data} COMPONENT client)
+install(PROGRAMS ${deploy}/fetch_models.sh DESTINATION ${data} COMPONENT client)
 install(FILES ${deploy}/package/prosector-client.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT client)
 
 install(FILES ${deploy}/packages.txt DESTINATION ${data} COMPONENT setup)
