@@ -69,12 +69,14 @@ void Headset::follow_user() {
 
 void Headset::connect() {
   tried_ns_ = monotonic_ns();
-  auto parts = std::make_unique<Parts>(egl_, [this](const std::string& line) { news_.push_back(line); });
+  auto parts = std::make_unique<Parts>(egl_, [this](const std::string& line) {
+    news_.push_back({line, true});
+  });
   {
     const std::lock_guard lock(mutex_);
     parts_ = std::move(parts);
   }
-  news_.push_back(fmt::format("headset: {}", parts_->system.description()));
+  news_.push_back({fmt::format("headset: {}", parts_->system.description())});
   reason_.clear();
 }
 
@@ -84,7 +86,8 @@ void Headset::lose(const std::string& why) {
     parts_.reset();
   }
   keeps_time_ = false;
-  if (why != reason_) news_.push_back(fmt::format("headset: {}; waiting for it to come back", why));
+  pacing_.pause();
+  if (why != reason_) news_.push_back({fmt::format("headset: {}; waiting for it to come back", why)});
   reason_ = why;
 }
 
@@ -108,8 +111,12 @@ std::optional<HeadsetFrame> Headset::frame() {
     run.follow_events();
   }
   closed_ = run.over();
-  if (!run.running()) return std::nullopt;
+  if (!run.running()) {
+    pacing_.pause();
+    return std::nullopt;
+  }
   const bool seen = run.wait();
+  pacing_.take(monotonic_ns(), run.seen_ns(), run.period_ns());
   keeps_time_ = true;
   {
     const std::lock_guard lock(mutex_);

@@ -12,6 +12,7 @@
 
 #include "client/render/gl_context.h"
 #include "client/xr/eye_view.h"
+#include "client/xr/frame_pacing.h"
 #include "client/xr/tracked_user.h"
 
 namespace prosector {
@@ -26,6 +27,12 @@ struct HeadsetFrame {
   std::array<DrawCamera, 2> cameras() const {
     return {camera_of(eyes[0], 0, width, height), camera_of(eyes[1], width, width, height)};
   }
+};
+
+/// A line about what happened: shown to the wearer, too, or for who reads the terminal alone.
+struct HeadsetNews {
+  std::string line;
+  bool for_wearer = false;
 };
 
 class Headset {
@@ -45,10 +52,12 @@ class Headset {
   void show(const std::function<void(unsigned texture)>& draw);
   /// Tells whether next_frame() kept the headset's rhythm: false where it has none now.
   bool keeps_time() const { return keeps_time_; }
+  /// Returns the rhythm of all frames until now.
+  const FramePacing& pacing() const { return pacing_; }
   /// Tells whether the headset's own menu ended the program.
   bool closed() const { return closed_; }
-  /// Returns lines for people about what happened since the last call.
-  std::vector<std::string> take_news() { return std::exchange(news_, {}); }
+  /// Returns what happened since the last call.
+  std::vector<HeadsetNews> take_news() { return std::exchange(news_, {}); }
 
  private:
   struct Parts;  // what knows OpenXR
@@ -61,7 +70,8 @@ class Headset {
   std::int64_t tried_ns_ = 0;
   std::string reason_;  // for which it isn't there, as last told
   bool keeps_time_ = false, closed_ = false;
-  std::vector<std::string> news_;
+  FramePacing pacing_;
+  std::vector<HeadsetNews> news_;
   std::jthread follower_;
 
   void follow_user();

@@ -28,7 +28,7 @@
   X(LocateSpace) X(LocateViews) X(PollEvent) X(ReleaseSwapchainImage) X(StringToPath)                     \
   X(SuggestInteractionProfileBindings) X(SyncActions) X(WaitFrame) X(WaitSwapchainImage)
 #define PROSECTOR_XR_GRAPHICS(X) X(GetOpenGLGraphicsRequirementsKHR)
-#define PROSECTOR_XR_HANDS(X) X(CreateHandTrackerEXT) X(DestroyHandTrackerEXT) X(LocateHandJointsEXT)
+#define PROSECTOR_XR_HANDS(X) X(CreateHandTrackerEXT) X(LocateHandJointsEXT)
 #define PROSECTOR_XR_TIME(X) X(ConvertTimespecTimeToTimeKHR)
 // clang-format on
 

@@ -26,6 +26,9 @@ class XrRun {
 
   /// Waits for the next frame, and begins it. Returns whether a picture of it will be seen.
   bool wait();
+  /// Returns when the frame is seen, and how far apart frames are; ns of the runtime's clock.
+  std::int64_t seen_ns() const { return frame_.predictedDisplayTime; }
+  std::int64_t period_ns() const { return frame_.predictedDisplayPeriod; }
   /// Reads what the user presses.
   void sync();
   /// Returns both eyes when the frame is seen, in the stage; nullopt: the headset doesn't know.

@@ -55,7 +55,7 @@ TEST(Headset, ComesBackFromWhateverARuntimeDoes) {
   const std::int64_t end = monotonic_ns() + 30'000'000'000;
   while (!headset.closed() && monotonic_ns() < end) {
     const auto frame = headset.next_frame();
-    for (const std::string& line : headset.take_news()) news.push_back(line);
+    for (const HeadsetNews& now : headset.take_news()) news.push_back(now.line);
     if (!headset.keeps_time()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (!frame) continue;
     ++seen.frames;

@@ -78,7 +78,7 @@ TEST(HeadsetHand, GarbageIsNoHand) {
     (round % 3 == 0 ? joint.p.x() : joint.q.w()) = bad;
     EXPECT_FALSE(hand_of_joints(joints));
   }
-  EXPECT_FALSE(hand_of_controller(right_hand, {somewhere, std::numeric_limits<double>::quiet_NaN(), 0, 0}));
+  EXPECT_FALSE(hand_of_controller(right_hand, {somewhere, std::numeric_limits<double>::quiet_NaN(), 0}));
 }
 
 TEST(HeadsetController, TriggerGraspsAndSqueezePoints) {
@@ -93,11 +93,10 @@ TEST(HeadsetController, TriggerGraspsAndSqueezePoints) {
       Gesture gesture;
     } rows[] = {{0, 0, Gesture::flat}, {1, 0, Gesture::fist}, {0, 1, Gesture::point}, {1, 1, Gesture::fist}};
     for (const auto& row : rows) {
-      const auto seen = hand_of_controller(hand, {grip, row.trigger, row.squeeze, 1});
+      const auto seen = hand_of_controller(hand, {grip, row.trigger, row.squeeze});
       ASSERT_TRUE(seen);
       expect_same(seen->wrist, somewhere);
       EXPECT_EQ(gestures.update(seen->flexion), row.gesture);
-      EXPECT_EQ(seen->buttons, 1U);
     }
   }
 }

@@ -141,7 +141,11 @@ XrResult XRAPI_CALL create_tracker(XrSession, const XrHandTrackerCreateInfoEXT* 
 }
 
 XrResult XRAPI_CALL destroy_tracker(XrHandTrackerEXT) {
-  return XR_SUCCESS;
+  return with_runtime([&](DoubleRuntime& r) {
+    return r.has_session
+               ? XR_SUCCESS
+               : DoubleRuntime::wrong("a tracker that went with its session", XR_ERROR_HANDLE_INVALID);
+  });
 }
 
 XrResult XRAPI_CALL locate_joints(XrHandTrackerEXT tracker, const XrHandJointsLocateInfoEXT* info,
