@@ -14,9 +14,11 @@ void yield_to_simulation() {
   setpriority(PRIO_PROCESS, 0, 5);
 }
 
-/// Describes what watchers see: in stereo, one eye's picture as the profile's display shows it.
+/// Describes what watchers see: in stereo, one eye's picture as the profile's display shows it; a headset's
+/// left eye's as it is.
 Audience audience_of(const ClientOptions& o) {
   Audience out = *o.audience;
+  if (o.display == Display::openxr) out.eyes = 2;
   if (o.display == Display::stereo) {
     out.eyes = 2;
     out.aspect = std::tan(o.stereo.fov_horizontal / 2) / std::tan(o.stereo.fov_vertical / 2);
@@ -31,7 +33,13 @@ std::unique_ptr<Stage> make_stage(const ClientOptions& o, HeadsetUser& user) {
   yield_to_simulation();
   auto stage = std::make_unique<Stage>();
   if (o.display == Display::openxr) {
-    stage->context = make_egl_context(o.width, o.height);
+    if (o.audience) {
+      auto mirror = make_mirror_context(o.width, o.height, audience_of(o));
+      stage->mirror = mirror.get();
+      stage->context = std::move(mirror);
+    } else {
+      stage->context = make_egl_context(o.width, o.height);
+    }
     stage->headset = std::make_unique<Headset>(*stage->context, o.devices.headset_room,
                                                [&user](const TrackedUser& now) { user.put(now); });
   } else if (o.display == Display::offscreen) {

@@ -54,13 +54,18 @@ bool Viewer::begin_headset_frame() {
   auto frame = stage_->headset->next_frame();
   for (const HeadsetNews& news : stage_->headset->take_news())
     news.for_wearer ? inform(news.line) : tell_(news.line);
-  if (!frame) return false;
+  if (!frame) {
+    if (stage_->mirror != nullptr) stage_->mirror->wait();
+    return false;
+  }
   seen_ = std::move(frame);
   return true;
 }
 
 void Viewer::show_in_headset() {
-  stage_->headset->show([this](unsigned texture) { stage_->renderer->copy_to(texture); });
+  const auto copy = [this](unsigned texture) { stage_->renderer->copy_to(texture); };
+  stage_->headset->show(copy);
+  if (stage_->mirror != nullptr) stage_->mirror->show(2 * seen_->width, seen_->height, copy);
 }
 
 void Viewer::draw_in_headset(InputPump* pump) {

@@ -42,8 +42,10 @@ XrRun::XrRun(const XrSystem& system, const EglHandles& egl, std::function<void(c
   make_pictures();
 }
 
-// Spaces, pictures and what else belongs to the session go with it.
+// Spaces, pictures and what else belongs to the session go with it. So nothing may be drawn into them any
+// more, and a lost runtime doesn't wait for that.
 XrRun::~XrRun() {
+  reinterpret_cast<void (*)()>(eglGetProcAddress("glFinish"))();
   xr_.DestroySession(session_);
 }
 
