@@ -120,7 +120,9 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
       ->type_name("[MONITOR]")
       ->check(CLI::Range(0, 99))
       ->group("Pictures");
-  app.add_option("--scale", o.scale, "Size of texts and overlays (default: as the desktop scales its own)")
+  app.add_option(
+         "--scale", o.scale,
+         "Size of texts and overlays (default: as the desktop scales its own, or as a headset's eyes need)")
       ->check(CLI::Range(0.5, 8.0))
       ->group("Pictures");
   app.add_option("--fps", o.frames_per_second, "Pictures per second, at most")

@@ -152,7 +152,9 @@ std::string Viewer::pointed() const {
 
 /// Returns how many pixels a point has.
 double Viewer::scale() const {
-  return options_.scale.value_or(stage_->window != nullptr ? stage_->window->content_scale() : 1);
+  if (options_.scale) return *options_.scale;
+  if (seen_) return headset_scale(seen_->cameras()[0]);
+  return stage_->window != nullptr ? stage_->window->content_scale() : 1;
 }
 
 Role Viewer::role_of(ParticipantId participant) {

@@ -184,6 +184,15 @@ TEST(HeadsetEye, WordsStandWhereBothEyesMeet) {
   }
 }
 
+// A text of 13 points is as high to the wearer in each headset that has the pixels.
+TEST(HeadsetEye, TextsAreAsLargeWhateverThePixels) {
+  const EyeView eye{{}, -0.85, 0.70, 0.72, -0.80};
+  const double tangents = std::tan(0.72) + std::tan(0.80);
+  for (const int pixels : {1200, 1600, 2160, 4000})
+    EXPECT_NEAR(13 * headset_scale(camera_of(eye, 0, pixels, pixels)) * tangents / pixels, 13.0 / 600, 1e-12);
+  EXPECT_EQ(headset_scale(camera_of(eye, 0, 320, 320)), 1);  // fewer pixels couldn't be read
+}
+
 TEST(HeadsetEye, GarbageIsRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const EyeView& eye :
