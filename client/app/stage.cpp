@@ -33,8 +33,11 @@ std::unique_ptr<Stage> make_stage(const ClientOptions& o, HeadsetUser& user) {
   yield_to_simulation();
   auto stage = std::make_unique<Stage>();
   if (o.display == Display::openxr) {
-    if (o.audience) {
-      auto mirror = make_mirror_context(o.width, o.height, audience_of(o));
+    const bool by_egl = headset_takes_egl();
+    if (o.audience || !by_egl) {
+      const auto audience = o.audience ? std::optional(audience_of(o)) : std::nullopt;
+      auto mirror =
+          make_mirror_context(by_egl ? WindowSystem::egl : WindowSystem::glx, o.width, o.height, audience);
       stage->mirror = mirror.get();
       stage->context = std::move(mirror);
     } else {

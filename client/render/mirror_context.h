@@ -1,5 +1,5 @@
 #pragma once
-// What a headset shows, in a window on the desk.
+// What a headset shows, in a window on the desk; or a context by the desk's window system for its pictures.
 
 #include <functional>
 #include <memory>
@@ -8,7 +8,9 @@
 
 namespace prosector {
 
-/// A context by EGL, in which a headset's pictures are drawn, with an audience's window that shows one eye's.
+enum class WindowSystem : std::uint8_t { egl, glx };  // by which a window's context is made
+
+/// A context in which a headset's pictures are drawn, with an audience's window that shows one eye's.
 class MirrorContext : public GlContext {
  public:
   /// Shows the picture of that size, which `copy` copies into the texture, until somebody closes the window.
@@ -17,8 +19,9 @@ class MirrorContext : public GlContext {
   virtual void wait() = 0;
 };
 
-/// Makes the context, whose own size is that, and opens the window. Throws InputError as
-/// make_window_context() and WindowContext::open_audience() do.
-std::unique_ptr<MirrorContext> make_mirror_context(int width, int height, const Audience& audience);
+/// Makes the context, whose own size is that, and opens the audience's window, where there is an audience.
+/// Throws InputError as make_window_context() and WindowContext::open_audience() do.
+std::unique_ptr<MirrorContext> make_mirror_context(WindowSystem system, int width, int height,
+                                                   const std::optional<Audience>& audience);
 
 }  // namespace prosector

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "client/xr/xr_session.h"
@@ -14,23 +15,34 @@ namespace {
 constexpr std::int64_t retry_ns = 500'000'000;
 constexpr std::chrono::milliseconds follow_interval(8);
 
-EglHandles egl_of(const GlContext& context) {
-  if (const auto egl = context.egl()) return *egl;
+/// Returns the context, where a headset's runtime can draw with it.
+const GlContext& shared(const GlContext& context) {
+  if (!std::holds_alternative<std::monostate>(context.handles())) return context;
   throw InputError("--display openxr: needs OpenGL by EGL; install libegl1");
 }
 
 }  // namespace
 
+bool headset_takes_egl() {
+  try {
+    const std::vector<std::string> offered = extensions_of(load_openxr());
+    return std::ranges::find(offered, XR_MNDX_EGL_ENABLE_EXTENSION_NAME) != offered.end();
+  } catch (const XrFailure&) {
+    return true;
+  }
+}
+
 struct Headset::Parts {
-  Parts(const EglHandles& egl, std::function<void(const std::string&)> tell)
-      : run(system, egl, std::move(tell)) {}
+  Parts(const GlContext& context, std::function<void(const std::string&)> tell)
+      : system(std::holds_alternative<EglHandles>(context.handles())),
+        run(system, context, std::move(tell)) {}
   XrSystem system;
   XrRun run;
 };
 
 Headset::Headset(const GlContext& context, const Pose& room_stage,
                  std::function<void(const TrackedUser& user)> take_user)
-    : egl_(egl_of(context)), room_stage_(room_stage), take_user_(std::move(take_user)) {
+    : context_(shared(context)), room_stage_(room_stage), take_user_(std::move(take_user)) {
   try {
     connect();
   } catch (const XrFailure& failure) {
@@ -69,7 +81,7 @@ void Headset::follow_user() {
 
 void Headset::connect() {
   tried_ns_ = monotonic_ns();
-  auto parts = std::make_unique<Parts>(egl_, [this](const std::string& line) {
+  auto parts = std::make_unique<Parts>(context_, [this](const std::string& line) {
     news_.push_back({line, true});
   });
   {

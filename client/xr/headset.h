@@ -35,6 +35,10 @@ struct HeadsetNews {
   bool for_wearer = false;
 };
 
+/// Tells whether the runtime takes pictures by EGL, and not by GLX alone; true where none answers. Throws
+/// InputError where there is no loader.
+bool headset_takes_egl();
+
 class Headset {
  public:
   /// Looks for the headset. `context` draws, and outlives this; `room_stage` is the pose of the headset's
@@ -62,7 +66,7 @@ class Headset {
  private:
   struct Parts;  // what knows OpenXR
 
-  EglHandles egl_;
+  const GlContext& context_;
   Pose room_stage_;
   std::function<void(const TrackedUser& user)> take_user_;
   std::mutex mutex_;              // of the parts' being there, and of what the runtime says of hands

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""openxr_watched_test.py BIN OUT, run under xvfb-run: others watch what a headset's left eye sees in a window on the desk, and it is
-recorded. The runtime is our double. Once they close the window the session goes on."""
+"""openxr_watched_test.py BIN OUT egl|glx, run under xvfb-run: others watch what a headset's left eye sees in a window on the desk, and it is
+recorded. The runtime is our double, which takes pictures by EGL or by GLX. Once they close the window the session goes on."""
 import io
 import os
 import pathlib
@@ -11,12 +11,12 @@ import time
 
 from PIL import Image, ImageChops, ImageFilter, ImageGrab, ImageStat
 
-from checks import check, finish
+from checks import check, figures, finish
 from desk_person import act, geometry, wait_until, windows
 from program import Program
 
 HERE = pathlib.Path(__file__).parent
-BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+BIN, OUT, BY = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3]
 WIDTH, HEIGHT = 300, 320  # pixels of an eye's picture
 OUT.mkdir(parents=True, exist_ok=True)
 for old in OUT.glob("*"):
@@ -43,13 +43,14 @@ def compare(what, image):
 
 session = f"watched{os.getpid()}"
 env = {"XR_RUNTIME_JSON": str(BIN.parent / "lib/twins/openxr_double.json"),
-       "PROSECTOR_OPENXR": f"--waits-for {OUT}/go --script {HERE / 'openxr_wearer.csv'} --pictures {OUT} --width {WIDTH} --height {HEIGHT}"}
+       "PROSECTOR_OPENXR": f"--waits-for {OUT}/go --script {HERE / 'openxr_wearer.csv'} --pictures {OUT} --width {WIDTH} --height {HEIGHT}"
+       + (" --glx" if BY == "glx" else "")}
 programs = []
 try:
     programs.append(Program(BIN / "prosector-server", HERE.parents[1] / "deploy/scenes/minimal.toml", "--session", session))
     programs[0].wait("is open")
     user = Program(BIN / "prosector-client", "join", "--name", "Wearer", "--display", "openxr", "--session", session, "--no-overlay", "--audience",
-                   "--record", OUT / "left.avi", env=env)
+                   "--record", OUT / "left.avi", "--summary", OUT / "client.json", env=env)
     programs.append(user)
     user.wait("everything is here")
     window = wait_until("the audience's window", lambda: windows("Prosector: audience"))[0]
@@ -70,6 +71,8 @@ try:
     user.wait("you hold the ball")
     user.end(signal.SIGINT)
     check("the client ends well", user.process.returncode == 0)
+    renderer = figures(OUT / "client.json")["renderer"]
+    check(f"it was drawn by {renderer}", renderer.startswith(f"{BY.upper()} with a window"))
     video = (OUT / "left.avi").read_bytes()
     frames, = struct.unpack("<I", video[48:52])  # of the main header of AVI
     check(f"the video is as large as an eye's picture, and has {frames} frames", struct.unpack("<2I", video[64:72]) == (WIDTH, HEIGHT) and frames > 30)
