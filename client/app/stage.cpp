@@ -1,8 +1,11 @@
 #include "client/app/stage.h"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <cmath>
+
+#include "common/error.h"
 
 namespace prosector {
 namespace {
@@ -26,6 +29,27 @@ Audience audience_of(const ClientOptions& o) {
   return out;
 }
 
+/// Makes the context that a headset's runtime can draw with, with a window where somebody watches or where
+/// the runtime wants one.
+void make_headset_context(Stage& stage, const ClientOptions& o) {
+  const bool by_egl = headset_takes_egl();
+  if (by_egl && !o.audience) {
+    stage.context = make_egl_context(o.width, o.height);
+    return;
+  }
+  const auto audience = o.audience ? std::optional(audience_of(o)) : std::nullopt;
+  try {
+    auto mirror =
+        make_mirror_context(by_egl ? WindowSystem::egl : WindowSystem::glx, o.width, o.height, audience);
+    stage.mirror = mirror.get();
+    stage.context = std::move(mirror);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format(
+        "--display openxr: {}: {}",
+        by_egl ? "--audience wants a window" : "the runtime takes pictures by GLX alone", error.what()));
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<Stage> make_stage(const ClientOptions& o, HeadsetUser& user) {
@@ -33,16 +57,7 @@ std::unique_ptr<Stage> make_stage(const ClientOptions& o, HeadsetUser& user) {
   yield_to_simulation();
   auto stage = std::make_unique<Stage>();
   if (o.display == Display::openxr) {
-    const bool by_egl = headset_takes_egl();
-    if (o.audience || !by_egl) {
-      const auto audience = o.audience ? std::optional(audience_of(o)) : std::nullopt;
-      auto mirror =
-          make_mirror_context(by_egl ? WindowSystem::egl : WindowSystem::glx, o.width, o.height, audience);
-      stage->mirror = mirror.get();
-      stage->context = std::move(mirror);
-    } else {
-      stage->context = make_egl_context(o.width, o.height);
-    }
+    make_headset_context(*stage, o);
     stage->headset = std::make_unique<Headset>(*stage->context, o.devices.headset_room,
                                                [&user](const TrackedUser& now) { user.put(now); });
   } else if (o.display == Display::offscreen) {
