@@ -7,20 +7,19 @@
 #include <cmath>
 
 #include "client/setup/draft_changes.h"
+#include "client/setup/fields.h"
 #include "common/error.h"
-#include "drivers/fitting/eye_fit.h"
 
 namespace prosector {
 namespace {
 
 /// What a person says before one begins.
-enum class Asked : std::uint8_t { points, role, grid, hand, seconds, sight };
+enum class Asked : std::uint8_t { points, role, grid, hand, seconds };
 
 struct ProcedureRow {
   const char* name;
   const char* about;
-  std::unique_ptr<GuidedCalibration> (*begin)(const ClientConfig&,
-                                              const CalibrationWishes&);  // null: none to guide
+  std::unique_ptr<GuidedCalibration> (*begin)(const ClientConfig&, const CalibrationWishes&);
   std::vector<Asked> asked;
 };
 
@@ -45,29 +44,8 @@ const std::vector<ProcedureRow>& procedures() {
       {"Noise",
        "Let a receiver rest: how much it trembles and drifts is told.",
        begin_noise,
-       {Asked::role, Asked::seconds}},
-      {"Eyes",
-       "See a thin rod before the screen with each eye alone: how far your eyes are apart follows.",
-       nullptr,
-       {Asked::sight}}};
+       {Asked::role, Asked::seconds}}};
   return rows;
-}
-
-struct RoleChoice {
-  StationRole role;
-  const char* name;
-};
-constexpr std::array<RoleChoice, 4> role_choices = {{{StationRole::right_hand, "right hand"},
-                                                     {StationRole::left_hand, "left hand"},
-                                                     {StationRole::head, "head"},
-                                                     {StationRole::instrument, "instrument"}}};
-
-bool edit_vector(const char* name, Vec3& v) {
-  std::array<double, 3> values = {v.x(), v.y(), v.z()};
-  const bool changed =
-      ImGui::InputScalarN(name, ImGuiDataType_Double, values.data(), 3, nullptr, nullptr, "%.3f");
-  if (changed) v = Vec3(values.data());
-  return changed;
 }
 
 }  // namespace
@@ -109,19 +87,9 @@ void CalibratePage::draw_wishes(Interface& ui, ConfigDraft& draft) {
   const float field = 330 * static_cast<float>(ui.scale());
   ImGui::PushItemWidth(field);
   for (const Asked asked : procedures()[chosen_].asked) switch (asked) {
-      case Asked::role: {
-        std::size_t at = 0;
-        while (role_choices[at].role != wishes_.role) ++at;
-        if (ImGui::BeginCombo("whose receiver", role_choices[at].name)) {
-          for (const RoleChoice& choice : role_choices) {
-            if (ImGui::Selectable(choice.name, choice.role == wishes_.role)) wishes_.role = choice.role;
-            ui.note(choice.name);
-          }
-          ImGui::EndCombo();
-        }
-        ui.note("role");
+      case Asked::role:
+        edit_role(ui, wishes_.role);
         break;
-      }
       case Asked::hand:
         if (ImGui::RadioButton("right glove", wishes_.hand == right_hand)) wishes_.hand = right_hand;
         ImGui::SameLine();
@@ -149,35 +117,10 @@ void CalibratePage::draw_wishes(Interface& ui, ConfigDraft& draft) {
         ImGui::InputDouble("seconds", &wishes_.seconds, 0, 0, "%.0f");
         wishes_.seconds = std::clamp(wishes_.seconds, 2., 600.);
         break;
-      case Asked::sight:
-        draw_eyes(ui, draft);
-        break;
     }
   ImGui::PopItemWidth();
-  if (procedures()[chosen_].begin == nullptr) return;
   if (ImGui::Button("Begin")) begin(draft);
   ui.note("begin");
-}
-
-void CalibratePage::draw_eyes(Interface& ui, ConfigDraft& draft) {
-  quiet(
-      "Hold a thin rod upright between you and the screen. Close one eye, and mark where the rod stands on "
-      "the screen; "
-      "then the other eye.");
-  ImGui::InputDouble("between both marks, mm", &marks_mm_, 0, 0, "%.1f");
-  ImGui::InputDouble("from your eyes to the screen, mm", &screen_mm_, 0, 0, "%.0f");
-  ImGui::InputDouble("from your eyes to the rod, mm", &rod_mm_, 0, 0, "%.0f");
-  if (ImGui::Button("Reckon")) {
-    try {
-      const EyeDistance eyes = eye_distance_by_sight(1e-3 * marks_mm_, 1e-3 * screen_mm_, 1e-3 * rod_mm_);
-      take(draft,
-           {{fmt::format("Your eyes are {:.1f} ± {:.1f} mm apart.", 1e3 * eyes.distance, 1e3 * eyes.error)},
-            {{"eyes.distance", eyes.distance}}});
-    } catch (const InputError& error) {
-      said_ = {error.what(), true};
-    }
-  }
-  ui.note("reckon");
 }
 
 void CalibratePage::begin(const ConfigDraft& draft) {
@@ -225,17 +168,12 @@ void CalibratePage::finish(ConfigDraft& draft) {
       std::filesystem::create_directories(draft.file().parent_path());
       save_config_text(draft.file().parent_path() / field_map_file, write_field_map(field->fit().map));
     }
-    take(draft, outcome);
+    outcome_ = outcome.words;
+    said_ = take_outcome(draft, outcome);
   } catch (const InputError& error) {
     said_ = {error.what(), true};
   }
   running_.reset();
-}
-
-void CalibratePage::take(ConfigDraft& draft, const GuideOutcome& outcome) {
-  outcome_ = outcome.words;
-  const std::string why = outcome.changes.empty() ? "" : draft.change(outcome.changes);
-  said_ = why.empty() ? Said{"Done.", false} : Said{why, true};
 }
 
 }  // namespace prosector

@@ -24,7 +24,6 @@ class CalibratePage {
   CalibrationWishes wishes_ = {
       .points = {{0, 0.9, 0}, {0.4, 0.9, 0}, {0, 0.9, 0.4}, {0.4, 0.9, 0.4}},
       .grid = {.low = {-0.4, 0.9, -0.4}, .high = {0.4, 1.5, 0.4}, .orientation = {}}};
-  double marks_mm_ = 20, screen_mm_ = 600, rod_mm_ = 450;  // of the sight: what comes out are 60 mm
   std::size_t chosen_ = 0;
   std::unique_ptr<GuidedCalibration> running_;
   std::vector<std::string> outcome_;  // of the last one
@@ -33,10 +32,8 @@ class CalibratePage {
   void draw_choice(Interface& ui);
   void draw_wishes(Interface& ui, ConfigDraft& draft);
   void draw_running(Interface& ui, ConfigDraft& draft);
-  void draw_eyes(Interface& ui, ConfigDraft& draft);
   void begin(const ConfigDraft& draft);
   void finish(ConfigDraft& draft);
-  void take(ConfigDraft& draft, const GuideOutcome& outcome);
 };
 
 }  // namespace prosector

@@ -11,14 +11,11 @@
 #include "drivers/fitting/tip_guide.h"
 
 namespace prosector {
-namespace {
 
 const std::string& tracker_of(const ClientConfig& config) {
   if (config.tracker.empty()) throw InputError("No tracker is named yet: name it on the page of devices.");
   return config.tracker;
 }
-
-}  // namespace
 
 GuidedCalibration::GuidedCalibration(std::unique_ptr<Guide> guide, const std::string& address,
                                      const DeviceConfig& device)

@@ -28,6 +28,9 @@ class GuidedCalibration {
   std::vector<DeviceSample> samples_;
 };
 
+/// Returns a configuration's tracker. Throws InputError where it names none.
+const std::string& tracker_of(const ClientConfig& config);
+
 /// What a person says before a calibration begins.
 struct CalibrationWishes {
   StationRole role = StationRole::right_hand;  // whose receiver touches, swings or rests

@@ -37,10 +37,11 @@ void Pages::draw(Interface& ui) {
       said_ = &calibrate_.said();
     });
     if (!calibrate) calibrate_.close();
-    page("Pictures", [&] {
-      pictures_.draw(ui, room_);
-      said_ = &room_.said();
+    const bool pictures = page("Pictures and eyes", [&] {
+      pictures_.draw(ui, room_, draft_);
+      said_ = &pictures_.said();
     });
+    if (!pictures) pictures_.close();
     page("Checks", [&] {
       checks_.draw(ui);
       said_ = &room_.said();
@@ -53,6 +54,11 @@ void Pages::draw(Interface& ui) {
   else
     quiet(said().words);
   ImGui::End();
+}
+
+std::optional<int> Pages::full_screen() const {
+  const int monitor = room_.memory.seen.monitor;
+  return pictures_.running() && monitor >= 0 ? std::optional(monitor) : std::nullopt;
 }
 
 }  // namespace prosector

@@ -14,16 +14,15 @@ namespace prosector {
 class Pages {
  public:
   Pages(Anteroom& room, ConfigDraft& draft, std::function<MachineCheck()> measure_pictures,
-        std::vector<std::string> stereo_profiles)
-      : room_(room),
-        draft_(draft),
-        pictures_(std::move(stereo_profiles)),
-        checks_(std::move(measure_pictures)) {}
+        std::vector<EyeDisplay> displays)
+      : room_(room), draft_(draft), pictures_(std::move(displays)), checks_(std::move(measure_pictures)) {}
 
   void draw(Interface& ui);
   const Said& said() const { return *said_; }
   /// Tells whether something is shown that goes on by itself.
-  bool lively() const { return devices_.open() || calibrate_.running(); }
+  bool lively() const { return devices_.open() || calibrate_.running() || pictures_.running(); }
+  /// Returns the screen to fill now, from 0; none: a window.
+  std::optional<int> full_screen() const;
 
  private:
   Anteroom& room_;
