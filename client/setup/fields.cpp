@@ -39,4 +39,12 @@ void edit_role(Interface& ui, StationRole& role) {
   ui.note("role");
 }
 
+void edit_hand(Interface& ui, std::size_t& hand) {
+  if (ImGui::RadioButton("right glove", hand == right_hand)) hand = right_hand;
+  ui.note("right hand's");
+  ImGui::SameLine();
+  if (ImGui::RadioButton("left glove", hand == left_hand)) hand = left_hand;
+  ui.note("left hand's");
+}
+
 }  // namespace prosector

@@ -32,11 +32,13 @@ void Pages::draw(Interface& ui) {
       said_ = &devices_.said();
     });
     if (!devices) devices_.close();
-    const bool calibrate = page("Calibrate", [&] {
-      calibrate_.draw(ui, draft_);
-      said_ = &calibrate_.said();
-    });
-    if (!calibrate) calibrate_.close();
+    for (const auto& [name, calibrate] : {std::pair{"Tracker", &tracker_}, std::pair{"Glove", &glove_}}) {
+      const bool open = page(name, [&] {
+        calibrate->draw(ui, draft_, monotonic_ns());
+        said_ = &calibrate->said();
+      });
+      if (!open) calibrate->close();
+    }
     const bool pictures = page("Pictures and eyes", [&] {
       pictures_.draw(ui, room_, draft_);
       said_ = &pictures_.said();

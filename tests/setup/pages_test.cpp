@@ -1,9 +1,15 @@
 // The set-up window's pages, drawn without a window and worked by events.
 #include "client/setup/pages.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cmath>
 #include <cstdlib>
+#include <random>
+#include <set>
+#include <thread>
 
 #include "client/render/image.h"
 #include "client/render/shader_dir.h"
@@ -67,6 +73,21 @@ class Room {
     ui_.take({MouseMoved{1, 1}});
     draw(2);
   }
+  /// Replaces what a field has.
+  void type(const std::string& name, const std::string& text) {
+    click(name);
+    ui_.take({KeyEvent{Key::control, true, false}, KeyEvent{key_of('A'), true, false},
+              KeyEvent{key_of('A'), false, false}, KeyEvent{Key::control, false, false}});
+    for (const char c : text) ui_.take({CharacterTyped{static_cast<char32_t>(c)}});
+    draw();
+    tap(Key::enter);
+  }
+  /// Returns the number that was told after such words.
+  double told(const std::string& words) const {
+    for (const PlacedControl& c : ui_.placed())
+      if (c.name.starts_with("told: " + words)) return std::stod(c.name.substr(6 + words.size()));
+    throw std::out_of_range(words);
+  }
   void tap(Key key) {
     ui_.take({KeyEvent{key, true, false}, KeyEvent{key, false, false}});
     draw();
@@ -97,7 +118,7 @@ constexpr const char* no_devices = "# none\n";
 TEST(Pages, NothingOfThemIsBesideTheWindow) {
   for (const double scale : {1., 2.}) {
     Room room(no_devices, scale, scale);
-    for (const char* page : {"Enter", "Devices", "Calibrate", "Pictures and eyes", "Checks"}) {
+    for (const char* page : {"Enter", "Devices", "Tracker", "Glove", "Pictures and eyes", "Checks"}) {
       room.click(page);
       room.picture(std::string(page) + (scale == 1 ? "-1x" : "-2x"));
       for (const PlacedControl& c : room.placed()) {
@@ -155,6 +176,143 @@ TEST(Pages, CrossesComeOverTheWholeWindowAndSpaceConfirms) {
     EXPECT_EQ(room.find("covered"), nullptr);
     EXPECT_EQ(room.said().words, "Stopped: nothing is changed.");
     EXPECT_FALSE(room.draft().changed());
+  }
+}
+
+/// Writes what a tracker's receivers tell: the first goes away from the transmitter.
+std::string going_away(const std::filesystem::path& file) {
+  std::string rows = "time,station,x,y,z,qw,qx,qy,qz\n";
+  for (int k = 0; k <= 400; ++k) {
+    rows += fmt::format("{:.3f},1,{:.4f},0.1,-0.2,0.9914449,0,-0.1305262,0\n", 0.005 * k, 0.0025 * k);
+    rows += fmt::format("{:.3f},2,-0.2,0.3,-0.1,1,0,0,0\n", 0.005 * k);
+  }
+  write_file(file, rows);
+  return "recorded-loop:" + file.string();
+}
+
+TEST(TrackerRange, TrustsWhatIsNearAndNothingWithAnError) {
+  EXPECT_EQ(trust_at(0.1, ' '), Trust::good);
+  EXPECT_EQ(trust_at(1.2, ' '), Trust::less);
+  EXPECT_EQ(trust_at(3.5, ' '), Trust::none);
+  EXPECT_EQ(trust_at(0.1, 'x'), Trust::none);
+}
+
+TEST(Pages, TellWhereReceiversAreAndWriteTheirSide) {
+  const TemporaryFile poses("away.csv");
+  for (const double scale : {1., 2.}) {
+    Room room("[tracker]\naddress = \"" + going_away(poses.path) +
+                  "\"\nhemisphere = [0, 0, -1]  # the ceiling\n[tracker.stations]\nright.station = "
+                  "1\nhead.station = 2\n",
+              scale, scale);
+    room.click("Tracker");
+    std::set<std::string> seen;
+    for (int k = 0; k < 60 && seen.size() < 2; ++k) {
+      room.draw(1);
+      for (const char* words : {"receiver 1 exact", "receiver 1 less exact"})
+        if (room.find(words) != nullptr) seen.insert(words);
+      std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    }
+    EXPECT_EQ(seen.size(), 2u);
+    EXPECT_NE(room.find("receiver 2 exact"), nullptr);
+    room.picture(scale == 1 ? "range-1x" : "range-2x");
+    room.click("behind it");
+    room.click("boresight");
+    EXPECT_EQ(room.draft().config().tracker_device.hemisphere, Vec3(-1, 0, 0));
+    EXPECT_TRUE(room.draft().config().tracker_device.boresight);
+    room.picture(scale == 1 ? "range-changed-1x" : "range-changed-2x");
+    room.click("boresight now");
+    EXPECT_NE(room.said().words.find("straight ahead"), std::string::npos);
+    room.click("save");
+    EXPECT_FALSE(room.draft().changed());
+  }
+}
+
+TEST(Pages, ShowTheHandThatAGloveMakesAndItsGestures) {
+  const TemporaryFile bends("bends.csv");
+  std::string rows = "time,thumb,index,middle,ring,little,gesture\n";
+  for (int k = 0; k <= 100; ++k) {
+    const double bent = k < 50 ? 0.02 * k : 0.02 * (100 - k);
+    rows += fmt::format("{:.2f},{:.2f},{:.2f},{:.2f},{:.2f},{:.2f},{}\n", 0.01 * k, 0.7 * bent, 0.2 * bent,
+                        bent, bent, bent,
+                        k > 40 && k < 60 ? "point"
+                        : k < 10         ? "flat"
+                                         : "none");
+  }
+  write_file(bends.path, rows);
+  for (const double scale : {1., 2.}) {
+    Room room("[glove.right]\naddress = \"recorded-loop:" + bends.path.string() + "\"\n", scale, scale);
+    room.click("Glove");
+    EXPECT_EQ(room.find("point made"), nullptr);
+    for (int k = 0; k < 80 && (room.find("point made") == nullptr || room.find("flat made") == nullptr);
+         ++k) {
+      room.draw(1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(15));
+    }
+    EXPECT_NE(room.find("point made"), nullptr);
+    EXPECT_NE(room.find("flat made"), nullptr);
+    EXPECT_NE(room.find("fist not made"), nullptr);
+    EXPECT_NE(room.find("hand"), nullptr);
+    room.picture(scale == 1 ? "glove-1x" : "glove-2x");
+    room.click("left hand's");
+    EXPECT_EQ(room.find("hand"), nullptr) << "there is no such glove";
+  }
+}
+
+// What was measured stands beside its name from then on.
+TEST(Pages, MeasureNoiseAndLatency) {
+  const TemporaryFile poses("uneven.csv");
+  std::string rows = "time,station,x,y,z,qw,qx,qy,qz\n";
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> noise(0, 0.5e-3);
+  for (int k = 0; k <= 1500; ++k) {
+    const double t = 0.008 * k;
+    rows +=
+        fmt::format("{:.3f},1,{:.5f},0.1,0.2,1,0,0,0\n", t, 0.2 * std::sin(3 * t) + 0.1 * std::sin(7.3 * t));
+    rows += fmt::format("{:.3f},2,{:.5f},{:.5f},{:.5f},1,0,0,0\n", t, noise(random), noise(random),
+                        noise(random));
+  }
+  write_file(poses.path, rows);
+  const std::string address = "recorded-loop:" + poses.path.string();
+  Room room(
+      "[tracker]\naddress = \"" + address + "\"\n[tracker.stations]\nright.station = 1\nhead.station = 2\n",
+      1);
+  const auto measure = [&](const char* what) {
+    room.click("begin");
+    for (int k = 0; k < 300 && room.find("once more") == nullptr; ++k) {
+      room.draw(1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    EXPECT_EQ(room.said().words, "Done.") << what;
+  };
+  room.click("Tracker");
+  room.click("Noise");
+  room.click("role");
+  room.click("head");
+  room.type("seconds", "2");
+  measure("noise");
+  EXPECT_NEAR(room.told("noise "), 0.866, 0.15) << "of three axes together";
+  room.click("Latency");
+  room.click("role");
+  room.click("right hand");
+  room.click("begin");
+  EXPECT_TRUE(room.said().wrong) << "there is nothing to compare with";
+  room.type("seconds", "4");
+  room.type("against", address);
+  measure("latency");
+  EXPECT_LT(std::abs(room.told("the device is ")), 20) << "both were opened at the same time, ms";
+  room.picture("measured");
+}
+
+TEST(SeenSpans, AreBetweenTheLeastAndTheMost) {
+  SeenSpans spans;
+  const GloveCalibration calibration = {{100, 100, 600, 100, 100}, {600, 600, 100, 600, 600}};
+  EXPECT_EQ(spans.share(0, std::nullopt), 1);
+  spans.take({200, 100, 300, 50, 590});
+  spans.take({450, 600, 500, 700, 600});
+  const std::array<double, fingers> span = {250, 500, 200, 650, 10}, share = {0.5, 1, 0.4, 1, 0.02};
+  for (std::size_t f = 0; f < fingers; ++f) {
+    EXPECT_EQ(spans.span(f), span[f]);
+    EXPECT_NEAR(spans.share(f, calibration), share[f], 1e-12);
   }
 }
 
