@@ -179,6 +179,26 @@ TEST(Pages, CrossesComeOverTheWholeWindowAndSpaceConfirms) {
   }
 }
 
+TEST(Pages, TakeAReceiverAndADeviceAwayByTheKeyboardToo) {
+  Room room(
+      "[tracker]\naddress = \"recorded:/nowhere.csv\"\n[tracker.stations]\nright.station = 1\nhead.station = "
+      "2\n",
+      1);
+  room.click("Devices");
+  room.click("tracker");
+  room.click("free right");
+  EXPECT_EQ(room.said().words, "No receiver is the right hand's.");
+  EXPECT_EQ(room.draft().config().stations[0], StationRole::none);
+  EXPECT_EQ(room.find("free right"), nullptr);
+  room.picture("freed");
+  room.click("free head");
+  EXPECT_TRUE(room.said().wrong) << "one is left at least";
+  room.click("found tracker.address");
+  for (const Key key : {Key::down, Key::up, Key::space}) room.tap(key);
+  EXPECT_EQ(room.draft().config().tracker, "");
+  EXPECT_EQ(room.said().words, "Tracker: none");
+}
+
 /// Writes what a tracker's receivers tell: the first goes away from the transmitter.
 std::string going_away(const std::filesystem::path& file) {
   std::string rows = "time,station,x,y,z,qw,qx,qy,qz\n";
