@@ -81,7 +81,7 @@ void CalibratePage::draw_wishes(Interface& ui, const ConfigDraft& draft) {
         draw_points(ui);
         break;
       case Asked::grid:
-        draw_grid();
+        draw_grid(ui);
         break;
       case Asked::seconds:
         ImGui::InputDouble("seconds", &wishes_.seconds, 0, 0, "%.0f");
@@ -100,8 +100,11 @@ void CalibratePage::draw_wishes(Interface& ui, const ConfigDraft& draft) {
 
 void CalibratePage::draw_points(Interface& ui) {
   quiet("Points to touch, in this order: x to the right, y up, z towards you, m.");
-  for (std::size_t k = 0; k < wishes_.points.size(); ++k)
-    edit_vector(fmt::format("point {}", k + 1).c_str(), wishes_.points[k]);
+  for (std::size_t k = 0; k < wishes_.points.size(); ++k) {
+    const std::string name = fmt::format("point {}", k + 1);
+    edit_vector(name.c_str(), wishes_.points[k]);
+    ui.note(name);
+  }
   if (ImGui::Button("One more")) wishes_.points.push_back(wishes_.points.back());
   ui.note("one more");
   ImGui::SameLine();
@@ -109,14 +112,17 @@ void CalibratePage::draw_points(Interface& ui) {
   ui.note("one less");
 }
 
-void CalibratePage::draw_grid() {
+void CalibratePage::draw_grid(Interface& ui) {
   edit_vector("lower corner", wishes_.grid.low);
+  ui.note("lower corner");
   edit_vector("upper corner", wishes_.grid.high);
+  ui.note("upper corner");
   std::array<int, 3> count{};
   for (std::size_t a = 0; a < 3; ++a) count[a] = static_cast<int>(wishes_.grid.count[a]);
-  if (ImGui::InputInt3("points along x, y, z", count.data()))
-    for (std::size_t a = 0; a < 3; ++a)
-      wishes_.grid.count[a] = static_cast<std::size_t>(std::clamp(count[a], 3, 20));
+  const bool changed = ImGui::InputInt3("points along x, y, z", count.data());
+  ui.note("grid points");
+  for (std::size_t a = 0; changed && a < 3; ++a)
+    wishes_.grid.count[a] = static_cast<std::size_t>(std::clamp(count[a], 3, 20));
 }
 
 void CalibratePage::begin(const ConfigDraft& draft) {

@@ -46,7 +46,7 @@ class CalibratePage {
   void draw_choice(Interface& ui);
   void draw_wishes(Interface& ui, const ConfigDraft& draft);
   void draw_points(Interface& ui);
-  void draw_grid();
+  void draw_grid(Interface& ui);
   void draw_running(Interface& ui, ConfigDraft& draft);
   void draw_outcome(Interface& ui);
   void begin(const ConfigDraft& draft);

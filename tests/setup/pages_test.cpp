@@ -13,6 +13,7 @@
 
 #include "client/render/image.h"
 #include "client/render/shader_dir.h"
+#include "drivers/field_map.h"
 #include "tests/dds_domains.h"
 #include "tests/session/temporary_file.h"
 #include "tests/setup/written_file.h"
@@ -76,6 +77,9 @@ class Room {
   /// Replaces what a field has.
   void type(const std::string& name, const std::string& text) {
     click(name);
+    type(text);
+  }
+  void type(const std::string& text) {
     ui_.take({KeyEvent{Key::control, true, false}, KeyEvent{key_of('A'), true, false},
               KeyEvent{key_of('A'), false, false}, KeyEvent{Key::control, false, false}});
     for (const char c : text) ui_.take({CharacterTyped{static_cast<char32_t>(c)}});
@@ -276,6 +280,59 @@ TEST(Pages, ShowTheHandThatAGloveMakesAndItsGestures) {
     room.click("left hand's");
     EXPECT_EQ(room.find("hand"), nullptr) << "there is no such glove";
   }
+}
+
+/// Writes a receiver that is put onto a grid's points, to and fro as the window asks, in a field that is bent
+/// on the right.
+void write_grid_walk(const std::filesystem::path& file) {
+  std::string rows = "time,station,x,y,z,qw,qx,qy,qz\n";
+  double time = 0;
+  Vec3 at(-0.6, 0.8, -0.6);
+  const auto tell = [&](const Vec3& p) {
+    rows += fmt::format("{:.4f},1,{:.5f},{:.5f},{:.5f},1,0,0,0\n", time, p.x(), p.y(), p.z());
+    time += 0.01;
+  };
+  const auto visit = [&](const Vec3& truth) {
+    const double bent = 0.02 * std::exp(4 * (truth.x() - 0.4));
+    const Vec3 to = truth + bent * Vec3(1, 0.5 * truth.z(), 0.3);
+    for (int k = 1; k <= 8; ++k) tell(at + k / 8. * (to - at));
+    for (int k = 0; k < 36; ++k) tell(to);
+    at = to;
+  };
+  for (int k = 0; k < 100; ++k) tell(at);
+  int row = 0;
+  for (int y = 0; y < 3; ++y)
+    for (int zz = 0; zz < 3; ++zz, ++row)
+      for (int xx = 0; xx < 3; ++xx) {
+        const int z = y % 2 == 0 ? zz : 2 - zz, x = row % 2 == 0 ? xx : 2 - xx;
+        visit({-0.4 + 0.4 * x, 0.9 + 0.3 * y, -0.4 + 0.4 * z});
+      }
+  write_file(file, rows);
+}
+
+TEST(Pages, LeadThroughABentFieldAndShowIt) {
+  const TemporaryFile walk("walk.csv");
+  write_grid_walk(walk.path);
+  Room room("[tracker]\naddress = \"recorded:" + walk.path.string() + "\"\n", 1);
+  room.click("Tracker");
+  room.click("Bent field");
+  const PlacedControl points = room.control("grid points");
+  for (const double x : {55., 165., 275.}) {
+    room.press(points.left + x, (points.top + points.bottom) / 2);
+    room.type("3");
+  }
+  room.click("begin");
+  EXPECT_EQ(room.said().words, "Step 1 of 27");
+  for (int k = 0; k < 700 && room.find("once more") == nullptr; ++k) {
+    room.draw(1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_EQ(room.said().words, "Done.");
+  ASSERT_NE(room.find("field picture"), nullptr);
+  room.picture("field");
+  EXPECT_LT(room.control("save").bottom, room.height() - 40) << "it is seen without a wheel";
+  EXPECT_EQ(room.draft().changes().back().after, "field_map = \"field.toml\"");
+  EXPECT_GT(load_field_map(room.draft().file().parent_path() / "field.toml").before, 3e-3);
 }
 
 // What was measured stands beside its name from then on.
