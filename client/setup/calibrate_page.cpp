@@ -5,8 +5,8 @@
 #include <imgui_stdlib.h>
 
 #include <array>
-#include <cmath>
 
+#include "client/setup/beside.h"
 #include "client/setup/draft_changes.h"
 #include "client/setup/fields.h"
 #include "common/error.h"
@@ -19,12 +19,11 @@ constexpr std::size_t words_at_once = 7;  // of an outcome; the others are shown
 }  // namespace
 
 void CalibratePage::draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
-  const float width = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
-  ImGui::BeginChild("procedures", {std::floor(0.26f * width), 0}, true);
-  draw_choice(ui);
-  ImGui::EndChild();
-  ImGui::SameLine(0, gap);
-  ImGui::BeginChild("procedure", {0, 0}, true);
+  draw_beside(
+      ui, 0.26, [&] { draw_choice(ui); }, [&] { draw_chosen(ui, draft, now_ns); });
+}
+
+void CalibratePage::draw_chosen(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
   title(chosen_ == nullptr ? live_->name() : chosen_->name);
   wrapped(chosen_ == nullptr ? live_->about() : chosen_->about);
   ImGui::Separator();
@@ -38,7 +37,6 @@ void CalibratePage::draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns)
     draw_wishes(ui, draft);
   ImGui::Separator();
   if (draw_draft_changes(ui, draft, said_)) live_->close();
-  ImGui::EndChild();
 }
 
 void CalibratePage::close() {

@@ -44,6 +44,7 @@ class CalibratePage {
 
   void choose(const ProcedureRow* row);
   void draw_choice(Interface& ui);
+  void draw_chosen(Interface& ui, ConfigDraft& draft, std::int64_t now_ns);
   void draw_wishes(Interface& ui, const ConfigDraft& draft);
   void draw_points(Interface& ui);
   void draw_grid(Interface& ui);

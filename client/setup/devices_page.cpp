@@ -5,8 +5,8 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "client/setup/beside.h"
 #include "client/setup/draft_changes.h"
 
 namespace prosector {
@@ -47,17 +47,13 @@ std::string pose_words(const Pose& pose) {
 
 void DevicesPage::draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
   look(draft, now_ns);
-  const float width = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
-  ImGui::BeginChild("which", {std::floor(0.44f * width), 0}, true);
-  draw_addresses(ui, draft);
-  draw_status(ui);
-  ImGui::Separator();
-  if (draw_draft_changes(ui, draft, said_)) watch_.reset();
-  ImGui::EndChild();
-  ImGui::SameLine(0, gap);
-  ImGui::BeginChild("live", {0, 0}, true);
-  draw_device(ui, draft, now_ns);
-  ImGui::EndChild();
+  const auto which = [&] {
+    draw_addresses(ui, draft);
+    draw_status(ui);
+    ImGui::Separator();
+    if (draw_draft_changes(ui, draft, said_)) watch_.reset();
+  };
+  draw_beside(ui, 0.44, which, [&] { draw_device(ui, draft, now_ns); });
 }
 
 /// Opens what the draft names, reads it, and looks now and then what is plugged in.

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
+#include "client/setup/beside.h"
 #include "client/setup/draft_changes.h"
 #include "client/setup/words.h"
 
@@ -31,14 +31,8 @@ PicturesPage::PicturesPage(std::vector<EyeDisplay> displays) : crosses_(displays
 }
 
 void PicturesPage::draw(Interface& ui, Anteroom& room, ConfigDraft& draft) {
-  const float width = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
-  ImGui::BeginChild("seen", {std::floor(0.45f * width), 0}, true);
-  draw_seen(ui, room.memory.seen);
-  ImGui::EndChild();
-  ImGui::SameLine(0, gap);
-  ImGui::BeginChild("eyes", {0, 0}, true);
-  draw_eyes(ui, draft);
-  ImGui::EndChild();
+  draw_beside(
+      ui, 0.45, [&] { draw_seen(ui, room.memory.seen); }, [&] { draw_eyes(ui, draft); });
 }
 
 void PicturesPage::draw_seen(Interface& ui, SeenAs& seen) {

@@ -134,6 +134,17 @@ TEST(Pages, NothingOfThemIsBesideTheWindow) {
   }
 }
 
+// A window that is too narrow for both panels of a page has one below the other, and scrolls.
+TEST(Pages, NothingIsCutOffAtItsRightWhereLettersAreLarge) {
+  Room room(no_devices, 2);
+  for (const char* page : {"Devices", "Tracker", "Glove", "Pictures and eyes"}) {
+    room.click(page);
+    room.picture(std::string(page) + "-narrow");
+    for (const PlacedControl& c : room.placed())
+      EXPECT_LE(c.right, room.width() - 16) << page << " " << c.name;
+  }
+}
+
 TEST(Pages, TheRulerFindsHowFarEyesAreApart) {
   Room room(no_devices, 1);
   room.click("Pictures and eyes");
