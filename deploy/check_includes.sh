@@ -38,7 +38,7 @@ forbid "physics and its calibration know no network and no session" '(idl|server
   $(sources 'server/(physics|calibration)/')
 forbid "of idl, others include its bus headers only: idl/wire and idl/dds are its own" 'idl/(wire|dds)/' \
   $(sources '(server|client)/')
-only "of drivers' folders, the client includes what calibration fits" 'drivers/[a-z0-9_]+/' 'drivers/fitting/' \
+only "of drivers' folders, the client includes what calibration fits" 'drivers/[a-z0-9_]+/' 'drivers/(fitting|camera)/' \
   $(sources client/)
 forbid "drivers know nothing of calibration but what it fits" 'drivers/fitting/' $(sources drivers/ '^drivers/fitting/')
 forbid "OpenIGTLink only in drivers/igtl_messages.cpp" 'igtl_(header|tdata|transform|util)\.h' \
