@@ -47,6 +47,11 @@ void write_report(const ClientReport& report, Connection& connection, const std:
       report.pictures > 0 ? 1e3 * report.drawing_seconds / static_cast<double>(report.pictures) : 0.0;
   out["longest_picture_ms"] = 1e3 * report.longest_drawing_seconds;
   out["renderer"] = report.renderer;
+  if (report.pacing)
+    out["headset"] = {
+        {"frames", report.pacing->frames()},           {"in_time", report.pacing->in_time()},
+        {"missed", report.pacing->missed()},           {"period_ms", report.pacing->period_ms()},
+        {"interval_ms", report.pacing->interval_ms()}, {"longest_interval_ms", report.pacing->longest_ms()}};
   connection.with_replica([&](Replica& replica) {
     out["playout_delay_ms"] = replica.playout_delay_ms();
     out["topology_hash"] = to_hex(replica.topology_hash());

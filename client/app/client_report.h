@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "client/app/connection.h"
+#include "client/xr/frame_pacing.h"
 
 namespace prosector {
 
@@ -33,6 +34,7 @@ struct ClientReport {
   double drawing_seconds = 0;
   double longest_drawing_seconds = 0;  // of one picture after the first, which has shaders to compile
   std::string renderer;
+  std::optional<FramePacing> pacing;  // of a headset's frames
 };
 
 void write_report(const ClientReport& report, Connection& connection, const std::filesystem::path& file);

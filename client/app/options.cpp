@@ -107,19 +107,22 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option("--monitor", o.monitor, "Fill this monitor, counted from 0 (F11: back to a window)")
       ->check(CLI::NonNegativeNumber)
       ->group("Pictures");
-  app.add_option_function<std::vector<int>>(
+  // As text: CLI11 makes the number 0 of none.
+  app.add_option_function<std::string>(
          "--audience",
-         [&o](const std::vector<int>& monitor) {
+         [&o](const std::string& monitor) {
            o.audience.emplace();
-           if (!monitor.empty()) o.audience->monitor = monitor.front();
+           if (!monitor.empty()) o.audience->monitor = std::stoi(monitor);
          },
          "A second window with the same picture, in stereo of one eye, for others to watch; or fill this "
          "monitor with it")
       ->expected(0, 1)
       ->type_name("[MONITOR]")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0, 99))
       ->group("Pictures");
-  app.add_option("--scale", o.scale, "Size of texts and overlays (default: as the desktop scales its own)")
+  app.add_option(
+         "--scale", o.scale,
+         "Size of texts and overlays (default: as the desktop scales its own, or as a headset's eyes need)")
       ->check(CLI::Range(0.5, 8.0))
       ->group("Pictures");
   app.add_option("--fps", o.frames_per_second, "Pictures per second, at most")
@@ -133,7 +136,8 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option("--screenshot", raw.screenshots,
                  "PNG at the end, or FILE@SECONDS after joining (repeatable)")
       ->group("Pictures");
-  app.add_option("--record", o.record, "Video file, .avi or .mp4")->group("Pictures");
+  app.add_option("--record", o.record, "Video file, .avi or .mp4; of a headset the left eye's")
+      ->group("Pictures");
   const auto sheet =
       app.add_option("--sheet", o.sheet, "PNG of small pictures of the session, written at its end")
           ->group("Pictures");
@@ -367,11 +371,9 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   parse_display(raw.display, o);
   if (o.monitor && o.display != Display::window && o.display != Display::stereo)
     throw InputError("--monitor: only with --display window or stereo");
-  if (o.audience && o.display != Display::window && o.display != Display::stereo)
-    throw InputError("--audience: only with --display window or stereo");
-  if (!o.record.empty() && o.display == Display::openxr)
-    throw InputError(
-        "--record: not with --display openxr; an observer records what NAME sees: --follow NAME");
+  if (o.audience && o.display != Display::window && o.display != Display::stereo &&
+      o.display != Display::openxr)
+    throw InputError("--audience: only with --display window, stereo or openxr");
   if (!raw.size.empty()) parse_size(raw.size, o.width, o.height);
   o.quality = parse_quality(raw);
   o.shown = parse_shown(raw.show);

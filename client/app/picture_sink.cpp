@@ -6,13 +6,27 @@
 #include "common/error.h"
 
 namespace prosector {
+namespace {
+
+Image left_half(const Image& image) {
+  Image out{image.width / 2, image.height, {}};
+  for (int y = 0; y < image.height; ++y)
+    out.rgb.insert(out.rgb.end(), image.pixel(0, y), image.pixel(out.width, y));
+  return out;
+}
+
+}  // namespace
 
 PictureSink::PictureSink(const ClientOptions& options)
     : pending_(options.screenshots),
       frames_per_second_(options.frames_per_second),
+      left_eye_recorded_(options.display == Display::openxr),
       sheet_file_(options.sheet) {
   if (!sheet_file_.empty()) sheet_.emplace(options.sheet_interval);
-  if (!options.record.empty())
+  if (options.record.empty()) return;
+  if (left_eye_recorded_)
+    recorder_ = std::make_unique<Recorder>(options.record, 0, 0, frames_per_second_);
+  else
     recorder_ = std::make_unique<Recorder>(options.record, options.width, options.height, frames_per_second_);
 }
 
@@ -35,7 +49,10 @@ void PictureSink::take(const Image& image, double seconds) {
   if (!recording_since_) recording_since_ = seconds;
   // A video plays at a fixed rate: a picture that took long stands for all the frames that it took.
   const auto due = static_cast<std::size_t>((seconds - *recording_since_) * frames_per_second_) + 1;
-  while (recorder_->frames() < due && recorder_->failure().empty()) recorder_->add(image);
+  std::optional<Image> left;
+  if (left_eye_recorded_) left = left_half(image);
+  const Image& recorded = left ? *left : image;
+  while (recorder_->frames() < due && recorder_->failure().empty()) recorder_->add(recorded);
   if (!recorder_->failure().empty() && !std::exchange(failure_told_, true)) fail(recorder_->failure());
 }
 

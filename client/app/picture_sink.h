@@ -36,6 +36,7 @@ class PictureSink {
  private:
   std::vector<Screenshot> pending_;
   double frames_per_second_;
+  bool left_eye_recorded_;  // of pictures that hold both side by side
   std::unique_ptr<Recorder> recorder_;
   std::optional<double> recording_since_;
   std::filesystem::path sheet_file_;

@@ -34,22 +34,28 @@ std::string no_room(const std::filesystem::path& file) {
 
 struct Recorder::Impl {
   std::filesystem::path file;
+  double frames_per_second = 0;
   cv::VideoWriter writer;
   cv::Size size;
   std::size_t frames = 0;
   std::string failure;
+
+  void open() {
+    if (!writer.open(file.string(), codec_of(file), frames_per_second, size))
+      throw InputError(
+          fmt::format("--record {}: cannot be written; is the folder there and writable?", file.string()));
+  }
 };
 
 Recorder::Recorder(const std::filesystem::path& file, int width, int height, double frames_per_second)
     : impl_(std::make_unique<Impl>()) {
   impl_->file = file;
-  const int codec = codec_of(file);
+  impl_->frames_per_second = frames_per_second;
+  (void)codec_of(file);
   if (std::string why = no_room(file); !why.empty())
     throw InputError(fmt::format("--record {}: {}", file.string(), why));
   impl_->size = cv::Size(width, height);
-  if (!impl_->writer.open(file.string(), codec, frames_per_second, impl_->size))
-    throw InputError(
-        fmt::format("--record {}: cannot be written; is the folder there and writable?", file.string()));
+  if (!impl_->size.empty()) impl_->open();
 }
 
 Recorder::~Recorder() = default;
@@ -60,6 +66,15 @@ void Recorder::add(const Image& image) {
     impl_->failure = fmt::format("recording ended after {} frames: {}", impl_->frames, why);
     impl_->writer.release();
     return;
+  }
+  if (impl_->size.empty()) {
+    impl_->size = cv::Size(image.width, image.height);
+    try {
+      impl_->open();
+    } catch (const InputError& error) {
+      impl_->failure = error.what();
+      return;
+    }
   }
   const cv::Mat rgb(image.height, image.width, CV_8UC3, const_cast<std::uint8_t*>(image.rgb.data()));
   cv::Mat bgr;

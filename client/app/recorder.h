@@ -11,8 +11,8 @@ namespace prosector {
 /// A film of frames at a fixed rate. A full disk ends the recording with a message, never the session.
 class Recorder {
  public:
-  /// Begins a `.avi` (motion JPEG) or `.mp4`. Throws InputError for another ending, or when the file cannot
-  /// be begun.
+  /// Begins a `.avi` (motion JPEG) or `.mp4`; of 0 × 0 pixels: as large as its first picture. Throws
+  /// InputError for another ending, or when the file cannot be begun.
   Recorder(const std::filesystem::path& file, int width, int height, double frames_per_second);
   ~Recorder();
 

@@ -61,8 +61,7 @@ class Client {
       tell(offers_.back()->words());
     }
     take_role(options.join.role);
-    viewer_.emplace(options, connection_, report_, headset_user_,
-                    [this](const std::string& line) { inform(line); });
+    viewer_.emplace(options, connection_, report_, headset_user_, tell);
     if (viewer_->has_desk()) tell(viewer_->help(options.join.role, HelpColumns::blanks));
     if (isatty(STDIN_FILENO) != 0) tell(console_help());
   }

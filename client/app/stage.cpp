@@ -1,8 +1,11 @@
 #include "client/app/stage.h"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <cmath>
+
+#include "common/error.h"
 
 namespace prosector {
 namespace {
@@ -14,14 +17,37 @@ void yield_to_simulation() {
   setpriority(PRIO_PROCESS, 0, 5);
 }
 
-/// Describes what watchers see: in stereo, one eye's picture as the profile's display shows it.
+/// Describes what watchers see: in stereo, one eye's picture as the profile's display shows it; a headset's
+/// left eye's as it is.
 Audience audience_of(const ClientOptions& o) {
   Audience out = *o.audience;
+  if (o.display == Display::openxr) out.eyes = 2;
   if (o.display == Display::stereo) {
     out.eyes = 2;
     out.aspect = std::tan(o.stereo.fov_horizontal / 2) / std::tan(o.stereo.fov_vertical / 2);
   }
   return out;
+}
+
+/// Makes the context that a headset's runtime can draw with, with a window where somebody watches or where
+/// the runtime wants one.
+void make_headset_context(Stage& stage, const ClientOptions& o) {
+  const bool by_egl = headset_takes_egl();
+  if (by_egl && !o.audience) {
+    stage.context = make_egl_context(o.width, o.height);
+    return;
+  }
+  const auto audience = o.audience ? std::optional(audience_of(o)) : std::nullopt;
+  try {
+    auto mirror =
+        make_mirror_context(by_egl ? WindowSystem::egl : WindowSystem::glx, o.width, o.height, audience);
+    stage.mirror = mirror.get();
+    stage.context = std::move(mirror);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format(
+        "--display openxr: {}: {}",
+        by_egl ? "--audience wants a window" : "the runtime takes pictures by GLX alone", error.what()));
+  }
 }
 
 }  // namespace
@@ -31,7 +57,7 @@ std::unique_ptr<Stage> make_stage(const ClientOptions& o, HeadsetUser& user) {
   yield_to_simulation();
   auto stage = std::make_unique<Stage>();
   if (o.display == Display::openxr) {
-    stage->context = make_egl_context(o.width, o.height);
+    make_headset_context(*stage, o);
     stage->headset = std::make_unique<Headset>(*stage->context, o.devices.headset_room,
                                                [&user](const TrackedUser& now) { user.put(now); });
   } else if (o.display == Display::offscreen) {

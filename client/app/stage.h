@@ -6,6 +6,7 @@
 #include "client/app/desk.h"
 #include "client/app/headset_user.h"
 #include "client/app/options.h"
+#include "client/render/mirror_context.h"
 #include "client/render/renderer.h"
 #include "client/render/window_context.h"
 #include "client/view/scene_view.h"
@@ -17,6 +18,7 @@ struct Stage {
   std::unique_ptr<GlContext> context;
   std::unique_ptr<Renderer> renderer;
   WindowContext* window = nullptr;   // the context, where it is one
+  MirrorContext* mirror = nullptr;   // the context, where it is one: of a headset that others watch
   std::unique_ptr<Desk> desk;        // with a window only
   std::unique_ptr<Headset> headset;  // with --display openxr only
   SceneView view;

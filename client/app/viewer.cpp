@@ -31,7 +31,7 @@ Viewer::Viewer(const ClientOptions& options, Connection& connection, ClientRepor
 }
 
 void Viewer::take_picture(const std::filesystem::path& file) {
-  stage_ ? sink_.ask(file) : tell_("picture: nothing is drawn with --display none");
+  stage_ ? sink_.ask(file) : inform("picture: nothing is drawn with --display none");
 }
 
 std::optional<BodyId> Viewer::part_at(const Ray& ray) {
@@ -52,14 +52,20 @@ void Viewer::draw_if_seen(InputPump* pump) {
 /// Goes on to the headset's next frame, and hands on what it says. Returns whether a picture is wanted.
 bool Viewer::begin_headset_frame() {
   auto frame = stage_->headset->next_frame();
-  for (const std::string& line : stage_->headset->take_news()) tell_(line);
-  if (!frame) return false;
+  for (const HeadsetNews& news : stage_->headset->take_news())
+    news.for_wearer ? inform(news.line) : tell_(news.line);
+  if (!frame) {
+    if (stage_->mirror != nullptr) stage_->mirror->wait();
+    return false;
+  }
   seen_ = std::move(frame);
   return true;
 }
 
 void Viewer::show_in_headset() {
-  stage_->headset->show([this](unsigned texture) { stage_->renderer->copy_to(texture); });
+  const auto copy = [this](unsigned texture) { stage_->renderer->copy_to(texture); };
+  stage_->headset->show(copy);
+  if (stage_->mirror != nullptr) stage_->mirror->show(2 * seen_->width, seen_->height, copy);
 }
 
 void Viewer::draw_in_headset(InputPump* pump) {
@@ -103,8 +109,8 @@ void Viewer::draw_loading(const std::string& waits_for, double progress) {
   stage_->context->present();
 }
 
-/// Returns how many pixels a point has.
 void Viewer::finish(InputPump* pump) {
+  if (has_headset()) report_.pacing = stage_->headset->pacing();
   if (stage_ && report_.complete_ns && sink_.wants_last()) sink_.finish(draw(pump, true));
   sink_.finish_sheet();
   tell_failures();
@@ -112,11 +118,11 @@ void Viewer::finish(InputPump* pump) {
 
 void Viewer::reload_changed_shaders() {
   if (!options_.watch_shaders || !stage_) return;
-  if (const auto news = stage_->renderer->reload_changed_shaders()) tell_(*news);
+  if (const auto news = stage_->renderer->reload_changed_shaders()) inform(*news);
 }
 
 void Viewer::tell_failures() {
-  for (const std::string& failure : sink_.take_failures()) tell_(failure);
+  for (const std::string& failure : sink_.take_failures()) inform(failure);
 }
 
 std::vector<ControlDevice> Viewer::devices() const {
@@ -144,8 +150,11 @@ std::string Viewer::pointed() const {
   });
 }
 
+/// Returns how many pixels a point has.
 double Viewer::scale() const {
-  return options_.scale.value_or(stage_->window != nullptr ? stage_->window->content_scale() : 1);
+  if (options_.scale) return *options_.scale;
+  if (seen_) return headset_scale(seen_->cameras()[0]);
+  return stage_->window != nullptr ? stage_->window->content_scale() : 1;
 }
 
 Role Viewer::role_of(ParticipantId participant) {
@@ -392,9 +401,9 @@ void Viewer::keep_picture(int times, const LocalUser& self, ViewSettings setting
         free_picture_file(pictures_folder(variable), std::chrono::system_clock::now(), tick);
     write_png(stage_->renderer->picture_of(build_list(self, settings), settings.width, settings.height),
               file);
-    tell_(fmt::format("picture: {}", file.string()));
+    inform(fmt::format("picture: {}", file.string()));
   } catch (const InputError& error) {
-    tell_(error.what());
+    inform(error.what());
   }
 }
 
@@ -406,7 +415,7 @@ void Viewer::note_picture(double seconds) {
     report_.longest_drawing_seconds = std::max(report_.longest_drawing_seconds, seconds);
   if (governor_ && governor_->took(seconds)) {
     stage_->renderer->set_settings(governor_->level().settings);
-    tell_(fmt::format("quality: {}", governor_->level().name));
+    inform(fmt::format("quality: {}", governor_->level().name));
   }
   connection_.with_replica([&](const Replica& replica) {
     figures_.take(monotonic_ns(), seconds, connection_.counters(),

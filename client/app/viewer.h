@@ -26,7 +26,7 @@ namespace prosector {
 class Viewer {
  public:
   /// Takes what outlives the viewer; `headset_user` learns where a headset's user is, `tell` prints a line
-  /// for people.
+  /// for people at the terminal.
   Viewer(const ClientOptions& options, Connection& connection, ClientReport& report,
          HeadsetUser& headset_user, std::function<void(const std::string&)> tell);
 
@@ -93,6 +93,11 @@ class Viewer {
   TouchRumble rumble_;
   PartsBoard parts_board_;
 
+  /// Tells people at the terminal and in the picture.
+  void inform(const std::string& line) {
+    tell_(line);
+    say(line);
+  }
   bool has_headset() const { return stage_ && stage_->headset; }
   bool begin_headset_frame();
   void show_in_headset();

@@ -62,39 +62,48 @@ bool AudienceWindow::closed() const {
 }
 
 void AudienceWindow::show(int width, int height) {
-  take(width / audience_.eyes, height);
+  show(width, height, [this](unsigned) { take_window(); });
+}
+
+void AudienceWindow::show(int width, int height, const std::function<void(unsigned texture)>& copy) {
+  make_picture(width, height);
+  copy(picture_);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  gl_.Finish();  // the other context sees nothing of it before
   glfwMakeContextCurrent(window_);
   put();
   glfwSwapBuffers(window_);
   glfwMakeContextCurrent(main_);
 }
 
-/// Copies the first eye's part of the back buffer into the picture.
-void AudienceWindow::take(int width, int height) {
-  if (width != width_ || height != height_) {
-    width_ = width;
-    height_ = height;
-    if (picture_ == 0) gl_.GenTextures(1, &picture_);
-    gl_.BindTexture(GL_TEXTURE_2D, picture_);
-    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl_.BindTexture(GL_TEXTURE_2D, 0);
-    if (into_picture_ == 0) into_picture_ = framebuffer_of(gl_, picture_);
-  }
-  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, into_picture_);
-  gl_.BlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  gl_.Finish();  // the other context sees nothing of it before
+/// Makes the picture, where there is none of that size.
+void AudienceWindow::make_picture(int width, int height) {
+  if (width == width_ && height == height_) return;
+  width_ = width;
+  height_ = height;
+  if (picture_ == 0) gl_.GenTextures(1, &picture_);
+  gl_.BindTexture(GL_TEXTURE_2D, picture_);
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl_.BindTexture(GL_TEXTURE_2D, 0);
+  if (into_picture_ == 0) into_picture_ = framebuffer_of(gl_, picture_);
 }
 
-/// Shows the picture as large as fits without changing its shape.
+/// Copies the back buffer into the picture.
+void AudienceWindow::take_window() {
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, into_picture_);
+  gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+/// Shows the first eye's part of the picture as large as fits without changing its shape.
 void AudienceWindow::put() {
   int across = 0, down = 0;
   glfwGetFramebufferSize(window_, &across, &down);
   if (across < 1 || down < 1) return;  // minimised
+  const int eye = width_ / audience_.eyes;
   if (of_picture_ == 0) of_picture_ = framebuffer_of(gl_, picture_);
-  const double aspect = audience_.aspect > 0 ? audience_.aspect : static_cast<double>(width_) / height_;
+  const double aspect = audience_.aspect > 0 ? audience_.aspect : static_cast<double>(eye) / height_;
   const int width = std::min(across, static_cast<int>(std::lround(down * aspect)));
   const int height = std::min(down, static_cast<int>(std::lround(across / aspect)));
   const int x = (across - width) / 2, y = (down - height) / 2;
@@ -102,7 +111,7 @@ void AudienceWindow::put() {
   gl_.ClearColor(0, 0, 0, 1);
   gl_.Clear(GL_COLOR_BUFFER_BIT);
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, of_picture_);
-  gl_.BlitFramebuffer(0, 0, width_, height_, x, y, x + width, y + height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  gl_.BlitFramebuffer(0, 0, eye, height_, x, y, x + width, y + height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
 }
 
 }  // namespace prosector

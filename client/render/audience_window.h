@@ -2,6 +2,8 @@
 // A second window, for people who watch beside the one who takes part: the same picture, of one eye. Private
 // to client/render.
 
+#include <functional>
+
 #include "client/render/gl.h"
 #include "client/render/window_context.h"
 
@@ -20,6 +22,8 @@ class AudienceWindow {
 
   /// Shows what the main window's back buffer holds, which is that large (pixels).
   void show(int width, int height);
+  /// Shows the picture of that size, which `copy` copies into the texture.
+  void show(int width, int height, const std::function<void(unsigned texture)>& copy);
   /// Tells whether somebody closed it, or pressed Esc in it.
   bool closed() const;
 
@@ -30,9 +34,10 @@ class AudienceWindow {
   Gl gl_;
   GLuint picture_ = 0;                        // the texture that both contexts share
   GLuint into_picture_ = 0, of_picture_ = 0;  // framebuffers with it: the main context's, the window's
-  int width_ = 0, height_ = 0;                // of the picture
+  int width_ = 0, height_ = 0;                // of the picture, with all its eyes
 
-  void take(int width, int height);
+  void make_picture(int width, int height);
+  void take_window();
   void put();
 };
 

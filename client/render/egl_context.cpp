@@ -56,7 +56,7 @@ class EglContext final : public GlContext {
   int height() const override { return height_; }
   bool has_screen() const override { return false; }
   void present() override {}
-  std::optional<EglHandles> egl() const override { return EglHandles{display_, config_, context_}; }
+  ContextHandles handles() const override { return EglHandles{display_, config_, context_}; }
   std::string description() const override { return describe_gl(*this, "EGL surfaceless"); }
 
  private:

@@ -2,8 +2,8 @@
 // Where OpenGL 3.3 core comes from: EGL surfaceless, OSMesa, or a window. One renderer serves them all.
 
 #include <memory>
-#include <optional>
 #include <string>
+#include <variant>
 
 namespace prosector {
 
@@ -11,6 +11,16 @@ namespace prosector {
 struct EglHandles {
   void *display, *config, *context;
 };
+/// The same as GLX has it: Display*, VisualID, GLXFBConfig, GLXDrawable, GLXContext.
+struct GlxHandles {
+  void* display;
+  unsigned long visual;
+  void* config;
+  unsigned long drawable;
+  void* context;
+};
+/// Monostate: a context that is not for others.
+using ContextHandles = std::variant<std::monostate, EglHandles, GlxHandles>;
 
 /// A current context. Not thread safe: used by the thread that made it, one context per thread at a time.
 class GlContext {
@@ -21,7 +31,7 @@ class GlContext {
   virtual int height() const = 0;
   virtual bool has_screen() const = 0;  // framebuffer 0 is a window's; offscreen there is none
   virtual void present() = 0;           // swaps a window's buffers; offscreen: nothing
-  virtual std::optional<EglHandles> egl() const { return std::nullopt; }  // nullopt: is none of EGL
+  virtual ContextHandles handles() const { return {}; }
   virtual std::string description() const = 0;  // "EGL surfaceless, llvmpipe (…), Mesa 22.3.6"
 };
 

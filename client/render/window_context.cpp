@@ -1,7 +1,5 @@
 #include "client/render/window_context.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <optional>
 #include <utility>
@@ -11,17 +9,11 @@
 
 #include "client/render/audience_window.h"
 #include "client/render/glfw_monitor.h"
+#include "client/render/glfw_window.h"
 #include "client/render/keyboard_layout.h"
-#include "common/error.h"
 
 namespace prosector {
 namespace {
-
-std::string last_glfw_error() {
-  const char* description = nullptr;
-  glfwGetError(&description);
-  return description ? description : "no reason given";
-}
 
 std::optional<Key> key_from_glfw(int key, int scancode) {
   struct Row {
@@ -88,22 +80,8 @@ class GlfwWindow final : public WindowContext {
  public:
   GlfwWindow(int width, int height, const std::string& title) {
     check_picture_size(width, height);
-    if (!glfwInit())
-      throw InputError(
-          fmt::format("no window: {}; start it in a desktop (DISPLAY), or choose an offscreen display",
-                      last_glfw_error()));
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the renderer has framebuffers of its own
-    window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
-    if (!window_) {
-      const std::string reason = last_glfw_error();
-      glfwTerminate();
-      throw InputError(fmt::format("no window with OpenGL 3.3 core: {}", reason));
-    }
-    glfwMakeContextCurrent(window_);
+    start_glfw();
+    window_ = open_glfw_window(width, height, title);
     glfwSwapInterval(1);
     glfwGetFramebufferSize(window_, &width_, &height_);
     listen();

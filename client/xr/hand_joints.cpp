@@ -59,7 +59,6 @@ std::optional<TrackedHand> hand_of_controller(std::size_t hand, const Controller
   out.wrist = state.grip * grip_in_wrist(hand).inverse();
   out.flexion.fill(std::clamp(std::max(state.trigger, state.squeeze), 0.0, 1.0));
   out.flexion[1] = std::clamp(state.trigger, 0.0, 1.0);
-  out.buttons = state.buttons;
   return out;
 }
 

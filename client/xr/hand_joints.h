@@ -21,7 +21,6 @@ std::optional<TrackedHand> hand_of_joints(const HeadsetJoints& joints);
 struct ControllerState {
   Pose grip;
   double trigger = 0, squeeze = 0;  // 0 … 1
-  std::uint32_t buttons = 0;
 };
 
 /// Returns the hand around a controller. The trigger closes all fingers, so that it grasps; squeezing closes

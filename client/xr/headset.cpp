@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "client/xr/xr_session.h"
@@ -14,23 +15,34 @@ namespace {
 constexpr std::int64_t retry_ns = 500'000'000;
 constexpr std::chrono::milliseconds follow_interval(8);
 
-EglHandles egl_of(const GlContext& context) {
-  if (const auto egl = context.egl()) return *egl;
+/// Returns the context, where a headset's runtime can draw with it.
+const GlContext& shared(const GlContext& context) {
+  if (!std::holds_alternative<std::monostate>(context.handles())) return context;
   throw InputError("--display openxr: needs OpenGL by EGL; install libegl1");
 }
 
 }  // namespace
 
+bool headset_takes_egl() {
+  try {
+    const std::vector<std::string> offered = extensions_of(load_openxr());
+    return std::ranges::find(offered, XR_MNDX_EGL_ENABLE_EXTENSION_NAME) != offered.end();
+  } catch (const XrFailure&) {
+    return true;
+  }
+}
+
 struct Headset::Parts {
-  Parts(const EglHandles& egl, std::function<void(const std::string&)> tell)
-      : run(system, egl, std::move(tell)) {}
+  Parts(const GlContext& context, std::function<void(const std::string&)> tell)
+      : system(std::holds_alternative<EglHandles>(context.handles())),
+        run(system, context, std::move(tell)) {}
   XrSystem system;
   XrRun run;
 };
 
 Headset::Headset(const GlContext& context, const Pose& room_stage,
                  std::function<void(const TrackedUser& user)> take_user)
-    : egl_(egl_of(context)), room_stage_(room_stage), take_user_(std::move(take_user)) {
+    : context_(shared(context)), room_stage_(room_stage), take_user_(std::move(take_user)) {
   try {
     connect();
   } catch (const XrFailure& failure) {
@@ -69,12 +81,14 @@ void Headset::follow_user() {
 
 void Headset::connect() {
   tried_ns_ = monotonic_ns();
-  auto parts = std::make_unique<Parts>(egl_, [this](const std::string& line) { news_.push_back(line); });
+  auto parts = std::make_unique<Parts>(context_, [this](const std::string& line) {
+    news_.push_back({line, true});
+  });
   {
     const std::lock_guard lock(mutex_);
     parts_ = std::move(parts);
   }
-  news_.push_back(fmt::format("headset: {}", parts_->system.description()));
+  news_.push_back({fmt::format("headset: {}", parts_->system.description())});
   reason_.clear();
 }
 
@@ -84,7 +98,8 @@ void Headset::lose(const std::string& why) {
     parts_.reset();
   }
   keeps_time_ = false;
-  if (why != reason_) news_.push_back(fmt::format("headset: {}; waiting for it to come back", why));
+  pacing_.pause();
+  if (why != reason_) news_.push_back({fmt::format("headset: {}; waiting for it to come back", why)});
   reason_ = why;
 }
 
@@ -108,8 +123,12 @@ std::optional<HeadsetFrame> Headset::frame() {
     run.follow_events();
   }
   closed_ = run.over();
-  if (!run.running()) return std::nullopt;
+  if (!run.running()) {
+    pacing_.pause();
+    return std::nullopt;
+  }
   const bool seen = run.wait();
+  pacing_.take(monotonic_ns(), run.seen_ns(), run.period_ns());
   keeps_time_ = true;
   {
     const std::lock_guard lock(mutex_);

@@ -12,6 +12,7 @@
 
 #include "client/render/gl_context.h"
 #include "client/xr/eye_view.h"
+#include "client/xr/frame_pacing.h"
 #include "client/xr/tracked_user.h"
 
 namespace prosector {
@@ -27,6 +28,16 @@ struct HeadsetFrame {
     return {camera_of(eyes[0], 0, width, height), camera_of(eyes[1], width, width, height)};
   }
 };
+
+/// A line about what happened: shown to the wearer, too, or for who reads the terminal alone.
+struct HeadsetNews {
+  std::string line;
+  bool for_wearer = false;
+};
+
+/// Tells whether the runtime takes pictures by EGL, and not by GLX alone; true where none answers. Throws
+/// InputError where there is no loader.
+bool headset_takes_egl();
 
 class Headset {
  public:
@@ -45,15 +56,17 @@ class Headset {
   void show(const std::function<void(unsigned texture)>& draw);
   /// Tells whether next_frame() kept the headset's rhythm: false where it has none now.
   bool keeps_time() const { return keeps_time_; }
+  /// Returns the rhythm of all frames until now.
+  const FramePacing& pacing() const { return pacing_; }
   /// Tells whether the headset's own menu ended the program.
   bool closed() const { return closed_; }
-  /// Returns lines for people about what happened since the last call.
-  std::vector<std::string> take_news() { return std::exchange(news_, {}); }
+  /// Returns what happened since the last call.
+  std::vector<HeadsetNews> take_news() { return std::exchange(news_, {}); }
 
  private:
   struct Parts;  // what knows OpenXR
 
-  EglHandles egl_;
+  const GlContext& context_;
   Pose room_stage_;
   std::function<void(const TrackedUser& user)> take_user_;
   std::mutex mutex_;              // of the parts' being there, and of what the runtime says of hands
@@ -61,7 +74,8 @@ class Headset {
   std::int64_t tried_ns_ = 0;
   std::string reason_;  // for which it isn't there, as last told
   bool keeps_time_ = false, closed_ = false;
-  std::vector<std::string> news_;
+  FramePacing pacing_;
+  std::vector<HeadsetNews> news_;
   std::jthread follower_;
 
   void follow_user();

@@ -5,9 +5,16 @@
 #include <EGL/egl.h>
 #include <time.h>
 
+// X11's types by name, so that none of its headers is needed.
+using Display = struct _XDisplay;
+using GLXFBConfig = struct __GLXFBConfigRec*;
+using GLXContext = struct __GLXcontextRec*;
+using GLXDrawable = unsigned long;
+
 #define XR_NO_PROTOTYPES
 #define XR_USE_GRAPHICS_API_OPENGL
 #define XR_USE_PLATFORM_EGL
+#define XR_USE_PLATFORM_XLIB
 #define XR_USE_TIMESPEC
 #include <openxr/openxr.h>
 #include <openxr/openxr_platform.h>
@@ -28,7 +35,7 @@
   X(LocateSpace) X(LocateViews) X(PollEvent) X(ReleaseSwapchainImage) X(StringToPath)                     \
   X(SuggestInteractionProfileBindings) X(SyncActions) X(WaitFrame) X(WaitSwapchainImage)
 #define PROSECTOR_XR_GRAPHICS(X) X(GetOpenGLGraphicsRequirementsKHR)
-#define PROSECTOR_XR_HANDS(X) X(CreateHandTrackerEXT) X(DestroyHandTrackerEXT) X(LocateHandJointsEXT)
+#define PROSECTOR_XR_HANDS(X) X(CreateHandTrackerEXT) X(LocateHandJointsEXT)
 #define PROSECTOR_XR_TIME(X) X(ConvertTimespecTimeToTimeKHR)
 // clang-format on
 

@@ -64,10 +64,8 @@ XrInput::XrInput(const XrSystem& system, XrSession session)
   }
 }
 
-// What belongs to the session goes with it.
+// What belongs to the session, hands' trackers too, goes with it.
 XrInput::~XrInput() {
-  for (const XrHandTrackerEXT tracker : trackers_)
-    if (tracker != XR_NULL_HANDLE) xr_.DestroyHandTrackerEXT(tracker);
   if (set_ != XR_NULL_HANDLE) xr_.DestroyActionSet(set_);
 }
 
@@ -129,6 +127,7 @@ TrackedUser XrInput::locate(XrSpace base, XrTime time) const {
   for (std::size_t hand : {left_hand, right_hand}) {
     out.hands[hand] = bare_hand(hand, base, time);
     if (!out.hands[hand]) out.hands[hand] = controller(hand, base, time);
+    if (out.hands[hand] && presses_menu(hand)) out.hands[hand]->buttons |= menu_button;
   }
   return out;
 }
@@ -169,17 +168,20 @@ double XrInput::value(XrAction action, std::size_t hand) const {
   return state.isActive == XR_TRUE ? state.currentState : 0;
 }
 
-std::optional<TrackedHand> XrInput::controller(std::size_t hand, XrSpace base, XrTime time) const {
-  const auto grip = locate(grips_[hand], base, time);
-  if (!grip) return std::nullopt;
+// Also of hands that are seen by joints: some runtimes make those up from the controller that the hand holds.
+bool XrInput::presses_menu(std::size_t hand) const {
   auto wish = typed<XrActionStateGetInfo>(XR_TYPE_ACTION_STATE_GET_INFO);
   wish.action = menu_;
   wish.subactionPath = hand_paths_[hand];
   auto menu = typed<XrActionStateBoolean>(XR_TYPE_ACTION_STATE_BOOLEAN);
   PROSECTOR_XR_CHECK(xr_, GetActionStateBoolean, session_, &wish, &menu);
-  return hand_of_controller(hand,
-                            {*grip, value(trigger_, hand), value(squeeze_, hand),
-                             menu.isActive == XR_TRUE && menu.currentState == XR_TRUE ? menu_button : 0u});
+  return menu.isActive == XR_TRUE && menu.currentState == XR_TRUE;
+}
+
+std::optional<TrackedHand> XrInput::controller(std::size_t hand, XrSpace base, XrTime time) const {
+  const auto grip = locate(grips_[hand], base, time);
+  if (!grip) return std::nullopt;
+  return hand_of_controller(hand, {*grip, value(trigger_, hand), value(squeeze_, hand)});
 }
 
 }  // namespace prosector

@@ -36,6 +36,7 @@ class XrInput {
   XrAction make_action(const char* name, const char* shown, XrActionType type) const;
   void suggest_bindings() const;
   double value(XrAction action, std::size_t hand) const;
+  bool presses_menu(std::size_t hand) const;
   std::optional<Pose> locate(XrSpace space, XrSpace base, XrTime time) const;
   std::optional<TrackedHand> bare_hand(std::size_t hand, XrSpace base, XrTime time) const;
   std::optional<TrackedHand> controller(std::size_t hand, XrSpace base, XrTime time) const;

@@ -14,25 +14,37 @@ constexpr float standing_eyes = 1.6F;  // m above the floor, where the runtime d
 
 }  // namespace
 
-XrSession XrRun::begin_session(const XrSystem& system, const EglHandles& egl) {
-  auto binding = typed<XrGraphicsBindingEGLMNDX>(XR_TYPE_GRAPHICS_BINDING_EGL_MNDX);
-  binding.getProcAddress = eglGetProcAddress;
-  binding.display = egl.display;
-  binding.config = egl.config;
-  binding.context = egl.context;
+XrSession XrRun::begin_session(const XrSystem& system, const GlContext& context) {
+  auto by_egl = typed<XrGraphicsBindingEGLMNDX>(XR_TYPE_GRAPHICS_BINDING_EGL_MNDX);
+  auto by_glx = typed<XrGraphicsBindingOpenGLXlibKHR>(XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR);
   auto info = typed<XrSessionCreateInfo>(XR_TYPE_SESSION_CREATE_INFO);
-  info.next = &binding;
   info.systemId = system.id();
+  const ContextHandles handles = context.handles();
+  if (const auto* egl = std::get_if<EglHandles>(&handles)) {
+    by_egl.getProcAddress = eglGetProcAddress;
+    by_egl.display = egl->display;
+    by_egl.config = egl->config;
+    by_egl.context = egl->context;
+    info.next = &by_egl;
+  } else if (const auto* glx = std::get_if<GlxHandles>(&handles)) {
+    by_glx.xDisplay = static_cast<Display*>(glx->display);
+    by_glx.visualid = static_cast<std::uint32_t>(glx->visual);
+    by_glx.glxFBConfig = static_cast<GLXFBConfig>(glx->config);
+    by_glx.glxDrawable = glx->drawable;
+    by_glx.glxContext = static_cast<GLXContext>(glx->context);
+    info.next = &by_glx;
+  }
   XrSession out = XR_NULL_HANDLE;
   PROSECTOR_XR_CHECK(system.xr(), CreateSession, system.instance(), &info, &out);
   return out;
 }
 
-XrRun::XrRun(const XrSystem& system, const EglHandles& egl, std::function<void(const std::string&)> tell)
+XrRun::XrRun(const XrSystem& system, const GlContext& context, std::function<void(const std::string&)> tell)
     : system_(system),
       xr_(system.xr()),
+      context_(context),
       tell_(std::move(tell)),
-      session_(begin_session(system, egl)),
+      session_(begin_session(system, context)),
       width_(static_cast<int>(system.views()[0].recommendedImageRectWidth)),
       height_(static_cast<int>(system.views()[0].recommendedImageRectHeight)),
       input_(system, session_) {
@@ -42,8 +54,10 @@ XrRun::XrRun(const XrSystem& system, const EglHandles& egl, std::function<void(c
   make_pictures();
 }
 
-// Spaces, pictures and what else belongs to the session go with it.
+// Spaces, pictures and what else belongs to the session go with it. So nothing may be drawn into them any
+// more, and a lost runtime doesn't wait for that.
 XrRun::~XrRun() {
+  reinterpret_cast<void (*)()>(context_.proc("glFinish"))();
   xr_.DestroySession(session_);
 }
 

@@ -12,7 +12,7 @@ namespace prosector {
 class XrRun {
  public:
   /// Begins a session that draws with the context; `tell` hears what becomes of it.
-  XrRun(const XrSystem& system, const EglHandles& egl, std::function<void(const std::string&)> tell);
+  XrRun(const XrSystem& system, const GlContext& context, std::function<void(const std::string&)> tell);
   ~XrRun();
   XrRun(const XrRun&) = delete;
   XrRun& operator=(const XrRun&) = delete;
@@ -26,6 +26,9 @@ class XrRun {
 
   /// Waits for the next frame, and begins it. Returns whether a picture of it will be seen.
   bool wait();
+  /// Returns when the frame is seen, and how far apart frames are; ns of the runtime's clock.
+  std::int64_t seen_ns() const { return frame_.predictedDisplayTime; }
+  std::int64_t period_ns() const { return frame_.predictedDisplayPeriod; }
   /// Reads what the user presses.
   void sync();
   /// Returns both eyes when the frame is seen, in the stage; nullopt: the headset doesn't know.
@@ -47,6 +50,7 @@ class XrRun {
  private:
   const XrSystem& system_;
   const XrFunctions& xr_;
+  const GlContext& context_;
   std::function<void(const std::string&)> tell_;
   XrSession session_ = XR_NULL_HANDLE;
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
@@ -60,7 +64,7 @@ class XrRun {
   std::array<XrView, 2> views_{};
   XrInput input_;
 
-  static XrSession begin_session(const XrSystem& system, const EglHandles& egl);
+  static XrSession begin_session(const XrSystem& system, const GlContext& context);
   void make_stage();
   void make_pictures();
   void enter(XrSessionState state);

@@ -8,7 +8,6 @@
 #include "common/error.h"
 
 namespace prosector {
-namespace {
 
 std::vector<std::string> extensions_of(const XrFunctions& xr) {
   std::uint32_t count = 0;
@@ -20,10 +19,8 @@ std::vector<std::string> extensions_of(const XrFunctions& xr) {
   return out;
 }
 
-}  // namespace
-
-XrSystem::XrSystem() : xr_(load_openxr()) {
-  create();
+XrSystem::XrSystem(bool by_egl) : xr_(load_openxr()) {
+  create(by_egl);
   try {
     find_headset();
   } catch (...) {
@@ -36,10 +33,11 @@ XrSystem::~XrSystem() {
   xr_.DestroyInstance(instance_);
 }
 
-void XrSystem::create() {
+void XrSystem::create(bool by_egl) {
   const std::vector<std::string> offered = extensions_of(xr_);
   const auto has = [&](const char* name) { return std::ranges::find(offered, name) != offered.end(); };
-  std::vector<const char*> wanted = {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME, XR_MNDX_EGL_ENABLE_EXTENSION_NAME};
+  std::vector<const char*> wanted = {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME};
+  if (by_egl) wanted.push_back(XR_MNDX_EGL_ENABLE_EXTENSION_NAME);
   for (const char* name : wanted)
     if (!has(name)) throw InputError(fmt::format("--display openxr: the runtime lacks {}", name));
   const bool hands = has(XR_EXT_HAND_TRACKING_EXTENSION_NAME);

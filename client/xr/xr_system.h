@@ -8,11 +8,14 @@
 
 namespace prosector {
 
+/// Returns the names of the runtime's extensions. Throws XrFailure where none answers.
+std::vector<std::string> extensions_of(const XrFunctions& xr);
+
 class XrSystem {
  public:
-  /// Asks the runtime for a headset of two eyes. Throws XrFailure where it isn't there now, InputError where
-  /// it never will be.
-  XrSystem();
+  /// Asks the runtime for a headset of two eyes, for which `by_egl` draws by EGL. Throws XrFailure where it
+  /// isn't there now, InputError where it never will be.
+  explicit XrSystem(bool by_egl);
   ~XrSystem();
   XrSystem(const XrSystem&) = delete;
   XrSystem& operator=(const XrSystem&) = delete;
@@ -37,7 +40,7 @@ class XrSystem {
   XrEnvironmentBlendMode blend_mode_ = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
   std::string runtime_, headset_;
 
-  void create();
+  void create(bool by_egl);
   void find_headset();
 };
 

@@ -254,6 +254,13 @@ int main(int argc, char** argv) try {
   haptics_command->add_option("--svg", haptics.picture_folder, "Folder for two pictures")
       ->check(CLI::ExistingDirectory);
 
+  prosector::CameraBenchOptions camera;
+  CLI::App* camera_command = app.add_subcommand(
+      "camera", "Printed boards before a synthetic camera: how far off, how often found, how dearly");
+  camera_command->add_flag("--quick", camera.quick, "Few places: to see that it runs");
+  camera_command->add_option("--svg", camera.picture_folder, "Folder for two pictures")
+      ->check(CLI::ExistingDirectory);
+
   prosector::HandsBenchOptions hands;
   CLI::App* hands_command = app.add_subcommand(
       "hands", "Bare hands before synthetic cameras: what is found, how far off, how dearly");
@@ -289,6 +296,7 @@ int main(int argc, char** argv) try {
   if (*scaling_command) report = prosector::bench_scaling(scaling);
   if (*collision_command) report = prosector::bench_collision(collision);
   if (*haptics_command) report = prosector::bench_haptics(haptics);
+  if (*camera_command) report = prosector::bench_camera(camera);
   if (*hands_command) report = prosector::bench_hands(hands);
   if (!file.empty()) report.value().write(file);
   return 0;

@@ -2,6 +2,7 @@
 // What prosector-bench can measure; each prints a table and returns its report.
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -200,6 +201,14 @@ struct HapticsBenchOptions {
 };
 /// What a hand feels of tissue over a network with an arm, scheme by scheme, in virtual time.
 Report bench_haptics(const HapticsBenchOptions& options);
+
+struct CameraBenchOptions {
+  bool quick = false;  // few places: to see that it runs
+  std::filesystem::path
+      picture_folder;  // where to write camera-distance.svg and camera-speed.svg; empty: nowhere
+};
+/// Printed boards before a synthetic camera, by what makes it hard; and CPU time a picture.
+Report bench_camera(const CameraBenchOptions& options);
 
 struct HandsBenchOptions {
   bool quick = false;  // few pictures: to see that it runs

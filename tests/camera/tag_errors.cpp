@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
+#include "common/clock.h"
 #include "drivers/camera/straightener.h"
 
 namespace prosector {
@@ -24,49 +26,103 @@ void cover(SyntheticScene& scene, std::size_t carrier, const Board& board, doubl
   scene.things.push_back(hand);
 }
 
+/// Measures what passes between its calls.
+class Stopwatch {
+ public:
+  double lap_ms() {
+    const std::int64_t now_ns = monotonic_ns();
+    return static_cast<double>(now_ns - std::exchange(last_ns_, now_ns)) * 1e-6;
+  }
+
+ private:
+  std::int64_t last_ns_ = monotonic_ns();
+};
+
+/// Lets a carrier pass a pose at the first picture's moment with that speed.
+void move_through(Carrier& carrier, double moment, double speed) {
+  // Keyframes are passed with 15/8 of the mean speed in the middle between them.
+  constexpr double span = 0.2;
+  const Vec3 half(speed * span / 2 / 1.875, 0, 0);
+  carrier.motion.emplace();
+  carrier.motion->add(0, moment - span / 2, Pose{carrier.pose.p - half, carrier.pose.q});
+  carrier.motion->add(0, moment + span / 2, Pose{carrier.pose.p + half, carrier.pose.q});
+}
+
+/// Returns the scene of one place.
+SyntheticScene scene_of(const TagCase& what, const Lens& lens, const Pose& room_board, unsigned seed) {
+  SyntheticScene scene = usual_scene(lens);
+  scene.sensor.response = what.response;
+  scene.sensor.noise = what.noise;
+  scene.sensor.light = what.light;
+  scene.sensor.seed = seed;
+  scene.exposure = what.exposure;
+  Carrier carrier;
+  carrier.pose = room_board;
+  if (what.speed > 0) move_through(carrier, scene.seconds_of(0), what.speed);
+  const std::size_t index = scene.add_board(what.board, carrier);
+  if (what.covered > 0) cover(scene, index, what.board, what.covered);
+  return scene;
+}
+
+struct Found {
+  Pose pose, truth;
+};
+
+void judge(const std::vector<Found>& found, TagErrors& out) {
+  for (const Found& one : found) {
+    const Vec3 off = 1e3 * (one.pose.p - one.truth.p);
+    out.depth.push_back(std::abs(off.z()));
+    out.lateral.push_back(off.head<2>().norm());
+    out.turn.push_back(one.pose.q.angularDistance(one.truth.q));
+  }
+}
+
+/// Takes the mean of what was found for the truth, so that scatter alone is left.
+void take_mean_for_truth(std::vector<Found>& found) {
+  Vec3 sum = Vec3::Zero();
+  Eigen::Vector4d turn = Eigen::Vector4d::Zero();
+  for (const Found& one : found) {
+    sum += one.pose.p;
+    turn += (one.pose.q.coeffs().dot(found.front().pose.q.coeffs()) < 0 ? -1 : 1) * one.pose.q.coeffs();
+  }
+  Quat mean;
+  mean.coeffs() = turn.normalized();
+  for (Found& one : found) one.truth = {sum / static_cast<double>(found.size()), mean};
+}
+
 }  // namespace
 
 TagErrors tag_errors(const TagCase& what) {
   Random random(11);
-  const Lens lens = usual_lens();
+  const Lens lens = usual_lens().scaled(what.width, what.height);
   const Straightener straightener(lens);
   const TagFinder finder(what.finder);
   TagErrors out;
+  std::vector<Found> found;
+  Pose room_board;
   for (int k = 0; k < what.places; ++k) {
-    SyntheticScene scene = usual_scene(lens);
-    scene.sensor.response = what.response;
-    scene.sensor.noise = what.noise;
-    scene.sensor.seed = static_cast<unsigned>(k + 1);
-    scene.exposure = what.exposure;
-    Carrier carrier;
-    const Pose middle = board_before_camera(random, what.distance, 0, what.most_tilt);
-    carrier.pose = middle;
-    if (what.speed > 0) {
-      // Keyframes are passed with 15/8 of the mean speed in the middle between them.
-      constexpr double span = 0.2;
-      const Vec3 half = Vec3(what.speed * span / 2 / 1.875, 0, 0);
-      carrier.motion.emplace();
-      carrier.motion->add(0, scene.seconds_of(0) - span / 2, Pose{middle.p - half, middle.q});
-      carrier.motion->add(0, scene.seconds_of(0) + span / 2, Pose{middle.p + half, middle.q});
-    }
-    const std::size_t index = scene.add_board(what.board, carrier);
-    if (what.covered > 0) cover(scene, index, what.board, what.covered);
+    if (k == 0 || !what.still)
+      room_board = board_before_camera(random, what.distance, what.least_tilt, what.most_tilt);
+    const SyntheticScene scene = scene_of(what, lens, room_board, static_cast<unsigned>(k + 1));
     const GreyImage picture = grey_of(ScenePainter(scene).paint(0));
-    const auto tags = finder.find(straightener.straight(picture));
+    Stopwatch watch;
+    const GreyImage straight = straightener.straight(picture);
+    out.straighten_ms.push_back(watch.lap_ms());
+    const auto tags = finder.find(straight);
+    out.find_ms.push_back(watch.lap_ms());
     const auto poses = solve_board(corners_seen(what.board, tags), straightener.lens());
     if (poses.empty()) continue;
     std::vector<int> codes;
     for (const SeenTag& tag : tags) codes.push_back(tag.code);
     const auto fit = fit_edges(picture, lens, what.board, codes, poses.front().camera_board, what.assumed);
+    out.fit_ms.push_back(watch.lap_ms());
     if (!fit) continue;
     ++out.seen;
-    const Pose truth = device_camera * middle;
-    const Vec3 off = 1e3 * (fit->camera_board.p - truth.p);
-    out.depth.push_back(std::abs(off.z()));
-    out.lateral.push_back(off.head<2>().norm());
-    out.turn.push_back(fit->camera_board.q.angularDistance(truth.q));
     out.told.push_back(1e3 * std::sqrt(fit->covariance(5, 5)));
+    found.push_back({fit->camera_board, device_camera * room_board});
   }
+  if (what.still && !found.empty()) take_mean_for_truth(found);
+  judge(found, out);
   return out;
 }
 

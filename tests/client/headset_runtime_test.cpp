@@ -18,7 +18,7 @@ const Pose room_stage{{0.5, 0, -0.25}, Quat(Eigen::AngleAxisd(1.2, Vec3::UnitY()
 
 /// Counts what a headset's frames hold, and fails on what no frame may.
 struct Seen {
-  int frames = 0, hands = 0, heads = 0, shown = 0;
+  int frames = 0, hands = 0, heads = 0, shown = 0, pressed = 0;
 
   void take(const TrackedUser& user) {
     if (user.head) {
@@ -30,7 +30,8 @@ struct Seen {
       if (!hand) continue;
       ++hands;
       EXPECT_TRUE(is_finite(hand->wrist));
-      for (const double flexion : hand->flexion) EXPECT_NEAR(flexion, 0, 1e-5);
+      for (const std::size_t finger : {0, 1, 2, 4}) EXPECT_NEAR(hand->flexion[finger], 0, 1e-5);
+      if (hand->buttons == menu_button) ++pressed;
     }
   }
 };
@@ -38,7 +39,8 @@ struct Seen {
 TEST(Headset, ComesBackFromWhateverARuntimeDoes) {
   setenv("XR_RUNTIME_JSON", PROSECTOR_TWINS "/openxr_double.json", 1);
   setenv("PROSECTOR_OPENXR",
-         "--rate 200 --width 32 --height 24 --unfocused 0.2 0.4 --garbage 0.5 0.7 --centred-anew 0.75 "
+         "--held --script " PROSECTOR_RING_FINGER
+         " --rate 200 --width 32 --height 24 --unfocused 0.2 0.4 --garbage 0.5 0.7 --centred-anew 0.75 "
          "--session-lost 0.8 "
          "--frame-refused 1.1 --instance-lost 1.4 --away 1.4 2.2 --left 3.2",
          1);
@@ -55,7 +57,7 @@ TEST(Headset, ComesBackFromWhateverARuntimeDoes) {
   const std::int64_t end = monotonic_ns() + 30'000'000'000;
   while (!headset.closed() && monotonic_ns() < end) {
     const auto frame = headset.next_frame();
-    for (const std::string& line : headset.take_news()) news.push_back(line);
+    for (const HeadsetNews& now : headset.take_news()) news.push_back(now.line);
     if (!headset.keeps_time()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (!frame) continue;
     ++seen.frames;
@@ -75,6 +77,8 @@ TEST(Headset, ComesBackFromWhateverARuntimeDoes) {
   EXPECT_GT(seen.shown, 10);
   EXPECT_GT(seen.heads, seen.frames / 2);
   EXPECT_GT(seen.hands, 10);
+  EXPECT_GT(seen.pressed, 2);  // the ring finger's button, though the hand is of joints
+  EXPECT_LT(seen.pressed, seen.hands / 2);
   const auto said = [&](const std::string& words) {
     return std::ranges::count_if(
         news, [&](const std::string& line) { return line.find(words) != std::string::npos; });

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 
+from anatomy import ON_LIVER, anatomy
 from arm_press import HERE, ArmPress
 from checks import check, failures
 
@@ -18,12 +19,12 @@ ROOT = HERE.parent.parent
 BIN, OUT, KIND = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3]
 NETWORK = sys.argv[4:]  # the client's, inside a namespace
 OUT.mkdir(parents=True, exist_ok=True)
-PLACE, DEEP = [-0.085, 1.04, 0.02], 0.02  # m: on the left lobe's upper side; goal of the hand below it
+DEEP = 0.02  # m: goal of the hand below where it meets the liver
 SERVER = [BIN / "prosector-server", ROOT / "deploy/scenes/cut.toml", "--cache", OUT / "cache"]
-if not (pathlib.Path(os.environ.get("XDG_DATA_HOME", pathlib.Path.home() / ".local/share")) / "prosector/liver.inr.gz").exists():
+if not anatomy("liver.inr.gz").exists():
     print("skipped: the CT's liver isn't here; deploy/fetch_anatomy.sh fetches it")
     sys.exit(77)
-arm = ArmPress(BIN, OUT, f"liver_{KIND}", PLACE, from_behind=False)
+arm = ArmPress(BIN, OUT, f"liver_{KIND}", ON_LIVER, from_behind=False)
 
 
 def show(when, felt, told):

@@ -41,11 +41,15 @@ def windows(title):
     return subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title], capture_output=True, text=True).stdout.split()
 
 
-def corner(window):
-    """Of a window's picture on the screen: its upper left, pixels."""
+def geometry(window):
+    """Of a window's picture on the screen: its upper left, its width and height, pixels."""
     lines = subprocess.run(["xdotool", "getwindowgeometry", "--shell", window], capture_output=True, text=True, check=True).stdout
     place = dict(line.split("=") for line in lines.split())
-    return int(place["X"]), int(place["Y"])
+    return tuple(int(place[what]) for what in ("X", "Y", "WIDTH", "HEIGHT"))
+
+
+def corner(window):
+    return geometry(window)[:2]
 
 
 class Processes:

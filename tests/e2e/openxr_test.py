@@ -14,14 +14,13 @@ import time
 from PIL import Image
 
 from checks import check, figures, finish
+from openxr_eyes import HEAD, look
 from program import Program
 
 HERE = pathlib.Path(__file__).parent
 BIN, OUT, WHAT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3]
 SIZE = 320  # pixels of an eye's picture, each way
 RATE = 20  # frames a second of the headset with controllers: fewer than the client draws by itself
-HEAD, PITCH = (0.05, 1.3, 0.45), 2 * math.atan2(-0.3173047, 0.9483237)  # openxr_wearer.csv
-FOV = {"left": (-0.85, 0.70, 0.72, -0.80, -0.032), "right": (-0.70, 0.85, 0.72, -0.80, 0.032)}  # left, right, up, down, rad; aside, m
 FAULTS = {  # s: what the double does, and what the user is told
     "--unfocused 0.2 0.8": ("another program has your hands", "your hands are back"),
     "--garbage 1 1.5": (),
@@ -34,40 +33,6 @@ FAULTS = {  # s: what the double does, and what the user is told
 
 shutil.rmtree(OUT, ignore_errors=True)
 OUT.mkdir(parents=True)
-
-
-def expected(eye, ball):
-    """Where that place is in the eye's picture, pixels from the upper left."""
-    left, right, up, down, aside = FOV[eye]
-    x, y, z = (ball[k] - HEAD[k] for k in range(3))
-    y, z = y * math.cos(PITCH) + z * math.sin(PITCH), -y * math.sin(PITCH) + z * math.cos(PITCH)
-    across, high = (x - aside) / -z, y / -z
-    part = lambda value, low, most: (value - math.tan(low)) / (math.tan(most) - math.tan(low))
-    return SIZE * part(across, left, right), SIZE * (1 - part(high, down, up))
-
-
-def seen(eye):
-    """Where red is in the eye's picture, its middle, and how bright the picture is."""
-    image = Image.open(OUT / f"{eye}.ppm").convert("RGB")
-    red = [(k % SIZE + 0.5, k // SIZE + 0.5) for k, (r, g, b) in enumerate(image.getdata()) if r > 60 and r > g + 25]
-    middle = [sum(place[axis] for place in red) / max(1, len(red)) for axis in (0, 1)]
-    return middle, len(red), sum(image.convert("L").getdata()) / SIZE**2
-
-
-def look():
-    """What both eyes see of the ball."""
-    middles, ball = {}, told()[-1]["parts"]["ball"]["at"]
-    for eye in ("left", "right"):
-        middles[eye], count, brightness = seen(eye)
-        at = expected(eye, ball)
-        print(f"{eye}: ball of {count} pixels at ({middles[eye][0]:.1f}, {middles[eye][1]:.1f}), expected at ({at[0]:.1f}, {at[1]:.1f}); "
-              f"brightness {brightness:.1f}")
-        check(f"the {eye} eye's picture isn't black", brightness > 10 and count > 200)
-        check("the ball is where it should be", math.dist(middles[eye], at) < 4)
-    disparity = middles["left"][0] - middles["right"][0]
-    wanted = expected("left", ball)[0] - expected("right", ball)[0]
-    print(f"disparity {disparity:.2f} pixels, expected {wanted:.2f}")
-    check("disparity is as expected", abs(disparity - wanted) < 1.5)
 
 
 def told():
@@ -121,7 +86,7 @@ try:
     wait_for("head and both hands arrive", lambda line: near(wearer(line).get("eyes"), HEAD)
              and near(wearer(line).get("left"), (-0.25, 1.1, 0.1)) and near(wearer(line).get("right"), (0.3, 1.2, 0.1)))
     if WHAT != "faults":
-        look()
+        look({eye: Image.open(OUT / f"{eye}.ppm").convert("RGB") for eye in ("left", "right")}, told()[-1]["parts"]["ball"]["at"])
     (OUT / "go").touch()
     if WHAT != "faults":
         rest = told()[-1]["parts"]["ball"]["size"][1]

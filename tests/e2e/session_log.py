@@ -16,9 +16,10 @@ class SessionLog:
             except json.JSONDecodeError:
                 return
 
-    def pushes(self, who):
-        """Of a hand ("NAME, right"), down on the tissue, N, as each line has it."""
-        return [-touch["force"][1] for line in self.lines() for user, touch in line["touches"].items() if user == who]
+    def pushes(self, who, body=None):
+        """Of a hand ("NAME, right"), down on that body (any, if None), N, as each line has it."""
+        return [-touch["force"][1] for line in self.lines() for user, touch in line["touches"].items()
+                if user == who and body in (None, touch["body"])]
 
     @staticmethod
     def wait(holds, seconds):

@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """tags_test.py BIN OUT: a hand with a printed board on its back presses tissue in a real session, seen by a synthetic camera. Then its
 pictures are torn, black, of another size, upside down, one a second, and the camera is unplugged: each is told in words, and it comes back."""
-import json
 import os
 import pathlib
 import signal
@@ -10,12 +9,13 @@ import time
 
 from checks import check, failures
 from program import Program
+from session_log import SessionLog
 
 HERE = pathlib.Path(__file__).parent
 BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 OUT.mkdir(parents=True, exist_ok=True)
-LOG = OUT / "tags.jsonl"
-LOG.unlink(missing_ok=True)
+LOG = SessionLog(OUT / "tags.jsonl")
+LOG.file.unlink(missing_ok=True)
 PRESSED_BY = 3  # s of the script
 # Each in seconds of the camera's time, and a part of the words that are told of it.
 FAULTS = {"torn": (6, 7.2, None), "black": (7.6, 9.4, "no board is seen"), "resized": (9.8, 11, None), "upside_down": (11.4, 12.6, None),
@@ -23,26 +23,8 @@ FAULTS = {"torn": (6, 7.2, None), "black": (7.6, 9.4, "no board is seen"), "resi
 END = 18
 
 
-def lines_of_log():
-    for line in open(LOG):
-        try:
-            yield json.loads(line)
-        except json.JSONDecodeError:
-            return
-
-
 def pushes():
-    """Of the hand, down on the tissue, N, as each line of the log has it."""
-    return [-touch["force"][1] for line in lines_of_log() for user, touch in line["touches"].items() if user == "Feeler, right"]
-
-
-def wait_for(holds, seconds):
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        if holds():
-            return True
-        time.sleep(0.1)
-    return False
+    return LOG.pushes("Feeler, right")
 
 
 session = f"tags{os.getpid()}"
@@ -62,15 +44,15 @@ try:
     programs.append(Program(BIN / "prosector-server", HERE / "arm.toml", "--session", session, "--cache", OUT / "cache"))
     programs[0].wait("is open")
     user = Program(BIN / "prosector-client", "join", "--name", "Feeler", "--display", "none", "--config", OUT / "client.toml", "--session-log",
-                   LOG, "--session", session)
+                   LOG.file, "--session", session)
     programs.append(user)
     user.wait(f"tracker {address}: streaming")
     started = time.monotonic()
-    check("the hand presses the tissue", wait_for(lambda: LOG.exists() and any(force > 0.3 for force in pushes()), PRESSED_BY + 4))
-    if LOG.exists() and pushes():
+    check("the hand presses the tissue", LOG.wait(lambda: any(force > 0.3 for force in pushes()), PRESSED_BY + 4))
+    if pushes():
         print(f"the hand pushes with {max(pushes()):.2f} N")
     time.sleep(max(0, started + END - time.monotonic()))
-    last = list(lines_of_log())[-1]
+    last = list(LOG.lines())[-1]
     check("the hand presses again at the end", "Feeler, right" in last["touches"])
     for kind, (_, _, words) in FAULTS.items():
         if words:

@@ -61,7 +61,8 @@ XrResult XRAPI_CALL sync(XrSession, const XrActionsSyncInfo*) {
 std::optional<double> pressed(const DoubleRuntime& r, const XrActionStateGetInfo& info) {
   const std::size_t hand = hand_of(r.paths.at(info.subactionPath));
   const auto bound = r.bindings.find({reinterpret_cast<std::uint64_t>(info.action), hand});
-  if (bound == r.bindings.end() || !r.settings.controllers || !r.takes_focus()) return std::nullopt;
+  const bool there = r.settings.controllers || r.settings.held;
+  if (bound == r.bindings.end() || !there || !r.takes_focus()) return std::nullopt;
   const auto flexion = r.wearer.flexion(hand, r.seconds_now());
   if (bound->second == "/input/trigger/value") return flexion[1];
   if (bound->second == "/input/squeeze/value") return flexion[2];

@@ -8,19 +8,22 @@
 namespace prosector {
 namespace {
 
-constexpr std::array<const char*, 6> extensions = {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME,
-                                                   XR_MNDX_EGL_ENABLE_EXTENSION_NAME,
-                                                   XR_MND_HEADLESS_EXTENSION_NAME,
-                                                   XR_EXT_HAND_TRACKING_EXTENSION_NAME,
-                                                   XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME,
-                                                   XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME};
+std::vector<const char*> extensions() {
+  std::vector<const char*> out = {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME, XR_MND_HEADLESS_EXTENSION_NAME,
+                                  XR_EXT_HAND_TRACKING_EXTENSION_NAME,
+                                  XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME,
+                                  XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME};
+  if (!double_runtime().settings.glx) out.push_back(XR_MNDX_EGL_ENABLE_EXTENSION_NAME);
+  return out;
+}
 
 XrResult XRAPI_CALL enumerate_extensions(const char* layer, std::uint32_t capacity, std::uint32_t* count,
                                          XrExtensionProperties* out) {
   if (layer != nullptr) return XR_ERROR_API_LAYER_NOT_PRESENT;
-  return enumerate(capacity, count, out, static_cast<std::uint32_t>(extensions.size()),
-                   [](std::uint32_t k, XrExtensionProperties& row) {
-                     std::strcpy(row.extensionName, extensions[k]);
+  const std::vector<const char*> names = extensions();
+  return enumerate(capacity, count, out, static_cast<std::uint32_t>(names.size()),
+                   [&](std::uint32_t k, XrExtensionProperties& row) {
+                     std::strcpy(row.extensionName, names[k]);
                      row.extensionVersion = 1;
                    });
 }
@@ -33,7 +36,7 @@ XrResult XRAPI_CALL create_instance(const XrInstanceCreateInfo* info, XrInstance
   if (r.settings.away.holds(r.seconds_now())) return XR_ERROR_RUNTIME_UNAVAILABLE;
   for (std::uint32_t k = 0; k < info->enabledExtensionCount; ++k) {
     bool known = false;
-    for (const char* name : extensions) known |= std::strcmp(name, info->enabledExtensionNames[k]) == 0;
+    for (const char* name : extensions()) known |= std::strcmp(name, info->enabledExtensionNames[k]) == 0;
     if (!known) return DoubleRuntime::wrong("an unknown extension", XR_ERROR_EXTENSION_NOT_PRESENT);
   }
   r.has_instance = true;

@@ -10,7 +10,14 @@
 #define XR_NO_PROTOTYPES
 #define XR_USE_GRAPHICS_API_OPENGL
 #define XR_USE_PLATFORM_EGL
+#define XR_USE_PLATFORM_XLIB
 #define XR_USE_TIMESPEC
+// X11's types by name, so that none of its headers is needed.
+using Display = struct _XDisplay;
+using GLXFBConfig = struct __GLXFBConfigRec*;
+using GLXContext = struct __GLXcontextRec*;
+using GLXDrawable = unsigned long;
+
 #include <openxr/openxr.h>
 #include <openxr/openxr_platform.h>
 

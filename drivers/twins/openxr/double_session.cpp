@@ -1,5 +1,7 @@
 // A session of the simulated OpenXR runtime: spaces and where things are in them.
 
+#include <dlfcn.h>
+
 #include <algorithm>
 
 #include "drivers/twins/openxr/double_runtime.h"
@@ -10,16 +12,34 @@ namespace {
 constexpr double half_eye_distance = 0.032;  // m
 constexpr XrFovf left_eye{-0.85F, 0.70F, 0.72F, -0.80F}, right_eye{-0.70F, 0.85F, 0.72F, -0.80F};
 
+/// Returns what finds OpenGL's functions for a context of EGL; null: it is none.
+PFNEGLGETPROCADDRESSPROC proc_of_egl(const void* binding) {
+  const auto* egl = static_cast<const XrGraphicsBindingEGLMNDX*>(binding);
+  return egl->type == XR_TYPE_GRAPHICS_BINDING_EGL_MNDX && egl->context != nullptr ? egl->getProcAddress
+                                                                                   : nullptr;
+}
+
+/// Returns the same for a context of GLX, which is to be the current one.
+PFNEGLGETPROCADDRESSPROC proc_of_glx(const void* binding) {
+  const auto* glx = static_cast<const XrGraphicsBindingOpenGLXlibKHR*>(binding);
+  void* const library = dlopen("libGLX.so.0", RTLD_NOW);
+  if (library == nullptr) return nullptr;
+  const auto current = reinterpret_cast<GLXContext (*)()>(dlsym(library, "glXGetCurrentContext"));
+  const bool fits = glx->type == XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR && glx->xDisplay != nullptr &&
+                    glx->visualid != 0 && glx->glxFBConfig != nullptr && glx->glxDrawable != 0 &&
+                    glx->glxContext != nullptr && glx->glxContext == current();
+  return fits ? reinterpret_cast<PFNEGLGETPROCADDRESSPROC>(dlsym(library, "glXGetProcAddress")) : nullptr;
+}
+
 XrResult XRAPI_CALL create_session(XrInstance, const XrSessionCreateInfo* info, XrSession* out) {
   return with_runtime([&](DoubleRuntime& r) {
     if (r.has_session) return DoubleRuntime::wrong("a second session", XR_ERROR_LIMIT_REACHED);
-    const auto* binding = static_cast<const XrGraphicsBindingEGLMNDX*>(info->next);
     // Without graphics there are no pictures: XR_MND_headless.
     r.get_proc = nullptr;
-    if (binding != nullptr) {
-      if (binding->type != XR_TYPE_GRAPHICS_BINDING_EGL_MNDX || binding->context == nullptr)
-        return DoubleRuntime::wrong("no context of EGL", XR_ERROR_GRAPHICS_DEVICE_INVALID);
-      r.get_proc = binding->getProcAddress;
+    if (info->next != nullptr) {
+      r.get_proc = r.settings.glx ? proc_of_glx(info->next) : proc_of_egl(info->next);
+      if (r.get_proc == nullptr)
+        return DoubleRuntime::wrong("no context that can be drawn with", XR_ERROR_GRAPHICS_DEVICE_INVALID);
     }
     r.has_session = true;
     r.enter(XR_SESSION_STATE_IDLE);
@@ -141,7 +161,11 @@ XrResult XRAPI_CALL create_tracker(XrSession, const XrHandTrackerCreateInfoEXT* 
 }
 
 XrResult XRAPI_CALL destroy_tracker(XrHandTrackerEXT) {
-  return XR_SUCCESS;
+  return with_runtime([&](DoubleRuntime& r) {
+    return r.has_session
+               ? XR_SUCCESS
+               : DoubleRuntime::wrong("a tracker that went with its session", XR_ERROR_HANDLE_INVALID);
+  });
 }
 
 XrResult XRAPI_CALL locate_joints(XrHandTrackerEXT tracker, const XrHandJointsLocateInfoEXT* info,

@@ -30,7 +30,9 @@ DoubleSettings settings_of_double() {
   app.add_option("--width", out.width, "Of an eye's picture");
   app.add_option("--height", out.height, "Of an eye's picture");
   app.add_flag("--controllers", out.controllers, "Controllers instead of bare hands");
+  app.add_flag("--held", out.held, "Controllers in bare hands");
   app.add_flag("--no-stage", out.no_stage, "The floor isn't known");
+  app.add_flag("--glx", out.glx, "Pictures by GLX, not by EGL");
   add_span(app, "--unfocused", out.unfocused, "Another program has the hands");
   add_span(app, "--away", out.away, "There is no runtime");
   add_span(app, "--garbage", out.garbage, "Poses and angles are no numbers");

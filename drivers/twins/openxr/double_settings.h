@@ -20,7 +20,9 @@ struct DoubleSettings {
   double rate = 60;       // frames a second
   int width = 320, height = 320;
   bool controllers = false;  // in the hands, which are not seen by themselves
+  bool held = false;         // controllers in hands that are seen, too
   bool no_stage = false;     // it doesn't know the floor
+  bool glx = false;          // it takes pictures by GLX, and not by EGL
   Span unfocused, away, garbage;
   double session_lost = unfocused.begin, instance_lost = unfocused.begin, frame_refused = unfocused.begin,
          centred_anew = unfocused.begin, left = unfocused.begin;  // s
