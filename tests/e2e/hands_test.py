@@ -59,7 +59,7 @@ try:
     check("an unplugged camera is told of", LOG.wait(lambda: told("absent"), max(started + UNPLUGGED + 4 - time.monotonic(), 1)))
     check(f"in words: {told('absent')[-1:]}", told("absent") and "unplugged" in told("absent")[-1])
     # A synthetic camera begins anew when it is opened, and so does its hand.
-    check("it is opened again", LOG.wait(lambda: len(told("streaming")) == 2, 5))
+    check("it is opened again", LOG.wait(lambda: "streaming" in [line for line in user.lines if line.startswith(f"tracker {address}: ")][-1], 5))
     check("the hand comes back and lets go", LOG.wait(lambda: "Feeler, right" not in list(LOG.lines())[-1]["touches"], 5))
     seen = len(LOG.pushes("Feeler, right"))
     check("and presses again", LOG.wait(lambda: any(force > 0.3 for force in LOG.pushes("Feeler, right")[seen:]), PRESSES + 4))

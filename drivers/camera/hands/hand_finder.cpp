@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/error.h"
 #include "drivers/camera/hands/net_file.h"
 
 namespace prosector {
@@ -17,14 +16,6 @@ constexpr std::uint64_t look_again = 10;               // pictures: so often a s
 constexpr double same_hand = 0.35;  // of a region's side: two regions nearer than this are of one hand
 constexpr double most_votes = 6;    // so many pictures turn the surest vote
 constexpr double least_side = 8;    // pixels: nothing smaller is a hand
-
-NetPlan load_hand_net(const std::filesystem::path& folder, const std::string& name) {
-  const std::filesystem::path file = folder / name;
-  std::error_code error;
-  if (!std::filesystem::exists(file, error))
-    throw InputError(fmt::format("bare hands need '{}': run deploy/fetch_models.sh", file.string()));
-  return load_net(file);
-}
 
 const char* suffix(HandNets nets) {
   return nets == HandNets::lite ? "lite" : "full";
@@ -38,8 +29,9 @@ bool can_be_a_hand(const Image& image, const PictureRegion& region) {
 }  // namespace
 
 HandFinder::HandFinder(const std::filesystem::path& folder, HandNets nets)
-    : palms_(load_hand_net(folder, fmt::format("palm_{}.tflite", suffix(nets)))),
-      landmarks_(load_hand_net(folder, fmt::format("hand_landmark_{}.tflite", suffix(nets)))) {}
+    : palms_(load_fetched_net(folder, fmt::format("palm_{}.tflite", suffix(nets)), "bare hands")),
+      landmarks_(
+          load_fetched_net(folder, fmt::format("hand_landmark_{}.tflite", suffix(nets)), "bare hands")) {}
 
 void HandFinder::forget() {
   followed_.clear();
@@ -69,13 +61,12 @@ void HandFinder::drop_doubles() {
 
 void HandFinder::look_for_more(const Image& image) {
   ++palm_runs_;
-  for (const FoundPalm& palm : palms_.find(image)) {
+  for (const PictureRegion& palm : palms_.find(image)) {
     if (followed_.size() == most_hands) return;
     const bool known = std::any_of(followed_.begin(), followed_.end(), [&](const Followed& f) {
-      return (f.region.center - palm.region.center).norm() <
-             same_hand * std::max(f.region.side, palm.region.side);
+      return (f.region.center - palm.center).norm() < same_hand * std::max(f.region.side, palm.side);
     });
-    Followed fresh{palm.region, 0, {}};
+    Followed fresh{palm, 0, {}};
     if (known || !follow(image, fresh)) continue;
     follow(image, fresh);  // the palm's square is rough: look again where the hand is
     fresh.hand.number = next_number_++;
@@ -95,9 +86,7 @@ void HandFinder::tell_sides() {
 
 const std::vector<FoundHand>& HandFinder::find(const Image& image) {
   hands_.clear();
-  const auto bytes = 3 * static_cast<std::size_t>(std::max(image.width, 0)) *
-                     static_cast<std::size_t>(std::max(image.height, 0));
-  if (bytes == 0 || image.rgb.size() < bytes) return hands_;
+  if (!is_whole(image)) return hands_;
   std::erase_if(followed_, [&](Followed& f) {
     if (!follow(image, f)) return true;
     ++f.hand.follows;

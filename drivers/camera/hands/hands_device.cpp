@@ -103,10 +103,12 @@ DeviceSample HandsDevice::sample_of(const TrackedHand& tracked, std::int64_t tim
 void HandsDevice::poll(std::vector<DeviceSample>& out) {
   const CameraState camera = threads_[0]->state();
   const std::int64_t now_ns = monotonic_ns();
-  if (camera.opened > opened_) health_.opened(now_ns);
+  const bool opened = camera.opened > opened_;
+  if (opened) health_.opened(now_ns);
   opened_ = camera.opened;
   {
     const std::lock_guard lock(mutex_);
+    if (opened) seen_ns_ = now_ns;  // it has just begun to look
     const auto bytes = 3 * static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
     for (const std::int64_t time_ns : frames_ns_) health_.record(std::max(time_ns, now_ns - 1), bytes);
     frames_ns_.clear();

@@ -231,6 +231,15 @@ NetPlan read_net(std::span<const std::uint8_t> file) {
   return GraphReader(file).read();
 }
 
+NetPlan load_fetched_net(const std::filesystem::path& folder, const std::string& name,
+                         const std::string& what) {
+  const std::filesystem::path file = folder / name;
+  std::error_code error;
+  if (!std::filesystem::exists(file, error))
+    throw InputError(fmt::format("{} need '{}': run deploy/fetch_models.sh", what, file.string()));
+  return load_net(file);
+}
+
 NetPlan load_net(const std::filesystem::path& file) {
   const std::string bytes = read_regular_file(file, most_file_bytes);
   try {

@@ -15,6 +15,11 @@ NetPlan read_net(std::span<const std::uint8_t> file);
 /// Reads a file. Throws InputError that names it.
 NetPlan load_net(const std::filesystem::path& file);
 
+/// Reads a file that deploy/fetch_models.sh fetches. Throws InputError that says so where it isn't there;
+/// `what` needs it.
+NetPlan load_fetched_net(const std::filesystem::path& folder, const std::string& name,
+                         const std::string& what);
+
 /// Returns the number that a half-precision float stands for.
 float from_half(std::uint16_t half);
 

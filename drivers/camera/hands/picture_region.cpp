@@ -38,6 +38,12 @@ void add_at(const Image& image, float x, float y, Outside outside, float weight,
 
 }  // namespace
 
+bool is_whole(const Image& image) {
+  return image.width > 0 && image.height > 0 &&
+         image.rgb.size() >=
+             3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+}
+
 Vec2 PictureRegion::pixel(const Vec2& at) const {
   return center + Eigen::Rotation2Dd(angle) * Vec2((at.x() - 0.5) * side, (at.y() - 0.5) * side);
 }

@@ -17,6 +17,9 @@ struct PictureRegion {
   Vec2 pixel(const Vec2& at) const;
 };
 
+/// Tells whether a picture has all its pixels, and one at least.
+bool is_whole(const Image& image);
+
 /// What is taken for what lies outside of a picture.
 enum class Outside : std::uint8_t { black, edge };
 
