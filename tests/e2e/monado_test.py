@@ -150,7 +150,7 @@ def sways(folder):
     first = run.wearer()["eyes"]["at"]
     run.wait_for("the head sways", lambda seen: "eyes" in seen and math.dist(seen["eyes"]["at"], first) > 0.02)
     time.sleep(2)
-    run.end(frames=15, in_time=0.3)
+    run.end(frames=15, in_time=0.2)
 
 
 def works(folder):
@@ -182,7 +182,7 @@ def works(folder):
         run.wait_for("after the service's end all goes on", lambda seen: near(seen.get("eyes"), HEAD, 0.01)
                      and near(seen.get("left"), (-0.261, 1.345, 0.096), 0.01))
         look(run.picture("back.png"), run.ball()["at"])
-    run.end(frames=15, in_time=0.3)
+    run.end(frames=15, in_time=0.2)
 
 
 def screen(display):
