@@ -47,8 +47,8 @@ limit=$(awk -v hours="$hours" 'BEGIN { printf "%d", 3600 * hours }')
 left() { echo $((limit - SECONDS)); }
 is_chosen() { [[ " ${chosen[*]} " == *" $1 "* ]]; }
 is_built() { ls "build/$1/bin/"test_* >/dev/null 2>&1; }
-threaded='^(session|idl|idl_fuzz|replica)\.'
-threaded_tests() { printf '%s\n' test_session test_idl test_idl_fuzz test_replica; }
+threaded='^(session|idl|idl_fuzz|replica|offer|headset|setup)\.'
+threaded_tests() { printf '%s\n' test_session test_idl test_idl_fuzz test_replica test_offer test_headset test_setup; }
 
 if [ $list = yes ]; then
   is_built release && ctest --test-dir build/release -N -L '^package$' | sed -n 's/^ *Test *#[0-9]*: /package: /p'

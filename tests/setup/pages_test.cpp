@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <random>
 #include <set>
 #include <thread>
@@ -52,6 +53,14 @@ class Room {
 
   void draw(int pictures = 4) {
     for (int k = 0; k < pictures || ui_.behind(); ++k) ui_.draw(1. / 30, [&] { pages_.draw(ui_); });
+  }
+  /// Draws pictures until something is so, or half a minute is over.
+  void until(const std::function<bool()>& so) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (!so() && std::chrono::steady_clock::now() < end) {
+      draw(1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(15));
+    }
   }
   const PlacedControl* find(const std::string& name) const {
     for (const PlacedControl& c : ui_.placed())
@@ -241,12 +250,11 @@ TEST(Pages, TellWhereReceiversAreAndWriteTheirSide) {
               scale, scale);
     room.click("Tracker");
     std::set<std::string> seen;
-    for (int k = 0; k < 60 && seen.size() < 2; ++k) {
-      room.draw(1);
+    room.until([&] {
       for (const char* words : {"receiver 1 exact", "receiver 1 less exact"})
         if (room.find(words) != nullptr) seen.insert(words);
-      std::this_thread::sleep_for(std::chrono::milliseconds(30));
-    }
+      return seen.size() == 2;
+    });
     EXPECT_EQ(seen.size(), 2u);
     EXPECT_NE(room.find("receiver 2 exact"), nullptr);
     room.picture(scale == 1 ? "range-1x" : "range-2x");
@@ -277,12 +285,7 @@ TEST(Pages, ShowTheHandThatAGloveMakesAndItsGestures) {
   for (const double scale : {1., 2.}) {
     Room room("[glove.right]\naddress = \"recorded-loop:" + bends.path.string() + "\"\n", scale, scale);
     room.click("Glove");
-    EXPECT_EQ(room.find("point made"), nullptr);
-    for (int k = 0; k < 80 && (room.find("point made") == nullptr || room.find("flat made") == nullptr);
-         ++k) {
-      room.draw(1);
-      std::this_thread::sleep_for(std::chrono::milliseconds(15));
-    }
+    room.until([&] { return room.find("point made") != nullptr && room.find("flat made") != nullptr; });
     EXPECT_NE(room.find("point made"), nullptr);
     EXPECT_NE(room.find("flat made"), nullptr);
     EXPECT_NE(room.find("fist not made"), nullptr);
@@ -334,10 +337,7 @@ TEST(Pages, LeadThroughABentFieldAndShowIt) {
   }
   room.click("begin");
   EXPECT_EQ(room.said().words, "Step 1 of 27");
-  for (int k = 0; k < 700 && room.find("once more") == nullptr; ++k) {
-    room.draw(1);
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
+  room.until([&] { return room.find("once more") != nullptr; });
   EXPECT_EQ(room.said().words, "Done.");
   ASSERT_NE(room.find("field picture"), nullptr);
   room.picture("field");
@@ -366,10 +366,7 @@ TEST(Pages, MeasureNoiseAndLatency) {
       1);
   const auto measure = [&](const char* what) {
     room.click("begin");
-    for (int k = 0; k < 300 && room.find("once more") == nullptr; ++k) {
-      room.draw(1);
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
+    room.until([&] { return room.find("once more") != nullptr; });
     EXPECT_EQ(room.said().words, "Done.") << what;
   };
   room.click("Tracker");
