@@ -77,9 +77,9 @@ ConfigKey address(std::string name, std::string member, std::string& (*in)(Clien
                   std::string example, std::string help, bool arm) {
   ConfigKey key = plain<std::string>(std::move(name), std::move(member), in, "", std::move(help));
   key.needed = std::move(example);
-  key.set = [in, arm, needed = key.needed](ClientConfig& c, const ConfigValue& v) {
+  key.set = [in, arm](ClientConfig& c, const ConfigValue& v) {
     in(c) = std::get<std::string>(v);
-    if (in(c).empty()) throw InputError(fmt::format("must be given, as in {}", needed));
+    if (in(c).empty()) return;  // none now, while all else of its table is kept
     if (arm)
       (void)parse_arm_address(in(c));
     else
@@ -114,7 +114,7 @@ void add_pose(Keys& keys, const std::string& table, const std::string& member, c
   position.unit = "m";
   position.help = what;
   position.set = [in](ClientConfig& c, const ConfigValue& v) {
-    in(c)->p = Vec3(std::get<Numbers>(v).data());
+    if (Pose* pose = in(c)) pose->p = Vec3(std::get<Numbers>(v).data());
   };
   position.get = [pose_of](const ClientConfig& c) -> std::optional<ConfigValue> {
     const auto pose = pose_of(c);
@@ -133,7 +133,7 @@ void add_pose(Keys& keys, const std::string& table, const std::string& member, c
     const Numbers& q = std::get<Numbers>(v);
     const Quat read(q[0], q[1], q[2], q[3]);
     if (std::abs(read.norm() - 1) > 0.01) throw InputError("must be a unit quaternion w, x, y, z");
-    in(c)->q = read.normalized();
+    if (Pose* pose = in(c)) pose->q = read.normalized();
   };
   turn.get = [pose_of](const ClientConfig& c) -> std::optional<ConfigValue> {
     const auto pose = pose_of(c);
@@ -157,12 +157,14 @@ void add_stations(Keys& keys) {
     station.name = table + ".station";
     station.member = "stations";
     station.type = ConfigType::whole;
-    station.least = 1;
+    station.least = 0;
     station.most = max_stations;
     station.needed = "1";
-    station.help = "the receiver, counted from 1";
+    station.help = "the receiver, counted from 1; 0: none now, while its mount is kept";
     station.set = [role](ClientConfig& c, const ConfigValue& v) {
-      const auto index = static_cast<std::size_t>(std::get<double>(v)) - 1;
+      const auto number = static_cast<std::size_t>(std::get<double>(v));
+      if (number == 0) return;
+      const std::size_t index = number - 1;
       if (c.stations[index] != StationRole::none) throw InputError("is another role's already");
       c.stations[index] = role;
       c.tracker_device.stations |= 1u << index;
@@ -202,7 +204,7 @@ void add_stations(Keys& keys) {
 void add_tracker(Keys& keys) {
   keys.push_back(address(
       "tracker.address", "tracker", [](ClientConfig& c) -> std::string& { return c.tracker; },
-      "\"fastrak:/dev/ttyS0\"", "the device, DRIVER:PATH", false));
+      "\"fastrak:/dev/ttyS0\"", "the device, DRIVER:PATH; empty: none now", false));
   keys.push_back(plain<bool>(
       "tracker.binary", "tracker_device.binary",
       [](ClientConfig& c) -> bool& { return c.tracker_device.binary; }, "", "binary records; false: ASCII"));
@@ -334,7 +336,7 @@ void add_glove(Keys& keys) {
   keys.push_back(address(
       table + ".address", "gloves[].address",
       [](ClientConfig& c) -> std::string& { return c.gloves[Hand].address; }, "\"5dt:/dev/ttyS1\"",
-      "the device, DRIVER:PATH", false));
+      "the device, DRIVER:PATH; empty: none now", false));
   keys.push_back(ranged(plain<double>(
                             table + ".closed_above", in + "closed_above",
                             [](ClientConfig& c) -> double& { return c.gloves[Hand].device.closed_above; },
@@ -364,7 +366,7 @@ void add_glove(Keys& keys) {
 void add_arm(Keys& keys) {
   keys.push_back(address(
       "arm.address", "arm.address", [](ClientConfig& c) -> std::string& { return c.arm.address; },
-      "\"omni-twin:/tmp/omni\"", "the haptic arm, DRIVER:PATH", true));
+      "\"omni-twin:/tmp/omni\"", "the haptic arm, DRIVER:PATH; empty: none now", true));
   ConfigKey hand;
   hand.name = "arm.hand";
   hand.member = "arm.hand";
@@ -510,7 +512,7 @@ std::vector<ConfigTable> make_tables() {
       if (const auto index = station_of(c, row.role); index && c.tracker_device.boards[*index].empty())
         c.tracker_device.boards[*index] = row.board;
     if (c.tracker_device.stations != 0) return std::nullopt;
-    return ConfigFault{"right", "name at least one of head, right, left, instrument"};
+    return ConfigFault{"right", "give at least one of head, right, left, instrument a receiver"};
   };
   add("tracker.table", "The board that lies still before a camera.");
   add("tracker.second", "The second camera before bare hands.");

@@ -189,7 +189,7 @@ std::string write_field_map(const FieldMap& map) {
       "# What a tracker's poses are put right with, as `prosector-client calibrate field` found it.\n";
   out += "version = 1\n";
   out +=
-      fmt::format("before = {}  # m RMS at the sampled points\nafter = {}  # the same, by cross-validation\n",
+      fmt::format("before = {}  # m RMS at the sampled points\nafter = {}  # m RMS to expect between them\n",
                   map.before, map.after);
   out += fmt::format("centre = {}  # m, device frame, of the sampled box\nhalf = {}\n", to_text(map.centre),
                      to_text(map.half));

@@ -33,7 +33,7 @@ struct FieldMap {
   FieldTerms polynomial;                            // a_j
   std::vector<Vec3> nodes;                          // x_i, scaled
   FieldTerms weights;                               // w_i
-  double before = 0, after = 0;  // m RMS at the sampled points, the second by cross-validation
+  double before = 0, after = 0;                     // m RMS at the sampled points, and to expect between them
 
   /// Returns the place scaled to ±1, beyond the box its nearest place.
   Vec3 scaled(const Vec3& place) const;

@@ -8,6 +8,6 @@
 namespace prosector::test::dds_domain {
 
 inline constexpr std::uint32_t cyclone_bus = 10, cdr_fuzz = 22, network_log = 24, clock_jump = 26, peer = 28,
-                               forgery = 30, process = 36, survival = 44, overload = 50;
+                               forgery = 30, process = 36, survival = 44, overload = 50, set_up = 54;
 
 }  // namespace prosector::test::dds_domain

@@ -219,8 +219,11 @@ void add_setup(CLI::App& app, SetupOptions& setup, ClientOptions& o, RawOptions&
 }
 
 void add_self_test(CLI::App& app, SelfTestOptions& o) {
-  app.add_option("ADDRESS", o.address, "The device: DRIVER:PATH, for instance 5dt-usb:/dev/hidraw0")
-      ->required();
+  app.add_option("ADDRESS", o.address,
+                 "The device: DRIVER:PATH, for instance 5dt-usb:/dev/hidraw0; with --config also tracker, "
+                 "glove.right, glove.left (default: the first that it names)");
+  app.add_option("--config", o.config, "Client configuration: address, receivers, place, counts")
+      ->check(CLI::ExistingFile);
   app.add_option("--seconds", o.seconds, "How long it is recorded")
       ->capture_default_str()
       ->check(CLI::Range(0.1, 86400.0));

@@ -7,9 +7,9 @@
 #include <atomic>
 #include <csignal>
 
+#include "client/app/configured_device.h"
 #include "common/clock.h"
 #include "common/error.h"
-#include "drivers/client_config.h"
 #include "drivers/recorded.h"
 
 namespace prosector {
@@ -18,19 +18,13 @@ namespace {
 std::atomic<bool> recording_ended = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// Returns what the configuration says of the device at an address; of the tracker where it names none.
-DeviceConfig config_of(const RecordOptions& o) {
-  if (o.config.empty()) return {};
-  const ClientConfig config = load_client_config(o.config);
-  for (const GloveSettings& glove : config.gloves)
-    if (glove.address == o.address) return glove.device;
-  return config.tracker_device;
-}
-
 }  // namespace
 
 void add_record(CLI::App& app, RecordOptions& o) {
-  app.add_option("ADDRESS", o.address, "Device: DRIVER:PATH, for instance fastrak:/dev/ttyS0")->required();
+  app.add_option("ADDRESS", o.address,
+                 "Device: DRIVER:PATH, for instance fastrak:/dev/ttyS0; with --config also tracker, "
+                 "glove.right, glove.left")
+      ->required();
   app.add_option("--out", o.out, "CSV file for recorded:FILE")->required();
   app.add_option("--config", o.config, "Client configuration: receivers, place, counts")
       ->check(CLI::ExistingFile);
@@ -39,7 +33,8 @@ void add_record(CLI::App& app, RecordOptions& o) {
 }
 
 int record_device(const RecordOptions& o) {
-  const auto device = open_device(o.address, config_of(o));
+  const ConfiguredDevice wanted = configured_device(o.address, o.config);
+  const auto device = open_device(wanted.address, wanted.device);
   SampleRecorder recorder(o.out);
   std::signal(SIGINT, [](int) { recording_ended = true; });
   std::signal(SIGTERM, [](int) { recording_ended = true; });

@@ -12,7 +12,7 @@ class App;
 namespace prosector {
 
 struct RecordOptions {
-  std::string address;           // DRIVER:PATH
+  std::string address;           // DRIVER:PATH, or a table of the configuration
   std::filesystem::path out;     // CSV
   std::filesystem::path config;  // how the device is used; empty: by defaults
   double seconds = 0;            // 0: until interrupted

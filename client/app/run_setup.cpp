@@ -24,6 +24,28 @@ std::filesystem::path scenes_of(const SetupOptions& o) {
   return o.scenes.empty() ? shipped_scenes_dir(program_folder()) : o.scenes;
 }
 
+/// Returns the side-by-side displays that come with the program.
+std::vector<EyeDisplay> eye_displays() {
+  std::vector<EyeDisplay> out;
+  for (const std::string& name : shipped_profiles()) {
+    const StereoProfile profile = load_stereo_profile(name);
+    out.push_back(
+        {name, static_cast<int>(profile.eye_width), static_cast<int>(profile.eye_height), profile.swap_eyes});
+  }
+  return out;
+}
+
+/// Fills the screen that crosses are shown on, while they are.
+void fill_screen(WindowContext& window, const Pages& pages, std::optional<int>& filled, Anteroom& room) {
+  if (pages.full_screen() == filled) return;
+  filled = pages.full_screen();
+  try {
+    window.set_full_screen(filled);
+  } catch (const InputError& error) {
+    room.say(error.what(), true);
+  }
+}
+
 /// Shows the pages until somebody goes somewhere. Returns the command that leads there; none: the window was
 /// closed.
 std::optional<std::vector<std::string>> show_pages(const SetupOptions& o, Anteroom& room,
@@ -41,8 +63,9 @@ std::optional<std::vector<std::string>> show_pages(const SetupOptions& o, Antero
           return MachineCheck{"Pictures", CheckState::unknown, error.what()};
         }
       },
-      shipped_profiles());
+      eye_displays());
   LayoutLog layout(o.layout_log);
+  std::optional<int> filled;  // a screen
   Clock::time_point last = Clock::now(), busy = last;
   while (setup_interrupted == 0) {
     const std::vector<WindowEvent> events = window->poll_events();
@@ -59,6 +82,7 @@ std::optional<std::vector<std::string>> show_pages(const SetupOptions& o, Antero
     room.poll();
     ui.draw(std::chrono::duration<double>(now - last).count(), [&] { pages.draw(ui); });
     last = now;
+    fill_screen(*window, pages, filled, room);
     window->present();
     layout.write(ui, pages.said().words);
     if (auto entry = room.take_entry()) return entry;

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <thread>
 
+#include "client/app/configured_device.h"
 #include "client/app/device_report.h"
 #include "common/clock.h"
 #include "common/error.h"
@@ -16,16 +17,16 @@
 namespace prosector {
 namespace {
 
-constexpr double told_every = 10;      // s
-constexpr unsigned all_stations = 15;  // bits
+constexpr double told_every = 10;  // s
+constexpr unsigned all_stations = (1u << max_stations) - 1;
 std::atomic<bool> ended = false;
 
 }  // namespace
 
 int self_test(const SelfTestOptions& options) {
-  DeviceConfig config;
-  config.stations = all_stations;
-  const auto device = open_device(options.address, config);
+  auto [address, config] = configured_device(options.address, options.config);
+  if (options.config.empty()) config.stations = all_stations;
+  const auto device = open_device(address, config);
   const std::filesystem::path samples_file = std::filesystem::path(options.out).replace_extension(".csv");
   SampleRecorder recorder(samples_file);
   std::ofstream report_file(options.out);
@@ -33,11 +34,11 @@ int self_test(const SelfTestOptions& options) {
   fmt::print(
       "{}: move it through all its reach for {:g} s, turn it, open and close all fingers, press its "
       "buttons\n",
-      options.address, options.seconds);
+      address, options.seconds);
   std::fflush(stdout);
   std::signal(SIGINT, [](int) { ended = true; });
   std::signal(SIGTERM, [](int) { ended = true; });
-  DeviceReport report(options.address);
+  DeviceReport report(address);
   std::vector<DeviceSample> samples;
   const std::int64_t start_ns = monotonic_ns();
   bool kept = true;

@@ -7,7 +7,8 @@
 namespace prosector {
 
 struct SelfTestOptions {
-  std::string address;
+  std::string address;           // or a table of the configuration; empty: the first device that it names
+  std::filesystem::path config;  // how the device is used; empty: by defaults
   double seconds = 60;
   std::filesystem::path out = "selftest.txt";  // the report; beside it, as .csv, the samples
 };

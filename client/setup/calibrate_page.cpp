@@ -2,189 +2,131 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <array>
-#include <cmath>
 
+#include "client/setup/beside.h"
 #include "client/setup/draft_changes.h"
+#include "client/setup/fields.h"
 #include "common/error.h"
-#include "drivers/fitting/eye_fit.h"
 
 namespace prosector {
 namespace {
 
-/// What a person says before one begins.
-enum class Asked : std::uint8_t { points, role, grid, hand, seconds, sight };
-
-struct ProcedureRow {
-  const char* name;
-  const char* about;
-  std::unique_ptr<GuidedCalibration> (*begin)(const ClientConfig&,
-                                              const CalibrationWishes&);  // null: none to guide
-  std::vector<Asked> asked;
-};
-
-const std::vector<ProcedureRow>& procedures() {
-  static const std::vector<ProcedureRow> rows = {
-      {"Tracker in the room",
-       "Touch points whose place in the room is known: the tracker's own place follows.",
-       begin_room,
-       {Asked::role, Asked::points}},
-      {"Instrument's tip",
-       "Rest the tip in a dent and swing the instrument about it: where the tip is follows.",
-       begin_tip,
-       {Asked::role}},
-      {"Bent field",
-       "Hold the receiver at the points of a grid: what metal bends is mapped and taken out.",
-       begin_field,
-       {Asked::role, Asked::grid}},
-      {"Glove",
-       "Hold the hand flat, as a fist, and with each finger bent: what counts mean follows.",
-       begin_glove,
-       {Asked::hand}},
-      {"Noise",
-       "Let a receiver rest: how much it trembles and drifts is told.",
-       begin_noise,
-       {Asked::role, Asked::seconds}},
-      {"Eyes",
-       "See a thin rod before the screen with each eye alone: how far your eyes are apart follows.",
-       nullptr,
-       {Asked::sight}}};
-  return rows;
-}
-
-struct RoleChoice {
-  StationRole role;
-  const char* name;
-};
-constexpr std::array<RoleChoice, 4> role_choices = {{{StationRole::right_hand, "right hand"},
-                                                     {StationRole::left_hand, "left hand"},
-                                                     {StationRole::head, "head"},
-                                                     {StationRole::instrument, "instrument"}}};
-
-bool edit_vector(const char* name, Vec3& v) {
-  std::array<double, 3> values = {v.x(), v.y(), v.z()};
-  const bool changed =
-      ImGui::InputScalarN(name, ImGuiDataType_Double, values.data(), 3, nullptr, nullptr, "%.3f");
-  if (changed) v = Vec3(values.data());
-  return changed;
-}
+constexpr std::size_t words_at_once = 7;  // of an outcome; the others are shown when they are asked for
 
 }  // namespace
 
-void CalibratePage::draw(Interface& ui, ConfigDraft& draft) {
-  const float width = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
-  ImGui::BeginChild("procedures", {std::floor(0.26f * width), 0}, true);
-  draw_choice(ui);
-  ImGui::EndChild();
-  ImGui::SameLine(0, gap);
-  ImGui::BeginChild("procedure", {0, 0}, true);
-  title(procedures()[chosen_].name);
-  wrapped(procedures()[chosen_].about);
+void CalibratePage::draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
+  draw_beside(
+      ui, 0.26, [&] { draw_choice(ui); }, [&] { draw_chosen(ui, draft, now_ns); });
+}
+
+void CalibratePage::draw_chosen(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
+  title(chosen_ == nullptr ? live_->name() : chosen_->name);
+  wrapped(chosen_ == nullptr ? live_->about() : chosen_->about);
   ImGui::Separator();
-  if (running_)
+  if (chosen_ == nullptr)
+    live_->draw(ui, draft, said_, now_ns);
+  else if (running_)
     draw_running(ui, draft);
+  else if (shows_outcome_)
+    draw_outcome(ui);
   else
     draw_wishes(ui, draft);
   ImGui::Separator();
-  for (const std::string& line : outcome_) wrapped(line);
-  draw_draft_changes(ui, draft, said_);
-  ImGui::EndChild();
+  if (draw_draft_changes(ui, draft, said_)) live_->close();
+}
+
+void CalibratePage::close() {
+  running_.reset();
+  live_->close();
+}
+
+void CalibratePage::choose(const ProcedureRow* row) {
+  if (row == chosen_) return;
+  close();
+  chosen_ = row;
+  shows_outcome_ = row != nullptr && outcomes_.contains(row->name);
+  said_ = {};
 }
 
 void CalibratePage::draw_choice(Interface& ui) {
-  title("Calibrate");
-  for (std::size_t k = 0; k < procedures().size(); ++k) {
-    if (ImGui::Selectable(procedures()[k].name, k == chosen_) && k != chosen_) {
-      chosen_ = k;
-      running_.reset();
-      outcome_.clear();
-      said_ = {};
-    }
-    ui.note(procedures()[k].name);
+  title(heading_);
+  if (ImGui::Selectable(live_->name(), chosen_ == nullptr)) choose(nullptr);
+  ui.note(live_->name());
+  for (const ProcedureRow& row : rows_) {
+    if (ImGui::Selectable(row.name, &row == chosen_)) choose(&row);
+    ui.note(row.name);
+    const auto told = outcomes_.find(row.name);
+    if (told == outcomes_.end()) continue;
+    quiet(told->second.front());
+    ui.note("told: " + told->second.front());
   }
 }
 
-void CalibratePage::draw_wishes(Interface& ui, ConfigDraft& draft) {
-  const float field = 330 * static_cast<float>(ui.scale());
-  ImGui::PushItemWidth(field);
-  for (const Asked asked : procedures()[chosen_].asked) switch (asked) {
-      case Asked::role: {
-        std::size_t at = 0;
-        while (role_choices[at].role != wishes_.role) ++at;
-        if (ImGui::BeginCombo("whose receiver", role_choices[at].name)) {
-          for (const RoleChoice& choice : role_choices) {
-            if (ImGui::Selectable(choice.name, choice.role == wishes_.role)) wishes_.role = choice.role;
-            ui.note(choice.name);
-          }
-          ImGui::EndCombo();
-        }
-        ui.note("role");
+void CalibratePage::draw_wishes(Interface& ui, const ConfigDraft& draft) {
+  ImGui::PushItemWidth(330 * static_cast<float>(ui.scale()));
+  for (const Asked asked : chosen_->asked) switch (asked) {
+      case Asked::role:
+        edit_role(ui, wishes_.role);
         break;
-      }
       case Asked::hand:
-        if (ImGui::RadioButton("right glove", wishes_.hand == right_hand)) wishes_.hand = right_hand;
-        ImGui::SameLine();
-        if (ImGui::RadioButton("left glove", wishes_.hand == left_hand)) wishes_.hand = left_hand;
+        edit_hand(ui, wishes_.hand);
         break;
       case Asked::points:
-        quiet("Points to touch, in this order: x to the right, y up, z towards you, m.");
-        for (std::size_t k = 0; k < wishes_.points.size(); ++k)
-          edit_vector(fmt::format("point {}", k + 1).c_str(), wishes_.points[k]);
-        if (ImGui::Button("One more")) wishes_.points.push_back(wishes_.points.back());
-        ImGui::SameLine();
-        if (ImGui::Button("One less") && wishes_.points.size() > 3) wishes_.points.pop_back();
+        draw_points(ui);
         break;
-      case Asked::grid: {
-        edit_vector("lower corner", wishes_.grid.low);
-        edit_vector("upper corner", wishes_.grid.high);
-        std::array<int, 3> count{};
-        for (std::size_t a = 0; a < 3; ++a) count[a] = static_cast<int>(wishes_.grid.count[a]);
-        if (ImGui::InputInt3("points along x, y, z", count.data()))
-          for (std::size_t a = 0; a < 3; ++a)
-            wishes_.grid.count[a] = static_cast<std::size_t>(std::clamp(count[a], 3, 20));
+      case Asked::grid:
+        draw_grid(ui);
         break;
-      }
       case Asked::seconds:
         ImGui::InputDouble("seconds", &wishes_.seconds, 0, 0, "%.0f");
+        ui.note("seconds");
         wishes_.seconds = std::clamp(wishes_.seconds, 2., 600.);
         break;
-      case Asked::sight:
-        draw_eyes(ui, draft);
+      case Asked::against:
+        ImGui::InputText("the second device, DRIVER:PATH", &wishes_.against);
+        ui.note("against");
         break;
     }
   ImGui::PopItemWidth();
-  if (procedures()[chosen_].begin == nullptr) return;
   if (ImGui::Button("Begin")) begin(draft);
   ui.note("begin");
 }
 
-void CalibratePage::draw_eyes(Interface& ui, ConfigDraft& draft) {
-  quiet(
-      "Hold a thin rod upright between you and the screen. Close one eye, and mark where the rod stands on "
-      "the screen; "
-      "then the other eye.");
-  ImGui::InputDouble("between both marks, mm", &marks_mm_, 0, 0, "%.1f");
-  ImGui::InputDouble("from your eyes to the screen, mm", &screen_mm_, 0, 0, "%.0f");
-  ImGui::InputDouble("from your eyes to the rod, mm", &rod_mm_, 0, 0, "%.0f");
-  if (ImGui::Button("Reckon")) {
-    try {
-      const EyeDistance eyes = eye_distance_by_sight(1e-3 * marks_mm_, 1e-3 * screen_mm_, 1e-3 * rod_mm_);
-      take(draft,
-           {{fmt::format("Your eyes are {:.1f} ± {:.1f} mm apart.", 1e3 * eyes.distance, 1e3 * eyes.error)},
-            {{"eyes.distance", eyes.distance}}});
-    } catch (const InputError& error) {
-      said_ = {error.what(), true};
-    }
+void CalibratePage::draw_points(Interface& ui) {
+  quiet("Points to touch, in this order: x to the right, y up, z towards you, m.");
+  for (std::size_t k = 0; k < wishes_.points.size(); ++k) {
+    const std::string name = fmt::format("point {}", k + 1);
+    edit_vector(name.c_str(), wishes_.points[k]);
+    ui.note(name);
   }
-  ui.note("reckon");
+  if (ImGui::Button("One more")) wishes_.points.push_back(wishes_.points.back());
+  ui.note("one more");
+  ImGui::SameLine();
+  if (ImGui::Button("One less") && wishes_.points.size() > 3) wishes_.points.pop_back();
+  ui.note("one less");
+}
+
+void CalibratePage::draw_grid(Interface& ui) {
+  edit_vector("lower corner", wishes_.grid.low);
+  ui.note("lower corner");
+  edit_vector("upper corner", wishes_.grid.high);
+  ui.note("upper corner");
+  std::array<int, 3> count{};
+  for (std::size_t a = 0; a < 3; ++a) count[a] = static_cast<int>(wishes_.grid.count[a]);
+  const bool changed = ImGui::InputInt3("points along x, y, z", count.data());
+  ui.note("grid points");
+  for (std::size_t a = 0; changed && a < 3; ++a)
+    wishes_.grid.count[a] = static_cast<std::size_t>(std::clamp(count[a], 3, 20));
 }
 
 void CalibratePage::begin(const ConfigDraft& draft) {
-  outcome_.clear();
   said_ = {};
   try {
-    running_ = procedures()[chosen_].begin(draft.config(), wishes_);
+    running_ = chosen_->begin(draft.config(), wishes_);
   } catch (const InputError& error) {
     said_ = {error.what(), true};
   }
@@ -220,22 +162,35 @@ void CalibratePage::draw_running(Interface& ui, ConfigDraft& draft) {
 /// Takes what came out into the draft. A field's map is a file of its own, which the configuration names.
 void CalibratePage::finish(ConfigDraft& draft) {
   try {
-    const GuideOutcome outcome = running_->guide().outcome();
+    GuideOutcome outcome;
     if (const auto* field = dynamic_cast<const FieldGuide*>(&running_->guide())) {
+      const FieldFit fit = field->fit();
       std::filesystem::create_directories(draft.file().parent_path());
-      save_config_text(draft.file().parent_path() / field_map_file, write_field_map(field->fit().map));
+      save_config_text(draft.file().parent_path() / field_map_file, write_field_map(fit.map));
+      field_ = picture_of(field->samples(), fit);
+      outcome = field->outcome_of(fit);
+    } else {
+      outcome = running_->guide().outcome();
     }
-    take(draft, outcome);
+    outcomes_[chosen_->name] = outcome.words;
+    shows_outcome_ = true;
+    said_ = take_outcome(draft, outcome);
   } catch (const InputError& error) {
     said_ = {error.what(), true};
   }
   running_.reset();
 }
 
-void CalibratePage::take(ConfigDraft& draft, const GuideOutcome& outcome) {
-  outcome_ = outcome.words;
-  const std::string why = outcome.changes.empty() ? "" : draft.change(outcome.changes);
-  said_ = why.empty() ? Said{"Done.", false} : Said{why, true};
+/// Shows what came out in the place of what was asked, so that nobody must look for it.
+void CalibratePage::draw_outcome(Interface& ui) {
+  if (chosen_->begin == begin_field && field_) draw_field_picture(ui, *field_);
+  const std::vector<std::string>& words = outcomes_.at(chosen_->name);
+  for (std::size_t k = 0; k < std::min(words.size(), words_at_once); ++k)
+    if (words.size() <= words_at_once || k < 2) wrapped(words[k]);
+  if (words.size() > words_at_once && ImGui::CollapsingHeader("More"))
+    for (std::size_t k = 2; k < words.size(); ++k) wrapped(words[k]);
+  if (ImGui::Button("Once more")) shows_outcome_ = false;
+  ui.note("once more");
 }
 
 }  // namespace prosector

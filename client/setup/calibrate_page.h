@@ -1,42 +1,57 @@
 #pragma once
-// The page of calibrations: what to calibrate, step by step, and what came out.
+// A page of calibrations: what a device tells now, what to calibrate, step by step, and what came out.
 
+#include <map>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "client/setup/config_draft.h"
-#include "client/setup/guided_calibration.h"
+#include "client/setup/field_picture.h"
 #include "client/setup/interface.h"
+#include "client/setup/live_panel.h"
+#include "client/setup/procedures.h"
 #include "client/setup/words.h"
 
 namespace prosector {
 
 class CalibratePage {
  public:
-  void draw(Interface& ui, ConfigDraft& draft);
-  /// Lets the device go.
-  void close() { running_.reset(); }
-  bool running() const { return running_ != nullptr; }
+  CalibratePage(const char* heading, std::unique_ptr<LivePanel> live, std::span<const ProcedureRow> rows)
+      : heading_(heading), live_(std::move(live)), rows_(rows) {}
+
+  void draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns);
+  /// Lets devices go.
+  void close();
+  bool running() const { return running_ != nullptr || live_->open(); }
   const Said& said() const { return said_; }
 
  private:
-  CalibrationWishes wishes_ = {
-      .points = {{0, 0.9, 0}, {0.4, 0.9, 0}, {0, 0.9, 0.4}, {0.4, 0.9, 0.4}},
-      .grid = {.low = {-0.4, 0.9, -0.4}, .high = {0.4, 1.5, 0.4}, .orientation = {}}};
-  double marks_mm_ = 20, screen_mm_ = 600, rod_mm_ = 450;  // of the sight: what comes out are 60 mm
-  std::size_t chosen_ = 0;
+  const char* heading_;
+  std::unique_ptr<LivePanel> live_;
+  std::span<const ProcedureRow> rows_;
+  CalibrationWishes wishes_ = {.points = {{0, 0.9, 0}, {0.4, 0.9, 0}, {0, 0.9, 0.4}, {0.4, 0.9, 0.4}},
+                               .grid = {.low = {-0.4, 0.9, -0.4}, .high = {0.4, 1.5, 0.4}, .orientation = {}},
+                               .against = {}};
+  const ProcedureRow* chosen_ = nullptr;  // none: what is live
   std::unique_ptr<GuidedCalibration> running_;
-  std::vector<std::string> outcome_;  // of the last one
+  std::map<std::string, std::vector<std::string>> outcomes_;  // of each calibration, the last one
+  bool shows_outcome_ = false;
+  std::optional<FieldPicture> field_;
   Said said_;
 
+  void choose(const ProcedureRow* row);
   void draw_choice(Interface& ui);
-  void draw_wishes(Interface& ui, ConfigDraft& draft);
+  void draw_chosen(Interface& ui, ConfigDraft& draft, std::int64_t now_ns);
+  void draw_wishes(Interface& ui, const ConfigDraft& draft);
+  void draw_points(Interface& ui);
+  void draw_grid(Interface& ui);
   void draw_running(Interface& ui, ConfigDraft& draft);
-  void draw_eyes(Interface& ui, ConfigDraft& draft);
+  void draw_outcome(Interface& ui);
   void begin(const ConfigDraft& draft);
   void finish(ConfigDraft& draft);
-  void take(ConfigDraft& draft, const GuideOutcome& outcome);
 };
 
 }  // namespace prosector

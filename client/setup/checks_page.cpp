@@ -27,8 +27,8 @@ void ChecksPage::draw(Interface& ui) {
                check_clock(),
                check_anatomy(default_data_dir()),
                {"From hand to picture", CheckState::unknown,
-                "Only a second device that sees the screen can tell. prosector-client calibrate latency "
-                "compares two."}};
+                "Only a second device that sees the screen can tell. Latency, on the page of the "
+                "tracker, compares two."}};
   const float scale = static_cast<float>(ui.scale());
   for (const MachineCheck& check : checks_) {
     ImGui::Separator();

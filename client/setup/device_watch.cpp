@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "common/error.h"
+
 namespace prosector {
 namespace {
 
@@ -50,6 +52,7 @@ DeviceConfig all_receivers(DeviceConfig device) {
 struct DeviceWatch::Opened {
   std::unique_ptr<Device> device;  // or …
   std::unique_ptr<Arm> arm;
+  std::string refusal;  // or: why there is neither
   std::map<std::uint32_t, std::deque<DeviceSample>> kept;
   std::vector<DeviceSample> fresh;
 
@@ -65,7 +68,14 @@ struct DeviceWatch::Opened {
     sample.pose = reading.stylus;
     sample.buttons = reading.buttons;
   }
-  DeviceStatus status() const { return device ? device->status() : arm->status(); }
+  DeviceStatus status() const {
+    if (device) return device->status();
+    if (arm) return arm->status();
+    DeviceStatus out;
+    out.health = DeviceHealth::absent;
+    out.message = refusal;
+    return out;
+  }
 };
 
 DeviceWatch::DeviceWatch(const ClientConfig& config) {
@@ -73,7 +83,11 @@ DeviceWatch::DeviceWatch(const ClientConfig& config) {
                         const auto& opening) {
     if (address.empty()) return;
     auto opened = std::make_unique<Opened>();
-    opening(*opened);
+    try {
+      opening(*opened);
+    } catch (const InputError& error) {
+      opened->refusal = error.what();
+    }
     add({kind, hand, name, address, {}, {}}, std::move(opened));
   };
   open(WatchedKind::tracker, right_hand, "tracker", config.tracker,

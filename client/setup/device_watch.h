@@ -32,7 +32,8 @@ struct WatchedDevice {
 
 class DeviceWatch {
  public:
-  /// Opens what the configuration names. What can't be opened is retried, and its status says so.
+  /// Opens what the configuration names. What can't be opened is retried, and its status says so; a file that
+  /// can't be read isn't.
   explicit DeviceWatch(const ClientConfig& config);
   ~DeviceWatch();
 

@@ -5,8 +5,8 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "client/setup/beside.h"
 #include "client/setup/draft_changes.h"
 
 namespace prosector {
@@ -47,17 +47,13 @@ std::string pose_words(const Pose& pose) {
 
 void DevicesPage::draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
   look(draft, now_ns);
-  const float width = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
-  ImGui::BeginChild("which", {std::floor(0.44f * width), 0}, true);
-  draw_addresses(ui, draft);
-  draw_status(ui);
-  ImGui::Separator();
-  if (draw_draft_changes(ui, draft, said_)) watch_.reset();
-  ImGui::EndChild();
-  ImGui::SameLine(0, gap);
-  ImGui::BeginChild("live", {0, 0}, true);
-  draw_device(ui, draft, now_ns);
-  ImGui::EndChild();
+  const auto which = [&] {
+    draw_addresses(ui, draft);
+    draw_status(ui);
+    ImGui::Separator();
+    if (draw_draft_changes(ui, draft, said_)) watch_.reset();
+  };
+  draw_beside(ui, 0.44, which, [&] { draw_device(ui, draft, now_ns); });
 }
 
 /// Opens what the draft names, reads it, and looks now and then what is plugged in.
@@ -99,6 +95,11 @@ void DevicesPage::draw_addresses(Interface& ui, ConfigDraft& draft) {
     ImGui::SameLine();
     bool picked = false;
     if (ImGui::BeginCombo("##found", "", ImGuiComboFlags_NoPreview)) {
+      if (!field.text.empty() && ImGui::Selectable("none, until another one is named")) {
+        field.text.clear();
+        picked = true;
+      }
+      ui.note(fmt::format("none {}", field.key));
       for (const FoundDevice& device : found_)
         for (const std::string& address : device.addresses)
           if (ImGui::Selectable(fmt::format("{}   ({})", address, device.name).c_str())) {
@@ -108,8 +109,10 @@ void DevicesPage::draw_addresses(Interface& ui, ConfigDraft& draft) {
       if (found_.empty()) quiet("No serial port and no glove is plugged in.");
       ImGui::EndCombo();
     }
-    if ((entered || left || picked) && !field.text.empty() && field.text != address_in(draft.config(), k))
-      change(draft, {{field.key, field.text}}, fmt::format("{}: {}", field.name, field.text));
+    ui.note(fmt::format("found {}", field.key));
+    if ((entered || left || picked) && field.text != address_in(draft.config(), k))
+      change(draft, {{field.key, field.text}},
+             fmt::format("{}: {}", field.name, field.text.empty() ? "none" : field.text));
     ImGui::PopID();
   }
   if (!draft.problem().empty()) warning(draft.problem());
@@ -187,6 +190,15 @@ void DevicesPage::draw_roles(Interface& ui, ConfigDraft& draft, const WatchedDev
       assigned_until_ns_ = now_ns + assign_ns;
     }
     ui.note(fmt::format("move {}", role.key));
+    if (at != stations.end()) {
+      ImGui::SameLine();
+      const bool taken = ImGui::Button(fmt::format("Take it away##{}", role.key).c_str());
+      ui.note(fmt::format("free {}", role.key));
+      if (taken) {
+        free_role(draft, role.role);
+        return;
+      }
+    }
     if (assigned_ != role.role) continue;
     const auto moving = moving_station(tracker);
     if (moving) {
@@ -201,6 +213,21 @@ void DevicesPage::draw_roles(Interface& ui, ConfigDraft& draft, const WatchedDev
     }
     wrapped(role.instruction);
   }
+}
+
+/// Takes the receiver from a role. Its mount stays in the configuration.
+void DevicesPage::free_role(ConfigDraft& draft, StationRole role) {
+  const auto& stations = draft.config().stations;
+  if (std::count(stations.begin(), stations.end(), StationRole::none) + 1 ==
+      static_cast<std::ptrdiff_t>(stations.size())) {
+    said_ = {"It is the only receiver that is used. Name no tracker instead, with the arrow beside it.",
+             true};
+    return;
+  }
+  const auto word =
+      std::find_if(roles.begin(), roles.end(), [&](const RoleWord& w) { return w.role == role; });
+  change(draft, {{fmt::format("tracker.stations.{}.station", word->key), 0.}},
+         fmt::format("No receiver is the {}'s.", word->name));
 }
 
 /// Gives a receiver to a role. One that had it gets what that role had.

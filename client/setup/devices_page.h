@@ -46,6 +46,7 @@ class DevicesPage {
   void look(const ConfigDraft& draft, std::int64_t now_ns);
   void change(ConfigDraft& draft, const std::vector<ConfigChange>& changes, const std::string& done);
   void assign(ConfigDraft& draft, StationRole role, std::uint32_t station);
+  void free_role(ConfigDraft& draft, StationRole role);
   void draw_addresses(Interface& ui, ConfigDraft& draft);
   void draw_status(Interface& ui);
   void draw_device(Interface& ui, ConfigDraft& draft, std::int64_t now_ns);

@@ -32,4 +32,9 @@ bool draw_draft_changes(Interface& ui, ConfigDraft& draft, Said& said) {
   return discarded;
 }
 
+Said take_outcome(ConfigDraft& draft, const GuideOutcome& outcome) {
+  const std::string why = outcome.changes.empty() ? "" : draft.change(outcome.changes);
+  return why.empty() ? Said{"Done.", false} : Said{why, true};
+}
+
 }  // namespace prosector

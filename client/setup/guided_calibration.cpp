@@ -7,24 +7,32 @@
 #include "common/error.h"
 #include "drivers/fitting/glove_guide.h"
 #include "drivers/fitting/room_guide.h"
-#include "drivers/fitting/timed_guides.h"
 #include "drivers/fitting/tip_guide.h"
 
 namespace prosector {
-namespace {
 
 const std::string& tracker_of(const ClientConfig& config) {
   if (config.tracker.empty()) throw InputError("No tracker is named yet: name it on the page of devices.");
   return config.tracker;
 }
 
-}  // namespace
-
 GuidedCalibration::GuidedCalibration(std::unique_ptr<Guide> guide, const std::string& address,
                                      const DeviceConfig& device)
     : guide_(std::move(guide)), device_(open_device(address, device)) {}
 
+GuidedCalibration::GuidedCalibration(std::unique_ptr<DelayGuide> guide, const std::string& address,
+                                     const DeviceConfig& device, const std::string& other)
+    : device_(open_device(address, device)), other_(open_device(other, {})), delay_(guide.get()) {
+  guide_ = std::move(guide);
+}
+
 void GuidedCalibration::poll() {
+  if (other_) {
+    samples_.clear();
+    other_->poll(samples_);
+    for (const DeviceSample& sample : samples_)
+      if (sample.has_pose && sample.station == 0) delay_->take_other(sample.time_ns, sample.pose.p);
+  }
   samples_.clear();
   device_->poll(samples_);
   for (const DeviceSample& sample : samples_)
@@ -65,6 +73,15 @@ std::unique_ptr<GuidedCalibration> begin_noise(const ClientConfig& config, const
   return std::make_unique<GuidedCalibration>(
       std::make_unique<RestGuide>(station_with_role(config, wishes.role), wishes.seconds), tracker,
       config.tracker_device);
+}
+
+std::unique_ptr<GuidedCalibration> begin_latency(const ClientConfig& config,
+                                                 const CalibrationWishes& wishes) {
+  const std::string& tracker = tracker_of(config);
+  if (wishes.against.empty()) throw InputError("Name a second device, which moves along.");
+  return std::make_unique<GuidedCalibration>(
+      std::make_unique<DelayGuide>(station_with_role(config, wishes.role), wishes.seconds), tracker,
+      config.tracker_device, wishes.against);
 }
 
 }  // namespace prosector

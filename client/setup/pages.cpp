@@ -32,15 +32,18 @@ void Pages::draw(Interface& ui) {
       said_ = &devices_.said();
     });
     if (!devices) devices_.close();
-    const bool calibrate = page("Calibrate", [&] {
-      calibrate_.draw(ui, draft_);
-      said_ = &calibrate_.said();
+    for (const auto& [name, calibrate] : {std::pair{"Tracker", &tracker_}, std::pair{"Glove", &glove_}}) {
+      const bool open = page(name, [&] {
+        calibrate->draw(ui, draft_, monotonic_ns());
+        said_ = &calibrate->said();
+      });
+      if (!open) calibrate->close();
+    }
+    const bool pictures = page("Pictures and eyes", [&] {
+      pictures_.draw(ui, room_, draft_);
+      said_ = &pictures_.said();
     });
-    if (!calibrate) calibrate_.close();
-    page("Pictures", [&] {
-      pictures_.draw(ui, room_);
-      said_ = &room_.said();
-    });
+    if (!pictures) pictures_.close();
     page("Checks", [&] {
       checks_.draw(ui);
       said_ = &room_.said();
@@ -53,6 +56,11 @@ void Pages::draw(Interface& ui) {
   else
     quiet(said().words);
   ImGui::End();
+}
+
+std::optional<int> Pages::full_screen() const {
+  const int monitor = room_.memory.seen.monitor;
+  return pictures_.running() && monitor >= 0 ? std::optional(monitor) : std::nullopt;
 }
 
 }  // namespace prosector

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
+#include "client/setup/beside.h"
+#include "client/setup/draft_changes.h"
 #include "client/setup/words.h"
 
 namespace prosector {
@@ -23,8 +26,16 @@ constexpr std::array<QualityChoice, 4> qualities = {
 
 }  // namespace
 
-void PicturesPage::draw(Interface& ui, Anteroom& room) {
-  SeenAs& seen = room.memory.seen;
+PicturesPage::PicturesPage(std::vector<EyeDisplay> displays) : crosses_(displays) {
+  for (EyeDisplay& display : displays) profiles_.push_back(std::move(display.name));
+}
+
+void PicturesPage::draw(Interface& ui, Anteroom& room, ConfigDraft& draft) {
+  draw_beside(
+      ui, 0.45, [&] { draw_seen(ui, room.memory.seen); }, [&] { draw_eyes(ui, draft); });
+}
+
+void PicturesPage::draw_seen(Interface& ui, SeenAs& seen) {
   title("How you see a session");
   const auto choice = [&](const char* label, const std::string& display) {
     if (ImGui::RadioButton(label, seen.display == display)) seen.display = display;
@@ -40,10 +51,10 @@ void PicturesPage::draw(Interface& ui, Anteroom& room) {
   if (fills) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(120 * static_cast<float>(ui.scale()));
-    ImGui::InputInt("screen, counted from 0", &seen.monitor);
+    ImGui::InputInt("screen, from 0", &seen.monitor);
+    ui.note("screen");
     seen.monitor = std::clamp(seen.monitor, 0, 15);
   }
-  quiet("How far your eyes are apart, and what of a display you see: the page of calibrations.");
   ImGui::Separator();
   title("How it is drawn");
   for (const QualityChoice& quality : qualities) {
@@ -58,6 +69,50 @@ void PicturesPage::draw(Interface& ui, Anteroom& room) {
   std::string words;
   for (const std::string& word : seen.words()) words += " " + word;
   quiet(words.empty() ? "As the client does by itself." : "In a command line:" + words);
+}
+
+void PicturesPage::draw_eyes(Interface& ui, ConfigDraft& draft) {
+  title("Your eyes");
+  const EyeSettings& eyes = draft.config().eyes;
+  quiet(eyes.distance ? fmt::format("They are {:.1f} mm apart, by the configuration.", 1e3 * *eyes.distance)
+                      : "How far they are apart isn't known: the display's profile says it.");
+  const auto choice = [&](const char* label, const char* name, bool crosses) {
+    if (ImGui::RadioButton(label, by_crosses_ == crosses)) {
+      by_crosses_ = crosses;
+      outcome_.clear();
+    }
+    ui.note(name);
+  };
+  choice("by a ruler on the screen", "by ruler", false);
+  ImGui::SameLine();
+  choice("by crosses in a worn display", "by crosses", true);
+  ImGui::Separator();
+  if (outcome_.empty())
+    measure(ui, draft);
+  else
+    draw_outcome(ui);
+  ImGui::Separator();
+  draw_draft_changes(ui, draft, said_);
+}
+
+void PicturesPage::measure(Interface& ui, ConfigDraft& draft) {
+  std::optional<GuideOutcome> outcome;
+  if (!by_crosses_)
+    outcome = ruler_.draw(ui, said_);
+  else if (crosses_.running())
+    outcome = crosses_.draw_cross(ui, said_);
+  else
+    crosses_.draw_wishes(ui, draft.config(), said_);
+  if (!outcome) return;
+  outcome_ = outcome->words;
+  said_ = take_outcome(draft, *outcome);
+}
+
+/// Shows what came out in the place of what was asked, so that nobody must look for it.
+void PicturesPage::draw_outcome(Interface& ui) {
+  for (const std::string& line : outcome_) wrapped(line);
+  if (ImGui::Button("Once more")) outcome_.clear();
+  ui.note("once more");
 }
 
 }  // namespace prosector

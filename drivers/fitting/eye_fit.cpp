@@ -91,9 +91,8 @@ EyeDistance eye_distance_by_sight(double marks_apart, double screen, double rod,
 }
 
 double pixel_by_card(double card_pixels) {
-  constexpr double card = 85.60e-3;                 // m
   constexpr double finest = 2e-5, coarsest = 2e-3;  // m: a telephone's screen, a wall of lamps
-  const double pixel = card / card_pixels;
+  const double pixel = card_width / card_pixels;
   if (!(pixel >= finest && pixel <= coarsest))
     throw InputError(fmt::format(
         "a card of {} pixels is that of no screen: lay it on the screen and drag both marks to its ends",

@@ -23,8 +23,9 @@ inline constexpr double least_eye_distance = 0.045, most_eye_distance = 0.085;  
 EyeDistance eye_distance_by_sight(double marks_apart, double screen, double rod, double mark_error = 1e-3,
                                   double length_error = 5e-3);
 
-/// Returns metres of a pixel of the screen, from the width that a bank card (ISO/IEC 7810 ID-1, 85.60 mm)
-/// takes there. Throws InputError for what no screen has.
+inline constexpr double card_width = 85.60e-3;  // m, of a bank card (ISO/IEC 7810 ID-1)
+/// Returns metres of a pixel of the screen, from the width that a bank card takes there. Throws InputError
+/// for what no screen has.
 double pixel_by_card(double card_pixels);
 
 /// A known point in the head receiver's frame, and the pixel of one eye's picture that covered it. The pixel

@@ -2,22 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace prosector {
 namespace {
 
-constexpr std::size_t crosses = 20;  // of each eye
 // A head is never as still as what lies on a table.
 constexpr StillLimits head_limits = {.seconds = 0.3, .motion = 4e-3, .turn = 0.01, .least = 10};
 constexpr std::array<const char*, 2> distances = {"at arm's length", "from three steps away"};
 
+constexpr double least_way = 0.01;  // m, of the mark in the head's frame from one cross to the next
+
 }  // namespace
 
-EyesGuide::EyesGuide(const ClientConfig& config, const Vec3& mark, int width, int height)
+EyesGuide::EyesGuide(const ClientConfig& config, const Vec3& mark, int width, int height, std::size_t crosses)
     : mark_(mark),
       width_(width),
       height_(height),
+      crosses_(std::clamp(crosses, least_seen_points, most_crosses)),
       station_(station_with_role(config, StationRole::head)),
       window_(head_limits) {}
 
@@ -34,33 +37,38 @@ void EyesGuide::take(const DeviceSample& sample) {
 /// Returns where the present cross is: in a grid of 5 × 4, neighbours far from each other.
 Eigen::Vector2d EyesGuide::cross() const {
   constexpr std::size_t columns = 5, rows = 4, stride = 7;
-  const std::size_t place = covered() % crosses * stride % crosses;
+  const std::size_t place = covered() % crosses_ * stride % most_crosses;
   return {width_ * (static_cast<double>(place % columns) + 0.5) / columns,
           height_ * (static_cast<double>(place / columns) + 0.5) / rows};
 }
 
 bool EyesGuide::confirm() {
   trouble_.clear();
-  if (covered() == 2 * crosses) return false;
+  if (covered() == 2 * crosses_) return false;
   if (!window_.still()) {
     trouble_ = "the head moved: hold it still while you confirm";
     return false;
   }
   const Vec3 point = window_.mean().inverse() * mark_;
-  seen_[covered() < crosses ? 0 : 1].push_back({point, cross()});
+  const std::vector<SeenPoint>& last = seen_[seen_[1].empty() ? 0 : 1];
+  if (!last.empty() && (point - last.back().point).norm() < least_way) {
+    trouble_ = "the head is where it was: lay this cross over the mark first";
+    return false;
+  }
+  seen_[right_eye() ? 1 : 0].push_back({point, cross()});
   return true;
 }
 
 GuideStep EyesGuide::step() const {
   GuideStep out;
   out.index = covered();
-  out.count = 2 * crosses;
+  out.count = 2 * crosses_;
   out.done = out.index == out.count;
   out.trouble = trouble_;
   if (out.done) return out;
   out.instruction =
       fmt::format("With the {} eye alone, lay the cross over the mark {}, hold still and confirm",
-                  out.index < crosses ? "left" : "right", distances[out.index % distances.size()]);
+                  right_eye() ? "right" : "left", distances[out.index % distances.size()]);
   out.target = mark_;
   out.pixel = cross();
   out.progress = window_.filled();

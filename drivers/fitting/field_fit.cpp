@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <cmath>
 
 #include "common/error.h"
+#include "drivers/fitting/like_field.h"
+#include "drivers/fitting/spline_system.h"
 
 namespace prosector {
 namespace {
@@ -15,14 +16,21 @@ constexpr std::size_t folds = 5;
 constexpr std::array<double, 3> smoothings = {1e-3, 1e-2, 1e-1};
 constexpr int most_tried_degree = 6;
 constexpr double least_box = 0.05;  // m, each side
+constexpr std::size_t judged_places = 4000;
+constexpr unsigned judged_seed = 1;
+constexpr double about_as_good = 1.2;
+
+/// Returns what a spline's kernel of the map is: −|r|, which is positive where Pᵀ w = 0.
+double falling(double distance) {
+  return -distance;
+}
 
 /// Returns rows of what the map must give: shift, and the turn from the reported to the true orientation.
 FieldTerms wanted(std::span<const FieldSample> samples) {
   FieldTerms out(static_cast<Eigen::Index>(samples.size()), 7);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    Quat turn = samples[i].truth.q * samples[i].reported.q.conjugate();
-    if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
+    const Quat turn = turn_from(samples[i].reported.q, samples[i].truth.q);
     out.row(row) << (samples[i].truth.p - samples[i].reported.p).transpose(), turn.w(), turn.x(), turn.y(),
         turn.z();
   }
@@ -31,13 +39,9 @@ FieldTerms wanted(std::span<const FieldSample> samples) {
 
 /// Sets the box that the reported places fill.
 void set_box(std::span<const FieldSample> samples, FieldMap& map) {
-  Vec3 low = samples.front().reported.p, high = low;
-  for (const FieldSample& s : samples) {
-    low = low.cwiseMin(s.reported.p);
-    high = high.cwiseMax(s.reported.p);
-  }
-  map.centre = (low + high) / 2;
-  map.half = (high - low) / 2;
+  const auto [centre, half] = box_of(samples, [](const FieldSample& s) { return s.reported.p; });
+  map.centre = centre;
+  map.half = half;
 }
 
 /// Returns every fifth sample from `fold` on, or all others.
@@ -49,30 +53,53 @@ std::vector<FieldSample> part(std::span<const FieldSample> samples, std::size_t 
   return out;
 }
 
-PoseErrors cross_validated(std::span<const FieldSample> samples, const FieldTrial& form) {
-  double squares = 0, turns = 0;
+/// Returns what a form leaves at points left out of its fit, m RMS.
+double cross_validated(std::span<const FieldSample> samples, const FieldTrial& form) {
+  double squares = 0;
   for (std::size_t fold = 0; fold < folds; ++fold) {
     const FieldMap map = fit_field_form(part(samples, fold, false), form);
     const std::vector<FieldSample> left_out = part(samples, fold, true);
     const PoseErrors e = pose_errors(left_out, &map);
     squares += e.position * e.position * static_cast<double>(left_out.size());
-    turns += e.turn * e.turn * static_cast<double>(left_out.size());
   }
-  const auto n = static_cast<double>(samples.size());
-  return {std::sqrt(squares / n), std::sqrt(turns / n)};
+  return std::sqrt(squares / static_cast<double>(samples.size()));
 }
 
 std::vector<FieldTrial> forms_for(std::size_t samples) {
   std::vector<FieldTrial> out;
   const std::size_t fitted = samples - samples / folds - 1;
   for (int degree = 0; degree <= most_tried_degree; ++degree)
-    if (2 * field_term_count(degree) <= fitted) out.push_back({.degree = degree});
-  for (const double smoothing : smoothings)
-    out.push_back({.degree = 1, .spline = true, .smoothing = smoothing});
+    if (2 * field_term_count(degree) <= fitted) out.push_back(polynomial_form(degree));
+  for (const double smoothing : smoothings) out.push_back(spline_form(smoothing));
   return out;
 }
 
+/// Returns the form of least error to expect; among those that are about as good, that which is best at
+/// points left out.
+FieldTrial choose(std::span<const FieldTrial> trials) {
+  double least = trials.front().expected.position;
+  for (const FieldTrial& t : trials) least = std::min(least, t.expected.position);
+  const FieldTrial* best = nullptr;
+  for (const FieldTrial& t : trials)
+    if (t.expected.position <= about_as_good * least && (best == nullptr || t.left_out < best->left_out))
+      best = &t;
+  return *best;
+}
+
 }  // namespace
+
+FieldTrial polynomial_form(int degree) {
+  FieldTrial out;
+  out.degree = degree;
+  return out;
+}
+
+FieldTrial spline_form(double smoothing) {
+  FieldTrial out;
+  out.spline = true;
+  out.smoothing = smoothing;
+  return out;
+}
 
 std::string FieldTrial::name() const {
   return spline ? fmt::format("spline, smoothing {}", smoothing)
@@ -97,24 +124,14 @@ FieldMap fit_field_form(std::span<const FieldSample> samples, const FieldTrial& 
     map.weights.resize(0, 7);
     return map;
   }
-  // [K − λI, P; Pᵀ, 0] [w; a] = [y; 0], K_ij = |x_i − x_j|: K is negative definite where Pᵀ w = 0.
-  Eigen::MatrixXd m = Eigen::MatrixXd::Zero(n + terms, n + terms);
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j)
-      m(i, j) = i == j ? -form.smoothing
-                       : (places[static_cast<std::size_t>(i)] - places[static_cast<std::size_t>(j)]).norm();
-  m.topRightCorner(n, terms) = polynomials;
-  m.bottomLeftCorner(terms, n) = polynomials.transpose();
-  Eigen::MatrixXd y = Eigen::MatrixXd::Zero(n + terms, 7);
-  y.topRows(n) = right;
-  const Eigen::MatrixXd solution = m.partialPivLu().solve(y);
+  const Eigen::MatrixXd solution = solve_spline(places, polynomials, falling, form.smoothing, right).solution;
   map.nodes = std::move(places);
-  map.weights = solution.topRows(n);
+  map.weights = -solution.topRows(n);  // the map adds w |r|
   map.polynomial = solution.bottomRows(terms);
   return map;
 }
 
-FieldFit fit_field(std::span<const FieldSample> samples) {
+FieldFit fit_field(std::span<const FieldSample> samples, const PoseErrors& noise) {
   if (samples.size() < least_field_samples)
     throw InputError(
         fmt::format("{} places: at least {} are needed (a grid of 3 an axis), and 343 are better",
@@ -128,17 +145,20 @@ FieldFit fit_field(std::span<const FieldSample> samples) {
   const PoseErrors raw = pose_errors(samples, nullptr);
   fit.before = raw.position;
   fit.turn_before = raw.turn;
+  const LikeField like(samples, noise);
+  std::mt19937_64 random(judged_seed);
+  const std::vector<FieldSample> again = like.again(random), judged = like.anywhere(random, judged_places);
   for (FieldTrial form : forms_for(samples.size())) {
-    const PoseErrors e = cross_validated(samples, form);
-    form.error = e.position;
-    form.turn_error = e.turn;
-    if (fit.trials.empty() || form.error < fit.chosen.error) fit.chosen = form;
+    const FieldMap map = fit_field_form(again, form);
+    form.expected = pose_errors(judged, &map);
+    form.left_out = cross_validated(samples, form);
     fit.trials.push_back(form);
   }
+  fit.chosen = choose(fit.trials);
   fit.map = fit_field_form(samples, fit.chosen);
   fit.map.before = fit.before;
-  fit.map.after = fit.after = fit.chosen.error;
-  fit.turn_after = fit.chosen.turn_error;
+  fit.map.after = fit.after = fit.chosen.expected.position;
+  fit.turn_after = fit.chosen.expected.turn;
   return fit;
 }
 

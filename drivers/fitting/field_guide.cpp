@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "common/error.h"
@@ -74,7 +75,7 @@ void FieldGuide::take(const DeviceSample& sample) {
   trouble_.clear();
   const double off = (room_device_ * place->p - points_[caught_.size()]).norm();
   if (off <= reach_)
-    caught_.push_back(*place);
+    caught_.push_back({*place, catcher_.error()});
   else
     trouble_ = fmt::format(
         "the receiver seems to be {:.0f} mm from this point: go there, or align with the room first",
@@ -104,7 +105,7 @@ std::vector<FieldSample> FieldGuide::samples() const {
   } else {
     // Nearest to the transmitter the field is least bent.
     double nearest = 1e9;
-    for (const Pose& x : caught_)
+    for (const auto& [x, error] : caught_)
       if (x.p.norm() < nearest) {
         nearest = x.p.norm();
         turn = x.q;
@@ -112,12 +113,18 @@ std::vector<FieldSample> FieldGuide::samples() const {
   }
   std::vector<FieldSample> out;
   for (std::size_t i = 0; i < caught_.size(); ++i)
-    out.push_back({caught_[i], {device_room * points_[i], turn}});
+    out.push_back({caught_[i].pose, {device_room * points_[i], turn}});
   return out;
 }
 
 FieldFit FieldGuide::fit() const {
-  return fit_field(samples());
+  PoseErrors squares;
+  for (const auto& [pose, error] : caught_) {
+    squares.position += error.position * error.position;
+    squares.turn += error.turn * error.turn;
+  }
+  const auto n = static_cast<double>(std::max<std::size_t>(1, caught_.size()));
+  return fit_field(samples(), {std::sqrt(squares.position / n), std::sqrt(squares.turn / n)});
 }
 
 void FieldGuide::back() {
@@ -132,12 +139,13 @@ GuideOutcome FieldGuide::outcome_of(const FieldFit& f) const {
   constexpr double degrees = 180 / std::numbers::pi;
   GuideOutcome out;
   out.words.push_back(fmt::format(
-      "before: {:.2f} mm, {:.2f}° RMS; after: {:.2f} mm, {:.2f}° RMS at points left out of the fit",
+      "before: {:.2f} mm, {:.2f}° RMS; after: {:.2f} mm, {:.2f}° RMS to expect between the points",
       1e3 * f.before, degrees * f.turn_before, 1e3 * f.after, degrees * f.turn_after));
-  out.words.push_back("chosen: " + f.chosen.name());
+  out.words.push_back("chosen: " + f.chosen.name() +
+                      "; expected between the points, and at points left out:");
   for (const FieldTrial& t : f.trials)
-    out.words.push_back(
-        fmt::format("  {:<26} {:6.2f} mm {:6.2f}°", t.name(), 1e3 * t.error, degrees * t.turn_error));
+    out.words.push_back(fmt::format("  {:<26} {:6.2f} mm {:6.2f}°, {:6.2f} mm", t.name(),
+                                    1e3 * t.expected.position, degrees * t.expected.turn, 1e3 * t.left_out));
   out.changes = {{"tracker.field_map", file_}};
   return out;
 }

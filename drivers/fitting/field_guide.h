@@ -39,7 +39,12 @@ class FieldGuide final : public Guide {
   FieldGrid grid_;
   std::string file_;
   std::vector<Vec3> points_;  // room; neighbours follow each other
-  std::vector<Pose> caught_;  // device frame
+  /// A place that was caught, in the device's frame.
+  struct Caught {
+    Pose pose;
+    PoseErrors error;  // expected
+  };
+  std::vector<Caught> caught_;
   PlaceCatcher catcher_;
   double reach_;  // m: from a point, as reported, that still counts as there
   std::string trouble_;

@@ -16,6 +16,8 @@ class PlaceCatcher {
   std::optional<Pose> take(std::int64_t time_ns, const Pose& pose);
   /// Returns how long the present place is held, 0 to 1.
   double held() const { return left_ ? window_.filled() : 0; }
+  /// Returns how far off the place that was caught last is to be expected.
+  const PoseErrors& error() const { return window_.mean_error(); }
 
  private:
   StillWindow window_;

@@ -14,7 +14,9 @@ void StillWindow::take(std::int64_t time_ns, const Pose& pose) {
   if (readings_.size() < limits_.least || filled() < 1) return;
   const std::size_t half = readings_.size() / 2;
   const Pose a = mean_of(0, half), b = mean_of(half, readings_.size());
-  still_ = (a.p - b.p).norm() < limits_.motion && a.q.angularDistance(b.q) < limits_.turn;
+  const PoseErrors apart = {(a.p - b.p).norm(), a.q.angularDistance(b.q)};
+  mean_error_ = {apart.position / 2, apart.turn / 2};
+  still_ = apart.position < limits_.motion && apart.turn < limits_.turn;
 }
 
 double StillWindow::filled() const {

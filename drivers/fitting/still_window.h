@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "common/math.h"
+#include "drivers/fitting/pose_errors.h"
 
 namespace prosector {
 
@@ -26,6 +27,8 @@ class StillWindow {
   double filled() const;
   /// Returns the mean pose of the window; positions by their mean, orientations by that of quaternions.
   Pose mean() const;
+  /// Returns how far off the mean is to be expected, by what its halves differ.
+  const PoseErrors& mean_error() const { return mean_error_; }
 
  private:
   struct Reading {
@@ -36,6 +39,7 @@ class StillWindow {
 
   StillLimits limits_;
   std::deque<Reading> readings_;
+  PoseErrors mean_error_;
   bool still_ = false;
 };
 

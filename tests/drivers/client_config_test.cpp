@@ -47,7 +47,7 @@ TEST(ClientConfig, BadInputSaysWhereAndWhat) {
       {"[tracker]\naddress = 'fastrak:/x'\nalignment = [0,0,0,1,0,0,2,0,0]", "line"},
       {"[tracker]\naddress = 'fastrak:/x'\nroom.position = [nan, 0, 0]", "tracker.room.position"},
       {"[tracker]\naddress = 'fastrak:/x'\nroom.orientation = [0, 0, 0, 0]", "unit quaternion"},
-      {"[tracker]\naddress = 'fastrak:/x'\nstations.head.station = 5", "from 1 to 4"},
+      {"[tracker]\naddress = 'fastrak:/x'\nstations.head.station = 5", "from 0 to 4"},
       {"[tracker]\naddress = 'fastrak:/x'\nstations.head.station = 1\nstations.left.station = 1",
        "another role"},
       {"[glove.right]\naddress = '5dt:/x'\nclosed_above = 0.3", "must exceed open_below"},

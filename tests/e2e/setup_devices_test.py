@@ -67,6 +67,16 @@ position = [0, 0.8, 0]
           and after.startswith("# The laboratory's devices"))
     check("the glove is in it", f'address = "5dt:{OUT}/glove"' in after)
     check("and the receiver", "station = 2" in after)
+    user.click("Tracker")
+    user.sees("receiver 2 exact")
+    user.picture("setup-tracker.png")
+    user.click("Glove")
+    for gesture in ("fist", "flat"):
+        user.sees(f"{gesture} made")
+    for finger in ("thumb", "little"):
+        user.sees(f"span {finger} good")
+    check("a hand follows the glove, and its gestures are known", "hand" in user.read()["controls"])
+    user.picture("setup-glove.png")
     user.end()
     check("it ends cleanly", user.process.returncode == 0)
 finish()

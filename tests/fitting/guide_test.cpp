@@ -285,6 +285,7 @@ TEST(EyesGuide, FindsDisplayEyesAndMount) {
       guide.take(sample);
     }
     ASSERT_TRUE(guide.confirm());
+    EXPECT_FALSE(guide.confirm()) << "a cross isn't where the last one was";
     EXPECT_EQ(guide.step().index, before + 1);
   }
   const std::string text = write_client_config(

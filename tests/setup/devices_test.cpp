@@ -54,6 +54,31 @@ TEST(ConfigDraft, RefusesInWordsAndKeepsWhatItHad) {
   EXPECT_FALSE(draft.config().tracker_device.boresight);
 }
 
+TEST(ConfigDraft, TakesAReceiverOrADeviceAwayAndKeepsAllElse) {
+  const TemporaryFile file("draft.toml");
+  const std::string text =
+      "[tracker]\naddress = \"fastrak:/x\"  # ours\n[tracker.stations]\nright.station = 1  # the glove's\n"
+      "right.mount.position = [0, 0.1, 0]\nhead.station = 2\n[glove.right]\naddress = \"5dt:/y\"\npinch = "
+      "true\n";
+  write_file(file.path, text);
+  ConfigDraft draft(file.path);
+  EXPECT_EQ(draft.change({{"tracker.stations.right.station", 0.}}), "");
+  EXPECT_EQ(draft.config().stations[0], StationRole::none);
+  EXPECT_EQ(draft.config().stations[1], StationRole::head);
+  EXPECT_EQ(draft.config().tracker_device.stations, 2u);
+  EXPECT_EQ(draft.change({{"glove.right.address", std::string()}}), "");
+  EXPECT_EQ(draft.config().gloves[right_hand].address, "");
+  EXPECT_TRUE(draft.config().gloves[right_hand].device.pinch);
+  EXPECT_NE(draft.change({{"tracker.stations.head.station", 0.}}).find("at least one"), std::string::npos);
+  draft.save();
+  std::string expected = text;
+  expected.replace(expected.find("right.station = 1"), 17, "right.station = 0");
+  expected.replace(expected.find("\"5dt:/y\""), 8, "\"\"");
+  EXPECT_EQ(read_file(file.path), expected) << "comments, order and mounts stay";
+  EXPECT_EQ(draft.change({{"tracker.stations.right.station", 3.}}), "");
+  EXPECT_EQ(draft.config().tracker_device.mount[2].p, Vec3(0, 0.1, 0)) << "its mount goes with it";
+}
+
 TEST(ConfigDraft, OfAFileThatIsMissingOneIsMade) {
   const TemporaryFile file("draft.toml");
   ConfigDraft draft(file.path);
@@ -140,6 +165,16 @@ TEST(DeviceWatch, WhatIsNotThereIsSaid) {
   EXPECT_EQ(watch.devices()[0].name, "left glove");
   EXPECT_EQ(watch.devices()[0].status.health, DeviceHealth::absent);
   EXPECT_NE(watch.devices()[0].status.message.find("/nowhere"), std::string::npos);
+}
+
+TEST(DeviceWatch, AFileThatCannotBeReadIsSaid) {
+  ClientConfig config;
+  config.tracker = "recorded:/nowhere.csv";
+  DeviceWatch watch(config);
+  watch.poll(monotonic_ns());
+  ASSERT_EQ(watch.devices().size(), 1u);
+  EXPECT_EQ(watch.devices()[0].status.health, DeviceHealth::absent);
+  EXPECT_NE(watch.devices()[0].status.message.find("/nowhere.csv"), std::string::npos);
 }
 
 TEST(FoundDevices, ArePortsThatAreThereAndGloves) {

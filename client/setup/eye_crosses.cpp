@@ -1,0 +1,149 @@
+#include "client/setup/eye_crosses.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <array>
+
+#include "client/setup/fields.h"
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::array<std::size_t, 3> cross_counts = {least_seen_points, 16, most_crosses};
+
+}  // namespace
+
+void EyeCrosses::draw_wishes(Interface& ui, const ClientConfig& config, Said& said) {
+  quiet(
+      "Wear the display, with a receiver on it that is the head's. Crosses come, one after the other: lay "
+      "each "
+      "over a mark in the room with one eye alone, by moving your head, hold still, and press Space.");
+  ImGui::PushItemWidth(270 * static_cast<float>(ui.scale()));
+  edit_vector("mark, m", mark_);
+  ui.note("mark");
+  if (ImGui::BeginCombo("display", displays_.empty() ? "" : displays_[display_].name.c_str())) {
+    for (std::size_t k = 0; k < displays_.size(); ++k) {
+      if (ImGui::Selectable(displays_[k].name.c_str(), k == display_)) display_ = k;
+      ui.note(displays_[k].name);
+    }
+    ImGui::EndCombo();
+  }
+  ui.note("eyes' display");
+  ImGui::PopItemWidth();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Crosses for each eye:");
+  for (const std::size_t count : cross_counts) {
+    ImGui::SameLine();
+    if (ImGui::RadioButton(std::to_string(count).c_str(), crosses_ == count)) crosses_ = count;
+    ui.note(fmt::format("crosses {}", count));
+  }
+  quiet("Crosses must fill the display: choose \"filling the screen\", and its number.");
+  if (ImGui::Button("Begin")) begin(config, said);
+  ui.note("begin eyes");
+}
+
+void EyeCrosses::begin(const ClientConfig& config, Said& said) {
+  said = {};
+  try {
+    if (displays_.empty()) throw InputError("No side-by-side display is known.");
+    const EyeDisplay& display = displays_[display_];
+    auto guide = std::make_unique<EyesGuide>(config, mark_, display.width, display.height, crosses_);
+    guide_ = guide.get();
+    running_ =
+        std::make_unique<GuidedCalibration>(std::move(guide), tracker_of(config), EyesGuide::device(config));
+    begun_ = true;
+  } catch (const InputError& error) {
+    said = {error.what(), true};
+  }
+}
+
+std::optional<GuideOutcome> EyeCrosses::draw_cross(Interface& ui, Said& said) {
+  running_->poll();
+  const GuideStep step = running_->step();
+  if (step.done) {
+    std::optional<GuideOutcome> out;
+    try {
+      out = guide_->outcome();
+    } catch (const InputError& error) {
+      said = {error.what(), true};
+    }
+    close();
+    return out;
+  }
+  said = {fmt::format("Cross {} of {}", step.index + 1, step.count), false};
+  const ImVec2 all = ImGui::GetIO().DisplaySize;
+  const EyeDisplay& display = displays_[display_];
+  const float wide = all.x / 2, left = guide_->right_eye() != display.swapped ? wide : 0;
+  const float x = left + static_cast<float>(step.pixel->x()) * wide / static_cast<float>(display.width);
+  const float y = static_cast<float>(step.pixel->y()) * all.y / static_cast<float>(display.height);
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(all);
+  if (begun_) ImGui::SetNextWindowFocus();
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, {0, 0, 0, 1});
+  ImGui::Begin("crosses", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+  const auto scale = static_cast<float>(ui.scale());
+  const float arm = 22 * scale, gap = 4 * scale;
+  constexpr ImU32 shade = IM_COL32(120, 255, 140, 255);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (const float sign : {-1.f, 1.f}) {
+    list.AddLine({x + sign * gap, y}, {x + sign * arm, y}, shade, 2 * scale);
+    list.AddLine({x, y + sign * gap}, {x, y + sign * arm}, shade, 2 * scale);
+  }
+  draw_words(ui, step, left, wide, y > all.y / 2, said);
+  ImGui::End();
+  ImGui::PopStyleColor();
+  begun_ = false;
+  return std::nullopt;
+}
+
+/// Writes into the eye's picture, where the cross isn't.
+void EyeCrosses::draw_words(Interface& ui, const GuideStep& step, float left, float width, bool above,
+                            Said& said) {
+  const auto scale = static_cast<float>(ui.scale());
+  const float margin = 24 * scale, height = 190 * scale;
+  ImGui::SetCursorPos({left + margin, above ? margin : ImGui::GetIO().DisplaySize.y - margin - height});
+  ImGui::BeginChild("words", {width - 2 * margin, height});
+  wrapped(step.instruction);
+  ImGui::ProgressBar(static_cast<float>(step.progress), {-1, 0},
+                     fmt::format("{} of {}", step.index + 1, step.count).c_str());
+  const bool covered = ImGui::Button("Covered (Space)");
+  ui.note("covered");
+  ImGui::SameLine();
+  const bool again = ImGui::Button("This one again");
+  ui.note("back");
+  ImGui::SameLine();
+  const bool stops = ImGui::Button("Stop");
+  ui.note("stop");
+  if (!step.trouble.empty()) {
+    warning(step.trouble);
+    ui.note("trouble");
+  }
+  const DeviceStatus device = running_->device();
+  if (device.health != DeviceHealth::streaming && !device.message.empty()) warning(device.message);
+  quiet(residuals());
+  ImGui::EndChild();
+  // Space is for the cross, wherever the keyboard is, unless it presses another button.
+  const bool space = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Space), false);
+  if (covered || (space && !again && !stops)) guide_->confirm();
+  if (again) running_->back();
+  if (!stops) return;
+  close();
+  said = {"Stopped: nothing is changed.", false};
+}
+
+/// Says how well what was seen so far fits, of each eye that saw enough.
+std::string EyeCrosses::residuals() const {
+  std::string out;
+  for (const bool right : {false, true}) try {
+      const double residual = guide_->fit(right).residual;
+      out += fmt::format("{}{} eye: residual {:.2f} pixels", out.empty() ? "" : "; ",
+                         right ? "right" : "left", residual);
+    } catch (const InputError&) {
+      continue;  // too few yet
+    }
+  return out;
+}
+
+}  // namespace prosector

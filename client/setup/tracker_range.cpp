@@ -1,0 +1,243 @@
+#include "client/setup/tracker_range.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "client/setup/drawn_space.h"
+#include "client/setup/guided_calibration.h"
+#include "common/error.h"
+
+namespace prosector {
+namespace {
+
+constexpr double exact_within = 0.76, works_within = 3;  // m, of a FASTRAK
+constexpr double least_shown = 1;                        // m, from the transmitter to the picture's edge
+constexpr std::array<ImU32, 3> trust_shades = {
+    {IM_COL32(90, 210, 120, 255), IM_COL32(245, 185, 65, 255), IM_COL32(245, 100, 85, 255)}};
+constexpr std::array trust_words = {"exact", "less exact", "out of range"};
+
+/// Sides of the transmitter, with the hemisphere's zenith: X forward, Y right, Z down.
+struct Side {
+  const char* name;
+  Vec3 zenith;
+};
+const std::array<Side, 6> sides = {{{"before it", {1, 0, 0}},
+                                    {"behind it", {-1, 0, 0}},
+                                    {"right of it", {0, 1, 0}},
+                                    {"left of it", {0, -1, 0}},
+                                    {"above it", {0, 0, -1}},
+                                    {"below it", {0, 0, 1}}}};
+
+/// Returns a direction of the FASTRAK's own frame in ours.
+Vec3 ours(const Vec3& v) {
+  return {v.y(), -v.z(), -v.x()};
+}
+
+std::string receiver_name(const ClientConfig& config, std::uint32_t station) {
+  constexpr std::array names = {"", ", head", ", left hand", ", right hand", ", instrument"};
+  return fmt::format("Receiver {}{}", station + 1, names[static_cast<std::size_t>(config.stations[station])]);
+}
+
+/// Says how something is turned: aside, up or down, and about its own axis.
+std::string turn_words(const Quat& q) {
+  constexpr double degrees = 180 / std::numbers::pi;
+  const Vec3 ahead = q * -Vec3::UnitZ();
+  const double aside = degrees * std::atan2(ahead.x(), -ahead.z());
+  const double up = degrees * std::asin(std::clamp(ahead.y(), -1., 1.));
+  const double rolled = degrees * std::atan2((q * Vec3::UnitX()).y(), (q * Vec3::UnitY()).y());
+  return fmt::format("{:.0f}° {}, {:.0f}° {}, rolled {:.0f}°", std::abs(aside), aside < 0 ? "left" : "right",
+                     std::abs(up), up < 0 ? "down" : "up", rolled);
+}
+
+/// Draws the half of a disk that lies against a direction.
+void draw_dark_half(ImDrawList& list, ImVec2 middle, float radius, ImVec2 to, ImU32 shade) {
+  constexpr int corners = 32;
+  const double across = std::atan2(to.y, to.x) + std::numbers::pi / 2;
+  for (int k = 0; k <= corners; ++k) {
+    const double a = across + std::numbers::pi * k / corners;
+    list.PathLineTo({middle.x + radius * static_cast<float>(std::cos(a)),
+                     middle.y + radius * static_cast<float>(std::sin(a))});
+  }
+  list.PathFillConvex(shade);
+}
+
+}  // namespace
+
+Trust trust_at(double distance, char error) {
+  if (error != ' ' || distance > works_within) return Trust::none;
+  return distance <= exact_within ? Trust::good : Trust::less;
+}
+
+/// Opens the tracker alone. Poses are its receivers' in its own frame.
+void TrackerRange::begin(const ClientConfig& config) {
+  ClientConfig bare;
+  bare.tracker = config.tracker;
+  bare.tracker_device = config.tracker_device;
+  bare.tracker_device.room_device = {};
+  bare.tracker_device.mount.fill({});
+  bare.tracker_device.field_map.clear();
+  watch_ = std::make_unique<DeviceWatch>(bare);
+  const std::string driver = driver_of(config.tracker).name;
+  knows_range_ = driver == "fastrak" || driver.starts_with("recorded");
+  map_.reset();
+  try {
+    if (!config.tracker_device.field_map.empty()) map_ = load_field_map(config.tracker_device.field_map);
+  } catch (const InputError&) {
+    map_.reset();  // whoever enters with it is told
+  }
+}
+
+void TrackerRange::draw(Interface& ui, ConfigDraft& draft, Said& said, std::int64_t now_ns) {
+  if (draft.config().tracker.empty()) {
+    quiet("No tracker is named yet: name it on the page of devices.");
+    return;
+  }
+  if (!watch_) begin(draft.config());
+  watch_->poll(now_ns);
+  const DeviceStatus& status = watch_->devices().front().status;
+  if (!status.message.empty()) warning(status.message);
+  draw_pictures(ui, draft.config());
+  draw_receivers(ui, draft.config());
+  ImGui::Separator();
+  if (!knows_range_) {
+    quiet("How far this tracker reaches isn't known. Its side and straight ahead are its own program's.");
+    return;
+  }
+  draw_side(ui, draft, said);
+  draw_ahead(ui, draft, said);
+}
+
+void TrackerRange::draw_pictures(Interface& ui, const ClientConfig& config) const {
+  const auto scale = static_cast<float>(ui.scale());
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float wide = (ImGui::GetContentRegionAvail().x - gap) / 2, high = 190 * scale;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  double farthest = least_shown;
+  for (const WatchedStation& s : watch_->devices().front().stations)
+    farthest = std::max(farthest, std::min(1.15 * s.last.pose.p.norm(), works_within));
+  Mat3 above;
+  above << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (const bool right : {false, true}) {
+    const ImVec2 corner = {at.x + (right ? wide + gap : 0), at.y};
+    const DrawnSpace space = {corner.x + wide / 2, corner.y + high / 2,
+                              static_cast<float>(0.5 * high / farthest),
+                              right ? Mat3(Mat3::Identity()) : above};
+    list.PushClipRect(corner, {corner.x + wide, corner.y + high}, true);
+    draw_range(space, config.tracker_device.hemisphere, scale);
+    draw_dots(space, scale);
+    list.AddText({corner.x + 6 * scale, corner.y + 3 * scale}, IM_COL32(158, 166, 178, 255),
+                 right ? "from behind" : "from above, forward is up");
+    list.PopClipRect();
+    list.AddRect(corner, {corner.x + wide, corner.y + high}, IM_COL32(255, 255, 255, 30), 4 * scale, 0,
+                 scale);
+  }
+  ImGui::Dummy({2 * wide + gap, high});
+  ui.note("range");
+}
+
+/// Draws how far the tracker reaches, its dark side, and the mapped field.
+void TrackerRange::draw_range(const DrawnSpace& space, const Vec3& hemisphere, float scale) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 middle = {space.x, space.y};
+  if (knows_range_) {
+    const float works = space.scale * static_cast<float>(works_within);
+    list.AddCircleFilled(middle, works, IM_COL32(245, 185, 65, 24), 96);
+    list.AddCircleFilled(middle, space.scale * static_cast<float>(exact_within), IM_COL32(90, 210, 120, 44),
+                         96);
+    const Vec3 zenith = space.view * ours(hemisphere);
+    constexpr double least_aslant = 0.3;  // seen along the side's own direction there is no border
+    if (zenith.norm() > 0 && zenith.head<2>().norm() > least_aslant * zenith.norm())
+      draw_dark_half(list, middle, works, {static_cast<float>(zenith.x()), static_cast<float>(-zenith.y())},
+                     IM_COL32(0, 0, 0, 150));
+  }
+  if (map_) {
+    const ImVec2 a = space.at<ImVec2>(map_->centre - map_->half),
+                 b = space.at<ImVec2>(map_->centre + map_->half);
+    list.AddRect({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)},
+                 IM_COL32(120, 190, 255, 160), 0, 0, scale);
+  }
+  const float box = 5 * scale;
+  list.AddRectFilled({middle.x - box, middle.y - box}, {middle.x + box, middle.y + box},
+                     IM_COL32(200, 205, 212, 255), 2 * scale);
+}
+
+void TrackerRange::draw_dots(const DrawnSpace& space, float scale) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (const WatchedStation& s : watch_->devices().front().stations) {
+    const ImVec2 dot = space.at<ImVec2>(s.last.pose.p);
+    const ImU32 shade = shade_of(s.last);
+    list.AddCircleFilled(dot, 5 * scale, shade);
+    list.AddText({dot.x + 7 * scale, dot.y - 8 * scale}, shade, std::to_string(s.last.station + 1).c_str());
+  }
+}
+
+/// Returns the colour of how far a receiver can be trusted; white where that isn't known.
+std::uint32_t TrackerRange::shade_of(const DeviceSample& sample) const {
+  if (!knows_range_) return IM_COL32(225, 230, 235, 255);
+  return trust_shades[static_cast<std::size_t>(trust_at(sample.pose.p.norm(), sample.error))];
+}
+
+void TrackerRange::draw_receivers(Interface& ui, const ClientConfig& config) const {
+  for (const WatchedStation& s : watch_->devices().front().stations) {
+    if (config.stations[s.last.station] == StationRole::none) continue;
+    const double distance = s.last.pose.p.norm();
+    const bool mapped = map_ && ((s.last.pose.p - map_->centre).cwiseAbs() - map_->half).maxCoeff() <= 0;
+    const std::string trusted =
+        knows_range_ ? trust_words[static_cast<std::size_t>(trust_at(distance, s.last.error))] : "seen";
+    ImGui::PushStyleColor(ImGuiCol_Text, shade_of(s.last));
+    wrapped(fmt::format("{}: {:.2f} m away, {}{}; {}", receiver_name(config, s.last.station), distance,
+                        trusted,
+                        !map_    ? ""
+                        : mapped ? ", in the mapped field"
+                                 : ", beside the mapped field",
+                        turn_words(s.last.pose.q)));
+    ImGui::PopStyleColor();
+    ui.note(fmt::format("receiver {} {}", s.last.station + 1, trusted));
+  }
+}
+
+void TrackerRange::change(ConfigDraft& draft, Said& said, const ConfigChange& what, const std::string& done) {
+  const std::string why = draft.change({what});
+  said = why.empty() ? Said{done, false} : Said{why, true};
+  if (why.empty()) watch_.reset();
+}
+
+void TrackerRange::draw_side(Interface& ui, ConfigDraft& draft, Said& said) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("The transmitter has receivers …");
+  const Vec3 now = draft.config().tracker_device.hemisphere;
+  for (const Side& side : sides) {
+    ImGui::SameLine();
+    if (ImGui::RadioButton(side.name, (now.normalized() - side.zenith).norm() < 1e-3)) {
+      const std::vector<double> zenith(side.zenith.data(), side.zenith.data() + 3);
+      change(draft, said, {"tracker.hemisphere", zenith},
+             fmt::format("Receivers are taken to be {}.", side.name));
+    }
+    ui.note(side.name);
+  }
+  quiet("A receiver on the dark side is told as its mirror image: lift it, and see whether its dot goes up.");
+}
+
+void TrackerRange::draw_ahead(Interface& ui, ConfigDraft& draft, Said& said) {
+  bool boresight = draft.config().tracker_device.boresight;
+  if (ImGui::Checkbox("how receivers are turned at the start counts as straight ahead", &boresight))
+    change(draft, said, {"tracker.boresight", boresight},
+           boresight ? "Straight ahead is how receivers are turned at the start."
+                     : "Straight ahead is as the receivers are built.");
+  ui.note("boresight");
+  if (!boresight) return;
+  ImGui::SameLine();
+  if (ImGui::Button("Take it anew")) {
+    watch_.reset();
+    said = {"How receivers are turned now counts as straight ahead.", false};
+  }
+  ui.note("boresight now");
+}
+
+}  // namespace prosector

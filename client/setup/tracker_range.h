@@ -1,0 +1,50 @@
+#pragma once
+// Where a tracker's receivers are within the range in which it can be trusted, which side of the transmitter
+// it reckons with, and what counts as straight ahead.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "client/setup/device_watch.h"
+#include "client/setup/live_panel.h"
+#include "drivers/field_map.h"
+
+namespace prosector {
+
+struct DrawnSpace;
+
+/// How far a tracker can be trusted at a distance from its transmitter.
+enum class Trust : std::uint8_t { good, less, none };
+/// Returns it for a FASTRAK: its accuracy is promised within 0.76 m, and it works up to 3 m. An `error` that
+/// the device told is none.
+Trust trust_at(double distance, char error);
+
+class TrackerRange final : public LivePanel {
+ public:
+  const char* name() const override { return "Range and side"; }
+  const char* about() const override {
+    return "Where receivers are about the transmitter: green is as exact as promised, amber less so, red is "
+           "out of range.";
+  }
+  void draw(Interface& ui, ConfigDraft& draft, Said& said, std::int64_t now_ns) override;
+  void close() override { watch_.reset(); }
+  bool open() const override { return watch_ != nullptr; }
+
+ private:
+  std::unique_ptr<DeviceWatch> watch_;
+  std::optional<FieldMap> map_;
+  bool knows_range_ = false;  // a FASTRAK, or what was recorded
+
+  void begin(const ClientConfig& config);
+  void change(ConfigDraft& draft, Said& said, const ConfigChange& what, const std::string& done);
+  void draw_pictures(Interface& ui, const ClientConfig& config) const;
+  void draw_range(const DrawnSpace& space, const Vec3& hemisphere, float scale) const;
+  void draw_dots(const DrawnSpace& space, float scale) const;
+  std::uint32_t shade_of(const DeviceSample& sample) const;
+  void draw_receivers(Interface& ui, const ClientConfig& config) const;
+  void draw_side(Interface& ui, ConfigDraft& draft, Said& said);
+  void draw_ahead(Interface& ui, ConfigDraft& draft, Said& said);
+};
+
+}  // namespace prosector
