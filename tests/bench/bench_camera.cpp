@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <set>
 
 #include "tests/bench/camera_plot.h"
@@ -13,8 +12,6 @@
 
 namespace prosector {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// One row to measure: what is varied, and its value.
 struct CameraTrial {

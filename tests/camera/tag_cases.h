@@ -9,6 +9,8 @@
 
 namespace prosector {
 
+inline constexpr double degree = std::numbers::pi / 180;
+
 /// The camera that published figures were measured with.
 inline Lens usual_lens() {
   Lens lens;

@@ -6,8 +6,6 @@
 namespace prosector {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-
 Board one_tag() {
   return grid_board("tag", {1, 1, 0.08, 0.02, 7});
 }

@@ -13,7 +13,10 @@ constexpr double alike_px = 0.3;      // … or both errors are below this
 constexpr double flow_back_px = 0.7;  // that a corner may miss its start by when it is followed back
 constexpr int flow_window = 15;       // pixels
 constexpr int flow_levels = 3;
-constexpr double unread_deviation = 2e-3;  // m, of a pose by corners alone
+constexpr double corner_deviation = 2e-3;  // m, of a pose by corners alone
+constexpr double unfitted_px = 0.5;        // that such a pose counts as off
+constexpr double doubt_kept = 0.95;        // of the doubt, from picture to picture
+constexpr double enough_doubt = 6;         // logarithm of how much likelier another pose must be
 
 cv::Mat wrapped(const GreyImage& image) {
   return {image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.grey.data())};
@@ -23,15 +26,42 @@ cv::Mat wrapped(const GreyImage& image) {
 
 BoardTracker::BoardTracker(Board board) : board_(std::move(board)) {}
 
-std::optional<BoardPose> BoardTracker::choose(const std::vector<BoardPose>& poses) const {
+BoardTracker::Fitted BoardTracker::fit(const BoardPose& pose, const TagPicture& picture,
+                                       const TagOptics& optics, const std::vector<int>& codes) const {
+  if (const auto edges =
+          fit_edges(picture.bent, optics.bent, board_, codes, pose.camera_board, optics.response)) {
+    const Mat3 place = edges->covariance.bottomRightCorner<3, 3>();
+    const double worst = Eigen::SelfAdjointEigenSolver<Mat3>(place, Eigen::EigenvaluesOnly).eigenvalues()[2];
+    return {edges->camera_board, edges->rms, std::sqrt(worst), edges->samples};
+  }
+  return {pose.camera_board, std::max(pose.rms, unfitted_px), corner_deviation, 0};
+}
+
+std::optional<BoardTracker::Fitted> BoardTracker::choose(const std::vector<BoardPose>& poses,
+                                                         const TagPicture& picture, const TagOptics& optics,
+                                                         const std::vector<int>& codes) {
   if (poses.empty()) return std::nullopt;
-  if (poses.size() < 2 || !last_) return poses.front();
-  const bool alike = poses[1].rms < alike_ratio * poses[0].rms || poses[1].rms < alike_px;
-  if (!alike) return poses.front();
-  const auto turned = [&](const BoardPose& pose) {
-    return pose.camera_board.q.angularDistance(last_->camera_board.q);
+  Fitted first = fit(poses[0], picture, optics, codes);
+  const bool alike =
+      poses.size() > 1 && (poses[1].rms < alike_ratio * poses[0].rms || poses[1].rms < alike_px);
+  if (!alike) {
+    doubt_ = 0;
+    return first;
+  }
+  Fitted second = fit(poses[1], picture, optics, codes);
+  if (!last_) {
+    doubt_ = 0;
+    return second.rms < first.rms ? second : first;
+  }
+  const auto turned = [&](const Fitted& one) {
+    return one.camera_board.q.angularDistance(last_->camera_board.q);
   };
-  return turned(poses[1]) < turned(poses[0]) ? poses[1] : poses[0];
+  if (turned(second) < turned(first)) std::swap(first, second);
+  // The logarithm of how much likelier the other one is; one picture says little, so it adds up.
+  doubt_ = doubt_kept * doubt_ + std::min(first.samples, second.samples) * std::log(first.rms / second.rms);
+  if (doubt_ < enough_doubt) return first;
+  doubt_ = 0;
+  return second;
 }
 
 std::vector<SeenCorner> BoardTracker::follow(const TagPicture& picture, const TagOptics& optics) const {
@@ -73,23 +103,17 @@ std::optional<TrackedBoard> BoardTracker::update(const TagPicture& picture, cons
     out.followed = true;
     if (last_) codes = last_->codes;
   }
-  const auto pose = choose(solve_board(corners, optics.straight));
-  if (!pose) {
+  const auto found = choose(solve_board(corners, optics.straight), picture, optics, codes);
+  if (!found) {
     forget();
     return std::nullopt;
   }
-  out.camera_board = pose->camera_board;
-  out.deviation = unread_deviation;
-  if (const auto fit =
-          fit_edges(picture.bent, optics.bent, board_, codes, pose->camera_board, optics.response)) {
-    out.camera_board = fit->camera_board;
-    const Mat3 place = fit->covariance.bottomRightCorner<3, 3>();
-    out.deviation =
-        std::sqrt(Eigen::SelfAdjointEigenSolver<Mat3>(place, Eigen::EigenvaluesOnly).eigenvalues()[2]);
-  } else if (out.followed) {
-    forget();  // flow alone would drift
+  if (out.followed && found->samples == 0) {  // flow alone goes astray: edges must bear it out
+    forget();
     return std::nullopt;
   }
+  out.camera_board = found->camera_board;
+  out.deviation = found->deviation;
   last_ = Last{out.camera_board, out.followed ? last_->read_ns : picture.time_ns, picture.straight,
                std::move(codes)};
   return out;

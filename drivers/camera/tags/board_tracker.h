@@ -52,10 +52,21 @@ class BoardTracker {
     std::vector<int> codes;  // of tags that were seen
   };
   std::vector<SeenCorner> follow(const TagPicture& picture, const TagOptics& optics) const;
-  std::optional<BoardPose> choose(const std::vector<BoardPose>& poses) const;
+  /// A pose made exact by edges, where they are found.
+  struct Fitted {
+    Pose camera_board;
+    double rms = 0;        // pixels
+    double deviation = 0;  // m
+    int samples = 0;       // of edges
+  };
+  Fitted fit(const BoardPose& pose, const TagPicture& picture, const TagOptics& optics,
+             const std::vector<int>& codes) const;
+  std::optional<Fitted> choose(const std::vector<BoardPose>& poses, const TagPicture& picture,
+                               const TagOptics& optics, const std::vector<int>& codes);
 
   Board board_;
   std::optional<Last> last_;
+  double doubt_ = 0;  // that of two poses which look alike the right one is taken
 };
 
 }  // namespace prosector
