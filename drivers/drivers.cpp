@@ -25,7 +25,7 @@ const std::vector<DriverRow>& drivers() {
       {"spacemouse", "a SpaceMouse by spacenavd's socket, spacemouse:/run/spnav.sock", open_space_mouse},
       {"tags",
        "printed boards before a camera, tags:0, tags:/dev/video0, tags:clip.mkv, tags:synthetic:SCENE.toml",
-       open_tags},
+       open_tags, false, true},
       {"recorded", "samples from a CSV file, played once, recorded:hand.csv", open_recorded},
       {"recorded-loop", "the same, again and again, recorded-loop:hand.csv", open_recorded_loop},
   };
