@@ -38,14 +38,16 @@ forbid "physics and its calibration know no network and no session" '(idl|server
   $(sources 'server/(physics|calibration)/')
 forbid "of idl, others include its bus headers only: idl/wire and idl/dds are its own" 'idl/(wire|dds)/' \
   $(sources '(server|client)/')
-only "of drivers' folders, the client includes what calibration fits" 'drivers/[a-z0-9_]+/' 'drivers/fitting/' \
-  $(sources client/ '^client/ar/')
+only "of drivers' folders, the client includes what calibration fits" 'drivers/[a-z0-9_]+/' 'drivers/(fitting|camera)/' \
+  $(sources client/)
 only "who looks through a camera includes of drivers' folders the camera's" 'drivers/[a-z0-9_]+/' 'drivers/camera/' \
   $(sources client/ar/)
 forbid "a camera's sight knows neither sessions nor what is drawn with" 'client/(app|replica|render|setup)/' $(sources client/ar/)
 forbid "drivers know nothing of calibration but what it fits" 'drivers/fitting/' $(sources drivers/ '^drivers/fitting/')
 forbid "OpenIGTLink only in drivers/igtl_messages.cpp" 'igtl_(header|tdata|transform|util)\.h' \
   $(sources '(common|idl|drivers|server|client)/' '^drivers/igtl_messages\.cpp$')
+forbid "XNNPACK only in drivers/camera/hands/network.cpp" '(xnnpack|pthreadpool)\.h' \
+  $(sources '(common|idl|drivers|server|client)/' '^drivers/camera/hands/network\.cpp$')
 forbid "only idl knows DDS" '(dds/|ddsc/|prosector\.h)' $(sources '(common|drivers|server|client)/')
 # bullet_types.h hands Bullet on, so including it counts as including Bullet.
 forbid "Bullet only in server/physics/rigid, panel_motion.cpp, convex_hull.cpp and the contact .cpp files of server/physics" \

@@ -2,7 +2,7 @@
 # No package has `setup`. Programs carry their shaders, DDS profiles and stereo profiles in them: the files beside them are to
 # start from.
 set(server_programs prosector-server prosector-import)
-set(client_programs prosector-client prosector-fastrak-twin prosector-5dt-twin prosector-device-twin)
+set(client_programs prosector-client prosector-fastrak-twin prosector-5dt-twin prosector-device-twin prosector-board)
 set(tools_programs prosector-scene)
 if(PROSECTOR_TESTS)
   list(APPEND tools_programs prosector-bench prosector-play)
@@ -31,6 +31,7 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT server)
 
 install(DIRECTORY ${deploy}/stereo ${deploy}/demo DESTINATION ${data} COMPONENT client)
 install(FILES ${deploy}/client.toml DESTINATION ${data} COMPONENT client)
+install(PROGRAMS ${deploy}/fetch_models.sh DESTINATION ${data} COMPONENT client)
 install(FILES ${deploy}/package/prosector-client.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT client)
 
 install(FILES ${deploy}/packages.txt DESTINATION ${data} COMPONENT setup)

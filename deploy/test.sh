@@ -57,6 +57,7 @@ run_tests() {
 step "set-up"
 deploy/setup.sh
 deploy/fetch_anatomy.sh
+deploy/fetch_models.sh
 step "include rules and layout"
 deploy/check_includes.sh
 deploy/check_types.py

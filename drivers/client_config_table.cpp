@@ -259,6 +259,31 @@ void add_tracker(Keys& keys) {
       "tracker.lens", "tracker_device.lens",
       [](ClientConfig& c) -> std::string& { return c.tracker_device.lens; }, "",
       "before a camera: file that `camera calibrate` wrote, beside this one; empty: guessed"));
+  ConfigKey length;
+  length.name = "tracker.hand_length";
+  length.member = "tracker_device.hand_length";
+  length.type = ConfigType::number;
+  length.least = 0.1;
+  length.most = 0.3;
+  length.unit = "m";
+  length.help =
+      "bare hands: from the wrist's fold to the middle finger's tip; else 0.191, and depth errs as it does";
+  length.set = [](ClientConfig& c, const ConfigValue& v) {
+    c.tracker_device.hand_length = std::get<double>(v);
+  };
+  length.get = [](const ClientConfig& c) -> std::optional<ConfigValue> {
+    if (!c.tracker_device.hand_length) return std::nullopt;
+    return ConfigValue(*c.tracker_device.hand_length);
+  };
+  keys.push_back(length);
+  keys.push_back(plain<std::string>(
+      "tracker.second_lens", "tracker_device.second_lens",
+      [](ClientConfig& c) -> std::string& { return c.tracker_device.second_lens; }, "",
+      "bare hands: the second camera's file, beside this one; empty: guessed"));
+  add_pose(
+      keys, "tracker.second", "tracker_device.first_second",
+      [](ClientConfig& c) { return &c.tracker_device.first_second; },
+      "bare hands: where the second camera is in the first one's frame: x right, y up, −z forward");
   keys.push_back(plain<std::string>(
       "tracker.table.board", "tracker_device.table",
       [](ClientConfig& c) -> std::string& { return c.tracker_device.table; }, "",
@@ -488,6 +513,7 @@ std::vector<ConfigTable> make_tables() {
     return ConfigFault{"right", "name at least one of head, right, left, instrument"};
   };
   add("tracker.table", "The board that lies still before a camera.");
+  add("tracker.second", "The second camera before bare hands.");
   for (const RoleName& row : role_names) {
     add(fmt::format("tracker.stations.{}", row.name), fmt::format("The receiver of {}.", row.help));
     add(fmt::format("tracker.stations.{}.mount", row.name), "");

@@ -80,7 +80,7 @@ struct DriverRow {
   const char* help;  // one line for --help
   std::unique_ptr<Device> (*open)(const std::string& path, const struct DeviceConfig& config);
   bool knows_hands = false;  // station 1 is the right hand, station 2 the left one, whatever is configured
-  bool is_camera = false;    // `path` is a camera's address
+  bool is_camera = false;    // `path` is a camera's address, or those of several with commas
 };
 
 inline constexpr std::size_t max_stations = 4;  // receivers of one tracker
@@ -105,8 +105,11 @@ struct DeviceConfig {
   Vec3 hemisphere = {1, 0, 0};  // fastrak: zenith of the operational hemisphere, transmitter frame
   bool boresight = false;       // fastrak: boresight every station when it starts
   std::optional<std::array<double, 9>> alignment;  // fastrak: O, X, Y points of the alignment frame, cm
-  std::string field_map;  // fastrak: file that puts poses right where metal bends the field; empty: none
-  std::string lens;       // camera: file of its calibration; empty: guessed
+  std::string field_map;    // fastrak: file that puts poses right where metal bends the field; empty: none
+  std::string lens;         // camera: file of its calibration; empty: guessed
+  std::string second_lens;  // bare hands: that of a second camera
+  Pose first_second;        // bare hands: a second camera's pose in the first one's frame
+  std::optional<double> hand_length;  // bare hands: m, wrist to the middle finger's tip; unknown: our hand's
   std::array<std::string, max_stations>
       boards{};       // camera: each station's, a known board's name or a file; empty: none
   std::string table;  // camera: the board that lies still and says where the room is; empty: none

@@ -1,6 +1,7 @@
 // The table of drivers.
 #include <algorithm>
 
+#include "drivers/camera/hands/hands_device.h"
 #include "drivers/device.h"
 #include "drivers/device_address.h"
 #include "drivers/fastrak.h"
@@ -26,6 +27,8 @@ const std::vector<DriverRow>& drivers() {
       {"tags",
        "printed boards before a camera, tags:0, tags:/dev/video0, tags:clip.mkv, tags:synthetic:SCENE.toml",
        open_tags, false, true},
+      {"hands", "bare hands before a camera, or two, hands:CAMERA[,CAMERA] as with tags", open_hands, true,
+       true},
       {"recorded", "samples from a CSV file, played once, recorded:hand.csv", open_recorded},
       {"recorded-loop", "the same, again and again, recorded-loop:hand.csv", open_recorded_loop},
   };

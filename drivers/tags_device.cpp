@@ -28,15 +28,13 @@ void CameraPlace::update(const TagPicture& picture, const TagOptics& optics) {
 }
 
 TagsDevice::TagsDevice(const std::string& camera, const DeviceConfig& config)
-    : reader_(config.lens), chain_(config) {
+    : camera_(shared_camera(config.camera, camera)), reader_(camera_->reader(config.lens)), chain_(config) {
   for (std::size_t i = 0; i < max_stations; ++i) {
     if (config.boards[i].empty()) continue;
     stations_.push_back(
         {i, BoardTracker(find_board(config.boards[i])), worn_on(config.boards[i]), PoseFilter{}});
   }
   if (!config.table.empty()) place_.emplace(config.table, config.room_table);
-  camera_ = config.camera && config.camera->address() == camera ? config.camera
-                                                                : std::make_shared<SharedCamera>(camera);
   seat_ = std::make_unique<SharedCamera::Seat>(
       *camera_, [this](const Camera& opened) { begin(opened); }, [this](const Frame& frame) { see(frame); });
 }
@@ -46,30 +44,30 @@ void TagsDevice::begin(const Camera& camera) {
     const std::lock_guard lock(mutex_);
     seen_ns_ = monotonic_ns();
   }
-  reader_.begin(camera);
+  reader_->begin(camera);
 }
 
 void TagsDevice::see(const Frame& frame) {
   {
     const std::lock_guard lock(mutex_);
     if (frames_ns_.size() < most_frames) frames_ns_.push_back(frame.time_ns);
-    is_guessed_ = reader_.is_guessed();
+    is_guessed_ = reader_->is_guessed();
   }
-  const TagPicture picture = reader_.read(frame);
-  if (std::exchange(changes_, reader_.changes()) != reader_.changes())
+  const TagPicture& picture = reader_->read(frame);
+  if (std::exchange(changes_, reader_->changes()) != reader_->changes())
     for (Station& station : stations_) station.tracker.forget();
-  if (place_) place_->update(picture, reader_.optics());
+  if (place_ && !camera_->room_camera()) place_->update(picture, reader_->optics());
   std::vector<DeviceSample> found;
   std::string trouble;
   for (Station& station : stations_) {
-    const auto seen = station.tracker.update(picture, reader_.optics());
+    const auto seen = station.tracker.update(picture, reader_->optics());
     if (seen) found.push_back(sample_of(station, *seen, frame.time_ns));
     int twice = 0;
     (void)corners_seen(station.tracker.board(), picture.tags, &twice);
     if (twice > 0)
       trouble = fmt::format("board {} is seen twice: put the other copy away", station.tracker.board().name);
   }
-  if (place_ && !place_->room_camera()) {
+  if (place_ && !room_camera()) {
     found.clear();
     trouble = "the table's board hasn't been seen yet, so nobody knows where the camera is";
   }
@@ -80,6 +78,12 @@ void TagsDevice::see(const Frame& frame) {
   }
   if (!found.empty()) seen_ns_ = frame.time_ns;
   trouble_ = std::move(trouble);
+}
+
+/// Returns where the camera stood: as others know it who look by it, too, else by the table's board.
+std::optional<Pose> TagsDevice::room_camera() const {
+  if (const auto known = camera_->room_camera()) return known;
+  return place_ ? place_->room_camera() : std::nullopt;
 }
 
 DeviceSample TagsDevice::sample_of(Station& station, const TrackedBoard& seen, std::int64_t time_ns) const {
@@ -93,10 +97,9 @@ DeviceSample TagsDevice::sample_of(Station& station, const TrackedBoard& seen, s
   const std::array<double, 4> q = {device.q.w(), device.q.x(), device.q.y(), device.q.z()};
   for (std::size_t i = 0; i < 4; ++i) out.raw_pose[3 + i] = static_cast<float>(q[i]);
   const Pose worn = device * station.worn;
-  const bool by_table = place_ && place_->room_camera();
+  const std::optional<Pose> camera = room_camera();
   out.pose = station.filter.update(
-      by_table ? chain_.from(*place_->room_camera() * device_camera, worn, station.index)
-               : chain_.room(worn, station.index),
+      camera ? chain_.from(*camera * device_camera, worn, station.index) : chain_.room(worn, station.index),
       time_ns);
   return out;
 }

@@ -54,10 +54,13 @@ class TagsDevice final : public Device {
   };
   void begin(const Camera& camera);
   void see(const Frame& frame);
+  std::optional<Pose> room_camera() const;
   DeviceSample sample_of(Station& station, const TrackedBoard& seen, std::int64_t time_ns) const;
 
+  const std::shared_ptr<SharedCamera> camera_;
+
   // Only the camera's thread uses these.
-  TagReader reader_;
+  const std::shared_ptr<TagReader> reader_;
   int changes_ = 0;  // of the reader that trackers know of
   std::vector<Station> stations_;
   std::optional<CameraPlace> place_;
@@ -72,7 +75,6 @@ class TagsDevice final : public Device {
 
   HealthMonitor health_;  // of who polls, as is the next
   std::uint64_t opened_ = 0;
-  std::shared_ptr<SharedCamera> camera_;
   std::unique_ptr<SharedCamera::Seat> seat_;  // last: it uses what is above
 };
 

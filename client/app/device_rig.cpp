@@ -6,6 +6,11 @@
 namespace prosector {
 namespace {
 
+std::string without_digits(std::string text) {
+  std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
+  return text;
+}
+
 constexpr std::uint32_t first_button = 1;
 constexpr std::int64_t pose_lifetime_ns = 250'000'000;  // a pose older than this is no pose any more
 
@@ -156,8 +161,10 @@ std::vector<std::string> DeviceRig::take_news() {
   std::vector<std::string> out;
   for (Entry& entry : devices_) {
     const DeviceStatus status = entry.device->status();
-    if (status.health == entry.reported) continue;
+    const std::string words = without_digits(status.message);
+    if (status.health == entry.reported && words == entry.reported_words) continue;
     entry.reported = status.health;
+    entry.reported_words = words;
     out.push_back(fmt::format("{}: {}{}{}", entry.label, health_word(status.health),
                               status.message.empty() ? "" : ": ", status.message));
   }

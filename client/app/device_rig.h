@@ -55,6 +55,7 @@ class DeviceRig {
     std::unique_ptr<Device> device;
     std::optional<std::size_t> glove_hand;  // nullopt: the tracker
     DeviceHealth reported = DeviceHealth::connecting;
+    std::string reported_words = {};  // of its message; counts in it may change without a report
   };
 
   ClientConfig config_;

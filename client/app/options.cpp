@@ -355,9 +355,38 @@ void take_eyes(const EyeSettings& eyes, StereoProfile& profile) {
 void resolve_camera(const RawOptions& raw, ClientOptions& o) {
   o.camera = raw.camera;
   if (o.camera.empty() && !o.devices.tracker.empty())
-    if (driver_of(o.devices.tracker).is_camera) o.camera = parse_device_address(o.devices.tracker).path;
+    if (driver_of(o.devices.tracker).is_camera) {
+      const std::string path = parse_device_address(o.devices.tracker).path;
+      o.camera = path.substr(0, path.find(','));
+    }
   if (o.camera.empty())
     throw InputError("--display ar: say with --camera which one to look through, for instance /dev/video0");
+  if (!o.follow.empty() || !o.insets.empty())
+    throw InputError("--display ar: shows what the camera sees, without --follow and --inset");
+}
+
+/// Adds what is done with a camera. Returns both commands: calibrate and selftest.
+std::pair<CLI::App*, CLI::App*> add_camera(CLI::App& camera, CameraCommandOptions& o) {
+  camera.require_subcommand(1);
+  CLI::App* calibrate =
+      camera.add_subcommand("calibrate", "Find the lens: show the camera a board, as it asks for");
+  CLI::App* test =
+      camera.add_subcommand("selftest", "Say what the pictures are like: rate, light, noise, boards");
+  for (CLI::App* command : {calibrate, test})
+    command
+        ->add_option("CAMERA", o.camera,
+                     "Number or path of a device, a video's file, a stream's URL, or synthetic:SCENE.toml")
+        ->capture_default_str();
+  calibrate->add_option("--board", o.board, "The board that is shown: a known one, or a file")
+      ->capture_default_str();
+  calibrate->add_option("--out", o.out, "File to write")->required();
+  calibrate->add_option("--patience", o.patience, "Give up after so many seconds")->capture_default_str();
+  test->add_option("--out", o.out, "File for the report");
+  test->add_option("--lens", o.lens, "The camera's calibration")->check(CLI::ExistingFile);
+  test->add_option("--seconds", o.seconds, "How long it is looked at")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  return {calibrate, test};
 }
 
 void resolve(const RawOptions& raw, ClientOptions& o) {
@@ -434,6 +463,9 @@ ClientCommand parse_command_line(int argc, char** argv) {
   CLI::App* test = app.add_subcommand("selftest", "Record a device, and say what of it fits its protocol");
   SelfTestOptions tried;
   add_self_test(*test, tried);
+  CameraCommandOptions seeing;
+  CLI::App* camera = app.add_subcommand("camera", "Calibrate a camera, or say what its pictures are like");
+  const auto [calibrating_camera, testing_camera] = add_camera(*camera, seeing);
   bool host = false;
   join->add_flag("--host", host, "Be the session's host, who hands out roles, unless it has one");
   try {
@@ -442,6 +474,8 @@ ClientCommand parse_command_line(int argc, char** argv) {
     if (recording_app->parsed()) return Task([recording] { return record_device(recording); });
     if (configuring_app->parsed()) return Task([configuring] { return run_config(configuring); });
     if (render->parsed()) return resolve_render(raw, still);
+    if (calibrating_camera->parsed()) return Task([seeing] { return calibrate_camera(seeing); });
+    if (testing_camera->parsed()) return Task([seeing] { return test_camera(seeing); });
     if (test->parsed()) return Task([tried] { return self_test(tried); });
     if (app.get_subcommands().empty() || set_up->parsed()) return resolve_setup(raw, o, setup);
     o.join.role = !join->parsed() ? Role::observer : host ? Role::host : Role::dissector;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "client/app/camera_command.h"
 #include "client/app/config_watch.h"
 #include "client/app/connection.h"
 #include "client/app/device_rig.h"

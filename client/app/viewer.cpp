@@ -61,7 +61,7 @@ void Viewer::draw_through_camera(InputPump* pump) {
   const double seconds = seconds_since(report_.joined_ns);
   const bool kept = sink_.wants(seconds);
   if (!kept && !stage_->desk && report_.first_picture_ns) return;
-  if (pump != nullptr && picture) wait_for_hands(*pump, picture->time_ns);
+  if (pump != nullptr && picture && has_devices(options_.devices)) wait_for_hands(*pump, picture->time_ns);
   const Image image = draw(pump, kept);
   if (kept) sink_.take(image, seconds);
 }
@@ -87,7 +87,7 @@ void Viewer::look_through_camera(const SightPicture* picture) {
 
 /// Waits until the hands are known as they were at that time, but not for long: they may not be seen.
 void Viewer::wait_for_hands(const InputPump& pump, std::int64_t time_ns) const {
-  constexpr int most_waits = 6;
+  constexpr int most_waits = 10;
   for (int waits = 0; waits < most_waits && pump.latest().time_ns < time_ns; ++waits)
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
 }

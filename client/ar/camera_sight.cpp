@@ -25,21 +25,21 @@ double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
 CameraSight::CameraSight(std::shared_ptr<SharedCamera> camera, const DeviceConfig& config)
     : camera_(std::move(camera)),
       room_board_(config.room_table),
-      reader_(config.lens),
+      reader_(camera_->reader(config.lens)),
       tracker_(find_board(config.table.empty() ? "table" : config.table)),
       seat_(
-          *camera_, [this](const Camera& opened) { reader_.begin(opened); },
-          [this](const Frame& frame) { see(frame); }) {}
+          *camera_, [this](const Camera& opened) { reader_->begin(opened); },
+          [this](const Frame& frame) { see(frame); }, true) {}
 
 void CameraSight::see(const Frame& frame) {
-  const TagPicture picture = reader_.read(frame);
-  const TagOptics& optics = reader_.optics();
-  if (std::exchange(changes_, reader_.changes()) != reader_.changes()) {
+  const TagPicture& picture = reader_->read(frame);
+  const TagOptics& optics = reader_->optics();
+  if (std::exchange(changes_, reader_->changes()) != reader_->changes()) {
     tracker_.forget();
     last_eye_.reset();
   }
   auto out = std::make_shared<SightPicture>();
-  out->image = std::make_shared<const Image>(reader_.straightener().straight(frame.image));
+  out->image = std::make_shared<const Image>(reader_->straightener().straight(frame.image));
   out->bent = optics.bent;
   out->straight = optics.straight;
   out->time_ns = frame.time_ns;
@@ -52,6 +52,7 @@ void CameraSight::see(const Frame& frame) {
     seen_ns_ = frame.time_ns;
   }
   if (seconds_between(seen_ns_, frame.time_ns) < held) out->room_eye = last_eye_;
+  if (out->room_eye) camera_->put_place(*out->room_eye * device_camera);
   out->paper = paper_;
   {
     const std::lock_guard lock(mutex_);

@@ -48,7 +48,7 @@ class CameraSight {
   const Pose room_board_;
 
   // Only the camera's thread uses these.
-  TagReader reader_;
+  const std::shared_ptr<TagReader> reader_;
   BoardTracker tracker_;
   int changes_ = 0;  // of the reader that the tracker knows of
   std::optional<Pose> last_eye_;

@@ -1,151 +1,22 @@
 #include "client/view/hand_mesh.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "client/view/hand_field.h"
 #include "client/view/normals.h"
-#include "common/anatomy/isosurface.h"
 
 namespace prosector {
-namespace {
 
-constexpr double skin_cell = 0.0055;  // m, edge length of the triangles, about
-
-/// Joints of a finger in hand order: the thumb has two.
-std::size_t first_joint(std::size_t finger) {
-  return finger == 0 ? 0 : 2 + 3 * (finger - 1);
-}
-std::size_t joints_of(std::size_t finger) {
-  return finger == 0 ? 2 : 3;
-}
-
-/// Makes the surface through a field stretched in width, in which the narrow gaps between the fingers are
-/// wide enough for the lattice to tell the fingers apart.
-TriangleMesh right_hand_surface() {
-  constexpr double stretch = 1.8;
-  const SolidField stretched{[](const Vec3& x) {
-                               return hand_field({x.x() / stretch, x.y(), x.z()}).solid;
-                             },
-                             {{-0.10 * stretch, -0.035, -0.205}, {0.06 * stretch, 0.03, 0.065}}};
-  TriangleMesh mesh = isosurface(stretched, skin_cell);
-  for (Vec3& x : mesh.positions) x.x() /= stretch;
-  return mesh;
-}
-
-double smooth_step(double from, double to, double x) {
-  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-
-/// Each joint's place and axis in the open hand, and the angle it is turned by.
-struct Hinge {
-  Eigen::Vector3f origin, axis;
-  float angle;
-};
-
-std::array<Hinge, hand_joints> hinges_of(std::size_t hand, const std::array<double, fingers>& flexion) {
-  const auto open = hand_pose(hand, {});
-  const auto angles = joint_angles(flexion);
-  std::array<Hinge, hand_joints> out;
-  for (std::size_t j = 0; j < hand_joints; ++j)
-    out[j] = {open[j].p.cast<float>(), (open[j].q * -Vec3::UnitX()).cast<float>(),
-              static_cast<float>(angles[j])};
-  return out;
-}
-
-}  // namespace
-
-HandSkin::HandSkin(std::size_t hand) : hand_(right_hand) {
-  const TriangleMesh mesh = right_hand_surface();
-  for (const Vec3& x : mesh.positions) {
-    weigh(x);
-    rest_.push_back(x.cast<float>());
-  }
-  triangles_ = mesh.triangles;
-  if (hand == left_hand) *this = mirrored();
-}
-
-HandSkin HandSkin::mirrored() const {
-  HandSkin out = *this;
-  out.hand_ = hand_ == left_hand ? right_hand : left_hand;
-  for (Eigen::Vector3f& x : out.rest_) x.x() = -x.x();
-  for (auto& t : out.triangles_) std::swap(t[1], t[2]);
-  return out;
-}
-
-std::array<HandSkin, 2> make_hand_skins() {
-  const HandSkin right(right_hand);
-  return {right.mirrored(), right};
-}
-
-void HandSkin::weigh(const Vec3& x) {
-  static const auto open = hand_pose(right_hand, {});
-  const auto& segments = hand_segments(right_hand);
-  const HandField field = hand_field(x);
-  const double nearest = *std::min_element(field.finger.begin(), field.finger.end());
-  constexpr double border = 0.002;  // m: over about this width neighbours share the skin between them
-  double total = 0;
-  for (const double f : field.finger) total += std::exp((nearest - f) / border);
-
-  Vertex vertex{static_cast<std::uint32_t>(influences_.size()), 0};
-  for (std::size_t finger = 0; finger < fingers; ++finger) {
-    const double share = std::exp((nearest - field.finger[finger]) / border) / total;
-    if (share < 1e-3) continue;
-    Influence influence{static_cast<std::uint8_t>(finger), static_cast<float>(share), {}};
-    // The palm's own flesh stays where it is.
-    const double near = 1 - smooth_step(0.001, 0.012, field.finger[finger]);
-    for (std::size_t k = 0; k < joints_of(finger); ++k) {
-      const std::size_t joint = first_joint(finger) + k;
-      const double ahead = -(open[joint].inverse() * x).z() / segments[joint].radius;
-      influence.turned[k] = static_cast<float>(near * smooth_step(-1.0, 1.0, ahead));
-    }
-    influences_.push_back(influence);
-    ++vertex.count;
-  }
-  // What the cut-off dropped goes back to the rest.
-  float kept = 0;
-  for (std::uint32_t k = 0; k < vertex.count; ++k) kept += influences_[vertex.first + k].share;
-  for (std::uint32_t k = 0; k < vertex.count; ++k) influences_[vertex.first + k].share /= kept;
-  vertices_.push_back(vertex);
-}
-
-std::shared_ptr<DrawMesh> HandSkin::make_mesh(std::uint64_t mesh_id) const {
+std::shared_ptr<DrawMesh> make_hand_mesh(const HandSkin& skin, std::uint64_t mesh_id) {
   auto mesh = std::make_shared<DrawMesh>();
   mesh->id = mesh_id;
-  mesh->rest_positions = rest_;
-  mesh->positions = rest_;
-  mesh->triangles = triangles_;
-  bend(*mesh, {});
+  mesh->rest_positions = skin.rest();
+  mesh->triangles = skin.triangles();
+  bend_hand(skin, *mesh, {});
   return mesh;
 }
 
-void HandSkin::bend(DrawMesh& mesh, const std::array<double, fingers>& flexion) const {
-  const auto hinges = hinges_of(hand_, flexion);
-  mesh.positions.resize(rest_.size());
-  for (std::size_t v = 0; v < rest_.size(); ++v) {
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    for (std::uint32_t k = 0; k < vertices_[v].count; ++k) {
-      const Influence& influence = influences_[vertices_[v].first + k];
-      Eigen::Vector3f x = rest_[v];
-      // Goes from the tip inwards: each joint turns all that lies beyond it, in the open hand's frames.
-      for (std::size_t joint = joints_of(influence.finger); joint-- > 0;) {
-        const Hinge& hinge = hinges[first_joint(influence.finger) + joint];
-        const float angle = hinge.angle * influence.turned[joint];
-        if (angle != 0) x = Eigen::AngleAxisf(angle, hinge.axis) * (x - hinge.origin) + hinge.origin;
-      }
-      sum += influence.share * x;
-    }
-    mesh.positions[v] = sum;
-  }
+void bend_hand(const HandSkin& skin, DrawMesh& mesh, const std::array<double, fingers>& flexion) {
+  skin.bend(flexion, mesh.positions);
   smooth_normals(mesh.positions, mesh.triangles, mesh.normals);
   ++mesh.positions_revision;
-}
-
-SkinnedHand skin_hand(const HandSkin& skin, const std::array<double, fingers>& flexion) {
-  const auto mesh = skin.make_mesh(0);
-  skin.bend(*mesh, flexion);
-  return {mesh->positions, mesh->normals};
 }
 
 }  // namespace prosector

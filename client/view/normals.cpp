@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <unordered_map>
 
 namespace prosector {
@@ -53,23 +54,6 @@ CornerSets smooth_corners(TriangleSpan triangles, const std::vector<Vec3>& face_
 }
 
 }  // namespace
-
-void smooth_normals(std::span<const Eigen::Vector3f> positions, TriangleSpan triangles,
-                    std::vector<Eigen::Vector3f>& normals) {
-  normals.assign(positions.size(), Eigen::Vector3f::Zero());
-  for (const auto& t : triangles) {
-    const Eigen::Vector3f twice_area =
-        (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]);
-    for (const std::uint32_t v : t) normals[v] += twice_area;
-  }
-  for (Eigen::Vector3f& n : normals) {
-    const float length = n.norm();
-    if (length > 0 && std::isfinite(length))
-      n /= length;
-    else
-      n = Eigen::Vector3f::UnitY();
-  }
-}
 
 CreasedMesh split_creases(const TriangleMesh& mesh, double angle) {
   std::vector<Vec3> face_normals;

@@ -101,8 +101,8 @@ void People::add_self(DrawList& list, const Replica& replica, double tick, const
 
 void People::add_ghost(DrawList& list, const HandPose& hand, const Vec3& color, std::uint64_t& next_mesh_id) {
   const HandSkin& skin = (*skins_)[right_hand];
-  if (!ghost_) ghost_ = skin.make_mesh(next_mesh_id++);
-  skin.bend(*ghost_, hand.flexion);
+  if (!ghost_) ghost_ = make_hand_mesh(skin, next_mesh_id++);
+  bend_hand(skin, *ghost_, hand.flexion);
   list.items.push_back({.mesh = ghost_,
                         .pose = hand.pose,
                         .appearance = glove(color),
@@ -118,10 +118,10 @@ void People::add_hands(DrawList& list, ParticipantId who, const std::array<HandP
     const HandSkin& skin = (*skins_)[hand];
     HandMeshes& meshes = hands_[{who, hand}];
     if (!meshes.skin) {
-      meshes.skin = skin.make_mesh(next_mesh_id++);
+      meshes.skin = make_hand_mesh(skin, next_mesh_id++);
       meshes.nails = make_nails(hand, next_mesh_id++);
     }
-    skin.bend(*meshes.skin, hands[hand].flexion);
+    bend_hand(skin, *meshes.skin, hands[hand].flexion);
     bend_nails(hand, hands[hand].flexion, *meshes.nails);
     const Pose& wrist = hands[hand].pose;
     list.items.push_back({.mesh = meshes.skin, .pose = wrist, .appearance = glove(color)});

@@ -74,10 +74,10 @@ void add_hands(DrawList& list, const Vec3& between, const Vec3& towards_eye) {
   const Vec3 ahead = -Vec3(towards_eye.x(), 0, towards_eye.z()).normalized();
   const Quat facing = rotation_between(-Vec3::UnitZ(), ahead);
   for (const std::size_t hand : {left_hand, right_hand}) {
-    auto mesh = skins[hand].make_mesh(first_own_mesh + hand);
+    auto mesh = make_hand_mesh(skins[hand], first_own_mesh + hand);
     const double bend = hand == left_hand ? 0.15 : 0.8;
     const std::array<double, fingers> bent{bend, bend, bend, bend, bend};
-    skins[hand].bend(*mesh, bent);
+    bend_hand(skins[hand], *mesh, bent);
     const Vec3 aside = (hand == left_hand ? -0.12 : 0.12) * (facing * Vec3::UnitX());
     const Vec3 at = between - 0.09 * ahead + aside + Vec3(0, 0.03, 0);
     auto nails = make_nails(hand, first_own_mesh + 3 + hand);

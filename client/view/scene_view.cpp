@@ -120,8 +120,12 @@ void SceneView::place_cameras(const Replica& replica, double tick, const LocalUs
   list_.cameras.clear();
   list_.backdrop.reset();
   if (settings.through) {
-    list_.cameras.push_back(settings.through->camera);
+    DrawCamera seen = settings.through->camera;
     list_.backdrop = settings.through->backdrop;
+    if (list_.backdrop) list_.backdrop->step *= static_cast<double>(seen.width) / settings.width;
+    seen.width = settings.width;
+    seen.height = settings.height;
+    list_.cameras.push_back(seen);
     return;
   }
   if (settings.eyes) {

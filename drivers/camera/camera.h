@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "common/clock.h"
 #include "drivers/camera/frame.h"
 #include "drivers/camera/lens.h"
 
@@ -28,7 +29,7 @@ class Camera {
 };
 
 /// Opens a camera: "/dev/video0", a number, a video's file, a stream's URL, or "synthetic:SCENE.toml". Throws
-/// InputError where it can't be opened.
-std::unique_ptr<Camera> open_camera(const std::string& address);
+/// InputError where it can't be opened. A synthetic scene's time begins at `start_ns`.
+std::unique_ptr<Camera> open_camera(const std::string& address, std::int64_t start_ns = monotonic_ns());
 
 }  // namespace prosector

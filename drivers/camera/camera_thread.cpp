@@ -35,7 +35,7 @@ void CameraThread::tell(const std::string& problem) {
 void CameraThread::run() {
   while (!ends_) {
     try {
-      const std::unique_ptr<Camera> camera = open_camera(address_);
+      const std::unique_ptr<Camera> camera = open_camera(address_, begun_ns_);
       {
         const std::lock_guard lock(mutex_);
         state_.is_open = true;

@@ -38,6 +38,7 @@ class CameraThread {
   void look(Camera& camera);
   void tell(const std::string& problem);
 
+  const std::int64_t begun_ns_ = monotonic_ns();
   const std::string address_;
   const Begin begin_;
   const See see_;

@@ -6,10 +6,11 @@
 
 namespace prosector {
 
-std::unique_ptr<Camera> open_camera(const std::string& address) {
+std::unique_ptr<Camera> open_camera(const std::string& address, std::int64_t start_ns) {
   constexpr std::string_view synthetic = "synthetic:";
   if (address.starts_with(synthetic))
-    return std::make_unique<SyntheticCamera>(SyntheticScene::load(address.substr(synthetic.size())));
+    return std::make_unique<SyntheticCamera>(SyntheticScene::load(address.substr(synthetic.size())),
+                                             start_ns);
   return open_video(address);
 }
 

@@ -75,7 +75,7 @@ Subject scene_with_hand(const RenderBenchOptions& options) {
   }
   const HandSkin skin(right_hand);
   out.hand = out.list.items.size();
-  out.list.items.push_back({.mesh = skin.make_mesh(1000),
+  out.list.items.push_back({.mesh = make_hand_mesh(skin, 1000),
                             .pose = look_at(scene.camera.target + Vec3(0.1, 0, -0.1), scene.camera.target),
                             .appearance = {{0.66, 0.42, 0.32}, 0.5, 0, Surface::skin}});
   out.eye = look_at(scene.camera.eye, scene.camera.target);

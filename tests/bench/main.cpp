@@ -253,6 +253,11 @@ int main(int argc, char** argv) try {
   haptics_command->add_flag("--quick", haptics.quick, "Coarse: to see that it runs");
   haptics_command->add_option("--svg", haptics.picture_folder, "Folder for two pictures")
       ->check(CLI::ExistingDirectory);
+
+  prosector::HandsBenchOptions hands;
+  CLI::App* hands_command = app.add_subcommand(
+      "hands", "Bare hands before synthetic cameras: what is found, how far off, how dearly");
+  hands_command->add_flag("--quick", hands.quick, "Few pictures: to see that it runs");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -284,6 +289,7 @@ int main(int argc, char** argv) try {
   if (*scaling_command) report = prosector::bench_scaling(scaling);
   if (*collision_command) report = prosector::bench_collision(collision);
   if (*haptics_command) report = prosector::bench_haptics(haptics);
+  if (*hands_command) report = prosector::bench_hands(hands);
   if (!file.empty()) report.value().write(file);
   return 0;
 } catch (const std::exception& error) {

@@ -201,4 +201,10 @@ struct HapticsBenchOptions {
 /// What a hand feels of tissue over a network with an arm, scheme by scheme, in virtual time.
 Report bench_haptics(const HapticsBenchOptions& options);
 
+struct HandsBenchOptions {
+  bool quick = false;  // few pictures: to see that it runs
+};
+/// Bare hands before synthetic cameras: found, followed, fitted, their gestures, and CPU time a picture.
+Report bench_hands(const HandsBenchOptions& options);
+
 }  // namespace prosector

@@ -19,8 +19,9 @@ using namespace std::chrono_literals;
 /// Writes a small, fast scene, and returns its address.
 std::string scene_address(const char* name, const std::string& more = "") {
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / name;
-  std::ofstream(file) << "[[camera]]\nwidth = 32\nheight = 24\nrate = 100\nrays = 1\nexposure = 0\ndelay = 0\n"
-                      << more;
+  std::ofstream(file)
+      << "[[camera]]\nwidth = 32\nheight = 24\nrate = 100\nrays = 1\nexposure = 0\ndelay = 0\n"
+      << more;
   return "synthetic:" + file.string();
 }
 
@@ -59,6 +60,50 @@ TEST(SharedCamera, TellsEverySeatWhileItIsThere) {
   EXPECT_EQ(second.seen, left);
 }
 
+TEST(SharedCamera, ReadsEachPictureOnceForAllOfOneLens) {
+  SharedCamera camera(scene_address("shared_reader.toml"));
+  const auto reader = camera.reader("");
+  EXPECT_EQ(reader, camera.reader(""));
+  std::atomic<int> pictures = 0, odd = 0;
+  std::int64_t first_ns = 0;
+  const SharedCamera::Seat one(
+      camera, [&](const Camera& opened) { reader->begin(opened); },
+      [&](const Frame& frame) { first_ns = reader->read(frame).time_ns; });
+  const SharedCamera::Seat two(
+      camera, [&](const Camera& opened) { reader->begin(opened); },
+      [&](const Frame& frame) {
+        if (reader->read(frame).time_ns != frame.time_ns || first_ns != frame.time_ns) ++odd;
+        ++pictures;
+      });
+  ASSERT_TRUE(comes_true([&] { return pictures > 2; }));
+  EXPECT_EQ(odd, 0);
+  EXPECT_EQ(reader->changes(), 1);  // though both told it of the camera
+}
+
+TEST(SharedCamera, TellsWhoSitsBehindWhereTheCameraStood) {
+  SharedCamera camera(scene_address("shared_place.toml"));
+  std::atomic<int> pictures = 0, unknown = 0;
+  const SharedCamera::Seat behind(
+      camera, [](const Camera&) {},
+      [&](const Frame&) {
+        if (!camera.room_camera()) ++unknown;
+        ++pictures;
+      });
+  ASSERT_TRUE(comes_true([&] { return pictures > 2; }));
+  EXPECT_GT(unknown, 0);
+  const SharedCamera::Seat before(
+      camera, [](const Camera&) {},
+      [&](const Frame&) {
+        camera.put_place({{1, 2, 3}, Quat::Identity()});
+      },
+      true);
+  const int known_from = pictures;
+  ASSERT_TRUE(comes_true([&] { return pictures > known_from + 3; }));
+  const int unknown_then = unknown;
+  ASSERT_TRUE(comes_true([&] { return pictures > known_from + 6; }));
+  EXPECT_EQ(unknown, unknown_then);
+}
+
 TEST(SharedCamera, TellsOthersOfWhatOneCannotUse) {
   SharedCamera camera(scene_address("shared_fault.toml"));
   Looker other;
@@ -70,7 +115,8 @@ TEST(SharedCamera, TellsOthersOfWhatOneCannotUse) {
 }
 
 TEST(SharedCamera, BeginsAnewForEachWhenTheCameraComesBack) {
-  SharedCamera camera(scene_address("shared_back.toml", "[[fault]]\nkind = \"unplugged\"\nfrom = 0.2\nto = 0.3\n"));
+  SharedCamera camera(
+      scene_address("shared_back.toml", "[[fault]]\nkind = \"unplugged\"\nfrom = 0.2\nto = 0.3\n"));
   Looker one, two;
   const auto seat = one.sit(camera), beside = two.sit(camera);
   ASSERT_TRUE(comes_true([&] { return camera.state().opened == 2 && one.begun == 2 && two.begun == 2; }));

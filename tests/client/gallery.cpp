@@ -54,8 +54,8 @@ DrawItem table() {
 
 DrawItem hand(std::size_t side, const HandPose& pose, std::uint64_t id) {
   const HandSkin skin(side);
-  auto mesh = skin.make_mesh(id);
-  skin.bend(*mesh, pose.flexion);
+  auto mesh = make_hand_mesh(skin, id);
+  bend_hand(skin, *mesh, pose.flexion);
   DrawItem item;
   item.mesh = mesh;
   item.pose = pose.pose;

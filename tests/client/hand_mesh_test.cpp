@@ -7,8 +7,8 @@
 #include <cmath>
 #include <map>
 
-#include "client/view/hand_field.h"
 #include "client/view/hand_nails.h"
+#include "common/hand_field.h"
 
 namespace prosector {
 namespace {
@@ -38,8 +38,8 @@ TEST(HandNails, GoWithTheFingertips) {
   for (const std::size_t hand : {left_hand, right_hand}) {
     const auto nails = make_nails(hand, 1);
     bend_nails(hand, all(0.7), *nails);
-    const auto mesh = skin(hand).make_mesh(2);
-    skin(hand).bend(*mesh, all(0.7));
+    const auto mesh = make_hand_mesh(skin(hand), 2);
+    bend_hand(skin(hand), *mesh, all(0.7));
     const std::size_t points = nails->positions.size() / fingers;
     for (std::size_t finger = 0; finger < fingers; ++finger) {
       float nearest = 1;
@@ -52,7 +52,7 @@ TEST(HandNails, GoWithTheFingertips) {
 
 TEST(HandMesh, IsOneClosedSkin) {
   for (const std::size_t hand : {left_hand, right_hand}) {
-    const auto mesh = skin(hand).make_mesh(1);
+    const auto mesh = make_hand_mesh(skin(hand), 1);
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
     double volume = 0;
     for (const auto& t : mesh->triangles) {
@@ -108,7 +108,7 @@ TEST(HandMesh, FollowsTheBones) {
 }
 
 TEST(HandMesh, AFistClosesOverThePalm) {
-  const auto open = skin(right_hand).make_mesh(1);
+  const auto open = make_hand_mesh(skin(right_hand), 1);
   const SkinnedHand fist = skin_hand(skin(right_hand), all(1));
   float open_reach = 0, fist_reach = 0;
   for (std::size_t k = 0; k < fist.positions.size(); ++k) {
@@ -128,7 +128,7 @@ TEST(HandMesh, AFistClosesOverThePalm) {
 }
 
 TEST(HandMesh, OneFingerLeavesTheOthersAlone) {
-  const auto open = skin(right_hand).make_mesh(1);
+  const auto open = make_hand_mesh(skin(right_hand), 1);
   const SkinnedHand point = skin_hand(skin(right_hand), {0, 1, 0, 0, 0});
   const auto bones = hand_pose(right_hand, {});
   for (const std::size_t tip : {1U, 7U, 10U, 13U}) {
@@ -142,7 +142,7 @@ TEST(HandMesh, OneFingerLeavesTheOthersAlone) {
 }
 
 TEST(HandMesh, BendingKeepsTheFleshOnTheBackOfTheJoints) {
-  const auto open = skin(right_hand).make_mesh(1);
+  const auto open = make_hand_mesh(skin(right_hand), 1);
   const SkinnedHand fist = skin_hand(skin(right_hand), {0, 0, 1, 0, 0});
   // The middle finger's PIP: distance of the skin from the joint's centre on its dorsal side.
   const auto rest = hand_pose(right_hand, {});

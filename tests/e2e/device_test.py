@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """device_test.py BIN OUT DRIVER: a simulated device that is reached by a network or a socket moves a hand, which presses tissue in a real
 session. Then it is unplugged, silent, spoils its bytes, floods and is of another version: each is told in words, and it comes back by itself."""
-import json
 import os
 import pathlib
 import signal
@@ -10,13 +9,14 @@ import time
 
 from checks import check, failures
 from program import Program
+from session_log import SessionLog
 
 HERE = pathlib.Path(__file__).parent
 BIN, OUT, DRIVER = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3]
 OUT.mkdir(parents=True, exist_ok=True)
 for old in OUT.glob("device*"):
     old.unlink()
-LOG = OUT / "device.jsonl"
+LOG = SessionLog(OUT / "device.jsonl")
 PRESSED_BY = 1.5  # s of the script
 # What goes wrong in seconds since the twin's start, and the state that is told of it.
 SILENCE, BABBLE, UNPLUG, WRONG = (3.5, 5), (5.8, 6.6), (8.2, 0.6), (8.5, 10.5)
@@ -27,26 +27,8 @@ SILENT, SPOILT, WRONGLY = {"leap": ("absent", "absent", "babbling"), "spacemouse
     DRIVER, ("silent", "babbling", "babbling"))
 
 
-def lines_of_log():
-    for line in open(LOG):
-        try:
-            yield json.loads(line)
-        except json.JSONDecodeError:
-            return
-
-
 def pushes():
-    """Of the hand, down on the tissue, N, as each line of the log has it."""
-    return [-touch["force"][1] for line in lines_of_log() for user, touch in line["touches"].items() if user == "Feeler, right"]
-
-
-def wait_for(holds, seconds):
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        if holds():
-            return True
-        time.sleep(0.1)
-    return False
+    return LOG.pushes("Feeler, right")
 
 
 session = f"device{os.getpid()}"
@@ -71,10 +53,10 @@ try:
     room, mount = (rows[0][1:4], f"[tracker.stations.right]\nstation = 1\nmount.orientation = {turn}\n") if DRIVER == "spacemouse" else (stand[:3], "")
     (OUT / "device.toml").write_text(f'[tracker]\naddress = "{address}"\n[tracker.room]\nposition = {room}\norientation = {stand[3:]}\n{mount}')
     user = Program(BIN / "prosector-client", "join", "--name", "Feeler", "--display", "none", "--config", OUT / "device.toml", "--session-log",
-                   LOG, "--session", session)
+                   LOG.file, "--session", session)
     programs.append(user)
     user.wait("everything is here")
-    check("the hand presses the tissue", wait_for(lambda: LOG.exists() and any(force > 0.3 for force in pushes()), 5))
+    check("the hand presses the tissue", LOG.wait(lambda: any(force > 0.3 for force in pushes()), 5))
     print(f"the hand pushes with {pushes()[-1]:.2f} N" if pushes() else "nothing is touched")
 
     def told(state):
@@ -85,10 +67,10 @@ try:
 
     for state, until in ((SILENT, SILENCE[1]), ("streaming", BABBLE[0]), (SPOILT, BABBLE[1] + 0.5), ("streaming", UNPLUG[0]),
                          ("absent", UNPLUG[0] + 0.7), (WRONGLY, WRONG[1]), ("streaming", WRONG[1] + 3)):
-        check(f"it is {state} by {until} s", wait_for(lambda: is_now(state), max(started + until - time.monotonic(), 0.1)))
+        check(f"it is {state} by {until} s", LOG.wait(lambda: is_now(state), max(started + until - time.monotonic(), 0.1)))
     for state in {SILENT, "absent", SPOILT, WRONGLY} - {"streaming"}:
         check(f"words say what is {state}: {told(state)[-1:]}", told(state) and len(told(state)[-1]) > len(address) + 50)
-    check("and the hand presses again", wait_for(lambda: "Feeler, right" in list(lines_of_log())[-1]["touches"] and pushes()[-1] > 0.1, 4))
+    check("and the hand presses again", LOG.wait(lambda: "Feeler, right" in list(LOG.lines())[-1]["touches"] and pushes()[-1] > 0.1, 4))
     user.end(signal.SIGINT)
     check("the client ends well", user.process.returncode == 0)
     print("\n".join(line for line in user.lines if line.startswith("tracker ")))

@@ -54,5 +54,18 @@ expect "other files than expected" 0 'brain.nii.gz of mricron-data is not the on
   "$deploy/fetch_anatomy.sh"
 expect "a data folder that is none" 0 "can't write /proc/nowhere; scenes use implicit shapes" 1 \
   env PROSECTOR_DATA=/proc/nowhere "$deploy/fetch_anatomy.sh"
+
+# Networks: no network, a package with other content, a folder that can't be written, no npm.
+fake npm 'echo "npm error: no network" >&2; exit 1'
+expect "no network for models" 0 "npm can't fetch @mediapipe/hands \(npm error: no network\); cameras find no bare hands" 2 \
+  "$deploy/fetch_models.sh"
+fake npm 'echo nonsense > package.tgz'
+expect "damaged packages of models" 0 "can't unpack @mediapipe/face_detection .*; cameras find no bare hands" 4 "$deploy/fetch_models.sh"
+fake npm 'mkdir package; echo other > package/face_detection_short_range.tflite; for file in full lite; do echo other > package/hand_landmark_$file.tflite; done
+echo other > package/hands_solution_packed_assets.data; tar -czf package.tgz package'
+expect "other models than expected" 0 'palm_full.tflite of @mediapipe/hands is not the one expected' 7 "$deploy/fetch_models.sh"
+expect "no folder for models" 0 "can't write /proc/nowhere/models; cameras find no bare hands" 1 \
+  env PROSECTOR_DATA=/proc/nowhere "$deploy/fetch_models.sh"
+rmdir "$out/home/.local/share/prosector/models"
 [ -z "$(ls "$out/home/.local/share/prosector")" ] || { echo "FAILED bad files were kept"; failed=1; }
 exit $failed

@@ -17,6 +17,31 @@ std::vector<Pose> seen_from(const SyntheticScene& scene, double seconds) {
   return out;
 }
 
+/// Returns the scene's hands as they are in the middle of the exposure.
+std::vector<BentHand> bent_hands(const SyntheticScene& scene, const SyntheticTruth& truth) {
+  std::vector<BentHand> out;
+  for (const SyntheticHand& hand : scene.hands) {
+    const Carrier& carrier = scene.carriers[hand.carrier];
+    BentHand& bent = out.emplace_back();
+    bent.hand = hand.hand;
+    bent.size = hand.size;
+    bent.camera_wrist = truth.room_camera.inverse() * truth.room_things[hand.carrier];
+    if (carrier.motion) bent.flexion = carrier.motion->flexion(carrier.station, truth.seconds, carrier.loop);
+  }
+  return out;
+}
+
+/// Draws what is before the row's flat things over them.
+void draw_hands(const MeshLayer& hands, const RayGrid& grid, int y, RayRow& row) {
+  for (std::size_t k = 0; k < row.depth.size(); ++k) {
+    const MeshLayer::Hit hit =
+        hands.at(grid.direction(static_cast<int>(k / grid.rays()), y, k % grid.rays()));
+    if (hit.depth >= row.depth[k]) continue;
+    row.depth[k] = hit.depth;
+    row.light[k] = hit.light;
+  }
+}
+
 void spoil(CameraFault fault, std::uint64_t number, Image& image) {
   switch (fault) {
     case CameraFault::torn: {  // the lower part is of nothing that can be read
@@ -56,8 +81,9 @@ void spoil(CameraFault fault, std::uint64_t number, Image& image) {
 
 }  // namespace
 
-ScenePainter::ScenePainter(SyntheticScene scene)
-    : scene_(std::move(scene)), grid_(scene_.lens, scene_.rays) {}
+ScenePainter::ScenePainter(SyntheticScene scene) : scene_(std::move(scene)), grid_(scene_.lens, scene_.rays) {
+  if (!scene_.hands.empty()) hands_.emplace(scene_.lens);
+}
 
 Image ScenePainter::paint(std::uint64_t number) const {
   return paint_at(scene_.seconds_of(number), number);
@@ -69,6 +95,8 @@ Image ScenePainter::paint_at(double seconds, std::uint64_t number) const {
   const Lamp lamp{truth.room_camera.q.conjugate() * scene_.to_lamp, scene_.ambient};
   const FlatPainter painter(
       grid_, scene_.things, [this](double at) { return seen_from(scene_, at); }, exposure, lamp);
+  std::optional<MeshLayer> hands;
+  if (hands_) hands = hands_->draw(bent_hands(scene_, truth), lamp);
   const int width = scene_.lens.width, height = scene_.lens.height;
   const std::size_t rays = grid_.rays(), in_row = rays * static_cast<std::size_t>(width);
   RayRow row;
@@ -80,6 +108,7 @@ Image ScenePainter::paint_at(double seconds, std::uint64_t number) const {
     row.light.assign(in_row, {behind, behind, behind});
     row.depth.assign(in_row, std::numeric_limits<float>::infinity());
     painter.draw(y, row);
+    if (hands) draw_hands(*hands, grid_, y, row);
     for (std::size_t pixel = 0; pixel < static_cast<std::size_t>(width); ++pixel) {
       Rgb sum{};
       for (std::size_t ray = 0; ray < rays; ++ray)

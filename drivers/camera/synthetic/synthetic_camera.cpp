@@ -14,8 +14,8 @@ constexpr double slow_period = 1;  // s between pictures of a camera that is slo
 
 }  // namespace
 
-SyntheticCamera::SyntheticCamera(SyntheticScene scene)
-    : painter_(std::move(scene)), start_ns_(monotonic_ns()) {}
+SyntheticCamera::SyntheticCamera(SyntheticScene scene, std::int64_t start_ns)
+    : painter_(std::move(scene)), start_ns_(start_ns) {}
 
 double SyntheticCamera::seconds(std::int64_t now_ns) const {
   return static_cast<double>(now_ns - start_ns_) * 1e-9;

@@ -8,8 +8,8 @@ namespace prosector {
 
 class SyntheticCamera final : public Camera {
  public:
-  /// Starts the scene's time now.
-  explicit SyntheticCamera(SyntheticScene scene);
+  /// Begins the scene's time at that moment of monotonic_ns().
+  SyntheticCamera(SyntheticScene scene, std::int64_t start_ns);
 
   /// Waits for the next picture, as real cameras let wait; pictures that take too long to draw are dropped.
   std::optional<Frame> next(std::chrono::milliseconds patience) override;

@@ -169,6 +169,12 @@ SyntheticScene SyntheticScene::load(const std::filesystem::path& file) {
     scene.add_board(board, std::move(carrier));
     one.refuse_others();
   }
+  for (const TomlFields& hand : fields.tables("hand")) {
+    scene.hands.push_back({scene.carriers.size(), hand.flag("left", false) ? left_hand : right_hand,
+                           hand.number("size", 0.5, 2, 1)});
+    scene.carriers.push_back(read_carrier(hand, fmt::format("hand {}", scene.hands.size())));
+    hand.refuse_others();
+  }
   for (const TomlFields& fault : fields.tables("fault")) scene.faults.push_back(read_fault(fault));
   fields.refuse_others();
   return scene;

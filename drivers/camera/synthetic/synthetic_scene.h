@@ -12,6 +12,7 @@
 #include "drivers/camera/frame.h"
 #include "drivers/camera/lens.h"
 #include "drivers/camera/synthetic/flat_painter.h"
+#include "drivers/camera/synthetic/hand_layer.h"
 #include "drivers/camera/synthetic/sensor.h"
 #include "drivers/camera/tags/board.h"
 #include "drivers/motion_script.h"
@@ -28,6 +29,13 @@ struct Carrier {
   Pose offset;  // in the frame of what moves, where it isn't that itself
 
   Pose at(double seconds) const { return motion ? motion->pose(station, seconds, loop) * offset : pose; }
+};
+
+/// A hand of ours, whose carrier is the wrist; bends come from its motion.
+struct SyntheticHand {
+  std::size_t carrier = 0;
+  std::size_t hand = right_hand;
+  double size = 1;  // 1: our hand
 };
 
 /// What goes wrong with a camera, for a span of time.
@@ -56,6 +64,7 @@ struct SyntheticScene {
   double ambient = 0.6;
   std::vector<Carrier> carriers;
   std::vector<FlatThing> things;
+  std::vector<SyntheticHand> hands;
   std::vector<Board> boards;                // for who wants to know
   std::vector<std::size_t> board_carriers;  // of each board
   std::vector<CameraFaultSpan> faults;
@@ -82,6 +91,7 @@ class ScenePainter {
  private:
   SyntheticScene scene_;
   RayGrid grid_;
+  std::optional<HandLayer> hands_;  // where the scene has some
 };
 
 }  // namespace prosector

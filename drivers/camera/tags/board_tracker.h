@@ -1,8 +1,9 @@
 #pragma once
 // Follows one board from picture to picture.
 //
-// Where its tags are read, corners give a pose and edges make it exact. Where blur or a hand hides what tags say, the corners of the last picture are followed for a while. Their optical
-// flow is found as by Lucas and Kanade 1981, in pyramids after Bouguet 2000.
+// Where its tags are read, corners give a pose and edges make it exact. Where blur or a hand hides what tags
+// say, the corners of the last picture are followed for a while. Their optical flow is found as by Lucas and
+// Kanade 1981, in pyramids after Bouguet 2000.
 
 #include <optional>
 

@@ -19,11 +19,13 @@ TagReader::TagReader(const std::filesystem::path& lens)
 }
 
 void TagReader::begin(const Camera& camera) {
+  number_.reset();
   if (is_calibrated_by_file_) return;
   const auto lens = camera.lens();
+  const std::optional<Lens> before = calibration_ ? std::optional(calibration_->lens) : std::nullopt;
+  if (lens != before) width_ = height_ = 0;
   calibration_.reset();
   if (lens) calibration_ = CameraCalibration{camera.identity(), *lens, camera.response(), 0};
-  width_ = height_ = 0;
 }
 
 void TagReader::make_ready(int width, int height) {
@@ -45,14 +47,16 @@ void TagReader::make_ready(int width, int height) {
   ++changes_;
 }
 
-TagPicture TagReader::read(const Frame& frame) {
+const TagPicture& TagReader::read(const Frame& frame) {
+  if (number_ == frame.number) return picture_;
+  number_.reset();
   make_ready(frame.image.width, frame.image.height);
-  TagPicture picture;
-  picture.bent = grey_of(frame.image);
-  picture.straight = straightener_->straight(picture.bent);
-  picture.tags = finder_.find(picture.straight);
-  picture.time_ns = frame.time_ns;
-  return picture;
+  picture_.bent = grey_of(frame.image);
+  picture_.straight = straightener_->straight(picture_.bent);
+  picture_.tags = finder_.find(picture_.straight);
+  picture_.time_ns = frame.time_ns;
+  number_ = frame.number;
+  return picture_;
 }
 
 }  // namespace prosector

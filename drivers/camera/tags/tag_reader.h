@@ -11,6 +11,7 @@
 
 namespace prosector {
 
+/// Several may look by one reader, on one thread: each picture is read once.
 class TagReader {
  public:
   /// Reads the lens' file; empty: it is the synthetic camera's own, or guessed. Throws InputError where it
@@ -19,8 +20,9 @@ class TagReader {
 
   /// Takes a camera that was opened.
   void begin(const Camera& camera);
-  /// Reads a picture. Throws InputError where its shape isn't that of the lens.
-  TagPicture read(const Frame& frame);
+  /// Reads a picture, and holds it until the next one. Throws InputError where its shape isn't that of the
+  /// lens.
+  const TagPicture& read(const Frame& frame);
 
   /// Returns how the last picture was read.
   const TagOptics& optics() const { return optics_; }
@@ -38,6 +40,8 @@ class TagReader {
   TagOptics optics_;
   std::unique_ptr<Straightener> straightener_;
   int width_ = 0, height_ = 0;  // of pictures that it is ready for
+  TagPicture picture_;
+  std::optional<std::uint64_t> number_;  // of the frame that `picture_` is of; nullopt: none
   int changes_ = 0;
 };
 

@@ -1,4 +1,4 @@
-#include "client/view/hand_field.h"
+#include "common/hand_field.h"
 
 #include <algorithm>
 #include <cmath>

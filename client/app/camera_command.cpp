@@ -1,0 +1,110 @@
+#include "client/app/camera_command.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+
+#include "common/clock.h"
+#include "common/error.h"
+#include "common/version.h"
+#include "drivers/camera/calibration/lens_guide.h"
+#include "drivers/camera/camera_report.h"
+#include "drivers/camera/tags/known_boards.h"
+
+namespace prosector {
+namespace {
+
+using namespace std::chrono_literals;
+constexpr auto picture_patience = 500ms;
+constexpr double said_again_after = 2;  // s, where nothing new is to be said
+
+void say(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+void write_file(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  if (!out.flush()) throw InputError(fmt::format("{}: cannot be written", file.string()));
+}
+
+/// Says a step's words, once, and again where they stay for long.
+class StepTeller {
+ public:
+  void tell(const LensGuideStep& step) {
+    const std::int64_t now_ns = monotonic_ns();
+    if (step.instruction == told_ && step.views == views_ &&
+        static_cast<double>(now_ns - told_ns_) * 1e-9 < said_again_after)
+      return;
+    told_ = step.instruction;
+    views_ = step.views;
+    told_ns_ = now_ns;
+    say(fmt::format("view {}/{}, {:.0f} % of the picture: {}", step.views, usual_views, 100 * step.covered,
+                    step.instruction));
+  }
+
+ private:
+  std::string told_;
+  std::size_t views_ = 0;
+  std::int64_t told_ns_ = 0;
+};
+
+}  // namespace
+
+int calibrate_camera(const CameraCommandOptions& options) {
+  const std::unique_ptr<Camera> camera = open_camera(options.camera);
+  LensGuide guide(find_board(options.board));
+  say(fmt::format(
+      "{}: show it the board \"{}\" (prosector-board {} --out board.pdf), near, in all parts of the picture, "
+      "tilted in all directions",
+      options.camera, guide.board().name, options.board));
+  StepTeller teller;
+  const std::int64_t begin_ns = monotonic_ns();
+  for (LensGuideStep step; !step.done; step = guide.step(), teller.tell(step)) {
+    if (static_cast<double>(monotonic_ns() - begin_ns) * 1e-9 > options.patience) {
+      if (guide.views().size() < least_views)
+        throw InputError(fmt::format("not done after {:.0f} s: {} views of {} came", options.patience,
+                                     guide.views().size(), usual_views));
+      say("time is over: what there is must do");
+      break;
+    }
+    if (const auto frame = camera->next(picture_patience)) guide.take(frame->image);
+  }
+  say("fitting …");
+  const LensFit fit = fit_lens(guide.board(), guide.views(), camera->identity());
+  const Lens& lens = fit.calibration.lens;
+  say(fmt::format("focal lengths {:.2f} and {:.2f} px, centre {:.2f}, {:.2f}; response {:.2f}", lens.fx,
+                  lens.fy, lens.cx, lens.cy, fit.calibration.response));
+  say(fmt::format(
+      "{:.3f} px off at views that weren't fitted ({:.3f} at the others); {:.0f} % of the picture is covered",
+      fit.held_out, fit.rms, 100 * fit.covered));
+  write_file(options.out, write_calibration(fit.calibration));
+  say(fmt::format("{}: written; name it in the configuration: tracker.lens = \"{}\"", options.out.string(),
+                  options.out.filename().string()));
+  return 0;
+}
+
+int test_camera(const CameraCommandOptions& options) {
+  const std::unique_ptr<Camera> camera = open_camera(options.camera);
+  std::optional<CameraCalibration> calibration;
+  if (!options.lens.empty()) calibration = load_calibration(options.lens);
+  CameraReport report(calibration);
+  say(fmt::format("{} ({}): looked at for {:g} s; let a board lie still before it", options.camera,
+                  camera->identity(), options.seconds));
+  const std::int64_t begin_ns = monotonic_ns();
+  while (static_cast<double>(monotonic_ns() - begin_ns) * 1e-9 < options.seconds)
+    if (const auto frame = camera->next(picture_patience)) report.take(*frame, monotonic_ns());
+  std::string text = fmt::format("{}\ncamera {} ({})\n", version_line("prosector-client camera selftest"),
+                                 options.camera, camera->identity());
+  for (const std::string& line : report.lines()) text += line + "\n";
+  fmt::print("{}", text);
+  if (!options.out.empty()) {
+    write_file(options.out, text);
+    say(fmt::format("the report is in {}", options.out.string()));
+  }
+  return report.is_good() ? 0 : 1;
+}
+
+}  // namespace prosector

@@ -1,0 +1,25 @@
+#pragma once
+// prosector-client camera: a camera's lens is found by showing it a board; what its pictures are like is
+// said.
+
+#include <filesystem>
+#include <string>
+
+namespace prosector {
+
+struct CameraCommandOptions {
+  std::string camera = "0";           // an address, as open_camera() takes it
+  std::string board = "calibration";  // that is shown: a known board, or a file
+  std::filesystem::path out;          // file to write
+  std::filesystem::path lens;         // of the self-test: a calibration that is there
+  double seconds = 20;                // of the self-test
+  double patience = 300;              // s for the calibration
+};
+
+/// Leads through a calibration in the terminal and writes its file. Returns the exit code. Throws InputError
+/// where the camera can't be opened, or no calibration came out.
+int calibrate_camera(const CameraCommandOptions& options);
+/// Looks at a camera's pictures for a while and says what they are like. Returns 0 where all is well, else 1.
+int test_camera(const CameraCommandOptions& options);
+
+}  // namespace prosector

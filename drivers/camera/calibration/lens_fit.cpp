@@ -1,0 +1,275 @@
+#include "drivers/camera/calibration/lens_fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/calib3d.hpp>
+#include <set>
+
+#include "common/error.h"
+#include "drivers/camera/tags/edge_fit.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t least_tags = 4;  // in a view that counts
+constexpr int rounds = 2;              // corners are found anew so often
+constexpr double least_response = 1, most_response = 3;
+constexpr int response_steps = 7;          // of the golden section
+constexpr std::size_t response_views = 7;  // that the response is found by
+constexpr std::size_t held_out_each = 5;
+constexpr int cells_across = 8, cells_down = 6;
+constexpr double most_rms = 2;  // pixels: what fits worse is no calibration
+constexpr double outlier_px = 0.15,
+                 outlier_ratio = 4;  // of the median; tags that are farther off are left out
+constexpr int solver_flags = cv::CALIB_FIX_K3;
+
+/// A tag's corners in one view.
+struct TagCorners {
+  const BoardTag* tag;
+  std::array<Vec2, 4> pixels;
+};
+using ViewCorners = std::vector<TagCorners>;
+
+struct Solved {
+  Lens lens;
+  double rms = 0;
+};
+
+Solved solve(std::span<const ViewCorners> views, int width, int height) {
+  std::vector<std::vector<cv::Point3f>> board;
+  std::vector<std::vector<cv::Point2f>> pixels;
+  for (const ViewCorners& view : views) {
+    auto& b = board.emplace_back();
+    auto& p = pixels.emplace_back();
+    for (const TagCorners& tag : view) {
+      const auto corners = tag.tag->corners();
+      for (std::size_t c = 0; c < corners.size(); ++c) {
+        b.emplace_back(static_cast<float>(corners[c].x()), static_cast<float>(corners[c].y()), 0.0f);
+        p.emplace_back(static_cast<float>(tag.pixels[c].x()), static_cast<float>(tag.pixels[c].y()));
+      }
+    }
+  }
+  cv::Matx33d k = cv::Matx33d::eye();
+  cv::Mat bend = cv::Mat::zeros(5, 1, CV_64F);
+  std::vector<cv::Mat> turns, places;
+  Solved out;
+  try {
+    out.rms = cv::calibrateCamera(board, pixels, {width, height}, k, bend, turns, places, solver_flags);
+  } catch (const cv::Exception&) {
+    out.rms = std::numeric_limits<double>::infinity();
+    return out;
+  }
+  out.lens = {width,
+              height,
+              k(0, 0),
+              k(1, 1),
+              k(0, 2),
+              k(1, 2),
+              bend.at<double>(0),
+              bend.at<double>(1),
+              bend.at<double>(2),
+              bend.at<double>(3),
+              bend.at<double>(4)};
+  return out;
+}
+
+Lens without_distortion(Lens lens) {
+  lens.k1 = lens.k2 = lens.p1 = lens.p2 = lens.k3 = 0;
+  return lens;
+}
+
+/// Returns where an ideal camera would see a lens' pixel.
+Vec2 straight(const Lens& lens, const Vec2& pixel) {
+  const Vec3 ray = lens.ray(pixel);
+  return {lens.fx * ray.x() + lens.cx, lens.fy * ray.y() + lens.cy};
+}
+
+/// Finds a tag's corners by its edges, as this lens and response see them.
+std::optional<std::array<Vec2, 4>> corners_by_edges(const GreyImage& picture, const Lens& lens,
+                                                    double response, const BoardTag& tag,
+                                                    const std::array<Vec2, 4>& near) {
+  const BoardTag alone{tag.code, tag.size, {}};
+  const Board board{"", {alone}};
+  const Lens pinhole = without_distortion(lens);
+  std::vector<SeenCorner> seen;
+  const auto corners = alone.corners();
+  for (std::size_t c = 0; c < corners.size(); ++c) seen.push_back({corners[c], straight(lens, near[c])});
+  const auto poses = solve_board(seen, pinhole);
+  if (poses.empty()) return std::nullopt;
+  const std::array<int, 1> codes = {tag.code};
+  const auto fit = fit_edges(picture, lens, board, codes, poses.front().camera_board, response);
+  if (!fit) return std::nullopt;
+  std::array<Vec2, 4> out;
+  for (std::size_t c = 0; c < corners.size(); ++c) out[c] = lens.project(fit->camera_board * corners[c]);
+  return out;
+}
+
+std::vector<ViewCorners> corners_of(const Board& board, std::span<const LensView> views) {
+  std::vector<ViewCorners> out;
+  for (const LensView& view : views) {
+    ViewCorners& corners = out.emplace_back();
+    for (const SeenTag& seen : view.tags)
+      if (const BoardTag* tag = board.find(seen.code)) corners.push_back({tag, seen.corners});
+  }
+  return out;
+}
+
+std::vector<ViewCorners> refined(const std::vector<ViewCorners>& rough, std::span<const LensView> views,
+                                 const Lens& lens, double response) {
+  std::vector<ViewCorners> out(rough.size());
+  for (std::size_t v = 0; v < rough.size(); ++v)
+    for (const TagCorners& tag : rough[v])
+      if (const auto pixels = corners_by_edges(views[v].picture, lens, response, *tag.tag, tag.pixels))
+        out[v].push_back({tag.tag, *pixels});
+  return out;
+}
+
+bool has_enough(const std::vector<ViewCorners>& views) {
+  return std::all_of(views.begin(), views.end(), [](const ViewCorners& v) { return v.size() >= least_tags; });
+}
+
+/// Returns how far off each tag of a view is, pixels RMS, where the view's pose is best.
+std::vector<double> tag_errors(const Lens& lens, const ViewCorners& view) {
+  const Lens pinhole = without_distortion(lens);
+  std::vector<SeenCorner> seen;
+  for (const TagCorners& tag : view) {
+    const auto corners = tag.tag->corners();
+    for (std::size_t c = 0; c < corners.size(); ++c)
+      seen.push_back({corners[c], straight(lens, tag.pixels[c])});
+  }
+  const auto poses = solve_board(seen, pinhole);
+  std::vector<double> out(view.size(), std::numeric_limits<double>::infinity());
+  if (poses.empty()) return out;
+  for (std::size_t t = 0; t < view.size(); ++t) {
+    double sum = 0;
+    for (std::size_t c = 0; c < 4; ++c)
+      sum += (lens.project(poses.front().camera_board * seen[4 * t + c].board) - view[t].pixels[c])
+                 .squaredNorm();
+    out[t] = std::sqrt(sum / 4);
+  }
+  return out;
+}
+
+/// Returns how far off corners of views are that the lens wasn't fitted to, pixels RMS; each view's pose is.
+double error_of(const Lens& lens, std::span<const ViewCorners> views) {
+  double sum = 0;
+  int count = 0;
+  for (const ViewCorners& view : views)
+    for (const double error : tag_errors(lens, view))
+      if (std::isfinite(error)) {
+        sum += error * error;
+        ++count;
+      }
+  return count == 0 ? 0 : std::sqrt(sum / count);
+}
+
+/// Leaves out tags that are far off all others: at a picture's border, half hidden.
+std::vector<ViewCorners> without_outliers(const Lens& lens, const std::vector<ViewCorners>& views) {
+  std::vector<std::vector<double>> errors;
+  std::vector<double> sorted;
+  for (const ViewCorners& view : views) {
+    errors.push_back(tag_errors(lens, view));
+    sorted.insert(sorted.end(), errors.back().begin(), errors.back().end());
+  }
+  std::sort(sorted.begin(), sorted.end());
+  const double bound = std::max(outlier_px, outlier_ratio * sorted[sorted.size() / 2]);
+  std::vector<ViewCorners> out(views.size());
+  for (std::size_t v = 0; v < views.size(); ++v)
+    for (std::size_t t = 0; t < views[v].size(); ++t)
+      if (errors[v][t] <= bound) out[v].push_back(views[v][t]);
+  return out;
+}
+
+Solved solve_with(const std::vector<ViewCorners>& rough, std::span<const LensView> views, const Lens& first,
+                  double response, std::vector<ViewCorners>* corners = nullptr) {
+  Solved out{first, std::numeric_limits<double>::infinity()};
+  for (int round = 0; round < rounds; ++round) {
+    const std::vector<ViewCorners> fine = refined(rough, views, out.lens, response);
+    if (!has_enough(fine)) return out;
+    out = solve(fine, first.width, first.height);
+    const std::vector<ViewCorners> kept = without_outliers(out.lens, fine);
+    if (!has_enough(kept)) return out;
+    out = solve(kept, first.width, first.height);
+    if (corners != nullptr) *corners = kept;
+  }
+  return out;
+}
+
+/// Finds the response that leaves the least error: golden section (Kiefer 1953).
+double find_response(const std::vector<ViewCorners>& rough, std::span<const LensView> views,
+                     const Lens& first) {
+  constexpr double golden = 0.6180339887498949;
+  double a = least_response, b = most_response;
+  const auto error = [&](double response) { return solve_with(rough, views, first, response).rms; };
+  double x = b - golden * (b - a), y = a + golden * (b - a);
+  double at_x = error(x), at_y = error(y);
+  for (int step = 0; step < response_steps; ++step) {
+    if (at_x < at_y) {
+      b = y;
+      y = x;
+      at_y = at_x;
+      x = b - golden * (b - a);
+      at_x = error(x);
+    } else {
+      a = x;
+      x = y;
+      at_x = at_y;
+      y = a + golden * (b - a);
+      at_y = error(y);
+    }
+  }
+  return (a + b) / 2;
+}
+
+double held_out_error(const std::vector<ViewCorners>& corners, const Lens& lens) {
+  std::vector<ViewCorners> fitted, left_out;
+  for (std::size_t v = 0; v < corners.size(); ++v)
+    (v % held_out_each == held_out_each - 1 ? left_out : fitted).push_back(corners[v]);
+  return error_of(solve(fitted, lens.width, lens.height).lens, left_out);
+}
+
+}  // namespace
+
+double covered_share(std::span<const LensView> views) {
+  std::set<std::pair<int, int>> cells;
+  for (const LensView& view : views)
+    for (const SeenTag& tag : view.tags)
+      for (const Vec2& corner : tag.corners)
+        cells.insert(
+            {std::clamp(static_cast<int>(corner.x() * cells_across / view.picture.width), 0,
+                        cells_across - 1),
+             std::clamp(static_cast<int>(corner.y() * cells_down / view.picture.height), 0, cells_down - 1)});
+  return static_cast<double>(cells.size()) / (cells_across * cells_down);
+}
+
+LensFit fit_lens(const Board& board, std::span<const LensView> views, const std::string& camera) {
+  if (views.size() < least_views)
+    throw InputError(
+        fmt::format("a lens needs at least {} views of the board; there are {}", least_views, views.size()));
+  const int width = views.front().picture.width, height = views.front().picture.height;
+  const std::vector<ViewCorners> rough = corners_of(board, views);
+  if (!has_enough(rough))
+    throw InputError(fmt::format("each view must show at least {} tags of the board", least_tags));
+  const Solved first = solve(rough, width, height);
+  if (!(first.rms < most_rms) || !(first.lens.fx > 0))
+    throw InputError(
+        "the views don't fit one lens: is the board flat, and were the views tilted in different ways?");
+  LensFit out;
+  out.calibration.camera = camera;
+  const std::size_t some = std::min(response_views, views.size());
+  out.calibration.response = find_response({rough.begin(), rough.begin() + static_cast<std::ptrdiff_t>(some)},
+                                           views.first(some), first.lens);
+  std::vector<ViewCorners> corners;
+  const Solved best = solve_with(rough, views, first.lens, out.calibration.response, &corners);
+  if (!(best.rms < most_rms))
+    throw InputError("the board's edges are too blurred: hold it still, nearer, in more light");
+  out.calibration.lens = best.lens;
+  out.rms = best.rms;
+  out.held_out = out.calibration.error = held_out_error(corners, best.lens);
+  out.covered = covered_share(views);
+  return out;
+}
+
+}  // namespace prosector

@@ -1,0 +1,41 @@
+#pragma once
+// A camera's lens from views of a flat board (Zhang 2000; Brown's distortion, its sixth-order term left at
+// 0).
+//
+// Corners come from each tag's four edges, in the camera's own picture, and are found anew with the lens so
+// far. How brightness grows with light is found, too. Taken wrongly it makes all tags seem too large against
+// their distances, so the exponent is that which leaves the least error.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "drivers/camera/camera_calibration.h"
+#include "drivers/camera/tags/board.h"
+#include "drivers/camera/tags/tag_finder.h"
+
+namespace prosector {
+
+/// One picture of the board.
+struct LensView {
+  GreyImage picture;
+  std::vector<SeenTag> tags;  // found in the picture itself, not straightened
+};
+
+inline constexpr std::size_t least_views = 6;
+inline constexpr std::size_t usual_views = 14;
+
+struct LensFit {
+  CameraCalibration calibration;
+  double rms = 0;       // pixels, of the fitted views: says little
+  double held_out = 0;  // pixels RMS, of views that the fit doesn't know: every fifth
+  double covered = 0;   // share of the picture's cells in which corners lie
+};
+
+/// Fits. Throws InputError that says what to do where views are too few, too small, or all alike.
+LensFit fit_lens(const Board& board, std::span<const LensView> views, const std::string& camera);
+
+/// Returns the share of a picture's 8 × 6 cells in which a corner lies.
+double covered_share(std::span<const LensView> views);
+
+}  // namespace prosector

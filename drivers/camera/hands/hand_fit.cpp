@@ -1,0 +1,296 @@
+#include "drivers/camera/hands/hand_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prosector {
+namespace {
+
+constexpr Eigen::Index unknowns = 6 + static_cast<Eigen::Index>(fingers);
+using Step = Eigen::Matrix<double, unknowns, 1>;
+using Normal = Eigen::Matrix<double, unknowns, unknowns>;
+
+constexpr int quick_rounds = 8, last_rounds = 25;
+constexpr double usual_miss = 0.02;   // of the hand's length: what networks miss a point by
+constexpr double most_miss = 0.09;    // of the hand's length: no hand of ours lies there
+constexpr double trust_before = 0.7;  // of its cost: a hand goes on where it was, unless that fits much worse
+constexpr double as_good = 1.15;      // costs of two poses: either may be the right one
+constexpr double other_pose = 0.5;    // rad: that far apart they are two
+constexpr double bend_spread = 1.5;   // of bends around `usual_bend`, so that what can't be seen stays put
+constexpr double usual_bend = 0.3;
+constexpr double nearest_hand = 0.08, farthest_hand = 3;               // m along z
+constexpr std::array<std::size_t, 5> flat_points = {0, 5, 9, 13, 17};  // wrist and knuckles: they don't bend
+
+/// Where the networks see a point, by what they were seen to answer to pictures of our own hand's skin.
+struct SeenPoint {
+  std::size_t joint;        // in whose segment's frame it moves
+  bool at_end = false;      // of the segment
+  Vec3 offset = {0, 0, 0};  // m, the right hand's
+};
+constexpr std::size_t of_the_wrist = hand_joints;
+const std::array<SeenPoint, hand_points> seen_points = {
+    {{of_the_wrist, false, {0.004, 0.0007, -0.010199999999999999}},
+     {of_the_wrist, false, {-0.023, -0.014, -0.032}},
+     {0, false, {-0.0027, 0.0024, -0.0134}},
+     {1, false, {0.0, -0.001, 0.0}},
+     {1, true, {0.0035, 0.0017, 0.0063}},
+     {of_the_wrist, false, {-0.0240, -0.0005, -0.0928}},
+     {2, true, {0.0008, 0.001, 0.0037}},
+     {4, false, {-0.0003, -0.0026, 0.0031}},
+     {4, true, {0.0, 0.0013, 0.0060999999999999995}},
+     {of_the_wrist, false, {-0.0030, 0.0004, -0.0926}},
+     {5, true, {0.001, 0.0019, 0.0060999999999999995}},
+     {7, false, {0.0005, -0.0056, 0.0034}},
+     {7, true, {0.0, 0.0, 0.0054}},
+     {of_the_wrist, false, {0.0174, -0.0011, -0.0885}},
+     {8, true, {0.0007, 0.0004, 0.0047}},
+     {10, false, {-0.0005, -0.0072, 0.0014}},
+     {10, true, {-0.0012, -0.003, 0.004900000000000001}},
+     {of_the_wrist, false, {0.0357, -0.0034, -0.0843}},
+     {11, true, {0.0, -0.0017, -0.0004}},
+     {13, false, {-0.0006, -0.0031, -0.0003}},
+     {13, true, {-0.001, -0.0004, 0.0035}}}};
+
+/// Returns a point's weight: less where our hand isn't like all hands, at the thumb's root and knuckle.
+constexpr double weight_of(std::size_t point) {
+  return point == 1 ? 0 : point == 2 ? 0.5 : 1;
+}
+
+/// What is asked for, on its way.
+struct Guess {
+  Pose wrist;
+  std::array<double, fingers> flexion{};
+  double cost = 0;
+};
+
+/// One camera's points as directions at distance 1.
+struct Seen {
+  std::array<Vec2, hand_points> directions;
+  Pose camera_rig;
+  double length = 1;  // of the hand in the picture, in directions
+};
+
+class HandProblem {
+ public:
+  HandProblem(std::vector<Seen> seen, const HandShape& shape) : seen_(std::move(seen)), shape_(shape) {}
+
+  Guess improve(Guess guess, int rounds) const {
+    double damping = 1e-3;
+    guess.cost = cost_of(guess);
+    for (int round = 0; round < rounds && damping < 1e6; ++round) {
+      Normal normal;
+      Step slope;
+      linearise(guess, normal, slope);
+      bool better = false;
+      while (!better && damping < 1e6) {
+        Normal damped = normal;
+        damped.diagonal() *= 1 + damping;
+        damped.diagonal().array() += 1e-9;
+        const Guess next = moved(guess, damped.ldlt().solve(-slope));
+        better = next.cost < guess.cost;
+        damping *= better ? 0.3 : 5;
+        if (!better) continue;
+        const bool settled = guess.cost - next.cost < 1e-5 * guess.cost;
+        guess = next;
+        if (settled) return guess;
+      }
+    }
+    return guess;
+  }
+
+  /// Returns the rms of misses that aren't outliers, as a share of the hand's length.
+  double miss_of(const Guess& guess) const {
+    double sum = 0, weights = 0;
+    for_points(guess, [&](const Vec2& miss, double weight) {
+      const double square = miss.squaredNorm() * usual_miss * usual_miss;
+      sum += weight * square;
+      weights += weight;
+    });
+    return std::sqrt(sum / weights);
+  }
+
+ private:
+  /// Calls `use` with each point's miss, in units of the usual one, and its weight.
+  template <typename Use>
+  void for_points(const Guess& guess, const Use& use) const {
+    const auto points = points_of_hand(shape_.hand, guess.flexion);
+    for (const Seen& seen : seen_) {
+      const Pose camera_wrist = seen.camera_rig * guess.wrist;
+      for (std::size_t k = 0; k < hand_points; ++k) {
+        const Vec3 x = camera_wrist * Vec3(shape_.size * points[k]);
+        const double z = std::max(x.z(), 0.01);
+        use(Vec2((x.head<2>() / z - seen.directions[k]) / (usual_miss * seen.length)), weight_of(k));
+      }
+    }
+  }
+
+  double cost_of(const Guess& guess) const {
+    double out = 0;
+    for_points(guess, [&](const Vec2& miss, double weight) {
+      out += weight * std::log1p(miss.squaredNorm() / 4) * 4;
+    });
+    for (const double bend : guess.flexion)
+      out += (bend - usual_bend) * (bend - usual_bend) / (bend_spread * bend_spread);
+    return out;
+  }
+
+  /// Turns about the middle of the palm, so that turns and shifts hardly depend on each other.
+  Guess moved(const Guess& from, const Step& step) const {
+    Guess out = from;
+    const Vec3 middle = from.wrist * Vec3(shape_.size * hand_palm(shape_.hand).center);
+    const Vec3 turn = step.segment<3>(3);
+    const double angle = turn.norm();
+    const Quat q = angle > 0 ? Quat(Eigen::AngleAxisd(angle, turn / angle)) : Quat::Identity();
+    out.wrist.q = (q * from.wrist.q).normalized();
+    out.wrist.p = middle + q * (from.wrist.p - middle) + step.head<3>();
+    for (std::size_t f = 0; f < fingers; ++f)
+      out.flexion[f] = std::clamp(from.flexion[f] + step[6 + static_cast<Eigen::Index>(f)], 0.0, 1.0);
+    out.cost = cost_of(out);
+    return out;
+  }
+
+  std::vector<double> misses(const Guess& guess) const {
+    std::vector<double> out;
+    for_points(guess, [&](const Vec2& miss, double) {
+      out.push_back(miss.x());
+      out.push_back(miss.y());
+    });
+    return out;
+  }
+
+  void linearise(const Guess& guess, Normal& normal, Step& slope) const {
+    const std::vector<double> here = misses(guess);
+    const auto rows = static_cast<Eigen::Index>(here.size());
+    Eigen::MatrixXd by(rows, unknowns);
+    for (Eigen::Index k = 0; k < unknowns; ++k) {
+      Step step = Step::Zero();
+      // Bends end at 0 and 1: differences go inwards.
+      const double bend = k < 6 ? 0 : guess.flexion[static_cast<std::size_t>(k - 6)];
+      step[k] = k < 3 ? 1e-5 : k < 6 ? 1e-4 : bend > 0.5 ? -1e-4 : 1e-4;
+      const std::vector<double> there = misses(moved(guess, step));
+      for (Eigen::Index r = 0; r < rows; ++r)
+        by(r, k) = (there[static_cast<std::size_t>(r)] - here[static_cast<std::size_t>(r)]) / step[k];
+    }
+    Eigen::VectorXd weights(rows), miss(rows);
+    Eigen::Index row = 0;
+    for_points(guess, [&](const Vec2& m, double weight) {
+      const double robust = weight / (1 + m.squaredNorm() / 4);
+      for (Eigen::Index c = 0; c < 2; ++c, ++row) {
+        weights[row] = robust;
+        miss[row] = m[c];
+      }
+    });
+    normal = by.transpose() * weights.asDiagonal() * by;
+    slope = by.transpose() * weights.cwiseProduct(miss);
+    for (std::size_t f = 0; f < fingers; ++f) {
+      const auto at = 6 + static_cast<Eigen::Index>(f);
+      normal(at, at) += 1 / (bend_spread * bend_spread);
+      slope[at] += (guess.flexion[f] - usual_bend) / (bend_spread * bend_spread);
+    }
+  }
+
+  std::vector<Seen> seen_;
+  HandShape shape_;
+};
+
+/// Returns the two poses in the camera's frame in which the flat of the hand, seen from far, has its points
+/// where they are.
+std::vector<Pose> flat_poses(const Seen& seen, const HandShape& shape) {
+  const auto points = points_of_hand(shape.hand, {});
+  Vec2 mean_seen = Vec2::Zero(), mean_flat = Vec2::Zero();
+  for (const std::size_t k : flat_points) {
+    mean_seen += seen.directions[k] / static_cast<double>(flat_points.size());
+    mean_flat += shape.size * Vec2(points[k].x(), points[k].z()) / static_cast<double>(flat_points.size());
+  }
+  Eigen::Matrix2d across = Eigen::Matrix2d::Zero(), square = across;
+  for (const std::size_t k : flat_points) {
+    const Vec2 flat = shape.size * Vec2(points[k].x(), points[k].z()) - mean_flat;
+    across += (seen.directions[k] - mean_seen) * flat.transpose();
+    square += flat * flat.transpose();
+  }
+  const Eigen::Matrix2d map = across * square.inverse();  // columns: where x and z of the hand go
+  const double a = map.col(0).squaredNorm(), b = map.col(1).squaredNorm(), c = map.col(0).dot(map.col(1));
+  // Both axes are as long in space: a + s² = b + t², c + s·t = 0.
+  const double scale2 = (a + b + std::sqrt((a - b) * (a - b) + 4 * c * c)) / 2;
+  if (!(scale2 > 1 / (farthest_hand * farthest_hand)) || !std::isfinite(scale2)) return {};
+  const double scale = std::sqrt(scale2), s = std::sqrt(std::max(scale2 - a, 0.0)),
+               t = (c > 0 ? -1 : 1) * std::sqrt(std::max(scale2 - b, 0.0));
+  std::vector<Pose> out;
+  for (const double sign : {1.0, -1.0}) {
+    Vec3 x(map(0, 0), map(1, 0), sign * s), z(map(0, 1), map(1, 1), sign * t);
+    x.normalize();
+    z = (z - z.dot(x) * x).normalized();
+    Mat3 turn;
+    turn << x, z.cross(x), z;
+    const double depth = std::max(1 / scale, nearest_hand);
+    Pose pose;
+    pose.q = Quat(turn).normalized();
+    pose.p = depth * Vec3(mean_seen.x(), mean_seen.y(), 1) - pose.q * Vec3(mean_flat.x(), 0, mean_flat.y());
+    out.push_back(pose);
+  }
+  return out;
+}
+
+std::optional<Seen> seen_by(const HandView& view) {
+  Seen out;
+  out.camera_rig = view.camera_rig;
+  for (std::size_t k = 0; k < hand_points; ++k) {
+    out.directions[k] = view.lens.ray(view.points[k]).head<2>();
+    if (!out.directions[k].allFinite()) return std::nullopt;
+  }
+  // The palm is 94 of 190 mm long; a hand that points at the camera still has its breadth.
+  const double palm = (out.directions[9] - out.directions[0]).norm(),
+               breadth = (out.directions[17] - out.directions[5]).norm();
+  out.length = std::max({2.0 * palm, 3.1 * breadth, 1e-3});
+  return out;
+}
+
+}  // namespace
+
+std::array<Vec3, hand_points> points_of_hand(std::size_t hand, const std::array<double, fingers>& flexion) {
+  const auto pose = hand_pose(hand, flexion);
+  const auto& segments = hand_segments(hand);
+  const double side = hand == right_hand ? 1 : -1;
+  std::array<Vec3, hand_points> out;
+  for (std::size_t k = 0; k < hand_points; ++k) {
+    const SeenPoint& seen = seen_points[k];
+    Vec3 at = seen.offset;
+    at.x() *= side;
+    if (seen.at_end) at.z() -= segments[seen.joint].length;
+    out[k] = seen.joint == of_the_wrist ? at : pose[seen.joint] * at;
+  }
+  return out;
+}
+
+std::optional<HandFit> fit_hand(std::span<const HandView> views, const HandShape& shape,
+                                const std::optional<HandFit>& before) {
+  std::vector<Seen> seen;
+  for (const HandView& view : views)
+    if (const auto one = seen_by(view)) seen.push_back(*one);
+  if (seen.empty()) return std::nullopt;
+  const HandProblem problem(seen, shape);
+  std::vector<Guess> guesses;
+  if (before) {
+    guesses.push_back(problem.improve({before->wrist, before->flexion}, quick_rounds));
+    guesses.back().cost *= trust_before;
+  }
+  for (const Pose& camera_wrist : flat_poses(seen[0], shape))
+    for (const double bend : {0.2, 0.7}) {
+      std::array<double, fingers> all;
+      all.fill(bend);
+      guesses.push_back(problem.improve({seen[0].camera_rig.inverse() * camera_wrist, all}, quick_rounds));
+    }
+  if (guesses.empty()) return std::nullopt;
+  std::sort(guesses.begin(), guesses.end(), [](const Guess& a, const Guess& b) { return a.cost < b.cost; });
+  const Guess best = problem.improve(guesses[0], last_rounds);
+  const bool rivalled = !before && std::any_of(guesses.begin(), guesses.end(), [&](const Guess& other) {
+    return other.cost < as_good * best.cost && other.wrist.q.angularDistance(best.wrist.q) > other_pose;
+  });
+  HandFit out{best.wrist, best.flexion, problem.miss_of(best), false};
+  const double depth = (seen[0].camera_rig * best.wrist).p.z();
+  out.sure = is_finite(best.wrist) && out.miss < most_miss && depth > nearest_hand && depth < farthest_hand &&
+             !rivalled;
+  return out;
+}
+
+}  // namespace prosector

@@ -1,0 +1,85 @@
+#include "drivers/camera/hands/hand_tracker.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace prosector {
+namespace {
+
+constexpr std::int64_t at_once_ns = 20'000'000;   // pictures of two cameras this near in time show one hand
+constexpr std::int64_t forgets_ns = 300'000'000;  // without a pose the next one is looked for anew
+// Bends are smoothed by a low-pass whose cut-off grows with their speed, as poses are.
+constexpr double bend_least = 2, bend_beta = 3, bend_speed_cut = 2;  // Hz, Hz for each 1/s, Hz
+
+double share_of(double cut, double seconds) {
+  return 1 / (1 + 1 / (2 * std::numbers::pi * cut * seconds));
+}
+
+}  // namespace
+
+HandTracker::HandTracker(const std::filesystem::path& nets, HandNets effort, std::size_t cameras, double size)
+    : size_(size) {
+  for (std::size_t k = 0; k < cameras; ++k) cameras_.push_back({HandFinder(nets, effort), {}, {}});
+}
+
+void HandTracker::set_eye(std::size_t camera, const HandEye& eye) {
+  Camera& it = cameras_.at(camera);
+  it.eye = eye;
+  it.hands = {};
+  it.finder.forget();
+}
+
+void HandTracker::note(Camera& camera, const Frame& frame) {
+  for (const FoundHand& found : camera.finder.find(frame.image))
+    camera.hands[found.left ? left_hand : right_hand] = Seen{frame.time_ns, found.points};
+}
+
+/// Tells whether poses of a hand come with this camera's pictures: with the first camera's that sees it.
+bool HandTracker::leads(std::size_t camera, std::size_t hand, std::int64_t now_ns) const {
+  for (std::size_t before = 0; before < camera; ++before)
+    if (const auto& seen = cameras_[before].hands[hand]; seen && now_ns - seen->time_ns < forgets_ns)
+      return false;
+  return true;
+}
+
+void HandTracker::smooth(Way& way, const std::array<double, fingers>& flexion, double seconds) {
+  if (!way.before || seconds <= 0) {
+    way.bends = flexion;
+    way.speeds = {};
+    return;
+  }
+  for (std::size_t f = 0; f < fingers; ++f) {
+    const double speed = (flexion[f] - way.bends[f]) / seconds;
+    way.speeds[f] += share_of(bend_speed_cut, seconds) * (speed - way.speeds[f]);
+    way.bends[f] +=
+        share_of(bend_least + bend_beta * std::abs(way.speeds[f]), seconds) * (flexion[f] - way.bends[f]);
+  }
+}
+
+std::optional<TrackedHand> HandTracker::fit(std::size_t camera, std::size_t hand, std::int64_t now_ns) {
+  const auto& mine = cameras_[camera].hands[hand];
+  if (!mine || mine->time_ns != now_ns || !leads(camera, hand, now_ns)) return std::nullopt;
+  std::vector<HandView> views = {{mine->points, cameras_[camera].eye.lens, cameras_[camera].eye.camera_rig}};
+  for (const Camera& other : cameras_)
+    if (&other != &cameras_[camera])
+      if (const auto& seen = other.hands[hand]; seen && std::abs(now_ns - seen->time_ns) < at_once_ns)
+        views.push_back({seen->points, other.eye.lens, other.eye.camera_rig});
+  Way& way = ways_[hand];
+  if (now_ns - way.time_ns > forgets_ns) way.before.reset();
+  const auto fitted = fit_hand(views, {hand, size_}, way.before);
+  if (!fitted || !fitted->sure) return std::nullopt;
+  smooth(way, fitted->flexion, 1e-9 * static_cast<double>(now_ns - way.time_ns));
+  way.before = fitted;
+  way.time_ns = now_ns;
+  return TrackedHand{hand, way.filter.update(fitted->wrist, now_ns), way.bends, fitted->miss, views.size()};
+}
+
+std::vector<TrackedHand> HandTracker::see(std::size_t camera, const Frame& frame) {
+  note(cameras_.at(camera), frame);
+  std::vector<TrackedHand> out;
+  for (const std::size_t hand : {right_hand, left_hand})
+    if (const auto tracked = fit(camera, hand, frame.time_ns)) out.push_back(*tracked);
+  return out;
+}
+
+}  // namespace prosector

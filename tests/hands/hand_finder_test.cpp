@@ -1,0 +1,142 @@
+// Bare hands found in pictures of our own, and what pictures without hands do.
+#include "drivers/camera/hands/hand_finder.h"
+
+#include <gtest/gtest.h>
+
+#include "common/error.h"
+#include "tests/hands/hand_trial.h"
+
+namespace prosector {
+namespace {
+
+const HandPainter& painter() {
+  static const HandPainter made;
+  return made;
+}
+
+class FetchedNets : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (nets_.empty()) GTEST_SKIP() << "no palm_full.tflite: deploy/fetch_models.sh";
+  }
+  std::filesystem::path nets_ = fetched_nets();
+};
+
+using HandsInPictures = FetchedNets;
+
+TEST_F(HandsInPictures, AreSeenAtFirstSight) {
+  const HandTrial trial = first_sight(nets_, HandNets::full, painter(), 40, 11);
+  EXPECT_GE(trial.seen, 38u);
+  EXPECT_GE(trial.right_points, 28u)
+      << "palms are taken for backs now and then, and fingers mixed up with them";
+  EXPECT_GE(trial.right_side, 30u);
+  EXPECT_LT(trial.points.at(0.5), 0.025) << "of the hand's length";
+  EXPECT_LT(trial.flexion.at(0.5), 0.08);
+  EXPECT_LT(trial.lateral.at(0.5), 0.007);
+  EXPECT_LT(trial.depth.at(0.5), 0.03);
+}
+
+TEST_F(HandsInPictures, AreFollowedWithoutALoss) {
+  const HandTrial trial = followed_hand(nets_, HandNets::full, painter(), 45, 1, 1);
+  EXPECT_EQ(trial.seen, trial.pictures);
+  EXPECT_GE(trial.right_side, trial.pictures - 2);
+  EXPECT_LE(trial.palm_runs, 1 + trial.pictures / 10)
+      << "looked for once, and now and then for a second hand";
+  EXPECT_LT(trial.flexion.at(0.5), 0.08);
+}
+
+TEST_F(HandsInPictures, AreTwoOfTwoSides) {
+  Random random(5);
+  HandScene scene = random_scene(random, {});
+  scene.light.ambient = 0.5;
+  scene.light.towards = Vec3(0.2, -0.5, -0.8).normalized();
+  scene.wall = {0.1F, 0.15F, 0.2F};
+  BentHand left{left_hand, {}, {0.1, 0.1, 0.1, 0.1, 0.1}}, right = left;
+  right.hand = right_hand;
+  Mat3 upright;  // backs to the camera, fingers up
+  upright << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  const Quat back_shown = (Quat(Eigen::AngleAxisd(3.14159265, Vec3::UnitY())) * Quat(upright)).normalized();
+  left.camera_wrist = {Vec3(-0.12, 0.08, 0.5), back_shown};
+  right.camera_wrist = {Vec3(0.12, 0.08, 0.5), back_shown};
+  scene.hands = {left, right};
+  HandFinder finder(nets_, HandNets::full);
+  for (int k = 0; k < 3; ++k) {
+    const auto hands = finder.find(painter().paint(scene, random));
+    ASSERT_EQ(hands.size(), 2u);
+    EXPECT_NE(hands[0].left, hands[1].left);
+    for (const FoundHand& hand : hands) {
+      const auto truth = true_points(scene, scene.hands[hand.points[9].x() < 320 ? 0 : 1]);
+      EXPECT_LT((hand.points[9] - truth[9]).norm(), 12) << "pixels";
+    }
+  }
+}
+
+TEST_F(HandsInPictures, AreNoneInPicturesOfNothing) {
+  HandFinder finder(nets_, HandNets::lite);
+  Random random(6);
+  std::vector<Image> pictures = {
+      {}, {640, 480, {}}, {-3, 5, {}}, {1, 1, {1, 2, 3}}, {640, 480, std::vector<std::uint8_t>(640 * 480)}};
+  pictures.push_back({320, 240, std::vector<std::uint8_t>(320 * 240 * 3)});
+  pictures.push_back(pictures.back());
+  for (auto& byte : pictures.back().rgb) byte = static_cast<std::uint8_t>(random.below(256));
+  for (const Image& picture : pictures) EXPECT_TRUE(finder.find(picture).empty()) << picture.width;
+}
+
+TEST_F(HandsInPictures, ComeBackAfterABlackPicture) {
+  HandFinder finder(nets_, HandNets::lite);
+  Random random(7);
+  HandScene scene = random_scene(random, random_hand(random, 0.4, 0.5));
+  scene.hands[0].flexion = {};
+  const Image good = painter().paint(scene, random);
+  Image small{320, 240, std::vector<std::uint8_t>(320 * 240 * 3)}, black = good;
+  std::fill(black.rgb.begin(), black.rgb.end(), std::uint8_t{0});
+  ASSERT_EQ(finder.find(good).size(), 1u);
+  EXPECT_TRUE(finder.find(black).empty());
+  EXPECT_TRUE(finder.find(small).empty());
+  EXPECT_EQ(finder.find(good).size(), 1u);
+}
+
+TEST(HandFinder, SaysWhatItNeeds) {
+  try {
+    HandFinder("/nowhere", HandNets::full);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("/nowhere/palm_full.tflite"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("deploy/fetch_models.sh"), std::string::npos);
+  }
+}
+
+TEST(PictureRegion, TakesATurnedSquare) {
+  Image image{64, 48, {}};
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 64; ++x)
+      for (const int c : {4 * x, 5 * y, 128}) image.rgb.push_back(static_cast<std::uint8_t>(c));
+  Random random(8);
+  for (int k = 0; k < 50; ++k) {
+    const PictureRegion region{
+        {random.uniform(25, 38), random.uniform(20, 28)}, random.uniform(10, 20), random.uniform(-3, 3)};
+    const std::size_t size = 4 + random.below(20);
+    std::vector<float> out(3 * size * size);
+    sample_region(image, region, size, Outside::black, out);
+    for (std::size_t p = 0; p < size * size; ++p) {
+      const auto n = static_cast<double>(size);
+      const Vec2 at = region.pixel(
+          {(static_cast<double>(p % size) + 0.5) / n, (static_cast<double>(p / size) + 0.5) / n});
+      ASSERT_NEAR(255 * out[3 * p], 4 * at.x(), 0.01);
+      ASSERT_NEAR(255 * out[3 * p + 1], 5 * at.y(), 0.01);
+      ASSERT_NEAR(255 * out[3 * p + 2], 128, 0.01);
+    }
+  }
+}
+
+TEST(PictureRegion, IsBlackOrItsEdgeOutside) {
+  Image image{8, 8, std::vector<std::uint8_t>(8 * 8 * 3, 200)};
+  std::vector<float> out(3 * 16);
+  for (const Outside outside : {Outside::black, Outside::edge}) {
+    sample_region(image, {{1e5, -1e5}, 16, 0.3}, 4, outside, out);
+    for (const float x : out) EXPECT_NEAR(255 * x, outside == Outside::black ? 0 : 200, 0.01);
+  }
+}
+
+}  // namespace
+}  // namespace prosector

@@ -1,0 +1,162 @@
+// Bare hands as a device: what comes of pictures in a row, of two cameras, of a synthetic camera in real
+// time.
+#include "drivers/camera/hands/hands_device.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <thread>
+
+#include "common/clock.h"
+#include "common/error.h"
+#include "tests/hands/hand_trial.h"
+
+namespace prosector {
+namespace {
+
+const HandPainter& shown_by() {
+  static const HandPainter made;
+  return made;
+}
+
+class BareHands : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (nets_.empty()) GTEST_SKIP() << "no palm_full.tflite: deploy/fetch_models.sh";
+    scene_.lens = webcam();
+    scene_.wall = {0.08F, 0.12F, 0.16F};
+    scene_.light.towards = Vec3(0.3, -0.6, -0.75).normalized();
+    Mat3 upright;  // the back to the camera, fingers up
+    upright << -1, 0, 0, 0, 0, -1, 0, -1, 0;
+    hand_.camera_wrist = {Vec3(0.03, 0.08, 0.5), Quat(upright).normalized()};
+    hand_.flexion = {0.5, 0.05, 0.9, 0.9, 0.9};
+  }
+  Frame frame(std::uint64_t number, const Pose& camera_rig = {}) {
+    scene_.hands = {hand_};
+    scene_.camera_rig = camera_rig;
+    return {shown_by().paint(scene_, random_), static_cast<std::int64_t>(number) * 33'333'333 + 1'000'000'000,
+            number};
+  }
+  Vec3 off(const TrackedHand& tracked) const {
+    return tracked.wrist * hand_palm(hand_.hand).center - hand_.camera_wrist * hand_palm(hand_.hand).center;
+  }
+
+  std::filesystem::path nets_ = fetched_nets();
+  Random random_{31};
+  HandScene scene_;
+  BentHand hand_;
+};
+
+TEST_F(BareHands, RestWhereTheyAre) {
+  HandTracker tracker(nets_, HandNets::full, 1, 1);
+  tracker.set_eye(0, {webcam(), {}});
+  std::vector<Vec3> places;
+  for (std::uint64_t k = 0; k < 20; ++k) {
+    const auto hands = tracker.see(0, frame(k));
+    ASSERT_EQ(hands.size(), 1u) << k;
+    EXPECT_EQ(hands[0].hand, right_hand);
+    places.push_back(off(hands[0]));
+    for (std::size_t f = 1; f < fingers; ++f) EXPECT_NEAR(hands[0].flexion[f], hand_.flexion[f], 0.25) << f;
+  }
+  EXPECT_LT(places.back().head<2>().norm(), 0.01) << "m";
+  EXPECT_LT(std::abs(places.back().z()), 0.04) << "m";
+  double sway = 0;
+  for (std::size_t k = 10; k < places.size(); ++k) sway = std::max(sway, (places[k] - places.back()).norm());
+  EXPECT_LT(sway, 0.01) << "m: smoothed";
+}
+
+TEST_F(BareHands, AreDeeperKnownByTwoCameras) {
+  HandTracker one(nets_, HandNets::full, 1, 1), two(nets_, HandNets::full, 2, 1);
+  const Pose second = {Vec3(-0.12, 0, 0), Quat::Identity()};
+  one.set_eye(0, {webcam(), {}});
+  two.set_eye(0, {webcam(), {}});
+  two.set_eye(1, {webcam(), second});
+  double depth_one = 0, depth_two = 0;
+  std::size_t by_two = 0;
+  for (std::uint64_t k = 0; k < 12; ++k) {
+    hand_.camera_wrist.p.z() = 0.45 + 0.005 * static_cast<double>(k);
+    EXPECT_TRUE(two.see(1, frame(k, second)).empty() || k == 0)
+        << "the first camera's pictures give the poses";
+    const Frame first = frame(k);
+    for (const TrackedHand& hand : one.see(0, first)) depth_one += std::abs(off(hand).z());
+    for (const TrackedHand& hand : two.see(0, first)) {
+      depth_two += std::abs(off(hand).z());
+      by_two += hand.cameras == 2;
+    }
+  }
+  EXPECT_GE(by_two, 11u);
+  EXPECT_LT(depth_two, depth_one);
+  EXPECT_LT(depth_two / 12, 0.015) << "m";
+}
+
+TEST_F(BareHands, AreLostWithoutWordsAndFoundAgain) {
+  HandTracker tracker(nets_, HandNets::lite, 1, 1);
+  tracker.set_eye(0, {webcam(), {}});
+  ASSERT_EQ(tracker.see(0, frame(0)).size(), 1u);
+  Frame torn = frame(1);
+  torn.image.rgb.resize(1000);
+  EXPECT_TRUE(tracker.see(0, torn).empty());
+  EXPECT_TRUE(tracker.see(0, {{}, 1, 2}).empty());
+  EXPECT_EQ(tracker.see(0, frame(40)).size(), 1u);
+}
+
+TEST_F(BareHands, ComeFromASyntheticCameraInRealTime) {
+  const std::filesystem::path folder = testing::TempDir();
+  std::ofstream(folder / "bare_hands.csv")
+      << "time,station,x,y,z,qw,qx,qy,qz,thumb,index,middle,ring,little\n"
+         "0,1,0.1,1,0,0.70710678,0.70710678,0,0,0.2,0.05,0.9,0.9,0.9\n"
+         "0,2,-0.1,1,0,0.70710678,0.70710678,0,0,0.1,0.05,0.05,0.05,0.05\n";
+  std::ofstream(folder / "bare_hands.toml")
+      << "ambient = 0.6\n[[camera]]\nrate = 15\nrays = 1\ndistortion = [-0.18, 0, 0, 0, 0]\n"
+         "position = [0, 1.1, 0.55]\norientation = [1, 0, 0, 0]\n"
+         "[[hand]]\nmotion = \"bare_hands.csv\"\nstation = 1\n"
+         "[[hand]]\nleft = true\nmotion = \"bare_hands.csv\"\nstation = 2\n"
+         "[[fault]]\nkind = \"black\"\nfrom = 1\nto = 1.4\n";
+  DeviceConfig config;
+  config.room_device = {Vec3(0, 1.1, 0.55), Quat::Identity()};
+  const auto device = open_hands("synthetic:" + (folder / "bare_hands.toml").string(), config);
+  std::vector<DeviceSample> samples;
+  const std::int64_t start = monotonic_ns();
+  while (seconds_since(start) < 4) {
+    device->poll(samples);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_EQ(device->status().health, DeviceHealth::streaming) << device->status().message;
+  std::array<std::optional<DeviceSample>, 2> last;
+  for (const DeviceSample& sample : samples) {
+    ASSERT_LT(sample.station, 2u);
+    if (last[sample.station]) {
+      EXPECT_GT(sample.time_ns, last[sample.station]->time_ns);
+      EXPECT_EQ(sample.record, last[sample.station]->record + 1);
+    }
+    last[sample.station] = sample;
+  }
+  for (const std::size_t station : {0u, 1u}) {
+    ASSERT_TRUE(last[station]) << station;
+    EXPECT_TRUE(last[station]->has_pose && last[station]->has_flexion);
+    const Vec3 place = last[station]->pose.p - Vec3(station == 0 ? 0.1 : -0.1, 1, 0);
+    EXPECT_LT(place.head<2>().norm(), 0.02) << "m";
+    EXPECT_LT(std::abs(place.z()), 0.06) << "m, along the camera's axis";
+  }
+  EXPECT_EQ(last[0]->gesture, Gesture::point);
+  EXPECT_EQ(last[1]->gesture, Gesture::flat);
+}
+
+TEST_F(BareHands, SayThatTheCameraIsAway) {
+  const auto device = open_hands("/dev/no-such-camera", {});
+  std::vector<DeviceSample> samples;
+  const std::int64_t start = monotonic_ns();
+  while (device->status().health != DeviceHealth::absent && seconds_since(start) < 3)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  device->poll(samples);
+  EXPECT_TRUE(samples.empty());
+  EXPECT_EQ(device->status().health, DeviceHealth::absent);
+  EXPECT_NE(device->status().message.find("no-such-camera"), std::string::npos);
+}
+
+TEST(HandsDevice, WantsOneCameraOrTwo) {
+  for (const char* path : {"", ",", "0,", "0,1,2"}) EXPECT_THROW(open_hands(path, {}), InputError) << path;
+}
+
+}  // namespace
+}  // namespace prosector
