@@ -87,7 +87,7 @@ inline constexpr std::size_t max_stations = 4;  // receivers of one tracker
 
 /// A board that lies flat, as high as the tables of scenes; its upper side is the far one.
 inline const Pose on_scenes_table = {{0, 0.9, 0},
-                                     Quat(Eigen::AngleAxisd(-std::numbers::pi / 2, Vec3::UnitX()))};
+                                     Quat(std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2, 0, 0)};
 
 /// What a glove's raw counts mean; without one the driver learns each sensor's range from what it sees.
 struct GloveCalibration {
