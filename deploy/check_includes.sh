@@ -40,6 +40,9 @@ forbid "of idl, others include its bus headers only: idl/wire and idl/dds are it
   $(sources '(server|client)/')
 only "of drivers' folders, the client includes what calibration fits" 'drivers/[a-z0-9_]+/' 'drivers/(fitting|camera)/' \
   $(sources client/)
+only "who looks through a camera includes of drivers' folders the camera's" 'drivers/[a-z0-9_]+/' 'drivers/camera/' \
+  $(sources client/ar/)
+forbid "a camera's sight knows neither sessions nor what is drawn with" 'client/(app|replica|render|setup)/' $(sources client/ar/)
 forbid "drivers know nothing of calibration but what it fits" 'drivers/fitting/' $(sources drivers/ '^drivers/fitting/')
 forbid "OpenIGTLink only in drivers/igtl_messages.cpp" 'igtl_(header|tdata|transform|util)\.h' \
   $(sources '(common|idl|drivers|server|client)/' '^drivers/igtl_messages\.cpp$')

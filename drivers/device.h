@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -71,15 +72,22 @@ struct DeviceAddress {
   std::string path;
 };
 
+class SharedCamera;
+
 /// One row of the table of drivers.
 struct DriverRow {
   const char* name;
   const char* help;  // one line for --help
   std::unique_ptr<Device> (*open)(const std::string& path, const struct DeviceConfig& config);
   bool knows_hands = false;  // station 1 is the right hand, station 2 the left one, whatever is configured
+  bool is_camera = false;    // `path` is a camera's address, or those of several with commas
 };
 
 inline constexpr std::size_t max_stations = 4;  // receivers of one tracker
+
+/// A board that lies flat, as high as the tables of scenes; its upper side is the far one.
+inline const Pose on_scenes_table = {{0, 0.9, 0},
+                                     Quat(std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2, 0, 0)};
 
 /// What a glove's raw counts mean; without one the driver learns each sensor's range from what it sees.
 struct GloveCalibration {
@@ -105,8 +113,9 @@ struct DeviceConfig {
   std::array<std::string, max_stations>
       boards{};       // camera: each station's, a known board's name or a file; empty: none
   std::string table;  // camera: the board that lies still and says where the room is; empty: none
-  Pose room_table;    // its pose in the room
-  bool left = false;  // glove: left hand
+  Pose room_table = on_scenes_table;              // its pose in the room
+  std::shared_ptr<SharedCamera> camera = {};      // that others see by, too; null: the device opens its own
+  bool left = false;                              // glove: left hand
   double closed_above = 0.65, open_below = 0.35;  // glove: gesture thresholds, flexion
   double hysteresis = 0.05;                     // glove: how far past its threshold a finger keeps its state
   bool pinch = false;                           // glove: thumb and index closed, the others open, is a pinch

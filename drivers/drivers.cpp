@@ -26,8 +26,9 @@ const std::vector<DriverRow>& drivers() {
       {"spacemouse", "a SpaceMouse by spacenavd's socket, spacemouse:/run/spnav.sock", open_space_mouse},
       {"tags",
        "printed boards before a camera, tags:0, tags:/dev/video0, tags:clip.mkv, tags:synthetic:SCENE.toml",
-       open_tags},
-      {"hands", "bare hands before a camera, or two, hands:CAMERA[,CAMERA] as with tags", open_hands, true},
+       open_tags, false, true},
+      {"hands", "bare hands before a camera, or two, hands:CAMERA[,CAMERA] as with tags", open_hands, true,
+       true},
       {"recorded", "samples from a CSV file, played once, recorded:hand.csv", open_recorded},
       {"recorded-loop", "the same, again and again, recorded-loop:hand.csv", open_recorded_loop},
   };

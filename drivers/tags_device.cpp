@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "common/clock.h"
 #include "common/error.h"
@@ -15,7 +15,6 @@ namespace {
 constexpr std::size_t most_found = 256;  // samples that wait: the oldest goes first
 constexpr std::size_t most_frames = 64;
 constexpr std::int64_t unseen_ns = 1'000'000'000;  // after which it says that it sees no board
-constexpr double shape_tolerance = 0.01;  // by which a picture's shape may differ from the calibrated one's
 
 }  // namespace
 
@@ -29,16 +28,15 @@ void CameraPlace::update(const TagPicture& picture, const TagOptics& optics) {
 }
 
 TagsDevice::TagsDevice(const std::string& camera, const DeviceConfig& config)
-    : is_calibrated_by_file_(!config.lens.empty()), finder_(TagFinderSettings{}), chain_(config) {
-  if (is_calibrated_by_file_) calibration_ = load_calibration(config.lens);
+    : camera_(shared_camera(config.camera, camera)), reader_(camera_->reader(config.lens)), chain_(config) {
   for (std::size_t i = 0; i < max_stations; ++i) {
     if (config.boards[i].empty()) continue;
     stations_.push_back(
         {i, BoardTracker(find_board(config.boards[i])), worn_on(config.boards[i]), PoseFilter{}});
   }
   if (!config.table.empty()) place_.emplace(config.table, config.room_table);
-  thread_ = std::make_unique<CameraThread>(
-      camera, [this](const Camera& opened) { begin(opened); }, [this](const Frame& frame) { see(frame); });
+  seat_ = std::make_unique<SharedCamera::Seat>(
+      *camera_, [this](const Camera& opened) { begin(opened); }, [this](const Frame& frame) { see(frame); });
 }
 
 void TagsDevice::begin(const Camera& camera) {
@@ -46,58 +44,30 @@ void TagsDevice::begin(const Camera& camera) {
     const std::lock_guard lock(mutex_);
     seen_ns_ = monotonic_ns();
   }
-  if (is_calibrated_by_file_) return;
-  const auto lens = camera.lens();
-  calibration_.reset();
-  if (lens) calibration_ = CameraCalibration{camera.identity(), *lens, camera.response(), 0};
-  reading_ = {};
-}
-
-void TagsDevice::make_ready(int width, int height) {
-  if (reading_.width == width && reading_.height == height) return;
-  const CameraCalibration known = calibration_.value_or(guessed_calibration(width, height));
-  const double stretch =
-      static_cast<double>(width) * known.lens.height / (static_cast<double>(height) * known.lens.width);
-  if (std::abs(stretch - 1) > shape_tolerance)
-    throw InputError(
-        fmt::format("pictures are {} × {}, but the camera was calibrated with {} × {}: calibrate it anew, or "
-                    "set it to that size",
-                    width, height, known.lens.width, known.lens.height));
-  Reading next;
-  next.optics.bent = known.lens.scaled(width, height);
-  next.optics.response = known.response;
-  next.straightener = std::make_unique<Straightener>(next.optics.bent);
-  next.optics.straight = next.straightener->lens();
-  next.width = width;
-  next.height = height;
-  reading_ = std::move(next);
-  for (Station& station : stations_) station.tracker.forget();
+  reader_->begin(camera);
 }
 
 void TagsDevice::see(const Frame& frame) {
   {
     const std::lock_guard lock(mutex_);
     if (frames_ns_.size() < most_frames) frames_ns_.push_back(frame.time_ns);
-    is_guessed_ = !calibration_;
+    is_guessed_ = reader_->is_guessed();
   }
-  make_ready(frame.image.width, frame.image.height);
-  TagPicture picture;
-  picture.bent = grey_of(frame.image);
-  picture.straight = reading_.straightener->straight(picture.bent);
-  picture.tags = finder_.find(picture.straight);
-  picture.time_ns = frame.time_ns;
-  if (place_) place_->update(picture, reading_.optics);
+  const TagPicture& picture = reader_->read(frame);
+  if (std::exchange(changes_, reader_->changes()) != reader_->changes())
+    for (Station& station : stations_) station.tracker.forget();
+  if (place_ && !camera_->room_camera()) place_->update(picture, reader_->optics());
   std::vector<DeviceSample> found;
   std::string trouble;
   for (Station& station : stations_) {
-    const auto seen = station.tracker.update(picture, reading_.optics);
+    const auto seen = station.tracker.update(picture, reader_->optics());
     if (seen) found.push_back(sample_of(station, *seen, frame.time_ns));
     int twice = 0;
     (void)corners_seen(station.tracker.board(), picture.tags, &twice);
     if (twice > 0)
       trouble = fmt::format("board {} is seen twice: put the other copy away", station.tracker.board().name);
   }
-  if (place_ && !place_->room_camera()) {
+  if (place_ && !room_camera()) {
     found.clear();
     trouble = "the table's board hasn't been seen yet, so nobody knows where the camera is";
   }
@@ -108,6 +78,12 @@ void TagsDevice::see(const Frame& frame) {
   }
   if (!found.empty()) seen_ns_ = frame.time_ns;
   trouble_ = std::move(trouble);
+}
+
+/// Returns where the camera stood: as others know it who look by it, too, else by the table's board.
+std::optional<Pose> TagsDevice::room_camera() const {
+  if (const auto known = camera_->room_camera()) return known;
+  return place_ ? place_->room_camera() : std::nullopt;
 }
 
 DeviceSample TagsDevice::sample_of(Station& station, const TrackedBoard& seen, std::int64_t time_ns) const {
@@ -121,16 +97,15 @@ DeviceSample TagsDevice::sample_of(Station& station, const TrackedBoard& seen, s
   const std::array<double, 4> q = {device.q.w(), device.q.x(), device.q.y(), device.q.z()};
   for (std::size_t i = 0; i < 4; ++i) out.raw_pose[3 + i] = static_cast<float>(q[i]);
   const Pose worn = device * station.worn;
-  const bool by_table = place_ && place_->room_camera();
+  const std::optional<Pose> camera = room_camera();
   out.pose = station.filter.update(
-      by_table ? chain_.from(*place_->room_camera() * device_camera, worn, station.index)
-               : chain_.room(worn, station.index),
+      camera ? chain_.from(*camera * device_camera, worn, station.index) : chain_.room(worn, station.index),
       time_ns);
   return out;
 }
 
 void TagsDevice::poll(std::vector<DeviceSample>& out) {
-  const CameraState camera = thread_->state();
+  const CameraState camera = camera_->state();
   const std::int64_t now_ns = monotonic_ns();
   if (camera.opened > opened_) health_.opened(now_ns);
   opened_ = camera.opened;
@@ -146,7 +121,7 @@ void TagsDevice::poll(std::vector<DeviceSample>& out) {
 }
 
 DeviceStatus TagsDevice::status() const {
-  const CameraState camera = thread_->state();
+  const CameraState camera = camera_->state();
   DeviceStatus out = health_.status(monotonic_ns());
   const std::lock_guard lock(mutex_);
   if (!camera.problem.empty())

@@ -8,12 +8,10 @@
 #include <optional>
 #include <string>
 
-#include "drivers/camera/camera_calibration.h"
-#include "drivers/camera/camera_thread.h"
 #include "drivers/camera/one_euro.h"
-#include "drivers/camera/straightener.h"
-#include "drivers/camera/tags/board_tracker.h"
+#include "drivers/camera/shared_camera.h"
 #include "drivers/camera/tags/known_boards.h"
+#include "drivers/camera/tags/tag_reader.h"
 #include "drivers/health_monitor.h"
 #include "drivers/pose_chain.h"
 
@@ -37,8 +35,8 @@ class CameraPlace {
 
 class TagsDevice final : public Device {
  public:
-  /// Opens the camera on a thread of its own. Throws InputError where a board, a lens' file or a field map
-  /// can't be read.
+  /// Opens the camera on a thread of its own, unless the configuration has one that others see by, too.
+  /// Throws InputError where a board, a lens' file or a field map can't be read.
   TagsDevice(const std::string& camera, const DeviceConfig& config);
 
   void poll(std::vector<DeviceSample>& out) override;
@@ -54,23 +52,16 @@ class TagsDevice final : public Device {
     PoseFilter filter;
     std::uint64_t records = 0;
   };
-  /// How this size of pictures is read.
-  struct Reading {
-    TagOptics optics;
-    std::unique_ptr<Straightener> straightener;
-    int width = 0, height = 0;
-  };
-
   void begin(const Camera& camera);
   void see(const Frame& frame);
-  void make_ready(int width, int height);
+  std::optional<Pose> room_camera() const;
   DeviceSample sample_of(Station& station, const TrackedBoard& seen, std::int64_t time_ns) const;
 
+  const std::shared_ptr<SharedCamera> camera_;
+
   // Only the camera's thread uses these.
-  std::optional<CameraCalibration> calibration_;  // from a file, or the synthetic camera's own
-  const bool is_calibrated_by_file_;
-  TagFinder finder_;
-  Reading reading_;
+  const std::shared_ptr<TagReader> reader_;
+  int changes_ = 0;  // of the reader that trackers know of
   std::vector<Station> stations_;
   std::optional<CameraPlace> place_;
   PoseChain chain_;
@@ -84,7 +75,7 @@ class TagsDevice final : public Device {
 
   HealthMonitor health_;  // of who polls, as is the next
   std::uint64_t opened_ = 0;
-  std::unique_ptr<CameraThread> thread_;  // last: it uses what is above
+  std::unique_ptr<SharedCamera::Seat> seat_;  // last: it uses what is above
 };
 
 /// Opens boards before a camera, "tags:0".

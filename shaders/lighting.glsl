@@ -114,8 +114,8 @@ float shadow_at(vec4 clip) {
 
 // Towards the light, and what arrives from there. A point or spot light of intensity 1 lights a surface that
 // faces it at 1 m as a directional light of intensity 1 does.
-// `width`: how wide it is seen, as ggx() takes it.
-vec3 arriving(int k, int kind, vec3 place, out vec3 towards, out float width) {
+// `width`: how wide it is seen, as ggx() takes it. Shadows are left out.
+vec3 sent(int k, int kind, vec3 place, out vec3 towards, out float width) {
   if (kind == 0) {
     towards = -light_direction[k].xyz;
     width = 0.0;
@@ -131,11 +131,40 @@ vec3 arriving(int k, int kind, vec3 place, out vec3 towards, out float width) {
     float cosine = -dot(towards, light_direction[k].xyz);
     light *= smoothstep(light_direction[k].w, light_color[k].w, cosine);
   }
-#if SHADOW_LIGHT >= 0
-  if (k == SHADOW_LIGHT) light *= shadow_at(shadow_place);
-#endif
   return light;
 }
+
+float unshadowed(int k) {
+#if SHADOW_LIGHT >= 0
+  if (k == SHADOW_LIGHT) return shadow_at(shadow_place);
+#endif
+  return 1.0;
+}
+
+vec3 arriving(int k, int kind, vec3 place, out vec3 towards, out float width) {
+  vec3 light = sent(k, kind, place, towards, width);
+  return unshadowed(k) * light;
+}
+
+#ifdef GROUND
+void add_share(inout vec3 all, inout vec3 left, int k, int kind, vec3 place, vec3 normal) {
+  vec3 towards;
+  float width;
+  vec3 light = sent(k, kind, place, towards, width);
+  light *= max(dot(normal, towards), 0.0);
+  all += light;
+  left += unshadowed(k) * light;
+}
+
+// What shadows leave of the light that falls on a place.
+vec3 share_of_light(vec3 place, vec3 normal) {
+  vec3 all = surroundings(normal);
+  vec3 left = all;
+#define ADD_SHARE(K, KIND) add_share(all, left, K, KIND, place, normal);
+  EACH_LIGHT(ADD_SHARE)
+  return left / max(all, vec3(1e-6));
+}
+#endif
 
 struct Radiance {
   vec3 base;

@@ -45,6 +45,9 @@ void main() {
   float through = abs(dot(smooth_normal, normalize(eye - room_place)));
   float left = mix(1.0, 0.5, rest_place.x) * (1.0 - smoothstep(0.85, 1.0, rest_place.x));
   color = with_brightness(brightness * base_color * through * through * left);
+#elif defined(GROUND)
+  // Multiplied with the camera's picture, which is encoded alike: by a power law products stay products.
+  color = with_brightness(srgb(share_of_light(room_place, smooth_normal)));
 #elif defined(PAINTED)
   // Lit from the eye alone and not tone mapped, so that colours are those of the legend.
   float facing = abs(dot(smooth_normal, normalize(eye - room_place)));

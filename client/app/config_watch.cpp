@@ -27,6 +27,7 @@ ClientConfig ConfigSource::read() const {
        {out.tracker, out.gloves[left_hand].address, out.gloves[right_hand].address})
     if (!address.empty()) (void)parse_device_address(address);
   if (!out.arm.address.empty()) (void)parse_arm_address(out.arm.address);
+  out.tracker_device.camera = camera;
   return out;
 }
 

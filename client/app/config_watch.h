@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -14,6 +15,7 @@ namespace prosector {
 struct ConfigSource {
   std::filesystem::path file;  // empty: none
   std::string tracker, left_glove, right_glove, arm;
+  std::shared_ptr<SharedCamera> camera = {};  // that the display sees by, and trackers, too; null: none
 
   /// Reads it. Throws InputError for a file or an address that isn't allowed.
   ClientConfig read() const;

@@ -28,7 +28,7 @@ const std::map<std::string, Display> displays = {
     {"offscreen", Display::offscreen}, {"osmesa", Display::osmesa}, {"none", Display::none}};
 
 struct RawOptions {
-  std::string tracker, glove, glove_left, arm, config, size, user_name, language,
+  std::string tracker, glove, glove_left, arm, config, size, camera, user_name, language,
       display = "window", quality = "medium", show = "none";
   std::optional<std::string> lan;  // empty: the only network that there is
   std::vector<std::string> screenshots, effects, offers;
@@ -88,8 +88,13 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option(
          "--display", raw.display,
          "window, stereo or stereo:PROFILE (side by side; a name in deploy/stereo, or a file), openxr (a "
-         "headset, with head and hands), offscreen, osmesa, none")
+         "headset, with head and hands), ar or ar:offscreen (what a camera sees, the scene on its table), "
+         "offscreen, osmesa, none")
       ->capture_default_str()
+      ->group("Pictures");
+  app.add_option("--camera", raw.camera,
+                 "With --display ar: /dev/video0, a number, a video's file, a stream, or "
+                 "synthetic:SCENE.toml (default: the tracker's, where that is a camera's)")
       ->group("Pictures");
   app.add_option("--quality", raw.quality, "Of pictures: low, medium, high")
       ->capture_default_str()
@@ -240,18 +245,25 @@ void parse_size(const std::string& text, int& width, int& height) {
     throw InputError("--size " + text + ": give WIDTHxHEIGHT, each 16 to 8192, for instance 800x600");
 }
 
-/// Reads DISPLAY or stereo:PROFILE; a profile brings its picture size.
-void parse_display(const std::string& text, ClientOptions& o) {
+/// Reads DISPLAY, stereo:PROFILE or ar:DISPLAY; a profile brings its picture size. Returns whether it is to
+/// be looked through a camera.
+bool parse_display(const std::string& text, ClientOptions& o) {
   const auto colon = text.find(':');
+  if (text == "ar" || text == "ar:offscreen") {
+    o.display = text == "ar" ? Display::window : Display::offscreen;
+    return true;
+  }
   const auto found = displays.find(text.substr(0, colon));
   if (found == displays.end() || (colon != std::string::npos && found->second != Display::stereo))
     throw InputError("--display " + text +
-                     ": give window, stereo, stereo:PROFILE, openxr, offscreen, osmesa or none");
+                     ": give window, stereo, stereo:PROFILE, openxr, ar, ar:offscreen, offscreen, osmesa or "
+                     "none");
   o.display = found->second;
-  if (o.display != Display::stereo) return;
+  if (o.display != Display::stereo) return false;
   if (colon != std::string::npos) o.stereo = load_stereo_profile(text.substr(colon + 1));
   o.width = o.stereo.picture_width();
   o.height = o.stereo.picture_height();
+  return false;
 }
 
 void parse_effect(const std::string& text, EffectSet& effects) {
@@ -346,6 +358,20 @@ void take_eyes(const EyeSettings& eyes, StereoProfile& profile) {
   profile.convergence = eyes.convergence.value_or(profile.convergence);
 }
 
+/// Finds the camera to look through: it is named, or the tracker's.
+void resolve_camera(const RawOptions& raw, ClientOptions& o) {
+  o.camera = raw.camera;
+  if (o.camera.empty() && !o.devices.tracker.empty())
+    if (driver_of(o.devices.tracker).is_camera) {
+      const std::string path = parse_device_address(o.devices.tracker).path;
+      o.camera = path.substr(0, path.find(','));
+    }
+  if (o.camera.empty())
+    throw InputError("--display ar: say with --camera which one to look through, for instance /dev/video0");
+  if (!o.follow.empty() || !o.insets.empty())
+    throw InputError("--display ar: shows what the camera sees, without --follow and --inset");
+}
+
 /// Adds what is done with a camera. Returns both commands: calibrate and selftest.
 std::pair<CLI::App*, CLI::App*> add_camera(CLI::App& camera, CameraCommandOptions& o) {
   camera.require_subcommand(1);
@@ -371,7 +397,7 @@ std::pair<CLI::App*, CLI::App*> add_camera(CLI::App& camera, CameraCommandOption
 }
 
 void resolve(const RawOptions& raw, ClientOptions& o) {
-  parse_display(raw.display, o);
+  const bool through_camera = parse_display(raw.display, o);
   if (o.monitor && o.display != Display::window && o.display != Display::stereo)
     throw InputError("--monitor: only with --display window or stereo");
   if (o.audience && o.display != Display::window && o.display != Display::stereo &&
@@ -384,6 +410,8 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   for (const std::string& text : raw.offers) o.offers.push_back(parse_offer(text));
   o.source = {raw.config, raw.tracker, raw.glove_left, raw.glove, raw.arm};
   o.devices = o.source.read();
+  if (through_camera) resolve_camera(raw, o);
+  if (!through_camera && !raw.camera.empty()) throw InputError("--camera: only with --display ar");
   take_eyes(o.devices.eyes, o.stereo);
   o.join.language = parse_language(raw.language);
   o.join.name = raw.user_name.empty() ? login_name() : raw.user_name;

@@ -36,6 +36,7 @@ struct ClientOptions {
   ClientConfig devices;
   Display display = Display::window;
   StereoProfile stereo;  // with Display::stereo
+  std::string camera;    // address of the one to look through; empty: none
   QualityLevel quality = quality_levels[1];
   int width = 800, height = 600;
   std::optional<double> frame_time;  // s a picture, by which quality is picked anew; nullopt: it stays
@@ -56,9 +57,9 @@ struct ClientOptions {
   Shown shown = Shown::none;   // by soft bodies' colours; a desk user's V key changes it
 };
 
-/// Tells whether devices or a headset say where the user's hands are.
+/// Tells whether devices or a headset say where the user's hands are, or who looks through a camera has none.
 inline bool is_tracked(const ClientOptions& options) {
-  return has_devices(options.devices) || options.display == Display::openxr;
+  return has_devices(options.devices) || options.display == Display::openxr || !options.camera.empty();
 }
 
 /// A command that joins no session: what it does, and its exit code.

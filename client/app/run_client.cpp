@@ -60,8 +60,9 @@ class Client {
       }));
       tell(offers_.back()->words());
     }
+    if (!options.camera.empty()) camera_ = std::make_shared<SharedCamera>(options.camera);
     take_role(options.join.role);
-    viewer_.emplace(options, connection_, report_, headset_user_, tell);
+    viewer_.emplace(options, connection_, report_, headset_user_, camera_, tell);
     if (viewer_->has_desk()) tell(viewer_->help(options.join.role, HelpColumns::blanks));
     if (isatty(STDIN_FILENO) != 0) tell(console_help());
   }
@@ -103,6 +104,7 @@ class Client {
   std::optional<SessionLog> log_;
   std::unique_ptr<ArmHand> arm_;  // null: no arm
   HeadsetUser headset_user_;
+  std::shared_ptr<SharedCamera> camera_;  // that is looked through; null: none is
   std::unique_ptr<InputPump> pump_;
   std::optional<Viewer> viewer_;        // made last: see yield_to_simulation()
   std::string missing_ = "everything";  // what was last told to be missing
@@ -204,8 +206,15 @@ class Client {
     if (role == Role::observer)
       pump_.reset();
     else if (!pump_)
-      pump_ = std::make_unique<InputPump>(connection_, options_.source, &headset_user_, arm_.get(),
+      pump_ = std::make_unique<InputPump>(connection_, source(), &headset_user_, arm_.get(),
                                           latency_log_of_hands(), tell);
+  }
+
+  /// Returns where devices come from. What they see by a camera is what is looked through, where it is one.
+  ConfigSource source() const {
+    ConfigSource out = options_.source;
+    out.camera = camera_;
+    return out;
   }
 
   /// Returns where inputs are logged; none for an observer, who logs what arrives instead.

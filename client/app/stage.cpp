@@ -52,7 +52,8 @@ void make_headset_context(Stage& stage, const ClientOptions& o) {
 
 }  // namespace
 
-std::unique_ptr<Stage> make_stage(const ClientOptions& o, HeadsetUser& user) {
+std::unique_ptr<Stage> make_stage(const ClientOptions& o, HeadsetUser& user,
+                                  const std::shared_ptr<SharedCamera>& camera) {
   if (o.display == Display::none) return nullptr;
   yield_to_simulation();
   auto stage = std::make_unique<Stage>();
@@ -72,6 +73,7 @@ std::unique_ptr<Stage> make_stage(const ClientOptions& o, HeadsetUser& user) {
     if (o.audience) window->open_audience(audience_of(o));
     stage->context = std::move(window);
   }
+  if (camera) stage->sight = std::make_unique<CameraSight>(camera, o.devices.tracker_device);
   stage->renderer = std::make_unique<Renderer>(*stage->context, o.shaders, o.quality.settings);
   return stage;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <thread>
 
 #include "client/app/picture_file.h"
 #include "client/view/anatomy_points.h"
@@ -18,13 +19,14 @@
 namespace prosector {
 
 Viewer::Viewer(const ClientOptions& options, Connection& connection, ClientReport& report,
-               HeadsetUser& headset_user, std::function<void(const std::string&)> tell)
+               HeadsetUser& headset_user, const std::shared_ptr<SharedCamera>& camera,
+               std::function<void(const std::string&)> tell)
     : options_(options),
       connection_(connection),
       report_(report),
       tell_(std::move(tell)),
       sink_(options),
-      stage_(make_stage(options, headset_user)),
+      stage_(make_stage(options, headset_user, camera)),
       follow_(options.follow) {
   if (options.frame_time) governor_.emplace(*options.frame_time);
   if (stage_) report_.renderer = stage_->context->description();
@@ -42,11 +44,52 @@ std::optional<BodyId> Viewer::part_at(const Ray& ray) {
 void Viewer::draw_if_seen(InputPump* pump) {
   if (!stage_) return;
   if (has_headset()) return draw_in_headset(pump);
+  if (stage_->sight) return draw_through_camera(pump);
   const double seconds = seconds_since(report_.joined_ns);
   const bool kept = sink_.wants(seconds);
   if (!kept && !stage_->desk && report_.first_picture_ns) return;
   const Image image = draw(pump, kept);
   if (kept) sink_.take(image, seconds);
+}
+
+/// Waits for the camera's next picture, and draws the scene over it as it was seen when that was taken.
+void Viewer::draw_through_camera(InputPump* pump) {
+  constexpr std::chrono::milliseconds patience(100);
+  const auto picture = stage_->sight->next(patience);
+  waited_for_camera_ = true;
+  look_through_camera(picture.get());
+  const double seconds = seconds_since(report_.joined_ns);
+  const bool kept = sink_.wants(seconds);
+  if (!kept && !stage_->desk && report_.first_picture_ns) return;
+  if (pump != nullptr && picture && has_devices(options_.devices)) wait_for_hands(*pump, picture->time_ns);
+  const Image image = draw(pump, kept);
+  if (kept) sink_.take(image, seconds);
+}
+
+void Viewer::look_through_camera(const SightPicture* picture) {
+  SeeThrough now;
+  now.room_board = stage_->sight->room_board();
+  now.words = stage_->sight->trouble();
+  now.camera.width = stage_->context->width();
+  now.camera.height = stage_->context->height();
+  if (picture != nullptr) {
+    const CameraView view = view_of(picture->bent, picture->straight, now.camera.width, now.camera.height);
+    now.camera = view.camera;
+    now.backdrop = {picture->image, picture->number, view.left, view.top, view.step};
+    now.is_placed = picture->room_eye.has_value();
+    now.camera.pose = picture->room_eye.value_or(Pose{});
+    now.paper = picture->paper;
+  }
+  if (now.words != (through_ ? through_->words : ""))
+    tell_(now.words.empty() ? "the camera sees the table" : now.words);
+  through_ = std::move(now);
+}
+
+/// Waits until the hands are known as they were at that time, but not for long: they may not be seen.
+void Viewer::wait_for_hands(const InputPump& pump, std::int64_t time_ns) const {
+  constexpr int most_waits = 10;
+  for (int waits = 0; waits < most_waits && pump.latest().time_ns < time_ns; ++waits)
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
 }
 
 /// Goes on to the headset's next frame, and hands on what it says. Returns whether a picture is wanted.
@@ -101,6 +144,7 @@ void Viewer::look_through_headset(LocalUser& self, ViewSettings& settings) const
 }
 
 void Viewer::draw_loading(const std::string& waits_for, double progress) {
+  waited_for_camera_ = false;
   if (has_headset()) return draw_loading_in_headset(waits_for, progress);
   if (!has_desk()) return;
   stage_->desk->wait();
@@ -231,7 +275,7 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   rumble_.follow(desk.has_gamepad(), touch_force(self.participant), monotonic_ns());
   self.at_desk = !is_tracked(options_);
   const DeskChoices& choices = desk.choices();
-  const bool head_leads = is_tracked(options_) && self.input.head_tracked;
+  const bool head_leads = through_ || (is_tracked(options_) && self.input.head_tracked);
   if (!head_leads) settings.eye = desk.eye();
   if (!head_leads) settings.pointed = desk.pointed();
   settings.pointer = desk.pointer_pixel();
@@ -353,6 +397,7 @@ Image Viewer::draw(InputPump* pump, bool keep) {
   settings.eye = looks_from_;
   settings.messages = messages_.shown(seconds_since(report_.joined_ns));
   if (options_.display == Display::stereo) settings.stereo = options_.stereo;
+  settings.through = through_;
   if (pump != nullptr) self.input = pump->latest();
   if (stage_->desk) use_desk(pump, self, settings);
   settings.width = stage_->context->width();

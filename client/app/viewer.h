@@ -17,6 +17,7 @@
 #include "client/app/picture_sink.h"
 #include "client/app/stage.h"
 #include "client/app/touch_rumble.h"
+#include "client/ar/camera_view.h"
 #include "client/render/quality_governor.h"
 #include "client/view/message_lines.h"
 #include "common/clock.h"
@@ -25,10 +26,11 @@ namespace prosector {
 
 class Viewer {
  public:
-  /// Takes what outlives the viewer; `headset_user` learns where a headset's user is, `tell` prints a line
-  /// for people at the terminal.
+  /// Takes what outlives the viewer; `headset_user` learns where a headset's user is, `camera` is what is
+  /// looked through (null: nothing), `tell` prints a line for people at the terminal.
   Viewer(const ClientOptions& options, Connection& connection, ClientReport& report,
-         HeadsetUser& headset_user, std::function<void(const std::string&)> tell);
+         HeadsetUser& headset_user, const std::shared_ptr<SharedCamera>& camera,
+         std::function<void(const std::string&)> tell);
 
   /// Tells whether pictures are drawn; false: --display none.
   bool draws() const { return stage_ != nullptr; }
@@ -36,8 +38,8 @@ class Viewer {
   bool closed() const {
     return (has_desk() && stage_->desk->closed()) || (has_headset() && stage_->headset->closed());
   }
-  /// Tells whether the last picture was drawn in the rhythm of a headset, which waits by itself.
-  bool keeps_time() const { return has_headset() && stage_->headset->keeps_time(); }
+  /// Tells whether the last picture was drawn in the rhythm of a headset or a camera, which was waited for.
+  bool keeps_time() const { return waited_for_camera_ || (has_headset() && stage_->headset->keeps_time()); }
 
   /// Returns the help for that role with the devices that this client has.
   std::string help(Role role, HelpColumns columns) const;
@@ -83,6 +85,8 @@ class Viewer {
   std::unique_ptr<Stage> stage_;
   std::optional<QualityGovernor> governor_;  // of pictures; nullopt: their quality stays
   std::optional<HeadsetFrame> seen_;         // what a headset asked for last; nullopt: none did
+  std::optional<SeeThrough> through_;        // what a camera saw last; nullopt: none is looked through
+  bool waited_for_camera_ = false;
   std::optional<Pose> looks_from_;
   std::string follow_;  // whose eyes to look through; empty: own
   bool full_screen_ = false;
@@ -99,6 +103,9 @@ class Viewer {
     say(line);
   }
   bool has_headset() const { return stage_ && stage_->headset; }
+  void draw_through_camera(InputPump* pump);
+  void look_through_camera(const SightPicture* picture);
+  void wait_for_hands(const InputPump& pump, std::int64_t time_ns) const;
   bool begin_headset_frame();
   void show_in_headset();
   void draw_in_headset(InputPump* pump);

@@ -44,7 +44,8 @@ struct MainPass::Frame {
   const Shadow& shadow;
   const Environment& environment;
   bool refracts = false;  // glass is drawn over a picture of what is behind it
-  std::map<std::tuple<Surface, bool, bool, bool, bool, bool, unsigned long>, const ShaderProgram*> found = {};
+  std::map<std::tuple<Surface, bool, bool, bool, bool, bool, bool, unsigned long>, const ShaderProgram*>
+      found = {};
   std::set<const ShaderProgram*> set_up = {};
 };
 
@@ -52,7 +53,8 @@ MainPass::MainPass(const Gl& gl, const std::filesystem::path& shaders, std::vect
     : gl_(gl),
       shaders_(shaders),
       defines_(std::move(defines)),
-      refracts_(std::ranges::count(defines_, effect_rows[index_of(Effect::refraction)].define) > 0) {}
+      refracts_(std::ranges::count(defines_, effect_rows[index_of(Effect::refraction)].define) > 0),
+      probes_(std::ranges::count(defines_, "PROBE") > 0) {}
 
 void MainPass::compile_all() {
   for (std::size_t k = 0; k <= static_cast<std::size_t>(last_surface); ++k)
@@ -60,6 +62,11 @@ void MainPass::compile_all() {
   Defines brushed = item_defines(Surface::metal, false, light_defines(std::vector<LightInfo>(1), 1, 0));
   brushed.push_back("BRUSHED");
   program_for(brushed);
+  if (!probes_) {
+    Defines ground = item_defines(Surface::plain, false, light_defines(std::vector<LightInfo>(1), 1, 0));
+    ground.push_back("GROUND");
+    program_for(ground);
+  }
   if (!refracts_) return;
   Defines glass = item_defines(Surface::glass, false, light_defines(std::vector<LightInfo>(1), 1, 0));
   glass.push_back("REFRACTS");
@@ -81,8 +88,10 @@ const ShaderProgram& MainPass::ready(const QueuedItem& queued, Frame& frame) {
   const DrawItem& item = *queued.item;
   const bool is_wet = item.appearance.wetness > 0;
   const LightSet lights = item.shaft || item.painted ? LightSet() : lights_of(queued, frame.list.lights);
-  const ShaderProgram*& program = frame.found[{item.appearance.surface, is_wet, item.shaft, item.painted,
-                                               is_clear(item), is_brushed(item), lights.to_ulong()}];
+  const bool is_ground = item.showing == Showing::ground;
+  const ShaderProgram*& program =
+      frame.found[{item.appearance.surface, is_wet, item.shaft, item.painted, is_clear(item),
+                   is_brushed(item), is_ground, lights.to_ulong()}];
   if (!program) {
     Defines defines = item_defines(item.appearance.surface, is_wet,
                                    light_defines(frame.list.lights, lights, frame.shadow.light));
@@ -90,6 +99,7 @@ const ShaderProgram& MainPass::ready(const QueuedItem& queued, Frame& frame) {
     if (item.painted) defines.push_back("PAINTED");
     if (is_clear(item)) defines.push_back("CLEAR");
     if (is_brushed(item)) defines.push_back("BRUSHED");
+    if (is_ground) defines.push_back("GROUND");
     if (frame.refracts) defines.push_back("REFRACTS");
     program = &program_for(defines);
   }
@@ -143,6 +153,27 @@ void MainPass::draw_clear(const QueuedItem& queued, Frame& frame) {
   });
 }
 
+/// Draws ground: the depth of all of it, and then what shadows leave of the light there.
+void MainPass::draw_ground(const std::vector<const QueuedItem*>& grounds, Frame& frame) {
+  const auto draw_all = [&] {
+    for (const QueuedItem* queued : grounds) {
+      ready(*queued, frame);
+      gl_.CullFace(queued->item->shape.A.determinant() < 0 ? GL_FRONT : GL_BACK);
+      prosector::draw(frame.meshes, *queued);
+    }
+  };
+  gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  draw_all();
+  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl_.DepthFunc(GL_LEQUAL);
+  gl_.Enable(GL_BLEND);
+  gl_.BlendFunc(GL_ZERO, GL_SRC_COLOR);
+  draw_all();
+  gl_.Disable(GL_BLEND);
+  gl_.DepthFunc(GL_LESS);
+  gl_.CullFace(GL_BACK);
+}
+
 /// Glass without refraction: what is straight behind, less what its face mirrors and its body swallows.
 void MainPass::draw_pane(const QueuedItem& queued, Frame& frame) {
   ready(queued, frame);
@@ -180,10 +211,14 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
   if (list.section) gl_.Enable(GL_CLIP_DISTANCE0);
   const Frustum frustum(view_projection_of(camera));
   Frame frame{list, camera, meshes, shadow, environment};
-  std::vector<const QueuedItem*> solids, clear, shafts;
+  std::vector<const QueuedItem*> grounds, solids, clear, shafts;
   for (const QueuedItem& queued : items) {
     if (!frustum.may_see(queued.bounds) || is_below_a_pixel(camera, queued.bounds)) continue;
-    if (queued.item->shaft)
+    if (queued.item->showing == Showing::around && !probes_) continue;
+    if (queued.item->showing == Showing::real) continue;
+    if (queued.item->showing == Showing::ground)
+      grounds.push_back(&queued);
+    else if (queued.item->shaft)
       shafts.push_back(&queued);
     else if (is_glass(*queued.item) && refracts_ && !camera.inset)
       continue;
@@ -192,6 +227,7 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
     else
       solids.push_back(&queued);
   }
+  if (!grounds.empty()) draw_ground(grounds, frame);
   std::vector<const QueuedItem*> covered;
   if (occlusion != nullptr) covered = occlusion->take_covered(camera, solids);
   for (const QueuedItem* queued : solids) draw_solid(*queued, frame);

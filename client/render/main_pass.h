@@ -28,8 +28,8 @@ class MainPass {
   void compile_all();
 
   /// Draws the list. `items` come nearest first, so that hidden fragments are not shaded. What is seen
-  /// through comes after all that is not, farthest first, and light in air last. With `occlusion`, what is
-  /// hidden is not drawn.
+  /// through comes after all that is not, farthest first, and light in air last. Ground comes first, real
+  /// things are left to BackdropPass. With `occlusion`, what is hidden is not drawn.
   void draw(const DrawList& list, const DrawCamera& camera, const std::vector<QueuedItem>& items,
             const MeshCache& meshes, const Shadow& shadow, const Environment& environment,
             Occlusion* occlusion = nullptr);
@@ -51,12 +51,14 @@ class MainPass {
   void draw_solid(const QueuedItem& queued, Frame& frame);
   void draw_clear(const QueuedItem& queued, Frame& frame);
   void draw_pane(const QueuedItem& queued, Frame& frame);
+  void draw_ground(const std::vector<const QueuedItem*>& grounds, Frame& frame);
   void draw_shaft(const QueuedItem& queued, Frame& frame);
 
   const Gl& gl_;
   std::filesystem::path shaders_;
   std::vector<std::string> defines_;
   bool refracts_;  // glass is drawn by draw_glass()
+  bool probes_;    // draws what is around, for mirrors
   std::map<Defines, std::unique_ptr<ShaderProgram>> programs_;
 };
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "client/render/ambient_occlusion_pass.h"
+#include "client/render/backdrop_pass.h"
 #include "client/render/environment_pass.h"
 #include "client/render/glass_pass.h"
 #include "client/render/line_pass.h"
@@ -44,6 +45,7 @@ struct Passes {
       : target(gl, shaders, settings),
         shadow(gl, shaders, has(settings.effects, Effect::shadows) ? settings.shadow_size : 0),
         environment(gl, shaders),
+        backdrop(gl, shaders),
         main(gl, shaders, effect_defines(settings.effects)),
         lines(gl, shaders),
         texts(gl, shaders, typesetter) {
@@ -58,6 +60,7 @@ struct Passes {
   RenderTarget target;
   ShadowPass shadow;
   EnvironmentPass environment;
+  BackdropPass backdrop;
   MainPass main;
   std::optional<Occlusion> occlusion;           // nullopt: everything is drawn
   std::optional<AmbientOcclusionPass> ambient;  // nullopt: spared
@@ -182,6 +185,7 @@ void Renderer::draw(const DrawList& list, int width, int height) {
     for (const DrawCamera& camera : list.cameras) {
       if (camera.inset != insets) continue;
       r.clear(camera, list.background);
+      if (list.backdrop && !insets) passes.backdrop.draw(*list.backdrop, camera);
       sort_nearest_first(items, camera.pose.p);
       passes.main.draw(list, camera, items, r.meshes, shadow, environment, occlusion);
     }
@@ -193,8 +197,14 @@ void Renderer::draw(const DrawList& list, int width, int height) {
   if (passes.glass)
     passes.glass->draw(list, items, r.meshes, shadow, environment, passes.target, passes.main);
   r.tell_done("glass");
-  if (passes.shafts) passes.shafts->draw(list, shadow, passes.target);
+  if (passes.shafts && !list.backdrop) passes.shafts->draw(list, shadow, passes.target);
   r.tell_done("shafts");
+  if (list.backdrop)
+    for (const DrawCamera& camera : list.cameras) {
+      if (camera.inset) continue;
+      r.set_viewport(camera);
+      passes.backdrop.uncover(*list.backdrop, camera, items, r.meshes);
+    }
   for (const DrawCamera& camera : list.cameras) {
     if (camera.inset) continue;
     r.set_viewport(camera);

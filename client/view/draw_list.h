@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "client/view/detail.h"
+#include "common/image.h"
 #include "common/math.h"
 #include "common/messages.h"
 
@@ -35,6 +36,14 @@ struct SectionPlane {
   bool operator==(const SectionPlane&) const = default;
 };
 
+/// How an item shows in a picture.
+enum class Showing : std::uint8_t {
+  itself,
+  around,  // only in what mirrors it, and by the light that it sends
+  ground,  // a camera's picture has it, below other things: it hides what is behind, and takes shadows
+  real     // a camera's picture has it, before other things: it hides what is behind
+};
+
 struct DrawItem {
   std::shared_ptr<const DrawMesh> mesh;
   Pose pose;
@@ -52,6 +61,7 @@ struct DrawItem {
   std::shared_ptr<const Detail> detail = {};  // coarser lists of the mesh's triangles; null: none
   std::size_t level = 0;                      // of them, for every camera and the shadow; 0: the mesh's own
   std::uint32_t solid = 0;  // items of one number bound one solid, which a section opens; 0: stays whole
+  Showing showing = Showing::itself;
 };
 
 /// Returns the triangles that the item is drawn with.
@@ -117,6 +127,13 @@ struct DrawCamera {
   bool inset = false;  // drawn over the others: surfaces alone, without lines, texts and light shafts
 };
 
+/// A camera's picture behind everything that is drawn.
+struct DrawBackdrop {
+  std::shared_ptr<const Image> image;
+  std::uint64_t number = 0;            // another image has another one
+  double left = 0, top = 0, step = 1;  // pixels of the image: of the drawn picture's corner, and of its pixel
+};
+
 struct DrawList {
   std::vector<DrawCamera> cameras;  // one, or two for stereo side by side; then insets
   std::vector<DrawItem> items;
@@ -125,6 +142,7 @@ struct DrawList {
   std::vector<DrawPlate> plates;
   std::vector<DrawText> texts;
   std::optional<SectionPlane> section;  // that opens all solids
+  std::optional<DrawBackdrop> backdrop = {};
   Vec3 ambient = {0.175, 0.18, 0.183};  // radiance of the ceiling beside its light panels
   Vec3 background = {0.05, 0.06, 0.07};
   /// Pixels of a point, in which lines, texts and overlays are measured: 1 on a display of usual density.

@@ -20,8 +20,9 @@ class People {
  public:
   /// Adds everyone as the server has them. Oneself is as one's own devices have one, which is faster and
   /// where one feels it. Whoever sits at a desk feels nothing, and is as the server has them, too. Whoever is
-  /// followed has no head. Sleeves of whoever's eyes see are half transparent, as they come from the eye and
-  /// hide what the hand works at. Meshes get ids from `next_mesh_id` on.
+  /// followed has no head. Through a camera, one's own hands are real. Sleeves of whoever's eyes see are half
+  /// transparent, as they come from the eye and hide what the hand works at. Meshes get ids from
+  /// `next_mesh_id` on.
   void add(DrawList& list, const Replica& replica, double tick, const LocalUser& self,
            const ViewSettings& settings, std::uint64_t& next_mesh_id);
   /// Returns which of the list's items is one's own right hand, before its nails; nullopt: it isn't drawn.

@@ -54,10 +54,16 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   list_.strip = 0;
   place_lights(replica, tick);
   place_cameras(replica, tick, self, settings);
-  if (!settings.stereo && !settings.eyes) add_insets(replica, tick, settings);
-  add_room();
+  if (!settings.stereo && !settings.eyes && !settings.through) add_insets(replica, tick, settings);
+  add_room(settings.through ? Showing::around : Showing::itself);
   list_.section = settings.section;
+  if (settings.through && !settings.through->is_placed) {
+    if (settings.overlay) add_session_overlay(list_, replica, self, settings);
+    add_words_over(list_, settings.through->words);
+    return list_;
+  }
   add_bodies(replica, tick, settings);
+  if (settings.through) lay_on_table(replica, *settings.through);
   close_section();
   if (settings.wireframes) add_wireframes(replica, tick);
   add_panels(replica, self.participant, settings.panel);
@@ -90,6 +96,7 @@ const DrawList& SceneView::build(Replica& replica, double tick, const LocalUser&
   if (settings.parts.labels() && settings.help.empty()) add_part_labels(replica, settings);
   if (settings.parts_list != nullptr) add_parts_list(list_, *settings.parts_list);
   if (!settings.help.empty()) add_help(list_, settings.help);
+  if (settings.through) add_words_over(list_, settings.through->words);
   return list_;
 }
 
@@ -111,6 +118,16 @@ void SceneView::place_cameras(const Replica& replica, double tick, const LocalUs
     }
   }
   list_.cameras.clear();
+  list_.backdrop.reset();
+  if (settings.through) {
+    DrawCamera seen = settings.through->camera;
+    list_.backdrop = settings.through->backdrop;
+    if (list_.backdrop) list_.backdrop->step *= static_cast<double>(seen.width) / settings.width;
+    seen.width = settings.width;
+    seen.height = settings.height;
+    list_.cameras.push_back(seen);
+    return;
+  }
   if (settings.eyes) {
     list_.cameras.assign(settings.eyes->begin(), settings.eyes->end());
     return;
@@ -147,12 +164,40 @@ void SceneView::add_insets(const Replica& replica, double tick, const ViewSettin
   }
 }
 
-void SceneView::add_room() {
+void SceneView::add_room(Showing showing) {
   if (room_.empty()) {
     room_ = room_items(next_mesh_id_);
     next_mesh_id_ += room_.size();
   }
-  for (const DrawItem& item : room_) list_.items.push_back(item);
+  for (const DrawItem& item : room_) {
+    list_.items.push_back(item);
+    list_.items.back().showing = showing;
+  }
+}
+
+/// Puts the real table, as the camera sees it, in the place of the scene's, which is what is fixed below the
+/// board. All bodies are lit as it is.
+void SceneView::lay_on_table(const Replica& replica, const SeeThrough& through) {
+  constexpr double below = 0.005;  // m, of the board
+  const Pose& board = through.room_board;
+  const Vec3 up = board.q * Vec3::UnitZ();
+  const Vec3 shown = shown_paper(list_, board.p, up);
+  for (const auto& [body, index, inner] : body_items_) {
+    const SceneBody& one = replica.scene()->bodies[body];
+    DrawItem& item = list_.items[index];
+    if (through.paper) light_as(item, shown, *through.paper);
+    if (one.kind != BodyKind::rigid || one.moves || one.part || !box_of(body).contains(board.p - below * up))
+      continue;
+    item.showing = Showing::around;
+    item.casts_shadow = false;
+  }
+  DrawItem plane = table_plane(board, next_mesh_id_);
+  if (!table_) {
+    table_ = plane.mesh;
+    ++next_mesh_id_;
+  }
+  plane.mesh = table_;
+  list_.items.push_back(plane);
 }
 
 void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& settings) {

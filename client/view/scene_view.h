@@ -48,6 +48,7 @@ class SceneView {
   std::map<std::uint64_t, PaintedMesh> painted_;  // by the id of the mesh that is painted
   People people_;
   std::vector<DrawItem> room_;
+  std::shared_ptr<const DrawMesh> table_;  // the real one's plane; null: no camera saw it yet
   std::shared_ptr<const DrawMesh> shaft_;
   HandCues hand_cues_;
   CutLines cut_lines_;
@@ -75,7 +76,8 @@ class SceneView {
   void place_cameras(const Replica& replica, double tick, const LocalUser& self,
                      const ViewSettings& settings);
   void add_insets(const Replica& replica, double tick, const ViewSettings& settings);
-  void add_room();
+  void add_room(Showing showing);
+  void lay_on_table(const Replica& replica, const SeeThrough& through);
   void place_lights(const Replica& replica, double tick);
   void add_bodies(Replica& replica, double tick, const ViewSettings& settings);
   void close_section();

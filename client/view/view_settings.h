@@ -9,6 +9,7 @@
 #include "client/view/draw_list.h"
 #include "client/view/parts_board_view.h"
 #include "client/view/parts_list.h"
+#include "client/view/see_through.h"
 #include "client/view/stereo_profile.h"
 #include "client/view/time_bar.h"
 #include "client/view/value_paint.h"
@@ -27,6 +28,7 @@ struct ViewSettings {
   double scale = 1;                                    // pixels of a point, in which overlays are measured
   std::optional<StereoProfile> stereo;                 // nullopt: one picture
   std::optional<std::array<DrawCamera, 2>> eyes = {};  // as a headset has them; then `stereo` is not used
+  std::optional<SeeThrough> through = {};              // a camera's picture; then its camera is the eye
   double detail = 0;                                   // pixels, for LevelOfDetail::choose()
   bool overlay = true;
   std::optional<SectionPlane> section = {};  // that opens bodies

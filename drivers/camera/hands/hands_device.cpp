@@ -40,8 +40,10 @@ HandsDevice::HandsDevice(const std::vector<std::string>& cameras, const DeviceCo
     camera_rig_[1] = device_camera * config.first_second.inverse() * device_camera;
   }
   for (std::size_t k = 0; k < cameras.size(); ++k)
-    threads_.push_back(std::make_unique<CameraThread>(
-        cameras[k], [this, k](const Camera& opened) { begin(k, opened); },
+    cameras_.push_back(shared_camera(config.camera, cameras[k]));
+  for (std::size_t k = 0; k < cameras.size(); ++k)
+    seats_.push_back(std::make_unique<SharedCamera::Seat>(
+        *cameras_[k], [this, k](const Camera& opened) { begin(k, opened); },
         [this, k](const Frame& frame) { see(k, frame); }));
 }
 
@@ -90,7 +92,7 @@ DeviceSample HandsDevice::sample_of(const TrackedHand& tracked, std::int64_t tim
   out.record = records_[station]++;
   out.time_ns = time_ns;
   out.has_pose = out.has_flexion = true;
-  out.pose = chain_.room(wrist, station);
+  out.pose = room_hand(wrist, station);
   out.raw_pose = {static_cast<float>(wrist.p.x()), static_cast<float>(wrist.p.y()),
                   static_cast<float>(wrist.p.z()), static_cast<float>(wrist.q.w()),
                   static_cast<float>(wrist.q.x()), static_cast<float>(wrist.q.y()),
@@ -100,8 +102,14 @@ DeviceSample HandsDevice::sample_of(const TrackedHand& tracked, std::int64_t tim
   return out;
 }
 
+/// Maps a wrist into the room: from where others saw that the first camera stands, else as it is configured.
+Pose HandsDevice::room_hand(const Pose& wrist, std::size_t station) const {
+  const std::optional<Pose> camera = cameras_[0]->room_camera();
+  return camera ? chain_.from(*camera * device_camera, wrist, station) : chain_.room(wrist, station);
+}
+
 void HandsDevice::poll(std::vector<DeviceSample>& out) {
-  const CameraState camera = threads_[0]->state();
+  const CameraState camera = cameras_[0]->state();
   const std::int64_t now_ns = monotonic_ns();
   const bool opened = camera.opened > opened_;
   if (opened) health_.opened(now_ns);
@@ -120,8 +128,8 @@ void HandsDevice::poll(std::vector<DeviceSample>& out) {
 
 DeviceStatus HandsDevice::status() const {
   DeviceStatus out = health_.status(monotonic_ns());
-  for (const auto& thread : threads_)
-    if (const std::string problem = thread->state().problem; !problem.empty()) {
+  for (const auto& camera : cameras_)
+    if (const std::string problem = camera->state().problem; !problem.empty()) {
       out.message = problem;
       return out;
     }

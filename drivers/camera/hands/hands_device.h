@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "drivers/camera/camera_calibration.h"
-#include "drivers/camera/camera_thread.h"
 #include "drivers/camera/hands/hand_tracker.h"
+#include "drivers/camera/shared_camera.h"
 #include "drivers/gesture.h"
 #include "drivers/health_monitor.h"
 #include "drivers/pose_chain.h"
@@ -18,8 +18,8 @@ namespace prosector {
 
 class HandsDevice final : public Device {
  public:
-  /// Opens each camera on a thread of its own. Throws InputError where the networks or a lens' file can't be
-  /// read.
+  /// Opens each camera on a thread of its own, unless the configuration has it for others, too. Throws
+  /// InputError where the networks or a lens' file can't be read.
   HandsDevice(const std::vector<std::string>& cameras, const DeviceConfig& config);
 
   void poll(std::vector<DeviceSample>& out) override;
@@ -37,6 +37,7 @@ class HandsDevice final : public Device {
   void see(std::size_t camera, const Frame& frame);
   void make_ready(std::size_t camera, const Frame& frame);
   DeviceSample sample_of(const TrackedHand& tracked, std::int64_t time_ns);
+  Pose room_hand(const Pose& wrist, std::size_t station) const;
 
   std::vector<Lenses> lenses_;
   std::vector<Pose> camera_rig_;  // the first camera's frame in each one's
@@ -54,7 +55,8 @@ class HandsDevice final : public Device {
 
   HealthMonitor health_;  // of who polls, as is the next
   std::uint64_t opened_ = 0;
-  std::vector<std::unique_ptr<CameraThread>> threads_;  // last: they use what is above
+  std::vector<std::shared_ptr<SharedCamera>> cameras_;
+  std::vector<std::unique_ptr<SharedCamera::Seat>> seats_;  // last: they use what is above
 };
 
 /// Opens hands before cameras, "hands:0" or "hands:0,2".

@@ -1,0 +1,84 @@
+#include "client/ar/camera_sight.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "client/ar/paper_light.h"
+#include "common/clock.h"
+#include "drivers/camera/camera_frames.h"
+#include "drivers/camera/tags/known_boards.h"
+
+namespace prosector {
+namespace {
+
+constexpr double paper_settles = 0.5;  // s, in which the light follows that of the paper
+constexpr double silent = 1.5;         // s without a picture, after which it says so
+
+double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
+  return 1e-9 * static_cast<double>(to_ns - from_ns);
+}
+
+}  // namespace
+
+CameraSight::CameraSight(std::shared_ptr<SharedCamera> camera, const DeviceConfig& config)
+    : camera_(std::move(camera)),
+      room_board_(config.room_table),
+      reader_(camera_->reader(config.lens)),
+      tracker_(find_board(config.table.empty() ? "table" : config.table)),
+      seat_(
+          *camera_, [this](const Camera& opened) { reader_->begin(opened); },
+          [this](const Frame& frame) { see(frame); }, true) {}
+
+void CameraSight::see(const Frame& frame) {
+  const TagPicture& picture = reader_->read(frame);
+  const TagOptics& optics = reader_->optics();
+  if (std::exchange(changes_, reader_->changes()) != reader_->changes()) {
+    tracker_.forget();
+    last_eye_.reset();
+  }
+  auto out = std::make_shared<SightPicture>();
+  out->image = std::make_shared<const Image>(reader_->straightener().straight(frame.image));
+  out->bent = optics.bent;
+  out->straight = optics.straight;
+  out->time_ns = frame.time_ns;
+  if (const auto seen = tracker_.update(picture, optics)) {
+    last_eye_ = room_board_ * seen->camera_board.inverse() * device_camera;
+    if (const auto paper = paper_light(*out->image, optics.straight, tracker_.board(), seen->camera_board)) {
+      const double share = 1 - std::exp(-seconds_between(seen_ns_, frame.time_ns) / paper_settles);
+      paper_ = paper_ ? Vec3(*paper_ + share * (*paper - *paper_)) : *paper;
+    }
+    seen_ns_ = frame.time_ns;
+  }
+  if (seconds_between(seen_ns_, frame.time_ns) < held) out->room_eye = last_eye_;
+  if (out->room_eye) camera_->put_place(*out->room_eye * device_camera);
+  out->paper = paper_;
+  {
+    const std::lock_guard lock(mutex_);
+    out->number = newest_ ? newest_->number + 1 : 1;
+    newest_ = std::move(out);
+  }
+  came_.notify_one();
+}
+
+std::shared_ptr<const SightPicture> CameraSight::next(std::chrono::milliseconds patience) {
+  std::unique_lock lock(mutex_);
+  came_.wait_for(lock, patience, [this] { return newest_ && newest_->number > taken_; });
+  if (newest_) taken_ = newest_->number;
+  return newest_;
+}
+
+std::string CameraSight::trouble() const {
+  const CameraState camera = camera_->state();
+  if (!camera.problem.empty()) return fmt::format("camera {}", camera.problem);
+  const std::lock_guard lock(mutex_);
+  if (!newest_ || seconds_since(newest_->time_ns) > silent) return "the camera gives no pictures";
+  if (!newest_->room_eye)
+    return fmt::format(
+        "the board \"{}\" isn't seen: is there light, and is it in the picture, flat and whole?",
+        tracker_.board().name);
+  return {};
+}
+
+}  // namespace prosector

@@ -1,0 +1,66 @@
+#pragma once
+// What a camera sees of the table, for who looks through it: each picture with the pose from which it was
+// taken.
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "common/image.h"
+#include "drivers/camera/shared_camera.h"
+#include "drivers/camera/tags/tag_reader.h"
+#include "drivers/device.h"
+
+namespace prosector {
+
+/// A picture without distortion.
+struct SightPicture {
+  std::shared_ptr<const Image> image;
+  Lens bent, straight;             // of the camera, and of `image`
+  std::int64_t time_ns = 0;        // of its exposure
+  std::uint64_t number = 0;        // counts what was seen, from 1
+  std::optional<Pose> room_eye;    // x right, y up, −z ahead; nullopt: the board is lost
+  std::optional<Vec3> paper = {};  // light of the board's white paper, as paper_light() has it
+};
+
+class CameraSight {
+ public:
+  /// Looks from now on. `config` says which lens the camera has, which board lies on the table, and where
+  /// there. Throws InputError where a lens' or board's file can't be read.
+  CameraSight(std::shared_ptr<SharedCamera> camera, const DeviceConfig& config);
+
+  /// Waits for a picture that wasn't returned yet, at most that long. Returns the newest, which may be an old
+  /// one; null: none was ever seen.
+  std::shared_ptr<const SightPicture> next(std::chrono::milliseconds patience);
+  /// Returns what is wrong with what was seen last, for people; empty: nothing.
+  std::string trouble() const;
+  const Pose& room_board() const { return room_board_; }
+
+  static constexpr double held = 0.5;  // s that the last pose holds while the board isn't seen
+
+ private:
+  void see(const Frame& frame);
+
+  std::shared_ptr<SharedCamera> camera_;
+  const Pose room_board_;
+
+  // Only the camera's thread uses these.
+  const std::shared_ptr<TagReader> reader_;
+  BoardTracker tracker_;
+  int changes_ = 0;  // of the reader that the tracker knows of
+  std::optional<Pose> last_eye_;
+  std::optional<Vec3> paper_;
+  std::int64_t seen_ns_ = 0;  // of the last picture that showed the board
+
+  mutable std::mutex mutex_;  // guards what follows
+  std::condition_variable came_;
+  std::shared_ptr<const SightPicture> newest_;
+  std::uint64_t taken_ = 0;  // number of the last one that was returned
+
+  SharedCamera::Seat seat_;  // last: it uses what is above
+};
+
+}  // namespace prosector

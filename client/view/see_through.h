@@ -1,0 +1,36 @@
+#pragma once
+// The scene on a real table that a camera sees: what is real isn't drawn, hides what is behind it, takes
+// shadows; virtual things are lit as the table is.
+
+#include <optional>
+#include <string>
+
+#include "client/view/draw_list.h"
+
+namespace prosector {
+
+/// A camera's picture to be drawn over.
+struct SeeThrough {
+  DrawCamera camera;  // that took it
+  std::optional<DrawBackdrop> backdrop = {};
+  bool is_placed = false;          // it is known from where it was taken
+  Pose room_board = {};            // of the board on the table
+  std::optional<Vec3> paper = {};  // light of the board's paper, as a screen shows it
+  std::string words = {};          // on the picture; empty: none
+};
+
+/// Returns the light (shown by a screen, linear) that our pictures would have of paper at a place that faces
+/// `normal`. Shadows, and what the room's walls send, are left out.
+Vec3 shown_paper(const DrawList& list, const Vec3& place, const Vec3& normal);
+
+/// Changes how bright and of which colour the item is, so that its light is the paper's. Our pictures would
+/// have the paper as `shown`; the camera has it as `paper`.
+void light_as(DrawItem& item, const Vec3& shown, const Vec3& paper);
+
+/// Makes the plane that the board lies in: ground, as large as tables are.
+DrawItem table_plane(const Pose& room_board, std::uint64_t mesh_id);
+
+/// Adds the words to the middle of the picture.
+void add_words_over(DrawList& list, const std::string& words);
+
+}  // namespace prosector

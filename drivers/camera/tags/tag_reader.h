@@ -1,0 +1,48 @@
+#pragma once
+// Makes of a camera's pictures what trackers of boards look at: by the lens that is known of it.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "drivers/camera/camera_calibration.h"
+#include "drivers/camera/straightener.h"
+#include "drivers/camera/tags/board_tracker.h"
+
+namespace prosector {
+
+/// Several may look by one reader, on one thread: each picture is read once.
+class TagReader {
+ public:
+  /// Reads the lens' file; empty: it is the synthetic camera's own, or guessed. Throws InputError where it
+  /// can't be read.
+  explicit TagReader(const std::filesystem::path& lens);
+
+  /// Takes a camera that was opened.
+  void begin(const Camera& camera);
+  /// Reads a picture, and holds it until the next one. Throws InputError where its shape isn't that of the
+  /// lens.
+  const TagPicture& read(const Frame& frame);
+
+  /// Returns how the last picture was read.
+  const TagOptics& optics() const { return optics_; }
+  const Straightener& straightener() const { return *straightener_; }
+  bool is_guessed() const { return !calibration_; }
+  /// Returns how often pictures were read in another way than the one before: what was tracked is elsewhere.
+  int changes() const { return changes_; }
+
+ private:
+  void make_ready(int width, int height);
+
+  const bool is_calibrated_by_file_;
+  std::optional<CameraCalibration> calibration_;
+  TagFinder finder_;
+  TagOptics optics_;
+  std::unique_ptr<Straightener> straightener_;
+  int width_ = 0, height_ = 0;  // of pictures that it is ready for
+  TagPicture picture_;
+  std::optional<std::uint64_t> number_;  // of the frame that `picture_` is of; nullopt: none
+  int changes_ = 0;
+};
+
+}  // namespace prosector
