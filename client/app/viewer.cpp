@@ -81,7 +81,7 @@ void Viewer::look_through_camera(const SightPicture* picture) {
     now.paper = picture->paper;
   }
   if (now.words != (through_ ? through_->words : ""))
-    tell_(now.words.empty() ? "the camera sees the table" : now.words);
+    inform(now.words.empty() ? "the camera sees the table" : now.words);
   through_ = std::move(now);
 }
 
