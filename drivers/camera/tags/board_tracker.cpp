@@ -83,6 +83,7 @@ std::optional<TrackedBoard> BoardTracker::update(const TagPicture& picture, cons
   if (const auto fit =
           fit_edges(picture.bent, optics.bent, board_, codes, pose->camera_board, optics.response)) {
     out.camera_board = fit->camera_board;
+    out.spread = fit->covariance;
     const Mat3 place = fit->covariance.bottomRightCorner<3, 3>();
     out.deviation =
         std::sqrt(Eigen::SelfAdjointEigenSolver<Mat3>(place, Eigen::EigenvaluesOnly).eigenvalues()[2]);
