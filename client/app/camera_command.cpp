@@ -5,12 +5,19 @@
 #include <cstdio>
 #include <fstream>
 
+#include "client/app/configured_device.h"
+#include "client/app/guided_run.h"
 #include "common/clock.h"
 #include "common/error.h"
 #include "common/version.h"
 #include "drivers/camera/calibration/lens_guide.h"
 #include "drivers/camera/camera_report.h"
+#include "drivers/camera/straightener.h"
+#include "drivers/camera/tags/board_tracker.h"
 #include "drivers/camera/tags/known_boards.h"
+#include "drivers/client_config.h"
+#include "drivers/fitting/align_guide.h"
+#include "drivers/toml_text.h"
 
 namespace prosector {
 namespace {
@@ -51,7 +58,74 @@ class StepTeller {
   std::int64_t told_ns_ = 0;
 };
 
+/// Watches a board before a camera, which is opened when it is first looked at.
+class BoardWatch {
+ public:
+  explicit BoardWatch(const CameraCommandOptions& o)
+      : address_(o.camera), tracker_(find_board(o.board)), finder_(TagFinderSettings{}) {
+    if (!o.lens.empty()) calibration_ = load_calibration(o.lens);
+  }
+
+  /// Looks at the next picture and hands out where the board is, if it is read.
+  void look(AlignGuide& guide) {
+    if (!camera_) camera_ = open_camera(address_);
+    const auto frame = camera_->next(picture_wait);
+    if (!frame) return;
+    make_ready(frame->image);
+    TagPicture picture;
+    picture.bent = grey_of(frame->image);
+    picture.straight = straightener_->straight(picture.bent);
+    picture.tags = finder_.find(picture.straight);
+    picture.time_ns = frame->time_ns;
+    const auto seen = tracker_.update(picture, optics_);
+    if (seen && !seen->followed) guide.take_board(frame->time_ns, seen->camera_board);
+  }
+
+ private:
+  static constexpr auto picture_wait = 5ms;
+
+  void make_ready(const Image& image) {
+    if (straightener_ && optics_.bent.width == image.width && optics_.bent.height == image.height) return;
+    if (!calibration_ && camera_->lens())
+      calibration_ = CameraCalibration{camera_->identity(), *camera_->lens(), camera_->response(), 0};
+    if (!calibration_)
+      throw InputError(fmt::format("{}: isn't calibrated: give --lens FILE (camera calibrate)", address_));
+    optics_.bent = calibration_->lens.scaled(image.width, image.height);
+    optics_.response = calibration_->response;
+    straightener_.emplace(optics_.bent);
+    optics_.straight = straightener_->lens();
+  }
+
+  std::string address_;
+  std::unique_ptr<Camera> camera_;
+  std::optional<CameraCalibration> calibration_;
+  BoardTracker tracker_;
+  TagFinder finder_;
+  std::optional<Straightener> straightener_;
+  TagOptics optics_;
+};
+
 }  // namespace
+
+int align_camera(const CameraCommandOptions& options) {
+  const std::string before = read_config_text(options.out_config);
+  const ConfiguredDevice known = configured_device(options.tracker, options.tracker_config);
+  const auto device = open_device(known.address, known.device);
+  BoardWatch watch(options);
+  AlignGuide guide(options.station - 1, options.poses);
+  say(fmt::format("fix the board \"{}\" to receiver {} and let {} see it", options.board, options.station,
+                  options.camera));
+  run_guide(guide, *device, options.patience, [&] {
+    if (guide.has_tracker()) watch.look(guide);
+  });
+  const GuideOutcome outcome = guide.outcome();
+  for (const std::string& line : outcome.words) say(line);
+  save_config_text(options.out_config,
+                   write_client_config(before, outcome.changes, options.out_config.string()));
+  for (const ConfigChange& change : outcome.changes) say(change.key + " = " + to_toml(change.value));
+  say(fmt::format("wrote {}", options.out_config.string()));
+  return 0;
+}
 
 int calibrate_camera(const CameraCommandOptions& options) {
   const std::unique_ptr<Camera> camera = open_camera(options.camera);

@@ -372,28 +372,45 @@ void resolve_camera(const RawOptions& raw, ClientOptions& o) {
     throw InputError("--display ar: shows what the camera sees, without --follow and --inset");
 }
 
-/// Adds what is done with a camera. Returns both commands: calibrate and selftest.
-std::pair<CLI::App*, CLI::App*> add_camera(CLI::App& camera, CameraCommandOptions& o) {
+/// Adds what is done with a camera. Returns the commands: calibrate, selftest, align.
+std::array<CLI::App*, 3> add_camera(CLI::App& camera, CameraCommandOptions& o) {
   camera.require_subcommand(1);
   CLI::App* calibrate =
       camera.add_subcommand("calibrate", "Find the lens: show the camera a board, as it asks for");
   CLI::App* test =
       camera.add_subcommand("selftest", "Say what the pictures are like: rate, light, noise, boards");
-  for (CLI::App* command : {calibrate, test})
+  CLI::App* align =
+      camera.add_subcommand("align", "Find where the camera stands, by a board on a tracker's receiver");
+  for (CLI::App* command : {calibrate, test, align})
     command
         ->add_option("CAMERA", o.camera,
                      "Number or path of a device, a video's file, a stream's URL, or synthetic:SCENE.toml")
         ->capture_default_str();
-  calibrate->add_option("--board", o.board, "The board that is shown: a known one, or a file")
-      ->capture_default_str();
+  for (CLI::App* command : {calibrate, align}) {
+    command->add_option("--board", o.board, "The board that is shown: a known one, or a file")
+        ->capture_default_str();
+    command->add_option("--patience", o.patience, "Give up after so many seconds")->capture_default_str();
+  }
   calibrate->add_option("--out", o.out, "File to write")->required();
-  calibrate->add_option("--patience", o.patience, "Give up after so many seconds")->capture_default_str();
   test->add_option("--out", o.out, "File for the report");
-  test->add_option("--lens", o.lens, "The camera's calibration")->check(CLI::ExistingFile);
+  for (CLI::App* command : {test, align})
+    command->add_option("--lens", o.lens, "The camera's calibration")->check(CLI::ExistingFile);
+  align->add_option("--tracker", o.tracker, "DRIVER:PATH of the tracker")->required();
+  align->add_option("--tracker-config", o.tracker_config, "Configuration that says where the tracker stands")
+      ->check(CLI::ExistingFile);
+  align->add_option("--station", o.station, "The receiver that wears the board")
+      ->check(CLI::Range(std::size_t{1}, max_stations))
+      ->capture_default_str();
+  align->add_option("--poses", o.poses, "How often the board is held still")
+      ->check(CLI::Range(least_tracked_pairs, std::size_t{200}))
+      ->capture_default_str();
+  align->add_option("--out-config", o.out_config, "Configuration that gets the camera's place, tracker.room")
+      ->check(CLI::ExistingFile)
+      ->required();
   test->add_option("--seconds", o.seconds, "How long it is looked at")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  return {calibrate, test};
+  return {calibrate, test, align};
 }
 
 void resolve(const RawOptions& raw, ClientOptions& o) {
@@ -470,7 +487,7 @@ ClientCommand parse_command_line(int argc, char** argv) {
   add_self_test(*test, tried);
   CameraCommandOptions seeing;
   CLI::App* camera = app.add_subcommand("camera", "Calibrate a camera, or say what its pictures are like");
-  const auto [calibrating_camera, testing_camera] = add_camera(*camera, seeing);
+  const auto [calibrating_camera, testing_camera, aligning_camera] = add_camera(*camera, seeing);
   bool host = false;
   join->add_flag("--host", host, "Be the session's host, who hands out roles, unless it has one");
   try {
@@ -480,6 +497,7 @@ ClientCommand parse_command_line(int argc, char** argv) {
     if (configuring_app->parsed()) return Task([configuring] { return run_config(configuring); });
     if (render->parsed()) return resolve_render(raw, still);
     if (calibrating_camera->parsed()) return Task([seeing] { return calibrate_camera(seeing); });
+    if (aligning_camera->parsed()) return Task([seeing] { return align_camera(seeing); });
     if (testing_camera->parsed()) return Task([seeing] { return test_camera(seeing); });
     if (test->parsed()) return Task([tried] { return self_test(tried); });
     if (app.get_subcommands().empty() || set_up->parsed()) return resolve_setup(raw, o, setup);

@@ -32,9 +32,9 @@ BoardTracker::Fitted BoardTracker::fit(const BoardPose& pose, const TagPicture& 
           fit_edges(picture.bent, optics.bent, board_, codes, pose.camera_board, optics.response)) {
     const Mat3 place = edges->covariance.bottomRightCorner<3, 3>();
     const double worst = Eigen::SelfAdjointEigenSolver<Mat3>(place, Eigen::EigenvaluesOnly).eigenvalues()[2];
-    return {edges->camera_board, edges->rms, std::sqrt(worst), edges->samples};
+    return {edges->camera_board, edges->rms, std::sqrt(worst), edges->samples, edges->covariance};
   }
-  return {pose.camera_board, std::max(pose.rms, unfitted_px), corner_deviation, 0};
+  return {pose.camera_board, std::max(pose.rms, unfitted_px), corner_deviation, 0, {}};
 }
 
 std::optional<BoardTracker::Fitted> BoardTracker::choose(const std::vector<BoardPose>& poses,
@@ -114,6 +114,7 @@ std::optional<TrackedBoard> BoardTracker::update(const TagPicture& picture, cons
   }
   out.camera_board = found->camera_board;
   out.deviation = found->deviation;
+  if (found->samples > 0) out.spread = found->spread;
   last_ = Last{out.camera_board, out.followed ? last_->read_ns : picture.time_ns, picture.straight,
                std::move(codes)};
   return out;

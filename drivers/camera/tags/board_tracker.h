@@ -26,10 +26,11 @@ struct TagOptics {
 };
 
 struct TrackedBoard {
-  Pose camera_board;      // OpenCV's camera frame
-  double deviation = 0;   // m: expected of its place along the worst direction
-  bool followed = false;  // by flow: its tags couldn't be read
-  int twice = 0;          // tags that were seen twice and left out
+  Pose camera_board;                   // OpenCV's camera frame
+  double deviation = 0;                // m: expected of its place along the worst direction
+  std::optional<MotionSpread> spread;  // where its edges were fitted, in the camera's frame
+  bool followed = false;               // by flow: its tags couldn't be read
+  int twice = 0;                       // tags that were seen twice and left out
 };
 
 class BoardTracker {
@@ -58,6 +59,7 @@ class BoardTracker {
     double rms = 0;        // pixels
     double deviation = 0;  // m
     int samples = 0;       // of edges
+    MotionSpread spread = MotionSpread::Zero();
   };
   Fitted fit(const BoardPose& pose, const TagPicture& picture, const TagOptics& optics,
              const std::vector<int>& codes) const;

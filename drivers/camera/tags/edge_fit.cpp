@@ -21,8 +21,6 @@ constexpr int least_samples = 12;
 constexpr double huber = 1.345;  // of the spread
 
 using Row6 = Eigen::Matrix<double, 1, 6>;
-using Mat6 = Eigen::Matrix<double, 6, 6>;
-using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 /// An edge's place found across it.
 struct Sample {
@@ -65,13 +63,6 @@ Eigen::Matrix<double, 2, 3> pixel_slope(const Lens& lens, const Vec3& p) {
   return Vec2(lens.fx, lens.fy).asDiagonal() * bend * by_point;
 }
 
-/// Returns how a point moves by the pose: by a turn about the camera's axes, then by a shift.
-Eigen::Matrix<double, 3, 6> point_slope(const Vec3& p) {
-  Eigen::Matrix<double, 3, 6> by_pose;
-  by_pose << 0, p.z(), -p.y(), 1, 0, 0, -p.z(), 0, p.x(), 0, 1, 0, p.y(), -p.x(), 0, 0, 0, 1;
-  return by_pose;
-}
-
 /// One place along an edge: brightness across it.
 struct Crossing {
   Row6 slope;  // of its predicted place along the normal, by the pose
@@ -83,11 +74,15 @@ class EdgeReader {
   EdgeReader(const GreyImage& image, const Lens& lens, double response)
       : image_(image), lens_(lens), light_(light_table(response)) {}
 
-  /// Reads the edge from one corner to the next; the tag lies to its left. Corners are in the camera's frame.
-  void read(const Vec3& from, const Vec3& to, std::vector<Sample>& out) const {
-    if (from.z() <= 0 || to.z() <= 0) return;
-    const Vec2 a = lens_.project(from), b = lens_.project(to);
-    const double length = (b - a).norm(), cell = length / black_cells;
+  /// Reads the edge from one corner to the next; the tag lies to its left, `opposite` is the corner that
+  /// comes then. Corners are in the camera's frame.
+  void read(const Vec3& from, const Vec3& to, const Vec3& opposite, std::vector<Sample>& out) const {
+    if (from.z() <= 0 || to.z() <= 0 || opposite.z() <= 0) return;
+    const Vec2 a = lens_.project(from), b = lens_.project(to), c = lens_.project(opposite);
+    // A tag that is seen aslant has narrower cells across than along the edge.
+    const double length = (b - a).norm(),
+                 across = std::abs((b - a).dot(Vec2(c.y() - b.y(), b.x() - c.x()))) / length;
+    const double cell = std::min(length, across) / black_cells;
     if (cell < least_cell) return;
     const double half = std::clamp(half_of_cell * cell, least_half, most_half);
     const std::vector<Crossing> crossings = crossings_of(from, to, length, half);
@@ -164,7 +159,8 @@ std::vector<Sample> samples_at(const EdgeReader& reader, const Board& board, std
     const auto corners = tag->corners();
     // Clockwise as seen, so that the tag lies to the left in a picture whose y grows downwards.
     for (std::size_t c = 0; c < corners.size(); ++c)
-      reader.read(camera_board * corners[c], camera_board * corners[(c + 1) % corners.size()], out);
+      reader.read(camera_board * corners[c], camera_board * corners[(c + 1) % corners.size()],
+                  camera_board * corners[(c + 2) % corners.size()], out);
   }
   return out;
 }
@@ -176,25 +172,18 @@ double spread_of(const std::vector<Sample>& samples) {
   return std::max(1e-3, 1.4826 * off[off.size() / 2]);
 }
 
-Pose moved(const Pose& pose, const Vec6& by) {
-  const Vec3 turn = by.head<3>();
-  const double angle = turn.norm();
-  const Quat q = angle > 0 ? Quat(Eigen::AngleAxisd(angle, turn / angle)) : Quat::Identity();
-  return {q * pose.p + by.tail<3>(), (q * pose.q).normalized()};
-}
-
 }  // namespace
 
 std::optional<EdgeFit> fit_edges(const GreyImage& image, const Lens& lens, const Board& board,
                                  std::span<const int> codes, const Pose& camera_board, double response) {
   const EdgeReader reader(image, lens, response);
-  EdgeFit fit{camera_board, 0, 0, Mat6::Zero()};
+  EdgeFit fit{camera_board, 0, 0, MotionSpread::Zero()};
   for (int round = 0; round < rounds; ++round) {
     const std::vector<Sample> samples = samples_at(reader, board, codes, fit.camera_board);
     if (static_cast<int>(samples.size()) < least_samples) return std::nullopt;
     const double bound = huber * spread_of(samples);
-    Mat6 sum = Mat6::Zero();
-    Vec6 right = Vec6::Zero();
+    MotionSpread sum = MotionSpread::Zero();
+    SmallMotion right = SmallMotion::Zero();
     double squares = 0, weights = 0;
     for (const Sample& sample : samples) {
       const double weight = std::min(1.0, bound / std::max(bound, std::abs(sample.off)));
@@ -203,14 +192,14 @@ std::optional<EdgeFit> fit_edges(const GreyImage& image, const Lens& lens, const
       squares += weight * sample.off * sample.off;
       weights += weight;
     }
-    const Eigen::LDLT<Mat6> solver(sum);
+    const Eigen::LDLT<MotionSpread> solver(sum);
     if (solver.info() != Eigen::Success || solver.vectorD().minCoeff() <= 0) return std::nullopt;
-    const Vec6 step = solver.solve(right);
+    const SmallMotion step = solver.solve(right);
     if (!step.allFinite()) return std::nullopt;
     fit.camera_board = moved(fit.camera_board, step);
     fit.rms = std::sqrt(squares / weights);
     fit.samples = static_cast<int>(samples.size());
-    fit.covariance = fit.rms * fit.rms * solver.solve(Mat6::Identity());
+    fit.covariance = fit.rms * fit.rms * solver.solve(MotionSpread::Identity());
   }
   return fit;
 }

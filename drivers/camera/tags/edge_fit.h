@@ -12,6 +12,7 @@
 
 #include "drivers/camera/camera.h"
 #include "drivers/camera/grey_image.h"
+#include "drivers/camera/small_motion.h"
 #include "drivers/camera/tags/board.h"
 #include "drivers/camera/tags/board_pose.h"
 
@@ -19,9 +20,9 @@ namespace prosector {
 
 struct EdgeFit {
   Pose camera_board;
-  double rms = 0;                          // pixels that edges are off, where they count fully
-  int samples = 0;                         // places along edges that count
-  Eigen::Matrix<double, 6, 6> covariance;  // of the pose: turn (rad) about the camera's axes, then place (m)
+  double rms = 0;           // pixels that edges are off, where they count fully
+  int samples = 0;          // places along edges that count
+  MotionSpread covariance;  // of the pose, in the camera's frame
 };
 
 /// Fits in the lens' own picture, from a pose that is right to a few pixels. `tags`: codes that were seen,

@@ -1,0 +1,95 @@
+#include "drivers/fitting/align_guide.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "drivers/camera/camera_frames.h"
+
+namespace prosector {
+namespace {
+
+constexpr StillLimits tracker_still = {0.4, 1e-3, 0.01, 10};
+constexpr StillLimits camera_still = {0.4, 1e-3, 0.01, 4};  // slow cameras give few pictures
+constexpr std::int64_t settle_ns = 150'000'000;             // for which both must be still
+constexpr std::int64_t stale_ns = 300'000'000;              // a tracker's pose that is older says nothing
+constexpr double new_turn = 8 * std::numbers::pi / 180;     // from each pose before
+constexpr std::array<const char*, 4> ways = {
+    "tip its upper side towards the camera", "turn it in the picture like a wheel",
+    "turn its left side towards the camera", "tip its lower side towards the camera"};
+
+}  // namespace
+
+AlignGuide::AlignGuide(std::size_t station, std::size_t poses)
+    : station_(station), poses_(poses), tracker_(tracker_still), camera_(camera_still) {}
+
+void AlignGuide::take(const DeviceSample& sample) {
+  if (sample.station != station_ || !sample.has_pose) return;
+  tracked_ns_ = sample.time_ns;
+  tracker_.take(sample.time_ns, sample.pose);
+}
+
+bool AlignGuide::is_new(const Pose& camera_board) const {
+  return std::all_of(pairs_.begin(), pairs_.end(), [&](const TrackedPair& pair) {
+    return pair.camera_board.q.angularDistance(camera_board.q) >= new_turn;
+  });
+}
+
+void AlignGuide::take_board(std::int64_t time_ns, const Pose& camera_board) {
+  if (pairs_.size() == poses_) return;
+  camera_.take(time_ns, camera_board);
+  trouble_.clear();
+  if (!tracker_.still() || !camera_.still() || time_ns - tracked_ns_ > stale_ns) {
+    still_ns_ = 0;
+    return;
+  }
+  if (still_ns_ == 0) still_ns_ = time_ns;
+  if (time_ns - still_ns_ < settle_ns) return;
+  const TrackedPair pair = {tracker_.mean(), camera_.mean()};
+  if (!is_new(pair.camera_board)) {
+    trouble_ = "it was held so before: turn it further";
+    return;
+  }
+  pairs_.push_back(pair);
+  still_ns_ = 0;
+  tracker_.clear();
+  camera_.clear();
+}
+
+GuideStep AlignGuide::step() const {
+  GuideStep out;
+  out.index = pairs_.size();
+  out.count = poses_;
+  out.done = out.index == out.count;
+  out.progress = std::min(tracker_.filled(), camera_.filled());
+  out.trouble = trouble_;
+  if (!out.done)
+    out.instruction =
+        fmt::format("Hold the board before the camera, {}, and hold still", ways[out.index % ways.size()]);
+  return out;
+}
+
+void AlignGuide::back() {
+  if (!pairs_.empty()) pairs_.pop_back();
+}
+
+GuideOutcome AlignGuide::outcome() const {
+  const TrackerFit fit = fit_tracker(pairs_);
+  GuideOutcome out;
+  out.words.push_back(
+      fmt::format("{} poses, {} of them left out; a receiver is off by {:.2f} mm, {:.2f}° RMS; two ways to "
+                  "reckon differ by "
+                  "{:.2f} mm",
+                  pairs_.size(), fit.left_out.size(), 1e3 * fit.place_off,
+                  fit.turn_off * 180 / std::numbers::pi, 1e3 * fit.ways_apart));
+  out.words.push_back(fmt::format("error to expect: {:.2f} mm RMS amid the boards, {:.2f} mm at the camera",
+                                  1e3 * fit.expected_error(fit.centre),
+                                  1e3 * fit.expected_error(fit.tracker_camera.p)));
+  const Pose room_device = fit.tracker_camera * device_camera;
+  out.changes = {{"tracker.room.position", written(room_device.p)},
+                 {"tracker.room.orientation", written(room_device.q)}};
+  return out;
+}
+
+}  // namespace prosector
