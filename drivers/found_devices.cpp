@@ -28,6 +28,14 @@ std::string uevent_value(const fs::path& file, const std::string& name) {
   return {};
 }
 
+/// Returns a file's first line; empty: there is none.
+std::string first_line(const fs::path& file) {
+  std::ifstream in(file);
+  std::string line;
+  std::getline(in, line);
+  return line;
+}
+
 bool is_serial_port(const fs::path& root, const std::string& name) {
   if (name.starts_with("ttyUSB") || name.starts_with("ttyACM")) return true;
   if (!name.starts_with("ttyS")) return false;
@@ -52,6 +60,17 @@ std::vector<FoundDevice> found_devices(const fs::path& root) {
     const fs::path uevent = root / "sys/class/hidraw" / name / "device/uevent";
     if (uevent_value(uevent, "HID_ID").find(glove_vendor) == std::string::npos) continue;
     out.push_back({fmt::format("{}: {}", name, uevent_value(uevent, "HID_NAME")), {"5dt-usb:/dev/" + name}});
+  }
+  return out;
+}
+
+std::vector<FoundDevice> found_cameras(const fs::path& root) {
+  std::vector<FoundDevice> out;
+  for (const std::string& name : names_in(root / "sys/class/video4linux")) {
+    const fs::path folder = root / "sys/class/video4linux" / name;
+    // What comes after a device's first file holds no pictures but data about them.
+    if (first_line(folder / "index") != "0") continue;
+    out.push_back({fmt::format("{}: {}", name, first_line(folder / "name")), {"/dev/" + name}});
   }
   return out;
 }

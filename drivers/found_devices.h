@@ -15,5 +15,7 @@ struct FoundDevice {
 
 /// Lists serial ports and gloves on USB. `root`: of the file system, for tests.
 std::vector<FoundDevice> found_devices(const std::filesystem::path& root = "/");
+/// Lists cameras, each once: "video0: HD Webcam" at "/dev/video0".
+std::vector<FoundDevice> found_cameras(const std::filesystem::path& root = "/");
 
 }  // namespace prosector

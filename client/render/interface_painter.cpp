@@ -42,14 +42,21 @@ std::uint32_t InterfacePainter::add_texture(int width, int height, const std::ui
   GLuint id = 0;
   gl.GenTextures(1, &id);
   gl.BindTexture(GL_TEXTURE_2D, id);
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
   for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
     gl.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
   for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
     gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
   impl_->textures.push_back(id);
+  change_texture(id, width, height, rgba);
   return static_cast<std::uint32_t>(id);
+}
+
+void InterfacePainter::change_texture(std::uint32_t texture, int width, int height,
+                                      const std::uint8_t* rgba) {
+  const Gl& gl = impl_->gl;
+  gl.BindTexture(GL_TEXTURE_2D, texture);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
 }
 
 void InterfacePainter::draw(const Eigen::Vector3f& ground, const std::vector<InterfaceDraw>& draws) {

@@ -33,6 +33,8 @@ class InterfacePainter {
 
   /// Makes a texture of RGBA bytes, rows from the top, and returns what it is called from now on.
   std::uint32_t add_texture(int width, int height, const std::uint8_t* rgba);
+  /// Gives a texture another picture, which may have another size.
+  void change_texture(std::uint32_t texture, int width, int height, const std::uint8_t* rgba);
   /// Draws on a ground of that colour (sRGB); in a window, shows it there, too (call present()).
   void draw(const Eigen::Vector3f& ground, const std::vector<InterfaceDraw>& draws);
   /// Reads what was drawn last.

@@ -62,6 +62,10 @@ void* id_of(std::uint32_t texture) {
   return reinterpret_cast<void*>(static_cast<std::uintptr_t>(texture));
 }
 
+std::uint32_t texture_id(void* shown) {
+  return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(shown));
+}
+
 }  // namespace
 
 Interface::Interface(GlContext& context, const std::filesystem::path& shaders, double scale)
@@ -152,12 +156,14 @@ void Interface::note(const std::string& name) {
                      static_cast<double>(high.x), static_cast<double>(high.y)});
 }
 
-void* Interface::texture_of(const Image& image) {
+void* Interface::texture_of(const Image& image, void* instead) {
   std::vector<std::uint8_t> rgba;
   rgba.reserve(image.rgb.size() / 3 * 4);
   for (std::size_t k = 0; k + 2 < image.rgb.size(); k += 3)
     rgba.insert(rgba.end(), {image.rgb[k], image.rgb[k + 1], image.rgb[k + 2], 255});
-  return id_of(painter_.add_texture(image.width, image.height, rgba.data()));
+  if (instead == nullptr) return id_of(painter_.add_texture(image.width, image.height, rgba.data()));
+  painter_.change_texture(texture_id(instead), image.width, image.height, rgba.data());
+  return instead;
 }
 
 /// Returns what ImGui made of this picture.
@@ -168,7 +174,7 @@ std::vector<InterfaceDraw> Interface::triangles() const {
     const ImDrawList& list = *data.CmdLists[k];
     for (const ImDrawCmd& command : list.CmdBuffer) {
       InterfaceDraw& draw = out.emplace_back();
-      draw.texture = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(command.GetTexID()));
+      draw.texture = texture_id(command.GetTexID());
       draw.left = static_cast<int>(command.ClipRect.x);
       draw.top = static_cast<int>(command.ClipRect.y);
       draw.right = static_cast<int>(command.ClipRect.z);

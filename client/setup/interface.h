@@ -41,8 +41,8 @@ class Interface {
   /// Notes where the control is that was made last.
   void note(const std::string& name);
   const std::vector<PlacedControl>& placed() const { return placed_; }
-  /// Returns what ImGui shows a picture by.
-  void* texture_of(const Image& image);
+  /// Returns what ImGui shows a picture by. It may take the place of one that was shown before.
+  void* texture_of(const Image& image, void* instead = nullptr);
   double scale() const { return scale_; }
   Image read_pixels() const { return painter_.read_pixels(); }
 

@@ -39,6 +39,11 @@ void Pages::draw(Interface& ui) {
       });
       if (!open) calibrate->close();
     }
+    const bool camera = page("Camera", [&] {
+      camera_.draw(ui, draft_, monotonic_ns());
+      said_ = &camera_.said();
+    });
+    if (!camera) camera_.close();
     const bool pictures = page("Pictures and eyes", [&] {
       pictures_.draw(ui, room_, draft_);
       said_ = &pictures_.said();

@@ -3,6 +3,7 @@
 
 #include "client/setup/anteroom.h"
 #include "client/setup/calibrate_page.h"
+#include "client/setup/camera_page.h"
 #include "client/setup/checks_page.h"
 #include "client/setup/devices_page.h"
 #include "client/setup/enter_page.h"
@@ -23,7 +24,8 @@ class Pages {
   const Said& said() const { return *said_; }
   /// Tells whether something is shown that goes on by itself.
   bool lively() const {
-    return devices_.open() || tracker_.running() || glove_.running() || pictures_.running();
+    return devices_.open() || tracker_.running() || glove_.running() || camera_.running() ||
+           pictures_.running();
   }
   /// Returns the screen to fill now, from 0; none: a window.
   std::optional<int> full_screen() const;
@@ -36,6 +38,7 @@ class Pages {
   DevicesPage devices_;
   CalibratePage tracker_{"Tracker", std::make_unique<TrackerRange>(), tracker_procedures()};
   CalibratePage glove_{"Glove", std::make_unique<GloveLive>(), glove_procedures()};
+  CameraPage camera_;
   PicturesPage pictures_;
   ChecksPage checks_;
 };

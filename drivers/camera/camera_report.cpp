@@ -11,19 +11,13 @@
 namespace prosector {
 namespace {
 
-constexpr double least_rate = 15, most_dropped = 0.05, least_light = 40, most_noise = 8;
+constexpr double least_rate = 15, most_dropped = 0.05, most_noise = 8;
 
 double middle(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), at, values.end());
   return *at;
-}
-
-double mean(const GreyImage& image) {
-  return image.grey.empty() ? 0
-                            : std::accumulate(image.grey.begin(), image.grey.end(), 0.0) /
-                                  static_cast<double>(image.grey.size());
 }
 
 /// Returns a pixel's noise, as two pictures of what mostly rests tell it: a median, which what moves doesn't
@@ -81,7 +75,7 @@ void CameraReport::take(const Frame& frame, std::int64_t now_ns) {
   dropped_ += frame.number - next_number_;
   next_number_ = frame.number + 1;
   GreyImage picture = grey_of(frame.image);
-  brightness_.push_back(mean(picture));
+  brightness_.push_back(brightness_of(picture));
   if (!last_.grey.empty()) {
     if (last_.grey == picture.grey) ++alike_;
     noise_.push_back(noise_between(last_, picture));

@@ -13,6 +13,8 @@
 
 namespace prosector {
 
+inline constexpr double least_light = 40;  // of 255: darker pictures are too dark
+
 class CameraReport {
  public:
   /// Begins a report. Without a calibration the lens is guessed.

@@ -1,5 +1,7 @@
 #include "drivers/camera/grey_image.h"
 
+#include <numeric>
+
 #include <cstddef>
 
 namespace prosector {
@@ -12,6 +14,11 @@ GreyImage grey_of(const Image& image) {
     out.grey[i] = static_cast<std::uint8_t>(
         (77u * image.rgb[3 * i] + 150u * image.rgb[3 * i + 1] + 29u * image.rgb[3 * i + 2] + 128u) >> 8);
   return out;
+}
+
+double brightness_of(const GreyImage& image) {
+  if (image.grey.empty()) return 0;
+  return std::accumulate(image.grey.begin(), image.grey.end(), 0.0) / static_cast<double>(image.grey.size());
 }
 
 }  // namespace prosector

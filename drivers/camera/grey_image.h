@@ -15,5 +15,7 @@ struct GreyImage {
 
 /// Returns the luma (BT.601) of a picture.
 GreyImage grey_of(const Image& image);
+/// Returns the mean of its pixels, 0 to 255.
+double brightness_of(const GreyImage& image);
 
 }  // namespace prosector

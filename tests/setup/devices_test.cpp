@@ -197,5 +197,19 @@ TEST(FoundDevices, ArePortsThatAreThereAndGloves) {
     for (const std::string& address : device.addresses) EXPECT_NO_THROW((void)parse_device_address(address));
 }
 
+TEST(FoundDevices, CamerasAreListedOnceEach) {
+  const TemporaryFile root("found_cameras");
+  const std::filesystem::path sys = root.path / "sys/class/video4linux";
+  write_file(sys / "video0/name", "HD Webcam\n");
+  write_file(sys / "video0/index", "0\n");
+  write_file(sys / "video1/name", "HD Webcam\n");
+  write_file(sys / "video1/index", "1\n");
+  const std::vector<FoundDevice> found = found_cameras(root.path);
+  std::filesystem::remove_all(root.path);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].name, "video0: HD Webcam");
+  EXPECT_EQ(found[0].addresses, std::vector<std::string>{"/dev/video0"});
+}
+
 }  // namespace
 }  // namespace prosector::test

@@ -4,134 +4,25 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
-#include <cstdlib>
-#include <functional>
 #include <random>
 #include <set>
-#include <thread>
 
-#include "client/render/image.h"
-#include "client/render/shader_dir.h"
 #include "drivers/field_map.h"
-#include "tests/dds_domains.h"
 #include "tests/session/temporary_file.h"
+#include "tests/setup/pages_room.h"
 #include "tests/setup/written_file.h"
 
 namespace prosector::test {
 namespace {
 
-BusConfig test_bus() {
-  BusConfig out;
-  out.domain = dds_domain::set_up;
-  return out;
-}
-
-/// A window of a person with a configuration. `scale`: of letters, and with `wide` of the window, too.
-class Room {
- public:
-  Room(const std::string& config, double scale, double wide = 1)
-      : folder_("pages"),
-        file_(folder_.path / "client.toml"),
-        draft_((write_file(file_, config), file_)),
-        room_({.bus = test_bus(),
-               .scenes = folder_.path,
-               .cache = folder_.path,
-               .memory = folder_.path / "m.toml",
-               .config = file_}),
-        context_(make_offscreen_context(static_cast<int>(1280 * wide), static_cast<int>(720 * wide))),
-        ui_(*context_, default_shader_dir(), scale),
-        pages_(room_, draft_,
-               [] {
-                 return MachineCheck{"Pictures", CheckState::good, "8 ms"};
-               },
-               {{"5dt_hmd_800_26", 800, 600, false}}) {
-    draw(3);
-  }
-  ~Room() { std::filesystem::remove_all(folder_.path); }
-
-  void draw(int pictures = 4) {
-    for (int k = 0; k < pictures || ui_.behind(); ++k) ui_.draw(1. / 30, [&] { pages_.draw(ui_); });
-  }
-  /// Draws pictures until something is so, or half a minute is over.
-  void until(const std::function<bool()>& so) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-    while (!so() && std::chrono::steady_clock::now() < end) {
-      draw(1);
-      std::this_thread::sleep_for(std::chrono::milliseconds(15));
-    }
-  }
-  const PlacedControl* find(const std::string& name) const {
-    for (const PlacedControl& c : ui_.placed())
-      if (c.name == name) return &c;
-    return nullptr;
-  }
-  const PlacedControl& control(const std::string& name) const {
-    const PlacedControl* found = find(name);
-    if (found == nullptr) throw std::out_of_range(name);
-    return *found;
-  }
-  void click(const std::string& name) {
-    const PlacedControl& c = control(name);
-    press((c.left + c.right) / 2, (c.top + c.bottom) / 2);
-  }
-  void press(double x, double y) {
-    ui_.take({MouseMoved{x, y}, MouseButtonEvent{MouseButton::left, true},
-              MouseButtonEvent{MouseButton::left, false}});
-    draw();
-    ui_.take({MouseMoved{1, 1}});
-    draw(2);
-  }
-  /// Replaces what a field has.
-  void type(const std::string& name, const std::string& text) {
-    click(name);
-    type(text);
-  }
-  void type(const std::string& text) {
-    ui_.take({KeyEvent{Key::control, true, false}, KeyEvent{key_of('A'), true, false},
-              KeyEvent{key_of('A'), false, false}, KeyEvent{Key::control, false, false}});
-    for (const char c : text) ui_.take({CharacterTyped{static_cast<char32_t>(c)}});
-    draw();
-    tap(Key::enter);
-  }
-  /// Returns the number that was told after such words.
-  double told(const std::string& words) const {
-    for (const PlacedControl& c : ui_.placed())
-      if (c.name.starts_with("told: " + words)) return std::stod(c.name.substr(6 + words.size()));
-    throw std::out_of_range(words);
-  }
-  void tap(Key key) {
-    ui_.take({KeyEvent{key, true, false}, KeyEvent{key, false, false}});
-    draw();
-  }
-  /// Keeps a picture where somebody wants to look at them.
-  void picture(const std::string& name) const {
-    if (const char* folder = std::getenv("PROSECTOR_PICTURES"))
-      write_png(ui_.read_pixels(), std::filesystem::path(folder) / (name + ".png"));
-  }
-  const std::vector<PlacedControl>& placed() const { return ui_.placed(); }
-  int width() const { return context_->width(); }
-  int height() const { return context_->height(); }
-  ConfigDraft& draft() { return draft_; }
-  const Said& said() const { return pages_.said(); }
-
- private:
-  TemporaryFile folder_;
-  std::filesystem::path file_;
-  ConfigDraft draft_;
-  Anteroom room_;
-  std::unique_ptr<GlContext> context_;
-  Interface ui_;
-  Pages pages_;
-};
-
 constexpr const char* no_devices = "# none\n";
 
 TEST(Pages, NothingOfThemIsBesideTheWindow) {
   for (const double scale : {1., 2.}) {
-    Room room(no_devices, scale, scale);
-    for (const char* page : {"Enter", "Devices", "Tracker", "Glove", "Pictures and eyes", "Checks"}) {
+    PagesRoom room(no_devices, scale, scale);
+    for (const char* page :
+         {"Enter", "Devices", "Tracker", "Glove", "Camera", "Pictures and eyes", "Checks"}) {
       room.click(page);
       room.picture(std::string(page) + (scale == 1 ? "-1x" : "-2x"));
       for (const PlacedControl& c : room.placed()) {
@@ -145,8 +36,8 @@ TEST(Pages, NothingOfThemIsBesideTheWindow) {
 
 // A window that is too narrow for both panels of a page has one below the other, and scrolls.
 TEST(Pages, NothingIsCutOffAtItsRightWhereLettersAreLarge) {
-  Room room(no_devices, 2);
-  for (const char* page : {"Devices", "Tracker", "Glove", "Pictures and eyes"}) {
+  PagesRoom room(no_devices, 2);
+  for (const char* page : {"Devices", "Tracker", "Glove", "Camera", "Pictures and eyes"}) {
     room.click(page);
     room.picture(std::string(page) + "-narrow");
     for (const PlacedControl& c : room.placed())
@@ -155,7 +46,7 @@ TEST(Pages, NothingIsCutOffAtItsRightWhereLettersAreLarge) {
 }
 
 TEST(Pages, TheRulerFindsHowFarEyesAreApart) {
-  Room room(no_devices, 1);
+  PagesRoom room(no_devices, 1);
   room.click("Pictures and eyes");
   const PlacedControl& card = room.control("card");
   EXPECT_NEAR(card.right - card.left, 0.0856 / 0.265e-3, 1);
@@ -175,7 +66,7 @@ TEST(Pages, TheRulerFindsHowFarEyesAreApart) {
 }
 
 TEST(Pages, CrossesWantAHeadWithAReceiver) {
-  Room room("[tracker]\naddress = \"fastrak:/nowhere\"\n", 1);
+  PagesRoom room("[tracker]\naddress = \"fastrak:/nowhere\"\n", 1);
   room.click("Pictures and eyes");
   room.click("by crosses");
   room.picture("crosses-wishes");
@@ -186,7 +77,7 @@ TEST(Pages, CrossesWantAHeadWithAReceiver) {
 
 TEST(Pages, CrossesComeOverTheWholeWindowAndSpaceConfirms) {
   for (const double scale : {1., 2.}) {
-    Room room("[tracker]\naddress = \"fastrak:/nowhere\"\nstations.head.station = 2\n", scale, scale);
+    PagesRoom room("[tracker]\naddress = \"fastrak:/nowhere\"\nstations.head.station = 2\n", scale, scale);
     room.click("Pictures and eyes");
     room.click("by crosses");
     room.click("begin eyes");
@@ -204,7 +95,7 @@ TEST(Pages, CrossesComeOverTheWholeWindowAndSpaceConfirms) {
 }
 
 TEST(Pages, TakeAReceiverAndADeviceAwayByTheKeyboardToo) {
-  Room room(
+  PagesRoom room(
       "[tracker]\naddress = \"recorded:/nowhere.csv\"\n[tracker.stations]\nright.station = 1\nhead.station = "
       "2\n",
       1);
@@ -244,10 +135,10 @@ TEST(TrackerRange, TrustsWhatIsNearAndNothingWithAnError) {
 TEST(Pages, TellWhereReceiversAreAndWriteTheirSide) {
   const TemporaryFile poses("away.csv");
   for (const double scale : {1., 2.}) {
-    Room room("[tracker]\naddress = \"" + going_away(poses.path) +
-                  "\"\nhemisphere = [0, 0, -1]  # the ceiling\n[tracker.stations]\nright.station = "
-                  "1\nhead.station = 2\n",
-              scale, scale);
+    PagesRoom room("[tracker]\naddress = \"" + going_away(poses.path) +
+                       "\"\nhemisphere = [0, 0, -1]  # the ceiling\n[tracker.stations]\nright.station = "
+                       "1\nhead.station = 2\n",
+                   scale, scale);
     room.click("Tracker");
     std::set<std::string> seen;
     room.until([&] {
@@ -283,7 +174,7 @@ TEST(Pages, ShowTheHandThatAGloveMakesAndItsGestures) {
   }
   write_file(bends.path, rows);
   for (const double scale : {1., 2.}) {
-    Room room("[glove.right]\naddress = \"recorded-loop:" + bends.path.string() + "\"\n", scale, scale);
+    PagesRoom room("[glove.right]\naddress = \"recorded-loop:" + bends.path.string() + "\"\n", scale, scale);
     room.click("Glove");
     room.until([&] { return room.find("point made") != nullptr && room.find("flat made") != nullptr; });
     EXPECT_NE(room.find("point made"), nullptr);
@@ -327,7 +218,7 @@ void write_grid_walk(const std::filesystem::path& file) {
 TEST(Pages, LeadThroughABentFieldAndShowIt) {
   const TemporaryFile walk("walk.csv");
   write_grid_walk(walk.path);
-  Room room("[tracker]\naddress = \"recorded:" + walk.path.string() + "\"\n", 1);
+  PagesRoom room("[tracker]\naddress = \"recorded:" + walk.path.string() + "\"\n", 1);
   room.click("Tracker");
   room.click("Bent field");
   const PlacedControl points = room.control("grid points");
@@ -361,7 +252,7 @@ TEST(Pages, MeasureNoiseAndLatency) {
   }
   write_file(poses.path, rows);
   const std::string address = "recorded-loop:" + poses.path.string();
-  Room room(
+  PagesRoom room(
       "[tracker]\naddress = \"" + address + "\"\n[tracker.stations]\nright.station = 1\nhead.station = 2\n",
       1);
   const auto measure = [&](const char* what) {

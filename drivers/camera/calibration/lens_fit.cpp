@@ -19,7 +19,6 @@ constexpr double least_response = 1, most_response = 3;
 constexpr int response_steps = 7;          // of the golden section
 constexpr std::size_t response_views = 7;  // that the response is found by
 constexpr std::size_t held_out_each = 5;
-constexpr int cells_across = 8, cells_down = 6;
 constexpr double most_rms = 2;  // pixels: what fits worse is no calibration
 constexpr double outlier_px = 0.15,
                  outlier_ratio = 4;  // of the median; tags that are farther off are left out
@@ -232,8 +231,8 @@ double held_out_error(const std::vector<ViewCorners>& corners, const Lens& lens)
 
 }  // namespace
 
-double covered_share(std::span<const LensView> views) {
-  std::set<std::pair<int, int>> cells;
+std::set<PictureCell> covered_cells(std::span<const LensView> views) {
+  std::set<PictureCell> cells;
   for (const LensView& view : views)
     for (const SeenTag& tag : view.tags)
       for (const Vec2& corner : tag.corners)
@@ -241,7 +240,11 @@ double covered_share(std::span<const LensView> views) {
             {std::clamp(static_cast<int>(corner.x() * cells_across / view.picture.width), 0,
                         cells_across - 1),
              std::clamp(static_cast<int>(corner.y() * cells_down / view.picture.height), 0, cells_down - 1)});
-  return static_cast<double>(cells.size()) / (cells_across * cells_down);
+  return cells;
+}
+
+double covered_share(std::span<const LensView> views) {
+  return static_cast<double>(covered_cells(views).size()) / (cells_across * cells_down);
 }
 
 LensFit fit_lens(const Board& board, std::span<const LensView> views, const std::string& camera) {

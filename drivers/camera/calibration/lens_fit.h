@@ -6,8 +6,10 @@
 // far. How brightness grows with light is found, too. Taken wrongly it makes all tags seem too large against
 // their distances, so the exponent is that which leaves the least error.
 
+#include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drivers/camera/camera_calibration.h"
@@ -35,7 +37,13 @@ struct LensFit {
 /// Fits. Throws InputError that says what to do where views are too few, too small, or all alike.
 LensFit fit_lens(const Board& board, std::span<const LensView> views, const std::string& camera);
 
-/// Returns the share of a picture's 8 × 6 cells in which a corner lies.
+/// A cell of a picture: its column and its row from the upper left.
+using PictureCell = std::pair<int, int>;
+inline constexpr int cells_across = 8, cells_down = 6;
+
+/// Returns the cells of a picture in which a corner lies.
+std::set<PictureCell> covered_cells(std::span<const LensView> views);
+/// Returns their share of all cells.
 double covered_share(std::span<const LensView> views);
 
 }  // namespace prosector

@@ -1,0 +1,227 @@
+#include "client/setup/camera_page.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "client/setup/beside.h"
+#include "client/setup/draft_changes.h"
+#include "common/error.h"
+#include "drivers/camera/camera_report.h"
+#include "drivers/camera/tags/known_boards.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::int64_t list_again_ns = 2'000'000'000, picture_due_ns = 1'500'000'000;
+constexpr const char* lens_file = "camera.toml";  // beside the configuration
+constexpr const char* shown_board = "calibration";
+constexpr ImU32 tag_shade = IM_COL32(110, 255, 140, 255), cell_shade = IM_COL32(60, 200, 110, 60);
+
+/// Returns the camera that a tracker's address names: "tags:0" names 0; empty: none does.
+std::string camera_in(const std::string& tracker) {
+  for (const char* driver : {"tags:", "hands:", "face:"})
+    if (tracker.starts_with(driver)) {
+      const std::size_t begin = std::string_view(driver).size();
+      return tracker.substr(begin, tracker.find(',') - begin);
+    }
+  return {};
+}
+
+}  // namespace
+
+void CameraPage::draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns) {
+  if (found_ns_ == 0 || now_ns - found_ns_ > list_again_ns) {
+    if (found_ns_ == 0) address_ = camera_in(draft.config().tracker);
+    found_ns_ = now_ns;
+    found_ = found_cameras();
+  }
+  if (watch_) seen_ = watch_->picture();
+  if (fit_.valid() && fit_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) take_fit(draft);
+  draw_beside(
+      ui, 0.36,
+      [&] {
+        draw_choice(ui, now_ns);
+        ImGui::Separator();
+        draw_steps(ui);
+        ImGui::Separator();
+        draw_draft_changes(ui, draft, said_);
+      },
+      [&] {
+        draw_trouble(ui, now_ns);
+        draw_picture(ui);
+      });
+}
+
+void CameraPage::close() {
+  watch_.reset();
+  guides_ = false;
+  seen_ = {};
+  shown_ = 0;
+}
+
+void CameraPage::open(const std::string& address, std::int64_t now_ns) {
+  close();
+  address_ = address;
+  outcome_.clear();
+  said_ = {};
+  if (address.empty()) return;
+  opened_ns_ = now_ns;
+  watch_ = std::make_unique<CameraWatch>(address);
+}
+
+void CameraPage::draw_choice(Interface& ui, std::int64_t now_ns) {
+  title("Camera");
+  for (const FoundDevice& camera : found_) {
+    const std::string& address = camera.addresses.front();
+    if (ImGui::Selectable(camera.name.c_str(), watch_ && address_ == address)) open(address, now_ns);
+    ui.note(address);
+  }
+  if (found_.empty()) quiet("No camera is plugged in.");
+  quiet("Or its number, file, stream or synthetic:FILE");
+  ImGui::SetNextItemWidth(-1);
+  const bool entered = ImGui::InputText("##camera", &address_, ImGuiInputTextFlags_EnterReturnsTrue);
+  ui.note("camera address");
+  const bool looks = ImGui::Button("Look");
+  ui.note("look");
+  if (entered || looks) open(address_, now_ns);
+  if (!watch_) return;
+  ImGui::SameLine();
+  if (ImGui::Button("Let it go")) close();
+  ui.note("let go");
+}
+
+void CameraPage::draw_steps(Interface& ui) {
+  title("Its lens");
+  if (fit_.valid()) {
+    wrapped("Fitting: this takes some seconds.");
+    return;
+  }
+  if (guides_) {
+    draw_guide(ui);
+    return;
+  }
+  if (outcome_.empty()) quiet("Print the board \"calibration\": prosector-board calibration --out board.pdf");
+  for (const std::string& line : outcome_) wrapped(line);
+  if (!watch_) return;
+  if (ImGui::Button(outcome_.empty() ? "Calibrate###calibrate" : "Once more###calibrate")) {
+    outcome_.clear();
+    watch_->guide(find_board(shown_board));
+    guides_ = true;
+    said_ = {};
+  }
+  ui.note("calibrate");
+}
+
+void CameraPage::draw_guide(Interface& ui) {
+  const LensGuideStep& step = seen_.step;
+  ImGui::SetWindowFontScale(1.35f);
+  wrapped(step.instruction.empty() ? "show the camera the board" : step.instruction);
+  ImGui::SetWindowFontScale(1);
+  const std::string views = fmt::format("{} of {} views", step.views, usual_views);
+  ImGui::ProgressBar(std::min(1.f, static_cast<float>(step.views) / static_cast<float>(usual_views)), {-1, 0},
+                     views.c_str());
+  ui.note(fmt::format("told: views {}", step.views));
+  const std::string covered = fmt::format("{:.0f} % covered", 100 * step.covered);
+  ImGui::ProgressBar(static_cast<float>(step.covered), {-1, 0}, covered.c_str());
+  bool fits = step.done;
+  if (step.views >= least_views) {
+    fits |= ImGui::Button("That must do");
+    ui.note("fit now");
+    ImGui::SameLine();
+  }
+  const bool stops = ImGui::Button("Stop");
+  ui.note("stop");
+  if (fits) begin_fit();
+  if (!stops) return;
+  watch_->stop_guide();
+  guides_ = false;
+  said_ = {"Stopped: nothing is changed.", false};
+}
+
+/// Fits on a thread of its own: views are copied, so that the camera may go meanwhile.
+void CameraPage::begin_fit() {
+  fit_ = std::async(std::launch::async, [views = watch_->views(), camera = watch_->identity()] {
+    return fit_lens(find_board(shown_board), views, camera);
+  });
+  fitted_ = address_;
+  watch_->stop_guide();
+  guides_ = false;
+  said_ = {"Fitting …", false};
+}
+
+/// Takes what came out into the draft. A lens is a file of its own, which the configuration names.
+void CameraPage::take_fit(ConfigDraft& draft) {
+  try {
+    const LensFit fit = fit_.get();
+    const Lens& lens = fit.calibration.lens;
+    std::filesystem::create_directories(draft.file().parent_path());
+    save_config_text(draft.file().parent_path() / lens_file, write_calibration(fit.calibration));
+    GuideOutcome outcome = {{fmt::format("{:.3f} px off at views that weren't fitted.", fit.held_out),
+                             fmt::format("Focal lengths {:.1f} and {:.1f} px; {:.0f} % covered.", lens.fx,
+                                         lens.fy, 100 * fit.covered)},
+                            {{"tracker.lens", std::string(lens_file)}}};
+    // A lens belongs to a tracker: where none is named, this camera is to be it.
+    if (draft.config().tracker.empty()) outcome.changes.push_back({"tracker.address", "tags:" + fitted_});
+    outcome_ = outcome.words;
+    said_ = take_outcome(draft, outcome);
+  } catch (const std::exception& error) {  // what has no words of ours comes from a library
+    said_ = {error.what(), true};
+  }
+}
+
+void CameraPage::draw_trouble(Interface& ui, std::int64_t now_ns) const {
+  if (!watch_) {
+    quiet("Choose a camera, and its picture is shown here.");
+    return;
+  }
+  const CameraState state = watch_->state();
+  std::string words;
+  if (!state.problem.empty())
+    words = state.problem;
+  else if (now_ns - std::max(opened_ns_, state.last_ns) > picture_due_ns)
+    words = "No picture comes.";
+  else if (seen_.image && seen_.brightness < least_light)
+    words = "It is too dark: make more light.";
+  else if (seen_.image && seen_.tags.empty())
+    words = "No board is seen.";
+  if (words.empty())
+    quiet(fmt::format("{} tags are seen.", seen_.tags.size()));
+  else
+    warning(words);
+  ui.note("camera trouble: " + words);
+}
+
+/// Draws the picture as large as there is room, with its tags and the cells that views cover.
+void CameraPage::draw_picture(Interface& ui) {
+  if (!watch_ || !seen_.image) return;
+  const auto scale = static_cast<float>(ui.scale());
+  if (shown_ != seen_.number) texture_ = ui.texture_of(*seen_.image, texture_);
+  shown_ = seen_.number;
+  quiet(fmt::format("{} × {}, {:.0f} pictures a second, brightness {:.0f} of 255", seen_.image->width,
+                    seen_.image->height, seen_.rate, seen_.brightness));
+  const auto wide = static_cast<float>(seen_.image->width), high = static_cast<float>(seen_.image->height);
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float zoom = std::min(room.x / wide, std::max(room.y, 240 * scale) / high);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::Image(texture_, {zoom * wide, zoom * high});
+  ui.note("camera picture");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float cell_wide = zoom * wide / cells_across, cell_high = zoom * high / cells_down;
+  for (const auto& [column, row] : seen_.covered) {
+    const ImVec2 low = {at.x + static_cast<float>(column) * cell_wide,
+                        at.y + static_cast<float>(row) * cell_high};
+    list.AddRectFilled(low, {low.x + cell_wide, low.y + cell_high}, cell_shade);
+  }
+  for (const SeenTag& tag : seen_.tags) {
+    for (const Vec2& corner : tag.corners)
+      list.PathLineTo(
+          {at.x + zoom * static_cast<float>(corner.x()), at.y + zoom * static_cast<float>(corner.y())});
+    list.PathStroke(tag_shade, ImDrawFlags_Closed, 2 * scale);
+  }
+}
+
+}  // namespace prosector
