@@ -44,7 +44,7 @@ void Pages::draw(Interface& ui) {
       said_ = &camera_.said();
     });
     if (!camera) camera_.close();
-    const bool pictures = page("Pictures and eyes", [&] {
+    const bool pictures = page("Pictures", [&] {
       pictures_.draw(ui, room_, draft_);
       said_ = &pictures_.said();
     });

@@ -68,7 +68,7 @@ head.station = 2  # on the visor
     wait_until("the tracker", lambda: (OUT / "tracker").exists())
     (OUT / "scenes").mkdir()
     user = SetupWindow(processes, PROGRAMS, "Ada", "--config", config, "--scenes", OUT / "scenes")
-    user.click("Pictures and eyes")
+    user.click("Pictures")
     user.click("by crosses")
     user.sees("crosses 12")
     user.picture("setup-eyes.png")

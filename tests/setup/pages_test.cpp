@@ -21,8 +21,7 @@ constexpr const char* no_devices = "# none\n";
 TEST(Pages, NothingOfThemIsBesideTheWindow) {
   for (const double scale : {1., 2.}) {
     PagesRoom room(no_devices, scale, scale);
-    for (const char* page :
-         {"Enter", "Devices", "Tracker", "Glove", "Camera", "Pictures and eyes", "Checks"}) {
+    for (const char* page : {"Enter", "Devices", "Tracker", "Glove", "Camera", "Pictures", "Checks"}) {
       room.click(page);
       room.picture(std::string(page) + (scale == 1 ? "-1x" : "-2x"));
       for (const PlacedControl& c : room.placed()) {
@@ -37,7 +36,7 @@ TEST(Pages, NothingOfThemIsBesideTheWindow) {
 // A window that is too narrow for both panels of a page has one below the other, and scrolls.
 TEST(Pages, NothingIsCutOffAtItsRightWhereLettersAreLarge) {
   PagesRoom room(no_devices, 2);
-  for (const char* page : {"Devices", "Tracker", "Glove", "Camera", "Pictures and eyes"}) {
+  for (const char* page : {"Devices", "Tracker", "Glove", "Camera", "Pictures"}) {
     room.click(page);
     room.picture(std::string(page) + "-narrow");
     for (const PlacedControl& c : room.placed())
@@ -47,7 +46,7 @@ TEST(Pages, NothingIsCutOffAtItsRightWhereLettersAreLarge) {
 
 TEST(Pages, TheRulerFindsHowFarEyesAreApart) {
   PagesRoom room(no_devices, 1);
-  room.click("Pictures and eyes");
+  room.click("Pictures");
   const PlacedControl& card = room.control("card");
   EXPECT_NEAR(card.right - card.left, 0.0856 / 0.265e-3, 1);
   room.click("reckon");
@@ -67,7 +66,7 @@ TEST(Pages, TheRulerFindsHowFarEyesAreApart) {
 
 TEST(Pages, CrossesWantAHeadWithAReceiver) {
   PagesRoom room("[tracker]\naddress = \"fastrak:/nowhere\"\n", 1);
-  room.click("Pictures and eyes");
+  room.click("Pictures");
   room.click("by crosses");
   room.picture("crosses-wishes");
   room.click("begin eyes");
@@ -78,7 +77,7 @@ TEST(Pages, CrossesWantAHeadWithAReceiver) {
 TEST(Pages, CrossesComeOverTheWholeWindowAndSpaceConfirms) {
   for (const double scale : {1., 2.}) {
     PagesRoom room("[tracker]\naddress = \"fastrak:/nowhere\"\nstations.head.station = 2\n", scale, scale);
-    room.click("Pictures and eyes");
+    room.click("Pictures");
     room.click("by crosses");
     room.click("begin eyes");
     ASSERT_NE(room.find("covered"), nullptr);
