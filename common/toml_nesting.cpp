@@ -29,6 +29,7 @@ class NestingScan {
         return;
       case '[':
       case '{':
+        if (c == '[' && begins_line()) check_header();
         dots_ = 0;
         limit(++brackets_, "lists and tables are nested too deeply");
         break;
@@ -71,6 +72,28 @@ class NestingScan {
       }
       at_ += quote == '"' && text_[at_] == '\\' && at_ + 1 < text_.size() && text_[at_ + 1] != '\n' ? 2 : 1;
     }
+  }
+
+  /// Tells whether only blanks stand before this place in its line, outside all brackets.
+  bool begins_line() const {
+    if (brackets_ > 0) return false;
+    const std::size_t before = at_ == 0 ? std::string_view::npos : text_.find_last_not_of(" \t", at_ - 1);
+    return before == std::string_view::npos || text_[before] == '\n' || text_[before] == '\r';
+  }
+
+  /// Checks that a table's header begins with a name. toml++ takes that for granted once it is past the
+  /// bracket.
+  void check_header() const {
+    std::size_t name = at_ + 1;
+    const bool is_doubled = name < text_.size() && text_[name] == '[';
+    if (is_doubled) ++name;
+    name = text_.find_first_not_of(" \t", name);
+    if (name == std::string_view::npos) return;  // the parser says so
+    const char c = text_[name];
+    const bool is_bare =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    if (!is_bare && c != '"' && c != '\'' && c != ']' && (is_doubled || c != '['))
+      throw InputError(fmt::format("{}:{}: a table's name must follow its bracket", file_, line_));
   }
 
   void limit(int levels, const char* what) const {

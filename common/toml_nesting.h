@@ -1,5 +1,6 @@
 #pragma once
-// How deep a TOML text nests, found before it is parsed: the parser and what it makes recurse.
+// What a TOML text must not hold, found before it is parsed. How deep it nests: the parser and what it makes
+// recurse. A header without a name: the parser takes one for granted.
 
 #include <string>
 #include <string_view>
@@ -10,7 +11,8 @@ namespace prosector {
 inline constexpr int max_toml_nesting = 32;
 
 /// Throws InputError with `file` and the line where a key has more parts, or brackets are nested deeper, than
-/// `max_toml_nesting`. Reads no further into what isn't TOML than its strings and comments.
+/// `max_toml_nesting`, or a table has no name. Reads no further into what isn't TOML than its strings and
+/// comments.
 void check_nesting(std::string_view toml, const std::string& file);
 
 }  // namespace prosector

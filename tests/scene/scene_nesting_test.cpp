@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/error.h"
 #include "common/toml_nesting.h"
 #include "tests/scene/scene_texts.h"
 
@@ -35,6 +36,13 @@ TEST(SceneNesting, StringsAndCommentsMayHoldAnything) {
        {nested("# ", "[a.", 100, "\n"), nested("a = \"\\\"", "[a.", 100, "\"\n"),
         nested("a = '", "[a.", 100, "\\'\n"), nested("a = \"\"\"\n", "[a.\"\n", 100, "\"\"\"\n"),
         nested("a = '''", "[a.", 100, "''\n'''\n")})
+    EXPECT_NO_THROW(check_nesting(text, "f")) << text;
+}
+
+TEST(SceneNesting, TablesWithoutNamesAreRefused) {
+  for (const std::string text : {"[=]", "[[ =", "[\n", "  [[[a]]]", "[\x80", "a = 1\r\n[,"})
+    EXPECT_THROW(check_nesting(text, "f"), InputError) << text;
+  for (const std::string text : {"[ a ]", "[[ 'x' ]]", "[\"a.b\".c]", "a = [\n[=], 2]", "[-]", "["})
     EXPECT_NO_THROW(check_nesting(text, "f")) << text;
 }
 
