@@ -15,6 +15,8 @@ class NestingScan {
   NestingScan(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
   void run() {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text_.starts_with(byte_order_mark)) at_ = byte_order_mark.size();
     while (at_ < text_.size()) step();
   }
 
@@ -50,6 +52,9 @@ class NestingScan {
         dots_ = 0;
         break;
       default:
+        if (static_cast<unsigned char>(c) >= 0x80)
+          throw InputError(
+              fmt::format("{}:{}: what isn't ASCII must stand in quotes or a comment", file_, line_));
         break;
     }
     ++at_;

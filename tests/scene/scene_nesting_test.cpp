@@ -46,6 +46,15 @@ TEST(SceneNesting, TablesWithoutNamesAreRefused) {
     EXPECT_NO_THROW(check_nesting(text, "f")) << text;
 }
 
+TEST(SceneNesting, LettersBeyondAsciiStandInQuotes) {
+  for (const std::string text : {"é = 1", "a = é", "a = 1 \xC2\xA1", "[\"é\"]é", "\xFF"})
+    EXPECT_THROW(check_nesting(text, "f"), InputError) << text;
+  for (const std::string text : {"\xEF\xBB\xBF"
+                                 "a = 1",
+                                 "a = 'é' # ü", "\"é\" = \"\"\"\nü\"\"\""})
+    EXPECT_NO_THROW(check_nesting(text, "f")) << text;
+}
+
 // Depth begins anew with each number of a list, and with each key.
 TEST(SceneNesting, LongFilesAreNotDeepOnes) {
   EXPECT_NO_THROW(check_nesting(nested("a = [", "[1.5, 2.5], ", 1000, "]\n"), "f"));
