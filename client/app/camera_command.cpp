@@ -12,9 +12,8 @@
 #include "common/version.h"
 #include "drivers/camera/calibration/lens_guide.h"
 #include "drivers/camera/camera_report.h"
-#include "drivers/camera/straightener.h"
-#include "drivers/camera/tags/board_tracker.h"
 #include "drivers/camera/tags/known_boards.h"
+#include "drivers/camera/tags/tag_reader.h"
 #include "drivers/client_config.h"
 #include "drivers/fitting/align_guide.h"
 #include "drivers/toml_text.h"
@@ -62,47 +61,29 @@ class StepTeller {
 class BoardWatch {
  public:
   explicit BoardWatch(const CameraCommandOptions& o)
-      : address_(o.camera), tracker_(find_board(o.board)), finder_(TagFinderSettings{}) {
-    if (!o.lens.empty()) calibration_ = load_calibration(o.lens);
-  }
+      : address_(o.camera), reader_(o.lens), tracker_(find_board(o.board)) {}
 
   /// Looks at the next picture and hands out where the board is, if it is read.
   void look(AlignGuide& guide) {
-    if (!camera_) camera_ = open_camera(address_);
+    if (!camera_) {
+      camera_ = open_camera(address_);
+      reader_.begin(*camera_);
+      if (reader_.is_guessed())
+        throw InputError(fmt::format("{}: isn't calibrated: give --lens FILE (camera calibrate)", address_));
+    }
     const auto frame = camera_->next(picture_wait);
     if (!frame) return;
-    make_ready(frame->image);
-    TagPicture picture;
-    picture.bent = grey_of(frame->image);
-    picture.straight = straightener_->straight(picture.bent);
-    picture.tags = finder_.find(picture.straight);
-    picture.time_ns = frame->time_ns;
-    const auto seen = tracker_.update(picture, optics_);
+    const auto seen = tracker_.update(reader_.read(*frame), reader_.optics());
     if (seen && !seen->followed) guide.take_board(frame->time_ns, seen->camera_board);
   }
 
  private:
   static constexpr auto picture_wait = 5ms;
 
-  void make_ready(const Image& image) {
-    if (straightener_ && optics_.bent.width == image.width && optics_.bent.height == image.height) return;
-    if (!calibration_ && camera_->lens())
-      calibration_ = CameraCalibration{camera_->identity(), *camera_->lens(), camera_->response(), 0};
-    if (!calibration_)
-      throw InputError(fmt::format("{}: isn't calibrated: give --lens FILE (camera calibrate)", address_));
-    optics_.bent = calibration_->lens.scaled(image.width, image.height);
-    optics_.response = calibration_->response;
-    straightener_.emplace(optics_.bent);
-    optics_.straight = straightener_->lens();
-  }
-
   std::string address_;
   std::unique_ptr<Camera> camera_;
-  std::optional<CameraCalibration> calibration_;
+  TagReader reader_;
   BoardTracker tracker_;
-  TagFinder finder_;
-  std::optional<Straightener> straightener_;
-  TagOptics optics_;
 };
 
 }  // namespace
