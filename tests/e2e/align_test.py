@@ -70,7 +70,7 @@ try:
     client = Program(BIN / "prosector-client", "camera", "align", f"synthetic:{OUT / 'camera.toml'}", "--tracker", f"fastrak:{OUT / 'tracker'}",
                      "--board", "tablet", "--poses", POSES - 1, "--patience", "30", "--out-config", OUT / "client.toml")
     programs.append(client)
-    check("the camera's place is found", client.process.wait(40) == 0)
+    check("the camera's place is found", client.ended(40) == 0)
     print("\n".join("    " + line for line in client.lines))
     written = (OUT / "client.toml").read_text()
     room = tomllib.loads(written)["tracker"].get("room", {"position": [9, 9, 9], "orientation": [1, 0, 0, 0]})

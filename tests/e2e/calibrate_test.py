@@ -75,7 +75,7 @@ def holds(times):
 
 
 def ended(program):
-    code = program.process.wait(70)
+    code = program.ended(70)
     print("\n".join("    " + line for line in program.lines))
     return code == 0
 

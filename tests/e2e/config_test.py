@@ -31,7 +31,7 @@ def start(*words):
 
 def write(*changes):
     change = start(BIN / "prosector-client", "config", config, "--write", *(word for c in changes for word in ("--set", c)))
-    check(f"written: {', '.join(changes)}", change.process.wait(20) == 0)
+    check(f"written: {', '.join(changes)}", change.ended(20) == 0)
 
 
 try:

@@ -68,7 +68,7 @@ try:
 finally:
     for program in (*people, server):
         program.process.terminate()
-        program.process.wait(20)
+        program.ended(20)
 
 for file in (journal, OUT / "dial-2.sqlite"):
     replay = subprocess.run([BIN / "prosector-server", "--replay", file, "--cache", OUT / "cache"], capture_output=True, text=True,

@@ -100,7 +100,7 @@ try:
         for lines in FAULTS.values():
             for line in lines:
                 user.wait(line)
-        user.process.wait(10)
+        user.ended(10)
         check("the client ends well when the headset's menu ends it", user.process.returncode == 0)
         check("it came back three times", sum("simulated headset by" in line for line in user.lines) == 4)
         places = [place["at"] for line in told() for place in [wearer(line).get("right")] if place]

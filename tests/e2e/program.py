@@ -17,7 +17,8 @@ class Program:
         self.lines = []
         self.process = subprocess.Popen([str(w) for w in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                         stdin=subprocess.PIPE, env={**ENV, **(env or {})})
-        threading.Thread(target=self.read, daemon=True).start()
+        self.reader = threading.Thread(target=self.read, daemon=True)
+        self.reader.start()
 
     def read(self):
         for line in self.process.stdout:
@@ -29,13 +30,23 @@ class Program:
 
     def wait(self, words, times=1, seconds=40):
         end = time.monotonic() + seconds
+        over = False
         while sum(words in line for line in list(self.lines)) < times:
-            if time.monotonic() > end or self.process.poll() is not None:
+            if over or time.monotonic() > end:
                 sys.exit(f"FAILED: no {times} x \"{words}\" in:\n" + "\n".join(self.lines))
             time.sleep(0.02)
+            if self.process.poll() is not None:
+                self.reader.join(10)  # what it said last counts
+                over = True
         return [line for line in self.lines if words in line][-1]
+
+    def ended(self, seconds):
+        """Its exit code, once all that it said has been read."""
+        code = self.process.wait(seconds)
+        self.reader.join(10)
+        return code
 
     def end(self, how=signal.SIGTERM):
         if self.process.poll() is None:
             self.process.send_signal(how)
-        self.process.wait(30)
+        self.ended(30)

@@ -65,7 +65,7 @@ def unfit(report):
 
 def ended(program, name):
     """Its exit code, and its report."""
-    code = program.process.wait(30)
+    code = program.ended(30)
     report = (OUT / f"{name}.txt").read_text()
     print(report)
     check("its exit code says whether all fits", code == (1 if "DOES NOT FIT" in report else 0))
