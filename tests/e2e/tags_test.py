@@ -52,8 +52,7 @@ try:
     if pushes():
         print(f"the hand pushes with {max(pushes()):.2f} N")
     time.sleep(max(0, started + END - time.monotonic()))
-    last = list(LOG.lines())[-1]
-    check("the hand presses again at the end", "Feeler, right" in last["touches"])
+    check("the hand presses again at the end", LOG.wait(lambda: "Feeler, right" in list(LOG.lines())[-1]["touches"], 20))
     for kind, (_, _, words) in FAULTS.items():
         if words:
             check(f"words say what is {kind}", any(words in line for line in user.lines))
