@@ -29,7 +29,8 @@ class OwnFace : public testing::Test {
   void SetUp() override {
     if (net_.empty()) GTEST_SKIP() << "no face_short_range.tflite: deploy/fetch_models.sh";
   }
-  FaceErrors errors(const FaceCase& what) const {
+  FaceErrors errors(FaceCase what) const {
+    what.places = std::min(what.places, 3);  // the bench looks at more
     static const auto face = std::make_shared<const FaceMesh>(make_face(0.06));
     return face_errors(what, face, std::filesystem::path(net_).parent_path());
   }
@@ -51,8 +52,8 @@ TEST_F(OwnFace, IsSeenFromTheScreenWithinADegreeAtRest) {
 }
 
 TEST_F(OwnFace, LagsLittleWhereItMoves) {
-  const FaceErrors found = errors({.speed = 0.3, .places = 2, .pictures = 36});
-  EXPECT_GT(found.seen, 60);
+  const FaceErrors found = errors({.aside = -0.1, .speed = 0.3, .places = 1, .pictures = 30});
+  EXPECT_GT(found.seen, 25);
   EXPECT_LT(middle_of(found.lag), 0.06) << "s";
 }
 

@@ -34,15 +34,17 @@ double milliseconds_since(std::int64_t start_ns) {
 struct Wander {
   double along = 0, across = 0;
   int steps = 0;
-  std::optional<Vec3> last;
+  bool has_last = false;
+  Vec3 last = Vec3::Zero();
 
   void take(const Vec3& off, const Vec3& way) {
-    if (last) {
-      const Vec3 step = off - *last;
+    if (has_last) {
+      const Vec3 step = off - last;
       along += std::pow(step.dot(way), 2);
       across += (step - step.dot(way) * way).squaredNorm() / 2;
       ++steps;
     }
+    has_last = true;
     last = off;
   }
 };
@@ -76,7 +78,7 @@ FaceErrors face_errors(const FaceCase& what, const std::shared_ptr<const FaceMes
     scene.carriers.emplace_back();
     scene.faces.push_back({0, face});
     EyesFilter filter;
-    raw.last = smoothed.last = std::nullopt;
+    raw.has_last = smoothed.has_last = false;
     std::optional<Vec3> told;
     Vec3 truth = Vec3::Zero();
     const auto first = static_cast<std::uint64_t>(what.pictures * place);
