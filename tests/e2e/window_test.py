@@ -23,7 +23,7 @@ FOV, DISTANCE, TARGET = 0.8, 1.2, (0, 1.2, 0)  # of window.toml's camera
 SCREEN = 0.3  # m, the picture's height, by default
 MARKS = {"near": (0, (0.05, 1.12, 0.35)), "in the screen": (1, (0, 1.2, 0)), "far": (2, (-0.1, 1.3, -0.6))}  # channel, place
 REST = (0, 0, SCREEN / 2 / math.tan(FOV / 2))
-LEFT, RIGHT = (-0.12, 0.0, 0.6), (0.14, 0.06, 0.65)  # eyes, m from the screen's middle
+LEFT, RIGHT = (-0.12, 0.05, 0.65), (0.14, 0.06, 0.65)  # eyes, m from the middle; lower, the chin were out of the picture
 MOVES, MOVED, LOST = 9, 10, 13  # s of the camera's time
 
 shutil.rmtree(OUT, ignore_errors=True)
