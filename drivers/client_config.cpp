@@ -142,7 +142,8 @@ ClientConfig parse_client_config(std::string_view toml, const std::string& file)
     ClientConfig config = ConfigReader(table, file).read();
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
     DeviceConfig& tracker = config.tracker_device;
-    for (std::string* name : {&tracker.field_map, &tracker.lens, &tracker.second_lens})
+    for (std::string* name :
+         {&tracker.field_map, &tracker.lens, &tracker.second_lens, &config.window.device.lens})
       if (!name->empty()) *name = (folder / *name).string();
     for (std::string& board : tracker.boards)
       if (board.ends_with(".toml")) board = (folder / board).string();
@@ -156,7 +157,8 @@ ClientConfig parse_client_config(std::string_view toml, const std::string& file)
 ClientConfig load_client_config(const std::filesystem::path& file) {
   ClientConfig config = parse_client_config(read_config_text(file), file.string());
   if (const std::string& map = config.tracker_device.field_map; !map.empty()) (void)load_field_map(map);
-  for (const std::string& lens : {config.tracker_device.lens, config.tracker_device.second_lens})
+  for (const std::string& lens :
+       {config.tracker_device.lens, config.tracker_device.second_lens, config.window.device.lens})
     if (!lens.empty()) (void)load_calibration(lens);
   for (const std::string& board : config.tracker_device.boards)
     if (!board.empty()) (void)find_board(board);

@@ -43,6 +43,16 @@ struct EyeSettings {
   std::optional<double> convergence;                   // m: where both pictures coincide
 };
 
+/// A screen through which a desk user looks as through a window: whose eyes are seen, and from where.
+struct WindowSettings {
+  std::string address;  // of a device whose station 1 is between the eyes; empty: none
+  DeviceConfig device;  // its room is the screen's frame: from its middle x right, y up, z to the user
+  double height = 0.3;  // m, of the picture on the screen
+  bool pans = false;    // the face turns the view; else the screen is a window
+
+  WindowSettings() { device.room_device = {{0, 0.17, 0}, Quat(0, 0, 1, 0)}; }
+};
+
 struct ClientConfig {
   std::string tracker;  // address; empty: no tracker
   DeviceConfig tracker_device;
@@ -51,6 +61,7 @@ struct ClientConfig {
   ArmSettings arm;
   Pose headset_room;  // pose of an OpenXR headset's stage in the room
   EyeSettings eyes;
+  WindowSettings window;
   std::map<Gesture, GestureEvent> gestures = {{Gesture::fist, GestureEvent::grasp},
                                               {Gesture::pinch, GestureEvent::grasp},
                                               {Gesture::flat, GestureEvent::release},

@@ -446,6 +446,36 @@ void add_eye_value(Keys& keys, const char* name, std::optional<double> EyeSettin
   keys.push_back(key);
 }
 
+/// Adds the screen that is a window, and the camera at it.
+void add_window(Keys& keys) {
+  keys.push_back(address(
+      "window.address", "window.address", [](ClientConfig& c) -> std::string& { return c.window.address; },
+      "\"face:0\"", "what sees the eyes, DRIVER:PATH, its station 1 between them; empty: none now", false));
+  keys.push_back(plain<std::string>(
+      "window.lens", "window.device.lens",
+      [](ClientConfig& c) -> std::string& { return c.window.device.lens; }, "",
+      "file that `camera calibrate` wrote, beside this one; empty: guessed"));
+  keys.push_back(
+      ranged(plain<double>(
+                 "window.height", "window.height", [](ClientConfig& c) -> double& { return c.window.height; },
+                 "m", "of the picture on the screen, by a ruler; its width follows"),
+             0.05, 10));
+  ConfigKey mode;
+  mode.name = "window.mode";
+  mode.member = "window.pans";
+  mode.choices = {"window", "pan"};
+  mode.help = "`window`: what is drawn lies behind the screen; `pan`: the face turns the view";
+  mode.set = [](ClientConfig& c, const ConfigValue& v) { c.window.pans = std::get<std::string>(v) == "pan"; };
+  mode.get = [](const ClientConfig& c) -> std::optional<ConfigValue> {
+    return ConfigValue(std::string(c.window.pans ? "pan" : "window"));
+  };
+  keys.push_back(mode);
+  add_pose(
+      keys, "window.camera", "window.device.room_device",
+      [](ClientConfig& c) { return &c.window.device.room_device; },
+      "where the camera is, from the picture's middle: x right, y up, z to you; turned, it looks at you");
+}
+
 Keys make_keys() {
   Keys keys;
   ConfigKey version;
@@ -474,6 +504,7 @@ Keys make_keys() {
                 "that each eye's picture fills");
   add_eye_value(keys, "convergence", &EyeSettings::convergence, 0.05, 1000, 1, "m",
                 "distance at which both pictures coincide");
+  add_window(keys);
   return keys;
 }
 
@@ -537,7 +568,13 @@ std::vector<ConfigTable> make_tables() {
   gestures.begin = [](ClientConfig& c) { c.gestures.clear(); };
   add("headset", "A headset by OpenXR: [join](../do/join.md#with-a-headset-by-openxr).");
   add("headset.room", "");
-  add("eyes", "What was measured of the eyes and the display.");
+  add("eyes", "What was measured of the eyes and the display.").finish = [](ClientConfig& c) {
+    if (c.eyes.distance.value_or(0) > 0)
+      c.tracker_device.eye_distance = c.window.device.eye_distance = *c.eyes.distance;
+    return std::optional<ConfigFault>();
+  };
+  add("window", "A screen that is a window into the room: [window](../do/window.md).");
+  add("window.camera", "");
   return tables;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "common/eye_distance.h"
 #include "common/math.h"
 #include "common/messages.h"
 
@@ -81,6 +82,7 @@ struct DriverRow {
   std::unique_ptr<Device> (*open)(const std::string& path, const struct DeviceConfig& config);
   bool knows_hands = false;  // station 1 is the right hand, station 2 the left one, whatever is configured
   bool is_camera = false;    // `path` is a camera's address, or those of several with commas
+  bool knows_head = false;   // station 1 is the head, whatever is configured
 };
 
 inline constexpr std::size_t max_stations = 4;  // receivers of one tracker
@@ -110,6 +112,7 @@ struct DeviceConfig {
   std::string second_lens;  // bare hands: that of a second camera
   Pose first_second;        // bare hands: a second camera's pose in the first one's frame
   std::optional<double> hand_length;  // bare hands: m, wrist to the middle finger's tip; unknown: our hand's
+  double eye_distance = usual_eye_distance;  // face: m, between the user's pupils; depth errs as it does
   std::array<std::string, max_stations>
       boards{};       // camera: each station's, a known board's name or a file; empty: none
   std::string table;  // camera: the board that lies still and says where the room is; empty: none

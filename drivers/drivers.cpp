@@ -1,6 +1,7 @@
 // The table of drivers.
 #include <algorithm>
 
+#include "drivers/camera/face/face_device.h"
 #include "drivers/camera/hands/hands_device.h"
 #include "drivers/device.h"
 #include "drivers/device_address.h"
@@ -29,6 +30,8 @@ const std::vector<DriverRow>& drivers() {
        open_tags, false, true},
       {"hands", "bare hands before a camera, or two, hands:CAMERA[,CAMERA] as with tags", open_hands, true,
        true},
+      {"face", "the eyes of a face before a camera, face:CAMERA as with tags; station 1 is between them",
+       open_face, false, true, true},
       {"recorded", "samples from a CSV file, played once, recorded:hand.csv", open_recorded},
       {"recorded-loop", "the same, again and again, recorded-loop:hand.csv", open_recorded_loop},
   };

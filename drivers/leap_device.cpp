@@ -6,6 +6,7 @@
 
 #include "common/error.h"
 #include "drivers/byte_line.h"
+#include "drivers/station_sample.h"
 
 namespace prosector {
 namespace {
@@ -66,10 +67,7 @@ void LeapDevice::take(const Heard& heard, std::vector<DeviceSample>& out) {
     sample.time_ns = heard.time_ns;
     sample.has_pose = sample.has_flexion = true;
     sample.pose = chain_.room(wrist, station);
-    sample.raw_pose = {static_cast<float>(wrist.p.x()), static_cast<float>(wrist.p.y()),
-                       static_cast<float>(wrist.p.z()), static_cast<float>(wrist.q.w()),
-                       static_cast<float>(wrist.q.x()), static_cast<float>(wrist.q.y()),
-                       static_cast<float>(wrist.q.z())};
+    sample.raw_pose = raw_pose_of(wrist);
     sample.flexion = leap::flexion_of(hand);
     sample.gesture = gestures_[station].update(sample.flexion);
   }

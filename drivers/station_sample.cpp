@@ -10,6 +10,12 @@ constexpr double off_unit = 0.05;  // by which a quaternion's length may be off:
 
 }  // namespace
 
+std::array<float, 7> raw_pose_of(const Pose& device) {
+  const Eigen::Vector3f p = device.p.cast<float>();
+  const Eigen::Quaternionf q = device.q.cast<float>();
+  return {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};
+}
+
 std::optional<DeviceSample> station_sample(const PoseChain& chain, std::size_t station, const Vec3& place,
                                            const Quat& turn) {
   if (station >= max_stations || !place.allFinite() || place.norm() > farthest ||
@@ -19,9 +25,7 @@ std::optional<DeviceSample> station_sample(const PoseChain& chain, std::size_t s
   out.station = static_cast<std::uint32_t>(station);
   out.has_pose = true;
   out.pose = chain.room({place, turn.normalized()}, station);
-  for (std::size_t i = 0; i < 3; ++i) out.raw_pose[i] = static_cast<float>(place[static_cast<int>(i)]);
-  const std::array<double, 4> q = {turn.w(), turn.x(), turn.y(), turn.z()};
-  for (std::size_t i = 0; i < 4; ++i) out.raw_pose[3 + i] = static_cast<float>(q[i]);
+  out.raw_pose = raw_pose_of({place, turn});
   return out;
 }
 

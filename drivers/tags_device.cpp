@@ -8,6 +8,7 @@
 #include "common/clock.h"
 #include "common/error.h"
 #include "drivers/camera/camera_frames.h"
+#include "drivers/station_sample.h"
 
 namespace prosector {
 namespace {
@@ -93,9 +94,7 @@ DeviceSample TagsDevice::sample_of(Station& station, const TrackedBoard& seen, s
   out.record = station.records++;
   out.time_ns = time_ns;
   out.has_pose = true;
-  for (std::size_t i = 0; i < 3; ++i) out.raw_pose[i] = static_cast<float>(device.p[static_cast<int>(i)]);
-  const std::array<double, 4> q = {device.q.w(), device.q.x(), device.q.y(), device.q.z()};
-  for (std::size_t i = 0; i < 4; ++i) out.raw_pose[3 + i] = static_cast<float>(q[i]);
+  out.raw_pose = raw_pose_of(device);
   const Pose worn = device * station.worn;
   const std::optional<Pose> camera = room_camera();
   out.pose = station.filter.update(

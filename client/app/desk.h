@@ -57,6 +57,10 @@ class Desk {
   void wait();
   bool closed() const { return closed_; }
   Pose eye() const { return view_.place().pose(); }
+  /// Says how the user looks at the screen, where it is a window; nullopt: it is none.
+  void see_by(const std::optional<WindowLook>& look) { view_.see_by(look); }
+  /// Returns what the picture is seen by.
+  DrawCamera camera() const { return view_.camera(); }
   /// Returns the user as mouse and keyboard have them.
   HandInput input() const;
   /// Returns what the mouse asked for since the last call: to grasp, to release, to set a control. Who asks

@@ -29,8 +29,14 @@ void DeskView::begin(const DeskStart& start, int width, int height) {
   pointer_ = {0.5 * width_, 0.5 * height_};
 }
 
-DrawCamera DeskView::camera() const {
+/// Returns what would be seen without a window.
+DrawCamera DeskView::resting_camera() const {
   return mono_camera(place().pose(), fov_, width_, height_);
+}
+
+DrawCamera DeskView::camera() const {
+  const DrawCamera rest = resting_camera();
+  return look_ ? look_through(rest, place().distance, *look_) : rest;
 }
 
 Ray DeskView::pointer() const {
@@ -95,7 +101,7 @@ void DeskView::make_room_for(const Eigen::AlignedBox3d& box) {
   // Where all is to be seen from, the middle of the picture stays in it, too.
   const Eigen::AlignedBox3d all = box.merged(Eigen::AlignedBox3d(now.target, now.target));
   const Pose into = now.pose().inverse();
-  const DrawCamera seen = camera();
+  const DrawCamera seen = resting_camera();
   for (int k = 0; k < 8; ++k) {
     const Vec3 x = into * box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k));
     const bool inside =

@@ -7,6 +7,7 @@
 #include "client/app/held_keys.h"
 #include "client/app/orbit_view.h"
 #include "client/view/draw_list.h"
+#include "client/view/window_view.h"
 
 namespace prosector {
 
@@ -28,7 +29,11 @@ class DeskView {
   /// Steps back until the whole box is in the picture, unless it is already.
   void make_room_for(const Eigen::AlignedBox3d& box);
 
+  /// Says how the user looks at the screen, where it is a window; nullopt: it is none.
+  void see_by(const std::optional<WindowLook>& look) { look_ = look; }
+
   const ViewPlace& place() const { return orbit_.place(); }
+  /// Returns what the picture is seen by, which the pointer is in.
   DrawCamera camera() const;
   Ray pointer() const;
   const Eigen::Vector2d& pointer_pixel() const { return pointer_; }
@@ -36,6 +41,7 @@ class DeskView {
 
  private:
   OrbitView orbit_;
+  std::optional<WindowLook> look_;
   double fov_ = 0.8;  // vertical, rad
   std::array<std::optional<ViewPlace>, saved_views> views_{};
   bool flies_ = false;  // turning moves the target about the eye, not the eye about the target
@@ -45,6 +51,7 @@ class DeskView {
   bool drags_ = false;                                 // with the right button
   double drag_depth_ = 1;                              // m ahead of the eye: what was taken hold of
 
+  DrawCamera resting_camera() const;
   void press(Key key, const DeskRoom& room);
   void go_to_saved(std::size_t index);
   void drag(const Eigen::Vector2d& by);

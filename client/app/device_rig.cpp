@@ -40,6 +40,10 @@ DeviceRig::DeviceRig(const ClientConfig& config, HeadsetUser* headset)
     config_.stations = {StationRole::right_hand, StationRole::left_hand};
     config_.tracker_device.stations = 3;
   }
+  if (!config_.tracker.empty() && driver_of(config_.tracker).knows_head) {
+    config_.stations = {StationRole::head};
+    config_.tracker_device.stations = 1;
+  }
   if (!config_.tracker.empty()) open("tracker", config_.tracker, config_.tracker_device, std::nullopt);
   for (std::size_t hand : {left_hand, right_hand})
     if (const GloveSettings& glove = config_.gloves[hand]; !glove.address.empty())

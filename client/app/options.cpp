@@ -28,7 +28,7 @@ const std::map<std::string, Display> displays = {
     {"offscreen", Display::offscreen}, {"osmesa", Display::osmesa}, {"none", Display::none}};
 
 struct RawOptions {
-  std::string tracker, glove, glove_left, arm, config, size, camera, user_name, language,
+  std::string tracker, glove, glove_left, arm, config, size, camera, window, user_name, language,
       display = "window", quality = "medium", show = "none";
   std::optional<std::string> lan;  // empty: the only network that there is
   std::vector<std::string> screenshots, effects, offers;
@@ -95,6 +95,10 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option("--camera", raw.camera,
                  "With --display ar: /dev/video0, a number, a video's file, a stream, or "
                  "synthetic:SCENE.toml (default: the tracker's, where that is a camera's)")
+      ->group("Pictures");
+  app.add_option("--window", raw.window,
+                 "The screen is a window into the room, for the eyes that this device sees: face:CAMERA as "
+                 "with --tracker (docs/do/window.md)")
       ->group("Pictures");
   app.add_option("--quality", raw.quality, "Of pictures: low, medium, high")
       ->capture_default_str()
@@ -358,14 +362,26 @@ void take_eyes(const EyeSettings& eyes, StereoProfile& profile) {
   profile.convergence = eyes.convergence.value_or(profile.convergence);
 }
 
+/// Returns the camera of a device, the first one of several; empty: it has none.
+std::string first_camera(const std::string& device) {
+  if (device.empty() || !driver_of(device).is_camera) return "";
+  const std::string path = parse_device_address(device).path;
+  return path.substr(0, path.find(','));
+}
+
+/// Refuses a window into the room where there is no screen that could be one.
+void check_window(const ClientOptions& o) {
+  const bool fits =
+      o.display == Display::window || o.display == Display::offscreen || o.display == Display::osmesa;
+  if (!o.devices.window.address.empty() && (!fits || !o.camera.empty()))
+    throw InputError(
+        "--window, or [window] of the configuration: only with --display window, offscreen or "
+        "osmesa");
+}
+
 /// Finds the camera to look through: it is named, or the tracker's.
 void resolve_camera(const RawOptions& raw, ClientOptions& o) {
-  o.camera = raw.camera;
-  if (o.camera.empty() && !o.devices.tracker.empty())
-    if (driver_of(o.devices.tracker).is_camera) {
-      const std::string path = parse_device_address(o.devices.tracker).path;
-      o.camera = path.substr(0, path.find(','));
-    }
+  o.camera = raw.camera.empty() ? first_camera(o.devices.tracker) : raw.camera;
   if (o.camera.empty())
     throw InputError("--display ar: say with --camera which one to look through, for instance /dev/video0");
   if (!o.follow.empty() || !o.insets.empty())
@@ -427,8 +443,11 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   for (const std::string& text : raw.offers) o.offers.push_back(parse_offer(text));
   o.source = {raw.config, raw.tracker, raw.glove_left, raw.glove, raw.arm};
   o.devices = o.source.read();
+  if (!raw.window.empty()) o.devices.window.address = raw.window;
+  if (!o.devices.window.address.empty()) (void)parse_device_address(o.devices.window.address);
   if (through_camera) resolve_camera(raw, o);
   if (!through_camera && !raw.camera.empty()) throw InputError("--camera: only with --display ar");
+  check_window(o);
   take_eyes(o.devices.eyes, o.stereo);
   o.join.language = parse_language(raw.language);
   o.join.name = raw.user_name.empty() ? login_name() : raw.user_name;
@@ -441,6 +460,10 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
 }
 
 }  // namespace
+
+std::string used_camera(const ClientOptions& options) {
+  return options.camera.empty() ? first_camera(options.devices.window.address) : options.camera;
+}
 
 ClientCommand parse_command_line(int argc, char** argv) {
   ClientOptions o;

@@ -57,6 +57,9 @@ struct ClientOptions {
   Shown shown = Shown::none;   // by soft bodies' colours; a desk user's V key changes it
 };
 
+/// Returns the address of the camera that is looked through, or that sees the eyes; empty: none is.
+std::string used_camera(const ClientOptions& options);
+
 /// Tells whether devices or a headset say where the user's hands are, or who looks through a camera has none.
 inline bool is_tracked(const ClientOptions& options) {
   return has_devices(options.devices) || options.display == Display::openxr || !options.camera.empty();

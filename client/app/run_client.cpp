@@ -18,7 +18,6 @@
 #include "client/app/session_log.h"
 #include "client/app/viewer.h"
 #include "client/offer/offer_server.h"
-#include "client/view/camera.h"
 #include "common/clock.h"
 #include "common/hand.h"
 #include "common/index_tip.h"
@@ -60,7 +59,8 @@ class Client {
       }));
       tell(offers_.back()->words());
     }
-    if (!options.camera.empty()) camera_ = std::make_shared<SharedCamera>(options.camera);
+    if (const std::string camera = used_camera(options); !camera.empty())
+      camera_ = std::make_shared<SharedCamera>(camera);
     take_role(options.join.role);
     viewer_.emplace(options, connection_, report_, headset_user_, camera_, tell);
     if (viewer_->has_desk()) tell(viewer_->help(options.join.role, HelpColumns::blanks));
@@ -104,7 +104,7 @@ class Client {
   std::optional<SessionLog> log_;
   std::unique_ptr<ArmHand> arm_;  // null: no arm
   HeadsetUser headset_user_;
-  std::shared_ptr<SharedCamera> camera_;  // that is looked through; null: none is
+  std::shared_ptr<SharedCamera> camera_;  // that is looked through, or that sees the eyes; null: none is
   std::unique_ptr<InputPump> pump_;
   std::optional<Viewer> viewer_;        // made last: see yield_to_simulation()
   std::string missing_ = "everything";  // what was last told to be missing
@@ -256,7 +256,7 @@ class Client {
       else if (const TakePicture* picture = std::get_if<TakePicture>(&parsed))
         viewer_->take_picture(picture->file);
       else if (const LookFrom* look = std::get_if<LookFrom>(&parsed))
-        viewer_->look_from(look_at(look->eye, look->target));
+        viewer_->look_from(*look);
       else if (std::holds_alternative<LookAsBefore>(parsed))
         viewer_->look_from(std::nullopt);
       else if (std::holds_alternative<TellPointed>(parsed))

@@ -73,7 +73,11 @@ std::unique_ptr<Stage> make_stage(const ClientOptions& o, HeadsetUser& user,
     if (o.audience) window->open_audience(audience_of(o));
     stage->context = std::move(window);
   }
-  if (camera) stage->sight = std::make_unique<CameraSight>(camera, o.devices.tracker_device);
+  if (!o.camera.empty()) stage->sight = std::make_unique<CameraSight>(camera, o.devices.tracker_device);
+  if (WindowSettings window = o.devices.window; !window.address.empty()) {
+    window.device.camera = camera;
+    stage->eyes = std::make_unique<EyeWindow>(window);
+  }
   stage->renderer = std::make_unique<Renderer>(*stage->context, o.shaders, o.quality.settings);
   return stage;
 }

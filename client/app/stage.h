@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "client/app/desk.h"
+#include "client/app/eye_window.h"
 #include "client/app/headset_user.h"
 #include "client/app/options.h"
 #include "client/ar/camera_sight.h"
@@ -23,12 +24,13 @@ struct Stage {
   std::unique_ptr<Desk> desk;          // with a window only
   std::unique_ptr<Headset> headset;    // with --display openxr only
   std::unique_ptr<CameraSight> sight;  // with --display ar only
+  std::unique_ptr<EyeWindow> eyes;     // where the screen is a window only
   SceneView view;
 };
 
 /// Makes the stage; null with --display none. A headset tells `user`, who outlives it, where its wearer is.
-/// `camera` is what is looked through; null: nothing is. Throws InputError where OpenGL or the display
-/// refuses.
+/// `camera` is what others see by, too, and what --display ar looks through; null: there is none. Throws
+/// InputError where OpenGL or the display refuses.
 std::unique_ptr<Stage> make_stage(const ClientOptions& options, HeadsetUser& user,
                                   const std::shared_ptr<SharedCamera>& camera);
 

@@ -9,6 +9,7 @@
 
 #include "client/app/picture_file.h"
 #include "client/view/anatomy_points.h"
+#include "client/view/camera.h"
 #include "client/view/held_things.h"
 #include "client/view/loading_picture.h"
 #include "client/view/session_overlay.h"
@@ -43,6 +44,7 @@ std::optional<BodyId> Viewer::part_at(const Ray& ray) {
 // Offscreen, a picture that nobody keeps is not drawn; the first one proves that drawing works.
 void Viewer::draw_if_seen(InputPump* pump) {
   if (!stage_) return;
+  follow_eyes();
   if (has_headset()) return draw_in_headset(pump);
   if (stage_->sight) return draw_through_camera(pump);
   const double seconds = seconds_since(report_.joined_ns);
@@ -264,8 +266,26 @@ double Viewer::touch_force(ParticipantId self) {
   });
 }
 
+/// Takes where the user's eyes are before the screen, if that is a window: also where no picture is drawn.
+void Viewer::follow_eyes() {
+  if (!stage_->eyes) return;
+  if (const std::string news = stage_->eyes->take_news(); !news.empty()) inform(news);
+  const double fov = connection_.with_replica([](const Replica& r) { return r.scene()->camera.fov; });
+  look_ = stage_->eyes->look(monotonic_ns(), fov);
+}
+
+/// Returns what is seen through the screen where no desk turns the view.
+DrawCamera Viewer::window_without_desk() const {
+  const CameraInfo camera = connection_.with_replica([](const Replica& r) { return r.scene()->camera; });
+  const LookFrom from = looks_from_.value_or(LookFrom{camera.eye, camera.target});
+  const DrawCamera rest = mono_camera(look_at(from.eye, from.target), camera.fov, stage_->context->width(),
+                                      stage_->context->height());
+  return look_through(rest, (from.target - from.eye).norm(), *look_);
+}
+
 void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) {
   Desk& desk = *stage_->desk;
+  desk.see_by(look_);
   const DeskSession session = connection_.with_replica([&](Replica& replica) {
     const double tick = replica.advance(monotonic_ns());
     if (!desk.has_begun()) begin_desk(replica, tick, self.participant);
@@ -278,6 +298,7 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
   const bool head_leads = through_ || (is_tracked(options_) && self.input.head_tracked);
   if (!head_leads) settings.eye = desk.eye();
   if (!head_leads) settings.pointed = desk.pointed();
+  if (!head_leads && look_) settings.window = desk.camera();
   settings.pointer = desk.pointer_pixel();
   settings.cut_guide = desk.cut_line();
   settings.cut_depth = desk.cut_depth();
@@ -320,7 +341,7 @@ void Viewer::read_panel(const Replica& replica, const LocalUser& self, ViewSetti
 void Viewer::call_parts(const HandInput& user, std::size_t hand) {
   const Pose eyes = user.head_tracked        ? user.head
                     : stage_ && stage_->desk ? stage_->desk->eye()
-                    : looks_from_            ? *looks_from_
+                    : looks_from_            ? look_at(looks_from_->eye, looks_from_->target)
                                   : Pose{user.hands[hand].pose.p + Vec3(0, 0.3, 0.3), Quat::Identity()};
   parts_board_.open_or_shut(eyes, hand);
 }
@@ -394,12 +415,14 @@ Image Viewer::draw(InputPump* pump, bool keep) {
   settings.insets = options_.insets;
   settings.detail = governor_ ? governor_->level().detail : options_.quality.detail;
   settings.follow = follow_;
-  settings.eye = looks_from_;
+  if (looks_from_) settings.eye = look_at(looks_from_->eye, looks_from_->target);
   settings.messages = messages_.shown(seconds_since(report_.joined_ns));
   if (options_.display == Display::stereo) settings.stereo = options_.stereo;
   settings.through = through_;
   if (pump != nullptr) self.input = pump->latest();
   if (stage_->desk) use_desk(pump, self, settings);
+  if (look_ && !stage_->desk && !(self.present && self.input.head_tracked))
+    settings.window = window_without_desk();
   settings.width = stage_->context->width();
   settings.height = stage_->context->height();
   if (seen_) look_through_headset(self, settings);

@@ -9,6 +9,7 @@
 
 #include "client/app/client_report.h"
 #include "client/app/connection.h"
+#include "client/app/console.h"
 #include "client/app/controls.h"
 #include "client/app/figures.h"
 #include "client/app/input_pump.h"
@@ -26,8 +27,8 @@ namespace prosector {
 
 class Viewer {
  public:
-  /// Takes what outlives the viewer; `headset_user` learns where a headset's user is, `camera` is what is
-  /// looked through (null: nothing), `tell` prints a line for people at the terminal.
+  /// Takes what outlives the viewer. `headset_user` learns where a headset's user is, `tell` prints a line
+  /// for people at the terminal. `camera` is what is looked through, or sees the eyes; null: none.
   Viewer(const ClientOptions& options, Connection& connection, ClientReport& report,
          HeadsetUser& headset_user, const std::shared_ptr<SharedCamera>& camera,
          std::function<void(const std::string&)> tell);
@@ -49,7 +50,7 @@ class Viewer {
   std::string pointed() const;
 
   /// Sets from where pictures that no desk turns are taken from now on; nullopt: as the scene has it.
-  void look_from(const std::optional<Pose>& eye) { looks_from_ = eye; }
+  void look_from(const std::optional<LookFrom>& place) { looks_from_ = place; }
   /// Shows the line in pictures for a while.
   void say(const std::string& line) { messages_.say(line, seconds_since(report_.joined_ns)); }
   /// Shows in the window, if there is one, what is waited for, and how much of it is here (0 … 1).
@@ -86,8 +87,9 @@ class Viewer {
   std::optional<QualityGovernor> governor_;  // of pictures; nullopt: their quality stays
   std::optional<HeadsetFrame> seen_;         // what a headset asked for last; nullopt: none did
   std::optional<SeeThrough> through_;        // what a camera saw last; nullopt: none is looked through
+  std::optional<WindowLook> look_;           // through the screen; nullopt: it is no window
   bool waited_for_camera_ = false;
-  std::optional<Pose> looks_from_;
+  std::optional<LookFrom> looks_from_;
   std::string follow_;  // whose eyes to look through; empty: own
   bool full_screen_ = false;
   Figures figures_;
@@ -111,6 +113,8 @@ class Viewer {
   void draw_in_headset(InputPump* pump);
   void draw_loading_in_headset(const std::string& waits_for, double progress);
   void look_through_headset(LocalUser& self, ViewSettings& settings) const;
+  void follow_eyes();
+  DrawCamera window_without_desk() const;
   Image draw(InputPump* pump, bool keep);
   double touch_force(ParticipantId self);
   void use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings);

@@ -104,6 +104,7 @@ void SceneView::place_cameras(const Replica& replica, double tick, const LocalUs
                               const ViewSettings& settings) {
   const CameraInfo& camera = replica.scene()->camera;
   Pose eye = look_at(camera.eye, camera.target);
+  bool own = true;
   double fov = camera.fov;
   if (settings.eye) eye = *settings.eye;
   if (!settings.eye && self.present && self.input.head_tracked) {
@@ -115,6 +116,7 @@ void SceneView::place_cameras(const Replica& replica, double tick, const LocalUs
     if (user && user->head_tracked) {
       eye = user->head;
       fov = fov_of(*followed, camera);
+      own = false;
     }
   }
   list_.cameras.clear();
@@ -130,6 +132,12 @@ void SceneView::place_cameras(const Replica& replica, double tick, const LocalUs
   }
   if (settings.eyes) {
     list_.cameras.assign(settings.eyes->begin(), settings.eyes->end());
+    return;
+  }
+  if (settings.window && own) {
+    DrawCamera& seen = list_.cameras.emplace_back(*settings.window);
+    seen.width = settings.width;
+    seen.height = settings.height;
     return;
   }
   if (!settings.stereo) {

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "common/eye_distance.h"
+
 namespace prosector {
 
 /// A head-mounted or other stereo display. Ranges stand in the table of stereo_profile.cpp. A file gives
@@ -14,7 +16,7 @@ struct StereoProfile {
   double eye_width = 800, eye_height = 600;  // pixels, each eye
   double fov_horizontal = 0.70;              // rad, each eye
   double fov_vertical = 0.54;                // rad
-  double eye_distance = 0.063;               // m
+  double eye_distance = usual_eye_distance;  // m
   double convergence = 0.6;                  // m: distance at which both pictures coincide
   bool swap_eyes = false;                    // true: the left eye's picture is on the right
 

@@ -28,6 +28,7 @@ struct ViewSettings {
   double scale = 1;                                    // pixels of a point, in which overlays are measured
   std::optional<StereoProfile> stereo;                 // nullopt: one picture
   std::optional<std::array<DrawCamera, 2>> eyes = {};  // as a headset has them; then `stereo` is not used
+  std::optional<DrawCamera> window = {};               // own camera, where the screen is a window
   std::optional<SeeThrough> through = {};              // a camera's picture; then its camera is the eye
   double detail = 0;                                   // pixels, for LevelOfDetail::choose()
   bool overlay = true;

@@ -1,11 +1,13 @@
 // Printed boards before a synthetic camera: how far off they are found by distance, tilt, motion, cover,
-// light and resolution, how much they scatter at rest, and what a picture costs one thread.
+// light and resolution, how much they scatter at rest, and what a picture costs one thread. A face, too: its
+// turn is that of the way from the eyes to the screen's middle.
 
 #include <fmt/format.h>
 
 #include <set>
 
 #include "tests/bench/camera_plot.h"
+#include "tests/bench/face_trials.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"
 #include "tests/camera/tag_errors.h"
@@ -95,7 +97,8 @@ Report bench_camera(const CameraBenchOptions& options) {
                          {number, "told_mm", "told mm"},
                          {number, "straighten_ms", "straighten ms"},
                          {number, "find_ms", "find ms"},
-                         {number, "fit_ms", "fit ms"}});
+                         {number, "fit_ms", "fit ms"},
+                         {number, "lag_ms", "lag ms"}});
   table.print_header();
   const Board tag = grid_board("tag", {1, 1, 0.08, 0.02, 7}), tablet = grid_board("tablet", {});
   std::vector<CameraTrial> trials = trials_of("tag", tag, 0.8);
@@ -109,6 +112,10 @@ Report bench_camera(const CameraBenchOptions& options) {
     table.print(row);
     report.add(row);
   }
+  measure_faces(options.quick, [&](const ReportRow& row) {
+    table.print(row);
+    report.add(row);
+  });
   if (!options.picture_folder.empty()) {
     draw_by_distance(report.rows()).write((options.picture_folder / "camera-distance.svg").string());
     draw_by_speed(report.rows()).write((options.picture_folder / "camera-speed.svg").string());

@@ -256,7 +256,8 @@ int main(int argc, char** argv) try {
 
   prosector::CameraBenchOptions camera;
   CLI::App* camera_command = app.add_subcommand(
-      "camera", "Printed boards before a synthetic camera: how far off, how often found, how dearly");
+      "camera",
+      "Printed boards and a face before a synthetic camera: how far off, how often found, how dearly");
   camera_command->add_flag("--quick", camera.quick, "Few places: to see that it runs");
   camera_command->add_option("--svg", camera.picture_folder, "Folder for two pictures")
       ->check(CLI::ExistingDirectory);

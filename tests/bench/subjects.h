@@ -207,7 +207,7 @@ struct CameraBenchOptions {
   std::filesystem::path
       picture_folder;  // where to write camera-distance.svg and camera-speed.svg; empty: nowhere
 };
-/// Printed boards before a synthetic camera, by what makes it hard; and CPU time a picture.
+/// Printed boards, and a face, before a synthetic camera, by what makes it hard; and CPU time a picture.
 Report bench_camera(const CameraBenchOptions& options);
 
 struct HandsBenchOptions {

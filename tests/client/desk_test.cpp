@@ -134,6 +134,31 @@ TEST_F(AtTheDesk, KnowsWhatThePointerIsAt) {
   EXPECT_EQ(desk.pointed(), std::nullopt);
 }
 
+TEST_F(AtTheDesk, ThePointerPointsThroughTheWindow) {
+  // Tells whether the room is asked what lies along the ray, among others.
+  const auto asks_along = [&](double x, double y, const Ray& ray) {
+    bool asked = false;
+    session.room.surface = [&](const Ray& other) -> std::optional<Picked> {
+      asked |= (other.from - ray.from).norm() < 1e-9 && (other.along - ray.along).norm() < 1e-9;
+      return std::nullopt;
+    };
+    window.events = {MouseMoved{x, y}};
+    update();
+    return asked;
+  };
+  const DrawCamera rest = desk.camera();
+  EXPECT_TRUE(asks_along(100, 500, ray_through(rest, 100, 500)));
+  desk.see_by(WindowLook{{0.2, 0.1, 0.5}, 0.3, false});
+  const DrawCamera seen = desk.camera();
+  EXPECT_GT((seen.pose.p - rest.pose.p).norm(), 0.1);
+  const Ray middle = ray_through(seen, 400, 300);
+  EXPECT_LT((target - middle.from).normalized().cross(middle.along).norm(), 1e-9)
+      << "the target lies in the screen";
+  EXPECT_TRUE(asks_along(100, 500, ray_through(seen, 100, 500)));
+  EXPECT_FALSE(asks_along(100, 500, ray_through(rest, 100, 500)));
+  EXPECT_EQ(desk.eye().p, rest.pose.p) << "the place that is turned and saved stays the desk's own";
+}
+
 TEST_F(AtTheDesk, VGoesThroughAllThatColoursTell) {
   for (const Shown expected : {Shown::strain, Shown::residual, Shown::error, Shown::none}) {
     press(key_of('V'));

@@ -6,9 +6,12 @@
 #include "common/anatomy/isosurface.h"
 #include "common/anatomy/volume_io.h"
 #include "common/error.h"
+#include "common/eye_distance.h"
 #include "common/smooth_normals.h"
-#include "drivers/camera/face/face_finder.h"
+#include "drivers/camera/face/eyes_filter.h"
+#include "drivers/camera/face/eyes_place.h"
 #include "drivers/camera/synthetic/mesh_layer.h"
+#include "tests/random.h"
 #include "tests/real_data.h"
 
 namespace prosector {
@@ -89,14 +92,14 @@ TEST_F(Faces, AreFoundAndTheirEyesPlaced) {
       ASSERT_TRUE(face) << depth << ", " << yaw;
       EXPECT_LT(face->right_eye.x(), face->left_eye.x());
       EXPECT_GT(face->nose.y(), face->right_eye.y());
-      const EyesPlace eyes = place_eyes(*face, lens);
+      const EyesPlace eyes = place_eyes(*face, lens, usual_eye_distance);
       EXPECT_LT(std::abs(eyes.roll), 0.45);
       EXPECT_NEAR(eyes.yaw, -yaw, 0.4);
       if (yaw != 0) {
         EXPECT_LT(eyes.yaw * yaw, 0) << "turned to that side";
       }
-      const Vec2 between = eyes.middle.head<2>() / eyes.middle.z();
-      ratios.push_back(eyes.middle.z() / layer.at(between.cast<float>()).depth);
+      const Vec2 between = eyes.head.p.hnormalized();
+      ratios.push_back(eyes.head.p.z() / layer.at(between.cast<float>()).depth);
     }
   // The CT ends at the upper lip and its eyes are closed: points are rough, and these eyes needn't be 63 mm
   // apart.
@@ -112,20 +115,63 @@ TEST_F(Faces, AreNoneInPicturesOfNothing) {
     EXPECT_FALSE(finder.find(image));
 }
 
-TEST(EyesPlace, IsExactForAFaceOfTheUsualSize) {
+/// Returns what a camera sees of a face of the usual shape.
+FoundFace seen_face(const Lens& lens, const Pose& camera_head, double eye_distance) {
+  const auto at = [&](const Vec3& x) { return lens.project(camera_head * x); };
+  FoundFace face;
+  face.right_eye = at({eye_distance / 2, 0, 0});
+  face.left_eye = at({-eye_distance / 2, 0, 0});
+  face.nose = at({0, -0.03, -nose_ahead * eye_distance});
+  return face;
+}
+
+TEST(EyesPlace, IsExactForAFaceOfTheUsualShape) {
   Lens lens;
   lens.k1 = -0.2;
   for (const double yaw : {0.0, 0.4, -0.6})
-    for (const Vec3& middle : {Vec3(0, 0, 0.6), Vec3(0.15, -0.1, 0.9)}) {
-      const Quat turn(Eigen::AngleAxisd(-yaw, Vec3::UnitY()));
-      const auto at = [&](const Vec3& x) { return lens.project(middle + turn * x); };
-      FoundFace face;
-      face.right_eye = at({-0.0315, 0, 0});
-      face.left_eye = at({0.0315, 0, 0});
-      face.nose = at({0, 0.03, -0.45 * 0.063});
-      const EyesPlace eyes = place_eyes(face, lens);
-      EXPECT_LT((eyes.middle - middle).norm(), 0.06 * middle.z()) << yaw;
-    }
+    for (const double roll : {0.0, 0.3})
+      for (const double eye_distance : {0.058, 0.07})
+        for (const Vec3& middle : {Vec3(0, 0, 0.6), Vec3(0.15, -0.1, 0.4), Vec3(-0.4, 0.2, 1.1)}) {
+          // The face turns from the way to the camera.
+          const Quat facing(0, 0, 0, 1), way = Quat::FromTwoVectors(Vec3::UnitZ(), middle);
+          const Quat turned = Quat(Eigen::AngleAxisd(roll, Vec3::UnitZ())) *
+                              Quat(Eigen::AngleAxisd(-yaw, Vec3::UnitY())) * facing;
+          const Pose head = {middle, way * turned};
+          const EyesPlace eyes = place_eyes(seen_face(lens, head, eye_distance), lens, eye_distance);
+          SCOPED_TRACE(testing::Message()
+                       << "turned " << yaw << ", " << roll << ", at " << middle.transpose());
+          EXPECT_LT((eyes.head.p - middle).norm(), 0.02 * middle.norm());
+          EXPECT_LT(eyes.head.q.angularDistance(head.q), 0.04) << "rad";
+          EXPECT_NEAR(eyes.yaw, yaw, 0.04);
+          EXPECT_NEAR(eyes.roll, roll, 0.03);
+        }
+}
+
+TEST(EyesPlace, ErrsInDistanceAsTheEyesDo) {
+  const Lens lens;
+  const FoundFace face = seen_face(lens, {Vec3(0.1, 0, 0.6), Quat(0, 0, 0, 1)}, 0.063);
+  const double as_told = place_eyes(face, lens, 0.063).head.p.norm();
+  EXPECT_NEAR(place_eyes(face, lens, 1.1 * 0.063).head.p.norm(), 1.1 * as_told, 1e-9);
+}
+
+TEST(EyesFilter, RestsAlongTheViewMoreThanAcross) {
+  EyesFilter filter;
+  Random random{3};
+  double across = 0, along = 0;
+  std::int64_t time_ns = 1'000'000'000;
+  for (int k = 0; k < 300; ++k, time_ns += 33'333'333) {
+    const Vec3 noise(random.uniform(-1, 1), 0, random.uniform(-1, 1));
+    const Pose out = filter.update({Vec3(0.1, 0, 0.6) + 0.001 * noise, Quat::Identity()}, time_ns);
+    if (k < 60) continue;
+    across += std::abs(out.p.x() - 0.1);
+    along += std::abs(out.p.z() - 0.6);
+  }
+  EXPECT_LT(along, 0.9 * across);
+  EXPECT_LT(across / 240, 0.0003) << "m";
+  const Pose there = {Vec3(-0.2, 0.1, 0.8), Quat::Identity()};
+  Pose out;
+  for (int k = 0; k < 120; ++k, time_ns += 33'333'333) out = filter.update(there, time_ns);
+  EXPECT_LT((out.p - there.p).norm(), 0.001) << "m: at rest there is no lag";
 }
 
 TEST(FaceFinder, SaysWhatItNeeds) {

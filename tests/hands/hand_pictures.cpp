@@ -95,13 +95,14 @@ HandScene random_scene(Random& random, const BentHand& hand) {
   return out;
 }
 
-HandPainter::HandPainter(const Lens& lens) : lens_(lens), rays_(rays_of(lens)), layer_(lens) {}
+HandPainter::HandPainter(const Lens& lens) : lens_(lens), rays_(rays_of(lens)) {}
 
 Image HandPainter::paint(const HandScene& scene, Random& random) const {
   if (scene.lens != lens_) throw InternalError("a hand painter draws for one lens");
   std::vector<BentHand> hands = scene.hands;
   for (BentHand& hand : hands) hand.camera_wrist = scene.camera_rig * hand.camera_wrist;
-  const MeshLayer layer = layer_.draw(hands, scene.light);
+  MeshLayer layer(lens_);
+  layer_.draw(hands, scene.light, layer);
   Image out{scene.lens.width, scene.lens.height, {}};
   for (const Rgb& light : light_of(scene, layer, rays_))
     for (const float c : light) {

@@ -1,7 +1,6 @@
 #include "drivers/camera/face/face_finder.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "drivers/camera/hands/net_file.h"
 
@@ -10,10 +9,8 @@ namespace {
 
 constexpr double least_face_score = 0.5;
 constexpr std::size_t face_points = 6;
-constexpr double closer_side = 2.5;     // of the face's box
-constexpr double between_eyes = 0.063;  // m, of adults in the mean
-constexpr double nose_ahead = 0.45;     // of that: the nose's tip before the eyes
-constexpr double most_yaw = 0.9;        // rad: farther round the points say nothing
+constexpr double closer_side = 2;       // of the face's box: so eyes are found best, among 1.3 to 3
+constexpr double between_looks = 0.06;  // of the box's side, from its middle
 
 std::optional<AnchoredThing> largest_of(const std::vector<AnchoredThing>& faces) {
   const auto largest =
@@ -33,26 +30,20 @@ std::optional<FoundFace> FaceFinder::find(const Image& image) {
   if (!is_whole(image)) return std::nullopt;
   const auto rough = largest_of(network_.find(image, least_face_score));
   if (!rough) return std::nullopt;
-  // Closer, its points are seen more exactly.
-  const PictureRegion near{(rough->low + rough->high) / 2,
-                           closer_side * (rough->high - rough->low).maxCoeff(), 0};
-  const auto face = largest_of(network_.find_in(image, near, least_face_score));
-  const auto& p = face ? face->points : rough->points;
-  return FoundFace{rough->score, p[0], p[1], p[2], p[3], p[4], p[5]};
-}
-
-EyesPlace place_eyes(const FoundFace& face, const Lens& lens) {
-  // A camera sees a user's right eye on the left.
-  const Vec2 right = lens.ray(face.right_eye).head<2>(), left = lens.ray(face.left_eye).head<2>(),
-             nose = lens.ray(face.nose).head<2>();
-  const Vec2 across = left - right, middle = (left + right) / 2;
-  const double distance = std::max(across.norm(), 1e-6);
-  EyesPlace out;
-  out.yaw = std::clamp(std::atan((nose - middle).dot(across) / (distance * distance * nose_ahead)), -most_yaw,
-                       most_yaw);
-  out.roll = std::atan2(across.y(), across.x());
-  out.middle = between_eyes * std::cos(out.yaw) / distance * Vec3(middle.x(), middle.y(), 1);
-  return out;
+  // Closer, its points are seen more exactly, and the more so in the mean of several looks.
+  const double side = (rough->high - rough->low).maxCoeff();
+  std::vector<Vec2> sum(face_points, Vec2::Zero());
+  int looks = 0;
+  for (const Vec2& corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(-1, 1), Vec2(1, 1)}) {
+    const Vec2 middle = (rough->low + rough->high) / 2 + between_looks * side * corner;
+    const auto face = largest_of(network_.find_in(image, {middle, closer_side * side, 0}, least_face_score));
+    if (!face) continue;
+    for (std::size_t k = 0; k < face_points; ++k) sum[k] += face->points[k];
+    ++looks;
+  }
+  if (looks == 0) return std::nullopt;
+  for (Vec2& at : sum) at /= looks;
+  return FoundFace{rough->score, sum[0], sum[1], sum[2], sum[3], sum[4], sum[5]};
 }
 
 }  // namespace prosector

@@ -1,5 +1,5 @@
 #pragma once
-// A user's face in a camera's picture, and where the eyes are.
+// A user's face in a camera's picture.
 
 #include <filesystem>
 #include <optional>
@@ -24,16 +24,5 @@ class FaceFinder {
  private:
   AnchorNetwork network_;
 };
-
-/// Where a face's eyes are.
-struct EyesPlace {
-  Vec3 middle = Vec3::Zero();  // between the eyes, in the camera's frame (x right, y down, z ahead), m
-  double yaw = 0;              // rad, of the face from the camera, positive to the picture's right
-  double roll = 0;             // rad, from upright, clockwise in the picture
-};
-
-/// Returns where the eyes are, for eyes that are 63 mm apart: each per cent that they aren't is one of their
-/// distance. The nose tells how far the face is turned.
-EyesPlace place_eyes(const FoundFace& face, const Lens& lens);
 
 }  // namespace prosector

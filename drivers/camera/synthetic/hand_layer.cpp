@@ -7,7 +7,6 @@
 namespace prosector {
 namespace {
 
-constexpr int cells_of_pixel = 3;  // a side
 // How much lighter or darker skin is than its tone.
 constexpr float palm_light = 0.18F, palm_fold = 0.25F, back_fold = 0.1F, knuckle_red = 0.12F;
 constexpr double fold_width = 0.003;  // m
@@ -41,12 +40,8 @@ bool is_nail(const OnFinger& at, std::size_t hand) {
 
 }  // namespace
 
-HandLayer::HandLayer(const Lens& lens)
-    : width_(cells_of_pixel * lens.width),
-      height_(cells_of_pixel * lens.height),
-      low_(lens.ray({-1, -1}).head<2>()),
-      high_(lens.ray({static_cast<double>(lens.width), static_cast<double>(lens.height)}).head<2>()),
-      skins_(make_hand_skins()),
+HandLayer::HandLayer()
+    : skins_(make_hand_skins()),
       paints_{paint(skins_[left_hand], left_hand), paint(skins_[right_hand], right_hand)} {}
 
 /// Returns skin's shades: palms are lighter than backs, joints are redder and have folds, nails are light.
@@ -67,8 +62,7 @@ HandLayer::Paint HandLayer::paint(const HandSkin& skin, std::size_t hand) {
   return out;
 }
 
-MeshLayer HandLayer::draw(std::span<const BentHand> hands, const Lamp& lamp) const {
-  MeshLayer out(width_, height_, low_, high_);
+void HandLayer::draw(std::span<const BentHand> hands, const Lamp& lamp, MeshLayer& layer) const {
   for (const BentHand& hand : hands) {
     const HandSkin& skin = skins_.at(hand.hand);
     SkinnedHand bent = skin_hand(skin, hand.flexion);
@@ -76,9 +70,8 @@ MeshLayer HandLayer::draw(std::span<const BentHand> hands, const Lamp& lamp) con
     std::vector<Rgb> colours = paints_[hand.hand].of_tone;
     for (Rgb& colour : colours)
       for (std::size_t c = 0; c < 3; ++c) colour[c] *= hand.tone[c];
-    out.draw({bent.positions, bent.normals, skin.triangles(), colours}, hand.camera_wrist, lamp);
+    layer.draw({bent.positions, bent.normals, skin.triangles(), colours}, hand.camera_wrist, lamp);
   }
-  return out;
 }
 
 }  // namespace prosector

@@ -2,7 +2,6 @@
 // Our own hands' skin before a synthetic camera.
 
 #include "common/hand_skin.h"
-#include "drivers/camera/lens.h"
 #include "drivers/camera/synthetic/mesh_layer.h"
 
 namespace prosector {
@@ -18,10 +17,10 @@ struct BentHand {
 
 class HandLayer {
  public:
-  /// Makes one for pictures by that lens. Takes some tenths of a second.
-  explicit HandLayer(const Lens& lens);
-  /// Draws hands, none blurred by motion.
-  MeshLayer draw(std::span<const BentHand> hands, const Lamp& lamp) const;
+  /// Takes some tenths of a second.
+  HandLayer();
+  /// Draws hands, none blurred by motion, over what is there.
+  void draw(std::span<const BentHand> hands, const Lamp& lamp, MeshLayer& layer) const;
 
  private:
   struct Paint {
@@ -29,8 +28,6 @@ class HandLayer {
   };
   static Paint paint(const HandSkin& skin, std::size_t hand);
 
-  int width_, height_;          // cells
-  Eigen::Vector2d low_, high_;  // directions that the lens sees
   std::array<HandSkin, 2> skins_;
   std::array<Paint, 2> paints_;
 };

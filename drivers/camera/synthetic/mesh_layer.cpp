@@ -7,6 +7,7 @@
 namespace prosector {
 namespace {
 
+constexpr int cells_of_pixel = 3;       // a side
 constexpr float nearest_drawn = 0.02F;  // m
 constexpr float nothing_met = std::numeric_limits<float>::infinity();
 
@@ -21,6 +22,10 @@ MeshLayer::MeshLayer(int width, int height, const Eigen::Vector2d& low, const Ei
       hits_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
   clear();
 }
+
+MeshLayer::MeshLayer(const Lens& lens)
+    : MeshLayer(cells_of_pixel * lens.width, cells_of_pixel * lens.height, lens.ray({-1, -1}).head<2>(),
+                lens.ray({static_cast<double>(lens.width), static_cast<double>(lens.height)}).head<2>()) {}
 
 void MeshLayer::clear() {
   std::fill(hits_.begin(), hits_.end(), Hit{{}, nothing_met});

@@ -23,6 +23,8 @@ class MeshLayer {
  public:
   /// Directions (a, b) at distance 1 from `low` to `high`, in so many cells.
   MeshLayer(int width, int height, const Eigen::Vector2d& low, const Eigen::Vector2d& high);
+  /// Makes one of all that a lens sees, finer than its pixels.
+  explicit MeshLayer(const Lens& lens);
 
   void clear();
   /// Draws a surface over what is there. The camera's frame is x right, y down, z ahead; what is nearer than

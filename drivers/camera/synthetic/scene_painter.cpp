@@ -32,10 +32,10 @@ std::vector<BentHand> bent_hands(const SyntheticScene& scene, const SyntheticTru
 }
 
 /// Draws what is before the row's flat things over them.
-void draw_hands(const MeshLayer& hands, const RayGrid& grid, int y, RayRow& row) {
+void draw_solids(const MeshLayer& solids, const RayGrid& grid, int y, RayRow& row) {
   for (std::size_t k = 0; k < row.depth.size(); ++k) {
     const MeshLayer::Hit hit =
-        hands.at(grid.direction(static_cast<int>(k / grid.rays()), y, k % grid.rays()));
+        solids.at(grid.direction(static_cast<int>(k / grid.rays()), y, k % grid.rays()));
     if (hit.depth >= row.depth[k]) continue;
     row.depth[k] = hit.depth;
     row.light[k] = hit.light;
@@ -82,7 +82,17 @@ void spoil(CameraFault fault, std::uint64_t number, Image& image) {
 }  // namespace
 
 ScenePainter::ScenePainter(SyntheticScene scene) : scene_(std::move(scene)), grid_(scene_.lens, scene_.rays) {
-  if (!scene_.hands.empty()) hands_.emplace(scene_.lens);
+  if (!scene_.hands.empty()) hands_.emplace();
+}
+
+/// Draws what isn't flat; nothing where the scene has none.
+std::optional<MeshLayer> ScenePainter::solids(const SyntheticTruth& truth, const Lamp& lamp) const {
+  if (!hands_ && scene_.faces.empty()) return std::nullopt;
+  MeshLayer out(scene_.lens);
+  if (hands_) hands_->draw(bent_hands(scene_, truth), lamp, out);
+  for (const SyntheticFace& face : scene_.faces)
+    out.draw(face.mesh->painted(), truth.room_camera.inverse() * truth.room_things[face.carrier], lamp);
+  return out;
 }
 
 Image ScenePainter::paint(std::uint64_t number) const {
@@ -95,8 +105,7 @@ Image ScenePainter::paint_at(double seconds, std::uint64_t number) const {
   const Lamp lamp{truth.room_camera.q.conjugate() * scene_.to_lamp, scene_.ambient};
   const FlatPainter painter(
       grid_, scene_.things, [this](double at) { return seen_from(scene_, at); }, exposure, lamp);
-  std::optional<MeshLayer> hands;
-  if (hands_) hands = hands_->draw(bent_hands(scene_, truth), lamp);
+  const std::optional<MeshLayer> solid = solids(truth, lamp);
   const int width = scene_.lens.width, height = scene_.lens.height;
   const std::size_t rays = grid_.rays(), in_row = rays * static_cast<std::size_t>(width);
   RayRow row;
@@ -108,7 +117,7 @@ Image ScenePainter::paint_at(double seconds, std::uint64_t number) const {
     row.light.assign(in_row, {behind, behind, behind});
     row.depth.assign(in_row, std::numeric_limits<float>::infinity());
     painter.draw(y, row);
-    if (hands) draw_hands(*hands, grid_, y, row);
+    if (solid) draw_solids(*solid, grid_, y, row);
     for (std::size_t pixel = 0; pixel < static_cast<std::size_t>(width); ++pixel) {
       Rgb sum{};
       for (std::size_t ray = 0; ray < rays; ++ray)

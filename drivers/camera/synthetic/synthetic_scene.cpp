@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <array>
 
+#include "common/error.h"
+#include "common/eye_distance.h"
 #include "common/messages.h"
+#include "common/paths.h"
 #include "drivers/camera/camera_frames.h"
 #include "drivers/camera/tags/known_boards.h"
 #include "drivers/toml_fields.h"
@@ -111,6 +114,16 @@ FlatThing read_plate(const TomlFields& fields, const Response& response) {
   return thing;
 }
 
+FaceMesh read_face(const TomlFields& fields) {
+  if (!fields.flag("ct", false))
+    return make_face(fields.number("eye_distance", 0.04, 0.1, usual_eye_distance));
+  try {
+    return load_ct_face(default_data_dir() / "head.nii");
+  } catch (const InputError& error) {
+    fields.fail("ct", error.what());
+  }
+}
+
 /// Returns a tag's cells as pixels; ink isn't quite black, paper not quite white.
 Image printed(int code) {
   constexpr std::uint8_t ink = 25, paper = 235;
@@ -174,6 +187,11 @@ SyntheticScene SyntheticScene::load(const std::filesystem::path& file) {
                            hand.number("size", 0.5, 2, 1)});
     scene.carriers.push_back(read_carrier(hand, fmt::format("hand {}", scene.hands.size())));
     hand.refuse_others();
+  }
+  for (const TomlFields& face : fields.tables("face")) {
+    scene.faces.push_back({scene.carriers.size(), std::make_shared<const FaceMesh>(read_face(face))});
+    scene.carriers.push_back(read_carrier(face, fmt::format("face {}", scene.faces.size())));
+    face.refuse_others();
   }
   for (const TomlFields& fault : fields.tables("fault")) scene.faults.push_back(read_fault(fault));
   fields.refuse_others();

@@ -11,6 +11,7 @@
 
 #include "drivers/camera/frame.h"
 #include "drivers/camera/lens.h"
+#include "drivers/camera/synthetic/face_mesh.h"
 #include "drivers/camera/synthetic/flat_painter.h"
 #include "drivers/camera/synthetic/hand_layer.h"
 #include "drivers/camera/synthetic/sensor.h"
@@ -36,6 +37,12 @@ struct SyntheticHand {
   std::size_t carrier = 0;
   std::size_t hand = right_hand;
   double size = 1;  // 1: our hand
+};
+
+/// A face, whose carrier is the point between the eyes: x to the user's right, y up, −z ahead.
+struct SyntheticFace {
+  std::size_t carrier = 0;
+  std::shared_ptr<const FaceMesh> mesh;
 };
 
 /// What goes wrong with a camera, for a span of time.
@@ -65,6 +72,7 @@ struct SyntheticScene {
   std::vector<Carrier> carriers;
   std::vector<FlatThing> things;
   std::vector<SyntheticHand> hands;
+  std::vector<SyntheticFace> faces;
   std::vector<Board> boards;                // for who wants to know
   std::vector<std::size_t> board_carriers;  // of each board
   std::vector<CameraFaultSpan> faults;
@@ -89,6 +97,8 @@ class ScenePainter {
   Image paint_at(double seconds, std::uint64_t number) const;
 
  private:
+  std::optional<MeshLayer> solids(const SyntheticTruth& truth, const Lamp& lamp) const;
+
   SyntheticScene scene_;
   RayGrid grid_;
   std::optional<HandLayer> hands_;  // where the scene has some

@@ -1,0 +1,70 @@
+#include "drivers/camera_samples.h"
+
+#include <algorithm>
+
+#include "common/clock.h"
+
+namespace prosector {
+namespace {
+
+constexpr std::size_t most_waiting = 256;  // samples: the oldest goes first
+constexpr std::size_t most_frame_times = 64;
+constexpr std::int64_t unseen_ns = 1'000'000'000;  // after which it says that it finds nothing
+
+}  // namespace
+
+void CameraSamples::put(std::int64_t time_ns, bool counts, std::span<const DeviceSample> found) {
+  const std::lock_guard lock(mutex_);
+  if (counts && frames_ns_.size() < most_frame_times) frames_ns_.push_back(time_ns);
+  for (const DeviceSample& sample : found) {
+    if (found_.size() == most_waiting) found_.pop_front();
+    found_.push_back(sample);
+  }
+  if (!found.empty()) seen_ns_ = time_ns;
+}
+
+void CameraSamples::set_guessed(bool guessed) {
+  const std::lock_guard lock(mutex_);
+  is_guessed_ = guessed;
+}
+
+void CameraSamples::poll(const CameraState& camera, std::vector<DeviceSample>& out) {
+  const std::int64_t now_ns = monotonic_ns();
+  const bool opened = camera.opened > opened_;
+  if (opened) health_.opened(now_ns);
+  opened_ = camera.opened;
+  {
+    const std::lock_guard lock(mutex_);
+    if (opened) seen_ns_ = now_ns;  // it has just begun to look
+    const auto bytes = 3 * static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
+    for (const std::int64_t time_ns : frames_ns_) health_.record(std::max(time_ns, now_ns - 1), bytes);
+    frames_ns_.clear();
+    out.insert(out.end(), found_.begin(), found_.end());
+    found_.clear();
+  }
+  if (opened_ > 0 && !camera.is_open) health_.lost();
+}
+
+DeviceStatus CameraSamples::status(const std::string& problem, const char* unseen) const {
+  DeviceStatus out = health_.status(monotonic_ns());
+  if (!problem.empty()) {
+    out.message = problem;
+    return out;
+  }
+  if (opened_ == 0) {
+    out.health = DeviceHealth::connecting;
+    out.message = "the camera is being opened";
+    return out;
+  }
+  const std::lock_guard lock(mutex_);
+  if (out.health == DeviceHealth::silent)
+    out.message = "the camera is open and gives no pictures: unplug it and plug it in again";
+  else if (out.health == DeviceHealth::streaming && monotonic_ns() - seen_ns_ > unseen_ns)
+    out.message = unseen;
+  else if (is_guessed_)
+    out.message =
+        "the camera isn't calibrated: places are right to a tenth or so (prosector-client camera calibrate)";
+  return out;
+}
+
+}  // namespace prosector
