@@ -57,6 +57,8 @@ class Desk {
   void wait();
   bool closed() const { return closed_; }
   Pose eye() const { return view_.place().pose(); }
+  /// Looks from now on as a camera does that leads; nullopt: as mouse and keyboard have it.
+  void look_as(const std::optional<DrawCamera>& camera) { view_.look_as(camera); }
   /// Returns the user as mouse and keyboard have them.
   HandInput input() const;
   /// Returns what the mouse asked for since the last call: to grasp, to release, to set a control. Who asks

@@ -28,7 +28,10 @@ class DeskView {
   /// Steps back until the whole box is in the picture, unless it is already.
   void make_room_for(const Eigen::AlignedBox3d& box);
 
-  const ViewPlace& place() const { return orbit_.place(); }
+  /// Looks from now on as that camera does, whatever mouse and keys do to the view; nullopt: as they have it.
+  void look_as(const std::optional<DrawCamera>& camera);
+
+  const ViewPlace& place() const { return leading_ ? leading_place_ : orbit_.place(); }
   DrawCamera camera() const;
   Ray pointer() const;
   const Eigen::Vector2d& pointer_pixel() const { return pointer_; }
@@ -36,6 +39,8 @@ class DeskView {
 
  private:
   OrbitView orbit_;
+  std::optional<DrawCamera> leading_;  // that the user looks by; nullopt: by the orbit
+  ViewPlace leading_place_;
   double fov_ = 0.8;  // vertical, rad
   std::array<std::optional<ViewPlace>, saved_views> views_{};
   bool flies_ = false;  // turning moves the target about the eye, not the eye about the target

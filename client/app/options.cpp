@@ -31,7 +31,7 @@ struct RawOptions {
   std::string tracker, glove, glove_left, arm, config, size, camera, user_name, language,
       display = "window", quality = "medium", show = "none";
   std::optional<std::string> lan;  // empty: the only network that there is
-  std::vector<std::string> screenshots, effects, offers;
+  std::vector<std::string> screenshots, effects, offers, phantoms;
   std::optional<double> detail;
 };
 
@@ -95,6 +95,11 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option("--camera", raw.camera,
                  "With --display ar: /dev/video0, a number, a video's file, a stream, or "
                  "synthetic:SCENE.toml (default: the tracker's, where that is a camera's)")
+      ->group("Pictures");
+  app.add_option(
+         "--phantom", raw.phantoms,
+         "With --display ar: name of a body that really lies there, as a phantom does: it is left out, and "
+         "hides what is behind it; may be given again")
       ->group("Pictures");
   app.add_option("--quality", raw.quality, "Of pictures: low, medium, high")
       ->capture_default_str()
@@ -429,6 +434,8 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   o.devices = o.source.read();
   if (through_camera) resolve_camera(raw, o);
   if (!through_camera && !raw.camera.empty()) throw InputError("--camera: only with --display ar");
+  if (!through_camera && !raw.phantoms.empty()) throw InputError("--phantom: only with --display ar");
+  o.phantoms = raw.phantoms;
   take_eyes(o.devices.eyes, o.stereo);
   o.join.language = parse_language(raw.language);
   o.join.name = raw.user_name.empty() ? login_name() : raw.user_name;
