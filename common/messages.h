@@ -17,7 +17,7 @@
 
 namespace prosector {
 
-inline constexpr std::uint32_t protocol_version = 8;
+inline constexpr std::uint32_t protocol_version = 9;
 
 using ParticipantId = std::uint64_t;  // drawn at random by each client; 0 is nobody
 using BodyId = std::uint32_t;         // index into SceneInfo::bodies
@@ -88,6 +88,18 @@ struct HandPose {
 
 inline constexpr std::size_t left_hand = 0, right_hand = 1;
 
+/// What is tracked in a user's hand, beside the hands themselves.
+enum class HeldThing : std::uint8_t {
+  tablet,  // the user's panel: its pose is the board's middle, +x right, +y up, +z towards the reader
+  stylus   // its pose is the tip, +z along the shaft
+};
+inline constexpr std::size_t held_things = 2;
+
+struct HeldPose {
+  bool tracked = false;
+  Pose pose;  // in the room
+};
+
 /// participant → server, best effort, 120 Hz. Dropped by role: an observer's changes nothing.
 struct HandInput {
   ParticipantId participant = 0;
@@ -97,6 +109,7 @@ struct HandInput {
   bool head_tracked = false;
   Pose head;  // eyes in the room: −z looks ahead
   std::array<HandPose, 2> hands{};
+  std::array<HeldPose, held_things> held{};  // in the order of HeldThing
 };
 
 /// server → all, best effort: where everyone is, as the server has it.

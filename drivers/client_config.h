@@ -14,9 +14,9 @@
 
 namespace prosector {
 
-/// What a tracker's receiver is fixed to. `instrument`: what touches points when the tracker is calibrated;
-/// no hand.
-enum class StationRole : std::uint8_t { none, head, left_hand, right_hand, instrument };
+/// What a tracker's receiver is fixed to. `instrument`: what touches points when the tracker is calibrated,
+/// and panels in a session; no hand. `tablet`: a board that is the user's panel.
+enum class StationRole : std::uint8_t { none, head, left_hand, right_hand, instrument, tablet };
 
 /// What making a gesture asks for. `panel`: the panel of the part that the hand touches or points at, or away
 /// with one's own that is open. `parts`: the list of parts on a board, or away with it.

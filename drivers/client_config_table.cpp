@@ -28,12 +28,14 @@ struct RoleName {
   const char* board;  // that it wears before a camera, where none is named
   const char* help;
 };
-constexpr std::array<RoleName, 4> role_names = {
+constexpr std::array<RoleName, 5> role_names = {
     {{"head", StationRole::head, "head", "the head; its pose is the point between the eyes"},
      {"right", StationRole::right_hand, "wrist-right", "the right hand; its pose is the wrist"},
      {"left", StationRole::left_hand, "wrist-left", "the left hand; its pose is the wrist"},
      {"instrument", StationRole::instrument, "instrument",
-      "an instrument that touches points in calibration; its pose is the tip"}}};
+      "an instrument that touches points in calibration and presses panels; its pose is the tip"},
+     {"tablet", StationRole::tablet, "tablet",
+      "a board in the hand that is the panel; its pose is the middle of its front: x right, y up"}}};
 
 struct EventName {
   const char* name;
@@ -543,7 +545,7 @@ std::vector<ConfigTable> make_tables() {
       if (const auto index = station_of(c, row.role); index && c.tracker_device.boards[*index].empty())
         c.tracker_device.boards[*index] = row.board;
     if (c.tracker_device.stations != 0) return std::nullopt;
-    return ConfigFault{"right", "give at least one of head, right, left, instrument a receiver"};
+    return ConfigFault{"right", "give at least one of head, right, left, instrument, tablet a receiver"};
   };
   add("tracker.table", "The board that lies still before a camera.");
   add("tracker.second", "The second camera before bare hands.");

@@ -57,7 +57,10 @@ void TagsDevice::see(const Frame& frame) {
   const TagPicture& picture = reader_->read(frame);
   if (std::exchange(changes_, reader_->changes()) != reader_->changes())
     for (Station& station : stations_) station.tracker.forget();
-  if (place_ && !camera_->room_camera()) place_->update(picture, reader_->optics());
+  if (place_ && !camera_->room_camera()) {
+    place_->update(picture, reader_->optics());
+    if (place_->room_camera()) camera_->put_place(*place_->room_camera());
+  }
   std::vector<DeviceSample> found;
   std::string trouble;
   for (Station& station : stations_) {

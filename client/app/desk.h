@@ -61,6 +61,8 @@ class Desk {
   void see_by(const std::optional<WindowLook>& look) { view_.see_by(look); }
   /// Returns what the picture is seen by.
   DrawCamera camera() const { return view_.camera(); }
+  /// Looks from now on as a camera does that leads; nullopt: as mouse and keyboard have it.
+  void look_as(const std::optional<DrawCamera>& camera) { view_.look_as(camera); }
   /// Returns the user as mouse and keyboard have them.
   HandInput input() const;
   /// Returns what the mouse asked for since the last call: to grasp, to release, to set a control. Who asks

@@ -29,8 +29,16 @@ void DeskView::begin(const DeskStart& start, int width, int height) {
   pointer_ = {0.5 * width_, 0.5 * height_};
 }
 
+void DeskView::look_as(const std::optional<DrawCamera>& camera) {
+  leading_ = camera;
+  if (!camera) return;
+  const double ahead = orbit_.place().distance;
+  leading_place_ = place_of(camera->pose.p, camera->pose * Vec3(0, 0, -ahead));
+}
+
 /// Returns what would be seen without a window.
 DrawCamera DeskView::resting_camera() const {
+  if (leading_) return *leading_;
   return mono_camera(place().pose(), fov_, width_, height_);
 }
 

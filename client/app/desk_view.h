@@ -31,8 +31,10 @@ class DeskView {
 
   /// Says how the user looks at the screen, where it is a window; nullopt: it is none.
   void see_by(const std::optional<WindowLook>& look) { look_ = look; }
+  /// Looks from now on as that camera does, whatever mouse and keys do to the view; nullopt: as they have it.
+  void look_as(const std::optional<DrawCamera>& camera);
 
-  const ViewPlace& place() const { return orbit_.place(); }
+  const ViewPlace& place() const { return leading_ ? leading_place_ : orbit_.place(); }
   /// Returns what the picture is seen by, which the pointer is in.
   DrawCamera camera() const;
   Ray pointer() const;
@@ -42,6 +44,8 @@ class DeskView {
  private:
   OrbitView orbit_;
   std::optional<WindowLook> look_;
+  std::optional<DrawCamera> leading_;  // that the user looks by; nullopt: by the orbit
+  ViewPlace leading_place_;
   double fov_ = 0.8;  // vertical, rad
   std::array<std::optional<ViewPlace>, saved_views> views_{};
   bool flies_ = false;  // turning moves the target about the eye, not the eye about the target

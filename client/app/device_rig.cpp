@@ -3,6 +3,12 @@
 #include <fmt/format.h>
 #include <poll.h>
 
+#include <algorithm>
+
+#include "common/clock.h"
+#include "common/rotation_between.h"
+#include "drivers/camera/shared_camera.h"
+
 namespace prosector {
 namespace {
 
@@ -11,8 +17,37 @@ std::string without_digits(std::string text) {
   return text;
 }
 
+/// Returns the pose of a tip whose +z is along the shaft. That is towards what is tracked, where the mount
+/// says how far away it is, else as the tip is turned.
+Pose along_shaft(const Pose& tip, const Pose& mount) {
+  constexpr double shortest_shaft = 0.01;  // m
+  const Vec3 shaft = mount.inverse().p;
+  if (shaft.norm() < shortest_shaft) return tip;
+  return {tip.p, tip.q * rotation_between(Vec3::UnitZ(), shaft)};
+}
+
 constexpr std::uint32_t first_button = 1;
+constexpr double unseen_tablet = 1;                     // s, after which it says so
 constexpr std::int64_t pose_lifetime_ns = 250'000'000;  // a pose older than this is no pose any more
+
+/// Makes stations 1 and 2 the hands that the tracker knows by itself. Other roles follow, whatever stations
+/// they were given.
+void put_hands_first(ClientConfig& config) {
+  const ClientConfig given = config;
+  DeviceConfig& device = config.tracker_device;
+  config.stations = {StationRole::right_hand, StationRole::left_hand};
+  device.boards = {};
+  std::size_t next = 2;
+  for (std::size_t k = 0; k < max_stations && next < max_stations; ++k) {
+    const StationRole role = given.stations[k];
+    if (role == StationRole::none || role == StationRole::right_hand || role == StationRole::left_hand)
+      continue;
+    config.stations[next] = role;
+    device.boards[next] = given.tracker_device.boards[k];
+    device.mount[next++] = given.tracker_device.mount[k];
+  }
+  device.stations = (1u << next) - 1;
+}
 
 /// Makes gestures of a headset's hand, by the thresholds that its glove would have.
 GestureDetector gestures_of(const DeviceConfig& glove) {
@@ -35,19 +70,33 @@ DeviceRig::DeviceRig(const ClientConfig& config, HeadsetUser* headset)
     : config_(config),
       headset_(headset),
       headset_gestures_{gestures_of(config.gloves[left_hand].device),
-                        gestures_of(config.gloves[right_hand].device)} {
-  if (!config_.tracker.empty() && driver_of(config_.tracker).knows_hands) {
-    config_.stations = {StationRole::right_hand, StationRole::left_hand};
-    config_.tracker_device.stations = 3;
-  }
-  if (!config_.tracker.empty() && driver_of(config_.tracker).knows_head) {
-    config_.stations = {StationRole::head};
-    config_.tracker_device.stations = 1;
-  }
-  if (!config_.tracker.empty()) open("tracker", config_.tracker, config_.tracker_device, std::nullopt);
+                        gestures_of(config.gloves[right_hand].device)},
+      eye_(config.tracker_device.room_device.p) {
+  if (!config_.tracker.empty()) open_tracker();
   for (std::size_t hand : {left_hand, right_hand})
     if (const GloveSettings& glove = config_.gloves[hand]; !glove.address.empty())
       open(hand == right_hand ? "right glove" : "left glove", glove.address, glove.device, hand);
+}
+
+/// Opens the tracker. Boards that a camera is to see beside bare hands are looked for first, so that hands
+/// know from the table's board where the camera stands.
+void DeviceRig::open_tracker() {
+  const DriverRow& driver = driver_of(config_.tracker);
+  if (driver.knows_hands) put_hands_first(config_);
+  if (driver.knows_head) {
+    config_.stations = {StationRole::head};
+    config_.tracker_device.stations = 1;
+  }
+  DeviceConfig& device = config_.tracker_device;
+  const bool has_boards = std::any_of(device.boards.begin() + 2, device.boards.end(),
+                                      [](const std::string& board) { return !board.empty(); });
+  if (driver.knows_hands && driver.is_camera && has_boards) {
+    const std::string path = parse_device_address(config_.tracker).path;
+    const std::string camera = path.substr(0, path.find(','));
+    device.camera = shared_camera(device.camera, camera);
+    open("boards", "tags:" + camera, device, std::nullopt);
+  }
+  open("tracker", config_.tracker, device, std::nullopt);
 }
 
 void DeviceRig::open(const std::string& role, const std::string& address, const DeviceConfig& config,
@@ -80,6 +129,7 @@ bool DeviceRig::poll(std::int64_t now_ns) {
     changed = true;
   }
   expire(now_ns);
+  if (changed) press_tablet();
   return changed;
 }
 
@@ -126,10 +176,38 @@ void DeviceRig::take_tracker(const DeviceSample& sample) {
   } else if (role == StationRole::right_hand || role == StationRole::left_hand) {
     const std::size_t hand = role == StationRole::right_hand ? right_hand : left_hand;
     input_.hands[hand].tracked = true;
-    input_.hands[hand].pose = sample.pose;
+    input_.hands[hand].pose = seen_wrists_[hand] = sample.pose;
     input_.hands[hand].buttons = sample.buttons;
     tracker_sample_[hand] = sample;
     hand_seen_ns_[hand] = sample.time_ns;
+  } else if (role == StationRole::tablet) {
+    take_held(HeldThing::tablet, sample, sample.pose);
+  } else if (role == StationRole::instrument) {
+    take_held(HeldThing::stylus, sample,
+              along_shaft(sample.pose, config_.tracker_device.mount[sample.station]));
+  }
+}
+
+void DeviceRig::take_held(HeldThing thing, const DeviceSample& sample, const Pose& pose) {
+  const auto index = static_cast<std::size_t>(thing);
+  input_.held[index] = {true, pose};
+  held_seen_ns_[index] = sample.time_ns;
+}
+
+/// Lets bare hands before a camera work the user's tablet.
+void DeviceRig::press_tablet() {
+  if (config_.tracker.empty()) return;
+  const DriverRow& driver = driver_of(config_.tracker);
+  if (!driver.knows_hands || !driver.is_camera) return;
+  const auto& camera = config_.tracker_device.camera;
+  const std::optional<Pose> seen = camera ? camera->room_camera() : std::nullopt;
+  if (seen) eye_ = seen->p;
+  const HeldPose& tablet = input_.held[static_cast<std::size_t>(HeldThing::tablet)];
+  for (std::size_t hand : {left_hand, right_hand}) {
+    HandPose& mine = input_.hands[hand];
+    if (!mine.tracked) continue;
+    mine.pose = seen_wrists_[hand];
+    if (tablet.tracked) mine = press_.follow(hand, mine, tablet.pose, eye_, hand_seen_ns_[hand]);
   }
 }
 
@@ -153,6 +231,8 @@ void DeviceRig::take_buttons(std::size_t hand, const DeviceSample& sample) {
 }
 
 void DeviceRig::expire(std::int64_t now_ns) {
+  for (std::size_t thing = 0; thing < held_things; ++thing)
+    if (now_ns - held_seen_ns_[thing] > pose_lifetime_ns) input_.held[thing].tracked = false;
   if (now_ns - head_seen_ns_ > pose_lifetime_ns) input_.head_tracked = false;
   for (std::size_t hand : {left_hand, right_hand})
     if (now_ns - hand_seen_ns_[hand] > pose_lifetime_ns) {
@@ -171,6 +251,14 @@ std::vector<std::string> DeviceRig::take_news() {
     entry.reported_words = words;
     out.push_back(fmt::format("{}: {}{}{}", entry.label, health_word(status.health),
                               status.message.empty() ? "" : ": ", status.message));
+  }
+  const std::size_t tablet = static_cast<std::size_t>(HeldThing::tablet);
+  const bool rests = held_seen_ns_[tablet] != 0 && !input_.held[tablet].tracked &&
+                     seconds_since(held_seen_ns_[tablet]) > unseen_tablet;
+  if (rests != tablet_rests_ && (rests || input_.held[tablet].tracked)) {
+    tablet_rests_ = rests;
+    out.emplace_back(rests ? "tablet: it isn't seen; the panel rests where it was, and is soon let go"
+                           : "tablet: it is seen again");
   }
   return out;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "client/app/headset_user.h"
+#include "client/app/tablet_press.h"
 #include "common/messages.h"
 #include "drivers/client_config.h"
 #include "drivers/device.h"
@@ -66,17 +67,25 @@ class DeviceRig {
   std::array<std::optional<DeviceSample>, 2> tracker_sample_;
   std::array<std::int64_t, 2> hand_seen_ns_{};
   std::int64_t head_seen_ns_ = 0;
+  std::array<std::int64_t, held_things> held_seen_ns_{};
+  bool tablet_rests_ = false;        // as was told last
+  TabletPress press_;                // of bare hands before a camera
+  std::array<Pose, 2> seen_wrists_;  // as the camera has them
+  Vec3 eye_ = Vec3::Zero();          // m, room: where the camera was last
   std::array<Gesture, 2> gesture_{};
   std::array<std::uint32_t, 2> buttons_{};
   std::array<bool, 2> holds_{};
   std::vector<GestureTrigger> triggers_;
   std::vector<DeviceSample> samples_;
 
+  void open_tracker();
   void open(const std::string& role, const std::string& address, const DeviceConfig& config,
             std::optional<std::size_t> glove_hand);
   std::optional<std::size_t> ungloved_hand(std::uint32_t station) const;
   void take_buttons(std::size_t hand, const DeviceSample& sample);
   void take_headset(const TrackedUser& user);
+  void take_held(HeldThing thing, const DeviceSample& sample, const Pose& pose);
+  void press_tablet();
   void take_tracker(const DeviceSample& sample);
   void take_glove(std::size_t hand, const DeviceSample& sample);
   void expire(std::int64_t now_ns);

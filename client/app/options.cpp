@@ -31,7 +31,7 @@ struct RawOptions {
   std::string tracker, glove, glove_left, arm, config, size, camera, window, user_name, language,
       display = "window", quality = "medium", show = "none";
   std::optional<std::string> lan;  // empty: the only network that there is
-  std::vector<std::string> screenshots, effects, offers;
+  std::vector<std::string> screenshots, effects, offers, phantoms;
   std::optional<double> detail;
 };
 
@@ -99,6 +99,10 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option("--window", raw.window,
                  "The screen is a window into the room, for the eyes that this device sees: face:CAMERA as "
                  "with --tracker (docs/do/window.md)")
+  app.add_option(
+         "--phantom", raw.phantoms,
+         "With --display ar: name of a body that really lies there, as a phantom does: it is left out, and "
+         "hides what is behind it; may be given again")
       ->group("Pictures");
   app.add_option("--quality", raw.quality, "Of pictures: low, medium, high")
       ->capture_default_str()
@@ -448,6 +452,8 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   if (through_camera) resolve_camera(raw, o);
   if (!through_camera && !raw.camera.empty()) throw InputError("--camera: only with --display ar");
   check_window(o);
+  if (!through_camera && !raw.phantoms.empty()) throw InputError("--phantom: only with --display ar");
+  o.phantoms = raw.phantoms;
   take_eyes(o.devices.eyes, o.stereo);
   o.join.language = parse_language(raw.language);
   o.join.name = raw.user_name.empty() ? login_name() : raw.user_name;

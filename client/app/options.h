@@ -35,8 +35,9 @@ struct ClientOptions {
   ConfigSource source;  // of `devices`
   ClientConfig devices;
   Display display = Display::window;
-  StereoProfile stereo;  // with Display::stereo
-  std::string camera;    // address of the one to look through; empty: none
+  StereoProfile stereo;               // with Display::stereo
+  std::string camera;                 // address of the one to look through; empty: none
+  std::vector<std::string> phantoms;  // names of bodies that are really there, before that camera
   QualityLevel quality = quality_levels[1];
   int width = 800, height = 600;
   std::optional<double> frame_time;  // s a picture, by which quality is picked anew; nullopt: it stays

@@ -29,6 +29,15 @@ Audience audience_of(const ClientOptions& o) {
   return out;
 }
 
+/// Returns the board that is the user's tablet, where a camera tracks it.
+std::optional<SightTablet> tablet_before(const ClientConfig& devices) {
+  if (devices.tracker.empty() || !driver_of(devices.tracker).is_camera) return std::nullopt;
+  for (std::size_t k = 0; k < max_stations; ++k)
+    if (devices.stations[k] == StationRole::tablet)
+      return SightTablet{devices.tracker_device.boards[k], devices.tracker_device.mount[k]};
+  return std::nullopt;
+}
+
 /// Makes the context that a headset's runtime can draw with, with a window where somebody watches or where
 /// the runtime wants one.
 void make_headset_context(Stage& stage, const ClientOptions& o) {
@@ -73,7 +82,8 @@ std::unique_ptr<Stage> make_stage(const ClientOptions& o, HeadsetUser& user,
     if (o.audience) window->open_audience(audience_of(o));
     stage->context = std::move(window);
   }
-  if (!o.camera.empty()) stage->sight = std::make_unique<CameraSight>(camera, o.devices.tracker_device);
+  if (!o.camera.empty())
+    stage->sight = std::make_unique<CameraSight>(camera, o.devices.tracker_device, tablet_before(o.devices));
   if (WindowSettings window = o.devices.window; !window.address.empty()) {
     window.device.camera = camera;
     stage->eyes = std::make_unique<EyeWindow>(window);

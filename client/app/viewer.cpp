@@ -72,6 +72,7 @@ void Viewer::look_through_camera(const SightPicture* picture) {
   SeeThrough now;
   now.room_board = stage_->sight->room_board();
   now.words = stage_->sight->trouble();
+  now.phantoms = options_.phantoms;
   now.camera.width = stage_->context->width();
   now.camera.height = stage_->context->height();
   if (picture != nullptr) {
@@ -81,6 +82,7 @@ void Viewer::look_through_camera(const SightPicture* picture) {
     now.is_placed = picture->room_eye.has_value();
     now.camera.pose = picture->room_eye.value_or(Pose{});
     now.paper = picture->paper;
+    now.room_tablet = picture->room_tablet;
   }
   if (now.words != (through_ ? through_->words : ""))
     inform(now.words.empty() ? "the camera sees the table" : now.words);
@@ -291,13 +293,15 @@ void Viewer::use_desk(InputPump* pump, LocalUser& self, ViewSettings& settings) 
     if (!desk.has_begun()) begin_desk(replica, tick, self.participant);
     return desk_session(replica, tick, self.participant);
   });
+  // Who looks through a camera points where that sees, and is where it stands.
+  desk.look_as(through_ && through_->is_placed ? std::optional(through_->camera) : std::nullopt);
   desk.update(session);
   rumble_.follow(desk.has_gamepad(), touch_force(self.participant), monotonic_ns());
   self.at_desk = !is_tracked(options_);
   const DeskChoices& choices = desk.choices();
   const bool head_leads = through_ || (is_tracked(options_) && self.input.head_tracked);
   if (!head_leads) settings.eye = desk.eye();
-  if (!head_leads) settings.pointed = desk.pointed();
+  if (!head_leads || through_) settings.pointed = desk.pointed();
   if (!head_leads && look_) settings.window = desk.camera();
   settings.pointer = desk.pointer_pixel();
   settings.cut_guide = desk.cut_line();
@@ -448,6 +452,11 @@ const DrawList& Viewer::build_list(const LocalUser& self, ViewSettings& settings
     watch_time(replica, tick, settings);
     if (is_tracked(options_)) read_panel(replica, self, settings);
     if (is_tracked(options_)) work_parts_board(replica, self, settings);
+    // One's own tablet is where the picture, or what tracks it, has it: the server's comes later.
+    if (const HeldPose& tablet = self.input.held[static_cast<std::size_t>(HeldThing::tablet)]; tablet.tracked)
+      settings.panel.place = tablet.pose;
+    if (settings.through && settings.through->room_tablet)
+      settings.panel.place = settings.through->room_tablet;
     return stage_->view.build(replica, tick, self, settings);
   });
 }

@@ -22,11 +22,14 @@ double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
 
 }  // namespace
 
-CameraSight::CameraSight(std::shared_ptr<SharedCamera> camera, const DeviceConfig& config)
+CameraSight::CameraSight(std::shared_ptr<SharedCamera> camera, const DeviceConfig& config,
+                         const std::optional<SightTablet>& tablet)
     : camera_(std::move(camera)),
       room_board_(config.room_table),
       reader_(camera_->reader(config.lens)),
       tracker_(find_board(config.table.empty() ? "table" : config.table)),
+      tablet_(tablet ? std::optional<BoardTracker>(find_board(tablet->board)) : std::nullopt),
+      tablet_panel_(tablet ? worn_on(tablet->board) * tablet->mount : Pose{}),
       seat_(
           *camera_, [this](const Camera& opened) { reader_->begin(opened); },
           [this](const Frame& frame) { see(frame); }, true) {}
@@ -36,6 +39,7 @@ void CameraSight::see(const Frame& frame) {
   const TagOptics& optics = reader_->optics();
   if (std::exchange(changes_, reader_->changes()) != reader_->changes()) {
     tracker_.forget();
+    if (tablet_) tablet_->forget();
     last_eye_.reset();
   }
   auto out = std::make_shared<SightPicture>();
@@ -52,7 +56,12 @@ void CameraSight::see(const Frame& frame) {
     seen_ns_ = frame.time_ns;
   }
   if (seconds_between(seen_ns_, frame.time_ns) < held) out->room_eye = last_eye_;
-  if (out->room_eye) camera_->put_place(*out->room_eye * device_camera);
+  if (out->room_eye) {
+    const Pose room_camera = *out->room_eye * device_camera;
+    camera_->put_place(room_camera);
+    const auto tablet = tablet_ ? tablet_->update(picture, optics) : std::nullopt;
+    if (tablet) out->room_tablet = room_camera * tablet->camera_board * tablet_panel_;
+  }
   out->paper = paper_;
   {
     const std::lock_guard lock(mutex_);

@@ -19,18 +19,26 @@ namespace prosector {
 /// A picture without distortion.
 struct SightPicture {
   std::shared_ptr<const Image> image;
-  Lens bent, straight;             // of the camera, and of `image`
-  std::int64_t time_ns = 0;        // of its exposure
-  std::uint64_t number = 0;        // counts what was seen, from 1
-  std::optional<Pose> room_eye;    // x right, y up, −z ahead; nullopt: the board is lost
-  std::optional<Vec3> paper = {};  // light of the board's white paper, as paper_light() has it
+  Lens bent, straight;                   // of the camera, and of `image`
+  std::int64_t time_ns = 0;              // of its exposure
+  std::uint64_t number = 0;              // counts what was seen, from 1
+  std::optional<Pose> room_eye;          // x right, y up, −z ahead; nullopt: the board is lost
+  std::optional<Pose> room_tablet = {};  // of the panel that it is; nullopt: it isn't seen
+  std::optional<Vec3> paper = {};        // light of the board's white paper, as paper_light() has it
+};
+
+/// The board that the looker's tablet is.
+struct SightTablet {
+  std::string board;  // a known one's name, or a file
+  Pose mount;         // of the panel in the board's frame
 };
 
 class CameraSight {
  public:
   /// Looks from now on. `config` says which lens the camera has, which board lies on the table, and where
   /// there. Throws InputError where a lens' or board's file can't be read.
-  CameraSight(std::shared_ptr<SharedCamera> camera, const DeviceConfig& config);
+  CameraSight(std::shared_ptr<SharedCamera> camera, const DeviceConfig& config,
+              const std::optional<SightTablet>& tablet);
 
   /// Waits for a picture that wasn't returned yet, at most that long. Returns the newest, which may be an old
   /// one; null: none was ever seen.
@@ -50,7 +58,9 @@ class CameraSight {
   // Only the camera's thread uses these.
   const std::shared_ptr<TagReader> reader_;
   BoardTracker tracker_;
-  int changes_ = 0;  // of the reader that the tracker knows of
+  std::optional<BoardTracker> tablet_;
+  const Pose tablet_panel_;  // in its board's frame
+  int changes_ = 0;          // of the reader that the tracker knows of
   std::optional<Pose> last_eye_;
   std::optional<Vec3> paper_;
   std::int64_t seen_ns_ = 0;  // of the last picture that showed the board

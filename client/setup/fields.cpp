@@ -11,10 +11,11 @@ struct RoleChoice {
   StationRole role;
   const char* name;
 };
-constexpr std::array<RoleChoice, 4> role_choices = {{{StationRole::right_hand, "right hand"},
+constexpr std::array<RoleChoice, 5> role_choices = {{{StationRole::right_hand, "right hand"},
                                                      {StationRole::left_hand, "left hand"},
                                                      {StationRole::head, "head"},
-                                                     {StationRole::instrument, "instrument"}}};
+                                                     {StationRole::instrument, "instrument"},
+                                                     {StationRole::tablet, "tablet"}}};
 
 }  // namespace
 

@@ -193,6 +193,11 @@ void SceneView::lay_on_table(const Replica& replica, const SeeThrough& through) 
   for (const auto& [body, index, inner] : body_items_) {
     const SceneBody& one = replica.scene()->bodies[body];
     DrawItem& item = list_.items[index];
+    if (std::ranges::find(through.phantoms, one.name) != through.phantoms.end()) {
+      item.showing = Showing::real;
+      item.casts_shadow = false;
+      continue;
+    }
     if (through.paper) light_as(item, shown, *through.paper);
     if (one.kind != BodyKind::rigid || one.moves || one.part || !box_of(body).contains(board.p - below * up))
       continue;

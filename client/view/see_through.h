@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "client/view/draw_list.h"
 
@@ -13,10 +14,12 @@ namespace prosector {
 struct SeeThrough {
   DrawCamera camera;  // that took it
   std::optional<DrawBackdrop> backdrop = {};
-  bool is_placed = false;          // it is known from where it was taken
-  Pose room_board = {};            // of the board on the table
-  std::optional<Vec3> paper = {};  // light of the board's paper, as a screen shows it
-  std::string words = {};          // on the picture; empty: none
+  bool is_placed = false;                  // it is known from where it was taken
+  Pose room_board = {};                    // of the board on the table
+  std::optional<Pose> room_tablet = {};    // of the looker's own panel, as the picture shows it
+  std::optional<Vec3> paper = {};          // light of the board's paper, as a screen shows it
+  std::vector<std::string> phantoms = {};  // names of bodies that are really there
+  std::string words = {};                  // on the picture; empty: none
 };
 
 /// Returns the light (shown by a screen, linear) that our pictures would have of paper at a place that faces

@@ -24,7 +24,7 @@ ConfigValue written(const Quat& q) {
 }
 
 const char* role_name(StationRole role) {
-  constexpr std::array names = {"none", "head", "left", "right", "instrument"};
+  constexpr std::array names = {"none", "head", "left", "right", "instrument", "tablet"};
   return names.at(static_cast<std::size_t>(role));
 }
 

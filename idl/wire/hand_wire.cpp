@@ -49,6 +49,10 @@ void to_wire(const HandInput& m, prosector_HandInput& w, WireArena&) {
   w.head_tracked = m.head_tracked;
   to_wire(m.head, w.head);
   for (std::size_t i = 0; i < 2; ++i) hand_to_wire(m.hands[i], w.hands[i]);
+  for (std::size_t i = 0; i < held_things; ++i) {
+    w.held[i].tracked = m.held[i].tracked;
+    to_wire(m.held[i].pose, w.held[i].pose);
+  }
 }
 
 Refusal from_wire(const prosector_HandInput& w, HandInput& m) {
@@ -58,10 +62,14 @@ Refusal from_wire(const prosector_HandInput& w, HandInput& m) {
   m.head_tracked = w.head_tracked != 0;
   m.head = from_wire(w.head);
   for (std::size_t i = 0; i < 2; ++i) m.hands[i] = hand_from_wire(w.hands[i]);
+  for (std::size_t i = 0; i < held_things; ++i)
+    m.held[i] = {w.held[i].tracked != 0, from_wire(w.held[i].pose)};
   return {};
 }
 
 Refusal check(HandInput& m) {
+  for (HeldPose& held : m.held)
+    if (const Refusal pose = check_pose(held.pose)) return pose;
   return check_user(m);
 }
 

@@ -67,6 +67,7 @@ struct TickInput {
   std::vector<HandTarget> targets;  // of hands present this tick; one without a target holds its last
   std::vector<HeadPlace> heads;     // of those that moved
   std::vector<PanelEvent> panels;   // obeyed after `parts`
+  std::vector<HeldPlace> held;      // of tablets and styluses; those that moved, came or went
   std::vector<PartEvent> parts;     // obeyed after `events`; answered in StepReport::part_answers
   std::vector<CutEvent> cuts;       // obeyed after them; answered in StepReport::cut_answers
   std::vector<Drive> drives;        // of programs that use the physics by itself: sessions have none

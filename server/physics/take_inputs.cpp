@@ -124,6 +124,7 @@ void take_inputs(State& state, Colliders& colliders, const TickInput& input, Ste
   for (const HandTarget& target : input.targets) take(target, state.hands);
   if (state.panels) {
     for (const HeadPlace& head : input.heads) state.panels->take(head);
+    for (const HeldPlace& held : input.held) state.panels->take(held);
     for (const PanelEvent& event : input.panels) state.panels->take(event, PanelStation(state));
   }
   bend_fingers(state, colliders);

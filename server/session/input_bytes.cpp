@@ -162,6 +162,17 @@ void entry(Io& io, typename Io::template Entry<PanelEvent>& e) {
 }
 
 template <class Io>
+void entry(Io& io, typename Io::template Entry<HeldPlace>& e) {
+  auto& [participant, thing, seen, at] = e;
+  io.number(participant);
+  io.limited(thing, HeldThing::stylus, "nothing that is held");
+  io.limited(seen, std::uint8_t{1}, "neither seen nor unseen");
+  io.numbers(at.p.data(), 3);
+  io.numbers(at.q.coeffs().data(), 4);
+  io.require(is_finite(at), "a pose that isn't finite");
+}
+
+template <class Io>
 void entry(Io& io, typename Io::template Entry<CutEvent>& e) {
   auto& [kind, participant, body, revision, state] = e;
   io.limited(kind, last_cut_event, "no such event of a cut");
@@ -180,9 +191,9 @@ constexpr std::size_t size_of(const std::tuple<Kind&...>&) {
 template <class Consumed>
 auto kinds(Consumed& consumed) {
   auto& [input, keys] = consumed;
-  auto& [efforts, events, targets, heads, panels, parts, cuts, drives] = input;
+  auto& [efforts, events, targets, heads, panels, held, parts, cuts, drives] = input;
   if (!drives.empty()) throw InternalError("journal: sessions drive nothing");
-  const auto all = std::tie(keys, efforts, events, parts, targets, heads, panels, cuts);
+  const auto all = std::tie(keys, efforts, events, parts, targets, heads, panels, held, cuts);
   static_assert(size_of(all) + sizeof drives == sizeof consumed, "a kind of input that isn't journalled");
   return all;
 }

@@ -37,6 +37,12 @@ Refusal PanelInputs::take(const Command& command) {
 }
 
 void PanelInputs::see(ParticipantId who, const HandInput& input, bool has_hands) {
+  for (std::size_t k = 0; k < held_things; ++k) {
+    if (!input.held[k].tracked) continue;
+    const auto thing = static_cast<HeldThing>(k);
+    moved_.push_back({who, thing, true, input.held[k].pose});
+    held_[{who, thing}] = 0;
+  }
   if (!has_hands) told_.erase(who);  // the simulation forgets it, too
   if (!input.head_tracked || !has_hands) return;
   const auto [told, is_new] = told_.try_emplace(who, input.head.p);
@@ -49,6 +55,14 @@ void PanelInputs::move_into(TickInput& out) {
   for (const PanelEvent& event : asked_) out.panels.push_back(event);
   asked_.clear();
   out.heads = std::exchange(heads_, {});
+  out.held = std::exchange(moved_, {});
+  for (auto it = held_.begin(); it != held_.end();) {
+    auto& [held, unseen] = *it;
+    const bool lost = unseen >= held_timeout_;
+    if (lost) out.held.push_back({held.first, held.second, false, {}});
+    ++unseen;
+    it = lost ? held_.erase(it) : std::next(it);
+  }
 }
 
 void PanelInputs::finish_tick(std::span<const Panel> panels) {

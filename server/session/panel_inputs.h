@@ -19,7 +19,9 @@ constexpr bool is_panel_command(CommandKind kind) {
 class PanelInputs {
  public:
   /// Takes, by body, whether it is a part of the anatomy.
-  explicit PanelInputs(std::vector<bool> parts) : parts_(std::move(parts)) {}
+  /// `held_timeout`: ticks without news after which what is held counts as lost.
+  PanelInputs(std::vector<bool> parts, std::uint64_t held_timeout)
+      : parts_(std::move(parts)), held_timeout_(held_timeout) {}
 
   /// Adds the next body.
   void add_body(bool is_part) { parts_.push_back(is_part); }
@@ -34,6 +36,8 @@ class PanelInputs {
   void consume(const MayTouch& may_touch, TickInput& out) {
     for (const ParticipantId who : open_)
       if (!may_touch(who)) out.panels.push_back({.kind = PanelEvent::Kind::close, .participant = who});
+    for (auto& [held, unseen] : held_)
+      if (!may_touch(held.first)) unseen = held_timeout_;
     move_into(out);
   }
   /// Takes, after the step, whose panels are open.
@@ -45,6 +49,9 @@ class PanelInputs {
   std::vector<PanelEvent> asked_;
   std::map<ParticipantId, Vec3> told_;  // where the simulation believes heads to be, m
   std::vector<HeadPlace> heads_;
+  std::uint64_t held_timeout_;
+  std::map<std::pair<ParticipantId, HeldThing>, std::uint64_t> held_;  // ticks since each was told of
+  std::vector<HeldPlace> moved_;
 
   void move_into(TickInput& out);
 };

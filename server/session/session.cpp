@@ -36,7 +36,10 @@ std::optional<PartEvent::Kind> part_kind(CommandKind kind) {
 }  // namespace
 
 Session::Session(const SessionRules& rules)
-    : rules_(rules), roster_(rules), panels_(rules.parts), pacing_(rules.recording ? most_pace : 1) {}
+    : rules_(rules),
+      roster_(rules),
+      panels_(rules.parts, rules.input_timeout),
+      pacing_(rules.recording ? most_pace : 1) {}
 
 ConsumedInput Session::consume(std::span<const Received> received, std::uint64_t tick) {
   tick_ = tick;

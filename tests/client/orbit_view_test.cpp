@@ -10,8 +10,10 @@
 #include <random>
 
 #include "client/app/desk_start.h"
+#include "client/app/desk_view.h"
 #include "client/render/keyboard_layout.h"
 #include "client/view/camera.h"
+#include "client/view/pick.h"
 
 namespace prosector {
 namespace {
@@ -202,6 +204,28 @@ TEST(Keyboard, TheCrossGoesByPlaceAndOtherKeysByWhatTheyPrint) {
   EXPECT_EQ(key_meant(key_of('1'), "&"), key_of('1'));
   EXPECT_EQ(key_meant(key_of(';'), "ö"), key_of(';'));
   EXPECT_EQ(key_meant(key_of('G'), ""), key_of('G'));
+}
+
+TEST(DeskView, PointsAsTheCameraSeesThatLeadsIt) {
+  DeskView view;
+  view.begin({}, 640, 480);
+  const Ray before = view.pointer();
+  DrawCamera camera;
+  camera.pose = {{0.3, 1.5, 0.4}, Quat(Eigen::AngleAxisd(-0.9, Vec3::UnitX()))};
+  camera.left = -0.6;
+  camera.right = 0.5;
+  camera.bottom = -0.4;
+  camera.top = 0.35;
+  camera.width = 640;
+  camera.height = 480;
+  view.look_as(camera);
+  const Ray seen = ray_through(camera, view.pointer_pixel().x(), view.pointer_pixel().y());
+  EXPECT_EQ(view.pointer().from, camera.pose.p);
+  EXPECT_LT((view.pointer().along - seen.along).norm(), 1e-12);
+  EXPECT_LT((view.place().eye() - camera.pose.p).norm(), 1e-9);
+  EXPECT_GT(view.place().back().dot(camera.pose.q * Vec3::UnitZ()), 1 - 1e-9);
+  view.look_as(std::nullopt);
+  EXPECT_EQ(view.pointer().along, before.along);
 }
 
 }  // namespace

@@ -505,6 +505,25 @@ TEST(SceneView, AViewersChoiceChangesWhatThatViewerSeesAndPointsAt) {
   EXPECT_GT(item_of_part().brightness, 1);
 }
 
+TEST(SceneView, APhantomAndNothingElseIsLeftToTheCamerasPicture) {
+  Client client;
+  client.join();
+  ViewSettings settings = plain(400, 300);
+  settings.through.emplace().is_placed = true;
+  settings.through->room_board.p = {0, 3, 0};  // above everything: no body is its table
+  settings.through->camera.width = 400;
+  settings.through->camera.height = 300;
+  const auto real = [&] {
+    std::vector<Vec3> out;
+    for (const DrawItem& item : client.list(1, settings).items)
+      if (item.showing == Showing::real) out.push_back(item.pose.p);
+    return out;
+  };
+  EXPECT_TRUE(real().empty());
+  settings.through->phantoms = {"part", "nobody"};
+  EXPECT_EQ(real(), std::vector<Vec3>{Vec3(0, 1.2, 0)});
+}
+
 TEST(SceneView, NamesStandBesideThePartsWhenTheViewerAsksForThem) {
   Client client;
   client.scene.bodies[part_body].part = true;

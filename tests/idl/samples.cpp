@@ -156,7 +156,7 @@ std::vector<Message> sample_messages() {
   return {SessionInfo{protocol_version, "prosector", "abdomen", {1, 2}, 60, 64, 42},
           Presence{7, protocol_version, "Zoë", Role::dissector, "fastrak, 5dt, omni", 2},
           RosterEntry{7, "Zoë", Role::dissector, {1, 0.5, 0}, "fastrak, 5dt"},
-          HandInput{7, 12, 123456789, true, some_pose, hands},
+          HandInput{7, 12, 123456789, true, some_pose, hands, {{{true, some_pose}, {}}}},
           UserState{7, {1, 60}, 12, true, some_pose, hands},
           Command{7, 3, CommandKind::inspect, left_hand, 1, 8, Role::dissector, sheared,
                   PanelControl::stiffness, 0.5, 3},

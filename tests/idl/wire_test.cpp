@@ -109,6 +109,8 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<HandInput>("NaN position", [](HandInput& m) { m.hands[0].pose.p.x() = nan; }),
       spoiled<HandInput>("infinite head", [](HandInput& m) { m.head.p.z() = infinity; }),
       spoiled<HandInput>("far away", [](HandInput& m) { m.hands[1].pose.p.y() = 1e6; }),
+      spoiled<HandInput>("tablet far away", [](HandInput& m) { m.held[0].pose.p.x() = -1e6; }),
+      spoiled<HandInput>("stylus unturned", [](HandInput& m) { m.held[1].pose.q.coeffs().setZero(); }),
       spoiled<HandInput>("quaternion 0", [](HandInput& m) { m.hands[0].pose.q.coeffs().setZero(); }),
       spoiled<HandInput>("quaternion 2", [](HandInput& m) { m.hands[0].pose.q.coeffs() *= 2; }),
       spoiled<HandInput>("quaternion NaN", [](HandInput& m) { m.head.q.w() = nan; }),
@@ -398,6 +400,12 @@ std::string as_wire_bytes(const Message& message) {
           }
           add(m.head.p);
           add(m.head_tracked);
+          if constexpr (std::is_same_v<M, HandInput>)
+            for (const HeldPose& held : m.held) {
+              add(held.tracked);
+              add(held.pose.p);
+              add(held.pose.q.coeffs());
+            }
         } else if constexpr (std::is_same_v<M, RigidState>) {
           add(m.pose.p);
           add(m.pose.q.coeffs());

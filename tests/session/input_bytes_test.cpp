@@ -25,6 +25,8 @@ ConsumedInput one_of_each() {
   out.input.targets = {target};
   out.input.heads = {{11, {1.5, 1.6, 1.7}}};
   out.input.panels = {{PanelEvent::Kind::set, 12, 4, PanelControl::stiffness, 0.75, {0.5, 1.25, 2}}};
+  out.input.held = {{11, HeldThing::tablet, true, {{1, 2, 3}, Quat(0.5, 0.5, -0.5, 0.5)}},
+                    {12, HeldThing::stylus, false, {}}};
   CutEvent undo{CutEvent::Kind::undo, 11, 0, 0, {}};
   CutEvent rewind{CutEvent::Kind::rewind, 12, 2, 9, {}};
   rewind.state = std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{9, 8, 7});
@@ -34,8 +36,8 @@ ConsumedInput one_of_each() {
 
 TEST(InputBytes, StayAsJournalsHaveThem) {
   const std::vector<std::uint8_t> bytes = encode_input(one_of_each());
-  EXPECT_EQ(bytes.size(), 438u);
-  EXPECT_EQ(to_hex(content_hash(std::as_bytes(std::span(bytes)))), "4953ee951c755ca93a30a80596be1786");
+  EXPECT_EQ(bytes.size(), 574u);
+  EXPECT_EQ(to_hex(content_hash(std::as_bytes(std::span(bytes)))), "27f0a13093d4b6ea7fe1a3e133ecd568");
 }
 
 TEST(InputBytes, AGraspOfWhatIsWantedComesBack) {
@@ -89,6 +91,7 @@ TEST(InputBytes, ATickThatConsumedOneKindIsNotEmpty) {
   EXPECT_FALSE(encode_input(only([](auto& in) -> auto& { return in.input.targets; })).empty());
   EXPECT_FALSE(encode_input(only([](auto& in) -> auto& { return in.input.heads; })).empty());
   EXPECT_FALSE(encode_input(only([](auto& in) -> auto& { return in.input.panels; })).empty());
+  EXPECT_FALSE(encode_input(only([](auto& in) -> auto& { return in.input.held; })).empty());
   EXPECT_FALSE(encode_input(only([](auto& in) -> auto& { return in.input.parts; })).empty());
   EXPECT_FALSE(encode_input(only([](auto& in) -> auto& { return in.input.cuts; })).empty());
 }

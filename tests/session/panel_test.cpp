@@ -216,6 +216,40 @@ TEST(PanelSession, ItGoesWithItsOwner) {
   EXPECT_TRUE(s.hosted.simulation.panels().empty());
 }
 
+TEST(PanelSession, ATabletIsThePanelForEveryoneUntilItIsLost) {
+  Session s;
+  const auto show = [&](const Pose& board, bool seen, int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      HandInput input = s.ada.hand_at({0, 0.4, 0.3});
+      input.held[static_cast<std::size_t>(HeldThing::tablet)] = {seen, board};
+      s.ada.bus->publish(input);
+      s.tick();
+    }
+  };
+  for (int k = 0; k < 10; ++k) {
+    const Pose board{Vec3(0.01 * k, 0.5, 0.2), Quat(Eigen::AngleAxisd(-0.1 * k, Vec3::UnitX()))};
+    show(board, true, 4);
+    ASSERT_EQ(s.eve.replica.panels().size(), 1u);
+    const Panel& panel = s.eve.replica.panels().at(s.ada.id);
+    EXPECT_EQ(panel.body, bone) << "the first part";
+    EXPECT_LT((panel.pose.p - board.p).norm(), 1e-6);
+    EXPECT_LT(panel.pose.q.angularDistance(board.q), 1e-3);
+  }
+  const Pose last = s.eve.replica.panels().at(s.ada.id).pose;
+  Command back = command(CommandKind::open_panel, bone);
+  back.revision = static_cast<std::uint32_t>(PanelPlacing::put_back);
+  show({}, false, 60);
+  s.ask(s.ada, back);
+  EXPECT_EQ(s.eve.replica.panels().at(s.ada.id).pose.p, last.p) << "it rests";
+  show({}, false, 240);
+  s.ask(s.ada, back);
+  EXPECT_NE(s.eve.replica.panels().at(s.ada.id).pose.p, last.p) << "it was let go";
+  show(last, true, 4);
+  s.ada.command(CommandKind::leave);
+  s.tick(3);
+  EXPECT_TRUE(s.eve.replica.panels().empty()) << "it goes with its owner";
+}
+
 TEST(PanelSession, InputsAreKeptBitForBit) {
   ConsumedInput input;
   input.input.heads = {{7, {0.1, 1.5, -0.2}}, {9, {1e-300, 2, 3}}};

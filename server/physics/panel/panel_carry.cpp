@@ -1,12 +1,51 @@
-// How fists carry panels by their heads, and put them back.
+// How tablets carry panels, and how fists do by their heads, and put them back.
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "server/physics/panel/panel_place.h"
 #include "server/physics/panel/panel_world.h"
 
 namespace prosector {
+
+/// Returns the hands, and each stylus as one with a single finger, in canonical order.
+std::vector<PanelHand> PanelWorld::with_styli(std::span<const PanelHand> hands) const {
+  std::vector<PanelHand> out(hands.begin(), hands.end());
+  for (const auto& [who, shaft] : styli_) {
+    PanelHand stylus;
+    stylus.who = {who, stylus_hand};
+    stylus.palm = stylus.touched_at = shaft.b;
+    stylus.fingers = {shaft};
+    stylus.index = shaft;
+    out.push_back(std::move(stylus));
+  }
+  std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.who < b.who; });
+  return out;
+}
+
+/// Lays panels on their owners' tablets. A tablet that has just come up calls for a panel. One that is no
+/// longer seen keeps its panel for a while, then lets it go.
+void PanelWorld::lay_on_tablets(const PanelSubjects& subjects) {
+  for (auto it = tablets_.begin(); it != tablets_.end();) {
+    auto& [who, tablet] = *it;
+    tablet.unseen = tablet.seen ? 0 : tablet.unseen + 1;
+    if (tablet.unseen > ticks(tablet_rest)) {
+      it = tablets_.erase(it);
+      continue;
+    }
+    if (!std::exchange(tablet.answered, true) && !open_.contains(who))
+      if (const auto body = subjects.first()) {
+        const auto [lo, hi] = subjects.box(*body);
+        open(who, *body, (lo + hi) / 2, nullptr, 1, subjects);
+      }
+    if (const auto panel = open_.find(who); panel != open_.end()) {
+      panel->second.hold.reset();
+      panel->second.pose = tablet.pose;
+    }
+    ++it;
+  }
+}
 
 /// Tells whether the hand's palm or one of its fingers is at the board's head.
 bool PanelWorld::reaches_head(const Open& panel, const PanelHand& hand) {
@@ -48,7 +87,7 @@ std::vector<HandRef> PanelWorld::carriers() const {
 /// Lets a hand that has just closed at a panel's head carry it, or put it back if it is the second time.
 void PanelWorld::take_hold(const PanelHand& hand, Fist& fist) {
   const auto at_head = std::find_if(open_.begin(), open_.end(), [&](const auto& panel) {
-    return !panel.second.hold && reaches_head(panel.second, hand);
+    return !panel.second.hold && !tablets_.contains(panel.first) && reaches_head(panel.second, hand);
   });
   if (at_head == open_.end()) return;
   Open& panel = at_head->second;

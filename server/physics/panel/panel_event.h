@@ -28,4 +28,12 @@ struct HeadPlace {
   Vec3 at = Vec3::Zero();  // m, world frame
 };
 
+/// Where somebody's tablet or stylus is. Who isn't told of anew is still there.
+struct HeldPlace {
+  ParticipantId participant = 0;
+  HeldThing thing = HeldThing::tablet;
+  bool seen = true;  // false: no longer tracked; `at` says nothing
+  Pose at;           // of the panel that it is, or of its tip with +z along its shaft; world frame
+};
+
 }  // namespace prosector

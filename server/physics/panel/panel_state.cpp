@@ -16,8 +16,23 @@ HandRef read_hand_ref(ByteReader& in) {
   HandRef hand;
   hand.participant = in.number<ParticipantId>();
   hand.hand = in.number<std::uint8_t>();
-  in.require(hand.hand <= right_hand, "a third hand");
+  in.require(hand.hand <= stylus_hand, "a third hand");
   return hand;
+}
+
+void add(ByteWriter& out, const Capsule& c) {
+  out.add(c.a);
+  out.add(c.b);
+  out.add(c.radius);
+}
+
+Capsule read_capsule(ByteReader& in) {
+  Capsule c;
+  c.a = in.vector();
+  c.b = in.vector();
+  c.radius = in.number<double>();
+  in.require(c.radius > 0 && c.radius < 1, "a finger without thickness");
+  return c;
 }
 
 /// Reads `count` entries whose keys ascend.
@@ -73,18 +88,32 @@ void PanelWorld::save(ByteWriter& out) const {
   for (const auto& [hand, segments] : last_fingers_) {
     add(out, hand);
     out.add(static_cast<std::uint64_t>(segments.size()));
-    for (const Capsule& c : segments) {
-      out.add(c.a);
-      out.add(c.b);
-      out.add(c.radius);
-    }
+    for (const Capsule& c : segments) add(out, c);
   }
+  save_held(out);
+}
+
+/// Saves what hands carry, and what they hold.
+void PanelWorld::save_held(ByteWriter& out) const {
   out.add(static_cast<std::uint64_t>(fists_.size()));
   for (const auto& [hand, fist] : fists_) {
     add(out, hand);
     out.add(static_cast<std::uint8_t>(fist.closed));
     out.add(fist.since);
     out.add(fist.at);
+  }
+  out.add(static_cast<std::uint64_t>(tablets_.size()));
+  for (const auto& [who, tablet] : tablets_) {
+    out.add(who);
+    out.add(tablet.pose);
+    out.add(static_cast<std::uint8_t>(tablet.seen));
+    out.add(static_cast<std::uint8_t>(tablet.answered));
+    out.add(tablet.unseen);
+  }
+  out.add(static_cast<std::uint64_t>(styli_.size()));
+  for (const auto& [who, shaft] : styli_) {
+    out.add(who);
+    add(out, shaft);
   }
 }
 
@@ -130,15 +159,17 @@ void PanelWorld::load(ByteReader& in, std::size_t body_count) {
   });
   read.last_fingers_ = read_map<decltype(last_fingers_)>(in, hand, [&] {
     std::vector<Capsule> segments(in.count(most_fingers));
-    for (Capsule& c : segments) {
-      c.a = in.vector();
-      c.b = in.vector();
-      c.radius = in.number<double>();
-      in.require(c.radius > 0 && c.radius < 1, "a finger without thickness");
-    }
+    for (Capsule& c : segments) c = read_capsule(in);
     return segments;
   });
-  read.fists_ = read_map<decltype(fists_)>(in, hand, [&] {
+  read.load_held(in);
+  *this = std::move(read);
+}
+
+void PanelWorld::load_held(ByteReader& in) {
+  const auto id = [&] { return in.number<ParticipantId>(); };
+  const auto hand = [&] { return read_hand_ref(in); };
+  fists_ = read_map<decltype(fists_)>(in, hand, [&] {
     Fist fist;
     fist.closed = in.flag();
     fist.since = in.number<std::uint32_t>();
@@ -146,7 +177,15 @@ void PanelWorld::load(ByteReader& in, std::size_t body_count) {
     fist.at = in.vector();
     return fist;
   });
-  *this = std::move(read);
+  tablets_ = read_map<decltype(tablets_)>(in, id, [&] {
+    Tablet tablet;
+    tablet.pose = in.pose();
+    tablet.seen = in.flag();
+    tablet.answered = in.flag();
+    tablet.unseen = in.number<std::uint32_t>();
+    return tablet;
+  });
+  styli_ = read_map<decltype(styli_)>(in, id, [&] { return read_capsule(in); });
 }
 
 }  // namespace prosector

@@ -109,6 +109,12 @@ ShownControls PanelStation::shown(BodyId body) const {
   return out;
 }
 
+std::optional<BodyId> PanelStation::first() const {
+  for (BodyId body = 0; body < state_.bodies.parts.size(); ++body)
+    if (has_panel(body)) return body;
+  return std::nullopt;
+}
+
 void work_panels(State& state, std::span<const HandState> hand_states, StepReport& report) {
   if (!state.panels) return;
   const PanelStation subjects(state);

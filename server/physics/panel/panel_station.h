@@ -1,6 +1,7 @@
 #pragma once
 // Hands press panels' controls, controls change parts and the room.
 
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -18,6 +19,7 @@ class PanelStation final : public PanelSubjects {
   bool has_panel(BodyId body) const override;
   std::pair<Vec3, Vec3> box(BodyId body) const override;
   ShownControls shown(BodyId body) const override;
+  std::optional<BodyId> first() const override;
 
  private:
   const State& state_;

@@ -41,6 +41,25 @@ void PanelWorld::take(const HeadPlace& head) {
   if (usable(head.at)) heads_[head.participant] = head.at;
 }
 
+void PanelWorld::take(const HeldPlace& held) {
+  const ParticipantId who = held.participant;
+  if (held.thing == HeldThing::stylus) {
+    const Vec3 tip = held.at * Vec3(0, 0, stylus_radius), end = held.at * Vec3(0, 0, stylus_length);
+    styli_.erase(who);
+    if (held.seen && usable(tip) && usable(end)) styli_[who] = {tip, end, stylus_radius};
+    return;
+  }
+  const auto tablet = tablets_.find(who);
+  if (held.seen && usable(held.at.p)) {
+    Tablet& seen = tablets_[who];
+    seen.pose = {held.at.p, held.at.q.normalized()};
+    seen.seen = true;
+    seen.unseen = 0;
+  } else if (tablet != tablets_.end()) {
+    tablet->second.seen = false;
+  }
+}
+
 void PanelWorld::take(const PanelEvent& event, const PanelSubjects& subjects) {
   const auto panel = open_.find(event.participant);
   switch (event.kind) {
@@ -59,10 +78,12 @@ void PanelWorld::take(const PanelEvent& event, const PanelSubjects& subjects) {
       if (panel != open_.end()) set(panel->second, event);
       return;
     case PanelEvent::Kind::put:
-      if (panel != open_.end() && !panel->second.hold) place(panel->first, panel->second, event.at);
+      if (panel != open_.end() && !panel->second.hold && !tablets_.contains(panel->first))
+        place(panel->first, panel->second, event.at);
       return;
     case PanelEvent::Kind::put_back:
-      if (panel != open_.end() && !panel->second.hold) panel->second.pose = panel->second.came_up;
+      if (panel != open_.end() && !panel->second.hold && !tablets_.contains(panel->first))
+        panel->second.pose = panel->second.came_up;
       return;
   }
 }
@@ -83,6 +104,7 @@ void PanelWorld::open(ParticipantId who, BodyId body, const Vec3& touched, const
   Open panel;
   panel.body = body;
   panel.pose = panel.came_up = place_panel({touched, lo, hi, reader, side});
+  if (const auto tablet = tablets_.find(who); tablet != tablets_.end()) panel.pose = tablet->second.pose;
   panel.shown = subjects.shown(body);
   constexpr auto slider = static_cast<std::size_t>(PanelControl::stiffness);
   panel.motions[slider].position = std::clamp(panel.shown[slider], 0.0, 1.0);
@@ -102,17 +124,26 @@ void PanelWorld::set(Open& panel, const PanelEvent& event) {
   asked_.push_back({event.participant, panel.body, event.control, value});
 }
 
-std::vector<PanelAction> PanelWorld::step(std::span<const PanelHand> hands, const PanelSubjects& subjects) {
+std::vector<PanelAction> PanelWorld::step(std::span<const PanelHand> bare_hands,
+                                          const PanelSubjects& subjects) {
+  const std::vector<PanelHand> hands = with_styli(bare_hands);
+  std::map<ParticipantId, Pose> before;
+  for (const auto& [who, panel] : open_) before.emplace(who, panel.pose);
+  lay_on_tablets(subjects);
   carry(hands);
-  for (auto& [who, panel] : open_) move(who, panel, hands);
+  for (auto& [who, panel] : open_) {
+    const auto was = before.find(who);
+    move(who, panel, was != before.end() ? was->second : panel.pose, hands);
+  }
   for (const PanelHand& hand : hands) feel(hand, subjects);
   grow_old(hands, subjects);
   remember(hands);
   return std::exchange(asked_, {});
 }
 
-void PanelWorld::move(ParticipantId who, Open& panel, std::span<const PanelHand> hands) {
-  const MovedControls moved = move_controls(panel.motions, fingers_before(panel, hands), h_);
+/// Moves the controls of a panel that was at `before` when the last tick ended.
+void PanelWorld::move(ParticipantId who, Open& panel, const Pose& before, std::span<const PanelHand> hands) {
+  const MovedControls moved = move_controls(panel.motions, fingers_before(panel, before, hands), h_);
   panel.motions = moved.motions;
   for (const ControlDesc& control : panel_controls) {
     const auto k = static_cast<std::size_t>(control.control);
@@ -133,17 +164,17 @@ void PanelWorld::move(ParticipantId who, Open& panel, std::span<const PanelHand>
 }
 
 /// Returns the fingers of the hands that press its controls.
-std::vector<FingerSweep> PanelWorld::fingers_before(const Open& panel,
+std::vector<FingerSweep> PanelWorld::fingers_before(const Open& panel, const Pose& before,
                                                     std::span<const PanelHand> hands) const {
   std::vector<FingerSweep> out;
-  const Pose into_panel = panel.pose.inverse();
+  const Pose into_panel = panel.pose.inverse(), into_last = before.inverse();
   for (const PanelHand& hand : hands) {
     if (!presses(panel, hand)) continue;
     const auto last = last_fingers_.find(hand.who);
     const bool known = last != last_fingers_.end() && last->second.size() == hand.fingers.size();
     for (std::size_t f = 0; f < hand.fingers.size(); ++f)
       out.push_back(
-          {into(into_panel, known ? last->second[f] : hand.fingers[f]), into(into_panel, hand.fingers[f])});
+          {into(into_last, known ? last->second[f] : hand.fingers[f]), into(into_panel, hand.fingers[f])});
   }
   return out;
 }
@@ -165,7 +196,7 @@ void PanelWorld::feel(const PanelHand& hand, const PanelSubjects& subjects) {
   if (subjects.has_panel(rest.body))
     open(hand.who.participant, rest.body, hand.touched_at, &hand.palm, hand.who.hand == right_hand ? -1 : 1,
          subjects);
-  else
+  else if (!tablets_.contains(hand.who.participant))
     open_.erase(hand.who.participant);
 }
 
@@ -179,7 +210,7 @@ void PanelWorld::grow_old(std::span<const PanelHand> hands, const PanelSubjects&
       return hand.who.participant == it->first && hand.index.radius > 0 && points_at(hand.index, panel.pose);
     });
     if (pointed_at) panel.pinned = std::max(panel.pinned, ticks(pinned_by_hand));
-    panel.idle = on_part || panel.pinned > 0 ? 0 : panel.idle + 1;
+    panel.idle = on_part || panel.pinned > 0 || tablets_.contains(it->first) ? 0 : panel.idle + 1;
     if (panel.pinned > 0) --panel.pinned;
     const bool over = panel.idle > ticks(panel_patience) || !subjects.has_panel(panel.body);
     it = over ? open_.erase(it) : std::next(it);

@@ -39,6 +39,8 @@ class PanelSubjects {
   virtual bool has_panel(BodyId body) const = 0;
   virtual std::pair<Vec3, Vec3> box(BodyId body) const = 0;  // world frame, lowest and highest corner
   virtual ShownControls shown(BodyId body) const = 0;
+  /// Returns the first part that has a panel; nullopt: none has.
+  virtual std::optional<BodyId> first() const = 0;
 };
 
 /// What somebody asked by working a control.
@@ -55,9 +57,10 @@ class PanelWorld {
   explicit PanelWorld(double h);
 
   void take(const HeadPlace& head);
+  void take(const HeldPlace& held);
   void take(const PanelEvent& event, const PanelSubjects& subjects);
-  /// Advances by one tick: fists carry panels, fingers move controls, touches open panels, time closes them.
-  /// Returns what was asked for.
+  /// Advances by one tick: tablets and fists carry panels, fingers move controls, touches open panels, time
+  /// closes them. Returns what was asked for.
   std::vector<PanelAction> step(std::span<const PanelHand> hands, const PanelSubjects& subjects);
   /// Makes controls show how things stand, after the actions were carried out.
   void show(const PanelSubjects& subjects);
@@ -72,6 +75,13 @@ class PanelWorld {
   void load(ByteReader& in, std::size_t body_count);
 
  private:
+  /// A board in somebody's hand, which their panel lies on.
+  struct Tablet {
+    Pose pose;                 // of the panel, world frame
+    bool seen = true;          // by what tracks it
+    bool answered = false;     // it has called up a panel where none was open
+    std::uint32_t unseen = 0;  // ticks
+  };
   /// A panel's place in the fist that carries it.
   struct Hold {
     HandRef who;
@@ -110,25 +120,36 @@ class PanelWorld {
   std::map<HandRef, Rest> rests_;
   std::map<HandRef, std::vector<Capsule>> last_fingers_;
   std::map<HandRef, Fist> fists_;
-  std::vector<PanelAction> asked_;  // by events, for the next step
+  std::map<ParticipantId, Tablet> tablets_;  // until they are let go
+  std::map<ParticipantId, Capsule> styli_;   // world frame, the tip first
+  std::vector<PanelAction> asked_;           // by events, for the next step
 
   void open(ParticipantId who, BodyId body, const Vec3& touched, const Vec3* palm, double side,
             const PanelSubjects& subjects);
   void set(Open& panel, const PanelEvent& event);
+  std::vector<PanelHand> with_styli(std::span<const PanelHand> hands) const;
+  void lay_on_tablets(const PanelSubjects& subjects);
   void carry(std::span<const PanelHand> hands);
   void take_hold(const PanelHand& hand, Fist& fist);
   void follow(ParticipantId who, Open& panel, std::span<const PanelHand> hands);
   void place(ParticipantId who, Open& panel, const Vec3& middle);
-  void move(ParticipantId who, Open& panel, std::span<const PanelHand> hands);
+  void move(ParticipantId who, Open& panel, const Pose& before, std::span<const PanelHand> hands);
   static bool reaches_head(const Open& panel, const PanelHand& hand);
   static bool presses(const Open& panel, const PanelHand& hand);
-  std::vector<FingerSweep> fingers_before(const Open& panel, std::span<const PanelHand> hands) const;
+  std::vector<FingerSweep> fingers_before(const Open& panel, const Pose& before,
+                                          std::span<const PanelHand> hands) const;
   void feel(const PanelHand& hand, const PanelSubjects& subjects);
   void grow_old(std::span<const PanelHand> hands, const PanelSubjects& subjects);
   void remember(std::span<const PanelHand> hands);
   std::uint32_t ticks(double seconds) const;
+  void save_held(ByteWriter& out) const;
+  void load_held(ByteReader& in);
 };
 
+inline constexpr std::uint8_t stylus_hand = 2;   // of a HandRef: what presses by a stylus
+inline constexpr double stylus_radius = 0.003;   // m
+inline constexpr double stylus_length = 0.1;     // m of its shaft that panels feel
+inline constexpr double tablet_rest = 3;         // s that a panel lies where its tablet was seen last
 inline constexpr double touch_moment = 0.25;     // s that a hand touches a part before its panel comes up
 inline constexpr double panel_patience = 10;     // s without touch until it goes
 inline constexpr double pinned_by_hand = 0.5;    // s that it stays after a finger pointed at it …
