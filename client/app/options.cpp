@@ -99,6 +99,7 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
   app.add_option("--window", raw.window,
                  "The screen is a window into the room, for the eyes that this device sees: face:CAMERA as "
                  "with --tracker (docs/do/window.md)")
+      ->group("Pictures");
   app.add_option(
          "--phantom", raw.phantoms,
          "With --display ar: name of a body that really lies there, as a phantom does: it is left out, and "
