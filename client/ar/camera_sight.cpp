@@ -28,7 +28,11 @@ CameraSight::CameraSight(std::shared_ptr<SharedCamera> camera, const DeviceConfi
       reader_(camera_->reader(config.lens)),
       tracker_(find_board(config.table.empty() ? "table" : config.table)),
       seat_(
-          *camera_, [this](const Camera& opened) { reader_->begin(opened); },
+          *camera_,
+          [this](const Camera& opened) {
+            reader_->expect(tracker_.board());
+            reader_->begin(opened);
+          },
           [this](const Frame& frame) { see(frame); }, true) {}
 
 void CameraSight::see(const Frame& frame) {
