@@ -258,6 +258,8 @@ int main(int argc, char** argv) try {
   CLI::App* camera_command = app.add_subcommand(
       "camera", "Printed boards before a synthetic camera: how far off, how often found, how dearly");
   camera_command->add_flag("--quick", camera.quick, "Few places: to see that it runs");
+  camera_command->add_option("--page", camera.page, "A picture that is measured as a board, too")
+      ->check(CLI::ExistingFile);
   camera_command->add_option("--svg", camera.picture_folder, "Folder for two pictures")
       ->check(CLI::ExistingDirectory);
 
