@@ -102,8 +102,8 @@ forbid "FreeType, HarfBuzz, FriBidi and fontconfig only in the .cpp files of cli
   $(sources '(common|idl|drivers|server|client)/' '^client/text/[a-z_]*\.cpp$')
 forbid "text knows neither what is drawn nor how" 'client/(app|render|replica|view)/' $(sources client/text/)
 forbid "toml++, assimp, OpenCV and SQLite only in .cpp files" '(toml\+\+|assimp/|opencv|sqlite3)' \
-  $(sources '(common|idl|drivers|server|client)/' '(\.cpp|^drivers/camera/pose_of_cv\.h)$')
-forbid "what turns OpenCV's poses into ours only in .cpp files" 'drivers/camera/pose_of_cv' \
+  $(sources '(common|idl|drivers|server|client)/' '(\.cpp|^drivers/camera/with_cv\.h)$')
+forbid "what turns OpenCV's types into ours only in .cpp files" 'drivers/camera/with_cv' \
   $(sources '(common|idl|drivers|server|client)/' '\.cpp$')
 forbid "libapriltag only in drivers/camera/tags/tag_finder.cpp" 'apriltag/' \
   $(sources '(common|idl|drivers|server|client)/' '^drivers/camera/tags/tag_finder\.cpp$')

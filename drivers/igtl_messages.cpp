@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <igtl_header.h>
+#include <igtl_image.h>
 #include <igtl_tdata.h>
 #include <igtl_transform.h>
 #include <igtl_util.h>
@@ -14,10 +15,12 @@
 namespace prosector::igtl {
 namespace {
 
-constexpr std::uint16_t newest_version = 2;       // of headers: 2 has another header after the first
-constexpr std::uint64_t longest_body = 1u << 30;  // bytes: a volume, passed over
-constexpr std::uint64_t longest_kept = 65536;     // bytes: hundreds of tools
-constexpr std::size_t extended_size = 12;         // bytes, of version 2's second header
+constexpr std::uint16_t newest_version = 2;        // of headers: 2 has another header after the first
+constexpr std::uint64_t longest_body = 1u << 30;   // bytes: a volume, passed over
+constexpr std::uint64_t longest_kept = 65536;      // bytes: hundreds of tools
+constexpr std::uint64_t longest_image = 1u << 26;  // bytes: 4096 × 4096 pixels of three
+constexpr int most_side = 8192;                    // pixels
+constexpr std::size_t extended_size = 12;          // bytes, of version 2's second header
 constexpr double m_per_mm = 1e-3, mm_per_m = 1e3;
 constexpr std::array<const char*, 5> kept_types = {transform_type, tools_type, start_tools_type,
                                                    stop_tools_type, started_tools_type};
@@ -75,6 +78,22 @@ Tool tool_of(std::string name, const Matrix& matrix) {
       out.turn(row, column) = static_cast<double>(matrix[static_cast<std::size_t>(3 * column + row)]);
   for (int row = 0; row < 3; ++row)
     out.place[row] = m_per_mm * static_cast<double>(matrix[static_cast<std::size_t>(9 + row)]);
+  return out;
+}
+
+/// Stretches 16-bit numbers, so that the least is 0 and the greatest 255.
+Bytes stretched(std::span<const std::uint8_t> words, bool has_sign, bool big_first) {
+  std::vector<int> numbers;
+  numbers.reserve(words.size() / 2);
+  for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
+    const int high = words[big_first ? i : i + 1], low = words[big_first ? i + 1 : i];
+    const int number = high << 8 | low;
+    numbers.push_back(has_sign && number >= 1 << 15 ? number - (1 << 16) : number);
+  }
+  const auto [least, most] = std::ranges::minmax(numbers);
+  Bytes out;
+  for (const int number : numbers)
+    out.push_back(static_cast<std::uint8_t>(255 * (number - least) / std::max(1, most - least)));
   return out;
 }
 
@@ -172,6 +191,61 @@ Bytes started_body() {
   return {0};
 }
 
+Bytes image_body(const Image& image) {
+  igtl_image_header header{};
+  header.version = 1;
+  header.num_components = 3;
+  header.scalar_type = IGTL_IMAGE_STYPE_TYPE_UINT8;
+  header.endian = IGTL_IMAGE_ENDIAN_LITTLE;
+  header.coord = IGTL_IMAGE_COORD_RAS;
+  const std::array<int, 3> size = {image.width, image.height, 1};
+  for (std::size_t i = 0; i < size.size(); ++i) {
+    header.size[i] = header.subvol_size[i] = static_cast<igtl_uint16>(size[i]);
+    header.matrix[4 * i] = 1;  // mm a pixel, along its own axis
+  }
+  ::igtl_image_convert_byte_order(&header);
+  Bytes out;
+  out.reserve(sizeof(header) + image.rgb.size());
+  append(out, header);
+  out.insert(out.end(), image.rgb.begin(), image.rgb.end());
+  return out;
+}
+
+std::optional<Image> image_of(const Message& message) {
+  if (message.body.size() < IGTL_IMAGE_HEADER_SIZE) return std::nullopt;
+  auto header = record_at<igtl_image_header>(message.body);
+  ::igtl_image_convert_byte_order(&header);
+  const int width = header.size[0], height = header.size[1];
+  for (std::size_t i = 0; i < 3; ++i)
+    if (header.subvol_offset[i] != 0 || header.subvol_size[i] != header.size[i]) return std::nullopt;
+  if (width < 1 || height < 1 || width > most_side || height > most_side || header.size[2] != 1)
+    return std::nullopt;
+  const bool is_bytes = header.scalar_type == IGTL_IMAGE_STYPE_TYPE_UINT8;
+  const bool is_words =
+      header.scalar_type == IGTL_IMAGE_STYPE_TYPE_INT16 || header.scalar_type == IGTL_IMAGE_STYPE_TYPE_UINT16;
+  const std::size_t colours = header.num_components;
+  if (!(is_bytes && (colours == 1 || colours == 3)) && !(is_words && colours == 1)) return std::nullopt;
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const auto data = std::span(message.body).subspan(IGTL_IMAGE_HEADER_SIZE);
+  if (data.size() != pixels * colours * (is_bytes ? 1 : 2)) return std::nullopt;
+  Image out{width, height, {}};
+  if (colours == 3) {
+    out.rgb.assign(data.begin(), data.end());
+    return out;
+  }
+  const Bytes grey = is_bytes ? Bytes(data.begin(), data.end())
+                              : stretched(data, header.scalar_type == IGTL_IMAGE_STYPE_TYPE_INT16,
+                                          header.endian == IGTL_IMAGE_ENDIAN_BIG);
+  out.rgb.reserve(3 * pixels);
+  for (const std::uint8_t byte : grey) out.rgb.insert(out.rgb.end(), 3, byte);
+  return out;
+}
+
+bool Reader::keeps(const std::string& type, std::uint64_t size) const {
+  if (type == image_type) return keeps_images_ && size <= longest_image;
+  return std::ranges::find(kept_types, type) != kept_types.end() && size <= longest_kept;
+}
+
 void Reader::take(std::span<const std::uint8_t> bytes, std::int64_t time_ns) {
   if (!problem_.empty()) return;
   const std::size_t passed = static_cast<std::size_t>(std::min<std::uint64_t>(skip_, bytes.size()));
@@ -191,7 +265,7 @@ std::optional<Message> Reader::next() {
           fmt::format("a header of version {} came, known are 1 to {}", header.version, newest_version);
     } else if (!names_type(out.type) || size > longest_body) {
       problem_ = "what comes are no messages of OpenIGTLink, or spoilt ones";
-    } else if (std::ranges::find(kept_types, out.type) == kept_types.end() || size > longest_kept) {
+    } else if (!keeps(out.type, size)) {
       const std::uint64_t all = IGTL_HEADER_SIZE + size;
       const std::size_t here = static_cast<std::size_t>(std::min<std::uint64_t>(all, bytes.size()));
       waiting_.drop(here);

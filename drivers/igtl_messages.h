@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "common/image.h"
 #include "common/math.h"
 #include "drivers/stamped_buffer.h"
 
@@ -21,7 +22,8 @@ inline constexpr const char* tools_type = "TDATA";
 inline constexpr const char* start_tools_type = "STT_TDATA";  // asks for TDATA
 inline constexpr const char* stop_tools_type = "STP_TDATA";
 inline constexpr const char* started_tools_type = "RTS_TDATA";  // answers it
-inline constexpr std::size_t longest_name = 20;                 // bytes, of a device or a tool
+inline constexpr const char* image_type = "IMAGE";
+inline constexpr std::size_t longest_name = 20;  // bytes, of a device or a tool
 
 struct Message {
   std::string type, device;
@@ -49,10 +51,19 @@ std::optional<std::int32_t> interval_of(const Message& message);
 /// Makes the body of RTS_TDATA.
 Bytes started_body();
 
+/// Makes the body of an IMAGE: one slice of RGB, rows from the top, 1 mm a pixel.
+Bytes image_body(const Image& image);
+/// Reads an IMAGE that is one whole slice: bytes of one colour or three, or 16-bit numbers, which are
+/// stretched from the least to the greatest. Returns nothing for others.
+std::optional<Image> image_of(const Message& message);
+
 /// Takes bytes as they come and finds the messages in them. Bodies that are large or of types that nobody
-/// here reads, as images, are passed over without being kept.
+/// here reads are passed over without being kept; so are images, unless they are asked for.
 class Reader {
  public:
+  Reader() = default;
+  explicit Reader(bool keeps_images) : keeps_images_(keeps_images) {}
+
   void take(std::span<const std::uint8_t> bytes, std::int64_t time_ns = 0);
   /// Returns the next message that is whole and whose checksum is right.
   std::optional<Message> next();
@@ -62,6 +73,9 @@ class Reader {
   std::size_t take_bad_bytes();
 
  private:
+  bool keeps(const std::string& type, std::uint64_t size) const;
+
+  bool keeps_images_ = false;
   StampedBuffer waiting_;
   std::uint64_t skip_ = 0;  // bytes of a body that is passed over
   std::size_t bad_bytes_ = 0;

@@ -45,6 +45,8 @@ void TagsDevice::begin(const Camera& camera) {
     const std::lock_guard lock(mutex_);
     seen_ns_ = monotonic_ns();
   }
+  for (const Station& station : stations_) reader_->expect(station.tracker.board());
+  if (place_) reader_->expect(place_->board());
   reader_->begin(camera);
 }
 

@@ -21,6 +21,7 @@ namespace prosector {
 class CameraPlace {
  public:
   CameraPlace(const std::string& board, const Pose& room_board);
+  const Board& board() const { return tracker_.board(); }
   /// Looks for the board; where it isn't seen the camera is believed to stand where it stood.
   void update(const TagPicture& picture, const TagOptics& optics);
   /// Returns OpenCV's camera frame in the room; nothing before the board was seen.

@@ -2,16 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
 #include <fstream>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <thread>
 
 #include "client/app/configured_device.h"
 #include "client/app/guided_run.h"
 #include "common/clock.h"
 #include "common/error.h"
 #include "common/version.h"
-#include "drivers/camera/calibration/lens_guide.h"
+#include "drivers/camera/calibration/stereo_guide.h"
+#include "drivers/camera/camera_frames.h"
 #include "drivers/camera/camera_report.h"
+#include "drivers/camera/camera_thread.h"
 #include "drivers/camera/tags/known_boards.h"
 #include "drivers/camera/tags/tag_reader.h"
 #include "drivers/client_config.h"
@@ -22,7 +29,7 @@ namespace prosector {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto picture_patience = 500ms;
+constexpr auto picture_patience = 500ms, look_again = 100ms;
 constexpr double said_again_after = 2;  // s, where nothing new is to be said
 
 void say(const std::string& line) {
@@ -39,29 +46,96 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
 /// Says a step's words, once, and again where they stay for long.
 class StepTeller {
  public:
-  void tell(const LensGuideStep& step) {
+  /// Tells what to do, after how far one is. `kept`: views so far.
+  void tell(const std::string& instruction, std::size_t kept, const std::string& progress) {
     const std::int64_t now_ns = monotonic_ns();
-    if (step.instruction == told_ && step.views == views_ &&
+    if (instruction == told_ && kept == kept_ &&
         static_cast<double>(now_ns - told_ns_) * 1e-9 < said_again_after)
       return;
-    told_ = step.instruction;
-    views_ = step.views;
+    told_ = instruction;
+    kept_ = kept;
     told_ns_ = now_ns;
-    say(fmt::format("view {}/{}, {:.0f} % of the picture: {}", step.views, usual_views, 100 * step.covered,
-                    step.instruction));
+    say(fmt::format("{}: {}", progress, instruction));
   }
 
  private:
   std::string told_;
-  std::size_t views_ = 0;
+  std::size_t kept_ = 0;
   std::int64_t told_ns_ = 0;
 };
+
+/// Two cameras, each looked at on a thread of its own, that one board is shown to.
+class PairWatch {
+ public:
+  explicit PairWatch(const CameraCommandOptions& o)
+      : addresses_{o.camera, o.second}, guide_(find_board(o.board)) {
+    for (std::size_t k = 0; k < addresses_.size(); ++k)
+      threads_[k] = std::make_unique<CameraThread>(
+          addresses_[k],
+          [this, k](const Camera& camera) {
+            const std::lock_guard lock(mutex_);
+            identities_[k] = camera.identity();
+          },
+          [this, k](const Frame& frame) {
+            const std::lock_guard lock(mutex_);
+            guide_.take(k, frame);
+          });
+  }
+
+  /// Returns what to do next: first of all to a camera that gives no pictures.
+  StereoGuideStep step() const {
+    StereoGuideStep out;
+    {
+      const std::lock_guard lock(mutex_);
+      out = guide_.step();
+    }
+    if (out.done) return out;
+    for (std::size_t k = 0; k < addresses_.size(); ++k)
+      if (const std::string problem = threads_[k]->state().problem; !problem.empty())
+        out.instruction = fmt::format("camera {}: {}", addresses_[k], problem);
+    return out;
+  }
+  /// Lets the cameras go. Returns what was seen.
+  const StereoGuide& end() {
+    threads_ = {};
+    return guide_;
+  }
+  const std::string& identity(std::size_t camera) const { return identities_[camera]; }
+
+ private:
+  const std::array<std::string, 2> addresses_;
+  mutable std::mutex mutex_;  // guards what follows
+  StereoGuide guide_;
+  std::array<std::string, 2> identities_;
+  std::array<std::unique_ptr<CameraThread>, 2> threads_;  // last: they use what is above
+};
+
+/// Says what a fit found.
+void tell_fit(const LensFit& fit) {
+  const Lens& lens = fit.calibration.lens;
+  say(fmt::format("focal lengths {:.2f} and {:.2f} px, centre {:.2f}, {:.2f}; response {:.2f}", lens.fx,
+                  lens.fy, lens.cx, lens.cy, fit.calibration.response));
+  say(fmt::format(
+      "{:.3f} px off at views that weren't fitted ({:.3f} at the others); {:.0f} % of the picture is covered",
+      fit.held_out, fit.rms, 100 * fit.covered));
+}
+
+/// Returns the file of the second camera's lens: beside the first one's.
+std::filesystem::path second_file(const std::filesystem::path& first) {
+  return first.parent_path() / (first.stem().string() + "-second" + first.extension().string());
+}
+
+bool is_over(std::int64_t begin_ns, double patience) {
+  return static_cast<double>(monotonic_ns() - begin_ns) * 1e-9 > patience;
+}
 
 /// Watches a board before a camera, which is opened when it is first looked at.
 class BoardWatch {
  public:
   explicit BoardWatch(const CameraCommandOptions& o)
-      : address_(o.camera), reader_(o.lens), tracker_(find_board(o.board)) {}
+      : address_(o.camera), reader_(o.lens), tracker_(find_board(o.board)) {
+    reader_.expect(tracker_.board());
+  }
 
   /// Looks at the next picture and hands out where the board is, if it is read.
   void look(AlignGuide& guide) {
@@ -109,6 +183,7 @@ int align_camera(const CameraCommandOptions& options) {
 }
 
 int calibrate_camera(const CameraCommandOptions& options) {
+  if (!options.second.empty()) return calibrate_pair(options);
   const std::unique_ptr<Camera> camera = open_camera(options.camera);
   LensGuide guide(find_board(options.board));
   say(fmt::format(
@@ -117,8 +192,8 @@ int calibrate_camera(const CameraCommandOptions& options) {
       options.camera, guide.board().name, options.board));
   StepTeller teller;
   const std::int64_t begin_ns = monotonic_ns();
-  for (LensGuideStep step; !step.done; step = guide.step(), teller.tell(step)) {
-    if (static_cast<double>(monotonic_ns() - begin_ns) * 1e-9 > options.patience) {
+  for (LensGuideStep step; !step.done;) {
+    if (is_over(begin_ns, options.patience)) {
       if (guide.views().size() < least_views)
         throw InputError(fmt::format("not done after {:.0f} s: {} views of {} came", options.patience,
                                      guide.views().size(), usual_views));
@@ -126,18 +201,65 @@ int calibrate_camera(const CameraCommandOptions& options) {
       break;
     }
     if (const auto frame = camera->next(picture_patience)) guide.take(frame->image);
+    step = guide.step();
+    teller.tell(
+        step.instruction, step.views,
+        fmt::format("view {}/{}, {:.0f} % of the picture", step.views, usual_views, 100 * step.covered));
   }
   say("fitting …");
   const LensFit fit = fit_lens(guide.board(), guide.views(), camera->identity());
-  const Lens& lens = fit.calibration.lens;
-  say(fmt::format("focal lengths {:.2f} and {:.2f} px, centre {:.2f}, {:.2f}; response {:.2f}", lens.fx,
-                  lens.fy, lens.cx, lens.cy, fit.calibration.response));
-  say(fmt::format(
-      "{:.3f} px off at views that weren't fitted ({:.3f} at the others); {:.0f} % of the picture is covered",
-      fit.held_out, fit.rms, 100 * fit.covered));
+  tell_fit(fit);
   write_file(options.out, write_calibration(fit.calibration));
   say(fmt::format("{}: written; name it in the configuration: tracker.lens = \"{}\"", options.out.string(),
                   options.out.filename().string()));
+  return 0;
+}
+
+int calibrate_pair(const CameraCommandOptions& options) {
+  const std::string before = options.out_config.empty() ? "" : read_config_text(options.out_config);
+  PairWatch watch(options);
+  say(fmt::format("{} and {}: show both the board \"{}\", near, tilted in all directions, and hold it still",
+                  options.camera, options.second, options.board));
+  StepTeller teller;
+  const std::int64_t begin_ns = monotonic_ns();
+  for (StereoGuideStep step = watch.step(); !step.done; step = watch.step()) {
+    if (is_over(begin_ns, options.patience)) {
+      say("time is over: what there is must do");
+      break;
+    }
+    teller.tell(step.instruction, step.views[0] + step.views[1] + step.pairs,
+                fmt::format("views {} and {} of {}, {} of {} in both", step.views[0], step.views[1],
+                            usual_views, step.pairs, usual_stereo_pairs));
+    std::this_thread::sleep_for(look_again);
+  }
+  const StereoGuide& guide = watch.end();
+  say("fitting …");
+  auto other = std::async(std::launch::async, [&] {
+    return fit_lens(guide.of(1).board(), guide.of(1).views(), watch.identity(1));
+  });
+  const LensFit first = fit_lens(guide.of(0).board(), guide.of(0).views(), watch.identity(0));
+  const LensFit second = other.get();
+  const StereoFit pair =
+      fit_stereo(guide.of(0).board(), guide.pairs(), first.calibration, second.calibration);
+  tell_fit(first);
+  tell_fit(second);
+  say(fmt::format(
+      "{} views of both, {} of them left out; {:.3f} px off in views that weren't fitted; error to "
+      "expect amid the boards: {:.2f} mm RMS",
+      guide.pairs().size(), pair.first_second.left_out.size(), pair.held_out, 1e3 * pair.told));
+  const std::filesystem::path second_out = second_file(options.out);
+  write_file(options.out, write_calibration(first.calibration));
+  write_file(second_out, write_calibration(second.calibration));
+  say(fmt::format("{}, {}: written", options.out.string(), second_out.string()));
+  const Pose first_second = device_camera * pair.first_second.pose * device_camera;
+  const std::vector<ConfigChange> changes = {{"tracker.lens", options.out.filename().string()},
+                                             {"tracker.second_lens", second_out.filename().string()},
+                                             {"tracker.second.position", written(first_second.p)},
+                                             {"tracker.second.orientation", written(first_second.q)}};
+  for (const ConfigChange& change : changes) say(change.key + " = " + to_toml(change.value));
+  if (options.out_config.empty()) return 0;
+  save_config_text(options.out_config, write_client_config(before, changes, options.out_config.string()));
+  say(fmt::format("wrote {}", options.out_config.string()));
   return 0;
 }
 

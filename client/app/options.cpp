@@ -32,6 +32,7 @@ struct RawOptions {
       display = "window", quality = "medium", show = "none";
   std::optional<std::string> lan;  // empty: the only network that there is
   std::vector<std::string> screenshots, effects, offers, phantoms;
+  bool offers_camera = false;
   std::optional<double> detail;
 };
 
@@ -82,6 +83,10 @@ void add_offers(CLI::App& app, RawOptions& raw) {
          "Offer hands, heads and held tools to other software (repeatable): vrpn or igtl, on this machine "
          "alone; vrpn:ADDRESS:PORT")
       ->group("Network");
+  app.add_flag("--offer-camera", raw.offers_camera,
+               "Offer the pictures of --camera, or of the tracker's, too: by igtl, as IMAGE")
+      ->needs("--offer")
+      ->group("Network");
 }
 
 void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
@@ -93,8 +98,9 @@ void add_pictures(CLI::App& app, ClientOptions& o, RawOptions& raw) {
       ->capture_default_str()
       ->group("Pictures");
   app.add_option("--camera", raw.camera,
-                 "With --display ar: /dev/video0, a number, a video's file, a stream, or "
-                 "synthetic:SCENE.toml (default: the tracker's, where that is a camera's)")
+                 "With --display ar or --offer-camera: /dev/video0, a number, a video's file, a stream, "
+                 "synthetic:SCENE.toml, or igtl://HOST/DEVICE (default: the tracker's, where that is a "
+                 "camera's)")
       ->group("Pictures");
   app.add_option("--window", raw.window,
                  "The screen is a window into the room, for the eyes that this device sees: face:CAMERA as "
@@ -384,13 +390,12 @@ void check_window(const ClientOptions& o) {
         "osmesa");
 }
 
-/// Finds the camera to look through: it is named, or the tracker's.
-void resolve_camera(const RawOptions& raw, ClientOptions& o) {
-  o.camera = raw.camera.empty() ? first_camera(o.devices.tracker) : raw.camera;
-  if (o.camera.empty())
-    throw InputError("--display ar: say with --camera which one to look through, for instance /dev/video0");
-  if (!o.follow.empty() || !o.insets.empty())
-    throw InputError("--display ar: shows what the camera sees, without --follow and --inset");
+/// Returns the camera that is named, or the tracker's. `wants`: the option that needs one.
+std::string resolve_camera(const RawOptions& raw, const ClientOptions& o, const char* wants) {
+  const std::string camera = raw.camera.empty() ? first_camera(o.devices.tracker) : raw.camera;
+  if (camera.empty())
+    throw InputError(fmt::format("{}: say with --camera which one, for instance /dev/video0", wants));
+  return camera;
 }
 
 /// Adds what is done with a camera. Returns the commands: calibrate, selftest, align.
@@ -413,6 +418,12 @@ std::array<CLI::App*, 3> add_camera(CLI::App& camera, CameraCommandOptions& o) {
     command->add_option("--patience", o.patience, "Give up after so many seconds")->capture_default_str();
   }
   calibrate->add_option("--out", o.out, "File to write")->required();
+  CLI::Option* second = calibrate->add_option(
+      "--second", o.second, "Another camera beside it: both lenses, and how the cameras stand to each other");
+  calibrate
+      ->add_option("--out-config", o.out_config, "Configuration that gets both lenses and tracker.second")
+      ->check(CLI::ExistingFile)
+      ->needs(second);
   test->add_option("--out", o.out, "File for the report");
   for (CLI::App* command : {test, align})
     command->add_option("--lens", o.lens, "The camera's calibration")->check(CLI::ExistingFile);
@@ -450,8 +461,14 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   o.devices = o.source.read();
   if (!raw.window.empty()) o.devices.window.address = raw.window;
   if (!o.devices.window.address.empty()) (void)parse_device_address(o.devices.window.address);
-  if (through_camera) resolve_camera(raw, o);
-  if (!through_camera && !raw.camera.empty()) throw InputError("--camera: only with --display ar");
+  if (through_camera) {
+    o.camera = resolve_camera(raw, o, "--display ar");
+    if (!o.follow.empty() || !o.insets.empty())
+      throw InputError("--display ar: shows what the camera sees, without --follow and --inset");
+  }
+  if (raw.offers_camera) o.offered_camera = resolve_camera(raw, o, "--offer-camera");
+  if (!through_camera && !raw.offers_camera && !raw.camera.empty())
+    throw InputError("--camera: only with --display ar or --offer-camera");
   check_window(o);
   if (!through_camera && !raw.phantoms.empty()) throw InputError("--phantom: only with --display ar");
   o.phantoms = raw.phantoms;

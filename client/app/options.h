@@ -52,6 +52,7 @@ struct ClientOptions {
   double sheet_interval = 10;  // s between two pictures of `sheet`
   std::filesystem::path record, sheet, latency_log, session_log, summary, shaders;
   std::vector<Offer> offers;   // of poses to other software
+  std::string offered_camera;  // address of one whose pictures are offered, too; empty: none
   bool overlay = true;         // figures and axes
   bool watch_shaders = false;  // read anew whenever one is written
   bool wireframes = false;     // of what bodies collide as; a desk user's C key changes it

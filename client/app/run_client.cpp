@@ -18,6 +18,7 @@
 #include "client/app/session_log.h"
 #include "client/app/viewer.h"
 #include "client/offer/offer_server.h"
+#include "client/offer/offered_camera.h"
 #include "common/clock.h"
 #include "common/hand.h"
 #include "common/index_tip.h"
@@ -52,15 +53,21 @@ class Client {
     if (arrivals_ || arm_) connection_.on_received([this](const Received& r) { received(r); });
     if (!options.session_log.empty()) log_.emplace(options.session_log);
     connection_.start();
-    for (const Offer& offer : options.offers) {
-      offers_.push_back(std::make_unique<OfferServer>(offer, [this] {
-        return connection_.with_replica(
-            [](Replica& replica) { return offered(replica, replica.advance(monotonic_ns())); });
-      }));
-      tell(offers_.back()->words());
-    }
     if (const std::string camera = used_camera(options); !camera.empty())
       camera_ = std::make_shared<SharedCamera>(camera);
+    if (!options.offered_camera.empty())
+      offered_camera_.emplace(shared_camera(camera_, options.offered_camera));
+    for (const Offer& offer : options.offers) {
+      offers_.push_back(std::make_unique<OfferServer>(
+          offer,
+          [this] {
+            return connection_.with_replica(
+                [](Replica& replica) { return offered(replica, replica.advance(monotonic_ns())); });
+          },
+          offered_camera_ ? OfferServer::Picture([this] { return offered_camera_->newest(); })
+                          : OfferServer::Picture()));
+      tell(offers_.back()->words());
+    }
     take_role(options.join.role);
     viewer_.emplace(options, connection_, report_, headset_user_, camera_, tell);
     if (viewer_->has_desk()) tell(viewer_->help(options.join.role, HelpColumns::blanks));
@@ -99,12 +106,13 @@ class Client {
   const ClientOptions& options_;
   ClientReport report_;
   Connection connection_;
+  std::shared_ptr<SharedCamera> camera_;         // that is looked through, or sees the eyes; null: none is
+  std::optional<OfferedCamera> offered_camera_;  // whose pictures others see; nullopt: none does
   std::vector<std::unique_ptr<OfferServer>> offers_;
   std::optional<ArrivalLog> arrivals_;
   std::optional<SessionLog> log_;
   std::unique_ptr<ArmHand> arm_;  // null: no arm
   HeadsetUser headset_user_;
-  std::shared_ptr<SharedCamera> camera_;  // that is looked through, or that sees the eyes; null: none is
   std::unique_ptr<InputPump> pump_;
   std::optional<Viewer> viewer_;        // made last: see yield_to_simulation()
   std::string missing_ = "everything";  // what was last told to be missing
@@ -210,10 +218,11 @@ class Client {
                                           latency_log_of_hands(), tell);
   }
 
-  /// Returns where devices come from. What they see by a camera is what is looked through, where it is one.
+  /// Returns where devices come from. What they see by a camera is what is looked through or offered, where
+  /// it is that one.
   ConfigSource source() const {
     ConfigSource out = options_.source;
-    out.camera = camera_;
+    out.camera = camera_ || !offered_camera_ ? camera_ : offered_camera_->camera();
     return out;
   }
 

@@ -31,7 +31,11 @@ CameraSight::CameraSight(std::shared_ptr<SharedCamera> camera, const DeviceConfi
       tablet_(tablet ? std::optional<BoardTracker>(find_board(tablet->board)) : std::nullopt),
       tablet_panel_(tablet ? worn_on(tablet->board) * tablet->mount : Pose{}),
       seat_(
-          *camera_, [this](const Camera& opened) { reader_->begin(opened); },
+          *camera_,
+          [this](const Camera& opened) {
+            reader_->expect(tracker_.board());
+            reader_->begin(opened);
+          },
           [this](const Frame& frame) { see(frame); }, true) {}
 
 void CameraSight::see(const Frame& frame) {

@@ -1,4 +1,5 @@
-// OpenIGTLink: each thing is a TRANSFORM, or who asks for TDATA gets all as tools of it.
+// OpenIGTLink: each thing is a TRANSFORM, or who asks for TDATA gets all as tools of it. A picture is an
+// IMAGE.
 #include <algorithm>
 
 #include "client/offer/offer_protocol.h"
@@ -9,6 +10,7 @@ namespace {
 
 constexpr std::size_t most_tools = 500;
 constexpr const char* own_device = "Prosector";
+constexpr const char* own_picture = "Camera";
 
 class IgtlTalk final : public OfferTalk {
  public:
@@ -43,6 +45,12 @@ class IgtlTalk final : public OfferTalk {
       for (const igtl::Tool& tool : tools)
         igtl::put(out, {igtl::transform_type, tool.name, igtl::transform_body(tool), now_ns});
     }
+    return out;
+  }
+
+  Bytes show(const Image& image, std::int64_t now_ns) override {
+    Bytes out;
+    igtl::put(out, {igtl::image_type, own_picture, igtl::image_body(image), now_ns});
     return out;
   }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "client/offer/offered.h"
+#include "common/image.h"
 
 namespace prosector {
 
@@ -21,6 +22,8 @@ class OfferTalk {
   virtual bool hear(std::span<const std::uint8_t> bytes) = 0;
   /// Returns what to say next, `now_ns` after the epoch; empty: nothing.
   virtual Bytes say(const std::vector<Offered>& things, std::int64_t now_ns) = 0;
+  /// Returns what shows a picture, `now_ns` after the epoch; empty: this protocol has none.
+  virtual Bytes show(const Image&, std::int64_t) { return {}; }
 };
 
 struct OfferProtocol {

@@ -13,7 +13,8 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t most_peers = 32;
-constexpr std::int64_t patience_ns = 10'000'000'000;  // with a peer that takes nothing
+constexpr std::int64_t patience_ns = 10'000'000'000;      // with a peer that takes nothing
+constexpr std::int64_t picture_interval_ns = 60'000'000;  // between two pictures, at least
 constexpr int idle_ms = 100;
 constexpr std::chrono::microseconds interval(16667);
 
@@ -23,9 +24,10 @@ std::int64_t since_epoch_ns() {
 
 }  // namespace
 
-OfferServer::OfferServer(const Offer& offer, std::function<std::vector<Offered>()> things)
+OfferServer::OfferServer(const Offer& offer, Things things, Picture picture)
     : offer_(offer),
       things_(std::move(things)),
+      picture_(std::move(picture)),
       listener_(offer.address, offer.port),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
@@ -35,8 +37,9 @@ OfferServer::~OfferServer() {
 }
 
 std::string OfferServer::words() const {
-  return fmt::format("offers hands, heads and held tools by {} at {} port {}", offer_.protocol->name,
-                     offer_.address, port());
+  return fmt::format("offers hands, heads and held tools{} by {} at {} port {}",
+                     picture_ ? ", and a camera's pictures," : "", offer_.protocol->name, offer_.address,
+                     port());
 }
 
 void OfferServer::run(const std::stop_token& stop) {
@@ -49,8 +52,9 @@ void OfferServer::run(const std::stop_token& stop) {
     }
     const auto next = std::chrono::steady_clock::now() + interval;
     const std::vector<Offered> things = things_();
+    const std::shared_ptr<const Image> picture = picture_ ? picture_() : nullptr;
     const std::int64_t now_ns = monotonic_ns();
-    std::erase_if(peers_, [&](Peer& peer) { return !serve(peer, things, now_ns); });
+    std::erase_if(peers_, [&](Peer& peer) { return !serve(peer, things, picture, now_ns); });
     std::this_thread::sleep_until(next);
   }
 }
@@ -67,12 +71,20 @@ void OfferServer::let_in(std::int64_t now_ns) {
 
 /// Hears a peer, and tells it what there is, unless it still has to take what was said before. Returns
 /// whether it stays.
-bool OfferServer::serve(Peer& peer, const std::vector<Offered>& things, std::int64_t now_ns) {
+bool OfferServer::serve(Peer& peer, const std::vector<Offered>& things,
+                        const std::shared_ptr<const Image>& picture, std::int64_t now_ns) {
   std::vector<std::uint8_t> bytes;
   if (!peer.line->receive(bytes) || !peer.talk->hear(bytes)) return false;
   if (peer.line->is_full()) return now_ns - peer.heard_out_ns < patience_ns;
   peer.heard_out_ns = now_ns;
-  if (const auto said = peer.talk->say(things, since_epoch_ns()); !said.empty()) peer.line->send(said);
+  OfferTalk::Bytes said = peer.talk->say(things, since_epoch_ns());
+  if (picture && picture != peer.shown && now_ns - peer.shown_ns >= picture_interval_ns) {
+    const OfferTalk::Bytes shown = peer.talk->show(*picture, since_epoch_ns());
+    said.insert(said.end(), shown.begin(), shown.end());
+    peer.shown = picture;
+    peer.shown_ns = now_ns;
+  }
+  if (!said.empty()) peer.line->send(said);
   return true;
 }
 

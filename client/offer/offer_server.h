@@ -14,9 +14,12 @@ namespace prosector {
 
 class OfferServer {
  public:
-  /// Listens, and begins. Its thread calls `things`, 60 times a second while somebody is there. Throws
-  /// InputError where it can't listen.
-  OfferServer(const Offer& offer, std::function<std::vector<Offered>()> things);
+  using Things = std::function<std::vector<Offered>()>;
+  using Picture = std::function<std::shared_ptr<const Image>()>;  // the newest; null: there is none
+
+  /// Listens, and begins. Its thread calls both functions, 60 times a second while somebody is there; without
+  /// the second one no pictures are offered. Throws InputError where it can't listen.
+  OfferServer(const Offer& offer, Things things, Picture picture = {});
   ~OfferServer();
 
   std::uint16_t port() const { return listener_.port(); }
@@ -27,18 +30,22 @@ class OfferServer {
   struct Peer {
     std::unique_ptr<ByteLine> line;
     std::unique_ptr<OfferTalk> talk;
-    std::int64_t heard_out_ns = 0;  // when it last took all that was said to it
+    std::int64_t heard_out_ns = 0;            // when it last took all that was said to it
+    std::shared_ptr<const Image> shown = {};  // the last picture that it was shown
+    std::int64_t shown_ns = 0;
   };
 
   Offer offer_;
-  std::function<std::vector<Offered>()> things_;
+  Things things_;
+  Picture picture_;
   SocketListener listener_;
   std::vector<Peer> peers_;
   std::jthread thread_;
 
   void run(const std::stop_token& stop);
   void let_in(std::int64_t now_ns);
-  bool serve(Peer& peer, const std::vector<Offered>& things, std::int64_t now_ns);
+  bool serve(Peer& peer, const std::vector<Offered>& things, const std::shared_ptr<const Image>& picture,
+             std::int64_t now_ns);
 };
 
 }  // namespace prosector

@@ -144,9 +144,11 @@ void CameraPage::draw_guide(Interface& ui) {
 
 /// Fits on a thread of its own: views are copied, so that the camera may go meanwhile.
 void CameraPage::begin_fit() {
-  fit_ = std::async(std::launch::async, [views = watch_->views(), camera = watch_->identity()] {
-    return fit_lens(find_board(shown_board), views, camera);
-  });
+  fit_ends_ = std::stop_source();
+  fit_ = std::async(std::launch::async,
+                    [views = watch_->views(), camera = watch_->identity(), stop = fit_ends_.get_token()] {
+                      return fit_lens(find_board(shown_board), views, camera, stop);
+                    });
   fitted_ = address_;
   watch_->stop_guide();
   guides_ = false;
@@ -158,16 +160,22 @@ void CameraPage::take_fit(ConfigDraft& draft) {
   try {
     const LensFit fit = fit_.get();
     const Lens& lens = fit.calibration.lens;
-    std::filesystem::create_directories(draft.file().parent_path());
-    save_config_text(draft.file().parent_path() / lens_file, write_calibration(fit.calibration));
     GuideOutcome outcome = {{fmt::format("{:.3f} px off at views that weren't fitted.", fit.held_out),
                              fmt::format("Focal lengths {:.1f} and {:.1f} px; {:.0f} % covered.", lens.fx,
                                          lens.fy, 100 * fit.covered)},
-                            {{"tracker.lens", std::string(lens_file)}}};
+                            {}};
+    const std::string& tracker = draft.config().tracker;
+    const std::string& known_lens = draft.config().tracker_device.lens;
+    if (tracker.empty() || camera_in(tracker) == fitted_)
+      outcome.changes.push_back({"tracker.lens", std::string(lens_file)});
+    else if (!known_lens.ends_with(lens_file))
+      outcome.words.push_back(fmt::format(
+          "The tracker is {}, not this camera: to look through it, name the file as tracker.lens.", tracker));
     // A lens belongs to a tracker: where none is named, this camera is to be it.
-    if (draft.config().tracker.empty()) outcome.changes.push_back({"tracker.address", "tags:" + fitted_});
+    if (tracker.empty()) outcome.changes.push_back({"tracker.address", "tags:" + fitted_});
     outcome_ = outcome.words;
     said_ = take_outcome(draft, outcome);
+    if (!said_.wrong) draft.put_beside(lens_file, write_calibration(fit.calibration));
   } catch (const std::exception& error) {  // what has no words of ours comes from a library
     said_ = {error.what(), true};
   }

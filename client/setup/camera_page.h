@@ -3,6 +3,7 @@
 
 #include <future>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,11 @@ namespace prosector {
 
 class CameraPage {
  public:
+  CameraPage() = default;
+  ~CameraPage() { fit_ends_.request_stop(); }
+  CameraPage(const CameraPage&) = delete;
+  CameraPage& operator=(const CameraPage&) = delete;
+
   void draw(Interface& ui, ConfigDraft& draft, std::int64_t now_ns);
   /// Lets the camera go. A fit goes on.
   void close();
@@ -27,8 +33,9 @@ class CameraPage {
   std::vector<FoundDevice> found_;
   std::int64_t found_ns_ = 0, opened_ns_ = 0;
   bool guides_ = false;
-  std::future<LensFit> fit_;
-  std::string fitted_;  // address of the camera whose lens that is
+  std::stop_source fit_ends_;
+  std::future<LensFit> fit_;  // waits for its end when it goes: who is gone asks for that before
+  std::string fitted_;        // address of the camera whose lens that is
   std::vector<std::string> outcome_;
   std::unique_ptr<CameraWatch> watch_;
   WatchedPicture seen_;

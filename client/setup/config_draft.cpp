@@ -29,6 +29,7 @@ ConfigDraft::ConfigDraft(std::filesystem::path file) : file_(std::move(file)) {
 
 void ConfigDraft::read() {
   saved_ = draft_ = problem_ = "";
+  beside_.clear();
   config_ = {};
   try {
     saved_ = draft_ = text_of(file_);
@@ -50,13 +51,19 @@ std::string ConfigDraft::change(const std::vector<ConfigChange>& changes) {
   }
 }
 
+void ConfigDraft::put_beside(const std::string& name, std::string text) {
+  beside_[name] = std::move(text);
+}
+
 void ConfigDraft::save() {
   if (text_of(file_) != saved_)
     throw InputError(file_.string() +
                      " was written by another program meanwhile: discard, and it is read anew");
   std::error_code error;
   std::filesystem::create_directories(file_.parent_path(), error);
-  save_config_text(file_, draft_);
+  for (const auto& [name, text] : beside_) save_config_text(file_.parent_path() / name, text);
+  beside_.clear();
+  if (draft_ != saved_) save_config_text(file_, draft_);
   saved_ = draft_;
 }
 
@@ -68,6 +75,7 @@ void ConfigDraft::revert() {
 std::vector<ChangedLine> ConfigDraft::changes() const {
   const std::vector<std::string> before = lines_of(saved_), after = lines_of(draft_);
   std::vector<ChangedLine> out;
+  for (const auto& [name, text] : beside_) out.push_back({"", "the file " + name + " beside it"});
   std::size_t b = 0, a = 0;
   while (b < before.size() || a < after.size()) {
     if (b < before.size() && a < after.size() && before[b] == after[a]) {

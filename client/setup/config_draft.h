@@ -3,6 +3,7 @@
 // and both as a person reads them. Nothing is written before it was asked for.
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,10 @@ class ConfigDraft {
 
   /// Changes keys. Returns why that isn't allowed; empty: it is done.
   std::string change(const std::vector<ConfigChange>& changes);
-  /// Writes the draft, with its comments and order kept. Throws InputError where that can't be, and where the
-  /// file was written by others since it was read: that isn't written over.
+  /// Keeps a text for a file of that name beside the configuration's; it is written when the draft is.
+  void put_beside(const std::string& name, std::string text);
+  /// Writes the draft and what is beside it, with its comments and order kept. Throws InputError where that
+  /// can't be, and where the file was written by others since it was read: that isn't written over.
   void save();
   /// Forgets what was not written, and reads the file anew.
   void revert();
@@ -33,12 +36,13 @@ class ConfigDraft {
   const ClientConfig& config() const { return config_; }
   const std::filesystem::path& file() const { return file_; }
   const std::string& problem() const { return problem_; }
-  bool changed() const { return draft_ != saved_; }
+  bool changed() const { return draft_ != saved_ || !beside_.empty(); }
   std::vector<ChangedLine> changes() const;
 
  private:
   std::filesystem::path file_;
   std::string saved_, draft_, problem_;
+  std::map<std::string, std::string> beside_;  // texts by names of files
   ClientConfig config_;
 
   void read();

@@ -28,8 +28,9 @@ class Camera {
   virtual std::string identity() const = 0;
 };
 
-/// Opens a camera: "/dev/video0", a number, a video's file, a stream's URL, or "synthetic:SCENE.toml". Throws
-/// InputError where it can't be opened. A synthetic scene's time begins at `start_ns`.
+/// Opens a camera: "/dev/video0", a number, a video's file, a stream's URL, "synthetic:SCENE.toml", or
+/// another program's by "igtl://HOST[:PORT][/DEVICE]". Throws InputError where it can't be opened. A
+/// synthetic scene's time begins at `start_ns`.
 std::unique_ptr<Camera> open_camera(const std::string& address, std::int64_t start_ns = monotonic_ns());
 
 }  // namespace prosector

@@ -52,7 +52,7 @@ std::pair<double, double> scatter(const std::vector<Vec3>& places) {
 }  // namespace
 
 CameraReport::CameraReport(std::optional<CameraCalibration> calibration)
-    : calibration_(std::move(calibration)), finder_(TagFinderSettings{}) {
+    : calibration_(calibration), reader_(std::move(calibration)) {
   for (const KnownBoard& row : known_boards())
     boards_.push_back({BoardTracker(grid_board(row.name, row.grid)), {}, 0});
 }
@@ -61,11 +61,6 @@ void CameraReport::take(const Frame& frame, std::int64_t now_ns) {
   if (frames_++ == 0) {
     width_ = frame.image.width;
     height_ = frame.image.height;
-    const CameraCalibration used = calibration_.value_or(guessed_calibration(width_, height_));
-    optics_.bent = used.lens.scaled(width_, height_);
-    optics_.response = used.response;
-    straightener_.emplace(optics_.bent);
-    optics_.straight = straightener_->lens();
     next_number_ = frame.number;
   }
   if (frame.image.width != width_ || frame.image.height != height_) {
@@ -82,16 +77,15 @@ void CameraReport::take(const Frame& frame, std::int64_t now_ns) {
   }
   ages_.push_back(static_cast<double>(now_ns - frame.time_ns) * 1e-9);
   steps_.push_back(static_cast<double>(frame.time_ns) * 1e-9);
-  look_for_boards(picture, frame.time_ns);
+  look_for_boards(frame);
   last_ = std::move(picture);
 }
 
-void CameraReport::look_for_boards(const GreyImage& picture, std::int64_t time_ns) {
-  TagPicture seen{picture, straightener_->straight(picture), {}, time_ns};
-  seen.tags = finder_.find(seen.straight);
+void CameraReport::look_for_boards(const Frame& frame) {
+  const TagPicture& seen = reader_.read(frame);
   tags_.push_back(static_cast<double>(seen.tags.size()));
   for (Followed& board : boards_)
-    if (const auto at = board.tracker.update(seen, optics_)) {
+    if (const auto at = board.tracker.update(seen, reader_.optics())) {
       board.places.push_back(at->camera_board.p);
       board.followed += at->followed ? 1 : 0;
     }

@@ -8,8 +8,7 @@
 
 #include "drivers/camera/camera_calibration.h"
 #include "drivers/camera/frame.h"
-#include "drivers/camera/straightener.h"
-#include "drivers/camera/tags/board_tracker.h"
+#include "drivers/camera/tags/tag_reader.h"
 
 namespace prosector {
 
@@ -33,12 +32,10 @@ class CameraReport {
     std::vector<Vec3> places;  // m, camera's frame
     int followed = 0;          // by flow alone
   };
-  void look_for_boards(const GreyImage& picture, std::int64_t time_ns);
+  void look_for_boards(const Frame& frame);
 
   std::optional<CameraCalibration> calibration_;
-  TagFinder finder_;
-  std::optional<Straightener> straightener_;
-  TagOptics optics_;
+  TagReader reader_;
   std::vector<Followed> boards_;
   GreyImage last_;
   int width_ = 0, height_ = 0, odd_sizes_ = 0;

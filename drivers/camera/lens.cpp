@@ -51,9 +51,26 @@ Vec2 Lens::project(const Vec3& point) const {
   return {fx * bent.x() + cx, fy * bent.y() + cy};
 }
 
+Eigen::Matrix<double, 2, 3> Lens::pixel_slope(const Vec3& p) const {
+  Eigen::Matrix<double, 2, 3> by_point;
+  by_point << 1 / p.z(), 0, -p.x() / (p.z() * p.z()), 0, 1 / p.z(), -p.y() / (p.z() * p.z());
+  return Vec2(fx, fy).asDiagonal() * bend_slope({p.x() / p.z(), p.y() / p.z()}) * by_point;
+}
+
 Vec3 Lens::ray(const Vec2& pixel) const {
   const Vec2 direction = straighten({(pixel.x() - cx) / fx, (pixel.y() - cy) / fy});
   return {direction.x(), direction.y(), 1};
+}
+
+Lens Lens::pinhole() const {
+  Lens out = *this;
+  out.k1 = out.k2 = out.p1 = out.p2 = out.k3 = 0;
+  return out;
+}
+
+Vec2 Lens::straight_pixel(const Vec2& pixel) const {
+  const Vec3 direction = ray(pixel);
+  return {fx * direction.x() + cx, fy * direction.y() + cy};
 }
 
 Lens Lens::scaled(int to_width, int to_height) const {

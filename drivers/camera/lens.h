@@ -29,11 +29,17 @@ struct Lens {
   Vec2 straighten(const Vec2& bent) const;
   /// Returns the pixel of a point in the camera's frame; it must lie ahead.
   Vec2 project(const Vec3& point) const;
+  /// Returns how that pixel moves by the point.
+  Eigen::Matrix<double, 2, 3> pixel_slope(const Vec3& point) const;
   /// Returns the direction (a, b, 1) that a pixel looks into.
   Vec3 ray(const Vec2& pixel) const;
   bool sees(const Vec2& pixel) const {
     return pixel.x() >= -0.5 && pixel.y() >= -0.5 && pixel.x() < width - 0.5 && pixel.y() < height - 0.5;
   }
+  /// Returns the same lens without distortion.
+  Lens pinhole() const;
+  /// Returns where pinhole() sees what a pixel shows.
+  Vec2 straight_pixel(const Vec2& pixel) const;
   /// Returns the same lens for pictures of another size.
   Lens scaled(int to_width, int to_height) const;
   bool operator==(const Lens&) const = default;

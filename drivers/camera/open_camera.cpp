@@ -1,6 +1,7 @@
 #include <string_view>
 
 #include "drivers/camera/camera.h"
+#include "drivers/camera/igtl_camera.h"
 #include "drivers/camera/synthetic/synthetic_camera.h"
 #include "drivers/camera/video_camera.h"
 
@@ -11,6 +12,7 @@ std::unique_ptr<Camera> open_camera(const std::string& address, std::int64_t sta
   if (address.starts_with(synthetic))
     return std::make_unique<SyntheticCamera>(SyntheticScene::load(address.substr(synthetic.size())),
                                              start_ns);
+  if (is_igtl_camera(address)) return open_igtl_camera(address);
   return open_video(address);
 }
 

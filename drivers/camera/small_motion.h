@@ -40,6 +40,14 @@ inline Eigen::Matrix<double, 3, 6> point_slope(const Vec3& p) {
   return out;
 }
 
+/// Returns the spread as another frame has it, which lies in `pose`: pose · motion · pose⁻¹.
+inline MotionSpread spread_in(const Pose& pose, const MotionSpread& spread) {
+  MotionSpread by = MotionSpread::Zero();
+  by.topLeftCorner<3, 3>() = by.bottomRightCorner<3, 3>() = pose.q.toRotationMatrix();
+  by.bottomLeftCorner<3, 3>() = cross_matrix(pose.p) * pose.q.toRotationMatrix();
+  return by * spread * by.transpose();
+}
+
 /// Returns the RMS error of a point, m.
 inline double error_at(const MotionSpread& spread, const Vec3& point) {
   const Eigen::Matrix<double, 3, 6> slope = point_slope(point);

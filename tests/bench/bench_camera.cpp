@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <initializer_list>
 #include <set>
 
+#include "drivers/camera/picture_file.h"
 #include "tests/bench/camera_plot.h"
 #include "tests/bench/face_trials.h"
 #include "tests/bench/subjects.h"
@@ -40,6 +42,11 @@ std::vector<CameraTrial> trials_of(const std::string& name, const Board& board, 
   };
   for (const double d : {0.3, 0.4, 0.6, 0.8, 1.2, 1.8})
     add("distance m", d, [](TagCase& w, double v) { w.distance = v; });
+  for (const double d : {0.8, 1., 1.2, 1.8})
+    add("distance m, read on", d, [](TagCase& w, double v) {
+      w.distance = v;
+      w.reads_on = true;
+    });
   for (const double t : {0., 20., 40., 60., 70.})
     add("tilt deg", t, [](TagCase& w, double v) { w.least_tilt = w.most_tilt = v * degree; });
   for (const double s : {0., 0.1, 0.2, 0.3, 0.4, 0.6, 0.8})
@@ -62,6 +69,25 @@ std::vector<CameraTrial> trials_of(const std::string& name, const Board& board, 
       w.distance = v;
       w.still = true;
     });
+  return out;
+}
+
+/// Lists what is measured of a printed picture.
+std::vector<CameraTrial> page_trials(const std::filesystem::path& file) {
+  const Board page{
+      "page", {}, std::make_shared<const PrintedPicture>(PrintedPicture{read_picture(file), 0.2})};
+  std::vector<CameraTrial> out;
+  const auto add = [&](const std::string& varied, std::initializer_list<double> values, auto change) {
+    for (const double value : values) {
+      TagCase what = case_of(page, 0.6);
+      change(what, value);
+      out.push_back({"page", varied, value, what});
+    }
+  };
+  add("distance m", {0.3, 0.4, 0.6, 0.9, 1.2}, [](TagCase& w, double v) { w.distance = v; });
+  add("tilt deg", {0, 20, 40, 60}, [](TagCase& w, double v) { w.least_tilt = w.most_tilt = v * degree; });
+  add("covered", {0, 0.4, 0.7}, [](TagCase& w, double v) { w.covered = v; });
+  add("light", {1, 0.3, 0.1}, [](TagCase& w, double v) { w.light = v; });
   return out;
 }
 
@@ -103,6 +129,8 @@ Report bench_camera(const CameraBenchOptions& options) {
   const Board tag = grid_board("tag", {1, 1, 0.08, 0.02, 7}), tablet = grid_board("tablet", {});
   std::vector<CameraTrial> trials = trials_of("tag", tag, 0.8);
   for (CameraTrial& trial : trials_of("tablet", tablet, 0.6)) trials.push_back(std::move(trial));
+  if (!options.page.empty())
+    for (CameraTrial& trial : page_trials(options.page)) trials.push_back(std::move(trial));
   std::set<std::string> begun;
   for (CameraTrial& trial : trials) {
     // In a hurry one value of each is enough.

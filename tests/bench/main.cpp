@@ -259,6 +259,8 @@ int main(int argc, char** argv) try {
       "camera",
       "Printed boards and a face before a synthetic camera: how far off, how often found, how dearly");
   camera_command->add_flag("--quick", camera.quick, "Few places: to see that it runs");
+  camera_command->add_option("--page", camera.page, "A picture that is measured as a board, too")
+      ->check(CLI::ExistingFile);
   camera_command->add_option("--svg", camera.picture_folder, "Folder for two pictures")
       ->check(CLI::ExistingDirectory);
 

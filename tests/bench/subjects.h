@@ -205,7 +205,8 @@ Report bench_haptics(const HapticsBenchOptions& options);
 struct CameraBenchOptions {
   bool quick = false;  // few places: to see that it runs
   std::filesystem::path
-      picture_folder;  // where to write camera-distance.svg and camera-speed.svg; empty: nowhere
+      picture_folder;          // where to write camera-distance.svg and camera-speed.svg; empty: nowhere
+  std::filesystem::path page;  // a picture that is measured as a board, 0.2 m wide; empty: none is
 };
 /// Printed boards, and a face, before a synthetic camera, by what makes it hard; and CPU time a picture.
 Report bench_camera(const CameraBenchOptions& options);

@@ -7,6 +7,7 @@
 
 #include "common/error.h"
 #include "drivers/camera/camera_calibration.h"
+#include "drivers/camera/picture_file.h"
 #include "drivers/camera/printing/board_sheet.h"
 #include "drivers/camera/tags/known_boards.h"
 #include "drivers/camera/tags/tag_finder.h"

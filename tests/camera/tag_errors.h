@@ -18,7 +18,8 @@ struct TagCase {
   double exposure = 0, speed = 0;  // s; m/s across the picture
   double noise = 3;                // of 255
   TagFinderSettings finder = {};
-  double light = 1;  // that falls in
+  double light = 1;       // that falls in
+  bool reads_on = false;  // pictures are read as trackers read them, and the third one counts
   int width = 640, height = 480;
   bool still = false;  // one place, seen again and again: errors are about their mean
   int places = 12;

@@ -62,6 +62,35 @@ TEST(TagPose, MotionBlurIsPutInTheMiddleOfTheExposure) {
   EXPECT_LE(quantile(errors.depth, 0.5), 0.3);
 }
 
+// What the quick search misses is read on once it was found.
+TEST(TagPose, TabletIsReadOnFarAway) {
+  TagCase what{tablet()};
+  what.distance = 0.8;
+  what.most_tilt = 40 * degree;
+  what.reads_on = true;
+  what.places = 6;
+  const TagErrors errors = tag_errors(what);
+  EXPECT_EQ(errors.seen, what.places);
+  EXPECT_LE(quantile(errors.depth, 0.5), 0.5);
+}
+
+class TagLight : public testing::TestWithParam<double> {};
+
+TEST_P(TagLight, ABoardInPoorLightIsFound) {
+  for (const Board& board : {one_tag(), tablet()}) {
+    TagCase what{board};
+    what.distance = 0.6;
+    what.most_tilt = 40 * degree;
+    what.light = GetParam();
+    what.places = 6;
+    const TagErrors errors = tag_errors(what);
+    EXPECT_EQ(errors.seen, what.places) << board.name;
+    EXPECT_LE(quantile(errors.depth, 0.5), 0.5) << board.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, TagLight, testing::Values(0.3, 0.1, 0.06));
+
 TEST(TagPose, LightTakenForBrightnessPutsATagTooFar) {
   TagCase what{one_tag()};
   what.response = 2.2;

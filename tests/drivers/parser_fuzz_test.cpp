@@ -9,6 +9,7 @@
 #include "common/error.h"
 #include "drivers/fastrak_record.h"
 #include "drivers/five_dt_record.h"
+#include "drivers/igtl_messages.h"
 #include "drivers/motion_script.h"
 #include "drivers/recorded.h"
 #include "drivers/stamped_buffer.h"
@@ -35,6 +36,63 @@ TEST(ParserFuzz, RandomBytesNeverMakeImplausibleRecords) {
     five_dt::decode_report(bytes);
     five_dt::decode_packet(bytes, false);
     fastrak::decode(bytes, format);
+  }
+}
+
+// What is read of a spoilt IMAGE has as many bytes as its size says, or is nothing.
+TEST(ParserFuzz, SpoiltImagesAreWholeOrNone) {
+  std::mt19937_64 random(13);
+  const Image image{7, 5, std::vector<std::uint8_t>(7 * 5 * 3, 90)};
+  int read = 0;
+  for (int i = 0; i < 100000; ++i) {
+    igtl::Message message{igtl::image_type, "Camera", igtl::image_body(image)};
+    for (std::uint64_t k = random() % 4; k > 0; --k)
+      message.body[random() % 40] = static_cast<std::uint8_t>(random() % 2 == 0 ? random() : random() % 8);
+    if (random() % 4 == 0) message.body.resize(random() % (message.body.size() + 40));
+    if (const auto back = igtl::image_of(message)) {
+      ++read;
+      EXPECT_EQ(back->rgb.size(), static_cast<std::size_t>(3 * back->width * back->height));
+    }
+    // The same bytes in a stream, cut anywhere.
+    if (i % 50 != 0) continue;
+    igtl::Bytes stream;
+    igtl::put(stream, message);
+    if (random() % 2 == 0) stream[random() % 58] ^= static_cast<std::uint8_t>(1 + random() % 255);
+    igtl::Reader reader(true);
+    for (std::size_t at = 0; at < stream.size();) {
+      const std::size_t count = std::min<std::size_t>(1 + random() % 60, stream.size() - at);
+      reader.take(std::span(stream).subspan(at, count));
+      at += count;
+      while (const auto next = reader.next()) (void)igtl::image_of(*next);
+    }
+  }
+  EXPECT_GT(read, 10000);
+  EXPECT_LT(read, 90000);
+}
+
+// Sixteen bits are stretched from the least to the greatest, with and without sign, in both orders of bytes.
+TEST(IgtlImage, SixteenBitsAreStretched) {
+  struct Row {
+    std::uint8_t type, endian;
+    std::vector<std::uint8_t> words;
+    std::vector<std::uint8_t> grey;
+  };
+  const Row rows[] = {{5, 2, {0, 0, 0xff, 0, 0xfe, 1}, {0, 127, 255}},
+                      {5, 1, {0, 0, 0, 0xff, 1, 0xfe}, {0, 127, 255}},
+                      {4, 2, {0xff, 0xff, 0, 0, 1, 0}, {0, 127, 255}},
+                      {3, 2, {10, 20, 30}, {10, 20, 30}},
+                      {10, 2, {10, 20, 30}, {}},
+                      {3, 2, {10, 20}, {}}};
+  for (const Row& row : rows) {
+    igtl::Message message{igtl::image_type, "CT", igtl::image_body({3, 1, std::vector<std::uint8_t>(9)})};
+    message.body.resize(message.body.size() - 9);
+    message.body[2] = 1;
+    message.body[3] = row.type;
+    message.body[4] = row.endian;
+    message.body.insert(message.body.end(), row.words.begin(), row.words.end());
+    const auto image = igtl::image_of(message);
+    ASSERT_EQ(image.has_value(), !row.grey.empty()) << int{row.type};
+    for (std::size_t i = 0; image && i < 3; ++i) EXPECT_EQ(image->rgb[3 * i], row.grey[i]);
   }
 }
 

@@ -1,6 +1,7 @@
 // What is offered to other software: read back by our own drivers, with garbage and crowds beside them.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <mutex>
 #include <random>
@@ -8,6 +9,7 @@
 #include "client/offer/offer_server.h"
 #include "common/clock.h"
 #include "common/error.h"
+#include "drivers/camera/camera.h"
 #include "drivers/device.h"
 
 namespace prosector {
@@ -74,6 +76,55 @@ TEST_P(EachProtocol, GarbageAndCrowdsDisturbNobody) {
 
 INSTANTIATE_TEST_SUITE_P(Offers, EachProtocol, testing::Values("vrpn", "igtl"),
                          [](const auto& protocol) { return protocol.param; });
+
+Image coloured(int width, int height, unsigned seed) {
+  std::mt19937 random(seed);
+  Image out{width, height, {}};
+  for (int i = 0; i < 3 * width * height; ++i) out.rgb.push_back(static_cast<std::uint8_t>(random()));
+  return out;
+}
+
+// A picture goes out by OpenIGTLink and comes in as a camera's, byte for byte, with poses beside it.
+TEST(OfferedPictures, ComeBackAsACamerasPictures) {
+  std::atomic<unsigned> newest = 1;
+  const std::array<std::shared_ptr<const Image>, 2> pictures = {
+      std::make_shared<const Image>(coloured(640, 480, 1)),
+      std::make_shared<const Image>(coloured(320, 200, 2))};
+  const OfferServer server(parse_offer("igtl:127.0.0.1:0"), two_things, [&] { return pictures[newest]; });
+  const std::string at = "igtl://127.0.0.1:" + std::to_string(server.port());
+  const auto camera = open_camera(at + "/Camera");
+  const auto any = open_camera(at);
+  const auto other = open_camera(at + "/Another");
+  for (const unsigned shown : {1u, 0u}) {
+    newest = shown;
+    for (const auto& one : {camera.get(), any.get()}) {
+      std::optional<Frame> frame;
+      const std::int64_t end_ns = monotonic_ns() + 10'000'000'000;
+      while ((!frame || frame->image.rgb != pictures[shown]->rgb) && monotonic_ns() < end_ns)
+        frame = one->next(std::chrono::milliseconds(100));
+      ASSERT_TRUE(frame);
+      EXPECT_EQ(frame->image.width, pictures[shown]->width);
+      EXPECT_EQ(frame->image.rgb, pictures[shown]->rgb);
+      EXPECT_LE(frame->time_ns, monotonic_ns());
+      EXPECT_EQ(frame->number, shown == 1 ? 0u : 1u);
+    }
+  }
+  EXPECT_FALSE(other->next(std::chrono::milliseconds(100))) << "of that name nothing comes";
+}
+
+TEST(OfferedPictures, WhoHangsUpIsToldOf) {
+  auto server = std::make_unique<OfferServer>(parse_offer("igtl:127.0.0.1:0"), two_things);
+  const auto camera = open_camera("igtl://127.0.0.1:" + std::to_string(server->port()));
+  EXPECT_FALSE(camera->next(std::chrono::milliseconds(50)));
+  server.reset();
+  EXPECT_THROW(
+      {
+        for (int k = 0; k < 50; ++k) (void)camera->next(std::chrono::milliseconds(50));
+      },
+      InputError);
+  for (const char* bad : {"igtl://", "igtl://host:x", "igtl://host:1/a name that is too long"})
+    EXPECT_THROW((void)open_camera(bad), InputError) << bad;
+}
 
 TEST(Offers, NamesArePlainAndEachOnce) {
   std::vector<Offered> things = {{"Ann Müller.right", {}},

@@ -60,12 +60,14 @@ TEST(CameraPage, FindsALensAndNamesItInTheDraft) {
   ASSERT_TRUE(room.draft().changed());
   EXPECT_TRUE(room.draft().config().tracker_device.lens.ends_with("camera.toml"));
   EXPECT_TRUE(room.draft().config().tracker.starts_with("tags:synthetic:"));
-  const CameraCalibration found = load_calibration(room.draft().file().parent_path() / "camera.toml");
-  EXPECT_NEAR(found.lens.fx, true_focal, 0.02 * true_focal);
-  EXPECT_LT(found.error, 0.5);
+  const std::filesystem::path file = room.draft().file().parent_path() / "camera.toml";
+  EXPECT_FALSE(std::filesystem::exists(file)) << "before it was asked for";
   EXPECT_LT(room.control("save").bottom, room.height() - 40) << "it is seen without a wheel";
   room.click("save");
   EXPECT_FALSE(room.draft().changed());
+  const CameraCalibration found = load_calibration(file);
+  EXPECT_NEAR(found.lens.fx, true_focal, 0.02 * true_focal);
+  EXPECT_LT(found.error, 0.5);
 }
 
 TEST(CameraPage, SaysWhatIsWrongAndComesBack) {

@@ -14,10 +14,10 @@ namespace prosector {
 namespace {
 
 constexpr std::size_t least_tags = 4;  // in a view that counts
-constexpr int rounds = 2;              // corners are found anew so often
+constexpr int usual_rounds = 2;        // corners are found anew so often
 constexpr double least_response = 1, most_response = 3;
 constexpr int response_steps = 7;          // of the golden section
-constexpr std::size_t response_views = 7;  // that the response is found by
+constexpr std::size_t response_views = 5;  // that the response is found by
 constexpr std::size_t held_out_each = 5;
 constexpr double most_rms = 2;  // pixels: what fits worse is no calibration
 constexpr double outlier_px = 0.15,
@@ -74,27 +74,16 @@ Solved solve(std::span<const ViewCorners> views, int width, int height) {
   return out;
 }
 
-Lens without_distortion(Lens lens) {
-  lens.k1 = lens.k2 = lens.p1 = lens.p2 = lens.k3 = 0;
-  return lens;
-}
-
-/// Returns where an ideal camera would see a lens' pixel.
-Vec2 straight(const Lens& lens, const Vec2& pixel) {
-  const Vec3 ray = lens.ray(pixel);
-  return {lens.fx * ray.x() + lens.cx, lens.fy * ray.y() + lens.cy};
-}
-
 /// Finds a tag's corners by its edges, as this lens and response see them.
 std::optional<std::array<Vec2, 4>> corners_by_edges(const GreyImage& picture, const Lens& lens,
                                                     double response, const BoardTag& tag,
                                                     const std::array<Vec2, 4>& near) {
   const BoardTag alone{tag.code, tag.size, {}};
   const Board board{"", {alone}};
-  const Lens pinhole = without_distortion(lens);
+  const Lens pinhole = lens.pinhole();
   std::vector<SeenCorner> seen;
   const auto corners = alone.corners();
-  for (std::size_t c = 0; c < corners.size(); ++c) seen.push_back({corners[c], straight(lens, near[c])});
+  for (std::size_t c = 0; c < corners.size(); ++c) seen.push_back({corners[c], lens.straight_pixel(near[c])});
   const auto poses = solve_board(seen, pinhole);
   if (poses.empty()) return std::nullopt;
   const std::array<int, 1> codes = {tag.code};
@@ -131,12 +120,12 @@ bool has_enough(const std::vector<ViewCorners>& views) {
 
 /// Returns how far off each tag of a view is, pixels RMS, where the view's pose is best.
 std::vector<double> tag_errors(const Lens& lens, const ViewCorners& view) {
-  const Lens pinhole = without_distortion(lens);
+  const Lens pinhole = lens.pinhole();
   std::vector<SeenCorner> seen;
   for (const TagCorners& tag : view) {
     const auto corners = tag.tag->corners();
     for (std::size_t c = 0; c < corners.size(); ++c)
-      seen.push_back({corners[c], straight(lens, tag.pixels[c])});
+      seen.push_back({corners[c], lens.straight_pixel(tag.pixels[c])});
   }
   const auto poses = solve_board(seen, pinhole);
   std::vector<double> out(view.size(), std::numeric_limits<double>::infinity());
@@ -182,7 +171,7 @@ std::vector<ViewCorners> without_outliers(const Lens& lens, const std::vector<Vi
 }
 
 Solved solve_with(const std::vector<ViewCorners>& rough, std::span<const LensView> views, const Lens& first,
-                  double response, std::vector<ViewCorners>* corners = nullptr) {
+                  double response, int rounds, std::vector<ViewCorners>* corners = nullptr) {
   Solved out{first, std::numeric_limits<double>::infinity()};
   for (int round = 0; round < rounds; ++round) {
     const std::vector<ViewCorners> fine = refined(rough, views, out.lens, response);
@@ -198,10 +187,14 @@ Solved solve_with(const std::vector<ViewCorners>& rough, std::span<const LensVie
 
 /// Finds the response that leaves the least error: golden section (Kiefer 1953).
 double find_response(const std::vector<ViewCorners>& rough, std::span<const LensView> views,
-                     const Lens& first) {
+                     const Lens& first, const std::stop_token& stop) {
   constexpr double golden = 0.6180339887498949;
   double a = least_response, b = most_response;
-  const auto error = [&](double response) { return solve_with(rough, views, first, response).rms; };
+  const Solved near = solve_with(rough, views, first, usual_response, usual_rounds);
+  const auto error = [&](double response) {
+    if (stop.stop_requested()) throw InputError("the fit was stopped");
+    return solve_with(rough, views, near.lens, response, 1).rms;
+  };
   double x = b - golden * (b - a), y = a + golden * (b - a);
   double at_x = error(x), at_y = error(y);
   for (int step = 0; step < response_steps; ++step) {
@@ -247,7 +240,8 @@ double covered_share(std::span<const LensView> views) {
   return static_cast<double>(covered_cells(views).size()) / (cells_across * cells_down);
 }
 
-LensFit fit_lens(const Board& board, std::span<const LensView> views, const std::string& camera) {
+LensFit fit_lens(const Board& board, std::span<const LensView> views, const std::string& camera,
+                 const std::stop_token& stop) {
   if (views.size() < least_views)
     throw InputError(
         fmt::format("a lens needs at least {} views of the board; there are {}", least_views, views.size()));
@@ -263,9 +257,9 @@ LensFit fit_lens(const Board& board, std::span<const LensView> views, const std:
   out.calibration.camera = camera;
   const std::size_t some = std::min(response_views, views.size());
   out.calibration.response = find_response({rough.begin(), rough.begin() + static_cast<std::ptrdiff_t>(some)},
-                                           views.first(some), first.lens);
+                                           views.first(some), first.lens, stop);
   std::vector<ViewCorners> corners;
-  const Solved best = solve_with(rough, views, first.lens, out.calibration.response, &corners);
+  const Solved best = solve_with(rough, views, first.lens, out.calibration.response, usual_rounds, &corners);
   if (!(best.rms < most_rms))
     throw InputError("the board's edges are too blurred: hold it still, nearer, in more light");
   out.calibration.lens = best.lens;

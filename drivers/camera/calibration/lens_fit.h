@@ -8,6 +8,7 @@
 
 #include <set>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,8 +35,10 @@ struct LensFit {
   double covered = 0;   // share of the picture's cells in which corners lie
 };
 
-/// Fits. Throws InputError that says what to do where views are too few, too small, or all alike.
-LensFit fit_lens(const Board& board, std::span<const LensView> views, const std::string& camera);
+/// Fits. Throws InputError that says what to do where views are too few, too small, or all alike, and soon
+/// after `stop` was requested.
+LensFit fit_lens(const Board& board, std::span<const LensView> views, const std::string& camera,
+                 const std::stop_token& stop = {});
 
 /// A cell of a picture: its column and its row from the upper left.
 using PictureCell = std::pair<int, int>;

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "common/error.h"
+
 namespace prosector {
 namespace {
 
@@ -54,7 +56,10 @@ std::string uncovered_part(std::span<const LensView> views) {
 
 }  // namespace
 
-LensGuide::LensGuide(Board board) : board_(std::move(board)), finder_(TagFinderSettings{1}) {}
+LensGuide::LensGuide(Board board) : board_(std::move(board)), finder_(TagFinderSettings{1}) {
+  if (board_.tags.empty())
+    throw InputError(fmt::format("board {}: has no tags, which calibration needs", board_.name));
+}
 
 LensGuide::Look LensGuide::look_of(const std::vector<SeenTag>& tags, int width) const {
   // Sides of tags: a side that is nearer is longer.
@@ -79,6 +84,7 @@ bool LensGuide::differs(const Look& a, const Look& b) {
 }
 
 void LensGuide::take(const Image& picture) {
+  resting_.reset();
   if (!views_.empty() &&
       (views_.front().picture.width != picture.width || views_.front().picture.height != picture.height)) {
     trouble_ = "the pictures' size has changed: start again";
@@ -97,13 +103,13 @@ void LensGuide::take(const Image& picture) {
     trouble_ = "hold the board nearer";
   } else if (!rests(before, view.tags)) {
     trouble_ = "hold it still";
-  } else if (std::any_of(looks_.begin(), looks_.end(),
-                         [&](const Look& old) { return !differs(look, old); })) {
-    trouble_.clear();
   } else {
     trouble_.clear();
-    looks_.push_back(look);
-    views_.push_back(std::move(view));
+    if (std::none_of(looks_.begin(), looks_.end(), [&](const Look& old) { return !differs(look, old); })) {
+      looks_.push_back(look);
+      views_.push_back(view);
+    }
+    resting_ = std::move(view);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Leads a person through the views of a lens' calibration: picture after picture in, out what to do next.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,11 +20,14 @@ struct LensGuideStep {
 
 class LensGuide {
  public:
+  /// Begins. Throws InputError where the board has no tags.
   explicit LensGuide(Board board);
 
   /// Takes a picture. It is kept where the board rests in it and is seen as in no view before.
   void take(const Image& picture);
   LensGuideStep step() const;
+  /// Returns the last picture, where the board rests in it; else nothing.
+  const std::optional<LensView>& resting() const { return resting_; }
   const std::vector<LensView>& views() const { return views_; }
   const Board& board() const { return board_; }
 
@@ -44,6 +48,7 @@ class LensGuide {
   std::vector<LensView> views_;
   std::vector<Look> looks_;
   std::vector<SeenTag> last_;
+  std::optional<LensView> resting_;
   std::string trouble_;
 };
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <memory>
 
@@ -60,14 +61,49 @@ void draw_ruler(cairo_t* pen, double x, double y) {
   cairo_stroke(pen);
 }
 
+/// Draws in metres, its middle at the origin.
+void draw_picture(cairo_t* pen, const PrintedPicture& picture, const Vec3& origin) {
+  const Image& image = picture.image;
+  const SurfacePtr surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height));
+  std::uint8_t* bytes = cairo_image_surface_get_data(surface.get());
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const std::uint8_t* rgb = image.pixel(x, y);
+      const auto packed =
+          static_cast<std::uint32_t>(rgb[0]) << 16 | static_cast<std::uint32_t>(rgb[1]) << 8 | rgb[2];
+      std::memcpy(bytes + static_cast<std::size_t>(y) * stride + 4 * static_cast<std::size_t>(x), &packed, 4);
+    }
+  cairo_surface_mark_dirty(surface.get());
+  cairo_save(pen);
+  cairo_translate(pen, origin.x() - picture.width / 2, origin.y() - picture.height() / 2);
+  cairo_scale(pen, picture.width / image.width, picture.width / image.width);
+  cairo_set_source_surface(pen, surface.get(), 0, 0);
+  cairo_pattern_set_extend(cairo_get_source(pen), CAIRO_EXTEND_PAD);
+  cairo_rectangle(pen, 0, 0, image.width, image.height);
+  cairo_fill(pen);
+  cairo_restore(pen);
+}
+
 Eigen::AlignedBox2d box_of(const Board& board) {
   Eigen::AlignedBox2d box;
+  if (board.picture) {
+    const Eigen::Vector2d half(board.picture->width / 2, board.picture->height() / 2);
+    box.extend(-half).extend(half);
+  }
   for (const BoardTag& tag : board.tags) {
     const double reach = tag.size / 2 * tag_cells / black_cells;
     for (const double x : {-reach, reach})
       for (const double y : {-reach, reach}) box.extend((tag.pose * Vec3(x, y, 0)).head<2>());
   }
   return box;
+}
+
+/// Returns what a board's sheet says of its size.
+std::string words_of(const Board& board) {
+  if (board.picture) return fmt::format("the picture is {:.1f} mm wide", 1e3 * board.picture->width);
+  return fmt::format("black squares of {:.1f} mm, codes {} to {}", 1e3 * board.tags.front().size,
+                     board.tags.front().code, board.tags.back().code);
 }
 
 void draw(cairo_t* pen, const Board& board, const Paper& paper) {
@@ -77,6 +113,7 @@ void draw(cairo_t* pen, const Board& board, const Paper& paper) {
   const Eigen::AlignedBox2d box = box_of(board);
   const double free = (paper.height - foot - box.sizes().y()) / 2;
   const Vec3 origin(paper.width / 2 - box.center().x(), free + box.max().y(), 0);
+  if (board.picture) draw_picture(pen, *board.picture, origin);
   for (const BoardTag& tag : board.tags) draw_tag(pen, tag, origin);
   cairo_set_line_width(pen, 0.0001);
   cairo_set_source_rgb(pen, 0.6, 0.6, 0.6);
@@ -91,9 +128,7 @@ void draw(cairo_t* pen, const Board& board, const Paper& paper) {
   write_text(pen, border + 2 * text_height + ruler, base,
              "100 mm: measure it. Print at 100 %, not \"fit to page\"; glue it onto something flat.");
   write_text(pen, border + 2 * text_height + ruler, base - 1.4 * text_height,
-             fmt::format("Prosector board \"{}\": black squares of {:.1f} mm, codes {} to {}. This side up.",
-                         board.name, 1e3 * board.tags.front().size, board.tags.front().code,
-                         board.tags.back().code));
+             fmt::format("Prosector board \"{}\": {}. This side up.", board.name, words_of(board)));
 }
 
 void check(cairo_t* pen, cairo_surface_t* surface, const std::filesystem::path& file) {

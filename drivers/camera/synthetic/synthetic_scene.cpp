@@ -10,6 +10,7 @@
 #include "common/messages.h"
 #include "common/paths.h"
 #include "drivers/camera/camera_frames.h"
+#include "drivers/camera/picture_file.h"
 #include "drivers/camera/tags/known_boards.h"
 #include "drivers/toml_fields.h"
 
@@ -143,6 +144,15 @@ std::size_t SyntheticScene::add_board(const Board& board, Carrier carrier) {
   board_carriers.push_back(index);
   const auto paper = std::make_shared<const Texture>(plain({235, 235, 235}), false, response);
   const double rim = static_cast<double>(tag_cells) / black_cells;
+  if (board.picture) {
+    things.push_back({index,
+                      {},
+                      board.picture->width,
+                      board.picture->height(),
+                      std::make_shared<const Texture>(board.picture->image, true, response),
+                      false});
+    return index;
+  }
   if (board.is_flat()) {
     Eigen::AlignedBox2d box;
     for (const BoardTag& tag : board.tags)

@@ -1,19 +1,12 @@
 #include "drivers/camera/synthetic/texture.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "common/error.h"
-
 namespace prosector {
 namespace {
-
-constexpr std::size_t most_pixels = 1 << 26;
 
 std::size_t index(int x, int y, int width) {
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
@@ -95,18 +88,6 @@ Image wood(int side, unsigned seed) {
       for (const float base : {150.0f, 112.0f, 78.0f})
         out.rgb.push_back(static_cast<std::uint8_t>(std::clamp(base * lit, 0.0f, 255.0f)));
     }
-  return out;
-}
-
-Image read_picture(const std::filesystem::path& file) {
-  const cv::Mat read = cv::imread(file.string(), cv::IMREAD_COLOR);
-  if (read.empty()) throw InputError(fmt::format("{}: is no picture that can be read", file.string()));
-  if (read.total() > most_pixels)
-    throw InputError(fmt::format("{}: has more than {} pixels", file.string(), most_pixels));
-  cv::Mat rgb;
-  cv::cvtColor(read, rgb, cv::COLOR_BGR2RGB);
-  Image out{rgb.cols, rgb.rows, {}};
-  out.rgb.assign(rgb.datastart, rgb.dataend);
   return out;
 }
 

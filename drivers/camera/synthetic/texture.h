@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <vector>
 
 #include "common/image.h"
@@ -50,7 +49,5 @@ class Texture {
 
 /// Returns wood-like noise, the same for the same seed.
 Image wood(int side, unsigned seed);
-/// Reads any picture that OpenCV can. Throws InputError where it can't.
-Image read_picture(const std::filesystem::path& file);
 
 }  // namespace prosector

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/camera/picture_file.h"
 #include "drivers/toml_fields.h"
 
 namespace prosector {
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double least_size = 0.002, most_size = 2;  // m
 constexpr int most_side = 40;                        // tags of a grid's side
+constexpr double least_width = 0.02;                 // m, of a picture
 
 TagGrid read_grid(const TomlFields& fields) {
   TagGrid grid;
@@ -33,6 +35,12 @@ BoardTag read_tag(const TomlFields& fields) {
   tag.pose = fields.pose();
   fields.refuse_others();
   return tag;
+}
+
+PrintedPicture read_printed(const TomlFields& fields) {
+  PrintedPicture out{read_picture(fields.file("file")), fields.number("width", least_width, most_size)};
+  fields.refuse_others();
+  return out;
 }
 
 }  // namespace
@@ -77,8 +85,14 @@ Board load_board(const std::filesystem::path& file) {
   for (const TomlFields& grid : fields.tables("grid"))
     for (const BoardTag& tag : grid_board("", read_grid(grid)).tags) add(grid, "first", tag);
   for (const TomlFields& one : fields.tables("tag")) add(one, "code", read_tag(one));
+  for (const TomlFields& one : fields.tables("picture")) {
+    if (!board.tags.empty() || board.picture)
+      fields.fail("picture", "a board has tags or one picture, not several of them");
+    board.picture = std::make_shared<const PrintedPicture>(read_printed(one));
+  }
   fields.refuse_others();
-  if (board.tags.empty()) fields.fail("grid", "is missing, and there is no [[tag]] either");
+  if (board.tags.empty() && !board.picture)
+    fields.fail("grid", "is missing, and there is no [[tag]] and no [picture] either");
   return board;
 }
 

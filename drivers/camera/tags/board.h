@@ -1,14 +1,17 @@
 #pragma once
 // What is printed and tracked: tags of the family 36h11 (Olson 2011; Wang and Olson 2016) that are fixed to
-// each other, flat or around a body.
+// each other, flat or around a body; or any picture.
 //
-// A board's frame: a grid's middle is the origin; x right, y up as one looks at it, z towards who looks; m.
+// A board's frame: the middle of a grid or picture is the origin; x right, y up as one looks at it, z towards
+// who looks; m.
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "common/image.h"
 #include "common/math.h"
 
 namespace prosector {
@@ -28,9 +31,18 @@ struct BoardTag {
   std::array<Vec3, 4> corners() const;
 };
 
+/// A page that is known by what is printed on it. It fills the plane z = 0 around the origin.
+struct PrintedPicture {
+  Image image;
+  double width = 0;  // m
+
+  double height() const { return width * image.height / image.width; }
+};
+
 struct Board {
   std::string name;
-  std::vector<BoardTag> tags;  // each code once
+  std::vector<BoardTag> tags;                               // each code once
+  std::shared_ptr<const PrintedPicture> picture = nullptr;  // in the place of tags; null: it has tags
 
   const BoardTag* find(int code) const;
   /// Tells whether all tags lie in the plane z = 0.
@@ -45,8 +57,8 @@ struct TagGrid {
 };
 Board grid_board(const std::string& name, const TagGrid& grid);
 
-/// Reads a board's file: a [grid], or a list of [[tag]] with code, size, position and orientation. Throws
-/// InputError with file, line, key and what is allowed.
+/// Reads a board's file: a [grid], a list of [[tag]] with code, size, position and orientation, or a
+/// [picture] with file and width. Throws InputError with file, line, key and what is allowed.
 Board load_board(const std::filesystem::path& file);
 
 /// Returns the ink of a code, rows from the top: true is black. Its rim is white.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 
-#include "drivers/camera/pose_of_cv.h"
+#include "drivers/camera/with_cv.h"
 
 namespace prosector {
 namespace {
@@ -114,6 +114,16 @@ std::vector<BoardPose> solve_board(std::span<const SeenCorner> corners, const Le
   std::erase_if(poses, [](const BoardPose& pose) { return pose.rms > most_rms_px; });
   if (poses.size() > 2) poses.resize(2);
   return poses;
+}
+
+MotionSpread spread_of(const BoardPose& pose, std::span<const SeenCorner> corners, const Lens& straight) {
+  MotionSpread sum = MotionSpread::Zero();
+  for (const SeenCorner& corner : corners) {
+    const Vec3 point = pose.camera_board * corner.board;
+    const Eigen::Matrix<double, 2, 6> slope = straight.pixel_slope(point) * point_slope(point);
+    sum += slope.transpose() * slope;
+  }
+  return pose.rms * pose.rms / 2 * sum.inverse();  // half of it across, half down
 }
 
 }  // namespace prosector

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "drivers/camera/small_motion.h"
 #include "drivers/camera/tags/board.h"
 #include "drivers/camera/tags/tag_finder.h"
 
@@ -18,7 +19,7 @@ struct BoardPose {
   int tags = 0;       // it rests on
 };
 
-/// A corner of a board and where it is seen.
+/// A corner of a board, or any place on a picture, and where it is seen.
 struct SeenCorner {
   Vec3 board;  // m
   Vec2 pixel;  // of a straight picture
@@ -31,5 +32,8 @@ std::vector<SeenCorner> corners_seen(const Board& board, std::span<const SeenTag
 /// Returns the poses that fit, the best first: none where fewer than four corners are seen or they don't fit,
 /// at most two. Tags that disagree with all others are left out.
 std::vector<BoardPose> solve_board(std::span<const SeenCorner> corners, const Lens& straight);
+
+/// Returns how a pose that rests on such corners scatters, in the camera's frame: by what they are off.
+MotionSpread spread_of(const BoardPose& pose, std::span<const SeenCorner> corners, const Lens& straight);
 
 }  // namespace prosector

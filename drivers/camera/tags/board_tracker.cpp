@@ -2,53 +2,58 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <opencv2/video/tracking.hpp>
+
+#include "drivers/camera/tags/flow.h"
 
 namespace prosector {
 namespace {
 
 constexpr double alike_ratio =
     3;  // of both poses' errors: where they look so alike, the nearer to the last one is right
-constexpr double alike_px = 0.3;      // … or both errors are below this
-constexpr double flow_back_px = 0.7;  // that a corner may miss its start by when it is followed back
-constexpr int flow_window = 15;       // pixels
-constexpr int flow_levels = 3;
+constexpr double alike_px = 0.3;           // … or both errors are below this
 constexpr double corner_deviation = 2e-3;  // m, of a pose by corners alone
 constexpr double unfitted_px = 0.5;        // that such a pose counts as off
 constexpr double doubt_kept = 0.95;        // of the doubt, from picture to picture
 constexpr double enough_doubt = 6;         // logarithm of how much likelier another pose must be
 
-cv::Mat wrapped(const GreyImage& image) {
-  return {image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.grey.data())};
+/// Returns how far a place is off along its worst direction.
+double worst_deviation(const MotionSpread& spread) {
+  const Mat3 place = spread.bottomRightCorner<3, 3>();
+  return std::sqrt(Eigen::SelfAdjointEigenSolver<Mat3>(place, Eigen::EigenvaluesOnly).eigenvalues()[2]);
 }
 
 }  // namespace
 
-BoardTracker::BoardTracker(Board board) : board_(std::move(board)) {}
+BoardTracker::BoardTracker(Board board) : board_(std::move(board)) {
+  if (board_.picture) target_ = std::make_shared<const PictureTarget>(board_);
+}
 
 BoardTracker::Fitted BoardTracker::fit(const BoardPose& pose, const TagPicture& picture,
-                                       const TagOptics& optics, const std::vector<int>& codes) const {
-  if (const auto edges =
-          fit_edges(picture.bent, optics.bent, board_, codes, pose.camera_board, optics.response)) {
-    const Mat3 place = edges->covariance.bottomRightCorner<3, 3>();
-    const double worst = Eigen::SelfAdjointEigenSolver<Mat3>(place, Eigen::EigenvaluesOnly).eigenvalues()[2];
-    return {edges->camera_board, edges->rms, std::sqrt(worst), edges->samples, edges->covariance};
+                                       const TagOptics& optics, const Seen& seen) const {
+  if (target_) {
+    const MotionSpread spread = spread_of(pose, seen.corners, optics.straight);
+    return {pose.camera_board, pose.rms, worst_deviation(spread), static_cast<int>(seen.corners.size()),
+            spread};
   }
+  if (const auto edges =
+          fit_edges(picture.bent, optics.bent, board_, seen.codes, pose.camera_board, optics.response))
+    return {edges->camera_board, edges->rms, worst_deviation(edges->covariance), edges->samples,
+            edges->covariance};
   return {pose.camera_board, std::max(pose.rms, unfitted_px), corner_deviation, 0, {}};
 }
 
-std::optional<BoardTracker::Fitted> BoardTracker::choose(const std::vector<BoardPose>& poses,
-                                                         const TagPicture& picture, const TagOptics& optics,
-                                                         const std::vector<int>& codes) {
+std::optional<BoardTracker::Fitted> BoardTracker::choose(const TagPicture& picture, const TagOptics& optics,
+                                                         const Seen& seen) {
+  const std::vector<BoardPose> poses = solve_board(seen.corners, optics.straight);
   if (poses.empty()) return std::nullopt;
-  Fitted first = fit(poses[0], picture, optics, codes);
+  Fitted first = fit(poses[0], picture, optics, seen);
   const bool alike =
       poses.size() > 1 && (poses[1].rms < alike_ratio * poses[0].rms || poses[1].rms < alike_px);
   if (!alike) {
     doubt_ = 0;
     return first;
   }
-  Fitted second = fit(poses[1], picture, optics, codes);
+  Fitted second = fit(poses[1], picture, optics, seen);
   if (!last_) {
     doubt_ = 0;
     return second.rms < first.rms ? second : first;
@@ -66,57 +71,66 @@ std::optional<BoardTracker::Fitted> BoardTracker::choose(const std::vector<Board
 
 std::vector<SeenCorner> BoardTracker::follow(const TagPicture& picture, const TagOptics& optics) const {
   std::vector<Vec3> corners;
-  std::vector<cv::Point2f> from, to, back;
+  std::vector<Vec2> from;
   for (const int code : last_->codes)
     for (const Vec3& corner : board_.find(code)->corners()) {
       const Vec2 at = optics.straight.project(last_->camera_board * corner);
       if (!optics.straight.sees(at)) continue;
       corners.push_back(corner);
-      from.emplace_back(static_cast<float>(at.x()), static_cast<float>(at.y()));
+      from.push_back(at);
     }
-  if (from.empty() || last_->straight.width != picture.straight.width ||
-      last_->straight.height != picture.straight.height)
+  if (last_->straight.width != picture.straight.width || last_->straight.height != picture.straight.height)
     return {};
-  std::vector<std::uint8_t> found, found_back;
-  const cv::Size window(flow_window, flow_window);
-  const cv::Mat before = wrapped(last_->straight), now = wrapped(picture.straight);
-  cv::calcOpticalFlowPyrLK(before, now, from, to, found, cv::noArray(), window, flow_levels);
-  cv::calcOpticalFlowPyrLK(now, before, to, back, found_back, cv::noArray(), window, flow_levels);
+  const auto to = follow_places(last_->straight, picture.straight, from);
   std::vector<SeenCorner> out;
-  for (std::size_t i = 0; i < from.size(); ++i)
-    if (found[i] != 0 && found_back[i] != 0 && cv::norm(back[i] - from[i]) < flow_back_px)
-      out.push_back({corners[i], {to[i].x, to[i].y}});
+  for (std::size_t i = 0; i < to.size(); ++i)
+    if (to[i]) out.push_back({corners[i], *to[i]});
   return out;
 }
 
-std::optional<TrackedBoard> BoardTracker::update(const TagPicture& picture, const TagOptics& optics) {
-  TrackedBoard out;
-  std::vector<SeenCorner> corners = corners_seen(board_, picture.tags, &out.twice);
-  std::vector<int> codes;
-  if (!corners.empty()) {
+BoardTracker::Seen BoardTracker::look_for_tags(const TagPicture& picture, const TagOptics& optics) const {
+  Seen seen;
+  seen.corners = corners_seen(board_, picture.tags, &seen.twice);
+  if (!seen.corners.empty()) {
     for (const SeenTag& tag : picture.tags)
-      if (board_.find(tag.code) != nullptr) codes.push_back(tag.code);
-  } else {
-    const bool may_follow = last_ && out.twice == 0 &&
-                            static_cast<double>(picture.time_ns - last_->read_ns) * 1e-9 < longest_followed;
-    if (may_follow) corners = follow(picture, optics);
-    out.followed = true;
-    if (last_) codes = last_->codes;
+      if (board_.find(tag.code) != nullptr) seen.codes.push_back(tag.code);
+    return seen;
   }
-  const auto found = choose(solve_board(corners, optics.straight), picture, optics, codes);
-  if (!found) {
+  seen.followed = true;
+  if (!last_) return seen;
+  seen.codes = last_->codes;
+  if (seen.twice == 0 && static_cast<double>(picture.time_ns - last_->read_ns) * 1e-9 < longest_followed)
+    seen.corners = follow(picture, optics);
+  return seen;
+}
+
+BoardTracker::Seen BoardTracker::look_for_picture(const TagPicture& picture, const TagOptics& optics) {
+  Seen seen;
+  const auto looks_near = [&](const Pose& pose) {
+    seen.corners = target_->follow(picture.straight, optics.straight, pose);
+    return !seen.corners.empty();
+  };
+  if (last_ && looks_near(last_->camera_board)) return seen;
+  // A search takes long: not in each picture.
+  if (searched_ns_ && std::abs(static_cast<double>(picture.time_ns - *searched_ns_)) * 1e-9 < search_pause)
+    return seen;
+  searched_ns_ = picture.time_ns;
+  for (const BoardPose& pose : solve_board(target_->find(picture.straight), optics.straight))
+    if (looks_near(pose.camera_board)) break;
+  return seen;
+}
+
+std::optional<TrackedBoard> BoardTracker::update(const TagPicture& picture, const TagOptics& optics) {
+  Seen seen = target_ ? look_for_picture(picture, optics) : look_for_tags(picture, optics);
+  const auto found = choose(picture, optics, seen);
+  if (!found || (seen.followed && found->samples == 0)) {  // flow alone goes astray: edges must bear it out
     forget();
     return std::nullopt;
   }
-  if (out.followed && found->samples == 0) {  // flow alone goes astray: edges must bear it out
-    forget();
-    return std::nullopt;
-  }
-  out.camera_board = found->camera_board;
-  out.deviation = found->deviation;
+  TrackedBoard out{found->camera_board, found->deviation, {}, seen.followed, seen.twice};
   if (found->samples > 0) out.spread = found->spread;
-  last_ = Last{out.camera_board, out.followed ? last_->read_ns : picture.time_ns, picture.straight,
-               std::move(codes)};
+  last_ = Last{out.camera_board, seen.followed ? last_->read_ns : picture.time_ns, picture.straight,
+               std::move(seen.codes)};
   return out;
 }
 

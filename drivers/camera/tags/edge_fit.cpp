@@ -12,11 +12,13 @@ constexpr double least_cell = 2.2;                 // pixels: edges of smaller t
 constexpr double half_of_cell = 0.5;               // how far across an edge is looked, in cells …
 constexpr double least_half = 1.0, most_half = 4;  // … and in pixels
 constexpr double most_spacing_across = 0.5, spacing_along = 1;  // pixels
-constexpr double end_share = 0.08;     // of an edge at its ends, where its neighbour is near
-constexpr int level_window = 6;        // places to each side that share levels of dark and bright
-constexpr double least_contrast = 20;  // of 255
-constexpr double most_off = 0.7;       // of the half width; what is farther is no edge
-constexpr double level_slack = 0.35;   // of the contrast that brightness may leave its levels by
+constexpr double end_share = 0.08;    // of an edge at its ends, where its neighbour is near
+constexpr int level_window = 6;       // places to each side that share levels of dark and bright
+constexpr double least_contrast = 4;  // of the noise around an edge …
+constexpr double least_share = 0.1;   // … and of the contrast that a tenth of all edges exceed
+constexpr double noise_slack = 3;     // standard deviations of noise that brightness may leave its levels by
+constexpr double most_off = 0.7;      // of the half width; what is farther is no edge
+constexpr double level_slack = 0.35;  // of the contrast that it may in any case
 constexpr int least_samples = 12;
 constexpr double huber = 1.345;  // of the spread
 
@@ -24,8 +26,15 @@ using Row6 = Eigen::Matrix<double, 1, 6>;
 
 /// An edge's place found across it.
 struct Sample {
-  double off;  // pixels along the normal
-  Row6 slope;  // of the predicted place by the pose
+  double off;       // pixels along the normal
+  double contrast;  // of 255, in light
+  Row6 slope;       // of the predicted place by the pose
+};
+
+/// What brightness is on both sides of an edge, in light.
+struct Levels {
+  double dark = 0, bright = 0;
+  double noise = 0;  // standard deviation
 };
 
 /// Light by brightness, of 255.
@@ -55,14 +64,6 @@ bool lies_within(const GreyImage& image, const Vec2& at, double margin) {
          at.y() < image.height - 1 - margin;
 }
 
-/// Returns how a point's pixel moves by the point.
-Eigen::Matrix<double, 2, 3> pixel_slope(const Lens& lens, const Vec3& p) {
-  Eigen::Matrix<double, 2, 3> by_point;
-  by_point << 1 / p.z(), 0, -p.x() / (p.z() * p.z()), 0, 1 / p.z(), -p.y() / (p.z() * p.z());
-  const Eigen::Matrix2d bend = lens.bend_slope({p.x() / p.z(), p.y() / p.z()});
-  return Vec2(lens.fx, lens.fy).asDiagonal() * bend * by_point;
-}
-
 /// One place along an edge: brightness across it.
 struct Crossing {
   Row6 slope;  // of its predicted place along the normal, by the pose
@@ -90,7 +91,9 @@ class EdgeReader {
     for (int k = 0; k < count; ++k) {
       const Crossing& here = crossings[static_cast<std::size_t>(k)];
       if (here.bright.empty()) continue;
-      if (const auto off = place(crossings, k, half)) out.push_back({*off, here.slope});
+      const Levels levels = levels_at(crossings, k);
+      if (const auto off = place(here.bright, levels, half))
+        out.push_back({*off, levels.bright - levels.dark, here.slope});
     }
   }
 
@@ -102,7 +105,7 @@ class EdgeReader {
     for (int k = 0; k < count; ++k) {
       // Even steps on the edge aren't even in the picture; what counts is that the point lies on it.
       const Vec3 point = from + (end_share + (1 - 2 * end_share) * (k + 0.5) / count) * (to - from);
-      const Eigen::Matrix<double, 2, 3> slope = pixel_slope(lens_, point);
+      const Eigen::Matrix<double, 2, 3> slope = lens_.pixel_slope(point);
       const Vec2 along = (slope * (to - from)).normalized(), outward(-along.y(), along.x());
       Crossing crossing{outward.transpose() * slope * point_slope(point), {}};
       const Vec2 at = lens_.project(point);
@@ -114,27 +117,41 @@ class EdgeReader {
     return out;
   }
 
-  /// Finds the edge's place at crossing k; nothing where there is none.
-  static std::optional<double> place(const std::vector<Crossing>& crossings, int k, double half) {
-    double dark = 0, bright = 0;
-    int levels = 0;
+  /// Returns the levels around crossing k, which was read.
+  static Levels levels_at(const std::vector<Crossing>& crossings, int k) {
+    Levels out;
+    const std::vector<double>* before = nullptr;
+    double squares = 0;
+    int levels = 0, pairs = 0;
     for (int j = std::max(0, k - level_window);
          j <= std::min(static_cast<int>(crossings.size()) - 1, k + level_window); ++j) {
       const std::vector<double>& values = crossings[static_cast<std::size_t>(j)].bright;
       if (values.empty()) continue;
-      dark += values.front();
-      bright += values.back();
+      out.dark += values.front();
+      out.bright += values.back();
       ++levels;
+      if (before != nullptr) {
+        squares +=
+            std::pow(values.front() - before->front(), 2) + std::pow(values.back() - before->back(), 2);
+        ++pairs;
+      }
+      before = &values;
     }
-    dark /= levels;
-    bright /= levels;
-    const double contrast = bright - dark;
-    if (contrast < least_contrast) return std::nullopt;
-    const std::vector<double>& values = crossings[static_cast<std::size_t>(k)].bright;
+    out.dark /= levels;
+    out.bright /= levels;
+    if (pairs > 0) out.noise = std::sqrt(squares / (4 * pairs));  // differences have two noises each
+    return out;
+  }
+
+  /// Finds the edge's place across one crossing; nothing where there is none.
+  static std::optional<double> place(const std::vector<double>& values, const Levels& levels, double half) {
+    const double contrast = levels.bright - levels.dark;
+    if (contrast <= least_contrast * levels.noise || contrast <= 0) return std::nullopt;
+    const double slack = std::max(level_slack, noise_slack * levels.noise / contrast);
     double sum = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const double share = (values[i] - dark) / contrast;
-      if (share < -level_slack || share > 1 + level_slack) return std::nullopt;
+      const double share = (values[i] - levels.dark) / contrast;
+      if (share < -slack || share > 1 + slack) return std::nullopt;
       sum += share * (i == 0 || i + 1 == values.size() ? 0.5 : 1);
     }
     const double spacing = 2 * half / static_cast<double>(values.size() - 1);
@@ -147,6 +164,16 @@ class EdgeReader {
   const Lens& lens_;
   const LightTable light_;
 };
+
+/// Leaves out edges that are faint beside the others: shades and stains.
+void leave_out_faint(std::vector<Sample>& samples) {
+  if (samples.empty()) return;
+  std::vector<double> contrasts;
+  for (const Sample& sample : samples) contrasts.push_back(sample.contrast);
+  const auto strong = contrasts.begin() + static_cast<std::ptrdiff_t>(contrasts.size() * 9 / 10);
+  std::nth_element(contrasts.begin(), strong, contrasts.end());
+  std::erase_if(samples, [&](const Sample& sample) { return sample.contrast < least_share * *strong; });
+}
 
 std::vector<Sample> samples_at(const EdgeReader& reader, const Board& board, std::span<const int> codes,
                                const Pose& camera_board) {
@@ -162,6 +189,7 @@ std::vector<Sample> samples_at(const EdgeReader& reader, const Board& board, std
       reader.read(camera_board * corners[c], camera_board * corners[(c + 1) % corners.size()],
                   camera_board * corners[(c + 2) % corners.size()], out);
   }
+  leave_out_faint(out);
   return out;
 }
 

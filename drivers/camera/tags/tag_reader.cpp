@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/error.h"
@@ -9,18 +10,73 @@
 namespace prosector {
 namespace {
 
+constexpr double beyond = 1;              // of a tag's side, that it may have moved by
+constexpr double most_region = 0.4;       // of a picture, that is searched thoroughly in each
 constexpr double shape_tolerance = 0.01;  // by which a picture's shape may differ from the calibrated one's
+
+double seconds_from(std::int64_t earlier_ns, std::int64_t later_ns) {
+  return static_cast<double>(later_ns - earlier_ns) * 1e-9;
+}
+
+double side_of(const SeenTag& tag) {
+  return (tag.corners[1] - tag.corners[0]).norm();
+}
+
+/// Tells whether a tag is among others, about where it is.
+bool is_among(const SeenTag& tag, const std::vector<SeenTag>& others) {
+  return std::any_of(others.begin(), others.end(), [&](const SeenTag& other) {
+    return other.code == tag.code && (other.corners[0] - tag.corners[0]).norm() < side_of(tag) / 2;
+  });
+}
+
+/// Adds what isn't there yet, and keeps all in order of codes.
+void add_new(std::vector<SeenTag>& tags, const std::vector<SeenTag>& found) {
+  for (const SeenTag& tag : found)
+    if (!is_among(tag, tags)) tags.push_back(tag);
+  std::stable_sort(tags.begin(), tags.end(),
+                   [](const SeenTag& a, const SeenTag& b) { return a.code < b.code; });
+}
+
+/// A rectangle of pixels.
+struct Region {
+  int left = 0, top = 0, width = 0, height = 0;
+};
+
+Region around(const std::vector<SeenTag>& tags, const GreyImage& image) {
+  Eigen::AlignedBox2d box;
+  for (const SeenTag& tag : tags)
+    for (const Vec2& corner : tag.corners)
+      for (const double reach : {-beyond, beyond}) box.extend(corner + Vec2::Constant(reach * side_of(tag)));
+  const auto bounded = [](double at, int most) {
+    return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(most)));
+  };
+  Region out{bounded(box.min().x(), image.width), bounded(box.min().y(), image.height), 0, 0};
+  out.width = bounded(box.max().x(), image.width) - out.left;
+  out.height = bounded(box.max().y(), image.height) - out.top;
+  return out;
+}
+
+GreyImage cut_out(const GreyImage& image, const Region& region) {
+  GreyImage out{region.width, region.height, {}};
+  out.grey.reserve(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height));
+  for (int y = region.top; y < region.top + region.height; ++y) {
+    const auto row = image.grey.begin() + static_cast<std::ptrdiff_t>(y) * image.width + region.left;
+    out.grey.insert(out.grey.end(), row, row + region.width);
+  }
+  return out;
+}
 
 }  // namespace
 
+TagReader::TagReader(std::optional<CameraCalibration> calibration)
+    : is_calibrated_(calibration.has_value()), calibration_(std::move(calibration)) {}
+
 TagReader::TagReader(const std::filesystem::path& lens)
-    : is_calibrated_by_file_(!lens.empty()), finder_(TagFinderSettings{}) {
-  if (is_calibrated_by_file_) calibration_ = load_calibration(lens);
-}
+    : TagReader(lens.empty() ? std::nullopt : std::optional(load_calibration(lens))) {}
 
 void TagReader::begin(const Camera& camera) {
   number_.reset();
-  if (is_calibrated_by_file_) return;
+  if (is_calibrated_) return;
   const auto lens = camera.lens();
   const std::optional<Lens> before = calibration_ ? std::optional(calibration_->lens) : std::nullopt;
   if (lens != before) width_ = height_ = 0;
@@ -55,8 +111,50 @@ const TagPicture& TagReader::read(const Frame& frame) {
   picture_.straight = straightener_->straight(picture_.bent);
   picture_.tags = finder_.find(picture_.straight);
   picture_.time_ns = frame.time_ns;
+  find_more(picture_);
   number_ = frame.number;
   return picture_;
+}
+
+void TagReader::expect(const Board& board) {
+  for (const BoardTag& tag : board.tags) expected_.insert(tag.code);
+}
+
+/// Finds what a quick search misses: tags far away, whose cells are small. Those that were seen lately are
+/// looked for where they were, others now and then in the whole picture.
+void TagReader::find_more(TagPicture& picture) {
+  const auto is_read = [&](int code) {
+    return std::any_of(picture.tags.begin(), picture.tags.end(),
+                       [&](const SeenTag& tag) { return tag.code == code; });
+  };
+  std::erase_if(lately_, [&](const Lately& one) {
+    const double age = seconds_from(one.time_ns, picture.time_ns);
+    return age < 0 || age > remembered || is_read(one.tag.code);
+  });
+  std::vector<SeenTag> missing;
+  for (const Lately& one : lately_) missing.push_back(one.tag);
+  const auto is_known = [&](int code) {
+    return is_read(code) ||
+           std::any_of(missing.begin(), missing.end(), [&](const SeenTag& tag) { return tag.code == code; });
+  };
+  const bool is_due =
+      !thorough_ns_ || std::abs(seconds_from(*thorough_ns_, picture.time_ns)) > thorough_pause;
+  if (is_due && !std::all_of(expected_.begin(), expected_.end(), is_known)) {
+    thorough_ns_ = picture.time_ns;
+    add_new(picture.tags, thorough_finder_.find(picture.straight));
+  } else if (!missing.empty()) {
+    const Region region = around(missing, picture.straight);
+    if (region.width * region.height < most_region * picture.straight.width * picture.straight.height) {
+      std::vector<SeenTag> found = thorough_finder_.find(cut_out(picture.straight, region));
+      for (SeenTag& tag : found)
+        for (Vec2& corner : tag.corners) corner += Vec2(region.left, region.top);
+      add_new(picture.tags, found);
+    }
+  }
+  for (const SeenTag& tag : picture.tags) {
+    std::erase_if(lately_, [&](const Lately& one) { return one.tag.code == tag.code; });
+    lately_.push_back({tag, picture.time_ns});
+  }
 }
 
 }  // namespace prosector
