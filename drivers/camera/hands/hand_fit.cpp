@@ -21,35 +21,42 @@ constexpr double usual_bend = 0.3;
 constexpr double nearest_hand = 0.08, farthest_hand = 3;               // m along z
 constexpr std::array<std::size_t, 5> flat_points = {0, 5, 9, 13, 17};  // wrist and knuckles: they don't bend
 
-/// Where the networks see a point, by what they were seen to answer to pictures of our own hand's skin.
+/// Where the networks see a point, by what they were seen to answer to pictures of our own hand's skin. They
+/// see bent fingers' joints elsewhere than straight ones'.
 struct SeenPoint {
-  std::size_t joint;        // in whose segment's frame it moves
-  bool at_end = false;      // of the segment
-  Vec3 offset = {0, 0, 0};  // m, the right hand's
+  std::size_t joint;         // in whose segment's frame it moves
+  bool at_end = false;       // of the segment
+  Vec3 offset = {0, 0, 0};   // m, the right hand's
+  Vec3 by_bend = {0, 0, 0};  // m, added as far as its finger is bent
 };
 constexpr std::size_t of_the_wrist = hand_joints;
 const std::array<SeenPoint, hand_points> seen_points = {
-    {{of_the_wrist, false, {0.004, 0.0007, -0.010199999999999999}},
-     {of_the_wrist, false, {-0.023, -0.014, -0.032}},
-     {0, false, {-0.0027, 0.0024, -0.0134}},
-     {1, false, {0.0, -0.001, 0.0}},
-     {1, true, {0.0035, 0.0017, 0.0063}},
-     {of_the_wrist, false, {-0.0240, -0.0005, -0.0928}},
-     {2, true, {0.0008, 0.001, 0.0037}},
-     {4, false, {-0.0003, -0.0026, 0.0031}},
-     {4, true, {0.0, 0.0013, 0.0060999999999999995}},
-     {of_the_wrist, false, {-0.0030, 0.0004, -0.0926}},
-     {5, true, {0.001, 0.0019, 0.0060999999999999995}},
-     {7, false, {0.0005, -0.0056, 0.0034}},
-     {7, true, {0.0, 0.0, 0.0054}},
-     {of_the_wrist, false, {0.0174, -0.0011, -0.0885}},
-     {8, true, {0.0007, 0.0004, 0.0047}},
-     {10, false, {-0.0005, -0.0072, 0.0014}},
-     {10, true, {-0.0012, -0.003, 0.004900000000000001}},
-     {of_the_wrist, false, {0.0357, -0.0034, -0.0843}},
-     {11, true, {0.0, -0.0017, -0.0004}},
-     {13, false, {-0.0006, -0.0031, -0.0003}},
-     {13, true, {-0.001, -0.0004, 0.0035}}}};
+    {{of_the_wrist, false, {0.0054, 0.0011, -0.0112}, {0.0000, 0.0000, 0.0000}},
+     {of_the_wrist, false, {-0.0256, -0.0112, -0.0351}, {0.0038, -0.0067, 0.0036}},
+     {0, false, {-0.0011, -0.0020, -0.0172}, {-0.0041, 0.0053, 0.0032}},
+     {1, false, {-0.0005, -0.0006, -0.0026}, {0.0002, -0.0039, 0.0069}},
+     {1, true, {-0.0012, -0.0037, 0.0013}, {0.0116, 0.0166, 0.0203}},
+     {of_the_wrist, false, {-0.0250, -0.0004, -0.0947}, {0.0029, 0.0023, 0.0044}},
+     {2, true, {-0.0003, -0.0012, 0.0001}, {0.0032, 0.0086, 0.0174}},
+     {4, false, {-0.0013, 0.0009, 0.0023}, {0.0051, -0.0143, 0.0031}},
+     {4, true, {-0.0009, 0.0037, 0.0035}, {0.0056, -0.0099, 0.0137}},
+     {of_the_wrist, false, {-0.0033, 0.0003, -0.0940}, {0.0006, 0.0019, 0.0044}},
+     {5, true, {0.0009, -0.0009, 0.0042}, {0.0007, 0.0069, 0.0102}},
+     {7, false, {0.0005, -0.0008, 0.0067}, {0.0012, -0.0125, -0.0056}},
+     {7, true, {0.0004, 0.0022, 0.0048}, {0.0006, -0.0072, 0.0050}},
+     {of_the_wrist, false, {0.0175, 0.0002, -0.0907}, {-0.0007, -0.0003, 0.0057}},
+     {8, true, {0.0007, -0.0031, 0.0027}, {0.0000, 0.0066, 0.0084}},
+     {10, false, {0.0002, -0.0038, 0.0059}, {-0.0012, -0.0077, -0.0085}},
+     {10, true, {-0.0008, -0.0016, 0.0077}, {-0.0022, -0.0040, -0.0039}},
+     {of_the_wrist, false, {0.0360, -0.0007, -0.0877}, {-0.0009, -0.0024, 0.0062}},
+     {11, true, {0.0011, -0.0009, -0.0027}, {-0.0031, 0.0019, 0.0107}},
+     {13, false, {0.0015, -0.0006, 0.0002}, {-0.0063, -0.0071, -0.0009}},
+     {13, true, {0.0010, 0.0014, 0.0030}, {-0.0074, -0.0054, 0.0041}}}};
+
+/// Returns the finger that a point is of; the wrist's counts as the thumb's.
+constexpr std::size_t finger_of(std::size_t point) {
+  return point == 0 ? 0 : (point - 1) / 4;
+}
 
 /// Returns a point's weight: less where our hand isn't like all hands, at the thumb's root and knuckle.
 constexpr double weight_of(std::size_t point) {
@@ -254,7 +261,7 @@ std::array<Vec3, hand_points> points_of_hand(std::size_t hand, const std::array<
   std::array<Vec3, hand_points> out;
   for (std::size_t k = 0; k < hand_points; ++k) {
     const SeenPoint& seen = seen_points[k];
-    Vec3 at = seen.offset;
+    Vec3 at = seen.offset + flexion[finger_of(k)] * seen.by_bend;
     at.x() *= side;
     if (seen.at_end) at.z() -= segments[seen.joint].length;
     out[k] = seen.joint == of_the_wrist ? at : pose[seen.joint] * at;
