@@ -75,7 +75,7 @@ void TagsDevice::see(const Frame& frame) {
   }
   if (place_ && !room_camera()) {
     found.clear();
-    trouble = "the table's board hasn't been seen yet, so nobody knows where the camera is";
+    trouble = unknown_place;
   }
   const std::lock_guard lock(mutex_);
   for (const DeviceSample& sample : found) {

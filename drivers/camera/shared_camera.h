@@ -13,6 +13,10 @@
 
 namespace prosector {
 
+/// What devices say that need the table's board.
+inline constexpr const char* unknown_place =
+    "the table's board hasn't been seen yet, so nobody knows where the camera is";
+
 class SharedCamera {
  public:
   /// Starts the camera's thread, as CameraThread does.

@@ -1,6 +1,8 @@
 #!/usr/bin/python3
-"""hands_test.py BIN OUT: a bare hand before a synthetic camera presses tissue in a real session, again and again. Then the camera gives torn
-and black pictures, and is unplugged: each is told in words or passed over, and the hand comes back by itself."""
+"""hands_test.py BIN OUT: a bare hand before a synthetic camera presses tissue in a real session, again and again. Boards
+before the same camera say where it stands and where the head is. Then the camera gives torn and black pictures, and is unplugged: each is told in
+words or passed over, and the hand comes back by itself."""
+import math
 import os
 import pathlib
 import signal
@@ -30,20 +32,25 @@ session = f"hands{os.getpid()}"
 # block: a hand that isn't seen for a while and comes into sight there has no way in, and is held by whatever side is next.
 turn = [0.70710678, -0.70710678, 0, 0]
 reach = [0.0315, 1.03 + 0.178, 0]  # of the wrist, when the tip is at the block's top (arm_client.toml)
-ups = [(0, 0.06)] + [(t + dt, up) for t in range(FIRST, LAST, PERIOD) for dt, up in ((0, 0.06), (0.8, -0.02), (1.2, -0.02))]
+ups = [(0, 0.06)] + [(t + dt, up) for t in range(FIRST, LAST, PERIOD) for dt, up in ((0, 0.06), (1.2, -0.02), (1.8, -0.02))]
 rows = [[t, reach[0], reach[1] + up, reach[2], *turn, *[0.1] * 5] for t, up in ups]
 (OUT / "hands_press.csv").write_text("time,x,y,z,qw,qx,qy,qz,thumb,index,middle,ring,little\n" + "\n".join(",".join(map(str, row)) for row in rows) + "\n")
 camera = [0.03, 1.16, 0.5]
-faults = "".join(f'[[fault]]\nkind = "{kind}"\nfrom = {at}\nto = {at + SPAN}\n' for kind, at in (("torn", TORN), ("black", BLACK), ("unplugged", UNPLUGGED)))
+TABLE = "position = [0.18, 1.28, 0]\norientation = [1, 0, 0, 0]\n"
+HEAD = "position = [-0.12, 1.05, 0]\norientation = [1, 0, 0, 0]\n"
+EYES = [-0.12, 0.99, -0.02]  # 6 cm below that board, and 2 cm behind
+faults = "".join(f'[[fault]]\nkind = "{kind}"\nfrom = {begin}\nto = {end}\n' for kind, (begin, end) in (("torn", TORN), ("black", BLACK), ("unplugged", UNPLUGGED)))
 (OUT / "hands_scene.toml").write_text(
     f'ambient = 0.6\n[[camera]]\nrate = 15\nrays = 2\ndistortion = [-0.18, 0, 0, 0, 0]\nposition = {camera}\norientation = [1, 0, 0, 0]\n'
-    f'[[hand]]\nmotion = "hands_press.csv"\nstation = 1\n{faults}')
+    f'[[hand]]\nmotion = "hands_press.csv"\nstation = 1\n[[board]]\nknown = "tablet"\n{TABLE}[[board]]\nknown = "head"\n{HEAD}{faults}')
 programs = []
 try:
     programs.append(Program(BIN / "prosector-server", HERE / "arm.toml", "--session", session, "--cache", OUT / "cache"))
     programs[0].wait("is open")
     address = f"hands:synthetic:{OUT / 'hands_scene.toml'}"
-    (OUT / "hands.toml").write_text(f'[tracker]\naddress = "{address}"\n[tracker.room]\nposition = {camera}\norientation = [1, 0, 0, 0]\n')
+    # What [tracker.room] says by default isn't true: only the table's board tells where the camera is.
+    (OUT / "hands.toml").write_text(f'[tracker]\naddress = "{address}"\n[tracker.table]\nboard = "tablet"\n{TABLE}'
+                                    "[tracker.stations.head]\nstation = 3\n")
     started = time.monotonic()
     user = Program(BIN / "prosector-client", "join", "--name", "Feeler", "--display", "none", "--config", OUT / "hands.toml", "--session-log",
                    LOG.file, "--session", session)

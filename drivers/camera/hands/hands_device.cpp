@@ -29,6 +29,7 @@ HandsDevice::HandsDevice(const std::vector<std::string>& cameras, const DeviceCo
     : camera_rig_(cameras.size()),
       tracker_(default_data_dir() / "models", HandNets::full, cameras.size(), size_of(config)),
       chain_(config),
+      awaits_table_(config.camera && !config.table.empty()),
       gestures_{gesture_detector(config), gesture_detector(config)} {
   lenses_.emplace_back(config.lens);
   if (cameras.size() > 1) {
@@ -44,16 +45,18 @@ HandsDevice::HandsDevice(const std::vector<std::string>& cameras, const DeviceCo
 }
 
 void HandsDevice::see(std::size_t camera, const Frame& frame) {
+  const bool placed = !awaits_table_ || cameras_[0]->room_camera();
   std::vector<DeviceSample> found;
   {
     const std::lock_guard lock(looking_);
     if (lenses_[camera].take(frame.image))
       tracker_.set_eye(camera, {lenses_[camera].lens(), camera_rig_[camera]});
     for (const TrackedHand& tracked : tracker_.see(camera, frame))
-      found.push_back(sample_of(tracked, frame.time_ns));
+      if (placed) found.push_back(sample_of(tracked, frame.time_ns));
   }
   samples_.put(frame.time_ns, camera == 0, found);
   if (camera == 0) samples_.set_guessed(lenses_[0].is_guessed());
+  if (camera == 0) is_placed_ = placed;
 }
 
 DeviceSample HandsDevice::sample_of(const TrackedHand& tracked, std::int64_t time_ns) {
@@ -85,7 +88,9 @@ DeviceStatus HandsDevice::status() const {
   std::string problem;
   for (std::size_t k = 0; k < cameras_.size() && problem.empty(); ++k) problem = cameras_[k]->state().problem;
   return samples_.status(
-      problem, "no hand is seen: is there light, and is it in the picture, whole, without a glove?");
+      problem, is_placed_
+                   ? "no hand is seen: is there light, and is it in the picture, whole, without a glove?"
+                   : unknown_place);
 }
 
 std::unique_ptr<Device> open_hands(const std::string& path, const DeviceConfig& config) {

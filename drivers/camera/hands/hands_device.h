@@ -2,6 +2,8 @@
 // Bare hands before one or two cameras, without gloves: the right hand is station 1, the left one station 2.
 // Each has a pose, bends and a gesture.
 
+#include <array>
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -35,10 +37,12 @@ class HandsDevice final : public Device {
   std::mutex looking_;               // two cameras' threads look one after the other
   HandTracker tracker_;
   PoseChain chain_;
+  const bool awaits_table_;                  // others look for the board that says where the camera stands
   std::array<GestureDetector, 2> gestures_;  // of stations
   std::array<std::uint64_t, 2> records_{};
 
   CameraSamples samples_;
+  std::atomic<bool> is_placed_ = true;  // it is known where the first camera stands
   std::vector<std::shared_ptr<SharedCamera>> cameras_;
   std::vector<std::unique_ptr<SharedCamera::Seat>> seats_;  // last: they use what is above
 };
