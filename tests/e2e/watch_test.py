@@ -83,7 +83,7 @@ finally:
     for program in (client, server):
         if program is not None:
             program.process.terminate()
-            program.ended(20)
+            program.process.wait(20)
 last = json.loads(log.read_text().splitlines()[-1])
 assert {"first", "second"} <= set(last["parts"]), last
 print("watch: the scene was loaded anew twice, and refused once; the observer stayed")
