@@ -82,6 +82,7 @@ with Processes(OUT) as processes:
     view.hand_settles()
     act("mousedown", 1)
     wait_until("the knife in the hand", holds_knife)
+    view.hand_settles()  # a person lets go of the button once they see the knife in the hand
     act("mouseup", 1)
     view.hand_settles()
     assert holds_knife(), "the knife did not stay in the hand"
