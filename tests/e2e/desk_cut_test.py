@@ -41,6 +41,25 @@ def holds_knife():
     return "mouse, right" in parts().get("knife", {}).get("holders", [])
 
 
+def take_up_the_knife():
+    """Takes it up with a click, and again where the server let it go, as it does when a client stands still for half a second.
+    How often it was taken."""
+    for times_taken in 1, 2, 3:
+        view.point_at(HANDLE)
+        view.hand_settles()
+        act("mousedown", 1)
+        wait_until("the knife in the hand", holds_knife)
+        view.hand_settles()  # a person lets go of the button once they see the knife in the hand
+        act("mouseup", 1)
+        view.hand_settles()
+        if holds_knife():
+            return times_taken
+        reason = [line for line in (OUT / "server.log").read_text().splitlines() if " let go" in line][-1:]
+        print("the knife did not stay in the hand:", *reason)
+        assert reason and "hand is gone" in reason[0], "the knife was let go of for no such reason"
+    raise AssertionError("the knife did not stay in the hand three times")
+
+
 def told():
     """Length and depth of the cuts that the client told of, mm."""
     return [tuple(map(int, found)) for found in TOLD.findall((OUT / "client.log").read_text())]
@@ -78,14 +97,7 @@ with Processes(OUT) as processes:
     view.after(lambda: view.wheel(-5, "ctrl"))  # so that the knife is in the picture, too
     view.picture().save(OUT / "before.png")
 
-    view.point_at(HANDLE)
-    view.hand_settles()
-    act("mousedown", 1)
-    wait_until("the knife in the hand", holds_knife)
-    view.hand_settles()  # a person lets go of the button once they see the knife in the hand
-    act("mouseup", 1)
-    view.hand_settles()
-    assert holds_knife(), "the knife did not stay in the hand"
+    taken = take_up_the_knife()
     view.draw(HANDLE, BEGIN, 10)
     view.hand_settles()
     view.picture().save(OUT / "above.png")
@@ -113,4 +125,4 @@ with Processes(OUT) as processes:
     view.picture().save(OUT / "undone.png")
     assert not [name for name in parts() if "piece" in name], "a piece was left"
     commands = processes.leave(client, server)
-    assert commands["grasp"]["granted"] == 1 and commands["undo"] == {"granted": 1, "refused": 0}, commands
+    assert commands["grasp"]["granted"] == taken and commands["undo"] == {"granted": 1, "refused": 0}, commands
