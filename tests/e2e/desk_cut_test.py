@@ -49,7 +49,6 @@ def take_up_the_knife():
         view.hand_settles()
         act("mousedown", 1)
         wait_until("the knife in the hand", holds_knife)
-        view.hand_settles()  # a person lets go of the button once they see the knife in the hand
         act("mouseup", 1)
         view.hand_settles()
         if holds_knife():
