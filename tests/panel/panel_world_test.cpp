@@ -132,6 +132,28 @@ TEST(PanelWorld, AHandBehindTheBoardWorksNothing) {
   EXPECT_TRUE(room.actions.empty());
 }
 
+TEST(PanelWorld, AFingerThatPassesUnderTheFrontFromBesideItWorksNothingUntilItHasBeenOverIt) {
+  for (const ControlDesc& control : panel_controls)
+    for (const double height : {-0.05, -0.03, -0.015})
+      for (const Vec3& from : {Vec3(0.4, 0, 0), Vec3(-0.4, 0, 0), Vec3(0, 0.4, 0), Vec3(0, -0.4, 0)}) {
+        Room room;
+        room.event(PanelEvent::Kind::open, ada, liver);
+        Capsule finger = over(control.control, height);
+        const auto move_to = [&](const Vec3& way) {
+          const Capsule at{finger.a + way, finger.b + way, finger.radius};
+          room.step(at_panel(room, ada, at));
+        };
+        for (int i = 40; i >= -40; --i) move_to(i / 40.0 * from);
+        for (int i = -40; i <= 0; ++i) move_to(i / 40.0 * from);
+        EXPECT_TRUE(room.actions.empty()) << control.label << " at " << height << ", " << from.transpose();
+        for (const double up : {0.02, 0.06, 0.1}) move_to({0, 0, up});
+        EXPECT_TRUE(room.actions.empty()) << control.label << " from below, " << height;
+        if (control.kind != ControlKind::button) continue;
+        press(room, ada, control.control);
+        EXPECT_EQ(room.actions.size(), 1u) << control.label;
+      }
+}
+
 TEST(PanelWorld, TheSliderSetsAndShowsTheStiffness) {
   Room room;
   room.event(PanelEvent::Kind::open, ada, liver);

@@ -36,7 +36,7 @@ class Recorded {
     after_the_cut = room.hosted.simulation.time().tick;
     room.run(30);
     // What is built anew in the background may come later on a busy machine, and the half with it.
-    for (int i = 0; i < 300 && room.hosted.simulation.body_count() < 3; ++i) room.run(1);
+    for (int i = 0; i < 1500 && room.hosted.simulation.body_count() < 3; ++i) room.run(1);
     EXPECT_EQ(room.hosted.simulation.body_count(), 3u) << "nothing came off";
     room.hosted.loop.finish();
   }

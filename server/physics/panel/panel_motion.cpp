@@ -305,6 +305,16 @@ bool near_panel(const Capsule& c) {
          high.y() > -panel_height / 2 && low.z() < board_reach && high.z() > -finger_depth;
 }
 
+AtBoard at_board(const Capsule& c) {
+  double highest = 0;  // m, of what stands out of the board
+  for (const ControlDesc& control : panel_controls) highest = std::max(highest, control_face(control, 0).z());
+  const auto is_below = [&](double height) {
+    return lift_over(c, 0, 0, panel_width / 2, panel_height / 2, height) > 0;
+  };
+  if (!is_below(-graze) && std::min(c.a.z(), c.b.z()) - c.radius < -graze) return AtBoard::beside;
+  return is_below(highest) ? AtBoard::under : AtBoard::over;
+}
+
 MovedControls move_controls(const ControlMotions& before, std::span<const FingerSweep> fingers, double h) {
   std::vector<FingerSweep> close;
   for (FingerSweep sweep : fingers) {

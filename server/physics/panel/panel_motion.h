@@ -48,7 +48,13 @@ inline constexpr double max_control_speed = 5;   // m/s
 inline constexpr double max_finger_way = 0.15;   // m in a tick
 inline constexpr double finger_depth = 0.06;     // m
 
+inline constexpr double graze = 0.01;  // m that a segment may be lower than the board beside it
+
 /// Tells whether the segment may touch the board or what is on it.
 bool near_panel(const Capsule& finger);
+
+/// Where a segment is: higher than all controls, lower and at the board, or lower than the board beside it.
+enum class AtBoard { over, under, beside };
+AtBoard at_board(const Capsule& finger);
 
 }  // namespace prosector

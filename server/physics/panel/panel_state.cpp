@@ -5,7 +5,7 @@
 namespace prosector {
 namespace {
 
-constexpr std::size_t most_entries = 4096, most_fingers = 64;
+constexpr std::size_t most_entries = 4096;
 
 void add(ByteWriter& out, const HandRef& hand) {
   out.add(hand.participant);
@@ -63,6 +63,11 @@ void PanelWorld::save(ByteWriter& out) const {
     }
     out.add(panel.pinned);
     out.add(panel.idle);
+    out.add(static_cast<std::uint64_t>(panel.came_under.size()));
+    for (const auto& [hand, segments] : panel.came_under) {
+      add(out, hand);
+      out.add(segments);
+    }
     for (std::size_t k = 0; k < panel_control_count; ++k) {
       out.add(panel.motions[k].position);
       out.add(panel.motions[k].velocity);
@@ -119,6 +124,7 @@ void PanelWorld::save_held(ByteWriter& out) const {
 
 void PanelWorld::load(ByteReader& in, std::size_t body_count) {
   const auto id = [&] { return in.number<ParticipantId>(); };
+  const auto hand = [&] { return read_hand_ref(in); };
   const auto share = [&] {
     const auto value = in.number<double>();
     in.require(value >= 0 && value <= 1, "a control outside its way");
@@ -137,6 +143,8 @@ void PanelWorld::load(ByteReader& in, std::size_t body_count) {
     }
     panel.pinned = in.number<std::uint32_t>();
     panel.idle = in.number<std::uint32_t>();
+    panel.came_under =
+        read_map<decltype(panel.came_under)>(in, hand, [&] { return in.number<std::uint64_t>(); });
     for (std::size_t k = 0; k < panel_control_count; ++k) {
       panel.motions[k].position = share();
       panel.motions[k].velocity = in.number<double>();
@@ -149,7 +157,6 @@ void PanelWorld::load(ByteReader& in, std::size_t body_count) {
     return panel;
   });
   read.heads_ = read_map<decltype(heads_)>(in, id, [&] { return in.vector(); });
-  const auto hand = [&] { return read_hand_ref(in); };
   read.rests_ = read_map<decltype(rests_)>(in, hand, [&] {
     Rest rest;
     rest.body = in.number<BodyId>();

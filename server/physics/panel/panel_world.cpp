@@ -163,18 +163,41 @@ void PanelWorld::move(ParticipantId who, Open& panel, const Pose& before, std::s
   }
 }
 
+/// Follows which segments of a hand are under the board's front and came there from beside it. They press
+/// nothing until they have been over it: on its way to the board a hand would press what it passes under.
+std::uint64_t PanelWorld::came_under(Open& panel, const PanelHand& hand) {
+  std::uint64_t& under = panel.came_under[hand.who];
+  const Pose into_panel = panel.pose.inverse();
+  for (std::size_t f = 0; f < std::min(hand.fingers.size(), most_fingers); ++f) {
+    const std::uint64_t bit = std::uint64_t{1} << f;
+    const AtBoard place = at_board(into(into_panel, hand.fingers[f]));
+    if (place == AtBoard::beside) under |= bit;
+    if (place == AtBoard::over) under &= ~bit;
+  }
+  return under;
+}
+
 /// Returns the fingers of the hands that press its controls.
-std::vector<FingerSweep> PanelWorld::fingers_before(const Open& panel, const Pose& before,
+std::vector<FingerSweep> PanelWorld::fingers_before(Open& panel, const Pose& before,
                                                     std::span<const PanelHand> hands) const {
   std::vector<FingerSweep> out;
+  std::erase_if(panel.came_under, [&](const auto& entry) {
+    return std::none_of(hands.begin(), hands.end(),
+                        [&](const auto& hand) { return hand.who == entry.first; });
+  });
   const Pose into_panel = panel.pose.inverse(), into_last = before.inverse();
   for (const PanelHand& hand : hands) {
+    const std::uint64_t was_under = panel.came_under[hand.who], is_under = came_under(panel, hand);
     if (!presses(panel, hand)) continue;
     const auto last = last_fingers_.find(hand.who);
     const bool known = last != last_fingers_.end() && last->second.size() == hand.fingers.size();
-    for (std::size_t f = 0; f < hand.fingers.size(); ++f)
-      out.push_back(
-          {into(into_last, known ? last->second[f] : hand.fingers[f]), into(into_panel, hand.fingers[f])});
+    for (std::size_t f = 0; f < std::min(hand.fingers.size(), most_fingers); ++f) {
+      const std::uint64_t bit = std::uint64_t{1} << f;
+      if (is_under & bit) continue;
+      const Capsule to = into(into_panel, hand.fingers[f]);
+      const bool from_there = known && !(was_under & bit);
+      out.push_back({from_there ? into(into_last, last->second[f]) : to, to});
+    }
   }
   return out;
 }

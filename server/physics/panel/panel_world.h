@@ -98,6 +98,8 @@ class PanelWorld {
     std::array<std::uint32_t, panel_control_count> pointed{};  // ticks that a set control is still shown so
     ShownControls shown{};
     std::uint32_t idle = 0;  // ticks without touch
+    std::map<HandRef, std::uint64_t>
+        came_under;  // bits: segments that came from beside it, and press nothing
   };
   /// A hand on a body, for how long.
   struct Rest {
@@ -136,7 +138,8 @@ class PanelWorld {
   void move(ParticipantId who, Open& panel, const Pose& before, std::span<const PanelHand> hands);
   static bool reaches_head(const Open& panel, const PanelHand& hand);
   static bool presses(const Open& panel, const PanelHand& hand);
-  std::vector<FingerSweep> fingers_before(const Open& panel, const Pose& before,
+  static std::uint64_t came_under(Open& panel, const PanelHand& hand);
+  std::vector<FingerSweep> fingers_before(Open& panel, const Pose& before,
                                           std::span<const PanelHand> hands) const;
   void feel(const PanelHand& hand, const PanelSubjects& subjects);
   void grow_old(std::span<const PanelHand> hands, const PanelSubjects& subjects);
@@ -147,6 +150,7 @@ class PanelWorld {
 };
 
 inline constexpr std::uint8_t stylus_hand = 2;   // of a HandRef: what presses by a stylus
+inline constexpr std::size_t most_fingers = 64;  // segments of a hand
 inline constexpr double stylus_radius = 0.003;   // m
 inline constexpr double stylus_length = 0.1;     // m of its shaft that panels feel
 inline constexpr double tablet_rest = 3;         // s that a panel lies where its tablet was seen last
