@@ -30,6 +30,7 @@ Viewer::Viewer(const ClientOptions& options, Connection& connection, ClientRepor
       stage_(make_stage(options, headset_user, camera)),
       follow_(options.follow) {
   if (options.frame_time) governor_.emplace(*options.frame_time);
+  if (!options.picture_log.empty()) log_.emplace(options.picture_log);
   if (stage_) report_.renderer = stage_->context->description();
 }
 
@@ -65,6 +66,11 @@ void Viewer::draw_through_camera(InputPump* pump) {
   if (!kept && !stage_->desk && report_.first_picture_ns) return;
   if (pump != nullptr && picture && has_devices(options_.devices)) wait_for_hands(*pump, picture->time_ns);
   const Image image = draw(pump, kept);
+  if (log_ && picture) {
+    times_.drawn_ns = monotonic_ns();
+    times_.camera_ns = picture->time_ns;
+    log_->add(times_);
+  }
   if (kept) sink_.take(image, seconds);
 }
 
@@ -449,6 +455,8 @@ Image Viewer::draw(InputPump* pump, bool keep) {
 const DrawList& Viewer::build_list(const LocalUser& self, ViewSettings& settings) {
   return connection_.with_replica([&](Replica& replica) -> const DrawList& {
     const double tick = replica.advance(monotonic_ns());
+    times_.tick = replica.shown_tick(tick);
+    times_.hand_ns = self.present ? self.input.time_ns : 0;
     watch_time(replica, tick, settings);
     if (is_tracked(options_)) read_panel(replica, self, settings);
     if (is_tracked(options_)) work_parts_board(replica, self, settings);

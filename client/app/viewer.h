@@ -15,6 +15,7 @@
 #include "client/app/input_pump.h"
 #include "client/app/panel_finger.h"
 #include "client/app/parts_board.h"
+#include "client/app/picture_log.h"
 #include "client/app/picture_sink.h"
 #include "client/app/stage.h"
 #include "client/app/touch_rumble.h"
@@ -89,6 +90,8 @@ class Viewer {
   std::optional<SeeThrough> through_;        // what a camera saw last; nullopt: none is looked through
   std::optional<WindowLook> look_;           // through the screen; nullopt: it is no window
   bool waited_for_camera_ = false;
+  std::optional<PictureLog> log_;  // of pictures through the camera; nullopt: nobody asked for it
+  PictureTimes times_;             // of the picture that is being drawn
   std::optional<LookFrom> looks_from_;
   std::string follow_;  // whose eyes to look through; empty: own
   bool full_screen_ = false;
