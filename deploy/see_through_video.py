@@ -6,12 +6,13 @@ picture of what the client recorded: PICTURE (default docs/pictures/see-through.
 import io
 import pathlib
 import signal
-import struct
 import subprocess
 import sys
 import time
 
 from PIL import Image
+
+from picture_files import jpegs_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BIN, OUT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
@@ -27,16 +28,6 @@ board = "table"
 position = [0, 0.9, 0.05]
 orientation = [0.70710678, -0.70710678, 0, 0]
 """
-
-
-def pictures(film):
-    """Those of a film of JPEGs."""
-    data = film.read_bytes()
-    at = data.index(b"movi") + 4
-    while data[at:at + 2] == b"00":
-        size = struct.unpack("<I", data[at + 4:at + 8])[0]
-        yield Image.open(io.BytesIO(data[at + 8:at + 8 + size])).convert("RGB")
-        at += 8 + size + size % 2
 
 
 def record():
@@ -57,8 +48,8 @@ def record():
 
 OUT.mkdir(parents=True, exist_ok=True)
 record()
-seen = list(pictures(OUT / "seen.avi"))
-shown = [seen[len(seen) - AROUND * RATE + int(k * RATE / KEPT)].resize(SIZE, Image.LANCZOS) for k in range(AROUND * KEPT)]
+seen = [Image.open(io.BytesIO(jpeg)) for jpeg in jpegs_of(OUT / "seen.avi")]
+shown = [seen[len(seen) - AROUND * RATE + int(k * RATE / KEPT)].convert("RGB").resize(SIZE, Image.LANCZOS) for k in range(AROUND * KEPT)]
 shown[0].save(PICTURE, save_all=True, append_images=shown[1:], duration=1000 // KEPT, loop=0, quality=QUALITY, method=6)
 size = PICTURE.stat().st_size
 print(f"{PICTURE}: {len(shown)} pictures, {size // 1000} kB")

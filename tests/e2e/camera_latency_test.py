@@ -3,7 +3,6 @@
 A synthetic camera paints the time into its pictures, and the clock is read again in what the client drew; so what the client says of its pictures is
 borne out by them. Leaves OUT/latency.json and prints its table."""
 import csv
-import io
 import json
 import math
 import os
@@ -11,13 +10,11 @@ import pathlib
 import shutil
 import signal
 import statistics
-import struct
 import sys
 import time
 
-from PIL import Image
-
 from checks import check, finish
+from film import pictures
 from program import Program
 
 HERE = pathlib.Path(__file__).parent
@@ -53,20 +50,10 @@ def rows_of(name):
         return list(csv.DictReader(stream))
 
 
-def film(file):
-    """The pictures of a film of JPEGs."""
-    data = file.read_bytes()
-    at = data.index(b"movi") + 4
-    while data[at:at + 2] == b"00":
-        size = struct.unpack("<I", data[at + 4:at + 8])[0]
-        yield Image.open(io.BytesIO(data[at + 8:at + 8 + size])).convert("L")
-        at += 8 + size + size % 2
-
-
 def clock(picture):
     """What the clock in a picture says, ms; None: it isn't whole."""
     left = (picture.width - SIDE * CELLS) // 2
-    cells = [picture.getpixel((left + SIDE * k + SIDE // 2, SIDE // 2)) > 127 for k in range(CELLS)]
+    cells = [picture.getpixel((left + SIDE * k + SIDE // 2, SIDE // 2))[1] > 127 for k in range(CELLS)]
     ms = sum(1 << bit for bit in range(BITS) if cells[2 + bit])
     parity = bin(ms).count("1") % 2 == 1
     return ms if cells[0] and not cells[1] and cells[BITS + 2] == parity and cells[BITS + 3] != parity else None
@@ -116,7 +103,7 @@ sent = {int(row["sequence"]): row for row in rows_of("sent.csv")}
 arrived = [row for row in rows_of("arrived.csv") if int(row["sequence"]) in sent]
 seen_ns = {sequence: int(row["seen_ns"]) for sequence, row in sent.items()}
 
-clocks = [clock(picture) for picture in film(OUT / "seen.avi")]
+clocks = [clock(picture) for picture in pictures(OUT / "seen.avi")]
 told = {int(row["camera_ns"]) // 1_000_000 % AROUND for row in drawn}
 read = set(clocks) - {None}
 print(f"{len(drawn)} pictures drawn, {len(clocks)} filmed, {len(read)} camera's pictures in them")
