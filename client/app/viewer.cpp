@@ -60,6 +60,7 @@ void Viewer::draw_through_camera(InputPump* pump) {
   constexpr std::chrono::milliseconds patience(100);
   const auto picture = stage_->sight->next(patience);
   waited_for_camera_ = true;
+  if (comes_too_soon()) return;
   look_through_camera(picture.get());
   const double seconds = seconds_since(report_.joined_ns);
   const bool kept = sink_.wants(seconds);
@@ -72,6 +73,16 @@ void Viewer::draw_through_camera(InputPump* pump) {
     log_->add(times_);
   }
   if (kept) sink_.take(image, seconds);
+}
+
+/// Tells whether a camera's picture is to be left out, as more come than are to be drawn; the next one is
+/// due then. What comes up to half an interval early is drawn: cameras and clocks differ.
+bool Viewer::comes_too_soon() {
+  const auto interval_ns = static_cast<std::int64_t>(1e9 / options_.frames_per_second);
+  const std::int64_t now_ns = monotonic_ns();
+  if (now_ns + interval_ns / 2 < due_ns_) return true;
+  due_ns_ = std::max(due_ns_, now_ns - interval_ns / 2) + interval_ns;
+  return false;
 }
 
 void Viewer::look_through_camera(const SightPicture* picture) {

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """camera_latency_test.py BIN OUT [SECONDS]: how late what a camera saw is: in the server's tick, at an observer, and in the picture that one sees.
 A synthetic camera paints the time into its pictures, and the clock is read again in what the client drew; so what the client says of its pictures is
-borne out by them. Leaves OUT/latency.json and prints its table."""
+borne out by them. Somebody else wants few pictures, and gets no more. Leaves OUT/latency.json and prints its table."""
 import csv
 import json
 import math
@@ -25,6 +25,7 @@ BOARD = f"position = [0.23, 0.98, 0]\n{FLAT}"
 RATE, EXPOSURE, DELAY = 15, 0.008, 0.02  # of the camera, a second and s
 SIDE, CELLS, BITS = 16, 20, 16  # of the painted clock in 640 pixels: drivers/camera/synthetic/painted_clock.h
 AROUND = 1 << BITS  # ms, after which it shows the same again
+SLOW = 3  # pictures a second that somebody wants
 NS = 1e-6  # ms
 SETTLED = 1  # s after the first picture that don't count
 
@@ -90,6 +91,11 @@ try:
         time.sleep(0.1)
     time.sleep(SETTLED + SECONDS)
     user.end(signal.SIGINT)
+    slow = Program(BIN / "prosector-client", "observe", "--name", "slow", "--session", session, "--camera", f"synthetic:{OUT}/scene.toml", "--display",
+                   "ar:offscreen", "--size", "320x240", "--quality", "low", "--fps", SLOW, "--record", OUT / "slow.avi", "--picture-log", OUT / "slow.csv",
+                   "--seconds", "4")
+    programs.append(slow)
+    check("who wants few pictures ends well", slow.ended(60) == 0)
     observer.end(signal.SIGINT)
     for program in (user, observer):
         check("a client ends well", program.process.returncode == 0)
@@ -102,6 +108,10 @@ sent = {int(row["sequence"]): row for row in rows_of("sent.csv")}
 # Which input each tick had, by what the observer was told: the first tick that had consumed it, and when that was heard of.
 arrived = [row for row in rows_of("arrived.csv") if int(row["sequence"]) in sent]
 seen_ns = {sequence: int(row["seen_ns"]) for sequence, row in sent.items()}
+
+few = [int(row["drawn_ns"]) for row in rows_of("slow.csv")]
+lasted = 1e-9 * (few[-1] - few[0])
+check(f"few are drawn: {len(few) - 1} in {lasted:.1f} s after the first", 1 <= len(few) - 1 <= SLOW * lasted + 2)
 
 clocks = [clock(picture) for picture in pictures(OUT / "seen.avi")]
 told = {int(row["camera_ns"]) // 1_000_000 % AROUND for row in drawn}
