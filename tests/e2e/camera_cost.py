@@ -107,6 +107,7 @@ def measure(name, config, *display):
 OUT.mkdir(parents=True, exist_ok=True)
 film()
 see = ("--display", "ar", "--picture-log", OUT / "drawn.csv")
-rows = [measure("two bare hands", "hands", "--display", "none"), measure("and the tablet", "tablet", "--display", "none"), measure("and see-through", "tablet", *see)]
+rows = [measure("two bare hands", "hands", "--display", "none"), measure("and the tablet", "tablet", "--display", "none"), measure("and see-through", "tablet", *see),
+        measure("10 pictures, no shadows", "tablet", *see, "--fps", "10", "--effect", "shadows=off", "--effect", "edges=off")]
 model = [line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name")]
 (OUT / "cost.json").write_text(json.dumps({"machine": f"{model[0]}, {len(model)} cores; load average {os.getloadavg()[0]:.1f}", "quality": QUALITY, "rows": rows}, indent=2) + "\n")
