@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The main job, shown: a server hosts a scene, a headset user joins through the simulated tracker and glove and presses the
-# liver, 5 s later an observer joins and records. Leaves pictures, a video and summary.json.
+# liver, a camera user joins with a bare hand in a film, 5 s later an observer joins and records. Leaves pictures, a video and
+# summary.json.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 
@@ -39,10 +40,21 @@ fi
 bin=${PROSECTOR_BIN:-$root/build/release/bin}
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
-rm -f "$out"/*.png "$out"/*.avi "$out"/*.csv "$out"/*.json "$out"/*.log "$out"/journal.sqlite*
+rm -f "$out"/*.png "$out"/*.avi "$out/film.toml" "$out/camera_user.toml" "$out"/*.csv "$out"/*.json "$out"/*.log "$out"/journal.sqlite*
 session=demo-$$
 
 . "$root/deploy/demo_lib.sh"
+
+# A camera's film is made while the server compiles its scene; without the networks that find hands there is no camera user.
+film=
+if [ -r "${PROSECTOR_DATA:-${XDG_DATA_HOME:-$HOME/.local/share}/prosector}/models/palm_full.tflite" ]; then
+  "$bin/prosector-client" camera record "synthetic:$root/deploy/demo/camera.toml" --out "$out/film.avi" --seconds 6 \
+    > "$out/film.log" 2>&1 &
+  film=$!
+  pids+=("$film")
+else
+  echo "no camera user: deploy/fetch_models.sh fetches the networks that find bare hands"
+fi
 
 host "$scene" "$session"
 
@@ -55,6 +67,19 @@ twins "" "$root/deploy/demo/hand.csv" "$root/deploy/demo/glove.csv"
 headset=$!
 pids+=("$headset")
 wait_for "$out/headset.log" "everything is here" 20 "the headset user"
+
+camera=
+if [ -n "$film" ]; then
+  say "A camera user joins: the bare hand of a film"
+  wait "$film" || fail "there is no film" "$out/film.log"
+  cp "$root/deploy/demo/camera_user.toml" "$out"
+  "$bin/prosector-client" join --session "$session" --name "camera user" --config "$out/camera_user.toml" \
+    --tracker "hands:$out/film.avi" --display none --latency-log "$out/camera.csv" --summary "$out/camera.json" \
+    > "$out/camera.log" 2>&1 &
+  camera=$!
+  pids+=("$camera")
+  wait_for "$out/camera.log" "everything is here" 20 "the camera user"
+fi
 
 if [ $headless = no ] && [ -n "${DISPLAY:-}" ]; then
   say "You join at the desk: close the window to end"
@@ -81,6 +106,9 @@ done
 wait "$observer" || fail "the observer failed" "$out/observer.log"
 
 kill -TERM "$headset" && wait "$headset" || fail "the headset user failed" "$out/headset.log"
+if [ -n "$camera" ]; then
+  kill -TERM "$camera" && wait "$camera" || fail "the camera user failed" "$out/camera.log"
+fi
 kill -TERM "$server" && wait "$server" || fail "the server failed" "$out/server.log"
 stop
 

@@ -511,13 +511,29 @@ def machine(reports, before):
     return table(["Bench", "run at", "commit", "load average at its end", "machine"], sorted(lines))
 
 
+# Cameras.
+
+
+def hands(reports):
+    def share(value):
+        return DASH if value is None or not math.isfinite(value) else f"{100 * value:.1f} %"
+
+    names = {"first": "first sight"}
+    return table(["Networks", "trial", "cameras", "seen", "points right", "side right", "gesture right", "points off", "lateral mm", "depth mm",
+                  "turned °", "bends", "find ms", "fit ms"],
+                 [[row["nets"], names.get(row["trial"], row["trial"]), row["cameras"], *(share(row[key]) for key in
+                   ("seen", "right_points", "right_side", "right_gesture", "points_median")), f"{row['lateral_mm']:.1f}", f"{row['depth_mm']:.1f}",
+                   f"{row['turn_deg']:.1f}", f"{row['flexion_median']:.3f}", f"{row['find_ms']:.1f}", f"{row['fit_ms']:.2f}"]
+                  for row in reports.rows("hands")])
+
+
 KEEPING = {"machine": machine, "goals": goals}  # of several benches: lines of those not given stay
 TABLES = {"beam": beam, "beam101k": beam101k, "press": press, "bullet-here": bullet_here, "advice": advice,
           "bend-sizes": bend_sizes, "rungs": rungs, "extremes": extremes, "integrators": integrators, "springs": springs, "laws": laws, "scaling": scaling,
           "collision-shapes": collision_shapes, "collision-bodies": collision_bodies, "collision-surfaces": collision_surfaces,
           "collision-scale": collision_scale, "collision-organs": collision_organs, "collision-layers": collision_layers,
           "collision-soft-sessions": collision_soft_sessions,
-          "contact": contact,
+          "contact": contact, "hands": hands,
           **{f"trade-{case}": trade_case(case) for case in ERROR_KEYS},
           **{f"refine-{body}": refine(body) for body in ("layer", "organ", "liver")}, "references": references}
 

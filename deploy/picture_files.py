@@ -72,6 +72,16 @@ def write_png(file, rows):
     )
 
 
+def jpegs_of(film):
+    """Yields the bytes of each picture of a film of JPEGs (.avi)."""
+    data = pathlib.Path(film).read_bytes()
+    at = data.index(b"movi") + 4
+    while data[at : at + 2] == b"00":
+        size = struct.unpack("<I", data[at + 4 : at + 8])[0]
+        yield data[at + 8 : at + 8 + size]
+        at += 8 + size + size % 2
+
+
 def part_of(rows, part, times):
     """Returns a part of the picture, enlarged without blending."""
     left, top, width, height = part

@@ -1,6 +1,6 @@
 #pragma once
 // prosector-client camera: a camera's lens is found by showing it a board; what its pictures are like is
-// said.
+// said; they are kept.
 
 #include <filesystem>
 #include <string>
@@ -15,7 +15,7 @@ struct CameraCommandOptions {
   std::string board = "calibration";     // that is shown: a known board, or a file
   std::filesystem::path out;             // file to write
   std::filesystem::path lens;            // of the self-test: a calibration that is there
-  double seconds = 20;                   // of the self-test
+  double seconds = 20;                   // of the self-test, or of a film
   double patience = 300;                 // s for the calibration
   std::string tracker;                   // whose receiver wears the board: DRIVER:PATH
   std::filesystem::path tracker_config;  // that says how the tracker is set up; empty: its frame is the room

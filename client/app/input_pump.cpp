@@ -29,7 +29,7 @@ InputPump::InputPump(Connection& connection, const ConfigSource& source, Headset
   if (!log.empty()) {
     log_.open(log);
     if (!log_) throw InputError(fmt::format("--latency-log {}: cannot be written", log.string()));
-    log_ << "sequence,sent_ns,r0,r1,r2,r3,r4,r5,r6\n";
+    log_ << "sequence,sent_ns,seen_ns,r0,r1,r2,r3,r4,r5,r6\n";
   }
   thread_ = std::jthread([this](std::stop_token stop) { run(stop); });
 }
@@ -121,7 +121,7 @@ void InputPump::send(std::int64_t now_ns, std::uint64_t sequence) {
   }
   connection_.publish(input);
   if (const auto& sample = rig_->tracker_sample(right_hand); log_.is_open() && sample)
-    fmt::print(log_, "{},{},{}\n", sequence, now_ns, fmt::join(sample->raw_pose, ","));
+    fmt::print(log_, "{},{},{},{}\n", sequence, now_ns, input.time_ns, fmt::join(sample->raw_pose, ","));
   std::lock_guard lock(mutex_);
   latest_ = input;
 }

@@ -20,9 +20,10 @@ namespace prosector {
 class InputPump {
  public:
   /// Starts sending. `log`, if not empty, is a CSV with one line per HandInput sent: sequence, monotonic ns,
-  /// the tracker's raw values. It lets latency be measured end to end, by matching the values with those that
-  /// the device says it sent. `headset` tracks the user, too, and `arm` is the hand that an arm moves; null:
-  /// none does. What is written into the configuration's file meanwhile is taken over, but for the arm.
+  /// when devices saw it, the tracker's raw values. It lets latency be measured end to end, by matching the
+  /// values with those that the device says it sent. `headset` tracks the user, too, and `arm` is the hand
+  /// that an arm moves; null: none does. What is written into the configuration's file meanwhile is taken
+  /// over, but for the arm.
   InputPump(Connection& connection, const ConfigSource& source, HeadsetUser* headset, ArmHand* arm,
             const std::filesystem::path& log, std::function<void(const std::string&)> report);
   ~InputPump();

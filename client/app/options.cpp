@@ -11,6 +11,7 @@
 
 #include "client/app/calibrate.h"
 #include "client/app/config_command.h"
+#include "client/app/record_camera.h"
 #include "client/app/record_device.h"
 #include "client/render/shader_dir.h"
 #include "common/error.h"
@@ -189,6 +190,9 @@ void add_run(CLI::App& app, ClientOptions& o, RawOptions& raw) {
                  "Write what happens as lines of JSON: who holds what, parts, panels, forces of hands")
       ->group("Measurement");
   app.add_option("--latency-log", o.latency_log, "Write times of inputs sent or snapshots received as CSV")
+      ->group("Measurement");
+  app.add_option("--picture-log", o.picture_log,
+                 "With --display ar: write when each picture was drawn and what it showed as CSV")
       ->group("Measurement");
 }
 
@@ -398,8 +402,8 @@ std::string resolve_camera(const RawOptions& raw, const ClientOptions& o, const 
   return camera;
 }
 
-/// Adds what is done with a camera. Returns the commands: calibrate, selftest, align.
-std::array<CLI::App*, 3> add_camera(CLI::App& camera, CameraCommandOptions& o) {
+/// Adds what is done with a camera. Returns the commands: calibrate, selftest, align, record.
+std::array<CLI::App*, 4> add_camera(CLI::App& camera, CameraCommandOptions& o) {
   camera.require_subcommand(1);
   CLI::App* calibrate =
       camera.add_subcommand("calibrate", "Find the lens: show the camera a board, as it asks for");
@@ -407,7 +411,8 @@ std::array<CLI::App*, 3> add_camera(CLI::App& camera, CameraCommandOptions& o) {
       camera.add_subcommand("selftest", "Say what the pictures are like: rate, light, noise, boards");
   CLI::App* align =
       camera.add_subcommand("align", "Find where the camera stands, by a board on a tracker's receiver");
-  for (CLI::App* command : {calibrate, test, align})
+  CLI::App* record = camera.add_subcommand("record", "Keep its pictures as a film, which is a camera again");
+  for (CLI::App* command : {calibrate, test, align, record})
     command
         ->add_option("CAMERA", o.camera,
                      "Number or path of a device, a video's file, a stream's URL, or synthetic:SCENE.toml")
@@ -439,10 +444,12 @@ std::array<CLI::App*, 3> add_camera(CLI::App& camera, CameraCommandOptions& o) {
   align->add_option("--out-config", o.out_config, "Configuration that gets the camera's place, tracker.room")
       ->check(CLI::ExistingFile)
       ->required();
-  test->add_option("--seconds", o.seconds, "How long it is looked at")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  return {calibrate, test, align};
+  record->add_option("--out", o.out, "Film to write: .avi")->required();
+  for (CLI::App* command : {test, record})
+    command->add_option("--seconds", o.seconds, "How long it is looked at")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+  return {calibrate, test, align, record};
 }
 
 void resolve(const RawOptions& raw, ClientOptions& o) {
@@ -471,6 +478,7 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
     throw InputError("--camera: only with --display ar or --offer-camera");
   check_window(o);
   if (!through_camera && !raw.phantoms.empty()) throw InputError("--phantom: only with --display ar");
+  if (!through_camera && !o.picture_log.empty()) throw InputError("--picture-log: only with --display ar");
   o.phantoms = raw.phantoms;
   take_eyes(o.devices.eyes, o.stereo);
   o.join.language = parse_language(raw.language);
@@ -534,7 +542,8 @@ ClientCommand parse_command_line(int argc, char** argv) {
   add_self_test(*test, tried);
   CameraCommandOptions seeing;
   CLI::App* camera = app.add_subcommand("camera", "Calibrate a camera, or say what its pictures are like");
-  const auto [calibrating_camera, testing_camera, aligning_camera] = add_camera(*camera, seeing);
+  const auto [calibrating_camera, testing_camera, aligning_camera, filming_camera] =
+      add_camera(*camera, seeing);
   bool host = false;
   join->add_flag("--host", host, "Be the session's host, who hands out roles, unless it has one");
   try {
@@ -546,6 +555,7 @@ ClientCommand parse_command_line(int argc, char** argv) {
     if (calibrating_camera->parsed()) return Task([seeing] { return calibrate_camera(seeing); });
     if (aligning_camera->parsed()) return Task([seeing] { return align_camera(seeing); });
     if (testing_camera->parsed()) return Task([seeing] { return test_camera(seeing); });
+    if (filming_camera->parsed()) return Task([seeing] { return record_camera(seeing); });
     if (test->parsed()) return Task([tried] { return self_test(tried); });
     if (app.get_subcommands().empty() || set_up->parsed()) return resolve_setup(raw, o, setup);
     o.join.role = !join->parsed() ? Role::observer : host ? Role::host : Role::dissector;

@@ -50,7 +50,7 @@ struct ClientOptions {
   std::vector<std::string> insets;  // names of participants whose views are seen small
   std::vector<Screenshot> screenshots;
   double sheet_interval = 10;  // s between two pictures of `sheet`
-  std::filesystem::path record, sheet, latency_log, session_log, summary, shaders;
+  std::filesystem::path record, sheet, latency_log, picture_log, session_log, summary, shaders;
   std::vector<Offer> offers;   // of poses to other software
   std::string offered_camera;  // address of one whose pictures are offered, too; empty: none
   bool overlay = true;         // figures and axes

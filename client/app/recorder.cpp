@@ -17,7 +17,7 @@ constexpr std::uintmax_t least_free_bytes = 8u << 20;
 int codec_of(const std::filesystem::path& file) {
   if (file.extension() == ".avi") return cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
   if (file.extension() == ".mp4") return cv::VideoWriter::fourcc('m', 'p', '4', 'v');
-  throw InputError(fmt::format("--record {}: the ending must be .avi or .mp4", file.string()));
+  throw InputError(fmt::format("video {}: the ending must be .avi or .mp4", file.string()));
 }
 
 std::string no_room(const std::filesystem::path& file) {
@@ -43,7 +43,7 @@ struct Recorder::Impl {
   void open() {
     if (!writer.open(file.string(), codec_of(file), frames_per_second, size))
       throw InputError(
-          fmt::format("--record {}: cannot be written; is the folder there and writable?", file.string()));
+          fmt::format("video {}: cannot be written; is the folder there and writable?", file.string()));
   }
 };
 
@@ -53,7 +53,7 @@ Recorder::Recorder(const std::filesystem::path& file, int width, int height, dou
   impl_->frames_per_second = frames_per_second;
   (void)codec_of(file);
   if (std::string why = no_room(file); !why.empty())
-    throw InputError(fmt::format("--record {}: {}", file.string(), why));
+    throw InputError(fmt::format("video {}: {}", file.string(), why));
   impl_->size = cv::Size(width, height);
   if (!impl_->size.empty()) impl_->open();
 }

@@ -30,6 +30,7 @@ Viewer::Viewer(const ClientOptions& options, Connection& connection, ClientRepor
       stage_(make_stage(options, headset_user, camera)),
       follow_(options.follow) {
   if (options.frame_time) governor_.emplace(*options.frame_time);
+  if (!options.picture_log.empty()) log_.emplace(options.picture_log);
   if (stage_) report_.renderer = stage_->context->description();
 }
 
@@ -59,13 +60,29 @@ void Viewer::draw_through_camera(InputPump* pump) {
   constexpr std::chrono::milliseconds patience(100);
   const auto picture = stage_->sight->next(patience);
   waited_for_camera_ = true;
+  if (comes_too_soon()) return;
   look_through_camera(picture.get());
   const double seconds = seconds_since(report_.joined_ns);
   const bool kept = sink_.wants(seconds);
   if (!kept && !stage_->desk && report_.first_picture_ns) return;
   if (pump != nullptr && picture && has_devices(options_.devices)) wait_for_hands(*pump, picture->time_ns);
   const Image image = draw(pump, kept);
+  if (log_ && picture) {
+    times_.drawn_ns = monotonic_ns();
+    times_.camera_ns = picture->time_ns;
+    log_->add(times_);
+  }
   if (kept) sink_.take(image, seconds);
+}
+
+/// Tells whether a camera's picture is to be left out, as more come than are to be drawn; the next one is
+/// due then. What comes up to half an interval early is drawn: cameras and clocks differ.
+bool Viewer::comes_too_soon() {
+  const auto interval_ns = static_cast<std::int64_t>(1e9 / options_.frames_per_second);
+  const std::int64_t now_ns = monotonic_ns();
+  if (now_ns + interval_ns / 2 < due_ns_) return true;
+  due_ns_ = std::max(due_ns_, now_ns - interval_ns / 2) + interval_ns;
+  return false;
 }
 
 void Viewer::look_through_camera(const SightPicture* picture) {
@@ -449,6 +466,8 @@ Image Viewer::draw(InputPump* pump, bool keep) {
 const DrawList& Viewer::build_list(const LocalUser& self, ViewSettings& settings) {
   return connection_.with_replica([&](Replica& replica) -> const DrawList& {
     const double tick = replica.advance(monotonic_ns());
+    times_.tick = replica.shown_tick(tick);
+    times_.hand_ns = self.present ? self.input.time_ns : 0;
     watch_time(replica, tick, settings);
     if (is_tracked(options_)) read_panel(replica, self, settings);
     if (is_tracked(options_)) work_parts_board(replica, self, settings);

@@ -15,6 +15,7 @@
 #include "client/app/input_pump.h"
 #include "client/app/panel_finger.h"
 #include "client/app/parts_board.h"
+#include "client/app/picture_log.h"
 #include "client/app/picture_sink.h"
 #include "client/app/stage.h"
 #include "client/app/touch_rumble.h"
@@ -89,6 +90,9 @@ class Viewer {
   std::optional<SeeThrough> through_;        // what a camera saw last; nullopt: none is looked through
   std::optional<WindowLook> look_;           // through the screen; nullopt: it is no window
   bool waited_for_camera_ = false;
+  std::int64_t due_ns_ = 0;        // when the next picture through the camera is to be drawn
+  std::optional<PictureLog> log_;  // of pictures through the camera; nullopt: nobody asked for it
+  PictureTimes times_;             // of the picture that is being drawn
   std::optional<LookFrom> looks_from_;
   std::string follow_;  // whose eyes to look through; empty: own
   bool full_screen_ = false;
@@ -106,6 +110,7 @@ class Viewer {
   }
   bool has_headset() const { return stage_ && stage_->headset; }
   void draw_through_camera(InputPump* pump);
+  bool comes_too_soon();
   void look_through_camera(const SightPicture* picture);
   void wait_for_hands(const InputPump& pump, std::int64_t time_ns) const;
   bool begin_headset_frame();

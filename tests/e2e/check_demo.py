@@ -22,7 +22,8 @@ def check(what, holds):
 for figure in FIGURES:
     check(f"{figure} = {summary.get(figure)}", summary.get(figure) is not None)
 check("at least 3,000 tetrahedra", summary["tets"] >= 3000)
-check("a headset user took part and an observer watched", summary["participants"] == 1 and summary["observers"] == 1)
+camera = folder / "camera.json"
+check("everybody took part, and an observer watched", summary["participants"] == (2 if camera.exists() else 1) and summary["observers"] == 1)
 check("the liver gave way by at least 10 mm", summary["max_liver_displacement_mm"] >= 10)
 check("and came back within 1 mm of rest", summary["residual_displacement_mm"]["liver"] <= 1)
 check("the observer was complete within 2 s", summary["late_join_ms"] <= 2000)
@@ -36,6 +37,12 @@ else:
     print("skipped: the press has no reference: the CT liver is not fetched, or the scene is another one")
 headset = json.loads((folder / "headset.json").read_text())
 check("headset user and observer hold the same topology", headset["topology_hash"] == summary["topology_hash"])
+if camera.exists():
+    check("camera user and observer, too", json.loads(camera.read_text())["topology_hash"] == summary["topology_hash"])
+    check(f"the observer saw the bare hand of {summary['camera_to_observer_samples']} pictures", summary["camera_to_observer_samples"] >= 20)
+    check(f"{summary['camera_to_observer_ms_p50']} ms late", 0 < (summary["camera_to_observer_ms_p50"] or 0) < 1000)
+else:
+    print("skipped: the networks that find bare hands aren't fetched, so there was no camera user")
 
 pictures = {name: (folder / f"{name}.png").read_bytes() for name in ("before", "press", "after", "headset")}
 for name, data in pictures.items():

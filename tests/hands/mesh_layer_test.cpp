@@ -15,7 +15,7 @@ constexpr std::array<std::array<std::uint32_t, 3>, 1> one_triangle = {{{0, 1, 2}
 
 struct Corners {
   std::array<Eigen::Vector3f, 3> positions, normals;
-  PaintedMesh mesh() const { return {positions, normals, one_triangle, one_paint}; }
+  ShadedMesh mesh() const { return {positions, normals, one_triangle, one_paint}; }
 };
 
 /// Returns how far along z a ray meets the triangle; infinite: it doesn't, or from behind.

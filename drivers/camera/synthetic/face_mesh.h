@@ -15,7 +15,7 @@ struct FaceMesh {
   std::vector<Rgb> paint;
   double eye_distance = 0;  // m, between the pupils
 
-  PaintedMesh painted() const { return {positions, normals, triangles, paint}; }
+  ShadedMesh painted() const { return {positions, normals, triangles, paint}; }
 };
 
 /// Makes a painted head with neck and shoulders: rough, but networks take it for a face.

@@ -31,7 +31,7 @@ void MeshLayer::clear() {
   std::fill(hits_.begin(), hits_.end(), Hit{{}, nothing_met});
 }
 
-void MeshLayer::draw(const PaintedMesh& mesh, const Pose& camera_mesh, const Lamp& lamp) {
+void MeshLayer::draw(const ShadedMesh& mesh, const Pose& camera_mesh, const Lamp& lamp) {
   const Eigen::Matrix3f turn = camera_mesh.q.toRotationMatrix().cast<float>();
   const Eigen::Vector3f shift = camera_mesh.p.cast<float>(), towards = lamp.towards.cast<float>();
   const auto ambient = static_cast<float>(lamp.ambient);

@@ -13,7 +13,7 @@
 namespace prosector {
 
 /// A surface with what its vertices give back of the light.
-struct PaintedMesh {
+struct ShadedMesh {
   std::span<const Eigen::Vector3f> positions, normals;
   std::span<const std::array<std::uint32_t, 3>> triangles;  // counter-clockwise seen from outside
   std::span<const Rgb> paint;                               // of each vertex
@@ -29,7 +29,7 @@ class MeshLayer {
   void clear();
   /// Draws a surface over what is there. The camera's frame is x right, y down, z ahead; what is nearer than
   /// 2 cm is left out.
-  void draw(const PaintedMesh& mesh, const Pose& camera_mesh, const Lamp& lamp);
+  void draw(const ShadedMesh& mesh, const Pose& camera_mesh, const Lamp& lamp);
 
   struct Hit {
     Rgb light{};

@@ -6,6 +6,7 @@
 
 #include "common/clock.h"
 #include "common/error.h"
+#include "drivers/camera/synthetic/painted_clock.h"
 
 namespace prosector {
 namespace {
@@ -51,6 +52,7 @@ std::optional<Frame> SyntheticCamera::next(std::chrono::milliseconds patience) {
   last_shown_ = scene.seconds_of(frame.number);
   frame.time_ns = start_ns_ + static_cast<std::int64_t>(1e9 * last_shown_);
   frame.image = painter_.paint(frame.number);
+  if (scene.clock) paint_clock(frame.image, frame.time_ns);
   const double left = due - seconds(monotonic_ns());
   if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
   return frame;

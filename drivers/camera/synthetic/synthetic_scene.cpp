@@ -11,6 +11,7 @@
 #include "common/paths.h"
 #include "drivers/camera/camera_frames.h"
 #include "drivers/camera/picture_file.h"
+#include "drivers/camera/synthetic/painted_clock.h"
 #include "drivers/camera/tags/known_boards.h"
 #include "drivers/toml_fields.h"
 
@@ -66,6 +67,9 @@ void read_camera(const TomlFields& fields, SyntheticScene& scene) {
   scene.readout = fields.number("readout", 0, 1, scene.readout);
   scene.delay = fields.number("delay", 0, 10, scene.delay);
   scene.rays = fields.whole("rays", 1, 8, scene.rays);
+  scene.clock = fields.flag("clock", scene.clock);
+  if (scene.clock && clock_cell(scene.lens.width) == 0)
+    fields.fail("clock", "needs pictures that are at least 40 pixels wide");
   scene.sensor.light = fields.number("light", 0, 4, scene.sensor.light);
   scene.sensor.blur = fields.number("blur", 0, 10, scene.sensor.blur);
   scene.sensor.noise = fields.number("noise", 0, 100, scene.sensor.noise);

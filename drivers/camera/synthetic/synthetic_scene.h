@@ -65,6 +65,7 @@ struct SyntheticScene {
   double exposure = 0.008, readout = 0;  // s
   double delay = 0.02;                   // s from the end of an exposure until its picture is at hand
   int rays = 3;                          // of a pixel's side
+  bool clock = false;                    // each picture tells its time: painted_clock.h
   Sensor sensor;
   Carrier camera;  // its pose is the camera's in our frame: x right, y up, −z ahead
   Vec3 to_lamp = Vec3(0.3, 0.9, 0.3).normalized();  // room
