@@ -23,7 +23,21 @@ using ParticipantId = std::uint64_t;  // drawn at random by each client; 0 is no
 using BodyId = std::uint32_t;         // index into SceneInfo::bodies
 
 enum class Role : std::uint8_t { observer, dissector, host };
-enum class Gesture : std::uint8_t { none, fist, point, two, three, little, index_little, flat, pinch };
+/// Journals and peers keep these numbers: new ones come at the end.
+enum class Gesture : std::uint8_t {
+  none,
+  fist,
+  point,
+  two,
+  three,
+  little,
+  index_little,
+  flat,
+  pinch,
+  thumb_up,
+  thumb_index,
+  four
+};
 
 inline constexpr std::size_t max_name_length = 63;      // bytes, UTF-8: session, participant, body names
 inline constexpr std::size_t max_text_length = 1023;    // bytes: descriptions, reasons

@@ -356,7 +356,7 @@ void add_glove(Keys& keys) {
                         0, 0.5));
   keys.push_back(plain<bool>(
       table + ".pinch", in + "pinch", [](ClientConfig& c) -> bool& { return c.gloves[Hand].device.pinch; },
-      "", "true: thumb and index finger closed, the others open, is `pinch`"));
+      "", "true: index finger closed, thumb bent, the others open, is `pinch`"));
   keys.push_back(plain<bool>(
       table + ".falls_on_bending", in + "falls_on_bending",
       [](ClientConfig& c) -> bool& { return c.gloves[Hand].device.falls_on_bending; }, "",
@@ -411,7 +411,9 @@ void add_gestures(Keys& keys) {
     key.name = fmt::format("gestures.{}", row.name);
     key.member = "gestures";
     for (const EventName& e : event_names) key.choices.emplace_back(e.name);
+    const Gesture plain = without_thumb(row.gesture);
     key.help = "what this gesture asks for";
+    if (plain != row.gesture) key.help += fmt::format("; none: what {} does", gesture_name(plain));
     key.set = [gesture = row.gesture](ClientConfig& c, const ConfigValue& v) {
       const auto event = std::find_if(event_names.begin(), event_names.end(),
                                       [&](const EventName& e) { return e.name == std::get<std::string>(v); });

@@ -120,9 +120,9 @@ struct DeviceConfig {
   std::shared_ptr<SharedCamera> camera = {};      // that others see by, too; null: the device opens its own
   bool left = false;                              // glove: left hand
   double closed_above = 0.65, open_below = 0.35;  // glove: gesture thresholds, flexion
-  double hysteresis = 0.05;                     // glove: how far past its threshold a finger keeps its state
-  bool pinch = false;                           // glove: thumb and index closed, the others open, is a pinch
-  bool falls_on_bending = false;                // glove: counts fall when a finger bends (some USB gloves)
+  double hysteresis = 0.05;       // glove: how far past its threshold a finger keeps its state
+  bool pinch = false;             // glove: index closed, thumb bent, the others open, is a pinch
+  bool falls_on_bending = false;  // glove: counts fall when a finger bends (some USB gloves)
   std::optional<GloveCalibration> calibration;  // glove: fixed counts instead of learning them
 };
 

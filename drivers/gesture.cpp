@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "drivers/device.h"
+
 namespace prosector {
 namespace {
 
-constexpr std::array<GestureRow, 9> table = {{
+constexpr std::array<GestureRow, 12> table = {{
     {Gesture::none, "none", -1},
     {Gesture::fist, "fist", 0},
     {Gesture::point, "point", 1},
@@ -14,10 +16,11 @@ constexpr std::array<GestureRow, 9> table = {{
     {Gesture::little, "little", 8},
     {Gesture::index_little, "index_little", 9},
     {Gesture::flat, "flat", 15},
-    {Gesture::pinch, "pinch", -1},
+    {Gesture::pinch, "pinch", 14, ThumbNeed::bent, true},
+    {Gesture::thumb_up, "thumb_up", 0, ThumbNeed::open},
+    {Gesture::thumb_index, "thumb_index", 1, ThumbNeed::open},
+    {Gesture::four, "four", 15, ThumbNeed::bent},
 }};
-
-constexpr int all_but_index = 2 + 4 + 8;
 
 }  // namespace
 
@@ -36,11 +39,30 @@ const GestureRow* find_gesture(std::string_view name) {
   return row == table.end() ? nullptr : &*row;
 }
 
+Gesture without_thumb(Gesture gesture) {
+  const auto own =
+      std::find_if(table.begin(), table.end(), [&](const auto& r) { return r.gesture == gesture; });
+  const auto plain = std::find_if(table.begin(), table.end(), [&](const auto& r) {
+    return own != table.end() && r.open_fingers == own->open_fingers && r.thumb == ThumbNeed::any;
+  });
+  return plain == table.end() ? gesture : plain->gesture;
+}
+
+GestureThresholds thresholds_of(const DeviceConfig& device) {
+  return {device.closed_above, device.open_below, device.hysteresis, device.pinch};
+}
+
 GestureDetector::Finger GestureDetector::classify(double flexion, Finger before) const {
   const double h = thresholds_.hysteresis;
   if (flexion > thresholds_.closed_above - (before == Finger::closed ? h : 0)) return Finger::closed;
   if (flexion < thresholds_.open_below + (before == Finger::open ? h : 0)) return Finger::open;
   return Finger::between;
+}
+
+bool GestureDetector::is_made(const GestureRow& row, int open_fingers) const {
+  const bool thumb_open = fingers_[0] == Finger::open;
+  return row.open_fingers == open_fingers && (thresholds_.pinch || !row.if_asked) &&
+         (row.thumb == ThumbNeed::any || thumb_open == (row.thumb == ThumbNeed::open));
 }
 
 Gesture GestureDetector::update(const std::array<double, fingers>& flexion) {
@@ -53,10 +75,11 @@ Gesture GestureDetector::update(const std::array<double, fingers>& flexion) {
     between = between || fingers_[i] == Finger::between;
   }
   if (between) return Gesture::none;
-  if (thresholds_.pinch && fingers_[0] == Finger::closed && open == all_but_index) return Gesture::pinch;
-  const auto row =
-      std::find_if(table.begin(), table.end(), [&](const auto& r) { return r.open_fingers == open; });
-  return row == table.end() ? Gesture::none : row->gesture;
+  Gesture made = Gesture::none;
+  // A row that names the thumb goes before the one that doesn't.
+  for (const GestureRow& row : table)
+    if (is_made(row, open) && (made == Gesture::none || row.thumb != ThumbNeed::any)) made = row.gesture;
+  return made;
 }
 
 }  // namespace prosector

@@ -28,8 +28,7 @@ std::array<double, fingers> FlexionCalibrator::update(const std::array<double, f
 }
 
 GloveHand::GloveHand(const DeviceConfig& config, double least_span)
-    : calibrator_(config, least_span),
-      gestures_({config.closed_above, config.open_below, config.hysteresis, config.pinch}) {}
+    : calibrator_(config, least_span), gestures_(thresholds_of(config)) {}
 
 DeviceSample GloveHand::sample(const std::array<std::uint16_t, fingers>& raw, std::int64_t time_ns) {
   std::array<double, fingers> counts{};

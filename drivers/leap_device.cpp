@@ -13,14 +13,12 @@ namespace {
 
 constexpr std::size_t most_heard = 64;  // texts that wait: the oldest goes first
 
-GestureDetector detector(const DeviceConfig& config) {
-  return GestureDetector({config.closed_above, config.open_below, config.hysteresis, config.pinch});
-}
-
 }  // namespace
 
 LeapDevice::LeapDevice(std::string where, const DeviceConfig& config)
-    : where_(std::move(where)), chain_(config), gestures_{detector(config), detector(config)} {}
+    : where_(std::move(where)),
+      chain_(config),
+      gestures_{GestureDetector(thresholds_of(config)), GestureDetector(thresholds_of(config))} {}
 
 void LeapDevice::talk_to(const std::string& host, const std::string& port) {
   socket_ = std::make_unique<WebSocket>(host, port, leap::target,

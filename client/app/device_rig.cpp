@@ -49,11 +49,6 @@ void put_hands_first(ClientConfig& config) {
   device.stations = (1u << next) - 1;
 }
 
-/// Makes gestures of a headset's hand, by the thresholds that its glove would have.
-GestureDetector gestures_of(const DeviceConfig& glove) {
-  return GestureDetector({glove.closed_above, glove.open_below, glove.hysteresis, glove.pinch});
-}
-
 }  // namespace
 
 std::string describe_devices(const ClientConfig& config) {
@@ -69,8 +64,8 @@ std::string describe_devices(const ClientConfig& config) {
 DeviceRig::DeviceRig(const ClientConfig& config, HeadsetUser* headset)
     : config_(config),
       headset_(headset),
-      headset_gestures_{gestures_of(config.gloves[left_hand].device),
-                        gestures_of(config.gloves[right_hand].device)},
+      headset_gestures_{GestureDetector(thresholds_of(config.gloves[left_hand].device)),
+                        GestureDetector(thresholds_of(config.gloves[right_hand].device))},
       eye_(config.tracker_device.room_device.p) {
   if (!config_.tracker.empty()) open_tracker();
   for (std::size_t hand : {left_hand, right_hand})
@@ -160,7 +155,7 @@ void DeviceRig::take_headset(const TrackedUser& user) {
     DeviceSample bends;
     bends.flexion = user.hands[hand]->flexion;
     bends.gesture = headset_gestures_[hand].update(bends.flexion);
-    if (appears) gesture_[hand] = bends.gesture;  // coming into sight it asks for nothing
+    if (appears) gesture_[hand] = asked_gesture(bends.gesture);  // coming into sight it asks for nothing
     take_glove(hand, bends);
   }
 }
@@ -211,13 +206,20 @@ void DeviceRig::press_tablet() {
   }
 }
 
+/// Returns what asks where this gesture is made: itself where the configuration names it, else the same
+/// fingers' whatever the thumb does.
+Gesture DeviceRig::asked_gesture(Gesture made) const {
+  return config_.gestures.contains(made) ? made : without_thumb(made);
+}
+
 void DeviceRig::take_glove(std::size_t hand, const DeviceSample& sample) {
   input_.hands[hand].flexion = sample.flexion;
   input_.hands[hand].gesture = sample.gesture;
   // Between two gestures a hand makes none; only a new one triggers.
-  if (sample.gesture == Gesture::none || sample.gesture == gesture_[hand]) return;
-  gesture_[hand] = sample.gesture;
-  if (const auto it = config_.gestures.find(sample.gesture); it != config_.gestures.end())
+  const Gesture asked = asked_gesture(sample.gesture);
+  if (asked == Gesture::none || asked == gesture_[hand]) return;
+  gesture_[hand] = asked;
+  if (const auto it = config_.gestures.find(asked); it != config_.gestures.end())
     triggers_.push_back({it->second, hand});
 }
 

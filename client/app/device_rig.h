@@ -88,6 +88,7 @@ class DeviceRig {
   void press_tablet();
   void take_tracker(const DeviceSample& sample);
   void take_glove(std::size_t hand, const DeviceSample& sample);
+  Gesture asked_gesture(Gesture made) const;
   void expire(std::int64_t now_ns);
 };
 

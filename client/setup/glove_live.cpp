@@ -178,7 +178,9 @@ void GloveLive::draw_gestures(Interface& ui, const DeviceSample& sample, const C
   for (const GestureRow& row : gesture_table()) {
     if (row.gesture == Gesture::none) continue;
     const auto asked = find_config_key(fmt::format("gestures.{}", row.name))->get(config);
-    const std::string event = asked ? std::get<std::string>(*asked) : "none";
+    std::string event = asked ? std::get<std::string>(*asked) : "none";
+    const Gesture plain = without_thumb(row.gesture);
+    if (event == "none" && plain != row.gesture) event = fmt::format("as {}", gesture_name(plain));
     const bool was_made = made_.contains(row.gesture);
     const std::string words =
         fmt::format("{}{}{}", row.name, event == "none" ? "" : ": " + event, was_made ? ", made" : "");

@@ -28,7 +28,7 @@ Refusal check_hand(HandPose& m) {
   Checks checks;
   for (const double x : m.flexion)
     checks.that(within(x, -flexion_slack, 1 + flexion_slack), "flexion outside [0, 1]");
-  return checks.that(enum_within(m.gesture, Gesture::pinch), "unknown gesture").refusal();
+  return checks.that(enum_within(m.gesture, Gesture::four), "unknown gesture").refusal();
 }
 
 template <class M>

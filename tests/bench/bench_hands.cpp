@@ -1,11 +1,14 @@
 // Bare hands in pictures of our own skinned hand: what is found, how far its points, pose and bends are off,
 // and what a picture costs one thread.
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "common/error.h"
 #include "tests/bench/subjects.h"
 #include "tests/bench/text_table.h"
+#include "tests/gesture_bends.h"
 #include "tests/hands/hand_trial.h"
 
 namespace prosector {
@@ -22,8 +25,6 @@ void add_trial(HandTrial& all, const HandTrial& one) {
   all.right_points += one.right_points;
   all.right_side += one.right_side;
   all.sure += one.sure;
-  all.gestures += one.gestures;
-  all.right_gesture += one.right_gesture;
   all.palm_runs += one.palm_runs;
   for (const auto list : {&HandTrial::points, &HandTrial::lateral, &HandTrial::depth, &HandTrial::turn,
                           &HandTrial::flexion, &HandTrial::find_ms, &HandTrial::fit_ms})
@@ -43,7 +44,6 @@ ReportRow row_of(const std::string& what, HandNets nets, std::size_t cameras, co
           {"right_points", share(t.right_points, t.views)},
           {"right_side", share(t.right_side, t.seen)},
           {"sure", share(t.sure, t.pictures)},
-          {"right_gesture", share(t.right_gesture, t.gestures)},
           {"palm_runs", t.palm_runs},
           {"points_median", t.points.at(0.5)},
           {"points_mean", t.points.mean()},
@@ -56,6 +56,30 @@ ReportRow row_of(const std::string& what, HandNets nets, std::size_t cameras, co
           {"flexion_95", t.flexion.at(0.95)},
           {"find_ms", t.find_ms.at(0.5)},
           {"fit_ms", t.fit_ms.at(0.5)}};
+}
+
+/// Tells of each gesture how often it was taken for which: shares of its pictures, by rows of the report.
+void tell_gestures(HandNets nets, const GestureTrial& trial, Report& report) {
+  using enum Column::Kind;
+  std::vector<Column> columns = {
+      {text, "trial", "made", 12}, {text, "nets", "nets"}, {percent, "none", "none"}};
+  for_gestures([&](const GestureRow& row) { columns.push_back({percent, row.name, row.name}); });
+  const TextTable table(columns);
+  table.print_header();
+  for_gestures([&](const GestureRow& made) {
+    HandTrial nothing;
+    nothing.pictures = trial.pictures_of(made.gesture);
+    ReportRow row = row_of(made.name, nets, 1, nothing);
+    row["right_gesture"] = trial.right_share(made.gesture);
+    for (const GestureRow& told : gesture_table()) {
+      const auto& all = trial.told.at(made.gesture);
+      const auto count = all.find(told.gesture);
+      row[told.name] = share(count == all.end() ? 0 : count->second, nothing.pictures);
+    }
+    table.print(row);
+    report.add(row);
+  });
+  fmt::print("right side: {:.1f} %\n", 100 * share(trial.right_side, trial.pictures));
 }
 
 }  // namespace
@@ -73,7 +97,6 @@ Report bench_hands(const HandsBenchOptions& options) {
                          {percent, "right_points", "points right"},
                          {percent, "right_side", "side right"},
                          {percent, "sure", "pose sure"},
-                         {percent, "right_gesture", "gesture right"},
                          {percent, "points_median", "points off"},
                          {number, "lateral_mm", "lateral mm"},
                          {number, "depth_mm", "depth mm"},
@@ -96,8 +119,9 @@ Report bench_hands(const HandsBenchOptions& options) {
         add_trial(all, followed_hand(nets, size, painter, length, cameras, first_seed + k));
       tell(row_of("followed", size, cameras, all));
     }
-    tell(row_of("gestures", size, 1, shown_gestures(nets, size, painter, options.quick ? 1 : 8, first_seed)));
   }
+  for (const HandNets size : {HandNets::lite, HandNets::full})
+    tell_gestures(size, made_gestures(nets, size, painter, options.quick ? 1 : 10, first_seed), report);
   return report;
 }
 

@@ -43,7 +43,7 @@ TEST(Gestures, EachAsksForWhatTheTableSays) {
   EXPECT_EQ(ClientConfig{}.gestures, expected);
   for (const GestureRow& row : gesture_table()) {
     const auto asked = triggers({row.name});
-    const auto wanted = expected.find(row.gesture);
+    const auto wanted = expected.find(without_thumb(row.gesture));
     ASSERT_EQ(asked.size(), wanted == expected.end() ? 0u : 1u) << row.name;
     if (asked.empty()) continue;
     EXPECT_EQ(asked[0].event, wanted->second) << row.name;
@@ -56,6 +56,22 @@ TEST(Gestures, AskOnceUntilAnotherIsMade) {
   std::vector<GestureEvent> events;
   for (const GestureTrigger& t : asked) events.push_back(t.event);
   EXPECT_EQ(events, (std::vector{GestureEvent::grasp, GestureEvent::grasp, GestureEvent::release}));
+}
+
+// A thumb asks for nothing of its own until the configuration says so.
+TEST(Gestures, ThatNeedAThumbAskAsTheirFingersUntilTheyAreNamed) {
+  const auto as_fingers = triggers({"thumb_up", "fist", "thumb_up", "four", "flat", "thumb_index"});
+  ASSERT_EQ(as_fingers.size(), 2u);
+  EXPECT_EQ(as_fingers[0].event, GestureEvent::grasp);
+  EXPECT_EQ(as_fingers[1].event, GestureEvent::release);
+  const ClientConfig config = parse_client_config(
+      "[gestures]\nthumb_up = 'reset'\nfist = 'grasp'\nfour = 'parts'\nthumb_index = 'panel'\n", "c.toml");
+  std::vector<GestureEvent> named;
+  for (const GestureTrigger& t :
+       triggers({"fist", "thumb_up", "fist", "flat", "four", "point", "thumb_index"}, config))
+    named.push_back(t.event);
+  EXPECT_EQ(named, (std::vector{GestureEvent::grasp, GestureEvent::reset, GestureEvent::grasp,
+                                GestureEvent::parts, GestureEvent::panel}));
 }
 
 TEST(Gestures, FollowTheConfiguration) {

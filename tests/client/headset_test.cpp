@@ -13,6 +13,7 @@
 #include "common/hand.h"
 #include "drivers/gesture.h"
 #include "drivers/twins/headset_wearer.h"
+#include "tests/gesture_bends.h"
 
 namespace prosector {
 namespace {
@@ -79,6 +80,19 @@ TEST(HeadsetHand, GarbageIsNoHand) {
     EXPECT_FALSE(hand_of_joints(joints));
   }
   EXPECT_FALSE(hand_of_controller(right_hand, {somewhere, std::numeric_limits<double>::quiet_NaN(), 0}));
+}
+
+TEST(HeadsetHand, MakesEachGestureOfTheTable) {
+  DeviceConfig glove;
+  glove.pinch = true;
+  for (const std::size_t hand : {left_hand, right_hand}) {
+    GestureDetector gestures(thresholds_of(glove));
+    for_gestures([&](const GestureRow& row) {
+      const auto seen = hand_of_joints(joints_at(somewhere, hand, bends_of(row)));
+      ASSERT_TRUE(seen);
+      EXPECT_EQ(gestures.update(seen->flexion), row.gesture) << row.name;
+    });
+  }
 }
 
 TEST(HeadsetController, TriggerGraspsAndSqueezePoints) {

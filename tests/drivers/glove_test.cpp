@@ -3,6 +3,7 @@
 #include "drivers/five_dt_record.h"
 #include "drivers/gesture.h"
 #include "drivers/glove_hand.h"
+#include "tests/gesture_bends.h"
 
 namespace prosector {
 namespace {
@@ -58,15 +59,78 @@ std::array<double, fingers> fingers_of(int open, double thumb) {
   return flexion;
 }
 
-TEST(Gestures, EveryPatternHasItsRow) {
-  for (int open = 0; open < 16; ++open) {
-    Gesture expected = Gesture::none;
+/// Returns what the table says of these fingers, by the words above it.
+Gesture expected_gesture(int open, bool thumb_open, bool pinch) {
+  Gesture out = Gesture::none;
+  for (const ThumbNeed need : {ThumbNeed::any, thumb_open ? ThumbNeed::open : ThumbNeed::bent})
     for (const GestureRow& row : gesture_table())
-      if (row.open_fingers == open) expected = row.gesture;
-    for (const double thumb : {0.0, 1.0}) {
-      GestureDetector detector({0.65, 0.35, 0.05, false});
-      EXPECT_EQ(detector.update(fingers_of(open, thumb)), expected) << open;
-    }
+      if (row.open_fingers == open && row.thumb == need && (pinch || !row.if_asked)) out = row.gesture;
+  return out;
+}
+
+TEST(Gestures, EveryPatternHasItsRow) {
+  for (int open = 0; open < 16; ++open)
+    for (const double thumb : {0.0, 0.3, 0.4, 0.6, 1.0})
+      for (const bool pinch : {false, true}) {
+        GestureDetector detector({0.65, 0.35, 0.05, pinch});
+        EXPECT_EQ(detector.update(fingers_of(open, thumb)), expected_gesture(open, thumb < 0.35, pinch))
+            << open << " thumb " << thumb;
+      }
+}
+
+// What people make is told of any row, however the fingers come there.
+TEST(Gestures, OfTheWholeTableFollowEachOther) {
+  GestureDetector detector({0.65, 0.35, 0.05, true});
+  for_gestures([&](const GestureRow& from) {
+    for_gestures([&](const GestureRow& to) {
+      EXPECT_EQ(detector.update(bends_of(from)), from.gesture) << from.name;
+      std::array<double, fingers> half{};
+      for (std::size_t f = 0; f < fingers; ++f) half[f] = (bends_of(from)[f] + bends_of(to)[f]) / 2;
+      (void)detector.update(half);
+      EXPECT_EQ(detector.update(bends_of(to)), to.gesture) << from.name << " to " << to.name;
+    });
+  });
+}
+
+TEST(Gestures, HaveRowsThatDiffer) {
+  for_gestures([&](const GestureRow& a) {
+    for_gestures([&](const GestureRow& b) {
+      EXPECT_EQ(a.open_fingers == b.open_fingers && a.thumb == b.thumb, a.gesture == b.gesture) << a.name;
+    });
+  });
+}
+
+TEST(Gestures, WithoutAThumbAreThoseOfTheSameFingers) {
+  EXPECT_EQ(without_thumb(Gesture::none), Gesture::none);
+  for_gestures([](const GestureRow& row) {
+    const GestureRow* plain = find_gesture(gesture_name(without_thumb(row.gesture)));
+    EXPECT_EQ(plain->open_fingers, row.open_fingers) << row.name;
+    EXPECT_EQ(plain->gesture == row.gesture, row.thumb == ThumbNeed::any || row.if_asked) << row.name;
+  });
+  EXPECT_EQ(without_thumb(Gesture::thumb_up), Gesture::fist);
+  EXPECT_EQ(without_thumb(Gesture::thumb_index), Gesture::point);
+  EXPECT_EQ(without_thumb(Gesture::four), Gesture::flat);
+}
+
+// Every gesture through both gloves' records and their counts.
+TEST(Gestures, ComeOutOfEachGlovesRecords) {
+  for (const bool usb : {false, true}) {
+    const double open = usb ? 800 : 0, closed = usb ? 1300 : 255;
+    DeviceConfig config;
+    config.pinch = true;
+    config.calibration = GloveCalibration{};
+    config.calibration->open.fill(open);
+    config.calibration->closed.fill(closed);
+    GloveHand hand(config, 16);
+    for_gestures([&](const GestureRow& row) {
+      five_dt::Counts counts{};
+      for (std::size_t f = 0; f < fingers; ++f)
+        counts[f] = static_cast<std::uint16_t>(open + bends_of(row)[f] * (closed - open));
+      const auto read = usb ? five_dt::decode_report(five_dt::encode_report(counts))
+                            : five_dt::decode_packet(five_dt::encode_packet(counts, 0, 0, false), false);
+      ASSERT_TRUE(read);
+      EXPECT_EQ(hand.sample(*read, 0).gesture, row.gesture) << row.name;
+    });
   }
 }
 
@@ -80,15 +144,16 @@ TEST(Gestures, NamesAreUnique) {
 
 TEST(Gestures, NoneBetweenAndHysteresisAtTheEdge) {
   GestureDetector detector({0.65, 0.35, 0.05, false});
-  EXPECT_EQ(detector.update({0, 0.62, 1, 1, 1}), Gesture::none);
-  EXPECT_EQ(detector.update({0, 0.66, 1, 1, 1}), Gesture::fist);
-  EXPECT_EQ(detector.update({0, 0.62, 1, 1, 1}), Gesture::fist);
-  EXPECT_EQ(detector.update({0, 0.59, 1, 1, 1}), Gesture::none);
+  EXPECT_EQ(detector.update({1, 0.62, 1, 1, 1}), Gesture::none);
+  EXPECT_EQ(detector.update({1, 0.66, 1, 1, 1}), Gesture::fist);
+  EXPECT_EQ(detector.update({1, 0.62, 1, 1, 1}), Gesture::fist);
+  EXPECT_EQ(detector.update({1, 0.59, 1, 1, 1}), Gesture::none);
 }
 
 TEST(Gestures, PinchOnlyWhenAsked) {
   GestureDetector with({0.65, 0.35, 0.05, true}), without({0.65, 0.35, 0.05, false});
   EXPECT_EQ(with.update({1, 1, 0, 0, 0}), Gesture::pinch);
+  EXPECT_EQ(with.update({0, 1, 0, 0, 0}), Gesture::none) << "the thumb is away";
   EXPECT_EQ(without.update({1, 1, 0, 0, 0}), Gesture::none);
 }
 

@@ -5,6 +5,7 @@
 
 #include "drivers/leap_device.h"
 #include "drivers/twins/leap_twin.h"
+#include "tests/gesture_bends.h"
 
 namespace prosector {
 namespace {
@@ -45,6 +46,26 @@ TEST(Leap, PosesAndBendsOfTheOwnHandComeBack) {
       const auto bends = leap::flexion_of(back->hands[0]);
       for (std::size_t f = 0; f < fingers; ++f) EXPECT_NEAR(bends[f], flexion[f], 1e-6) << f;
     }
+}
+
+TEST(Leap, TellsEachGestureOfTheTable) {
+  DeviceConfig config;
+  config.pinch = true;
+  LeapDevice device("here", config);
+  leap::Text greeting;
+  greeting.version = leap::known_version;
+  device.hear(leap::text_of(greeting, 0));
+  const Pose wrist{{0.1, 0.2, 0}, Quat::Identity()};
+  int number = 0;
+  for_gestures([&](const GestureRow& row) {
+    leap::Text frame;
+    frame.hands = {seen_hand(false, wrist, bends_of(row)), seen_hand(true, wrist, bends_of(row))};
+    device.hear(leap::text_of(frame, ++number));
+    std::vector<DeviceSample> samples;
+    device.poll(samples);
+    ASSERT_EQ(samples.size(), 2u);
+    for (const DeviceSample& sample : samples) EXPECT_EQ(sample.gesture, row.gesture) << row.name;
+  });
 }
 
 TEST(Leap, BothHandsReachTheRoomWithTheirGestures) {

@@ -16,6 +16,7 @@
 #include "drivers/twins/fastrak_twin.h"
 #include "drivers/twins/five_dt_twin.h"
 #include "drivers/twins/twin_server.h"
+#include "tests/gesture_bends.h"
 
 namespace prosector {
 namespace {
@@ -283,8 +284,41 @@ TEST(Line, GlovesReportFlexionBothWays) {
       Samples samples;
       ASSERT_TRUE(poll_until(*device, samples, 3, [&] { return samples.size() >= 10; }));
       EXPECT_EQ(samples.back().flexion, (std::array<double, fingers>{0, 0, 1, 1, 1}));
-      EXPECT_EQ(samples.back().gesture, Gesture::point);
+      EXPECT_EQ(samples.back().gesture, Gesture::thumb_index);
     }
+}
+
+// A simulated glove makes all gestures in a row, and each is told in its turn.
+TEST(Line, GlovesTellEachGestureOfTheTable) {
+  for (const bool hid : {false, true}) {
+    constexpr double move = 0.04, rest = 0.06;  // s
+    FiveDtTwinOptions options;
+    options.hid = hid;
+    options.left = hid;
+    std::vector<Gesture> made;
+    double time = 0;
+    for_gestures([&](const GestureRow& row) {
+      options.script.add(0, time += move, bends_of(row));
+      options.script.add(0, time += rest, bends_of(row));
+      made.push_back(row.gesture);
+    });
+    options.timing.wait_client = true;
+    Line line(std::make_unique<FiveDtTwin>(options, monotonic_ns()), {});
+    DeviceConfig config;
+    config.left = hid;
+    config.pinch = true;
+    config.calibration = GloveCalibration{};
+    config.calibration->open.fill(hid ? 800 : 0);
+    config.calibration->closed.fill(hid ? 1300 : 255);
+    const auto device = open_device((hid ? "5dt-usb:" : "5dt:") + line.link(), config);
+    Samples samples;
+    ASSERT_TRUE(poll_until(*device, samples, 10,
+                           [&] { return !samples.empty() && samples.back().gesture == made.back(); }));
+    auto next = made.begin();
+    for (const DeviceSample& sample : samples)
+      if (next != made.end() && sample.gesture == *next) ++next;
+    EXPECT_EQ(next - made.begin(), std::ssize(made)) << (hid ? "usb" : "serial");
+  }
 }
 
 }  // namespace

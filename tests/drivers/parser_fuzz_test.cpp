@@ -13,6 +13,7 @@
 #include "drivers/motion_script.h"
 #include "drivers/recorded.h"
 #include "drivers/stamped_buffer.h"
+#include "tests/gesture_bends.h"
 
 namespace prosector {
 namespace {
@@ -144,6 +145,21 @@ TEST_F(Files, RecordingsRoundTrip) {
   EXPECT_EQ(read[1].sample.flexion, b.flexion);
   EXPECT_EQ(read[1].sample.gesture, Gesture::two);
   EXPECT_EQ(read[1].sample.buttons, 3u);
+}
+
+TEST_F(Files, RecordingsKeepEachGesture) {
+  std::vector<DeviceSample> made;
+  for_gestures([&](const GestureRow& row) {
+    DeviceSample& sample = made.emplace_back();
+    sample.time_ns = std::ssize(made) * 10'000'000;
+    sample.has_flexion = true;
+    sample.flexion = bends_of(row);
+    sample.gesture = row.gesture;
+  });
+  ASSERT_TRUE(SampleRecorder(path_).write(made));
+  const auto read = load_recording(path_);
+  ASSERT_EQ(read.size(), made.size());
+  for (std::size_t k = 0; k < made.size(); ++k) EXPECT_EQ(read[k].sample.gesture, made[k].gesture) << k;
 }
 
 TEST_F(Files, ScriptsRestAtKeyframesAndLoop) {

@@ -80,7 +80,7 @@ TEST_F(TwinProgram, ServesItsScriptLogsItAndLeavesNothingBehind) {
     }
     ASSERT_GE(samples.size(), 20u) << device->status().message;
     EXPECT_EQ(samples.back().flexion, (std::array<double, fingers>{0, 0, 1, 1, 1}));
-    EXPECT_EQ(samples.back().gesture, Gesture::point);
+    EXPECT_EQ(samples.back().gesture, Gesture::thumb_index);
     EXPECT_EQ(output(), fs::read_symlink(link_).string() + "\n");
 
     kill(pid_, SIGTERM);

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "common/error.h"
+#include "drivers/hidden_bends.h"
+#include "tests/gesture_bends.h"
 #include "tests/hands/hand_trial.h"
 
 namespace prosector {
@@ -43,6 +45,36 @@ TEST_F(HandsInPictures, AreFollowedWithoutALoss) {
   EXPECT_LE(trial.palm_runs, 1 + trial.pictures / 10)
       << "looked for once, and now and then for a second hand";
   EXPECT_LT(trial.flexion.at(0.5), 0.08);
+}
+
+// Seeds that nothing was tuned on: seldom anything but what was made is told.
+TEST_F(HandsInPictures, TellEachGestureOfTheTable) {
+  const GestureTrial trial = made_gestures(nets_, HandNets::full, painter(), 2, 301);
+  double right = 0;
+  std::size_t gestures = 0;
+  for_gestures([&](const GestureRow& row) {
+    EXPECT_GE(trial.right_share(row.gesture), 0.5) << row.name;
+    right += trial.right_share(row.gesture);
+    ++gestures;
+  });
+  EXPECT_GE(right / static_cast<double>(gestures), 0.95);
+}
+
+TEST(HiddenBends, GrowAndEndWhereTheyBegan) {
+  std::array<double, fingers> before = bends_for_gestures({});
+  for (const double bend : before) EXPECT_EQ(bend, 0);
+  for (int k = 1; k <= 100; ++k) {
+    std::array<double, fingers> seen{};
+    seen.fill(0.01 * k);
+    const auto now = bends_for_gestures(seen);
+    for (std::size_t f = 0; f < fingers; ++f) {
+      EXPECT_GE(now[f], before[f]) << f;
+      EXPECT_LE(now[f], 1) << f;
+    }
+    before = now;
+  }
+  for (const double bend : before) EXPECT_EQ(bend, 1);
+  for (const double bend : bends_for_gestures({9, 9, 9, -9, -9})) EXPECT_TRUE(bend == 0 || bend == 1);
 }
 
 TEST_F(HandsInPictures, AreTwoOfTwoSides) {

@@ -2,8 +2,10 @@
 // What finding bare hands gets wrong on pictures of our own hand, and how long it takes.
 
 #include <filesystem>
+#include <map>
 #include <vector>
 
+#include "common/messages.h"
 #include "drivers/camera/hands/hand_finder.h"
 #include "tests/hands/hand_pictures.h"
 
@@ -31,7 +33,6 @@ struct HandTrial {
   std::size_t right_points = 0;  // seen with points that are less than a tenth of the hand off, in the mean
   std::size_t right_side = 0;
   std::size_t sure = 0;  // the fit says that it holds
-  std::size_t right_gesture = 0, gestures = 0;
   std::uint64_t palm_runs = 0;
   ErrorList points;          // shares of the hand's length in the picture, each point that our hand has
   ErrorList lateral, depth;  // of the palm's middle, m
@@ -48,9 +49,20 @@ HandTrial first_sight(const std::filesystem::path& nets, HandNets size, const Ha
 HandTrial followed_hand(const std::filesystem::path& nets, HandNets size, const HandPainter& painter,
                         std::size_t pictures, std::size_t cameras, unsigned seed);
 
-/// Shows each gesture of the table, and what is none, from several sides, for some pictures each.
-HandTrial shown_gestures(const std::filesystem::path& nets, HandNets size, const HandPainter& painter,
-                         std::size_t views, unsigned seed);
+/// What was told of gestures that hands made, picture by picture.
+struct GestureTrial {
+  std::map<Gesture, std::map<Gesture, std::size_t>> told;  // by what was made
+  std::size_t pictures = 0, right_side = 0;
+
+  std::size_t pictures_of(Gesture made) const;
+  /// Returns the share of pictures of it in which it was told, by whichever hand.
+  double right_share(Gesture made) const;
+};
+
+/// Shows hands that rest open and then make a gesture, each of the table from that many sides. What counts is
+/// told from one picture after it is made on.
+GestureTrial made_gestures(const std::filesystem::path& nets, HandNets size, const HandPainter& painter,
+                           std::size_t views, unsigned seed);
 
 /// Returns the folder of the fetched networks, empty where there are none.
 std::filesystem::path fetched_nets();

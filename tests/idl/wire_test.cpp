@@ -53,6 +53,15 @@ TEST(Wire, FieldsKeepTheirMeaning) {
   EXPECT_EQ(settled.positions, std::get<Settled>(sample_messages()[11]).positions);
 }
 
+TEST(Wire, EveryGestureComesBackByItsNumber) {
+  auto input = std::get<HandInput>(sample_messages()[3]);
+  for (int number = 0; number <= 11; ++number) {
+    input.hands[right_hand].gesture = static_cast<Gesture>(number);
+    EXPECT_EQ(std::get<HandInput>(round_trip(input)).hands[right_hand].gesture, static_cast<Gesture>(number));
+  }
+  EXPECT_EQ(static_cast<int>(Gesture::pinch), 8) << "as it was before thumbs counted";
+}
+
 TEST(Wire, KeyOnlyKeepsTheKey) {
   for (const Message& message : sample_messages()) {
     const Message key = key_only(message);
@@ -117,6 +126,7 @@ std::vector<Spoiled> spoiled_messages() {
       spoiled<HandInput>("flexion 2", [](HandInput& m) { m.hands[0].flexion[2] = 2; }),
       spoiled<HandInput>("flexion NaN", [](HandInput& m) { m.hands[0].flexion[4] = nan; }),
       spoiled<HandInput>("gesture", [](HandInput& m) { m.hands[0].gesture = static_cast<Gesture>(200); }),
+      spoiled<HandInput>("next gesture", [](HandInput& m) { m.hands[1].gesture = static_cast<Gesture>(12); }),
       spoiled<UserState>("NaN position", [](UserState& m) { m.hands[0].pose.p.x() = nan; }),
       spoiled<Command>("nobody", [](Command& m) { m.participant = 0; }),
       spoiled<Command>("kind", [](Command& m) { m.kind = static_cast<CommandKind>(99); }),

@@ -65,9 +65,14 @@ std::optional<TrackedHand> HandTracker::fit(std::size_t camera, std::size_t hand
       if (const auto& seen = other.hands[hand]; seen && std::abs(now_ns - seen->time_ns) < at_once_ns)
         views.push_back({seen->points, other.eye.lens, other.eye.camera_rig});
   Way& way = ways_[hand];
-  if (now_ns - way.time_ns > forgets_ns) way.before.reset();
+  if (now_ns - way.time_ns > forgets_ns) {
+    way.before.reset();
+    way.doubt.forget();
+  }
   const auto fitted = fit_hand(views, {hand, size_}, way.before);
   if (!fitted || !fitted->sure) return std::nullopt;
+  const Vec3 palm = fitted->wrist * Vec3(size_ * hand_palm(hand).center);
+  if (!way.doubt.believes({palm, fitted->wrist.q}, now_ns)) return std::nullopt;
   smooth(way, fitted->flexion, 1e-9 * static_cast<double>(now_ns - way.time_ns));
   way.before = fitted;
   way.time_ns = now_ns;

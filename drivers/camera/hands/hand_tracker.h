@@ -6,6 +6,7 @@
 #include "drivers/camera/frame.h"
 #include "drivers/camera/hands/hand_finder.h"
 #include "drivers/camera/hands/hand_fit.h"
+#include "drivers/camera/hands/pose_doubt.h"
 #include "drivers/camera/one_euro.h"
 
 namespace prosector {
@@ -48,6 +49,7 @@ class HandTracker {
   struct Way {
     std::optional<HandFit> before;
     std::int64_t time_ns = 0;
+    PoseDoubt doubt;
     PoseFilter filter;
     std::array<double, fingers> bends{}, speeds{};  // smoothed; 1/s
   };

@@ -7,16 +7,13 @@
 #include "common/error.h"
 #include "common/paths.h"
 #include "drivers/camera/camera_frames.h"
+#include "drivers/hidden_bends.h"
 #include "drivers/station_sample.h"
 
 namespace prosector {
 namespace {
 
 constexpr std::size_t most_cameras = 2;
-
-GestureDetector gesture_detector(const DeviceConfig& config) {
-  return GestureDetector({config.closed_above, config.open_below, config.hysteresis, config.pinch});
-}
 
 /// Returns the user's hand's size, of ours.
 double size_of(const DeviceConfig& config) {
@@ -30,7 +27,7 @@ HandsDevice::HandsDevice(const std::vector<std::string>& cameras, const DeviceCo
       tracker_(default_data_dir() / "models", HandNets::full, cameras.size(), size_of(config)),
       chain_(config),
       awaits_table_(config.camera && !config.table.empty()),
-      gestures_{gesture_detector(config), gesture_detector(config)} {
+      gestures_{GestureDetector(thresholds_of(config)), GestureDetector(thresholds_of(config))} {
   lenses_.emplace_back(config.lens);
   if (cameras.size() > 1) {
     lenses_.emplace_back(config.second_lens);
@@ -70,7 +67,7 @@ DeviceSample HandsDevice::sample_of(const TrackedHand& tracked, std::int64_t tim
   out.pose = room_hand(wrist, station);
   out.raw_pose = raw_pose_of(wrist);
   out.flexion = tracked.flexion;
-  out.gesture = gestures_[station].update(tracked.flexion);
+  out.gesture = gestures_[station].update(bends_for_gestures(tracked.flexion));
   return out;
 }
 
