@@ -16,11 +16,10 @@ constexpr double ghost_from = 0.01;  // m between hand and target: from there on
 constexpr double ghost_opacity = 0.25;
 constexpr double own_sleeve_opacity = 0.3;  // of whoever's eyes see
 
-/// Makes the user's own hand what the camera's picture shows. It casts no shadow, as its real one is there.
+/// Makes the user's own hand what the camera's picture shows.
 void make_real(DrawItem& item) {
   item.showing = Showing::real;
   item.appearance = {};
-  item.casts_shadow = false;
 }
 
 Vec3 color_of(const Replica& replica, ParticipantId who) {

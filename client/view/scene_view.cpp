@@ -195,7 +195,6 @@ void SceneView::lay_on_table(const Replica& replica, const SeeThrough& through) 
     DrawItem& item = list_.items[index];
     if (std::ranges::find(through.phantoms, one.name) != through.phantoms.end()) {
       item.showing = Showing::real;
-      item.casts_shadow = false;
       continue;
     }
     if (through.paper) light_as(item, shown, *through.paper);

@@ -516,7 +516,10 @@ TEST(SceneView, APhantomAndNothingElseIsLeftToTheCamerasPicture) {
   const auto real = [&] {
     std::vector<Vec3> out;
     for (const DrawItem& item : client.list(1, settings).items)
-      if (item.showing == Showing::real) out.push_back(item.pose.p);
+      if (item.showing == Showing::real) {
+        out.push_back(item.pose.p);
+        EXPECT_TRUE(item.casts_shadow) << "it shades organs";
+      }
     return out;
   };
   EXPECT_TRUE(real().empty());

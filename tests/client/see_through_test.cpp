@@ -182,6 +182,24 @@ TEST(RealThings, TakeShadowsInTheMeasureOfTheLampsShare) {
                 expected * list.backdrop->image->rgb[static_cast<std::size_t>(c)], 8);
 }
 
+/// A real ball below the lamp: its shadow on the table is in the camera's picture already.
+TEST(RealThings, ShadeWhatIsVirtualAlone) {
+  DrawList list = table_list();
+  list.ambient = Vec3::Constant(0.01);
+  const DrawCamera camera = list.cameras[0];
+  const Vec3 lamp = list.lights[0].position, on_ball(-0.1, 0.96, 0), on_table(0.12, 0.9, 0.05);
+  list.items.push_back(ball_at(on_ball - Vec3(0, 0.05, 0), 0.05));
+  const Image lit = test::picture_of(list, width, height);
+  for (const Vec3& place : {on_ball, on_table}) {
+    list.items.push_back(ball_at(place + 0.3 * (lamp - place), 0.03));
+    list.items.back().showing = Showing::real;
+  }
+  const Image shaded = test::picture_of(list, width, height);
+  EXPECT_GT(seen(lit, camera, on_ball)[0], 60);
+  EXPECT_LT(seen(shaded, camera, on_ball)[0], seen(lit, camera, on_ball)[0] / 2);
+  EXPECT_NEAR(seen(shaded, camera, on_table)[2], list.backdrop->image->rgb[2], 1);
+}
+
 TEST(Around, IsNotDrawn) {
   DrawList list = table_list();
   list.items.push_back(ball_at({0, 0.96, 0}));
