@@ -82,7 +82,7 @@ void People::add_self(DrawList& list, const Replica& replica, double tick, const
   const HandPose& target = self.input.hands[right_hand];
   const std::optional<Pose> head = self.input.head_tracked ? std::optional(self.input.head) : std::nullopt;
   const bool own_eyes = head && !settings.eye && settings.follow.empty();
-  if (settings.through) {
+  if (settings.through && !self.at_desk) {
     const std::size_t hands = list.items.size();
     add_hands(list, self.participant, self.input.hands, color, next_mesh_id);
     for (std::size_t k = hands; k < list.items.size(); ++k) make_real(list.items[k]);
