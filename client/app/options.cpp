@@ -373,13 +373,6 @@ void take_eyes(const EyeSettings& eyes, StereoProfile& profile) {
   profile.convergence = eyes.convergence.value_or(profile.convergence);
 }
 
-/// Returns the camera of a device, the first one of several; empty: it has none.
-std::string first_camera(const std::string& device) {
-  if (device.empty() || !driver_of(device).is_camera) return "";
-  const std::string path = parse_device_address(device).path;
-  return path.substr(0, path.find(','));
-}
-
 /// Refuses a window into the room where there is no screen that could be one.
 void check_window(const ClientOptions& o) {
   const bool fits =

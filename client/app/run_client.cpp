@@ -166,6 +166,7 @@ class Client {
       if (!report_.complete_ns && replica.complete()) {
         report_.complete_ns = monotonic_ns();
         report_.bytes_at_complete = connection_.counters().bytes_in;
+        check_phantoms(*replica.scene(), options_.phantoms);
       }
       missing = replica.missing();
       return replica.server_gone();

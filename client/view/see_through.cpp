@@ -1,9 +1,13 @@
 #include "client/view/see_through.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "client/view/overlay_frame.h"
+#include "common/error.h"
 
 namespace prosector {
 namespace {
@@ -44,6 +48,16 @@ Vec3 light_from(const LightInfo& light, const Vec3& place, const Vec3& normal) {
 }
 
 }  // namespace
+
+void check_phantoms(const SceneInfo& scene, std::span<const std::string> names) {
+  for (const std::string& name : names) {
+    if (std::ranges::find(scene.bodies, name, &SceneBody::name) != scene.bodies.end()) continue;
+    std::vector<std::string> known;
+    for (const SceneBody& body : scene.bodies) known.push_back(body.name);
+    throw InputError(fmt::format("phantom \"{}\": the scene \"{}\" has no such body; it has {}", name,
+                                 scene.name, fmt::join(known, ", ")));
+  }
+}
 
 Vec3 shown_paper(const DrawList& list, const Vec3& place, const Vec3& normal) {
   Vec3 light = ceiling_share * list.ambient;

@@ -3,10 +3,12 @@
 // shadows; virtual things are lit as the table is.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "client/view/draw_list.h"
+#include "common/messages.h"
 
 namespace prosector {
 
@@ -21,6 +23,9 @@ struct SeeThrough {
   std::vector<std::string> phantoms = {};  // names of bodies that are really there
   std::string words = {};                  // on the picture; empty: none
 };
+
+/// Checks the names of real bodies. Throws InputError that lists the scene's where it has none of that name.
+void check_phantoms(const SceneInfo& scene, std::span<const std::string> names);
 
 /// Returns the light (shown by a screen, linear) that our pictures would have of paper at a place that faces
 /// `normal`. Shadows, and what the room's walls send, are left out.

@@ -8,6 +8,7 @@
 #include "client/view/camera.h"
 #include "client/view/room.h"
 #include "client/view/see_through.h"
+#include "common/error.h"
 #include "drivers/camera/camera_frames.h"
 #include "drivers/camera/straightener.h"
 #include "drivers/camera/synthetic/synthetic_scene.h"
@@ -207,6 +208,24 @@ TEST(Around, IsNotDrawn) {
   list.items.back().casts_shadow = false;
   const Image picture = test::picture_of(list, width, height);
   EXPECT_EQ(picture.pixel(80, 60)[2], 200);
+}
+
+TEST(Phantoms, ThatTheSceneDoesntHaveAreToldWithThoseThatItHas) {
+  SceneInfo scene;
+  scene.name = "abdomen";
+  scene.bodies.resize(2);
+  scene.bodies[0].name = "liver";
+  scene.bodies[1].name = "left kidney";
+  const std::vector<std::string> right = {"left kidney", "liver"}, wrong = {"liver", "Liver"};
+  EXPECT_NO_THROW(check_phantoms(scene, {}));
+  EXPECT_NO_THROW(check_phantoms(scene, right));
+  try {
+    check_phantoms(scene, wrong);
+    FAIL() << "a name that nobody has";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "phantom \"Liver\": the scene \"abdomen\" has no such body; it has liver, left kidney");
+  }
 }
 
 TEST(PaperLight, IsThatOfTheBoardsPaperWhateverLiesOnHalfOfIt) {

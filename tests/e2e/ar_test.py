@@ -143,6 +143,10 @@ def take(who, name):
 
 try:
     start(BIN / "prosector-server", HERE / "ar.toml", "--session", session, "--cache", OUT / "cache").wait("is open")
+    lost = start(BIN / "prosector-client", "observe", "--name", "lost", "--session", session, "--display", "ar:offscreen", "--camera",
+                 synthetic("lost", ""), "--phantom", "pole")
+    check("a phantom that the scene doesn't have is refused", lost.ended(30) == 2)
+    lost.wait('phantom "pole": the scene')
     faults = "".join(f'[[fault]]\nkind = "black"\nfrom = {begin}\nto = {end}\n' for begin, end in BLACK)
     watcher = look("observe", "watcher", faults)
     watcher.wait("everything is here")
