@@ -465,6 +465,10 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   check_window(o);
   if (!through_camera && !raw.phantoms.empty()) throw InputError("--phantom: only with --display ar");
   o.phantoms = raw.phantoms;
+  const PhantomSettings& phantom = o.devices.phantom;
+  if (through_camera && !phantom.mesh.empty() && !phantom.has_place())
+    throw InputError("phantom.mesh: say where it is, by phantom.board or as `calibrate phantom` finds it");
+  if (!phantom.body.empty() && !phantom.has_place()) o.phantoms.push_back(phantom.body);
   take_eyes(o.devices.eyes, o.stereo);
   o.join.language = parse_language(raw.language);
   o.join.name = raw.user_name.empty() ? login_name() : raw.user_name;

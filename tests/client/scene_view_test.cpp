@@ -563,6 +563,33 @@ TEST(SceneView, APhantomAndNothingElseIsLeftToTheCamerasPicture) {
   EXPECT_TRUE(real().empty());
   settings.through->phantoms = {"part", "nobody"};
   EXPECT_EQ(real(), std::vector<Vec3>{Vec3(0, 1.2, 0)});
+  settings.through->phantoms = {};
+  FoundPhantom& found = settings.through->found.emplace();
+  found.body = "part";
+  EXPECT_EQ(real(), std::vector<Vec3>{Vec3(0, 1.2, 0)}) << "its board wasn't seen yet";
+  found.place.emplace().p = {0.3, 1, 0};
+  EXPECT_EQ(real(), std::vector<Vec3>{found.place->p});
+}
+
+TEST(SceneView, APhantomOfAShapeOfItsOwnHidesWhatIsVirtual) {
+  Client client;
+  client.join();
+  ViewSettings settings = plain(320, 240);
+  settings.through.emplace().is_placed = true;
+  settings.through->camera = mono_camera(look_at({0, 1.5, 0.6}, {0, 1.2, 0}), 0.8, 320, 240);
+  settings.through->room_board = {{0, 1, 0}, Quat(Eigen::AngleAxisd(-std::numbers::pi / 2, Vec3::UnitX()))};
+  settings.through->backdrop = {
+      std::make_shared<const Image>(Image{320, 240, std::vector<std::uint8_t>(3 * 320 * 240, 255)}), 1, 0, 0,
+      1};
+  FoundPhantom& found = settings.through->found.emplace();
+  found.shape = std::make_shared<const TriangleMesh>(mesh_of(solid("box", {0.3, 0.3, 0.02})));
+  const DrawCamera& camera = settings.through->camera;
+  const auto seen = [&] { return brightness(client.picture(1, settings), camera, {0, 1.2, 0}); };
+  EXPECT_LT(seen(), 200) << "the part: nobody knows where the phantom is";
+  found.place = Pose{{0, 1.3, 0.2}, camera.pose.q};
+  EXPECT_GT(seen(), 250) << "the camera's white";
+  found.place->p = {0, 1.0, -0.4};
+  EXPECT_LT(seen(), 200) << "the part before the phantom";
 }
 
 TEST(SceneView, NamesStandBesideThePartsWhenTheViewerAsksForThem) {
