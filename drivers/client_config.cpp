@@ -147,7 +147,9 @@ ClientConfig parse_client_config(std::string_view toml, const std::string& file)
       if (!name->empty()) *name = (folder / *name).string();
     for (std::string& board : tracker.boards)
       if (board.ends_with(".toml")) board = (folder / board).string();
-    if (tracker.table.ends_with(".toml")) tracker.table = (folder / tracker.table).string();
+    for (std::string* board : {&tracker.table, &config.phantom.board})
+      if (board->ends_with(".toml")) *board = (folder / *board).string();
+    if (std::string& mesh = config.phantom.mesh; !mesh.empty()) mesh = (folder / mesh).string();
     return config;
   } catch (const toml::parse_error& e) {
     throw InputError(fmt::format("{}:{}: {}", file, e.source().begin.line, e.description()));
@@ -162,7 +164,8 @@ ClientConfig load_client_config(const std::filesystem::path& file) {
     if (!lens.empty()) (void)load_calibration(lens);
   for (const std::string& board : config.tracker_device.boards)
     if (!board.empty()) (void)find_board(board);
-  if (const std::string& table = config.tracker_device.table; !table.empty()) (void)find_board(table);
+  for (const std::string& board : {config.tracker_device.table, config.phantom.board})
+    if (!board.empty()) (void)find_board(board);
   return config;
 }
 

@@ -53,6 +53,19 @@ struct WindowSettings {
   WindowSettings() { device.room_device = {{0, 0.17, 0}, Quat(0, 0, 1, 0)}; }
 };
 
+/// A real body of a known shape, which hides virtual things behind it.
+struct PhantomSettings {
+  std::string body;   // of the scene, whose shape it has; empty: `mesh` says
+  std::string mesh;   // file of its shape; both empty: there is no phantom
+  double scale = 1;   // m of a unit of that file
+  std::string board;  // fixed to it, a known board's name or a file; empty: it stands still in the room
+  std::optional<Pose> pose;  // of the shape, in the board's frame, or in the room; nullopt: wasn't found
+
+  bool has_shape() const { return !body.empty() || !mesh.empty(); }
+  /// Tells whether it has a place of its own, and not the scene's.
+  bool has_place() const { return pose || !board.empty(); }
+};
+
 struct ClientConfig {
   std::string tracker;  // address; empty: no tracker
   DeviceConfig tracker_device;
@@ -62,6 +75,7 @@ struct ClientConfig {
   Pose headset_room;  // pose of an OpenXR headset's stage in the room
   EyeSettings eyes;
   WindowSettings window;
+  PhantomSettings phantom;
   std::map<Gesture, GestureEvent> gestures = {{Gesture::fist, GestureEvent::grasp},
                                               {Gesture::pinch, GestureEvent::grasp},
                                               {Gesture::flat, GestureEvent::release},

@@ -480,6 +480,40 @@ void add_window(Keys& keys) {
       "where the camera is, from the picture's middle: x right, y up, z to you; turned, it looks at you");
 }
 
+/// Adds the real body that a camera's picture has.
+void add_phantom(Keys& keys) {
+  keys.push_back(plain<std::string>(
+      "phantom.body", "phantom.body", [](ClientConfig& c) -> std::string& { return c.phantom.body; }, "",
+      "the scene's body whose shape it has; it isn't drawn"));
+  keys.push_back(plain<std::string>(
+      "phantom.mesh", "phantom.mesh", [](ClientConfig& c) -> std::string& { return c.phantom.mesh; }, "",
+      "in the body's place: a file of its shape (OBJ, STL, PLY, OFF, glTF), beside this one"));
+  keys.push_back(
+      ranged(plain<double>(
+                 "phantom.scale", "phantom.scale", [](ClientConfig& c) -> double& { return c.phantom.scale; },
+                 "m", "of a unit of that file"),
+             1e-6, 1000));
+  keys.push_back(plain<std::string>(
+      "phantom.board", "phantom.board", [](ClientConfig& c) -> std::string& { return c.phantom.board; }, "",
+      "fixed to it: a known board's name, or a file beside this one; empty: it stands still"));
+  add_pose(
+      keys, "phantom", "phantom.pose",
+      [](ClientConfig& c) { return &(c.phantom.pose ? *c.phantom.pose : c.phantom.pose.emplace()); },
+      "of the shape's origin on the board, or without one in the room, as `calibrate phantom` finds it; "
+      "default: as the scene has the body",
+      false);
+}
+
+std::optional<ConfigFault> check_phantom(ClientConfig& config) {
+  const PhantomSettings& phantom = config.phantom;
+  if (!phantom.body.empty() && !phantom.mesh.empty())
+    return ConfigFault{"mesh", "give body or mesh, not both: they say which shape it has"};
+  if (phantom.has_place() && !phantom.has_shape())
+    return ConfigFault{phantom.board.empty() ? "position" : "board",
+                       "give body or mesh, too: they say which shape it has"};
+  return std::nullopt;
+}
+
 Keys make_keys() {
   Keys keys;
   ConfigKey version;
@@ -509,6 +543,7 @@ Keys make_keys() {
   add_eye_value(keys, "convergence", &EyeSettings::convergence, 0.05, 1000, 1, "m",
                 "distance at which both pictures coincide");
   add_window(keys);
+  add_phantom(keys);
   return keys;
 }
 
@@ -579,6 +614,8 @@ std::vector<ConfigTable> make_tables() {
   };
   add("window", "A screen that is a window into the room: [window](../do/window.md).");
   add("window.camera", "");
+  add("phantom", "A real body that hides what is behind it: [see-through](../do/see-through.md#phantoms).")
+      .finish = check_phantom;
   return tables;
 }
 

@@ -134,6 +134,9 @@ DeviceAddress parse_device_address(const std::string& address);
 /// Returns the row of an address' driver. Throws InputError for an unknown one (listing the known ones).
 const DriverRow& driver_of(const std::string& address);
 
+/// Returns the camera of a device's address, the first one of several; empty: it has none.
+std::string first_camera(const std::string& address);
+
 /// Opens a device by address. Throws InputError for an unknown driver (listing the known ones).
 std::unique_ptr<Device> open_device(const std::string& address, const DeviceConfig& config);
 

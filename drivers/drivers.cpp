@@ -48,6 +48,12 @@ const DriverRow& driver_of(const std::string& address) {
                        [&](const DriverRow& r) { return parsed.driver == r.name; });
 }
 
+std::string first_camera(const std::string& address) {
+  if (address.empty() || !driver_of(address).is_camera) return "";
+  const std::string path = parse_device_address(address).path;
+  return path.substr(0, path.find(','));
+}
+
 std::unique_ptr<Device> open_device(const std::string& address, const DeviceConfig& config) {
   return driver_of(address).open(parse_device_address(address).path, config);
 }

@@ -13,6 +13,7 @@
 #include "drivers/fitting/eyes_guide.h"
 #include "drivers/fitting/field_guide.h"
 #include "drivers/fitting/glove_guide.h"
+#include "drivers/fitting/phantom_guide.h"
 #include "drivers/fitting/room_guide.h"
 #include "drivers/fitting/timed_guides.h"
 #include "drivers/fitting/tip_guide.h"
@@ -52,21 +53,39 @@ StationRole parse_role(const std::string& name, const ClientConfig& config) {
   throw InputError(fmt::format("--station {}: must be head, right, left or instrument", name));
 }
 
-std::unique_ptr<Device> open_tracker(const Calibration& c, const DeviceConfig& device) {
+void check_tracker(const Calibration& c) {
   if (c.config.tracker.empty())
     throw InputError(fmt::format("{}: names no tracker", c.options.config.string()));
+}
+
+std::unique_ptr<Device> open_tracker(const Calibration& c, const DeviceConfig& device) {
+  check_tracker(c);
   return open_device(c.config.tracker, device);
 }
 
-GuideOutcome calibrate_room(const Calibration& c) {
-  std::vector<Vec3> points;
-  for (const std::string& text : c.options.points) {
+/// Reads the places that an option was given.
+std::vector<Vec3> parse_places(const char* option, const std::vector<std::string>& texts) {
+  std::vector<Vec3> out;
+  for (const std::string& text : texts) {
     const std::vector<double> p = parse_numbers(text, ',');
-    if (p.size() != 3) throw InputError(fmt::format("--point {}: must be x,y,z in m", text));
-    points.emplace_back(p.data());
+    if (p.size() != 3) throw InputError(fmt::format("{} {}: must be x,y,z in m", option, text));
+    out.emplace_back(p.data());
   }
-  RoomGuide guide(c.config, c.role, std::move(points));
+  return out;
+}
+
+GuideOutcome calibrate_room(const Calibration& c) {
+  RoomGuide guide(c.config, c.role, parse_places("--point", c.options.points));
   run_guide(guide, *open_tracker(c, RoomGuide::device(c.config)), c.options.patience);
+  return guide.outcome();
+}
+
+GuideOutcome calibrate_phantom(const Calibration& c) {
+  PhantomGuide guide(c.config, c.role, parse_places("--point", c.options.points),
+                     parse_places("--target", c.options.targets));
+  check_tracker(c);
+  run_guide(guide, *open_device(PhantomGuide::address(c.config), PhantomGuide::device(c.config)),
+            c.options.patience);
   return guide.outcome();
 }
 
@@ -174,13 +193,14 @@ struct Procedure {
   const char* name;
   GuideOutcome (*run)(const Calibration&);
 };
-constexpr std::array<Procedure, 7> procedures = {{{"room", calibrate_room},
+constexpr std::array<Procedure, 8> procedures = {{{"room", calibrate_room},
                                                   {"tip", calibrate_tip},
                                                   {"field", calibrate_field},
                                                   {"glove", calibrate_glove},
                                                   {"noise", calibrate_noise},
                                                   {"latency", calibrate_latency},
-                                                  {"eyes", calibrate_eyes}}};
+                                                  {"eyes", calibrate_eyes},
+                                                  {"phantom", calibrate_phantom}}};
 
 void print_outcome(const GuideOutcome& outcome, const CalibrateOptions& o) {
   for (const std::string& line : outcome.words) fmt::print("{}\n", line);
@@ -203,7 +223,8 @@ void add_calibrate(CLI::App& app, CalibrateOptions& o) {
   app.add_option("WHAT", o.what,
                  "room: where the tracker stands; tip: of an instrument; field: bent by metal; glove: "
                  "counts; noise: of a "
-                 "resting receiver; latency: against another device; eyes: distance and display")
+                 "resting receiver; latency: against another device; eyes: distance and display; phantom: a "
+                 "real body that hides others")
       ->check(CLI::IsMember(names))
       ->required();
   app.add_option("--config", o.config, "Client configuration with the devices")
@@ -213,7 +234,9 @@ void add_calibrate(CLI::App& app, CalibrateOptions& o) {
   app.add_option("--station", o.station,
                  "Role of the receiver (default: instrument where there is one, else right)");
   app.add_option("--point", o.points,
-                 "room: x,y,z of a known point, m (repeatable; in the order of touching)");
+                 "room, phantom: x,y,z of a known point, m (repeatable; in the order of touching)");
+  app.add_option("--target", o.targets,
+                 "phantom: x,y,z where its error is told, m (repeatable; default: amid the points)");
   app.add_option("--low", o.low, "field: x,y,z of the grid's lower corner, m")->delimiter(',');
   app.add_option("--high", o.high, "field: x,y,z of its upper corner, m")->delimiter(',');
   app.add_option("--grid", o.grid, "field: points along x,y,z (default 5,5,5)")->delimiter(',');

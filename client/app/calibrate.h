@@ -13,11 +13,12 @@ class App;
 namespace prosector {
 
 struct CalibrateOptions {
-  std::string what;                     // room, tip, field, glove, noise, latency, eyes
+  std::string what;                     // room, tip, field, glove, noise, latency, eyes, phantom
   std::filesystem::path config;         // of the client
   bool write = false;                   // what came out into `config`
   std::string station;                  // role of the receiver; empty: the instrument, else the right hand
-  std::vector<std::string> points;      // x,y,z in the room, m
+  std::vector<std::string> points;      // x,y,z in the room, or of a phantom's shape, m
+  std::vector<std::string> targets;     // x,y,z of a phantom's shape, m
   std::array<double, 3> low{}, high{};  // m, room: corners of the grid
   std::array<std::size_t, 3> grid = {5, 5, 5};  // points an axis
   std::vector<double> orientation;           // w, x, y, z of the receiver on the grid, room; empty: unknown

@@ -86,8 +86,7 @@ void DeviceRig::open_tracker() {
   const bool has_boards = std::any_of(device.boards.begin() + 2, device.boards.end(),
                                       [](const std::string& board) { return !board.empty(); });
   if (driver.knows_hands && driver.is_camera && (has_boards || !device.table.empty())) {
-    const std::string path = parse_device_address(config_.tracker).path;
-    const std::string camera = path.substr(0, path.find(','));
+    const std::string camera = first_camera(config_.tracker);
     device.camera = shared_camera(device.camera, camera);
     open("boards", "tags:" + camera, device, std::nullopt);
   }

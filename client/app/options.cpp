@@ -377,13 +377,6 @@ void take_eyes(const EyeSettings& eyes, StereoProfile& profile) {
   profile.convergence = eyes.convergence.value_or(profile.convergence);
 }
 
-/// Returns the camera of a device, the first one of several; empty: it has none.
-std::string first_camera(const std::string& device) {
-  if (device.empty() || !driver_of(device).is_camera) return "";
-  const std::string path = parse_device_address(device).path;
-  return path.substr(0, path.find(','));
-}
-
 /// Refuses a window into the room where there is no screen that could be one.
 void check_window(const ClientOptions& o) {
   const bool fits =
@@ -480,6 +473,10 @@ void resolve(const RawOptions& raw, ClientOptions& o) {
   if (!through_camera && !raw.phantoms.empty()) throw InputError("--phantom: only with --display ar");
   if (!through_camera && !o.picture_log.empty()) throw InputError("--picture-log: only with --display ar");
   o.phantoms = raw.phantoms;
+  const PhantomSettings& phantom = o.devices.phantom;
+  if (through_camera && !phantom.mesh.empty() && !phantom.has_place())
+    throw InputError("phantom.mesh: say where it is, by phantom.board or as `calibrate phantom` finds it");
+  if (!phantom.body.empty() && !phantom.has_place()) o.phantoms.push_back(phantom.body);
   take_eyes(o.devices.eyes, o.stereo);
   o.join.language = parse_language(raw.language);
   o.join.name = raw.user_name.empty() ? login_name() : raw.user_name;

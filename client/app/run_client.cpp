@@ -166,6 +166,9 @@ class Client {
       if (!report_.complete_ns && replica.complete()) {
         report_.complete_ns = monotonic_ns();
         report_.bytes_at_complete = connection_.counters().bytes_in;
+        const PhantomSettings& found = options_.devices.phantom;
+        if (!options_.camera.empty())
+          check_phantoms(*replica.scene(), options_.phantoms, found.has_place() ? found.body : "");
       }
       missing = replica.missing();
       return replica.server_gone();

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "common/anatomy/surface_io.h"
 #include "common/error.h"
 
 namespace prosector {
@@ -30,12 +31,29 @@ Audience audience_of(const ClientOptions& o) {
 }
 
 /// Returns the board that is the user's tablet, where a camera tracks it.
-std::optional<SightTablet> tablet_before(const ClientConfig& devices) {
+std::optional<SightBoard> tablet_before(const ClientConfig& devices) {
   if (devices.tracker.empty() || !driver_of(devices.tracker).is_camera) return std::nullopt;
   for (std::size_t k = 0; k < max_stations; ++k)
     if (devices.stations[k] == StationRole::tablet)
-      return SightTablet{devices.tracker_device.boards[k], devices.tracker_device.mount[k]};
+      return SightBoard{devices.tracker_device.boards[k], devices.tracker_device.mount[k]};
   return std::nullopt;
+}
+
+/// Takes the phantom whose place was found, and looks from then on through the camera, also for its board.
+void look_through(Stage& stage, const ClientConfig& devices, const std::shared_ptr<SharedCamera>& camera) {
+  const PhantomSettings& phantom = devices.phantom;
+  std::optional<SightBoard> board;
+  if (phantom.has_place()) {
+    stage.phantom.emplace();
+    stage.phantom->body = phantom.body;
+    if (!phantom.mesh.empty())
+      stage.phantom->shape = std::make_shared<const TriangleMesh>(load_surface(phantom.mesh, phantom.scale));
+    if (phantom.board.empty())
+      stage.phantom->place = phantom.pose;
+    else
+      board = {phantom.board, phantom.pose.value_or(Pose{})};
+  }
+  stage.sight = std::make_unique<CameraSight>(camera, devices.tracker_device, tablet_before(devices), board);
 }
 
 /// Makes the context that a headset's runtime can draw with, with a window where somebody watches or where
@@ -82,8 +100,7 @@ std::unique_ptr<Stage> make_stage(const ClientOptions& o, HeadsetUser& user,
     if (o.audience) window->open_audience(audience_of(o));
     stage->context = std::move(window);
   }
-  if (!o.camera.empty())
-    stage->sight = std::make_unique<CameraSight>(camera, o.devices.tracker_device, tablet_before(o.devices));
+  if (!o.camera.empty()) look_through(*stage, o.devices, camera);
   if (WindowSettings window = o.devices.window; !window.address.empty()) {
     window.device.camera = camera;
     stage->eyes = std::make_unique<EyeWindow>(window);

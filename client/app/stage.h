@@ -19,12 +19,13 @@ namespace prosector {
 struct Stage {
   std::unique_ptr<GlContext> context;
   std::unique_ptr<Renderer> renderer;
-  WindowContext* window = nullptr;     // the context, where it is one
-  MirrorContext* mirror = nullptr;     // the context, where it is one: of a headset that others watch
-  std::unique_ptr<Desk> desk;          // with a window only
-  std::unique_ptr<Headset> headset;    // with --display openxr only
-  std::unique_ptr<CameraSight> sight;  // with --display ar only
-  std::unique_ptr<EyeWindow> eyes;     // where the screen is a window only
+  WindowContext* window = nullptr;      // the context, where it is one
+  MirrorContext* mirror = nullptr;      // the context, where it is one: of a headset that others watch
+  std::unique_ptr<Desk> desk;           // with a window only
+  std::unique_ptr<Headset> headset;     // with --display openxr only
+  std::unique_ptr<CameraSight> sight;   // with --display ar only
+  std::unique_ptr<EyeWindow> eyes;      // where the screen is a window only
+  std::optional<FoundPhantom> phantom;  // that was calibrated, before a camera only
   SceneView view;
 };
 

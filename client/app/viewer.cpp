@@ -90,6 +90,7 @@ void Viewer::look_through_camera(const SightPicture* picture) {
   now.room_board = stage_->sight->room_board();
   now.words = stage_->sight->trouble();
   now.phantoms = options_.phantoms;
+  now.found = stage_->phantom;
   now.camera.width = stage_->context->width();
   now.camera.height = stage_->context->height();
   if (picture != nullptr) {
@@ -100,6 +101,7 @@ void Viewer::look_through_camera(const SightPicture* picture) {
     now.camera.pose = picture->room_eye.value_or(Pose{});
     now.paper = picture->paper;
     now.room_tablet = picture->room_tablet;
+    if (now.found && picture->room_phantom) now.found->place = picture->room_phantom;
   }
   if (now.words != (through_ ? through_->words : ""))
     inform(now.words.empty() ? "the camera sees the table" : now.words);

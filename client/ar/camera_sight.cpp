@@ -23,13 +23,15 @@ double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
 }  // namespace
 
 CameraSight::CameraSight(std::shared_ptr<SharedCamera> camera, const DeviceConfig& config,
-                         const std::optional<SightTablet>& tablet)
+                         const std::optional<SightBoard>& tablet, const std::optional<SightBoard>& phantom)
     : camera_(std::move(camera)),
       room_board_(config.room_table),
       reader_(camera_->reader(config.lens)),
       tracker_(find_board(config.table.empty() ? "table" : config.table)),
       tablet_(tablet ? std::optional<BoardTracker>(find_board(tablet->board)) : std::nullopt),
       tablet_panel_(tablet ? worn_on(tablet->board) * tablet->mount : Pose{}),
+      phantom_(phantom ? std::optional<BoardTracker>(find_board(phantom->board)) : std::nullopt),
+      board_phantom_(phantom ? phantom->mount : Pose{}),
       seat_(
           *camera_,
           [this](const Camera& opened) {
@@ -44,6 +46,7 @@ void CameraSight::see(const Frame& frame) {
   if (std::exchange(changes_, reader_->changes()) != reader_->changes()) {
     tracker_.forget();
     if (tablet_) tablet_->forget();
+    if (phantom_) phantom_->forget();
     last_eye_.reset();
   }
   auto out = std::make_shared<SightPicture>();
@@ -60,12 +63,8 @@ void CameraSight::see(const Frame& frame) {
     seen_ns_ = frame.time_ns;
   }
   if (seconds_between(seen_ns_, frame.time_ns) < held) out->room_eye = last_eye_;
-  if (out->room_eye) {
-    const Pose room_camera = *out->room_eye * device_camera;
-    camera_->put_place(room_camera);
-    const auto tablet = tablet_ ? tablet_->update(picture, optics) : std::nullopt;
-    if (tablet) out->room_tablet = room_camera * tablet->camera_board * tablet_panel_;
-  }
+  if (out->room_eye) find_boards(*out, picture);
+  out->room_phantom = room_phantom_;
   out->paper = paper_;
   {
     const std::lock_guard lock(mutex_);
@@ -73,6 +72,17 @@ void CameraSight::see(const Frame& frame) {
     newest_ = std::move(out);
   }
   came_.notify_one();
+}
+
+/// Says where the camera is, and looks for the boards beside the table's. A phantom whose board isn't seen is
+/// believed to stand where it stood.
+void CameraSight::find_boards(SightPicture& out, const TagPicture& picture) {
+  const Pose room_camera = *out.room_eye * device_camera;
+  camera_->put_place(room_camera);
+  const auto tablet = tablet_ ? tablet_->update(picture, reader_->optics()) : std::nullopt;
+  if (tablet) out.room_tablet = room_camera * tablet->camera_board * tablet_panel_;
+  const auto phantom = phantom_ ? phantom_->update(picture, reader_->optics()) : std::nullopt;
+  if (phantom) room_phantom_ = room_camera * phantom->camera_board * board_phantom_;
 }
 
 std::shared_ptr<const SightPicture> CameraSight::next(std::chrono::milliseconds patience) {

@@ -19,18 +19,19 @@ namespace prosector {
 /// A picture without distortion.
 struct SightPicture {
   std::shared_ptr<const Image> image;
-  Lens bent, straight;                   // of the camera, and of `image`
-  std::int64_t time_ns = 0;              // of its exposure
-  std::uint64_t number = 0;              // counts what was seen, from 1
-  std::optional<Pose> room_eye;          // x right, y up, −z ahead; nullopt: the board is lost
-  std::optional<Pose> room_tablet = {};  // of the panel that it is; nullopt: it isn't seen
-  std::optional<Vec3> paper = {};        // light of the board's white paper, as paper_light() has it
+  Lens bent, straight;                    // of the camera, and of `image`
+  std::int64_t time_ns = 0;               // of its exposure
+  std::uint64_t number = 0;               // counts what was seen, from 1
+  std::optional<Pose> room_eye;           // x right, y up, −z ahead; nullopt: the board is lost
+  std::optional<Pose> room_tablet = {};   // of the panel that it is; nullopt: it isn't seen
+  std::optional<Vec3> paper = {};         // light of the board's white paper, as paper_light() has it
+  std::optional<Pose> room_phantom = {};  // of the phantom that is on a board; nullopt: it wasn't seen yet
 };
 
-/// The board that the looker's tablet is.
-struct SightTablet {
+/// A board that something is fixed to: the looker's tablet, a phantom.
+struct SightBoard {
   std::string board;  // a known one's name, or a file
-  Pose mount;         // of the panel in the board's frame
+  Pose mount;         // of the panel, where it is worn, or of the phantom's shape, in the board's frame
 };
 
 class CameraSight {
@@ -38,7 +39,7 @@ class CameraSight {
   /// Looks from now on. `config` says which lens the camera has, which board lies on the table, and where
   /// there. Throws InputError where a lens' or board's file can't be read.
   CameraSight(std::shared_ptr<SharedCamera> camera, const DeviceConfig& config,
-              const std::optional<SightTablet>& tablet);
+              const std::optional<SightBoard>& tablet, const std::optional<SightBoard>& phantom = {});
 
   /// Waits for a picture that wasn't returned yet, at most that long. Returns the newest, which may be an old
   /// one; null: none was ever seen.
@@ -51,6 +52,7 @@ class CameraSight {
 
  private:
   void see(const Frame& frame);
+  void find_boards(SightPicture& out, const TagPicture& picture);
 
   std::shared_ptr<SharedCamera> camera_;
   const Pose room_board_;
@@ -60,7 +62,10 @@ class CameraSight {
   BoardTracker tracker_;
   std::optional<BoardTracker> tablet_;
   const Pose tablet_panel_;  // in its board's frame
-  int changes_ = 0;          // of the reader that the tracker knows of
+  std::optional<BoardTracker> phantom_;
+  const Pose board_phantom_;
+  std::optional<Pose> room_phantom_;  // where it was last
+  int changes_ = 0;                   // of the reader that the tracker knows of
   std::optional<Pose> last_eye_;
   std::optional<Vec3> paper_;
   std::int64_t seen_ns_ = 0;  // of the last picture that showed the board

@@ -133,6 +133,11 @@ void MainPass::draw_sides(const QueuedItem& queued, Frame& frame, const Draw& dr
   gl_.CullFace(GL_BACK);
 }
 
+void MainPass::bind_shadow(GLuint texture) const {
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindTexture(GL_TEXTURE_2D, texture);
+}
+
 void MainPass::draw_solid(const QueuedItem& queued, Frame& frame) {
   draw_sides(queued, frame, [&] { prosector::draw(frame.meshes, queued); });
 }
@@ -206,8 +211,7 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
   gl_.CullFace(GL_BACK);
   gl_.ActiveTexture(GL_TEXTURE1);
   gl_.BindTexture(GL_TEXTURE_CUBE_MAP, environment.cube);
-  gl_.ActiveTexture(GL_TEXTURE0);
-  gl_.BindTexture(GL_TEXTURE_2D, shadow.texture);
+  bind_shadow(shadow.texture);
   if (list.section) gl_.Enable(GL_CLIP_DISTANCE0);
   const Frustum frustum(view_projection_of(camera));
   Frame frame{list, camera, meshes, shadow, environment};
@@ -227,7 +231,11 @@ void MainPass::draw(const DrawList& list, const DrawCamera& camera, const std::v
     else
       solids.push_back(&queued);
   }
-  if (!grounds.empty()) draw_ground(grounds, frame);
+  if (!grounds.empty()) {
+    bind_shadow(shadow.on_ground);
+    draw_ground(grounds, frame);
+    bind_shadow(shadow.texture);
+  }
   std::vector<const QueuedItem*> covered;
   if (occlusion != nullptr) covered = occlusion->take_covered(camera, solids);
   for (const QueuedItem* queued : solids) draw_solid(*queued, frame);
@@ -251,8 +259,7 @@ void MainPass::draw_glass(const DrawList& list, const DrawCamera& camera,
   }
   gl_.ActiveTexture(GL_TEXTURE1);
   gl_.BindTexture(GL_TEXTURE_CUBE_MAP, environment.cube);
-  gl_.ActiveTexture(GL_TEXTURE0);
-  gl_.BindTexture(GL_TEXTURE_2D, shadow.texture);
+  bind_shadow(shadow.texture);
   gl_.Enable(GL_DEPTH_TEST);
   gl_.Enable(GL_CULL_FACE);
   gl_.DepthMask(GL_FALSE);

@@ -48,6 +48,7 @@ class MainPass {
   const ShaderProgram& ready(const QueuedItem& queued, Frame& frame);
   template <class Draw>
   void draw_sides(const QueuedItem& queued, Frame& frame, const Draw& draw);
+  void bind_shadow(GLuint texture) const;
   void draw_solid(const QueuedItem& queued, Frame& frame);
   void draw_clear(const QueuedItem& queued, Frame& frame);
   void draw_pane(const QueuedItem& queued, Frame& frame);

@@ -52,6 +52,9 @@ ShadowPass::~ShadowPass() {
     gl_.DeleteFramebuffers(1, &layer.framebuffer);
     gl_.DeleteTextures(1, &layer.depth);
   }
+  if (!with_real_) return;
+  gl_.DeleteFramebuffers(1, &with_real_->framebuffer);
+  gl_.DeleteTextures(1, &with_real_->depth);
 }
 
 ShadowPass::Layer ShadowPass::make_layer() const {
@@ -73,7 +76,7 @@ ShadowPass::Layer ShadowPass::make_layer() const {
 
 Shadow ShadowPass::draw(const DrawList& list, const std::vector<QueuedItem>& items, const MeshCache& meshes) {
   Shadow shadow;
-  shadow.texture = whole_.depth;
+  shadow.texture = shadow.on_ground = whole_.depth;
   const auto spot = std::find_if(list.lights.begin(), list.lights.end(),
                                  [](const LightInfo& light) { return light.kind == LightKind::spot; });
   if (size_ < 3 || spot == list.lights.end()) return shadow;
@@ -84,10 +87,14 @@ Shadow ShadowPass::draw(const DrawList& list, const std::vector<QueuedItem>& ite
   shadow.texel = 2 * camera.right / size_;
 
   const Frustum frustum(shadow.clip_from_room);
-  Items casting;
+  Items casting, real;
   for (const QueuedItem& queued : items)
-    if (casts_shadow(*queued.item) && frustum.may_see(queued.bounds)) casting.push_back(&queued);
+    if (casts_shadow(*queued.item) && frustum.may_see(queued.bounds))
+      (queued.item->showing == Showing::real ? real : casting).push_back(&queued);
   if (note_changes(casting, shadow.clip_from_room, list.section)) draw_layers(casting, meshes);
+  if (real.empty()) return shadow;
+  add_real(real, meshes);
+  shadow.texture = with_real_->depth;
   return shadow;
 }
 
@@ -127,11 +134,26 @@ void ShadowPass::draw_layers(const Items& items, const MeshCache& meshes) {
     draw_items(still, meshes);
     in_still_ = is_still;
   }
-  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, still_.framebuffer);
-  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, whole_.framebuffer);
-  gl_.BlitFramebuffer(0, 0, size_, size_, 0, 0, size_, size_, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, whole_.framebuffer);
+  copy(still_, whole_);
   draw_items(moving, meshes);
+}
+
+/// Draws what is real over what whole_ has, into a layer of its own.
+void ShadowPass::add_real(const Items& items, const MeshCache& meshes) {
+  if (!with_real_) with_real_ = make_layer();
+  gl_.Disable(GL_SCISSOR_TEST);
+  gl_.Enable(GL_DEPTH_TEST);
+  gl_.DepthMask(GL_TRUE);
+  copy(whole_, *with_real_);
+  draw_items(items, meshes);
+}
+
+/// Copies a layer into another one, which is drawn into from then on.
+void ShadowPass::copy(const Layer& from, const Layer& to) const {
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer);
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer);
+  gl_.BlitFramebuffer(0, 0, size_, size_, 0, 0, size_, size_, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, to.framebuffer);
 }
 
 void ShadowPass::draw_items(const Items& items, const MeshCache& meshes) const {

@@ -1,6 +1,7 @@
 #pragma once
 // Depth of the scene as the first spot light sees it. What has been still for a while is kept in a layer of
-// its own, so that a frame redraws only what moves, and nothing when nothing does. Private to client/render.
+// its own, so that a frame redraws only what moves, and nothing when nothing does. Real things shade what is
+// virtual in a layer of their own. Private to client/render.
 
 #include <filesystem>
 #include <optional>
@@ -16,8 +17,9 @@ struct Shadow {
   int light = -1;  // index into DrawList::lights; −1: no shadows
   Eigen::Matrix4d clip_from_room = Eigen::Matrix4d::Identity();
   GLuint texture = 0;
-  double size = 0;   // texels, each way
-  double texel = 0;  // width of a texel at 1 m from the light, m
+  GLuint on_ground = 0;  // without what is real: a camera's picture has its shadows already
+  double size = 0;       // texels, each way
+  double texel = 0;      // width of a texel at 1 m from the light, m
 };
 
 class ShadowPass {
@@ -53,6 +55,7 @@ class ShadowPass {
   ShaderProgram program_;
   int size_;
   Layer whole_, still_;
+  std::optional<Layer> with_real_;  // whole_, and what is real; nullopt: nothing was yet
   Eigen::Matrix4d clip_from_room_ = Eigen::Matrix4d::Zero();  // that the layers were drawn with
   std::optional<SectionPlane> section_;                       // that opened what is in them
   std::vector<Caster> casters_;                               // in whole_
@@ -64,6 +67,8 @@ class ShadowPass {
   bool note_changes(const Items& items, const Eigen::Matrix4d& clip_from_room,
                     const std::optional<SectionPlane>& section);
   void draw_layers(const Items& items, const MeshCache& meshes);
+  void add_real(const Items& items, const MeshCache& meshes);
+  void copy(const Layer& from, const Layer& to) const;
   void draw_items(const Items& items, const MeshCache& meshes) const;
 };
 

@@ -41,7 +41,7 @@ enum class Showing : std::uint8_t {
   itself,
   around,  // only in what mirrors it, and by the light that it sends
   ground,  // a camera's picture has it, below other things: it hides what is behind, and takes shadows
-  real     // a camera's picture has it, before other things: it hides what is behind
+  real  // a camera's picture has it, before other things: it hides what is behind, and shades what is drawn
 };
 
 struct DrawItem {

@@ -16,11 +16,10 @@ constexpr double ghost_from = 0.01;  // m between hand and target: from there on
 constexpr double ghost_opacity = 0.25;
 constexpr double own_sleeve_opacity = 0.3;  // of whoever's eyes see
 
-/// Makes the user's own hand what the camera's picture shows. It casts no shadow, as its real one is there.
+/// Makes the user's own hand what the camera's picture shows.
 void make_real(DrawItem& item) {
   item.showing = Showing::real;
   item.appearance = {};
-  item.casts_shadow = false;
 }
 
 Vec3 color_of(const Replica& replica, ParticipantId who) {
@@ -83,7 +82,7 @@ void People::add_self(DrawList& list, const Replica& replica, double tick, const
   const HandPose& target = self.input.hands[right_hand];
   const std::optional<Pose> head = self.input.head_tracked ? std::optional(self.input.head) : std::nullopt;
   const bool own_eyes = head && !settings.eye && settings.follow.empty();
-  if (settings.through) {
+  if (settings.through && !self.at_desk) {
     const std::size_t hands = list.items.size();
     add_hands(list, self.participant, self.input.hands, color, next_mesh_id);
     for (std::size_t k = hands; k < list.items.size(); ++k) make_real(list.items[k]);

@@ -184,7 +184,7 @@ void SceneView::add_room(Showing showing) {
 }
 
 /// Puts the real table, as the camera sees it, in the place of the scene's, which is what is fixed below the
-/// board. All bodies are lit as it is.
+/// board. All bodies are lit as it is, and phantoms hide what is behind them.
 void SceneView::lay_on_table(const Replica& replica, const SeeThrough& through) {
   constexpr double below = 0.005;  // m, of the board
   const Pose& board = through.room_board;
@@ -193,9 +193,13 @@ void SceneView::lay_on_table(const Replica& replica, const SeeThrough& through) 
   for (const auto& [body, index, inner] : body_items_) {
     const SceneBody& one = replica.scene()->bodies[body];
     DrawItem& item = list_.items[index];
+    if (through.found && one.name == through.found->body) {
+      item.showing = Showing::real;
+      item.pose = through.found->place.value_or(item.pose);
+      continue;
+    }
     if (std::ranges::find(through.phantoms, one.name) != through.phantoms.end()) {
       item.showing = Showing::real;
-      item.casts_shadow = false;
       continue;
     }
     if (through.paper) light_as(item, shown, *through.paper);
@@ -211,6 +215,10 @@ void SceneView::lay_on_table(const Replica& replica, const SeeThrough& through) 
   }
   plane.mesh = table_;
   list_.items.push_back(plane);
+  if (!through.found || !through.found->shape || !through.found->place) return;
+  if (!phantom_) phantom_ = rigid_mesh(*through.found->shape, next_mesh_id_++);
+  list_.items.push_back(
+      {.mesh = phantom_, .pose = *through.found->place, .appearance = {}, .showing = Showing::real});
 }
 
 void SceneView::add_bodies(Replica& replica, double tick, const ViewSettings& settings) {

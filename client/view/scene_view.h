@@ -48,7 +48,8 @@ class SceneView {
   std::map<std::uint64_t, PaintedMesh> painted_;  // by the id of the mesh that is painted
   People people_;
   std::vector<DrawItem> room_;
-  std::shared_ptr<const DrawMesh> table_;  // the real one's plane; null: no camera saw it yet
+  std::shared_ptr<const DrawMesh> table_;    // the real one's plane; null: no camera saw it yet
+  std::shared_ptr<const DrawMesh> phantom_;  // of a shape of its own; null: none was seen yet
   std::shared_ptr<const DrawMesh> shaft_;
   HandCues hand_cues_;
   CutLines cut_lines_;

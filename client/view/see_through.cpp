@@ -1,9 +1,13 @@
 #include "client/view/see_through.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "client/view/overlay_frame.h"
+#include "common/error.h"
 
 namespace prosector {
 namespace {
@@ -43,7 +47,24 @@ Vec3 light_from(const LightInfo& light, const Vec3& place, const Vec3& normal) {
   return share * all;
 }
 
+/// Returns the scene's body of that name. Throws InputError that lists the scene's where it has none.
+const SceneBody& body_called(const SceneInfo& scene, const std::string& name) {
+  const auto found = std::ranges::find(scene.bodies, name, &SceneBody::name);
+  if (found != scene.bodies.end()) return *found;
+  std::vector<std::string> known;
+  for (const SceneBody& body : scene.bodies) known.push_back(body.name);
+  throw InputError(fmt::format("phantom \"{}\": the scene \"{}\" has no such body; it has {}", name,
+                               scene.name, fmt::join(known, ", ")));
+}
+
 }  // namespace
+
+void check_phantoms(const SceneInfo& scene, std::span<const std::string> names, const std::string& found) {
+  for (const std::string& name : names) (void)body_called(scene, name);
+  if (!found.empty() && body_called(scene, found).kind != BodyKind::rigid)
+    throw InputError(fmt::format(
+        "phantom.body {}: must be a rigid body; a soft one is where the scene has it (--phantom)", found));
+}
 
 Vec3 shown_paper(const DrawList& list, const Vec3& place, const Vec3& normal) {
   Vec3 light = ceiling_share * list.ambient;

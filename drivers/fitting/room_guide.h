@@ -7,7 +7,7 @@
 
 namespace prosector {
 
-class RoomGuide final : public Guide {
+class RoomGuide : public Guide {
  public:
   /// Touches `points` (m, room) in their order with what the receiver of a role tracks. Throws InputError
   /// where they can't give a pose.

@@ -362,6 +362,44 @@ TEST(SceneView, ADeskUsersHandIsWherePhysicsHasItWithAGhostWhereItIsWanted) {
   EXPECT_LT(hands[1].second, 0.5) << "pale";
 }
 
+/// Who moves a hand with the mouse has none before the camera: theirs is drawn.
+TEST(SceneView, ThroughACameraOnlyTrackedHandsAreReal) {
+  Client client;
+  client.join();
+  LocalUser self;
+  self.participant = 7;
+  self.present = true;
+  self.input.hands[right_hand].tracked = true;
+  self.input.hands[right_hand].pose.p = {0, 1.5, 0.18};
+  UserState user;
+  user.participant = self.participant;
+  user.hands = self.input.hands;
+  client.tell(user);
+  ViewSettings settings = plain(320, 240);
+  settings.through.emplace().is_placed = true;
+  settings.through->camera = mono_camera(look_at({1, 1.6, 0.2}, {0, 1.4, 0}), 0.8, 320, 240);
+  const auto real_items = [&] {
+    return std::ranges::count(client.list(1, settings, self).items, Showing::real, &DrawItem::showing);
+  };
+  while (real_items() == 0)  // the skin is on its way
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(real_items(), 2) << "skin and nails";
+  // What is uncovered has the fingers bent as they are told.
+  const auto length = [&] {
+    float least = 0;
+    for (const DrawItem& item : client.list(1, settings, self).items)
+      if (item.showing == Showing::real)
+        for (const Eigen::Vector3f& x : item.mesh->positions) least = std::min(least, x.z());
+    return -least;
+  };
+  const float stretched = length();
+  self.input.hands[right_hand].flexion.fill(1);
+  EXPECT_LT(length(), 0.75F * stretched);
+  self.at_desk = true;
+  EXPECT_EQ(real_items(), 0);
+  EXPECT_FALSE(hands_of(client.list(1, settings, self)).empty());
+}
+
 /// Returns how opaque sleeves are, and shoulders where they are drawn.
 std::vector<double> cloth_of(const DrawList& list) {
   std::vector<double> out;
@@ -516,12 +554,42 @@ TEST(SceneView, APhantomAndNothingElseIsLeftToTheCamerasPicture) {
   const auto real = [&] {
     std::vector<Vec3> out;
     for (const DrawItem& item : client.list(1, settings).items)
-      if (item.showing == Showing::real) out.push_back(item.pose.p);
+      if (item.showing == Showing::real) {
+        out.push_back(item.pose.p);
+        EXPECT_TRUE(item.casts_shadow) << "it shades organs";
+      }
     return out;
   };
   EXPECT_TRUE(real().empty());
   settings.through->phantoms = {"part", "nobody"};
   EXPECT_EQ(real(), std::vector<Vec3>{Vec3(0, 1.2, 0)});
+  settings.through->phantoms = {};
+  FoundPhantom& found = settings.through->found.emplace();
+  found.body = "part";
+  EXPECT_EQ(real(), std::vector<Vec3>{Vec3(0, 1.2, 0)}) << "its board wasn't seen yet";
+  found.place.emplace().p = {0.3, 1, 0};
+  EXPECT_EQ(real(), std::vector<Vec3>{found.place->p});
+}
+
+TEST(SceneView, APhantomOfAShapeOfItsOwnHidesWhatIsVirtual) {
+  Client client;
+  client.join();
+  ViewSettings settings = plain(320, 240);
+  settings.through.emplace().is_placed = true;
+  settings.through->camera = mono_camera(look_at({0, 1.5, 0.6}, {0, 1.2, 0}), 0.8, 320, 240);
+  settings.through->room_board = {{0, 1, 0}, Quat(Eigen::AngleAxisd(-std::numbers::pi / 2, Vec3::UnitX()))};
+  settings.through->backdrop = {
+      std::make_shared<const Image>(Image{320, 240, std::vector<std::uint8_t>(3 * 320 * 240, 255)}), 1, 0, 0,
+      1};
+  FoundPhantom& found = settings.through->found.emplace();
+  found.shape = std::make_shared<const TriangleMesh>(mesh_of(solid("box", {0.3, 0.3, 0.02})));
+  const DrawCamera& camera = settings.through->camera;
+  const auto seen = [&] { return brightness(client.picture(1, settings), camera, {0, 1.2, 0}); };
+  EXPECT_LT(seen(), 200) << "the part: nobody knows where the phantom is";
+  found.place = Pose{{0, 1.3, 0.2}, camera.pose.q};
+  EXPECT_GT(seen(), 250) << "the camera's white";
+  found.place->p = {0, 1.0, -0.4};
+  EXPECT_LT(seen(), 200) << "the part before the phantom";
 }
 
 TEST(SceneView, NamesStandBesideThePartsWhenTheViewerAsksForThem) {

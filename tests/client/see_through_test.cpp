@@ -1,13 +1,19 @@
 // Pictures of a camera below the scene: where things fall, what hides and shades what, how bright things are.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
+#include "client/ar/camera_sight.h"
 #include "client/ar/camera_view.h"
 #include "client/ar/paper_light.h"
 #include "client/render/projection.h"
 #include "client/view/camera.h"
 #include "client/view/room.h"
 #include "client/view/see_through.h"
+#include "common/clock.h"
+#include "common/error.h"
 #include "drivers/camera/camera_frames.h"
 #include "drivers/camera/straightener.h"
 #include "drivers/camera/synthetic/synthetic_scene.h"
@@ -182,6 +188,24 @@ TEST(RealThings, TakeShadowsInTheMeasureOfTheLampsShare) {
                 expected * list.backdrop->image->rgb[static_cast<std::size_t>(c)], 8);
 }
 
+/// A real ball below the lamp: its shadow on the table is in the camera's picture already.
+TEST(RealThings, ShadeWhatIsVirtualAlone) {
+  DrawList list = table_list();
+  list.ambient = Vec3::Constant(0.01);
+  const DrawCamera camera = list.cameras[0];
+  const Vec3 lamp = list.lights[0].position, on_ball(-0.1, 0.96, 0), on_table(0.12, 0.9, 0.05);
+  list.items.push_back(ball_at(on_ball - Vec3(0, 0.05, 0), 0.05));
+  const Image lit = test::picture_of(list, width, height);
+  for (const Vec3& place : {on_ball, on_table}) {
+    list.items.push_back(ball_at(place + 0.3 * (lamp - place), 0.03));
+    list.items.back().showing = Showing::real;
+  }
+  const Image shaded = test::picture_of(list, width, height);
+  EXPECT_GT(seen(lit, camera, on_ball)[0], 60);
+  EXPECT_LT(seen(shaded, camera, on_ball)[0], seen(lit, camera, on_ball)[0] / 2);
+  EXPECT_NEAR(seen(shaded, camera, on_table)[2], list.backdrop->image->rgb[2], 1);
+}
+
 TEST(Around, IsNotDrawn) {
   DrawList list = table_list();
   list.items.push_back(ball_at({0, 0.96, 0}));
@@ -189,6 +213,70 @@ TEST(Around, IsNotDrawn) {
   list.items.back().casts_shadow = false;
   const Image picture = test::picture_of(list, width, height);
   EXPECT_EQ(picture.pixel(80, 60)[2], 200);
+}
+
+TEST(Phantoms, ThatTheSceneDoesntHaveAreToldWithThoseThatItHas) {
+  SceneInfo scene;
+  scene.name = "abdomen";
+  scene.bodies.resize(2);
+  scene.bodies[0].name = "liver";
+  scene.bodies[1].name = "left kidney";
+  const std::vector<std::string> right = {"left kidney", "liver"}, wrong = {"liver", "Liver"};
+  EXPECT_NO_THROW(check_phantoms(scene, {}, ""));
+  EXPECT_NO_THROW(check_phantoms(scene, right, "liver"));
+  EXPECT_THROW(check_phantoms(scene, {}, "spleen"), InputError);
+  scene.bodies[0].kind = BodyKind::soft;
+  EXPECT_NO_THROW(check_phantoms(scene, right, ""));
+  EXPECT_THROW(check_phantoms(scene, {}, "liver"), InputError) << "it has no pose";
+  try {
+    check_phantoms(scene, wrong, "");
+    FAIL() << "a name that nobody has";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "phantom \"Liver\": the scene \"abdomen\" has no such body; it has liver, left kidney");
+  }
+}
+
+/// Two people look at one table, each through a camera of their own.
+TEST(CameraSight, TwoWhoLookAtOneBoardAgreeWhereItAndAPhantomAre) {
+  const std::filesystem::path folder = testing::TempDir();
+  const std::string cube = std::filesystem::path(PROSECTOR_SOURCE_DIR) / "deploy/cameras/phantom.toml";
+  const Pose phantom = {{0.2, 0.93, 0.03}, Quat(Eigen::AngleAxisd(0.3, Vec3::UnitY()))};
+  const SightBoard fixed = {cube,
+                            {{0.01, 0.02, -0.03}, Quat(Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()))}};
+  struct Looker {
+    Pose eye;
+    std::unique_ptr<CameraSight> sight;
+    std::shared_ptr<const SightPicture> seen = {};
+  };
+  std::array<Looker, 2> lookers = {{{look_at({-0.25, 1.35, 0.42}, {0.07, 0.92, 0}), nullptr},
+                                    {look_at({0.4, 1.4, 0.35}, {0.07, 0.92, 0}), nullptr}}};
+  for (std::size_t k = 0; k < lookers.size(); ++k) {
+    const Pose& eye = lookers[k].eye;
+    const std::filesystem::path file = folder / fmt::format("looker_{}.toml", k);
+    std::ofstream(file) << fmt::format(
+        "ambient = 0.8\n[[camera]]\nfocal = 600\nrate = 5\nrays = 2\nposition = [{}, {}, {}]\n"
+        "orientation = [{}, {}, {}, {}]\n[[board]]\nknown = \"table\"\nposition = [0, 0.9, 0]\n"
+        "orientation = [0.70710678, -0.70710678, 0, 0]\n[[board]]\nfile = \"{}\"\nposition = [{}, {}, {}]\n"
+        "orientation = [{}, 0, {}, 0]\n",
+        eye.p.x(), eye.p.y(), eye.p.z(), eye.q.w(), eye.q.x(), eye.q.y(), eye.q.z(), cube, phantom.p.x(),
+        phantom.p.y(), phantom.p.z(), phantom.q.w(), phantom.q.y());
+    lookers[k].sight = std::make_unique<CameraSight>(
+        std::make_shared<SharedCamera>("synthetic:" + file.string()), DeviceConfig{}, std::nullopt, fixed);
+  }
+  const std::int64_t start = monotonic_ns();
+  for (Looker& looker : lookers) {
+    while ((!looker.seen || !looker.seen->room_eye || !looker.seen->room_phantom) &&
+           seconds_since(start) < 30)
+      looker.seen = looker.sight->next(std::chrono::milliseconds(100));
+    ASSERT_TRUE(looker.seen && looker.seen->room_eye && looker.seen->room_phantom) << looker.sight->trouble();
+    EXPECT_LT((looker.seen->room_eye->p - looker.eye.p).norm(), 1e-3) << "m";
+    EXPECT_LT((looker.seen->room_phantom->p - phantom * fixed.mount.p).norm(), 1e-3) << "m";
+    EXPECT_LT(looker.seen->room_phantom->q.angularDistance(phantom.q * fixed.mount.q), 0.01);
+  }
+  const double apart = (lookers[0].seen->room_phantom->p - lookers[1].seen->room_phantom->p).norm();
+  std::cout << "the phantom, as two see it: " << 1e3 * apart << " mm apart\n";
+  EXPECT_LT(apart, 1e-3) << "m";
 }
 
 TEST(PaperLight, IsThatOfTheBoardsPaperWhateverLiesOnHalfOfIt) {

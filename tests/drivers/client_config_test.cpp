@@ -55,6 +55,11 @@ TEST(ClientConfig, BadInputSaysWhereAndWhat) {
       {"[glove.middle]\naddress = '5dt:/x'", "allowed here are left, right"},
       {"[gestures]\nfist = 'explode'", "must be none, grasp, release, reset, panel or parts"},
       {"[gestures]\nwave = 'grasp'", "unknown key"},
+      {"[phantom]\nbody = 'skull'\nmesh = 'skull.stl'",
+       "c.toml:3: phantom.mesh: give body or mesh, not both"},
+      {"[phantom]\nboard = 'table'", "c.toml:2: phantom.board: give body or mesh, too"},
+      {"[phantom]\nposition = [0, 0, 0]", "c.toml:2: phantom.position: give body or mesh, too"},
+      {"[phantom]\nbody = 'skull'\nscale = 0", "phantom.scale: must be a number from"},
       {"[tracker", "c.toml:1"},
   };
   for (const Case& c : cases) {

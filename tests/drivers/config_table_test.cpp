@@ -63,10 +63,10 @@ std::string differing(const std::string& before, const std::string& after,
                       const std::vector<ConfigChange>& changes) {
   const ClientConfig a = parse_client_config(before, "c.toml"), b = parse_client_config(after, "c.toml");
   const auto concerns = [](const ConfigChange& c, const std::string& key) {
-    // A mount's other half comes with the first.
-    const bool same_mount = key.find("mount.") != std::string::npos &&
-                            c.key.substr(0, c.key.rfind('.')) == key.substr(0, key.rfind('.'));
-    return c.key == key || same_mount;
+    // The other half of a pose that may be missing comes with the first.
+    const bool is_pose = key.ends_with(".position") || key.ends_with(".orientation");
+    const bool may_miss = key.find("mount.") != std::string::npos || (is_pose && key.starts_with("phantom."));
+    return c.key == key || (may_miss && c.key.substr(0, c.key.rfind('.')) == key.substr(0, key.rfind('.')));
   };
   std::string out;
   for (const ConfigKey& key : client_config_keys()) {
@@ -87,6 +87,8 @@ std::vector<ConfigChange> companions(const std::string& name) {
     out.push_back({std::string(glove) + ".open_below", 0.0});
     out.push_back({std::string(glove) + ".closed_above", 1.0});
   }
+  if (name == "phantom.board" || name == "phantom.position" || name == "phantom.orientation")
+    out.push_back({"phantom.body", std::string("skull")});
   for (const ConfigKey& key : client_config_keys()) {
     const std::string table = key.name.substr(0, key.name.rfind('.'));
     if (!key.needed.empty() && (name.starts_with(table + ".")))

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """ar_test.py BIN OUT: an observer and a dissector look through synthetic cameras that move around a table's board. What is virtual stays where
-it belongs among real things, hides behind a real hand, and comes back after the board was lost."""
+it belongs among real things, hides behind a real hand and a phantom, and comes back after the board was lost."""
 import math
 import os
 import pathlib
@@ -21,6 +21,7 @@ TABLE = 0.9  # m
 FLAT = "orientation = [0.70710678, -0.70710678, 0, 0]"
 DOTS = [(-0.22, 0.15), (0.26, 0.15), (0.24, -0.12), (-0.22, -0.12)]  # x, z of green plates on the table, m
 MARK, MARK_SIDE = (0.2, 0.1), 0.04  # the red mark of ar.toml
+CUBE = HERE.parent.parent / "deploy/cameras/phantom.toml"  # a board: tags on a cube of 60 mm
 WRIST = (0.0, 0.97, 0.25)
 BLACK = [(5.0 * k + 3.5, 5.0 * k + 5) for k in range(20)]  # s, the observer's camera
 PICTURES = 8
@@ -143,6 +144,10 @@ def take(who, name):
 
 try:
     start(BIN / "prosector-server", HERE / "ar.toml", "--session", session, "--cache", OUT / "cache").wait("is open")
+    lost = start(BIN / "prosector-client", "observe", "--name", "lost", "--session", session, "--display", "ar:offscreen", "--camera",
+                 synthetic("lost", ""), "--phantom", "pole")
+    check("a phantom that the scene doesn't have is refused", lost.ended(30) == 2)
+    lost.wait('phantom "pole": the scene')
     faults = "".join(f'[[fault]]\nkind = "black"\nfrom = {begin}\nto = {end}\n' for begin, end in BLACK)
     watcher = look("observe", "watcher", faults)
     watcher.wait("everything is here")
@@ -166,7 +171,17 @@ try:
     time.sleep(1)
     worked = [take(worker, f"worker_{k}") for k in range(8)]
     worker.end(signal.SIGINT)
-    for program in (watcher, worker):
+    # A cube of tags stands before the blue mark, and on a part of it; without [phantom] the mark would shine through.
+    (OUT / "cube.off").write_text("OFF\n8 6 0\n" + "".join(f"{x} {y} {z}\n" for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)) +
+                                  "4 0 1 3 2\n4 4 6 7 5\n4 0 4 5 1\n4 2 3 7 6\n4 0 2 6 4\n4 1 5 7 3\n")
+    config = OUT / "phantom_client.toml"
+    config.write_text(f'[phantom]\nmesh = "cube.off"\nscale = 0.03\nboard = "{CUBE}"\n')
+    holder = look("join", "holder", f'[[board]]\nfile = "{CUBE}"\nposition = [0, {TABLE + 0.03}, 0.165]\n', "--config", config)
+    holder.wait("everything is here")
+    time.sleep(1)
+    hidden = [take(holder, f"holder_{k}") for k in range(4)]
+    holder.end(signal.SIGINT)
+    for program in (watcher, worker, holder):
         check("a client ends well", program.process.returncode == 0)
 finally:
     for program in programs:
@@ -188,6 +203,10 @@ left = [blob(picture, 2)[2] for picture in worked]
 print(f"pixels of the blue mark that are seen: {left}; without a hand {free}")
 # From some sides the hand's board isn't read, or its pose is too old to count where pictures come slowly.
 check("what is beside the hand stays", min(blob(picture, 0)[2] for picture in worked) > 100)
+blue, red = [blob(picture, 2)[2] for picture in hidden], [blob(picture, 0)[2] for picture in hidden]
+print(f"behind the phantom {blue} pixels of the blue mark are seen")
+check("what is beside the phantom stays", min(red) > 100)
+check("the phantom hides what is behind it", free > 200 and max(blue) < 0.15 * free)
 check("the hand hides what is below it", free > 200 and sum(pixels < 0.15 * free for pixels in left) >= len(left) // 4)
 if "-v" in sys.argv:
     print("\n".join(watcher.lines + worker.lines))

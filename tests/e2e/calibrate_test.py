@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""calibrate_test.py BIN OUT: a person calibrates simulated devices in the terminal: an instrument's tip, the room, a glove, noise, latency and a
-bent field. What is written is compared with what the twins were told, which the client never sees."""
+"""calibrate_test.py BIN OUT: a person calibrates simulated devices in the terminal: an instrument's tip, the room, a phantom, a glove, noise,
+latency and a bent field. What is written is compared with what the twins were told, which the client never sees."""
 import math
 import pathlib
 import re
@@ -28,6 +28,20 @@ def about(x, y, z, angle):
     length = math.sqrt(x * x + y * y + z * z) or 1
     s = math.sin(angle / 2) / length
     return (math.cos(angle / 2), s * x, s * y, s * z)
+
+
+PHANTOM = (0.05, 0.85, -0.12, *about(0.3, 1, 0.2, 0.7))
+LANDMARKS = [(-0.1, 0.0, 0.1), (0.1, 0.0, 0.1), (0.1, 0.0, -0.1), (-0.1, 0.0, -0.1), (0.0, 0.15, 0.0)]  # m, of its shape
+TARGET = (0.0, 0.05, 0.02)
+
+
+def moved(pose, point):
+    """A point of the frame that has that pose: x, y, z, then a quaternion."""
+    w, u = pose[3], pose[4:]
+    def cross(a, b):
+        return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    t = [2 * x for x in cross(u, point)]
+    return [p + x + w * y + z for p, x, y, z in zip(pose[:3], point, t, cross(u, t))]
 
 
 def script(name, columns, rows):
@@ -194,6 +208,28 @@ instrument.station = 1 # the stylus
     told, = words(align, r"error to expect: (\S+) mm RMS amid")
     check("within 1 mm and 0.2 degrees", off < 1e-3 and turned < math.radians(0.2))
     check("a small error is told", told < 0.5)
+
+    # A phantom that stands in that room, and a place inside it.
+    tracker_config.write_text(tracker_config.read_text() + "\n[phantom]\nmesh = 'skull.stl' # printed\n")
+    keys, times = [(0, 0.1, 1.1, 0.1, *about(1, 0, 0, 0.2))], []
+    for n, point in enumerate(LANDMARKS):
+        times.append(0.4 * n + 0.4)
+        keys.append((times[-1], *moved(PHANTOM, point), *about(math.cos(n), 0.5, math.sin(n), 0.5)))
+    stylus = twin("fastrak", "tracker", poses("phantom", keys), "--room-device", room, "--tip", ",".join(map(str, TIP)), *NOISE, *holds(times))
+    programs.append(stylus)
+    phantom = calibrate("phantom", tracker_config, "--write", "--target=" + ",".join(map(str, TARGET)),
+                        *(f"--point={x},{y},{z}" for x, y, z in LANDMARKS))
+    lead(stylus, phantom, len(LANDMARKS))
+    programs.append(phantom)
+    check("the phantom's place is found", ended(phantom))
+    stylus.end()
+    found = tomllib.loads(tracker_config.read_text())["phantom"]
+    off = 1e3 * distance(moved((*found["position"], *found["orientation"]), TARGET), moved(PHANTOM, TARGET))
+    told, = words(phantom, r"error to expect at 0.000, 0.050, 0.020 m: (\S+) mm RMS")
+    print(f"the target inside the phantom is off by {off:.2f} mm; {told} mm were told")
+    check("the target is within 1 mm", off < 1)
+    check("a small error is told there", told < 0.6)
+    check("what the person wrote of the phantom stays", "mesh = 'skull.stl' # printed" in tracker_config.read_text())
 
     check("noise is measured", ended(noise))
     millimetres, degrees = words(noise, r"noise (\S+) mm, (\S+)° RMS")

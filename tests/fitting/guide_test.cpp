@@ -7,6 +7,7 @@
 #include "drivers/fitting/eyes_guide.h"
 #include "drivers/fitting/field_guide.h"
 #include "drivers/fitting/glove_guide.h"
+#include "drivers/fitting/phantom_guide.h"
 #include "drivers/fitting/room_guide.h"
 #include "drivers/fitting/timed_guides.h"
 #include "drivers/fitting/tip_guide.h"
@@ -131,6 +132,65 @@ TEST(RoomGuide, RefusesPointsThatGiveNoPose) {
   EXPECT_THROW(RoomGuide(ClientConfig(), StationRole::right_hand, {}), InputError);
   EXPECT_THROW(RoomGuide(ClientConfig(), StationRole::instrument, corners), InputError)
       << "no receiver has that role";
+}
+
+/// Touches points of a phantom, which stands in the room, or shows the camera its board.
+TEST(PhantomGuide, FindsTheShapeAndTellsTheErrorAtTargets) {
+  const std::vector<Vec3> points = {
+      {-0.1, 0, 0.1}, {0.1, 0, 0.1}, {0.1, 0, -0.1}, {-0.1, 0, -0.1}, {0, 0.15, 0}};
+  const std::vector<Vec3> targets = {{0, 0.05, 0}, {0.3, 0.3, 0}};
+  std::array<double, 2> squares{}, told{};
+  constexpr int tries = 40;
+  for (unsigned seed = 0; seed < tries; ++seed) {
+    SimulatedTracker tracker(seed);
+    const Pose truth = {Vec3(0.2, 0.9, -0.1), tracker.orientation()};
+    ClientConfig config;
+    config.phantom.mesh = "x.stl";
+    PhantomGuide guide(config, StationRole::right_hand, points, targets);
+    FedGuide fed{guide, tracker, 0, 0, {truth * Vec3(0, 0.4, 0.3), Quat::Identity()}};
+    for (const Vec3& p : points) {
+      const Vec3 slip = tracker.noise(1e-3);
+      fed.go({truth * p + slip, Quat::Identity()});
+      fed.hold(fed.at, 1);
+    }
+    ASSERT_TRUE(guide.step().done) << guide.step().trouble;
+    const GuideOutcome outcome = guide.outcome();
+    ASSERT_EQ(outcome.words.size(), 1 + targets.size());
+    const ClientConfig written = parse_client_config(
+        write_client_config("[phantom]\nmesh = 'x.stl'\n", outcome.changes, "c.toml"), "c.toml");
+    for (std::size_t k = 0; k < targets.size(); ++k) {
+      squares[k] += (*written.phantom.pose * targets[k] - truth * targets[k]).squaredNorm();
+      told[k] += std::pow(guide.fit().expected_error(targets[k]), 2);
+    }
+  }
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const double rms = std::sqrt(squares[k] / tries);
+    std::cout << "target " << k + 1 << ": " << 1e3 * rms << " mm RMS, told "
+              << 1e3 * std::sqrt(told[k] / tries) << '\n';
+    EXPECT_LT(rms, k == 0 ? 1e-3 : 3e-3) << "m";
+    EXPECT_NEAR(std::sqrt(told[k] / tries) / rms, 1, 0.35);
+  }
+}
+
+TEST(PhantomGuide, WantsACameraForAPhantomsBoard) {
+  ClientConfig config;
+  config.phantom.board = "table";
+  for (const char* tracker : {"fastrak:/dev/ttyS0", "face:0"}) {
+    config.tracker = tracker;
+    EXPECT_THROW((void)PhantomGuide::device(config), InputError) << tracker;
+  }
+  config.tracker = "hands:0,2";
+  EXPECT_EQ(PhantomGuide::address(config), "tags:0");
+  EXPECT_EQ(PhantomGuide::device(config).table, "table");
+  config.tracker = "tags:0";
+  EXPECT_EQ(PhantomGuide::address(config), "tags:0");
+  config.tracker_device.table = "tablet";
+  EXPECT_EQ(PhantomGuide::device(config).table, "table");
+  EXPECT_TRUE(PhantomGuide::device(config).room_table.p.isZero());
+  config.phantom.board.clear();
+  EXPECT_EQ(PhantomGuide::device(config).table, "tablet");
+  const std::vector<Vec3> points = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}};
+  EXPECT_THROW(PhantomGuide(config, StationRole::right_hand, points, {}), InputError) << "has no shape";
 }
 
 TEST(TipGuide, WaitsForTheTipAndEndsWithIt) {

@@ -1,0 +1,56 @@
+#include "drivers/fitting/phantom_guide.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "common/error.h"
+
+namespace prosector {
+
+PhantomGuide::PhantomGuide(const ClientConfig& config, StationRole role, std::vector<Vec3> points,
+                           std::vector<Vec3> targets)
+    : RoomGuide(config, role, std::move(points)), targets_(std::move(targets)) {
+  if (!config.phantom.has_shape())
+    throw InputError("phantom: say in [phantom] whose shape it has: body or mesh");
+}
+
+std::string PhantomGuide::address(const ClientConfig& config) {
+  const bool sees_hands =
+      !config.tracker.empty() && driver_of(config.tracker).knows_hands && driver_of(config.tracker).is_camera;
+  return sees_hands ? "tags:" + first_camera(config.tracker) : config.tracker;
+}
+
+DeviceConfig PhantomGuide::device(const ClientConfig& config) {
+  DeviceConfig out = config.tracker_device;
+  if (config.phantom.board.empty()) return out;
+  const DriverRow& driver = driver_of(address(config));
+  if (!driver.is_camera || driver.knows_head)
+    throw InputError(fmt::format(
+        "phantom.board {}: is seen by a camera that sees the tip's board, too: tracker must be "
+        "tags:CAMERA or hands:CAMERA; with {} leave the board out, and let the phantom stand still",
+        config.phantom.board, driver.name));
+  out.table = config.phantom.board;
+  out.room_table = {};
+  return out;
+}
+
+GuideOutcome PhantomGuide::outcome() const {
+  const RigidFit f = fit();
+  GuideOutcome out;
+  if (targets_.empty())
+    out.words.push_back(
+        fmt::format("error to expect amid the points: {:.2f} mm RMS", 1e3 * f.expected_error(f.centre)));
+  for (const Vec3& target : targets_)
+    out.words.push_back(fmt::format("error to expect at {:.3f}, {:.3f}, {:.3f} m: {:.2f} mm RMS", target.x(),
+                                    target.y(), target.z(), 1e3 * f.expected_error(target)));
+  const auto worst = std::max_element(f.residuals.begin(), f.residuals.end());
+  out.words.push_back(fmt::format("a touch is off by {:.2f} mm RMS; point {} fits worst", 1e3 * f.fle,
+                                  worst - f.residuals.begin() + 1));
+  const Pose shape = f.room_device.inverse();
+  out.changes = {{"phantom.position", written(shape.p)}, {"phantom.orientation", written(shape.q)}};
+  return out;
+}
+
+}  // namespace prosector
