@@ -108,11 +108,15 @@ void Viewer::look_through_camera(const SightPicture* picture) {
   through_ = std::move(now);
 }
 
-/// Waits until the hands are known as they were at that time, but not for long: they may not be seen.
+/// Waits until the hands are known as they were at that time. It isn't long that they take on their way from
+/// who has looked for them in the picture; where there are none, or others track them, they don't come.
 void Viewer::wait_for_hands(const InputPump& pump, std::int64_t time_ns) const {
-  constexpr int most_waits = 10;
-  for (int waits = 0; waits < most_waits && pump.latest().time_ns < time_ns; ++waits)
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  constexpr std::chrono::milliseconds nap(2);
+  constexpr int most_naps = 150, naps_on_way = 10;
+  for (int naps = 0; naps < most_naps && !stage_->sight->all_saw(time_ns); ++naps)
+    std::this_thread::sleep_for(nap);
+  for (int naps = 0; naps < naps_on_way && pump.latest().time_ns < time_ns; ++naps)
+    std::this_thread::sleep_for(nap);
 }
 
 /// Goes on to the headset's next frame, and hands on what it says. Returns whether a picture is wanted.

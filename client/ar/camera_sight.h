@@ -44,6 +44,8 @@ class CameraSight {
   /// Waits for a picture that wasn't returned yet, at most that long. Returns the newest, which may be an old
   /// one; null: none was ever seen.
   std::shared_ptr<const SightPicture> next(std::chrono::milliseconds patience);
+  /// Tells whether all who see by the camera have looked at the picture of that time.
+  bool all_saw(std::int64_t time_ns) const { return camera_->told_ns() >= time_ns; }
   /// Returns what is wrong with what was seen last, for people; empty: nothing.
   std::string trouble() const;
   const Pose& room_board() const { return room_board_; }

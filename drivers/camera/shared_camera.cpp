@@ -62,6 +62,7 @@ void SharedCamera::see(const Frame& frame) {
     } catch (const InputError& error) {
       problem = error.what();
     }
+  told_ns_ = frame.time_ns;
   if (!problem.empty()) throw InputError(problem);
 }
 

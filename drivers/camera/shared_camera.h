@@ -2,6 +2,8 @@
 // One camera for several who look at its pictures: a camera can be opened once only.
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -50,6 +52,9 @@ class SharedCamera {
   /// they are told of a picture.
   std::shared_ptr<TagReader> reader(const std::filesystem::path& lens);
 
+  /// Returns the time of the last picture that all seats were told of; 0: none was.
+  std::int64_t told_ns() const { return told_ns_; }
+
   const std::string& address() const { return address_; }
   CameraState state() const { return thread_->state(); }
 
@@ -60,7 +65,8 @@ class SharedCamera {
   const std::string address_;
   std::mutex mutex_;  // guards what follows, and is held while seats are told
   std::vector<Seat*> seats_;
-  const Camera* open_ = nullptr;    // while its thread tells of a picture
+  const Camera* open_ = nullptr;  // while its thread tells of a picture
+  std::atomic<std::int64_t> told_ns_ = 0;
   mutable std::mutex place_mutex_;  // guards the next two
   std::optional<Pose> room_camera_;
   std::map<std::filesystem::path, std::weak_ptr<TagReader>> readers_;

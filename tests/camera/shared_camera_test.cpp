@@ -60,6 +60,26 @@ TEST(SharedCamera, TellsEverySeatWhileItIsThere) {
   EXPECT_EQ(second.seen, left);
 }
 
+TEST(SharedCamera, SaysOfAPictureWhenAllSawIt) {
+  SharedCamera camera(scene_address("shared_told.toml"));
+  EXPECT_EQ(camera.told_ns(), 0);
+  std::atomic<std::int64_t> last_ns = 0;
+  std::atomic<int> early = 0, pictures = 0;
+  const auto look = [&](const Frame& frame) {
+    if (camera.told_ns() >= frame.time_ns) ++early;
+    last_ns = frame.time_ns;
+    ++pictures;
+  };
+  const SharedCamera::Seat one(
+      camera, [](const Camera&) {}, look),
+      two(
+          camera, [](const Camera&) {}, look);
+  ASSERT_TRUE(comes_true([&] { return pictures > 4; }));
+  EXPECT_EQ(early, 0);
+  const std::int64_t then = last_ns;
+  EXPECT_TRUE(comes_true([&] { return camera.told_ns() >= then; }));
+}
+
 TEST(SharedCamera, ReadsEachPictureOnceForAllOfOneLens) {
   SharedCamera camera(scene_address("shared_reader.toml"));
   const auto reader = camera.reader("");
