@@ -150,7 +150,7 @@ class GraphReader {
                      layer.kind == LayerKind::reshape || layer.kind == LayerKind::resize_bilinear;
     if (!how) return;
     const std::vector<std::int32_t> none, &told = layer.inputs.size() > 1 ? integers_[layer.inputs[1]] : none;
-    layer.inputs.resize(1);
+    if (layer.inputs.size() > 1) layer.inputs.erase(layer.inputs.begin() + 1, layer.inputs.end());
     if (layer.kind == LayerKind::mean && told != std::vector<std::int32_t>{1, 2})
       throw InputError("has a mean over other dimensions than height and width");
     if (layer.kind != LayerKind::pad) return;
